@@ -1,8 +1,8 @@
 #include "hsp_contacts.hpp"
 
-#include "contacts/contact_groups.hpp"
 #include "contacts/contacts_check.hpp"
 #include "core/summation.hpp"
+#include "group_rows.hpp"
 
 using hsp::capi::check_output;
 using hsp::capi::check_request;
@@ -165,16 +165,10 @@ int32_t hsp_contacts_group(hsp_contacts *contacts, const uint32_t *group, hsp_gr
     return HSP_E_ARGUMENT;
   }
   if (!contacts->has_results()) return HSP_E_STATE;
-  const hsp::ContactGroups groups(contacts->balls(), contacts->structure(), group, contacts->builder.scratch());
-  uint32_t count = 0;
-  groups.visit([&count](const hsp::GroupContact &) { ++count; });
-  const int32_t status = check_output(out, capacity, count, needed);
-  if (status != HSP_OK) return status;
-  const hsp::exact::Lattice &lattice = contacts->balls().lattice;
-  groups.visit([&](const hsp::GroupContact &sum) {
-    *out++ = {lattice.area(sum.area), lattice.length(sum.edge), {sum.group[0], sum.group[1]}, sum.contacts, 0};
-  });
-  return HSP_OK;
+  const hsp::Contacts &structure = contacts->structure();
+  const hsp::ContactGroups groups(contacts->balls(), structure, structure.contact_count(), {group, nullptr},
+                                  contacts->builder.scratch());
+  return hsp::capi::put_groups(groups, contacts->balls().lattice, out, capacity, needed);
 }
 
 int32_t hsp_contacts_get_complex(const hsp_contacts *contacts, hsp_complex *counts) {

@@ -1,11 +1,10 @@
 #include "hsp_periodic.hpp"
 
 #include "gradient_arrays.hpp"
-#include "measure/morphometry.hpp"
-#include "measure/tangency.hpp"
+#include "group_rows.hpp"
 #include "model_options.hpp"
 #include "periodic/periodic_check.hpp"
-#include "periodic/periodic_measures.hpp"
+#include "periodic/periodic_tangency.hpp"
 #include "periodic_shifts.hpp"
 
 using hsp::capi::check_output;
@@ -76,21 +75,6 @@ hsp_winding to_winding(const hsp::Windings &windings, uint32_t component) {
     for (int k = 0; k < 3; ++k) result.row[3 * r + static_cast<uint32_t>(k)] = lattice.row[r][k];
   }
   return result;
-}
-
-// Balls in others are not on the boundary. What is seen of a ball in the box is so of its images.
-void flag_inner_contacts_in_box(const hsp::PeriodicUnion &periodic, uint32_t *flags) {
-  const hsp::BallSet &balls = periodic.balls();
-  for (uint32_t inner = 0; inner < periodic.images().balls(); ++inner) {
-    if (!periodic.boundary().is_contained(inner)) continue;
-    hsp::visit_balls_touched_from_inside(periodic.grid(), inner, [&](uint32_t outer) {
-      if (balls.r[inner] == balls.r[outer] && !periodic.is_exposed(outer)) return;
-      const uint32_t both[2] = {inner, outer};
-      for (const uint32_t ball : both) {
-        flags[periodic.images().ball_of(balls.caller[ball])] |= HSP_GRADIENT_ONE_SIDED;
-      }
-    });
-  }
 }
 
 }  // namespace
@@ -166,24 +150,6 @@ int32_t hsp_periodic_measure(const hsp_periodic *periodic, hsp_periodic_totals *
   return HSP_OK;
 }
 
-int32_t hsp_periodic_curvature(const hsp_periodic *periodic, hsp_curvatures *totals, double *mean,
-                               int32_t *gauss_thirds, uint32_t capacity, uint32_t *needed) {
-  if (!is_live(periodic)) return HSP_E_ARGUMENT;
-  if (!periodic->has_results()) return HSP_E_STATE;
-  const bool wanted = mean != nullptr || gauss_thirds != nullptr;
-  if (!hsp::capi::fits(wanted, capacity, periodic->balls(), needed)) return HSP_E_CAPACITY;
-  const hsp::PeriodicUnion &structure = periodic->builder;
-  const hsp::exact::Lattice &lattice = structure.images().lattice();
-  const hsp::CurvatureTotals found =
-      hsp::sum_curvatures(structure.grid(), structure.boundary(), [&](uint32_t i, const hsp::BallCurvature &curvature) {
-        if (mean != nullptr) mean[i] = lattice.length(curvature.mean);
-        if (gauss_thirds != nullptr) gauss_thirds[i] = curvature.gauss;
-      });
-  // The set has its lengths in steps.
-  if (totals != nullptr) *totals = {lattice.length(found.mean), found.gauss};
-  return HSP_OK;
-}
-
 int32_t hsp_periodic_get_contacts(const hsp_periodic *periodic, hsp_periodic_contact *out, uint32_t capacity,
                                   uint32_t *needed) {
   const int32_t status =
@@ -202,6 +168,16 @@ int32_t hsp_periodic_get_contacts(const hsp_periodic *periodic, hsp_periodic_con
                        });
   }
   return HSP_OK;
+}
+
+int32_t hsp_periodic_group_contacts(hsp_periodic *periodic, const uint32_t *group, hsp_group_contact *out,
+                                    uint32_t capacity, uint32_t *needed) {
+  if (!is_live(periodic) || group == nullptr || needed == nullptr || (out == nullptr && capacity > 0)) {
+    return HSP_E_ARGUMENT;
+  }
+  if (!periodic->has_results()) return HSP_E_STATE;
+  hsp::PeriodicUnion &structure = periodic->builder;
+  return hsp::capi::put_groups(structure.group_contacts(group), structure.images().lattice(), out, capacity, needed);
 }
 
 int32_t hsp_periodic_get_windings(const hsp_periodic *periodic, hsp_winding *out, uint32_t capacity, uint32_t *needed) {
@@ -240,14 +216,16 @@ int32_t hsp_periodic_gradient(const hsp_periodic *periodic, const double *sigma,
                                pressure};
   const hsp::Energy found = hsp::differentiate_in_box(
       structure, terms, [&](uint32_t i, const hsp::EnergyGradient &gradient) { arrays.put(i, gradient); });
-  if (flags != nullptr) flag_inner_contacts_in_box(structure, flags);
+  if (flags != nullptr) {
+    // Balls in others are not on the boundary.
+    hsp::visit_free_inner_contacts_in_box(structure, [&](uint32_t inner, uint32_t outer) {
+      flags[inner] |= HSP_GRADIENT_ONE_SIDED;
+      flags[outer] |= HSP_GRADIENT_ONE_SIDED;
+    });
+  }
   if (energy != nullptr) *energy = hsp::capi::to_c(found);
   if (d_strain == nullptr && d_box == nullptr) return HSP_OK;
-  const hsp::BoxGradient by_all = hsp::differentiate_by_box(structure, terms);
-  for (int k = 0; k < 9; ++k) {
-    if (d_strain != nullptr) d_strain[k] = by_all.strain[k];
-    if (d_box != nullptr) d_box[k] = by_all.box[k];
-  }
+  hsp::capi::put_box_gradient(hsp::differentiate_by_box(structure, terms), d_strain, d_box);
   return HSP_OK;
 }
 

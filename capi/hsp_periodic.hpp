@@ -2,7 +2,7 @@
 #pragma once
 
 #include "handle_memory.hpp"
-#include "periodic/periodic_union.hpp"
+#include "periodic/periodic_measures.hpp"
 
 struct hsp_periodic {
   using Builder = hsp::PeriodicUnion;
@@ -16,3 +16,15 @@ struct hsp_periodic {
   uint32_t balls() const { return builder.images().balls(); }
   const hsp::exact::Lattice &lattice() const { return builder.images().lattice(); }
 };
+
+namespace hsp::capi {
+
+// Each array may be null.
+inline void put_box_gradient(const BoxGradient &gradient, double *d_strain, double *d_box) {
+  for (int k = 0; k < 9; ++k) {
+    if (d_strain != nullptr) d_strain[k] = gradient.strain[k];
+    if (d_box != nullptr) d_box[k] = gradient.box[k];
+  }
+}
+
+}  // namespace hsp::capi

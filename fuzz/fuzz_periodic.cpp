@@ -1,6 +1,7 @@
-// Unions in a periodic box: the library's check of itself, contacts and neighbours from both sides, cells and windings
-// that add up, the same bytes from other images of the balls and other vectors of the box, twice the box along one of
-// them, records that fit together, points and query balls against all images, and limits that are too small.
+// Unions in a periodic box: the library's check of itself, contacts and neighbours from both sides, cells, windings and
+// groups that add up, morphometric energies, the same bytes from other images of the balls and other vectors of the
+// box, twice the box along one of them, records that fit together, points and query balls against all images, and
+// limits that are too small.
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -67,7 +68,11 @@ struct Result {
   std::vector<hsp_winding> windings;
   std::vector<uint32_t> component;
   hsp_energy energy{};
-  std::array<double, 9> strain{}, box{};
+  hsp_morphometric_energy morphometric{};
+  std::array<double, 9> strain{}, box{}, curved_strain{}, curved_box{};
+  std::vector<double> curved_centre, curved_radius;
+  std::vector<uint32_t> curved_flags;
+  std::vector<hsp_group_contact> groups;
   hsp_periodic_limits needed{};
 };
 
@@ -113,7 +118,67 @@ Result result_of(support::OwnedPeriodic &periodic, const Crystal &crystal) {
                                      result.radius.data(), nullptr, result.strain.data(), result.box.data(), n, nullptr,
                                      nullptr) == HSP_OK,
                "gradient");
+  result.curved_radius.resize(n);
+  result.curved_centre.resize(3 * size_t{n});
+  result.curved_flags.resize(n);
+  const hsp_morphometry bending{0, 0, 1, 0};
+  FUZZ_REQUIRE(
+      hsp_periodic_morphometry(p, nullptr, &bending, &result.morphometric, result.curved_centre.data(),
+                               result.curved_radius.data(), result.curved_flags.data(), result.curved_strain.data(),
+                               result.curved_box.data(), n, nullptr, nullptr) == HSP_OK,
+      "morphometric energy");
+  std::vector<uint32_t> group(size_t{n} + 1);
+  for (uint32_t i = 0; i < n; ++i) group[i] = i % 3 == 2 ? HSP_NONE : i % 3;
+  result.groups = support::all_records<hsp_group_contact>(
+      [&](auto... out) { return hsp_periodic_group_contacts(periodic.get(), group.data(), out...); },
+      "hsp_periodic_group_contacts");
   return result;
+}
+
+// Gradients of the mean curvature may be very steep, and then lose as many digits.
+void require_curved_laws(const Crystal &crystal, const Result &result) {
+  double sum[3] = {0, 0, 0}, lengths = 0, steepest = 1;
+  for (const double x : result.curved_centre) steepest = std::fmax(steepest, std::fabs(x));
+  for (uint32_t i = 0; i < crystal.n(); ++i) {
+    const double radius = crystal.balls.radius[i] + crystal.options.probe;
+    lengths += radius * result.curved_radius[i];
+    steepest = std::fmax(steepest, radius * std::fabs(result.curved_radius[i]));
+    for (size_t axis = 0; axis < 3; ++axis) sum[axis] += result.curved_centre[3 * size_t{i} + axis];
+  }
+  for (const double x : result.curved_strain) steepest = std::fmax(steepest, std::fabs(x));
+  FUZZ_REQUIRE(std::isfinite(steepest), "the gradient of the mean curvature");
+  for (const double x : sum) FUZZ_REQUIRE(std::fabs(x) <= 1e-7 * steepest, "sum of the gradient of the mean curvature");
+  for (const double x : result.curved_box) FUZZ_REQUIRE(std::isfinite(x), "the mean curvature by the box");
+  for (size_t p = 0; p < 3; ++p) lengths += result.curved_strain[4 * p];
+  FUZZ_REQUIRE(std::fabs(result.morphometric.mean - result.curvatures.mean) <= 1e-9 * steepest, "the mean curvature");
+  FUZZ_REQUIRE(std::fabs(result.morphometric.mean - lengths) <= 1e-7 * steepest, "lengths of the mean curvature");
+  for (const uint32_t flags : result.curved_flags) {
+    if (flags != 0) return;
+  }
+  for (size_t p = 0; p < 3; ++p) {
+    for (size_t q = 0; q < p; ++q) {
+      const double turning = result.curved_strain[3 * p + q] - result.curved_strain[3 * q + p];
+      FUZZ_REQUIRE(std::fabs(turning) <= 1e-7 * steepest, "the mean curvature of what is turned");
+    }
+  }
+}
+
+// Sums over the contacts.
+void require_groups(const Result &result) {
+  hsp_group_contact sum{};
+  for (const hsp_periodic_contact &contact : result.contacts) {
+    const uint32_t a = contact.ball[0] % 3, b = contact.ball[1] % 3;
+    if (a == b || a == 2 || b == 2) continue;
+    sum.area += contact.area;
+    sum.edge += contact.edge;
+    ++sum.contacts;
+  }
+  FUZZ_REQUIRE(result.groups.size() == (sum.contacts > 0 ? 1U : 0U), "how many groups are in contact");
+  if (sum.contacts == 0) return;
+  const hsp_group_contact &found = result.groups[0];
+  FUZZ_REQUIRE(found.group[0] == 0 && found.group[1] == 1 && found.contacts == sum.contacts, "two groups");
+  FUZZ_REQUIRE(std::fabs(found.area - sum.area) <= 1e-12 * sum.area, "area between groups");
+  FUZZ_REQUIRE(std::fabs(found.edge - sum.edge) <= 1e-12 * sum.edge, "edges between groups");
 }
 
 void require_laws(const hsp_periodic *periodic, const Crystal &crystal, const Result &result) {
@@ -205,6 +270,14 @@ void require_same(const Result &p, const Result &q) {
   FUZZ_REQUIRE(same_numbers(p.centre, q.centre) && same_numbers(p.radius, q.radius), "gradients of other images");
   FUZZ_REQUIRE(std::memcmp(&p.energy, &q.energy, sizeof p.energy) == 0, "energies of other images");
   FUZZ_REQUIRE(p.strain == q.strain, "strain of other images");
+  FUZZ_REQUIRE(std::memcmp(&p.morphometric, &q.morphometric, sizeof p.morphometric) == 0 &&
+                   same_numbers(p.curved_centre, q.curved_centre) && same_numbers(p.curved_radius, q.curved_radius) &&
+                   p.curved_flags == q.curved_flags && p.curved_strain == q.curved_strain,
+               "morphometric energies of other images");
+  FUZZ_REQUIRE(p.groups.size() == q.groups.size() &&
+                   (p.groups.empty() ||
+                    std::memcmp(p.groups.data(), q.groups.data(), p.groups.size() * sizeof p.groups[0]) == 0),
+               "groups of other images");
 }
 
 // The records of the boundary against each other and against the balls.
@@ -269,6 +342,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   support::OwnedPeriodic periodic;
   const Result reference = result_of(periodic, crystal);
   require_laws(periodic.get(), crystal, reference);
+  require_curved_laws(crystal, reference);
+  require_groups(reference);
   for (int k = 0; k < 3; ++k) require_hits(periodic.get(), crystal, bytes);
 
   Crystal moved = crystal;

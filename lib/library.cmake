@@ -106,6 +106,7 @@ set(HSP_LIBRARY_SOURCES
   lib/periodic/periodic_check.cpp
   lib/periodic/periodic_images.cpp
   lib/periodic/periodic_measures.cpp
+  lib/periodic/periodic_morphometry.cpp
   lib/periodic/periodic_queries.cpp
   lib/periodic/periodic_records.cpp
   lib/periodic/periodic_union.cpp
@@ -217,6 +218,7 @@ set(HSP_LIBRARY_SOURCES
   capi/hsp_contacts.cpp
   capi/hsp_periodic.cpp
   capi/hsp_periodic_boundary.cpp
+  capi/hsp_periodic_curvature.cpp
   capi/hsp_periodic_queries.cpp
   capi/hsp_moving.cpp
   capi/hsp_surface.cpp

@@ -1756,11 +1756,41 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_periodic_morphometry(periodic, sigma, factors, energy, d_centre, d_radius, flags, d_strain, d_box, &
+                                      capacity, needed, first_bad) result(status) &
+      bind(C, name="hsp_periodic_morphometry")
+      import :: c_double, c_int32_t, c_ptr, hsp_morphometric_energy, hsp_morphometry
+      type(c_ptr), value :: periodic
+      real(c_double), intent(in), optional :: sigma(*)          ! n
+      type(hsp_morphometry), intent(in) :: factors
+      type(hsp_morphometric_energy), intent(inout), optional :: energy
+      real(c_double), intent(inout), optional :: d_centre(3, *) ! 3, n
+      real(c_double), intent(inout), optional :: d_radius(*)    ! n
+      integer(c_int32_t), intent(inout), optional :: flags(*)   ! n; HSP_CURVATURE_*
+      real(c_double), intent(inout), optional :: d_strain(9)    ! by eps_xx, eps_xy, ...
+      real(c_double), intent(inout), optional :: d_box(9)       ! by the components of box
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t), intent(inout), optional :: first_bad
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_periodic_get_contacts(periodic, out, capacity, needed) result(status) &
       bind(C, name="hsp_periodic_get_contacts")
       import :: c_int32_t, c_ptr, hsp_periodic_contact
       type(c_ptr), value :: periodic
       type(hsp_periodic_contact), intent(inout), optional :: out(*)
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_periodic_group_contacts(periodic, group, out, capacity, needed) result(status) &
+      bind(C, name="hsp_periodic_group_contacts")
+      import :: c_int32_t, c_ptr, hsp_group_contact
+      type(c_ptr), value :: periodic
+      integer(c_int32_t), intent(in) :: group(*) ! n
+      type(hsp_group_contact), intent(inout), optional :: out(*)
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(inout) :: needed
       integer(c_int32_t) :: status
@@ -3262,7 +3292,7 @@ contains
     integer(c_int32_t), intent(in) :: balls, images, neighbours, vertices, circles, contacts
     integer(c_size_t) :: bytes
     bytes = 16384_c_size_t + 384_c_size_t*int(balls, c_size_t) + 256_c_size_t*int(images, c_size_t) &
-            + 384_c_size_t*int(neighbours, c_size_t) + 160_c_size_t*int(vertices, c_size_t) &
+            + 448_c_size_t*int(neighbours, c_size_t) + 160_c_size_t*int(vertices, c_size_t) &
             + 80_c_size_t*int(circles, c_size_t) + 60_c_size_t*int(contacts, c_size_t)
   end function
 

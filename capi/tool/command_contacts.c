@@ -96,42 +96,6 @@ static bool find_contacts_in_box(struct findings *found, struct failure *failure
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
-static int compare_groups(const void *left, const void *right) {
-  const hsp_group_contact *p = left, *q = right;
-  for (int k = 0; k < 2; ++k) {
-    if (p->group[k] != q->group[k]) return p->group[k] < q->group[k] ? -1 : 1;
-  }
-  /* Within a pair of groups the order of the contacts, which is the order of the sum. */
-  return p->reserved < q->reserved ? -1 : p->reserved > q->reserved;
-}
-
-/* Sums over the contacts between balls of different groups. */
-static bool sum_groups_in_box(struct findings *found, struct failure *failure) {
-  hsp_group_contact *list = calloc((size_t)found->contact_count + 1, sizeof *list);
-  found->between = list;
-  if (list == NULL) return failure_of_memory(failure);
-  uint32_t count = 0;
-  for (uint32_t k = 0; k < found->contact_count; ++k) {
-    const hsp_contact *contact = &found->contacts[k];
-    const uint32_t a = found->group_of[contact->ball[0]], b = found->group_of[contact->ball[1]];
-    if (a == b) continue;
-    list[count] = (hsp_group_contact){contact->area, contact->edge, {a < b ? a : b, a < b ? b : a}, 1, count};
-    ++count;
-  }
-  qsort(list, count, sizeof *list, compare_groups);
-  for (uint32_t k = 0; k < count; ++k) {
-    hsp_group_contact *last = found->between_count > 0 ? &list[found->between_count - 1] : NULL;
-    if (last == NULL || last->group[0] != list[k].group[0] || last->group[1] != list[k].group[1]) {
-      list[found->between_count++] = list[k];
-    } else {
-      last->area += list[k].area;
-      last->edge += list[k].edge;
-      ++last->contacts;
-    }
-  }
-  return true;
-}
-
 /* The number of each atom's residue or chain. */
 static bool number_groups(const struct molecule *molecule, struct findings *found, struct failure *failure) {
   if (found->groups.grouping == GROUPING_CHAIN) return chain_numbers_make(molecule, &found->group_of, failure);
@@ -144,6 +108,15 @@ static bool number_groups(const struct molecule *molecule, struct findings *foun
   return true;
 }
 
+/* Into found->between, and how many there are into found->between_count. */
+static int32_t between_groups(const struct geometry *geometry, struct findings *found, uint32_t capacity) {
+  uint32_t *const count = &found->between_count;
+  if (found->box.periodic != NULL) {
+    return hsp_periodic_group_contacts(geometry->periodic, found->group_of, found->between, capacity, count);
+  }
+  return hsp_contacts_group(geometry->work.contacts, found->group_of, found->between, capacity, count);
+}
+
 static bool find_groups(const struct request *request, const struct molecule *molecule, const struct geometry *geometry,
                         struct findings *found, struct failure *failure) {
   double *const nothing = calloc((size_t)molecule->atoms + 1, sizeof *nothing);
@@ -152,13 +125,11 @@ static bool find_groups(const struct request *request, const struct molecule *mo
                     number_groups(molecule, found, failure);
   free(nothing);
   if (!done) return false;
-  if (found->box.periodic != NULL) return sum_groups_in_box(found, failure);
-  int32_t status = hsp_contacts_group(geometry->work.contacts, found->group_of, NULL, 0, &found->between_count);
+  int32_t status = between_groups(geometry, found, 0);
   if (status != HSP_OK && status != HSP_E_CAPACITY) return failure_in_library(failure, status);
   found->between = calloc((size_t)found->between_count + 1, sizeof *found->between);
   if (found->between == NULL) return failure_of_memory(failure);
-  status = hsp_contacts_group(geometry->work.contacts, found->group_of, found->between, found->between_count,
-                              &found->between_count);
+  status = between_groups(geometry, found, found->between_count);
   return status == HSP_OK || failure_in_library(failure, status);
 }
 

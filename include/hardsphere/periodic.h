@@ -60,7 +60,7 @@ HSP_API int32_t hsp_periodic_bytes(const hsp_periodic_limits *limits, size_t *by
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_PERIODIC_BYTES(balls, images, neighbours, vertices, circles, contacts)                          \
   ((size_t)16384 + (size_t)384 * (size_t)(balls) + (size_t)256 * (size_t)(images) +                         \
-   (size_t)384 * (size_t)(neighbours) + (size_t)160 * (size_t)(vertices) + (size_t)80 * (size_t)(circles) + \
+   (size_t)448 * (size_t)(neighbours) + (size_t)160 * (size_t)(vertices) + (size_t)80 * (size_t)(circles) + \
    (size_t)60 * (size_t)(contacts))
 
 /** Make an empty union in caller memory of any alignment; sets *periodic.
@@ -145,6 +145,24 @@ HSP_API int32_t hsp_periodic_measure(const hsp_periodic *periodic, hsp_periodic_
 HSP_API int32_t hsp_periodic_curvature(const hsp_periodic *periodic, hsp_curvatures *totals, double *mean,
                                        int32_t *gauss_thirds, uint32_t capacity, uint32_t *needed);
 
+/** A morphometric energy, its gradient by the balls, and its derivatives by the box, in one call. The arguments are
+ *  those of hsp_boundary_morphometry, and d_strain [9] and d_box [9] those of hsp_periodic_gradient: they may be NULL.
+ *  When a ball moves or grows all of its images do. The volume is the sum of the cells.
+ *  On failure nothing but *needed and *first_bad is written.
+ *  - Property 1: the sum of d_centre is zero up to rounding.
+ *  - Property 2: with only bending not 0, the trace of d_strain + sum_i r_i d_radius_i is M(sigma), up to rounding.
+ *  - Property 3: d_strain is symmetric up to rounding, where no ball has a flag.
+ *
+ *  Cost: O(n + vertices + circles + contacts).
+ *  @retval HSP_E_ARGUMENT    periodic or factors is NULL
+ *  @retval HSP_E_CAPACITY    an array for balls is given and capacity < n
+ *  @retval HSP_E_STATE       nothing computed
+ *  @retval HSP_E_NOT_FINITE  a sigma or a factor is NaN or infinite */
+HSP_API int32_t hsp_periodic_morphometry(const hsp_periodic *periodic, const double *sigma,
+                                         const hsp_morphometry *factors, hsp_morphometric_energy *energy,
+                                         double *d_centre, double *d_radius, uint32_t *flags, double *d_strain,
+                                         double *d_box, uint32_t capacity, uint32_t *needed, uint32_t *first_bad);
+
 /** A contact of a ball and an image. Frozen. */
 typedef struct hsp_periodic_contact {
   double area;       /**< length^2 */
@@ -166,6 +184,15 @@ typedef struct hsp_periodic_contact {
  *  @retval HSP_E_STATE     nothing computed */
 HSP_API int32_t hsp_periodic_get_contacts(const hsp_periodic *periodic, hsp_periodic_contact *out, uint32_t capacity,
                                           uint32_t *needed);
+
+/** Sums over the contacts between groups of balls, as hsp_contacts_group; images belong to the groups of their balls.
+ *  So what a group has in contact with its own images is left out, and what two groups have across several faces is one
+ *  sum. Uses memory of the handle.
+ *  @retval HSP_E_ARGUMENT  a null pointer (out may be NULL with capacity 0)
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
+ *  @retval HSP_E_STATE     nothing computed */
+HSP_API int32_t hsp_periodic_group_contacts(hsp_periodic *periodic, const uint32_t *group, hsp_group_contact *out,
+                                            uint32_t capacity, uint32_t *needed);
 
 /** A connected component of the union, and where it leads. Frozen. */
 typedef struct hsp_winding {

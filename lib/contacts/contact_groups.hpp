@@ -14,14 +14,26 @@ struct GroupContact {
   double edge = 0.0;
 };
 
+// The group of each ball.
+struct BallGroups {
+  const uint32_t *group;            // by the caller's index; no_id for balls of no group
+  const uint32_t *owner = nullptr;  // null, or whose group each ball of the caller's order has
+
+  uint32_t of(const BallSet &balls, uint32_t i) const {
+    const uint32_t caller = balls.caller[i];
+    return group[owner == nullptr ? caller : owner[caller]];
+  }
+};
+
 // The contacts between balls of different groups.
 class ContactGroups {
  public:
-  // group: by the caller's index; no_id for balls of no group. scratch [contacts]
-  ContactGroups(const BallSet &balls, const Contacts &contacts, const uint32_t *group, Span<uint32_t> scratch)
-      : balls_(balls), contacts_(contacts), group_(group) {
+  // Of the first `number` contacts. scratch [contacts]
+  ContactGroups(const BallSet &balls, const Contacts &contacts, uint32_t number, const BallGroups &groups,
+                Span<uint32_t> scratch)
+      : balls_(balls), contacts_(contacts), groups_(groups) {
     uint32_t count = 0;
-    for (uint32_t id = 0; id < contacts.contact_count(); ++id) {
+    for (uint32_t id = 0; id < number; ++id) {
       const Pair pair = pair_of(id);
       if (pair.low < pair.high && pair.high != no_id) scratch[count++] = id;
     }
@@ -56,16 +68,15 @@ class ContactGroups {
     uint32_t low, high;
   };
   Pair pair_of(uint32_t id) const {
-    const auto group_of = [this](uint32_t ball) { return group_[balls_.caller[ball]]; };
     const ContactRecord &contact = contacts_.contact(id);
-    const uint32_t a = group_of(contact.ball[0]);
-    const uint32_t b = group_of(contact.ball[1]);
+    const uint32_t a = groups_.of(balls_, contact.ball[0]);
+    const uint32_t b = groups_.of(balls_, contact.ball[1]);
     return a < b ? Pair{a, b} : Pair{b, a};
   }
 
   const BallSet &balls_;
   const Contacts &contacts_;
-  const uint32_t *group_;
+  const BallGroups groups_;
   Span<uint32_t> order_;
 };
 

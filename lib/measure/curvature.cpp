@@ -33,11 +33,7 @@ class MeanCurvature {
 
   void add(const ArcBatch &batch) {
     EdgeBatch edges;
-    for (uint32_t s = 0; s < batch.count; ++s) {
-      edges.weight[s] = weights_.of(balls_, batch.other[s]);
-      edges.radius[s] = balls_.r[batch.other[s]];
-    }
-    for (uint32_t s = batch.count; s < batch.count + sum_lanes - 1; ++s) edges.weight[s] = edges.radius[s] = 0.0;
+    fill(batch, edges);
     const EdgeSums sums = sums_of(batch, edges);
     result.mean += sums.mean;
     result.centre = result.centre + Vec3{sums.centre[0], sums.centre[1], sums.centre[2]};
@@ -52,9 +48,59 @@ class MeanCurvature {
     result.radius += weight_ * steradians;
   }
 
+  // The terms of add(), each with the place that it counts from (edge_kernel.hpp has their formulas).
+  void add_strain(const ArcBatch &batch, StrainSum &sum) {
+    EdgeBatch edges;
+    fill(batch, edges);
+    static_cast<void>(sums_of(batch, edges));
+    for (uint32_t s = 0; s < batch.count; ++s) add_strain_of_slot(batch, edges, s, sum);
+  }
+
   MeanCurvatureGradient result;
 
  private:
+  void fill(const ArcBatch &batch, EdgeBatch &edges) const {
+    for (uint32_t s = 0; s < batch.count; ++s) {
+      edges.weight[s] = weights_.of(balls_, batch.other[s]);
+      edges.radius[s] = balls_.r[batch.other[s]];
+    }
+    for (uint32_t s = batch.count; s < batch.count + sum_lanes - 1; ++s) edges.weight[s] = edges.radius[s] = 0.0;
+  }
+
+  void add_strain_of_slot(const ArcBatch &batch, const EdgeBatch &edges, uint32_t s, StrainSum &sum) const {
+    const double pull = edges.pull[s];
+    if (batch.any_touching && batch.touching[s] != Touching::no) return;  // an edge without length
+    const Vec3 v{batch.vx[s], batch.vy[s], batch.vz[s]};
+    const Vec3 u{batch.ux[s], batch.uy[s], batch.uz[s]};
+    const double inverse = batch.inverse_distance[s];
+    const double h = 0.5 * batch.twice_height[s];
+    const double other_h = std::sqrt(dot(v, v)) - h;
+    const double shared = 0.5 * (weight_ + edges.weight[s]);
+    const double along =
+        batch.angle[s] * (0.5 * (shared - pull * h * other_h) - (weight_ * other_h + edges.weight[s] * h) * inverse);
+    sum.add(-0.5 * along, u, v);
+    if (batch.arc[s] == 0) return;
+    const Vec3 X{batch.Xx[s], batch.Xy[s], batch.Xz[s]};
+    sum.add(-0.25 * (weight_ - edges.weight[s]) * inverse, X, v);
+    const auto add_end = [&](uint32_t slot, double sign) {
+      if (!(batch.root_discriminant[slot] > 0.0)) return;  // it counts as unmoved
+      const Vec3 x{batch.px[slot], batch.py[slot], batch.pz[slot]};
+      sum.add(sign * 0.125 * pull * other_h, cross(x, u), x);
+    };
+    add_end(s, 1.0);
+    add_end(batch.next[s], -1.0);
+    const double root = batch.root_discriminant[s];
+    if (!(root > 0.0)) return;
+    const uint32_t before = batch.previous[s];
+    const double along_a = edges.third_cosine[s] * edges.cosine[s] - edges.cosine[before] * square(edges.radius[s]);
+    const double along_b =
+        edges.third_cosine[s] * edges.cosine[before] - edges.cosine[s] * square(edges.radius[before]);
+    const double lambda = (edges.third_force[s] + pull * along_a + edges.pull[before] * along_b) / root;
+    const Vec3 x{batch.px[s], batch.py[s], batch.pz[s]};
+    sum.add(-0.25 * lambda, x, x);
+  }
+  static double square(double a) { return a * a; }
+
   EdgeSums sums_of(const ArcBatch &batch, EdgeBatch &edges) const {
     const double radius = balls_.r[k_];
 #if HSP_AVX2
@@ -130,6 +176,14 @@ CurvedBallGradient curved_gradient_of_ball(const BallSet &balls, const Boundary 
                                      [&curvature](const ArcBatch &batch) { curvature.add(batch); }));
   result.curvature = curvature.result;
   return result;
+}
+
+void add_curvature_strain_of_ball(const BallSet &balls, const Boundary &boundary, const AreaWeights &weights,
+                                  uint32_t k, StrainSum &sum) {
+  if (!boundary.is_exposed(k)) return;
+  MeanCurvature curvature(balls, boundary, weights, k, false);
+  ArcBatches arcs(balls, boundary, k);
+  while (arcs.next()) curvature.add_strain(arcs.batch(), sum);
 }
 
 }  // namespace hsp

@@ -23,6 +23,7 @@
 #pragma once
 
 #include "measure/gradients.hpp"
+#include "measure/strain.hpp"
 
 namespace hsp {
 
@@ -52,5 +53,11 @@ struct CurvedBallGradient {
 };
 CurvedBallGradient curved_gradient_of_ball(const BallSet &balls, const Boundary &boundary, const AreaWeights &weights,
                                            uint32_t k, bool any_tied);
+
+// Ball k's part of the derivatives of a weighted M by the strain, in steps: all balls' parts sum to them. What M takes
+// from the vector between two balls counts half at each of them. What a vertex adds to the derivatives by its balls'
+// centres counts with their places as seen from the vertex.
+void add_curvature_strain_of_ball(const BallSet &balls, const Boundary &boundary, const AreaWeights &weights,
+                                  uint32_t k, StrainSum &sum);
 
 }  // namespace hsp

@@ -1,30 +1,6 @@
 #include "periodic/periodic_measures.hpp"
 
 namespace hsp {
-namespace {
-
-// Sums of nine terms.
-class StrainSum {
- public:
-  // factor * v (x) w
-  void add(double factor, const Vec3 &v, const Vec3 &w) {
-    const double left[3] = {factor * v.x, factor * v.y, factor * v.z};
-    const double right[3] = {w.x, w.y, w.z};
-    for (int p = 0; p < 3; ++p) {
-      for (int q = 0; q < 3; ++q) sum_[3 * p + q].add(left[p] * right[q]);
-    }
-  }
-  Strain total() const {
-    Strain strain;
-    for (int k = 0; k < 9; ++k) strain.by[k] = sum_[k].total();
-    return strain;
-  }
-
- private:
-  TreeSum sum_[9];
-};
-
-}  // namespace
 
 BallMeasure measure_in_box(const PeriodicUnion &periodic, uint32_t i) {
   const uint32_t ball = periodic.grid().grid_index(i);

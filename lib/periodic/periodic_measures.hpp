@@ -8,6 +8,7 @@
 // places as multiples of them held fixed, the derivative by h is X h^-T for X that by the strain.
 #pragma once
 
+#include "measure/strain.hpp"
 #include "measure/totals.hpp"
 #include "periodic/periodic_union.hpp"
 
@@ -49,13 +50,6 @@ PeriodicTotals measure_periodic(const PeriodicUnion &periodic, Sink sink) {
   totals.contact_area = lattice.area(contact_area.total());
   return totals;
 }
-
-// Derivatives by the strain, as rows: [3 p + q] is by eps_pq, of x_p by x_q. And their sums with weights by the box.
-struct Strain {
-  double by[9] = {};
-
-  double trace() const { return by[0] + by[4] + by[8]; }
-};
 
 // Of the volume, in cubic steps.
 Strain volume_by_strain(const PeriodicUnion &periodic);

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "boundary/boundary_part.hpp"
+#include "contacts/contact_groups.hpp"
 #include "contacts/contacts_builder.hpp"
 #include "core/ranked_bits.hpp"
 #include "periodic/periodic_images.hpp"
@@ -68,7 +69,7 @@ class ImagesInGrid {
   ImagesInGrid(const CubeGrid &grid, const PeriodicImages &images) : grid_(grid), images_(images) {}
 
   static constexpr bool there = true;
-  bool comes_before_its_ball(uint32_t image) const { return comes_before(shift_of(image), {}); }
+  bool comes_before_its_ball(uint32_t image) const { return visited_before(shift_of(image), {}); }
   uint32_t ball_of(uint32_t image) const { return grid_.grid_index(images_.ball_of(number(image))); }
   uint32_t moved_back(uint32_t other, uint32_t image) const { return moved(other, BoxShift{} - shift_of(image)); }
   // Ball or image, moved by a shift; no_id if it is not in the set.
@@ -130,6 +131,13 @@ class PeriodicUnion {
   // Whether what ball i has in common with another one, or an image, is listed at ball i: at one of the two, the first.
   bool is_listed(uint32_t i, uint32_t k) const { return comes_first(i, k); }
   bool is_listed(const PeriodicContact &contact) const { return is_listed(contact.ball, contact.other); }
+
+  // Contacts between groups of the caller's balls; images belong to those of their balls. Until they are asked for
+  // again, in memory of this union.
+  ContactGroups group_contacts(const uint32_t *group) {
+    // Behind these are those with images as seen from the other side.
+    return {balls(), contacts(), counts_.contacts, {group, images_.balls_of_all()}, contacts_.scratch()};
+  }
 
   // Each vertex, arc and circle in the box is listed once, where the first of its balls is in the box; an arc as its
   // half-edge on that ball. Its rank among those of its kind is its number.

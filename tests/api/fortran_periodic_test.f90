@@ -35,6 +35,8 @@ program fortran_periodic_test
   type(hsp_periodic_loop_arc) :: loop_arcs(1)
   type(hsp_ball) :: balls(n)
   type(hsp_energy) :: energy
+  type(hsp_morphometric_energy) :: morphometric
+  type(hsp_group_contact) :: between(2)
   real(c_double) :: area(n), cell_volume(n), d_centre(3, n), d_radius(n), d_strain(9), d_box(9), rod, mean(n)
   integer(c_int32_t) :: thirds(n), component(n), flags(n), first(n + 1), needed, invariant, id, bad
   integer(c_size_t) :: bytes
@@ -78,6 +80,10 @@ program fortran_periodic_test
   call check(contacts(1)%distance == 2 .and. contacts(1)%chords == 0, 'its distance')
   call check(abs(contacts(2)%area - 0.5625_c_double*pi) < 1e-12_c_double, 'its area')
   call check(abs(contacts(2)%edge - 1.5_c_double*pi) < 1e-12_c_double, 'its edge')
+  call expect(hsp_periodic_group_contacts(periodic, [7_c_int32_t, 3_c_int32_t, 3_c_int32_t], between, 2_c_int32_t, needed), &
+              HSP_OK, 'hsp_periodic_group_contacts')
+  call check(needed == 1 .and. all(between(1)%group == [3, 7]) .and. between(1)%contacts == 2, 'two groups')
+  call check(abs(between(1)%area - totals%contact_area) < 1e-12_c_double, 'their contacts')
   call expect(hsp_periodic_get_windings(periodic, windings, n, needed), HSP_OK, 'hsp_periodic_get_windings')
   call check(needed == 2 .and. windings(1)%balls == 2 .and. windings(1)%directions == 1, 'the rod')
   call check(all(windings(1)%row == [1, 0, 0, 0, 0, 0, 0, 0, 0]) .and. windings(1)%copies == 1, 'its windings')
@@ -94,6 +100,15 @@ program fortran_periodic_test
   call check(abs(d_strain(1) - 2.25_c_double*pi) < 1e-11_c_double, 'strain')
   call check(maxval(abs(d_strain(2:))) < 1e-11_c_double, 'no more strain')
   call check(abs(d_box(1) - 0.5625_c_double*pi) < 1e-11_c_double, 'by the box')
+
+  call expect(hsp_periodic_morphometry(periodic, factors=hsp_morphometry(0.5_c_double, 0.0_c_double, 2.0_c_double, &
+                                                                         1.0_c_double), &
+                                       energy=morphometric, d_centre=d_centre, d_radius=d_radius, flags=flags, &
+                                       d_strain=d_strain, d_box=d_box, capacity=n), HSP_OK, 'hsp_periodic_morphometry')
+  call check(abs(morphometric%mean - curvatures%mean) < 1e-11_c_double .and. all(flags == 0), 'morphometric energy')
+  call check(abs(morphometric%value - totals%volume/2 - 2*curvatures%mean - curvatures%gauss) < 1e-11_c_double, 'its value')
+  call check(abs(d_strain(1) + dot_product(radius, d_radius) - 1.5_c_double*totals%volume - 2*curvatures%mean) < &
+             1e-11_c_double .and. abs(d_box(1) - d_strain(1)/4) < 1e-11_c_double, 'its strain')
 
   ! The centre of ball 1 moved by b - 3 a.
   call expect(hsp_periodic_query_point(periodic, point, images, size(images, kind=c_int32_t), needed), HSP_OK, &

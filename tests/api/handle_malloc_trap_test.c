@@ -379,6 +379,10 @@ static int call_periodic(void *memory, size_t bytes) {
   hsp_curvatures curvatures;
   hsp_winding winding[3];
   hsp_energy energy;
+  const uint32_t group[3] = {0, 1, 2};
+  const hsp_morphometry factors = {1, 1, 1, 1};
+  hsp_group_contact between[3];
+  hsp_morphometric_energy morphometric;
   double area[3], cell[3], centre[9], strain[9], by_box[9];
   int32_t thirds[3];
   uint32_t component[3], flags[3], first[4], needed = 0, invariant, id;
@@ -391,10 +395,13 @@ static int call_periodic(void *memory, size_t bytes) {
   bad += hsp_periodic_measure(periodic, &totals, area, cell, 3, &needed) != HSP_OK;
   bad += hsp_periodic_curvature(periodic, &curvatures, area, thirds, 3, &needed) != HSP_OK;
   bad += hsp_periodic_get_contacts(periodic, contact, 64, &needed) != HSP_OK || needed == 0;
+  bad += hsp_periodic_group_contacts(periodic, group, between, 3, &needed) != HSP_OK || needed == 0;
   bad += hsp_periodic_get_windings(periodic, winding, 3, &needed) != HSP_OK || needed == 0;
   bad += hsp_periodic_get_components(periodic, component, 3, &needed) != HSP_OK;
   bad += hsp_periodic_gradient(periodic, NULL, 1, 1, HSP_TANGENT_OVERLAP, &energy, centre, area, flags, strain, by_box,
                                3, &needed, NULL) != HSP_OK;
+  bad += hsp_periodic_morphometry(periodic, NULL, &factors, &morphometric, centre, area, flags, strain, by_box, 3,
+                                  &needed, NULL) != HSP_OK;
   bad += hsp_periodic_query_point(periodic, xyz, image, 64, &needed) != HSP_OK || needed == 0;
   bad += hsp_periodic_query_ball(periodic, xyz, 2.5, image, 64, &needed) != HSP_OK || needed == 0;
   bad += hsp_periodic_query_neighbours(periodic, 0, image, 64, &needed) != HSP_OK || needed == 0;

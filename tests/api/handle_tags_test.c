@@ -320,6 +320,8 @@ static void refused_as_gate(void *handle) {
 }
 
 static void refused_as_periodic(void *handle) {
+  const hsp_morphometry bending = {0, 0, 1, 0};
+  const uint32_t one_group[BALLS] = {0};
   static const double box[9] = {20, 0, 0, 0, 20, 0, 0, 0, 20};
   hsp_periodic_counts counts;
   uint32_t needed, id;
@@ -334,6 +336,9 @@ static void refused_as_periodic(void *handle) {
   CHECK_EQUAL(
       hsp_periodic_gradient(handle, NULL, 1, 0, HSP_TANGENT_OVERLAP, NULL, NULL, NULL, NULL, NULL, NULL, 0, NULL, NULL),
       HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_morphometry(handle, NULL, &bending, NULL, NULL, NULL, NULL, NULL, NULL, 0, NULL, NULL),
+              HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_group_contacts(handle, one_group, NULL, 0, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_periodic_query_point(handle, four_xyz, NULL, 0, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_periodic_query_ball(handle, four_xyz, 1, NULL, 0, &needed), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_periodic_query_neighbours(handle, 0, NULL, 0, &needed), HSP_E_ARGUMENT);

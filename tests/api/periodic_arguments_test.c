@@ -31,6 +31,9 @@ static hsp_periodic_loop loop[OUT];
 static hsp_periodic_loop_arc loop_arc[OUT];
 static hsp_ball ball[BALLS];
 static hsp_energy energy;
+static hsp_morphometric_energy morphometric;
+static const hsp_morphometry factors = {0.5, 1.5, -2, 0.25};
+static hsp_group_contact between[OUT];
 static double area[BALLS], cell[BALLS], mean[BALLS], centre[BALLS][3], by_radius[BALLS], strain[9], by_box[9];
 static hsp_curvatures curvatures;
 static int32_t thirds[BALLS];
@@ -109,6 +112,7 @@ static void check_unread(const hsp_periodic *handle, int32_t status) {
   FILL(winding);
   FILL(component);
   FILL(energy);
+  FILL(morphometric);
   FILL(image);
   FILL(begins);
   FILL(vertex);
@@ -129,6 +133,9 @@ static void check_unread(const hsp_periodic *handle, int32_t status) {
   CHECK_EQUAL(hsp_periodic_gradient(handle, NULL, 1, 0, HSP_TANGENT_OVERLAP, &energy, centre[0], by_radius, flags,
                                     strain, by_box, BALLS, &number, NULL),
               status);
+  CHECK_EQUAL(hsp_periodic_morphometry(handle, NULL, &factors, &morphometric, centre[0], by_radius, flags, strain,
+                                       by_box, BALLS, &number, NULL),
+              status);
   CHECK_EQUAL(hsp_periodic_query_point(handle, xyz, image, OUT, &number), status);
   CHECK_EQUAL(hsp_periodic_query_ball(handle, xyz, 1, image, OUT, &number), status);
   CHECK_EQUAL(hsp_periodic_query_neighbours(handle, 0, image, OUT, &number), status);
@@ -148,6 +155,7 @@ static void check_unread(const hsp_periodic *handle, int32_t status) {
   CHECK_UNTOUCHED(winding);
   CHECK_UNTOUCHED(component);
   CHECK_UNTOUCHED(energy);
+  CHECK_UNTOUCHED(morphometric);
   CHECK_UNTOUCHED(image);
   CHECK_UNTOUCHED(begins);
   CHECK_UNTOUCHED(vertex);
@@ -307,6 +315,53 @@ static void known_records(void) {
     CHECK_EQUAL(loop[k].circle.shift[0], own || right ? 0 : 1);
     CHECK(loop[k].circle.shift[1] == 0 && loop[k].circle.shift[2] == 0);
   }
+}
+
+static void refused_energies(void) {
+  const double sigma[BALLS] = {1, 1, 1, (double)NAN};
+  uint32_t bad = 0;
+  int k;
+  make();
+  compute(BALLS, xyz, radius, box);
+  FILL(morphometric);
+  FILL(strain);
+  CHECK_EQUAL(
+      hsp_periodic_morphometry(periodic, NULL, NULL, &morphometric, NULL, NULL, NULL, strain, NULL, 0, NULL, NULL),
+      HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_morphometry(periodic, NULL, &factors, &morphometric, NULL, by_radius, NULL, strain, NULL,
+                                       BALLS - 1, &number, NULL),
+              HSP_E_CAPACITY);
+  CHECK_EQUAL(number, BALLS);
+  CHECK_EQUAL(
+      hsp_periodic_morphometry(periodic, sigma, &factors, &morphometric, NULL, NULL, NULL, strain, NULL, 0, NULL, &bad),
+      HSP_E_NOT_FINITE);
+  CHECK_EQUAL(bad, 3);
+  for (k = 0; k < 4; ++k) {
+    double of[4] = {1, 1, 1, 1};
+    hsp_morphometry infinite;
+    of[k] = k % 2 == 0 ? (double)INFINITY : (double)NAN;
+    memcpy(&infinite, of, sizeof infinite);
+    CHECK_EQUAL(hsp_periodic_morphometry(periodic, NULL, &infinite, &morphometric, NULL, NULL, NULL, strain, NULL, 0,
+                                         NULL, NULL),
+                HSP_E_NOT_FINITE);
+  }
+  CHECK_UNTOUCHED(morphometric);
+  CHECK_UNTOUCHED(strain);
+  CHECK_EQUAL(hsp_periodic_morphometry(periodic, NULL, &factors, NULL, NULL, NULL, NULL, NULL, NULL, 0, NULL, NULL),
+              HSP_OK);
+}
+
+static void refused_groups(void) {
+  const uint32_t group[BALLS] = {0, 1, 2, 3};
+  make();
+  CHECK_EQUAL(hsp_periodic_group_contacts(NULL, group, between, OUT, &number), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_group_contacts(periodic, group, between, OUT, &number), HSP_E_STATE);
+  compute(BALLS, xyz, radius, box);
+  CHECK_EQUAL(hsp_periodic_group_contacts(periodic, NULL, between, OUT, &number), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_group_contacts(periodic, group, between, OUT, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_group_contacts(periodic, group, NULL, OUT, &number), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_group_contacts(periodic, group, NULL, 0, &number), HSP_E_CAPACITY);
+  CHECK_EQUAL(number, 1);
 }
 
 static void check_refused(uint32_t n, const double *at, const double *radii, const hsp_model_options *options,
@@ -492,6 +547,64 @@ static void known_values(void) {
   CHECK(totals.volume == 64 && totals.free_volume == 0);
 }
 
+/* The rod again, stretched and grown; and balls that touch across a face. */
+static void known_energies(void) {
+  static const double cube[9] = {4, 0, 0, 0, 4, 0, 0, 0, 4};
+  static const double in_pairs[6] = {0.5, 1, 1, 3.75, 5, 1}, equal_balls[2] = {1, 1}, one_inside[2] = {1, 0.25};
+  static const double twice[6] = {0.5, 1, 1, 4.5, 5, 1};
+  static const uint32_t rod_and_rest[BALLS] = {HSP_NONE, 4, 4, 2}, halves[BALLS] = {9, 4, 9, 9};
+  static const hsp_morphometry bending = {0, 0, 1, 0};
+  const double beta = acos(-0.28);
+  uint32_t i;
+  make();
+  compute(BALLS, xyz, radius, box);
+  CHECK_EQUAL(hsp_periodic_morphometry(periodic, NULL, &factors, &morphometric, centre[0], by_radius, flags, strain,
+                                       by_box, BALLS, &number, NULL),
+              HSP_OK);
+  CHECK_EQUAL(number, BALLS);
+  CHECK_NEAR(morphometric.volume, totals.volume, 1e-12);
+  CHECK_NEAR(morphometric.area, totals.area, 1e-12);
+  CHECK_NEAR(morphometric.mean, curvatures.mean, 1e-12);
+  CHECK(morphometric.gauss == curvatures.gauss);
+  CHECK_NEAR(morphometric.value,
+             0.5 * totals.volume + 1.5 * totals.area - 2 * curvatures.mean + 0.25 * curvatures.gauss, 1e-12);
+  CHECK_NEAR(morphometric.d_probe, by_radius[0] + by_radius[1] + by_radius[2] + by_radius[3], 1e-12);
+  /* With d = 2 between its balls M is 4 pi d - 2 pi rho beta, where rho = 3/4 falls by 2/3 as d grows by 1, and beta
+   * grows by 4/3. */
+  CHECK_EQUAL(hsp_periodic_morphometry(periodic, NULL, &bending, NULL, NULL, by_radius, flags, strain, by_box, BALLS,
+                                       NULL, NULL),
+              HSP_OK);
+  CHECK_NEAR(curvatures.mean, 15 * pi - 1.5 * pi * beta, 1e-12);
+  CHECK_NEAR(strain[0], 4 * pi + 8 * pi / 3 * beta, 1e-12);
+  CHECK_NEAR(strain[0] + 2.5 * by_radius[0], 8 * pi - 1.5 * pi * beta, 1e-12);
+  CHECK_NEAR(by_box[0], strain[0] / 4, 1e-13);
+  for (i = 1; i < 9; ++i) CHECK_NEAR(strain[i], 0, 1e-12);
+  for (i = 0; i < BALLS; ++i) CHECK_EQUAL(flags[i], 0);
+  CHECK_NEAR(by_radius[2], 4 * pi, 1e-12);
+
+  /* Both contacts are of the two balls of the rod. */
+  CHECK_EQUAL(hsp_periodic_group_contacts(periodic, halves, between, OUT, &number), HSP_OK);
+  CHECK(number == 1 && between[0].group[0] == 4 && between[0].group[1] == 9 && between[0].contacts == 2);
+  CHECK_NEAR(between[0].area, totals.contact_area, 1e-13);
+  CHECK_NEAR(between[0].edge, 3 * pi, 1e-12);
+  CHECK_EQUAL(between[0].reserved, 0);
+  CHECK_EQUAL(hsp_periodic_group_contacts(periodic, rod_and_rest, between, OUT, &number), HSP_OK);
+  CHECK_EQUAL(number, 0);
+
+  /* A small ball that touches a large one from inside, and one twice. */
+  for (i = 0; i < 2; ++i) {
+    compute(2, i == 0 ? in_pairs : twice, i == 0 ? one_inside : equal_balls, cube);
+    FILL(flags);
+    CHECK_EQUAL(hsp_periodic_morphometry(periodic, NULL, &factors, NULL, NULL, NULL, flags, NULL, NULL, 2, NULL, NULL),
+                HSP_OK);
+    CHECK(flags[0] == HSP_CURVATURE_ONE_SIDED && flags[1] == HSP_CURVATURE_ONE_SIDED);
+    CHECK_EQUAL(hsp_periodic_gradient(periodic, NULL, 1, 0, HSP_TANGENT_OVERLAP, NULL, NULL, NULL, flags, NULL, NULL, 2,
+                                      NULL, NULL),
+                HSP_OK);
+    CHECK(flags[0] == HSP_GRADIENT_ONE_SIDED && flags[1] == HSP_GRADIENT_ONE_SIDED);
+  }
+}
+
 /* Queries against all images within five boxes, in lengths that doubles hold exactly. */
 static void known_queries(void) {
   uint32_t point, i, k;
@@ -573,10 +686,13 @@ int main(void) {
   refused_limits();
   refused_reading();
   refused_records();
+  refused_energies();
+  refused_groups();
   refused_input();
   too_little_room();
   known_values();
   known_records();
+  known_energies();
   known_queries();
   laws();
   return check_report();

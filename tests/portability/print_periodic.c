@@ -53,8 +53,18 @@ static void print_records(const periodic_result *p) {
   }
 }
 
+static void print_gradient(const periodic_result *p) {
+  print_doubles(centre, 3 * p->base->n);
+  print_doubles(radius, p->base->n);
+  print_doubles(strain, 9);
+  print_doubles(box, 9);
+  end_line();
+}
+
 static void print_periodic_results(const periodic_result *p) {
   const hsp_periodic_counts *n = &p->counts;
+  const hsp_morphometry factors = {-0.5, 1, 0.75, 2};
+  hsp_morphometric_energy energy;
   uint32_t i;
   printf(" %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRId32, n->images,
          n->vertices, n->circles, n->loops, n->faces, n->shells, n->components, n->euler);
@@ -87,11 +97,12 @@ static void print_periodic_results(const periodic_result *p) {
   print_status("periodic gradient",
                hsp_periodic_gradient(p->periodic, p->base->radius, 1, -0.5, HSP_TANGENT_OVERLAP, NULL, centre, radius,
                                      NULL, strain, box, p->base->n, NULL, NULL));
-  print_doubles(centre, 3 * p->base->n);
-  print_doubles(radius, p->base->n);
-  print_doubles(strain, 9);
-  print_doubles(box, 9);
-  end_line();
+  print_gradient(p);
+  print_status("periodic morphometry", hsp_periodic_morphometry(p->periodic, p->base->radius, &factors, &energy, centre,
+                                                                radius, NULL, strain, box, p->base->n, NULL, NULL));
+  print_doubles(&energy.value, 1);
+  print_doubles(&energy.mean, 1);
+  print_gradient(p);
 }
 
 void print_periodic(const computed *c) {

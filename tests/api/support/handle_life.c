@@ -374,6 +374,8 @@ static uint64_t periodic_hash(const void *periodic, const void *source, unsigned
   hsp_periodic_totals totals;
   hsp_curvatures curvatures;
   hsp_energy energy;
+  const hsp_morphometry factors = {-0.5, 1, 2, 3};
+  hsp_morphometric_energy morphometric;
   double strain[9], box[9];
   uint32_t needed = 0, i;
   int bad = 0;
@@ -393,6 +395,11 @@ static uint64_t periodic_hash(const void *periodic, const void *source, unsigned
   bad |= hsp_periodic_gradient(periodic, c->radius, 1, -0.5, HSP_TANGENT_OVERLAP, &energy, numbers,
                                numbers + 3 * (size_t)n, flags, strain, box, n, NULL, NULL) != HSP_OK;
   hash = mixed_hash(mixed_hash(hash, &energy, sizeof energy), numbers, 4 * (size_t)n * sizeof *numbers);
+  hash = mixed_hash(mixed_hash(hash, flags, n * sizeof *flags), strain, sizeof strain);
+  hash = mixed_hash(hash, box, sizeof box);
+  bad |= hsp_periodic_morphometry(periodic, c->radius, &factors, &morphometric, numbers, numbers + 3 * (size_t)n, flags,
+                                  strain, box, n, NULL, NULL) != HSP_OK;
+  hash = mixed_hash(mixed_hash(hash, &morphometric, sizeof morphometric), numbers, 4 * (size_t)n * sizeof *numbers);
   hash = mixed_hash(mixed_hash(hash, flags, n * sizeof *flags), strain, sizeof strain);
   hash = mixed_hash(hash, box, sizeof box);
   for (i = 0; i < n; ++i) {
@@ -519,8 +526,14 @@ static int use_body(void *body) {
 }
 
 static int use_periodic(void *periodic) {
-  uint32_t invariant, id;
-  return hsp_periodic_check(periodic, &invariant, &id) == HSP_OK;
+  hsp_group_contact sum;
+  uint32_t invariant, id, n = 0, needed = 0, *group, i;
+  int32_t status = hsp_periodic_measure(periodic, NULL, NULL, NULL, 0, &n);
+  group = test_zeros(n, sizeof *group);
+  for (i = 0; i < n; ++i) group[i] = i % 2;
+  if (status == HSP_OK) status = hsp_periodic_group_contacts(periodic, group, &sum, 1, &needed);
+  free(group);
+  return status == HSP_OK && hsp_periodic_check(periodic, &invariant, &id) == HSP_OK;
 }
 
 /* A move of every ball, taken back. */

@@ -39,7 +39,8 @@ TEST(ContactGroups, SumUpTheContactsBetweenThem) {
       sum.edge += contact.edge;
     }
     auto next = expected.begin();
-    const hsp::ContactGroups groups(built.balls(), built.contacts(), group.data(), built.builder().scratch());
+    const hsp::ContactGroups groups(built.balls(), built.contacts(), built.contacts().contact_count(), {group.data()},
+                                    built.builder().scratch());
     groups.visit([&](const hsp::GroupContact &found) {
       ASSERT_NE(next, expected.end());
       EXPECT_EQ(found.group[0], next->first[0]);

@@ -394,10 +394,10 @@ TEST(PeriodicUnion, HasTheMeanCurvatureOfCrambin) {
       with_radii(support::read_atoms(support::own_molecule("crambin.pdb")), support::Radii::van_der_waals);
   const BuiltPeriodic built(balls, {25, 0, 0, 7, 18, 0, -9, 5, 20}, 1.4, 0.0);
   ASSERT_EQ(built.status(), hsp::Status::ok);
-  const hsp::CurvatureTotals in_steps =
-      hsp::sum_curvatures(built->grid(), built->boundary(), [](uint32_t, const hsp::BallCurvature &) {});
-  EXPECT_NEAR(built->images().lattice().length(in_steps.mean), -94.510929797134, 1e-9);
-  EXPECT_NEAR(in_steps.gauss, 2 * hsp::pi * static_cast<double>(built->counts().euler()), 1e-9);
+  const hsp::CurvatureTotals found = hsp::sum_curvatures(built->grid(), built->boundary(), built->images().lattice(),
+                                                         [](uint32_t, const hsp::BallCurvature &) {});
+  EXPECT_NEAR(found.mean, -94.510929797134, 1e-9);
+  EXPECT_NEAR(found.gauss, 2 * hsp::pi * static_cast<double>(built->counts().euler()), 1e-9);
 }
 
 // Crystals in which everything ties: touching spheres, holes, nothing left free.
@@ -473,6 +473,48 @@ TEST(PeriodicUnion, JoinsBallsWithoutCells) {
   EXPECT_FALSE(built->boundary().is_contained(built->grid().grid_index(0)));
   EXPECT_EQ(built.of_ball(0).volume, 0.0);
   EXPECT_EQ(built->counts().components, 1U);
+}
+
+// Against sums over contacts that are looked at one by one.
+TEST(PeriodicUnion, SumsContactsBetweenGroups) {
+  oracle::RandomSource random(324);
+  size_t pairs = 0;
+  for (int set = 0; set < 12; ++set) {
+    const RandomCrystal crystal(random, set % 2 == 0);
+    BuiltPeriodic built(crystal.balls, crystal.box);
+    ASSERT_EQ(built.status(), hsp::Status::ok);
+    std::vector<uint32_t> group(built.balls());
+    for (uint32_t &g : group) {
+      g = 5 * random.below(4);
+      if (g == 15) g = hsp::no_id;
+    }
+    std::map<std::array<uint32_t, 2>, std::array<double, 3>> expected;
+    for (uint32_t i = 0; i < built.balls(); ++i) {
+      built->visit_contacts_of(i, [&](const hsp::PeriodicContact &contact) {
+        if (!built->is_listed(contact)) return;
+        const uint32_t a = group[i];
+        const uint32_t b = group[built->images().ball_of(contact.other)];
+        if (a == b || a == hsp::no_id || b == hsp::no_id) return;
+        std::array<double, 3> &sum = expected[{a < b ? a : b, a < b ? b : a}];
+        sum[0] += 1.0;
+        sum[1] += contact.record->area;
+        sum[2] += contact.record->edge;
+      });
+    }
+    pairs += expected.size();
+    auto next = expected.begin();
+    built.group_contacts(group.data()).visit([&](const hsp::GroupContact &found) {
+      ASSERT_NE(next, expected.end());
+      EXPECT_EQ(found.group[0], next->first[0]);
+      EXPECT_EQ(found.group[1], next->first[1]);
+      EXPECT_EQ(found.contacts, next->second[0]);
+      EXPECT_NEAR(found.area, next->second[1], 1e-12 * (1.0 + next->second[1]));
+      EXPECT_NEAR(found.edge, next->second[2], 1e-12 * (1.0 + next->second[2]));
+      ++next;
+    });
+    EXPECT_EQ(next, expected.end());
+  }
+  EXPECT_GT(pairs, 5U);
 }
 
 TEST(PeriodicUnion, IsEmptyOrRefused) {

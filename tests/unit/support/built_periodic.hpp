@@ -36,6 +36,7 @@ class BuiltPeriodic {
   uint32_t retries() const { return retries_; }
   const hsp::PeriodicUnion &get() const { return periodic_; }
   const hsp::PeriodicUnion *operator->() const { return &periodic_; }
+  hsp::ContactGroups group_contacts(const uint32_t *group) { return periodic_.group_contacts(group); }
   uint32_t balls() const { return periodic_.images().balls(); }
   hsp::PeriodicTotals totals() const {
     return hsp::measure_periodic(periodic_, [](uint32_t, const hsp::BallMeasure &) {});
