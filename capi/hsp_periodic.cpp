@@ -7,7 +7,6 @@
 #include "periodic/periodic_tangency.hpp"
 #include "periodic_shifts.hpp"
 
-using hsp::capi::check_output;
 using hsp::capi::check_request;
 using hsp::capi::is_live;
 using hsp::capi::put_shift;

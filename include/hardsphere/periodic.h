@@ -9,8 +9,8 @@
  * the last bit. Angles may be any: b and c are reduced by whole multiples of the vectors before them inside.
  *
  * Vertices, arcs and faces as records are in hardsphere/periodic_boundary.h. What has no meaning without an outside is
- * not there: voids, the outer shell, views and meshes. Components instead tell in how many directions they go on for
- * ever. Neither are rays, which never leave the box. */
+ * not there: voids, the outer shell, views and meshes; nor are rays, which would never leave the box. Components
+ * instead tell in how many directions they go on for ever. */
 #ifndef HARDSPHERE_PERIODIC_H
 #define HARDSPHERE_PERIODIC_H
 
@@ -75,8 +75,9 @@ HSP_API int32_t hsp_periodic_init(void *memory, size_t bytes, const hsp_periodic
  *  box [9] holds the three vectors; nothing is kept of the arrays. On failure there are no results. first_bad may be
  *  NULL, else it is set to the index of the first ball that is refused, or HSP_NONE. limits: see LIMITS in
  *  hardsphere.h; at most five retries.
- *  - Property 1: which image of a ball is given, and which vectors for the same box, has no effect but on shifts: all
- *    numbers are the same bit for bit.
+ *  - Property 1: which image of a ball is given, and which vectors for the same box, has no effect but on shifts, on
+ *    the order of what is sorted by them, on the rows of windings and on derivatives by the vectors: all other numbers
+ *    are the same bit for bit.
  *  - Property 2: a box of m x m x m copies has m^3 times everything that is counted or measured, up to rounding.
  *
  *  Source: contacts and cells as hardsphere/contacts.h, boundary as hardsphere/boundary.h, of the balls in the box and
@@ -146,7 +147,7 @@ HSP_API int32_t hsp_periodic_curvature(const hsp_periodic *periodic, hsp_curvatu
                                        int32_t *gauss_thirds, uint32_t capacity, uint32_t *needed);
 
 /** A morphometric energy, its gradient by the balls, and its derivatives by the box, in one call. The arguments are
- *  those of hsp_boundary_morphometry, and d_strain [9] and d_box [9] those of hsp_periodic_gradient: they may be NULL.
+ *  those of hsp_boundary_morphometry, and d_strain [9] and d_box [9] those of hsp_periodic_gradient, which may be NULL.
  *  When a ball moves or grows all of its images do. The volume is the sum of the cells.
  *  On failure nothing but *needed and *first_bad is written.
  *  - Property 1: the sum of d_centre is zero up to rounding.
@@ -288,13 +289,15 @@ HSP_API int32_t hsp_periodic_query_neighbours(const hsp_periodic *periodic, uint
 
 /** All pairs of balls and images that meet, as rows of one array: those that meet ball i where it was given are
  *  out[first[i]] to out[first[i + 1] - 1], ascending in balls and shifts. flags is 0 or HSP_PAIRS_ONCE. first [n + 1]
- *  begins with 0 and ends with the number of all, which *needed becomes too. It is written on HSP_OK and on
- *  HSP_E_CAPACITY: with out NULL and capacity 0 this function counts, and a second call with capacity first[n] lists.
+ *  begins with 0 and ends with the number of all, which *needed becomes too. first is written on HSP_OK and
+ *  on HSP_E_CAPACITY: with out NULL and capacity 0 this function counts, and a second call with capacity first[n]
+ *  lists.
  *
- *  For a neighbour list by a cutoff, give hsp_periodic_compute radii that are all 0 and the probe cutoff / 2.
+ *  For a neighbour list by a cutoff, give hsp_periodic_compute radii that are all 0 and the probe cutoff / 2. The
+ *  cutoff is then twice what that is rounded to.
  *  - Property 1: without flags, row i is what hsp_periodic_query_neighbours lists for ball i.
- *  - Property 2: with HSP_PAIRS_ONCE, row i is what of that is a larger ball; and of ball i itself one of any two
- *    opposite shifts, the one that hsp_periodic_get_contacts has if there is a contact.
+ *  - Property 2: with HSP_PAIRS_ONCE, row i holds of these only balls j > i and their images, and of the images of ball
+ *    i itself one of any two with opposite shifts: that of hsp_periodic_get_contacts if there is a contact.
  *
  *  Cost: O(n) expected for sets as in Theorem 2.1, and proportional to the number of pairs if that is larger.
  *  @retval HSP_OK          out holds all rows; or there is no pair, also with capacity 0

@@ -39,7 +39,7 @@ typedef struct hsp_periodic_vertex {
 /** The vertices: counts.vertices records.
  *  - Property 1: each vertex ends exactly three arcs.
  *
- *  Cost: O(vertices); across the faces of the box times what a ball has of them.
+ *  Cost: O(vertices).
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed */
@@ -59,6 +59,8 @@ typedef struct hsp_periodic_arc {
 } hsp_periodic_arc;
 
 /** The arcs: counts.arcs records.
+ *
+ *  Cost: O(arcs); for those across the faces of the box times the arcs of a ball.
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed */
@@ -76,6 +78,8 @@ typedef struct hsp_periodic_circle {
 } hsp_periodic_circle;
 
 /** The free circles: counts.circles records.
+ *
+ *  Cost: O(circles); for those across the faces of the box times the circles of a ball.
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed */
@@ -109,6 +113,8 @@ typedef struct hsp_periodic_loop {
 } hsp_periodic_loop;
 
 /** The loops, face after face: counts.loops records.
+ *
+ *  Cost: O(loops); for circles across the faces of the box times the circles of a ball.
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed */
@@ -128,6 +134,7 @@ typedef struct hsp_periodic_loop_arc {
  *    the same copy of the box.
  *  - Property 2: every arc occurs once with side 0 and once with side 1.
  *
+ *  Cost: O(arcs); for those across the faces of the box times the arcs of a ball.
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed */

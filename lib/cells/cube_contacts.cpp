@@ -46,7 +46,8 @@ Status CubeContacts::add(const BallSet &balls, const PowerCell &cell, uint32_t k
   // same power to both, and the larger that is, the farther are both.
   const exact::Vector centre = balls.ball(cell.ball()).centre;
   const uint64_t first_contact = contacts.required();
-  const auto add_once = [&](const AdjacentCells &pair, const PlacedPoint &at) {
+  // A known pair was added at an earlier corner, or only counted if there was no room.
+  const auto add_once = [&](const AdjacentCells &pair, const PlacedPoint &at, bool is_known) {
     const uint64_t stored = contacts.size();
     for (uint64_t c = first_contact; c < stored; ++c) {
       const uint32_t number = static_cast<uint32_t>(c);
@@ -55,7 +56,7 @@ Status CubeContacts::add(const BallSet &balls, const PowerCell &cell, uint32_t k
       if (contacts.has_portals() && at.doubt < no_certainty) contacts.widen(number, cell.frame(), at.y, centre);
       return;
     }
-    contacts.push(pair, cell.frame(), at.y);
+    if (!is_known) contacts.push(pair, cell.frame(), at.y);
   };
   uint32_t *const touched = touched_.data();
   uint32_t count = 0;
@@ -86,7 +87,7 @@ Status CubeContacts::add(const BallSet &balls, const PowerCell &cell, uint32_t k
         if (other_cell == no_id) return Status::check;
         pair = {{other_cell, first_cell + cell.part_of(v)}};
       }
-      if (is_free && (!is_joined || contacts.has_portals())) add_once(pair, polytope.at(v));
+      if (is_free && (!is_joined || contacts.has_portals())) add_once(pair, polytope.at(v), is_joined);
       is_joined = cell.is_free_edge(v, on);
       v = vertex.neighbour(on);
       back = vertex.back(on);

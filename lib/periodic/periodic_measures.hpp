@@ -54,7 +54,7 @@ PeriodicTotals measure_periodic(const PeriodicUnion &periodic, Sink sink) {
 // Of the volume, in cubic steps.
 Strain volume_by_strain(const PeriodicUnion &periodic);
 
-// Of the weighted area, in square steps. weight: of the caller's balls, or null for all ones.
+// Of the weighted area, in square steps. weights: weights_in_box.
 Strain area_by_strain(const PeriodicUnion &periodic, const AreaWeights &weights);
 
 // From derivatives by the strain to those by the vectors of the box: [3 k + p] is by component p of vector k. The

@@ -354,4 +354,23 @@ TEST(FreeSpace, GrowsToWhatItNeeds) {
   }
 }
 
+// A pair that finds no room is counted once for a row of corners, not at each of them again.
+TEST(FreeSpace, AsksForLittleMoreThanThereIsWithPortals) {
+  oracle::RandomSource random(8);
+  for (int k = 0; k < 20; ++k) {
+    const Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(2, 20)));
+    BuiltFreeSpace built(balls);
+    ASSERT_EQ(built.status(), hsp::Status::ok);
+    if (built.space().adjacency_count() <= 1) continue;
+    hsp::FreeSpaceLimits limits = built.builder().retry_limits();
+    limits.adjacencies = 1;
+    CarvedMemory memory;
+    hsp::FreeSpaceBuilder builder;
+    memory.carve(builder, limits, true);
+    ASSERT_EQ(builder.build(built.grid()), hsp::Status::capacity);
+    EXPECT_GE(builder.needed().adjacencies, built.space().adjacency_count());
+    EXPECT_LE(builder.needed().adjacencies, built.space().adjacency_count() * 5 / 4 + 8);
+  }
+}
+
 }  // namespace
