@@ -11,8 +11,9 @@ inline bool long_tests() {
   return asked != nullptr && *asked != '\0';
 }
 
-// Of so many sets one is tried. Builds that repeat the tests of another one, with sanitizers or 32-bit limbs, look for
-// what depends on the code that runs rather than on the numbers, and take several times as long for a set.
+// Of so many sets one is tried. Builds that repeat the tests of another one, with sanitizers, with 32-bit limbs or for
+// an emulated processor, look for what depends on the code that runs rather than on the numbers, and take many times as
+// long for a set.
 inline constexpr int sets_for_one = HSP_REPEATED_TESTS ? 4 : 1;
 
 // The number of sets that a sweep tries.
