@@ -1,4 +1,5 @@
 #include "hsp_boundary.hpp"
+#include "loop_walk.hpp"
 #include "measure/boundary_metric_check.hpp"
 #include "measure/boundary_positions.hpp"
 
@@ -7,6 +8,7 @@ using hsp::capi::is_live;
 namespace {
 
 using hsp::capi::check_request;
+using hsp::capi::for_each_half_edge;
 
 // The limits that a program gives.
 int32_t from_c(const hsp_boundary_limits *given, hsp::BoundaryLimits &result) {
@@ -46,18 +48,6 @@ void for_each_arc(const hsp::Boundary &boundary, Visit visit) {
     const uint32_t twin = boundary.twin(half_edge);
     if (half_edge < twin) visit(arc++, half_edge, twin);
   }
-}
-
-// Calls visit(half_edge) for every half-edge of a loop of arcs, in walking order.
-template <class Visit>
-void for_each_half_edge(const hsp::Boundary &boundary, uint32_t loop, Visit visit) {
-  const hsp::LoopElement start = boundary.loop_start(loop);
-  if (start.is_circle()) return;
-  uint32_t half_edge = start.half_edge();
-  do {
-    visit(half_edge);
-    half_edge = boundary.half_edge(half_edge).next;
-  } while (half_edge != start.half_edge());
 }
 
 // Which of two balls a < b of the caller's order `ball` is: 0 or 1.

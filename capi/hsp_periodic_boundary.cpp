@@ -1,9 +1,11 @@
 #include "hsp_periodic.hpp"
+#include "loop_walk.hpp"
 #include "measure/boundary_positions.hpp"
 #include "periodic/periodic_records.hpp"
 #include "periodic_shifts.hpp"
 
 using hsp::capi::check_request;
+using hsp::capi::for_each_half_edge;
 
 namespace {
 
@@ -44,19 +46,6 @@ void put_circle(const hsp::PeriodicUnion &periodic, uint32_t a, uint32_t b, Reco
 // 0 on the ball that a record has first, 1 on the other one.
 uint32_t side_in_box(const hsp::PeriodicUnion &periodic, uint32_t own, uint32_t other) {
   return periodic.is_listed(periodic.balls().caller[own], periodic.balls().caller[other]) ? 0 : 1;
-}
-
-// Calls visit(ball, half_edge) for every half-edge of a loop of arcs, in walking order.
-template <class Visit>
-void visit_half_edges_of(const hsp::Boundary &boundary, uint32_t loop, Visit visit) {
-  const hsp::LoopElement start = boundary.loop_start(loop);
-  if (start.is_circle()) return;
-  const uint32_t ball = boundary.face(boundary.face_of_loop(loop)).ball;
-  uint32_t half_edge = start.half_edge();
-  do {
-    visit(ball, half_edge);
-    half_edge = boundary.half_edge(half_edge).next;
-  } while (half_edge != start.half_edge());
 }
 
 }  // namespace
@@ -157,7 +146,7 @@ int32_t hsp_periodic_get_loops(const hsp_periodic *periodic, hsp_periodic_loop *
       record.circle = record_to_c(structure, hsp::listed_circle(structure, circle));
       record.side = side_in_box(structure, boundary.ball_of(circle), boundary.neighbour(circle));
     }
-    visit_half_edges_of(boundary, loop, [&](uint32_t, uint32_t) { ++record.arcs; });
+    for_each_half_edge(boundary, loop, [&](uint32_t) { ++record.arcs; });
     first_arc += record.arcs;
   }
   return HSP_OK;
@@ -172,7 +161,8 @@ int32_t hsp_periodic_get_loop_arcs(const hsp_periodic *periodic, hsp_periodic_lo
   const hsp::Boundary &boundary = structure.boundary();
   uint32_t written = 0;
   for (uint32_t loop = 0; loop < boundary.loop_count(); ++loop) {
-    visit_half_edges_of(boundary, loop, [&](uint32_t ball, uint32_t e) {
+    const uint32_t ball = boundary.face(boundary.face_of_loop(loop)).ball;
+    for_each_half_edge(boundary, loop, [&](uint32_t e) {
       hsp_periodic_loop_arc &record = out[written++];
       record.arc = record_to_c(structure, hsp::listed_arc(structure, ball, e));
       record.vertex = record_to_c(structure, hsp::listed_vertex(structure, boundary.half_edge(e).vertex));

@@ -50,20 +50,15 @@ struct BallsFrom {
   exact::Vector centre(uint32_t i) const { return source.centre(first + i); }
 };
 
-void widen(int64_t value, int64_t &low, int64_t &high) {
-  low = value < low ? value : low;
-  high = value > high ? value : high;
-}
-
 template <class Source>
 LatticeBox box_around(const Source &source, BallRange part) {
   LatticeBox box;
   for (uint32_t i = part.first; i < part.last; ++i) {
     const exact::Vector centre = source.centre(i);
     if (i == part.first) box = {centre, centre};
-    widen(centre.x, box.low.x, box.high.x);
-    widen(centre.y, box.low.y, box.high.y);
-    widen(centre.z, box.low.z, box.high.z);
+    CubeTable::widen(centre.x, box.low.x, box.high.x);
+    CubeTable::widen(centre.y, box.low.y, box.high.y);
+    CubeTable::widen(centre.z, box.low.z, box.high.z);
   }
   return box;
 }

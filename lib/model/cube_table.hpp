@@ -88,6 +88,12 @@ class CubeTable {
 
   uint32_t count() const { return count_; }
   uint32_t slots() const { return used_slots_; }
+
+  // The least interval that holds the value, too.
+  static void widen(int64_t value, int64_t &low, int64_t &high) {
+    low = value < low ? value : low;
+    high = value > high ? value : high;
+  }
   uint32_t longest_probe() const { return longest_probe_; }
   const CubeCoordinates &coordinates(uint32_t number) const { return cubes_[number]; }
   // The corners of the box around all cubes, if there are any.
@@ -112,10 +118,6 @@ class CubeTable {
     for (; slots_[probe.slot] != no_id; probe.next()) ++length;
     slots_[probe.slot] = number;
     if (length > longest_probe_) longest_probe_ = length;
-  }
-  static void widen(int64_t value, int64_t &low, int64_t &high) {
-    low = value < low ? value : low;
-    high = value > high ? value : high;
   }
 
   Span<uint32_t> slots_;  // cube numbers, no_id = empty
