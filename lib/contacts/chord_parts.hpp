@@ -25,6 +25,7 @@ struct ChordBatch {
   uint32_t ball[3][capacity];     // the two later ones last
   uint32_t clipper[2][capacity];  // the ball that clips the end at the side of p- and of p+, or any other ball
   double free_end[2][capacity];   // where the chord ends if nothing clips it, -sqrt(D) or sqrt(D); else not a number
+  uint32_t vertex[capacity];      // the caller's, of the boundary, at a free end
   uint32_t contact[3][capacity];  // the caller's, of the balls 0 1, 0 2 and 1 2
 
   // What the chord adds to half the sum of distance times length over the chords of each contact, times the distance of
@@ -42,8 +43,9 @@ struct ChordBatch {
 // Chord s of a batch.
 void measure_in_integers(const BallSet &balls, ChordBatch &batch, uint32_t s);
 #if HSP_AVX2
-// Chords s to s + 3, which may be more than there are but of balls that are there. A bit for each that is not certain.
-uint32_t measure_in_lanes(const BallArrays &balls, ChordBatch &batch, uint32_t s);
+// The first `count` ones, a multiple of four, which may be more than there are but of balls that are there. A bit for
+// each that is not certain.
+uint32_t measure_in_lanes(const BallArrays &balls, ChordBatch &batch, uint32_t count);
 #endif
 
 }  // namespace hsp

@@ -16,6 +16,7 @@ struct LaneChords {
   Doubles bound;  // M
   LaneBits certain;
 
+  LaneChords() = default;
   LaneChords(const LanePlanes &P, const LanePlanes &Q) : u(P.v), v(Q.v), n(P.v, Q.v) {
     const Twofold uv = from(dot(u, v));
     const Twofold h_P = from(P.h), h_Q = from(Q.h);
@@ -47,29 +48,41 @@ struct LaneChords {
 
 }  // namespace
 
-uint32_t measure_in_lanes(const BallArrays &balls, ChordBatch &batch, uint32_t s) {
-  const LaneBalls own(balls, &batch.ball[0][s]);
-  const LanePlanes P(own, LaneBalls(balls, &batch.ball[1][s])), Q(own, LaneBalls(balls, &batch.ball[2][s]));
-  const LaneChords chords(P, Q);
-  LaneBits certain = chords.certain;
-  Doubles t[2];
-  for (uint32_t end = 0; end < 2; ++end) {
-    const Doubles free_end = Doubles::load(&batch.free_end[end][s]);
-    const LaneBits is_free = not_less(free_end, free_end);
-    if (is_free == 15U) {
-      t[end] = free_end;
-      continue;
-    }
-    LaneBits known = 0;
-    const LanePlanes R(own, LaneBalls(balls, &batch.clipper[end][s]));
-    t[end] = where_number(free_end, chords.parameter(R, known));
-    certain &= known | is_free;
+// Each step is for all groups of four before the next one is for any, so that a processor has chains of several groups
+// to choose from.
+uint32_t measure_in_lanes(const BallArrays &balls, ChordBatch &batch, uint32_t count) {
+  constexpr uint32_t most = ChordBatch::capacity / 4;
+  LaneChords chords[most];
+  Doubles t[2][most];
+  const uint32_t groups = count / 4;
+  for (uint32_t g = 0; g < groups; ++g) {
+    const LaneBalls own(balls, &batch.ball[0][4 * g]);
+    chords[g] = {LanePlanes(own, LaneBalls(balls, &batch.ball[1][4 * g])),
+                 LanePlanes(own, LaneBalls(balls, &batch.ball[2][4 * g]))};
   }
-  const Doubles scale = larger(t[1] - t[0], Doubles::all(0.0)) / (Doubles::all(8.0) * chords.N.high);
-  (scale * chords.beta.high).store(&batch.part[0][s]);
-  (scale * chords.alpha.high).store(&batch.part[1][s]);
-  (scale * chords.third.high).store(&batch.part[2][s]);
-  return ~certain & 15U;
+  for (uint32_t end = 0; end < 2; ++end) {
+    for (uint32_t g = 0; g < groups; ++g) {
+      const Doubles free_end = Doubles::load(&batch.free_end[end][4 * g]);
+      const LaneBits is_free = not_less(free_end, free_end);
+      t[end][g] = free_end;
+      if (is_free == 15U) continue;
+      LaneBits known = 0;
+      const LaneBalls own(balls, &batch.ball[0][4 * g]);
+      const LanePlanes R(own, LaneBalls(balls, &batch.clipper[end][4 * g]));
+      t[end][g] = where_number(free_end, chords[g].parameter(R, known));
+      chords[g].certain &= known | is_free;
+    }
+  }
+  uint32_t uncertain = 0;
+  for (uint32_t g = 0; g < groups; ++g) {
+    const LaneChords &chord = chords[g];
+    const Doubles scale = larger(t[1][g] - t[0][g], Doubles::all(0.0)) / (Doubles::all(8.0) * chord.N.high);
+    (scale * chord.beta.high).store(&batch.part[0][4 * g]);
+    (scale * chord.alpha.high).store(&batch.part[1][4 * g]);
+    (scale * chord.third.high).store(&batch.part[2][4 * g]);
+    uncertain |= (~chord.certain & 15U) << (4 * g);
+  }
+  return uncertain;
 }
 
 }  // namespace hsp

@@ -6,8 +6,6 @@
 namespace hsp {
 namespace {
 
-// An end that nothing is known of yet, beside no_id for a vertex of the boundary.
-constexpr uint32_t unknown = no_id - 1;
 // A ball that is in contact with an earlier one, but no arrivals are left to it; beside no_id for one that is not.
 constexpr uint32_t no_arrival = no_id - 1;
 
@@ -41,7 +39,7 @@ void pad(Caps &caps) {
 void ChordWalk::carve(Workspace &workspace, const ContactLimits &limits) {
   clipper_.carve(workspace, limits.neighbours);
   chords_ = workspace.take<FoundChord>(3 * static_cast<uint64_t>(limits.neighbours));
-  first_chord_ = workspace.take<uint32_t>(limits.neighbours);
+  heads_ = workspace.take<uint32_t>(limits.neighbours);
   cap_of_ball_ = workspace.take<uint32_t>(limits.balls);
   first_arrival_ = workspace.take<uint32_t>(limits.balls);
   arrival_balls_ = workspace.take<uint32_t>(2 * static_cast<uint64_t>(limits.contacts));
@@ -58,82 +56,80 @@ void ChordWalk::start(uint32_t balls, uint32_t own) {
 }
 
 void ChordWalk::find(const Boundary &boundary, Caps &caps) {
-  count_ = 0;
-  for (uint32_t k = 0; k < caps.count; ++k) {
-    cap_of_ball_[caps.ball[k]] = k;
-    first_chord_[k] = no_id;
-  }
-  if (lost_) return try_pairs(caps, false);
-  if (asks_for_all_caps(boundary, caps.origin)) try_pairs(caps, true);
-  start_from_ends(boundary, caps);
-  if (count_ == 0) return;
-  pad(caps);
-  follow(caps, boundary.has_wide_code());
+  for (uint32_t k = 0; k < caps.count; ++k) cap_of_ball_[caps.ball[k]] = k;
+  if (lost_) return try_all_pairs(caps);
+  const uint32_t first = caps.first_later;
+  const uint32_t later = caps.count - first;
+  first_chord_ = later <= MaskedChords::most_caps ? walk(boundary, caps, MaskedChords(chords_, first, later))
+                                                  : walk(boundary, caps, ListedChords(chords_, heads_, first, later));
 }
 
-void ChordWalk::start_from_ends(const Boundary &boundary, const Caps &caps) {
+// The first chord.
+template <class Chords>
+uint32_t ChordWalk::walk(const Boundary &boundary, Caps &caps, Chords &&chords) {
+  if (asks_for_all_caps(boundary, caps.origin)) start_from_any(caps, chords);
+  start_from_ends(boundary, caps, chords);
+  ChordEnd open{};
+  if (chords.next_open(open)) {
+    pad(caps);
+    do {
+      add_power_vertex(caps, open, cut_of(caps, open, boundary.has_wide_code()), chords);
+    } while (chords.next_open(open));
+  }
+  return chords.link();
+}
+
+template <class Chords>
+void ChordWalk::start_from_ends(const Boundary &boundary, const Caps &caps, Chords &chords) {
   for (; next_vertex_ < boundary.vertex_count(); ++next_vertex_) {
     const VertexRecord &vertex = boundary.vertex(next_vertex_);
     if (vertex.ball[0] != caps.origin) break;
-    FoundChord &chord = chord_of(cap_of(vertex.ball[1]), cap_of(vertex.ball[2]));
-    chord.clipper[vertex.positive() ? 1 : 0] = no_id;
-    chord.vertex = next_vertex_;
+    chords.set_end(cap_of(vertex.ball[1]), cap_of(vertex.ball[2]), vertex.positive() ? 1 : 0, no_id).vertex =
+        next_vertex_;
   }
   uint32_t a = first_arrival_[caps.origin];
   if (a == no_id) return;
   for (; a != no_arrival; a = next_arrival_[a]) {
     const uint32_t p = cap_of(arrival_balls_[2 * a]);
     const uint32_t q = cap_of(arrival_balls_[2 * a + 1]);
-    FoundChord &chord = p < q ? chord_of(p, q) : chord_of(q, p);
-    chord.clipper[p < q ? 1 : 0] = arrival_clipper_[a];
+    const bool ascending = p < q;
+    chords.set_end(ascending ? p : q, ascending ? q : p, ascending ? 1 : 0, arrival_clipper_[a]);
   }
 }
 
-// All chords, or one, whose ends are at later balls then.
-void ChordWalk::try_pairs(const Caps &caps, bool one_is_enough) {
+void ChordWalk::try_all_pairs(const Caps &caps) {
+  clipper_.start(caps);
+  uint32_t count = 0;
+  for (uint32_t j = caps.first_later; j < caps.count; ++j) {
+    for (uint32_t k = j + 1; k < caps.count; ++k) {
+      ChordEnds ends;
+      if (!clipper_.clip(caps, j, k, ends)) continue;
+      const auto ball = [&caps](uint32_t cap) { return cap == no_id ? no_id : caps.ball[cap]; };
+      chords_[count] = {{j, k}, {ball(ends.clipper[0]), ball(ends.clipper[1])}, no_id, count + 1};
+      ++count;
+    }
+  }
+  first_chord_ = count == 0 ? no_id : 0;
+  if (count > 0) chords_[count - 1].next = no_id;
+}
+
+// One chord of all pairs, whose ends are at later balls.
+template <class Chords>
+void ChordWalk::start_from_any(const Caps &caps, Chords &chords) {
   clipper_.start(caps);
   for (uint32_t j = caps.first_later; j < caps.count; ++j) {
     for (uint32_t k = j + 1; k < caps.count; ++k) {
       ChordEnds ends;
       if (!clipper_.clip(caps, j, k, ends)) continue;
-      for (uint32_t side = 0; side < 2; ++side) {
-        const uint32_t clipper = ends.clipper[side];
-        if (one_is_enough) {
-          add_power_vertex(caps, j, k, clipper, side);
-        } else {
-          chord_of(j, k).clipper[side] = clipper == no_id ? no_id : caps.ball[clipper];
-        }
-      }
-      if (one_is_enough) return;
-    }
-  }
-}
-
-// The chord of caps j < k, which is new or not.
-FoundChord &ChordWalk::chord_of(uint32_t j, uint32_t k) {
-  uint32_t *place = &first_chord_[j];
-  while (*place != no_id && chords_[*place].cap[1] < k) place = &chords_[*place].next;
-  if (*place != no_id && chords_[*place].cap[1] == k) return chords_[*place];
-  const uint32_t after = *place;
-  *place = count_;
-  chords_[count_] = {{j, k}, {unknown, unknown}, no_id, after};
-  return chords_[count_++];
-}
-
-// To the other ends of all chords, and of those that are found there.
-void ChordWalk::follow(const Caps &caps, bool wide) {
-  for (uint32_t c = 0; c < count_; ++c) {
-    const FoundChord chord = chords_[c];
-    for (uint32_t side = 0; side < 2; ++side) {
-      if (chord.clipper[side] != unknown) continue;
-      const auto [j, k] = chord.cap;
-      add_power_vertex(caps, j, k, cut_of(caps, j, k, side, wide), side);
+      for (uint32_t side = 0; side < 2; ++side) add_power_vertex(caps, {j, k, side}, ends.clipper[side], chords);
+      return;
     }
   }
 }
 
 // Of a chord that survives and does not end in a vertex of the boundary at this side.
-uint32_t ChordWalk::cut_of(const Caps &caps, uint32_t j, uint32_t k, uint32_t side, [[maybe_unused]] bool wide) const {
+uint32_t ChordWalk::cut_of(const Caps &caps, const ChordEnd &end, [[maybe_unused]] bool wide) const {
+  const auto [j, k, side] = end;
   const CapPair pair(caps, j, k);
   if (pair.certainly_cross()) {
     const UnitChord chord(caps, j, k, pair);
@@ -158,32 +154,40 @@ uint32_t ChordWalk::cut_of(const Caps &caps, uint32_t j, uint32_t k, uint32_t si
 // Of caps a < b < c the ends lie at the side of p+ for the pairs a b and b c, and of p- for a c, if their axes are a
 // right-handed system; and the other way round. Seen from ball a, whose chord with b and c ends at the ball at hand, it
 // is the other way round too.
-void ChordWalk::add_power_vertex(const Caps &caps, uint32_t j, uint32_t k, uint32_t clipper, uint32_t side) {
+template <class Chords>
+void ChordWalk::add_power_vertex(const Caps &caps, const ChordEnd &end, uint32_t clipper, Chords &chords) {
+  const auto [j, k, side] = end;
   const uint32_t a = clipper < j ? clipper : j;
   const uint32_t c = clipper < k ? k : clipper;
   const uint32_t b = j ^ k ^ clipper ^ a ^ c;
   const uint32_t even = side ^ (b == clipper ? 1U : 0U);
+  const uint32_t first = caps.ball[a];
   const uint32_t second = caps.ball[b];
   const uint32_t third = caps.ball[c];
-  chord_of(a, b).clipper[even] = third;
-  chord_of(a, c).clipper[1 - even] = second;
-  chord_of(b, c).clipper[even] = caps.ball[a];
+  chords.set_end(a, b, even, third);
+  chords.set_end(a, c, 1 - even, second);
+  chords.set_end(b, c, even, first);
 
-  if (caps.ball[a] >= own_) return;  // as are b and c
-  uint32_t &first = first_arrival_[caps.ball[a]];
-  const uint32_t next = first == no_id ? no_arrival : first;
+  if (first >= own_) return;  // as are b and c
+  // Where nothing has arrived yet, something has now.
+  const auto reached = [this](uint32_t ball) {
+    const uint32_t arrival = first_arrival_[ball];
+    return arrival < no_arrival ? arrival : no_arrival;
+  };
+  const uint32_t next = reached(first);
   if (arrivals_ < next_arrival_.size()) {
-    first = arrivals_++;
-    arrival_balls_[2 * first] = even == 0 ? second : third;
-    arrival_balls_[2 * first + 1] = even == 0 ? third : second;
-    arrival_clipper_[first] = caps.origin;
-    next_arrival_[first] = next;
+    const uint32_t arrival = arrivals_++;
+    first_arrival_[first] = arrival;
+    arrival_balls_[2 * arrival] = even == 0 ? second : third;
+    arrival_balls_[2 * arrival + 1] = even == 0 ? third : second;
+    arrival_clipper_[arrival] = caps.origin;
+    next_arrival_[arrival] = next;
   } else {
-    first = no_arrival;
+    first_arrival_[first] = no_arrival;
     lost_ = true;
   }
-  if (first_arrival_[second] == no_id) first_arrival_[second] = no_arrival;
-  if (first_arrival_[third] == no_id) first_arrival_[third] = no_arrival;
+  first_arrival_[second] = reached(second);
+  first_arrival_[third] = reached(third);
 }
 
 }  // namespace hsp

@@ -16,18 +16,10 @@
 
 #include "boundary/boundary.hpp"
 #include "contacts/chord_clipper.hpp"
+#include "contacts/chord_tables.hpp"
 #include "contacts/contacts.hpp"
 
 namespace hsp {
-
-struct FoundChord {
-  uint32_t cap[2];      // ascending
-  uint32_t clipper[2];  // balls that clip it at the side of p- and of p+; no_id where it ends in a vertex
-  uint32_t vertex;      // of the boundary, one that it ends in; or no_id
-  uint32_t next;        // with the same first cap and a later second one; or no_id
-
-  uint32_t free_ends() const { return (clipper[0] == no_id ? 1U : 0U) + (clipper[1] == no_id ? 1U : 0U); }
-};
 
 class ChordWalk {
  public:
@@ -45,10 +37,8 @@ class ChordWalk {
 
   // Calls sink(chord) for the chords of the ball at hand, ascending in their caps.
   template <class Sink>
-  void visit(const Caps &caps, Sink sink) const {
-    for (uint32_t j = caps.first_later; count_ > 0 && j < caps.count; ++j) {
-      for (uint32_t c = first_chord_[j]; c != no_id; c = chords_[c].next) sink(chords_[c]);
-    }
+  void visit(Sink sink) const {
+    for (uint32_t c = first_chord_; c != no_id; c = chords_[c].next) sink(chords_[c]);
   }
   // The cap of a later ball that meets the ball at hand.
   uint32_t cap_of(uint32_t ball) const { return cap_of_ball_[ball]; }
@@ -58,17 +48,22 @@ class ChordWalk {
   Span<uint32_t> scratch_of_balls() { return first_arrival_; }
 
  private:
-  void start_from_ends(const Boundary &boundary, const Caps &caps);
-  void try_pairs(const Caps &caps, bool one_is_enough);
-  FoundChord &chord_of(uint32_t j, uint32_t k);
-  void follow(const Caps &caps, bool wide);
-  uint32_t cut_of(const Caps &caps, uint32_t j, uint32_t k, uint32_t side, bool wide) const;
-  void add_power_vertex(const Caps &caps, uint32_t j, uint32_t k, uint32_t clipper, uint32_t side);
+  void try_all_pairs(const Caps &caps);
+  template <class Chords>
+  uint32_t walk(const Boundary &boundary, Caps &caps, Chords &&chords);
+  template <class Chords>
+  void start_from_any(const Caps &caps, Chords &chords);
+  template <class Chords>
+  void start_from_ends(const Boundary &boundary, const Caps &caps, Chords &chords);
+  uint32_t cut_of(const Caps &caps, const ChordEnd &end, bool wide) const;
+  template <class Chords>
+  void add_power_vertex(const Caps &caps, const ChordEnd &end, uint32_t clipper, Chords &chords);
 
   ChordClipper clipper_;
   Span<FoundChord> chords_;     // [3 neighbours]
-  Span<uint32_t> first_chord_;  // [neighbours] by first cap
+  Span<uint32_t> heads_;        // [neighbours] for ListedChords
   Span<uint32_t> cap_of_ball_;  // [balls]
+  uint32_t first_chord_ = no_id;
   // Arrivals: a chord of three balls, known at the fourth one of a power vertex. It ends there at the side of p+ if its
   // two later balls are ascending, else at that of p-.
   Span<uint32_t> first_arrival_;    // [balls] by first ball
@@ -77,7 +72,6 @@ class ChordWalk {
   Span<uint32_t> next_arrival_;     // [contacts]
   uint32_t arrivals_ = 0;
   uint32_t own_ = 0;
-  uint32_t count_ = 0;
   uint32_t next_vertex_ = 0;  // vertices are in the order of their first balls
   bool lost_ = false;         // there was no room for an arrival: from the next ball on all pairs are looked at
 };

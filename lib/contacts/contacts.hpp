@@ -55,9 +55,7 @@ struct TriangleRecord {
   uint32_t ball[3];    // ascending
   uint32_t free_ends;  // of its chord
 
-  SimplexKind kind() const {
-    return free_ends == 0 ? SimplexKind::interior : free_ends == 1 ? SimplexKind::regular : SimplexKind::singular;
-  }
+  SimplexKind kind() const { return static_cast<SimplexKind>(2 - free_ends); }
 };
 
 struct TetrahedronRecord {

@@ -9,8 +9,6 @@
 namespace hsp {
 namespace {
 
-// A contact that was counted, but for which there was no room.
-constexpr uint32_t no_room = no_id - 1;
 // Of an end of a chord that something clips.
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
@@ -76,11 +74,15 @@ void ContactsBuilder::clear(uint32_t balls) {
 }
 
 uint32_t ContactsBuilder::find_contact(uint32_t a, uint32_t b) {
-  ContactArrays &arrays = contacts_.a_;
-  uint32_t &first = arrays.first_in_row[a];
-  for (uint32_t id = first; id != no_id; id = arrays.links[id]) {
+  const ContactArrays &arrays = contacts_.a_;
+  for (uint32_t id = arrays.first_in_row[a]; id != no_id; id = arrays.links[id]) {
     if (arrays.contacts[id].ball[1] == b) return id;
   }
+  return add_contact(a, b);
+}
+
+uint32_t ContactsBuilder::add_contact(uint32_t a, uint32_t b) {
+  ContactArrays &arrays = contacts_.a_;
   const bool fits = arrays.contacts.required() < arrays.contacts.capacity();
   const uint32_t id = arrays.contacts.size();
   arrays.contacts.push({{a, b}, 0, 0, 0.0, 0.0});
@@ -88,8 +90,8 @@ uint32_t ContactsBuilder::find_contact(uint32_t a, uint32_t b) {
     lost_across_ += b < own_balls_ ? 0U : 1U;
     return no_room;
   }
-  arrays.links[id] = first;
-  first = id;
+  arrays.links[id] = arrays.first_in_row[a];
+  arrays.first_in_row[a] = id;
   return id;
 }
 
@@ -131,63 +133,92 @@ void ContactsBuilder::find_chords(const Boundary &boundary) {
   }
 }
 
+// In a box chords of this ball also find contacts of it that are kept here and seen as those of two images.
 uint32_t ContactsBuilder::contact_of_cap(uint32_t cap) {
   uint32_t &id = contact_of_cap_[cap];
-  if (id == no_id) id = find_contact(caps_.origin, caps_.ball[cap]);
+  if (id == no_id) {
+    const bool is_new = own_balls_ == contacts_.a_.balls;
+    id = is_new ? add_contact(caps_.origin, caps_.ball[cap]) : find_contact(caps_.origin, caps_.ball[cap]);
+  }
   return id == elsewhere ? no_room : id;
 }
 
 void ContactsBuilder::add_chord(const BallSet &balls, const Boundary &boundary, const FoundChord &chord,
                                 const ContactPlace &last) {
-  ContactArrays &a = contacts_.a_;
   const auto [j, k] = chord.cap;
-  const uint32_t own = caps_.origin;
-  const uint32_t first = caps_.ball[j];
-  const uint32_t second = caps_.ball[k];
-
   const uint32_t s = chords_.count++;
-  chords_.ball[0][s] = own;
-  chords_.ball[1][s] = first;
-  chords_.ball[2][s] = second;
+  chords_.ball[0][s] = caps_.origin;
+  chords_.ball[1][s] = caps_.ball[j];
+  chords_.ball[2][s] = caps_.ball[k];
+  chords_.clipper[0][s] = chord.clipper[0];
+  chords_.clipper[1][s] = chord.clipper[1];
+  chords_.vertex[s] = chord.vertex;
   chords_.contact[0][s] = contact_of_cap(j);
   chords_.contact[1][s] = contact_of_cap(k);
   chords_.contact[2][s] = last.ball[0] != no_id ? find_contact(last.ball[0], last.ball[1]) : no_room;
-  const uint32_t free_ends = chord.free_ends();
-  // Its half: of a vertex the boundary knows it.
-  const double root = free_ends == 0 ? 0.0
-                      : chord.vertex != no_id
-                          ? boundary.root_discriminant(chord.vertex)
-                          : std::sqrt(exact::discriminant(caps_.sphere, caps_.plane(j), caps_.plane(k)));
-  for (uint32_t end = 0; end < 2; ++end) {
-    const bool is_free = chord.clipper[end] == no_id;
-    chords_.clipper[end][s] = is_free ? second : chord.clipper[end];
-    chords_.free_end[end][s] = !is_free ? not_a_number : end == 0 ? -root : root;
-  }
   if (chords_.count == ChordBatch::capacity) measure_chords(balls, boundary);
+}
 
-  const TriangleRecord triangle{{own, first, second}, free_ends};
-  a.triangles.push(triangle);
-  ++a.simplices.of[2][static_cast<uint32_t>(triangle.kind())];
-  // Each tetrahedron is an end of four chords, of which one is that of its first three balls.
-  for (const uint32_t clipper : chord.clipper) {
-    if (clipper != no_id && clipper > second) a.tetrahedra.push({{own, first, second, clipper}});
+// What is known of chords once they are found: the ends of their parts, and simplices. Which ends are free cannot be
+// predicted, so there are tables instead of branches.
+void ContactsBuilder::complete_chords(const BallSet &balls, const Boundary &boundary) {
+  ContactArrays &a = contacts_.a_;
+  const double none = 0.0;
+  const double *const roots = boundary.vertex_count() > 0 ? boundary.root_discriminant_data() : &none;
+  for (uint32_t s = 0; s < chords_.count; ++s) {
+    const uint32_t own = chords_.ball[0][s];
+    const uint32_t first = chords_.ball[1][s];
+    const uint32_t second = chords_.ball[2][s];
+    const uint32_t clipper[2] = {chords_.clipper[0][s], chords_.clipper[1][s]};
+    const uint32_t is_free[2] = {clipper[0] == no_id ? 1U : 0U, clipper[1] == no_id ? 1U : 0U};
+    const uint32_t free_ends = is_free[0] + is_free[1];
+    // Half its length, if it were whole: the boundary knows it of one that ends in a vertex.
+    const uint32_t vertices[3] = {0, chords_.vertex[s], chords_.vertex[s]};
+    const uint32_t vertex = vertices[free_ends];
+    double root = 0.0;
+    if (vertex != no_id) {
+      root = roots[vertex];
+    } else {
+      const exact::LatticeBall ball = balls.ball(own);
+      root = std::sqrt(exact::discriminant(exact::sphere_of(ball), exact::plane_of(ball, balls.ball(first)),
+                                           exact::plane_of(ball, balls.ball(second))));
+    }
+    for (uint32_t end = 0; end < 2; ++end) {
+      const double ends[2] = {not_a_number, end == 0 ? -root : root};
+      const uint32_t clippers[2] = {clipper[end], second};
+      chords_.free_end[end][s] = ends[is_free[end]];
+      chords_.clipper[end][s] = clippers[is_free[end]];
+    }
+
+    const TriangleRecord triangle{{own, first, second}, free_ends};
+    a.triangles.push(triangle);
+    ++a.simplices.of[2][static_cast<uint32_t>(triangle.kind())];
+    // Each tetrahedron is an end of four chords, of which one is that of its first three balls.
+    for (uint32_t end = 0; end < 2; ++end) {
+      const uint32_t is_last = (clipper[end] > second ? 1U : 0U) - is_free[end];
+      if (a.tetrahedra.capacity() == 0) {
+        a.tetrahedra.set_count(a.tetrahedra.required() + is_last);
+      } else if (is_last != 0) {
+        a.tetrahedra.push({{own, first, second, clipper[end]}});
+      }
+    }
   }
 }
 
 // The lengths of the three axes are the contacts' own: measure_contacts() divides by them.
-void ContactsBuilder::measure_chords(const BallSet &balls, [[maybe_unused]] const Boundary &boundary) {
+void ContactsBuilder::measure_chords(const BallSet &balls, const Boundary &boundary) {
   const uint32_t count = chords_.count;
   if (count == 0) return;
+  complete_chords(balls, boundary);
   chords_.count = 0;
 #if HSP_AVX2
   if (boundary.has_wide_code()) {
     const BallArrays arrays = arrays_of(balls);
-    for (uint32_t s = count; s % 4 != 0; ++s) chords_.repeat(count - 1, s);
-    for (uint32_t s = 0; s < count; s += 4) {
-      uint32_t uncertain = measure_in_lanes(arrays, chords_, s);
-      for (; uncertain != 0; uncertain &= uncertain - 1) {
-        measure_in_integers(balls, chords_, s + static_cast<uint32_t>(__builtin_ctz(uncertain)));
-      }
+    uint32_t padded = count;
+    for (; padded % 4 != 0; ++padded) chords_.repeat(count - 1, padded);
+    uint32_t uncertain = measure_in_lanes(arrays, chords_, padded);
+    for (; uncertain != 0; uncertain &= uncertain - 1) {
+      measure_in_integers(balls, chords_, static_cast<uint32_t>(__builtin_ctz(uncertain)));
     }
   } else
 #endif

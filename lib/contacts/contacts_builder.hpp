@@ -68,8 +68,8 @@ class ContactsBuilder {
           some_elsewhere = true;
         }
         find_chords(boundary);
-        walk_.visit(caps_, [&](const FoundChord &chord) {
-          const auto [j, k] = chord.cap;
+        walk_.visit([&](const FoundChord &chord) {
+          const uint32_t j = chord.cap[0], k = chord.cap[1];
           if (some_elsewhere && (contact_of_cap_[j] == elsewhere || contact_of_cap_[k] == elsewhere)) return;
           add_chord(grid.balls(), boundary, chord, place_in_box({{caps_.ball[j], caps_.ball[k]}}, images));
         });
@@ -96,7 +96,9 @@ class ContactsBuilder {
   ContactArrays &arrays() { return contacts_.a_; }
 
  private:
-  // Instead of the contact of a cap: it is kept where it is found in another copy of the box.
+  // Instead of a contact: it was counted, but there was no room for it; and of the contact of a cap: it is kept where
+  // it is found in another copy of the box.
+  static constexpr uint32_t no_room = no_id - 1;
   static constexpr uint32_t elsewhere = no_id - 2;
 
   bool start(const CubeGrid &grid, uint32_t neighbours);
@@ -107,10 +109,12 @@ class ContactsBuilder {
   void find_chords(const Boundary &boundary);
   // `last`: where the contact of the chord's two last balls is kept.
   void add_chord(const BallSet &balls, const Boundary &boundary, const FoundChord &chord, const ContactPlace &last);
+  void complete_chords(const BallSet &balls, const Boundary &boundary);
   void measure_chords(const BallSet &balls, const Boundary &boundary);
   void add_free_edges(const BallSet &balls, const Boundary &boundary);
   uint32_t contact_of_cap(uint32_t cap);
   uint32_t find_contact(uint32_t a, uint32_t b);
+  uint32_t add_contact(uint32_t a, uint32_t b);
   Status check_capacity();
   void measure_contacts(const BallSet &balls, const Boundary &boundary);
   void close_cells();
@@ -163,7 +167,7 @@ class ContactsBuilder {
   Caps caps_;
   ChordWalk walk_;
   ChordBatch chords_;              // that have been found, but not yet measured
-  Span<uint32_t> contact_of_cap_;  // [neighbours] of the ball at hand, for later balls; no_id where none is known yet
+  Span<uint32_t> contact_of_cap_;  // [neighbours] of the ball at hand, for later balls; no_id where there is none yet
 };
 
 }  // namespace hsp

@@ -48,6 +48,7 @@ struct LanePlanes {
 struct LaneNormals {
   Twofold x, y, z;
 
+  LaneNormals() = default;
   LaneNormals(const LaneVectors &u, const LaneVectors &v)
       : x(from(hsp::product(u.y, v.z) - hsp::product(u.z, v.y))),
         y(from(hsp::product(u.z, v.x) - hsp::product(u.x, v.z))),

@@ -35,16 +35,17 @@ class WalkedBalls {
     Chords chords;
     for (uint32_t i = 0; i < built_.grid().balls().n; ++i) {
       if (!gather(i)) continue;
+      with_many_later_ += caps_.count - caps_.first_later > hsp::MaskedChords::most_caps ? 1U : 0U;
       all_asked_ += walk.asks_for_all_caps(boundary_.boundary(), i) ? 1U : 0U;
       walk.find(boundary_.boundary(), caps_);
       uint32_t last[2] = {0, 0};
-      walk.visit(caps_, [&](const hsp::FoundChord &chord) {
+      walk.visit([&](const hsp::FoundChord &chord) {
         const auto [j, k] = chord.cap;
         EXPECT_TRUE(last[0] < j || (last[0] == j && last[1] < k));
         last[0] = j;
         last[1] = k;
         chords[{i, caps_.ball[j], caps_.ball[k]}] = {chord.clipper[0], chord.clipper[1]};
-        if (chord.vertex == hsp::no_id) return;
+        if (chord.free_ends() == 0 || chord.vertex == hsp::no_id) return;
         const hsp::VertexRecord &vertex = boundary_.boundary().vertex(chord.vertex);
         EXPECT_EQ(vertex.ball[0], i);
         EXPECT_EQ(vertex.ball[1], caps_.ball[j]);
@@ -74,6 +75,8 @@ class WalkedBalls {
     return chords;
   }
 
+  // How many balls have more later caps than MaskedChords is for.
+  uint32_t with_many_later() const { return with_many_later_; }
   // How many balls the walk wanted to have with all of their caps.
   uint32_t all_asked() const { return all_asked_; }
 
@@ -94,7 +97,7 @@ class WalkedBalls {
   CarvedMemory memory_, caps_memory_;
   hsp::BoundaryBuilder boundary_;
   hsp::Caps caps_;
-  uint32_t all_asked_ = 0;
+  uint32_t all_asked_ = 0, with_many_later_ = 0;
 };
 
 oracle::Balls any_kind_of_balls(oracle::RandomSource &random, int k) {
@@ -128,6 +131,23 @@ TEST(ChordWalk, FindsWhatIsLeftOfAllPairs) {
   }
   EXPECT_GT(chords, 2000U);
   EXPECT_GT(all_asked, 100U);
+}
+
+// More later balls around one than there are bits for: for these there is another table.
+TEST(ChordWalk, FindsWhatIsLeftAmongManyBalls) {
+  oracle::RandomSource random(86);
+  uint32_t with_many = 0;
+  for (int k = 0; k < 2 && !HasFailure(); ++k) {
+    oracle::Balls balls;
+    while (balls.size() < 90) {
+      balls.push_back({random.in(-400, 400), random.in(-400, 400), random.in(-400, 400), random.in(500, 520)});
+    }
+    WalkedBalls walked(oracle::in_lengths(balls, 1));
+    const Chords expected = walked.by_pairs();
+    EXPECT_EQ(walked.by_walk(10000), expected) << oracle::to_text(balls);
+    with_many += walked.with_many_later();
+  }
+  EXPECT_GT(with_many, 10U);
 }
 
 // A ball in a cage of later ones: nothing leads to its chords, neither vertices nor earlier balls.
