@@ -131,26 +131,37 @@ void PeriodicUnion::list_vertices() {
   listed_vertices_.count();
 }
 
-// Faces of balls in the box are joined across their arcs and circles, each where it is listed.
+// The faces at a vertex share arcs there, so those of balls in the box are of one shell. So are those on both sides of
+// an arc across a face of the box, and of a circle.
 Status PeriodicUnion::join_faces() {
   const Boundary &b = boundary();
+  const Span<const uint32_t> caller = balls().caller;
   DisjointSets sets(boundary_.scratch().part(0, b.face_count()));
   sets.reset();
-  const auto is_once = [this](uint32_t own, uint32_t other) {
-    return is_listed(balls().caller[own], balls().caller[other]);
-  };
+  for (uint32_t v = 0; v < b.vertex_count(); ++v) {
+    const VertexRecord &vertex = b.vertex(v);  // images are its last balls
+    if (!is_in_box(vertex.ball[1])) continue;
+    const uint32_t first = b.face_of(b.half_edge_at(v, 0));
+    sets.join(first, b.face_of(b.half_edge_at(v, 1)));
+    if (is_in_box(vertex.ball[2])) sets.join(first, b.face_of(b.half_edge_at(v, 2)));
+  }
   listed_half_edges_.clear(b.half_edge_count());
   listed_circles_.clear(b.circle_count());
   for (uint32_t own = 0; own < images_.balls(); ++own) {
     for (const uint32_t e : b.half_edges(own)) {
-      if (!is_once(own, b.half_edge(e).circle)) continue;
+      const uint32_t other = b.half_edge(e).circle;
+      if (is_in_box(other)) {
+        listed_half_edges_.set_if(e, caller[own] < caller[other]);
+        continue;
+      }
+      if (!is_listed(caller[own], caller[other])) continue;
       const uint32_t across = half_edge_across(own, e);
       if (across == no_id) return Status::check;
       listed_half_edges_.set(e);
       sets.join(b.face_of(e), b.face_of(across));
     }
     for (const ClosedHalfEdge e : b.circles(own)) {
-      if (!is_once(own, b.neighbour(e))) continue;
+      if (!is_listed(caller[own], caller[b.neighbour(e)])) continue;
       ClosedHalfEdge across(0, 0);
       if (!find_across(e, across)) return Status::check;
       listed_circles_.set(e.circle());
