@@ -324,6 +324,63 @@ inline Doubles to_doubles(LongIntegers a) {
   return to_doubles(a, left_out);
 }
 
+// Sixteen fractions from -1 to below 1, as multiples of 2^-15. Floats and sums beyond that stop at its ends; products
+// are rounded to the nearest. That of -1 and -1 is wrong.
+struct Fractions {
+  static constexpr uint32_t lanes = 16;
+  __m256i v;
+
+  static Fractions all(float x) { return {_mm256_set1_epi16(static_cast<int16_t>(x * 0x1p15F))}; }
+  // Sixteen floats times a factor. Which lane is whose only the functions below know.
+  static Fractions of(Floats low, Floats high, float factor) {
+    return {_mm256_packs_epi32(integers(low, factor), integers(high, factor))};
+  }
+  // Eight floats times a factor as fractions that each stand there twice, so that all_of finds them.
+  static Floats twice(Floats a, float factor) {
+    const __m256i eight = integers(a, factor), fractions = _mm256_packs_epi32(eight, eight);
+    return {_mm256_castsi256_ps(_mm256_unpacklo_epi16(fractions, fractions))};
+  }
+  static Fractions all_of(const float *twice) { return {_mm256_castps_si256(_mm256_broadcast_ss(twice))}; }
+
+  // Those of the first eight floats and of the last, by their signs.
+  Floats signs_of_low() const { return {_mm256_castsi256_ps(_mm256_unpacklo_epi16(v, v))}; }
+  Floats signs_of_high() const { return {_mm256_castsi256_ps(_mm256_unpackhi_epi16(v, v))}; }
+
+  friend Fractions operator+(Fractions a, Fractions b) { return {_mm256_adds_epi16(a.v, b.v)}; }
+  friend Fractions operator-(Fractions a, Fractions b) { return {_mm256_subs_epi16(a.v, b.v)}; }
+  friend Fractions operator*(Fractions a, Fractions b) { return {_mm256_mulhrs_epi16(a.v, b.v)}; }
+
+ private:
+  static __m256i integers(Floats a, float factor) { return _mm256_cvtps_epi32((a * Floats::all(factor * 0x1p15F)).v); }
+};
+inline Fractions larger(Fractions a, Fractions b) {
+  return {_mm256_max_epi16(a.v, b.v)};
+}
+inline Fractions smaller(Fractions a, Fractions b) {
+  return {_mm256_min_epi16(a.v, b.v)};
+}
+// -1 remains.
+inline Fractions magnitude(Fractions a) {
+  return {_mm256_abs_epi16(a.v)};
+}
+
+// The signs of two times sixteen fractions.
+struct FractionSigns {
+  __m256i v;
+
+  static FractionSigns all_negative() { return {_mm256_set1_epi8(-1)}; }
+  static FractionSigns of(Fractions a, Fractions b) { return {_mm256_packs_epi16(a.v, b.v)}; }
+  friend FractionSigns either_negative(FractionSigns a, FractionSigns b) { return {_mm256_or_si256(a.v, b.v)}; }
+  friend FractionSigns both_negative(FractionSigns a, FractionSigns b) { return {_mm256_and_si256(a.v, b.v)}; }
+  // Which of the first eight floats, and of the last, became a negative fraction in a or in b.
+  void negative(LaneBits &low, LaneBits &high) const {
+    // In each half of the register: four of the first, four of the last, of a; then those of b.
+    const LaneBits bits = static_cast<LaneBits>(_mm256_movemask_epi8(v)), either = bits | bits >> 8;
+    low = (either & 15U) | (either >> 12 & 0xF0U);
+    high = (either >> 4 & 15U) | (either >> 16 & 0xF0U);
+  }
+};
+
 // Orders of lanes that bring the chosen ones to the front, for the processor's permutations: eight bytes each, widened
 // when they are loaded.
 struct FrontOrders {
@@ -355,8 +412,6 @@ struct FrontOrder {
 
   static FrontOrder of_eight(LaneBits chosen) { return widened(front_orders.of_eight[chosen]); }
   static FrontOrder of_four(LaneBits chosen) { return widened(front_orders.of_four[chosen]); }
-
- private:
   static FrontOrder widened(const uint8_t *order) {
     return {_mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i *>(order)))};
   }
@@ -371,8 +426,11 @@ FrontOrder front_order(LaneBits chosen) {
     return FrontOrder::of_four(chosen);
   }
 }
+inline Floats in_order(Floats a, FrontOrder order) {
+  return {_mm256_permutevar8x32_ps(a.v, order.v)};
+}
 inline void store_front(float *p, Floats a, FrontOrder order) {
-  _mm256_storeu_ps(p, _mm256_permutevar8x32_ps(a.v, order.v));
+  in_order(a, order).store(p);
 }
 inline void store_front(double *p, Doubles a, FrontOrder order) {
   _mm256_storeu_pd(p, _mm256_castsi256_pd(_mm256_permutevar8x32_epi32(_mm256_castpd_si256(a.v), order.v)));

@@ -87,14 +87,16 @@ struct LaneCrossings {
   LanePoints<Lanes> minus, plus;
 
   template <uint32_t room>
-  LaneCrossings(const CrossingPairs<Lanes, room> &pairs, uint32_t p) {
+  LaneCrossings(const CrossingPairs<Lanes, room> &pairs, uint32_t p)
+      : LaneCrossings({Lanes::load(pairs.jx + p), Lanes::load(pairs.jy + p), Lanes::load(pairs.jz + p),
+                       Lanes::load(pairs.jb + p)},
+                      {Lanes::load(pairs.kx + p), Lanes::load(pairs.ky + p), Lanes::load(pairs.kz + p),
+                       Lanes::load(pairs.kb + p)},
+                      Lanes::load(pairs.g + p), Lanes::load(pairs.q + p)) {}
+  // Of caps u and v, with their g and q.
+  LaneCrossings(const LaneCaps<Lanes> &u, const LaneCaps<Lanes> &v, Lanes g, Lanes q) {
     using Bounds = CapPairBounds<typename Lanes::Real>;
-    const LaneCaps<Lanes> u{Lanes::load(pairs.jx + p), Lanes::load(pairs.jy + p), Lanes::load(pairs.jz + p),
-                            Lanes::load(pairs.jb + p)};
-    const LaneCaps<Lanes> v{Lanes::load(pairs.kx + p), Lanes::load(pairs.ky + p), Lanes::load(pairs.kz + p),
-                            Lanes::load(pairs.kb + p)};
-    const Lanes g = Lanes::load(pairs.g + p);
-    const Lanes root = square_root(Lanes::load(pairs.q + p));
+    const Lanes root = square_root(q);
     const Lanes S = minus_fused(g, g, Lanes::all(1));
     const Lanes shared = Lanes::all(1) / (S * root);
     const Lanes s = root * shared;

@@ -46,9 +46,10 @@ void LaneSearch::carve(Workspace &workspace, uint32_t neighbours) {
   enabled = workspace.wide_code() && neighbours <= PairSweep::most_caps;
   // Rows of whole vectors.
   const uint32_t row = (neighbours + FloatCaps::spare + 7) / 8 * 8;
-  Parts floats_of_caps(workspace.take<float>(14 * static_cast<uint64_t>(row)).data(), row);
+  Parts floats_of_caps(workspace.take<float>(18 * static_cast<uint64_t>(row)).data(), row);
   sweep_.caps = take_caps(floats_of_caps);
   sweep_.by_size = take_caps(floats_of_caps);
+  sweep_.large = take_caps(floats_of_caps);
   sweep_.exposed = take_caps(floats_of_caps);
   sweep_.exposed_cap = floats_of_caps.take();
   sweep_.crossed = floats_of_caps.take();

@@ -17,14 +17,14 @@ struct OpenPair {
 struct PairSweep {
   static constexpr uint32_t most_caps = 1U << 16;
   static constexpr uint32_t batch = 64;  // pairs that are tested together
-  static constexpr uint32_t size_classes = 3;
+  static constexpr uint32_t size_classes = 2;
   FloatCaps caps;
   uint32_t count = 0, first_later = 0;
   FloatCaps by_size;             // the larger caps again, by classes of size
+  FloatCaps large;               // the same as fractions (fraction_caps_avx2.hpp)
   FloatCaps exposed;             // later caps whose circles are not certainly covered by large caps
   float *exposed_cap = nullptr;  // their numbers
-  float *crossed = nullptr;      // for each the largest q of its circle and that of a large cap; both certainly cross
-                                 // if it is above the bound
+  float *crossed = nullptr;      // for each something negative if it certainly crosses the circle of a large cap
   uint32_t class_end[size_classes] = {};
   uint32_t exposed_count = 0;
   // Where to go on.

@@ -11,10 +11,8 @@ using Bounds = CapPairBounds<float>;
 using Caps8 = LaneCaps<Floats>;
 using Points8 = LanePoints<Floats>;
 
-// Heights below which caps belong to the first class, to the second and to the third.
-constexpr float class_limits[PairSweep::size_classes] = {0.5F, 0.7F, 0.85F};
-// Those of the first two are called large.
-constexpr uint32_t last_large_class = 1;
+// Heights below which caps belong to the first class and to the second. Those of either are called large.
+constexpr float class_limits[PairSweep::size_classes] = {0.5F, 0.75F};
 constexpr uint32_t last_class = PairSweep::size_classes - 1;
 
 CapPointers<float> pointers(const FloatCaps &caps) {
@@ -48,29 +46,62 @@ void sort_by_size(PairSweep &sweep) {
   }
 }
 
-// How some circles lie to the large caps. With d = u_k.(b_j u_j) - b_k the depth of the centre of circle j in cap k and
-// S = 1 - g^2, the circles cross iff q = S (1 - b_j^2) - d^2 > 0, and circle j lies inside cap k iff q < 0 and d > 0.
-// Where |d| < 1.2 its square has an error of 2.4 * 73 e and the other product one of 91 e, below 512 e together; where
-// it is larger, -q > 0.4. If -q > 512 e, |d| is above 512 e too.
-struct AmongLargeCaps {
-  Floats inside = Floats::all(-4.0F);    // the circle lies inside one if this is above the bound
-  Floats crossing = Floats::all(-4.0F);  // and it crosses one if this is
-
-  AmongLargeCaps(const CapPointers<float> &large, uint32_t count, const Caps8 &later) {
-    const Floats one = Floats::all(1.0F);
-    const Floats square = minus_fused(later.b, later.b, one);
-    Floats least = Floats::all(4.0F);
-    for (uint32_t t = 0; t < count; ++t) {
-      const Caps8 cap = Caps8::all_of(large, t);
-      const Floats g = later.dot(cap);
-      const Floats depth = fused_minus(g, later.b, cap.b);
-      const Floats S = minus_fused(g, g, one);
-      const Floats minus_q = minus_fused(S, square, depth * depth);
-      inside = larger(inside, smaller(depth, minus_q));
-      least = smaller(least, minus_q);
-    }
-    crossing = -least;
+void store_large(PairSweep &sweep) {
+  const CapPointers<float> from = pointers(sweep.by_size);
+  const FloatCaps to = sweep.large;
+  const uint32_t count = sweep.class_end[last_class];
+  for (uint32_t k = 0; k < count; k += 8) {
+    store_as_fractions(Caps8::load(from, k), to.x + k, to.y + k, to.z + k, to.b + k);
   }
+}
+
+// How sixteen circles lie to the large caps. With d = u_k.(b_j u_j) - b_k the depth of the centre of circle j in cap k
+// and S = 1 - g^2, the circles cross iff q = S (1 - b_j^2) - d^2 > 0, and circle j lies inside cap k iff q < 0 and
+// d > 0. With f = 2^-15 and by fraction_caps_avx2.hpp, d is known to 7.5 f and its square to 15.5; g^2 to 10.5, S to
+// 11, 1 - b_j^2 to 1.1 and their product to 12.6: q to 28.1 f, below the margin of 32 f. Where d > 1 it stops there,
+// and its square at 1, which S (1 - b_j^2) does not exceed. Where d < -0.99 it is taken for that: as b_k < 7/8,
+// |b_j g| > 0.11 then, and S (1 - b_j^2) <= (1 - |b_j g|)^2 < 0.8, so that the circles still seem to be apart.
+class AmongLargeCaps {
+ public:
+  AmongLargeCaps(const CapPointers<float> &large, uint32_t count, const Caps8 &low, const Caps8 &high) {
+    const FractionCircles circles(low, high);
+    const Floats one = Floats::all(1.0F);
+    const Fractions square = Fractions::of(minus_fused(low.b, low.b, one), minus_fused(high.b, high.b, one), 1.0F);
+#pragma GCC unroll 2
+    for (uint32_t t = 0; t < count; ++t) {
+      const FractionCap cap = FractionCap::all_of(large, t);
+      const Fractions g = cap.dot(circles.u);
+      const Fractions depth = larger(g * circles.b - cap.b, Fractions::all(-0.99F));
+      const Fractions S = Fractions::all(fraction_factor * fraction_factor) - g * g;
+      const Fractions minus_q = depth * depth - S * square;
+      inside_ = larger(inside_, smaller(depth, minus_q));
+      least_ = smaller(least_, minus_q);
+    }
+    outside_ = inside_ - margin();
+    crossing_ = least_ + margin();
+  }
+  // The circles that do not certainly lie inside one.
+  LaneBits low_outside() const {
+    return negative(outside_.signs_of_low());
+  }
+  LaneBits high_outside() const {
+    return negative(outside_.signs_of_high());
+  }
+  // Negative for circles that certainly cross that of one.
+  Floats low_crossing() const {
+    return crossing_.signs_of_low();
+  }
+  Floats high_crossing() const {
+    return crossing_.signs_of_high();
+  }
+
+ private:
+  static Fractions margin() {
+    return Fractions::all(0x1p-10F);
+  }
+
+  Fractions inside_ = Fractions::all(-1.0F), least_ = Fractions::all(1.0F - 0x1p-15F);
+  Fractions outside_, crossing_;
 };
 
 // What follows the last exposed circle crosses nothing.
@@ -84,45 +115,61 @@ void end_exposed(PairSweep &sweep, uint32_t count) {
   sweep.exposed_count = count;
 }
 
-void keep_exposed(PairSweep &sweep) {
-  const CapPointers<float> caps = pointers(sweep.caps), large = pointers(sweep.by_size);
-  const FloatCaps exposed = sweep.exposed;
-  float *const exposed_cap = sweep.exposed_cap, *const crossed = sweep.crossed;
-  const uint32_t count = sweep.count, large_caps = sweep.class_end[last_large_class];
-  const Floats margin = Floats::all(Bounds::crossing);
-  uint32_t kept = 0;
-  for (uint32_t j = sweep.first_later; j < count; j += 8) {
-    const Caps8 later = Caps8::load(caps, j);
-    const AmongLargeCaps among(large, large_caps, later);
-    const LaneBits chosen = first_lanes(count - j) & not_greater(among.inside, margin);
+// The arrays of exposed circles, to which circles are added. They may come from the same arrays, from behind there.
+class ExposedCircles {
+ public:
+  explicit ExposedCircles(PairSweep &sweep) : to_(sweep.exposed), cap_(sweep.exposed_cap), crossed_(sweep.crossed) {}
+
+  void keep(const Caps8 &circles, Floats caps, Floats crossed, LaneBits chosen) {
     const FrontOrder order = FrontOrder::of_eight(chosen);
-    store_chosen(exposed, kept, later, order);
-    store_front(exposed_cap + kept, Floats::ascending() + Floats::all(static_cast<float>(j)), order);
-    store_front(crossed + kept, among.crossing, order);
-    kept += ones(chosen);
+    store_chosen(to_, kept_, circles, order);
+    store_front(cap_ + kept_, caps, order);
+    store_front(crossed_ + kept_, crossed, order);
+    kept_ += ones(chosen);
   }
-  end_exposed(sweep, kept);
+  uint32_t kept() const { return kept_; }
+
+ private:
+  FloatCaps to_;
+  float *cap_, *crossed_;
+  uint32_t kept_ = 0;
+};
+
+void keep_exposed(PairSweep &sweep) {
+  const CapPointers<float> caps = pointers(sweep.caps), large = pointers(sweep.large);
+  const uint32_t count = sweep.count, large_caps = sweep.class_end[last_class];
+  ExposedCircles exposed(sweep);
+  for (uint32_t j = sweep.first_later; j < count; j += 16) {
+    // What stands behind the last circle is left out below.
+    const Caps8 low = Caps8::load(caps, j), high = Caps8::load(caps, j + 8);
+    const AmongLargeCaps among(large, large_caps, low, high);
+    const Floats number = Floats::ascending() + Floats::all(static_cast<float>(j));
+    exposed.keep(low, number, among.low_crossing(), first_lanes(count - j) & among.low_outside());
+    if (j + 8 >= count) break;
+    exposed.keep(high, number + Floats::all(8.0F), among.high_crossing(),
+                 first_lanes(count - j - 8) & among.high_outside());
+  }
+  end_exposed(sweep, exposed.kept());
 }
 
 // Leaves out circles that large caps certainly cover together. The pairs of a few circles are looked at sooner.
 void leave_out_covered_circles(PairSweep &sweep) {
-  const CapPointers<float> from = pointers(sweep.exposed), large = pointers(sweep.by_size);
-  const uint32_t count = sweep.exposed_count, large_caps = sweep.class_end[last_large_class];
+  const CapPointers<float> from = pointers(sweep.exposed), large = pointers(sweep.large);
+  const uint32_t count = sweep.exposed_count, large_caps = sweep.class_end[last_class];
   if (count <= 8) return;
-  uint32_t kept = 0;
-  for (uint32_t a = 0; a < count; a += 8) {
-    const Caps8 circles = Caps8::load(from, a);
-    CoveredArcs arcs(circles);
-    for (uint32_t t = 0; t < large_caps; ++t) arcs.cover(Caps8::all_of(large, t));
-    const Floats caps = Floats::load(sweep.exposed_cap + a), crossed = Floats::load(sweep.crossed + a);
-    const LaneBits chosen = first_lanes(count - a) & ~arcs.covered();
-    const FrontOrder order = FrontOrder::of_eight(chosen);
-    store_chosen(sweep.exposed, kept, circles, order);
-    store_front(sweep.exposed_cap + kept, caps, order);
-    store_front(sweep.crossed + kept, crossed, order);
-    kept += ones(chosen);
+  ExposedCircles exposed(sweep);
+  const auto keep = [&](uint32_t a, const Caps8 &circles, LaneBits chosen) {
+    exposed.keep(circles, Floats::load(sweep.exposed_cap + a), Floats::load(sweep.crossed + a), chosen);
+  };
+  for (uint32_t a = 0; a < count; a += 16) {
+    const Caps8 low = Caps8::load(from, a), high = Caps8::load(from, a + 8);
+    CoveredArcs arcs(low, high);
+    for (uint32_t t = 0; t < large_caps; ++t) arcs.cover(FractionCap::all_of(large, t));
+    const CoveredArcs::Covered covered = arcs.covered();
+    keep(a, low, first_lanes(count - a) & ~covered.low);
+    if (a + 8 < count) keep(a + 8, high, first_lanes(count - a - 8) & ~covered.high);
   }
-  end_exposed(sweep, kept);
+  end_exposed(sweep, exposed.kept());
 }
 
 // Crossing points that no cap has been found to cover so far. Their count is kept apart, as that of CrossingPairs is.
@@ -155,6 +202,7 @@ struct NotCovered {
 
   NotCovered(const CapPointers<float> &caps, uint32_t begin, uint32_t end, const Points8 &a, const Points8 &b) {
     Floats deepest_a = Floats::all(-4.0F), deepest_b = deepest_a;
+#pragma GCC unroll 2
     for (uint32_t t = begin; t < end; ++t) {
       const Caps8 cap = Caps8::all_of(caps, t);
       deepest_a = larger(deepest_a, a.depth(cap));
@@ -165,24 +213,72 @@ struct NotCovered {
   }
 };
 
+// Adds those points of eight pairs, number p, p + 1, ..., that are in no cap of the first class. Returns how many
+// points there are then.
+[[gnu::always_inline]] inline uint32_t add_points(const CapPointers<float> &by_size, uint32_t first_class,
+                                                  LaneCrossings<Floats> crossings, Floats q, uint32_t p, LaneBits valid,
+                                                  OpenPoints &open, uint32_t count) {
+  // Of circles that do not cross for certain no point is certainly covered.
+  const Floats error =
+      where_greater(q, Floats::all(Bounds::points), crossings.plus.error, Floats::all(__builtin_inff()));
+  crossings.minus.error = crossings.plus.error = error;
+  const NotCovered open_lanes(by_size, 0, first_class, crossings.minus, crossings.plus);
+  const Floats number = Floats::ascending() + Floats::all(static_cast<float>(p));
+  count = open.keep(count, crossings.minus, number, valid & open_lanes.first);
+  return open.keep(count, crossings.plus, number + Floats::all(static_cast<float>(PairSweep::batch)),
+                   valid & open_lanes.second);
+}
+
 using Pairs = CrossingPairs<Floats, PairSweep::batch>;
 
 // The points of `count` pairs that are in no cap of the first class. Returns how many they are.
 uint32_t open_points(const CapPointers<float> &by_size, uint32_t first_class, const Pairs &pairs, uint32_t count,
                      OpenPoints &open) {
-  const Floats points_bound = Floats::all(Bounds::points), infinite = Floats::all(__builtin_inff());
   uint32_t left = 0;
   for (uint32_t p = 0; p < count; p += 8) {
-    LaneCrossings<Floats> crossings(pairs, p);
-    // Of circles that do not cross for certain no point is certainly covered.
-    const Floats error = where_greater(Floats::load(pairs.q + p), points_bound, crossings.plus.error, infinite);
-    crossings.minus.error = crossings.plus.error = error;
-    const LaneBits valid = first_lanes(count - p);
-    const NotCovered open_lanes(by_size, 0, first_class, crossings.minus, crossings.plus);
-    const Floats number = Floats::ascending() + Floats::all(static_cast<float>(p));
-    left = open.keep(left, crossings.minus, number, valid & open_lanes.first);
-    left = open.keep(left, crossings.plus, number + Floats::all(static_cast<float>(PairSweep::batch)),
-                     valid & open_lanes.second);
+    left = add_points(by_size, first_class, LaneCrossings<Floats>(pairs, p), Floats::load(pairs.q + p), p,
+                      first_lanes(count - p), open, left);
+  }
+  return left;
+}
+
+// All pairs j < k of up to eight things, in order.
+struct PairsOfFew {
+  static constexpr uint32_t most = 8, size = 32;
+  alignas(64) uint8_t j[most + 1][size];
+  uint8_t k[most + 1][size];
+
+  static constexpr uint32_t count(uint32_t things) { return things * (things - 1) / 2; }
+  constexpr PairsOfFew() : j{}, k{} {
+    for (uint32_t things = 2; things <= most; ++things) {
+      uint32_t p = 0;
+      for (uint8_t a = 0; a < things; ++a) {
+        for (uint8_t b = static_cast<uint8_t>(a + 1); b < things; ++b, ++p) {
+          j[things][p] = a;
+          k[things][p] = b;
+        }
+      }
+    }
+  }
+};
+constexpr PairsOfFew pairs_of_few;
+
+// The same of all pairs of the few exposed circles, without a branch on which of them cross.
+uint32_t open_points_of_few(PairSweep &sweep, OpenPoints &open) {
+  const CapPointers<float> by_size = pointers(sweep.by_size);
+  const uint32_t circles = sweep.exposed_count, count = PairsOfFew::count(circles);
+  const Caps8 all = Caps8::load(pointers(sweep.exposed), 0);
+  const auto caps_in_order = [&all](const uint8_t *order) {
+    const FrontOrder lanes = FrontOrder::widened(order);
+    return Caps8{in_order(all.x, lanes), in_order(all.y, lanes), in_order(all.z, lanes), in_order(all.b, lanes)};
+  };
+  uint32_t left = 0;
+  for (uint32_t p = 0; p < count; p += 8) {
+    const Caps8 u = caps_in_order(pairs_of_few.j[circles] + p), v = caps_in_order(pairs_of_few.k[circles] + p);
+    const PairLanes<Floats> pair(u, v);
+    const LaneBits crossing = first_lanes(count - p) & not_greater(Floats::all(-Bounds::crossing), pair.q);
+    sweep.crossing += ones(crossing);
+    left = add_points(by_size, sweep.class_end[0], {u, v, pair.g, pair.q}, pair.q, p, crossing, open, left);
   }
   return left;
 }
@@ -190,8 +286,8 @@ uint32_t open_points(const CapPointers<float> &by_size, uint32_t first_class, co
 constexpr uint32_t passed_at_once = 16;
 
 // Leaves out points that are in one of caps begin .. end - 1. Returns how many are left of `count`.
-uint32_t leave_out_covered(const CapPointers<float> &by_size, uint32_t begin, uint32_t end, OpenPoints &open,
-                           uint32_t count) {
+[[gnu::always_inline]] inline uint32_t leave_out_covered(const CapPointers<float> &by_size, uint32_t begin,
+                                                         uint32_t end, OpenPoints &open, uint32_t count) {
   uint32_t left = 0;
   for (uint32_t p = 0; p < count; p += passed_at_once) {
     const Points8 a = open.at(p), b = open.at(p + 8);
@@ -210,7 +306,8 @@ struct PointAnswer {
   bool open, certain;
 };
 
-PointAnswer among_all_caps(const CapPointers<float> &caps, uint32_t count, const OpenPoints &open, uint32_t p) {
+[[gnu::always_inline]] inline PointAnswer among_all_caps(const CapPointers<float> &caps, uint32_t count,
+                                                         const OpenPoints &open, uint32_t p) {
   const Points8 point = open.in_all_lanes(p);
   const Floats below = -point.error;
   Floats deepest = Floats::all(-4.0F);
@@ -224,20 +321,19 @@ PointAnswer among_all_caps(const CapPointers<float> &caps, uint32_t count, const
   return {greater(deepest, point.error) == 0, near == 2};
 }
 
-uint32_t cap_number(const PairSweep &sweep, float exposed) {
-  return static_cast<uint32_t>(sweep.exposed_cap[static_cast<uint32_t>(exposed)]);
+uint32_t cap_number(const PairSweep &sweep, uint32_t exposed) {
+  return static_cast<uint32_t>(sweep.exposed_cap[exposed]);
 }
 
-// What is left of a batch.
-uint32_t answer(const PairSweep &sweep, const Pairs &pairs, uint32_t count, OpenPair *answers) {
-  OpenPoints open;
-  const CapPointers<float> by_size = pointers(sweep.by_size);
-  uint32_t points = open_points(by_size, sweep.class_end[0], pairs, count, open);
-  // Class by class as long as that saves a pass.
-  for (uint32_t c = 0, next = 0; c < last_class; c = next) {
-    next = points > passed_at_once ? c + 1 : last_class;
-    points = leave_out_covered(by_size, sweep.class_end[c], sweep.class_end[next], open, points);
-  }
+struct CirclePair {
+  uint32_t j, k;
+};
+
+// What is left of a batch, of whose open points so many are known. circles_of(p) are the numbers of the exposed circles
+// of pair p.
+template <class CirclesOf>
+uint32_t answer(const PairSweep &sweep, OpenPoints &open, uint32_t points, CirclesOf circles_of, OpenPair *answers) {
+  points = leave_out_covered(pointers(sweep.by_size), sweep.class_end[0], sweep.class_end[last_class], open, points);
   const CapPointers<float> caps = pointers(sweep.caps);
   uint64_t doubtful = 0, minus = 0, plus = 0;
   for (uint32_t p = 0; p < points; ++p) {
@@ -252,7 +348,8 @@ uint32_t answer(const PairSweep &sweep, const Pairs &pairs, uint32_t count, Open
   uint32_t found = 0;
   for (uint64_t any = minus | plus; any != 0; any &= any - 1) {
     const uint32_t p = static_cast<uint32_t>(__builtin_ctzll(any));
-    answers[found++] = {cap_number(sweep, pairs.j[p]), cap_number(sweep, pairs.k[p]), (doubtful >> p & 1U) == 0,
+    const CirclePair pair = circles_of(p);
+    answers[found++] = {cap_number(sweep, pair.j), cap_number(sweep, pair.k), (doubtful >> p & 1U) == 0,
                         (minus >> p & 1U) != 0, (plus >> p & 1U) != 0};
   }
   return found;
@@ -282,8 +379,10 @@ uint32_t add_pairs(PairSweep &sweep, Pairs &pairs) {
   return count;
 }
 
-// Whether a circle certainly crosses another one, or lies inside a cap as a whole: by the formulas of AmongLargeCaps,
-// the circle being one and the caps all, itself among them, of which nothing is certain.
+// Whether a circle certainly crosses another one, or lies inside a cap as a whole: by the formulas of AmongLargeCaps in
+// floats, the circle being one and the caps all, itself among them, of which nothing is certain. Where |d| < 1.2 its
+// square has an error of 2.4 * 73 e, e = 2^-24, and the other product one of 91 e, below 512 e together; where it is
+// larger, -q > 0.4. If -q > 512 e, |d| is above 512 e too.
 bool has_covered_point(const CapPointers<float> &caps, uint32_t count, uint32_t circle) {
   const Caps8 own = Caps8::all_of(caps, circle);
   const Floats one = Floats::all(1.0F), margin = Floats::all(Bounds::crossing);
@@ -303,6 +402,7 @@ bool has_covered_point(const CapPointers<float> &caps, uint32_t count, uint32_t 
 
 void start_sweep(PairSweep &sweep) {
   sort_by_size(sweep);
+  store_large(sweep);
   keep_exposed(sweep);
   leave_out_covered_circles(sweep);
   sweep.row = 0;
@@ -311,20 +411,34 @@ void start_sweep(PairSweep &sweep) {
 }
 
 uint32_t next_open_pairs(PairSweep &sweep, OpenPair *answers) {
+  const uint32_t circles = sweep.exposed_count;
+  if (sweep.row + 1 >= circles) return 0;
+  OpenPoints open;
+  if (circles <= PairsOfFew::most) {
+    sweep.row = circles;
+    const uint32_t points = open_points_of_few(sweep, open);
+    const auto circles_of = [circles](uint32_t p) {
+      return CirclePair{pairs_of_few.j[circles][p], pairs_of_few.k[circles][p]};
+    };
+    return answer(sweep, open, points, circles_of, answers);
+  }
   Pairs pairs;
-  while (sweep.row + 1 < sweep.exposed_count) {
+  const auto circles_of = [&pairs](uint32_t p) {
+    return CirclePair{static_cast<uint32_t>(pairs.j[p]), static_cast<uint32_t>(pairs.k[p])};
+  };
+  while (sweep.row + 1 < circles) {
     const uint32_t count = add_pairs(sweep, pairs);
-    const uint32_t found = answer(sweep, pairs, count, answers);
+    const uint32_t points = open_points(pointers(sweep.by_size), sweep.class_end[0], pairs, count, open);
+    const uint32_t found = answer(sweep, open, points, circles_of, answers);
     if (found > 0) return found;
   }
   return 0;
 }
 
 uint32_t uncrossed_caps(const PairSweep &sweep, uint32_t *caps) {
-  const Floats margin = Floats::all(Bounds::crossing);
   uint32_t found = 0;
   for (uint32_t a = 0; a < sweep.exposed_count; a += 8) {
-    LaneBits left = first_lanes(sweep.exposed_count - a) & not_greater(Floats::load(sweep.crossed + a), margin);
+    LaneBits left = first_lanes(sweep.exposed_count - a) & ~negative(Floats::load(sweep.crossed + a));
     for (; left != 0; left &= left - 1) {
       const uint32_t cap = static_cast<uint32_t>(sweep.exposed_cap[a + lowest(left)]);
       caps[found] = cap;

@@ -95,10 +95,10 @@ class Arrays {
 };
 
 bool said_to_be_covered(const Cap &circle, const std::vector<Cap> &caps) {
-  const std::vector<Cap> circles(8, circle);
+  const std::vector<Cap> circles(16, circle);
   const uint32_t covered =
       covered_circles(Arrays(circles).get(), Arrays(caps).get(), static_cast<uint32_t>(caps.size()));
-  EXPECT_TRUE(covered == 0 || covered == 255U);
+  EXPECT_TRUE(covered == 0 || covered == 0xFFFFU);
   return covered != 0;
 }
 
@@ -137,11 +137,11 @@ TEST(CoveredCircles, RandomCaps) {
         to.push_back({u, low + (high - low) * static_cast<Real>(random.fraction())});
       }
     };
-    add(circles, 8, -0.9L, 0.99L);
-    add(caps, 2 + set % 16, -0.5L, 0.9L);
+    add(circles, 16, -0.9L, 0.99L);
+    add(caps, 2 + set % 16, -0.5L, 0.87L);
     const uint32_t said =
         covered_circles(Arrays(circles).get(), Arrays(caps).get(), static_cast<uint32_t>(caps.size()));
-    for (uint32_t lane = 0; lane < 8; ++lane) {
+    for (uint32_t lane = 0; lane < 16; ++lane) {
       const bool is = is_covered(circles[lane], caps), told = (said >> lane & 1U) != 0;
       EXPECT_TRUE(is || !told) << "set " << set << ", circle " << lane;
       covered += is ? 1 : 0;
@@ -163,6 +163,30 @@ TEST(CoveredCircles, GapsInOneCap) {
         for (const Real gap : {1e-3L, 0.05L, 0.2L, 0.39L, 0.5L}) {
           const Cap circle{u, b}, cap = cap_over(circle, from + gap, from + 2 * pi, 0.3L * (k % 5 - 2));
           EXPECT_FALSE(said_to_be_covered(circle, {cap, cap})) << k << ", gap " << static_cast<double>(gap);
+        }
+      }
+    }
+  }
+}
+
+// Their fractions are the largest and the least that there are. Six caps, or all but one.
+TEST(CoveredCircles, CapsOnAxes) {
+  if (!hsp::has_avx2()) GTEST_SKIP();
+  const std::vector<Vector> axes = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  for (const Vector &u : axes) {
+    for (const Real b : {-0.9L, -0.4L, 0.0L, 0.4L, 0.9L}) {
+      for (const Real c : {-0.9L, -0.3L, 0.0L, 0.3L, 0.6L, 0.69L, 0.75L, 0.87L}) {
+        const Cap circle{u, b};
+        for (size_t without = 0; without <= axes.size(); ++without) {
+          std::vector<Cap> caps;
+          for (size_t k = 0; k < axes.size(); ++k) {
+            if (k != without) caps.push_back({axes[k], c});
+          }
+          const bool said = said_to_be_covered(circle, caps);
+          EXPECT_TRUE(!said || is_covered(circle, caps)) << without << ", height " << static_cast<double>(c);
+          // Each of the four around the circle covers two arcs.
+          const bool told = without == axes.size() && c + 0.01L < std::sqrt((1 - b * b) / 2);
+          EXPECT_TRUE(said || !told) << "height " << static_cast<double>(c);
         }
       }
     }

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-// Caps in arrays; of circles there are eight.
+// Caps in arrays; of circles there are sixteen.
 struct FloatCapArrays {
   const float *x, *y, *z, *b;
 };
