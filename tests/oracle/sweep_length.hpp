@@ -1,7 +1,10 @@
 // How long the sweeps of tests over sets are.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdlib>
+#include <vector>
 
 namespace oracle {
 
@@ -14,11 +17,20 @@ inline bool long_tests() {
 // Of so many sets one is tried. Builds that repeat the tests of another one, with sanitizers, with 32-bit limbs or for
 // an emulated processor, look for what depends on the code that runs rather than on the numbers, and take many times as
 // long for a set.
-inline constexpr int sets_for_one = HSP_REPEATED_TESTS ? 4 : 1;
+inline constexpr int sets_for_one = HSP_SETS_FOR_ONE;
 
 // The number of sets that a sweep tries.
 inline int sets(int number) {
   return (number + sets_for_one - 1) / sets_for_one;
+}
+
+// Of a list of sets those that are tried: one of every sets_for_one, but at least three.
+template <class Set>
+std::vector<Set> some_of(const std::vector<Set> &all) {
+  const size_t every = std::clamp(all.size() / 3, size_t{1}, size_t{sets_for_one});
+  std::vector<Set> some;
+  for (size_t k = 0; k < all.size(); k += every) some.push_back(all[k]);
+  return some;
 }
 
 // The same for slow tests. The usual form tries the first sets of the long one.

@@ -21,7 +21,7 @@ TEST(MeasuresOfFaces, OfSetsOfEveryKind) {
 
 TEST(MeasuresOfFaces, OfRandomSets) {
   oracle::RandomSource random(103);
-  for (int k = 0; k < 12; ++k)
+  for (int k = 0; k < oracle::sets(12); ++k)
     for (const Balls &balls : {oracle::loose_balls(random, 15), oracle::dense_balls(random, 8),
                                oracle::clustered_balls(random, 14), oracle::belted_balls(random, 24)})
       ASSERT_EQ(complaint_about_smallest(in_general_position(balls, random), faces_differ), "");

@@ -19,7 +19,7 @@ using Measures = LibraryBoundary::Measures;
 
 TEST(Measures, OfLooseSetsAreThoseOfSlices) {
   RandomSource random(61);
-  for (int k = 0; k < 25; ++k) {
+  for (int k = 0; k < oracle::sets(25); ++k) {
     const Balls balls = oracle::loose_balls(random, static_cast<size_t>(random.in(5, 25)));
     ASSERT_EQ(complaint_about_smallest(balls, measures_differ), "");
   }
@@ -27,7 +27,7 @@ TEST(Measures, OfLooseSetsAreThoseOfSlices) {
 
 TEST(Measures, OfDenseClusteredAndBeltedSetsAreThoseOfSlices) {
   RandomSource random(62);
-  for (int k = 0; k < 20; ++k) {
+  for (int k = 0; k < oracle::sets(20); ++k) {
     ASSERT_EQ(complaint_about_smallest(oracle::dense_balls(random, 12), measures_differ), "");
     ASSERT_EQ(complaint_about_smallest(oracle::clustered_balls(random, 15), measures_differ), "");
     ASSERT_EQ(complaint_about_smallest(oracle::belted_balls(random, 20), measures_differ), "");
@@ -44,7 +44,7 @@ TEST(Measures, OfDegenerateSetsAreThoseOfSlices) {
 
 TEST(Measures, OfCrownedSetsAreThoseOfSlices) {
   RandomSource random(68);
-  for (int k = 0; k < 20; ++k)
+  for (int k = 0; k < oracle::sets(20); ++k)
     ASSERT_EQ(complaint_about_smallest(oracle::crowned_balls(random, 20), measures_differ), "");
 }
 

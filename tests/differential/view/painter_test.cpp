@@ -42,7 +42,7 @@ TEST(Painter, ShowsDegenerateSets) {
 
 TEST(Painter, ShowsRandomSets) {
   oracle::RandomSource random(91);
-  for (int k = 0; k < 8; ++k)
+  for (int k = 0; k < oracle::sets(8); ++k)
     for (const auto make : {oracle::loose_balls, oracle::dense_balls, oracle::clustered_balls, oracle::belted_balls,
                             sparse_balls, mixed_balls, flat_balls})
       expect_right_pictures(make(random, k == 0 ? 400 : 60), {{0, 0, 1}, uneven_directions()[0]}, 150, "");

@@ -57,7 +57,7 @@ TEST_P(Pieces, OfDegenerateSets) {
 
 TEST_P(Pieces, OfRandomSets) {
   oracle::RandomSource random(94);
-  for (int k = 0; k < 4; ++k)
+  for (int k = 0; k < oracle::sets(4); ++k)
     for (const auto make : {oracle::loose_balls, oracle::dense_balls, oracle::clustered_balls, oracle::belted_balls,
                             sparse_balls, mixed_balls, flat_balls})
       expect_invariant(GetParam().invariant, make(random, 50), {{0, 0, 1}, uneven_directions()[1]}, "");

@@ -2,6 +2,7 @@
 
 #include "degenerate_set.hpp"
 #include "point_lattices.hpp"
+#include "sweep_length.hpp"
 
 namespace {
 
@@ -65,7 +66,7 @@ std::vector<oracle::NamedBalls> degenerate_views(size_t most_balls) {
   for (const auto &sets : {degenerate::made_sets(), degenerate::read_sets(HSP_DEGENERATE_SETS)})
     for (const degenerate::DegenerateSet &set : sets)
       if (set.balls.size() <= most_balls) views.push_back({set.name, set.balls});
-  return views;
+  return oracle::some_of(views);
 }
 
 std::vector<Direction> even_directions() {

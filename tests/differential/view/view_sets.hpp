@@ -15,7 +15,7 @@ std::vector<oracle::NamedBalls> small_views();
 std::vector<oracle::NamedBalls> lattice_views();
 
 // All of small_views and lattice_views, and the degenerate sets of tests/differential/degenerate of at most so many
-// balls.
+// balls; some of these where tests are repeated.
 std::vector<oracle::NamedBalls> degenerate_views(size_t most_balls);
 
 // Along axes and diagonals, where lattices line up.

@@ -30,7 +30,9 @@ TEST(PathFinder, AroundSetsOfAllKinds) {
     const Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(2, 20)));
     ASSERT_NO_FATAL_FAILURE(check(balls, random, 8, seen)) << k;
   }
-  EXPECT_GT(seen.found, 10U);
+  if (oracle::sets_for_one == 1) {
+    EXPECT_GT(seen.found, 10U);
+  }
   EXPECT_GT(100 * seen.certified, 90 * seen.found);
 }
 

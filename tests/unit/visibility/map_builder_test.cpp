@@ -11,6 +11,7 @@
 #include "point_lattices.hpp"
 #include "random_balls.hpp"
 #include "set_arrangements.hpp"
+#include "sweep_length.hpp"
 #include "visibility/map_check.hpp"
 
 namespace {
@@ -50,8 +51,9 @@ TEST_P(MapOfMolecule, NeedsNoPerturbation) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Bench, MapOfMolecule,
-                         testing::Values("caffeine.pdb", "acetyl_coa.pdb", "crambin.pdb", "felix_model.pdb",
-                                         "ubiquitin.pdb", "sod_stand_in.pdb"));
+                         testing::ValuesIn(oracle::some_of<const char *>({"caffeine.pdb", "acetyl_coa.pdb",
+                                                                          "crambin.pdb", "felix_model.pdb",
+                                                                          "ubiquitin.pdb", "sod_stand_in.pdb"})));
 
 TEST(MapBuilder, ShowsRandomSets) {
   oracle::RandomSource random(15);
