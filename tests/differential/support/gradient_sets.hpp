@@ -12,8 +12,8 @@
 // come close to the lattice's limit, and no tie is left.
 oracle::Balls in_general_position(const oracle::Balls &balls, oracle::RandomSource &random);
 
-// Isolated and overlapping balls, free circles, faces with holes, voids, a component in a void: 3 to 70 balls each. Some
-// of these where tests are repeated.
+// Isolated and overlapping balls, free circles, faces with holes, voids, a component in a void: 3 to 70 balls each.
+// Some of these where tests are repeated.
 std::vector<oracle::NamedBalls> sets_of_every_kind(uint64_t seed);
 
 // Caffeine and crambin, probe 0 and 1.4 angstrom, in units of 2^-28 angstrom.
