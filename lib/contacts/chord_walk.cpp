@@ -58,10 +58,20 @@ void ChordWalk::start(uint32_t balls, uint32_t own) {
 void ChordWalk::find(const Boundary &boundary, Caps &caps) {
   for (uint32_t k = 0; k < caps.count; ++k) cap_of_ball_[caps.ball[k]] = k;
   if (lost_) return try_all_pairs(caps);
+  if (!has_start(boundary, caps.origin)) {
+    first_chord_ = no_id;
+    return;
+  }
   const uint32_t first = caps.first_later;
   const uint32_t later = caps.count - first;
   first_chord_ = later <= MaskedChords::most_caps ? walk(boundary, caps, MaskedChords(chords_, first, later))
                                                   : walk(boundary, caps, ListedChords(chords_, heads_, first, later));
+}
+
+// Whether any end of its chords is known, or one is to be searched for.
+bool ChordWalk::has_start(const Boundary &boundary, uint32_t ball) const {
+  return first_arrival_[ball] != no_id || !boundary.is_exposed(ball) ||
+         (next_vertex_ < boundary.vertex_count() && boundary.vertex(next_vertex_).ball[0] == ball);
 }
 
 // The first chord.

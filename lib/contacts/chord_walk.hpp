@@ -49,6 +49,7 @@ class ChordWalk {
 
  private:
   void try_all_pairs(const Caps &caps);
+  bool has_start(const Boundary &boundary, uint32_t ball) const;
   template <class Chords>
   uint32_t walk(const Boundary &boundary, Caps &caps, Chords &&chords);
   template <class Chords>
