@@ -213,9 +213,13 @@ class Boundary {
     __builtin_prefetch(&a_.component_origin[ball]);
   }
   void prefetch_half_edges(uint32_t ball) const {
-    constexpr uint32_t step = 64 / sizeof(HalfEdge);
+    // Most balls have no more than three lines of them, and how many none can predict.
+    constexpr uint32_t lines = 3, step = 64 / sizeof(HalfEdge);
     const IdRange ids = half_edges(ball);
-    for (uint32_t e = ids.first; e < ids.last; e += step) __builtin_prefetch(&a_.half_edges[e]);
+    for (uint32_t k = 0; k < lines; ++k) {
+      const uint32_t e = ids.first + k * step;
+      __builtin_prefetch(a_.half_edges.data() + (e < ids.last ? e : ids.first));
+    }
   }
 
  private:

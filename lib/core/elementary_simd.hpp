@@ -69,8 +69,11 @@ typename DoubleLanes<n>::Real signed_angle(const typename DoubleLanes<n>::Real &
 
 // The angle of (x, y) in [0, 2 pi].
 template <uint32_t n>
-typename DoubleLanes<n>::Real turn_angle(const typename DoubleLanes<n>::Real &x,
-                                         const typename DoubleLanes<n>::Real &y) {
+#if !defined(__OPTIMIZE_SIZE__)
+[[gnu::always_inline]]
+#endif
+inline typename DoubleLanes<n>::Real
+turn_angle(const typename DoubleLanes<n>::Real &x, const typename DoubleLanes<n>::Real &y) {
   using L = DoubleLanes<n>;
   const typename L::Mask below = y < 0.0;
   AngleParts<L> angle = half_turn_angle<L>(x, y);

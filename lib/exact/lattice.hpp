@@ -65,6 +65,11 @@ class Lattice {
     return on_lattice;
   }
   double length(double steps) const { return divisor_ == 1.0 ? steps / factor_ : steps * divisor_; }
+  // The same for several numbers in lanes, as core/double_lanes.hpp has them.
+  template <class Lanes>
+  Lanes lengths(const Lanes &steps) const {
+    return divisor_ == 1.0 ? steps / factor_ : steps * divisor_;
+  }
   double area(double square_steps) const { return length(length(square_steps)); }
   double volume(double cubic_steps) const { return length(length(length(cubic_steps))); }
 

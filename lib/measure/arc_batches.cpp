@@ -16,18 +16,21 @@ bool ArcBatches::fill() {
   } else {
     gather_loops();
   }
-  const uint32_t first_circle = batch_.count;
+  first_circle_ = batch_.count;
   put_circles();
   if (batch_.count == 0) return false;
   pad();
-  const bool complete = evaluate();
-  for (uint32_t s = first_circle; s < batch_.count; ++s) batch_.angle[s] = 2 * pi;
-  batch_.any_touching = false;
-  if (!complete) complete_from_integers();
   return true;
 }
 
-bool ArcBatches::evaluate() {
+void ArcBatches::evaluate() {
+  const bool complete = evaluate_in_doubles();
+  for (uint32_t s = first_circle_; s < batch_.count; ++s) batch_.angle[s] = 2 * pi;
+  batch_.any_touching = false;
+  if (!complete) complete_from_integers();
+}
+
+bool ArcBatches::evaluate_in_doubles() {
   const BallOfSet ball = ball_of_set(balls_, ball_);
 #if HSP_AVX2
   if (boundary_.has_wide_code()) return evaluate_arcs_avx2(ball, batch_);
@@ -157,9 +160,24 @@ void ArcBatches::complete_from_integers() {
                                              plane(batch_.other[s]), plane(batch_.other[batch_.previous[s]]));
   }
   for (uint32_t s = 0; s < count; ++s) {
+    if (batch_.arc[s] != 0 && is_missing(batch_.px[batch_.next[s]])) vertex_from_integers(batch_.next[s]);
+  }
+  // Most arcs that lacked but a vertex are well-conditioned.
+  complete_arcs();
+  for (uint32_t s = 0; s < count; ++s) {
     if (batch_.arc[s] != 0 && is_missing(batch_.angle[s])) arc_from_integers(s);
   }
   for (uint32_t s = count; s < count + sum_lanes - 1; ++s) batch_.twice_height[s] = batch_.twice_height[count - 1];
+}
+
+void ArcBatches::complete_arcs() {
+#if HSP_AVX2
+  if (boundary_.has_wide_code()) {
+    complete_arcs_avx2(batch_);
+    return;
+  }
+#endif
+  hsp::complete_arcs(batch_);
 }
 
 void ArcBatches::circle_from_integers(uint32_t s) {
@@ -186,7 +204,6 @@ void ArcBatches::vertex_from_integers(uint32_t s) {
 
 void ArcBatches::arc_from_integers(uint32_t s) {
   const uint32_t end = batch_.next[s];
-  if (batch_.px[end] != batch_.px[end]) vertex_from_integers(end);
   const Vec3 chord{batch_.px[s] - batch_.px[end], batch_.py[s] - batch_.py[end], batch_.pz[s] - batch_.pz[end]};
   const Vec3 X = cross(chord, {batch_.ux[s], batch_.uy[s], batch_.uz[s]});
   batch_.Xx[s] = X.x;

@@ -36,7 +36,15 @@ class ArcBatches {
   }
 
   // Fills and evaluates the next batch; false if there is none.
-  bool next() { return !finished_ && fill(); }
+  bool next() {
+    if (!gather()) return false;
+    evaluate();
+    return true;
+  }
+  // The two steps of that. Between them batch().other is known, and what else the caller reads from memory may be put
+  // into the batch: it arrives while the batch is evaluated.
+  bool gather() { return !finished_ && fill(); }
+  void evaluate();
   const ArcBatch &batch() const { return batch_; }
   ArcBatch &batch() { return batch_; }
 
@@ -55,8 +63,9 @@ class ArcBatches {
   }
   void put_circles();
   void pad();
-  bool evaluate();
+  bool evaluate_in_doubles();
   void complete_from_integers();
+  void complete_arcs();
   void circle_from_integers(uint32_t s);
   void vertex_from_integers(uint32_t s);
   void arc_from_integers(uint32_t s);
@@ -71,6 +80,7 @@ class ArcBatches {
   Span<const ClosedHalfEdge> circles_;
   IdRange loops_;  // of the face
   uint32_t circle_ = 0;
+  uint32_t first_circle_ = 0;              // slot of the batch
   uint32_t start_ = no_id, walk_ = no_id;  // the first half-edge of the loop, and the next one; no_id between loops
   bool finished_ = false;
   bool is_single_ = false;

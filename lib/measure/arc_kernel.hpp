@@ -32,12 +32,49 @@ double sum_of_lanes(const double (&lanes)[sum_lanes]) {
   return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
 }
 
+// Four sums, n of the lanes of each.
+template <uint32_t n>
+struct FourSums {
+  using L = DoubleLanes<n>;
+  using Real = typename L::Real;
+
+  Real a = L::all(0.0), b = L::all(0.0), c = L::all(0.0), d = L::all(0.0);
+};
+// All lanes of each sum, as by sum_of_lanes.
+template <uint32_t n>
+void store_sums(const FourSums<n> (&parts)[sum_lanes / n], double (&sums)[4]) {
+#if defined(__AVX2__)
+  if constexpr (n == 4) {
+    const FourSums<n> &part = parts[0];
+    const __m256d ab = _mm256_hadd_pd(__m256d(part.a), __m256d(part.b));
+    const __m256d cd = _mm256_hadd_pd(__m256d(part.c), __m256d(part.d));
+    const __m256d low = _mm256_permute2f128_pd(ab, cd, 0x20), high = _mm256_permute2f128_pd(ab, cd, 0x31);
+    _mm256_storeu_pd(sums, _mm256_add_pd(low, high));
+    return;
+  }
+#endif
+  using L = DoubleLanes<n>;
+  double a[sum_lanes], b[sum_lanes], c[sum_lanes], d[sum_lanes];
+  for (uint32_t lane = 0; lane < sum_lanes; lane += n) {
+    const FourSums<n> &part = parts[lane / n];
+    L::store(a + lane, part.a);
+    L::store(b + lane, part.b);
+    L::store(c + lane, part.c);
+    L::store(d + lane, part.d);
+  }
+  sums[0] = sum_of_lanes(a);
+  sums[1] = sum_of_lanes(b);
+  sums[2] = sum_of_lanes(c);
+  sums[3] = sum_of_lanes(d);
+}
+
 template <uint32_t n>
 struct ArcKernel {
   using L = DoubleLanes<n>;
   using Real = typename L::Real;
   using Mask = typename L::Mask;
   using Vector = VectorOf<Real>;
+  using Sums = FourSums<n>;
 
   static Vector load(const double *x, const double *y, const double *z, uint32_t s) {
     return {L::load(x + s), L::load(y + s), L::load(z + s)};
@@ -118,25 +155,42 @@ struct ArcKernel {
   // Returns the mask of those that doubles do not serve.
   [[gnu::always_inline]] static Mask evaluate_arcs(ArcBatch &b) {
     Mask unserved{};
-    for (uint32_t s = 0; s < b.count; s += n) {
-      const Vector u = axes(b, s);
-      const Vector from = load(b.px, b.py, b.pz, s);
-      const Vector to = gather(b.px, b.py, b.pz, b.next + s);
-      // The loop runs clockwise, from q to p.
-      const Vector centre = L::load(b.twice_height + s) * u;
-      const Vector p = to - centre;
-      const Vector q = from - centre;
-      const Vector X = cross(from - to, u);
-      const Real x = dot(p, q);
-      const Real y = dot(p, X);  // u.(p x q)
-      const Mask arc = L::load_mask(b.arc + s);
-      const Mask served = L::both(L::absolute(y) >= branch_cut_margin * x, arc);
-      const Mask not_served = arc & ~served;
-      L::store(b.angle + s, L::number(L::bits(L::kept(served, turn_angle<n>(x, y))) | not_served));
-      store(b.Xx, b.Xy, b.Xz, s, kept(served, X));
-      unserved |= not_served;
-    }
+    for (uint32_t s = 0; s < b.count; s += n) unserved |= evaluate_arcs_at(b, s, L::load_mask(b.arc + s));
     return unserved;
+  }
+  // The chosen ones of n slots; the angles of the others become 0.
+  [[gnu::always_inline]] static Mask evaluate_arcs_at(ArcBatch &b, uint32_t s, const Mask &arc) {
+    const Vector u = axes(b, s);
+    const Vector from = load(b.px, b.py, b.pz, s);
+    const Vector to = gather(b.px, b.py, b.pz, b.next + s);
+    // The loop runs clockwise, from q to p.
+    const Vector centre = L::load(b.twice_height + s) * u;
+    const Vector p = to - centre;
+    const Vector q = from - centre;
+    const Vector X = cross(from - to, u);
+    const Real x = dot(p, q);
+    const Real y = dot(p, X);  // u.(p x q)
+    const Mask served = L::both(L::absolute(y) >= branch_cut_margin * x, arc);
+    const Mask not_served = arc & ~served;
+    L::store(b.angle + s, L::number(L::bits(L::kept(served, turn_angle<n>(x, y))) | not_served));
+    store(b.Xx, b.Xy, b.Xz, s, kept(served, X));
+    return not_served;
+  }
+
+  // The others keep what they have: arcs on circles that doubles do not serve are left out.
+  static void complete_arcs(ArcBatch &b) {
+    for (uint32_t s = 0; s < b.count; s += n) {
+      const Real angle = L::load(b.angle + s);
+      const Real square = L::load(b.square_of_distance + s);
+      const Mask missing = L::both(angle != angle, square == square);
+      if (!L::any(missing)) continue;
+      const Vector X = load(b.Xx, b.Xy, b.Xz, s);
+      evaluate_arcs_at(b, s, missing);
+      L::store(b.angle + s, L::select(missing, L::load(b.angle + s), angle));
+      L::store(b.Xx + s, L::select(missing, L::load(b.Xx + s), X.x));
+      L::store(b.Xy + s, L::select(missing, L::load(b.Xy + s), X.y));
+      L::store(b.Xz + s, L::select(missing, L::load(b.Xz + s), X.z));
+    }
   }
 
   static bool evaluate(const BallOfSet &ball, ArcBatch &b) {
@@ -146,48 +200,78 @@ struct ArcKernel {
     return !L::any(circles | arcs);
   }
 
-  // With m = h u and X = 2 (q - p) x u: cos(cap) = h/r, m x (q - p) = -h X / 2, rho^2 = (r - h)(r + h).
   static AreaSums sum_areas(const ArcBatch &b, double radius) {
-    const double diameter = 2 * radius;
-    double cosines[sum_lanes], x[sum_lanes], y[sum_lanes], z[sum_lanes];
+    Sums parts[sum_lanes / n];
     for (uint32_t lane = 0; lane < sum_lanes; lane += n) {
-      Real cosine = L::all(0.0);
-      Vector area{L::all(0.0), L::all(0.0), L::all(0.0)};
-      for (uint32_t s = lane; s < b.count; s += sum_lanes) {
-        const Real height = L::load(b.twice_height + s);
-        const Real angle = L::load(b.angle + s);
-        const Real along = (diameter - height) * (diameter + height) * angle;
-        cosine += height * angle;
-        area = area + (height * load(b.Xx, b.Xy, b.Xz, s) - along * axes(b, s));
-      }
-      L::store(cosines + lane, cosine);
-      store(x, y, z, lane, area);
+      Sums sums;
+      for (uint32_t s = lane; s < b.count; s += sum_lanes) add_areas(Slots(b, s), radius, sums);
+      parts[lane / n] = sums;
     }
-    return {sum_of_lanes(cosines), {sum_of_lanes(x), sum_of_lanes(y), sum_of_lanes(z)}};
+    return area_sums(parts);
   }
 
+  static GradientSums sum_gradient(const ArcBatch &b, double radius, double weight) {
+    Sums areas[sum_lanes / n], weighted[sum_lanes / n];
+    for (uint32_t lane = 0; lane < sum_lanes; lane += n) {
+      Sums area, weighted_area;
+      for (uint32_t s = lane; s < b.count; s += sum_lanes) {
+        const Slots slots(b, s);
+        add_areas(slots, radius, area);
+        add_weighted(b, slots, s, radius, weight, weighted_area);
+      }
+      areas[lane / n] = area;
+      weighted[lane / n] = weighted_area;
+    }
+    return {area_sums(areas), weighted_sums(weighted)};
+  }
+
+ private:
+  // What both kinds of sums read.
+  struct Slots {
+    Real height, angle;
+    Vector X, u;
+
+    [[gnu::always_inline]] Slots(const ArcBatch &b, uint32_t s)
+        : height(L::load(b.twice_height + s)),
+          angle(L::load(b.angle + s)),
+          X(load(b.Xx, b.Xy, b.Xz, s)),
+          u(axes(b, s)) {}
+  };
+
+  // With m = h u and X = 2 (q - p) x u: cos(cap) = h/r, m x (q - p) = -h X / 2, rho^2 = (r - h)(r + h).
+  [[gnu::always_inline]] static void add_areas(const Slots &slots, double radius, Sums &sums) {
+    const double diameter = 2 * radius;
+    const Real along = (diameter - slots.height) * (diameter + slots.height) * slots.angle;
+    const Vector area = slots.height * slots.X - along * slots.u;
+    sums.a += slots.height * slots.angle;
+    sums.b += area.x;
+    sums.c += area.y;
+    sums.d += area.z;
+  }
+  static AreaSums area_sums(const Sums (&parts)[sum_lanes / n]) {
+    double of[4];
+    store_sums(parts, of);
+    return {of[0], {of[1], of[2], of[3]}};
+  }
   // With s the weights, ball k's own area and those of its neighbours give together, per arc,
   //   dS/dc_k: u phi [ -s_k R_k (1 - h/d) - s_j R_j h/d ] + (q - p) x u [ s_k R_k - s_j R_j ]/d
   //   dS/dR_k: s_k phi (R_k^2/d - h) - s_j R_j R_k phi / d,   as (R_k^2 + R_j^2 - d^2)/(2 d) = R_k^2/d - h
   // The term with the factor s_k R_k - s_j R_j vanishes for equal balls. A sphere with R_k = 0 has only infinitely
   // short arcs, and every term is 0.
-  static WeightedSums sum_weighted(const ArcBatch &b, double radius, double weight) {
+  [[gnu::always_inline]] static void add_weighted(const ArcBatch &b, const Slots &slots, uint32_t s, double radius,
+                                                  double weight, Sums &sums) {
     const double own = weight * radius;
-    double by_radius[sum_lanes], x[sum_lanes], y[sum_lanes], z[sum_lanes];
-    for (uint32_t lane = 0; lane < sum_lanes; lane += n) {
-      Real sum = L::all(0.0);
-      Vector centre{L::all(0.0), L::all(0.0), L::all(0.0)};
-      for (uint32_t s = lane; s < b.count; s += sum_lanes) {
-        const Real half = 0.5 * (own - L::load(b.other_weight + s)) * L::load(b.inverse_distance + s);
-        const Real height = L::load(b.twice_height + s);
-        const Real angle = L::load(b.angle + s);
-        centre = centre + (angle * (half * height - own) * axes(b, s) + half * load(b.Xx, b.Xy, b.Xz, s));
-        sum += angle * (2 * radius * half - 0.5 * weight * height);
-      }
-      L::store(by_radius + lane, sum);
-      store(x, y, z, lane, centre);
-    }
-    return {{sum_of_lanes(x), sum_of_lanes(y), sum_of_lanes(z)}, sum_of_lanes(by_radius)};
+    const Real half = 0.5 * (own - L::load(b.other_weight + s)) * L::load(b.inverse_distance + s);
+    const Vector centre = slots.angle * (half * slots.height - own) * slots.u + half * slots.X;
+    sums.a += centre.x;
+    sums.b += centre.y;
+    sums.c += centre.z;
+    sums.d += slots.angle * (2 * radius * half - 0.5 * weight * slots.height);
+  }
+  static WeightedSums weighted_sums(const Sums (&parts)[sum_lanes / n]) {
+    double of[4];
+    store_sums(parts, of);
+    return {{of[0], of[1], of[2]}, of[3]};
   }
 };
 

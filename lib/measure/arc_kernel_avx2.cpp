@@ -8,11 +8,14 @@ using Kernel = ArcKernel<4>;
 bool evaluate_arcs_avx2(const BallOfSet &ball, ArcBatch &batch) {
   return Kernel::evaluate(ball, batch);
 }
+void complete_arcs_avx2(ArcBatch &batch) {
+  Kernel::complete_arcs(batch);
+}
 AreaSums sum_areas_avx2(const ArcBatch &batch, double radius) {
   return Kernel::sum_areas(batch, radius);
 }
-WeightedSums sum_weighted_avx2(const ArcBatch &batch, double radius, double weight) {
-  return Kernel::sum_weighted(batch, radius, weight);
+GradientSums sum_gradient_avx2(const ArcBatch &batch, double radius, double weight) {
+  return Kernel::sum_gradient(batch, radius, weight);
 }
 
 }  // namespace hsp

@@ -2,24 +2,12 @@
 
 namespace hsp {
 
-void WeightedAreas::add(ArcBatch &batch) {
-  if (batch.any_touching) [[unlikely]]
-    take_out_uncounted(batch);
+void WeightedAreas::put_weights(ArcBatch &batch) const {
   for (uint32_t s = 0; s < batch.count; ++s) {
     const uint32_t j = batch.other[s];
     batch.other_weight[s] = weights_.of(balls_, j) * balls_.r[j];
   }
-  for (uint32_t s = batch.count; s < batch.count + sum_lanes - 1; ++s) batch.other_weight[s] = 0.0;
-  const WeightedSums sums = sums_of(batch);
-  centre_ = centre_ + Vec3{sums.centre[0], sums.centre[1], sums.centre[2]};
-  radius_ += sums.radius;
-}
-
-WeightedSums WeightedAreas::sums_of(const ArcBatch &batch) const {
-#if HSP_AVX2
-  if (boundary_.has_wide_code()) return sum_weighted_avx2(batch, R_, weight_);
-#endif
-  return sum_weighted(batch, R_, weight_);
+  for (uint32_t k = 0; k < sum_lanes - 1; ++k) batch.other_weight[batch.count + k] = 0.0;
 }
 
 void WeightedAreas::take_out_uncounted(ArcBatch &batch) const {

@@ -52,14 +52,39 @@ class WeightedAreas {
   WeightedAreas(const BallSet &balls, const Boundary &boundary, const AreaWeights &weights, uint32_t k)
       : balls_(balls), boundary_(boundary), weights_(weights), R_(balls.r[k]), weight_(weights.of(balls, k)) {}
 
-  // What does not count is taken out of the batch.
-  void add(ArcBatch &batch);
+  // To be called before the batch is evaluated.
+  void put_weights(ArcBatch &batch) const;
+  // Adds an evaluated batch to these sums, and first to those of `surface`. Between the two it calls on_arcs(batch);
+  // then what does not count is taken out of the batch.
+  template <class OnArcs>
+  void add(ArcBatch &batch, FreeSurface &surface, OnArcs &on_arcs) {
+    if (batch.any_touching) [[unlikely]] {
+      surface.add(batch);
+      on_arcs(batch);
+      take_out_uncounted(batch);
+      add(sums_of(batch).weighted);
+    } else {
+      const GradientSums sums = sums_of(batch);
+      surface.add(batch, sums.areas);
+      on_arcs(batch);
+      add(sums.weighted);
+    }
+  }
 
   const Vec3 &by_centre() const { return centre_; }
   double by_radius(double steradians) const { return 2 * weight_ * R_ * steradians + radius_; }
 
  private:
-  WeightedSums sums_of(const ArcBatch &batch) const;
+  void add(const WeightedSums &sums) {
+    centre_ = centre_ + Vec3{sums.centre[0], sums.centre[1], sums.centre[2]};
+    radius_ += sums.radius;
+  }
+  GradientSums sums_of(const ArcBatch &batch) const {
+#if HSP_AVX2
+    if (boundary_.has_wide_code()) return sum_gradient_avx2(batch, R_, weight_);
+#endif
+    return sum_gradient(batch, R_, weight_);
+  }
   void take_out_uncounted(ArcBatch &batch) const;
 
   const BallSet &balls_;
@@ -78,11 +103,11 @@ double gather_gradient(const BallSet &balls, const Boundary &boundary, const Are
   WeightedAreas areas(balls, boundary, weights, k);
   FreeSurface surface(boundary, balls.r[k]);
   ArcBatches arcs(balls, boundary, k);
-  while (arcs.next()) {
+  while (arcs.gather()) {
     ArcBatch &batch = arcs.batch();
-    surface.add(batch);
-    on_arcs(batch);
-    areas.add(batch);
+    areas.put_weights(batch);
+    arcs.evaluate();
+    areas.add(batch, surface, on_arcs);
     result.one_sided = result.one_sided || batch.any_touching;
   }
   const double R = balls.r[k];

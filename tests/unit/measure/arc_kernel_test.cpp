@@ -50,22 +50,34 @@ class RandomArcs {
 
 struct Results {
   bool complete = false;
-  ArcBatch batch;
+  ArcBatch batch, completed;
   hsp::AreaSums areas{};
-  hsp::WeightedSums weighted{};
+  hsp::GradientSums gradient{};
 };
 
 struct Kernel {
   bool (*evaluate)(const hsp::BallOfSet &, ArcBatch &);
   hsp::AreaSums (*sum_areas)(const ArcBatch &, double);
-  hsp::WeightedSums (*sum_weighted)(const ArcBatch &, double, double);
+  hsp::GradientSums (*sum_gradient)(const ArcBatch &, double, double);
+  void (*complete_arcs)(ArcBatch &);
 
   [[nodiscard]] Results run(const RandomArcs &arcs) const {
     Results results;
     results.batch = arcs.batch();
     const hsp::BallOfSet ball = arcs.ball();
     results.complete = evaluate(ball, results.batch);
-    // What doubles did not serve is found elsewhere; here it becomes anything.
+    // Vertices that doubles did not serve are found elsewhere; here they become anything.
+    results.completed = results.batch;
+    for (uint32_t s = 0; s < results.batch.count; ++s) {
+      double &x = results.completed.px[s];
+      if (x != x) {
+        x = 500.0 + s;
+        results.completed.py[s] = -100.0;
+        results.completed.pz[s] = 7.0 * s;
+      }
+    }
+    complete_arcs(results.completed);
+    // And so does all the rest.
     ArcBatch found = results.batch;
     for (uint32_t s = 0; s < ArcBatch::room; ++s) {
       for (double *field : {&found.twice_height[s], &found.angle[s]}) {
@@ -75,7 +87,7 @@ struct Kernel {
       if (s >= found.count) found.ux[s] = found.uy[s] = found.uz[s] = found.inverse_distance[s] = 0.5;
     }
     results.areas = sum_areas(found, ball.r);
-    results.weighted = sum_weighted(found, ball.r, 0.375);
+    results.gradient = sum_gradient(found, ball.r, 0.375);
     return results;
   }
 };
@@ -83,7 +95,7 @@ struct Kernel {
 template <uint32_t n>
 Kernel kernel() {
   using K = hsp::ArcKernel<n>;
-  return {K::evaluate, K::sum_areas, K::sum_weighted};
+  return {K::evaluate, K::sum_areas, K::sum_gradient, K::complete_arcs};
 }
 
 // Any NaN is the same: which of two a sum takes is up to the compiler.
@@ -92,46 +104,85 @@ void expect_same(double a, double b, const char *what) {
   EXPECT_EQ(std::memcmp(&a, &b, sizeof a), 0) << what << ": " << a << " " << b;
 }
 
-void expect_same(const Results &a, const Results &b) {
-  EXPECT_EQ(a.complete, b.complete);
-  expect_same(a.batch.exterior_angles, b.batch.exterior_angles, "exterior angles");
-  expect_same(a.batch.exterior_turns, b.batch.exterior_turns, "whole turns");
-  for (uint32_t s = 0; s < a.batch.count; ++s) {
+void expect_same(const ArcBatch &a, const ArcBatch &b) {
+  expect_same(a.exterior_angles, b.exterior_angles, "exterior angles");
+  expect_same(a.exterior_turns, b.exterior_turns, "whole turns");
+  for (uint32_t s = 0; s < a.count; ++s) {
     const auto fields = [s](const ArcBatch &x) {
       return std::array{x.ux[s],           x.uy[s], x.uz[s], x.inverse_distance[s],
                         x.twice_height[s], x.px[s], x.py[s], x.pz[s],
                         x.angle[s],        x.Xx[s], x.Xy[s], x.Xz[s]};
     };
-    for (size_t k = 0; k < fields(a.batch).size(); ++k) expect_same(fields(a.batch)[k], fields(b.batch)[k], "slot");
-  }
-  expect_same(a.areas.cosines, b.areas.cosines, "cosines");
-  expect_same(a.weighted.radius, b.weighted.radius, "by radius");
-  for (size_t axis = 0; axis < 3; ++axis) {
-    expect_same(a.areas.vector_area[axis], b.areas.vector_area[axis], "vector area");
-    expect_same(a.weighted.centre[axis], b.weighted.centre[axis], "by centre");
+    for (size_t k = 0; k < fields(a).size(); ++k) expect_same(fields(a)[k], fields(b)[k], "slot");
   }
 }
+
+void expect_same(const hsp::AreaSums &a, const hsp::AreaSums &b) {
+  expect_same(a.cosines, b.cosines, "cosines");
+  for (size_t axis = 0; axis < 3; ++axis) expect_same(a.vector_area[axis], b.vector_area[axis], "vector area");
+}
+
+void expect_same(const Results &a, const Results &b) {
+  EXPECT_EQ(a.complete, b.complete);
+  expect_same(a.batch, b.batch);
+  expect_same(a.completed, b.completed);
+  expect_same(a.areas, b.areas);
+  expect_same(a.gradient.areas, b.areas);
+  expect_same(a.gradient.weighted.radius, b.gradient.weighted.radius, "by radius");
+  for (size_t axis = 0; axis < 3; ++axis) {
+    expect_same(a.gradient.weighted.centre[axis], b.gradient.weighted.centre[axis], "by centre");
+  }
+}
+
+// Arcs that have an angle only in the second batch, those that have one in both, which is the same, and those that have
+// one in neither.
+struct Completed {
+  uint32_t now = 0, before = 0, never = 0;
+
+  void count(const Results &results) {
+    for (uint32_t s = 0; s < results.batch.count; ++s) {
+      const double angle = results.batch.angle[s], completed = results.completed.angle[s];
+      if (angle == angle) {
+        EXPECT_EQ(angle, completed);
+        EXPECT_EQ(results.batch.Xx[s], results.completed.Xx[s]);
+        ++before;
+      } else if (completed == completed) {
+        // Not on a circle that doubles do not serve.
+        EXPECT_EQ(results.batch.twice_height[s], results.batch.twice_height[s]);
+        ++now;
+      } else {
+        ++never;
+      }
+    }
+  }
+};
 
 TEST(ArcKernel, GivesTheSameBitsForEveryWidth) {
   std::mt19937 random(5);
   uint32_t complete = 0;
   uint32_t arcs_served = 0;
+  Completed completed;
   for (int round = 0; round < 3000; ++round) {
     const RandomArcs arcs(random);
     const Results two = kernel<2>().run(arcs);
     expect_same(kernel<1>().run(arcs), two);
-    expect_same(Kernel{hsp::evaluate_arcs, hsp::sum_areas, hsp::sum_weighted}.run(arcs), two);
+    expect_same(Kernel{hsp::evaluate_arcs, hsp::sum_areas, hsp::sum_gradient, hsp::complete_arcs}.run(arcs), two);
 #if HSP_AVX2
     if (hsp::has_avx2()) {
-      expect_same(Kernel{hsp::evaluate_arcs_avx2, hsp::sum_areas_avx2, hsp::sum_weighted_avx2}.run(arcs), two);
+      const Kernel wide{hsp::evaluate_arcs_avx2, hsp::sum_areas_avx2, hsp::sum_gradient_avx2, hsp::complete_arcs_avx2};
+      expect_same(wide.run(arcs), two);
     }
 #endif
     complete += two.complete ? 1U : 0U;
+    completed.count(two);
     for (uint32_t s = 0; s < two.batch.count; ++s) arcs_served += two.batch.angle[s] > 0.0 ? 1U : 0U;
     if (HasFailure()) FAIL() << "round " << round;
   }
   EXPECT_GT(arcs_served, 3000U);
   EXPECT_LT(complete, 3000U);
+  EXPECT_GT(completed.now, 3000U);
+  EXPECT_GT(completed.before, 3000U);
+  EXPECT_GT(completed.never, 3000U);
 }
 
 }  // namespace
