@@ -2,7 +2,32 @@
 
 #include <cstring>
 
+#include "core/small_code.hpp"
+
 namespace hsp {
+namespace {
+
+// From the number of entries for each digit to the place of the first of them.
+void add_up(const Span<uint32_t> &counts) {
+  uint32_t place = 0;
+  for (uint32_t &count : counts) {
+    const uint32_t here = count;
+    count = place;
+    place += here;
+  }
+}
+
+// One pass over n entries, by the digit at `shift`.
+void move_entries(const uint32_t *from, uint32_t n, uint32_t shift, uint32_t mask, uint32_t *places, uint32_t *to) {
+  for (uint32_t k = 0; k < n; ++k, from += 2) {
+    uint64_t entry;
+    std::memcpy(&entry, from, sizeof entry);
+    const uint32_t at = places[(*from >> shift) & mask]++;
+    std::memcpy(to + 2 * static_cast<size_t>(at), &entry, sizeof entry);
+  }
+}
+
+}  // namespace
 
 DigitSort::DigitSort(Span<uint32_t> entries, Span<uint32_t> other_entries, Span<uint32_t> counters)
     : entries_(entries), other_entries_(other_entries), counters_(counters) {
@@ -16,10 +41,52 @@ DigitSort::Passes DigitSort::passes_for(uint32_t bits) const {
 
 void DigitSort::begin(uint32_t bits) {
   passes_ = passes_for(bits);
+  // Each value of the highest digit costs the counters of the others; below four entries for each pair of digits that
+  // is more than what it saves.
+  highest_first_ = !small_code && passes_.count == 3 && UINT32_C(3) << passes_.bits <= counters_.size() &&
+                   entries_.size() / 2 >= UINT64_C(4) << (2 * passes_.bits);
   for (uint32_t &count : key_counts()) count = 0;
 }
 
 void DigitSort::sort() {
+  if (highest_first_) {
+    sort_highest_first();
+  } else {
+    sort_lowest_first();
+  }
+}
+
+void DigitSort::sort_highest_first() {
+  const Span<uint32_t> places = key_counts();
+  add_up(places);
+  move_entries(entries_.data(), entries_.size() / 2, first_shift(), mask(), places.data(), other_entries_.data());
+  exchange();
+  uint32_t first = 0;
+  for (const uint32_t last : places) {
+    if (first < last) sort_by_two_digits(first, last);
+    first = last;
+  }
+}
+
+// Entries first .. last - 1, to the front of the other array and back: always the same memory, which stays near.
+void DigitSort::sort_by_two_digits(uint32_t first, uint32_t last) {
+  const uint32_t bits = passes_.bits, mask = this->mask(), values = mask + 1;
+  const Span<uint32_t> low = counters_.part(values, 2 * values), high = counters_.part(2 * values, 3 * values);
+  for (uint32_t &count : counters_.part(values, 3 * values)) count = 0;
+  uint32_t *const entries = entries_.part(2 * first, 2 * last).data();
+  uint32_t *const others = other_entries_.part(0, 2 * (last - first)).data();
+  for (uint32_t k = 0; k < last - first; ++k) {
+    const uint32_t key = entries[2 * static_cast<size_t>(k)];
+    ++low[key & mask];
+    ++high[(key >> bits) & mask];
+  }
+  add_up(low);
+  add_up(high);
+  move_entries(entries, last - first, 0, mask, low.data(), others);
+  move_entries(others, last - first, bits, mask, high.data(), entries);
+}
+
+void DigitSort::sort_lowest_first() {
   const uint32_t n = entries_.size() / 2;
   const uint32_t mask = this->mask();
   uint32_t *places = counters_.data();

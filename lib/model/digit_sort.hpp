@@ -1,6 +1,9 @@
 // Sorts by digits, the lowest first (Knuth, TAOCP 3, section 5.2.5, algorithm R): each pass is a stable counting sort.
 // An entry is a key and a ball, side by side in two numbers, so that a pass writes one stream for each digit; and while
 // it moves them it counts those of the next pass, so that it reads them once.
+//
+// Of three digits of many entries the highest is sorted by first, and then the entries of each of its values by the
+// other two: these are so few that they stay in a near memory for both passes. The order is the same.
 #pragma once
 
 #include "core/span.hpp"
@@ -9,7 +12,7 @@ namespace hsp {
 
 class DigitSort {
  public:
-  // Entries for n balls in each of the two, and at least 4 counters, of which up to 4096 are used.
+  // Entries for n balls in each of the two, and at least 4 counters, of which up to 6144 are used.
   DigitSort(Span<uint32_t> entries, Span<uint32_t> other_entries, Span<uint32_t> counters);
 
   // Passes that tell so many bits apart, in equal parts: two short ones cost less than a short and a long one, whose
@@ -21,10 +24,11 @@ class DigitSort {
   Passes passes_for(uint32_t bits) const;
 
   // By a key of up to 32 bits; balls of equal keys stay in their order. First entries() and key_counts() are to be
-  // filled, with the number of keys for each value of their lowest bits, which the mask tells.
+  // filled, with the number of keys for each value of their first digit: (key >> first_shift()) & mask().
   void begin(uint32_t bits);
   const Span<uint32_t> &entries() const { return entries_; }
   Span<uint32_t> key_counts() const { return counters_.part(0, mask() + 1); }
+  uint32_t first_shift() const { return highest_first_ ? 2 * passes_.bits : 0; }
   uint32_t mask() const { return (UINT32_C(1) << passes_.bits) - 1; }
   // The sorted entries are then in entries(): in the same array as before after an even number of passes.
   void sort();
@@ -36,9 +40,14 @@ class DigitSort {
   }
 
  private:
+  void sort_lowest_first();
+  void sort_highest_first();
+  void sort_by_two_digits(uint32_t first, uint32_t last);
+
   Span<uint32_t> entries_, other_entries_, counters_;
   uint32_t most_bits_ = 0;
   Passes passes_{1, 0};
+  bool highest_first_ = false;
 };
 
 }  // namespace hsp

@@ -129,13 +129,13 @@ void sort_by(DigitSort &sort, const Source &source, bool first_time, uint32_t bi
   for (uint32_t shift = 0; shift < bits || shift == 0; shift += 32) {
     sort.begin(bits - shift < 32 ? bits - shift : 32);
     const Span<uint32_t> entries = sort.entries(), counts = sort.key_counts();
-    const uint32_t mask = sort.mask();
+    const uint32_t first_shift = sort.first_shift(), mask = sort.mask();
     for (uint32_t k = 0; k < entries.size() / 2; ++k) {
       const uint32_t ball = first_time ? k : entries[2 * k + 1];
       const uint32_t part = static_cast<uint32_t>(key(source.centre(ball)) >> shift);
       entries[2 * k] = part;
       entries[2 * k + 1] = ball;
-      ++counts[part & mask];
+      ++counts[(part >> first_shift) & mask];
     }
     sort.sort();
     first_time = false;

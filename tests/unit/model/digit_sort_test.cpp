@@ -26,7 +26,7 @@ void expect_sorted(oracle::RandomSource &random, uint32_t n, uint32_t bits, uint
     expected.emplace_back(key, k);
     sort.entries()[2 * k] = key;
     sort.entries()[2 * k + 1] = k;
-    ++sort.key_counts()[key & sort.mask()];
+    ++sort.key_counts()[(key >> sort.first_shift()) & sort.mask()];
   }
   sort.sort();
   for (uint32_t k = 0; k < n; ++k) found.emplace_back(sort.entries()[2 * k], sort.entries()[2 * k + 1]);
