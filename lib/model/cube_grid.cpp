@@ -292,7 +292,7 @@ void CubeGrid::sort(const Source &source, const BallSet &given, const LatticeBox
     put(source, axis, {own, n}, others);
     cut_off_others();
   }
-  table_.insert_all();
+  table_.insert_all(scratch_slots_);
   first_ball_[table_.count()] = n;
   make_row_directory();
 }

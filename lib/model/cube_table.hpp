@@ -70,7 +70,7 @@ class CubeTable {
     insert(count_ - 1);
   }
   // The same for many, after clear(): first all are pushed, and from then on have numbers and coordinates; then all are
-  // inserted, and can be found among as many slots as they need.
+  // inserted, and can be found among as many slots as they need. Scratch memory: a bit for each of these.
   void push(const CubeCoordinates &cube) {
     if (count_ == 0) low_ = high_ = cube;
     widen(cube.x, low_.x, high_.x);
@@ -78,8 +78,12 @@ class CubeTable {
     widen(cube.z, low_.z, high_.z);
     cubes_[count_++] = cube;
   }
-  void insert_all() {
+  void insert_all(Span<uint32_t> scratch) {
     clear_slots(count_);
+    if (!small_code && used_slots_ > most_near_slots) {
+      insert_far(scratch);
+      return;
+    }
     for (uint32_t number = 0; number < count_; ++number) {
       if (!small_code && number + fetched_ahead < count_) fetch(number + fetched_ahead);
       insert(number);
@@ -103,6 +107,8 @@ class CubeTable {
  private:
   // Slots of a large table are far from each other: they are on their way while other cubes are inserted.
   static constexpr uint32_t fetched_ahead = 32;
+  // More than these do not stay in a near memory, but a bit for each does.
+  static constexpr uint32_t most_near_slots = 1U << 16;
 
   void clear_slots(uint32_t cubes) {
     longest_probe_ = 0;
@@ -118,6 +124,28 @@ class CubeTable {
     for (; slots_[probe.slot] != no_id; probe.next()) ++length;
     slots_[probe.slot] = number;
     if (length > longest_probe_) longest_probe_ = length;
+  }
+
+  // All cubes into an empty table, each into the same slot as by insert(). Bits tell which slots are taken, so that
+  // slots are never read, and are on their way while later cubes look for theirs.
+  void insert_far(Span<uint32_t> taken) {
+    for (uint32_t &word : taken.part(0, used_slots_ / 32)) word = 0;
+    uint32_t found[fetched_ahead];  // slots that are not written yet
+    for (uint32_t number = 0; number < count_; ++number) {
+      uint32_t length = 1;
+      CubeProbe probe(linear_hash(cubes_[number]), used_slots_);
+      for (; (taken[probe.slot / 32] >> probe.slot % 32 & 1U) != 0; probe.next()) ++length;
+      taken[probe.slot / 32] |= 1U << probe.slot % 32;
+      if (length > longest_probe_) longest_probe_ = length;
+      __builtin_prefetch(&slots_[probe.slot], 1);
+      uint32_t &slot = found[number % fetched_ahead];
+      if (number >= fetched_ahead) slots_[slot] = number - fetched_ahead;
+      slot = probe.slot;
+    }
+    // There are more cubes than that, as there are so many slots.
+    for (uint32_t number = count_ - fetched_ahead; number < count_; ++number) {
+      slots_[found[number % fetched_ahead]] = number;
+    }
   }
 
   Span<uint32_t> slots_;  // cube numbers, no_id = empty

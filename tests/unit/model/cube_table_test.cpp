@@ -43,13 +43,14 @@ void expect_like_a_map(const std::vector<hsp::CubeCoordinates> &cubes, uint32_t 
 }
 
 // Cubes that are inserted together have the numbers and the table of those inserted one by one; where there is room for
-// more, too.
+// more, too. Those of the largest table find their slots by bits.
 TEST(CubeTable, ManyAtOnce) {
-  for (const uint32_t n : {0U, 1U, 31U, 32U, 33U, 1000U}) {
+  for (const uint32_t n : {0U, 1U, 31U, 32U, 33U, 1000U, 40000U}) {
     Table one_by_one(n), together(9 * n);
     for (uint32_t k = 0; k < n; ++k) one_by_one.table.append({k % 10, k / 10, -7});
     for (uint32_t k = 0; k < n; ++k) together.table.push({k % 10, k / 10, -7});
-    together.table.insert_all();
+    std::vector<uint32_t> scratch(one_by_one.slots.size() / 32 + 1, 0xAAAAAAAA);
+    together.table.insert_all({scratch.data(), static_cast<uint32_t>(scratch.size())});
     ASSERT_EQ(together.table.slots(), one_by_one.table.slots());
     together.slots.resize(one_by_one.slots.size());
     EXPECT_EQ(together.slots, one_by_one.slots);
