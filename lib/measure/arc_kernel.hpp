@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/elementary.hpp"
+#include "core/small_code.hpp"
 #include "exact/circle_crossing.hpp"
 #include "measure/arc_sums.hpp"
 #include "measure/exterior_angles.hpp"
@@ -155,8 +156,14 @@ struct ArcKernel {
   // Returns the mask of those that doubles do not serve.
   [[gnu::always_inline]] static Mask evaluate_arcs(ArcBatch &b) {
     Mask unserved{};
-    for (uint32_t s = 0; s < b.count; s += n) unserved |= evaluate_arcs_at(b, s, L::load_mask(b.arc + s));
+    for (uint32_t s = 0; s < b.count; s += n) {
+      const Mask arc = L::load_mask(b.arc + s);
+      unserved |= small_code ? evaluate_arcs_by_call(b, s, arc) : evaluate_arcs_at(b, s, arc);
+    }
     return unserved;
+  }
+  [[gnu::noinline]] static Mask evaluate_arcs_by_call(ArcBatch &b, uint32_t s, const Mask &arc) {
+    return evaluate_arcs_at(b, s, arc);
   }
   // The chosen ones of n slots; the angles of the others become 0.
   [[gnu::always_inline]] static Mask evaluate_arcs_at(ArcBatch &b, uint32_t s, const Mask &arc) {
@@ -185,7 +192,7 @@ struct ArcKernel {
       const Mask missing = L::both(angle != angle, square == square);
       if (!L::any(missing)) continue;
       const Vector X = load(b.Xx, b.Xy, b.Xz, s);
-      evaluate_arcs_at(b, s, missing);
+      evaluate_arcs_by_call(b, s, missing);
       L::store(b.angle + s, L::select(missing, L::load(b.angle + s), angle));
       L::store(b.Xx + s, L::select(missing, L::load(b.Xx + s), X.x));
       L::store(b.Xy + s, L::select(missing, L::load(b.Xy + s), X.y));
