@@ -89,16 +89,11 @@ void DigitSort::sort_by_two_digits(uint32_t first, uint32_t last) {
 void DigitSort::sort_lowest_first() {
   const uint32_t n = entries_.size() / 2;
   const uint32_t mask = this->mask();
-  uint32_t *places = counters_.data();
-  uint32_t *next = places + mask + 1;
+  Span<uint32_t> places = counters_.part(0, mask + 1);
+  Span<uint32_t> next = counters_.part(mask + 1, 2 * (mask + 1));
   for (uint32_t p = 0; p < passes_.count; ++p) {
-    uint32_t place = 0;
-    for (uint32_t value = 0; value <= mask; ++value) {
-      const uint32_t count = places[value];
-      places[value] = place;
-      place += count;
-      next[value] = 0;
-    }
+    add_up(places);
+    for (uint32_t &count : next) count = 0;
     const uint32_t shift = p * passes_.bits;
     // Those of the last pass are counted in vain: one more way through here would cost more.
     const uint32_t next_shift = p + 1 < passes_.count ? shift + passes_.bits : shift;
@@ -112,7 +107,7 @@ void DigitSort::sort_lowest_first() {
       std::memcpy(to + 2 * static_cast<size_t>(at), &entry, sizeof entry);
       ++next[(key >> next_shift) & mask];
     }
-    uint32_t *const counted = next;
+    const Span<uint32_t> counted = next;
     next = places;
     places = counted;
     exchange();

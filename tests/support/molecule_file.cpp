@@ -152,6 +152,10 @@ std::filesystem::path own_molecule(const std::string &name) {
   return std::filesystem::path(HSP_OWN_MOLECULES) / name;
 }
 
+std::vector<const char *> bench_molecules() {
+  return {"caffeine.pdb", "acetyl_coa.pdb", "crambin.pdb", "felix_model.pdb", "ubiquitin.pdb", "sod_stand_in.pdb"};
+}
+
 std::optional<std::filesystem::path> further_molecule(const std::string &name) {
   const char *chosen = std::getenv("HSP_MOLECULES");
   const std::filesystem::path folder = chosen != nullptr ? chosen : HSP_FURTHER_MOLECULES;

@@ -40,6 +40,8 @@ BallList with_radii(const std::vector<Atom> &atoms, Radii radii);
 
 // A file of the project's own molecules.
 std::filesystem::path own_molecule(const std::string &name);
+// Those of the benchmarks, smallest first.
+std::vector<const char *> bench_molecules();
 
 // A file of the folder of further molecules: the environment variable HSP_MOLECULES or else the CMake variable of this
 // name gives it. Nothing if it is not there.

@@ -65,9 +65,6 @@ TEST_P(Molecule, HasTheSameShellsAlongOtherAxes) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Bench, Molecule,
-                         testing::ValuesIn(oracle::some_of<const char *>({"caffeine.pdb", "acetyl_coa.pdb",
-                                                                          "crambin.pdb", "felix_model.pdb",
-                                                                          "ubiquitin.pdb", "sod_stand_in.pdb"})));
+INSTANTIATE_TEST_SUITE_P(Bench, Molecule, testing::ValuesIn(oracle::some_of(support::bench_molecules())));
 
 }  // namespace

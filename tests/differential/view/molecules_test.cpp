@@ -36,9 +36,6 @@ TEST_P(ViewOfMolecule, KeepsTheInvariants) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Bench, ViewOfMolecule,
-                         testing::ValuesIn(oracle::some_of<const char *>({"caffeine.pdb", "acetyl_coa.pdb",
-                                                                          "crambin.pdb", "felix_model.pdb",
-                                                                          "ubiquitin.pdb", "sod_stand_in.pdb"})));
+INSTANTIATE_TEST_SUITE_P(Bench, ViewOfMolecule, testing::ValuesIn(oracle::some_of(support::bench_molecules())));
 
 }  // namespace

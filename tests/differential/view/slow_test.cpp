@@ -34,9 +34,7 @@ TEST_P(SlowView, OfMolecule) {
   expect_right_pictures(read_molecule(support::own_molecule(GetParam())));
 }
 
-INSTANTIATE_TEST_SUITE_P(Bench, SlowView,
-                         testing::Values("caffeine.pdb", "acetyl_coa.pdb", "crambin.pdb", "felix_model.pdb",
-                                         "ubiquitin.pdb", "sod_stand_in.pdb"));
+INSTANTIATE_TEST_SUITE_P(Bench, SlowView, testing::ValuesIn(support::bench_molecules()));
 
 class SlowFurtherView : public testing::TestWithParam<const char *> {};
 

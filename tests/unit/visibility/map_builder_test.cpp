@@ -50,10 +50,7 @@ TEST_P(MapOfMolecule, NeedsNoPerturbation) {
   for (const Direction &towards : directions) EXPECT_EQ(BuiltMap(atoms, towards).map().perturbation, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Bench, MapOfMolecule,
-                         testing::ValuesIn(oracle::some_of<const char *>({"caffeine.pdb", "acetyl_coa.pdb",
-                                                                          "crambin.pdb", "felix_model.pdb",
-                                                                          "ubiquitin.pdb", "sod_stand_in.pdb"})));
+INSTANTIATE_TEST_SUITE_P(Bench, MapOfMolecule, testing::ValuesIn(oracle::some_of(support::bench_molecules())));
 
 TEST(MapBuilder, ShowsRandomSets) {
   oracle::RandomSource random(15);

@@ -31,9 +31,7 @@ TEST_P(SlowMap, OfMolecule) {
   expect_right_maps(read_molecule(support::own_molecule(GetParam())));
 }
 
-INSTANTIATE_TEST_SUITE_P(Bench, SlowMap,
-                         testing::Values("caffeine.pdb", "acetyl_coa.pdb", "crambin.pdb", "felix_model.pdb",
-                                         "ubiquitin.pdb", "sod_stand_in.pdb"));
+INSTANTIATE_TEST_SUITE_P(Bench, SlowMap, testing::ValuesIn(support::bench_molecules()));
 
 class SlowFurtherMap : public testing::TestWithParam<const char *> {};
 
