@@ -8,6 +8,8 @@ namespace {
 
 // Balls of a large set are far from each other in the order of the input, and on their way while others are rounded.
 constexpr uint32_t input_balls_ahead = 24;
+// So many balls are still near when their cubes are looked at.
+constexpr uint32_t balls_in_block = 512;
 
 // Balls of an input that all have a place on the lattice, in the caller's order.
 struct InputBalls {
@@ -167,36 +169,55 @@ GridOrder CubeGrid::order_of(const Source &source, const BallSet &given, const L
                     {entries, other_entries.part(2 * part.first, 2 * part.last), first_ball_});
 }
 
-// A part of the balls, in its order, to the same places, as new cubes.
+// A part of the balls, in its order, to the same places, as new cubes. Where a cube begins is not foreseen by the
+// processor: first balls are written to where the next first ball belongs, and stay there if a cube begins.
 template <class Source>
 void CubeGrid::put(const Source &given, const CubeAxis &axis, BallRange part, const GridOrder &order) {
   const BallsFrom<Source> source{given, part.first};  // a copy: the compiler knows that it is not written to
   const uint32_t n = order.size();
-  const uint32_t cubes_before = table_.count();
-  uint32_t settled = order.keys_tell_cubes ? 0 : n;  // before that, balls of equal keys are in order
-  for (uint32_t k = 0; k < n; ++k) {
-    if (!small_code && k + input_balls_ahead < n) {
-      const uint32_t ahead = order.ball(k + input_balls_ahead);
-      source.fetch(ahead);
-      __builtin_prefetch(&grid_index_[part.first + ahead], 1);
-    }
-    const uint32_t place = part.first + k;
+  const auto store = [&](uint32_t k) {
     const exact::LatticeBall ball = source.ball(order.ball(k));
-    balls_.store(place, ball);
-    grid_index_[part.first + order.ball(k)] = place;
-    if (order.keys_tell_cubes && k > 0 && order.cube_key(k) == order.cube_key(k - 1)) {
-      if (!small_code && order.same_key(k, k - 1) && balls_.x[place - 1] >= balls_.x[place] && k >= settled) {
-        // Once more from the first of them.
-        const BallRange run = sort_equal_keys(source, order, k);
-        settled = run.last;
-        k = run.first - 1;
+    balls_.store(part.first + k, ball);
+    grid_index_[part.first + order.ball(k)] = part.first + k;
+    return ball;
+  };
+  uint32_t settled = order.keys_tell_cubes ? 0 : n;  // before that, balls of one slice are in order
+  uint64_t last_key = ~UINT64_C(0);                  // no ball's
+  CubeCoordinates last_cube{};
+  int64_t last_x = 0;
+  for (uint32_t block = 0; block < n; block += balls_in_block) {
+    const uint32_t end = n - block < balls_in_block ? n : block + balls_in_block;
+    uint32_t cubes = table_.count();
+    for (uint32_t k = block; k < end; ++k) {
+      if (!small_code && k + input_balls_ahead < n) {
+        const uint32_t ahead = order.ball(k + input_balls_ahead);
+        source.fetch(ahead);
+        __builtin_prefetch(&grid_index_[part.first + ahead], 1);
       }
-      continue;
+      const exact::LatticeBall ball = store(k);
+      bool begins = true;
+      if (order.keys_tell_cubes) {
+        const uint64_t key = order.cube_key(k);
+        begins = key != last_key;
+        last_key = key;
+      } else {
+        const CubeCoordinates cube = axis.cube_at(ball.centre);
+        begins = k == 0 || !(cube == last_cube);
+        last_cube = cube;
+      }
+      first_ball_[cubes] = part.first + k;
+      cubes += static_cast<uint32_t>(begins);
+      const bool out_of_order = static_cast<unsigned>(!begins) & static_cast<unsigned>(last_x >= ball.centre.x);
+      last_x = ball.centre.x;
+      if (!small_code && out_of_order && k >= settled) {
+        const BallRange run = sort_slice(source, order, k);
+        settled = run.last;
+        for (uint32_t again = run.first; again <= k; ++again) last_x = store(again).centre.x;
+      }
     }
-    CubeCoordinates cube = axis.cube_at(ball.centre);
-    cube.z += lift_;
-    if (table_.count() == cubes_before || !(cube == table_.coordinates(table_.count() - 1))) {
-      first_ball_[table_.count()] = place;
+    while (table_.count() < cubes) {
+      CubeCoordinates cube = axis.cube_at(balls_.ball(first_ball_[table_.count()]).centre);
+      cube.z += lift_;
       table_.push(cube);
     }
   }

@@ -39,7 +39,8 @@ DigitSort::Passes DigitSort::passes_for(uint32_t bits) const {
   return {count, (bits + count - 1) / count};
 }
 
-void DigitSort::begin(uint32_t bits) {
+void DigitSort::begin(uint32_t bits, uint32_t others) {
+  lowest_ = others;
   passes_ = passes_for(bits);
   // Each value of the highest digit costs the counters of the others; below four entries for each pair of digits that
   // is more than what it saves.
@@ -70,20 +71,20 @@ void DigitSort::sort_highest_first() {
 
 // Entries first .. last - 1, to the front of the other array and back: always the same memory, which stays near.
 void DigitSort::sort_by_two_digits(uint32_t first, uint32_t last) {
-  const uint32_t bits = passes_.bits, mask = this->mask(), values = mask + 1;
+  const uint32_t low_shift = lowest_, high_shift = lowest_ + passes_.bits, mask = this->mask(), values = mask + 1;
   const Span<uint32_t> low = counters_.part(values, 2 * values), high = counters_.part(2 * values, 3 * values);
   for (uint32_t &count : counters_.part(values, 3 * values)) count = 0;
   uint32_t *const entries = entries_.part(2 * first, 2 * last).data();
   uint32_t *const others = other_entries_.part(0, 2 * (last - first)).data();
   for (uint32_t k = 0; k < last - first; ++k) {
     const uint32_t key = entries[2 * static_cast<size_t>(k)];
-    ++low[key & mask];
-    ++high[(key >> bits) & mask];
+    ++low[(key >> low_shift) & mask];
+    ++high[(key >> high_shift) & mask];
   }
   add_up(low);
   add_up(high);
-  move_entries(entries, last - first, 0, mask, low.data(), others);
-  move_entries(others, last - first, bits, mask, high.data(), entries);
+  move_entries(entries, last - first, low_shift, mask, low.data(), others);
+  move_entries(others, last - first, high_shift, mask, high.data(), entries);
 }
 
 void DigitSort::sort_lowest_first() {
@@ -94,7 +95,7 @@ void DigitSort::sort_lowest_first() {
   for (uint32_t p = 0; p < passes_.count; ++p) {
     add_up(places);
     for (uint32_t &count : next) count = 0;
-    const uint32_t shift = p * passes_.bits;
+    const uint32_t shift = lowest_ + p * passes_.bits;
     // Those of the last pass are counted in vain: one more way through here would cost more.
     const uint32_t next_shift = p + 1 < passes_.count ? shift + passes_.bits : shift;
     const uint32_t *from = entries_.data();

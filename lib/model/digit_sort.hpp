@@ -23,12 +23,13 @@ class DigitSort {
   };
   Passes passes_for(uint32_t bits) const;
 
-  // By a key of up to 32 bits; balls of equal keys stay in their order. First entries() and key_counts() are to be
-  // filled, with the number of keys for each value of their first digit: (key >> first_shift()) & mask().
-  void begin(uint32_t bits);
+  // By so many of the bits of a 32-bit key, above its lowest `others`; balls that these bits do not tell apart stay in
+  // their order. First entries() and key_counts() are to be filled, with the number of keys for each value of their
+  // first digit: (key >> first_shift()) & mask().
+  void begin(uint32_t bits, uint32_t others = 0);
   const Span<uint32_t> &entries() const { return entries_; }
   Span<uint32_t> key_counts() const { return counters_.part(0, mask() + 1); }
-  uint32_t first_shift() const { return highest_first_ ? 2 * passes_.bits : 0; }
+  uint32_t first_shift() const { return highest_first_ ? lowest_ + 2 * passes_.bits : lowest_; }
   uint32_t mask() const { return (UINT32_C(1) << passes_.bits) - 1; }
   // The sorted entries are then in entries(): in the same array as before after an even number of passes.
   void sort();
@@ -46,6 +47,7 @@ class DigitSort {
 
   Span<uint32_t> entries_, other_entries_, counters_;
   uint32_t most_bits_ = 0;
+  uint32_t lowest_ = 0;  // bit of the keys
   Passes passes_{1, 0};
   bool highest_first_ = false;
 };

@@ -16,7 +16,7 @@ GridOrder grid_order_by_comparing(const BallSet &balls, const CubeAxis &axis, Sp
     return balls.ranks_before(i, j);
   });
   for (uint32_t k = balls.n; k-- > 0;) entries[2 * k + 1] = entries[k];
-  return {entries, false, 0};
+  return {entries, false, 0, 0};
 }
 
 }  // namespace hsp

@@ -46,17 +46,19 @@ struct GridOrderScratch {
   Span<uint32_t> entries, other_entries, counters;
 };
 
-// Balls in grid order, by their numbers in the source. Where keys tell cubes, balls of equal keys are not in order yet:
-// they are few, and looked at when balls are read anyway.
+// Balls in grid order, by their numbers in the source. Where keys tell cubes, balls of one slice may not be in order
+// yet: few are not, and they are looked at when balls are read anyway.
 struct GridOrder {
   Span<uint32_t> entries;  // [2 n] a key and a ball each
   bool keys_tell_cubes;    // whether balls are in one cube if and only if their keys are, but for the lowest bits
   uint32_t slice_bits;     // how many
+  uint32_t bits_in_slice;  // of these, in which keys of one slice differ
 
   uint32_t size() const { return entries.size() / 2; }
   uint32_t ball(uint32_t k) const { return entries[2 * k + 1]; }
-  uint32_t cube_key(uint32_t k) const { return entries[2 * k] >> slice_bits; }
-  bool same_key(uint32_t k, uint32_t l) const { return entries[2 * k] == entries[2 * l]; }
+  uint32_t key(uint32_t k) const { return entries[2 * k]; }
+  uint64_t cube_key(uint32_t k) const { return uint64_t{key(k)} >> slice_bits; }
+  bool same_slice(uint32_t k, uint32_t l) const { return (key(k) ^ key(l)) >> bits_in_slice == 0; }
 };
 
 // Numbers of the cubes of a box, in the order of the grid, each cut into slices of equal width along x; and of the
@@ -123,11 +125,13 @@ inline uint32_t passes_for(const DigitSort &sort, uint32_t bits) {
   return passes;
 }
 
-// Sorts by a key of so many bits, 32 of them at a time. The first time the balls are in the order of their numbers.
+// Sorts by so many bits of a key above its lowest `others`, 32 of them at a time. The first time the balls are in the
+// order of their numbers.
 template <class Source, class Key>
-void sort_by(DigitSort &sort, const Source &source, bool first_time, uint32_t bits, const Key &key) {
+void sort_by(DigitSort &sort, const Source &source, bool first_time, uint32_t bits, const Key &key,
+             uint32_t others = 0) {
   for (uint32_t shift = 0; shift < bits || shift == 0; shift += 32) {
-    sort.begin(bits - shift < 32 ? bits - shift : 32);
+    sort.begin(bits - shift < 32 ? bits - shift : 32, others);
     const Span<uint32_t> entries = sort.entries(), counts = sort.key_counts();
     const uint32_t first_shift = sort.first_shift(), mask = sort.mask();
     for (uint32_t k = 0; k < entries.size() / 2; ++k) {
@@ -144,7 +148,27 @@ void sort_by(DigitSort &sort, const Source &source, bool first_time, uint32_t bi
 
 // So many slices of a cube leave few balls whose order is left to compare.
 inline constexpr uint32_t enough_slice_bits = 4;
-// Of entries with equal keys: by rank.
+// Entries of one slice that are not in the order of their keys, each by exchanges with those before it. That is so many
+// of them at most: a slice of a cube with very many balls is left to sort_slice().
+inline constexpr uint32_t most_exchanges = 8;
+inline void sort_in_slices(Span<uint32_t> entries) {
+  uint32_t *const entry = entries.data();
+  for (size_t k = 2; k < entries.size(); k += 2) {
+    if (entry[k - 2] <= entry[k]) [[likely]]
+      continue;
+    const uint32_t key = entry[k], ball = entry[k + 1];
+    const size_t least = k > 2 * most_exchanges ? k - 2 * most_exchanges : 0;
+    size_t to = k;
+    for (; to > least && entry[to - 2] > key; to -= 2) {
+      entry[to] = entry[to - 2];
+      entry[to + 1] = entry[to - 1];
+    }
+    entry[to] = key;
+    entry[to + 1] = ball;
+  }
+}
+
+// Entries of one slice: by rank. All get the key of the first.
 template <class Source>
 void sort_by_rank(const Source &source, Span<uint32_t> entries) {
   const uint32_t n = entries.size() / 2;
@@ -171,7 +195,7 @@ BallRange run_around(uint32_t k, uint32_t n, const Alike &alike) {
 template <class Source>
 void sort_cubes_by_rank(const Source &source, const PlacesInBox &places, const GridOrder &order) {
   const auto same_cube = [&](uint32_t k, uint32_t l) {
-    return order.same_key(k, l) && places.same_cube(source.centre(order.ball(k)), source.centre(order.ball(l)));
+    return order.same_slice(k, l) && places.same_cube(source.centre(order.ball(k)), source.centre(order.ball(l)));
   };
   for (uint32_t k = 1; k < order.size(); ++k) {
     if (!same_cube(k - 1, k) || source.centre(order.ball(k - 1)).x < source.centre(order.ball(k)).x) continue;
@@ -183,11 +207,11 @@ void sort_cubes_by_rank(const Source &source, const PlacesInBox &places, const G
 
 }  // namespace grid_order_parts
 
-// Brings the entries with the key of number k into the order of rank; returns which these are.
+// Brings the entries in the slice of number k into the order of rank; returns which these are.
 template <class Source>
-BallRange sort_equal_keys(const Source &source, const GridOrder &order, uint32_t k) {
-  const auto same_key = [&](uint32_t i, uint32_t j) { return order.same_key(i, j); };
-  const BallRange run = grid_order_parts::run_around(k, order.size(), same_key);
+BallRange sort_slice(const Source &source, const GridOrder &order, uint32_t k) {
+  const auto same_slice = [&](uint32_t i, uint32_t j) { return order.same_slice(i, j); };
+  const BallRange run = grid_order_parts::run_around(k, order.size(), same_slice);
   grid_order_parts::sort_by_rank(source, order.entries.part(2 * run.first, 2 * run.last));
   return run;
 }
@@ -199,16 +223,19 @@ GridOrder grid_order(const Source &source, const LatticeBox &box, const CubeAxis
                      const GridOrderScratch &scratch) {
   using namespace grid_order_parts;
   DigitSort sort(scratch.entries, scratch.other_entries, scratch.counters);
-  GridOrder order{scratch.entries, false, 0};
+  GridOrder order{scratch.entries, false, 0, 0};
   if (order.size() == 0) return order;
   PlacesInBox places(box, axis);
   if (places.cubes() < 0x1p40) {
     const uint32_t bits = places.bits();
-    order.slice_bits = sort.passes_for(bits + enough_slice_bits).all_bits() - bits;
+    const uint32_t sorted = sort.passes_for(bits + enough_slice_bits).all_bits();
+    order.keys_tell_cubes = sorted <= 32;
+    order.bits_in_slice = order.keys_tell_cubes ? 32 - sorted : 0;
+    order.slice_bits = sorted + order.bits_in_slice - bits;
     places.slice(order.slice_bits);
-    order.keys_tell_cubes = places.bits() <= 32;
-    if (passes_for(sort, places.bits()) % 2 != 0) sort.exchange();
-    sort_by(sort, source, true, places.bits(), places);
+    if (passes_for(sort, sorted) % 2 != 0) sort.exchange();
+    sort_by(sort, source, true, sorted, places, order.bits_in_slice);
+    if (order.keys_tell_cubes) sort_in_slices(order.entries);
   } else {
     const uint32_t passes =
         passes_for(sort, places.bits_x()) + passes_for(sort, places.bits_y()) + passes_for(sort, places.bits_z());

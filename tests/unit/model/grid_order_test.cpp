@@ -83,7 +83,7 @@ void expect_order(std::vector<hsp::exact::LatticeBall> given, int64_t side, uint
            " counters";
   };
   EXPECT_EQ(found.entries.data(), entries.data());
-  for (uint32_t k = 0; found.keys_tell_cubes && k < set.n;) k = sort_equal_keys(SourceOf{set.balls}, found, k).last;
+  for (uint32_t k = 0; found.keys_tell_cubes && k < set.n;) k = sort_slice(SourceOf{set.balls}, found, k).last;
   EXPECT_EQ(balls_of(found), expected) << where();
   for (uint32_t k = 1; found.keys_tell_cubes && k < set.n; ++k) {
     ASSERT_EQ(found.cube_key(k - 1) == found.cube_key(k), cube(expected[k - 1]) == cube(expected[k])) << where();
