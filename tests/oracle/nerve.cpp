@@ -11,6 +11,12 @@ namespace {
 constexpr int64_t largest_difference = 100;
 
 using Simplex = std::vector<uint32_t>;
+// As operator< orders them, but on big-endian processors, too: there that of libstdc++ 12 compares first bytes alone.
+struct InDictionaryOrder {
+  bool operator()(const Simplex &a, const Simplex &b) const {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  }
+};
 using Matrix = std::vector<std::vector<Int128>>;
 
 // Determinant of a matrix of at most three rows, by the first row.
@@ -105,7 +111,7 @@ bool have_common_point(const std::vector<LatticeBall> &balls) {
 }
 
 std::array<int64_t, 3> nerve_betti_numbers(const Balls &balls) {
-  std::array<std::map<Simplex, uint32_t>, 4> simplices;
+  std::array<std::map<Simplex, uint32_t, InDictionaryOrder>, 4> simplices;
   for (uint32_t i = 0; i < balls.size(); ++i) simplices[0].emplace(Simplex{i}, i);
   std::array<size_t, 5> rank = {0, 0, 0, 0, 0};  // of the boundary map from dimension d to d - 1
   for (size_t d = 1; d < 4; ++d) {
