@@ -278,6 +278,16 @@ if(HSP_WIDE_CODE AND NOT DEFINED CACHE{HSP_COMPILES_AVX2})
   unset(CMAKE_TRY_COMPILE_TARGET_TYPE)
 endif()
 
+if(NOT DEFINED CACHE{HSP_TARGETS_AARCH64})
+  set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
+  check_cxx_source_compiles("
+    #if !defined(__aarch64__)
+    #error not this processor
+    #endif
+    int main() { return 0; }" HSP_TARGETS_AARCH64)
+  unset(CMAKE_TRY_COMPILE_TARGET_TYPE)
+endif()
+
 # hsp_library_objects(name definition...): the library compiled as objects, with further definitions. The archive is made
 # of hardsphere_objects. Tests of inner parts link to a library of objects and compile what its headers define alike.
 function(hsp_library_objects name)
@@ -301,6 +311,11 @@ function(hsp_library_objects name)
   # -ffp-contract=off: the same bits with and without fused multiply-add. The vectorizer of g++ 12 does not obey it: it
   # makes fused instructions of complex products (vfmaddsub, fcmla), hence it is off. A section for each function and
   # table, so that the linker can leave out what a program does not call. The rest keeps the C++ run time out.
+  # For Arm's 64-bit processors g++ 12 leaves out calls of functions that write to nothing but an object of the caller, if
+  # its optimization of induction variables has made a difference of the object's address (PrefixCode::number_words).
+  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND HSP_TARGETS_AARCH64)
+    target_compile_options(${name} PRIVATE -fno-ivopts)
+  endif()
   target_compile_options(${name} PUBLIC -ffp-contract=off PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-tree-vectorize>
     ${HSP_OPTIMIZATION} -ffunction-sections -fdata-sections -fno-math-errno -fno-exceptions -fno-rtti
     -fno-threadsafe-statics -fno-asynchronous-unwind-tables -fstack-usage)
