@@ -311,14 +311,14 @@ function(hsp_library_objects name)
   # -ffp-contract=off: the same bits with and without fused multiply-add. The vectorizer of g++ 12 does not obey it: it
   # makes fused instructions of complex products (vfmaddsub, fcmla), hence it is off. A section for each function and
   # table, so that the linker can leave out what a program does not call. The rest keeps the C++ run time out.
+  target_compile_options(${name} PUBLIC -ffp-contract=off PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-tree-vectorize>
+    ${HSP_OPTIMIZATION} -ffunction-sections -fdata-sections -fno-math-errno -fno-exceptions -fno-rtti
+    -fno-threadsafe-statics -fno-asynchronous-unwind-tables -fstack-usage)
   # For Arm's 64-bit processors g++ 12 leaves out calls of functions that write to nothing but an object of the caller, if
   # its optimization of induction variables has made a difference of the object's address (PrefixCode::number_words).
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND HSP_TARGETS_AARCH64)
     target_compile_options(${name} PRIVATE -fno-ivopts)
   endif()
-  target_compile_options(${name} PUBLIC -ffp-contract=off PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-tree-vectorize>
-    ${HSP_OPTIMIZATION} -ffunction-sections -fdata-sections -fno-math-errno -fno-exceptions -fno-rtti
-    -fno-threadsafe-statics -fno-asynchronous-unwind-tables -fstack-usage)
   target_link_libraries(${name} PRIVATE hardsphere_warnings hardsphere_sanitizers)
 endfunction()
 hsp_library_objects(hardsphere_objects)
