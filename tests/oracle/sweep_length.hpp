@@ -18,6 +18,9 @@ inline bool long_tests() {
 // an emulated processor, look for what depends on the code that runs rather than on the numbers, and take many times as
 // long for a set.
 inline constexpr int sets_for_one = HSP_SETS_FOR_ONE;
+// Whether that is for an emulated processor, where the long doubles of oracles, which are functions, take most of the
+// time.
+inline constexpr bool emulated = sets_for_one > 4;
 
 // The number of sets that a sweep tries.
 inline int sets(int number) {

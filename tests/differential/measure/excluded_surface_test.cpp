@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -177,8 +176,8 @@ TEST(ExcludedSurface, OfOneCell) {
   expect_as_by_lines(four, 1.4, 64, 3e-3, counts, 1, is_near);
   EXPECT_EQ(counts.cut_patches, 0U);
   support::Random random(16);
-  for (int k = 0; k < oracle::sets(4); ++k) {
-    const double probe = std::array{1.4, 1.8, 2.2, 2.4}[static_cast<size_t>(k)];
+  for (const double probe : {1.4, 1.8, 2.2, 2.4}) {
+    if (oracle::emulated && probe > 1.4) break;
     SCOPED_TRACE(probe);
     const Cage cage(random);
     const auto is_void = [&](const Point &y) { return cage.encloses(y); };
