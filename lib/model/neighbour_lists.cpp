@@ -164,12 +164,15 @@ class PairWalk {
 
 #if HSP_AVX2
 // Each ball against all balls around it, so that its row is its own: twice as many tests as PairWalk, and no places to
-// find for them. That is faster where cubes hold few balls.
+// find for them. That is faster where cubes hold few balls, and where rows do not stay in the processor's caches, as
+// each is written once.
 class RowWalk {
  public:
-  static bool suits(const CubeGrid &grid) {
-    return grid.wide() && grid.query_grid().rounded != nullptr &&
-           grid.balls().n <= most_balls_in_a_cube * uint64_t{grid.cubes()};
+  static bool suits_counting(const CubeGrid &grid) {
+    return is_possible(grid) && grid.balls().n <= most_balls_in_a_cube * uint64_t{grid.cubes()};
+  }
+  static bool suits_listing(const CubeGrid &grid, bool in_cache) {
+    return in_cache ? suits_counting(grid) : is_possible(grid);
   }
 
   explicit RowWalk(const CubeGrid &grid) : grid_(grid), balls_(query_arrays(grid.balls())) {}
@@ -183,7 +186,11 @@ class RowWalk {
 
   void list(Span<const uint32_t> first, Span<uint32_t> ids) {
     QueryHits hits;
+    const uint32_t last = grid_.balls().n - 1;
     for_each_ball([&](uint32_t i, const RoundedBlock *around) {
+      const auto later = [&](uint32_t ahead) { return balls_.caller[i + ahead < last ? i + ahead : last]; };
+      __builtin_prefetch(&first[later(2 * rows_ahead)]);
+      prefetch_row(first, ids, later(rows_ahead));
       const uint32_t own = balls_.caller[i], length = first[own + 1] - first[own];
       if (length == 0) return;
       uint32_t *const row = ids.data() + first[own];
@@ -213,13 +220,25 @@ class RowWalk {
     }
   }
 
+  // A hint to the processor: this row will be written soon, at least its front.
+  static void prefetch_row(Span<const uint32_t> first, Span<uint32_t> ids, uint32_t own) {
+    constexpr uint32_t ids_of_line = 16;
+    const uint32_t length = first[own + 1] - first[own];
+    const uint32_t front = length < QueryHits::room ? length : QueryHits::room;
+    const uint32_t *const row = ids.data() + first[own];
+    for (uint32_t k = 0; k < front; k += ids_of_line) __builtin_prefetch(row + k, 1);
+  }
+
   uint32_t ask_grid(uint32_t i, uint32_t *row, uint32_t length) const {
     QueryResult result{row, length, 0};
     find_neighbours(grid_, i, result);
     return result.hits;
   }
 
+  static bool is_possible(const CubeGrid &grid) { return grid.wide() && grid.query_grid().rounded != nullptr; }
+
   static constexpr uint32_t most_balls_in_a_cube = 4;
+  static constexpr uint32_t rows_ahead = 8;
 
   const CubeGrid &grid_;
   const QueryArrays balls_;
@@ -301,7 +320,7 @@ bool sum_up(Span<uint32_t> first) {
 bool count_neighbours(const CubeGrid &grid, PairRows rows, Span<uint32_t> first) {
   for (uint32_t &length : first) length = 0;
 #if HSP_AVX2
-  if (rows == PairRows::both && RowWalk::suits(grid)) {
+  if (rows == PairRows::both && RowWalk::suits_counting(grid)) {
     RowWalk(grid).count(first);
     return sum_up(first);
   }
@@ -310,10 +329,12 @@ bool count_neighbours(const CubeGrid &grid, PairRows rows, Span<uint32_t> first)
   return sum_up(first);
 }
 
-void list_neighbours(const CubeGrid &grid, PairRows rows, Span<uint32_t> first, Span<uint32_t> ids) {
+void list_neighbours(const CubeGrid &grid, PairRows rows, Span<uint32_t> first, Span<uint32_t> ids,
+                     [[maybe_unused]] uint32_t most_cached) {
   if (ids.empty()) return;
 #if HSP_AVX2
-  if (rows == PairRows::both && RowWalk::suits(grid)) return RowWalk(grid).list(first, ids);
+  const bool in_cache = ids.size() <= most_cached;
+  if (rows == PairRows::both && RowWalk::suits_listing(grid, in_cache)) return RowWalk(grid).list(first, ids);
 #endif
   for (uint32_t &id : ids) id = 0;
   if (rows == PairRows::both) {

@@ -21,13 +21,13 @@ struct Lists {
   friend bool operator==(const Lists &, const Lists &) = default;
 };
 
-Lists lists_of(const hsp::CubeGrid &grid, hsp::PairRows rows) {
+Lists lists_of(const hsp::CubeGrid &grid, hsp::PairRows rows, uint32_t most_cached = hsp::most_cached_ids) {
   const uint32_t n = grid.balls().n;
   Lists lists{std::vector<uint32_t>(n + 1), {}};
   const hsp::Span<uint32_t> first(lists.first.data(), n + 1);
   EXPECT_TRUE(hsp::count_neighbours(grid, rows, first));
   lists.ids.resize(first[n]);
-  hsp::list_neighbours(grid, rows, first, {lists.ids.data(), first[n]});
+  hsp::list_neighbours(grid, rows, first, {lists.ids.data(), first[n]}, most_cached);
   return lists;
 }
 
@@ -46,17 +46,20 @@ TEST(NeighbourLists, OfCrowdedCubes) {
     hsp::CubeGrid &grid = built.grid();
     const Lists both = lists_of(grid, hsp::PairRows::both), smaller = lists_of(grid, hsp::PairRows::smaller);
     EXPECT_EQ(both.ids.size(), 2 * smaller.ids.size());
+    EXPECT_TRUE(lists_of(grid, hsp::PairRows::both, 0) == both);
+    EXPECT_TRUE(lists_of(grid, hsp::PairRows::smaller, 0) == smaller);
     grid.do_without_wide_code();
     EXPECT_TRUE(lists_of(grid, hsp::PairRows::both) == both);
+    EXPECT_TRUE(lists_of(grid, hsp::PairRows::both, 0) == both);
     EXPECT_TRUE(lists_of(grid, hsp::PairRows::smaller) == smaller);
   }
 }
 
-// Few balls in most cubes, so that each ball is asked by itself, but hundreds in one of them and more than a hundred
-// neighbours around it.
+// Few balls in most cubes, so that each ball is asked by itself, but hundreds in one of them, or more than a block has
+// room for, and more than a hundred neighbours around it.
 TEST(NeighbourLists, OfOneCrowdedCubeAmongMany) {
   cases::Random random(7);
-  for (const uint32_t crowd : {100U, 200U, 300U}) {
+  for (const uint32_t crowd : {100U, 300U, 1100U}) {
     support::BallList list;
     const auto add = [&](int64_t x, int64_t y, int64_t z, int64_t r) {
       for (const int64_t coordinate : {x, y, z}) list.xyz.push_back(static_cast<double>(coordinate));
@@ -67,7 +70,7 @@ TEST(NeighbourLists, OfOneCrowdedCubeAmongMany) {
     BuiltGrid built(list);
     ASSERT_EQ(built.status(), hsp::Status::ok);
     hsp::CubeGrid &grid = built.grid();
-    ASSERT_LT(grid.balls().n, 2 * grid.cubes());
+    ASSERT_LT(grid.balls().n, 4 * grid.cubes());
     const Lists both = lists_of(grid, hsp::PairRows::both), smaller = lists_of(grid, hsp::PairRows::smaller);
     EXPECT_EQ(both.ids.size(), 2 * smaller.ids.size());
     grid.do_without_wide_code();
