@@ -7,7 +7,7 @@ namespace hsp {
 namespace {
 
 // Balls of a large set are far from each other in the order of the input, and on their way while others are rounded.
-constexpr uint32_t input_balls_ahead = 24;
+constexpr uint32_t input_balls_ahead = 64;
 // So many balls are still near when their cubes are looked at.
 constexpr uint32_t balls_in_block = 512;
 
