@@ -222,6 +222,14 @@ class Boundary {
     const uintptr_t front = reinterpret_cast<uintptr_t>(a_.half_edges.data() + half_edges(ball).first);
     for (uint32_t k = 0; k < lines; ++k) __builtin_prefetch(reinterpret_cast<const void *>(front + k * size_of_line));
   }
+  // Where as many half-edges start as most balls have, of so many in all: some may be the next ball's, as how many its
+  // own are none can predict.
+  [[gnu::always_inline]] void prefetch_vertices(uint32_t ball, uint32_t all_half_edges) const {
+    constexpr uint32_t most = 8;
+    const uint32_t first = half_edges(ball).first;
+    if (first + most > all_half_edges) return;
+    for (uint32_t k = 0; k < most; ++k) __builtin_prefetch(&a_.root_discriminant[half_edge(first + k).vertex]);
+  }
 
  private:
   friend class BoundaryBuilder;

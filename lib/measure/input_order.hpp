@@ -4,15 +4,18 @@
 #pragma once
 
 #include "boundary/boundary.hpp"
+#include "core/small_code.hpp"
 
 namespace hsp {
 
 // Calls visit(i, ball) for every ball i of a range of the input, with its index in the grid's order.
 template <class Visit>
 void visit_in_input_order(const CubeGrid &grid, const Boundary &boundary, IdRange range, Visit visit) {
-  constexpr uint32_t far = 8;   // visits ahead: what is found by the ball's index
-  constexpr uint32_t near = 4;  // and what is found by that
+  constexpr uint32_t far = 24;   // visits ahead: what is found by the ball's index
+  constexpr uint32_t near = 12;  // and what is found by that
+  constexpr uint32_t next = 6;   // and by that
   const BallSet &balls = grid.balls();
+  const uint32_t half_edges = range.empty() ? 0 : boundary.half_edges(grid.own_balls() - 1).last;
   for (uint32_t i = range.first; i < range.last; ++i) {
     if (i + far < range.last) {
       const uint32_t ball = grid.grid_index(i + far);
@@ -23,6 +26,7 @@ void visit_in_input_order(const CubeGrid &grid, const Boundary &boundary, IdRang
       __builtin_prefetch(&balls.r[ball]);
     }
     if (i + near < range.last) boundary.prefetch_half_edges(grid.grid_index(i + near));
+    if (!small_code && i + next < range.last) boundary.prefetch_vertices(grid.grid_index(i + next), half_edges);
     visit(i, grid.grid_index(i));
   }
 }
