@@ -26,7 +26,7 @@ static hsp_boundary *make(const hsp_boundary_limits *needed, uint32_t workers, g
   CHECK(bytes <= HSP_BOUNDARY_BYTES(limits.balls, limits.neighbours, limits.vertices, limits.circles) +
                      (workers < 1 ? 0 : workers - 1) *
                          HSP_WORKER_BYTES(limits.balls, limits.neighbours, limits.vertices, limits.circles));
-  *memory = guarded_take(bytes, workers, GUARDED_RANDOM);
+  *memory = guarded_take(bytes, workers % 64, GUARDED_RANDOM);
   CHECK_EQUAL(hsp_boundary_init(memory->block, bytes, &limits, &boundary), HSP_OK);
   return boundary;
 }

@@ -12,6 +12,10 @@ enum { STRIP = 128, ALIGNMENT = 64, STRIP_BYTE = 0x5C };
 guarded_memory guarded_take(size_t bytes, size_t misalignment, int fill) {
   guarded_memory memory;
   size_t i;
+  if (misalignment >= ALIGNMENT) {
+    fprintf(stderr, "a test block cannot be %zu bytes off\n", misalignment);
+    exit(2);
+  }
   memory.whole = malloc(bytes + 2 * STRIP + 2 * ALIGNMENT);
   if (memory.whole == NULL) {
     fprintf(stderr, "out of memory for a test block of %zu bytes\n", bytes);
