@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "hardsphere.h"
+#include "long_reals.hpp"
 #include "pair_formulas.hpp"
 #include "pair_scan.hpp"
 
@@ -126,6 +127,7 @@ Integrals integrate(const PairOfBalls &pair, int64_t from, int64_t width, int64_
 
 // The error of Simpson's rule is (b - a) w^4 / 180 times at most the fourth derivative of what is integrated.
 TEST_P(BondScan, GradientsIntegrateBackToAreasAndVolume) {
+  if (!oracle::has_long_reals) GTEST_SKIP() << "long doubles are doubles here";
   const PairOfBalls &pair = GetParam();
   const PairFormulas formulas = formulas_of(pair);
   const Real rounding = 4e-15L * area_scale(pair);
