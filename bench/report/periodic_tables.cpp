@@ -9,6 +9,10 @@
 
 namespace report {
 
+double box_ratio_per_contact(const Measurement &m) {
+  return m.counter("box_ratio") / m.counter("contacts_ratio");
+}
+
 void write_periodic(std::ostream &out, const Run &run) {
   out << R"(## Periodic boxes
 
@@ -35,7 +39,7 @@ column is the ratio of the times by that of the contacts.
         cells.push_back(three_digits(m->counter(part) / m->counter("atoms") * 1e6));
       }
       for (const char *ratio : {"box_ratio", "contacts_ratio"}) cells.push_back(fixed(m->counter(ratio), 2));
-      cells.push_back(fixed(m->counter("box_ratio") / m->counter("contacts_ratio"), 2));
+      cells.push_back(fixed(box_ratio_per_contact(*m), 2));
       table.row(cells);
     }
     table.write(out);
