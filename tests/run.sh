@@ -10,7 +10,7 @@
 #   bash tests/run.sh --help    prints this
 # Installs the packages that are missing, builds in build/, prints what ctest says and repeats its closing lines at the
 # end; build/logs holds all of it. The exit status is 0 only if every test succeeded. Run again it builds only what has
-# changed. On two cores the first takes some 20 minutes, packages included, --all some 45. The number of jobs, as many as
+# changed. On two cores the first takes 8 to 20 minutes, packages included, --all 24 to 45. The number of jobs, as many as
 # there are cores unless given: CMAKE_BUILD_PARALLEL_LEVEL, CTEST_PARALLEL_LEVEL. HSP_MOLECULES: a folder of further
 # molecules.
 set -euo pipefail
