@@ -10,7 +10,7 @@
 namespace hsp {
 
 struct RoundedBlock {
-  static constexpr uint32_t room = 1024;
+  static constexpr uint32_t room = 608;  // in most proteins enough with a probe, too; and the stack has room for it
   static constexpr uint32_t lanes = 8;
   static constexpr uint32_t most_ranges = 9;
 
