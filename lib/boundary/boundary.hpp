@@ -222,8 +222,8 @@ class Boundary {
     const uintptr_t front = reinterpret_cast<uintptr_t>(a_.half_edges.data() + half_edges(ball).first);
     for (uint32_t k = 0; k < lines; ++k) __builtin_prefetch(reinterpret_cast<const void *>(front + k * size_of_line));
   }
-  // Where as many half-edges start as most balls have, of so many in all: some may be the next ball's, as how many its
-  // own are none can predict.
+  // Where half-edges of the ball start. Always of eight, some of them the next ball's: a loop over as many as the ball
+  // has would be mispredicted. `all_half_edges`: how many there are, in a periodic box fewer than three a vertex.
   [[gnu::always_inline]] void prefetch_vertices(uint32_t ball, uint32_t all_half_edges) const {
     constexpr uint32_t most = 8;
     const uint32_t first = half_edges(ball).first;
