@@ -82,22 +82,24 @@ struct FaceRecord {
   uint32_t shell;
 };
 
-// The memory of a boundary, carved once for given limits. first_x[i] .. first_x[i + 1] are the x of ball i.
+// Where the parts of a ball begin. Those of the next ball follow. Together, since who reads one reads most of them.
+struct FirstParts {
+  uint32_t half_edge, closed_half_edge, loop, face;
+};
+
+// The memory of a boundary, carved once for given limits.
 struct BoundaryArrays {
   FixedVector<VertexRecord> vertices;
   FixedVector<CircleRecord> circles;
   Span<double> root_discriminant;  // [vertices] sqrt(D), exact D rounded once
 
+  Span<FirstParts> first;                 // [balls + 1]
   Span<HalfEdge> half_edges;              // [3 vertices], by ball, and on each by rank of their circles
-  Span<uint32_t> first_half_edge;         // [balls + 1]
   Span<uint32_t> half_edge_at;            // [3 vertices] that of vertex v on its ball number t at 3 v + t
   Span<ClosedHalfEdge> closed_half_edge;  // [2 circles] by ball, and on each by rank
-  Span<uint32_t> first_closed_half_edge;  // [balls + 1]
 
-  Span<uint32_t> first_loop;     // [balls + 1]
   Span<LoopElement> loop_start;  // [loops]
   Span<uint32_t> loop_face;      // [loops]
-  Span<uint32_t> first_face;     // [balls + 1]
   Span<FaceRecord> faces;        // [loops + balls]
   uint32_t balls = 0;
   uint32_t loop_count = 0;
@@ -136,11 +138,11 @@ class Boundary {
   }
 
   // The parts of one ball. Numbers of one ball are consecutive.
-  IdRange half_edges(uint32_t ball) const { return range(a_.first_half_edge, ball); }
-  IdRange loops(uint32_t ball) const { return range(a_.first_loop, ball); }
-  IdRange faces(uint32_t ball) const { return range(a_.first_face, ball); }
+  IdRange half_edges(uint32_t ball) const { return range(&FirstParts::half_edge, ball); }
+  IdRange loops(uint32_t ball) const { return range(&FirstParts::loop, ball); }
+  IdRange faces(uint32_t ball) const { return range(&FirstParts::face, ball); }
   Span<const ClosedHalfEdge> circles(uint32_t ball) const {
-    const IdRange ids = range(a_.first_closed_half_edge, ball);
+    const IdRange ids = range(&FirstParts::closed_half_edge, ball);
     return a_.closed_half_edge.part(ids.first, ids.last);
   }
   bool is_contained(uint32_t ball) const { return (a_.ball_state[ball] & BoundaryArrays::contained) != 0; }
@@ -208,10 +210,7 @@ class Boundary {
 
   // Hints to the processor: what belongs to a ball will be read soon.
   void prefetch_ranges(uint32_t ball) const {
-    __builtin_prefetch(&a_.first_half_edge[ball]);
-    __builtin_prefetch(&a_.first_face[ball]);
-    __builtin_prefetch(&a_.first_loop[ball]);
-    __builtin_prefetch(&a_.first_closed_half_edge[ball]);
+    __builtin_prefetch(&a_.first[ball]);
     __builtin_prefetch(&a_.component_origin[ball]);
   }
   // Always inlined: g++ finds no effect in such a function, and leaves out calls of it.
@@ -235,7 +234,9 @@ class Boundary {
   friend class BoundaryBuilder;
   friend class BoundaryPart;
 
-  static IdRange range(Span<const uint32_t> first, uint32_t ball) { return {first[ball], first[ball + 1]}; }
+  IdRange range(uint32_t FirstParts::*part, uint32_t ball) const {
+    return {a_.first[ball].*part, a_.first[ball + 1].*part};
+  }
 
   BoundaryArrays a_;
 };

@@ -20,15 +20,12 @@ void BoundaryArrays::carve(Workspace &workspace, const BoundaryLimits &limits) {
   vertices = FixedVector<VertexRecord>(workspace.take<VertexRecord>(v));
   circles = FixedVector<CircleRecord>(workspace.take<CircleRecord>(limits.circles));
   root_discriminant = workspace.take<double>(v);
+  first = workspace.take<FirstParts>(n + 1);
   half_edges = workspace.take<HalfEdge>(3 * v);
-  first_half_edge = workspace.take<uint32_t>(n + 1);
   half_edge_at = workspace.take<uint32_t>(3 * v);
   closed_half_edge = workspace.take<ClosedHalfEdge>(2 * static_cast<uint64_t>(limits.circles));
-  first_closed_half_edge = workspace.take<uint32_t>(n + 1);
-  first_loop = workspace.take<uint32_t>(n + 1);
   loop_start = workspace.take<LoopElement>(loops);
   loop_face = workspace.take<uint32_t>(loops);
-  first_face = workspace.take<uint32_t>(n + 1);
   faces = workspace.take<FaceRecord>(loops + n);
   ball_state = workspace.take<uint8_t>(n);
   component_origin = workspace.take<uint32_t>(n);
@@ -186,8 +183,8 @@ void BoundaryBuilder::distribute(uint32_t worker) {
   }
   distribute_half_edges(own.touching, before, a);
   if (worker + 1 < count_) return;
-  a.first_half_edge[a.balls] = before.half_edges + own.counts.half_edges;
-  a.first_closed_half_edge[a.balls] = before.closed + own.counts.closed;
+  a.first[a.balls].half_edge = before.half_edges + own.counts.half_edges;
+  a.first[a.balls].closed_half_edge = before.closed + own.counts.closed;
 }
 
 void BoundaryBuilder::link(uint32_t worker) {
@@ -211,8 +208,8 @@ void BoundaryBuilder::settle(uint32_t worker) {
     loops += from.loops.size();
     faces += from.faces.size();
   }
-  a.first_loop[a.balls] = a.loop_count = loops;
-  a.first_face[a.balls] = a.face_count = faces;
+  a.first[a.balls].loop = a.loop_count = loops;
+  a.first[a.balls].face = a.face_count = faces;
 }
 
 }  // namespace hsp

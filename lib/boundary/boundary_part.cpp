@@ -53,11 +53,11 @@ Status BoundaryPart::finish(const BallSet &balls, uint32_t own, BlockSweep sweep
   BoundaryWorker::find_root_discriminants(balls, 0, a.vertices.size(), a);
   worker.count(a);
   distribute_half_edges(worker.touching, {}, a);
-  a.first_half_edge[own] = worker.counts.half_edges;
-  a.first_closed_half_edge[own] = worker.counts.closed;
+  a.first[own].half_edge = worker.counts.half_edges;
+  a.first[own].closed_half_edge = worker.counts.closed;
   worker.link(balls, sweep, boundary_, scratch_, a);
-  a.first_loop[own] = a.loop_count = worker.loops.last;
-  a.first_face[own] = a.face_count = worker.faces.last;
+  a.first[own].loop = a.loop_count = worker.loops.last;
+  a.first[own].face = a.face_count = worker.faces.last;
   return Status::ok;
 }
 

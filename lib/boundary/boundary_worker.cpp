@@ -169,7 +169,7 @@ void BoundaryWorker::link(const BallSet &balls, BlockSweep &sweep, const Boundar
                           BoundaryArrays &a) {
   const BallRange own = share_.balls;
   const auto most_loops_before = [&a](uint32_t ball) {
-    return a.first_half_edge[ball] / 2 + a.first_closed_half_edge[ball];
+    return a.first[ball].half_edge / 2 + a.first[ball].closed_half_edge;
   };
   const HalfEdgeChain chain(arriving_, leaving_, {met_.first, met_.last});
   loops.first = most_loops_before(own.first);
@@ -193,14 +193,14 @@ void BoundaryWorker::move_down(uint32_t loops_down, uint32_t faces_down, Boundar
 void BoundaryWorker::renumber(uint32_t loops_down, uint32_t faces_down, BoundaryArrays &a) const {
   const BallRange own = share_.balls;
   for (uint32_t i = own.first; i < own.last; ++i) {
-    a.first_loop[i] -= loops_down;
-    a.first_face[i] -= faces_down;
+    a.first[i].loop -= loops_down;
+    a.first[i].face -= faces_down;
   }
-  for (HalfEdge &half_edge : a.half_edges.part(a.first_half_edge[own.first], a.first_half_edge[own.last])) {
+  for (HalfEdge &half_edge : a.half_edges.part(a.first[own.first].half_edge, a.first[own.last].half_edge)) {
     half_edge.loop -= loops_down;
   }
   const Span<const ClosedHalfEdge> closed =
-      a.closed_half_edge.part(a.first_closed_half_edge[own.first], a.first_closed_half_edge[own.last]);
+      a.closed_half_edge.part(a.first[own.first].closed_half_edge, a.first[own.last].closed_half_edge);
   for (const ClosedHalfEdge e : closed) a.circles[e.circle()].loop[e.side()] -= loops_down;
 }
 

@@ -118,8 +118,8 @@ uint32_t FaceFinder::find(const BallSet &balls, BlockSweep &sweep, const Boundar
                           IdRange loops, uint32_t first, Caps &caps, Span<uint32_t> scratch, BoundaryArrays &arrays) {
   uint32_t faces = first;
   for (uint32_t i = range.first; i < range.last; ++i) {
-    const uint32_t first_face = arrays.first_face[i] = faces;
-    const IdRange own{arrays.first_loop[i], i + 1 < range.last ? arrays.first_loop[i + 1] : loops.last};
+    const uint32_t first_face = arrays.first[i].face = faces;
+    const IdRange own{arrays.first[i].loop, i + 1 < range.last ? arrays.first[i + 1].loop : loops.last};
     if (own.empty()) {
       if (arrays.ball_state[i] == BoundaryArrays::without_caps) arrays.faces[faces++] = {i, own.first, no_id};
       continue;

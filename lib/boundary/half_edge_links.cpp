@@ -20,25 +20,25 @@ void for_sides_on(BallRange range, const Record &record, Visit visit) {
   }
 }
 
-// A counting sort of sides of records by their balls, in two steps. After the first one first[i] is the end of the part
-// of ball i, counted from the range's first one, and after the second its beginning.
-template <class Record>
-uint32_t count_sides(Span<const Record> records, BallRange range, Span<uint32_t> first) {
-  for (uint32_t i = range.first; i < range.last; ++i) first[i] = 0;
+// A counting sort of sides of records by their balls, in two steps. After the first one first[i].*part is the end of
+// the part of ball i, counted from the range's first one, and after the second its beginning.
+template <uint32_t FirstParts::*part, class Record>
+uint32_t count_sides(Span<const Record> records, BallRange range, Span<FirstParts> first) {
+  for (uint32_t i = range.first; i < range.last; ++i) first[i].*part = 0;
   for (const Record &record : records) {
-    for_sides_on(range, record, [&](uint32_t side) { ++first[record.ball[side]]; });
+    for_sides_on(range, record, [&](uint32_t side) { ++(first[record.ball[side]].*part); });
   }
   uint32_t total = 0;
-  for (uint32_t i = range.first; i < range.last; ++i) first[i] = total += first[i];
+  for (uint32_t i = range.first; i < range.last; ++i) first[i].*part = total += first[i].*part;
   return total;
 }
-template <class Record, class Put>
-void distribute_sides(Span<const Record> records, IdRange ids, BallRange range, uint32_t before, Span<uint32_t> first,
+template <uint32_t FirstParts::*part, class Record, class Put>
+void distribute_sides(Span<const Record> records, IdRange ids, BallRange range, uint32_t before, Span<FirstParts> first,
                       Put put) {
-  for (uint32_t i = range.first; i < range.last; ++i) first[i] += before;
+  for (uint32_t i = range.first; i < range.last; ++i) first[i].*part += before;
   for (uint32_t id = ids.last; id-- > ids.first;) {
     const Record &record = records[id];
-    for_sides_on(range, record, [&](uint32_t side) { put(--first[record.ball[side]], record, id, side); });
+    for_sides_on(range, record, [&](uint32_t side) { put(--(first[record.ball[side]].*part), record, id, side); });
   }
 }
 
@@ -55,8 +55,8 @@ class BallLinker {
 
   // Chains what lies on ball i to loops, numbered from `loops` on. Returns the number after the last one.
   uint32_t link(uint32_t i, uint32_t loops) {
-    const uint32_t first = a_.first_half_edge[i];
-    const Span<HalfEdge> half_edges = a_.half_edges.part(first, a_.first_half_edge[i + 1]);
+    const uint32_t first = a_.first[i].half_edge;
+    const Span<HalfEdge> half_edges = a_.half_edges.part(first, a_.first[i + 1].half_edge);
     const auto direction = [this, i](uint32_t j) { return balls_.exact_difference(i, j); };
     if (sort_by_x(i, half_edges)) {
       chain_.link_marked(half_edges, first, arriving_circle, direction);
@@ -90,7 +90,7 @@ class BallLinker {
                (static_cast<int64_t>(x[arriving_circle(given[k])] - own) + (INT64_C(1) << 31));
     }
     count_places_of(key, count, place);
-    const uint32_t first = a_.first_half_edge[i];
+    const uint32_t first = a_.first[i].half_edge;
     uint32_t circles = 0, sum = 0;
     for (uint32_t k = 0; k < count; ++k) {
       const uint32_t to = place[k];
@@ -155,7 +155,7 @@ class BallLinker {
 
   uint32_t number_circles(uint32_t i, uint32_t loops) {
     const Span<ClosedHalfEdge> closed =
-        a_.closed_half_edge.part(a_.first_closed_half_edge[i], a_.first_closed_half_edge[i + 1]);
+        a_.closed_half_edge.part(a_.first[i].closed_half_edge, a_.first[i + 1].closed_half_edge);
     const auto neighbour = [this](ClosedHalfEdge e) { return a_.circles[e.circle()].ball[1 - e.side()]; };
     sort_in_place(closed, [this, &neighbour](ClosedHalfEdge p, ClosedHalfEdge q) {
       return balls_.ranks_before(neighbour(p), neighbour(q));
@@ -176,8 +176,10 @@ class BallLinker {
 
 HalfEdgeCounts count_half_edges(const TouchingRecords &touching, BoundaryArrays &a) {
   const auto [range, v, c] = touching;
-  return {count_sides<VertexRecord>(a.vertices.items().part(v.first, v.last), range, a.first_half_edge),
-          count_sides<CircleRecord>(a.circles.items().part(c.first, c.last), range, a.first_closed_half_edge)};
+  const Span<const VertexRecord> vertices = a.vertices.items().part(v.first, v.last);
+  const Span<const CircleRecord> circles = a.circles.items().part(c.first, c.last);
+  return {count_sides<&FirstParts::half_edge>(vertices, range, a.first),
+          count_sides<&FirstParts::closed_half_edge>(circles, range, a.first)};
 }
 
 void distribute_half_edges(const TouchingRecords &touching, HalfEdgeCounts before, BoundaryArrays &a) {
@@ -185,26 +187,26 @@ void distribute_half_edges(const TouchingRecords &touching, HalfEdgeCounts befor
   // circle of ball[1] and leaves along that of ball[2]; the roles rotate cyclically over the three balls, and swap for
   // a negative vertex. Until half-edges are chained, `next` is where their numbers go in half_edge_at, and `loop` is
   // the circle along which the loop arrives.
-  distribute_sides<VertexRecord>(
-      a.vertices.items(), touching.vertices, touching.balls, before.half_edges, a.first_half_edge,
+  distribute_sides<&FirstParts::half_edge, VertexRecord>(
+      a.vertices.items(), touching.vertices, touching.balls, before.half_edges, a.first,
       [&a](uint32_t to, const VertexRecord &vertex, uint32_t v, uint32_t t) {
         // Which of the other two comes first cannot be predicted: an index tells, not a
         // branch.
         const uint32_t preceding = vertex.positive() ? 1 : 2;
         a.half_edges[to] = {v, vertex.ball[(t + 3 - preceding) % 3], 3 * v + t, vertex.ball[(t + preceding) % 3]};
       });
-  distribute_sides<CircleRecord>(a.circles.items(), touching.circles, touching.balls, before.closed,
-                                 a.first_closed_half_edge,
-                                 [&a](uint32_t to, const CircleRecord &, uint32_t c, uint32_t side) {
-                                   a.closed_half_edge[to] = ClosedHalfEdge(c, side);
-                                 });
+  distribute_sides<&FirstParts::closed_half_edge, CircleRecord>(
+      a.circles.items(), touching.circles, touching.balls, before.closed, a.first,
+      [&a](uint32_t to, const CircleRecord &, uint32_t c, uint32_t side) {
+        a.closed_half_edge[to] = ClosedHalfEdge(c, side);
+      });
 }
 
 uint32_t link_half_edges(const BallSet &balls, BallRange range, const HalfEdgeChain &chain, uint32_t loops,
                          BoundaryArrays &a) {
   BallLinker linker(balls, a, chain);
   for (uint32_t i = range.first; i < range.last; ++i) {
-    a.first_loop[i] = loops;
+    a.first[i].loop = loops;
     loops = linker.link(i, loops);
   }
   return loops;

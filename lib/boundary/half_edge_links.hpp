@@ -19,12 +19,12 @@ struct HalfEdgeCounts {
   uint32_t half_edges = 0, closed = 0;
 };
 
-// Counts half-edges. Afterwards first_half_edge and first_closed_half_edge of a ball of the range tell where those of
-// the next one begin, counted from the first ball of the range.
+// Counts half-edges. Afterwards the first half-edges of both kinds of a ball of the range are those of the next one,
+// counted from the first ball of the range.
 HalfEdgeCounts count_half_edges(const TouchingRecords &touching, BoundaryArrays &boundary);
 
-// After counting: makes half-edges, not chained yet, behind so many that lie on the balls before. Afterwards
-// first_half_edge and first_closed_half_edge are what they should be.
+// After counting: makes half-edges, not chained yet, behind so many that lie on the balls before. Afterwards the first
+// half-edges of every ball are what they should be.
 void distribute_half_edges(const TouchingRecords &touching, HalfEdgeCounts before, BoundaryArrays &boundary);
 
 // After distributing, also to the ball behind the range: chains half-edges to loops, numbered from `loops` on. Returns

@@ -33,7 +33,7 @@ hsp::HalfEdge &first_visit(BuiltBoundary &boundary) {
 }
 uint32_t ball_with_faces(BuiltBoundary &boundary, uint32_t caller) {
   const uint32_t ball = boundary.grid_index(caller);
-  EXPECT_LT(boundary.arrays().first_face[ball], boundary.arrays().first_face[ball + 1]);
+  EXPECT_LT(boundary.arrays().first[ball].face, boundary.arrays().first[ball + 1].face);
   return ball;
 }
 
@@ -62,7 +62,7 @@ const std::vector<Flaw> flaws = {
      }},
     {"too few half-edges", BoundaryInvariant::half_edges,
      [](BuiltBoundary &b) {
-       --b.arrays().first_half_edge[b.balls().n];
+       --b.arrays().first[b.balls().n].half_edge;
        return 0U;
      }},
     {"a half-edge on another ball", BoundaryInvariant::half_edges,
@@ -97,7 +97,7 @@ const std::vector<Flaw> flaws = {
      }},
     {"loops that end before they start", BoundaryInvariant::loops,
      [](BuiltBoundary &b) {
-       b.arrays().first_loop[0] = b.arrays().loop_count + 1;
+       b.arrays().first[0].loop = b.arrays().loop_count + 1;
        return b.arrays().loop_count + 1;
      }},
     {"a loop that does not start at its first half-edge", BoundaryInvariant::loops,
@@ -158,11 +158,11 @@ const std::vector<Flaw> flaws = {
      [](BuiltBoundary &b) {
        const uint32_t lonely = ball_with_faces(b, 8);
        b.arrays().ball_state[lonely] = 0;
-       return b.arrays().first_face[lonely];
+       return b.arrays().first[lonely].face;
      }},
     {"faces that end before they start", BoundaryInvariant::faces,
      [](BuiltBoundary &b) {
-       b.arrays().first_face[0] = b.arrays().face_count + 1;
+       b.arrays().first[0].face = b.arrays().face_count + 1;
        return b.arrays().face_count + 1;
      }},
     {"one face too many", BoundaryInvariant::faces, [](BuiltBoundary &b) { return ++b.arrays().face_count; }},
@@ -252,7 +252,7 @@ TEST(BoundaryCheck, FindsArcsThatEndElsewhere) {
   const uint32_t ball = boundary.grid_index(0);
   const uint32_t other = boundary.grid_index(1);
   std::vector<uint32_t> along;
-  for (uint32_t u = arrays.first_half_edge[ball]; u < arrays.first_half_edge[ball + 1]; ++u) {
+  for (uint32_t u = arrays.first[ball].half_edge; u < arrays.first[ball + 1].half_edge; ++u) {
     if (arrays.half_edges[u].circle == other) along.push_back(u);
   }
   ASSERT_EQ(along.size(), 2U);

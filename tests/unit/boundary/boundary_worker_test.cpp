@@ -66,15 +66,12 @@ void expect_same_arrays(const hsp::BoundaryArrays &a, const hsp::BoundaryArrays 
   expect_same(a.vertices.items(), b.vertices.items(), vertices, "vertices");
   expect_same(a.circles.items(), b.circles.items(), circles, "circles");
   expect_same(a.root_discriminant, b.root_discriminant, vertices, "root_discriminant");
+  expect_same(a.first, b.first, n + 1, "first");
   expect_same(a.half_edges, b.half_edges, 3 * vertices, "half_edges");
   expect_same(a.half_edge_at, b.half_edge_at, 3 * vertices, "half_edge_at");
-  expect_same(a.first_half_edge, b.first_half_edge, n + 1, "first_half_edge");
   expect_same(a.closed_half_edge, b.closed_half_edge, 2 * circles, "closed_half_edge");
-  expect_same(a.first_closed_half_edge, b.first_closed_half_edge, n + 1, "first_closed_half_edge");
-  expect_same(a.first_loop, b.first_loop, n + 1, "first_loop");
   expect_same(a.loop_start, b.loop_start, a.loop_count, "loop_start");
   expect_same(a.loop_face, b.loop_face, a.loop_count, "loop_face");
-  expect_same(a.first_face, b.first_face, n + 1, "first_face");
   expect_same(a.faces, b.faces, a.face_count, "faces");
   expect_same(a.ball_state, b.ball_state, n, "ball_state");
   expect_same(a.component_origin, b.component_origin, n, "component_origin");

@@ -85,11 +85,11 @@ inline uint32_t faces_cut_in_two() {
   if (!small_union().build(capsule, 3)) return 0;
   hsp::BoundaryArrays &arrays = small_union().builder().arrays();
   const uint32_t middle = small_union().grid().grid_index(1);
-  const uint32_t band = arrays.first_face[middle];
-  const uint32_t cut = arrays.first_loop[middle] + 1;
+  const uint32_t band = arrays.first[middle].face;
+  const uint32_t cut = arrays.first[middle].loop + 1;
   // The new face follows the band; later faces move up by one.
   for (uint32_t face = arrays.face_count++; face > band + 1; --face) arrays.faces[face] = arrays.faces[face - 1];
-  for (uint32_t ball = middle + 1; ball <= 3; ++ball) ++arrays.first_face[ball];
+  for (uint32_t ball = middle + 1; ball <= 3; ++ball) ++arrays.first[ball].face;
   for (uint32_t loop = cut + 1; loop < arrays.loop_count; ++loop) {
     if (arrays.loop_face[loop] > band) ++arrays.loop_face[loop];
   }
@@ -106,7 +106,7 @@ inline uint32_t faces_cut_in_two() {
 inline uint32_t surfaces_that_do_not_close() {
   if (!small_union().build(capsule, 3)) return 0;
   hsp::BoundaryArrays &arrays = small_union().builder().arrays();
-  const uint32_t first = arrays.first_closed_half_edge[small_union().grid().grid_index(1)];
+  const uint32_t first = arrays.first[small_union().grid().grid_index(1)].closed_half_edge;
   arrays.closed_half_edge[first] = arrays.closed_half_edge[first + 1];
   const bool conditions[] = {metric_violation().invariant == hsp::BoundaryInvariant::closure};
   return first_false(conditions);

@@ -56,7 +56,7 @@ class Builder {
     append_bytes(bytes, a.half_edge_at.data(), builder_.boundary().half_edge_count());
     append_bytes(bytes, a.loop_start.data(), a.loop_count);
     append_bytes(bytes, a.loop_face.data(), a.loop_count);
-    append_bytes(bytes, a.first_face.data(), a.balls);
+    append_bytes(bytes, a.first.data(), a.balls + 1);
     append_bytes(bytes, a.component.data(), a.balls);
     for (uint32_t i = 0; i < a.balls; ++i) {
       const uint32_t root = builder_.boundary().component_origin(i);
