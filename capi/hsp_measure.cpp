@@ -10,11 +10,15 @@ int32_t hsp_boundary_measure(const hsp_boundary *boundary, const uint8_t *select
   const hsp::CubeGrid &grid = boundary->model->grid;
   const bool wanted = area != nullptr || volume != nullptr;
   if (!hsp::capi::fits(wanted, capacity, grid.balls().n, needed)) return HSP_E_CAPACITY;
-  const hsp::BallMeasure total =
-      hsp::measure_union(grid, boundary->structure(), selected, [&](uint32_t i, const hsp::BallMeasure &measure) {
-        if (area != nullptr) area[i] = measure.area;
-        if (volume != nullptr) volume[i] = measure.volume;
-      });
+  hsp::BallMeasure total;
+  if (!hsp::small_code && area != nullptr && volume != nullptr) {
+    total = hsp::measure_into(grid, boundary->structure(), selected, area, volume);
+  } else {
+    total = hsp::measure_union(grid, boundary->structure(), selected, [&](uint32_t i, const hsp::BallMeasure &measure) {
+      if (area != nullptr) area[i] = measure.area;
+      if (volume != nullptr) volume[i] = measure.volume;
+    });
+  }
   if (totals != nullptr) *totals = {total.area, total.volume};
   return HSP_OK;
 }
@@ -36,16 +40,7 @@ int32_t hsp_boundary_measure_range(const hsp_boundary *boundary, const uint8_t *
 int32_t hsp_boundary_measure_end(const hsp_boundary *boundary, hsp_totals *totals, double *area, double *volume) {
   if (!is_live(boundary) || area == nullptr || volume == nullptr) return HSP_E_ARGUMENT;
   if (!boundary->has_results()) return HSP_E_STATE;
-  const hsp::BallSet &balls = boundary->balls();
-  hsp::MeasureSum sum;
-  for (uint32_t i = 0; i < balls.n; ++i) {
-    const hsp::BallMeasure measure{area[i], volume[i]};
-    sum.add(measure);
-    const hsp::BallMeasure converted = in_caller_units(balls.lattice, measure);
-    area[i] = converted.area;
-    volume[i] = converted.volume;
-  }
-  const hsp::BallMeasure total = in_caller_units(balls.lattice, sum.total());
+  const hsp::BallMeasure total = hsp::sum_and_convert(boundary->balls(), area, volume);
   if (totals != nullptr) *totals = {total.area, total.volume};
   return HSP_OK;
 }

@@ -26,6 +26,24 @@ class MeasureSum {
   TreeSum area_, volume_;
 };
 
+// Makes of all balls' measures, in lattice steps and the caller's order, those in the caller's unit; returns the sums.
+inline BallMeasure sum_and_convert(const BallSet &balls, double *area, double *volume) {
+  const exact::Lattice &lattice = balls.lattice;
+  MeasureSum sum;
+  const auto convert = [&]<uint32_t n>(DoubleLanes<n>, uint32_t i) {
+    using L = DoubleLanes<n>;
+    for (uint32_t k = i; k < i + n; ++k) sum.add({area[k], volume[k]});
+    L::store(area + i, lattice.lengths(lattice.lengths(L::load(area + i))));
+    L::store(volume + i, lattice.lengths(lattice.lengths(lattice.lengths(L::load(volume + i)))));
+  };
+  // Most of it is divisions.
+  constexpr uint32_t lanes = small_code ? 1 : 2;
+  uint32_t i = 0;
+  for (; i + lanes <= balls.n; i += lanes) convert(DoubleLanes<lanes>{}, i);
+  for (; i < balls.n; ++i) convert(DoubleLanes<1>{}, i);
+  return in_caller_units(lattice, sum.total());
+}
+
 // Whether ball i of the input, with that index in the grid's order, has faces that count. selected may be null; the
 // faces of balls i with selected[i] == 0 count as 0.
 inline bool has_counted_faces(const Boundary &boundary, const uint8_t *selected, uint32_t i, uint32_t ball) {
@@ -59,6 +77,27 @@ BallMeasure measure_union(const CubeGrid &grid, const Boundary &boundary, const 
     sink(i, in_caller_units(lattice, measure));
   });
   return in_caller_units(lattice, sum.total());
+}
+
+// The same into arrays in the caller's order, which do not overlap. Balls are measured in the grid's order, in which
+// what belongs to them follows each other in memory, and summed in the caller's afterwards.
+inline BallMeasure measure_into(const CubeGrid &grid, const Boundary &boundary, const uint8_t *selected, double *area,
+                                double *volume) {
+  constexpr uint32_t ahead = 24;
+  const BallSet &balls = grid.balls();
+  for (uint32_t ball = 0; ball < balls.n; ++ball) {
+    if (ball + ahead < balls.n) {
+      const uint32_t later = balls.caller[ball + ahead];
+      __builtin_prefetch(&area[later], 1);
+      __builtin_prefetch(&volume[later], 1);
+    }
+    const uint32_t i = balls.caller[ball];
+    BallMeasure measure;
+    if (has_counted_faces(boundary, selected, i, ball)) measure = measure_ball(balls, boundary, ball);
+    area[i] = measure.area;
+    volume[i] = measure.volume;
+  }
+  return sum_and_convert(balls, area, volume);
 }
 
 // tension * S + pressure * V, with S the weighted area and V the volume of the union.
