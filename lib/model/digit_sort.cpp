@@ -7,6 +7,8 @@
 namespace hsp {
 namespace {
 
+constexpr uint32_t more_than_near = UINT32_C(1) << 18;  // entries
+
 // From the number of entries for each digit to the place of the first of them.
 void add_up(const Span<uint32_t> &counts) {
   uint32_t place = 0;
@@ -42,10 +44,12 @@ DigitSort::Passes DigitSort::passes_for(uint32_t bits) const {
 void DigitSort::begin(uint32_t bits, uint32_t others) {
   lowest_ = others;
   passes_ = passes_for(bits);
-  // Each value of the highest digit costs the counters of the others; below four entries for each pair of digits that
-  // is more than what it saves.
-  highest_first_ = !small_code && passes_.count == 3 && UINT32_C(3) << passes_.bits <= counters_.size() &&
-                   entries_.size() / 2 >= UINT64_C(4) << (2 * passes_.bits);
+  // Each value of the highest digit costs the counters of the others: more than what it saves unless it has twice as
+  // many entries. And of two passes over what stays in a near memory none is worth saving.
+  const uint64_t entries = entries_.size() / 2, counters_of_others = uint64_t{passes_.count - 1} << passes_.bits;
+  highest_first_ = !small_code && (passes_.count == 3 || (passes_.count == 2 && entries >= more_than_near)) &&
+                   uint64_t{passes_.count} << passes_.bits <= counters_.size() &&
+                   entries >= 2 * counters_of_others << passes_.bits;
   for (uint32_t &count : key_counts()) count = 0;
 }
 
@@ -64,9 +68,26 @@ void DigitSort::sort_highest_first() {
   exchange();
   uint32_t first = 0;
   for (const uint32_t last : places) {
-    if (first < last) sort_by_two_digits(first, last);
+    if (first < last) {
+      if (passes_.count == 2) {
+        sort_by_lowest_digit(first, last);
+      } else {
+        sort_by_two_digits(first, last);
+      }
+    }
     first = last;
   }
+  if (passes_.count == 2) exchange();
+}
+
+// Entries first .. last - 1, to the same places of the other array.
+void DigitSort::sort_by_lowest_digit(uint32_t first, uint32_t last) {
+  const Span<uint32_t> places = counters_.part(mask() + 1, 2 * (mask() + 1));
+  for (uint32_t &count : places) count = 0;
+  const uint32_t *const entries = entries_.part(2 * first, 2 * last).data();
+  for (uint32_t k = 0; k < last - first; ++k) ++places[(entries[2 * static_cast<size_t>(k)] >> lowest_) & mask()];
+  add_up(places);
+  move_entries(entries, last - first, lowest_, mask(), places.data(), other_entries_.part(2 * first, 2 * last).data());
 }
 
 // Entries first .. last - 1, to the front of the other array and back: always the same memory, which stays near.

@@ -2,8 +2,8 @@
 // An entry is a key and a ball, side by side in two numbers, so that a pass writes one stream for each digit; and while
 // it moves them it counts those of the next pass, so that it reads them once.
 //
-// Of three digits of many entries the highest is sorted by first, and then the entries of each of its values by the
-// other two: these are so few that they stay in a near memory for both passes. The order is the same.
+// Of two or three digits of many entries the highest is sorted by first, and then the entries of each of its values by
+// the others: these are so few that they stay in a near memory. The order is the same.
 #pragma once
 
 #include "core/span.hpp"
@@ -29,7 +29,7 @@ class DigitSort {
   void begin(uint32_t bits, uint32_t others = 0);
   const Span<uint32_t> &entries() const { return entries_; }
   Span<uint32_t> key_counts() const { return counters_.part(0, mask() + 1); }
-  uint32_t first_shift() const { return highest_first_ ? lowest_ + 2 * passes_.bits : lowest_; }
+  uint32_t first_shift() const { return highest_first_ ? lowest_ + (passes_.count - 1) * passes_.bits : lowest_; }
   uint32_t mask() const { return (UINT32_C(1) << passes_.bits) - 1; }
   // The sorted entries are then in entries(): in the same array as before after an even number of passes.
   void sort();
@@ -44,6 +44,7 @@ class DigitSort {
   void sort_lowest_first();
   void sort_highest_first();
   void sort_by_two_digits(uint32_t first, uint32_t last);
+  void sort_by_lowest_digit(uint32_t first, uint32_t last);
 
   Span<uint32_t> entries_, other_entries_, counters_;
   uint32_t most_bits_ = 0;

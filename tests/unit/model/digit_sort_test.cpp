@@ -53,4 +53,12 @@ TEST(DigitSort, IsStable) {
   }
 }
 
+// The highest of two digits comes first if there are very many entries, and few for each pair of digits make it last.
+TEST(DigitSort, OfManyEntriesIsStable) {
+  oracle::RandomSource random(29);
+  for (const uint32_t bits : {12U, 14U, 16U, 17U, 18U}) {
+    for (const uint32_t others : {0U, 5U}) expect_sorted(random, 270000, bits, others, 5000);
+  }
+}
+
 }  // namespace
