@@ -160,13 +160,16 @@ Status PeriodicUnion::join_faces() {
       listed_half_edges_.set(e);
       sets.join(b.face_of(e), b.face_of(across));
     }
-    for (const ClosedHalfEdge e : b.circles(own)) {
-      if (!is_listed(caller[own], caller[b.neighbour(e)])) continue;
-      ClosedHalfEdge across(0, 0);
-      if (!find_across(e, across)) return Status::check;
-      listed_circles_.set(e.circle());
-      sets.join(b.face_of_loop(b.loop_of(e)), b.face_of_loop(b.loop_of(across)));
+  }
+  for (uint32_t c = 0; c < b.circle_count(); ++c) {
+    const CircleRecord &circle = b.circle(c);
+    ClosedHalfEdge across(c, 1);
+    if (!is_in_box(circle.ball[1])) {
+      if (!is_listed(caller[circle.ball[0]], caller[circle.ball[1]])) continue;
+      if (!find_across(ClosedHalfEdge(c, 0), across)) return Status::check;
     }
+    listed_circles_.set(c);
+    sets.join(b.face_of_loop(circle.loop[0]), b.face_of_loop(b.loop_of(across)));
   }
   listed_half_edges_.count();
   listed_circles_.count();
