@@ -105,7 +105,7 @@ run_suite bench_topology 5 0.05
 run_suite bench_gradients 5 0.05
 run_suite bench_contacts 5 0.05
 run_suite bench_surface 5 0.05
-run_suite bench_scaling 3 0.02
+run_suite bench_scaling 5 0.02
 run_suite bench_queries 5 0.02
 run_suite bench_poses 3 0.02
 run_suite bench_periodic 3 0.02

@@ -66,6 +66,11 @@ double Measurement::counter(const std::string &name) const {
   return found == counters.end() ? 0 : median_of(found->second);
 }
 
+double Measurement::least(const std::string &name) const {
+  const auto found = counters.find(name);
+  return found == counters.end() ? 0 : *std::min_element(found->second.begin(), found->second.end());
+}
+
 const Measurement *Run::find(const std::string &name) const {
   const auto found = benchmarks.find(name);
   return found == benchmarks.end() || !found->second.measured() ? nullptr : &found->second;

@@ -18,6 +18,7 @@ struct Measurement {
   double median() const;                          // seconds; only if measured
   double least() const;                           // seconds; only if measured
   double counter(const std::string &name) const;  // median; 0 if there is none of that name
+  double least(const std::string &name) const;    // likewise, the least
   double per_atom() const { return median() / counter("atoms"); }
 };
 
