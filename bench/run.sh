@@ -6,7 +6,7 @@
 #            missing is installed from Debian's packages if it can be, and left out otherwise. Then version 0.1.0 of the
 #            library, if it is in the repository's history
 # Missing packages are installed with apt-get (as root, or through sudo). The environment variable BENCH_BUILD names
-# another folder to build in. Takes five to ten minutes, once the machine has come to rest after building.
+# another folder to build in. Takes ten to twenty minutes, once the machine has come to rest after building.
 # What is committed of it are bench/report.md and bench/plots/*.svg.
 set -euo pipefail
 
@@ -81,10 +81,11 @@ if [ "$quick" = no ] && [ -r /proc/loadavg ]; then wait_for_rest; fi
 rm -rf "$report_folder"
 mkdir -p "$report_folder"
 
-# run_suite NAME REPETITIONS SECONDS: a repetition iterates for at least so long. The suites that go up to a million
-# balls take one iteration of those in a repetition, so the repetitions are what their medians and ratios come from.
+# run_suite NAME REPETITIONS SECONDS [SUFFIX]: a repetition iterates for at least so long. The suites that go up to a
+# million balls take one iteration of those in a repetition, so the repetitions are what their medians and ratios come
+# from. The report counts all repetitions of one benchmark, whatever files they are in.
 run_suite() {
-  run_program "$build_folder/bench/$1" "$report_folder/$1.json" "$2" "$3"
+  run_program "$build_folder/bench/$1" "$report_folder/$1${4:-}.json" "$2" "$3"
 }
 # run_program PROGRAM RESULT REPETITIONS SECONDS [ARGUMENT...]
 run_program() {
@@ -118,6 +119,14 @@ if [ "$peers" = yes ]; then
   run_suite bench_peers_queries 1 0.02
   run_suite bench_peers_visibility 1 0.02  # half a minute, once
   run_suite bench_peers_poses 1 0.02
+fi
+# What else a machine does comes and goes in minutes, and would make a set look smaller or larger than it is. So suites
+# that compare sizes or threads run once more.
+if [ "$quick" = no ]; then
+  for suite in bench_topology bench_gradients bench_contacts bench_surface; do run_suite "$suite" 5 0.05 .again; done
+  run_suite bench_scaling 5 0.02 .again
+  run_suite bench_periodic 3 0.02 .again
+  run_suite bench_split_work 3 0.02 .again
 fi
 # Limits that are times scale with what version 0.1.0 takes. A processor's clock changes while the suites run, so in what
 # these goals are about the versions take turns: round after round, in folders of their own.
