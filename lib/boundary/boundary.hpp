@@ -221,13 +221,18 @@ class Boundary {
     const uintptr_t front = reinterpret_cast<uintptr_t>(a_.half_edges.data() + half_edges(ball).first);
     for (uint32_t k = 0; k < lines; ++k) __builtin_prefetch(reinterpret_cast<const void *>(front + k * size_of_line));
   }
-  // Where half-edges of the ball start. Always of eight, some of them the next ball's: a loop over as many as the ball
-  // has would be mispredicted. `all_half_edges`: how many there are, in a periodic box fewer than three a vertex.
+  // Where half-edges of the ball start. `all_half_edges`: how many there are, in a periodic box fewer than three a
+  // vertex.
   [[gnu::always_inline]] void prefetch_vertices(uint32_t ball, uint32_t all_half_edges) const {
-    constexpr uint32_t most = 8;
-    const uint32_t first = half_edges(ball).first;
-    if (first + most > all_half_edges) return;
-    for (uint32_t k = 0; k < most; ++k) __builtin_prefetch(&a_.root_discriminant[half_edge(first + k).vertex]);
+    visit_first_half_edges(
+        ball, all_half_edges, [this](const HalfEdge &e) __attribute__((always_inline)) {
+          __builtin_prefetch(&a_.root_discriminant[e.vertex]);
+        });
+  }
+  // The balls along whose circles they run.
+  [[gnu::always_inline]] void prefetch_neighbours(const BallSet &balls, uint32_t ball, uint32_t all_half_edges) const {
+    visit_first_half_edges(
+        ball, all_half_edges, [&balls](const HalfEdge &e) __attribute__((always_inline)) { balls.prefetch(e.circle); });
   }
 
  private:
@@ -236,6 +241,16 @@ class Boundary {
 
   IdRange range(uint32_t FirstParts::*part, uint32_t ball) const {
     return {a_.first[ball].*part, a_.first[ball + 1].*part};
+  }
+
+  // Always eight, some of them the next ball's: a loop over as many as the ball has would be mispredicted. None at the
+  // end of all half-edges.
+  template <class Visit>
+  [[gnu::always_inline]] void visit_first_half_edges(uint32_t ball, uint32_t all_half_edges, Visit visit) const {
+    constexpr uint32_t most = 8;
+    const uint32_t first = half_edges(ball).first;
+    if (first + most > all_half_edges) return;
+    for (uint32_t k = 0; k < most; ++k) visit(half_edge(first + k));
   }
 
   BoundaryArrays a_;

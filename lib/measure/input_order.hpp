@@ -14,19 +14,22 @@ void visit_in_input_order(const CubeGrid &grid, const Boundary &boundary, IdRang
   constexpr uint32_t far = 24;   // visits ahead: what is found by the ball's index
   constexpr uint32_t near = 12;  // and what is found by that
   constexpr uint32_t next = 6;   // and by that
+  // What of the other balls is read stays near in sets that are no larger.
+  constexpr uint32_t few_balls = 16384;
   const BallSet &balls = grid.balls();
   const uint32_t half_edges = range.empty() ? 0 : boundary.half_edges(grid.own_balls() - 1).last;
   for (uint32_t i = range.first; i < range.last; ++i) {
     if (i + far < range.last) {
       const uint32_t ball = grid.grid_index(i + far);
       boundary.prefetch_ranges(ball);
-      __builtin_prefetch(&balls.x[ball]);
-      __builtin_prefetch(&balls.y[ball]);
-      __builtin_prefetch(&balls.z[ball]);
-      __builtin_prefetch(&balls.r[ball]);
+      balls.prefetch(ball);
     }
     if (i + near < range.last) boundary.prefetch_half_edges(grid.grid_index(i + near));
-    if (!small_code && i + next < range.last) boundary.prefetch_vertices(grid.grid_index(i + next), half_edges);
+    if (!small_code && i + next < range.last) {
+      const uint32_t ball = grid.grid_index(i + next);
+      boundary.prefetch_vertices(ball, half_edges);
+      if (balls.n > few_balls) boundary.prefetch_neighbours(balls, ball, half_edges);
+    }
     visit(i, grid.grid_index(i));
   }
 }
