@@ -111,7 +111,7 @@ run_suite bench_queries 5 0.02
 run_suite bench_poses 3 0.02
 run_suite bench_periodic 3 0.02
 run_suite bench_updates 5 0.02
-run_suite bench_split_work 3 0.02
+run_suite bench_split_work 6 0.02
 run_suite bench_degenerate 5 0.02
 if [ "$peers" = yes ]; then
   # These take their turns within one repetition.
@@ -126,7 +126,7 @@ if [ "$quick" = no ]; then
   for suite in bench_topology bench_gradients bench_contacts bench_surface; do run_suite "$suite" 5 0.05 .again; done
   run_suite bench_scaling 5 0.02 .again
   run_suite bench_periodic 3 0.02 .again
-  run_suite bench_split_work 3 0.02 .again
+  run_suite bench_split_work 6 0.02 .again
 fi
 # Limits that are times scale with what version 0.1.0 takes. A processor's clock changes while the suites run, so in what
 # these goals are about the versions take turns: round after round, in folders of their own.

@@ -35,9 +35,9 @@ add_results(topology/${v}/sod_stand_in atoms=1000 topology_seconds=0.001 bytes=6
 add_results(topology/${s}/sod_stand_in atoms=1000 topology_seconds=0.001 bytes=300001.0)
 # A time outside of the turns, which is not judged.
 add_results(gradients/${v}/sod_stand_in atoms=1000 gradient_seconds=0.0009)
-add_results(split_work/van_der_waals/a atoms=49999 by_two_ratio=0.9)
-add_results(split_work/van_der_waals/b atoms=50000 by_two_ratio=0.5)
-add_results(split_work/van_der_waals/c atoms=60000 by_two_ratio=0.6)
+add_results(split_work/van_der_waals/a atoms=49999 alone_seconds=1.0 by_two_seconds=0.9)
+add_results(split_work/van_der_waals/b atoms=50000 alone_seconds=1.0 by_two_seconds=0.5)
+add_results(split_work/van_der_waals/c atoms=60000 alone_seconds=1.0 by_two_seconds=0.6)
 add_results(periodic/van_der_waals/a atoms=3999 box_ratio=1.9)
 add_results(periodic/van_der_waals/b atoms=4000 box_ratio=1.14)
 add_results(periodic/van_der_waals/c atoms=9000 box_ratio=1.04)

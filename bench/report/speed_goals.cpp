@@ -208,7 +208,9 @@ std::vector<Goal> speed_goals() {
   };
   const auto speed_up = [](size_t s) -> Figure {
     return [prefix = std::string("split_work/") + surfaces[s].name + '/'](const Run &run) -> std::optional<double> {
-      const double largest = largest_amount(run, prefix, 50000, counter_of("by_two_ratio"));
+      const double largest = largest_amount(run, prefix, 50000, [](const Measurement &m) {
+        return m.least("by_two_seconds") / m.least("alone_seconds");
+      });
       return std::isnan(largest) ? std::nullopt : std::optional(1 / largest);
     };
   };
