@@ -50,13 +50,17 @@ inline bool has_counted_faces(const Boundary &boundary, const uint8_t *selected,
   return (selected == nullptr || selected[i] != 0) && boundary.is_exposed(ball);
 }
 
+// Its measure in lattice steps; 0 if none of its faces counts.
+inline BallMeasure measure_counted(const BallSet &balls, const Boundary &boundary, const uint8_t *selected, uint32_t i,
+                                   uint32_t ball) {
+  return has_counted_faces(boundary, selected, i, ball) ? measure_ball(balls, boundary, ball) : BallMeasure{};
+}
+
 // Calls sink(i, measure) for every ball i of a range of the input, with its measure in lattice steps.
 template <class Sink>
 void measure_balls(const CubeGrid &grid, const Boundary &boundary, const uint8_t *selected, IdRange range, Sink sink) {
   visit_in_input_order(grid, boundary, range, [&](uint32_t i, uint32_t ball) {
-    BallMeasure measure;
-    if (has_counted_faces(boundary, selected, i, ball)) measure = measure_ball(grid.balls(), boundary, ball);
-    sink(i, measure);
+    sink(i, measure_counted(grid.balls(), boundary, selected, i, ball));
   });
 }
 
@@ -92,8 +96,7 @@ inline BallMeasure measure_into(const CubeGrid &grid, const Boundary &boundary, 
       __builtin_prefetch(&volume[later], 1);
     }
     const uint32_t i = balls.caller[ball];
-    BallMeasure measure;
-    if (has_counted_faces(boundary, selected, i, ball)) measure = measure_ball(balls, boundary, ball);
+    const BallMeasure measure = measure_counted(balls, boundary, selected, i, ball);
     area[i] = measure.area;
     volume[i] = measure.volume;
   }

@@ -162,12 +162,10 @@ Status PeriodicUnion::join_faces() {
     }
   }
   for (uint32_t c = 0; c < b.circle_count(); ++c) {
-    const CircleRecord &circle = b.circle(c);
-    ClosedHalfEdge across(c, 1);
-    if (!is_in_box(circle.ball[1])) {
-      if (!is_listed(caller[circle.ball[0]], caller[circle.ball[1]])) continue;
-      if (!find_across(ClosedHalfEdge(c, 0), across)) return Status::check;
-    }
+    const CircleRecord &circle = b.circle(c);  // an image is the last of its balls
+    if (!is_in_box(circle.ball[1]) && !is_listed(caller[circle.ball[0]], caller[circle.ball[1]])) continue;
+    ClosedHalfEdge across(0, 0);
+    if (!find_across(ClosedHalfEdge(c, 0), across)) return Status::check;
     listed_circles_.set(c);
     sets.join(b.face_of_loop(circle.loop[0]), b.face_of_loop(b.loop_of(across)));
   }
