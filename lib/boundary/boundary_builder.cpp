@@ -7,8 +7,8 @@ namespace hsp {
 namespace {
 
 // Each stage reads what all workers have done in those before.
-enum Stage : uint32_t { searching, placing, counting, distributing, linking, settling, connecting };
-static_assert(connecting + 1 == BoundaryBuilder::stages);
+enum Stage : uint32_t { searching, placing, counting, distributing, linking, settling, joining, numbering };
+static_assert(numbering + 1 == BoundaryBuilder::stages);
 
 }  // namespace
 
@@ -136,9 +136,16 @@ void BoundaryBuilder::assemble(uint32_t stage, uint32_t worker) {
     case settling:
       settle(worker);
       break;
+    case joining:
+      if (shares_shells()) {
+        SharedDisjointSets shells(scratch_.part(0, a.face_count));
+        join_faces(boundary_, own.placed_vertices, own.placed_circles, shells);
+      }
+      break;
     default:
       // Neither knows of the other.
-      if (worker == 0) find_shells(boundary_, a, scratch_);
+      if (worker == 0 && shares_shells()) number_shells(DisjointSets(scratch_.part(0, a.face_count)), a);
+      if (worker == 0 && !shares_shells()) find_shells(boundary_, a, scratch_);
       if (worker == count_ - 1) number_components(*grid_, a);
   }
 }
@@ -194,7 +201,7 @@ void BoundaryBuilder::link(uint32_t worker) {
 
 // Without gaps between those of workers, loops and faces have the numbers that one worker would give them. Their
 // records are all moved by worker 0, in order, as they may go where others come from. Wherever else their numbers are
-// stored is left to whom it belongs.
+// stored is left to whom it belongs. Every face becomes a shell by itself, if all workers are to join them.
 void BoundaryBuilder::settle(uint32_t worker) {
   BoundaryArrays &a = arrays();
   uint32_t loops = 0;
@@ -203,6 +210,9 @@ void BoundaryBuilder::settle(uint32_t worker) {
     const BoundaryWorker &from = workers_[w];
     const uint32_t loops_down = from.loops.first - loops;
     const uint32_t faces_down = from.faces.first - faces;
+    if (worker == w && shares_shells()) {
+      for (const uint32_t face : from.faces) scratch_[face - faces_down] = face - faces_down;
+    }
     if (worker == w && w != 0) return from.renumber(loops_down, faces_down, a);
     if (worker == 0 && w != 0) from.move_down(loops_down, faces_down, a);
     loops += from.loops.size();

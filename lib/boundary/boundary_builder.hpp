@@ -3,6 +3,7 @@
 #pragma once
 
 #include "boundary/boundary_worker.hpp"
+#include "core/shared_disjoint_sets.hpp"
 
 namespace hsp {
 
@@ -16,7 +17,7 @@ class BoundaryBuilder {
   // The same in parts: begin, every stage by every worker, end. Workers that are in one stage may run side by side. The
   // grid stays as it is until the end. Status::range if there are not so many workers.
   Status begin(const CubeGrid &grid, uint32_t workers);
-  static constexpr uint32_t stages = 7;
+  static constexpr uint32_t stages = 8;
   // Status::state if nothing has begun, this worker is not just before that stage, or any worker has not done the one
   // before; Status::id if there is no such stage or worker.
   Status work(uint32_t stage, uint32_t worker);
@@ -61,6 +62,10 @@ class BoundaryBuilder {
   void distribute(uint32_t worker);
   void link(uint32_t worker);
   void settle(uint32_t worker);
+  // Whether all workers join faces to shells; else one of them does.
+  bool shares_shells() const {
+    return count_ > 1 && SharedDisjointSets::available;
+  }
 
   BoundaryLimits limits_;
   BoundaryLimits needed_;

@@ -5,15 +5,7 @@ namespace hsp {
 void find_shells(const Boundary &boundary, BoundaryArrays &arrays, Span<uint32_t> scratch) {
   DisjointSets shells(scratch.part(0, arrays.face_count));
   shells.reset();
-  // The three faces at a vertex share arcs, and every arc has a vertex.
-  for (uint32_t v = 0; v < boundary.vertex_count(); ++v) {
-    const uint32_t first = boundary.face_of(boundary.half_edge_at(v, 0));
-    shells.join(first, boundary.face_of(boundary.half_edge_at(v, 1)));
-    shells.join(first, boundary.face_of(boundary.half_edge_at(v, 2)));
-  }
-  for (const CircleRecord &circle : arrays.circles.items()) {
-    shells.join(boundary.face_of_loop(circle.loop[0]), boundary.face_of_loop(circle.loop[1]));
-  }
+  join_faces(boundary, {0, boundary.vertex_count()}, {0, boundary.circle_count()}, shells);
   number_shells(shells, arrays);
 }
 

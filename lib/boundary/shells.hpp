@@ -5,6 +5,21 @@
 
 namespace hsp {
 
+// Joins the faces that meet at some vertices or share some circles. The sets may be shared.
+template <class Sets>
+void join_faces(const Boundary &boundary, IdRange vertices, IdRange circles, Sets &shells) {
+  // The three faces at a vertex share arcs, and every arc has a vertex.
+  for (const uint32_t v : vertices) {
+    const uint32_t first = boundary.face_of(boundary.half_edge_at(v, 0));
+    shells.join(first, boundary.face_of(boundary.half_edge_at(v, 1)));
+    shells.join(first, boundary.face_of(boundary.half_edge_at(v, 2)));
+  }
+  for (const uint32_t c : circles) {
+    const CircleRecord &circle = boundary.circle(c);
+    shells.join(boundary.face_of_loop(circle.loop[0]), boundary.face_of_loop(circle.loop[1]));
+  }
+}
+
 // Numbers the shells in the order of their first face and stores them in the faces. scratch [faces].
 void find_shells(const Boundary &boundary, BoundaryArrays &arrays, Span<uint32_t> scratch);
 

@@ -1,6 +1,8 @@
 /* Handles that are passed as const may be read by any number of threads at a time, and distinct handles used by
  * distinct threads: four threads read one model and one handle of each kind while computing handles of their own, and
- * four threads locate points by one topology. */
+ * four threads locate points by one topology. What hsp_boundary_work lets threads do side by side: four threads compute
+ * one boundary. */
+#define _POSIX_C_SOURCE 200112L /* pthread_barrier_t */
 #include <hardsphere.h>
 #include <pthread.h>
 #include <stdlib.h>
@@ -144,8 +146,89 @@ static void located_in_threads(void) {
   computed_release(&c);
 }
 
+/* ---- one boundary ---- */
+
+enum { WORKERS = 2 * THREADS };
+
+typedef struct split {
+  hsp_boundary *boundary;
+  uint32_t stages, thread;
+  pthread_barrier_t *meeting;
+  int failed;
+} split;
+
+/* Every THREADS-th worker of each stage. */
+static void *take_part(void *argument) {
+  split *mine = argument;
+  uint32_t stage, worker;
+  for (stage = 0; stage < mine->stages; ++stage) {
+    for (worker = mine->thread; worker < WORKERS; worker += THREADS) {
+      mine->failed |= hsp_boundary_work(mine->boundary, stage, worker) != HSP_OK;
+    }
+    pthread_barrier_wait(mine->meeting);
+  }
+  return NULL;
+}
+
+static void compute_in_threads(hsp_boundary *boundary, const hsp_model *model) {
+  pthread_t threads[THREADS];
+  split parts[THREADS];
+  pthread_barrier_t meeting;
+  uint32_t stages = 0;
+  int t;
+  CHECK_EQUAL(hsp_boundary_begin(boundary, model, WORKERS, &stages), HSP_OK);
+  CHECK_EQUAL(pthread_barrier_init(&meeting, NULL, THREADS), 0);
+  for (t = 0; t < THREADS; ++t) {
+    parts[t].boundary = boundary;
+    parts[t].stages = stages;
+    parts[t].thread = (uint32_t)t;
+    parts[t].meeting = &meeting;
+    parts[t].failed = 0;
+    if (!CHECK_EQUAL(pthread_create(&threads[t], NULL, take_part, &parts[t]), 0)) exit(check_report());
+  }
+  for (t = 0; t < THREADS; ++t) {
+    CHECK_EQUAL(pthread_join(threads[t], NULL), 0);
+    CHECK(!parts[t].failed);
+  }
+  CHECK_EQUAL(pthread_barrier_destroy(&meeting), 0);
+  CHECK_EQUAL(hsp_boundary_end(boundary, NULL), HSP_OK);
+}
+
+/* hsp_boundary_begin, property 1. The balls of a chain meet their neighbours, so every shell is of many workers. */
+static void split_among_threads(void) {
+  static ball_set set;
+  computations all;
+  int round;
+  ball_set_start(&set, "chain", 1e-8);
+  ball_set_add_chain(&set, 200, 31);
+  check_scene("threads that compute one boundary");
+  if (computations_make(&set, NULL, &all)) {
+    const kind_of_life *k = &kinds_of_life[BOUNDARY];
+    unsigned char *buffer = buffer_for(&all);
+    const uint64_t expected = k->hash(all.boundary.boundary, &all.boundary, buffer, all.room);
+    hsp_boundary_limits limits = all.boundary.needed;
+    hsp_boundary *boundary = NULL;
+    size_t bytes = 0;
+    void *memory;
+    limits.workers = WORKERS;
+    CHECK_EQUAL(hsp_boundary_bytes(&limits, &bytes), HSP_OK);
+    memory = test_zeros(bytes, 1);
+    CHECK_EQUAL(hsp_boundary_init(memory, bytes, &limits, &boundary), HSP_OK);
+    CHECK(expected != 0);
+    for (round = 0; round < 10 * ROUNDS; ++round) {
+      compute_in_threads(boundary, all.boundary.model);
+      CHECK(k->hash(boundary, &all.boundary, buffer, all.room) == expected);
+    }
+    CHECK(k->use(boundary));
+    free(memory);
+    free(buffer);
+  }
+  computations_release(&all);
+}
+
 int main(void) {
   in_threads();
   located_in_threads();
+  split_among_threads();
   return check_report();
 }
