@@ -229,6 +229,10 @@ class Boundary {
           __builtin_prefetch(&a_.root_discriminant[e.vertex]);
         });
   }
+  // What starts at a vertex.
+  [[gnu::always_inline]] void prefetch_half_edges_at(uint32_t v) const {
+    for (uint32_t t = 0; t < 3; ++t) __builtin_prefetch(&a_.half_edges[half_edge_at(v, t)]);
+  }
   // The balls along whose circles they run.
   [[gnu::always_inline]] void prefetch_neighbours(const BallSet &balls, uint32_t ball, uint32_t all_half_edges) const {
     visit_first_half_edges(
