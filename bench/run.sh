@@ -121,12 +121,14 @@ if [ "$peers" = yes ]; then
   run_suite bench_peers_poses 1 0.02
 fi
 # What else a machine does comes and goes in minutes, and would make a set look smaller or larger than it is. So suites
-# that compare sizes or threads run once more.
+# that compare sizes or threads run twice more.
 if [ "$quick" = no ]; then
-  for suite in bench_topology bench_gradients bench_contacts bench_surface; do run_suite "$suite" 5 0.05 .again; done
-  run_suite bench_scaling 5 0.02 .again
-  run_suite bench_periodic 3 0.02 .again
-  run_suite bench_split_work 6 0.02 .again
+  for again in .second .third; do
+    for suite in bench_topology bench_gradients bench_contacts bench_surface; do run_suite "$suite" 5 0.05 "$again"; done
+    run_suite bench_scaling 5 0.02 "$again"
+    run_suite bench_periodic 3 0.02 "$again"
+    run_suite bench_split_work 6 0.02 "$again"
+  done
 fi
 # Limits that are times scale with what version 0.1.0 takes. A processor's clock changes while the suites run, so in what
 # these goals are about the versions take turns: round after round, in folders of their own.
@@ -141,7 +143,7 @@ run_turns() {
 }
 if [ "$old" = yes ]; then
   mkdir -p "$report_folder/turns/now" "$report_folder/turns/0.1.0"
-  rounds=7
+  rounds=10
   if [ "$quick" = yes ]; then rounds=1; fi
   for ((round = 1; round <= rounds; ++round)); do
     run_turns bench_scaling '/(build|lists|pairs|boundary|everything)/sod_stand_in$'
