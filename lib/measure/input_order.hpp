@@ -14,7 +14,7 @@ void visit_in_input_order(const CubeGrid &grid, const Boundary &boundary, IdRang
   constexpr uint32_t far = 24;   // visits ahead: what is found by the ball's index
   constexpr uint32_t near = 12;  // and what is found by that
   constexpr uint32_t next = 6;   // and by that
-  // What of the other balls is read stays near in sets that are no larger.
+  // In sets that are no larger, vertices and what of other balls is read stay near.
   constexpr uint32_t few_balls = 16384;
   const BallSet &balls = grid.balls();
   const uint32_t half_edges = range.empty() ? 0 : boundary.half_edges(grid.own_balls() - 1).last;
@@ -25,10 +25,10 @@ void visit_in_input_order(const CubeGrid &grid, const Boundary &boundary, IdRang
       balls.prefetch(ball);
     }
     if (i + near < range.last) boundary.prefetch_half_edges(grid.grid_index(i + near));
-    if (!small_code && i + next < range.last) {
+    if (!small_code && balls.n > few_balls && i + next < range.last) {
       const uint32_t ball = grid.grid_index(i + next);
       boundary.prefetch_vertices(ball, half_edges);
-      if (balls.n > few_balls) boundary.prefetch_neighbours(balls, ball, half_edges);
+      boundary.prefetch_neighbours(balls, ball, half_edges);
     }
     visit(i, grid.grid_index(i));
   }
