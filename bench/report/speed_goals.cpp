@@ -32,12 +32,21 @@ Figure least_time(const std::string &benchmark, const char *divisor = "atoms") {
   };
 }
 
-// The same of a counter in seconds.
-Figure least_part(const std::string &benchmark, const char *part) {
+// The least of a counter that is in seconds, as nanoseconds.
+Figure least_seconds(const std::string &benchmark, const char *counter) {
   return [=](const Run &run) -> std::optional<double> {
     const Measurement *m = run.find(benchmark);
-    if (m == nullptr || !m->counters.contains(part)) return std::nullopt;
-    return m->least(part) / m->counter("atoms") * 1e9;
+    if (m == nullptr || !m->counters.contains(counter)) return std::nullopt;
+    return m->least(counter) * 1e9;
+  };
+}
+
+// The same for each atom.
+Figure least_part(const std::string &benchmark, const char *part) {
+  return [whole = least_seconds(benchmark, part), benchmark](const Run &run) -> std::optional<double> {
+    const auto nanoseconds = whole(run);
+    if (!nanoseconds) return std::nullopt;
+    return *nanoseconds / run.find(benchmark)->counter("atoms");
   };
 }
 
@@ -63,15 +72,6 @@ Figure per_atom(const std::string &benchmark, const char *counter) {
     const Measurement *m = run.find(benchmark);
     if (m == nullptr) return std::nullopt;
     return m->counter(counter) / m->counter("atoms");
-  };
-}
-
-// The least of a counter that is in seconds, as nanoseconds.
-Figure least_seconds(const std::string &benchmark, const char *counter) {
-  return [=](const Run &run) -> std::optional<double> {
-    const Measurement *m = run.find(benchmark);
-    if (m == nullptr || !m->counters.contains(counter)) return std::nullopt;
-    return m->least(counter) * 1e9;
   };
 }
 
