@@ -14,6 +14,17 @@
 
 enum { THREADS = 4, ROUNDS = 10 };
 
+/* Each thread with one of so many works of this size. */
+static void run_in_threads(void *(*run)(void *), void *works, size_t size) {
+  pthread_t threads[THREADS];
+  int t;
+  for (t = 0; t < THREADS; ++t) {
+    void *own = (unsigned char *)works + (size_t)t * size;
+    if (!CHECK_EQUAL(pthread_create(&threads[t], NULL, run, own), 0)) exit(check_report());
+  }
+  for (t = 0; t < THREADS; ++t) CHECK_EQUAL(pthread_join(threads[t], NULL), 0);
+}
+
 typedef struct work {
   int kind;
   const computations *shared;
@@ -58,7 +69,6 @@ static void in_threads(void) {
   if (computations_make(&set, &options, &all) && computations_add_slow(&all, &options)) {
     for (kind = 0; kind < KINDS; ++kind) {
       work works[THREADS];
-      pthread_t threads[THREADS];
       unsigned char *buffer;
       if (kind == GATE) continue; /* of so many balls it takes too long */
       buffer = buffer_for(&all);
@@ -70,10 +80,9 @@ static void in_threads(void) {
         memset(&works[t], 0, sizeof works[t]);
         works[t].kind = kind;
         works[t].shared = &all;
-        if (!CHECK_EQUAL(pthread_create(&threads[t], NULL, read_and_compute, &works[t]), 0)) exit(check_report());
       }
+      run_in_threads(read_and_compute, works, sizeof works[0]);
       for (t = 0; t < THREADS; ++t) {
-        CHECK_EQUAL(pthread_join(threads[t], NULL), 0);
         CHECK(!works[t].failed);
         CHECK(works[t].answers == works[0].answers);
       }
@@ -116,7 +125,6 @@ static void *locate_places(void *argument) {
 static void located_in_threads(void) {
   static ball_set set;
   static search searches[THREADS + 1];
-  pthread_t threads[THREADS];
   computed c;
   topology_result topology;
   uint32_t cells_seen = 0, k;
@@ -133,11 +141,8 @@ static void located_in_threads(void) {
       if (cell != HSP_NONE) cells_seen |= UINT32_C(1) << cell;
     }
     CHECK_EQUAL(cells_seen, 15);
+    run_in_threads(locate_places, searches, sizeof searches[0]);
     for (t = 0; t < THREADS; ++t) {
-      if (!CHECK_EQUAL(pthread_create(&threads[t], NULL, locate_places, &searches[t]), 0)) exit(check_report());
-    }
-    for (t = 0; t < THREADS; ++t) {
-      CHECK_EQUAL(pthread_join(threads[t], NULL), 0);
       CHECK(!searches[t].failed);
       CHECK_BYTES(searches[t].cells, searches[THREADS].cells, sizeof searches[t].cells);
     }
@@ -171,7 +176,6 @@ static void *take_part(void *argument) {
 }
 
 static void compute_in_threads(hsp_boundary *boundary, const hsp_model *model) {
-  pthread_t threads[THREADS];
   split parts[THREADS];
   pthread_barrier_t meeting;
   uint32_t stages = 0;
@@ -184,12 +188,9 @@ static void compute_in_threads(hsp_boundary *boundary, const hsp_model *model) {
     parts[t].thread = (uint32_t)t;
     parts[t].meeting = &meeting;
     parts[t].failed = 0;
-    if (!CHECK_EQUAL(pthread_create(&threads[t], NULL, take_part, &parts[t]), 0)) exit(check_report());
   }
-  for (t = 0; t < THREADS; ++t) {
-    CHECK_EQUAL(pthread_join(threads[t], NULL), 0);
-    CHECK(!parts[t].failed);
-  }
+  run_in_threads(take_part, parts, sizeof parts[0]);
+  for (t = 0; t < THREADS; ++t) CHECK(!parts[t].failed);
   CHECK_EQUAL(pthread_barrier_destroy(&meeting), 0);
   CHECK_EQUAL(hsp_boundary_end(boundary, NULL), HSP_OK);
 }
