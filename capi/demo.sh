@@ -24,7 +24,7 @@ if ! grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt"; t
 fi
 echo "Building the library and the program in $build ..."
 if ! { cmake -S "$root" -B "$build" -G Ninja -DCMAKE_C_COMPILER=gcc -DCMAKE_CXX_COMPILER=g++ \
-         -DCMAKE_BUILD_TYPE=Release -DHSP_UNITY_BUILD=ON -DHSP_TOOL=ON -DHSP_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FUZZ=OFF \
+         -DCMAKE_BUILD_TYPE=Release -DHSP_TOOL=ON -DHSP_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FUZZ=OFF \
          -DHSP_FORTRAN=OFF &&
        cmake --build "$build"; } >"$log" 2>&1; then
   cat "$log" >&2

@@ -21,7 +21,7 @@ int32_t from_c(const hsp_boundary_limits *given, hsp::BoundaryLimits &result) {
   return HSP_OK;
 }
 
-hsp_boundary_limits to_c(const hsp::BoundaryLimits &limits) {
+hsp_boundary_limits boundary_to_c(const hsp::BoundaryLimits &limits) {
   return {
       sizeof(hsp_boundary_limits), limits.balls, limits.neighbours, limits.vertices, limits.circles, limits.workers};
 }
@@ -76,7 +76,7 @@ void drop_results(hsp_boundary &boundary) {
 }  // namespace
 
 int32_t hsp_boundary_limits_init(hsp_boundary_limits *limits, uint32_t struct_size, uint32_t balls) {
-  return hsp::capi::init_limits<hsp::BoundaryLimits, to_c>(limits, struct_size, balls);
+  return hsp::capi::init_limits<hsp::BoundaryLimits, boundary_to_c>(limits, struct_size, balls);
 }
 
 int32_t hsp_boundary_bytes(const hsp_boundary_limits *limits, size_t *bytes) {
@@ -98,7 +98,7 @@ int32_t hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *model, hsp
   drop_results(*boundary);
   if (!is_live(model) || !hsp::capi::may_write(limits)) return HSP_E_ARGUMENT;
   boundary->model.set(model);
-  return hsp::capi::finish<to_c>(*boundary, boundary->builder.build(model->grid), limits);
+  return hsp::capi::finish<boundary_to_c>(*boundary, boundary->builder.build(model->grid), limits);
 }
 
 int32_t hsp_boundary_begin(hsp_boundary *boundary, const hsp_model *model, uint32_t workers, uint32_t *stages) {
@@ -121,7 +121,7 @@ int32_t hsp_boundary_end(hsp_boundary *boundary, hsp_boundary_limits *limits) {
   if (!boundary->has_model()) return HSP_E_STATE;
   const hsp::Status status = boundary->builder.end();
   if (status == hsp::Status::state) return HSP_E_STATE;
-  return hsp::capi::finish<to_c>(*boundary, status, limits);
+  return hsp::capi::finish<boundary_to_c>(*boundary, status, limits);
 }
 
 int32_t hsp_boundary_get_counts(const hsp_boundary *boundary, hsp_boundary_counts *counts) {

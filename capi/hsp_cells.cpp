@@ -39,7 +39,7 @@ int32_t from_c(const hsp_cells_limits *given, hsp::FreeSpaceLimits &result) {
   return hsp::capi::get_cells_limits(limits, result);
 }
 
-hsp_cells_limits to_c(const hsp::FreeSpaceLimits &limits) {
+hsp_cells_limits cells_to_c(const hsp::FreeSpaceLimits &limits) {
   hsp_cells_limits result{};
   hsp::capi::put_cells_limits(limits, result);
   return result;
@@ -61,7 +61,7 @@ void put_box(const hsp_cells &cells, const hsp::CubeCoordinates &low, const hsp:
 }  // namespace
 
 int32_t hsp_cells_limits_init(hsp_cells_limits *limits, uint32_t struct_size, uint32_t balls) {
-  return hsp::capi::init_limits<hsp::FreeSpaceLimits, to_c>(limits, struct_size, balls);
+  return hsp::capi::init_limits<hsp::FreeSpaceLimits, cells_to_c>(limits, struct_size, balls);
 }
 
 int32_t hsp_cells_bytes(const hsp_cells_limits *limits, size_t *bytes) {
@@ -84,7 +84,7 @@ int32_t hsp_cells_compute(hsp_cells *cells, const hsp_model *model, hsp_cells_li
   if (!is_live(model) || !hsp::capi::may_write(limits)) return HSP_E_ARGUMENT;
   const hsp::Status status = cells->builder.build(model->grid);
   cells->model.set(model);
-  return hsp::capi::finish<to_c>(*cells, status, limits);
+  return hsp::capi::finish<cells_to_c>(*cells, status, limits);
 }
 
 int32_t hsp_cells_get_counts(const hsp_cells *cells, hsp_cells_counts *counts) {

@@ -20,7 +20,7 @@ int32_t from_c(const hsp_map_limits *given, hsp::MapLimits &result) {
   return HSP_OK;
 }
 
-hsp_map_limits to_c(const hsp::MapLimits &limits) {
+hsp_map_limits map_to_c(const hsp::MapLimits &limits) {
   return {sizeof(hsp_map_limits), limits.balls, limits.neighbours, limits.edges};
 }
 
@@ -33,7 +33,7 @@ const hsp::VisibilityMap *map_with(const hsp_map *map, uint32_t h) {
 }  // namespace
 
 int32_t hsp_map_limits_init(hsp_map_limits *limits, uint32_t struct_size, uint32_t balls) {
-  return hsp::capi::init_limits<hsp::MapLimits, to_c>(limits, struct_size, balls);
+  return hsp::capi::init_limits<hsp::MapLimits, map_to_c>(limits, struct_size, balls);
 }
 
 int32_t hsp_map_bytes(const hsp_map_limits *limits, size_t *bytes) {
@@ -59,7 +59,7 @@ int32_t hsp_map_compute(hsp_map *map, const hsp_model *model, const hsp_view_opt
   }
   const hsp::Status status = map->builder.build(model->grid, hsp::capi::direction_of(wanted));
   map->model.set(model);
-  return hsp::capi::finish<to_c>(*map, status, limits);
+  return hsp::capi::finish<map_to_c>(*map, status, limits);
 }
 
 uint32_t hsp_map_next(const hsp_map *map, uint32_t h) {

@@ -29,7 +29,7 @@ int32_t from_c(const hsp_sticks_limits *given, hsp::StickLimits &result) {
   return HSP_OK;
 }
 
-hsp_sticks_limits to_c(const hsp::StickLimits &limits) {
+hsp_sticks_limits sticks_to_c(const hsp::StickLimits &limits) {
   return {sizeof(hsp_sticks_limits), limits.balls, limits.sticks, limits.pairs, limits.edges};
 }
 
@@ -72,13 +72,13 @@ int32_t compute(hsp_sticks *sticks, const hsp_model *model, const hsp_view_optio
     const hsp::StickViolation &violation = sticks->builder.violation();
     *conflict = {static_cast<uint32_t>(violation.conflict), violation.first, violation.second, 0};
   }
-  return hsp::capi::finish<to_c>(*sticks, status, limits);
+  return hsp::capi::finish<sticks_to_c>(*sticks, status, limits);
 }
 
 }  // namespace
 
 int32_t hsp_sticks_limits_init(hsp_sticks_limits *limits, uint32_t struct_size, uint32_t balls) {
-  return hsp::capi::init_limits<hsp::StickLimits, to_c>(limits, struct_size, balls);
+  return hsp::capi::init_limits<hsp::StickLimits, sticks_to_c>(limits, struct_size, balls);
 }
 
 int32_t hsp_sticks_bytes(const hsp_sticks_limits *limits, size_t *bytes) {

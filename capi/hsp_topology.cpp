@@ -18,7 +18,7 @@ int32_t from_c(const hsp_topology_limits *given, hsp::TopologyLimits &result) {
   return HSP_OK;
 }
 
-hsp_topology_limits to_c(const hsp::TopologyLimits &limits) {
+hsp_topology_limits topology_to_c(const hsp::TopologyLimits &limits) {
   return {sizeof(hsp_topology_limits), limits.balls, limits.neighbours, limits.edges, limits.cut_arcs, limits.shells};
 }
 
@@ -50,7 +50,7 @@ int32_t hsp_topology_limits_init(hsp_topology_limits *limits, uint32_t struct_si
   }
   if (!boundary->has_results()) return HSP_E_STATE;
   const uint32_t neighbours = boundary->builder.needed().neighbours;
-  hsp::capi::write_struct(to_c(hsp::limits_for(boundary->balls(), boundary->structure(), neighbours)), limits,
+  hsp::capi::write_struct(topology_to_c(hsp::limits_for(boundary->balls(), boundary->structure(), neighbours)), limits,
                           struct_size);
   return HSP_OK;
 }
@@ -77,7 +77,7 @@ int32_t hsp_topology_compute(hsp_topology *topology, const hsp_boundary *boundar
   const hsp::Status status =
       topology->builder.build(boundary->model->grid, boundary->structure(), boundary->builder.needed().neighbours);
   topology->boundary.set(boundary);
-  return hsp::capi::finish<to_c>(*topology, status, limits);
+  return hsp::capi::finish<topology_to_c>(*topology, status, limits);
 }
 
 int32_t hsp_topology_get_counts(const hsp_topology *topology, hsp_topology_counts *counts) {

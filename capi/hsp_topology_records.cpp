@@ -15,7 +15,7 @@ struct TopologyResults {
       : balls(handle.boundary->balls()), boundary(handle.boundary->structure()), topology(handle.structure()) {}
 };
 
-hsp_topology_vertex vertex_record(const TopologyResults &results, uint32_t id) {
+hsp_topology_vertex topology_vertex(const TopologyResults &results, uint32_t id) {
   hsp_topology_vertex record{};
   hsp::to_coordinates(results.balls, hsp::position_of_point(results.balls, results.boundary, results.topology, id),
                       record.xyz);
@@ -42,7 +42,7 @@ hsp_topology_vertex vertex_record(const TopologyResults &results, uint32_t id) {
   return record;
 }
 
-hsp_topology_edge edge_record(const TopologyResults &results, uint32_t id) {
+hsp_topology_edge topology_edge(const TopologyResults &results, uint32_t id) {
   hsp_topology_edge record{};
   const hsp::EdgeGeometry geometry = hsp::geometry_of_edge(results.balls, results.boundary, results.topology, id);
   hsp::to_coordinates(results.balls, geometry.centre, record.centre);
@@ -69,7 +69,7 @@ hsp_topology_edge edge_record(const TopologyResults &results, uint32_t id) {
   return record;
 }
 
-hsp_simple_face face_record(const TopologyResults &results, uint32_t id) {
+hsp_simple_face topology_face(const TopologyResults &results, uint32_t id) {
   const hsp::SimpleFace &face = results.topology.faces[id];
   return {results.balls.caller[results.topology.ball_of(results.boundary, id)],
           face.face,
@@ -81,7 +81,8 @@ hsp_simple_face face_record(const TopologyResults &results, uint32_t id) {
 
 // Records first .. first + count - 1.
 template <class Record, class Number, class Make>
-int32_t get_range(const hsp_topology *topology, uint32_t first, uint32_t count, Record *out, Number number, Make make) {
+int32_t get_topology_range(const hsp_topology *topology, uint32_t first, uint32_t count, Record *out, Number number,
+                           Make make) {
   const int32_t status = check_range(topology, first, count, out, number);
   if (status != HSP_OK) return status;
   const TopologyResults results(*topology);
@@ -94,16 +95,16 @@ int32_t get_range(const hsp_topology *topology, uint32_t first, uint32_t count, 
 int32_t hsp_topology_get_vertices(const hsp_topology *topology, uint32_t first, uint32_t count,
                                   hsp_topology_vertex *out) {
   const auto vertices = [](const hsp_topology &handle) { return handle.structure().vertex_count; };
-  return get_range(topology, first, count, out, vertices, vertex_record);
+  return get_topology_range(topology, first, count, out, vertices, topology_vertex);
 }
 
 int32_t hsp_topology_get_edges(const hsp_topology *topology, uint32_t first, uint32_t count, hsp_topology_edge *out) {
   const auto edges = [](const hsp_topology &handle) { return handle.structure().quads.edges; };
-  return get_range(topology, first, count, out, edges, edge_record);
+  return get_topology_range(topology, first, count, out, edges, topology_edge);
 }
 
 int32_t hsp_topology_get_simple_faces(const hsp_topology *topology, uint32_t first, uint32_t count,
                                       hsp_simple_face *out) {
   const auto faces = [](const hsp_topology &handle) { return handle.structure().face_count; };
-  return get_range(topology, first, count, out, faces, face_record);
+  return get_topology_range(topology, first, count, out, faces, topology_face);
 }

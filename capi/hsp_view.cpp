@@ -17,14 +17,14 @@ int32_t from_c(const hsp_view_limits *given, hsp::ViewLimits &result) {
   return HSP_OK;
 }
 
-hsp_view_limits to_c(const hsp::ViewLimits &limits) {
+hsp_view_limits view_to_c(const hsp::ViewLimits &limits) {
   return {sizeof(hsp_view_limits), limits.balls, limits.neighbours, limits.arcs};
 }
 
 }  // namespace
 
 int32_t hsp_view_limits_init(hsp_view_limits *limits, uint32_t struct_size, uint32_t balls) {
-  return hsp::capi::init_limits<hsp::ViewLimits, to_c>(limits, struct_size, balls);
+  return hsp::capi::init_limits<hsp::ViewLimits, view_to_c>(limits, struct_size, balls);
 }
 
 int32_t hsp_view_bytes(const hsp_view_limits *limits, size_t *bytes) {
@@ -80,5 +80,5 @@ int32_t hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_bound
   const hsp::Status status =
       view->builder.build(model->grid, boundary == nullptr ? nullptr : &boundary->structure(), request);
   view->model.set(model);
-  return hsp::capi::finish<to_c>(*view, status, limits);
+  return hsp::capi::finish<view_to_c>(*view, status, limits);
 }

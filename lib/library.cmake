@@ -290,22 +290,34 @@ endif()
 
 # hsp_library_objects(name definition...): the library compiled as objects, with further definitions. The archive is made
 # of hardsphere_objects. Tests of inner parts link to a library of objects and compile what its headers define alike.
+# With HSP_UNITY_BUILD a room is one unit, the interface another, the code for AVX2 a third: most of the time that a
+# source takes alone goes into its headers.
 function(hsp_library_objects name)
-  add_library(${name} OBJECT ${HSP_LIBRARY_SOURCES})
+  set(sources ${HSP_LIBRARY_SOURCES})
+  set(avx2_sources ${HSP_AVX2_SOURCES})
+  if(HSP_UNITY_BUILD)
+    # CMake leaves sources with options of their own out of its units.
+    list(REMOVE_ITEM sources ${avx2_sources})
+    list(TRANSFORM avx2_sources REPLACE "(.+)" "#include \"\\1\"\n" OUTPUT_VARIABLE lines)
+    list(JOIN lines "" lines)
+    set(avx2_sources ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${name}.dir/Unity/avx2.cpp)
+    file(CONFIGURE OUTPUT ${avx2_sources} CONTENT "${lines}" @ONLY)
+    list(APPEND sources ${avx2_sources})
+  endif()
+  add_library(${name} OBJECT ${sources})
   target_compile_features(${name} PUBLIC cxx_std_20)
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ${HSP_POSITION_INDEPENDENT}
-    CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
-  # The interface's files stay apart: each has a to_c for its own structures.
-  set_target_properties(${name} PROPERTIES UNITY_BUILD ${HSP_UNITY_BUILD} UNITY_BUILD_BATCH_SIZE 10)
-  set(interface ${HSP_LIBRARY_SOURCES})
-  list(FILTER interface INCLUDE REGEX "/capi/hsp_[a-z_]+\\.cpp$")
-  set_source_files_properties(${interface} TARGET_DIRECTORY ${name} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON UNITY_BUILD ${HSP_UNITY_BUILD} UNITY_BUILD_MODE GROUP)
+  foreach(source ${HSP_LIBRARY_SOURCES})
+    string(REGEX REPLACE ".*/(lib/)?([a-z]+)/[a-z_0-9]+\\.cpp$" "\\2" room ${source})
+    set_source_files_properties(${source} TARGET_DIRECTORY ${name} PROPERTIES UNITY_GROUP ${room})
+  endforeach()
   target_include_directories(${name} PUBLIC ${hardsphere_SOURCE_DIR}/include ${hardsphere_SOURCE_DIR}/lib
     PRIVATE ${hardsphere_SOURCE_DIR}/capi)
   target_compile_definitions(${name} PUBLIC $<$<BOOL:${HSP_PORTABLE_LIMBS}>:HSP_PORTABLE_LIMBS=1> ${ARGN})
   if(HSP_WIDE_CODE AND HSP_COMPILES_AVX2 AND NOT "HSP_AVX2=0" IN_LIST ARGN)
     target_compile_definitions(${name} PUBLIC HSP_AVX2=1)
-    set_source_files_properties(${HSP_AVX2_SOURCES} TARGET_DIRECTORY ${name} PROPERTIES
+    set_source_files_properties(${avx2_sources} TARGET_DIRECTORY ${name} PROPERTIES
       COMPILE_OPTIONS "${HSP_AVX2_OPTIONS}")
   endif()
   # -ffp-contract=off: the same bits with and without fused multiply-add. The vectorizer of g++ 12 does not obey it: it

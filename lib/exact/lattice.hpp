@@ -54,7 +54,7 @@ class Lattice {
   double factor() const { return divisor_ == 1.0 ? factor_ : 0.0; }
   // The lattice point nearest to a position. False if there is none: a coordinate is not finite, or too large. One
   // branch for all of them; which it is may be asked then.
-  bool round(const double *xyz, Vector &point) const {
+  [[gnu::always_inline]] bool round(const double *xyz, Vector &point) const {
     double rounded[3];
     bool on_lattice = true;
     for (int axis = 0; axis < 3; ++axis) {

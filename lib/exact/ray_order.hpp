@@ -21,7 +21,7 @@ struct LatticeRay {
 using Integer128 = WideInteger<FastLimb, 128>;
 using Integer256 = WideInteger<FastLimb, 256>;
 
-inline Integer128 wide_dot(const Vector &a, const Vector &b) {
+[[gnu::always_inline]] inline Integer128 wide_dot(const Vector &a, const Vector &b) {
   using Integer64 = WideInteger<FastLimb, 64>;
   return product<128>(Integer64::from(a.x), Integer64::from(b.x)) +
          product<128>(Integer64::from(a.y), Integer64::from(b.y)) +

@@ -7,7 +7,7 @@
 namespace hsp {
 
 // How near each other points of a curve may be, as a share of the balls' radius.
-constexpr double least_segment = 0x1p-24;
+constexpr double least_straight_segment = 0x1p-24;
 
 Status expected_mesh_limits(const BallSet &balls, const Boundary &boundary, double edge, MeshLimits &limits) {
   MeshSizes sizes;
@@ -118,7 +118,7 @@ bool BoundaryOutline::is_too_fine(uint32_t c) const {
   const uint32_t own = boundary_.ball_of(curve.element);
   const double length = angle_of(balls_, boundary_, own, curve.element) *
                         CircleGeometry(balls_, own, boundary_.half_edge(curve.element).circle).radius;
-  return length < least_segment * balls_.r[own] * curve.segments;
+  return length < least_straight_segment * balls_.r[own] * curve.segments;
 }
 
 void BoundaryOutline::add_border(uint32_t sphere, SphericalPatch &patch) const {

@@ -50,7 +50,7 @@ class BallRounding {
     return round_ball(lattice_, probe_steps_, input_.xyz + 3 * static_cast<size_t>(i), input_.radius[i], i, ball);
   }
   // The same for balls that are known to have a place on the lattice.
-  exact::Vector centre(uint32_t i) const {
+  [[gnu::always_inline]] exact::Vector centre(uint32_t i) const {
     const double *const xyz = input_.xyz + 3 * static_cast<size_t>(i);
     return {nearest(lattice_.steps(xyz[0])), nearest(lattice_.steps(xyz[1])), nearest(lattice_.steps(xyz[2]))};
   }

@@ -9,15 +9,15 @@
 namespace hsp {
 namespace {
 
-using Kernel = SaddleKernel<1>;
-using Profile = Kernel::Profile;
+using JointKernel = SaddleKernel<1>;
+using Profile = JointKernel::Profile;
 
-Vec3 to_vector(const Kernel::Vector &v) {
+Vec3 to_vector(const JointKernel::Vector &v) {
   return {v.x[0], v.y[0], v.z[0]};
 }
 
-Kernel::Real lane(double x) {
-  return Kernel::L::all(x);
+JointKernel::Real lane(double x) {
+  return JointKernel::L::all(x);
 }
 
 // The circle of two balls, and the profiles of the probe on it.
@@ -76,9 +76,9 @@ void WeightedJoints::add_saddles(const ArcBatch &batch, const SaddlePatches &sad
   for (uint32_t s = 0; s < batch.count; ++s) {
     const double other_weight = weight_of(batch.other[s]);
     if (other_weight == weight_ || !batch.has_piece(s) || !(circle_radius[s] > 0.0)) continue;
-    const Kernel::Slot slot(batch, circle_radius, saddles.rolled(), s);
+    const JointKernel::Slot slot(batch, circle_radius, saddles.rolled(), s);
     const Profile other = slot.other_profile();
-    Kernel::DerivativeSums part;
+    JointKernel::DerivativeSums part;
     part.add(slot, Profile(0.0, other, other_weight - weight_, other));
     sums_.centre = sums_.centre + to_vector(part.area_centre);
     sums_.radius += part.area_radius[0];
@@ -106,9 +106,9 @@ void WeightedJoints::add_waist(const ArcBatch &batch, uint32_t s, double rho, do
     sums_.radius += waist * angle * R;
   } else if (other_height < 0.0) {
     const double shrinkage = shrinkage_of_faces(balls_, batch.other[s]);
-    const double border = per_distance * shrinkage * shrinkage * other_R;
-    sums_.centre = sums_.centre + combine(border * height * angle, u, border, rho_I);
-    sums_.radius += border * angle * R;
+    const double ring = per_distance * shrinkage * shrinkage * other_R;
+    sums_.centre = sums_.centre + combine(ring * height * angle, u, ring, rho_I);
+    sums_.radius += ring * angle * R;
   } else {
     const double shrinkage = shrinkage_of_faces(balls_, ball_);
     const double inclined = per_distance * shrinkage * shrinkage * (rho * rho - height * other_height);

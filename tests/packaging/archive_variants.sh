@@ -14,7 +14,7 @@ if [ "${variant%_*}" = limbs32 ]; then flags+=" -DHSP_PORTABLE_LIMBS=1"; fi
 echo "flags: $flags"
 {
   cmake -S "$source" -B "$work/build" -DCMAKE_CXX_COMPILER="$cxx" -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="$flags" \
-    -DHSP_UNITY_BUILD=ON -DHSP_TOOL=OFF -DHSP_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF &&
+    -DHSP_TOOL=OFF -DHSP_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF &&
     cmake --build "$work/build" --target hardsphere --parallel 2
 } >"$work/log" 2>&1 || { tail -n 40 "$work/log" && exit 1; }
 bash "$here/archive_symbols.sh" "$work/build/libhardsphere.a" "$source/include/hardsphere.h"

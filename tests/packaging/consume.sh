@@ -25,7 +25,7 @@ case $way in
     where=-DCMAKE_PREFIX_PATH=$prefix
     # The library is compiled here: in large units, and without optimisation.
     [ "$way" = subdirectory ] &&
-      where="-DHARDSPHERE_SOURCE=$source -DHSP_UNITY_BUILD=ON -DCMAKE_CXX_FLAGS_RELEASE=-O0"
+      where="-DHARDSPHERE_SOURCE=$source -DCMAKE_CXX_FLAGS_RELEASE=-O0"
     # shellcheck disable=SC2086 # several options
     cmake -S "$here/consumers/${way%_source}" -B "$work" -DLANGUAGE="$language" -DCMAKE_BUILD_TYPE=Release \
       -DCMAKE_"${language}"_COMPILER="$compiler" $where \

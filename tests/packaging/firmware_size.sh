@@ -12,7 +12,7 @@ rm -rf "$work"
 mkdir -p "$work"
 {
   cmake -S "$source" -B "$work/build" -DCMAKE_TOOLCHAIN_FILE="$here/cortex_m.cmake" -DCORTEX="$cortex" \
-    -DCMAKE_BUILD_TYPE=MinSizeRel -DHSP_WERROR=ON -DHSP_UNITY_BUILD=ON && cmake --build "$work/build" --parallel 2
+    -DCMAKE_BUILD_TYPE=MinSizeRel -DHSP_WERROR=ON && cmake --build "$work/build" --parallel 2
 } >"$work/log" 2>&1 || { tail -n 40 "$work/log" && exit 1; }
 flags=$(sed -n 's/^CMAKE_C_FLAGS:STRING=//p' "$work/build/CMakeCache.txt")
 

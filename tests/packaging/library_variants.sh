@@ -50,7 +50,7 @@ if [ "$variant" != musl ] && [ "$variant" != lld ]; then
   cmake -S "$source" -B "$work/build" -DCMAKE_C_COMPILER="$cc" -DCMAKE_CXX_COMPILER="$cxx" -DCMAKE_CXX_FLAGS="$flags" \
     -DCMAKE_C_FLAGS="$flags" -DCMAKE_CXX_FLAGS_RELEASE="$optimization -DNDEBUG" -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_INSTALL_PREFIX="$prefix" -DCMAKE_INSTALL_LIBDIR=lib \
-    -DHSP_WERROR=ON -DHSP_UNITY_BUILD=ON -DHSP_TOOL=OFF -DHSP_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FUZZ=OFF \
+    -DHSP_WERROR=ON -DHSP_TOOL=OFF -DHSP_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FUZZ=OFF \
     -DHSP_FORTRAN=OFF "${options[@]}" &&
     cmake --build "$work/build" --parallel 2 && cmake --install "$work/build"
 fi >"$work/log" 2>&1 || { tail -n 40 "$work/log" && exit 1; }

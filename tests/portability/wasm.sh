@@ -25,7 +25,7 @@ build() {
 }
 mkdir -p "$work"
 build cmake -S "$here/target" -B "$work/build" -DCMAKE_TOOLCHAIN_FILE="$source/capi/wasm/wasi.cmake" \
-  -DCMAKE_BUILD_TYPE=Release -DHSP_WERROR=ON -DHSP_UNITY_BUILD=ON
+  -DCMAKE_BUILD_TYPE=Release -DHSP_WERROR=ON
 build cmake --build "$work/build" --target outputs --parallel 2
 
 # The archive asks for memory copies, arithmetic of 128 bits and the stack, and for nothing else.
