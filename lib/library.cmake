@@ -333,7 +333,13 @@ function(hsp_library_objects name)
   endif()
   target_link_libraries(${name} PRIVATE hardsphere_warnings hardsphere_sanitizers)
 endfunction()
-hsp_library_objects(hardsphere_objects)
+# Checked, an index out of range traps, under the address sanitizer the arrays in a handle's memory lie between poisoned
+# bytes, and what the predicates' stages answer is counted.
+set(HSP_CHECKS "")
+if(HSP_CHECKED_LIBRARY)
+  set(HSP_CHECKS HSP_CHECK_INDEX=1 HSP_COUNT_STAGES=1)
+endif()
+hsp_library_objects(hardsphere_objects ${HSP_CHECKS})
 
 # An archive of one relocatable object, in which everything but hsp_* is local: nothing else can clash in a user's link.
 # That takes GNU ld (lld lacks --force-group-allocation; Apple's linker and that for wasm know no such thing) and GNU
