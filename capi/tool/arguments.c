@@ -147,6 +147,24 @@ static bool take_at(struct reading *reading, const char *value) {
   return option_numbers(&reading->options, "--at", value, "XY", at->xyz);
 }
 
+/* X Y Z, or of `gate` void:K. */
+static bool take_place(struct reading *reading, const char *option, const char *value, struct place *place) {
+  static const char word[] = "void:";
+  const struct option_reader *options = &reading->options;
+  const char *text = value != NULL ? value : options->left > 0 ? options->rest[0] : "";
+  if (reading->request->command != COMMAND_GATE || strncmp(text, word, strlen(word)) != 0) {
+    return option_vector(&reading->options, option, value, false, &place->point);
+  }
+  if (value == NULL) option_next(&reading->options);
+  if (place->point.given) return failure_in_usage(reading->failure, "%s is given twice", option);
+  place->point.given = true;
+  const char *rank = text + strlen(word);
+  if (number_parse_count(rank, strlen(rank), &place->of_void) == NUMBER_OK && place->of_void > 0) return true;
+  char shown[EXCERPT_BYTES];
+  return failure_in_usage(reading->failure, "%s: '%s' is not the number of a void, from 1 on", option,
+                          excerpt(shown, rank, strlen(rank)));
+}
+
 static bool take_format(struct reading *reading, const char *value) {
   char list[FORMAT_LIST_BYTES];
   molecule_format_list(list, "");
@@ -341,12 +359,8 @@ static bool take_argument(struct reading *reading, const char *argument) {
     return option_vector(&reading->options, "--translate", value, false, &request->translate);
   }
   if (request->command == COMMAND_PATH || request->command == COMMAND_GATE) {
-    if (option_is(argument, "--from", &value)) {
-      return option_vector(&reading->options, "--from", value, false, &request->from);
-    }
-    if (option_is(argument, "--to", &value)) {
-      return option_vector(&reading->options, "--to", value, false, &request->to);
-    }
+    if (option_is(argument, "--from", &value)) return take_place(reading, "--from", value, &request->from);
+    if (option_is(argument, "--to", &value)) return take_place(reading, "--to", value, &request->to);
   }
   if (request->command == COMMAND_BOUNDARY && strcmp(argument, "--shells") == 0) {
     request->shells = true;
@@ -402,14 +416,15 @@ static bool check(struct reading *reading) {
   if (request->command == COMMAND_PICK && !request->at.given) {
     return failure_in_usage(reading->failure, "pick needs --at X Y");
   }
-  if (request->command == COMMAND_PATH && !(request->from.given && request->to.given)) {
+  if (request->command == COMMAND_PATH && !(request->from.point.given && request->to.point.given)) {
     return failure_in_usage(reading->failure, "path needs --from X Y Z and --to X Y Z");
   }
-  if (request->command == COMMAND_GATE && !request->from.given) {
-    return failure_in_usage(reading->failure, "gate needs --from X Y Z");
+  if (request->command == COMMAND_GATE && !request->from.point.given) {
+    return failure_in_usage(reading->failure, "gate needs --from X Y Z or --from void:K");
   }
-  if (request->command == COMMAND_GATE && reading->probe_seen) {
-    return failure_in_usage(reading->failure, "gate finds the probe: --probe is not for it");
+  if (request->command == COMMAND_GATE && reading->probe_seen && request->from.of_void == 0 &&
+      request->to.of_void == 0) {
+    return failure_in_usage(reading->failure, "gate finds the probe: --probe is for --from void:K alone");
   }
   if (!viewing_check(&request->viewing, reading->failure)) return false;
   if (!request_check_several(request, reading->failure) || !find_format(reading)) return false;

@@ -55,7 +55,7 @@ bool command_path(const struct request *request, const struct molecule *molecule
                   struct text_buffer *out, struct failure *failure) {
   hsp_path path;
   uint32_t needed = 0;
-  if (!geometry_find_path(geometry, request->from.xyz, request->to.xyz, &path, failure)) return false;
+  if (!geometry_find_path(geometry, request->from.point.xyz, request->to.point.xyz, &path, failure)) return false;
   double *const points = calloc(3 * (size_t)path.points + 1, sizeof *points);
   if (points == NULL) return failure_of_memory(failure);
   const int32_t status = hsp_paths_get_points(geometry->work.paths, points, path.points, &needed);

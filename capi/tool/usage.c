@@ -156,16 +156,23 @@ static const char measure_text[] =
 static const char voids_text[] =
     "hardsphere voids FILE [--min-volume V] [--balls] [options]\n"
     "\n"
-    "Lists the cavities that the union encloses, largest volume first: volume, area, the middle of the balls with a\n"
-    "face on them, how many these are, and how many pieces of the union lie inside. With --probe they are the places\n"
-    "where the centre of a probe fits without a way out.\n"
+    "Lists the cavities that the union encloses, largest volume first: volume, area, the point that is farthest from "
+    "all\n"
+    "balls and its clearance, how far that is, how many balls have a face on it, and how many pieces of the union lie\n"
+    "inside. With --probe they are the places where the centre of a probe fits without a way out; clearance is what\n"
+    "a probe may grow by there.\n"
     "  --min-volume V         only those of volume V or more\n"
     "  --balls                also the balls around each\n"
     "Example: hardsphere voids 1crn.pdb --probe 1.4 --min-volume 0.1\n"
-    "JSON: n, voids: [{cell, area, volume, components, balls: [...], middle: [x, y, z]}, ...], smaller; cell is its\n"
-    "number in the library, components how many pieces of the union lie in it, balls their indices in the order of "
-    "the\n"
-    "file, counted from 0, ascending; smaller is how many voids --min-volume leaves out.\n"
+    "JSON: n, voids: [{cell, area, volume, components, balls: [...], middle: [x, y, z], point: [x, y, z], clearance,\n"
+    "clearance_bound}, ...], smaller; cell is its number in the library, components how many pieces of the union lie "
+    "in\n"
+    "it, balls their indices in the order of the file, counted from 0, ascending, middle the mean of their centres,\n"
+    "which may lie in a ball; point lies in the void, by integers, null if it is narrower than the lattice, and no "
+    "point\n"
+    "of the void has more clearance than clearance_bound, up to rounding; smaller is how many voids --min-volume "
+    "leaves\n"
+    "out.\n"
     "\n";
 
 static const char contacts_text[] =
@@ -226,18 +233,20 @@ static const char path_text[] =
     "\n";
 
 static const char gate_text[] =
-    "hardsphere gate FILE --from X Y Z [--to X Y Z] [options]\n"
+    "hardsphere gate FILE --from X Y Z|void:K [--to X Y Z|void:K] [options]\n"
     "\n"
     "Finds the largest radius of a probe that gets from one point to another between the balls, or without --to to "
     "the\n"
     "outside. What stops a wider one are the three balls of the narrowest passage on the best way, or one ball if "
     "the\n"
     "probe has less room where it begins or ends.\n"
-    "Example: hardsphere gate 1crn.pdb --from 9.8,12.2,6.1\n"
-    "JSON: n, passes, widest_probe, gate: [i, j, k]; passes is false where not even a point gets through, then\n"
-    "widest_probe is null, as it is without balls; gate holds the indices of the balls in the order of the file, "
-    "counted\n"
-    "from 0, ascending.\n"
+    "  --from void:K          begin where the void K of hardsphere voids has most room, with the same --probe P, which\n"
+    "                         finds the voids and has no other use here; --to void:K likewise\n"
+    "Example: hardsphere gate 1crn.pdb --probe 1.4 --from void:1\n"
+    "JSON: n, passes, widest_probe, gate: [i, j, k], from: [x, y, z], to; passes is false where not even a point gets\n"
+    "through, then widest_probe is null, as it is without balls; gate holds the indices of the balls in the order of "
+    "the\n"
+    "file, counted from 0, ascending; to is null where it is the outside.\n"
     "\n";
 
 static const char query_text[] =

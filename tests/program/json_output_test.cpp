@@ -151,7 +151,9 @@ TEST(JsonOutput, ShellsAndVoidsHaveTheirKeys) {
     EXPECT_EQ(voids.keys, (Keys{"n", "voids", "smaller", "input"})) << file;
     EXPECT_EQ(static_cast<double>(voids["voids"].items.size()), boundary["voids"].number) << file;
     for (const Json &cavity : voids["voids"].items) {
-      EXPECT_EQ(cavity.keys, (Keys{"cell", "area", "volume", "components", "balls", "middle"})) << file;
+      EXPECT_EQ(cavity.keys, (Keys{"cell", "area", "volume", "components", "balls", "middle", "point", "clearance",
+                                   "clearance_bound"}))
+          << file;
     }
   }
 }
@@ -204,7 +206,7 @@ TEST(JsonOutput, PathAndGateHaveTheirKeys) {
     EXPECT_TRUE(path["connected"].boolean) << file;
     EXPECT_GE(path["points"].items.size(), 2U) << file;
     const Json gate = run_json({"gate", file, "--from", "0,0,-1000"});
-    EXPECT_EQ(gate.keys, (Keys{"n", "passes", "widest_probe", "gate", "input"})) << file;
+    EXPECT_EQ(gate.keys, (Keys{"n", "passes", "widest_probe", "gate", "from", "to", "input"})) << file;
     EXPECT_TRUE(gate["passes"].boolean) << file;
   }
 }
