@@ -11,10 +11,9 @@
 #include "output_file.h"
 #include "report.h"
 
-/* About a third of an atom's radius; .gro files are in nanometres. */
 static double edge_of(const struct request *request) {
-  if (request->meshing.edge > 0.0) return request->meshing.edge;
-  return request->format == FORMAT_GRO ? 0.05 : 0.5;
+  const double third_of_an_atom = 0.5;
+  return request->meshing.edge > 0.0 ? request->meshing.edge : third_of_an_atom;
 }
 
 static double area_of(const struct triangle_mesh *mesh) {

@@ -27,7 +27,7 @@ static const char overview[] =
     "\n";
 
 static const char files_and_radii[] =
-    "FILE is .pdb, .ent, .pdb1 or the like, .cif (mmCIF), .gro, .pqr or .xyz (in angstrom, or nm in .gro), or .xyzr\n"
+    "FILE is .pdb, .ent, .pdb1 or the like, .cif (mmCIF), .gro, .pqr or .xyz, in angstrom once read, or .xyzr\n"
     "(x y z r on each line, in any unit); - is standard input: gunzip -c x.pdb.gz | hardsphere measure - --format "
     "pdb.\n"
     "One model and the first alternate location of each atom are read, ATOM and HETATM alike, water and hydrogens "
@@ -269,9 +269,8 @@ static const char mesh_text[] =
     "or\n"
     "the smooth one.\n"
     "  -o OUT, --output OUT   the file to write\n"
-    "  --edge L               how long edges are, about: default 0.5, and 0.05 in .gro files, which are in nm. Half of "
-    "it\n"
-    "                         makes four times as many triangles\n"
+    "  --edge L               how long edges are, about: default 0.5. Half of it makes four times as many\n"
+    "                         triangles\n"
     "  --surface vdw|sas|ses  van der Waals, which is without --probe; with it solvent-accessible, the default then,\n"
     "                         or solvent-excluded, the smooth surface\n"
     "  --triangles ply|obj|stl|vert|svg\n"
