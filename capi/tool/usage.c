@@ -52,12 +52,11 @@ static const char files_and_radii[] =
 static const char choosing_atoms[] =
     "  --no-water, --no-hetatm, --no-hydrogens\n"
     "                         leave out such atoms\n"
-    "  --only S, --hide S     read only the atoms that S names, or all but them; both may be given several times. S "
-    "is\n"
-    "                         chain:A,B, residue:HOH,7,1-40,52A, element:H, atom:CA, water, hetatm or hydrogen, or\n"
-    "                         several of these that must all hold: \"chain:A&residue:1-40\"; chain:. has no name. "
-    "What\n"
-    "                         is left out blocks nothing; let balls block that do not count by --weights\n"
+    "  --only S, --hide S     read only the atoms that S names, or all but them. S is chain:A,B, element:H, atom:CA,\n"
+    "                         residue:HOH,7,1-40,52A, water, hetatm or hydrogen, or several of these that must all\n"
+    "                         hold: \"chain:A&residue:1-40\"; chain:. has no name. Several --only are a union,\n"
+    "                         and so are several --hide. What is left out blocks nothing; let balls block that do not\n"
+    "                         count by --weights\n"
     "  --model N              read model N of the file, counted from 1; default 1\n";
 
 static const char statuses[] =
@@ -72,7 +71,9 @@ static const char statuses[] =
     "the file as its first column. One that cannot be read has its line on stderr and stops no other.\n"
     "\n"
     "Exit status: 0 success, 1 bad input, 2 bad usage; then one line on stderr says why, and of that file stdout has\n"
-    "nothing; of a --trajectory it has the frames before the one at fault.\n";
+    "nothing; of a --trajectory it has the frames before the one at fault. With status 0 a line on stderr tells of "
+    "names\n"
+    "in --only, --hide, --highlight and --radius that nothing has, and of water that is counted in --csv.\n";
 
 /* So that the help of a command fits a screen. */
 static const char for_all_commands[] =

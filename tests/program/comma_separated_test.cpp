@@ -49,7 +49,8 @@ std::vector<Row> run_csv(std::vector<std::string> arguments) {
   arguments.push_back("--csv");
   const Outcome outcome = run_program(arguments);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(outcome.err, "");
+  const std::string water = "; --no-water leaves them out\n";  // selection_test.cpp looks at it
+  EXPECT_TRUE(outcome.err.empty() || outcome.err.ends_with(water)) << outcome.err;
   const std::optional<std::vector<Row>> rows = read_table(outcome.out);
   EXPECT_TRUE(rows.has_value()) << outcome.out;
   if (!rows || rows->empty()) return {{}};
