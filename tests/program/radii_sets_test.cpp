@@ -132,7 +132,7 @@ std::map<std::string, double> listed(const std::string &set) {
   return radii;
 }
 
-// Every atom that FreeSASA's own configuration has, where the package is installed; FREESASA_SHARE names another folder.
+// Every atom that FreeSASA's own configuration has, where it is installed; FREESASA_SHARE names another folder.
 TEST(RadiiSets, ProtorIsThatOfFreeSasa) {
   const char *folder = std::getenv("FREESASA_SHARE");
   std::ifstream file(std::string(folder != nullptr ? folder : "/usr/share/freesasa") + "/protor.config");
