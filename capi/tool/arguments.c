@@ -221,7 +221,6 @@ static bool take_measure_option(struct reading *reading, const char *argument, b
   if (strcmp(argument, "--per-ball") == 0) flag = &request->per_ball;
   if (strcmp(argument, "--gradient") == 0) flag = &request->gradient;
   if (strcmp(argument, "--curvature") == 0) flag = &request->curvature;
-  if (strcmp(argument, "--csv") == 0) flag = &request->csv;
   if (strcmp(argument, "--polar") == 0) flag = &request->polar;
   if (strcmp(argument, "--relative") == 0) flag = &request->relative;
   if (strcmp(argument, "--outer") == 0) flag = &request->outer;
@@ -319,6 +318,12 @@ static bool take_argument(struct reading *reading, const char *argument) {
   bool known = false;
   if (!take_selection_option(reading, argument, &known)) return false;
   if (known) return true;
+  const bool lists = request->command == COMMAND_CONTACTS || request->command == COMMAND_VOIDS ||
+                     request->command == COMMAND_BOUNDARY || request->command == COMMAND_MEASURE;
+  if (lists && strcmp(argument, "--csv") == 0) {
+    request->csv = true;
+    return true;
+  }
   const bool counts_areas = request->command == COMMAND_MEASURE || request->command == COMMAND_CONTACTS;
   if ((counts_areas || request->command == COMMAND_BOUNDARY) && option_is(argument, "--box", &value)) {
     return box_take_option(&request->box, &reading->options, value);

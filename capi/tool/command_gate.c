@@ -43,12 +43,13 @@ static void print_json(const struct request *request, const struct molecule *mol
   text_buffer_add(out, "}\n");
 }
 
-static void row_end(const char *name, const struct place *place, const double point[3], struct text_buffer *out) {
+static void row_end(const char *name, const struct molecule *molecule, const struct place *place, const double point[3],
+                    struct text_buffer *out) {
   char shown[4][NUMBER_BYTES];
   char value[4 * NUMBER_BYTES];
   if (place->of_void == 0) return;
-  snprintf(value, sizeof value, "%s %s %s  void %s", quantity_text(shown[0], point[0], 4),
-           quantity_text(shown[1], point[1], 4), quantity_text(shown[2], point[2], 4),
+  snprintf(value, sizeof value, "%s %s %s  void %s", coordinate_text(shown[0], molecule->format, point[0]),
+           coordinate_text(shown[1], molecule->format, point[1]), coordinate_text(shown[2], molecule->format, point[2]),
            count_text(shown[3], (int64_t)place->of_void));
   report_row(out, name, value, "");
 }
@@ -59,13 +60,15 @@ static void print_table(const struct request *request, const struct molecule *mo
   const uint32_t count = gate_balls(widest);
   char value[NUMBER_BYTES];
   report_heading(out, request, molecule);
-  row_end("from", &request->from, ends->from, out);
-  row_end("to", &request->to, ends->to, out);
+  row_end("from", molecule, &request->from, ends->from, out);
+  row_end("to", molecule, &request->to, ends->to, out);
   if (widest->passes == 0) {
     report_row(out, "widest probe", "none", "not even a point passes");
     return;
   }
-  report_row(out, "widest probe", quantity_text(value, widest->radius, 8), "added to the radii");
+  char remark[40];
+  snprintf(remark, sizeof remark, "%s, added to the radii", format_unit(molecule->format));
+  report_row(out, "widest probe", quantity_text(value, widest->radius, 8), remark);
   report_row_count(out, "gate", count, kinds[count]);
   if (count == 0) return;
   const struct ball_columns columns = ball_columns_of(molecule);

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "commands.h"
+#include "csv.h"
 #include "input_report.h"
 #include "report.h"
 #include "void_list.h"
@@ -43,17 +44,20 @@ static void print_json(const struct request *request, const struct molecule *mol
   text_buffer_add(out, "}\n");
 }
 
-static void print_line(uint32_t rank, const struct void_cell *of, struct text_buffer *out) {
+static void print_line(const struct molecule *molecule, uint32_t rank, const struct void_cell *of,
+                       struct text_buffer *out) {
   const struct void_room *room = &of->room;
   char volume[NUMBER_BYTES];
   char area[NUMBER_BYTES];
-  text_buffer_add(out, "  %6" PRIu32 "  %16s  %16s", rank, quantity_text(volume, of->figures.volume, 6),
-                  quantity_text(area, of->figures.area, 6));
-  for (int axis = 0; axis < 4; ++axis) {
+  text_buffer_add(out, "  %6" PRIu32 "  %16s  %16s", rank, column_text(volume, molecule->format, of->figures.volume, 4),
+                  column_text(area, molecule->format, of->figures.area, 4));
+  for (int axis = 0; axis < 3; ++axis) {
     char value[NUMBER_BYTES];
-    const double shown = axis < 3 ? room->xyz[axis] : room->clearance;
-    text_buffer_add(out, "  %9s", room->found ? quantity_text(value, shown, 4) : "-");
+    const char *shown = room->found ? coordinate_text(value, molecule->format, room->xyz[axis]) : "-";
+    text_buffer_add(out, "  %9s", shown);
   }
+  char clearance[NUMBER_BYTES];
+  text_buffer_add(out, "  %9s", room->found ? column_text(clearance, molecule->format, room->clearance, 4) : "-");
   text_buffer_add(out, "  %6" PRIu32 "  %6" PRIu32 "\n", of->ball_count, of->figures.components);
 }
 
@@ -82,10 +86,26 @@ static void print_table(const struct request *request, const struct molecule *mo
     text_buffer_add(out, "  %6s  %16s  %16s  %9s  %9s  %9s  %9s  %6s  %6s\n", "void", "volume", "area", "x", "y", "z",
                     "clearance", "balls", "inside");
   }
-  for (uint32_t i = 0; i < list->count; ++i) print_line(i + 1, &list->voids[i], out);
+  for (uint32_t i = 0; i < list->count; ++i) print_line(molecule, i + 1, &list->voids[i], out);
   if (!request->void_balls) return;
   const struct ball_columns columns = ball_columns_of(molecule);
   for (uint32_t i = 0; i < list->count; ++i) print_wall(molecule, columns, i + 1, &list->voids[i], out);
+}
+
+static void print_csv(const struct void_list *list, struct text_buffer *out) {
+  text_buffer_add(out, "void,volume,area,x,y,z,clearance,clearance_bound,balls,components\n");
+  for (uint32_t i = 0; i < list->count; ++i) {
+    const struct void_cell *of = &list->voids[i];
+    const struct void_room *room = &of->room;
+    const double numbers[] = {of->figures.volume, of->figures.area, room->xyz[0], room->xyz[1],
+                              room->xyz[2],       room->clearance,  room->bound};
+    text_buffer_add(out, "%" PRIu32, i + 1);
+    for (int k = 0; k < 7; ++k) {
+      text_buffer_add(out, ",");
+      csv_number(out, k < 2 || k == 6 || room->found ? numbers[k] : NAN);
+    }
+    text_buffer_add(out, ",%" PRIu32 ",%" PRIu32 "\n", of->ball_count, of->figures.components);
+  }
 }
 
 bool command_voids(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
@@ -94,7 +114,8 @@ bool command_voids(const struct request *request, const struct molecule *molecul
   struct void_list list;
   const bool done = void_list_make(geometry, molecule, request->probe, request->min_volume, &list, failure);
   if (done && request->json) print_json(request, molecule, &list, out);
-  if (done && !request->json) print_table(request, molecule, &list, out);
+  if (done && request->csv) print_csv(&list, out);
+  if (done && !request->json && !request->csv) print_table(request, molecule, &list, out);
   void_list_free(&list);
   return done;
 }

@@ -37,6 +37,13 @@ static bool check_measure(const struct request *request, struct failure *failure
   if (request->csv && request->json) {
     return failure_in_usage(failure, "one form of output at a time: either --csv or --json");
   }
+  if (request->csv && (request->cells || request->void_balls)) {
+    return failure_in_usage(failure, "--csv prints one table: %s has no place in it",
+                            request->cells ? "--cells" : "--balls");
+  }
+  if (request->csv && request->command == COMMAND_BOUNDARY && request->box.source != BOX_NONE) {
+    return failure_in_usage(failure, "--csv is not for the boundary in a --box");
+  }
   if (request->csv && request->by != GROUPING_NONE && (request->per_ball || request->gradient)) {
     return failure_in_usage(failure, "--csv prints one table: either of balls or --by %s",
                             request->by == GROUPING_RESIDUE ? "residue" : "chain");

@@ -97,6 +97,7 @@ static const char boundary_text[] =
     "Counts what the boundary of the union of the balls consists of, exactly, ties and all. The shells, the connected\n"
     "pieces of the boundary, are listed if there are several.\n"
     "  --shells               list them in any case, in JSON too\n"
+    "  --csv                  print the counts, or with --shells the list, as comma-separated values and nothing else\n"
     "Example: hardsphere boundary 1crn.pdb --probe 1.4 --shells\n"
     "JSON: n, vertices, arcs, circles, faces, exposed_balls, shells, components, voids, euler, and with --shells\n"
     "shell_list: [{kind, component, cell, faces, euler, genus, area, volume}, ...]; kind is \"outer\" or \"void\", "
@@ -164,6 +165,7 @@ static const char voids_text[] =
     "a probe may grow by there.\n"
     "  --min-volume V         only those of volume V or more\n"
     "  --balls                also the balls around each\n"
+    "  --csv                  print the list as comma-separated values and nothing else\n"
     "Example: hardsphere voids 1crn.pdb --probe 1.4 --min-volume 0.1\n"
     "JSON: n, voids: [{cell, area, volume, components, balls: [...], middle: [x, y, z], point: [x, y, z], clearance,\n"
     "clearance_bound}, ...], smaller; cell is its number in the library, components how many pieces of the union lie "
@@ -185,6 +187,7 @@ static const char contacts_text[] =
     "  --by residue|chain     sums over the contacts between residues or chains, instead of those between balls\n"
     "  --cells                also volume, free area and contact area of every ball's cell\n"
     "  --least A              list only contacts, or sums, of area A or more\n"
+    "  --csv                  print the list as comma-separated values and nothing else\n"
     "  --map OUT.svg          also a picture of the list: a square for each pair, darker the larger its area\n"
     "  --trajectory RUN, --frames A:B:S\n"
     "                         for every frame a row of numbers, or with --json a line with the list: see measure\n"
@@ -192,7 +195,8 @@ static const char contacts_text[] =
     "JSON: n, contacts, area, pairs: [{balls: [i, j], area, edge, distance}, ...], with --by pairs: [{residues:\n"
     "[\"A:THR:1\", \"A:THR:2\"], area, edge, atom_pairs}, ...] or chains: [\"A\", \"B\"]; with --cells cells: "
     "[{volume, area,\n"
-    "contact}, ...] in the order of the file.\n"
+    "contact}, ...] in the order of the file; without --by or with --cells balls: [{ball, atom, element, chain,\n"
+    "residue, number, insertion, xyz, radius}, ...] as far as the file says them.\n"
     "\n";
 
 static const char complex_text[] =
@@ -297,8 +301,10 @@ static const char clash_text[] =
     "                         centres\n"
     "  --translate X,Y,Z      then move it\n"
     "Example: hardsphere clash 1crn.pdb caffeine.pdb --rotate 0,90,0 --translate 12,0,3.5\n"
-    "JSON: hit, pairs: [[first, second], ...], gap, nearest: [first, second], overlap_volume, fixed: {n, input} and\n"
-    "moving: {n, input}; balls by their indices in the order of their files, counted from 0.\n"
+    "JSON: hit, pairs: [[first, second], ...], gap, nearest: [first, second], overlap_volume, nearest_balls: [{ball, "
+    "...},\n"
+    "{ball, ...}] with what these are called, fixed: {n, input} and moving: {n, input}; balls by their indices in the\n"
+    "order of their files, counted from 0.\n"
     "\n";
 
 static const char map_text[] =

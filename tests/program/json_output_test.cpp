@@ -161,8 +161,10 @@ TEST(JsonOutput, ShellsAndVoidsHaveTheirKeys) {
 TEST(JsonOutput, ContactsAndComplexHaveTheirKeys) {
   for (const std::string &file : files) {
     const Json plain = run_json({"contacts", file});
-    EXPECT_EQ(plain.keys, (Keys{"n", "contacts", "area", "pairs", "input"})) << file;
+    EXPECT_EQ(plain.keys, (Keys{"n", "contacts", "area", "pairs", "balls", "input"})) << file;
     EXPECT_EQ(static_cast<double>(plain["pairs"].items.size()), plain["contacts"].number) << file;
+    EXPECT_EQ(static_cast<double>(plain["balls"].items.size()), plain["n"].number) << file;
+    for (const Json &ball : plain["balls"].items) EXPECT_EQ(ball.keys, ball_keys(file, {})) << file;
     double sum = 0.0;
     for (const Json &pair : plain["pairs"].items) {
       EXPECT_EQ(pair.keys, (Keys{"balls", "area", "edge", "distance"})) << file;
