@@ -7,6 +7,7 @@
 #include "option_reader.h"
 #include "read_molecule.h"
 #include "request_check.h"
+#include "suggestion.h"
 
 struct reading {
   struct request *request;
@@ -20,18 +21,21 @@ struct reading {
   struct failure *failure;
 };
 
+const char *command_name(enum command command) {
+  static const char *const names[] = {
+      [COMMAND_MODEL] = "model",     [COMMAND_BOUNDARY] = "boundary", [COMMAND_MEASURE] = "measure",
+      [COMMAND_QUERY] = "query",     [COMMAND_VOIDS] = "voids",       [COMMAND_CONTACTS] = "contacts",
+      [COMMAND_COMPLEX] = "complex", [COMMAND_CELLS] = "cells",       [COMMAND_PATH] = "path",
+      [COMMAND_GATE] = "gate",       [COMMAND_CLASH] = "clash",       [COMMAND_MESH] = "mesh",
+      [COMMAND_MAP] = "map",         [COMMAND_PICK] = "pick",         [COMMAND_DRAW] = "draw"};
+  return names[command];
+}
+
 bool command_find(const char *name, enum command *command) {
-  static const char *const names[] = {"model", "boundary", "measure", "query", "voids", "contacts", "complex", "cells",
-                                      "path",  "gate",     "clash",   "mesh",  "map",   "pick",     "draw"};
-  static const enum command commands[] = {COMMAND_MODEL, COMMAND_BOUNDARY, COMMAND_MEASURE, COMMAND_QUERY,
-                                          COMMAND_VOIDS, COMMAND_CONTACTS, COMMAND_COMPLEX, COMMAND_CELLS,
-                                          COMMAND_PATH,  COMMAND_GATE,     COMMAND_CLASH,   COMMAND_MESH,
-                                          COMMAND_MAP,   COMMAND_PICK,     COMMAND_DRAW};
-  for (size_t i = 0; i < sizeof commands / sizeof commands[0]; ++i) {
-    if (strcmp(name, names[i]) == 0) {
-      *command = commands[i];
-      return true;
-    }
+  for (int each = 0; each <= COMMAND_DRAW; ++each) {
+    if (strcmp(name, command_name((enum command)each)) != 0) continue;
+    *command = (enum command)each;
+    return true;
   }
   return false;
 }
@@ -397,8 +401,10 @@ static bool take_argument(struct reading *reading, const char *argument) {
   if (request->command == COMMAND_QUERY && option_is(argument, "--ball", &value)) {
     return take_query(reading, QUERY_BALL, value);
   }
-  char shown[EXCERPT_BYTES];
-  return failure_in_usage(reading->failure, "unknown option '%s'", excerpt(shown, argument, strlen(argument)));
+  char shown[EXCERPT_BYTES], suggestion[SUGGESTION_BYTES];
+  return failure_in_usage(reading->failure, "unknown option '%s';%s see hardsphere %s --help",
+                          excerpt(shown, argument, strlen(argument)),
+                          suggest_option(request->command, argument, suggestion), command_name(request->command));
 }
 
 /* The format of what is read: what the user says, or what its name says. */
@@ -414,7 +420,10 @@ static bool find_format(struct reading *reading) {
 static bool check(struct reading *reading) {
   struct request *request = reading->request;
   if (request->list_radii) return true;
-  if (request->file == NULL) return failure_in_usage(reading->failure, "no file is given");
+  if (request->file == NULL) {
+    return failure_in_usage(reading->failure, "no file is given; see hardsphere %s --help",
+                            command_name(request->command));
+  }
   if (request->command == COMMAND_QUERY && request->query == QUERY_NONE) {
     return failure_in_usage(reading->failure, "query needs --point X Y Z or --ball X Y Z R");
   }

@@ -34,6 +34,8 @@ enum command {
   COMMAND_DRAW
 };
 
+const char *command_name(enum command command);
+
 /* The command of that name; false if there is none. */
 bool command_find(const char *name, enum command *command);
 

@@ -14,6 +14,7 @@
 #include "radii_list.h"
 #include "read_molecule.h"
 #include "several_files.h"
+#include "suggestion.h"
 #include "text_buffer.h"
 #include "usage.h"
 
@@ -158,27 +159,44 @@ static bool asks_for_help(int count, char **arguments) {
   return false;
 }
 
+static bool find_command(const char *name, enum command *command, struct failure *failure) {
+  if (command_find(name, command)) return true;
+  char shown[EXCERPT_BYTES];
+  const char *suggestion = suggest_command(name);
+  return failure_in_usage(failure, "unknown command '%s';%s%s%s see hardsphere --help",
+                          excerpt(shown, name, strlen(name)), suggestion != NULL ? " did you mean " : "",
+                          suggestion != NULL ? suggestion : "", suggestion != NULL ? "?" : "");
+}
+
+/* help, help COMMAND. */
+static bool print_help(int count, char **arguments, struct text_buffer *out, struct failure *failure) {
+  enum command command;
+  if (count == 1) {
+    usage_of_program(out);
+    return true;
+  }
+  if (count > 2) return failure_in_usage(failure, "%s takes one command", arguments[0]);
+  if (!find_command(arguments[1], &command, failure)) return false;
+  usage_of_command(out, command);
+  return true;
+}
+
 static bool run(int count, char **arguments, struct text_buffer *out, struct failure *failure) {
   if (count < 1) return failure_in_usage(failure, "no command is given; see hardsphere --help");
   const char *first = arguments[0];
-  if (strcmp(first, "--help") == 0 || strcmp(first, "-h") == 0 || strcmp(first, "--version") == 0) {
+  if (strcmp(first, "--help") == 0 || strcmp(first, "-h") == 0 || strcmp(first, "help") == 0) {
+    return print_help(count, arguments, out, failure);
+  }
+  if (strcmp(first, "--version") == 0 || strcmp(first, "-V") == 0) {
     if (count > 1) return failure_in_usage(failure, "%s stands alone", first);
-    if (strcmp(first, "--version") == 0) {
-      usage_version(out);
-    } else {
-      usage_of_program(out);
-    }
+    usage_version(out);
     return true;
   }
   if ((count == 1 && strcmp(first, "--radii=list") == 0) || (count == 2 && strcmp(first, "--radii") == 0)) {
     if (count == 1 || strcmp(arguments[1], "list") == 0) return radii_list_print(out, failure);
   }
   enum command command;
-  if (!command_find(first, &command)) {
-    char shown[EXCERPT_BYTES];
-    return failure_in_usage(failure, "unknown command '%s'; see hardsphere --help",
-                            excerpt(shown, first, strlen(first)));
-  }
+  if (!find_command(first, &command, failure)) return false;
   if (asks_for_help(count - 1, arguments + 1)) {
     usage_of_command(out, command);
     return true;

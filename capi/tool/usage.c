@@ -22,7 +22,7 @@ static const char overview[] =
     "ball\n"
     "  hardsphere pick     FILE --at X,Y    the ball that is seen at a point\n"
     "  hardsphere draw     FILE -o OUT      a picture with hidden parts removed: .svg, .eps or .pdf\n"
-    "  hardsphere COMMAND --help            more about a command\n"
+    "  hardsphere COMMAND --help            more about a command; hardsphere help COMMAND, too\n"
     "  hardsphere --version\n"
     "\n";
 
