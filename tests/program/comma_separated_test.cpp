@@ -10,6 +10,7 @@
 
 #include "json_outcome.hpp"
 #include "program_runner.hpp"
+#include "temporary_file.hpp"
 
 namespace {
 
@@ -237,6 +238,17 @@ TEST(Tables, HaveFixedDecimals) {
     const std::regex exponent("[0-9]e[-+][0-9]");
     for (std::string line; std::getline(lines, line);) EXPECT_FALSE(std::regex_search(line, exponent)) << line;
   }
+}
+
+// What four decimals would show as nothing is not 0: two balls that hardly meet. Without a unit it has an exponent.
+TEST(Tables, SayWhatIsNearlyNothing) {
+  const TemporaryFile pair("pair.xyz", "2\n\nC 0 0 0\nC 0 0 3.4\n");
+  const TemporaryFile plain("pair.xyzr", "0 0 0 1.700001\n0 0 3.4 1.700001\n");
+  const std::string with_unit = run_program({"contacts", pair.path(), "--radius", "C=1.700001"}).out;
+  EXPECT_NE(with_unit.find("  <0.0001  "), std::string::npos) << with_unit;
+  EXPECT_NE(with_unit.find("  3.4000\n"), std::string::npos) << with_unit;
+  const std::string without = run_program({"contacts", plain.path()}).out;
+  EXPECT_NE(without.find("e-05  "), std::string::npos) << without;
 }
 
 }  // namespace
