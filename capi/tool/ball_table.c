@@ -157,13 +157,6 @@ static void csv_header(enum molecule_format format, const struct derivative deri
   text_buffer_add(out, "\n");
 }
 
-static void csv_numbers(struct text_buffer *out, const double *numbers, int count) {
-  for (int i = 0; i < count; ++i) {
-    text_buffer_add(out, ",");
-    csv_number(out, numbers[i]);
-  }
-}
-
 void ball_table_csv(const struct molecule *molecule, const struct measurement *measurement, struct text_buffer *out) {
   struct derivative derivatives[DERIVATIVES];
   list_derivatives(measurement, derivatives);

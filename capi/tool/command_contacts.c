@@ -300,13 +300,6 @@ static void print_cells(const struct molecule *molecule, const struct findings *
   }
 }
 
-static void csv_numbers(struct text_buffer *out, const double *numbers, int count) {
-  for (int i = 0; i < count; ++i) {
-    text_buffer_add(out, ",");
-    csv_number(out, numbers[i]);
-  }
-}
-
 static void csv_pairs(const struct request *request, const struct molecule *molecule, const struct findings *found,
                       struct text_buffer *out) {
   ball_label_csv_titles(molecule->format, "_1", out);

@@ -97,13 +97,14 @@ static void print_csv(const struct void_list *list, struct text_buffer *out) {
   for (uint32_t i = 0; i < list->count; ++i) {
     const struct void_cell *of = &list->voids[i];
     const struct void_room *room = &of->room;
-    const double numbers[] = {of->figures.volume, of->figures.area, room->xyz[0], room->xyz[1],
-                              room->xyz[2],       room->clearance,  room->bound};
+    const double numbers[] = {of->figures.volume, of->figures.area};
+    const double none[] = {NAN, NAN, NAN};
+    const double clearance = room->found ? room->clearance : NAN;
     text_buffer_add(out, "%" PRIu32, i + 1);
-    for (int k = 0; k < 7; ++k) {
-      text_buffer_add(out, ",");
-      csv_number(out, k < 2 || k == 6 || room->found ? numbers[k] : NAN);
-    }
+    csv_numbers(out, numbers, 2);
+    csv_numbers(out, room->found ? room->xyz : none, 3);
+    csv_numbers(out, &clearance, 1);
+    csv_numbers(out, &room->bound, 1);
     text_buffer_add(out, ",%" PRIu32 ",%" PRIu32 "\n", of->ball_count, of->figures.components);
   }
 }

@@ -46,9 +46,12 @@ static double farthest_in_box(const struct void_wall *wall, uint32_t ball, const
   return sqrt(sum) - (wall->radius[ball] + wall->probe);
 }
 
-static double clearance_of(const struct void_wall *wall, const double point[3]) {
+/* Of a point: not above `most` if it has no more. */
+static double clearance_of(const struct void_wall *wall, const double point[3], double most) {
   double least = HUGE_VAL;
-  for (uint32_t k = 0; k < wall->ball_count; ++k) least = fmin(least, distance_to(wall, wall->balls[k], point));
+  for (uint32_t k = 0; k < wall->ball_count && least > most; ++k) {
+    least = fmin(least, distance_to(wall, wall->balls[k], point));
+  }
   return least;
 }
 
@@ -202,8 +205,19 @@ static int find_equally_far(const struct void_wall *wall, const uint32_t balls[4
   return count;
 }
 
-/* Offer the centres of the spheres that touch four of these balls. */
-static bool offer_centres(struct search *search, const uint32_t *balls, size_t count, struct failure *failure) {
+/* Whether the point lies in the box, or beside it by no more than it may have been rounded. NULL: everywhere. */
+static bool lies_in_box(const double point[3], const struct box *box) {
+  const double slack = 1e-6;
+  for (int axis = 0; box != NULL && axis < 3; ++axis) {
+    const double away = fabs(point[axis] - box->centre[axis]);
+    if (!(away <= (1.0 + slack) * box->half[axis] + slack * slack * fabs(point[axis]))) return false;
+  }
+  return true;
+}
+
+/* Offer the centres, in a box, of the spheres that touch four of these balls. */
+static bool offer_centres(struct search *search, const struct box *box, const uint32_t *balls, size_t count,
+                          struct failure *failure) {
   const struct void_wall *wall = search->wall;
   for (unsigned chosen = 0; chosen < 1U << count; ++chosen) {
     uint32_t four[4];
@@ -219,8 +233,9 @@ static bool offer_centres(struct search *search, const uint32_t *balls, size_t c
       const double *origin = wall->xyz + 3 * (size_t)four[0];
       const double point[3] = {origin[0] + points[i][0], origin[1] + points[i][1], origin[2] + points[i][2]};
       const double least = search->room->clearance;
-      if (!(points[i][3] > least)) continue;
-      const double clearance = clearance_of(wall, point);
+      if (!(points[i][3] > least) || !lies_in_box(point, box)) continue;
+      search->compared += wall->ball_count;
+      const double clearance = clearance_of(wall, point, least);
       bool inside = false;
       if (clearance > least && !offer(search, point, clearance, &inside, failure)) return false;
     }
@@ -235,7 +250,7 @@ static bool look_at_box(struct search *search, struct failure *failure) {
   const size_t balls = box.behind - box.first;
   search->compared += balls;
   if (!(box.most > search->room->clearance)) return true;
-  if (balls <= FEW_BALLS) return offer_centres(search, search->nearby + box.first, balls, failure);
+  if (balls <= FEW_BALLS) return offer_centres(search, &box, search->nearby + box.first, balls, failure);
   if (search->room->found && box.most <= search->room->clearance * (1.0 + ROOM_TOLERANCE)) {
     search->left = fmax(search->left, box.most);
     return true;
@@ -296,7 +311,7 @@ bool void_room_find(const struct geometry *geometry, const struct void_wall *wal
   if (done && room->found) {
     const double best[3] = {room->xyz[0], room->xyz[1], room->xyz[2]};
     uint32_t nearest[FEW_BALLS];
-    done = offer_centres(&search, nearest, nearest_balls(wall, best, nearest), failure);
+    done = offer_centres(&search, NULL, nearest, nearest_balls(wall, best, nearest), failure);
   }
   room->bound = fmax(search.left, room->clearance);
   free(search.boxes);

@@ -30,7 +30,7 @@ struct void_room {
   double bound;
 };
 
-enum { ROOM_MOST_COMPARED = 1 << 24 };
+enum { ROOM_MOST_COMPARED = 1 << 26 };
 
 /* Find it, for a computed topology. False: memory is short, or the library refuses. */
 bool void_room_find(const struct geometry *geometry, const struct void_wall *wall, struct void_room *room,
