@@ -117,8 +117,7 @@ static bool write_labels(const struct writer *writer, struct failure *failure) {
 /* ---- the scale bar ---- */
 
 static const char *unit_of(const struct molecule *molecule) {
-  if (strcmp(format_unit(molecule->format), "angstrom") == 0) return " \xC3\x85";
-  return molecule->format == FORMAT_GRO ? " nm" : "";
+  return molecule->format == FORMAT_XYZR ? "" : " \xC3\x85";
 }
 
 /* The largest of 1, 2, 5, 10, .. that is no longer than that. */

@@ -5,8 +5,9 @@
 #include "interface.h"
 #include "number.h"
 #include "option_reader.h"
-#include "output_file.h"
 #include "read_molecule.h"
+#include "request_check.h"
+#include "suggestion.h"
 
 struct reading {
   struct request *request;
@@ -20,18 +21,21 @@ struct reading {
   struct failure *failure;
 };
 
+const char *command_name(enum command command) {
+  static const char *const names[] = {
+      [COMMAND_MODEL] = "model",     [COMMAND_BOUNDARY] = "boundary", [COMMAND_MEASURE] = "measure",
+      [COMMAND_QUERY] = "query",     [COMMAND_VOIDS] = "voids",       [COMMAND_CONTACTS] = "contacts",
+      [COMMAND_COMPLEX] = "complex", [COMMAND_CELLS] = "cells",       [COMMAND_PATH] = "path",
+      [COMMAND_GATE] = "gate",       [COMMAND_CLASH] = "clash",       [COMMAND_MESH] = "mesh",
+      [COMMAND_MAP] = "map",         [COMMAND_PICK] = "pick",         [COMMAND_DRAW] = "draw"};
+  return names[command];
+}
+
 bool command_find(const char *name, enum command *command) {
-  static const char *const names[] = {"model", "boundary", "measure", "query", "voids", "contacts", "complex", "cells",
-                                      "path",  "gate",     "clash",   "mesh",  "map",   "pick",     "draw"};
-  static const enum command commands[] = {COMMAND_MODEL, COMMAND_BOUNDARY, COMMAND_MEASURE, COMMAND_QUERY,
-                                          COMMAND_VOIDS, COMMAND_CONTACTS, COMMAND_COMPLEX, COMMAND_CELLS,
-                                          COMMAND_PATH,  COMMAND_GATE,     COMMAND_CLASH,   COMMAND_MESH,
-                                          COMMAND_MAP,   COMMAND_PICK,     COMMAND_DRAW};
-  for (size_t i = 0; i < sizeof commands / sizeof commands[0]; ++i) {
-    if (strcmp(name, names[i]) == 0) {
-      *command = commands[i];
-      return true;
-    }
+  for (int each = 0; each <= COMMAND_DRAW; ++each) {
+    if (strcmp(name, command_name((enum command)each)) != 0) continue;
+    *command = (enum command)each;
+    return true;
   }
   return false;
 }
@@ -147,6 +151,24 @@ static bool take_at(struct reading *reading, const char *value) {
   return option_numbers(&reading->options, "--at", value, "XY", at->xyz);
 }
 
+/* X Y Z, or of `gate` void:K. */
+static bool take_place(struct reading *reading, const char *option, const char *value, struct place *place) {
+  static const char word[] = "void:";
+  const struct option_reader *options = &reading->options;
+  const char *text = value != NULL ? value : options->left > 0 ? options->rest[0] : "";
+  if (reading->request->command != COMMAND_GATE || strncmp(text, word, strlen(word)) != 0) {
+    return option_vector(&reading->options, option, value, false, &place->point);
+  }
+  if (value == NULL) option_next(&reading->options);
+  if (place->point.given) return failure_in_usage(reading->failure, "%s is given twice", option);
+  place->point.given = true;
+  const char *rank = text + strlen(word);
+  if (number_parse_count(rank, strlen(rank), &place->of_void) == NUMBER_OK && place->of_void > 0) return true;
+  char shown[EXCERPT_BYTES];
+  return failure_in_usage(reading->failure, "%s: '%s' is not the number of a void, from 1 on", option,
+                          excerpt(shown, rank, strlen(rank)));
+}
+
 static bool take_format(struct reading *reading, const char *value) {
   char list[FORMAT_LIST_BYTES];
   molecule_format_list(list, "");
@@ -203,7 +225,6 @@ static bool take_measure_option(struct reading *reading, const char *argument, b
   if (strcmp(argument, "--per-ball") == 0) flag = &request->per_ball;
   if (strcmp(argument, "--gradient") == 0) flag = &request->gradient;
   if (strcmp(argument, "--curvature") == 0) flag = &request->curvature;
-  if (strcmp(argument, "--csv") == 0) flag = &request->csv;
   if (strcmp(argument, "--polar") == 0) flag = &request->polar;
   if (strcmp(argument, "--relative") == 0) flag = &request->relative;
   if (strcmp(argument, "--outer") == 0) flag = &request->outer;
@@ -301,6 +322,12 @@ static bool take_argument(struct reading *reading, const char *argument) {
   bool known = false;
   if (!take_selection_option(reading, argument, &known)) return false;
   if (known) return true;
+  const bool lists = request->command == COMMAND_CONTACTS || request->command == COMMAND_VOIDS ||
+                     request->command == COMMAND_BOUNDARY || request->command == COMMAND_MEASURE;
+  if (lists && strcmp(argument, "--csv") == 0) {
+    request->csv = true;
+    return true;
+  }
   const bool counts_areas = request->command == COMMAND_MEASURE || request->command == COMMAND_CONTACTS;
   if ((counts_areas || request->command == COMMAND_BOUNDARY) && option_is(argument, "--box", &value)) {
     return box_take_option(&request->box, &reading->options, value);
@@ -341,12 +368,8 @@ static bool take_argument(struct reading *reading, const char *argument) {
     return option_vector(&reading->options, "--translate", value, false, &request->translate);
   }
   if (request->command == COMMAND_PATH || request->command == COMMAND_GATE) {
-    if (option_is(argument, "--from", &value)) {
-      return option_vector(&reading->options, "--from", value, false, &request->from);
-    }
-    if (option_is(argument, "--to", &value)) {
-      return option_vector(&reading->options, "--to", value, false, &request->to);
-    }
+    if (option_is(argument, "--from", &value)) return take_place(reading, "--from", value, &request->from);
+    if (option_is(argument, "--to", &value)) return take_place(reading, "--to", value, &request->to);
   }
   if (request->command == COMMAND_BOUNDARY && strcmp(argument, "--shells") == 0) {
     request->shells = true;
@@ -378,108 +401,10 @@ static bool take_argument(struct reading *reading, const char *argument) {
   if (request->command == COMMAND_QUERY && option_is(argument, "--ball", &value)) {
     return take_query(reading, QUERY_BALL, value);
   }
-  char shown[EXCERPT_BYTES];
-  return failure_in_usage(reading->failure, "unknown option '%s'", excerpt(shown, argument, strlen(argument)));
-}
-
-/* What goes with a trajectory, of which each frame has one line. */
-static bool check_trajectory(struct reading *reading) {
-  struct request *request = reading->request;
-  const char *path = request->trajectory;
-  if (path == NULL) {
-    return !request->frames_given || failure_in_usage(reading->failure, "--frames needs --trajectory");
-  }
-  if (request->files > 1) return failure_in_usage(reading->failure, "--trajectory takes one file at a time");
-  if (request->pdb_out != NULL) return failure_in_usage(reading->failure, "--pdb-out is not for a --trajectory");
-  if (request->map != NULL) return failure_in_usage(reading->failure, "--map is not for a --trajectory");
-  if (request->csv && request->json) return true; /* refused with the options of measure */
-  const char *longer = request->per_ball              ? "--per-ball"
-                       : request->gradient            ? "--gradient"
-                       : request->by != GROUPING_NONE ? "--by"
-                       : request->cells               ? "--cells"
-                                                      : NULL;
-  if (longer != NULL && !request->json) {
-    return failure_in_usage(reading->failure, "%s has no place in the one row of a frame: it needs --json", longer);
-  }
-  request->csv = false; /* it is the table of frames anyway */
-  if (!input_is_standard(path)) return true;
-  if (input_is_standard(request->file) || (request->weights != NULL && input_is_standard(request->weights))) {
-    return failure_in_usage(reading->failure, "standard input is one file, not two");
-  }
-  if (format_has_frames(request->format)) return true;
-  return failure_in_usage(reading->failure, "--trajectory from standard input is .pdb, .xyz or .gro, as FILE is");
-}
-
-/* Which options of `measure` go together, and with the format of the file. */
-static bool check_measure(struct reading *reading) {
-  const struct request *request = reading->request;
-  if (request->csv && request->json) {
-    return failure_in_usage(reading->failure, "one form of output at a time: either --csv or --json");
-  }
-  if (request->csv && request->by != GROUPING_NONE && (request->per_ball || request->gradient)) {
-    return failure_in_usage(reading->failure, "--csv prints one table: either of balls or --by %s",
-                            request->by == GROUPING_RESIDUE ? "residue" : "chain");
-  }
-  if (request->by != GROUPING_NONE && !format_has_residues(request->format)) {
-    return failure_in_usage(reading->failure, "--by has no use here: .xyzr and .xyz files have no residues");
-  }
-  if (request->relative && request->by != GROUPING_RESIDUE) {
-    return failure_in_usage(reading->failure, "--relative needs --by residue");
-  }
-  if (request->relative && request->probe == 0.0) {
-    return failure_in_usage(reading->failure,
-                            "--relative compares solvent-accessible areas: it needs a probe, --probe 1.4");
-  }
-  if (request->polar && !format_has_elements(request->format)) {
-    return failure_in_usage(reading->failure, "--polar has no use here: the file names no elements");
-  }
-  if (request->interface != NULL && !format_has_residues(request->format)) {
-    return failure_in_usage(reading->failure, "--interface has no use here: the file names no chains");
-  }
-  if (request->csv && (request->polar || request->interface != NULL)) {
-    return failure_in_usage(reading->failure, "--csv prints one table, of balls or of groups: %s has no place in it",
-                            request->polar ? "--polar" : "--interface");
-  }
-  if (request->surface_seen && request->probe == 0.0) {
-    return failure_in_usage(reading->failure, "--surface needs a probe, --probe 1.4");
-  }
-  if (request->outer && !request->excluded_surface) {
-    return failure_in_usage(reading->failure, "--outer is for the solvent-excluded surface: it needs --surface ses");
-  }
-  if (request->excluded_surface && request->weights != NULL && request->gradient) {
-    return failure_in_usage(reading->failure,
-                            "--gradient with --weights is of the solvent-accessible surface: not with --surface ses");
-  }
-  if (request->excluded_surface && (request->relative || request->interface != NULL)) {
-    return failure_in_usage(reading->failure,
-                            "%s is of the solvent-accessible surface: it has no use with --surface ses",
-                            request->relative ? "--relative" : "--interface");
-  }
-  if (request->curvature && request->excluded_surface) {
-    return failure_in_usage(reading->failure,
-                            "--curvature is of the solvent-accessible surface: it has no use with --surface ses");
-  }
-  if (request->curvature && request->csv) {
-    return failure_in_usage(reading->failure,
-                            "--csv prints one table, of balls or of groups: --curvature has no place "
-                            "in it");
-  }
-  if (request->pdb_out != NULL && request->format != FORMAT_PDB) {
-    return failure_in_usage(reading->failure, "--pdb-out has no use here: it writes a .pdb file again");
-  }
-  return true;
-}
-
-/* What is of the outside, or not computed in a box. */
-static bool check_box(struct reading *reading) {
-  const struct request *request = reading->request;
-  if (request->box.source == BOX_NONE) return true;
-  const char *other = request->excluded_surface    ? "--surface ses"
-                      : request->interface != NULL ? "--interface"
-                      : request->shells            ? "--shells"
-                      : request->pdb_out != NULL   ? "--pdb-out"
-                                                   : NULL;
-  return other == NULL || failure_in_usage(reading->failure, "%s is not for a --box", other);
+  char shown[EXCERPT_BYTES], suggestion[SUGGESTION_BYTES];
+  return failure_in_usage(reading->failure, "unknown option '%s';%s see hardsphere %s --help",
+                          excerpt(shown, argument, strlen(argument)),
+                          suggest_option(request->command, argument, suggestion), command_name(request->command));
 }
 
 /* The format of what is read: what the user says, or what its name says. */
@@ -492,116 +417,36 @@ static bool find_format(struct reading *reading) {
   return failure_in_usage(reading->failure, "standard input has no extension: --format says what it is");
 }
 
-/* What goes with one file alone. */
-static bool check_several(struct reading *reading) {
-  const struct request *request = reading->request;
-  if (request->command == COMMAND_CLASH) {
-    return request->files == 2 ||
-           failure_in_usage(reading->failure,
-                            "clash takes two files: the molecule at rest, then the one that is moved");
-  }
-  if (request->files < 2) return true;
-  if (request->command == COMMAND_DRAW) return failure_in_usage(reading->failure, "draw takes one file at a time");
-  if (request->command == COMMAND_MESH) return failure_in_usage(reading->failure, "mesh takes one file at a time");
-  if (request->pdb_out != NULL) return failure_in_usage(reading->failure, "--pdb-out takes one file at a time");
-  if (request->map != NULL) return failure_in_usage(reading->failure, "--map takes one file at a time");
-  if (request->weights != NULL && input_is_standard(request->weights)) {
-    return failure_in_usage(reading->failure, "weights from standard input serve for one file");
-  }
-  return true;
-}
-
-/* Nothing that is read is written over, and standard streams serve for one thing. */
-static bool check_files(struct reading *reading) {
-  const struct request *request = reading->request;
-  const bool draws = request->command == COMMAND_DRAW;
-  const bool meshes = request->command == COMMAND_MESH;
-  const bool maps = request->map != NULL;
-  const char *option = draws || meshes ? "-o" : maps ? "--map" : "--pdb-out";
-  const char *out = draws    ? request->drawing.out
-                    : meshes ? request->meshing.out
-                    : maps   ? request->map
-                             : request->pdb_out;
-  if (request->weights != NULL && input_is_standard(request->file) && input_is_standard(request->weights)) {
-    return failure_in_usage(reading->failure, "standard input is either the molecule or its weights");
-  }
-  if (out == NULL) return true;
-  const size_t length = strlen(out);
-  if (maps && !output_is_standard(out) && (length < 5 || strcmp(out + length - 4, ".svg") != 0)) {
-    return failure_in_usage(reading->failure, "--map writes an .svg file, and its name says so");
-  }
-  if (output_is_input(out, request->file) || (request->weights != NULL && output_is_input(out, request->weights)) ||
-      (request->radii_file != NULL && output_is_input(out, request->radii_file)) ||
-      (draws && request->drawing.colour_file != NULL && output_is_input(out, request->drawing.colour_file))) {
-    return failure_in_usage(reading->failure, "%s would write over the file that is read", option);
-  }
-  if (output_is_standard(out) && (request->json || request->csv)) {
-    return failure_in_usage(reading->failure, "%s and %s would both go to standard output", option,
-                            request->json ? "--json" : "--csv");
-  }
-  return true;
-}
-
-/* Whether the file says what colours are to stand for, and what labels name. */
-static bool check_colours(struct reading *reading) {
-  const struct request *request = reading->request;
-  const int colour = request->drawing.colour;
-  if ((colour == COLOUR_CHAIN || colour == COLOUR_RESIDUE) && !format_has_residues(request->format)) {
-    return failure_in_usage(reading->failure, "--colour %s has no use here: the file names no residues",
-                            colour == COLOUR_CHAIN ? "chain" : "residue");
-  }
-  if (request->drawing.label > LABEL_ATOM && !format_has_residues(request->format)) {
-    return failure_in_usage(reading->failure, "--label %s has no use here: the file names no residues",
-                            request->drawing.label == LABEL_CHAIN ? "chain" : "residue");
-  }
-  if (colour == COLOUR_BFACTOR && request->format != FORMAT_PDB && request->format != FORMAT_CIF) {
-    return failure_in_usage(reading->failure, "--colour bfactor is for .pdb and .cif files");
-  }
-  if (colour == COLOUR_CHARGE && request->format != FORMAT_PQR) {
-    return failure_in_usage(reading->failure, "--colour charge is for .pqr files");
-  }
-  return true;
-}
-
 static bool check(struct reading *reading) {
   struct request *request = reading->request;
   if (request->list_radii) return true;
-  if (request->file == NULL) return failure_in_usage(reading->failure, "no file is given");
+  if (request->file == NULL) {
+    return failure_in_usage(reading->failure, "no file is given; see hardsphere %s --help",
+                            command_name(request->command));
+  }
   if (request->command == COMMAND_QUERY && request->query == QUERY_NONE) {
     return failure_in_usage(reading->failure, "query needs --point X Y Z or --ball X Y Z R");
   }
   if (request->command == COMMAND_PICK && !request->at.given) {
     return failure_in_usage(reading->failure, "pick needs --at X Y");
   }
-  if (request->command == COMMAND_PATH && !(request->from.given && request->to.given)) {
+  if (request->command == COMMAND_PATH && !(request->from.point.given && request->to.point.given)) {
     return failure_in_usage(reading->failure, "path needs --from X Y Z and --to X Y Z");
   }
-  if (request->command == COMMAND_GATE && !request->from.given) {
-    return failure_in_usage(reading->failure, "gate needs --from X Y Z");
+  if (request->command == COMMAND_GATE && !request->from.point.given) {
+    return failure_in_usage(reading->failure, "gate needs --from X Y Z or --from void:K");
   }
-  if (request->command == COMMAND_GATE && reading->probe_seen) {
-    return failure_in_usage(reading->failure, "gate finds the probe: --probe is not for it");
+  if (request->command == COMMAND_GATE && reading->probe_seen && request->from.of_void == 0 &&
+      request->to.of_void == 0) {
+    return failure_in_usage(reading->failure, "gate finds the probe: --probe is for --from void:K alone");
   }
   if (!viewing_check(&request->viewing, reading->failure)) return false;
-  if (!check_several(reading) || !find_format(reading)) return false;
+  if (!request_check_several(request, reading->failure) || !find_format(reading)) return false;
   if (format_has_radii(request->format) && (reading->radii_seen || reading->radius_seen)) {
     return failure_in_usage(reading->failure, "%s has no use here: .xyzr and .pqr files bring their own radii",
                             reading->radii_seen ? "--radii" : "--radius");
   }
-  if (!selection_suits(&request->selection, request->format, reading->failure)) return false;
-  if (!selection_suits(&request->highlight, request->format, reading->failure)) return false;
-  if (!check_trajectory(reading) || !check_measure(reading) || !check_box(reading)) return false;
-  if (request->command == COMMAND_DRAW && !drawing_check(&request->drawing, reading->failure)) return false;
-  if (request->command == COMMAND_DRAW && !check_colours(reading)) return false;
-  if (request->command == COMMAND_DRAW && drawing_is_of_sticks(&request->drawing) && request->probe > 0.0) {
-    return failure_in_usage(reading->failure, "--probe is not for --as ball-and-stick");
-  }
-  if (request->command == COMMAND_MESH) {
-    const bool viewed = viewing_is_given(&request->viewing);
-    if (!meshing_check(&request->meshing, request->probe, viewed, reading->failure)) return false;
-    request->excluded_surface = request->meshing.surface == MESH_SOLVENT_EXCLUDED;
-  }
-  if (!check_files(reading)) return false;
+  if (!request_check(request, reading->failure)) return false;
   return apply_overrides(reading) && load_table(reading);
 }
 

@@ -34,8 +34,16 @@ enum command {
   COMMAND_DRAW
 };
 
+const char *command_name(enum command command);
+
 /* The command of that name; false if there is none. */
 bool command_find(const char *name, enum command *command);
+
+/* A point, or where a void has most room. */
+struct place {
+  struct option_vector point; /* given in both cases */
+  uint64_t of_void;           /* its rank among those that `voids` lists, from 1 on; 0: the point is meant */
+};
 
 enum query_kind { QUERY_NONE, QUERY_POINT, QUERY_BALL };
 
@@ -80,7 +88,7 @@ struct request {
   struct viewing viewing;         /* of `map`, `pick` and `mesh`; of `clash` its rotation */
   struct option_vector translate; /* of `clash` */
   struct option_vector at;        /* of `pick`: x and y */
-  struct option_vector from, to;  /* of `path` and `gate` */
+  struct place from, to;          /* of `path` and `gate` */
   struct drawing drawing;         /* of `draw` */
   struct selection highlight;     /* likewise */
   const struct radii_set *set;

@@ -1,7 +1,6 @@
 #include "ball_table.h"
 
-#include <inttypes.h>
-
+#include "ball_label.h"
 #include "csv.h"
 #include "number.h"
 #include "report.h"
@@ -108,52 +107,10 @@ void ball_table_print(const struct request *request, const struct molecule *mole
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     char value[NUMBER_BYTES];
     report_ball(out, columns, molecule, i);
-    text_buffer_add(out, "  %14s", quantity_text(value, measurement->area[i], 4));
+    text_buffer_add(out, "  %14s", column_text(value, molecule->format, measurement->area[i], 4));
     print_free_part(measurement->area[i], molecule->radius[i] + request->probe, out);
     print_derivatives(gradients, with_decimals, i, out);
   }
-}
-
-/* What a ball is called, in the order of the keys and columns. */
-enum { MOST_NAMES = 6 };
-
-struct ball_name {
-  const char *key;
-  const char *text;
-};
-
-/* Which names there are follows from the format, not from what a file happens to leave empty. Returns how many. */
-static int list_names(enum molecule_format format, const struct atom_label *label, struct ball_name list[MOST_NAMES]) {
-  const struct residue_label *residue = &label->residue;
-  const bool residues = format_has_residues(format);
-  int count = 0;
-  if (residues) list[count++] = (struct ball_name){"atom", label->name};
-  if (!format_has_radii(format)) list[count++] = (struct ball_name){"element", label->element.text};
-  if (!residues) return count;
-  list[count++] = (struct ball_name){"chain", residue->chain};
-  list[count++] = (struct ball_name){"residue", residue->name};
-  list[count++] = (struct ball_name){"number", residue->number};
-  list[count++] = (struct ball_name){"insertion", residue->insertion};
-  return count;
-}
-
-static void json_label(const struct molecule *molecule, uint32_t ball, struct text_buffer *out) {
-  const struct atom_label *label = &molecule->label[ball];
-  struct ball_name names[MOST_NAMES];
-  const int count = list_names(molecule->format, label, names);
-  text_buffer_add(out, "\"ball\": %" PRIu32, ball);
-  for (int i = 0; i < count; ++i) {
-    text_buffer_add(out, ", \"%s\": ", names[i].key);
-    if (names[i].text == label->residue.number) {
-      json_residue_number(out, names[i].text);
-    } else {
-      json_text(out, names[i].text);
-    }
-  }
-  text_buffer_add(out, ", \"xyz\": ");
-  json_vector(out, molecule->xyz + 3 * (size_t)ball);
-  text_buffer_add(out, ", \"radius\": ");
-  json_number(out, molecule->radius[ball]);
 }
 
 void ball_table_json(const struct molecule *molecule, const struct measurement *measurement, struct text_buffer *out) {
@@ -162,7 +119,7 @@ void ball_table_json(const struct molecule *molecule, const struct measurement *
   text_buffer_add(out, "[");
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     text_buffer_add(out, "%s{", i == 0 ? "" : ", ");
-    json_label(molecule, i, out);
+    ball_label_json(molecule, i, out);
     text_buffer_add(out, ", \"area\": ");
     json_number(out, measurement->area[i]);
     if (measurement->weights != NULL) {
@@ -185,11 +142,7 @@ void ball_table_json(const struct molecule *molecule, const struct measurement *
 
 static void csv_header(enum molecule_format format, const struct derivative derivatives[DERIVATIVES], bool weights,
                        struct text_buffer *out) {
-  static const struct atom_label nobody = ATOM_LABEL_NONE;
-  struct ball_name names[MOST_NAMES];
-  const int count = list_names(format, &nobody, names);
-  text_buffer_add(out, "ball");
-  for (int i = 0; i < count; ++i) text_buffer_add(out, ",%s", names[i].key);
+  ball_label_csv_titles(format, "", out);
   text_buffer_add(out, ",x,y,z,radius,area");
   if (weights) text_buffer_add(out, ",weight");
   for (const struct derivative *of = derivatives; of != derivatives + DERIVATIVES; ++of) {
@@ -204,29 +157,12 @@ static void csv_header(enum molecule_format format, const struct derivative deri
   text_buffer_add(out, "\n");
 }
 
-static void csv_numbers(struct text_buffer *out, const double *numbers, int count) {
-  for (int i = 0; i < count; ++i) {
-    text_buffer_add(out, ",");
-    csv_number(out, numbers[i]);
-  }
-}
-
-static void csv_label(enum molecule_format format, const struct atom_label *label, struct text_buffer *out) {
-  struct ball_name names[MOST_NAMES];
-  const int count = list_names(format, label, names);
-  for (int i = 0; i < count; ++i) {
-    text_buffer_add(out, ",");
-    csv_text(out, names[i].text);
-  }
-}
-
 void ball_table_csv(const struct molecule *molecule, const struct measurement *measurement, struct text_buffer *out) {
   struct derivative derivatives[DERIVATIVES];
   list_derivatives(measurement, derivatives);
   csv_header(molecule->format, derivatives, measurement->weights != NULL, out);
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
-    text_buffer_add(out, "%" PRIu32, i);
-    csv_label(molecule->format, &molecule->label[i], out);
+    ball_label_csv(molecule, i, out);
     csv_numbers(out, molecule->xyz + 3 * (size_t)i, 3);
     csv_numbers(out, &molecule->radius[i], 1);
     csv_numbers(out, &measurement->area[i], 1);

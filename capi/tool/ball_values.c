@@ -6,9 +6,7 @@
 #include "geometry.h"
 #include "weights.h"
 
-/* The radius of a water molecule. */
-static const double water_angstrom = 1.4;
-static const double water_nanometre = 0.14;
+static const double water_radius = 1.4;
 
 static bool take_temperature_factors(const struct molecule *molecule, double *value, struct failure *failure) {
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
@@ -23,9 +21,8 @@ static bool take_temperature_factors(const struct molecule *molecule, double *va
 
 static bool find_free_areas(const struct molecule *molecule, double *value, struct failure *failure) {
   struct geometry geometry = {.work = {0}};
-  const double probe = molecule->format == FORMAT_GRO ? water_nanometre : water_angstrom;
-  bool done =
-      geometry_set_model(&geometry, molecule, probe, 0.0, failure) && geometry_compute_boundary(&geometry, failure);
+  bool done = geometry_set_model(&geometry, molecule, water_radius, 0.0, failure) &&
+              geometry_compute_boundary(&geometry, failure);
   if (done) {
     const int32_t status = hsp_boundary_measure(geometry.work.boundary, NULL, NULL, value, NULL, molecule->atoms, NULL);
     done = status == HSP_OK || failure_in_library(failure, status);

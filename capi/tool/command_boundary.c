@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "commands.h"
+#include "csv.h"
 #include "input_report.h"
 #include "periodic_result.h"
 #include "report.h"
@@ -58,6 +59,36 @@ static void print_json(const struct request *request, const struct molecule *mol
   text_buffer_add(out, "}\n");
 }
 
+/* A row of all counts, or one for each shell. */
+static void print_csv(const struct request *request, const struct counted *counted, struct text_buffer *out) {
+  const hsp_boundary_counts *counts = &counted->boundary;
+  if (!request->shells) {
+    text_buffer_add(out, "balls,vertices,arcs,circles,faces,exposed_balls,shells,components,voids,euler\n");
+    const uint32_t numbers[] = {counts->balls,
+                                counts->vertices,
+                                counts->arcs,
+                                counts->circles,
+                                counts->faces,
+                                counts->exposed_balls,
+                                counted->topology.shells,
+                                counted->topology.components,
+                                voids_of(counted)};
+    for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; ++k) text_buffer_add(out, "%" PRIu32 ",", numbers[k]);
+    text_buffer_add(out, "%" PRId64 "\n", euler_of(counted));
+    return;
+  }
+  text_buffer_add(out, "shell,kind,component,cell,faces,euler,genus,area,volume\n");
+  for (uint32_t i = 0; i < counted->shell_count; ++i) {
+    const hsp_shell *shell = &counted->shells[i];
+    text_buffer_add(out, "%" PRIu32 ",%s,%" PRIu32 ",%" PRIu32 ",%" PRIu32 ",%" PRId32 ",%" PRIu32 ",", i,
+                    kind_of(shell), shell->component, shell->cell, shell->faces, shell->euler, shell->genus);
+    csv_number(out, shell->area);
+    text_buffer_add(out, ",");
+    csv_number(out, shell->volume);
+    text_buffer_add(out, "\n");
+  }
+}
+
 static void print_shells(const struct molecule *molecule, const struct counted *counted, struct text_buffer *out) {
   char value[NUMBER_BYTES];
   const char *unit = format_unit(molecule->format);
@@ -71,8 +102,8 @@ static void print_shells(const struct molecule *molecule, const struct counted *
     text_buffer_add(out, "  %9" PRIu32 "  %-5s  %9" PRIu32, i, kind_of(shell), shell->component);
     text_buffer_add(out, "  %9s", count_text(value, shell->faces));
     text_buffer_add(out, "  %9s", count_text(value, shell->genus));
-    text_buffer_add(out, "  %20s", quantity_text(value, shell->area, 6));
-    text_buffer_add(out, "  %20s\n", quantity_text(value, shell->volume, 6));
+    text_buffer_add(out, "  %20s", column_text(value, molecule->format, shell->area, 4));
+    text_buffer_add(out, "  %20s\n", column_text(value, molecule->format, shell->volume, 4));
   }
 }
 
@@ -144,6 +175,8 @@ bool command_boundary(const struct request *request, const struct molecule *mole
   if (!geometry_list_shells(geometry, &counted.shells, &counted.shell_count, failure)) return false;
   if (request->json) {
     print_json(request, molecule, &counted, out);
+  } else if (request->csv) {
+    print_csv(request, &counted, out);
   } else {
     print_table(request, molecule, &counted, out);
   }

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "ball_label.h"
 #include "geometry.h"
 #include "input_report.h"
 #include "report.h"
@@ -129,21 +130,44 @@ static void print_json(const struct clashing *const both[2], const struct clash 
   text_buffer_add(out, ", \"nearest\": [%" PRIu32 ", %" PRIu32 "], \"overlap_volume\": ", clash->gap.fixed,
                   clash->gap.moving);
   json_number(out, clash->overlap.volume);
+  text_buffer_add(out, ", \"nearest_balls\": [{");
+  ball_label_json(both[0]->molecule, clash->gap.fixed, out);
+  text_buffer_add(out, "}, {");
+  ball_label_json(both[1]->molecule, clash->gap.moving, out);
+  text_buffer_add(out, "}]");
   input_json("fixed", both[0], out);
   input_json("moving", both[1], out);
   text_buffer_add(out, "}\n");
+}
+
+/* Both nearest balls in the columns that either file has something for. */
+static void print_nearest(const struct clashing *const both[2], const struct clash *clash, struct text_buffer *out) {
+  const uint32_t nearest[2] = {clash->gap.fixed, clash->gap.moving};
+  struct ball_columns columns = {false, false};
+  for (int k = 0; k < 2; ++k) {
+    const struct ball_columns own = ball_columns_of(both[k]->molecule);
+    columns.names = columns.names || own.names;
+    columns.elements = columns.elements || own.elements;
+  }
+  text_buffer_add(out, "\n  %-8s", "molecule");
+  report_ball_titles(out, columns);
+  for (int k = 0; k < 2; ++k) {
+    text_buffer_add(out, "\n  %-8s", k == 0 ? "first" : "second");
+    report_ball(out, columns, both[k]->molecule, nearest[k]);
+  }
+  text_buffer_add(out, "\n");
 }
 
 static void print_table(const struct clashing *const both[2], const struct clash *clash, struct text_buffer *out) {
   char value[NUMBER_BYTES], remark[100];
   const char *const unit = format_unit(both[0]->molecule->format);
   for (int k = 0; k < 2; ++k) report_heading(out, both[k]->request, both[k]->molecule);
-  snprintf(remark, sizeof remark, "of ball %" PRIu32 " of the first and %" PRIu32 " of the second, %s",
-           clash->gap.fixed, clash->gap.moving, unit);
+  snprintf(remark, sizeof remark, "%s, of the two balls below", unit);
   report_row_count(out, "pairs", clash->overlap.pairs, "of balls that meet");
   report_row(out, "least gap", quantity_text(value, clash->gap.gap, 6), remark);
   snprintf(remark, sizeof remark, "%s^3, summed pair by pair", unit);
   report_row(out, "overlap", quantity_text(value, clash->overlap.volume, 6), remark);
+  print_nearest(both, clash, out);
 }
 
 bool command_clash(const struct clashing *fixed, const struct clashing *moving, struct text_buffer *out,

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "ball_label.h"
 #include "commands.h"
 #include "contact_map.h"
 #include "csv.h"
@@ -187,6 +188,17 @@ static void pairs_json(const struct request *request, const struct findings *fou
   }
 }
 
+/* The balls that pairs and cells are about. */
+static void balls_json(const struct molecule *molecule, struct text_buffer *out) {
+  text_buffer_add(out, ", \"balls\": [");
+  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+    text_buffer_add(out, "%s{", i == 0 ? "" : ", ");
+    ball_label_json(molecule, i, out);
+    text_buffer_add(out, "}");
+  }
+  text_buffer_add(out, "]");
+}
+
 static void print_json(const struct request *request, const struct molecule *molecule, const struct findings *found,
                        struct text_buffer *out) {
   text_buffer_add(out, "{");
@@ -214,51 +226,122 @@ static void print_json(const struct request *request, const struct molecule *mol
     }
     text_buffer_add(out, "]");
   }
+  if (request->by == GROUPING_NONE || request->cells) balls_json(molecule, out);
   if (found->box.periodic != NULL) periodic_result_json(&found->box, out);
   input_report_json(out, request, molecule);
   text_buffer_add(out, "}\n");
 }
 
+/* "area, angstrom^2" */
+enum { TITLE_BYTES = 32, DECIMALS = 4 };
+static const char *title(char out[TITLE_BYTES], const struct molecule *molecule, const char *name, int power) {
+  snprintf(out, TITLE_BYTES, power == 1 ? "%s, %s" : "%s, %s^%d", name, format_unit(molecule->format), power);
+  return out;
+}
+
 static void print_pairs(const struct request *request, const struct molecule *molecule, const struct findings *found,
                         struct text_buffer *out) {
-  char names[2][GROUP_NAME_BYTES];
+  const struct ball_columns columns = ball_columns_of(molecule);
+  char titles[3][TITLE_BYTES];
   char values[3][NUMBER_BYTES];
-  if (found->contact_count == 0) return;
-  text_buffer_add(out, "\n  %14s  %14s  %16s  %16s  %14s%s\n", "first", "second", "area", "edge",
-                  request->by == GROUPING_NONE ? "distance" : "atom pairs",
-                  request->by == GROUPING_NONE && found->shift != NULL ? "  shift of second" : "");
-  for (uint32_t k = 0; request->by == GROUPING_NONE && k < found->contact_count; ++k) {
+  text_buffer_add(out, "\n");
+  report_name_titles(out, columns, "first");
+  report_name_titles(out, columns, "second");
+  text_buffer_add(out, "  %16s  %16s  %18s%s\n", title(titles[0], molecule, "area", 2),
+                  title(titles[1], molecule, "edge", 1), title(titles[2], molecule, "distance", 1),
+                  found->shift != NULL ? "  shift of second" : "");
+  for (uint32_t k = 0; k < found->contact_count; ++k) {
     const hsp_contact *contact = &found->contacts[k];
     if (contact->area < request->least) continue;
-    text_buffer_add(out, "  %14" PRIu32 "  %14" PRIu32 "  %16s  %16s  %14s", contact->ball[0], contact->ball[1],
-                    quantity_text(values[0], contact->area, 6), quantity_text(values[1], contact->edge, 6),
-                    quantity_text(values[2], contact->distance, 6));
+    report_name(out, columns, molecule, contact->ball[0]);
+    report_name(out, columns, molecule, contact->ball[1]);
+    text_buffer_add(out, "  %16s  %16s  %18s", column_text(values[0], molecule->format, contact->area, DECIMALS),
+                    column_text(values[1], molecule->format, contact->edge, DECIMALS),
+                    column_text(values[2], molecule->format, contact->distance, DECIMALS));
     if (found->shift != NULL) {
       const int32_t *shift = found->shift + 3 * (size_t)k;
       text_buffer_add(out, "  %4" PRId32 " %4" PRId32 " %4" PRId32, shift[0], shift[1], shift[2]);
     }
     text_buffer_add(out, "\n");
   }
-  for (uint32_t k = 0; request->by != GROUPING_NONE && k < found->between_count; ++k) {
+}
+
+static void print_between(const struct request *request, const struct molecule *molecule, const struct findings *found,
+                          struct text_buffer *out) {
+  char names[2][GROUP_NAME_BYTES];
+  char titles[2][TITLE_BYTES];
+  char values[2][NUMBER_BYTES];
+  text_buffer_add(out, "\n  %14s  %14s  %16s  %16s  %14s\n", "first", "second", title(titles[0], molecule, "area", 2),
+                  title(titles[1], molecule, "edge", 1), "atom pairs");
+  for (uint32_t k = 0; k < found->between_count; ++k) {
     const hsp_group_contact *sum = &found->between[k];
     if (sum->area < request->least) continue;
     text_buffer_add(out, "  %14s  %14s  %16s  %16s  %14" PRIu32 "\n",
                     group_name(names[0], molecule, &found->groups, sum->group[0]),
                     group_name(names[1], molecule, &found->groups, sum->group[1]),
-                    quantity_text(values[0], sum->area, 6), quantity_text(values[1], sum->edge, 6), sum->contacts);
+                    column_text(values[0], molecule->format, sum->area, DECIMALS),
+                    column_text(values[1], molecule->format, sum->edge, DECIMALS), sum->contacts);
   }
 }
 
 static void print_cells(const struct molecule *molecule, const struct findings *found, struct text_buffer *out) {
   const struct ball_columns columns = ball_columns_of(molecule);
+  char titles[3][TITLE_BYTES];
   char values[3][NUMBER_BYTES];
   text_buffer_add(out, "\n");
   report_ball_titles(out, columns);
-  text_buffer_add(out, "  %16s  %16s  %16s\n", "cell", "free area", "contact area");
+  text_buffer_add(out, "  %16s  %21s  %24s\n", title(titles[0], molecule, "cell", 3),
+                  title(titles[1], molecule, "free area", 2), title(titles[2], molecule, "contact area", 2));
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     report_ball(out, columns, molecule, i);
-    text_buffer_add(out, "  %16s  %16s  %16s\n", quantity_text(values[0], found->cell[i], 6),
-                    quantity_text(values[1], found->free_area[i], 6), quantity_text(values[2], found->area[i], 6));
+    text_buffer_add(out, "  %16s  %21s  %24s\n", column_text(values[0], molecule->format, found->cell[i], DECIMALS),
+                    column_text(values[1], molecule->format, found->free_area[i], DECIMALS),
+                    column_text(values[2], molecule->format, found->area[i], DECIMALS));
+  }
+}
+
+static void csv_pairs(const struct request *request, const struct molecule *molecule, const struct findings *found,
+                      struct text_buffer *out) {
+  ball_label_csv_titles(molecule->format, "_1", out);
+  text_buffer_add(out, ",");
+  ball_label_csv_titles(molecule->format, "_2", out);
+  text_buffer_add(out, ",area,edge,distance%s\n", found->shift != NULL ? ",shift_x,shift_y,shift_z" : "");
+  for (uint32_t k = 0; k < found->contact_count; ++k) {
+    const hsp_contact *contact = &found->contacts[k];
+    const double numbers[] = {contact->area, contact->edge, contact->distance};
+    if (contact->area < request->least) continue;
+    ball_label_csv(molecule, contact->ball[0], out);
+    text_buffer_add(out, ",");
+    ball_label_csv(molecule, contact->ball[1], out);
+    csv_numbers(out, numbers, 3);
+    for (int axis = 0; axis < 3 && found->shift != NULL; ++axis) {
+      text_buffer_add(out, ",%" PRId32, found->shift[3 * (size_t)k + (size_t)axis]);
+    }
+    text_buffer_add(out, "\n");
+  }
+}
+
+/* The sums over residues or chains: names as --by has them in measure, of the one and of the other. */
+static void csv_between(const struct request *request, const struct molecule *molecule, const struct findings *found,
+                        struct text_buffer *out) {
+  const bool residues = request->by == GROUPING_RESIDUE;
+  text_buffer_add(
+      out, "%s,area,edge,atom_pairs\n",
+      residues ? "chain_1,residue_1,number_1,insertion_1,chain_2,residue_2,number_2,insertion_2" : "chain_1,chain_2");
+  for (uint32_t k = 0; k < found->between_count; ++k) {
+    const hsp_group_contact *sum = &found->between[k];
+    const double numbers[] = {sum->area, sum->edge};
+    if (sum->area < request->least) continue;
+    for (int side = 0; side < 2; ++side) {
+      const struct residue_label *label = &molecule->label[found->groups.group[sum->group[side]].first].residue;
+      const char *const texts[] = {label->chain, label->name, label->number, label->insertion};
+      for (int i = 0; i < (residues ? 4 : 1); ++i) {
+        text_buffer_add(out, side + i == 0 ? "" : ",");
+        csv_text(out, texts[i]);
+      }
+    }
+    csv_numbers(out, numbers, 2);
+    text_buffer_add(out, ",%" PRIu32 "\n", sum->contacts);
   }
 }
 
@@ -273,7 +356,8 @@ static void print_tables(const struct request *request, const struct molecule *m
   text_buffer_add(out, "  %-16s %s %s^3, of all cells\n", "volume", quantity_text(value, found->totals.volume, 10),
                   unit);
   if (found->box.periodic != NULL) periodic_result_rows(&found->box, unit, out);
-  print_pairs(request, molecule, found, out);
+  if (found->contact_count > 0 && request->by == GROUPING_NONE) print_pairs(request, molecule, found, out);
+  if (found->contact_count > 0 && request->by != GROUPING_NONE) print_between(request, molecule, found, out);
   if (request->cells) print_cells(molecule, found, out);
 }
 
@@ -342,6 +426,10 @@ bool command_contacts(const struct request *request, const struct molecule *mole
     print_json(request, molecule, &found, out);
   } else if (done && molecule->frame.number > 0) {
     print_frame(molecule, &found, out);
+  } else if (done && request->csv && request->by == GROUPING_NONE) {
+    csv_pairs(request, molecule, &found, out);
+  } else if (done && request->csv) {
+    csv_between(request, molecule, &found, out);
   } else if (done) {
     print_tables(request, molecule, &found, out);
   }

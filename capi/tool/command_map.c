@@ -55,7 +55,7 @@ static void print_balls(const struct molecule *molecule, const struct seen *seen
     char value[NUMBER_BYTES];
     if (seen->area[i] == 0.0) continue;
     report_ball(out, columns, molecule, i);
-    text_buffer_add(out, "  %16s\n", quantity_text(value, seen->area[i], 6));
+    text_buffer_add(out, "  %16s\n", column_text(value, molecule->format, seen->area[i], 4));
   }
 }
 

@@ -41,9 +41,12 @@ static void interface_json(const struct interface *interface, struct text_buffer
 }
 
 static void interface_line(const char *name, uint32_t atoms, double alone, double together, struct text_buffer *out) {
+  const enum molecule_format any_with_chains = FORMAT_PDB;
   char values[3][NUMBER_BYTES];
-  text_buffer_add(out, "  %-8s  %9" PRIu32 "  %16s  %16s  %16s\n", name, atoms, quantity_text(values[0], alone, 4),
-                  quantity_text(values[1], together, 4), quantity_text(values[2], alone - together, 4));
+  text_buffer_add(out, "  %-8s  %9" PRIu32 "  %16s  %16s  %16s\n", name, atoms,
+                  column_text(values[0], any_with_chains, alone, 4),
+                  column_text(values[1], any_with_chains, together, 4),
+                  column_text(values[2], any_with_chains, alone - together, 4));
 }
 
 static void interface_print(const char *text, const struct interface *interface, const char *unit,

@@ -11,10 +11,9 @@
 #include "output_file.h"
 #include "report.h"
 
-/* About a third of an atom's radius; .gro files are in nanometres. */
 static double edge_of(const struct request *request) {
-  if (request->meshing.edge > 0.0) return request->meshing.edge;
-  return request->format == FORMAT_GRO ? 0.05 : 0.5;
+  const double third_of_an_atom = 0.5;
+  return request->meshing.edge > 0.0 ? request->meshing.edge : third_of_an_atom;
 }
 
 static double area_of(const struct triangle_mesh *mesh) {
@@ -42,7 +41,8 @@ static void print_table(const struct request *request, const struct molecule *mo
   report_heading(out, request, molecule);
   static const char *const remarks[] = {"of the balls alone", "of the balls with the probe", "that the probe leaves"};
   report_row(out, "surface", meshing_surface_name(&request->meshing), remarks[request->meshing.surface]);
-  report_row(out, "edge", quantity_text(value, mesh->edge, 3), "of a triangle, about");
+  snprintf(remark, sizeof remark, "%s, of a triangle, about", format_unit(molecule->format));
+  report_row(out, "edge", quantity_text(value, mesh->edge, 3), remark);
   report_row_count(out, "vertices", mesh->vertices, "");
   report_row_count(out, "triangles", mesh->triangles, "closed: each edge in two of them");
   snprintf(remark, sizeof remark, "%s^2, of the triangles; measure has the surface's", format_unit(molecule->format));

@@ -1,6 +1,7 @@
 /* hardsphere path: how the centre of a probe gets from one point to another. */
 #include <inttypes.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "commands.h"
@@ -40,12 +41,14 @@ static void print_table(const struct request *request, const struct molecule *mo
   if (!connected) return;
   report_row(out, "certified", yes_or_no(path->certified != 0), "no segment meets a ball, by integers");
   report_row(out, "length", quantity_text(value, path->length, 4), format_unit(molecule->format));
-  report_row(out, "clearance", quantity_text(value, path->clearance, 6), "least distance from a ball");
+  char remark[60];
+  snprintf(remark, sizeof remark, "%s, least distance from a ball", format_unit(molecule->format));
+  report_row(out, "clearance", quantity_text(value, path->clearance, 6), remark);
   report_row_count(out, "points", path->points, "");
   text_buffer_add(out, "\n  %14s  %14s  %14s\n", "x", "y", "z");
   for (uint32_t k = 0; k < path->points; ++k) {
     for (int axis = 0; axis < 3; ++axis) {
-      text_buffer_add(out, "  %14s", quantity_text(value, points[3 * (size_t)k + (size_t)axis], 4));
+      text_buffer_add(out, "  %14s", coordinate_text(value, molecule->format, points[3 * (size_t)k + (size_t)axis]));
     }
     text_buffer_add(out, "\n");
   }
@@ -55,7 +58,7 @@ bool command_path(const struct request *request, const struct molecule *molecule
                   struct text_buffer *out, struct failure *failure) {
   hsp_path path;
   uint32_t needed = 0;
-  if (!geometry_find_path(geometry, request->from.xyz, request->to.xyz, &path, failure)) return false;
+  if (!geometry_find_path(geometry, request->from.point.xyz, request->to.point.xyz, &path, failure)) return false;
   double *const points = calloc(3 * (size_t)path.points + 1, sizeof *points);
   if (points == NULL) return failure_of_memory(failure);
   const int32_t status = hsp_paths_get_points(geometry->work.paths, points, path.points, &needed);

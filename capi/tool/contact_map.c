@@ -103,8 +103,8 @@ static void add_squares(struct text_buffer *out, const struct contact_map *map, 
 
 static void add_scale(struct text_buffer *out, const struct contact_map *map, double largest) {
   const int y = TOP + SIDE + 32, width = SIDE / (SHADES + 2);
-  text_buffer_add(out, "<text x=\"%d\" y=\"%d\">area up to, in %s</text>\n", LEFT, y + 12,
-                  map->molecule->format == FORMAT_GRO ? "nm²" : "Å²");
+  text_buffer_add(out, "<text x=\"%d\" y=\"%d\">area up to%s</text>\n", LEFT, y + 12,
+                  map->molecule->format == FORMAT_XYZR ? "" : ", in Å²");
   for (int shade = 0; shade < SHADES; ++shade) {
     const int x = LEFT + (shade + 2) * width;
     text_buffer_add(out, "<rect x=\"%d\" y=\"%d\" width=\"14\" height=\"14\" fill=\"%s\"/>\n", x, y, shades[shade]);

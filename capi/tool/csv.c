@@ -21,6 +21,13 @@ void csv_number(struct text_buffer *out, double value) {
   if (is_finite(value)) text_buffer_add(out, "%s", exact_text(shown, value));
 }
 
+void csv_numbers(struct text_buffer *out, const double *numbers, int count) {
+  for (int i = 0; i < count; ++i) {
+    text_buffer_add(out, ",");
+    csv_number(out, numbers[i]);
+  }
+}
+
 void csv_frame_titles(struct text_buffer *out) {
   text_buffer_add(out, "frame,time,step,atoms,");
 }

@@ -11,6 +11,9 @@ void csv_text(struct text_buffer *out, const char *text);
 /* A number as exact_text has it; nothing unless it is finite. */
 void csv_number(struct text_buffer *out, double value);
 
+/* Several of them, a comma before each. */
+void csv_numbers(struct text_buffer *out, const double *numbers, int count);
+
 /* The first columns of a table of frames, and of one of its rows; a comma is behind them. */
 void csv_frame_titles(struct text_buffer *out);
 void csv_frame(struct text_buffer *out, const struct molecule *molecule);

@@ -33,8 +33,9 @@ void group_table_print(const struct molecule *molecule, const struct atom_groups
     /* Insertion codes have a column of their own, so that the numbers stand under each other. */
     if (residues) text_buffer_add(out, "  %-7s  %6s%-1s", label->name, label->number, label->insertion);
     text_buffer_add(out, "  %9s", count_text(value, group->atoms));
-    text_buffer_add(out, "  %16s", quantity_text(value, group->area, 4));
-    if (relative) text_buffer_add(out, "  %8s", quantity_text(value, relative_area(molecule, group), 3));
+    text_buffer_add(out, "  %16s", column_text(value, molecule->format, group->area, 4));
+    if (relative)
+      text_buffer_add(out, "  %8s", column_text(value, molecule->format, relative_area(molecule, group), 3));
     text_buffer_add(out, "\n");
   }
   if (relative) text_buffer_add(out, "\n  relative to the %s\n", relative_areas_source);

@@ -33,6 +33,11 @@ static struct among count_among(const struct molecule *molecule) {
   return among;
 }
 
+uint64_t input_report_waters(const struct molecule *molecule) {
+  const struct among among = count_among(molecule);
+  return among.water_atoms < molecule->atoms ? among.waters : 0;
+}
+
 /* "58 waters", "1 water" */
 static void add_count(struct text_buffer *out, const char *separator, uint64_t count, const char *one,
                       const char *many) {

@@ -12,4 +12,7 @@ void input_report_rows(struct text_buffer *out, const struct request *request, c
 /* The last key of every command's JSON: , "input": {...} */
 void input_report_json(struct text_buffer *out, const struct request *request, const struct molecule *molecule);
 
+/* How many molecules of water are among the balls; 0 if there is nothing else. */
+uint64_t input_report_waters(const struct molecule *molecule);
+
 #endif

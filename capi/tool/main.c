@@ -10,9 +10,11 @@
 #include "failure.h"
 #include "geometry.h"
 #include "line_reader.h"
+#include "notes.h"
 #include "radii_list.h"
 #include "read_molecule.h"
 #include "several_files.h"
+#include "suggestion.h"
 #include "text_buffer.h"
 #include "usage.h"
 
@@ -53,19 +55,23 @@ static command_function *function_of(enum command command) {
 }
 
 /* Choose among the atoms of a file, and give them radii. */
-static bool prepare(const struct request *request, struct molecule *molecule, struct failure *failure) {
+static bool prepare(const struct request *request, struct molecule *molecule, struct notes *notes,
+                    struct failure *failure) {
+  notes_look_among_all(notes, request, molecule);
   if (!selection_apply(&request->selection, molecule, failure)) return false;
   if (request->command == COMMAND_DRAW && !request->drawing.water) selection_hide_water(molecule);
+  notes_look_among_chosen(notes, request, molecule);
   return molecule_take_radii(molecule, &request->radii, &request->table, failure);
 }
 
 static bool run_command(const struct request *request, struct text_buffer *out, struct failure *failure) {
   struct molecule molecule;
   struct geometry geometry = {.work = {0}};
+  struct notes notes = NOTES_NONE;
   const bool again = request->pdb_out != NULL && input_is_standard(request->file);
   if (again && !line_reader_keep_standard_input(failure)) return false;
   bool done = read_molecule(request->file, request->format, request->model, &molecule, failure) &&
-              prepare(request, &molecule, failure);
+              prepare(request, &molecule, &notes, failure);
   geometry.progress = progress_begin(molecule.atoms, PROGRESS_LEAST_BALLS);
   if (done && request->trajectory != NULL) {
     done = command_frames(request, &molecule, &geometry, function_of(request->command), failure);
@@ -74,6 +80,8 @@ static bool run_command(const struct request *request, struct text_buffer *out, 
            function_of(request->command)(request, &molecule, &geometry, out, failure);
   }
   geometry_free(&geometry);
+  if (done) notes_print(&notes, request, &molecule);
+  notes_free(&notes);
   molecule_free(&molecule);
   return done;
 }
@@ -117,6 +125,7 @@ static bool run_files(enum command command, int files, int count, char **argumen
 static bool run_clash(int count, char **arguments, struct text_buffer *out, struct failure *failure) {
   struct request request[2];
   struct molecule molecule[2];
+  struct notes notes[2] = {NOTES_NONE, NOTES_NONE};
   memset(request, 0, sizeof request);
   memset(molecule, 0, sizeof molecule);
   bool done = true;
@@ -129,12 +138,14 @@ static bool run_clash(int count, char **arguments, struct text_buffer *out, stru
   } else {
     for (int k = 0; k < 2 && done; ++k) {
       done = read_molecule(request[k].file, request[k].format, request[k].model, &molecule[k], failure) &&
-             prepare(&request[k], &molecule[k], failure);
+             prepare(&request[k], &molecule[k], &notes[k], failure);
     }
     const struct clashing fixed = {&request[0], &molecule[0]}, moving = {&request[1], &molecule[1]};
     done = done && command_clash(&fixed, &moving, out, failure);
   }
   for (int k = 0; k < 2; ++k) {
+    if (done && !request[0].list_radii) notes_print(&notes[k], &request[k], &molecule[k]);
+    notes_free(&notes[k]);
     molecule_free(&molecule[k]);
     request_free(&request[k]);
   }
@@ -148,27 +159,44 @@ static bool asks_for_help(int count, char **arguments) {
   return false;
 }
 
+static bool find_command(const char *name, enum command *command, struct failure *failure) {
+  if (command_find(name, command)) return true;
+  char shown[EXCERPT_BYTES];
+  const char *suggestion = suggest_command(name);
+  return failure_in_usage(failure, "unknown command '%s';%s%s%s see hardsphere --help",
+                          excerpt(shown, name, strlen(name)), suggestion != NULL ? " did you mean " : "",
+                          suggestion != NULL ? suggestion : "", suggestion != NULL ? "?" : "");
+}
+
+/* help, help COMMAND. */
+static bool print_help(int count, char **arguments, struct text_buffer *out, struct failure *failure) {
+  enum command command;
+  if (count == 1) {
+    usage_of_program(out);
+    return true;
+  }
+  if (count > 2) return failure_in_usage(failure, "%s takes one command", arguments[0]);
+  if (!find_command(arguments[1], &command, failure)) return false;
+  usage_of_command(out, command);
+  return true;
+}
+
 static bool run(int count, char **arguments, struct text_buffer *out, struct failure *failure) {
   if (count < 1) return failure_in_usage(failure, "no command is given; see hardsphere --help");
   const char *first = arguments[0];
-  if (strcmp(first, "--help") == 0 || strcmp(first, "-h") == 0 || strcmp(first, "--version") == 0) {
+  if (strcmp(first, "--help") == 0 || strcmp(first, "-h") == 0 || strcmp(first, "help") == 0) {
+    return print_help(count, arguments, out, failure);
+  }
+  if (strcmp(first, "--version") == 0 || strcmp(first, "-V") == 0) {
     if (count > 1) return failure_in_usage(failure, "%s stands alone", first);
-    if (strcmp(first, "--version") == 0) {
-      usage_version(out);
-    } else {
-      usage_of_program(out);
-    }
+    usage_version(out);
     return true;
   }
   if ((count == 1 && strcmp(first, "--radii=list") == 0) || (count == 2 && strcmp(first, "--radii") == 0)) {
     if (count == 1 || strcmp(arguments[1], "list") == 0) return radii_list_print(out, failure);
   }
   enum command command;
-  if (!command_find(first, &command)) {
-    char shown[EXCERPT_BYTES];
-    return failure_in_usage(failure, "unknown command '%s'; see hardsphere --help",
-                            excerpt(shown, first, strlen(first)));
-  }
+  if (!find_command(first, &command, failure)) return false;
   if (asks_for_help(count - 1, arguments + 1)) {
     usage_of_command(out, command);
     return true;

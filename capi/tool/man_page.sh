@@ -29,7 +29,7 @@ hardsphere voids 1crn.pdb --probe 1.4 --json
 hardsphere mesh 1crn.pdb --probe 1.4 --edge 0.3 -o crambin.ply
 hardsphere map 1crn.pdb --view 1,0,0 --per-ball
 hardsphere draw 1crn.pdb -o crambin.svg --rotate 0,90,0
-hardsphere measure *.cif --probe 1.4 --csv --by chain > chains.csv
+hardsphere measure *.cif --no-water --probe 1.4 --csv --by chain > chains.csv
 gunzip -c 1crn.pdb.gz | hardsphere measure - --format pdb --no-water --pdb-out - > areas.pdb
 EXAMPLES
 printf '.fi\n'

@@ -10,25 +10,39 @@
   "ALA ARG ASN ASP GLN GLU ILE LEU MET PHE PRO SER THR TRP TYR VAL " HISTIDINE " " CYSTEINE " " LYSINE
 #define ALL "GLY " WITH_BETA_CARBON
 
+/* Nucleotides with their names in Amber and CHARMM. */
+#define ADENINE "A A3 A5 ADE DA DA3 DA5 RA RA3 RA5"
+#define CYTOSINE "C C3 C5 CYT DC DC3 DC5 RC RC3 RC5"
+#define GUANINE "G G3 G5 GUA DG DG3 DG5 RG RG3 RG5"
+#define INOSINE "I DI"
+#define THYMINE "T THY DT DT3 DT5"
+#define URACIL "U U3 U5 URA DU RU RU3 RU5"
+#define PURINES ADENINE " " GUANINE " " INOSINE
+#define PYRIMIDINES CYTOSINE " " THYMINE " " URACIL
+#define WATER "D2O DOD H2O HOH OPC SOL SPC SPCE SWM4 T3P T4P T5P TIP TIP2 TIP3 TIP4 TIP5 TP3 TP4 TP5 WAT"
+
+#define PROTOR_ALL ALL " ASX GLX MSE PYL SEC"
+
 const struct radii_rule protein_radii_protor[] = {
-    {ALL, "N", 1.64},
-    {ALL, "CA", 1.88},
-    {ALL, "C", 1.61},               /* C3H0 */
-    {ALL, "O OXT OT1 OT2", 1.42},   /* O1H0 */
-    {WITH_BETA_CARBON, "CB", 1.88}, /* C4H1, C4H2, C4H3 */
+    {PROTOR_ALL, "N", 1.64},
+    {PROTOR_ALL, "CA", 1.88},
+    {PROTOR_ALL, "C", 1.61},                               /* C3H0 */
+    {PROTOR_ALL, "O OT1", 1.42},                           /* O1H0 */
+    {PROTOR_ALL, "OXT OT2", 1.46},                         /* O2H1 */
+    {WITH_BETA_CARBON " ASX GLX MSE PYL SEC", "CB", 1.88}, /* C4H1, C4H2, C4H3 */
     {"ARG", "CG CD", 1.88},
     {"ARG", "NE NH1 NH2", 1.64}, /* N3H1, N3H2 */
     {"ARG", "CZ", 1.61},
     {"ASN ASP", "CG", 1.61},
     {"ASN ASP", "OD1", 1.42},
     {"ASN", "ND2", 1.64},
-    {"ASP", "OD2", 1.42},
+    {"ASP", "OD2", 1.46},   /* O2H1 */
     {CYSTEINE, "SG", 1.77}, /* S2H0, S2H1 */
     {"GLN GLU", "CG", 1.88},
     {"GLN GLU", "CD", 1.61},
     {"GLN GLU", "OE1", 1.42},
     {"GLN", "NE2", 1.64},
-    {"GLU", "OE2", 1.42},
+    {"GLU", "OE2", 1.46}, /* O2H1 */
     {HISTIDINE, "CG", 1.61},
     {HISTIDINE, "CD2 CE1", 1.76}, /* C3H1 */
     {HISTIDINE, "ND1 NE2", 1.64},
@@ -51,6 +65,48 @@ const struct radii_rule protein_radii_protor[] = {
     {"TYR", "CD1 CD2 CE1 CE2", 1.76},
     {"TYR", "OH", 1.46},
     {"VAL", "CG1 CG2", 1.88},
+    {"ASX", "CG", 1.61},
+    {"ASX", "XD1 XD2", 1.50}, /* nitrogen or oxygen */
+    {"GLX", "CG", 1.88},
+    {"GLX", "CD", 1.61},
+    {"GLX", "XE1 XE2", 1.50},
+    {"MSE", "CG CE", 1.88},
+    {"MSE SEC", "SE", 1.90}, /* SE2H0, SE2H1 */
+    {"PYL", "CG CD CE CA2 CB2 CD2 CG2", 1.88},
+    {"PYL", "C2", 1.61},
+    {"PYL", "CE2", 1.76},
+    {"PYL", "NZ N2", 1.64},
+    {"PYL", "O2", 1.42},
+    {"ACE", "CH3", 1.88},
+    {"ACE", "C", 1.76},
+    {"ACE", "O", 1.42},
+    {"NH2", "N", 1.64},
+    {PURINES, "P", 1.80}, /* P4H0 */
+    {PYRIMIDINES, "P", 1.80},
+    {PURINES, "OP1 O1P", 1.42},
+    {PYRIMIDINES, "OP1 O1P", 1.42},
+    {PURINES, "OP2 O2P OP3 O3P O2' O3' O4' O5'", 1.46}, /* O2H1, O2H0 */
+    {PYRIMIDINES, "OP2 O2P OP3 O3P O2' O3' O4' O5'", 1.46},
+    {PURINES, "C1' C2' C3' C4' C5'", 1.88},
+    {PYRIMIDINES, "C1' C2' C3' C4' C5'", 1.88},
+    {PURINES, "N1 N3 N7 N9", 1.64}, /* N2H0, N3H0, N3H1 */
+    {PURINES, "C4 C5 C6", 1.61},
+    {PURINES, "C8", 1.76},
+    {ADENINE " " INOSINE, "C2", 1.76},
+    {GUANINE, "C2", 1.61},
+    {ADENINE, "N6", 1.64},
+    {GUANINE, "N2", 1.64},
+    {GUANINE " " INOSINE, "O6", 1.42},
+    {PYRIMIDINES, "N1 N3", 1.64},
+    {PYRIMIDINES, "C2 C4", 1.61},
+    {PYRIMIDINES, "C6", 1.76},
+    {PYRIMIDINES, "O2", 1.42},
+    {CYTOSINE, "N4", 1.64},
+    {CYTOSINE " " URACIL, "C5", 1.76},
+    {THYMINE, "C5", 1.61},
+    {THYMINE, "C7 C5M", 1.88},
+    {THYMINE " " URACIL, "O4", 1.42},
+    {WATER, "O OW OH2", 1.46}, /* O2H2 */
     {NULL, NULL, 0.0},
 };
 

@@ -18,7 +18,8 @@ const struct radii_set radii_bondi = {
     "bondi", "van der Waals radii of Bondi 1964, Rowland & Taylor 1996, Mantina et al. 2009", HSP_RADII_BONDI, NULL};
 static const struct radii_set radii_chem3d = {"chem3d", "Chem3D Plus radii of Halperin & Overmars 1994",
                                               HSP_RADII_CHEM3D, NULL};
-static const struct radii_set radii_protor = {"protor", "radii of Tsai et al. 1999 for heavy atoms of proteins",
+static const struct radii_set radii_protor = {"protor",
+                                              "radii of Tsai et al. 1999 for heavy atoms, classed as by FreeSASA",
                                               HSP_RADII_BONDI, protein_radii_protor};
 static const struct radii_set radii_naccess = {"naccess",
                                                "radii of Chothia 1976 for heavy atoms of proteins, as in NACCESS",

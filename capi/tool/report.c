@@ -41,6 +41,26 @@ const char *quantity_text(char out[NUMBER_BYTES], double value, int decimals) {
   return out;
 }
 
+const char *column_text(char out[NUMBER_BYTES], enum molecule_format format, double value, int decimals) {
+  const double magnitude = value < 0.0 ? -value : value;
+  double half_of_last = 0.5;
+  for (int k = 0; k < decimals; ++k) half_of_last /= 10.0;
+  /* Without a unit lengths may be of any order. */
+  if (format == FORMAT_XYZR || !(magnitude < 1e12)) return quantity_text(out, value, decimals);
+  if (magnitude >= half_of_last || value == 0.0) {
+    snprintf(out, NUMBER_BYTES, "%.*f", decimals, value + 0.0);
+  } else {
+    snprintf(out, NUMBER_BYTES, "%s%.*f", value > 0.0 ? "<" : "", decimals, value > 0.0 ? 2.0 * half_of_last : 0.0);
+  }
+  return out;
+}
+
+const char *coordinate_text(char out[NUMBER_BYTES], enum molecule_format format, double value) {
+  enum { DECIMALS = 4 };
+  const bool vanishes = format != FORMAT_XYZR && value < 0.5e-4 && value > -0.5e-4;
+  return column_text(out, format, vanishes ? 0.0 : value, DECIMALS);
+}
+
 const char *exact_text(char out[NUMBER_BYTES], double value) {
   /* 15 digits read back as any double that was written with so few; 17 tell every double from every other. */
   for (int digits = 15; digits <= 17; ++digits) {
@@ -57,9 +77,10 @@ static void report_probe(struct text_buffer *out, const struct request *request)
   }
   char value[160];
   snprintf(value, sizeof value, "%.10g %s, %s", request->probe, format_unit(request->format),
-           request->outer              ? "rolling over the atoms from outside: the outer solvent-excluded surface"
-           : request->excluded_surface ? "rolling over the atoms: the solvent-excluded surface"
-                                       : "added to every radius: the solvent-accessible surface");
+           request->command == COMMAND_GATE ? "added to every radius to find voids, and then no more"
+           : request->outer                 ? "rolling over the atoms from outside: the outer solvent-excluded surface"
+           : request->excluded_surface      ? "rolling over the atoms: the solvent-excluded surface"
+                                            : "added to every radius: the solvent-accessible surface");
   report_row(out, "probe", value, "");
 }
 
@@ -90,20 +111,28 @@ struct ball_columns ball_columns_of(const struct molecule *molecule) {
   return columns;
 }
 
-void report_ball_titles(struct text_buffer *out, struct ball_columns columns) {
-  text_buffer_add(out, "  %9s", "ball");
+void report_name_titles(struct text_buffer *out, struct ball_columns columns, const char *ball) {
+  text_buffer_add(out, "  %9s", ball);
   if (columns.names) text_buffer_add(out, "  %-6s %-17s", "atom", "residue");
+}
+
+void report_name(struct text_buffer *out, struct ball_columns columns, const struct molecule *molecule, uint32_t ball) {
+  const struct atom_label *label = &molecule->label[ball];
+  char residue[RESIDUE_TEXT_BYTES];
+  text_buffer_add(out, "  %9" PRIu32, ball);
+  if (columns.names) text_buffer_add(out, "  %-6s %-17s", label->name, residue_text(residue, &label->residue));
+}
+
+void report_ball_titles(struct text_buffer *out, struct ball_columns columns) {
+  report_name_titles(out, columns, "ball");
   if (columns.elements) text_buffer_add(out, "  %-7s", "element");
   text_buffer_add(out, "  %10s", "radius");
 }
 
 void report_ball(struct text_buffer *out, struct ball_columns columns, const struct molecule *molecule, uint32_t ball) {
-  const struct atom_label *label = &molecule->label[ball];
   char radius[NUMBER_BYTES];
-  char residue[RESIDUE_TEXT_BYTES];
-  text_buffer_add(out, "  %9" PRIu32, ball);
-  if (columns.names) text_buffer_add(out, "  %-6s %-17s", label->name, residue_text(residue, &label->residue));
-  if (columns.elements) text_buffer_add(out, "  %-7s", label->element.text);
+  report_name(out, columns, molecule, ball);
+  if (columns.elements) text_buffer_add(out, "  %-7s", molecule->label[ball].element.text);
   text_buffer_add(out, "  %10s", quantity_text(radius, molecule->radius[ball], 4));
 }
 

@@ -29,16 +29,26 @@ const char *count_text(char out[NUMBER_BYTES], int64_t value);
  * it is finite. */
 const char *quantity_text(char out[NUMBER_BYTES], double value, int decimals);
 
+/* A quantity in a column: always with `decimals` decimals, "<0.0001" where these would show nothing. In files without a
+ * unit of length, as quantity_text. */
+const char *column_text(char out[NUMBER_BYTES], enum molecule_format format, double value, int decimals);
+
+/* The same of a coordinate, for which 0.0000 is as good as any other value. */
+const char *coordinate_text(char out[NUMBER_BYTES], enum molecule_format format, double value);
+
 /* The shortest of 15 to 17 significant digits that a reader turns into the same double again; it must be finite. */
 const char *exact_text(char out[NUMBER_BYTES], double value);
 
-/* One line per ball: what it is called; see report_ball. Shows only the columns that the file has something for. */
+/* One line per ball: what it is called; report_name has the index, atom and residue alone. Shows only the columns that
+ * the file has something for. */
 struct ball_columns {
   bool names;
   bool elements;
 };
 
 struct ball_columns ball_columns_of(const struct molecule *molecule);
+void report_name_titles(struct text_buffer *out, struct ball_columns columns, const char *ball);
+void report_name(struct text_buffer *out, struct ball_columns columns, const struct molecule *molecule, uint32_t ball);
 void report_ball_titles(struct text_buffer *out, struct ball_columns columns);
 void report_ball(struct text_buffer *out, struct ball_columns columns, const struct molecule *molecule, uint32_t ball);
 

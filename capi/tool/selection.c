@@ -21,7 +21,9 @@ struct selection_item {
   int64_t high;
   bool ends_term;
   bool ends_selection;
-  bool hides; /* of the last item of a selection: its atoms are left out */
+  bool hides;         /* of the last item of a selection: its atoms are left out */
+  const char *option; /* of the last item of a selection: what it stood behind */
+  const char *whole;  /* likewise: all of its text */
 };
 
 static bool add_item(struct selection *selection, const struct selection_item *item, struct failure *failure) {
@@ -66,6 +68,12 @@ static bool parse_item(struct selection_item *item, const char *option, struct f
   char shown[EXCERPT_BYTES];
   const char *key = key_names[item->key];
   if (item->text.length == 0) return failure_in_usage(failure, "%s: an item of '%s:' is empty", option, key);
+  if (memchr(item->text.text, ':', item->text.length) != NULL) {
+    return failure_in_usage(failure,
+                            "%s: '%s' stands in a list of names: for atoms that have both write "
+                            "\"chain:A&residue:1-40\", for atoms that have either the option twice",
+                            option, excerpt(shown, item->text.text, item->text.length));
+  }
   item->numbers = item->key == KEY_RESIDUE && parse_numbers(item->text, &item->low, &item->high);
   if (item->numbers && item->low > item->high) {
     return failure_in_usage(failure, "%s: the range '%s' is empty", option,
@@ -122,6 +130,7 @@ static bool parse_term(struct selection *selection, struct field term, const cha
 
 bool selection_add(struct selection *selection, const char *option, const char *text, bool hide,
                    struct failure *failure) {
+  const char *const whole = text;
   for (;;) {
     const struct field term = {text, strcspn(text, "&")};
     if (!parse_term(selection, term, option, failure)) return false;
@@ -131,6 +140,8 @@ bool selection_add(struct selection *selection, const char *option, const char *
   struct selection_item *last = &selection->items[selection->count - 1];
   last->ends_selection = true;
   last->hides = hide;
+  last->option = option;
+  last->whole = whole;
   if (!hide) selection->only = true;
   return true;
 }
@@ -206,6 +217,51 @@ bool selection_takes(const struct selection *selection, const struct atom_label 
     all_terms = true;
   }
   return named;
+}
+
+static bool any_holds(const struct selection_item *item, const struct molecule *molecule) {
+  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+    if (holds(item, &molecule->label[i])) return true;
+  }
+  return false;
+}
+
+/* Whether any atom is named by the one selection of the items first to last. */
+static bool any_named(const struct selection_item *first, size_t count, const struct molecule *molecule) {
+  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+    bool term = false;
+    bool all_terms = true;
+    for (size_t k = 0; k < count; ++k) {
+      term = term || holds(&first[k], &molecule->label[i]);
+      if (!first[k].ends_term) continue;
+      all_terms = all_terms && term;
+      term = false;
+    }
+    if (all_terms) return true;
+  }
+  return false;
+}
+
+void selection_list_unmatched(const struct selection *selection, const struct molecule *molecule,
+                              struct text_buffer *out) {
+  size_t first = 0;
+  for (size_t last = 0; last < selection->count; ++last) {
+    if (!selection->items[last].ends_selection) continue;
+    const struct selection_item *end = &selection->items[last];
+    const size_t before = out->length;
+    bool several = false;
+    for (size_t i = first; i <= last; ++i) {
+      const struct selection_item *item = &selection->items[i];
+      several = several || (item->ends_term && i < last);
+      if (item->key >= KEY_WATER || any_holds(item, molecule)) continue;
+      text_buffer_add(out, "%s%s %s:%.*s", out->length == 0 ? "" : ", ", end->option, key_names[item->key],
+                      (int)item->text.length, item->text.text);
+    }
+    if (several && out->length == before && !any_named(&selection->items[first], last + 1 - first, molecule)) {
+      text_buffer_add(out, "%s%s %s", out->length == 0 ? "" : ", ", end->option, end->whole);
+    }
+    first = last + 1;
+  }
 }
 
 static void leave_out(struct left_out *left_out, const struct atom_label *label) {

@@ -8,6 +8,7 @@
 
 #include "failure.h"
 #include "molecule.h"
+#include "text_buffer.h"
 
 /* A selection is written
  *   selection = term {"&" term}              all of the terms hold
@@ -41,6 +42,11 @@ bool selection_suits(const struct selection *selection, enum molecule_format for
 /* Whether an atom becomes a ball: it is named by one of the selections of atoms to be read, if there is any, and by
  * none of those to be left out. */
 bool selection_takes(const struct selection *selection, const struct atom_label *label);
+
+/* Add "--only chain:Z, --hide residue:UNK": the items that no atom of the molecule has, and selections that it has all
+ * items of but no atom with all of them. */
+void selection_list_unmatched(const struct selection *selection, const struct molecule *molecule,
+                              struct text_buffer *out);
 
 /* Leave out the atoms that are not taken and count them; false if none is left. */
 bool selection_apply(const struct selection *selection, struct molecule *molecule, struct failure *failure);

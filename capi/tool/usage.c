@@ -22,12 +22,12 @@ static const char overview[] =
     "ball\n"
     "  hardsphere pick     FILE --at X,Y    the ball that is seen at a point\n"
     "  hardsphere draw     FILE -o OUT      a picture with hidden parts removed: .svg, .eps or .pdf\n"
-    "  hardsphere COMMAND --help            more about a command\n"
+    "  hardsphere COMMAND --help            more about a command; hardsphere help COMMAND, too\n"
     "  hardsphere --version\n"
     "\n";
 
 static const char files_and_radii[] =
-    "FILE is .pdb, .ent, .pdb1 or the like, .cif (mmCIF), .gro, .pqr or .xyz (in angstrom, or nm in .gro), or .xyzr\n"
+    "FILE is .pdb, .ent, .pdb1 or the like, .cif (mmCIF), .gro, .pqr or .xyz, in angstrom once read, or .xyzr\n"
     "(x y z r on each line, in any unit); - is standard input: gunzip -c x.pdb.gz | hardsphere measure - --format "
     "pdb.\n"
     "One model and the first alternate location of each atom are read, ATOM and HETATM alike, water and hydrogens "
@@ -52,12 +52,11 @@ static const char files_and_radii[] =
 static const char choosing_atoms[] =
     "  --no-water, --no-hetatm, --no-hydrogens\n"
     "                         leave out such atoms\n"
-    "  --only S, --hide S     read only the atoms that S names, or all but them; both may be given several times. S "
-    "is\n"
-    "                         chain:A,B, residue:HOH,7,1-40,52A, element:H, atom:CA, water, hetatm or hydrogen, or\n"
-    "                         several of these that must all hold: \"chain:A&residue:1-40\"; chain:. has no name. "
-    "What\n"
-    "                         is left out blocks nothing; let balls block that do not count by --weights\n"
+    "  --only S, --hide S     read only the atoms that S names, or all but them. S is chain:A,B, element:H, atom:CA,\n"
+    "                         residue:HOH,7,1-40,52A, water, hetatm or hydrogen, or several of these that must all\n"
+    "                         hold: \"chain:A&residue:1-40\"; chain:. has no name. Several --only are a union,\n"
+    "                         and so are several --hide. What is left out blocks nothing; let balls block that do not\n"
+    "                         count by --weights\n"
     "  --model N              read model N of the file, counted from 1; default 1\n";
 
 static const char statuses[] =
@@ -72,7 +71,9 @@ static const char statuses[] =
     "the file as its first column. One that cannot be read has its line on stderr and stops no other.\n"
     "\n"
     "Exit status: 0 success, 1 bad input, 2 bad usage; then one line on stderr says why, and of that file stdout has\n"
-    "nothing; of a --trajectory it has the frames before the one at fault.\n";
+    "nothing; of a --trajectory it has the frames before the one at fault. With status 0 a line on stderr tells of "
+    "names\n"
+    "in --only, --hide, --highlight and --radius that nothing has, and of water that is counted in --csv.\n";
 
 /* So that the help of a command fits a screen. */
 static const char for_all_commands[] =
@@ -96,6 +97,7 @@ static const char boundary_text[] =
     "Counts what the boundary of the union of the balls consists of, exactly, ties and all. The shells, the connected\n"
     "pieces of the boundary, are listed if there are several.\n"
     "  --shells               list them in any case, in JSON too\n"
+    "  --csv                  print the counts, or with --shells the list, as comma-separated values and nothing else\n"
     "Example: hardsphere boundary 1crn.pdb --probe 1.4 --shells\n"
     "JSON: n, vertices, arcs, circles, faces, exposed_balls, shells, components, voids, euler, and with --shells\n"
     "shell_list: [{kind, component, cell, faces, euler, genus, area, volume}, ...]; kind is \"outer\" or \"void\", "
@@ -156,16 +158,24 @@ static const char measure_text[] =
 static const char voids_text[] =
     "hardsphere voids FILE [--min-volume V] [--balls] [options]\n"
     "\n"
-    "Lists the cavities that the union encloses, largest volume first: volume, area, the middle of the balls with a\n"
-    "face on them, how many these are, and how many pieces of the union lie inside. With --probe they are the places\n"
-    "where the centre of a probe fits without a way out.\n"
+    "Lists the cavities that the union encloses, largest volume first: volume, area, the point that is farthest from "
+    "all\n"
+    "balls and its clearance, how far that is, how many balls have a face on it, and how many pieces of the union lie\n"
+    "inside. With --probe they are the places where the centre of a probe fits without a way out; clearance is what\n"
+    "a probe may grow by there.\n"
     "  --min-volume V         only those of volume V or more\n"
     "  --balls                also the balls around each\n"
+    "  --csv                  print the list as comma-separated values and nothing else\n"
     "Example: hardsphere voids 1crn.pdb --probe 1.4 --min-volume 0.1\n"
-    "JSON: n, voids: [{cell, area, volume, components, balls: [...], middle: [x, y, z]}, ...], smaller; cell is its\n"
-    "number in the library, components how many pieces of the union lie in it, balls their indices in the order of "
-    "the\n"
-    "file, counted from 0, ascending; smaller is how many voids --min-volume leaves out.\n"
+    "JSON: n, voids: [{cell, area, volume, components, balls: [...], middle: [x, y, z], point: [x, y, z], clearance,\n"
+    "clearance_bound}, ...], smaller; cell is its number in the library, components how many pieces of the union lie "
+    "in\n"
+    "it, balls their indices in the order of the file, counted from 0, ascending, middle the mean of their centres,\n"
+    "which may lie in a ball; point lies in the void, by integers, null if it is narrower than the lattice, and no "
+    "point\n"
+    "of the void has more clearance than clearance_bound, up to rounding; smaller is how many voids --min-volume "
+    "leaves\n"
+    "out.\n"
     "\n";
 
 static const char contacts_text[] =
@@ -177,6 +187,7 @@ static const char contacts_text[] =
     "  --by residue|chain     sums over the contacts between residues or chains, instead of those between balls\n"
     "  --cells                also volume, free area and contact area of every ball's cell\n"
     "  --least A              list only contacts, or sums, of area A or more\n"
+    "  --csv                  print the list as comma-separated values and nothing else\n"
     "  --map OUT.svg          also a picture of the list: a square for each pair, darker the larger its area\n"
     "  --trajectory RUN, --frames A:B:S\n"
     "                         for every frame a row of numbers, or with --json a line with the list: see measure\n"
@@ -184,7 +195,8 @@ static const char contacts_text[] =
     "JSON: n, contacts, area, pairs: [{balls: [i, j], area, edge, distance}, ...], with --by pairs: [{residues:\n"
     "[\"A:THR:1\", \"A:THR:2\"], area, edge, atom_pairs}, ...] or chains: [\"A\", \"B\"]; with --cells cells: "
     "[{volume, area,\n"
-    "contact}, ...] in the order of the file.\n"
+    "contact}, ...] in the order of the file; without --by or with --cells balls: [{ball, atom, element, chain,\n"
+    "residue, number, insertion, xyz, radius}, ...] as far as the file says them.\n"
     "\n";
 
 static const char complex_text[] =
@@ -226,18 +238,20 @@ static const char path_text[] =
     "\n";
 
 static const char gate_text[] =
-    "hardsphere gate FILE --from X Y Z [--to X Y Z] [options]\n"
+    "hardsphere gate FILE --from X Y Z|void:K [--to X Y Z|void:K] [options]\n"
     "\n"
     "Finds the largest radius of a probe that gets from one point to another between the balls, or without --to to "
     "the\n"
     "outside. What stops a wider one are the three balls of the narrowest passage on the best way, or one ball if "
     "the\n"
     "probe has less room where it begins or ends.\n"
-    "Example: hardsphere gate 1crn.pdb --from 9.8,12.2,6.1\n"
-    "JSON: n, passes, widest_probe, gate: [i, j, k]; passes is false where not even a point gets through, then\n"
-    "widest_probe is null, as it is without balls; gate holds the indices of the balls in the order of the file, "
-    "counted\n"
-    "from 0, ascending.\n"
+    "  --from void:K          begin where the void K of hardsphere voids has most room, with the same --probe P,\n"
+    "                         which finds the voids and has no other use here; --to void:K likewise\n"
+    "Example: hardsphere gate 1crn.pdb --probe 1.4 --from void:1\n"
+    "JSON: n, passes, widest_probe, gate: [i, j, k], from: [x, y, z], to; passes is false where not even a point gets\n"
+    "through, then widest_probe is null, as it is without balls; gate holds the indices of the balls in the order of "
+    "the\n"
+    "file, counted from 0, ascending; to is null where it is the outside.\n"
     "\n";
 
 static const char query_text[] =
@@ -260,9 +274,8 @@ static const char mesh_text[] =
     "or\n"
     "the smooth one.\n"
     "  -o OUT, --output OUT   the file to write\n"
-    "  --edge L               how long edges are, about: default 0.5, and 0.05 in .gro files, which are in nm. Half of "
-    "it\n"
-    "                         makes four times as many triangles\n"
+    "  --edge L               how long edges are, about: default 0.5. Half of it makes four times as many\n"
+    "                         triangles\n"
     "  --surface vdw|sas|ses  van der Waals, which is without --probe; with it solvent-accessible, the default then,\n"
     "                         or solvent-excluded, the smooth surface\n"
     "  --triangles ply|obj|stl|vert|svg\n"
@@ -288,8 +301,10 @@ static const char clash_text[] =
     "                         centres\n"
     "  --translate X,Y,Z      then move it\n"
     "Example: hardsphere clash 1crn.pdb caffeine.pdb --rotate 0,90,0 --translate 12,0,3.5\n"
-    "JSON: hit, pairs: [[first, second], ...], gap, nearest: [first, second], overlap_volume, fixed: {n, input} and\n"
-    "moving: {n, input}; balls by their indices in the order of their files, counted from 0.\n"
+    "JSON: hit, pairs: [[first, second], ...], gap, nearest: [first, second], overlap_volume, nearest_balls: [{ball, "
+    "...},\n"
+    "{ball, ...}] with what these are called, fixed: {n, input} and moving: {n, input}; balls by their indices in the\n"
+    "order of their files, counted from 0.\n"
     "\n";
 
 static const char map_text[] =

@@ -1,6 +1,9 @@
 #include "void_list.h"
 
+#include <inttypes.h>
+#include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 static int order_of_numbers(uint32_t a, uint32_t b) {
   return (a > b) - (a < b);
@@ -41,7 +44,10 @@ static bool take_cells(const struct geometry *geometry, struct void_list *list, 
     done = status == HSP_OK || failure_in_library(failure, status);
   }
   for (uint32_t cell = 1; done && cell < cells; ++cell) {
-    list->voids[list->count++] = (struct void_cell){cell, all[cell], NULL, 0, {0, 0, 0}};
+    list->voids[list->count++] = (struct void_cell){.cell = cell,
+                                                    .figures = all[cell],
+                                                    .low = {HUGE_VAL, HUGE_VAL, HUGE_VAL},
+                                                    .high = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
   }
   free(all);
   return done;
@@ -62,31 +68,68 @@ static uint32_t gather_walls(const hsp_face *faces, uint32_t face_count, const h
   return kept;
 }
 
+/* What the boundary consists of, as far as walls and boxes of voids are made of it. */
+struct pieces {
+  hsp_boundary_counts counts;
+  hsp_face *faces;
+  hsp_arc *arcs;
+  hsp_vertex *vertices;
+};
+
+static bool take_pieces(const struct geometry *geometry, struct pieces *pieces, struct failure *failure) {
+  const hsp_boundary *boundary = geometry->work.boundary;
+  hsp_boundary_counts *counts = &pieces->counts;
+  uint32_t needed = 0;
+  int32_t status = hsp_boundary_get_counts(boundary, counts);
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  pieces->faces = calloc((size_t)counts->faces + 1, sizeof *pieces->faces);
+  pieces->arcs = calloc((size_t)counts->arcs + 1, sizeof *pieces->arcs);
+  pieces->vertices = calloc((size_t)counts->vertices + 1, sizeof *pieces->vertices);
+  if (pieces->faces == NULL || pieces->arcs == NULL || pieces->vertices == NULL) return failure_of_memory(failure);
+  status = hsp_boundary_get_faces(boundary, pieces->faces, counts->faces, &needed);
+  if (status == HSP_OK) status = hsp_boundary_get_arcs(boundary, pieces->arcs, counts->arcs, &needed);
+  if (status == HSP_OK) status = hsp_boundary_get_vertices(boundary, pieces->vertices, counts->vertices, &needed);
+  return status == HSP_OK || failure_in_library(failure, status);
+}
+
+/* A void lies in the convex hull of its vertices: all else of its wall bulges into it. */
+static void find_boxes(const struct pieces *pieces, const hsp_shell *shells, struct void_list *list) {
+  for (uint32_t i = 0; i < pieces->counts.arcs; ++i) {
+    const hsp_arc *arc = &pieces->arcs[i];
+    const uint32_t cell = shells[pieces->faces[arc->face[0]].shell].cell;
+    if (cell == 0) continue;
+    struct void_cell *of = &list->voids[cell - 1];
+    for (int axis = 0; axis < 3; ++axis) {
+      for (int end = 0; end < 2; ++end) {
+        const double coordinate = pieces->vertices[arc->vertex[end]].xyz[axis];
+        of->low[axis] = fmin(of->low[axis], coordinate);
+        of->high[axis] = fmax(of->high[axis], coordinate);
+      }
+    }
+  }
+}
+
 static bool take_walls(const struct geometry *geometry, const hsp_shell *shells, struct void_list *list,
                        struct failure *failure) {
-  uint32_t face_count = 0;
-  int32_t status = hsp_boundary_get_faces(geometry->work.boundary, NULL, 0, &face_count);
-  if (status != HSP_OK && status != HSP_E_CAPACITY) return failure_in_library(failure, status);
-  hsp_face *faces = calloc((size_t)face_count + 1, sizeof *faces);
-  struct wall *walls = calloc((size_t)face_count + 1, sizeof *walls);
-  list->balls = calloc((size_t)face_count + 1, sizeof *list->balls);
-  bool done = faces != NULL && walls != NULL && list->balls != NULL;
-  if (!done) {
-    failure_of_memory(failure);
-  } else {
-    status = hsp_boundary_get_faces(geometry->work.boundary, faces, face_count, &face_count);
-    done = status == HSP_OK || failure_in_library(failure, status);
-  }
+  struct pieces pieces = {.faces = NULL, .arcs = NULL, .vertices = NULL};
+  bool done = take_pieces(geometry, &pieces, failure);
   if (done) {
-    const uint32_t pairs = gather_walls(faces, face_count, shells, walls);
+    const uint32_t face_count = pieces.counts.faces;
+    struct wall *walls = calloc((size_t)face_count + 1, sizeof *walls);
+    list->balls = calloc((size_t)face_count + 1, sizeof *list->balls);
+    done = (walls != NULL && list->balls != NULL) || failure_of_memory(failure);
+    const uint32_t pairs = done ? gather_walls(pieces.faces, face_count, shells, walls) : 0;
     for (uint32_t i = 0; i < pairs; ++i) {
       struct void_cell *of = &list->voids[walls[i].cell - 1];
       list->balls[i] = walls[i].ball;
       if (of->ball_count++ == 0) of->balls = &list->balls[i];
     }
+    free(walls);
   }
-  free(faces);
-  free(walls);
+  if (done) find_boxes(&pieces, shells, list);
+  free(pieces.faces);
+  free(pieces.arcs);
+  free(pieces.vertices);
   return done;
 }
 
@@ -109,8 +152,25 @@ static void leave_out_smaller(double min_volume, struct void_list *list) {
   }
 }
 
-bool void_list_make(const struct geometry *geometry, const double *xyz, double min_volume, struct void_list *list,
-                    struct failure *failure) {
+static bool find_rooms(const struct geometry *geometry, const struct molecule *molecule, double probe,
+                       struct void_list *list, struct failure *failure) {
+  for (uint32_t i = 0; i < list->count; ++i) {
+    struct void_cell *of = &list->voids[i];
+    const struct void_wall wall = {.cell = of->cell,
+                                   .balls = of->balls,
+                                   .ball_count = of->ball_count,
+                                   .xyz = molecule->xyz,
+                                   .radius = molecule->radius,
+                                   .probe = probe,
+                                   .low = {of->low[0], of->low[1], of->low[2]},
+                                   .high = {of->high[0], of->high[1], of->high[2]}};
+    if (!void_room_find(geometry, &wall, &of->room, failure)) return false;
+  }
+  return true;
+}
+
+bool void_list_make(const struct geometry *geometry, const struct molecule *molecule, double probe, double min_volume,
+                    struct void_list *list, struct failure *failure) {
   *list = (struct void_list)VOID_LIST_NONE;
   hsp_shell *shells = NULL;
   uint32_t shell_count = 0;
@@ -120,8 +180,25 @@ bool void_list_make(const struct geometry *geometry, const double *xyz, double m
   if (!done) return false;
   if (list->count > 1) qsort(list->voids, list->count, sizeof *list->voids, order_of_voids);
   leave_out_smaller(min_volume, list);
-  find_middles(xyz, list);
-  return true;
+  find_middles(molecule->xyz, list);
+  return find_rooms(geometry, molecule, probe, list, failure);
+}
+
+bool void_list_point(struct geometry *geometry, const struct molecule *molecule, double probe, uint64_t rank,
+                     const char *option, double point[3], struct failure *failure) {
+  if (!geometry_compute_topology(geometry, failure)) return false;
+  struct void_list list;
+  bool done = void_list_make(geometry, molecule, probe, 0.0, &list, failure);
+  if (done && rank > list.count) {
+    done = failure_in_input(failure, 0, "%s: there is no void %" PRIu64 ", with probe %g there are %" PRIu32, option,
+                            rank, probe, list.count);
+  } else if (done && !list.voids[rank - 1].room.found) {
+    done = failure_in_input(failure, 0, "%s: void %" PRIu64 " has no room for a point", option, rank);
+  } else if (done) {
+    memcpy(point, list.voids[rank - 1].room.xyz, sizeof list.voids[rank - 1].room.xyz);
+  }
+  void_list_free(&list);
+  return done;
 }
 
 void void_list_free(struct void_list *list) {

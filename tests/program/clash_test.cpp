@@ -101,6 +101,22 @@ TEST(Clash, FindsThePairsThatMeet) {
   }
 }
 
+// The two nearest balls have the names of their files, in the table and in the JSON.
+TEST(Clash, NamesTheNearestBalls) {
+  const std::vector<std::string> arguments = {"clash", "good/residues.pdb", "good/water.pqr", "--translate", "21,0,0"};
+  const Json found = run_json(arguments);
+  ASSERT_EQ(found["nearest_balls"].items.size(), 2U);
+  const Json &first = found["nearest_balls"].items[0], &second = found["nearest_balls"].items[1];
+  EXPECT_EQ(first["ball"].text, found["nearest"].items[0].text);
+  EXPECT_EQ(second["ball"].text, found["nearest"].items[1].text);
+  EXPECT_EQ(first["atom"].text + ' ' + first["residue"].text + first["number"].text, "CA ALA1");
+  EXPECT_EQ(second["atom"].text + ' ' + second["residue"].text, "O HOH");
+  const std::string table = run_program(arguments).out;
+  for (const char *row : {"\n  first             2  CA     ALA A 1A ", "\n  second            0  O      HOH A 1 "}) {
+    EXPECT_NE(table.find(row), std::string::npos) << row << table;
+  }
+}
+
 // Balls of very different size, whose lattices differ by themselves; they touch exactly.
 TEST(Clash, TouchingCounts) {
   TemporaryFolder folder("clash");

@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <optional>
+#include <regex>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "json_outcome.hpp"
 #include "program_runner.hpp"
+#include "temporary_file.hpp"
 
 namespace {
 
@@ -44,12 +47,13 @@ std::optional<std::vector<Row>> read_table(const std::string &text) {
   return rows;
 }
 
-std::vector<Row> run_csv(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), "measure");
+std::vector<Row> run_csv(std::vector<std::string> arguments, const std::string &command = "measure") {
+  arguments.insert(arguments.begin(), command);
   arguments.push_back("--csv");
   const Outcome outcome = run_program(arguments);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(outcome.err, "");
+  const std::string water = "; --no-water leaves them out\n";  // selection_test.cpp looks at it
+  EXPECT_TRUE(outcome.err.empty() || outcome.err.ends_with(water)) << outcome.err;
   const std::optional<std::vector<Row>> rows = read_table(outcome.out);
   EXPECT_TRUE(rows.has_value()) << outcome.out;
   if (!rows || rows->empty()) return {{}};
@@ -142,6 +146,109 @@ TEST(CommaSeparated, Groups) {
   EXPECT_EQ(chains[0], (Row{"chain", "atoms", "area"}));
   EXPECT_EQ(chains[1][0] + " " + chains[1][1], "A 6");
   EXPECT_EQ(chains[4][0] + " " + chains[4][1], ", 2");
+}
+
+// Lists of other commands: a row for each item of the JSON, with the same numbers.
+TEST(CommaSeparated, Contacts) {
+  const std::vector<std::string> arguments = {"good/residues.pdb", "--probe", "4", "--least", "20"};
+  const std::vector<Row> rows = run_csv(arguments, "contacts");
+  const Json json = run_json(std::vector<std::string>{"contacts"} + arguments);
+  ASSERT_EQ(rows.size(), json["pairs"].items.size() + 1);
+  ASSERT_GT(rows.size(), 3U);
+  Row titles;
+  for (const char *side : {"_1", "_2"}) {
+    for (const char *name : {"ball", "atom", "element", "chain", "residue", "number", "insertion"}) {
+      titles.push_back(std::string(name) + side);
+    }
+  }
+  EXPECT_EQ(rows[0], (titles + Row{"area", "edge", "distance"}));
+  for (size_t k = 1; k < rows.size(); ++k) {
+    const Json &pair = json["pairs"].items[k - 1];
+    Row expected;
+    for (const Json &ball : pair["balls"].items) {
+      const Json &label = json["balls"].items.at(static_cast<size_t>(ball.number));
+      for (const char *key : {"ball", "atom", "element", "chain", "residue", "number", "insertion"}) {
+        expected.push_back(label[key].text);
+      }
+    }
+    for (const char *key : {"area", "edge", "distance"}) expected.push_back(pair[key].text);
+    if (k == rows.size() - 1) break;  // the last name has a letter that JSON writes in another way
+    EXPECT_EQ(rows[k], expected);
+  }
+  const std::vector<Row> chains = run_csv({"good/residues.pdb", "--probe", "4", "--by", "chain"}, "contacts");
+  const Json sums = run_json({"contacts", "good/residues.pdb", "--probe", "4", "--by", "chain"})["pairs"];
+  ASSERT_EQ(chains.size(), sums.items.size() + 1);
+  EXPECT_EQ(chains[0], (Row{"chain_1", "chain_2", "area", "edge", "atom_pairs"}));
+  for (size_t k = 1; k < chains.size(); ++k) {
+    const Json &sum = sums.items[k - 1];
+    EXPECT_EQ(chains[k], (Row{sum["chains"].items[0].text, sum["chains"].items[1].text, sum["area"].text,
+                              sum["edge"].text, sum["atom_pairs"].text}));
+  }
+  const std::vector<Row> residues = run_csv({"good/residues.pdb", "--probe", "4", "--by", "residue"}, "contacts");
+  EXPECT_EQ(residues[0], (Row{"chain_1", "residue_1", "number_1", "insertion_1", "chain_2", "residue_2", "number_2",
+                              "insertion_2", "area", "edge", "atom_pairs"}));
+  EXPECT_EQ(residues.at(1),
+            (Row{"A", "ALA", "1", "", "A", "ALA", "1", "A"} + Row(residues.at(1).begin() + 8, residues.at(1).end())));
+  const Row shifted = run_csv({"good/two.xyzr", "--box", "9,9,9"}, "contacts")[0];
+  EXPECT_EQ(shifted, (Row{"ball_1", "ball_2", "area", "edge", "distance", "shift_x", "shift_y", "shift_z"}));
+}
+
+TEST(CommaSeparated, VoidsAndShells) {
+  const std::vector<Row> voids = run_csv({"good/cage.xyzr"}, "voids");
+  const Json cavity = run_json({"voids", "good/cage.xyzr"})["voids"].items.at(0);
+  ASSERT_EQ(voids.size(), 2U);
+  EXPECT_EQ(voids[0],
+            (Row{"void", "volume", "area", "x", "y", "z", "clearance", "clearance_bound", "balls", "components"}));
+  EXPECT_EQ(voids[1], (Row{"1", cavity["volume"].text, cavity["area"].text, "0", "0", "0", cavity["clearance"].text,
+                           cavity["clearance_bound"].text, "6", "0"}));
+  const std::vector<Row> counts = run_csv({"good/cage.xyzr", "good/two.xyzr"}, "boundary");
+  const Row titles = {"balls",         "vertices", "arcs",       "circles", "faces",
+                      "exposed_balls", "shells",   "components", "voids",   "euler"};
+  EXPECT_EQ(counts, (std::vector<Row>{Row{"file"} + titles,
+                                      {"good/cage.xyzr", "6", "16", "24", "0", "12", "6", "2", "1", "1", "4"},
+                                      {"good/two.xyzr", "2", "0", "0", "1", "2", "2", "1", "1", "0", "2"}}));
+  const std::vector<Row> shells = run_csv({"good/cage.xyzr", "--shells"}, "boundary");
+  const Json list = run_json({"boundary", "good/cage.xyzr", "--shells"})["shell_list"];
+  EXPECT_EQ(shells[0], (Row{"shell", "kind", "component", "cell", "faces", "euler", "genus", "area", "volume"}));
+  ASSERT_EQ(shells.size(), list.items.size() + 1);
+  for (size_t k = 1; k < shells.size(); ++k) {
+    Row expected = {std::to_string(k - 1)};
+    for (size_t column = 1; column < shells[0].size(); ++column) {
+      expected.push_back(list.items[k - 1][shells[0][column]].text);
+    }
+    EXPECT_EQ(shells[k], expected);
+  }
+}
+
+// Columns of tables have the same decimals everywhere, if the file has a unit; JSON and CSV have all digits.
+TEST(Tables, HaveFixedDecimals) {
+  const std::string crambin = molecules_folder() + "/crambin.pdb";
+  const std::vector<std::vector<std::string>> commands = {
+      {"measure", "--by", "residue", "--relative", "--probe", "1.4"},
+      {"measure", "--per-ball", "--probe", "2"},
+      {"contacts", "--cells"},
+      {"contacts", "--by", "residue"},
+      {"voids", "--probe", "0.61"},
+      {"boundary", "--probe", "0.61", "--shells"},
+      {"map", "--per-ball"},
+  };
+  for (std::vector<std::string> arguments : commands) {
+    arguments.insert(arguments.begin() + 1, crambin);
+    std::istringstream lines(run_program(arguments).out);
+    const std::regex exponent("[0-9]e[-+][0-9]");
+    for (std::string line; std::getline(lines, line);) EXPECT_FALSE(std::regex_search(line, exponent)) << line;
+  }
+}
+
+// What four decimals would show as nothing is not 0: two balls that hardly meet. Without a unit it has an exponent.
+TEST(Tables, SayWhatIsNearlyNothing) {
+  const TemporaryFile pair("pair.xyz", "2\n\nC 0 0 0\nC 0 0 3.4\n");
+  const TemporaryFile plain("pair.xyzr", "0 0 0 1.700001\n0 0 3.4 1.700001\n");
+  const std::string with_unit = run_program({"contacts", pair.path(), "--radius", "C=1.700001"}).out;
+  EXPECT_NE(with_unit.find("  <0.0001  "), std::string::npos) << with_unit;
+  EXPECT_NE(with_unit.find("  3.4000\n"), std::string::npos) << with_unit;
+  const std::string without = run_program({"contacts", plain.path()}).out;
+  EXPECT_NE(without.find("e-05  "), std::string::npos) << without;
 }
 
 }  // namespace

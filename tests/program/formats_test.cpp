@@ -2,6 +2,7 @@
 // the PDB file by its columns, so that nothing of the program's readers has a part in them.
 #include <gtest/gtest.h>
 
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -145,6 +146,44 @@ TEST(Formats, CrambinInAllOfThem) {
   for (const auto &[extension, text] : files) {
     const TemporaryFile file("crambin." + extension, text);
     EXPECT_EQ(measured(file.path()), expected) << extension;
+  }
+}
+
+// Lengths are angstrom in .gro files as in .pdb files, once they are read: what is drawn, cut into triangles or listed
+// of the same atoms has the same bytes.
+TEST(Formats, GroAsPdb) {
+  std::string pdb = read_file(crambin());
+  for (size_t at = 0; at < pdb.size(); at = pdb.find('\n', at) + 1) {
+    if (pdb.compare(at, 4, "ATOM") == 0) pdb[at + 21] = pdb[at + 26] = ' ';  // no chains and insertions in .gro files
+  }
+  const TemporaryFile files[] = {TemporaryFile("crambin.gro", as_gro(atoms_of_crambin())),
+                                 TemporaryFile("crambin.pdb", pdb)};
+  const std::vector<std::vector<std::string>> commands = {
+      {"mesh", "-o", "-", "--triangles", "ply"},
+      {"mesh", "-o", "-", "--triangles", "svg", "--cut", "--probe", "1.4"},
+      {"draw", "-o", "-", "--title", "crambin", "--colour", "area", "--legend", "--scale-bar"},
+      {"draw", "-o", "-", "--title", "crambin", "--as", "ball-and-stick", "--look", "paper"},
+      {"contacts", "--by", "residue", "--map", "-"},
+      {"measure", "--csv", "--by", "residue", "--relative", "--probe", "1.4"},
+  };
+  for (const std::vector<std::string> &command : commands) {
+    std::string outputs[2];
+    for (size_t i = 0; i < 2; ++i) {
+      std::vector<std::string> arguments = {command.front(), files[i].path()};
+      arguments.insert(arguments.end(), command.begin() + 1, command.end());
+      const Outcome outcome = run_program(arguments);
+      EXPECT_EQ(outcome.status, 0) << outcome.err;
+      outputs[i] = std::regex_replace(outcome.out, std::regex("<title>.*</title>"), "");
+    }
+    EXPECT_FALSE(outputs[1].empty());
+    EXPECT_TRUE(outputs[0] == outputs[1]) << command.front() << ' ' << command.back();
+  }
+  for (const char *command : {"voids", "contacts", "boundary", "model", "cells"}) {
+    const Outcome gro = run_program({command, files[0].path(), "--probe", "1.4"});
+    const Outcome same = run_program({command, files[1].path(), "--probe", "1.4"});
+    EXPECT_EQ(gro.status, 0) << gro.err;
+    const size_t heading = gro.out.find("\n  radii");
+    EXPECT_EQ(gro.out.substr(heading), same.out.substr(same.out.find("\n  radii"))) << command;
   }
 }
 

@@ -151,7 +151,9 @@ TEST(JsonOutput, ShellsAndVoidsHaveTheirKeys) {
     EXPECT_EQ(voids.keys, (Keys{"n", "voids", "smaller", "input"})) << file;
     EXPECT_EQ(static_cast<double>(voids["voids"].items.size()), boundary["voids"].number) << file;
     for (const Json &cavity : voids["voids"].items) {
-      EXPECT_EQ(cavity.keys, (Keys{"cell", "area", "volume", "components", "balls", "middle"})) << file;
+      EXPECT_EQ(cavity.keys, (Keys{"cell", "area", "volume", "components", "balls", "middle", "point", "clearance",
+                                   "clearance_bound"}))
+          << file;
     }
   }
 }
@@ -159,8 +161,10 @@ TEST(JsonOutput, ShellsAndVoidsHaveTheirKeys) {
 TEST(JsonOutput, ContactsAndComplexHaveTheirKeys) {
   for (const std::string &file : files) {
     const Json plain = run_json({"contacts", file});
-    EXPECT_EQ(plain.keys, (Keys{"n", "contacts", "area", "pairs", "input"})) << file;
+    EXPECT_EQ(plain.keys, (Keys{"n", "contacts", "area", "pairs", "balls", "input"})) << file;
     EXPECT_EQ(static_cast<double>(plain["pairs"].items.size()), plain["contacts"].number) << file;
+    EXPECT_EQ(static_cast<double>(plain["balls"].items.size()), plain["n"].number) << file;
+    for (const Json &ball : plain["balls"].items) EXPECT_EQ(ball.keys, ball_keys(file, {})) << file;
     double sum = 0.0;
     for (const Json &pair : plain["pairs"].items) {
       EXPECT_EQ(pair.keys, (Keys{"balls", "area", "edge", "distance"})) << file;
@@ -204,7 +208,7 @@ TEST(JsonOutput, PathAndGateHaveTheirKeys) {
     EXPECT_TRUE(path["connected"].boolean) << file;
     EXPECT_GE(path["points"].items.size(), 2U) << file;
     const Json gate = run_json({"gate", file, "--from", "0,0,-1000"});
-    EXPECT_EQ(gate.keys, (Keys{"n", "passes", "widest_probe", "gate", "input"})) << file;
+    EXPECT_EQ(gate.keys, (Keys{"n", "passes", "widest_probe", "gate", "from", "to", "input"})) << file;
     EXPECT_TRUE(gate["passes"].boolean) << file;
   }
 }

@@ -201,7 +201,7 @@ TEST(KnownSolids, RadiiOfTheUser) {
   const double r = 1.25;
   expect_measure({"good/touching_columns.pdb", "--radius", "c=1.25"}, sphere_area(r), sphere_volume(r));
   expect_measure({"good/touching_columns.pdb", "--radii", "chem3d"}, sphere_area(1.52), sphere_volume(1.52));
-  expect_measure({"good/touching_columns.pdb", "--radii=chem3d", "--radius=C=1.25,N=7"}, sphere_area(r),
+  expect_measure({"good/touching_columns.pdb", "--radii=chem3d", "--radius=C=7,C=1.25"}, sphere_area(r),
                  sphere_volume(r));
   expect_measure({"good/metal.xyz", "--radius", "FE=1,xx=2"}, sphere_area(1) + sphere_area(2),
                  sphere_volume(1) + sphere_volume(2));

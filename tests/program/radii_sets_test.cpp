@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -59,7 +62,7 @@ struct Published {
 TEST(RadiiSets, AsPublished) {
   const std::vector<Published> published = {
       {{"ALA", " N"}, 1.64, 1.65},   {{"ALA", " CA"}, 1.88, 1.87},  {{"GLY", " CA"}, 1.88, 1.87},
-      {{"VAL", " C"}, 1.61, 1.76},   {{"VAL", " O"}, 1.42, 1.40},   {{"VAL", " OXT"}, 1.42, 1.40},
+      {{"VAL", " C"}, 1.61, 1.76},   {{"VAL", " O"}, 1.42, 1.40},   {{"VAL", " OXT"}, 1.46, 1.40},
       {{"PRO", " N"}, 1.64, 1.65},   {{"ILE", " CB"}, 1.88, 1.87},  {{"LEU", " CG"}, 1.88, 1.87},
       {{"MET", " SD"}, 1.77, 1.85},  {{"CYS", " SG"}, 1.77, 1.85},  {{"PHE", " CG"}, 1.61, 1.76},
       {{"PHE", " CZ"}, 1.76, 1.76},  {{"TYR", " CZ"}, 1.61, 1.76},  {{"TYR", " OH"}, 1.46, 1.40},
@@ -69,8 +72,11 @@ TEST(RadiiSets, AsPublished) {
       {{"LYS", " NZ"}, 1.64, 1.50},  {{"LYS", " CE"}, 1.88, 1.87},  {{"ARG", " CZ"}, 1.61, 1.76},
       {{"ARG", " NH2"}, 1.64, 1.65}, {{"ASN", " CG"}, 1.61, 1.76},  {{"ASN", " OD1"}, 1.42, 1.40},
       {{"ASN", " ND2"}, 1.64, 1.65}, {{"GLN", " CG"}, 1.88, 1.87},  {{"GLN", " CD"}, 1.61, 1.76},
-      {{"ASP", " OD2"}, 1.42, 1.40}, {{"GLU", " OE2"}, 1.42, 1.40}, {{"SER", " OG"}, 1.46, 1.40},
-      {{"THR", " OG1"}, 1.46, 1.40}, {{"THR", " CG2"}, 1.88, 1.87}, {{"HOH", " O"}, 1.52, 1.52},
+      {{"ASP", " OD2"}, 1.46, 1.40}, {{"GLU", " OE2"}, 1.46, 1.40}, {{"SER", " OG"}, 1.46, 1.40},
+      {{"THR", " OG1"}, 1.46, 1.40}, {{"THR", " CG2"}, 1.88, 1.87}, {{"HOH", " O"}, 1.46, 1.52},
+      {{"LIG", " O"}, 1.52, 1.52},   {{"DA", " C8"}, 1.76, 1.70},   {{"DT", " C7"}, 1.88, 1.70},
+      {{"THY", " C5M"}, 1.88, 1.70}, {{"RU5", " O4"}, 1.42, 1.52},  {{"G", " O1P"}, 1.42, 1.52},
+      {{"SOL", " OW"}, 1.46, 1.52},
   };
   std::vector<Atom> atoms;
   std::vector<double> protor, naccess;
@@ -108,6 +114,48 @@ TEST(RadiiSets, AreComplete) {
     EXPECT_EQ(input["radii"].text, set);
     EXPECT_EQ(input["radius_by_element"].number, 0);
   }
+}
+
+// The radius of each residue and atom by one of the sets, as the program lists them: "ALA CB".
+std::map<std::string, double> listed(const std::string &set) {
+  const std::string list = run_program({"--radii", "list"}).out;
+  std::istringstream lines(list.substr(list.find("\n" + set + ", in angstrom") + 1));
+  std::map<std::string, double> radii;
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line) && !line.empty()) {
+    std::istringstream words(line);
+    std::string residue, atom;
+    words >> residue;
+    for (double radius = 0; words >> atom >> radius;) radii[residue + ' ' + atom] = radius;
+  }
+  return radii;
+}
+
+// Every atom that FreeSASA's own configuration has, where it is installed; FREESASA_SHARE names another folder.
+TEST(RadiiSets, ProtorIsThatOfFreeSasa) {
+  const char *folder = std::getenv("FREESASA_SHARE");
+  std::ifstream file(std::string(folder != nullptr ? folder : "/usr/share/freesasa") + "/protor.config");
+  if (!file) GTEST_SKIP() << "no configuration of FreeSASA is installed";
+  const std::map<std::string, double> ours = listed("protor");
+  std::map<std::string, double> types;
+  std::string section;
+  int compared = 0;
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream words(line.substr(0, line.find('#')));
+    std::string first, second, third;
+    if (!(words >> first >> second)) {
+      if (!first.empty()) section = first;
+    } else if (section == "types:") {
+      types[first] = std::stod(second);
+    } else if (section == "atoms:" && words >> third) {
+      const auto found = ours.find(first + ' ' + second);
+      ASSERT_TRUE(types.count(third) == 1) << line;
+      ++compared;
+      EXPECT_TRUE(found != ours.end() && found->second == types[third]) << line;
+    }
+  }
+  EXPECT_GT(compared, 400);
 }
 
 TEST(RadiiSets, ListShowsWhatThereIs) {

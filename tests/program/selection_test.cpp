@@ -60,6 +60,48 @@ TEST(Selection, BySeveral) {
   EXPECT_EQ(taken({"--no-water"}), (Numbers{0, 1, 2, 3, 4, 5, 6, 7, 11, 12}));
 }
 
+// What is said of names that nothing has; the status stays 0, and stdout what it is without them.
+std::string note(const std::vector<std::string> &options) {
+  std::vector<std::string> arguments = {"model", "good/residues.pdb"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const Outcome outcome = run_program(arguments);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  return outcome.err;
+}
+
+TEST(Selection, NamesThatNothingHas) {
+  const std::string begin = "hardsphere: good/residues.pdb: nothing matches ";
+  EXPECT_EQ(note({"--only", "chain:A,Z"}), begin + "--only chain:Z\n");
+  EXPECT_EQ(note({"--hide", "chain:Z", "--hide", "residue:900-950,ALA"}),
+            begin + "--hide chain:Z, --hide residue:900-950\n");
+  EXPECT_EQ(note({"--hide=element:Xe", "--radius", "Xe=2,C=1.5,Fe=1"}),
+            begin + "--hide element:Xe, --radius Xe, --radius Fe\n");
+  EXPECT_EQ(note({"--only", "chain:A", "--hide", "chain:B&residue:1A"}), begin + "--hide chain:B&residue:1A\n");
+  EXPECT_EQ(note({"--only", "chain:A", "--hide", "chain:B"}), "");
+  EXPECT_EQ(note({"--no-water", "--radius", "O=1.5"}), "");
+  EXPECT_EQ(note({"--only", "chain:A&residue:1", "--hide", "hydrogen"}), "");
+  const Outcome nothing = run_program({"model", "good/residues.pdb", "--only", "chain:Z"});
+  EXPECT_EQ(nothing.status, 1);
+  EXPECT_EQ(nothing.err, "hardsphere: good/residues.pdb: no atoms are left: all 13 are left out by the selection\n");
+  const Outcome picture = run_program({"draw", "good/residues.pdb", "-o", "-", "--only", "chain:A", "--highlight",
+                                       "chain:B", "--highlight", "chain:A"});
+  EXPECT_EQ(picture.status, 0);
+  EXPECT_EQ(picture.err, begin + "--highlight chain:B\n");
+  EXPECT_EQ(run_program({"clash", "good/water.pdb", "good/residues.pdb", "--hide", "chain:B"}).err,
+            "hardsphere: good/water.pdb: nothing matches --hide chain:B\n");
+}
+
+// A table of comma-separated values has no heading to tell of water.
+TEST(Selection, WaterInCommaSeparatedValues) {
+  const std::string line = "hardsphere: good/residues.pdb: 3 waters are counted; --no-water leaves them out\n";
+  EXPECT_EQ(run_program({"measure", "good/residues.pdb", "--csv"}).err, line);
+  EXPECT_EQ(run_program({"measure", "good/residues.pdb", "--csv", "--by", "chain"}).err, line);
+  EXPECT_EQ(run_program({"measure", "good/residues.pdb", "--csv", "--no-water"}).err, "");
+  EXPECT_EQ(run_program({"measure", "good/water.pdb", "--csv"}).err, "");
+  EXPECT_EQ(run_program({"measure", "good/residues.pdb"}).err, "");
+  EXPECT_EQ(run_program({"measure", "good/residues.pdb", "good/two.xyzr", "--csv"}).err.rfind(line, 0), 0U);
+}
+
 TEST(Selection, Hydrogens) {
   EXPECT_EQ(run_json({"measure", "good/water.pdb", "--no-hydrogens"})["n"].number, 1);
   EXPECT_EQ(run_json({"measure", "good/water.xyz", "--no-hydrogens"})["n"].number, 1);

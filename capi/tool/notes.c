@@ -1,0 +1,61 @@
+#include "notes.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "input_report.h"
+#include "line_reader.h"
+
+static bool names_element(const struct molecule *molecule, struct element_symbol symbol) {
+  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+    if (strcmp(molecule->label[i].element.text, symbol.text) == 0) return true;
+  }
+  return false;
+}
+
+/* The text of --radius is known to be EL=R,.. */
+static void look_for_elements(struct notes *notes, const char *text, const struct molecule *molecule) {
+  while (text[0] != '\0') {
+    struct element_symbol symbol;
+    if (element_symbol_parse(text, strcspn(text, "="), &symbol) && !names_element(molecule, symbol)) {
+      text_buffer_add(&notes->unmatched, "%s--radius %s", notes->unmatched.length == 0 ? "" : ", ", symbol.text);
+    }
+    text += strcspn(text, ",");
+    if (text[0] == ',') ++text;
+  }
+}
+
+void notes_look_among_all(struct notes *notes, const struct request *request, const struct molecule *molecule) {
+  selection_list_unmatched(&request->selection, molecule, &notes->unmatched);
+  if (request->overrides.length > 0) look_for_elements(notes, request->overrides.text, molecule);
+}
+
+void notes_look_among_chosen(struct notes *notes, const struct request *request, const struct molecule *molecule) {
+  selection_list_unmatched(&request->highlight, molecule, &notes->unmatched);
+}
+
+static void print(const struct request *request, const struct failure *note) {
+  struct failure line = *note;
+  line.file = input_name(request->file);
+  failure_print(&line);
+}
+
+void notes_print(const struct notes *notes, const struct request *request, const struct molecule *molecule) {
+  struct failure note = {0, NULL, 0, ""};
+  if (notes->unmatched.length > 0) {
+    snprintf(note.reason, sizeof note.reason, "nothing matches %s", notes->unmatched.text);
+    print(request, &note);
+  }
+  const bool rows = request->csv || (request->trajectory != NULL && !request->json);
+  const uint64_t waters = rows ? input_report_waters(molecule) : 0;
+  if (waters > 0) {
+    snprintf(note.reason, sizeof note.reason, "%" PRIu64 " %s counted; --no-water leaves %s out", waters,
+             waters == 1 ? "water is" : "waters are", waters == 1 ? "it" : "them");
+    print(request, &note);
+  }
+}
+
+void notes_free(struct notes *notes) {
+  text_buffer_free(&notes->unmatched);
+}

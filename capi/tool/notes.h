@@ -1,0 +1,28 @@
+/* What a user should know of a run that went well and shows it nowhere else: lines on stderr. */
+#ifndef HARDSPHERE_TOOL_NOTES_H
+#define HARDSPHERE_TOOL_NOTES_H
+
+#include "arguments.h"
+#include "molecule.h"
+#include "text_buffer.h"
+
+/* What is asked for by names that nothing has: "--only chain:Z, --radius Xx". */
+struct notes {
+  struct text_buffer unmatched;
+};
+
+#define NOTES_NONE \
+  { TEXT_BUFFER_EMPTY }
+
+/* Look for the names of --only, --hide and --radius among all atoms of a file. */
+void notes_look_among_all(struct notes *notes, const struct request *request, const struct molecule *molecule);
+
+/* Look for those of --highlight among the atoms that are left. */
+void notes_look_among_chosen(struct notes *notes, const struct request *request, const struct molecule *molecule);
+
+/* A line for the names, and one for water that is counted where the output cannot say so: in --csv. */
+void notes_print(const struct notes *notes, const struct request *request, const struct molecule *molecule);
+
+void notes_free(struct notes *notes);
+
+#endif

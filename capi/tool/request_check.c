@@ -1,0 +1,193 @@
+#include "request_check.h"
+
+#include <string.h>
+
+#include "output_file.h"
+#include "read_molecule.h"
+
+/* What goes with a trajectory, of which each frame has one line. */
+static bool check_trajectory(struct request *request, struct failure *failure) {
+  const char *path = request->trajectory;
+  if (path == NULL) {
+    return !request->frames_given || failure_in_usage(failure, "--frames needs --trajectory");
+  }
+  if (request->files > 1) return failure_in_usage(failure, "--trajectory takes one file at a time");
+  if (request->pdb_out != NULL) return failure_in_usage(failure, "--pdb-out is not for a --trajectory");
+  if (request->map != NULL) return failure_in_usage(failure, "--map is not for a --trajectory");
+  if (request->csv && request->json) return true; /* refused with the options of measure */
+  const char *longer = request->per_ball              ? "--per-ball"
+                       : request->gradient            ? "--gradient"
+                       : request->by != GROUPING_NONE ? "--by"
+                       : request->cells               ? "--cells"
+                                                      : NULL;
+  if (longer != NULL && !request->json) {
+    return failure_in_usage(failure, "%s has no place in the one row of a frame: it needs --json", longer);
+  }
+  request->csv = false; /* it is the table of frames anyway */
+  if (!input_is_standard(path)) return true;
+  if (input_is_standard(request->file) || (request->weights != NULL && input_is_standard(request->weights))) {
+    return failure_in_usage(failure, "standard input is one file, not two");
+  }
+  if (format_has_frames(request->format)) return true;
+  return failure_in_usage(failure, "--trajectory from standard input is .pdb, .xyz or .gro, as FILE is");
+}
+
+/* Which options of `measure` go together, and with the format of the file. */
+static bool check_measure(const struct request *request, struct failure *failure) {
+  if (request->csv && request->json) {
+    return failure_in_usage(failure, "one form of output at a time: either --csv or --json");
+  }
+  if (request->csv && (request->cells || request->void_balls)) {
+    return failure_in_usage(failure, "--csv prints one table: %s has no place in it",
+                            request->cells ? "--cells" : "--balls");
+  }
+  if (request->csv && request->command == COMMAND_BOUNDARY && request->box.source != BOX_NONE) {
+    return failure_in_usage(failure, "--csv is not for the boundary in a --box");
+  }
+  if (request->csv && request->by != GROUPING_NONE && (request->per_ball || request->gradient)) {
+    return failure_in_usage(failure, "--csv prints one table: either of balls or --by %s",
+                            request->by == GROUPING_RESIDUE ? "residue" : "chain");
+  }
+  if (request->by != GROUPING_NONE && !format_has_residues(request->format)) {
+    return failure_in_usage(failure, "--by has no use here: .xyzr and .xyz files have no residues");
+  }
+  if (request->relative && request->by != GROUPING_RESIDUE) {
+    return failure_in_usage(failure, "--relative needs --by residue");
+  }
+  if (request->relative && request->probe == 0.0) {
+    return failure_in_usage(failure, "--relative compares solvent-accessible areas: it needs a probe, --probe 1.4");
+  }
+  if (request->polar && !format_has_elements(request->format)) {
+    return failure_in_usage(failure, "--polar has no use here: the file names no elements");
+  }
+  if (request->interface != NULL && !format_has_residues(request->format)) {
+    return failure_in_usage(failure, "--interface has no use here: the file names no chains");
+  }
+  if (request->csv && (request->polar || request->interface != NULL)) {
+    return failure_in_usage(failure, "--csv prints one table, of balls or of groups: %s has no place in it",
+                            request->polar ? "--polar" : "--interface");
+  }
+  if (request->surface_seen && request->probe == 0.0) {
+    return failure_in_usage(failure, "--surface needs a probe, --probe 1.4");
+  }
+  if (request->outer && !request->excluded_surface) {
+    return failure_in_usage(failure, "--outer is for the solvent-excluded surface: it needs --surface ses");
+  }
+  if (request->excluded_surface && request->weights != NULL && request->gradient) {
+    return failure_in_usage(failure,
+                            "--gradient with --weights is of the solvent-accessible surface: not with --surface ses");
+  }
+  if (request->excluded_surface && (request->relative || request->interface != NULL)) {
+    return failure_in_usage(failure, "%s is of the solvent-accessible surface: it has no use with --surface ses",
+                            request->relative ? "--relative" : "--interface");
+  }
+  if (request->curvature && request->excluded_surface) {
+    return failure_in_usage(failure,
+                            "--curvature is of the solvent-accessible surface: it has no use with --surface ses");
+  }
+  if (request->curvature && request->csv) {
+    return failure_in_usage(failure,
+                            "--csv prints one table, of balls or of groups: --curvature has no place "
+                            "in it");
+  }
+  if (request->pdb_out != NULL && request->format != FORMAT_PDB) {
+    return failure_in_usage(failure, "--pdb-out has no use here: it writes a .pdb file again");
+  }
+  return true;
+}
+
+/* What is of the outside, or not computed in a box. */
+static bool check_box(const struct request *request, struct failure *failure) {
+  if (request->box.source == BOX_NONE) return true;
+  const char *other = request->excluded_surface    ? "--surface ses"
+                      : request->interface != NULL ? "--interface"
+                      : request->shells            ? "--shells"
+                      : request->pdb_out != NULL   ? "--pdb-out"
+                                                   : NULL;
+  return other == NULL || failure_in_usage(failure, "%s is not for a --box", other);
+}
+
+bool request_check_several(const struct request *request, struct failure *failure) {
+  if (request->command == COMMAND_CLASH) {
+    return request->files == 2 ||
+           failure_in_usage(failure, "clash takes two files: the molecule at rest, then the one that is moved");
+  }
+  if (request->files < 2) return true;
+  if (request->command == COMMAND_DRAW) return failure_in_usage(failure, "draw takes one file at a time");
+  if (request->command == COMMAND_MESH) return failure_in_usage(failure, "mesh takes one file at a time");
+  if (request->pdb_out != NULL) return failure_in_usage(failure, "--pdb-out takes one file at a time");
+  if (request->map != NULL) return failure_in_usage(failure, "--map takes one file at a time");
+  if (request->weights != NULL && input_is_standard(request->weights)) {
+    return failure_in_usage(failure, "weights from standard input serve for one file");
+  }
+  return true;
+}
+
+/* Nothing that is read is written over, and standard streams serve for one thing. */
+static bool check_files(const struct request *request, struct failure *failure) {
+  const bool draws = request->command == COMMAND_DRAW;
+  const bool meshes = request->command == COMMAND_MESH;
+  const bool maps = request->map != NULL;
+  const char *option = draws || meshes ? "-o" : maps ? "--map" : "--pdb-out";
+  const char *out = draws    ? request->drawing.out
+                    : meshes ? request->meshing.out
+                    : maps   ? request->map
+                             : request->pdb_out;
+  if (request->weights != NULL && input_is_standard(request->file) && input_is_standard(request->weights)) {
+    return failure_in_usage(failure, "standard input is either the molecule or its weights");
+  }
+  if (out == NULL) return true;
+  const size_t length = strlen(out);
+  if (maps && !output_is_standard(out) && (length < 5 || strcmp(out + length - 4, ".svg") != 0)) {
+    return failure_in_usage(failure, "--map writes an .svg file, and its name says so");
+  }
+  if (output_is_input(out, request->file) || (request->weights != NULL && output_is_input(out, request->weights)) ||
+      (request->radii_file != NULL && output_is_input(out, request->radii_file)) ||
+      (draws && request->drawing.colour_file != NULL && output_is_input(out, request->drawing.colour_file))) {
+    return failure_in_usage(failure, "%s would write over the file that is read", option);
+  }
+  if (output_is_standard(out) && (request->json || request->csv)) {
+    return failure_in_usage(failure, "%s and %s would both go to standard output", option,
+                            request->json ? "--json" : "--csv");
+  }
+  return true;
+}
+
+/* Whether the file says what colours are to stand for, and what labels name. */
+static bool check_colours(const struct request *request, struct failure *failure) {
+  const int colour = request->drawing.colour;
+  if ((colour == COLOUR_CHAIN || colour == COLOUR_RESIDUE) && !format_has_residues(request->format)) {
+    return failure_in_usage(failure, "--colour %s has no use here: the file names no residues",
+                            colour == COLOUR_CHAIN ? "chain" : "residue");
+  }
+  if (request->drawing.label > LABEL_ATOM && !format_has_residues(request->format)) {
+    return failure_in_usage(failure, "--label %s has no use here: the file names no residues",
+                            request->drawing.label == LABEL_CHAIN ? "chain" : "residue");
+  }
+  if (colour == COLOUR_BFACTOR && request->format != FORMAT_PDB && request->format != FORMAT_CIF) {
+    return failure_in_usage(failure, "--colour bfactor is for .pdb and .cif files");
+  }
+  if (colour == COLOUR_CHARGE && request->format != FORMAT_PQR) {
+    return failure_in_usage(failure, "--colour charge is for .pqr files");
+  }
+  return true;
+}
+
+bool request_check(struct request *request, struct failure *failure) {
+  if (!selection_suits(&request->selection, request->format, failure)) return false;
+  if (!selection_suits(&request->highlight, request->format, failure)) return false;
+  if (!check_trajectory(request, failure) || !check_measure(request, failure) || !check_box(request, failure)) {
+    return false;
+  }
+  if (request->command == COMMAND_DRAW && !drawing_check(&request->drawing, failure)) return false;
+  if (request->command == COMMAND_DRAW && !check_colours(request, failure)) return false;
+  if (request->command == COMMAND_DRAW && drawing_is_of_sticks(&request->drawing) && request->probe > 0.0) {
+    return failure_in_usage(failure, "--probe is not for --as ball-and-stick");
+  }
+  if (request->command == COMMAND_MESH) {
+    const bool viewed = viewing_is_given(&request->viewing);
+    if (!meshing_check(&request->meshing, request->probe, viewed, failure)) return false;
+    request->excluded_surface = request->meshing.surface == MESH_SOLVENT_EXCLUDED;
+  }
+  return check_files(request, failure);
+}
