@@ -14,6 +14,7 @@
 #include "read_molecule.h"
 #include "several_files.h"
 #include "text_buffer.h"
+#include "unit_cell.h"
 #include "usage.h"
 
 static command_function *function_of(enum command command) {
@@ -65,7 +66,8 @@ static bool run_command(const struct request *request, struct text_buffer *out, 
   const bool again = request->pdb_out != NULL && input_is_standard(request->file);
   if (again && !line_reader_keep_standard_input(failure)) return false;
   bool done = read_molecule(request->file, request->format, request->model, &molecule, failure) &&
-              prepare(request, &molecule, failure);
+              prepare(request, &molecule, failure) &&
+              (request->trajectory != NULL || unit_cell_fill(request, &molecule, failure));
   geometry.progress = progress_begin(molecule.atoms, PROGRESS_LEAST_BALLS);
   if (done && request->trajectory != NULL) {
     done = command_frames(request, &molecule, &geometry, function_of(request->command), failure);
