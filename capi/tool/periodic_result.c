@@ -16,7 +16,8 @@ static bool find_box(const struct request *request, const struct molecule *molec
   }
   const struct box_record *own = &molecule->frame.box;
   if (!own->given) {
-    return failure_in_input(failure, 0, "--box file: the %s has no box", molecule->frame.number > 0 ? "frame" : "file");
+    return failure_in_input(failure, 0, "--box %s: the %s has no box", request->box.without_copies ? "p1" : "file",
+                            molecule->frame.number > 0 ? "frame" : "file");
   }
   memcpy(box, own->vector, sizeof own->vector);
   result->turned = own->turned;

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "hardsphere.h"
+#include "image_table.h"
 #include "report.h"
 
 /* Of operators, which are whole numbers and parts of 24, but come with a few digits. */
@@ -104,27 +106,6 @@ static bool make_operators(struct molecule *molecule, struct failure *failure) {
   return true;
 }
 
-/* Whether two points are images by vectors of the box, as far as can be told. */
-static bool coincide(const struct box_record *box, const double a[3], const double b[3], double blur) {
-  double apart[3], way[3];
-  for (int k = 0; k < 3; ++k) apart[k] = a[k] - b[k] - nearest(a[k] - b[k]);
-  box_point(box, apart, way);
-  return way[0] * way[0] + way[1] * way[1] + way[2] * way[2] <= blur * blur;
-}
-
-/* Whether the image by an operator is that by one before it, or the atom itself. */
-static bool is_shared(const struct molecule *molecule, const double point[3], const double image[3], size_t number) {
-  const struct symmetry *symmetry = &molecule->symmetry;
-  const struct box_record *box = &molecule->frame.box;
-  if (coincide(box, image, point, symmetry->blur)) return true;
-  for (size_t k = 0; k < number; ++k) {
-    double other[3];
-    apply(&symmetry->operators[k], point, other);
-    if (coincide(box, image, other, symmetry->blur)) return true;
-  }
-  return false;
-}
-
 /* Which whole vectors of the box move the copy so that the mean of its centres is in it. */
 static void find_shift(const double *fraction, uint32_t atoms, const struct symmetry_operator *symmetry,
                        double shift[3]) {
@@ -136,23 +117,22 @@ static void find_shift(const double *fraction, uint32_t atoms, const struct symm
   for (int k = 0; k < 3; ++k) shift[k] = -floor(image[k]);
 }
 
-static bool add_copy(struct molecule *molecule, const double *fraction, uint32_t atoms, size_t number,
-                     struct failure *failure) {
-  const struct symmetry_operator *symmetry = &molecule->symmetry.operators[number];
+static bool add_copy(struct molecule *molecule, struct image_table *there, const double *fraction, uint32_t atoms,
+                     const struct symmetry_operator *symmetry, struct failure *failure) {
   double shift[3];
   find_shift(fraction, atoms, symmetry, shift);
   for (uint32_t i = 0; i < atoms; ++i) {
-    const double *point = fraction + 3 * (size_t)i;
     double image[3], xyz[3];
-    apply(symmetry, point, image);
-    if (is_shared(molecule, point, image, number)) {
+    apply(symmetry, fraction + 3 * (size_t)i, image);
+    for (int k = 0; k < 3; ++k) image[k] += shift[k] - molecule->symmetry.origin[k];
+    if (image_table_has(there, image, molecule->label[i].element)) {
       ++molecule->symmetry.shared;
       continue;
     }
-    for (int k = 0; k < 3; ++k) image[k] += shift[k] - molecule->symmetry.origin[k];
     box_point(&molecule->frame.box, image, xyz);
     const struct atom_label label = molecule->label[i];
     if (!molecule_add(molecule, xyz, molecule->radius[i], &label, molecule->line[i], failure)) return false;
+    image_table_add_last(there);
   }
   return true;
 }
@@ -212,16 +192,20 @@ bool unit_cell_fill(const struct request *request, struct molecule *molecule, st
   const bool fills = !request->box.without_copies && symmetry->count > 1;
   if (!turn(molecule, fills, failure)) return false;
   if (!fills) return true;
+  struct image_table there;
+  const size_t most = (size_t)atoms * (symmetry->count + 1);
   double *fraction = malloc(((size_t)atoms + 1) * 3 * sizeof *fraction);
-  if (fraction == NULL) return failure_of_memory(failure);
-  for (size_t i = 0; i < atoms; ++i) {
+  bool done = image_table_begin(&there, molecule, most < HSP_MAX_BALLS ? most : HSP_MAX_BALLS, failure);
+  if (fraction == NULL) done = failure_of_memory(failure);
+  for (size_t i = 0; done && i < atoms; ++i) {
     box_fractions(&molecule->frame.box, molecule->xyz + 3 * i, fraction + 3 * i);
     for (size_t k = 0; k < 3; ++k) fraction[3 * i + k] += symmetry->origin[k];
   }
-  bool done = true;
   for (size_t k = 0; done && k < symmetry->count; ++k) {
-    if (!is_identity(&symmetry->operators[k])) done = add_copy(molecule, fraction, atoms, k, failure);
+    const struct symmetry_operator *own = &symmetry->operators[k];
+    if (!is_identity(own)) done = add_copy(molecule, &there, fraction, atoms, own, failure);
   }
+  image_table_free(&there);
   free(fraction);
   symmetry->filled = done;
   return done;

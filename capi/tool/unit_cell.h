@@ -13,9 +13,10 @@
 void unit_cell_turn(const struct request *request, struct molecule *molecule);
 
 /* The same, and fill it: behind the atoms come their copies by the operators of the file, one operator after the other,
- * each copy moved as a whole by vectors of the box, so that the mean of its centres lies in it. Images of an atom that
- * the digits of the file do not tell apart, since it stands on a rotation axis, a mirror or a centre, are one; whatever
- * its occupancy is. Nothing is done without operators, or if the user does not want copies. */
+ * each copy moved as a whole by vectors of the box, so that the mean of its centres lies in it. An image is left out if
+ * the digits of the file do not tell it from an atom of its element that is there, whatever its occupancy is: that of
+ * an atom on a rotation axis, a mirror or a centre, or one that the file has already. Nothing is done without
+ * operators, or if the user does not want copies. */
 bool unit_cell_fill(const struct request *request, struct molecule *molecule, struct failure *failure);
 
 /* Where there is symmetry, what was made of it: a row of a table. */
