@@ -66,13 +66,13 @@ static bool run_command(const struct request *request, struct text_buffer *out, 
   const bool again = request->pdb_out != NULL && input_is_standard(request->file);
   if (again && !line_reader_keep_standard_input(failure)) return false;
   bool done = read_molecule(request->file, request->format, request->model, &molecule, failure) &&
-              prepare(request, &molecule, failure) &&
-              (request->trajectory != NULL || unit_cell_fill(request, &molecule, failure));
+              prepare(request, &molecule, failure);
   geometry.progress = progress_begin(molecule.atoms, PROGRESS_LEAST_BALLS);
   if (done && request->trajectory != NULL) {
     done = command_frames(request, &molecule, &geometry, function_of(request->command), failure);
   } else {
-    done = done && geometry_set_model(&geometry, &molecule, request->probe, 0.0, failure) &&
+    done = done && unit_cell_fill(request, &molecule, failure) &&
+           geometry_set_model(&geometry, &molecule, request->probe, 0.0, failure) &&
            function_of(request->command)(request, &molecule, &geometry, out, failure);
   }
   geometry_free(&geometry);
