@@ -8,18 +8,19 @@
 #include "line_reader.h"
 #include "progress.h"
 #include "trajectory.h"
+#include "unit_cell.h"
 
-/* The frame's coordinates for those atoms that became balls. */
-static void take_frame(const struct trajectory *trajectory, bool first, struct molecule *molecule) {
+/* The frame's coordinates for those atoms that became balls. `own` is the box of the file of the molecule, which serves
+ * frames of a file that has none at all. */
+static void take_frame(const struct trajectory *trajectory, const struct box_record *own, bool first,
+                       struct molecule *molecule) {
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     const size_t place = molecule->place[i];
     memcpy(molecule->xyz + 3 * (size_t)i, trajectory->xyz + 3 * place, 3 * sizeof *molecule->xyz);
     molecule->line[i] = trajectory->line == NULL ? 0 : trajectory->line[place];
   }
-  /* A file may have its box once, before all frames; or the file of the molecule has it. */
-  const struct box_record known = molecule->frame.box;
   molecule->frame = trajectory->stamp;
-  if (!molecule->frame.box.given) molecule->frame.box = known;
+  if (!trajectory->boxed) molecule->frame.box = *own;
   molecule->frame.first = first;
 }
 
@@ -58,6 +59,7 @@ static bool run_frames(const struct request *request, struct trajectory *traject
                        struct geometry *geometry, command_function *command, struct progress *progress,
                        struct text_buffer *out, struct failure *failure) {
   uint64_t measured = 0;
+  const struct box_record own = molecule->frame.box;
   while (trajectory->frames < request->frames.last) {
     const bool wanted = frame_range_has(&request->frames, trajectory->frames + 1);
     const enum line_status status = trajectory_next(trajectory, wanted, failure);
@@ -65,7 +67,8 @@ static bool run_frames(const struct request *request, struct trajectory *traject
     if (status == LINE_END) break;
     show_frame(trajectory, progress);
     if (!wanted) continue;
-    take_frame(trajectory, measured++ == 0, molecule);
+    take_frame(trajectory, &own, measured++ == 0, molecule);
+    unit_cell_turn(request, molecule);
     if (!run_frame(request, trajectory, molecule, geometry, command, progress, out, failure)) return false;
   }
   return check_number(request, measured, trajectory->frames, failure);

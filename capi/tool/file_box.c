@@ -11,8 +11,17 @@ static double cosine(double degrees) {
   return degrees == 90.0 ? 0.0 : cos(degrees * (3.14159265358979323846 / 180.0));
 }
 
+/* A cube of side 1 is smaller than an atom. */
+static bool is_placeholder(const double vector[9]) {
+  for (int k = 0; k < 9; ++k) {
+    if (vector[k] != (k % 4 == 0 ? 1.0 : 0.0)) return false;
+  }
+  return true;
+}
+
 void box_from_angles(const double length[3], const double angle[3], struct box_record *box) {
   memset(box, 0, sizeof *box);
+  box->denied = true;
   for (int axis = 0; axis < 3; ++axis) {
     if (!(length[axis] > 0.0) || !is_finite(length[axis]) || !(angle[axis] > 0.0 && angle[axis] < 180.0)) return;
   }
@@ -27,15 +36,22 @@ void box_from_angles(const double length[3], const double angle[3], struct box_r
       length[2] * height};
   /* No more digits than angles have: the same on every machine. */
   for (int k = 0; k < 9; ++k) box->vector[k] = round(vector[k] * 1e9) / 1e9;
-  box->given = true;
+  box->denied = is_placeholder(box->vector);
+  box->given = !box->denied;
+}
+
+/* Of three vectors: positive where they are right-handed. */
+static double volume_of(const double v[9]) {
+  return v[0] * (v[4] * v[8] - v[5] * v[7]) - v[1] * (v[3] * v[8] - v[5] * v[6]) + v[2] * (v[3] * v[7] - v[4] * v[6]);
 }
 
 void box_from_vectors(const double vector[9], struct box_record *box) {
   memset(box, 0, sizeof *box);
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!(vector[4 * axis] > 0.0)) return;
-  }
+  const double volume = volume_of(vector);
+  box->denied = is_placeholder(vector) || volume == 0.0 || !is_finite(volume);
+  if (box->denied) return;
   memcpy(box->vector, vector, sizeof box->vector);
+  for (int k = 6; k < 9 && volume < 0.0; ++k) box->vector[k] = 0.0 - box->vector[k];
   box->given = true;
 }
 
@@ -48,7 +64,6 @@ void box_from_cryst1(const struct line_reader *reader, struct box_record *box) {
     const struct field field = field_in_columns(reader->text, reader->length, k == 0 ? 7 : last[k - 1] + 1, last[k]);
     if (number_parse(field.text, field.length, &number[k]) != NUMBER_OK) return;
   }
-  if (number[0] == 1.0 && number[1] == 1.0 && number[2] == 1.0) return;
   box_from_angles(number, number + 3, box);
 }
 
@@ -65,4 +80,56 @@ void box_from_title(const char *title, struct box_record *box) {
     if (number_parse(field[k].text, field[k].length, &vector[k]) != NUMBER_OK) return;
   }
   box_from_vectors(vector, box);
+}
+
+void box_point(const struct box_record *box, const double fraction[3], double out[3]) {
+  const double *v = box->vector;
+  for (int axis = 0; axis < 3; ++axis) {
+    out[axis] = fraction[0] * v[axis] + fraction[1] * v[3 + axis] + fraction[2] * v[6 + axis];
+  }
+}
+
+void box_fractions(const struct box_record *box, const double point[3], double out[3]) {
+  const double volume = volume_of(box->vector);
+  for (int k = 0; k < 3; ++k) {
+    double with_point[9];
+    memcpy(with_point, box->vector, sizeof with_point);
+    memcpy(with_point + 3 * k, point, 3 * sizeof *point);
+    out[k] = volume_of(with_point) / volume;
+  }
+}
+
+bool box_is_upright(const struct box_record *box) {
+  const double *v = box->vector;
+  return v[1] == 0.0 && v[2] == 0.0 && v[5] == 0.0 && v[0] > 0.0 && v[4] > 0.0 && v[8] > 0.0;
+}
+
+/* The part of v along the unit vector u. */
+static double along(const double *v, const double *u) {
+  return v[0] * u[0] + v[1] * u[1] + v[2] * u[2];
+}
+
+void box_turn_upright(struct box_record *box, double *xyz, size_t count) {
+  if (box_is_upright(box)) return;
+  const double *v = box->vector;
+  double axis[9]; /* three unit vectors at right angles: a, what b has beside it, and their cross product */
+  const double a = sqrt(along(v, v));
+  for (int k = 0; k < 3; ++k) axis[k] = v[k] / a;
+  const double shared = along(v + 3, axis);
+  for (int k = 0; k < 3; ++k) axis[3 + k] = v[3 + k] - shared * axis[k];
+  const double b = sqrt(along(axis + 3, axis + 3));
+  for (int k = 0; k < 3; ++k) axis[3 + k] /= b;
+  for (int k = 0; k < 3; ++k) {
+    const int l = (k + 1) % 3, m = (k + 2) % 3;
+    axis[6 + k] = axis[l] * axis[3 + m] - axis[m] * axis[3 + l];
+  }
+  const double turned[9] = {
+      a, 0.0, 0.0, shared, b, 0.0, along(v + 6, axis), along(v + 6, axis + 3), along(v + 6, axis + 6)};
+  memcpy(box->vector, turned, sizeof turned);
+  box->turned = true;
+  for (size_t i = 0; i < count; ++i) {
+    double *point = xyz + 3 * i;
+    const double moved[3] = {along(point, axis), along(point, axis + 3), along(point, axis + 6)};
+    memcpy(point, moved, sizeof moved);
+  }
 }

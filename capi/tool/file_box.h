@@ -3,27 +3,42 @@
 #define HARDSPHERE_TOOL_FILE_BOX_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 #include "line_reader.h"
 
-/* A box that a file has; given is false at first. */
+/* A box that a file has; zeros at first. */
 struct box_record {
   bool given;
-  double vector[9]; /* a, b, c: a along x, b in the plane of x and y, unless the file has it otherwise */
+  bool denied;      /* what the file has is none: lengths of 0, or 1 1 1 as a placeholder */
+  bool turned;      /* it was not upright, and the atoms were turned with it */
+  double vector[9]; /* a, b, c, in the frame of the atoms; c points to the other side where they are left-handed */
 };
 
 /* From the lengths of the vectors and the angles between them, b and c, c and a, a and b, in degrees, as
- * crystallographers have them. Right angles are exact. Nothing is given if there is no such box. */
+ * crystallographers have them: a along x, b in the plane of x and y. Right angles are exact. Denied if there is no such
+ * box. */
 void box_from_angles(const double length[3], const double angle[3], struct box_record *box);
 
-/* Nine numbers a_x a_y a_z b_x .. c_z. Nothing is given if one of the lengths along the axes is not
- * above 0. */
+/* Nine numbers a_x a_y a_z b_x .. c_z. Denied if they span no volume. */
 void box_from_vectors(const double vector[9], struct box_record *box);
 
-/* Of a PDB file's CRYST1 record, if the line is one: nothing else changes the box. 1 1 1 90 90 90 stands for none. */
+/* Of a PDB file's CRYST1 record, if the line is one: nothing else changes the box. */
 void box_from_cryst1(const struct line_reader *reader, struct box_record *box);
 
 /* Of the title of extended XYZ, Lattice="a_x a_y a_z b_x .. c_z"; else nothing is given. */
 void box_from_title(const char *title, struct box_record *box);
+
+/* The point at these fractions of the vectors. */
+void box_point(const struct box_record *box, const double fraction[3], double out[3]);
+
+/* The fractions of the vectors that a point is at. */
+void box_fractions(const struct box_record *box, const double point[3], double out[3]);
+
+/* Whether a is along x and b in the plane of x and y, each to the side of its axis. */
+bool box_is_upright(const struct box_record *box);
+
+/* Turn the box so that it is upright, and the points [count][3] with it. */
+void box_turn_upright(struct box_record *box, double *xyz, size_t count);
 
 #endif

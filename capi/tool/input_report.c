@@ -14,10 +14,11 @@ struct among {
   uint64_t hydrogens;
   uint64_t points;     /* balls of radius 0 */
   uint64_t by_element; /* balls whose radii are */
+  uint64_t by_number;  /* balls whose element is a number in the file */
 };
 
 static struct among count_among(const struct molecule *molecule) {
-  struct among among = {0, 0, 0, 0, 0, 0};
+  struct among among = {0, 0, 0, 0, 0, 0, 0};
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     const struct atom_label *label = &molecule->label[i];
     const bool water = atom_is_water(label);
@@ -29,6 +30,7 @@ static struct among count_among(const struct molecule *molecule) {
     if (atom_is_hydrogen(label)) ++among.hydrogens;
     if (molecule->radius[i] == 0.0) ++among.points;
     if (!label->by_name) ++among.by_element;
+    if (label->by_number) ++among.by_number;
   }
   return among;
 }
@@ -69,6 +71,7 @@ static void rows_left_out(struct text_buffer *out, const struct left_out *left_o
       {left_out->other_models, "atom of other models", "atoms of other models"},
       {left_out->alternate_locations, "atom at other alternate locations", "atoms at other alternate locations"},
       {left_out->virtual_sites, "virtual site", "virtual sites"},
+      {left_out->unplaced, "atom without coordinates", "atoms without coordinates"},
       {left_out->hydrogens_of_set, "hydrogen, which its heavy atom stands for",
        "hydrogens, which heavy atoms stand for"},
       {left_out->water, "atom of water", "atoms of water"},
@@ -155,10 +158,16 @@ void input_report_rows(struct text_buffer *out, const struct request *request, c
   char value[2 * NUMBER_BYTES];
   report_row_count(out, "balls", molecule->atoms, "");
   row_among(out, molecule, &among);
+  if (among.by_number > 0) {
+    text_buffer_add(out, "  %-16s", "elements");
+    add_count(out, " ", among.by_number, "number, taken as an atomic number", "numbers, taken as atomic numbers");
+    text_buffer_add(out, "\n");
+  }
   if (molecule->models > 1) {
     snprintf(value, sizeof value, "%" PRIu64 " of %" PRIu64, molecule->model, molecule->models);
     report_row(out, "model", value, "");
   }
+  if (molecule->coordinates != NULL) report_row(out, "coordinates", molecule->coordinates, "");
   rows_left_out(out, &molecule->left_out);
   if (!format_has_radii(request->format)) {
     rows_radii(out, request, molecule, &among);
@@ -198,11 +207,17 @@ void input_report_json(struct text_buffer *out, const struct request *request, c
   json_count(out, "hydrogens", among.hydrogens);
   json_count(out, "radius_zero", among.points);
   json_count(out, "radius_by_element", format_has_radii(molecule->format) ? 0 : among.by_element);
+  if (molecule->format == FORMAT_XYZ) json_count(out, "atomic_numbers", among.by_number);
+  if (molecule->format == FORMAT_CIF) {
+    text_buffer_add(out, ", \"coordinates\": ");
+    json_text(out, molecule->coordinates == NULL ? "Cartn_x" : molecule->coordinates);
+  }
   json_count(out, "model", molecule->model);
   json_count(out, "models", molecule->models);
   text_buffer_add(out, ", \"left_out\": {\"other_models\": %" PRIu64, left_out->other_models);
   json_count(out, "alternate_locations", left_out->alternate_locations);
   json_count(out, "virtual_sites", left_out->virtual_sites);
+  if (molecule->format == FORMAT_CIF) json_count(out, "unplaced", left_out->unplaced);
   json_count(out, "hydrogens_of_set", left_out->hydrogens_of_set);
   json_count(out, "water", left_out->water);
   json_count(out, "hetatm", left_out->hetatm);

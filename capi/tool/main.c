@@ -16,6 +16,7 @@
 #include "several_files.h"
 #include "suggestion.h"
 #include "text_buffer.h"
+#include "unit_cell.h"
 #include "usage.h"
 
 static command_function *function_of(enum command command) {
@@ -76,7 +77,8 @@ static bool run_command(const struct request *request, struct text_buffer *out, 
   if (done && request->trajectory != NULL) {
     done = command_frames(request, &molecule, &geometry, function_of(request->command), failure);
   } else {
-    done = done && geometry_set_model(&geometry, &molecule, request->probe, 0.0, failure) &&
+    done = done && unit_cell_fill(request, &molecule, failure) &&
+           geometry_set_model(&geometry, &molecule, request->probe, 0.0, failure) &&
            function_of(request->command)(request, &molecule, &geometry, out, failure);
   }
   geometry_free(&geometry);

@@ -1,6 +1,7 @@
 #include "molecule.h"
 
 #include <inttypes.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -97,6 +98,45 @@ static bool report_missing(const struct missing *missing, size_t count, bool mor
   return false;
 }
 
+/* An atom without an element. */
+static bool report_nameless(const struct molecule *molecule, uint32_t atom, struct failure *failure) {
+  const struct atom_label *label = &molecule->label[atom];
+  const uint64_t line = molecule->line[atom];
+  char name[EXCERPT_BYTES], residue[EXCERPT_BYTES];
+  excerpt(name, label->name, strlen(label->name));
+  if (label->bead) {
+    return failure_in_input(failure, line, "'%s' of %s is no element: looks coarse-grained; give radii by --radii FILE",
+                            name, excerpt(residue, label->residue.name, strlen(label->residue.name)));
+  }
+  return failure_in_input(failure, line, "%s in the atom name '%s'",
+                          molecule->format == FORMAT_PDB   ? "no element in columns 77-78, and none"
+                          : molecule->format == FORMAT_CIF ? "no type_symbol, and no element"
+                                                           : "no element",
+                          name);
+}
+
+/* All atoms were left out; `site` is the symbol of the virtual ones, if they have one. */
+static bool report_nothing(const struct molecule *molecule, const char *site, struct failure *failure) {
+  const uint64_t sites = molecule->left_out.virtual_sites, hydrogens = molecule->left_out.hydrogens_of_set;
+  const bool dummies = strcmp(site, element_unknown.text) == 0;
+  if (sites > 0 && hydrogens > 0) {
+    return failure_in_input(failure, 0,
+                            "no atoms are left: all are virtual sites, %" PRIu64 ", or hydrogens, %" PRIu64
+                            ", which heavy atoms stand for",
+                            sites, hydrogens);
+  }
+  char many[40] = "the only one is";
+  const bool one = sites + hydrogens == 1;
+  if (!one) snprintf(many, sizeof many, "all %" PRIu64 " are", sites + hydrogens);
+  if (sites == 0) {
+    return failure_in_input(
+        failure, 0, "no atoms are left: %s %s", many,
+        one ? "a hydrogen, which its heavy atom stands for" : "hydrogens, which heavy atoms stand for");
+  }
+  return failure_in_input(failure, 0, "no atoms are left: %s %s%s%s", many, site, site[0] == '\0' ? "" : ", ",
+                          dummies ? (one ? "a dummy" : "dummies") : (one ? "a virtual site" : "virtual sites"));
+}
+
 void molecule_move_atom(struct molecule *molecule, uint32_t to, uint32_t from) {
   if (to == from) return;
   memcpy(molecule->xyz + 3 * (size_t)to, molecule->xyz + 3 * (size_t)from, 3 * sizeof *molecule->xyz);
@@ -125,6 +165,8 @@ bool molecule_take_radii(struct molecule *molecule, const struct radii *radii, c
   size_t count = 0;
   bool more = false;
   uint32_t taken = 0;
+  struct element_symbol site = {""};
+  bool one_symbol = true;
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     struct atom_label *label = &molecule->label[i];
     const struct element_symbol element = label->element;
@@ -137,9 +179,11 @@ bool molecule_take_radii(struct molecule *molecule, const struct radii *radii, c
       continue;
     }
     if (label->virtual_site) {
-      ++molecule->left_out.virtual_sites;
+      if (molecule->left_out.virtual_sites++ == 0) site = element;
+      one_symbol = one_symbol && strcmp(site.text, element.text) == 0;
       continue;
     }
+    if (element.text[0] == '\0') return report_nameless(molecule, i, failure);
     size_t at = 0;
     while (at < count && strcmp(missing[at].element.text, element.text) != 0) ++at;
     if (at == MOST_MISSING) {
@@ -151,7 +195,7 @@ bool molecule_take_radii(struct molecule *molecule, const struct radii *radii, c
   }
   if (count > 0) return report_missing(missing, count, more, failure);
   molecule->atoms = taken;
-  return taken > 0 || failure_in_input(failure, 0, "no atoms are left: all are virtual sites or hydrogens");
+  return taken > 0 || report_nothing(molecule, one_symbol ? site.text : "", failure);
 }
 
 bool atom_is_water(const struct atom_label *label) {
@@ -175,6 +219,7 @@ void molecule_free(struct molecule *molecule) {
   free(molecule->label);
   free(molecule->place);
   free(molecule->bond);
+  symmetry_free(&molecule->symmetry);
   molecule_init(molecule, molecule->format, molecule->model);
 }
 

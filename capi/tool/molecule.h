@@ -11,6 +11,7 @@
 #include "file_box.h"
 #include "radii.h"
 #include "radii_table.h"
+#include "symmetry.h"
 
 /* In the order of the list in read_molecule.c. */
 enum molecule_format { FORMAT_XYZR, FORMAT_PDB, FORMAT_PQR, FORMAT_XYZ, FORMAT_CIF, FORMAT_GRO, FORMATS };
@@ -37,9 +38,11 @@ struct stated_bond {
 struct atom_label {
   char name[8];
   struct residue_label residue;
-  struct element_symbol element;
-  bool hetatm;       /* the file says that it belongs to no chain: to a ligand, an ion, water */
-  bool by_name;      /* its radius is by residue and atom */
+  struct element_symbol element; /* empty where neither columns nor names tell */
+  bool hetatm;                   /* the file says that it belongs to no chain: to a ligand, an ion, water */
+  bool by_name;                  /* its radius is by residue and atom */
+  bool by_number;                /* the file has the atomic number of the element */
+  bool bead;         /* no atom, but several of a coarse-grained model, which needs a radius by residue and atom */
   bool virtual_site; /* no atom, but a place beside one; becomes a ball only if the user gives its symbol a radius */
   struct serial_label serial;
   bool has_temperature_factor;
@@ -48,13 +51,14 @@ struct atom_label {
 };
 
 #define ATOM_LABEL_NONE \
-  { "", {"", "", "", ""}, {""}, false, false, false, {""}, false, 0.0, 0.0 }
+  { "", {"", "", "", ""}, {""}, false, false, false, false, false, {""}, false, 0.0, 0.0 }
 
 /* What a file holds beside the atoms that became balls, in atoms unless it says otherwise. */
 struct left_out {
   uint64_t other_models;
   uint64_t alternate_locations;
   uint64_t virtual_sites;
+  uint64_t unplaced;         /* for which the file has no coordinates */
   uint64_t hydrogens_of_set; /* for which heavy atoms stand in this set of radii */
   /* By the user's choice; each atom counts once: */
   uint64_t water;
@@ -92,6 +96,8 @@ struct molecule {
   size_t bond_capacity;
   struct left_out left_out;
   struct frame_stamp frame;
+  const char *coordinates;  /* where they are not the usual ones: the name of their first item, not owned; or NULL */
+  struct symmetry symmetry; /* that goes with the box of the frame */
 };
 
 /* Prepare for reading one model of a file, counted from 1. */
@@ -110,7 +116,8 @@ void molecule_move_atom(struct molecule *molecule, uint32_t to, uint32_t from);
 /* Take the radius of every atom from the table, if it stands there, and else from its element; radii that the user gave
  * for elements come before both. Nothing is done if the format brings radii. Where the table names a residue, but no
  * hydrogens at all, heavy atoms stand for them, and they are left out. Virtual sites without a radius of the user's are
- * left out; other symbols without one, which no element has, are refused, all of them in one line. */
+ * left out; other symbols without one, which no element has, are refused, all of them in one line, and so are beads and
+ * atoms whose names do not tell the element. */
 bool molecule_take_radii(struct molecule *molecule, const struct radii *radii, const struct radii_table *table,
                          struct failure *failure);
 

@@ -89,6 +89,7 @@ enum line_status pdb_next_atom(struct line_reader *reader, struct molecule *mole
     const enum pdb_record record = pdb_record_of(reader->text, reader->length);
     pdb_models_step(models, record);
     if (record == PDB_OTHER) box_from_cryst1(reader, &molecule->frame.box);
+    if (record == PDB_OTHER && !symmetry_take_pdb_record(&molecule->symmetry, reader, failure)) return LINE_FAILED;
     alien_seen = alien_seen || record == PDB_ALIEN;
     *record_seen = *record_seen || record == PDB_ATOM || record == PDB_MODEL || record == PDB_OTHER;
     if (record == PDB_OTHER && molecule->format == FORMAT_PDB &&

@@ -34,10 +34,11 @@ static int read_numbers(struct option_reader *reader, const char *text, double n
 }
 
 bool box_take_option(struct box_choice *choice, struct option_reader *reader, const char *value) {
-  static const char wanted[] = "AX,BY,CZ, nine numbers or 'file'";
+  static const char wanted[] = "AX,BY,CZ, nine numbers, 'file' or 'p1'";
   if (!option_value(reader, "--box", &value, wanted)) return false;
   if (choice->source != BOX_NONE) return failure_in_usage(reader->failure, "--box is given twice");
-  if (strcmp(value, "file") == 0) {
+  choice->without_copies = strcmp(value, "p1") == 0;
+  if (choice->without_copies || strcmp(value, "file") == 0) {
     choice->source = BOX_OF_FILE;
     return true;
   }

@@ -1,4 +1,5 @@
-/* The periodic box of --box: as the user gives it, or as the file with the molecule or its frames has it. */
+/* The periodic box of --box: as the user gives it, or as the file with the molecule or its frames has it, with copies
+ * by symmetry or, by the name of the space group that has none, without. */
 #ifndef HARDSPHERE_TOOL_PERIODIC_BOX_H
 #define HARDSPHERE_TOOL_PERIODIC_BOX_H
 
@@ -11,10 +12,11 @@ enum box_source { BOX_NONE, BOX_GIVEN, BOX_OF_FILE };
 
 struct box_choice {
   enum box_source source;
-  double vector[9]; /* of BOX_GIVEN */
+  double vector[9];    /* of BOX_GIVEN */
+  bool without_copies; /* of BOX_OF_FILE: no copies by symmetry are to fill it */
 };
 
-/* Read what stands behind --box: three lengths, nine numbers, or the word file. */
+/* Read what stands behind --box: three lengths, nine numbers, or one of the words file and p1. */
 bool box_take_option(struct box_choice *choice, struct option_reader *reader, const char *value);
 
 #endif

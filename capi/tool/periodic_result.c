@@ -5,23 +5,30 @@
 #include <string.h>
 
 #include "report.h"
+#include "unit_cell.h"
 
-static bool find_box(const struct request *request, const struct molecule *molecule, double box[9],
+static bool find_box(const struct request *request, const struct molecule *molecule, struct periodic_result *result,
                      struct failure *failure) {
+  double *const box = result->box;
   if (request->box.source == BOX_GIVEN) {
     memcpy(box, request->box.vector, sizeof request->box.vector);
     return true;
   }
   const struct box_record *own = &molecule->frame.box;
-  if (!own->given) return failure_in_input(failure, 0, "--box file: the file has no box");
+  if (!own->given) {
+    return failure_in_input(failure, 0, "--box %s: the %s has no box", request->box.without_copies ? "p1" : "file",
+                            molecule->frame.number > 0 ? "frame" : "file");
+  }
   memcpy(box, own->vector, sizeof own->vector);
+  result->turned = own->turned;
+  if (molecule->frame.number == 0) result->symmetry = &molecule->symmetry;
   return true;
 }
 
 bool periodic_result_make(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                           struct periodic_result *result, struct failure *failure) {
   memset(result, 0, sizeof *result);
-  if (!find_box(request, molecule, result->box, failure)) return false;
+  if (!find_box(request, molecule, result, failure)) return false;
   if (!geometry_compute_periodic(geometry, molecule, request->probe, result->box, failure)) return false;
   const hsp_periodic *const periodic = result->periodic = geometry->periodic;
   uint32_t needed = 0;
@@ -58,6 +65,8 @@ static void nine_numbers(const char *name, const double numbers[9], struct text_
 
 void periodic_result_json(const struct periodic_result *result, struct text_buffer *out) {
   nine_numbers("box", result->box, out);
+  text_buffer_add(out, ", \"box_turned\": %s", result->turned ? "true" : "false");
+  if (result->symmetry != NULL) unit_cell_json(result->symmetry, out);
   text_buffer_add(out, ", \"box_volume\": ");
   json_number(out, result->totals.box_volume);
   text_buffer_add(out, ", \"free_volume\": ");
@@ -89,6 +98,8 @@ void periodic_result_rows(const struct periodic_result *result, const char *unit
   char value[NUMBER_BYTES];
   uint32_t endless[4] = {0};
   for (uint32_t c = 0; c < result->counts.components; ++c) ++endless[result->windings[c].directions];
+  if (result->symmetry != NULL) unit_cell_row(result->symmetry, out);
+  if (result->turned) report_row(out, "box", "turned, and the atoms with it, so that its first vector is along x", "");
   text_buffer_add(out, "  %-16s %s %s^3\n", "box volume", quantity_text(value, result->totals.box_volume, DECIMALS),
                   unit);
   text_buffer_add(out, "  %-16s %s %s^3, of the box less that of the union\n", "free volume",

@@ -13,6 +13,8 @@
 struct periodic_result {
   const hsp_periodic *periodic; /* the geometry's */
   double box[9];
+  bool turned;                     /* that of the file was, and the atoms with it */
+  const struct symmetry *symmetry; /* the molecule's; NULL if the box is not that of its file */
   hsp_periodic_counts counts;
   hsp_periodic_totals totals;
   hsp_winding *windings; /* [counts.components] */
@@ -25,7 +27,8 @@ bool periodic_result_make(const struct request *request, const struct molecule *
 
 void periodic_result_free(struct periodic_result *result);
 
-/* , "box": [..], "box_volume": .., "free_volume": .., "windings": [..], "strain_area": [..], "strain_volume": [..] */
+/* , "box": [..], "box_turned": .., with the box of the file "symmetry": {..}, "box_volume": .., "free_volume": ..,
+ * "windings": [..], "strain_area": [..], "strain_volume": [..] */
 void periodic_result_json(const struct periodic_result *result, struct text_buffer *out);
 
 /* Rows of a table: the box, what of it is free, components by their directions. */

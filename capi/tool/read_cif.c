@@ -1,121 +1,67 @@
-/* mmCIF, as the wwPDB keeps its entries: of each block the category _atom_site, in a loop or as single items, in any
- * order. What the authors call a chain, a residue or an atom counts, and where they are silent, the label does. A model
- * is a run of rows with the same pdbx_PDB_model_num. */
+/* CIF: of each block the atoms, in a loop or as single items, in any order; cell, space group and operators.
+ *   mmCIF, as the wwPDB keeps its entries: _atom_site with Cartesian coordinates. What the authors call a chain, a
+ *     residue or an atom counts, and where they are silent, the label does. A model is a run of rows with the same
+ *     pdbx_PDB_model_num.
+ *   Small molecules and frameworks: _atom_site with fractions of the cell. Atoms without coordinates, and all groups of
+ *     disordered atoms but the first, are left out. A block is a model.
+ *   Components and monomers: _chem_comp_atom, if the file has no _atom_site; each is a model. */
 #include <string.h>
 
 #include "alternate_locations.h"
 #include "characters.h"
+#include "cif_component.h"
+#include "cif_crystal.h"
+#include "cif_row.h"
 #include "cif_tokens.h"
 #include "number.h"
 #include "read_molecule.h"
 #include "residue_kinds.h"
 
-enum item {
-  GROUP,
-  SYMBOL,
-  AUTH_ATOM,
-  LABEL_ATOM,
-  ALTERNATE,
-  AUTH_RESIDUE,
-  LABEL_RESIDUE,
-  AUTH_CHAIN,
-  LABEL_CHAIN,
-  AUTH_NUMBER,
-  LABEL_NUMBER,
-  INSERTION,
-  X,
-  Y,
-  Z,
-  B_FACTOR,
-  MODEL,
-  ITEMS,
-  OTHER_ITEM
-};
-
-static const char category[] = "_ATOM_SITE.";
-
-static const char *const item_names[ITEMS] = {
-    "GROUP_PDB",     "TYPE_SYMBOL",  "AUTH_ATOM_ID",  "LABEL_ATOM_ID",  "LABEL_ALT_ID",      "AUTH_COMP_ID",
-    "LABEL_COMP_ID", "AUTH_ASYM_ID", "LABEL_ASYM_ID", "AUTH_SEQ_ID",    "LABEL_SEQ_ID",      "PDBX_PDB_INS_CODE",
-    "CARTN_X",       "CARTN_Y",      "CARTN_Z",       "B_ISO_OR_EQUIV", "PDBX_PDB_MODEL_NUM"};
-
 enum { MOST_ITEMS = 256, MODEL_BYTES = 24 };
-
-/* The values of one atom. They are copied: the lines that they come from are gone when the row is complete. */
-struct row {
-  size_t begin[ITEMS];
-  size_t length[ITEMS]; /* 0 where the file says nothing */
-  uint64_t line;
-  struct text_buffer text;
-};
 
 struct cif_reading {
   struct cif_tokens tokens;
   struct alternate_locations seen;
   struct molecule *molecule;
   struct failure *failure;
-  struct row row;
+  struct cif_row row;
+  struct cif_crystal crystal; /* of this block */
+  struct cif_component component;
+  enum cif_table table;    /* that is read */
+  enum cif_table source;   /* that atoms come from: what is no component comes first */
   bool single;             /* the row is made of single items */
-  bool has[ITEMS];         /* which items the table has */
+  bool has[CIF_ITEMS];     /* which items the table has */
+  bool fractional;         /* its coordinates are */
   bool within;             /* a model of this table has begun */
-  char model[MODEL_BYTES]; /* its number */
-  bool fractional;         /* a table without Cartesian coordinates was seen */
+  char model[MODEL_BYTES]; /* its number, or the name of the component */
+  bool taken;              /* atoms come from this block */
+  bool taken_fractional;   /* and have fractional coordinates so far */
+  bool done;               /* they came from a block before */
 };
 
-static bool in_category(struct field tag, struct field *item) {
-  const size_t length = sizeof category - 1;
-  if (tag.length <= length || !field_is((struct field){tag.text, length}, category)) return false;
-  *item = (struct field){tag.text + length, tag.length - length};
+/* Of a label such as Zn1, C12A or O2: its first letters are a symbol. Where two capitals may be that of one element or
+ * begin with that of another, which is carbon or cobalt, it does not tell. */
+static bool element_of_label(struct field label, struct element_symbol *element) {
+  size_t letters = 0;
+  struct element_symbol one;
+  while (letters < label.length && letters < 2 && is_letter(label.text[letters])) ++letters;
+  const bool single = letters > 0 && element_symbol_parse(label.text, 1, &one) && element_symbol_exists(one);
+  const bool pair = letters == 2 && element_symbol_parse(label.text, 2, element) && element_symbol_exists(*element);
+  const bool lower = letters == 2 && is_lower(label.text[1]);
+  if (pair && (lower || !single)) return true;
+  if (pair || !single || lower) return false;
+  *element = one;
   return true;
 }
 
-static enum item item_of(struct field name) {
-  for (int i = 0; i < ITEMS; ++i) {
-    if (field_is(name, item_names[i])) return (enum item)i;
-  }
-  return OTHER_ITEM;
-}
-
-static void row_clear(struct row *row, uint64_t line) {
-  memset(row->length, 0, sizeof row->length);
-  row->text.length = 0;
-  row->line = line;
-}
-
-static void row_put(struct row *row, enum item item, const struct cif_tokens *tokens) {
-  if (cif_value_is_absent(tokens)) return;
-  row->begin[item] = row->text.length;
-  row->length[item] = tokens->text.length;
-  text_buffer_append(&row->text, tokens->text.text, tokens->text.length);
-}
-
-static struct field row_get(const struct row *row, enum item item) {
-  return row->length[item] == 0 ? (struct field){"", 0}
-                                : (struct field){row->text.text + row->begin[item], row->length[item]};
-}
-
-static struct field row_either(const struct row *row, enum item author, enum item label) {
-  return row_get(row, row->length[author] > 0 ? author : label);
-}
-
-/* A number without the uncertainty that may follow in parentheses: 12.345(6). */
-static struct field without_uncertainty(struct field number) {
-  size_t end = number.length;
-  if (end == 0 || number.text[end - 1] != ')') return number;
-  --end;
-  while (end > 0 && is_digit(number.text[end - 1])) --end;
-  const bool whole = end > 1 && number.text[end - 1] == '(' && end + 1 < number.length;
-  return whole ? (struct field){number.text, end - 1} : number;
-}
-
 /* By the letters of a symbol that a charge may follow, FE or O2-; where there is none, by the name. */
-static bool take_element(const struct row *row, struct atom_label *label, struct failure *failure) {
-  const struct field symbol = row_get(row, SYMBOL);
-  const struct field name = row_either(row, AUTH_ATOM, LABEL_ATOM);
+static bool take_element(const struct cif_row *row, struct field symbol, struct field name, bool small,
+                         struct atom_label *label, struct failure *failure) {
   char shown[EXCERPT_BYTES];
   if (symbol.length == 0) {
-    if (label_take_element(label, name)) return true;
-    return failure_in_input(failure, row->line, "no type_symbol, and no element in the atom name '%s'",
+    if (!small) label_take_element(label, name);
+    if (!small || element_of_label(name, &label->element)) return true;
+    return failure_in_input(failure, row->line, "no type_symbol, and the label '%s' does not tell the element",
                             excerpt(shown, name.text, name.length));
   }
   size_t letters = 0;
@@ -129,18 +75,25 @@ static bool take_element(const struct row *row, struct atom_label *label, struct
                             excerpt(shown, symbol.text, symbol.length));
   }
   label->virtual_site = is_virtual_symbol(label->element);
+  label_check_bead(label);
   return true;
 }
 
-static void take_label(const struct row *row, struct atom_label *label) {
+/* What the file calls the atom, with the label where the authors are silent. */
+static struct field name_of(const struct cif_row *row) {
+  const struct field name = cif_row_either(row, CIF_AUTH_ATOM, CIF_LABEL_ATOM);
+  return name.length > 0 ? name : cif_row_get(row, CIF_SITE_LABEL);
+}
+
+static void take_label(const struct cif_row *row, struct atom_label *label) {
   struct residue_label *residue = &label->residue;
-  label_copy(label->name, sizeof label->name, row_either(row, AUTH_ATOM, LABEL_ATOM));
-  label_copy(residue->name, sizeof residue->name, row_either(row, AUTH_RESIDUE, LABEL_RESIDUE));
-  label_copy(residue->chain, sizeof residue->chain, row_either(row, AUTH_CHAIN, LABEL_CHAIN));
-  label_copy(residue->number, sizeof residue->number, row_either(row, AUTH_NUMBER, LABEL_NUMBER));
-  label_copy(residue->insertion, sizeof residue->insertion, row_get(row, INSERTION));
-  label->hetatm = field_is(row_get(row, GROUP), "HETATM");
-  const struct field factor = without_uncertainty(row_get(row, B_FACTOR));
+  label_copy(label->name, sizeof label->name, name_of(row));
+  label_copy(residue->name, sizeof residue->name, cif_row_either(row, CIF_AUTH_RESIDUE, CIF_LABEL_RESIDUE));
+  label_copy(residue->chain, sizeof residue->chain, cif_row_either(row, CIF_AUTH_CHAIN, CIF_LABEL_CHAIN));
+  label_copy(residue->number, sizeof residue->number, cif_row_either(row, CIF_AUTH_NUMBER, CIF_LABEL_NUMBER));
+  label_copy(residue->insertion, sizeof residue->insertion, cif_row_get(row, CIF_INSERTION));
+  label->hetatm = field_is(cif_row_get(row, CIF_GROUP), "HETATM");
+  const struct field factor = cif_without_uncertainty(cif_row_get(row, CIF_B_FACTOR));
   label->has_temperature_factor = number_parse(factor.text, factor.length, &label->temperature_factor) == NUMBER_OK;
 }
 
@@ -148,32 +101,65 @@ static void take_label(const struct row *row, struct atom_label *label) {
 static bool in_model(struct cif_reading *reading) {
   struct molecule *molecule = reading->molecule;
   char model[MODEL_BYTES];
-  label_copy(model, sizeof model, row_get(&reading->row, MODEL));
+  const enum cif_item item = reading->table == CIF_COMPONENT ? CIF_COMPONENT_NAME : CIF_MODEL;
+  label_copy(model, sizeof model, cif_row_get(&reading->row, item));
   if (!reading->within || strcmp(model, reading->model) != 0) ++molecule->models;
   reading->within = true;
   memcpy(reading->model, model, sizeof model);
-  if (molecule->models == molecule->model) return true;
+  if (molecule->models == molecule->model) {
+    reading->taken = true;
+    return true;
+  }
   ++molecule->left_out.other_models;
   return false;
 }
 
-static bool take_row(struct cif_reading *reading) {
-  const struct row *row = &reading->row;
+/* Coordinates in angstrom. */
+static bool take_cartesian(struct cif_reading *reading, double xyz[3]) {
+  static const char *const names[3] = {"Cartn_x", "Cartn_y", "Cartn_z"};
+  for (int axis = 0; axis < 3; ++axis) {
+    const struct field number = cif_without_uncertainty(cif_row_get(&reading->row, (enum cif_item)(CIF_X + axis)));
+    if (!field_number(number, names[axis], &xyz[axis], reading->row.line, reading->failure)) return false;
+  }
+  return true;
+}
+
+/* Coordinates as fractions of the cell; *keep is false if the atom has none, or stands elsewhere too. */
+static bool take_fractions(struct cif_reading *reading, double xyz[3], bool *keep) {
+  static const char *const names[3] = {"fract_x", "fract_y", "fract_z"};
+  const struct cif_row *row = &reading->row;
+  struct left_out *left_out = &reading->molecule->left_out;
+  bool placed = !field_is(cif_row_get(row, CIF_CALCULATED), "DUM");
+  for (int axis = 0; axis < 3; ++axis) placed = placed && row->length[CIF_FRACTION_X + axis] > 0;
+  *keep = placed;
+  if (!placed) {
+    ++left_out->unplaced;
+    return true;
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const struct field number = cif_row_get(row, (enum cif_item)(CIF_FRACTION_X + axis));
+    if (!cif_crystal_fraction(&reading->crystal, number, names[axis], &xyz[axis], row->line, reading->failure)) {
+      return false;
+    }
+  }
+  if (!cif_crystal_keeps(&reading->crystal, row, keep, reading->failure)) return false;
+  if (!*keep) ++left_out->alternate_locations;
+  reading->taken_fractional = true;
+  return true;
+}
+
+static bool take_atom(struct cif_reading *reading) {
+  const struct cif_row *row = &reading->row;
   struct molecule *molecule = reading->molecule;
   struct failure *failure = reading->failure;
-  if (row->text.out_of_memory) return failure_of_memory(failure);
-  if (!in_model(reading)) return true;
-  static const char *const names[3] = {"Cartn_x", "Cartn_y", "Cartn_z"};
-  double xyz[3];
-  for (int axis = 0; axis < 3; ++axis) {
-    const struct field number = without_uncertainty(row_get(row, (enum item)(X + axis)));
-    if (!field_number(number, names[axis], &xyz[axis], row->line, failure)) return false;
-  }
+  double xyz[3] = {0.0, 0.0, 0.0};
+  bool keep = true;
+  if (!(reading->fractional ? take_fractions(reading, xyz, &keep) : take_cartesian(reading, xyz))) return false;
+  if (!keep) return true;
   struct atom_label label = ATOM_LABEL_NONE;
   take_label(row, &label);
-  const struct field alternate = row_get(row, ALTERNATE);
-  bool keep;
-  if (!alternate_locations_keep(&reading->seen, &label, row_get(row, LABEL_CHAIN),
+  const struct field alternate = cif_row_get(row, CIF_ALTERNATE);
+  if (!alternate_locations_keep(&reading->seen, &label, cif_row_get(row, CIF_LABEL_CHAIN),
                                 alternate.length == 0 ? ' ' : alternate.text[0], &keep)) {
     return failure_of_memory(failure);
   }
@@ -181,117 +167,185 @@ static bool take_row(struct cif_reading *reading) {
     ++molecule->left_out.alternate_locations;
     return true;
   }
-  return take_element(row, &label, failure) && molecule_add(molecule, xyz, 0.0, &label, row->line, failure);
+  return take_element(row, cif_row_get(row, CIF_SYMBOL), name_of(row), reading->fractional, &label, failure) &&
+         molecule_add(molecule, xyz, 0.0, &label, row->line, failure);
 }
 
-/* Whether the table has what an atom needs. */
-static bool check_items(struct cif_reading *reading, uint64_t line) {
-  for (int i = X; i <= Z; ++i) {
-    if (reading->has[i]) continue;
-    return failure_in_input(reading->failure, line, "_atom_site has no Cartn_%c%s", "xyz"[i - X],
-                            reading -> fractional ? ": fractional coordinates are not read" : "");
+/* Its coordinates follow when all atoms are known. */
+static bool take_component_atom(struct cif_reading *reading) {
+  static const double nowhere[3] = {0.0, 0.0, 0.0};
+  const struct cif_row *row = &reading->row;
+  const struct field name = cif_row_get(row, CIF_COMPONENT_ATOM);
+  struct atom_label label = ATOM_LABEL_NONE;
+  label_copy(label.name, sizeof label.name, name);
+  label_copy(label.residue.name, sizeof label.residue.name, cif_row_get(row, CIF_COMPONENT_NAME));
+  return cif_component_take(&reading->component, row, reading->failure) &&
+         take_element(row, cif_row_get(row, CIF_COMPONENT_SYMBOL), name, false, &label, reading->failure) &&
+         molecule_add(reading->molecule, nowhere, 0.0, &label, row->line, reading->failure);
+}
+
+static bool take_row(struct cif_reading *reading) {
+  if (reading->row.text.out_of_memory) return failure_of_memory(reading->failure);
+  if (!in_model(reading)) return true;
+  return reading->table == CIF_COMPONENT ? take_component_atom(reading) : take_atom(reading);
+}
+
+/* What was read of components, if anything: the file has a structure, and they are but its dictionary. */
+static void drop_component(struct cif_reading *reading) {
+  struct molecule *molecule = reading->molecule;
+  if (reading->source != CIF_COMPONENT) return;
+  molecule->atoms = molecule->read = 0;
+  molecule->models = 0;
+  memset(&molecule->left_out, 0, sizeof molecule->left_out);
+  cif_component_free(&reading->component);
+  reading->taken = reading->done = false;
+}
+
+/* Whether the table has atoms to be read, and all that one needs; *atoms tells the first. */
+static bool check_items(struct cif_reading *reading, uint64_t line, bool mmcif, bool *atoms) {
+  const bool *has = reading->has;
+  *atoms = false;
+  if (reading->table == CIF_COMPONENT) {
+    /* Files of structures have them without coordinates. */
+    *atoms = reading->source != CIF_ATOMS && (has[CIF_IDEAL_X] || has[CIF_MODEL_X] || has[CIF_PLAIN_X]);
+    if (*atoms) reading->source = CIF_COMPONENT;
+    return true;
   }
+  reading->fractional = !has[CIF_X] && has[CIF_FRACTION_X];
+  if (!mmcif && !has[CIF_X] && !has[CIF_FRACTION_X]) return true;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (has[(reading->fractional ? CIF_FRACTION_X : CIF_X) + axis]) continue;
+    return failure_in_input(reading->failure, line, "_atom_site has no %s_%c", reading->fractional ? "fract" : "Cartn",
+                            "xyz"[axis]);
+  }
+  drop_component(reading);
+  reading->source = CIF_ATOMS;
+  *atoms = true;
   return true;
 }
 
 /* Note that the table has an item; false if it has it already. */
-static bool note_item(struct cif_reading *reading, struct field name, enum item *item) {
-  *item = item_of(name);
-  if (*item == OTHER_ITEM) {
-    reading->fractional = reading->fractional || field_is(name, "FRACT_X");
-    return true;
-  }
-  if (reading->has[*item]) {
+static bool note_item(struct cif_reading *reading, struct field tag, enum cif_item item) {
+  if (item == CIF_OTHER_ITEM) return true;
+  if (reading->has[item]) {
     char shown[EXCERPT_BYTES];
-    return failure_in_input(reading->failure, reading->tokens.line, "_atom_site.%s is given twice",
-                            excerpt(shown, name.text, name.length));
+    return failure_in_input(reading->failure, reading->tokens.line, "%s is given twice",
+                            excerpt(shown, tag.text, tag.length));
   }
-  reading->has[*item] = true;
+  reading->has[item] = true;
   return true;
 }
 
-static void begin_table(struct cif_reading *reading) {
+static void begin_table(struct cif_reading *reading, enum cif_table table) {
   memset(reading->has, 0, sizeof reading->has);
+  reading->table = table;
   reading->within = false;
   reading->single = false;
 }
 
 /* The end of single items: they are one atom. */
 static bool end_single(struct cif_reading *reading) {
+  bool atoms = false;
   if (!reading->single) return true;
   reading->single = false;
-  return check_items(reading, reading->row.line) && take_row(reading);
+  if (!check_items(reading, reading->row.line, true, &atoms)) return false;
+  return !atoms || take_row(reading);
+}
+
+/* The end of a block, or of the file. Later ones have nothing to say to the atoms of this one. */
+static bool end_block(struct cif_reading *reading) {
+  struct molecule *molecule = reading->molecule;
+  if (reading->done) return true;
+  reading->done = reading->taken;
+  if (!reading->taken) symmetry_free(&molecule->symmetry);
+  if (!reading->taken || reading->source == CIF_COMPONENT) return true;
+  if (reading->taken_fractional) molecule->coordinates = "fract_x";
+  return cif_crystal_finish(&reading->crystal, reading->taken_fractional, molecule, reading->failure);
+}
+
+/* Take a value that says something of the cell, unless it is that of another block than the atoms'. */
+static bool take_crystal(struct cif_reading *reading, enum cif_item item) {
+  return reading->done ||
+         cif_crystal_take(&reading->crystal, item, &reading->tokens, &reading->molecule->symmetry, reading->failure);
 }
 
 /* The values of a loop, row by row. */
-static bool read_rows(struct cif_reading *reading, const enum item *items, size_t count) {
+static bool read_rows(struct cif_reading *reading, const enum cif_item *items, size_t count) {
   struct cif_tokens *tokens = &reading->tokens;
   size_t at = 0;
   for (; tokens->kind == CIF_VALUE; cif_tokens_next(tokens)) {
-    if (at == 0) row_clear(&reading->row, tokens->line);
-    if (items[at] != OTHER_ITEM) row_put(&reading->row, items[at], tokens);
+    if (at == 0) cif_row_clear(&reading->row, tokens->line);
+    if (items[at] != CIF_OTHER_ITEM) cif_row_put(&reading->row, items[at], tokens);
     if (++at < count) continue;
     at = 0;
     if (!take_row(reading)) return false;
   }
   if (tokens->kind == CIF_FAILED) return false;
   if (at == 0) return true;
-  return failure_in_input(reading->failure, reading->row.line, "a row of _atom_site has %u of %u values", (unsigned)at,
+  return failure_in_input(reading->failure, reading->row.line, "a row of %s has %u of %u values",
+                          reading->table == CIF_COMPONENT ? "_chem_comp_atom" : "_atom_site", (unsigned)at,
                           (unsigned)count);
+}
+
+/* The values of any other loop, of which operators count. */
+static bool skip_rows(struct cif_reading *reading, const enum cif_item *items, size_t count) {
+  struct cif_tokens *tokens = &reading->tokens;
+  for (size_t at = 0; tokens->kind == CIF_VALUE; at = (at + 1) % count, cif_tokens_next(tokens)) {
+    const enum cif_item item = at < MOST_ITEMS ? items[at] : CIF_OTHER_ITEM;
+    if (item >= CIF_CELL_A && item <= CIF_OPERATOR && !take_crystal(reading, item)) return false;
+  }
+  return tokens->kind != CIF_FAILED;
 }
 
 static bool read_loop(struct cif_reading *reading) {
   struct cif_tokens *tokens = &reading->tokens;
   const uint64_t line = tokens->line;
-  enum item items[MOST_ITEMS];
+  enum cif_item items[MOST_ITEMS];
   size_t count = 0;
-  bool atoms = false;
-  begin_table(reading);
+  bool mmcif = false, atoms = false;
+  begin_table(reading, CIF_OTHER_TABLE);
   for (cif_tokens_next(tokens); tokens->kind == CIF_TAG; cif_tokens_next(tokens)) {
-    struct field name;
-    const bool atom_item = in_category(tokens->text, &name);
-    atoms = atoms || atom_item;
-    if (atoms && count >= MOST_ITEMS) {
+    enum cif_table table;
+    const enum cif_item item = cif_item_of(tokens->text, &table);
+    const bool of_atoms = table == CIF_ATOMS || table == CIF_COMPONENT;
+    if (of_atoms) reading->table = table;
+    mmcif = mmcif || (of_atoms && memchr(tokens->text.text, '.', tokens->text.length) != NULL);
+    if (reading->table != CIF_OTHER_TABLE && count >= MOST_ITEMS) {
       return failure_in_input(reading->failure, tokens->line, "_atom_site has more than %d items", (int)MOST_ITEMS);
     }
-    if (!atoms) {
-      /* Files of small molecules write _atom_site_fract_x. */
-      reading->fractional = reading->fractional || field_is(tokens->text, "_ATOM_SITE_FRACT_X");
-    }
-    enum item item = OTHER_ITEM;
-    if (atom_item && !note_item(reading, name, &item)) return false;
+    if (of_atoms && !note_item(reading, tokens->text, item)) return false;
     if (count < MOST_ITEMS) items[count] = item;
     ++count;
   }
   if (count == 0 && tokens->kind != CIF_FAILED) {
     return failure_in_input(reading->failure, line, "loop_ without a tag behind it");
   }
-  if (atoms) return check_items(reading, line) && read_rows(reading, items, count);
-  while (tokens->kind == CIF_VALUE) cif_tokens_next(tokens);
-  return tokens->kind != CIF_FAILED;
+  if (reading->table != CIF_OTHER_TABLE && !check_items(reading, line, mmcif, &atoms)) return false;
+  return atoms ? read_rows(reading, items, count) : skip_rows(reading, items, count);
 }
 
 /* A tag and its value, outside of loops. */
 static bool read_item(struct cif_reading *reading) {
   struct cif_tokens *tokens = &reading->tokens;
   const uint64_t line = tokens->line;
-  struct field name;
-  enum item item = OTHER_ITEM;
-  if (in_category(tokens->text, &name)) {
+  enum cif_table table;
+  const enum cif_item item = cif_item_of(tokens->text, &table);
+  const bool of_atoms = table == CIF_ATOMS || table == CIF_COMPONENT;
+  if ((!of_atoms || table != reading->table) && !end_single(reading)) return false;
+  if (of_atoms) {
     if (!reading->single) {
-      begin_table(reading);
-      row_clear(&reading->row, line);
+      begin_table(reading, table);
+      cif_row_clear(&reading->row, line);
     }
     reading->single = true;
-    if (!note_item(reading, name, &item)) return false;
-  } else if (!end_single(reading)) {
-    return false;
+    if (!note_item(reading, tokens->text, item)) return false;
   }
   char tag[EXCERPT_BYTES];
   excerpt(tag, tokens->text.text, tokens->text.length);
   if (cif_tokens_next(tokens) == CIF_FAILED) return false;
   if (tokens->kind != CIF_VALUE) return failure_in_input(reading->failure, line, "%s has no value", tag);
-  if (item != OTHER_ITEM) row_put(&reading->row, item, tokens);
+  if (of_atoms && item != CIF_OTHER_ITEM) cif_row_put(&reading->row, item, tokens);
+  if (table == CIF_CRYSTAL && !take_crystal(reading, item)) return false;
   return cif_tokens_next(tokens) != CIF_FAILED;
 }
 
@@ -305,13 +359,10 @@ static bool read_all(struct cif_reading *reading) {
       continue;
     }
     if (!end_single(reading)) return false;
-    if (tokens->kind == CIF_END) {
-      if (reading->fractional && reading->molecule->models == 0) {
-        return failure_in_input(reading->failure, 0, "fractional coordinates are not read");
-      }
-      return true;
-    }
+    if (tokens->kind == CIF_END) return end_block(reading);
     if (tokens->kind == CIF_BLOCK) {
+      if (!end_block(reading)) return false;
+      memset(&reading->crystal, 0, sizeof reading->crystal);
       block_seen = true;
       cif_tokens_next(tokens);
     } else if (!block_seen) {
@@ -332,10 +383,15 @@ static bool read_cif(struct line_reader *reader, struct molecule *molecule, stru
   memset(&reading, 0, sizeof reading);
   reading.molecule = molecule;
   reading.failure = failure;
+  reading.source = CIF_OTHER_TABLE;
   cif_tokens_begin(&reading.tokens, reader, failure);
-  const bool done = read_all(&reading);
+  bool done = read_all(&reading);
+  if (done && reading.source == CIF_COMPONENT && molecule->atoms > 0) {
+    done = cif_component_finish(&reading.component, molecule, failure);
+  }
   cif_tokens_free(&reading.tokens);
   alternate_locations_free(&reading.seen);
+  cif_component_free(&reading.component);
   text_buffer_free(&reading.row.text);
   return done;
 }

@@ -14,6 +14,9 @@
 
 enum { HEADER_BYTES = 84, CELL_BYTES = 48, CHUNK_FLOATS = 2048 };
 
+/* What other programs that write angles or their cosines call themselves. */
+enum { LAST_VERSION_OF_ANGLES = 24 };
+
 /* CHARMM's unit of time, sqrt(u angstrom^2 / (kcal/mol)), in picoseconds. */
 static const double picoseconds = 0.04888821;
 
@@ -68,6 +71,7 @@ static bool take_header(struct dcd *dcd, struct byte_reader *reader, uint32_t *f
       charmm ? (double)bits_to_float(number[9]) : bits_to_double(bytes_to_u64(bytes + 8 + 4 * 9, dcd->highest_first));
   if (!is_finite(dcd->delta) || dcd->delta < 0.0) dcd->delta = 0.0;
   dcd->has_cell = charmm && number[10] != 0;
+  dcd->has_vectors = number[19] > LAST_VERSION_OF_ANGLES;
   dcd->has_fourth = charmm && number[11] != 0;
   *fixed = number[8];
   return true;
@@ -134,7 +138,7 @@ static bool take_axis(const struct dcd *dcd, struct byte_reader *reader, bool wa
   return take_end(dcd, reader, length, failure);
 }
 
-/* Six finite numbers: what they mean differs between writers; take_cell knows two ways. */
+/* Six finite numbers: what they mean differs between writers; take_cell knows three ways. */
 static bool check_cell(const struct dcd *dcd, const unsigned char *bytes, struct failure *failure) {
   for (int k = 0; k < 6; ++k) {
     if (!is_finite(bits_to_double(bytes_to_u64(bytes + 8 * k, dcd->highest_first)))) {
@@ -144,10 +148,31 @@ static bool check_cell(const struct dcd *dcd, const unsigned char *bytes, struct
   return true;
 }
 
-/* a, gamma, b, beta, alpha, c: angles in degrees, or their cosines where all are that small. */
+/* Whether the numbers are vectors: no right angle, which hardly any vector has as a component. Of versions that may
+ * have written angles none of those, nor their cosines, may do. */
+static bool are_vectors(const struct dcd *dcd, const double number[6]) {
+  bool cosines = true, angles = true, right = false;
+  static const int place[3] = {1, 3, 4};
+  for (int k = 0; k < 3; ++k) {
+    const double value = number[place[k]];
+    cosines = cosines && fabs(value) <= 1.0;
+    angles = angles && value > 0.0 && value < 180.0;
+    right = right || value == 90.0;
+  }
+  return !right && (dcd->has_vectors || (!cosines && !angles));
+}
+
+/* a_x, a_y, b_y, a_z, b_z, c_z of a matrix that is its own mirror image; or a, gamma, b, beta, alpha, c: angles in
+ * degrees, or their cosines where all are that small. */
 static void take_cell(const struct dcd *dcd, const unsigned char *bytes, struct box_record *box) {
   double number[6];
   for (int k = 0; k < 6; ++k) number[k] = bits_to_double(bytes_to_u64(bytes + 8 * k, dcd->highest_first));
+  if (are_vectors(dcd, number)) {
+    const double vector[9] = {number[0], number[1], number[3], number[1], number[2],
+                              number[4], number[3], number[4], number[5]};
+    box_from_vectors(vector, box);
+    return;
+  }
   const double length[3] = {number[0], number[2], number[5]};
   double angle[3] = {number[4], number[3], number[1]};
   const bool cosines = fabs(angle[0]) <= 1.0 && fabs(angle[1]) <= 1.0 && fabs(angle[2]) <= 1.0;

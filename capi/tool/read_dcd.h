@@ -10,7 +10,8 @@
 struct dcd {
   bool highest_first; /* of the bytes of its numbers */
   bool has_cell;
-  bool has_fourth; /* coordinate of each atom */
+  bool has_vectors; /* cells are vectors, as newer versions of CHARMM write them */
+  bool has_fourth;  /* coordinate of each atom */
   int32_t first_step, interval;
   double delta;         /* time between steps, in AKMA units; 0: not known */
   uint32_t free_atoms;  /* which alone move, if some are fixed; else all */

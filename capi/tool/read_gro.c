@@ -5,6 +5,7 @@
 #include <inttypes.h>
 #include <string.h>
 
+#include "characters.h"
 #include "frame_title.h"
 #include "number.h"
 #include "read_molecule.h"
@@ -58,10 +59,8 @@ static bool read_atom(const struct line_reader *reader, size_t width, struct mol
   label_copy(label.residue.number, sizeof label.residue.number, field_in_columns(text, length, 1, 5));
   label_copy(label.residue.name, sizeof label.residue.name, field_in_columns(text, length, 6, 10));
   label_copy(label.name, sizeof label.name, name);
-  if (label_take_element(&label, name)) return molecule_add(molecule, xyz, 0.0, &label, reader->number, failure);
-  char shown[EXCERPT_BYTES];
-  return failure_in_input(failure, reader->number, "no element in the atom name '%s'",
-                          excerpt(shown, name.text, name.length));
+  label_take_element(&label, name);
+  return molecule_add(molecule, xyz, 0.0, &label, reader->number, failure);
 }
 
 static bool is_empty(const struct line_reader *reader) {
@@ -76,12 +75,29 @@ static bool is_count(const struct line_reader *reader, uint64_t *count) {
          number_parse_count(field.text, field.length, count) == NUMBER_OK;
 }
 
+/* The numbers of a line, which may touch: each ends so many characters behind its point as the last one. */
+static size_t split_at_points(const struct line_reader *reader, struct field *field, size_t capacity) {
+  const char *const text = reader->text;
+  size_t length = reader->length, points = 0, begin = 0;
+  while (length > 0 && is_blank(text[length - 1])) --length;
+  const char *const last = strrchr(text, '.');
+  const size_t decimals = last == NULL || last >= text + length ? 0 : (size_t)(text + length - last) - 1;
+  for (const char *point = strchr(text, '.'); decimals > 0 && point != NULL; point = strchr(point + 1, '.')) {
+    const size_t end = (size_t)(point - text) + decimals + 1;
+    if (points == capacity || end > length) return 0;
+    field[points++] = field_in_columns(text, length, begin + 1, end);
+    begin = end;
+  }
+  return points;
+}
+
 /* Three or nine numbers: the lengths along the axes first, then a_y a_z b_x b_z c_x c_y. */
 static bool take_box(const struct line_reader *reader, struct box_record *box) {
   static const int place[9] = {0, 4, 8, 1, 2, 3, 5, 6, 7};
   struct field field[9];
   double vector[9] = {0};
-  const size_t count = fields_split(reader->text, reader->length, field, 9);
+  size_t count = fields_split(reader->text, reader->length, field, 9);
+  if (count != 3 && count != 9) count = split_at_points(reader, field, 9);
   if (count != 3 && count != 9) return false;
   for (size_t i = 0; i < count; ++i) {
     if (number_parse_times(field[i].text, field[i].length, POWER_OF_NANOMETRE, &vector[place[i]]) != NUMBER_OK) {
@@ -125,7 +141,7 @@ static enum line_status read_model(struct line_reader *reader, uint64_t count, b
   struct box_record box;
   if (status != LINE_READ) return status;
   if (take_box(reader, &box)) {
-    if (wanted) molecule->frame.box = box;
+    if (molecule->models <= molecule->model) molecule->frame.box = box;
     return status;
   }
   failure_in_input(failure, reader->number, "expected the box, three or nine numbers, after %" PRIu64 " atom%s", count,

@@ -85,11 +85,17 @@ const char *format_unit(enum molecule_format format) {
   return readers[format]->unit;
 }
 
-bool label_take_element(struct atom_label *label, struct field name) {
+void label_take_element(struct atom_label *label, struct field name) {
   const enum atom_kind kind = atom_kind_of(name, false, label->residue.name, &label->element);
   label->virtual_site = kind == ATOM_VIRTUAL;
+  label->bead = kind == ATOM_BEAD;
   if (label->virtual_site) label->element = virtual_symbol_of(name);
-  return kind != ATOM_UNKNOWN;
+}
+
+void label_check_bead(struct atom_label *label) {
+  const bool guessed = strcmp(label->element.text, "B") == 0 || strcmp(label->element.text, "S") == 0;
+  label->bead = label->bead || (guessed && is_bead_name(label->name, label->residue.name));
+  if (label->bead) label->element = (struct element_symbol){""};
 }
 
 bool read_announced_model(struct line_reader *reader, uint64_t count, announced_atoms *read_atoms,

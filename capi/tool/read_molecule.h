@@ -32,9 +32,12 @@ extern const struct molecule_reader xyz_reader;  /* element x y z */
 extern const struct molecule_reader cif_reader;  /* mmCIF */
 extern const struct molecule_reader gro_reader;  /* fixed columns, in nanometres */
 
-/* Tell by its name, which stands in no columns, what element an atom of the labelled residue is, or that it is none.
- * False: the name does not tell. */
-bool label_take_element(struct atom_label *label, struct field name);
+/* Tell by its name, which stands in no columns, what element an atom of the labelled residue is, or that it is none. It
+ * is empty if the name does not tell. */
+void label_take_element(struct atom_label *label, struct field name);
+
+/* The same if the atom is a bead, by the names in the label, whatever element the file guesses from them: B or S. */
+void label_check_bead(struct atom_label *label);
 
 /* Read as many atoms as are announced, or step over them if they are not wanted. *read: how many there were. */
 typedef enum line_status announced_atoms(struct line_reader *reader, uint64_t count, bool wanted,

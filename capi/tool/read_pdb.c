@@ -28,17 +28,20 @@ static bool element_by_columns(const struct line_reader *reader, struct element_
   return false;
 }
 
-/* The element and whether it is none; false if the record does not tell. */
-static bool label_element(const struct line_reader *reader, struct atom_label *label) {
+/* The element and whether it is none; empty if the record does not tell. */
+static void label_element(const struct line_reader *reader, struct atom_label *label) {
   const struct field columns = {reader->text + 12, 4};
   const bool by_columns = element_by_columns(reader, &label->element);
-  if (by_columns && element_symbol_exists(label->element)) return true;
+  if (by_columns && element_symbol_exists(label->element)) {
+    label_check_bead(label);
+    return;
+  }
   struct element_symbol by_name = {""};
   const enum atom_kind kind = atom_kind_of(columns, true, label->residue.name, &by_name);
   label->virtual_site = kind == ATOM_VIRTUAL || (by_columns && is_virtual_symbol(label->element));
   if (!by_columns || element_is_unknown(by_name))
     label->element = kind == ATOM_VIRTUAL ? virtual_symbol_of(columns) : by_name;
-  return by_columns || kind != ATOM_UNKNOWN;
+  label->bead = kind == ATOM_BEAD && !by_columns;
 }
 
 /* The name of the segment, which CHARMM and NAMD write instead of a chain. Files of before 1996 have the entry's name
@@ -61,11 +64,15 @@ static void label_residue(const struct line_reader *reader, struct residue_label
   label_copy(label->insertion, sizeof label->insertion, field_in_columns(text, length, 27, 27));
 }
 
+/* Tabs behind the coordinates are blanks; before their end nobody knows which columns they stand for. */
 static bool check_columns(const struct line_reader *reader, struct failure *failure) {
   const uint64_t line = reader->number;
-  const size_t looked_at = reader->length < LAST_COLUMN ? reader->length : LAST_COLUMN;
+  const size_t looked_at = reader->length < LAST_COORDINATE_COLUMN ? reader->length : LAST_COORDINATE_COLUMN;
   if (memchr(reader->text, '\t', looked_at) != NULL) {
     return failure_in_input(failure, line, "a tab in a record of fixed columns");
+  }
+  for (size_t i = looked_at; i < reader->length; ++i) {
+    if (reader->text[i] == '\t') reader->text[i] = ' ';
   }
   if (reader->text[0] == ' ') return failure_in_input(failure, line, "the record does not begin in column 1");
   if (reader->length < LAST_COORDINATE_COLUMN) {
@@ -100,11 +107,7 @@ static bool read_atom(const struct line_reader *reader, struct alternate_locatio
     ++molecule->left_out.alternate_locations;
     return true;
   }
-  if (!label_element(reader, &label)) {
-    char shown[EXCERPT_BYTES];
-    return failure_in_input(failure, line, "no element in columns 77-78, and none in the atom name '%s'",
-                            excerpt(shown, name.text, name.length));
-  }
+  label_element(reader, &label);
   return molecule_add(molecule, xyz, 0.0, &label, line, failure);
 }
 

@@ -86,6 +86,7 @@ static bool columns_of_title(const struct line_reader *reader, struct columns *c
 static bool parse_element(struct field text, struct atom_label *label) {
   uint64_t number;
   if (number_parse_count(text.text, text.length, &number) == NUMBER_OK) {
+    label->by_number = true;
     return element_symbol_of_number(number, &label->element);
   }
   size_t letters = 0;
@@ -134,7 +135,8 @@ static enum line_status read_model(struct line_reader *reader, uint64_t count, b
   enum line_status status = line_reader_next(reader, failure); /* the title, possibly blank */
   if (status == LINE_READ && wanted && !columns_of_title(reader, &columns, failure)) return LINE_FAILED;
   if (status == LINE_READ) frame_title_read(reader->text, &molecule->frame);
-  if (status == LINE_READ && wanted) box_from_title(reader->text, &molecule->frame.box);
+  const bool behind = molecule->models > molecule->model;
+  if (status == LINE_READ && !behind) box_from_title(reader->text, &molecule->frame.box);
   for (*read = 0; status == LINE_READ && *read < count; ++*read) {
     status = next_filled_line(reader, column, MOST_COLUMNS, &found, failure);
     if (status != LINE_READ) break;
@@ -179,5 +181,9 @@ static enum line_status next_xyz(struct line_reader *reader, bool *begun, bool w
   return next_announced(reader, &count, molecule, failure);
 }
 
-const struct molecule_reader xyz_reader = {
-    .name = "xyz", .extensions = "XYZ", .has_elements = true, .unit = "angstrom", .read = read_xyz, .next = next_xyz};
+const struct molecule_reader xyz_reader = {.name = "xyz",
+                                           .extensions = "XYZ EXTXYZ",
+                                           .has_elements = true,
+                                           .unit = "angstrom",
+                                           .read = read_xyz,
+                                           .next = next_xyz};

@@ -98,6 +98,30 @@ static bool ion_of(struct field name, const char *residue, struct element_symbol
   return element_symbol_parse(letters, strlen(letters), element) && element_symbol_exists(*element);
 }
 
+/* Whether an amino acid or nucleotide has sulfur. */
+static bool has_sulfur(const char *residue) {
+  static const char *const names[] = {"CME",  "CSE", "CSO", "CYM", "CYN", "CYS",
+                                      "CYSH", "CYX", "MET", "MSE", "SEC", "UNK"};
+  char capitals[NAME_BYTES];
+  to_capitals(capitals, residue, strlen(residue));
+  /* At the end of a chain: NCYS. */
+  const char *name = capitals;
+  if (strlen(name) == 4 && kind_of_capitals(name) == RESIDUE_OTHER) ++name;
+  for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i) {
+    if (strcmp(name, names[i]) == 0) return true;
+  }
+  return false;
+}
+
+bool is_bead_name(const char *name, const char *residue) {
+  const enum residue_kind kind = residue_kind_of(residue);
+  char capitals[NAME_BYTES];
+  to_capitals(capitals, name, strlen(name));
+  const bool backbone = strncmp(capitals, "BB", 2) == 0 && !is_letter(capitals[2]);
+  const bool side = strncmp(capitals, "SC", 2) == 0 && is_digit(capitals[2]);
+  return (kind == RESIDUE_AMINO_ACID || kind == RESIDUE_NUCLEOTIDE) && (backbone || side);
+}
+
 /* In a known residue; name in capitals, from its first letter on. ATOM_UNKNOWN: the name is none of such a residue. */
 static enum atom_kind kind_in_residue(const char *name, enum residue_kind kind, const char *residue,
                                       struct element_symbol *element) {
@@ -111,12 +135,14 @@ static enum atom_kind kind_in_residue(const char *name, enum residue_kind kind, 
     *element = element_unknown;
     return ATOM_KNOWN;
   }
+  if (is_bead_name(name, residue)) return ATOM_BEAD;
   if (name[0] == 'S' && name[1] == 'E') {
     char capitals[NAME_BYTES];
     to_capitals(capitals, residue, strlen(residue));
     const bool selenium = strcmp(capitals, "MSE") == 0 || strcmp(capitals, "SEC") == 0 || strcmp(capitals, "CSE") == 0;
     if (selenium) return element_symbol_parse("Se", 2, element) ? ATOM_KNOWN : ATOM_UNKNOWN;
   }
+  if (kind != RESIDUE_WATER && (name[0] == 'B' || (name[0] == 'S' && !has_sulfur(residue)))) return ATOM_BEAD;
   if (name[0] == '\0' || strchr("HDCNOSP", name[0]) == NULL) return ATOM_UNKNOWN;
   return element_symbol_parse(name, 1, element) ? ATOM_KNOWN : ATOM_UNKNOWN;
 }
@@ -137,6 +163,8 @@ static bool element_in_columns(struct field columns, struct element_symbol *elem
   }
   size_t at = 0;
   while (at < 4 && (name[at] == ' ' || is_digit(name[at]))) ++at;
+  const bool mixed = at < 3 && is_upper(name[at]) && is_lower(name[at + 1]) && !(at < 2 && is_letter(name[at + 2]));
+  if (mixed && element_symbol_parse(name + at, 2, element) && element_symbol_exists(*element)) return true;
   return at < 4 && element_symbol_parse(name + at, 1, element);
 }
 
@@ -169,5 +197,7 @@ enum atom_kind atom_kind_of(struct field name, bool in_columns, const char *resi
     return ATOM_VIRTUAL;
   }
   const bool known = in_columns ? element_in_columns(name, element) : element_of_letters(capitals, element);
-  return known ? ATOM_KNOWN : ATOM_UNKNOWN;
+  if (known) return ATOM_KNOWN;
+  element->text[0] = '\0';
+  return ATOM_UNKNOWN;
 }

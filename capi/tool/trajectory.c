@@ -62,9 +62,11 @@ static enum line_status next_model(struct trajectory *trajectory, bool wanted, s
   model->atoms = model->read = 0;
   model->most = trajectory->atoms;
   model->frame = trajectory->stamp;
+  model->frame.box = trajectory->last_box;
   const enum line_status status =
       read_next_model(trajectory->models, trajectory->lines, &trajectory->begun, wanted, model, failure);
   trajectory->stamp = model->frame;
+  if (trajectory->models == FORMAT_PDB) trajectory->last_box = model->frame.box;
   trajectory->xyz = model->xyz;
   trajectory->line = model->line;
   if (status != LINE_READ || !wanted || model->atoms == trajectory->atoms) return status;
@@ -105,6 +107,7 @@ enum line_status trajectory_next(struct trajectory *trajectory, bool wanted, str
     status = LINE_FAILED;
   }
   if (status == LINE_READ) ++trajectory->frames;
+  trajectory->boxed = trajectory->boxed || trajectory->stamp.box.given || trajectory->stamp.box.denied;
   if (status == LINE_FAILED) failure_in_frame(failure, trajectory);
   return status;
 }

@@ -19,10 +19,12 @@ struct trajectory {
   double *xyz;     /* [atoms][3], angstrom: the frame read last */
   uint64_t *line;  /* [atoms], where its atoms stand; NULL in binary files */
   struct frame_stamp stamp;
+  bool boxed; /* one of the frames so far has a box, or what is none where one belongs */
   /* The rest is this file's. */
   struct line_reader *lines;
   bool begun; /* the next model's first line was read with the last one */
   struct molecule model;
+  struct box_record last_box; /* of a .pdb file, where one record is for all models behind it */
   struct byte_reader bytes;
   struct xtc xtc;
   struct dcd dcd;

@@ -12,7 +12,7 @@ extern "C" {
 
 namespace {
 
-// The element, "virtual" or "unknown".
+// The element, "virtual", "bead" or "unknown".
 std::string found(const std::string &name, const std::string &residue, bool in_columns) {
   element_symbol element = {""};
   switch (atom_kind_of({name.c_str(), name.size()}, in_columns, residue.c_str(), &element)) {
@@ -20,6 +20,8 @@ std::string found(const std::string &name, const std::string &residue, bool in_c
       return element.text;
     case ATOM_VIRTUAL:
       return "virtual";
+    case ATOM_BEAD:
+      return "bead";
     case ATOM_UNKNOWN:
       break;
   }
@@ -103,11 +105,42 @@ TEST(AtomNames, VirtualSites) {
   }
 }
 
+// Amino acids and nucleotides have no boron, and most of them no sulfur: coarse-grained models call beads so.
+TEST(AtomNames, Beads) {
+  for (const Case &it : {
+           Case{"ALA", " BB ", "bead"},
+           Case{"LYS", " SC1", "bead"},
+           Case{"TRP", " SC5", "bead"},
+           Case{"CYS", " BB ", "bead"},
+           Case{"CYS", " SC1", "bead"},
+           Case{"NALA", "BB  ", "bead"},
+           Case{"DA", " BB1", "bead"},
+           Case{"DG", " SC4", "bead"},
+           Case{"SER", " SG ", "bead"},
+           Case{"DA", " S1P", "bead"},
+           Case{"NCYS", " SG ", "S"},
+           Case{"CMET", " SD ", "S"},
+           Case{"CYX", " SG ", "S"},
+           Case{"CSO", " SG ", "S"},
+           Case{"UNK", " SG ", "S"},
+           Case{"LIG", " SC1", "S"},
+           Case{"LIG", " B1 ", "B"},
+       }) {
+    EXPECT_EQ(found(it.name, it.residue, true), it.element) << it.residue << " " << it.name;
+    EXPECT_EQ(found(stripped(it.name), it.residue, false), it.element) << it.residue << " " << it.name;
+  }
+}
+
 // Elsewhere columns tell calcium from carbon; without columns carbon is the better guess.
 TEST(AtomNames, InOtherResidues) {
   EXPECT_EQ(found("CA  ", "LIG", true), "Ca");
   EXPECT_EQ(found(" CA ", "LIG", true), "C");
   EXPECT_EQ(found("CA", "LIG", false), "C");
+  EXPECT_EQ(found(" Ar ", "LIG", true), "Ar");
+  EXPECT_EQ(found(" Cl1", "LIG", true), "Cl");
+  EXPECT_EQ(found(" Oxt", "LIG", true), "O");
+  EXPECT_EQ(found(" Ca ", "ALA", true), "C");
+  EXPECT_EQ(found(" Zy ", "LIG", true), "Z");
   EXPECT_EQ(found("CL1 ", "LIG", true), "Cl");
   EXPECT_EQ(found("CL1", "LIG", false), "Cl");
   EXPECT_EQ(found("Br2", "LIG", false), "Br");

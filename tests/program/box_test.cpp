@@ -141,7 +141,7 @@ TEST(Box, IsRefusedWhereItHasNoMeaning) {
     int status;
     const char *says;
   } const calls[] = {
-      {{"measure", "good/two.xyzr", "--box", "10,10"}, 2, "--box needs AX,BY,CZ, nine numbers or 'file'"},
+      {{"measure", "good/two.xyzr", "--box", "10,10"}, 2, "--box needs AX,BY,CZ, nine numbers, 'file' or 'p1'"},
       {{"measure", "good/two.xyzr", "--box", "10,10,"}, 2, "--box needs"},
       {{"measure", "good/two.xyzr", "--box", "10,ten,10"}, 2, "'ten' is not a decimal number"},
       {{"measure", "good/two.xyzr", "--box"}, 2, "--box needs"},

@@ -215,7 +215,8 @@ TEST(RadiiSets, Hydrogens) {
   EXPECT_EQ(radii_of(atoms, {"--radii", any.path()}), (std::vector<double>{1.5, 1.1, 1.1}));
   const TemporaryFile alone("alone.pdb", pdb({{"ALA", " HA"}}));
   EXPECT_EQ(run_program({"measure", alone.path(), "--radii=naccess"}).err,
-            "hardsphere: " + alone.path() + ": no atoms are left: all are virtual sites or hydrogens\n");
+            "hardsphere: " + alone.path() +
+                ": no atoms are left: the only one is a hydrogen, which its heavy atom stands for\n");
 }
 
 void expect_refusal(const std::string &text, const std::string &reason) {

@@ -69,7 +69,7 @@ TEST(RealFiles, VirtualSitesAreLeftOut) {
   EXPECT_EQ(column(file.path(), "element", {"--radius", "M=0.5"}), (Words{"O", "M", "O"}));
   const TemporaryFile alone("sites.pdb", record("ATOM", " MW", "SOL", "A", 1, 0));
   EXPECT_EQ(run_program({"measure", alone.path()}).err,
-            "hardsphere: " + alone.path() + ": no atoms are left: all are virtual sites or hydrogens\n");
+            "hardsphere: " + alone.path() + ": no atoms are left: the only one is M, a virtual site\n");
   const TemporaryFile xyz("tip4p.xyz", "3\n\nO 0 0 0\nEP 0 0 1\nM 0 0 2\n");
   EXPECT_EQ(run_json({"measure", xyz.path()})["input"]["left_out"]["virtual_sites"].number, 2);
 }

@@ -204,7 +204,7 @@ Bytes dcd_header(uint32_t atoms, const DcdOptions &options) {
   control[9] = bits_of(options.delta);
   control[10] = options.cell ? 1 : 0;
   control[11] = options.fourth ? 1 : 0;
-  control[19] = options.charmm ? 24 : 0;
+  control[19] = options.charmm ? options.version : 0;
   Bytes first = "CORD";
   for (const uint32_t value : control) first += number(value);
   if (!options.charmm) {
@@ -224,7 +224,7 @@ Bytes dcd_frame(const Floats &atoms, bool first, const DcdOptions &options) {
   Bytes frame;
   if (options.cell) {
     Bytes cell;
-    for (const double value : {50.0, 90.0, 60.0, 90.0, 90.0, 70.0}) {
+    for (const double value : options.numbers) {
       uint64_t bits = 0;
       std::memcpy(&bits, &value, sizeof bits);
       cell += bytes_of(bits, 8, options.highest_first);

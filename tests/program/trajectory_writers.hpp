@@ -34,6 +34,8 @@ struct DcdOptions {
   bool highest_first = false;
   bool charmm = true;  // else X-PLOR
   bool cell = false;
+  std::array<double, 6> numbers = {50, 90, 60, 90, 90, 70};  // of the cell
+  uint32_t version = 24;                                     // of CHARMM
   bool fourth = false;
   uint32_t frames = 0;
   uint32_t first_step = 1000;

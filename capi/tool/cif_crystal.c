@@ -1,0 +1,99 @@
+#include "cif_crystal.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "number.h"
+
+static bool take_name(struct symmetry *symmetry, struct field name) {
+  label_copy(symmetry->space_group, sizeof symmetry->space_group, name);
+  return true;
+}
+
+/* Where the space group has no name: its number in the International Tables. */
+static bool take_number(struct symmetry *symmetry, struct field number) {
+  static const char before[] = "No. ";
+  if (symmetry->space_group[0] != '\0') return true;
+  if (field_is(number, "1")) return take_name(symmetry, (struct field){"P 1", 3});
+  memcpy(symmetry->space_group, before, sizeof before);
+  label_copy(symmetry->space_group + sizeof before - 1, sizeof symmetry->space_group - sizeof before + 1, number);
+  return true;
+}
+
+bool cif_crystal_take(struct cif_crystal *crystal, enum cif_item item, const struct cif_tokens *tokens,
+                      struct symmetry *symmetry, struct failure *failure) {
+  static const char *const names[6] = {"a", "b", "c", "alpha", "beta", "gamma"};
+  if (item == CIF_OTHER_ITEM || cif_value_is_absent(tokens)) return true;
+  if (item == CIF_OPERATOR) return symmetry_take_triplet(symmetry, tokens->text, failure);
+  if (item == CIF_SPACE_GROUP) return take_name(symmetry, tokens->text);
+  if (item == CIF_SPACE_GROUP_NUMBER) return take_number(symmetry, tokens->text);
+  const int k = (int)item - (int)CIF_CELL_A;
+  crystal->has[k] = true;
+  return field_number(cif_without_uncertainty(tokens->text), names[k], &crystal->cell[k], tokens->line, failure);
+}
+
+static size_t decimals_of(struct field number) {
+  const char *point = number.length == 0 ? NULL : memchr(number.text, '.', number.length);
+  return point == NULL ? 0 : (size_t)(number.text + number.length - point) - 1;
+}
+
+bool cif_crystal_fraction(struct cif_crystal *crystal, struct field text, const char *name, double *value,
+                          uint64_t line, struct failure *failure) {
+  enum { LEAST = 4, MOST = 15, FAR = 1000000 };
+  const struct field number = cif_without_uncertainty(text);
+  if (!field_number(number, name, value, line, failure)) return false;
+  const size_t decimals = decimals_of(number);
+  if (decimals > crystal->decimals) crystal->decimals = decimals;
+  const double sixth = round(*value * 6.0) / 6.0;
+  const double power = pow(10.0, (double)decimals);
+  if (decimals < LEAST || decimals > MOST || !(fabs(*value) < FAR) || round(sixth * power) != round(*value * power))
+    return true;
+  *value = sixth;
+  return true;
+}
+
+bool cif_crystal_keeps(struct cif_crystal *crystal, const struct cif_row *row, bool *keep, struct failure *failure) {
+  char assembly[8], group[8];
+  label_copy(assembly, sizeof assembly, cif_row_get(row, CIF_DISORDER_ASSEMBLY));
+  label_copy(group, sizeof group, cif_row_get(row, CIF_DISORDER_GROUP));
+  *keep = true;
+  if (group[0] == '\0') return true;
+  size_t at = 0;
+  while (at < crystal->assemblies && strcmp(crystal->assembly[at], assembly) != 0) ++at;
+  if (at == CIF_MOST_ASSEMBLIES) {
+    return failure_in_input(failure, row->line, "more than %d disorder assemblies", (int)CIF_MOST_ASSEMBLIES);
+  }
+  if (at == crystal->assemblies) {
+    memcpy(crystal->assembly[at], assembly, sizeof assembly);
+    memcpy(crystal->group[at], group, sizeof group);
+    ++crystal->assemblies;
+  }
+  *keep = strcmp(crystal->group[at], group) == 0;
+  return true;
+}
+
+bool cif_crystal_finish(const struct cif_crystal *crystal, bool fractional, struct molecule *molecule,
+                        struct failure *failure) {
+  struct box_record *box = &molecule->frame.box;
+  bool whole = true;
+  for (int k = 0; k < 6; ++k) whole = whole && crystal->has[k];
+  if (whole) box_from_angles(crystal->cell, crystal->cell + 3, box);
+  if (!fractional) return true;
+  if (!whole) return failure_in_input(failure, 0, "fractional coordinates, but no cell: _cell_length_a and the like");
+  if (!box->given) return failure_in_input(failure, 0, "fractional coordinates, but the cell is none");
+  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+    double *xyz = molecule->xyz + 3 * (size_t)i;
+    const double fraction[3] = {xyz[0], xyz[1], xyz[2]};
+    box_point(box, fraction, xyz);
+    for (int k = 0; k < 3; ++k) {
+      if (!is_finite(xyz[k])) return failure_in_input(failure, molecule->line[i], "a coordinate is too large");
+    }
+  }
+  /* An atom and its image are each rounded by up to half of the last digit along every vector. Where none has more than
+   * two digits, they are simple fractions, 0.5 and 0.25. */
+  enum { LEAST = 3, OF_SIMPLE = 4 };
+  const double edges = crystal->cell[0] + crystal->cell[1] + crystal->cell[2];
+  const size_t decimals = crystal->decimals < LEAST ? OF_SIMPLE : crystal->decimals;
+  molecule->symmetry.blur = edges * pow(10.0, -(double)decimals);
+  return true;
+}

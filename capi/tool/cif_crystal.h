@@ -1,0 +1,41 @@
+/* The cell of a block of a CIF file, and coordinates as fractions of it. */
+#ifndef HARDSPHERE_TOOL_CIF_CRYSTAL_H
+#define HARDSPHERE_TOOL_CIF_CRYSTAL_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "cif_row.h"
+#include "molecule.h"
+
+enum { CIF_MOST_ASSEMBLIES = 64 };
+
+/* Zeros at the start of a block. */
+struct cif_crystal {
+  double cell[6]; /* a, b, c, alpha, beta, gamma */
+  bool has[6];
+  size_t decimals;   /* of fractions, the most that one has */
+  size_t assemblies; /* of atoms that are somewhere or elsewhere, each with the first of its groups */
+  char assembly[CIF_MOST_ASSEMBLIES][8];
+  char group[CIF_MOST_ASSEMBLIES][8];
+};
+
+/* Take a value of the cell, the space group or an operator. False: it is no number, or memory is short. */
+bool cif_crystal_take(struct cif_crystal *crystal, enum cif_item item, const struct cif_tokens *tokens,
+                      struct symmetry *symmetry, struct failure *failure);
+
+/* The coordinate of an atom as a fraction. Thirds and sixths that are rounded to four decimals or more are taken as
+ * what they are. */
+bool cif_crystal_fraction(struct cif_crystal *crystal, struct field text, const char *name, double *value,
+                          uint64_t line, struct failure *failure);
+
+/* Whether the atom stands at the first of its places: of an assembly of disordered atoms the group that comes first in
+ * the file counts. */
+bool cif_crystal_keeps(struct cif_crystal *crystal, const struct cif_row *row, bool *keep, struct failure *failure);
+
+/* Put the cell into the molecule, whose atoms are all of this block. With `fractional` their coordinates are fractions
+ * and become angstrom; then a block without a cell fails. */
+bool cif_crystal_finish(const struct cif_crystal *crystal, bool fractional, struct molecule *molecule,
+                        struct failure *failure);
+
+#endif

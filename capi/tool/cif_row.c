@@ -1,0 +1,114 @@
+#include "cif_row.h"
+
+#include <string.h>
+
+#include "characters.h"
+
+/* With underscores for points; several names may be one item. */
+static const struct {
+  const char *name;
+  enum cif_item item;
+  enum cif_table table;
+} known[] = {
+    {"_ATOM_SITE_GROUP_PDB", CIF_GROUP, CIF_ATOMS},
+    {"_ATOM_SITE_TYPE_SYMBOL", CIF_SYMBOL, CIF_ATOMS},
+    {"_ATOM_SITE_AUTH_ATOM_ID", CIF_AUTH_ATOM, CIF_ATOMS},
+    {"_ATOM_SITE_LABEL_ATOM_ID", CIF_LABEL_ATOM, CIF_ATOMS},
+    {"_ATOM_SITE_LABEL", CIF_SITE_LABEL, CIF_ATOMS},
+    {"_ATOM_SITE_LABEL_ALT_ID", CIF_ALTERNATE, CIF_ATOMS},
+    {"_ATOM_SITE_AUTH_COMP_ID", CIF_AUTH_RESIDUE, CIF_ATOMS},
+    {"_ATOM_SITE_LABEL_COMP_ID", CIF_LABEL_RESIDUE, CIF_ATOMS},
+    {"_ATOM_SITE_AUTH_ASYM_ID", CIF_AUTH_CHAIN, CIF_ATOMS},
+    {"_ATOM_SITE_LABEL_ASYM_ID", CIF_LABEL_CHAIN, CIF_ATOMS},
+    {"_ATOM_SITE_AUTH_SEQ_ID", CIF_AUTH_NUMBER, CIF_ATOMS},
+    {"_ATOM_SITE_LABEL_SEQ_ID", CIF_LABEL_NUMBER, CIF_ATOMS},
+    {"_ATOM_SITE_PDBX_PDB_INS_CODE", CIF_INSERTION, CIF_ATOMS},
+    {"_ATOM_SITE_CARTN_X", CIF_X, CIF_ATOMS},
+    {"_ATOM_SITE_CARTN_Y", CIF_Y, CIF_ATOMS},
+    {"_ATOM_SITE_CARTN_Z", CIF_Z, CIF_ATOMS},
+    {"_ATOM_SITE_FRACT_X", CIF_FRACTION_X, CIF_ATOMS},
+    {"_ATOM_SITE_FRACT_Y", CIF_FRACTION_Y, CIF_ATOMS},
+    {"_ATOM_SITE_FRACT_Z", CIF_FRACTION_Z, CIF_ATOMS},
+    {"_ATOM_SITE_B_ISO_OR_EQUIV", CIF_B_FACTOR, CIF_ATOMS},
+    {"_ATOM_SITE_PDBX_PDB_MODEL_NUM", CIF_MODEL, CIF_ATOMS},
+    {"_ATOM_SITE_DISORDER_ASSEMBLY", CIF_DISORDER_ASSEMBLY, CIF_ATOMS},
+    {"_ATOM_SITE_DISORDER_GROUP", CIF_DISORDER_GROUP, CIF_ATOMS},
+    {"_ATOM_SITE_CALC_FLAG", CIF_CALCULATED, CIF_ATOMS},
+    {"_CHEM_COMP_ATOM_COMP_ID", CIF_COMPONENT_NAME, CIF_COMPONENT},
+    {"_CHEM_COMP_ATOM_ATOM_ID", CIF_COMPONENT_ATOM, CIF_COMPONENT},
+    {"_CHEM_COMP_ATOM_TYPE_SYMBOL", CIF_COMPONENT_SYMBOL, CIF_COMPONENT},
+    {"_CHEM_COMP_ATOM_PDBX_MODEL_CARTN_X_IDEAL", CIF_IDEAL_X, CIF_COMPONENT},
+    {"_CHEM_COMP_ATOM_PDBX_MODEL_CARTN_Y_IDEAL", CIF_IDEAL_Y, CIF_COMPONENT},
+    {"_CHEM_COMP_ATOM_PDBX_MODEL_CARTN_Z_IDEAL", CIF_IDEAL_Z, CIF_COMPONENT},
+    {"_CHEM_COMP_ATOM_MODEL_CARTN_X", CIF_MODEL_X, CIF_COMPONENT},
+    {"_CHEM_COMP_ATOM_MODEL_CARTN_Y", CIF_MODEL_Y, CIF_COMPONENT},
+    {"_CHEM_COMP_ATOM_MODEL_CARTN_Z", CIF_MODEL_Z, CIF_COMPONENT},
+    {"_CHEM_COMP_ATOM_X", CIF_PLAIN_X, CIF_COMPONENT},
+    {"_CHEM_COMP_ATOM_Y", CIF_PLAIN_Y, CIF_COMPONENT},
+    {"_CHEM_COMP_ATOM_Z", CIF_PLAIN_Z, CIF_COMPONENT},
+    {"_CELL_LENGTH_A", CIF_CELL_A, CIF_CRYSTAL},
+    {"_CELL_LENGTH_B", CIF_CELL_B, CIF_CRYSTAL},
+    {"_CELL_LENGTH_C", CIF_CELL_C, CIF_CRYSTAL},
+    {"_CELL_ANGLE_ALPHA", CIF_CELL_ALPHA, CIF_CRYSTAL},
+    {"_CELL_ANGLE_BETA", CIF_CELL_BETA, CIF_CRYSTAL},
+    {"_CELL_ANGLE_GAMMA", CIF_CELL_GAMMA, CIF_CRYSTAL},
+    {"_SYMMETRY_SPACE_GROUP_NAME_H-M", CIF_SPACE_GROUP, CIF_CRYSTAL},
+    {"_SPACE_GROUP_NAME_H-M_ALT", CIF_SPACE_GROUP, CIF_CRYSTAL},
+    {"_SYMMETRY_INT_TABLES_NUMBER", CIF_SPACE_GROUP_NUMBER, CIF_CRYSTAL},
+    {"_SPACE_GROUP_IT_NUMBER", CIF_SPACE_GROUP_NUMBER, CIF_CRYSTAL},
+    {"_SYMMETRY_EQUIV_POS_AS_XYZ", CIF_OPERATOR, CIF_CRYSTAL},
+    {"_SPACE_GROUP_SYMOP_OPERATION_XYZ", CIF_OPERATOR, CIF_CRYSTAL},
+};
+
+/* Whether the tag begins with the name. */
+static bool begins_with(struct field tag, const char *name, bool points_alone) {
+  for (size_t i = 0; name[i] != '\0'; ++i) {
+    if (i >= tag.length) return false;
+    const char c = to_upper(tag.text[i]);
+    if (c != name[i] && (points_alone || c != '.' || name[i] != '_')) return false;
+  }
+  return true;
+}
+
+enum cif_item cif_item_of(struct field tag, enum cif_table *table) {
+  for (size_t i = 0; i < sizeof known / sizeof known[0]; ++i) {
+    if (strlen(known[i].name) != tag.length || !begins_with(tag, known[i].name, false)) continue;
+    *table = known[i].table;
+    return known[i].item;
+  }
+  *table = begins_with(tag, "_ATOM_SITE.", true)        ? CIF_ATOMS
+           : begins_with(tag, "_CHEM_COMP_ATOM.", true) ? CIF_COMPONENT
+                                                        : CIF_OTHER_TABLE;
+  return CIF_OTHER_ITEM;
+}
+
+void cif_row_clear(struct cif_row *row, uint64_t line) {
+  memset(row->length, 0, sizeof row->length);
+  row->text.length = 0;
+  row->line = line;
+}
+
+void cif_row_put(struct cif_row *row, enum cif_item item, const struct cif_tokens *tokens) {
+  if (cif_value_is_absent(tokens)) return;
+  row->begin[item] = row->text.length;
+  row->length[item] = tokens->text.length;
+  text_buffer_append(&row->text, tokens->text.text, tokens->text.length);
+}
+
+struct field cif_row_get(const struct cif_row *row, enum cif_item item) {
+  return row->length[item] == 0 ? (struct field){"", 0}
+                                : (struct field){row->text.text + row->begin[item], row->length[item]};
+}
+
+struct field cif_row_either(const struct cif_row *row, enum cif_item author, enum cif_item label) {
+  return cif_row_get(row, row->length[author] > 0 ? author : label);
+}
+
+struct field cif_without_uncertainty(struct field number) {
+  size_t end = number.length;
+  if (end == 0 || number.text[end - 1] != ')') return number;
+  --end;
+  while (end > 0 && is_digit(number.text[end - 1])) --end;
+  const bool whole = end > 1 && number.text[end - 1] == '(' && end + 1 < number.length;
+  return whole ? (struct field){number.text, end - 1} : number;
+}

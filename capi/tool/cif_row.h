@@ -1,0 +1,93 @@
+/* What a CIF file says that matters here, by its tags, and the values of one atom. */
+#ifndef HARDSPHERE_TOOL_CIF_ROW_H
+#define HARDSPHERE_TOOL_CIF_ROW_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "cif_tokens.h"
+#include "fields.h"
+#include "text_buffer.h"
+
+enum cif_table {
+  CIF_ATOMS,      /* _atom_site */
+  CIF_COMPONENT,  /* _chem_comp_atom, the atoms of a chemical component or monomer */
+  CIF_CRYSTAL,    /* the cell, its space group and operators */
+  CIF_OTHER_TABLE /* without a meaning here */
+};
+
+enum cif_item {
+  CIF_GROUP,
+  CIF_SYMBOL,
+  CIF_AUTH_ATOM,
+  CIF_LABEL_ATOM,
+  CIF_SITE_LABEL, /* of small molecules: Zn1 */
+  CIF_ALTERNATE,
+  CIF_AUTH_RESIDUE,
+  CIF_LABEL_RESIDUE,
+  CIF_AUTH_CHAIN,
+  CIF_LABEL_CHAIN,
+  CIF_AUTH_NUMBER,
+  CIF_LABEL_NUMBER,
+  CIF_INSERTION,
+  CIF_X,
+  CIF_Y,
+  CIF_Z,
+  CIF_FRACTION_X,
+  CIF_FRACTION_Y,
+  CIF_FRACTION_Z,
+  CIF_B_FACTOR,
+  CIF_MODEL,
+  CIF_DISORDER_ASSEMBLY,
+  CIF_DISORDER_GROUP,
+  CIF_CALCULATED,
+  CIF_COMPONENT_NAME,
+  CIF_COMPONENT_ATOM,
+  CIF_COMPONENT_SYMBOL,
+  CIF_IDEAL_X,
+  CIF_IDEAL_Y,
+  CIF_IDEAL_Z,
+  CIF_MODEL_X,
+  CIF_MODEL_Y,
+  CIF_MODEL_Z,
+  CIF_PLAIN_X,
+  CIF_PLAIN_Y,
+  CIF_PLAIN_Z,
+  CIF_CELL_A,
+  CIF_CELL_B,
+  CIF_CELL_C,
+  CIF_CELL_ALPHA,
+  CIF_CELL_BETA,
+  CIF_CELL_GAMMA,
+  CIF_SPACE_GROUP,
+  CIF_SPACE_GROUP_NUMBER,
+  CIF_OPERATOR,
+  CIF_ITEMS,
+  CIF_OTHER_ITEM
+};
+
+/* The item of a tag, in any case of its letters, and its table. Small molecules' files have an underscore where mmCIF
+ * has a point: _cell_length_a, _cell.length_a. Of mmCIF's tables of atoms every tag has the table. */
+enum cif_item cif_item_of(struct field tag, enum cif_table *table);
+
+/* The values of one atom. They are copied: the lines that they come from are gone when the row is complete. Zeros at
+ * first. */
+struct cif_row {
+  size_t begin[CIF_ITEMS];
+  size_t length[CIF_ITEMS]; /* 0 where the file says nothing */
+  uint64_t line;
+  struct text_buffer text;
+};
+
+void cif_row_clear(struct cif_row *row, uint64_t line);
+void cif_row_put(struct cif_row *row, enum cif_item item, const struct cif_tokens *tokens);
+struct field cif_row_get(const struct cif_row *row, enum cif_item item);
+
+/* What the authors say, or else the label. */
+struct field cif_row_either(const struct cif_row *row, enum cif_item author, enum cif_item label);
+
+/* A number without the uncertainty that may follow in parentheses: 12.345(6). */
+struct field cif_without_uncertainty(struct field number);
+
+#endif

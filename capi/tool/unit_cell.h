@@ -1,0 +1,28 @@
+/* The box of the file and what is in it: atoms that fit its frame, and their copies by symmetry. */
+#ifndef HARDSPHERE_TOOL_UNIT_CELL_H
+#define HARDSPHERE_TOOL_UNIT_CELL_H
+
+#include <stdbool.h>
+
+#include "arguments.h"
+#include "failure.h"
+#include "molecule.h"
+#include "text_buffer.h"
+
+/* If the box of the file is asked for, turn it and the atoms so that it is upright. */
+void unit_cell_turn(const struct request *request, struct molecule *molecule);
+
+/* The same, and fill it: behind the atoms come their copies by the operators of the file, one operator after the other,
+ * each copy moved as a whole by vectors of the box, so that the mean of its centres lies in it. An image is left out if
+ * the digits of the file do not tell it from an atom of its element that is there, whatever its occupancy is: that of
+ * an atom on a rotation axis, a mirror or a centre, or one that the file has already. Nothing is done without
+ * operators, or if the user does not want copies. */
+bool unit_cell_fill(const struct request *request, struct molecule *molecule, struct failure *failure);
+
+/* Where there is symmetry, what was made of it: a row of a table. */
+void unit_cell_row(const struct symmetry *symmetry, struct text_buffer *out);
+
+/* , "symmetry": {"space_group": "..", "operators": .., "filled": .., "special_positions": .., "matrices": ..} */
+void unit_cell_json(const struct symmetry *symmetry, struct text_buffer *out);
+
+#endif

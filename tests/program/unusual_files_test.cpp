@@ -1,0 +1,140 @@
+// Files that mislead readers: beads that look like boron, numbers that may be types, tabs, symbols in wrong columns,
+// numbers that touch.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "json_outcome.hpp"
+#include "program_runner.hpp"
+#include "temporary_file.hpp"
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+std::string refusal(const Words &arguments) {
+  const Outcome outcome = run_program(arguments);
+  EXPECT_EQ(outcome.status, 1) << outcome.out;
+  EXPECT_EQ(outcome.out, "");
+  return outcome.err;
+}
+
+std::string atom(const std::string &name, const std::string &residue, const std::string &x,
+                 const std::string &behind = "") {
+  return "ATOM      1 " + name + " " + residue + " A   1    " + x + "   0.000   0.000" + behind + "\n";
+}
+
+// Without columns for elements, and with what other programs guess.
+TEST(UnusualFiles, BeadsAreNoElements) {
+  for (const std::string guess : {"", "  1.00  0.00           B", "  1.00  0.00           S"}) {
+    for (const std::string name : {" BB ", " SC1"}) {
+      const TemporaryFile file("cg.pdb", atom(" CA ", "GLY", "   0.000") + atom(name, "LYS", "   5.000", guess));
+      EXPECT_EQ(refusal({"measure", file.path()}),
+                "hardsphere: " + file.path() + ":2: '" + name.substr(name[0] == ' ' ? 1 : 0, name == " BB " ? 2 : 3) +
+                    "' of LYS is no element: looks coarse-grained; give radii by --radii FILE\n");
+      const TemporaryFile radii("beads.radii", "LYS BB 2.6\nLYS SC1 2.3\n");
+      const Json found = run_json({"measure", file.path(), "--radii", radii.path(), "--per-ball"});
+      EXPECT_EQ(found["balls"].items.at(1)["radius"].number, name == " BB " ? 2.6 : 2.3);
+      EXPECT_EQ(found["balls"].items.at(1)["element"].text, "");
+    }
+  }
+  const TemporaryFile gro("cg.gro",
+                          "beads\n    2\n    1ALA     BB    1   0.000   0.000   0.000\n"
+                          "    2DPPC   GL1    2   1.000   0.000   0.000\n   5 5 5\n");
+  EXPECT_NE(refusal({"measure", gro.path()}).find(":3: 'BB' of ALA is no element: looks coarse-grained"),
+            std::string::npos);
+  EXPECT_NE(refusal({"measure", gro.path(), "--hide", "residue:ALA"}).find("no element in the atom name 'GL1'"),
+            std::string::npos);
+  const TemporaryFile radii("beads.radii", "ALA BB 2.6\nDPPC GL1 2.3\n");
+  EXPECT_EQ(run_json({"measure", gro.path(), "--radii", radii.path()})["n"].number, 2);
+  const TemporaryFile picture("beads.svg");
+  EXPECT_EQ(run_program({"draw", gro.path(), "--radii", radii.path(), "-o", picture.path()}).status, 0);
+  const TemporaryFile cif("cg.cif",
+                          "data_a\nloop_\n_atom_site.type_symbol\n_atom_site.label_atom_id\n_atom_site.label_comp_id\n"
+                          "_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\nB BB ALA 0 0 0\n");
+  EXPECT_NE(refusal({"measure", cif.path()}).find("looks coarse-grained"), std::string::npos);
+  // Sulfur where it belongs, and boron in ligands.
+  const TemporaryFile real("real.pdb", atom(" SG ", "CYS", "   0.000") + atom(" SD ", "MET", "   5.000") +
+                                           atom(" B  ", "BRC", "   9.000") +
+                                           atom(" S1P", " DA", "  19.000", "  1.00  0.00           S"));
+  EXPECT_EQ(run_json({"measure", real.path()})["n"].number, 4);
+}
+
+TEST(UnusualFiles, NumbersForElementsAreSaid) {
+  const TemporaryFile file("types.xyz", "3\n\n1 0 0 0\n2 0 0 5\nC 0 0 9\n");
+  EXPECT_EQ(run_json({"measure", file.path()})["input"]["atomic_numbers"].number, 2);
+  const std::string table = run_program({"measure", file.path()}).out;
+  EXPECT_NE(table.find("  elements         2 numbers, taken as atomic numbers\n"), std::string::npos) << table;
+  EXPECT_EQ(run_program({"measure", "good/water.xyz"}).out.find("atomic number"), std::string::npos);
+}
+
+TEST(UnusualFiles, WhatWasLeftOutIsNamed) {
+  const auto says = [](const std::string &text) {
+    const TemporaryFile file("dummies.xyz", text);
+    const std::string err = refusal({"measure", file.path()});
+    return err.substr(err.find(file.path()) + file.path().size() + 2);
+  };
+  EXPECT_EQ(says("2\n\nX 0 0 0\nX 0 0 5\n"), "no atoms are left: all 2 are X, dummies\n");
+  EXPECT_EQ(says("1\n\nX 0 0 0\n"), "no atoms are left: the only one is X, a dummy\n");
+  EXPECT_EQ(says("2\n\nX 0 0 0\nEP 0 0 5\n"), "no atoms are left: all 2 are virtual sites\n");
+  EXPECT_EQ(says("2\n\nEP 0 0 0\nEP 0 0 5\n"), "no atoms are left: all 2 are Ep, virtual sites\n");
+  const TemporaryFile both("both.pdb", atom(" HA ", "ALA", "   0.000") + atom(" MW ", "SOL", "   5.000"));
+  EXPECT_NE(refusal({"measure", both.path(), "--radii", "protor"})
+                .find("all are virtual sites, 1, or hydrogens, 1, which heavy atoms stand for"),
+            std::string::npos);
+}
+
+// Behind the coordinates a tab is a blank; before their end nobody knows how many.
+TEST(UnusualFiles, TabsBehindTheCoordinates) {
+  const TemporaryFile file("tabs.pdb", atom(" CA ", "GLY", "   0.000", "  1.00  0.00\t          N") +
+                                           atom(" CB ", "ALA", "   5.000", "\t\t"));
+  const Json found = run_json({"measure", file.path(), "--per-ball"});
+  EXPECT_EQ(found["balls"].items.at(0)["element"].text, "N");
+  EXPECT_EQ(found["balls"].items.at(1)["element"].text, "C");
+  const TemporaryFile before("before.pdb", atom(" CA ", "GLY", "\t  0.000"));
+  EXPECT_NE(refusal({"measure", before.path()}).find(":1: a tab in a record of fixed columns"), std::string::npos);
+}
+
+TEST(UnusualFiles, SymbolsOfMixedCase) {
+  const TemporaryFile file("argon.pdb", atom(" Ar ", "LJ ", "   0.000") + atom(" CA ", "LJ ", "   9.000"));
+  const Json found = run_json({"measure", file.path(), "--per-ball"});
+  EXPECT_EQ(found["balls"].items.at(0)["element"].text, "Ar");
+  EXPECT_EQ(found["balls"].items.at(1)["element"].text, "C");
+}
+
+// Numbers of a box may touch; all have as many decimals.
+TEST(UnusualFiles, BoxesWhoseNumbersTouch) {
+  const std::string head = "box\n    1\n    1UNK      C    1   0.000   0.000   0.000\n";
+  const struct {
+    const char *box;
+    double volume;  // 0: refused
+  } cases[] = {{"40000.0000040001.0000040002.00000", 4000.0 * 4000.1 * 4000.2 * 1e6},
+               {"   5.00000   6.00000   7.00000", 210e3},
+               {"10000.0000010000.0000010000.00000   0.00000   0.00000-1000.00000   0.00000   0.00000   0.00000", 1e15},
+               {"40000.0000040000.00000", 0}};
+  for (const auto &it : cases) {
+    const TemporaryFile file("touching.gro", head + it.box + "\n");
+    if (it.volume == 0) {
+      EXPECT_NE(refusal({"measure", file.path()}).find("expected the box"), std::string::npos) << it.box;
+      continue;
+    }
+    const Outcome outcome = run_program({"measure", file.path()});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    if (it.volume > 1e12) continue; /* too large for the lattice of a carbon */
+    EXPECT_NEAR(run_json({"measure", file.path(), "--box", "file"})["box_volume"].number, it.volume, 1e-3);
+  }
+  const TemporaryFile small("small.gro", head + "50.0000060.0000070.00000\n");
+  EXPECT_NEAR(run_json({"measure", small.path(), "--box", "file"})["box_volume"].number, 210e6, 1e-3);
+}
+
+TEST(UnusualFiles, ExtendedXyzByItsName) {
+  const TemporaryFile file("frame.extxyz",
+                           "1\nLattice=\"0 5 0 6 0 0 0 0 7\" Properties=species:S:1:pos:R:3\nC 0 0 0\n");
+  const Json found = run_json({"measure", file.path(), "--box", "file"});
+  EXPECT_EQ(found["input"]["format"].text, "xyz");
+  EXPECT_NEAR(found["box_volume"].number, 210, 1e-9);
+  EXPECT_TRUE(found["box_turned"].boolean);
+}
+
+}  // namespace
