@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
-#include <numeric>
 #include <set>
 #include <string>
 #include <utility>
