@@ -70,7 +70,6 @@ void write_circle(const hsp::BallSet &balls, uint32_t a, uint32_t b, Record &rec
 void drop_results(hsp_boundary &boundary) {
   boundary.complete = false;
   boundary.builder.abandon();
-  ++boundary.computed;
 }
 
 }  // namespace

@@ -11,14 +11,13 @@ struct hsp_boundary {
   uintptr_t tag;
   Builder builder;
   hsp::capi::Source<hsp_model> model{};  // of what was computed last, or has begun
-  uint64_t computed = 0;  // counts computations, so that a topology notices when its boundary has changed
-  bool complete = false;  // the boundary is there
+  bool complete = false;                 // the boundary is there
 
   // Whether the model is as it was.
   bool has_model() const { return model.is_unchanged(); }
   // Whether results may be read: computed, and the model unchanged since.
   bool has_results() const { return complete && has_model(); }
-  uint64_t version() const { return computed; }
+  uint64_t version() const { return model.version(); }
   const hsp::Boundary &structure() const { return builder.boundary(); }
   const hsp::BallSet &balls() const { return model->balls(); }
 };

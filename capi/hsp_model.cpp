@@ -4,6 +4,16 @@
 
 using hsp::capi::is_live;
 
+namespace {
+
+void clear(hsp_model &model) {
+  uint32_t first_bad = 0;
+  static_cast<void>(model.grid.build(hsp::BallInput{}, first_bad));
+  model.take_digest();
+}
+
+}  // namespace
+
 int32_t hsp_model_bytes(uint32_t balls, size_t *bytes) {
   if (bytes == nullptr) return HSP_E_ARGUMENT;
   if (balls > HSP_MAX_BALLS) return HSP_E_RANGE;
@@ -15,8 +25,8 @@ int32_t hsp_model_init(void *memory, size_t bytes, uint32_t balls, hsp_model **m
   if (balls > HSP_MAX_BALLS) return HSP_E_RANGE;
   const int32_t status = hsp::capi::init(memory, bytes, balls, model);
   if (status != HSP_OK) return status;
-  uint32_t first_bad = 0;
-  return hsp::capi::to_c((*model)->grid.build(hsp::BallInput{}, first_bad));
+  clear(**model);
+  return HSP_OK;
 }
 
 int32_t hsp_model_options_init(hsp_model_options *options, uint32_t struct_size) {
@@ -26,18 +36,19 @@ int32_t hsp_model_options_init(hsp_model_options *options, uint32_t struct_size)
 int32_t hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const double *radius,
                       const hsp_model_options *options, uint32_t *first_bad) {
   if (!is_live(model)) return HSP_E_ARGUMENT;
-  ++model->revision;
   uint32_t ignored = 0;
   uint32_t &bad = first_bad != nullptr ? *first_bad : ignored;
   hsp::BallInput input;
   const auto refuse = [&](int32_t status) {
-    static_cast<void>(model->grid.build(hsp::BallInput{}, ignored));
+    clear(*model);
     bad = HSP_NONE;
     return status;
   };
   if (!hsp::capi::get_input(n, xyz, radius, options, input)) return refuse(HSP_E_ARGUMENT);
   if (n > model->grid.capacity()) return refuse(HSP_E_CAPACITY);
-  return hsp::capi::to_c(model->grid.build(input, bad));
+  const hsp::Status status = model->grid.build(input, bad);
+  model->take_digest();
+  return hsp::capi::to_c(status);
 }
 
 int32_t hsp_model_get_info(const hsp_model *model, hsp_model_info *info) {

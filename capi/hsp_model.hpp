@@ -2,7 +2,7 @@
 #pragma once
 
 #include "handle_memory.hpp"
-#include "model/cube_grid.hpp"
+#include "model/set_digest.hpp"
 #include "source.hpp"
 
 struct hsp_model {
@@ -11,9 +11,11 @@ struct hsp_model {
 
   uintptr_t tag;
   Builder grid;
-  uint64_t revision = 0;  // counts hsp_model_set, so that a boundary notices when its model has changed
+  uint64_t digest = 0;  // of the grid
 
-  uint64_t version() const { return revision; }
+  // To be called whenever the grid is another one.
+  void take_digest() { digest = hsp::digest_of(grid); }
+  uint64_t version() const { return digest; }
   static constexpr bool has_results() { return true; }  // of no ball at least
   const hsp::BallSet &balls() const { return grid.balls(); }
 };

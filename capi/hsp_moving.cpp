@@ -176,6 +176,6 @@ int32_t hsp_moving_get_model(const hsp_moving *moving, hsp_model *model) {
   if (!is_live(moving) || !is_live(model)) return HSP_E_ARGUMENT;
   if (!moving->has_results()) return HSP_E_STATE;
   const hsp::Status status = moving->builder.write(model->grid);
-  if (status == hsp::Status::ok) ++model->revision;
+  if (status == hsp::Status::ok) model->take_digest();
   return hsp::capi::to_c(status);
 }

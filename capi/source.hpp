@@ -1,4 +1,10 @@
-// What the results of a handle were computed from, and whether that is still as it was.
+// What the results of a handle were computed from, and whether that is still as it was: the same handle at the same
+// place, which holds the same.
+//
+// A count of computations would not tell, as a handle that is made anew in the same memory begins to count anew. So a
+// version stands for what a handle holds: that of a model is a digest of 64 bits (model/set_digest.hpp, which says why
+// these are enough), that of a boundary the one of its model, from which all of a boundary follows, whatever its limits
+// and workers. What is computed again from the same balls is therefore as it was.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +13,7 @@
 
 namespace hsp::capi {
 
-// The source has version(), which changes with its results, and has_results().
+// The source has has_results() and, where these are there, version().
 template <class Handle>
 class Source {
  public:
@@ -16,7 +22,8 @@ class Source {
     version_ = handle->version();
   }
   // Whether it lives, has results, and they are the ones of then.
-  bool is_unchanged() const { return is_live(handle_) && version_ == handle_->version() && handle_->has_results(); }
+  bool is_unchanged() const { return is_live(handle_) && handle_->has_results() && version_ == handle_->version(); }
+  uint64_t version() const { return version_; }
   bool is(const Handle *handle) const { return handle_ == handle; }
   const Handle *operator->() const { return handle_; }
   const Handle &operator*() const { return *handle_; }

@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "gradient_calls.hpp"
+#include "model_contents.hpp"
 #include "strangers.hpp"
 #include "struct_version.hpp"
 #include "surface_calls.hpp"
@@ -24,10 +25,10 @@ class Session {
     set_model();
     init_boundary();
     compute();
-    topology_.init(boundary_, complete_);
-    topology_.compute(boundary_, complete_, version_);
-    surface_.init(boundary_, complete_);
-    surface_.compute(boundary_, complete_, version_);
+    topology_.init(boundary_, ready());
+    topology_.compute(boundary_, ready(), results());
+    surface_.init(boundary_, ready());
+    surface_.compute(boundary_, ready(), results());
   }
 
   void step() {
@@ -63,18 +64,18 @@ class Session {
         measure();
         break;
       case 11:
-        topology_.init(boundary_, complete_);
+        topology_.init(boundary_, ready());
         break;
       case 12:
       case 13:
-        topology_.compute(null() ? nullptr : boundary_, complete_, version_);
+        topology_.compute(null() ? nullptr : boundary_, ready(), results());
         break;
       case 14:
       case 15:
-        topology_.read(version_);
+        topology_.read(results());
         break;
       case 16:
-        topology_.locate(version_);
+        topology_.locate(results());
         break;
       case 17:
         call_parts();
@@ -93,14 +94,14 @@ class Session {
         go_on();
         break;
       case 23:
-        surface_.init(boundary_, complete_);
+        surface_.init(boundary_, ready());
         break;
       case 24:
-        surface_.compute(null() ? nullptr : boundary_, complete_, version_);
+        surface_.compute(null() ? nullptr : boundary_, ready(), results());
         break;
       case 25:
       case 26:
-        surface_.read(version_);
+        surface_.read(results());
         break;
       default:
         constants();
@@ -108,6 +109,49 @@ class Session {
   }
 
  private:
+  // Memory of a handle, and a byte behind it that nobody may write to.
+  struct Block {
+    std::vector<uint8_t> bytes;
+    size_t misalignment = 0;
+
+    uint8_t *handle() { return bytes.data() + misalignment; }
+  };
+
+  // So many bytes for a handle: where it is, to be made again in place, or in a new block (lib/core/poison.hpp).
+  bool take_block(Block &block, bool is_there, size_t bytes) {
+    const size_t misalignment = bytes_.below(16);
+    if (is_there && bytes_.below(2) == 0 && block.misalignment + bytes < block.bytes.size()) return true;
+    const size_t spare = bytes_.below(2) * 16384;
+    block = {std::vector<uint8_t>(misalignment + bytes + spare + 1, 0x3C), misalignment};
+    return false;
+  }
+
+  void drop_boundary() {
+    topology_.drop();
+    surface_.drop();
+    boundary_ = nullptr;
+  }
+
+  // Whether the boundary holds results of what the model holds, and a number that says which; 0 if not.
+  bool ready() const { return complete_ && of_ == contents_; }
+  uint64_t results() const { return ready() ? of_ : 0; }
+
+  // Where it cannot be known whether they are the same as others, nothing is left that was computed from others.
+  void take_contents(const std::vector<double> &xyz, const std::vector<double> &radius,
+                     const hsp_model_options *options) {
+    fuzz::ModelContents contents{xyz, radius, {0, 0, 0}, {}};
+    if (options != nullptr) {
+      contents.options[0] = options->probe;
+      contents.options[1] = options->step;
+      contents.options[2] = options->largest_radius;
+    }
+    FUZZ_REQUIRE(hsp_model_get_info(model_, &contents.info) == HSP_OK, "hsp_model_get_info");
+    contents_ = known_.number_of(contents);
+    if (contents_ != 0) return;
+    drop_boundary();
+    contents_ = known_.start_with(contents);
+  }
+
   bool null() { return fuzz::null(bytes_); }
   double number() { return fuzz::number(bytes_, odd_numbers_); }
 
@@ -139,41 +183,51 @@ class Session {
 
   void init_model() {
     const uint32_t limit = bytes_.below(24);
-    const size_t misalignment = bytes_.below(16);
     const bool no_memory = null(), no_handle = null();
     size_t bytes = 0;
     FUZZ_REQUIRE(hsp_model_bytes(limit, &bytes) == HSP_OK, "hsp_model_bytes");
     const size_t missing = bytes_.one_in(8) ? 1 + bytes_.below(200) : 0;
     const size_t given = missing < bytes ? bytes - missing : 0;
-    // what referred to the old memory goes first
-    topology_.drop();
-    surface_.drop();
-    boundary_ = nullptr;
-    model_ = nullptr;
-    model_memory_ = std::vector<uint8_t>(misalignment + given + 1, 0x3C);  // new memory: see lib/core/poison.hpp
-    uint8_t *memory = no_memory ? nullptr : model_memory_.data() + misalignment;
+    const bool in_place = take_block(model_memory_, model_ != nullptr, given);
+    if (!in_place) {
+      // What refers to the old memory goes with it.
+      drop_boundary();
+      model_ = nullptr;
+    }
+    uint8_t *memory = no_memory ? nullptr : model_memory_.handle();
     hsp_model *made = nullptr;
     const int32_t status = hsp_model_init(memory, given, limit, no_handle ? nullptr : &made);
     const int32_t expected = no_memory || no_handle ? HSP_E_ARGUMENT : missing > 0 ? HSP_E_MEMORY : HSP_OK;
     FUZZ_REQUIRE(status == expected, "hsp_model_init");
-    FUZZ_REQUIRE(model_memory_.back() == 0x3C, "written past the model's memory");
+    FUZZ_REQUIRE(model_memory_.bytes.back() == 0x3C, "written past the model's memory");
     if (status != HSP_OK) {
       FUZZ_REQUIRE(made == nullptr, "a handle after failure");
-      for (const uint8_t byte : model_memory_) FUZZ_REQUIRE(byte == 0x3C, "written although refused");
+      for (const uint8_t byte : model_memory_.bytes) {
+        FUZZ_REQUIRE(in_place || byte == 0x3C, "written although refused");
+      }
       return;
     }
+    FUZZ_REQUIRE(!in_place || made == model_, "a handle in the same memory is elsewhere");
     model_ = made;
+    take_contents({}, {}, nullptr);
     limit_ = limit;
     balls_ = 0;
     as_made_ = true;
   }
 
   void set_model() {
-    const uint32_t n = bytes_.one_in(8) ? bytes_.below(28) : bytes_.below(limit_ + 1);
-    std::vector<double> xyz(3 * size_t{n}), radius(n);
+    const uint32_t wanted = bytes_.one_in(8) ? bytes_.below(28) : bytes_.below(limit_ + 1);
+    std::vector<double> xyz(3 * size_t{wanted}), radius(wanted);
     odd_numbers_ = bytes_.one_in(3);
     for (double &x : xyz) x = number();
     for (double &r : radius) r = number();
+    const bool again = known_.any() && bytes_.one_in(3);
+    const fuzz::ModelContents *const before = again ? &known_.at(bytes_.byte()) : nullptr;
+    if (again) {
+      xyz = before->xyz;
+      radius = before->radius;
+    }
+    const uint32_t n = static_cast<uint32_t>(radius.size());
     const bool no_model = model_ == nullptr || null(), no_xyz = null(), no_radius = null(),
                no_options = bytes_.below(2) == 0;
     hsp_model_options options;
@@ -182,6 +236,11 @@ class Session {
     options.probe = bytes_.one_in(3) ? number() : 0;
     options.step = bytes_.one_in(3) ? (bytes_.below(2) == 0 ? 1e-3 : number()) : 0;
     options.largest_radius = bytes_.one_in(6) ? number() : 0;
+    if (again && bytes_.below(4) > 0) {
+      options.probe = before->options[0];
+      options.step = before->options[1];
+      options.largest_radius = before->options[2];
+    }
     fuzz::StructVersion<hsp_model_options, 24> version(options, bytes_);
     if (!version.whole()) options.largest_radius = 0;
     const bool bad_options = !no_options && (!version.good() || options.reserved != 0);
@@ -190,13 +249,16 @@ class Session {
     const int32_t status =
         hsp_model_set(no_model ? nullptr : model_, n, no_xyz ? nullptr : xyz.data(),
                       no_radius ? nullptr : radius.data(), no_options ? nullptr : version.get(), &bad);
-    FUZZ_REQUIRE(model_memory_.empty() || model_memory_.back() == 0x3C, "written past the model's memory");
+    FUZZ_REQUIRE(model_memory_.bytes.empty() || model_memory_.bytes.back() == 0x3C, "written past the model's memory");
     const bool bad_pointer = no_model || (n > 0 && (xyz.data() == nullptr || no_xyz || no_radius)) || bad_options;
     if (!no_model) {
-      ++version_;
-      complete_ = false;
       balls_ = status == HSP_OK ? n : 0;
       as_made_ = status != HSP_OK;
+      if (status == HSP_OK) {
+        take_contents(xyz, radius, no_options ? nullptr : &options);
+      } else {
+        take_contents({}, {}, nullptr);
+      }
     }
     if (bad_pointer) {
       FUZZ_REQUIRE(status == HSP_E_ARGUMENT, "hsp_model_set, arguments");
@@ -318,20 +380,18 @@ class Session {
     FUZZ_REQUIRE(status == HSP_OK || bytes == 12345, "bytes written on failure");
     if (status != HSP_OK) bytes = 4096;
     const size_t missing = bytes_.one_in(8) ? 1 + bytes_.below(200) : 0;
-    const size_t misalignment = bytes_.below(16);
     const size_t given = missing < bytes ? bytes - missing : 0;
-    topology_.drop();
-    surface_.drop();
-    boundary_ = nullptr;
-    boundary_memory_ = std::vector<uint8_t>(misalignment + given + 1, 0x3C);
+    const bool in_place = take_block(boundary_memory_, boundary_ != nullptr, given);
+    if (!in_place) drop_boundary();
     hsp_boundary *made = nullptr;
-    const int32_t done = hsp_boundary_init(boundary_memory_.data() + misalignment, given, version.get(), &made);
+    const int32_t done = hsp_boundary_init(boundary_memory_.handle(), given, version.get(), &made);
     FUZZ_REQUIRE(done == (status != HSP_OK ? status : missing > 0 ? HSP_E_MEMORY : HSP_OK), "hsp_boundary_init");
-    FUZZ_REQUIRE(boundary_memory_.back() == 0x3C, "written past the boundary's memory");
+    FUZZ_REQUIRE(boundary_memory_.bytes.back() == 0x3C, "written past the boundary's memory");
     if (done != HSP_OK) {
       FUZZ_REQUIRE(made == nullptr, "a handle after failure");
       return;
     }
+    FUZZ_REQUIRE(!in_place || made == boundary_, "a handle in the same memory is elsewhere");
     boundary_ = made;
     limits_ = limits;
     complete_ = false;
@@ -343,7 +403,8 @@ class Session {
     const hsp_model *model = null() ? nullptr : model_;
     hsp_boundary_limits needed = limits_;
     const int32_t status = hsp_boundary_compute(boundary, model, &needed);
-    FUZZ_REQUIRE(boundary_memory_.empty() || boundary_memory_.back() == 0x3C, "written past the boundary's memory");
+    FUZZ_REQUIRE(boundary_memory_.bytes.empty() || boundary_memory_.bytes.back() == 0x3C,
+                 "written past the boundary's memory");
     if (boundary == nullptr) {
       FUZZ_REQUIRE(status == HSP_E_ARGUMENT, "hsp_boundary_compute, arguments");
       return;
@@ -351,7 +412,7 @@ class Session {
     // Whatever comes of it, earlier results are gone.
     complete_ = status == HSP_OK;
     stages_ = 0;
-    ++version_;
+    of_ = contents_;
     if (model == nullptr) {
       FUZZ_REQUIRE(status == HSP_E_ARGUMENT, "hsp_boundary_compute, arguments");
       return;
@@ -384,15 +445,14 @@ class Session {
     if (boundary == nullptr) return;
     complete_ = false;
     stages_ = 0;
-    ++version_;
+    of_ = contents_;
     if (status != HSP_OK) return;
     stages_ = *stages.data();
     FUZZ_REQUIRE(stages_ > 0, "no stages");
     done_.assign(workers, 0);
-    begun_version_ = version_;
   }
 
-  bool has_begun() const { return stages_ > 0 && begun_version_ == version_; }
+  bool has_begun() const { return stages_ > 0 && of_ == contents_; }
   uint32_t fewest_done() const { return *std::min_element(done_.begin(), done_.end()); }
 
   void work(uint32_t stage, uint32_t worker) {
@@ -437,11 +497,10 @@ class Session {
     hsp_boundary_limits again = limits_;
     FUZZ_REQUIRE(hsp_boundary_compute(boundary, model_, &again) == status, "another status by one worker");
     FUZZ_REQUIRE(std::memcmp(&again, &needed, sizeof needed) == 0, "other limits by one worker");
-    ++version_;
   }
 
   int32_t reader_status(const hsp_boundary *boundary) const {
-    return boundary == nullptr ? HSP_E_ARGUMENT : complete_ ? HSP_OK : HSP_E_STATE;
+    return boundary == nullptr ? HSP_E_ARGUMENT : ready() ? HSP_OK : HSP_E_STATE;
   }
 
   void read_records() {
@@ -508,19 +567,20 @@ class Session {
   fuzz::Bytes &bytes_;
   fuzz::TopologyCalls topology_;
   fuzz::SurfaceCalls surface_;
-  std::vector<uint8_t> model_memory_, boundary_memory_;
+  Block model_memory_, boundary_memory_;
+  fuzz::KnownContents known_;
   hsp_model *model_ = nullptr;
   hsp_boundary *boundary_ = nullptr;
   hsp_boundary_limits limits_{};
-  uint32_t limit_ = 0;        // of the model
-  uint32_t balls_ = 0;        // that the model holds
-  bool as_made_ = false;      // nothing set since it was made, or the last set failed
-  bool odd_numbers_ = false;  // NaN and the like may occur in the current call
-  bool complete_ = false;     // the boundary holds results, and the model has not changed since
-  uint32_t stages_ = 0;       // of what has begun; 0 if nothing has
-  uint64_t begun_version_ = 0;
+  uint32_t limit_ = 0;          // of the model
+  uint32_t balls_ = 0;          // that the model holds
+  bool as_made_ = false;        // nothing set since it was made, or the last set failed
+  bool odd_numbers_ = false;    // NaN and the like may occur in the current call
+  uint64_t contents_ = 0;       // of the model
+  uint64_t of_ = 0;             // the contents that the boundary was computed from, or that have begun
+  bool complete_ = false;       // the boundary was computed
+  uint32_t stages_ = 0;         // of what has begun; 0 if nothing has
   std::vector<uint32_t> done_;  // stages, of each worker
-  uint64_t version_ = 0;        // of the boundary's results
 };
 
 }  // namespace

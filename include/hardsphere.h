@@ -49,8 +49,18 @@
  *   memory again resets it. Distinct handles may be used by distinct threads, and a handle that is passed as const may
  *   be read by any number of threads at a time.
  *   A handle stays where it is made. A copy of one at another address, a handle of another kind and memory that holds
- *   no handle any more are refused with HSP_E_ARGUMENT, also where a language has one type for all pointers. What was
- *   computed from a handle that is no longer there yields HSP_E_STATE.
+ *   no handle any more are refused with HSP_E_ARGUMENT, also where a language has one type for all pointers.
+ *
+ * RESULTS
+ *   What was computed from a model or a boundary looks there when it is read, so that these must outlive it. It can be
+ *   read while that handle, in the same place, holds the same: a model the same balls in the same order on the same
+ *   lattice, with the same probe and largest radius; a boundary the results of such a model. Else reading it yields
+ *   HSP_E_STATE. So nothing has to be done about results when hsp_X_init makes a handle again where it is, and those of
+ *   balls that are taken once more can be read once more.
+ *   Whether balls are the same is decided by 64 bits made of all that is known of them. Others have the same bits by
+ *   accident with a probability of the order of 2^-64, or if somebody made them to.
+ *   What was computed from a handle whose memory was given back, or is used for something else, must not be read any
+ *   more: the library cannot know. hsp_X_compute with NULL for the model or boundary drops results.
  *
  * LIMITS
  *   All handles but models take in what some numbers allow, which fix their memory. hsp_X_compute hands such limits

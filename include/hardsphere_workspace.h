@@ -167,14 +167,14 @@ static inline int32_t hsp_workspace_make_moving(hsp_workspace *work) {
 }
 
 /** Take n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh, map,
- *  contacts, cells, paths and gate hold no results then; balls that move stay as they are. */
+ *  contacts, cells, paths and gate hold no results of other balls then; balls that move stay as they are. */
 static inline int32_t hsp_workspace_set(hsp_workspace *work, uint32_t n, const double *xyz, const double *radius,
                                         const hsp_model_options *options, uint32_t *first_bad) {
   if (work->model == NULL || n > work->most_balls) {
     size_t bytes = 0;
     int32_t status = hsp_model_bytes(n, &bytes);
     if (status != HSP_OK) return status;
-    /* What was computed from the model that goes must not be asked again. */
+    /* Memory is given back, of the model and then of the boundary: what was computed from them must not look there. */
     work->model = NULL;
     work->most_balls = 0;
     if (work->boundary != NULL) status = hsp_workspace_make_boundary(work);
@@ -209,6 +209,7 @@ static inline int32_t hsp_workspace_boundary(hsp_workspace *work) {
   hsp_boundary_limits limits = work->boundary_limits;
   while ((status = hsp_boundary_compute(work->boundary, work->model, &limits)) == HSP_E_CAPACITY) {
     work->boundary_limits = limits;
+    /* The same where the boundary's memory is given back. */
     status = work->topology != NULL ? hsp_workspace_make_topology(work) : HSP_OK;
     if (status == HSP_OK && work->surface != NULL) status = hsp_workspace_make_surface(work);
     if (status == HSP_OK && work->mesh != NULL) status = hsp_workspace_make_mesh(work);

@@ -22,6 +22,7 @@ set(HSP_LIBRARY_SOURCES
   lib/model/rounded_block_avx2.cpp
   lib/model/row_directory.cpp
   lib/model/ray_query.cpp
+  lib/model/set_digest.cpp
   lib/model/vertical_ray.cpp
   lib/poses/near_pairs.cpp
   lib/poses/near_pairs_avx2.cpp

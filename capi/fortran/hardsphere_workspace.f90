@@ -84,7 +84,7 @@ module hardsphere_workspace
 contains
 
   ! Takes n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh, map,
-  ! contacts, cells, paths and gate hold no results then; balls that move stay as they are.
+  ! contacts, cells, paths and gate hold no results of other balls then; balls that move stay as they are.
   function set_balls(self, n, xyz, radius, options, first_bad) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t), intent(in) :: n
@@ -96,7 +96,7 @@ contains
     if (.not. c_associated(self%model) .or. n > self%most_balls) then
       status = hsp_model_bytes(n, bytes)
       if (status /= HSP_OK) return
-      ! What was computed from the model that goes must not be asked again.
+      ! Memory is given back, of the model and then of the boundary: what was computed from them must not look there.
       self%model = c_null_ptr
       self%most_balls = 0
       if (c_associated(self%boundary)) status = self%make_boundary()
@@ -133,6 +133,7 @@ contains
       status = hsp_boundary_compute(self%boundary, self%model, limits)
       if (status /= HSP_E_CAPACITY) return
       self%boundary_limits = limits
+      ! The same where the boundary's memory is given back.
       status = HSP_OK
       if (c_associated(self%topology)) status = self%make_topology()
       if (status == HSP_OK .and. c_associated(self%surface)) status = self%make_surface()

@@ -61,8 +61,6 @@ HSP_API int32_t hsp_boundary_bytes(const hsp_boundary_limits *limits, size_t *by
    (size_t)16 * (size_t)(vertices) + (size_t)16 * (size_t)(circles))
 
 /** Make an empty boundary in caller memory of any alignment; sets *boundary.
- *  Topologies and surfaces computed from a boundary that was in this memory before must be computed again before they
- *  are read.
  *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_boundary_bytes says; nothing is written
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or workers than HSP_MAX_WORKERS, or the size does not
@@ -70,10 +68,9 @@ HSP_API int32_t hsp_boundary_bytes(const hsp_boundary_limits *limits, size_t *by
 HSP_API int32_t hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary_limits *limits,
                                   hsp_boundary **boundary);
 
-/** Compute the boundary of the union of the model's balls. The model must outlive the boundary and stay unchanged while
- *  results are read: after hsp_model_set the functions below return HSP_E_STATE until this one is called again.
+/** Compute the boundary of the union of the model's balls. The model must outlive the boundary, which can be read
+ *  while the model holds the same balls (RESULTS in hardsphere.h). On failure the boundary holds no results.
  *  limits: see LIMITS in hardsphere.h. vertices and circles are known once neighbours suffices: at most three retries.
- *  On failure the boundary holds no results.
  *  - Property 1: the order of the balls has no effect but on ids.
  *
  *  Cost: O(n) for sets as in Theorem 2.1; O(m^3) per ball with m neighbours at worst.

@@ -71,9 +71,9 @@ HSP_API int32_t hsp_cells_bytes(const hsp_cells_limits *limits, size_t *bytes);
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_cells_init(void *memory, size_t bytes, const hsp_cells_limits *limits, hsp_cells **cells);
 
-/** Cut the free space of a model into cells. The model must outlive them; after hsp_model_set what reads the cells
- *  yields HSP_E_STATE until they are computed again. On failure they hold no results. limits: see LIMITS in
- *  hardsphere.h; at most six retries.
+/** Cut the free space of a model into cells. The model must outlive them; they can be read while it holds the same
+ *  balls (RESULTS in hardsphere.h). On failure they hold no results. limits: see LIMITS in hardsphere.h; at most six
+ *  retries.
  *  - Property 1: the order of the balls has no effect but on their numbers, unless balls are equal.
  *
  *  Cost: O(n) for sets as in Theorem 2.1.

@@ -63,8 +63,8 @@ HSP_API int32_t hsp_contacts_init(void *memory, size_t bytes, const hsp_contacts
                                   hsp_contacts **contacts);
 
 /** Compute contacts, cells and dual complex of the balls of a computed boundary. Boundary and model must outlive the
- *  contacts; after hsp_model_set or hsp_boundary_compute what reads the contacts yields HSP_E_STATE until they are
- *  computed again. On failure they hold no results. limits: see LIMITS in hardsphere.h; at most three retries.
+ *  contacts, which can be read while these hold the same (RESULTS in hardsphere.h). On failure they hold no results.
+ *  limits: see LIMITS in hardsphere.h; at most three retries.
  *  - Property 1: the order of the balls has no effect but on ids and on their order.
  *
  *  Cost: O(n) for sets as in Theorem 2.1; O(m^3) per ball with m neighbours at worst, where most

@@ -78,9 +78,9 @@ HSP_API int32_t hsp_mesh_init(void *memory, size_t bytes, const hsp_mesh_limits 
 
 /** Triangles for a computed boundary, with edges of about the given length: the van der Waals surface, or with a probe
  *  the solvent-accessible one. Triangles are as large as that at most but for rounding; where the surface has arcs that
- *  are shorter, or curves that are close to each other, they are smaller. Boundary and model must outlive the mesh;
- *  after hsp_model_set or hsp_boundary_compute what reads the mesh yields HSP_E_STATE until it is computed again. On
- *  failure it holds no results. limits: see LIMITS in hardsphere.h; at most twenty retries, hardly ever any.
+ *  are shorter, or curves that are close to each other, they are smaller. Boundary and model must outlive the mesh,
+ *  which can be read while these hold the same (RESULTS in hardsphere.h). On failure it holds no results. limits: see
+ *  LIMITS in hardsphere.h; at most twenty retries, hardly ever any.
  *  - Property 1: the triangles are closed surfaces as described above, and the number of vertices less half that of
  *    triangles is the Euler characteristic of hsp_boundary_get_counts, or the status says that there are none.
  *  - Property 2: the same model, boundary and edge yield the same bytes on every machine.

@@ -36,8 +36,6 @@ HSP_API int32_t hsp_model_bytes(uint32_t balls, size_t *bytes);
 #define HSP_MODEL_BYTES(balls) ((size_t)1536 + (size_t)128 * (size_t)(balls))
 
 /** Make an empty model (0 balls) for at most `balls` balls in caller memory of any alignment; sets *model.
- *  Boundaries and views computed from a model that was in this memory before must be computed again before they are
- *  read.
  *  @retval HSP_E_ARGUMENT  memory or model is NULL
  *  @retval HSP_E_MEMORY    bytes is less than hsp_model_bytes says; nothing is written
  *  @retval HSP_E_RANGE     balls > HSP_MAX_BALLS, or the size does not fit a size_t */
@@ -58,7 +56,7 @@ typedef struct hsp_model_options {
 HSP_API int32_t hsp_model_options_init(hsp_model_options *options, uint32_t struct_size);
 
 /** Take n balls: round them to the lattice, hash them into cubes. May be called any number of times (frames of a
- *  trajectory); results obtained from earlier contents become invalid.
+ *  trajectory); results of other contents cannot be read then (RESULTS in hardsphere.h).
  *  xyz [n][3] and radius [n], in length units, may be NULL only if n is 0; options may be NULL (defaults);
  *  first_bad may be NULL, else it is set to the index of the first ball that is refused, or HSP_NONE.
  *

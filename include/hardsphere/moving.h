@@ -180,8 +180,8 @@ HSP_API int32_t hsp_moving_get_balls(const hsp_moving *moving, uint32_t count, c
 HSP_API int32_t hsp_moving_get_changed(const hsp_moving *moving, uint32_t *out, uint32_t capacity, uint32_t *needed);
 
 /** Put the balls as they are into a model, as hsp_model_set would with the same lattice and largest radius: for a
- *  boundary with ids, shells and topology, for queries and views. Results obtained from the model become invalid. On
- *  failure the model stays as it is.
+ *  boundary with ids, shells and topology, for queries and views. Results of other contents of the model cannot be read
+ *  then. On failure the model stays as it is.
  *  Cost: O(n).
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_CAPACITY  the model has room for fewer balls

@@ -70,8 +70,8 @@ HSP_API int32_t hsp_paths_bytes(const hsp_paths_limits *limits, size_t *bytes);
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_paths_init(void *memory, size_t bytes, const hsp_paths_limits *limits, hsp_paths **paths);
 
-/** Cut the free space of a model into cells, so that paths can be found. The model must outlive them; after
- *  hsp_model_set what reads them yields HSP_E_STATE until they are computed again. On failure they hold no results.
+/** Cut the free space of a model into cells, so that paths can be found. The model must outlive them; they
+ *  can be read while it holds the same balls (RESULTS in hardsphere.h). On failure they hold no results.
  *  limits: see LIMITS in hardsphere.h; at most six retries. points is 0 in what was needed: that depends on the path.
  *
  *  Cost: that of hsp_cells_compute.
@@ -163,8 +163,8 @@ HSP_API int32_t hsp_gate_bytes(const hsp_gate_limits *limits, size_t *bytes);
 HSP_API int32_t hsp_gate_init(void *memory, size_t bytes, const hsp_gate_limits *limits, hsp_gate **gate);
 
 /** Find the widest probe from one point to another, both [3], or to the outside if `to` is NULL. The points are rounded
- *  to the lattice. The model must outlive the gate; after hsp_model_set reading it yields HSP_E_STATE until it is
- *  computed again. On failure it holds no results. limits: see LIMITS in hardsphere.h; at most forty retries.
+ *  to the lattice. The model must outlive the gate, which can be read while the model holds the same balls (RESULTS in
+ *  hardsphere.h). On failure it holds no results. limits: see LIMITS in hardsphere.h; at most forty retries.
  *
  *  Cost: that of some thirty times hsp_cells_compute, of balls that grow up to the widest probe.
  *  @retval HSP_E_ARGUMENT    gate, model or from is NULL; bad struct_size of limits

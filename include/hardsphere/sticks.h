@@ -103,8 +103,8 @@ typedef struct hsp_sticks_conflict {
 
 /** Find what is painted from one direction; any number of times. options: where to look from, as for hsp_view_compute,
  *  NULL for the defaults; pieces and flags have to be good there and have no effect here. stick [count]: may be NULL
- *  if count is 0. radius: of all sticks. The model must outlive the handle: after hsp_model_set what reads the handle
- *  yields HSP_E_STATE until this is called again. conflict may be NULL; it is written on HSP_OK and HSP_E_CONFLICT: on
+ *  if count is 0. radius: of all sticks. The model must outlive the handle, which can be read while the model holds
+ *  the same balls (RESULTS in hardsphere.h). conflict may be NULL; it is written on HSP_OK and HSP_E_CONFLICT: on
  *  HSP_OK it tells whether there is an order to paint, or why none. Which one of several conflicts it is depends on the
  *  direction. limits: see LIMITS in hardsphere.h; at most twelve retries, hardly ever more than three. On failure the
  *  handle holds no results.

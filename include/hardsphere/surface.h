@@ -95,9 +95,9 @@ HSP_API int32_t hsp_surface_bytes(const hsp_surface_limits *limits, size_t *byte
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_surface_init(void *memory, size_t bytes, const hsp_surface_limits *limits, hsp_surface **surface);
 
-/** Compute the surface over a computed boundary. Boundary and model must outlive the surface; after hsp_model_set or
- *  hsp_boundary_compute what reads the surface yields HSP_E_STATE until it is computed again. On failure it holds no
- *  results. limits: see LIMITS in hardsphere.h; at most four retries.
+/** Compute the surface over a computed boundary. Boundary and model must outlive the surface, which can be read while
+ *  these hold the same (RESULTS in hardsphere.h). On failure it holds no results. limits: see LIMITS in hardsphere.h;
+ *  at most four retries.
  *  - Property 1: the order of the balls has no effect.
  *
  *  Cost: O(vertices) for sets as in Theorem 2.1 with probes no larger than balls; O(m^3) per vertex with m probes that

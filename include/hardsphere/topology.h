@@ -83,9 +83,9 @@ HSP_API int32_t hsp_topology_bytes(const hsp_topology_limits *limits, size_t *by
 HSP_API int32_t hsp_topology_init(void *memory, size_t bytes, const hsp_topology_limits *limits,
                                   hsp_topology **topology);
 
-/** Compute the topology of a computed boundary. Boundary and model must outlive the topology; after hsp_model_set or
- *  hsp_boundary_compute what reads the topology yields HSP_E_STATE until it is computed again. On failure it holds no
- *  results. limits: see LIMITS in hardsphere.h; at most three retries.
+/** Compute the topology of a computed boundary. Boundary and model must outlive the topology, which can be read while
+ *  these hold the same (RESULTS in hardsphere.h). On failure it holds no results. limits: see LIMITS in hardsphere.h;
+ *  at most three retries.
  *  - Property 1: the order of the balls has no effect but on ids.
  *
  *  Cost: O(n) for sets as in Theorem 2.1 without voids; with voids, for every component of the union one vertical ray

@@ -96,9 +96,8 @@ HSP_API int32_t hsp_view_options_turn(hsp_view_options *options, double x, doubl
 /** Cut and sort the pieces for one direction; any number of times, from any directions. boundary: one computed from the
  *  same model, so that a new direction costs only the cut and the sort; it may be NULL for G-pieces, which then
  *  come from the model alone (with it, balls without faces are skipped). options may be NULL (defaults). The model
- *  must outlive the view: after hsp_model_set the functions below return HSP_E_STATE until this one is called again;
- *  after hsp_model_init in the model's memory it must be called again before them. The boundary is not needed after
- *  the call.
+ *  must outlive the view, which can be read while it holds the same balls (RESULTS in hardsphere.h). The boundary is
+ *  not needed after the call.
  *  towards is rounded to integers with a largest component of 2^28, so that axes and diagonals are exact.
  *  limits: see LIMITS in hardsphere.h; at most three retries. On failure the view holds no results.
  *  - Property 1: the order of the balls has no effect but on ids.

@@ -39,33 +39,25 @@ Status BallRounding::prepare(const BallInput &input, uint32_t &first_bad) {
   const bool expected = input.largest_radius != 0.0;
   const double most = expected ? input.largest_radius : std::numeric_limits<double>::max();
   double largest = 0.0;
-  uint32_t largest_ball = no_id;
   for (uint32_t i = 0; i < input.n; ++i) {
     const double radius = input.radius[i];
-    if (!is_finite(radius) || radius < 0.0) {
+    if (!(0.0 <= radius && radius <= most)) {
       first_bad = i;
-      return is_finite(radius) ? Status::negative : Status::not_finite;
+      if (!is_finite(radius)) return Status::not_finite;
+      return radius < 0.0 ? Status::negative : Status::range;
     }
-    if (radius > most) {
-      first_bad = i;
-      return Status::range;
-    }
-    if (radius > largest) {
-      largest = radius;
-      largest_ball = i;
-    }
+    largest = largest < radius ? radius : largest;
   }
   largest_ = largest;
-  if (expected) {
-    largest = most;
-    largest_ball = no_id;
-  }
+  if (expected) largest = most;
   if (input.step != 0.0) {
     lattice_ = exact::Lattice::with_step(input.step);
     if (!is_finite(lattice_.steps(1.0))) return Status::range;
   } else if (!exact::Lattice::for_largest_radius(largest, input.probe, lattice_)) {
     // The ball is reported only if it is too large even without the probe.
-    if (!exact::Lattice::for_largest_radius(largest, 0.0, lattice_)) first_bad = largest_ball;
+    if (!expected && !exact::Lattice::for_largest_radius(largest, 0.0, lattice_)) {
+      for (first_bad = 0; input.radius[first_bad] < largest;) ++first_bad;
+    }
     return Status::range;
   }
   const double probe = lattice_.steps(input.probe);
@@ -78,7 +70,8 @@ Status BallRounding::prepare(const BallInput &input, uint32_t &first_bad) {
 
 Status BallRounding::find_box(LatticeBox &box, uint32_t &first_bad) const {
   // Rounding keeps the order of numbers, so the least and the largest of all tell whether all are on the lattice. The
-  // sum is NaN if a coordinate is, and else only if two are infinite, which the least or the largest tells too.
+  // sum is NaN if a coordinate is, and else only if two are infinite, which the least or the largest tells too. Minima
+  // in this order of operands are one instruction each; a NaN ends in the sum.
   constexpr double infinity = std::numeric_limits<double>::infinity();
   double low[3] = {infinity, infinity, infinity};
   double high[3] = {-infinity, -infinity, -infinity};
@@ -87,8 +80,8 @@ Status BallRounding::find_box(LatticeBox &box, uint32_t &first_bad) const {
   for (uint32_t i = 0; i < input_.n; ++i, xyz += 3) {
     for (int axis = 0; axis < 3; ++axis) {
       const double value = xyz[axis];
-      low[axis] = value < low[axis] ? value : low[axis];
-      high[axis] = value > high[axis] ? value : high[axis];
+      low[axis] = low[axis] < value ? low[axis] : value;
+      high[axis] = high[axis] > value ? high[axis] : value;
       sum[axis] += value;
     }
   }

@@ -141,10 +141,10 @@ static void model_changed(void) {
   static const double bad_radius[BALLS] = {1, -1, 1};
   CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
   CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_OK);
-  check_scene("model set to the same balls");
-  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
+  check_scene("model set to fewer balls, then the same again");
+  CHECK_EQUAL(hsp_model_set(model, BALLS - 1, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   check_all_readers(boundary, HSP_E_STATE);
-  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_OK);
   check_scene("model set to nothing");
   CHECK_EQUAL(hsp_model_set(model, 0, NULL, NULL, NULL, NULL), HSP_OK);
@@ -153,6 +153,8 @@ static void model_changed(void) {
   CHECK_EQUAL(hsp_boundary_get_counts(boundary, &counts), HSP_OK);
   CHECK_EQUAL(counts.balls, 0);
   check_scene("model emptied by a refusal");
+  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
   CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, bad_radius, NULL, NULL), HSP_E_NEGATIVE);
   check_all_readers(boundary, HSP_E_STATE);
   CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);

@@ -332,7 +332,7 @@ static void wrong_times(void) {
     CHECK_EQUAL(hsp_boundary_work(boundary, 0, 1), HSP_E_STATE);
     /* Another model, while it is computed. */
     CHECK_EQUAL(hsp_boundary_begin(boundary, c->model, 1, &stages), HSP_OK);
-    CHECK_EQUAL(hsp_model_set(c->model, set.n, set.xyz, set.radius, NULL, NULL), HSP_OK);
+    CHECK_EQUAL(hsp_model_set(c->model, set.n - 1, set.xyz, set.radius, NULL, NULL), HSP_OK);
     CHECK_EQUAL(hsp_boundary_work(boundary, 0, 0), HSP_E_STATE);
     CHECK_EQUAL(hsp_boundary_end(boundary, &limits), HSP_E_STATE);
     work(boundary, c->model, 3, 1);

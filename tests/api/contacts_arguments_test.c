@@ -125,15 +125,16 @@ static void computing(void) {
   CHECK_EQUAL(hsp_contacts_compute(contacts, boundary, &asked), HSP_E_ARGUMENT);
   check_none_reads(contacts, HSP_E_STATE);
   check_has_results();
-  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, NULL, NULL), HSP_E_ARGUMENT);
   check_none_reads(contacts, HSP_E_STATE);
-  check_has_results();
-  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_contacts_measure(contacts, NULL, NULL, NULL, 0, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS - 1, xyz, radius, NULL, NULL), HSP_OK);
   check_none_reads(contacts, HSP_E_STATE);
   asked = good_limits();
   CHECK_EQUAL(hsp_contacts_compute(contacts, boundary, &asked), HSP_E_STATE);
   CHECK_EQUAL(hsp_contacts_limits_init(&asked, (uint32_t)sizeof asked, boundary), HSP_E_STATE);
-  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
   asked = good_limits();
   CHECK_EQUAL(hsp_contacts_compute(contacts, boundary, &asked), HSP_OK);
   CHECK(asked.balls == BALLS && asked.neighbours == 4 && asked.contacts == 7);
@@ -320,7 +321,7 @@ static void curvature(void) {
   factors.gaussian = 5;
   CHECK_EQUAL(hsp_boundary_morphometry(boundary, NULL, &factors, &energy, NULL, NULL, NULL, 0, NULL, NULL), HSP_OK);
   CHECK_NEAR(energy.value, 2 * energy.volume + 3 * energy.area + energy.mean + 5 * energy.gauss, 1e-12);
-  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS - 1, xyz, radius, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_boundary_curvature(boundary, &totals, NULL, NULL, 0, NULL), HSP_E_STATE);
   CHECK_EQUAL(hsp_boundary_morphometry(boundary, NULL, &factors, &energy, NULL, NULL, NULL, 0, NULL, NULL),
               HSP_E_STATE);

@@ -94,10 +94,12 @@ static void out_of_order(void) {
   check_scene("nothing computed");
   check_all_refuse(boundary, HSP_E_STATE);
   CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
-  check_scene("model set to the same balls");
-  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
+  check_scene("model set to fewer balls, then the same again");
+  CHECK_EQUAL(hsp_model_set(model, BALLS - 1, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   check_all_refuse(boundary, HSP_E_STATE);
-  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_gradient(boundary, NULL, 1, 0, HSP_TANGENT_OVERLAP, NULL, NULL, NULL, NULL, 0, NULL, NULL),
+              HSP_OK);
   check_scene("model emptied by a refusal");
   CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, bad_radius, NULL, NULL), HSP_E_NEGATIVE);
   check_all_refuse(boundary, HSP_E_STATE);

@@ -213,9 +213,9 @@ static void order_of_calls(void) {
   const hsp_map_limits limits = good_limits();
   CHECK_EQUAL(hsp_map_compute(map, model, NULL, NULL), HSP_OK);
   check_has_results();
-  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS - 1, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   check_all_readers(map, HSP_E_STATE);
-  CHECK_EQUAL(hsp_map_compute(map, model, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   check_has_results();
   CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, bad_radius, NULL, NULL), HSP_E_NEGATIVE);
   check_all_readers(map, HSP_E_STATE);

@@ -179,8 +179,9 @@ static void computing_surface(void) {
   CHECK_EQUAL(hsp_mesh_compute_surface(mesh, surface, 1e-300, NULL), HSP_E_RANGE);
   CHECK_EQUAL(hsp_mesh_compute_surface(mesh, surface, edge / 32, NULL), HSP_E_CAPACITY);
   check_all_readers(mesh, HSP_E_STATE);
-  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_mesh_compute_surface(mesh, surface, edge, NULL), HSP_E_STATE);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
 }
 
 static void computing(void) {
@@ -229,13 +230,16 @@ static void capacities(void) {
 
 /* What lies behind a mesh changes: it must not be read. */
 static void changes(void) {
-  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, NULL, NULL), HSP_E_ARGUMENT);
   check_all_readers(mesh, HSP_E_STATE);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
+  check_has_results();
   CHECK_EQUAL(hsp_mesh_compute(mesh, boundary, edge, NULL), HSP_OK);
   check_has_results();
-  set_balls();
+  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   check_all_readers(mesh, HSP_E_STATE);
   CHECK_EQUAL(hsp_mesh_compute(mesh, boundary, edge, NULL), HSP_E_STATE);
+  set_balls();
   CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
   CHECK_EQUAL(hsp_mesh_compute(mesh, boundary, edge, NULL), HSP_OK);
   check_has_results();

@@ -419,8 +419,11 @@ static void refused_reading(void) {
   CHECK_EQUAL(hsp_model_get_info(small_model, &of_model), HSP_OK);
   CHECK_EQUAL(of_model.balls, SMALL);
   CHECK_EQUAL(hsp_boundary_measure(boundary, NULL, NULL, NULL, NULL, 0, NULL), HSP_OK);
-  /* One that has got other balls is not the same any more. */
+  /* One that gets the same balls is the same, one that gets others is not. */
   CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_moving_get_model(moving, model), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_measure(boundary, NULL, NULL, NULL, NULL, 0, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_moving_move(moving, 1, list, xyz + 3, NULL, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_moving_get_model(moving, model), HSP_OK);
   CHECK_EQUAL(hsp_boundary_measure(boundary, NULL, NULL, NULL, NULL, 0, NULL), HSP_E_STATE);
 }

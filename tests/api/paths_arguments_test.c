@@ -222,8 +222,10 @@ static void finding_paths(void) {
   CHECK_EQUAL(hsp_paths_get_points(paths, NULL, 0, &number), HSP_OK);
   CHECK_EQUAL(number, 0);
 
-  set_one();
+  CHECK_EQUAL(hsp_model_set(model, 0, NULL, NULL, NULL, NULL), HSP_OK);
   check_no_path(paths, HSP_E_STATE);
+  set_one();
+  find(under, above);
   CHECK_EQUAL(hsp_paths_compute(paths, NULL, NULL), HSP_E_ARGUMENT);
   check_no_path(paths, HSP_E_STATE);
   CHECK_EQUAL(hsp_paths_compute(paths, model, &asked), HSP_E_ARGUMENT);
@@ -266,8 +268,10 @@ static void finding_probes(void) {
   CHECK_EQUAL(hsp_gate_compute(gate, model, under, above, &asked), HSP_E_ARGUMENT);
   check_no_probe(gate, HSP_E_STATE);
   CHECK_EQUAL(hsp_gate_compute(gate, model, under, above, NULL), HSP_OK);
-  set_one();
+  CHECK_EQUAL(hsp_model_set(model, 0, NULL, NULL, NULL, NULL), HSP_OK);
   check_no_probe(gate, HSP_E_STATE);
+  set_one();
+  CHECK_EQUAL(hsp_gate_get(gate, &widest), HSP_OK);
   CHECK_EQUAL(hsp_model_set(model, 0, NULL, NULL, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_gate_compute(gate, model, under, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_gate_get(gate, &widest), HSP_OK);

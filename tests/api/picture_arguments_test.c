@@ -290,8 +290,10 @@ static void states(void) {
   CHECK_EQUAL(hsp_view_compute(view, model, NULL, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_map_compute(map, model, NULL, NULL), HSP_OK);
   check_written(colours, NULL);
-  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS - 1, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   check_refused(colours, NULL, HSP_E_STATE);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
+  check_written(colours, NULL);
   CHECK_EQUAL(hsp_view_compute(view, model, NULL, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_map_compute(map, model, NULL, NULL), HSP_OK);
   check_written(colours, NULL);

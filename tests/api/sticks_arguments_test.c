@@ -377,8 +377,10 @@ static void maps(void) {
   CHECK_EQUAL(seen_at(8, 2, -8 + 0.5 / sqrt(1 - slope * slope)), half_of(0, 0));
   CHECK_EQUAL(seen_at(5, 5, -20 + 0.5 / sqrt(1 - slope * slope)), half_of(0, 1));
   CHECK(map_info.components == 3);
-  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS - 1, xyz, radius, NULL, NULL), HSP_OK);
   check_no_map(sticks, HSP_E_STATE);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_sticks_get_map_info(sticks, &map_info), HSP_OK);
 }
 
 /* One path for each ball and part of a stick, with its colour. */
@@ -424,9 +426,10 @@ static void pictures(void) {
 static void order_of_calls(void) {
   const hsp_sticks_limits limits = good_limits();
   check_has_results();
-  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS - 1, xyz, radius, NULL, NULL), HSP_OK);
   check_no_results(sticks, HSP_E_STATE);
-  check_has_results();
+  CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_sticks_get_info(sticks, &info), HSP_OK);
   CHECK_EQUAL(hsp_sticks_init(sticks_memory, sizeof sticks_memory, &limits, &sticks), HSP_OK);
   check_no_results(sticks, HSP_E_STATE);
 }

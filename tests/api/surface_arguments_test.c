@@ -314,17 +314,20 @@ static void out_of_order(void) {
   }
 
   check_scene("the model has changed");
-  set_balls();
+  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   check_all_readers(surface, HSP_E_STATE);
   CHECK_EQUAL(hsp_surface_compute(surface, boundary, NULL), HSP_E_STATE);
   CHECK_EQUAL(hsp_surface_compute_shells(surface, boundary, NULL, 0, NULL), HSP_E_STATE);
+  set_balls();
   CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
   CHECK_EQUAL(hsp_surface_compute(surface, boundary, NULL), HSP_OK);
   check_has_results();
 
   check_scene("the boundary has been computed again");
-  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, NULL, NULL), HSP_E_ARGUMENT);
   check_all_readers(surface, HSP_E_STATE);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
+  check_has_results();
   CHECK_EQUAL(hsp_surface_compute(surface, boundary, NULL), HSP_OK);
   check_has_results();
 

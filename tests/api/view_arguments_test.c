@@ -173,7 +173,7 @@ static void bad_boundaries(void) {
   check_has_results();
   CHECK_EQUAL(info.kind, HSP_PIECES_OUTSIDE_ALL);
   check_scene("a boundary without results");
-  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_compute(boundary, NULL, NULL), HSP_E_ARGUMENT);
   check_refused(model, boundary, &options, HSP_E_STATE);
   check_refused(model, boundary, NULL, HSP_E_STATE);
   CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
@@ -203,10 +203,10 @@ static void order_of_calls(void) {
   CHECK_EQUAL(needed_limits.struct_size, sizeof needed_limits);
   CHECK_EQUAL(needed_limits.balls, BALLS);
   CHECK_EQUAL(needed_limits.neighbours, BALLS - 1);
-  check_scene("model set to the same balls");
-  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
+  check_scene("model set to fewer balls, then the same again");
+  CHECK_EQUAL(hsp_model_set(model, BALLS - 1, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   check_all_readers(view, HSP_E_STATE);
-  CHECK_EQUAL(hsp_view_compute(view, model, NULL, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   check_has_results();
   check_scene("model emptied by a refusal");
   CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, bad_radius, NULL, NULL), HSP_E_NEGATIVE);
