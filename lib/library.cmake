@@ -116,6 +116,7 @@ set(HSP_LIBRARY_SOURCES
   lib/surface/crease_lengths.cpp
   lib/surface/cusped_circles.cpp
   lib/surface/cut_patches.cpp
+  lib/surface/degenerate_balls.cpp
   lib/surface/flat_patches.cpp
   lib/surface/near_probes.cpp
   lib/surface/near_probes_avx2.cpp

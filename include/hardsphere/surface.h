@@ -176,7 +176,10 @@ HSP_API int32_t hsp_surface_measure(const hsp_surface *surface, hsp_surface_tota
                                     uint32_t capacity, uint32_t *needed);
 
 /** The ball has a vertex of more than three spheres, or of three that its probe just fits between; or another ball is
- *  equal to it; or the plane of a saddle's narrowest place passes through a ball's centre, and weights differ there. */
+ *  equal to it; or its sphere passes through a vertex or a whole circle that other balls have. Or its probe at a vertex
+ *  touches another one in a point of the concave patch: exactly, if that stands on the other side of the same three
+ *  balls, else up to rounding. Or, where weights differ, the plane of a saddle's narrowest place passes through a
+ *  ball's centre, or one of two balls touches the other from inside. */
 #define HSP_SURFACE_DEGENERATE UINT32_C(1)
 
 /** E = tension * A + pressure * V of the smooth surface and its gradient, in one pass.
@@ -189,10 +192,11 @@ HSP_API int32_t hsp_surface_measure(const hsp_surface *surface, hsp_surface_tota
  *  - Property 3: d_centre, d_radius and flags do not depend on the order of the balls, bit for bit.
  *  - Property 4: energy->area and energy->volume are those of hsp_surface_measure up to rounding.
  *
- *  V is continuously differentiable and A continuous, but where a piece of the outside is born. A is differentiable but
- *  where arcs and vertices come or go at an angle, which takes what HSP_SURFACE_DEGENERATE flags; there derivatives are
- *  those on one side at best. Without a probe balls that touch are flagged, too (gradient.h). The slope of a derivative
- *  may be unbounded elsewhere, where an arc or a vertex is born. The lattice's rounding is not differentiated.
+ *  A and V are continuous, but where a piece of the outside is born. V is continuously differentiable but where more
+ *  than three spheres pass through a vertex, or three through a circle; A is but where arcs and vertices come or go at
+ *  an angle. That takes what HSP_SURFACE_DEGENERATE flags; there derivatives are those on one side at best. Without a
+ *  probe balls that touch are flagged, too, and circles of three are not (gradient.h). The slope of a derivative may be
+ *  unbounded elsewhere, where an arc or a vertex is born. The lattice's rounding is not differentiated.
  *  Cost: O(n + size of the boundary).
  *  @retval HSP_E_ARGUMENT    surface is NULL
  *  @retval HSP_E_CAPACITY    an array is given and capacity < n
@@ -212,7 +216,7 @@ HSP_API int32_t hsp_surface_gradient(const hsp_surface *surface, double tension,
  *
  *  Shares are less smooth than their sum. Where an arc or a vertex is born what one ball has passes to another with a
  *  square root: next to that derivatives grow without bound. Where the plane of an arc or a circle passes a ball's
- *  centre they jump, which HSP_SURFACE_DEGENERATE flags.
+ *  centre, or a ball touches another from inside, they jump, which HSP_SURFACE_DEGENERATE flags.
  *  @retval HSP_E_ARGUMENT    surface is NULL
  *  @retval HSP_E_CAPACITY    an array is given and capacity < n
  *  @retval HSP_E_STATE       nothing computed, or model or boundary changed since

@@ -27,6 +27,7 @@ void SurfaceBuilder::carve(Workspace &workspace, const SurfaceLimits &limits) {
   surface_.shells_.use(grid_.first_shared());
   surface_.scratch_ = grid_.second_shared();
   surface_.first_half_edges_.carve(workspace, 3 * uint64_t{limits.vertices});
+  surface_.touching_.carve(workspace, limits.vertices);
   const uint64_t caps = uint64_t{limits.neighbours} + ProbeCaps::sides;
   corners_ = FixedVector(workspace.take<RegionCorner>(6 * caps));
   arcs_ = FixedVector(workspace.take<RegionArc>(6 * caps));
@@ -54,9 +55,11 @@ Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, con
     surface_.chosen_.choose(boundary, *shells, surface_.scratch_);
   }
   number_arcs(boundary);
+  surface_.touching_.clear(needed_.vertices);
   if (balls.probe_steps == 0) {
     for (uint32_t v = 0; v < needed_.vertices; ++v) cut.begin_vertex(v);
     cut.finish(needed_.vertices);
+    surface_.touching_.count();
     surface_.concave_.clear(needed_.vertices);
     surface_.shells_.find(boundary, cusped, cut);
     return Status::ok;
@@ -74,6 +77,7 @@ Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, con
     }
     if (status != Status::ok) return status;
   }
+  surface_.touching_.count();
   surface_.concave_.measure(balls, boundary, grid_.places(), cut);
   surface_.counts_.cusped_arcs = cusped.arcs() + cusped.whole_circles();
   surface_.shells_.find(boundary, cusped, cut);
@@ -92,6 +96,7 @@ Status SurfaceBuilder::cut_patches(const BallSet &balls, const Boundary &boundar
   for (uint32_t v = 0; v < needed_.vertices; ++v) {
     cut.begin_vertex(v);
     const ProbeState state = probe_.gather(balls, boundary, chosen, grid_, v);
+    if (probe_.touches()) surface_.touching_.set(v);
     needed_.neighbours = larger_count(needed_.neighbours, clamped_count(probe_.met()));
     if (state == ProbeState::crossed) {
       if (probe_.overflowed()) continue;
