@@ -20,9 +20,9 @@
  * kinds come together a patch may have a corner or a crease that another lacks, or a crease may end elsewhere in one of
  * its patches than in the other, or what is left of a patch is not the sum of its pieces: a joint is open. Areas and
  * volumes hold nevertheless, but the surface cannot be read as patches, edges and corners, nor has it triangles. Of
- * 18,000 sets of up to 14 balls, most full of ties, none is so; of 70,000 more 8 are. Of five points on a small lattice
- * 6 sets of 100 are, of points or balls tiny against the probe that are 1e-7 off such places 10 of 100. Where balls
- * touch in a vertex areas may be 1e-7 p^2 off.
+ * 18,000 sets of up to 14 balls, most full of ties, none is so; of 70,000 more fewer than 10 are. Of sets of five
+ * points on a small lattice 6 of 100 are; 10 of 100 if points, or balls tiny against the probe, are 1e-7 off such
+ * places. Where balls touch in a vertex areas may be 1e-7 p^2 off.
  *
  * PATCHES, EDGES, CORNERS follow from the boundary. With F faces, A arcs, C circles, V vertices of it, whose ids these
  * are, and "its ball 0" and "ball 1" those of hsp_arc and hsp_circle:
