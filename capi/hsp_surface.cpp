@@ -1,5 +1,6 @@
 #include "hsp_surface.hpp"
 #include "measure/tangency.hpp"
+#include "surface/degenerate_balls.hpp"
 #include "surface/surface_gradients.hpp"
 
 using hsp::capi::is_live;
@@ -40,14 +41,20 @@ int32_t finish(hsp_surface &surface, const hsp_boundary &boundary, hsp::Status s
   return hsp::capi::finish<convert>(surface, status, limits);
 }
 
-// Of equal balls all but one have no vertices. Without a probe all balls that touch from inside count.
-void flag_inner_contacts(const hsp::CubeGrid &grid, const hsp::Boundary &boundary, uint32_t *flags) {
+// What no ball's own faces show. Of equal balls all but one have no vertices. Without a probe all balls that touch from
+// inside count, with one those of different weights: their shares have a kink, the sum has not.
+void flag_degenerate_balls(const hsp::CubeGrid &grid, const hsp::Boundary &boundary, const hsp::Surface &surface,
+                           const hsp::AreaWeights &weights, bool any_tied, uint32_t *flags) {
   const hsp::BallSet &balls = grid.balls();
+  const auto flag = [&](uint32_t ball) { flags[balls.caller[ball]] |= HSP_SURFACE_DEGENERATE; };
   hsp::visit_free_inner_contacts(grid, boundary, [&](uint32_t inner, uint32_t outer) {
-    if (balls.probe_steps > 0 && balls.r[inner] != balls.r[outer]) return;
-    flags[balls.caller[inner]] |= HSP_SURFACE_DEGENERATE;
-    flags[balls.caller[outer]] |= HSP_SURFACE_DEGENERATE;
+    if (balls.probe_steps > 0 && balls.r[inner] != balls.r[outer] &&
+        weights.of(balls, inner) == weights.of(balls, outer))
+      return;
+    flag(inner);
+    flag(outer);
   });
+  hsp::visit_degenerate_balls(grid, boundary, surface, any_tied, flag);
 }
 
 // Where gradients go; each may be null.
@@ -76,10 +83,15 @@ int32_t get_gradient(const hsp_surface *surface, const double *sigma, double ten
 
   const hsp::Boundary &boundary = surface->boundary->structure();
   const hsp::EnergyTerms terms{{sigma}, tension, pressure};
+  bool any_degenerate = false;
   const hsp::SurfaceEnergy found = hsp::differentiate_surface(
-      grid, boundary, surface->builder.surface(), terms,
-      [&arrays](uint32_t i, const hsp::SurfaceEnergyGradient &gradient) { arrays.put(i, gradient); });
-  if (arrays.flags != nullptr) flag_inner_contacts(grid, boundary, arrays.flags);
+      grid, boundary, surface->builder.surface(), terms, [&](uint32_t i, const hsp::SurfaceEnergyGradient &gradient) {
+        arrays.put(i, gradient);
+        any_degenerate = any_degenerate || gradient.degenerate;
+      });
+  if (arrays.flags != nullptr) {
+    flag_degenerate_balls(grid, boundary, surface->builder.surface(), terms.weights, any_degenerate, arrays.flags);
+  }
   if (energy != nullptr) *energy = {found.value, found.area, found.volume, found.by_probe};
   return HSP_OK;
 }

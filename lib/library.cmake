@@ -114,8 +114,10 @@ set(HSP_LIBRARY_SOURCES
   lib/periodic/windings.cpp
   lib/surface/concave_patches.cpp
   lib/surface/covered_gaps.cpp
+  lib/surface/crease_lengths.cpp
   lib/surface/cusped_circles.cpp
   lib/surface/cut_patches.cpp
+  lib/surface/degenerate_balls.cpp
   lib/surface/flat_patches.cpp
   lib/surface/near_probes.cpp
   lib/surface/near_probes_avx2.cpp

@@ -17,9 +17,12 @@
  * Where four probes meet in one point up to rounding, or a cusp and a probe, and where vertices count as one point, all
  * patches there follow one decision, that of probes in general position infinitely near. Patches without area, as of
  * vertices in the plane of their balls' centres, then join what is beside them. But where several ties of different
- * kinds come together a patch may have a corner or a crease that another lacks: a joint is open. Areas and volumes hold
- * nevertheless, but the surface cannot be read as patches, edges and corners. Of 18,000 sets of up to 14 balls, most
- * full of ties, none is so; of 70,000 more 7 are. Where balls touch in a vertex areas may be 1e-7 p^2 off.
+ * kinds come together a patch may have a corner or a crease that another lacks, or a crease may end elsewhere in one of
+ * its patches than in the other, or what is left of a patch is not the sum of its pieces: a joint is open. Areas and
+ * volumes hold nevertheless, but the surface cannot be read as patches, edges and corners, nor has it triangles. Of
+ * 18,000 sets of up to 14 balls, most full of ties, none is so; of 70,000 more fewer than 10 are. Of sets of five
+ * points on a small lattice 6 of 100 are; 10 of 100 if points, or balls tiny against the probe, are 1e-7 off such
+ * places. Where balls touch in a vertex areas may be 1e-7 p^2 off.
  *
  * PATCHES, EDGES, CORNERS follow from the boundary. With F faces, A arcs, C circles, V vertices of it, whose ids these
  * are, and "its ball 0" and "ball 1" those of hsp_arc and hsp_circle:
@@ -135,7 +138,7 @@ typedef struct hsp_surface_counts {
   uint32_t cut_patches;     /**< of the concave patches, those that other probes cut */
   uint32_t hidden_patches;  /**< of these, those of which nothing is left */
   uint32_t rounded_patches; /**< of the concave patches, those decided in integers after rounding */
-  uint32_t open_joints;     /**< corners and creases that one cut patch has and another lacks: see above */
+  uint32_t open_joints;     /**< corners, creases and pieces of cut patches that do not fit: see above */
 } hsp_surface_counts;
 
 /** How many patches of each kind there are, and how many meet themselves or others. Without a probe all patches but the
@@ -173,7 +176,10 @@ HSP_API int32_t hsp_surface_measure(const hsp_surface *surface, hsp_surface_tota
                                     uint32_t capacity, uint32_t *needed);
 
 /** The ball has a vertex of more than three spheres, or of three that its probe just fits between; or another ball is
- *  equal to it; or the plane of a saddle's narrowest place passes through a ball's centre, and weights differ there. */
+ *  equal to it; or its sphere passes through a vertex or a whole circle that other balls have. Or its probe at a vertex
+ *  touches another one in a point of the concave patch: exactly, if that stands on the other side of the same three
+ *  balls, else up to rounding. Or, where weights differ, the plane of a saddle's narrowest place passes through a
+ *  ball's centre, or one of two balls touches the other from inside. */
 #define HSP_SURFACE_DEGENERATE UINT32_C(1)
 
 /** E = tension * A + pressure * V of the smooth surface and its gradient, in one pass.
@@ -186,10 +192,11 @@ HSP_API int32_t hsp_surface_measure(const hsp_surface *surface, hsp_surface_tota
  *  - Property 3: d_centre, d_radius and flags do not depend on the order of the balls, bit for bit.
  *  - Property 4: energy->area and energy->volume are those of hsp_surface_measure up to rounding.
  *
- *  V is continuously differentiable and A continuous, but where a piece of the outside is born. A is differentiable but
- *  where arcs and vertices come or go at an angle, which takes what HSP_SURFACE_DEGENERATE flags; there derivatives are
- *  those on one side at best. Without a probe balls that touch are flagged, too (gradient.h). The slope of a derivative
- *  may be unbounded elsewhere, where an arc or a vertex is born. The lattice's rounding is not differentiated.
+ *  A and V are continuous, but where a piece of the outside is born. V is continuously differentiable but where more
+ *  than three spheres pass through a vertex, or three through a circle; A is but where arcs and vertices come or go at
+ *  an angle. That takes what HSP_SURFACE_DEGENERATE flags; there derivatives are those on one side at best. Without a
+ *  probe balls that touch are flagged, too, and circles of three are not (gradient.h). The slope of a derivative may be
+ *  unbounded elsewhere, where an arc or a vertex is born. The lattice's rounding is not differentiated.
  *  Cost: O(n + size of the boundary).
  *  @retval HSP_E_ARGUMENT    surface is NULL
  *  @retval HSP_E_CAPACITY    an array is given and capacity < n
@@ -209,7 +216,7 @@ HSP_API int32_t hsp_surface_gradient(const hsp_surface *surface, double tension,
  *
  *  Shares are less smooth than their sum. Where an arc or a vertex is born what one ball has passes to another with a
  *  square root: next to that derivatives grow without bound. Where the plane of an arc or a circle passes a ball's
- *  centre they jump, which HSP_SURFACE_DEGENERATE flags.
+ *  centre, or a ball touches another from inside, they jump, which HSP_SURFACE_DEGENERATE flags.
  *  @retval HSP_E_ARGUMENT    surface is NULL
  *  @retval HSP_E_CAPACITY    an array is given and capacity < n
  *  @retval HSP_E_STATE       nothing computed, or model or boundary changed since
@@ -371,11 +378,13 @@ HSP_API int32_t hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_s
  *  1. no joint is open; *id is their number
  *  2. next and previous are inverse, keep to one patch and go from corner to corner
  *  3. the loops of all patches together are every directed edge once
- *  4. a crease has the same length in both of its patches
+ *  4. a crease has the same length in both of its patches, up to what is known of its ends
  *  5. every corner lies on the circles of its edges
  *  6. the Euler characteristic of each shell is even and at most 2
- *  7. no area is negative, and the pieces of a concave patch sum to what is left of it
+ *  7. no area is negative, and the pieces of a concave patch sum to what is left of it, up to rounding
  *  8. area and volume of convex and concave patches agree with the integral along their edges: the surface is closed
+ *  9. areas and volumes of all patches, in chosen shells, sum to those of hsp_surface_measure, up to rounding; *id is
+ *     HSP_NONE
  *
  *  The first may be violated where the input is degenerate, see above. Uses the surface's scratch memory, hence not
  *  const; results stay valid. Cost: O(size of the surface).

@@ -1,5 +1,7 @@
 #include "surface/patch_corners.hpp"
 
+#include "surface/crease_lengths.hpp"
+
 namespace hsp {
 namespace {
 
@@ -119,6 +121,7 @@ class Joiner {
       arc.twin = b;
       other.twin = a;
       patches_.creases().set(a);
+      if (CreaseLengths::may_differ(arc, other)) ++joints_.uneven;
       return;
     }
     ++joints_.open;

@@ -11,6 +11,7 @@ struct PatchJoints {
   uint32_t crease_corners = 0;  // where three creases meet
   uint32_t creases = 0;         // each counted once
   uint32_t open = 0;            // ends and creases that another patch lacks: 0 if the surface is closed
+  uint32_t uneven = 0;          // creases that may differ in their two patches (crease_lengths.hpp)
 };
 
 PatchJoints join_patches(const Boundary &boundary, const CuspedCircles &cusped, CutPatches &patches);

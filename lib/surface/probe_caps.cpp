@@ -32,6 +32,7 @@ ProbeState ProbeCaps::gather(const BallSet &balls, const Boundary &boundary, con
   chosen_ = &chosen;
   others_.clear();
   for (bool &known : gap_known_) known = false;
+  touches_ = false;
   measure_sides(balls, boundary, grid);
   if (whole_steradians_ == 0.0) return ProbeState::hidden;
 
@@ -82,11 +83,14 @@ void ProbeCaps::take(const BallSet &balls, const Boundary &boundary, const Probe
   const double coincident = 0.5 * diameter * coincident_distance;
   const Vec3 to = grid.difference(balls, vertex_, other);
   const double square = squared(to);
-  if (square >= diameter * diameter) return;
-  // Vertices of other components cut nothing that those of this one do not (PROOFS.md, section 5).
-  if (boundary.component(boundary.vertex(other).ball[0]) != boundary.component(boundary.vertex(vertex_).ball[0]))
-    return;
-  if (!chosen_->all() && !chosen_->together(face_at_vertex(boundary, other), face_at_vertex(boundary, vertex_))) return;
+  const double overlap = diameter * diameter - square;
+  const double rounding = 8 * diameter * vertex_error * static_cast<double>(balls.largest_radius);
+  if (overlap <= rounding) {
+    touches_ = touches_ || (overlap >= -rounding && may_cut(boundary, other) &&
+                            touches(balls, boundary, other, (1.0 / std::sqrt(square)) * to));
+    if (overlap <= 0.0) return;
+  }
+  if (!may_cut(boundary, other)) return;
   if (square < coincident * coincident) {
     if (same_circle_rule(balls, boundary, other, true) == Rule::hide) hidden_ = true;
     return;
@@ -98,6 +102,31 @@ void ProbeCaps::take(const BallSet &balls, const Boundary &boundary, const Probe
   if (misses(axis, height, error + side_error_ + 0x1p-30)) return;
   if (same_circle_rule(balls, boundary, other, false) == Rule::drop) return;
   others_.push({axis, height, distance, other});
+}
+
+// Vertices of other components cut nothing that those of this one do not (PROOFS.md, section 5).
+bool ProbeCaps::may_cut(const Boundary &boundary, uint32_t other) const {
+  return boundary.component(boundary.vertex(other).ball[0]) == boundary.component(boundary.vertex(vertex_).ball[0]) &&
+         (chosen_->all() || chosen_->together(face_at_vertex(boundary, other), face_at_vertex(boundary, vertex_)));
+}
+
+// Of probes whose centres are a diameter apart, up to rounding. A vertex of three spheres with the radii R is at the
+// distance p from the plane of their centres iff its projection is a common point of those with the squares R^2 - p^2:
+// then two circles on one of these touch.
+bool ProbeCaps::touches(const BallSet &balls, const Boundary &boundary, uint32_t other, const Vec3 &axis) {
+  const double error =
+      vertex_error * static_cast<double>(balls.largest_radius) / static_cast<double>(balls.probe_steps);
+  if (misses(axis, 1.0, error + side_error_ + 0x1p-30)) return false;
+  const VertexRecord &record = boundary.vertex(vertex_);
+  const VertexRecord &mirrored = boundary.vertex(other);
+  if (!lies_on(mirrored, record.ball[0]) || !lies_on(mirrored, record.ball[1]) || !lies_on(mirrored, record.ball[2])) {
+    return same_circle_rule(balls, boundary, other, false) == Rule::keep;
+  }
+  const exact::LatticeBall own = balls.ball(record.ball[0]);
+  const exact::Sphere smaller{4 * (own.radius - balls.probe_steps) * (own.radius + balls.probe_steps), own.index};
+  return exact::Exact::crossing(smaller, exact::plane_of(own, balls.ball(record.ball[1])),
+                                exact::plane_of(own, balls.ball(record.ball[2])))
+      .tied;
 }
 
 // Whether the cap leaves the triangle as it is, for certain (near_probes.hpp).

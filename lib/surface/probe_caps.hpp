@@ -28,6 +28,9 @@ class ProbeCaps {
                     uint32_t vertex);
 
   uint64_t met() const { return others_.required(); }
+  // Whether another probe touches this one in a point of the patch: exactly, if it touches the same three balls from
+  // the other side, else up to rounding.
+  bool touches() const { return touches_; }
   bool overflowed() const { return others_.overflowed(); }
   Caps &caps() { return caps_; }
   const Caps &caps() const { return caps_; }
@@ -80,6 +83,8 @@ class ProbeCaps {
   Vec3 inward(uint32_t k) const { return in_lane(triangles_.inward[k]); }
   void measure_sides(const BallSet &balls, const Boundary &boundary, const ProbeGrid &grid);
   void take(const BallSet &balls, const Boundary &boundary, const ProbeGrid &grid, uint32_t other);
+  bool may_cut(const Boundary &boundary, uint32_t other) const;
+  bool touches(const BallSet &balls, const Boundary &boundary, uint32_t other, const Vec3 &axis);
   bool misses(const Vec3 &axis, double height, double error) const;
   Rule same_circle_rule(const BallSet &balls, const Boundary &boundary, uint32_t other, bool coincident);
   void find_gap(const BallSet &balls, const Boundary &boundary, uint32_t slot);
@@ -99,6 +104,7 @@ class ProbeCaps {
   uint32_t lane_ = 0;  // of the triangles below
   double side_error_ = 0.0;
   bool hidden_ = false;
+  bool touches_ = false;
   bool gap_known_[3];   // of the half-edge on ball k of the vertex's record
   uint32_t across_[3];  // the vertex at the other end of the gap behind it
   uint32_t gap_edge_[3];

@@ -59,6 +59,8 @@ class Surface {
   // Of the two half-edges of each arc the first: numbers the arcs.
   const RankedBits &first_half_edges() const { return first_half_edges_; }
   const SurfaceShells &shells() const { return shells_; }
+  // Vertices whose probe touches another one in a point of its patch: there derivatives of areas jump.
+  const RankedBits &touching() const { return touching_; }
   // What is measured. Patches, edges and shells are there of both parts.
   const ChosenFaces &chosen() const { return chosen_; }
   Span<uint32_t> scratch() const { return scratch_; }  // [faces + pieces]
@@ -75,6 +77,7 @@ class Surface {
   CuspedCircles cusped_circles_;
   RankedBits first_half_edges_;
   SurfaceShells shells_;
+  RankedBits touching_;
   Span<uint32_t> scratch_;
   SurfaceCounts counts_;
 };

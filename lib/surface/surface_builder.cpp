@@ -2,6 +2,7 @@
 
 #include "surface/circles_in_doubles.hpp"
 #include "surface/circles_in_integers.hpp"
+#include "surface/crease_lengths.hpp"
 #include "surface/settled_circles.hpp"
 
 namespace hsp {
@@ -26,6 +27,7 @@ void SurfaceBuilder::carve(Workspace &workspace, const SurfaceLimits &limits) {
   surface_.shells_.use(grid_.first_shared());
   surface_.scratch_ = grid_.second_shared();
   surface_.first_half_edges_.carve(workspace, 3 * uint64_t{limits.vertices});
+  surface_.touching_.carve(workspace, limits.vertices);
   const uint64_t caps = uint64_t{limits.neighbours} + ProbeCaps::sides;
   corners_ = FixedVector(workspace.take<RegionCorner>(6 * caps));
   arcs_ = FixedVector(workspace.take<RegionArc>(6 * caps));
@@ -53,9 +55,11 @@ Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, con
     surface_.chosen_.choose(boundary, *shells, surface_.scratch_);
   }
   number_arcs(boundary);
+  surface_.touching_.clear(needed_.vertices);
   if (balls.probe_steps == 0) {
     for (uint32_t v = 0; v < needed_.vertices; ++v) cut.begin_vertex(v);
     cut.finish(needed_.vertices);
+    surface_.touching_.count();
     surface_.concave_.clear(needed_.vertices);
     surface_.shells_.find(boundary, cusped, cut);
     return Status::ok;
@@ -73,6 +77,7 @@ Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, con
     }
     if (status != Status::ok) return status;
   }
+  surface_.touching_.count();
   surface_.concave_.measure(balls, boundary, grid_.places(), cut);
   surface_.counts_.cusped_arcs = cusped.arcs() + cusped.whole_circles();
   surface_.shells_.find(boundary, cusped, cut);
@@ -86,11 +91,12 @@ Status SurfaceBuilder::cut_patches(const BallSet &balls, const Boundary &boundar
   const ChosenFaces &chosen = surface_.chosen_;
   FlatPatches flat(balls, boundary, chosen, grid_, cusped);
   surface_.counts_ = {};
-  uncertain_holes_ = 0;
+  uncertain_pieces_ = 0;
   cut.clear();
   for (uint32_t v = 0; v < needed_.vertices; ++v) {
     cut.begin_vertex(v);
     const ProbeState state = probe_.gather(balls, boundary, chosen, grid_, v);
+    if (probe_.touches()) surface_.touching_.set(v);
     needed_.neighbours = larger_count(needed_.neighbours, clamped_count(probe_.met()));
     if (state == ProbeState::crossed) {
       if (probe_.overflowed()) continue;
@@ -105,11 +111,11 @@ Status SurfaceBuilder::cut_patches(const BallSet &balls, const Boundary &boundar
           continue;
         }
         const SettledCircles settled(balls, boundary, chosen, grid_, cusped, probe_);
-        if (settle(settled, steradians, before)) {
+        if (settle(settled, steradians, vector_area, before)) {
           if (surface_.counts_.cut_patches == before.cut_patches) continue;
           const ConcaveScale scale(balls, boundary, grid_.position(v));
           cut.begin_patch(scale.patch(steradians, vector_area));
-          store_pieces(boundary, v, scale, &settled);
+          store_pieces(boundary, v, scale, steradians, &settled);
           continue;
         }
         surface_.counts_ = before;
@@ -118,7 +124,7 @@ Status SurfaceBuilder::cut_patches(const BallSet &balls, const Boundary &boundar
       if (surface_.counts_.cut_patches == before.cut_patches) continue;
       const ConcaveScale scale(balls, boundary, grid_.position(v));
       cut.begin_patch(scale.patch(steradians, vector_area));
-      store_pieces(boundary, v, scale, nullptr);
+      store_pieces(boundary, v, scale, steradians, nullptr);
     } else if (decisions == Decisions::shared &&
                (state == ProbeState::hidden || probe_.whole_steradians() < least_steradians) &&
                store_flat_patch(flat, v)) {
@@ -126,11 +132,11 @@ Status SurfaceBuilder::cut_patches(const BallSet &balls, const Boundary &boundar
     } else if (decisions == Decisions::shared && state == ProbeState::whole && has_mates(balls, boundary)) {
       const SurfaceCounts before = surface_.counts_;
       const SettledCircles settled(balls, boundary, chosen, grid_, cusped, probe_);
-      if (!settle(settled, probe_.whole_steradians(), before)) continue;
+      if (!settle(settled, probe_.whole_steradians(), probe_.whole_vector_area(), before)) continue;
       const ConcaveScale scale(balls, boundary, grid_.position(v));
       surface_.counts_.cut_patches = before.cut_patches + 1;
       cut.begin_patch(scale.patch(probe_.whole_steradians(), probe_.whole_vector_area()));
-      store_pieces(boundary, v, scale, &settled);
+      store_pieces(boundary, v, scale, probe_.whole_steradians(), &settled);
     } else if (state == ProbeState::hidden) {
       ++surface_.counts_.cut_patches;
       ++surface_.counts_.hidden_patches;
@@ -146,7 +152,13 @@ Status SurfaceBuilder::cut_patches(const BallSet &balls, const Boundary &boundar
   }
   surface_.counts_.joints = join_patches(boundary, cusped, cut);
   // A hidden patch lacks even its corners, which convex patches and saddles have.
-  surface_.counts_.joints.open += uncertain_holes_ + surface_.counts_.hidden_patches;
+  surface_.counts_.joints.open += uncertain_pieces_ + surface_.counts_.hidden_patches;
+  if (surface_.counts_.joints.uneven > 0) {
+    const CreaseLengths lengths(balls, boundary, cut);
+    for (uint32_t k = 0; k < cut.creases().size(); ++k) {
+      surface_.counts_.joints.open += lengths.agree(cut.creases().member(k)) ? 0 : 1;
+    }
+  }
   return Status::ok;
 }
 
@@ -163,14 +175,17 @@ bool SurfaceBuilder::store_flat_patch(FlatPatches &flat, uint32_t vertex) {
   return true;
 }
 
-// The arcs of the patch as decisions that patches share have them. False if these leave another area: that is right as
-// it is.
-bool SurfaceBuilder::settle(const SettledCircles &circles, double steradians, const SurfaceCounts &before) {
+// The arcs of the patch as decisions that patches share have them. False if area or vector area, which are right as
+// they are, show that these leave another part of the sphere: neither differs by more than what lies between the two.
+bool SurfaceBuilder::settle(const SettledCircles &circles, double steradians, const Vec3 &vector_area,
+                            const SurfaceCounts &before) {
   FreeRegion region;
   if (!FreeRegionFinder(circles, corners_, arcs_, ProbeCaps::sides).find(region) || region.arcs == 0) return false;
   const double more = region.steradians() - steradians;
   const double off = more > pi ? more - 2 * pi : more < -pi ? more + 2 * pi : more;
   if (!(off < least_steradians && -off < least_steradians)) return false;
+  const Vec3 aside = region.vector_area - vector_area;
+  if (!(dot(aside, aside) < least_steradians * least_steradians)) return false;
   surface_.counts_.cut_patches = before.cut_patches + (region.cutting_arcs > 0 || circles.has_mates() ? 1 : 0);
   surface_.counts_.hidden_patches = before.hidden_patches;
   return true;
@@ -188,16 +203,18 @@ void SurfaceBuilder::number_arcs(const Boundary &boundary) {
 }
 
 // Loops that bound one piece one after the other, that around the piece first. If it is uncertain which piece has a
-// hole, all loops bound one: then the surface is not closed.
-void SurfaceBuilder::store_pieces(const Boundary &boundary, uint32_t vertex, const ConcaveScale &scale,
+// hole, all loops bound one: then the surface is not closed. Nor is it if the pieces are not the whole patch.
+void SurfaceBuilder::store_pieces(const Boundary &boundary, uint32_t vertex, const ConcaveScale &scale, double whole,
                                   const SettledCircles *settled) {
   CutPatches &cut = surface_.cut_patches_;
   const Span<RegionArc> arcs = arcs_.items();
   if (arcs.empty()) cut.begin_piece(vertex, 0.0, 0.0);
   if (!find_pieces(probe_.caps(), corners_.items(), arcs)) {
     for (RegionArc &arc : arcs) arc.piece = 0;
-    ++uncertain_holes_;
+    ++uncertain_pieces_;
   }
+  double left = whole;
+  double terms = 2 * pi;
   for (uint32_t piece = 0; piece < arcs.size(); ++piece) {
     if (arcs[piece].piece != piece) continue;
     double steradians = 0.0;
@@ -207,10 +224,13 @@ void SurfaceBuilder::store_pieces(const Boundary &boundary, uint32_t vertex, con
       if (arcs[loop].piece != piece) continue;
       add_crease(arcs[loop], creases);
       steradians += arcs[loop].curvature;
+      terms += std::fabs(arcs[loop].curvature) + 2 * pi;
       if (arcs[loop].loop == loop) steradians += loop == piece ? 2 * pi : -2 * pi;
       vector_area = vector_area + arcs[loop].vector_area;
     }
-    const ConcavePatch measured = scale.patch(steradians > 0.0 ? steradians : 0.0, vector_area);
+    if (!(steradians > 0.0)) steradians = 0.0;
+    left -= steradians;
+    const ConcavePatch measured = scale.patch(steradians, vector_area);
     cut.begin_piece(vertex, measured.area, measured.volume, creases);
     for (uint32_t loop = 0; loop < arcs.size(); ++loop) {
       if (arcs[loop].piece != piece || arcs[loop].loop != loop) continue;
@@ -232,6 +252,12 @@ void SurfaceBuilder::store_pieces(const Boundary &boundary, uint32_t vertex, con
       } while (a != loop);
     }
   }
+  // Sums of one set of terms in two orders: the arcs', each a sum of two, and a whole turn for each loop. Each of the
+  // additions, with those that reduce the whole modulo 2 pi, rounds by no more than all terms together.
+  const double rounding = (4 * arcs.size() + 8) * unit_roundoff * (terms + 2 * pi * arcs.size());
+  const double most = settled != nullptr ? rounding + least_steradians : rounding;
+  if (!(left <= most && -left <= most)) ++uncertain_pieces_;
+  if (settled != nullptr) cut.fit_pieces(vertex);
 }
 
 void SurfaceBuilder::add_crease(const RegionArc &arc, CreaseSums &creases) const {

@@ -29,11 +29,11 @@ class SurfaceBuilder {
   Status cut_patches(const BallSet &balls, const Boundary &boundary, Decisions decisions);
   bool has_mates(const BallSet &balls, const Boundary &boundary);
   bool store_flat_patch(FlatPatches &flat, uint32_t vertex);
-  bool settle(const SettledCircles &circles, double steradians, const SurfaceCounts &before);
+  bool settle(const SettledCircles &circles, double steradians, const Vec3 &vector_area, const SurfaceCounts &before);
   bool measure_cut_patch(double &steradians, Vec3 &vector_area);
   bool accept(const FreeRegion &region, double &steradians, Vec3 &vector_area);
   void number_arcs(const Boundary &boundary);
-  void store_pieces(const Boundary &boundary, uint32_t vertex, const ConcaveScale &scale,
+  void store_pieces(const Boundary &boundary, uint32_t vertex, const ConcaveScale &scale, double whole,
                     const SettledCircles *settled);
   void add_crease(const RegionArc &arc, CreaseSums &creases) const;
 
@@ -44,7 +44,7 @@ class SurfaceBuilder {
   ProbeCaps probe_;
   FixedVector<RegionCorner> corners_;
   FixedVector<RegionArc> arcs_;
-  uint32_t uncertain_holes_ = 0;
+  uint32_t uncertain_pieces_ = 0;
 };
 
 }  // namespace hsp

@@ -1,19 +1,16 @@
 #include "surface/surface_check.hpp"
 
-#include "exact/circle_crossing.hpp"
 #include "measure/areas.hpp"
+#include "surface/crease_lengths.hpp"
 #include "surface/probe_positions.hpp"
+#include "surface/surface_areas.hpp"
 #include "surface/surface_patches.hpp"
 #include "surface/surface_positions.hpp"
 
 namespace hsp {
 namespace {
 
-// Up to rounding, of lengths in units of the largest radius.
-constexpr double tolerance = 1e-6;
-// By which patches that are decided in integers move their borders, in units of the probe's radius
-// (circles_in_integers.hpp).
-constexpr double rounding_of_planes = 0x1p-28;
+constexpr double tolerance = CreaseLengths::tolerance;
 
 class SurfaceChecker {
  public:
@@ -22,6 +19,7 @@ class SurfaceChecker {
         boundary_(boundary),
         surface_(surface),
         map_(balls, boundary, surface),
+        creases_(balls, boundary, surface.cut_patches()),
         length_(static_cast<double>(balls.largest_radius)) {}
 
   SurfaceViolation check() {
@@ -34,6 +32,7 @@ class SurfaceChecker {
     if (holds()) check_shells();
     for (uint32_t v = 0; v < boundary_.vertex_count() && holds(); ++v) check_areas_at(v);
     for (uint32_t patch = 0; patch < map_.patch_count() && holds(); ++patch) check_patch(patch);
+    if (holds()) check_totals();
     return violation_;
   }
 
@@ -67,72 +66,11 @@ class SurfaceChecker {
     } while (loop != first);
   }
 
-  // The circle of a crease is computed from each of its two probes; its angle was, when they were cut.
   void check_crease(uint32_t h) {
     const SurfaceEdge edge = map_.edge(h / 2);
     if (edge.kind != SurfaceEdgeKind::crease || h % 2 != 0) return;
-    const CutPatches &cut = surface_.cut_patches();
-    const PatchArc &arc = cut.arc(edge.source);
-    const double radius = position_of_edge(balls_, boundary_, surface_, h / 2).radius;
-    const double off = (arc.angle - cut.arc(arc.twin).angle) * radius;
-    const double most = tolerance * length_ + uncertainty_of_crease(edge.source);
-    if (!(off <= most && -off <= most)) fail(SurfaceInvariant::creases, h);
+    if (!creases_.agree(edge.source)) fail(SurfaceInvariant::creases, h);
   }
-
-  // A circle on the unit sphere about a vertex, that an arc of a cut patch lies on; and how far off it may be.
-  struct ArcCircle {
-    Vec3 axis;
-    double height, error;
-  };
-  ArcCircle circle_of(uint32_t vertex, const PatchArc &arc) const {
-    const double error = vertex_error * length_;
-    const Vec3 at = place_of(vertex);
-    if (!arc.is_side()) {
-      const Vec3 to = place_of(arc.across) - at;
-      const double distance = std::sqrt(dot(to, to));
-      if (!(distance > 0.0)) return {{0.0, 0.0, 0.0}, 0.0, 1.0};
-      return {(1.0 / distance) * to, distance / (2 * static_cast<double>(balls_.probe_steps)),
-              14 * error / distance + rounding_of_planes};
-    }
-    const VertexRecord &record = boundary_.vertex(vertex);
-    const Vec3 first = centre_of(record.ball[arc.slot() == 0 ? 1 : 0]) - at;
-    const Vec3 second = centre_of(record.ball[arc.slot() == 2 ? 1 : 2]) - at;
-    const Vec3 normal = cross(first, second);
-    const double length = std::sqrt(dot(normal, normal));
-    if (!(length > 0.0)) return {{0.0, 0.0, 0.0}, 0.0, 1.0};
-    const double longer = std::sqrt(dot(first, first)) + std::sqrt(dot(second, second));
-    return {(1.0 / length) * normal, 0.0, error * longer / length + rounding_of_planes};
-  }
-
-  // Where two circles cross at an angle whose sine is s, errors d of them move their crossing by d/s along one of them,
-  // and if they nearly touch by the root of d. So little is known of where a crease ends if two of the probes are close
-  // to each other, or it grazes the border.
-  double uncertainty_of_ends(uint32_t a) const {
-    const CutPatches &cut = surface_.cut_patches();
-    const PatchArc &arc = cut.arc(a);
-    if (arc.next == a) return 0.0;
-    const uint32_t vertex = cut.piece(cut.piece_of_arc(a)).vertex;
-    const ArcCircle own = circle_of(vertex, arc);
-    double sum = 0.0;
-    const uint32_t ends[2] = {arc.next, cut.previous(a)};
-    for (const uint32_t beside : ends) {
-      const ArcCircle other = circle_of(vertex, cut.arc(beside));
-      const CircleCrossing<Vec3, double> crossing(own.axis, own.height, other.axis, other.height);
-      const double D = crossing.discriminant(1.0);
-      const double error = own.error + other.error;
-      const double square = D > error ? D : error;
-      sum += 4 * error / std::sqrt(square);
-    }
-    return sum * static_cast<double>(balls_.probe_steps);
-  }
-
-  // In both of its patches.
-  double uncertainty_of_crease(uint32_t arc) const {
-    return uncertainty_of_ends(arc) + uncertainty_of_ends(surface_.cut_patches().arc(arc).twin);
-  }
-
-  Vec3 centre_of(uint32_t ball) const { return offset_from_origin(balls_, boundary_, ball); }
-  Vec3 place_of(uint32_t vertex) const { return from_origin(position_of_probe(balls_, boundary_, vertex)); }
 
   Vec3 from_origin(const Position &position) const {
     return offset_from_origin(balls_, boundary_, position.ball) + position.offset;
@@ -162,25 +100,62 @@ class SurfaceChecker {
     }
   }
 
-  // What is left of a concave patch is not more than the patch, and its pieces are all of it.
+  // What is left of a concave patch are its pieces: their sums are those of the same terms, a few for each of their
+  // arcs, in another order, so they differ by rounding alone.
   void check_areas_at(uint32_t v) {
-    const double most = tolerance * length_ * length_;
     const CutPatches &cut = surface_.cut_patches();
+    if (!cut.is_cut(v)) return;
     double area = 0.0;
     double volume = 0.0;
-    if (!cut.is_cut(v)) return;
-    const ConcavePatch &patch = cut.patch(v);
     for (const uint32_t piece : cut.pieces(v)) {
       area += cut.piece(piece).area;
       volume += cut.piece(piece).volume;
     }
-    const double off = area - patch.area;
-    const double volume_off = (volume - patch.volume) / extent(v);
-    if (!(off <= most && -off <= most && volume_off <= most && -volume_off <= most)) fail(SurfaceInvariant::areas, v);
+    const ConcavePatch &patch = cut.patch(v);
+    const uint32_t ball = boundary_.vertex(v).ball[0];
+    Rounding most;
+    most.add(cut.arcs_of_vertex(v).size(), balls_.r[ball], offset_from_origin(balls_, boundary_, ball));
+    if (!most.allows(area - patch.area, volume - patch.volume)) fail(SurfaceInvariant::areas, v);
   }
-  double extent(uint32_t v) const {
-    const Vec3 arm = offset_from_origin(balls_, boundary_, boundary_.vertex(v).ball[0]);
-    return length_ + std::sqrt(dot(arm, arm));
+
+  // By how much sums of areas, and of terms of the volume, may differ where their terms are the same, but in another
+  // order: m additions of terms that are at most t round by m^2 t u. A face or patch with k arcs and loops, on a sphere
+  // of radius at most R, is a sum of some 4 k terms of at most 7 pi R^2, which are rounded a few times each. Beyond
+  // them come the 32 additions of a TreeSum. Terms of the volume are larger by as much as the sphere reaches away from
+  // the origin.
+  struct Rounding {
+    double area = 0.0, volume = 0.0;
+
+    void add(uint32_t k, double radius, const Vec3 &arm) {
+      const double terms = 4.0 * (k + 1);
+      const double most = (terms + 32) * terms * 64 * pi * radius * radius * unit_roundoff;
+      area += most;
+      volume += most * (2 * radius + std::sqrt(dot(arm, arm)));
+    }
+    bool allows(double area_off, double volume_off) const {
+      return area_off <= area && -area_off <= area && volume_off <= volume && -volume_off <= volume;
+    }
+  };
+
+  // Patches of chosen shells are what surface_areas.hpp sums ball by ball.
+  void check_totals() {
+    TreeSum area;
+    TreeSum volume;
+    Rounding most;
+    for (uint32_t i = 0; i < boundary_.ball_count(); ++i) {
+      const SurfaceMeasure measure = measure_surface_of_ball(balls_, boundary_, surface_, i);
+      area.add(measure.area());
+      volume.add(measure.volume);
+      most.add(boundary_.half_edges(i).size() + boundary_.loops(i).size(), balls_.r[i],
+               offset_from_origin(balls_, boundary_, i));
+    }
+    for (uint32_t id = 0; id < map_.patch_count(); ++id) {
+      if (map_.shell_of(id) == no_id || !map_.is_chosen(id)) continue;
+      const PatchMeasure measure = measure_patch(balls_, boundary_, surface_, id);
+      area.add(-measure.area);
+      volume.add(-measure.volume);
+    }
+    if (!most.allows(area.total(), volume.total())) fail(SurfaceInvariant::totals, no_id);
   }
 
   // Area and volume of a patch agree with the vector area that the circles around it give: 1/2 of the integral of
@@ -207,7 +182,7 @@ class SurfaceChecker {
       map_.for_each_edge(loop, [&](uint32_t h) {
         vector_area = vector_area + vector_area_along(h, arm);
         const SurfaceEdge edge = map_.edge(h / 2);
-        if (edge.kind == SurfaceEdgeKind::crease) uncertainty += uncertainty_of_crease(edge.source);
+        if (edge.kind == SurfaceEdgeKind::crease) uncertainty += creases_.uncertainty(edge.source);
       });
     });
     const double off = 3 * measure.volume - radius * measure.area - dot(arm, vector_area);
@@ -232,6 +207,7 @@ class SurfaceChecker {
   const Boundary &boundary_;
   const Surface &surface_;
   const SurfaceMap map_;
+  const CreaseLengths creases_;
   const double length_;
   uint32_t visited_ = 0;
   SurfaceViolation violation_;

@@ -16,6 +16,7 @@ enum class SurfaceInvariant : uint32_t {
   shells = 6,
   areas = 7,
   closure = 8,
+  totals = 9,
 };
 
 // The first violated invariant, and the id of the directed edge, patch, corner or shell where it fails.

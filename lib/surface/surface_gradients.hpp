@@ -18,7 +18,8 @@
 //
 // V and A are differentiable where no vertex is degenerate: of more than three spheres, or with centres in its plane
 // (D = 0), so that arcs and vertices come and go there with an angle. There the derivatives are those of the patches
-// that the symbolic perturbation makes, without those of vertices with D = 0.
+// that the symbolic perturbation makes, without those of vertices with D = 0. degenerate_balls.hpp has what is not seen
+// of a ball's own vertices.
 #pragma once
 
 #include "core/summation.hpp"

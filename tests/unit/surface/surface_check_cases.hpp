@@ -63,6 +63,27 @@ inline uint32_t mistakes_are_named() {
   return checked() == hsp::SurfaceInvariant::none ? all_hold : 4;
 }
 
+// A piece that is not what is left of its patch; a patch that is not what is measured of it.
+inline uint32_t wrong_sums_are_named() {
+  if (!small_surface().build(three_throat)) return 0;
+  const hsp::CutPatches &cut = small_surface().builder().surface().cut_patches();
+  hsp::PatchPiece &piece = const_cast<hsp::PatchPiece &>(cut.piece(0));
+  hsp::ConcavePatch &patch = const_cast<hsp::ConcavePatch &>(cut.patch(piece.vertex));
+  struct Place {
+    double &of_piece, &of_patch;
+  };
+  const Place places[] = {{piece.area, patch.area}, {piece.volume, patch.volume}};
+  for (const Place &place : places) {
+    const double sound = place.of_piece;
+    place.of_piece = sound * (1 + 1e-8);
+    if (checked() != hsp::SurfaceInvariant::areas) return 1;
+    place.of_patch = place.of_piece;
+    if (checked() != hsp::SurfaceInvariant::totals) return 2;
+    place.of_piece = place.of_patch = sound;
+  }
+  return checked() == hsp::SurfaceInvariant::none ? all_hold : 3;
+}
+
 // The probe at (6, 3, 6) lies in the plane of three of its balls' centres, and touches two more, which are equal: the
 // surface is not closed, and says so.
 constexpr SurfaceScene flat_and_tied = {8,
@@ -94,6 +115,7 @@ inline uint32_t more_faces_than_probes() {
 inline constexpr Check surface_surface_check[] = {{"sound_surfaces", sound_surfaces},
                                                   {"euler_numbers", euler_numbers},
                                                   {"mistakes_are_named", mistakes_are_named},
+                                                  {"wrong_sums_are_named", wrong_sums_are_named},
                                                   {"open_joints_are_named", open_joints_are_named},
                                                   {"more_faces_than_probes", more_faces_than_probes}};
 
