@@ -1,7 +1,8 @@
 // The triangles of any boundary and of the smooth surface over it, with edges of any length: a closed surface with the
-// Euler characteristic of what it is made from, the same bytes twice, and limits that are too small. HSP_E_CHECK is
-// right where borders lie on each other, and where joints of the smooth surface are open.
-#include <mesh_result.h>
+// Euler characteristic of what it is made from, of a boundary with every vertex on it, the same bytes twice, and limits
+// that are too small. HSP_E_CHECK is right where borders lie on each other, and where joints of the smooth surface are
+// open.
+#include <mesh_invariants.h>
 
 #include <vector>
 
@@ -64,6 +65,8 @@ class Surface {
 void require_sound(const mesh_result &mesh, int64_t expected_euler) {
   const char *const fault = mesh_fault(&mesh);
   FUZZ_REQUIRE(fault == nullptr, fault);
+  const char *const broken = mesh.surface == nullptr ? broken_mesh_vertices(&mesh) : nullptr;
+  FUZZ_REQUIRE(broken == nullptr, broken);
   const int64_t euler = static_cast<int64_t>(mesh.counts.vertices) - mesh.counts.triangles / 2;
   FUZZ_REQUIRE(euler == expected_euler, "another Euler characteristic");
   uint32_t next = 0;

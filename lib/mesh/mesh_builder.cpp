@@ -164,26 +164,28 @@ void MeshBuilder::emit(Outline &outline, uint32_t sphere, Triangles &triangles) 
 }
 
 // Twice as many points on the curves that want them, and on those that must have as many; the spheres on both sides are
-// triangulated again. False if there is no such curve, or one has too many points already.
+// triangulated again. False if there is no such curve, or one has too many points already; those behind it get none.
 template <class Outline>
 bool MeshBuilder::refine(Outline &outline) {
   bool any = false;
+  bool may_go_on = true;
   for (uint32_t c = 0; c < outline.curve_count(); ++c) {
     if (outline.curve(c).refine) outline.curve(outline.partner(c)).refine = true;
   }
   for (uint32_t c = 0; c < outline.curve_count(); ++c) {
     MeshCurve &curve = outline.curve(c);
     if (!curve.refine) continue;
-    if (curve.segments > most_segments || outline.is_too_fine(c)) return false;
-    any = true;
     curve.refine = false;
+    may_go_on = may_go_on && curve.segments <= most_segments && !outline.is_too_fine(c);
+    if (!may_go_on) continue;
+    any = true;
     curve.segments *= 2;
     if (!curve.refined) ++mesh_.refined_;
     curve.refined = true;
     add_samples(outline, c);
     outline.for_each_sphere(c, [&](uint32_t sphere) { range_[sphere].outdated = true; });
   }
-  return any;
+  return any && may_go_on;
 }
 
 // Keeps the latest triangles of every sphere, and the vertices that they have.

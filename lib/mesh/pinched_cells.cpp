@@ -20,7 +20,7 @@ void SphericalPatch::add_cell(uint32_t face, const uint32_t *corner, uint32_t co
     }
     return;
   }
-  const uint32_t centre = add_extra(face, to_double(sphere_.point(links_[corner[0]].point)));
+  const uint32_t centre = add_extra(face, place_of(corner[0]));
   for (uint32_t k = 0; k < count; ++k) ears_.push({face, {centre, corner[k], corner[(k + 1) % count]}});
 }
 
@@ -28,8 +28,7 @@ void SphericalPatch::add_cell(uint32_t face, const uint32_t *corner, uint32_t co
 uint32_t SphericalPatch::middle_of(uint32_t a, uint32_t b) {
   if (a == b) return no_id;
   if (links_[b].next != a && !samples_[a].may_be_joined_elsewhere(samples_[b])) return no_id;
-  return add_extra(links_[a].face,
-                   to_double(sphere_.point(links_[a].point)) + to_double(sphere_.point(links_[b].point)));
+  return add_extra(links_[a].face, place_between(a, b));
 }
 
 // A wedge may end where the border without length begins that leads to its own begin.
@@ -141,7 +140,7 @@ bool SphericalPatch::add_necks() {
       add_cell(links_[k].face, corner, 3);
       continue;
     }
-    const uint32_t centre = add_extra(links_[k].face, to_double(sphere_.point(links_[k].point)));
+    const uint32_t centre = add_extra(links_[k].face, place_of(k));
     if (samples_.overflowed()) return false;
     uint32_t before = k;
     for_each_of_neck(k, [&](uint32_t sample) {
@@ -179,7 +178,7 @@ bool SphericalPatch::add_faces_without_extent() {
 void SphericalPatch::add_face_without_extent(uint32_t first_loop, uint32_t last_loop) {
   const uint32_t start = loops_[first_loop].first;
   const uint32_t face = loops_[first_loop].face;
-  const Vec3 place = to_double(sphere_.point(links_[start].point));
+  const Vec3 place = place_of(start);
   const uint32_t centre = add_extra(face, place);
   const uint32_t inner_start = add_extra(face, place);
   uint32_t at = start;

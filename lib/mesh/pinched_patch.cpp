@@ -33,8 +33,7 @@ PatchState SphericalPatch::triangulate_pinched() {
   if (good) {
     sphere_.restore_all();
     linked_samples_ = samples_.size();
-    good =
-        lay_strands() && find_covered() && name_faces() && close_wedges() && add_necks() && add_faces_without_extent();
+    good = name_triangles(true) && close_wedges() && add_necks() && add_faces_without_extent();
   }
   if (good) {
     add_corridors();
@@ -45,7 +44,7 @@ PatchState SphericalPatch::triangulate_pinched() {
   if (used > needed_points_) needed_points_ = used;
   if (samples_.overflowed() || ears_.overflowed()) return PatchState::capacity;
   pinched_ = good && has_right_cells();
-  all_coarse_ = !pinched_;
+  all_coarse_ = !pinched_ && !has_coarse_borders();
   return pinched_ ? PatchState::complete : PatchState::too_coarse;
 }
 
@@ -110,14 +109,16 @@ bool SphericalPatch::add_detour(uint32_t sample, uint32_t obstacle) {
     least = distance;
   }
   if (best == no_id) return false;
-  const uint32_t added = add_extra(links_[sample].face, to_double(sphere_.point(best)));
+  const uint32_t there = sample_at_[best];
+  const uint32_t added =
+      add_extra(links_[sample].face, there == no_id ? to_double(sphere_.point(best)) : place_of(there));
   if (samples_.overflowed()) return false;
   links_[added].next = next;
   links_[added].previous = sample;
   links_[added].point = best;
   links_[sample].next = added;
   links_[next].previous = added;
-  if (sample_at_[best] == no_id) sample_at_[best] = added;
+  if (there == no_id) sample_at_[best] = added;
   return true;
 }
 

@@ -210,6 +210,61 @@ void SphereTriangulation::restore_around(uint32_t p) {
   }
 }
 
+bool SphereTriangulation::has_three_triangles(uint32_t p) const {
+  uint32_t t = triangle_at_[p];
+  for (int step = 0; step < 3; ++step) t = triangle_[t].neighbour[next_corner(triangle_[t].corner_of(p))];
+  return t == triangle_at_[p];
+}
+
+// One edge fewer at p.
+bool SphereTriangulation::flip_edge_of(uint32_t p) {
+  const uint32_t first = triangle_at_[p];
+  uint32_t t = first;
+  do {
+    const uint32_t edge = next_corner(triangle_[t].corner_of(p));
+    if (may_flip(t, edge)) {
+      flip(t, edge);
+      return true;
+    }
+    t = triangle_[t].neighbour[edge];
+  } while (t != first);
+  return false;
+}
+
+// The last triangle gets its number.
+void SphereTriangulation::remove_triangle(uint32_t t) {
+  const uint32_t last = --triangle_count_;
+  if (t == last) return;
+  set_triangle(t, triangle_[last]);
+  for (const uint32_t neighbour : triangle_[t].neighbour) replace_neighbour(neighbour, last, t);
+}
+
+bool SphereTriangulation::remove(uint32_t p) {
+  flipped_ = true;
+  while (!has_three_triangles(p)) {
+    if (!flip_edge_of(p)) return false;
+  }
+  uint32_t around[3];
+  SphereTriangle whole{};
+  around[0] = triangle_at_[p];
+  for (uint32_t k = 0; k < 3; ++k) {
+    const SphereTriangle &part = triangle_[around[k]];
+    const uint32_t corner = part.corner_of(p);
+    whole.point[k] = part.point[next_corner(corner)];
+    whole.neighbour[previous_corner(k)] = part.neighbour[corner];
+    whole.fixed[previous_corner(k)] = part.fixed[corner];
+    if (k < 2) around[k + 1] = part.neighbour[next_corner(corner)];
+  }
+  if (side(whole.point[0], whole.point[1], whole.point[2]) <= 0) return false;
+  for (uint32_t k = 0; k < 3; ++k) replace_neighbour(whole.neighbour[previous_corner(k)], around[k], around[0]);
+  set_triangle(around[0], whole);
+  last_ = 0;
+  const bool ascending = around[1] < around[2];
+  remove_triangle(around[ascending ? 2 : 1]);
+  remove_triangle(around[ascending ? 1 : 2]);
+  return true;
+}
+
 void SphereTriangulation::restore_all() {
   constexpr int most_sweeps = 8;
   bool again = flipped_;

@@ -52,13 +52,18 @@ class SphereTriangulation {
   bool fix_edge(uint32_t a, uint32_t b, uint32_t &obstacle);
   // After that: the other end of the edge in the way, or no_id.
   uint32_t other_obstacle() const { return other_obstacle_; }
-  // Flips what fix_edge has left that is not Delaunay's.
+  // Takes away a point where no fixed edge ends; its number is not used again, those of triangles change. False if the
+  // triangles around it cannot give way to others.
+  bool remove(uint32_t p);
+  // Flips what fix_edge and remove have left that is not Delaunay's.
   void restore_all();
 
   uint32_t point_count() const { return point_count_; }
   const RoundedDirection &point(uint32_t p) const { return point_[p]; }
   uint32_t triangle_count() const { return triangle_count_; }
   const SphereTriangle &triangle(uint32_t t) const { return triangle_[t]; }
+  // One of those around a point.
+  uint32_t triangle_at(uint32_t p) const { return triangle_at_[p]; }
   // The triangle to the left of the edge from a to b, and the edge there. False if there is none.
   bool find_edge(uint32_t a, uint32_t b, TriangleEdge &found) const;
 
@@ -76,6 +81,9 @@ class SphereTriangulation {
   void push(uint32_t t) { stack_[stacked_++] = t; }
   void restore_around(uint32_t p);
   bool gather_crossings(uint32_t a, uint32_t b, uint32_t &obstacle);
+  bool has_three_triangles(uint32_t p) const;
+  bool flip_edge_of(uint32_t p);
+  void remove_triangle(uint32_t t);
 
   struct Pair {
     uint32_t a, b;

@@ -43,7 +43,7 @@ void SphericalPatch::keep_off(const Vec3 &axis, double cosine) {
   const SinCos less = sin_cos(share_well_inside * spacing_);
   const double near = cosine > -more.cosine ? cosine * more.cosine - sine * more.sine : -2.0;
   const double inside = cosine < less.cosine ? cosine * less.cosine + sine * less.sine : 2.0;
-  caps_.push({axis, inside, near});
+  caps_.push({axis, cosine, inside, near});
 }
 
 void SphericalPatch::begin_loop(uint32_t face) {
@@ -65,6 +65,28 @@ bool SphericalPatch::is_near_cap(const Vec3 &direction) {
     return true;
   }
   return false;
+}
+
+// By a cap on whose circle a border runs.
+bool SphericalPatch::is_covered(const Vec3 &direction) const {
+  const double length = std::sqrt(dot(direction, direction));
+  bool covered = false;
+  for (uint32_t k = 0; k < border_caps_; ++k) covered |= dot(direction, caps_[k].axis) > caps_[k].cosine * length;
+  return covered;
+}
+
+// On the way between samples, half of it or nearer to an end, where it is free; at the end if it is nowhere.
+Vec3 SphericalPatch::place_between(uint32_t a, uint32_t b) const {
+  constexpr double most_weight = 31.0;
+  const Vec3 from = to_double(sphere_.point(links_[a].point));
+  const Vec3 to = to_double(sphere_.point(links_[b].point));
+  for (double weight = 1.0; weight <= most_weight; weight = 2.0 * weight + 1.0) {
+    const Vec3 nearer_from = combine(weight, from, 1.0, to);
+    if (!is_covered(nearer_from)) return nearer_from;
+    const Vec3 nearer_to = combine(1.0, from, weight, to);
+    if (!is_covered(nearer_to)) return nearer_to;
+  }
+  return place_of(a);
 }
 
 // The orientation with the fewest corners near a border.
@@ -97,6 +119,7 @@ PatchState SphericalPatch::triangulate(bool pinched) {
     needed_points_ = uint64_t{max_count} + 1;
     return PatchState::capacity;
   }
+  border_caps_ = caps_.size();
   const uint32_t turn = choose_octahedron();
   for (uint32_t k = 0; k < samples_.size(); ++k) inputs_.push(rounded(samples_[k].direction));
   const uint64_t samples_without_room = samples_.required() - samples_.size();
@@ -113,8 +136,8 @@ PatchState SphericalPatch::triangulate(bool pinched) {
   if (pinched) return triangulate_pinched();
   if (!link_loops() || !fix_borders()) return PatchState::too_coarse;
   sphere_.restore_all();
-  if (spread_faces() && name_corners() && has_right_numbers()) return PatchState::complete;
-  all_coarse_ = true;
+  if (name_triangles(false) && name_corners() && has_right_numbers()) return PatchState::complete;
+  all_coarse_ = !has_coarse_borders();
   return PatchState::too_coarse;
 }
 
@@ -199,6 +222,47 @@ bool SphericalPatch::fix_borders() {
     mark_coarse(obstacle);
   }
   return good;
+}
+
+bool SphericalPatch::has_coarse_borders() const {
+  bool any = false;
+  for (uint32_t k = 0; k < samples_.size() && !any; ++k) any = links_[k].coarse;
+  return any;
+}
+
+// Those without length are none: more points on them would change nothing.
+void SphericalPatch::mark_longest_borders() {
+  const auto square = [this](uint32_t k) {
+    if (links_[k].next == no_id) return 0.0;
+    const Vec3 start = to_double(sphere_.point(links_[k].point));
+    const Vec3 chord = to_double(sphere_.point(links_[links_[k].next].point)) - start;
+    return dot(chord, chord);
+  };
+  double most = 0.0;
+  for (uint32_t k = 0; k < samples_.size(); ++k) most = square(k) > most ? square(k) : most;
+  for (uint32_t k = 0; k < samples_.size(); ++k) links_[k].coarse = square(k) > 0.25 * most;
+}
+
+// Says of every triangle which face it belongs to. Covered points that the chord of a border leaves on its left are
+// removed. Where there are too few others without them, borders are too coarse.
+bool SphericalPatch::name_triangles(bool pinched) {
+  const auto name = [&] { return pinched ? lay_strands() && find_covered() && name_faces() : spread_faces(); };
+  if (!name()) return false;
+  // Other points keep off borders.
+  uint32_t covered[SphereTriangulation::octahedron_points];
+  uint32_t count = 0;
+  for (uint32_t p = 0; p < SphereTriangulation::octahedron_points; ++p) {
+    const bool is_inside = sample_at_[p] == no_id && parts_[sphere_.triangle_at(p)].face != no_id;
+    if (is_inside && is_covered(to_double(sphere_.point(p)))) covered[count++] = p;
+  }
+  if (count == 0) return true;
+  for (uint32_t k = 0; k < count; ++k) {
+    if (sphere_.remove(covered[k])) continue;
+    mark_longest_borders();
+    return false;
+  }
+  sphere_.restore_all();
+  return name();
 }
 
 // Every face floods what lies to the left of its loops.

@@ -2,7 +2,8 @@
 // and they any number of loops, or none.
 //
 // The sphere is triangulated as a whole (sphere_triangulation.hpp): the points on the borders, and points all over it
-// that keep away from them. The borders become edges, and what lies to their left is taken. Which loops belong to one
+// that keep away from them. Between the chord of a border and its arc the sphere is to the left of the border, but not
+// free: no point stays there. The borders become edges, and what lies to their left is taken. Which loops belong to one
 // face is known beforehand; that the triangles agree is checked, with the number of triangles that Euler's formula
 // demands, so that a border sampled too coarsely is noticed and never yields a wrong mesh.
 //
@@ -12,6 +13,7 @@
 
 #include "core/fixed_vector.hpp"
 #include "core/id_range.hpp"
+#include "mesh/mesh_curve.hpp"
 #include "mesh/sphere_triangulation.hpp"
 
 namespace hsp {
@@ -88,6 +90,7 @@ class SphericalPatch {
   };
   struct Cap {
     Vec3 axis;
+    double cosine;
     double inside, near;  // the cosines of what lies well inside and of what lies near
   };
   // What a sample has as long as it is part of its loop.
@@ -119,6 +122,9 @@ class SphericalPatch {
     return loop + 1 < loops_.size() ? loops_[loop + 1].first : samples_.size();
   }
   bool is_near_cap(const Vec3 &direction);
+  bool is_covered(const Vec3 &direction) const;
+  Vec3 place_of(uint32_t sample) const { return unit(samples_[sample].direction, {0.0, 0.0, 1.0}); }
+  Vec3 place_between(uint32_t a, uint32_t b) const;
   uint32_t choose_octahedron() const;
   void add_inner_points();
   void insert_points();
@@ -126,6 +132,9 @@ class SphericalPatch {
   bool cut_ears(uint32_t loop);
   bool fix_borders();
   void mark_coarse(uint32_t point);
+  void mark_longest_borders();
+  bool has_coarse_borders() const;
+  bool name_triangles(bool pinched);
   bool spread_faces();
   bool name_corners();
   bool has_right_numbers();
@@ -168,6 +177,7 @@ class SphericalPatch {
   uint32_t border_samples_ = 0;  // if pinched; those behind belong to no border
   uint32_t linked_samples_ = 0;  // of these, those behind are linked to nothing
   uint64_t needed_points_ = 0;
+  uint32_t border_caps_ = 0;  // those behind are about corners of the octahedron
   uint32_t latest_cap_ = 0;
   SphereTriangulation sphere_;
   FixedVector<BorderSample> samples_;
@@ -217,9 +227,10 @@ void SphericalPatch::emit(NewVertex new_vertex, NewTriangle triangle) {
       const uint32_t p = own.point[next_corner(e)];
       const uint32_t q = own.point[previous_corner(e)];
       if (sample_at_[p] == no_id || sample_at_[q] == no_id) continue;
-      const BorderSample &one = samples_[parts_[t].corner[next_corner(e)]];
-      if (!one.may_be_joined_elsewhere(samples_[parts_[t].corner[previous_corner(e)]])) continue;
-      const uint32_t middle = new_vertex(to_double(sphere_.point(p)) + to_double(sphere_.point(q)));
+      const uint32_t one = parts_[t].corner[next_corner(e)];
+      const uint32_t other = parts_[t].corner[previous_corner(e)];
+      if (!samples_[one].may_be_joined_elsewhere(samples_[other])) continue;
+      const uint32_t middle = new_vertex(place_between(one, other));
       parts_[t].middle[e] = middle;
       parts_[u].middle[sphere_.triangle(u).edge_towards(t)] = middle;
     }

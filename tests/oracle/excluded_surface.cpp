@@ -19,6 +19,17 @@ Point vector_product(const Point &a, const Point &b) {
 double length(const Point &a) {
   return std::sqrt(scalar(a, a));
 }
+// The direction of a vector across a unit vector, exactly across even if the vector nearly runs along that: any if
+// nothing but roundings is left.
+Point direction_across(const Point &axis, const Point &a) {
+  Point off = plus(a, -scalar(a, axis), axis);
+  if (!(length(off) > 1e-12 * length(a))) {
+    off = vector_product(axis, std::abs(axis[0]) < 0.6 ? Point{1, 0, 0} : Point{0, 1, 0});
+  }
+  off = plus({0, 0, 0}, 1 / length(off), off);
+  off = plus(off, -scalar(off, axis), axis);
+  return plus({0, 0, 0}, 1 / length(off), off);
+}
 
 }  // namespace
 
@@ -71,10 +82,9 @@ DistanceFromOutside::Nearest DistanceFromOutside::operator()(const Point &x) con
   };
   for (const Point &v : vertices_) offer(v, true);
   for (const Circle &circle : circles_) {
-    Point off = plus(x, -1, circle.centre);
-    off = plus(off, -scalar(off, circle.axis), circle.axis);
-    const double h = length(off);
-    if (h > 0) offer(plus(circle.centre, circle.radius / h, off), false);
+    // On the axis all points of the circle are as near; if others cover some of it, vertices are, too.
+    const Point across = direction_across(circle.axis, plus(x, -1, circle.centre));
+    offer(plus(circle.centre, circle.radius, across), false);
   }
   for (const ProbedBall &ball : balls_) {
     const Point off = plus(x, -1, ball.centre);

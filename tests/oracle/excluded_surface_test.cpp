@@ -18,6 +18,12 @@ TEST(ExcludedSurface, DistancesFromOutside) {
   const oracle::DistanceFromOutside two({{{-4, 0, 0}, 5}, {{4, 0, 0}, 5}});
   EXPECT_NEAR(two({0, 1, 0}).distance, 2, 1e-12);
   EXPECT_NEAR(two({-4, 0, 0.5}).distance, 4.5, 1e-12);
+  // On the axis, and next to it as roundings leave points.
+  EXPECT_NEAR(two({1, 0, 0}).distance, std::sqrt(10.0), 1e-12);
+  const oracle::DistanceFromOutside slanted({{{0, 0, 0}, 5}, {{4.8, 3.84, 5.12}, 5}});
+  EXPECT_NEAR(slanted({2.4, 1.92, 2.56}).distance, 3, 1e-9);
+  const oracle::DistanceFromOutside uneven({{{1, 2, 2}, 3}, {{3, 6, 6}, 4}});
+  EXPECT_NEAR(uneven({1.5, 3, 3}).distance, 2, 1e-9);
 }
 
 // Two balls of radius 4 at distance 8 and a probe of 1 have a saddle with the waist 3 - 1.

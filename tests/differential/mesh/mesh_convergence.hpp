@@ -66,6 +66,23 @@ class RandomAtoms {
   double probe_ = 0;
 };
 
+// With edges of 0.05 to 1 of the largest radius that there may be, boundaries with and without the probe and the smooth
+// surface.
+inline void expect_vertices_of_atoms(uint64_t seed) {
+  const RandomAtoms atoms(seed);
+  support::Random random(~seed);
+  const double edge = 1.8 * std::pow(0.05, random.fraction());
+  for (const double probe : {0.0, atoms.probe()}) {
+    const MeshedBalls balls(atoms.balls(), probe);
+    expect_sound(MadeMesh(balls.boundary(), edge), balls.boundary().counts.euler);
+    if (probe == 0.0) continue;
+    ASSERT_TRUE(balls.has_closed_surface());
+    const MadeMesh mesh(balls.surface(), edge);
+    expect_sound(mesh, balls.surface_euler());
+    expect_on_surface(mesh, probe);
+  }
+}
+
 inline void expect_converging_boundary(uint64_t seed, double edge, ConvergenceTally &tally) {
   SCOPED_TRACE(seed);
   const RandomAtoms atoms(seed);

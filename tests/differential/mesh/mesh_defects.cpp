@@ -1,10 +1,8 @@
 #include "mesh_defects.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
-#include <set>
 #include <vector>
 
 #include "library_run.hpp"
@@ -32,7 +30,7 @@ class Defects {
  public:
   Defects(const mesh_result &mesh, const hsp_surface *surface, double limit)
       : mesh_(mesh), is_smooth_surface_(surface != nullptr), limit_(limit) {
-    if (surface != nullptr) find_cusps(surface);
+    if (surface != nullptr) cusps_ = surface_cusps(surface);
     sharp_.assign(mesh.counts.vertices, false);
     normal_.resize(mesh.counts.triangles);
     worst_.assign(mesh.counts.triangles, 0.0);
@@ -72,16 +70,6 @@ class Defects {
   }
 
  private:
-  void find_cusps(const hsp_surface *surface) {
-    hsp_surface_map_counts counts{};
-    expect_ok(hsp_surface_get_map_counts(surface, &counts), "hsp_surface_get_map_counts");
-    std::vector<hsp_surface_corner> corners(counts.corners);
-    expect_ok(hsp_surface_get_corners(surface, 0, counts.corners, corners.data()), "hsp_surface_get_corners");
-    for (const hsp_surface_corner &corner : corners) {
-      if (corner.kind != HSP_CORNER_BALL) cusps_.insert({corner.xyz[0], corner.xyz[1], corner.xyz[2]});
-    }
-  }
-
   // Whether the surface has one tangent plane where two patches meet.
   bool is_smooth_between(uint32_t s, uint32_t t) const {
     return mesh_.patches[s] == mesh_.patches[t] || (is_smooth_surface_ && mesh_.kinds[s] != mesh_.kinds[t]);
@@ -150,4 +138,16 @@ class Defects {
 
 MeshDefects mesh_defects(const mesh_result &mesh, const hsp_surface *surface, double limit) {
   return Defects(mesh, surface, limit).find();
+}
+
+std::set<std::array<double, 3>> surface_cusps(const hsp_surface *surface) {
+  hsp_surface_map_counts counts{};
+  expect_ok(hsp_surface_get_map_counts(surface, &counts), "hsp_surface_get_map_counts");
+  std::vector<hsp_surface_corner> corners(counts.corners);
+  expect_ok(hsp_surface_get_corners(surface, 0, counts.corners, corners.data()), "hsp_surface_get_corners");
+  std::set<std::array<double, 3>> cusps;
+  for (const hsp_surface_corner &corner : corners) {
+    if (corner.kind != HSP_CORNER_BALL) cusps.insert({corner.xyz[0], corner.xyz[1], corner.xyz[2]});
+  }
+  return cusps;
 }

@@ -7,6 +7,9 @@
 
 #include <mesh_result.h>
 
+#include <array>
+#include <set>
+
 struct MeshDefects {
   double bend = 0.0;       // the largest angle between neighbours
   double tilt = 0.0;       // the largest one at a corner
@@ -17,3 +20,6 @@ struct MeshDefects {
 
 // NULL: of a boundary. Triangles without area, as between vertices that coincide, are left out.
 MeshDefects mesh_defects(const mesh_result &mesh, const hsp_surface *surface, double limit);
+
+// Corners of a smooth surface that lie on no ball: cusps, and where creases meet.
+std::set<std::array<double, 3>> surface_cusps(const hsp_surface *surface);

@@ -1,7 +1,8 @@
-// What every mesh has to be: closed, oriented, with the Euler characteristic of what it is a mesh of.
+// What every mesh has to be: closed, oriented, with the Euler characteristic of what it is a mesh of, and on it.
 #pragma once
 
 #include <gtest/gtest.h>
+#include <mesh_invariants.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,7 @@
 #include "meshed_balls.hpp"
 #include "molecule_file.hpp"
 #include "random_balls.hpp"
+#include "surface_vertices.hpp"
 
 inline support::BallList molecule_balls(const std::filesystem::path &file,
                                         support::Records records = support::Records::all) {
@@ -23,6 +25,16 @@ inline void expect_sound(const MadeMesh &mesh, int64_t euler) {
   const char *const fault = mesh_fault(&mesh.get());
   EXPECT_EQ(fault, nullptr) << (fault == nullptr ? "" : fault);
   EXPECT_EQ(mesh.euler(), euler);
+  if (mesh.get().surface != nullptr) return;
+  const char *const broken = broken_mesh_vertices(&mesh.get());
+  EXPECT_EQ(broken, nullptr) << (broken == nullptr ? "" : broken);
+}
+
+// Of sets without ties and of the smooth surface: what an oracle in doubles is good for.
+inline void expect_on_surface(const MadeMesh &mesh, double probe) {
+  const VertexErrors errors = surface_vertex_errors(mesh.get(), probe);
+  EXPECT_LT(errors.off, 1e-7);
+  EXPECT_LT(errors.normal, 1e-4);
 }
 
 // Shares by which area and volume are too small. With edges half as long they fall as the square; those of parts that
@@ -50,6 +62,7 @@ inline void expect_meshes(const support::BallList &atoms, double probe, double e
     ASSERT_TRUE(balls.has_closed_surface());
     const MadeMesh of_surface(balls.surface(), edge / (1 << k));
     expect_sound(of_surface, balls.surface_euler());
+    if (k == 0) expect_on_surface(of_surface, probe);
     surface[k] = errors_of(of_surface, balls.surface().totals.area, balls.surface().totals.volume);
   }
   expect_quarter(boundary[0].area, boundary[1].area);

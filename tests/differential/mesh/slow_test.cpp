@@ -37,6 +37,14 @@ TEST(Slow, MeshesOfManySets) {
   EXPECT_EQ(refused, 0);
 }
 
+TEST(Slow, VerticesOfManySets) {
+  const int sets = oracle::rounds(300, 3000);
+  for (int k = 0; k < sets; ++k) {
+    SCOPED_TRACE(k);
+    expect_vertices_of_atoms(static_cast<uint64_t>(1001 + k));
+  }
+}
+
 TEST(Slow, MeshesOfRandomSetsConverge) {
   ConvergenceTally boundaries, surfaces;
   for (uint64_t seed = 1; seed <= 1000; ++seed) {

@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <map>
 #include <utility>
 
 #include "carved_memory.hpp"
+#include "core/elementary.hpp"
 #include "random_balls.hpp"
 
 namespace {
@@ -20,8 +22,8 @@ hsp::Vec3 random_vector(oracle::RandomSource &random) {
 }
 
 // Neighbours know each other, all triangles run counter-clockwise, and there are 2 n - 4.
-void expect_sound(const SphereTriangulation &sphere) {
-  ASSERT_EQ(sphere.triangle_count(), 2 * sphere.point_count() - 4);
+void expect_sound(const SphereTriangulation &sphere, uint32_t removed = 0) {
+  ASSERT_EQ(sphere.triangle_count(), 2 * (sphere.point_count() - removed) - 4);
   for (uint32_t t = 0; t < sphere.triangle_count(); ++t) {
     const hsp::SphereTriangle &one = sphere.triangle(t);
     EXPECT_GT(hsp::orientation(sphere.point(one.point[0]), sphere.point(one.point[1]), sphere.point(one.point[2])), 0);
@@ -36,11 +38,11 @@ void expect_sound(const SphereTriangulation &sphere) {
   }
 }
 
-// No point lies in a triangle's circle, unless points are so near each other that rounding decides.
-void expect_delaunay(const SphereTriangulation &sphere) {
+// No point from this one on lies in a triangle's circle, unless points are so near each other that rounding decides.
+void expect_delaunay(const SphereTriangulation &sphere, uint32_t first = 0) {
   for (uint32_t t = 0; t < sphere.triangle_count(); ++t) {
     const uint32_t *const c = sphere.triangle(t).point;
-    for (uint32_t p = 0; p < sphere.point_count(); ++p) {
+    for (uint32_t p = first; p < sphere.point_count(); ++p) {
       EXPECT_LE(hsp::height_above(sphere.point(c[0]), sphere.point(c[1]), sphere.point(c[2]), sphere.point(p)), 0);
     }
   }
@@ -123,6 +125,58 @@ TEST(SphereTriangulation, FixesEdges) {
     }
   }
   EXPECT_EQ(fixed, 150);
+}
+
+// The corners that it begins with, and more, among any points and beside a fixed edge.
+TEST(SphereTriangulation, TakesPointsAway) {
+  CarvedMemory memory;
+  SphereTriangulation sphere;
+  memory.carve(sphere, 100U);
+  for (int turn = 0; turn < 50; ++turn) {
+    oracle::RandomSource random(static_cast<uint64_t>(turn) + 200);
+    sphere.start(static_cast<uint32_t>(turn) % SphereTriangulation::octahedron_turns);
+    for (int k = 0; k < 60; ++k) sphere.insert(hsp::rounded(random_vector(random)));
+    uint32_t obstacle = hsp::no_id;
+    ASSERT_TRUE(sphere.fix_edge(40, 50, obstacle));
+    for (uint32_t p = 0; p < 30; ++p) {
+      ASSERT_TRUE(sphere.remove(p));
+      expect_sound(sphere, p + 1);
+    }
+    hsp::TriangleEdge found{};
+    ASSERT_TRUE(sphere.find_edge(40, 50, found));
+    EXPECT_TRUE(sphere.triangle(found.triangle).fixed[found.edge]);
+    for (uint32_t p = 30; p < sphere.point_count(); ++p) {
+      const hsp::SphereTriangle &one = sphere.triangle(sphere.triangle_at(p));
+      EXPECT_EQ(one.point[one.corner_of(p)], p);
+    }
+    EXPECT_EQ(sphere.insert(sphere.point(45)), 45U);
+  }
+  sphere.start(0);
+  for (int k = 0; k < 60; ++k) sphere.insert(hsp::rounded({std::cos(k), std::sin(k), std::sin(7.0 * k)}));
+  for (uint32_t p = 0; p < 6; ++p) ASSERT_TRUE(sphere.remove(p));
+  sphere.restore_all();
+  expect_sound(sphere, 6);
+  expect_delaunay(sphere, 6);
+}
+
+// Without one of its corners an octahedron's triangles would have a diameter as an edge, and without the only point of
+// its half of the sphere there would be a triangle larger than that.
+TEST(SphereTriangulation, KeepsPointsThatAreNeeded) {
+  CarvedMemory memory;
+  SphereTriangulation sphere;
+  memory.carve(sphere, 9U);
+  sphere.start(3);
+  EXPECT_FALSE(sphere.remove(2));
+  expect_sound(sphere);
+  const auto corner = [](uint32_t k) { return SphereTriangulation::octahedron_corner(3, k); };
+  for (int k = 0; k < 3; ++k) {
+    const double angle = 0.3 + 2 * hsp::pi * k / 3;
+    const hsp::Vec3 level = hsp::combine(std::cos(angle), corner(2), std::sin(angle), corner(4));
+    sphere.insert(hsp::rounded(hsp::combine(1.0, level, -0.3, corner(0))));
+  }
+  for (uint32_t p = 2; p < 6; ++p) EXPECT_TRUE(sphere.remove(p));
+  EXPECT_FALSE(sphere.remove(0));
+  expect_sound(sphere, 4);
 }
 
 // An edge that would cross a fixed one, or run through a point, names what is in its way.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "carved_memory.hpp"
+#include "mesh/mesh_curve.hpp"
 
 namespace {
 
@@ -127,6 +128,25 @@ TEST(SphericalPatch, NamesCurvesThatAreTooCoarse) {
   }
 }
 
+// Chords of half circles that lie the wrong way around leave all of the sphere on their left, most of it covered. The
+// longest ones are named.
+TEST(SphericalPatch, NamesTheLongestBorders) {
+  CarvedMemory memory;
+  SphericalPatch patch;
+  memory.carve(patch, 100U);
+  patch.begin(2.0);
+  patch.keep_off({-2 / std::sqrt(5.0), 1 / std::sqrt(5.0), 0}, -1 / std::sqrt(5.0));
+  patch.keep_off({3 / std::sqrt(26.0), -1 / std::sqrt(26.0), 4 / std::sqrt(26.0)}, 1 / std::sqrt(26.0));
+  patch.keep_off({1 / std::sqrt(6.0), -2 / std::sqrt(6.0), 1 / std::sqrt(6.0)}, 2 / std::sqrt(6.0));
+  patch.begin_loop(0);
+  const Vec3 place[] = {{0, -1, 0}, {64.0 / 81, 47.0 / 81, -16.0 / 81}, {14.0 / 75, -73.0 / 75, -10.0 / 75}};
+  for (uint32_t p = 0; p < 3; ++p) patch.add({place[p], p, p, {hsp::no_id, hsp::no_id}});
+  ASSERT_EQ(patch.triangulate(), PatchState::too_coarse);
+  std::vector<uint32_t> named;
+  patch.for_each_coarse_curve([&](uint32_t curve) { named.push_back(curve); });
+  EXPECT_EQ(named, (std::vector<uint32_t>{0, 1}));
+}
+
 TEST(SphericalPatch, SaysHowManyPointsItNeeds) {
   for (uint32_t room = 6;; ++room) {
     CarvedMemory memory;
@@ -140,6 +160,64 @@ TEST(SphericalPatch, SaysHowManyPointsItNeeds) {
     if (state == PatchState::capacity) continue;
     EXPECT_EQ(patch.needed_points(), room);
     break;
+  }
+}
+
+// Around a cap of any direction and size, with a border of few points: no point lies between a chord and its arc, such
+// as those that the triangulation begins with.
+TEST(SphericalPatch, KeepsNoPointInACap) {
+  CarvedMemory memory;
+  SphericalPatch patch;
+  memory.carve(patch, 300U);
+  for (int k = 0; k < 300; ++k) {
+    const double cosine = 0.2 + 0.002 * k, sine = std::sqrt(1.0 - cosine * cosine);
+    const Vec3 axis = hsp::unit({std::cos(k), std::sin(3.0 * k), std::cos(7.0 * k)}, {0, 0, 1});
+    const Vec3 u = hsp::perpendicular_to(axis), v = cross(axis, u);
+    patch.begin(1.0);
+    patch.keep_off(axis, cosine);
+    patch.begin_loop(0);
+    for (uint32_t p = 0; p < 4; ++p) {
+      const double angle = -2 * hsp::pi * p / 4;
+      patch.add({cosine * axis + sine * hsp::combine(std::cos(angle), u, std::sin(angle), v), p, 0, {7, hsp::no_id}});
+    }
+    ASSERT_EQ(patch.triangulate(), PatchState::complete);
+    uint32_t added = 0, triangles = 0;
+    patch.emit(
+        [&](const Vec3 &direction) {
+          EXPECT_LE(dot(direction, axis), (cosine + 1e-15) * std::sqrt(dot(direction, direction))) << k;
+          return 4 + added++;
+        },
+        [&](uint32_t, const uint32_t *) { ++triangles; });
+    EXPECT_EQ(triangles, 2 * added + 2);
+  }
+}
+
+// Such an edge is divided in its middle, or nearer to an end if a further cap covers that; at the end if all of it is
+// covered.
+TEST(SphericalPatch, DividesEdgesWhereTheyAreFree) {
+  CarvedMemory memory;
+  SphericalPatch patch;
+  memory.carve(patch, 100U);
+  const double half = 0.1;  // of the edge, as an angle from its middle
+  const double covered[] = {0.0, 0.1, 0.6, 1.1}, from_middle[] = {0.0, 0.5, 0.75, 1.0};
+  for (int k = 0; k < 4; ++k) {
+    patch.begin(2.0);
+    patch.keep_off({0, 0, 1}, -0.98);
+    if (k > 0) patch.keep_off({0, 0, -1}, std::cos(covered[k] * half));
+    patch.begin_loop(0);
+    const double x[] = {0.2, 0, -0.2, 0}, y[] = {0, -1, 0, 1};
+    for (uint32_t p = 0; p < 4; ++p) {
+      patch.add({{x[p], y[p] * std::sin(half), -std::cos(half)}, p, 0, {7, hsp::no_id}});
+    }
+    ASSERT_EQ(patch.triangulate(), PatchState::complete);
+    uint32_t added = 0;
+    patch.emit(
+        [&](const Vec3 &direction) {
+          EXPECT_NEAR(std::atan2(std::hypot(direction.x, direction.y), -direction.z), from_middle[k] * half, 1e-3);
+          return 4 + added++;
+        },
+        [&](uint32_t, const uint32_t *) {});
+    EXPECT_EQ(added, 1U);
   }
 }
 
