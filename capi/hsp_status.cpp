@@ -38,6 +38,8 @@ const char *hsp_status_text(int32_t status) {
       return "a value lies beyond the lattice or the largest size";
     case HSP_E_CONFLICT:
       return "balls and sticks that cannot be painted; which ones is reported";
+    case HSP_E_OPEN_SURFACE:
+      return "a degenerate set of balls, whose smooth surface does not close";
     default:
       return "unknown status";
   }

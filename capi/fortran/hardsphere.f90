@@ -52,6 +52,7 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_E_NEGATIVE = -11_c_int32_t
   integer(c_int32_t), parameter :: HSP_E_RANGE = -12_c_int32_t
   integer(c_int32_t), parameter :: HSP_E_CONFLICT = -13_c_int32_t
+  integer(c_int32_t), parameter :: HSP_E_OPEN_SURFACE = -14_c_int32_t
 
   integer(c_int32_t), parameter :: HSP_PICTURE_MEMORY = 71680_c_int32_t ! bytes
 
