@@ -145,7 +145,7 @@ int32_t get_range(const hsp_surface *surface, uint32_t first, uint32_t count, Re
   const auto all = [](const hsp_surface &) { return HSP_NONE; };
   const int32_t status = hsp::capi::check_range(surface, first, count, out, all);
   if (status == HSP_E_ARGUMENT || status == HSP_E_STATE) return status;
-  if (!surface->structure().is_closed()) return HSP_E_CHECK;
+  if (!surface->structure().is_closed()) return HSP_E_OPEN_SURFACE;
   const SurfaceResults results(*surface);
   const uint32_t there = number(results.map);
   if (first > there || count > there - first) return HSP_E_ID;
@@ -167,7 +167,7 @@ int32_t hsp_surface_get_map_counts(const hsp_surface *surface, hsp_surface_map_c
   if (!is_live(surface) || counts == nullptr) return HSP_E_ARGUMENT;
   if (!surface->has_results()) return HSP_E_STATE;
   const hsp::Surface &structure = surface->structure();
-  if (!structure.is_closed()) return HSP_E_CHECK;
+  if (!structure.is_closed()) return HSP_E_OPEN_SURFACE;
   const SurfaceResults results(*surface);
   *counts = {results.map.patch_count(),
              results.map.edge_count(),
@@ -222,7 +222,7 @@ int32_t hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_shell *ou
                                uint32_t *needed) {
   if (!is_live(surface) || needed == nullptr || (out == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
   if (!surface->has_results()) return HSP_E_STATE;
-  if (!surface->structure().is_closed()) return HSP_E_CHECK;
+  if (!surface->structure().is_closed()) return HSP_E_OPEN_SURFACE;
   const uint32_t shells = surface->structure().shells().count();
   if (const int32_t status = hsp::capi::check_output(out, capacity, shells, needed); status != HSP_OK) return status;
   const SurfaceResults results(*surface);
@@ -250,5 +250,7 @@ int32_t hsp_surface_check(hsp_surface *surface, uint32_t *invariant, uint32_t *i
   if (!is_live(surface) || invariant == nullptr || id == nullptr) return HSP_E_ARGUMENT;
   if (!surface->has_results()) return HSP_E_STATE;
   const SurfaceResults results(*surface);
-  return hsp::capi::report(hsp::check_surface(results.balls, results.boundary, results.surface), invariant, id);
+  const int32_t status =
+      hsp::capi::report(hsp::check_surface(results.balls, results.boundary, results.surface), invariant, id);
+  return status == HSP_OK || surface->structure().is_closed() ? status : HSP_E_OPEN_SURFACE;
 }

@@ -146,15 +146,12 @@ bool geometry_compute_outer_surface(struct geometry *geometry, struct failure *f
 }
 
 bool geometry_compute_mesh(struct geometry *geometry, bool of_surface, double edge, struct failure *failure) {
-  hsp_workspace *work = &geometry->work;
-  hsp_mesh_limits limits;
   progress_show(&geometry->progress, "making triangles");
-  const int32_t status = hsp_workspace_mesh(work, of_surface, edge);
+  const int32_t status = hsp_workspace_mesh(&geometry->work, of_surface, edge);
+  if (status == HSP_E_OPEN_SURFACE) {
+    return failure_in_input(failure, 0, "patches of the surface meet in one point: it has no triangles there");
+  }
   if (status == HSP_E_CHECK) {
-    if (of_surface &&
-        hsp_mesh_limits_init_surface(&limits, (uint32_t)sizeof limits, work->surface, edge) == HSP_E_CHECK) {
-      return failure_in_input(failure, 0, "patches of the surface meet in one point: it has no triangles there");
-    }
     return failure_in_input(failure, 0, "borders of the surface come together: no triangles tell them apart");
   }
   if (status == HSP_E_RANGE) return failure_in_input(failure, 0, "--edge %g yields too many triangles", edge);

@@ -53,7 +53,7 @@ HSP_API int32_t hsp_mesh_limits_init(hsp_mesh_limits *limits, uint32_t struct_si
  *  @retval HSP_E_NOT_FINITE  edge is NaN or infinite
  *  @retval HSP_E_RANGE       there would be more than HSP_MAX_BALLS of something
  *  @retval HSP_E_STATE       the surface holds no results, or its model or boundary has changed since
- *  @retval HSP_E_CHECK       the surface has open joints: hsp_surface_counts */
+ *  @retval HSP_E_OPEN_SURFACE  the surface has open joints: hsp_surface_counts */
 HSP_API int32_t hsp_mesh_limits_init_surface(hsp_mesh_limits *limits, uint32_t struct_size, const hsp_surface *surface,
                                              double edge);
 
@@ -108,7 +108,8 @@ HSP_API int32_t hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *boundary, d
  *  @retval HSP_E_RANGE       there would be more than HSP_MAX_BALLS of something
  *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_STATE       the surface holds no results, or its model or boundary has changed since
- *  @retval HSP_E_CHECK       the surface has open joints: hsp_surface_counts; or as for a boundary */
+ *  @retval HSP_E_OPEN_SURFACE  the surface has open joints: hsp_surface_counts
+ *  @retval HSP_E_CHECK       as for a boundary */
 HSP_API int32_t hsp_mesh_compute_surface(hsp_mesh *mesh, const hsp_surface *surface, double edge,
                                          hsp_mesh_limits *limits);
 

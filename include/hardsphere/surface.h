@@ -236,7 +236,7 @@ typedef struct hsp_surface_map_counts {
 /** How many patches, edges, corners and shells there are.
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
- *  @retval HSP_E_CHECK     joints are open: hsp_surface_counts */
+ *  @retval HSP_E_OPEN_SURFACE  joints are open: hsp_surface_counts */
 HSP_API int32_t hsp_surface_get_map_counts(const hsp_surface *surface, hsp_surface_map_counts *counts);
 
 /** The directed edge h, a uint32_t, the other way. h may be evaluated several times. HSP_NONE yields HSP_NONE. */
@@ -329,7 +329,7 @@ typedef struct hsp_surface_shell {
  *
  *  @retval HSP_E_ARGUMENT  surface is NULL; out is NULL with a count above 0
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
- *  @retval HSP_E_CHECK     joints are open: hsp_surface_counts
+ *  @retval HSP_E_OPEN_SURFACE  joints are open: hsp_surface_counts
  *  @retval HSP_E_ID        not all of these patches are there */
 HSP_API int32_t hsp_surface_get_patches(const hsp_surface *surface, uint32_t first, uint32_t count,
                                         hsp_surface_patch *out);
@@ -338,7 +338,7 @@ HSP_API int32_t hsp_surface_get_patches(const hsp_surface *surface, uint32_t fir
  *  with count 0.
  *  @retval HSP_E_ARGUMENT  surface is NULL; out is NULL with a count above 0
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
- *  @retval HSP_E_CHECK     joints are open: hsp_surface_counts
+ *  @retval HSP_E_OPEN_SURFACE  joints are open: hsp_surface_counts
  *  @retval HSP_E_ID        not all of these edges are there */
 HSP_API int32_t hsp_surface_get_edges(const hsp_surface *surface, uint32_t first, uint32_t count,
                                       hsp_surface_edge *out);
@@ -347,7 +347,7 @@ HSP_API int32_t hsp_surface_get_edges(const hsp_surface *surface, uint32_t first
  *  NULL with count 0.
  *  @retval HSP_E_ARGUMENT  surface is NULL; out is NULL with a count above 0
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
- *  @retval HSP_E_CHECK     joints are open: hsp_surface_counts
+ *  @retval HSP_E_OPEN_SURFACE  joints are open: hsp_surface_counts
  *  @retval HSP_E_ID        not all of these corners are there */
 HSP_API int32_t hsp_surface_get_corners(const hsp_surface *surface, uint32_t first, uint32_t count,
                                         hsp_surface_corner *out);
@@ -359,7 +359,7 @@ HSP_API int32_t hsp_surface_get_corners(const hsp_surface *surface, uint32_t fir
  *  @retval HSP_E_ARGUMENT  surface or needed is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
- *  @retval HSP_E_CHECK     joints are open: hsp_surface_counts */
+ *  @retval HSP_E_OPEN_SURFACE  joints are open: hsp_surface_counts */
 HSP_API int32_t hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_shell *out, uint32_t capacity,
                                        uint32_t *needed);
 
@@ -382,7 +382,8 @@ HSP_API int32_t hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_s
  *  @retval HSP_OK          all hold
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
- *  @retval HSP_E_CHECK     one is violated: please report it, unless it is the first */
+ *  @retval HSP_E_OPEN_SURFACE  the first is violated
+ *  @retval HSP_E_CHECK     another is violated: please report it */
 HSP_API int32_t hsp_surface_check(hsp_surface *surface, uint32_t *invariant, uint32_t *id);
 
 #ifdef __cplusplus
