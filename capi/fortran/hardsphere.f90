@@ -48,6 +48,8 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_E_ID = -5_c_int32_t
   integer(c_int32_t), parameter :: HSP_E_CHECK = -6_c_int32_t
   integer(c_int32_t), parameter :: HSP_E_SINK = -7_c_int32_t
+  integer(c_int32_t), parameter :: HSP_E_HANDLE = -8_c_int32_t
+  integer(c_int32_t), parameter :: HSP_E_VERSION = -9_c_int32_t
   integer(c_int32_t), parameter :: HSP_E_NOT_FINITE = -10_c_int32_t
   integer(c_int32_t), parameter :: HSP_E_NEGATIVE = -11_c_int32_t
   integer(c_int32_t), parameter :: HSP_E_RANGE = -12_c_int32_t

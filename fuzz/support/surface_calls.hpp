@@ -30,7 +30,7 @@ class SurfaceCalls {
     StructVersion<hsp_surface_limits> version(limits, bytes_);
     size_t size = 12345;
     const int32_t status = hsp_surface_bytes(version.get(), &size);
-    FUZZ_REQUIRE(status == (!version.good()               ? HSP_E_ARGUMENT
+    FUZZ_REQUIRE(status == (!version.good()               ? HSP_E_VERSION
                             : limits.arcs > HSP_MAX_BALLS ? HSP_E_RANGE
                                                           : HSP_OK),
                  "hsp_surface_bytes");

@@ -54,7 +54,8 @@ typedef struct hsp_model_options {
 } hsp_model_options;
 
 /** Fill options with defaults.
- *  @retval HSP_E_ARGUMENT  options is NULL or struct_size is bad */
+ *  @retval HSP_E_ARGUMENT  options is NULL
+ *  @retval HSP_E_VERSION   struct_size is bad */
 HSP_API int32_t hsp_model_options_init(hsp_model_options *options, uint32_t struct_size);
 
 /** Take n balls: round them to the lattice, hash them into cubes. May be called any number of times (frames of a
@@ -73,8 +74,8 @@ HSP_API int32_t hsp_model_options_init(hsp_model_options *options, uint32_t stru
  *  - Property 1: the order of the balls has no effect but on the ids.
  *
  *  Cost: O(n) expected; the hash table's load is at most 1/2.
- *  @retval HSP_E_ARGUMENT    model is NULL; xyz or radius is NULL with n > 0; bad struct_size of options, or its
- *                            reserved field is not 0
+ *  @retval HSP_E_ARGUMENT    model is NULL; xyz or radius is NULL with n > 0
+ *  @retval HSP_E_VERSION     bad struct_size of options, or its reserved field is not 0
  *  @retval HSP_E_CAPACITY    the model has room for fewer than n balls
  *  @retval HSP_E_NOT_FINITE  a coordinate, a radius or an option is NaN or infinite
  *  @retval HSP_E_NEGATIVE    a radius or an option is negative

@@ -79,9 +79,9 @@ static void options_init(void) {
   hsp_model_options options;
   FILL(options);
   CHECK_EQUAL(hsp_model_options_init(NULL, (uint32_t)sizeof options), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_model_options_init(&options, 0), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options - 1), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_model_options_init(&options, 1028), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_model_options_init(&options, 0), HSP_E_VERSION);
+  CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options - 1), HSP_E_VERSION);
+  CHECK_EQUAL(hsp_model_options_init(&options, 1028), HSP_E_VERSION);
   CHECK_UNTOUCHED(options);
   CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options), HSP_OK);
   CHECK_EQUAL(options.struct_size, sizeof options);
@@ -117,14 +117,14 @@ static void bad_options(void) {
   size_t i;
   CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options), HSP_OK);
   options.struct_size = 0;
-  check_refused(BALLS, good_xyz, good_radius, &options, HSP_E_ARGUMENT, HSP_NONE);
+  check_refused(BALLS, good_xyz, good_radius, &options, HSP_E_VERSION, HSP_NONE);
   options.struct_size = 20;
-  check_refused(BALLS, good_xyz, good_radius, &options, HSP_E_ARGUMENT, HSP_NONE);
+  check_refused(BALLS, good_xyz, good_radius, &options, HSP_E_VERSION, HSP_NONE);
   options.struct_size = 1028;
-  check_refused(BALLS, good_xyz, good_radius, &options, HSP_E_ARGUMENT, HSP_NONE);
+  check_refused(BALLS, good_xyz, good_radius, &options, HSP_E_VERSION, HSP_NONE);
   options.struct_size = (uint32_t)sizeof options;
   options.reserved = 1;
-  check_refused(BALLS, good_xyz, good_radius, &options, HSP_E_ARGUMENT, HSP_NONE);
+  check_refused(BALLS, good_xyz, good_radius, &options, HSP_E_VERSION, HSP_NONE);
   options.reserved = 0;
   for (i = 0; i < sizeof numbers / sizeof numbers[0]; ++i) {
     uint32_t bad = 12345;
