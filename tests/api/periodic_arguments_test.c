@@ -391,6 +391,9 @@ static void refused_input(void) {
   options.probe = -1;
   check_refused(BALLS, xyz, radius, &options, box, HSP_E_NEGATIVE, HSP_NONE);
   options.probe = 0;
+  options.step = 1e-300;
+  check_refused(BALLS, xyz, radius, &options, box, HSP_E_RANGE, HSP_NONE);
+  options.step = 0;
   options.largest_radius = 1.1;
   check_refused(BALLS, xyz, radius, &options, box, HSP_E_RANGE, 0);
   for (k = 0; k < 9; ++k) {
