@@ -70,7 +70,7 @@ int32_t hsp_boundary_gradient_range(const hsp_boundary *boundary, const double *
 
 int32_t hsp_boundary_gradient_end(const hsp_boundary *boundary, double tension, double pressure, hsp_energy *energy,
                                   uint32_t *flags, const double *shares) {
-  if (const int32_t status = check_results(boundary, (energy != nullptr && shares == nullptr)); status != HSP_OK)
+  if (const int32_t status = check_results(boundary, energy != nullptr && shares == nullptr); status != HSP_OK)
     return status;
   if (!hsp::is_finite(tension) || !hsp::is_finite(pressure)) return HSP_E_NOT_FINITE;
   const hsp::CubeGrid &grid = boundary->model->grid;
