@@ -20,7 +20,30 @@ static_assert(to_c(Status::state) == HSP_E_STATE && to_c(Status::id) == HSP_E_ID
 static_assert(to_c(Status::check) == HSP_E_CHECK && to_c(Status::sink) == HSP_E_SINK);
 static_assert(to_c(Status::not_finite) == HSP_E_NOT_FINITE && to_c(Status::negative) == HSP_E_NEGATIVE);
 static_assert(to_c(Status::range) == HSP_E_RANGE && to_c(Status::conflict) == HSP_E_CONFLICT);
+static_assert(to_c(Status::open_surface) == HSP_E_OPEN_SURFACE);
 static_assert(no_id == HSP_NONE && max_count == HSP_MAX_BALLS);
+
+// The first of some statuses that is not HSP_OK.
+constexpr int32_t first_failure(int32_t first, int32_t second, int32_t third = HSP_OK) {
+  if (first != HSP_OK) return first;
+  return second != HSP_OK ? second : third;
+}
+
+// What every function checks of a handle that it is given: null is an argument as bad as others, anything else that is
+// no live handle of this kind has a status of its own. `bad`: whether other arguments are.
+template <class Handle>
+int32_t check_handle(const Handle *handle, bool bad = false) {
+  if (handle == nullptr) return HSP_E_ARGUMENT;
+  if (!is_live(handle)) return HSP_E_HANDLE;
+  return bad ? HSP_E_ARGUMENT : HSP_OK;
+}
+
+// The same of a handle whose results are asked for.
+template <class Handle>
+int32_t check_results(const Handle *handle, bool bad = false) {
+  const int32_t status = check_handle(handle, bad);
+  return status == HSP_OK && !handle->has_results() ? HSP_E_STATE : status;
+}
 
 inline void to_array(const Vec3 &v, double out[3]) {
   out[0] = v.x;
@@ -62,8 +85,8 @@ inline int32_t check_weights(const double *sigma, IdRange range, uint32_t *first
 // fit.
 template <class Handle, class Count>
 int32_t check_request(const Handle *handle, const void *out, uint32_t capacity, uint32_t *needed, Count count) {
-  if (!is_live(handle) || needed == nullptr || (out == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
-  if (!handle->has_results()) return HSP_E_STATE;
+  const int32_t status = check_results(handle, needed == nullptr || (out == nullptr && capacity > 0));
+  if (status != HSP_OK) return status;
   return check_output(out, capacity, count(*handle), needed);
 }
 
@@ -71,8 +94,7 @@ int32_t check_request(const Handle *handle, const void *out, uint32_t capacity, 
 // there is nowhere to write.
 template <class Handle, class Number>
 int32_t check_range(const Handle *handle, uint32_t first, uint32_t count, const void *out, Number number) {
-  if (!is_live(handle) || (out == nullptr && count > 0)) return HSP_E_ARGUMENT;
-  if (!handle->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(handle, out == nullptr && count > 0); status != HSP_OK) return status;
   const uint32_t there = number(*handle);
   return first > there || count > there - first ? HSP_E_ID : HSP_OK;
 }

@@ -31,7 +31,7 @@ size_t bytes_of(const Limits &limits) {
 // hsp_X_limits_init: the defaults of a kind of limits, for so many balls.
 template <class Defaults, auto convert, class Limits>
 int32_t init_limits(Limits *limits, uint32_t struct_size, uint32_t balls) {
-  if (limits == nullptr || !is_struct_size<Limits>(struct_size)) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_struct(limits, struct_size); status != HSP_OK) return status;
   Defaults defaults;
   const Status status = default_limits(balls, defaults);
   if (status == Status::ok) write_struct(convert(defaults), limits, struct_size);

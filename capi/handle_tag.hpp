@@ -1,5 +1,5 @@
 // The first word of every handle, by which a pointer to something else is refused instead of followed. A handle is a
-// struct that begins with `uintptr_t tag` and has a constant `kind`, a number that no other kind of handle has.
+// struct that begins with `uintptr_t tag` and has a constant `kind`, which no other one has.
 #pragma once
 
 #include <cstdint>
@@ -7,11 +7,31 @@
 
 namespace hsp::capi {
 
+// Small numbers: they stay apart in a word of any width.
+enum class HandleKind : uint8_t {
+  body,
+  boundary,
+  cells,
+  contacts,
+  gate,
+  map,
+  mesh,
+  model,
+  moving,
+  paths,
+  periodic,
+  sticks,
+  surface,
+  topology,
+  view,
+};
+
 // What the first word of a live handle says: what it is and where. Memory that holds something else, another kind of
 // handle or one that was copied from elsewhere does not say that.
 template <class Handle>
 uintptr_t tag_of(const Handle *handle) {
-  return static_cast<uintptr_t>(Handle::kind) ^
+  constexpr uintptr_t of_handles = 0x68737021;  // "hsp!" in ASCII
+  return (of_handles + static_cast<uintptr_t>(Handle::kind)) ^
          reinterpret_cast<uintptr_t>(handle) * static_cast<uintptr_t>(0x9E3779B97F4A7C15U);
 }
 

@@ -2,7 +2,8 @@
 #include "hsp_model.hpp"
 #include "poses/pose_queries.hpp"
 
-using hsp::capi::is_live;
+using hsp::capi::check_handle;
+using hsp::capi::first_failure;
 
 namespace {
 
@@ -27,8 +28,8 @@ struct PoseOf<hsp_rational_pose> {
   using type = hsp::RationalPose;
 };
 
-bool may_ask(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const void *numbers, const void *out) {
-  return is_live(fixed) && is_live(moving) && (poses == 0 || (numbers != nullptr && out != nullptr));
+int32_t check_bodies(const hsp_body *fixed, const hsp_body *moving, bool bad) {
+  return first_failure(check_handle(fixed), check_handle(moving, bad));
 }
 
 // Checks all poses before anything is written, then calls answer(k, pose) for each.
@@ -36,7 +37,8 @@ template <class Numbers, class Answer>
 int32_t for_each_pose(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const Numbers *numbers,
                       const void *out, uint32_t *first_bad, Answer answer) {
   if (first_bad != nullptr) *first_bad = HSP_NONE;
-  if (!may_ask(fixed, moving, poses, numbers, out)) return HSP_E_ARGUMENT;
+  const bool bad = poses > 0 && (numbers == nullptr || out == nullptr);
+  if (const int32_t status = check_bodies(fixed, moving, bad); status != HSP_OK) return status;
   typename PoseOf<Numbers>::type pose;
   for (uint32_t k = 0; k < poses; ++k) {
     const int32_t status = make_pose(fixed, moving, numbers[k], pose);
@@ -64,7 +66,8 @@ template <class Numbers>
 int32_t find_hits_along(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const Numbers *pose,
                         double margin, uint32_t *hit, uint32_t *first_bad) {
   if (first_bad != nullptr) *first_bad = HSP_NONE;
-  if (!may_ask(fixed, moving, poses, pose, hit)) return HSP_E_ARGUMENT;
+  const bool bad = poses > 0 && (pose == nullptr || hit == nullptr);
+  if (const int32_t status = check_bodies(fixed, moving, bad); status != HSP_OK) return status;
   if (!hsp::is_finite(margin)) return HSP_E_NOT_FINITE;
   if (margin < 0.0) return HSP_E_RANGE;
   hsp::GapBudget known(fixed->tree.lattice().steps(margin));
@@ -86,10 +89,8 @@ int32_t find_gaps(const hsp_body *fixed, const hsp_body *moving, uint32_t poses,
 template <class Numbers>
 int32_t list_pairs(const hsp_body *fixed, const hsp_body *moving, const Numbers *pose, uint32_t *pair,
                    uint32_t capacity, uint32_t *needed) {
-  if (!is_live(fixed) || !is_live(moving) || pose == nullptr || needed == nullptr ||
-      (pair == nullptr && capacity > 0)) {
-    return HSP_E_ARGUMENT;
-  }
+  const bool bad = pose == nullptr || needed == nullptr || (pair == nullptr && capacity > 0);
+  if (const int32_t refused = check_bodies(fixed, moving, bad); refused != HSP_OK) return refused;
   typename PoseOf<Numbers>::type at;
   if (const int32_t status = make_pose(fixed, moving, *pose, at); status != HSP_OK) return status;
   const uint32_t count = hsp::clamped_count(hsp::list_meeting_pairs(fixed->tree, moving->tree, at, {}));
@@ -115,9 +116,9 @@ int32_t hsp_body_init(void *memory, size_t bytes, uint32_t balls, hsp_body **bod
 }
 
 int32_t hsp_body_set(hsp_body *body, const hsp_model *model) {
-  if (!is_live(body)) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(body); status != HSP_OK) return status;
   body->tree.clear();
-  if (!is_live(model)) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(model); status != HSP_OK) return status;
   return hsp::capi::to_c(body->tree.build(model->balls()));
 }
 

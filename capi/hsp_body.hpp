@@ -6,7 +6,7 @@
 
 struct hsp_body {
   using Builder = hsp::SphereTree;
-  static constexpr uint64_t kind = 0x626F6479;  // "body" in ASCII
+  static constexpr auto kind = hsp::capi::HandleKind::body;
 
   uintptr_t tag;
   Builder tree;

@@ -3,7 +3,10 @@
 #include "measure/boundary_metric_check.hpp"
 #include "measure/boundary_positions.hpp"
 
-using hsp::capi::is_live;
+using hsp::capi::check_handle;
+using hsp::capi::check_results;
+using hsp::capi::check_struct;
+using hsp::capi::first_failure;
 
 namespace {
 
@@ -13,7 +16,7 @@ using hsp::capi::for_each_half_edge;
 // The limits that a program gives.
 int32_t from_c(const hsp_boundary_limits *given, hsp::BoundaryLimits &result) {
   hsp_boundary_limits limits;
-  if (!hsp::capi::read_struct(given, {}, limits)) return HSP_E_ARGUMENT;
+  if (const int32_t status = hsp::capi::read_struct(given, {}, limits); status != HSP_OK) return status;
   if (limits.balls > HSP_MAX_BALLS || limits.neighbours > HSP_MAX_BALLS || limits.vertices > HSP_MAX_BALLS ||
       limits.circles > HSP_MAX_BALLS || limits.workers > HSP_MAX_WORKERS)
     return HSP_E_RANGE;
@@ -93,17 +96,17 @@ int32_t hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary_limits 
 }
 
 int32_t hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *model, hsp_boundary_limits *limits) {
-  if (!is_live(boundary)) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(boundary); status != HSP_OK) return status;
   drop_results(*boundary);
-  if (!is_live(model) || !hsp::capi::may_write(limits)) return HSP_E_ARGUMENT;
+  if (const int32_t status = first_failure(check_handle(model), check_struct(limits)); status != HSP_OK) return status;
   boundary->model.set(model);
   return hsp::capi::finish<boundary_to_c>(*boundary, boundary->builder.build(model->grid), limits);
 }
 
 int32_t hsp_boundary_begin(hsp_boundary *boundary, const hsp_model *model, uint32_t workers, uint32_t *stages) {
-  if (!is_live(boundary)) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(boundary); status != HSP_OK) return status;
   drop_results(*boundary);
-  if (!is_live(model) || stages == nullptr) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(model, stages == nullptr); status != HSP_OK) return status;
   boundary->model.set(model);
   const hsp::Status status = boundary->builder.begin(model->grid, workers);
   if (status == hsp::Status::ok) *stages = hsp::BoundaryBuilder::stages;
@@ -111,12 +114,13 @@ int32_t hsp_boundary_begin(hsp_boundary *boundary, const hsp_model *model, uint3
 }
 
 int32_t hsp_boundary_work(hsp_boundary *boundary, uint32_t stage, uint32_t worker) {
-  if (!is_live(boundary)) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(boundary); status != HSP_OK) return status;
   return boundary->has_model() ? hsp::capi::to_c(boundary->builder.work(stage, worker)) : HSP_E_STATE;
 }
 
 int32_t hsp_boundary_end(hsp_boundary *boundary, hsp_boundary_limits *limits) {
-  if (!is_live(boundary) || !hsp::capi::may_write(limits)) return HSP_E_ARGUMENT;
+  if (const int32_t status = first_failure(check_handle(boundary), check_struct(limits)); status != HSP_OK)
+    return status;
   if (!boundary->has_model()) return HSP_E_STATE;
   const hsp::Status status = boundary->builder.end();
   if (status == hsp::Status::state) return HSP_E_STATE;
@@ -124,8 +128,7 @@ int32_t hsp_boundary_end(hsp_boundary *boundary, hsp_boundary_limits *limits) {
 }
 
 int32_t hsp_boundary_get_counts(const hsp_boundary *boundary, hsp_boundary_counts *counts) {
-  if (!is_live(boundary) || counts == nullptr) return HSP_E_ARGUMENT;
-  if (!boundary->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(boundary, counts == nullptr); status != HSP_OK) return status;
   const hsp::Boundary &structure = boundary->structure();
   *counts = {};
   counts->balls = structure.ball_count();
@@ -282,8 +285,8 @@ int32_t hsp_boundary_get_balls(const hsp_boundary *boundary, hsp_ball *out, uint
 }
 
 int32_t hsp_boundary_check(hsp_boundary *boundary, uint32_t *invariant, uint32_t *id) {
-  if (!is_live(boundary) || invariant == nullptr || id == nullptr) return HSP_E_ARGUMENT;
-  if (!boundary->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(boundary, invariant == nullptr || id == nullptr); status != HSP_OK)
+    return status;
   const hsp::BallSet &balls = boundary->balls();
   const hsp::Boundary &structure = boundary->structure();
   hsp::Violation violation = hsp::check_boundary(balls, structure, boundary->builder.scratch());

@@ -6,7 +6,7 @@
 
 struct hsp_boundary {
   using Builder = hsp::BoundaryBuilder;
-  static constexpr uint64_t kind = 0x626F756E64617279;  // "boundary" in ASCII
+  static constexpr auto kind = hsp::capi::HandleKind::boundary;
 
   uintptr_t tag;
   Builder builder;

@@ -10,6 +10,10 @@
 #include "hsp_topology.hpp"
 #include "model/queries.hpp"
 
+using hsp::capi::check_handle;
+using hsp::capi::check_results;
+using hsp::capi::check_struct;
+using hsp::capi::first_failure;
 using hsp::capi::is_live;
 
 namespace {
@@ -35,7 +39,7 @@ static_assert(number_of(FreeSpaceInvariant::facets) == 5 && number_of(FreeSpaceI
 // The limits that a program gives.
 int32_t from_c(const hsp_cells_limits *given, hsp::FreeSpaceLimits &result) {
   hsp_cells_limits limits;
-  if (!hsp::capi::read_struct(given, {}, limits)) return HSP_E_ARGUMENT;
+  if (const int32_t status = hsp::capi::read_struct(given, {}, limits); status != HSP_OK) return status;
   return hsp::capi::get_cells_limits(limits, result);
 }
 
@@ -79,17 +83,16 @@ int32_t hsp_cells_init(void *memory, size_t bytes, const hsp_cells_limits *limit
 }
 
 int32_t hsp_cells_compute(hsp_cells *cells, const hsp_model *model, hsp_cells_limits *limits) {
-  if (!is_live(cells)) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(cells); status != HSP_OK) return status;
   cells->complete = false;
-  if (!is_live(model) || !hsp::capi::may_write(limits)) return HSP_E_ARGUMENT;
+  if (const int32_t status = first_failure(check_handle(model), check_struct(limits)); status != HSP_OK) return status;
   const hsp::Status status = cells->builder.build(model->grid);
   cells->model.set(model);
   return hsp::capi::finish<cells_to_c>(*cells, status, limits);
 }
 
 int32_t hsp_cells_get_counts(const hsp_cells *cells, hsp_cells_counts *counts) {
-  if (!is_live(cells) || counts == nullptr) return HSP_E_ARGUMENT;
-  if (!cells->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(cells, counts == nullptr); status != HSP_OK) return status;
   const hsp::FreeSpace &space = cells->structure();
   *counts = {space.cube_count(), space.power_cells,       space.cell_count(),
              space.run_count(),  space.adjacency_count(), space.region_count()};
@@ -126,8 +129,9 @@ int32_t hsp_cells_get_cells(const hsp_cells *cells, uint32_t first, uint32_t cou
 
 int32_t hsp_cells_get_neighbours(const hsp_cells *cells, uint32_t cell, uint32_t *neighbours, uint32_t capacity,
                                  uint32_t *needed) {
-  if (!is_live(cells) || needed == nullptr || (neighbours == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
-  if (!cells->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(cells, needed == nullptr || (neighbours == nullptr && capacity > 0));
+      status != HSP_OK)
+    return status;
   const hsp::FreeSpace &space = cells->structure();
   if (cell >= space.cell_count()) return HSP_E_ID;
   const hsp::Span<const uint32_t> list = space.neighbours(cell);
@@ -149,8 +153,7 @@ int32_t hsp_cells_get_pairs(const hsp_cells *cells, uint32_t first, uint32_t cou
 }
 
 int32_t hsp_cells_locate(const hsp_cells *cells, const double *xyz, uint32_t *cell) {
-  if (!is_live(cells) || xyz == nullptr || cell == nullptr) return HSP_E_ARGUMENT;
-  if (!cells->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(cells, xyz == nullptr || cell == nullptr); status != HSP_OK) return status;
   hsp::LatticeQuery point;
   const hsp::Status status = hsp::round_query(cells->balls(), xyz, 0.0, point);
   if (status != hsp::Status::ok) return hsp::capi::to_c(status);
@@ -159,8 +162,9 @@ int32_t hsp_cells_locate(const hsp_cells *cells, const double *xyz, uint32_t *ce
 }
 
 int32_t hsp_cells_check(hsp_cells *cells, const hsp_topology *topology, uint32_t *invariant, uint32_t *id) {
-  if (!is_live(cells) || invariant == nullptr || id == nullptr) return HSP_E_ARGUMENT;
-  if (topology != nullptr && !is_live(topology)) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(cells, invariant == nullptr || id == nullptr); status != HSP_OK)
+    return status;
+  if (topology != nullptr && !is_live(topology)) return HSP_E_HANDLE;
   if (!cells->has_results() || (topology != nullptr && !topology->has_results())) return HSP_E_STATE;
   if (topology != nullptr && !topology->boundary->model.is(&*cells->model)) return HSP_E_ARGUMENT;
   const hsp::FreeSpace &space = cells->structure();
@@ -174,7 +178,9 @@ int32_t hsp_cells_check(hsp_cells *cells, const hsp_topology *topology, uint32_t
 
 int32_t hsp_model_arrangement(const hsp_model *model, hsp_arrangement *totals, hsp_arrangement *of_ball,
                               uint32_t *scratch, uint32_t words, uint32_t *words_needed) {
-  if (!is_live(model) || words_needed == nullptr || (scratch == nullptr && words > 0)) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(model, words_needed == nullptr || (scratch == nullptr && words > 0));
+      status != HSP_OK)
+    return status;
   const hsp::CubeGrid &grid = model->grid;
   uint64_t needed = 0;
   for (uint32_t i = 0; i < grid.balls().n; ++i) {

@@ -7,7 +7,7 @@
 
 struct hsp_cells {
   using Builder = hsp::FreeSpaceBuilder;
-  static constexpr uint64_t kind = 0x63656C6C73;  // "cells" in ASCII
+  static constexpr auto kind = hsp::capi::HandleKind::cells;
 
   uintptr_t tag;
   Builder builder;

@@ -4,16 +4,19 @@
 #include "core/summation.hpp"
 #include "group_rows.hpp"
 
+using hsp::capi::check_handle;
 using hsp::capi::check_output;
 using hsp::capi::check_request;
-using hsp::capi::is_live;
+using hsp::capi::check_results;
+using hsp::capi::check_struct;
+using hsp::capi::first_failure;
 
 namespace {
 
 // The limits that a program gives.
 int32_t from_c(const hsp_contacts_limits *given, hsp::ContactLimits &result) {
   hsp_contacts_limits limits;
-  if (!hsp::capi::read_struct(given, {}, limits)) return HSP_E_ARGUMENT;
+  if (const int32_t status = hsp::capi::read_struct(given, {}, limits); status != HSP_OK) return status;
   if (limits.balls > HSP_MAX_BALLS || limits.neighbours > HSP_MAX_BALLS || limits.contacts > HSP_MAX_BALLS ||
       limits.triangles > HSP_MAX_BALLS || limits.tetrahedra > HSP_MAX_BALLS)
     return HSP_E_RANGE;
@@ -72,9 +75,8 @@ hsp_simplex to_simplex(const hsp::BallSet &balls, const uint32_t (&ball)[n], hsp
 }  // namespace
 
 int32_t hsp_contacts_limits_init(hsp_contacts_limits *limits, uint32_t struct_size, const hsp_boundary *boundary) {
-  if (limits == nullptr || !is_live(boundary) || !hsp::capi::is_struct_size<hsp_contacts_limits>(struct_size)) {
-    return HSP_E_ARGUMENT;
-  }
+  if (const int32_t status = first_failure(check_handle(boundary), check_struct(limits, struct_size)); status != HSP_OK)
+    return status;
   if (!boundary->has_results()) return HSP_E_STATE;
   hsp::ContactLimits defaults;
   const hsp::Status status =
@@ -98,9 +100,10 @@ int32_t hsp_contacts_init(void *memory, size_t bytes, const hsp_contacts_limits 
 }
 
 int32_t hsp_contacts_compute(hsp_contacts *contacts, const hsp_boundary *boundary, hsp_contacts_limits *limits) {
-  if (!is_live(contacts)) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(contacts); status != HSP_OK) return status;
   contacts->complete = false;
-  if (!is_live(boundary) || !hsp::capi::may_write(limits)) return HSP_E_ARGUMENT;
+  if (const int32_t status = first_failure(check_handle(boundary), check_struct(limits)); status != HSP_OK)
+    return status;
   if (!boundary->has_results()) return HSP_E_STATE;
   const hsp::Status status =
       contacts->builder.build(boundary->model->grid, boundary->structure(), boundary->builder.needed().neighbours);
@@ -128,8 +131,9 @@ int32_t hsp_contacts_get(const hsp_contacts *contacts, hsp_contact *out, uint32_
 
 int32_t hsp_contacts_get_row(const hsp_contacts *contacts, uint32_t ball, hsp_contact *out, uint32_t capacity,
                              uint32_t *needed) {
-  if (!is_live(contacts) || needed == nullptr || (out == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
-  if (!contacts->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(contacts, needed == nullptr || (out == nullptr && capacity > 0));
+      status != HSP_OK)
+    return status;
   if (ball >= contacts->balls().n) return HSP_E_ID;
   const hsp::Span<const uint32_t> row = contacts->structure().row(contacts->grid().grid_index(ball));
   const int32_t status = check_output(out, capacity, row.size(), needed);
@@ -140,8 +144,7 @@ int32_t hsp_contacts_get_row(const hsp_contacts *contacts, uint32_t ball, hsp_co
 
 int32_t hsp_contacts_measure(const hsp_contacts *contacts, hsp_totals *totals, double *cell_volume,
                              double *contact_area, uint32_t capacity, uint32_t *needed) {
-  if (!is_live(contacts)) return HSP_E_ARGUMENT;
-  if (!contacts->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(contacts); status != HSP_OK) return status;
   const hsp::BallSet &balls = contacts->balls();
   const bool wanted = cell_volume != nullptr || contact_area != nullptr;
   if (!hsp::capi::fits(wanted, capacity, balls.n, needed)) return HSP_E_CAPACITY;
@@ -161,10 +164,10 @@ int32_t hsp_contacts_measure(const hsp_contacts *contacts, hsp_totals *totals, d
 
 int32_t hsp_contacts_group(hsp_contacts *contacts, const uint32_t *group, hsp_group_contact *out, uint32_t capacity,
                            uint32_t *needed) {
-  if (!is_live(contacts) || group == nullptr || needed == nullptr || (out == nullptr && capacity > 0)) {
-    return HSP_E_ARGUMENT;
-  }
-  if (!contacts->has_results()) return HSP_E_STATE;
+  if (const int32_t status =
+          check_results(contacts, group == nullptr || needed == nullptr || (out == nullptr && capacity > 0));
+      status != HSP_OK)
+    return status;
   const hsp::Contacts &structure = contacts->structure();
   const hsp::ContactGroups groups(contacts->balls(), structure, structure.contact_count(), {group, nullptr},
                                   contacts->builder.scratch());
@@ -172,8 +175,7 @@ int32_t hsp_contacts_group(hsp_contacts *contacts, const uint32_t *group, hsp_gr
 }
 
 int32_t hsp_contacts_get_complex(const hsp_contacts *contacts, hsp_complex *counts) {
-  if (!is_live(contacts) || counts == nullptr) return HSP_E_ARGUMENT;
-  if (!contacts->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(contacts, counts == nullptr); status != HSP_OK) return status;
   const hsp::SimplexCounts &simplices = contacts->structure().simplices();
   const hsp::Boundary &boundary = contacts->boundary->structure();
   *counts = {};
@@ -192,10 +194,10 @@ int32_t hsp_contacts_get_complex(const hsp_contacts *contacts, hsp_complex *coun
 
 int32_t hsp_contacts_get_simplices(const hsp_contacts *contacts, uint32_t dimension, hsp_simplex *out,
                                    uint32_t capacity, uint32_t *needed) {
-  if (!is_live(contacts) || needed == nullptr || (out == nullptr && capacity > 0) || dimension < 2 || dimension > 3) {
-    return HSP_E_ARGUMENT;
-  }
-  if (!contacts->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(
+          contacts, needed == nullptr || (out == nullptr && capacity > 0) || dimension < 2 || dimension > 3);
+      status != HSP_OK)
+    return status;
   const hsp::Contacts &structure = contacts->structure();
   const uint32_t kept = dimension == 2 ? structure.triangles().size() : structure.tetrahedra().size();
   if (kept < structure.simplices().dimension(dimension)) return HSP_E_STATE;
@@ -214,8 +216,8 @@ int32_t hsp_contacts_get_simplices(const hsp_contacts *contacts, uint32_t dimens
 }
 
 int32_t hsp_contacts_check(const hsp_contacts *contacts, uint32_t *invariant, uint32_t *id) {
-  if (!is_live(contacts) || invariant == nullptr || id == nullptr) return HSP_E_ARGUMENT;
-  if (!contacts->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(contacts, invariant == nullptr || id == nullptr); status != HSP_OK)
+    return status;
   const hsp::ContactViolation violation =
       hsp::check_contacts(contacts->balls(), contacts->boundary->structure(), contacts->structure());
   return hsp::capi::report(violation, invariant, id);

@@ -7,7 +7,7 @@
 
 struct hsp_contacts {
   using Builder = hsp::ContactsBuilder;
-  static constexpr uint64_t kind = 0x636F6E7461637473;  // "contacts" in ASCII
+  static constexpr auto kind = hsp::capi::HandleKind::contacts;
 
   uintptr_t tag;
   Builder builder;

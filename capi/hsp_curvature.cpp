@@ -2,12 +2,11 @@
 #include "hsp_boundary.hpp"
 #include "measure/tangency.hpp"
 
-using hsp::capi::is_live;
+using hsp::capi::check_results;
 
 int32_t hsp_boundary_curvature(const hsp_boundary *boundary, hsp_curvatures *totals, double *mean,
                                int32_t *gauss_thirds, uint32_t capacity, uint32_t *needed) {
-  if (!is_live(boundary)) return HSP_E_ARGUMENT;
-  if (!boundary->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(boundary); status != HSP_OK) return status;
   const hsp::CubeGrid &grid = boundary->model->grid;
   const hsp::capi::CurvatureArrays arrays{totals, mean, gauss_thirds};
   if (!hsp::capi::fits(arrays.any(), capacity, grid.balls().n, needed)) return HSP_E_CAPACITY;
@@ -18,8 +17,7 @@ int32_t hsp_boundary_curvature(const hsp_boundary *boundary, hsp_curvatures *tot
 int32_t hsp_boundary_morphometry(const hsp_boundary *boundary, const double *sigma, const hsp_morphometry *factors,
                                  hsp_morphometric_energy *energy, double *d_centre, double *d_radius, uint32_t *flags,
                                  uint32_t capacity, uint32_t *needed, uint32_t *first_bad) {
-  if (!is_live(boundary) || factors == nullptr) return HSP_E_ARGUMENT;
-  if (!boundary->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(boundary, factors == nullptr); status != HSP_OK) return status;
   const hsp::CubeGrid &grid = boundary->model->grid;
   const uint32_t n = grid.balls().n;
   const hsp::capi::GradientArrays arrays{d_centre, d_radius, flags};

@@ -3,9 +3,10 @@
 #include "measure/tangency.hpp"
 #include "measure/totals.hpp"
 
+using hsp::capi::check_handle;
+using hsp::capi::check_results;
 using hsp::capi::check_weights;
 using hsp::capi::GradientArrays;
-using hsp::capi::is_live;
 using hsp::capi::is_tangency;
 using hsp::capi::put_vector;
 using hsp::capi::to_touching_balls;
@@ -26,8 +27,7 @@ void flag_touching_inside(const hsp::CubeGrid &grid, const hsp::Boundary &bounda
 int32_t hsp_boundary_gradient(const hsp_boundary *boundary, const double *sigma, double tension, double pressure,
                               uint32_t tangency, hsp_energy *energy, double *d_centre, double *d_radius,
                               uint32_t *flags, uint32_t capacity, uint32_t *needed, uint32_t *first_bad) {
-  if (!is_live(boundary) || !is_tangency(tangency)) return HSP_E_ARGUMENT;
-  if (!boundary->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(boundary, !is_tangency(tangency)); status != HSP_OK) return status;
   const hsp::CubeGrid &grid = boundary->model->grid;
   const uint32_t n = grid.balls().n;
   const bool wanted = d_centre != nullptr || d_radius != nullptr || flags != nullptr;
@@ -48,7 +48,7 @@ int32_t hsp_boundary_gradient(const hsp_boundary *boundary, const double *sigma,
 int32_t hsp_boundary_gradient_range(const hsp_boundary *boundary, const double *sigma, double tension, double pressure,
                                     uint32_t tangency, uint32_t first, uint32_t count, double *d_centre,
                                     double *d_radius, uint32_t *flags, double *shares, uint32_t *first_bad) {
-  if (!is_live(boundary) || !is_tangency(tangency)) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(boundary, !is_tangency(tangency)); status != HSP_OK) return status;
   // Any of the arrays may be missing.
   int32_t status = hsp::capi::check_range(boundary, first, count, boundary,
                                           [](const hsp_boundary &b) { return b.structure().ball_count(); });
@@ -70,8 +70,8 @@ int32_t hsp_boundary_gradient_range(const hsp_boundary *boundary, const double *
 
 int32_t hsp_boundary_gradient_end(const hsp_boundary *boundary, double tension, double pressure, hsp_energy *energy,
                                   uint32_t *flags, const double *shares) {
-  if (!is_live(boundary) || (energy != nullptr && shares == nullptr)) return HSP_E_ARGUMENT;
-  if (!boundary->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(boundary, energy != nullptr && shares == nullptr); status != HSP_OK)
+    return status;
   if (!hsp::is_finite(tension) || !hsp::is_finite(pressure)) return HSP_E_NOT_FINITE;
   const hsp::CubeGrid &grid = boundary->model->grid;
   if (flags != nullptr) flag_touching_inside(grid, boundary->structure(), flags);
@@ -88,8 +88,7 @@ int32_t hsp_boundary_gradient_end(const hsp_boundary *boundary, double tension, 
 int32_t hsp_boundary_derivatives(const hsp_boundary *boundary, const double *sigma, uint32_t tangency,
                                  double *area_centre, double *area_radius, double *volume_centre, double *volume_radius,
                                  uint32_t *flags, uint32_t capacity, uint32_t *needed, uint32_t *first_bad) {
-  if (!is_live(boundary) || !is_tangency(tangency)) return HSP_E_ARGUMENT;
-  if (!boundary->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(boundary, !is_tangency(tangency)); status != HSP_OK) return status;
   const hsp::CubeGrid &grid = boundary->model->grid;
   const uint32_t n = grid.balls().n;
   const bool wanted = area_centre != nullptr || area_radius != nullptr || volume_centre != nullptr ||
@@ -111,10 +110,10 @@ int32_t hsp_boundary_derivatives(const hsp_boundary *boundary, const double *sig
 
 int32_t hsp_boundary_get_area_row(const hsp_boundary *boundary, uint32_t ball, uint32_t tangency,
                                   hsp_area_derivative *out, uint32_t capacity, uint32_t *needed) {
-  if (!is_live(boundary) || needed == nullptr || (out == nullptr && capacity > 0) || !is_tangency(tangency)) {
-    return HSP_E_ARGUMENT;
-  }
-  if (!boundary->has_results()) return HSP_E_STATE;
+  if (const int32_t status =
+          check_results(boundary, needed == nullptr || (out == nullptr && capacity > 0) || !is_tangency(tangency));
+      status != HSP_OK)
+    return status;
   const hsp::CubeGrid &grid = boundary->model->grid;
   const hsp::BallSet &balls = grid.balls();
   if (ball >= balls.n) return HSP_E_ID;

@@ -6,6 +6,10 @@
 #include "visibility/map_check.hpp"
 #include "visibility/map_queries.hpp"
 
+using hsp::capi::check_handle;
+using hsp::capi::check_results;
+using hsp::capi::check_struct;
+using hsp::capi::first_failure;
 using hsp::capi::is_live;
 
 namespace {
@@ -13,7 +17,7 @@ namespace {
 // The limits that a program gives.
 int32_t from_c(const hsp_map_limits *given, hsp::MapLimits &result) {
   hsp_map_limits limits;
-  if (!hsp::capi::read_struct(given, {}, limits)) return HSP_E_ARGUMENT;
+  if (const int32_t status = hsp::capi::read_struct(given, {}, limits); status != HSP_OK) return status;
   if (limits.balls > HSP_MAX_BALLS || limits.neighbours > HSP_MAX_BALLS || limits.edges > HSP_MAX_BALLS)
     return HSP_E_RANGE;
   result = {limits.balls, limits.neighbours, limits.edges};
@@ -51,12 +55,13 @@ int32_t hsp_map_init(void *memory, size_t bytes, const hsp_map_limits *limits, h
 }
 
 int32_t hsp_map_compute(hsp_map *map, const hsp_model *model, const hsp_view_options *options, hsp_map_limits *limits) {
-  if (!is_live(map)) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(map); status != HSP_OK) return status;
   map->complete = false;
   hsp_view_options wanted;
-  if (!is_live(model) || !hsp::capi::may_write(limits) || !hsp::capi::read_view_options(options, wanted)) {
-    return HSP_E_ARGUMENT;
-  }
+  if (const int32_t status =
+          first_failure(check_handle(model), check_struct(limits), hsp::capi::read_view_options(options, wanted));
+      status != HSP_OK)
+    return status;
   const hsp::Status status = map->builder.build(model->grid, hsp::capi::direction_of(wanted));
   map->model.set(model);
   return hsp::capi::finish<map_to_c>(*map, status, limits);
@@ -88,8 +93,7 @@ uint32_t hsp_map_left(const hsp_map *map, uint32_t h) {
 }
 
 int32_t hsp_map_pick(const hsp_map *map, double x, double y, hsp_map_sight *sight) {
-  if (!is_live(map) || sight == nullptr) return HSP_E_ARGUMENT;
-  if (!map->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(map, sight == nullptr); status != HSP_OK) return status;
   if (!hsp::is_finite(x) || !hsp::is_finite(y)) return HSP_E_NOT_FINITE;
   const hsp::exact::Lattice &lattice = map->balls().lattice;
   const double at[2] = {lattice.steps(x), lattice.steps(y)};
@@ -100,8 +104,7 @@ int32_t hsp_map_pick(const hsp_map *map, double x, double y, hsp_map_sight *sigh
 }
 
 int32_t hsp_map_get_point(const hsp_map *map, uint32_t edge, double t, hsp_map_point *point) {
-  if (!is_live(map) || point == nullptr) return HSP_E_ARGUMENT;
-  if (!map->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(map, point == nullptr); status != HSP_OK) return status;
   const hsp::VisibilityMap &of = map->structure();
   if (edge >= of.edges.size()) return HSP_E_ID;
   if (!hsp::is_finite(t)) return HSP_E_NOT_FINITE;
@@ -113,8 +116,7 @@ int32_t hsp_map_get_point(const hsp_map *map, uint32_t edge, double t, hsp_map_p
 }
 
 int32_t hsp_map_get_pole(const hsp_map *map, uint32_t face, hsp_map_pole *pole) {
-  if (!is_live(map) || pole == nullptr) return HSP_E_ARGUMENT;
-  if (!map->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(map, pole == nullptr); status != HSP_OK) return status;
   if (face == 0 || face >= map->structure().faces.size()) return HSP_E_ID;
   const hsp::capi::ViewLengths length{map->balls().lattice};
   const hsp::FacePole found = hsp::find_pole(map->structure(), face);
@@ -123,7 +125,6 @@ int32_t hsp_map_get_pole(const hsp_map *map, uint32_t face, hsp_map_pole *pole) 
 }
 
 int32_t hsp_map_check(hsp_map *map, uint32_t *invariant, uint32_t *id) {
-  if (!is_live(map) || invariant == nullptr || id == nullptr) return HSP_E_ARGUMENT;
-  if (!map->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(map, invariant == nullptr || id == nullptr); status != HSP_OK) return status;
   return hsp::capi::report(hsp::check_map(map->structure(), map->builder.scratch()), invariant, id);
 }

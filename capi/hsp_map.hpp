@@ -6,7 +6,7 @@
 
 struct hsp_map {
   using Builder = hsp::MapBuilder;
-  static constexpr uint64_t kind = 0x6d61702e2e2e2e21;  // "map....!" in ASCII
+  static constexpr auto kind = hsp::capi::HandleKind::map;
 
   uintptr_t tag;
   Builder builder;

@@ -1,7 +1,7 @@
 #include "hsp_map.hpp"
 #include "map_records.hpp"
 
-using hsp::capi::is_live;
+using hsp::capi::check_results;
 
 namespace {
 
@@ -11,8 +11,7 @@ using hsp::capi::check_request;
 }  // namespace
 
 int32_t hsp_map_get_info(const hsp_map *map, hsp_map_info *info) {
-  if (!is_live(map) || info == nullptr) return HSP_E_ARGUMENT;
-  if (!map->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(map, info == nullptr); status != HSP_OK) return status;
   hsp::capi::put_map_info(*map, map->structure(), *info);
   info->balls = map->structure().owners;
   return HSP_OK;
@@ -49,8 +48,8 @@ int32_t hsp_map_get_areas(const hsp_map *map, double *area, uint32_t capacity, u
 }
 
 int32_t hsp_map_get_outline(const hsp_map *map, uint32_t ball, uint32_t *h, uint32_t capacity, uint32_t *needed) {
-  if (!is_live(map) || needed == nullptr || (h == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
-  if (!map->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(map, needed == nullptr || (h == nullptr && capacity > 0)); status != HSP_OK)
+    return status;
   if (ball >= map->balls().n) return HSP_E_ID;
   const hsp::VisibilityMap &of = map->structure();
   const auto visit = [&](auto take) {

@@ -1,12 +1,12 @@
 #include "hsp_boundary.hpp"
 #include "measure/totals.hpp"
 
-using hsp::capi::is_live;
+using hsp::capi::check_handle;
+using hsp::capi::check_results;
 
 int32_t hsp_boundary_measure(const hsp_boundary *boundary, const uint8_t *selected, hsp_totals *totals, double *area,
                              double *volume, uint32_t capacity, uint32_t *needed) {
-  if (!is_live(boundary)) return HSP_E_ARGUMENT;
-  if (!boundary->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(boundary); status != HSP_OK) return status;
   const hsp::CubeGrid &grid = boundary->model->grid;
   const bool wanted = area != nullptr || volume != nullptr;
   if (!hsp::capi::fits(wanted, capacity, grid.balls().n, needed)) return HSP_E_CAPACITY;
@@ -25,7 +25,8 @@ int32_t hsp_boundary_measure(const hsp_boundary *boundary, const uint8_t *select
 
 int32_t hsp_boundary_measure_range(const hsp_boundary *boundary, const uint8_t *selected, uint32_t first,
                                    uint32_t count, double *area, double *volume) {
-  if (!is_live(boundary) || area == nullptr || volume == nullptr) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(boundary, area == nullptr || volume == nullptr); status != HSP_OK)
+    return status;
   const int32_t status = hsp::capi::check_range(boundary, first, count, area,
                                                 [](const hsp_boundary &b) { return b.structure().ball_count(); });
   if (status != HSP_OK) return status;
@@ -38,8 +39,8 @@ int32_t hsp_boundary_measure_range(const hsp_boundary *boundary, const uint8_t *
 }
 
 int32_t hsp_boundary_measure_end(const hsp_boundary *boundary, hsp_totals *totals, double *area, double *volume) {
-  if (!is_live(boundary) || area == nullptr || volume == nullptr) return HSP_E_ARGUMENT;
-  if (!boundary->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(boundary, area == nullptr || volume == nullptr); status != HSP_OK)
+    return status;
   const hsp::BallMeasure total = hsp::sum_and_convert(boundary->balls(), area, volume);
   if (totals != nullptr) *totals = {total.area, total.volume};
   return HSP_OK;
@@ -47,8 +48,7 @@ int32_t hsp_boundary_measure_end(const hsp_boundary *boundary, hsp_totals *total
 
 int32_t hsp_boundary_measure_faces(const hsp_boundary *boundary, double *area, double *volume, uint32_t capacity,
                                    uint32_t *needed) {
-  if (!is_live(boundary)) return HSP_E_ARGUMENT;
-  if (!boundary->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(boundary); status != HSP_OK) return status;
   const hsp::Boundary &structure = boundary->structure();
   const bool wanted = area != nullptr || volume != nullptr;
   if (!hsp::capi::fits(wanted, capacity, structure.face_count(), needed)) return HSP_E_CAPACITY;

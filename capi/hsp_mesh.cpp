@@ -1,13 +1,16 @@
 #include "hsp_mesh.hpp"
 
-using hsp::capi::is_live;
+using hsp::capi::check_handle;
+using hsp::capi::check_results;
+using hsp::capi::check_struct;
+using hsp::capi::first_failure;
 
 namespace {
 
 // The limits that a program gives.
 int32_t from_c(const hsp_mesh_limits *given, hsp::MeshLimits &result) {
   hsp_mesh_limits limits;
-  if (!hsp::capi::read_struct(given, {}, limits)) return HSP_E_ARGUMENT;
+  if (const int32_t status = hsp::capi::read_struct(given, {}, limits); status != HSP_OK) return status;
   const uint32_t all[] = {limits.balls, limits.curves, limits.vertices, limits.triangles, limits.points};
   for (const uint32_t limit : all) {
     if (limit > HSP_MAX_BALLS) return HSP_E_RANGE;
@@ -35,9 +38,8 @@ const hsp::BallSet &balls_of(const hsp_surface &surface) {
 // For the triangles of a boundary or a surface: expect(steps, enough) says what suffices for edges of so many steps.
 template <class Source, class Expect>
 int32_t init_limits(hsp_mesh_limits *limits, uint32_t struct_size, const Source *source, double edge, Expect expect) {
-  if (limits == nullptr || !is_live(source) || !hsp::capi::is_struct_size<hsp_mesh_limits>(struct_size)) {
-    return HSP_E_ARGUMENT;
-  }
+  if (const int32_t status = first_failure(check_handle(source), check_struct(limits, struct_size)); status != HSP_OK)
+    return status;
   if (const int32_t status = check_edge(edge); status != HSP_OK) return status;
   if (!source->has_results()) return HSP_E_STATE;
   hsp::MeshLimits enough;
@@ -49,9 +51,9 @@ int32_t init_limits(hsp_mesh_limits *limits, uint32_t struct_size, const Source 
 // build(steps) makes the triangles and names the boundary.
 template <class Source, class Build>
 int32_t compute(hsp_mesh *mesh, const Source *source, double edge, hsp_mesh_limits *limits, Build build) {
-  if (!is_live(mesh)) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(mesh); status != HSP_OK) return status;
   mesh->complete = false;
-  if (!is_live(source) || !hsp::capi::may_write(limits)) return HSP_E_ARGUMENT;
+  if (const int32_t status = first_failure(check_handle(source), check_struct(limits)); status != HSP_OK) return status;
   if (const int32_t status = check_edge(edge); status != HSP_OK) return status;
   if (!source->has_results()) return HSP_E_STATE;
   const hsp::Status status = build(balls_of(*source).lattice.steps(edge));
@@ -121,8 +123,7 @@ int32_t hsp_mesh_compute_surface(hsp_mesh *mesh, const hsp_surface *surface, dou
 }
 
 int32_t hsp_mesh_get_counts(const hsp_mesh *mesh, hsp_mesh_counts *counts) {
-  if (!is_live(mesh) || counts == nullptr) return HSP_E_ARGUMENT;
-  if (!mesh->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(mesh, counts == nullptr); status != HSP_OK) return status;
   const hsp::Mesh &found = mesh->builder.mesh();
   *counts = {found.vertex_count(), found.triangle_count(), found.curve_count(), found.refined_count()};
   return HSP_OK;
@@ -130,8 +131,7 @@ int32_t hsp_mesh_get_counts(const hsp_mesh *mesh, hsp_mesh_counts *counts) {
 
 int32_t hsp_mesh_get_vertices(const hsp_mesh *mesh, double *xyz, double *normals, double *areas, uint32_t *balls,
                               uint32_t capacity, uint32_t *needed) {
-  if (!is_live(mesh)) return HSP_E_ARGUMENT;
-  if (!mesh->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(mesh); status != HSP_OK) return status;
   const hsp::Mesh &found = mesh->builder.mesh();
   const bool wanted = xyz != nullptr || normals != nullptr || areas != nullptr || balls != nullptr;
   if (!hsp::capi::fits(wanted, capacity, found.vertex_count(), needed)) return HSP_E_CAPACITY;
@@ -150,8 +150,7 @@ int32_t hsp_mesh_get_vertices(const hsp_mesh *mesh, double *xyz, double *normals
 
 int32_t hsp_mesh_get_triangles(const hsp_mesh *mesh, uint32_t *corners, uint32_t *kinds, uint32_t *patches,
                                uint32_t *balls, uint32_t capacity, uint32_t *needed) {
-  if (!is_live(mesh)) return HSP_E_ARGUMENT;
-  if (!mesh->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(mesh); status != HSP_OK) return status;
   const hsp::Mesh &found = mesh->builder.mesh();
   const bool wanted = corners != nullptr || kinds != nullptr || patches != nullptr || balls != nullptr;
   if (!hsp::capi::fits(wanted, capacity, found.triangle_count(), needed)) return HSP_E_CAPACITY;
@@ -167,8 +166,7 @@ int32_t hsp_mesh_get_triangles(const hsp_mesh *mesh, uint32_t *corners, uint32_t
 }
 
 int32_t hsp_mesh_get_patch(const hsp_mesh *mesh, uint32_t patch, uint32_t *first, uint32_t *count) {
-  if (!is_live(mesh) || first == nullptr || count == nullptr) return HSP_E_ARGUMENT;
-  if (!mesh->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(mesh, first == nullptr || count == nullptr); status != HSP_OK) return status;
   const hsp::IdRange triangles = mesh->builder.mesh().triangles_of(patch);
   *first = triangles.first;
   *count = triangles.size();

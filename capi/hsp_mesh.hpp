@@ -6,7 +6,7 @@
 
 struct hsp_mesh {
   using Builder = hsp::MeshBuilder;
-  static constexpr uint64_t kind = 0x6d6573682e2e2e21;  // "mesh...!" in ASCII
+  static constexpr auto kind = hsp::capi::HandleKind::mesh;
 
   uintptr_t tag;
   Builder builder;

@@ -2,7 +2,7 @@
 #include "model/packing_statistics.hpp"
 #include "model_options.hpp"
 
-using hsp::capi::is_live;
+using hsp::capi::check_handle;
 
 namespace {
 
@@ -30,12 +30,12 @@ int32_t hsp_model_init(void *memory, size_t bytes, uint32_t balls, hsp_model **m
 }
 
 int32_t hsp_model_options_init(hsp_model_options *options, uint32_t struct_size) {
-  return hsp::capi::write_struct(hsp::capi::default_model_options(), options, struct_size) ? HSP_OK : HSP_E_ARGUMENT;
+  return hsp::capi::write_struct(hsp::capi::default_model_options(), options, struct_size);
 }
 
 int32_t hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const double *radius,
                       const hsp_model_options *options, uint32_t *first_bad) {
-  if (!is_live(model)) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(model); status != HSP_OK) return status;
   uint32_t ignored = 0;
   uint32_t &bad = first_bad != nullptr ? *first_bad : ignored;
   hsp::BallInput input;
@@ -44,7 +44,8 @@ int32_t hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const dou
     bad = HSP_NONE;
     return status;
   };
-  if (!hsp::capi::get_input(n, xyz, radius, options, input)) return refuse(HSP_E_ARGUMENT);
+  if (const int32_t status = hsp::capi::get_input(n, xyz, radius, options, input); status != HSP_OK)
+    return refuse(status);
   if (n > model->grid.capacity()) return refuse(HSP_E_CAPACITY);
   const hsp::Status status = model->grid.build(input, bad);
   model->take_digest();
@@ -52,7 +53,7 @@ int32_t hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const dou
 }
 
 int32_t hsp_model_get_info(const hsp_model *model, hsp_model_info *info) {
-  if (!is_live(model) || info == nullptr) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(model, info == nullptr); status != HSP_OK) return status;
   const hsp::BallSet &balls = model->balls();
   const hsp::CubeTable &table = model->grid.table();
   info->balls = balls.n;
@@ -66,7 +67,7 @@ int32_t hsp_model_get_info(const hsp_model *model, hsp_model_info *info) {
 }
 
 int32_t hsp_model_get_packing(hsp_model *model, hsp_packing *figures) {
-  if (!is_live(model) || figures == nullptr) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(model, figures == nullptr); status != HSP_OK) return status;
   const hsp::PackingStatistics found = hsp::packing_statistics(model->grid);
   *figures = {};
   figures->k = found.k;

@@ -7,7 +7,7 @@
 
 struct hsp_model {
   using Builder = hsp::CubeGrid;
-  static constexpr uint64_t kind = 0x6D6F64656C;  // "model" in ASCII
+  static constexpr auto kind = hsp::capi::HandleKind::model;
 
   uintptr_t tag;
   Builder grid;

@@ -4,14 +4,17 @@
 #include "gradient_arrays.hpp"
 #include "hsp_model.hpp"
 
-using hsp::capi::is_live;
+using hsp::capi::check_handle;
+using hsp::capi::check_results;
+using hsp::capi::check_struct;
+using hsp::capi::first_failure;
 
 namespace {
 
 // The limits that a program gives.
 int32_t from_c(const hsp_moving_limits *given, hsp::MovingLimits &result) {
   hsp_moving_limits limits;
-  if (!hsp::capi::read_struct(given, {}, limits)) return HSP_E_ARGUMENT;
+  if (const int32_t status = hsp::capi::read_struct(given, {}, limits); status != HSP_OK) return status;
   if (limits.balls > HSP_MAX_BALLS || limits.neighbours > HSP_MAX_BALLS) return HSP_E_RANGE;
   result = {limits.balls, limits.neighbours};
   return HSP_OK;
@@ -65,10 +68,13 @@ int32_t hsp_moving_init(void *memory, size_t bytes, const hsp_moving_limits *lim
 
 int32_t hsp_moving_set(hsp_moving *moving, const hsp_model *model, const double *sigma, double tension, double pressure,
                        uint32_t tangency, hsp_moving_limits *limits, uint32_t *first_bad) {
-  if (!is_live(moving)) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(moving); status != HSP_OK) return status;
   moving->complete = false;
   if (first_bad != nullptr) *first_bad = HSP_NONE;
-  if (!is_live(model) || !hsp::capi::may_write(limits) || !hsp::capi::is_tangency(tangency)) return HSP_E_ARGUMENT;
+  if (const int32_t status =
+          first_failure(check_handle(model, !hsp::capi::is_tangency(tangency)), check_struct(limits));
+      status != HSP_OK)
+    return status;
   const hsp::IdRange all{0, model->balls().n};
   if (const int32_t status = hsp::capi::check_weights(sigma, all, first_bad); status != HSP_OK) return status;
   if (!hsp::is_finite(tension) || !hsp::is_finite(pressure)) return HSP_E_NOT_FINITE;
@@ -79,7 +85,9 @@ int32_t hsp_moving_set(hsp_moving *moving, const hsp_model *model, const double 
 int32_t hsp_moving_move(hsp_moving *moving, uint32_t count, const uint32_t *ball, const double *xyz,
                         const double *radius, hsp_moving_limits *limits, uint32_t *first_bad) {
   if (first_bad != nullptr) *first_bad = HSP_NONE;
-  if (!is_live(moving) || (ball == nullptr && count > 0) || !hsp::capi::may_write(limits)) return HSP_E_ARGUMENT;
+  if (const int32_t refused = first_failure(check_handle(moving, ball == nullptr && count > 0), check_struct(limits));
+      refused != HSP_OK)
+    return refused;
   if (!moving->has_results()) return HSP_E_STATE;
   uint32_t bad = HSP_NONE;
   const hsp::Status status = moving->builder.move({count, ball, xyz, radius}, bad);
@@ -93,13 +101,12 @@ int32_t hsp_moving_move(hsp_moving *moving, uint32_t count, const uint32_t *ball
 }
 
 int32_t hsp_moving_undo(hsp_moving *moving) {
-  if (!is_live(moving)) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(moving); status != HSP_OK) return status;
   return moving->has_results() ? hsp::capi::to_c(moving->builder.undo()) : HSP_E_STATE;
 }
 
 int32_t hsp_moving_get_info(const hsp_moving *moving, hsp_moving_info *info) {
-  if (!is_live(moving) || info == nullptr) return HSP_E_ARGUMENT;
-  if (!moving->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(moving, info == nullptr); status != HSP_OK) return status;
   const hsp::MovingBalls &balls = moving->builder;
   const hsp::MovingCounts &counts = balls.counts();
   const hsp::exact::Lattice &lattice = balls.lattice();
@@ -122,8 +129,7 @@ int32_t hsp_moving_get_info(const hsp_moving *moving, hsp_moving_info *info) {
 
 int32_t hsp_moving_measure(const hsp_moving *moving, hsp_totals *totals, double *area, double *volume,
                            uint32_t capacity, uint32_t *needed) {
-  if (!is_live(moving)) return HSP_E_ARGUMENT;
-  if (!moving->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(moving); status != HSP_OK) return status;
   const hsp::MovingBalls &balls = moving->builder;
   const bool wanted = area != nullptr || volume != nullptr;
   if (!hsp::capi::fits(wanted, capacity, balls.size(), needed)) return HSP_E_CAPACITY;
@@ -141,8 +147,7 @@ int32_t hsp_moving_measure(const hsp_moving *moving, hsp_totals *totals, double 
 
 int32_t hsp_moving_gradient(const hsp_moving *moving, hsp_energy *energy, double *d_centre, double *d_radius,
                             uint32_t *flags, uint32_t capacity, uint32_t *needed) {
-  if (!is_live(moving)) return HSP_E_ARGUMENT;
-  if (!moving->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(moving); status != HSP_OK) return status;
   const hsp::MovingBalls &balls = moving->builder;
   const hsp::capi::GradientArrays arrays{d_centre, d_radius, flags};
   if (!hsp::capi::fits(arrays.any(), capacity, balls.size(), needed)) return HSP_E_CAPACITY;
@@ -152,8 +157,8 @@ int32_t hsp_moving_gradient(const hsp_moving *moving, hsp_energy *energy, double
 }
 
 int32_t hsp_moving_get_balls(const hsp_moving *moving, uint32_t count, const uint32_t *ball, hsp_moving_ball *out) {
-  if (!is_live(moving) || (count > 0 && (ball == nullptr || out == nullptr))) return HSP_E_ARGUMENT;
-  if (!moving->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(moving, count > 0 && (ball == nullptr || out == nullptr)); status != HSP_OK)
+    return status;
   const hsp::MovingBalls &balls = moving->builder;
   for (uint32_t k = 0; k < count; ++k) {
     if (ball[k] >= balls.size()) return HSP_E_ID;
@@ -173,7 +178,8 @@ int32_t hsp_moving_get_changed(const hsp_moving *moving, uint32_t *out, uint32_t
 }
 
 int32_t hsp_moving_get_model(const hsp_moving *moving, hsp_model *model) {
-  if (!is_live(moving) || !is_live(model)) return HSP_E_ARGUMENT;
+  if (const int32_t refused = first_failure(check_handle(moving), check_handle(model)); refused != HSP_OK)
+    return refused;
   if (!moving->has_results()) return HSP_E_STATE;
   const hsp::Status status = moving->builder.write(model->grid);
   if (status == hsp::Status::ok) model->take_digest();

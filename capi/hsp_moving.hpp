@@ -6,7 +6,7 @@
 
 struct hsp_moving {
   using Builder = hsp::MovingBalls;
-  static constexpr uint64_t kind = 0x6D6F76696E67;  // "moving" in ASCII
+  static constexpr auto kind = hsp::capi::HandleKind::moving;
 
   uintptr_t tag;
   Builder builder;

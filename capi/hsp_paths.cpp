@@ -5,7 +5,10 @@
 #include "handle_memory.hpp"
 #include "model/queries.hpp"
 
-using hsp::capi::is_live;
+using hsp::capi::check_handle;
+using hsp::capi::check_results;
+using hsp::capi::check_struct;
+using hsp::capi::first_failure;
 
 namespace {
 
@@ -15,7 +18,7 @@ static_assert(static_cast<uint32_t>(hsp::PathEnds::connected) == HSP_PATH_CONNEC
 
 int32_t from_c(const hsp_paths_limits *given, hsp::PathLimits &result) {
   hsp_paths_limits limits;
-  if (!hsp::capi::read_struct(given, {}, limits)) return HSP_E_ARGUMENT;
+  if (const int32_t status = hsp::capi::read_struct(given, {}, limits); status != HSP_OK) return status;
   if (limits.points > HSP_MAX_BALLS) return HSP_E_RANGE;
   result.points = limits.points;
   return hsp::capi::get_cells_limits(limits, result.cells);
@@ -23,7 +26,7 @@ int32_t from_c(const hsp_paths_limits *given, hsp::PathLimits &result) {
 
 int32_t from_c(const hsp_gate_limits *given, hsp::ProbeLimits &result) {
   hsp_gate_limits limits;
-  if (!hsp::capi::read_struct(given, {}, limits)) return HSP_E_ARGUMENT;
+  if (const int32_t status = hsp::capi::read_struct(given, {}, limits); status != HSP_OK) return status;
   if (limits.balls > HSP_MAX_BALLS) return HSP_E_RANGE;
   result.balls = limits.balls;
   return hsp::capi::get_cells_limits(limits, result.cells);
@@ -72,9 +75,9 @@ int32_t hsp_paths_init(void *memory, size_t bytes, const hsp_paths_limits *limit
 }
 
 int32_t hsp_paths_compute(hsp_paths *paths, const hsp_model *model, hsp_paths_limits *limits) {
-  if (!is_live(paths)) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(paths); status != HSP_OK) return status;
   paths->complete = false;
-  if (!is_live(model) || !hsp::capi::may_write(limits)) return HSP_E_ARGUMENT;
+  if (const int32_t status = first_failure(check_handle(model), check_struct(limits)); status != HSP_OK) return status;
   const hsp::Status status = paths->builder.build(model->grid);
   paths->model.set(model);
   return hsp::capi::finish<paths_to_c>(*paths, status, limits);
@@ -82,9 +85,10 @@ int32_t hsp_paths_compute(hsp_paths *paths, const hsp_model *model, hsp_paths_li
 
 int32_t hsp_paths_find(hsp_paths *paths, const double *from, const double *to, hsp_path *path,
                        hsp_paths_limits *limits) {
-  if (!is_live(paths)) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(paths); status != HSP_OK) return status;
   paths->builder.forget_path();
-  if (from == nullptr || to == nullptr || path == nullptr || !hsp::capi::may_write(limits)) return HSP_E_ARGUMENT;
+  if (from == nullptr || to == nullptr || path == nullptr) return HSP_E_ARGUMENT;
+  if (const int32_t refused = check_struct(limits); refused != HSP_OK) return refused;
   if (!paths->has_results()) return HSP_E_STATE;
   const hsp::BallSet &balls = paths->model->balls();
   hsp::exact::Vector start, end;
@@ -138,9 +142,11 @@ int32_t hsp_gate_init(void *memory, size_t bytes, const hsp_gate_limits *limits,
 
 int32_t hsp_gate_compute(hsp_gate *gate, const hsp_model *model, const double *from, const double *to,
                          hsp_gate_limits *limits) {
-  if (!is_live(gate)) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(gate); status != HSP_OK) return status;
   gate->complete = false;
-  if (!is_live(model) || from == nullptr || !hsp::capi::may_write(limits)) return HSP_E_ARGUMENT;
+  if (const int32_t status = first_failure(check_handle(model, from == nullptr), check_struct(limits));
+      status != HSP_OK)
+    return status;
   hsp::exact::Vector start, end;
   int32_t rounded = round_point(model->balls(), from, start);
   if (rounded == HSP_OK && to != nullptr) rounded = round_point(model->balls(), to, end);
@@ -151,8 +157,7 @@ int32_t hsp_gate_compute(hsp_gate *gate, const hsp_model *model, const double *f
 }
 
 int32_t hsp_gate_get(const hsp_gate *gate, hsp_widest_probe *widest) {
-  if (!is_live(gate) || widest == nullptr) return HSP_E_ARGUMENT;
-  if (!gate->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(gate, widest == nullptr); status != HSP_OK) return status;
   const hsp::WidestProbe &found = gate->widest;
   *widest = {gate->model->balls().lattice.length(found.radius),
              found.passes ? 1U : 0U,

@@ -8,7 +8,7 @@
 
 struct hsp_paths {
   using Builder = hsp::PathFinder;
-  static constexpr uint64_t kind = 0x7061746873;  // "paths" in ASCII
+  static constexpr auto kind = hsp::capi::HandleKind::paths;
 
   uintptr_t tag;
   Builder builder;
@@ -21,7 +21,7 @@ struct hsp_paths {
 
 struct hsp_gate {
   using Builder = hsp::WidestProbeFinder;
-  static constexpr uint64_t kind = 0x67617465;  // "gate" in ASCII
+  static constexpr auto kind = hsp::capi::HandleKind::gate;
 
   uintptr_t tag;
   Builder builder;

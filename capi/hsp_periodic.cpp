@@ -7,8 +7,11 @@
 #include "periodic/periodic_tangency.hpp"
 #include "periodic_shifts.hpp"
 
+using hsp::capi::check_handle;
 using hsp::capi::check_request;
-using hsp::capi::is_live;
+using hsp::capi::check_results;
+using hsp::capi::check_struct;
+using hsp::capi::first_failure;
 using hsp::capi::put_shift;
 using hsp::capi::shift_comes_before;
 
@@ -23,7 +26,7 @@ static_assert(static_cast<uint32_t>(PeriodicInvariant::volume) == 4);
 // The limits that a program gives.
 int32_t from_c(const hsp_periodic_limits *given, hsp::PeriodicLimits &result) {
   hsp_periodic_limits limits;
-  if (!hsp::capi::read_struct(given, {}, limits)) return HSP_E_ARGUMENT;
+  if (const int32_t status = hsp::capi::read_struct(given, {}, limits); status != HSP_OK) return status;
   const uint32_t counts[] = {limits.balls,    limits.images,  limits.neighbours,
                              limits.vertices, limits.circles, limits.contacts};
   for (const uint32_t count : counts) {
@@ -99,22 +102,22 @@ int32_t hsp_periodic_init(void *memory, size_t bytes, const hsp_periodic_limits 
 int32_t hsp_periodic_compute(hsp_periodic *periodic, uint32_t n, const double *xyz, const double *radius,
                              const hsp_model_options *options, const double *box, hsp_periodic_limits *limits,
                              uint32_t *first_bad) {
-  if (!is_live(periodic)) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(periodic); status != HSP_OK) return status;
   periodic->complete = false;
   uint32_t ignored = 0;
   uint32_t &bad = first_bad != nullptr ? *first_bad : ignored;
   bad = HSP_NONE;
   hsp::BallInput input;
-  if (box == nullptr || !hsp::capi::may_write(limits) || !hsp::capi::get_input(n, xyz, radius, options, input)) {
-    return HSP_E_ARGUMENT;
-  }
+  if (box == nullptr) return HSP_E_ARGUMENT;
+  if (const int32_t status = first_failure(check_struct(limits), hsp::capi::get_input(n, xyz, radius, options, input));
+      status != HSP_OK)
+    return status;
   if (n > HSP_MAX_BALLS) return HSP_E_RANGE;
   return hsp::capi::finish<periodic_to_c>(*periodic, periodic->builder.build(input, box, bad), limits);
 }
 
 int32_t hsp_periodic_get_counts(const hsp_periodic *periodic, hsp_periodic_counts *counts) {
-  if (!is_live(periodic) || counts == nullptr) return HSP_E_ARGUMENT;
-  if (!periodic->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(periodic, counts == nullptr); status != HSP_OK) return status;
   const hsp::PeriodicCounts &found = periodic->builder.counts();
   const hsp::PeriodicImages &images = periodic->builder.images();
   *counts = {images.balls(),
@@ -134,8 +137,7 @@ int32_t hsp_periodic_get_counts(const hsp_periodic *periodic, hsp_periodic_count
 
 int32_t hsp_periodic_measure(const hsp_periodic *periodic, hsp_periodic_totals *totals, double *area,
                              double *cell_volume, uint32_t capacity, uint32_t *needed) {
-  if (!is_live(periodic)) return HSP_E_ARGUMENT;
-  if (!periodic->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(periodic); status != HSP_OK) return status;
   const bool wanted = area != nullptr || cell_volume != nullptr;
   if (!hsp::capi::fits(wanted, capacity, periodic->balls(), needed)) return HSP_E_CAPACITY;
   const hsp::PeriodicTotals found =
@@ -171,10 +173,10 @@ int32_t hsp_periodic_get_contacts(const hsp_periodic *periodic, hsp_periodic_con
 
 int32_t hsp_periodic_group_contacts(hsp_periodic *periodic, const uint32_t *group, hsp_group_contact *out,
                                     uint32_t capacity, uint32_t *needed) {
-  if (!is_live(periodic) || group == nullptr || needed == nullptr || (out == nullptr && capacity > 0)) {
-    return HSP_E_ARGUMENT;
-  }
-  if (!periodic->has_results()) return HSP_E_STATE;
+  if (const int32_t status =
+          check_results(periodic, group == nullptr || needed == nullptr || (out == nullptr && capacity > 0));
+      status != HSP_OK)
+    return status;
   hsp::PeriodicUnion &structure = periodic->builder;
   return hsp::capi::put_groups(structure.group_contacts(group), structure.images().lattice(), out, capacity, needed);
 }
@@ -202,8 +204,8 @@ int32_t hsp_periodic_gradient(const hsp_periodic *periodic, const double *sigma,
                               uint32_t tangency, hsp_energy *energy, double *d_centre, double *d_radius,
                               uint32_t *flags, double *d_strain, double *d_box, uint32_t capacity, uint32_t *needed,
                               uint32_t *first_bad) {
-  if (!is_live(periodic) || !hsp::capi::is_tangency(tangency)) return HSP_E_ARGUMENT;
-  if (!periodic->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(periodic, !hsp::capi::is_tangency(tangency)); status != HSP_OK)
+    return status;
   const hsp::capi::GradientArrays arrays{d_centre, d_radius, flags};
   const uint32_t n = periodic->balls();
   if (!hsp::capi::fits(arrays.any(), capacity, n, needed)) return HSP_E_CAPACITY;
@@ -229,7 +231,7 @@ int32_t hsp_periodic_gradient(const hsp_periodic *periodic, const double *sigma,
 }
 
 int32_t hsp_periodic_check(const hsp_periodic *periodic, uint32_t *invariant, uint32_t *id) {
-  if (!is_live(periodic) || invariant == nullptr || id == nullptr) return HSP_E_ARGUMENT;
-  if (!periodic->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(periodic, invariant == nullptr || id == nullptr); status != HSP_OK)
+    return status;
   return hsp::capi::report(hsp::check_periodic(periodic->builder), invariant, id);
 }

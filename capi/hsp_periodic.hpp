@@ -6,7 +6,7 @@
 
 struct hsp_periodic {
   using Builder = hsp::PeriodicUnion;
-  static constexpr uint64_t kind = 0x706572696F646963;  // "periodic" in ASCII
+  static constexpr auto kind = hsp::capi::HandleKind::periodic;
 
   uintptr_t tag;
   Builder builder;

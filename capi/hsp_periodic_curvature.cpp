@@ -3,12 +3,11 @@
 #include "periodic/periodic_morphometry.hpp"
 #include "periodic/periodic_tangency.hpp"
 
-using hsp::capi::is_live;
+using hsp::capi::check_results;
 
 int32_t hsp_periodic_curvature(const hsp_periodic *periodic, hsp_curvatures *totals, double *mean,
                                int32_t *gauss_thirds, uint32_t capacity, uint32_t *needed) {
-  if (!is_live(periodic)) return HSP_E_ARGUMENT;
-  if (!periodic->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(periodic); status != HSP_OK) return status;
   const hsp::capi::CurvatureArrays arrays{totals, mean, gauss_thirds};
   if (!hsp::capi::fits(arrays.any(), capacity, periodic->balls(), needed)) return HSP_E_CAPACITY;
   const hsp::PeriodicUnion &structure = periodic->builder;
@@ -21,8 +20,7 @@ int32_t hsp_periodic_morphometry(const hsp_periodic *periodic, const double *sig
                                  hsp_morphometric_energy *energy, double *d_centre, double *d_radius, uint32_t *flags,
                                  double *d_strain, double *d_box, uint32_t capacity, uint32_t *needed,
                                  uint32_t *first_bad) {
-  if (!is_live(periodic) || factors == nullptr) return HSP_E_ARGUMENT;
-  if (!periodic->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(periodic, factors == nullptr); status != HSP_OK) return status;
   const hsp::capi::GradientArrays arrays{d_centre, d_radius, flags};
   const uint32_t n = periodic->balls();
   if (!hsp::capi::fits(arrays.any(), capacity, n, needed)) return HSP_E_CAPACITY;

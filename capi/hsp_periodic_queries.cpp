@@ -4,7 +4,7 @@
 #include "periodic/periodic_queries.hpp"
 #include "periodic_shifts.hpp"
 
-using hsp::capi::is_live;
+using hsp::capi::check_results;
 
 namespace {
 
@@ -104,10 +104,10 @@ int32_t round_query(const hsp::PeriodicImages &images, const double *xyz, double
 
 int32_t ask_in_box(const hsp_periodic *periodic, const double *xyz, double radius, hsp_image *out, uint32_t capacity,
                    uint32_t *needed) {
-  if (!is_live(periodic) || xyz == nullptr || needed == nullptr || (out == nullptr && capacity > 0)) {
-    return HSP_E_ARGUMENT;
-  }
-  if (!periodic->has_results()) return HSP_E_STATE;
+  if (const int32_t status =
+          check_results(periodic, xyz == nullptr || needed == nullptr || (out == nullptr && capacity > 0));
+      status != HSP_OK)
+    return status;
   QueryInBox query;
   const int32_t status = round_query(periodic->builder.images(), xyz, radius, query);
   if (status != HSP_OK) return status;
@@ -128,8 +128,9 @@ int32_t hsp_periodic_query_ball(const hsp_periodic *periodic, const double *xyz,
 
 int32_t hsp_periodic_query_neighbours(const hsp_periodic *periodic, uint32_t ball, hsp_image *out, uint32_t capacity,
                                       uint32_t *needed) {
-  if (!is_live(periodic) || needed == nullptr || (out == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
-  if (!periodic->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(periodic, needed == nullptr || (out == nullptr && capacity > 0));
+      status != HSP_OK)
+    return status;
   if (ball >= periodic->balls()) return HSP_E_ID;
   const hsp::PeriodicUnion &structure = periodic->builder;
   const hsp::exact::LatticeBall own = structure.balls().ball(structure.grid().grid_index(ball));
@@ -138,11 +139,10 @@ int32_t hsp_periodic_query_neighbours(const hsp_periodic *periodic, uint32_t bal
 
 int32_t hsp_periodic_query_pairs(const hsp_periodic *periodic, uint32_t flags, uint32_t *first, hsp_image *out,
                                  uint32_t capacity, uint32_t *needed) {
-  if (!is_live(periodic) || (flags & ~HSP_PAIRS_ONCE) != 0 || first == nullptr || needed == nullptr ||
-      (out == nullptr && capacity > 0)) {
-    return HSP_E_ARGUMENT;
-  }
-  if (!periodic->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(periodic, (flags & ~HSP_PAIRS_ONCE) != 0 || first == nullptr ||
+                                                         needed == nullptr || (out == nullptr && capacity > 0));
+      status != HSP_OK)
+    return status;
   const hsp::PeriodicUnion &structure = periodic->builder;
   const hsp::PeriodicImages &images = structure.images();
   const uint32_t n = images.balls();

@@ -6,7 +6,7 @@
 #include "visibility/map_paths.hpp"
 #include "visibility/map_silhouettes.hpp"
 
-using hsp::capi::is_live;
+using hsp::capi::check_handle;
 
 namespace {
 
@@ -58,14 +58,23 @@ bool has_centre(const hsp_picture_options &options) {
 
 bool is_valid(const hsp_picture_options &options) {
   return options.format <= HSP_FORMAT_PDF && options.style <= HSP_STYLE_SOFT && options.unit <= HSP_UNIT_MM &&
-         (options.flags & ~(HSP_PICTURE_NO_IDS | HSP_PICTURE_NO_BACKGROUND)) == 0 && options.reserved == 0 &&
+         (options.flags & ~(HSP_PICTURE_NO_IDS | HSP_PICTURE_NO_BACKGROUND)) == 0 &&
          !(options.width == 0.0 && options.height == 0.0) && !(options.scale == 0.0 && has_centre(options)) &&
          options.outline_colour <= largest_colour && options.background <= largest_colour &&
          (options.memory != 0 || options.memory_bytes == 0) && options.memory <= UINTPTR_MAX &&
          options.memory_bytes <= SIZE_MAX && options.ink <= UINTPTR_MAX && options.group <= UINTPTR_MAX &&
          options.atom_class <= UINTPTR_MAX && options.atom_title <= UINTPTR_MAX &&
          options.ink_colour[0] <= largest_colour && options.ink_colour[1] <= largest_colour &&
-         options.ink_colour[2] <= largest_colour && options.reserved_for_ink == 0;
+         options.ink_colour[2] <= largest_colour;
+}
+
+// Options as a program gives them, completed; null means defaults.
+int32_t read_options(const hsp_picture_options *given, hsp_picture_options &complete) {
+  complete = defaults();
+  if (given == nullptr) return HSP_OK;
+  if (const int32_t status = hsp::capi::read_struct(given, defaults(), complete); status != HSP_OK) return status;
+  if (complete.reserved != 0 || complete.reserved_for_ink != 0) return HSP_E_VERSION;
+  return is_valid(complete) ? HSP_OK : HSP_E_ARGUMENT;
 }
 
 bool is_finite(const hsp_picture_options &options) {
@@ -128,16 +137,18 @@ const Data *at_address(uint64_t address) {
   return reinterpret_cast<const Data *>(static_cast<uintptr_t>(address));
 }
 
-// Whether ink, if there is any, is a map that shows what a handle with results shows.
+// Ink, if there is any, is a map that shows what a handle with results shows.
 template <class Handle>
-bool is_ink_of(const Handle &handle, uint64_t ink) {
-  if (ink == 0) return true;
+int32_t check_ink(const Handle &handle, uint64_t ink) {
+  if (ink == 0) return HSP_OK;
   const hsp_map *map = at_address<hsp_map>(ink);
-  return is_live(map) && map->has_results() && map->model.is(&*handle.model) &&
-         map->structure().frame.is_same(handle.structure().frame);
+  if (const int32_t status = check_handle(map); status != HSP_OK) return status;
+  const bool same =
+      map->has_results() && map->model.is(&*handle.model) && map->structure().frame.is_same(handle.structure().frame);
+  return same ? HSP_OK : HSP_E_ARGUMENT;
 }
-bool is_ink_of(const hsp_sticks &, uint64_t ink) {
-  return ink == 0;
+int32_t check_ink(const hsp_sticks &, uint64_t ink) {
+  return ink == 0 ? HSP_OK : HSP_E_ARGUMENT;
 }
 
 // What a picture shows but its paths.
@@ -160,15 +171,15 @@ struct Contents {
 template <class Handle, class Write>
 int32_t write_checked(const Handle *handle, const Call &call, Write write) {
   if (call.bytes != nullptr) *call.bytes = 0;
-  if (!is_live(handle) || call.sink == nullptr) return HSP_E_ARGUMENT;
-  hsp_picture_options wanted = defaults();
-  if (call.options != nullptr && !(hsp::capi::read_struct(call.options, defaults(), wanted) && is_valid(wanted))) {
-    return HSP_E_ARGUMENT;
-  }
+  if (const int32_t status = check_handle(handle, call.sink == nullptr); status != HSP_OK) return status;
+  hsp_picture_options wanted;
+  if (const int32_t status = read_options(call.options, wanted); status != HSP_OK) return status;
   // Without results the number of colours is not known.
   const bool ready = handle->has_results();
   if (ready && call.colour != nullptr && !are_colours(call.colour, handle->balls().n)) return HSP_E_ARGUMENT;
-  if (ready && !is_ink_of(*handle, wanted.ink)) return HSP_E_ARGUMENT;
+  if (ready) {
+    if (const int32_t status = check_ink(*handle, wanted.ink); status != HSP_OK) return status;
+  }
   if (!is_finite(wanted)) return HSP_E_NOT_FINITE;
   if (!is_in_range(wanted)) return HSP_E_RANGE;
   if (wanted.memory != 0 && wanted.memory_bytes < HSP_PICTURE_MEMORY) return HSP_E_MEMORY;
@@ -193,7 +204,7 @@ constexpr bool is_earlier_size<hsp_picture_options>(uint32_t size) {
 }  // namespace hsp::capi
 
 int32_t hsp_picture_options_init(hsp_picture_options *options, uint32_t struct_size) {
-  return hsp::capi::write_struct(defaults(), options, struct_size) ? HSP_OK : HSP_E_ARGUMENT;
+  return hsp::capi::write_struct(defaults(), options, struct_size);
 }
 
 uint32_t hsp_palette_colour(uint32_t palette, uint32_t atomic_number, uint32_t chain) {

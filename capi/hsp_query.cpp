@@ -3,14 +3,17 @@
 #include "model/queries.hpp"
 #include "model/ray_query.hpp"
 
-using hsp::capi::is_live;
+using hsp::capi::check_handle;
 
 namespace {
 
 // Rounds the query, asks, and reports as every output array is reported.
 int32_t ask(const hsp_model *model, const double *xyz, double radius, uint32_t *ids, uint32_t capacity,
             uint32_t *needed) {
-  if (!is_live(model) || xyz == nullptr || needed == nullptr || (ids == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
+  if (const int32_t status =
+          check_handle(model, xyz == nullptr || needed == nullptr || (ids == nullptr && capacity > 0));
+      status != HSP_OK)
+    return status;
   hsp::QueryResult result{ids, capacity, 0};
   const hsp::Status status = hsp::find_balls(model->grid, xyz, radius, result);
   if (status != hsp::Status::ok) return hsp::capi::to_c(status);
@@ -29,7 +32,7 @@ int32_t hsp_query_ball(const hsp_model *model, const double *xyz, double radius,
 }
 
 int32_t hsp_query_meets(const hsp_model *model, const double *xyz, double radius, int32_t *meets) {
-  if (!is_live(model) || xyz == nullptr || meets == nullptr) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(model, xyz == nullptr || meets == nullptr); status != HSP_OK) return status;
   hsp::LatticeQuery query;
   const hsp::Status status = hsp::round_query(model->balls(), xyz, radius, query);
   if (status != hsp::Status::ok) return hsp::capi::to_c(status);
@@ -39,7 +42,9 @@ int32_t hsp_query_meets(const hsp_model *model, const double *xyz, double radius
 
 int32_t hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint32_t *ids, uint32_t capacity,
                              uint32_t *needed) {
-  if (!is_live(model) || needed == nullptr || (ids == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(model, needed == nullptr || (ids == nullptr && capacity > 0));
+      status != HSP_OK)
+    return status;
   if (ball >= model->balls().n) return HSP_E_ID;
   hsp::QueryResult result{ids, capacity, 0};
   hsp::find_neighbours(model->grid, model->grid.grid_index(ball), result);
@@ -48,10 +53,10 @@ int32_t hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint32_t *id
 
 int32_t hsp_query_pairs(const hsp_model *model, uint32_t flags, uint32_t *first, uint32_t *ids, uint32_t capacity,
                         uint32_t *needed) {
-  if (!is_live(model) || (flags & ~HSP_PAIRS_ONCE) != 0 || first == nullptr || needed == nullptr ||
-      (ids == nullptr && capacity > 0)) {
-    return HSP_E_ARGUMENT;
-  }
+  if (const int32_t status = check_handle(model, (flags & ~HSP_PAIRS_ONCE) != 0 || first == nullptr ||
+                                                     needed == nullptr || (ids == nullptr && capacity > 0));
+      status != HSP_OK)
+    return status;
   const uint32_t n = model->balls().n;
   const hsp::PairRows rows = flags == HSP_PAIRS_ONCE ? hsp::PairRows::smaller : hsp::PairRows::both;
   const hsp::Span<uint32_t> begins(first, n + 1);
@@ -62,7 +67,9 @@ int32_t hsp_query_pairs(const hsp_model *model, uint32_t flags, uint32_t *first,
 }
 
 int32_t hsp_query_ray(const hsp_model *model, const double *origin, const double *direction, hsp_ray_hit *hit) {
-  if (!is_live(model) || origin == nullptr || direction == nullptr || hit == nullptr) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(model, origin == nullptr || direction == nullptr || hit == nullptr);
+      status != HSP_OK)
+    return status;
   const hsp::BallSet &balls = model->balls();
   hsp::exact::LatticeRay ray;
   if (const hsp::Status status = hsp::round_ray(balls, origin, direction, ray); status != hsp::Status::ok) {

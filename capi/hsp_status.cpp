@@ -17,27 +17,33 @@ const char *hsp_status_text(int32_t status) {
     case HSP_OK:
       return "success";
     case HSP_E_ARGUMENT:
-      return "a null pointer, no live handle, an unknown option, or a bad struct_size";
+      return "a null pointer, an unknown option, or a value that is not allowed there";
     case HSP_E_CAPACITY:
       return "an output array or a limit is too small; what suffices is reported";
     case HSP_E_MEMORY:
       return "the memory is smaller than required";
     case HSP_E_STATE:
-      return "nothing computed, or the model or boundary behind it has changed since";
+      return "nothing there to read, continue or undo, or what it was made from has changed";
     case HSP_E_ID:
-      return "no ball, vertex, edge, quarter-edge, face, shell, cell or element has this id";
+      return "no such ball, vertex, edge, face, shell, cell or element, or one listed twice";
     case HSP_E_CHECK:
-      return "the self-check found a violated invariant: please report it";
+      return "a violated invariant, or results that contradict each other: please report it";
     case HSP_E_SINK:
       return "the caller's byte sink refused bytes";
+    case HSP_E_HANDLE:
+      return "no live handle of this kind: overwritten, moved, or of another kind";
+    case HSP_E_VERSION:
+      return "a bad struct_size, or more asked for than this version of the library knows";
     case HSP_E_NOT_FINITE:
       return "a value is NaN or infinite";
     case HSP_E_NEGATIVE:
       return "a radius, the probe or the step is negative";
     case HSP_E_RANGE:
-      return "a value lies beyond the lattice or the largest size";
+      return "a value lies beyond the lattice or its range, or is no rotation or direction";
     case HSP_E_CONFLICT:
       return "balls and sticks that cannot be painted; which ones is reported";
+    case HSP_E_OPEN_SURFACE:
+      return "a degenerate set of balls, whose smooth surface does not close";
     default:
       return "unknown status";
   }

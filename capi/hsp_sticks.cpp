@@ -4,7 +4,10 @@
 
 #include "view_options.hpp"
 
-using hsp::capi::is_live;
+using hsp::capi::check_handle;
+using hsp::capi::check_results;
+using hsp::capi::check_struct;
+using hsp::capi::first_failure;
 
 namespace {
 
@@ -21,7 +24,7 @@ static_assert(static_cast<uint32_t>(hsp::StickConflict::none) == HSP_STICKS_NO_C
 // The limits that a program gives.
 int32_t from_c(const hsp_sticks_limits *given, hsp::StickLimits &result) {
   hsp_sticks_limits limits;
-  if (!hsp::capi::read_struct(given, {}, limits)) return HSP_E_ARGUMENT;
+  if (const int32_t status = hsp::capi::read_struct(given, {}, limits); status != HSP_OK) return status;
   for (const uint32_t limit : {limits.balls, limits.sticks, limits.pairs, limits.edges}) {
     if (limit > HSP_MAX_BALLS) return HSP_E_RANGE;
   }
@@ -51,13 +54,14 @@ struct Given {
 
 int32_t compute(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options, const Given &given,
                 hsp_sticks_conflict *conflict, hsp_sticks_limits *limits) {
-  if (!is_live(sticks)) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(sticks); status != HSP_OK) return status;
   sticks->complete = false;
   hsp_view_options wanted;
-  if (!is_live(model) || !hsp::capi::may_write(limits) || !hsp::capi::read_view_options(options, wanted) ||
-      !are_valid(given.stick, given.count)) {
-    return HSP_E_ARGUMENT;
-  }
+  if (const int32_t status =
+          first_failure(check_handle(model), check_struct(limits), hsp::capi::read_view_options(options, wanted));
+      status != HSP_OK)
+    return status;
+  if (!are_valid(given.stick, given.count)) return HSP_E_ARGUMENT;
   if (!hsp::is_finite(given.radius)) return HSP_E_NOT_FINITE;
   if (given.radius < 0.0) return HSP_E_NEGATIVE;
   if (given.radius == 0.0) return HSP_E_RANGE;
@@ -108,8 +112,7 @@ int32_t hsp_sticks_compute_map(hsp_sticks *sticks, const hsp_model *model, const
 }
 
 int32_t hsp_sticks_get_info(const hsp_sticks *sticks, hsp_sticks_info *info) {
-  if (!is_live(sticks) || info == nullptr) return HSP_E_ARGUMENT;
-  if (!sticks->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(sticks, info == nullptr); status != HSP_OK) return status;
   const hsp::StickView &of = sticks->structure();
   const hsp::capi::ViewLengths length{sticks->balls().lattice};
   *info = {};

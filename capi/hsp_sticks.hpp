@@ -6,7 +6,7 @@
 
 struct hsp_sticks {
   using Builder = hsp::StickViewBuilder;
-  static constexpr uint64_t kind = 0x737469636b73;  // "sticks" in ASCII
+  static constexpr auto kind = hsp::capi::HandleKind::sticks;
 
   uintptr_t tag;
   Builder builder;

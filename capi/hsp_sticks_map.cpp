@@ -4,7 +4,7 @@
 #include "map_records.hpp"
 #include "visibility/face_nesting.hpp"
 
-using hsp::capi::is_live;
+using hsp::capi::check_handle;
 
 namespace {
 
@@ -22,7 +22,7 @@ int32_t check_records(const hsp_sticks *sticks, uint32_t first, uint32_t count, 
 }  // namespace
 
 int32_t hsp_sticks_get_map_info(const hsp_sticks *sticks, hsp_map_info *info) {
-  if (!is_live(sticks) || info == nullptr) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(sticks, info == nullptr); status != HSP_OK) return status;
   if (!has_map(sticks)) return HSP_E_STATE;
   const hsp::StickRegions &of = sticks->regions();
   hsp::capi::put_map_info(*sticks, of, *info);
@@ -31,7 +31,7 @@ int32_t hsp_sticks_get_map_info(const hsp_sticks *sticks, hsp_map_info *info) {
 }
 
 int32_t hsp_sticks_get_vertices(const hsp_sticks *sticks, uint32_t first, uint32_t count, hsp_map_vertex *out) {
-  if (!is_live(sticks)) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(sticks); status != HSP_OK) return status;
   const hsp::StickRegions &of = sticks->regions();
   const int32_t status = check_records(sticks, first, count, out, of.vertices.size());
   if (status == HSP_OK) hsp::capi::put_vertices(*sticks, of, first, count, out);
@@ -39,7 +39,7 @@ int32_t hsp_sticks_get_vertices(const hsp_sticks *sticks, uint32_t first, uint32
 }
 
 int32_t hsp_sticks_get_edges(const hsp_sticks *sticks, uint32_t first, uint32_t count, hsp_map_edge *out) {
-  if (!is_live(sticks)) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(sticks); status != HSP_OK) return status;
   const hsp::StickRegions &of = sticks->regions();
   const int32_t status = check_records(sticks, first, count, out, of.edges.size());
   if (status == HSP_OK) hsp::capi::put_edges(*sticks, of, first, count, out);
@@ -47,7 +47,7 @@ int32_t hsp_sticks_get_edges(const hsp_sticks *sticks, uint32_t first, uint32_t 
 }
 
 int32_t hsp_sticks_get_faces(const hsp_sticks *sticks, uint32_t first, uint32_t count, hsp_map_face *out) {
-  if (!is_live(sticks)) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(sticks); status != HSP_OK) return status;
   const hsp::StickRegions &of = sticks->regions();
   const int32_t status = check_records(sticks, first, count, out, of.faces.size());
   if (status == HSP_OK) hsp::capi::put_faces(*sticks, of, first, count, out);
@@ -55,7 +55,9 @@ int32_t hsp_sticks_get_faces(const hsp_sticks *sticks, uint32_t first, uint32_t 
 }
 
 int32_t hsp_sticks_get_areas(const hsp_sticks *sticks, double *area, uint32_t capacity, uint32_t *needed) {
-  if (!is_live(sticks) || needed == nullptr || (area == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(sticks, needed == nullptr || (area == nullptr && capacity > 0));
+      status != HSP_OK)
+    return status;
   if (!has_map(sticks)) return HSP_E_STATE;
   const uint32_t bodies = sticks->bodies();
   const int32_t status = hsp::capi::check_output(area, capacity, bodies, needed);
@@ -69,7 +71,7 @@ int32_t hsp_sticks_get_areas(const hsp_sticks *sticks, double *area, uint32_t ca
 }
 
 int32_t hsp_sticks_pick(const hsp_sticks *sticks, double x, double y, hsp_map_sight *sight) {
-  if (!is_live(sticks) || sight == nullptr) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(sticks, sight == nullptr); status != HSP_OK) return status;
   if (!has_map(sticks)) return HSP_E_STATE;
   if (!hsp::is_finite(x) || !hsp::is_finite(y)) return HSP_E_NOT_FINITE;
   const hsp::exact::Lattice &lattice = sticks->balls().lattice;
@@ -81,7 +83,8 @@ int32_t hsp_sticks_pick(const hsp_sticks *sticks, double x, double y, hsp_map_si
 }
 
 int32_t hsp_sticks_check(hsp_sticks *sticks, uint32_t *invariant, uint32_t *id) {
-  if (!is_live(sticks) || invariant == nullptr || id == nullptr) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(sticks, invariant == nullptr || id == nullptr); status != HSP_OK)
+    return status;
   if (!has_map(sticks)) return HSP_E_STATE;
   return hsp::capi::report(hsp::check_regions(sticks->regions(), sticks->builder.more_scratch()), invariant, id);
 }

@@ -3,14 +3,17 @@
 #include "surface/degenerate_balls.hpp"
 #include "surface/surface_gradients.hpp"
 
-using hsp::capi::is_live;
+using hsp::capi::check_handle;
+using hsp::capi::check_results;
+using hsp::capi::check_struct;
+using hsp::capi::first_failure;
 
 namespace {
 
 // The limits that a program gives.
 int32_t from_c(const hsp_surface_limits *given, hsp::SurfaceLimits &result) {
   hsp_surface_limits limits;
-  if (!hsp::capi::read_struct(given, {}, limits)) return HSP_E_ARGUMENT;
+  if (const int32_t status = hsp::capi::read_struct(given, {}, limits); status != HSP_OK) return status;
   if (limits.vertices > HSP_MAX_BALLS || limits.neighbours > HSP_MAX_BALLS || limits.pieces > HSP_MAX_BALLS ||
       limits.arcs > HSP_MAX_BALLS || limits.faces > HSP_MAX_BALLS || limits.cusped_circles > HSP_MAX_BALLS)
     return HSP_E_RANGE;
@@ -28,10 +31,11 @@ hsp_surface_totals to_c(const hsp::SurfaceMeasure &measure) {
 }
 
 // Whether a computation may begin; the surface has no results from here on.
-int32_t begin(hsp_surface *surface, const hsp_boundary *boundary, const hsp_surface_limits *limits) {
-  if (!is_live(surface)) return HSP_E_ARGUMENT;
+int32_t begin(hsp_surface *surface, const hsp_boundary *boundary, const hsp_surface_limits *limits, bool bad = false) {
+  if (const int32_t status = check_handle(surface); status != HSP_OK) return status;
   surface->complete = false;
-  if (!is_live(boundary) || !hsp::capi::may_write(limits)) return HSP_E_ARGUMENT;
+  if (const int32_t status = first_failure(check_handle(boundary, bad), check_struct(limits)); status != HSP_OK)
+    return status;
   return boundary->has_results() ? HSP_OK : HSP_E_STATE;
 }
 
@@ -73,8 +77,7 @@ struct GradientArrays {
 int32_t get_gradient(const hsp_surface *surface, const double *sigma, double tension, double pressure,
                      hsp_energy *energy, const GradientArrays &arrays, uint32_t capacity, uint32_t *needed,
                      uint32_t *first_bad) {
-  if (!is_live(surface)) return HSP_E_ARGUMENT;
-  if (!surface->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(surface); status != HSP_OK) return status;
   const hsp::CubeGrid &grid = surface->boundary->model->grid;
   const uint32_t n = grid.balls().n;
   if (!hsp::capi::fits(arrays.any(), capacity, n, needed)) return HSP_E_CAPACITY;
@@ -99,9 +102,8 @@ int32_t get_gradient(const hsp_surface *surface, const double *sigma, double ten
 }  // namespace
 
 int32_t hsp_surface_limits_init(hsp_surface_limits *limits, uint32_t struct_size, const hsp_boundary *boundary) {
-  if (limits == nullptr || !is_live(boundary) || !hsp::capi::is_struct_size<hsp_surface_limits>(struct_size)) {
-    return HSP_E_ARGUMENT;
-  }
+  if (const int32_t status = first_failure(check_handle(boundary), check_struct(limits, struct_size)); status != HSP_OK)
+    return status;
   if (!boundary->has_results()) return HSP_E_STATE;
   const hsp::Boundary &structure = boundary->structure();
   const hsp::SurfaceLimits enough =
@@ -131,8 +133,7 @@ int32_t hsp_surface_compute(hsp_surface *surface, const hsp_boundary *boundary, 
 
 int32_t hsp_surface_compute_shells(hsp_surface *surface, const hsp_boundary *boundary, const uint32_t *shells,
                                    uint32_t count, hsp_surface_limits *limits) {
-  const int32_t status = begin(surface, boundary, limits);
-  if (status == HSP_E_ARGUMENT || (shells == nullptr && count > 0)) return HSP_E_ARGUMENT;
+  const int32_t status = begin(surface, boundary, limits, shells == nullptr && count > 0);
   if (status != HSP_OK) return status;
   const hsp::Span<const uint32_t> chosen(shells, count);
   for (const uint32_t shell : chosen) {
@@ -142,8 +143,7 @@ int32_t hsp_surface_compute_shells(hsp_surface *surface, const hsp_boundary *bou
 }
 
 int32_t hsp_surface_get_counts(const hsp_surface *surface, hsp_surface_counts *counts) {
-  if (!is_live(surface) || counts == nullptr) return HSP_E_ARGUMENT;
-  if (!surface->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(surface, counts == nullptr); status != HSP_OK) return status;
   const hsp::Boundary &boundary = surface->boundary->structure();
   const hsp::SurfaceCounts &found = surface->builder.surface().counts();
   *counts = {boundary.face_count(),   boundary.arc_count() + boundary.circle_count(),
@@ -155,8 +155,7 @@ int32_t hsp_surface_get_counts(const hsp_surface *surface, hsp_surface_counts *c
 
 int32_t hsp_surface_measure(const hsp_surface *surface, hsp_surface_totals *totals, hsp_surface_totals *balls,
                             uint32_t capacity, uint32_t *needed) {
-  if (!is_live(surface)) return HSP_E_ARGUMENT;
-  if (!surface->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(surface); status != HSP_OK) return status;
   const hsp_boundary &boundary = *surface->boundary;
   const hsp::CubeGrid &grid = boundary.model->grid;
   if (!hsp::capi::fits(balls != nullptr, capacity, grid.balls().n, needed)) return HSP_E_CAPACITY;

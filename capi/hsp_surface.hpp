@@ -6,7 +6,7 @@
 
 struct hsp_surface {
   using Builder = hsp::SurfaceBuilder;
-  static constexpr uint64_t kind = 0x7375726661636521;  // "surface!" in ASCII
+  static constexpr auto kind = hsp::capi::HandleKind::surface;
 
   uintptr_t tag;
   Builder builder;

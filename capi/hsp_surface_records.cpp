@@ -3,6 +3,7 @@
 #include "surface/surface_patches.hpp"
 #include "surface/surface_positions.hpp"
 
+using hsp::capi::check_results;
 using hsp::capi::is_live;
 
 namespace {
@@ -144,8 +145,8 @@ template <class Record, class Number, class Make>
 int32_t get_range(const hsp_surface *surface, uint32_t first, uint32_t count, Record *out, Number number, Make make) {
   const auto all = [](const hsp_surface &) { return HSP_NONE; };
   const int32_t status = hsp::capi::check_range(surface, first, count, out, all);
-  if (status == HSP_E_ARGUMENT || status == HSP_E_STATE) return status;
-  if (!surface->structure().is_closed()) return HSP_E_CHECK;
+  if (status != HSP_OK && status != HSP_E_ID) return status;
+  if (!surface->structure().is_closed()) return HSP_E_OPEN_SURFACE;
   const SurfaceResults results(*surface);
   const uint32_t there = number(results.map);
   if (first > there || count > there - first) return HSP_E_ID;
@@ -164,10 +165,9 @@ uint32_t take_step(const hsp_surface *surface, uint32_t h, Step step) {
 }  // namespace
 
 int32_t hsp_surface_get_map_counts(const hsp_surface *surface, hsp_surface_map_counts *counts) {
-  if (!is_live(surface) || counts == nullptr) return HSP_E_ARGUMENT;
-  if (!surface->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(surface, counts == nullptr); status != HSP_OK) return status;
   const hsp::Surface &structure = surface->structure();
-  if (!structure.is_closed()) return HSP_E_CHECK;
+  if (!structure.is_closed()) return HSP_E_OPEN_SURFACE;
   const SurfaceResults results(*surface);
   *counts = {results.map.patch_count(),
              results.map.edge_count(),
@@ -220,9 +220,10 @@ int32_t hsp_surface_get_corners(const hsp_surface *surface, uint32_t first, uint
 
 int32_t hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_shell *out, uint32_t capacity,
                                uint32_t *needed) {
-  if (!is_live(surface) || needed == nullptr || (out == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
-  if (!surface->has_results()) return HSP_E_STATE;
-  if (!surface->structure().is_closed()) return HSP_E_CHECK;
+  if (const int32_t status = check_results(surface, needed == nullptr || (out == nullptr && capacity > 0));
+      status != HSP_OK)
+    return status;
+  if (!surface->structure().is_closed()) return HSP_E_OPEN_SURFACE;
   const uint32_t shells = surface->structure().shells().count();
   if (const int32_t status = hsp::capi::check_output(out, capacity, shells, needed); status != HSP_OK) return status;
   const SurfaceResults results(*surface);
@@ -247,8 +248,10 @@ int32_t hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_shell *ou
 }
 
 int32_t hsp_surface_check(hsp_surface *surface, uint32_t *invariant, uint32_t *id) {
-  if (!is_live(surface) || invariant == nullptr || id == nullptr) return HSP_E_ARGUMENT;
-  if (!surface->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(surface, invariant == nullptr || id == nullptr); status != HSP_OK)
+    return status;
   const SurfaceResults results(*surface);
-  return hsp::capi::report(hsp::check_surface(results.balls, results.boundary, results.surface), invariant, id);
+  const int32_t status =
+      hsp::capi::report(hsp::check_surface(results.balls, results.boundary, results.surface), invariant, id);
+  return status == HSP_OK || surface->structure().is_closed() ? status : HSP_E_OPEN_SURFACE;
 }

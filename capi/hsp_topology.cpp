@@ -1,6 +1,10 @@
 #include "hsp_topology.hpp"
 #include "measure/shell_volumes.hpp"
 
+using hsp::capi::check_handle;
+using hsp::capi::check_results;
+using hsp::capi::check_struct;
+using hsp::capi::first_failure;
 using hsp::capi::is_live;
 
 namespace {
@@ -10,7 +14,7 @@ using hsp::capi::check_range;
 // The limits that a program gives.
 int32_t from_c(const hsp_topology_limits *given, hsp::TopologyLimits &result) {
   hsp_topology_limits limits;
-  if (!hsp::capi::read_struct(given, {}, limits)) return HSP_E_ARGUMENT;
+  if (const int32_t status = hsp::capi::read_struct(given, {}, limits); status != HSP_OK) return status;
   if (limits.balls > HSP_MAX_BALLS || limits.neighbours > HSP_MAX_BALLS || limits.edges > HSP_MAX_BALLS ||
       limits.cut_arcs > HSP_MAX_BALLS || limits.shells > HSP_MAX_BALLS)
     return HSP_E_RANGE;
@@ -45,9 +49,8 @@ uint32_t step_from(const hsp_topology *topology, uint32_t q, Step step) {
 }  // namespace
 
 int32_t hsp_topology_limits_init(hsp_topology_limits *limits, uint32_t struct_size, const hsp_boundary *boundary) {
-  if (limits == nullptr || !is_live(boundary) || !hsp::capi::is_struct_size<hsp_topology_limits>(struct_size)) {
-    return HSP_E_ARGUMENT;
-  }
+  if (const int32_t status = first_failure(check_handle(boundary), check_struct(limits, struct_size)); status != HSP_OK)
+    return status;
   if (!boundary->has_results()) return HSP_E_STATE;
   const uint32_t neighbours = boundary->builder.needed().neighbours;
   hsp::capi::write_struct(topology_to_c(hsp::limits_for(boundary->balls(), boundary->structure(), neighbours)), limits,
@@ -70,9 +73,10 @@ int32_t hsp_topology_init(void *memory, size_t bytes, const hsp_topology_limits 
 }
 
 int32_t hsp_topology_compute(hsp_topology *topology, const hsp_boundary *boundary, hsp_topology_limits *limits) {
-  if (!is_live(topology)) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(topology); status != HSP_OK) return status;
   topology->complete = false;
-  if (!is_live(boundary) || !hsp::capi::may_write(limits)) return HSP_E_ARGUMENT;
+  if (const int32_t status = first_failure(check_handle(boundary), check_struct(limits)); status != HSP_OK)
+    return status;
   if (!boundary->has_results()) return HSP_E_STATE;
   const hsp::Status status =
       topology->builder.build(boundary->model->grid, boundary->structure(), boundary->builder.needed().neighbours);
@@ -81,8 +85,7 @@ int32_t hsp_topology_compute(hsp_topology *topology, const hsp_boundary *boundar
 }
 
 int32_t hsp_topology_get_counts(const hsp_topology *topology, hsp_topology_counts *counts) {
-  if (!is_live(topology) || counts == nullptr) return HSP_E_ARGUMENT;
-  if (!topology->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(topology, counts == nullptr); status != HSP_OK) return status;
   const hsp::Topology &structure = topology->structure();
   *counts = {structure.vertex_count, structure.quads.edges,
              structure.face_count,   structure.quads.edges - structure.first_cut_edge,
@@ -122,8 +125,8 @@ int32_t hsp_topology_get_quad_edges(const hsp_topology *topology, uint32_t first
 }
 
 int32_t hsp_topology_check(hsp_topology *topology, uint32_t *invariant, uint32_t *id) {
-  if (!is_live(topology) || invariant == nullptr || id == nullptr) return HSP_E_ARGUMENT;
-  if (!topology->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(topology, invariant == nullptr || id == nullptr); status != HSP_OK)
+    return status;
   const hsp::Boundary &boundary = topology->boundary->structure();
   const hsp::Topology &structure = topology->scanned();
   hsp::TopologyViolation violation = hsp::check_topology(boundary, structure, topology->builder.marks());

@@ -6,7 +6,7 @@
 
 struct hsp_topology {
   using Builder = hsp::TopologyBuilder;
-  static constexpr uint64_t kind = 0x746F706F6C6F6779;  // "topology" in ASCII
+  static constexpr auto kind = hsp::capi::HandleKind::topology;
 
   uintptr_t tag;
   Builder builder;

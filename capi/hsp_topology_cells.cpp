@@ -3,7 +3,7 @@
 #include "measure/shell_volumes.hpp"
 #include "model/queries.hpp"
 
-using hsp::capi::is_live;
+using hsp::capi::check_results;
 
 namespace {
 
@@ -66,8 +66,9 @@ int32_t hsp_topology_get_cells(hsp_topology *topology, hsp_cell *out, uint32_t c
 
 int32_t hsp_topology_get_cell_shells(const hsp_topology *topology, uint32_t cell, uint32_t *shells, uint32_t capacity,
                                      uint32_t *needed) {
-  if (!is_live(topology) || needed == nullptr || (shells == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
-  if (!topology->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(topology, needed == nullptr || (shells == nullptr && capacity > 0));
+      status != HSP_OK)
+    return status;
   const hsp::Topology &structure = topology->structure();
   if (cell >= structure.cell_count) return HSP_E_ID;
   uint32_t count = 0;
@@ -82,8 +83,9 @@ int32_t hsp_topology_get_cell_shells(const hsp_topology *topology, uint32_t cell
 
 int32_t hsp_topology_get_traversal(hsp_topology *topology, uint32_t shell, uint32_t *faces, uint32_t capacity,
                                    uint32_t *needed) {
-  if (!is_live(topology) || needed == nullptr || (faces == nullptr && capacity > 0)) return HSP_E_ARGUMENT;
-  if (!topology->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(topology, needed == nullptr || (faces == nullptr && capacity > 0));
+      status != HSP_OK)
+    return status;
   if (shell >= topology->structure().shell_count) return HSP_E_ID;
   const hsp::Topology &structure = topology->scanned();
   const hsp::ShellRecord &record = structure.shells[shell];
@@ -95,8 +97,8 @@ int32_t hsp_topology_get_traversal(hsp_topology *topology, uint32_t shell, uint3
 }
 
 int32_t hsp_topology_locate(const hsp_topology *topology, const double *xyz, uint32_t *cell) {
-  if (!is_live(topology) || xyz == nullptr || cell == nullptr) return HSP_E_ARGUMENT;
-  if (!topology->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(topology, xyz == nullptr || cell == nullptr); status != HSP_OK)
+    return status;
   const hsp::CubeGrid &grid = topology->boundary->model->grid;
   hsp::LatticeQuery point;
   const hsp::Status status = hsp::round_query(grid.balls(), xyz, 0.0, point);

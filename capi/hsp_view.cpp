@@ -3,14 +3,16 @@
 #include "view/view_rotation.hpp"
 #include "view_options.hpp"
 
-using hsp::capi::is_live;
+using hsp::capi::check_handle;
+using hsp::capi::check_struct;
+using hsp::capi::first_failure;
 
 namespace {
 
 // The limits that a program gives.
 int32_t from_c(const hsp_view_limits *given, hsp::ViewLimits &result) {
   hsp_view_limits limits;
-  if (!hsp::capi::read_struct(given, {}, limits)) return HSP_E_ARGUMENT;
+  if (const int32_t status = hsp::capi::read_struct(given, {}, limits); status != HSP_OK) return status;
   if (limits.balls > HSP_MAX_BALLS || limits.neighbours > HSP_MAX_BALLS || limits.arcs > HSP_MAX_BALLS)
     return HSP_E_RANGE;
   result = {limits.balls, limits.neighbours, limits.arcs};
@@ -42,11 +44,12 @@ int32_t hsp_view_init(void *memory, size_t bytes, const hsp_view_limits *limits,
 }
 
 int32_t hsp_view_options_init(hsp_view_options *options, uint32_t struct_size) {
-  return hsp::capi::write_struct(hsp::capi::default_view_options(), options, struct_size) ? HSP_OK : HSP_E_ARGUMENT;
+  return hsp::capi::write_struct(hsp::capi::default_view_options(), options, struct_size);
 }
 
 int32_t hsp_view_options_turn(hsp_view_options *options, double x, double y, double z) {
-  if (options == nullptr || !hsp::capi::may_write(options)) return HSP_E_ARGUMENT;
+  if (options == nullptr) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_struct(options); status != HSP_OK) return status;
   hsp::ViewDirection direction;
   const hsp::Status status = hsp::direction_of_rotation(x, y, z, direction);
   if (status != hsp::Status::ok) return hsp::capi::to_c(status);
@@ -59,12 +62,13 @@ int32_t hsp_view_options_turn(hsp_view_options *options, double x, double y, dou
 
 int32_t hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_boundary *boundary,
                          const hsp_view_options *options, hsp_view_limits *limits) {
-  if (!is_live(view)) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_handle(view); status != HSP_OK) return status;
   view->complete = false;
   hsp_view_options wanted;
-  if (!is_live(model) || !hsp::capi::may_write(limits) || !hsp::capi::read_view_options(options, wanted)) {
-    return HSP_E_ARGUMENT;
-  }
+  if (const int32_t status =
+          first_failure(check_handle(model), check_struct(limits), hsp::capi::read_view_options(options, wanted));
+      status != HSP_OK)
+    return status;
   hsp::ViewRequest request;
   request.direction = hsp::capi::direction_of(wanted);
   request.kind =
@@ -73,7 +77,7 @@ int32_t hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_bound
   if (boundary == nullptr) {
     if (request.kind == hsp::PieceKind::outside_all) return HSP_E_ARGUMENT;
   } else {
-    if (!is_live(boundary)) return HSP_E_ARGUMENT;
+    if (const int32_t status = check_handle(boundary); status != HSP_OK) return status;
     if (!boundary->has_results()) return HSP_E_STATE;
     if (!boundary->model.is(model)) return HSP_E_ARGUMENT;
   }

@@ -6,7 +6,7 @@
 
 struct hsp_view {
   using Builder = hsp::ViewBuilder;
-  static constexpr uint64_t kind = 0x76696577;  // "view" in ASCII
+  static constexpr auto kind = hsp::capi::HandleKind::view;
 
   uintptr_t tag;
   Builder builder;

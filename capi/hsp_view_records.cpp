@@ -4,7 +4,7 @@
 #include "view/projected_arcs.hpp"
 #include "view_options.hpp"
 
-using hsp::capi::is_live;
+using hsp::capi::check_results;
 
 namespace {
 
@@ -34,8 +34,7 @@ hsp_view_arc to_c(const hsp::BallSet &balls, const hsp::ProjectedArc &arc, uint3
 }  // namespace
 
 int32_t hsp_view_get_info(const hsp_view *view, hsp_view_info *info) {
-  if (!is_live(view) || info == nullptr) return HSP_E_ARGUMENT;
-  if (!view->has_results()) return HSP_E_STATE;
+  if (const int32_t status = check_results(view, info == nullptr); status != HSP_OK) return status;
   const hsp::BallSet &balls = view->balls();
   const hsp::View &structure = view->structure();
   const ViewLengths length{balls.lattice};

@@ -17,13 +17,14 @@ constexpr bool is_earlier_size<hsp_model_options>(uint32_t size) {
   return size == 24;
 }
 
-// The balls and how to read them. False if an array is missing or the options are not understood; they may be null.
-inline bool get_input(uint32_t n, const double *xyz, const double *radius, const hsp_model_options *options,
-                      BallInput &input) {
-  if (n > 0 && (xyz == nullptr || radius == nullptr)) return false;
+// The balls and how to read them. The options may be null.
+inline int32_t get_input(uint32_t n, const double *xyz, const double *radius, const hsp_model_options *options,
+                         BallInput &input) {
+  if (n > 0 && (xyz == nullptr || radius == nullptr)) return HSP_E_ARGUMENT;
   if (options != nullptr) {
     hsp_model_options wanted;
-    if (!read_struct(options, default_model_options(), wanted) || wanted.reserved != 0) return false;
+    if (const int32_t status = read_struct(options, default_model_options(), wanted); status != HSP_OK) return status;
+    if (wanted.reserved != 0) return HSP_E_VERSION;
     input.probe = wanted.probe;
     input.step = wanted.step;
     input.largest_radius = wanted.largest_radius;
@@ -31,7 +32,7 @@ inline bool get_input(uint32_t n, const double *xyz, const double *radius, const
   input.n = n;
   input.xyz = xyz;
   input.radius = radius;
-  return true;
+  return HSP_OK;
 }
 
 }  // namespace hsp::capi

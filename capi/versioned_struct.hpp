@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "hardsphere.h"
+
 namespace hsp::capi {
 
 // More than this is no size of a struct, but memory that was never initialised.
@@ -29,39 +31,45 @@ size_t common_bytes(uint32_t size) {
   return size < sizeof(Struct) ? size : sizeof(Struct);
 }
 
-// What a program gives, completed from `defaults`. False if it is null or asks for what is not known here.
+// What a program gives, completed from `defaults`. HSP_E_VERSION if it asks for what is not known here.
 template <class Struct>
-bool read_struct(const Struct *given, const Struct &defaults, Struct &complete) {
-  if (given == nullptr) return false;
+int32_t read_struct(const Struct *given, const Struct &defaults, Struct &complete) {
+  if (given == nullptr) return HSP_E_ARGUMENT;
   const uint32_t size = given->struct_size;
-  if (!is_struct_size<Struct>(size)) return false;
+  if (!is_struct_size<Struct>(size)) return HSP_E_VERSION;
   const auto *const bytes = reinterpret_cast<const unsigned char *>(given);
   for (size_t i = sizeof(Struct); i < size; ++i) {
-    if (bytes[i] != 0) return false;
+    if (bytes[i] != 0) return HSP_E_VERSION;
   }
   complete = defaults;
   std::memcpy(&complete, given, common_bytes<Struct>(size));
   complete.struct_size = sizeof(Struct);
-  return true;
+  return HSP_OK;
 }
 
-// Writes as much of a value as a program knows, and zeros behind. False, and nothing is written, if there is no such
-// size.
+// Whether a struct of this size can be written.
 template <class Struct>
-bool write_struct(const Struct &value, Struct *out, uint32_t struct_size) {
-  if (out == nullptr || !is_struct_size<Struct>(struct_size)) return false;
+int32_t check_struct(const Struct *out, uint32_t struct_size) {
+  if (out == nullptr) return HSP_E_ARGUMENT;
+  return is_struct_size<Struct>(struct_size) ? HSP_OK : HSP_E_VERSION;
+}
+
+// Whether results can be handed back in a struct that a program has: none, or one whose size is set.
+template <class Struct>
+int32_t check_struct(const Struct *out) {
+  return out == nullptr ? HSP_OK : check_struct(out, out->struct_size);
+}
+
+// Writes as much of a value as a program knows, and zeros behind. Nothing is written if it cannot be.
+template <class Struct>
+int32_t write_struct(const Struct &value, Struct *out, uint32_t struct_size) {
+  if (const int32_t status = check_struct(out, struct_size); status != HSP_OK) return status;
   auto *const bytes = reinterpret_cast<unsigned char *>(out);
   const size_t common = common_bytes<Struct>(struct_size);
   std::memcpy(bytes, &value, common);
   for (size_t i = common; i < struct_size; ++i) bytes[i] = 0;
   out->struct_size = struct_size;
-  return true;
-}
-
-// Whether results can be handed back in a struct that a program has: none, or one whose size is set.
-template <class Struct>
-bool may_write(const Struct *out) {
-  return out == nullptr || is_struct_size<Struct>(out->struct_size);
+  return HSP_OK;
 }
 
 }  // namespace hsp::capi

@@ -12,12 +12,14 @@ constexpr hsp_view_options default_view_options() {
   return {sizeof(hsp_view_options), HSP_PIECES_OUTSIDE_FARTHER, 0, 0, {0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}};
 }
 
-// Options as a program gives them, completed; null means defaults. False if they are bad.
-inline bool read_view_options(const hsp_view_options *given, hsp_view_options &complete) {
+// Options as a program gives them, completed; null means defaults.
+inline int32_t read_view_options(const hsp_view_options *given, hsp_view_options &complete) {
   complete = default_view_options();
-  if (given == nullptr) return true;
-  return read_struct(given, default_view_options(), complete) && complete.pieces <= HSP_PIECES_OUTSIDE_ALL &&
-         (complete.flags & ~HSP_VIEW_ALL_BALLS) == 0 && complete.reserved == 0;
+  if (given == nullptr) return HSP_OK;
+  if (const int32_t status = read_struct(given, default_view_options(), complete); status != HSP_OK) return status;
+  if (complete.reserved != 0) return HSP_E_VERSION;
+  const bool known = complete.pieces <= HSP_PIECES_OUTSIDE_ALL && (complete.flags & ~HSP_VIEW_ALL_BALLS) == 0;
+  return known ? HSP_OK : HSP_E_ARGUMENT;
 }
 
 inline ViewDirection direction_of(const hsp_view_options &options) {

@@ -250,7 +250,7 @@ class Session {
         hsp_model_set(no_model ? nullptr : model_, n, no_xyz ? nullptr : xyz.data(),
                       no_radius ? nullptr : radius.data(), no_options ? nullptr : version.get(), &bad);
     FUZZ_REQUIRE(model_memory_.bytes.empty() || model_memory_.bytes.back() == 0x3C, "written past the model's memory");
-    const bool bad_pointer = no_model || (n > 0 && (xyz.data() == nullptr || no_xyz || no_radius)) || bad_options;
+    const bool bad_pointer = no_model || (n > 0 && (xyz.data() == nullptr || no_xyz || no_radius));
     if (!no_model) {
       balls_ = status == HSP_OK ? n : 0;
       as_made_ = status != HSP_OK;
@@ -260,8 +260,8 @@ class Session {
         take_contents({}, {}, nullptr);
       }
     }
-    if (bad_pointer) {
-      FUZZ_REQUIRE(status == HSP_E_ARGUMENT, "hsp_model_set, arguments");
+    if (bad_pointer || bad_options) {
+      FUZZ_REQUIRE(status == (bad_pointer ? HSP_E_ARGUMENT : HSP_E_VERSION), "hsp_model_set, arguments");
       return;
     }
     if (n > limit_) {
@@ -375,7 +375,7 @@ class Session {
     size_t bytes = 12345;
     const int32_t status = hsp_boundary_bytes(version.get(), &bytes);
     const bool too_large = limits.vertices > HSP_MAX_BALLS || limits.workers > HSP_MAX_WORKERS;
-    const int32_t expected = !version.good() ? HSP_E_ARGUMENT : too_large ? HSP_E_RANGE : HSP_OK;
+    const int32_t expected = !version.good() ? HSP_E_VERSION : too_large ? HSP_E_RANGE : HSP_OK;
     FUZZ_REQUIRE(status == expected, "hsp_boundary_bytes");
     FUZZ_REQUIRE(status == HSP_OK || bytes == 12345, "bytes written on failure");
     if (status != HSP_OK) bytes = 4096;

@@ -106,9 +106,10 @@ void require_map(const surface_result &s, const hsp_boundary_counts &boundary) {
   uint32_t invariant = 0, id = 0;
   const int32_t status = hsp_surface_check(surface, &invariant, &id);
   const bool open = s.counts.open_joints > 0;
-  FUZZ_REQUIRE(status == (open ? HSP_E_CHECK : HSP_OK) && invariant == (open ? 1 : 0), "hsp_surface_check");
+  FUZZ_REQUIRE(status == (open ? HSP_E_OPEN_SURFACE : HSP_OK) && invariant == (open ? 1 : 0), "hsp_surface_check");
   hsp_surface_map_counts counts;
-  FUZZ_REQUIRE(hsp_surface_get_map_counts(surface, &counts) == (open ? HSP_E_CHECK : HSP_OK), "counts of the map");
+  FUZZ_REQUIRE(hsp_surface_get_map_counts(surface, &counts) == (open ? HSP_E_OPEN_SURFACE : HSP_OK),
+               "counts of the map");
   if (open) {
     FUZZ_REQUIRE(hsp_surface_next(surface, 0) == HSP_NONE, "a step on an open surface");
     return;
@@ -215,7 +216,7 @@ void require_parts(surface_result &s, fuzz::Bytes &bytes) {
     FUZZ_REQUIRE(hsp_surface_get_counts(s.surface, &counts) == HSP_OK, "counts of a part");
     uint32_t invariant = 0, id = 0;
     const int32_t check = hsp_surface_check(s.surface, &invariant, &id);
-    FUZZ_REQUIRE(check == (counts.open_joints > 0 ? HSP_E_CHECK : HSP_OK), "a part is no map");
+    FUZZ_REQUIRE(check == (counts.open_joints > 0 ? HSP_E_OPEN_SURFACE : HSP_OK), "a part is no map");
     FUZZ_REQUIRE(hsp_surface_measure(s.surface, &totals, nullptr, 0, nullptr) == HSP_OK, "a part has no area");
     return totals;
   };

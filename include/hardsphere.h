@@ -49,7 +49,7 @@
  *   memory again resets it. Distinct handles may be used by distinct threads, and a handle that is passed as const may
  *   be read by any number of threads at a time.
  *   A handle stays where it is made. A copy of one at another address, a handle of another kind and memory that holds
- *   no handle any more are refused with HSP_E_ARGUMENT, also where a language has one type for all pointers.
+ *   no handle any more are refused with HSP_E_HANDLE, also where a language has one type for all pointers.
  *
  * RESULTS
  *   What was computed from a model or a boundary looks there when it is read, so that these must outlive it. It can be
@@ -77,9 +77,9 @@
  * STRUCTS
  *   A struct that begins with struct_size says how much of it a program knows, so that programs and libraries of
  *   different versions fit together. Fields that an older, smaller one lacks have their default values. What the
- *   library does not know of a newer, larger one has to be zeros, else the status is HSP_E_ARGUMENT. Nothing is written
- *   beyond struct_size. Bad are smaller sizes that no version of the struct had, and larger ones above 1024 or no
- *   multiple of 4.
+ *   library does not know of a newer, larger one has to be zeros, else the status is HSP_E_VERSION, as it is with a bad
+ *   struct_size: a smaller one that no version of the struct had, or a larger one above 1024 or no multiple of 4.
+ *   Nothing is written beyond struct_size.
  *   All other structs are frozen: they stay as they are as long as HSP_ABI_NUMBER does. What is added comes as structs
  *   and functions of their own.
  *
@@ -94,6 +94,9 @@
  * STATUS
  *   Every function that can fail returns an int32_t: HSP_OK (0) or a negative number. On failure nothing but what the
  *   function's comment names is written. Treat an unknown negative number as a general failure.
+ *   Every function that takes a handle may return HSP_E_HANDLE, which is not said again at each of them: the pointer is
+ *   not NULL, and there is no live handle of that kind. A handle that is NULL is HSP_E_ARGUMENT, like every pointer
+ *   that must not be NULL. Where more than one status fits, one of them comes back.
  *
  * HANDLES AFTER A FAILURE
  *   hsp_model_set, hsp_moving_set and hsp_X_compute replace what the handle held, whether they succeed or not. One that

@@ -240,7 +240,8 @@ static inline int32_t hsp_workspace_topology(hsp_workspace *work) {
 }
 
 /** Compute a view, of the model alone or, with use_boundary not 0, of the boundary that hsp_workspace_boundary has
- *  computed. options as for hsp_view_compute. */
+ *  computed. options as for hsp_view_compute. HSP_E_ARGUMENT: no hsp_workspace_set before, or no hsp_workspace_boundary
+ *  whose result is asked for. */
 static inline int32_t hsp_workspace_view(hsp_workspace *work, int use_boundary, const hsp_view_options *options) {
   int32_t status = HSP_OK;
   if (work->view == NULL) {
@@ -251,6 +252,7 @@ static inline int32_t hsp_workspace_view(hsp_workspace *work, int use_boundary, 
     if (status != HSP_OK) return status;
   }
   const hsp_boundary *boundary = use_boundary != 0 ? work->boundary : NULL;
+  if (use_boundary != 0 && boundary == NULL) return hsp_view_compute(work->view, NULL, NULL, options, NULL);
   hsp_view_limits limits = work->view_limits;
   while ((status = hsp_view_compute(work->view, work->model, boundary, options, &limits)) == HSP_E_CAPACITY) {
     work->view_limits = limits;

@@ -48,10 +48,13 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_E_ID = -5_c_int32_t
   integer(c_int32_t), parameter :: HSP_E_CHECK = -6_c_int32_t
   integer(c_int32_t), parameter :: HSP_E_SINK = -7_c_int32_t
+  integer(c_int32_t), parameter :: HSP_E_HANDLE = -8_c_int32_t
+  integer(c_int32_t), parameter :: HSP_E_VERSION = -9_c_int32_t
   integer(c_int32_t), parameter :: HSP_E_NOT_FINITE = -10_c_int32_t
   integer(c_int32_t), parameter :: HSP_E_NEGATIVE = -11_c_int32_t
   integer(c_int32_t), parameter :: HSP_E_RANGE = -12_c_int32_t
   integer(c_int32_t), parameter :: HSP_E_CONFLICT = -13_c_int32_t
+  integer(c_int32_t), parameter :: HSP_E_OPEN_SURFACE = -14_c_int32_t
 
   integer(c_int32_t), parameter :: HSP_PICTURE_MEMORY = 71680_c_int32_t ! bytes
 

@@ -165,7 +165,7 @@ contains
   end function
 
   ! Computes a view of the model alone or, if use_boundary is there and true, of the boundary that compute_boundary has
-  ! computed; options as for hsp_view_compute.
+  ! computed; options as for hsp_view_compute. HSP_E_ARGUMENT: no balls were set, or compute_boundary was never called.
   function compute_view(self, options, use_boundary) result(status)
     class(hsp_workspace), intent(inout), target :: self
     type(hsp_view_options), intent(in), optional :: options
@@ -181,6 +181,10 @@ contains
     boundary = c_null_ptr
     if (present(use_boundary)) then
       if (use_boundary) boundary = self%boundary
+      if (use_boundary .and. .not. c_associated(boundary)) then
+        status = hsp_view_compute(self%view, c_null_ptr, boundary, options)
+        return
+      end if
     end if
     limits = self%view_limits
     do

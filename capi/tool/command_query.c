@@ -60,7 +60,7 @@ bool command_query(const struct request *request, const struct molecule *molecul
   if (ids == NULL) return failure_of_memory(failure);
   if (status == HSP_E_CAPACITY) status = ask(request, geometry->work.model, ids, count, &count);
   if (status == HSP_E_RANGE) {
-    failure_in_input(failure, 0, "the query: %s", hsp_status_text(status));
+    failure_in_input(failure, 0, "the query: %s", geometry_reason(status));
   } else if (status != HSP_OK) {
     failure_in_library(failure, status);
   } else if (request->json) {

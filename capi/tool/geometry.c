@@ -8,6 +8,10 @@ bool failure_in_library(struct failure *failure, int32_t status) {
   return failure_in_input(failure, 0, "%s", hsp_status_text(status));
 }
 
+const char *geometry_reason(int32_t status) {
+  return status == HSP_E_RANGE ? "a value lies beyond the lattice or the largest size" : hsp_status_text(status);
+}
+
 bool geometry_set_model(struct geometry *geometry, const struct molecule *molecule, double probe, double step,
                         struct failure *failure) {
   hsp_model_options options;
@@ -21,13 +25,13 @@ bool geometry_set_model(struct geometry *geometry, const struct molecule *molecu
   if (status != HSP_OK && first_bad < molecule->atoms) {
     const uint64_t line = molecule->line[first_bad];
     if (probe == 0.0) {
-      return failure_in_input(failure, line, "ball %lu: %s", (unsigned long)first_bad, hsp_status_text(status));
+      return failure_in_input(failure, line, "ball %lu: %s", (unsigned long)first_bad, geometry_reason(status));
     }
     return failure_in_input(failure, line, "ball %lu, probe %g added: %s", (unsigned long)first_bad, probe,
-                            hsp_status_text(status));
+                            geometry_reason(status));
   }
   if (status == HSP_E_RANGE && probe > 0.0) {
-    return failure_in_input(failure, 0, "probe %g: %s", probe, hsp_status_text(status));
+    return failure_in_input(failure, 0, "probe %g: %s", probe, geometry_reason(status));
   }
   if (status != HSP_OK) return failure_in_library(failure, status);
   return true;
@@ -103,7 +107,7 @@ bool geometry_find_path(struct geometry *geometry, const double from[3], const d
                         struct failure *failure) {
   progress_show(&geometry->progress, "looking for a path");
   const int32_t status = hsp_workspace_path(&geometry->work, from, to, path);
-  if (status == HSP_E_RANGE) return failure_in_input(failure, 0, "--from or --to: %s", hsp_status_text(status));
+  if (status == HSP_E_RANGE) return failure_in_input(failure, 0, "--from or --to: %s", geometry_reason(status));
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
@@ -119,7 +123,7 @@ bool geometry_find_gate(struct geometry *geometry, const struct molecule *molecu
     if (!geometry_set_model(geometry, molecule, 0.0, 10.0 * info.step, failure)) return false;
     status = hsp_workspace_gate(&geometry->work, from, to);
   }
-  if (status == HSP_E_RANGE) return failure_in_input(failure, 0, "--from or --to: %s", hsp_status_text(status));
+  if (status == HSP_E_RANGE) return failure_in_input(failure, 0, "--from or --to: %s", geometry_reason(status));
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
@@ -146,15 +150,12 @@ bool geometry_compute_outer_surface(struct geometry *geometry, struct failure *f
 }
 
 bool geometry_compute_mesh(struct geometry *geometry, bool of_surface, double edge, struct failure *failure) {
-  hsp_workspace *work = &geometry->work;
-  hsp_mesh_limits limits;
   progress_show(&geometry->progress, "making triangles");
-  const int32_t status = hsp_workspace_mesh(work, of_surface, edge);
+  const int32_t status = hsp_workspace_mesh(&geometry->work, of_surface, edge);
+  if (status == HSP_E_OPEN_SURFACE) {
+    return failure_in_input(failure, 0, "patches of the surface meet in one point: it has no triangles there");
+  }
   if (status == HSP_E_CHECK) {
-    if (of_surface &&
-        hsp_mesh_limits_init_surface(&limits, (uint32_t)sizeof limits, work->surface, edge) == HSP_E_CHECK) {
-      return failure_in_input(failure, 0, "patches of the surface meet in one point: it has no triangles there");
-    }
     return failure_in_input(failure, 0, "borders of the surface come together: no triangles tell them apart");
   }
   if (status == HSP_E_RANGE) return failure_in_input(failure, 0, "--edge %g yields too many triangles", edge);

@@ -73,6 +73,9 @@ bool geometry_list_shells(const struct geometry *geometry, hsp_shell **shells, u
 /* Progress is taken away. */
 void geometry_free(struct geometry *geometry);
 
+/* Why the library refuses a ball, the probe or a point. */
+const char *geometry_reason(int32_t status);
+
 /* Record a status of the library that is not HSP_OK. Always false. */
 bool failure_in_library(struct failure *failure, int32_t status);
 

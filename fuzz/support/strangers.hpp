@@ -20,7 +20,7 @@ class Strangers {
     Strangers strangers;
     const uint32_t kind = bytes.below(kinds);
     void *stranger = strangers.choose(bytes, kind);
-    FUZZ_REQUIRE(call_as(kind, stranger, bytes) == HSP_E_ARGUMENT, "no handle, and not refused");
+    FUZZ_REQUIRE(call_as(kind, stranger, bytes) == HSP_E_HANDLE, "no handle, and not refused");
   }
 
  private:
@@ -79,7 +79,7 @@ class Strangers {
 
   static int32_t take_nothing(void *, const char *, size_t) { return 0; }
   // Functions that return no status say HSP_NONE.
-  static int32_t status_of(uint32_t id) { return id == HSP_NONE ? HSP_E_ARGUMENT : HSP_OK; }
+  static int32_t status_of(uint32_t id) { return id == HSP_NONE ? HSP_E_HANDLE : HSP_OK; }
 
   static int32_t call_as_surface(hsp_surface *surface, Bytes &bytes) {
     hsp_surface_counts counts;

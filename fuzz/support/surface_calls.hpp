@@ -30,7 +30,7 @@ class SurfaceCalls {
     StructVersion<hsp_surface_limits> version(limits, bytes_);
     size_t size = 12345;
     const int32_t status = hsp_surface_bytes(version.get(), &size);
-    FUZZ_REQUIRE(status == (!version.good()               ? HSP_E_ARGUMENT
+    FUZZ_REQUIRE(status == (!version.good()               ? HSP_E_VERSION
                             : limits.arcs > HSP_MAX_BALLS ? HSP_E_RANGE
                                                           : HSP_OK),
                  "hsp_surface_bytes");
@@ -128,7 +128,7 @@ class SurfaceCalls {
         weighted == (expected == HSP_OK && (bad != HSP_NONE || !std::isfinite(tension)) ? HSP_E_NOT_FINITE : expected),
         "hsp_surface_weighted_gradient");
     FUZZ_REQUIRE(first_bad == (expected == HSP_OK ? bad : 12345), "the first weight that is no number");
-    const int32_t of_map = expected == HSP_OK && counts.open_joints > 0 ? HSP_E_CHECK : expected;
+    const int32_t of_map = expected == HSP_OK && counts.open_joints > 0 ? HSP_E_OPEN_SURFACE : expected;
     FUZZ_REQUIRE(hsp_surface_get_map_counts(surface, &map) == of_map, "hsp_surface_get_map_counts");
     FUZZ_REQUIRE(hsp_surface_check(surface, &invariant, &id) == of_map, "hsp_surface_check");
     FUZZ_REQUIRE(expected == HSP_OK ? invariant == (counts.open_joints > 0 ? 1 : 0) : invariant == 12345, "invariant");

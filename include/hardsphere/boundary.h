@@ -37,7 +37,8 @@ typedef struct hsp_boundary_limits {
 /** Limits that suffice for molecules of `balls` atoms, van der Waals or solvent-accessible: neighbours
  *  min(balls, 256), vertices 8 balls + 64, circles 2 balls + 16, workers 0. hsp_boundary_compute says if a set needs
  *  more.
- *  @retval HSP_E_ARGUMENT  limits is NULL or struct_size is bad
+ *  @retval HSP_E_ARGUMENT  limits is NULL
+ *  @retval HSP_E_VERSION   struct_size is bad
  *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 64) / 8 balls; set the limits by hand then */
 HSP_API int32_t hsp_boundary_limits_init(hsp_boundary_limits *limits, uint32_t struct_size, uint32_t balls);
 
@@ -46,7 +47,8 @@ HSP_API int32_t hsp_boundary_limits_init(hsp_boundary_limits *limits, uint32_t s
  *    the first.
  *  - Property 2: grows with each limit.
  *
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or workers than HSP_MAX_WORKERS, or the size does not
  *                          fit a size_t */
 HSP_API int32_t hsp_boundary_bytes(const hsp_boundary_limits *limits, size_t *bytes);
@@ -61,7 +63,8 @@ HSP_API int32_t hsp_boundary_bytes(const hsp_boundary_limits *limits, size_t *by
    (size_t)16 * (size_t)(vertices) + (size_t)16 * (size_t)(circles))
 
 /** Make an empty boundary in caller memory of any alignment; sets *boundary.
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_boundary_bytes says; nothing is written
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or workers than HSP_MAX_WORKERS, or the size does not
  *                          fit a size_t */
@@ -74,7 +77,8 @@ HSP_API int32_t hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary
  *  - Property 1: the order of the balls has no effect but on ids.
  *
  *  Cost: O(n) for sets as in Theorem 2.1; O(m^3) per ball with m neighbours at worst.
- *  @retval HSP_E_ARGUMENT  boundary or model is NULL; bad struct_size of limits
+ *  @retval HSP_E_ARGUMENT  boundary or model is NULL
+ *  @retval HSP_E_VERSION   bad struct_size of limits
  *  @retval HSP_E_CAPACITY  a limit is too small */
 HSP_API int32_t hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *model, hsp_boundary_limits *limits);
 
@@ -104,7 +108,8 @@ HSP_API int32_t hsp_boundary_begin(hsp_boundary *boundary, const hsp_model *mode
 HSP_API int32_t hsp_boundary_work(hsp_boundary *boundary, uint32_t stage, uint32_t worker);
 
 /** Make the results readable. limits: as of hsp_boundary_compute.
- *  @retval HSP_E_ARGUMENT  boundary is NULL; bad struct_size of limits
+ *  @retval HSP_E_ARGUMENT  boundary is NULL
+ *  @retval HSP_E_VERSION   bad struct_size of limits
  *  @retval HSP_E_CAPACITY  a limit is too small; the boundary holds no results, and all is to begin again
  *  @retval HSP_E_STATE     nothing has begun, the model has changed since, or work is left, which may still be done */
 HSP_API int32_t hsp_boundary_end(hsp_boundary *boundary, hsp_boundary_limits *limits);

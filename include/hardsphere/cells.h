@@ -47,7 +47,8 @@ typedef struct hsp_cells_limits {
 /** Limits that suffice for most molecules of `balls` atoms, about 6.5 kB for each: cubes 2 balls + 64, entries
  *  8 balls + 64, cells 10 balls + 256, adjacencies 40 balls + 1024, landmarks and facets 16 balls + 512, corners
  *  80 balls + 2048, cube_balls min(balls, 192), cube_corners 40 cube_balls + 64.
- *  @retval HSP_E_ARGUMENT  limits is NULL or struct_size is bad
+ *  @retval HSP_E_ARGUMENT  limits is NULL
+ *  @retval HSP_E_VERSION   struct_size is bad
  *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 2048) / 80 balls; set the limits by hand then */
 HSP_API int32_t hsp_cells_limits_init(hsp_cells_limits *limits, uint32_t struct_size, uint32_t balls);
 
@@ -55,7 +56,8 @@ HSP_API int32_t hsp_cells_limits_init(hsp_cells_limits *limits, uint32_t struct_
  *  - Property 1: at most HSP_CELLS_BYTES of the limits.
  *  - Property 2: grows with each limit.
  *
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_cells_bytes(const hsp_cells_limits *limits, size_t *bytes);
 
@@ -66,7 +68,8 @@ HSP_API int32_t hsp_cells_bytes(const hsp_cells_limits *limits, size_t *bytes);
    (size_t)48 * (size_t)(corners) + (size_t)1536 * (size_t)(cube_balls) + (size_t)64 * (size_t)(cube_corners))
 
 /** Make cells without results in caller memory of any alignment; sets *cells.
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_cells_bytes says; nothing is written
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_cells_init(void *memory, size_t bytes, const hsp_cells_limits *limits, hsp_cells **cells);
@@ -77,7 +80,8 @@ HSP_API int32_t hsp_cells_init(void *memory, size_t bytes, const hsp_cells_limit
  *  - Property 1: the order of the balls has no effect but on their numbers, unless balls are equal.
  *
  *  Cost: O(n) for sets as in Theorem 2.1.
- *  @retval HSP_E_ARGUMENT  cells or model is NULL; bad struct_size of limits
+ *  @retval HSP_E_ARGUMENT  cells or model is NULL
+ *  @retval HSP_E_VERSION   bad struct_size of limits
  *  @retval HSP_E_CAPACITY  a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_CHECK     cells contradict each other, which cannot happen: please report it */
 HSP_API int32_t hsp_cells_compute(hsp_cells *cells, const hsp_model *model, hsp_cells_limits *limits);

@@ -36,7 +36,8 @@ typedef struct hsp_contacts_limits {
 
 /** Limits for a computed boundary that nearly always suffice for molecules: its balls and neighbours, contacts 12 balls
  *  + 64, no triangles and tetrahedra to keep.
- *  @retval HSP_E_ARGUMENT  limits or boundary is NULL; struct_size is bad
+ *  @retval HSP_E_ARGUMENT  limits or boundary is NULL
+ *  @retval HSP_E_VERSION   struct_size is bad
  *  @retval HSP_E_STATE     the boundary holds no results, or its model has changed since
  *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 64) / 12 balls; set the limits by hand then */
 HSP_API int32_t hsp_contacts_limits_init(hsp_contacts_limits *limits, uint32_t struct_size,
@@ -46,7 +47,8 @@ HSP_API int32_t hsp_contacts_limits_init(hsp_contacts_limits *limits, uint32_t s
  *  - Property 1: at most HSP_CONTACTS_BYTES of the limits.
  *  - Property 2: grows with each limit.
  *
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_contacts_bytes(const hsp_contacts_limits *limits, size_t *bytes);
 
@@ -56,7 +58,8 @@ HSP_API int32_t hsp_contacts_bytes(const hsp_contacts_limits *limits, size_t *by
    (size_t)60 * (size_t)(contacts) + (size_t)16 * (size_t)(triangles) + (size_t)16 * (size_t)(tetrahedra))
 
 /** Make empty contacts in caller memory of any alignment; sets *contacts.
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_contacts_bytes says; nothing is written
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_contacts_init(void *memory, size_t bytes, const hsp_contacts_limits *limits,
@@ -69,7 +72,8 @@ HSP_API int32_t hsp_contacts_init(void *memory, size_t bytes, const hsp_contacts
  *
  *  Cost: O(n) for sets as in Theorem 2.1; O(m^3) per ball with m neighbours at worst, where most
  *  balls are hidden by others that do not contain them.
- *  @retval HSP_E_ARGUMENT  contacts or boundary is NULL; bad struct_size of limits
+ *  @retval HSP_E_ARGUMENT  contacts or boundary is NULL
+ *  @retval HSP_E_VERSION   bad struct_size of limits
  *  @retval HSP_E_CAPACITY  a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_STATE     the boundary holds no results, or its model has changed since */
 HSP_API int32_t hsp_contacts_compute(hsp_contacts *contacts, const hsp_boundary *boundary, hsp_contacts_limits *limits);

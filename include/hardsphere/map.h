@@ -44,7 +44,8 @@ typedef struct hsp_map_limits {
 } hsp_map_limits;
 
 /** Limits that suffice for most molecules of `balls` atoms: neighbours min(balls, 256), edges 12 balls + 64.
- *  @retval HSP_E_ARGUMENT  limits is NULL or struct_size is bad
+ *  @retval HSP_E_ARGUMENT  limits is NULL
+ *  @retval HSP_E_VERSION   struct_size is bad
  *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 64) / 12 balls; set the limits by hand then */
 HSP_API int32_t hsp_map_limits_init(hsp_map_limits *limits, uint32_t struct_size, uint32_t balls);
 
@@ -52,7 +53,8 @@ HSP_API int32_t hsp_map_limits_init(hsp_map_limits *limits, uint32_t struct_size
  *  - Property 1: at most HSP_MAP_BYTES of the three limits.
  *  - Property 2: grows with each limit.
  *
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_map_bytes(const hsp_map_limits *limits, size_t *bytes);
 
@@ -61,7 +63,8 @@ HSP_API int32_t hsp_map_bytes(const hsp_map_limits *limits, size_t *bytes);
   ((size_t)32768 + (size_t)288 * (size_t)(balls) + (size_t)208 * (size_t)(neighbours) + (size_t)352 * (size_t)(edges))
 
 /** Make an empty map in caller memory of any alignment; sets *map.
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_map_bytes says; nothing is written
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_map_init(void *memory, size_t bytes, const hsp_map_limits *limits, hsp_map **map);
@@ -75,7 +78,8 @@ HSP_API int32_t hsp_map_init(void *memory, size_t bytes, const hsp_map_limits *l
  *
  *  Cost: O(n log n), and for each ball that may be seen the balls whose discs meet its disc and that reach higher:
  *  O(n + k) expected for k edges of molecules; at worst, with all discs in one place, O(n^3).
- *  @retval HSP_E_ARGUMENT    map or model is NULL; bad options; bad struct_size of limits
+ *  @retval HSP_E_ARGUMENT    map or model is NULL; unknown pieces or flags
+ *  @retval HSP_E_VERSION     bad struct_size of options or limits, or reserved of the options is not 0
  *  @retval HSP_E_CAPACITY    a limit is too small
  *  @retval HSP_E_NOT_FINITE  a component of towards or up is NaN or infinite
  *  @retval HSP_E_CHECK       roundings could not be overcome by moving balls three times */

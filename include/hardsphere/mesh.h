@@ -41,7 +41,8 @@ typedef struct hsp_mesh_limits {
 } hsp_mesh_limits;
 
 /** Limits for a computed boundary and edges of about the given length that nearly always suffice.
- *  @retval HSP_E_ARGUMENT    limits or boundary is NULL; struct_size is bad; edge is not above 0
+ *  @retval HSP_E_ARGUMENT    limits or boundary is NULL; edge is not above 0
+ *  @retval HSP_E_VERSION     struct_size is bad
  *  @retval HSP_E_NOT_FINITE  edge is NaN or infinite
  *  @retval HSP_E_RANGE       there would be more than HSP_MAX_BALLS of something
  *  @retval HSP_E_STATE       the boundary holds no results, or its model has changed since */
@@ -49,11 +50,12 @@ HSP_API int32_t hsp_mesh_limits_init(hsp_mesh_limits *limits, uint32_t struct_si
                                      double edge);
 
 /** The same for a computed smooth surface.
- *  @retval HSP_E_ARGUMENT    limits or surface is NULL; struct_size is bad; edge is not above 0
- *  @retval HSP_E_NOT_FINITE  edge is NaN or infinite
- *  @retval HSP_E_RANGE       there would be more than HSP_MAX_BALLS of something
- *  @retval HSP_E_STATE       the surface holds no results, or its model or boundary has changed since
- *  @retval HSP_E_CHECK       the surface has open joints: hsp_surface_counts */
+ *  @retval HSP_E_ARGUMENT      limits or surface is NULL; edge is not above 0
+ *  @retval HSP_E_VERSION       struct_size is bad
+ *  @retval HSP_E_NOT_FINITE    edge is NaN or infinite
+ *  @retval HSP_E_RANGE         there would be more than HSP_MAX_BALLS of something
+ *  @retval HSP_E_STATE         the surface holds no results, or its model or boundary has changed since
+ *  @retval HSP_E_OPEN_SURFACE  the surface has open joints: hsp_surface_counts */
 HSP_API int32_t hsp_mesh_limits_init_surface(hsp_mesh_limits *limits, uint32_t struct_size, const hsp_surface *surface,
                                              double edge);
 
@@ -61,7 +63,8 @@ HSP_API int32_t hsp_mesh_limits_init_surface(hsp_mesh_limits *limits, uint32_t s
  *  - Property 1: at most HSP_MESH_BYTES of the five limits.
  *  - Property 2: grows with each limit.
  *
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_mesh_bytes(const hsp_mesh_limits *limits, size_t *bytes);
 
@@ -71,7 +74,8 @@ HSP_API int32_t hsp_mesh_bytes(const hsp_mesh_limits *limits, size_t *bytes);
    (size_t)32 * (size_t)(triangles) + (size_t)384 * (size_t)(points))
 
 /** Make an empty mesh in caller memory of any alignment; sets *mesh.
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_mesh_bytes says; nothing is written
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_mesh_init(void *memory, size_t bytes, const hsp_mesh_limits *limits, hsp_mesh **mesh);
@@ -86,7 +90,8 @@ HSP_API int32_t hsp_mesh_init(void *memory, size_t bytes, const hsp_mesh_limits 
  *  - Property 2: the same model, boundary and edge yield the same bytes on every machine.
  *
  *  Cost: O(m + p log p) for m vertices, about 5 for each area of edge^2, and p on the sphere that has most of them.
- *  @retval HSP_E_ARGUMENT    mesh or boundary is NULL; bad struct_size of limits; edge is not above 0
+ *  @retval HSP_E_ARGUMENT    mesh or boundary is NULL; edge is not above 0
+ *  @retval HSP_E_VERSION     bad struct_size of limits
  *  @retval HSP_E_NOT_FINITE  edge is NaN or infinite
  *  @retval HSP_E_RANGE       there would be more than HSP_MAX_BALLS of something
  *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
@@ -103,12 +108,14 @@ HSP_API int32_t hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *boundary, d
  *    of hsp_surface_shell.euler over the chosen shells, or the status says that there are none.
  *  - Property 2: the same model, boundary and edge yield the same bytes on every machine.
  *
- *  @retval HSP_E_ARGUMENT    mesh or surface is NULL; bad struct_size of limits; edge is not above 0
- *  @retval HSP_E_NOT_FINITE  edge is NaN or infinite
- *  @retval HSP_E_RANGE       there would be more than HSP_MAX_BALLS of something
- *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
- *  @retval HSP_E_STATE       the surface holds no results, or its model or boundary has changed since
- *  @retval HSP_E_CHECK       the surface has open joints: hsp_surface_counts; or as for a boundary */
+ *  @retval HSP_E_ARGUMENT      mesh or surface is NULL; edge is not above 0
+ *  @retval HSP_E_VERSION       bad struct_size of limits
+ *  @retval HSP_E_NOT_FINITE    edge is NaN or infinite
+ *  @retval HSP_E_RANGE         there would be more than HSP_MAX_BALLS of something
+ *  @retval HSP_E_CAPACITY      a limit is too small; limits, if not NULL, become limits to retry with
+ *  @retval HSP_E_STATE         the surface holds no results, or its model or boundary has changed since
+ *  @retval HSP_E_OPEN_SURFACE  the surface has open joints: hsp_surface_counts
+ *  @retval HSP_E_CHECK         as for a boundary */
 HSP_API int32_t hsp_mesh_compute_surface(hsp_mesh *mesh, const hsp_surface *surface, double edge,
                                          hsp_mesh_limits *limits);
 

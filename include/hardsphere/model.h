@@ -52,13 +52,15 @@ typedef struct hsp_model_options {
 } hsp_model_options;
 
 /** Fill options with defaults.
- *  @retval HSP_E_ARGUMENT  options is NULL or struct_size is bad */
+ *  @retval HSP_E_ARGUMENT  options is NULL
+ *  @retval HSP_E_VERSION   struct_size is bad */
 HSP_API int32_t hsp_model_options_init(hsp_model_options *options, uint32_t struct_size);
 
 /** Take n balls: round them to the lattice, hash them into cubes. May be called any number of times (frames of a
  *  trajectory); results of other contents cannot be read then (RESULTS in hardsphere.h).
  *  xyz [n][3] and radius [n], in length units, may be NULL only if n is 0; options may be NULL (defaults);
- *  first_bad may be NULL, else it is set to the index of the first ball that is refused, or HSP_NONE.
+ *  first_bad may be NULL, else it is set to the index of the first ball that is refused, or HSP_NONE if none is, or if
+ *  the options are at fault: a step that is too small for every radius, too.
  *
  *  The lattice: coordinate x becomes the integer nearest to x/step, radius r becomes the integer nearest to r/step
  *  plus the integer nearest to probe/step. The default step is a power of ten between 1e-22 and 1e22 chosen from
@@ -71,8 +73,8 @@ HSP_API int32_t hsp_model_options_init(hsp_model_options *options, uint32_t stru
  *  - Property 1: the order of the balls has no effect but on the ids.
  *
  *  Cost: O(n) expected; the hash table's load is at most 1/2.
- *  @retval HSP_E_ARGUMENT    model is NULL; xyz or radius is NULL with n > 0; bad struct_size of options, or its
- *                            reserved field is not 0
+ *  @retval HSP_E_ARGUMENT    model is NULL; xyz or radius is NULL with n > 0
+ *  @retval HSP_E_VERSION     bad struct_size of options, or its reserved field is not 0
  *  @retval HSP_E_CAPACITY    the model has room for fewer than n balls
  *  @retval HSP_E_NOT_FINITE  a coordinate, a radius or an option is NaN or infinite
  *  @retval HSP_E_NEGATIVE    a radius or an option is negative

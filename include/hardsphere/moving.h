@@ -47,7 +47,8 @@ typedef struct hsp_moving_limits {
 
 /** Limits that suffice for molecules of `balls` atoms, van der Waals or solvent-accessible: neighbours
  *  min(balls, 256).
- *  @retval HSP_E_ARGUMENT  limits is NULL or struct_size is bad
+ *  @retval HSP_E_ARGUMENT  limits is NULL
+ *  @retval HSP_E_VERSION   struct_size is bad
  *  @retval HSP_E_RANGE     more than HSP_MAX_BALLS balls */
 HSP_API int32_t hsp_moving_limits_init(hsp_moving_limits *limits, uint32_t struct_size, uint32_t balls);
 
@@ -55,7 +56,8 @@ HSP_API int32_t hsp_moving_limits_init(hsp_moving_limits *limits, uint32_t struc
  *  - Property 1: at most HSP_MOVING_BYTES of the limits.
  *  - Property 2: grows with each limit.
  *
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_moving_bytes(const hsp_moving_limits *limits, size_t *bytes);
 
@@ -64,7 +66,8 @@ HSP_API int32_t hsp_moving_bytes(const hsp_moving_limits *limits, size_t *bytes)
   ((size_t)196608 + (size_t)640 * (size_t)(balls) + (size_t)1280 * (size_t)(neighbours))
 
 /** Make a handle without balls in caller memory of any alignment; sets *moving.
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_moving_bytes says; nothing is written
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_moving_init(void *memory, size_t bytes, const hsp_moving_limits *limits, hsp_moving **moving);
@@ -76,7 +79,8 @@ HSP_API int32_t hsp_moving_init(void *memory, size_t bytes, const hsp_moving_lim
  *  - Property 1: the order of the balls has no effect but on ids, and on the last bits of sums over all balls.
  *
  *  Cost: about that of hsp_boundary_compute and hsp_boundary_gradient.
- *  @retval HSP_E_ARGUMENT    moving or model is NULL; unknown tangency; bad struct_size of limits
+ *  @retval HSP_E_ARGUMENT    moving or model is NULL; unknown tangency
+ *  @retval HSP_E_VERSION     bad struct_size of limits
  *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_NOT_FINITE  a sigma, tension or pressure is NaN or infinite */
 HSP_API int32_t hsp_moving_set(hsp_moving *moving, const hsp_model *model, const double *sigma, double tension,
@@ -94,7 +98,8 @@ HSP_API int32_t hsp_moving_set(hsp_moving *moving, const hsp_model *model, const
  *  Cost: O(m) boundaries of single balls for m balls that moved or meet, or met, one of those, and O(m log n) for
  *  totals. Where that leaves open whether a component has come apart, it is searched from all of its possible pieces
  *  side by side, until all but the largest are known.
- *  @retval HSP_E_ARGUMENT    moving is NULL; ball is NULL with count > 0; bad struct_size of limits
+ *  @retval HSP_E_ARGUMENT    moving is NULL; ball is NULL with count > 0
+ *  @retval HSP_E_VERSION     bad struct_size of limits
  *  @retval HSP_E_CAPACITY    a ball would have more neighbours than the limit allows
  *  @retval HSP_E_STATE       no balls: no hsp_moving_set before, or it failed
  *  @retval HSP_E_ID          no such ball, or one that is listed twice

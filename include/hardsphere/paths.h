@@ -44,7 +44,8 @@ typedef struct hsp_paths_limits {
 
 /** Limits that suffice for most molecules of `balls` atoms, about 9 kB for each: those of hsp_cells_limits_init, and
  *  points 4 balls + 1024.
- *  @retval HSP_E_ARGUMENT  limits is NULL or struct_size is bad
+ *  @retval HSP_E_ARGUMENT  limits is NULL
+ *  @retval HSP_E_VERSION   struct_size is bad
  *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 2048) / 80 balls; set the limits by hand then */
 HSP_API int32_t hsp_paths_limits_init(hsp_paths_limits *limits, uint32_t struct_size, uint32_t balls);
 
@@ -52,7 +53,8 @@ HSP_API int32_t hsp_paths_limits_init(hsp_paths_limits *limits, uint32_t struct_
  *  - Property 1: at most HSP_PATHS_BYTES of the limits.
  *  - Property 2: grows with each limit.
  *
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_paths_bytes(const hsp_paths_limits *limits, size_t *bytes);
 
@@ -65,7 +67,8 @@ HSP_API int32_t hsp_paths_bytes(const hsp_paths_limits *limits, size_t *bytes);
    (size_t)24 * (size_t)(points))
 
 /** Make paths without results in caller memory of any alignment; sets *paths.
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_paths_bytes says; nothing is written
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_paths_init(void *memory, size_t bytes, const hsp_paths_limits *limits, hsp_paths **paths);
@@ -75,7 +78,8 @@ HSP_API int32_t hsp_paths_init(void *memory, size_t bytes, const hsp_paths_limit
  *  limits: see LIMITS in hardsphere.h; at most six retries. points is 0 in what was needed: that depends on the path.
  *
  *  Cost: that of hsp_cells_compute.
- *  @retval HSP_E_ARGUMENT  paths or model is NULL; bad struct_size of limits
+ *  @retval HSP_E_ARGUMENT  paths or model is NULL
+ *  @retval HSP_E_VERSION   bad struct_size of limits
  *  @retval HSP_E_CAPACITY  a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_CHECK     cells contradict each other, which cannot happen: please report it */
 HSP_API int32_t hsp_paths_compute(hsp_paths *paths, const hsp_model *model, hsp_paths_limits *limits);
@@ -102,7 +106,8 @@ typedef struct hsp_path {
  *    passage as narrow as that.
  *
  *  Cost: O(c log c) for the c cells that A* looks at, and for each of the points that remain O(n).
- *  @retval HSP_E_ARGUMENT    paths, from, to or path is NULL; bad struct_size of limits
+ *  @retval HSP_E_ARGUMENT    paths, from, to or path is NULL
+ *  @retval HSP_E_VERSION     bad struct_size of limits
  *  @retval HSP_E_CAPACITY    limits.points is too small; the paths keep their cells
  *  @retval HSP_E_STATE       nothing computed, or the model has changed since
  *  @retval HSP_E_CHECK       cells contradict each other, which cannot happen: please report it
@@ -136,7 +141,8 @@ typedef struct hsp_gate_limits {
 } hsp_gate_limits;
 
 /** Limits that suffice for most molecules of `balls` atoms, about 6.7 kB for each: those of hsp_cells_limits_init.
- *  @retval HSP_E_ARGUMENT  limits is NULL or struct_size is bad
+ *  @retval HSP_E_ARGUMENT  limits is NULL
+ *  @retval HSP_E_VERSION   struct_size is bad
  *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 2048) / 80 balls; set the limits by hand then */
 HSP_API int32_t hsp_gate_limits_init(hsp_gate_limits *limits, uint32_t struct_size, uint32_t balls);
 
@@ -144,7 +150,8 @@ HSP_API int32_t hsp_gate_limits_init(hsp_gate_limits *limits, uint32_t struct_si
  *  - Property 1: at most HSP_GATE_BYTES of the limits.
  *  - Property 2: grows with each limit.
  *
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_gate_bytes(const hsp_gate_limits *limits, size_t *bytes);
 
@@ -157,7 +164,8 @@ HSP_API int32_t hsp_gate_bytes(const hsp_gate_limits *limits, size_t *bytes);
    (size_t)64 * (size_t)(cube_corners))
 
 /** Make a gate without results in caller memory of any alignment; sets *gate.
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_gate_bytes says; nothing is written
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_gate_init(void *memory, size_t bytes, const hsp_gate_limits *limits, hsp_gate **gate);
@@ -167,7 +175,8 @@ HSP_API int32_t hsp_gate_init(void *memory, size_t bytes, const hsp_gate_limits 
  *  hardsphere.h). On failure it holds no results. limits: see LIMITS in hardsphere.h; at most forty retries.
  *
  *  Cost: that of some thirty times hsp_cells_compute, of balls that grow up to the widest probe.
- *  @retval HSP_E_ARGUMENT    gate, model or from is NULL; bad struct_size of limits
+ *  @retval HSP_E_ARGUMENT    gate, model or from is NULL
+ *  @retval HSP_E_VERSION     bad struct_size of limits
  *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_CHECK       cells contradict each other, which cannot happen: please report it
  *  @retval HSP_E_NOT_FINITE  a point holds a NaN or an infinity

@@ -44,7 +44,8 @@ typedef struct hsp_periodic_limits {
 /** Limits that suffice for most boxes of at least `balls` atoms that are no thinner than four of the largest radii:
  *  images 2 balls + 128, neighbours 256, and as many vertices, circles and contacts as hsp_boundary_limits_init and
  *  hsp_contacts_limits_init have for balls and images together.
- *  @retval HSP_E_ARGUMENT  limits is NULL or struct_size is bad
+ *  @retval HSP_E_ARGUMENT  limits is NULL
+ *  @retval HSP_E_VERSION   struct_size is bad
  *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 2048) / 36 balls; set the limits by hand then */
 HSP_API int32_t hsp_periodic_limits_init(hsp_periodic_limits *limits, uint32_t struct_size, uint32_t balls);
 
@@ -52,7 +53,8 @@ HSP_API int32_t hsp_periodic_limits_init(hsp_periodic_limits *limits, uint32_t s
  *  - Property 1: at most HSP_PERIODIC_BYTES of the limits.
  *  - Property 2: grows with each limit.
  *
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_RANGE     a limit, or balls and images together, is larger than HSP_MAX_BALLS, or the size does not
  *                          fit a size_t */
 HSP_API int32_t hsp_periodic_bytes(const hsp_periodic_limits *limits, size_t *bytes);
@@ -64,7 +66,8 @@ HSP_API int32_t hsp_periodic_bytes(const hsp_periodic_limits *limits, size_t *by
    (size_t)60 * (size_t)(contacts))
 
 /** Make an empty union in caller memory of any alignment; sets *periodic.
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_periodic_bytes says; nothing is written
  *  @retval HSP_E_RANGE     a limit, or balls and images together, is larger than HSP_MAX_BALLS, or the size does not
  *                          fit a size_t */
@@ -83,8 +86,8 @@ HSP_API int32_t hsp_periodic_init(void *memory, size_t bytes, const hsp_periodic
  *  Source: contacts and cells as hardsphere/contacts.h, boundary as hardsphere/boundary.h, of the balls in the box and
  *  the images that are within the two largest radii of it.
  *  Cost: O(balls + images) for sets as in Theorem 2.1; as many images as such a margin of the box has room for.
- *  @retval HSP_E_ARGUMENT    a null pointer, but xyz and radius with n = 0; bad struct_size; box [1], [2] or [5] is
- *                            not 0
+ *  @retval HSP_E_ARGUMENT    a null pointer, but xyz and radius with n = 0; box [1], [2] or [5] is not 0
+ *  @retval HSP_E_VERSION     bad struct_size of options or limits, or reserved of the options is not 0
  *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_NOT_FINITE  a coordinate, a radius, an option or a component of the box is NaN or infinite
  *  @retval HSP_E_NEGATIVE    a radius or an option is negative

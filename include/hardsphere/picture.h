@@ -120,7 +120,8 @@ typedef struct hsp_picture_options {
 #define HSP_ADDRESS(pointer) ((uint64_t)(uintptr_t)(pointer))
 
 /** Fill options with defaults.
- *  @retval HSP_E_ARGUMENT  options is NULL or struct_size is bad */
+ *  @retval HSP_E_ARGUMENT  options is NULL
+ *  @retval HSP_E_VERSION   struct_size is bad */
 HSP_API int32_t hsp_picture_options_init(hsp_picture_options *options, uint32_t struct_size);
 
 #define HSP_PALETTE_SOFT UINT32_C(0)  /**< muted colours by element */
@@ -141,10 +142,11 @@ HSP_API uint32_t hsp_palette_colour(uint32_t palette, uint32_t atomic_number, ui
  *    in centre and radius the first one counts, with its colour.)
  *
  *  Cost: O(pieces log pieces + arcs); bytes proportional to arcs.
- *  @retval HSP_E_ARGUMENT    view or sink is NULL; unknown format, style, unit or flag; reserved is not 0; bad
- *                            struct_size; width and height are both 0; a centre without a scale; a colour above
- *                            0xFFFFFF; memory_bytes without memory; ink is no computed map of the same model from the
- *                            same direction
+ *  @retval HSP_E_ARGUMENT    view or sink is NULL; unknown format, style, unit or flag; width and height are both 0; a
+ *                            centre without a scale; a colour above 0xFFFFFF; memory_bytes without memory; ink is no
+ *                            computed map of the same model from the same direction
+ *  @retval HSP_E_HANDLE      view is no live view, or ink no live map
+ *  @retval HSP_E_VERSION     bad struct_size, or a reserved field is not 0
  *  @retval HSP_E_MEMORY      memory_bytes is less than HSP_PICTURE_MEMORY, and there is memory
  *  @retval HSP_E_STATE       the view holds no results, or the model has changed since
  *  @retval HSP_E_SINK        the sink refused
@@ -171,10 +173,11 @@ HSP_API int32_t hsp_picture_write(hsp_view *view, const uint32_t *colour, const 
  *    in centre and radius the first one counts, with its colour.)
  *
  *  Cost: O(edges log edges); bytes proportional to edges.
- *  @retval HSP_E_ARGUMENT    map or sink is NULL; unknown format, style, unit or flag; reserved is not 0; bad
- *                            struct_size; width and height are both 0; a centre without a scale; a colour above
- *                            0xFFFFFF; memory_bytes without memory; ink is no computed map of the same model from the
- *                            same direction
+ *  @retval HSP_E_ARGUMENT    map or sink is NULL; unknown format, style, unit or flag; width and height are both 0; a
+ *                            centre without a scale; a colour above 0xFFFFFF; memory_bytes without memory; ink is no
+ *                            computed map of the same model from the same direction
+ *  @retval HSP_E_HANDLE      map is no live map, or ink no live map
+ *  @retval HSP_E_VERSION     bad struct_size, or a reserved field is not 0
  *  @retval HSP_E_MEMORY      memory_bytes is less than HSP_PICTURE_MEMORY, and there is memory
  *  @retval HSP_E_STATE       the map holds no results, or the model has changed since
  *  @retval HSP_E_SINK        the sink refused
@@ -192,9 +195,10 @@ HSP_API int32_t hsp_picture_write_map(hsp_map *map, const uint32_t *colour, cons
  *  stay valid.
  *
  *  Cost: O(paths log paths); bytes proportional to paths.
- *  @retval HSP_E_ARGUMENT    sticks or sink is NULL; unknown format, style, unit or flag; reserved is not 0; bad
- *                            struct_size; width and height are both 0; a centre without a scale; a colour above
- *                            0xFFFFFF; memory_bytes without memory; ink is not 0
+ *  @retval HSP_E_ARGUMENT    sticks or sink is NULL; unknown format, style, unit or flag; width and height are both 0;
+ *                            a centre without a scale; a colour above 0xFFFFFF; memory_bytes without memory; ink is not
+ *                            0
+ *  @retval HSP_E_VERSION     bad struct_size, or a reserved field is not 0
  *  @retval HSP_E_MEMORY      memory_bytes is less than HSP_PICTURE_MEMORY, and there is memory
  *  @retval HSP_E_STATE       nothing computed, or the model has changed since
  *  @retval HSP_E_SINK        the sink refused

@@ -75,7 +75,7 @@ HSP_API int32_t hsp_pose_from_matrix(const double *matrix, const double *transla
  *
  *  Cost: some two microseconds for free poses of a hundred atoms at contact, nearly independent of the size of the body
  *  at rest.
- *  @retval HSP_E_ARGUMENT    a null pointer with poses > 0, a dead handle, or lattices of different steps
+ *  @retval HSP_E_ARGUMENT    a null pointer with poses > 0, or lattices of different steps
  *  @retval HSP_E_NOT_FINITE  a number of a pose is NaN or infinite
  *  @retval HSP_E_RANGE       a quaternion has length 0, or its largest component is not within 2^-300 and 2^300; a
  *                            pose moves balls by more than 2^50 steps, or may move one farther than 2^51 steps */
@@ -125,7 +125,7 @@ HSP_API int32_t hsp_body_overlaps(const hsp_body *fixed, const hsp_body *moving,
                                   hsp_body_overlap *overlap, uint32_t *first_bad);
 
 /** All pairs of balls that meet in one pose: pair [needed][2], the ball at rest first, ascending.
- *  @retval HSP_E_ARGUMENT    a null pointer, a dead handle, or lattices of different steps
+ *  @retval HSP_E_ARGUMENT    a null pointer, or lattices of different steps
  *  @retval HSP_E_CAPACITY    capacity < *needed; nothing is written to pair
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_hits
  *  @retval HSP_E_RANGE       as for hsp_body_hits, or more than 2^32 - 2 pairs */
@@ -170,7 +170,7 @@ HSP_API int32_t hsp_body_rational_gaps(const hsp_body *fixed, const hsp_body *mo
                                        const hsp_rational_pose *pose, hsp_body_gap *gap, uint32_t *first_bad);
 
 /** As hsp_body_pairs, for a rational pose.
- *  @retval HSP_E_ARGUMENT    a null pointer, a dead handle, or lattices of different steps
+ *  @retval HSP_E_ARGUMENT    a null pointer, or lattices of different steps
  *  @retval HSP_E_CAPACITY    capacity < *needed; nothing is written to pair
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_rational_hits
  *  @retval HSP_E_RANGE       as for hsp_body_rational_hits, or more than 2^32 - 2 pairs */

@@ -10,18 +10,25 @@
 extern "C" {
 #endif
 
-#define HSP_OK 0               /**< success */
-#define HSP_E_ARGUMENT (-1)    /**< a null pointer, no live handle, an unknown option, or a bad struct_size */
-#define HSP_E_CAPACITY (-2)    /**< an output array or a limit is too small; what suffices is reported */
-#define HSP_E_MEMORY (-3)      /**< the memory is smaller than required */
-#define HSP_E_STATE (-4)       /**< nothing computed, or the model or boundary behind it has changed since */
-#define HSP_E_ID (-5)          /**< no ball, vertex, edge, quarter-edge, face, shell, cell or element has this id */
-#define HSP_E_CHECK (-6)       /**< the self-check found a violated invariant: please report it */
-#define HSP_E_SINK (-7)        /**< the caller's byte sink refused bytes */
-#define HSP_E_NOT_FINITE (-10) /**< a value is NaN or infinite */
-#define HSP_E_NEGATIVE (-11)   /**< a radius, the probe or the step is negative */
-#define HSP_E_RANGE (-12)      /**< a value lies beyond the lattice or the largest size */
-#define HSP_E_CONFLICT (-13)   /**< balls and sticks that cannot be painted; which ones is reported */
+/* HSP_E_ARGUMENT is for single values: pointers that must not be NULL, also to handles, options that are not known, and
+ * values that a function does not take. HSP_E_HANDLE is for pointers to anything but a live handle of their kind, and
+ * HSP_E_VERSION for structs with struct_size: see MEMORY and STRUCTS in hardsphere.h. HSP_E_CHECK is a fault of the
+ * library; HSP_E_OPEN_SURFACE is none. */
+#define HSP_OK 0                 /**< success */
+#define HSP_E_ARGUMENT (-1)      /**< a null pointer, an unknown option, or a value that is not allowed there */
+#define HSP_E_CAPACITY (-2)      /**< an output array or a limit is too small; what suffices is reported */
+#define HSP_E_MEMORY (-3)        /**< the memory is smaller than required */
+#define HSP_E_STATE (-4)         /**< nothing there to read, continue or undo, or what it was made from has changed */
+#define HSP_E_ID (-5)            /**< no such ball, vertex, edge, face, shell, cell or element, or one listed twice */
+#define HSP_E_CHECK (-6)         /**< a violated invariant, or results that contradict each other: please report it */
+#define HSP_E_SINK (-7)          /**< the caller's byte sink refused bytes */
+#define HSP_E_HANDLE (-8)        /**< no live handle of this kind: overwritten, moved, or of another kind */
+#define HSP_E_VERSION (-9)       /**< a bad struct_size, or more asked for than this version of the library knows */
+#define HSP_E_NOT_FINITE (-10)   /**< a value is NaN or infinite */
+#define HSP_E_NEGATIVE (-11)     /**< a radius, the probe or the step is negative */
+#define HSP_E_RANGE (-12)        /**< a value lies beyond the lattice or its range, or is no rotation or direction */
+#define HSP_E_CONFLICT (-13)     /**< balls and sticks that cannot be painted; which ones is reported */
+#define HSP_E_OPEN_SURFACE (-14) /**< a degenerate set of balls, whose smooth surface does not close */
 
 /** What stands above beside a status, for messages; never NULL, "unknown status" for numbers not listed above. */
 HSP_API const char *hsp_status_text(int32_t status);

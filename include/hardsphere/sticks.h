@@ -46,7 +46,8 @@ typedef struct hsp_sticks_limits {
 
 /** Limits that suffice for most molecules of `balls` atoms of which the balls do not meet: sticks 2 balls, pairs
  *  64 balls + 64, edges 0.
- *  @retval HSP_E_ARGUMENT  limits is NULL or struct_size is bad
+ *  @retval HSP_E_ARGUMENT  limits is NULL
+ *  @retval HSP_E_VERSION   struct_size is bad
  *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 64) / 64 balls; set the limits by hand then */
 HSP_API int32_t hsp_sticks_limits_init(hsp_sticks_limits *limits, uint32_t struct_size, uint32_t balls);
 
@@ -54,7 +55,8 @@ HSP_API int32_t hsp_sticks_limits_init(hsp_sticks_limits *limits, uint32_t struc
  *  - Property 1: at most HSP_STICKS_BYTES of the four limits.
  *  - Property 2: grows with each limit.
  *
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_sticks_bytes(const hsp_sticks_limits *limits, size_t *bytes);
 
@@ -64,7 +66,8 @@ HSP_API int32_t hsp_sticks_bytes(const hsp_sticks_limits *limits, size_t *bytes)
    (size_t)400 * (size_t)(edges))
 
 /** Make balls and sticks without results in caller memory of any alignment; sets *sticks.
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_sticks_bytes says; nothing is written
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_sticks_init(void *memory, size_t bytes, const hsp_sticks_limits *limits, hsp_sticks **sticks);
@@ -111,8 +114,9 @@ typedef struct hsp_sticks_conflict {
  *
  *  Cost: O(m log m) for m balls and halves of sticks, and for each those that share a vertical line of the view plane
  *  with it; without an order also for each those that may cover a part of it, sorted.
- *  @retval HSP_E_ARGUMENT    sticks or model is NULL; bad options; stick is NULL and count is not 0; an unknown flag or
- *                            a reserved field of a stick that is not 0; bad struct_size of limits
+ *  @retval HSP_E_ARGUMENT    sticks or model is NULL; unknown pieces or flags; stick is NULL and count is not 0; an
+ *                            unknown flag or a reserved field of a stick that is not 0
+ *  @retval HSP_E_VERSION     bad struct_size of options or limits, or reserved of the options is not 0
  *  @retval HSP_E_CAPACITY    a limit is too small
  *  @retval HSP_E_NOT_FINITE  radius or a component of towards or up is NaN or infinite
  *  @retval HSP_E_NEGATIVE    radius is negative
@@ -128,8 +132,9 @@ HSP_API int32_t hsp_sticks_compute(hsp_sticks *sticks, const hsp_model *model, c
  *  - Property 1: hsp_sticks_check finds nothing.
  *
  *  Cost: as for hsp_sticks_compute without an order.
- *  @retval HSP_E_ARGUMENT    sticks or model is NULL; bad options; stick is NULL and count is not 0; an unknown flag or
- *                            a reserved field of a stick that is not 0; bad struct_size of limits
+ *  @retval HSP_E_ARGUMENT    sticks or model is NULL; unknown pieces or flags; stick is NULL and count is not 0; an
+ *                            unknown flag or a reserved field of a stick that is not 0
+ *  @retval HSP_E_VERSION     bad struct_size of options or limits, or reserved of the options is not 0
  *  @retval HSP_E_CAPACITY    a limit is too small
  *  @retval HSP_E_NOT_FINITE  radius or a component of towards or up is NaN or infinite
  *  @retval HSP_E_NEGATIVE    radius is negative

@@ -73,7 +73,8 @@ typedef struct hsp_surface_limits {
  *  vertices and faces, 64 neighbours, pieces V / 4 + 16, arcs 5 V / 4 + 64, cusped_circles V / 8 + C + 16. Without a
  *  boundary, for memory that is fixed beforehand, set them by hand, with the vertices and circles of
  *  hsp_boundary_limits.
- *  @retval HSP_E_ARGUMENT  limits or boundary is NULL; struct_size is bad
+ *  @retval HSP_E_ARGUMENT  limits or boundary is NULL
+ *  @retval HSP_E_VERSION   struct_size is bad
  *  @retval HSP_E_STATE     the boundary holds no results, or its model has changed since */
 HSP_API int32_t hsp_surface_limits_init(hsp_surface_limits *limits, uint32_t struct_size, const hsp_boundary *boundary);
 
@@ -82,7 +83,8 @@ HSP_API int32_t hsp_surface_limits_init(hsp_surface_limits *limits, uint32_t str
  *  - Property 1: at most HSP_SURFACE_BYTES of the six limits.
  *  - Property 2: a larger limit needs no fewer.
  *
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_surface_bytes(const hsp_surface_limits *limits, size_t *bytes);
 
@@ -93,7 +95,8 @@ HSP_API int32_t hsp_surface_bytes(const hsp_surface_limits *limits, size_t *byte
    (size_t)16 * (size_t)(cusped_circles))
 
 /** Make an empty surface in caller memory of any alignment; sets *surface.
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_surface_bytes says; nothing is written
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_surface_init(void *memory, size_t bytes, const hsp_surface_limits *limits, hsp_surface **surface);
@@ -105,7 +108,8 @@ HSP_API int32_t hsp_surface_init(void *memory, size_t bytes, const hsp_surface_l
  *
  *  Cost: O(vertices) for sets as in Theorem 2.1 with probes no larger than balls; O(m^3) per vertex with m probes that
  *  cut its patch at worst.
- *  @retval HSP_E_ARGUMENT  surface or boundary is NULL; bad struct_size of limits
+ *  @retval HSP_E_ARGUMENT  surface or boundary is NULL
+ *  @retval HSP_E_VERSION   bad struct_size of limits
  *  @retval HSP_E_CAPACITY  a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_STATE     the boundary holds no results, or its model has changed since
  *  @retval HSP_E_CHECK     no decision about a concave patch is consistent: please report it */
@@ -121,7 +125,8 @@ HSP_API int32_t hsp_surface_compute(hsp_surface *surface, const hsp_boundary *bo
  *  whole complement. hsp_surface_counts are of both parts, too.
  *  - Property 1: with all shells of the boundary the same as hsp_surface_compute.
  *
- *  @retval HSP_E_ARGUMENT  surface or boundary is NULL; shells is NULL with a count above 0; bad struct_size of limits
+ *  @retval HSP_E_ARGUMENT  surface or boundary is NULL; shells is NULL with a count above 0
+ *  @retval HSP_E_VERSION   bad struct_size of limits
  *  @retval HSP_E_CAPACITY  a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_STATE     the boundary holds no results, or its model has changed since
  *  @retval HSP_E_ID        the boundary has not all of these shells
@@ -241,9 +246,9 @@ typedef struct hsp_surface_map_counts {
 } hsp_surface_map_counts;
 
 /** How many patches, edges, corners and shells there are.
- *  @retval HSP_E_ARGUMENT  a null pointer
- *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
- *  @retval HSP_E_CHECK     joints are open: hsp_surface_counts */
+ *  @retval HSP_E_ARGUMENT      a null pointer
+ *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
+ *  @retval HSP_E_OPEN_SURFACE  joints are open: hsp_surface_counts */
 HSP_API int32_t hsp_surface_get_map_counts(const hsp_surface *surface, hsp_surface_map_counts *counts);
 
 /** The directed edge h, a uint32_t, the other way. h may be evaluated several times. HSP_NONE yields HSP_NONE. */
@@ -334,28 +339,28 @@ typedef struct hsp_surface_shell {
  *  NULL with count 0.
  *  - Property 1: areas of all patches, in chosen shells, sum to the area of hsp_surface_measure, up to rounding.
  *
- *  @retval HSP_E_ARGUMENT  surface is NULL; out is NULL with a count above 0
- *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
- *  @retval HSP_E_CHECK     joints are open: hsp_surface_counts
- *  @retval HSP_E_ID        not all of these patches are there */
+ *  @retval HSP_E_ARGUMENT      surface is NULL; out is NULL with a count above 0
+ *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
+ *  @retval HSP_E_OPEN_SURFACE  joints are open: hsp_surface_counts
+ *  @retval HSP_E_ID            not all of these patches are there */
 HSP_API int32_t hsp_surface_get_patches(const hsp_surface *surface, uint32_t first, uint32_t count,
                                         hsp_surface_patch *out);
 
 /** The edges first .. first + count - 1, exactly count records, of hsp_surface_map_counts.edges in all; out may be NULL
  *  with count 0.
- *  @retval HSP_E_ARGUMENT  surface is NULL; out is NULL with a count above 0
- *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
- *  @retval HSP_E_CHECK     joints are open: hsp_surface_counts
- *  @retval HSP_E_ID        not all of these edges are there */
+ *  @retval HSP_E_ARGUMENT      surface is NULL; out is NULL with a count above 0
+ *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
+ *  @retval HSP_E_OPEN_SURFACE  joints are open: hsp_surface_counts
+ *  @retval HSP_E_ID            not all of these edges are there */
 HSP_API int32_t hsp_surface_get_edges(const hsp_surface *surface, uint32_t first, uint32_t count,
                                       hsp_surface_edge *out);
 
 /** The corners first .. first + count - 1, exactly count records, of hsp_surface_map_counts.corners in all; out may be
  *  NULL with count 0.
- *  @retval HSP_E_ARGUMENT  surface is NULL; out is NULL with a count above 0
- *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
- *  @retval HSP_E_CHECK     joints are open: hsp_surface_counts
- *  @retval HSP_E_ID        not all of these corners are there */
+ *  @retval HSP_E_ARGUMENT      surface is NULL; out is NULL with a count above 0
+ *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
+ *  @retval HSP_E_OPEN_SURFACE  joints are open: hsp_surface_counts
+ *  @retval HSP_E_ID            not all of these corners are there */
 HSP_API int32_t hsp_surface_get_corners(const hsp_surface *surface, uint32_t first, uint32_t count,
                                         hsp_surface_corner *out);
 
@@ -363,10 +368,10 @@ HSP_API int32_t hsp_surface_get_corners(const hsp_surface *surface, uint32_t fir
  *  - Property 1: areas and volumes of the chosen ones sum to those of hsp_surface_measure, up to rounding.
  *
  *  Cost: O(size of the surface).
- *  @retval HSP_E_ARGUMENT  surface or needed is NULL; out is NULL with a capacity above 0
- *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
- *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
- *  @retval HSP_E_CHECK     joints are open: hsp_surface_counts */
+ *  @retval HSP_E_ARGUMENT      surface or needed is NULL; out is NULL with a capacity above 0
+ *  @retval HSP_E_CAPACITY      capacity is smaller than *needed
+ *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
+ *  @retval HSP_E_OPEN_SURFACE  joints are open: hsp_surface_counts */
 HSP_API int32_t hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_shell *out, uint32_t capacity,
                                        uint32_t *needed);
 
@@ -388,10 +393,11 @@ HSP_API int32_t hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_s
  *
  *  The first may be violated where the input is degenerate, see above. Uses the surface's scratch memory, hence not
  *  const; results stay valid. Cost: O(size of the surface).
- *  @retval HSP_OK          all hold
- *  @retval HSP_E_ARGUMENT  a null pointer
- *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
- *  @retval HSP_E_CHECK     one is violated: please report it, unless it is the first */
+ *  @retval HSP_OK              all hold
+ *  @retval HSP_E_ARGUMENT      a null pointer
+ *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
+ *  @retval HSP_E_OPEN_SURFACE  the first is violated
+ *  @retval HSP_E_CHECK         another is violated: please report it */
 HSP_API int32_t hsp_surface_check(hsp_surface *surface, uint32_t *invariant, uint32_t *id);
 
 #ifdef __cplusplus

@@ -58,7 +58,8 @@ typedef struct hsp_topology_limits {
  *  Without a boundary, for memory that is fixed beforehand, set them by hand: for molecules of `balls` atoms, van der
  *  Waals or solvent-accessible, neighbours min(balls, 256), edges 16 balls + 96, cut_arcs 2 balls + 16 and shells 0
  *  suffice.
- *  @retval HSP_E_ARGUMENT  limits or boundary is NULL; struct_size is bad
+ *  @retval HSP_E_ARGUMENT  limits or boundary is NULL
+ *  @retval HSP_E_VERSION   struct_size is bad
  *  @retval HSP_E_STATE     the boundary holds no results, or its model has changed since */
 HSP_API int32_t hsp_topology_limits_init(hsp_topology_limits *limits, uint32_t struct_size,
                                          const hsp_boundary *boundary);
@@ -67,7 +68,8 @@ HSP_API int32_t hsp_topology_limits_init(hsp_topology_limits *limits, uint32_t s
  *  - Property 1: at most HSP_TOPOLOGY_BYTES of the first four limits.
  *  - Property 2: grows with each limit, shells being as many as the edges allow if they are 0.
  *
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_topology_bytes(const hsp_topology_limits *limits, size_t *bytes);
 
@@ -77,7 +79,8 @@ HSP_API int32_t hsp_topology_bytes(const hsp_topology_limits *limits, size_t *by
    (size_t)96 * (size_t)(cut_arcs))
 
 /** Make an empty topology in caller memory of any alignment; sets *topology.
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_topology_bytes says; nothing is written
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_topology_init(void *memory, size_t bytes, const hsp_topology_limits *limits,
@@ -90,7 +93,8 @@ HSP_API int32_t hsp_topology_init(void *memory, size_t bytes, const hsp_topology
  *
  *  Cost: O(n) for sets as in Theorem 2.1 without voids; with voids, for every component of the union one vertical ray
  *  through the grid, at most O(n) each.
- *  @retval HSP_E_ARGUMENT  topology or boundary is NULL; bad struct_size of limits
+ *  @retval HSP_E_ARGUMENT  topology or boundary is NULL
+ *  @retval HSP_E_VERSION   bad struct_size of limits
  *  @retval HSP_E_CAPACITY  a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_STATE     the boundary holds no results, or its model has changed since */
 HSP_API int32_t hsp_topology_compute(hsp_topology *topology, const hsp_boundary *boundary, hsp_topology_limits *limits);

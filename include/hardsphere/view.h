@@ -41,7 +41,8 @@ typedef struct hsp_view_limits {
 } hsp_view_limits;
 
 /** Limits that suffice for molecules of `balls` atoms: neighbours min(balls, 256), arcs 12 balls + 64.
- *  @retval HSP_E_ARGUMENT  limits is NULL or struct_size is bad
+ *  @retval HSP_E_ARGUMENT  limits is NULL
+ *  @retval HSP_E_VERSION   struct_size is bad
  *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 64) / 12 balls; set the limits by hand then */
 HSP_API int32_t hsp_view_limits_init(hsp_view_limits *limits, uint32_t struct_size, uint32_t balls);
 
@@ -49,7 +50,8 @@ HSP_API int32_t hsp_view_limits_init(hsp_view_limits *limits, uint32_t struct_si
  *  - Property 1: at most HSP_VIEW_BYTES of the three limits.
  *  - Property 2: grows with each limit.
  *
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_view_bytes(const hsp_view_limits *limits, size_t *bytes);
 
@@ -58,7 +60,8 @@ HSP_API int32_t hsp_view_bytes(const hsp_view_limits *limits, size_t *bytes);
   ((size_t)32768 + (size_t)192 * (size_t)(balls) + (size_t)384 * (size_t)(neighbours) + (size_t)64 * (size_t)(arcs))
 
 /** Make an empty view in caller memory of any alignment; sets *view.
- *  @retval HSP_E_ARGUMENT  a null pointer; bad struct_size
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_view_bytes says; nothing is written
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_view_init(void *memory, size_t bytes, const hsp_view_limits *limits, hsp_view **view);
@@ -82,13 +85,15 @@ typedef struct hsp_view_options {
 } hsp_view_options;
 
 /** Fill options with defaults.
- *  @retval HSP_E_ARGUMENT  options is NULL or struct_size is bad */
+ *  @retval HSP_E_ARGUMENT  options is NULL
+ *  @retval HSP_E_VERSION   struct_size is bad */
 HSP_API int32_t hsp_view_options_init(hsp_view_options *options, uint32_t struct_size);
 
 /** Set towards and up so that the balls appear turned: by x degrees about the x axis (right), then by y degrees about
  *  the y axis (up), then by z degrees about the z axis (towards the viewer), each counter-clockwise seen from the
  *  axis's positive end. In degrees, so that quarter turns are exact. On failure nothing is written.
- *  @retval HSP_E_ARGUMENT    options is NULL or its struct_size is bad
+ *  @retval HSP_E_ARGUMENT    options is NULL
+ *  @retval HSP_E_VERSION     its struct_size is bad
  *  @retval HSP_E_NOT_FINITE  an angle is NaN or infinite
  *  @retval HSP_E_RANGE       an angle is beyond 1e6 */
 HSP_API int32_t hsp_view_options_turn(hsp_view_options *options, double x, double y, double z);
@@ -104,8 +109,9 @@ HSP_API int32_t hsp_view_options_turn(hsp_view_options *options, double x, doubl
  *
  *  Cost: O(n) to leave out hidden balls, O(m log m) to sort the m that are left, and for each of these O(k) at H-pieces
  *  and O(k^2) at G-pieces expected, with k balls that meet it.
- *  @retval HSP_E_ARGUMENT    view or model is NULL; bad options; bad struct_size of limits; H-pieces without a
- *                            boundary; a boundary of another model
+ *  @retval HSP_E_ARGUMENT    view or model is NULL; unknown pieces or flags; H-pieces without a boundary; a boundary of
+ *                            another model
+ *  @retval HSP_E_VERSION     bad struct_size of options or limits, or reserved of the options is not 0
  *  @retval HSP_E_CAPACITY    a limit is too small
  *  @retval HSP_E_STATE       the boundary holds no results, or the model has changed since
  *  @retval HSP_E_NOT_FINITE  a component of towards or up is NaN or infinite */

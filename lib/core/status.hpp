@@ -18,6 +18,7 @@ enum class Status : int32_t {
   negative = -11,
   range = -12,
   conflict = -13,
+  open_surface = -14,
 };
 
 // The id that no ball, vertex, loop or face has.

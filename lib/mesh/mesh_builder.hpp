@@ -14,7 +14,7 @@ class MeshBuilder {
   // Status::check if borders lie on each other in ways that nothing tells apart.
   Status build(const BallSet &balls, const Boundary &boundary, double edge);
 
-  // The same for the smooth surface. Status::check also if the surface is not closed.
+  // The same for the smooth surface. Status::open_surface if it is not closed.
   Status build(const BallSet &balls, const Boundary &boundary, const Surface &surface, double edge);
 
   const Mesh &mesh() const { return mesh_; }

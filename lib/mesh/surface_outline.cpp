@@ -50,7 +50,7 @@ uint32_t SurfaceOutline::ball_at(uint32_t sphere, const double (&middle)[3]) con
 Status expected_mesh_limits(const BallSet &balls, const Boundary &boundary, const Surface &surface, double edge,
                             MeshLimits &limits) {
   if (balls.probe_steps == 0) return expected_mesh_limits(balls, boundary, edge, limits);
-  if (!surface.is_closed()) return Status::check;
+  if (!surface.is_closed()) return Status::open_surface;
   const SurfaceOutline outline(balls, boundary, surface, {});
   return outline.expected_limits(edge, limits);
 }

@@ -65,7 +65,18 @@ Status BallRounding::prepare(const BallInput &input, uint32_t &first_bad) {
   if (!(radius + probe < exact::radius_limit)) return Status::range;
   probe_steps_ = nearest(probe);
   expected_radius_ = nearest(radius) + probe_steps_;
+  // A step too small for every radius is at fault itself, not the first ball.
+  if (input.step != 0.0 && !radius_fits(largest_)) {
+    uint32_t refused = 0;
+    while (refused < input.n && !radius_fits(input.radius[refused])) ++refused;
+    if (refused == input.n) return Status::range;
+  }
   return Status::ok;
+}
+
+bool BallRounding::radius_fits(double radius) const {
+  const double steps = lattice_.steps(radius);
+  return steps < exact::radius_limit && static_cast<double>(rounded_radius(radius)) < exact::radius_limit;
 }
 
 Status BallRounding::find_box(LatticeBox &box, uint32_t &first_bad) const {

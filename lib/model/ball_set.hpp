@@ -65,6 +65,7 @@ class BallRounding {
 
  private:
   int64_t rounded_radius(double radius) const { return nearest(lattice_.steps(radius)) + probe_steps_; }
+  bool radius_fits(double radius) const;
 
   BallInput input_;
   exact::Lattice lattice_;

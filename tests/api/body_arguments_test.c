@@ -148,8 +148,8 @@ static void refusals(void) {
   CHECK_EQUAL(hsp_body_hits(fixed, moving, 1, pose + 3, hit, NULL), HSP_OK);
   CHECK_EQUAL(hit[0], 0);
   /* A handle of another kind. */
-  CHECK_EQUAL(hsp_body_set((hsp_body *)(void *)model, model), HSP_E_ARGUMENT);
-  check_refused((const hsp_body *)(const void *)model, fixed, POSES, pose, HSP_E_ARGUMENT, HSP_NONE);
+  CHECK_EQUAL(hsp_body_set((hsp_body *)(void *)model, model), HSP_E_HANDLE);
+  check_refused((const hsp_body *)(const void *)model, fixed, POSES, pose, HSP_E_HANDLE, HSP_NONE);
 }
 
 static void answers(void) {

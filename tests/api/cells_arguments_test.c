@@ -73,7 +73,7 @@ static void refused_limits(void) {
   CHECK_EQUAL(hsp_cells_bytes(NULL, &bytes), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_cells_bytes(&bad, NULL), HSP_E_ARGUMENT);
   for (which = 0; which < 11; ++which) {
-    const int32_t status = which < 2 ? HSP_E_ARGUMENT : HSP_E_RANGE;
+    const int32_t status = which < 2 ? HSP_E_VERSION : HSP_E_RANGE;
     uint32_t words[10];
     bad = good_limits();
     memcpy(words, &bad, sizeof words);
@@ -94,7 +94,7 @@ static void refused_limits(void) {
   CHECK_EQUAL(hsp_cells_init(cells_memory, bytes - 1, &bad, &made), HSP_E_MEMORY);
   CHECK(made == NULL);
   CHECK_EQUAL(hsp_cells_limits_init(NULL, (uint32_t)sizeof bad, 1), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_cells_limits_init(&bad, 8, 1), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_cells_limits_init(&bad, 8, 1), HSP_E_VERSION);
   CHECK_EQUAL(hsp_cells_limits_init(&bad, (uint32_t)sizeof bad, (HSP_MAX_BALLS - 2048) / 80 + 1), HSP_E_RANGE);
   CHECK_EQUAL(hsp_cells_limits_init(&bad, (uint32_t)sizeof bad, 10), HSP_OK);
   CHECK(bad.cubes == 84 && bad.entries == 144 && bad.cells == 356 && bad.adjacencies == 1424 && bad.landmarks == 672);
@@ -149,7 +149,7 @@ static void computing(void) {
   check_no_results(cells, HSP_E_STATE);
   check_has_results();
   asked.struct_size = 4;
-  CHECK_EQUAL(hsp_cells_compute(cells, model, &asked), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_cells_compute(cells, model, &asked), HSP_E_VERSION);
   check_no_results(cells, HSP_E_STATE);
 }
 
@@ -250,7 +250,7 @@ static void checking(void) {
   FILL(invariant);
   CHECK_EQUAL(hsp_cells_check(cells, h.topology, &invariant, &violated_at), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_cells_check(cells, (const hsp_topology *)(const void *)model, &invariant, &violated_at),
-              HSP_E_ARGUMENT);
+              HSP_E_HANDLE);
   CHECK_EQUAL(hsp_cells_compute(cells, h.model, NULL), HSP_OK);
   CHECK_EQUAL(hsp_topology_compute(h.topology, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_cells_check(cells, h.topology, &invariant, &violated_at), HSP_E_STATE);

@@ -44,7 +44,7 @@ static void refused_limits(void) {
   CHECK_EQUAL(hsp_contacts_bytes(NULL, &bytes), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_contacts_bytes(&bad, NULL), HSP_E_ARGUMENT);
   for (which = 0; which < 7; ++which) {
-    const int32_t status = which < 2 ? HSP_E_ARGUMENT : HSP_E_RANGE;
+    const int32_t status = which < 2 ? HSP_E_VERSION : HSP_E_RANGE;
     bad = good_limits();
     if (which == 0) bad.struct_size = 20;
     if (which == 1) bad.struct_size = 1028;
@@ -66,7 +66,7 @@ static void refused_limits(void) {
   CHECK_EQUAL(hsp_contacts_init(contacts_memory, bytes - 1, &bad, &made), HSP_E_MEMORY);
   CHECK(made == NULL);
   CHECK_EQUAL(hsp_contacts_limits_init(NULL, (uint32_t)sizeof bad, boundary), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_contacts_limits_init(&bad, 8, boundary), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_contacts_limits_init(&bad, 8, boundary), HSP_E_VERSION);
   CHECK_EQUAL(hsp_contacts_limits_init(&bad, (uint32_t)sizeof bad, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_contacts_limits_init(&bad, (uint32_t)sizeof bad, boundary), HSP_OK);
   CHECK(bad.balls == BALLS && bad.contacts == 12 * BALLS + 64 && bad.triangles == 0 && bad.tetrahedra == 0);
@@ -122,7 +122,7 @@ static void computing(void) {
   check_none_reads(contacts, HSP_E_STATE);
   check_has_results();
   asked.struct_size = 4;
-  CHECK_EQUAL(hsp_contacts_compute(contacts, boundary, &asked), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_contacts_compute(contacts, boundary, &asked), HSP_E_VERSION);
   check_none_reads(contacts, HSP_E_STATE);
   check_has_results();
   CHECK_EQUAL(hsp_boundary_compute(boundary, NULL, NULL), HSP_E_ARGUMENT);

@@ -270,7 +270,7 @@ contains
     nothing%text = ''
     call usual_options(options)
     options%reserved = 1
-    call expect(hsp_view_compute(view, model, c_null_ptr, options), HSP_E_ARGUMENT, 'reserved')
+    call expect(hsp_view_compute(view, model, c_null_ptr, options), HSP_E_VERSION, 'reserved')
     call expect(hsp_view_options_turn(options, 2e6_c_double, 0.0_c_double, 0.0_c_double), HSP_E_RANGE, 'a large angle')
     call expect(hsp_view_compute(view, model, c_null_ptr), HSP_OK, 'hsp_view_compute')
     call expect(hsp_picture_write(view, sink=c_null_funptr, context=c_null_ptr), HSP_E_ARGUMENT, 'no sink')

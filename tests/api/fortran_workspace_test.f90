@@ -13,6 +13,7 @@ program fortran_workspace_test
   type(hsp_widest_probe) :: widest
 
   call nothing_set()
+  call view_without_boundary()
   call rows_of_balls(1_c_int32_t)
   call rows_of_balls(500_c_int32_t)
   call rows_of_balls(20_c_int32_t)
@@ -34,6 +35,18 @@ contains
     call expect(work%find_path(away, away, path), HSP_E_ARGUMENT, 'no model for a path')
     call expect(work%compute_gate(away), HSP_E_ARGUMENT, 'no model for a probe')
     call expect(work%set_moving(1.0_c_double, 0.0_c_double, HSP_TANGENT_OVERLAP), HSP_E_ARGUMENT, 'no model to move')
+  end subroutine
+
+  ! A view of the boundary is none of the model alone.
+  subroutine view_without_boundary()
+    type(hsp_workspace), target :: fresh
+    type(hsp_view_info) :: info
+    real(c_double), parameter :: xyz(3, 1) = 0, radius(1) = 1
+    call expect(fresh%set(1_c_int32_t, xyz, radius), HSP_OK, 'a ball')
+    call expect(fresh%compute_view(use_boundary=.true.), HSP_E_ARGUMENT, 'no boundary to be seen')
+    call expect(fresh%compute_view(), HSP_OK, 'the model is seen')
+    call expect(fresh%compute_view(use_boundary=.true.), HSP_E_ARGUMENT, 'still no boundary to be seen')
+    call expect(hsp_view_get_info(fresh%view, info), HSP_E_STATE, 'and no view')
   end subroutine
 
   ! n unit balls in a row at distance 1: each inner one loses two caps of height 1/2, and what is left is symmetric.

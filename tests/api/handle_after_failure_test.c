@@ -149,8 +149,8 @@ static void failed_view(void) {
   check_status(one, HSP_OK);
   four_handles_set(&h, BALLS);
   for (too_small = 0; too_small < 2; ++too_small) {
-    static const int32_t expected[] = {HSP_E_ARGUMENT,   HSP_E_ARGUMENT,  HSP_E_ARGUMENT, HSP_E_ARGUMENT,
-                                       HSP_E_ARGUMENT,   HSP_E_ARGUMENT,  HSP_E_ARGUMENT, HSP_E_STATE,
+    static const int32_t expected[] = {HSP_E_ARGUMENT,   HSP_E_VERSION,   HSP_E_ARGUMENT, HSP_E_ARGUMENT,
+                                       HSP_E_VERSION,    HSP_E_ARGUMENT,  HSP_E_ARGUMENT, HSP_E_STATE,
                                        HSP_E_NOT_FINITE, HSP_E_NOT_FINITE};
     for (refusal = 0; refusal < 10; ++refusal) {
       const hsp_model *from = other;
@@ -290,8 +290,8 @@ static void failed_map(void) {
   check_status(one, HSP_OK);
   four_handles_set(&h, BALLS);
   for (too_small = 0; too_small < 2; ++too_small) {
-    static const int32_t expected[] = {HSP_E_ARGUMENT, HSP_E_ARGUMENT,   HSP_E_ARGUMENT,
-                                       HSP_E_ARGUMENT, HSP_E_NOT_FINITE, HSP_E_NOT_FINITE};
+    static const int32_t expected[] = {HSP_E_ARGUMENT, HSP_E_VERSION,    HSP_E_ARGUMENT,
+                                       HSP_E_VERSION,  HSP_E_NOT_FINITE, HSP_E_NOT_FINITE};
     for (refusal = 0; refusal < 6; ++refusal) {
       hsp_view_options options;
       check_scene("refusal %d of a map, too small before: %d", refusal, too_small);

@@ -56,7 +56,7 @@ static void refused_of_boundary(void) {
   before = contents_of_boundary(h.boundary);
   CHECK_EQUAL(hsp_boundary_init(h.boundary_memory, 10, &limits, &made), HSP_E_MEMORY);
   limits.struct_size = 4;
-  CHECK_EQUAL(hsp_boundary_init(h.boundary_memory, SIZE, &limits, &made), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_init(h.boundary_memory, SIZE, &limits, &made), HSP_E_VERSION);
   limits = four_boundary_limits(BALLS);
   limits.circles = HSP_NONE;
   CHECK_EQUAL(hsp_boundary_init(h.boundary_memory, SIZE, &limits, &made), HSP_E_RANGE);
@@ -83,7 +83,7 @@ static void refused_of_boundary(void) {
   CHECK_EQUAL(hsp_boundary_get_area_row(h.boundary, BALLS, HSP_TANGENT_DISJOINT, NULL, 0, &count), HSP_E_ID);
   CHECK_EQUAL(hsp_boundary_check(h.boundary, NULL, &id), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_check(h.boundary, &invariant, NULL), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_limits_init(&of_topology, 0, h.boundary), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_limits_init(&of_topology, 0, h.boundary), HSP_E_VERSION);
   CHECK_EQUAL(hsp_topology_compute(NULL, h.boundary, NULL), HSP_E_ARGUMENT);
   check_same_contents(&before, contents_of_boundary(h.boundary));
 }
@@ -102,7 +102,7 @@ static void refused_of_topology(void) {
   before = contents_of_topology(h.topology);
   CHECK_EQUAL(hsp_topology_init(h.topology_memory, 10, &limits, &made), HSP_E_MEMORY);
   limits.struct_size = 0;
-  CHECK_EQUAL(hsp_topology_init(h.topology_memory, SIZE, &limits, &made), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_init(h.topology_memory, SIZE, &limits, &made), HSP_E_VERSION);
   limits = four_topology_limits(BALLS);
   limits.edges = HSP_NONE;
   CHECK_EQUAL(hsp_topology_init(h.topology_memory, SIZE, &limits, &made), HSP_E_RANGE);
@@ -174,7 +174,7 @@ static void refused_of_surface(void) {
   check_status(before, HSP_OK);
   CHECK_EQUAL(hsp_surface_init(f.surface_memory, 10, &limits, &made), HSP_E_MEMORY);
   limits.struct_size = 4;
-  CHECK_EQUAL(hsp_surface_init(f.surface_memory, FIFTH_SIZE, &limits, &made), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_init(f.surface_memory, FIFTH_SIZE, &limits, &made), HSP_E_VERSION);
   limits = four_surface_limits(BALLS);
   limits.pieces = HSP_NONE;
   CHECK_EQUAL(hsp_surface_init(f.surface_memory, FIFTH_SIZE, &limits, &made), HSP_E_RANGE);
@@ -191,7 +191,7 @@ static void refused_of_surface(void) {
   CHECK_EQUAL(hsp_surface_get_shells(f.surface, NULL, 0, &count), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_surface_check(f.surface, NULL, &id), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_surface_check(f.surface, &invariant, NULL), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_mesh_limits_init_surface(&of_mesh, 0, f.surface, 2), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_mesh_limits_init_surface(&of_mesh, 0, f.surface, 2), HSP_E_VERSION);
   CHECK_EQUAL(hsp_mesh_compute_surface(NULL, f.surface, 2, NULL), HSP_E_ARGUMENT);
   check_same_contents(&before, contents_of_surface(f.surface));
 }
@@ -210,7 +210,7 @@ static void refused_of_mesh(void) {
   check_status(before, HSP_OK);
   CHECK_EQUAL(hsp_mesh_init(f.mesh_memory, 10, &limits, &made), HSP_E_MEMORY);
   limits.struct_size = 0;
-  CHECK_EQUAL(hsp_mesh_init(f.mesh_memory, FIFTH_SIZE, &limits, &made), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_mesh_init(f.mesh_memory, FIFTH_SIZE, &limits, &made), HSP_E_VERSION);
   limits = four_mesh_limits();
   limits.points = HSP_NONE;
   CHECK_EQUAL(hsp_mesh_init(f.mesh_memory, FIFTH_SIZE, &limits, &made), HSP_E_RANGE);

@@ -68,9 +68,9 @@ static void limits_init(const kind_of_limits *k) {
   int which;
   FILL(limits);
   CHECK_EQUAL(k->kind->limits_init(NULL, size, 1), HSP_E_ARGUMENT);
-  CHECK_EQUAL(k->kind->limits_init(&limits, 0, 1), HSP_E_ARGUMENT);
-  CHECK_EQUAL(k->kind->limits_init(&limits, size - 4, 1), HSP_E_ARGUMENT);
-  CHECK_EQUAL(k->kind->limits_init(&limits, 1028, 1), HSP_E_ARGUMENT);
+  CHECK_EQUAL(k->kind->limits_init(&limits, 0, 1), HSP_E_VERSION);
+  CHECK_EQUAL(k->kind->limits_init(&limits, size - 4, 1), HSP_E_VERSION);
+  CHECK_EQUAL(k->kind->limits_init(&limits, 1028, 1), HSP_E_VERSION);
   CHECK_EQUAL(k->kind->limits_init(&limits, size, k->most + 1), HSP_E_RANGE);
   CHECK_EQUAL(k->kind->limits_init(&limits, size, HSP_MAX_BALLS), HSP_E_RANGE);
   CHECK_EQUAL(k->kind->limits_init(&limits, size, HSP_MAX_BALLS + 1), HSP_E_RANGE);
@@ -120,7 +120,7 @@ static void bad_limits(const kind_of_limits *k) {
   for (i = 0; i < sizeof sizes / sizeof sizes[0]; ++i) {
     check_scene("%s, struct_size %u", k->name, (unsigned)sizes[i]);
     limits.number[0] = sizes[i];
-    check_refused(k, &limits, HSP_E_ARGUMENT);
+    check_refused(k, &limits, HSP_E_VERSION);
   }
   for (which = 1; which < number_count(k->kind); ++which) {
     const int reserved = k->kind->names[which] == NULL;
@@ -128,7 +128,7 @@ static void bad_limits(const kind_of_limits *k) {
       check_scene("%s, %s too large", k->name, reserved ? "a reserved number" : k->kind->names[which]);
       limits = k->small;
       limits.number[which] = reserved ? (uint32_t)i + 1 : too_many[i];
-      check_refused(k, &limits, reserved ? HSP_E_ARGUMENT : HSP_E_RANGE);
+      check_refused(k, &limits, reserved ? HSP_E_VERSION : HSP_E_RANGE);
     }
   }
 }

@@ -157,9 +157,9 @@ static int call_surface(surface_result *s, void *memory, size_t bytes) {
   bad += hsp_surface_gradient(surface, 1, 1, &energy, NULL, c->area, NULL, c->n, &needed) != HSP_OK;
   bad += hsp_surface_weighted_gradient(surface, c->radius, 1, 1, &energy, NULL, c->area, NULL, c->n, &needed, NULL) !=
          HSP_OK;
-  bad += hsp_surface_check(surface, &invariant, &id) != (counts.open_joints == 0 ? HSP_OK : HSP_E_CHECK);
+  bad += hsp_surface_check(surface, &invariant, &id) != (counts.open_joints == 0 ? HSP_OK : HSP_E_OPEN_SURFACE);
   status = hsp_surface_get_map_counts(surface, &map);
-  bad += status != (counts.open_joints == 0 ? HSP_OK : HSP_E_CHECK);
+  bad += status != (counts.open_joints == 0 ? HSP_OK : HSP_E_OPEN_SURFACE);
   if (status != HSP_OK) return bad;
   for (id = 0; id < map.patches; ++id) bad += hsp_surface_get_patches(surface, id, 1, &patch) != HSP_OK;
   for (id = 0; id < map.edges; ++id) bad += hsp_surface_get_edges(surface, id, 1, &edge) != HSP_OK;

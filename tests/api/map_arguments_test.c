@@ -97,7 +97,7 @@ static void refused_limits(void) {
   CHECK_EQUAL(hsp_map_bytes(NULL, &bytes), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_map_bytes(&bad, NULL), HSP_E_ARGUMENT);
   for (which = 0; which < 5; ++which) {
-    const int32_t status = which < 2 ? HSP_E_ARGUMENT : HSP_E_RANGE;
+    const int32_t status = which < 2 ? HSP_E_VERSION : HSP_E_RANGE;
     bad = good_limits();
     if (which == 0) bad.struct_size = 12;
     if (which == 1) bad.struct_size = 1028;
@@ -117,7 +117,7 @@ static void refused_limits(void) {
   CHECK_EQUAL(hsp_map_init(map_memory, bytes - 1, &bad, &made), HSP_E_MEMORY);
   CHECK(made == NULL);
   CHECK_EQUAL(hsp_map_limits_init(NULL, (uint32_t)sizeof bad, 1), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_map_limits_init(&bad, 8, 1), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_map_limits_init(&bad, 8, 1), HSP_E_VERSION);
   CHECK_EQUAL(hsp_map_limits_init(&bad, (uint32_t)sizeof bad, (HSP_MAX_BALLS - 64) / 12 + 1), HSP_E_RANGE);
 }
 
@@ -142,7 +142,7 @@ static void computing(void) {
   check_refused(NULL, NULL, HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_view_options_init(&options, (uint32_t)sizeof options), HSP_OK);
   options.struct_size = 4;
-  check_refused(model, &options, HSP_E_ARGUMENT);
+  check_refused(model, &options, HSP_E_VERSION);
   CHECK_EQUAL(hsp_view_options_init(&options, (uint32_t)sizeof options), HSP_OK);
   options.flags = 2;
   check_refused(model, &options, HSP_E_ARGUMENT);
@@ -159,7 +159,7 @@ static void computing(void) {
   options.up[2] = (double)INFINITY;
   check_refused(model, &options, HSP_E_NOT_FINITE);
   asked.struct_size = 4;
-  CHECK_EQUAL(hsp_map_compute(map, model, NULL, &asked), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_map_compute(map, model, NULL, &asked), HSP_E_VERSION);
   check_all_readers(map, HSP_E_STATE);
 }
 

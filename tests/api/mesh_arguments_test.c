@@ -98,7 +98,7 @@ static void refused_limits(void) {
   int which;
   CHECK_EQUAL(hsp_mesh_bytes(NULL, &bytes), HSP_E_ARGUMENT);
   for (which = 0; which < 7; ++which) {
-    const int32_t status = which < 2 ? HSP_E_ARGUMENT : HSP_E_RANGE;
+    const int32_t status = which < 2 ? HSP_E_VERSION : HSP_E_RANGE;
     bad = good_limits();
     if (which == 0) bad.struct_size = 12;
     if (which == 1) bad.struct_size = 1028;
@@ -126,7 +126,7 @@ static void defaults(void) {
   const uint32_t size = (uint32_t)sizeof limits;
   fill_outputs();
   CHECK_EQUAL(hsp_mesh_limits_init(NULL, size, boundary, edge), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_mesh_limits_init(&limits, 8, boundary, edge), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_mesh_limits_init(&limits, 8, boundary, edge), HSP_E_VERSION);
   CHECK_EQUAL(hsp_mesh_limits_init(&limits, size, NULL, edge), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_mesh_limits_init(&limits, size, boundary, edge), HSP_E_STATE);
   CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
@@ -145,7 +145,7 @@ static void surface_defaults(void) {
   const uint32_t size = (uint32_t)sizeof limits;
   fill_outputs();
   CHECK_EQUAL(hsp_mesh_limits_init_surface(NULL, size, surface, edge), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_mesh_limits_init_surface(&limits, 8, surface, edge), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_mesh_limits_init_surface(&limits, 8, surface, edge), HSP_E_VERSION);
   CHECK_EQUAL(hsp_mesh_limits_init_surface(&limits, size, NULL, edge), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_mesh_limits_init_surface(&limits, size, surface, edge), HSP_E_STATE);
   CHECK_EQUAL(hsp_surface_compute(surface, boundary, NULL), HSP_OK);
@@ -173,7 +173,7 @@ static void computing_surface(void) {
   CHECK_EQUAL(hsp_mesh_get_patch(mesh, HSP_NONE, &first, &count), HSP_OK);
   CHECK_EQUAL(count, 0);
   asked.struct_size = 4;
-  CHECK_EQUAL(hsp_mesh_compute_surface(mesh, surface, edge, &asked), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_mesh_compute_surface(mesh, surface, edge, &asked), HSP_E_VERSION);
   CHECK_EQUAL(hsp_mesh_compute_surface(mesh, surface, 0.0, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_mesh_compute_surface(mesh, surface, (double)NAN, NULL), HSP_E_NOT_FINITE);
   CHECK_EQUAL(hsp_mesh_compute_surface(mesh, surface, 1e-300, NULL), HSP_E_RANGE);
@@ -195,7 +195,7 @@ static void computing(void) {
   check_has_results();
   CHECK(asked.vertices <= VERTICES && asked.points <= POINTS);
   asked.struct_size = 4;
-  CHECK_EQUAL(hsp_mesh_compute(mesh, boundary, edge, &asked), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_mesh_compute(mesh, boundary, edge, &asked), HSP_E_VERSION);
   check_all_readers(mesh, HSP_E_STATE);
   CHECK_EQUAL(hsp_mesh_compute(mesh, boundary, 0.0, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_mesh_compute(mesh, boundary, -edge, NULL), HSP_E_ARGUMENT);
@@ -243,7 +243,7 @@ static void changes(void) {
   CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
   CHECK_EQUAL(hsp_mesh_compute(mesh, boundary, edge, NULL), HSP_OK);
   check_has_results();
-  check_all_readers((const hsp_mesh *)(const void *)boundary, HSP_E_ARGUMENT);
+  check_all_readers((const hsp_mesh *)(const void *)boundary, HSP_E_HANDLE);
 }
 
 int main(void) {

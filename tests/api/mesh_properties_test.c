@@ -146,6 +146,7 @@ static void check_surface(const ball_set *set, const computed *c, double probe, 
     ++surfaces;
     if (s.counts.open_joints > 0) {
       ++open;
+      CHECK_EQUAL(status, HSP_E_OPEN_SURFACE);
     } else if (status == HSP_E_CHECK) {
       ++refused;
     } else if (CHECK_EQUAL(status, HSP_OK)) {
@@ -182,18 +183,26 @@ static void open_surface(void) {
   mesh_result m;
   hsp_mesh_limits limits;
   hsp_surface_map_counts map;
-  uint32_t invariant = HSP_NONE, joints = HSP_NONE;
+  hsp_surface_patch patch;
+  hsp_surface_edge edge;
+  hsp_surface_corner corner;
+  uint32_t invariant = HSP_NONE, joints = HSP_NONE, needed = HSP_NONE;
   check_scene("an open surface");
   CHECK_EQUAL(computed_make(8, xyz[0], radius, &options, &c), HSP_OK);
   CHECK_EQUAL(surface_result_make(&c, &s), HSP_OK);
   CHECK(s.counts.open_joints > 0);
-  CHECK_EQUAL(hsp_surface_check(s.surface, &invariant, &joints), HSP_E_CHECK);
+  CHECK_EQUAL(hsp_surface_check(s.surface, &invariant, &joints), HSP_E_OPEN_SURFACE);
   CHECK_EQUAL(invariant, 1);
   CHECK_EQUAL(joints, s.counts.open_joints);
-  CHECK_EQUAL(hsp_surface_get_map_counts(s.surface, &map), HSP_E_CHECK);
+  CHECK_EQUAL(hsp_surface_get_map_counts(s.surface, &map), HSP_E_OPEN_SURFACE);
+  CHECK_EQUAL(hsp_surface_get_patches(s.surface, 0, 1, &patch), HSP_E_OPEN_SURFACE);
+  CHECK_EQUAL(hsp_surface_get_edges(s.surface, 0, 1, &edge), HSP_E_OPEN_SURFACE);
+  CHECK_EQUAL(hsp_surface_get_corners(s.surface, 0, 1, &corner), HSP_E_OPEN_SURFACE);
+  CHECK_EQUAL(hsp_surface_get_shells(s.surface, NULL, 0, &needed), HSP_E_OPEN_SURFACE);
+  CHECK_EQUAL(needed, HSP_NONE);
   CHECK_EQUAL(hsp_surface_left(s.surface, 0), HSP_NONE);
-  CHECK_EQUAL(mesh_result_make_surface(&s, 4.0, &m), HSP_E_CHECK);
-  CHECK_EQUAL(hsp_mesh_limits_init_surface(&limits, (uint32_t)sizeof limits, s.surface, 4.0), HSP_E_CHECK);
+  CHECK_EQUAL(mesh_result_make_surface(&s, 4.0, &m), HSP_E_OPEN_SURFACE);
+  CHECK_EQUAL(hsp_mesh_limits_init_surface(&limits, (uint32_t)sizeof limits, s.surface, 4.0), HSP_E_OPEN_SURFACE);
   mesh_result_release(&m);
   surface_result_release(&s);
   computed_release(&c);

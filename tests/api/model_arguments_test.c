@@ -79,9 +79,9 @@ static void options_init(void) {
   hsp_model_options options;
   FILL(options);
   CHECK_EQUAL(hsp_model_options_init(NULL, (uint32_t)sizeof options), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_model_options_init(&options, 0), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options - 1), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_model_options_init(&options, 1028), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_model_options_init(&options, 0), HSP_E_VERSION);
+  CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options - 1), HSP_E_VERSION);
+  CHECK_EQUAL(hsp_model_options_init(&options, 1028), HSP_E_VERSION);
   CHECK_UNTOUCHED(options);
   CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options), HSP_OK);
   CHECK_EQUAL(options.struct_size, sizeof options);
@@ -117,14 +117,14 @@ static void bad_options(void) {
   size_t i;
   CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options), HSP_OK);
   options.struct_size = 0;
-  check_refused(BALLS, good_xyz, good_radius, &options, HSP_E_ARGUMENT, HSP_NONE);
+  check_refused(BALLS, good_xyz, good_radius, &options, HSP_E_VERSION, HSP_NONE);
   options.struct_size = 20;
-  check_refused(BALLS, good_xyz, good_radius, &options, HSP_E_ARGUMENT, HSP_NONE);
+  check_refused(BALLS, good_xyz, good_radius, &options, HSP_E_VERSION, HSP_NONE);
   options.struct_size = 1028;
-  check_refused(BALLS, good_xyz, good_radius, &options, HSP_E_ARGUMENT, HSP_NONE);
+  check_refused(BALLS, good_xyz, good_radius, &options, HSP_E_VERSION, HSP_NONE);
   options.struct_size = (uint32_t)sizeof options;
   options.reserved = 1;
-  check_refused(BALLS, good_xyz, good_radius, &options, HSP_E_ARGUMENT, HSP_NONE);
+  check_refused(BALLS, good_xyz, good_radius, &options, HSP_E_VERSION, HSP_NONE);
   options.reserved = 0;
   for (i = 0; i < sizeof numbers / sizeof numbers[0]; ++i) {
     uint32_t bad = 12345;
@@ -132,7 +132,7 @@ static void bad_options(void) {
     options.probe = numbers[i].probe;
     options.step = numbers[i].step;
     CHECK_EQUAL(hsp_model_set(model, BALLS, good_xyz, good_radius, &options, &bad), numbers[i].expected);
-    CHECK(bad == HSP_NONE || (numbers[i].expected == HSP_E_RANGE && bad < BALLS));
+    CHECK_EQUAL(bad, HSP_NONE);
     check_as_made();
   }
   check_scene("options are checked without balls, too");
@@ -217,12 +217,13 @@ static void bad_balls(void) {
   check_scene("%s", "");
 }
 
-/* With a step of 1 the limits are round numbers: radius below 2^30, coordinates up to 2^50. */
+/* With a step of 1 the limits are round numbers: radius below 2^30, coordinates up to 2^50. A step that is too small
+ * for every radius is at fault itself. */
 static void lattice_limits(void) {
   static const double most = 1125899906842624.0, radius_limit = 1073741824.0;
   hsp_model_options options;
   hsp_model_info info;
-  double xyz[3] = {0, 0, 0}, radius = 1;
+  double xyz[6] = {0, 0, 0, 0, 0, 0}, radius = 1, two[2] = {0, 0};
   int axis, side;
   CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options), HSP_OK);
   options.step = 1;
@@ -239,15 +240,18 @@ static void lattice_limits(void) {
   CHECK_EQUAL(hsp_model_set(model, 1, xyz, &radius, &options, NULL), HSP_OK);
   CHECK_EQUAL(hsp_model_get_info(model, &info), HSP_OK);
   CHECK(info.largest_radius == radius_limit - 1 && info.step == 1 && info.probe == 0);
-  radius = radius_limit;
-  check_refused(1, xyz, &radius, &options, HSP_E_RANGE, 0);
+  radius = two[1] = radius_limit;
+  check_refused(1, xyz, &radius, &options, HSP_E_RANGE, HSP_NONE);
+  check_refused(2, xyz, two, &options, HSP_E_RANGE, 1);
   radius = radius_limit - 3;
   options.probe = 2;
   CHECK_EQUAL(hsp_model_set(model, 1, xyz, &radius, &options, NULL), HSP_OK);
   CHECK_EQUAL(hsp_model_get_info(model, &info), HSP_OK);
   CHECK(info.largest_radius == radius_limit - 1 && info.probe == 2);
+  two[1] = radius;
   options.probe = 3;
-  check_refused(1, xyz, &radius, &options, HSP_E_RANGE, 0);
+  check_refused(1, xyz, &radius, &options, HSP_E_RANGE, HSP_NONE);
+  check_refused(2, xyz, two, &options, HSP_E_RANGE, 1);
 }
 
 static void info_and_figures(void) {

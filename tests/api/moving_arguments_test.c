@@ -278,7 +278,7 @@ static void refused_moves(void) {
   check_scene("other refusals of moves");
   limits.struct_size = 0;
   first_bad = 77;
-  CHECK_EQUAL(hsp_moving_move(moving, 1, &ball, xyz, NULL, &limits, &first_bad), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_moving_move(moving, 1, &ball, xyz, NULL, &limits, &first_bad), HSP_E_VERSION);
   CHECK_EQUAL(first_bad, HSP_NONE);
   CHECK_EQUAL(hsp_moving_move(moving, 1, NULL, xyz, NULL, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_moving_move(NULL, 1, &ball, xyz, NULL, NULL, NULL), HSP_E_ARGUMENT);
@@ -347,7 +347,9 @@ static void refused_sets(void) {
     first_bad = 77;
     CHECK_EQUAL(hsp_moving_set(moving, from, weights, k == 4 ? (double)NAN : 1, k == 5 ? (double)INFINITY : 0,
                                k == 1 ? 2 : HSP_TANGENT_DISJOINT, k == 2 ? &limits : NULL, &first_bad),
-                k < 3 ? HSP_E_ARGUMENT : HSP_E_NOT_FINITE);
+                k < 2    ? HSP_E_ARGUMENT
+                : k == 2 ? HSP_E_VERSION
+                         : HSP_E_NOT_FINITE);
     CHECK_EQUAL(first_bad, k == 3 ? 2 : HSP_NONE);
     FILL(info);
     FILL(ball);
@@ -456,7 +458,7 @@ static void limits_init(void) {
   const uint32_t size = (uint32_t)sizeof limits;
   check_scene("limits");
   CHECK_EQUAL(hsp_moving_limits_init(NULL, size, 5), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_moving_limits_init(&limits, size - 4, 5), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_moving_limits_init(&limits, size - 4, 5), HSP_E_VERSION);
   CHECK_EQUAL(hsp_moving_limits_init(&limits, size, HSP_MAX_BALLS + 1), HSP_E_RANGE);
   CHECK_EQUAL(hsp_moving_limits_init(&limits, size, 255), HSP_OK);
   CHECK(limits.balls == 255 && limits.neighbours == 255 && limits.struct_size == size);
@@ -483,7 +485,7 @@ static void refused_memory(void) {
   limits.balls = HSP_MAX_BALLS + 1;
   CHECK_EQUAL(hsp_moving_bytes(&limits, &bytes), HSP_E_RANGE);
   limits.struct_size = 4;
-  CHECK_EQUAL(hsp_moving_bytes(&limits, &bytes), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_moving_bytes(&limits, &bytes), HSP_E_VERSION);
   CHECK(made == NULL);
 }
 

@@ -121,7 +121,7 @@ static void refused_paths_limits(void) {
   CHECK_EQUAL(hsp_paths_bytes(NULL, &bytes), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_paths_bytes(&bad, NULL), HSP_E_ARGUMENT);
   for (which = 0; which < 12; ++which) {
-    const int32_t status = which < 2 ? HSP_E_ARGUMENT : HSP_E_RANGE;
+    const int32_t status = which < 2 ? HSP_E_VERSION : HSP_E_RANGE;
     uint32_t words[11];
     bad = paths_limits();
     memcpy(words, &bad, sizeof words);
@@ -142,7 +142,7 @@ static void refused_paths_limits(void) {
   CHECK_EQUAL(hsp_paths_init(paths_memory, bytes - 1, &bad, &made), HSP_E_MEMORY);
   CHECK(made == NULL);
   CHECK_EQUAL(hsp_paths_limits_init(NULL, (uint32_t)sizeof bad, 1), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_paths_limits_init(&bad, 8, 1), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_paths_limits_init(&bad, 8, 1), HSP_E_VERSION);
   CHECK_EQUAL(hsp_paths_limits_init(&bad, (uint32_t)sizeof bad, (HSP_MAX_BALLS - 2048) / 80 + 1), HSP_E_RANGE);
   CHECK_EQUAL(hsp_paths_limits_init(&bad, (uint32_t)sizeof bad, 10), HSP_OK);
   CHECK(bad.cubes == 84 && bad.cells == 356 && bad.cube_corners == 464 && bad.points == 1064);
@@ -156,7 +156,7 @@ static void refused_gate_limits(void) {
   CHECK_EQUAL(hsp_gate_bytes(NULL, &bytes), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_gate_bytes(&bad, NULL), HSP_E_ARGUMENT);
   for (which = 0; which < 12; ++which) {
-    const int32_t status = which < 2 ? HSP_E_ARGUMENT : HSP_E_RANGE;
+    const int32_t status = which < 2 ? HSP_E_VERSION : HSP_E_RANGE;
     uint32_t words[11];
     bad = gate_limits();
     memcpy(words, &bad, sizeof words);
@@ -177,7 +177,7 @@ static void refused_gate_limits(void) {
   CHECK_EQUAL(hsp_gate_init(gate_memory, bytes - 1, &bad, &made), HSP_E_MEMORY);
   CHECK(made == NULL);
   CHECK_EQUAL(hsp_gate_limits_init(NULL, (uint32_t)sizeof bad, 1), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_gate_limits_init(&bad, 8, 1), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_gate_limits_init(&bad, 8, 1), HSP_E_VERSION);
   CHECK_EQUAL(hsp_gate_limits_init(&bad, (uint32_t)sizeof bad, (HSP_MAX_BALLS - 2048) / 80 + 1), HSP_E_RANGE);
   CHECK_EQUAL(hsp_gate_limits_init(&bad, (uint32_t)sizeof bad, 10), HSP_OK);
   CHECK(bad.balls == 10 && bad.cubes == 84 && bad.cells == 356 && bad.cube_corners == 464);
@@ -214,7 +214,7 @@ static void finding_paths(void) {
   CHECK_EQUAL(hsp_paths_find(paths, under, NULL, &path, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_paths_find(paths, under, above, NULL, NULL), HSP_E_ARGUMENT);
   asked.struct_size = 4;
-  CHECK_EQUAL(hsp_paths_find(paths, under, above, &path, &asked), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_paths_find(paths, under, above, &path, &asked), HSP_E_VERSION);
   CHECK_EQUAL(hsp_paths_find(paths, not_finite, above, &path, NULL), HSP_E_NOT_FINITE);
   CHECK_EQUAL(hsp_paths_find(paths, under, not_finite, &path, NULL), HSP_E_NOT_FINITE);
   CHECK_EQUAL(hsp_paths_find(paths, far_away, above, &path, NULL), HSP_E_RANGE);
@@ -228,7 +228,7 @@ static void finding_paths(void) {
   find(under, above);
   CHECK_EQUAL(hsp_paths_compute(paths, NULL, NULL), HSP_E_ARGUMENT);
   check_no_path(paths, HSP_E_STATE);
-  CHECK_EQUAL(hsp_paths_compute(paths, model, &asked), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_paths_compute(paths, model, &asked), HSP_E_VERSION);
   check_no_path(paths, HSP_E_STATE);
   CHECK_EQUAL(hsp_model_set(model, 0, NULL, NULL, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_paths_compute(paths, model, NULL), HSP_OK);
@@ -265,7 +265,7 @@ static void finding_probes(void) {
   check_no_probe(gate, HSP_E_STATE);
   CHECK_EQUAL(hsp_gate_compute(gate, model, under, above, NULL), HSP_OK);
   asked.struct_size = 4;
-  CHECK_EQUAL(hsp_gate_compute(gate, model, under, above, &asked), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_gate_compute(gate, model, under, above, &asked), HSP_E_VERSION);
   check_no_probe(gate, HSP_E_STATE);
   CHECK_EQUAL(hsp_gate_compute(gate, model, under, above, NULL), HSP_OK);
   CHECK_EQUAL(hsp_model_set(model, 0, NULL, NULL, NULL, NULL), HSP_OK);

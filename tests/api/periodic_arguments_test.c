@@ -72,7 +72,7 @@ static void refused_limits(void) {
   CHECK_EQUAL(hsp_periodic_bytes(NULL, &bytes), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_periodic_bytes(&bad, NULL), HSP_E_ARGUMENT);
   for (which = 0; which < 9; ++which) {
-    const int32_t status = which < 2 ? HSP_E_ARGUMENT : HSP_E_RANGE;
+    const int32_t status = which < 2 ? HSP_E_VERSION : HSP_E_RANGE;
     uint32_t words[7];
     bad = good_limits();
     memcpy(words, &bad, sizeof words);
@@ -94,7 +94,7 @@ static void refused_limits(void) {
   CHECK_EQUAL(hsp_periodic_init(memory, bytes - 1, &bad, &made), HSP_E_MEMORY);
   CHECK(made == NULL);
   CHECK_EQUAL(hsp_periodic_limits_init(NULL, (uint32_t)sizeof bad, 1), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_periodic_limits_init(&bad, 7, 1), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_limits_init(&bad, 7, 1), HSP_E_VERSION);
   CHECK_EQUAL(hsp_periodic_limits_init(&bad, (uint32_t)sizeof bad, (HSP_MAX_BALLS - 2048) / 36 + 1), HSP_E_RANGE);
   CHECK_EQUAL(hsp_periodic_limits_init(&bad, (uint32_t)sizeof bad, (HSP_MAX_BALLS - 2048) / 36), HSP_OK);
   CHECK(bad.contacts <= HSP_MAX_BALLS && bad.balls + bad.images <= HSP_MAX_BALLS);
@@ -384,13 +384,16 @@ static void refused_input(void) {
   check_refused(BALLS, xyz, NULL, NULL, box, HSP_E_ARGUMENT, HSP_NONE);
   check_refused(BALLS, xyz, radius, NULL, NULL, HSP_E_ARGUMENT, HSP_NONE);
   limits.struct_size = 9;
-  CHECK_EQUAL(hsp_periodic_compute(periodic, BALLS, xyz, radius, NULL, box, &limits, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_periodic_compute(periodic, BALLS, xyz, radius, NULL, box, &limits, NULL), HSP_E_VERSION);
   options.reserved = 1;
-  check_refused(BALLS, xyz, radius, &options, box, HSP_E_ARGUMENT, HSP_NONE);
+  check_refused(BALLS, xyz, radius, &options, box, HSP_E_VERSION, HSP_NONE);
   options.reserved = 0;
   options.probe = -1;
   check_refused(BALLS, xyz, radius, &options, box, HSP_E_NEGATIVE, HSP_NONE);
   options.probe = 0;
+  options.step = 1e-300;
+  check_refused(BALLS, xyz, radius, &options, box, HSP_E_RANGE, HSP_NONE);
+  options.step = 0;
   options.largest_radius = 1.1;
   check_refused(BALLS, xyz, radius, &options, box, HSP_E_RANGE, 0);
   for (k = 0; k < 9; ++k) {

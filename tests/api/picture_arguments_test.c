@@ -29,9 +29,9 @@ static void options_init(void) {
   hsp_picture_options options;
   FILL(options);
   CHECK_EQUAL(hsp_picture_options_init(NULL, (uint32_t)sizeof options), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_picture_options_init(&options, 0), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_picture_options_init(&options, (uint32_t)sizeof options - 8), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_picture_options_init(&options, 1028), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_picture_options_init(&options, 0), HSP_E_VERSION);
+  CHECK_EQUAL(hsp_picture_options_init(&options, (uint32_t)sizeof options - 8), HSP_E_VERSION);
+  CHECK_EQUAL(hsp_picture_options_init(&options, 1028), HSP_E_VERSION);
   CHECK_UNTOUCHED(options);
   CHECK_EQUAL(hsp_picture_options_init(&options, (uint32_t)sizeof options), HSP_OK);
   CHECK_EQUAL(options.struct_size, sizeof options);
@@ -96,23 +96,23 @@ static void bad_choices(void) {
   CHECK_EQUAL(hsp_picture_write(NULL, colours, NULL, NULL, NULL, picture_sink_take, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_picture_write(view, colours, NULL, NULL, NULL, NULL, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_picture_write((hsp_view *)(void *)map, colours, NULL, NULL, NULL, picture_sink_take, NULL, NULL),
-              HSP_E_ARGUMENT);
+              HSP_E_HANDLE);
   CHECK_EQUAL(hsp_picture_write_map(NULL, colours, NULL, NULL, NULL, picture_sink_take, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_picture_write_map(map, colours, NULL, NULL, NULL, NULL, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_picture_write_map((hsp_map *)(void *)view, colours, NULL, NULL, NULL, picture_sink_take, NULL, NULL),
-              HSP_E_ARGUMENT);
+              HSP_E_HANDLE);
   options = good_options();
   options.struct_size = 0;
-  check_refused(colours, &options, HSP_E_ARGUMENT);
+  check_refused(colours, &options, HSP_E_VERSION);
   options.struct_size = 1028;
-  check_refused(colours, &options, HSP_E_ARGUMENT);
+  check_refused(colours, &options, HSP_E_VERSION);
   {
     /* nothing behind the size is read; the sanitizers see it if it is */
     uint32_t *size_alone = malloc(sizeof *size_alone);
     CHECK(size_alone != NULL);
     if (size_alone == NULL) return;
     *size_alone = (uint32_t)sizeof *size_alone;
-    check_refused(colours, (const hsp_picture_options *)(const void *)size_alone, HSP_E_ARGUMENT);
+    check_refused(colours, (const hsp_picture_options *)(const void *)size_alone, HSP_E_VERSION);
     free(size_alone);
   }
   options = good_options();
@@ -126,7 +126,7 @@ static void bad_choices(void) {
   check_refused(colours, &options, HSP_E_ARGUMENT);
   options = good_options();
   options.reserved = 1;
-  check_refused(colours, &options, HSP_E_ARGUMENT);
+  check_refused(colours, &options, HSP_E_VERSION);
   options = good_options();
   options.width = options.height = 0;
   check_refused(colours, &options, HSP_E_ARGUMENT);
@@ -135,7 +135,7 @@ static void bad_choices(void) {
   check_refused(colours, &options, HSP_E_ARGUMENT);
   options = good_options();
   options.reserved_for_ink = 1;
-  check_refused(colours, &options, HSP_E_ARGUMENT);
+  check_refused(colours, &options, HSP_E_VERSION);
   for (k = 0; k < 3; ++k) {
     options = good_options();
     options.ink_colour[k] = 0x1000000;
@@ -174,7 +174,7 @@ static void bad_ink(void) {
   options.group = HSP_ADDRESS(group);
   check_written(colours, &options);
   options.ink = HSP_ADDRESS(view);
-  check_refused(colours, &options, HSP_E_ARGUMENT);
+  check_refused(colours, &options, HSP_E_HANDLE);
   CHECK_EQUAL(hsp_map_init(other_memory, sizeof other_memory, &limits, &other), HSP_OK);
   options.ink = HSP_ADDRESS(other);
   check_refused(colours, &options, HSP_E_ARGUMENT);

@@ -55,7 +55,7 @@ static void refused_limits(void) {
   CHECK_EQUAL(hsp_sticks_bytes(NULL, &bytes), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_sticks_bytes(&bad, NULL), HSP_E_ARGUMENT);
   for (which = 0; which < 6; ++which) {
-    const int32_t status = which < 2 ? HSP_E_ARGUMENT : HSP_E_RANGE;
+    const int32_t status = which < 2 ? HSP_E_VERSION : HSP_E_RANGE;
     bad = good_limits();
     if (which == 0) bad.struct_size = 12;
     if (which == 1) bad.struct_size = 1028;
@@ -76,7 +76,7 @@ static void refused_limits(void) {
   CHECK_EQUAL(hsp_sticks_init(sticks_memory, bytes - 1, &bad, &made), HSP_E_MEMORY);
   CHECK(made == NULL);
   CHECK_EQUAL(hsp_sticks_limits_init(NULL, (uint32_t)sizeof bad, 1), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_sticks_limits_init(&bad, 8, 1), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_limits_init(&bad, 8, 1), HSP_E_VERSION);
   CHECK_EQUAL(hsp_sticks_limits_init(&bad, (uint32_t)sizeof bad, (HSP_MAX_BALLS - 64) / 64 + 1), HSP_E_RANGE);
   CHECK_EQUAL(hsp_sticks_limits_init(&bad, (uint32_t)sizeof bad, 10), HSP_OK);
   CHECK(bad.balls == 10 && bad.sticks == 20 && bad.pairs == 704 && bad.edges == 0);
@@ -144,7 +144,7 @@ static void computing(void) {
   options.flags = 2;
   CHECK_EQUAL(hsp_sticks_compute(sticks, model, &options, good, STICKS, 0.5, NULL, NULL), HSP_E_ARGUMENT);
   asked.struct_size = 4;
-  CHECK_EQUAL(hsp_sticks_compute(sticks, model, NULL, good, STICKS, 0.5, NULL, &asked), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_compute(sticks, model, NULL, good, STICKS, 0.5, NULL, &asked), HSP_E_VERSION);
   check_no_results(sticks, HSP_E_STATE);
 }
 

@@ -414,19 +414,19 @@ static void check_reading(const struct versioned *s) {
     CHECK_EQUAL(s->write[0](&given, s->size), HSP_OK);
     given.struct_size = size;
     if (is_good_size(s, size)) memset(given.bytes + size, 1, ROOM - size); /* not the program's any more */
-    CHECK_EQUAL(s->read(&given), is_good_size(s, size) ? HSP_OK : HSP_E_ARGUMENT);
+    CHECK_EQUAL(s->read(&given), is_good_size(s, size) ? HSP_OK : HSP_E_VERSION);
     if (size <= s->size || !is_good_size(s, size)) continue;
     given.bytes[size - 1] = 1;
-    CHECK_EQUAL(s->read(&given), HSP_E_ARGUMENT);
+    CHECK_EQUAL(s->read(&given), HSP_E_VERSION);
     given.bytes[size - 1] = 0;
     given.bytes[s->size] = 1;
-    CHECK_EQUAL(s->read(&given), HSP_E_ARGUMENT);
+    CHECK_EQUAL(s->read(&given), HSP_E_VERSION);
   }
   {
     struct_version given;
     memset(&given, 0, sizeof given);
     given.struct_size = UINT32_MAX;
-    CHECK_EQUAL(s->read(&given), HSP_E_ARGUMENT);
+    CHECK_EQUAL(s->read(&given), HSP_E_VERSION);
     CHECK_EQUAL(s->read(NULL) == HSP_OK,
                 s->read == read_model_options || s->read == read_view_options || s->read == read_picture_options);
   }
@@ -444,7 +444,7 @@ static void check_writing(const struct versioned *s, int32_t (*write)(void *out,
     memcpy(out.bytes, &size, sizeof size);
     before = out;
     if (!is_good_size(s, size)) {
-      CHECK_EQUAL(write(&out, size), HSP_E_ARGUMENT);
+      CHECK_EQUAL(write(&out, size), HSP_E_VERSION);
       CHECK_BYTES(&out, &before, sizeof out);
       continue;
     }

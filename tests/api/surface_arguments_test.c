@@ -175,7 +175,7 @@ static void refused_limits(void) {
   int which;
   CHECK_EQUAL(hsp_surface_bytes(NULL, &bytes), HSP_E_ARGUMENT);
   for (which = 0; which < 8; ++which) {
-    const int32_t status = which < 2 ? HSP_E_ARGUMENT : HSP_E_RANGE;
+    const int32_t status = which < 2 ? HSP_E_VERSION : HSP_E_RANGE;
     bad = good_limits();
     if (which == 0) bad.struct_size = 12;
     if (which == 1) bad.struct_size = 1028;
@@ -203,7 +203,7 @@ static void refused_limits(void) {
 static void defaults(void) {
   fill_outputs();
   CHECK_EQUAL(hsp_surface_limits_init(NULL, (uint32_t)sizeof limits, boundary), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_surface_limits_init(&limits, 8, boundary), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_limits_init(&limits, 8, boundary), HSP_E_VERSION);
   CHECK_EQUAL(hsp_surface_limits_init(&limits, (uint32_t)sizeof limits, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_surface_limits_init(&limits, (uint32_t)sizeof limits, boundary), HSP_E_STATE);
   check_outputs_untouched();
@@ -256,12 +256,12 @@ static void out_of_order(void) {
   int which;
   check_scene("no surface yet");
   check_all_readers(NULL, HSP_E_ARGUMENT);
-  check_all_readers((const hsp_surface *)(const void *)boundary, HSP_E_ARGUMENT);
+  check_all_readers((const hsp_surface *)(const void *)boundary, HSP_E_HANDLE);
   check_all_readers(surface, HSP_E_STATE);
   fill_outputs();
   CHECK_EQUAL(hsp_surface_compute(NULL, boundary, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_surface_compute(surface, NULL, NULL), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_surface_compute(surface, boundary, &limits), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_compute(surface, boundary, &limits), HSP_E_VERSION);
   check_outputs_untouched();
   CHECK_EQUAL(hsp_surface_compute(surface, boundary, NULL), HSP_OK);
   check_has_results();

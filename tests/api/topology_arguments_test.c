@@ -284,8 +284,8 @@ static void limits_init(void) {
   FILL(limits);
   CHECK_EQUAL(hsp_topology_limits_init(NULL, (uint32_t)sizeof limits, boundary), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_topology_limits_init(&limits, (uint32_t)sizeof limits, NULL), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_limits_init(&limits, 0, boundary), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_limits_init(&limits, 1028, boundary), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_topology_limits_init(&limits, 0, boundary), HSP_E_VERSION);
+  CHECK_EQUAL(hsp_topology_limits_init(&limits, 1028, boundary), HSP_E_VERSION);
   CHECK_UNTOUCHED(limits);
   CHECK_EQUAL(hsp_model_set(model, BALLS - 1, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_topology_limits_init(&limits, (uint32_t)sizeof limits, boundary), HSP_E_STATE);

@@ -72,9 +72,9 @@ static void options_init(void) {
   int axis;
   FILL(options);
   CHECK_EQUAL(hsp_view_options_init(NULL, (uint32_t)sizeof options), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_view_options_init(&options, 0), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_view_options_init(&options, (uint32_t)sizeof options - 8), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_view_options_init(&options, 1028), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_view_options_init(&options, 0), HSP_E_VERSION);
+  CHECK_EQUAL(hsp_view_options_init(&options, (uint32_t)sizeof options - 8), HSP_E_VERSION);
+  CHECK_EQUAL(hsp_view_options_init(&options, 1028), HSP_E_VERSION);
   CHECK_UNTOUCHED(options);
   CHECK_EQUAL(hsp_view_options_init(&options, (uint32_t)sizeof options), HSP_OK);
   CHECK_EQUAL(options.struct_size, sizeof options);
@@ -122,9 +122,9 @@ static void bad_options(void) {
   check_refused(NULL, NULL, NULL, HSP_E_ARGUMENT);
   check_scene("struct_size");
   options.struct_size = 0;
-  check_refused(model, NULL, &options, HSP_E_ARGUMENT);
+  check_refused(model, NULL, &options, HSP_E_VERSION);
   options.struct_size = 1028;
-  check_refused(model, NULL, &options, HSP_E_ARGUMENT);
+  check_refused(model, NULL, &options, HSP_E_VERSION);
   check_scene("unknown pieces");
   options = good_options();
   options.pieces = HSP_PIECES_OUTSIDE_ALL + 1;
@@ -142,7 +142,7 @@ static void bad_options(void) {
   check_scene("reserved");
   options = good_options();
   options.reserved = 1;
-  check_refused(model, NULL, &options, HSP_E_ARGUMENT);
+  check_refused(model, NULL, &options, HSP_E_VERSION);
   check_scene("not finite");
   for (axis = 0; axis < 3; ++axis) {
     for (k = 0; k < 3; ++k) {

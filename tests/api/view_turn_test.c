@@ -128,9 +128,9 @@ static void refused_turns(void) {
   CHECK_BYTES(&options, &before, sizeof options);
   options.struct_size = 0;
   before = options;
-  CHECK_EQUAL(hsp_view_options_turn(&options, 1, 2, 3), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_view_options_turn(&options, 1, 2, 3), HSP_E_VERSION);
   options.struct_size = before.struct_size = 1028;
-  CHECK_EQUAL(hsp_view_options_turn(&options, 1, 2, 3), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_view_options_turn(&options, 1, 2, 3), HSP_E_VERSION);
   CHECK_BYTES(&options, &before, sizeof options);
 }
 

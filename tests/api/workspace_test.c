@@ -119,6 +119,21 @@ static void set_after_set(void) {
   hsp_workspace_free(&work);
 }
 
+/* A view of the boundary is none of the model alone. */
+static void view_without_boundary(void) {
+  hsp_workspace work = {0};
+  hsp_view_info view;
+  check_scene("a view without a boundary");
+  CHECK_EQUAL(hsp_workspace_set(&work, 0, NULL, NULL, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_view(&work, 1, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_workspace_view(&work, 0, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_view(&work, 1, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_view_get_info(work.view, &view), HSP_E_STATE);
+  CHECK_EQUAL(hsp_workspace_boundary(&work), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_view(&work, 1, NULL), HSP_OK);
+  hsp_workspace_free(&work);
+}
+
 /* Nothing, one ball, more balls than before: what was computed from the balls before is out of date at once. */
 static void out_of_date(void) {
   static ball_set few, many;
@@ -213,6 +228,7 @@ static void shorter_edges(void) {
 int main(void) {
   set_after_set();
   shorter_edges();
+  view_without_boundary();
   out_of_date();
   return check_report();
 }

@@ -38,7 +38,7 @@ image 35 125 "boundary, measure, gradient and smooth surface"
 image 64 72 "a model, and balls that move"
 image 128 27 "a model, hsp_body_hits and _gaps"
 image 8 90 "a model, a view from it alone, pictures"
-image 31 147 "all of these but the smooth surface"
+image 31 148 "all of these but the smooth surface"
 mv "$work/build/libhardsphere.a" "$work/libhardsphere.a"
 find "$work/build/CMakeFiles/hardsphere_objects.dir" -type f -name '*.o*' -print0 |
   xargs -0 arm-none-eabi-ar qcs "$work/libinner.a"

@@ -87,7 +87,7 @@ inline bool expect_meshes_of_set(uint64_t seed) {
   expect_sound(MadeMesh(balls.boundary(), edge), balls.boundary().counts.euler);
   if (probe == 0.0) return true;
   const MadeMesh mesh(balls.surface(), edge);
-  if (mesh.status() == HSP_E_CHECK) return false;
+  if (mesh.status() == HSP_E_OPEN_SURFACE) return false;
   EXPECT_TRUE(balls.has_closed_surface());
   expect_sound(mesh, balls.surface_euler());
   return true;

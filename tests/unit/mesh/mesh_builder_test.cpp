@@ -245,12 +245,12 @@ TEST(MeshBuilder, OpenSurfacesAreRefused) {
   ASSERT_FALSE(built.surface().is_closed());
   hsp::MeshLimits limits;
   EXPECT_EQ(hsp::expected_mesh_limits(built.balls(), built.boundary(), built.surface(), 5.0, limits),
-            hsp::Status::check);
+            hsp::Status::open_surface);
   ASSERT_EQ(hsp::expected_mesh_limits(built.balls(), built.boundary(), 5.0, limits), hsp::Status::ok);
   CarvedMemory memory;
   hsp::MeshBuilder builder;
   memory.carve(builder, limits);
-  EXPECT_EQ(builder.build(built.balls(), built.boundary(), built.surface(), 5.0), hsp::Status::check);
+  EXPECT_EQ(builder.build(built.balls(), built.boundary(), built.surface(), 5.0), hsp::Status::open_surface);
 }
 
 // A void in an octahedron: probes outside and inside overlap, and cusps are corners of both surfaces. With the shells
