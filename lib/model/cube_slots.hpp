@@ -3,12 +3,12 @@
 //
 // The number of slots is a power of two at least twice that of the cubes, and the second hash is odd: every probe
 // sequence visits all slots. With load at most 1/2 and independent hashes a search that fails looks at no more than
-// 1/(1 - load) <= 2 slots on average and one that succeeds at 1.39 (Knuth, TAOCP 3, section 6.4, eq. for double hashing).
+// 1/(1 - load) <= 2 slots on average and one that succeeds at 1.39 (Knuth, TAOCP 3, section 6.4, double hashing).
 //
 // The hash has no key, so that cubes can be chosen whose probe sequences are the same. Where one would be longer than
 // most_probes, which independent hashes hardly ever reach, the slots become the links of a digital search tree (Knuth,
 // TAOCP 3, section 6.3, algorithm D): a node has a cube, and what lies below it shares with that cube a bit for each
-// node above. So a search looks at 193 nodes at most, as three coordinates have 192 bits.
+// node above. So a search looks at a slot and at 193 nodes at most, as three coordinates have 192 bits.
 #pragma once
 
 #include "core/span.hpp"
@@ -85,86 +85,97 @@ class CubeSlots {
   // Removes all; from now on there are as many slots as numbers below `numbers` need.
   void clear(uint32_t numbers) {
     used_ = static_cast<uint32_t>(slots_for(numbers));
-    empty();
+    longest_probe_ = longest_way_ = 0;
+    fill(no_id);
   }
 
-  // The number of a cube, of which the linear form is given; no_id if there is none.
+  // The number of a cube, of which the linear form is given; no_id if there is none. In a tree no slot is empty, and
+  // what is found in the first one is the number by chance at most.
   template <class CubeOf>
   uint32_t find(const CubeCoordinates &cube, uint64_t linear, const CubeOf &cube_of) const {
     CubeProbe probe(linear, used_);
-    for (uint32_t left = longest_probe_; left != 0; --left, probe.next()) {
+    for (uint32_t looks = 1;; ++looks, probe.next()) {
       const uint32_t number = slots_[probe.slot];
       if (number == no_id || cube_of(number) == cube) return number;
+      if (looks >= longest_probe_) [[unlikely]]
+        return is_tree() ? find_in_tree(cube, cube_of) : no_id;
     }
-    return find_in_tree(cube, cube_of);
   }
 
   // Inserts a number whose cube is not there. Numbers are inserted in ascending order from 0 on; those left out are of
   // cubes that are there.
   template <class CubeOf>
   void insert(uint32_t number, const CubeOf &cube_of) {
-    if (!is_tree()) {
-      CubeProbe probe(linear_hash(cube_of(number)), used_);
-      uint32_t length = 1;
-      for (; slots_[probe.slot] != no_id && length <= most_probes; probe.next()) ++length;
-      if (length <= most_probes) {
-        slots_[probe.slot] = number;
-        note(length);
-        return;
-      }
-      make_tree(number, cube_of);
+    CubeProbe probe(linear_hash(cube_of(number)), used_);
+    uint32_t length = 1;
+    for (; slots_[probe.slot] != no_id; probe.next()) {
+      if (++length > most_probes || is_tree()) [[unlikely]]
+        return insert_in_tree(number, cube_of);
     }
-    plant(number, cube_of);
+    slots_[probe.slot] = number;
+    note(length);
   }
   // For those who find free slots on their own.
   void put(uint32_t slot, uint32_t number) { slots_[slot] = number; }
   void prefetch(uint32_t slot) const { __builtin_prefetch(&slots_[slot], 1); }
   void note(uint32_t length) {
-    if (length > longest_probe_) longest_probe_ = longest_search_ = length;
+    if (length > longest_probe_) longest_probe_ = length;
   }
   // Leaves the table, for a tree of the first numbers.
   template <class CubeOf>
   void make_tree(uint32_t numbers, const CubeOf &cube_of) {
-    empty();
-    for (uint32_t number = 0; number < numbers; ++number) plant(number, cube_of);
+    fill(root);
+    longest_probe_ = 1;
+    longest_way_ = 2;  // the first slot and the root
+    for (uint32_t number = 1; number < numbers; ++number) plant(number, cube_of);
   }
 
   uint32_t size() const { return used_; }
-  bool is_tree() const { return root_ != no_id; }
-  // The most slots, or nodes of the tree, that are looked at to find a cube that is there.
-  uint32_t longest_search() const { return longest_search_; }
+  bool is_tree() const { return longest_way_ != 0; }
+  // The most slots and nodes that are looked at to find a cube that is there.
+  uint32_t longest_search() const { return is_tree() ? longest_way_ : longest_probe_; }
 
  private:
-  void empty() {
-    root_ = no_id;
-    longest_probe_ = longest_search_ = 0;
-    for (uint32_t k = 0; k < used_; ++k) slots_[k] = no_id;
+  static constexpr uint32_t root = 0;  // which no link leads to: so a link to it is one to nothing
+
+  void fill(uint32_t value) {
+    for (uint32_t k = 0; k < used_; ++k) slots_[k] = value;
+  }
+  // What is rare has copies, so that what is not keeps its cubes in registers.
+  template <class CubeOf>
+  [[gnu::noinline, gnu::cold]] uint32_t find_in_tree(CubeCoordinates cube, CubeOf cube_of) const {
+    uint32_t node = root;
+    for (CubePath path(cube); !(cube_of(node) == cube);) {
+      node = slots_[path.link_of(node)];
+      if (node == root) return no_id;
+    }
+    return node;
   }
   template <class CubeOf>
-  [[gnu::noinline]] uint32_t find_in_tree(const CubeCoordinates &cube, const CubeOf &cube_of) const {
-    uint32_t node = root_;
-    for (CubePath path(cube); node != no_id && !(cube_of(node) == cube);) node = slots_[path.link_of(node)];
-    return node;
+  [[gnu::noinline, gnu::cold]] void insert_in_tree(uint32_t number, CubeOf cube_of) {
+    if (!is_tree()) make_tree(number, cube_of);
+    plant(number, cube_of);
   }
   // Does nothing if the cube is there.
   template <class CubeOf>
-  [[gnu::noinline]] void plant(uint32_t number, const CubeOf &cube_of) {
+  void plant(uint32_t number, const CubeOf &cube_of) {
     const CubeCoordinates cube = cube_of(number);
-    uint32_t *link = &root_;
-    uint32_t nodes = 1;
-    for (CubePath path(cube); *link != no_id; ++nodes) {
-      if (cube_of(*link) == cube) return;
-      link = &slots_[path.link_of(*link)];
+    uint32_t node = root, looks = 3;
+    for (CubePath path(cube); !(cube_of(node) == cube); ++looks) {
+      uint32_t &link = slots_[path.link_of(node)];
+      if (link == root) {
+        link = number;
+        if (looks > longest_way_) longest_way_ = looks;
+        return;
+      }
+      node = link;
     }
-    *link = number;
-    if (nodes > longest_search_) longest_search_ = nodes;
   }
 
   Span<uint32_t> slots_;  // numbers, no_id = empty; of a tree the two links of each number
   uint32_t used_ = 0;
-  uint32_t root_ = no_id;       // of the tree, if there is one
-  uint32_t longest_probe_ = 0;  // 0 of a tree
-  uint32_t longest_search_ = 0;
+  uint32_t longest_probe_ = 0;  // 1 of a tree
+  uint32_t longest_way_ = 0;    // in a tree, if it is one
 };
 
 }  // namespace hsp
