@@ -98,7 +98,7 @@ class CubeSlots {
       const uint32_t number = slots_[probe.slot];
       if (number == no_id || cube_of(number) == cube) return number;
       if (looks >= longest_probe_) [[unlikely]]
-        return is_tree() ? find_in_tree(cube, cube_of) : no_id;
+        return is_tree() ? find_in_tree(cube.x, cube.y, cube.z, cube_of) : no_id;
     }
   }
 
@@ -141,9 +141,10 @@ class CubeSlots {
   void fill(uint32_t value) {
     for (uint32_t k = 0; k < used_; ++k) slots_[k] = value;
   }
-  // What is rare has copies, so that what is not keeps its cubes in registers.
+  // What is rare gets numbers, so that what is not keeps its cubes in registers.
   template <class CubeOf>
-  [[gnu::noinline, gnu::cold]] uint32_t find_in_tree(CubeCoordinates cube, CubeOf cube_of) const {
+  [[gnu::noinline, gnu::cold]] uint32_t find_in_tree(int64_t x, int64_t y, int64_t z, CubeOf cube_of) const {
+    const CubeCoordinates cube{x, y, z};
     uint32_t node = root;
     for (CubePath path(cube); !(cube_of(node) == cube);) {
       node = slots_[path.link_of(node)];
