@@ -59,7 +59,7 @@ int32_t hsp_model_get_info(const hsp_model *model, hsp_model_info *info) {
   info->balls = balls.n;
   info->cubes = table.count();
   info->table_slots = table.slots();
-  info->longest_probe = table.longest_probe();
+  info->longest_probe = table.longest_search();
   info->step = balls.lattice.step();
   info->probe = balls.lattice.length(static_cast<double>(balls.probe_steps));
   info->largest_radius = balls.lattice.length(static_cast<double>(balls.largest_radius));

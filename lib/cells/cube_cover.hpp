@@ -11,13 +11,6 @@ namespace hsp {
 // Whether a ball meets a cube of this side.
 bool meets_cube(const exact::LatticeBall &ball, const CubeCoordinates &cube, int64_t side);
 
-// The order of the cubes of a cover: by z, then y, then x.
-inline bool comes_before(const CubeCoordinates &a, const CubeCoordinates &b) {
-  if (a.z != b.z) return a.z < b.z;
-  if (a.y != b.y) return a.y < b.y;
-  return a.x < b.x;
-}
-
 class CubeCover {
  public:
   // At most so many cubes, and so many pairs of a cube and a ball that meets it.
@@ -28,7 +21,7 @@ class CubeCover {
   uint32_t needed_cubes() const { return needed_cubes_; }
   uint32_t needed_entries() const { return needed_entries_; }
 
-  // The cubes are sorted.
+  // The cubes are in the order of comes_before().
   uint32_t cubes() const { return table_.count(); }
   const CubeCoordinates &cube(uint32_t k) const { return table_.coordinates(k); }
   // The corners of the box around all cubes, if there are any.

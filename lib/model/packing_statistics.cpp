@@ -41,33 +41,30 @@ bool overlap(const BallSet &balls, uint32_t i, uint32_t j) {
 }
 
 // Offers every pair whose centres lie in the same cube or in neighbouring cubes of the given side: all pairs up to that
-// distance, each at least once. An open-addressing table has a chain of balls for every cube; the key of a slot is the
-// cube of its first ball.
+// distance, each at least once. The number of a cube is its first ball, from which a chain leads to the others.
 void offer_neighbouring_cubes(CubeGrid &grid, int64_t side, ClosestPair &closest) {
   const BallSet &balls = grid.balls();
-  const Span<uint32_t> slots = grid.scratch_slots();
   const Span<uint32_t> next = grid.scratch_links();
-  const uint32_t size = static_cast<uint32_t>(CubeTable::slots_for(balls.n));
-  for (uint32_t k = 0; k < size; ++k) slots[k] = no_id;
-
-  const auto slot_of = [&](const CubeCoordinates &cube) {
-    CubeProbe probe(linear_hash(cube), size);
-    while (slots[probe.slot] != no_id && !(CubeGrid::cube_at(balls.ball(slots[probe.slot]).centre, side) == cube)) {
-      probe.next();
-    }
-    return probe.slot;
-  };
+  CubeSlots first_balls(grid.scratch_slots());
+  first_balls.clear(balls.n);
+  const auto cube_of = [&](uint32_t ball) { return CubeGrid::cube_at(balls.ball(ball).centre, side); };
+  const auto first_in = [&](const CubeCoordinates &cube) { return first_balls.find(cube, linear_hash(cube), cube_of); };
   for (uint32_t i = 0; i < balls.n; ++i) {
-    const uint32_t slot = slot_of(CubeGrid::cube_at(balls.ball(i).centre, side));
-    next[i] = slots[slot];
-    slots[slot] = i;
+    const uint32_t first = first_in(cube_of(i));
+    if (first == no_id) {
+      next[i] = no_id;
+      first_balls.insert(i, cube_of);
+    } else {
+      next[i] = next[first];
+      next[first] = i;
+    }
   }
   for (uint32_t i = 0; i < balls.n && closest.ratio > 0.0; ++i) {
-    const CubeCoordinates centre = CubeGrid::cube_at(balls.ball(i).centre, side);
+    const CubeCoordinates centre = cube_of(i);
     for (int64_t dz = -1; dz <= 1; ++dz) {
       for (int64_t dy = -1; dy <= 1; ++dy) {
         for (int64_t dx = -1; dx <= 1; ++dx) {
-          uint32_t j = slots[slot_of({centre.x + dx, centre.y + dy, centre.z + dz})];
+          uint32_t j = first_in({centre.x + dx, centre.y + dy, centre.z + dz});
           for (; j != no_id; j = next[j]) {
             if (j > i) closest.offer(balls, i, j);
           }

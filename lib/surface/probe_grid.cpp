@@ -1,6 +1,8 @@
 #include "surface/probe_grid.hpp"
 
 #include "core/decimal.hpp"
+#include "core/first_index.hpp"
+#include "core/sorting.hpp"
 #include "sphere/caps.hpp"
 #include "surface/probe_positions.hpp"
 
@@ -9,6 +11,8 @@ namespace {
 
 constexpr uint32_t spare_probes = 7;
 constexpr uint32_t least_buckets = 128;
+// Probes in one bucket whose cubes are not that of the first of them.
+constexpr uint32_t most_of_others = 64;
 // What a probe sees beside a point where two of its balls touch (probe_positions.hpp).
 constexpr double lune_of_touching = pi;
 
@@ -52,6 +56,9 @@ uint32_t buckets_for(uint32_t vertices) {
 int64_t floor_of(double x) {
   const int64_t truncated = static_cast<int64_t>(x);
   return truncated - static_cast<int64_t>(static_cast<double>(truncated) > x);
+}
+CubeCoordinates cube_at(const Vec3 &place) {
+  return {floor_of(place.x), floor_of(place.y), floor_of(place.z)};
 }
 
 void widen(double x, double &low, double &high) {
@@ -182,10 +189,49 @@ Vec3 ProbeGrid::in_units(const BallSet &balls, const Position &position) const {
           ((balls.z[b] - centre_.z) + position.offset.z) * inverse_side_};
 }
 
+CubeCoordinates ProbeGrid::cube_of(const BallSet &balls, uint32_t vertex) const {
+  return cube_at(in_units(balls, place_[vertex]));
+}
+
 uint32_t ProbeGrid::bucket_of(const Vec3 &place) const {
-  const uint64_t bucket = static_cast<uint64_t>(floor_of(place.x)) + static_cast<uint64_t>(floor_of(place.y)) * step_y +
-                          static_cast<uint64_t>(floor_of(place.z)) * step_z;
+  const CubeCoordinates cube = cube_at(place);
+  const uint64_t bucket =
+      static_cast<uint64_t>(cube.x) + static_cast<uint64_t>(cube.y) * step_y + static_cast<uint64_t>(cube.z) * step_z;
   return static_cast<uint32_t>(bucket) & (buckets_ - 1);
+}
+
+bool ProbeGrid::mixes_cubes(const BallSet &balls) const {
+  for (uint32_t bucket = 0; bucket < buckets_; ++bucket) {
+    const uint32_t first = first_[bucket], last = first_[bucket + 1];
+    if (last - first <= most_of_others) continue;
+    const CubeCoordinates cube = cube_of(balls, vertex_[first]);
+    uint32_t others = 0;
+    for (uint32_t k = first; k < last; ++k) others += static_cast<uint32_t>(!(cube_of(balls, vertex_[k]) == cube));
+    if (others > most_of_others) return true;
+  }
+  return false;
+}
+
+// By cubes as in a bucket of each: in one of them by vertices.
+void ProbeGrid::sort_by_cubes(const BallSet &balls) {
+  buckets_ = 0;
+  sort_in_place(vertex_.part(0, probes_), [&](uint32_t v, uint32_t w) {
+    const CubeCoordinates a = cube_of(balls, v), b = cube_of(balls, w);
+    return a == b ? v < w : comes_before(a, b);
+  });
+  for (uint32_t k = 0; k < probes_; ++k) store(k, in_units(balls, place_[vertex_[k]]), vertex_[k]);
+}
+
+void ProbeGrid::store(uint32_t to, const Vec3 &place, uint32_t vertex) {
+  x_[to] = static_cast<float>(place.x);
+  y_[to] = static_cast<float>(place.y);
+  z_[to] = static_cast<float>(place.z);
+  vertex_[to] = vertex;
+}
+
+// Of probes that are sorted by their cubes, the first that is in this one or behind.
+uint32_t ProbeGrid::first_from(const BallSet &balls, const CubeCoordinates &cube) const {
+  return first_index(0, probes_, [&](uint32_t k) { return !comes_before(cube_of(balls, vertex_[k]), cube); });
 }
 
 void ProbeGrid::place_all(const BallSet &balls, const Boundary &boundary) {
@@ -234,6 +280,7 @@ void ProbeGrid::build(const BallSet &balls, const Boundary &boundary) {
   choose_units(balls);
   place_all(balls, boundary);
   lay_out(n);
+  probes_ = n;
   buckets_ = buckets_for(n);
   // Counting sort: first_[b] counts bucket b, then is where it ends, then where it starts.
   for (uint32_t b = 0; b <= buckets_; ++b) first_[b] = 0;
@@ -245,12 +292,9 @@ void ProbeGrid::build(const BallSet &balls, const Boundary &boundary) {
   }
   for (uint32_t v = n; v-- > 0;) {
     const Vec3 place = in_units(balls, place_[v]);
-    const uint32_t to = --first_[bucket_of(place)];
-    x_[to] = static_cast<float>(place.x);
-    y_[to] = static_cast<float>(place.y);
-    z_[to] = static_cast<float>(place.z);
-    vertex_[to] = v;
+    store(--first_[bucket_of(place)], place, v);
   }
+  if (mixes_cubes(balls)) sort_by_cubes(balls);
   for (uint32_t k = n; k < n + spare_probes; ++k) x_[k] = y_[k] = z_[k] = 0.0F;
 }
 
@@ -268,10 +312,21 @@ void ProbeGrid::start_search(const BallSet &balls, uint32_t vertex, ProbeSearch 
   search.margin = margin_;
   search.at = 0;
   uint32_t ranges = 0;
-  const auto add = [&](uint32_t first, uint32_t last) {
-    search.range[ranges] = {first_[first], first_[last]};
-    ranges += static_cast<uint32_t>(first_[first] != first_[last]);
+  const auto add_range = [&](uint32_t first, uint32_t last) {
+    search.range[ranges] = {first, last};
+    ranges += static_cast<uint32_t>(first != last);
   };
+  if (buckets_ == 0) {
+    const CubeCoordinates cube = cube_at(place);
+    for (int64_t z = cube.z - 1; z <= cube.z + 1; ++z) {
+      for (int64_t y = cube.y - 1; y <= cube.y + 1; ++y) {
+        add_range(first_from(balls, {cube.x - 1, y, z}), first_from(balls, {cube.x + 2, y, z}));
+      }
+    }
+    search.ranges = ranges;
+    return;
+  }
+  const auto add = [&](uint32_t first, uint32_t last) { add_range(first_[first], first_[last]); };
   const uint32_t mask = buckets_ - 1;
   const uint32_t bucket = bucket_of(place);
   for (uint32_t z = 0; z < 3; ++z) {

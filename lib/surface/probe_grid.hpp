@@ -4,6 +4,8 @@
 // A cube (x, y, z) belongs to bucket x + B y + C z modulo the number of buckets, so that three cubes of a row are
 // neighbouring buckets and what lies in them is one range of the sorted probes, or two where buckets start anew. B and
 // C keep the nine rows around a cube apart. A bucket may hold the probes of several cubes; distances tell them apart.
+// Cubes can be chosen that share a bucket. Where too many probes of others lie in one, all are sorted by their cubes
+// instead, and binary search finds the rows: what is near is found in the same order.
 #pragma once
 
 #include "boundary/boundary.hpp"
@@ -51,6 +53,8 @@ class ProbeGrid {
     return balls.difference(place_.ball[from], place_.ball[to]) + (place_.offset[to] - place_.offset[from]);
   }
 
+  bool has_buckets() const { return buckets_ != 0; }
+
   // What a search around this vertex needs, but for the triangle. It finds the vertex itself, too.
   void start_search(const BallSet &balls, uint32_t vertex, ProbeSearch &search) const;
 
@@ -61,13 +65,19 @@ class ProbeGrid {
   void place_touching(const BallSet &balls, const Boundary &boundary, uint32_t vertex);
   Vec3 in_units(const BallSet &balls, const Position &position) const;
   uint32_t bucket_of(const Vec3 &place) const;
+  CubeCoordinates cube_of(const BallSet &balls, uint32_t vertex) const;
+  bool mixes_cubes(const BallSet &balls) const;
+  void sort_by_cubes(const BallSet &balls);
+  void store(uint32_t to, const Vec3 &place, uint32_t vertex);
+  uint32_t first_from(const BallSet &balls, const CubeCoordinates &cube) const;
 
   ProbePlaces place_;
   Span<uint32_t> first_;   // [buckets + 1]
   Span<double> doubles_;   // the memory of the next four; twice as many as vertices, and more
   Span<float> x_, y_, z_;  // by buckets; seven spare ones may be read behind the last
   Span<uint32_t> vertex_;  // as these
-  uint32_t buckets_ = 1;   // a power of two
+  uint32_t buckets_ = 1;   // a power of two; 0 if probes are sorted by their cubes
+  uint32_t probes_ = 0;
   uint32_t builds_ = 0;
   Vec3 centre_{0, 0, 0};  // in lattice steps, integers
   double inverse_side_ = 0.0;

@@ -1,5 +1,6 @@
-// Balls in cubes, for balls that come and go: those of a cube are a chain in a hash table. A chain belongs to all cubes
-// with its hash; each ball keeps the linear form of its cube, by which those of one cube are told from others.
+// Balls in cubes, for balls that come and go: those of a cube are a chain. The first balls of cubes with the same hash
+// are a digital search tree (cube_slots.hpp), mostly of one: however the cubes are chosen, no way to a chain is longer
+// than a cube has bits.
 #pragma once
 
 #include "core/workspace.hpp"
@@ -18,16 +19,16 @@ class BallCells {
   void remove(uint32_t ball);  // that is there
   int64_t side() const { return side_; }
 
-  // Calls visit(ball) for every ball of the cubes that a box meets, each once, and maybe for a few others.
+  // Calls visit(ball) for every ball of the cubes that a box meets, each once; of a box with more cubes than there are
+  // balls, for every ball.
   template <class Visit>
   void visit_box(const exact::Vector &low, const exact::Vector &high, Visit visit) const {
     const CubeAxis axis(side_);
     const CubeCoordinates first = axis.cube_at(low), last = axis.cube_at(high);
-    // Linear forms of different cubes are different as long as these are not far from each other.
     const int64_t cubes = (last.x - first.x + 1) * (last.y - first.y + 1) * (last.z - first.z + 1);
-    if (cubes > balls_ || cubes > most_cubes) {
-      for (uint32_t bucket = 0; bucket < used_; ++bucket) {
-        for (uint32_t ball = first_[bucket]; ball != no_id; ball = next_[ball]) visit(ball);
+    if (cubes > balls_) {
+      for (uint32_t ball = 0; ball < balls_; ++ball) {
+        if (is_there(ball)) visit(ball);
       }
       return;
     }
@@ -36,13 +37,13 @@ class BallCells {
       for (int64_t y = first.y; y <= last.y; ++y) {
         uint64_t linear = linear_hash({first.x, y, z});
         for (int64_t x = first.x; x <= last.x; ++x, linear += along_x) {
-          for (uint32_t ball = first_[bucket_of(linear)]; ball != no_id; ball = next_[ball]) {
-            if (linear_[ball] == linear) visit(ball);
-          }
+          for (uint32_t ball = first_in({x, y, z}, linear); ball != no_id; ball = next_[ball]) visit(ball);
         }
       }
     }
   }
+  // The most first balls that are looked at on the way to those of a cube.
+  uint32_t longest_way() const;
 
   // The same for every ball that may meet or touch the given one.
   template <class Visit>
@@ -90,13 +91,19 @@ class BallCells {
   }
 
  private:
-  // Boxes that are asked for have at most seven cubes along each axis.
-  static constexpr int64_t most_cubes = 512;
   uint32_t bucket_of(uint64_t linear) const { return CubeProbe(linear, used_).slot; }
+  uint32_t first_in(const CubeCoordinates &cube, uint64_t linear) const {
+    uint32_t ball = first_[bucket_of(linear)];
+    for (CubePath path(cube); ball != no_id && !(cube_[ball] == cube);) ball = link_[path.link_of(ball)];
+    return ball;
+  }
+  uint32_t &link_to(const CubeCoordinates &cube);
+  bool is_there(uint32_t ball) const { return next_[ball] != ball; }
 
-  Span<uint32_t> first_;  // [buckets]
-  Span<uint32_t> next_;   // [balls]
-  Span<uint64_t> linear_;
+  Span<uint32_t> first_;  // [buckets] the root of the tree
+  Span<uint32_t> link_;   // [2 balls] of first balls of their cubes, to what is below in the tree
+  Span<uint32_t> next_;   // [balls] in the same cube; the ball itself if it is not there
+  Span<CubeCoordinates> cube_;
   uint32_t used_ = 1;
   uint32_t balls_ = 0;
   int64_t side_ = 1;

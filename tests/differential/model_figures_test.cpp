@@ -72,6 +72,11 @@ TEST(Figures, OfSparseSetsWhoseClosestPairIsManyCubesApart) {
   }
 }
 
+TEST(Figures, OfCollidingCubes) {
+  RandomSource random(44);
+  for (int k = 0; k < 40; ++k) expect_figures(oracle::colliding_balls(random, static_cast<size_t>(random.in(2, 500))));
+}
+
 TEST(Figures, WhereTheSmallestRatioIsNotTheSmallestDistance) {
   // rho divides by the larger radius: the pair that attains it may be the farther one.
   expect_figures({{0, 0, 0, 1}, {3, 0, 0, 1}, {1000, 0, 0, 100}, {1000, 120, 0, 50}});

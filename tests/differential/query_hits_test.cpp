@@ -169,6 +169,13 @@ TEST(Queries, OfRandomSets) {
   }
 }
 
+TEST(Queries, OfCollidingCubes) {
+  RandomSource random(36);
+  for (int k = 0; k < 20; ++k) {
+    expect_all(oracle::colliding_balls(random, static_cast<size_t>(random.in(200, 400))), random, 60);
+  }
+}
+
 TEST(Queries, OfDegenerateSets) {
   RandomSource random(33);
   for (int k = 0; k < 2500; ++k)

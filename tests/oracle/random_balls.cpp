@@ -242,6 +242,24 @@ Balls crowned_balls(RandomSource &random, size_t n) {
   return balls;
 }
 
+Balls colliding_balls(RandomSource &random, size_t n) {
+  const LatticePoint &step = colliding_steps[static_cast<size_t>(random.in(0, 1))];
+  const int64_t radius = random.in(1, 30);
+  const int64_t side = 2 * radius;
+  const int64_t most = random.in(1, 4);
+  Balls balls;
+  for (int64_t group = 0; balls.size() < n; ++group) {
+    const LatticePoint corner = {4 * side * group * step[0], 4 * side * group * step[1], 4 * side * group * step[2]};
+    for (int64_t k = random.in(1, most); k > 0 && balls.size() < n; --k) {
+      const bool nearby = random.one_in(2);
+      const auto place = [&] { return !nearby ? random.in(0, side - 1) : random.in(-side, 2 * side); };
+      const int64_t x = place(), y = place(), z = place();
+      balls.push_back({corner[0] + x, corner[1] + y, corner[2] + z, balls.empty() ? radius : random.in(1, radius)});
+    }
+  }
+  return permuted(balls, random.permutation(n));
+}
+
 Balls degenerate_balls(RandomSource &random, size_t n) {
   using Maker = Balls (*)(RandomSource &, size_t);
   constexpr std::array<Maker, 8> makers = {grid_balls,           coplanar_balls, collinear_balls, balls_through_point,

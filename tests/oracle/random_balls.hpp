@@ -1,6 +1,7 @@
 // Random sets of balls, the same on every machine.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <random>
 #include <vector>
@@ -47,6 +48,13 @@ Balls repeated_balls(RandomSource &random, size_t n);        // duplicates, conc
 
 // A ball with whole rings of balls around integer points of a sphere: nested loops and ties at once. At least 9 balls.
 Balls crowned_balls(RandomSource &random, size_t n);
+
+// Groups of one to four balls whose cubes, of side twice the largest radius and four times that, have hashes that are
+// the same for all groups (lib/model/cube_slots.hpp): multiples of these steps, for which the linear form that the hash
+// begins with is 0 modulo 2^64. The second step has no z, for squares of a view.
+inline constexpr std::array<LatticePoint, 2> colliding_steps = {
+    {{852863, 1285698, 183727}, {1346530022, 1795967550, 0}}};
+Balls colliding_balls(RandomSource &random, size_t n);
 
 // One of the tied kinds above but crowned_balls, or a mixture of two.
 Balls degenerate_balls(RandomSource &random, size_t n);

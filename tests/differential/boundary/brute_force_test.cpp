@@ -36,22 +36,19 @@ TEST_P(RandomBoundary, IsThatOfBruteForce) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, RandomBoundary,
-                         testing::Values(Kind{"loose", oracle::loose_balls, 500, 2, 25},
-                                         Kind{"dense", oracle::dense_balls, 500, 2, 14},
-                                         Kind{"clustered", oracle::clustered_balls, 500, 5, 24},
-                                         Kind{"belted", oracle::belted_balls, 500, 6, 30},
-                                         Kind{"grid", oracle::grid_balls, 1500, 2, 11},
-                                         Kind{"coplanar", oracle::coplanar_balls, 500, 2, 11},
-                                         Kind{"collinear", oracle::collinear_balls, 500, 2, 9},
-                                         Kind{"through_point", oracle::balls_through_point, 1000, 2, 11},
-                                         Kind{"through_circle", oracle::balls_through_circle, 500, 2, 9},
-                                         Kind{"tangent", oracle::tangent_balls, 1000, 2, 11},
-                                         Kind{"lattice", oracle::lattice_balls, 500, 4, 16},
-                                         Kind{"repeated", oracle::repeated_balls, 500, 2, 12},
-                                         Kind{"crowned", oracle::crowned_balls, 500, 9, 34},
-                                         Kind{"mixed", oracle::degenerate_balls, 1000, 4, 12}),
-                         [](const auto &kind) { return std::string(kind.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, RandomBoundary,
+    testing::Values(
+        Kind{"loose", oracle::loose_balls, 500, 2, 25}, Kind{"dense", oracle::dense_balls, 500, 2, 14},
+        Kind{"clustered", oracle::clustered_balls, 500, 5, 24}, Kind{"belted", oracle::belted_balls, 500, 6, 30},
+        Kind{"grid", oracle::grid_balls, 1500, 2, 11}, Kind{"coplanar", oracle::coplanar_balls, 500, 2, 11},
+        Kind{"collinear", oracle::collinear_balls, 500, 2, 9},
+        Kind{"through_point", oracle::balls_through_point, 1000, 2, 11},
+        Kind{"through_circle", oracle::balls_through_circle, 500, 2, 9},
+        Kind{"tangent", oracle::tangent_balls, 1000, 2, 11}, Kind{"lattice", oracle::lattice_balls, 500, 4, 16},
+        Kind{"repeated", oracle::repeated_balls, 500, 2, 12}, Kind{"crowned", oracle::crowned_balls, 500, 9, 34},
+        Kind{"colliding", oracle::colliding_balls, 8, 200, 300}, Kind{"mixed", oracle::degenerate_balls, 1000, 4, 12}),
+    [](const auto &kind) { return std::string(kind.param.name); });
 
 class NamedBoundary : public testing::TestWithParam<oracle::KnownBalls> {};
 

@@ -3,6 +3,7 @@
 // the only way to see these answers.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <utility>
 
@@ -182,7 +183,9 @@ const std::vector<Flaw> flaws = {
      }},
 };
 
+// Numbers left in the memory for checks mean nothing.
 hsp::Violation checked(BuiltBoundary &boundary) {
+  for (uint32_t &number : boundary.scratch()) number = 0xA5A5A5A5U;
   return hsp::check_boundary(boundary.balls(), boundary.boundary(), boundary.scratch());
 }
 
@@ -258,6 +261,134 @@ TEST(BoundaryCheck, FindsArcsThatEndElsewhere) {
   ASSERT_EQ(along.size(), 2U);
   std::swap(arrays.half_edges[along[0]].next, arrays.half_edges[along[1]].next);
   EXPECT_EQ(checked(boundary).invariant, BoundaryInvariant::twins);
+}
+
+// One number at a time is wrong, of each record in turn: the first and the last ones count, too. In sets besides the
+// scene all balls are alike, so that also the first and the last ball have vertices, or circles.
+class EachInTurn {
+ public:
+  explicit EachInTurn(const oracle::Balls &balls) : built_(balls) {
+    EXPECT_EQ(built_.status(), hsp::Status::ok);
+    EXPECT_EQ(checked(built_).invariant, BoundaryInvariant::none);
+  }
+
+  template <class Number>
+  void expect(Number &number, const Number &wrong, BoundaryInvariant invariant, uint32_t id) {
+    const Number right = std::exchange(number, wrong);
+    const hsp::Violation violation = checked(built_);
+    EXPECT_EQ(violation.invariant, invariant);
+    if (id != anywhere) {
+      EXPECT_EQ(violation.id, id);
+    }
+    number = right;
+  }
+  BoundaryArrays &arrays() { return built_.arrays(); }
+  const hsp::Boundary &boundary() const { return built_.boundary(); }
+  uint32_t balls() const { return built_.balls().n; }
+
+ private:
+  BuiltBoundary built_;
+};
+
+const oracle::Balls three = {{0, 0, 0, 1000}, {1000, 0, 0, 1000}, {500, 800, 0, 1000}};
+const oracle::Balls two = {{0, 0, 0, 1000}, {1000, 0, 0, 1000}};
+oracle::Balls twice(oracle::Balls balls) {
+  for (size_t k = balls.size(); k-- > 0;) balls.push_back({balls[k].x, balls[k].y, 50000, balls[k].radius});
+  return balls;
+}
+
+TEST(BoundaryCheck, FindsEveryWrongVertex) {
+  for (const oracle::Balls &balls : {scene, twice(three)}) {
+    EachInTurn each(balls);
+    BoundaryArrays &a = each.arrays();
+    const auto first_with = [&](uint32_t ball) {
+      uint32_t v = 0;
+      while (std::count(a.vertices[v].ball, a.vertices[v].ball + 3, ball) == 0) ++v;
+      return v;
+    };
+    for (uint32_t v = 0; v < a.vertices.size(); ++v) {
+      for (uint32_t &ball : a.vertices[v].ball) {
+        each.expect(ball, each.balls(), BoundaryInvariant::vertices, v);
+        uint8_t &state = a.ball_state[ball];
+        each.expect(state, static_cast<uint8_t>(state | BoundaryArrays::contained), BoundaryInvariant::vertices,
+                    first_with(ball));
+      }
+      each.expect(a.vertices[v].code, a.vertices[v].code ^ hsp::VertexRecord::positive_bit,
+                  BoundaryInvariant::half_edges, v);
+      for (uint32_t t = 0; t < 3; ++t) {
+        const uint32_t next = v + 1 < a.vertices.size() ? v + 1 : 0;
+        each.expect(a.half_edge_at[3 * v + t], a.half_edge_at[3 * next + t], BoundaryInvariant::half_edges, v);
+      }
+    }
+  }
+}
+
+TEST(BoundaryCheck, FindsEveryWrongHalfEdge) {
+  for (const oracle::Balls &balls : {scene, twice(three)}) {
+    EachInTurn each(balls);
+    BoundaryArrays &a = each.arrays();
+    const uint32_t last = each.boundary().half_edge_count() - 1;
+    for (uint32_t u = 0; u <= last; ++u) {
+      const uint32_t ball = each.boundary().ball_of(each.boundary().face_of(u));
+      const uint32_t elsewhere = each.boundary().half_edges(ball).contains(0) ? last : 0;
+      each.expect(a.half_edges[u].next, elsewhere, BoundaryInvariant::successors, u);
+      each.expect(a.half_edges[u].loop, a.half_edges[elsewhere].loop, BoundaryInvariant::loops, anywhere);
+    }
+  }
+}
+
+// Of four half-edges that are no twins then the first is named.
+TEST(BoundaryCheck, FindsEveryPairOfArcsThatEndElsewhere) {
+  EachInTurn each({{0, 0, 800, 1000}, {0, 1000, 800, 1000}, {433, 500, 1550, 300}, {433, 500, 50, 300}});
+  BoundaryArrays &a = each.arrays();
+  uint32_t lowest = anywhere;
+  for (uint32_t u = 0; u < each.boundary().half_edge_count(); ++u) {
+    for (uint32_t w = u + 1; w < each.boundary().half_edge_count(); ++w) {
+      const bool alike =
+          a.half_edges[u].circle == a.half_edges[w].circle && a.half_edges[u].loop == a.half_edges[w].loop;
+      if (!alike) continue;
+      const uint32_t first = std::min({u, each.boundary().twin(u), each.boundary().twin(w)});
+      lowest = std::min(lowest, first);
+      const uint32_t next = std::exchange(a.half_edges[u].next, a.half_edges[w].next);
+      each.expect(a.half_edges[w].next, next, BoundaryInvariant::twins, first);
+      a.half_edges[u].next = next;
+    }
+  }
+  EXPECT_EQ(lowest, 0U);
+}
+
+TEST(BoundaryCheck, FindsEveryWrongCircleLoopAndFace) {
+  for (const oracle::Balls &balls : {scene, twice(three), twice(two)}) {
+    EachInTurn each(balls);
+    BoundaryArrays &a = each.arrays();
+    for (uint32_t c = 0; c < a.circles.size(); ++c) {
+      for (uint32_t side = 0; side < 2; ++side) {
+        const uint32_t loop = a.circles[c].loop[side];
+        each.expect(a.loop_start[loop], hsp::LoopElement::circle({c, 1 - side}), BoundaryInvariant::loops, loop);
+      }
+    }
+    for (uint32_t loop = 0; loop < a.loop_count; ++loop) {
+      const uint32_t face = a.loop_face[loop];
+      each.expect(a.loop_face[loop], face == 0 ? 1U : 0U, BoundaryInvariant::faces, face);
+    }
+    for (uint32_t f = 0; f < a.face_count; ++f) {
+      each.expect(a.faces[f].ball, each.balls(), BoundaryInvariant::faces, f);
+      each.expect(a.faces[f].shell, a.shell_count, BoundaryInvariant::shells, f);
+    }
+  }
+}
+
+// The face before the first arc between two shells is named.
+TEST(BoundaryCheck, FindsEveryFaceInAnotherShell) {
+  EachInTurn each(twice(three));
+  BoundaryArrays &a = each.arrays();
+  ASSERT_EQ(a.shell_count, 2U);
+  for (uint32_t f = 1; f < a.face_count; ++f) {
+    if (a.faces[f].shell == 1 && a.faces[f - 1].shell == 0) continue;  // no other face would begin the second shell
+    uint32_t u = 0;
+    while (each.boundary().face_of(u) != f && each.boundary().face_of(each.boundary().twin(u)) != f) ++u;
+    each.expect(a.faces[f].shell, 1 - a.faces[f].shell, BoundaryInvariant::shells, each.boundary().face_of(u));
+  }
 }
 
 }  // namespace

@@ -113,6 +113,30 @@ void check(const Balls &balls, uint32_t &empty_seen) {
   ASSERT_EQ(calls, listed.size());
 }
 
+// Around every ball: the set is too wide for all cubes of the box.
+TEST(CubeCover, OfCollidingCubes) {
+  oracle::RandomSource random(2);
+  for (int time = 0; time < 4; ++time) {
+    const BuiltFreeSpace built(oracle::colliding_balls(random, 200));
+    const hsp::CubeCover &cover = built.space().cover;
+    const int64_t side = built.grid().side();
+    for (uint32_t i = 0; i < built.balls().n; ++i) {
+      const CubeCoordinates at = built.grid().cube_at(built.balls().ball(i).centre);
+      const Box box{{at.x - 1, at.y - 1, at.z - 1}, {at.x + 1, at.y + 1, at.z + 1}};
+      box.for_each([&](const CubeCoordinates &cube) {
+        std::vector<uint32_t> expected;
+        for (uint32_t j = 0; j < built.balls().n; ++j) {
+          if (meets(built.balls().ball(j), cube, side)) expected.push_back(j);
+        }
+        const uint32_t k = cover.find(cube);
+        ASSERT_EQ(k == no_id, expected.empty());
+        if (k == no_id) return;
+        ASSERT_EQ(std::vector<uint32_t>(cover.balls(k).begin(), cover.balls(k).end()), expected);
+      });
+    }
+  }
+}
+
 TEST(CubeCover, IsThatOfAllPairs) {
   oracle::RandomSource random(1);
   uint32_t empty = 0;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "built_free_space.hpp"
@@ -34,22 +35,34 @@ class FreeSpaceCheckTest : public testing::Test {
     return no_id;
   }
 
+  // One number is wrong for a while.
+  template <class Number>
+  void expect(Number &number, Number wrong, FreeSpaceInvariant invariant, uint32_t id) {
+    const Number right = std::exchange(number, wrong);
+    expect(invariant, id);
+    number = right;
+  }
+
+  using Lists = std::vector<std::vector<uint32_t>>;
   // The lists from the pairs.
-  void list_neighbours() {
-    const uint32_t cells = space().cell_count();
-    std::vector<std::vector<uint32_t>> lists(cells);
+  Lists neighbour_lists() {
+    Lists lists(space().cell_count());
     for (const auto &pair : space().contacts.items()) {
       lists[pair.cell[0]].push_back(pair.cell[1]);
       lists[pair.cell[1]].push_back(pair.cell[0]);
     }
+    for (auto &list : lists) std::sort(list.begin(), list.end());
+    return lists;
+  }
+  void store(const Lists &lists) {
     uint32_t at = 0;
-    for (uint32_t c = 0; c < cells; ++c) {
+    for (uint32_t c = 0; c < lists.size(); ++c) {
       space().first_neighbour[c] = at;
-      std::sort(lists[c].begin(), lists[c].end());
       for (const uint32_t other : lists[c]) space().neighbour[at++] = other;
     }
-    space().first_neighbour[cells] = at;
+    space().first_neighbour[space().cell_count()] = at;
   }
+  void list_neighbours() { store(neighbour_lists()); }
 
   BuiltFreeSpace built_{oracle::cage_of_26(100, 75)};
 };
@@ -162,6 +175,53 @@ TEST_F(FreeSpaceCheckTest, SeesANeighbourThatIsMissing) {
   space().contacts.shrink(last);
   list_neighbours();
   EXPECT_EQ(check().invariant, FreeSpaceInvariant::facets);
+}
+
+// The first and the last one, too.
+TEST_F(FreeSpaceCheckTest, SeesEveryCellThatIsWrong) {
+  const uint32_t cells = space().cell_count(), runs = space().run_count();
+  for (uint32_t c = 0; c < cells; ++c) {
+    hsp::FreeCell &cell = space().cells[c];
+    expect(cell.region, space().region_count(), FreeSpaceInvariant::records, c);
+    expect(cell.region, cell.region ^ 1U, FreeSpaceInvariant::regions, c);
+    if (c >= runs) expect(cell.ball, (cell.ball + 1) % 26, FreeSpaceInvariant::records, c);
+    if (c + 1 < cells) {
+      expect(space().first_neighbour[c + 1], 2 * space().adjacency_count() + 1, FreeSpaceInvariant::neighbours, c);
+    }
+  }
+  for (auto &pair : space().contacts.items()) {
+    expect(pair.cell[1], pair.cell[0], FreeSpaceInvariant::neighbours, pair.cell[0]);
+  }
+}
+
+// Of the first cell and of the last one, at the ends of their lists.
+TEST_F(FreeSpaceCheckTest, SeesAStrangerAtEitherEndOfAList) {
+  const Lists right = neighbour_lists();
+  const uint32_t last = space().cell_count() - 1;
+  Lists lists = right;
+  lists[0].front() = 0;
+  store(lists);
+  expect(FreeSpaceInvariant::neighbours, 0);
+  lists = right;
+  ASSERT_LT(lists[0].back(), last);
+  lists[0].back() = last;
+  store(lists);
+  expect(FreeSpaceInvariant::neighbours, 0);
+  // In place of one neighbour, which does not know the last cell any more, two others.
+  lists = right;
+  const uint32_t gone = lists[last].back();
+  std::erase(lists[gone], last);
+  lists[last].pop_back();
+  for (uint32_t stranger = 0, count = 0; count < 2; ++stranger) {
+    if (std::count(right[last].begin(), right[last].end(), stranger) > 0) continue;
+    lists[last].push_back(stranger);
+    ++count;
+  }
+  std::sort(lists[last].begin(), lists[last].end());
+  store(lists);
+  expect(FreeSpaceInvariant::neighbours, last);
+  store(right);
+  expect(FreeSpaceInvariant::none, no_id);
 }
 
 }  // namespace

@@ -61,4 +61,31 @@ TEST_F(ContactsCheckTest, SeesAVolumeThatIsALittleOff) {
   EXPECT_EQ(check().invariant, ContactInvariant::volume);
 }
 
+// The first and the last one, too.
+TEST_F(ContactsCheckTest, SeesEveryContactThatIsImpossible) {
+  const uint32_t count = built_.contacts().contact_count();
+  ASSERT_GT(count, 20U);
+  for (uint32_t id = 0; id < count; ++id) {
+    const hsp::ContactRecord right = arrays().contacts[id];
+    for (double hsp::ContactRecord::*number : {&hsp::ContactRecord::area, &hsp::ContactRecord::edge}) {
+      for (const double wrong : {-1.0, 1e300}) {
+        arrays().contacts[id].*number = wrong;
+        EXPECT_EQ(check().invariant, ContactInvariant::records);
+        EXPECT_EQ(check().id, id);
+        arrays().contacts[id] = right;
+      }
+    }
+  }
+}
+
+TEST_F(ContactsCheckTest, SeesEveryAreaThatIsALittleOff) {
+  for (uint32_t id = 0; id < built_.contacts().contact_count(); ++id) {
+    const hsp::ContactRecord right = arrays().contacts[id];
+    arrays().contacts[id].area += 1e-4;
+    EXPECT_EQ(check().invariant, ContactInvariant::closure);
+    EXPECT_EQ(check().id, right.ball[0]);
+    arrays().contacts[id] = right;
+  }
+}
+
 }  // namespace

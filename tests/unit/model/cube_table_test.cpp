@@ -1,4 +1,4 @@
-// The open-addressing table: every cube is found again, absent ones are not, whatever the coordinates.
+// The table of cubes: every cube is found again, absent ones are not, whatever the coordinates.
 #include "model/cube_table.hpp"
 
 #include <gtest/gtest.h>
@@ -7,6 +7,7 @@
 #include <tuple>
 #include <vector>
 
+#include "colliding_cubes.hpp"
 #include "random_balls.hpp"
 
 namespace {
@@ -39,7 +40,7 @@ void expect_like_a_map(const std::vector<hsp::CubeCoordinates> &cubes, uint32_t 
     EXPECT_EQ(own.table.find({x, y, z}), number);
     EXPECT_EQ(own.table.find({x, y, z + (int64_t{1} << 40)}), hsp::no_id);
   }
-  EXPECT_LE(own.table.longest_probe(), most_probes);
+  EXPECT_LE(own.table.longest_search(), most_probes);
 }
 
 // Cubes that are inserted together have the numbers and the table of those inserted one by one; where there is room for
@@ -57,7 +58,7 @@ TEST(CubeTable, ManyAtOnce) {
     EXPECT_EQ(together.table.count(), n);
     for (uint32_t k = 0; k < n; ++k) EXPECT_EQ(together.table.find({k % 10, k / 10, -7}), k);
     EXPECT_EQ(together.table.find({0, 0, 7}), hsp::no_id);
-    EXPECT_EQ(together.table.longest_probe(), one_by_one.table.longest_probe());
+    EXPECT_EQ(together.table.longest_search(), one_by_one.table.longest_search());
     if (n == 0) continue;
     EXPECT_EQ(together.table.low(), one_by_one.table.low());
     EXPECT_EQ(together.table.high(), one_by_one.table.high());
@@ -89,6 +90,29 @@ TEST(CubeTable, RandomWithRepeats) {
     cubes.push_back({random.in(-10, 9), random.in(-10, 9), random.in(-20, 19)});
   }
   expect_like_a_map(cubes, 40);
+}
+
+// All have the same hash; the larger table finds slots by bits.
+TEST(CubeTable, CollidingCubesManyAtOnce) {
+  for (const uint32_t n : {64U, 65U, 1000U, 40000U}) {
+    Table own(n);
+    for (uint32_t k = 0; k < n; ++k) own.table.push(colliding_cube(k));
+    std::vector<uint32_t> scratch(own.slots.size() / 32 + 1, 0xAAAAAAAA);
+    own.table.insert_all({scratch.data(), static_cast<uint32_t>(scratch.size())});
+    EXPECT_LE(own.table.longest_search(), 64U);
+    for (uint32_t k = 0; k < n; ++k) {
+      const hsp::CubeCoordinates cube = colliding_cube(k);
+      ASSERT_EQ(own.table.find(cube), k);
+      ASSERT_EQ(own.table.find({cube.x + 1, cube.y, cube.z}), hsp::no_id);
+    }
+    EXPECT_EQ(own.table.find(colliding_cube(n)), hsp::no_id);
+  }
+}
+
+TEST(CubeTable, CollidingCubesOneByOne) {
+  std::vector<hsp::CubeCoordinates> cubes;
+  for (int64_t k = 0; k < 5000; ++k) cubes.push_back(colliding_cube(k * 7 % 4000));
+  expect_like_a_map(cubes, 64);
 }
 
 TEST(CubeTable, SmallestTablesAreNeverFull) {

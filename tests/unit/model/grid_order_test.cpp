@@ -85,11 +85,15 @@ void expect_order(std::vector<hsp::exact::LatticeBall> given, int64_t side, uint
   EXPECT_EQ(found.entries.data(), entries.data());
   for (uint32_t k = 0; found.keys_tell_cubes && k < set.n;) k = sort_slice(SourceOf{set.balls}, found, k).last;
   EXPECT_EQ(balls_of(found), expected) << where();
-  for (uint32_t k = 1; found.keys_tell_cubes && k < set.n; ++k) {
-    ASSERT_EQ(found.cube_key(k - 1) == found.cube_key(k), cube(expected[k - 1]) == cube(expected[k])) << where();
-  }
-  EXPECT_EQ(balls_of(hsp::grid_order_by_comparing(set.balls, axis, span_of(entries))), expected)
-      << where() << ", by comparing";
+  const auto expect_keys = [&](const hsp::GridOrder &order) {
+    for (uint32_t k = 1; order.keys_tell_cubes && k < set.n; ++k) {
+      ASSERT_EQ(order.cube_key(k - 1) == order.cube_key(k), cube(expected[k - 1]) == cube(expected[k])) << where();
+    }
+  };
+  expect_keys(found);
+  const hsp::GridOrder compared = hsp::grid_order_by_comparing(set.balls, axis, span_of(entries));
+  EXPECT_EQ(balls_of(compared), expected) << where() << ", by comparing";
+  expect_keys(compared);
 }
 
 TEST(GridOrder, IsByCubeAndRank) {

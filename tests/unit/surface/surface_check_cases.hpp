@@ -84,6 +84,33 @@ inline uint32_t wrong_sums_are_named() {
   return checked() == hsp::SurfaceInvariant::none ? all_hold : 3;
 }
 
+// Both cut patches of the throat, of one piece each: what its pieces are is not what it is, or both are wrong.
+inline uint32_t every_wrong_patch_is_named() {
+  if (!small_surface().build(three_throat)) return 0;
+  const hsp::Surface &surface = small_surface().builder().surface();
+  const hsp::CutPatches &cut = surface.cut_patches();
+  const hsp::SurfaceMap map(small_union().balls(), small_union().boundary(), surface);
+  const auto finds = [&](hsp::SurfaceInvariant invariant, uint32_t id) {
+    const hsp::SurfaceViolation found = hsp::check_surface(small_union().balls(), small_union().boundary(), surface);
+    return found.invariant == invariant && found.id == id;
+  };
+  const uint32_t vertices = small_union().boundary().vertex_count();
+  for (uint32_t v = 0; v < vertices; ++v) {
+    if (cut.pieces(v).size() != 1) return 100 + v;
+    // Its memory is the builder's.
+    double &of_piece = const_cast<hsp::PatchPiece &>(cut.piece(cut.pieces(v).first)).area;
+    double &of_patch = const_cast<hsp::ConcavePatch &>(cut.patch(v)).area;
+    const double right = of_piece;
+    of_piece *= 1.001;
+    if (!finds(hsp::SurfaceInvariant::areas, v)) return 200 + v;
+    of_patch += of_piece - right;
+    if (!finds(hsp::SurfaceInvariant::closure, map.concave_patch(v, cut.pieces(v).first))) return 300 + v;
+    of_patch -= of_piece - right;
+    of_piece = right;
+  }
+  return vertices == 2 && map.concave_patch(1, cut.pieces(1).first) + 1 == map.patch_count() ? all_hold : 1;
+}
+
 // The probe at (6, 3, 6) lies in the plane of three of its balls' centres, and touches two more, which are equal: the
 // surface is not closed, and says so.
 constexpr SurfaceScene flat_and_tied = {8,
@@ -116,6 +143,7 @@ inline constexpr Check surface_surface_check[] = {{"sound_surfaces", sound_surfa
                                                   {"euler_numbers", euler_numbers},
                                                   {"mistakes_are_named", mistakes_are_named},
                                                   {"wrong_sums_are_named", wrong_sums_are_named},
+                                                  {"every_wrong_patch_is_named", every_wrong_patch_is_named},
                                                   {"open_joints_are_named", open_joints_are_named},
                                                   {"more_faces_than_probes", more_faces_than_probes}};
 

@@ -377,4 +377,56 @@ TEST(TopologyCheck, FindsEveryWrongStep) {
   EXPECT_EQ(checked(built).invariant, TopologyInvariant::none);
 }
 
+// One number at a time is wrong, of each record in turn: the first and the last ones count, too.
+template <class Number>
+void expect_flaw(BuiltTopology &built, Number &number, const Number &wrong, TopologyInvariant invariant, uint32_t id) {
+  const Number right = std::exchange(number, wrong);
+  const TopologyViolation violation = checked(built);
+  EXPECT_EQ(violation.invariant, invariant);
+  EXPECT_EQ(violation.id, id);
+  number = right;
+}
+
+TEST(TopologyCheck, FindsEveryEdgeOfAnotherArc) {
+  BuiltTopology built({{0, 0, 0, 1000}, {1000, 0, 0, 1000}, {500, 800, 0, 1000}});
+  Topology &topology = built.structure();
+  const uint32_t edges = topology.quads.edges;
+  ASSERT_EQ(topology.first_circle_edge, edges);
+  for (uint32_t e = 0; e < edges; ++e) {
+    expect_flaw(built, topology.edge_source[e], topology.edge_source[(e + 1) % edges], TopologyInvariant::sides,
+                hsp::quarter_edge(e));
+  }
+}
+
+TEST(TopologyCheck, FindsEveryWrongShell) {
+  BuiltTopology built(scene());
+  Topology &topology = built.structure();
+  for (uint32_t s = 0; s < topology.shell_count; ++s) {
+    hsp::ShellRecord &shell = topology.shells[s];
+    expect_flaw(built, shell.vertices, shell.vertices + 1, TopologyInvariant::euler, s);
+    expect_flaw(built, shell.component, topology.component_count, TopologyInvariant::cells, s);
+    for (uint32_t k = 0; k < shell.simple_faces; ++k) {
+      expect_flaw(built, topology.traversal[shell.first_traversed + k], topology.face_count,
+                  TopologyInvariant::traversal, s);
+    }
+  }
+}
+
+TEST(TopologyCheck, FindsEveryComponentInItsOwnVoid) {
+  const oracle::Balls cage = oracle::balls_on_sphere(1, 1000, 850);
+  BuiltTopology built(joined(joined(cage, oracle::moved(cage, {0, 0, 20000})), oracle::moved(cage, {0, 0, 40000})));
+  Topology &topology = built.structure();
+  ASSERT_EQ(topology.cell_count, 4U);
+  uint32_t voids = 0;
+  for (uint32_t s = 0; s < topology.shell_count; ++s) {
+    if (!topology.shells[s].is_void) continue;
+    ++voids;
+    const uint32_t c = topology.shells[s].component, cell = topology.shells[s].cell;
+    topology.components[c].cell = cell;
+    expect_flaw(built, topology.shells[topology.components[c].outer_shell].cell, cell, TopologyInvariant::cells, c);
+    topology.components[c].cell = 0;
+  }
+  EXPECT_EQ(voids, 3U);
+}
+
 }  // namespace

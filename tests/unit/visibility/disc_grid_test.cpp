@@ -12,10 +12,18 @@ bool within(const SeenBall &inner, const SeenBall &outer) {
   return inner.r <= outer.r && std::hypot(inner.x - outer.x, inner.y - outer.y, inner.z - outer.z) <= outer.r - inner.r;
 }
 
+// Of many balls the squares collide.
+oracle::Balls balls_for(oracle::RandomSource &random, int time) {
+  return time % 10 == 9 ? oracle::colliding_balls(random, 250) : oracle::any_balls(random, 60);
+}
+std::array<double, 3> towards(int time) {
+  return time % 10 == 9 ? std::array<double, 3>{0, 0, 1} : std::array<double, 3>{1, -2, 3};
+}
+
 TEST(DiscGrid, GathersWhatMeetsTheDiscAndReachesHigher) {
   oracle::RandomSource random(3);
   for (int time = 0; time < 60; ++time) {
-    PlacedBalls placed(oracle::any_balls(random, 60), {1, -2, 3});
+    PlacedBalls placed(balls_for(random, time), towards(time));
     const auto balls = placed.seen.balls();
     std::vector<uint32_t> memory(balls.size() + 1);
     for (uint32_t i = 0; i < balls.size(); ++i) {
@@ -64,7 +72,7 @@ TEST(DiscGrid, FindsTheHighestFront) {
   oracle::RandomSource random(5);
   int found = 0;
   for (int time = 0; time < 60; ++time) {
-    PlacedBalls placed(oracle::any_balls(random, 60), {1, -2, 3});
+    PlacedBalls placed(balls_for(random, time), towards(time));
     const auto balls = placed.seen.balls();
     for (const SeenBall &from : balls)
       for (const uint32_t except : {hsp::no_id, random.below(balls.size())}) {

@@ -141,6 +141,71 @@ TEST(FacePole, OfADiscARingAndASickle) {
   }
 }
 
+Point point_at(const hsp::EdgeEllipse &ellipse, double t) {
+  return {ellipse.centre[0] + std::cos(t) * ellipse.first[0] + std::sin(t) * ellipse.second[0],
+          ellipse.centre[1] + std::cos(t) * ellipse.first[1] + std::sin(t) * ellipse.second[1]};
+}
+double distance(const Point &p, const Point &q) {
+  return std::hypot(p.x - q.x, p.y - q.y);
+}
+
+// Half the width of a narrow strip between two edges where it is widest: from many points of one edge to the nearest of
+// the other one, whose parameter is about the same.
+double half_of_widest(const hsp::VisibilityMap &map, const hsp::MapEdge &edge, const hsp::MapEdge &other) {
+  const hsp::EdgeEllipse own(map.balls, edge), across(map.balls, other);
+  double widest = 0;
+  const double from = std::max(edge.from, other.from), to = std::min(edge.to, other.to);
+  for (int k = 1; k < 1000; ++k) {
+    const Point p = point_at(own, from + (to - from) * k / 1000);
+    double low = from, high = to;
+    while (high - low > 1e-12) {
+      const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+      if (distance(p, point_at(across, a)) < distance(p, point_at(across, b))) {
+        high = b;
+      } else {
+        low = a;
+      }
+    }
+    if (low > from + 1e-3 && high < to - 1e-3) widest = std::max(widest, distance(p, point_at(across, low)));
+  }
+  return widest / 2;
+}
+
+// The band that a ball leaves between two others, seen askew: a strip between two ellipses, so narrow that no square of
+// the search lies in it. A fourth ball hides one end, so that the middles of the edges are nowhere special.
+TEST(FacePole, OfAStripBetweenTwoEllipses) {
+  for (const double width : {1e5, 1e4, 1e3, 1e2}) {
+    const int64_t middle = std::lround(std::sqrt(0.64e16 + 1.2e8 * width));
+    const BuiltMap built({{-40000000, -20000000, -40000000, 100000000},
+                          {0, 0, 0, middle},
+                          {40000000, 20000000, 40000000, 100000000},
+                          {4600000, 167700000, -27300000, 50000000}},
+                         {1, 2, -1});
+    ASSERT_EQ(built.status(), hsp::Status::ok);
+    const hsp::VisibilityMap &map = built.map();
+    uint32_t strips = 0;
+    for (uint32_t f = 1; f < map.faces.size(); ++f) {
+      if (map.balls[map.faces[f].owner].r != static_cast<double>(middle)) continue;
+      ++strips;
+      std::vector<hsp::MapEdge> sides;
+      for (uint32_t h = 0; h < map.half_edges.size(); ++h) {
+        const hsp::MapEdge &edge = map.edges[h / 2];
+        if (map.face_of(h) == f && edge.to - edge.from > 1) sides.push_back(edge);
+      }
+      ASSERT_EQ(sides.size(), 2U) << width;
+      const double deepest = half_of_widest(map, sides[0], sides[1]);
+      const hsp::FacePole pole = hsp::find_pole(map, f);
+      EXPECT_GT(deepest, 0.8 * width);
+      EXPECT_LT(deepest, width);
+      EXPECT_GE(pole.radius, 0.95 * deepest) << width;
+      EXPECT_LE(pole.radius, 1.01 * deepest) << width;
+      EXPECT_GE(pole.bound, 0.99 * deepest) << width;
+      EXPECT_TRUE(is_in(built, f, pole.x, pole.y)) << width;
+    }
+    EXPECT_EQ(strips, 1U) << width;
+  }
+}
+
 // The background between six discs around a hole.
 TEST(FacePole, OfAHoleOfTheBackground) {
   oracle::Balls balls;

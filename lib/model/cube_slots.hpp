@@ -1,0 +1,182 @@
+// Numbers by their cubes, in an open-addressing table with double hashing (Section 3). The cubes themselves are kept
+// elsewhere: cube_of(number) is the cube of a number that was inserted.
+//
+// The number of slots is a power of two at least twice that of the cubes, and the second hash is odd: every probe
+// sequence visits all slots. With load at most 1/2 and independent hashes a search that fails looks at no more than
+// 1/(1 - load) <= 2 slots on average and one that succeeds at 1.39 (Knuth, TAOCP 3, section 6.4, double hashing).
+//
+// The hash has no key, so that cubes can be chosen whose probe sequences are the same. Where one would be longer than
+// most_probes, which independent hashes hardly ever reach, the slots become the links of a digital search tree (Knuth,
+// TAOCP 3, section 6.3, algorithm D): a node has a cube, and what lies below it shares with that cube a bit for each
+// node above. So a search looks at a slot and at 193 nodes at most, as three coordinates have 192 bits.
+#pragma once
+
+#include "core/span.hpp"
+#include "core/status.hpp"
+
+namespace hsp {
+
+struct CubeCoordinates {
+  int64_t x, y, z;
+  friend constexpr bool operator==(const CubeCoordinates &, const CubeCoordinates &) = default;
+};
+
+// The order of the grid: by z, then y, then x.
+constexpr bool comes_before(const CubeCoordinates &a, const CubeCoordinates &b) {
+  if (a.z != b.z) return a.z < b.z;
+  if (a.y != b.y) return a.y < b.y;
+  return a.x < b.x;
+}
+
+// The hash is a linear form in the coordinates, so that the form of a neighbour differs by a constant; then a finalizer
+// mixes its high bits down.
+constexpr uint64_t linear_hash(const CubeCoordinates &cube) {
+  return static_cast<uint64_t>(cube.x) * UINT64_C(0x9E3779B97F4A7C15) +
+         static_cast<uint64_t>(cube.y) * UINT64_C(0xC2B2AE3D27D4EB4F) +
+         static_cast<uint64_t>(cube.z) * UINT64_C(0x165667B19E3779F9);
+}
+
+// The sequence of slots where a cube may be.
+struct CubeProbe {
+  CubeProbe(uint64_t linear, uint32_t slots) : mask(slots - 1) {
+    uint64_t h = (linear ^ (linear >> 32)) * UINT64_C(0xD6E8FEB86659FD93);
+    h ^= h >> 32;
+    slot = static_cast<uint32_t>(h) & mask;
+    stride = static_cast<uint32_t>(h >> 32) | 1U;
+  }
+  void next() { slot = (slot + stride) & mask; }
+  uint32_t mask, slot, stride;
+};
+
+// The way of a cube down a tree: bits of its coordinates in turn, from the lowest on. Cubes that differ part.
+class CubePath {
+ public:
+  static constexpr uint32_t most_bits = 192;
+
+  explicit CubePath(const CubeCoordinates &cube)
+      : x_(static_cast<uint64_t>(cube.x)), y_(static_cast<uint64_t>(cube.y)), z_(static_cast<uint64_t>(cube.z)) {}
+  // Which of its two links leaves this node.
+  uint32_t link_of(uint32_t node) {
+    const uint32_t link = 2 * node + static_cast<uint32_t>(x_ & 1U);
+    const uint64_t rest = x_ >> 1;
+    x_ = y_;
+    y_ = z_;
+    z_ = rest;
+    return link;
+  }
+
+ private:
+  uint64_t x_, y_, z_;
+};
+
+class CubeSlots {
+ public:
+  static constexpr uint32_t most_probes = 64;
+  // Slots for numbers below `numbers`.
+  static constexpr uint64_t slots_for(uint32_t numbers) {
+    uint64_t slots = 4;
+    while (slots < 2 * static_cast<uint64_t>(numbers)) slots *= 2;
+    return slots;
+  }
+
+  CubeSlots() = default;
+  explicit CubeSlots(Span<uint32_t> slots) : slots_(slots) {}
+
+  // Removes all; from now on there are as many slots as numbers below `numbers` need.
+  void clear(uint32_t numbers) {
+    used_ = static_cast<uint32_t>(slots_for(numbers));
+    longest_probe_ = longest_way_ = 0;
+    fill(no_id);
+  }
+
+  // The number of a cube, of which the linear form is given; no_id if there is none. In a tree no slot is empty, and
+  // what is found in the first one is the number by chance at most.
+  template <class CubeOf>
+  uint32_t find(const CubeCoordinates &cube, uint64_t linear, const CubeOf &cube_of) const {
+    CubeProbe probe(linear, used_);
+    for (uint32_t looks = 1;; ++looks, probe.next()) {
+      const uint32_t number = slots_[probe.slot];
+      if (number == no_id || cube_of(number) == cube) return number;
+      if (looks >= longest_probe_) [[unlikely]]
+        return is_tree() ? find_in_tree(cube.x, cube.y, cube.z, cube_of) : no_id;
+    }
+  }
+
+  // Inserts a number whose cube is not there. Numbers are inserted in ascending order from 0 on; those left out are of
+  // cubes that are there.
+  template <class CubeOf>
+  void insert(uint32_t number, const CubeOf &cube_of) {
+    CubeProbe probe(linear_hash(cube_of(number)), used_);
+    uint32_t length = 1;
+    for (; slots_[probe.slot] != no_id; probe.next()) {
+      if (++length > most_probes || is_tree()) [[unlikely]]
+        return insert_in_tree(number, cube_of);
+    }
+    slots_[probe.slot] = number;
+    note(length);
+  }
+  // For those who find free slots on their own.
+  void put(uint32_t slot, uint32_t number) { slots_[slot] = number; }
+  void prefetch(uint32_t slot) const { __builtin_prefetch(&slots_[slot], 1); }
+  void note(uint32_t length) {
+    if (length > longest_probe_) longest_probe_ = length;
+  }
+  // Leaves the table, for a tree of the first numbers.
+  template <class CubeOf>
+  void make_tree(uint32_t numbers, const CubeOf &cube_of) {
+    fill(root);
+    longest_probe_ = 1;
+    longest_way_ = 2;  // the first slot and the root
+    for (uint32_t number = 1; number < numbers; ++number) plant(number, cube_of);
+  }
+
+  uint32_t size() const { return used_; }
+  bool is_tree() const { return longest_way_ != 0; }
+  // The most slots and nodes that are looked at to find a cube that is there.
+  uint32_t longest_search() const { return is_tree() ? longest_way_ : longest_probe_; }
+
+ private:
+  static constexpr uint32_t root = 0;  // which no link leads to: so a link to it is one to nothing
+
+  void fill(uint32_t value) {
+    for (uint32_t k = 0; k < used_; ++k) slots_[k] = value;
+  }
+  // What is rare gets numbers, so that what is not keeps its cubes in registers.
+  template <class CubeOf>
+  [[gnu::noinline, gnu::cold]] uint32_t find_in_tree(int64_t x, int64_t y, int64_t z, CubeOf cube_of) const {
+    const CubeCoordinates cube{x, y, z};
+    uint32_t node = root;
+    for (CubePath path(cube); !(cube_of(node) == cube);) {
+      node = slots_[path.link_of(node)];
+      if (node == root) return no_id;
+    }
+    return node;
+  }
+  template <class CubeOf>
+  [[gnu::noinline, gnu::cold]] void insert_in_tree(uint32_t number, CubeOf cube_of) {
+    if (!is_tree()) make_tree(number, cube_of);
+    plant(number, cube_of);
+  }
+  // Does nothing if the cube is there.
+  template <class CubeOf>
+  void plant(uint32_t number, const CubeOf &cube_of) {
+    const CubeCoordinates cube = cube_of(number);
+    uint32_t node = root, looks = 3;
+    for (CubePath path(cube); !(cube_of(node) == cube); ++looks) {
+      uint32_t &link = slots_[path.link_of(node)];
+      if (link == root) {
+        link = number;
+        if (looks > longest_way_) longest_way_ = looks;
+        return;
+      }
+      node = link;
+    }
+  }
+
+  Span<uint32_t> slots_;  // numbers, no_id = empty; of a tree the two links of each number
+  uint32_t used_ = 0;
+  uint32_t longest_probe_ = 0;  // 1 of a tree
+  uint32_t longest_way_ = 0;    // in a tree, if it is one
+};
+
+}  // namespace hsp
