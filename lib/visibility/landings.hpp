@@ -5,8 +5,9 @@
 
 namespace hsp {
 
-// A parameter by which a T may miss an arc. Where two balls have centres of equal height, the T of the one and the
-// tangency of the other are the same point.
+// A parameter by which a T may miss an arc: an angle, or a part of the length of a stick. Where two balls have centres
+// of equal height, the T of the one and the tangency of the other are the same point, and where a half circle is seen
+// edge on, a T is where an arc ends.
 inline constexpr double landing_tolerance = 0x1p-24;
 
 struct Landing {
