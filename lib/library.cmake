@@ -174,6 +174,7 @@ set(HSP_LIBRARY_SOURCES
   lib/visibility/edge_distance.cpp
   lib/visibility/edge_geometry.cpp
   lib/visibility/face_pole.cpp
+  lib/visibility/landings.cpp
   lib/visibility/map_builder.cpp
   lib/visibility/map_check.cpp
   lib/visibility/map_faces.cpp

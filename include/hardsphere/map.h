@@ -274,10 +274,12 @@ HSP_API int32_t hsp_map_get_pole(const hsp_map *map, uint32_t face, hsp_map_pole
  *    3  next is one to one, from where a directed edge ends
  *    4  the balls named around a loop are one, that of its face
  *    5  faces: one outer loop each but for the unbounded one, of a positive area; holes have negative ones; those of
- *       one ball follow each other
+ *       one ball follow each other; the unbounded one has a hole if there is a ball that may be seen
  *    6  vertices - edges + faces = 1 + components
  *    7  positions: edges end at their vertices, and every T lies on its silhouette
- *    8  areas: of a face that of its loops, and all together that within the outermost edges
+ *    8  areas: of a face that of its loops, and all together that within the outermost edges; what is seen of a ball is
+ *       at least 0 and at most its disc, up to how far edges end from their vertices
+ *    9  sides: the balls that its sides show have fronts at the middle of an edge, and not before it
  *  map may not be used by others meanwhile. Cost: O(size of the map).
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since

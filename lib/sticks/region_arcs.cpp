@@ -6,9 +6,6 @@
 namespace hsp {
 namespace {
 
-// A ball that reaches less than this part of the radius out of another one is inside.
-constexpr double inside_tolerance = 0x1p-40;
-
 constexpr ArcEnd natural_end{MapVertexKind::tangency, no_id};
 
 }  // namespace
@@ -41,10 +38,8 @@ void RegionArcs::mark_inside() {
     for (const uint32_t k : bodies_above(i)) {
       if (!scene_.is_ball(k)) continue;
       const SeenBall &other = scene_.balls[k];
-      const Vec3 d{other.x - ball.x, other.y - ball.y, other.z - ball.z};
-      const double room = other.r * (1.0 + inside_tolerance) - ball.r;
       const bool smaller = ball.r != other.r ? ball.r < other.r : i > k;
-      if (smaller && room > 0.0 && dot(d, d) <= room * room) inside_[i] = 1;
+      if (smaller && is_inside(ball, other)) inside_[i] = 1;
     }
   }
 }

@@ -24,12 +24,7 @@ bool find_faces(StickRegions &regions) {
 }
 
 MapViolation check_regions(const StickRegions &regions, Span<uint32_t> scratch) {
-  const StickScene &scene = regions.scene;
-  MapBodies bodies{scene.balls.size() + 2 * scene.sticks.size(), 0.0};
-  const auto cover = [&bodies](double length) { bodies.largest = length > bodies.largest ? length : bodies.largest; };
-  for (const SeenBall &ball : scene.balls) cover(ball.r);
-  for (const Stick &stick : scene.sticks) cover(stick.length);
-  return MapLaws<StickRegions>(regions, bodies, scratch).run();
+  return MapLaws<StickRegions>(regions, scratch).run();
 }
 
 }  // namespace hsp

@@ -5,13 +5,6 @@
 #include "core/sorting.hpp"
 
 namespace hsp {
-namespace {
-
-// Of a turn of a silhouette, or the length of a stick: how far a T may miss an arc. Where something touches a contour,
-// as a half circle that is seen edge on, a T is where an arc ends.
-constexpr double landing_tolerance = 0x1p-24;
-
-}  // namespace
 
 void RegionLinker::carve(Workspace &workspace, const StickLimits &limits) {
   const uint64_t edges = limits.edges;
@@ -128,7 +121,7 @@ bool RegionLinker::add_vertices(StickRegions &regions) {
     if (label.kind == MapVertexKind::t) {
       const uint32_t v = add_vertex(end, MapVertexKind::t, label.ball, regions);
       const MapVertex &at = regions.vertices[v];
-      landing_.push({label.ball, scene_.landing(label.ball, at.x, at.y), v});
+      landing_.push({scene_.landing(label.ball, at.x, at.y), v, label.ball});
       ends_[v] = 1;
       end_at_[3 * v] = end;
       vertex_at_[end] = v;
@@ -192,13 +185,7 @@ void RegionLinker::cut_circle(uint32_t a, Span<const Landing> landings, StickReg
 
 // Arcs first .. last - 1 of a contour, cut where stems end. Parameters on sticks are less than a turn too.
 bool RegionLinker::cut_contour(uint32_t first, uint32_t last, Span<Landing> landings, StickRegions &regions) {
-  const double origin = arcs_[first].from - landing_tolerance;
-  for (Landing &landing : landings) {
-    if (landing.t >= origin + 2 * pi) landing.t -= 2 * pi;
-    if (landing.t < origin) landing.t += 2 * pi;
-  }
-  sort_in_place(landings,
-                [](const Landing &a, const Landing &b) { return a.t != b.t ? a.t < b.t : a.vertex < b.vertex; });
+  sort_landings(arcs_.part(first, last), landings);
   if (arcs_[first].closed && !landings.empty()) {
     cut_circle(first, landings, regions);
     return true;
@@ -211,7 +198,7 @@ bool RegionLinker::cut_contour(uint32_t first, uint32_t last, Span<Landing> land
       continue;
     }
     // What lies in the gap behind the arc belongs to the nearer side of it.
-    const double reach = a + 1 < last ? 0.5 * (arc.to + arcs_[a + 1].from) : origin + 2 * pi;
+    const double reach = a + 1 < last ? 0.5 * (arc.to + arcs_[a + 1].from) : arc.to + 2 * pi;
     double from = arc.from;
     uint32_t v = vertex_at_[2 * a];
     first_edge_[a] = regions.edges.size();

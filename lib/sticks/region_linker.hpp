@@ -10,7 +10,7 @@
 #pragma once
 
 #include "sticks/stick_regions.hpp"
-#include "visibility/hidden_intervals.hpp"
+#include "visibility/landings.hpp"
 
 namespace hsp {
 
@@ -38,11 +38,6 @@ class RegionLinker {
       return corner == other.corner && first == other.first && second == other.second && third == other.third &&
              point == other.point;
     }
-  };
-  struct Landing {
-    uint32_t body;
-    double t;
-    uint32_t vertex;
   };
 
   bool name(uint32_t end, NamedEnd &named) const;

@@ -1,8 +1,7 @@
 #include "sticks/region_loops.hpp"
 
-#include <initializer_list>
-
 #include "core/sorting.hpp"
+#include "visibility/sight_behind.hpp"
 
 namespace hsp {
 namespace {
@@ -63,16 +62,11 @@ bool RegionLoops::name_owner(const BodySight &sight, const StickRegions &regions
     h = regions.half_edges[h].next;
   } while (h != loop.first_half_edge);
   if (best == no_id) return true;
-  const MapEdge &edge = regions.edges[best / 2];
-  for (const double part : {0.3819660112501051, 0.7639320225002103, 0.1458980337503154, 0.5278640450004206}) {
-    const Vec3 at = regions.scene.at(edge.ball, no_id, edge.from + part * (edge.to - edge.from));
-    const BodySight::Highest behind = sight.highest_at(at.x, at.y, edge.ball);
-    if (!behind.certain) continue;
-    if (loop.owner != no_id && loop.owner != behind.body) return false;
-    loop.owner = behind.body;
-    return true;
-  }
-  return loop.owner != no_id;
+  const SightBehind behind = sight_behind(regions, regions.edges[best / 2], sight);
+  if (!behind.certain) return loop.owner != no_id;
+  if (loop.owner != no_id && loop.owner != behind.body) return false;
+  loop.owner = behind.body;
+  return true;
 }
 
 bool RegionLoops::fits_euler(StickRegions &regions) {
@@ -140,6 +134,7 @@ bool RegionLoops::find(const BodySight &sight, Span<const double> depth, StickRe
     return a.first_half_edge < b.first_half_edge;
   });
   number_loops(regions);
+  if (!fits_beside_short_edges(regions, sight) || !fits_behind_contours(regions, sight)) return false;
   double area = 0.0;
   for (uint32_t l = 0; l < regions.loops.size(); ++l) {
     const MapLoop &loop = regions.loops[l];

@@ -16,10 +16,11 @@ class RegionLoops {
   //   2. the labels of a loop's edges name two bodies;
   //   3. behind a contour the body that the loop names is not the highest one, or a loop has no labels and nowhere
   //      along it is it certain what is behind;
-  //   4. the numbers contradict Euler's formula;
-  //   5. the middle of a body is seen, but the body has no loop;
-  //   6. what is seen of a body has no area;
-  //   7. a hole lies in no face of its owner.
+  //   4. the same beside a short edge, of whatever loop;
+  //   5. the numbers contradict Euler's formula;
+  //   6. the middle of a body is seen, but the body has no loop;
+  //   7. what is seen of a body has no area;
+  //   8. a hole lies in no face of its owner.
   // depth [bodies]: loops are in its ascending order.
   bool find(const BodySight &sight, Span<const double> depth, StickRegions &regions);
 

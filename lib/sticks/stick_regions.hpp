@@ -78,13 +78,41 @@ inline EdgeCurve curve_of(const StickRegions &regions, uint32_t e) {
   return {EdgeEllipse(combine(0.5, from, 0.5, to), 0.5 * (to - from), Vec3{}), -pi, 0.0};
 }
 
-inline void put_ends(const StickRegions &regions, uint32_t e, double ends[2][2]) {
-  const MapEdge &edge = regions.edges[e];
-  for (int end = 0; end < 2; ++end) {
-    const Vec3 at = regions.scene.at(edge.ball, edge.nearer, end == 0 ? edge.from : edge.to);
-    ends[end][0] = at.x;
-    ends[end][1] = at.y;
-  }
+inline MapBodies bodies_of(const StickRegions &regions) {
+  const StickScene &scene = regions.scene;
+  MapBodies bodies{scene.balls.size() + 2 * scene.sticks.size(), 0.0};
+  for (const SeenBall &ball : scene.balls) bodies.cover(ball.r);
+  for (const Stick &stick : scene.sticks) bodies.cover(stick.length);
+  return bodies;
+}
+
+inline Vec3 point_of(const StickRegions &regions, const MapEdge &edge, double t) {
+  return regions.scene.at(edge.ball, edge.nearer, t);
+}
+
+inline Vec3 middle_of(const StickRegions &regions, const MapEdge &edge) {
+  return point_of(regions, edge, 0.5 * (edge.from + edge.to));
+}
+
+// Of a half of a stick the rectangle around the whole stick.
+inline double silhouette_area(const StickRegions &regions, uint32_t body, double margin) {
+  if (regions.scene.is_ball(body)) return silhouette_area(regions.scene.balls[body], margin);
+  const Stick &stick = regions.scene.stick_at(body);
+  const double half = stick.radius + margin;
+  return 2 * half * (stick.length * stick.seen + 2 * half);
+}
+inline bool may_be_seen(const StickRegions &regions, uint32_t body, const Vec3 &p, double margin) {
+  const StickScene &scene = regions.scene;
+  if (scene.is_ball(body)) return may_be_seen(scene.balls[body], p, margin);
+  const Stick &stick = scene.stick_at(body);
+  const double half = stick.radius + margin;
+  const double dx = p.x - stick.foot.x;
+  const double dy = p.y - stick.foot.y;
+  const double along = dx * stick.e[0] + dy * stick.e[1];
+  const StickFront front = front_of(stick, p.x, p.y);
+  const double above = front.z - p.z;
+  return front.beside >= -margin && along >= -half && along <= stick.length * stick.seen + half &&
+         !(front.exists && (above < front.beside ? above : front.beside) > margin);
 }
 
 }  // namespace hsp

@@ -15,7 +15,7 @@ void ArcFinder::carve(Workspace &workspace, const MapLimits &limits) {
 void ArcFinder::find(SeenBalls &seen, const DiscGrid &grid) {
   arcs_.clear();
   needed_neighbours_ = 0;
-  certain_ = true;
+  certain_ = complete_ = true;
   const Span<const SeenBall> balls = seen.balls();
   for (uint32_t i = 0; i < balls.size(); ++i) {
     if (balls[i].inside != 0) continue;
@@ -23,7 +23,7 @@ void ArcFinder::find(SeenBalls &seen, const DiscGrid &grid) {
     needed_neighbours_ = larger_count(needed_neighbours_, clamped_count(near_.required()));
     if (near_.overflowed()) continue;
     const Span<const uint32_t> near = near_.items();
-    find_silhouette_arcs(seen, i, near, hidden_, arcs_);
+    if (!find_silhouette_arcs(seen, i, near, hidden_, arcs_)) complete_ = false;
     for (const uint32_t k : near) {
       if (seen.is_nearer(k, i) && !find_crease_arcs(seen, i, k, near, hidden_, arcs_)) certain_ = false;
     }

@@ -17,6 +17,8 @@ class ArcFinder {
   Span<const MapArc> arcs() const { return arcs_.items(); }
   // False if roundings decided whether some whole curve is seen.
   bool certain() const { return certain_; }
+  // False if roundings decided that nothing is seen between two hidden parts of some silhouette.
+  bool complete() const { return complete_; }
   bool overflowed() const { return arcs_.overflowed() || needed_neighbours_ > near_.capacity(); }
   uint32_t needed_neighbours() const { return needed_neighbours_; }
   // No map of these arcs has more edges: besides the arcs themselves one for each of their ends on a silhouette.
@@ -28,6 +30,7 @@ class ArcFinder {
   FixedVector<HiddenInterval> hidden_;
   uint32_t needed_neighbours_ = 0;
   bool certain_ = true;
+  bool complete_ = true;
 };
 
 }  // namespace hsp

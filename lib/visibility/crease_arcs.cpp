@@ -12,6 +12,11 @@ namespace {
 // squared radii, or as far before; else it does not cross but coincide.
 constexpr double long_interval = 0x1p-10;
 constexpr double shallow = 0x1p-36;
+// A crease that enters a ball at the height of its centre, up to such a parameter, may miss both its sphere and the
+// cylinder below.
+constexpr double at_level = 0x1p-36;
+// A crease rises by less than this part of its radius if the balls are one before the other, up to rounding.
+constexpr double level_slope = 0x1p-30;
 
 struct Breakpoint {
   double t;
@@ -36,7 +41,8 @@ class CreaseOcclusion {
     return box;
   }
 
-  // False if the crease lies on the front of some ball or on the cylinder below it, so that roundings decide.
+  // False if the crease lies on the front of some ball or on the cylinder below it, or enters it where these meet, so
+  // that roundings decide.
   bool certain() const { return certain_; }
 
   // Adds what a ball hides. True if nothing is left.
@@ -122,7 +128,9 @@ class CreaseOcclusion {
         for (double t : {middle - half, middle + half}) {
           if (t > pi) t -= 2 * pi;
           if (t < -pi) t += 2 * pi;
-          if (std::fabs(t) <= level) add_breakpoint(t, MapVertexKind::triple);
+          const double above = level - std::fabs(t);
+          if (above >= 0.0) add_breakpoint(t, MapVertexKind::triple);
+          if (std::fabs(above) < at_level && t > left_ && t < right_) certain_ = false;
         }
       }
     }
@@ -176,6 +184,8 @@ bool find_crease_arcs(SeenBalls &seen, uint32_t far, uint32_t nearer, Span<const
   const Span<const SeenBall> balls = seen.balls();
   const Crease crease(balls[far], balls[nearer]);
   if (!crease.exists) return true;
+  // Level with the silhouette of the nearer ball, so that roundings decide where they touch.
+  if (!crease.is_whole() && crease.rise < level_slope * crease.rho) return false;
   CreaseOcclusion occlusion(crease, hidden);
   const BoundingBox box = occlusion.box();
   if (seen.hides(box, crease.m.z + crease.rise)) return true;

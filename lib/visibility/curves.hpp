@@ -7,6 +7,7 @@
 // the plane of the circle and b a horizontal one, so that the height m_z + rise cos t is largest at 0 and falls to
 // either side. The nearer ball is on the left. Seen is at most what is above the centre of the nearer ball: below, the
 // nearer ball covers it. At the height of that centre the crease goes over into the silhouette of the nearer ball.
+// Balls that only touch have none: roundings would decide where it ends.
 #pragma once
 
 #include "core/elementary.hpp"
@@ -45,7 +46,7 @@ struct Crease {
     const double squared = dot(d, d);
     const double sum = far.r + near.r;
     const double difference = far.r - near.r;
-    if (squared >= sum * sum || squared <= difference * difference) return;
+    if (squared >= sum * sum * (1.0 - touching) || squared <= difference * difference) return;
     const double distance = std::sqrt(squared);
     const double height = 0.5 * (distance + difference * sum / distance);
     const double rho_squared = (far.r - height) * (far.r + height);
@@ -58,8 +59,9 @@ struct Crease {
     b = slope > 0.0 ? Vec3{n.y / slope, -n.x / slope, 0.0} : Vec3{0.0, 1.0, 0.0};
     rise = rho * slope;
     const double needed = near.z - m.z;
-    if (needed >= rise) return;
-    end = needed <= -rise ? pi : arc_tangent(std::sqrt((rise - needed) * (rise + needed)), needed);
+    const double reach = rise * (1.0 - touching);
+    if (needed >= reach) return;
+    end = needed <= -reach ? pi : arc_tangent(std::sqrt((rise - needed) * (rise + needed)), needed);
     exists = true;
   }
 

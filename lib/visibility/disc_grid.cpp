@@ -10,10 +10,6 @@ int64_t floor_of(double x) {
   return static_cast<double>(truncated) > x ? truncated - 1 : truncated;
 }
 
-// Of the squared radius: what reaches less far out of another ball is inside it. What is left meets it in a circle that
-// is not lost in rounding.
-constexpr double touching = 0x1p-40;
-
 }  // namespace
 
 CubeCoordinates DiscGrid::square_at(double x, double y) const {
@@ -61,19 +57,21 @@ void DiscGrid::build(Span<const SeenBall> balls) {
   for (uint32_t i = balls.size(); i-- > 0;) item_[--first_[square_of(balls[i])]] = i;
 }
 
-// A ball that contains another one reaches at least as high, and the larger one of two with equal tops comes first.
+// A ball that contains another one reaches at least as high, up to rounding, and the larger one of two with equal tops
+// comes first.
 void DiscGrid::mark_inside(Span<SeenBall> balls) const {
   for (uint32_t i = 0; i < balls.size(); ++i) {
     SeenBall &ball = balls[i];
+    const double highest_inside = ball.top() + touching * ball.r;
     visit_squares(ball.x, ball.y, largest_, [&](Span<const uint32_t> items) {
       for (const uint32_t k : items) {
         if (k >= i) break;
-        const double smaller = balls[k].r - ball.r;
-        const double dx = balls[k].x - ball.x;
-        const double dy = balls[k].y - ball.y;
-        const double dz = balls[k].z - ball.z;
-        if (smaller >= 0.0 && dx * dx + dy * dy + dz * dz <= smaller * smaller + touching * ball.r * ball.r)
-          ball.inside = 1;
+        SeenBall &higher = balls[k];
+        if (higher.r >= ball.r) {
+          if (is_inside(ball, higher)) ball.inside = 1;
+        } else if (higher.top() <= highest_inside && is_inside(higher, ball)) {
+          higher.inside = 1;
+        }
       }
     });
   }

@@ -25,7 +25,7 @@ class DiscGrid {
   // The ball with the highest front at a point, besides `except`; no_id if there is none. Certain unless the point is
   // close to the edge of a disc that reaches as high, or two fronts are close to each other.
   struct Highest {
-    uint32_t ball;
+    uint32_t body;
     bool certain;
   };
   Highest highest_at(double x, double y, uint32_t except) const;

@@ -23,6 +23,11 @@ struct EdgeEllipse {
 
   double x(const SinCos &t) const { return centre[0] + first[0] * t.cosine + second[0] * t.sine; }
   double y(const SinCos &t) const { return centre[1] + first[1] * t.cosine + second[1] * t.sine; }
+  double longer_half_axis() const {
+    const double one = first[0] * first[0] + first[1] * first[1];
+    const double other = second[0] * second[0] + second[1] * second[1];
+    return std::sqrt(one > other ? one : other);
+  }
 
  private:
   void set(const Vec3 &m, const Vec3 &a, const Vec3 &b) {
@@ -47,14 +52,58 @@ inline EdgeCurve curve_of(const VisibilityMap &map, uint32_t e) {
   return {EdgeEllipse(map.balls, edge), edge.from, edge.to};
 }
 
-// Where an edge begins and ends by its parameters.
-inline void put_ends(const VisibilityMap &map, uint32_t e, double ends[2][2]) {
-  const EdgeCurve curve = curve_of(map, e);
-  for (int end = 0; end < 2; ++end) {
-    const SinCos t = sin_cos(end == 0 ? curve.from : curve.to);
-    ends[end][0] = curve.ellipse.x(t);
-    ends[end][1] = curve.ellipse.y(t);
-  }
+// How many bodies a map is of, and the largest radius, or how long the longest stick is.
+struct MapBodies {
+  uint32_t count;
+  double largest;
+
+  void cover(double length) { largest = length > largest ? length : largest; }
+  // Points of nearly touching curves are that uncertain, and a T may miss its arc by 2^-24.
+  double position_tolerance() const { return 0x1p-18 * largest; }
+};
+
+inline MapBodies bodies_of(const VisibilityMap &map) {
+  MapBodies bodies{map.balls.size(), 0.0};
+  for (const SeenBall &ball : map.balls) bodies.cover(ball.r);
+  return bodies;
+}
+
+// The point of an edge at a parameter.
+inline Vec3 point_of(const VisibilityMap &map, const MapEdge &edge, double t) {
+  const SeenBall &ball = map.balls[edge.ball];
+  return edge.is_silhouette() ? silhouette_point(ball, t) : Crease(ball, map.balls[edge.nearer]).at(t);
+}
+
+// The middle of an edge on a silhouette, from its vertices where that is well conditioned, as it is sooner found so.
+inline Vec3 middle_of(const VisibilityMap &map, const MapEdge &edge) {
+  const SeenBall &ball = map.balls[edge.ball];
+  const MapVertex &v = map.vertices[edge.vertex[0]];
+  const MapVertex &w = map.vertices[edge.vertex[1]];
+  const double x = v.x + w.x - 2 * ball.x;
+  const double y = v.y + w.y - 2 * ball.y;
+  const double squared = x * x + y * y;
+  if (squared < 0x1p-8 * ball.r * ball.r) return silhouette_point(ball, 0.5 * (edge.from + edge.to));
+  const double part = (edge.to - edge.from > pi ? -ball.r : ball.r) / std::sqrt(squared);
+  return {ball.x + part * x, ball.y + part * y, ball.z};
+}
+
+// What a ball takes of the view plane, grown by a margin.
+inline double silhouette_area(const SeenBall &ball, double margin) {
+  return pi * (ball.r + margin) * (ball.r + margin);
+}
+inline double silhouette_area(const VisibilityMap &map, uint32_t ball, double margin) {
+  return silhouette_area(map.balls[ball], margin);
+}
+
+// Whether a point is no farther than a margin outside the disc of a ball, and behind its front.
+inline bool may_be_seen(const SeenBall &ball, const Vec3 &p, double margin) {
+  const double dx = p.x - ball.x;
+  const double dy = p.y - ball.y;
+  const double outer = ball.r + margin;
+  return dx * dx + dy * dy <= outer * outer && depth_behind(p, ball) <= outer * outer - ball.r * ball.r;
+}
+inline bool may_be_seen(const VisibilityMap &map, uint32_t ball, const Vec3 &p, double margin) {
+  return may_be_seen(map.balls[ball], p, margin);
 }
 
 // Twice the area that an edge sweeps about a point, as of half-edge 2e (Green's formula).

@@ -37,7 +37,7 @@ Status MapBuilder::build_moved(const BallSet &balls, double perturbation) {
   const uint32_t edges = clamped_count(linker_.count_edges(arcs_.arcs(), map_.balls.size()));
   needed_.edges = larger_count(needed_.edges, edges);
   if (edges > limits_.edges) return Status::capacity;
-  return linker_.link(arcs_.arcs(), map_) && faces_.find(discs_, map_) ? Status::ok : Status::check;
+  return linker_.link(arcs_.arcs(), map_) && faces_.find(discs_, arcs_.complete(), map_) ? Status::ok : Status::check;
 }
 
 Status MapBuilder::build(const CubeGrid &grid, const ViewDirection &direction) {

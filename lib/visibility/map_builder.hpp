@@ -3,11 +3,13 @@
 // In general position every step follows from signs that roundings do not touch. Where balls, silhouettes or creases
 // meet in more than their kind of vertex, as in lattices seen along their axes, the arcs of different curves may not
 // fit together. Linking and tracing notice that: every end must find its partners, every T its silhouette, the balls
-// named around a loop must agree, and Euler's formula must hold. Then all centres are moved a little and the map is
+// named around a loop must agree, also with what is behind its edges where roundings may have decided how they are
+// linked, and Euler's formula must hold. Then all centres are moved a little and the map is
 // built again: by at most 2^-20 of each ball's radius, then by 2^-17 and 2^-14. The map says by how much; it is one of
 // the moved balls. If none of them fits, there is a status and no map.
 //
-// A ball that reaches less than about 2^-40 of its radius out of another one counts as inside.
+// A ball that reaches less out of another one than 2^-40 of that one's radius counts as inside, and balls that reach
+// less into each other than 2^-41 of both radii together do not meet.
 //
 // Cost: O(n log n) and, for each curve that may be seen, the balls whose discs meet its disc and that reach higher.
 // lib/visibility/THEORY.md says what that is at worst, and beside the bound of Section 5.2.

@@ -14,10 +14,12 @@ enum class MapInvariant : uint32_t {
   successors = 3,  // every half-edge has one successor, which begins where it ends, and one predecessor
   loops = 4,       // the balls named around a loop are its owner
   faces = 5,       // one outer loop each, but for the unbounded one, of a positive area; the holes have negative ones;
-                   // those of one owner follow each other
+                   // those of one owner follow each other; the unbounded one has holes where there are balls
   euler = 6,       // V - E + F = 1 + C
   positions = 7,   // edges end at their vertices, and every T lies on its silhouette
-  areas = 8,       // a face has the area of its loops, and all together that within the outermost edges
+  areas = 8,       // a face has the area of its loops, and all together that within the outermost edges; those of one
+                   // ball are at least 0 and at most its disc
+  sides = 9,       // what the sides of an edge show has its front at the middle of the edge, not before it
 };
 
 // The first violated invariant, and the id of the vertex, edge, half-edge, loop or face where it fails; no_id where

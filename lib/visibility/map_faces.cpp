@@ -1,8 +1,7 @@
 #include "visibility/map_faces.hpp"
 
-#include <initializer_list>
-
 #include "visibility/face_nesting.hpp"
+#include "visibility/sight_behind.hpp"
 
 namespace hsp {
 
@@ -56,14 +55,9 @@ bool MapFaceFinder::name_owner(const DiscGrid &grid, MapLoop &loop, const Visibi
     }
     h = map.half_edges[h].next;
   } while (h != loop.first_half_edge);
-  const MapEdge &edge = map.edges[best / 2];
-  for (const double part : {0.3819660112501051, 0.7639320225002103, 0.1458980337503154, 0.5278640450004206}) {
-    const Vec3 at = silhouette_point(map.balls[edge.ball], edge.from + part * (edge.to - edge.from));
-    const DiscGrid::Highest behind = grid.highest_at(at.x, at.y, edge.ball);
-    loop.owner = behind.ball;
-    if (behind.certain) return true;
-  }
-  return false;
+  const SightBehind behind = sight_behind(map, map.edges[best / 2], grid);
+  loop.owner = behind.body;
+  return behind.certain;
 }
 
 bool MapFaceFinder::trace_loops(const DiscGrid &grid, VisibilityMap &map) {
@@ -124,13 +118,14 @@ bool MapFaceFinder::tops_have_faces(const DiscGrid &grid, const VisibilityMap &m
     const SeenBall &ball = map.balls[k];
     if (ball.inside != 0 || first_face_[ball.ball] != no_id) continue;
     const DiscGrid::Highest top = grid.highest_at(ball.x, ball.y, no_id);
-    if (top.ball == k && top.certain) return false;
+    if (top.body == k && top.certain) return false;
   }
   return true;
 }
 
-bool MapFaceFinder::find(const DiscGrid &grid, VisibilityMap &map) {
-  if (!trace_loops(grid, map)) return false;
+bool MapFaceFinder::find(const DiscGrid &grid, bool complete, VisibilityMap &map) {
+  if (!trace_loops(grid, map) || !fits_beside_short_edges(map, grid)) return false;
+  if (!complete && !fits_behind_contours(map, grid)) return false;
   count_components(map);
   const uint64_t sum = static_cast<uint64_t>(map.vertices.size()) + map.loops.size();
   if (sum != static_cast<uint64_t>(map.edges.size()) + 2 * static_cast<uint64_t>(map.components)) return false;

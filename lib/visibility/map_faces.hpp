@@ -15,10 +15,13 @@ class MapFaceFinder {
   //   half-edges do not chain up to loops;
   //   the labels of a loop's edges name two balls;
   //   a loop has no labels, and nowhere along it is it certain which ball is behind;
+  //   beside a short edge another ball is behind a silhouette than the loop says;
   //   a hole lies in no face of its owner;
   //   the highest point of a ball is seen, but the ball has no face;
   //   the numbers contradict Euler's formula.
-  bool find(const DiscGrid &grid, VisibilityMap &map);
+  // And unless `complete`, which says that no arc of a silhouette may be missing, if behind the middle of some
+  // silhouette cannot be what the loop there says.
+  bool find(const DiscGrid &grid, bool complete, VisibilityMap &map);
 
   // Memory that is free between calls; [2 edges + 1] and [edges].
   Span<uint32_t> scratch() { return scratch_; }

@@ -1,29 +1,32 @@
 // The invariants of map_check.hpp, for maps of whatever bodies: with records like those of a VisibilityMap, and
-// put_ends(map, edge, ends), the points where an edge's parameters begin and end.
+//   point_of(map, edge, t)                the point of an edge at a parameter
+//   silhouette_area(map, body, margin)    what a body takes of the view plane, grown by a margin
+//   may_be_seen(map, body, p, margin)     whether a body has a front where p is in the view plane, and not before p
+//
+// How much may be seen of a body, up to rounding. The area of a loop is summed over its edges: what each sweeps about
+// a point x as it goes from vertex to vertex along its ellipse. If every end P of a curve were at its vertex V, that
+// would be the area within a closed curve that does not leave the silhouette of what is seen. From an end at a
+// distance d the closed curve goes on straight to V, at most d outside the silhouette; of what this step sweeps the
+// sum knows all but (m - P) x (V - P) / 2, at most a d / 2, where m is the centre of the ellipse and a its longer half
+// axis. Roundings: an edge adds at most 5 (a + 3 b + 2 d)^2, with b the largest of all bodies, as x is within 3 b + d
+// of P; and a sum of n such terms is wrong by at most (n + 8) 2^-52 times the sum of these bounds. So with s for all
+// that may be missing, what is seen is at least -s, and at most s more than the silhouette grown by the largest d.
 #pragma once
-
-#include <cmath>
 
 #include "visibility/edge_geometry.hpp"
 #include "visibility/map_check.hpp"
 
 namespace hsp {
 
-// How a map is checked: how many bodies it is of, and the largest radius, or how long the longest stick is.
-struct MapBodies {
-  uint32_t count;
-  double largest;
-};
-
 // scratch [2 edges + 1].
 template <class Map>
 class MapLaws {
  public:
-  MapLaws(const Map &map, const MapBodies &bodies, Span<uint32_t> scratch)
-      : map_(map), bodies_(bodies), count_(scratch) {}
+  MapLaws(const Map &map, Span<uint32_t> scratch) : map_(map), bodies_(bodies_of(map)), count_(scratch) {}
 
   MapViolation run() {
-    if (!vertices() || !edges() || !successors() || !loops() || !faces() || !euler() || !positions() || !areas()) {
+    if (!vertices() || !edges() || !successors() || !loops() || !faces() || !euler() || !positions() || !areas() ||
+        !seen_areas() || !sides()) {
       return violation_;
     }
     return {};
@@ -34,8 +37,6 @@ class MapLaws {
     violation_ = {invariant, id};
     return false;
   }
-  // Points of nearly touching curves are that uncertain, and a T may miss its arc by 2^-24.
-  double position_tolerance() const { return 0x1p-18 * bodies_.largest; }
   static bool agree(double area, double other, double of) { return std::fabs(area - other) <= 0x1p-30 * of; }
   uint32_t target(uint32_t half_edge) const { return map_.origin(half_edge ^ 1U); }
   bool is_body(uint32_t body) const { return body < bodies_.count; }
@@ -130,6 +131,7 @@ class MapLaws {
         }
       }
     }
+    if (bodies_.largest > 0.0 && map_.faces[0].first_loop == no_id) return fail(MapInvariant::faces, 0);
     return seen == map_.loops.size() || fail(MapInvariant::faces, no_id);
   }
 
@@ -140,17 +142,24 @@ class MapLaws {
     return good || fail(MapInvariant::euler, no_id);
   }
 
+  // How far an edge's curve ends from its vertices.
+  void measure_ends(uint32_t e, double off[2]) const {
+    const MapEdge &edge = map_.edges[e];
+    for (int end = 0; end < 2; ++end) {
+      const Vec3 point = point_of(map_, edge, end == 0 ? edge.from : edge.to);
+      const MapVertex &vertex = map_.vertices[edge.vertex[end]];
+      const double dx = point.x - vertex.x;
+      const double dy = point.y - vertex.y;
+      off[end] = std::sqrt(dx * dx + dy * dy);
+    }
+  }
+
   bool positions() {
-    const double tolerance = position_tolerance();
+    const double tolerance = bodies_.position_tolerance();
     for (uint32_t e = 0; e < map_.edges.size(); ++e) {
-      double ends[2][2];
-      put_ends(map_, e, ends);
-      for (int end = 0; end < 2; ++end) {
-        const MapVertex &vertex = map_.vertices[map_.edges[e].vertex[end]];
-        const double dx = ends[end][0] - vertex.x;
-        const double dy = ends[end][1] - vertex.y;
-        if (!(dx * dx + dy * dy <= tolerance * tolerance)) return fail(MapInvariant::positions, e);
-      }
+      double off[2];
+      measure_ends(e, off);
+      if (!(off[0] <= tolerance && off[1] <= tolerance)) return fail(MapInvariant::positions, e);
     }
     return true;
   }
@@ -169,6 +178,57 @@ class MapLaws {
       outline -= map_.loops[l].area;
     }
     return agree(inside, outline, outline > 0.0 ? outline : 1.0) || fail(MapInvariant::areas, no_id);
+  }
+
+  // What may be missing of the areas of some loops, as above.
+  struct Slack {
+    double missing = 0.0, terms = 0.0, farthest = 0.0, count = 0.0;
+
+    double all() const { return missing + (count + 8) * 0x1p-52 * terms; }
+  };
+  void add_slack(uint32_t loop, Slack &slack) const {
+    uint32_t h = map_.loops[loop].first_half_edge;
+    do {
+      const EdgeEllipse ellipse = curve_of(map_, h / 2).ellipse;
+      const double a = ellipse.longer_half_axis();
+      double off[2];
+      measure_ends(h / 2, off);
+      const double farther = off[0] > off[1] ? off[0] : off[1];
+      const double reach = a + 3 * bodies_.largest + 2 * farther;
+      slack.missing += 0.5 * a * (off[0] + off[1]);
+      slack.terms += 5 * reach * reach;
+      slack.farthest = farther > slack.farthest ? farther : slack.farthest;
+      slack.count += 1.0;
+      h = map_.half_edges[h].next;
+    } while (h != map_.loops[loop].first_half_edge);
+  }
+
+  bool seen_areas() {
+    double area = 0.0;
+    Slack slack;
+    for (uint32_t f = 1; f < map_.faces.size(); ++f) {
+      const MapFace &face = map_.faces[f];
+      if (face.owner == no_id) continue;
+      area += face.area;
+      for (uint32_t l = face.first_loop; l != no_id; l = map_.loops[l].next_of_face) add_slack(l, slack);
+      if (map_.next_face_of(f) != no_id) continue;
+      const double most = silhouette_area(map_, face.owner, slack.farthest) + slack.all();
+      if (!(area >= -slack.all() && area <= most)) return fail(MapInvariant::areas, map_.first_face_of(face.owner));
+      area = 0.0;
+      slack = {};
+    }
+    return true;
+  }
+
+  bool sides() {
+    for (uint32_t h = 0; h < map_.half_edges.size(); ++h) {
+      const uint32_t owner = map_.loops[map_.half_edges[h].loop].owner;
+      if (owner == no_id) continue;
+      const MapEdge &edge = map_.edges[h / 2];
+      const Vec3 middle = point_of(map_, edge, 0.5 * (edge.from + edge.to));
+      if (!may_be_seen(map_, owner, middle, bodies_.position_tolerance())) return fail(MapInvariant::sides, h);
+    }
+    return true;
   }
 
   const Map &map_;

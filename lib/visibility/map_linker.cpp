@@ -186,7 +186,7 @@ void MapLinker::add_landings(VisibilityMap &map) {
     const Vec3 at = position_of(end, map);
     map.vertices.push({at.x, at.y, at.z, MapVertexKind::t, no_id, {arc.ball, arc.nearer, what.ball}});
     const SeenBall &ball = map.balls[what.ball];
-    landing_[--first_landing_[what.ball + 1]] = {arc_tangent(at.y - ball.y, at.x - ball.x), v};
+    landing_[--first_landing_[what.ball + 1]] = {arc_tangent(at.y - ball.y, at.x - ball.x), v, what.ball};
     end_at_[3 * v] = end;
     vertex_at_[end] = v;
   }
@@ -222,7 +222,7 @@ void MapLinker::cut_circle(uint32_t a, Span<const Landing> landings, VisibilityM
     const bool wraps = k + 1 == n;
     const Landing &next = landings[wraps ? 0 : k + 1];
     const uint32_t e =
-        add_edge(arc, landings[k].angle, next.angle + (wraps ? 2 * pi : 0.0), landings[k].vertex, next.vertex, map);
+        add_edge(arc, landings[k].t, next.t + (wraps ? 2 * pi : 0.0), landings[k].vertex, next.vertex, map);
     after_[landings[k].vertex] = e;
     before_[next.vertex] = e;
   }
@@ -231,14 +231,7 @@ void MapLinker::cut_circle(uint32_t a, Span<const Landing> landings, VisibilityM
 
 // Arcs first .. last - 1 of a silhouette, cut where stems end.
 bool MapLinker::cut_silhouette(uint32_t first, uint32_t last, Span<Landing> landings, VisibilityMap &map) {
-  const double origin = arcs_[first].from - landing_tolerance;
-  for (Landing &landing : landings) {
-    while (landing.angle >= origin + 2 * pi) landing.angle -= 2 * pi;
-    while (landing.angle < origin) landing.angle += 2 * pi;
-  }
-  sort_in_place(landings, [](const Landing &a, const Landing &b) {
-    return a.angle != b.angle ? a.angle < b.angle : a.vertex < b.vertex;
-  });
+  sort_landings(arcs_.part(first, last), landings);
   if (arcs_[first].closed && !landings.empty()) {
     cut_circle(first, landings, map);
     return true;
@@ -251,14 +244,14 @@ bool MapLinker::cut_silhouette(uint32_t first, uint32_t last, Span<Landing> land
       continue;
     }
     // What lies in the gap behind the arc belongs to the nearer side of it.
-    const double reach = a + 1 < last ? 0.5 * (arc.to + arcs_[a + 1].from) : origin + 2 * pi;
+    const double reach = a + 1 < last ? 0.5 * (arc.to + arcs_[a + 1].from) : arc.to + 2 * pi;
     double from = arc.from;
     uint32_t v = vertex_at_[2 * a];
     first_edge_[a] = map.edges.size();
-    for (; next < landings.size() && landings[next].angle < reach; ++next) {
+    for (; next < landings.size() && landings[next].t < reach; ++next) {
       const Landing &landing = landings[next];
-      if (landing.angle < arc.from - landing_tolerance || landing.angle > arc.to + landing_tolerance) return false;
-      const double at = landing.angle < from ? from : landing.angle > arc.to ? arc.to : landing.angle;
+      if (landing.t < arc.from - landing_tolerance || landing.t > arc.to + landing_tolerance) return false;
+      const double at = landing.t < from ? from : landing.t > arc.to ? arc.to : landing.t;
       const uint32_t e = add_edge(arc, from, at, v, landing.vertex, map);
       before_[landing.vertex] = e;
       after_[landing.vertex] = e + 1;

@@ -10,12 +10,9 @@
 #pragma once
 
 #include "visibility/arc_finder.hpp"
+#include "visibility/landings.hpp"
 
 namespace hsp {
-
-// An angle by which a T may miss an arc. Where two balls have centres of equal height, the T of the one and the
-// tangency of the other are the same point.
-inline constexpr double landing_tolerance = 0x1p-24;
 
 class MapLinker {
  public:
@@ -32,10 +29,6 @@ class MapLinker {
   struct NamedEnd {
     uint32_t middle, last, point;
     uint32_t end;
-  };
-  struct Landing {
-    double angle;
-    uint32_t vertex;
   };
 
   bool all_end_at_vertices() const;

@@ -19,7 +19,7 @@ double front_at(const SeenBall &ball, double x, double y) {
 }  // namespace
 
 MapSight sight_at(const VisibilityMap &map, const DiscGrid &grid, double x, double y) {
-  const uint32_t ball = grid.highest_at(x, y, no_id).ball;
+  const uint32_t ball = grid.highest_at(x, y, no_id).body;
   if (ball == no_id) return {no_id, -std::numeric_limits<double>::infinity()};
   return {ball, front_at(map.balls[ball], x, y)};
 }

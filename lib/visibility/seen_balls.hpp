@@ -15,6 +15,18 @@ struct SeenBall {
   double top() const { return z + r; }
 };
 
+// Balls that reach less into or out of each other than this part of their radii only touch. The circle in which others
+// meet is not lost in rounding.
+inline constexpr double touching = 0x1p-40;
+
+inline bool is_inside(const SeenBall &ball, const SeenBall &other) {
+  const double dx = other.x - ball.x;
+  const double dy = other.y - ball.y;
+  const double dz = other.z - ball.z;
+  const double room = other.r * (1.0 + touching) - ball.r;
+  return room > 0.0 && dx * dx + dy * dy + dz * dz <= room * room;
+}
+
 // A centre in view coordinates, moved by at most `perturbation` times the ball's radius, in a way that depends on its
 // centre and radius alone.
 Vec3 moved_centre(const BallSet &balls, uint32_t i, const Vec3 &centre, double perturbation);

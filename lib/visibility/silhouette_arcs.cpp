@@ -72,15 +72,15 @@ bool add_hidden(const SeenBall &own, const SeenBall &other, uint32_t id, bool ne
 
 }  // namespace
 
-void find_silhouette_arcs(SeenBalls &seen, uint32_t ball, Span<const uint32_t> near,
+bool find_silhouette_arcs(SeenBalls &seen, uint32_t ball, Span<const uint32_t> near,
                           FixedVector<HiddenInterval> &hidden, FixedVector<MapArc> &arcs) {
   const Span<const SeenBall> balls = seen.balls();
-  if (is_buried(seen, balls[ball])) return;
+  if (is_buried(seen, balls[ball])) return true;
   hidden.clear();
   for (const uint32_t k : near) {
-    if (add_hidden(balls[ball], balls[k], k, seen.is_nearer(k, ball), hidden)) return;
+    if (add_hidden(balls[ball], balls[k], k, seen.is_nearer(k, ball), hidden)) return true;
   }
-  push_visible(hidden.items(), -pi, pi, {}, ball, no_id, arcs);
+  return push_visible(hidden.items(), -pi, pi, {}, ball, no_id, arcs);
 }
 
 }  // namespace hsp

@@ -95,6 +95,17 @@ static const char *broken_outlines(const map_result *m) {
   return broken;
 }
 
+/* What is seen of a ball is a part of its disc, and something is seen where there are balls. */
+static const char *broken_areas(const map_result *m) {
+  const double largest = largest_radius(m->base), slack = 1e-6 * largest * largest;
+  uint32_t i;
+  for (i = 0; i < m->base->n; ++i) {
+    const double radius = m->base->radius[i];
+    if (!(m->area[i] >= -slack && m->area[i] <= pi * radius * radius + slack)) return "an area is not within the disc";
+  }
+  return largest > 0 && m->faces[0].h == HSP_NONE ? "no edges around the background" : NULL;
+}
+
 const char *broken_map(const map_result *m) {
   const map_records records = {
       &m->info, m->vertices, m->edges, m->faces, m->area, m->base->n, 0, largest_radius(m->base), m->base->extent};
@@ -102,6 +113,7 @@ const char *broken_map(const map_result *m) {
   const char *broken = broken_map_records(&records);
   if (broken == NULL && hsp_map_check(m->map, &invariant, &id) != HSP_OK) broken = "hsp_map_check finds something";
   if (broken == NULL && (invariant != 0 || id != HSP_NONE)) broken = "hsp_map_check reports something that is well";
+  if (broken == NULL) broken = broken_areas(m);
   if (broken == NULL) broken = broken_steps(m);
   if (broken == NULL) broken = broken_points(m);
   if (broken == NULL) broken = broken_loops(m);

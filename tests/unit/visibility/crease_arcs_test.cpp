@@ -1,11 +1,12 @@
 #include "visibility/crease_arcs.hpp"
 
+#include "set_arrangements.hpp"
 #include "visibility/curves.hpp"
 #include "visible_samples.hpp"
 
 namespace {
 
-std::vector<hsp::MapArc> crease_arcs(PlacedBalls &placed, uint32_t far, uint32_t nearer) {
+std::vector<hsp::MapArc> crease_arcs(PlacedBalls &placed, uint32_t far, uint32_t nearer, bool *certain = nullptr) {
   std::vector<uint32_t> near_memory(placed.seen.balls().size() + 1);
   hsp::FixedVector<uint32_t> near({near_memory.data(), static_cast<uint32_t>(near_memory.size())});
   placed.discs.gather(far, near);
@@ -13,7 +14,8 @@ std::vector<hsp::MapArc> crease_arcs(PlacedBalls &placed, uint32_t far, uint32_t
   hsp::FixedVector<hsp::HiddenInterval> hidden({hidden_memory.data(), static_cast<uint32_t>(hidden_memory.size())});
   std::vector<hsp::MapArc> memory(hidden_memory.size() + 2);
   hsp::FixedVector<hsp::MapArc> found({memory.data(), static_cast<uint32_t>(memory.size())});
-  hsp::find_crease_arcs(placed.seen, far, nearer, near.items(), hidden, found);
+  const bool is_certain = hsp::find_crease_arcs(placed.seen, far, nearer, near.items(), hidden, found);
+  if (certain != nullptr) *certain = is_certain;
   EXPECT_FALSE(hidden.overflowed() || found.overflowed());
   return {found.items().begin(), found.items().end()};
 }
@@ -61,6 +63,37 @@ TEST(CreaseArcs, OfLevelBallsAreSegments) {
   EXPECT_EQ(arcs[0].end[hidden].ball, 0U);
   EXPECT_EQ(arcs[0].end[1 - hidden].kind, hsp::MapVertexKind::tangency);
   EXPECT_NEAR(crease.at(hidden == 1 ? arcs[0].to : arcs[0].from).y, placed.seen.balls()[0].y - 20, 1e-9);
+}
+
+// Whether all creases of some balls are certain.
+bool are_certain(PlacedBalls &placed) {
+  bool all = true;
+  const uint32_t n = placed.seen.balls().size();
+  for (uint32_t i = 0; i < n; ++i)
+    for (uint32_t j = 0; j < n; ++j) {
+      bool certain = true;
+      if (i != j && placed.seen.is_nearer(j, i)) crease_arcs(placed, i, j, &certain);
+      all = all && certain;
+    }
+  return all;
+}
+
+// A ball before another one whose silhouette is the circle in which both meet.
+TEST(CreaseArcs, AreUncertainOnTheSilhouetteOfTheNearerBall) {
+  const oracle::Balls balls = oracle::scaled({{-2, 4, -2, 1}, {-2, 0, 4, 3}, {4, 4, 0, 4}, {-2, 2, 0, 3}}, 50000000);
+  PlacedBalls level(balls, {0, 1, -1});
+  EXPECT_FALSE(are_certain(level));
+  PlacedBalls beside(balls, {0, 3, -2});
+  EXPECT_TRUE(are_certain(beside));
+}
+
+// Three spheres that meet at the height of a centre.
+TEST(CreaseArcs, AreUncertainWhereTheyEnterABallAtTheHeightOfItsCentre) {
+  const oracle::Balls balls = {{-4, 0, 0, 1}, {-2, -4, 0, 4}, {-2, 0, 2, 3}};
+  PlacedBalls placed(balls, {-1, 0, -1});
+  EXPECT_FALSE(are_certain(placed));
+  PlacedBalls beside(balls, {-7, 1, -8});
+  EXPECT_TRUE(are_certain(beside));
 }
 
 }  // namespace

@@ -91,4 +91,24 @@ TEST(Curves, BehindIsInTheBallOrBelowIt) {
   EXPECT_EQ(p.z, 3.0);
 }
 
+// Balls that touch, and balls of which the nearer one is touched where its silhouette is, have no crease, whatever
+// roundings make of their coordinates.
+TEST(Curves, TouchingBallsHaveNoCreases) {
+  for (int64_t a = -4; a <= 4; ++a)
+    for (int64_t b = -4; b <= 4; ++b) {
+      const std::array<double, 3> towards = {static_cast<double>(a), static_cast<double>(b), 3};
+      for (const int64_t r : {1, 2, 4}) {
+        PlacedBalls apart({{1, 2, 3, r}, {3, 5, 9, 7 - r}}, towards);
+        if (apart.seen.balls().size() < 2) continue;
+        EXPECT_FALSE(Crease(apart.seen.balls()[0], apart.seen.balls()[1]).exists);
+        EXPECT_FALSE(Crease(apart.seen.balls()[1], apart.seen.balls()[0]).exists);
+      }
+    }
+  // (3, 0, 4) is the highest point of the circle, and on the silhouette of the nearer ball.
+  const auto with_centre_at = [](double z) { return Crease({0, 0, 0, 5, 0, 0}, {5, 0, z, 2, 1, 0}); };
+  for (const double off : {0.0, 1e-15, -1e-15, 1e-13, -1e-13}) EXPECT_FALSE(with_centre_at(4 + off).exists);
+  EXPECT_FALSE(with_centre_at(4.01).exists);
+  EXPECT_TRUE(with_centre_at(3.99).exists);
+}
+
 }  // namespace

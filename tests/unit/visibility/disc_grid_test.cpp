@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "placed_balls.hpp"
+#include "set_arrangements.hpp"
 
 namespace {
 
@@ -86,7 +87,7 @@ TEST(DiscGrid, FindsTheHighestFront) {
           if (k != except && balls[k].inside == 0 && squared > 0)
             highest = std::max(highest, balls[k].z + std::sqrt(squared));
         }
-        const uint32_t best = placed.discs.highest_at(x, y, except).ball;
+        const uint32_t best = placed.discs.highest_at(x, y, except).body;
         ASSERT_EQ(best == hsp::no_id, highest == -1e300);
         if (best == hsp::no_id) continue;
         ++found;
@@ -112,6 +113,22 @@ TEST(DiscGrid, TellsWhereTheHighestFrontIsUncertain) {
   const hsp::SeenBall &cover = covered.seen.balls()[0];
   EXPECT_TRUE(covered.discs.highest_at(cover.x, cover.y, hsp::no_id).certain);
   EXPECT_FALSE(covered.discs.highest_at(cover.x, cover.y, 0).certain);
+}
+
+// A ball that touches another one from inside at its highest point, and is the higher one for roundings.
+TEST(DiscGrid, MarksBallsInsideThatReachAsHigh) {
+  const oracle::Balls balls = {{0, 0, 0, 10}, {-1, 2, -2, 7}, {-6, -4, -12, 4}, {-4, -2, -4, 3}, {-12, -6, -4, 4}};
+  PlacedBalls placed(oracle::scaled(balls, 50000000), {-1, 2, -2});
+  bool higher = false;
+  for (const hsp::SeenBall &ball : placed.seen.balls()) {
+    if (ball.r == 7.0 * 50000000) {
+      EXPECT_EQ(ball.inside, 1U);
+      higher = true;
+    } else if (ball.r == 10.0 * 50000000) {
+      EXPECT_EQ(ball.inside, 0U);
+      EXPECT_TRUE(higher) << "the larger ball comes first";
+    }
+  }
 }
 
 }  // namespace

@@ -85,4 +85,23 @@ TEST(HiddenIntervals, AreCountedWithoutRoom) {
   EXPECT_EQ(arcs.required(), 2U);
 }
 
+// Where one ball ceases to hide a curve another one begins to: something may be seen there, but for roundings.
+TEST(HiddenIntervals, TellWhereNothingIsSeenForRoundings) {
+  const auto certain = [](std::vector<HiddenInterval> intervals) {
+    std::vector<MapArc> memory(10);
+    hsp::FixedVector<MapArc> arcs(hsp::Span<MapArc>(memory.data(), 10));
+    return hsp::push_visible({intervals.data(), static_cast<uint32_t>(intervals.size())}, -pi, pi, {}, 3, hsp::no_id,
+                             arcs);
+  };
+  EXPECT_TRUE(certain({}));
+  EXPECT_TRUE(certain({hidden(-1, 1, 7), hidden(1.001, 2, 8)}));
+  EXPECT_TRUE(certain({hidden(-1, 1, 7), hidden(0.999, 2, 8)}));
+  EXPECT_FALSE(certain({hidden(-1, 1, 7), hidden(1, 2, 8)}));
+  EXPECT_FALSE(certain({hidden(-1, 1, 7), hidden(1 - 1e-9, 2, 8)}));
+  EXPECT_TRUE(certain({hidden(-1, 1, 7), hidden(1, 2, 8), hidden(0.5, 1.5, 9)}));
+  // Where angles begin there is no end of what one ball hides on both sides.
+  EXPECT_TRUE(certain({{-pi, -3, {{}, by(7)}}, {3, pi, {by(7), {}}}}));
+  EXPECT_FALSE(certain({hidden(-pi, -3, 7)}));
+}
+
 }  // namespace

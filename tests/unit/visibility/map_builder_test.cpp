@@ -12,11 +12,11 @@
 #include "random_balls.hpp"
 #include "set_arrangements.hpp"
 #include "sweep_length.hpp"
+#include "touching_balls.hpp"
 #include "visibility/map_check.hpp"
 
 namespace {
 
-using Direction = std::array<double, 3>;
 using oracle::Balls;
 
 constexpr Direction along_z{0, 0, 1};
@@ -102,6 +102,81 @@ TEST(MapBuilder, ShowsSmallSets) {
   for (const Balls &balls : sets)
     for (const Balls &set : oracle::axis_symmetries(balls))
       ASSERT_EQ(complaint(set, along_z, 101), "") << oracle::to_text(set);
+}
+
+// Two balls that touch from outside, seen across the line of their centres: two discs that touch in a point.
+TEST(MapBuilder, ShowsBallsThatTouch) {
+  const SeenSet sets[] = {
+      {{{0, 2, 2, 1}, {0, 0, 2, 1}}, {1, 0, 1}},    {{{0, 0, 0, 4}, {0, 5, 0, 1}}, {-1, 0, 1}},
+      {{{5, 5, 0, 2}, {5, 10, 0, 3}}, {-1, 0, -1}}, {{{0, 2, 2, 1}, {0, 0, 2, 1}}, {0, 0, 1}},
+      {{{0, 2, 2, 1}, {0, 0, 2, 1}}, {1, 0, 0}},    {{{0, 2, 2, 1}, {0, 0, 2, 1}}, {5, 0, 3}},
+      {{{0, 0, -1, 4}, {6, 6, -4, 5}}, {-1, 1, 0}}, {{{-20, -30, 0, 100}, {-180, -50, 80, 80}}, {-7, 0, -14}},
+  };
+  for (const SeenSet &set : sets)
+    for (const int64_t factor : {1, 10000000, 100000000}) {
+      const SeenSet scaled{oracle::scaled(set.balls, factor), set.towards};
+      if (largest_radius(scaled.balls) >= 0x1p30) continue;
+      EXPECT_EQ(pair_complaint(scaled), "") << to_text(scaled);
+      const BuiltMap built(scaled.balls, scaled.towards);
+      EXPECT_EQ(built.map().perturbation, 0) << to_text(scaled);
+      EXPECT_EQ(built.map().faces.size(), 3U) << to_text(scaled);
+      EXPECT_EQ(built.map().owners, 2U) << to_text(scaled);
+      EXPECT_NE(built.map().faces[0].first_loop, hsp::no_id) << to_text(scaled);
+    }
+}
+
+TEST(MapBuilder, ShowsPairsThatTouch) {
+  oracle::RandomSource random(81);
+  for (int time = 0; time < oracle::sets(4000); ++time) {
+    const SeenSet set = touching_pair(random);
+    ASSERT_EQ(pair_complaint(set), "") << to_text(set);
+  }
+}
+
+TEST(MapBuilder, ShowsSetsThatTouchAndMeet) {
+  oracle::RandomSource random(82);
+  for (int time = 0; time < oracle::sets(400); ++time) {
+    const SeenSet set = touching_set(random);
+    ASSERT_EQ(set_complaint(set, 40), "") << to_text(set);
+  }
+}
+
+// Where something touches in several ways at one point, so that roundings decide what labels and counts do not notice.
+TEST(MapBuilder, ShowsWhatTouchesInSeveralWays) {
+  const SeenSet sets[] = {
+      {{{2, 2, 1, 1}, {0, 0, 0, 2}, {2, 2, 2, 2}}, {1, 0, 1}},
+      // A disc in another one, and one beside it, that touch at one point.
+      {{{0, 0, 0, 6}, {4, -8, -8, 6}, {-2, 16, -8, 12}}, {0, -1, 1}},
+      {{{6, 6, 6, 1}, {2, 2, 2, 3}, {0, 0, 0, 4}, {4, 4, 4, 1}}, {1, 0, 1}},
+      // Three silhouettes through one point.
+      {{{4, -2, -2, 4}, {2, -2, -2, 3}, {-2, 4, 4, 4}, {-4, 2, 2, 4}, {-4, -4, 2, 2}}, {-1, 0, 0}},
+      {{{-4, 0, 2, 3}, {-2, 0, -4, 4}, {2, -4, 0, 4}, {0, 4, 4, 4}, {2, 4, 2, 4}}, {0, 0, 1}},
+      // A crease that enters a ball at the height of its centre.
+      {{{4, 4, 0, 2}, {-4, 0, 0, 1}, {0, -2, 4, 1}, {-2, -4, 0, 4}, {-2, 0, 2, 3}}, {-1, 0, -1}},
+      // Spheres that touch at a silhouette, where a crease begins.
+      {{{-2, -2, 2, 3}, {0, -2, 2, 3}, {0, 0, 0, 4}, {2, 4, -4, 1}, {2, 0, 0, 1}, {-2, -4, 4, 1}}, {0, -1, 1}},
+      // A small ball in a large one, on its surface.
+      {{{1, 2, 1, 67}, {55, 38, 13, 1}}, {2, 2, 2}},
+      // A ball in another one that touches it at the highest point.
+      {{{0, 0, 0, 10}, {-1, 2, -2, 7}, {-6, -4, -12, 4}, {-4, -2, -4, 3}, {-12, -6, -4, 4}}, {-1, 2, -2}},
+      // A silhouette that is a crease.
+      {{{-2, 4, -2, 1}, {-2, 0, 4, 3}, {4, 4, 0, 4}, {-2, 2, 0, 3}}, {0, 1, -1}},
+  };
+  for (const SeenSet &set : sets)
+    for (const int64_t factor : {1, 5000000, 50000000}) {
+      const SeenSet scaled{oracle::scaled(set.balls, factor), set.towards};
+      if (largest_radius(scaled.balls) >= 0x1p30) continue;
+      EXPECT_EQ(set_complaint(scaled, 200), "") << to_text(scaled);
+    }
+}
+
+// Balls that nearly coincide, farther apart than roundings: each shows its part.
+TEST(MapBuilder, ShowsBallsThatNearlyCoincide) {
+  const BuiltMap built({{100000000, 40, -100000000, 200000000}, {100000000, -40, -99999960, 200000000}}, {1, 0, 0});
+  ASSERT_EQ(built.status(), hsp::Status::ok);
+  EXPECT_EQ(built.map().perturbation, 0);
+  EXPECT_EQ(built.map().owners, 2U);
+  for (const double area : seen_areas(built, 2)) EXPECT_NEAR(area, 0.5 * std::numbers::pi * 4e16, 1e-6 * 4e16);
 }
 
 // Rows across rows: the map is quadratic in the number of rows.

@@ -133,4 +133,83 @@ TEST_F(MapCheck, Areas) {
   EXPECT_EQ(violated(), MapInvariant::areas);
 }
 
+// Two discs beside each other, and what becomes of their map if what runs around one is taken for a hole in the other.
+class TwoDiscs {
+ public:
+  TwoDiscs(int64_t one, int64_t other) : built_({{0, 0, 0, one}, {one + other + 10, 0, 0, other}}) {
+    for (uint32_t l = 0; l < map().loops.size(); ++l) {
+      const hsp::MapLoop &loop = map().loops[l];
+      const bool large = map().balls[map().edges[loop.first_half_edge / 2].ball].x < 0;
+      (loop.area > 0 ? outer_ : hole_)[large ? 0 : 1] = l;
+    }
+  }
+  hsp::VisibilityMap &map() { return built_.builder().arrays(); }
+  MapInvariant violated() { return hsp::check_map(map(), built_.builder().scratch()).invariant; }
+  // The hole around disc k into the face of the other one.
+  void put_into_other(int k) {
+    hsp::MapLoop &hole = map().loops[hole_[k]];
+    hsp::MapLoop &outer = map().loops[outer_[1 - k]];
+    hsp::MapFace &background = map().faces[0];
+    if (background.first_loop == hole_[k]) {
+      background.first_loop = hole.next_of_face;
+    } else {
+      map().loops[background.first_loop].next_of_face = hole.next_of_face;
+    }
+    hole.face = outer.face;
+    hole.owner = outer.owner;
+    hole.next_of_face = hsp::no_id;
+    outer.next_of_face = hole_[k];
+    map().faces[outer.face].area += hole.area;
+  }
+
+ private:
+  BuiltMap built_;
+  uint32_t outer_[2] = {}, hole_[2] = {};
+};
+
+TEST(MapCheckOfWrongMaps, MoreOrLessIsSeenOfABallThanItsDisc) {
+  for (const int64_t other : {49, 30, 10}) {
+    TwoDiscs discs(other, 50);
+    ASSERT_EQ(discs.violated(), MapInvariant::none);
+    discs.put_into_other(1);
+    EXPECT_EQ(discs.violated(), MapInvariant::areas) << other;
+  }
+  TwoDiscs discs(40, 50);
+  discs.map().faces[1].area += 1e4;
+  discs.map().faces[2].area -= 1e4;
+  for (int f = 1; f <= 2; ++f) discs.map().loops[discs.map().faces[f].first_loop].area += f == 1 ? 1e4 : -1e4;
+  EXPECT_NE(discs.violated(), MapInvariant::none);
+}
+
+TEST(MapCheckOfWrongMaps, ABallIsSeenBesideItsDisc) {
+  for (const int64_t other : {50, 51, 300}) {
+    TwoDiscs discs(other, 50);
+    discs.put_into_other(1);
+    EXPECT_EQ(discs.violated(), MapInvariant::sides) << other;
+  }
+}
+
+TEST(MapCheckOfWrongMaps, TheBackgroundHasNoEdges) {
+  for (const int64_t other : {10, 50, 300}) {
+    TwoDiscs discs(other, 50);
+    discs.put_into_other(0);
+    discs.put_into_other(1);
+    EXPECT_EQ(discs.violated(), MapInvariant::faces) << other;
+  }
+}
+
+// A silhouette in front of a ball that is put behind its front.
+TEST(MapCheckOfWrongMaps, ASilhouetteIsSeenBehindABall) {
+  BuiltMap built({{0, 0, 0, 50}, {10, 0, 100, 20}});
+  hsp::VisibilityMap &map = built.builder().arrays();
+  const auto violated = [&] { return hsp::check_map(map, built.builder().scratch()).invariant; };
+  ASSERT_EQ(violated(), MapInvariant::none);
+  std::vector<hsp::SeenBall> balls(map.balls.begin(), map.balls.end());
+  map.balls = hsp::Span<const hsp::SeenBall>(balls.data(), 2);
+  balls[0].z -= 60;
+  EXPECT_EQ(violated(), MapInvariant::none);
+  balls[0].z -= 40;
+  EXPECT_EQ(violated(), MapInvariant::sides);
+}
+
 }  // namespace

@@ -97,7 +97,7 @@ TEST(MapFaces, RefusesEdgesThatDoNotFit) {
     map.loops.clear();
     map.faces.clear();
     for (hsp::MapHalfEdge &half_edge : map.half_edges.items()) half_edge.loop = hsp::no_id;
-    return finder.find(built.builder().discs(), map);
+    return finder.find(built.builder().discs(), true, map);
   };
   ASSERT_TRUE(again());
   for (uint32_t h = 0; h < map.half_edges.size(); h += 3) {
@@ -136,7 +136,7 @@ TEST(MapFaces, RefusesBallsThatWereForgotten) {
     map.loops.clear();
     map.faces.clear();
     for (hsp::MapHalfEdge &half_edge : map.half_edges.items()) half_edge.loop = hsp::no_id;
-    return finder.find(of.discs(), map);
+    return finder.find(of.discs(), true, map);
   };
   EXPECT_TRUE(again(one));
   EXPECT_FALSE(again(two));

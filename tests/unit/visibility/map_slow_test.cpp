@@ -10,11 +10,11 @@
 #include "random_balls.hpp"
 #include "set_arrangements.hpp"
 #include "sweep_length.hpp"
+#include "touching_balls.hpp"
 #include "visibility/map_builder.hpp"
 
 namespace {
 
-using Direction = std::array<double, 3>;
 using oracle::Balls;
 
 constexpr Direction directions[] = {{0, 0, 1}, {0, -1, 0}, {1, 1, 1}, {0.37, -0.61, 0.83}};
@@ -57,6 +57,18 @@ TEST(SlowMaps, OfLargeRandomSets) {
   oracle::RandomSource random(201);
   for (const size_t n : {1000U, 4000U, 16000U, 64000U, 256000U})
     if (n < 20000 || oracle::long_tests()) expect_right_maps(oracle::loose_balls(random, n));
+}
+
+TEST(SlowMaps, OfBallsThatTouch) {
+  oracle::RandomSource random(202);
+  for (int time = 0; time < oracle::rounds(200000, 2000000); ++time) {
+    const SeenSet set = touching_pair(random);
+    ASSERT_EQ(pair_complaint(set), "") << to_text(set);
+  }
+  for (int time = 0; time < oracle::rounds(10000, 200000); ++time) {
+    const SeenSet set = touching_set(random);
+    ASSERT_EQ(set_complaint(set, 40), "") << to_text(set);
+  }
 }
 
 }  // namespace

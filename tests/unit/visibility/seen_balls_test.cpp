@@ -73,4 +73,16 @@ TEST(SeenBalls, FloorsAreOfBallsThatAreNotMoved) {
   EXPECT_FALSE(moved.seen.hides(box, 400));
 }
 
+TEST(SeenBalls, AreInsideOthersUpToAPartOfTheirRadii) {
+  const hsp::SeenBall large{0, 0, 0, 64, 0, 0};
+  const auto beside = [](double x, double r) { return hsp::SeenBall{x, 0, 0, r, 1, 0}; };
+  for (const double r : {64.0, 32.0, 0.0625}) {
+    const double touches = 64 - r;
+    EXPECT_TRUE(hsp::is_inside(beside(touches, r), large)) << r;
+    EXPECT_TRUE(hsp::is_inside(beside(touches + 0x1p-36, r), large)) << r;
+    EXPECT_FALSE(hsp::is_inside(beside(touches + 0x1p-32, r), large)) << r;
+  }
+  EXPECT_FALSE(hsp::is_inside(beside(0, 65), large));
+}
+
 }  // namespace

@@ -7,6 +7,7 @@ namespace {
 
 struct FoundArcs {
   std::vector<hsp::MapArc> arcs;
+  bool complete = false;
 
   FoundArcs(PlacedBalls &placed, uint32_t ball) {
     std::vector<uint32_t> near_memory(placed.seen.balls().size() + 1);
@@ -16,7 +17,7 @@ struct FoundArcs {
     hsp::FixedVector<hsp::HiddenInterval> hidden({hidden_memory.data(), static_cast<uint32_t>(hidden_memory.size())});
     std::vector<hsp::MapArc> memory(2 * near_memory.size());
     hsp::FixedVector<hsp::MapArc> found({memory.data(), static_cast<uint32_t>(memory.size())});
-    hsp::find_silhouette_arcs(placed.seen, ball, near.items(), hidden, found);
+    complete = hsp::find_silhouette_arcs(placed.seen, ball, near.items(), hidden, found);
     EXPECT_FALSE(hidden.overflowed() || found.overflowed());
     arcs.assign(found.items().begin(), found.items().end());
   }
@@ -75,6 +76,14 @@ TEST(SilhouetteArcs, BehindFilledCellsAreNone) {
   for (uint32_t i = 1; i < placed.seen.balls().size(); ++i) {
     const FoundArcs own(placed, i);
     EXPECT_EQ(own.arcs.size(), 1U);
+  }
+}
+
+// Two discs that touch on the circle, and the same apart and one over the other.
+TEST(SilhouetteArcs, TellWhereTwoBallsTouchThatHideThem) {
+  for (const int64_t off : {-1, 0, 1}) {
+    PlacedBalls placed({{0, 0, 0, 50}, {50, 20 + off, 100, 20}, {50, -20, 200, 20}});
+    EXPECT_EQ(FoundArcs(placed, 2).complete, off != 0) << off;
   }
 }
 
