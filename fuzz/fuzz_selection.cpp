@@ -91,7 +91,7 @@ std::optional<bool> holds(const std::string &term, const Atom &atom) {
   const std::string key = term.substr(0, colon);
   bool any = false;
   for (const std::string &item : split(term.substr(colon + 1), ',')) {
-    if (item.empty()) return std::nullopt;
+    if (item.empty() || item.find(':') != std::string::npos) return std::nullopt;
     if (key == "chain") {
       any |= item == (*atom.chain == '\0' ? std::string(".") : std::string(atom.chain));
     } else if (key == "element") {

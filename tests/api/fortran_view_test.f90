@@ -286,8 +286,8 @@ contains
     picture%margin = -1
     call expect(hsp_picture_write(view, options=picture, sink=c_funloc(append), context=c_loc(nothing)), HSP_E_RANGE, &
                 'a negative margin')
-    call expect(hsp_model_set(model, n, water, water_radius), HSP_OK, 'hsp_model_set')
-    call expect(hsp_view_get_info(view, info), HSP_E_STATE, 'the model was set again')
+    call expect(hsp_model_set(model, n - 1, water, water_radius), HSP_OK, 'hsp_model_set')
+    call expect(hsp_view_get_info(view, info), HSP_E_STATE, 'the model holds other balls')
     call expect(hsp_picture_write(view, sink=c_funloc(append), context=c_loc(nothing)), HSP_E_STATE, 'nothing to draw')
     call check(len(nothing%text) == 0 .and. nothing%calls == 0, 'the sink hears nothing of errors')
   end subroutine

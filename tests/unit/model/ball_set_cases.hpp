@@ -32,7 +32,8 @@ constexpr Prepared prepared[] = {
     {1, {1.0}, 0.0004, 0.001, hsp::Status::ok, hsp::no_id, 0.001, 0},
     {1, {1.0}, 0.0005, 0.001, hsp::Status::ok, hsp::no_id, 0.001, 1},  // halves away from zero
     {1, {1.0}, 1.0, 0.25, hsp::Status::ok, hsp::no_id, 0.25, 4},
-    {1, {1e300}, 0.0, 1.0, hsp::Status::ok, hsp::no_id, 1.0, 0},  // round() refuses it
+    {2, {1e300, 1.0}, 0.0, 1.0, hsp::Status::ok, hsp::no_id, 1.0, 0},  // round() refuses the first
+    {1, {1e300}, 0.0, 1.0, hsp::Status::range, hsp::no_id, 0, 0},      // too fine a step for any
     {1, {1.0}, not_a_number, 0.0, hsp::Status::not_finite, hsp::no_id, 0, 0},
     {1, {1.0}, 0.0, infinite_length, hsp::Status::not_finite, hsp::no_id, 0, 0},
     {1, {not_a_number}, -1.0, 0.0, hsp::Status::negative, hsp::no_id, 0, 0},
