@@ -1,17 +1,17 @@
 #!/usr/bin/env bash
 # Builds and tests, from a bare Debian 12 with git and nothing else, as root or as a user who may use sudo:
 #   bash tests/run.sh           g++, release, warnings are errors: all tests but the slow ones
-#   bash tests/run.sh --all     all tests, in three builds:
-#                                 all       g++, as above, with the slow tests and builds for other processors
-#                                 clang     clang++ with address and undefined-behaviour sanitizers
-#                                 portable  g++ without 128-bit integers
+#   bash tests/run.sh --all     all tests, in three builds; what is quick and fails most often comes first:
+#                                 dev       g++, as above
+#                                 portable  g++ without 128-bit integers, with indices checked
+#                                 clang     clang++ with address and undefined-behaviour sanitizers, and indices checked
+#                                 slow      g++, the slow tests and builds for other processors
 #                               clang and portable leave out the slow tests and those that they cannot change
 #   bash tests/run.sh PRESET... other workflow presets of CMakePresets.json, e.g. long or coverage
 #   bash tests/run.sh --help    prints this
 # Installs the packages that are missing, builds in build/, prints what ctest says and repeats its closing lines at the
 # end; build/logs holds all of it. The exit status is 0 only if every test succeeded. Run again it builds only what has
-# changed. On two cores the first takes 8 to 20 minutes, packages included, --all 24 to 45. The number of jobs, as many as
-# there are cores unless given: CMAKE_BUILD_PARALLEL_LEVEL, CTEST_PARALLEL_LEVEL. HSP_MOLECULES: a folder of further
+# changed. It says how long each step took. The number of jobs, as many as there are cores unless given: CMAKE_BUILD_PARALLEL_LEVEL, CTEST_PARALLEL_LEVEL. HSP_MOLECULES: a folder of further
 # molecules.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -24,7 +24,7 @@ case ${1:-} in
     ;;
   --all)
     [ $# -eq 1 ] || { echo "tests/run.sh: nothing may follow --all" >&2 && exit 2; }
-    presets=(all clang portable)
+    presets=(dev portable clang slow)
     ;;
   -*)
     echo "tests/run.sh: unknown option $1, see --help" >&2
@@ -53,16 +53,40 @@ for cache in build/*/CMakeCache.txt; do
 done
 
 failed=()
+# Runs a step of a preset; what it prints goes to the preset's log, too.
+step() { # preset, what is done, command
+  local preset=$1 what=$2 begun=$SECONDS status=0
+  shift 2
+  "$@" 2>&1 | tee -a "build/logs/$preset.log" || status=$?
+  printf '== %s, %s: %d s\n' "$preset" "$what" $((SECONDS - begun)) | tee -a build/logs/steps.log
+  return $status
+}
+: >build/logs/steps.log
 for preset in "${presets[@]}"; do
   echo "== $preset"
-  cmake --workflow --preset "$preset" 2>&1 | tee "build/logs/$preset.log" || failed+=("$preset")
+  : >"build/logs/$preset.log"
+  case $preset in slow | long) build=dev ;; *) build=$preset ;; esac
+  if ! step "$preset" configuration cmake --preset "$build"; then
+    failed+=("$preset")
+    continue
+  fi
+  # What reads sources alone fails before anything is built.
+  if [ "$preset" = dev ]; then step "$preset" "tests of the text" ctest --preset text || failed+=("$preset"); fi
+  if step "$preset" build cmake --build --preset "$build"; then
+    step "$preset" tests ctest --preset "$preset" || failed+=("$preset")
+  else
+    failed+=("$preset")
+  fi
 done
 
 echo
 for preset in "${presets[@]}"; do
   echo "== $preset"
-  sed -n '/^[0-9]*% tests passed/,$p' "build/logs/$preset.log" | grep . || echo "no test ran"
+  # Those of the last run of ctest.
+  tac "build/logs/$preset.log" | sed '/^[0-9]*% tests passed/q' | tac | grep . || echo "no test ran"
 done | tee build/logs/closing_lines.txt
+echo
+cat build/logs/steps.log
 if [ ${#failed[@]} -gt 0 ]; then
   echo "tests/run.sh: failed: ${failed[*]}" >&2
   exit 1
