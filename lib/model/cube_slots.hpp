@@ -106,14 +106,21 @@ class CubeSlots {
   // cubes that are there.
   template <class CubeOf>
   void insert(uint32_t number, const CubeOf &cube_of) {
+    if (is_tree() || !insert_in_table(number, cube_of)) [[unlikely]]
+      insert_in_tree(number, cube_of);
+  }
+  // The same in a table, if no probe is too long; else nothing is changed.
+  template <class CubeOf>
+  bool insert_in_table(uint32_t number, const CubeOf &cube_of) {
     CubeProbe probe(linear_hash(cube_of(number)), used_);
     uint32_t length = 1;
     for (; slots_[probe.slot] != no_id; probe.next()) {
-      if (++length > most_probes || is_tree()) [[unlikely]]
-        return insert_in_tree(number, cube_of);
+      if (++length > most_probes) [[unlikely]]
+        return false;
     }
     slots_[probe.slot] = number;
     note(length);
+    return true;
   }
   // For those who find free slots on their own.
   void put(uint32_t slot, uint32_t number) { slots_[slot] = number; }
@@ -139,7 +146,8 @@ class CubeSlots {
   static constexpr uint32_t root = 0;  // which no link leads to: so a link to it is one to nothing
 
   void fill(uint32_t value) {
-    for (uint32_t k = 0; k < used_; ++k) slots_[k] = value;
+    const uint32_t used = used_;  // in a register: slots are numbers like it
+    for (uint32_t k = 0; k < used; ++k) slots_[k] = value;
   }
   // What is rare gets numbers, so that what is not keeps its cubes in registers.
   template <class CubeOf>

@@ -44,10 +44,17 @@ class CubeTable {
       insert_far(scratch);
       return;
     }
-    for (uint32_t number = 0; number < count_; ++number) {
-      if (!small_code && number + fetched_ahead < count_) slots_.prefetch(probe_of(number + fetched_ahead).slot);
-      slots_.insert(number, cube_of());
+    CubeSlots slots = slots_;  // in registers: slots are numbers like its members
+    const uint32_t count = count_, size = slots.size();
+    const CubeOf cube = cube_of();
+    for (uint32_t number = 0; number < count; ++number) {
+      if (!small_code && number + fetched_ahead < count) {
+        slots.prefetch(CubeProbe(linear_hash(cube(number + fetched_ahead)), size).slot);
+      }
+      if (!slots.insert_in_table(number, cube)) [[unlikely]]
+        return slots_.make_tree(count_, cube_of());
     }
+    slots_ = slots;
   }
 
   uint32_t count() const { return count_; }
