@@ -6,7 +6,7 @@
 #include "molecule.h"
 #include "text_buffer.h"
 
-/* What is asked for by names that nothing has: "--only chain:Z, --radius Xx". */
+/* Names in lists that nothing has: "--only chain:Z, --radius Xx". */
 struct notes {
   struct text_buffer unmatched;
 };
