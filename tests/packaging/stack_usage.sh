@@ -11,19 +11,26 @@ here=$(cd "$(dirname "$0")" && pwd)
 rm -rf "$work"
 mkdir -p "$work"
 cd "$work"
-mapfile -t files < <(cd "$source" && find lib capi -maxdepth 2 -name '*.cpp' | sort)
 if [ -z "$objects" ]; then
+  # A unit for each room, for the interface and for the code for wide registers, where the compiler makes it.
   objects=$work
-  mkdir -p "${files[@]%/*}"
-  # Code for wide registers is looked at too, where the compiler makes it.
-  wide=
-  if [ "$("$cxx" -dumpmachine | cut -d- -f1)" = x86_64 ]; then wide=-DHSP_AVX2=1; fi
-  for file in "${files[@]}"; do
-    echo "$objects/$file.o $source/$file$([ -z "$wide" ] || sed -n 's/.*_avx2\.cpp$/ -mavx2 -mfma -mpopcnt/p' <<<"$file")"
-  done | xargs -P 2 -L 1 "$cxx" $wide -std=c++20 -O2 -I"$source/include" -I"$source/lib" -I"$source/capi" -ffp-contract=off \
-    -fno-math-errno -fno-exceptions -fno-rtti -fno-threadsafe-statics -fcallgraph-info=su -fstack-usage -c -o
+  (cd "$source" && find lib capi -maxdepth 2 -name '*.cpp' | sort) | while read -r file; do
+    unit=$(basename "$(dirname "$file")")
+    case $file in *_avx2.cpp) unit=avx2 ;; esac
+    echo "#include \"$source/$file\"" >>"$unit.cpp"
+  done
+  wide=()
+  if [ "$("$cxx" -dumpmachine | cut -d- -f1)" = x86_64 ]; then wide=(-DHSP_AVX2=1); fi
+  for unit in *.cpp; do
+    echo "$unit.o $unit$([ $unit != avx2.cpp ] || [ ${#wide[@]} -eq 0 ] || echo ' -mavx2 -mfma -mpopcnt')"
+  done | xargs -P 2 -L 1 "$cxx" "${wide[@]}" -std=c++20 -O2 -I"$source/include" -I"$source/lib" -I"$source/capi" \
+    -ffp-contract=off -fno-math-errno -fno-exceptions -fno-rtti -fno-threadsafe-statics -fcallgraph-info=su \
+    -fstack-usage -c -o
 fi
 bash "$here/header_functions.sh" "$source/include/hardsphere.h" >entries
-# The graphs of the sources that there are: the folder may hold some of files that are gone.
+# A folder of units may hold graphs of single files, too, from before.
 cd "$objects"
-awk -v limit="$limit" -f "$here/stack_usage.awk" "$work/entries" "${files[@]/%/.ci}"
+graphs=$(find . -path '*/Unity/*' -name '*.ci')
+[ -n "$graphs" ] || graphs=$(find . -name '*.ci')
+mapfile -t graphs <<<"$graphs"
+awk -v limit="$limit" -f "$here/stack_usage.awk" "$work/entries" "${graphs[@]}"
