@@ -240,6 +240,29 @@ set(HSP_LIBRARY_SOURCES
   capi/hsp_picture.cpp
   capi/hsp_sticks.cpp
   capi/hsp_sticks_map.cpp)
+# Parts that a build may leave out: functions of theirs are then not in the library. What smooth, space and sight stand on
+# is always there.
+set(HSP_ALL_COMPONENTS smooth space sight)
+set(HSP_COMPONENTS ${HSP_ALL_COMPONENTS} CACHE STRING "Parts of the library besides models, queries, unions and boxes")
+set(HSP_smooth_SOURCES "lib/(surface|mesh)/|capi/hsp_(surface|mesh)")
+set(HSP_space_SOURCES "lib/(cells|paths)/|capi/hsp_(cells|paths)")
+set(HSP_sight_SOURCES "lib/(view|visibility|sticks|picture)/|capi/hsp_(view|map|sticks|picture)")
+set(HSP_WHOLE ON)
+foreach(component ${HSP_COMPONENTS})
+  if(NOT component IN_LIST HSP_ALL_COMPONENTS)
+    message(FATAL_ERROR "HSP_COMPONENTS: there is no component ${component}; there are ${HSP_ALL_COMPONENTS}")
+  endif()
+endforeach()
+foreach(component ${HSP_ALL_COMPONENTS})
+  if(NOT component IN_LIST HSP_COMPONENTS)
+    set(HSP_WHOLE OFF)
+    list(FILTER HSP_LIBRARY_SOURCES EXCLUDE REGEX "^(${HSP_${component}_SOURCES})")
+  endif()
+endforeach()
+if(NOT HSP_WHOLE AND (HSP_TOOL OR HSP_TESTS OR HSP_BENCH OR HSP_FUZZ OR HSP_FORTRAN))
+  message(FATAL_ERROR "Without all of HSP_COMPONENTS there are no program, Fortran module, tests, benchmarks and fuzzing: "
+    "set HSP_TOOL, HSP_FORTRAN, HSP_TESTS, HSP_BENCH and HSP_FUZZ to OFF")
+endif()
 list(TRANSFORM HSP_LIBRARY_SOURCES PREPEND ${PROJECT_SOURCE_DIR}/)
 # In the cache, so that projects that carry this one as a subdirectory can call the function below, too.
 set(HSP_LIBRARY_SOURCES ${HSP_LIBRARY_SOURCES} CACHE INTERNAL "The sources of the library")
