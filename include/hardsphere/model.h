@@ -74,7 +74,8 @@ HSP_API int32_t hsp_model_options_init(hsp_model_options *options, uint32_t stru
  *
  *  Cost: O(n) for sets as in Theorem 2.1, wherever the balls are; O(n log n) at worst, with many centres in one cube.
  *  The hash table's load is at most 1/2. The hash is known and has no key, so that coordinates can be chosen to
- *  collide: where a search would look at more than 64 slots, these become a tree, where it looks at 194 places at most.
+ *  collide: where a search would look at more than 64 slots, these become a tree, where it looks at 194 places at most
+ *  (not in a library that is compiled for size: there it looks at all that collide).
  *  @retval HSP_E_ARGUMENT    model is NULL; xyz or radius is NULL with n > 0
  *  @retval HSP_E_VERSION     bad struct_size of options, or its reserved field is not 0
  *  @retval HSP_E_CAPACITY    the model has room for fewer than n balls
@@ -90,7 +91,7 @@ typedef struct hsp_model_info {
   uint32_t balls;         /**< number of balls */
   uint32_t cubes;         /**< cubes of side 2 r_max that hold a centre (Section 3) */
   uint32_t table_slots;   /**< slots of the open-addressing table; at least twice the number of cubes */
-  uint32_t longest_probe; /**< most slots looked at to find a cube that is there; at most 194 */
+  uint32_t longest_probe; /**< most slots looked at to find a cube that is there */
   double step;            /**< the lattice step, length */
   double probe;           /**< the probe as rounded to the lattice, length */
   double largest_radius;  /**< r_max, probe included, as rounded to the lattice, length */

@@ -6,8 +6,11 @@ namespace hsp {
 
 #if defined(__OPTIMIZE_SIZE__)
 inline constexpr bool small_code = true;
+#define HSP_INLINE_UNLESS_SMALL
 #else
 inline constexpr bool small_code = false;
+// For what is called for each ball: in large units g++ inlines less of its own accord.
+#define HSP_INLINE_UNLESS_SMALL [[gnu::always_inline]]
 #endif
 
 }  // namespace hsp

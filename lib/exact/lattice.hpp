@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/decimal.hpp"
+#include "core/small_code.hpp"
 #include "core/status.hpp"
 #include "exact/plane.hpp"
 
@@ -54,7 +55,7 @@ class Lattice {
   double factor() const { return divisor_ == 1.0 ? factor_ : 0.0; }
   // The lattice point nearest to a position. False if there is none: a coordinate is not finite, or too large. One
   // branch for all of them; which it is may be asked then.
-  [[gnu::always_inline]] bool round(const double *xyz, Vector &point) const {
+  HSP_INLINE_UNLESS_SMALL bool round(const double *xyz, Vector &point) const {
     double rounded[3];
     bool on_lattice = true;
     for (int axis = 0; axis < 3; ++axis) {

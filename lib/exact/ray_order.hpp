@@ -8,6 +8,7 @@
 #pragma once
 
 #include "core/floating_point.hpp"
+#include "core/small_code.hpp"
 #include "exact/lattice_ball.hpp"
 #include "exact/wide_integer.hpp"
 
@@ -21,7 +22,7 @@ struct LatticeRay {
 using Integer128 = WideInteger<FastLimb, 128>;
 using Integer256 = WideInteger<FastLimb, 256>;
 
-[[gnu::always_inline]] inline Integer128 wide_dot(const Vector &a, const Vector &b) {
+HSP_INLINE_UNLESS_SMALL inline Integer128 wide_dot(const Vector &a, const Vector &b) {
   using Integer64 = WideInteger<FastLimb, 64>;
   return product<128>(Integer64::from(a.x), Integer64::from(b.x)) +
          product<128>(Integer64::from(a.y), Integer64::from(b.y)) +

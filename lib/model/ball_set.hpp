@@ -2,6 +2,7 @@
 // loops subtract and square them; the exact predicates get them as int64.
 #pragma once
 
+#include "core/small_code.hpp"
 #include "core/span.hpp"
 #include "core/status.hpp"
 #include "core/vec3.hpp"
@@ -50,7 +51,7 @@ class BallRounding {
     return round_ball(lattice_, probe_steps_, input_.xyz + 3 * static_cast<size_t>(i), input_.radius[i], i, ball);
   }
   // The same for balls that are known to have a place on the lattice.
-  [[gnu::always_inline]] exact::Vector centre(uint32_t i) const {
+  HSP_INLINE_UNLESS_SMALL exact::Vector centre(uint32_t i) const {
     const double *const xyz = input_.xyz + 3 * static_cast<size_t>(i);
     return {nearest(lattice_.steps(xyz[0])), nearest(lattice_.steps(xyz[1])), nearest(lattice_.steps(xyz[2]))};
   }

@@ -11,6 +11,7 @@
 // node above. So a search looks at a slot and at 193 nodes at most, as three coordinates have 192 bits.
 #pragma once
 
+#include "core/small_code.hpp"
 #include "core/span.hpp"
 #include "core/status.hpp"
 
@@ -71,7 +72,8 @@ class CubePath {
 
 class CubeSlots {
  public:
-  static constexpr uint32_t most_probes = 64;
+  // Small code makes no trees: where cubes are chosen to collide its probes are as long as there are such cubes.
+  static constexpr uint32_t most_probes = small_code ? no_id : 64;
   // Slots for numbers below `numbers`.
   static constexpr uint64_t slots_for(uint32_t numbers) {
     uint64_t slots = 4;
@@ -138,7 +140,7 @@ class CubeSlots {
   }
 
   uint32_t size() const { return used_; }
-  bool is_tree() const { return longest_way_ != 0; }
+  bool is_tree() const { return !small_code && longest_way_ != 0; }
   // The most slots and nodes that are looked at to find a cube that is there.
   uint32_t longest_search() const { return is_tree() ? longest_way_ : longest_probe_; }
 

@@ -2,7 +2,6 @@
 // number of cubes that hold balls alone, not on the extent of the set.
 #pragma once
 
-#include "core/small_code.hpp"
 #include "model/cube_slots.hpp"
 
 namespace hsp {

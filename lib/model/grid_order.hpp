@@ -9,6 +9,7 @@
 
 #include <bit>
 
+#include "core/small_code.hpp"
 #include "core/sorting.hpp"
 #include "model/ball_range.hpp"
 #include "model/ball_set.hpp"
@@ -25,13 +26,13 @@ class CubeAxis {
   // floor(value / side) for |value| < 2^52. The estimate has an error below |value| 2^-52 / side < 1 / side, while a
   // quotient that is no integer is at least 1 / side away from the next one: so truncation is off by at most one, and
   // the sign and size of the remainder show it.
-  [[gnu::always_inline]] int64_t cube_at(int64_t value) const {
+  HSP_INLINE_UNLESS_SMALL int64_t cube_at(int64_t value) const {
     const int64_t quotient = static_cast<int64_t>(static_cast<double>(value) * reciprocal_);
     const int64_t rest = value - quotient * side_;
     return quotient - static_cast<int64_t>(rest < 0) + static_cast<int64_t>(rest >= side_);
   }
   int64_t side() const { return side_; }
-  [[gnu::always_inline]] CubeCoordinates cube_at(const exact::Vector &point) const {
+  HSP_INLINE_UNLESS_SMALL CubeCoordinates cube_at(const exact::Vector &point) const {
     return {cube_at(point.x), cube_at(point.y), cube_at(point.z)};
   }
 

@@ -29,7 +29,7 @@ image() { # part (see image.c), budget in KiB, what it calls
 }
 echo "Cortex-${cortex^^}, $(arm-none-eabi-gcc --version | head -n 1), -Os"
 image -1 2 "nothing of the library"
-image 0 12 "a model"
+image 0 13 "a model"
 image 1 15 "a model and hsp_query_ball"
 image 17 25 "a model and all queries"
 image 3 65 "a model, hsp_query_ball, boundary, measure, gradient"
