@@ -11,8 +11,8 @@
 #   bash tests/run.sh --help    prints this
 # Installs the packages that are missing, builds in build/, prints what ctest says and repeats its closing lines at the
 # end; build/logs holds all of it. The exit status is 0 only if every test succeeded. Run again it builds only what has
-# changed. It says how long each step took. The number of jobs, as many as there are cores unless given: CMAKE_BUILD_PARALLEL_LEVEL, CTEST_PARALLEL_LEVEL. HSP_MOLECULES: a folder of further
-# molecules.
+# changed. It says how long each step took. The number of jobs, as many as there are cores unless given:
+# CMAKE_BUILD_PARALLEL_LEVEL, CTEST_PARALLEL_LEVEL. HSP_MOLECULES: a folder of further molecules.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
