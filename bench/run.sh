@@ -47,7 +47,7 @@ old_suites=(bench_scaling bench_queries bench_topology bench_gradients bench_deg
 build_old_version() {
   mkdir -p "$old_folder"
   git -C "$source_folder" archive "$old_version" | tar -x -C "$old_folder"
-  cp "$source_folder/bench/bench_degenerate.cpp" "$old_folder/bench/"
+  cp "$source_folder/bench/suites/bench_degenerate.cpp" "$old_folder/bench/"
   sed -i 's/bench_topology bench_gradients)/bench_topology bench_gradients bench_degenerate)/' "$old_folder/bench/CMakeLists.txt"
   cmake -S "$old_folder" -B "$old_folder/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DHSP_BENCH=ON \
     -DHSP_TESTS=OFF -DHSP_TOOL=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF >/dev/null

@@ -117,7 +117,7 @@ class Session {
     uint8_t *handle() { return bytes.data() + misalignment; }
   };
 
-  // So many bytes for a handle: where it is, to be made again in place, or in a new block (lib/core/poison.hpp).
+  // So many bytes for a handle: where it is, to be made again in place, or in a new block (lib/ground/core/poison.hpp).
   bool take_block(Block &block, bool is_there, size_t bytes) {
     const size_t misalignment = bytes_.below(16);
     if (is_there && bytes_.below(2) == 0 && block.misalignment + bytes < block.bytes.size()) return true;

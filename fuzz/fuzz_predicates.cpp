@@ -1,5 +1,5 @@
-// The predicates of lib/exact, every stage and both limb widths, against the oracle's naive determinants with symbolic
-// infinitesimals. The input makes four balls, mostly in special position.
+// The predicates of lib/ground/exact, every stage and both limb widths, against the oracle's naive determinants with
+// symbolic infinitesimals. The input makes four balls, mostly in special position.
 #include "exact/predicates.hpp"
 
 #include "exact/lattice_ball.hpp"

@@ -190,7 +190,7 @@ void write_remarks(std::ostream &out, const Run &run) {
 void write_alternatives(std::ostream &out, const Run &run) {
   out << R"(## Section 3: the alternatives
 
-The structures that Section 3 names, written for these benchmarks (bench/section_3), beside the library. They take
+The structures that Section 3 names, written for these benchmarks (suites/section_3), beside the library. They take
 turns in one process, with the paper's radii. Double hashing, perfect hashing (two levels, Fredman, Komlos and
 Szemeredi), sorted cubes (binary search) and dense cubes (a counting sort over all cubes of the box) differ in nothing
 but how they find a cube: each ball is stored once, by its centre, and 27 cubes are looked at. Paper's grid: double

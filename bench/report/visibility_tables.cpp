@@ -84,7 +84,7 @@ by turns with the analytic z-buffer above, which says as much as its 1000 x 1000
 directions, van der Waals balls. random: balls with radii from 1 to 2, one in 10 cubic units, from 4 directions.
 crossing_rows: two layers of rows, one behind the other, several edges for each ball. deep_stack: one ball before the
 other, all silhouettes seen, every ball near every disc. Katz, Overmars and Sharir's divide and conquer has the better
-bound, see lib/visibility/THEORY.md.
+bound, see lib/sight/visibility/THEORY.md.
 
 )";
   write_maps(out, run);

@@ -1,6 +1,6 @@
 /* Balls that move: every argument that the header refuses, sizes, what a move changes and what it does not, and all
  * numbers against a new model of the same balls. Many sets and moves stand against new computations in
- * unit_updates_moving_balls. */
+ * unit_moving_moving_balls. */
 #include <hardsphere.h>
 #include <math.h>
 #include <stdlib.h>

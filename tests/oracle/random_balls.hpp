@@ -50,8 +50,8 @@ Balls repeated_balls(RandomSource &random, size_t n);        // duplicates, conc
 Balls crowned_balls(RandomSource &random, size_t n);
 
 // Groups of one to four balls whose cubes, of side twice the largest radius and four times that, have hashes that are
-// the same for all groups (lib/model/cube_slots.hpp): multiples of these steps, for which the linear form that the hash
-// begins with is 0 modulo 2^64. The second step has no z, for squares of a view.
+// the same for all groups (lib/balls/model/cube_slots.hpp): multiples of these steps, for which the linear form that
+// the hash begins with is 0 modulo 2^64. The second step has no z, for squares of a view.
 inline constexpr std::array<LatticePoint, 2> colliding_steps = {
     {{852863, 1285698, 183727}, {1346530022, 1795967550, 0}}};
 Balls colliding_balls(RandomSource &random, size_t n);

@@ -1,19 +1,23 @@
 #!/usr/bin/env bash
 # What comments and pages cite is there: the files of the repository that they name, and the sections of PROOFS.md (of the
-# citing file's room if it has one, else lib/exact).
+# citing file's room if it has one, else lib/ground/exact).
 #   citations.sh SOURCE-FOLDER
 set -euo pipefail
 cd "$1"
 folders="lib capi include tests bench fuzz .github .ci"
 
 # A page of capi/guide may cite the program that its blocks in C make, which has its name.
-# A file is cited by its path from the root, from lib/, capi/, include/ or tests/, from the citing file's folder, or by its name.
+# A file is cited by its path from the root, from lib/, a wing of it, capi/, include/ or tests/, from the citing file's folder, or by its name.
 find $folders ./*.* -type f | sed 's,^\./,,' | awk '
+  function in_wing(name,   wing) {
+    for (wing in wings) if (("lib/" wing "/" name) in path) return 1
+    return 0
+  }
   function exists(name, from) {
     if (from ~ /^capi\/guide\// && from == "capi/guide/" substr(name, 1, length(name) - 1) "md") return 1
     sub(/[^\/]*$/, "", from)
     while (name ~ /^\.\.\//) { sub(/^\.\.\//, "", name); sub(/[^\/]*\/$/, "", from) }
-    return name in path || ("lib/" name) in path || ("capi/" name) in path || ("include/" name) in path || ("tests/" name) in path ||
+    return name in path || ("lib/" name) in path || in_wing(name) || ("capi/" name) in path || ("include/" name) in path || ("tests/" name) in path ||
       (from name) in path || name in bare
   }
   function cite(file, line, text,   name, number) {
@@ -26,14 +30,14 @@ find $folders ./*.* -type f | sed 's,^\./,,' | awk '
       if (!exists(name, file)) { print file ":" line ": no file \"" name "\""; failed = 1 }
       if (name ~ /PROOFS.md$/ && match(text, /^, section [0-9]+/)) {
         number = substr(text, 11, RLENGTH - 10)
-        if (!((file ~ /^lib\/surface\// ? "surface " : "exact ") number in section)) { print file ":" line ": PROOFS.md has no section " number; failed = 1 }
+        if (!((file ~ /^lib\/smooth\/surface\// ? "surface " : "exact ") number in section)) { print file ":" line ": PROOFS.md has no section " number; failed = 1 }
       }
     }
   }
-  { path[$0] = 1; name = $0; sub(/.*\//, "", name); bare[name] = 1; files[++count] = $0 }
+  { path[$0] = 1; if (split($0, part, "/") > 2 && part[1] == "lib") wings[part[2]] = 1; name = $0; sub(/.*\//, "", name); bare[name] = 1; files[++count] = $0 }
   END {
     for (k = split("exact surface", room, " "); k > 0; --k) {
-      proofs = "lib/" room[k] "/PROOFS.md"
+      proofs = "lib/" (room[k] == "exact" ? "ground/" : "smooth/") room[k] "/PROOFS.md"
       while ((getline text < proofs) > 0) {
         if (text ~ /^## [0-9]+\./) { split(text, part, /[ .]/); section[room[k] " " part[2]] = 1 }
       }

@@ -62,8 +62,9 @@ MAIN
 MAIN
 } >"$work/cases.cpp"
 
+wings=("$source"/lib/*/)
 arm-none-eabi-g++ "${flags[@]}" -std=c++20 -Os -DNDEBUG -ffp-contract=off -fno-exceptions -fno-rtti -fno-threadsafe-statics \
-  -ffunction-sections -fdata-sections -I"$source/include" -I"$source/lib" -I"$source/tests/unit" -I"$source/tests/unit/support" \
+  -ffunction-sections -fdata-sections -I"$source/include" "${wings[@]/#/-I}" -I"$source/tests/unit" -I"$source/tests/unit/support" \
   -I"$here" -c "$work/cases.cpp" -o "$work/cases.o"
 sed -e "s/@RAM@/4M/g" -e "s/@STACK@/64K/g" "$here/memory.ld.in" >"$work/memory.ld"
 # By the compiler for C: no C++ run time.

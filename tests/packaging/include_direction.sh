@@ -9,12 +9,12 @@ readme=lib/README.md
 # What each room stands on. It may include itself, these rooms, and what these stand on. Two wings stand over the
 # boundary: topology, measure, contacts, periodic and surface know nothing of view, visibility, sticks and picture, nor
 # these of them. Cells of free space, paths through them and poses need no boundary.
-rooms="core exact model cells paths poses sphere boundary topology measure updates contacts periodic surface mesh"
+rooms="core exact model cells paths poses sphere boundary topology measure moving contacts periodic surface mesh"
 rooms+=" view visibility sticks picture capi"
 declare -A stands_on=([core]="" [exact]="core" [model]="exact" [cells]="model" [paths]="cells" [poses]="model" [sphere]="model"
-  [boundary]="sphere" [topology]="boundary" [measure]="topology" [updates]="measure" [contacts]="measure" [periodic]="contacts" [surface]="measure" [mesh]="surface"
+  [boundary]="sphere" [topology]="boundary" [measure]="topology" [moving]="measure" [contacts]="measure" [periodic]="contacts" [surface]="measure" [mesh]="surface"
   [view]="boundary" [visibility]="view" [sticks]="visibility" [picture]="view"
-  [capi]="paths poses updates periodic mesh visibility sticks picture")
+  [capi]="paths poses moving periodic mesh visibility sticks picture")
 failed=0
 
 complain() {
@@ -32,18 +32,18 @@ allowed() {
   return 1
 }
 
-for folder in lib/*/; do
+for folder in lib/*/*/; do
   [ -n "${stands_on[$(basename "$folder")]+known}" ] || complain "$folder: a room without a place in the order"
 done
 
 # Reads every include; included["room other"] is set if a file of the room includes one of the other room.
 declare -A included=()
-sources=$({ find lib -name '*.hpp' -o -name '*.cpp'; find capi -maxdepth 1 -name '*.?pp'; } | sort)
+sources=$({ find lib -name '*.hpp' -o -name '*.cpp'; find capi/shims -name '*.?pp'; } | sort)
 files=$(wc -w <<<"$sources")
 while IFS=: read -r file line; do
   room=capi
   if [ "${file#lib/}" != "$file" ]; then
-    room=${file#lib/}
+    room=${file#lib/*/}
     room=${room%%/*}
     if [[ $line =~ include[[:space:]]*[\<\"](hardsphere|hsp_) ]]; then complain "$file: lib/ does not know the C interface"; fi
   fi
@@ -56,7 +56,7 @@ while IFS=: read -r file line; do
     complain "$file includes \"$name\": no room of lib/"
   elif ! allowed "$room" "$other"; then
     complain "$file includes \"$name\": $room does not stand over $other"
-  elif [ ! -e "lib/$name" ]; then
+  elif ! compgen -G "lib/*/$name" >/dev/null; then
     complain "$file includes \"$name\": no such file"
   else
     included["$room $other"]=1
@@ -70,14 +70,14 @@ for room in $rooms; do
 done
 
 # Nobody includes the entry points' headers, and users' code knows the public header alone.
-for header in capi/*.hpp; do
+for header in capi/shims/*.hpp; do
   [ -e "$header" ] || continue
   name=$(basename "$header")
-  if grep -rnE --include='*.[ch]*' "#[[:space:]]*include[[:space:]]*[<\"]([^\"]*/)?$name" lib tests bench fuzz capi/tool capi/examples 2>/dev/null; then
-    complain "$name is for capi/*.cpp alone"
+  if grep -rnE --include='*.[ch]*' "#[[:space:]]*include[[:space:]]*[<\"]([^\"]*/)?$name" lib tests bench fuzz capi/program capi/examples 2>/dev/null; then
+    complain "$name is for capi/shims/*.cpp alone"
   fi
 done
-if grep -rnE '#[[:space:]]*include[[:space:]]*"('"${rooms// /|}"')/' capi/tool capi/examples tests/api tests/program 2>/dev/null; then
+if grep -rnE '#[[:space:]]*include[[:space:]]*"('"${rooms// /|}"')/' capi/program capi/examples tests/api tests/program 2>/dev/null; then
   complain "programs and interface tests go through hardsphere.h"
 fi
 
@@ -123,7 +123,7 @@ fi
 for room in ${rooms% capi}; do
   named=$(awk -v heading="### $room" '/^#/ { inside = $0 == heading } inside && /^- `/' "$readme" |
     sed 's/^- //; s/:.*//' | grep -o '`[^`]*`' | tr -d '`' | sort)
-  present=$(find "lib/$room" -name '*.hpp' -o -name '*.cpp' | sed 's,.*/,,; s,[.].*,,' | sort -u)
+  present=$(find lib/*/"$room" -name '*.hpp' -o -name '*.cpp' | sed 's,.*/,,; s,[.].*,,' | sort -u)
   diff <(echo "$present") <(echo "$named") || complain "$readme: section \"### $room\" (>) does not name the files of the room (<)"
 done
 

@@ -11,8 +11,8 @@ function quoted(key,    from, rest) {
   return substr(rest, 1, index(rest, "\"") - 1)
 }
 
-# What calls through pointers reach is told by types: those of class PaintedPaths (lib/view/painted_paths.hpp) its
-# functions, those of an ArcVisitor the lambdas that take arcs. Contours (lib/picture/ink.hpp) ask for silhouettes and
+# What calls through pointers reach is told by types: those of class PaintedPaths (lib/sight/view/painted_paths.hpp) its
+# functions, those of an ArcVisitor the lambdas that take arcs. Contours (lib/sight/picture/ink.hpp) ask for silhouettes and
 # for paths, their source hands arcs to the lambda that takes them, and that curves to those of the writers.
 function reached_by(from) {
   if (from ~ /^_ZNK3hsp3Ink14visit_contours/) return "a function of silhouettes"

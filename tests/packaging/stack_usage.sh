@@ -14,16 +14,17 @@ cd "$work"
 if [ -z "$objects" ]; then
   # A unit for each room, for the interface and for the code for wide registers, where the compiler makes it.
   objects=$work
-  (cd "$source" && find lib capi -maxdepth 2 -name '*.cpp' | sort) | while read -r file; do
+  (cd "$source" && find lib capi -maxdepth 3 -name '*.cpp' | sort) | while read -r file; do
     unit=$(basename "$(dirname "$file")")
     case $file in *_avx2.cpp) unit=avx2 ;; esac
     echo "#include \"$source/$file\"" >>"$unit.cpp"
   done
+  wings=("$source"/lib/*/)
   wide=()
   if [ "$("$cxx" -dumpmachine | cut -d- -f1)" = x86_64 ]; then wide=(-DHSP_AVX2=1); fi
   for unit in *.cpp; do
     echo "$unit.o $unit$([ $unit != avx2.cpp ] || [ ${#wide[@]} -eq 0 ] || echo ' -mavx2 -mfma -mpopcnt')"
-  done | xargs -P 2 -L 1 "$cxx" "${wide[@]}" -std=c++20 -O2 -I"$source/include" -I"$source/lib" -I"$source/capi" \
+  done | xargs -P 2 -L 1 "$cxx" "${wide[@]}" -std=c++20 -O2 -I"$source/include" "${wings[@]/#/-I}" -I"$source/capi/shims" \
     -ffp-contract=off -fno-math-errno -fno-exceptions -fno-rtti -fno-threadsafe-statics -fcallgraph-info=su \
     -fstack-usage -c -o
 fi

@@ -6,10 +6,10 @@ set -euo pipefail
 cd "$1"
 allowed='bit|cfloat|cmath|cstddef|cstdint|cstring|initializer_list|limits|new|type_traits|utility'
 
-# The compiler's own, for code beyond the target's baseline (lib/core/processor.hpp).
+# The compiler's own, for code beyond the target's baseline (lib/ground/core/processor.hpp).
 allowed+='|cpuid.h|emmintrin.h|immintrin.h'
 
-includes=$(grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]*<' -r lib capi/*.cpp capi/*.hpp)
+includes=$(grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]*<' -r lib capi/shims/*.cpp capi/shims/*.hpp)
 if refused=$(grep -vE "include[[:space:]]*<($allowed)>" <<<"$includes"); then
   echo "not among the headers that the library may include:"
   echo "$refused"

@@ -106,8 +106,8 @@ struct Format {
   double away;
 };
 
-// SVG: two decimals, and what a renderer makes of them on narrow ellipses. EPS: 1e-6 px as lib/picture/writers.hpp
-// says. PDF: a unit of .01 px for what a cubic leaves the arc, and rounding to that unit.
+// SVG: two decimals, and what a renderer makes of them on narrow ellipses. EPS: 1e-6 px as
+// lib/sight/picture/writers.hpp says. PDF: a unit of .01 px for what a cubic leaves the arc, and rounding to that unit.
 const std::vector<Format> &formats() {
   static const std::vector<Format> all = {
       {HSP_FORMAT_SVG, "SVG", read_svg, 0, {0, 0.25, 0.5, 0.75, 1}, 1e-9, 0.06},

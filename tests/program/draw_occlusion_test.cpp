@@ -266,7 +266,7 @@ std::string shaded(int shade) {
   return text;
 }
 
-// The weights of capi/tool/occlusion.h at their corners, between them, and one ball to either side.
+// The weights of capi/program/draw/occlusion.h at their corners, between them, and one ball to either side.
 TEST(DrawOcclusion, PairsInClosedForm) {
   const Weights all[] = {
       {20, {0, 1, 1}, 0.6},           {29, {0, 1, 1}, 0.6},       {30, {0, 1, 1}, 0.6},        {31, {0, 1, 1}, 0.59},

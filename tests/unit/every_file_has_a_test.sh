@@ -18,16 +18,16 @@ while read -r unit why; do
   reason[$unit]=$why
 done <"$list"
 
-units=$(find lib -name '*.hpp' -o -name '*.cpp' | sed -E 's,^lib/,,; s,\.[ch]pp$,,' | sort -u)
+units=$(find lib -name '*.hpp' -o -name '*.cpp' | sed -E 's,^lib/[a-z]*/,,; s,\.[ch]pp$,,' | sort -u)
 for unit in $units; do
   if [ -e "tests/unit/${unit}_test.cpp" ]; then
     [ -z "${reason[$unit]+known}" ] || complain "$list: $unit has a test by now"
   elif [ -z "${reason[$unit]+known}" ]; then
-    complain "lib/$unit: no tests/unit/${unit}_test.cpp"
+    complain "$unit: no tests/unit/${unit}_test.cpp"
   fi
 done
 for unit in "${!reason[@]}"; do
-  grep -qx "$unit" <<<"$units" || complain "$list: there is no lib/$unit"
+  grep -qx "$unit" <<<"$units" || complain "$list: lib has no $unit"
 done
 [ $failed -eq 0 ] && echo "$(wc -w <<<"$units") files, ${#reason[@]} of them without a test of their own"
 exit $failed

@@ -5,7 +5,7 @@
 
 #include "check.h"
 
-/* With the address sanitizer some bytes of a handle's memory stay out of reach, see lib/core/poison.hpp, also when the
+/* With the address sanitizer some bytes of a handle's memory stay out of reach, see core/poison.hpp, also when the
  * memory is used for something else. */
 #if defined(__SANITIZE_ADDRESS__)
 #define HAS_ADDRESS_SANITIZER

@@ -26,7 +26,7 @@ Vector cross(const Vector &a, const Vector &b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-// The circle of two spheres as the first sees it: u and h as in lib/measure/gradients.hpp.
+// The circle of two spheres as the first sees it: u and h as in lib/union/measure/gradients.hpp.
 struct Circle {
   Vector u;
   Real d, h;

@@ -10,7 +10,7 @@
 #include "built_grid.hpp"
 #include "lattice_lengths.hpp"
 #include "measure/tangency.hpp"
-#include "updates/moving_balls.hpp"
+#include "moving/moving_balls.hpp"
 
 // What is known of balls: of all, and of each.
 struct UnionNumbers {

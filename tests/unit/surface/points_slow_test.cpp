@@ -1,6 +1,6 @@
 // Points of raw patches at random against the definition of the smooth surface: what the caps of other probes and the
-// axes of saddles leave of the patches is on it, and what they cut off is not (lib/surface/PROOFS.md, sections 4 and
-// 5).
+// axes of saddles leave of the patches is on it, and what they cut off is not (lib/smooth/surface/PROOFS.md, sections 4
+// and 5).
 #include <gtest/gtest.h>
 
 #include <algorithm>

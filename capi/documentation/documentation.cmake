@@ -1,0 +1,32 @@
+# The target hardsphere_documentation: the public headers and the guides as HTML, by Doxygen, into documentation/html of the build folder. A
+# warning is an error. The target is there where Doxygen is, and is built on demand alone.
+find_package(Doxygen QUIET)
+if(NOT DOXYGEN_FOUND)
+  return()
+endif()
+
+# The headers are written to be read as they are: each opens with a plain comment, drawings and tables included, which the
+# filter hands over as it stands.
+set(DOXYGEN_FILTER_PATTERNS "*.h=awk -f ${CMAKE_CURRENT_LIST_DIR}/opening_comment.awk"
+  "*.md=awk -f ${PROJECT_SOURCE_DIR}/capi/guide_links.awk")
+set(DOXYGEN_IMAGE_PATH ${PROJECT_SOURCE_DIR}/capi/guide)
+set(DOXYGEN_PROJECT_BRIEF ${PROJECT_DESCRIPTION})
+set(DOXYGEN_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/documentation)
+set(DOXYGEN_OPTIMIZE_OUTPUT_FOR_C YES)
+set(DOXYGEN_JAVADOC_AUTOBRIEF YES)
+set(DOXYGEN_MACRO_EXPANSION YES)
+set(DOXYGEN_EXPAND_ONLY_PREDEF YES)
+set(DOXYGEN_PREDEFINED HSP_API=)
+set(DOXYGEN_STRIP_FROM_INC_PATH ${PROJECT_SOURCE_DIR}/include)
+set(DOXYGEN_STRIP_FROM_PATH ${PROJECT_SOURCE_DIR}/include)
+set(DOXYGEN_SORT_MEMBER_DOCS NO)
+set(DOXYGEN_SORT_BRIEF_DOCS NO)
+set(DOXYGEN_VERBATIM_HEADERS NO)
+set(DOXYGEN_GENERATE_LATEX NO)
+set(DOXYGEN_HAVE_DOT NO)
+set(DOXYGEN_QUIET YES)
+set(DOXYGEN_EXTRACT_ALL NO)
+# Parameters are described in sentences.
+set(DOXYGEN_WARN_NO_PARAMDOC NO)
+set(DOXYGEN_WARN_AS_ERROR FAIL_ON_WARNINGS)
+doxygen_add_docs(hardsphere_documentation ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/capi/guide)

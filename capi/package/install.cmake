@@ -1,0 +1,42 @@
+# What is installed, as three components: hardsphere_runtime (the program, its manual page, a shared library),
+# hardsphere_development (archive, headers, CMake package, pkg-config file, Fortran module) and
+# hardsphere_documentation.
+
+install(TARGETS hardsphere EXPORT hardsphere-targets
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT hardsphere_development
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT hardsphere_runtime
+    NAMELINK_COMPONENT hardsphere_development)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  COMPONENT hardsphere_development FILES_MATCHING PATTERN "*.h")
+
+set(HSP_PACKAGE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/hardsphere)
+install(EXPORT hardsphere-targets NAMESPACE hardsphere:: DESTINATION ${HSP_PACKAGE_FOLDER}
+  COMPONENT hardsphere_development)
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/hardsphere-config.cmake.in hardsphere-config.cmake
+  INSTALL_DESTINATION ${HSP_PACKAGE_FOLDER})
+write_basic_package_version_file(hardsphere-config-version.cmake COMPATIBILITY SameMinorVersion)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/hardsphere.pc.in hardsphere.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/hardsphere-config.cmake
+  ${CMAKE_CURRENT_BINARY_DIR}/hardsphere-config-version.cmake DESTINATION ${HSP_PACKAGE_FOLDER}
+  COMPONENT hardsphere_development)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/hardsphere.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+  COMPONENT hardsphere_development)
+
+# The Fortran modules' source is part of every package: what is compiled of it (see fortran/CMakeLists.txt) serves one
+# compiler only.
+install(FILES ${PROJECT_SOURCE_DIR}/capi/fortran/hardsphere.f90
+  ${PROJECT_SOURCE_DIR}/capi/fortran/hardsphere_workspace.f90 DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hardsphere
+  COMPONENT hardsphere_development)
+install(FILES ${PROJECT_SOURCE_DIR}/capi/fortran/hardsphere-fortran.cmake DESTINATION ${HSP_PACKAGE_FOLDER}
+  COMPONENT hardsphere_development)
+
+if(HSP_TOOL)
+  install(TARGETS hardsphere_tool RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT hardsphere_runtime)
+  install(FILES ${PROJECT_SOURCE_DIR}/capi/program/app/hardsphere.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
+    COMPONENT hardsphere_runtime)
+endif()
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}
+  COMPONENT hardsphere_documentation)
+# The guides, and beside them the examples that they link to.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/capi/guide ${PROJECT_SOURCE_DIR}/capi/examples DESTINATION ${CMAKE_INSTALL_DOCDIR}
+  COMPONENT hardsphere_documentation)

@@ -1,0 +1,16 @@
+// What is behind the handle hsp_moving.
+#pragma once
+
+#include "handle_memory.hpp"
+#include "moving/moving_balls.hpp"
+
+struct hsp_moving {
+  using Builder = hsp::MovingBalls;
+  static constexpr auto kind = hsp::capi::HandleKind::moving;
+
+  uintptr_t tag;
+  Builder builder;
+  bool complete = false;
+
+  bool has_results() const { return complete; }
+};

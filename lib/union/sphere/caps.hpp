@@ -1,0 +1,121 @@
+// The caps of one ball: the parts of its sphere that lie inside other balls (Step 1 of Section 4.2). A cap is kept as
+//   u, b    on the unit sphere in doubles: x on the unit sphere lies in the cap iff u.x >= b, with u the unit vector to
+//           the other centre. |u error| <= 3.5e, |b error| <= 7e (e = 2^-53), as U = |v|^2, h and r are exact integers:
+//           sqrt(U) 1.5e, its inverse 2.5e, u one more; h 1e, times the inverse 4.5e, times 1/(2r) 6.5e;
+//   plane   the exact half-space of exact/, made for all caps when the exact stage asks for the first: hardly ever.
+#pragma once
+
+#include "core/disjoint_sets.hpp"
+#include "core/workspace.hpp"
+#include "exact/predicates.hpp"
+#include "model/cube_grid.hpp"
+#include "sphere/near_balls.hpp"
+
+namespace hsp {
+
+// For the code for wide registers.
+inline BallArrays arrays_of(const BallSet &balls) {
+  return {balls.x.data(), balls.y.data(), balls.z.data(), balls.r.data()};
+}
+
+// Caps in ascending order of the grid's ball ids, structure of arrays over scratch memory of fixed capacity.
+struct Caps {
+#if HSP_AVX2
+  static constexpr uint32_t padding = 8;  // may be written behind the spare slot
+#else
+  static constexpr uint32_t padding = 0;
+#endif
+  // All have a spare slot at the end.
+  Span<double> ux, uy, uz, b;
+  Span<uint32_t> ball;  // the other ball, grid order
+  uint32_t count = 0;
+  uint32_t first_later = 0;  // caps from here on are of balls after the origin ball in grid order
+
+  uint32_t origin = 0;  // the ball they lie on, grid order
+  exact::Sphere sphere{};
+  double length_squared = 0.0;  // max(W, |v|^2), for the exact filter
+  bool contained = false;       // the ball lies inside another one and has no caps that matter
+  uint32_t met = 0;             // balls that meet this one, whether or not there was room for their caps
+  bool wide = false;            // by the code for wide registers, which finds the same
+
+  void carve(Workspace &workspace, uint32_t capacity);
+  uint32_t capacity() const {
+    return planes_.size() - 1;
+  }
+  bool overflowed() const {
+    return met > capacity();
+  }
+
+  // Finds the caps of ball i, whose neighbours lie in the block. Every ball that meets it is joined to it in
+  // components, if given.
+  void gather(const BallSet &balls, const CubeBlock &block, uint32_t i, DisjointSets *components);
+
+  // The caps of ball i by n other balls alone, which are in `ball` in any order and not certainly disjoint from it.
+  void gather_given(const BallSet &balls, uint32_t i, uint32_t n);
+
+#if HSP_AVX2
+  // As gather, of which only the balls are known: there are n of them in `ball`, and all certainly meet ball i in
+  // proper circles. Their caps follow with make_doubles, if they are needed.
+  void take_circles(const BallSet &balls, uint32_t i, uint32_t n, uint32_t n_earlier, DisjointSets *components);
+  void make_doubles();
+#endif
+
+  const exact::Plane &plane(uint32_t k) const;
+
+  // Stores a great circle of the sphere in the spare slot, number `count`, for cap_pair.hpp. Its errors are those of
+  // caps, as its normal is exact.
+  void set_spare_great_circle(const exact::Vector &normal);
+  // Adds the half of the sphere on the side of the normal as a cap of ball no_id (the far side of a view); at most one.
+  void add_half_sphere(const exact::Vector &normal);
+
+  // Planes of the caller's own making, plane_of(k) for cap k, until the caps change.
+  template <class PlaneOf>
+  void set_planes(PlaneOf plane_of) {
+    for (uint32_t k = 0; k < count; ++k) planes_[k] = plane_of(k);
+    planes_made_ = true;
+  }
+
+  // Drops the caps of balls that keep(ball) refuses.
+  template <class Keep>
+  void keep_if(Keep keep) {
+    uint32_t kept = 0;
+    for (uint32_t k = 0; k < count; ++k) {
+      if (!keep(ball[k])) continue;
+      ux[kept] = ux[k];
+      uy[kept] = uy[k];
+      uz[kept] = uz[k];
+      b[kept] = b[k];
+      ball[kept++] = ball[k];
+    }
+    count = kept;
+    planes_made_ = false;
+  }
+
+  Vec3 axis(uint32_t k) const {
+    return {ux[k], uy[k], uz[k]};
+  }
+  exact::Predicates predicates() const {
+    return {sphere, length_squared};
+  }
+  // Index of the cap of a ball; it must be there.
+  uint32_t cap_of(uint32_t other) const;
+
+ private:
+  class Joining;
+  struct Distance;
+
+  void start(const BallSet &balls, uint32_t i);
+  bool take(const exact::LatticeBall &own, uint32_t j, const Distance &distance, Joining &joining);
+#if HSP_AVX2
+  void gather_wide(const CubeBlock &block, Joining &joining);
+  bool take_near(Span<uint32_t> near, Joining &joining);
+  bool take_all(uint32_t *near, uint32_t hits, Joining &joining);
+#endif
+  const BallSet *balls_ = nullptr;  // of the last ball, whose planes may still be asked for
+  Span<exact::Plane> planes_;
+  exact::Plane half_sphere_{};  // the plane of ball no_id
+  mutable bool planes_made_ = false;
+  bool doubles_made_ = true;
+};
+
+}  // namespace hsp
