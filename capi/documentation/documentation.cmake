@@ -8,7 +8,7 @@ endif()
 # The headers are written to be read as they are: each opens with a plain comment, drawings and tables included, which the
 # filter hands over as it stands.
 set(DOXYGEN_FILTER_PATTERNS "*.h=awk -f ${CMAKE_CURRENT_LIST_DIR}/opening_comment.awk"
-  "*.md=awk -f ${PROJECT_SOURCE_DIR}/capi/guide_links.awk")
+  "*.md=awk -f ${CMAKE_CURRENT_LIST_DIR}/guide_links.awk")
 set(DOXYGEN_IMAGE_PATH ${PROJECT_SOURCE_DIR}/capi/guide)
 set(DOXYGEN_PROJECT_BRIEF ${PROJECT_DESCRIPTION})
 set(DOXYGEN_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/documentation)
