@@ -12,7 +12,6 @@ set(HSP_LIBRARY_SOURCES
   lib/balls/model/cube_grid.cpp
   lib/balls/model/digit_sort.cpp
   lib/balls/model/grid_order.cpp
-  lib/balls/model/element_radii.cpp
   lib/balls/model/neighbour_lists.cpp
   lib/balls/model/packing_statistics.cpp
   lib/balls/model/pair_block_avx2.cpp
@@ -70,13 +69,6 @@ set(HSP_LIBRARY_SOURCES
   lib/union/boundary/half_edge_links.cpp
   lib/union/boundary/point_location.cpp
   lib/union/boundary/shells.cpp
-  lib/union/topology/cells.cpp
-  lib/union/topology/cut_arcs.cpp
-  lib/union/topology/simple_faces.cpp
-  lib/union/topology/subdivision.cpp
-  lib/union/topology/topology_builder.cpp
-  lib/union/topology/topology_check.cpp
-  lib/union/topology/traversal.cpp
   lib/union/measure/arc_batches.cpp
   lib/union/measure/arc_kernel.cpp
   lib/union/measure/arc_kernel_avx2.cpp
@@ -87,9 +79,16 @@ set(HSP_LIBRARY_SOURCES
   lib/union/measure/edge_kernel.cpp
   lib/union/measure/edge_kernel_avx2.cpp
   lib/union/measure/gradients.cpp
-  lib/union/measure/positions.cpp
-  lib/union/measure/shell_volumes.cpp
   lib/union/measure/tangency.cpp
+  lib/union/topology/cells.cpp
+  lib/union/topology/cut_arcs.cpp
+  lib/union/topology/positions.cpp
+  lib/union/topology/shell_volumes.cpp
+  lib/union/topology/simple_faces.cpp
+  lib/union/topology/subdivision.cpp
+  lib/union/topology/topology_builder.cpp
+  lib/union/topology/topology_check.cpp
+  lib/union/topology/traversal.cpp
   lib/union/moving/ball_cells.cpp
   lib/union/moving/component_update.cpp
   lib/union/moving/moving_balls.cpp
@@ -211,6 +210,7 @@ set(HSP_LIBRARY_SOURCES
   lib/sight/picture/svg_path.cpp
   lib/sight/picture/svg_writer.cpp
   capi/shims/hsp_status.cpp
+  capi/shims/element_radii.cpp
   capi/shims/hsp_element.cpp
   capi/shims/hsp_model.cpp
   capi/shims/hsp_query.cpp

@@ -29,13 +29,7 @@ int32_t hsp_boundary_morphometry(const hsp_boundary *boundary, const double *sig
   const hsp::MorphometricEnergy found =
       hsp::differentiate_morphometry(grid, structure, weights, hsp::capi::to_factors(*factors),
                                      [&](uint32_t i, const hsp::EnergyGradient &gradient) { arrays.put(i, gradient); });
-  if (flags != nullptr) {
-    // The boundary holds nothing of balls inside others, nor of what they touch.
-    hsp::visit_free_inner_contacts(grid, structure, [&](uint32_t inner, uint32_t outer) {
-      flags[grid.balls().caller[inner]] |= HSP_CURVATURE_ONE_SIDED;
-      flags[grid.balls().caller[outer]] |= HSP_CURVATURE_ONE_SIDED;
-    });
-  }
+  if (flags != nullptr) hsp::flag_free_inner_contacts(grid, structure, HSP_CURVATURE_ONE_SIDED, flags);
   if (energy != nullptr) *energy = hsp::capi::to_c(found);
   return HSP_OK;
 }

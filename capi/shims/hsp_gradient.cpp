@@ -11,19 +11,6 @@ using hsp::capi::is_tangency;
 using hsp::capi::put_vector;
 using hsp::capi::to_touching_balls;
 
-namespace {
-
-// The boundary holds nothing of balls inside others, nor of what they touch.
-void flag_touching_inside(const hsp::CubeGrid &grid, const hsp::Boundary &boundary, uint32_t *flags) {
-  const hsp::BallSet &balls = grid.balls();
-  hsp::visit_free_inner_contacts(grid, boundary, [&](uint32_t inner, uint32_t outer) {
-    flags[balls.caller[inner]] |= HSP_GRADIENT_ONE_SIDED;
-    flags[balls.caller[outer]] |= HSP_GRADIENT_ONE_SIDED;
-  });
-}
-
-}  // namespace
-
 int32_t hsp_boundary_gradient(const hsp_boundary *boundary, const double *sigma, double tension, double pressure,
                               uint32_t tangency, hsp_energy *energy, double *d_centre, double *d_radius,
                               uint32_t *flags, uint32_t capacity, uint32_t *needed, uint32_t *first_bad) {
@@ -40,7 +27,7 @@ int32_t hsp_boundary_gradient(const hsp_boundary *boundary, const double *sigma,
   const GradientArrays arrays{d_centre, d_radius, flags};
   const hsp::Energy found = hsp::differentiate_energy(
       grid, structure, terms, [&](uint32_t i, const hsp::EnergyGradient &gradient) { arrays.put(i, gradient); });
-  if (flags != nullptr) flag_touching_inside(grid, structure, flags);
+  if (flags != nullptr) hsp::flag_free_inner_contacts(grid, structure, HSP_GRADIENT_ONE_SIDED, flags);
   if (energy != nullptr) *energy = hsp::capi::to_c(found);
   return HSP_OK;
 }
@@ -74,7 +61,7 @@ int32_t hsp_boundary_gradient_end(const hsp_boundary *boundary, double tension, 
     return status;
   if (!hsp::is_finite(tension) || !hsp::is_finite(pressure)) return HSP_E_NOT_FINITE;
   const hsp::CubeGrid &grid = boundary->model->grid;
-  if (flags != nullptr) flag_touching_inside(grid, boundary->structure(), flags);
+  if (flags != nullptr) hsp::flag_free_inner_contacts(grid, boundary->structure(), HSP_GRADIENT_ONE_SIDED, flags);
   if (energy == nullptr) return HSP_OK;
   hsp::EnergySum sum;
   for (uint32_t i = 0; i < grid.balls().n; ++i) {
@@ -104,7 +91,7 @@ int32_t hsp_boundary_derivatives(const hsp_boundary *boundary, const double *sig
     if (volume_radius != nullptr) volume_radius[i] = gradient.volume_radius;
     if (flags != nullptr) flags[i] = gradient.one_sided ? HSP_GRADIENT_ONE_SIDED : 0;
   });
-  if (flags != nullptr) flag_touching_inside(grid, structure, flags);
+  if (flags != nullptr) hsp::flag_free_inner_contacts(grid, structure, HSP_GRADIENT_ONE_SIDED, flags);
   return HSP_OK;
 }
 

@@ -10,15 +10,7 @@ int32_t hsp_boundary_measure(const hsp_boundary *boundary, const uint8_t *select
   const hsp::CubeGrid &grid = boundary->model->grid;
   const bool wanted = area != nullptr || volume != nullptr;
   if (!hsp::capi::fits(wanted, capacity, grid.balls().n, needed)) return HSP_E_CAPACITY;
-  hsp::BallMeasure total;
-  if (!hsp::small_code && area != nullptr && volume != nullptr) {
-    total = hsp::measure_into(grid, boundary->structure(), selected, area, volume);
-  } else {
-    total = hsp::measure_union(grid, boundary->structure(), selected, [&](uint32_t i, const hsp::BallMeasure &measure) {
-      if (area != nullptr) area[i] = measure.area;
-      if (volume != nullptr) volume[i] = measure.volume;
-    });
-  }
+  const hsp::BallMeasure total = hsp::measure_into(grid, boundary->structure(), selected, area, volume);
   if (totals != nullptr) *totals = {total.area, total.volume};
   return HSP_OK;
 }

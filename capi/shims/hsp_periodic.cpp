@@ -217,13 +217,7 @@ int32_t hsp_periodic_gradient(const hsp_periodic *periodic, const double *sigma,
                                pressure};
   const hsp::Energy found = hsp::differentiate_in_box(
       structure, terms, [&](uint32_t i, const hsp::EnergyGradient &gradient) { arrays.put(i, gradient); });
-  if (flags != nullptr) {
-    // Balls in others are not on the boundary.
-    hsp::visit_free_inner_contacts_in_box(structure, [&](uint32_t inner, uint32_t outer) {
-      flags[inner] |= HSP_GRADIENT_ONE_SIDED;
-      flags[outer] |= HSP_GRADIENT_ONE_SIDED;
-    });
-  }
+  if (flags != nullptr) hsp::flag_free_inner_contacts_in_box(structure, HSP_GRADIENT_ONE_SIDED, flags);
   if (energy != nullptr) *energy = hsp::capi::to_c(found);
   if (d_strain == nullptr && d_box == nullptr) return HSP_OK;
   hsp::capi::put_box_gradient(hsp::differentiate_by_box(structure, terms), d_strain, d_box);

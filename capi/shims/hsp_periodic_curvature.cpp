@@ -32,12 +32,7 @@ int32_t hsp_periodic_morphometry(const hsp_periodic *periodic, const double *sig
   const hsp::MorphometricFactors terms = hsp::capi::to_factors(*factors);
   const hsp::MorphometricEnergy found = hsp::differentiate_morphometry_in_box(
       structure, weights, terms, [&](uint32_t i, const hsp::EnergyGradient &gradient) { arrays.put(i, gradient); });
-  if (flags != nullptr) {
-    hsp::visit_free_inner_contacts_in_box(structure, [&](uint32_t inner, uint32_t outer) {
-      flags[inner] |= HSP_CURVATURE_ONE_SIDED;
-      flags[outer] |= HSP_CURVATURE_ONE_SIDED;
-    });
-  }
+  if (flags != nullptr) hsp::flag_free_inner_contacts_in_box(structure, HSP_CURVATURE_ONE_SIDED, flags);
   if (energy != nullptr) *energy = hsp::capi::to_c(found);
   if (d_strain == nullptr && d_box == nullptr) return HSP_OK;
   hsp::capi::put_box_gradient(hsp::differentiate_morphometry_by_box(structure, weights, terms), d_strain, d_box);

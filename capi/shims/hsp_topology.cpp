@@ -1,5 +1,5 @@
 #include "hsp_topology.hpp"
-#include "measure/shell_volumes.hpp"
+#include "topology/shell_volumes.hpp"
 
 using hsp::capi::check_handle;
 using hsp::capi::check_results;

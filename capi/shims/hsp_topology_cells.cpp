@@ -1,6 +1,6 @@
 #include "hsp_topology.hpp"
-#include "measure/positions.hpp"
-#include "measure/shell_volumes.hpp"
+#include "topology/positions.hpp"
+#include "topology/shell_volumes.hpp"
 #include "model/queries.hpp"
 
 using hsp::capi::check_results;

@@ -1,5 +1,5 @@
 #include "hsp_topology.hpp"
-#include "measure/positions.hpp"
+#include "topology/positions.hpp"
 
 namespace {
 

@@ -36,4 +36,13 @@ void visit_free_inner_contacts(const CubeGrid &grid, const Boundary &boundary, V
   }
 }
 
+// Sets a flag of both balls of each such pair. flags [n], in the caller's order.
+inline void flag_free_inner_contacts(const CubeGrid &grid, const Boundary &boundary, uint32_t flag, uint32_t *flags) {
+  const BallSet &balls = grid.balls();
+  visit_free_inner_contacts(grid, boundary, [&](uint32_t inner, uint32_t outer) {
+    flags[balls.caller[inner]] |= flag;
+    flags[balls.caller[outer]] |= flag;
+  });
+}
+
 }  // namespace hsp

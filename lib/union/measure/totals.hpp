@@ -83,10 +83,17 @@ BallMeasure measure_union(const CubeGrid &grid, const Boundary &boundary, const 
   return in_caller_units(lattice, sum.total());
 }
 
-// The same into arrays in the caller's order, which do not overlap. Balls are measured in the grid's order, in which
-// what belongs to them follows each other in memory, and summed in the caller's afterwards.
+// The same into arrays in the caller's order, which do not overlap; each may be null. With both of them balls are
+// measured in the grid's order, in which what belongs to them follows each other in memory, and summed in the caller's
+// afterwards.
 inline BallMeasure measure_into(const CubeGrid &grid, const Boundary &boundary, const uint8_t *selected, double *area,
                                 double *volume) {
+  if (small_code || area == nullptr || volume == nullptr) {
+    return measure_union(grid, boundary, selected, [&](uint32_t i, const BallMeasure &measure) {
+      if (area != nullptr) area[i] = measure.area;
+      if (volume != nullptr) volume[i] = measure.volume;
+    });
+  }
   constexpr uint32_t ahead = 24;
   const BallSet &balls = grid.balls();
   for (uint32_t ball = 0; ball < balls.n; ++ball) {

@@ -21,4 +21,12 @@ void visit_free_inner_contacts_in_box(const PeriodicUnion &periodic, Visit visit
   }
 }
 
+// Sets a flag of both balls of each such pair. flags [n].
+inline void flag_free_inner_contacts_in_box(const PeriodicUnion &periodic, uint32_t flag, uint32_t *flags) {
+  visit_free_inner_contacts_in_box(periodic, [&](uint32_t inner, uint32_t outer) {
+    flags[inner] |= flag;
+    flags[outer] |= flag;
+  });
+}
+
 }  // namespace hsp

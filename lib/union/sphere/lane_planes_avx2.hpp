@@ -2,7 +2,7 @@
 // everything has internal linkage.
 #pragma once
 
-#include "exact/twofold_avx2.hpp"
+#include "core/twofold_avx2.hpp"
 #include "sphere/near_balls.hpp"
 
 namespace hsp {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "measure/positions.hpp"
+#include "topology/positions.hpp"
 
 namespace long_vectors {
 

@@ -10,7 +10,7 @@
 
 #include "boundary/half_edge_links.hpp"
 #include "built_topology.hpp"
-#include "measure/shell_volumes.hpp"
+#include "topology/shell_volumes.hpp"
 #include "point_lattices.hpp"
 #include "set_arrangements.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <initializer_list>
 
-#include "measure/positions.hpp"
+#include "topology/positions.hpp"
 #include "small_topology.hpp"
 
 namespace cases {

@@ -1,4 +1,4 @@
-// Radii by element, for who has none of their own.
+// Radii by element, published ones. Chemistry: geometry knows nothing of it.
 #pragma once
 
 #include <cstdint>

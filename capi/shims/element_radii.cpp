@@ -1,4 +1,4 @@
-#include "model/element_radii.hpp"
+#include "element_radii.hpp"
 
 namespace hsp {
 namespace {

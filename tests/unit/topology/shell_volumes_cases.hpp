@@ -2,7 +2,7 @@
 // signs.
 #pragma once
 
-#include "measure/shell_volumes.hpp"
+#include "topology/shell_volumes.hpp"
 #include "small_topology.hpp"
 
 namespace cases {

@@ -1,4 +1,4 @@
-#include "measure/positions.hpp"
+#include "topology/positions.hpp"
 
 #include "core/elementary.hpp"
 #include "exact/discriminant.hpp"

@@ -1,4 +1,4 @@
-#include "measure/shell_volumes.hpp"
+#include "topology/shell_volumes.hpp"
 
 #include "core/summation.hpp"
 
