@@ -1,5 +1,5 @@
-#include "hardsphere.h"
 #include "element_radii.hpp"
+#include "hardsphere.h"
 
 static_assert(static_cast<uint32_t>(hsp::RadiiSet::bondi) == HSP_RADII_BONDI &&
               static_cast<uint32_t>(hsp::RadiiSet::chem3d) == HSP_RADII_CHEM3D);

@@ -1,7 +1,7 @@
 #include "hsp_topology.hpp"
+#include "model/queries.hpp"
 #include "topology/positions.hpp"
 #include "topology/shell_volumes.hpp"
-#include "model/queries.hpp"
 
 using hsp::capi::check_results;
 

@@ -4,8 +4,8 @@
 
 #include <initializer_list>
 
-#include "topology/positions.hpp"
 #include "small_topology.hpp"
+#include "topology/positions.hpp"
 
 namespace cases {
 

@@ -2,8 +2,8 @@
 // signs.
 #pragma once
 
-#include "topology/shell_volumes.hpp"
 #include "small_topology.hpp"
+#include "topology/shell_volumes.hpp"
 
 namespace cases {
 

@@ -10,9 +10,9 @@
 
 #include "boundary/half_edge_links.hpp"
 #include "built_topology.hpp"
-#include "topology/shell_volumes.hpp"
 #include "point_lattices.hpp"
 #include "set_arrangements.hpp"
+#include "topology/shell_volumes.hpp"
 
 namespace {
 
