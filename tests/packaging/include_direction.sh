@@ -6,9 +6,8 @@ set -euo pipefail
 cd "$1"
 readme=lib/README.md
 
-# What each room stands on. It may include itself, these rooms, and what these stand on. Two wings stand over the
-# boundary: topology, measure, contacts, periodic and surface know nothing of view, visibility, sticks and picture, nor
-# these of them. Cells of free space, paths through them and poses need no boundary.
+# What each room stands on. It may include itself, these rooms, and what these stand on. The wings smooth and sight both
+# stand on the boundary, and neither knows the other. Cells of free space, paths through them and poses need no boundary.
 rooms="core exact model cells paths poses sphere boundary measure topology moving contacts periodic surface mesh"
 rooms+=" view visibility sticks picture capi"
 declare -A stands_on=([core]="" [exact]="core" [model]="exact" [cells]="model" [paths]="cells" [poses]="model" [sphere]="model"
