@@ -12,6 +12,7 @@ set(HSP_LIBRARY_SOURCES
   lib/balls/model/cube_grid.cpp
   lib/balls/model/digit_sort.cpp
   lib/balls/model/grid_order.cpp
+  lib/balls/model/halo.cpp
   lib/balls/model/neighbour_lists.cpp
   lib/balls/model/packing_statistics.cpp
   lib/balls/model/pair_block_avx2.cpp

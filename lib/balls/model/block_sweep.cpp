@@ -17,7 +17,7 @@ bool before_row(const CubeCoordinates &cube, int64_t y, int64_t z) {
 const CubeBlock &BlockSweep::block_around(uint32_t cube) {
   if (cube == at_) return block_;
   const CubeCoordinates &at = table_->coordinates(cube);
-  if (grid_->rows().is_there() || grid_->has_others()) {
+  if (grid_->rows().is_there() || grid_->has_images()) {
     at_ = cube;
     block_ = grid_->block_around(at);
     return block_;

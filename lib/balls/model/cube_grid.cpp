@@ -95,7 +95,7 @@ void CubeGrid::carve(Workspace &workspace, uint32_t n) {
 void CubeGrid::clear() {
   balls_.n = 0;
   own_balls_ = own_cubes_ = 0;
-  lift_ = last_own_layer_ = 0;
+  halo_ = {};
   static_cast<void>(exact::Lattice::for_largest_radius(0.0, 0.0, balls_.lattice));
   balls_.probe_steps = 0;
   balls_.largest_radius = 0;
@@ -217,7 +217,7 @@ void CubeGrid::put(const Source &given, const CubeAxis &axis, BallRange part, co
     }
     while (table_.count() < cubes) {
       CubeCoordinates cube = axis.cube_at(balls_.ball(first_ball_[table_.count()]).centre);
-      cube.z += lift_;
+      cube.z += halo_.lift();
       table_.push(cube);
     }
   }
@@ -295,52 +295,24 @@ void CubeGrid::sort(const Source &source, const BallSet &given, const LatticeBox
   const uint32_t n = balls_.n;
   const CubeAxis axis(side_);
   const GridOrder order = order_of(source, given, box, axis, {0, own});
-  GridOrder others{};
+  GridOrder images{};
   int64_t lowest = 0;
   if (own < n) {
-    const LatticeBox box_of_others = box_around(source, {own, n});
-    others = order_of(source, given, box_of_others, axis, {own, n});
-    lowest = axis.cube_at(box_of_others.low.z);
+    const LatticeBox box_of_images = box_around(source, {own, n});
+    images = order_of(source, given, box_of_images, axis, {own, n});
+    lowest = axis.cube_at(box_of_images.low.z);
   }
   put(source, axis, {0, own}, order);
   own_balls_ = own;
   own_cubes_ = table_.count();
   if (own < n) {
-    last_own_layer_ = own > 0 ? table_.high().z : 0;
-    lift_ = last_own_layer_ + 1 - lowest;
-    inner_low_ = table_.low();
-    inner_high_ = table_.high();
-    put(source, axis, {own, n}, others);
-    cut_off_others();
+    halo_.begin(table_, lowest);
+    put(source, axis, {own, n}, images);
+    halo_.end(table_, own_cubes_);
   }
   table_.insert_all(scratch_slots_);
   first_ball_[table_.count()] = n;
   make_row_directory();
-}
-
-// From the box around all own cubes each cube of another ball cuts off the fewest layers that hold it.
-void CubeGrid::cut_off_others() {
-  for (uint32_t cube = own_cubes_; cube < table_.count(); ++cube) {
-    CubeCoordinates at = table_.coordinates(cube);
-    at.z -= lift_;
-    const int64_t behind[6] = {at.x - inner_low_.x,  at.y - inner_low_.y,  at.z - inner_low_.z,
-                               inner_high_.x - at.x, inner_high_.y - at.y, inner_high_.z - at.z};
-    uint32_t least = 0;
-    for (uint32_t face = 1; face < 6; ++face) least = behind[face] < behind[least] ? face : least;
-    if (behind[least] < 0) continue;  // it is outside
-    if (least == 0) inner_low_.x = at.x + 1;
-    if (least == 1) inner_low_.y = at.y + 1;
-    if (least == 2) inner_low_.z = at.z + 1;
-    if (least == 3) inner_high_.x = at.x - 1;
-    if (least == 4) inner_high_.y = at.y - 1;
-    if (least == 5) inner_high_.z = at.z - 1;
-  }
-}
-
-// Whether no ball that only stands around is in the 27 cubes around this one.
-bool CubeGrid::is_far_from_others(const CubeCoordinates &centre) const {
-  return centre.x > inner_low_.x && centre.x < inner_high_.x && centre.y > inner_low_.y && centre.y < inner_high_.y &&
-         centre.z > inner_low_.z && centre.z < inner_high_.z;
 }
 
 BallRange CubeGrid::balls_in_row(int64_t x_low, int64_t x_high, int64_t y, int64_t z) const {
@@ -378,15 +350,15 @@ CubeBlock CubeGrid::block_around(const CubeCoordinates &centre) const {
   CubeBlock block;
   CubeCoordinates low{centre.x - 1, centre.y - 1, centre.z - 1};
   CubeCoordinates high{centre.x + 1, centre.y + 1, centre.z + 1};
-  if (!has_others() || is_far_from_others(centre)) {
+  if (!has_images() || halo_.is_far_from(centre)) {
     add_rows(low, high, block);
     return block;
   }
-  const CubeCoordinates highest{high.x, high.y, high.z < last_own_layer_ ? high.z : last_own_layer_};
-  add_rows(low, highest, block);
-  low.z += lift_;
-  high.z += lift_;
-  if (low.z <= last_own_layer_) low.z = last_own_layer_ + 1;
+  const int64_t last = halo_.last_own_layer();
+  add_rows(low, {high.x, high.y, high.z < last ? high.z : last}, block);
+  low.z += halo_.lift();
+  high.z += halo_.lift();
+  if (low.z <= last) low.z = last + 1;
   add_rows(low, high, block);
   return block;
 }

@@ -2,15 +2,15 @@
 // once, in the cube of its centre: the centres of two balls that meet are in the same cube or in neighbouring ones, so
 // 27 cubes hold all neighbours of a ball.
 //
-// A set may end with balls that only stand around the others, like images in a periodic box. They come behind all
-// others in the grid's order, in cubes of their own in layers above those of the others: so what is found once, at the
-// first of its balls, is found at one of the others.
+// A set may end with images that only surround the others, as in a periodic box. They come behind all others in the
+// grid's order, in the cubes of a halo.
 #pragma once
 
 #include "core/workspace.hpp"
 #include "model/ball_range.hpp"
 #include "model/ball_set.hpp"
 #include "model/cube_table.hpp"
+#include "model/halo.hpp"
 #include "model/query_hits.hpp"
 #include "model/row_directory.hpp"
 
@@ -20,7 +20,7 @@ class CubeAxis;
 struct GridOrder;
 
 // The balls of the up to 27 cubes around a position: one range per row of cubes, in ascending order; then as many of
-// balls that stand around, if there are such.
+// images, if there are such.
 struct CubeBlock {
   BallRange range[18];
   uint32_t ranges = 0;
@@ -33,7 +33,7 @@ class CubeGrid {
 
   // Rounds and sorts the balls. On failure the grid is empty; first_bad names the ball.
   Status build(const BallInput &input, uint32_t &first_bad);
-  // The same from balls that are on a lattice, in the caller's order. Those from number `own` on stand around.
+  // The same from balls that are on a lattice, in the caller's order. Those from number `own` on are images.
   void build(const BallSet &given, uint32_t own);
   // The same from balls that are on a lattice: the caller's ball i is balls.ball(place[i]). Cubes get the given side,
   // twice the largest radius or more. There is room for so many balls.
@@ -47,10 +47,10 @@ class CubeGrid {
   uint32_t grid_index(uint32_t caller) const { return grid_index_[caller]; }
 
   uint32_t cubes() const { return table_.count(); }
-  // Without those that stand around: the first balls, in the first cubes.
+  // Without images: the first balls, in the first cubes.
   uint32_t own_balls() const { return own_balls_; }
   uint32_t own_cubes() const { return own_cubes_; }
-  bool has_others() const { return own_balls_ < balls_.n; }
+  bool has_images() const { return own_balls_ < balls_.n; }
   BallRange balls_in(uint32_t cube) const { return balls_of(cube, cube + 1); }
   // Of cubes first .. last - 1.
   BallRange balls_of(uint32_t first, uint32_t last) const { return {first_ball_[first], first_ball_[last]}; }
@@ -93,8 +93,6 @@ class CubeGrid {
                      BallRange part);
   template <class Source>
   void put(const Source &source, const CubeAxis &axis, BallRange part, const GridOrder &order);
-  void cut_off_others();
-  bool is_far_from_others(const CubeCoordinates &centre) const;
   void add_rows(const CubeCoordinates &low, const CubeCoordinates &high, CubeBlock &block) const;
 
   BallSet balls_;
@@ -109,8 +107,7 @@ class CubeGrid {
   Span<uint32_t> scratch_slots_, scratch_links_;
   uint32_t capacity_ = 0;
   uint32_t own_balls_ = 0, own_cubes_ = 0;
-  int64_t lift_ = 0, last_own_layer_ = 0;       // of cubes of balls that stand around; z of others
-  CubeCoordinates inner_low_{}, inner_high_{};  // a box of cubes where no ball stands that only stands around
+  Halo halo_;
   int64_t side_ = 1;
   bool wide_ = false;
 };
