@@ -18,6 +18,7 @@ except ModuleNotFoundError as missing:
     print("skipped: there is no python3-pycparser here")
     sys.exit(77)
 
+from write.fortran import fortran_module
 from write.model_text import model_text
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -25,6 +26,7 @@ ROOT = Path(__file__).resolve().parents[2]
 # The files of the project, and what writes each of an interface.
 GENERATED = {
     "capi/interface/model.txt": model_text,
+    "capi/fortran/hardsphere.f90": fortran_module,
 }
 
 
