@@ -5,9 +5,10 @@
 #   install_optional_packages PACKAGE...   says which cannot be had, and goes on
 # As root, or as a user who may use sudo. Where there is no dpkg, people install what is missing themselves.
 
-# What tests/run.sh needs: compilers, GoogleTest, and the programs that read pictures and look at the format.
+# What tests/run.sh needs: compilers, GoogleTest, the programs that read pictures and look at the format, and a parser of C
+# for capi/interface.
 packages_for_tests=(cmake ninja-build gcc g++ libc6-dev binutils gfortran pkg-config libgtest-dev libbenchmark-dev
-  clang-format-14 libxml2-utils ghostscript poppler-utils librsvg2-bin zlib1g-dev)
+  clang-format-14 libxml2-utils ghostscript poppler-utils librsvg2-bin zlib1g-dev python3-pycparser)
 # What `tests/run.sh --all` needs besides: sanitizers of clang, other linkers, C libraries and processors, documentation,
 # a count of instructions.
 packages_for_all_tests=(clang clang-14 lld musl-tools libclang-rt-14-dev g++-arm-linux-gnueabihf g++-s390x-linux-gnu qemu-user

@@ -76,10 +76,11 @@
  *
  * STRUCTS
  *   A struct that begins with struct_size says how much of it a program knows, so that programs and libraries of
- *   different versions fit together. Fields that an older, smaller one lacks have their default values. What the
- *   library does not know of a newer, larger one has to be zeros, else the status is HSP_E_VERSION, as it is with a bad
- *   struct_size: a smaller one that no version of the struct had, or a larger one above 1024 or no multiple of 4.
- *   Nothing is written beyond struct_size.
+ *   different versions fit together. Fields that an older, smaller one lacks have their default values. Of a
+ *   struct that is read, what the library does not know of a newer, larger one has to be zeros, else the status is
+ *   HSP_E_VERSION, as it is with a bad struct_size: a smaller one that no version of the struct had, or a larger one
+ *   above 1024 or no multiple of 4. Of a struct that is written, such a part stays or becomes zeros; nothing is written
+ *   beyond struct_size.
  *   All other structs are frozen: they stay as they are as long as HSP_ABI_NUMBER does. What is added comes as structs
  *   and functions of their own.
  *
@@ -87,7 +88,8 @@
  *   Where a function takes (T *out, uint32_t capacity, uint32_t *needed): *needed is set to the number of records there
  *   are, on HSP_OK and on HSP_E_CAPACITY. With capacity smaller than that the status is HSP_E_CAPACITY and nothing
  *   is written to out. out == NULL with capacity == 0 asks for the number: HSP_E_CAPACITY if there are records, HSP_OK
- *   if there are none.
+ *   if there are none. Behind the records, up to capacity, out may be written with what was there before: capacity must
+ *   not count elements that are not there, or that another thread uses.
  *   Where a function takes (uint32_t first, uint32_t count, T *out), exactly the records first .. first + count - 1 are
  *   written, or none with HSP_E_ID. How many there are is known from the counts; out may be NULL with count == 0.
  *
@@ -95,7 +97,8 @@
  *   Every function that can fail returns an int32_t: HSP_OK (0) or a negative number. On failure nothing but what the
  *   function's comment names is written. Treat an unknown negative number as a general failure.
  *   Every function that takes a handle may return HSP_E_HANDLE, which is not said again at each of them: the pointer is
- *   not NULL, and there is no live handle of that kind. A handle that is NULL is HSP_E_ARGUMENT, like every pointer
+ *   not NULL, and there is no live handle of that kind. Nothing is written then, not even what comments name, such as
+ *   *first_bad. A handle that is NULL is HSP_E_ARGUMENT, like every pointer
  *   that must not be NULL. Where more than one status fits, one of them comes back.
  *
  * HANDLES AFTER A FAILURE

@@ -70,6 +70,12 @@ inline bool fits(bool wanted, uint32_t capacity, uint32_t count, uint32_t *neede
   return !wanted || capacity >= count;
 }
 
+// first_bad, which may be null, names nothing yet. A handle that is refused leaves it as it is.
+inline int32_t name_none(int32_t status, uint32_t *first_bad) {
+  if (first_bad != nullptr && status != HSP_E_HANDLE) *first_bad = HSP_NONE;
+  return status;
+}
+
 // Names the first weight of a range that is not a number; weights and first_bad may be null.
 inline int32_t check_weights(const double *sigma, IdRange range, uint32_t *first_bad) {
   if (first_bad != nullptr) *first_bad = HSP_NONE;

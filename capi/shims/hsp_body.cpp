@@ -4,6 +4,7 @@
 
 using hsp::capi::check_handle;
 using hsp::capi::first_failure;
+using hsp::capi::name_none;
 
 namespace {
 
@@ -36,9 +37,8 @@ int32_t check_bodies(const hsp_body *fixed, const hsp_body *moving, bool bad) {
 template <class Numbers, class Answer>
 int32_t for_each_pose(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const Numbers *numbers,
                       const void *out, uint32_t *first_bad, Answer answer) {
-  if (first_bad != nullptr) *first_bad = HSP_NONE;
   const bool bad = poses > 0 && (numbers == nullptr || out == nullptr);
-  if (const int32_t status = check_bodies(fixed, moving, bad); status != HSP_OK) return status;
+  if (const int32_t status = name_none(check_bodies(fixed, moving, bad), first_bad); status != HSP_OK) return status;
   typename PoseOf<Numbers>::type pose;
   for (uint32_t k = 0; k < poses; ++k) {
     const int32_t status = make_pose(fixed, moving, numbers[k], pose);
@@ -65,9 +65,8 @@ int32_t find_hits(const hsp_body *fixed, const hsp_body *moving, uint32_t poses,
 template <class Numbers>
 int32_t find_hits_along(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const Numbers *pose,
                         double margin, uint32_t *hit, uint32_t *first_bad) {
-  if (first_bad != nullptr) *first_bad = HSP_NONE;
   const bool bad = poses > 0 && (pose == nullptr || hit == nullptr);
-  if (const int32_t status = check_bodies(fixed, moving, bad); status != HSP_OK) return status;
+  if (const int32_t status = name_none(check_bodies(fixed, moving, bad), first_bad); status != HSP_OK) return status;
   if (!hsp::is_finite(margin)) return HSP_E_NOT_FINITE;
   if (margin < 0.0) return HSP_E_RANGE;
   hsp::GapBudget known(fixed->tree.lattice().steps(margin));

@@ -70,11 +70,8 @@ int32_t hsp_moving_set(hsp_moving *moving, const hsp_model *model, const double 
                        uint32_t tangency, hsp_moving_limits *limits, uint32_t *first_bad) {
   if (const int32_t status = check_handle(moving); status != HSP_OK) return status;
   moving->complete = false;
-  if (first_bad != nullptr) *first_bad = HSP_NONE;
-  if (const int32_t status =
-          first_failure(check_handle(model, !hsp::capi::is_tangency(tangency)), check_struct(limits));
-      status != HSP_OK)
-    return status;
+  const int32_t refused = first_failure(check_handle(model, !hsp::capi::is_tangency(tangency)), check_struct(limits));
+  if (hsp::capi::name_none(refused, first_bad) != HSP_OK) return refused;
   const hsp::IdRange all{0, model->balls().n};
   if (const int32_t status = hsp::capi::check_weights(sigma, all, first_bad); status != HSP_OK) return status;
   if (!hsp::is_finite(tension) || !hsp::is_finite(pressure)) return HSP_E_NOT_FINITE;
@@ -84,10 +81,8 @@ int32_t hsp_moving_set(hsp_moving *moving, const hsp_model *model, const double 
 
 int32_t hsp_moving_move(hsp_moving *moving, uint32_t count, const uint32_t *ball, const double *xyz,
                         const double *radius, hsp_moving_limits *limits, uint32_t *first_bad) {
-  if (first_bad != nullptr) *first_bad = HSP_NONE;
-  if (const int32_t refused = first_failure(check_handle(moving, ball == nullptr && count > 0), check_struct(limits));
-      refused != HSP_OK)
-    return refused;
+  const int32_t refused = first_failure(check_handle(moving, ball == nullptr && count > 0), check_struct(limits));
+  if (hsp::capi::name_none(refused, first_bad) != HSP_OK) return refused;
   if (!moving->has_results()) return HSP_E_STATE;
   uint32_t bad = HSP_NONE;
   const hsp::Status status = moving->builder.move({count, ball, xyz, radius}, bad);

@@ -167,10 +167,8 @@ struct Contents {
   }
 };
 
-// write(contents, options, taken) writes the picture of a handle with results.
 template <class Handle, class Write>
-int32_t write_checked(const Handle *handle, const Call &call, Write write) {
-  if (call.bytes != nullptr) *call.bytes = 0;
+int32_t write_if_valid(const Handle *handle, const Call &call, uint64_t &taken, Write write) {
   if (const int32_t status = check_handle(handle, call.sink == nullptr); status != HSP_OK) return status;
   hsp_picture_options wanted;
   if (const int32_t status = read_options(call.options, wanted); status != HSP_OK) return status;
@@ -184,11 +182,17 @@ int32_t write_checked(const Handle *handle, const Call &call, Write write) {
   if (!is_in_range(wanted)) return HSP_E_RANGE;
   if (wanted.memory != 0 && wanted.memory_bytes < HSP_PICTURE_MEMORY) return HSP_E_MEMORY;
   if (!ready) return HSP_E_STATE;
-  uint64_t taken = 0;
   const Contents contents{handle->balls(), call, wanted};
-  const hsp::Status status = write(contents, from_c(wanted), taken);
-  if (call.bytes != nullptr) *call.bytes = taken;
-  return hsp::capi::to_c(status);
+  return hsp::capi::to_c(write(contents, from_c(wanted), taken));
+}
+
+// write(contents, options, taken) writes the picture of a handle with results.
+template <class Handle, class Write>
+int32_t write_checked(const Handle *handle, const Call &call, Write write) {
+  uint64_t taken = 0;
+  const int32_t status = write_if_valid(handle, call, taken, write);
+  if (call.bytes != nullptr && status != HSP_E_HANDLE) *call.bytes = taken;
+  return status;
 }
 
 }  // namespace

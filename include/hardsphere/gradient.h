@@ -74,8 +74,8 @@ HSP_API int32_t hsp_boundary_gradient_range(const hsp_boundary *boundary, const 
                                             uint32_t *first_bad);
 
 /** Make of such arrays, once all balls are in them, what hsp_boundary_gradient writes: flags of balls inside others and
- *  of what they touch are added, and the energy is summed. energy and flags may each be NULL, and without energy shares
- *  too.
+ *  of what they touch are added, and the energy is summed. energy and flags may each be NULL, and without energy
+ *  shares [n][3] too.
  *  - Property 1: with whatever ranges, d_centre, d_radius, flags and energy are those of hsp_boundary_gradient, bit for
  *    bit.
  *

@@ -19,8 +19,8 @@ typedef struct hsp_totals {
 
 /** Area and volume of the union, and of each ball, or those of some balls while the others only block.
  *  selected [n] holds one byte per ball, 0 or not 0; NULL selects all. What is not selected counts 0, and the rest is
- *  the same bit for bit. totals may be NULL; area and volume may each be NULL, else they hold capacity >= n entries, in
- *  the caller's order, and do not overlap; needed may be NULL and else becomes n.
+ *  the same bit for bit. totals may be NULL; area [n] and volume [n] may each be NULL, else capacity >= n; they are
+ *  in the caller's order and do not overlap; needed may be NULL and else becomes n.
  *  area[i] is the free area of ball i. volume[i] is ball i's term of the divergence theorem,
  *  (r_i area[i] + (c_i - o) . N_i) / 3 with N_i the vector area of its faces and o a centre of its component that does
  *  not depend on the order of the balls: the terms sum to the volume, single terms may be negative.

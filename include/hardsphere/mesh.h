@@ -132,9 +132,9 @@ typedef struct hsp_mesh_counts {
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
 HSP_API int32_t hsp_mesh_get_counts(const hsp_mesh *mesh, hsp_mesh_counts *counts);
 
-/** The vertices, which also serve as points all over the surface: positions, normals, areas and balls. Each of these
- *  arrays may be NULL, else it holds capacity >= vertices entries, xyz and normals [capacity][3]; needed may be NULL
- *  and else becomes their number.
+/** The vertices, which also serve as points all over the surface: positions, normals, areas and balls. Each of
+ *  xyz [vertices][3], normals [vertices][3], areas [vertices] and balls [vertices] may be NULL, else capacity >=
+ *  vertices; needed may be NULL and else becomes their number.
  *  normals have length 1 and point outward; on a border, where the patches that meet have one each, it is the direction
  *  of their sum. areas: a third of all triangles around a vertex. balls: in the caller's order, the ball that the
  *  vertex lies on, on a border of a boundary the first of them; of a smooth surface, as those of triangles.
@@ -146,11 +146,12 @@ HSP_API int32_t hsp_mesh_get_counts(const hsp_mesh *mesh, hsp_mesh_counts *count
 HSP_API int32_t hsp_mesh_get_vertices(const hsp_mesh *mesh, double *xyz, double *normals, double *areas,
                                       uint32_t *balls, uint32_t capacity, uint32_t *needed);
 
-/** The triangles: the numbers of their vertices, and what each belongs to. Each array may be NULL, else it holds
- *  capacity >= triangles entries, corners [capacity][3]; needed may be NULL and else becomes their number. kinds:
- *  HSP_PATCH_CONVEX for all of a boundary. patches: the number of the face, of a smooth surface that of its patch;
- *  ascending. balls: in the caller's order, the ball of a convex patch; on a saddle patch the one on whose side of the
- *  narrowest place the triangle lies; on a concave patch the one that the probe touches nearest to it.
+/** The triangles: the numbers of their vertices, and what each belongs to. Each of
+ *  corners [triangles][3], kinds [triangles], patches [triangles] and balls [triangles] may be NULL, else capacity >=
+ *  triangles; needed may be NULL and else becomes their number. kinds: HSP_PATCH_CONVEX for all of a boundary. patches:
+ *  the number of the face, of a smooth surface that of its patch; ascending. balls: in the caller's order, the ball of
+ *  a convex patch; on a saddle patch the one on whose side of the narrowest place the triangle lies; on a concave patch
+ *  the one that the probe touches nearest to it.
  *  @retval HSP_E_ARGUMENT  mesh is NULL
  *  @retval HSP_E_CAPACITY  an array is given and capacity is too small; nothing but *needed is written
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */

@@ -169,7 +169,7 @@ typedef struct hsp_moving_ball {
   uint32_t reserved;       /**< 0 */
 } hsp_moving_ball;
 
-/** What is known of some balls: of ball [count], in this order; the same may be listed again.
+/** What is known of some balls: out [count] of ball [count], in this order; the same may be listed again.
  *  @retval HSP_E_ARGUMENT  moving is NULL; ball or out is NULL with count > 0
  *  @retval HSP_E_STATE     no balls: no hsp_moving_set before, or it failed
  *  @retval HSP_E_ID        no such ball; nothing is written */

@@ -98,7 +98,7 @@ typedef struct hsp_path {
   uint32_t reserved;  /**< 0 */
 } hsp_path;
 
-/** Find a path from one point to another, both [3], after hsp_paths_compute; they are rounded to the lattice. Its
+/** Find a path between two points, from [3] and to [3], after hsp_paths_compute; they are rounded to the lattice. Its
  *  points stay until the next call; on failure there are none. limits, if not NULL, become what was needed for cells
  *  and path, or limits to retry with, for new paths: their struct_size has to be set.
  *  - Property 1: there is a path if and only if hsp_cells_locate puts both points into one region.
@@ -170,9 +170,10 @@ HSP_API int32_t hsp_gate_bytes(const hsp_gate_limits *limits, size_t *bytes);
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_gate_init(void *memory, size_t bytes, const hsp_gate_limits *limits, hsp_gate **gate);
 
-/** Find the widest probe from one point to another, both [3], or to the outside if `to` is NULL. The points are rounded
- *  to the lattice. The model must outlive the gate, which can be read while the model holds the same balls (RESULTS in
- *  hardsphere.h). On failure it holds no results. limits: see LIMITS in hardsphere.h; at most forty retries.
+/** Find the widest probe between two points, from [3] and to [3], or to the outside if `to` is NULL. The points are
+ *  rounded to the lattice. The model must outlive the gate, which can be read while the model holds the same balls
+ *  (RESULTS in hardsphere.h). On failure it holds no results. limits: see LIMITS in hardsphere.h; at most forty
+ *  retries.
  *
  *  Cost: that of some thirty times hsp_cells_compute, of balls that grow up to the widest probe.
  *  @retval HSP_E_ARGUMENT    gate, model or from is NULL

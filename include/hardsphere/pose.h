@@ -61,7 +61,7 @@ typedef struct hsp_pose {
   double translation[3]; /**< t, lengths */
 } hsp_pose;
 
-/** The pose of a rotation matrix, row by row, and a translation [3].
+/** The pose of a rotation matrix [9], row by row, and a translation [3].
  *  Entries of R R^T may differ from those of the unit matrix by 1e-6; the pose has the rotation of the quaternion that
  *  is nearest to it.
  *  @retval HSP_E_ARGUMENT    a null pointer
@@ -69,9 +69,8 @@ typedef struct hsp_pose {
  *  @retval HSP_E_RANGE       the matrix is no rotation: not orthonormal, or a reflection */
 HSP_API int32_t hsp_pose_from_matrix(const double *matrix, const double *translation, hsp_pose *pose);
 
-/** Whether any ball of the moving body meets one of the body at rest, for each of so many poses: hit [poses] becomes 1
- *  or 0. first_bad may be NULL, else it becomes the first pose that is refused, or HSP_NONE; nothing else is written
- *  then.
+/** Whether any ball of the moving body meets one of the body at rest, for each pose [poses]: hit [poses] becomes 1 or
+ *  0. first_bad may be NULL, else it becomes the first pose that is refused, or HSP_NONE; nothing else is written then.
  *
  *  Cost: some two microseconds for free poses of a hundred atoms at contact, nearly independent of the size of the body
  *  at rest.
@@ -102,9 +101,9 @@ typedef struct hsp_body_gap {
   uint32_t moving; /**< ball of the moving body, likewise */
 } hsp_body_gap;
 
-/** The least gap for each of so many poses: gap [poses]. Of equal gaps that of the first ball at rest, then of the
- *  first moving one. Otherwise as hsp_body_hits; a gap is off by at most 2^-51 of the distance of the two centres.
- *  @retval HSP_E_ARGUMENT    as for hsp_body_hits
+/** The least gap for each pose [poses]: gap [poses]. Of equal gaps that of the first ball at rest, then of the first
+ *  moving one. Otherwise as hsp_body_hits; a gap is off by at most 2^-51 of the distance of the two centres.
+ *  @retval HSP_E_ARGUMENT    as for hsp_body_hits; gap is NULL with poses > 0
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_hits
  *  @retval HSP_E_RANGE       as for hsp_body_hits */
 HSP_API int32_t hsp_body_gaps(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const hsp_pose *pose,
@@ -117,8 +116,8 @@ typedef struct hsp_body_overlap {
   uint32_t reserved; /**< 0 */
 } hsp_body_overlap;
 
-/** The penalty that docking codes want, for each of so many poses: overlap [poses]. Otherwise as hsp_body_hits.
- *  @retval HSP_E_ARGUMENT    as for hsp_body_hits
+/** The penalty that docking codes want, for each pose [poses]: overlap [poses]. Otherwise as hsp_body_hits.
+ *  @retval HSP_E_ARGUMENT    as for hsp_body_hits; overlap is NULL with poses > 0
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_hits
  *  @retval HSP_E_RANGE       as for hsp_body_hits */
 HSP_API int32_t hsp_body_overlaps(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const hsp_pose *pose,
@@ -139,9 +138,9 @@ typedef struct hsp_rational_pose {
   double translation[3]; /**< t, lengths; what counts is the lattice point nearest to it */
 } hsp_rational_pose;
 
-/** As hsp_body_hits, for poses that move a body as truly rigid: no ball is put on the lattice again, and whether two
- *  balls meet is decided about the ideal ones, in integers of 256 bits where doubles leave a doubt. Poses follow each
- *  other as there.
+/** As hsp_body_hits, for each rational pose [poses], which moves a body as truly rigid: no ball is put on the lattice
+ *  again, and whether two balls meet is decided about the ideal ones, in integers of 256 bits where doubles leave a
+ *  doubt. Poses follow each other as there.
  *  - Property 1: the same rotation by a quaternion of another length has the same answers.
  *
  *  Cost: as hsp_body_hits but where balls nearly touch.
@@ -152,7 +151,7 @@ typedef struct hsp_rational_pose {
 HSP_API int32_t hsp_body_rational_hits(const hsp_body *fixed, const hsp_body *moving, uint32_t poses,
                                        const hsp_rational_pose *pose, uint32_t *hit, uint32_t *first_bad);
 
-/** As hsp_body_hits_along, for rational poses: the answers of hsp_body_rational_hits.
+/** As hsp_body_hits_along, for each rational pose [poses]: the answers of hsp_body_rational_hits.
  *  - Property 1: the margin has no effect on hit.
  *
  *  @retval HSP_E_ARGUMENT    as for hsp_body_hits
@@ -162,8 +161,8 @@ HSP_API int32_t hsp_body_rational_hits_along(const hsp_body *fixed, const hsp_bo
                                              const hsp_rational_pose *pose, double margin, uint32_t *hit,
                                              uint32_t *first_bad);
 
-/** As hsp_body_gaps, for rational poses: of the ideal balls.
- *  @retval HSP_E_ARGUMENT    as for hsp_body_hits
+/** As hsp_body_gaps, for each rational pose [poses]: of the ideal balls.
+ *  @retval HSP_E_ARGUMENT    as for hsp_body_hits; gap is NULL with poses > 0
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_rational_hits
  *  @retval HSP_E_RANGE       as for hsp_body_rational_hits */
 HSP_API int32_t hsp_body_rational_gaps(const hsp_body *fixed, const hsp_body *moving, uint32_t poses,

@@ -74,12 +74,14 @@ static void check_refused(const hsp_body *a, const hsp_body *b, uint32_t poses, 
   first_bad = 77;
   CHECK_EQUAL(hsp_body_hits_along(a, b, poses, at, 1, hit, &first_bad), status);
   CHECK_EQUAL(first_bad, bad);
+  first_bad = 77;
   CHECK_EQUAL(hsp_body_gaps(a, b, poses, at, gap, &first_bad), status);
   CHECK_EQUAL(first_bad, bad);
+  first_bad = 77;
   CHECK_EQUAL(hsp_body_overlaps(a, b, poses, at, overlap, &first_bad), status);
   CHECK_EQUAL(first_bad, bad);
   CHECK_EQUAL(hsp_body_overlaps(a, b, poses, at, overlap, NULL), status);
-  CHECK_EQUAL(hsp_body_pairs(a, b, bad != HSP_NONE ? at + bad : at, pair, 1, &needed), status);
+  CHECK_EQUAL(hsp_body_pairs(a, b, bad < POSES ? at + bad : at, pair, 1, &needed), status);
   CHECK_UNTOUCHED(hit);
   CHECK_UNTOUCHED(pair);
   CHECK_UNTOUCHED(needed);
@@ -147,9 +149,10 @@ static void refusals(void) {
   CHECK_EQUAL(hsp_body_set(moving, model), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_body_hits(fixed, moving, 1, pose + 3, hit, NULL), HSP_OK);
   CHECK_EQUAL(hit[0], 0);
-  /* A handle of another kind. */
+  /* A handle of another kind: not even first_bad is written. */
   CHECK_EQUAL(hsp_body_set((hsp_body *)(void *)model, model), HSP_E_HANDLE);
-  check_refused((const hsp_body *)(const void *)model, fixed, POSES, pose, HSP_E_HANDLE, HSP_NONE);
+  check_refused((const hsp_body *)(const void *)model, fixed, POSES, pose, HSP_E_HANDLE, 77);
+  check_refused(fixed, (const hsp_body *)(const void *)model, POSES, pose, HSP_E_HANDLE, 77);
 }
 
 static void answers(void) {
@@ -234,9 +237,10 @@ static void check_rational_refused(const hsp_body *a, const hsp_body *b, uint32_
   first_bad = 77;
   CHECK_EQUAL(hsp_body_rational_hits_along(a, b, poses, at, 1, hit, &first_bad), status);
   CHECK_EQUAL(first_bad, bad);
+  first_bad = 77;
   CHECK_EQUAL(hsp_body_rational_gaps(a, b, poses, at, gap, &first_bad), status);
   CHECK_EQUAL(first_bad, bad);
-  CHECK_EQUAL(hsp_body_rational_pairs(a, b, bad != HSP_NONE ? at + bad : at, pair, 1, &needed), status);
+  CHECK_EQUAL(hsp_body_rational_pairs(a, b, bad < POSES ? at + bad : at, pair, 1, &needed), status);
   CHECK_UNTOUCHED(hit);
   CHECK_UNTOUCHED(pair);
   CHECK_UNTOUCHED(needed);
@@ -251,6 +255,7 @@ static void rational_poses(void) {
   check_rational_refused(NULL, moving, POSES, rational, HSP_E_ARGUMENT, HSP_NONE);
   check_rational_refused(fixed, NULL, POSES, rational, HSP_E_ARGUMENT, HSP_NONE);
   check_rational_refused(fixed, moving, POSES, NULL, HSP_E_ARGUMENT, HSP_NONE);
+  check_rational_refused((const hsp_body *)(const void *)model, moving, POSES, rational, HSP_E_HANDLE, 77);
   CHECK_EQUAL(hsp_body_rational_hits(fixed, moving, 1, rational, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_body_rational_gaps(fixed, moving, 1, rational, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_body_rational_pairs(fixed, moving, rational, NULL, 1, &needed), HSP_E_ARGUMENT);

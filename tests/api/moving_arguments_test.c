@@ -282,6 +282,9 @@ static void refused_moves(void) {
   CHECK_EQUAL(first_bad, HSP_NONE);
   CHECK_EQUAL(hsp_moving_move(moving, 1, NULL, xyz, NULL, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_moving_move(NULL, 1, &ball, xyz, NULL, NULL, NULL), HSP_E_ARGUMENT);
+  first_bad = 77;
+  CHECK_EQUAL(hsp_moving_move((hsp_moving *)(void *)model, 1, &ball, xyz, NULL, NULL, &first_bad), HSP_E_HANDLE);
+  CHECK_EQUAL(first_bad, 77);
   /* What was refused before anything was computed leaves the move before it to be taken back. */
   CHECK_EQUAL(hsp_moving_undo(moving), HSP_OK);
   xyz[0] = 0;
@@ -338,8 +341,8 @@ static void refused_sets(void) {
   hsp_moving_ball ball;
   uint32_t k, first_bad, list[BALLS];
   const uint32_t id = 0;
-  for (k = 0; k < 6; ++k) {
-    const hsp_model *from = k == 0 ? NULL : model;
+  for (k = 0; k < 7; ++k) {
+    const hsp_model *from = k == 0 ? NULL : k == 6 ? (const hsp_model *)(const void *)moving : model;
     check_scene("set, refusal %u", (unsigned)k);
     CHECK_EQUAL(set_with_room_for(BALLS, BALLS, 0, NULL), HSP_OK);
     memcpy(weights, sigma, sizeof weights);
@@ -349,8 +352,9 @@ static void refused_sets(void) {
                                k == 1 ? 2 : HSP_TANGENT_DISJOINT, k == 2 ? &limits : NULL, &first_bad),
                 k < 2    ? HSP_E_ARGUMENT
                 : k == 2 ? HSP_E_VERSION
+                : k == 6 ? HSP_E_HANDLE
                          : HSP_E_NOT_FINITE);
-    CHECK_EQUAL(first_bad, k == 3 ? 2 : HSP_NONE);
+    CHECK_EQUAL(first_bad, k == 3 ? 2 : k == 6 ? 77 : HSP_NONE);
     FILL(info);
     FILL(ball);
     FILL(list);

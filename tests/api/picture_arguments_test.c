@@ -64,14 +64,14 @@ static int32_t write_either(hsp_view *of_view, hsp_map *of_map, const uint32_t *
   return hsp_picture_write(of_view, colour, options, "t", "", picture_sink_take, sink, bytes);
 }
 
-/* The calls for the view and for the map are refused before the sink hears of it. */
+/* Calls for the view and for the map are refused before the sink hears of it, handles before anything is written. */
 static void check_refused(const uint32_t *colour, const hsp_picture_options *options, int32_t expected) {
   picture_sink sink;
   uint64_t bytes[2] = {77, 77};
   picture_sink_start(&sink, SIZE_MAX);
   CHECK_EQUAL(write_either(view, NULL, colour, options, &sink, &bytes[0]), expected);
   CHECK_EQUAL(write_either(NULL, map, colour, options, &sink, &bytes[1]), expected);
-  CHECK_EQUAL(bytes[0] + bytes[1], 0);
+  CHECK_EQUAL(bytes[0] + bytes[1], expected == HSP_E_HANDLE ? 154 : 0);
   CHECK_EQUAL(sink.calls, 0);
   picture_sink_release(&sink);
 }
@@ -92,15 +92,17 @@ static void check_written(const uint32_t *colour, const hsp_picture_options *opt
 static void bad_choices(void) {
   static const uint32_t too_large[3] = {0x1000000, 0x80000000, HSP_NONE};
   hsp_picture_options options;
+  uint64_t bytes = 77;
   int k;
   CHECK_EQUAL(hsp_picture_write(NULL, colours, NULL, NULL, NULL, picture_sink_take, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_picture_write(view, colours, NULL, NULL, NULL, NULL, NULL, NULL), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_picture_write((hsp_view *)(void *)map, colours, NULL, NULL, NULL, picture_sink_take, NULL, NULL),
-              HSP_E_HANDLE);
   CHECK_EQUAL(hsp_picture_write_map(NULL, colours, NULL, NULL, NULL, picture_sink_take, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_picture_write_map(map, colours, NULL, NULL, NULL, NULL, NULL, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_picture_write_map((hsp_map *)(void *)view, colours, NULL, NULL, NULL, picture_sink_take, NULL, NULL),
               HSP_E_HANDLE);
+  CHECK_EQUAL(hsp_picture_write((hsp_view *)(void *)map, colours, NULL, NULL, NULL, picture_sink_take, NULL, &bytes),
+              HSP_E_HANDLE);
+  CHECK_EQUAL(bytes, 77);
   options = good_options();
   options.struct_size = 0;
   check_refused(colours, &options, HSP_E_VERSION);

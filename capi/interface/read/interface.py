@@ -1,0 +1,129 @@
+"""What is known of the interface, as data."""
+from dataclasses import dataclass, field
+
+# Bytes of each scalar on every target; size_t is what differs, and stands in no struct.
+SCALARS = {"double": 8, "int32_t": 4, "uint32_t": 4, "uint8_t": 1, "int64_t": 8, "uint64_t": 8}
+
+
+@dataclass
+class Argument:
+    """An argument of a function. `base` is its type without const and stars."""
+    name: str
+    base: str
+    stars: int
+    const: bool
+    kind: str = ""  # one of kinds.KINDS
+    extents: list[str] = field(default_factory=list)  # of an array, outermost first
+    null: str = "never"  # whether it may be NULL: never, always, or empty: where there is nothing to hold
+    held: bool = False  # an output array that has to have room for what `needed` becomes
+
+    @property
+    def c(self):
+        """Its declaration in C."""
+        return f"{'const ' if self.const else ''}{self.base} {'*' * self.stars}{self.name}"
+
+
+@dataclass
+class Function:
+    """A function with what its comment says. `result` is a status (int32_t), a number (uint32_t) or a text."""
+    name: str
+    result: str
+    arguments: list[Argument]
+    header: str
+    comment: str
+    brief: str = ""
+    prose: str = ""
+    statuses: dict[str, str] = field(default_factory=dict)  # from @retval: the reasons for each
+    parameters: dict[str, str] = field(default_factory=dict)  # from @param
+    since: str = ""  # from @since: the version that had it first
+    open_questions: list[str] = field(default_factory=list)  # what no rule settles
+
+    @property
+    def noun(self):
+        return self.header.removesuffix(".h")
+
+    @property
+    def pure(self):
+        """Whether it makes a number of numbers alone."""
+        return self.result == "uint32_t" and bool(self.arguments) and all(a.kind == "value" for a in self.arguments)
+
+    def argument(self, name):
+        return next((a for a in self.arguments if a.name == name), None)
+
+    @property
+    def c(self):
+        """Its declaration in C, without the semicolon."""
+        space = "" if self.result.endswith("*") else " "
+        return f"{self.result}{space}{self.name}({', '.join(a.c for a in self.arguments) or 'void'})"
+
+
+@dataclass
+class Field:
+    name: str
+    base: str
+    count: int
+    remark: str
+
+
+@dataclass
+class Struct:
+    name: str
+    fields: list[Field]
+    header: str
+    comment: str
+
+    @property
+    def sized(self):
+        """Whether it says its own size, so that programs and libraries of different versions fit together."""
+        return self.fields[0].name == "struct_size"
+
+
+@dataclass
+class Macro:
+    """A macro with parameters, and the text that it stands for."""
+    name: str
+    parameters: list[str]
+    text: str
+    header: str
+
+
+@dataclass
+class Constant:
+    name: str
+    value: int
+    header: str
+    remark: str
+
+
+@dataclass
+class Interface:
+    """All of it: headers in the order in which hardsphere.h says to read them, and so all the rest."""
+    headers: dict[str, str] = field(default_factory=dict)  # and what each is for
+    functions: list[Function] = field(default_factory=list)
+    structs: dict[str, Struct] = field(default_factory=dict)
+    handles: dict[str, str] = field(default_factory=dict)  # and the header of each
+    callbacks: dict[str, str] = field(default_factory=dict)  # and the declaration of each in C
+    constants: dict[str, Constant] = field(default_factory=dict)
+    texts: dict[str, str] = field(default_factory=dict)  # constants that are texts
+    macros: dict[str, Macro] = field(default_factory=dict)
+
+    def function(self, name):
+        return next((f for f in self.functions if f.name == name), None)
+
+    def structs_inside_first(self):
+        """The structs, each behind those that it holds."""
+        done = {}
+
+        def add(struct):
+            for part in struct.fields:
+                if part.base in self.structs:
+                    add(self.structs[part.base])
+            done.setdefault(struct.name, struct)
+
+        for struct in self.structs.values():
+            add(struct)
+        return list(done.values())
+
+    def open_questions(self):
+        """Rows `function: question`."""
+        return [f"{f.name}: {question}" for f in self.functions for question in f.open_questions]
