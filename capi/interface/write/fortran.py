@@ -48,8 +48,8 @@ def sections(interface, indent, items, rows_of, apart=False):
 
 
 def wrapped(text, indent, begin="", mark=""):
-    """A text over as many rows as it takes; `begin` stands before each, `mark` at the end of those that go on. Parts that
-    stay together have \\xa0 for spaces."""
+    """A text over as many rows as it takes; `begin` stands before each, `mark` at the end of those that go on. Parts
+    that stay together have \\xa0 for spaces."""
     rows, lead = [], " " * indent + begin
     while len(lead) + len(text) > WIDTH:
         cut = text.rfind(" ", 0, WIDTH - len(lead) - len(mark))
