@@ -23,13 +23,17 @@ from write.cdef import cdef
 from write.fortran import fortran_module
 from write.function_index import function_index
 from write.model_text import model_text
+from write.workspace import workspace_header
+from write.workspace_fortran import workspace_module
 
 ROOT = Path(__file__).resolve().parents[2]
 
 # The files of the project, and what writes each of an interface.
 GENERATED = {
     "capi/interface/model.txt": model_text,
+    "include/hardsphere_workspace.h": workspace_header,
     "capi/fortran/hardsphere.f90": fortran_module,
+    "capi/fortran/hardsphere_workspace.f90": workspace_module,
     "capi/abi/since.txt": abi_since,  # before functions.txt, which says what is new
     "capi/abi/functions.txt": abi_functions,
     "capi/abi/constants.txt": abi_constants,

@@ -2,6 +2,8 @@
 import re
 from pathlib import Path
 
+from .template import filled
+
 TEMPLATE = Path(__file__).with_name("fortran_template.f90")
 WIDTH = 120
 KINDS = {"double": "real(c_double)", "int32_t": "integer(c_int32_t)", "uint32_t": "integer(c_int32_t)",
@@ -25,11 +27,7 @@ def fortran_module(interface):
     }
     texts = [f"  character(*), parameter :: {name} = '{text}'" for name, text in interface.texts.items()]
     parts["constants"][2:2] = texts  # all of them are in version.h, the first header
-    rows = []
-    for row in TEMPLATE.read_text().split("\n"):
-        part = re.fullmatch(r" *! <(\w+)>", row)
-        rows += parts[part[1]] if part else [row]
-    return "! Generated from the headers by capi/interface/generate.sh.\n!\n" + "\n".join(rows)
+    return filled(TEMPLATE, r" *! <(\w+)>", parts.get)
 
 
 def sections(interface, indent, items, rows_of, apart=False):
