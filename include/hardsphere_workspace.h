@@ -62,7 +62,7 @@ static inline int32_t hsp_workspace_allocate(void **memory, size_t bytes) {
   return *memory != NULL ? HSP_OK : HSP_E_MEMORY;
 }
 
-/* What was computed from a handle has no results any more: before the memory of the handle is given back. */
+/* Drops what was computed from a handle, before the memory of that handle is given back. */
 static inline void hsp_workspace_drop_of_model(hsp_workspace *work) {
   if (work->boundary != NULL) (void)hsp_boundary_compute(work->boundary, NULL, NULL);
   if (work->topology != NULL) (void)hsp_topology_compute(work->topology, NULL, NULL);

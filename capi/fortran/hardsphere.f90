@@ -6,8 +6,9 @@
 ! QUARTER-EDGES, SIMPLE FACES, CELLS, PIECES AND LOOPS.
 ! THE FORTRAN ARRAY ELEMENT OF ID i IS THEREFORE i + 1; hsp_index(i) COMPUTES THAT.
 !
-! What each function does, its statuses and its costs are documented in hardsphere.h; nothing of that changes here. A
-! row with a name, such as `---- model.h`, begins what include/hardsphere/model.h declares.
+! What each function does, its statuses and its costs are documented in hardsphere.h; nothing of that changes here.
+! A row such as `---- model.h` begins what include/hardsphere/model.h declares, and the next row with `----` ends it, so
+! that headers can be left out.
 ! How C maps to Fortran:
 !   double xyz[n][3]             real(c_double) :: xyz(3, n)
 !   uint32_t onext[edges][4]     integer(c_int32_t) :: onext(0:3, 0:edges - 1), and indices are ids
@@ -243,6 +244,8 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_PALETTE_JMOL = 1_c_int32_t  ! Jmol's colours by element
   ! a tint for each chain, carbon lighter than other elements
   integer(c_int32_t), parameter :: HSP_PALETTE_CHAIN = 2_c_int32_t
+
+  ! ----
 
   ! ---- model.h: a set of balls on its lattice, and how well it behaves: k, rho, overlaps (Section 2) -----------------
 
@@ -1166,6 +1169,8 @@ module hardsphere
     integer(c_int64_t) :: atom_class
     integer(c_int64_t) :: atom_title        ! SVG: likewise texts that browsers show beside the pointer; default 0: none
   end type
+
+  ! ----
 
   abstract interface
     function hsp_sink(context, bytes, count) result(stop) bind(C)
@@ -3344,6 +3349,8 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    ! ----
+
   end interface
 
 contains
@@ -3615,5 +3622,7 @@ contains
     bytes = 16384_c_size_t + 192_c_size_t*int(balls, c_size_t) + 384_c_size_t*int(sticks, c_size_t) &
       + 20_c_size_t*int(pairs, c_size_t) + 400_c_size_t*int(edges, c_size_t)
   end function
+
+  ! ----
 
 end module hardsphere

@@ -324,7 +324,7 @@ contains
     end do
   end function
 
-  ! What was computed from a handle has no results any more: before the memory of the handle is given back.
+  ! Drops what was computed from a handle, before the memory of that handle is given back.
 
   subroutine drop_of_model(self)
     class(hsp_workspace), intent(inout), target :: self

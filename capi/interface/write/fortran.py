@@ -31,7 +31,7 @@ def fortran_module(interface):
 
 
 def sections(interface, indent, items, rows_of, apart=False):
-    """The rows of all items, header by header; `apart` puts an empty row between them."""
+    """The rows of all items, header by header, and a row that ends the last; `apart`: an empty row between items."""
     rows, items = [], list(items)
     for header, subject in interface.headers.items():
         own = [item for item in items if item.header == header]
@@ -42,7 +42,7 @@ def sections(interface, indent, items, rows_of, apart=False):
             rows += rows_of(item) + ([""] if apart else [])
         if own and not apart:
             rows.append("")
-    return rows[:-1]
+    return [*rows, f"{indent}! ----"]
 
 
 def wrapped(text, indent, begin="", mark=""):

@@ -37,7 +37,7 @@ static inline int32_t hsp_workspace_allocate(void **memory, size_t bytes) {
   return *memory != NULL ? HSP_OK : HSP_E_MEMORY;
 }
 
-/* What was computed from a handle has no results any more: before the memory of the handle is given back. */
+/* Drops what was computed from a handle, before the memory of that handle is given back. */
 /* <drop> */
 
 /* make: a handle of the current limits, without results. ready: the same, if there is none yet. grow: one of larger
