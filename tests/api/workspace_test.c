@@ -1,7 +1,19 @@
 /* The workspace over malloc: handles that grow, for set after set, with the results that handles of ample size have.
  * The address sanitizer sees what is not given back. */
-#include <hardsphere_workspace.h>
+#include <limits.h>
 #include <math.h>
+#include <stdlib.h>
+
+/* The workspace has so many allocations left. */
+static unsigned allocations_left = UINT_MAX;
+static void *limited_malloc(size_t bytes) {
+  if (allocations_left == 0) return NULL;
+  --allocations_left;
+  return malloc(bytes);
+}
+#define malloc limited_malloc
+#include <hardsphere_workspace.h>
+#undef malloc
 
 #include "ball_sets.h"
 #include "check.h"
@@ -195,6 +207,87 @@ static void out_of_date(void) {
   hsp_workspace_free(&work);
 }
 
+/* What reading each handle yields. */
+static void check_readings(hsp_workspace *work, int32_t expected) {
+  hsp_boundary_counts counts;
+  hsp_topology_counts topology;
+  hsp_view_info view;
+  hsp_surface_counts surface;
+  hsp_mesh_counts mesh;
+  hsp_map_info map;
+  hsp_complex complex;
+  hsp_cells_counts cells;
+  hsp_widest_probe widest;
+  CHECK_EQUAL(hsp_boundary_get_counts(work->boundary, &counts), expected);
+  CHECK_EQUAL(hsp_topology_get_counts(work->topology, &topology), expected);
+  CHECK_EQUAL(hsp_view_get_info(work->view, &view), expected);
+  CHECK_EQUAL(hsp_surface_get_counts(work->surface, &surface), expected);
+  CHECK_EQUAL(hsp_mesh_get_counts(work->mesh, &mesh), expected);
+  CHECK_EQUAL(hsp_map_get_info(work->map, &map), expected);
+  CHECK_EQUAL(hsp_contacts_get_complex(work->contacts, &complex), expected);
+  CHECK_EQUAL(hsp_cells_get_counts(work->cells, &cells), expected);
+  CHECK_EQUAL(hsp_gate_get(work->gate, &widest), expected);
+}
+
+/* As many balls as before that meet more: the boundary moves into larger memory, and what was computed from it does not
+ * look where it was. */
+static void boundary_grows(void) {
+  static ball_set apart, crowd;
+  hsp_workspace work = {0};
+  const hsp_boundary *before;
+  hsp_topology_counts topology;
+  hsp_surface_counts surface;
+  hsp_mesh_counts mesh;
+  hsp_complex complex;
+  uint32_t i;
+  ball_set_start(&apart, "balls apart", 1e-8);
+  ball_set_start(&crowd, "a crowd", 1e-8);
+  for (i = 0; i < 400; ++i) {
+    ball_set_add(&apart, 4.0 * i, 0, 0, 1);
+    ball_set_add(&crowd, i % 20, i / 20, 0.1 * (i % 7), 8);
+  }
+  check_scene("a boundary that grows");
+  CHECK_EQUAL(compute_all(&work, &apart), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_mesh(&work, 0, 2), HSP_OK);
+  before = work.boundary;
+  CHECK_EQUAL(hsp_workspace_set(&work, crowd.n, crowd.xyz, crowd.radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_boundary(&work), HSP_OK);
+  CHECK(work.boundary != before);
+  CHECK_EQUAL(hsp_topology_get_counts(work.topology, &topology), HSP_E_STATE);
+  CHECK_EQUAL(hsp_surface_get_counts(work.surface, &surface), HSP_E_STATE);
+  CHECK_EQUAL(hsp_mesh_get_counts(work.mesh, &mesh), HSP_E_STATE);
+  CHECK_EQUAL(hsp_contacts_get_complex(work.contacts, &complex), HSP_E_STATE);
+  hsp_workspace_free(&work);
+}
+
+/* Without memory for more balls nothing has results, and nothing looks into memory that was given back; wherever memory
+ * ends, all can be computed once there is some again. */
+static void without_memory(void) {
+  static ball_set few, many;
+  uint32_t left;
+  int32_t status = HSP_E_MEMORY;
+  ball_set_start(&few, "a ball", 1e-8);
+  ball_set_add(&few, 0, 0, 0, 1);
+  ball_set_start(&many, "a chain", 1e-8);
+  ball_set_add_chain(&many, 200, 5);
+  for (left = 0; status == HSP_E_MEMORY; ++left) {
+    hsp_workspace work = {0};
+    check_scene("%u allocations", (unsigned)left);
+    CHECK_EQUAL(compute_all(&work, &few), HSP_OK);
+    CHECK_EQUAL(hsp_workspace_mesh(&work, 0, 2), HSP_OK);
+    check_readings(&work, HSP_OK);
+    allocations_left = left;
+    status = compute_all(&work, &many);
+    if (left == 0) check_readings(&work, HSP_E_STATE);
+    allocations_left = UINT_MAX;
+    CHECK_EQUAL(compute_all(&work, &many), HSP_OK);
+    check_results(&work, &many);
+    hsp_workspace_free(&work);
+  }
+  CHECK_EQUAL(status, HSP_OK);
+  CHECK(left > 10);
+}
+
 /* Shorter and shorter edges in one workspace, of the boundary and of the surface in turn; with a probe these differ. */
 static void shorter_edges(void) {
   static ball_set set;
@@ -230,5 +323,7 @@ int main(void) {
   shorter_edges();
   view_without_boundary();
   out_of_date();
+  boundary_grows();
+  without_memory();
   return check_report();
 }

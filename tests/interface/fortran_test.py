@@ -101,6 +101,19 @@ class Module(unittest.TestCase):
         self.assertLessEqual(max(map(len, module.split("\n"))), 120)
         self.assertNotIn("! <", module)
 
+    def test_headers_can_be_left_out(self):
+        module, rows, left_out = fortran_module(read_interface(INCLUDE)), [], False
+        for row in module.split("\n"):
+            if "! ----" in row:
+                left_out = "! ---- surface.h" in row or "! ---- mesh.h" in row
+            rows += [] if left_out else [row]
+        left = "\n".join(rows)
+        for name in ("hsp_surface_", "HSP_SURFACE_", "hsp_mesh_"):
+            self.assertNotIn(name, left)
+        for name in ("abstract interface", "  end interface\n\ncontains", "hsp_map_twin", "hsp_topology_bytes_bound",
+                     "hsp_picture_write_map", "end module"):
+            self.assertIn(name, left)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -69,14 +69,12 @@ class Comments(Reading):
             First one.
             More of it, see hsp_g.
              - Property 1: it holds.
-            @since 0.2.0
             @retval HSP_OK          all is well
             @retval HSP_E_ARGUMENT  x is NULL; and so
                                     on""")
         self.assertEqual(f.brief, "First one.")
         self.assertEqual(f.prose, "First one. More of it, see hsp_g. - Property 1: it holds.")
         self.assertEqual(f.statuses, {"HSP_OK": "all is well", "HSP_E_ARGUMENT": "x is NULL; and so on"})
-        self.assertEqual(f.since, "0.2.0")
         self.assertEqual(function_row(f), "hsp_f(x handle) -> status E_ARGUMENT")
 
     def test_no_comment(self):

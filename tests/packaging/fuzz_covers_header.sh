@@ -6,7 +6,7 @@ cd "$1"
 here=$(cd "$(dirname "$0")" && pwd)
 failed=0
 functions=0
-for function in $(bash "$here/header_functions.sh" include/hardsphere.h); do
+for function in $(bash "$here/header_functions.sh" .); do
   functions=$((functions + 1))
   # Harnesses call some functions by way of the kinds of handles in tests/support, where these are members.
   if ! grep -rqE "(^|[^A-Za-z0-9_])$function(\(|;)" --include='*.cpp' --include='*.hpp' fuzz tests/support; then

@@ -2,6 +2,8 @@
 import re
 from pathlib import Path
 
+from .template import filled
+
 TEMPLATE = Path(__file__).with_name("fortran_template.f90")
 WIDTH = 120
 KINDS = {"double": "real(c_double)", "int32_t": "integer(c_int32_t)", "uint32_t": "integer(c_int32_t)",
@@ -25,15 +27,11 @@ def fortran_module(interface):
     }
     texts = [f"  character(*), parameter :: {name} = '{text}'" for name, text in interface.texts.items()]
     parts["constants"][2:2] = texts  # all of them are in version.h, the first header
-    rows = []
-    for row in TEMPLATE.read_text().split("\n"):
-        part = re.fullmatch(r" *! <(\w+)>", row)
-        rows += parts[part[1]] if part else [row]
-    return "! Generated from the headers by capi/interface/generate.sh.\n!\n" + "\n".join(rows)
+    return filled(TEMPLATE, r" *! <(\w+)>", parts.get)
 
 
 def sections(interface, indent, items, rows_of, apart=False):
-    """The rows of all items, header by header; `apart` puts an empty row between them."""
+    """The rows of all items, header by header, and a row that ends the last; `apart`: an empty row between items."""
     rows, items = [], list(items)
     for header, subject in interface.headers.items():
         own = [item for item in items if item.header == header]
@@ -44,12 +42,12 @@ def sections(interface, indent, items, rows_of, apart=False):
             rows += rows_of(item) + ([""] if apart else [])
         if own and not apart:
             rows.append("")
-    return rows[:-1]
+    return [*rows, f"{indent}! ----"]
 
 
 def wrapped(text, indent, begin="", mark=""):
-    """A text over as many rows as it takes; `begin` stands before each, `mark` at the end of those that go on. Parts that
-    stay together have \\xa0 for spaces."""
+    """A text over as many rows as it takes; `begin` stands before each, `mark` at the end of those that go on. Parts
+    that stay together have \\xa0 for spaces."""
     rows, lead = [], " " * indent + begin
     while len(lead) + len(text) > WIDTH:
         cut = text.rfind(" ", 0, WIDTH - len(lead) - len(mark))
