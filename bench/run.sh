@@ -158,12 +158,13 @@ if [ "$old" = yes ]; then
 fi
 
 mkdir -p "$report_folder/plots"
-"$build_folder/bench/write_report" --plots "$report_folder"
+text=$source_folder/bench/report/text
+"$build_folder/bench/write_report" --plots "$text" "$report_folder"
 if ! command -v gnuplot >/dev/null; then
   printf 'no plots: gnuplot is not installed\n'
 elif ! gnuplot -e "folder='$report_folder/plots'" "$source_folder/bench/report/plots.gp"; then
   printf 'no plots: gnuplot failed\n'
 fi
-"$build_folder/bench/write_report" "$report_folder" >"$report_folder/report.md"
+"$build_folder/bench/write_report" "$text" "$report_folder" >"$report_folder/report.md"
 printf 'The report is %s\nTo commit it:\n' "$report_folder/report.md"
 printf '  mkdir -p bench/plots; cp %s bench/; cp %s bench/plots/\n' "$report_folder/report.md" "$report_folder/plots/*.svg"

@@ -16,7 +16,6 @@
 
 #include "branch_predictor.hpp"
 #include "core/processor.hpp"
-#include "map_handle.hpp"
 #include "pose_workload.hpp"
 #include "query_workload.hpp"
 #include "sizes.hpp"
@@ -37,7 +36,7 @@ namespace {
 
 using bench::Surface;
 
-constexpr bench::View::Direction towards = {0.36, -0.48, 0.8};
+constexpr bench::Direction towards = {0.36, -0.48, 0.8};
 
 // What it costs is told for each of n.
 void count_each(const char *stage, const bench::Balls &balls, const Surface &surface, uint32_t n,

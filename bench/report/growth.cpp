@@ -6,18 +6,6 @@
 #include <limits>
 
 namespace report {
-namespace {
-
-std::vector<const Measurement *> measured_from(const Run &run, const std::string &prefix, double from) {
-  std::vector<const Measurement *> found;
-  for (const std::string &molecule : molecules_by_size(run, prefix)) {
-    const Measurement *m = run.find(prefix + molecule);
-    if (m != nullptr && m->counter("atoms") >= from) found.push_back(m);
-  }
-  return found;
-}
-
-}  // namespace
 
 std::vector<std::string> molecules_by_size(const Run &run, const std::string &prefix) {
   std::vector<std::string> names;
@@ -33,40 +21,22 @@ std::vector<std::string> molecules_by_size(const Run &run, const std::string &pr
   return names;
 }
 
-double growth_exponent(const Run &run, const std::string &prefix, double from, const Amount &amount) {
-  std::vector<double> x;
-  std::vector<double> y;
-  for (const Measurement *m : measured_from(run, prefix, from)) {
-    x.push_back(std::log(m->counter("atoms")));
-    y.push_back(std::log(amount(*m)));
-  }
-  if (x.size() < 3) return std::nan("");
+double growth_exponent(const std::vector<std::pair<double, double>> &amounts) {
+  if (amounts.size() < 3) return std::nan("");
+  const double count = static_cast<double>(amounts.size());
   double mean_x = 0;
   double mean_y = 0;
-  for (size_t i = 0; i < x.size(); ++i) {
-    mean_x += x[i] / static_cast<double>(x.size());
-    mean_y += y[i] / static_cast<double>(x.size());
+  for (const auto &[n, amount] : amounts) {
+    mean_x += std::log(n) / count;
+    mean_y += std::log(amount) / count;
   }
   double products = 0;
   double squares = 0;
-  for (size_t i = 0; i < x.size(); ++i) {
-    products += (x[i] - mean_x) * (y[i] - mean_y);
-    squares += (x[i] - mean_x) * (x[i] - mean_x);
+  for (const auto &[n, amount] : amounts) {
+    products += (std::log(n) - mean_x) * (std::log(amount) - mean_y);
+    squares += (std::log(n) - mean_x) * (std::log(n) - mean_x);
   }
   return products / squares;
-}
-
-double largest_amount(const Run &run, const std::string &prefix, double from, const Amount &amount) {
-  double largest = std::nan("");
-  for (const Measurement *m : measured_from(run, prefix, from)) {
-    const double value = amount(*m);
-    if (!(value <= largest)) largest = value;
-  }
-  return largest;
-}
-
-Amount counter_of(const std::string &name) {
-  return [name](const Measurement &m) { return m.counter(name); };
 }
 
 }  // namespace report

@@ -76,15 +76,19 @@ const Measurement *Run::find(const std::string &name) const {
   return found == benchmarks.end() || !found->second.measured() ? nullptr : &found->second;
 }
 
-Run read_run(const std::filesystem::path &folder) {
+std::vector<std::filesystem::path> files_of(const std::filesystem::path &folder, const std::string &ending) {
   std::vector<std::filesystem::path> files;
   for (const auto &entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() == ".json") files.push_back(entry.path());
+    if (entry.path().extension() == ending) files.push_back(entry.path());
   }
-  if (files.empty()) throw std::runtime_error(folder.string() + ": no .json files");
+  if (files.empty()) throw std::runtime_error(folder.string() + ": no " + ending + " files");
   std::sort(files.begin(), files.end());
+  return files;
+}
+
+Run read_run(const std::filesystem::path &folder) {
   Run run;
-  for (const auto &file : files) {
+  for (const auto &file : files_of(folder, ".json")) {
     std::ifstream in(file);
     const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
     try {

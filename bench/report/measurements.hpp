@@ -19,7 +19,6 @@ struct Measurement {
   double least() const;                           // seconds; only if measured
   double counter(const std::string &name) const;  // median; 0 if there is none of that name
   double least(const std::string &name) const;    // likewise, the least
-  double per_atom() const { return median() / counter("atoms"); }
 };
 
 struct Run {
@@ -32,7 +31,10 @@ struct Run {
   const Measurement *find(const std::string &name) const;
 };
 
-// Read every .json file of the folder, in the order of their names. Throws std::runtime_error if there is none.
+// The files of a folder with this ending, in the order of their names. Throws std::runtime_error if there is none.
+std::vector<std::filesystem::path> files_of(const std::filesystem::path &folder, const std::string &ending);
+
+// Read every .json file of the folder, in that order.
 Run read_run(const std::filesystem::path &folder);
 
 }  // namespace report

@@ -35,13 +35,12 @@ void frames(benchmark::State &state, const Subject &subject) {
   Boundary boundary(model, Room::by_default);
   const std::vector<std::vector<double>> positions = jittered(subject.balls);
   size_t frame = 0;
-  for (auto iteration : state) {
-    static_cast<void>(iteration);
+  iterate(state, [&] {
     model.set(positions[frame]);
     boundary.compute();
     benchmark::DoNotOptimize(boundary.gradient());
     frame = (frame + 1) % positions.size();
-  }
+  });
   state.counters["boundary_bytes"] = static_cast<double>(boundary.bytes());
 }
 

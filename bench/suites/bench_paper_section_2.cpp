@@ -37,11 +37,10 @@ void register_decompositions(const std::string &name, const SubjectRecipe &recip
                 [kind](benchmark::State &state, Subject &subject) {
                   const std::vector<Sphere> spheres = spheres_of(subject.balls);
                   DecompositionSize space, cubes;
-                  for (auto iteration : state) {
-                    static_cast<void>(iteration);
+                  iterate(state, [&] {
                     space = decomposition_of_space(spheres, kind);
                     cubes = decomposition_in_cubes(spheres, kind);
-                  }
+                  });
                   const hsp_cells_counts cells = FreeSpace(*subject.model).counts();
                   state.counters["space"] = static_cast<double>(space.cells);
                   state.counters["cubes"] = static_cast<double>(cubes.cells);
@@ -149,10 +148,8 @@ void register_suite() {
     const SubjectRecipe recipe{molecule.name, [molecule] { return with_radii(molecule, Radii::paper); }};
     register_case("section_2/figures/" + molecule.name, recipe, [](benchmark::State &state, Subject &subject) {
       hsp_packing figures{};
-      for (auto iteration : state) {
-        static_cast<void>(iteration);
-        expect_ok(hsp_model_get_packing(subject.model->get(), &figures), "hsp_model_get_packing");
-      }
+      iterate(state,
+              [&] { expect_ok(hsp_model_get_packing(subject.model->get(), &figures), "hsp_model_get_packing"); });
       state.counters["k"] = figures.k;
       state.counters["rho"] = figures.rho;
       state.counters["max"] = figures.max_overlaps;

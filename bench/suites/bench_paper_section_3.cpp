@@ -8,10 +8,7 @@ namespace {
 constexpr size_t queries = 1000;
 
 void build(benchmark::State &state, Subject &subject) {
-  for (auto iteration : state) {
-    static_cast<void>(iteration);
-    subject.model->set();
-  }
+  iterate(state, [&] { subject.model->set(); });
   hsp_model_info info{};
   expect_ok(hsp_model_get_info(subject.model->get(), &info), "hsp_model_get_info");
   state.counters["cubes"] = info.cubes;
@@ -21,10 +18,7 @@ void build(benchmark::State &state, Subject &subject) {
 void point_queries(benchmark::State &state, Subject &subject) {
   const std::vector<double> points = random_points_in_box(*subject.model, queries);
   size_t hits = 0;
-  for (auto iteration : state) {
-    static_cast<void>(iteration);
-    hits = query_points(*subject.model, points);
-  }
+  iterate(state, [&] { hits = query_points(*subject.model, points); });
   state.counters["hits_per_query"] = static_cast<double>(hits) / queries;
 }
 
@@ -32,10 +26,7 @@ void ball_queries(benchmark::State &state, Subject &subject) {
   const std::vector<double> points = random_points_in_box(*subject.model, queries);
   const double radius = subject.model->largest_radius();
   size_t hits = 0;
-  for (auto iteration : state) {
-    static_cast<void>(iteration);
-    hits = query_balls(*subject.model, points, radius);
-  }
+  iterate(state, [&] { hits = query_balls(*subject.model, points, radius); });
   state.counters["hits_per_query"] = static_cast<double>(hits) / queries;
 }
 

@@ -10,18 +10,12 @@ namespace {
 
 void step_1(benchmark::State &state, Subject &subject) {
   size_t neighbours = 0;
-  for (auto iteration : state) {
-    static_cast<void>(iteration);
-    neighbours = query_all_neighbours(*subject.model);
-  }
+  iterate(state, [&] { neighbours = query_all_neighbours(*subject.model); });
   state.counters["neighbours_per_atom"] = static_cast<double>(neighbours) / subject.model->size();
 }
 
 void boundary(benchmark::State &state, Subject &subject) {
-  for (auto iteration : state) {
-    static_cast<void>(iteration);
-    subject.boundary->compute();
-  }
+  iterate(state, [&] { subject.boundary->compute(); });
   const hsp_boundary_counts counts = subject.boundary->counts();
   state.counters["vertices"] = counts.vertices;
   state.counters["arcs"] = counts.arcs;
@@ -31,19 +25,15 @@ void boundary(benchmark::State &state, Subject &subject) {
 }
 
 void step_3(benchmark::State &state, Subject &subject) {
-  for (auto iteration : state) {
-    static_cast<void>(iteration);
-    subject.topology->compute();
-  }
+  iterate(state, [&] { subject.topology->compute(); });
 }
 
 void boundary_and_measure(benchmark::State &state, Subject &subject) {
   hsp_totals totals{};
-  for (auto iteration : state) {
-    static_cast<void>(iteration);
+  iterate(state, [&] {
     subject.boundary->compute();
     totals = subject.boundary->measure();
-  }
+  });
   state.counters["area"] = totals.area;
   state.counters["volume"] = totals.volume;
 }

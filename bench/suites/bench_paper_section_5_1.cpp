@@ -23,26 +23,26 @@ constexpr int bands = 6;
 // The directions in turn, for one of several parts: all parts see the same ones in the same order.
 class Turns {
  public:
-  explicit Turns(const std::vector<View::Direction> &directions) : directions_(&directions) {}
+  explicit Turns(const std::vector<Direction> &directions) : directions_(&directions) {}
 
-  const View::Direction &next() {
-    const View::Direction &direction = (*directions_)[turn_];
+  const Direction &next() {
+    const Direction &direction = (*directions_)[turn_];
     turn_ = (turn_ + 1) % directions_->size();
     return direction;
   }
 
  private:
-  const std::vector<View::Direction> *directions_;
+  const std::vector<Direction> *directions_;
   size_t turn_ = 0;
 };
 
 // Means over all directions.
-void count(benchmark::State &state, View &view, const std::vector<View::Direction> &directions, const char *pieces,
+void count(benchmark::State &state, View &view, const std::vector<Direction> &directions, const char *pieces,
            bool picture) {
   double arcs = 0;
   double balls = 0;
   double bytes = 0;
-  for (const View::Direction &direction : directions) {
+  for (const Direction &direction : directions) {
     view.compute(direction);
     arcs += view.info().arcs;
     balls += view.info().pieces;
@@ -56,7 +56,7 @@ void count(benchmark::State &state, View &view, const std::vector<View::Directio
 
 // with_drawing: the z-buffer of triangles and the picture as well.
 void frames(benchmark::State &state, const Subject &subject, size_t number, bool with_drawing) {
-  const std::vector<View::Direction> directions = spread_directions(number);
+  const std::vector<Direction> directions = spread_directions(number);
   View h(*subject.model, subject.boundary.get(), HSP_PIECES_OUTSIDE_ALL, directions);
   View g(*subject.model, subject.boundary.get(), HSP_PIECES_OUTSIDE_FARTHER, directions);
   View g_alone(*subject.model, nullptr, HSP_PIECES_OUTSIDE_FARTHER, directions);

@@ -5,8 +5,8 @@
 #include <chrono>
 #include <stdexcept>
 
-#include "map_handle.hpp"
 #include "suite.hpp"
+#include "view_handle.hpp"
 #ifdef BENCH_CGAL_ENVELOPE
 #include "peers/cgal_envelope.hpp"
 #endif
@@ -25,11 +25,10 @@ double seconds_of(const std::function<void()> &run) {
 }
 
 void envelope_of(benchmark::State &state, const Subject &subject) {
-  const VisibleMap::Direction towards{0, 0, 1};
+  const Direction towards{0, 0, 1};
   VisibleMap map(*subject.model, {towards});
   const uint32_t faces = map.info().faces;
-  for (auto iteration : state) {
-    static_cast<void>(iteration);
+  iterate(state, [&] {
     std::vector<double> seconds;
     for (int k = 0; k < maps; ++k) seconds.push_back(seconds_of([&] { map.compute(towards); }));
     std::nth_element(seconds.begin(), seconds.begin() + maps / 2, seconds.end());
@@ -40,7 +39,7 @@ void envelope_of(benchmark::State &state, const Subject &subject) {
     state.counters["cgal_envelope_seconds"] = envelope;
     state.counters["cgal_envelope_ratio"] = envelope / seconds[maps / 2];
     state.counters["faces"] = faces;
-  }
+  });
 }
 
 #endif

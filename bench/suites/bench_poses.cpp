@@ -45,10 +45,7 @@ void measure(benchmark::State &state, const Balls &balls, const Question &ask, s
   try {
     const Meeting &meeting = meeting_of(balls);
     double answer = 0;
-    for (auto iteration : state) {
-      static_cast<void>(iteration);
-      answer = ask(meeting, meeting.at[place]);
-    }
+    iterate(state, [&] { answer = ask(meeting, meeting.at[place]); });
     state.counters["atoms"] = balls.size();
     state.counters["poses"] = poses;
     state.counters["answer_per_pose"] = answer / poses;
@@ -59,10 +56,7 @@ void measure(benchmark::State &state, const Balls &balls, const Question &ask, s
 
 void prepare(benchmark::State &state, const Balls &balls) {
   PreparedBody body(balls);
-  for (auto iteration : state) {
-    static_cast<void>(iteration);
-    body.set();
-  }
+  iterate(state, [&] { body.set(); });
   state.counters["atoms"] = balls.size();
 }
 

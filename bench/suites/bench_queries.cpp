@@ -1,6 +1,8 @@
 // Point, ball and ray queries with van der Waals balls, as users ask them: many distinct centres, so that neither
 // caches nor branch prediction can learn them. "box": uniform in the surrounding box, mostly empty space for long
 // molecules; "atom": within 1 Angstrom of an atom. Rays go from one of these points towards the next.
+#include <functional>
+
 #include "suite.hpp"
 #include "tiling.hpp"
 
@@ -11,44 +13,24 @@ constexpr size_t queries = 100000;
 
 using Centres = std::vector<double> (*)(const Model &, size_t);
 
+// `more` centres than queries; `ask` returns how many hits all queries have.
+void register_kind(const std::string &kind, const SubjectRecipe &recipe, Centres centres, size_t more,
+                   const std::function<size_t(const Model &, const std::vector<double> &)> &ask) {
+  register_case("queries/" + kind + '/' + recipe.key, recipe, [=](benchmark::State &state, Subject &subject) {
+    const std::vector<double> points = centres(*subject.model, queries + more);
+    size_t hits = 0;
+    iterate(state, [&] { hits = ask(*subject.model, points); });
+    state.counters["queries"] = queries;
+    state.counters["hits_per_query"] = static_cast<double>(hits) / queries;
+  })->Unit(benchmark::kMicrosecond);
+}
+
 void register_queries(const SubjectRecipe &recipe, const std::string &where, Centres centres) {
-  register_case("queries/point_" + where + '/' + recipe.key, recipe,
-                [centres](benchmark::State &state, Subject &subject) {
-                  const std::vector<double> points = centres(*subject.model, queries);
-                  size_t hits = 0;
-                  for (auto iteration : state) {
-                    static_cast<void>(iteration);
-                    hits = query_points(*subject.model, points);
-                  }
-                  state.counters["queries"] = queries;
-                  state.counters["hits_per_query"] = static_cast<double>(hits) / queries;
-                })
-      ->Unit(benchmark::kMicrosecond);
-  register_case("queries/ball_" + where + '/' + recipe.key, recipe,
-                [centres](benchmark::State &state, Subject &subject) {
-                  const std::vector<double> points = centres(*subject.model, queries);
-                  const double radius = subject.model->largest_radius();
-                  size_t hits = 0;
-                  for (auto iteration : state) {
-                    static_cast<void>(iteration);
-                    hits = query_balls(*subject.model, points, radius);
-                  }
-                  state.counters["queries"] = queries;
-                  state.counters["hits_per_query"] = static_cast<double>(hits) / queries;
-                })
-      ->Unit(benchmark::kMicrosecond);
-  register_case("queries/ray_" + where + '/' + recipe.key, recipe,
-                [centres](benchmark::State &state, Subject &subject) {
-                  const std::vector<double> points = centres(*subject.model, queries + 1);
-                  size_t hits = 0;
-                  for (auto iteration : state) {
-                    static_cast<void>(iteration);
-                    hits = query_rays(*subject.model, points);
-                  }
-                  state.counters["queries"] = queries;
-                  state.counters["hits_per_query"] = static_cast<double>(hits) / queries;
-                })
-      ->Unit(benchmark::kMicrosecond);
+  register_kind("point_" + where, recipe, centres, 0, query_points);
+  register_kind("ball_" + where, recipe, centres, 0, [](const Model &model, const std::vector<double> &points) {
+    return query_balls(model, points, model.largest_radius());
+  });
+  register_kind("ray_" + where, recipe, centres, 1, query_rays);
 }
 
 }  // namespace

@@ -6,36 +6,24 @@ namespace bench {
 namespace {
 
 void build(benchmark::State &state, Subject &subject) {
-  for (auto iteration : state) {
-    static_cast<void>(iteration);
-    subject.model->set();
-  }
+  iterate(state, [&] { subject.model->set(); });
 }
 
 void lists(benchmark::State &state, Subject &subject) {
   size_t neighbours = 0;
-  for (auto iteration : state) {
-    static_cast<void>(iteration);
-    neighbours = query_all_neighbours(*subject.model);
-  }
+  iterate(state, [&] { neighbours = query_all_neighbours(*subject.model); });
   state.counters["neighbours_per_atom"] = static_cast<double>(neighbours) / subject.model->size();
 }
 
 void pairs(benchmark::State &state, Subject &subject) {
   std::vector<uint32_t> first, ids;
   size_t neighbours = query_all_pairs(*subject.model, first, ids);
-  for (auto iteration : state) {
-    static_cast<void>(iteration);
-    neighbours = query_all_pairs(*subject.model, first, ids);
-  }
+  iterate(state, [&] { neighbours = query_all_pairs(*subject.model, first, ids); });
   state.counters["neighbours_per_atom"] = static_cast<double>(neighbours) / subject.model->size();
 }
 
 void boundary(benchmark::State &state, Subject &subject) {
-  for (auto iteration : state) {
-    static_cast<void>(iteration);
-    subject.boundary->compute();
-  }
+  iterate(state, [&] { subject.boundary->compute(); });
   const hsp_boundary_counts counts = subject.boundary->counts();
   state.counters["vertices_per_atom"] = static_cast<double>(counts.vertices) / subject.model->size();
   state.counters["exposed_share"] = static_cast<double>(counts.exposed_balls) / subject.model->size();
@@ -46,21 +34,17 @@ void measure(benchmark::State &state, Subject &subject) {
   // An earlier benchmark of this subject may have set its model anew, which makes the boundary invalid.
   subject.boundary->compute();
   hsp_totals totals{};
-  for (auto iteration : state) {
-    static_cast<void>(iteration);
-    totals = subject.boundary->measure();
-  }
+  iterate(state, [&] { totals = subject.boundary->measure(); });
   state.counters["area"] = totals.area;
   state.counters["volume"] = totals.volume;
 }
 
 void everything(benchmark::State &state, Subject &subject) {
-  for (auto iteration : state) {
-    static_cast<void>(iteration);
+  iterate(state, [&] {
     subject.model->set();
     subject.boundary->compute();
     benchmark::DoNotOptimize(subject.boundary->measure());
-  }
+  });
 }
 
 void register_subject(const std::string &name, const Surface &surface, std::function<Balls()> balls) {

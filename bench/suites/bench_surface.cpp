@@ -41,10 +41,7 @@ void triangles(benchmark::State &state, Subject &subject) {
     });
   };
   compute();
-  for (auto iteration : state) {
-    static_cast<void>(iteration);
-    compute();
-  }
+  iterate(state, [&] { compute(); });
   hsp_mesh_counts counts{};
   expect_ok(hsp_mesh_get_counts(mesh.get(), &counts), "hsp_mesh_get_counts");
   state.counters["triangles"] = counts.triangles;
@@ -55,10 +52,7 @@ void triangles(benchmark::State &state, Subject &subject) {
 void area_and_volume(benchmark::State &state, Subject &subject) {
   SmoothSurface surface(*subject.boundary);
   hsp_surface_totals totals{};
-  for (auto iteration : state) {
-    static_cast<void>(iteration);
-    totals = surface.measure();
-  }
+  iterate(state, [&] { totals = surface.measure(); });
   state.counters["area"] = totals.area;
   state.counters["volume"] = totals.volume;
 }

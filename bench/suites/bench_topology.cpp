@@ -37,10 +37,7 @@ void boundary_and_topology(benchmark::State &state, Subject &subject) {
 
 void locate(benchmark::State &state, Subject &subject, const std::vector<double> &points) {
   Located located;
-  for (auto iteration : state) {
-    static_cast<void>(iteration);
-    located = locate_points(*subject.topology, points);
-  }
+  iterate(state, [&] { located = locate_points(*subject.topology, points); });
   const double count = static_cast<double>(points.size()) / 3;
   state.counters["queries"] = count;
   state.counters["inside_share"] = static_cast<double>(located.inside) / count;

@@ -20,10 +20,7 @@ void measure_moves(benchmark::State &state, const Balls &balls, double probe, ui
     MovingAtoms moving(balls, probe, moves, atoms);
     const auto run = [&] { return then == Then::undo ? moving.move_and_undo_all() : moving.move_all(); };
     uint64_t changed = run();
-    for (auto iteration : state) {
-      static_cast<void>(iteration);
-      changed = run();
-    }
+    iterate(state, [&] { changed = run(); });
     const double made = then == Then::undo ? moves : 2 * moves;
     state.counters["atoms"] = balls.size();
     state.counters["moves"] = made;
@@ -36,10 +33,7 @@ void measure_moves(benchmark::State &state, const Balls &balls, double probe, ui
 void measure_anew(benchmark::State &state, const Balls &balls, double probe) {
   try {
     MovingAtoms moving(balls, probe, 0, 1);
-    for (auto iteration : state) {
-      static_cast<void>(iteration);
-      benchmark::DoNotOptimize(moving.compute_anew());
-    }
+    iterate(state, [&] { benchmark::DoNotOptimize(moving.compute_anew()); });
     state.counters["atoms"] = balls.size();
   } catch (const std::exception &error) {
     state.SkipWithError(error.what());

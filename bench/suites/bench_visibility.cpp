@@ -2,9 +2,9 @@
 // 1000 x 1000 pixels can: molecules from spread directions, random balls over size, and sets that make maps large or
 // hard to find.
 #include "alternation.hpp"
-#include "map_handle.hpp"
 #include "sizes.hpp"
 #include "suite.hpp"
+#include "view_handle.hpp"
 #include "visible_families.hpp"
 #include "z_buffer/analytic_z_buffer.hpp"
 #include "z_buffer/placement.hpp"
@@ -12,7 +12,7 @@
 namespace bench {
 namespace {
 
-using Directions = std::vector<VisibleMap::Direction>;
+using Directions = std::vector<Direction>;
 
 constexpr size_t many_directions = 16;
 constexpr size_t few_directions = 4;
@@ -22,7 +22,7 @@ void maps(benchmark::State &state, const Subject &subject, const Directions &dir
   double edges = 0;
   double balls = 0;
   double moved = 0;
-  for (const VisibleMap::Direction &direction : directions) {
+  for (const Direction &direction : directions) {
     map.compute(direction);
     const hsp_map_info info = map.info();
     edges += info.edges;

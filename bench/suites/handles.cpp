@@ -24,9 +24,7 @@ void Model::set(const std::vector<double> &xyz) {
 }
 
 double Model::largest_radius() const {
-  hsp_model_info info{};
-  expect_ok(hsp_model_get_info(get(), &info), "hsp_model_get_info");
-  return info.largest_radius;
+  return read(hsp_model_get_info, get(), "hsp_model_get_info").largest_radius;
 }
 
 Boundary::Boundary(Model &model, Room room)
@@ -86,9 +84,7 @@ hsp_morphometric_energy Boundary::curvature_gradient() {
 }
 
 hsp_boundary_counts Boundary::counts() const {
-  hsp_boundary_counts counts{};
-  expect_ok(hsp_boundary_get_counts(boundary_.get(), &counts), "hsp_boundary_get_counts");
-  return counts;
+  return read(hsp_boundary_get_counts, boundary_.get(), "hsp_boundary_get_counts");
 }
 
 SmoothSurface::SmoothSurface(const Boundary &boundary)
@@ -134,9 +130,7 @@ hsp_energy SmoothSurface::weighted_gradient() {
 }
 
 hsp_surface_counts SmoothSurface::counts() const {
-  hsp_surface_counts counts{};
-  expect_ok(hsp_surface_get_counts(surface_.get(), &counts), "hsp_surface_get_counts");
-  return counts;
+  return read(hsp_surface_get_counts, surface_.get(), "hsp_surface_get_counts");
 }
 
 Contacts::Contacts(const Boundary &boundary) : boundary_(&boundary) {
@@ -153,9 +147,7 @@ void Contacts::compute() {
 }
 
 hsp_complex Contacts::complex() const {
-  hsp_complex counts{};
-  expect_ok(hsp_contacts_get_complex(contacts_.get(), &counts), "hsp_contacts_get_complex");
-  return counts;
+  return read(hsp_contacts_get_complex, contacts_.get(), "hsp_contacts_get_complex");
 }
 
 uint32_t Contacts::count() const {
@@ -185,9 +177,7 @@ void Periodic::compute() {
 }
 
 hsp_periodic_counts Periodic::counts() const {
-  hsp_periodic_counts counts{};
-  expect_ok(hsp_periodic_get_counts(periodic_.get(), &counts), "hsp_periodic_get_counts");
-  return counts;
+  return read(hsp_periodic_get_counts, periodic_.get(), "hsp_periodic_get_counts");
 }
 
 FreeSpace::FreeSpace(const Model &model) : model_(&model) {
@@ -203,9 +193,7 @@ void FreeSpace::compute() {
 }
 
 hsp_cells_counts FreeSpace::counts() const {
-  hsp_cells_counts counts{};
-  expect_ok(hsp_cells_get_counts(cells_.get(), &counts), "hsp_cells_get_counts");
-  return counts;
+  return read(hsp_cells_get_counts, cells_.get(), "hsp_cells_get_counts");
 }
 
 size_t FreeSpace::locate(const std::vector<double> &points) const {
@@ -233,9 +221,7 @@ void Topology::compute() {
 }
 
 hsp_topology_counts Topology::counts() const {
-  hsp_topology_counts counts{};
-  expect_ok(hsp_topology_get_counts(topology_.get(), &counts), "hsp_topology_get_counts");
-  return counts;
+  return read(hsp_topology_get_counts, topology_.get(), "hsp_topology_get_counts");
 }
 
 hsp_topology_limits Topology::needed() const {

@@ -41,6 +41,14 @@ class Model {
   support::OwnedModel model_;
 };
 
+// What a call such as hsp_boundary_get_counts says of a handle.
+template <class Handle, class Record>
+Record read(int32_t (*get)(const Handle *, Record *), const Handle *handle, const char *call) {
+  Record record{};
+  expect_ok(get(handle, &record), call);
+  return record;
+}
+
 // How much room a handle gets: exactly what its contents need, which is found out by computing them, or what the
 // library's default limits say.
 enum class Room { exact, by_default };

@@ -43,6 +43,15 @@ using Body = std::function<void(benchmark::State &, Subject &)>;
 // the subject, with all repetitions; only one subject is alive at a time. Exceptions become the benchmark's error.
 benchmark::internal::Benchmark *register_case(const std::string &name, const SubjectRecipe &recipe, Body body);
 
+// What is timed, once for each iteration.
+template <class Timed>
+void iterate(benchmark::State &state, Timed timed) {
+  for (auto iteration : state) {
+    static_cast<void>(iteration);
+    timed();
+  }
+}
+
 // Register a benchmark that only says why it was skipped.
 void register_skipped(const std::string &name, const std::string &reason);
 

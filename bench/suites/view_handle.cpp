@@ -11,6 +11,16 @@ int32_t count_bytes(void *context, const char *bytes, size_t count) {
   return 0;
 }
 
+// What most directions need, without arcs and edges; what is missing is taken as it is asked for.
+template <class Limits>
+Limits small_limits(uint32_t balls) {
+  Limits limits{};
+  limits.struct_size = sizeof limits;
+  limits.balls = balls;
+  limits.neighbours = std::min<uint32_t>(balls, 64);
+  return limits;
+}
+
 }  // namespace
 
 View::View(const Model &model, const Boundary *boundary, uint32_t pieces, const std::vector<Direction> &directions)
@@ -23,10 +33,7 @@ View::View(const Model &model, const Boundary *boundary, uint32_t pieces, const 
   for (uint32_t ball = 0; ball < model.size(); ++ball) {
     colour_.push_back(hsp_palette_colour(HSP_PALETTE_SOFT, 6 + ball % 3, 0));
   }
-  hsp_view_limits limits{};
-  limits.struct_size = sizeof limits;
-  limits.balls = model.size();
-  limits.neighbours = std::min<uint32_t>(model.size(), 64);
+  hsp_view_limits limits = small_limits<hsp_view_limits>(model.size());
   limits.arcs = model.size() + 64;
   view_.take(limits);
   for (const Direction &towards : directions) compute(towards);
@@ -51,9 +58,25 @@ uint64_t View::write_picture() {
 }
 
 hsp_view_info View::info() const {
-  hsp_view_info info{};
-  expect_ok(hsp_view_get_info(view_.get(), &info), "hsp_view_get_info");
-  return info;
+  return read(hsp_view_get_info, view_.get(), "hsp_view_get_info");
+}
+
+VisibleMap::VisibleMap(const Model &model, const std::vector<Direction> &directions) : model_(&model) {
+  expect_ok(hsp_view_options_init(&options_, sizeof options_), "hsp_view_options_init");
+  hsp_map_limits limits = small_limits<hsp_map_limits>(model.size());
+  limits.edges = model.size() + 64;
+  map_.take(limits);
+  for (const Direction &towards : directions) compute(towards);
+}
+
+void VisibleMap::compute(const Direction &towards) {
+  std::copy(towards.begin(), towards.end(), options_.towards);
+  map_.compute(
+      [&](hsp_map *map, hsp_map_limits *limits) { return hsp_map_compute(map, model_->get(), &options_, limits); });
+}
+
+hsp_map_info VisibleMap::info() const {
+  return read(hsp_map_get_info, map_.get(), "hsp_map_get_info");
 }
 
 }  // namespace bench

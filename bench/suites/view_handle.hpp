@@ -1,4 +1,4 @@
-// hsp_view in memory of its own, for the benchmarks; see handles.hpp.
+// hsp_view and hsp_map in memory of their own, for the benchmarks; see handles.hpp.
 #pragma once
 
 #include <array>
@@ -10,10 +10,10 @@
 
 namespace bench {
 
+using Direction = std::array<double, 3>;
+
 class View {
  public:
-  using Direction = std::array<double, 3>;
-
   // pieces is HSP_PIECES_*. boundary: null for G-pieces cut from the model alone. Makes room for what any of these
   // directions needs.
   View(const Model &model, const Boundary *boundary, uint32_t pieces, const std::vector<Direction> &directions);
@@ -32,6 +32,22 @@ class View {
   hsp_picture_options picture_{};
   std::vector<uint32_t> colour_;
   support::OwnedView view_;
+};
+
+class VisibleMap {
+ public:
+  // Makes room for what any of these directions needs.
+  VisibleMap(const Model &model, const std::vector<Direction> &directions);
+
+  void compute(const Direction &towards);
+
+  hsp_map_info info() const;
+  size_t bytes() const { return map_.bytes(); }
+
+ private:
+  const Model *model_;
+  hsp_view_options options_{};
+  support::OwnedMap map_;
 };
 
 }  // namespace bench

@@ -1,38 +1,49 @@
 #!/usr/bin/env bash
-# Every picture in README.md is what one command line of README.md writes, byte for byte.
+# Every picture in README.md is what one command line of README.md writes, byte for byte; and what the command lines of
+# tests/program/pictures/digests.txt write has the size and the digest there. One of these stands beside the list as a
+# whole, for program_draw_colours.
 #   gallery.sh SOURCE-FOLDER WORK-FOLDER PROGRAM [--write]
-# --write: write the pictures anew, where they are meant to change.
+# --write: write pictures and digests anew, where they are meant to change.
 set -euo pipefail
-source=$1 work=$2 program=$(realpath "$3") write=${4:-}
+source=$(realpath "$1") work=$2 program=$(realpath "$3") write=${4:-}
 pictures=tests/program/pictures
+digests=$source/$pictures/digests.txt
 rm -rf "$work"
 mkdir -p "$work/bin" "$work/run"
+work=$(realpath "$work")
 ln -s "$program" "$work/bin/hardsphere"
 PATH=$work/bin:$PATH
 export LC_ALL=C
 cp "$source"/bench/molecules/*.pdb "$work/run"
 cp "$source/bench/molecules/crambin.pdb" "$work/run/1crn.pdb"
 
-# Lines of code, and code within the text; three blanks end a line.
+# Lines of code, and code within the text; three blanks end a line. The same line may stand in both files.
 {
   sed -n 's/^ *\(hardsphere [-a-z].*\)/\1/p' "$source/README.md" | sed -E 's/ {3,}.*//'
   # shellcheck disable=SC2016 # these are Markdown's
   grep -oh '`hardsphere [^`]*`' "$source/README.md" | tr -d '`'
-} >"$work/lines"
+  sed -n 's/^[0-9]* [0-9a-f]* \(hardsphere .*\)/\1/p' "$digests"
+} | awk '!seen[$0]++' >"$work/lines"
 grep -oE "$pictures/[^)\" ]*" "$source/README.md" | sort -u >"$work/shown"
 [ "$(wc -l <"$work/shown")" -ge 9 ] || { cat "$work/shown" && echo "are all the pictures that were found" && exit 1; }
+grep -oE -- '-o [^ ]+$' "$digests" | cut -d ' ' -f 2 >"$work/digested"
 
 failed=0
-while read -r picture; do
-  name=${picture##*/}
-  grep -E -- "(-o|--map) ${name//./\\.}( |\$)" "$work/lines" >"$work/line" || true
+# draw NAME: into $work/run, by `line`, the one command line that writes it.
+draw() {
+  grep -E -- "(-o|--map) ${1//./\\.}( |\$)" "$work/lines" >"$work/line" || true
   if [ "$(wc -l <"$work/line")" -ne 1 ]; then
-    echo "$name: README.md has $(wc -l <"$work/line") command lines that write it"
+    echo "$1: README.md and digests.txt have $(wc -l <"$work/line") command lines that write it"
     failed=1
-    continue
+    return 1
   fi
   line=$(cat "$work/line")
   (cd "$work/run" && bash -c "$line" >/dev/null) || { echo "\$ $line fails" && exit 1; }
+}
+
+while read -r picture; do
+  name=${picture##*/}
+  draw "$name" || continue
   if [ "$write" = --write ]; then
     cp "$work/run/$name" "$source/$picture"
   elif ! cmp "$work/run/$name" "$source/$picture"; then
@@ -41,4 +52,18 @@ while read -r picture; do
   fi
   echo "$(wc -c <"$source/$picture") bytes: $line"
 done <"$work/shown"
+
+sed -n '/^#/p' "$digests" >"$work/digests.txt"
+while read -r name; do
+  draw "$name" || continue
+  echo "$(wc -c <"$work/run/$name") $(sha256sum <"$work/run/$name" | cut -d ' ' -f 1) $line" >>"$work/digests.txt"
+done <"$work/digested"
+if [ "$write" = --write ]; then
+  cp "$work/digests.txt" "$digests"
+  cp "$work/run/caffeine.svg" "$source/$pictures"
+elif ! diff "$digests" "$work/digests.txt"; then
+  echo "< digests.txt, > what these lines write now into $work/run. The same lines with the program of an earlier"
+  echo "commit write the files to compare with. If they are meant to change: gallery.sh ... --write"
+  failed=1
+fi
 exit $failed
