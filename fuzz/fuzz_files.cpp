@@ -13,10 +13,10 @@
 #include "fuzz_input.hpp"
 
 extern "C" {
-#include "failure.h"
-#include "molecule.h"
-#include "radii.h"
-#include "read_molecule.h"
+#include "read/failure.h"
+#include "read/molecule.h"
+#include "read/radii.h"
+#include "read/read_molecule.h"
 }
 
 namespace {

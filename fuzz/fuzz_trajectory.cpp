@@ -13,7 +13,7 @@
 #include "fuzz_input.hpp"
 
 extern "C" {
-#include "trajectory.h"
+#include "read/trajectory.h"
 }
 
 namespace {

@@ -16,7 +16,7 @@
 #include "trajectory_writers.hpp"
 
 extern "C" {
-#include "trajectory.h"
+#include "read/trajectory.h"
 }
 
 namespace {

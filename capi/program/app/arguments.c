@@ -1,13 +1,13 @@
-#include "arguments.h"
+#include "app/arguments.h"
 
 #include <string.h>
 
-#include "interface.h"
-#include "number.h"
-#include "option_reader.h"
-#include "read_molecule.h"
-#include "request_check.h"
-#include "suggestion.h"
+#include "app/option_reader.h"
+#include "app/request_check.h"
+#include "app/suggestion.h"
+#include "commands/interface.h"
+#include "read/number.h"
+#include "read/read_molecule.h"
 
 struct reading {
   struct request *request;

@@ -4,17 +4,17 @@
 
 #include <stdbool.h>
 
-#include "drawing.h"
-#include "failure.h"
-#include "frame_range.h"
-#include "meshing.h"
-#include "molecule.h"
-#include "periodic_box.h"
-#include "radii.h"
-#include "residues.h"
-#include "selection.h"
-#include "text_buffer.h"
-#include "viewing.h"
+#include "commands/frame_range.h"
+#include "commands/meshing.h"
+#include "commands/periodic_box.h"
+#include "draw/drawing.h"
+#include "draw/viewing.h"
+#include "read/failure.h"
+#include "read/molecule.h"
+#include "read/radii.h"
+#include "read/residues.h"
+#include "read/selection.h"
+#include "read/text_buffer.h"
 
 enum command {
   COMMAND_MODEL,

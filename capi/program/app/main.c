@@ -3,21 +3,21 @@
  * nothing of a frame that fails. */
 #include <string.h>
 
-#include "arguments.h"
-#include "command_clash.h"
-#include "command_frames.h"
-#include "commands.h"
-#include "failure.h"
-#include "geometry.h"
-#include "line_reader.h"
-#include "notes.h"
-#include "radii_list.h"
-#include "read_molecule.h"
-#include "several_files.h"
-#include "suggestion.h"
-#include "text_buffer.h"
-#include "unit_cell.h"
-#include "usage.h"
+#include "app/arguments.h"
+#include "app/notes.h"
+#include "app/several_files.h"
+#include "app/suggestion.h"
+#include "app/usage.h"
+#include "commands/command_clash.h"
+#include "commands/command_frames.h"
+#include "commands/commands.h"
+#include "commands/unit_cell.h"
+#include "read/failure.h"
+#include "read/geometry.h"
+#include "read/line_reader.h"
+#include "read/radii_list.h"
+#include "read/read_molecule.h"
+#include "read/text_buffer.h"
 
 static command_function *function_of(enum command command) {
   switch (command) {

@@ -1,9 +1,9 @@
-#include "option_reader.h"
+#include "app/option_reader.h"
 
 #include <stdio.h>
 #include <string.h>
 
-#include "number.h"
+#include "read/number.h"
 
 bool option_is(const char *argument, const char *option, const char **value) {
   const size_t length = strlen(option);

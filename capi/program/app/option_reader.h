@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "failure.h"
+#include "read/failure.h"
 
 struct option_reader {
   char **rest; /* arguments not looked at yet */

@@ -1,9 +1,9 @@
-#include "request_check.h"
+#include "app/request_check.h"
 
 #include <string.h>
 
-#include "output_file.h"
-#include "read_molecule.h"
+#include "read/read_molecule.h"
+#include "write/output_file.h"
 
 /* What goes with a trajectory, of which each frame has one line. */
 static bool check_trajectory(struct request *request, struct failure *failure) {

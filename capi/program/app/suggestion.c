@@ -1,9 +1,9 @@
-#include "suggestion.h"
+#include "app/suggestion.h"
 
 #include <stdio.h>
 #include <string.h>
 
-#include "usage.h"
+#include "app/usage.h"
 
 enum { MOST_LETTERS = 24, FAR_APART = MOST_LETTERS };
 

@@ -2,7 +2,7 @@
 #ifndef HARDSPHERE_TOOL_SUGGESTION_H
 #define HARDSPHERE_TOOL_SUGGESTION_H
 
-#include "arguments.h"
+#include "app/arguments.h"
 
 enum { SUGGESTION_BYTES = 48 };
 

@@ -1,9 +1,9 @@
-#include "ball_table.h"
+#include "commands/ball_table.h"
 
-#include "ball_label.h"
-#include "csv.h"
-#include "number.h"
-#include "report.h"
+#include "read/number.h"
+#include "write/ball_label.h"
+#include "write/csv.h"
+#include "write/report.h"
 
 /* The derivatives that there may be, in the order of the keys and columns. In tables each takes the four columns of
  * x, y, z and r instead. */

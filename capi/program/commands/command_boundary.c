@@ -3,11 +3,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "commands.h"
-#include "csv.h"
-#include "input_report.h"
-#include "periodic_result.h"
-#include "report.h"
+#include "commands/commands.h"
+#include "commands/input_report.h"
+#include "commands/periodic_result.h"
+#include "write/csv.h"
+#include "write/report.h"
 
 /* The pieces of spheres are counted as the boundary has them; what hangs together is the topology's matter. */
 struct counted {

@@ -1,14 +1,14 @@
-#include "command_clash.h"
+#include "commands/command_clash.h"
 
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "ball_label.h"
-#include "geometry.h"
-#include "input_report.h"
-#include "report.h"
+#include "commands/input_report.h"
+#include "read/geometry.h"
+#include "write/ball_label.h"
+#include "write/report.h"
 
 /* What is found, and the bodies that it is found with. */
 struct clash {

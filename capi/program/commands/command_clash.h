@@ -4,10 +4,10 @@
 
 #include <stdbool.h>
 
-#include "arguments.h"
-#include "failure.h"
-#include "molecule.h"
-#include "text_buffer.h"
+#include "app/arguments.h"
+#include "read/failure.h"
+#include "read/molecule.h"
+#include "read/text_buffer.h"
 
 /* One of the two, as it was asked for. */
 struct clashing {

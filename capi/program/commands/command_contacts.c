@@ -5,14 +5,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "ball_label.h"
-#include "commands.h"
-#include "contact_map.h"
-#include "csv.h"
-#include "input_report.h"
-#include "output_file.h"
-#include "periodic_result.h"
-#include "report.h"
+#include "commands/commands.h"
+#include "commands/input_report.h"
+#include "commands/periodic_result.h"
+#include "draw/contact_map.h"
+#include "write/ball_label.h"
+#include "write/csv.h"
+#include "write/output_file.h"
+#include "write/report.h"
 
 /* All that is printed. Arrays that were not asked for are NULL. */
 struct findings {

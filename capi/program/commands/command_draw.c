@@ -5,21 +5,21 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "annotation.h"
-#include "ball_and_stick.h"
-#include "ball_colours.h"
-#include "ball_groups.h"
-#include "ball_names.h"
-#include "commands.h"
-#include "input_report.h"
-#include "line_reader.h"
-#include "occlusion.h"
-#include "output_file.h"
-#include "page_labels.h"
-#include "picture_file.h"
-#include "picture_frame.h"
-#include "report.h"
-#include "spinning.h"
+#include "commands/commands.h"
+#include "commands/input_report.h"
+#include "draw/annotation.h"
+#include "draw/ball_and_stick.h"
+#include "draw/ball_colours.h"
+#include "draw/ball_groups.h"
+#include "draw/ball_names.h"
+#include "draw/occlusion.h"
+#include "draw/page_labels.h"
+#include "draw/picture_file.h"
+#include "draw/picture_frame.h"
+#include "draw/spinning.h"
+#include "read/line_reader.h"
+#include "write/output_file.h"
+#include "write/report.h"
 
 /* What was drawn: of several pictures the first, with pieces, arcs and bytes of all. */
 struct drawn {

@@ -4,11 +4,11 @@
 
 #include <stdbool.h>
 
-#include "arguments.h"
-#include "failure.h"
-#include "geometry.h"
-#include "molecule.h"
-#include "text_buffer.h"
+#include "app/arguments.h"
+#include "read/failure.h"
+#include "read/geometry.h"
+#include "read/molecule.h"
+#include "read/text_buffer.h"
 
 /* What a command does with a molecule. */
 typedef bool command_function(const struct request *request, const struct molecule *molecule, struct geometry *geometry,

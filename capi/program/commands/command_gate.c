@@ -4,10 +4,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "commands.h"
-#include "input_report.h"
-#include "report.h"
-#include "void_list.h"
+#include "commands/commands.h"
+#include "commands/input_report.h"
+#include "commands/void_list.h"
+#include "write/report.h"
 
 /* Where the way begins and ends. */
 struct ends {

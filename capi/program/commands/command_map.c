@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "commands.h"
-#include "input_report.h"
-#include "report.h"
+#include "commands/commands.h"
+#include "commands/input_report.h"
+#include "write/report.h"
 
 /* What is seen. */
 struct seen {

@@ -2,16 +2,16 @@
 #include <inttypes.h>
 #include <string.h>
 
-#include "ball_table.h"
-#include "commands.h"
-#include "csv.h"
-#include "group_table.h"
-#include "input_report.h"
-#include "interface.h"
-#include "measurement.h"
-#include "output_file.h"
-#include "pdb_output.h"
-#include "report.h"
+#include "commands/ball_table.h"
+#include "commands/commands.h"
+#include "commands/group_table.h"
+#include "commands/input_report.h"
+#include "commands/interface.h"
+#include "commands/measurement.h"
+#include "write/csv.h"
+#include "write/output_file.h"
+#include "write/pdb_output.h"
+#include "write/report.h"
 
 /* Of totals, which are accurate to 1e-13 of their size for molecules; single balls are shown with four. */
 enum { TOTAL_DECIMALS = 10 };

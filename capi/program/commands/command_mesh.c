@@ -4,12 +4,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "commands.h"
-#include "input_report.h"
-#include "mesh_file.h"
-#include "mesh_picture.h"
-#include "output_file.h"
-#include "report.h"
+#include "commands/commands.h"
+#include "commands/input_report.h"
+#include "draw/mesh_picture.h"
+#include "write/mesh_file.h"
+#include "write/output_file.h"
+#include "write/report.h"
 
 static double edge_of(const struct request *request) {
   const double third_of_an_atom = 0.5;

@@ -4,9 +4,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "commands.h"
-#include "input_report.h"
-#include "report.h"
+#include "commands/commands.h"
+#include "commands/input_report.h"
+#include "write/report.h"
 
 static const char *yes_or_no(bool yes) {
   return yes ? "yes" : "no";

@@ -2,9 +2,9 @@
 #include <inttypes.h>
 #include <stdio.h>
 
-#include "commands.h"
-#include "input_report.h"
-#include "report.h"
+#include "commands/commands.h"
+#include "commands/input_report.h"
+#include "write/report.h"
 
 static double dot(const double a[3], const double b[3]) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

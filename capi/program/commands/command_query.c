@@ -3,9 +3,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "commands.h"
-#include "input_report.h"
-#include "report.h"
+#include "commands/commands.h"
+#include "commands/input_report.h"
+#include "write/report.h"
 
 static int32_t ask(const struct request *request, const hsp_model *model, uint32_t *ids, uint32_t capacity,
                    uint32_t *needed) {

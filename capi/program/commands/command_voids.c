@@ -2,11 +2,11 @@
 #include <inttypes.h>
 #include <math.h>
 
-#include "commands.h"
-#include "csv.h"
-#include "input_report.h"
-#include "report.h"
-#include "void_list.h"
+#include "commands/commands.h"
+#include "commands/input_report.h"
+#include "commands/void_list.h"
+#include "write/csv.h"
+#include "write/report.h"
 
 static void json_room(const struct void_room *room, struct text_buffer *out) {
   text_buffer_add(out, ", \"point\": ");

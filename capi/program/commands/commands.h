@@ -4,11 +4,11 @@
 
 #include <stdbool.h>
 
-#include "arguments.h"
-#include "failure.h"
-#include "geometry.h"
-#include "molecule.h"
-#include "text_buffer.h"
+#include "app/arguments.h"
+#include "read/failure.h"
+#include "read/geometry.h"
+#include "read/molecule.h"
+#include "read/text_buffer.h"
 
 bool command_model(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                    struct text_buffer *out, struct failure *failure);

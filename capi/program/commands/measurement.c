@@ -1,9 +1,9 @@
-#include "measurement.h"
+#include "commands/measurement.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "weights.h"
+#include "read/weights.h"
 
 static double *allocate(const struct molecule *molecule, size_t numbers_per_atom, struct failure *failure) {
   /* An atom has at least 80 bytes in memory already, so that the size cannot overflow. */

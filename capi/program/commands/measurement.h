@@ -5,10 +5,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "arguments.h"
-#include "geometry.h"
-#include "molecule.h"
-#include "periodic_result.h"
+#include "app/arguments.h"
+#include "commands/periodic_result.h"
+#include "read/geometry.h"
+#include "read/molecule.h"
 
 /* The derivatives of one quantity with respect to every centre and every radius. */
 struct gradient {

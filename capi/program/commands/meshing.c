@@ -1,9 +1,9 @@
-#include "meshing.h"
+#include "commands/meshing.h"
 
 #include <string.h>
 
-#include "fields.h"
-#include "output_file.h"
+#include "read/fields.h"
+#include "write/output_file.h"
 
 static const char *const format_names[] = {"ply", "obj", "stl", "vert", "svg"};
 static const char *const extensions[] = {"PLY", "OBJ", "STL", "VERT", "SVG"};

@@ -4,8 +4,8 @@
 
 #include <stdbool.h>
 
-#include "failure.h"
-#include "option_reader.h"
+#include "app/option_reader.h"
+#include "read/failure.h"
 
 enum mesh_format { MESH_PLY, MESH_OBJ, MESH_STL, MESH_MSMS, MESH_SVG };
 enum mesh_surface { MESH_VAN_DER_WAALS, MESH_SOLVENT_ACCESSIBLE, MESH_SOLVENT_EXCLUDED };

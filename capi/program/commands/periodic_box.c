@@ -1,8 +1,8 @@
-#include "periodic_box.h"
+#include "commands/periodic_box.h"
 
 #include <string.h>
 
-#include "number.h"
+#include "read/number.h"
 
 enum { MOST_NUMBERS = 9 };
 

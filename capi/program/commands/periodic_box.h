@@ -5,8 +5,8 @@
 
 #include <stdbool.h>
 
-#include "failure.h"
-#include "option_reader.h"
+#include "app/option_reader.h"
+#include "read/failure.h"
 
 enum box_source { BOX_NONE, BOX_GIVEN, BOX_OF_FILE };
 

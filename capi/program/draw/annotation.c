@@ -1,12 +1,12 @@
-#include "annotation.h"
+#include "draw/annotation.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "pen.h"
-#include "residue_kinds.h"
+#include "draw/pen.h"
+#include "read/residue_kinds.h"
 
 enum { MOST_ENTRIES = 14, RAMP_PARTS = 17, TEXT_BYTES = 48, MOST_POWERS = 300 };
 

@@ -1,12 +1,12 @@
-#include "contact_map.h"
+#include "draw/contact_map.h"
 
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "output_file.h"
-#include "text_buffer.h"
+#include "read/text_buffer.h"
+#include "write/output_file.h"
 
 /* Pixels. Within the frame a row is a unit, so that squares have small coordinates. */
 enum { LEFT = 64, TOP = 32, SIDE = 640, RIGHT = 16, BOTTOM = 72, SHADES = 6, MOST_TICKS = 16 };

@@ -1,14 +1,14 @@
-#include "drawing.h"
+#include "draw/drawing.h"
 
 #include <stddef.h>
 #include <string.h>
 
-#include "characters.h"
-#include "fields.h"
+#include "draw/look.h"
 #include "hardsphere.h"
-#include "look.h"
-#include "number.h"
-#include "output_file.h"
+#include "read/characters.h"
+#include "read/fields.h"
+#include "read/number.h"
+#include "write/output_file.h"
 
 enum { FORMATS = 3, STYLES = 3, PALETTES = 3, UNITS = 2, PIECES = 3, KINDS = 2 };
 

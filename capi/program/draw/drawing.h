@@ -5,9 +5,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "failure.h"
-#include "option_reader.h"
-#include "viewing.h"
+#include "app/option_reader.h"
+#include "draw/viewing.h"
+#include "read/failure.h"
 
 /* What colours stand for. */
 enum { COLOUR_ELEMENT, COLOUR_CHAIN, COLOUR_RESIDUE, COLOUR_AREA, COLOUR_BFACTOR, COLOUR_CHARGE, COLOUR_FILE };

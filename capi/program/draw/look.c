@@ -1,8 +1,8 @@
-#include "look.h"
+#include "draw/look.h"
 
 #include <stdbool.h>
 
-#include "drawing.h"
+#include "draw/drawing.h"
 #include "hardsphere.h"
 
 const char *const look_names[LOOKS] = {"paper", "goodsell", "slide", "print"};

@@ -1,11 +1,11 @@
-#include "viewing.h"
+#include "draw/viewing.h"
 
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
 
-#include "molecule.h"
-#include "principal_axes.h"
+#include "draw/principal_axes.h"
+#include "read/molecule.h"
 
 static bool take_view(struct viewing *viewing, struct option_reader *reader, const char *value) {
   const char *word = value != NULL ? value : reader->left > 0 ? reader->rest[0] : "";

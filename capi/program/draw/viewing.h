@@ -4,9 +4,9 @@
 
 #include <stdbool.h>
 
-#include "failure.h"
+#include "app/option_reader.h"
 #include "hardsphere.h"
-#include "option_reader.h"
+#include "read/failure.h"
 
 struct molecule;
 

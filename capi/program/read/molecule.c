@@ -1,4 +1,4 @@
-#include "molecule.h"
+#include "read/molecule.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "hardsphere.h"
-#include "residue_kinds.h"
-#include "text_buffer.h"
+#include "read/residue_kinds.h"
+#include "read/text_buffer.h"
 
 void molecule_init(struct molecule *molecule, enum molecule_format format, uint64_t model) {
   memset(molecule, 0, sizeof *molecule);

@@ -6,12 +6,12 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "failure.h"
-#include "fields.h"
-#include "file_box.h"
-#include "radii.h"
-#include "radii_table.h"
-#include "symmetry.h"
+#include "read/failure.h"
+#include "read/fields.h"
+#include "read/file_box.h"
+#include "read/radii.h"
+#include "read/radii_table.h"
+#include "read/symmetry.h"
 
 /* In the order of the list in read_molecule.c. */
 enum molecule_format { FORMAT_XYZR, FORMAT_PDB, FORMAT_PQR, FORMAT_XYZ, FORMAT_CIF, FORMAT_GRO, FORMATS };

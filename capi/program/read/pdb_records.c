@@ -1,8 +1,8 @@
-#include "pdb_records.h"
+#include "read/pdb_records.h"
 
 #include <string.h>
 
-#include "characters.h"
+#include "read/characters.h"
 
 /* Records of "Protein Data Bank contents guide", versions 2.3 and 3.3, and of programs in wide use, by the letters that
  * their names begin with. */

@@ -5,10 +5,10 @@
 #include <inttypes.h>
 #include <string.h>
 
-#include "characters.h"
-#include "frame_title.h"
-#include "number.h"
-#include "read_molecule.h"
+#include "read/characters.h"
+#include "read/frame_title.h"
+#include "read/number.h"
+#include "read/read_molecule.h"
 
 enum { FIRST_COORDINATE = 20 /* counted from 0 */, POWER_OF_NANOMETRE = 1 };
 

@@ -1,12 +1,12 @@
-#include "read_molecule.h"
+#include "read/read_molecule.h"
 
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "characters.h"
-#include "residue_kinds.h"
+#include "read/characters.h"
+#include "read/residue_kinds.h"
 
 static const struct molecule_reader *const readers[FORMATS] = {&xyzr_reader, &pdb_reader, &pqr_reader,
                                                                &xyz_reader,  &cif_reader, &gro_reader};

@@ -4,9 +4,9 @@
 
 #include <stdbool.h>
 
-#include "failure.h"
-#include "line_reader.h"
-#include "molecule.h"
+#include "read/failure.h"
+#include "read/line_reader.h"
+#include "read/molecule.h"
 
 /* A format. The next one is one more file with one of these, its name in enum molecule_format, and its place in the
  * list of read_molecule.c. */

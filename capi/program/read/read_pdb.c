@@ -4,13 +4,13 @@
  * touch. Serial numbers, 7-11, are texts that CONECT records name atoms by. */
 #include <string.h>
 
-#include "alternate_locations.h"
-#include "characters.h"
-#include "frame_title.h"
-#include "number.h"
-#include "pdb_records.h"
-#include "read_molecule.h"
-#include "residue_kinds.h"
+#include "read/alternate_locations.h"
+#include "read/characters.h"
+#include "read/frame_title.h"
+#include "read/number.h"
+#include "read/pdb_records.h"
+#include "read/read_molecule.h"
+#include "read/residue_kinds.h"
 
 enum { LAST_COLUMN = 80 };
 

@@ -4,10 +4,10 @@
  * columns of a PDB file, in which x, y and z may touch. A record that cannot be read by fields is read by columns. */
 #include <string.h>
 
-#include "characters.h"
-#include "pdb_records.h"
-#include "read_molecule.h"
-#include "residue_kinds.h"
+#include "read/characters.h"
+#include "read/pdb_records.h"
+#include "read/read_molecule.h"
+#include "read/residue_kinds.h"
 
 enum { MOST_FIELDS = 12 };
 

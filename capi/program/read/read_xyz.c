@@ -4,11 +4,11 @@
 #include <inttypes.h>
 #include <string.h>
 
-#include "characters.h"
-#include "frame_title.h"
-#include "number.h"
-#include "read_molecule.h"
-#include "residue_kinds.h"
+#include "read/characters.h"
+#include "read/frame_title.h"
+#include "read/number.h"
+#include "read/read_molecule.h"
+#include "read/residue_kinds.h"
 
 /* Step to the next line that is not blank and split it. */
 static enum line_status next_filled_line(struct line_reader *reader, struct field *column, size_t capacity,

@@ -2,7 +2,7 @@
  * column is somebody's note, what follows a '#' is a comment. */
 #include <string.h>
 
-#include "read_molecule.h"
+#include "read/read_molecule.h"
 
 static bool read_xyzr(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
   const struct atom_label no_label = ATOM_LABEL_NONE;

@@ -1,12 +1,12 @@
-#include "selection.h"
+#include "read/selection.h"
 
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "characters.h"
-#include "number.h"
+#include "read/characters.h"
+#include "read/number.h"
 
 enum key { KEY_CHAIN, KEY_RESIDUE, KEY_ELEMENT, KEY_ATOM, KEY_WATER, KEY_HETATM, KEY_HYDROGEN };
 

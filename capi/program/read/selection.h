@@ -6,9 +6,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "failure.h"
-#include "molecule.h"
-#include "text_buffer.h"
+#include "read/failure.h"
+#include "read/molecule.h"
+#include "read/text_buffer.h"
 
 /* A selection is written
  *   selection = term {"&" term}              all of the terms hold

@@ -1,13 +1,13 @@
-#include "trajectory.h"
+#include "read/trajectory.h"
 
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "fields.h"
-#include "number.h"
-#include "read_molecule.h"
+#include "read/fields.h"
+#include "read/number.h"
+#include "read/read_molecule.h"
 
 bool trajectory_format_of(const char *path, enum molecule_format molecule, struct trajectory *trajectory,
                           struct failure *failure) {

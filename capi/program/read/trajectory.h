@@ -2,11 +2,11 @@
 #ifndef HARDSPHERE_TOOL_TRAJECTORY_H
 #define HARDSPHERE_TOOL_TRAJECTORY_H
 
-#include "byte_reader.h"
-#include "line_reader.h"
-#include "molecule.h"
-#include "read_dcd.h"
-#include "read_xtc.h"
+#include "read/byte_reader.h"
+#include "read/line_reader.h"
+#include "read/molecule.h"
+#include "read/read_dcd.h"
+#include "read/read_xtc.h"
 
 enum trajectory_format { TRAJECTORY_MODELS, TRAJECTORY_XTC, TRAJECTORY_DCD };
 

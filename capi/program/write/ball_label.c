@@ -1,9 +1,9 @@
-#include "ball_label.h"
+#include "write/ball_label.h"
 
 #include <inttypes.h>
 
-#include "csv.h"
-#include "report.h"
+#include "write/csv.h"
+#include "write/report.h"
 
 /* What a ball is called, in the order of the keys and columns. */
 enum { MOST_NAMES = 6 };

@@ -4,8 +4,8 @@
 
 #include <stdint.h>
 
-#include "molecule.h"
-#include "text_buffer.h"
+#include "read/molecule.h"
+#include "read/text_buffer.h"
 
 /* The keys from "ball" to "radius", without braces. */
 void ball_label_json(const struct molecule *molecule, uint32_t ball, struct text_buffer *out);

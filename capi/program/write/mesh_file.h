@@ -5,8 +5,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "failure.h"
 #include "hardsphere.h"
+#include "read/failure.h"
 
 /* A mesh in arrays of the program's. */
 struct triangle_mesh {

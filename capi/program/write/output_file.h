@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
-#include "failure.h"
+#include "read/failure.h"
 
 struct output_file {
   const char *path; /* as the user wrote it */

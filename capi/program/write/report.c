@@ -1,15 +1,15 @@
-#include "report.h"
+#include "write/report.h"
 
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "characters.h"
-#include "input_report.h"
-#include "line_reader.h"
-#include "number.h"
-#include "residues.h"
+#include "commands/input_report.h"
+#include "read/characters.h"
+#include "read/line_reader.h"
+#include "read/number.h"
+#include "read/residues.h"
 
 void report_row(struct text_buffer *out, const char *name, const char *value, const char *remark) {
   if (remark[0] == '\0') {

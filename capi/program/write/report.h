@@ -5,9 +5,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "arguments.h"
-#include "molecule.h"
-#include "text_buffer.h"
+#include "app/arguments.h"
+#include "read/molecule.h"
+#include "read/text_buffer.h"
 
 /* What was read and how: file, balls, what was left out, radii, probe. Every table begins with it. */
 void report_heading(struct text_buffer *out, const struct request *request, const struct molecule *molecule);

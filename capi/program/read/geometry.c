@@ -1,4 +1,4 @@
-#include "geometry.h"
+#include "read/geometry.h"
 
 #include <stdlib.h>
 

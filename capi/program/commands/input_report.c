@@ -1,10 +1,10 @@
-#include "input_report.h"
+#include "commands/input_report.h"
 
 #include <inttypes.h>
 #include <stdio.h>
 
-#include "report.h"
-#include "residues.h"
+#include "read/residues.h"
+#include "write/report.h"
 
 /* What the balls are. */
 struct among {

@@ -4,11 +4,11 @@
 
 #include <stdbool.h>
 
-#include "failure.h"
+#include "draw/viewing.h"
 #include "hardsphere_workspace.h"
-#include "molecule.h"
-#include "progress.h"
-#include "viewing.h"
+#include "read/failure.h"
+#include "read/molecule.h"
+#include "read/progress.h"
 
 struct geometry {
   hsp_workspace work;       /* zeros at first */

@@ -2,9 +2,9 @@
 #ifndef HARDSPHERE_TOOL_INPUT_REPORT_H
 #define HARDSPHERE_TOOL_INPUT_REPORT_H
 
-#include "arguments.h"
-#include "molecule.h"
-#include "text_buffer.h"
+#include "app/arguments.h"
+#include "read/molecule.h"
+#include "read/text_buffer.h"
 
 /* Rows of a table: the number of balls, what is among them, and what was left out if anything was. */
 void input_report_rows(struct text_buffer *out, const struct request *request, const struct molecule *molecule);
