@@ -121,7 +121,7 @@ static bool load_table(struct reading *reading) {
   struct request *request = reading->request;
   const struct radii_rule *rules = radii_set_rules(request->set);
   if (request->radii_file == NULL && rules == NULL) return true;
-  if (!format_has_residues(request->format)) {
+  if (!file_format_has(request->format, FILE_RESIDUES)) {
     return failure_in_usage(reading->failure,
                             "--radii by residue and atom has no use here: the file names no residues");
   }
@@ -171,11 +171,11 @@ static bool take_place(struct reading *reading, const char *option, const char *
 
 static bool take_format(struct reading *reading, const char *value) {
   char list[FORMAT_LIST_BYTES];
-  molecule_format_list(list, "");
+  file_format_list(list, "", "or", 0, true);
   if (!option_value(&reading->options, "--format", &value, list)) return false;
-  if (reading->request->format_given) return failure_in_usage(reading->failure, "--format is given twice");
-  reading->request->format_given = molecule_format_named(value, &reading->request->format);
-  if (reading->request->format_given) return true;
+  if (reading->request->format != NULL) return failure_in_usage(reading->failure, "--format is given twice");
+  reading->request->format = file_format_named(value);
+  if (reading->request->format != NULL) return true;
   char shown[EXCERPT_BYTES];
   return failure_in_usage(reading->failure, "--format: '%s' is not %s", excerpt(shown, value, strlen(value)), list);
 }
@@ -410,15 +410,17 @@ static bool take_argument(struct reading *reading, const char *argument) {
 /* The format of what is read: what the user says, or what its name says. */
 static bool find_format(struct reading *reading) {
   struct request *request = reading->request;
-  if (request->format_given) return true;
+  if (request->format != NULL) return true;
   if (!input_is_standard(request->file)) {
-    return molecule_format_of(request->file, &request->format, reading->failure);
+    request->format = file_format_of(request->file, reading->failure);
+    return request->format != NULL;
   }
   return failure_in_usage(reading->failure, "standard input has no extension: --format says what it is");
 }
 
 static bool check(struct reading *reading) {
   struct request *request = reading->request;
+  char list[FORMAT_LIST_BYTES];
   if (request->list_radii) return true;
   if (request->file == NULL) {
     return failure_in_usage(reading->failure, "no file is given; see hardsphere %s --help",
@@ -442,9 +444,10 @@ static bool check(struct reading *reading) {
   }
   if (!viewing_check(&request->viewing, reading->failure)) return false;
   if (!request_check_several(request, reading->failure) || !find_format(reading)) return false;
-  if (format_has_radii(request->format) && (reading->radii_seen || reading->radius_seen)) {
-    return failure_in_usage(reading->failure, "%s has no use here: .xyzr and .pqr files bring their own radii",
-                            reading->radii_seen ? "--radii" : "--radius");
+  if (file_format_has(request->format, FILE_RADII) && (reading->radii_seen || reading->radius_seen)) {
+    return failure_in_usage(reading->failure, "%s has no use here: %s files bring their own radii",
+                            reading->radii_seen ? "--radii" : "--radius",
+                            file_format_list(list, ".", "and", FILE_RADII, true));
   }
   if (!request_check(request, reading->failure)) return false;
   return apply_overrides(reading) && load_table(reading);

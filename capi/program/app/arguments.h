@@ -10,6 +10,7 @@
 #include "draw/drawing.h"
 #include "draw/viewing.h"
 #include "read/failure.h"
+#include "read/file_format.h"
 #include "read/molecule.h"
 #include "read/radii.h"
 #include "read/residues.h"
@@ -52,8 +53,7 @@ struct request {
   enum command command;
   int files;        /* how many are named */
   const char *file; /* the one that this request is about; "-": standard input */
-  bool format_given;
-  enum molecule_format format;
+  const struct file_format *format;
   bool json;
   bool csv;
   bool per_ball; /* of `measure` and `map` */

@@ -7,6 +7,7 @@
 
 /* What goes with a trajectory, of which each frame has one line. */
 static bool check_trajectory(struct request *request, struct failure *failure) {
+  char list[FORMAT_LIST_BYTES];
   const char *path = request->trajectory;
   if (path == NULL) {
     return !request->frames_given || failure_in_usage(failure, "--frames needs --trajectory");
@@ -28,12 +29,14 @@ static bool check_trajectory(struct request *request, struct failure *failure) {
   if (input_is_standard(request->file) || (request->weights != NULL && input_is_standard(request->weights))) {
     return failure_in_usage(failure, "standard input is one file, not two");
   }
-  if (format_has_frames(request->format)) return true;
-  return failure_in_usage(failure, "--trajectory from standard input is .pdb, .xyz or .gro, as FILE is");
+  if (file_format_has(request->format, FILE_FRAMES)) return true;
+  return failure_in_usage(failure, "--trajectory from standard input is %s, as FILE is",
+                          file_format_list(list, ".", "or", FILE_FRAMES, true));
 }
 
 /* Which options of `measure` go together, and with the format of the file. */
 static bool check_measure(const struct request *request, struct failure *failure) {
+  char list[FORMAT_LIST_BYTES];
   if (request->csv && request->json) {
     return failure_in_usage(failure, "one form of output at a time: either --csv or --json");
   }
@@ -48,8 +51,9 @@ static bool check_measure(const struct request *request, struct failure *failure
     return failure_in_usage(failure, "--csv prints one table: either of balls or --by %s",
                             request->by == GROUPING_RESIDUE ? "residue" : "chain");
   }
-  if (request->by != GROUPING_NONE && !format_has_residues(request->format)) {
-    return failure_in_usage(failure, "--by has no use here: .xyzr and .xyz files have no residues");
+  if (request->by != GROUPING_NONE && !file_format_has(request->format, FILE_RESIDUES)) {
+    return failure_in_usage(failure, "--by has no use here: %s files have no residues",
+                            file_format_list(list, ".", "and", FILE_RESIDUES, false));
   }
   if (request->relative && request->by != GROUPING_RESIDUE) {
     return failure_in_usage(failure, "--relative needs --by residue");
@@ -57,10 +61,10 @@ static bool check_measure(const struct request *request, struct failure *failure
   if (request->relative && request->probe == 0.0) {
     return failure_in_usage(failure, "--relative compares solvent-accessible areas: it needs a probe, --probe 1.4");
   }
-  if (request->polar && !format_has_elements(request->format)) {
+  if (request->polar && !file_format_has(request->format, FILE_ELEMENTS)) {
     return failure_in_usage(failure, "--polar has no use here: the file names no elements");
   }
-  if (request->interface != NULL && !format_has_residues(request->format)) {
+  if (request->interface != NULL && !file_format_has(request->format, FILE_RESIDUES)) {
     return failure_in_usage(failure, "--interface has no use here: the file names no chains");
   }
   if (request->csv && (request->polar || request->interface != NULL)) {
@@ -90,7 +94,7 @@ static bool check_measure(const struct request *request, struct failure *failure
                             "--csv prints one table, of balls or of groups: --curvature has no place "
                             "in it");
   }
-  if (request->pdb_out != NULL && request->format != FORMAT_PDB) {
+  if (request->pdb_out != NULL && !file_format_has(request->format, FILE_AREA_COLUMNS)) {
     return failure_in_usage(failure, "--pdb-out has no use here: it writes a .pdb file again");
   }
   return true;
@@ -156,19 +160,22 @@ static bool check_files(const struct request *request, struct failure *failure) 
 /* Whether the file says what colours are to stand for, and what labels name. */
 static bool check_colours(const struct request *request, struct failure *failure) {
   const int colour = request->drawing.colour;
-  if ((colour == COLOUR_CHAIN || colour == COLOUR_RESIDUE) && !format_has_residues(request->format)) {
+  char list[FORMAT_LIST_BYTES];
+  if ((colour == COLOUR_CHAIN || colour == COLOUR_RESIDUE) && !file_format_has(request->format, FILE_RESIDUES)) {
     return failure_in_usage(failure, "--colour %s has no use here: the file names no residues",
                             colour == COLOUR_CHAIN ? "chain" : "residue");
   }
-  if (request->drawing.label > LABEL_ATOM && !format_has_residues(request->format)) {
+  if (request->drawing.label > LABEL_ATOM && !file_format_has(request->format, FILE_RESIDUES)) {
     return failure_in_usage(failure, "--label %s has no use here: the file names no residues",
                             request->drawing.label == LABEL_CHAIN ? "chain" : "residue");
   }
-  if (colour == COLOUR_BFACTOR && request->format != FORMAT_PDB && request->format != FORMAT_CIF) {
-    return failure_in_usage(failure, "--colour bfactor is for .pdb and .cif files");
+  if (colour == COLOUR_BFACTOR && !file_format_has(request->format, FILE_TEMPERATURE_FACTORS)) {
+    return failure_in_usage(failure, "--colour bfactor is for %s files",
+                            file_format_list(list, ".", "and", FILE_TEMPERATURE_FACTORS, true));
   }
-  if (colour == COLOUR_CHARGE && request->format != FORMAT_PQR) {
-    return failure_in_usage(failure, "--colour charge is for .pqr files");
+  if (colour == COLOUR_CHARGE && !file_format_has(request->format, FILE_CHARGES)) {
+    return failure_in_usage(failure, "--colour charge is for %s files",
+                            file_format_list(list, ".", "and", FILE_CHARGES, true));
   }
   return true;
 }

@@ -140,7 +140,7 @@ void ball_table_json(const struct molecule *molecule, const struct measurement *
   text_buffer_add(out, "]");
 }
 
-static void csv_header(enum molecule_format format, const struct derivative derivatives[DERIVATIVES], bool weights,
+static void csv_header(const struct file_format *format, const struct derivative derivatives[DERIVATIVES], bool weights,
                        struct text_buffer *out) {
   ball_label_csv_titles(format, "", out);
   text_buffer_add(out, ",x,y,z,radius,area");

@@ -160,7 +160,7 @@ static void print_nearest(const struct clashing *const both[2], const struct cla
 
 static void print_table(const struct clashing *const both[2], const struct clash *clash, struct text_buffer *out) {
   char value[NUMBER_BYTES], remark[100];
-  const char *const unit = format_unit(both[0]->molecule->format);
+  const char *const unit = both[0]->molecule->format->unit;
   for (int k = 0; k < 2; ++k) report_heading(out, both[k]->request, both[k]->molecule);
   snprintf(remark, sizeof remark, "%s, of the two balls below", unit);
   report_row_count(out, "pairs", clash->overlap.pairs, "of balls that meet");
@@ -173,9 +173,9 @@ static void print_table(const struct clashing *const both[2], const struct clash
 bool command_clash(const struct clashing *fixed, const struct clashing *moving, struct text_buffer *out,
                    struct failure *failure) {
   const struct clashing *const both[2] = {fixed, moving};
-  if (strcmp(format_unit(fixed->molecule->format), format_unit(moving->molecule->format)) != 0) {
-    return failure_in_usage(failure, "the files have different units: %s and %s", format_unit(fixed->molecule->format),
-                            format_unit(moving->molecule->format));
+  if (strcmp(fixed->molecule->format->unit, moving->molecule->format->unit) != 0) {
+    return failure_in_usage(failure, "the files have different units: %s and %s", fixed->molecule->format->unit,
+                            moving->molecule->format->unit);
   }
   struct clash clash;
   memset(&clash, 0, sizeof clash);

@@ -67,7 +67,7 @@ static void print_table(const struct request *request, const struct molecule *mo
     return;
   }
   char remark[40];
-  snprintf(remark, sizeof remark, "%s, added to the radii", format_unit(molecule->format));
+  snprintf(remark, sizeof remark, "%s, added to the radii", molecule->format->unit);
   report_row(out, "widest probe", quantity_text(value, widest->radius, 8), remark);
   report_row_count(out, "gate", count, kinds[count]);
   if (count == 0) return;

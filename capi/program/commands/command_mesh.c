@@ -41,11 +41,11 @@ static void print_table(const struct request *request, const struct molecule *mo
   report_heading(out, request, molecule);
   static const char *const remarks[] = {"of the balls alone", "of the balls with the probe", "that the probe leaves"};
   report_row(out, "surface", meshing_surface_name(&request->meshing), remarks[request->meshing.surface]);
-  snprintf(remark, sizeof remark, "%s, of a triangle, about", format_unit(molecule->format));
+  snprintf(remark, sizeof remark, "%s, of a triangle, about", molecule->format->unit);
   report_row(out, "edge", quantity_text(value, mesh->edge, 3), remark);
   report_row_count(out, "vertices", mesh->vertices, "");
   report_row_count(out, "triangles", mesh->triangles, "closed: each edge in two of them");
-  snprintf(remark, sizeof remark, "%s^2, of the triangles; measure has the surface's", format_unit(molecule->format));
+  snprintf(remark, sizeof remark, "%s^2, of the triangles; measure has the surface's", molecule->format->unit);
   report_row(out, "area", quantity_text(value, area_of(mesh), 3), remark);
   report_row_count(out, "bytes", (int64_t)bytes, "");
 }

@@ -168,10 +168,10 @@ static enum line_status next_gro(struct line_reader *reader, bool *begun, bool w
   return read_announced_model(reader, count, read_model, molecule, failure) ? LINE_READ : LINE_FAILED;
 }
 
-const struct molecule_reader gro_reader = {.name = "gro",
-                                           .extensions = "GRO",
-                                           .has_elements = true,
-                                           .has_residues = true,
-                                           .unit = "angstrom",
-                                           .read = read_gro,
-                                           .next = next_gro};
+const struct file_format gro_format = {.name = "gro",
+                                       .extensions = "GRO",
+                                       ANGSTROM,
+                                       .features = FILE_ELEMENTS | FILE_RESIDUES | FILE_FRAMES,
+                                       .nameless = "no element",
+                                       .read = read_gro,
+                                       .next = next_gro};

@@ -152,11 +152,12 @@ static enum line_status next_pdb(struct line_reader *reader, bool *begun, bool w
   return status;
 }
 
-const struct molecule_reader pdb_reader = {.name = "pdb",
-                                           .extensions = "PDB# ENT",
-                                           .has_elements = true,
-                                           .has_residues = true,
-                                           .has_hetatm = true,
-                                           .unit = "angstrom",
-                                           .read = read_pdb,
-                                           .next = next_pdb};
+const struct file_format pdb_format = {.name = "pdb",
+                                       .extensions = "PDB# ENT",
+                                       ANGSTROM,
+                                       .features = FILE_ELEMENTS | FILE_RESIDUES | FILE_HETATM |
+                                                   FILE_TEMPERATURE_FACTORS | FILE_BONDS | FILE_AREA_COLUMNS |
+                                                   FILE_ONE_BOX | FILE_FRAMES,
+                                       .nameless = "no element in columns 77-78, and none",
+                                       .read = read_pdb,
+                                       .next = next_pdb};

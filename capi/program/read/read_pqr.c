@@ -144,11 +144,10 @@ static bool read_pqr(struct line_reader *reader, struct molecule *molecule, stru
   }
 }
 
-const struct molecule_reader pqr_reader = {.name = "pqr",
-                                           .extensions = "PQR",
-                                           .has_radii = true,
-                                           .has_elements = true,
-                                           .has_residues = true,
-                                           .has_hetatm = true,
-                                           .unit = "angstrom",
-                                           .read = read_pqr};
+const struct file_format pqr_format = {
+    .name = "pqr",
+    .extensions = "PQR",
+    ANGSTROM,
+    .features = FILE_RADII | FILE_ELEMENTS | FILE_RESIDUES | FILE_HETATM | FILE_CHARGES,
+    .nameless = "no element",
+    .read = read_pqr};

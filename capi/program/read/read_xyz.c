@@ -181,9 +181,10 @@ static enum line_status next_xyz(struct line_reader *reader, bool *begun, bool w
   return next_announced(reader, &count, molecule, failure);
 }
 
-const struct molecule_reader xyz_reader = {.name = "xyz",
-                                           .extensions = "XYZ EXTXYZ",
-                                           .has_elements = true,
-                                           .unit = "angstrom",
-                                           .read = read_xyz,
-                                           .next = next_xyz};
+const struct file_format xyz_format = {.name = "xyz",
+                                       .extensions = "XYZ EXTXYZ",
+                                       ANGSTROM,
+                                       .features = FILE_ELEMENTS | FILE_ATOMIC_NUMBERS | FILE_FRAMES,
+                                       .nameless = "no element",
+                                       .read = read_xyz,
+                                       .next = next_xyz};

@@ -41,12 +41,12 @@ const char *quantity_text(char out[NUMBER_BYTES], double value, int decimals) {
   return out;
 }
 
-const char *column_text(char out[NUMBER_BYTES], enum molecule_format format, double value, int decimals) {
+const char *column_text(char out[NUMBER_BYTES], const struct file_format *format, double value, int decimals) {
   const double magnitude = value < 0.0 ? -value : value;
   double half_of_last = 0.5;
   for (int k = 0; k < decimals; ++k) half_of_last /= 10.0;
   /* Without a unit lengths may be of any order. */
-  if (format == FORMAT_XYZR || !(magnitude < 1e12)) return quantity_text(out, value, decimals);
+  if (format->sign[0] == '\0' || !(magnitude < 1e12)) return quantity_text(out, value, decimals);
   if (magnitude >= half_of_last || value == 0.0) {
     snprintf(out, NUMBER_BYTES, "%.*f", decimals, value + 0.0);
   } else {
@@ -55,9 +55,9 @@ const char *column_text(char out[NUMBER_BYTES], enum molecule_format format, dou
   return out;
 }
 
-const char *coordinate_text(char out[NUMBER_BYTES], enum molecule_format format, double value) {
+const char *coordinate_text(char out[NUMBER_BYTES], const struct file_format *format, double value) {
   enum { DECIMALS = 4 };
-  const bool vanishes = format != FORMAT_XYZR && value < 0.5e-4 && value > -0.5e-4;
+  const bool vanishes = format->sign[0] != '\0' && value < 0.5e-4 && value > -0.5e-4;
   return column_text(out, format, vanishes ? 0.0 : value, DECIMALS);
 }
 
@@ -76,7 +76,7 @@ static void report_probe(struct text_buffer *out, const struct request *request)
     return;
   }
   char value[160];
-  snprintf(value, sizeof value, "%.10g %s, %s", request->probe, format_unit(request->format),
+  snprintf(value, sizeof value, "%.10g %s, %s", request->probe, request->format->unit,
            request->command == COMMAND_GATE ? "added to every radius to find voids, and then no more"
            : request->outer                 ? "rolling over the atoms from outside: the outer solvent-excluded surface"
            : request->excluded_surface      ? "rolling over the atoms: the solvent-excluded surface"
