@@ -2,7 +2,7 @@
 #ifndef HARDSPHERE_TOOL_NOTES_H
 #define HARDSPHERE_TOOL_NOTES_H
 
-#include "app/arguments.h"
+#include "commands/request.h"
 #include "read/molecule.h"
 #include "read/text_buffer.h"
 

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "app/command_table.h"
 #include "read/read_molecule.h"
 #include "write/output_file.h"
 
@@ -71,7 +72,7 @@ static bool check_measure(const struct request *request, struct failure *failure
     return failure_in_usage(failure, "--csv prints one table, of balls or of groups: %s has no place in it",
                             request->polar ? "--polar" : "--interface");
   }
-  if (request->surface_seen && request->probe == 0.0) {
+  if (request->surface >= 0 && request->probe == 0.0) {
     return failure_in_usage(failure, "--surface needs a probe, --probe 1.4");
   }
   if (request->outer && !request->excluded_surface) {
@@ -157,44 +158,14 @@ static bool check_files(const struct request *request, struct failure *failure) 
   return true;
 }
 
-/* Whether the file says what colours are to stand for, and what labels name. */
-static bool check_colours(const struct request *request, struct failure *failure) {
-  const int colour = request->drawing.colour;
-  char list[FORMAT_LIST_BYTES];
-  if ((colour == COLOUR_CHAIN || colour == COLOUR_RESIDUE) && !file_format_has(request->format, FILE_RESIDUES)) {
-    return failure_in_usage(failure, "--colour %s has no use here: the file names no residues",
-                            colour == COLOUR_CHAIN ? "chain" : "residue");
-  }
-  if (request->drawing.label > LABEL_ATOM && !file_format_has(request->format, FILE_RESIDUES)) {
-    return failure_in_usage(failure, "--label %s has no use here: the file names no residues",
-                            request->drawing.label == LABEL_CHAIN ? "chain" : "residue");
-  }
-  if (colour == COLOUR_BFACTOR && !file_format_has(request->format, FILE_TEMPERATURE_FACTORS)) {
-    return failure_in_usage(failure, "--colour bfactor is for %s files",
-                            file_format_list(list, ".", "and", FILE_TEMPERATURE_FACTORS, true));
-  }
-  if (colour == COLOUR_CHARGE && !file_format_has(request->format, FILE_CHARGES)) {
-    return failure_in_usage(failure, "--colour charge is for %s files",
-                            file_format_list(list, ".", "and", FILE_CHARGES, true));
-  }
-  return true;
-}
-
 bool request_check(struct request *request, struct failure *failure) {
+  request->excluded_surface = request->surface == 1;
   if (!selection_suits(&request->selection, request->format, failure)) return false;
   if (!selection_suits(&request->highlight, request->format, failure)) return false;
   if (!check_trajectory(request, failure) || !check_measure(request, failure) || !check_box(request, failure)) {
     return false;
   }
-  if (request->command == COMMAND_DRAW && !drawing_check(&request->drawing, failure)) return false;
-  if (request->command == COMMAND_DRAW && !check_colours(request, failure)) return false;
-  if (request->command == COMMAND_DRAW && drawing_is_of_sticks(&request->drawing) && request->probe > 0.0) {
-    return failure_in_usage(failure, "--probe is not for --as ball-and-stick");
-  }
-  if (request->command == COMMAND_MESH) {
-    const bool viewed = viewing_is_given(&request->viewing);
-    if (!meshing_check(&request->meshing, request->probe, viewed, failure)) return false;
-    request->excluded_surface = request->meshing.surface == MESH_SOLVENT_EXCLUDED;
-  }
+  command_check *const check = command_table[request->command].check;
+  if (check != NULL && !check(request, failure)) return false;
   return check_files(request, failure);
 }

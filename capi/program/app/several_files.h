@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "app/arguments.h"
+#include "commands/request.h"
 #include "read/failure.h"
 #include "read/text_buffer.h"
 

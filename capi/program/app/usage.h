@@ -2,7 +2,7 @@
 #ifndef HARDSPHERE_TOOL_USAGE_H
 #define HARDSPHERE_TOOL_USAGE_H
 
-#include "app/arguments.h"
+#include "commands/request.h"
 #include "read/text_buffer.h"
 
 void usage_of_program(struct text_buffer *out);

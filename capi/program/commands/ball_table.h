@@ -2,8 +2,8 @@
 #ifndef HARDSPHERE_TOOL_BALL_TABLE_H
 #define HARDSPHERE_TOOL_BALL_TABLE_H
 
-#include "app/arguments.h"
 #include "commands/measurement.h"
+#include "commands/request.h"
 #include "read/molecule.h"
 #include "read/text_buffer.h"
 

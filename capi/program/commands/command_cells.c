@@ -3,6 +3,7 @@
 
 #include "commands/commands.h"
 #include "commands/input_report.h"
+#include "commands/space_geometry.h"
 #include "write/report.h"
 
 static void print_json(const struct request *request, const struct molecule *molecule, const hsp_cells_counts *found,

@@ -6,6 +6,7 @@
 
 #include "commands/commands.h"
 #include "commands/input_report.h"
+#include "draw/view_geometry.h"
 #include "write/report.h"
 
 /* What is seen. */

@@ -6,6 +6,7 @@
 
 #include "commands/commands.h"
 #include "commands/input_report.h"
+#include "commands/space_geometry.h"
 #include "write/report.h"
 
 static const char *yes_or_no(bool yes) {

@@ -4,6 +4,7 @@
 
 #include "commands/commands.h"
 #include "commands/input_report.h"
+#include "draw/view_geometry.h"
 #include "write/report.h"
 
 static double dot(const double a[3], const double b[3]) {

@@ -3,6 +3,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 
+#include "read/line_reader.h"
 #include "read/residues.h"
 #include "write/report.h"
 
@@ -153,7 +154,7 @@ static void rows_radii(struct text_buffer *out, const struct request *request, c
   row_substitutes(out, request, molecule);
 }
 
-void input_report_rows(struct text_buffer *out, const struct request *request, const struct molecule *molecule) {
+static void rows(struct text_buffer *out, const struct request *request, const struct molecule *molecule) {
   const struct among among = count_among(molecule);
   char value[2 * NUMBER_BYTES];
   report_row_count(out, "balls", molecule->atoms, "");
@@ -176,6 +177,28 @@ void input_report_rows(struct text_buffer *out, const struct request *request, c
   } else {
     report_row(out, "radii", "from the file", "");
   }
+}
+
+static void report_probe(struct text_buffer *out, const struct request *request) {
+  if (request->probe == 0.0) {
+    report_row(out, "probe", "none: the van der Waals surface, by the radii as they are", "");
+    return;
+  }
+  char value[160];
+  snprintf(value, sizeof value, "%.10g %s, %s", request->probe, request->format->unit,
+           request->command == COMMAND_GATE ? "added to every radius to find voids, and then no more"
+           : request->outer                 ? "rolling over the atoms from outside: the outer solvent-excluded surface"
+           : request->excluded_surface      ? "rolling over the atoms: the solvent-excluded surface"
+                                            : "added to every radius: the solvent-accessible surface");
+  report_row(out, "probe", value, "");
+}
+
+void report_heading(struct text_buffer *out, const struct request *request, const struct molecule *molecule) {
+  report_file_name(out, input_name(request->file));
+  text_buffer_add(out, "\n");
+  rows(out, request, molecule);
+  report_probe(out, request);
+  text_buffer_add(out, "\n");
 }
 
 static void json_count(struct text_buffer *out, const char *name, uint64_t count) {

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "app/arguments.h"
+#include "commands/request.h"
 #include "read/geometry.h"
 #include "read/molecule.h"
 #include "read/text_buffer.h"

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "draw/bonds.h"
+#include "draw/view_axes.h"
 
 static const double default_ball_size = 0.25;
 static const double default_stick = 0.12;

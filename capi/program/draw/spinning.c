@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "draw/ball_and_stick.h"
+#include "draw/view_axes.h"
 
 /* Pictures as the library makes them without a scale. */
 static const double default_margin = 0.03;

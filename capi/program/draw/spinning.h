@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-#include "app/arguments.h"
+#include "draw/drawing.h"
 #include "read/failure.h"
 #include "read/molecule.h"
 

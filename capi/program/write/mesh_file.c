@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "commands/meshing.h"
 #include "read/text_buffer.h"
 #include "write/output_file.h"
 

@@ -5,9 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "commands/input_report.h"
 #include "read/characters.h"
-#include "read/line_reader.h"
 #include "read/number.h"
 #include "read/residues.h"
 
@@ -70,34 +68,12 @@ const char *exact_text(char out[NUMBER_BYTES], double value) {
   return out;
 }
 
-static void report_probe(struct text_buffer *out, const struct request *request) {
-  if (request->probe == 0.0) {
-    report_row(out, "probe", "none: the van der Waals surface, by the radii as they are", "");
-    return;
-  }
-  char value[160];
-  snprintf(value, sizeof value, "%.10g %s, %s", request->probe, request->format->unit,
-           request->command == COMMAND_GATE ? "added to every radius to find voids, and then no more"
-           : request->outer                 ? "rolling over the atoms from outside: the outer solvent-excluded surface"
-           : request->excluded_surface      ? "rolling over the atoms: the solvent-excluded surface"
-                                            : "added to every radius: the solvent-accessible surface");
-  report_row(out, "probe", value, "");
-}
-
 void report_file_name(struct text_buffer *out, const char *name) {
   const size_t begin = out->length;
   text_buffer_add(out, "%s", name);
   for (size_t i = begin; i < out->length; ++i) {
     if ((unsigned char)out->text[i] < 0x20 || out->text[i] == 0x7F) out->text[i] = '?';
   }
-}
-
-void report_heading(struct text_buffer *out, const struct request *request, const struct molecule *molecule) {
-  report_file_name(out, input_name(request->file));
-  text_buffer_add(out, "\n");
-  input_report_rows(out, request, molecule);
-  report_probe(out, request);
-  text_buffer_add(out, "\n");
 }
 
 struct ball_columns ball_columns_of(const struct molecule *molecule) {

@@ -5,12 +5,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "app/arguments.h"
 #include "read/molecule.h"
 #include "read/text_buffer.h"
-
-/* What was read and how: file, balls, what was left out, radii, probe. Every table begins with it. */
-void report_heading(struct text_buffer *out, const struct request *request, const struct molecule *molecule);
 
 /* The name of a file, with '?' for what would disturb a terminal. */
 void report_file_name(struct text_buffer *out, const char *name);

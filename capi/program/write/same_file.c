@@ -5,8 +5,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "write/output_file.h"
-
 bool output_is_standard(const char *path) {
   return strcmp(path, "-") == 0 || strcmp(path, "/dev/stdout") == 0;
 }
