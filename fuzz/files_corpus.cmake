@@ -4,7 +4,10 @@
 file(REMOVE_RECURSE ${CORPUS})
 file(MAKE_DIRECTORY ${CORPUS})
 set(digit 0)  # the digit is the format's number
-foreach(format xyzr pdb pqr xyz cif gro)
+file(READ ${CMAKE_CURRENT_LIST_DIR}/../capi/program/read/file_format.c table)
+string(REGEX MATCHALL "FORMAT\\([a-z]+\\)" formats ${table})
+foreach(entry ${formats})
+  string(REGEX REPLACE "FORMAT\\(([a-z]+)\\)" "\\1" format ${entry})
   file(WRITE ${CORPUS}.format ${digit})
   file(GLOB_RECURSE inputs RELATIVE ${INPUTS} ${INPUTS}/*.${format})
   foreach(input ${inputs})

@@ -6,17 +6,16 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <iterator>
 #include <string>
 #include <vector>
 
 #include "fuzz_input.hpp"
 
 extern "C" {
-#include "failure.h"
-#include "molecule.h"
-#include "radii.h"
-#include "read_molecule.h"
+#include "read/failure.h"
+#include "read/molecule.h"
+#include "read/radii.h"
+#include "read/read_molecule.h"
 }
 
 namespace {
@@ -30,7 +29,7 @@ struct Reading {
   std::vector<double> numbers;  // x y z r of every atom
 };
 
-Reading read(const std::string &text, const char *extension, uint64_t model = 1) {
+Reading read(const std::string &text, const std::string &extension, uint64_t model = 1) {
   static const std::string folder = [] {
     const char *given = std::getenv("TMPDIR");
     return std::string(given != nullptr ? given : "/tmp");
@@ -48,8 +47,8 @@ Reading read(const std::string &text, const char *extension, uint64_t model = 1)
   failure why;
   std::memset(&why, 0, sizeof why);
   Reading reading;
-  molecule_format format = FORMAT_XYZR;
-  FUZZ_REQUIRE(molecule_format_of(path.c_str(), &format, &why), "extension");
+  const file_format *format = file_format_of(path.c_str(), &why);
+  FUZZ_REQUIRE(format != nullptr, "extension");
   reading.done =
       read_molecule(path.c_str(), format, model, &atoms, &why) && molecule_take_radii(&atoms, &table, &no_table, &why);
   reading.exit_status = why.exit_status;
@@ -63,7 +62,7 @@ Reading read(const std::string &text, const char *extension, uint64_t model = 1)
       reading.numbers.push_back(atoms.radius[i]);
       FUZZ_REQUIRE(atoms.radius[i] >= 0.0, "negative radius");
       // A line of CIF may hold several atoms.
-      const uint64_t least = i == 0 ? 1 : atoms.line[i - 1] + (format == FORMAT_CIF ? 0 : 1);
+      const uint64_t least = i == 0 ? 1 : atoms.line[i - 1] + (std::strcmp(format->name, "cif") == 0 ? 0 : 1);
       FUZZ_REQUIRE(atoms.line[i] >= least, "line numbers");
     }
     for (const double number : reading.numbers) FUZZ_REQUIRE(std::isfinite(number), "not finite");
@@ -99,8 +98,9 @@ std::string with_line_ends(const std::string &text, const char *line_end) {
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   if (size == 0) return 0;
-  static constexpr const char *extensions[] = {".xyzr", ".pdb", ".pqr", ".xyz", ".cif", ".gro"};
-  const char *extension = extensions[static_cast<uint8_t>(data[0] - '0') % std::size(extensions)];
+  size_t formats = 0;
+  while (file_format_at(formats) != nullptr) ++formats;
+  const std::string extension = std::string(".") + file_format_at(static_cast<uint8_t>(data[0] - '0') % formats)->name;
   const std::string text(reinterpret_cast<const char *>(data) + 1, size - 1);
   const Reading reading = read(text, extension);
   FUZZ_REQUIRE(same(reading, read(text, extension)), "another answer the second time");

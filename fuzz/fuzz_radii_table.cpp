@@ -11,8 +11,8 @@
 #include "fuzz_input.hpp"
 
 extern "C" {
-#include "failure.h"
-#include "radii_table.h"
+#include "read/failure.h"
+#include "read/radii_table.h"
 }
 
 namespace {

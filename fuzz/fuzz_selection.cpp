@@ -11,8 +11,8 @@
 #include "fuzz_input.hpp"
 
 extern "C" {
-#include "failure.h"
-#include "selection.h"
+#include "read/failure.h"
+#include "read/selection.h"
 }
 
 namespace {

@@ -13,7 +13,7 @@
 #include "fuzz_input.hpp"
 
 extern "C" {
-#include "trajectory.h"
+#include "read/trajectory.h"
 }
 
 namespace {
@@ -30,7 +30,7 @@ Reading read(const std::string &path, uint32_t atoms, uint64_t every) {
   failure why;
   std::memset(&why, 0, sizeof why);
   Reading reading;
-  FUZZ_REQUIRE(trajectory_format_of(path.c_str(), FORMAT_XYZ, &run, &why), "extension");
+  FUZZ_REQUIRE(trajectory_format_of(path.c_str(), file_format_named("xyz"), &run, &why), "extension");
   line_status status = LINE_FAILED;
   if (trajectory_open(&run, path.c_str(), atoms, &why)) {
     do {

@@ -1,4 +1,4 @@
-# What is installed, as three components: hardsphere_runtime (the program, its manual page, a shared library),
+# What is installed, as three components: hardsphere_runtime (the program, its manual page, completion for shells, a shared library),
 # hardsphere_development (archive, headers, CMake package, pkg-config file, Fortran module) and
 # hardsphere_documentation.
 
@@ -34,6 +34,10 @@ if(HSP_TOOL)
   install(TARGETS hardsphere_tool RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT hardsphere_runtime)
   install(FILES ${PROJECT_SOURCE_DIR}/capi/program/app/hardsphere.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
     COMPONENT hardsphere_runtime)
+  install(FILES ${PROJECT_SOURCE_DIR}/capi/program/app/hardsphere.bash RENAME hardsphere
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT hardsphere_runtime)
+  install(FILES ${PROJECT_SOURCE_DIR}/capi/program/app/hardsphere.zsh RENAME _hardsphere
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT hardsphere_runtime)
 endif()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}
   COMPONENT hardsphere_documentation)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The rooms of lib/ and their arrows: includes run downward only, and lib/README.md draws them and names every file.
+# The rooms of lib/, the folders of the program, and their arrows: includes run downward only, and lib/README.md draws them and names every file.
 #   include_direction.sh SOURCE-FOLDER           checks
 #   include_direction.sh SOURCE-FOLDER --write   writes the drawing into lib/README.md, then checks
 set -euo pipefail
@@ -14,6 +14,9 @@ declare -A stands_on=([core]="" [exact]="core" [model]="exact" [cells]="model" [
   [boundary]="sphere" [measure]="boundary" [topology]="measure" [moving]="measure" [contacts]="measure" [periodic]="contacts" [surface]="measure" [mesh]="surface"
   [view]="boundary" [visibility]="view" [sticks]="visibility" [picture]="view"
   [capi]="paths poses topology moving periodic mesh visibility sticks picture")
+# The program's folders, from the command line down to the files that are read.
+folders="read write draw commands app"
+stands_on+=([read]="" [write]="read" [draw]="write" [commands]="draw" [app]="commands")
 failed=0
 
 complain() {
@@ -31,17 +34,21 @@ allowed() {
   return 1
 }
 
-for folder in lib/*/*/; do
+for folder in lib/*/*/ capi/program/*/; do
   [ -n "${stands_on[$(basename "$folder")]+known}" ] || complain "$folder: a room without a place in the order"
 done
 
 # Reads every include; included["room other"] is set if a file of the room includes one of the other room.
 declare -A included=()
-sources=$({ find lib -name '*.hpp' -o -name '*.cpp'; find capi/shims -name '*.?pp'; } | sort)
+sources=$({ find lib -name '*.hpp' -o -name '*.cpp'; find capi/shims -name '*.?pp'; find capi/program -name '*.[ch]'; } | sort)
 files=$(wc -w <<<"$sources")
 while IFS=: read -r file line; do
   room=capi
-  if [ "${file#lib/}" != "$file" ]; then
+  if [ "${file#capi/program/}" != "$file" ]; then
+    room=${file#capi/program/}
+    room=${room%%/*}
+    if [[ $line =~ \"hardsphere ]]; then continue; fi
+  elif [ "${file#lib/}" != "$file" ]; then
     room=${file#lib/*/}
     room=${room%%/*}
     if [[ $line =~ include[[:space:]]*[\<\"](hardsphere|hsp_) ]]; then complain "$file: lib/ does not know the C interface"; fi
@@ -50,19 +57,19 @@ while IFS=: read -r file line; do
   name=${BASH_REMATCH[1]}
   other=${name%%/*}
   if [ "$other" = "$name" ]; then
-    [ "$room" = capi ] || complain "$file includes \"$name\": lib/ names its own headers by room"
+    [ "$room" = capi ] || complain "$file includes \"$name\": headers are named by their room"
   elif [ -z "${stands_on[$other]+known}" ]; then
-    complain "$file includes \"$name\": no room of lib/"
+    complain "$file includes \"$name\": no room of lib/, no folder of the program"
   elif ! allowed "$room" "$other"; then
     complain "$file includes \"$name\": $room does not stand over $other"
-  elif ! compgen -G "lib/*/$name" >/dev/null; then
+  elif ! compgen -G "lib/*/$name" >/dev/null && ! [ -e "capi/program/$name" ]; then
     complain "$file includes \"$name\": no such file"
   else
     included["$room $other"]=1
   fi
 done < <(xargs grep -HE '^[[:space:]]*#[[:space:]]*include' <<<"$sources")
 [ $files -gt 0 ] || complain "no file found in lib/"
-for room in $rooms; do
+for room in $rooms $folders; do
   for lower in ${stands_on[$room]}; do
     [ -n "${included["$room $lower"]+used}" ] || complain "the order puts $room on $lower, but no include needs that"
   done

@@ -7,7 +7,7 @@
 #include <vector>
 
 extern "C" {
-#include "residue_kinds.h"
+#include "read/residue_kinds.h"
 }
 
 namespace {

@@ -407,7 +407,7 @@ TEST(Draw, BallsAndSticks) {
   const Outcome seen = draw_to(out.path(), caffeine, with({"--json", "--pieces", "visible"}));
   EXPECT_NE(seen.out.find("\"n\": 24, \"pieces\": 49,"), std::string::npos) << seen.out << seen.err;
   EXPECT_NE(refusal({"--stick", "0.1"}).find("are for --as"), std::string::npos);
-  EXPECT_NE(refusal({"--as", "ribbons"}).find("is not balls or ball-and-stick"), std::string::npos);
+  EXPECT_NE(refusal({"--as", "ribbons"}).find("is neither balls nor ball-and-stick"), std::string::npos);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include <string>
 
 extern "C" {
-#include "number.h"
+#include "read/number.h"
 }
 
 namespace {

@@ -4,112 +4,12 @@
 
 #include <stdbool.h>
 
-#include "drawing.h"
-#include "failure.h"
-#include "frame_range.h"
-#include "meshing.h"
-#include "molecule.h"
-#include "periodic_box.h"
-#include "radii.h"
-#include "residues.h"
-#include "selection.h"
-#include "text_buffer.h"
-#include "viewing.h"
-
-enum command {
-  COMMAND_MODEL,
-  COMMAND_BOUNDARY,
-  COMMAND_MEASURE,
-  COMMAND_QUERY,
-  COMMAND_VOIDS,
-  COMMAND_CONTACTS,
-  COMMAND_COMPLEX,
-  COMMAND_CELLS,
-  COMMAND_PATH,
-  COMMAND_GATE,
-  COMMAND_CLASH,
-  COMMAND_MESH,
-  COMMAND_MAP,
-  COMMAND_PICK,
-  COMMAND_DRAW
-};
-
-const char *command_name(enum command command);
-
-/* The command of that name; false if there is none. */
-bool command_find(const char *name, enum command *command);
-
-/* A point, or where a void has most room. */
-struct place {
-  struct option_vector point; /* given in both cases */
-  uint64_t of_void;           /* its rank among those that `voids` lists, from 1 on; 0: the point is meant */
-};
-
-enum query_kind { QUERY_NONE, QUERY_POINT, QUERY_BALL };
-
-/* What a user asks for. */
-struct request {
-  enum command command;
-  int files;        /* how many are named */
-  const char *file; /* the one that this request is about; "-": standard input */
-  bool format_given;
-  enum molecule_format format;
-  bool json;
-  bool csv;
-  bool per_ball; /* of `measure` and `map` */
-  bool gradient;
-  bool curvature;
-  bool polar;
-  bool relative;
-  bool surface_seen;
-  bool excluded_surface; /* measure the solvent-excluded surface instead of the boundary */
-  bool outer;            /* of the outer cell alone */
-  const char *interface; /* two groups of chains, or NULL */
-  bool shells;
-  bool void_balls;   /* of `voids` */
-  double min_volume; /* of `voids` */
-  bool cells;        /* of `contacts` */
-  double least;      /* area of a contact that is listed */
-  const char *map;   /* a file for a picture of contacts, or NULL */
-  enum grouping by;
-  const char *weights;    /* a file, or NULL */
-  const char *pdb_out;    /* a file, or NULL */
-  double probe;           /* 0 if none was given */
-  struct box_choice box;  /* of `boundary`, `measure` and `contacts` */
-  uint64_t model;         /* counted from 1 */
-  const char *trajectory; /* a file with frames of the molecule, or NULL; of `measure` and `contacts` */
-  bool frames_given;
-  struct frame_range frames;
-  struct selection selection;
-  enum query_kind query;
-  double position[3];
-  double query_radius;
-  struct meshing meshing;         /* of `mesh` */
-  struct viewing viewing;         /* of `map`, `pick` and `mesh`; of `clash` its rotation */
-  struct option_vector translate; /* of `clash` */
-  struct option_vector at;        /* of `pick`: x and y */
-  struct place from, to;          /* of `path` and `gate` */
-  struct drawing drawing;         /* of `draw` */
-  struct selection highlight;     /* likewise */
-  const struct radii_set *set;
-  const char *radii_file;   /* with radii by residue and atom, or NULL */
-  struct radii_table table; /* of that file, or of the set; empty if there is none */
-  bool list_radii;          /* show what sets there are, and do nothing else */
-  struct radii radii;
-  struct text_buffer overrides; /* "C=1.7, ZN=1.4": what --radius changed, as the user wrote it */
-};
-
-/* Whether a list of the balls is asked for. */
-bool request_wants_balls(const struct request *request);
-
-/* Whether the area of each ball is asked for, in whatever form. */
-bool request_wants_areas(const struct request *request);
+#include "commands/request.h"
+#include "read/failure.h"
 
 /* Read the arguments after the command, for one of the files that they name, counted from 0. Free the request with
  * request_free on true and on false. */
 bool request_parse(struct request *request, enum command command, int file, int count, char **arguments,
                    struct failure *failure);
-
-void request_free(struct request *request);
 
 #endif

@@ -3,57 +3,22 @@
  * nothing of a frame that fails. */
 #include <string.h>
 
-#include "arguments.h"
-#include "command_clash.h"
-#include "command_frames.h"
-#include "commands.h"
-#include "failure.h"
-#include "geometry.h"
-#include "line_reader.h"
-#include "notes.h"
-#include "radii_list.h"
-#include "read_molecule.h"
-#include "several_files.h"
-#include "suggestion.h"
-#include "text_buffer.h"
-#include "unit_cell.h"
-#include "usage.h"
-
-static command_function *function_of(enum command command) {
-  switch (command) {
-    case COMMAND_MODEL:
-      return command_model;
-    case COMMAND_BOUNDARY:
-      return command_boundary;
-    case COMMAND_MEASURE:
-      return command_measure;
-    case COMMAND_QUERY:
-      return command_query;
-    case COMMAND_VOIDS:
-      return command_voids;
-    case COMMAND_CONTACTS:
-      return command_contacts;
-    case COMMAND_COMPLEX:
-      return command_complex;
-    case COMMAND_CELLS:
-      return command_cells;
-    case COMMAND_PATH:
-      return command_path;
-    case COMMAND_GATE:
-      return command_gate;
-    case COMMAND_CLASH: /* of two molecules: run_clash */
-      break;
-    case COMMAND_MESH:
-      return command_mesh;
-    case COMMAND_MAP:
-      return command_map;
-    case COMMAND_PICK:
-      return command_pick;
-    case COMMAND_DRAW:
-      return command_draw;
-  }
-  return command_model;
-}
+#include "app/arguments.h"
+#include "app/command_table.h"
+#include "app/completion.h"
+#include "app/notes.h"
+#include "app/several_files.h"
+#include "app/suggestion.h"
+#include "app/usage.h"
+#include "commands/command_frames.h"
+#include "commands/commands.h"
+#include "commands/unit_cell.h"
+#include "read/failure.h"
+#include "read/geometry.h"
+#include "read/line_reader.h"
+#include "read/radii_list.h"
+#include "read/read_molecule.h"
+#include "read/text_buffer.h"
 
 /* Choose among the atoms of a file, and give them radii. */
 static bool prepare(const struct request *request, struct molecule *molecule, struct notes *notes,
@@ -66,6 +31,7 @@ static bool prepare(const struct request *request, struct molecule *molecule, st
 }
 
 static bool run_command(const struct request *request, struct text_buffer *out, struct failure *failure) {
+  command_function *const command = command_table[request->command].run;
   struct molecule molecule;
   struct geometry geometry = {.work = {0}};
   struct notes notes = NOTES_NONE;
@@ -75,11 +41,11 @@ static bool run_command(const struct request *request, struct text_buffer *out, 
               prepare(request, &molecule, &notes, failure);
   geometry.progress = progress_begin(molecule.atoms, PROGRESS_LEAST_BALLS);
   if (done && request->trajectory != NULL) {
-    done = command_frames(request, &molecule, &geometry, function_of(request->command), failure);
+    done = command_frames(request, &molecule, &geometry, command, failure);
   } else {
     done = done && unit_cell_fill(request, &molecule, failure) &&
            geometry_set_model(&geometry, &molecule, request->probe, 0.0, failure) &&
-           function_of(request->command)(request, &molecule, &geometry, out, failure);
+           command(request, &molecule, &geometry, out, failure);
   }
   geometry_free(&geometry);
   if (done) notes_print(&notes, request, &molecule);
@@ -124,7 +90,8 @@ static bool run_files(enum command command, int files, int count, char **argumen
 }
 
 /* Two files: the molecule at rest and the one that is moved. */
-static bool run_clash(int count, char **arguments, struct text_buffer *out, struct failure *failure) {
+static bool run_two(enum command command, int count, char **arguments, struct text_buffer *out,
+                    struct failure *failure) {
   struct request request[2];
   struct molecule molecule[2];
   struct notes notes[2] = {NOTES_NONE, NOTES_NONE};
@@ -132,7 +99,7 @@ static bool run_clash(int count, char **arguments, struct text_buffer *out, stru
   memset(molecule, 0, sizeof molecule);
   bool done = true;
   for (int k = 0; k < 2 && done; ++k) {
-    done = request_parse(&request[k], COMMAND_CLASH, k, count, arguments, failure);
+    done = request_parse(&request[k], command, k, count, arguments, failure);
     if (request[0].list_radii) break;
   }
   if (done && request[0].list_radii) {
@@ -142,8 +109,8 @@ static bool run_clash(int count, char **arguments, struct text_buffer *out, stru
       done = read_molecule(request[k].file, request[k].format, request[k].model, &molecule[k], failure) &&
              prepare(&request[k], &molecule[k], &notes[k], failure);
     }
-    const struct clashing fixed = {&request[0], &molecule[0]}, moving = {&request[1], &molecule[1]};
-    done = done && command_clash(&fixed, &moving, out, failure);
+    const struct molecule_request fixed = {&request[0], &molecule[0]}, moving = {&request[1], &molecule[1]};
+    done = done && command_table[command].run_two(&fixed, &moving, out, failure);
   }
   for (int k = 0; k < 2; ++k) {
     if (done && !request[0].list_radii) notes_print(&notes[k], &request[k], &molecule[k]);
@@ -194,6 +161,10 @@ static bool run(int count, char **arguments, struct text_buffer *out, struct fai
     usage_version(out);
     return true;
   }
+  if (strcmp(first, "completion") == 0) {
+    if (count == 2 && completion_of_shell(arguments[1], out)) return true;
+    return failure_in_usage(failure, "completion is of a shell: bash or zsh");
+  }
   if ((count == 1 && strcmp(first, "--radii=list") == 0) || (count == 2 && strcmp(first, "--radii") == 0)) {
     if (count == 1 || strcmp(arguments[1], "list") == 0) return radii_list_print(out, failure);
   }
@@ -203,7 +174,12 @@ static bool run(int count, char **arguments, struct text_buffer *out, struct fai
     usage_of_command(out, command);
     return true;
   }
-  if (command == COMMAND_CLASH) return run_clash(count - 1, arguments + 1, out, failure);
+  const struct command_row *row = &command_table[command];
+  if (row->component != NULL && !component_is_built(row->component)) {
+    return failure_in_usage(failure, "%s needs the component %s, which this build leaves out", row->name,
+                            row->component);
+  }
+  if (row->run_two != NULL) return run_two(command, count - 1, arguments + 1, out, failure);
   struct request request;
   bool done = request_parse(&request, command, 0, count - 1, arguments + 1, failure);
   const int files = request.list_radii ? 0 : request.files;

@@ -1,11 +1,11 @@
-#include "notes.h"
+#include "app/notes.h"
 
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "input_report.h"
-#include "line_reader.h"
+#include "commands/input_report.h"
+#include "read/line_reader.h"
 
 static bool names_element(const struct molecule *molecule, struct element_symbol symbol) {
   for (uint32_t i = 0; i < molecule->atoms; ++i) {

@@ -2,9 +2,9 @@
 #ifndef HARDSPHERE_TOOL_NOTES_H
 #define HARDSPHERE_TOOL_NOTES_H
 
-#include "arguments.h"
-#include "molecule.h"
-#include "text_buffer.h"
+#include "commands/request.h"
+#include "read/molecule.h"
+#include "read/text_buffer.h"
 
 /* Names in lists that nothing has: "--only chain:Z, --radius Xx". */
 struct notes {

@@ -1,12 +1,14 @@
-#include "request_check.h"
+#include "app/request_check.h"
 
 #include <string.h>
 
-#include "output_file.h"
-#include "read_molecule.h"
+#include "app/command_table.h"
+#include "read/read_molecule.h"
+#include "write/output_file.h"
 
 /* What goes with a trajectory, of which each frame has one line. */
 static bool check_trajectory(struct request *request, struct failure *failure) {
+  char list[FORMAT_LIST_BYTES];
   const char *path = request->trajectory;
   if (path == NULL) {
     return !request->frames_given || failure_in_usage(failure, "--frames needs --trajectory");
@@ -28,12 +30,14 @@ static bool check_trajectory(struct request *request, struct failure *failure) {
   if (input_is_standard(request->file) || (request->weights != NULL && input_is_standard(request->weights))) {
     return failure_in_usage(failure, "standard input is one file, not two");
   }
-  if (format_has_frames(request->format)) return true;
-  return failure_in_usage(failure, "--trajectory from standard input is .pdb, .xyz or .gro, as FILE is");
+  if (file_format_has(request->format, FILE_FRAMES)) return true;
+  return failure_in_usage(failure, "--trajectory from standard input is %s, as FILE is",
+                          file_format_list(list, ".", "or", FILE_FRAMES, true));
 }
 
 /* Which options of `measure` go together, and with the format of the file. */
 static bool check_measure(const struct request *request, struct failure *failure) {
+  char list[FORMAT_LIST_BYTES];
   if (request->csv && request->json) {
     return failure_in_usage(failure, "one form of output at a time: either --csv or --json");
   }
@@ -48,8 +52,9 @@ static bool check_measure(const struct request *request, struct failure *failure
     return failure_in_usage(failure, "--csv prints one table: either of balls or --by %s",
                             request->by == GROUPING_RESIDUE ? "residue" : "chain");
   }
-  if (request->by != GROUPING_NONE && !format_has_residues(request->format)) {
-    return failure_in_usage(failure, "--by has no use here: .xyzr and .xyz files have no residues");
+  if (request->by != GROUPING_NONE && !file_format_has(request->format, FILE_RESIDUES)) {
+    return failure_in_usage(failure, "--by has no use here: %s files have no residues",
+                            file_format_list(list, ".", "and", FILE_RESIDUES, false));
   }
   if (request->relative && request->by != GROUPING_RESIDUE) {
     return failure_in_usage(failure, "--relative needs --by residue");
@@ -57,17 +62,17 @@ static bool check_measure(const struct request *request, struct failure *failure
   if (request->relative && request->probe == 0.0) {
     return failure_in_usage(failure, "--relative compares solvent-accessible areas: it needs a probe, --probe 1.4");
   }
-  if (request->polar && !format_has_elements(request->format)) {
+  if (request->polar && !file_format_has(request->format, FILE_ELEMENTS)) {
     return failure_in_usage(failure, "--polar has no use here: the file names no elements");
   }
-  if (request->interface != NULL && !format_has_residues(request->format)) {
+  if (request->interface != NULL && !file_format_has(request->format, FILE_RESIDUES)) {
     return failure_in_usage(failure, "--interface has no use here: the file names no chains");
   }
   if (request->csv && (request->polar || request->interface != NULL)) {
     return failure_in_usage(failure, "--csv prints one table, of balls or of groups: %s has no place in it",
                             request->polar ? "--polar" : "--interface");
   }
-  if (request->surface_seen && request->probe == 0.0) {
+  if (request->surface >= 0 && request->probe == 0.0) {
     return failure_in_usage(failure, "--surface needs a probe, --probe 1.4");
   }
   if (request->outer && !request->excluded_surface) {
@@ -90,7 +95,7 @@ static bool check_measure(const struct request *request, struct failure *failure
                             "--csv prints one table, of balls or of groups: --curvature has no place "
                             "in it");
   }
-  if (request->pdb_out != NULL && request->format != FORMAT_PDB) {
+  if (request->pdb_out != NULL && !file_format_has(request->format, FILE_AREA_COLUMNS)) {
     return failure_in_usage(failure, "--pdb-out has no use here: it writes a .pdb file again");
   }
   return true;
@@ -153,41 +158,14 @@ static bool check_files(const struct request *request, struct failure *failure) 
   return true;
 }
 
-/* Whether the file says what colours are to stand for, and what labels name. */
-static bool check_colours(const struct request *request, struct failure *failure) {
-  const int colour = request->drawing.colour;
-  if ((colour == COLOUR_CHAIN || colour == COLOUR_RESIDUE) && !format_has_residues(request->format)) {
-    return failure_in_usage(failure, "--colour %s has no use here: the file names no residues",
-                            colour == COLOUR_CHAIN ? "chain" : "residue");
-  }
-  if (request->drawing.label > LABEL_ATOM && !format_has_residues(request->format)) {
-    return failure_in_usage(failure, "--label %s has no use here: the file names no residues",
-                            request->drawing.label == LABEL_CHAIN ? "chain" : "residue");
-  }
-  if (colour == COLOUR_BFACTOR && request->format != FORMAT_PDB && request->format != FORMAT_CIF) {
-    return failure_in_usage(failure, "--colour bfactor is for .pdb and .cif files");
-  }
-  if (colour == COLOUR_CHARGE && request->format != FORMAT_PQR) {
-    return failure_in_usage(failure, "--colour charge is for .pqr files");
-  }
-  return true;
-}
-
 bool request_check(struct request *request, struct failure *failure) {
+  request->excluded_surface = request->surface == 1;
   if (!selection_suits(&request->selection, request->format, failure)) return false;
   if (!selection_suits(&request->highlight, request->format, failure)) return false;
   if (!check_trajectory(request, failure) || !check_measure(request, failure) || !check_box(request, failure)) {
     return false;
   }
-  if (request->command == COMMAND_DRAW && !drawing_check(&request->drawing, failure)) return false;
-  if (request->command == COMMAND_DRAW && !check_colours(request, failure)) return false;
-  if (request->command == COMMAND_DRAW && drawing_is_of_sticks(&request->drawing) && request->probe > 0.0) {
-    return failure_in_usage(failure, "--probe is not for --as ball-and-stick");
-  }
-  if (request->command == COMMAND_MESH) {
-    const bool viewed = viewing_is_given(&request->viewing);
-    if (!meshing_check(&request->meshing, request->probe, viewed, failure)) return false;
-    request->excluded_surface = request->meshing.surface == MESH_SOLVENT_EXCLUDED;
-  }
+  command_check *const check = command_table[request->command].check;
+  if (check != NULL && !check(request, failure)) return false;
   return check_files(request, failure);
 }

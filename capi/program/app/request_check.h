@@ -2,7 +2,7 @@
 #ifndef HARDSPHERE_TOOL_REQUEST_CHECK_H
 #define HARDSPHERE_TOOL_REQUEST_CHECK_H
 
-#include "arguments.h"
+#include "commands/request.h"
 
 /* Whether the command takes as many files. */
 bool request_check_several(const struct request *request, struct failure *failure);

@@ -1,8 +1,8 @@
-#include "several_files.h"
+#include "app/several_files.h"
 
 #include <string.h>
 
-#include "csv.h"
+#include "write/csv.h"
 
 /* The length of a table's first row, its line end included. A line end in quotes is part of a field. */
 static size_t row_length(const char *text, size_t length) {

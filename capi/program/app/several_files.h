@@ -4,9 +4,9 @@
 
 #include <stdbool.h>
 
-#include "arguments.h"
-#include "failure.h"
-#include "text_buffer.h"
+#include "commands/request.h"
+#include "read/failure.h"
+#include "read/text_buffer.h"
 
 /* What was printed so far. */
 struct several_files {

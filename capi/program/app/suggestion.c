@@ -1,9 +1,10 @@
-#include "suggestion.h"
+#include "app/suggestion.h"
 
 #include <stdio.h>
 #include <string.h>
 
-#include "usage.h"
+#include "app/command_table.h"
+#include "app/option.h"
 
 enum { MOST_LETTERS = 24, FAR_APART = MOST_LETTERS };
 
@@ -58,8 +59,8 @@ const char *suggest_command(const char *unknown) {
   const char *best = alias_of(aliases, sizeof aliases / sizeof aliases[0], unknown, length);
   if (best != NULL) return best;
   size_t least = most_wrong(length) + 1;
-  for (int command = 0; command <= COMMAND_DRAW; ++command) {
-    const char *name = command_name((enum command)command);
+  for (int command = 0; command < COMMANDS; ++command) {
+    const char *name = command_table[command].name;
     const size_t wrong = distance(unknown, length, name, strlen(name));
     if (wrong >= least) continue;
     least = wrong;
@@ -68,18 +69,16 @@ const char *suggest_command(const char *unknown) {
   return best;
 }
 
-/* The word of the help that begins with "--" and is nearest, but not the unknown one itself. */
-static void nearest_option(const char *help, const char *unknown, size_t length, char out[SUGGESTION_BYTES]) {
-  static const char letters[] = "-abcdefghijklmnopqrstuvwxyz";
+/* The option of the command whose name is nearest. */
+static void nearest_option(enum command command, const char *unknown, size_t length, char out[SUGGESTION_BYTES]) {
   size_t least = most_wrong(length - 2) + 1;
-  for (const char *at = strstr(help, "--"); at != NULL; at = strstr(at, "--")) {
-    const size_t size = strspn(at, letters);
-    const size_t wrong = distance(unknown, length, at, size);
-    if (wrong > 0 && wrong < least && size > 2) {
-      least = wrong;
-      snprintf(out, SUGGESTION_BYTES, " did you mean %.*s?", (int)size, at);
-    }
-    at += size;
+  const struct option *option;
+  for (size_t i = 0; (option = option_at(i)) != NULL; ++i) {
+    if (!option_is_of(option, command) || option->name[1] != '-') continue;
+    const size_t wrong = distance(unknown, length, option->name, strlen(option->name));
+    if (wrong == 0 || wrong >= least) continue; /* 0: a flag with a value */
+    least = wrong;
+    snprintf(out, SUGGESTION_BYTES, " did you mean %s?", option->name);
   }
 }
 
@@ -93,18 +92,15 @@ const char *suggest_option(enum command command, const char *unknown, char out[S
                                          {"-o", "> OUT"},
                                          {"--output", "> OUT"}};
   const size_t length = strcspn(unknown, "=");
-  const bool writes = command == COMMAND_DRAW || command == COMMAND_MESH; /* these have -o */
+  const char *value;
+  const bool writes = option_find(command, "-o", &value) != NULL;
   const char *alias =
       writes && unknown[1] == 'o' ? NULL : alias_of(aliases, sizeof aliases / sizeof aliases[0], unknown, length);
   out[0] = '\0';
   if (alias != NULL) {
     snprintf(out, SUGGESTION_BYTES, " did you mean %s?", alias);
   } else if (length > 2 && length < MOST_LETTERS) {
-    struct text_buffer help = TEXT_BUFFER_EMPTY;
-    usage_of_command(&help, command);
-    usage_of_program(&help);
-    if (!help.out_of_memory) nearest_option(help.text, unknown, length, out);
-    text_buffer_free(&help);
+    nearest_option(command, unknown, length, out);
   }
   return out;
 }

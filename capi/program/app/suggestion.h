@@ -2,14 +2,14 @@
 #ifndef HARDSPHERE_TOOL_SUGGESTION_H
 #define HARDSPHERE_TOOL_SUGGESTION_H
 
-#include "arguments.h"
+#include "commands/request.h"
 
 enum { SUGGESTION_BYTES = 48 };
 
 /* A command with a similar name, or what other programs call so; NULL if there is none. */
 const char *suggest_command(const char *unknown);
 
-/* The same of an option of a command, "--name" or "--name=value", among those that its help names: " did you mean
+/* The same of an option of a command, "--name" or "--name=value": " did you mean
  * --name?", or "" if there is none. */
 const char *suggest_option(enum command command, const char *unknown, char out[SUGGESTION_BYTES]);
 

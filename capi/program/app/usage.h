@@ -2,8 +2,8 @@
 #ifndef HARDSPHERE_TOOL_USAGE_H
 #define HARDSPHERE_TOOL_USAGE_H
 
-#include "arguments.h"
-#include "text_buffer.h"
+#include "commands/request.h"
+#include "read/text_buffer.h"
 
 void usage_of_program(struct text_buffer *out);
 void usage_of_command(struct text_buffer *out, enum command command);

@@ -1,9 +1,9 @@
-#include "ball_table.h"
+#include "commands/ball_table.h"
 
-#include "ball_label.h"
-#include "csv.h"
-#include "number.h"
-#include "report.h"
+#include "read/number.h"
+#include "write/ball_label.h"
+#include "write/csv.h"
+#include "write/report.h"
 
 /* The derivatives that there may be, in the order of the keys and columns. In tables each takes the four columns of
  * x, y, z and r instead. */
@@ -140,7 +140,7 @@ void ball_table_json(const struct molecule *molecule, const struct measurement *
   text_buffer_add(out, "]");
 }
 
-static void csv_header(enum molecule_format format, const struct derivative derivatives[DERIVATIVES], bool weights,
+static void csv_header(const struct file_format *format, const struct derivative derivatives[DERIVATIVES], bool weights,
                        struct text_buffer *out) {
   ball_label_csv_titles(format, "", out);
   text_buffer_add(out, ",x,y,z,radius,area");

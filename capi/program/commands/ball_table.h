@@ -2,10 +2,10 @@
 #ifndef HARDSPHERE_TOOL_BALL_TABLE_H
 #define HARDSPHERE_TOOL_BALL_TABLE_H
 
-#include "arguments.h"
-#include "measurement.h"
-#include "molecule.h"
-#include "text_buffer.h"
+#include "commands/measurement.h"
+#include "commands/request.h"
+#include "read/molecule.h"
+#include "read/text_buffer.h"
 
 void ball_table_print(const struct request *request, const struct molecule *molecule,
                       const struct measurement *measurement, struct text_buffer *out);

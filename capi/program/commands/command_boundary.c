@@ -3,11 +3,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "commands.h"
-#include "csv.h"
-#include "input_report.h"
-#include "periodic_result.h"
-#include "report.h"
+#include "commands/commands.h"
+#include "commands/input_report.h"
+#include "commands/periodic_result.h"
+#include "write/csv.h"
+#include "write/report.h"
 
 /* The pieces of spheres are counted as the boundary has them; what hangs together is the topology's matter. */
 struct counted {
@@ -91,7 +91,7 @@ static void print_csv(const struct request *request, const struct counted *count
 
 static void print_shells(const struct molecule *molecule, const struct counted *counted, struct text_buffer *out) {
   char value[NUMBER_BYTES];
-  const char *unit = format_unit(molecule->format);
+  const char *unit = molecule->format->unit;
   char titles[2][32];
   snprintf(titles[0], sizeof titles[0], "area, %s^2", unit);
   snprintf(titles[1], sizeof titles[1], "encloses, %s^3", unit);
@@ -152,7 +152,7 @@ static void print_box(const struct request *request, const struct molecule *mole
   report_row_count(out, "faces", counts->faces, "pieces of spheres");
   report_row_count(out, "shells", counts->shells, "connected pieces of the boundary");
   report_row_count(out, "euler", counts->euler, "Euler characteristic, summed over the shells");
-  periodic_result_rows(result, format_unit(molecule->format), out);
+  periodic_result_rows(result, molecule->format->unit, out);
 }
 
 static bool count_in_box(const struct request *request, const struct molecule *molecule, struct geometry *geometry,

@@ -1,9 +1,10 @@
 /* hardsphere cells: free space as simple cells, how many there are and what they make up. */
 #include <inttypes.h>
 
-#include "commands.h"
-#include "input_report.h"
-#include "report.h"
+#include "commands/commands.h"
+#include "commands/input_report.h"
+#include "commands/space_geometry.h"
+#include "write/report.h"
 
 static void print_json(const struct request *request, const struct molecule *molecule, const hsp_cells_counts *found,
                        struct text_buffer *out) {

@@ -1,14 +1,14 @@
-#include "command_clash.h"
-
+/* hardsphere clash: a molecule against another one that is turned and moved. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "ball_label.h"
-#include "geometry.h"
-#include "input_report.h"
-#include "report.h"
+#include "commands/commands.h"
+#include "commands/input_report.h"
+#include "read/geometry.h"
+#include "write/ball_label.h"
+#include "write/report.h"
 
 /* What is found, and the bodies that it is found with. */
 struct clash {
@@ -29,7 +29,7 @@ static void clash_free(struct clash *clash) {
 }
 
 /* Both models on one lattice: the coarser one of those that they would choose. */
-static bool set_models(const struct clashing *const both[2], struct clash *clash, struct failure *failure) {
+static bool set_models(const struct molecule_request *const both[2], struct clash *clash, struct failure *failure) {
   double step[2];
   for (int k = 0; k < 2; ++k) {
     failure->file = both[k]->request->file;
@@ -65,7 +65,7 @@ static bool make_bodies(struct clash *clash, struct failure *failure) {
 }
 
 /* Turned about the mean of its centres as draw turns what it shows, then moved. */
-static int32_t pose_of(const struct clashing *moving, hsp_pose *pose) {
+static int32_t pose_of(const struct molecule_request *moving, hsp_pose *pose) {
   const struct molecule *const molecule = moving->molecule;
   double mean[3] = {0.0, 0.0, 0.0}, translation[3];
   hsp_view_options options;
@@ -95,7 +95,7 @@ static int32_t pose_of(const struct clashing *moving, hsp_pose *pose) {
   return hsp_pose_from_matrix(matrix, translation, pose);
 }
 
-static bool find(const struct clashing *moving, struct clash *clash, struct failure *failure) {
+static bool find(const struct molecule_request *moving, struct clash *clash, struct failure *failure) {
   const hsp_body *const fixed = clash->body[0], *const other = clash->body[1];
   hsp_pose pose;
   int32_t status = pose_of(moving, &pose);
@@ -113,13 +113,14 @@ static bool find(const struct clashing *moving, struct clash *clash, struct fail
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
-static void input_json(const char *key, const struct clashing *one, struct text_buffer *out) {
+static void input_json(const char *key, const struct molecule_request *one, struct text_buffer *out) {
   text_buffer_add(out, ", \"%s\": {\"n\": %" PRIu32, key, one->molecule->atoms);
   input_report_json(out, one->request, one->molecule);
   text_buffer_add(out, "}");
 }
 
-static void print_json(const struct clashing *const both[2], const struct clash *clash, struct text_buffer *out) {
+static void print_json(const struct molecule_request *const both[2], const struct clash *clash,
+                       struct text_buffer *out) {
   text_buffer_add(out, "{\"hit\": %s, \"pairs\": [", clash->overlap.pairs > 0 ? "true" : "false");
   for (uint32_t k = 0; k < clash->overlap.pairs; ++k) {
     text_buffer_add(out, "%s[%" PRIu32 ", %" PRIu32 "]", k > 0 ? ", " : "", clash->pair[2 * (size_t)k],
@@ -141,7 +142,8 @@ static void print_json(const struct clashing *const both[2], const struct clash 
 }
 
 /* Both nearest balls in the columns that either file has something for. */
-static void print_nearest(const struct clashing *const both[2], const struct clash *clash, struct text_buffer *out) {
+static void print_nearest(const struct molecule_request *const both[2], const struct clash *clash,
+                          struct text_buffer *out) {
   const uint32_t nearest[2] = {clash->gap.fixed, clash->gap.moving};
   struct ball_columns columns = {false, false};
   for (int k = 0; k < 2; ++k) {
@@ -158,9 +160,10 @@ static void print_nearest(const struct clashing *const both[2], const struct cla
   text_buffer_add(out, "\n");
 }
 
-static void print_table(const struct clashing *const both[2], const struct clash *clash, struct text_buffer *out) {
+static void print_table(const struct molecule_request *const both[2], const struct clash *clash,
+                        struct text_buffer *out) {
   char value[NUMBER_BYTES], remark[100];
-  const char *const unit = format_unit(both[0]->molecule->format);
+  const char *const unit = both[0]->molecule->format->unit;
   for (int k = 0; k < 2; ++k) report_heading(out, both[k]->request, both[k]->molecule);
   snprintf(remark, sizeof remark, "%s, of the two balls below", unit);
   report_row_count(out, "pairs", clash->overlap.pairs, "of balls that meet");
@@ -170,12 +173,12 @@ static void print_table(const struct clashing *const both[2], const struct clash
   print_nearest(both, clash, out);
 }
 
-bool command_clash(const struct clashing *fixed, const struct clashing *moving, struct text_buffer *out,
+bool command_clash(const struct molecule_request *fixed, const struct molecule_request *moving, struct text_buffer *out,
                    struct failure *failure) {
-  const struct clashing *const both[2] = {fixed, moving};
-  if (strcmp(format_unit(fixed->molecule->format), format_unit(moving->molecule->format)) != 0) {
-    return failure_in_usage(failure, "the files have different units: %s and %s", format_unit(fixed->molecule->format),
-                            format_unit(moving->molecule->format));
+  const struct molecule_request *const both[2] = {fixed, moving};
+  if (strcmp(fixed->molecule->format->unit, moving->molecule->format->unit) != 0) {
+    return failure_in_usage(failure, "the files have different units: %s and %s", fixed->molecule->format->unit,
+                            moving->molecule->format->unit);
   }
   struct clash clash;
   memset(&clash, 0, sizeof clash);

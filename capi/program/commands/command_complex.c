@@ -1,9 +1,9 @@
 /* hardsphere complex: the dual complex of the union, its simplices by kind, and its topology. */
 #include <inttypes.h>
 
-#include "commands.h"
-#include "input_report.h"
-#include "report.h"
+#include "commands/commands.h"
+#include "commands/input_report.h"
+#include "write/report.h"
 
 static void counts_json(const char *name, const uint32_t counts[4], struct text_buffer *out) {
   text_buffer_add(out, "\"%s\": [%" PRIu32 ", %" PRIu32 ", %" PRIu32 ", %" PRIu32 "]", name, counts[0], counts[1],

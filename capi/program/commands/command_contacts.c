@@ -5,14 +5,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "ball_label.h"
-#include "commands.h"
-#include "contact_map.h"
-#include "csv.h"
-#include "input_report.h"
-#include "output_file.h"
-#include "periodic_result.h"
-#include "report.h"
+#include "commands/commands.h"
+#include "commands/input_report.h"
+#include "commands/periodic_result.h"
+#include "draw/contact_map.h"
+#include "write/ball_label.h"
+#include "write/csv.h"
+#include "write/output_file.h"
+#include "write/report.h"
 
 /* All that is printed. Arrays that were not asked for are NULL. */
 struct findings {
@@ -235,7 +235,7 @@ static void print_json(const struct request *request, const struct molecule *mol
 /* "area, angstrom^2" */
 enum { TITLE_BYTES = 32, DECIMALS = 4 };
 static const char *title(char out[TITLE_BYTES], const struct molecule *molecule, const char *name, int power) {
-  snprintf(out, TITLE_BYTES, power == 1 ? "%s, %s" : "%s, %s^%d", name, format_unit(molecule->format), power);
+  snprintf(out, TITLE_BYTES, power == 1 ? "%s, %s" : "%s, %s^%d", name, molecule->format->unit, power);
   return out;
 }
 
@@ -347,7 +347,7 @@ static void csv_between(const struct request *request, const struct molecule *mo
 
 static void print_tables(const struct request *request, const struct molecule *molecule, const struct findings *found,
                          struct text_buffer *out) {
-  const char *unit = format_unit(molecule->format);
+  const char *unit = molecule->format->unit;
   char value[NUMBER_BYTES];
   report_heading(out, request, molecule);
   report_row_count(out, "contacts", found->contact_count, "pairs of balls whose cells of the union meet");

@@ -5,21 +5,24 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "annotation.h"
-#include "ball_and_stick.h"
-#include "ball_colours.h"
-#include "ball_groups.h"
-#include "ball_names.h"
-#include "commands.h"
-#include "input_report.h"
-#include "line_reader.h"
-#include "occlusion.h"
-#include "output_file.h"
-#include "page_labels.h"
-#include "picture_file.h"
-#include "picture_frame.h"
-#include "report.h"
-#include "spinning.h"
+#include "commands/commands.h"
+#include "commands/input_report.h"
+#include "draw/annotation.h"
+#include "draw/ball_and_stick.h"
+#include "draw/ball_colours.h"
+#include "draw/ball_groups.h"
+#include "draw/ball_names.h"
+#include "draw/look.h"
+#include "draw/occlusion.h"
+#include "draw/page_labels.h"
+#include "draw/picture_file.h"
+#include "draw/picture_frame.h"
+#include "draw/spinning.h"
+#include "draw/view_axes.h"
+#include "draw/view_geometry.h"
+#include "read/line_reader.h"
+#include "write/output_file.h"
+#include "write/report.h"
 
 /* What was drawn: of several pictures the first, with pieces, arcs and bytes of all. */
 struct drawn {
@@ -354,4 +357,36 @@ bool command_draw(const struct request *request, const struct molecule *molecule
     print_table(request, molecule, &drawn, out);
   }
   return done;
+}
+
+/* Whether the file says what colours are to stand for, and what labels name. */
+static bool check_colours(const struct request *request, struct failure *failure) {
+  const int colour = request->drawing.colour;
+  char list[FORMAT_LIST_BYTES];
+  if ((colour == COLOUR_CHAIN || colour == COLOUR_RESIDUE) && !file_format_has(request->format, FILE_RESIDUES)) {
+    return failure_in_usage(failure, "--colour %s has no use here: the file names no residues",
+                            colour == COLOUR_CHAIN ? "chain" : "residue");
+  }
+  if (request->drawing.label > LABEL_ATOM && !file_format_has(request->format, FILE_RESIDUES)) {
+    return failure_in_usage(failure, "--label %s has no use here: the file names no residues",
+                            request->drawing.label == LABEL_CHAIN ? "chain" : "residue");
+  }
+  if (colour == COLOUR_BFACTOR && !file_format_has(request->format, FILE_TEMPERATURE_FACTORS)) {
+    return failure_in_usage(failure, "--colour bfactor is for %s files",
+                            file_format_list(list, ".", "and", FILE_TEMPERATURE_FACTORS, true));
+  }
+  if (colour == COLOUR_CHARGE && !file_format_has(request->format, FILE_CHARGES)) {
+    return failure_in_usage(failure, "--colour charge is for %s files",
+                            file_format_list(list, ".", "and", FILE_CHARGES, true));
+  }
+  return true;
+}
+
+bool check_draw(struct request *request, struct failure *failure) {
+  struct drawing *drawing = &request->drawing;
+  if (!drawing_check(drawing, failure)) return false;
+  look_apply(drawing);
+  if (!check_colours(request, failure)) return false;
+  return !drawing_is_of_sticks(drawing) || request->probe == 0.0 ||
+         failure_in_usage(failure, "--probe is not for --as ball-and-stick");
 }

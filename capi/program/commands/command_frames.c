@@ -1,14 +1,14 @@
-#include "command_frames.h"
+#include "commands/command_frames.h"
 
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "frame_range.h"
-#include "line_reader.h"
-#include "progress.h"
-#include "trajectory.h"
-#include "unit_cell.h"
+#include "commands/frame_range.h"
+#include "commands/unit_cell.h"
+#include "read/line_reader.h"
+#include "read/progress.h"
+#include "read/trajectory.h"
 
 /* The frame's coordinates for those atoms that became balls. `own` is the box of the file of the molecule, which serves
  * frames of a file that has none at all. */

@@ -4,15 +4,11 @@
 
 #include <stdbool.h>
 
-#include "arguments.h"
-#include "failure.h"
-#include "geometry.h"
-#include "molecule.h"
-#include "text_buffer.h"
-
-/* What a command does with a molecule. */
-typedef bool command_function(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
-                              struct text_buffer *out, struct failure *failure);
+#include "commands/commands.h"
+#include "read/failure.h"
+#include "read/geometry.h"
+#include "read/molecule.h"
+#include "read/text_buffer.h"
 
 /* Put each frame that the request asks for into the molecule, which is prepared, and print what the command writes for
  * it before the next one is read. Memory is that of one frame. A failure stops all; what was printed stays. */

@@ -4,10 +4,11 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "commands.h"
-#include "input_report.h"
-#include "report.h"
-#include "void_list.h"
+#include "commands/commands.h"
+#include "commands/input_report.h"
+#include "commands/space_geometry.h"
+#include "commands/void_list.h"
+#include "write/report.h"
 
 /* Where the way begins and ends. */
 struct ends {
@@ -67,7 +68,7 @@ static void print_table(const struct request *request, const struct molecule *mo
     return;
   }
   char remark[40];
-  snprintf(remark, sizeof remark, "%s, added to the radii", format_unit(molecule->format));
+  snprintf(remark, sizeof remark, "%s, added to the radii", molecule->format->unit);
   report_row(out, "widest probe", quantity_text(value, widest->radius, 8), remark);
   report_row_count(out, "gate", count, kinds[count]);
   if (count == 0) return;

@@ -4,9 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "commands.h"
-#include "input_report.h"
-#include "report.h"
+#include "commands/commands.h"
+#include "commands/input_report.h"
+#include "draw/view_geometry.h"
+#include "write/report.h"
 
 /* What is seen. */
 struct seen {
@@ -69,10 +70,10 @@ static void print_table(const struct request *request, const struct molecule *mo
   report_row_count(out, "edges", map->edges, "silhouettes, and creases where two balls meet");
   report_row_count(out, "faces", map->faces, "the background counts");
   report_row_count(out, "visible balls", map->balls, "of which something is seen");
-  snprintf(remark, sizeof remark, "%s^2, of the view plane", format_unit(molecule->format));
+  snprintf(remark, sizeof remark, "%s^2, of the view plane", molecule->format->unit);
   report_row(out, "visible area", quantity_text(value, map->area, 6), remark);
   if (map->perturbation > 0.0) {
-    snprintf(remark, sizeof remark, "%s at most: of balls seen one behind the other", format_unit(molecule->format));
+    snprintf(remark, sizeof remark, "%s at most: of balls seen one behind the other", molecule->format->unit);
     report_row(out, "moved", quantity_text(value, map->perturbation, 9), remark);
   }
   if (request->per_ball) print_balls(molecule, seen, out);

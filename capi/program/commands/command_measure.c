@@ -2,16 +2,16 @@
 #include <inttypes.h>
 #include <string.h>
 
-#include "ball_table.h"
-#include "commands.h"
-#include "csv.h"
-#include "group_table.h"
-#include "input_report.h"
-#include "interface.h"
-#include "measurement.h"
-#include "output_file.h"
-#include "pdb_output.h"
-#include "report.h"
+#include "commands/ball_table.h"
+#include "commands/commands.h"
+#include "commands/group_table.h"
+#include "commands/input_report.h"
+#include "commands/interface.h"
+#include "commands/measurement.h"
+#include "write/csv.h"
+#include "write/output_file.h"
+#include "write/pdb_output.h"
+#include "write/report.h"
 
 /* Of totals, which are accurate to 1e-13 of their size for molecules; single balls are shown with four. */
 enum { TOTAL_DECIMALS = 10 };
@@ -40,25 +40,25 @@ static void interface_json(const struct interface *interface, struct text_buffer
   text_buffer_add(out, "}");
 }
 
-static void interface_line(const char *name, uint32_t atoms, double alone, double together, struct text_buffer *out) {
-  const enum molecule_format any_with_chains = FORMAT_PDB;
+static void interface_line(const struct file_format *format, const char *name, uint32_t atoms, double alone,
+                           double together, struct text_buffer *out) {
   char values[3][NUMBER_BYTES];
   text_buffer_add(out, "  %-8s  %9" PRIu32 "  %16s  %16s  %16s\n", name, atoms,
-                  column_text(values[0], any_with_chains, alone, 4),
-                  column_text(values[1], any_with_chains, together, 4),
-                  column_text(values[2], any_with_chains, alone - together, 4));
+                  column_text(values[0], format, alone, 4), column_text(values[1], format, together, 4),
+                  column_text(values[2], format, alone - together, 4));
 }
 
-static void interface_print(const char *text, const struct interface *interface, const char *unit,
+static void interface_print(const char *text, const struct interface *interface, const struct file_format *format,
                             struct text_buffer *out) {
   const struct interface_side *side = interface->side;
   text_buffer_add(
       out, "\ninterface of the chains %s: areas in %s^2, of each group alone and of both without anything else\n\n",
-      text, unit);
+      text, format->unit);
   text_buffer_add(out, "  %-8s  %9s  %16s  %16s  %16s\n", "group", "atoms", "alone", "together", "buried");
-  interface_line("first", side[0].atoms, side[0].alone, side[0].together, out);
-  interface_line("second", side[1].atoms, side[1].alone, side[1].together, out);
-  interface_line("both", side[0].atoms + side[1].atoms, side[0].alone + side[1].alone, interface->together, out);
+  interface_line(format, "first", side[0].atoms, side[0].alone, side[0].together, out);
+  interface_line(format, "second", side[1].atoms, side[1].alone, side[1].together, out);
+  interface_line(format, "both", side[0].atoms + side[1].atoms, side[0].alone + side[1].alone, interface->together,
+                 out);
 }
 
 static void print_json(const struct request *request, const struct molecule *molecule, const struct findings *found,
@@ -113,7 +113,7 @@ static void print_json(const struct request *request, const struct molecule *mol
 static void print_tables(const struct request *request, const struct molecule *molecule, const struct findings *found,
                          struct text_buffer *out) {
   const struct measurement *measurement = &found->measurement;
-  const char *unit = format_unit(molecule->format);
+  const char *unit = molecule->format->unit;
   char value[NUMBER_BYTES];
   report_heading(out, request, molecule);
   text_buffer_add(out, "  %-16s %s %s^2\n", "area", quantity_text(value, measurement->totals.area, TOTAL_DECIMALS),
@@ -157,7 +157,7 @@ static void print_tables(const struct request *request, const struct molecule *m
                        "their derivatives are one-sided: as if touching balls overlapped");
     }
   }
-  if (request->interface != NULL) interface_print(request->interface, &found->interface, unit, out);
+  if (request->interface != NULL) interface_print(request->interface, &found->interface, molecule->format, out);
   if (request_wants_balls(request)) ball_table_print(request, molecule, measurement, out);
   if (request->by != GROUPING_NONE) group_table_print(molecule, &found->groups, request->relative, out);
 }

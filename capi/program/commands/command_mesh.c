@@ -4,12 +4,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "commands.h"
-#include "input_report.h"
-#include "mesh_file.h"
-#include "mesh_picture.h"
-#include "output_file.h"
-#include "report.h"
+#include "commands/commands.h"
+#include "commands/input_report.h"
+#include "write/mesh_file.h"
+#include "write/output_file.h"
+#include "write/report.h"
+#ifndef HSP_WITHOUT_SIGHT
+#include "draw/mesh_picture.h"
+#include "draw/view_axes.h"
+#endif
+#include "commands/surface_geometry.h"
 
 static double edge_of(const struct request *request) {
   const double third_of_an_atom = 0.5;
@@ -41,11 +45,11 @@ static void print_table(const struct request *request, const struct molecule *mo
   report_heading(out, request, molecule);
   static const char *const remarks[] = {"of the balls alone", "of the balls with the probe", "that the probe leaves"};
   report_row(out, "surface", meshing_surface_name(&request->meshing), remarks[request->meshing.surface]);
-  snprintf(remark, sizeof remark, "%s, of a triangle, about", format_unit(molecule->format));
+  snprintf(remark, sizeof remark, "%s, of a triangle, about", molecule->format->unit);
   report_row(out, "edge", quantity_text(value, mesh->edge, 3), remark);
   report_row_count(out, "vertices", mesh->vertices, "");
   report_row_count(out, "triangles", mesh->triangles, "closed: each edge in two of them");
-  snprintf(remark, sizeof remark, "%s^2, of the triangles; measure has the surface's", format_unit(molecule->format));
+  snprintf(remark, sizeof remark, "%s^2, of the triangles; measure has the surface's", molecule->format->unit);
   report_row(out, "area", quantity_text(value, area_of(mesh), 3), remark);
   report_row_count(out, "bytes", (int64_t)bytes, "");
 }
@@ -63,11 +67,17 @@ static bool check_second_file(const struct request *request, struct failure *fai
 static bool write_file(const struct request *request, const struct molecule *molecule, const struct triangle_mesh *mesh,
                        uint64_t *bytes, struct failure *failure) {
   const struct meshing *meshing = &request->meshing;
-  if (meshing->format != MESH_SVG) return mesh_file_write(mesh, meshing->format, meshing->out, bytes, failure);
-  struct mesh_view view = {.cut = meshing->cut};
-  const int32_t status = viewing_axes(&request->viewing, molecule, view.axis);
-  if (status != HSP_OK) return failure_in_library(failure, status);
-  return mesh_picture_write(mesh, &view, molecule, input_base_name(request->file), meshing->out, bytes, failure);
+#ifdef HSP_WITHOUT_SIGHT
+  (void)molecule;
+#else
+  if (meshing->format == MESH_SVG) {
+    struct mesh_view view = {.cut = meshing->cut};
+    const int32_t status = viewing_axes(&request->viewing, molecule, view.axis);
+    if (status != HSP_OK) return failure_in_library(failure, status);
+    return mesh_picture_write(mesh, &view, molecule, input_base_name(request->file), meshing->out, bytes, failure);
+  }
+#endif
+  return mesh_file_write(mesh, meshing->format, meshing->out, bytes, failure);
 }
 
 bool command_mesh(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
@@ -95,4 +105,16 @@ bool command_mesh(const struct request *request, const struct molecule *molecule
   }
   triangle_mesh_free(&mesh);
   return done;
+}
+
+bool check_mesh(struct request *request, struct failure *failure) {
+  const bool viewed = viewing_is_given(&request->viewing);
+  if (!meshing_check(&request->meshing, request->probe, viewed, failure)) return false;
+#ifdef HSP_WITHOUT_SIGHT
+  if (request->meshing.format == MESH_SVG) {
+    return failure_in_usage(failure, "mesh -o OUT.svg needs the component sight, which this build leaves out");
+  }
+#endif
+  request->excluded_surface = request->meshing.surface == MESH_SOLVENT_EXCLUDED;
+  return true;
 }

@@ -2,9 +2,9 @@
 #include <inttypes.h>
 #include <math.h>
 
-#include "commands.h"
-#include "input_report.h"
-#include "report.h"
+#include "commands/commands.h"
+#include "commands/input_report.h"
+#include "write/report.h"
 
 static bool has_k(const hsp_packing *figures) {
   return (figures->flags & HSP_PACKING_ZERO_RADIUS) == 0;

@@ -4,9 +4,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "commands.h"
-#include "input_report.h"
-#include "report.h"
+#include "commands/commands.h"
+#include "commands/input_report.h"
+#include "commands/space_geometry.h"
+#include "write/report.h"
 
 static const char *yes_or_no(bool yes) {
   return yes ? "yes" : "no";
@@ -40,9 +41,9 @@ static void print_table(const struct request *request, const struct molecule *mo
   report_row(out, "connected", yes_or_no(connected), remarks[path->ends]);
   if (!connected) return;
   report_row(out, "certified", yes_or_no(path->certified != 0), "no segment meets a ball, by integers");
-  report_row(out, "length", quantity_text(value, path->length, 4), format_unit(molecule->format));
+  report_row(out, "length", quantity_text(value, path->length, 4), molecule->format->unit);
   char remark[60];
-  snprintf(remark, sizeof remark, "%s, least distance from a ball", format_unit(molecule->format));
+  snprintf(remark, sizeof remark, "%s, least distance from a ball", molecule->format->unit);
   report_row(out, "clearance", quantity_text(value, path->clearance, 6), remark);
   report_row_count(out, "points", path->points, "");
   text_buffer_add(out, "\n  %14s  %14s  %14s\n", "x", "y", "z");

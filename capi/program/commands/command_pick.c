@@ -2,9 +2,10 @@
 #include <inttypes.h>
 #include <stdio.h>
 
-#include "commands.h"
-#include "input_report.h"
-#include "report.h"
+#include "commands/commands.h"
+#include "commands/input_report.h"
+#include "draw/view_geometry.h"
+#include "write/report.h"
 
 static double dot(const double a[3], const double b[3]) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -36,14 +37,14 @@ static void print_table(const struct request *request, const struct molecule *mo
                         struct text_buffer *out) {
   report_heading(out, request, molecule);
   text_buffer_add(out, "  %-16s at %.10g %.10g %s\n", "seen", request->at.xyz[0], request->at.xyz[1],
-                  format_unit(molecule->format));
+                  molecule->format->unit);
   if (sight->ball == HSP_NONE) {
     report_row(out, "ball", "none", "the background");
     return;
   }
   char value[NUMBER_BYTES];
   char remark[80];
-  snprintf(remark, sizeof remark, "%s, towards the viewer", format_unit(molecule->format));
+  snprintf(remark, sizeof remark, "%s, towards the viewer", molecule->format->unit);
   report_row(out, "depth", quantity_text(value, sight->depth, 6), remark);
   const struct ball_columns columns = ball_columns_of(molecule);
   text_buffer_add(out, "\n");

@@ -3,9 +3,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "commands.h"
-#include "input_report.h"
-#include "report.h"
+#include "commands/commands.h"
+#include "commands/input_report.h"
+#include "write/report.h"
 
 static int32_t ask(const struct request *request, const hsp_model *model, uint32_t *ids, uint32_t capacity,
                    uint32_t *needed) {
@@ -31,7 +31,7 @@ static double distance(const double *a, const double *b) {
 
 static void print_table(const struct request *request, const struct molecule *molecule, const uint32_t *ids,
                         uint32_t count, struct text_buffer *out) {
-  const char *unit = format_unit(molecule->format);
+  const char *unit = molecule->format->unit;
   report_heading(out, request, molecule);
   const double *at = request->position;
   text_buffer_add(out, "  %-16s at %.10g %.10g %.10g", request->query == QUERY_POINT ? "query point" : "query ball",

@@ -2,11 +2,11 @@
 #include <inttypes.h>
 #include <math.h>
 
-#include "commands.h"
-#include "csv.h"
-#include "input_report.h"
-#include "report.h"
-#include "void_list.h"
+#include "commands/commands.h"
+#include "commands/input_report.h"
+#include "commands/void_list.h"
+#include "write/csv.h"
+#include "write/report.h"
 
 static void json_room(const struct void_room *room, struct text_buffer *out) {
   text_buffer_add(out, ", \"point\": ");
@@ -78,7 +78,7 @@ static void print_table(const struct request *request, const struct molecule *mo
   report_row_count(out, "voids", list->count, "cavities enclosed by the union, largest first");
   if (list->smaller > 0) report_row_count(out, "smaller", list->smaller, "not listed: smaller than --min-volume");
   if (list->count > 0) {
-    const char *unit = format_unit(molecule->format);
+    const char *unit = molecule->format->unit;
     text_buffer_add(out,
                     "\n  volume in %s^3, area in %s^2; x y z: its point that is farthest from all balls, and its "
                     "clearance, in %s\n",

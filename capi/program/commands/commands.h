@@ -4,39 +4,34 @@
 
 #include <stdbool.h>
 
-#include "arguments.h"
-#include "failure.h"
-#include "geometry.h"
-#include "molecule.h"
-#include "text_buffer.h"
+#include "commands/request.h"
+#include "read/failure.h"
+#include "read/geometry.h"
+#include "read/molecule.h"
+#include "read/text_buffer.h"
 
-bool command_model(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
-                   struct text_buffer *out, struct failure *failure);
-bool command_boundary(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
-                      struct text_buffer *out, struct failure *failure);
-bool command_measure(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
-                     struct text_buffer *out, struct failure *failure);
-bool command_voids(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
-                   struct text_buffer *out, struct failure *failure);
-bool command_contacts(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
-                      struct text_buffer *out, struct failure *failure);
-bool command_complex(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
-                     struct text_buffer *out, struct failure *failure);
-bool command_cells(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
-                   struct text_buffer *out, struct failure *failure);
-bool command_path(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
-                  struct text_buffer *out, struct failure *failure);
-bool command_gate(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
-                  struct text_buffer *out, struct failure *failure);
-bool command_query(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
-                   struct text_buffer *out, struct failure *failure);
-bool command_mesh(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
-                  struct text_buffer *out, struct failure *failure);
-bool command_map(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
-                 struct text_buffer *out, struct failure *failure);
-bool command_pick(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
-                  struct text_buffer *out, struct failure *failure);
-bool command_draw(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
-                  struct text_buffer *out, struct failure *failure);
+typedef bool command_function(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                              struct text_buffer *out, struct failure *failure);
+
+command_function command_model, command_boundary, command_measure, command_voids, command_contacts, command_complex;
+command_function command_cells, command_path, command_gate, command_query, command_mesh, command_map, command_pick;
+command_function command_draw;
+
+/* One of two molecules, as it was asked for. */
+struct molecule_request {
+  const struct request *request;
+  const struct molecule *molecule;
+};
+
+/* The same of two molecules: the one at rest and the one that is moved. */
+typedef bool command_of_two(const struct molecule_request *fixed, const struct molecule_request *moving,
+                            struct text_buffer *out, struct failure *failure);
+
+command_of_two command_clash;
+
+/* Whether options of the command go together, and with the file that is named. Adds what follows from others. */
+typedef bool command_check(struct request *request, struct failure *failure);
+
+command_check check_mesh, check_draw;
 
 #endif

@@ -1,11 +1,11 @@
-#include "group_table.h"
+#include "commands/group_table.h"
 
 #include <inttypes.h>
 #include <string.h>
 
-#include "csv.h"
-#include "relative_areas.h"
-#include "report.h"
+#include "read/relative_areas.h"
+#include "write/csv.h"
+#include "write/report.h"
 
 static const struct residue_label *label_of(const struct molecule *molecule, const struct atom_group *group) {
   return &molecule->label[group->first].residue;

@@ -3,9 +3,9 @@
 #ifndef HARDSPHERE_TOOL_GROUP_TABLE_H
 #define HARDSPHERE_TOOL_GROUP_TABLE_H
 
-#include "molecule.h"
-#include "residues.h"
-#include "text_buffer.h"
+#include "read/molecule.h"
+#include "read/residues.h"
+#include "read/text_buffer.h"
 
 void group_table_print(const struct molecule *molecule, const struct atom_groups *groups, bool relative,
                        struct text_buffer *out);

@@ -1,4 +1,4 @@
-#include "interface.h"
+#include "commands/interface.h"
 
 #include <stdlib.h>
 #include <string.h>

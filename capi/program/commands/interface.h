@@ -4,9 +4,9 @@
 
 #include <stdbool.h>
 
-#include "failure.h"
-#include "geometry.h"
-#include "molecule.h"
+#include "read/failure.h"
+#include "read/geometry.h"
+#include "read/molecule.h"
 
 /* "A,B" or "A+B,C": two groups of chains; '.' is the chain without a name. The failure says what is wrong with a text
  * that is not of this form. */

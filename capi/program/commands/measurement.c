@@ -1,9 +1,10 @@
-#include "measurement.h"
+#include "commands/measurement.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "weights.h"
+#include "commands/excluded_surface.h"
+#include "read/weights.h"
 
 static double *allocate(const struct molecule *molecule, size_t numbers_per_atom, struct failure *failure) {
   /* An atom has at least 80 bytes in memory already, so that the size cannot overflow. */
@@ -35,12 +36,7 @@ static bool measure_gradients(const struct molecule *molecule, const struct geom
                                 of_volume->radius, NULL, NULL, NULL, molecule->atoms, NULL, NULL);
     }
   } else if (excluded_surface) {
-    status = hsp_surface_gradient(geometry->work.surface, 1.0, 0.0, NULL, of_area->centre, of_area->radius, flags,
-                                  molecule->atoms, NULL);
-    if (status == HSP_OK) {
-      status = hsp_surface_gradient(geometry->work.surface, 0.0, 1.0, NULL, of_volume->centre, of_volume->radius, NULL,
-                                    molecule->atoms, NULL);
-    }
+    status = excluded_surface_gradients(geometry, molecule->atoms, of_area, of_volume, flags);
   } else {
     status =
         hsp_boundary_derivatives(geometry->work.boundary, NULL, HSP_TANGENT_OVERLAP, of_area->centre, of_area->radius,
@@ -86,35 +82,21 @@ static bool measure_weighted_area(const struct request *request, uint32_t atoms,
   return true;
 }
 
-/* The solvent-excluded surface, with each ball's share of it as its area. */
-static bool measure_excluded_surface(const struct request *request, const struct molecule *molecule,
-                                     struct geometry *geometry, struct measurement *measurement,
-                                     struct failure *failure) {
-  hsp_surface_totals *shares = NULL;
-  const bool computed =
-      request->outer ? geometry_compute_outer_surface(geometry, failure) : geometry_compute_surface(geometry, failure);
-  if (!computed) return false;
-  if (measurement->area != NULL) {
-    shares = calloc((size_t)molecule->atoms + 1, sizeof *shares);
-    if (shares == NULL) return failure_of_memory(failure);
-  }
-  progress_show(&geometry->progress, "measuring");
-  const int32_t status = hsp_surface_measure(geometry->work.surface, &measurement->surface, shares,
-                                             shares == NULL ? 0 : molecule->atoms, NULL);
-  for (uint32_t i = 0; shares != NULL && i < molecule->atoms; ++i) measurement->area[i] = shares[i].area;
-  free(shares);
-  measurement->totals.area = measurement->surface.area;
-  measurement->totals.volume = measurement->surface.volume;
-  return status == HSP_OK || failure_in_library(failure, status);
-}
-
 static bool measure_areas(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                           struct measurement *measurement, struct failure *failure) {
   if (request_wants_areas(request)) {
     measurement->area = allocate(molecule, 1, failure);
     if (measurement->area == NULL) return false;
   }
-  if (request->excluded_surface) return measure_excluded_surface(request, molecule, geometry, measurement, failure);
+  if (request->excluded_surface) {
+    struct excluded_surface *surface = &measurement->surface;
+    if (!excluded_surface_measure(request->outer, molecule->atoms, geometry, surface, measurement->area, failure)) {
+      return false;
+    }
+    measurement->totals.area = surface->area;
+    measurement->totals.volume = surface->volume;
+    return true;
+  }
   progress_show(&geometry->progress, "measuring");
   if (measurement->box.periodic != NULL) {
     const struct periodic_result *box = &measurement->box;

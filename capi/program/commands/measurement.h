@@ -5,24 +5,19 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "arguments.h"
-#include "geometry.h"
-#include "molecule.h"
-#include "periodic_result.h"
-
-/* The derivatives of one quantity with respect to every centre and every radius. */
-struct gradient {
-  double *centre; /* [atoms][3] */
-  double *radius; /* [atoms] */
-};
+#include "commands/excluded_surface.h"
+#include "commands/periodic_result.h"
+#include "commands/request.h"
+#include "read/geometry.h"
+#include "read/molecule.h"
 
 /* Arrays that were not asked for are NULL. */
 struct measurement {
   hsp_totals totals;
-  hsp_surface_totals surface; /* if the solvent-excluded surface was asked for; then totals are of that, too */
-  double *area;               /* [atoms], free area of each ball, or its share of the surface */
-  double *weights;            /* [atoms], as the user gave them */
-  double weighted_area;       /* sum of weight x free area */
+  struct excluded_surface surface; /* if the solvent-excluded surface was asked for; then totals are of that, too */
+  double *area;                    /* [atoms], free area of each ball, or its share of the surface */
+  double *weights;                 /* [atoms], as the user gave them */
+  double weighted_area;            /* sum of weight x free area */
   struct gradient of_area;
   struct gradient of_volume;
   struct gradient of_weighted_area;

@@ -1,58 +1,13 @@
-#include "meshing.h"
+#include "commands/meshing.h"
 
 #include <string.h>
 
-#include "fields.h"
-#include "output_file.h"
+#include "read/fields.h"
+#include "write/output_file.h"
 
-static const char *const format_names[] = {"ply", "obj", "stl", "vert", "svg"};
 static const char *const extensions[] = {"PLY", "OBJ", "STL", "VERT", "SVG"};
-enum { FORMATS = sizeof format_names / sizeof format_names[0] };
+enum { FORMATS = sizeof extensions / sizeof extensions[0] };
 static const char *const surface_names[] = {"vdw", "sas", "ses"};
-enum { SURFACES = sizeof surface_names / sizeof surface_names[0] };
-
-static bool take_file(struct meshing *meshing, struct option_reader *reader, const char *option, const char *value) {
-  if (!option_value(reader, option, &value, "a file")) return false;
-  if (meshing->out != NULL) return failure_in_usage(reader->failure, "%s is given twice", option);
-  meshing->out = value;
-  return true;
-}
-
-static bool take_choice(struct option_reader *reader, const char *option, const char *value, const char *what,
-                        const char *const *names, int count, int *choice) {
-  if (!option_value(reader, option, &value, what)) return false;
-  if (*choice >= 0) return failure_in_usage(reader->failure, "%s is given twice", option);
-  *choice = option_choice(reader, option, value, names, count);
-  return *choice >= 0;
-}
-
-bool meshing_take_option(struct meshing *meshing, struct option_reader *reader, const char *argument, bool *known) {
-  const char *value = NULL;
-  *known = true;
-  if (option_is(argument, "--output", &value)) return take_file(meshing, reader, "--output", value);
-  if (strncmp(argument, "-o", 2) == 0 && argument[2] != '=') { /* -o OUT and -oOUT */
-    return take_file(meshing, reader, "-o", argument[2] == '\0' ? NULL : argument + 2);
-  }
-  if (option_is(argument, "--triangles", &value)) {
-    return take_choice(reader, "--triangles", value, "ply, obj, stl, vert or svg", format_names, FORMATS,
-                       &meshing->format);
-  }
-  if (option_is(argument, "--surface", &value)) {
-    return take_choice(reader, "--surface", value, "vdw, sas or ses", surface_names, SURFACES, &meshing->surface);
-  }
-  if (option_is(argument, "--edge", &value)) {
-    if (!option_value(reader, "--edge", &value, "a length")) return false;
-    if (meshing->edge >= 0.0) return failure_in_usage(reader->failure, "--edge is given twice");
-    if (!option_length(reader, "--edge", value, &meshing->edge)) return false;
-    return meshing->edge > 0.0 || failure_in_usage(reader->failure, "--edge must be above 0");
-  }
-  if (strcmp(argument, "--cut") == 0) {
-    meshing->cut = true;
-    return true;
-  }
-  *known = false;
-  return true;
-}
 
 /* The format that --triangles asks for, or the name; PLY for what goes to standard output. */
 static bool find_format(struct meshing *meshing) {

@@ -4,10 +4,9 @@
 
 #include <stdbool.h>
 
-#include "failure.h"
-#include "option_reader.h"
+#include "read/failure.h"
+#include "write/mesh_file.h"
 
-enum mesh_format { MESH_PLY, MESH_OBJ, MESH_STL, MESH_MSMS, MESH_SVG };
 enum mesh_surface { MESH_VAN_DER_WAALS, MESH_SOLVENT_ACCESSIBLE, MESH_SOLVENT_EXCLUDED };
 
 /* Choices are negative where the user has said nothing. */
@@ -21,9 +20,6 @@ struct meshing {
 
 #define MESHING_DEFAULT \
   { .out = NULL, .format = -1, .surface = -1, .edge = -1.0 }
-
-/* Take the argument if it is an option of `mesh`, and its value from the reader; *known tells whether it is one. */
-bool meshing_take_option(struct meshing *meshing, struct option_reader *reader, const char *argument, bool *known);
 
 /* What the user calls the surface. */
 const char *meshing_surface_name(const struct meshing *meshing);

@@ -5,9 +5,6 @@
 
 #include <stdbool.h>
 
-#include "failure.h"
-#include "option_reader.h"
-
 enum box_source { BOX_NONE, BOX_GIVEN, BOX_OF_FILE };
 
 struct box_choice {
@@ -15,8 +12,5 @@ struct box_choice {
   double vector[9];    /* of BOX_GIVEN */
   bool without_copies; /* of BOX_OF_FILE: no copies by symmetry are to fill it */
 };
-
-/* Read what stands behind --box: three lengths, nine numbers, or one of the words file and p1. */
-bool box_take_option(struct box_choice *choice, struct option_reader *reader, const char *value);
 
 #endif

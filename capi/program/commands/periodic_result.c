@@ -1,11 +1,11 @@
-#include "periodic_result.h"
+#include "commands/periodic_result.h"
 
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "report.h"
-#include "unit_cell.h"
+#include "commands/unit_cell.h"
+#include "write/report.h"
 
 static bool find_box(const struct request *request, const struct molecule *molecule, struct periodic_result *result,
                      struct failure *failure) {

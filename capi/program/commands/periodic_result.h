@@ -5,10 +5,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "arguments.h"
-#include "geometry.h"
-#include "molecule.h"
-#include "text_buffer.h"
+#include "commands/request.h"
+#include "read/geometry.h"
+#include "read/molecule.h"
+#include "read/text_buffer.h"
 
 struct periodic_result {
   const hsp_periodic *periodic; /* the geometry's */

@@ -1,13 +1,13 @@
-#include "unit_cell.h"
+#include "commands/unit_cell.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "commands/image_table.h"
 #include "hardsphere.h"
-#include "image_table.h"
-#include "report.h"
+#include "write/report.h"
 
 /* Of operators, which are whole numbers and parts of 24, but come with a few digits. */
 static const double rotation_blur = 2e-3, translation_blur = 5e-4;

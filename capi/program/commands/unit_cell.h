@@ -4,10 +4,10 @@
 
 #include <stdbool.h>
 
-#include "arguments.h"
-#include "failure.h"
-#include "molecule.h"
-#include "text_buffer.h"
+#include "commands/request.h"
+#include "read/failure.h"
+#include "read/molecule.h"
+#include "read/text_buffer.h"
 
 /* If the box of the file is asked for, turn it and the atoms so that it is upright. */
 void unit_cell_turn(const struct request *request, struct molecule *molecule);

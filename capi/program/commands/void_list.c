@@ -1,4 +1,4 @@
-#include "void_list.h"
+#include "commands/void_list.h"
 
 #include <inttypes.h>
 #include <math.h>

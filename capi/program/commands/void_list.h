@@ -5,10 +5,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "failure.h"
-#include "geometry.h"
-#include "molecule.h"
-#include "void_room.h"
+#include "commands/void_room.h"
+#include "read/failure.h"
+#include "read/geometry.h"
+#include "read/molecule.h"
 
 struct void_cell {
   uint32_t cell; /* its number in the library, from 1 on */

@@ -1,4 +1,4 @@
-#include "void_room.h"
+#include "commands/void_room.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -5,8 +5,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "failure.h"
-#include "geometry.h"
+#include "read/failure.h"
+#include "read/geometry.h"
 
 /* The balls with a face on a void, as they are in the model, and a box that the void lies in. */
 struct void_wall {

@@ -1,12 +1,12 @@
-#include "annotation.h"
+#include "draw/annotation.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "pen.h"
-#include "residue_kinds.h"
+#include "draw/pen.h"
+#include "read/residue_kinds.h"
 
 enum { MOST_ENTRIES = 14, RAMP_PARTS = 17, TEXT_BYTES = 48, MOST_POWERS = 300 };
 
@@ -116,10 +116,6 @@ static bool write_labels(const struct writer *writer, struct failure *failure) {
 
 /* ---- the scale bar ---- */
 
-static const char *unit_of(const struct molecule *molecule) {
-  return molecule->format == FORMAT_XYZR ? "" : " \xC3\x85";
-}
-
 /* The largest of 1, 2, 5, 10, .. that is no longer than that. */
 static double round_length(double most) {
   double power = 1.0;
@@ -130,6 +126,7 @@ static double round_length(double most) {
 
 static void write_scale_bar(const struct writer *writer, double y) {
   const struct picture_frame *frame = &writer->annotation->frame;
+  const char *sign = writer->annotation->molecule->format->sign;
   if (!(frame->scale > 0.0)) return; /* nothing is seen */
   const double length = round_length(0.2 * writer->width / frame->scale);
   const double ends[2][2] = {{writer->size, y}, {writer->size + length * frame->scale, y}};
@@ -144,7 +141,7 @@ static void write_scale_bar(const struct writer *writer, double y) {
     }
   }
   char text[TEXT_BYTES];
-  snprintf(text, sizeof text, "%.6g%s", length, unit_of(writer->annotation->molecule));
+  snprintf(text, sizeof text, "%.6g%s%s", length, sign[0] == '\0' ? "" : " ", sign);
   write_text(writer, text, ends[1][0] + 0.5 * writer->size, y, writer->size, 0.0);
 }
 

@@ -5,13 +5,13 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "ball_colours.h"
-#include "drawing.h"
-#include "failure.h"
-#include "molecule.h"
-#include "page_labels.h"
-#include "picture_frame.h"
-#include "text_buffer.h"
+#include "draw/ball_colours.h"
+#include "draw/drawing.h"
+#include "draw/page_labels.h"
+#include "draw/picture_frame.h"
+#include "read/failure.h"
+#include "read/molecule.h"
+#include "read/text_buffer.h"
 
 struct annotation {
   const struct drawing *drawing;

@@ -1,8 +1,9 @@
-#include "ball_and_stick.h"
+#include "draw/ball_and_stick.h"
 
 #include <stdlib.h>
 
-#include "bonds.h"
+#include "draw/bonds.h"
+#include "draw/view_axes.h"
 
 static const double default_ball_size = 0.25;
 static const double default_stick = 0.12;

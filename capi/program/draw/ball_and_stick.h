@@ -2,9 +2,9 @@
 #ifndef HARDSPHERE_TOOL_BALL_AND_STICK_H
 #define HARDSPHERE_TOOL_BALL_AND_STICK_H
 
-#include "drawing.h"
-#include "geometry.h"
-#include "molecule.h"
+#include "draw/drawing.h"
+#include "read/geometry.h"
+#include "read/molecule.h"
 
 /* The radii of balls, as a part of those of the atoms. */
 double ball_and_stick_size(const struct drawing *drawing);

@@ -1,13 +1,13 @@
-#include "ball_colours.h"
+#include "draw/ball_colours.h"
 
 #include <stddef.h>
 #include <stdlib.h>
 
-#include "ball_values.h"
-#include "colour_mixed.h"
+#include "draw/ball_values.h"
+#include "draw/colour_mixed.h"
+#include "draw/residue_colours.h"
 #include "hardsphere.h"
-#include "residue_colours.h"
-#include "residues.h"
+#include "read/residues.h"
 
 /* With more balls than that, elements are specks; what is to be seen are chains. */
 enum { MOST_BALLS_BY_ELEMENT = 2000 };

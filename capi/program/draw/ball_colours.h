@@ -5,10 +5,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "drawing.h"
-#include "failure.h"
-#include "molecule.h"
-#include "selection.h"
+#include "draw/drawing.h"
+#include "read/failure.h"
+#include "read/molecule.h"
+#include "read/selection.h"
 
 /* What colours stand for, in the end. */
 struct ball_palette {

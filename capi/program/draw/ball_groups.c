@@ -1,6 +1,6 @@
-#include "ball_groups.h"
+#include "draw/ball_groups.h"
 
-#include "residues.h"
+#include "read/residues.h"
 
 bool ball_groups_make(const struct drawing *drawing, const struct molecule *molecule, uint32_t **group,
                       struct failure *failure) {

@@ -5,9 +5,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "drawing.h"
-#include "failure.h"
-#include "molecule.h"
+#include "draw/drawing.h"
+#include "read/failure.h"
+#include "read/molecule.h"
 
 /* The group of every ball, to be freed on true: chains, and each ligand, ion or water for itself; residues where
  * colours stand for those. */

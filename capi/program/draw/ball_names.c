@@ -1,9 +1,9 @@
-#include "ball_names.h"
+#include "draw/ball_names.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "residues.h"
+#include "read/residues.h"
 
 /* No class and no title is longer. */
 enum { NAME_BYTES = 64 };

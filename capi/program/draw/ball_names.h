@@ -4,8 +4,8 @@
 
 #include <stdbool.h>
 
-#include "failure.h"
-#include "molecule.h"
+#include "read/failure.h"
+#include "read/molecule.h"
 
 /* For each ball "el-C res-CYS chain-A" and "CYS A 16 SG", as far as the file says; or NULL. */
 struct ball_names {

@@ -1,10 +1,10 @@
-#include "ball_values.h"
+#include "draw/ball_values.h"
 
 #include <stddef.h>
 #include <stdlib.h>
 
-#include "geometry.h"
-#include "weights.h"
+#include "read/geometry.h"
+#include "read/weights.h"
 
 static const double water_radius = 1.4;
 

@@ -4,9 +4,9 @@
 
 #include <stdbool.h>
 
-#include "drawing.h"
-#include "failure.h"
-#include "molecule.h"
+#include "draw/drawing.h"
+#include "read/failure.h"
+#include "read/molecule.h"
 
 /* What the drawing's colours stand for: the temperature factor of each atom; its charge; its free area for a water
  * molecule; or the numbers of the user's file. *value [atoms] is to be freed on true. */

@@ -1,10 +1,10 @@
-#include "bonds.h"
+#include "draw/bonds.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "stated_bonds.h"
+#include "read/stated_bonds.h"
 
 enum { CARBON = 6, ELEMENTS = 96 };
 

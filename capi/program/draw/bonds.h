@@ -2,8 +2,8 @@
 #ifndef HARDSPHERE_TOOL_BONDS_H
 #define HARDSPHERE_TOOL_BONDS_H
 
-#include "geometry.h"
-#include "molecule.h"
+#include "read/geometry.h"
+#include "read/molecule.h"
 
 /* How much longer than the sum of the covalent radii of its atoms a bond may be, in angstrom. */
 #define BOND_TOLERANCE 0.4

@@ -1,4 +1,4 @@
-#include "colour_mixed.h"
+#include "draw/colour_mixed.h"
 
 uint32_t colour_mixed(uint32_t a, uint32_t b, double share_of_b) {
   uint32_t colour = 0;

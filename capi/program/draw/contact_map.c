@@ -1,12 +1,12 @@
-#include "contact_map.h"
+#include "draw/contact_map.h"
 
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "output_file.h"
-#include "text_buffer.h"
+#include "read/text_buffer.h"
+#include "write/output_file.h"
 
 /* Pixels. Within the frame a row is a unit, so that squares have small coordinates. */
 enum { LEFT = 64, TOP = 32, SIDE = 640, RIGHT = 16, BOTTOM = 72, SHADES = 6, MOST_TICKS = 16 };
@@ -103,8 +103,9 @@ static void add_squares(struct text_buffer *out, const struct contact_map *map, 
 
 static void add_scale(struct text_buffer *out, const struct contact_map *map, double largest) {
   const int y = TOP + SIDE + 32, width = SIDE / (SHADES + 2);
-  text_buffer_add(out, "<text x=\"%d\" y=\"%d\">area up to%s</text>\n", LEFT, y + 12,
-                  map->molecule->format == FORMAT_XYZR ? "" : ", in Å²");
+  const char *sign = map->molecule->format->sign;
+  text_buffer_add(out, "<text x=\"%d\" y=\"%d\">area up to%s%s%s</text>\n", LEFT, y + 12,
+                  sign[0] == '\0' ? "" : ", in ", sign, sign[0] == '\0' ? "" : "²");
   for (int shade = 0; shade < SHADES; ++shade) {
     const int x = LEFT + (shade + 2) * width;
     text_buffer_add(out, "<rect x=\"%d\" y=\"%d\" width=\"14\" height=\"14\" fill=\"%s\"/>\n", x, y, shades[shade]);

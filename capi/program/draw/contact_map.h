@@ -6,9 +6,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "failure.h"
-#include "molecule.h"
-#include "residues.h"
+#include "read/failure.h"
+#include "read/molecule.h"
+#include "read/residues.h"
 
 struct contact_square {
   uint32_t first, second; /* below rows; each pair once */

@@ -5,15 +5,14 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "failure.h"
-#include "option_reader.h"
-#include "viewing.h"
+#include "draw/viewing.h"
+#include "read/failure.h"
 
 /* What colours stand for. */
 enum { COLOUR_ELEMENT, COLOUR_CHAIN, COLOUR_RESIDUE, COLOUR_AREA, COLOUR_BFACTOR, COLOUR_CHARGE, COLOUR_FILE };
 
 /* What labels name. */
-enum { LABEL_ATOM, LABEL_RESIDUE, LABEL_CHAIN, LABELS };
+enum { LABEL_ATOM, LABEL_RESIDUE, LABEL_CHAIN };
 
 /* HSP_INK_BORDER and so on. */
 enum { INK_LEVELS = 3 };
@@ -24,8 +23,8 @@ struct drawing {
   const char *out; /* a file, or NULL */
   const char *title;
   struct viewing viewing;
-  struct option_vector centre; /* of a fixed frame */
-  int format;                  /* where the user has not said, drawing_check sets it by the extension of out */
+  struct given_vector centre; /* of a fixed frame */
+  int format;                 /* where the user has not said, drawing_check sets it by the extension of out */
   int style;
   int palette;
   int colour;              /* COLOUR_* */
@@ -58,7 +57,7 @@ struct drawing {
   bool ink;
   double ink_width[INK_LEVELS];
   int ink_colour[INK_LEVELS];
-  int look;      /* in look_names */
+  int look;      /* see look.h */
   bool darkens;  /* buried balls, where the user says nothing of occlusion: looks do */
   bool by_chain; /* colours of molecules with two chains or more: likewise, of palettes */
   bool classes;  /* names of elements, residues and chains for style sheets */
@@ -75,10 +74,7 @@ struct drawing {
     .ink_width = {-1.0, -1.0, -1.0}, .ink_colour = {-1, -1, -1}, .look = -1                                           \
   }
 
-/* Take the argument if it is an option of `draw`, and its value from the reader; *known tells whether it is one. */
-bool drawing_take_option(struct drawing *drawing, struct option_reader *reader, const char *argument, bool *known);
-
-/* Which options go together, what format the file's name asks for, and what the look says of options not given. */
+/* Which options go together, and what format the file's name asks for. */
 bool drawing_check(struct drawing *drawing, struct failure *failure);
 
 /* Whether what is visible is drawn, from a map, and no pieces of a view one over the other. */

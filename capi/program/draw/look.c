@@ -1,11 +1,9 @@
-#include "look.h"
+#include "draw/look.h"
 
 #include <stdbool.h>
 
-#include "drawing.h"
+#include "draw/drawing.h"
 #include "hardsphere.h"
-
-const char *const look_names[LOOKS] = {"paper", "goodsell", "slide", "print"};
 
 /* Negative numbers leave the choice to `draw`. */
 struct look {
@@ -21,12 +19,12 @@ struct look {
   double width, height; /* px */
 };
 
-/* In the order of their names.
+/* In the order of their names in the table of options.
  *   paper     light and contours on white
  *   goodsell  after D. S. Goodsell's pictures: flat colours, darker in depth, contours, no lines between bonded atoms
  *   slide     light on dark, 16:9; contours are gaps of the background's colour
  *   print     for printers without colours or with little ink: flat, nothing darkened or faded, black lines */
-static const struct look looks[LOOKS] = {
+static const struct look looks[] = {
     {-1, -1, -1, -1, -1.0, -1.0, -1.0, true, false, -1.0, -1.0},
     {(int)HSP_STYLE_FLAT, -1, -1, -1, 0.0, 0.4, -1.0, true, true, -1.0, -1.0},
     {-1, 0x14171E, 0xECE9E2, 0x14171E, 0.0, 0.45, -1.0, true, true, 1600.0, 900.0},

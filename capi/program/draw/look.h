@@ -4,9 +4,6 @@
 
 struct drawing;
 
-enum { LOOKS = 4 };
-extern const char *const look_names[LOOKS];
-
 /* What the user has left open, by the look that was asked for, if there is one. */
 void look_apply(struct drawing *drawing);
 

@@ -1,13 +1,13 @@
-#include "mesh_picture.h"
+#include "draw/mesh_picture.h"
 
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
 
-#include "colour_mixed.h"
+#include "draw/colour_mixed.h"
 #include "hardsphere.h"
-#include "output_file.h"
-#include "text_buffer.h"
+#include "read/text_buffer.h"
+#include "write/output_file.h"
 
 static const double picture_width = 1000.0; /* px */
 static const double margin = 0.03;          /* of the larger side */

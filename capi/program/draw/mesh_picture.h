@@ -5,9 +5,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "failure.h"
-#include "mesh_file.h"
-#include "molecule.h"
+#include "read/failure.h"
+#include "read/molecule.h"
+#include "write/mesh_file.h"
 
 /* How a mesh is looked at. */
 struct mesh_view {

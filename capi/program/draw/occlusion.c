@@ -1,4 +1,4 @@
-#include "occlusion.h"
+#include "draw/occlusion.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -5,9 +5,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "failure.h"
-#include "geometry.h"
-#include "molecule.h"
+#include "read/failure.h"
+#include "read/geometry.h"
+#include "read/molecule.h"
 
 /* Darken colour [atoms], 0xRRGGBB, by how deep the balls of geometry's model lie; strength in [0, 1], 0: not at all.
  *   exposure   the free part of the ball's area as large probes see it, in the mean of the probes, smoothed over its

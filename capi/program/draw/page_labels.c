@@ -1,12 +1,12 @@
-#include "page_labels.h"
+#include "draw/page_labels.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "drawing.h"
-#include "geometry.h"
-#include "residues.h"
+#include "draw/drawing.h"
+#include "read/geometry.h"
+#include "read/residues.h"
 
 /* The face of the ball with most room, if anything is seen of it. Its faces are on the left of its outline. */
 static int32_t find_widest(const hsp_map *map, uint32_t ball, bool *seen, hsp_map_pole *widest) {

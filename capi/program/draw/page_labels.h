@@ -5,10 +5,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "failure.h"
 #include "hardsphere.h"
-#include "molecule.h"
-#include "selection.h"
+#include "read/failure.h"
+#include "read/molecule.h"
+#include "read/selection.h"
 
 struct page_label {
   char text[48];

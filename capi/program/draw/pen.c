@@ -1,4 +1,4 @@
-#include "pen.h"
+#include "draw/pen.h"
 
 #include <inttypes.h>
 #include <stdbool.h>

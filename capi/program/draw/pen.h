@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-#include "text_buffer.h"
+#include "read/text_buffer.h"
 
 struct pen {
   struct text_buffer *out;

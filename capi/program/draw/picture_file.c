@@ -1,11 +1,11 @@
-#include "picture_file.h"
+#include "draw/picture_file.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "geometry.h"
-#include "output_file.h"
-#include "pdf_update.h"
+#include "read/geometry.h"
+#include "write/output_file.h"
+#include "write/pdf_update.h"
 
 /* How often progress is shown. */
 enum { BYTES_A_STEP = 1000000 };

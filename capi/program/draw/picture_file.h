@@ -5,9 +5,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "failure.h"
 #include "hardsphere.h"
-#include "progress.h"
+#include "read/failure.h"
+#include "read/progress.h"
 
 struct picture {
   hsp_view *view; /* or NULL: */

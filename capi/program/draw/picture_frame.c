@@ -1,4 +1,4 @@
-#include "picture_frame.h"
+#include "draw/picture_frame.h"
 
 #include <math.h>
 

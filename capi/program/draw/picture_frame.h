@@ -2,7 +2,7 @@
 #ifndef HARDSPHERE_TOOL_PICTURE_FRAME_H
 #define HARDSPHERE_TOOL_PICTURE_FRAME_H
 
-#include "drawing.h"
+#include "draw/drawing.h"
 #include "hardsphere.h"
 
 /* The page in px, which files are written in, and where it has what. */

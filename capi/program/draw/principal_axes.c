@@ -1,11 +1,11 @@
-#include "principal_axes.h"
+#include "draw/principal_axes.h"
 
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
-#include "molecule.h"
+#include "read/molecule.h"
 
 /* Rounds of rotations; each squares what is left off the diagonal, so that a dozen is ample. */
 enum { ROUNDS = 30 };

@@ -1,10 +1,10 @@
-#include "residue_colours.h"
+#include "draw/residue_colours.h"
 
 #include <stddef.h>
 #include <string.h>
 
-#include "characters.h"
-#include "residue_kinds.h"
+#include "read/characters.h"
+#include "read/residue_kinds.h"
 
 struct residue_group {
   uint32_t colour;

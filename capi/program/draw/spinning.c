@@ -1,4 +1,4 @@
-#include "spinning.h"
+#include "draw/spinning.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -6,7 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "ball_and_stick.h"
+#include "draw/ball_and_stick.h"
+#include "draw/view_axes.h"
 
 /* Pictures as the library makes them without a scale. */
 static const double default_margin = 0.03;

@@ -4,9 +4,9 @@
 
 #include <stdint.h>
 
-#include "arguments.h"
-#include "failure.h"
-#include "molecule.h"
+#include "draw/drawing.h"
+#include "read/failure.h"
+#include "read/molecule.h"
 
 /* Give the drawing a frame that holds what the balls sweep, with its margins: scale, centre, width and height. Nothing
  * is done if the user gave a scale. The status of the library. */

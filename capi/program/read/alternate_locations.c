@@ -1,4 +1,4 @@
-#include "alternate_locations.h"
+#include "read/alternate_locations.h"
 
 #include <stdlib.h>
 #include <string.h>

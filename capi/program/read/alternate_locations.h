@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "molecule.h"
+#include "read/molecule.h"
 
 struct seen_location;
 struct location_slot;

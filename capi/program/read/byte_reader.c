@@ -1,9 +1,9 @@
-#include "byte_reader.h"
+#include "read/byte_reader.h"
 
 #include <errno.h>
 #include <string.h>
 
-#include "line_reader.h"
+#include "read/line_reader.h"
 
 bool byte_reader_open(struct byte_reader *reader, const char *path, struct failure *failure) {
   reader->file = input_open(path, failure);

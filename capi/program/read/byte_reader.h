@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "failure.h"
+#include "read/failure.h"
 
 struct byte_reader {
   FILE *file; /* closed by byte_reader_close unless it is standard input */

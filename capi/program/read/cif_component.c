@@ -1,4 +1,4 @@
-#include "cif_component.h"
+#include "read/cif_component.h"
 
 #include <stdlib.h>
 #include <string.h>

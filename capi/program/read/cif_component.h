@@ -5,8 +5,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "cif_row.h"
-#include "molecule.h"
+#include "read/cif_row.h"
+#include "read/molecule.h"
 
 enum { CIF_SETS = 3 };
 

@@ -1,9 +1,9 @@
-#include "cif_crystal.h"
+#include "read/cif_crystal.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "number.h"
+#include "read/number.h"
 
 static bool take_name(struct symmetry *symmetry, struct field name) {
   label_copy(symmetry->space_group, sizeof symmetry->space_group, name);

@@ -1,8 +1,8 @@
-#include "cif_row.h"
+#include "read/cif_row.h"
 
 #include <string.h>
 
-#include "characters.h"
+#include "read/characters.h"
 
 /* With underscores for points; several names may be one item. */
 static const struct {

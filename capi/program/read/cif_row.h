@@ -6,9 +6,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "cif_tokens.h"
-#include "fields.h"
-#include "text_buffer.h"
+#include "read/cif_tokens.h"
+#include "read/fields.h"
+#include "read/text_buffer.h"
 
 enum cif_table {
   CIF_ATOMS,      /* _atom_site */

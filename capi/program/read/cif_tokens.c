@@ -1,8 +1,8 @@
-#include "cif_tokens.h"
+#include "read/cif_tokens.h"
 
 #include <string.h>
 
-#include "characters.h"
+#include "read/characters.h"
 
 void cif_tokens_begin(struct cif_tokens *tokens, struct line_reader *reader, struct failure *failure) {
   memset(tokens, 0, sizeof *tokens);

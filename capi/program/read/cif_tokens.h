@@ -7,10 +7,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "failure.h"
-#include "fields.h"
-#include "line_reader.h"
-#include "text_buffer.h"
+#include "read/failure.h"
+#include "read/fields.h"
+#include "read/line_reader.h"
+#include "read/text_buffer.h"
 
 enum cif_kind {
   CIF_VALUE,

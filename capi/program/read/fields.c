@@ -1,7 +1,7 @@
-#include "fields.h"
+#include "read/fields.h"
 
-#include "characters.h"
-#include "number.h"
+#include "read/characters.h"
+#include "read/number.h"
 
 size_t fields_split(const char *line, size_t length, struct field *fields, size_t capacity) {
   size_t count = 0;

@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "failure.h"
+#include "read/failure.h"
 
 struct field {
   const char *text; /* inside the line, not NUL-terminated */

@@ -1,10 +1,10 @@
-#include "file_box.h"
+#include "read/file_box.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "fields.h"
-#include "number.h"
+#include "read/fields.h"
+#include "read/number.h"
 
 /* Exact where the angle is a right one. */
 static double cosine(double degrees) {

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "line_reader.h"
+#include "read/line_reader.h"
 
 /* A box that a file has; zeros at first. */
 struct box_record {

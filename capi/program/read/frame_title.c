@@ -1,10 +1,10 @@
-#include "frame_title.h"
+#include "read/frame_title.h"
 
 #include <string.h>
 
-#include "characters.h"
-#include "fields.h"
-#include "number.h"
+#include "read/characters.h"
+#include "read/fields.h"
+#include "read/number.h"
 
 /* The word that ends here, alone. */
 static struct field word_before(const char *title, const char *end) {

@@ -2,7 +2,7 @@
 #ifndef HARDSPHERE_TOOL_FRAME_TITLE_H
 #define HARDSPHERE_TOOL_FRAME_TITLE_H
 
-#include "molecule.h"
+#include "read/molecule.h"
 
 /* Take time and step from a title such as "Protein in water t= 20.00000 step= 10000" of GROMACS, "i = 5, time = 2.5" of
  * CP2K or "time=2.5" of extended XYZ. A title is free text: what is none of this is passed over. */

@@ -1,6 +1,6 @@
 #define _POSIX_C_SOURCE 200112L /* dup2, fileno */
 
-#include "line_reader.h"
+#include "read/line_reader.h"
 
 #include <errno.h>
 #include <stdlib.h>

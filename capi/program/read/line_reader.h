@@ -7,8 +7,8 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "failure.h"
-#include "progress.h"
+#include "read/failure.h"
+#include "read/progress.h"
 
 #define LINE_READER_CHUNK 65536
 

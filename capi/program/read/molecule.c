@@ -1,4 +1,4 @@
-#include "molecule.h"
+#include "read/molecule.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -6,10 +6,10 @@
 #include <string.h>
 
 #include "hardsphere.h"
-#include "residue_kinds.h"
-#include "text_buffer.h"
+#include "read/residue_kinds.h"
+#include "read/text_buffer.h"
 
-void molecule_init(struct molecule *molecule, enum molecule_format format, uint64_t model) {
+void molecule_init(struct molecule *molecule, const struct file_format *format, uint64_t model) {
   memset(molecule, 0, sizeof *molecule);
   molecule->format = format;
   molecule->model = model;
@@ -108,11 +108,7 @@ static bool report_nameless(const struct molecule *molecule, uint32_t atom, stru
     return failure_in_input(failure, line, "'%s' of %s is no element: looks coarse-grained; give radii by --radii FILE",
                             name, excerpt(residue, label->residue.name, strlen(label->residue.name)));
   }
-  return failure_in_input(failure, line, "%s in the atom name '%s'",
-                          molecule->format == FORMAT_PDB   ? "no element in columns 77-78, and none"
-                          : molecule->format == FORMAT_CIF ? "no type_symbol, and no element"
-                                                           : "no element",
-                          name);
+  return failure_in_input(failure, line, "%s in the atom name '%s'", molecule->format->nameless, name);
 }
 
 /* All atoms were left out; `site` is the symbol of the virtual ones, if they have one. */
@@ -158,7 +154,7 @@ static bool find_radius(struct atom_label *label, const struct radii *radii, con
 
 bool molecule_take_radii(struct molecule *molecule, const struct radii *radii, const struct radii_table *table,
                          struct failure *failure) {
-  if (format_has_radii(molecule->format)) return true;
+  if (file_format_has(molecule->format, FILE_RADII)) return true;
   const struct element_symbol hydrogen = {"H"};
   const bool without_hydrogens = !table->hydrogens && !radii_is_given(radii, hydrogen);
   struct missing missing[MOST_MISSING];

@@ -6,15 +6,13 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "failure.h"
-#include "fields.h"
-#include "file_box.h"
-#include "radii.h"
-#include "radii_table.h"
-#include "symmetry.h"
-
-/* In the order of the list in read_molecule.c. */
-enum molecule_format { FORMAT_XYZR, FORMAT_PDB, FORMAT_PQR, FORMAT_XYZ, FORMAT_CIF, FORMAT_GRO, FORMATS };
+#include "read/failure.h"
+#include "read/fields.h"
+#include "read/file_box.h"
+#include "read/file_format.h"
+#include "read/radii.h"
+#include "read/radii_table.h"
+#include "read/symmetry.h"
 
 /* What a person calls a residue; empty where the file does not say. */
 struct residue_label {
@@ -79,7 +77,7 @@ struct frame_stamp {
 };
 
 struct molecule {
-  enum molecule_format format;
+  const struct file_format *format;
   uint32_t atoms;
   uint32_t capacity;
   uint32_t read;            /* atoms that were read, whatever became of them */
@@ -101,7 +99,7 @@ struct molecule {
 };
 
 /* Prepare for reading one model of a file, counted from 1. */
-void molecule_init(struct molecule *molecule, enum molecule_format format, uint64_t model);
+void molecule_init(struct molecule *molecule, const struct file_format *format, uint64_t model);
 
 /* Append an atom. False when memory is short or there are too many: for the library, or for whoever set `most`. */
 bool molecule_add(struct molecule *molecule, const double xyz[3], double radius, const struct atom_label *label,
@@ -133,23 +131,5 @@ void molecule_free(struct molecule *molecule);
 
 /* Copy a field into a label; what does not fit is cut off. */
 void label_copy(char *out, size_t room, struct field text);
-
-/* Whether a format's files bring their own radii. */
-bool format_has_radii(enum molecule_format format);
-
-/* Whether a format's files name elements. */
-bool format_has_elements(enum molecule_format format);
-
-/* Whether a format's files say to which residue an atom belongs. */
-bool format_has_residues(enum molecule_format format);
-
-/* Whether a format's files tell atoms of ligands, ions and water from others. */
-bool format_has_hetatm(enum molecule_format format);
-
-/* What people call the format: "pdb". */
-const char *format_name(enum molecule_format format);
-
-/* The unit of length of a format's files: "angstrom", or "unit" where everybody has their own. */
-const char *format_unit(enum molecule_format format);
 
 #endif

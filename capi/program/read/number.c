@@ -1,10 +1,10 @@
-#include "number.h"
+#include "read/number.h"
 
 #include <float.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "characters.h"
+#include "read/characters.h"
 
 /* No double, and no midpoint between two doubles, has more than 768 significant decimal digits (the subnormals' last
  * midpoint has). So of a longer number it is enough to keep this many digits and one more that says whether anything

@@ -1,8 +1,8 @@
-#include "pdb_records.h"
+#include "read/pdb_records.h"
 
 #include <string.h>
 
-#include "characters.h"
+#include "read/characters.h"
 
 /* Records of "Protein Data Bank contents guide", versions 2.3 and 3.3, and of programs in wide use, by the letters that
  * their names begin with. */
@@ -92,7 +92,7 @@ enum line_status pdb_next_atom(struct line_reader *reader, struct molecule *mole
     if (record == PDB_OTHER && !symmetry_take_pdb_record(&molecule->symmetry, reader, failure)) return LINE_FAILED;
     alien_seen = alien_seen || record == PDB_ALIEN;
     *record_seen = *record_seen || record == PDB_ATOM || record == PDB_MODEL || record == PDB_OTHER;
-    if (record == PDB_OTHER && molecule->format == FORMAT_PDB &&
+    if (record == PDB_OTHER && file_format_has(molecule->format, FILE_BONDS) &&
         begins_with_word(reader->text, reader->length, "CONECT") && !take_bonds(reader, molecule, failure)) {
       return LINE_FAILED;
     }

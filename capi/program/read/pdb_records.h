@@ -5,9 +5,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "failure.h"
-#include "line_reader.h"
-#include "molecule.h"
+#include "read/failure.h"
+#include "read/line_reader.h"
+#include "read/molecule.h"
 
 /* Of the columns of an atom record, the last that has to be there: x, y, z end in it. */
 enum { LAST_COORDINATE_COLUMN = 54 };

@@ -1,6 +1,6 @@
 #define _POSIX_C_SOURCE 200112L /* isatty, fileno */
 
-#include "progress.h"
+#include "read/progress.h"
 
 #include <stdio.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "protein_radii.h"
+#include "read/protein_radii.h"
 
 #include <stddef.h>
 

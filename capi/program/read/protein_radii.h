@@ -2,7 +2,7 @@
 #ifndef HARDSPHERE_TOOL_PROTEIN_RADII_H
 #define HARDSPHERE_TOOL_PROTEIN_RADII_H
 
-#include "radii_table.h"
+#include "read/radii_table.h"
 
 /* J. Tsai, R. Taylor, C. Chothia and M. Gerstein, J. Mol. Biol. 290 (1999) 253: an atom's class is its element, its
  * bonds and its hydrogens. They have the 20 amino acids; nucleotides, water and some other residues are classed as

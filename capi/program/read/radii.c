@@ -1,10 +1,10 @@
-#include "radii.h"
+#include "read/radii.h"
 
 #include <string.h>
 
-#include "characters.h"
 #include "hardsphere.h"
-#include "protein_radii.h"
+#include "read/characters.h"
+#include "read/protein_radii.h"
 
 /* The numbers are in the library. */
 struct radii_set {

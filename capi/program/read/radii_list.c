@@ -1,9 +1,9 @@
-#include "radii_list.h"
+#include "read/radii_list.h"
 
 #include <string.h>
 
-#include "radii.h"
-#include "radii_table.h"
+#include "read/radii.h"
+#include "read/radii_table.h"
 
 static void print_element(struct text_buffer *out, const struct radii *radii, size_t count,
                           struct element_symbol symbol) {

@@ -4,8 +4,8 @@
 
 #include <stdbool.h>
 
-#include "failure.h"
-#include "text_buffer.h"
+#include "read/failure.h"
+#include "read/text_buffer.h"
 
 /* Every set with its source: radii by element side by side, then those by residue and atom. */
 bool radii_list_print(struct text_buffer *out, struct failure *failure);

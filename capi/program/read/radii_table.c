@@ -1,12 +1,12 @@
-#include "radii_table.h"
+#include "read/radii_table.h"
 
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "characters.h"
-#include "fields.h"
-#include "line_reader.h"
+#include "read/characters.h"
+#include "read/fields.h"
+#include "read/line_reader.h"
 
 enum { NAME_BYTES = 8 };
 

@@ -7,15 +7,15 @@
  *   Components and monomers: _chem_comp_atom, if the file has no _atom_site; each is a model. */
 #include <string.h>
 
-#include "alternate_locations.h"
-#include "characters.h"
-#include "cif_component.h"
-#include "cif_crystal.h"
-#include "cif_row.h"
-#include "cif_tokens.h"
-#include "number.h"
-#include "read_molecule.h"
-#include "residue_kinds.h"
+#include "read/alternate_locations.h"
+#include "read/characters.h"
+#include "read/cif_component.h"
+#include "read/cif_crystal.h"
+#include "read/cif_row.h"
+#include "read/cif_tokens.h"
+#include "read/number.h"
+#include "read/read_molecule.h"
+#include "read/residue_kinds.h"
 
 enum { MOST_ITEMS = 256, MODEL_BYTES = 24 };
 
@@ -396,10 +396,10 @@ static bool read_cif(struct line_reader *reader, struct molecule *molecule, stru
   return done;
 }
 
-const struct molecule_reader cif_reader = {.name = "cif",
-                                           .extensions = "CIF MMCIF",
-                                           .has_elements = true,
-                                           .has_residues = true,
-                                           .has_hetatm = true,
-                                           .unit = "angstrom",
-                                           .read = read_cif};
+const struct file_format cif_format = {
+    .name = "cif",
+    .extensions = "CIF MMCIF",
+    ANGSTROM,
+    .features = FILE_ELEMENTS | FILE_RESIDUES | FILE_HETATM | FILE_TEMPERATURE_FACTORS | FILE_COORDINATE_ITEMS,
+    .nameless = "no type_symbol, and no element",
+    .read = read_cif};

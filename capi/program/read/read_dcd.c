@@ -3,14 +3,14 @@
  * 19 CHARMM's version. X-PLOR has 0 there, a double in 9 and 10, and no cells. Then come titles, the number of atoms
  * and, if some are fixed, the places of the others. A frame is its cell (6 doubles), if the file has those, and all x,
  * all y and all z as floats. */
-#include "read_dcd.h"
+#include "read/read_dcd.h"
 
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "number.h"
+#include "read/number.h"
 
 enum { HEADER_BYTES = 84, CELL_BYTES = 48, CHUNK_FLOATS = 2048 };
 

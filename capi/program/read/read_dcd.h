@@ -2,9 +2,9 @@
 #ifndef HARDSPHERE_TOOL_READ_DCD_H
 #define HARDSPHERE_TOOL_READ_DCD_H
 
-#include "byte_reader.h"
-#include "line_reader.h"
-#include "molecule.h"
+#include "read/byte_reader.h"
+#include "read/line_reader.h"
+#include "read/molecule.h"
 
 /* What the file says before its frames. Zeros at first. */
 struct dcd {

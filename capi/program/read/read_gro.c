@@ -5,10 +5,10 @@
 #include <inttypes.h>
 #include <string.h>
 
-#include "characters.h"
-#include "frame_title.h"
-#include "number.h"
-#include "read_molecule.h"
+#include "read/characters.h"
+#include "read/frame_title.h"
+#include "read/number.h"
+#include "read/read_molecule.h"
 
 enum { FIRST_COORDINATE = 20 /* counted from 0 */, POWER_OF_NANOMETRE = 1 };
 
@@ -168,10 +168,10 @@ static enum line_status next_gro(struct line_reader *reader, bool *begun, bool w
   return read_announced_model(reader, count, read_model, molecule, failure) ? LINE_READ : LINE_FAILED;
 }
 
-const struct molecule_reader gro_reader = {.name = "gro",
-                                           .extensions = "GRO",
-                                           .has_elements = true,
-                                           .has_residues = true,
-                                           .unit = "angstrom",
-                                           .read = read_gro,
-                                           .next = next_gro};
+const struct file_format gro_format = {.name = "gro",
+                                       .extensions = "GRO",
+                                       ANGSTROM,
+                                       .features = FILE_ELEMENTS | FILE_RESIDUES | FILE_FRAMES,
+                                       .nameless = "no element",
+                                       .read = read_gro,
+                                       .next = next_gro};

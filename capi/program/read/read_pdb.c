@@ -4,13 +4,13 @@
  * touch. Serial numbers, 7-11, are texts that CONECT records name atoms by. */
 #include <string.h>
 
-#include "alternate_locations.h"
-#include "characters.h"
-#include "frame_title.h"
-#include "number.h"
-#include "pdb_records.h"
-#include "read_molecule.h"
-#include "residue_kinds.h"
+#include "read/alternate_locations.h"
+#include "read/characters.h"
+#include "read/frame_title.h"
+#include "read/number.h"
+#include "read/pdb_records.h"
+#include "read/read_molecule.h"
+#include "read/residue_kinds.h"
 
 enum { LAST_COLUMN = 80 };
 
@@ -152,11 +152,12 @@ static enum line_status next_pdb(struct line_reader *reader, bool *begun, bool w
   return status;
 }
 
-const struct molecule_reader pdb_reader = {.name = "pdb",
-                                           .extensions = "PDB# ENT",
-                                           .has_elements = true,
-                                           .has_residues = true,
-                                           .has_hetatm = true,
-                                           .unit = "angstrom",
-                                           .read = read_pdb,
-                                           .next = next_pdb};
+const struct file_format pdb_format = {.name = "pdb",
+                                       .extensions = "PDB# ENT",
+                                       ANGSTROM,
+                                       .features = FILE_ELEMENTS | FILE_RESIDUES | FILE_HETATM |
+                                                   FILE_TEMPERATURE_FACTORS | FILE_BONDS | FILE_AREA_COLUMNS |
+                                                   FILE_ONE_BOX | FILE_FRAMES,
+                                       .nameless = "no element in columns 77-78, and none",
+                                       .read = read_pdb,
+                                       .next = next_pdb};

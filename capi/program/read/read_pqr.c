@@ -4,10 +4,10 @@
  * columns of a PDB file, in which x, y and z may touch. A record that cannot be read by fields is read by columns. */
 #include <string.h>
 
-#include "characters.h"
-#include "pdb_records.h"
-#include "read_molecule.h"
-#include "residue_kinds.h"
+#include "read/characters.h"
+#include "read/pdb_records.h"
+#include "read/read_molecule.h"
+#include "read/residue_kinds.h"
 
 enum { MOST_FIELDS = 12 };
 
@@ -144,11 +144,10 @@ static bool read_pqr(struct line_reader *reader, struct molecule *molecule, stru
   }
 }
 
-const struct molecule_reader pqr_reader = {.name = "pqr",
-                                           .extensions = "PQR",
-                                           .has_radii = true,
-                                           .has_elements = true,
-                                           .has_residues = true,
-                                           .has_hetatm = true,
-                                           .unit = "angstrom",
-                                           .read = read_pqr};
+const struct file_format pqr_format = {
+    .name = "pqr",
+    .extensions = "PQR",
+    ANGSTROM,
+    .features = FILE_RADII | FILE_ELEMENTS | FILE_RESIDUES | FILE_HETATM | FILE_CHARGES,
+    .nameless = "no element",
+    .read = read_pqr};

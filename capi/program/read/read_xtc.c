@@ -9,14 +9,14 @@
  * there follow as many as last time. A small difference is to the atom before, three coordinates in one number, whose
  * radix is about 2^(index/3), half of it added to each. The first small one and the atom before it have changed places,
  * since the oxygen of water is nearer to both of its hydrogens than they are to each other. */
-#include "read_xtc.h"
+#include "read/read_xtc.h"
 
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "number.h"
+#include "read/number.h"
 
 enum {
   MAGIC = 1995,

@@ -2,9 +2,9 @@
 #ifndef HARDSPHERE_TOOL_READ_XTC_H
 #define HARDSPHERE_TOOL_READ_XTC_H
 
-#include "byte_reader.h"
-#include "line_reader.h"
-#include "molecule.h"
+#include "read/byte_reader.h"
+#include "read/line_reader.h"
+#include "read/molecule.h"
 
 /* What a frame is unpacked from. Zeros at first. */
 struct xtc {

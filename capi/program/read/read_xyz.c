@@ -4,11 +4,11 @@
 #include <inttypes.h>
 #include <string.h>
 
-#include "characters.h"
-#include "frame_title.h"
-#include "number.h"
-#include "read_molecule.h"
-#include "residue_kinds.h"
+#include "read/characters.h"
+#include "read/frame_title.h"
+#include "read/number.h"
+#include "read/read_molecule.h"
+#include "read/residue_kinds.h"
 
 /* Step to the next line that is not blank and split it. */
 static enum line_status next_filled_line(struct line_reader *reader, struct field *column, size_t capacity,
@@ -181,9 +181,10 @@ static enum line_status next_xyz(struct line_reader *reader, bool *begun, bool w
   return next_announced(reader, &count, molecule, failure);
 }
 
-const struct molecule_reader xyz_reader = {.name = "xyz",
-                                           .extensions = "XYZ EXTXYZ",
-                                           .has_elements = true,
-                                           .unit = "angstrom",
-                                           .read = read_xyz,
-                                           .next = next_xyz};
+const struct file_format xyz_format = {.name = "xyz",
+                                       .extensions = "XYZ EXTXYZ",
+                                       ANGSTROM,
+                                       .features = FILE_ELEMENTS | FILE_ATOMIC_NUMBERS | FILE_FRAMES,
+                                       .nameless = "no element",
+                                       .read = read_xyz,
+                                       .next = next_xyz};

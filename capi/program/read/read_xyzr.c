@@ -2,7 +2,7 @@
  * column is somebody's note, what follows a '#' is a comment. */
 #include <string.h>
 
-#include "read_molecule.h"
+#include "read/read_molecule.h"
 
 static bool read_xyzr(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
   const struct atom_label no_label = ATOM_LABEL_NONE;
@@ -29,5 +29,10 @@ static bool read_xyzr(struct line_reader *reader, struct molecule *molecule, str
   }
 }
 
-const struct molecule_reader xyzr_reader = {
-    .name = "xyzr", .extensions = "XYZR", .has_radii = true, .unit = "unit", .read = read_xyzr};
+const struct file_format xyzr_format = {.name = "xyzr",
+                                        .extensions = "XYZR",
+                                        .unit = "unit",
+                                        .sign = "",
+                                        .features = FILE_RADII,
+                                        .nameless = "no element",
+                                        .read = read_xyzr};

@@ -1,4 +1,4 @@
-#include "relative_areas.h"
+#include "read/relative_areas.h"
 
 #include <math.h>
 #include <stddef.h>

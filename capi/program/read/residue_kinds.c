@@ -1,9 +1,9 @@
-#include "residue_kinds.h"
+#include "read/residue_kinds.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "characters.h"
+#include "read/characters.h"
 
 enum { NAME_BYTES = 8 };
 

@@ -6,8 +6,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "fields.h"
-#include "radii.h"
+#include "read/fields.h"
+#include "read/radii.h"
 
 enum residue_kind { RESIDUE_OTHER, RESIDUE_AMINO_ACID, RESIDUE_NUCLEOTIDE, RESIDUE_WATER };
 

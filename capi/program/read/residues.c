@@ -1,4 +1,4 @@
-#include "residues.h"
+#include "read/residues.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -6,8 +6,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "failure.h"
-#include "molecule.h"
+#include "read/failure.h"
+#include "read/molecule.h"
 
 /* What a person calls the residue: "THR A 1", as far as the file says. */
 #define RESIDUE_TEXT_BYTES 40

@@ -1,12 +1,12 @@
-#include "selection.h"
+#include "read/selection.h"
 
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "characters.h"
-#include "number.h"
+#include "read/characters.h"
+#include "read/number.h"
 
 enum key { KEY_CHAIN, KEY_RESIDUE, KEY_ELEMENT, KEY_ATOM, KEY_WATER, KEY_HETATM, KEY_HYDROGEN };
 
@@ -146,14 +146,14 @@ bool selection_add(struct selection *selection, const char *option, const char *
   return true;
 }
 
-bool selection_suits(const struct selection *selection, enum molecule_format format, struct failure *failure) {
+bool selection_suits(const struct selection *selection, const struct file_format *format, struct failure *failure) {
   for (size_t i = 0; i < selection->count; ++i) {
     const enum key key = selection->items[i].key;
     const bool element = key == KEY_ELEMENT || key == KEY_HYDROGEN;
-    if (key == KEY_HETATM && format_has_residues(format) && !format_has_hetatm(format)) {
+    if (key == KEY_HETATM && file_format_has(format, FILE_RESIDUES) && !file_format_has(format, FILE_HETATM)) {
       return failure_in_usage(failure, "a selection by hetatm has no use here: the file does not tell such atoms");
     }
-    if (element ? format_has_elements(format) : format_has_residues(format)) continue;
+    if (element ? file_format_has(format, FILE_ELEMENTS) : file_format_has(format, FILE_RESIDUES)) continue;
     return failure_in_usage(failure, "a selection by %s has no use here: the file does not name %s", key_names[key],
                             element ? "elements" : "residues");
   }

@@ -6,9 +6,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "failure.h"
-#include "molecule.h"
-#include "text_buffer.h"
+#include "read/failure.h"
+#include "read/molecule.h"
+#include "read/text_buffer.h"
 
 /* A selection is written
  *   selection = term {"&" term}              all of the terms hold
@@ -37,7 +37,7 @@ bool selection_add(struct selection *selection, const char *option, const char *
                    struct failure *failure);
 
 /* Whether files of the format say what a selection asks for. */
-bool selection_suits(const struct selection *selection, enum molecule_format format, struct failure *failure);
+bool selection_suits(const struct selection *selection, const struct file_format *format, struct failure *failure);
 
 /* Whether an atom becomes a ball: it is named by one of the selections of atoms to be read, if there is any, and by
  * none of those to be left out. */

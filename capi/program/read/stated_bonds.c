@@ -1,4 +1,4 @@
-#include "stated_bonds.h"
+#include "read/stated_bonds.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -2,7 +2,7 @@
 #ifndef HARDSPHERE_TOOL_STATED_BONDS_H
 #define HARDSPHERE_TOOL_STATED_BONDS_H
 
-#include "molecule.h"
+#include "read/molecule.h"
 
 struct stated_bonds {
   uint32_t (*pair)[2]; /* the smaller number first; ascending, none twice */

@@ -1,10 +1,10 @@
-#include "symmetry.h"
+#include "read/symmetry.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "characters.h"
-#include "number.h"
+#include "read/characters.h"
+#include "read/number.h"
 
 /* Digits behind the point of coordinates in PDB files: three. A point and its image are each rounded by up to half of
  * the last one along every axis. */

@@ -5,8 +5,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "fields.h"
-#include "line_reader.h"
+#include "read/fields.h"
+#include "read/line_reader.h"
 
 /* x becomes rotation x + translation. */
 struct symmetry_operator {

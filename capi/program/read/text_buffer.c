@@ -1,4 +1,4 @@
-#include "text_buffer.h"
+#include "read/text_buffer.h"
 
 #include <errno.h>
 #include <stdarg.h>

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "failure.h"
+#include "read/failure.h"
 
 struct text_buffer {
   char *text; /* NUL-terminated as soon as anything was added */

@@ -1,15 +1,15 @@
-#include "trajectory.h"
+#include "read/trajectory.h"
 
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "fields.h"
-#include "number.h"
-#include "read_molecule.h"
+#include "read/fields.h"
+#include "read/number.h"
+#include "read/read_molecule.h"
 
-bool trajectory_format_of(const char *path, enum molecule_format molecule, struct trajectory *trajectory,
+bool trajectory_format_of(const char *path, const struct file_format *molecule, struct trajectory *trajectory,
                           struct failure *failure) {
   const char *slash = strrchr(path, '/');
   const char *dot = strrchr(slash == NULL ? path : slash + 1, '.');
@@ -23,11 +23,12 @@ bool trajectory_format_of(const char *path, enum molecule_format molecule, struc
     trajectory->format = TRAJECTORY_DCD;
     return true;
   }
-  trajectory->models = molecule;
-  const bool known = input_is_standard(path) || molecule_format_named(extension.text, &trajectory->models);
-  if (known && format_has_frames(trajectory->models)) return true;
+  trajectory->models = input_is_standard(path) ? molecule : file_format_named(extension.text);
+  if (trajectory->models != NULL && file_format_has(trajectory->models, FILE_FRAMES)) return true;
+  char list[FORMAT_LIST_BYTES];
   failure->file = path;
-  return failure_in_input(failure, 0, "no trajectory by its extension; expected .xtc, .dcd, .pdb, .xyz or .gro");
+  return failure_in_input(failure, 0, "no trajectory by its extension; expected .xtc, .dcd, %s",
+                          file_format_list(list, ".", "or", FILE_FRAMES, true));
 }
 
 bool trajectory_open(struct trajectory *trajectory, const char *path, uint32_t atoms, struct failure *failure) {
@@ -63,10 +64,12 @@ static enum line_status next_model(struct trajectory *trajectory, bool wanted, s
   model->most = trajectory->atoms;
   model->frame = trajectory->stamp;
   model->frame.box = trajectory->last_box;
+  model->models = 0;
+  model->model = wanted ? 1 : 2;
   const enum line_status status =
-      read_next_model(trajectory->models, trajectory->lines, &trajectory->begun, wanted, model, failure);
+      trajectory->models->next(trajectory->lines, &trajectory->begun, wanted, model, failure);
   trajectory->stamp = model->frame;
-  if (trajectory->models == FORMAT_PDB) trajectory->last_box = model->frame.box;
+  if (file_format_has(trajectory->models, FILE_ONE_BOX)) trajectory->last_box = model->frame.box;
   trajectory->xyz = model->xyz;
   trajectory->line = model->line;
   if (status != LINE_READ || !wanted || model->atoms == trajectory->atoms) return status;

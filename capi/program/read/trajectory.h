@@ -2,17 +2,17 @@
 #ifndef HARDSPHERE_TOOL_TRAJECTORY_H
 #define HARDSPHERE_TOOL_TRAJECTORY_H
 
-#include "byte_reader.h"
-#include "line_reader.h"
-#include "molecule.h"
-#include "read_dcd.h"
-#include "read_xtc.h"
+#include "read/byte_reader.h"
+#include "read/line_reader.h"
+#include "read/molecule.h"
+#include "read/read_dcd.h"
+#include "read/read_xtc.h"
 
 enum trajectory_format { TRAJECTORY_MODELS, TRAJECTORY_XTC, TRAJECTORY_DCD };
 
 struct trajectory {
   enum trajectory_format format;
-  enum molecule_format models; /* of a file of models */
+  const struct file_format *models; /* of a file of models */
   const char *path;
   uint32_t atoms;  /* of every frame */
   uint64_t frames; /* read or stepped over */
@@ -32,7 +32,7 @@ struct trajectory {
 
 /* What the file is, by its extension; of standard input what the molecule is. False: no trajectory, and the failure
  * says what would be one. */
-bool trajectory_format_of(const char *path, enum molecule_format molecule, struct trajectory *trajectory,
+bool trajectory_format_of(const char *path, const struct file_format *molecule, struct trajectory *trajectory,
                           struct failure *failure);
 
 /* Open the file, whose format is known, for a molecule of so many atoms. Close it on true and on false. */

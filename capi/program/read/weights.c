@@ -1,11 +1,11 @@
-#include "weights.h"
+#include "read/weights.h"
 
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "fields.h"
-#include "line_reader.h"
+#include "read/fields.h"
+#include "read/line_reader.h"
 
 static bool read_lines(struct line_reader *reader, const char *what, uint32_t count, double *weights,
                        struct failure *failure) {

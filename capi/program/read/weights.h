@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "failure.h"
+#include "read/failure.h"
 
 /* Read one number per ball in the order of the molecule: one on each line, blank lines skipped, what follows a '#' is
  * a comment. Any other number of numbers is refused. what: such a number is called, for instance "weight".

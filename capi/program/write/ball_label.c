@@ -1,9 +1,9 @@
-#include "ball_label.h"
+#include "write/ball_label.h"
 
 #include <inttypes.h>
 
-#include "csv.h"
-#include "report.h"
+#include "write/csv.h"
+#include "write/report.h"
 
 /* What a ball is called, in the order of the keys and columns. */
 enum { MOST_NAMES = 6 };
@@ -14,12 +14,13 @@ struct ball_name {
 };
 
 /* Which names there are follows from the format, not from what a file happens to leave empty. Returns how many. */
-static int list_names(enum molecule_format format, const struct atom_label *label, struct ball_name list[MOST_NAMES]) {
+static int list_names(const struct file_format *format, const struct atom_label *label,
+                      struct ball_name list[MOST_NAMES]) {
   const struct residue_label *residue = &label->residue;
-  const bool residues = format_has_residues(format);
+  const bool residues = file_format_has(format, FILE_RESIDUES);
   int count = 0;
   if (residues) list[count++] = (struct ball_name){"atom", label->name};
-  if (!format_has_radii(format)) list[count++] = (struct ball_name){"element", label->element.text};
+  if (!file_format_has(format, FILE_RADII)) list[count++] = (struct ball_name){"element", label->element.text};
   if (!residues) return count;
   list[count++] = (struct ball_name){"chain", residue->chain};
   list[count++] = (struct ball_name){"residue", residue->name};
@@ -47,7 +48,7 @@ void ball_label_json(const struct molecule *molecule, uint32_t ball, struct text
   json_number(out, molecule->radius[ball]);
 }
 
-void ball_label_csv_titles(enum molecule_format format, const char *suffix, struct text_buffer *out) {
+void ball_label_csv_titles(const struct file_format *format, const char *suffix, struct text_buffer *out) {
   static const struct atom_label nobody = ATOM_LABEL_NONE;
   struct ball_name names[MOST_NAMES];
   const int count = list_names(format, &nobody, names);

@@ -1,10 +1,10 @@
-#include "csv.h"
+#include "write/csv.h"
 
 #include <inttypes.h>
 #include <string.h>
 
-#include "number.h"
-#include "report.h"
+#include "read/number.h"
+#include "write/report.h"
 
 void csv_text(struct text_buffer *out, const char *text) {
   if (strpbrk(text, ",\"\r\n") == NULL) {

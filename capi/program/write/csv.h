@@ -2,8 +2,8 @@
 #ifndef HARDSPHERE_TOOL_CSV_H
 #define HARDSPHERE_TOOL_CSV_H
 
-#include "molecule.h"
-#include "text_buffer.h"
+#include "read/molecule.h"
+#include "read/text_buffer.h"
 
 /* A field of text, in quotes if it holds a comma, a quote or a line break. */
 void csv_text(struct text_buffer *out, const char *text);

@@ -1,13 +1,12 @@
-#include "mesh_file.h"
+#include "write/mesh_file.h"
 
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "meshing.h"
-#include "output_file.h"
-#include "text_buffer.h"
+#include "read/text_buffer.h"
+#include "write/output_file.h"
 
 bool triangle_mesh_read(const hsp_mesh *mesh, struct triangle_mesh *into, struct failure *failure) {
   hsp_mesh_counts counts;

@@ -5,8 +5,11 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "failure.h"
 #include "hardsphere.h"
+#include "read/failure.h"
+
+/* What a file is; mesh_picture.h writes the last one. */
+enum mesh_format { MESH_PLY, MESH_OBJ, MESH_STL, MESH_MSMS, MESH_SVG };
 
 /* A mesh in arrays of the program's. */
 struct triangle_mesh {

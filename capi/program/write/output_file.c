@@ -1,6 +1,6 @@
 #define _XOPEN_SOURCE 700 /* files, links and signals of POSIX.1-2008; SIGXFSZ */
 
-#include "output_file.h"
+#include "write/output_file.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "same_file.h"
+#include "write/same_file.h"
 
 /* Links that are followed one after the other, and names that are tried for a new file. */
 enum { MOST_LINKS = 40, MOST_NAMES = 100 };

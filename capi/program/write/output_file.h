@@ -7,7 +7,8 @@
 #include <stddef.h>
 #include <stdio.h>
 
-#include "failure.h"
+#include "read/failure.h"
+#include "write/same_file.h"
 
 struct output_file {
   const char *path; /* as the user wrote it */
@@ -17,13 +18,6 @@ struct output_file {
   int reason;      /* errno of the first thing that failed, 0 if nothing did */
   bool no_room;    /* that was to make a new file in the folder */
 };
-
-/* Whether the name stands for standard output: "-" and "/dev/stdout". */
-bool output_is_standard(const char *path);
-
-/* Whether writing to `out` would write over the file that is read from `in` ("-": standard input): the same name, or
- * the same file under another name, links included. Devices and pipes are nobody's file. */
-bool output_is_input(const char *out, const char *in);
 
 /* Begin to write. What path stands for decides where the bytes go:
  *   1. standard output: there;

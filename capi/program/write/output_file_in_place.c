@@ -5,8 +5,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "output_file.h"
-#include "same_file.h"
+#include "write/output_file.h"
+#include "write/same_file.h"
 
 static bool give_up(struct output_file *file, struct failure *failure) {
   const int reason = file->reason != 0 ? file->reason : errno;

@@ -1,14 +1,14 @@
-#include "pdb_output.h"
+#include "write/pdb_output.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "characters.h"
-#include "line_reader.h"
-#include "output_file.h"
-#include "pdb_records.h"
-#include "text_buffer.h"
+#include "read/characters.h"
+#include "read/line_reader.h"
+#include "read/pdb_records.h"
+#include "read/text_buffer.h"
+#include "write/output_file.h"
 
 enum { AREA_BEGIN = 60, AREA_WIDTH = 6, AREA_END = AREA_BEGIN + AREA_WIDTH };
 

@@ -4,8 +4,8 @@
 
 #include <stdbool.h>
 
-#include "failure.h"
-#include "molecule.h"
+#include "read/failure.h"
+#include "read/molecule.h"
 
 /* Read the molecule's file `from` again and write it to `to` (output_file.h):
  *   1. Of an atom record of the molecule columns 61-66 become its area, and all else stays byte for byte, line ends

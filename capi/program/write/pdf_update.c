@@ -1,4 +1,4 @@
-#include "pdf_update.h"
+#include "write/pdf_update.h"
 
 #include <inttypes.h>
 #include <string.h>

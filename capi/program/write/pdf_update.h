@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "text_buffer.h"
+#include "read/text_buffer.h"
 
 /* Append to `out` what follows a compressed file of `size` bytes, the last `count` of which are `tail`: operators that
  * are painted over its one page, of page[0] by page[1] px. False if memory is short. */

@@ -1,15 +1,13 @@
-#include "report.h"
+#include "write/report.h"
 
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "characters.h"
-#include "input_report.h"
-#include "line_reader.h"
-#include "number.h"
-#include "residues.h"
+#include "read/characters.h"
+#include "read/number.h"
+#include "read/residues.h"
 
 void report_row(struct text_buffer *out, const char *name, const char *value, const char *remark) {
   if (remark[0] == '\0') {
@@ -41,12 +39,12 @@ const char *quantity_text(char out[NUMBER_BYTES], double value, int decimals) {
   return out;
 }
 
-const char *column_text(char out[NUMBER_BYTES], enum molecule_format format, double value, int decimals) {
+const char *column_text(char out[NUMBER_BYTES], const struct file_format *format, double value, int decimals) {
   const double magnitude = value < 0.0 ? -value : value;
   double half_of_last = 0.5;
   for (int k = 0; k < decimals; ++k) half_of_last /= 10.0;
   /* Without a unit lengths may be of any order. */
-  if (format == FORMAT_XYZR || !(magnitude < 1e12)) return quantity_text(out, value, decimals);
+  if (format->sign[0] == '\0' || !(magnitude < 1e12)) return quantity_text(out, value, decimals);
   if (magnitude >= half_of_last || value == 0.0) {
     snprintf(out, NUMBER_BYTES, "%.*f", decimals, value + 0.0);
   } else {
@@ -55,9 +53,9 @@ const char *column_text(char out[NUMBER_BYTES], enum molecule_format format, dou
   return out;
 }
 
-const char *coordinate_text(char out[NUMBER_BYTES], enum molecule_format format, double value) {
+const char *coordinate_text(char out[NUMBER_BYTES], const struct file_format *format, double value) {
   enum { DECIMALS = 4 };
-  const bool vanishes = format != FORMAT_XYZR && value < 0.5e-4 && value > -0.5e-4;
+  const bool vanishes = format->sign[0] != '\0' && value < 0.5e-4 && value > -0.5e-4;
   return column_text(out, format, vanishes ? 0.0 : value, DECIMALS);
 }
 
@@ -70,34 +68,12 @@ const char *exact_text(char out[NUMBER_BYTES], double value) {
   return out;
 }
 
-static void report_probe(struct text_buffer *out, const struct request *request) {
-  if (request->probe == 0.0) {
-    report_row(out, "probe", "none: the van der Waals surface, by the radii as they are", "");
-    return;
-  }
-  char value[160];
-  snprintf(value, sizeof value, "%.10g %s, %s", request->probe, format_unit(request->format),
-           request->command == COMMAND_GATE ? "added to every radius to find voids, and then no more"
-           : request->outer                 ? "rolling over the atoms from outside: the outer solvent-excluded surface"
-           : request->excluded_surface      ? "rolling over the atoms: the solvent-excluded surface"
-                                            : "added to every radius: the solvent-accessible surface");
-  report_row(out, "probe", value, "");
-}
-
 void report_file_name(struct text_buffer *out, const char *name) {
   const size_t begin = out->length;
   text_buffer_add(out, "%s", name);
   for (size_t i = begin; i < out->length; ++i) {
     if ((unsigned char)out->text[i] < 0x20 || out->text[i] == 0x7F) out->text[i] = '?';
   }
-}
-
-void report_heading(struct text_buffer *out, const struct request *request, const struct molecule *molecule) {
-  report_file_name(out, input_name(request->file));
-  text_buffer_add(out, "\n");
-  input_report_rows(out, request, molecule);
-  report_probe(out, request);
-  text_buffer_add(out, "\n");
 }
 
 struct ball_columns ball_columns_of(const struct molecule *molecule) {

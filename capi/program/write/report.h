@@ -5,12 +5,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "arguments.h"
-#include "molecule.h"
-#include "text_buffer.h"
-
-/* What was read and how: file, balls, what was left out, radii, probe. Every table begins with it. */
-void report_heading(struct text_buffer *out, const struct request *request, const struct molecule *molecule);
+#include "read/molecule.h"
+#include "read/text_buffer.h"
 
 /* The name of a file, with '?' for what would disturb a terminal. */
 void report_file_name(struct text_buffer *out, const char *name);
@@ -31,10 +27,10 @@ const char *quantity_text(char out[NUMBER_BYTES], double value, int decimals);
 
 /* A quantity in a column: always with `decimals` decimals, "<0.0001" where these would show nothing. In files without a
  * unit of length, as quantity_text. */
-const char *column_text(char out[NUMBER_BYTES], enum molecule_format format, double value, int decimals);
+const char *column_text(char out[NUMBER_BYTES], const struct file_format *format, double value, int decimals);
 
 /* The same of a coordinate, for which 0.0000 is as good as any other value. */
-const char *coordinate_text(char out[NUMBER_BYTES], enum molecule_format format, double value);
+const char *coordinate_text(char out[NUMBER_BYTES], const struct file_format *format, double value);
 
 /* The shortest of 15 to 17 significant digits that a reader turns into the same double again; it must be finite. */
 const char *exact_text(char out[NUMBER_BYTES], double value);

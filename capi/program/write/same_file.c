@@ -1,11 +1,9 @@
 #define _XOPEN_SOURCE 700 /* fstat, S_ISBLK */
 
-#include "same_file.h"
+#include "write/same_file.h"
 
 #include <string.h>
 #include <unistd.h>
-
-#include "output_file.h"
 
 bool output_is_standard(const char *path) {
   return strcmp(path, "-") == 0 || strcmp(path, "/dev/stdout") == 0;

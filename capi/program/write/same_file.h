@@ -8,4 +8,11 @@
 /* Whether both are one file or disc; devices that are written to without end, and pipes, are nobody's file. */
 bool same_file(const struct stat *a, const struct stat *b);
 
+/* Whether the name stands for standard output: "-" and "/dev/stdout". */
+bool output_is_standard(const char *path);
+
+/* Whether writing to `out` would write over the file that is read from `in` ("-": standard input): the same name, or
+ * the same file under another name, links included. Devices and pipes are nobody's file. */
+bool output_is_input(const char *out, const char *in);
+
 #endif

@@ -1,10 +1,11 @@
-#include "input_report.h"
+#include "commands/input_report.h"
 
 #include <inttypes.h>
 #include <stdio.h>
 
-#include "report.h"
-#include "residues.h"
+#include "read/line_reader.h"
+#include "read/residues.h"
+#include "write/report.h"
 
 /* What the balls are. */
 struct among {
@@ -48,13 +49,13 @@ static void add_count(struct text_buffer *out, const char *separator, uint64_t c
 }
 
 static void row_among(struct text_buffer *out, const struct molecule *molecule, const struct among *among) {
-  const bool residues = format_has_residues(molecule->format);
-  const bool elements = format_has_elements(molecule->format);
+  const bool residues = file_format_has(molecule->format, FILE_RESIDUES);
+  const bool elements = file_format_has(molecule->format, FILE_ELEMENTS);
   if (!residues && !elements) return;
   text_buffer_add(out, "  %-16s", "among them");
   if (residues) {
     add_count(out, " ", among->waters, "water", "waters");
-    if (format_has_hetatm(molecule->format)) {
+    if (file_format_has(molecule->format, FILE_HETATM)) {
       add_count(out, ", ", among->hetatm, "other HETATM atom", "other HETATM atoms");
     }
   }
@@ -153,7 +154,7 @@ static void rows_radii(struct text_buffer *out, const struct request *request, c
   row_substitutes(out, request, molecule);
 }
 
-void input_report_rows(struct text_buffer *out, const struct request *request, const struct molecule *molecule) {
+static void rows(struct text_buffer *out, const struct request *request, const struct molecule *molecule) {
   const struct among among = count_among(molecule);
   char value[2 * NUMBER_BYTES];
   report_row_count(out, "balls", molecule->atoms, "");
@@ -169,13 +170,35 @@ void input_report_rows(struct text_buffer *out, const struct request *request, c
   }
   if (molecule->coordinates != NULL) report_row(out, "coordinates", molecule->coordinates, "");
   rows_left_out(out, &molecule->left_out);
-  if (!format_has_radii(request->format)) {
+  if (!file_format_has(request->format, FILE_RADII)) {
     rows_radii(out, request, molecule, &among);
   } else if (among.points == molecule->atoms) {
     report_row(out, "radii", "from the file; all of them are 0", "");
   } else {
     report_row(out, "radii", "from the file", "");
   }
+}
+
+static void report_probe(struct text_buffer *out, const struct request *request) {
+  if (request->probe == 0.0) {
+    report_row(out, "probe", "none: the van der Waals surface, by the radii as they are", "");
+    return;
+  }
+  char value[160];
+  snprintf(value, sizeof value, "%.10g %s, %s", request->probe, request->format->unit,
+           request->command == COMMAND_GATE ? "added to every radius to find voids, and then no more"
+           : request->outer                 ? "rolling over the atoms from outside: the outer solvent-excluded surface"
+           : request->excluded_surface      ? "rolling over the atoms: the solvent-excluded surface"
+                                            : "added to every radius: the solvent-accessible surface");
+  report_row(out, "probe", value, "");
+}
+
+void report_heading(struct text_buffer *out, const struct request *request, const struct molecule *molecule) {
+  report_file_name(out, input_name(request->file));
+  text_buffer_add(out, "\n");
+  rows(out, request, molecule);
+  report_probe(out, request);
+  text_buffer_add(out, "\n");
 }
 
 static void json_count(struct text_buffer *out, const char *name, uint64_t count) {
@@ -188,16 +211,15 @@ void input_report_json(struct text_buffer *out, const struct request *request, c
   const struct left_out *left_out = &molecule->left_out;
   text_buffer_add(out, ", \"input\": {\"file\": ");
   json_text(out, request->file);
-  text_buffer_add(out, ", \"format\": \"%s\", \"unit\": \"%s\"", format_name(molecule->format),
-                  format_unit(molecule->format));
+  text_buffer_add(out, ", \"format\": \"%s\", \"unit\": \"%s\"", molecule->format->name, molecule->format->unit);
   text_buffer_add(out, ", \"radii\": ");
-  json_text(out, format_has_radii(molecule->format) ? "file"
-                 : request->radii_file != NULL      ? request->radii_file
-                                                    : radii_set_name(request->set));
+  json_text(out, file_format_has(molecule->format, FILE_RADII) ? "file"
+                 : request->radii_file != NULL                 ? request->radii_file
+                                                               : radii_set_name(request->set));
   text_buffer_add(out, ", \"radius_overrides\": ");
   json_text(out, request->overrides.length > 0 ? request->overrides.text : "");
   text_buffer_add(out, ", \"substitutes\": [");
-  if (!format_has_radii(molecule->format)) list_substitutes(out, request, molecule, json_substitute);
+  if (!file_format_has(molecule->format, FILE_RADII)) list_substitutes(out, request, molecule, json_substitute);
   text_buffer_add(out, "], \"probe\": ");
   json_number(out, request->probe);
   json_count(out, "balls", molecule->atoms);
@@ -206,9 +228,9 @@ void input_report_json(struct text_buffer *out, const struct request *request, c
   json_count(out, "hetatm", among.hetatm);
   json_count(out, "hydrogens", among.hydrogens);
   json_count(out, "radius_zero", among.points);
-  json_count(out, "radius_by_element", format_has_radii(molecule->format) ? 0 : among.by_element);
-  if (molecule->format == FORMAT_XYZ) json_count(out, "atomic_numbers", among.by_number);
-  if (molecule->format == FORMAT_CIF) {
+  json_count(out, "radius_by_element", file_format_has(molecule->format, FILE_RADII) ? 0 : among.by_element);
+  if (file_format_has(molecule->format, FILE_ATOMIC_NUMBERS)) json_count(out, "atomic_numbers", among.by_number);
+  if (file_format_has(molecule->format, FILE_COORDINATE_ITEMS)) {
     text_buffer_add(out, ", \"coordinates\": ");
     json_text(out, molecule->coordinates == NULL ? "Cartn_x" : molecule->coordinates);
   }
@@ -217,7 +239,7 @@ void input_report_json(struct text_buffer *out, const struct request *request, c
   text_buffer_add(out, ", \"left_out\": {\"other_models\": %" PRIu64, left_out->other_models);
   json_count(out, "alternate_locations", left_out->alternate_locations);
   json_count(out, "virtual_sites", left_out->virtual_sites);
-  if (molecule->format == FORMAT_CIF) json_count(out, "unplaced", left_out->unplaced);
+  if (file_format_has(molecule->format, FILE_COORDINATE_ITEMS)) json_count(out, "unplaced", left_out->unplaced);
   json_count(out, "hydrogens_of_set", left_out->hydrogens_of_set);
   json_count(out, "water", left_out->water);
   json_count(out, "hetatm", left_out->hetatm);

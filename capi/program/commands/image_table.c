@@ -1,10 +1,10 @@
-#include "image_table.h"
+#include "commands/image_table.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "number.h"
+#include "read/number.h"
 
 enum { MOST_CELLS = 1000, MOST_BUCKETS = 1 << 22 };
 

@@ -6,8 +6,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "failure.h"
-#include "molecule.h"
+#include "read/failure.h"
+#include "read/molecule.h"
 
 /* Buckets of the atoms of a molecule; atoms of one bucket are a list. */
 struct image_table {

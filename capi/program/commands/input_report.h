@@ -2,12 +2,12 @@
 #ifndef HARDSPHERE_TOOL_INPUT_REPORT_H
 #define HARDSPHERE_TOOL_INPUT_REPORT_H
 
-#include "arguments.h"
-#include "molecule.h"
-#include "text_buffer.h"
+#include "commands/request.h"
+#include "read/molecule.h"
+#include "read/text_buffer.h"
 
-/* Rows of a table: the number of balls, what is among them, and what was left out if anything was. */
-void input_report_rows(struct text_buffer *out, const struct request *request, const struct molecule *molecule);
+/* What was read and how: file, balls, what was left out, radii, probe. Every table begins with it. */
+void report_heading(struct text_buffer *out, const struct request *request, const struct molecule *molecule);
 
 /* The last key of every command's JSON: , "input": {...} */
 void input_report_json(struct text_buffer *out, const struct request *request, const struct molecule *molecule);

@@ -1,4 +1,4 @@
-#include "geometry.h"
+#include "read/geometry.h"
 
 #include <stdlib.h>
 
@@ -93,89 +93,6 @@ bool geometry_compute_periodic(struct geometry *geometry, const struct molecule 
   }
   if (status == HSP_E_RANGE) {
     return failure_in_input(failure, 0, "the box is too thin for the balls, too large, or a ball is too far from it");
-  }
-  return status == HSP_OK || failure_in_library(failure, status);
-}
-
-bool geometry_compute_cells(struct geometry *geometry, struct failure *failure) {
-  progress_show(&geometry->progress, "cutting free space");
-  const int32_t status = hsp_workspace_cells(&geometry->work);
-  return status == HSP_OK || failure_in_library(failure, status);
-}
-
-bool geometry_find_path(struct geometry *geometry, const double from[3], const double to[3], hsp_path *path,
-                        struct failure *failure) {
-  progress_show(&geometry->progress, "looking for a path");
-  const int32_t status = hsp_workspace_path(&geometry->work, from, to, path);
-  if (status == HSP_E_RANGE) return failure_in_input(failure, 0, "--from or --to: %s", geometry_reason(status));
-  return status == HSP_OK || failure_in_library(failure, status);
-}
-
-bool geometry_find_gate(struct geometry *geometry, const struct molecule *molecule, const double from[3],
-                        const double *to, struct failure *failure) {
-  enum { COARSER = 6 };
-  hsp_model_info info;
-  progress_show(&geometry->progress, "looking for the widest probe");
-  int32_t status = hsp_workspace_gate(&geometry->work, from, to);
-  for (int time = 0; time < COARSER && status == HSP_E_RANGE; ++time) {
-    status = hsp_model_get_info(geometry->work.model, &info);
-    if (status != HSP_OK) return failure_in_library(failure, status);
-    if (!geometry_set_model(geometry, molecule, 0.0, 10.0 * info.step, failure)) return false;
-    status = hsp_workspace_gate(&geometry->work, from, to);
-  }
-  if (status == HSP_E_RANGE) return failure_in_input(failure, 0, "--from or --to: %s", geometry_reason(status));
-  return status == HSP_OK || failure_in_library(failure, status);
-}
-
-bool geometry_compute_surface(struct geometry *geometry, struct failure *failure) {
-  progress_show(&geometry->progress, "computing the surface");
-  const int32_t status = hsp_workspace_surface(&geometry->work);
-  return status == HSP_OK || failure_in_library(failure, status);
-}
-
-bool geometry_compute_outer_surface(struct geometry *geometry, struct failure *failure) {
-  progress_show(&geometry->progress, "computing the topology");
-  hsp_topology_counts counts;
-  uint32_t needed = 0;
-  int32_t status = hsp_workspace_topology(&geometry->work);
-  if (status == HSP_OK) status = hsp_topology_get_counts(geometry->work.topology, &counts);
-  if (status != HSP_OK) return failure_in_library(failure, status);
-  uint32_t *shells = calloc((size_t)counts.shells + 1, sizeof *shells);
-  if (shells == NULL) return failure_of_memory(failure);
-  status = hsp_topology_get_cell_shells(geometry->work.topology, 0, shells, counts.shells, &needed);
-  progress_show(&geometry->progress, "computing the surface");
-  if (status == HSP_OK) status = hsp_workspace_surface_of(&geometry->work, shells, needed);
-  free(shells);
-  return status == HSP_OK || failure_in_library(failure, status);
-}
-
-bool geometry_compute_mesh(struct geometry *geometry, bool of_surface, double edge, struct failure *failure) {
-  progress_show(&geometry->progress, "making triangles");
-  const int32_t status = hsp_workspace_mesh(&geometry->work, of_surface, edge);
-  if (status == HSP_E_OPEN_SURFACE) {
-    return failure_in_input(failure, 0, "patches of the surface meet in one point: it has no triangles there");
-  }
-  if (status == HSP_E_CHECK) {
-    return failure_in_input(failure, 0, "borders of the surface come together: no triangles tell them apart");
-  }
-  if (status == HSP_E_RANGE) return failure_in_input(failure, 0, "--edge %g yields too many triangles", edge);
-  return status == HSP_OK || failure_in_library(failure, status);
-}
-
-bool geometry_compute_view(struct geometry *geometry, const hsp_view_options *options, struct failure *failure) {
-  progress_show(&geometry->progress, "cutting and sorting");
-  const int32_t status = hsp_workspace_view(&geometry->work, geometry->work.boundary != NULL, options);
-  return status == HSP_OK || failure_in_library(failure, status);
-}
-
-bool geometry_compute_map(struct geometry *geometry, const struct viewing *viewing, const struct molecule *molecule,
-                          struct failure *failure) {
-  hsp_view_options options;
-  progress_show(&geometry->progress, "finding what is seen");
-  int32_t status = viewing_options(viewing, molecule, &options);
-  if (status == HSP_OK) status = hsp_workspace_map(&geometry->work, &options);
-  if (status == HSP_E_CHECK) {
-    return failure_in_input(failure, 0, "too many balls stand exactly behind each other: look from elsewhere");
   }
   return status == HSP_OK || failure_in_library(failure, status);
 }

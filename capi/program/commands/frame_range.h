@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "failure.h"
+#include "read/failure.h"
 
 /* The frames first, first + step, .. up to last, counted from 1. */
 struct frame_range {

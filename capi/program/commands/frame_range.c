@@ -1,8 +1,8 @@
-#include "frame_range.h"
+#include "commands/frame_range.h"
 
 #include <string.h>
 
-#include "number.h"
+#include "read/number.h"
 
 bool frame_range_parse(struct frame_range *range, const char *text, struct failure *failure) {
   uint64_t *const parts[] = {&range->first, &range->last, &range->step};

@@ -1,0 +1,173 @@
+#compdef hardsphere
+# Completion for zsh, written by: hardsphere completion zsh
+local -a names common own
+if (( CURRENT == 2 )); then
+  names=(
+    'model:how well the balls behave'
+    'boundary:the boundary of the union'
+    'measure:area and volume, in total, by ball, residue or chain, and their gradients'
+    'voids:the cavities in the union and the balls around them'
+    'contacts:which balls, residues or chains touch and by how much, each ball'\''s cell'
+    'complex:the dual complex'
+    'cells:free space as simple cells'
+    'path:how a probe gets from one point to another'
+    'gate:the widest probe that gets to a point or to the outside, and what stops it'
+    'clash:a molecule against another one, turned and moved'
+    'query:which balls contain a point or meet a ball'
+    'mesh:the surface as triangles'
+    'map:what is seen from a direction'
+    'pick:the ball that is seen at a point'
+    'draw:a picture with hidden parts removed'
+    'completion:what makes a shell complete commands and options'
+    'help:more about a command'
+  )
+  _describe command names
+  return
+fi
+common=(
+    '*--format[what FILE is, whatever its extension]:FORMAT:(xyzr pdb pqr xyz cif gro)'
+    '*--radii[radii by element, for files without radii]:bondi|chem3d:(bondi chem3d protor naccess list)'
+    '*--radius[add or replace radii of single elements, whatever the residue]:EL=R,:'
+    '*--probe[add P to every radius]:P:'
+    '*--json[print JSON instead of a table]'
+    '*--no-water[leave out such atoms]'
+    '*--no-hetatm[leave out such atoms]'
+    '*--no-hydrogens[leave out such atoms]'
+    '*--only[read only the atoms that S names, or all but them]:S:'
+    '*--hide[read only the atoms that S names, or all but them]:S:'
+    '*--model[read model N of the file, counted from 1]:N:'
+    '--help[more about the command]'
+    '*:file:_files'
+)
+case $words[2] in
+  model) own=(
+  ) ;;
+  boundary) own=(
+    '*--shells[list them in any case, in JSON too]'
+    '*--csv[print the counts, or with --shells the list, as comma-separated values and nothing else]'
+    '*--box[the box, or AX,0,0,BX,BY,0,CX,CY,CZ if it is skew]:AX,BY,CZ:(file p1)'
+  ) ;;
+  measure) own=(
+    '*--surface[measure the solvent-excluded surface instead, the smooth one that the probe leaves where]:ses:(sas ses)'
+    '*--outer[of that surface what a probe reaches from outside]'
+    '*--per-ball[also the free area of every ball]'
+    '*--gradient[also the derivatives of area and volume by every centre and radius]'
+    '*--curvature[also the integrated mean and Gaussian curvature of the boundary]'
+    '*--weights[also the sum of weight x free area]:FILE:_files'
+    '*--polar[also the areas of nitrogen and oxygen, of carbon, sulfur and selenium, and of all others]'
+    '*--by[also sums over residues or chains, except for ]:residue|chain:(residue chain)'
+    '*--relative[with --by residue and a probe]'
+    '*--interface[also what chain A and chain B bury between them]:A,B:'
+    '*--csv[print the balls, or with --by the sums, as comma-separated values and nothing else]'
+    '*--pdb-out[write the ]:FILE:_files'
+    '*--trajectory[go through the frames of a ]:RUN:_files'
+    '*--frames[only the frames A to B, counted from 1, in steps of S]:A:'
+    '*--box[the box, or AX,0,0,BX,BY,0,CX,CY,CZ if it is skew]:AX,BY,CZ:(file p1)'
+  ) ;;
+  voids) own=(
+    '*--min-volume[only those of volume V or more]:V:'
+    '*--balls[also the balls around each]'
+    '*--csv[print the list as comma-separated values and nothing else]'
+  ) ;;
+  contacts) own=(
+    '*--by[sums over the contacts between residues or chains, instead of those between balls]:residue|chain:(residue chain)'
+    '*--cells[also volume, free area and contact area of every ball'\''s cell]'
+    '*--least[list only contacts, or sums, of area A or more]:A:'
+    '*--csv[print the list as comma-separated values and nothing else]'
+    '*--map[also a picture of the list]:OUT:_files'
+    '*--trajectory[for every frame a row of numbers, or with --json a line with the list]:RUN:_files'
+    '*--frames[for every frame a row of numbers, or with --json a line with the list]:A:'
+    '*--box[the box, or AX,0,0,BX,BY,0,CX,CY,CZ if it is skew]:AX,BY,CZ:(file p1)'
+  ) ;;
+  complex) own=(
+  ) ;;
+  cells) own=(
+  ) ;;
+  path) own=(
+    '*--from[]:X Y Z:'
+    '*--to[]:X Y Z:'
+  ) ;;
+  gate) own=(
+    '*--from[begin where the void K of hardsphere voids has most room, with the same --probe P,]:void:'
+    '*--to[]:X Y Z|void:'
+  ) ;;
+  clash) own=(
+    '*--rotate[turn the second one by X, then Y, then Z degrees about axes through the mean of its]:X,Y,Z:'
+    '*--translate[then move it]:X,Y,Z:'
+  ) ;;
+  query) own=(
+    '*--point[]:X Y Z:'
+    '*--ball[]:X Y Z R:'
+  ) ;;
+  mesh) own=(
+    '*-o[the file to write]:OUT:_files'
+    '*--output[the file to write]:OUT:_files'
+    '*--edge[how long edges are, about]:L:'
+    '*--surface[van der Waals, which is without --probe]:vdw|sas|ses:(vdw sas ses)'
+    '*--triangles[what OUT is]:ply|obj|stl|vert|svg:(ply obj stl vert svg)'
+    '*--view[from where ]:X,Y,Z:'
+    '*--up[from where ]:X,Y,Z:'
+    '*--rotate[from where ]:X,Y,Z:'
+    '*--cut[in ]'
+  ) ;;
+  map) own=(
+    '*--view[from where to look]:X,Y,Z:'
+    '*--up[from where to look]:X,Y,Z:'
+    '*--rotate[from where to look]:X,Y,Z:'
+    '*--per-ball[list the balls that are seen]'
+  ) ;;
+  pick) own=(
+    '*--at[the point]:X,Y:'
+    '*--view[from where to look]:X,Y,Z:'
+    '*--up[from where to look]:X,Y,Z:'
+    '*--rotate[from where to look]:X,Y,Z:'
+  ) ;;
+  draw) own=(
+    '*-o[the file to write]:OUT:_files'
+    '*--output[the file to write]:OUT:_files'
+    '*--picture[what OUT is]:svg|eps|pdf:(svg eps pdf)'
+    '*--view[the direction towards the viewer]:X,Y,Z:'
+    '*--up[the direction that appears upwards]:X,Y,Z:'
+    '*--rotate[then turn the balls by X, then Y, then Z degrees about the axes to the right, upwards]:X,Y,Z:'
+    '*--spin[N pictures of a whole turn about the upright axis, in one frame and scale]:N:'
+    '*--look[several options by one name]:paper|goodsell|slide|print:(paper goodsell slide print)'
+    '*--style[one colour a ball, light from the viewer, or light from the upper left]:flat|headlight|soft:(flat headlight soft)'
+    '*--palette[muted colours or Jmol'\''s by element, or a tint for each chain and ligands and ions by]:soft|jmol|chain:(soft jmol chain)'
+    '*--colour[what colours stand for]:WHAT:(element chain residue area bfactor charge)'
+    '*--range[which numbers are blue and red]:LOW,HIGH:'
+    '*--highlight[mute the colours of all atoms but those that S names, as for --only]:S:'
+    '*--occlusion[darken buried balls, from 0, not at all, to 1]:S:'
+    '*--fog[fade far balls to the background, from 0, not at all, to 1]:F:'
+    '*--outline[the width of lines along silhouettes and intersections, 0]:W:'
+    '*--outline-colour[their colour]:RRGGBB:'
+    '*--ink[contours as wide as what lies behind them is far]'
+    '*--ink-width[contours with other widths, where they are widest]:W:'
+    '*--ink-colour[contours in another colour, or in three, likewise]:RRGGBB:'
+    '*--classes[]'
+    '*--tooltips[]'
+    '*--width[the size of the picture, one follows from the other]:W:'
+    '*--height[the size of the picture, one follows from the other]:H:'
+    '*--unit[of width, height, outline and ink-width]:px|mm:(px mm)'
+    '*--margin[around the balls, as a part of their larger side]:M:'
+    '*--scale[for pictures side by side and movies]:S:'
+    '*--centre[with --scale]:X,Y,Z:'
+    '*--crop[only this part of the picture, W wide and H high, X from its left and Y from its upper edge,]:X,Y,W,H:'
+    '*--background[default FFFFFF]:RRGGBB|none:(none)'
+    '*--fog-colour[with --background none]:RRGGBB:'
+    '*--label[names, each where most room is in what is seen of it, or beside the molecule with a line]:atom|residue|chain:(atom residue chain)'
+    '*--scale-bar[a length to compare with]'
+    '*--legend[which colour stands for which element or chain, or number]'
+    '*--title[the title in the file]:TEXT:_files'
+    '*--water[draw water too]'
+    '*--pieces[cut balls by farther ones, or by all others, which leaves seams]:g|h|visible:(g h visible)'
+    '*--all-balls[paint hidden balls too]'
+    '*--as[small balls, and sticks for bonds, in halves of the balls'\'' colours]:ball-and-stick:(balls ball-and-stick)'
+    '*--ball-size[radii of these balls, as a part of those of the atoms]:S:'
+    '*--stick[the radius of the sticks]:R:'
+  ) ;;
+  completion) _values shell bash zsh; return ;;
+  help) _values command model boundary measure voids contacts complex cells path gate clash query mesh map pick draw ; return ;;
+esac
+(( CURRENT-- ))
+shift words
+_arguments -S $own $common

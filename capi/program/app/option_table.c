@@ -1,0 +1,286 @@
+#include <stddef.h>
+
+#include "app/option.h"
+
+#define IN(member) offsetof(struct request, member)
+#define OF(COMMAND) (1u << COMMAND_##COMMAND)
+#define EVERY EVERY_COMMAND
+
+const struct option *option_at(size_t i) {
+  static const struct option table[] = {
+
+      {"--format", "FORMAT", take_format, EVERY, .help = "what FILE is, whatever its extension: {formats}"},
+      {"--radii", "bondi|chem3d", take_radii, EVERY, .words = "bondi|chem3d|protor|naccess|list",
+       .what = "a set, a file or 'list'",
+       .help = "radii by element, for files without radii; bondi is the default. Elements that the set has\n"
+               "no radius for get one of bondi, or 2, as do unknown atoms, X in .pdb and .cif, and the\n"
+               "table says so; X in .xyz is a dummy and left out"},
+      {"--radii", "protor|naccess|FILE", take_radii, EVERY,
+       .help = "radii by residue and atom, else as bondi. A line of FILE, whose name has a dot or a\n"
+               "slash, is RESIDUE ATOM RADIUS; FreeSASA's configuration files do too. A set without\n"
+               "hydrogens leaves those out of the residues that it names: heavy atoms stand for them"},
+      {"--radii", "list", take_radii, EVERY, .help = "show the sets, and do nothing else"},
+      {"--radius", "EL=R,...", take_radius, EVERY, .what = "EL=R, for instance ZN=1.39",
+       .help = "add or replace radii of single elements, whatever the residue"},
+      {"--probe", "P", take_probe, EVERY, .target = IN(probe), .what = "a length",
+       .help = "add P to every radius: 1.4 angstrom for water; default 0"},
+      {"--json", NULL, take_flag, EVERY, .target = IN(json),
+       .help = "print JSON instead of a table; its last key, input, says what was read"},
+      {"--no-water", NULL, take_atoms, EVERY, .target = IN(selection), .words = "water"},
+      {"--no-hetatm", NULL, take_atoms, EVERY, .target = IN(selection), .words = "hetatm"},
+      {"--no-hydrogens", NULL, take_atoms, EVERY, .target = IN(selection), .words = "hydrogen",
+       .help = "leave out such atoms"},
+      {"--only", "S", take_atoms, EVERY, .target = IN(selection),
+       .what = "atoms, for instance chain:A,B or residue:HOH"},
+      {"--hide", "S", take_atoms, EVERY, .target = IN(selection),
+       .what = "atoms, for instance chain:A,B or residue:HOH",
+       .help = "read only the atoms that S names, or all but them. S is chain:A,B, element:H, atom:CA,\n"
+               "residue:HOH,7,1-40,52A, water, hetatm or hydrogen, or several of these that must all\n"
+               "hold: \"chain:A&residue:1-40\"; chain:. has no name. Several --only are a union,\n"
+               "and so are several --hide. What is left out blocks nothing; let balls block that do not\n"
+               "count by --weights"},
+      {"--model", "N", take_model, EVERY, .what = "the number of a model, from 1 on",
+       .help = "read model N of the file, counted from 1; default 1"},
+
+      {"--shells", NULL, take_flag, OF(BOUNDARY), .target = IN(shells), .help = "list them in any case, in JSON too"},
+      {"--csv", NULL, take_flag, OF(BOUNDARY), .target = IN(csv),
+       .help = "print the counts, or with --shells the list, as comma-separated values and nothing else"},
+
+      {"--surface", "ses", take_choice, OF(MEASURE), .target = IN(surface), .words = "sas|ses", .component = "smooth",
+       .help = "measure the solvent-excluded surface instead, the smooth one that the probe leaves where\n"
+               "it rolls over the atoms. An atom's share of it are its convex patches, its side of saddles\n"
+               "and a third of concave patches. Not with --relative, --interface; with --weights but\n"
+               "not their gradient"},
+      {"--outer", NULL, take_flag, OF(MEASURE), .target = IN(outer),
+       .help = "of that surface what a probe reaches from outside: as if voids were filled"},
+      {"--per-ball", NULL, take_flag, OF(MEASURE), .target = IN(per_ball), .help = "also the free area of every ball"},
+      {"--gradient", NULL, take_flag, OF(MEASURE), .target = IN(gradient),
+       .help = "also the derivatives of area and volume by every centre and radius"},
+      {"--curvature", NULL, take_flag, OF(MEASURE), .target = IN(curvature),
+       .help = "also the integrated mean and Gaussian curvature of the boundary"},
+      {"--weights", "FILE", take_path, OF(MEASURE), .target = IN(weights),
+       .help = "also the sum of weight x free area; one number per ball, each on its own line, #\n"
+               "comments"},
+      {"--polar", NULL, take_flag, OF(MEASURE), .target = IN(polar),
+       .help = "also the areas of nitrogen and oxygen, of carbon, sulfur and selenium, and of all others"},
+      {"--by", "residue|chain", take_choice, OF(MEASURE), .target = IN(by), .words = "residue|chain", .first = 1,
+       .help = "also sums over residues or chains, except for .xyz and .xyzr. A residue is a run of atoms\n"
+               "with the same chain, name, number and insertion code; a chain is all atoms with its name,\n"
+               "or in .pdb files without chains with their segment"},
+      {"--relative", NULL, take_flag, OF(MEASURE), .target = IN(relative),
+       .help = "with --by residue and a probe: also the part of the largest area that a residue of that\n"
+               "name can have in a chain"},
+      {"--interface", "A,B", take_interface, OF(MEASURE), .what = "two groups of chains: A,B or A+B,C",
+       .help = "also what chain A and chain B bury between them; groups of chains are A+B,C"},
+      {"--csv", NULL, take_flag, OF(MEASURE), .target = IN(csv),
+       .help = "print the balls, or with --by the sums, as comma-separated values and nothing else"},
+      {"--pdb-out", "FILE", take_path, OF(MEASURE), .target = IN(pdb_out),
+       .help = "write the .pdb file again with the free area of each atom in columns 61-66. Decimals\n"
+               "that do not fit are left off; atoms that are not read are left out"},
+      {"--trajectory", "RUN", take_path, OF(MEASURE), .target = IN(trajectory),
+       .help = "go through the frames of a .xtc, .dcd, {frames} file instead, each with the\n"
+               "atoms that are read of FILE, which has their names and radii, in its order. A frame is\n"
+               "a row of comma-separated values, or with --json a line, printed before the next is\n"
+               "read. Boxes are not used without --box: the molecule is taken as it stands in the\n"
+               "frame. A frame at fault ends the run with status 1; the rows before it stay"},
+      {"--frames", "A:B:S", take_frames, OF(MEASURE), .what = "frames, A:B:S",
+       .help = "only the frames A to B, counted from 1, in steps of S; or A alone, A:, :B, ::S"},
+
+      {"--min-volume", "V", take_length, OF(VOIDS), .target = IN(min_volume), .what = "a volume",
+       .help = "only those of volume V or more"},
+      {"--balls", NULL, take_flag, OF(VOIDS), .target = IN(void_balls), .help = "also the balls around each"},
+      {"--csv", NULL, take_flag, OF(VOIDS), .target = IN(csv),
+       .help = "print the list as comma-separated values and nothing else"},
+
+      {"--by", "residue|chain", take_choice, OF(CONTACTS), .target = IN(by), .words = "residue|chain", .first = 1,
+       .help = "sums over the contacts between residues or chains, instead of those between balls"},
+      {"--cells", NULL, take_flag, OF(CONTACTS), .target = IN(cells),
+       .help = "also volume, free area and contact area of every ball's cell"},
+      {"--least", "A", take_length, OF(CONTACTS), .target = IN(least), .what = "an area",
+       .help = "list only contacts, or sums, of area A or more"},
+      {"--csv", NULL, take_flag, OF(CONTACTS), .target = IN(csv),
+       .help = "print the list as comma-separated values and nothing else"},
+      {"--map", "OUT.svg", take_path, OF(CONTACTS), .target = IN(map),
+       .help = "also a picture of the list: a square for each pair, darker the larger its area"},
+      {"--trajectory", "RUN", take_path, OF(CONTACTS), .target = IN(trajectory)},
+      {"--frames", "A:B:S", take_frames, OF(CONTACTS), .what = "frames, A:B:S",
+       .help = "for every frame a row of numbers, or with --json a line with the list: see measure"},
+
+      {"--from", "X Y Z", take_place, OF(PATH), .target = IN(from), .help = ""},
+      {"--to", "X Y Z", take_place, OF(PATH), .target = IN(to), .help = ""},
+
+      {"--from", "void:K", take_place, OF(GATE), .target = IN(from),
+       .help = "begin where the void K of hardsphere voids has most room, with the same --probe P,\n"
+               "which finds the voids and has no other use here; --to void:K likewise"},
+      {"--to", "X Y Z|void:K", take_place, OF(GATE), .target = IN(to), .help = ""},
+
+      {"--rotate", "X,Y,Z", take_vector, OF(CLASH), .target = IN(viewing.rotate),
+       .help = "turn the second one by X, then Y, then Z degrees about axes through the mean of its\n"
+               "centres"},
+      {"--translate", "X,Y,Z", take_vector, OF(CLASH), .target = IN(translate), .help = "then move it"},
+
+      {"--point", "X Y Z", take_query, OF(QUERY), .help = ""},
+      {"--ball", "X Y Z R", take_query, OF(QUERY), .help = ""},
+
+      {"-o", "OUT", take_text, OF(MESH), .target = IN(meshing.out), .what = "a file"},
+      {"--output", "OUT", take_text, OF(MESH), .target = IN(meshing.out), .what = "a file",
+       .help = "the file to write"},
+      {"--edge", "L", take_edge, OF(MESH), .target = IN(meshing.edge), .what = "a length",
+       .help = "how long edges are, about: default 0.5. Half of it makes four times as many\n"
+               "triangles"},
+      {"--surface", "vdw|sas|ses", take_choice, OF(MESH), .target = IN(meshing.surface), .words = "vdw|sas|ses",
+       .help = "van der Waals, which is without --probe; with it solvent-accessible, the default then,\n"
+               "or solvent-excluded, the smooth surface"},
+      {"--triangles", "ply|obj|stl|vert|svg", take_choice, OF(MESH), .target = IN(meshing.format),
+       .words = "ply|obj|stl|vert|svg", .help = "what OUT is; default by its extension, and ply if it is -"},
+      {"--view", "X,Y,Z", take_view, OF(MESH), .target = IN(viewing)},
+      {"--up", "X,Y,Z", take_direction, OF(MESH), .target = IN(viewing.up)},
+      {"--rotate", "X,Y,Z", take_vector, OF(MESH), .target = IN(viewing.rotate),
+       .help = "from where .svg shows them, as for draw"},
+      {"--cut", NULL, take_flag, OF(MESH), .target = IN(meshing.cut),
+       .help = "in .svg leave out what lies before the middle of the largest void, or else of all: the\n"
+               "inside is seen, and voids as red bodies"},
+
+      {"--at", "X,Y", take_at, OF(PICK), .help = "the point"},
+
+      {"--view", "X,Y,Z", take_view, OF(MAP) | OF(PICK), .target = IN(viewing)},
+      {"--up", "X,Y,Z", take_direction, OF(MAP) | OF(PICK), .target = IN(viewing.up)},
+      {"--rotate", "X,Y,Z", take_vector, OF(MAP) | OF(PICK), .target = IN(viewing.rotate),
+       .help = "from where to look: as for draw, by principal axes if nothing is said"},
+
+      {"--per-ball", NULL, take_flag, OF(MAP), .target = IN(per_ball), .help = "list the balls that are seen"},
+
+      {"-o", "OUT", take_text, OF(DRAW), .target = IN(drawing.out), .what = "a file"},
+      {"--output", "OUT", take_text, OF(DRAW), .target = IN(drawing.out), .what = "a file",
+       .help = "the file to write"},
+      {"--picture", "svg|eps|pdf", take_choice, OF(DRAW), .target = IN(drawing.format), .words = "svg|eps|pdf",
+       .help = "what OUT is; default by its extension, and svg if it is -"},
+      {"--view", "X,Y,Z", take_view, OF(DRAW), .target = IN(drawing.viewing),
+       .help = "the direction towards the viewer. Default auto: by principal axes, with the longest one\n"
+               "across and the shortest towards the viewer, whether water is drawn or not; 0,0,1 looks\n"
+               "along the file's z axis"},
+      {"--up", "X,Y,Z", take_direction, OF(DRAW), .target = IN(drawing.viewing.up),
+       .help = "the direction that appears upwards; default that of auto, with --view X,Y,Z 0,1,0, or\n"
+               "0,0,1 if the view is along that"},
+      {"--rotate", "X,Y,Z", take_vector, OF(DRAW), .target = IN(drawing.viewing.rotate),
+       .help = "then turn the balls by X, then Y, then Z degrees about the axes to the right, upwards\n"
+               "and towards the viewer, counter-clockwise seen from their ends"},
+      {"--spin", "N", take_spin, OF(DRAW), .what = "how many pictures",
+       .help = "N pictures of a whole turn about the upright axis, in one frame and scale: OUT-000.svg,\n"
+               "OUT-001.svg, ... for OUT.svg"},
+      {"--look", "paper|goodsell|slide|print", take_choice, OF(DRAW), .target = IN(drawing.look),
+       .words = "paper|goodsell|slide|print",
+       .help = "several options by one name; what else is said wins. paper: contours, and buried balls\n"
+               "darker; goodsell: the same in flat colours, by chain where there are two, without lines\n"
+               "between bonded atoms; slide: before a dark background, 1600 x 900 px; print: flat, black\n"
+               "contours, lines up to 1000 balls, nothing darkened or faded, for printers without colours"},
+      {"--style", "flat|headlight|soft", take_choice, OF(DRAW), .target = IN(drawing.style),
+       .words = "flat|headlight|soft",
+       .help = "one colour a ball, light from the viewer, or light from the upper left; default\n"
+               "soft up to 2000 balls, flat above"},
+      {"--palette", "soft|jmol|chain", take_choice, OF(DRAW), .target = IN(drawing.palette), .words = "soft|jmol|chain",
+       .help = "muted colours or Jmol's by element, or a tint for each chain and ligands and ions by\n"
+               "element; default chain above 2000 balls with two chains or more, else soft. .xyzr files\n"
+               "name no elements: all balls count as carbon"},
+      {"--colour", "WHAT", take_colour_meaning, OF(DRAW), .words = "element|chain|residue|area|bfactor|charge",
+       .what = "element, chain, residue, area, bfactor, charge or a file",
+       .help = "what colours stand for: element, chain, residue (by its kind), area (that is free for a\n"
+               "water molecule), bfactor (of .pdb and .cif files), charge (of .pqr files, from red to\n"
+               "blue, white where there is none), or a file with a dot or slash in its\n"
+               "name: a number for each ball that is drawn, each on its own line, # comments. Default as\n"
+               "for --palette. Numbers go from blue to red, and darken nothing without --occlusion"},
+      {"--range", "LOW,HIGH", take_range, OF(DRAW),
+       .help = "which numbers are blue and red; default the least and the greatest"},
+      {"--highlight", "S", take_atoms, OF(DRAW), .target = IN(highlight),
+       .what = "atoms, for instance chain:A or residue:57,102",
+       .help = "mute the colours of all atoms but those that S names, as for --only; may be given several\n"
+               "times"},
+      {"--occlusion", "S", take_number, OF(DRAW), .target = IN(drawing.occlusion), .most = 1,
+       .help = "darken buried balls, from 0, not at all, to 1. Default 0.5 with style soft, and above\n"
+               "2000 balls with any style; 0 for balls far more crowded than atoms, and else. For\n"
+               "molecules it takes less than 1 s up to 20000 balls, 15 us a ball beyond, several times\n"
+               "that with a --probe; a coarser rule serves above 1000 and above 5000"},
+      {"--fog", "F", take_number, OF(DRAW), .target = IN(drawing.fog), .most = 1,
+       .help = "fade far balls to the background, from 0, not at all, to 1; default 0.3, 0 without a\n"
+               "background"},
+      {"--outline", "W", take_number, OF(DRAW), .target = IN(drawing.outline), .most = 1e6,
+       .help = "the width of lines along silhouettes and intersections, 0: none; default by size"},
+      {"--outline-colour", "RRGGBB", take_colour, OF(DRAW), .target = IN(drawing.outline_colour), .what = "RRGGBB",
+       .help = "their colour; default 23202B"},
+      {"--ink", NULL, take_flag, OF(DRAW), .target = IN(drawing.ink),
+       .help = "contours as wide as what lies behind them is far: thickest around the molecule, thick\n"
+               "around chains and ligands, from nothing up elsewhere; lines get thinner, or none"},
+      {"--ink-width", "W", take_ink_width, OF(DRAW), .what = "a number or three",
+       .help = "contours with other widths, where they are widest: one, or three B,G,D before the\n"
+               "background, before other chains and ligands, and elsewhere; 0: none; default by size"},
+      {"--ink-colour", "RRGGBB", take_ink_colour, OF(DRAW), .what = "RRGGBB or three of them",
+       .help = "contours in another colour, or in three, likewise; default 23202B"},
+      {"--classes", NULL, take_flag, OF(DRAW), .target = IN(drawing.classes),
+       .help = ".svg: an id for each atom, and classes for its element, residue and chain, such as el-C\n"
+               "res-CYS chain-A; a style sheet that sets their fill keeps the light, but not fog"},
+      {"--tooltips", NULL, take_flag, OF(DRAW), .target = IN(drawing.tooltips),
+       .help = ".svg: names of atoms are shown beside the pointer"},
+      {"--width", "W", take_number, OF(DRAW), .target = IN(drawing.width), .most = 1e6, .positive = true},
+      {"--height", "H", take_number, OF(DRAW), .target = IN(drawing.height), .most = 1e6, .positive = true,
+       .help = "the size of the picture, one follows from the other; default width 1000 px, and 170 mm\n"
+               "for .eps, .pdf and in mm"},
+      {"--unit", "px|mm", take_choice, OF(DRAW), .target = IN(drawing.unit), .words = "px|mm",
+       .help = "of width, height, outline and ink-width; default px, 1/96 inch"},
+      {"--margin", "M", take_number, OF(DRAW), .target = IN(drawing.margin), .most = 10,
+       .help = "around the balls, as a part of their larger side; default 0.03"},
+      {"--scale", "S", take_number, OF(DRAW), .target = IN(drawing.scale), .most = 1e9, .positive = true,
+       .help = "for pictures side by side and movies: S px or mm for a unit of length, instead of all\n"
+               "that is seen fitted into the picture; what lies beyond its edges is cut off"},
+      {"--centre", "X,Y,Z", take_vector, OF(DRAW), .target = IN(drawing.centre),
+       .help = "with --scale: the point in the middle of the picture; default the middle of the balls'\n"
+               "centres, which is the same for all directions"},
+      {"--crop", "X,Y,W,H", take_crop, OF(DRAW),
+       .help = "only this part of the picture, W wide and H high, X from its left and Y from its upper edge,\n"
+               "as if it were cut out; in its unit"},
+      {"--background", "RRGGBB|none", take_colour, OF(DRAW), .target = IN(drawing.background), .words = "none",
+       .what = "RRGGBB or none", .help = "default FFFFFF"},
+      {"--fog-colour", "RRGGBB", take_colour, OF(DRAW), .target = IN(drawing.fog_colour), .what = "RRGGBB",
+       .help = "with --background none: the colour that far balls fade to, of what will lie behind"},
+      {"--label", "atom|residue|chain", take_choice, OF(DRAW), .target = IN(drawing.label),
+       .words = "atom|residue|chain",
+       .help = "names, each where most room is in what is seen of it, or beside the molecule with a line\n"
+               "to there; with --highlight only of the atoms that it names."},
+      {"--scale-bar", NULL, take_flag, OF(DRAW), .target = IN(drawing.scale_bar), .help = "a length to compare with"},
+      {"--legend", NULL, take_flag, OF(DRAW), .target = IN(drawing.legend),
+       .help = "which colour stands for which element or chain, or number\n"
+               "These three make the molecule smaller, so that they have room, but not in a picture\n"
+               "with --scale or --crop"},
+      {"--title", "TEXT", take_text, OF(DRAW), .target = IN(drawing.title), .what = "a text",
+       .help = "the title in the file; default the name of FILE"},
+      {"--water", NULL, take_flag, OF(DRAW), .target = IN(drawing.water),
+       .help = "draw water too; it is left out unless there is nothing else"},
+      {"--pieces", "g|h|visible", take_choice, OF(DRAW), .target = IN(drawing.pieces), .words = "g|h|visible",
+       .help = "cut balls by farther ones, or by all others, which leaves seams; default g. visible:\n"
+               "exactly what is seen of each, nothing over anything else, every line once, for plotters,\n"
+               "cutters and click maps"},
+      {"--all-balls", NULL, take_flag, OF(DRAW), .target = IN(drawing.all_balls), .help = "paint hidden balls too"},
+      {"--as", "ball-and-stick", take_choice, OF(DRAW), .target = IN(drawing.as), .words = "balls|ball-and-stick",
+       .help = "small balls, and sticks for bonds, in halves of the balls' colours; default balls. Bonds\n"
+               "are those of CONECT records in .pdb files; between atoms that these do not name, those\n"
+               "shorter than the covalent radii and 0.4 A together, in A. Where a stick runs into a third\n"
+               "ball or another stick nothing is drawn. Has no --pieces but visible"},
+      {"--ball-size", "S", take_number, OF(DRAW), .target = IN(drawing.ball_size), .most = 1, .positive = true,
+       .help = "radii of these balls, as a part of those of the atoms; default 0.25"},
+      {"--stick", "R", take_number, OF(DRAW), .target = IN(drawing.stick), .most = 1e6, .positive = true,
+       .help = "the radius of the sticks; default 0.12"},
+
+      {"--box", "AX,BY,CZ", take_box, OF(BOUNDARY) | OF(MEASURE) | OF(CONTACTS), .words = "file|p1",
+       .what = "AX,BY,CZ, nine numbers, 'file' or 'p1'", .help = "the box, or AX,0,0,BX,BY,0,CX,CY,CZ if it is skew"},
+      {"--box", "file", take_box, OF(BOUNDARY) | OF(MEASURE) | OF(CONTACTS),
+       .help = "that of FILE or of the frame: CRYST1 of .pdb, the cell of .cif, of .gro, .xtc and .dcd,\n"
+               "Lattice of .xyz; 1 1 1 stands for none. That of FILE is filled by copies: those by the\n"
+               "operators in REMARK 290 of .pdb or in .cif; without operators the table says that none are\n"
+               "made. An image that falls on an atom, within the digits of the file, as on an axis or\n"
+               "a mirror, is left out, whatever its occupancy is. Frames get no copies; one without a\n"
+               "box is refused, but if no frame before it has one, that of FILE serves.\n"
+               "A copy's balls are like others: --weights has numbers for them, too"},
+      {"--box", "p1", take_box, OF(BOUNDARY) | OF(MEASURE) | OF(CONTACTS),
+       .help = "the same without copies: the atoms as they stand"},
+  };
+  return i < sizeof table / sizeof table[0] ? &table[i] : NULL;
+}

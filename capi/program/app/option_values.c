@@ -1,0 +1,327 @@
+/* Options with values of their own. */
+#include <string.h>
+
+#include "app/option.h"
+#include "commands/interface.h"
+#include "read/number.h"
+
+/* ---- files and radii ---- */
+
+bool take_format(struct reading *reading, const struct option *option, const char *value) {
+  struct request *request = reading->request;
+  char list[FORMAT_LIST_BYTES];
+  file_format_list(list, "", "or", 0, true);
+  if (value == NULL) value = option_next(reading);
+  if (value == NULL) return failure_in_usage(reading->failure, "--format needs %s", list);
+  if (request->format != NULL) return option_given_twice(reading, option);
+  request->format = file_format_named(value);
+  char shown[EXCERPT_BYTES];
+  return request->format != NULL ||
+         failure_in_usage(reading->failure, "--format: '%s' is not %s", excerpt(shown, value, strlen(value)), list);
+}
+
+bool take_radii(struct reading *reading, const struct option *option, const char *value) {
+  struct request *request = reading->request;
+  if (!option_value(reading, option, &value)) return false;
+  if (reading->radii_seen) return option_given_twice(reading, option);
+  reading->radii_seen = true;
+  const struct radii_set *set = radii_set_find(value);
+  if (set != NULL) {
+    request->set = set;
+  } else if (strcmp(value, "list") == 0) {
+    request->list_radii = true;
+  } else if (strpbrk(value, "./") != NULL) { /* the name of a set has neither */
+    request->radii_file = value;
+  } else {
+    char shown[EXCERPT_BYTES];
+    return failure_in_usage(reading->failure,
+                            "--radii: no set '%s'; there are bondi, chem3d, protor, naccess, and files with a dot or "
+                            "slash in their names",
+                            excerpt(shown, value, strlen(value)));
+  }
+  return true;
+}
+
+/* Gather the text; it is applied when the set is known. */
+bool take_radius(struct reading *reading, const struct option *option, const char *value) {
+  if (!option_value(reading, option, &value)) return false;
+  struct text_buffer *overrides = &reading->request->overrides;
+  text_buffer_add(overrides, "%s%s", reading->radius_seen ? "," : "", value);
+  if (overrides->out_of_memory) return failure_of_memory(reading->failure);
+  reading->radius_seen = true;
+  return true;
+}
+
+bool take_probe(struct reading *reading, const struct option *option, const char *value) {
+  if (!option_value(reading, option, &value)) return false;
+  if (reading->probe_seen) return option_given_twice(reading, option);
+  reading->probe_seen = true;
+  return take_length(reading, option, value);
+}
+
+/* ---- which atoms are read ---- */
+
+/* A selection, or a flag that stands for one of atoms to be left out. */
+bool take_atoms(struct reading *reading, const struct option *option, const char *value) {
+  struct selection *selection = (void *)((char *)reading->request + option->target);
+  const bool flag = option->argument == NULL;
+  if (!flag && !option_value(reading, option, &value)) return false;
+  const bool hide = flag || strcmp(option->name, "--hide") == 0;
+  return selection_add(selection, option->name, flag ? option->words : value, hide, reading->failure);
+}
+
+bool take_model(struct reading *reading, const struct option *option, const char *value) {
+  uint64_t *model = &reading->request->model;
+  if (!option_value(reading, option, &value)) return false;
+  if (reading->model_seen) return option_given_twice(reading, option);
+  reading->model_seen = true;
+  if (number_parse_count(value, strlen(value), model) == NUMBER_OK && *model > 0) return true;
+  char shown[EXCERPT_BYTES];
+  return failure_in_usage(reading->failure, "--model: '%s' is not the number of a model, from 1 on",
+                          excerpt(shown, value, strlen(value)));
+}
+
+bool take_interface(struct reading *reading, const struct option *option, const char *value) {
+  if (!option_value(reading, option, &value)) return false;
+  if (reading->request->interface != NULL) return option_given_twice(reading, option);
+  reading->request->interface = value;
+  return interface_parse(value, reading->failure);
+}
+
+bool take_frames(struct reading *reading, const struct option *option, const char *value) {
+  struct request *request = reading->request;
+  if (!option_value(reading, option, &value)) return false;
+  if (request->frames_given) return option_given_twice(reading, option);
+  request->frames_given = true;
+  return frame_range_parse(&request->frames, value, reading->failure);
+}
+
+/* ---- the periodic box ---- */
+
+enum { MOST_NUMBERS = 9 };
+
+/* Numbers with a comma or blanks between them, in one argument. -1: something is none of these, and the failure says
+ * so. */
+static int read_numbers(const struct reading *reading, const char *text, double numbers[MOST_NUMBERS]) {
+  int count = 0;
+  text += strspn(text, " \t");
+  while (text[0] != '\0') {
+    const size_t length = strcspn(text, ", \t");
+    const bool fits = count < MOST_NUMBERS;
+    double value = 0.0;
+    const enum number_status status = number_parse(text, length, &value);
+    if (status != NUMBER_OK) {
+      char shown[EXCERPT_BYTES];
+      failure_in_usage(reading->failure, "--box: '%s' %s", excerpt(shown, text, length), number_complaint(status));
+      return -1;
+    }
+    if (fits) numbers[count] = value;
+    ++count;
+    text += length;
+    text += strspn(text, " \t");
+    if (text[0] == ',') {
+      text += 1 + strspn(text + 1, " \t");
+      if (text[0] == '\0') return 0;
+    }
+  }
+  return count;
+}
+
+/* Three lengths, nine numbers, or one of the words file and p1. */
+bool take_box(struct reading *reading, const struct option *option, const char *value) {
+  struct box_choice *choice = &reading->request->box;
+  if (!option_value(reading, option, &value)) return false;
+  if (choice->source != BOX_NONE) return option_given_twice(reading, option);
+  choice->without_copies = strcmp(value, "p1") == 0;
+  if (choice->without_copies || strcmp(value, "file") == 0) {
+    choice->source = BOX_OF_FILE;
+    return true;
+  }
+  double numbers[MOST_NUMBERS] = {0};
+  const int count = read_numbers(reading, value, numbers);
+  if (count < 0) return false;
+  if (count != 3 && count != MOST_NUMBERS) return failure_in_usage(reading->failure, "--box needs %s", option->what);
+  choice->source = BOX_GIVEN;
+  memset(choice->vector, 0, sizeof choice->vector);
+  if (count == 3) {
+    for (int axis = 0; axis < 3; ++axis) choice->vector[4 * axis] = numbers[axis];
+  } else {
+    memcpy(choice->vector, numbers, sizeof numbers);
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(choice->vector[4 * axis] > 0.0)) {
+      return failure_in_usage(reading->failure, "--box: AX, BY and CZ must be larger than 0");
+    }
+  }
+  if (choice->vector[1] != 0.0 || choice->vector[2] != 0.0 || choice->vector[5] != 0.0) {
+    return failure_in_usage(reading->failure, "--box: the vectors are AX,0,0, BX,BY,0 and CX,CY,CZ");
+  }
+  return true;
+}
+
+/* ---- points ---- */
+
+/* X Y Z, or of `gate` void:K. */
+bool take_place(struct reading *reading, const struct option *option, const char *value) {
+  static const char word[] = "void:";
+  struct place *place = (void *)((char *)reading->request + option->target);
+  const char *text = value != NULL ? value : reading->left > 0 ? reading->rest[0] : "";
+  const bool of_void = reading->request->command == COMMAND_GATE && strncmp(text, word, strlen(word)) == 0;
+  if (of_void && value == NULL) option_next(reading);
+  if (place->point.given) return option_given_twice(reading, option);
+  if (!of_void) {
+    place->point.given = option_numbers(reading, option, value, "XYZ", place->point.xyz);
+    return place->point.given;
+  }
+  place->point.given = true;
+  const char *rank = text + strlen(word);
+  if (number_parse_count(rank, strlen(rank), &place->of_void) == NUMBER_OK && place->of_void > 0) return true;
+  char shown[EXCERPT_BYTES];
+  return failure_in_usage(reading->failure, "%s: '%s' is not the number of a void, from 1 on", option->name,
+                          excerpt(shown, rank, strlen(rank)));
+}
+
+bool take_query(struct reading *reading, const struct option *option, const char *value) {
+  struct request *request = reading->request;
+  const bool point = strcmp(option->name, "--point") == 0;
+  if (request->query != QUERY_NONE) {
+    return failure_in_usage(reading->failure, "one query at a time: either --point X Y Z or --ball X Y Z R");
+  }
+  request->query = point ? QUERY_POINT : QUERY_BALL;
+  double numbers[4] = {0};
+  if (!option_numbers(reading, option, value, point ? "XYZ" : "XYZR", numbers)) return false;
+  memcpy(request->position, numbers, sizeof request->position);
+  request->query_radius = numbers[3];
+  return numbers[3] >= 0.0 || failure_in_usage(reading->failure, "--ball: R must not be negative");
+}
+
+bool take_at(struct reading *reading, const struct option *option, const char *value) {
+  struct given_vector *at = &reading->request->at;
+  if (at->given) return option_given_twice(reading, option);
+  at->given = true;
+  return option_numbers(reading, option, value, "XY", at->xyz);
+}
+
+/* ---- surfaces and pictures ---- */
+
+bool take_edge(struct reading *reading, const struct option *option, const char *value) {
+  double *edge = &reading->request->meshing.edge;
+  if (!option_value(reading, option, &value)) return false;
+  if (*edge >= 0.0) return option_given_twice(reading, option);
+  return take_length(reading, option, value) &&
+         (*edge > 0.0 || failure_in_usage(reading->failure, "--edge must be above 0"));
+}
+
+/* A direction, or the word auto. */
+bool take_view(struct reading *reading, const struct option *option, const char *value) {
+  struct viewing *viewing = (void *)((char *)reading->request + option->target);
+  const char *word = value != NULL ? value : reading->left > 0 ? reading->rest[0] : "";
+  const bool automatic = strcmp(word, "auto") == 0;
+  if (automatic && value == NULL) option_next(reading);
+  if (viewing->automatic || viewing->view.given) return option_given_twice(reading, option);
+  viewing->automatic = automatic;
+  struct option view = *option;
+  view.target += offsetof(struct viewing, view);
+  return automatic || take_direction(reading, &view, value);
+}
+
+/* More than that is a slip of the finger. */
+enum { MOST_PICTURES = 10000 };
+
+bool take_spin(struct reading *reading, const struct option *option, const char *value) {
+  int *spin = &reading->request->drawing.spin;
+  uint64_t pictures = 0;
+  if (!option_value(reading, option, &value)) return false;
+  if (*spin >= 0) return option_given_twice(reading, option);
+  if (number_parse_count(value, strlen(value), &pictures) != NUMBER_OK || pictures < 1 || pictures > MOST_PICTURES) {
+    return failure_in_usage(reading->failure, "--spin must be how many pictures, from 1 to %d", (int)MOST_PICTURES);
+  }
+  *spin = (int)pictures;
+  return true;
+}
+
+/* One of the words, or a file. */
+bool take_colour_meaning(struct reading *reading, const struct option *option, const char *value) {
+  struct drawing *drawing = &reading->request->drawing;
+  if (!option_value(reading, option, &value)) return false;
+  if (drawing->colour >= 0) return option_given_twice(reading, option);
+  drawing->colour = option_word(option, value);
+  if (drawing->colour >= 0) return true;
+  if (strpbrk(value, "./") != NULL) { /* the words have neither */
+    drawing->colour = COLOUR_FILE;
+    drawing->colour_file = value;
+    return true;
+  }
+  char shown[EXCERPT_BYTES];
+  return failure_in_usage(reading->failure, "--colour: '%s' is not %s with a dot or slash in its name",
+                          excerpt(shown, value, strlen(value)), option->what);
+}
+
+bool take_range(struct reading *reading, const struct option *option, const char *value) {
+  struct drawing *drawing = &reading->request->drawing;
+  if (drawing->range_given) return option_given_twice(reading, option);
+  drawing->range_given = true;
+  if (!option_numbers(reading, option, value, "LH", drawing->range)) return false;
+  return drawing->range[0] < drawing->range[1] ||
+         failure_in_usage(reading->failure, "--range goes from a lower to a higher number");
+}
+
+bool take_crop(struct reading *reading, const struct option *option, const char *value) {
+  struct drawing *drawing = &reading->request->drawing;
+  if (drawing->crop_given) return option_given_twice(reading, option);
+  drawing->crop_given = true;
+  if (!option_numbers(reading, option, value, "XYWH", drawing->crop)) return false;
+  for (int k = 0; k < 4; ++k) {
+    if (drawing->crop[k] < -1e6 || drawing->crop[k] > 1e6) {
+      return failure_in_usage(reading->failure, "--crop: numbers must be between -1000000 and 1000000");
+    }
+  }
+  return (drawing->crop[2] > 0.0 && drawing->crop[3] > 0.0) ||
+         failure_in_usage(reading->failure, "--crop: W and H must be above 0");
+}
+
+/* One number for all contours, or three. */
+bool take_ink_width(struct reading *reading, const struct option *option, const char *value) {
+  double *const width = reading->request->drawing.ink_width;
+  if (!option_value(reading, option, &value)) return false;
+  if (width[0] >= 0.0) return option_given_twice(reading, option);
+  const bool three = strpbrk(value, ", \t") != NULL;
+  if (three ? !option_numbers(reading, option, value, "BGD", width) : !option_number(reading, option, value, width)) {
+    return false;
+  }
+  for (int level = 0; level < INK_LEVELS; ++level) {
+    if (!three) width[level] = width[0];
+    if (!(width[level] >= 0.0 && width[level] <= 1e6)) {
+      return failure_in_usage(reading->failure, "--ink-width must be between 0 and 1000000");
+    }
+  }
+  reading->request->drawing.ink = true;
+  return true;
+}
+
+/* Likewise. */
+bool take_ink_colour(struct reading *reading, const struct option *option, const char *value) {
+  enum { DIGITS = 7 }; /* with # */
+  int *const colour = reading->request->drawing.ink_colour;
+  if (!option_value(reading, option, &value)) return false;
+  if (colour[0] >= 0) return option_given_twice(reading, option);
+  int given = 0;
+  for (const char *at = value; given < INK_LEVELS; ++at) {
+    char digits[DIGITS + 2]; /* one more makes it none */
+    size_t length = strcspn(at, ",");
+    if (given == INK_LEVELS - 1 || length > DIGITS + 1) length = strlen(at) < DIGITS + 1 ? strlen(at) : DIGITS + 1;
+    memcpy(digits, at, length);
+    digits[length] = '\0';
+    colour[given] = option_rgb(digits);
+    if (colour[given++] < 0) {
+      char shown[EXCERPT_BYTES];
+      return failure_in_usage(reading->failure, "--ink-colour: '%s' is not RRGGBB", excerpt(shown, digits, length));
+    }
+    at += length;
+    if (*at == '\0') break;
+  }
+  if (given == 2) return failure_in_usage(reading->failure, "--ink-colour: either one RRGGBB or three, not two");
+  for (int level = given; level < INK_LEVELS; ++level) colour[level] = colour[0];
+  reading->request->drawing.ink = true;
+  return true;
+}

@@ -1,0 +1,32 @@
+/* The solvent-excluded surface as `measure` has it: areas, volume, the share of each ball, derivatives. Without the
+ * library's component smooth no_excluded_surface.c stands in its place. */
+#ifndef HARDSPHERE_TOOL_EXCLUDED_SURFACE_H
+#define HARDSPHERE_TOOL_EXCLUDED_SURFACE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "read/failure.h"
+#include "read/geometry.h"
+
+/* The derivatives of one quantity with respect to every centre and every radius. */
+struct gradient {
+  double *centre; /* [atoms][3] */
+  double *radius; /* [atoms] */
+};
+
+struct excluded_surface {
+  double area, volume;
+  double convex_area, saddle_area, concave_area;
+};
+
+/* Measure it over the boundary, which is computed, or its outer cell alone. share [atoms] gets each ball's part of the
+ * area; NULL: nobody asks. */
+bool excluded_surface_measure(bool outer, uint32_t atoms, struct geometry *geometry, struct excluded_surface *surface,
+                              double *share, struct failure *failure);
+
+/* The derivatives of its area and volume; flags [atoms] tell which are one-sided. The status of the library. */
+int32_t excluded_surface_gradients(const struct geometry *geometry, uint32_t atoms, const struct gradient *of_area,
+                                   const struct gradient *of_volume, uint32_t *flags);
+
+#endif

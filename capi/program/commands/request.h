@@ -1,0 +1,107 @@
+/* What a user asks for. */
+#ifndef HARDSPHERE_TOOL_REQUEST_H
+#define HARDSPHERE_TOOL_REQUEST_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "commands/frame_range.h"
+#include "commands/meshing.h"
+#include "commands/periodic_box.h"
+#include "draw/drawing.h"
+#include "draw/viewing.h"
+#include "read/file_format.h"
+#include "read/radii.h"
+#include "read/radii_table.h"
+#include "read/residues.h"
+#include "read/selection.h"
+#include "read/text_buffer.h"
+
+/* In the order of the help. */
+enum command {
+  COMMAND_MODEL,
+  COMMAND_BOUNDARY,
+  COMMAND_MEASURE,
+  COMMAND_VOIDS,
+  COMMAND_CONTACTS,
+  COMMAND_COMPLEX,
+  COMMAND_CELLS,
+  COMMAND_PATH,
+  COMMAND_GATE,
+  COMMAND_CLASH,
+  COMMAND_QUERY,
+  COMMAND_MESH,
+  COMMAND_MAP,
+  COMMAND_PICK,
+  COMMAND_DRAW,
+  COMMANDS
+};
+
+/* A point, or where a void has most room. */
+struct place {
+  struct given_vector point; /* given in both cases */
+  uint64_t of_void;          /* its rank among those that `voids` lists, from 1 on; 0: the point is meant */
+};
+
+enum query_kind { QUERY_NONE, QUERY_POINT, QUERY_BALL };
+
+/* What a user asks for. */
+struct request {
+  enum command command;
+  int files;        /* how many are named */
+  const char *file; /* the one that this request is about; "-": standard input */
+  const struct file_format *format;
+  bool json;
+  bool csv;
+  bool per_ball; /* of `measure` and `map` */
+  bool gradient;
+  bool curvature;
+  bool polar;
+  bool relative;
+  int surface;           /* 0: solvent-accessible, 1: solvent-excluded; negative: not said */
+  bool excluded_surface; /* measure the solvent-excluded surface instead of the boundary */
+  bool outer;            /* of the outer cell alone */
+  const char *interface; /* two groups of chains, or NULL */
+  bool shells;
+  bool void_balls;   /* of `voids` */
+  double min_volume; /* of `voids` */
+  bool cells;        /* of `contacts` */
+  double least;      /* area of a contact that is listed */
+  const char *map;   /* a file for a picture of contacts, or NULL */
+  enum grouping by;
+  const char *weights;    /* a file, or NULL */
+  const char *pdb_out;    /* a file, or NULL */
+  double probe;           /* 0 if none was given */
+  struct box_choice box;  /* of `boundary`, `measure` and `contacts` */
+  uint64_t model;         /* counted from 1 */
+  const char *trajectory; /* a file with frames of the molecule, or NULL; of `measure` and `contacts` */
+  bool frames_given;
+  struct frame_range frames;
+  struct selection selection;
+  enum query_kind query;
+  double position[3];
+  double query_radius;
+  struct meshing meshing;        /* of `mesh` */
+  struct viewing viewing;        /* of `map`, `pick` and `mesh`; of `clash` its rotation */
+  struct given_vector translate; /* of `clash` */
+  struct given_vector at;        /* of `pick`: x and y */
+  struct place from, to;         /* of `path` and `gate` */
+  struct drawing drawing;        /* of `draw` */
+  struct selection highlight;    /* likewise */
+  const struct radii_set *set;
+  const char *radii_file;   /* with radii by residue and atom, or NULL */
+  struct radii_table table; /* of that file, or of the set; empty if there is none */
+  bool list_radii;          /* show what sets there are, and do nothing else */
+  struct radii radii;
+  struct text_buffer overrides; /* "C=1.7, ZN=1.4": what --radius changed, as the user wrote it */
+};
+
+/* Whether a list of the balls is asked for. */
+bool request_wants_balls(const struct request *request);
+
+/* Whether the area of each ball is asked for, in whatever form. */
+bool request_wants_areas(const struct request *request);
+
+void request_free(struct request *request);
+
+#endif

@@ -1,0 +1,31 @@
+#include "commands/space_geometry.h"
+
+bool geometry_compute_cells(struct geometry *geometry, struct failure *failure) {
+  progress_show(&geometry->progress, "cutting free space");
+  const int32_t status = hsp_workspace_cells(&geometry->work);
+  return status == HSP_OK || failure_in_library(failure, status);
+}
+
+bool geometry_find_path(struct geometry *geometry, const double from[3], const double to[3], hsp_path *path,
+                        struct failure *failure) {
+  progress_show(&geometry->progress, "looking for a path");
+  const int32_t status = hsp_workspace_path(&geometry->work, from, to, path);
+  if (status == HSP_E_RANGE) return failure_in_input(failure, 0, "--from or --to: %s", geometry_reason(status));
+  return status == HSP_OK || failure_in_library(failure, status);
+}
+
+bool geometry_find_gate(struct geometry *geometry, const struct molecule *molecule, const double from[3],
+                        const double *to, struct failure *failure) {
+  enum { COARSER = 6 };
+  hsp_model_info info;
+  progress_show(&geometry->progress, "looking for the widest probe");
+  int32_t status = hsp_workspace_gate(&geometry->work, from, to);
+  for (int time = 0; time < COARSER && status == HSP_E_RANGE; ++time) {
+    status = hsp_model_get_info(geometry->work.model, &info);
+    if (status != HSP_OK) return failure_in_library(failure, status);
+    if (!geometry_set_model(geometry, molecule, 0.0, 10.0 * info.step, failure)) return false;
+    status = hsp_workspace_gate(&geometry->work, from, to);
+  }
+  if (status == HSP_E_RANGE) return failure_in_input(failure, 0, "--from or --to: %s", geometry_reason(status));
+  return status == HSP_OK || failure_in_library(failure, status);
+}

@@ -1,0 +1,23 @@
+/* What the library's component space computes of a molecule: free space and ways through it. */
+#ifndef HARDSPHERE_TOOL_SPACE_GEOMETRY_H
+#define HARDSPHERE_TOOL_SPACE_GEOMETRY_H
+
+#include <stdbool.h>
+
+#include "read/failure.h"
+#include "read/geometry.h"
+#include "read/molecule.h"
+
+/* Cut free space into cells, from the model alone. */
+bool geometry_compute_cells(struct geometry *geometry, struct failure *failure);
+
+/* Find a path through free space, from the model alone. */
+bool geometry_find_path(struct geometry *geometry, const double from[3], const double to[3], hsp_path *path,
+                        struct failure *failure);
+
+/* Find the widest probe from one point to another, or to the outside if `to` is NULL. The model is made again on a
+ * coarser lattice if probes are too wide for its own. */
+bool geometry_find_gate(struct geometry *geometry, const struct molecule *molecule, const double from[3],
+                        const double *to, struct failure *failure);
+
+#endif

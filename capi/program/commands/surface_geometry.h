@@ -1,0 +1,19 @@
+/* What the library's component smooth computes of a molecule: the solvent-excluded surface and meshes. */
+#ifndef HARDSPHERE_TOOL_SURFACE_GEOMETRY_H
+#define HARDSPHERE_TOOL_SURFACE_GEOMETRY_H
+
+#include <stdbool.h>
+
+#include "read/failure.h"
+#include "read/geometry.h"
+
+/* Compute the solvent-excluded surface over the boundary, which is computed. */
+bool geometry_compute_surface(struct geometry *geometry, struct failure *failure);
+
+/* The same of the outer cell alone, as if voids were filled. */
+bool geometry_compute_outer_surface(struct geometry *geometry, struct failure *failure);
+
+/* Make triangles of the boundary or of the solvent-excluded surface, which is computed. */
+bool geometry_compute_mesh(struct geometry *geometry, bool of_surface, double edge, struct failure *failure);
+
+#endif

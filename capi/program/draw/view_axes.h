@@ -1,0 +1,17 @@
+/* Directions of a view as the library has them. */
+#ifndef HARDSPHERE_TOOL_VIEW_AXES_H
+#define HARDSPHERE_TOOL_VIEW_AXES_H
+
+#include <stdbool.h>
+
+#include "draw/viewing.h"
+#include "hardsphere.h"
+#include "read/molecule.h"
+
+/* What a user says, defaults included, for looking at a molecule. The status of the library. */
+int32_t viewing_options(const struct viewing *viewing, const struct molecule *molecule, hsp_view_options *options);
+
+/* Axes to the right, upwards and towards the viewer: unit vectors. The status of the library. */
+int32_t viewing_axes(const struct viewing *viewing, const struct molecule *molecule, double axis[3][3]);
+
+#endif

@@ -1,0 +1,19 @@
+/* What the library's component sight computes of a molecule: views and maps. */
+#ifndef HARDSPHERE_TOOL_VIEW_GEOMETRY_H
+#define HARDSPHERE_TOOL_VIEW_GEOMETRY_H
+
+#include <stdbool.h>
+
+#include "draw/viewing.h"
+#include "read/failure.h"
+#include "read/geometry.h"
+#include "read/molecule.h"
+
+/* Cut and sort the pieces of a view: from the boundary if that was computed, from the model alone if not. */
+bool geometry_compute_view(struct geometry *geometry, const hsp_view_options *options, struct failure *failure);
+
+/* Find what is seen, from the model alone. */
+bool geometry_compute_map(struct geometry *geometry, const struct viewing *viewing, const struct molecule *molecule,
+                          struct failure *failure);
+
+#endif

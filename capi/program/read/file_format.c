@@ -1,0 +1,88 @@
+#include "read/file_format.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "read/characters.h"
+#include "read/fields.h"
+
+#define FORMATS(FORMAT) \
+  FORMAT(xyzr)          \
+  FORMAT(pdb)           \
+  FORMAT(pqr)           \
+  FORMAT(xyz)           \
+  FORMAT(cif)           \
+  FORMAT(gro)
+
+#define DECLARE(name) extern const struct file_format name##_format;
+FORMATS(DECLARE)
+
+const struct file_format *file_format_at(size_t i) {
+#define ADDRESS(name) &name##_format,
+  static const struct file_format *const formats[] = {FORMATS(ADDRESS)};
+  return i < sizeof formats / sizeof formats[0] ? formats[i] : NULL;
+}
+
+bool file_format_has(const struct file_format *format, enum file_feature feature) {
+  return (format->features & (unsigned)feature) != 0;
+}
+
+const char *file_format_list(char out[FORMAT_LIST_BYTES], const char *prefix, const char *word, unsigned features,
+                             bool has) {
+  const char *name[FORMAT_LIST_BYTES / 2];
+  size_t count = 0, at = 0;
+  const struct file_format *format;
+  for (size_t i = 0; (format = file_format_at(i)) != NULL; ++i) {
+    if (((format->features & features) == features) == has) name[count++] = format->name;
+  }
+  out[0] = '\0';
+  for (size_t i = 0; i < count && at < FORMAT_LIST_BYTES; ++i) {
+    const char *blank = i == 0 ? "" : " ";
+    at += (size_t)snprintf(out + at, FORMAT_LIST_BYTES - at, "%s%s%s%s%s", i > 0 && i + 1 < count ? "," : "", blank,
+                           i > 0 && i + 1 == count ? word : "", i > 0 && i + 1 == count ? " " : "", prefix);
+    if (at < FORMAT_LIST_BYTES) at += (size_t)snprintf(out + at, FORMAT_LIST_BYTES - at, "%s", name[i]);
+  }
+  return out;
+}
+
+/* Whether the name is one of the extensions between blanks. */
+static bool is_extension(struct field name, const char *extensions) {
+  for (const char *at = extensions; *at != '\0'; at += *at == ' ') {
+    const char *begin = at;
+    size_t same = 0;
+    while (*at != '\0' && *at != ' ' && *at != '#') ++at;
+    const size_t length = (size_t)(at - begin);
+    while (same < length && same < name.length && to_upper(name.text[same]) == begin[same]) ++same;
+    if (*at == '#') {
+      while (same >= length && same < name.length && is_digit(name.text[same])) ++same;
+      ++at;
+    }
+    if (same >= length && same == name.length) return true;
+  }
+  return false;
+}
+
+const struct file_format *file_format_named(const char *name) {
+  const struct field written = {name, strlen(name)};
+  const struct file_format *format;
+  for (size_t i = 0; (format = file_format_at(i)) != NULL; ++i) {
+    if (is_extension(written, format->extensions)) return format;
+  }
+  return NULL;
+}
+
+const struct file_format *file_format_of(const char *path, struct failure *failure) {
+  const char *slash = strrchr(path, '/');
+  const char *dot = strrchr(slash == NULL ? path : slash + 1, '.');
+  const char *extension = dot == NULL ? "" : dot + 1;
+  const struct file_format *format = file_format_named(extension);
+  if (format != NULL) return format;
+  failure->file = path;
+  if (is_extension((struct field){extension, strlen(extension)}, "GZ Z BZ2 XZ ZST")) {
+    failure_in_input(failure, 0, "compressed; for instance: gunzip -c FILE | hardsphere measure - --format pdb");
+    return NULL;
+  }
+  char list[FORMAT_LIST_BYTES];
+  failure_in_input(failure, 0, "unknown extension; expected %s", file_format_list(list, ".", "or", 0, true));
+  return NULL;
+}

@@ -1,0 +1,64 @@
+/* The formats of molecule files: what each is called and has, its unit of length, and its reader. A format is a file
+ * read_<name>.c with one of these, and a line in the table of file_format.c. */
+#ifndef HARDSPHERE_TOOL_FILE_FORMAT_H
+#define HARDSPHERE_TOOL_FILE_FORMAT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "read/failure.h"
+#include "read/line_reader.h"
+
+struct molecule;
+
+/* What the files of a format say. */
+enum file_feature {
+  FILE_RADII = 1,
+  FILE_ELEMENTS = 2,
+  FILE_RESIDUES = 4,             /* to which residue and chain an atom belongs */
+  FILE_HETATM = 8,               /* which atoms are of ligands, ions and water */
+  FILE_TEMPERATURE_FACTORS = 16, /* of atoms */
+  FILE_CHARGES = 32,             /* likewise */
+  FILE_BONDS = 64,
+  FILE_ATOMIC_NUMBERS = 128,   /* in place of elements, in some */
+  FILE_COORDINATE_ITEMS = 256, /* coordinates of several kinds, of which one is read, or none of some atoms */
+  FILE_AREA_COLUMNS = 512,     /* columns that areas of atoms are written to: --pdb-out */
+  FILE_ONE_BOX = 1024,         /* a record of the box that is of all models behind it */
+  FILE_FRAMES = 2048           /* models that are read one after the other, as frames of a trajectory */
+};
+
+struct file_format {
+  const char *name;       /* for --format */
+  const char *extensions; /* in capitals, without dots, between blanks; digits may follow one that ends in '#' */
+  const char *unit;       /* of length: "angstrom", or "unit" where everybody has their own */
+  const char *sign;       /* of the unit, UTF-8; "" where there is none */
+  unsigned features;      /* file_feature */
+  const char *nameless;   /* what an atom lacks whose element is not known, "no element" */
+  /* Read the model of the file that the molecule asks for, from the first line on. */
+  bool (*read)(struct line_reader *reader, struct molecule *molecule, struct failure *failure);
+  /* Read the next model of a file, one after the other from the first line on, or step over it; of FILE_FRAMES. *begun,
+   * false before the first model, is the reader's. LINE_END: there is none left. */
+  enum line_status (*next)(struct line_reader *reader, bool *begun, bool wanted, struct molecule *molecule,
+                           struct failure *failure);
+};
+
+#define ANGSTROM .unit = "angstrom", .sign = "\xC3\x85"
+
+/* All formats, from 0 on; NULL beyond the last. */
+const struct file_format *file_format_at(size_t i);
+
+bool file_format_has(const struct file_format *format, enum file_feature feature);
+
+/* The formats whose files have all of these features, or lack them, as a person lists them: "a, b or c", with another
+ * word for the last one, and the prefix before each. */
+#define FORMAT_LIST_BYTES 120
+const char *file_format_list(char out[FORMAT_LIST_BYTES], const char *prefix, const char *word, unsigned features,
+                             bool has);
+
+/* The format of that name or extension, in any case of its letters; NULL if there is none. */
+const struct file_format *file_format_named(const char *name);
+
+/* The format that a file name's extension asks for; NULL if there is none. */
+const struct file_format *file_format_of(const char *path, struct failure *failure);
+
+#endif

@@ -1,0 +1,53 @@
+/* The library's handles for one molecule, in memory that the program owns. */
+#ifndef HARDSPHERE_TOOL_GEOMETRY_H
+#define HARDSPHERE_TOOL_GEOMETRY_H
+
+#include <stdbool.h>
+
+#include "hardsphere_workspace.h"
+#include "read/failure.h"
+#include "read/molecule.h"
+#include "read/progress.h"
+
+struct geometry {
+  hsp_workspace work;        /* zeros at first */
+  struct progress progress;  /* of what is done here; not watched at first */
+  struct hsp_sticks *sticks; /* NULL at first; ball_and_stick.h computes them */
+  void *sticks_memory;
+  hsp_periodic *periodic; /* NULL at first */
+  void *periodic_memory;
+  hsp_periodic_limits periodic_limits;
+};
+
+/* Make the model. A ball that the library refuses is named by its line. step: of the lattice, 0 for the library's
+ * choice. */
+bool geometry_set_model(struct geometry *geometry, const struct molecule *molecule, double probe, double step,
+                        struct failure *failure);
+
+/* Compute the boundary of the model, with as much memory as it turns out to need. */
+bool geometry_compute_boundary(struct geometry *geometry, struct failure *failure);
+
+/* Compute the boundary and its topology. */
+bool geometry_compute_topology(struct geometry *geometry, struct failure *failure);
+
+/* Compute the boundary and the contacts over it. */
+bool geometry_compute_contacts(struct geometry *geometry, struct failure *failure);
+
+/* Compute the union in a periodic box, [9], with as much memory as it turns out to need; of the molecule itself. */
+bool geometry_compute_periodic(struct geometry *geometry, const struct molecule *molecule, double probe,
+                               const double *box, struct failure *failure);
+
+/* The shells of a computed topology; *shells is to be freed on true. */
+bool geometry_list_shells(const struct geometry *geometry, hsp_shell **shells, uint32_t *count,
+                          struct failure *failure);
+
+/* Progress is taken away. */
+void geometry_free(struct geometry *geometry);
+
+/* Why the library refuses a ball, the probe or a point. */
+const char *geometry_reason(int32_t status);
+
+/* Record a status of the library that is not HSP_OK. Always false. */
+bool failure_in_library(struct failure *failure, int32_t status);
+
+#endif

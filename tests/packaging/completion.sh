@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# What shells complete: the scripts that are installed are those that the program writes, and bash finds commands, options
+# and the words behind them by its own.
+#   completion.sh SOURCE-FOLDER PROGRAM
+set -euo pipefail
+app=$1/capi/program/app program=$2
+for shell in bash zsh; do
+  script=$app/hardsphere.$shell
+  diff -u --label "$script" --label "what hardsphere completion $shell writes" "$script" <("$program" completion $shell)
+done
+if command -v zsh >/dev/null; then zsh -n "$app/hardsphere.zsh"; fi
+
+# shellcheck disable=SC1091
+source "$app/hardsphere.bash"
+failed=0
+# The command line so far, its last word being completed; then what is to be offered.
+expect() {
+  read -ra COMP_WORDS <<<"$1"
+  if [ "${1% }" != "$1" ]; then COMP_WORDS+=(""); fi
+  COMP_CWORD=$((${#COMP_WORDS[@]} - 1))
+  _hardsphere || true # it ends with what compgen found
+  if [ "${COMPREPLY[*]-}" != "$2" ]; then
+    echo "hardsphere completes '$1' by '${COMPREPLY[*]-}', not by '$2'" && failed=1
+  fi
+}
+expect "hardsphere mea" "measure"
+expect "hardsphere c" "contacts complex cells clash completion"
+expect "hardsphere help dr" "draw"
+expect "hardsphere completion " "bash zsh"
+expect "hardsphere voids x.pdb --m" "--model --min-volume"
+expect "hardsphere measure x.pdb --g" "--gradient"
+expect "hardsphere draw x.pdb --style " "flat headlight soft"
+expect "hardsphere contacts x.pdb --by r" "residue"
+expect "hardsphere model --radii p" "protor"
+expect "hardsphere path --format c" "cif"
+expect "hardsphere mesh x.pdb --surface s" "sas ses"
+expect "hardsphere measure x.p" "" # names of files: bash's own
+exit $failed
