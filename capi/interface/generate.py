@@ -19,12 +19,14 @@ except ModuleNotFoundError as missing:
     sys.exit(77)
 
 from write.model_text import model_text
+from write.registry import registry
 
 ROOT = Path(__file__).resolve().parents[2]
 
 # The files of the project, and what writes each of an interface.
 GENERATED = {
     "capi/interface/model.txt": model_text,
+    "tests/laws/support/registry.c": registry,
 }
 
 

@@ -1,0 +1,50 @@
+/* Numbers beyond their range: limits of 2^32 - 1 and points far away are refused with HSP_E_RANGE, a negative radius
+ * with HSP_E_NEGATIVE. */
+#include <string.h>
+
+#include "fenced_memory.h"
+#include "law.h"
+
+static void limits_too_large(const function *f, uint32_t capacity, int i) {
+  size_t d;
+  for (d = 0; d < registry_fields_size; ++d) {
+    const field *const part = &registry_fields[d];
+    call c;
+    if (strcmp(part->of, f->arguments[i].base) != 0 || part->offset == 0) continue;
+    call_prepare(&c, f, capacity);
+    memset(fence_data(i) + part->offset, 0xFF, 4);
+    law_refused(&c, "2^32 - 1 for", part->name, HSP_E_RANGE, "");
+  }
+}
+
+static void number(const function *f, uint32_t capacity, int i, double wrong, const char *what, int32_t status) {
+  call c;
+  if (!has_status(f, status)) return;
+  call_prepare(&c, f, capacity);
+  if (f->arguments[i].kind == KIND_value) {
+    c.v[i].d = wrong;
+  } else {
+    memcpy(fence_data(i), &wrong, sizeof wrong);
+  }
+  law_refused(&c, what, f->arguments[i].name, status, "");
+}
+
+static void magnitudes(const function *f, uint32_t capacity) {
+  static const char *const far_away[] = {"xyz", "from", "to", "origin"};
+  int i;
+  size_t k;
+  for (i = 0; i < f->count; ++i) {
+    const argument *const a = &f->arguments[i];
+    if (a->kind == KIND_sized_in && strstr(a->base, "_limits") != NULL && has_status(f, HSP_E_RANGE))
+      limits_too_large(f, capacity, i);
+    if (strcmp(a->base, "double") != 0 || (a->kind != KIND_value && a->kind != KIND_array_in)) continue;
+    if (strcmp(a->name, "radius") == 0) number(f, capacity, i, -1, "negative:", HSP_E_NEGATIVE);
+    for (k = 0; k < sizeof far_away / sizeof far_away[0]; ++k) {
+      if (strcmp(a->name, far_away[k]) == 0) number(f, capacity, i, 1e300, "too far away:", HSP_E_RANGE);
+    }
+  }
+}
+
+int main(void) {
+  return check_law(magnitudes);
+}
