@@ -1,5 +1,5 @@
-/* Numbers beyond their range: limits of 2^32 - 1 and points far away are refused with HSP_E_RANGE, a negative radius
- * with HSP_E_NEGATIVE. */
+/* Numbers beyond their range: limits of 2^32 - 1, too many balls and points far away are refused with HSP_E_RANGE, a
+ * negative radius with HSP_E_NEGATIVE. */
 #include <string.h>
 
 #include "fenced_memory.h"
@@ -29,6 +29,19 @@ static void number(const function *f, uint32_t capacity, int i, double wrong, co
   law_refused(&c, what, f->arguments[i].name, status, "");
 }
 
+/* More balls than HSP_MAX_BALLS, or than a model has room for. */
+static void too_many_balls(const function *f, uint32_t capacity, int i) {
+  static const uint32_t many[] = {HSP_MAX_BALLS + 1, 0xFFFFFFFF};
+  size_t k;
+  for (k = 0; k < 2; ++k) {
+    call c;
+    call_prepare(&c, f, capacity);
+    c.v[i].u = many[k];
+    law_refused(&c, "too many", f->arguments[i].name,
+                strcmp(f->name, "hsp_model_set") == 0 ? HSP_E_CAPACITY : HSP_E_RANGE, "");
+  }
+}
+
 static void magnitudes(const function *f, uint32_t capacity) {
   static const char *const far_away[] = {"xyz", "from", "to", "origin"};
   int i;
@@ -37,6 +50,8 @@ static void magnitudes(const function *f, uint32_t capacity) {
     const argument *const a = &f->arguments[i];
     if (a->kind == KIND_sized_in && strstr(a->base, "_limits") != NULL && has_status(f, HSP_E_RANGE))
       limits_too_large(f, capacity, i);
+    if (a->kind == KIND_value && (strcmp(a->name, "n") == 0 || strcmp(a->name, "balls") == 0))
+      too_many_balls(f, capacity, i);
     if (strcmp(a->base, "double") != 0 || (a->kind != KIND_value && a->kind != KIND_array_in)) continue;
     if (strcmp(a->name, "radius") == 0) number(f, capacity, i, -1, "negative:", HSP_E_NEGATIVE);
     for (k = 0; k < sizeof far_away / sizeof far_away[0]; ++k) {

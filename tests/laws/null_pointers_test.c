@@ -21,9 +21,9 @@ static void null_pointers(const function *f, uint32_t capacity) {
     const int with = null_only_with(f, i);
     call c;
     if (a->kind == KIND_value || a->kind == KIND_capacity) continue;
-    call_prepare(&c, f, capacity);
+    call_prepare(&c, f, a->held && capacity == 0 ? 1 : capacity);
     call_put_null(&c, i);
-    if (a->null == NULL_always || (a->null == NULL_empty && a->held && capacity == 0)) {
+    if (a->null == NULL_always) {
       if (with >= 0) call_put_null(&c, with);
       law_run(&c, "NULL for", a->name);
       CHECK_EQUAL(c.result, HSP_OK);

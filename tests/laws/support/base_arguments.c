@@ -25,9 +25,9 @@ static double number_named(const argument *a) {
 static double number_of_array(const argument *a, size_t i, size_t count) {
   static const double identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
   const char *const n = a->name;
-  if (strcmp(n, "xyz") == 0 && count > 3) return fixture_xyz[i / 3][i % 3];
-  if (strcmp(n, "xyz") == 0) return i == 2 ? 5.5 : 0.2;
-  if (strcmp(n, "radius") == 0) return count == given.balls ? fixture_radius[i] : 0.7;
+  if (strcmp(n, "xyz") == 0 && count > 3) return fixture_xyz[i / 3 % FIXTURE_BALLS][i % 3];
+  if (strcmp(n, "xyz") == 0) return i == 2 ? 6.5 : 0.2; /* in the last ball */
+  if (strcmp(n, "radius") == 0) return count > 1 ? fixture_radius[i % FIXTURE_BALLS] : 0.7;
   if (strcmp(n, "box") == 0) return fixture_box[i];
   if (strcmp(n, "matrix") == 0) return identity[i];
   if (strcmp(n, "from") == 0 || strcmp(n, "to") == 0 || strcmp(n, "origin") == 0) return fixture_outside[i];

@@ -140,14 +140,12 @@ static size_t entries(const call *c, const argument *a, uint32_t capacity) {
   int place;
   if (a->held) return capacity;
   if (end != a->extent && *end == '\0') return number;
+  place = place_of(c->f, a->extent);
+  if (place >= 0) return c->v[place].u;
   if (strcmp(a->extent, "n") == 0) return given.balls;
   if (strcmp(a->extent, "n + 1") == 0) return given.balls + 1;
-  place = place_of(c->f, a->extent);
-  if (place < 0) {
-    printf("%s: how long is %s [%s]?\n", c->f->name, a->name, a->extent);
-    exit(2);
-  }
-  return c->v[place].u;
+  printf("%s: how long is %s [%s]?\n", c->f->name, a->name, a->extent);
+  exit(2);
 }
 
 void *call_put(call *c, int i, size_t bytes) {
@@ -211,16 +209,29 @@ static void give(call *c, int i, uint32_t capacity) {
   }
 }
 
-void call_prepare(call *c, const function *f, uint32_t capacity) {
-  int i, pass;
+static int is_number(const argument *a) {
+  return a->kind == KIND_value || a->kind == KIND_capacity;
+}
+
+void call_numbers(call *c, const function *f, uint32_t capacity) {
+  int i;
   clean(); /* before anybody takes its addresses */
   c->f = f;
-  for (pass = 0; pass < 2; ++pass) { /* numbers first: arrays are as long as they say */
-    for (i = 0; i < f->count; ++i) {
-      const int kind = f->arguments[i].kind, is_number = kind == KIND_value || kind == KIND_capacity;
-      if (is_number == (pass == 0)) give(c, i, capacity);
-    }
+  for (i = 0; i < f->count; ++i) {
+    if (is_number(&f->arguments[i])) give(c, i, capacity);
   }
+}
+
+void call_pointers(call *c, uint32_t capacity) {
+  int i;
+  for (i = 0; i < c->f->count; ++i) {
+    if (!is_number(&c->f->arguments[i])) give(c, i, capacity);
+  }
+}
+
+void call_prepare(call *c, const function *f, uint32_t capacity) {
+  call_numbers(c, f, capacity);
+  call_pointers(c, capacity);
 }
 
 /* ---- a call ------------------------------------------------------------------------------------------------------ */

@@ -22,7 +22,9 @@ typedef struct call {
 void call_with_balls(uint32_t balls);
 void call_spoils(const void *handle);
 
-/* Base arguments, with room for so many records. */
+/* Base arguments, with room for so many records: first the numbers, then arrays that are as long as these say. */
+void call_numbers(call *c, const function *f, uint32_t capacity);
+void call_pointers(call *c, uint32_t capacity);
 void call_prepare(call *c, const function *f, uint32_t capacity);
 
 /* Other memory for an argument, of so many bytes; NULL instead of it. */
