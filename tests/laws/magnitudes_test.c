@@ -17,16 +17,22 @@ static void limits_too_large(const function *f, uint32_t capacity, int i) {
   }
 }
 
+/* Each number of the first row of an array, or the number itself. */
 static void number(const function *f, uint32_t capacity, int i, double wrong, const char *what, int32_t status) {
-  call c;
+  const argument *const a = &f->arguments[i];
+  size_t at = 0, end = 1;
   if (!has_status(f, status)) return;
-  call_prepare(&c, f, capacity);
-  if (f->arguments[i].kind == KIND_value) {
-    c.v[i].d = wrong;
-  } else {
-    memcpy(fence_data(i), &wrong, sizeof wrong);
+  if (a->kind == KIND_array_in) end = strcmp(a->extent, "3") == 0 ? 3 : row_of(a);
+  for (; at < end; ++at) {
+    call c;
+    call_prepare(&c, f, capacity);
+    if (a->kind == KIND_value) {
+      c.v[i].d = wrong;
+    } else {
+      memcpy(fence_data(i) + at * a->size, &wrong, sizeof wrong);
+    }
+    law_refused(&c, what, a->name, status, "");
   }
-  law_refused(&c, what, f->arguments[i].name, status, "");
 }
 
 /* More balls than HSP_MAX_BALLS, or than a model has room for. */
@@ -44,8 +50,9 @@ static void too_many_balls(const function *f, uint32_t capacity, int i) {
 
 static void magnitudes(const function *f, uint32_t capacity) {
   static const char *const far_away[] = {"xyz", "from", "to", "origin"};
+  static const double far[] = {1e30, -1e30, 1e300, -1.7e308};
   int i;
-  size_t k;
+  size_t k, which;
   for (i = 0; i < f->count; ++i) {
     const argument *const a = &f->arguments[i];
     if (a->kind == KIND_sized_in && strstr(a->base, "_limits") != NULL && has_status(f, HSP_E_RANGE))
@@ -53,9 +60,15 @@ static void magnitudes(const function *f, uint32_t capacity) {
     if (a->kind == KIND_value && (strcmp(a->name, "n") == 0 || strcmp(a->name, "balls") == 0))
       too_many_balls(f, capacity, i);
     if (strcmp(a->base, "double") != 0 || (a->kind != KIND_value && a->kind != KIND_array_in)) continue;
-    if (strcmp(a->name, "radius") == 0) number(f, capacity, i, -1, "negative:", HSP_E_NEGATIVE);
+    if (strcmp(a->name, "radius") == 0) {
+      number(f, capacity, i, -1, "negative:", HSP_E_NEGATIVE);
+      number(f, capacity, i, -1e-300, "negative:", HSP_E_NEGATIVE);
+      /* as thick a stick is in conflict with its balls */
+      if (!has_status(f, HSP_E_CONFLICT)) number(f, capacity, i, 1e300, "too large:", HSP_E_RANGE);
+    }
     for (k = 0; k < sizeof far_away / sizeof far_away[0]; ++k) {
-      if (strcmp(a->name, far_away[k]) == 0) number(f, capacity, i, 1e300, "too far away:", HSP_E_RANGE);
+      for (which = 0; which < 4 && strcmp(a->name, far_away[k]) == 0; ++which)
+        number(f, capacity, i, far[which], "too far away:", HSP_E_RANGE);
     }
   }
 }

@@ -12,19 +12,25 @@ static const struct {
 } bad[] = {{"NaN in", NAN}, {"infinity in", INFINITY}, {"minus infinity in", -INFINITY}};
 enum { BAD = sizeof bad / sizeof bad[0] };
 
+/* Each number of a point, a box or a matrix, and those of ball 1: ball 0 is in no range. */
 static void numbers(const function *f, uint32_t capacity, int i) {
   const argument *const a = &f->arguments[i];
+  const int of_balls = a->kind == KIND_array_in && strcmp(a->extent, "n") == 0;
+  size_t at = of_balls ? row_of(a) : 0, end = of_balls ? 2 * at : at + 1;
   int k;
-  for (k = 0; k < BAD; ++k) {
-    call c;
-    call_prepare(&c, f, capacity);
-    if (a->kind == KIND_value) {
-      c.v[i].d = bad[k].value;
-    } else { /* of ball 1: ball 0 is in no range */
-      const size_t at = strcmp(a->extent, "n") == 0 ? row_of(a) : 0;
-      memcpy(fence_data(i) + at * a->size, &bad[k].value, sizeof bad[k].value);
+  call c;
+  call_prepare(&c, f, capacity);
+  if (a->kind == KIND_array_in && !of_balls) end = fence_size(i) / a->size;
+  for (; at < end; ++at) {
+    for (k = 0; k < BAD; ++k) {
+      call_prepare(&c, f, capacity);
+      if (a->kind == KIND_value) {
+        c.v[i].d = bad[k].value;
+      } else {
+        memcpy(fence_data(i) + at * a->size, &bad[k].value, sizeof bad[k].value);
+      }
+      law_refused(&c, bad[k].what, a->name, HSP_E_NOT_FINITE, "|needed|");
     }
-    law_refused(&c, bad[k].what, a->name, HSP_E_NOT_FINITE, "|needed|");
   }
 }
 

@@ -213,13 +213,17 @@ static int is_number(const argument *a) {
   return a->kind == KIND_value || a->kind == KIND_capacity;
 }
 
-void call_numbers(call *c, const function *f, uint32_t capacity) {
+static void numbers_of(call *c, const function *f, uint32_t capacity) {
   int i;
-  clean(); /* before anybody takes its addresses */
   c->f = f;
   for (i = 0; i < f->count; ++i) {
     if (is_number(&f->arguments[i])) give(c, i, capacity);
   }
+}
+
+void call_numbers(call *c, const function *f, uint32_t capacity) {
+  clean(); /* before anybody takes its addresses */
+  numbers_of(c, f, capacity);
 }
 
 void call_pointers(call *c, uint32_t capacity) {
@@ -231,6 +235,11 @@ void call_pointers(call *c, uint32_t capacity) {
 
 void call_prepare(call *c, const function *f, uint32_t capacity) {
   call_numbers(c, f, capacity);
+  call_pointers(c, capacity);
+}
+
+void call_prepare_next(call *c, const function *f, uint32_t capacity) {
+  numbers_of(c, f, capacity);
   call_pointers(c, capacity);
 }
 

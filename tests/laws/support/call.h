@@ -26,6 +26,8 @@ void call_spoils(const void *handle);
 void call_numbers(call *c, const function *f, uint32_t capacity);
 void call_pointers(call *c, uint32_t capacity);
 void call_prepare(call *c, const function *f, uint32_t capacity);
+/* The same with the handles as the call before has left them. */
+void call_prepare_next(call *c, const function *f, uint32_t capacity);
 
 /* Other memory for an argument, of so many bytes; NULL instead of it. */
 void *call_put(call *c, int i, size_t bytes);
