@@ -1,6 +1,5 @@
-// Random sequences of calls with null pointers, addresses without a handle, wrong sizes, NaNs, short and misaligned
-// memory. A small model of what each handle holds says which status must come; outputs must be untouched whenever the
-// header says so.
+// Random sequences of calls with null pointers, wrong sizes, NaNs, short and misaligned memory. A small model of what
+// each handle holds says which status must come; outputs must be untouched whenever the header says so.
 #include <hardsphere.h>
 
 #include <algorithm>
@@ -9,7 +8,6 @@
 
 #include "gradient_calls.hpp"
 #include "model_contents.hpp"
-#include "strangers.hpp"
 #include "struct_version.hpp"
 #include "surface_calls.hpp"
 #include "topology_calls.hpp"
@@ -82,9 +80,6 @@ class Session {
         break;
       case 18:
         call_derivatives();
-        break;
-      case 19:
-        fuzz::Strangers::call(bytes_);
         break;
       case 20:
         begin();

@@ -23,6 +23,7 @@ from write.cdef import cdef
 from write.fortran import fortran_module
 from write.function_index import function_index
 from write.model_text import model_text
+from write.registry import registry
 from write.workspace import workspace_header
 from write.workspace_fortran import workspace_module
 
@@ -40,6 +41,7 @@ GENERATED = {
     "capi/abi/structs.txt": abi_structs,
     "capi/guide/all_functions.md": function_index,
     "capi/interface/hardsphere.cdef": cdef,
+    "tests/laws/support/registry.c": registry,
 }
 
 

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Every function of the header is called in the fuzz harnesses and in the interface tests, and with the heap trapped.
+# Every function of the header is called in the interface tests, and by fuzz_arguments and the laws, which call what stands
+# in their table.
 #   fuzz_covers_header.sh SOURCE-FOLDER
 set -euo pipefail
 cd "$1"
@@ -8,17 +9,14 @@ failed=0
 functions=0
 for function in $(bash "$here/header_functions.sh" .); do
   functions=$((functions + 1))
-  # Harnesses call some functions by way of the kinds of handles in tests/support, where these are members.
-  if ! grep -rqE "(^|[^A-Za-z0-9_])$function(\(|;)" --include='*.cpp' --include='*.hpp' fuzz tests/support; then
-    echo "fuzz never calls $function"
+  if ! grep -qE "[^A-Za-z0-9_]$function\(" tests/laws/support/registry.c; then
+    echo "$function is not in the table of all functions"
     failed=1
   fi
-  if ! grep -rqE "(^|[^A-Za-z0-9_])$function\(" --include='*.c' --include='*.cpp' tests/api; then
+  calls="(^|[^A-Za-z0-9_])$function\("
+  case $function in *_bytes | *_init) noun=${function#hsp_} calls+="|HANDLE_FUNCTIONS\(${noun%_*}\)" ;; esac
+  if ! grep -rqE "$calls" --include='*.c' --include='*.cpp' tests/api; then
     echo "tests/api never calls $function"
-    failed=1
-  fi
-  if ! grep -qE "(^|[^A-Za-z0-9_])$function\(" tests/api/*malloc_trap_test.c; then
-    echo "nobody calls $function with the heap trapped"
     failed=1
   fi
 done

@@ -1,0 +1,64 @@
+/* HANDLES AFTER A FAILURE of hardsphere.h: a computation that is refused, for whatever reason, leaves a handle without
+ * results. Reading that is refused leaves them. */
+#include <math.h>
+#include <string.h>
+
+#include "law.h"
+
+/* A function that reads results of a kind and needs no others. */
+static const function *reader_of(int noun) {
+  size_t k;
+  for (k = 0; k < registry_size; ++k) {
+    const function *const f = &registry[k];
+    if (f->count == 2 && f->arguments[0].noun == noun && f->arguments[0].is_const && has_status(f, HSP_E_STATE) &&
+        f->arguments[1].kind == KIND_struct_out)
+      return f;
+  }
+  return NULL;
+}
+
+static void check_reading(const function *reader, const char *what, const char *after, int32_t status) {
+  call c;
+  call_prepare_next(&c, reader, 0);
+  check_scene("%s after %s: %s", reader->name, after, what);
+  call_run(&c);
+  CHECK_EQUAL(c.result, status);
+}
+
+/* Makes argument i one that is refused; 0 if there is no such value. */
+static int spoil(call *c, int i) {
+  static const uint32_t no_size = 0;
+  const argument *const a = &c->f->arguments[i];
+  if (a->kind == KIND_sized || a->kind == KIND_sized_in) {
+    memcpy(c->v[i].p, &no_size, sizeof no_size);
+  } else if (a->kind == KIND_value && strcmp(a->base, "double") == 0 && has_status(c->f, HSP_E_NOT_FINITE)) {
+    c->v[i].d = NAN;
+  } else if (a->kind != KIND_value && a->kind != KIND_capacity && a->null == NULL_never) {
+    call_put_null(c, i);
+  } else {
+    return 0;
+  }
+  return 1;
+}
+
+static void after_failure(const function *f, uint32_t capacity) {
+  const function *reader;
+  int i, is_const, computes;
+  if (f->count == 0 || f->arguments[0].kind != KIND_handle || needs_calls_before(f)) return;
+  reader = reader_of(f->arguments[0].noun);
+  is_const = f->arguments[0].is_const;
+  computes = strstr(f->name, "_compute") != NULL || strcmp(f->name, "hsp_moving_set") == 0;
+  if (reader == NULL || (!is_const && !computes)) return;
+  for (i = 1; i < f->count; ++i) {
+    call c;
+    call_prepare(&c, f, capacity);
+    if (!spoil(&c, i)) continue;
+    law_run(&c, "after which results are read, a bad", f->arguments[i].name);
+    CHECK(c.result != HSP_OK);
+    check_reading(reader, f->arguments[i].name, f->name, computes ? HSP_E_STATE : HSP_OK);
+  }
+}
+
+int main(void) {
+  return check_law(after_failure);
+}

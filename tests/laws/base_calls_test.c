@@ -1,0 +1,45 @@
+/* Base arguments succeed, with as much room as is needed and with more. What is written is written to its end, and
+ * nothing behind it. */
+#include <string.h>
+
+#include "fenced_memory.h"
+#include "law.h"
+
+/* Scratch memory is not written whole, a range writes what is in the range, and 0 may be added. */
+static int may_stay(const function *f, int i) {
+  return strcmp(f->arguments[i].name, "scratch") == 0 || strstr(f->name, "_range") != NULL || adds_to_arrays(f);
+}
+
+static void check_written_whole(const call *c) {
+  int i;
+  for (i = 0; i < c->f->count; ++i) {
+    const argument *const a = &c->f->arguments[i];
+    if (a->kind != KIND_array_out || fence_size(i) == 0 || may_stay(c->f, i)) continue;
+    check_true(!fence_unchanged(i, fence_size(i) - a->size), a->name, __FILE__, __LINE__);
+  }
+}
+
+static void check_nothing_behind(const call *c, uint32_t needed, uint32_t capacity) {
+  int i;
+  for (i = 0; i < c->f->count; ++i) {
+    if (!c->f->arguments[i].held) continue;
+    check_true(fence_unchanged(i, fence_size(i) / capacity * needed), c->f->arguments[i].name, __FILE__, __LINE__);
+  }
+}
+
+static void base_calls(const function *f, uint32_t capacity) {
+  const uint32_t spare = 64;
+  const int place = place_of_kind(f, KIND_capacity);
+  call c;
+  call_prepare(&c, f, capacity);
+  law_succeeds(&c, "base arguments", "");
+  check_written_whole(&c);
+  if (place < 0 || strcmp(f->arguments[place].name, "capacity") != 0) return;
+  call_prepare(&c, f, capacity + spare);
+  law_succeeds(&c, "more room than is needed", "");
+  check_nothing_behind(&c, capacity, capacity + spare);
+}
+
+int main(void) {
+  return check_law(base_calls);
+}

@@ -1,0 +1,49 @@
+/* Room for one record less is refused with HSP_E_CAPACITY, for all arrays and for each alone. The number that
+ * suffices is said in either case, and nothing else is written. */
+#include <string.h>
+
+#include "fenced_memory.h"
+#include "law.h"
+
+/* On HSP_E_CAPACITY lists of all pairs tell where each ball's begin, and two functions tell two numbers. */
+static const char *also_written(const function *f) {
+  return strstr(f->name, "query_pairs") != NULL ? "|needed|first|" : "|needed|words_needed|";
+}
+
+static void check_needed(const call *c, uint32_t needed) {
+  CHECK_EQUAL(call_needed(c), needed);
+}
+
+static void one_less_alone(const function *f, uint32_t needed, int i) {
+  int k, others = 0;
+  call c;
+  call_prepare(&c, f, needed - 1);
+  for (k = 0; k < f->count; ++k) {
+    if (k == i || !f->arguments[k].held) continue;
+    call_put_null(&c, k);
+    ++others;
+  }
+  if (others == 0) return;
+  law_refused(&c, "one less, alone:", f->arguments[i].name, HSP_E_CAPACITY, also_written(f));
+  check_needed(&c, needed);
+}
+
+static void capacities(const function *f, uint32_t needed) {
+  int i;
+  call c;
+  if (place_of_kind(f, KIND_needed) < 0) return;
+  call_prepare(&c, f, needed);
+  law_succeeds(&c, "as much as is needed", "");
+  check_needed(&c, needed);
+  if (needed == 0) return;
+  call_prepare(&c, f, needed - 1);
+  law_refused(&c, "one less than is needed", "", HSP_E_CAPACITY, also_written(f));
+  check_needed(&c, needed);
+  for (i = 0; i < f->count; ++i) {
+    if (f->arguments[i].held) one_less_alone(f, needed, i);
+  }
+}
+
+int main(void) {
+  return check_law(capacities);
+}

@@ -1,0 +1,40 @@
+/* Ids that are not there are refused with HSP_E_ID, or HSP_NONE comes back. */
+#include <string.h>
+
+#include "fenced_memory.h"
+#include "law.h"
+
+static int is_id(const argument *a) {
+  static const char *const ids[] = {"ball", "vertex", "edge",  "face",  "cell",   "patch",         "shell",
+                                    "h",    "q",      "first", "stage", "worker", "atomic_number", "shells"};
+  size_t k;
+  if (strcmp(a->base, "uint32_t") != 0 || (a->kind != KIND_value && a->kind != KIND_array_in)) return 0;
+  for (k = 0; k < sizeof ids / sizeof ids[0]; ++k) {
+    if (strcmp(ids[k], a->name) == 0) return 1;
+  }
+  return 0;
+}
+
+static void ids(const function *f, uint32_t capacity) {
+  const uint32_t bad[] = {0xFFFFFFFF, 0x7FFFFFFF, 0x80000000, 100000, given.balls};
+  int i;
+  size_t k;
+  if (f->result != RESULT_id && !(f->result == RESULT_status && has_status(f, HSP_E_ID))) return;
+  for (i = 0; i < f->count; ++i) {
+    for (k = 0; k < sizeof bad / sizeof bad[0] && is_id(&f->arguments[i]); ++k) {
+      call c;
+      if (bad[k] == given.balls && strcmp(f->arguments[i].name, "ball") != 0) continue;
+      call_prepare(&c, f, capacity);
+      if (f->arguments[i].kind == KIND_value) {
+        c.v[i].u = bad[k];
+      } else {
+        memcpy(fence_data(i), &bad[k], sizeof bad[k]);
+      }
+      law_refused(&c, "no such", f->arguments[i].name, HSP_E_ID, "");
+    }
+  }
+}
+
+int main(void) {
+  return check_law(ids);
+}

@@ -1,0 +1,48 @@
+/* Results are read while what they were made from holds the same: HSP_E_STATE once a model has other balls, or there is
+ * no model or boundary any more; read again when the same balls are set again. */
+#include <string.h>
+
+#include "law.h"
+
+static int reads(const function *f, int i, int base) {
+  const argument *const a = &f->arguments[i];
+  if (a->kind != KIND_handle || !depends_on(a->noun, base)) return 0;
+  return i > 0 || strstr(f->name, "_compute") == NULL;
+}
+
+/* A handle that was overwritten is not followed. Nor is it given to the function itself. */
+static void base_overwritten(const function *f, uint32_t capacity, int base) {
+  int i;
+  call c;
+  call_prepare(&c, f, capacity);
+  for (i = 0; i < f->count; ++i) {
+    if (c.v[i].p == given.handle[base] && f->arguments[i].kind == KIND_handle) return;
+  }
+  memset(given.handle[base], 0, sizeof(uintptr_t));
+  law_refused(&c, "overwritten behind the results:", base == NOUN_model ? "model" : "boundary", HSP_E_STATE, "");
+  call_spoils(given.handle[base]);
+}
+
+static void stale_results(const function *f, uint32_t capacity) {
+  static const int bases[] = {NOUN_model, NOUN_boundary};
+  int k;
+  if (!has_status(f, HSP_E_STATE) || needs_calls_before(f)) return;
+  for (k = 0; k < 2; ++k) {
+    int i, any = 0;
+    call c;
+    for (i = 0; i < f->count; ++i) any |= reads(f, i, bases[k]);
+    if (!any) continue;
+    base_overwritten(f, capacity, bases[k]);
+    if (bases[k] != NOUN_model) continue;
+    call_prepare(&c, f, capacity);
+    fixture_set_other_balls();
+    law_refused(&c, "other balls behind the results", "", HSP_E_STATE, "");
+    fixture_set_model();
+    call_prepare(&c, f, capacity);
+    law_succeeds(&c, "the same balls again behind the results", "");
+  }
+}
+
+int main(void) {
+  return check_law(stale_results);
+}

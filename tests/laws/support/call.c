@@ -1,0 +1,302 @@
+#include "call.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "fenced_memory.h"
+
+/* ---- what names and kinds do not say -------------------------------------------------------------------------- */
+
+static void begin(void) {
+  uint32_t stages;
+  hsp_boundary_begin(given.handle[NOUN_boundary], given.handle[NOUN_model], 1, &stages);
+}
+
+static void begin_and_work(void) {
+  uint32_t stages = 0, i;
+  hsp_boundary_begin(given.handle[NOUN_boundary], given.handle[NOUN_model], 1, &stages);
+  for (i = 0; i < stages; ++i) hsp_boundary_work(given.handle[NOUN_boundary], i, 0);
+}
+
+static const struct recipe {
+  const char *name;
+  void (*before)(void);
+  const char *argument, *only_with; /* the first may be NULL only if the other is, and is read */
+} recipes[] = {
+    {"hsp_boundary_work", begin, NULL, NULL},
+    {"hsp_boundary_end", begin_and_work, NULL, NULL},
+    {"hsp_boundary_gradient_end", NULL, "shares", "energy"},
+};
+
+static const struct recipe *recipe_of(const function *f) {
+  size_t i;
+  for (i = 0; i < sizeof recipes / sizeof recipes[0]; ++i) {
+    if (strcmp(recipes[i].name, f->name) == 0) return &recipes[i];
+  }
+  return NULL;
+}
+
+int needs_calls_before(const function *f) {
+  const struct recipe *const r = recipe_of(f);
+  return r != NULL && r->before != NULL;
+}
+
+int adds_to_arrays(const function *f) {
+  const struct recipe *const r = recipe_of(f);
+  return r != NULL && r->argument != NULL;
+}
+
+int null_only_with(const function *f, int i) {
+  const struct recipe *const r = recipe_of(f);
+  if (r == NULL || r->argument == NULL || strcmp(r->argument, f->arguments[i].name) != 0) return -1;
+  return place_of(f, r->only_with);
+}
+
+/* ---- about a function ------------------------------------------------------------------------------------------ */
+
+int place_of(const function *f, const char *name) {
+  int i;
+  for (i = 0; i < f->count; ++i) {
+    if (strcmp(f->arguments[i].name, name) == 0) return i;
+  }
+  return -1;
+}
+
+int place_of_kind(const function *f, int kind) {
+  int i;
+  for (i = 0; i < f->count; ++i) {
+    if (f->arguments[i].kind == kind) return i;
+  }
+  return -1;
+}
+
+int has_status(const function *f, int32_t status) {
+  return (f->statuses & BIT(status)) != 0;
+}
+
+int is_output(const argument *a) {
+  switch (a->kind) {
+    case KIND_array_out:
+    case KIND_struct_out:
+    case KIND_value_out:
+    case KIND_needed:
+    case KIND_handle_out:
+    case KIND_sized:
+    case KIND_memory:
+      return 1;
+    default:
+      return 0;
+  }
+}
+
+size_t row_of(const argument *a) {
+  return a->row == 0 ? 1 : a->row;
+}
+
+int names_reason(const function *f, const argument *a) {
+  return strcmp(a->name, "first_bad") == 0 || (strcmp(f->noun, "picture") == 0 && strcmp(a->name, "bytes") == 0);
+}
+
+/* ---- base arguments --------------------------------------------------------------------------------------------- */
+
+static uint32_t wanted_balls = FIXTURE_BALLS;
+static int all_dirty = 1, dirty[NOUNS];
+
+void call_with_balls(uint32_t balls) {
+  wanted_balls = balls;
+  all_dirty = 1;
+}
+
+void call_spoils(const void *handle) {
+  int noun;
+  for (noun = NOUN_none + 1; noun < NOUNS; ++noun) {
+    if (handle == given.handle[noun]) dirty[noun] = 1;
+    if (handle == given.fresh[noun]) all_dirty = 1;
+  }
+  if (handle == given.spare_model || handle == given.moving_body) all_dirty = 1;
+}
+
+static void clean(void) {
+  int noun;
+  if (all_dirty) fixture_make(wanted_balls);
+  for (noun = NOUN_none + 1; noun < NOUNS; ++noun) {
+    if (dirty[noun] && !all_dirty) fixture_make_again(noun);
+    dirty[noun] = 0;
+  }
+  all_dirty = 0;
+}
+
+static int32_t take_all(void *context, const char *bytes, size_t count) {
+  (void)context;
+  (void)bytes;
+  (void)count;
+  return 0;
+}
+
+static size_t entries(const call *c, const argument *a, uint32_t capacity) {
+  char *end;
+  const size_t number = strtoul(a->extent, &end, 10);
+  int place;
+  if (a->held) return capacity;
+  if (end != a->extent && *end == '\0') return number;
+  place = place_of(c->f, a->extent);
+  if (place >= 0) return c->v[place].u;
+  if (strcmp(a->extent, "n") == 0) return given.balls;
+  if (strcmp(a->extent, "n + 1") == 0) return given.balls + 1;
+  printf("%s: how long is %s [%s]?\n", c->f->name, a->name, a->extent);
+  exit(2);
+}
+
+void *call_put(call *c, int i, size_t bytes) {
+  c->fenced[i] = 1;
+  return c->v[i].p = fence_take(i, bytes, 0);
+}
+
+void call_put_null(call *c, int i) {
+  c->fenced[i] = 0;
+  if (c->f->arguments[i].kind == KIND_callback) {
+    c->v[i].f = NULL;
+  } else {
+    c->v[i].p = NULL;
+  }
+}
+
+static void *base_handle(const argument *a, int i) {
+  if (a->noun == NOUN_body && strcmp(a->name, "moving") == 0) return given.moving_body;
+  if (a->noun == NOUN_model && !a->is_const && i > 0) return given.spare_model;
+  return given.handle[a->noun];
+}
+
+static void give(call *c, int i, uint32_t capacity) {
+  const argument *const a = &c->f->arguments[i];
+  size_t count;
+  c->fenced[i] = 0;
+  switch (a->kind) {
+    case KIND_value:
+      c->v[i] = base_number(c->f, i);
+      return;
+    case KIND_capacity:
+      c->v[i].u = capacity;
+      return;
+    case KIND_handle:
+      c->v[i].p = base_handle(a, i);
+      return;
+    case KIND_context:
+      c->v[i].p = NULL;
+      return;
+    case KIND_callback:
+      c->v[i].f = take_all;
+      return;
+    case KIND_string:
+      memcpy(call_put(c, i, 2), "a", 2);
+      return;
+    case KIND_handle_out:
+      call_put(c, i, sizeof(void *));
+      return;
+    case KIND_memory: /* not one byte more than the handle takes */
+      call_put(c, i, c->v[i + 1].z);
+      return;
+    case KIND_array_in:
+    case KIND_array_out:
+      count = entries(c, a, capacity) * row_of(a);
+      call_put(c, i, count * a->size);
+      if (a->kind == KIND_array_in) fill_base(a, c->v[i].p, count);
+      return;
+    default:
+      call_put(c, i, a->size);
+      if (a->kind == KIND_struct_in || a->kind == KIND_sized_in || a->kind == KIND_sized) fill_base(a, c->v[i].p, 1);
+  }
+}
+
+static int is_number(const argument *a) {
+  return a->kind == KIND_value || a->kind == KIND_capacity;
+}
+
+static void numbers_of(call *c, const function *f, uint32_t capacity) {
+  int i;
+  c->f = f;
+  for (i = 0; i < f->count; ++i) {
+    if (is_number(&f->arguments[i])) give(c, i, capacity);
+  }
+}
+
+void call_numbers(call *c, const function *f, uint32_t capacity) {
+  clean(); /* before anybody takes its addresses */
+  numbers_of(c, f, capacity);
+}
+
+void call_pointers(call *c, uint32_t capacity) {
+  int i;
+  for (i = 0; i < c->f->count; ++i) {
+    if (!is_number(&c->f->arguments[i])) give(c, i, capacity);
+  }
+}
+
+void call_prepare(call *c, const function *f, uint32_t capacity) {
+  call_numbers(c, f, capacity);
+  call_pointers(c, capacity);
+}
+
+void call_prepare_next(call *c, const function *f, uint32_t capacity) {
+  numbers_of(c, f, capacity);
+  call_pointers(c, capacity);
+}
+
+/* ---- a call ------------------------------------------------------------------------------------------------------ */
+
+static void run(void *context) {
+  call *const c = context;
+  c->result = c->f->call(c->v);
+}
+
+void call_run(call *c) {
+  const struct recipe *const r = recipe_of(c->f);
+  int i;
+  if (r != NULL && r->before != NULL) {
+    r->before();
+    call_spoils(given.handle[NOUN_boundary]);
+  }
+  for (i = 0; i < c->f->count; ++i) {
+    if (c->fenced[i]) fence_remember(i);
+    if (c->f->arguments[i].kind == KIND_handle && !c->f->arguments[i].is_const) call_spoils(c->v[i].p);
+  }
+  c->outside = !fence_watch(run, c);
+  if (c->outside) all_dirty = 1;
+}
+
+const char *call_finds(const call *c) {
+  int i;
+  if (c->outside) return "memory outside of the arguments is touched";
+  for (i = 0; i < c->f->count; ++i) {
+    if (!c->fenced[i]) continue;
+    if (!fence_holds(i)) return "memory beside an array is written";
+    if (!is_output(&c->f->arguments[i]) && !fence_unchanged(i, 0)) return "an input is written";
+  }
+  if (c->f->result != RESULT_status) return NULL;
+  if (c->result > 0 || c->result < -31 || !has_status(c->f, (int32_t)c->result)) return "the status is not documented";
+  return NULL;
+}
+
+int call_is_refused(const call *c, int32_t status) {
+  if (c->f->result == RESULT_id) return (uint32_t)c->result == HSP_NONE;
+  return c->result == status;
+}
+
+const char *call_wrote(const call *c, const char *but) {
+  int i;
+  for (i = 0; i < c->f->count; ++i) {
+    const argument *const a = &c->f->arguments[i];
+    char name[64];
+    snprintf(name, sizeof name, "|%s|", a->name);
+    if (c->fenced[i] && is_output(a) && strstr(but, name) == NULL && !fence_unchanged(i, 0)) return a->name;
+  }
+  return NULL;
+}
+
+uint32_t call_needed(const call *c) {
+  const int place = place_of_kind(c->f, KIND_needed);
+  uint32_t needed = 0;
+  if (place >= 0 && c->fenced[place]) memcpy(&needed, fence_data(place), sizeof needed);
+  return needed;
+}

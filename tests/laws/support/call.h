@@ -1,0 +1,79 @@
+/* Calls of functions of the registry with base arguments: for each what its kind and name say. Arrays lie in fenced
+ * memory, so that a number too many shows. */
+#pragma once
+
+#include "fixture.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum { MOST_ARGUMENTS = 16, PLENTY = 400 };
+
+typedef struct call {
+  const function *f;
+  value v[MOST_ARGUMENTS];
+  int fenced[MOST_ARGUMENTS]; /* whether v[i].p lies in fenced memory, in place i */
+  int64_t result;
+  int outside; /* whether memory outside of the arguments was touched */
+} call;
+
+/* What is made anew before the next call: all of the fixture, of so many balls; a handle of it that is spoilt. */
+void call_with_balls(uint32_t balls);
+void call_spoils(const void *handle);
+
+/* Base arguments, with room for so many records: first the numbers, then arrays that are as long as these say. */
+void call_numbers(call *c, const function *f, uint32_t capacity);
+void call_pointers(call *c, uint32_t capacity);
+void call_prepare(call *c, const function *f, uint32_t capacity);
+/* The same with the handles as the call before has left them. */
+void call_prepare_next(call *c, const function *f, uint32_t capacity);
+
+/* Other memory for an argument, of so many bytes; NULL instead of it. */
+void *call_put(call *c, int i, size_t bytes);
+void call_put_null(call *c, int i);
+
+/* What base arguments hold: the number i of a function; `count` numbers or structs of an array, or one struct. */
+value base_number(const function *f, int i);
+void fill_base(const argument *a, void *out, size_t count);
+
+/* Calls. What holds of every call is seen to: `outside`, and call_finds. */
+void call_run(call *c);
+
+/* NULL, or what is wrong whatever the arguments are: an undocumented status, an input that was written, memory outside
+ * of the arguments that was touched. */
+const char *call_finds(const call *c);
+
+/* Whether it was refused with that status; functions without a status say HSP_NONE. */
+int call_is_refused(const call *c, int32_t status);
+
+/* NULL, or the name of an output that was written although its name is not in `but`: "|name|name|". */
+const char *call_wrote(const call *c, const char *but);
+
+/* What the header lets a function write when it fails, but for handles that are refused: why there are no results. */
+int names_reason(const function *f, const argument *a);
+
+/* The place of an argument, -1 if there is none. */
+int place_of(const function *f, const char *name);
+int place_of_kind(const function *f, int kind);
+
+/* What a number of `needed` became; 0 if the function has none. */
+uint32_t call_needed(const call *c);
+
+int has_status(const function *f, int32_t status);
+int is_output(const argument *a);
+
+/* How many numbers or structs make an entry of an array. */
+size_t row_of(const argument *a);
+
+/* ---- the few functions of which names and kinds do not say enough ---- */
+
+/* Whether another call has to come before it, which call_run makes. */
+int needs_calls_before(const function *f);
+/* The argument without which this one may be NULL alone, or -1. Such functions add to arrays. */
+int null_only_with(const function *f, int i);
+int adds_to_arrays(const function *f);
+
+#ifdef __cplusplus
+}
+#endif

@@ -1,0 +1,246 @@
+#include "fixture.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "handle_kind.h"
+#include "untouched.h"
+
+/* Six balls around a void, one that crosses one of them alone (a free circle), one inside that, one
+ * apart: there are records of every kind. */
+const double fixture_xyz[FIXTURE_BALLS][3] = {{1.5, 0, 0},  {-1.5, 0, 0}, {0, 1.5, 0},   {0, -1.5, 0}, {0, 0, 1.5},
+                                              {0, 0, -1.5}, {3.4, 0, 0},  {3.4, 0.1, 0}, {0, 0, 7}};
+const double fixture_radius[FIXTURE_BALLS] = {1.2, 1.2, 1.2, 1.2, 1.2, 1.2, 0.9, 0.3, 0.8};
+const double fixture_box[9] = {12, 0, 0, 0, 12, 0, 0, 0, 12};
+const double fixture_outside[3] = {9, 9, 9};
+const double fixture_probe = 0.2, fixture_edge = 0.7, fixture_stick_radius = 0.1;
+const hsp_stick fixture_stick = {{0, 6}, 0, 0};
+
+fixture given;
+
+static void need(int32_t status, const char *what) {
+  if (status == HSP_OK) return;
+  printf("the fixture of %u balls: %s: %s\n", (unsigned)given.balls, what, hsp_status_text(status));
+  exit(2);
+}
+
+/* hsp_<noun><end>, where noun is the type of a handle. */
+static const function *function_of(int noun, const char *end) {
+  size_t i;
+  for (i = 0; i < registry_size; ++i) {
+    const function *f = &registry[i];
+    const argument *last = f->count > 0 ? &f->arguments[f->count - 1] : NULL;
+    if (last != NULL && last->kind == KIND_handle_out && last->noun == noun) {
+      const size_t stem = strlen(f->name) - strlen("_init");
+      size_t k;
+      for (k = 0; k < registry_size; ++k) {
+        if (strncmp(registry[k].name, f->name, stem) == 0 && strcmp(registry[k].name + stem, end) == 0)
+          return &registry[k];
+      }
+    }
+  }
+  printf("there is no function *%s of kind %d\n", end, noun);
+  exit(2);
+}
+
+static value limits_of(int noun, void *limits) {
+  value v;
+  memset(&v, 0, sizeof v);
+  if (noun == NOUN_model || noun == NOUN_body) {
+    memcpy(&v.u, limits, sizeof v.u);
+  } else {
+    v.p = limits;
+  }
+  return v;
+}
+
+int32_t handle_bytes(int noun, void *limits, size_t *bytes) {
+  value v[2];
+  v[0] = limits_of(noun, limits);
+  v[1].p = bytes;
+  return (int32_t)function_of(noun, "_bytes")->call(v);
+}
+
+int32_t handle_init(int noun, void *memory, size_t bytes, void *limits, void **handle) {
+  value v[4];
+  v[0].p = memory;
+  v[1].z = bytes;
+  v[2] = limits_of(noun, limits);
+  v[3].p = handle;
+  return (int32_t)function_of(noun, "_init")->call(v);
+}
+
+int depends_on(int noun, int base) {
+  switch (noun) {
+    case NOUN_boundary:
+    case NOUN_cells:
+    case NOUN_paths:
+    case NOUN_gate:
+    case NOUN_map:
+    case NOUN_sticks:
+    case NOUN_view:
+      return base == NOUN_model;
+    case NOUN_contacts:
+    case NOUN_surface:
+    case NOUN_mesh:
+    case NOUN_topology:
+      return base == NOUN_model || base == NOUN_boundary;
+    default: /* these keep the balls themselves */
+      return 0;
+  }
+}
+
+static int32_t larger_status(int32_t a, int32_t b) {
+  return a != HSP_OK ? a : b;
+}
+
+static int32_t start_limits(int noun, void *limits) {
+  const uint32_t n = given.balls;
+  void *const boundary = given.handle[NOUN_boundary];
+  switch (noun) {
+    case NOUN_boundary:
+      return hsp_boundary_limits_init(limits, sizeof(hsp_boundary_limits), n);
+    case NOUN_moving:
+      return hsp_moving_limits_init(limits, sizeof(hsp_moving_limits), n);
+    case NOUN_contacts: { /* with simplices to keep */
+      hsp_contacts_limits of_contacts;
+      const int32_t status = hsp_contacts_limits_init(&of_contacts, sizeof of_contacts, boundary);
+      of_contacts.triangles = of_contacts.tetrahedra = 64;
+      memcpy(limits, &of_contacts, sizeof of_contacts);
+      return status;
+    }
+    case NOUN_periodic:
+      return hsp_periodic_limits_init(limits, sizeof(hsp_periodic_limits), n);
+    case NOUN_surface:
+      return hsp_surface_limits_init(limits, sizeof(hsp_surface_limits), boundary);
+    case NOUN_mesh:
+      return hsp_mesh_limits_init(limits, sizeof(hsp_mesh_limits), boundary, fixture_edge);
+    case NOUN_topology:
+      return hsp_topology_limits_init(limits, sizeof(hsp_topology_limits), boundary);
+    case NOUN_cells:
+      return hsp_cells_limits_init(limits, sizeof(hsp_cells_limits), n);
+    case NOUN_paths:
+      return hsp_paths_limits_init(limits, sizeof(hsp_paths_limits), n);
+    case NOUN_gate:
+      return hsp_gate_limits_init(limits, sizeof(hsp_gate_limits), n);
+    case NOUN_view:
+      return hsp_view_limits_init(limits, sizeof(hsp_view_limits), n);
+    case NOUN_map:
+      return hsp_map_limits_init(limits, sizeof(hsp_map_limits), n);
+    case NOUN_sticks:
+      return hsp_sticks_limits_init(limits, sizeof(hsp_sticks_limits), n);
+    default: /* a model or a body */
+      memcpy(limits, &n, sizeof n);
+      return HSP_OK;
+  }
+}
+
+static int32_t compute(int noun, void *handle, void *limits) {
+  static const double there[3] = {0, 0, 5.4};
+  const hsp_model *const model = given.handle[NOUN_model];
+  const hsp_boundary *const boundary = given.handle[NOUN_boundary];
+  const uint32_t n = given.balls, sticks = n > fixture_stick.ball[1], last = FIXTURE_BALLS - 1;
+  hsp_model_options options;
+  hsp_path path;
+  int32_t status;
+  switch (noun) {
+    case NOUN_model:
+      need(hsp_model_options_init(&options, sizeof options), "options");
+      options.probe = fixture_probe;
+      return hsp_model_set(handle, n, fixture_xyz[0], fixture_radius, &options, NULL);
+    case NOUN_body:
+      return hsp_body_set(handle, model);
+    case NOUN_boundary:
+      return hsp_boundary_compute(handle, model, limits);
+    case NOUN_moving:
+      status = hsp_moving_set(handle, model, NULL, 1, 0, HSP_TANGENT_OVERLAP, limits, NULL);
+      if (status != HSP_OK || n < FIXTURE_BALLS) return status;
+      return hsp_moving_move(handle, 1, &last, there, NULL, limits, NULL); /* a move to be taken back */
+    case NOUN_contacts:
+      return hsp_contacts_compute(handle, boundary, limits);
+    case NOUN_periodic:
+      return hsp_periodic_compute(handle, n, fixture_xyz[0], fixture_radius, NULL, fixture_box, limits, NULL);
+    case NOUN_surface:
+      return hsp_surface_compute(handle, boundary, limits);
+    case NOUN_mesh: /* with room for either */
+      status = hsp_mesh_compute_surface(handle, given.handle[NOUN_surface], fixture_edge, limits);
+      return larger_status(status, hsp_mesh_compute(handle, boundary, fixture_edge, status == HSP_OK ? limits : NULL));
+    case NOUN_topology:
+      return hsp_topology_compute(handle, boundary, limits);
+    case NOUN_cells:
+      return hsp_cells_compute(handle, model, limits);
+    case NOUN_paths:
+      status = hsp_paths_compute(handle, model, limits);
+      return status != HSP_OK ? status : hsp_paths_find(handle, fixture_outside, there, &path, limits);
+    case NOUN_gate:
+      return hsp_gate_compute(handle, model, fixture_outside, NULL, limits);
+    case NOUN_view:
+      return hsp_view_compute(handle, model, boundary, NULL, limits);
+    case NOUN_map:
+      return hsp_map_compute(handle, model, NULL, limits);
+    default:
+      status = hsp_sticks_compute(handle, model, NULL, &fixture_stick, sticks, fixture_stick_radius, NULL, limits);
+      if (status != HSP_OK) return status;
+      return hsp_sticks_compute_map(handle, model, NULL, &fixture_stick, sticks, fixture_stick_radius, NULL, limits);
+  }
+}
+
+static void *empty_handle(int noun, void **memory) {
+  void *handle = NULL;
+  *memory = test_zeros(given.bytes[noun], 1);
+  need(handle_init(noun, *memory, given.bytes[noun], given.limits[noun], &handle), "init");
+  return handle;
+}
+
+/* In memory that grows until it suffices. */
+static void make(int noun) {
+  unsigned char next[LIMIT_BYTES];
+  int32_t status;
+  need(start_limits(noun, given.limits[noun]), "limits_init");
+  for (;;) {
+    need(handle_bytes(noun, given.limits[noun], &given.bytes[noun]), "bytes");
+    given.handle[noun] = empty_handle(noun, &given.memory[noun]);
+    memcpy(next, given.limits[noun], LIMIT_BYTES);
+    status = compute(noun, given.handle[noun], next);
+    if (status != HSP_E_CAPACITY) break;
+    memcpy(given.limits[noun], next, LIMIT_BYTES);
+    free(given.memory[noun]);
+  }
+  need(status, "compute");
+  given.fresh[noun] = empty_handle(noun, &given.fresh_memory[noun]);
+}
+
+static void release(void) {
+  int i;
+  for (i = 0; i < NOUNS; ++i) {
+    free(given.memory[i]);
+    free(given.fresh_memory[i]);
+  }
+  for (i = 0; i < 2; ++i) free(given.spare_memory[i]);
+  memset(&given, 0, sizeof given);
+}
+
+void fixture_make(uint32_t balls) {
+  int noun;
+  release();
+  given.balls = balls;
+  for (noun = NOUN_none + 1; noun < NOUNS; ++noun) make(noun);
+  given.spare_model = empty_handle(NOUN_model, &given.spare_memory[0]);
+  given.moving_body = empty_handle(NOUN_body, &given.spare_memory[1]);
+  need(compute(NOUN_body, given.moving_body, NULL), "the body that moves");
+}
+
+void fixture_make_again(int noun) {
+  void *handle = NULL;
+  need(handle_init(noun, given.memory[noun], given.bytes[noun], given.limits[noun], &handle), "init again");
+  need(compute(noun, handle, NULL), "compute again");
+}
+
+void fixture_set_model(void) {
+  need(compute(NOUN_model, given.handle[NOUN_model], NULL), "the same balls again");
+}
+
+void fixture_set_other_balls(void) {
+  need(hsp_model_set(given.handle[NOUN_model], given.balls, fixture_xyz[0], fixture_radius, NULL, NULL), "other balls");
+}
