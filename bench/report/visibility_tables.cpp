@@ -10,9 +10,9 @@
 namespace report {
 namespace {
 
-const std::string molecules = "visibility/molecules/";
-const std::string random = "visibility/random/";
-const std::string families = "visibility/families/";
+const std::string molecules = "maps/molecules/";
+const std::string random = "maps/random/";
+const std::string families = "maps/families/";
 const std::string envelope = "peers/visibility/crambin";
 
 void write_maps(std::ostream &out, const Run &run) {
@@ -84,7 +84,7 @@ by turns with the analytic z-buffer above, which says as much as its 1000 x 1000
 directions, van der Waals balls. random: balls with radii from 1 to 2, one in 10 cubic units, from 4 directions.
 crossing_rows: two layers of rows, one behind the other, several edges for each ball. deep_stack: one ball before the
 other, all silhouettes seen, every ball near every disc. Katz, Overmars and Sharir's divide and conquer has the better
-bound, see lib/sight/visibility/THEORY.md.
+bound, see lib/sight/maps/THEORY.md.
 
 )";
   write_maps(out, run);

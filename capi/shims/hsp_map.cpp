@@ -1,10 +1,10 @@
 #include "hsp_map.hpp"
 
+#include "maps/face_nesting.hpp"
+#include "maps/face_pole.hpp"
+#include "maps/map_check.hpp"
+#include "maps/map_queries.hpp"
 #include "view_options.hpp"
-#include "visibility/face_nesting.hpp"
-#include "visibility/face_pole.hpp"
-#include "visibility/map_check.hpp"
-#include "visibility/map_queries.hpp"
 
 using hsp::capi::check_handle;
 using hsp::capi::check_results;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "hsp_model.hpp"
-#include "visibility/map_builder.hpp"
+#include "maps/map_builder.hpp"
 
 struct hsp_map {
   using Builder = hsp::MapBuilder;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "hsp_model.hpp"
-#include "sticks/stick_view_builder.hpp"
+#include "maps/stick_view_builder.hpp"
 
 struct hsp_sticks {
   using Builder = hsp::StickViewBuilder;

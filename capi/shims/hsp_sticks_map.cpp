@@ -2,7 +2,7 @@
 
 #include "hsp_sticks.hpp"
 #include "map_records.hpp"
-#include "visibility/face_nesting.hpp"
+#include "maps/face_nesting.hpp"
 
 using hsp::capi::check_handle;
 

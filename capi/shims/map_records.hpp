@@ -2,9 +2,9 @@
 // of whatever is seen.
 #pragma once
 
+#include "maps/edge_geometry.hpp"
+#include "maps/map_queries.hpp"
 #include "view_options.hpp"
-#include "visibility/edge_geometry.hpp"
-#include "visibility/map_queries.hpp"
 
 namespace hsp::capi {
 

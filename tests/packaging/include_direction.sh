@@ -7,14 +7,14 @@ cd "$1"
 readme=lib/README.md
 
 # What each room stands on. It may include itself, these rooms, and what these stand on. Two wings stand over the
-# boundary: topology, measure, contacts, periodic and surface know nothing of view, visibility, sticks and picture, nor
-# these of them. Cells of free space, paths through them and poses need no boundary.
+# boundary: topology, measure, contacts, periodic and surface know nothing of view, maps and picture, nor these of
+# them. Cells of free space, paths through them and poses need no boundary.
 rooms="core exact model cells paths poses sphere boundary topology measure moving contacts periodic surface mesh"
-rooms+=" view visibility sticks picture capi"
+rooms+=" view maps picture capi"
 declare -A stands_on=([core]="" [exact]="core" [model]="exact" [cells]="model" [paths]="cells" [poses]="model" [sphere]="model"
   [boundary]="sphere" [topology]="boundary" [measure]="topology" [moving]="measure" [contacts]="measure" [periodic]="contacts" [surface]="measure" [mesh]="surface"
-  [view]="boundary" [visibility]="view" [sticks]="visibility" [picture]="view"
-  [capi]="paths poses moving periodic mesh visibility sticks picture")
+  [view]="boundary" [maps]="view" [picture]="view"
+  [capi]="paths poses moving periodic mesh maps picture")
 failed=0
 
 complain() {

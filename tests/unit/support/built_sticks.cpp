@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "lattice_lengths.hpp"
+#include "maps/face_nesting.hpp"
+#include "maps/region_faces.hpp"
+#include "maps/stick_outlines.hpp"
 #include "path_painter.hpp"
 #include "seen_cylinders.hpp"
-#include "sticks/region_faces.hpp"
-#include "sticks/stick_outlines.hpp"
-#include "visibility/face_nesting.hpp"
 
 BuiltSticks::BuiltSticks(const oracle::Balls &balls, std::vector<Ends> ends, double radius,
                          const std::array<double, 3> &towards, bool whole, bool as_map)
