@@ -178,21 +178,14 @@ set(HSP_LIBRARY_SOURCES
   lib/sight/maps/face_pole.cpp
   lib/sight/maps/landings.cpp
   lib/sight/maps/map_builder.cpp
-  lib/sight/maps/map_check.cpp
-  lib/sight/maps/map_faces.cpp
-  lib/sight/maps/map_linker.cpp
   lib/sight/maps/map_paths.cpp
-  lib/sight/maps/map_queries.cpp
   lib/sight/maps/map_silhouettes.cpp
-  lib/sight/maps/region_arcs.cpp
-  lib/sight/maps/region_builder.cpp
-  lib/sight/maps/region_faces.cpp
-  lib/sight/maps/region_linker.cpp
-  lib/sight/maps/region_loops.cpp
-  lib/sight/maps/region_outlines.cpp
   lib/sight/maps/seen_balls.cpp
   lib/sight/maps/silhouette_arcs.cpp
+  lib/sight/maps/stick_arcs.cpp
+  lib/sight/maps/stick_map_builder.cpp
   lib/sight/maps/stick_outlines.cpp
+  lib/sight/maps/stick_scene.cpp
   lib/sight/maps/stick_sweep.cpp
   lib/sight/maps/stick_view_builder.cpp
   lib/sight/maps/trigonometric_roots.cpp

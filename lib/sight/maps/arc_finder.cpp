@@ -30,13 +30,4 @@ void ArcFinder::find(SeenBalls &seen, const DiscGrid &grid) {
   }
 }
 
-// An arc that was not stored counts as if both its ends were on silhouettes.
-uint32_t ArcFinder::needed_edges() const {
-  uint64_t edges = arcs_.required() + 2 * (arcs_.required() - arcs_.size());
-  for (const MapArc &arc : arcs_.items()) {
-    for (const ArcEnd &end : arc.end) edges += end.kind == MapVertexKind::t ? 1 : 0;
-  }
-  return clamped_count(edges);
-}
-
 }  // namespace hsp

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "maps/disc_grid.hpp"
-#include "maps/hidden_intervals.hpp"
+#include "maps/visibility_map.hpp"
 
 namespace hsp {
 
@@ -21,8 +21,7 @@ class ArcFinder {
   bool complete() const { return complete_; }
   bool overflowed() const { return arcs_.overflowed() || needed_neighbours_ > near_.capacity(); }
   uint32_t needed_neighbours() const { return needed_neighbours_; }
-  // No map of these arcs has more edges: besides the arcs themselves one for each of their ends on a silhouette.
-  uint32_t needed_edges() const;
+  uint32_t needed_edges() const { return most_edges_of(arcs_, 0); }
 
  private:
   FixedVector<MapArc> arcs_;    // [edges]

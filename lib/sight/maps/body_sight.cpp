@@ -10,19 +10,18 @@ constexpr double close = 0x1p-30;
 
 }  // namespace
 
-BodySight::BodySight(const StickScene &scene, Span<const SweptBox> items, Span<const uint8_t> inside)
-    : scene_(scene), items_(items), inside_(inside) {
+BodySight::BodySight(const StickScene &scene, Span<const SweptBox> items) : scene_(scene), items_(items) {
   for (const SweptBox &item : items) {
     const double width = item.right - item.left;
     widest_ = width > widest_ ? width : widest_;
   }
-  for (const SeenBall &ball : scene.balls) largest_ = ball.r > largest_ ? ball.r : largest_;
+  largest_ = BallScene{scene.balls}.largest();
 }
 
 BodySight::Front BodySight::front_at(uint32_t body, double x, double y) const {
   if (scene_.is_ball(body)) {
     const SeenBall &ball = scene_.balls[body];
-    if (inside_[body] != 0) return {false, true, 0.0};
+    if (ball.inside != 0) return {false, true, 0.0};
     const double dx = x - ball.x;
     const double dy = y - ball.y;
     const double squared = ball.r * ball.r - dx * dx - dy * dy;
@@ -43,8 +42,8 @@ BodySight::Front BodySight::front_at(uint32_t body, double x, double y) const {
 BodySight::Highest BodySight::highest_at(double x, double y, uint32_t except) const {
   const double from = x - widest_;
   uint32_t k = first_index(0, items_.size(), [&](uint32_t i) { return items_[i].left >= from; });
-  Highest highest{no_id, true, 0.0};
-  double second = 0.0;
+  Highest highest{no_id, true};
+  double first = 0.0, second = 0.0;
   uint32_t found = 0;
   for (; k < items_.size() && items_[k].left <= x; ++k) {
     const SweptBox &item = items_[k];
@@ -56,16 +55,16 @@ BodySight::Highest BodySight::highest_at(double x, double y, uint32_t except) co
     const Front front = front_at(item.body, x, y);
     if (!front.certain) highest.certain = false;
     if (!front.exists) continue;
-    if (found == 0 || front.z > highest.z) {
-      second = highest.z;
-      highest.z = front.z;
+    if (found == 0 || front.z > first) {
+      second = first;
+      first = front.z;
       highest.body = item.body;
     } else if (found == 1 || front.z > second) {
       second = front.z;
     }
     ++found;
   }
-  if (found > 1 && highest.z - second < close * largest_) highest.certain = false;
+  if (found > 1 && first - second < close * largest_) highest.certain = false;
   return highest;
 }
 

@@ -8,15 +8,14 @@ namespace hsp {
 
 class BodySight {
  public:
-  // items: sorted by their left sides. inside [balls]: balls that do not count.
-  BodySight(const StickScene &scene, Span<const SweptBox> items, Span<const uint8_t> inside);
+  // items: sorted by their left sides. Balls inside others do not count.
+  BodySight(const StickScene &scene, Span<const SweptBox> items);
 
   // The body with the highest front besides `except` and, if that is a part of a stick, the other part; no_id if there
   // is none. Certain unless the point is close to a contour, or two fronts are close to each other.
   struct Highest {
     uint32_t body;
     bool certain;
-    double z;  // of its front there
   };
   Highest highest_at(double x, double y, uint32_t except) const;
 
@@ -30,7 +29,6 @@ class BodySight {
 
   const StickScene &scene_;
   Span<const SweptBox> items_;
-  Span<const uint8_t> inside_;
   double widest_ = 0.0;
   double largest_ = 0.0;  // radius
 };

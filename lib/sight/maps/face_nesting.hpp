@@ -12,12 +12,7 @@ namespace hsp {
 template <class Map>
 bool surrounds(const Map &map, uint32_t loop, double x, double y) {
   uint32_t count = 0;
-  const uint32_t first = map.loops[loop].first_half_edge;
-  uint32_t h = first;
-  do {
-    count += crossings(curve_of(map, h / 2), x, y);
-    h = map.half_edges[h].next;
-  } while (h != first);
+  map.visit_loop(loop, [&](uint32_t h) { count += crossings(curve_of(map, h / 2), x, y); });
   return count % 2 == 1;
 }
 
@@ -31,11 +26,8 @@ uint32_t face_at(const Map &map, uint32_t owner, double x, double y) {
   if (!(std::fabs(x) < beyond && std::fabs(y) < beyond)) return map.first_face_of(no_id);
   uint32_t found = no_id;
   for (uint32_t f = map.first_face_of(owner); f != no_id; f = map.next_face_of(f)) {
-    const MapFace &face = map.faces[f];
     uint32_t count = f == 0 ? 1 : 0;  // around the unbounded face is nothing
-    for (uint32_t l = face.first_loop; l != no_id; l = map.loops[l].next_of_face) {
-      count += surrounds(map, l, x, y) ? 1U : 0U;
-    }
+    map.visit_loops(f, [&](uint32_t l) { count += surrounds(map, l, x, y) ? 1U : 0U; });
     if (count % 2 == 0) continue;
     if (found != no_id) return no_id;
     found = f;

@@ -71,19 +71,21 @@ class NearEdges {
   uint32_t count_ = 0;
 };
 
+template <class Map>
 class PoleFinder {
  public:
-  PoleFinder(const VisibilityMap &map, uint32_t face) : map_(map), face_(map.faces[face]) {}
+  PoleFinder(const Map &map, uint32_t face) : map_(map), face_(face) {}
 
   FacePole find() {
-    const uint32_t first = map_.loops[face_.first_loop].first_half_edge;
-    const Box box = box_around(first);
+    const uint32_t outer = map_.faces[face_].first_loop;
+    const uint32_t first = map_.loops[outer].first_half_edge;
+    const Box box = box_around(outer);
     const double width = box.high[0] - box.low[0];
     const double height = box.high[1] - box.low[1];
     const double half = 0.5 * (width > height ? width : height);
     const MapVertex &start = map_.vertices[map_.origin(first)];
     best_ = {start.x, start.y, 0.0, 0.0};
-    lay_circles(first, half);
+    lay_circles(half);
     look({0.5 * (box.low[0] + box.high[0]), 0.5 * (box.low[1] + box.high[1]), half, 0.0});
     while (count_ > 0 && looks_ < most_pole_looks) {
       const Square square = take_deepest();
@@ -107,21 +109,9 @@ class PoleFinder {
     if (most > bound_) bound_ = most;
   }
 
-  template <class Visit>
-  void visit_edges(Visit visit) const {
-    for (uint32_t l = face_.first_loop; l != no_id; l = map_.loops[l].next_of_face) {
-      const uint32_t first = map_.loops[l].first_half_edge;
-      uint32_t h = first;
-      do {
-        visit(h / 2);
-        h = map_.half_edges[h].next;
-      } while (h != first);
-    }
-  }
-
   // With the extreme points of the curves in between.
-  Box box_around(uint32_t first) const {
-    const MapVertex &start = map_.vertices[map_.origin(first)];
+  Box box_around(uint32_t loop) const {
+    const MapVertex &start = map_.vertices[map_.origin(map_.loops[loop].first_half_edge)];
     Box box{{start.x, start.y}, {start.x, start.y}};
     const auto widen = [&box](double x, double y) {
       const double at[2] = {x, y};
@@ -130,23 +120,20 @@ class PoleFinder {
         if (at[axis] > box.high[axis]) box.high[axis] = at[axis];
       }
     };
-    uint32_t h = first;
-    do {
-      const MapEdge &edge = map_.edges[h / 2];
-      const EdgeEllipse ellipse(map_.balls, edge);
+    map_.visit_loop(loop, [&](uint32_t h) {
+      const EdgeCurve curve = curve_of(map_, h / 2);
       for (int axis = 0; axis < 2; ++axis) {
-        double t = arc_tangent(ellipse.second[axis], ellipse.first[axis]);
-        while (t >= edge.from) t -= pi;
-        while (t < edge.from) t += pi;
-        for (; t <= edge.to; t += pi) {
+        double t = arc_tangent(curve.ellipse.second[axis], curve.ellipse.first[axis]);
+        while (t >= curve.from) t -= pi;
+        while (t < curve.from) t += pi;
+        for (; t <= curve.to; t += pi) {
           const SinCos at = sin_cos(t);
-          widen(ellipse.x(at), ellipse.y(at));
+          widen(curve.ellipse.x(at), curve.ellipse.y(at));
         }
       }
       const MapVertex &v = map_.vertices[map_.origin(h)];
       widen(v.x, v.y);
-      h = map_.half_edges[h].next;
-    } while (h != first);
+    });
     return box;
   }
 
@@ -154,12 +141,14 @@ class PoleFinder {
   NearEdges edges_near(double x, double y, double farther) {
     ++looks_;
     NearEdges near;
-    visit_edges([&](uint32_t edge) {
-      const double reach = std::sqrt(near.nearest().squared) + farther;
-      NearestPoint nearest;
-      nearest.squared = reach * reach;
-      look_at_edge(map_, edge, x, y, nearest);
-      if (nearest.squared < reach * reach) near.add(nearest);
+    map_.visit_loops(face_, [&](uint32_t l) {
+      map_.visit_loop(l, [&](uint32_t h) {
+        const double reach = std::sqrt(near.nearest().squared) + farther;
+        NearestPoint nearest;
+        nearest.squared = reach * reach;
+        look_at_edge(map_, h / 2, x, y, nearest);
+        if (nearest.squared < reach * reach) near.add(nearest);
+      });
     });
     return near;
   }
@@ -167,9 +156,7 @@ class PoleFinder {
   // Points of a face are surrounded by an odd number of its loops.
   bool is_inside(double x, double y) const {
     bool inside = false;
-    for (uint32_t l = face_.first_loop; l != no_id; l = map_.loops[l].next_of_face) {
-      inside ^= surrounds(map_, l, x, y);
-    }
+    map_.visit_loops(face_, [&](uint32_t l) { inside ^= surrounds(map_, l, x, y); });
     return inside;
   }
 
@@ -212,25 +199,21 @@ class PoleFinder {
   }
 
   // At edges of the outer loop, spread over it if there are many.
-  void lay_circles(uint32_t first, double largest) {
+  void lay_circles(double largest) {
     uint32_t edges = 0;
-    uint32_t h = first;
-    do {
-      ++edges;
-      h = map_.half_edges[h].next;
-    } while (h != first);
+    map_.visit_loop(map_.faces[face_].first_loop, [&edges](uint32_t) { ++edges; });
     const uint32_t stride = (edges + most_circles - 1) / most_circles;
-    for (uint32_t k = 0; k < edges; ++k) {
-      if (k % stride == 0) lay_circle(h, largest);
-      h = map_.half_edges[h].next;
-    }
+    uint32_t k = 0;
+    map_.visit_loop(map_.faces[face_].first_loop, [&](uint32_t h) {
+      if (k++ % stride == 0) lay_circle(h, largest);
+    });
   }
 
   // A circle that touches the middle of a half-edge from its left. Whatever reaches into it is where the next one ends.
   void lay_circle(uint32_t h, double radius) {
-    const MapEdge &edge = map_.edges[h / 2];
-    const EdgeEllipse ellipse(map_.balls, edge);
-    const SinCos t = sin_cos(0.5 * (edge.from + edge.to));
+    const EdgeCurve curve = curve_of(map_, h / 2);
+    const EdgeEllipse &ellipse = curve.ellipse;
+    const SinCos t = sin_cos(0.5 * (curve.from + curve.to));
     const double px = ellipse.x(t);
     const double py = ellipse.y(t);
     const double tx = ellipse.second[0] * t.cosine - ellipse.first[0] * t.sine;
@@ -254,8 +237,8 @@ class PoleFinder {
     }
   }
 
-  const VisibilityMap &map_;
-  const MapFace &face_;
+  const Map &map_;
+  uint32_t face_;
   FacePole best_{};
   double bound_ = 0.0;
   uint32_t looks_ = 0;
@@ -266,7 +249,10 @@ class PoleFinder {
 }  // namespace
 
 FacePole find_pole(const VisibilityMap &map, uint32_t face) {
-  return PoleFinder(map, face).find();
+  return PoleFinder<VisibilityMap>(map, face).find();
+}
+FacePole find_pole(const StickMap &map, uint32_t face) {
+  return PoleFinder<StickMap>(map, face).find();
 }
 
 }  // namespace hsp

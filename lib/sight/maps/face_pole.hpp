@@ -7,7 +7,7 @@
 // edges in the middle and shrink until they fit, so that also in a thin sickle a point is known that lies inside.
 #pragma once
 
-#include "maps/visibility_map.hpp"
+#include "maps/stick_map.hpp"
 
 namespace hsp {
 
@@ -25,5 +25,6 @@ inline constexpr uint32_t most_pole_looks = 4096;
 
 // Of any face but the unbounded one.
 FacePole find_pole(const VisibilityMap &map, uint32_t face);
+FacePole find_pole(const StickMap &map, uint32_t face);
 
 }  // namespace hsp

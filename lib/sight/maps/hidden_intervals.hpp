@@ -2,8 +2,9 @@
 #pragma once
 
 #include "core/fixed_vector.hpp"
+#include "core/floating_point.hpp"
 #include "core/sorting.hpp"
-#include "maps/visibility_map.hpp"
+#include "maps/scene_map.hpp"
 
 namespace hsp {
 
@@ -27,6 +28,21 @@ struct HiddenInterval {
   double from, to;
   ArcEnd end[2];
 };
+
+// Of a silhouette, at most `half` from the angle `middle`.
+inline void hide_angles(FixedVector<HiddenInterval> &hidden, double middle, double half, const ArcEnd &end) {
+  const double from = middle - half;
+  const double to = middle + half;
+  if (from < -pi) {
+    hidden.push({from + 2 * pi, pi, {end, {}}});
+    hidden.push({-pi, to, {{}, end}});
+  } else if (to > pi) {
+    hidden.push({from, pi, {end, {}}});
+    hidden.push({-pi, to - 2 * pi, {{}, end}});
+  } else {
+    hidden.push({from, to, {end, end}});
+  }
+}
 
 // A parameter by which hidden parts may overlap that only touch.
 inline constexpr double overlap_tolerance = 0x1p-24;
@@ -90,6 +106,16 @@ inline bool push_visible(Span<HiddenInterval> hidden, double from, double to, co
     arcs.push(waiting);
   }
   return certain;
+}
+
+// No map of these arcs has more edges: besides the arcs themselves one for each of their ends that is a T. An arc that
+// was not stored, or not found for want of room, counts as if both its ends were on contours.
+inline uint32_t most_edges_of(const FixedVector<MapArc> &arcs, uint64_t not_found) {
+  uint64_t edges = arcs.required() + 2 * (arcs.required() - arcs.size()) + 3 * not_found;
+  for (const MapArc &arc : arcs.items()) {
+    for (const ArcEnd &end : arc.end) edges += end.kind == MapVertexKind::t ? 1 : 0;
+  }
+  return clamped_count(edges);
 }
 
 }  // namespace hsp

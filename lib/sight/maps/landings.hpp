@@ -13,7 +13,6 @@ inline constexpr double landing_tolerance = 0x1p-24;
 struct Landing {
   double t;         // parameter on the contour
   uint32_t vertex;  // the T
-  uint32_t body;    // whose contour it is
 };
 
 // Sorts landings on one contour, of which these arcs are seen, in ascending order, each at the turn that fits the arcs.

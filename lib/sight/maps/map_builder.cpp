@@ -5,12 +5,13 @@ namespace hsp {
 void MapBuilder::carve(Workspace &workspace, const MapLimits &limits) {
   limits_ = limits;
   needed_ = {};
-  map_.carve(workspace, limits);
+  map_.carve(workspace, limits.edges);
   seen_.carve(workspace, limits.balls);
   discs_.carve(workspace, limits.balls);
   arcs_.carve(workspace, limits);
-  linker_.carve(workspace, limits);
-  faces_.carve(workspace, limits);
+  const MapSizes most{limits.balls, limits.balls, limits.edges};
+  linker_.carve(workspace, most);
+  faces_.carve(workspace, most);
 }
 
 Status MapBuilder::build_moved(const BallSet &balls, double perturbation) {
@@ -18,7 +19,7 @@ Status MapBuilder::build_moved(const BallSet &balls, double perturbation) {
   seen_.place(balls, map_.frame, perturbation);
   discs_.build(seen_.balls());
   discs_.mark_inside(seen_.balls());
-  map_.balls = seen_.balls();
+  map_.scene.balls = seen_.balls();
   map_.perturbation = perturbation * static_cast<double>(balls.largest_radius);
   arcs_.find(seen_, discs_);
   needed_.neighbours = larger_count(needed_.neighbours, arcs_.needed_neighbours());
@@ -29,10 +30,11 @@ Status MapBuilder::build_moved(const BallSet &balls, double perturbation) {
   // Every arc becomes an edge at least.
   needed_.edges = larger_count(needed_.edges, arcs_.arcs().size());
   if (!arcs_.certain()) return Status::check;
-  const uint32_t edges = clamped_count(linker_.count_edges(arcs_.arcs(), map_.balls.size()));
+  const uint32_t edges = clamped_count(linker_.count_edges(arcs_.arcs(), map_.scene));
   needed_.edges = larger_count(needed_.edges, edges);
   if (edges > limits_.edges) return Status::capacity;
-  return linker_.link(arcs_.arcs(), map_) && faces_.find(discs_, arcs_.complete(), map_) ? Status::ok : Status::check;
+  const MapTrust trust = arcs_.complete() ? MapTrust::all_arcs : MapTrust::labels;
+  return linker_.link(map_) && faces_.find(discs_, trust, map_) ? Status::ok : Status::check;
 }
 
 Status MapBuilder::build(const CubeGrid &grid, const ViewDirection &direction) {

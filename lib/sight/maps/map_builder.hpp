@@ -15,8 +15,10 @@
 // lib/sight/maps/THEORY.md says what that is at worst, and beside the bound of Section 5.2.
 #pragma once
 
+#include "maps/arc_finder.hpp"
 #include "maps/map_faces.hpp"
 #include "maps/map_linker.hpp"
+#include "maps/visibility_map.hpp"
 
 namespace hsp {
 
@@ -49,8 +51,8 @@ class MapBuilder {
   SeenBalls seen_;
   DiscGrid discs_;
   ArcFinder arcs_;
-  MapLinker linker_;
-  MapFaceFinder faces_;
+  MapLinker<BallScene> linker_;
+  MapFaceFinder<BallScene> faces_;
 };
 
 }  // namespace hsp

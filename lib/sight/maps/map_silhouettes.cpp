@@ -24,7 +24,7 @@ class SilhouetteWalk {
   // The ball behind a silhouette.
   uint32_t behind(uint32_t h) const {
     const uint32_t owner = map_.faces[map_.face_of(h ^ 1U)].owner;
-    return owner == no_id ? no_id : map_.balls[owner].ball;
+    return owner == no_id ? no_id : map_.scene.ball_of(owner);
   }
   SilhouetteArc::End end_of(uint32_t neighbour, uint32_t vertex) const {
     const MapVertex &at = map_.vertices[vertex];
@@ -32,10 +32,10 @@ class SilhouetteWalk {
     if (is_silhouette(neighbour)) {
       // The stem is a silhouette or a crease.
       const bool crosses = is_t && at.ball[1] == no_id;
-      return {true, false, behind(neighbour), crosses ? map_.balls[at.ball[0]].ball : no_id};
+      return {true, false, behind(neighbour), crosses ? map_.scene.ball_of(at.ball[0]) : no_id};
     }
     if (!is_t) return {false, false, no_id, no_id};
-    const uint32_t nearer = map_.balls[at.ball[2]].ball;
+    const uint32_t nearer = map_.scene.ball_of(at.ball[2]);
     return {false, true, nearer, nearer};
   }
 
@@ -58,9 +58,7 @@ void visit_silhouettes(const void *source, uint32_t ball, const SilhouetteVisito
   const VisibilityMap &map = *static_cast<const VisibilityMap *>(source);
   SilhouetteWalk walk(map, visitor);
   for (uint32_t f = map.first_face[ball]; f != no_id; f = map.next_face_of(f)) {
-    for (uint32_t l = map.faces[f].first_loop; l != no_id; l = map.loops[l].next_of_face) {
-      walk.walk(map.loops[l].first_half_edge);
-    }
+    map.visit_loops(f, [&](uint32_t l) { walk.walk(map.loops[l].first_half_edge); });
   }
 }
 

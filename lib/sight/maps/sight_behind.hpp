@@ -20,7 +20,7 @@ template <class Map, class Sight>
 SightBehind sight_behind(const Map &map, const MapEdge &edge, const Sight &sight) {
   SightBehind behind{no_id, false};
   for (const double part : {0.3819660112501051, 0.7639320225002103, 0.1458980337503154, 0.5278640450004206}) {
-    const Vec3 at = point_of(map, edge, edge.from + part * (edge.to - edge.from));
+    const Vec3 at = map.scene.at(edge.ball, edge.nearer, edge.from + part * (edge.to - edge.from));
     const auto highest = sight.highest_at(at.x, at.y, edge.ball);
     behind = {highest.body, highest.certain};
     if (behind.certain) break;
@@ -37,14 +37,14 @@ inline bool is_short(const MapEdge &edge) {
 // edges and has a front there, up to roundings, and where it shows the background there is nothing for certain.
 template <class Map, class Sight>
 bool fits_behind_contours(const Map &map, const Sight &sight) {
-  const double margin = bodies_of(map).position_tolerance();
+  const double margin = position_tolerance(map);
   for (uint32_t e = 0; e < map.edges.size(); ++e) {
     const MapEdge &edge = map.edges[e];
     if (!edge.is_silhouette() || is_short(edge)) continue;
     const uint32_t owner = map.loops[map.half_edges[2 * e + 1].loop].owner;
-    const Vec3 middle = middle_of(map, edge);
+    const Vec3 middle = map.scene.middle_of(edge, map.vertices[edge.vertex[0]], map.vertices[edge.vertex[1]]);
     if (owner != no_id) {
-      if (!may_be_seen(map, owner, middle, margin)) return false;
+      if (!map.scene.may_be_seen(owner, middle, margin)) return false;
     } else {
       const auto highest = sight.highest_at(middle.x, middle.y, edge.ball);
       if (highest.certain && highest.body != no_id) return false;

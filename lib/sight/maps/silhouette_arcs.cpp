@@ -56,17 +56,7 @@ bool add_hidden(const SeenBall &own, const SeenBall &other, uint32_t id, bool ne
   const double half = arc_tangent(std::sqrt(product > 0.0 ? product : 0.0), along);
   const double middle = arc_tangent(dy, dx);
   const ArcEnd end{nearer ? MapVertexKind::t : MapVertexKind::tangency, id};
-  const double from = middle - half;
-  const double to = middle + half;
-  if (from < -pi) {
-    hidden.push({from + 2 * pi, pi, {end, {}}});
-    hidden.push({-pi, to, {{}, end}});
-  } else if (to > pi) {
-    hidden.push({from, pi, {end, {}}});
-    hidden.push({-pi, to - 2 * pi, {{}, end}});
-  } else {
-    hidden.push({from, to, {end, end}});
-  }
+  hide_angles(hidden, middle, half, end);
   return false;
 }
 

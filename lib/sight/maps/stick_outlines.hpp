@@ -7,21 +7,6 @@
 
 namespace hsp {
 
-// A line as a flat ellipse, walked from one end of its major axis to the other.
-inline ProjectedArc line_between(const double from[2], const double to[2], uint32_t other_ball) {
-  ProjectedArc arc{};
-  for (int k = 0; k < 2; ++k) {
-    arc.ellipse.centre[k] = 0.5 * (from[k] + to[k]);
-    arc.ellipse.major[k] = 0.5 * (to[k] - from[k]);
-    arc.start[k] = from[k];
-    arc.end[k] = to[k];
-  }
-  arc.from = -pi;
-  arc.to = 0.0;
-  arc.other_ball = other_ball;
-  return arc;
-}
-
 // How much longer than it is a part is painted at its upper end, under what is painted later there: the other part, or
 // the ball, unless another stick's bite of the ball is so close that it might show there.
 double overlap_of(const StickView &view, const Stick &stick, uint32_t part);

@@ -41,7 +41,7 @@ void StickViewBuilder::carve(Workspace &workspace, const StickLimits &limits) {
   grid_of_ = workspace.take<uint32_t>(limits.balls);
   depth_ = workspace.take<double>(bodies);
   order_ = workspace.take<uint32_t>(bodies);
-  regions_.carve(workspace, limits);
+  map_.carve(workspace, limits);
 }
 
 Status StickViewBuilder::refuse(StickConflict conflict, uint32_t first, uint32_t second) {
@@ -53,7 +53,7 @@ Status StickViewBuilder::begin(const BallSet &balls, const ViewDirection &direct
   needed_ = {};
   violation_ = {};
   view_.clear();
-  regions_.clear();
+  map_.clear();
   if (const Status status = look_from(direction, view_.frame); status != Status::ok) return status;
   needed_.balls = balls.n;
   needed_.sticks = count;
@@ -168,16 +168,16 @@ Status StickViewBuilder::finish(const BallSet &balls, bool as_map) {
   if (const Status status = find_pairs(balls); status != Status::ok) return status;
   find_depths();
   violation_ = sweep_.meeting();
-  if (violation_.conflict != StickConflict::none) return find_regions(balls);
+  if (violation_.conflict != StickConflict::none) return find_map(balls);
   const uint32_t bodies = balls_ + 2 * view_.sticks.size();
   const uint32_t placed = sorter_.sort(pairs_.items(), depth_.part(0, bodies), order_.part(0, bodies));
   if (placed < bodies) {
     const DrawingOrder::Cycle cycle = sorter_.find_cycle(pairs_.items(), bodies);
     // Balls alone have no cycles, and come first.
     violation_ = {StickConflict::cycle, view_.sticks[path_of(cycle.last).stick].caller, cycle.length};
-    return find_regions(balls);
+    return find_map(balls);
   }
-  if (as_map) return find_regions(balls);
+  if (as_map) return find_map(balls);
   find_bites();
   add_paths(bodies);
   return Status::ok;
@@ -199,7 +199,7 @@ void StickViewBuilder::move(const BallSet &balls, double perturbation) {
 
 // Where roundings decide differently about one and the same thing, or what is moved meets what it only touched, all
 // balls are moved a little more.
-Status StickViewBuilder::find_regions(const BallSet &balls) {
+Status StickViewBuilder::find_map(const BallSet &balls) {
   const StickViolation reason = violation_;
   for (const double perturbation : perturbations) {
     Status status = Status::ok;
@@ -208,30 +208,30 @@ Status StickViewBuilder::find_regions(const BallSet &balls) {
       status = find_pairs(balls);
       if (status == Status::conflict) continue;
     }
-    if (status == Status::ok) status = find_moved_regions(balls, perturbation);
+    if (status == Status::ok) status = find_moved_map(balls, perturbation);
     if (status == Status::check) continue;
     violation_ = reason;
     return status;
   }
   violation_ = {};
-  regions_.clear();
+  map_.clear();
   return Status::check;
 }
 
 // A stick that the ball at its top hides as a whole is left out: that ball hides all that it would hide.
-Status StickViewBuilder::find_moved_regions(const BallSet &balls, double perturbation) {
+Status StickViewBuilder::find_moved_map(const BallSet &balls, double perturbation) {
   for (Stick &stick : view_.sticks.items()) {
     if (stick.parts > 0 && hidden_by_top(stick, 0, view_.balls[stick.ball[1]].r)) stick.parts = 0;
   }
   find_bites();
   const uint32_t bodies = balls_ + 2 * view_.sticks.size();
-  const Status status = regions_.build(view_, pairs_.items(), sweep_.boxes(), depth_.part(0, bodies));
-  needed_.edges = larger_count(needed_.edges, regions_.needed_edges());
+  const Status status = map_.build(view_, pairs_.items(), sweep_.boxes(), depth_.part(0, bodies));
+  needed_.edges = larger_count(needed_.edges, map_.needed_edges());
   if (status != Status::ok) return status;
-  regions_.set_frame(view_.frame, perturbation * static_cast<double>(balls.largest_radius));
+  map_.set_frame(view_.frame, perturbation * static_cast<double>(balls.largest_radius));
   view_.paths.clear();
-  const StickRegions &regions = regions_.structure();
-  for (uint32_t p = 0; p < regions.paths; ++p) view_.paths.push(path_of(regions.owner_of(p)));
+  const StickMap &map = map_.structure();
+  for (uint32_t p = 0; p < map.owners; ++p) view_.paths.push(path_of(map.owner_of(p)));
   return Status::ok;
 }
 

@@ -11,12 +11,11 @@
 //     ball's front is inside it, in the cap that is left out.
 //   all others are disjoint, so that one of two is over the other wherever they overlap.
 // Where balls meet, or bodies cover each other around a circle, there is no such order. Then what is seen of each body
-// is found instead, from the same pairs (region_builder.hpp); also where somebody wants to know that as a map.
+// is found instead, from the same pairs (stick_map_builder.hpp); also where somebody wants to know that as a map.
 #pragma once
 
 #include "maps/drawing_order.hpp"
-#include "maps/region_builder.hpp"
-#include "maps/region_outlines.hpp"
+#include "maps/stick_map_builder.hpp"
 #include "maps/stick_outlines.hpp"
 #include "model/ball_set.hpp"
 
@@ -32,7 +31,7 @@ class StickViewBuilder {
  public:
   void carve(Workspace &workspace, const StickLimits &limits);
 
-  // radius: of all sticks, in lattice steps, positive. as_map: regions also where there is an order.
+  // radius: of all sticks, in lattice steps, positive. as_map: a map also where there is an order.
   // Status::capacity if a limit is too small; needed() then tells what suffices, with 0 for what is not known yet.
   // Status::conflict if it cannot be drawn; violation() tells why. It also tells why there is no drawing order where
   // there is a result without. Status::check if there is none because roundings cannot be overcome, Status::not_finite
@@ -45,29 +44,27 @@ class StickViewBuilder {
     return status == Status::ok ? finish(balls, as_map) : status;
   }
 
-  // Its sticks and centres are a little moved where regions are perturbed.
+  // Its sticks and centres are a little moved where the map is of moved balls.
   const StickView &structure() const { return view_; }
-  const StickRegions &regions() const { return regions_.structure(); }
-  PaintedPaths paths() const { return regions().exist ? paths_of(regions()) : paths_of(view_); }
+  const StickMap &map() const { return map_.structure(); }
+  PaintedPaths paths() const { return map().exist ? paths_of(map()) : paths_of(view_); }
   const StickViolation &violation() const { return violation_; }
   const StickLimits &needed() const { return needed_; }
   // What to try again with after Status::capacity.
   StickLimits retry_limits() const { return limits_.covering(needed_); }
-  // What regions show at a point.
-  BodySight::Highest highest_at(double x, double y) const {
-    return regions_.sight(sweep_.boxes()).highest_at(x, y, no_id);
-  }
-  // Scratch memory for writers of pictures, [balls + 2 sticks], and for checks of regions, [2 edges].
+  // What the map shows at a point.
+  BodySight sight() const { return map_.sight(sweep_.boxes()); }
+  // Scratch memory for writers of pictures, [balls + 2 sticks], and for checks of the map, [2 edges + 1].
   Span<uint32_t> scratch() { return order_; }
-  Span<uint32_t> more_scratch() { return regions_.scratch(); }
+  Span<uint32_t> more_scratch() { return map_.scratch(); }
 
  private:
   Status begin(const BallSet &balls, const ViewDirection &direction, uint32_t count);
   Status add_stick(const BallSet &balls, uint32_t k, const StickEnds &ends, double radius);
   Status finish(const BallSet &balls, bool as_map);
   Status find_pairs(const BallSet &balls);
-  Status find_regions(const BallSet &balls);
-  Status find_moved_regions(const BallSet &balls, double perturbation);
+  Status find_map(const BallSet &balls);
+  Status find_moved_map(const BallSet &balls, double perturbation);
   Status refuse(StickConflict conflict, uint32_t first, uint32_t second);
   Stick make_stick(uint32_t one, uint32_t other, double radius, uint32_t caller, bool whole) const;
   void move(const BallSet &balls, double perturbation);
@@ -82,7 +79,7 @@ class StickViewBuilder {
   StickView view_;
   StickSweep sweep_;
   DrawingOrder sorter_;
-  RegionBuilder regions_;
+  StickMapBuilder map_;
   FixedVector<StickPair> pairs_;
   Span<uint32_t> grid_of_;  // [balls] by the caller's numbers
   Span<double> depth_;      // [balls + 2 sticks]

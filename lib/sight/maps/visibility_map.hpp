@@ -1,24 +1,8 @@
-// What is seen of a union of balls along a direction, as a subdivision of the view plane (Section 5.2): every face
-// shows one ball or the background.
-//
-// The visible surface is the upper envelope of the front hemispheres. So every edge is a part of one of two kinds of
-// curves: a silhouette, or the crease where the spheres of two balls meet. Creases never hide anything, because the
-// surface is re-entrant there: what is hidden is hidden by silhouettes and spheres.
-//
-//   triple   three creases end where three spheres meet
-//   T        a curve, the stem, ends where it goes behind a nearer ball, on that ball's silhouette
-//   tangency the crease of two balls goes over into the silhouette of the nearer one
-//   plain    somewhere on a closed curve that has no other vertex
-//   halves   the halves of a stick and what is behind them; not of balls (lib/sight/maps)
-//
-// Unlike everything below this room the map rests on floating-point roots. What holds them together is checked while
-// it is built (map_builder.hpp). The same input gives the same bits on every machine.
+// The visibility map of balls (Section 5.2).
 #pragma once
 
-#include "core/fixed_vector.hpp"
-#include "core/workspace.hpp"
-#include "maps/seen_balls.hpp"
-#include "view/view_frame.hpp"
+#include "maps/ball_scene.hpp"
+#include "maps/scene_map.hpp"
 
 namespace hsp {
 
@@ -41,97 +25,7 @@ constexpr Status default_limits(uint32_t balls, MapLimits &limits) {
   return Status::ok;
 }
 
-enum class MapVertexKind : uint32_t { plain = 0, triple = 1, t = 2, tangency = 3, halves = 4 };
-
-// How many edges meet at a vertex.
-constexpr uint32_t degree_of(MapVertexKind kind) {
-  return kind == MapVertexKind::plain || kind == MapVertexKind::tangency ? 2 : 3;
-}
-
-// Positions are view coordinates. All ids of balls are those of SeenBalls, nearest top first.
-struct MapVertex {
-  double x, y, z;
-  MapVertexKind kind;
-  uint32_t leaving;  // a half-edge that leaves it; of a T the stem
-  // The balls of the curves that meet. Triple: ascending. T: the nearer ball last, and the stem's before it (no_id if
-  // that is a silhouette). Tangency: farther, nearer. Plain: those of the curve.
-  uint32_t ball[3];
-};
-
-// A part of the silhouette of `ball`, or with another ball of the crease of `ball` and `nearer`, with parameters of
-// curves.hpp that increase from the first vertex to the second. Half-edge 2e runs along edge e, 2e + 1 against it.
-struct MapEdge {
-  double from, to;
-  uint32_t ball;
-  uint32_t nearer;  // no_id on a silhouette
-  uint32_t vertex[2];
-
-  bool is_silhouette() const { return nearer == no_id; }
-};
-
-// The face is on the left.
-struct MapHalfEdge {
-  uint32_t next;
-  uint32_t loop;
-};
-
-// Outer loops run counter-clockwise and have a positive area, holes run clockwise and have a negative one.
-struct MapLoop {
-  uint32_t first_half_edge;
-  uint32_t face;
-  uint32_t next_of_face;  // no_id behind the last one
-  uint32_t owner;         // as of its face
-  double area;
-};
-
-struct MapFace {
-  uint32_t owner;       // the ball that is seen, no_id for the background
-  uint32_t first_loop;  // the outer loop and then the holes; the unbounded face has holes only
-  double area;          // 0 for the unbounded face
-};
-
-// Face 0 is the unbounded one. The faces of one owner follow each other, those of the background first.
-struct VisibilityMap {
-  ViewFrame frame;
-  double perturbation = 0.0;  // no centre was moved farther, in lattice steps
-  uint32_t components = 0;    // connected parts of the edges
-  uint32_t owners = 0;        // balls with faces
-  Span<const SeenBall> balls;
-  FixedVector<MapVertex> vertices;
-  FixedVector<MapEdge> edges;
-  FixedVector<MapHalfEdge> half_edges;
-  FixedVector<MapLoop> loops;
-  FixedVector<MapFace> faces;
-  Span<const uint32_t> first_face;  // [balls of the model] in grid order; no_id of balls without faces
-
-  // Every vertex has at least two edges, so that there are no more vertices than edges. Loops are at most twice the
-  // edges, and faces at most one more than edges: F = 1 + C + E - V, and E - V is half the number of vertices of three.
-  void carve(Workspace &workspace, const MapLimits &limits) {
-    const uint64_t most = limits.edges;
-    vertices = FixedVector<MapVertex>(workspace.take<MapVertex>(most));
-    edges = FixedVector<MapEdge>(workspace.take<MapEdge>(most));
-    half_edges = FixedVector<MapHalfEdge>(workspace.take<MapHalfEdge>(2 * most));
-    loops = FixedVector<MapLoop>(workspace.take<MapLoop>(2 * most));
-    faces = FixedVector<MapFace>(workspace.take<MapFace>(2 * most + 1));
-  }
-  void clear() {
-    vertices.clear();
-    edges.clear();
-    half_edges.clear();
-    loops.clear();
-    faces.clear();
-    components = 0;
-    owners = 0;
-  }
-
-  uint32_t origin(uint32_t half_edge) const { return edges[half_edge / 2].vertex[half_edge % 2]; }
-  uint32_t face_of(uint32_t half_edge) const { return loops[half_edges[half_edge].loop].face; }
-  // The first face that shows a ball or, for no_id, the background; no_id if there is none.
-  uint32_t first_face_of(uint32_t owner) const { return owner == no_id ? 0 : first_face[balls[owner].ball]; }
-  // The face after another one of the same owner; no_id after the last.
-  uint32_t next_face_of(uint32_t face) const {
-    return face + 1 < faces.size() && faces[face + 1].owner == faces[face].owner ? face + 1 : no_id;
-  }
-};
+// Faces in the order of SeenBalls; places of balls are those of grid order.
+using VisibilityMap = SceneMap<BallScene>;
 
 }  // namespace hsp

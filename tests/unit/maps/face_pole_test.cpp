@@ -24,7 +24,7 @@ std::vector<Point> outline(const hsp::VisibilityMap &map, uint32_t face, int cou
   for (uint32_t h = 0; h < map.half_edges.size(); ++h) {
     if (map.face_of(h) != face) continue;
     const hsp::MapEdge &edge = map.edges[h / 2];
-    const hsp::EdgeEllipse ellipse(map.balls, edge);
+    const hsp::EdgeEllipse ellipse = map.scene.ellipse_of(edge);
     for (int k = 0; k <= count; ++k) {
       const double t = edge.from + (edge.to - edge.from) * k / count;
       points.push_back({ellipse.centre[0] + std::cos(t) * ellipse.first[0] + std::sin(t) * ellipse.second[0],
@@ -61,7 +61,7 @@ void check_pole(const BuiltMap &built, uint32_t face, oracle::RandomSource &rand
   EXPECT_TRUE(is_in(built, face, pole.x, pole.y)) << face;
   const double sampled = distance_from(points, pole.x, pole.y);
   EXPECT_LE(pole.radius, sampled * (1 + 1e-9)) << face;
-  EXPECT_GE(pole.radius, 0.95 * sampled - 1e-3 * map.balls[0].r) << face;
+  EXPECT_GE(pole.radius, 0.95 * sampled - 1e-3 * map.scene.balls[0].r) << face;
   // Nothing in the face is deeper than the bound, by so much as samples of the outline miss.
   Point low = points[0], high = points[0];
   for (const Point &p : points) {
@@ -91,7 +91,7 @@ TEST(FacePole, OfAllFacesOfRandomMaps) {
     ASSERT_EQ(built.status(), hsp::Status::ok);
     for (uint32_t f = 1; f < built.map().faces.size(); ++f) {
       // In slivers samples of the outline tell nothing.
-      if (built.map().faces[f].area < 1e-3 * built.map().balls[0].r * built.map().balls[0].r) continue;
+      if (built.map().faces[f].area < 1e-3 * built.map().scene.balls[0].r * built.map().scene.balls[0].r) continue;
       check_pole(built, f, random, seen);
     }
   }
@@ -103,13 +103,13 @@ TEST(FacePole, OfADiscARingAndASickle) {
   const auto pole_of = [](const BuiltMap &built, double r) {
     const hsp::VisibilityMap &map = built.map();
     for (uint32_t f = 1; f < map.faces.size(); ++f)
-      if (map.balls[map.faces[f].owner].r == r) return hsp::find_pole(map, f);
+      if (map.scene.balls[map.faces[f].owner].r == r) return hsp::find_pole(map, f);
     return hsp::FacePole{};
   };
   const BuiltMap disc(oracle::Balls{{7, 8, 0, 500}});
   const hsp::FacePole middle = pole_of(disc, 500);
   EXPECT_NEAR(middle.radius, 500, 1e-9);
-  EXPECT_NEAR(std::hypot(middle.x - disc.map().balls[0].x, middle.y - disc.map().balls[0].y), 0, 1e-9);
+  EXPECT_NEAR(std::hypot(middle.x - disc.map().scene.balls[0].x, middle.y - disc.map().scene.balls[0].y), 0, 1e-9);
   EXPECT_GE(middle.bound, middle.radius);
   EXPECT_LE(middle.bound, middle.radius * (1 + hsp::pole_tolerance));
   // A small disc in front of a large one leaves a ring: most room is on the other side of its middle.
@@ -152,7 +152,7 @@ double distance(const Point &p, const Point &q) {
 // Half the width of a narrow strip between two edges where it is widest: from many points of one edge to the nearest of
 // the other one, whose parameter is about the same.
 double half_of_widest(const hsp::VisibilityMap &map, const hsp::MapEdge &edge, const hsp::MapEdge &other) {
-  const hsp::EdgeEllipse own(map.balls, edge), across(map.balls, other);
+  const hsp::EdgeEllipse own = map.scene.ellipse_of(edge), across = map.scene.ellipse_of(other);
   double widest = 0;
   const double from = std::max(edge.from, other.from), to = std::min(edge.to, other.to);
   for (int k = 1; k < 1000; ++k) {
@@ -185,7 +185,7 @@ TEST(FacePole, OfAStripBetweenTwoEllipses) {
     const hsp::VisibilityMap &map = built.map();
     uint32_t strips = 0;
     for (uint32_t f = 1; f < map.faces.size(); ++f) {
-      if (map.balls[map.faces[f].owner].r != static_cast<double>(middle)) continue;
+      if (map.scene.balls[map.faces[f].owner].r != static_cast<double>(middle)) continue;
       ++strips;
       std::vector<hsp::MapEdge> sides;
       for (uint32_t h = 0; h < map.half_edges.size(); ++h) {

@@ -28,9 +28,9 @@ std::vector<uint32_t> sorted(const std::vector<MapArc> &contour, std::vector<Lan
 }
 
 TEST(Landings, ComeAtTheTurnOfTheArcs) {
-  std::vector<Landing> landings = {{1, 0, 2}, {-3, 1, 2}, {-2, 2, 2}};
+  std::vector<Landing> landings = {{1, 0}, {-3, 1}, {-2, 2}};
   EXPECT_EQ(sorted({arc(-4, -3.5), arc(-3.2, 1.5)}, landings), (std::vector<uint32_t>{1, 2, 0}));
-  landings = {{1, 0, 2}, {3, 1, 2}, {-2, 2, 2}};
+  landings = {{1, 0}, {3, 1}, {-2, 2}};
   EXPECT_EQ(sorted({arc(-4, 1.5)}, landings), (std::vector<uint32_t>{1, 2, 0}));
   EXPECT_DOUBLE_EQ(landings[0].t, 3 - 2 * pi);
 }
@@ -40,7 +40,7 @@ TEST(Landings, ComeAtTheTurnOfTheArcs) {
 TEST(Landings, BelongToTheNearerSideOfTheGapAtTheEnds) {
   for (const double gap : {0x1p-10, landing_tolerance, 0x1p-30}) {
     const double from = 1.25 - 2 * pi + gap;
-    std::vector<Landing> landings = {{1.25 + 0.25 * gap, 0, 2}, {1.25 + 0.75 * gap, 1, 2}};
+    std::vector<Landing> landings = {{1.25 + 0.25 * gap, 0}, {1.25 + 0.75 * gap, 1}};
     EXPECT_EQ(sorted({arc(from, 1.25)}, landings), (std::vector<uint32_t>{1, 0})) << gap;
     EXPECT_NEAR(landings[0].t, from - 0.25 * gap, 1e-15);
     EXPECT_NEAR(landings[1].t, 1.25 + 0.25 * gap, 1e-15);
@@ -50,7 +50,7 @@ TEST(Landings, BelongToTheNearerSideOfTheGapAtTheEnds) {
 TEST(Landings, OnWholeContours) {
   MapArc whole = arc(-pi, pi);
   whole.closed = true;
-  std::vector<Landing> landings = {{pi, 0, 2}, {-1, 1, 2}, {2, 2, 2}, {-1, 3, 2}};
+  std::vector<Landing> landings = {{pi, 0}, {-1, 1}, {2, 2}, {-1, 3}};
   EXPECT_EQ(sorted({whole}, landings), (std::vector<uint32_t>{0, 1, 3, 2}));
   EXPECT_EQ(landings[0].t, -pi);
 }

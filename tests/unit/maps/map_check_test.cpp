@@ -46,7 +46,7 @@ TEST_F(MapCheck, Vertices) {
     v.leaving = v.kind == hsp::MapVertexKind::plain ? hsp::no_id : v.leaving ^ 1U;
   });
   expect<hsp::MapVertex>(map().vertices, MapInvariant::vertices,
-                         [&](hsp::MapVertex &v) { v.ball[0] = map().balls.size(); });
+                         [&](hsp::MapVertex &v) { v.ball[0] = map().scene.balls.size(); });
   expect<hsp::MapEdge>(map().edges, MapInvariant::vertices,
                        [&](hsp::MapEdge &e) { e.vertex[0] = map().vertices.size(); });
 }
@@ -54,7 +54,7 @@ TEST_F(MapCheck, Vertices) {
 TEST_F(MapCheck, Edges) {
   expect<hsp::MapEdge>(map().edges, MapInvariant::edges, [](hsp::MapEdge &e) { std::swap(e.from, e.to); });
   expect<hsp::MapEdge>(map().edges, MapInvariant::edges, [](hsp::MapEdge &e) { e.to += 7; });
-  expect<hsp::MapEdge>(map().edges, MapInvariant::edges, [&](hsp::MapEdge &e) { e.ball = map().balls.size(); });
+  expect<hsp::MapEdge>(map().edges, MapInvariant::edges, [&](hsp::MapEdge &e) { e.ball = map().scene.balls.size(); });
   expect<hsp::MapVertex>(map().vertices, MapInvariant::edges, [](hsp::MapVertex &v) {
     v.ball[0] = 0;
     v.ball[1] = v.ball[2] = hsp::no_id;
@@ -117,7 +117,7 @@ TEST_F(MapCheck, Euler) {
 
 TEST_F(MapCheck, Positions) {
   double largest = 0;
-  for (const hsp::SeenBall &ball : map().balls) largest = std::max(largest, ball.r);
+  for (const hsp::SeenBall &ball : map().scene.balls) largest = std::max(largest, ball.r);
   expect<hsp::MapVertex>(map().vertices, MapInvariant::positions, [&](hsp::MapVertex &v) { v.x += 1e-4 * largest; });
   expect<hsp::MapVertex>(map().vertices, MapInvariant::positions, [&](hsp::MapVertex &v) { v.y -= 1e-4 * largest; });
 }
@@ -139,7 +139,7 @@ class TwoDiscs {
   TwoDiscs(int64_t one, int64_t other) : built_({{0, 0, 0, one}, {one + other + 10, 0, 0, other}}) {
     for (uint32_t l = 0; l < map().loops.size(); ++l) {
       const hsp::MapLoop &loop = map().loops[l];
-      const bool large = map().balls[map().edges[loop.first_half_edge / 2].ball].x < 0;
+      const bool large = map().scene.balls[map().edges[loop.first_half_edge / 2].ball].x < 0;
       (loop.area > 0 ? outer_ : hole_)[large ? 0 : 1] = l;
     }
   }
@@ -204,8 +204,8 @@ TEST(MapCheckOfWrongMaps, ASilhouetteIsSeenBehindABall) {
   hsp::VisibilityMap &map = built.builder().arrays();
   const auto violated = [&] { return hsp::check_map(map, built.builder().scratch()).invariant; };
   ASSERT_EQ(violated(), MapInvariant::none);
-  std::vector<hsp::SeenBall> balls(map.balls.begin(), map.balls.end());
-  map.balls = hsp::Span<const hsp::SeenBall>(balls.data(), 2);
+  std::vector<hsp::SeenBall> balls(map.scene.balls.begin(), map.scene.balls.end());
+  map.scene.balls = hsp::Span<const hsp::SeenBall>(balls.data(), 2);
   balls[0].z -= 60;
   EXPECT_EQ(violated(), MapInvariant::none);
   balls[0].z -= 40;

@@ -91,13 +91,13 @@ TEST(MapFaces, RefusesEdgesThatDoNotFit) {
   ASSERT_EQ(built.status(), hsp::Status::ok);
   hsp::VisibilityMap &map = built.builder().arrays();
   CarvedMemory memory;
-  hsp::MapFaceFinder finder;
-  memory.carve(finder, hsp::MapLimits{60, 60, map.edges.capacity()});
+  hsp::MapFaceFinder<hsp::BallScene> finder;
+  memory.carve(finder, hsp::MapSizes{60, 60, map.edges.capacity()});
   const auto again = [&] {
     map.loops.clear();
     map.faces.clear();
     for (hsp::MapHalfEdge &half_edge : map.half_edges.items()) half_edge.loop = hsp::no_id;
-    return finder.find(built.builder().discs(), true, map);
+    return finder.find(built.builder().discs(), hsp::MapTrust::all_arcs, map);
   };
   ASSERT_TRUE(again());
   for (uint32_t h = 0; h < map.half_edges.size(); h += 3) {
@@ -113,7 +113,7 @@ TEST(MapFaces, RefusesEdgesThatDoNotFit) {
     hsp::MapEdge &edge = map.edges[e];
     const hsp::MapEdge good = edge;
     if (!edge.is_silhouette()) continue;
-    edge.ball = (edge.ball + 1) % map.balls.size();
+    edge.ball = (edge.ball + 1) % map.scene.balls.size();
     ++changed;
     noticed += again() ? 0 : 1;
     edge = good;
@@ -129,14 +129,14 @@ TEST(MapFaces, RefusesBallsThatWereForgotten) {
   const BuiltMap two({{0, 0, 0, 50}, {200, 0, 0, 20}});
   hsp::VisibilityMap &map = one.builder().arrays();
   CarvedMemory memory;
-  hsp::MapFaceFinder finder;
-  memory.carve(finder, hsp::MapLimits{2, 2, map.edges.capacity()});
+  hsp::MapFaceFinder<hsp::BallScene> finder;
+  memory.carve(finder, hsp::MapSizes{2, 2, map.edges.capacity()});
   const auto again = [&](const BuiltMap &of) {
-    map.balls = of.map().balls;
+    map.scene.balls = of.map().scene.balls;
     map.loops.clear();
     map.faces.clear();
     for (hsp::MapHalfEdge &half_edge : map.half_edges.items()) half_edge.loop = hsp::no_id;
-    return finder.find(of.discs(), true, map);
+    return finder.find(of.discs(), hsp::MapTrust::all_arcs, map);
   };
   EXPECT_TRUE(again(one));
   EXPECT_FALSE(again(two));

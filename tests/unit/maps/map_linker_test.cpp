@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "maps/arc_finder.hpp"
 #include "placed_balls.hpp"
 
 namespace {
@@ -15,17 +16,17 @@ class Linked {
   explicit Linked(PlacedBalls &placed) : placed_(placed) {
     const hsp::MapLimits limits{placed.size(), placed.size(), 4000};
     finder_memory_.carve(finder_, limits);
-    linker_memory_.carve(linker_, limits);
-    map_memory_.carve(map, limits);
+    linker_memory_.carve(linker_, hsp::MapSizes{placed.size(), placed.size(), limits.edges});
+    map_memory_.carve(map, limits.edges);
     finder_.find(placed.seen, placed.discs);
     arcs.assign(finder_.arcs().begin(), finder_.arcs().end());
   }
   bool link() {
     map.clear();
-    map.balls = placed_.seen.balls();
+    map.scene.balls = placed_.seen.balls();
     const hsp::Span<const MapArc> span(arcs.data(), static_cast<uint32_t>(arcs.size()));
-    edges = linker_.count_edges(span, map.balls.size());
-    return linker_.link(span, map);
+    edges = linker_.count_edges(span, map.scene);
+    return linker_.link(map);
   }
 
   std::vector<MapArc> arcs;
@@ -35,7 +36,7 @@ class Linked {
  private:
   PlacedBalls &placed_;
   hsp::ArcFinder finder_;
-  hsp::MapLinker linker_;
+  hsp::MapLinker<hsp::BallScene> linker_;
   CarvedMemory finder_memory_, linker_memory_, map_memory_;
 };
 

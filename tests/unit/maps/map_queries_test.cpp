@@ -15,7 +15,7 @@ namespace {
 // The front of the highest ball, of all that the map knows.
 double highest_front(const hsp::VisibilityMap &map, double x, double y) {
   double highest = -std::numeric_limits<double>::infinity();
-  for (const hsp::SeenBall &ball : map.balls) {
+  for (const hsp::SeenBall &ball : map.scene.balls) {
     const double squared = ball.r * ball.r - (x - ball.x) * (x - ball.x) - (y - ball.y) * (y - ball.y);
     if (squared > 0) highest = std::max(highest, ball.z + std::sqrt(squared));
   }
@@ -48,7 +48,7 @@ TEST(MapQueries, FindFacesAsOftenAsTheirAreasSay) {
     }
   for (uint32_t h = 0; h < map.half_edges.size(); ++h) {
     const hsp::MapEdge &edge = map.edges[h / 2];
-    border[map.face_of(h)] += (edge.to - edge.from) * map.balls[edge.ball].r;
+    border[map.face_of(h)] += (edge.to - edge.from) * map.scene.balls[edge.ball].r;
   }
   for (uint32_t f = 1; f < map.faces.size(); ++f)
     EXPECT_NEAR(counted[f], map.faces[f].area, grid.side * border[f] + 4 * grid.side * grid.side) << f;
@@ -62,7 +62,7 @@ TEST(MapQueries, FindFacesWithinHoles) {
                      std::lround(1000 * std::sin(k * 3.14159265358979 / 3)), 9000 + 7 * k, 550});
   const BuiltMap built(balls);
   const hsp::VisibilityMap &map = built.map();
-  const hsp::SeenBall &large = map.balls[map.balls.size() - 1];
+  const hsp::SeenBall &large = map.scene.balls[map.scene.balls.size() - 1];
   ASSERT_EQ(large.r, 3000);
   const uint32_t inner = face_at(built, large.x + 3, large.y + 4);
   const uint32_t outer = face_at(built, large.x + 3, large.y + 2500);
@@ -109,12 +109,12 @@ TEST(MapQueries, TellDepthAndGapAlongEdges) {
       const hsp::EdgePoint next = at(0.4001);
       // A small step to the right of the direction of travel.
       const double length = std::hypot(next.x - p.x, next.y - p.y);
-      const double step = 1e-9 * map.balls[edge.ball].r;
+      const double step = 1e-9 * map.scene.balls[edge.ball].r;
       const double x = p.x + step * (next.y - p.y) / length;
       const double y = p.y - step * (next.x - p.x) / length;
       const double right = highest_front(map, x, y);
       const double left = highest_front(map, 2 * p.x - x, 2 * p.y - y);
-      const double tolerance = 1e-3 * map.balls[edge.ball].r;
+      const double tolerance = 1e-3 * map.scene.balls[edge.ball].r;
       ++edges;
       EXPECT_NEAR(left, p.z - p.gap_left, tolerance);
       if (std::isinf(p.gap_right)) {
@@ -139,7 +139,7 @@ TEST(MapQueries, SumAreasByBalls) {
   const hsp::VisibilityMap &map = built.map();
   const uint32_t n = built.grid().balls().n;
   std::vector<double> area(n, 7), expected(n, 0);
-  hsp::sum_visible_areas(map, built.grid().balls().caller, {area.data(), n});
+  hsp::sum_visible_areas(map, [&](uint32_t ball) { return built.caller(ball); }, {area.data(), n});
   double all = 0;
   for (const hsp::MapFace &face : map.faces.items())
     if (face.owner != hsp::no_id) {

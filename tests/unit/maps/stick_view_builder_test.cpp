@@ -34,7 +34,7 @@ TEST_P(SticksOfMolecule, ShowWhatIsVisible) {
       EXPECT_EQ(sticks_disagree(built, 300), "") << towards[0];
     }
   const BuiltSticks as_map(model.balls, model.ends, 120, along_z, false, true);
-  EXPECT_TRUE(as_map.builder().regions().exist);
+  EXPECT_TRUE(as_map.builder().map().exist);
   EXPECT_EQ(sticks_disagree(as_map, 300), "");
 }
 

@@ -27,7 +27,7 @@ void expect_right_pictures(const StickModel &model, double radius, bool painted)
       EXPECT_EQ(sticks_disagree(BuiltSticks(model.balls, model.ends, radius, towards, whole), 1000), "");
     }
     const BuiltSticks map(model.balls, model.ends, radius, towards, whole, true);
-    EXPECT_TRUE(map.builder().regions().exist);
+    EXPECT_TRUE(map.builder().map().exist);
     EXPECT_EQ(sticks_disagree(map, 1000), "");
   }
 }

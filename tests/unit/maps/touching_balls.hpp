@@ -91,7 +91,7 @@ inline std::vector<double> seen_areas(const BuiltMap &built, size_t balls) {
 }
 inline std::vector<double> seen_areas(const BuiltSticks &built, size_t balls) {
   std::vector<double> areas(balls, 0.0);
-  for (const hsp::MapFace &face : built.builder().regions().faces.items())
+  for (const hsp::MapFace &face : built.builder().map().faces.items())
     if (face.owner != hsp::no_id) areas[built.balls().caller[face.owner]] += face.area;
   return areas;
 }
@@ -134,7 +134,7 @@ inline std::string set_complaint(const SeenSet &set, size_t pixels) {
   if (complaint.empty() && pixels > 0) complaint = map_disagrees(built, pixels);
   const BuiltSticks sticks(set.balls, {}, 0.25, set.towards, false, true);
   if (!complaint.empty() || sticks.status() != hsp::Status::ok) return complaint;
-  const double moved = built.map().perturbation + sticks.builder().regions().perturbation;
+  const double moved = built.map().perturbation + sticks.builder().map().perturbation;
   return areas_differ(seen_areas(built, set.balls.size()), seen_areas(sticks, set.balls.size()), moved,
                       largest_radius(set.balls));
 }

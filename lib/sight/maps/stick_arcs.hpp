@@ -7,12 +7,13 @@
 
 namespace hsp {
 
-class RegionArcs {
+class StickArcs {
  public:
   void carve(Workspace &workspace, const StickLimits &limits);
 
   // pairs: of all bodies that may cover each other, those of balls that meet both ways. Bites are those of the view.
-  void find(const StickScene &scene, const StickView &view, Span<const StickPair> pairs);
+  // balls: those of the scene; finds which of them lie inside other ones.
+  void find(const StickScene &scene, const StickView &view, Span<const StickPair> pairs, Span<SeenBall> balls);
 
   // Those of a body's contour follow each other, in ascending order of their parameters. They are named as
   // stick_scene.hpp says. An end is a T on the contour of a body; or, as a tangency with no ball, a natural end of a
@@ -22,14 +23,12 @@ class RegionArcs {
   // False if roundings decided whether some whole curve is seen.
   bool certain() const { return certain_; }
   bool overflowed() const { return arcs_.overflowed() || most_hidden_ > hidden_.capacity(); }
-  // No more edges are needed for these arcs and to find them: besides the arcs one for each of their ends that is a T.
-  uint32_t needed_edges() const;
-  // Of balls: whether they lie inside other ones.
-  Span<const uint8_t> inside() const { return inside_; }
+  // No more edges are needed for these arcs and to find them.
+  uint32_t needed_edges() const { return larger_count(most_edges_of(arcs_, not_found_), most_hidden_); }
 
  private:
   void sort_pairs(Span<const StickPair> pairs);
-  void mark_inside();
+  void mark_inside(Span<SeenBall> balls) const;
   void add_silhouette(uint32_t ball);
   void add_crease(uint32_t ball, uint32_t nearer);
   void add_rings(uint32_t stick);
@@ -49,7 +48,6 @@ class RegionArcs {
   template <class Parts>
   bool hide_by_stick(Parts &parts, uint32_t body, uint32_t except_stick);
   bool hide_by_own_stick(uint32_t body, uint32_t ball);
-  void hide_angles(double middle, double half, const ArcEnd &end);
   void begin_curve();
   template <class Parts>
   void end_curve(const Parts &parts, bool hidden, double from, double to, const ArcEnd &natural, uint32_t body,
@@ -62,7 +60,6 @@ class RegionArcs {
   Span<uint32_t> first_above_;          // [bodies + 1]
   Span<uint32_t> above_;                // [pairs]
   Span<uint32_t> asked_;                // [sticks] the last curve for which a stick was asked
-  Span<uint8_t> inside_;                // [balls]
   uint64_t not_found_ = 0;              // arcs at most
   uint32_t curve_ = 0;
   uint32_t most_hidden_ = 0;

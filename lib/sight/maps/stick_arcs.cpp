@@ -1,4 +1,4 @@
-#include "maps/region_arcs.hpp"
+#include "maps/stick_arcs.hpp"
 
 #include "core/elementary.hpp"
 #include "maps/hidden_parts.hpp"
@@ -10,18 +10,17 @@ constexpr ArcEnd natural_end{MapVertexKind::tangency, no_id};
 
 }  // namespace
 
-void RegionArcs::carve(Workspace &workspace, const StickLimits &limits) {
+void StickArcs::carve(Workspace &workspace, const StickLimits &limits) {
   arcs_ = FixedVector<MapArc>(workspace.take<MapArc>(limits.edges));
   hidden_ = FixedVector<HiddenInterval>(workspace.take<HiddenInterval>(limits.edges));
   first_above_ = workspace.take<uint32_t>(limits.balls + 2 * static_cast<uint64_t>(limits.sticks) + 1);
   above_ = workspace.take<uint32_t>(limits.pairs);
   asked_ = workspace.take<uint32_t>(limits.sticks);
-  inside_ = workspace.take<uint8_t>(limits.balls);
 }
 
 // A counting sort by the lower body.
-void RegionArcs::sort_pairs(Span<const StickPair> pairs) {
-  const uint32_t bodies = scene_.balls.size() + 2 * scene_.sticks.size();
+void StickArcs::sort_pairs(Span<const StickPair> pairs) {
+  const uint32_t bodies = scene_.bodies();
   for (uint32_t k = 0; k <= bodies; ++k) first_above_[k] = 0;
   for (const StickPair &pair : pairs) ++first_above_[pair.below];
   uint32_t end = 0;
@@ -31,26 +30,26 @@ void RegionArcs::sort_pairs(Span<const StickPair> pairs) {
 }
 
 // Of equal balls the first one is not inside.
-void RegionArcs::mark_inside() {
+void StickArcs::mark_inside(Span<SeenBall> balls) const {
   for (uint32_t i = 0; i < scene_.balls.size(); ++i) {
-    inside_[i] = 0;
+    balls[i].inside = 0;
     const SeenBall &ball = scene_.balls[i];
     for (const uint32_t k : bodies_above(i)) {
       if (!scene_.is_ball(k)) continue;
       const SeenBall &other = scene_.balls[k];
       const bool smaller = ball.r != other.r ? ball.r < other.r : i > k;
-      if (smaller && is_inside(ball, other)) inside_[i] = 1;
+      if (smaller && is_inside(ball, other)) balls[i].inside = 1;
     }
   }
 }
 
-void RegionArcs::begin_curve() {
+void StickArcs::begin_curve() {
   hidden_.clear();
   ++curve_;
 }
 
 template <class Parts>
-bool RegionArcs::hide_by_stick(Parts &parts, uint32_t body, uint32_t except_stick) {
+bool StickArcs::hide_by_stick(Parts &parts, uint32_t body, uint32_t except_stick) {
   const uint32_t k = scene_.stick_of(body);
   if (k == except_stick || scene_.sticks[k].parts == 0 || asked_[k] == curve_) return false;
   asked_[k] = curve_;
@@ -59,12 +58,12 @@ bool RegionArcs::hide_by_stick(Parts &parts, uint32_t body, uint32_t except_stic
 
 // What the bodies above another one hide of a curve of that; true if that is all.
 template <class Parts>
-bool RegionArcs::hide(Parts &parts, uint32_t body, uint32_t except_ball, uint32_t except_stick,
-                      const ArcEnd &at_surface) {
+bool StickArcs::hide(Parts &parts, uint32_t body, uint32_t except_ball, uint32_t except_stick,
+                     const ArcEnd &at_surface) {
   for (const uint32_t k : bodies_above(body)) {
     if (!scene_.is_ball(k)) {
       if (hide_by_stick(parts, k, except_stick)) return true;
-    } else if (k != except_ball && inside_[k] == 0) {
+    } else if (k != except_ball && scene_.balls[k].inside == 0) {
       if (parts.add_ball(scene_.balls[k], k, {at_surface.kind, k})) return true;
     }
   }
@@ -72,8 +71,8 @@ bool RegionArcs::hide(Parts &parts, uint32_t body, uint32_t except_ball, uint32_
 }
 
 template <class Parts>
-void RegionArcs::end_curve(const Parts &parts, bool hidden, double from, double to, const ArcEnd &natural,
-                           uint32_t body, uint32_t nearer) {
+void StickArcs::end_curve(const Parts &parts, bool hidden, double from, double to, const ArcEnd &natural, uint32_t body,
+                          uint32_t nearer) {
   most_hidden_ = larger_count(most_hidden_, clamped_count(hidden_.required()));
   if (!parts.certain()) certain_ = false;
   if (hidden) return;
@@ -84,38 +83,23 @@ void RegionArcs::end_curve(const Parts &parts, bool hidden, double from, double 
   push_visible(hidden_.items(), from, to, natural, body, nearer, arcs_);
 }
 
-// Of a silhouette, at most `half` from the angle `middle`.
-void RegionArcs::hide_angles(double middle, double half, const ArcEnd &end) {
-  const double from = middle - half;
-  const double to = middle + half;
-  if (from < -pi) {
-    hidden_.push({from + 2 * pi, pi, {end, {}}});
-    hidden_.push({-pi, to, {{}, end}});
-  } else if (to > pi) {
-    hidden_.push({from, pi, {end, {}}});
-    hidden_.push({-pi, to - 2 * pi, {{}, end}});
-  } else {
-    hidden_.push({from, to, {end, end}});
-  }
-}
-
 // A stick that comes towards the viewer out of a ball hides what is between its lines of the ball's silhouette. Where
 // it is nearly level the silhouette goes into its side all but where it goes behind its lines, which roots cannot tell
 // apart. False if it is no stick of the ball, or so steep that it ends before the silhouette.
-bool RegionArcs::hide_by_own_stick(uint32_t body, uint32_t ball) {
+bool StickArcs::hide_by_own_stick(uint32_t body, uint32_t ball) {
   const Stick &stick = scene_.stick_at(body);
   if (stick.ball[0] != ball || stick.parts == 0 || !(stick.first < stick.length * stick.seen)) return false;
   const uint32_t k = scene_.stick_of(body);
   if (asked_[k] == curve_) return true;
   asked_[k] = curve_;
   const uint32_t part = stick.parts == 2 && stick.first >= stick.middle() * stick.seen ? 1U : 0U;
-  hide_angles(arc_tangent(stick.e[1], stick.e[0]), arc_tangent(stick.radius, stick.first),
+  hide_angles(hidden_, arc_tangent(stick.e[1], stick.e[0]), arc_tangent(stick.radius, stick.first),
               {MapVertexKind::t, scene_.body_of(k, part)});
   return true;
 }
 
 // Sticks that go away from the viewer bite the ball.
-void RegionArcs::add_silhouette(uint32_t ball) {
+void StickArcs::add_silhouette(uint32_t ball) {
   begin_curve();
   const RoundCurve curve = scene_.round_curve(ball, no_id);
   HiddenParts<RoundCurve> parts(curve, -pi, pi, hidden_);
@@ -124,17 +108,17 @@ void RegionArcs::add_silhouette(uint32_t ball) {
     if (hidden) break;
     if (!scene_.is_ball(k)) {
       hidden = !hide_by_own_stick(k, ball) && hide_by_stick(parts, k, no_id);
-    } else if (inside_[k] == 0) {
+    } else if (scene_.balls[k].inside == 0) {
       hidden = parts.add_ball_at_silhouette(scene_.balls[k], k, is_nearer(k, ball));
     }
   }
   for (const StickBite &bite : view_->bites_of(ball)) {
-    hide_angles(bite.middle, bite.half, {MapVertexKind::tangency, scene_.body_of(bite.stick, 0)});
+    hide_angles(hidden_, bite.middle, bite.half, {MapVertexKind::tangency, scene_.body_of(bite.stick, 0)});
   }
   end_curve(parts, hidden, -pi, pi, {}, ball, no_id);
 }
 
-void RegionArcs::add_crease(uint32_t ball, uint32_t nearer) {
+void StickArcs::add_crease(uint32_t ball, uint32_t nearer) {
   const Crease crease(scene_.balls[ball], scene_.balls[nearer]);
   if (!crease.exists) return;
   begin_curve();
@@ -144,7 +128,7 @@ void RegionArcs::add_crease(uint32_t ball, uint32_t nearer) {
   end_curve(parts, hidden, -crease.end, crease.end, crease.is_whole() ? ArcEnd{} : natural_end, ball, nearer);
 }
 
-void RegionArcs::add_top_ring(const StickBite &bite) {
+void StickArcs::add_top_ring(const StickBite &bite) {
   const Stick &stick = scene_.sticks[bite.stick];
   const uint32_t body = scene_.body_of(bite.stick, stick.parts - 1);
   const uint32_t ball = stick.ball[1];
@@ -156,7 +140,7 @@ void RegionArcs::add_top_ring(const StickBite &bite) {
 }
 
 // At the foot and in the middle. The ball at the top may hide them.
-void RegionArcs::add_rings(uint32_t k) {
+void StickArcs::add_rings(uint32_t k) {
   const Stick &stick = scene_.sticks[k];
   const uint32_t low = scene_.body_of(k, 0);
   const uint32_t names[2][2] = {{stick.ball[0], low}, {low, low + 1}};
@@ -171,7 +155,7 @@ void RegionArcs::add_rings(uint32_t k) {
 }
 
 // A line ends on the silhouette of the ball at the top, at the latest where it enters the ball.
-void RegionArcs::add_line(uint32_t body, bool left) {
+void StickArcs::add_line(uint32_t body, bool left) {
   const Stick &stick = scene_.stick_at(body);
   const uint32_t part = scene_.part_of(body);
   const uint32_t top = stick.ball[1];
@@ -193,12 +177,13 @@ void RegionArcs::add_line(uint32_t body, bool left) {
   }
 }
 
-void RegionArcs::add_contour(uint32_t body) {
+void StickArcs::add_contour(uint32_t body) {
   add_line(body, true);
   add_line(body, false);
 }
 
-void RegionArcs::find(const StickScene &scene, const StickView &view, Span<const StickPair> pairs) {
+void StickArcs::find(const StickScene &scene, const StickView &view, Span<const StickPair> pairs,
+                     Span<SeenBall> balls) {
   scene_ = scene;
   view_ = &view;
   arcs_.clear();
@@ -208,28 +193,19 @@ void RegionArcs::find(const StickScene &scene, const StickView &view, Span<const
   curve_ = 0;
   for (uint32_t k = 0; k < scene.sticks.size(); ++k) asked_[k] = 0;
   sort_pairs(pairs);
-  mark_inside();
+  mark_inside(balls);
   for (uint32_t i = 0; i < scene.balls.size(); ++i) {
-    if (!(scene.balls[i].r > 0.0) || inside_[i] != 0) continue;
+    if (!(scene.balls[i].r > 0.0) || scene_.balls[i].inside != 0) continue;
     add_silhouette(i);
     for (const StickBite &bite : view.bites_of(i)) add_top_ring(bite);
     for (const uint32_t k : bodies_above(i)) {
-      if (scene.is_ball(k) && inside_[k] == 0 && is_nearer(k, i)) add_crease(i, k);
+      if (scene.is_ball(k) && scene_.balls[k].inside == 0 && is_nearer(k, i)) add_crease(i, k);
     }
   }
   for (uint32_t k = 0; k < scene.sticks.size(); ++k) {
     add_rings(k);
     for (uint32_t part = 0; part < scene.sticks[k].parts; ++part) add_contour(scene.body_of(k, part));
   }
-}
-
-// An arc that was not stored, or not found for want of room, counts as if both its ends were on contours.
-uint32_t RegionArcs::needed_edges() const {
-  uint64_t edges = arcs_.required() + 2 * (arcs_.required() - arcs_.size()) + 3 * not_found_;
-  for (const MapArc &arc : arcs_.items()) {
-    for (const ArcEnd &end : arc.end) edges += end.kind == MapVertexKind::t ? 1 : 0;
-  }
-  return larger_count(clamped_count(edges), most_hidden_);
 }
 
 }  // namespace hsp

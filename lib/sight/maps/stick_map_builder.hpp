@@ -7,46 +7,46 @@
 // each stick, and the half circles where it leaves its balls. Under the conditions of stick_sweep.hpp these are all:
 // nothing else of sticks meets anything.
 //
-// Like a map it rests on floating-point roots, and what holds it together is checked: every end finds its partners,
-// every T its contour (region_linker.hpp), and then what region_loops.hpp lists. Where that fails all centres are moved
-// a little by whoever calls this.
+// What holds it together is checked as of a map of balls, with the difference that labels are not trusted. Where that
+// fails all centres are moved a little by whoever calls this.
 #pragma once
 
-#include "maps/region_arcs.hpp"
-#include "maps/region_linker.hpp"
-#include "maps/region_loops.hpp"
+#include "maps/body_sight.hpp"
+#include "maps/map_faces.hpp"
+#include "maps/map_linker.hpp"
+#include "maps/stick_arcs.hpp"
+#include "maps/stick_map.hpp"
 
 namespace hsp {
 
-class RegionBuilder {
+class StickMapBuilder {
  public:
   void carve(Workspace &workspace, const StickLimits &limits);
-  void clear() { regions_.clear(); }
+  void clear() { map_.clear(); }
 
-  // view: balls, sticks and bites. depth [bodies]: of paths, which are sorted by it. Status::capacity if limits.edges
+  // view: balls, sticks and bites. depth [bodies]: faces and paths are sorted by it. Status::capacity if limits.edges
   // is too small; needed_edges() then tells what suffices. Status::check if something does not fit.
   Status build(const StickView &view, Span<const StickPair> pairs, Span<const SweptBox> boxes,
                Span<const double> depth);
   void set_frame(const ViewFrame &frame, double perturbation) {
-    regions_.frame = frame;
-    regions_.perturbation = perturbation;
+    map_.frame = frame;
+    map_.perturbation = perturbation;
   }
 
-  const StickRegions &structure() const { return regions_; }
+  const StickMap &structure() const { return map_; }
   // For points of the view plane. boxes: as for build.
-  BodySight sight(Span<const SweptBox> boxes) const { return {regions_.scene, boxes, arcs_.inside()}; }
-  // Scratch memory for checks; [2 edges].
-  Span<uint32_t> scratch() { return linker_.scratch(); }
+  BodySight sight(Span<const SweptBox> boxes) const { return {map_.scene, boxes}; }
+  // Scratch memory for checks; [2 edges + 1].
+  Span<uint32_t> scratch() { return faces_.scratch(); }
   uint32_t needed_edges() const { return arcs_.needed_edges(); }
 
  private:
-  void add_paths();
-
-  StickRegions regions_;
-  RegionArcs arcs_;
-  RegionLinker linker_;
-  RegionLoops loops_;
+  StickMap map_;
+  StickArcs arcs_;
+  MapLinker<StickScene> linker_;
+  MapFaceFinder<StickScene> faces_;
   Span<SeenBall> balls_;  // [balls]
+  Span<uint32_t> order_;  // [bodies]
   uint32_t edges_ = 0;    // the limit
 };
 

@@ -1,5 +1,5 @@
 // Pictures of balls and sticks without a drawing order, against the z-buffer of balls and cylinders: no pixel differs.
-#include "maps/region_builder.hpp"
+#include "maps/stick_map_builder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,9 +24,9 @@ Direction one_of(int k, int count) {
   return {r * std::cos(angle), r * std::sin(angle), z};
 }
 
-void expect_regions(const BuiltSticks &built, const char *reason, size_t pixels) {
+void expect_map(const BuiltSticks &built, const char *reason, size_t pixels) {
   EXPECT_EQ(built.violation().substr(0, 2), reason);
-  EXPECT_TRUE(built.builder().regions().exist);
+  EXPECT_TRUE(built.builder().map().exist);
   EXPECT_EQ(sticks_disagree(built, pixels), "");
 }
 
@@ -48,25 +48,25 @@ StickModel carton(int corners) {
   return model;
 }
 
-TEST(RegionBuilder, ShowsCycles) {
+TEST(StickMapBuilder, ShowsCycles) {
   for (const int corners : {3, 4, 5, 6})
     for (const bool whole : {false, true}) {
       const StickModel model = carton(corners);
       const BuiltSticks built(model.balls, model.ends, 200, along_z, whole);
-      expect_regions(built, "8 ", 300);
+      expect_map(built, "8 ", 300);
       EXPECT_GE(built.builder().violation().second, 3U) << built.violation();
-      EXPECT_EQ(built.builder().regions().perturbation, 0);
+      EXPECT_EQ(built.builder().map().perturbation, 0);
       EXPECT_EQ(sticks_disagree(BuiltSticks(model.balls, model.ends, 200, {1, 0, 0}, whole), 200), "");
     }
 }
 
 // Two of one direction and two across, woven: halves would have an order.
-TEST(RegionBuilder, ShowsWovenSticks) {
+TEST(StickMapBuilder, ShowsWovenSticks) {
   const Balls balls = {{-9000, -2000, 700, 500}, {9000, -2000, -700, 500},  {-9000, 2000, -700, 500},
                        {9000, 2000, 700, 500},   {-2000, -9000, -700, 500}, {-2000, 9000, 700, 500},
                        {2000, -9000, 700, 500},  {2000, 9000, -700, 500}};
   for (const double radius : {50.0, 90.0})
-    expect_regions(BuiltSticks(balls, {{0, 1}, {2, 3}, {4, 5}, {6, 7}}, radius, along_z, true), "8 ", 300);
+    expect_map(BuiltSticks(balls, {{0, 1}, {2, 3}, {4, 5}, {6, 7}}, radius, along_z, true), "8 ", 300);
 }
 
 class RegionsOfMolecule : public testing::TestWithParam<const char *> {};
@@ -84,14 +84,14 @@ TEST_P(RegionsOfMolecule, ShowWhatIsVisible) {
         continue;
       }
       EXPECT_EQ(sticks_disagree(built, atoms.size() > 100 ? 200 : 100), "") << k << " " << part;
-      EXPECT_EQ(built.builder().regions().perturbation, 0) << k << " " << part;
+      EXPECT_EQ(built.builder().map().perturbation, 0) << k << " " << part;
     }
 }
 
 INSTANTIATE_TEST_SUITE_P(Molecules, RegionsOfMolecule, testing::Values("caffeine.pdb", "crambin.pdb"));
 
 // A ball in the middle, and others around it that may meet it and each other, with sticks to some.
-TEST(RegionBuilder, ShowsBallsThatMeet) {
+TEST(StickMapBuilder, ShowsBallsThatMeet) {
   oracle::RandomSource random(51);
   int drawn = 0, with_sticks = 0;
   for (int time = 0; time < 250; ++time) {
@@ -116,7 +116,7 @@ TEST(RegionBuilder, ShowsBallsThatMeet) {
   EXPECT_GT(with_sticks, 100);
 }
 
-TEST(RegionBuilder, ShowsBallsInsideOthersAndTwice) {
+TEST(StickMapBuilder, ShowsBallsInsideOthersAndTwice) {
   const auto expect_shown = [](const Balls &balls, const Ends &ends) {
     EXPECT_EQ(sticks_disagree(BuiltSticks(balls, ends, 1), 100), "") << oracle::to_text(balls);
   };
@@ -128,17 +128,17 @@ TEST(RegionBuilder, ShowsBallsInsideOthersAndTwice) {
 }
 
 // A stick that is just as long as its balls are in each other: when they are moved it may look out, into a third ball.
-TEST(RegionBuilder, LeavesOutWhatWasInside) {
+TEST(StickMapBuilder, LeavesOutWhatWasInside) {
   Balls balls;
   for (int i = 0; i < 27; ++i) balls.push_back({4000 * (i % 3), 4000 * (i / 3 % 3), 4000 * (i / 9), 3000});
   const BuiltSticks built(balls, {{4, 10}}, 1000);
   EXPECT_EQ(built.status(), hsp::Status::ok) << built.violation();
-  EXPECT_GT(built.builder().regions().perturbation, 0);
+  EXPECT_GT(built.builder().map().perturbation, 0);
   EXPECT_EQ(sticks_disagree(built, 100), "");
 }
 
 // All balls at one height, or all in one column: half circles are seen edge on, contours coincide.
-TEST(RegionBuilder, ShowsPlaneGroupsAlongAxes) {
+TEST(StickMapBuilder, ShowsPlaneGroupsAlongAxes) {
   Balls balls;
   Ends ends;
   for (int i = 0; i < 3; ++i)
@@ -153,11 +153,11 @@ TEST(RegionBuilder, ShowsPlaneGroupsAlongAxes) {
   balls.push_back({500, 500, 1300, 300});
   for (const Direction &towards : {along_z, Direction{1, 0, 0}, Direction{0, 1, 0}, Direction{1, 1, 0},
                                    Direction{1, 1, 1}, Direction{0, 0, -1}, Direction{0, 1, 2}})
-    expect_regions(BuiltSticks(balls, ends, 100, towards), "1 ", 200);
+    expect_map(BuiltSticks(balls, ends, 100, towards), "1 ", 200);
 }
 
 // Hundreds of level sticks, one behind the other: once moved, all of them are nearly level.
-TEST(RegionBuilder, FindsLatticesOfSticksAlongTheirAxes) {
+TEST(StickMapBuilder, FindsLatticesOfSticksAlongTheirAxes) {
   StickModel model{oracle::box_lattice({6, 6, 6}, {1000, 1000, 1000}, 300), {}};
   for (uint32_t i = 0; i < model.balls.size(); ++i)
     for (const uint32_t step : {1U, 6U, 36U})
@@ -165,11 +165,11 @@ TEST(RegionBuilder, FindsLatticesOfSticksAlongTheirAxes) {
   for (const Direction &towards : {along_z, Direction{0, -1, 0}, Direction{1, 1, 1}}) {
     const BuiltSticks built(model.balls, model.ends, 90, towards, false, true);
     ASSERT_EQ(built.status(), hsp::Status::ok);
-    EXPECT_LT(built.builder().regions().perturbation, 0.01);
+    EXPECT_LT(built.builder().map().perturbation, 0.01);
   }
 }
 
-TEST(RegionBuilder, TellsTheLimitsThatSuffice) {
+TEST(StickMapBuilder, TellsTheLimitsThatSuffice) {
   const StickModel model = carton(4);
   BuiltSticks built(model.balls, model.ends, 200);
   const hsp::StickLimits needed = built.builder().needed();
@@ -181,12 +181,12 @@ TEST(RegionBuilder, TellsTheLimitsThatSuffice) {
     less.edges = edges;
     built.take(less);
     EXPECT_EQ(built.build(along_z), hsp::Status::capacity);
-    EXPECT_FALSE(built.builder().regions().exist);
+    EXPECT_FALSE(built.builder().map().exist);
     EXPECT_GT(built.builder().retry_limits().edges, edges);
   }
   built.look({1, 0, 0});
   EXPECT_EQ(built.status(), hsp::Status::ok);
-  EXPECT_FALSE(built.builder().regions().exist);
+  EXPECT_FALSE(built.builder().map().exist);
   EXPECT_EQ(built.builder().needed().edges, 0U);
 }
 
