@@ -168,34 +168,27 @@ set(HSP_LIBRARY_SOURCES
   lib/sight/view/view_frame.cpp
   lib/sight/view/view_rotation.cpp
   lib/sight/view/visible_piece.cpp
-  lib/sight/visibility/arc_finder.cpp
-  lib/sight/visibility/crease_arcs.cpp
-  lib/sight/visibility/disc_grid.cpp
-  lib/sight/visibility/edge_distance.cpp
-  lib/sight/visibility/edge_geometry.cpp
-  lib/sight/visibility/face_pole.cpp
-  lib/sight/visibility/landings.cpp
-  lib/sight/visibility/map_builder.cpp
-  lib/sight/visibility/map_check.cpp
-  lib/sight/visibility/map_faces.cpp
-  lib/sight/visibility/map_linker.cpp
-  lib/sight/visibility/map_paths.cpp
-  lib/sight/visibility/map_queries.cpp
-  lib/sight/visibility/map_silhouettes.cpp
-  lib/sight/visibility/seen_balls.cpp
-  lib/sight/visibility/silhouette_arcs.cpp
-  lib/sight/visibility/trigonometric_roots.cpp
-  lib/sight/sticks/body_sight.cpp
-  lib/sight/sticks/drawing_order.cpp
-  lib/sight/sticks/region_arcs.cpp
-  lib/sight/sticks/region_builder.cpp
-  lib/sight/sticks/region_faces.cpp
-  lib/sight/sticks/region_linker.cpp
-  lib/sight/sticks/region_loops.cpp
-  lib/sight/sticks/region_outlines.cpp
-  lib/sight/sticks/stick_outlines.cpp
-  lib/sight/sticks/stick_sweep.cpp
-  lib/sight/sticks/stick_view_builder.cpp
+  lib/sight/maps/arc_finder.cpp
+  lib/sight/maps/body_sight.cpp
+  lib/sight/maps/crease_arcs.cpp
+  lib/sight/maps/disc_grid.cpp
+  lib/sight/maps/drawing_order.cpp
+  lib/sight/maps/edge_distance.cpp
+  lib/sight/maps/edge_geometry.cpp
+  lib/sight/maps/face_pole.cpp
+  lib/sight/maps/landings.cpp
+  lib/sight/maps/map_builder.cpp
+  lib/sight/maps/map_paths.cpp
+  lib/sight/maps/map_silhouettes.cpp
+  lib/sight/maps/seen_balls.cpp
+  lib/sight/maps/silhouette_arcs.cpp
+  lib/sight/maps/stick_arcs.cpp
+  lib/sight/maps/stick_map_builder.cpp
+  lib/sight/maps/stick_outlines.cpp
+  lib/sight/maps/stick_scene.cpp
+  lib/sight/maps/stick_sweep.cpp
+  lib/sight/maps/stick_view_builder.cpp
+  lib/sight/maps/trigonometric_roots.cpp
   lib/sight/picture/byte_sink.cpp
   lib/sight/picture/deflate.cpp
   lib/sight/picture/eps_writer.cpp

@@ -1,10 +1,9 @@
 #include "hsp_map.hpp"
 
+#include "map_records.hpp"
+#include "maps/face_pole.hpp"
+#include "maps/map_check.hpp"
 #include "view_options.hpp"
-#include "visibility/face_nesting.hpp"
-#include "visibility/face_pole.hpp"
-#include "visibility/map_check.hpp"
-#include "visibility/map_queries.hpp"
 
 using hsp::capi::check_handle;
 using hsp::capi::check_results;
@@ -95,11 +94,7 @@ uint32_t hsp_map_left(const hsp_map *map, uint32_t h) {
 int32_t hsp_map_pick(const hsp_map *map, double x, double y, hsp_map_sight *sight) {
   if (const int32_t status = check_results(map, sight == nullptr); status != HSP_OK) return status;
   if (!hsp::is_finite(x) || !hsp::is_finite(y)) return HSP_E_NOT_FINITE;
-  const hsp::exact::Lattice &lattice = map->balls().lattice;
-  const double at[2] = {lattice.steps(x), lattice.steps(y)};
-  const hsp::MapSight seen = hsp::sight_at(map->structure(), map->builder.discs(), at[0], at[1]);
-  *sight = {lattice.length(seen.depth), map->caller(seen.ball),
-            hsp::face_at(map->structure(), seen.ball, at[0], at[1])};
+  hsp::capi::put_sight(*map, map->structure(), map->builder.discs(), x, y, *sight);
   return HSP_OK;
 }
 

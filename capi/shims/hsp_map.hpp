@@ -2,7 +2,7 @@
 #pragma once
 
 #include "hsp_model.hpp"
-#include "visibility/map_builder.hpp"
+#include "maps/map_builder.hpp"
 
 struct hsp_map {
   using Builder = hsp::MapBuilder;
@@ -19,6 +19,6 @@ struct hsp_map {
   const hsp::BallSet &balls() const { return model->balls(); }
   // The caller's number of a ball of the map.
   uint32_t caller(uint32_t ball) const {
-    return ball == hsp::no_id ? HSP_NONE : balls().caller[structure().balls[ball].ball];
+    return ball == hsp::no_id ? HSP_NONE : balls().caller[structure().scene.balls[ball].ball];
   }
 };

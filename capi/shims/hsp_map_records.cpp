@@ -41,9 +41,7 @@ int32_t hsp_map_get_faces(const hsp_map *map, uint32_t first, uint32_t count, hs
 int32_t hsp_map_get_areas(const hsp_map *map, double *area, uint32_t capacity, uint32_t *needed) {
   const int32_t status = check_request(map, area, capacity, needed, [](const hsp_map &m) { return m.balls().n; });
   if (status != HSP_OK) return status;
-  const hsp::BallSet &balls = map->balls();
-  hsp::sum_visible_areas(map->structure(), balls.caller, {area, balls.n});
-  for (uint32_t i = 0; i < balls.n; ++i) area[i] = balls.lattice.area(area[i]);
+  hsp::capi::put_areas(*map, map->structure(), {area, map->balls().n});
   return HSP_OK;
 }
 
@@ -55,7 +53,7 @@ int32_t hsp_map_get_outline(const hsp_map *map, uint32_t ball, uint32_t *h, uint
   const auto visit = [&](auto take) {
     const uint32_t first = of.first_face[map->model->grid.grid_index(ball)];
     for (uint32_t f = first; f != hsp::no_id; f = of.next_face_of(f)) {
-      for (uint32_t l = of.faces[f].first_loop; l != hsp::no_id; l = of.loops[l].next_of_face) take(of.loops[l]);
+      of.visit_loops(f, [&](uint32_t l) { take(of.loops[l]); });
     }
   };
   uint32_t count = 0;

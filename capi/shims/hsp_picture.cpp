@@ -1,10 +1,10 @@
 #include "hsp_map.hpp"
 #include "hsp_sticks.hpp"
 #include "hsp_view.hpp"
+#include "maps/map_paths.hpp"
+#include "maps/map_silhouettes.hpp"
 #include "picture/palettes.hpp"
 #include "picture/picture.hpp"
-#include "visibility/map_paths.hpp"
-#include "visibility/map_silhouettes.hpp"
 
 using hsp::capi::check_handle;
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "hsp_model.hpp"
-#include "sticks/stick_view_builder.hpp"
+#include "maps/stick_view_builder.hpp"
 
 struct hsp_sticks {
   using Builder = hsp::StickViewBuilder;
@@ -16,7 +16,7 @@ struct hsp_sticks {
   // Whether results may be read: computed, and the model unchanged since.
   bool has_results() const { return complete && model.is_unchanged(); }
   const hsp::StickView &structure() const { return builder.structure(); }
-  const hsp::StickRegions &regions() const { return builder.regions(); }
+  const hsp::StickMap &map() const { return builder.map(); }
   const hsp::BallSet &balls() const { return model->balls(); }
   // Balls, and two halves of each stick.
   uint32_t bodies() const { return balls().n + 2 * structure().sticks.size(); }

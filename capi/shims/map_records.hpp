@@ -2,9 +2,10 @@
 // of whatever is seen.
 #pragma once
 
+#include "maps/edge_geometry.hpp"
+#include "maps/face_nesting.hpp"
+#include "maps/map_queries.hpp"
 #include "view_options.hpp"
-#include "visibility/edge_geometry.hpp"
-#include "visibility/map_queries.hpp"
 
 namespace hsp::capi {
 
@@ -64,10 +65,27 @@ void put_faces(const Handle &handle, const Map &map, uint32_t first, uint32_t co
   for (uint32_t k = 0; k < count; ++k) {
     const MapFace &face = map.faces[first + k];
     uint32_t loops = 0;
-    for (uint32_t l = face.first_loop; l != no_id; l = map.loops[l].next_of_face) ++loops;
+    map.visit_loops(first + k, [&loops](uint32_t) { ++loops; });
     const uint32_t h = face.first_loop == no_id ? HSP_NONE : map.loops[face.first_loop].first_half_edge;
     out[k] = {handle.balls().lattice.area(face.area), handle.caller(face.owner), h, loops, 0};
   }
+}
+
+// area: of all that is seen, by the caller's numbers.
+template <class Handle>
+void put_areas(const Handle &handle, const MapRecords &map, Span<double> area) {
+  sum_visible_areas(
+      map, [&](uint32_t body) { return handle.caller(body); }, area);
+  for (double &each : area) each = handle.balls().lattice.area(each);
+}
+
+// What is seen at a point, in lengths of the caller.
+template <class Handle, class Map, class Sight>
+void put_sight(const Handle &handle, const Map &map, const Sight &sight, double x, double y, hsp_map_sight &out) {
+  const exact::Lattice &lattice = handle.balls().lattice;
+  const double at[2] = {lattice.steps(x), lattice.steps(y)};
+  const MapSight seen = sight_at(map, sight, at[0], at[1]);
+  out = {lattice.length(seen.depth), handle.caller(seen.ball), face_at(map, seen.ball, at[0], at[1])};
 }
 
 }  // namespace hsp::capi

@@ -9,11 +9,11 @@ readme=lib/README.md
 # What each room stands on. It may include itself, these rooms, and what these stand on. The wings smooth and sight both
 # stand on the boundary, and neither knows the other. Cells of free space, paths through them and poses need no boundary.
 rooms="core exact model cells paths poses sphere boundary measure topology moving contacts periodic surface mesh"
-rooms+=" view visibility sticks picture capi"
+rooms+=" view maps picture capi"
 declare -A stands_on=([core]="" [exact]="core" [model]="exact" [cells]="model" [paths]="cells" [poses]="model" [sphere]="model"
   [boundary]="sphere" [measure]="boundary" [topology]="measure" [moving]="measure" [contacts]="measure" [periodic]="contacts" [surface]="measure" [mesh]="surface"
-  [view]="boundary" [visibility]="view" [sticks]="visibility" [picture]="view"
-  [capi]="paths poses topology moving periodic mesh visibility sticks picture")
+  [view]="boundary" [maps]="view" [picture]="view"
+  [capi]="paths poses topology moving periodic mesh maps picture")
 # The program's folders, from the command line down to the files that are read.
 folders="read write draw commands app"
 stands_on+=([read]="" [write]="read" [draw]="write" [commands]="draw" [app]="commands")

@@ -2,6 +2,7 @@
 
 #include "picture/escaped_text.hpp"
 #include "picture/number_text.hpp"
+#include "picture/page_walker.hpp"
 
 namespace hsp {
 namespace {
@@ -39,11 +40,11 @@ constexpr char shade_procedures[] =
     "<</FunctionType 2/Domain[0 1]/N 1/C0 k K/C1 k 1 add K>>}for]>>>>put}bind def\n"
     "/G{T exch get 4 1 roll gsave clip 3 1 roll translate dup scale shfill grestore I}bind def\n";
 
-class EpsWriter {
+class EpsWriter : private PageWalker<EpsWriter> {
+  friend PageWalker<EpsWriter>;
+
  public:
-  EpsWriter(ByteSink &sink, const PictureInput &input, const PictureOptions &options, const Page &page,
-            const Paint &paint)
-      : sink_(sink), input_(input), options_(options), page_(page), paint_(paint), ink_(input, options, page, paint) {}
+  using PageWalker::PageWalker;
 
   void write() {
     put_head();
@@ -53,13 +54,24 @@ class EpsWriter {
   }
 
  private:
-  void put_number(double value, int decimals) {
-    put_decimal(sink_, value, decimals);
-    sink_.put(' ');
-  }
-  void put_point(const PagePoint &point, const char *command) {
-    put_number(point.x, point_decimals);
-    put_number(point.y, point_decimals);
+  struct Pen {
+    EpsWriter &writer;
+    int decimals = point_decimals;
+
+    void begin(const PagePoint &point) { writer.put_point(point, "M\n", decimals); }
+    void line_to(const PagePoint &point) { writer.put_point(point, "L\n", decimals); }
+    void follow(const PageArc &arc) { writer.put_arc(arc); }
+    void follow(const InkCurve &curve, bool closes) {
+      writer.put_point(curve.handle(curve.start), "", decimals);
+      writer.put_point(curve.handle(curve.end), "", decimals);
+      writer.put_point(curve.end, closes ? "V Z\n" : "V\n", decimals);
+    }
+    void close() { writer.sink_.put("Z\n"); }
+  };
+
+  void put_point(const PagePoint &point, const char *command, int decimals = point_decimals) {
+    put_number(point.x, decimals);
+    put_number(point.y, decimals);
     sink_.put(command);
   }
   void put_packed(uint32_t colour, const char *command) {
@@ -145,79 +157,39 @@ class EpsWriter {
       put_number(page_.height, 6);
       sink_.put("rectfill\n");
     }
-    uint32_t level = fog_levels + 1;  // of the colour in use, or of none
-    for (uint32_t p = 0; p < input_.paths.size(); ++p) {
-      if (paint_.lines_along()) put_line_colour(p, level);
-      put_path(p, PathPart::outline);
-      if (paint_.flat(p)) {
-        put_packed(paint_.flat_colour(p), " F\n");
-      } else {
-        put_shaded(p);
-      }
-      if (ink_.is_drawn()) put_ink(p);
-    }
+    walk_paths();
     if (paint_.own_lines()) sink_.put("1 setlinecap\n");
-    level = fog_levels + 1;
-    for (uint32_t p = 0; paint_.own_lines() && p < input_.paths.size(); ++p) {
-      put_line_colour(p, level);
-      put_path(p, PathPart::lines);
-      sink_.put("stroke\n");
-    }
+    walk_lines();
   }
 
-  // level: that of the colour in use.
-  void put_line_colour(uint32_t path, uint32_t &level) {
-    if (paint_.fog_level(path) == level) return;
-    level = paint_.fog_level(path);
-    put_packed(paint_.line_colour(level), " C\n");
+  uint32_t path_level(uint32_t path) const { return paint_.lines_along() ? paint_.fog_level(path) : no_level; }
+  void begin_level(uint32_t level, uint32_t) { put_packed(paint_.line_colour(level), " C\n"); }
+  void put_path(uint32_t path) {
+    put_arcs(path, PathPart::outline, Pen{*this});
+    if (paint_.flat(path)) {
+      put_packed(paint_.flat_colour(path), " F\n");
+    } else {
+      put_shaded(path);
+    }
+    put_contours(path);
   }
+  void put_lines(uint32_t path, uint32_t &level) {
+    change_level(paint_.fog_level(path), level);
+    put_arcs(path, PathPart::lines, Pen{*this});
+    sink_.put("stroke\n");
+  }
+  Pen contour_pen() { return {*this, page_.decimals}; }
+  void begin_contours(InkLevel, uint32_t) {}
+  void end_contours(InkLevel level, uint32_t path) { put_packed(ink_.colour(level, paint_.fog_level(path)), " J\n"); }
 
   void put_shaded(uint32_t path) {
-    const uint32_t ball = input_.paths.ball_of(path);
     const PagePoint at = page_.centre_of(input_, path);
     put_number(at.x, 4);
     put_number(at.y, 4);
-    // A scale of 0 would be an error.
-    const int64_t radius = scaled(input_.balls.r[ball] * page_.scale, point_decimals);
-    put_scaled(sink_, radius > 0 ? radius : 1, point_decimals);
+    put_scaled(sink_, scaled_radius(path, point_decimals), point_decimals);
     sink_.put(' ');
     put_integer(sink_, paint_.shade_of(path));
     sink_.put(" G\n");
-  }
-
-  void put_path(uint32_t path, PathPart part) {
-    input_.paths.visit(input_.balls, path, part, [&](const ProjectedArc &arc, bool first, bool closes) {
-      put_next(page_.place(arc), first, closes);
-    });
-  }
-  void put_next(const PageArc &arc, bool first, bool closes) {
-    if (first) put_point(arc.start, "M\n");
-    if (page_.is_line(arc)) {
-      visit_line(arc, [&](const PagePoint &point) { put_point(point, "L\n"); });
-    } else {
-      put_arc(arc);
-    }
-    if (closes) sink_.put("Z\n");
-  }
-
-  void put_ink(uint32_t path) {
-    for (const InkLevel level : ink_levels) {
-      bool any = false;
-      ink_.visit(path, level, [&](const InkCurve &curve, bool first, bool closes) {
-        if (first) put_ink_point(curve.start, "M\n");
-        if (curve.behind_line) put_ink_point(curve.start, "L\n");
-        put_ink_point(curve.handle(curve.start), "");
-        put_ink_point(curve.handle(curve.end), "");
-        put_ink_point(curve.end, closes ? "V Z\n" : "V\n");
-        any = true;
-      });
-      if (any) put_packed(ink_.colour(level, paint_.fog_level(path)), " J\n");
-    }
-  }
-  void put_ink_point(const PagePoint &point, const char *command) {
-    put_number(point.x, page_.decimals);
-    put_number(point.y, page_.decimals);
-    sink_.put(command);
   }
 
   void put_arc(const PageArc &arc) {
@@ -241,13 +213,6 @@ class EpsWriter {
     put_point(arc.minor, "");
     put_point(arc.centre, forward ? "]E\n" : "]D\n");
   }
-
-  ByteSink &sink_;
-  const PictureInput &input_;
-  const PictureOptions &options_;
-  const Page &page_;
-  const Paint &paint_;
-  const Ink ink_;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "picture/cubic_arcs.hpp"
 #include "picture/escaped_text.hpp"
+#include "picture/page_walker.hpp"
 
 namespace hsp {
 namespace {
@@ -12,17 +13,11 @@ constexpr uint32_t catalog = 1, page_tree = 2, only_page = 3, resources = 4, con
 constexpr uint32_t packed = 8, length_of_packed = 9, table = 10;
 constexpr uint32_t objects = 10;
 
-class PdfWriter {
+class PdfWriter : private PageWalker<PdfWriter> {
+  friend PageWalker<PdfWriter>;
+
  public:
-  PdfWriter(ByteSink &sink, const PictureInput &input, const PictureOptions &options, const Page &page,
-            const Paint &paint)
-      : sink_(sink),
-        input_(input),
-        options_(options),
-        page_(page),
-        paint_(paint),
-        ink_(input, options, page, paint),
-        decimals_(page.decimals) {}
+  using PageWalker::PageWalker;
 
   // The resources hold a dictionary for each shade, most of the file if they are many. In a stream, which can be
   // compressed, they may stand since PDF 1.5.
@@ -52,6 +47,31 @@ class PdfWriter {
   }
 
  private:
+  struct Pen {
+    PdfWriter &writer;
+
+    void put(const PagePoint &point, const char *command) {
+      writer.put_point(point);
+      writer.sink_.put(command);
+    }
+    void begin(const PagePoint &point) { put(point, "m\n"); }
+    void line_to(const PagePoint &point) { put(point, "l\n"); }
+    void follow(const PageArc &arc) {
+      CubicArc(arc, writer.decimals_).visit([&](const UnitPoint &from, const UnitPoint &to, const UnitPoint &end) {
+        writer.put_point(from);
+        writer.put_point(to);
+        writer.put_point(end);
+        writer.sink_.put("c\n");
+      });
+    }
+    void follow(const InkCurve &curve, bool closes) {
+      put(curve.handle(curve.start), "");
+      put(curve.handle(curve.end), "");
+      put(curve.end, closes ? "c\nh\n" : "c\n");
+    }
+    void close() { writer.sink_.put("h\n"); }
+  };
+
   void begin(uint32_t object) {
     offset_[object] = sink_.position();
     put_integer(sink_, object);
@@ -88,10 +108,6 @@ class PdfWriter {
     end();
   }
 
-  void put_number(double value, int decimals) {
-    put_decimal(sink_, value, decimals);
-    sink_.put(' ');
-  }
   void put_channels(uint32_t colour) {
     for (const double channel : unpacked(colour).channel) put_number(channel / 255.0, 3);
   }
@@ -163,31 +179,42 @@ class PdfWriter {
       put_whole(scaled(page_.height, decimals_) + 1);
       sink_.put("re f\n");
     }
-    uint32_t level = fog_levels + 1;  // of the colour in use, or of none
-    for (uint32_t p = 0; p < input_.paths.size(); ++p) {
-      if (paint_.lines_along()) put_line_colour(p, level);
-      begin_ball(p);
-      if (paint_.flat(p)) {
-        put_channels(paint_.flat_colour(p));
-        sink_.put("rg\n");
-        put_path(p, PathPart::outline);
-        sink_.put(paint_.lines_along() ? "B\n" : "f\n");
-      } else {
-        put_shaded(p);
-      }
-      if (ink_.is_drawn()) put_ink(p);
-      sink_.put("Q\n");
-    }
+    walk_paths();
     if (paint_.own_lines()) sink_.put("1 J\n");
-    level = fog_levels + 1;
-    for (uint32_t p = 0; paint_.own_lines() && p < input_.paths.size(); ++p) {
-      put_line_colour(p, level);
-      begin_ball(p);
-      if (put_path(p, PathPart::lines)) sink_.put("S\n");
-      sink_.put("Q\n");
-    }
+    walk_lines();
     sink_.put("Q\n");
   }
+
+  uint32_t path_level(uint32_t path) const { return paint_.lines_along() ? paint_.fog_level(path) : no_level; }
+  void begin_level(uint32_t level, uint32_t) {
+    put_channels(paint_.line_colour(level));
+    sink_.put("RG\n");
+  }
+  void put_path(uint32_t path) {
+    begin_ball(path);
+    if (paint_.flat(path)) {
+      put_channels(paint_.flat_colour(path));
+      sink_.put("rg\n");
+      put_arcs(path, PathPart::outline, Pen{*this});
+      sink_.put(paint_.lines_along() ? "B\n" : "f\n");
+    } else {
+      put_shaded(path);
+    }
+    put_contours(path);
+    sink_.put("Q\n");
+  }
+  void put_lines(uint32_t path, uint32_t &level) {
+    change_level(paint_.fog_level(path), level);
+    begin_ball(path);
+    put_arcs(path, PathPart::lines, Pen{*this});
+    sink_.put(is_empty(path, PathPart::lines) ? "Q\n" : "S\nQ\n");
+  }
+  Pen contour_pen() { return {*this}; }
+  void begin_contours(InkLevel level, uint32_t path) {
+    put_channels(ink_.colour(level, paint_.fog_level(path)));
+    sink_.put("rg\n");
+  }
+  void end_contours(InkLevel, uint32_t) { sink_.put("f\n"); }
 
   void put_whole(int64_t n) {
     put_scaled(sink_, n, 0);
@@ -211,23 +238,12 @@ class PdfWriter {
     origin_ = centre;
   }
 
-  // level: that of the colour in use.
-  void put_line_colour(uint32_t path, uint32_t &level) {
-    if (paint_.fog_level(path) == level) return;
-    level = paint_.fog_level(path);
-    put_channels(paint_.line_colour(level));
-    sink_.put("RG\n");
-  }
-
   // The path twice: painting ends it, and a line along it must not be clipped by it.
   void put_shaded(uint32_t path) {
-    const uint32_t ball = input_.paths.ball_of(path);
     sink_.put("q\n");
-    put_path(path, PathPart::outline);
+    put_arcs(path, PathPart::outline, Pen{*this});
     sink_.put("W n ");
-    // A scale of 0 would be an error.
-    const int64_t rounded = scaled(input_.balls.r[ball] * page_.scale, decimals_);
-    const int64_t radius = rounded > 0 ? rounded : 1;
+    const int64_t radius = scaled_radius(path, decimals_);
     put_whole(radius);
     sink_.put("0 0 ");
     put_whole(radius);
@@ -235,60 +251,8 @@ class PdfWriter {
     put_integer(sink_, paint_.shade_of(path));
     sink_.put(" sh Q\n");
     if (!paint_.lines_along()) return;
-    put_path(path, PathPart::outline);
+    put_arcs(path, PathPart::outline, Pen{*this});
     sink_.put("S\n");
-  }
-
-  // False if there is nothing in it.
-  bool put_path(uint32_t path, PathPart part) {
-    bool any = false;
-    input_.paths.visit(input_.balls, path, part, [&](const ProjectedArc &arc, bool first, bool closes) {
-      put_next(page_.place(arc), first, closes);
-      any = true;
-    });
-    return any;
-  }
-  void put_next(const PageArc &arc, bool first, bool closes) {
-    if (first) {
-      put_point(arc.start);
-      sink_.put("m\n");
-    }
-    if (page_.is_line(arc)) {
-      visit_line(arc, [&](const PagePoint &point) {
-        put_point(point);
-        sink_.put("l\n");
-      });
-    } else {
-      CubicArc(arc, decimals_).visit([&](const UnitPoint &from, const UnitPoint &to, const UnitPoint &end) {
-        put_point(from);
-        put_point(to);
-        put_point(end);
-        sink_.put("c\n");
-      });
-    }
-    if (closes) sink_.put("h\n");
-  }
-
-  void put_ink(uint32_t path) {
-    for (const InkLevel level : ink_levels) {
-      bool any = false;
-      ink_.visit(path, level, [&](const InkCurve &curve, bool first, bool closes) {
-        if (!any) {
-          put_channels(ink_.colour(level, paint_.fog_level(path)));
-          sink_.put("rg\n");
-          any = true;
-        }
-        if (first || curve.behind_line) {
-          put_point(curve.start);
-          sink_.put(first ? "m\n" : "l\n");
-        }
-        put_point(curve.handle(curve.start));
-        put_point(curve.handle(curve.end));
-        put_point(curve.end);
-        sink_.put(closes ? "c\nh\n" : "c\n");
-      });
-      if (any) sink_.put("f\n");
-    }
   }
 
   void put_about() {
@@ -334,14 +298,8 @@ class PdfWriter {
     for (int shift = 8 * (bytes - 1); shift >= 0; shift -= 8) sink_.put(static_cast<char>(value >> shift & 255U));
   }
 
-  ByteSink &sink_;
-  const PictureInput &input_;
-  const PictureOptions &options_;
-  const Page &page_;
-  const Paint &paint_;
-  const Ink ink_;
-  int decimals_;            // of the unit in the contents
-  UnitPoint origin_{0, 0};  // what coordinates count from
+  const int decimals_ = page_.decimals;  // of the unit in the contents
+  UnitPoint origin_{0, 0};               // what coordinates count from
   uint64_t offset_[objects + 1] = {};
 };
 

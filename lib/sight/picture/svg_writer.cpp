@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "picture/escaped_text.hpp"
+#include "picture/page_walker.hpp"
 #include "picture/svg_path.hpp"
 
 namespace hsp {
@@ -12,18 +13,18 @@ namespace {
 constexpr uint32_t name_digits = 62;
 constexpr uint32_t different_names = name_digits * name_digits * name_digits * name_digits;
 
-class SvgWriter {
+class SvgWriter : private PageWalker<SvgWriter> {
+  friend PageWalker<SvgWriter>;
+
  public:
-  SvgWriter(ByteSink &sink, const PictureInput &input, const PictureOptions &options, const Page &page,
-            const Paint &paint)
-      : sink_(sink), input_(input), options_(options), page_(page), paint_(paint), ink_(input, options, page, paint) {}
+  using PageWalker::PageWalker;
 
   void write() {
     put_head();
     if (!paint_.flat() || input_.atom_class != nullptr) names_ = key_of_names();
     if (!paint_.flat()) put_gradients();
-    put_paths();
-    if (paint_.own_lines()) put_lines();
+    end_group(walk_paths());
+    end_group(walk_lines());
     sink_.put("</svg>\n");
   }
 
@@ -179,16 +180,8 @@ class SvgWriter {
     sink_.put(" stroke-linejoin=\"round\"");
   }
 
-  // Ends the open group, of level `open`, and begins that of `level`. False if they are the same.
-  bool changes_group(uint32_t level, uint32_t &open) {
-    if (level == open) return false;
-    end_group(open);
-    open = level;
-    sink_.put("<g");
-    return true;
-  }
   void end_group(uint32_t open) {
-    if (open <= fog_levels) sink_.put("</g>\n");
+    if (open != no_level) sink_.put("</g>\n");
   }
 
   // A ball with classes has its number in an id, by which links, too, find it. The halves of sticks, of which there may
@@ -275,48 +268,44 @@ class SvgWriter {
   }
 
   // A group of its own for each colour of lines along the paths, or of contours, which are filled and have no lines.
-  void put_paths() {
-    uint32_t open = fog_levels + 1;  // the group's level, or none
-    for (uint32_t p = 0; p < input_.paths.size(); ++p) {
-      const uint32_t level = paint_.lines_along() || ink_.is_drawn() ? paint_.fog_level(p) : 0;
-      if (changes_group(level, open)) {
-        if (ink_.is_drawn()) {
-          put_paint(" fill", ink_.colour(InkLevel::border, level));
-          if (paint_.lines_along()) put_line_shape();
-        } else if (paint_.lines_along() && paint_.flat()) {
-          put_stroke(level);
-        } else if (paint_.lines_along()) {
-          put_line_shape();
-        }
-        sink_.put(">\n");
-      }
-      if (paint_.flat(p)) {
-        put_flat(p, level);
-      } else {
-        put_lit(p, level);
-      }
-      if (ink_.is_drawn()) put_ink(p);
-    }
+  uint32_t path_level(uint32_t path) const {
+    return paint_.lines_along() || ink_.is_drawn() ? paint_.fog_level(path) : 0;
+  }
+  // Behind the group of level `open`.
+  void begin_level(uint32_t level, uint32_t open) {
     end_group(open);
+    sink_.put("<g");
+    if (lines_) {
+      sink_.put(" fill=\"none\" pointer-events=\"none\"");
+      put_stroke(level);
+      sink_.put(" stroke-linecap=\"round\"");
+    } else if (ink_.is_drawn()) {
+      put_paint(" fill", ink_.colour(InkLevel::border, level));
+      if (paint_.lines_along()) put_line_shape();
+    } else if (paint_.lines_along() && paint_.flat()) {
+      put_stroke(level);
+    } else if (paint_.lines_along()) {
+      put_line_shape();
+    }
+    sink_.put(">\n");
+  }
+  void put_path(uint32_t path) {
+    if (paint_.flat(path)) {
+      put_flat(path, path_level(path));
+    } else {
+      put_lit(path, path_level(path));
+    }
+    put_contours(path);
   }
 
   // Whoever clicks on a line clicks on the path below.
-  void put_lines() {
-    uint32_t open = fog_levels + 1;
-    for (uint32_t p = 0; p < input_.paths.size(); ++p) {
-      bool any = false;
-      input_.paths.visit(input_.balls, p, PathPart::lines, [&](const ProjectedArc &, bool, bool) { any = true; });
-      if (!any) continue;
-      if (changes_group(paint_.fog_level(p), open)) {
-        sink_.put(" fill=\"none\" pointer-events=\"none\"");
-        put_stroke(open);
-        sink_.put(" stroke-linecap=\"round\">\n");
-      }
-      sink_.put("<path d=\"");
-      put_arcs(p, PathPart::lines, frame_of_page());
-      sink_.put("\"/>\n");
-    }
-    end_group(open);
+  void put_lines(uint32_t path, uint32_t &level) {
+    lines_ = true;
+    if (is_empty(path, PathPart::lines)) return;
+    change_level(paint_.fog_level(path), level);
+    sink_.put("<path d=\"");
+    put_data(path, PathPart::lines, frame_of_page());
+    sink_.put("\"/>\n");
   }
 
   // A renderer finds the centre of an arc from its ends. Rounding these by u moves the centre of an ellipse with
@@ -356,7 +345,7 @@ class SvgWriter {
     const SvgFrame &frame = shape.frame;
     if (!shape.disc) {
       sink_.put(" d=\"");
-      put_arcs(path, PathPart::outline, frame);
+      put_data(path, PathPart::outline, frame);
       sink_.put('"');
       return;
     }
@@ -370,52 +359,37 @@ class SvgWriter {
     if (scaled(value, decimals) != 0) put_attribute(name, value, decimals);
   }
 
-  void put_arcs(uint32_t path, PathPart part, const SvgFrame &frame) {
-    SvgPath data(sink_, frame, decimals_of(path, part, frame));
-    const int circle_decimals = decimals_in(frame);
-    input_.paths.visit(input_.balls, path, part, [&](const ProjectedArc &plane_arc, bool first, bool closes) {
-      const PageArc arc = page_.place(plane_arc);
-      if (first) data.begin(arc.start);
-      if (page_.is_line(arc)) {
-        visit_line(arc, [&](const PagePoint &point) { data.line_to(point); });
-      } else {
-        data.follow(arc, circle_decimals);
-      }
+  struct Pen {
+    SvgPath data;
+    int circle_decimals;
+
+    void begin(const PagePoint &point) { data.begin(point); }
+    void line_to(const PagePoint &point) { data.line_to(point); }
+    void follow(const PageArc &arc) { data.follow(arc, circle_decimals); }
+    void follow(const InkCurve &curve, bool closes) {
+      data.follow(curve);
       if (closes) data.close();
-    });
-  }
-
-  void put_ink(uint32_t path) {
-    static constexpr const char *class_of[] = {"border", "group", "depth"};
-    for (const InkLevel level : ink_levels) {
-      SvgPath data(sink_, frame_of_page(), page_.decimals);
-      bool any = false;
-      ink_.visit(path, level, [&](const InkCurve &curve, bool first, bool closes) {
-        if (!any) {
-          sink_.put("<path class=\"");
-          sink_.put(class_of[static_cast<uint32_t>(level)]);
-          sink_.put('"');
-          const uint32_t colour = ink_.colour(level, paint_.fog_level(path));
-          if (colour != ink_.colour(InkLevel::border, paint_.fog_level(path))) put_paint(" fill", colour);
-          sink_.put(" d=\"");
-          any = true;
-        }
-        if (first) data.begin(curve.start);
-        if (curve.behind_line) data.line_to(curve.start);
-        data.follow(curve);
-        if (closes) data.close();
-      });
-      if (any) sink_.put("\"/>\n");
     }
+    void close() { data.close(); }
+  };
+  void put_data(uint32_t path, PathPart part, const SvgFrame &frame) {
+    put_arcs(path, part, Pen{{sink_, frame, decimals_of(path, part, frame)}, decimals_in(frame)});
   }
 
-  ByteSink &sink_;
-  const PictureInput &input_;
-  const PictureOptions &options_;
-  const Page &page_;
-  const Paint &paint_;
-  const Ink ink_;
+  Pen contour_pen() { return {{sink_, frame_of_page(), page_.decimals}, page_.decimals}; }
+  void begin_contours(InkLevel level, uint32_t path) {
+    static constexpr const char *class_of[] = {"border", "group", "depth"};
+    sink_.put("<path class=\"");
+    sink_.put(class_of[static_cast<uint32_t>(level)]);
+    sink_.put('"');
+    const uint32_t colour = ink_.colour(level, paint_.fog_level(path));
+    if (colour != ink_.colour(InkLevel::border, paint_.fog_level(path))) put_paint(" fill", colour);
+    sink_.put(" d=\"");
+  }
+  void end_contours(InkLevel, uint32_t) { sink_.put("\"/>\n"); }
+
   uint32_t names_ = 0;  // what all names of the file begin with
+  bool lines_ = false;  // whether paths are behind
 };
 
 }  // namespace

@@ -53,6 +53,21 @@ struct ProjectedArc {
   uint32_t other_ball;  // grid order, no_id on a silhouette
 };
 
+// A line as a flat ellipse, walked from one end of its major axis to the other.
+inline ProjectedArc line_between(const double from[2], const double to[2], uint32_t other_ball) {
+  ProjectedArc arc{};
+  for (int k = 0; k < 2; ++k) {
+    arc.ellipse.centre[k] = 0.5 * (from[k] + to[k]);
+    arc.ellipse.major[k] = 0.5 * (to[k] - from[k]);
+    arc.start[k] = from[k];
+    arc.end[k] = to[k];
+  }
+  arc.from = -pi;
+  arc.to = 0.0;
+  arc.other_ball = other_ball;
+  return arc;
+}
+
 // Calls visit(arc, first_of_loop, last_of_loop) for the arcs of a piece, loop after loop.
 template <class Visit>
 void visit_arcs(const BallSet &balls, const View &view, uint32_t piece, Visit visit) {

@@ -25,9 +25,9 @@ struct Curve {
 };
 
 Curve curve_of(const hsp::VisibilityMap &map, const hsp::MapEdge &edge) {
-  const hsp::SeenBall &far = map.balls[edge.ball];
+  const hsp::SeenBall &far = map.scene.balls[edge.ball];
   if (edge.nearer == hsp::no_id) return {{far.x, far.y, far.z}, {far.r, 0, 0}, {0, far.r, 0}};
-  const hsp::SeenBall &near = map.balls[edge.nearer];
+  const hsp::SeenBall &near = map.scene.balls[edge.nearer];
   const Vector3 d = {near.x - far.x, near.y - far.y, near.z - far.z};
   const double length = std::hypot(d[0], d[1], d[2]);
   // By Heron: the radius of the circle is twice the area over the distance.
@@ -87,7 +87,7 @@ void BuiltMap::look(const std::array<double, 3> &towards) {
 }
 
 uint32_t BuiltMap::caller(uint32_t ball) const {
-  return ball == hsp::no_id ? oracle::no_ball : grid().balls().caller[map().balls[ball].ball];
+  return ball == hsp::no_id ? oracle::no_ball : grid().balls().caller[map().scene.balls[ball].ball];
 }
 
 std::vector<oracle::PlainBall> BuiltMap::seen() const {
@@ -213,7 +213,7 @@ std::string map_disagrees(const BuiltMap &built, size_t pixels) {
   for (uint32_t h = 0; h < map.half_edges.size(); ++h) {
     const uint32_t owner = map.faces[map.face_of(h)].owner;
     const hsp::MapEdge &edge = map.edges[h / 2];
-    if (owner != hsp::no_id) length[built.caller(owner)] += (edge.to - edge.from) * map.balls[edge.ball].r;
+    if (owner != hsp::no_id) length[built.caller(owner)] += (edge.to - edge.from) * map.scene.balls[edge.ball].r;
   }
   std::vector<double> counted(seen.size(), 0);
   for (const oracle::SeenPixel &pixel : image)

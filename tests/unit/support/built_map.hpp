@@ -8,7 +8,7 @@
 
 #include "built_grid.hpp"
 #include "lattice_ball.hpp"
-#include "visibility/map_builder.hpp"
+#include "maps/map_builder.hpp"
 #include "z_buffer.hpp"
 
 class BuiltMap {

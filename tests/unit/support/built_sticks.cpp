@@ -5,11 +5,12 @@
 #include <utility>
 
 #include "lattice_lengths.hpp"
+#include "maps/face_nesting.hpp"
+#include "maps/map_check.hpp"
+#include "maps/map_queries.hpp"
+#include "maps/stick_outlines.hpp"
 #include "path_painter.hpp"
 #include "seen_cylinders.hpp"
-#include "sticks/region_faces.hpp"
-#include "sticks/stick_outlines.hpp"
-#include "visibility/face_nesting.hpp"
 
 BuiltSticks::BuiltSticks(const oracle::Balls &balls, std::vector<Ends> ends, double radius,
                          const std::array<double, 3> &towards, bool whole, bool as_map)
@@ -107,19 +108,19 @@ std::string broken(const DrawnPath &path, double tolerance) {
 
 // Each edge of regions is one path's own line, and on two outlines at most.
 std::string broken_lines(const BuiltSticks &built) {
-  const hsp::StickRegions &regions = built.builder().regions();
-  if (!regions.exist) return "";
+  const hsp::StickMap &map = built.builder().map();
+  if (!map.exist) return "";
   size_t lines = 0, outlines = 0;
   double area = 0, swept = 0;
-  for (uint32_t p = 0; p < regions.paths; ++p) {
+  for (uint32_t p = 0; p < map.owners; ++p) {
     lines += path_of(built, p, hsp::PathPart::lines).arcs.size();
     const DrawnPath outline = path_of(built, p, hsp::PathPart::outline);
     outlines += outline.arcs.size();
     for (const oracle::PathArc &arc : outline.arcs) swept += arc.swept_area();
   }
-  for (const hsp::MapLoop &loop : regions.loops.items()) area += loop.owner == hsp::no_id ? 0 : loop.area;
+  for (const hsp::MapLoop &loop : map.loops.items()) area += loop.owner == hsp::no_id ? 0 : loop.area;
   if (std::abs(area - swept) > 1e-7 * area) return "areas of loops are not those of paths";
-  if (lines != regions.edges.size()) return "lines that are missing, or drawn twice";
+  if (lines != map.edges.size()) return "lines that are missing, or drawn twice";
   return outlines < lines || outlines > 2 * lines ? "outlines that are missing" : "";
 }
 
@@ -138,21 +139,20 @@ double length_of(const oracle::Path &path) {
 std::string broken_records(const BuiltSticks &built, const std::vector<oracle::Path> &paths,
                            const std::vector<uint32_t> &name, const oracle::PixelGrid &grid,
                            const std::vector<oracle::SeenPixel> &image) {
-  const hsp::StickRegions &regions = built.builder().regions();
-  std::vector<uint32_t> scratch(2 * regions.edges.size() + 1);
-  const hsp::MapViolation violation =
-      hsp::check_regions(regions, {scratch.data(), static_cast<uint32_t>(scratch.size())});
+  const hsp::StickMap &map = built.builder().map();
+  std::vector<uint32_t> scratch(2 * map.edges.size() + 1);
+  const hsp::MapViolation violation = hsp::check_map(map, {scratch.data(), static_cast<uint32_t>(scratch.size())});
   if (violation.invariant != hsp::MapInvariant::none)
     return "invariant " + std::to_string(static_cast<int>(violation.invariant)) + " at " + std::to_string(violation.id);
-  std::vector<double> area(regions.scene.balls.size() + 2 * regions.scene.sticks.size(), 0);
-  for (const hsp::MapFace &face : regions.faces.items())
+  std::vector<double> area(map.scene.balls.size() + 2 * map.scene.sticks.size(), 0);
+  for (const hsp::MapFace &face : map.faces.items())
     if (face.owner != hsp::no_id) area[face.owner] += face.area;
   std::vector<double> counted(area.size(), 0);
   for (const oracle::SeenPixel &pixel : image)
     if (pixel.ball != oracle::no_ball) counted[pixel.ball] += grid.side * grid.side;
-  for (uint32_t p = 0; p < regions.paths; ++p) {
+  for (uint32_t p = 0; p < map.owners; ++p) {
     const double error = grid.side * length_of(paths[p]) + 8 * grid.side * grid.side;
-    if (std::abs(area[regions.owner_of(p)] - counted[name[p]]) > error)
+    if (std::abs(area[map.owner_of(p)] - counted[name[p]]) > error)
       return "path " + std::to_string(p) + " has another area than its pixels";
   }
   return "";
@@ -161,15 +161,15 @@ std::string broken_records(const BuiltSticks &built, const std::vector<oracle::P
 // What is seen at a point: the body as the z-buffer has it, and a face that shows it.
 std::string broken_sight(const BuiltSticks &built, double x, double y, const oracle::SeenPixel &pixel,
                          double tolerance) {
-  const hsp::StickRegions &regions = built.builder().regions();
-  const hsp::BodySight::Highest seen = built.builder().highest_at(x, y);
-  const uint32_t face = hsp::face_at(regions, seen.body, x, y);
-  if (face == hsp::no_id || regions.faces[face].owner != seen.body) return "no face, or another one's";
-  if ((seen.body == hsp::no_id) != (pixel.ball == oracle::no_ball)) return "something, or nothing";
-  if (seen.body == hsp::no_id) return "";
-  for (uint32_t p = 0; p < regions.paths; ++p)
-    if (regions.owner_of(p) == seen.body && name_of(built, built.view().paths[p]) != pixel.ball) return "another body";
-  return std::abs(seen.z - pixel.depth) > tolerance ? "another depth" : "";
+  const hsp::StickMap &map = built.builder().map();
+  const hsp::MapSight seen = hsp::sight_at(map, built.builder().sight(), x, y);
+  const uint32_t face = hsp::face_at(map, seen.ball, x, y);
+  if (face == hsp::no_id || map.faces[face].owner != seen.ball) return "no face, or another one's";
+  if ((seen.ball == hsp::no_id) != (pixel.ball == oracle::no_ball)) return "something, or nothing";
+  if (seen.ball == hsp::no_id) return "";
+  for (uint32_t p = 0; p < map.owners; ++p)
+    if (map.owner_of(p) == seen.ball && name_of(built, built.view().paths[p]) != pixel.ball) return "another body";
+  return std::abs(seen.depth - pixel.depth) > tolerance ? "another depth" : "";
 }
 
 }  // namespace
@@ -204,8 +204,8 @@ std::string sticks_disagree(const BuiltSticks &built, size_t pixels) {
   std::vector<oracle::SeenPixel> image = oracle::z_buffer(seen, grid);
   oracle::add_cylinders(cylinders, balls.n, grid, image);
 
-  const double moved = built.builder().regions().perturbation;
-  const double tolerance = built.builder().regions().exist ? 1e-6 * largest : 1e-9 * largest + 1e-7;
+  const double moved = built.builder().map().perturbation;
+  const double tolerance = built.builder().map().exist ? 1e-6 * largest : 1e-9 * largest + 1e-7;
   std::vector<oracle::Path> paths;
   std::vector<uint32_t> name;
   for (uint32_t p = 0; p < view.paths.size(); ++p) {
@@ -242,7 +242,7 @@ std::string sticks_disagree(const BuiltSticks &built, size_t pixels) {
     ++excluded;
   }
   if (excluded > image.size() / 1000) return std::to_string(excluded) + " pixels excluded";
-  if (!built.builder().regions().exist) return "";
+  if (!built.builder().map().exist) return "";
   if (const std::string fault = broken_records(built, paths, name, grid, image); !fault.empty()) return fault;
   for (size_t k = 0; k < image.size(); k += 97) {
     const double x = grid.x(k % grid.columns), y = grid.y(k / grid.columns);

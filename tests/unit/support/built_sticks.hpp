@@ -8,7 +8,7 @@
 
 #include "built_grid.hpp"
 #include "lattice_ball.hpp"
-#include "sticks/stick_view_builder.hpp"
+#include "maps/stick_view_builder.hpp"
 
 class BuiltSticks {
  public:

@@ -5,8 +5,8 @@
 
 #include "built_grid.hpp"
 #include "lattice_lengths.hpp"
+#include "maps/disc_grid.hpp"
 #include "random_balls.hpp"
-#include "visibility/disc_grid.hpp"
 
 class PlacedBalls {
  public:

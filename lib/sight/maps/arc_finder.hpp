@@ -1,0 +1,35 @@
+// All visible arcs of a map, each curve on its own: first the arcs of a ball's silhouette in ascending order of their
+// parameters, then those of its creases with nearer balls, ball after ball.
+#pragma once
+
+#include "maps/disc_grid.hpp"
+#include "maps/visibility_map.hpp"
+
+namespace hsp {
+
+class ArcFinder {
+ public:
+  void carve(Workspace &workspace, const MapLimits &limits);
+
+  // If the neighbours of a ball are too many, arcs are incomplete.
+  void find(SeenBalls &seen, const DiscGrid &grid);
+
+  Span<const MapArc> arcs() const { return arcs_.items(); }
+  // False if roundings decided whether some whole curve is seen.
+  bool certain() const { return certain_; }
+  // False if roundings decided that nothing is seen between two hidden parts of some silhouette.
+  bool complete() const { return complete_; }
+  bool overflowed() const { return arcs_.overflowed() || needed_neighbours_ > near_.capacity(); }
+  uint32_t needed_neighbours() const { return needed_neighbours_; }
+  uint32_t needed_edges() const { return most_edges_of(arcs_, 0); }
+
+ private:
+  FixedVector<MapArc> arcs_;    // [edges]
+  FixedVector<uint32_t> near_;  // [neighbours]
+  FixedVector<HiddenInterval> hidden_;
+  uint32_t needed_neighbours_ = 0;
+  bool certain_ = true;
+  bool complete_ = true;
+};
+
+}  // namespace hsp

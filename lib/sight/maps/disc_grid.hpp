@@ -1,0 +1,46 @@
+// The discs that the balls take of the view plane, by the squares of side 2 r_max that hold their centres. The lists of
+// squares are front to back, so that whoever looks for what reaches above a height stops early.
+#pragma once
+
+#include "core/fixed_vector.hpp"
+#include "maps/seen_balls.hpp"
+#include "model/ball_range.hpp"
+#include "model/cube_table.hpp"
+
+namespace hsp {
+
+class DiscGrid {
+ public:
+  void carve(Workspace &workspace, uint32_t balls);
+
+  void build(Span<const SeenBall> balls);
+  // Finds the balls inside other balls, or nearly: touching from inside is inside. Of equal ones the first stays
+  // outside.
+  void mark_inside(Span<SeenBall> balls) const;
+
+  // The balls, ascending, whose discs meet that of ball i and whose tops are above its centre; neither i itself nor
+  // balls inside others.
+  void gather(uint32_t i, FixedVector<uint32_t> &near) const;
+
+  // The ball with the highest front at a point, besides `except`; no_id if there is none. Certain unless the point is
+  // close to the edge of a disc that reaches as high, or two fronts are close to each other.
+  struct Highest {
+    uint32_t body;
+    bool certain;
+  };
+  Highest highest_at(double x, double y, uint32_t except) const;
+
+ private:
+  CubeCoordinates square_at(double x, double y) const;
+  template <class Visit>
+  void visit_squares(double x, double y, double reach, Visit visit) const;
+
+  Span<const SeenBall> balls_;
+  CubeTable squares_;
+  Span<uint32_t> first_;  // [balls + 1]
+  Span<uint32_t> item_;   // [balls]
+  double side_ = 1.0, per_length_ = 1.0;
+  double largest_ = 0.0;
+};
+
+}  // namespace hsp

@@ -1,0 +1,57 @@
+#include "maps/map_builder.hpp"
+
+namespace hsp {
+
+void MapBuilder::carve(Workspace &workspace, const MapLimits &limits) {
+  limits_ = limits;
+  needed_ = {};
+  map_.carve(workspace, limits.edges);
+  seen_.carve(workspace, limits.balls);
+  discs_.carve(workspace, limits.balls);
+  arcs_.carve(workspace, limits);
+  const MapSizes most{limits.balls, limits.balls, limits.edges};
+  linker_.carve(workspace, most);
+  faces_.carve(workspace, most);
+}
+
+Status MapBuilder::build_moved(const BallSet &balls, double perturbation) {
+  map_.clear();
+  seen_.place(balls, map_.frame, perturbation);
+  discs_.build(seen_.balls());
+  discs_.mark_inside(seen_.balls());
+  map_.scene.balls = seen_.balls();
+  map_.perturbation = perturbation * static_cast<double>(balls.largest_radius);
+  arcs_.find(seen_, discs_);
+  needed_.neighbours = larger_count(needed_.neighbours, arcs_.needed_neighbours());
+  if (arcs_.overflowed()) {
+    needed_.edges = larger_count(needed_.edges, arcs_.needed_edges());
+    return Status::capacity;
+  }
+  // Every arc becomes an edge at least.
+  needed_.edges = larger_count(needed_.edges, arcs_.arcs().size());
+  if (!arcs_.certain()) return Status::check;
+  const uint32_t edges = clamped_count(linker_.count_edges(arcs_.arcs(), map_.scene));
+  needed_.edges = larger_count(needed_.edges, edges);
+  if (edges > limits_.edges) return Status::capacity;
+  const MapTrust trust = arcs_.complete() ? MapTrust::all_arcs : MapTrust::labels;
+  return linker_.link(map_) && faces_.find(discs_, trust, map_) ? Status::ok : Status::check;
+}
+
+Status MapBuilder::build(const CubeGrid &grid, const ViewDirection &direction) {
+  const BallSet &balls = grid.balls();
+  needed_ = {};
+  map_.clear();
+  if (const Status status = look_from(direction, map_.frame); status != Status::ok) return status;
+  needed_.balls = balls.n;
+  if (balls.n > limits_.balls) return Status::capacity;
+  centre_on(balls, map_.frame);
+  seen_.choose(grid, map_.frame);
+  for (const double perturbation : perturbations) {
+    const Status status = build_moved(balls, perturbation);
+    if (status != Status::check) return status;
+  }
+  map_.clear();
+  return Status::check;
+}
+
+}  // namespace hsp

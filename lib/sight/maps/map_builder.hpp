@@ -1,0 +1,58 @@
+// The map of what is seen along a direction, from the balls to the faces.
+//
+// In general position every step follows from signs that roundings do not touch. Where balls, silhouettes or creases
+// meet in more than their kind of vertex, as in lattices seen along their axes, the arcs of different curves may not
+// fit together. Linking and tracing notice that: every end must find its partners, every T its silhouette, the balls
+// named around a loop must agree, also with what is behind its edges where roundings may have decided how they are
+// linked, and Euler's formula must hold. Then all centres are moved a little and the map is
+// built again: by at most 2^-20 of each ball's radius, then by 2^-17 and 2^-14. The map says by how much; it is one of
+// the moved balls. If none of them fits, there is a status and no map.
+//
+// A ball that reaches less out of another one than 2^-40 of that one's radius counts as inside, and balls that reach
+// less into each other than 2^-41 of both radii together do not meet.
+//
+// Cost: O(n log n) and, for each curve that may be seen, the balls whose discs meet its disc and that reach higher.
+// lib/sight/maps/THEORY.md says what that is at worst, and beside the bound of Section 5.2.
+#pragma once
+
+#include "maps/arc_finder.hpp"
+#include "maps/map_faces.hpp"
+#include "maps/map_linker.hpp"
+#include "maps/visibility_map.hpp"
+
+namespace hsp {
+
+class MapBuilder {
+ public:
+  void carve(Workspace &workspace, const MapLimits &limits);
+
+  // Status::capacity if a limit is too small; needed() then tells what suffices, with 0 for what is not known yet.
+  // Status::check if roundings cannot be overcome, Status::not_finite if a component of the direction is not.
+  Status build(const CubeGrid &grid, const ViewDirection &direction);
+
+  const VisibilityMap &structure() const { return map_; }
+  const MapLimits &needed() const { return needed_; }
+  // What to try again with after Status::capacity.
+  MapLimits retry_limits() const { return limits_.covering(needed_); }
+  const DiscGrid &discs() const { return discs_; }
+
+  // For tests that break it.
+  VisibilityMap &arrays() { return map_; }
+  // Scratch memory for checks and pictures; [2 edges + 1] and [edges].
+  Span<uint32_t> scratch() { return faces_.scratch(); }
+  Span<uint32_t> more_scratch() { return faces_.more_scratch(); }
+
+ private:
+  Status build_moved(const BallSet &balls, double perturbation);
+
+  MapLimits limits_;
+  MapLimits needed_;
+  VisibilityMap map_;
+  SeenBalls seen_;
+  DiscGrid discs_;
+  ArcFinder arcs_;
+  MapLinker<BallScene> linker_;
+  MapFaceFinder<BallScene> faces_;
+};
+
+}  // namespace hsp

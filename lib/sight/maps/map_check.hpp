@@ -1,0 +1,260 @@
+// The invariants of a visibility map of whatever bodies, checked from its records and its scene alone. For fuzzers,
+// careful callers, and whoever changes the code.
+//
+// How much may be seen of a body, up to rounding. The area of a loop is summed over its edges: what each sweeps about
+// a point x as it goes from vertex to vertex along its ellipse. If every end P of a curve were at its vertex V, that
+// would be the area within a closed curve that does not leave the silhouette of what is seen. From an end at a
+// distance d the closed curve goes on straight to V, at most d outside the silhouette; of what this step sweeps the
+// sum knows all but (m - P) x (V - P) / 2, at most a d / 2, where m is the centre of the ellipse and a its longer half
+// axis. Roundings: an edge adds at most 5 (a + 3 b + 2 d)^2, with b the largest of all bodies, as x is within 3 b + d
+// of P; and a sum of n such terms is wrong by at most (n + 8) 2^-52 times the sum of these bounds. So with s for all
+// that may be missing, what is seen is at least -s, and at most s more than the silhouette grown by the largest d.
+#pragma once
+
+#include "maps/edge_geometry.hpp"
+
+namespace hsp {
+
+// Numbered as in hardsphere.h.
+enum class MapInvariant : uint32_t {
+  none = 0,
+  vertices = 1,    // their kinds tell how many edges they have, and they name a half-edge that leaves them
+  edges = 2,       // parameters ascend by a whole turn at most, and the balls of both ends are those of the edge
+  successors = 3,  // every half-edge has one successor, which begins where it ends, and one predecessor
+  loops = 4,       // the balls named around a loop are its owner
+  faces = 5,       // one outer loop each, but for the unbounded one, of a positive area; the holes have negative ones;
+                   // those of one owner follow each other; the unbounded one has holes where there are balls
+  euler = 6,       // V - E + F = 1 + C
+  positions = 7,   // edges end at their vertices, and every T lies on its silhouette
+  areas = 8,       // a face has the area of its loops, and all together that within the outermost edges; those of one
+                   // ball are at least 0 and at most its disc
+  sides = 9,       // what the sides of an edge show has its front at the middle of the edge, not before it
+};
+
+// The first violated invariant, and the id of the vertex, edge, half-edge, loop or face where it fails; no_id where
+// none does.
+struct MapViolation {
+  MapInvariant invariant = MapInvariant::none;
+  uint32_t id = no_id;
+};
+
+template <class Map>
+class MapLaws {
+ public:
+  MapLaws(const Map &map, Span<uint32_t> scratch)
+      : map_(map), largest_(map.scene.largest()), bodies_(map.scene.bodies()), count_(scratch) {}
+
+  MapViolation run() {
+    if (!vertices() || !edges() || !successors() || !loops() || !faces() || !euler() || !positions() || !areas() ||
+        !seen_areas() || !sides()) {
+      return violation_;
+    }
+    return {};
+  }
+
+ private:
+  bool fail(MapInvariant invariant, uint32_t id) {
+    violation_ = {invariant, id};
+    return false;
+  }
+  static bool agree(double area, double other, double of) { return std::fabs(area - other) <= 0x1p-30 * of; }
+  uint32_t target(uint32_t half_edge) const { return map_.origin(half_edge ^ 1U); }
+  bool is_body(uint32_t body) const { return body < bodies_; }
+  void clear_counts(uint32_t n) {
+    for (uint32_t k = 0; k < n; ++k) count_[k] = 0;
+  }
+
+  bool vertices() {
+    const uint32_t n = map_.vertices.size();
+    if (n > map_.edges.size() || map_.half_edges.size() != 2 * map_.edges.size()) {
+      return fail(MapInvariant::vertices, no_id);
+    }
+    clear_counts(n);
+    for (uint32_t h = 0; h < map_.half_edges.size(); ++h) {
+      if (map_.origin(h) >= n) return fail(MapInvariant::vertices, map_.origin(h));
+      ++count_[map_.origin(h)];
+    }
+    for (uint32_t v = 0; v < n; ++v) {
+      const MapVertex &vertex = map_.vertices[v];
+      const bool good = count_[v] == degree_of(vertex.kind) && vertex.leaving < map_.half_edges.size() &&
+                        map_.origin(vertex.leaving) == v && is_body(vertex.ball[0]);
+      if (!good) return fail(MapInvariant::vertices, v);
+    }
+    return true;
+  }
+
+  // Whether a vertex names the bodies of an edge: one for a silhouette, two for a crease.
+  bool names(const MapVertex &vertex, const MapEdge &edge) const {
+    const auto has = [&](uint32_t body) {
+      return vertex.ball[0] == body || vertex.ball[1] == body || vertex.ball[2] == body;
+    };
+    return has(edge.ball) && (edge.is_silhouette() || has(edge.nearer));
+  }
+
+  bool edges() {
+    for (uint32_t e = 0; e < map_.edges.size(); ++e) {
+      const MapEdge &edge = map_.edges[e];
+      const bool good = is_body(edge.ball) && (edge.is_silhouette() || is_body(edge.nearer)) &&
+                        edge.ball != edge.nearer && edge.from <= edge.to && edge.to - edge.from <= 2 * pi + 1e-6 &&
+                        names(map_.vertices[edge.vertex[0]], edge) && names(map_.vertices[edge.vertex[1]], edge);
+      if (!good) return fail(MapInvariant::edges, e);
+    }
+    return true;
+  }
+
+  bool successors() {
+    const uint32_t n = map_.half_edges.size();
+    clear_counts(n);
+    for (uint32_t h = 0; h < n; ++h) {
+      const uint32_t next = map_.half_edges[h].next;
+      if (next >= n || map_.origin(next) != target(h) || count_[next] != 0) return fail(MapInvariant::successors, h);
+      count_[next] = 1;
+    }
+    return true;
+  }
+
+  bool loops() {
+    clear_counts(map_.loops.size());
+    for (uint32_t h = 0; h < map_.half_edges.size(); ++h) {
+      const MapHalfEdge &half_edge = map_.half_edges[h];
+      if (half_edge.loop >= map_.loops.size() || map_.half_edges[half_edge.next].loop != half_edge.loop) {
+        return fail(MapInvariant::loops, half_edge.loop);
+      }
+      const MapLoop &loop = map_.loops[half_edge.loop];
+      if (loop.first_half_edge == h) count_[half_edge.loop] = 1;
+      const uint32_t left = map_.left_of(h);
+      if (left != no_id && left != loop.owner) return fail(MapInvariant::loops, half_edge.loop);
+    }
+    for (uint32_t l = 0; l < map_.loops.size(); ++l) {
+      if (count_[l] == 0) return fail(MapInvariant::loops, l);
+    }
+    return true;
+  }
+
+  bool faces() {
+    if (map_.faces.size() == 0) return fail(MapInvariant::faces, 0);
+    uint32_t seen = 0;
+    for (uint32_t f = 0; f < map_.faces.size(); ++f) {
+      const MapFace &face = map_.faces[f];
+      if (f == 0 ? face.owner != no_id : face.first_loop == no_id) return fail(MapInvariant::faces, f);
+      if (face.owner != no_id && !is_body(face.owner)) return fail(MapInvariant::faces, f);
+      const bool begins = f == 0 || face.owner != map_.faces[f - 1].owner;
+      if (begins && map_.first_face_of(face.owner) != f) return fail(MapInvariant::faces, f);
+      for (uint32_t l = face.first_loop; l != no_id; l = map_.loops[l].next_of_face) {
+        if (l >= map_.loops.size() || seen++ == map_.loops.size()) return fail(MapInvariant::faces, f);
+        const MapLoop &loop = map_.loops[l];
+        const bool outer = f != 0 && l == face.first_loop;
+        if (loop.face != f || loop.owner != face.owner || outer != (loop.area > 0.0)) {
+          return fail(MapInvariant::faces, f);
+        }
+      }
+    }
+    if (largest_ > 0.0 && map_.faces[0].first_loop == no_id) return fail(MapInvariant::faces, 0);
+    return seen == map_.loops.size() || fail(MapInvariant::faces, no_id);
+  }
+
+  bool euler() {
+    const auto signed_size = [](uint32_t size) { return static_cast<int64_t>(size); };
+    const bool good =
+        signed_size(map_.vertices.size()) - map_.edges.size() + map_.faces.size() == 1 + signed_size(map_.components);
+    return good || fail(MapInvariant::euler, no_id);
+  }
+
+  // How far an edge's curve ends from its vertices.
+  void measure_ends(uint32_t e, double off[2]) const {
+    const MapEdge &edge = map_.edges[e];
+    for (int end = 0; end < 2; ++end) {
+      const Vec3 point = map_.scene.at(edge.ball, edge.nearer, end == 0 ? edge.from : edge.to);
+      const MapVertex &vertex = map_.vertices[edge.vertex[end]];
+      const double dx = point.x - vertex.x;
+      const double dy = point.y - vertex.y;
+      off[end] = std::sqrt(dx * dx + dy * dy);
+    }
+  }
+
+  bool positions() {
+    const double tolerance = position_tolerance(map_);
+    for (uint32_t e = 0; e < map_.edges.size(); ++e) {
+      double off[2];
+      measure_ends(e, off);
+      if (!(off[0] <= tolerance && off[1] <= tolerance)) return fail(MapInvariant::positions, e);
+    }
+    return true;
+  }
+
+  bool areas() {
+    double inside = 0.0;
+    for (uint32_t f = 1; f < map_.faces.size(); ++f) {
+      const MapFace &face = map_.faces[f];
+      double area = 0.0;
+      map_.visit_loops(f, [&](uint32_t l) { area += map_.loops[l].area; });
+      if (!agree(area, face.area, map_.loops[face.first_loop].area)) return fail(MapInvariant::areas, f);
+      inside += area;
+    }
+    double outline = 0.0;
+    map_.visit_loops(0, [&](uint32_t l) { outline -= map_.loops[l].area; });
+    return agree(inside, outline, outline > 0.0 ? outline : 1.0) || fail(MapInvariant::areas, no_id);
+  }
+
+  // What may be missing of the areas of some loops, as above.
+  struct Slack {
+    double missing = 0.0, terms = 0.0, farthest = 0.0, count = 0.0;
+
+    double all() const { return missing + (count + 8) * 0x1p-52 * terms; }
+  };
+  void add_slack(uint32_t loop, Slack &slack) const {
+    map_.visit_loop(loop, [&](uint32_t h) {
+      const double a = curve_of(map_, h / 2).ellipse.longer_half_axis();
+      double off[2];
+      measure_ends(h / 2, off);
+      const double farther = off[0] > off[1] ? off[0] : off[1];
+      const double reach = a + 3 * largest_ + 2 * farther;
+      slack.missing += 0.5 * a * (off[0] + off[1]);
+      slack.terms += 5 * reach * reach;
+      slack.farthest = farther > slack.farthest ? farther : slack.farthest;
+      slack.count += 1.0;
+    });
+  }
+
+  bool seen_areas() {
+    double area = 0.0;
+    Slack slack;
+    for (uint32_t f = 1; f < map_.faces.size(); ++f) {
+      const MapFace &face = map_.faces[f];
+      if (face.owner == no_id) continue;
+      area += face.area;
+      map_.visit_loops(f, [&](uint32_t l) { add_slack(l, slack); });
+      if (map_.next_face_of(f) != no_id) continue;
+      const double most = map_.scene.silhouette_area(face.owner, slack.farthest) + slack.all();
+      if (!(area >= -slack.all() && area <= most)) return fail(MapInvariant::areas, map_.first_face_of(face.owner));
+      area = 0.0;
+      slack = {};
+    }
+    return true;
+  }
+
+  bool sides() {
+    for (uint32_t h = 0; h < map_.half_edges.size(); ++h) {
+      const uint32_t owner = map_.loops[map_.half_edges[h].loop].owner;
+      if (owner == no_id) continue;
+      const MapEdge &edge = map_.edges[h / 2];
+      const Vec3 middle = map_.scene.at(edge.ball, edge.nearer, 0.5 * (edge.from + edge.to));
+      if (!map_.scene.may_be_seen(owner, middle, position_tolerance(map_))) return fail(MapInvariant::sides, h);
+    }
+    return true;
+  }
+
+  const Map &map_;
+  double largest_;
+  uint32_t bodies_;
+  Span<uint32_t> count_;
+  MapViolation violation_;
+};
+
+// scratch [2 edges + 1]. O(size).
+template <class Map>
+MapViolation check_map(const Map &map, Span<uint32_t> scratch) {
+  return MapLaws<Map>(map, scratch).run();
+}
+
+}  // namespace hsp

@@ -1,0 +1,198 @@
+// Loops and faces from linked half-edges, of whatever bodies, and what proves that they fit together.
+#pragma once
+
+#include "core/disjoint_sets.hpp"
+#include "maps/face_nesting.hpp"
+#include "maps/sight_behind.hpp"
+
+namespace hsp {
+
+// How far loops are asked what is behind the contours along them: those without labels, where an arc of a contour may
+// be missing the middles of all edges, too, and where labels are not trusted all loops.
+enum class MapTrust { all_arcs, labels, nothing };
+
+template <class Scene>
+class MapFaceFinder {
+ public:
+  using Map = SceneMap<Scene>;
+
+  void carve(Workspace &workspace, const MapSizes &most) {
+    parent_ = workspace.take<uint32_t>(most.edges);
+    first_face_ = workspace.take<uint32_t>(most.bodies);
+    order_ = workspace.take<uint32_t>(2 * most.edges);
+    scratch_ = workspace.take<uint32_t>(2 * most.edges + 1);
+  }
+
+  // Fills loops, faces and components. False where something does not fit:
+  //   half-edges do not chain up to loops;
+  //   the labels of a loop's edges name two bodies;
+  //   a loop has no labels, and nowhere along it is it certain which body is behind;
+  //   labels are not trusted, and another body is behind for certain than they say;
+  //   beside a short edge another body is behind a contour than the loop says;
+  //   unless all arcs are there for certain, behind the middle of some contour cannot be what the loop there says;
+  //   the numbers contradict Euler's formula;
+  //   a hole lies in no face of its owner;
+  //   what is seen of a body has no area;
+  //   the middle of a body is seen, but the body has no face.
+  template <class Sight>
+  bool find(const Sight &sight, MapTrust trust, Map &map) {
+    if (!trace_loops(map) || !name_owners(sight, trust, map)) return false;
+    if (!fits_beside_short_edges(map, sight)) return false;
+    if (trust != MapTrust::all_arcs && !fits_behind_contours(map, sight)) return false;
+    if (!fits_euler(map)) return false;
+    order_loops(map);
+    add_outer_loops(map);
+    return add_holes(map) && owners_have_areas(map) && middles_have_faces(sight, map);
+  }
+
+  // Memory that is free between calls; [2 edges + 1] and [edges].
+  Span<uint32_t> scratch() { return scratch_; }
+  Span<uint32_t> more_scratch() { return parent_; }
+
+ private:
+  // Areas are taken about the loop's first point, so that nothing large cancels.
+  bool trace_loop(uint32_t first, Map &map) {
+    const uint32_t id = map.loops.size();
+    MapLoop loop{first, no_id, no_id, no_id, 0.0};
+    const MapVertex &origin = map.vertices[map.origin(first)];
+    double twice = 0.0;
+    uint32_t h = first;
+    do {
+      MapHalfEdge &half_edge = map.half_edges[h];
+      if (half_edge.next == no_id || half_edge.loop != no_id) return false;
+      half_edge.loop = id;
+      if (map.origin(half_edge.next) != map.origin(h ^ 1U)) return false;
+      const uint32_t owner = map.left_of(h);
+      if (owner != no_id) {
+        if (loop.owner != no_id && loop.owner != owner) return false;
+        loop.owner = owner;
+      }
+      const double swept = swept_twice(map, h / 2, origin.x, origin.y);
+      twice += h % 2 == 0 ? swept : -swept;
+      h = half_edge.next;
+    } while (h != first);
+    loop.area = 0.5 * twice;
+    map.loops.push(loop);
+    return true;
+  }
+
+  bool trace_loops(Map &map) {
+    for (uint32_t h = 0; h < map.half_edges.size(); ++h) {
+      if (map.half_edges[h].loop == no_id && !trace_loop(h, map)) return false;
+    }
+    return true;
+  }
+
+  // By what is highest behind the longest of a loop's edges that see the far side of a contour, at a point of it where
+  // that is certain.
+  template <class Sight>
+  static bool name_owner(const Sight &sight, uint32_t l, Map &map) {
+    MapLoop &loop = map.loops[l];
+    uint32_t best = no_id;
+    double longest = -1.0;
+    map.visit_loop(l, [&](uint32_t h) {
+      if (map.left_of(h) != no_id) return;
+      const MapEdge &edge = map.edges[h / 2];
+      const double length = (edge.to - edge.from) * map.scene.contour_length(edge.ball);
+      if (length > longest) {
+        longest = length;
+        best = h;
+      }
+    });
+    if (best == no_id) return true;
+    const SightBehind behind = sight_behind(map, map.edges[best / 2], sight);
+    if (!behind.certain) return loop.owner != no_id;
+    if (loop.owner != no_id && loop.owner != behind.body) return false;
+    loop.owner = behind.body;
+    return true;
+  }
+
+  template <class Sight>
+  static bool name_owners(const Sight &sight, MapTrust trust, Map &map) {
+    for (uint32_t l = 0; l < map.loops.size(); ++l) {
+      if ((map.loops[l].owner == no_id || trust == MapTrust::nothing) && !name_owner(sight, l, map)) return false;
+    }
+    return true;
+  }
+
+  // A counting sort by owners in the order of the scene, the background last.
+  void order_loops(Map &map) {
+    const Scene &scene = map.scene;
+    for (uint32_t &count : first_face_) count = 0;
+    for (const MapLoop &loop : map.loops.items()) {
+      if (loop.owner != no_id) ++first_face_[scene.place_of(loop.owner)];
+    }
+    uint32_t owned = 0;
+    for (uint32_t k = 0; k < scene.bodies(); ++k) {
+      uint32_t &begin = first_face_[scene.place_of(scene.body_in_order(k))];
+      const uint32_t count = begin;
+      begin = owned;
+      owned += count;
+    }
+    for (uint32_t l = 0; l < map.loops.size(); ++l) {
+      const uint32_t owner = map.loops[l].owner;
+      order_[owner == no_id ? owned++ : first_face_[scene.place_of(owner)]++] = l;
+    }
+    map.loop_order = order_.part(0, map.loops.size());
+  }
+
+  bool fits_euler(Map &map) {
+    DisjointSets parts(parent_.part(0, map.vertices.size()));
+    parts.reset();
+    map.components = map.vertices.size();
+    for (const MapEdge &edge : map.edges.items()) {
+      if (parts.join(edge.vertex[0], edge.vertex[1])) --map.components;
+    }
+    return static_cast<uint64_t>(map.vertices.size()) + map.loops.size() ==
+           static_cast<uint64_t>(map.edges.size()) + 2 * static_cast<uint64_t>(map.components);
+  }
+
+  // Of the background first, then in the order of loops.
+  void add_outer_loops(Map &map) {
+    for (uint32_t &first : first_face_) first = no_id;
+    map.first_face = first_face_;
+    map.faces.push({no_id, no_id, 0.0});
+    for (const bool background : {true, false}) {
+      for (const uint32_t l : map.loop_order) {
+        MapLoop &loop = map.loops[l];
+        if ((loop.owner == no_id) != background || !(loop.area > 0.0)) continue;
+        loop.face = map.faces.size();
+        map.faces.push({loop.owner, l, loop.area});
+        if (background) continue;
+        uint32_t &first = first_face_[map.scene.place_of(loop.owner)];
+        if (first != no_id) continue;
+        first = loop.face;
+        ++map.owners;
+      }
+    }
+  }
+
+  static bool owners_have_areas(const Map &map) {
+    double area = 0.0;
+    for (uint32_t f = 1; f < map.faces.size(); ++f) {
+      const MapFace &face = map.faces[f];
+      area += face.area;
+      if (map.next_face_of(f) != no_id) continue;
+      if (face.owner != no_id && !(area > 0.0)) return false;
+      area = 0.0;
+    }
+    return true;
+  }
+
+  // Curves that coincide may all be lost.
+  template <class Sight>
+  static bool middles_have_faces(const Sight &sight, const Map &map) {
+    return map.scene.all_middles([&](uint32_t body, double x, double y) {
+      if (map.first_face_of(body) != no_id) return true;
+      const auto highest = sight.highest_at(x, y, no_id);
+      return !(highest.certain && highest.body == body);
+    });
+  }
+
+  Span<uint32_t> parent_;      // [edges] of vertices
+  Span<uint32_t> first_face_;  // [bodies] as the map's
+  Span<uint32_t> order_;       // [2 edges] as the map's
+  Span<uint32_t> scratch_;     // [2 edges + 1]
+};
+
+}  // namespace hsp

@@ -1,0 +1,340 @@
+// From visible arcs to vertices, edges and half-edges, of whatever bodies.
+//
+// Arc ends are identified by labels, never by their positions: the three ends at a triple vertex by its balls and the
+// side of their plane on which it lies, the two at a tangency by its balls and which end of the crease it is, those of
+// a half circle by the stick and the side of it. An end on a contour is a vertex of its own, the stem of a T, which is
+// put in its place among the visible arcs of that contour. Then no angles need to be sorted: what follows a half-edge
+// is known from labels too.
+//
+// A triple that is not three, a tangency that is not two, a T that misses all arcs or an end without a label shows that
+// roundings have decided differently about one and the same thing. Then there is no map.
+#pragma once
+
+#include "core/sorting.hpp"
+#include "maps/ball_scene.hpp"
+#include "maps/landings.hpp"
+
+namespace hsp {
+
+template <class Scene>
+class MapLinker {
+ public:
+  using Map = SceneMap<Scene>;
+
+  void carve(Workspace &workspace, const MapSizes &most) {
+    const uint64_t edges = most.edges;
+    first_named_ = workspace.take<uint32_t>(most.groups + 1);
+    first_landing_ = workspace.take<uint32_t>(most.bodies + 1);
+    named_ = workspace.take<NamedEnd>(2 * edges);
+    landing_ = workspace.take<Landing>(edges);
+    vertex_at_ = workspace.take<uint32_t>(2 * edges);
+    first_edge_ = workspace.take<uint32_t>(edges);
+    last_edge_ = workspace.take<uint32_t>(edges);
+    end_at_ = workspace.take<uint32_t>(3 * edges);
+    before_ = workspace.take<uint32_t>(edges);
+    after_ = workspace.take<uint32_t>(edges);
+  }
+
+  // How many edges the map of these arcs has. Not more than there is room for may be linked. Every T cuts an arc in
+  // two, but the first one on a closed arc.
+  uint64_t count_edges(Span<const MapArc> arcs, const Scene &scene) {
+    arcs_ = arcs;
+    bodies_ = scene.bodies();
+    groups_ = scene.groups();
+    for (uint32_t &count : first_named_.part(0, groups_ + 1)) count = 0;
+    for (uint32_t &count : first_landing_.part(0, bodies_ + 1)) count = 0;
+    all_named_ = true;
+    uint64_t edges = arcs.size();
+    for (const MapArc &arc : arcs) {
+      if (arc.closed) continue;
+      for (uint32_t end = 0; end < 2; ++end) {
+        CornerName name;
+        if (arc.end[end].kind == MapVertexKind::t) {
+          ++first_landing_[arc.end[end].ball + 1];
+          ++edges;
+        } else if (scene.name(arc, end, name)) {
+          ++first_named_[name.group + 1];
+        } else {
+          all_named_ = false;
+        }
+      }
+    }
+    for (const MapArc &arc : arcs) {
+      if (arc.closed && arc.nearer == no_id && first_landing_[arc.ball + 1] > 0) --edges;
+    }
+    sum_up_counts(first_named_, groups_);
+    sum_up_counts(first_landing_, bodies_);
+    return edges;
+  }
+
+  // Fills the vertices, the edges and the next half-edges of the map, of arcs that are counted. False if ends do not
+  // match.
+  bool link(Map &map) {
+    if (!all_named_) return false;
+    sort_named_ends(map.scene);
+    if (!Scene::corners_first) add_landings(map);
+    if (!add_corners(map)) return false;
+    if (Scene::corners_first) add_landings(map);
+    return add_edges(map) && link_half_edges(map);
+  }
+
+  // Memory that is free between calls; [2 edges].
+  Span<uint32_t> scratch() { return vertex_at_; }
+
+ private:
+  // Ends of arcs: 2 arc where it begins and 2 arc + 1 where it ends. What the group says of their names is left out.
+  struct NamedEnd {
+    uint32_t middle, last, point;
+    uint32_t end;
+
+    bool same(const NamedEnd &other) const {
+      return middle == other.middle && last == other.last && point == other.point;
+    }
+  };
+
+  // From numbers per place, counted one place too far, to where each begins.
+  static void sum_up_counts(Span<uint32_t> first, uint32_t places) {
+    for (uint32_t k = 1; k <= places; ++k) first[k] += first[k - 1];
+  }
+  // After a counting sort from the last to the first: each count has become where its place begins, one too far.
+  static void shift(Span<uint32_t> first, uint32_t places, uint32_t total) {
+    for (uint32_t k = 0; k < places; ++k) first[k] = first[k + 1];
+    first[places] = total;
+  }
+
+  // A counting sort by groups, then the ends of each group among themselves.
+  void sort_named_ends(const Scene &scene) {
+    const uint32_t total = first_named_[groups_];
+    for (uint32_t end = 2 * arcs_.size(); end-- > 0;) {
+      const MapArc &arc = arcs_[end / 2];
+      CornerName name;
+      if (arc.closed || arc.end[end % 2].kind == MapVertexKind::t || !scene.name(arc, end % 2, name)) continue;
+      named_[--first_named_[name.group + 1]] = {name.middle, name.last, name.point, end};
+    }
+    shift(first_named_, groups_, total);
+    for (uint32_t k = 0; k < groups_; ++k) {
+      sort_in_place(named_.part(first_named_[k], first_named_[k + 1]), [](const NamedEnd &a, const NamedEnd &b) {
+        if (a.middle != b.middle) return a.middle < b.middle;
+        if (a.last != b.last) return a.last < b.last;
+        if (a.point != b.point) return a.point < b.point;
+        return a.end < b.end;
+      });
+    }
+  }
+
+  // At the end of an arc, whose bodies it names, and a third one.
+  uint32_t add_vertex(uint32_t end, MapVertexKind kind, uint32_t third, Map &map) {
+    const MapArc &arc = arcs_[end / 2];
+    const Vec3 at = map.scene.at(arc.ball, arc.nearer, end % 2 == 0 ? arc.from : arc.to);
+    const uint32_t v = map.vertices.size();
+    map.vertices.push({at.x, at.y, at.z, kind, no_id, {arc.ball, arc.nearer, third}});
+    end_at_[3 * v] = end;
+    return v;
+  }
+
+  // Three creases, each ended by the body of the other two; or a crease and a contour, or two where bodies end.
+  bool add_corner(Span<const NamedEnd> ends, uint32_t group, Map &map) {
+    const NamedEnd &name = ends[0];
+    const auto arc_of = [&](uint32_t k) -> const MapArc & { return arcs_[ends[k].end / 2]; };
+    const auto ended_by = [&](uint32_t k) { return arc_of(k).end[ends[k].end % 2]; };
+    const MapVertexKind kind = map.scene.kind_of(ended_by(0), {group, name.middle, name.last, name.point});
+    const uint32_t count = degree_of(kind);
+    if (ends.size() != count) return false;
+    uint32_t crease = no_id;
+    uint32_t creases = 0;
+    for (uint32_t k = 0; k < count; ++k) {
+      if (arc_of(k).nearer == no_id) continue;
+      crease = ends[k].end;
+      ++creases;
+    }
+    const bool triple = kind == MapVertexKind::triple;
+    if (creases != (triple ? 3U : 1U)) return false;
+    if (triple) {
+      const uint32_t ball[3] = {ended_by(0).ball, ended_by(1).ball, ended_by(2).ball};
+      if (ball[0] == ball[1] || ball[1] == ball[2] || ball[0] == ball[2]) return false;
+    }
+    const MapArc &arc = arcs_[crease / 2];
+    const uint32_t v =
+        add_vertex(Scene::corners_first ? name.end : crease, kind, triple ? arc.end[crease % 2].ball : no_id, map);
+    if (Scene::corners_first) {
+      MapVertex &vertex = map.vertices[v];
+      vertex.ball[0] = triple ? group : arc.ball;
+      vertex.ball[1] = triple ? name.middle : arc.nearer;
+      vertex.ball[2] = name.last;
+    }
+    for (uint32_t k = 0; k < count; ++k) {
+      end_at_[3 * v + k] = ends[k].end;
+      vertex_at_[ends[k].end] = v;
+    }
+    return true;
+  }
+
+  bool add_corners(Map &map) {
+    for (uint32_t group = 0; group < groups_; ++group) {
+      const Span<const NamedEnd> ends = named_.part(first_named_[group], first_named_[group + 1]);
+      for (uint32_t first = 0, last = 0; first < ends.size(); first = last) {
+        while (last < ends.size() && ends[last].same(ends[first])) ++last;
+        if (!add_corner(ends.part(first, last), group, map)) return false;
+      }
+    }
+    return true;
+  }
+
+  // Vertices at ends on contours, by the bodies of these; where they come first, in the order of the arcs.
+  void add_landings(Map &map) {
+    const uint32_t total = first_landing_[bodies_];
+    const uint32_t ends = 2 * arcs_.size();
+    for (uint32_t k = 0; k < ends; ++k) {
+      const uint32_t end = Scene::corners_first ? ends - 1 - k : k;
+      const ArcEnd &label = arcs_[end / 2].end[end % 2];
+      if (label.kind != MapVertexKind::t) continue;
+      const uint32_t v = add_vertex(end, MapVertexKind::t, label.ball, map);
+      const MapVertex &at = map.vertices[v];
+      landing_[--first_landing_[label.ball + 1]] = {map.scene.landing(label.ball, at.x, at.y), v};
+      vertex_at_[end] = v;
+    }
+    shift(first_landing_, bodies_, total);
+  }
+
+  uint32_t add_edge(const MapArc &arc, double from, double to, uint32_t v, uint32_t w, Map &map) {
+    const uint32_t e = map.edges.size();
+    map.edges.push({from, to, arc.ball, arc.nearer, {v, w}});
+    return e;
+  }
+
+  // The edge of an arc that nothing cuts.
+  void add_whole_edge(uint32_t a, Map &map) {
+    const MapArc &arc = arcs_[a];
+    uint32_t v = vertex_at_[2 * a];
+    uint32_t w = vertex_at_[2 * a + 1];
+    if (arc.closed) v = w = add_vertex(2 * a, MapVertexKind::plain, no_id, map);
+    first_edge_[a] = last_edge_[a] = add_edge(arc, arc.from, arc.to, v, w, map);
+  }
+
+  // A whole circle: each edge goes from one T to the next.
+  void cut_circle(uint32_t a, Span<const Landing> landings, Map &map) {
+    const uint32_t n = landings.size();
+    first_edge_[a] = last_edge_[a] = map.edges.size();
+    for (uint32_t k = 0; k < n; ++k) {
+      const bool wraps = k + 1 == n;
+      const Landing &next = landings[wraps ? 0 : k + 1];
+      const uint32_t e =
+          add_edge(arcs_[a], landings[k].t, next.t + (wraps ? 2 * pi : 0.0), landings[k].vertex, next.vertex, map);
+      after_[landings[k].vertex] = e;
+      before_[next.vertex] = e;
+    }
+  }
+
+  // Arcs first .. last - 1 of a contour, cut where stems end. Parameters on sticks are less than a turn too.
+  bool cut_contour(uint32_t first, uint32_t last, Span<Landing> landings, Map &map) {
+    sort_landings(arcs_.part(first, last), landings);
+    if (arcs_[first].closed && !landings.empty()) {
+      cut_circle(first, landings, map);
+      return true;
+    }
+    uint32_t next = 0;
+    for (uint32_t a = first; a < last; ++a) {
+      const MapArc &arc = arcs_[a];
+      if (arc.closed) {
+        add_whole_edge(a, map);
+        continue;
+      }
+      // What lies in the gap behind the arc belongs to the nearer side of it.
+      const double reach = a + 1 < last ? 0.5 * (arc.to + arcs_[a + 1].from) : arc.to + 2 * pi;
+      double from = arc.from;
+      uint32_t v = vertex_at_[2 * a];
+      first_edge_[a] = map.edges.size();
+      for (; next < landings.size() && landings[next].t < reach; ++next) {
+        const Landing &landing = landings[next];
+        if (landing.t < arc.from - landing_tolerance || landing.t > arc.to + landing_tolerance) return false;
+        const double at = landing.t < from ? from : landing.t > arc.to ? arc.to : landing.t;
+        const uint32_t e = add_edge(arc, from, at, v, landing.vertex, map);
+        before_[landing.vertex] = e;
+        after_[landing.vertex] = e + 1;
+        from = at;
+        v = landing.vertex;
+      }
+      last_edge_[a] = add_edge(arc, from, arc.to, v, vertex_at_[2 * a + 1], map);
+    }
+    return next == landings.size();
+  }
+
+  // False if a stem ends on a contour that is not seen there.
+  bool add_edges(Map &map) {
+    uint32_t landed = 0;
+    for (uint32_t a = 0; a < arcs_.size();) {
+      if (arcs_[a].nearer != no_id) {
+        add_whole_edge(a++, map);
+        continue;
+      }
+      const uint32_t body = arcs_[a].ball;
+      uint32_t last = a + 1;
+      while (last < arcs_.size() && arcs_[last].ball == body && arcs_[last].nearer == no_id) ++last;
+      const Span<Landing> landings = landing_.part(first_landing_[body], first_landing_[body + 1]);
+      if (!cut_contour(a, last, landings, map)) return false;
+      landed += landings.size();
+      a = last;
+    }
+    return landed == first_landing_[bodies_];
+  }
+
+  uint32_t leaving(uint32_t end) const { return end % 2 == 0 ? 2 * first_edge_[end / 2] : 2 * last_edge_[end / 2] + 1; }
+
+  // What leaves a vertex of three ends next has the same body on its left.
+  bool link_three(uint32_t v, Map &map) {
+    for (uint32_t k = 0; k < 3; ++k) {
+      const uint32_t arriving = leaving(end_at_[3 * v + k]) ^ 1U;
+      uint32_t found = 0;
+      for (uint32_t other = 0; other < 3; ++other) {
+        const uint32_t out = leaving(end_at_[3 * v + other]);
+        if (other == k || map.left_of(out) != map.left_of(arriving)) continue;
+        map.half_edges[arriving].next = out;
+        ++found;
+      }
+      if (found != 1) return false;
+    }
+    return true;
+  }
+
+  bool link_half_edges(Map &map) {
+    map.half_edges.set_count(2 * static_cast<uint64_t>(map.edges.size()));
+    for (MapHalfEdge &half_edge : map.half_edges.items()) half_edge = {no_id, no_id};
+    const auto follow = [&](uint32_t arriving, uint32_t out) { map.half_edges[arriving].next = out; };
+    for (uint32_t v = 0; v < map.vertices.size(); ++v) {
+      MapVertex &vertex = map.vertices[v];
+      const uint32_t out = leaving(end_at_[3 * v]);
+      vertex.leaving = out;
+      if (vertex.kind == MapVertexKind::plain) {
+        // On a closed curve without other vertices the only half-edge of either side follows itself.
+        follow(out, out);
+        follow(out ^ 1U, out ^ 1U);
+      } else if (vertex.kind == MapVertexKind::t) {
+        // The contour has its body on the left; the stem arrives from the right.
+        follow(2 * before_[v], 2 * after_[v]);
+        follow(2 * after_[v] + 1, out);
+        follow(out ^ 1U, 2 * before_[v] + 1);
+      } else if (vertex.kind == MapVertexKind::tangency) {
+        const uint32_t other = leaving(end_at_[3 * v + 1]);
+        follow(out ^ 1U, other);
+        follow(other ^ 1U, out);
+      } else if (!link_three(v, map)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  Span<const MapArc> arcs_;
+  uint32_t bodies_ = 0, groups_ = 0;
+  bool all_named_ = false;
+  Span<uint32_t> first_named_;             // [groups + 1]
+  Span<uint32_t> first_landing_;           // [bodies + 1] by the body on which they are
+  Span<NamedEnd> named_;                   // [2 edges]
+  Span<Landing> landing_;                  // [edges]
+  Span<uint32_t> vertex_at_;               // [2 edges] of the ends of arcs
+  Span<uint32_t> first_edge_, last_edge_;  // [edges] of arcs
+  Span<uint32_t> end_at_;                  // [3 edges] of a vertex the ends of arcs there
+  Span<uint32_t> before_, after_;          // [edges] of a T the edges on either side along the contour
+};
+
+}  // namespace hsp

@@ -1,0 +1,100 @@
+// What is seen as paths to be painted: all faces of a body are one, and no two overlap.
+#pragma once
+
+#include "maps/edge_geometry.hpp"
+#include "maps/loop_runs.hpp"
+#include "maps/visibility_map.hpp"
+#include "view/painted_paths.hpp"
+
+namespace hsp {
+
+// A directed edge as an arc of the view plane, from vertex to vertex. The parameter of all but silhouettes counts from
+// the steepest direction, which appears shortened; that of a projected ellipse from the end of its major axis, a
+// quarter turn ahead.
+template <class Map>
+ProjectedArc arc_of(const Map &map, uint32_t half_edge) {
+  const MapEdge &edge = map.edges[half_edge / 2];
+  const MapVertex &v = map.vertices[map.origin(half_edge)];
+  const MapVertex &w = map.vertices[map.origin(half_edge ^ 1U)];
+  const double start[2] = {v.x, v.y};
+  const double end[2] = {w.x, w.y};
+  if (map.scene.is_straight(edge)) return line_between(start, end, no_id);
+  const EdgeEllipse on = curve_of(map, half_edge / 2).ellipse;
+  const bool along = half_edge % 2 == 0;
+  ProjectedArc arc{{{on.centre[0], on.centre[1]}, {on.first[0], on.first[1]}, {on.second[0], on.second[1]}},
+                   along ? edge.from : edge.to,
+                   along ? edge.to : edge.from,
+                   {start[0], start[1]},
+                   {end[0], end[1]},
+                   no_id};
+  if (edge.is_silhouette()) return arc;
+  arc.other_ball = map.scene.ball_of(edge.ball);
+  for (int k = 0; k < 2; ++k) {
+    arc.ellipse.major[k] = on.second[k];
+    arc.ellipse.minor[k] = -on.first[k];
+  }
+  arc.from -= pi / 2;
+  arc.to -= pi / 2;
+  return arc;
+}
+
+// How a source of paths answers for them: source.map(), source.owner_of(path), and source.visit_path(path, visit),
+// which calls visit(first half-edge) for each loop.
+template <class Source>
+struct MapPathFunctions {
+  static const Source &source_at(const void *source) { return *static_cast<const Source *>(source); }
+  static auto successor(const void *source) {
+    return [&map = source_at(source).map()](uint32_t h) { return map.half_edges[h].next; };
+  }
+
+  static uint32_t ball_of(const void *source, uint32_t path) {
+    return source_at(source).map().scene.ball_of(source_at(source).owner_of(path));
+  }
+  static void visit_outline(const void *source, const BallSet &, uint32_t path, const ArcVisitor &visitor) {
+    source_at(source).visit_path(path, [&](uint32_t first) {
+      visit_loop(first, successor(source), [&](uint32_t h, bool begins, bool closes) {
+        visitor(arc_of(source_at(source).map(), h), begins, closes);
+      });
+    });
+  }
+  // The edges that are the body's own: its contour, and creases where it is the nearer one. So each edge of the map
+  // belongs to one path. A run is as long as such edges follow each other.
+  static void visit_lines(const void *source, const BallSet &, uint32_t path, const ArcVisitor &visitor) {
+    source_at(source).visit_path(path, [&](uint32_t first) {
+      visit_own_runs(first, successor(source), [&](uint32_t h, bool begins, bool closes) {
+        visitor(arc_of(source_at(source).map(), h), begins, closes);
+      });
+    });
+  }
+
+  static constexpr PaintedPaths::Functions functions{ball_of, visit_outline, visit_lines, Source::is_plain};
+};
+
+// The balls that are seen, farthest first, with their faces.
+class MapPaths {
+ public:
+  // scratch: as many as balls are seen, which are no more than edges; it and the map have to outlive this.
+  // O(n + m log m) for m of n balls.
+  MapPaths(const BallSet &balls, const VisibilityMap &map, Span<uint32_t> scratch);
+  MapPaths(const MapPaths &) = delete;  // those who paint point here
+  MapPaths &operator=(const MapPaths &) = delete;
+
+  uint32_t size() const { return first_face_.size(); }
+  const VisibilityMap &map() const { return map_; }
+  uint32_t owner_of(uint32_t path) const { return map_.faces[first_face_[path]].owner; }
+  template <class Visit>
+  void visit_path(uint32_t path, Visit visit) const {
+    for (uint32_t f = first_face_[path]; f != no_id; f = map_.next_face_of(f)) {
+      map_.visit_loops(f, [&](uint32_t loop) { visit(map_.loops[loop].first_half_edge); });
+    }
+  }
+  static constexpr bool (*is_plain)(const void *, uint32_t) = nullptr;
+
+  PaintedPaths paths() const { return {map_.frame, size(), this, MapPathFunctions<MapPaths>::functions}; }
+
+ private:
+  const VisibilityMap &map_;
+  Span<uint32_t> first_face_;  // of each path
+};
+
+}  // namespace hsp

@@ -1,0 +1,75 @@
+// Questions to a finished map of whatever bodies: what is seen at a point, how deep, and what an edge separates.
+#pragma once
+
+#include <limits>
+
+#include "maps/scene_map.hpp"
+
+namespace hsp {
+
+// What is seen at a point of the view plane.
+struct MapSight {
+  uint32_t ball;  // no_id for the background
+  double depth;   // view coordinate z of its front there
+};
+
+// By the fronts at the point, without the map's edges.
+template <class Map, class Sight>
+MapSight sight_at(const Map &map, const Sight &sight, double x, double y) {
+  const uint32_t body = sight.highest_at(x, y, no_id).body;
+  if (body == no_id) return {no_id, -std::numeric_limits<double>::infinity()};
+  return {body, map.scene.front_at(body, x, y)};
+}
+
+// A point of an edge, and how far below it the surface is on either side; infinite beside all bodies. One of both is 0,
+// or both on a crease.
+struct EdgePoint {
+  double x, y, z;
+  double gap_left, gap_right;
+};
+
+// t: a parameter of the edge.
+template <class Map>
+EdgePoint edge_point(const Map &map, uint32_t e, double t) {
+  const MapEdge &edge = map.edges[e];
+  const Vec3 at = map.scene.at(edge.ball, edge.nearer, t);
+  if (!edge.is_silhouette()) return {at.x, at.y, at.z, 0.0, 0.0};
+  const uint32_t behind = map.faces[map.face_of(2 * e + 1)].owner;
+  const double gap =
+      behind == no_id ? std::numeric_limits<double>::infinity() : at.z - map.scene.front_at(behind, at.x, at.y);
+  return {at.x, at.y, at.z, 0.0, gap > 0.0 ? gap : 0.0};
+}
+
+// Adds up the areas of each body's faces; area [bodies], by the numbers that the caller gave these: caller(body).
+template <class Caller>
+void sum_visible_areas(const MapRecords &map, Caller caller, Span<double> area) {
+  for (double &sum : area) sum = 0.0;
+  for (const MapFace &face : map.faces.items()) {
+    if (face.owner != no_id) area[caller(face.owner)] += face.area;
+  }
+}
+
+// All that is covered.
+inline double covered_area(const MapRecords &map) {
+  double sum = 0.0;
+  for (const MapFace &face : map.faces.items()) sum += face.owner == no_id ? 0.0 : face.area;
+  return sum;
+}
+
+// The half-edge before another one around its face: the one before it around their common vertex, the other way.
+inline uint32_t previous_half_edge(const MapRecords &map, uint32_t h) {
+  uint32_t leaving = h;
+  for (;;) {
+    const uint32_t arriving = leaving ^ 1U;
+    leaving = map.half_edges[arriving].next;
+    if (leaving == h) return arriving;
+  }
+}
+
+// The loop of the same face after another one, the first one after the last.
+inline uint32_t next_loop(const MapRecords &map, uint32_t loop) {
+  const MapLoop &of = map.loops[loop];
+  return of.next_of_face != no_id ? of.next_of_face : map.faces[of.face].first_loop;
+}
+
+}  // namespace hsp

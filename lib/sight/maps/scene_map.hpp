@@ -1,0 +1,150 @@
+// What is seen of a union of balls along a direction, as a subdivision of the view plane (Section 5.2): every face
+// shows one ball or the background. Or of other convex bodies: what the records of a map and all that is made of them
+// want to know of bodies a scene tells, BallScene of balls and StickScene of balls and sticks.
+//
+// The visible surface is the upper envelope of the front hemispheres. So every edge is a part of one of two kinds of
+// curves: a silhouette, or the crease where the spheres of two balls meet. Creases never hide anything, because the
+// surface is re-entrant there: what is hidden is hidden by silhouettes and spheres.
+//
+//   triple   three creases end where three spheres meet
+//   T        a curve, the stem, ends where it goes behind a nearer ball, on that ball's silhouette
+//   tangency the crease of two balls goes over into the silhouette of the nearer one
+//   plain    somewhere on a closed curve that has no other vertex
+//   halves   the halves of a stick and what is behind them; not of balls
+//
+// Unlike everything below this room the map rests on floating-point roots. What holds them together is checked while
+// it is built (map_builder.hpp). The same input gives the same bits on every machine.
+#pragma once
+
+#include "core/fixed_vector.hpp"
+#include "core/workspace.hpp"
+#include "view/view_frame.hpp"
+
+namespace hsp {
+
+enum class MapVertexKind : uint32_t { plain = 0, triple = 1, t = 2, tangency = 3, halves = 4 };
+
+// How many edges meet at a vertex.
+constexpr uint32_t degree_of(MapVertexKind kind) {
+  return kind == MapVertexKind::plain || kind == MapVertexKind::tangency ? 2 : 3;
+}
+
+// Positions are view coordinates. Balls are bodies by the ids of their scene.
+struct MapVertex {
+  double x, y, z;
+  MapVertexKind kind;
+  uint32_t leaving;  // a half-edge that leaves it; of a T the stem
+  // The balls of the curves that meet. Triple: ascending. T: the nearer ball last, and the stem's before it (no_id if
+  // that is a silhouette). Tangency: farther, nearer. Plain: those of the curve.
+  uint32_t ball[3];
+};
+
+// A part of the silhouette of `ball`, or with another ball of the crease of `ball` and `nearer`, with parameters of
+// curves.hpp that increase from the first vertex to the second. Half-edge 2e runs along edge e, 2e + 1 against it.
+struct MapEdge {
+  double from, to;
+  uint32_t ball;
+  uint32_t nearer;  // no_id on a silhouette
+  uint32_t vertex[2];
+
+  bool is_silhouette() const { return nearer == no_id; }
+};
+
+// The face is on the left.
+struct MapHalfEdge {
+  uint32_t next;
+  uint32_t loop;
+};
+
+// Outer loops run counter-clockwise and have a positive area, holes run clockwise and have a negative one.
+struct MapLoop {
+  uint32_t first_half_edge;
+  uint32_t face;
+  uint32_t next_of_face;  // no_id behind the last one
+  uint32_t owner;         // as of its face
+  double area;
+};
+
+struct MapFace {
+  uint32_t owner;       // the ball that is seen, no_id for the background
+  uint32_t first_loop;  // the outer loop and then the holes; the unbounded face has holes only
+  double area;          // 0 for the unbounded face
+};
+
+// What the makers of a map need room for at most: its bodies and their places, groups of corners, and edges.
+struct MapSizes {
+  uint64_t bodies, groups, edges;
+};
+
+// Face 0 is the unbounded one. The faces of one owner follow each other, those of the background first.
+struct MapRecords {
+  ViewFrame frame;
+  double perturbation = 0.0;  // no centre was moved farther, in lattice steps
+  uint32_t components = 0;    // connected parts of the edges
+  uint32_t owners = 0;        // bodies with faces
+  FixedVector<MapVertex> vertices;
+  FixedVector<MapEdge> edges;
+  FixedVector<MapHalfEdge> half_edges;
+  FixedVector<MapLoop> loops;
+  FixedVector<MapFace> faces;
+  Span<const uint32_t> loop_order;  // loops by their owners in the order of faces, the background's last
+
+  // Every vertex has at least two edges, so that there are no more vertices than edges. Loops are at most twice the
+  // edges, and faces at most one more than edges: F = 1 + C + E - V, and E - V is half the number of vertices of three.
+  void carve(Workspace &workspace, uint64_t most_edges) {
+    vertices = FixedVector<MapVertex>(workspace.take<MapVertex>(most_edges));
+    edges = FixedVector<MapEdge>(workspace.take<MapEdge>(most_edges));
+    half_edges = FixedVector<MapHalfEdge>(workspace.take<MapHalfEdge>(2 * most_edges));
+    loops = FixedVector<MapLoop>(workspace.take<MapLoop>(2 * most_edges));
+    faces = FixedVector<MapFace>(workspace.take<MapFace>(2 * most_edges + 1));
+  }
+  void clear() {
+    vertices.clear();
+    edges.clear();
+    half_edges.clear();
+    loops.clear();
+    faces.clear();
+    components = 0;
+    owners = 0;
+  }
+
+  uint32_t origin(uint32_t half_edge) const { return edges[half_edge / 2].vertex[half_edge % 2]; }
+  uint32_t face_of(uint32_t half_edge) const { return loops[half_edges[half_edge].loop].face; }
+  // The body on the left, no_id where that is known from other edges only.
+  uint32_t left_of(uint32_t half_edge) const {
+    const MapEdge &edge = edges[half_edge / 2];
+    if (edge.is_silhouette()) return half_edge % 2 == 0 ? edge.ball : no_id;
+    return half_edge % 2 == 0 ? edge.nearer : edge.ball;
+  }
+  // Calls visit(half-edge) around a loop; what follows each is known before.
+  template <class Visit>
+  void visit_loop(uint32_t loop, Visit visit) const {
+    const uint32_t first = loops[loop].first_half_edge;
+    uint32_t h = first;
+    do {
+      const uint32_t next = half_edges[h].next;
+      visit(h);
+      h = next;
+    } while (h != first);
+  }
+  // Calls visit(loop) for the outer loop of a face and then for its holes.
+  template <class Visit>
+  void visit_loops(uint32_t face, Visit visit) const {
+    for (uint32_t l = faces[face].first_loop; l != no_id; l = loops[l].next_of_face) visit(l);
+  }
+  // The face after another one of the same owner; no_id after the last.
+  uint32_t next_face_of(uint32_t face) const {
+    return face + 1 < faces.size() && faces[face + 1].owner == faces[face].owner ? face + 1 : no_id;
+  }
+};
+
+template <class Scene>
+struct SceneMap : MapRecords {
+  Scene scene;
+  Span<const uint32_t> first_face;  // by the places of bodies; no_id of those without faces
+
+  // The first face that shows a body or, for no_id, the background; no_id if there is none.
+  uint32_t first_face_of(uint32_t owner) const { return owner == no_id ? 0 : first_face[scene.place_of(owner)]; }
+};
+
+}  // namespace hsp

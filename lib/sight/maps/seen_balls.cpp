@@ -1,0 +1,69 @@
+#include "maps/seen_balls.hpp"
+
+#include <initializer_list>
+
+#include "core/sorting.hpp"
+
+namespace hsp {
+namespace {
+
+// Sebastiano Vigna's mixing step of splitmix64.
+uint64_t mixed(uint64_t h) {
+  h = (h ^ (h >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);
+  h = (h ^ (h >> 27)) * UINT64_C(0x94D049BB133111EB);
+  return h ^ (h >> 31);
+}
+
+// In [-1, 1), different for every centre and radius, but equal for equal balls.
+Vec3 direction_of_shift(const BallSet &balls, uint32_t i) {
+  uint64_t h = 0;
+  for (const double value : {balls.x[i], balls.y[i], balls.z[i], balls.r[i]}) {
+    h = mixed(h + UINT64_C(0x9E3779B97F4A7C15) + static_cast<uint64_t>(static_cast<int64_t>(value)));
+  }
+  const auto next = [&h] {
+    h = mixed(h + UINT64_C(0x9E3779B97F4A7C15));
+    return static_cast<double>(h >> 11) * 0x1p-52 - 1.0;
+  };
+  const double x = next();
+  const double y = next();
+  return {x, y, next()};
+}
+
+}  // namespace
+
+// The radius of a cube's circumsphere is less than 2 of its half sides.
+Vec3 moved_centre(const BallSet &balls, uint32_t i, const Vec3 &centre, double perturbation) {
+  return combine(1.0, centre, perturbation / 2 * balls.r[i], direction_of_shift(balls, i));
+}
+
+void SeenBalls::carve(Workspace &workspace, uint32_t balls) {
+  hidden_.carve(workspace, balls);
+  visible_ = workspace.take<uint8_t>(balls);
+  balls_ = workspace.take<SeenBall>(balls);
+  count_ = 0;
+}
+
+// A ball that is hidden as a whole hides nothing that others do not hide too, and does not cut what is seen.
+void SeenBalls::choose(const CubeGrid &grid, const ViewFrame &frame) {
+  const BallSet &balls = grid.balls();
+  for (uint32_t i = 0; i < balls.n; ++i) visible_[i] = balls.r[i] > 0.0 ? 1 : 0;
+  hidden_.hide(grid, frame, visible_);
+}
+
+void SeenBalls::place(const BallSet &balls, const ViewFrame &frame, double perturbation) {
+  moved_ = perturbation > 0.0;
+  count_ = 0;
+  for (uint32_t i = 0; i < balls.n; ++i) {
+    if (visible_[i] == 0) continue;
+    Vec3 centre = frame.centre_of(balls, i);
+    if (moved_) centre = moved_centre(balls, i, centre, perturbation);
+    balls_[count_++] = {centre.x, centre.y, centre.z, balls.r[i], i, 0};
+  }
+  sort_in_place(balls_.part(0, count_), [&balls](const SeenBall &a, const SeenBall &b) {
+    if (a.top() != b.top()) return a.top() > b.top();
+    if (a.r != b.r) return a.r > b.r;
+    return balls.ranks_before(a.ball, b.ball);
+  });
+}
+
+}  // namespace hsp

@@ -1,0 +1,63 @@
+// The balls that may be seen, in view coordinates, those with the highest tops first. Their places in this order are
+// the ids of this room.
+#pragma once
+
+#include "core/workspace.hpp"
+#include "view/occlusion.hpp"
+
+namespace hsp {
+
+struct SeenBall {
+  double x, y, z, r;
+  uint32_t ball;    // grid order
+  uint32_t inside;  // 1 if it lies inside another ball, so that nothing of it is seen
+
+  double top() const { return z + r; }
+};
+
+// Balls that reach less into or out of each other than this part of their radii only touch. The circle in which others
+// meet is not lost in rounding.
+inline constexpr double touching = 0x1p-40;
+
+inline bool is_inside(const SeenBall &ball, const SeenBall &other) {
+  const double dx = other.x - ball.x;
+  const double dy = other.y - ball.y;
+  const double dz = other.z - ball.z;
+  const double room = other.r * (1.0 + touching) - ball.r;
+  return room > 0.0 && dx * dx + dy * dy + dz * dz <= room * room;
+}
+
+// A centre in view coordinates, moved by at most `perturbation` times the ball's radius, in a way that depends on its
+// centre and radius alone.
+Vec3 moved_centre(const BallSet &balls, uint32_t i, const Vec3 &centre, double perturbation);
+
+// Of all radii, how far centres are moved where roundings cannot be overcome, one after the other.
+inline constexpr double perturbations[] = {0.0, 0x1p-20, 0x1p-17, 0x1p-14};
+
+class SeenBalls {
+ public:
+  void carve(Workspace &workspace, uint32_t balls);
+
+  // Leaves out what is hidden as a whole for certain; that is so for every perturbation afterwards.
+  void choose(const CubeGrid &grid, const ViewFrame &frame);
+  // Places what is left and sorts it, every centre moved as above.
+  void place(const BallSet &balls, const ViewFrame &frame, double perturbation);
+
+  Span<const SeenBall> balls() const { return balls_.part(0, count_); }
+  Span<SeenBall> balls() { return balls_.part(0, count_); }
+  // Whether ball a is the nearer one of two: by the depth of its centre, and by the order where these are equal.
+  bool is_nearer(uint32_t a, uint32_t b) const {
+    return balls_[a].z > balls_[b].z || (balls_[a].z == balls_[b].z && a < b);
+  }
+  // Whether everything in the box is hidden for certain up to a height. Only of balls that are not moved.
+  bool hides(const BoundingBox &box, double height) { return !moved_ && hidden_.floor().is_above(box, height); }
+
+ private:
+  OcclusionCuller hidden_;
+  Span<uint8_t> visible_;  // [balls]
+  Span<SeenBall> balls_;   // [balls]
+  uint32_t count_ = 0;
+  bool moved_ = false;
+};
+
+}  // namespace hsp

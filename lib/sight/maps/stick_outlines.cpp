@@ -1,0 +1,49 @@
+#include "maps/stick_outlines.hpp"
+
+namespace hsp {
+namespace {
+
+const StickView &as_view(const void *source) {
+  return *static_cast<const StickView *>(source);
+}
+uint32_t ball_of_path(const void *view, uint32_t path) {
+  return as_view(view).paths[path].ball;
+}
+void visit_path(const void *view, const BallSet &, uint32_t path, const ArcVisitor &visitor) {
+  visit_outline(as_view(view), path, visitor);
+}
+bool is_stick(const void *view, uint32_t path) {
+  return as_view(view).paths[path].stick != no_id;
+}
+
+constexpr PaintedPaths::Functions of_sticks{ball_of_path, visit_path, nullptr, is_stick};
+
+}  // namespace
+
+PaintedPaths paths_of(const StickView &view) {
+  return {view.frame, view.paths.size(), &view, of_sticks};
+}
+
+// Under the other part: at most as long as that is. Under the ball: its front is over the stick wherever the axis is
+// beyond the junction circle, but for the caps in other sticks. Of such a cap everything is within `reach` of the
+// middle of its circle.
+double overlap_of(const StickView &view, const Stick &stick, uint32_t part) {
+  if (part + 1 < stick.parts) {
+    const double half = 0.5 * (stick.last - stick.middle());
+    return half < stick.radius ? half : stick.radius;
+  }
+  const double inside = stick.length - stick.last;
+  const double overlap = 0.25 * inside;
+  const Segment axis = stick.axis_between(stick.last, stick.last + overlap).flat();
+  for (const StickBite &bite : view.bites_of(stick.ball[1])) {
+    const Stick &other = view.sticks[bite.stick];
+    if (other.caller == stick.caller) continue;
+    const double height = view.balls[stick.ball[1]].r - (other.length - other.last);
+    const double reach = stick.radius + std::sqrt(other.radius * other.radius + height * height);
+    const Vec3 middle = other.on_axis(other.last);
+    if (closest_points(axis, Segment{middle, middle}.flat()).squared < reach * reach) return 0.0;
+  }
+  return overlap;
+}
+
+}  // namespace hsp

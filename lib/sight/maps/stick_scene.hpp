@@ -1,0 +1,184 @@
+// The curves that bound what is seen of balls and sticks, by names, as points in space.
+//
+// Bodies are numbered as in stick_sweep.hpp: balls by their ids, then part p of stick k as balls + 2 k + p. A curve is
+// named like an edge of a visibility map, by a body and a nearer one:
+//   ball, none    the silhouette, at the angle t
+//   part, none    the two lines of the contour: with s along the axis the right one at t = s / length and the left one
+//                 at t = -s / length. So the part is always on the left
+//   ball, ball    their crease, with the nearer one on the left
+//   ball, part    where a stick leaves the ball at its foot: a half circle with the stick on the left
+//   part, part    where the halves of a stick meet, with the nearer half on the left
+//   part, ball    where a stick enters the ball at its top, with the ball on the left: as much of the half circle as is
+//                 above the ball's centre
+// On half circles t = 0 is in the middle, and t increases from the left of the stick to its right.
+#pragma once
+
+#include "maps/ball_scene.hpp"
+#include "maps/stick_view.hpp"
+
+namespace hsp {
+
+// The points middle + cos t first + sin t second.
+struct RoundCurve {
+  Vec3 middle, first, second;
+
+  Vec3 at(double t) const {
+    const SinCos at = sin_cos(t);
+    return combine(1.0, middle, 1.0, combine(at.cosine, first, at.sine, second));
+  }
+};
+
+// The points start + t step.
+struct StraightCurve {
+  Vec3 start, step;
+
+  Vec3 at(double t) const { return combine(1.0, start, t, step); }
+};
+
+// The front of a stick over a point of the view plane: its height, and the place along the axis.
+struct StickFront {
+  bool exists;  // only between the centres of its balls
+  double z, s;
+  double beside;  // how far inside the contour: the radius less the distance from the axis as it is seen
+};
+
+inline StickFront front_of(const Stick &stick, double x, double y) {
+  const double dx = x - stick.foot.x;
+  const double dy = y - stick.foot.y;
+  const double a = dx * stick.e[0] + dy * stick.e[1];
+  const double w = std::fabs(dy * stick.e[0] - dx * stick.e[1]);
+  const double beside = stick.radius - w;
+  if (!(beside > 0.0)) return {false, 0.0, 0.0, beside};
+  const double v = std::sqrt(beside * (stick.radius + w));
+  const double s = (a + stick.axis.z * v) / stick.seen;
+  return {s > 0.0 && s < stick.length, stick.foot.z + (a * stick.axis.z + v) / stick.seen, s, beside};
+}
+
+enum class StickRing : uint32_t { foot = 0, middle = 1, top = 2 };
+
+struct StickScene {
+  Span<const SeenBall> balls;  // grid order
+  Span<const Stick> sticks;
+  Span<const uint32_t> order;  // of faces: bodies by their depths
+
+  uint32_t bodies() const { return balls.size() + 2 * sticks.size(); }
+  uint32_t place_of(uint32_t body) const { return body; }
+  // The ball that a body is painted as.
+  uint32_t ball_of(uint32_t body) const { return is_ball(body) ? body : stick_at(body).owner[part_of(body)]; }
+  uint32_t body_in_order(uint32_t k) const { return order[k]; }
+  double largest() const {
+    double largest = BallScene{balls}.largest();
+    for (const Stick &stick : sticks) largest = stick.length > largest ? stick.length : largest;
+    return largest;
+  }
+
+  bool is_ball(uint32_t body) const { return body < balls.size(); }
+  uint32_t stick_of(uint32_t body) const { return (body - balls.size()) / 2; }
+  uint32_t part_of(uint32_t body) const { return (body - balls.size()) % 2; }
+  uint32_t body_of(uint32_t stick, uint32_t part) const { return balls.size() + 2 * stick + part; }
+  const Stick &stick_at(uint32_t body) const { return sticks[stick_of(body)]; }
+  bool is_straight(uint32_t body, uint32_t nearer) const { return nearer == no_id && !is_ball(body); }
+  bool is_straight(const MapEdge &edge) const { return is_straight(edge.ball, edge.nearer); }
+
+  StickRing ring_of(uint32_t body, uint32_t nearer) const {
+    return is_ball(body) ? StickRing::foot : is_ball(nearer) ? StickRing::top : StickRing::middle;
+  }
+
+  // All but contours of sticks.
+  RoundCurve round_curve(uint32_t body, uint32_t nearer) const {
+    if (nearer == no_id) {
+      const SeenBall &ball = balls[body];
+      return {{ball.x, ball.y, ball.z}, {ball.r, 0.0, 0.0}, {0.0, ball.r, 0.0}};
+    }
+    if (is_ball(body) && is_ball(nearer)) {
+      const Crease crease(balls[body], balls[nearer]);
+      return {crease.m, crease.rho * crease.a, crease.rho * crease.b};
+    }
+    const Stick &stick = stick_at(is_ball(body) ? nearer : body);
+    const StickRing ring = ring_of(body, nearer);
+    const double s = ring == StickRing::foot ? stick.first : ring == StickRing::top ? stick.last : stick.middle();
+    const double up = -stick.axis.z;
+    return {stick.on_axis(s), stick.radius * Vec3{up * stick.e[0], up * stick.e[1], stick.seen},
+            stick.radius * Vec3{stick.e[1], -stick.e[0], 0.0}};
+  }
+
+  StraightCurve line_of(const Stick &stick, bool left) const {
+    const double side = left ? stick.radius : -stick.radius;
+    return {stick.foot + side * Vec3{-stick.e[1], stick.e[0], 0.0}, (left ? -stick.length : stick.length) * stick.axis};
+  }
+
+  Vec3 at(uint32_t body, uint32_t nearer, double t) const {
+    return is_straight(body, nearer) ? line_of(stick_at(body), t < 0.0).at(t) : round_curve(body, nearer).at(t);
+  }
+
+  EdgeCurve curve(const MapEdge &edge, const MapVertex &v, const MapVertex &w) const {
+    if (!is_straight(edge)) {
+      const RoundCurve round = round_curve(edge.ball, edge.nearer);
+      return {EdgeEllipse(round.middle, round.first, round.second), edge.from, edge.to};
+    }
+    const Vec3 from{v.x, v.y, 0.0};
+    const Vec3 to{w.x, w.y, 0.0};
+    return {EdgeEllipse(combine(0.5, from, 0.5, to), 0.5 * (to - from), Vec3{}), -pi, 0.0};
+  }
+  Vec3 middle_of(const MapEdge &edge, const MapVertex &, const MapVertex &) const {
+    return at(edge.ball, edge.nearer, 0.5 * (edge.from + edge.to));
+  }
+
+  // A common vertex comes behind all T, where a crease or half circle ends. Groups are those of triple points and of
+  // tangencies by their first ball, and of the ends of half circles by their stick: those of all at the foot, then in
+  // the middle, then at the top.
+  static constexpr bool corners_first = false;
+  uint32_t groups() const { return 2 * balls.size() + 3 * sticks.size(); }
+  uint32_t group_of(StickRing ring, uint32_t stick) const {
+    return 2 * balls.size() + static_cast<uint32_t>(ring) * sticks.size() + stick;
+  }
+  // Of an end of an arc that is no T; false if it is none.
+  bool name(const MapArc &arc, uint32_t end, CornerName &name) const;
+  MapVertexKind kind_of(const ArcEnd &end, const CornerName &name) const {
+    const uint32_t first = group_of(StickRing::middle, 0);
+    return name.group >= first && name.group - first < sticks.size() ? MapVertexKind::halves : end.kind;
+  }
+
+  // The parameter of a point of the view plane on the contour of a body, and how long the contour is per unit.
+  double landing(uint32_t body, double x, double y) const {
+    if (is_ball(body)) return arc_tangent(y - balls[body].y, x - balls[body].x);
+    const Stick &stick = stick_at(body);
+    const double dx = x - stick.foot.x;
+    const double dy = y - stick.foot.y;
+    const double part = (dx * stick.e[0] + dy * stick.e[1]) / (stick.seen * stick.length);
+    return dy * stick.e[0] - dx * stick.e[1] > 0.0 ? -part : part;
+  }
+  double contour_length(uint32_t body) const { return is_ball(body) ? balls[body].r : stick_at(body).length; }
+
+  // Of a half of a stick the rectangle around the whole stick.
+  double silhouette_area(uint32_t body, double margin) const {
+    if (is_ball(body)) return hsp::silhouette_area(balls[body], margin);
+    const Stick &stick = stick_at(body);
+    const double half = stick.radius + margin;
+    return 2 * half * (stick.length * stick.seen + 2 * half);
+  }
+  bool may_be_seen(uint32_t body, const Vec3 &p, double margin) const;
+  // The height of a body's front at or near a point where it is seen.
+  double front_at(uint32_t body, double x, double y) const;
+  // No edge that names the body first is nearer to a point of the view plane.
+  double least_distance(uint32_t body, double x, double y) const {
+    if (is_ball(body)) return BallScene{balls}.least_distance(body, x, y);
+    return -front_of(stick_at(body), x, y).beside;
+  }
+  // Calls visit(body, x, y) for a point of each that is seen if nothing else is before it there, until it is false.
+  template <class Visit>
+  bool all_middles(Visit visit) const {
+    if (!BallScene{balls}.all_middles(visit)) return false;
+    for (uint32_t k = 0; k < sticks.size(); ++k) {
+      const Stick &stick = sticks[k];
+      for (uint32_t part = 0; part < stick.parts; ++part) {
+        const Vec3 middle = stick.on_axis(0.5 * (stick.begin_of(part) + stick.end_of(part)));
+        const double back = stick.radius * stick.axis.z;
+        if (!visit(body_of(k, part), middle.x - back * stick.e[0], middle.y - back * stick.e[1])) return false;
+      }
+    }
+    return true;
+  }
+};
+
+}  // namespace hsp

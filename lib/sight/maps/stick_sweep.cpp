@@ -1,0 +1,162 @@
+#include "maps/stick_sweep.hpp"
+
+#include "core/sorting.hpp"
+
+namespace hsp {
+namespace {
+
+double squared_distance(const Vec3 &a, const Vec3 &b) {
+  const Vec3 d = b - a;
+  return dot(d, d);
+}
+
+}  // namespace
+
+void StickSweep::carve(Workspace &workspace, const StickLimits &limits) {
+  items_ = FixedVector<SweptBox>(workspace.take<SweptBox>(limits.balls + 2 * static_cast<uint64_t>(limits.sticks)));
+}
+
+void StickSweep::refuse(StickConflict conflict, uint32_t first, uint32_t second) {
+  violation_ = {conflict, first < second ? first : second, first < second ? second : first};
+  if (conflict == StickConflict::stick_in_ball) violation_ = {conflict, first, second};
+}
+
+void StickSweep::add(bool second_is_above, uint32_t a, uint32_t b) {
+  pairs_->push(second_is_above ? StickPair{a, b} : StickPair{b, a});
+}
+
+// Of equal depths in any fixed order: disjoint balls then have no point of the view plane in common.
+void StickSweep::compare_balls(uint32_t a, uint32_t b) {
+  const PlacedBall &one = view_->balls[a];
+  const PlacedBall &two = view_->balls[b];
+  const double sum = one.r + two.r;
+  if (squared_distance(one.centre, two.centre) < sum * sum) {
+    if (meeting_.conflict == StickConflict::none) {
+      const bool ascending = caller_[a] < caller_[b];
+      meeting_ = {StickConflict::balls_meet, caller_[ascending ? a : b], caller_[ascending ? b : a]};
+    }
+    add(true, a, b);
+    add(false, a, b);
+    return;
+  }
+  const double dx = two.centre.x - one.centre.x;
+  const double dy = two.centre.y - one.centre.y;
+  if (dx * dx + dy * dy < sum * sum) add(two.centre.z > one.centre.z, a, b);
+}
+
+void StickSweep::compare_ball_and_part(uint32_t ball, uint32_t body) {
+  const Stick &stick = stick_of(body);
+  if (stick.ball[0] == ball || stick.ball[1] == ball) return;
+  const PlacedBall &placed = view_->balls[ball];
+  const Segment axis = stick.axis_of(part_of(body));
+  const Segment centre{placed.centre, placed.centre};
+  const double sum = stick.radius + placed.r;
+  if (closest_points(axis, centre).squared < sum * sum) {
+    return refuse(StickConflict::stick_in_ball, stick.caller, caller_[ball]);
+  }
+  const ClosestPoints seen = closest_points(axis.flat(), centre.flat());
+  if (seen.squared < sum * sum) add(axis.at(seen.first).z > placed.centre.z, ball, body);
+}
+
+void StickSweep::compare_parts(uint32_t a, uint32_t b) {
+  const Stick &one = stick_of(a);
+  const Stick &two = stick_of(b);
+  if (one.caller == two.caller) return;
+  // The ends that they share, and the axes from there.
+  int shared = 0;
+  Vec3 u{}, v{};
+  double r = 0.0;
+  for (int end = 0; end < 2; ++end) {
+    for (int other = 0; other < 2; ++other) {
+      if (one.ball[end] != two.ball[other]) continue;
+      ++shared;
+      u = end == 0 ? one.axis : -one.axis;
+      v = other == 0 ? two.axis : -two.axis;
+      r = view_->balls[one.ball[end]].r;
+    }
+  }
+  if (shared == 2) return refuse(StickConflict::same_ends, one.caller, two.caller);
+  const Segment first = one.axis_of(part_of(a));
+  const Segment second = two.axis_of(part_of(b));
+  const double sum = one.radius + two.radius;
+  if (shared == 1) {
+    // sin^2(angle / 2) is a quarter of |u - v|^2.
+    if (r * r * squared_distance(u, v) < sum * sum) {
+      return refuse(StickConflict::sharp_angle, one.caller, two.caller);
+    }
+  } else if (closest_points(first, second).squared < sum * sum) {
+    return refuse(StickConflict::sticks_meet, one.caller, two.caller);
+  }
+  const ClosestPoints seen = closest_points(first.flat(), second.flat());
+  if (seen.squared >= sum * sum) return;
+  add(shared == 1 ? v.z > u.z : second.at(seen.second).z > first.at(seen.first).z, a, b);
+}
+
+void StickSweep::compare(uint32_t a, uint32_t b) {
+  if (a > b) {
+    const uint32_t other = a;
+    a = b;
+    b = other;
+  }
+  if (b < balls_) {
+    compare_balls(a, b);
+  } else if (a < balls_) {
+    compare_ball_and_part(a, b);
+  } else {
+    compare_parts(a, b);
+  }
+}
+
+void StickSweep::add_items() {
+  items_.clear();
+  for (uint32_t i = 0; i < balls_; ++i) {
+    const PlacedBall &ball = view_->balls[i];
+    if (!(ball.r > 0.0)) continue;
+    const Vec3 &c = ball.centre;
+    items_.push({c.x - ball.r, c.x + ball.r, c.y - ball.r, c.y + ball.r, i});
+  }
+  for (uint32_t k = 0; k < view_->sticks.size(); ++k) {
+    const Stick &stick = view_->sticks[k];
+    for (uint32_t part = 0; part < stick.parts; ++part) {
+      const Segment axis = stick.axis_of(part);
+      const bool right = axis.to.x > axis.from.x;
+      const bool up = axis.to.y > axis.from.y;
+      items_.push({(right ? axis.from.x : axis.to.x) - stick.radius, (right ? axis.to.x : axis.from.x) + stick.radius,
+                   (up ? axis.from.y : axis.to.y) - stick.radius, (up ? axis.to.y : axis.from.y) + stick.radius,
+                   balls_ + 2 * k + part});
+    }
+  }
+  sort_in_place(items_.items(), [](const SweptBox &a, const SweptBox &b) {
+    return a.left != b.left ? a.left < b.left : a.body < b.body;
+  });
+}
+
+StickViolation StickSweep::find(const StickView &view, Span<const uint32_t> caller, FixedVector<StickPair> &pairs) {
+  view_ = &view;
+  caller_ = caller;
+  pairs_ = &pairs;
+  balls_ = caller.size();
+  violation_ = {};
+  meeting_ = {};
+  pairs.clear();
+  for (uint32_t k = 0; k < view.sticks.size(); ++k) {
+    const Stick &stick = view.sticks[k];
+    if (stick.parts == 0) continue;
+    const uint32_t first = balls_ + 2 * k;
+    pairs.push({stick.ball[0], first});
+    if (stick.parts == 2) pairs.push({first, first + 1});
+    pairs.push({first + stick.parts - 1, stick.ball[1]});
+  }
+  add_items();
+  const Span<const SweptBox> items = items_.items();
+  for (uint32_t i = 0; i < items.size(); ++i) {
+    for (uint32_t j = i + 1; j < items.size() && items[j].left < items[i].right; ++j) {
+      if (items[j].bottom >= items[i].top || items[j].top <= items[i].bottom) continue;
+      compare(items[i].body, items[j].body);
+      if (violation_.conflict != StickConflict::none) return violation_;
+    }
+  }
+  return violation_;
+}
+
+}  // namespace hsp

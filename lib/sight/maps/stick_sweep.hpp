@@ -1,0 +1,66 @@
+// All pairs of balls and parts of sticks of which one may cover the other: what has to be painted first, and whether
+// they meet, or do so where they must not. What meets in space overlaps in the view plane, so that one sweep from left
+// to right finds both.
+//
+// Which one is over the other: two disjoint convex bodies that appear over each other do so in one way, wherever they
+// overlap. A part of a stick is contained in the balls of the stick's radius around its axis, which are disjoint from
+// every other ball and from those of other sticks. So the heights at those points of the axes decide that appear
+// closest to each other: two disjoint balls of which one covers a part of the other have the order of their centres.
+// Only sticks that end in one ball, with axes u and v from there, may be closer to each other than that near the ball.
+// They lie on either side of the plane through its centre across u - v, provided that the ball is at least
+//   radius / sin(angle / 2)
+// thick; then the one whose axis rises more is over the other one, if either is. Two balls that are disjoint have the
+// order of their centres, too.
+#pragma once
+
+#include "maps/stick_view.hpp"
+
+namespace hsp {
+
+// Paint `below` first. Balls by their ids; part p of stick k is balls + 2 k + p.
+struct StickPair {
+  uint32_t below, above;
+};
+
+// The box of a body in the view plane.
+struct SweptBox {
+  double left, right, bottom, top;
+  uint32_t body;
+};
+
+class StickSweep {
+ public:
+  void carve(Workspace &workspace, const StickLimits &limits);
+
+  // Finds the pairs of the balls and sticks of a view, some more than once. Those of a stick with its two balls and
+  // its parts with each other are among them, those of balls that meet both ways. caller: the caller's numbers of
+  // balls. The first conflict that is found ends the sweep; that balls meet is none.
+  StickViolation find(const StickView &view, Span<const uint32_t> caller, FixedVector<StickPair> &pairs);
+
+  // The first balls found that meet. They have no order, and sticks with them none that holds for pictures.
+  const StickViolation &meeting() const { return meeting_; }
+  // Of all balls and parts, sorted by their left sides.
+  Span<const SweptBox> boxes() const { return items_.items(); }
+
+ private:
+  void add_items();
+  void compare(uint32_t a, uint32_t b);
+  void compare_balls(uint32_t a, uint32_t b);
+  void compare_ball_and_part(uint32_t ball, uint32_t body);
+  void compare_parts(uint32_t a, uint32_t b);
+  void add(bool second_is_above, uint32_t a, uint32_t b);
+  void refuse(StickConflict conflict, uint32_t first, uint32_t second);
+
+  const Stick &stick_of(uint32_t body) const { return view_->sticks[(body - balls_) / 2]; }
+  uint32_t part_of(uint32_t body) const { return (body - balls_) % 2; }
+
+  FixedVector<SweptBox> items_;
+  const StickView *view_ = nullptr;
+  Span<const uint32_t> caller_;
+  FixedVector<StickPair> *pairs_ = nullptr;
+  uint32_t balls_ = 0;
+  StickViolation violation_;
+  StickViolation meeting_;
+};
+
+}  // namespace hsp
