@@ -39,7 +39,8 @@ typedef struct hsp_workspace {
   hsp_paths *paths;                    /**< NULL before hsp_workspace_path */
   hsp_gate *gate;                      /**< NULL before hsp_workspace_gate */
   hsp_moving *moving;                  /**< NULL before hsp_workspace_moving */
-  void *memory[12];                    /**< of the handles */
+  hsp_periodic *periodic;              /**< NULL before hsp_workspace_periodic */
+  void *memory[13];                    /**< of the handles */
   uint32_t most_balls;                 /**< what the model has room for */
   uint32_t reserved;                   /**< 0 */
   hsp_boundary_limits boundary_limits; /**< what hsp_boundary has room for */
@@ -53,6 +54,7 @@ typedef struct hsp_workspace {
   hsp_paths_limits paths_limits;       /**< what hsp_paths has room for */
   hsp_gate_limits gate_limits;         /**< what hsp_gate has room for */
   hsp_moving_limits moving_limits;     /**< what hsp_moving has room for */
+  hsp_periodic_limits periodic_limits; /**< what hsp_periodic has room for */
 } hsp_workspace;
 
 /* Memory of another size, without its contents. */
@@ -347,8 +349,33 @@ static inline int32_t hsp_workspace_grow_moving(hsp_workspace *work, const hsp_m
   return hsp_workspace_make_moving(work);
 }
 
+static inline int32_t hsp_workspace_make_periodic(hsp_workspace *work) {
+  size_t bytes = 0;
+  int32_t status = hsp_periodic_bytes(&work->periodic_limits, &bytes);
+  work->periodic = NULL;
+  if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[12], bytes);
+  if (status == HSP_OK) {
+    status = hsp_periodic_init(work->memory[12], bytes, &work->periodic_limits, &work->periodic);
+  }
+  return status;
+}
+
+static inline int32_t hsp_workspace_ready_periodic(hsp_workspace *work, uint32_t n) {
+  int32_t status = HSP_OK;
+  if (work->periodic != NULL) return HSP_OK;
+  if (work->periodic_limits.struct_size == 0) {
+    status = hsp_periodic_limits_init(&work->periodic_limits, sizeof work->periodic_limits, n);
+  }
+  return status == HSP_OK ? hsp_workspace_make_periodic(work) : status;
+}
+
+static inline int32_t hsp_workspace_grow_periodic(hsp_workspace *work, const hsp_periodic_limits *limits) {
+  work->periodic_limits = *limits;
+  return hsp_workspace_make_periodic(work);
+}
+
 /** Take n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh, map,
- *  contacts, cells, paths and gate hold no results of other balls then; balls that move stay as they are. */
+ *  contacts, cells, paths and gate hold no results of other balls then; balls that move and a box stay as they are. */
 static inline int32_t hsp_workspace_set(hsp_workspace *work, uint32_t n, const double *xyz, const double *radius,
                                         const hsp_model_options *options, uint32_t *first_bad) {
   if (work->model == NULL || n > work->most_balls) {
@@ -486,6 +513,20 @@ static inline int32_t hsp_workspace_moving(hsp_workspace *work, const double *si
     /* Moves need room as well. */
     if (limits.neighbours < 256) limits.neighbours = limits.balls < 256 ? limits.balls : 256;
     status = hsp_workspace_grow_moving(work, &limits);
+  }
+  return status;
+}
+
+/** Compute the union of n balls in a periodic box; arguments and statuses as hsp_periodic_compute. The model is not
+ *  used. */
+static inline int32_t hsp_workspace_periodic(hsp_workspace *work, uint32_t n, const double *xyz, const double *radius,
+                                             const hsp_model_options *options, const double *box, uint32_t *first_bad) {
+  int32_t status = hsp_workspace_ready_periodic(work, n);
+  hsp_periodic_limits limits = work->periodic_limits;
+  while (status == HSP_OK) {
+    status = hsp_periodic_compute(work->periodic, n, xyz, radius, options, box, &limits, first_bad);
+    if (status != HSP_E_CAPACITY) return status;
+    status = hsp_workspace_grow_periodic(work, &limits);
   }
   return status;
 }

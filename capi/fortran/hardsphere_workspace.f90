@@ -38,8 +38,9 @@ module hardsphere_workspace
     type(c_ptr) :: paths = c_null_ptr
     type(c_ptr) :: gate = c_null_ptr
     type(c_ptr) :: moving = c_null_ptr
+    type(c_ptr) :: periodic = c_null_ptr
     integer(c_int32_t), private :: most_balls = 0
-    type(memory_block), private :: memory(12)
+    type(memory_block), private :: memory(13)
     type(hsp_boundary_limits), private :: boundary_limits
     type(hsp_topology_limits), private :: topology_limits
     type(hsp_view_limits), private :: view_limits
@@ -51,6 +52,7 @@ module hardsphere_workspace
     type(hsp_paths_limits), private :: paths_limits
     type(hsp_gate_limits), private :: gate_limits
     type(hsp_moving_limits), private :: moving_limits
+    type(hsp_periodic_limits), private :: periodic_limits
   contains
     procedure :: set => set_balls
     procedure :: compute_boundary
@@ -64,20 +66,22 @@ module hardsphere_workspace
     procedure :: find_path
     procedure :: compute_gate
     procedure :: set_moving
+    procedure :: compute_periodic
   end type
 
   private :: set_balls, compute_boundary, compute_topology, compute_view, compute_surface, compute_mesh, compute_map, &
-    compute_contacts, compute_cells, find_path, compute_gate, set_moving, raise_mesh_limits, allocated_to
+    compute_contacts, compute_cells, find_path, compute_gate, set_moving, compute_periodic, raise_mesh_limits, &
+    allocated_to
   private :: drop_of_model, drop_of_boundary, make_boundary, ready_boundary, grow_boundary, make_topology, &
     ready_topology, grow_topology, make_view, ready_view, grow_view, make_surface, ready_surface, grow_surface, &
     make_mesh, make_map, ready_map, grow_map, make_contacts, ready_contacts, grow_contacts, make_cells, ready_cells, &
     grow_cells, make_paths, ready_paths, grow_paths, make_gate, ready_gate, grow_gate, make_moving, ready_moving, &
-    grow_moving
+    grow_moving, make_periodic, ready_periodic, grow_periodic
 
 contains
 
   ! Takes n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh, map,
-  ! contacts, cells, paths and gate hold no results of other balls then; balls that move stay as they are.
+  ! contacts, cells, paths and gate hold no results of other balls then; balls that move and a box stay as they are.
   function set_balls(self, n, xyz, radius, options, first_bad) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t), intent(in) :: n
@@ -321,6 +325,27 @@ contains
       ! Moves need room as well.
       limits%neighbours = max(limits%neighbours, min(limits%balls, 256_c_int32_t))
       status = grow_moving(self, limits)
+    end do
+  end function
+
+  ! Computes the union of n balls in a periodic box; arguments and statuses as hsp_periodic_compute. The model is not
+  ! used.
+  function compute_periodic(self, n, xyz, radius, options, box, first_bad) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    integer(c_int32_t), value :: n
+    real(c_double), intent(in), optional :: xyz(3, *)
+    real(c_double), intent(in), optional :: radius(*)
+    type(hsp_model_options), intent(in), optional :: options
+    real(c_double), intent(in) :: box(9)
+    integer(c_int32_t), intent(inout), optional :: first_bad
+    type(hsp_periodic_limits) :: limits
+    integer(c_int32_t) :: status
+    status = ready_periodic(self, n)
+    limits = self%periodic_limits
+    do while (status == HSP_OK)
+      status = hsp_periodic_compute(self%periodic, n, xyz, radius, options, box, limits, first_bad)
+      if (status /= HSP_E_CAPACITY) return
+      status = grow_periodic(self, limits)
     end do
   end function
 
@@ -647,6 +672,35 @@ contains
     integer(c_int32_t) :: status
     self%moving_limits = limits
     status = make_moving(self)
+  end function
+
+  function make_periodic(self) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    integer(c_int32_t) :: status
+    integer(c_size_t) :: bytes
+    self%periodic = c_null_ptr
+    status = hsp_periodic_bytes(self%periodic_limits, bytes)
+    if (status == HSP_OK) status = allocated_to(self%memory(13), bytes)
+    if (status /= HSP_OK) return
+    status = hsp_periodic_init(c_loc(self%memory(13)%bytes), bytes, self%periodic_limits, self%periodic)
+  end function
+
+  function ready_periodic(self, n) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    integer(c_int32_t), intent(in) :: n
+    integer(c_int32_t) :: status
+    status = HSP_OK
+    if (c_associated(self%periodic)) return
+    status = hsp_periodic_limits_init(self%periodic_limits, int(c_sizeof(self%periodic_limits), c_int32_t), n)
+    if (status == HSP_OK) status = make_periodic(self)
+  end function
+
+  function grow_periodic(self, limits) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    type(hsp_periodic_limits), intent(in) :: limits
+    integer(c_int32_t) :: status
+    self%periodic_limits = limits
+    status = make_periodic(self)
   end function
 
   ! Memory of another size, without its contents.

@@ -288,6 +288,55 @@ static void without_memory(void) {
   CHECK(left > 10);
 }
 
+/* Boxes of m x m x m copies of two balls that meet across a face: they have m^3 times everything, whatever there was
+ * before, and the model is not touched. */
+static void boxes(void) {
+  static const uint32_t sides[] = {1, 4, 2, 5, 1};
+  static ball_set set;
+  hsp_workspace work = {0};
+  hsp_model_info info;
+  hsp_periodic_counts counts;
+  hsp_periodic_totals totals, one = {0, 0, 0, 0, 0};
+  uint32_t first_bad = 77, k, i;
+  double box[9] = {0};
+  ball_set_start(&set, "a ball", 1e-8);
+  ball_set_add(&set, 0, 0, 0, 1);
+  CHECK_EQUAL(hsp_workspace_set(&work, 1, set.xyz, set.radius, NULL, NULL), HSP_OK);
+  for (k = 0; k < sizeof sides / sizeof sides[0]; ++k) {
+    const uint32_t m = sides[k], copies = m * m * m;
+    check_scene("%u copies in a box", (unsigned)copies);
+    ball_set_start(&set, "copies", 1e-8);
+    for (i = 0; i < copies; ++i) {
+      const double x = 4.0 * (i % m), y = 4.0 * (i / m % m), z = 4.0 * (i / m / m);
+      ball_set_add(&set, x + 0.5, y, z, 1);
+      ball_set_add(&set, x + 3.25, y, z, 1);
+    }
+    box[0] = box[4] = box[8] = 4.0 * m;
+    CHECK_EQUAL(hsp_workspace_periodic(&work, set.n, set.xyz, set.radius, NULL, box, &first_bad), HSP_OK);
+    CHECK_EQUAL(first_bad, HSP_NONE);
+    CHECK_EQUAL(hsp_periodic_get_counts(work.periodic, &counts), HSP_OK);
+    CHECK(counts.balls == 2 * copies && counts.components == copies && counts.circles == copies);
+    CHECK_EQUAL(hsp_periodic_measure(work.periodic, &totals, NULL, NULL, 0, NULL), HSP_OK);
+    if (k == 0) one = totals;
+    CHECK_NEAR(totals.area, copies * one.area, 1e-12 * totals.area);
+    CHECK_NEAR(totals.volume, copies * one.volume, 1e-12 * totals.volume);
+  }
+  /* Two balls at distance 1.25: each loses a cap of height 3/8. */
+  CHECK_NEAR(one.area, 4 * acos(-1.0) * (2 - 0.375), 1e-13);
+  check_scene("refused boxes");
+  set.radius[1] = -1;
+  CHECK_EQUAL(hsp_workspace_periodic(&work, 2, set.xyz, set.radius, NULL, box, &first_bad), HSP_E_NEGATIVE);
+  CHECK_EQUAL(first_bad, 1);
+  CHECK_EQUAL(hsp_periodic_get_counts(work.periodic, &counts), HSP_E_STATE);
+  CHECK_EQUAL(hsp_workspace_periodic(&work, HSP_NONE, set.xyz, set.radius, NULL, box, NULL), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_model_get_info(work.model, &info), HSP_OK);
+  CHECK_EQUAL(info.balls, 1);
+  hsp_workspace_free(&work);
+  CHECK(work.periodic == NULL);
+  CHECK_EQUAL(hsp_workspace_periodic(&work, HSP_NONE, set.xyz, set.radius, NULL, box, NULL), HSP_E_RANGE);
+  hsp_workspace_free(&work);
+}
+
 /* Shorter and shorter edges in one workspace, of the boundary and of the surface in turn; with a probe these differ. */
 static void shorter_edges(void) {
   static ball_set set;
@@ -324,6 +373,7 @@ int main(void) {
   view_without_boundary();
   out_of_date();
   boundary_grows();
+  boxes();
   without_memory();
   return check_report();
 }

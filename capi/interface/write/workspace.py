@@ -6,7 +6,9 @@ from .template import filled
 
 TEMPLATE = Path(__file__).with_name("workspace_template.h")
 # The handles behind the model, in the order in which they stand in a workspace.
-HANDLES = ("boundary", "topology", "view", "surface", "mesh", "map", "contacts", "cells", "paths", "gate", "moving")
+HANDLES = ("boundary", "topology", "view", "surface", "mesh", "map", "contacts", "cells", "paths", "gate", "moving",
+           "periodic")
+WIDTH = 120
 # The functions of a workspace that make a handle, where they are not called as it.
 MADE_BY = {"model": "set", "paths": "path"}
 
@@ -14,15 +16,23 @@ MADE_BY = {"model": "set", "paths": "path"}
 def dependents(interface, source):
     """The handles whose results end with those of another, and the function that computes each: all that come from a
     model end with it."""
-    computed = [(noun, interface.function(f"hsp_{noun}_compute")) for noun in HANDLES]
-    return [(noun, compute) for noun, compute in computed if compute and
-            (source == "model" or any(a.base == f"hsp_{source}" and a.null == "never" for a in compute.arguments[1:]))]
+    found = []
+    for noun in HANDLES:
+        compute = interface.function(f"hsp_{noun}_compute")
+        sources = [a.base for a in compute.arguments[1:] if a.kind == "handle" and a.null == "never"] if compute else []
+        if sources and source == "model" or f"hsp_{source}" in sources:
+            found.append((noun, compute))
+    return found
 
 
 def first_limits_from(interface, noun):
-    """What the limits of a handle are made from: `balls`, or the noun of another handle; None if it takes more."""
+    """What the first limits of a handle are made from: `most_balls` of the workspace, `n` balls of its own, or the noun
+    of another handle; None if that takes more."""
     given = [a.name for a in interface.function(f"hsp_{noun}_limits_init").arguments[2:]]
-    return given[0] if len(given) == 1 else None
+    if given != ["balls"]:
+        return given[0] if len(given) == 1 else None
+    compute = interface.function(f"hsp_{noun}_compute")
+    return "n" if compute and compute.argument("n") else "most_balls"
 
 
 def passed_on(compute):
@@ -76,13 +86,12 @@ def make_rows(interface):
                  "}", ""]
         source = first_limits_from(interface, noun)
         if source:
-            given = "most_balls" if source == "balls" else source
-            rows += [f"static inline int32_t hsp_workspace_ready_{noun}(hsp_workspace *work) {{",
+            own, given = (", uint32_t n", "n") if source == "n" else ("", f"work->{source}")
+            rows += [f"static inline int32_t hsp_workspace_ready_{noun}(hsp_workspace *work{own}) {{",
                      "  int32_t status = HSP_OK;",
                      f"  if (work->{noun} != NULL) return HSP_OK;",
                      f"  if (work->{noun}_limits.struct_size == 0) {{",
-                     f"    status = hsp_{noun}_limits_init(&work->{noun}_limits, sizeof work->{noun}_limits, "
-                     f"work->{given});",
+                     f"    status = hsp_{noun}_limits_init(&work->{noun}_limits, sizeof work->{noun}_limits, {given});",
                      "  }",
                      f"  return status == HSP_OK ? hsp_workspace_make_{noun}(work) : status;",
                      "}", "",
@@ -100,9 +109,16 @@ def compute_rows(compute):
     noun = compute.name.removeprefix("hsp_").removesuffix("_compute")
     own = {"limits": "&limits"} | {a.name: f"work->{a.name}" for a in compute.arguments if a.kind == "handle"}
     call = f"{compute.name}({', '.join(own.get(a.name, a.name) for a in compute.arguments)})"
-    arguments = ", ".join(["hsp_workspace *work", *(a.c for a in passed_on(compute))])
-    return [f"static inline int32_t hsp_workspace_{noun}({arguments}) {{",
-            f"  int32_t status = hsp_workspace_ready_{noun}(work);",
+    begin, arguments = f"static inline int32_t hsp_workspace_{noun}(", ["hsp_workspace *work"]
+    for argument in passed_on(compute):
+        if len(begin + arguments[-1] + argument.c) > WIDTH - len(", ) {"):
+            arguments.append(argument.c)
+            continue
+        arguments[-1] += f", {argument.c}"
+    head = f",\n{' ' * len(begin)}".join(arguments)
+    n = ", n" if compute.argument("n") else ""
+    return [*f"{begin}{head}) {{".split("\n"),
+            f"  int32_t status = hsp_workspace_ready_{noun}(work{n});",
             f"  hsp_{noun}_limits limits = work->{noun}_limits;",
             "  while (status == HSP_OK) {",
             f"    status = {call};",

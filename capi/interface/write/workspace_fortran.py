@@ -69,8 +69,9 @@ def make_rows(interface):
         source = first_limits_from(interface, noun)
         if source:
             size = f"int(c_sizeof(self%{noun}_limits), c_int32_t)"
-            given = f"{size}, self%{'most_balls' if source == 'balls' else source}"
-            rows += [f"  function ready_{noun}(self) result(status)", SELF, STATUS,
+            given = f"{size}, {'n' if source == 'n' else f'self%{source}'}"
+            rows += [f"  function ready_{noun}(self{', n' if source == 'n' else ''}) result(status)", SELF,
+                     *(["    integer(c_int32_t), intent(in) :: n"] if source == "n" else []), STATUS,
                      "    status = HSP_OK",
                      f"    if (c_associated(self%{noun})) return",
                      *wrapped(f"status = hsp_{noun}_limits_init(self%{noun}_limits, {given})", 4, mark=" &"),
@@ -91,10 +92,11 @@ def compute_rows(compute):
     own = {a.name: f"self%{a.name}" for a in compute.arguments if a.kind == "handle"}
     call = f"{compute.name}({', '.join(own.get(a.name, a.name) for a in compute.arguments)})"
     names = ", ".join(["self", *(a.name for a in passed_on(compute))])
-    return [f"  function compute_{noun}({names}) result(status)", SELF,
+    n = ", n" if compute.argument("n") else ""
+    return [*wrapped(f"function compute_{noun}({names}) result(status)", 2, mark=" &"), SELF,
             *(f"    {declaration(a)[0]}" for a in passed_on(compute)),
             f"    type(hsp_{noun}_limits) :: limits", STATUS,
-            f"    status = ready_{noun}(self)",
+            f"    status = ready_{noun}(self{n})",
             f"    limits = self%{noun}_limits",
             "    do while (status == HSP_OK)",
             f"      status = {call}",

@@ -40,16 +40,18 @@ module hardsphere_workspace
     procedure :: find_path
     procedure :: compute_gate
     procedure :: set_moving
+    procedure :: compute_periodic
   end type
 
   private :: set_balls, compute_boundary, compute_topology, compute_view, compute_surface, compute_mesh, compute_map, &
-    compute_contacts, compute_cells, find_path, compute_gate, set_moving, raise_mesh_limits, allocated_to
+    compute_contacts, compute_cells, find_path, compute_gate, set_moving, compute_periodic, raise_mesh_limits, &
+    allocated_to
   ! <private>
 
 contains
 
   ! Takes n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh, map,
-  ! contacts, cells, paths and gate hold no results of other balls then; balls that move stay as they are.
+  ! contacts, cells, paths and gate hold no results of other balls then; balls that move and a box stay as they are.
   function set_balls(self, n, xyz, radius, options, first_bad) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t), intent(in) :: n
@@ -215,6 +217,10 @@ contains
       status = grow_moving(self, limits)
     end do
   end function
+
+  ! Computes the union of n balls in a periodic box; arguments and statuses as hsp_periodic_compute. The model is not
+  ! used.
+  ! <compute periodic>
 
   ! Drops what was computed from a handle, before the memory of that handle is given back.
 

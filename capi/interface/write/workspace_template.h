@@ -45,7 +45,7 @@ static inline int32_t hsp_workspace_allocate(void **memory, size_t bytes) {
 /* <make> */
 
 /** Take n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh, map,
- *  contacts, cells, paths and gate hold no results of other balls then; balls that move stay as they are. */
+ *  contacts, cells, paths and gate hold no results of other balls then; balls that move and a box stay as they are. */
 static inline int32_t hsp_workspace_set(hsp_workspace *work, uint32_t n, const double *xyz, const double *radius,
                                         const hsp_model_options *options, uint32_t *first_bad) {
   if (work->model == NULL || n > work->most_balls) {
@@ -132,6 +132,10 @@ static inline int32_t hsp_workspace_moving(hsp_workspace *work, const double *si
   }
   return status;
 }
+
+/** Compute the union of n balls in a periodic box; arguments and statuses as hsp_periodic_compute. The model is not
+ *  used. */
+/* <compute periodic> */
 
 /** Compute the solvent-excluded surface of shells [count] of the boundary that hsp_workspace_boundary has computed; of
  *  all of it if shells is NULL. */
