@@ -1,4 +1,4 @@
-/* Every argument of the view's functions that the header refuses, and every call out of order. */
+/* Options of the view that the header refuses, boundaries of other models, and every call out of order. */
 #include <hardsphere.h>
 #include <math.h>
 
@@ -15,43 +15,13 @@ static hsp_model *model, *other_model;
 static hsp_boundary *boundary, *other_boundary;
 static hsp_view *view;
 
-/* Every output of the reading functions, to be found untouched after a refusal. */
 static hsp_view_limits needed_limits;
 static hsp_view_info info;
-static hsp_view_piece pieces[BALLS];
-static hsp_view_loop loops[ARCS];
 static hsp_view_arc arcs[ARCS];
 static uint32_t needed;
 
-static void fill_outputs(void) {
-  FILL(needed_limits);
-  FILL(info);
-  FILL(pieces);
-  FILL(loops);
-  FILL(arcs);
-  FILL(needed);
-}
-
-static void check_outputs_untouched(void) {
-  CHECK_UNTOUCHED(needed_limits);
-  CHECK_UNTOUCHED(info);
-  CHECK_UNTOUCHED(pieces);
-  CHECK_UNTOUCHED(loops);
-  CHECK_UNTOUCHED(arcs);
-  CHECK_UNTOUCHED(needed);
-}
-
-/* All reading functions with good arguments must say `status` and write nothing. */
-static void check_all_readers(const hsp_view *which, int32_t status) {
-  fill_outputs();
+static void check_reading(const hsp_view *which, int32_t status) {
   CHECK_EQUAL(hsp_view_get_info(which, &info), status);
-  CHECK_EQUAL(hsp_view_get_pieces(which, pieces, BALLS, &needed), status);
-  CHECK_EQUAL(hsp_view_get_pieces(which, NULL, 0, &needed), status);
-  CHECK_EQUAL(hsp_view_get_loops(which, loops, ARCS, &needed), status);
-  CHECK_EQUAL(hsp_view_get_loops(which, NULL, 0, &needed), status);
-  CHECK_EQUAL(hsp_view_get_arcs(which, arcs, ARCS, &needed), status);
-  CHECK_EQUAL(hsp_view_get_arcs(which, NULL, 0, &needed), status);
-  check_outputs_untouched();
 }
 
 static void check_has_results(void) {
@@ -70,12 +40,6 @@ static hsp_view_options good_options(void) {
 static void options_init(void) {
   hsp_view_options options;
   int axis;
-  FILL(options);
-  CHECK_EQUAL(hsp_view_options_init(NULL, (uint32_t)sizeof options), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_view_options_init(&options, 0), HSP_E_VERSION);
-  CHECK_EQUAL(hsp_view_options_init(&options, (uint32_t)sizeof options - 8), HSP_E_VERSION);
-  CHECK_EQUAL(hsp_view_options_init(&options, 1028), HSP_E_VERSION);
-  CHECK_UNTOUCHED(options);
   CHECK_EQUAL(hsp_view_options_init(&options, (uint32_t)sizeof options), HSP_OK);
   CHECK_EQUAL(options.struct_size, sizeof options);
   CHECK_EQUAL(options.pieces, HSP_PIECES_OUTSIDE_FARTHER);
@@ -88,45 +52,19 @@ static void options_init(void) {
   }
 }
 
-static void null_pointers(void) {
-  CHECK_EQUAL(hsp_view_compute(view, model, NULL, NULL, NULL), HSP_OK);
-  check_all_readers(NULL, HSP_E_ARGUMENT);
-  fill_outputs();
-  CHECK_EQUAL(hsp_view_get_info(view, NULL), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_view_get_pieces(view, NULL, 1, &needed), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_view_get_pieces(view, pieces, BALLS, NULL), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_view_get_loops(view, NULL, 1, &needed), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_view_get_loops(view, loops, ARCS, NULL), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_view_get_arcs(view, NULL, ARCS, &needed), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_view_get_arcs(view, arcs, ARCS, NULL), HSP_E_ARGUMENT);
-  check_outputs_untouched();
-  check_has_results();
-  CHECK_EQUAL(hsp_view_compute(NULL, model, NULL, NULL, NULL), HSP_E_ARGUMENT);
-  check_has_results();
-}
-
 /* A computation that must fail, after one that succeeded: the view holds no results. */
 static void check_refused(const hsp_model *from, const hsp_boundary *cut_from, const hsp_view_options *options,
                           int32_t expected) {
   CHECK_EQUAL(hsp_view_compute(view, model, NULL, NULL, NULL), HSP_OK);
   check_has_results();
   CHECK_EQUAL(hsp_view_compute(view, from, cut_from, options, NULL), expected);
-  check_all_readers(view, HSP_E_STATE);
+  check_reading(view, HSP_E_STATE);
 }
 
 static void bad_options(void) {
-  static const double odd[3] = {NAN, INFINITY, -INFINITY};
   hsp_view_options options = good_options();
-  int axis, k;
-  check_scene("no model");
-  check_refused(NULL, NULL, NULL, HSP_E_ARGUMENT);
-  check_scene("struct_size");
-  options.struct_size = 0;
-  check_refused(model, NULL, &options, HSP_E_VERSION);
-  options.struct_size = 1028;
-  check_refused(model, NULL, &options, HSP_E_VERSION);
+  int k;
   check_scene("unknown pieces");
-  options = good_options();
   options.pieces = HSP_PIECES_OUTSIDE_ALL + 1;
   check_refused(model, boundary, &options, HSP_E_ARGUMENT);
   options.pieces = HSP_NONE;
@@ -139,21 +77,6 @@ static void bad_options(void) {
   }
   options.flags = 2;
   check_refused(model, NULL, &options, HSP_E_ARGUMENT);
-  check_scene("reserved");
-  options = good_options();
-  options.reserved = 1;
-  check_refused(model, NULL, &options, HSP_E_VERSION);
-  check_scene("not finite");
-  for (axis = 0; axis < 3; ++axis) {
-    for (k = 0; k < 3; ++k) {
-      options = good_options();
-      options.towards[axis] = odd[k];
-      check_refused(model, NULL, &options, HSP_E_NOT_FINITE);
-      options = good_options();
-      options.up[axis] = odd[k];
-      check_refused(model, NULL, &options, HSP_E_NOT_FINITE);
-    }
-  }
   check_scene("%s", "");
 }
 
@@ -195,8 +118,7 @@ static void order_of_calls(void) {
   limits.arcs = ARCS;
   CHECK_EQUAL(hsp_view_init(view_memory, sizeof view_memory, &limits, &view), HSP_OK);
   check_scene("nothing computed");
-  check_all_readers(view, HSP_E_STATE);
-  check_outputs_untouched();
+  check_reading(view, HSP_E_STATE);
   needed_limits.struct_size = sizeof needed_limits;
   CHECK_EQUAL(hsp_view_compute(view, model, NULL, NULL, &needed_limits), HSP_OK);
   check_has_results();
@@ -205,12 +127,12 @@ static void order_of_calls(void) {
   CHECK_EQUAL(needed_limits.neighbours, BALLS - 1);
   check_scene("model set to fewer balls, then the same again");
   CHECK_EQUAL(hsp_model_set(model, BALLS - 1, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
-  check_all_readers(view, HSP_E_STATE);
+  check_reading(view, HSP_E_STATE);
   CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   check_has_results();
   check_scene("model emptied by a refusal");
   CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, bad_radius, NULL, NULL), HSP_E_NEGATIVE);
-  check_all_readers(view, HSP_E_STATE);
+  check_reading(view, HSP_E_STATE);
   CHECK_EQUAL(hsp_view_compute(view, model, NULL, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_view_get_info(view, &info), HSP_OK);
   CHECK_EQUAL(info.pieces, 0);
@@ -227,7 +149,7 @@ static void order_of_calls(void) {
   }
   check_scene("initialised again");
   CHECK_EQUAL(hsp_view_init(view_memory, sizeof view_memory, &limits, &view), HSP_OK);
-  check_all_readers(view, HSP_E_STATE);
+  check_reading(view, HSP_E_STATE);
   check_scene("%s", "");
 }
 
@@ -252,7 +174,6 @@ int main(void) {
   options_init();
   order_of_calls();
   CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
-  null_pointers();
   bad_options();
   bad_boundaries();
   return check_report();

@@ -1,19 +1,24 @@
-/* Numbers beyond their range: limits of 2^32 - 1, too many balls and points far away are refused with HSP_E_RANGE, a
- * negative radius with HSP_E_NEGATIVE. */
+/* Numbers beyond their range: limits that are too large, too many balls and points far away are refused with
+ * HSP_E_RANGE, a negative radius with HSP_E_NEGATIVE. */
 #include <string.h>
 
 #include "fenced_memory.h"
 #include "law.h"
 
+static const uint32_t too_many[] = {HSP_MAX_BALLS + 1, 0xFFFFFFFF};
+enum { TOO_MANY = sizeof too_many / sizeof too_many[0] };
+
 static void limits_too_large(const function *f, uint32_t capacity, int i) {
-  size_t d;
+  size_t d, k;
   for (d = 0; d < registry_fields_size; ++d) {
     const field *const part = &registry_fields[d];
     call c;
     if (strcmp(part->of, f->arguments[i].base) != 0 || part->offset == 0) continue;
-    call_prepare(&c, f, capacity);
-    memset(fence_data(i) + part->offset, 0xFF, 4);
-    law_refused(&c, "2^32 - 1 for", part->name, HSP_E_RANGE, "");
+    for (k = 0; k < TOO_MANY; ++k) {
+      call_prepare(&c, f, capacity);
+      memcpy(fence_data(i) + part->offset, &too_many[k], sizeof too_many[k]);
+      law_refused(&c, "too large:", part->name, HSP_E_RANGE, "");
+    }
   }
 }
 
@@ -37,12 +42,11 @@ static void number(const function *f, uint32_t capacity, int i, double wrong, co
 
 /* More balls than HSP_MAX_BALLS, or than a model has room for. */
 static void too_many_balls(const function *f, uint32_t capacity, int i) {
-  static const uint32_t many[] = {HSP_MAX_BALLS + 1, 0xFFFFFFFF};
   size_t k;
-  for (k = 0; k < 2; ++k) {
+  for (k = 0; k < TOO_MANY; ++k) {
     call c;
     call_prepare(&c, f, capacity);
-    c.v[i].u = many[k];
+    c.v[i].u = too_many[k];
     law_refused(&c, "too many", f->arguments[i].name,
                 strcmp(f->name, "hsp_model_set") == 0 ? HSP_E_CAPACITY : HSP_E_RANGE, "");
   }

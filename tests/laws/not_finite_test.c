@@ -1,4 +1,5 @@
-/* NaN and infinity are refused with HSP_E_NOT_FINITE, also in arrays and in fields of structs. */
+/* NaN and infinity are refused with HSP_E_NOT_FINITE, also in arrays and in fields of structs. first_bad names the
+ * ball or pose. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -11,6 +12,19 @@ static const struct {
   double value;
 } bad[] = {{"NaN in", NAN}, {"infinity in", INFINITY}, {"minus infinity in", -INFINITY}};
 enum { BAD = sizeof bad / sizeof bad[0] };
+
+/* Something for each ball or pose; other arrays have a fixed length. */
+static int is_list(const argument *a) {
+  return a->kind == KIND_array_in && (a->extent[0] < '0' || a->extent[0] > '9');
+}
+
+static void check_first_bad(const function *f, uint32_t expected) {
+  const int place = place_of(f, "first_bad");
+  uint32_t named;
+  if (place < 0) return;
+  memcpy(&named, fence_data(place), sizeof named);
+  CHECK_EQUAL(named, expected);
+}
 
 /* Each number of a point, a box or a matrix, and those of ball 1: ball 0 is in no range. */
 static void numbers(const function *f, uint32_t capacity, int i) {
@@ -30,6 +44,7 @@ static void numbers(const function *f, uint32_t capacity, int i) {
         memcpy(fence_data(i) + at * a->size, &bad[k].value, sizeof bad[k].value);
       }
       law_refused(&c, bad[k].what, a->name, HSP_E_NOT_FINITE, "|needed|");
+      check_first_bad(f, is_list(a) ? (uint32_t)(at / row_of(a)) : HSP_NONE);
     }
   }
 }
@@ -48,6 +63,7 @@ static void fields(const function *f, uint32_t capacity, int i) {
       memcpy(fence_data(i) + part->offset, &bad[k].value, sizeof bad[k].value);
       snprintf(whose, sizeof whose, "%s->%s", a->name, part->name);
       law_refused(&c, bad[k].what, whose, HSP_E_NOT_FINITE, "|needed|");
+      check_first_bad(f, is_list(a) ? 0 : HSP_NONE);
     }
   }
 }
