@@ -277,9 +277,11 @@ static int call_sticks(const hsp_model *model, void *memory, size_t bytes, uint3
   hsp_map_edge edge;
   hsp_map_face face;
   hsp_map_sight sight;
+  hsp_map_point point;
+  hsp_map_pole pole;
   hsp_picture_options options;
   double area[7];
-  uint32_t needed = 0, invariant = 0, id = 0;
+  uint32_t needed = 0, invariant = 0, id = 0, outline[7];
   size_t size = 0;
   int bad = hsp_picture_options_init(&options, (uint32_t)sizeof options) != HSP_OK;
   bad += hsp_sticks_limits_init(&limits, (uint32_t)sizeof limits, 3) != HSP_OK;
@@ -298,6 +300,9 @@ static int call_sticks(const hsp_model *model, void *memory, size_t bytes, uint3
     bad += hsp_sticks_get_faces(sticks, 1, 1, &face) != HSP_OK;
     bad += hsp_sticks_get_areas(sticks, area, 7, &needed) != HSP_OK;
     bad += hsp_sticks_pick(sticks, 0, 0, &sight) != HSP_OK;
+    bad += hsp_sticks_get_outline(sticks, 0, outline, 7, &needed) != HSP_OK;
+    bad += hsp_sticks_get_point(sticks, 0, edge.from, &point) != HSP_OK;
+    bad += hsp_sticks_get_pole(sticks, 1, &pole) != HSP_OK;
     bad += hsp_sticks_check(sticks, &invariant, &id) != HSP_OK;
   }
   for (options.format = HSP_FORMAT_SVG; options.format <= HSP_FORMAT_PDF; ++options.format) {

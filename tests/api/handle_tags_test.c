@@ -281,6 +281,8 @@ static void refused_as_map(void *handle) {
 }
 
 static void refused_as_sticks(void *handle) {
+  hsp_map_point point;
+  hsp_map_pole pole;
   hsp_sticks_info info;
   hsp_map_info of_map;
   hsp_map_sight sight;
@@ -295,6 +297,9 @@ static void refused_as_sticks(void *handle) {
   CHECK_EQUAL(hsp_sticks_get_faces(handle, 0, 0, NULL), HSP_E_HANDLE);
   CHECK_EQUAL(hsp_sticks_get_areas(handle, NULL, 0, &needed), HSP_E_HANDLE);
   CHECK_EQUAL(hsp_sticks_pick(handle, 0, 0, &sight), HSP_E_HANDLE);
+  CHECK_EQUAL(hsp_sticks_get_outline(handle, 0, NULL, 0, &needed), HSP_E_HANDLE);
+  CHECK_EQUAL(hsp_sticks_get_point(handle, 0, 0, &point), HSP_E_HANDLE);
+  CHECK_EQUAL(hsp_sticks_get_pole(handle, 1, &pole), HSP_E_HANDLE);
   CHECK_EQUAL(hsp_sticks_check(handle, &invariant, &id), HSP_E_HANDLE);
   CHECK_EQUAL(hsp_picture_write_sticks(handle, NULL, NULL, NULL, NULL, take_nothing, NULL, NULL), HSP_E_HANDLE);
 }

@@ -225,13 +225,17 @@ static void check_no_map(hsp_sticks *which, int32_t status) {
   hsp_map_edge edge;
   hsp_map_face face;
   hsp_map_sight sight;
+  hsp_map_point point;
+  hsp_map_pole pole;
   double area[BALLS + 2 * STICKS];
-  uint32_t needed = 12345, invariant = 12345, id = 12345;
+  uint32_t needed = 12345, invariant = 12345, id = 12345, h = 12345;
   FILL(map_info);
   FILL(vertex);
   FILL(edge);
   FILL(face);
   FILL(sight);
+  FILL(point);
+  FILL(pole);
   FILL(area);
   CHECK_EQUAL(hsp_sticks_get_map_info(which, &map_info), status);
   CHECK_EQUAL(hsp_sticks_get_vertices(which, 0, 1, &vertex), status);
@@ -239,14 +243,19 @@ static void check_no_map(hsp_sticks *which, int32_t status) {
   CHECK_EQUAL(hsp_sticks_get_faces(which, 0, 1, &face), status);
   CHECK_EQUAL(hsp_sticks_get_areas(which, area, BALLS + 2 * STICKS, &needed), status);
   CHECK_EQUAL(hsp_sticks_pick(which, 0, 0, &sight), status);
+  CHECK_EQUAL(hsp_sticks_get_outline(which, 0, &h, 1, &needed), status);
+  CHECK_EQUAL(hsp_sticks_get_point(which, 0, 0, &point), status);
+  CHECK_EQUAL(hsp_sticks_get_pole(which, 1, &pole), status);
   CHECK_EQUAL(hsp_sticks_check(which, &invariant, &id), status);
   CHECK_UNTOUCHED(map_info);
   CHECK_UNTOUCHED(vertex);
   CHECK_UNTOUCHED(edge);
   CHECK_UNTOUCHED(face);
   CHECK_UNTOUCHED(sight);
+  CHECK_UNTOUCHED(point);
+  CHECK_UNTOUCHED(pole);
   CHECK_UNTOUCHED(area);
-  CHECK(needed == 12345 && invariant == 12345 && id == 12345);
+  CHECK(needed == 12345 && invariant == 12345 && id == 12345 && h == 12345);
 }
 
 static void refused_records(void) {
@@ -254,12 +263,16 @@ static void refused_records(void) {
   hsp_map_edge edge;
   hsp_map_face face;
   hsp_map_sight sight;
+  hsp_map_point point;
+  hsp_map_pole pole;
   double area[BALLS + 2 * STICKS];
   uint32_t needed = 0, id = 0;
   FILL(vertex);
   FILL(edge);
   FILL(face);
   FILL(sight);
+  FILL(point);
+  FILL(pole);
   FILL(area);
   CHECK_EQUAL(hsp_sticks_get_map_info(sticks, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_sticks_get_vertices(sticks, 0, 1, NULL), HSP_E_ARGUMENT);
@@ -279,12 +292,27 @@ static void refused_records(void) {
   CHECK_EQUAL(hsp_sticks_pick(sticks, 0, 0, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_sticks_pick(sticks, (double)NAN, 0, &sight), HSP_E_NOT_FINITE);
   CHECK_EQUAL(hsp_sticks_pick(sticks, 0, (double)INFINITY, &sight), HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_sticks_get_outline(sticks, 0, &id, 1, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_get_outline(sticks, 0, NULL, 1, &needed), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_get_outline(sticks, BALLS + 2 * STICKS, NULL, 0, &needed), HSP_E_ID);
+  CHECK_EQUAL(hsp_sticks_get_outline(sticks, HSP_NONE, NULL, 0, &needed), HSP_E_ID);
+  CHECK_EQUAL(hsp_sticks_get_outline(sticks, 0, NULL, 0, &needed), HSP_E_CAPACITY);
+  CHECK(needed >= 1);
+  CHECK_EQUAL(hsp_sticks_get_point(sticks, 0, 0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_get_point(sticks, map_info.edges, 0, &point), HSP_E_ID);
+  CHECK_EQUAL(hsp_sticks_get_point(sticks, 0, (double)NAN, &point), HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_sticks_get_point(sticks, 0, 7, &point), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_sticks_get_pole(sticks, 1, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_get_pole(sticks, 0, &pole), HSP_E_ID);
+  CHECK_EQUAL(hsp_sticks_get_pole(sticks, map_info.faces, &pole), HSP_E_ID);
   CHECK_EQUAL(hsp_sticks_check(sticks, NULL, &id), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_sticks_check(sticks, &id, NULL), HSP_E_ARGUMENT);
   CHECK_UNTOUCHED(vertex);
   CHECK_UNTOUCHED(edge);
   CHECK_UNTOUCHED(face);
   CHECK_UNTOUCHED(sight);
+  CHECK_UNTOUCHED(point);
+  CHECK_UNTOUCHED(pole);
   CHECK_UNTOUCHED(area);
 }
 
