@@ -179,6 +179,30 @@ void require_sights(const hsp_sticks *sticks, const hsp_map_info &info, const hs
   }
 }
 
+// A point of any edge, a pole of any face and the outline of any ball or half of a stick.
+void require_answers(const hsp_sticks *sticks, uint32_t bodies, const hsp_map_info &info,
+                     const std::vector<hsp_map_edge> &edges, const std::vector<hsp_map_face> &faces,
+                     fuzz::Bytes &bytes) {
+  const uint32_t e = bytes.below(info.edges + 1), f = bytes.below(info.faces + 1), body = bytes.below(bodies + 1);
+  hsp_map_point point{};
+  const int32_t of_edge = hsp_sticks_get_point(sticks, e, e < info.edges ? edges[e].from : 0, &point);
+  FUZZ_REQUIRE(of_edge == (e < info.edges ? HSP_OK : HSP_E_ID), "a point of any edge");
+  FUZZ_REQUIRE(point.gap[0] == 0 && point.gap[1] >= 0, "the gaps of a point");
+  hsp_map_pole pole{};
+  const int32_t of_face = hsp_sticks_get_pole(sticks, f, &pole);
+  FUZZ_REQUIRE(of_face == (f == 0 || f >= info.faces ? HSP_E_ID : HSP_OK), "the status of a pole");
+  FUZZ_REQUIRE(pole.radius >= 0 && pole.bound >= pole.radius && std::isfinite(pole.bound), "the radius of a pole");
+  if (of_face == HSP_OK)
+    FUZZ_REQUIRE(3.1415 * pole.radius * pole.radius <= faces[f].area * (1 + 1e-6), "a circle larger than its face");
+  std::vector<uint32_t> outline(info.edges + 1);
+  uint32_t loops = 0;
+  const int32_t of_body =
+      hsp_sticks_get_outline(sticks, body, outline.data(), static_cast<uint32_t>(outline.size()), &loops);
+  FUZZ_REQUIRE(of_body == (body < bodies ? HSP_OK : HSP_E_ID), "the outline of any number");
+  for (uint32_t k = 0; k < loops; ++k)
+    FUZZ_REQUIRE(faces[edges[outline[k] / 2].face[outline[k] % 2]].ball == body, "an outline around another one");
+}
+
 // A map of the same: sound, and it shows what is seen.
 void require_map(const fuzz::ScaledBalls &set, const hsp_model *model, const hsp_view_options &options,
                  const std::vector<hsp_stick> &stick, double radius, const Result &reference, fuzz::Bytes &bytes) {
@@ -218,6 +242,7 @@ void require_map(const fuzz::ScaledBalls &set, const hsp_model *model, const hsp
     FUZZ_REQUIRE(edge.ball[1] == HSP_NONE || faces[edge.face[1]].ball == edge.ball[1], "and on the right");
   }
   require_sights(sticks.get(), info, reference.info, scene_of(set, stick, radius, info), faces, bytes);
+  require_answers(sticks.get(), bodies, info, edges, faces, bytes);
   fuzz::require_limits<support::SticksKind>(needed_limits, bytes, compute, [&info](const hsp_sticks *other) {
     hsp_map_info read{};
     const int32_t result = hsp_sticks_get_map_info(other, &read);

@@ -3282,6 +3282,34 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_sticks_get_outline(sticks, ball, h, capacity, needed) result(status) &
+      bind(C, name="hsp_sticks_get_outline")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: sticks
+      integer(c_int32_t), value :: ball
+      integer(c_int32_t), intent(inout), optional :: h(*)  ! needed
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_sticks_get_point(sticks, edge, t, point) result(status) bind(C, name="hsp_sticks_get_point")
+      import :: c_double, c_int32_t, c_ptr, hsp_map_point
+      type(c_ptr), value :: sticks
+      integer(c_int32_t), value :: edge
+      real(c_double), value :: t
+      type(hsp_map_point), intent(inout) :: point
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_sticks_get_pole(sticks, face, pole) result(status) bind(C, name="hsp_sticks_get_pole")
+      import :: c_int32_t, c_ptr, hsp_map_pole
+      type(c_ptr), value :: sticks
+      integer(c_int32_t), value :: face
+      type(hsp_map_pole), intent(inout) :: pole
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_sticks_check(sticks, invariant, id) result(status) bind(C, name="hsp_sticks_check")
       import :: c_int32_t, c_ptr
       type(c_ptr), value :: sticks

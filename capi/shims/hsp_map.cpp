@@ -1,7 +1,6 @@
 #include "hsp_map.hpp"
 
 #include "map_records.hpp"
-#include "maps/face_pole.hpp"
 #include "maps/map_check.hpp"
 #include "view_options.hpp"
 
@@ -100,23 +99,12 @@ int32_t hsp_map_pick(const hsp_map *map, double x, double y, hsp_map_sight *sigh
 
 int32_t hsp_map_get_point(const hsp_map *map, uint32_t edge, double t, hsp_map_point *point) {
   if (const int32_t status = check_results(map, point == nullptr); status != HSP_OK) return status;
-  const hsp::VisibilityMap &of = map->structure();
-  if (edge >= of.edges.size()) return HSP_E_ID;
-  if (!hsp::is_finite(t)) return HSP_E_NOT_FINITE;
-  if (t < of.edges[edge].from || t > of.edges[edge].to) return HSP_E_RANGE;
-  const hsp::capi::ViewLengths length{map->balls().lattice};
-  const hsp::EdgePoint found = hsp::edge_point(of, edge, t);
-  *point = {{length(found.x), length(found.y), length(found.z)}, {length(found.gap_left), length(found.gap_right)}};
-  return HSP_OK;
+  return hsp::capi::get_point(*map, map->structure(), edge, t, *point);
 }
 
 int32_t hsp_map_get_pole(const hsp_map *map, uint32_t face, hsp_map_pole *pole) {
   if (const int32_t status = check_results(map, pole == nullptr); status != HSP_OK) return status;
-  if (face == 0 || face >= map->structure().faces.size()) return HSP_E_ID;
-  const hsp::capi::ViewLengths length{map->balls().lattice};
-  const hsp::FacePole found = hsp::find_pole(map->structure(), face);
-  *pole = {{length(found.x), length(found.y)}, length(found.radius), length(found.bound)};
-  return HSP_OK;
+  return hsp::capi::get_pole(*map, map->structure(), face, *pole);
 }
 
 int32_t hsp_map_check(hsp_map *map, uint32_t *invariant, uint32_t *id) {

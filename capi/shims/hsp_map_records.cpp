@@ -49,18 +49,6 @@ int32_t hsp_map_get_outline(const hsp_map *map, uint32_t ball, uint32_t *h, uint
   if (const int32_t status = check_results(map, needed == nullptr || (h == nullptr && capacity > 0)); status != HSP_OK)
     return status;
   if (ball >= map->balls().n) return HSP_E_ID;
-  const hsp::VisibilityMap &of = map->structure();
-  const auto visit = [&](auto take) {
-    const uint32_t first = of.first_face[map->model->grid.grid_index(ball)];
-    for (uint32_t f = first; f != hsp::no_id; f = of.next_face_of(f)) {
-      of.visit_loops(f, [&](uint32_t l) { take(of.loops[l]); });
-    }
-  };
-  uint32_t count = 0;
-  visit([&](const hsp::MapLoop &) { ++count; });
-  const int32_t status = hsp::capi::check_output(h, capacity, count, needed);
-  if (status != HSP_OK) return status;
-  uint32_t *next = h;
-  visit([&](const hsp::MapLoop &loop) { *next++ = loop.first_half_edge; });
-  return HSP_OK;
+  const uint32_t first = map->structure().first_face[map->model->grid.grid_index(ball)];
+  return hsp::capi::get_outline(map->structure(), first, h, capacity, needed);
 }

@@ -28,4 +28,12 @@ struct hsp_sticks {
     const hsp::Stick &stick = structure().sticks[(body - n) / 2];
     return n + 2 * stick.caller + stick.half_of((body - n) % 2);
   }
+  // The other way. Of a whole stick the second half is nothing that is seen.
+  uint32_t body(uint32_t number) const {
+    const uint32_t n = balls().n;
+    if (number < n) return model->grid.grid_index(number);
+    const hsp::Stick &stick = structure().sticks[(number - n) / 2];
+    const uint32_t half = (number - n) % 2;
+    return number - half + (stick.parts == 2 ? half ^ stick.turned : half);
+  }
 };

@@ -73,6 +73,28 @@ int32_t hsp_sticks_pick(const hsp_sticks *sticks, double x, double y, hsp_map_si
   return HSP_OK;
 }
 
+int32_t hsp_sticks_get_outline(const hsp_sticks *sticks, uint32_t ball, uint32_t *h, uint32_t capacity,
+                               uint32_t *needed) {
+  if (const int32_t status = check_handle(sticks, needed == nullptr || (h == nullptr && capacity > 0));
+      status != HSP_OK)
+    return status;
+  if (!has_map(sticks)) return HSP_E_STATE;
+  if (ball >= sticks->bodies()) return HSP_E_ID;
+  return hsp::capi::get_outline(sticks->map(), sticks->map().first_face_of(sticks->body(ball)), h, capacity, needed);
+}
+
+int32_t hsp_sticks_get_point(const hsp_sticks *sticks, uint32_t edge, double t, hsp_map_point *point) {
+  if (const int32_t status = check_handle(sticks, point == nullptr); status != HSP_OK) return status;
+  if (!has_map(sticks)) return HSP_E_STATE;
+  return hsp::capi::get_point(*sticks, sticks->map(), edge, t, *point);
+}
+
+int32_t hsp_sticks_get_pole(const hsp_sticks *sticks, uint32_t face, hsp_map_pole *pole) {
+  if (const int32_t status = check_handle(sticks, pole == nullptr); status != HSP_OK) return status;
+  if (!has_map(sticks)) return HSP_E_STATE;
+  return hsp::capi::get_pole(*sticks, sticks->map(), face, *pole);
+}
+
 int32_t hsp_sticks_check(hsp_sticks *sticks, uint32_t *invariant, uint32_t *id) {
   if (const int32_t status = check_handle(sticks, invariant == nullptr || id == nullptr); status != HSP_OK)
     return status;

@@ -4,6 +4,7 @@
 
 #include "maps/edge_geometry.hpp"
 #include "maps/face_nesting.hpp"
+#include "maps/face_pole.hpp"
 #include "maps/map_queries.hpp"
 #include "view_options.hpp"
 
@@ -77,6 +78,42 @@ void put_areas(const Handle &handle, const MapRecords &map, Span<double> area) {
   sum_visible_areas(
       map, [&](uint32_t body) { return handle.caller(body); }, area);
   for (double &each : area) each = handle.balls().lattice.area(each);
+}
+
+// A directed edge of every loop around the faces from one on that are of the same ball or half of a stick.
+template <class Map>
+int32_t get_outline(const Map &map, uint32_t first_face, uint32_t *h, uint32_t capacity, uint32_t *needed) {
+  const auto visit = [&](auto take) {
+    for (uint32_t f = first_face; f != no_id; f = map.next_face_of(f)) {
+      map.visit_loops(f, [&](uint32_t l) { take(map.loops[l].first_half_edge); });
+    }
+  };
+  uint32_t count = 0;
+  visit([&](uint32_t) { ++count; });
+  const int32_t status = check_output(h, capacity, count, needed);
+  if (status == HSP_OK) visit([&](uint32_t half_edge) { *h++ = half_edge; });
+  return status;
+}
+
+template <class Handle, class Map>
+int32_t get_point(const Handle &handle, const Map &map, uint32_t edge, double t, hsp_map_point &point) {
+  if (edge >= map.edges.size()) return HSP_E_ID;
+  if (!is_finite(t)) return HSP_E_NOT_FINITE;
+  const EdgeCurve curve = curve_of(map, edge);
+  if (t < curve.from || t > curve.to) return HSP_E_RANGE;
+  const ViewLengths length{handle.balls().lattice};
+  const EdgePoint found = edge_point(map, edge, t);
+  point = {{length(found.x), length(found.y), length(found.z)}, {length(found.gap_left), length(found.gap_right)}};
+  return HSP_OK;
+}
+
+template <class Handle, class Map>
+int32_t get_pole(const Handle &handle, const Map &map, uint32_t face, hsp_map_pole &pole) {
+  if (face == 0 || face >= map.faces.size()) return HSP_E_ID;
+  const ViewLengths length{handle.balls().lattice};
+  const FacePole found = find_pole(map, face);
+  pole = {{length(found.x), length(found.y)}, length(found.radius), length(found.bound)};
+  return HSP_OK;
 }
 
 // What is seen at a point, in lengths of the caller.

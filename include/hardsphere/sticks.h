@@ -223,6 +223,35 @@ HSP_API int32_t hsp_sticks_get_areas(const hsp_sticks *sticks, double *area, uin
  *  @retval HSP_E_NOT_FINITE  x or y is NaN or infinite */
 HSP_API int32_t hsp_sticks_pick(const hsp_sticks *sticks, double x, double y, hsp_map_sight *sight);
 
+/** The visible outline of a ball or half of a stick, by its number in the map: a directed edge of every loop around
+ *  what is seen of it. `next` of the edges goes around each, with what is seen on the left. Directed edge h runs along
+ *  edge h / 2 if h is even, against it if h is odd; the face is face[h % 2] of the edge.
+ *
+ *  Cost: O(loops around what is seen of it).
+ *  @retval HSP_E_ARGUMENT  sticks or needed is NULL; h is NULL with a capacity above 0
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
+ *  @retval HSP_E_STATE     nothing computed, or an order to paint and no map, or the model has changed since
+ *  @retval HSP_E_ID        no such ball or half of a stick */
+HSP_API int32_t hsp_sticks_get_outline(const hsp_sticks *sticks, uint32_t ball, uint32_t *h, uint32_t capacity,
+                                       uint32_t *needed);
+
+/** The point of an edge at parameter t, from `from` to `to` of its hsp_map_edge, and the gaps beside it, as
+ *  hsp_map_get_point has them.
+ *  @retval HSP_E_ARGUMENT    a null pointer
+ *  @retval HSP_E_STATE       nothing computed, or an order to paint and no map, or the model has changed since
+ *  @retval HSP_E_ID          no such edge
+ *  @retval HSP_E_NOT_FINITE  t is NaN or infinite
+ *  @retval HSP_E_RANGE       t is beyond the edge */
+HSP_API int32_t hsp_sticks_get_point(const hsp_sticks *sticks, uint32_t edge, double t, hsp_map_point *point);
+
+/** The pole of inaccessibility of a face, where a label has most room, as hsp_map_get_pole has it.
+ *
+ *  Cost: O(edges around the face), times the points that are looked at: some hundred for most faces.
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_STATE     nothing computed, or an order to paint and no map, or the model has changed since
+ *  @retval HSP_E_ID        no such face, or the unbounded one */
+HSP_API int32_t hsp_sticks_get_pole(const hsp_sticks *sticks, uint32_t face, hsp_map_pole *pole);
+
 /** Check the invariants of the map, those of hsp_map_check. sticks may not be used by others meanwhile. Cost: O(size of
  *  the map).
  *  @retval HSP_E_ARGUMENT  a null pointer

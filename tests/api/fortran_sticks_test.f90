@@ -42,6 +42,9 @@ program fortran_sticks_test
   type(hsp_map_edge) :: edge(2)
   type(hsp_map_face) :: face(2)
   type(hsp_map_sight) :: sight
+  type(hsp_map_point) :: point
+  type(hsp_map_pole) :: pole
+  integer(c_int32_t) :: outline(7)
   real(c_double) :: area(7)
   integer(c_int32_t) :: needed, invariant, id
 
@@ -99,6 +102,12 @@ program fortran_sticks_test
               'hsp_sticks_pick')
   call check(sight%ball == hsp_sticks_half(n, 1, 0), 'a whole stick')
   call check(hsp_sticks_half(1000_c_int32_t, 10_c_int32_t, 1_c_int32_t) == 1021, 'a half of a stick')
+  call expect(hsp_sticks_get_pole(sticks, sight%face, pole), HSP_OK, 'hsp_sticks_get_pole')
+  call check(pole%radius > 0 .and. pole%radius <= pole%bound, 'the radius of a pole')
+  call expect(hsp_sticks_get_outline(sticks, sight%ball, outline, 7, needed), HSP_OK, 'hsp_sticks_get_outline')
+  call check(needed == 1 .and. outline(1) >= 0 .and. outline(1) < 2 * map_info%edges, 'the outline of a stick')
+  call expect(hsp_sticks_get_point(sticks, 0, edge(1)%from, point), HSP_OK, 'hsp_sticks_get_point')
+  call check(abs(point%gap(1)) < 1e-12_c_double .and. point%gap(2) >= 0, 'the gaps of a point')
   call expect(hsp_sticks_check(sticks, invariant, id), HSP_OK, 'hsp_sticks_check')
   call check(invariant == 0, 'no violated invariant')
   call expect(hsp_sticks_compute(sticks, model, count=0_c_int32_t, radius=1.0_c_double), HSP_OK, 'without sticks')

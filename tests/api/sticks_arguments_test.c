@@ -182,12 +182,19 @@ static void refused_records(void) {
   hsp_map_vertex vertex;
   hsp_map_edge edge;
   hsp_map_face face;
+  hsp_map_point point;
+  uint32_t needed = 0;
   CHECK_EQUAL(hsp_sticks_get_vertices(sticks, map_info.vertices, 0, NULL), HSP_OK);
   CHECK_EQUAL(hsp_sticks_get_edges(sticks, map_info.edges, 0, NULL), HSP_OK);
   CHECK_EQUAL(hsp_sticks_get_faces(sticks, map_info.faces, 0, NULL), HSP_OK);
   CHECK_EQUAL(hsp_sticks_get_vertices(sticks, map_info.vertices, 1, &vertex), HSP_E_ID);
   CHECK_EQUAL(hsp_sticks_get_edges(sticks, map_info.edges, 1, &edge), HSP_E_ID);
   CHECK_EQUAL(hsp_sticks_get_faces(sticks, map_info.faces, 1, &face), HSP_E_ID);
+  CHECK_EQUAL(hsp_sticks_get_faces(sticks, 1, HSP_NONE, &face), HSP_E_ID);
+  CHECK_EQUAL(hsp_sticks_get_outline(sticks, HSP_NONE, NULL, 0, &needed), HSP_E_ID);
+  CHECK_EQUAL(hsp_sticks_get_outline(sticks, 0, NULL, 0, &needed), HSP_E_CAPACITY);
+  CHECK(needed >= 1);
+  CHECK_EQUAL(hsp_sticks_get_point(sticks, 0, 7, &point), HSP_E_RANGE);
 }
 
 /* What is seen at a point of the file's coordinates, which are those of the view but for the origin. */

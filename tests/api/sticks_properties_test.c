@@ -67,6 +67,83 @@ static const char *broken_records(const sticks_result *s) {
   return broken_map_records(&records);
 }
 
+/* Points of edges: on their curves, with the ends at the vertices, and nothing nearer on the right of a contour. */
+static const char *broken_points(const sticks_result *s) {
+  const double close = 1e-5 * s->base->extent;
+  uint32_t e;
+  int k;
+  for (e = 0; e < s->map.edges; ++e) {
+    const hsp_map_edge *edge = &s->edges[e];
+    for (k = 0; k <= 4; ++k) {
+      const double t = k == 4 ? edge->to : edge->from + 0.25 * k * (edge->to - edge->from);
+      const double *v = s->vertices[edge->vertex[k / 4]].xyz;
+      hsp_map_point point;
+      int axis;
+      if (hsp_sticks_get_point(s->sticks, e, t, &point) != HSP_OK) return "a point of an edge";
+      for (axis = 0; axis < 2; ++axis) {
+        const double on = edge->centre[axis] + cos(t) * edge->first[axis] + sin(t) * edge->second[axis];
+        if (fabs(point.xyz[axis] - on) > close) return "a point beside its curve";
+        if (k % 4 == 0 && fabs(point.xyz[axis] - v[axis]) > close) return "an end beside its vertex";
+      }
+      if (point.gap[0] != 0 || point.gap[1] < 0) return "a gap";
+      if (edge->ball[1] != HSP_NONE && point.gap[1] != 0) return "a gap at a crease";
+      if (edge->ball[1] == HSP_NONE && (s->faces[edge->face[1]].ball == HSP_NONE) != (isinf(point.gap[1]) != 0))
+        return "a gap before the background";
+    }
+  }
+  return NULL;
+}
+
+/* Poles: the middles of circles within their faces, no edge nearer than their radius. */
+static const char *broken_poles(const sticks_result *s) {
+  uint32_t f, e;
+  int k;
+  for (f = 1; f < s->map.faces; ++f) {
+    hsp_map_pole pole;
+    hsp_map_sight sight;
+    if (hsp_sticks_get_pole(s->sticks, f, &pole) != HSP_OK) return "the pole of a face";
+    if (!(pole.radius >= 0 && pole.bound >= pole.radius)) return "the radius of a pole";
+    if (3.1415 * pole.radius * pole.radius > s->faces[f].area * (1 + 1e-6)) return "a circle larger than its face";
+    if (pole.radius < 1e-3 * s->base->extent) continue;
+    if (hsp_sticks_pick(s->sticks, pole.centre[0], pole.centre[1], &sight) != HSP_OK || sight.face != f)
+      return "a pole in another face";
+    for (e = 0; e < s->map.edges; ++e) {
+      if (s->edges[e].face[0] != f && s->edges[e].face[1] != f) continue;
+      for (k = 0; k <= 8; ++k) {
+        const double t = s->edges[e].from + 0.125 * k * (s->edges[e].to - s->edges[e].from);
+        const hsp_map_edge *edge = &s->edges[e];
+        const double x = edge->centre[0] + cos(t) * edge->first[0] + sin(t) * edge->second[0] - pole.centre[0];
+        const double y = edge->centre[1] + cos(t) * edge->first[1] + sin(t) * edge->second[1] - pole.centre[1];
+        if (sqrt(x * x + y * y) < pole.radius - 1e-6 * s->base->extent) return "an edge within the circle of a pole";
+      }
+    }
+  }
+  return NULL;
+}
+
+/* Outlines: every loop around a face that shows something is one of one ball's or half's. */
+static const char *broken_outlines(const sticks_result *s) {
+  uint32_t ball, needed, k, f, loops = 0, outlines = 0;
+  uint32_t h[200];
+  for (f = 1; f < s->map.faces; ++f) loops += s->faces[f].ball == HSP_NONE ? 0 : s->faces[f].loops;
+  for (ball = 0; ball < s->base->n + 2 * s->count; ++ball) {
+    const int32_t status = hsp_sticks_get_outline(s->sticks, ball, h, 200, &needed);
+    if (status != HSP_OK) return "an outline";
+    if ((needed > 0) != (s->area[ball] > 0)) return "an outline of what is not seen";
+    outlines += needed;
+    for (k = 0; k < needed; ++k) {
+      uint32_t steps = 0, along = h[k];
+      do {
+        const hsp_map_edge *edge = &s->edges[along / 2];
+        if (s->faces[edge->face[along % 2]].ball != ball) return "an outline with another one on its left";
+        along = edge->next[along % 2];
+      } while (along != h[k] && ++steps < 2 * s->map.edges);
+      if (along != h[k]) return "an outline that does not close";
+    }
+  }
+  return outlines == loops ? NULL : "loops that are no outline, or of two";
+}
+
 static const char *difference_after_permutation(const sticks_result *s, const sticks_result *w) {
   if (s->info.paths != w->info.paths || s->info.balls != w->info.balls) return "paths depend on the order of the balls";
   if (s->map.vertices != w->map.vertices || s->map.edges != w->map.edges || s->map.faces != w->map.faces ||
@@ -94,6 +171,9 @@ static void one_map(const computed *c, const computed *other, const uint32_t *pl
     for (k = 0; k < 2 * s.count; ++k) of->halves += s.area[c->n + k] > 0;
     CHECK(s.enlargements <= 12);
     check_nothing_broken(broken_records(&s));
+    check_nothing_broken(broken_points(&s));
+    check_nothing_broken(broken_poles(&s));
+    check_nothing_broken(broken_outlines(&s));
     check_map(s.sticks, NULL);
     check_nothing_broken(difference_after_permutation(&s, &w));
     if (s.count > 0 && c->n <= 8) {

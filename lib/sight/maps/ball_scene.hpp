@@ -95,6 +95,8 @@ struct BallScene {
   double contour_length(uint32_t ball) const { return balls[ball].r; }
 
   static constexpr bool is_straight(const MapEdge &) { return false; }
+  // Of a parameter of an edge's curve below.
+  static constexpr double edge_parameter(const MapEdge &, double t) { return t; }
   EdgeEllipse ellipse_of(const MapEdge &edge) const {
     const SeenBall &ball = balls[edge.ball];
     if (edge.is_silhouette()) return {{ball.x, ball.y, ball.z}, {ball.r, 0.0, 0.0}, {0.0, ball.r, 0.0}};

@@ -28,11 +28,11 @@ struct EdgePoint {
   double gap_left, gap_right;
 };
 
-// t: a parameter of the edge.
+// t: a parameter of the edge's curve.
 template <class Map>
 EdgePoint edge_point(const Map &map, uint32_t e, double t) {
   const MapEdge &edge = map.edges[e];
-  const Vec3 at = map.scene.at(edge.ball, edge.nearer, t);
+  const Vec3 at = map.scene.at(edge.ball, edge.nearer, map.scene.edge_parameter(edge, t));
   if (!edge.is_silhouette()) return {at.x, at.y, at.z, 0.0, 0.0};
   const uint32_t behind = map.faces[map.face_of(2 * e + 1)].owner;
   const double gap =

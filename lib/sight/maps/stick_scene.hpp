@@ -120,6 +120,9 @@ struct StickScene {
     const Vec3 to{w.x, w.y, 0.0};
     return {EdgeEllipse(combine(0.5, from, 0.5, to), 0.5 * (to - from), Vec3{}), -pi, 0.0};
   }
+  double edge_parameter(const MapEdge &edge, double t) const {
+    return is_straight(edge) ? edge.from + 0.5 * (1.0 + sin_cos(t).cosine) * (edge.to - edge.from) : t;
+  }
   Vec3 middle_of(const MapEdge &edge, const MapVertex &, const MapVertex &) const {
     return at(edge.ball, edge.nearer, 0.5 * (edge.from + edge.to));
   }

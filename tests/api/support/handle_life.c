@@ -270,6 +270,18 @@ static uint64_t sticks_hash(const void *sticks, const void *source, unsigned cha
     hsp_map_sight sight;
     bad |= hsp_sticks_pick(sticks, s->base->xyz[3 * (size_t)i], s->base->xyz[3 * (size_t)i + 1], &sight) != HSP_OK;
     hash = mixed_hash(hash, &sight, sizeof sight);
+    bad |= hsp_sticks_get_outline(sticks, i, (void *)buffer, room, &needed) != HSP_OK;
+    hash = mixed_hash(hash, buffer, needed * sizeof(uint32_t));
+  }
+  for (i = 1; i < map.faces; i += 5) {
+    hsp_map_pole pole;
+    bad |= hsp_sticks_get_pole(sticks, i, &pole) != HSP_OK;
+    hash = mixed_hash(hash, &pole, sizeof pole);
+  }
+  for (i = 0; i < map.edges; i += 5) {
+    hsp_map_point point;
+    bad |= hsp_sticks_get_point(sticks, i, s->edges[i].to, &point) != HSP_OK;
+    hash = mixed_hash(hash, &point, sizeof point);
   }
   return bad ? 0 : hash;
 }

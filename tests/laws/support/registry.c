@@ -2321,6 +2321,37 @@ static int64_t call_hsp_sticks_pick(const value *v) {
   return (int64_t)hsp_sticks_pick(v[0].p, v[1].d, v[2].d, v[3].p);
 }
 
+static const argument of_hsp_sticks_get_outline[] = {
+  {"sticks", "hsp_sticks", .kind = KIND_handle, .noun = NOUN_sticks, .is_const = 1},
+  {"ball", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"h", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held =
+      1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+};
+static int64_t call_hsp_sticks_get_outline(const value *v) {
+  return (int64_t)hsp_sticks_get_outline(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
+}
+
+static const argument of_hsp_sticks_get_point[] = {
+  {"sticks", "hsp_sticks", .kind = KIND_handle, .noun = NOUN_sticks, .is_const = 1},
+  {"edge", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"t", "double", .kind = KIND_value, .size = sizeof(double)},
+  {"point", "hsp_map_point", .kind = KIND_struct_out, .size = sizeof(hsp_map_point)},
+};
+static int64_t call_hsp_sticks_get_point(const value *v) {
+  return (int64_t)hsp_sticks_get_point(v[0].p, v[1].u, v[2].d, v[3].p);
+}
+
+static const argument of_hsp_sticks_get_pole[] = {
+  {"sticks", "hsp_sticks", .kind = KIND_handle, .noun = NOUN_sticks, .is_const = 1},
+  {"face", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"pole", "hsp_map_pole", .kind = KIND_struct_out, .size = sizeof(hsp_map_pole)},
+};
+static int64_t call_hsp_sticks_get_pole(const value *v) {
+  return (int64_t)hsp_sticks_get_pole(v[0].p, v[1].u, v[2].p);
+}
+
 static const argument of_hsp_sticks_check[] = {
   {"sticks", "hsp_sticks", .kind = KIND_handle, .noun = NOUN_sticks},
   {"invariant", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t)},
@@ -2870,6 +2901,13 @@ const function registry[] = {
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
   {"hsp_sticks_pick", "sticks", RESULT_status, 4, of_hsp_sticks_pick, call_hsp_sticks_pick, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE)},
+  {"hsp_sticks_get_outline", "sticks", RESULT_status, 5, of_hsp_sticks_get_outline, call_hsp_sticks_get_outline,
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
+  {"hsp_sticks_get_point", "sticks", RESULT_status, 4, of_hsp_sticks_get_point, call_hsp_sticks_get_point, BIT(HSP_OK) |
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_ID) | BIT(HSP_E_NOT_FINITE) |
+      BIT(HSP_E_RANGE)},
+  {"hsp_sticks_get_pole", "sticks", RESULT_status, 3, of_hsp_sticks_get_pole, call_hsp_sticks_get_pole, BIT(HSP_OK) |
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
   {"hsp_sticks_check", "sticks", RESULT_status, 3, of_hsp_sticks_check, call_hsp_sticks_check, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_CHECK)},
   {"hsp_picture_options_init", "picture", RESULT_status, 2, of_hsp_picture_options_init, call_hsp_picture_options_init,
