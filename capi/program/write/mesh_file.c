@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "hardsphere.h"
 #include "read/text_buffer.h"
 #include "write/output_file.h"
 

@@ -5,7 +5,6 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "hardsphere.h"
 #include "read/failure.h"
 
 /* What a file is; mesh_picture.h writes the last one. */
@@ -25,8 +24,10 @@ struct triangle_mesh {
   double edge, probe;
 };
 
+struct hsp_mesh;
+
 /* Everything of a computed mesh; to be freed on true and on false. */
-bool triangle_mesh_read(const hsp_mesh *mesh, struct triangle_mesh *into, struct failure *failure);
+bool triangle_mesh_read(const struct hsp_mesh *mesh, struct triangle_mesh *into, struct failure *failure);
 void triangle_mesh_free(struct triangle_mesh *mesh);
 
 /* Where MSMS has the triangles: name.face for name.vert. To be freed; NULL if memory is short. */
