@@ -13,13 +13,6 @@
 #include "mesh_invariants.h"
 #include "topology_sets.h"
 
-static hsp_model_options options_of(double probe) {
-  hsp_model_options options;
-  CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options), HSP_OK);
-  options.probe = probe;
-  return options;
-}
-
 static void check_vertices(const mesh_result *m) {
   const char *const broken = broken_mesh_vertices(m);
   double sum = 0.0;
@@ -159,7 +152,7 @@ static void check_surface(const ball_set *set, const computed *c, double probe, 
 }
 
 static void check_set(const ball_set *set, double probe) {
-  const hsp_model_options options = options_of(probe);
+  const hsp_model_options options = options_with_probe(probe);
   computed c;
   double largest = 0.0;
   uint32_t i;
@@ -177,7 +170,7 @@ static void open_surface(void) {
   static const double xyz[8][3] = {{4, 12, 0},  {8, 6, 0},  {8, 12, 0}, {4, 6, 12},
                                    {4, 12, 12}, {8, 0, 12}, {0, 0, 12}, {4, 6, 12}};
   static const double radius[8] = {3, 3, 7, 3, 3, 3, 5, 3};
-  const hsp_model_options options = options_of(4.0);
+  const hsp_model_options options = options_with_probe(4.0);
   computed c;
   surface_result s;
   mesh_result m;
@@ -218,7 +211,7 @@ static void surface_converges(void) {
   static const double xyz[4][3] = {{0, 0, 0}, {2.5, 0, 0}, {2.9, 2.4, 0}, {-1.0, 4.0, 0.3}};
   static const double radius[4] = {1.0, 1.2, 0.9, 0.8};
   const double origin[3] = {0.0, 0.0, 0.0};
-  const hsp_model_options options = options_of(1.4);
+  const hsp_model_options options = options_with_probe(1.4);
   double area[3], volume[3];
   computed c;
   surface_result s;

@@ -70,12 +70,10 @@ static const jump_case cases[] = {{"probes on both sides of a plane touch each o
 /* tension * sum of sigma_i A_i + pressure * V; flags may be NULL. */
 static double energy_of(uint32_t n, const double *xyz, const double *radius, double probe, const double *sigma,
                         double tension, double pressure, uint32_t *flags) {
-  hsp_model_options options;
+  const hsp_model_options options = options_with_probe(probe);
   hsp_energy energy = {0, 0, 0, 0};
   computed c;
   surface_result s;
-  CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options), HSP_OK);
-  options.probe = probe;
   CHECK_EQUAL(computed_make(n, xyz, radius, &options, &c), HSP_OK);
   CHECK_EQUAL(surface_result_make(&c, &s), HSP_OK);
   CHECK_EQUAL(hsp_surface_weighted_gradient(s.surface, sigma, tension, pressure, &energy, NULL, NULL, flags,
@@ -88,11 +86,7 @@ static double energy_of(uint32_t n, const double *xyz, const double *radius, dou
 
 static double moved(const jump_case *k, double by) {
   double xyz[12], radius[4], probe = k->probe;
-  uint32_t i, axis;
-  for (i = 0; i < k->n; ++i) {
-    for (axis = 0; axis < 3; ++axis) xyz[3 * i + axis] = k->ball[i][axis];
-    radius[i] = k->ball[i][3];
-  }
+  spread_balls(k->n, k->ball, xyz, radius);
   if (k->number == by_probe) {
     probe += by;
   } else if (k->number % 4 == 3) {
@@ -105,11 +99,8 @@ static double moved(const jump_case *k, double by) {
 
 static uint32_t flags_of(const jump_case *k, const double *sigma, double probe) {
   double xyz[12], radius[4];
-  uint32_t flags[4], i, axis, all = 0;
-  for (i = 0; i < k->n; ++i) {
-    for (axis = 0; axis < 3; ++axis) xyz[3 * i + axis] = k->ball[i][axis];
-    radius[i] = k->ball[i][3];
-  }
+  uint32_t flags[4], i, all = 0;
+  spread_balls(k->n, k->ball, xyz, radius);
   (void)energy_of(k->n, xyz, radius, probe, sigma, k->tension, k->pressure, flags);
   for (i = 0; i < k->n; ++i) all |= (flags[i] & HSP_SURFACE_DEGENERATE) << i;
   return all;

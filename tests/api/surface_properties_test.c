@@ -10,13 +10,6 @@
 #include "surface_result.h"
 #include "topology_sets.h"
 
-static hsp_model_options options_of(double probe) {
-  hsp_model_options options;
-  CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options), HSP_OK);
-  options.probe = probe;
-  return options;
-}
-
 /* ---- known values ---- */
 
 /* Balls of radius 1.7 and the probe 1.4, unless they say otherwise. */
@@ -100,15 +93,11 @@ static const known_surface known_surfaces[] = {
 
 static void check_known(const known_surface *k) {
   double xyz[12], radius[4];
-  const hsp_model_options options = options_of(k->probe);
+  const hsp_model_options options = options_with_probe(k->probe);
   computed c;
   surface_result s;
-  uint32_t i;
   check_scene("%s", k->name);
-  for (i = 0; i < k->n; ++i) {
-    memcpy(xyz + 3 * i, k->ball[i], 3 * sizeof(double));
-    radius[i] = k->ball[i][3];
-  }
+  spread_balls(k->n, k->ball, xyz, radius);
   CHECK_EQUAL(computed_make(k->n, xyz, radius, &options, &c), HSP_OK);
   CHECK_EQUAL(surface_result_make(&c, &s), HSP_OK);
   CHECK_NEAR(s.totals.convex_area, k->convex, 1.1e-9);
@@ -400,7 +389,7 @@ static void sizes(void) {
 }
 
 static void check_set(const ball_set *set, double probe) {
-  const hsp_model_options options = options_of(probe);
+  const hsp_model_options options = options_with_probe(probe);
   computed c;
   surface_result s;
   check_scene("%s, probe %g", set->name, probe);

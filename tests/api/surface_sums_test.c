@@ -112,15 +112,13 @@ static void check_closed(const surface_result *s, double probe, int with_triangl
 
 /* All or nothing. Whether it was all. */
 static int check_set(uint32_t n, const double *xyz, const double *radius, double probe, int with_triangles) {
-  hsp_model_options options;
+  const hsp_model_options options = options_with_probe(probe);
   hsp_surface_map_counts counts;
   uint32_t invariant = HSP_NONE, id = HSP_NONE;
   int closed = 0;
   computed c;
   surface_result s;
   mesh_result m;
-  CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options), HSP_OK);
-  options.probe = probe;
   CHECK_EQUAL(computed_make(n, xyz, radius, &options, &c), HSP_OK);
   CHECK_EQUAL(surface_result_make(&c, &s), HSP_OK);
   if (s.surface != NULL) {
@@ -151,13 +149,9 @@ static int check_set(uint32_t n, const double *xyz, const double *radius, double
 
 static void check_tied(const tied_set *set) {
   double xyz[3 * most_balls], radius[most_balls];
-  uint32_t i, axis;
   int closed;
   check_scene("%s", set->name);
-  for (i = 0; i < set->n; ++i) {
-    for (axis = 0; axis < 3; ++axis) xyz[3 * i + axis] = set->ball[i][axis];
-    radius[i] = set->ball[i][3];
-  }
+  spread_balls(set->n, set->ball, xyz, radius);
   closed = check_set(set->n, xyz, radius, set->probe, 1);
   CHECK(closed || !set->closed);
 }

@@ -69,6 +69,18 @@ Balls dense_balls(RandomSource &random, size_t n) {
   return balls_in_box(random, n, 60, 60, 100);
 }
 
+Balls largest_balls(RandomSource &random, size_t n) {
+  constexpr int64_t unit = (INT64_C(1) << 30) - 1;
+  const int64_t away = random.one_in(2) ? 0 : (INT64_C(1) << 50) - 4 * unit;
+  Balls balls;
+  for (size_t i = 0; i < n; ++i) {
+    const int64_t x = random.in(-2 * unit, 2 * unit), y = random.in(-2 * unit, 2 * unit);
+    const int64_t z = random.in(-2 * unit, 2 * unit);
+    balls.push_back({away + x, y - away, z, random.one_in(2) ? unit : random.in(0, unit)});
+  }
+  return balls;
+}
+
 Balls clustered_balls(RandomSource &random, size_t n) {
   Balls balls;
   LatticeBall group;

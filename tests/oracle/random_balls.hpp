@@ -36,6 +36,9 @@ Balls dense_balls(RandomSource &random, size_t n);      // nearly all meet
 Balls clustered_balls(RandomSource &random, size_t n);  // a few groups of very different size
 Balls belted_balls(RandomSource &random, size_t n);     // a large ball with rings and bumps: nested loops
 
+// Centres and radii as large as a lattice may have them: about the origin, or near a corner of it.
+Balls largest_balls(RandomSource &random, size_t n);
+
 // Sets full of ties.
 Balls grid_balls(RandomSource &random, size_t n);            // centres and radii from very few integers
 Balls coplanar_balls(RandomSource &random, size_t n);        // grid_balls in one plane

@@ -54,6 +54,21 @@ static double moved_by_lattice(double value, double step) {
   return fabs(value - floor(value / step + 0.5) * step);
 }
 
+hsp_model_options options_with_probe(double probe) {
+  hsp_model_options options;
+  (void)hsp_model_options_init(&options, (uint32_t)sizeof options);
+  options.probe = probe;
+  return options;
+}
+
+void spread_balls(uint32_t n, const double (*ball)[4], double *xyz, double *radius) {
+  uint32_t i;
+  for (i = 0; i < n; ++i) {
+    memcpy(xyz + 3 * i, ball[i], 3 * sizeof *xyz);
+    radius[i] = ball[i][3];
+  }
+}
+
 int32_t computed_make(uint32_t n, const double *xyz, const double *radius, const hsp_model_options *options,
                       computed *c) {
   size_t bytes = 0;

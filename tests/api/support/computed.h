@@ -36,6 +36,12 @@ typedef struct computed {
   double *volume;
 } computed;
 
+/* The default options of a model, with this probe. */
+hsp_model_options options_with_probe(double probe);
+
+/* Balls as tests write them down, x, y, z, radius, in the arrays that the interface takes. */
+void spread_balls(uint32_t n, const double (*ball)[4], double *xyz, double *radius);
+
 /* Sets the model and computes and reads everything. The first status that is not HSP_OK, or HSP_OK. To be followed by
  * computed_release in either case. */
 int32_t computed_make(uint32_t n, const double *xyz, const double *radius, const hsp_model_options *options,

@@ -320,14 +320,7 @@ TEST(FreeSpace, OfTheLargestNumbers) {
   oracle::RandomSource random(6);
   Seen seen;
   for (int k = 0; k < 60; ++k) {
-    Balls balls;
-    const int64_t n = random.in(2, 12), unit = (INT64_C(1) << 30) - 1;
-    const int64_t away = random.one_in(2) ? 0 : (INT64_C(1) << 50) - 4 * unit;
-    for (int64_t i = 0; i < n; ++i) {
-      const int64_t x = random.in(-2 * unit, 2 * unit), y = random.in(-2 * unit, 2 * unit);
-      const int64_t z = random.in(-2 * unit, 2 * unit);
-      balls.push_back({away + x, y - away, z, random.one_in(2) ? unit : random.in(0, unit)});
-    }
+    const Balls balls = oracle::largest_balls(random, static_cast<size_t>(random.in(2, 12)));
     ASSERT_NO_FATAL_FAILURE(check(balls, random, 40, seen)) << k;
   }
 }

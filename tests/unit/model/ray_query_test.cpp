@@ -9,9 +9,7 @@
 #include <limits>
 
 #include "brute_queries.hpp"
-#include "built_grid.hpp"
-#include "lattice_lengths.hpp"
-#include "random_balls.hpp"
+#include "grids_of_sets.hpp"
 
 namespace {
 
@@ -123,12 +121,10 @@ void check_rays(const Balls &balls, const BuiltGrid &built, oracle::RandomSource
 
 void check_sets(uint64_t seed, int sets, Balls (*make)(oracle::RandomSource &, std::size_t), std::size_t most,
                 Seen &seen) {
-  oracle::RandomSource random(seed);
-  for (int k = 0; k < sets; ++k) {
-    const Balls balls = make(random, static_cast<std::size_t>(random.in(1, static_cast<std::int64_t>(most))));
-    const BuiltGrid built(oracle::in_lengths(balls, 1));
-    check_rays(balls, built, random, 20, seen);
-  }
+  for_random_sets(seed, sets, make, most,
+                  [&](const Balls &balls, const BuiltGrid &built, oracle::RandomSource &random) {
+                    check_rays(balls, built, random, 20, seen);
+                  });
 }
 
 TEST(RayQuery, InSetsOfAllKinds) {
@@ -161,20 +157,11 @@ TEST(RayQuery, ThroughManyLayers) {
   EXPECT_GT(seen.something, 100);
 }
 
-// Balls that are entered in one point, in every order of the callers' ids.
 TEST(RayQuery, BreaksTiesByTheLowestNumber) {
-  // All are entered at (0, 0, 100) from below.
-  const Balls balls = {{0, 0, 105, 5},  {3, 0, 104, 5}, {-3, 4, 100, 5},
-                       {0, -5, 100, 5}, {0, 3, 104, 5}, {-5, 0, 100, 5}};
-  oracle::RandomSource random(5);
   Seen seen;
-  for (int k = 0; k < 60; ++k) {
-    Balls some = oracle::permuted(balls, random.permutation(balls.size()));
-    some.resize(static_cast<std::size_t>(random.in(2, 6)));
-    some.push_back({0, 0, 120, 6});
-    const BuiltGrid built(oracle::in_lengths(some, 1));
-    for (const int64_t z : {99, 90, 0, -1000, -1000000}) check(some, built, {0, 0, z}, {0, 0, 1 + k}, seen);
-  }
+  for_balls_entered_in_one_point(60, [&](int k, const Balls &balls, const BuiltGrid &built, int64_t z) {
+    check(balls, built, {0, 0, z}, {0, 0, 1 + k}, seen);
+  });
   EXPECT_EQ(seen.nothing, 0);
   EXPECT_EQ(seen.tied, 300);
 }

@@ -8,9 +8,7 @@
 #include <optional>
 #include <tuple>
 
-#include "built_grid.hpp"
-#include "lattice_lengths.hpp"
-#include "random_balls.hpp"
+#include "grids_of_sets.hpp"
 #include "root_sums.hpp"
 
 namespace {
@@ -103,12 +101,10 @@ Point point_near(oracle::RandomSource &random, const Balls &balls) {
 
 void check_sets(uint64_t seed, int sets, Balls (*make)(oracle::RandomSource &, std::size_t), std::size_t most,
                 Seen &seen) {
-  oracle::RandomSource random(seed);
-  for (int k = 0; k < sets; ++k) {
-    const Balls balls = make(random, static_cast<std::size_t>(random.in(1, static_cast<std::int64_t>(most))));
-    const BuiltGrid built(oracle::in_lengths(balls, 1));
-    for (int asked = 0; asked < 20; ++asked) check(balls, built, point_near(random, balls), seen);
-  }
+  for_random_sets(seed, sets, make, most,
+                  [&](const Balls &balls, const BuiltGrid &built, oracle::RandomSource &random) {
+                    for (int asked = 0; asked < 20; ++asked) check(balls, built, point_near(random, balls), seen);
+                  });
 }
 
 TEST(FirstBallAbove, InSetsOfAllKinds) {
@@ -140,20 +136,11 @@ TEST(FirstBallAbove, InColumns) {
   EXPECT_GT(seen.something, 1000);
 }
 
-// Balls that are entered in one point, in every order of the callers' ids: the line is tangent to some of them.
 TEST(FirstBallAbove, BreaksTiesByRank) {
-  // All are entered at (0, 0, 100).
-  const Balls balls = {{0, 0, 105, 5},  {3, 0, 104, 5}, {-3, 4, 100, 5},
-                       {0, -5, 100, 5}, {0, 3, 104, 5}, {-5, 0, 100, 5}};
-  oracle::RandomSource random(5);
   Seen seen;
-  for (int k = 0; k < 100; ++k) {
-    Balls some = oracle::permuted(balls, random.permutation(balls.size()));
-    some.resize(static_cast<std::size_t>(random.in(2, 6)));
-    some.push_back({0, 0, 120, 6});
-    const BuiltGrid built(oracle::in_lengths(some, 1));
-    for (const int64_t z : {99, 90, 0, -1000, -1000000}) check(some, built, {0, 0, z}, seen);
-  }
+  for_balls_entered_in_one_point(100, [&](int, const Balls &balls, const BuiltGrid &built, int64_t z) {
+    check(balls, built, {0, 0, z}, seen);
+  });
   EXPECT_EQ(seen.nothing, 0);
   EXPECT_EQ(seen.tied, 500);
 }

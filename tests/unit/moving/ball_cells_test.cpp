@@ -10,37 +10,63 @@
 
 namespace {
 
+using hsp::exact::LatticeBall;
+
+// Balls in cells, some of which are there.
+class Cells {
+ public:
+  Cells(uint32_t n, int64_t side) : there_(n) {
+    ball_memory_.carve(balls_, n);
+    cell_memory_.carve(cells_, n);
+    balls_.n = n;
+    cells_.clear(n, side);
+  }
+
+  void insert(uint32_t i, const LatticeBall &ball) {
+    balls_.store(i, ball);
+    cells_.insert(i, ball.centre);
+    there_[i] = true;
+  }
+  void remove(uint32_t i) {
+    cells_.remove(i);
+    there_[i] = false;
+  }
+  bool has(uint32_t i) const { return there_[i]; }
+  auto count() const { return std::count(there_.begin(), there_.end(), true); }
+  LatticeBall ball(uint32_t i) const { return balls_.ball(i); }
+  const hsp::BallCells &get() const { return cells_; }
+
+  void expect_all_meeting(const LatticeBall &query) const {
+    std::vector<uint32_t> found, expected;
+    cells_.visit_meeting(balls_, query, [&](uint32_t j) { found.push_back(j); });
+    std::sort(found.begin(), found.end());
+    for (uint32_t j = 0; j < balls_.n; ++j) {
+      if (there_[j] && pair_relation(query, ball(j)) != hsp::exact::PairRelation::disjoint) expected.push_back(j);
+    }
+    ASSERT_EQ(found, expected);
+  }
+
+ private:
+  std::vector<bool> there_;
+  hsp::BallSet balls_;
+  hsp::BallCells cells_;
+  CarvedMemory ball_memory_, cell_memory_;
+};
+
 TEST(BallCells, FindsAllThatMeet) {
   oracle::RandomSource random(4);
   for (const uint32_t n : {1U, 5U, 400U}) {
-    hsp::BallSet balls;
-    hsp::BallCells cells;
-    CarvedMemory memory, cell_memory;
-    memory.carve(balls, n);
-    cell_memory.carve(cells, n);
-    balls.n = n;
-    cells.clear(n, 200);
+    Cells cells(n, 200);
     const auto random_ball = [&](uint32_t i) {
       const oracle::LatticeBall ball = oracle::ball_in_box(random, random.one_in(9) ? INT64_C(1) << 49 : 700, 0, 100);
-      return hsp::exact::LatticeBall{{ball.x, ball.y, ball.z}, ball.radius, i};
+      return LatticeBall{{ball.x, ball.y, ball.z}, ball.radius, i};
     };
-    for (uint32_t i = 0; i < n; ++i) {
-      balls.store(i, random_ball(i));
-      cells.insert(i, balls.ball(i).centre);
-    }
+    for (uint32_t i = 0; i < n; ++i) cells.insert(i, random_ball(i));
     for (int round = 0; round < 300; ++round) {
       const uint32_t i = random.below(n);
       cells.remove(i);
-      balls.store(i, random_ball(i));
-      cells.insert(i, balls.ball(i).centre);
-      const hsp::exact::LatticeBall query = random_ball(0);
-      std::vector<uint32_t> found, expected;
-      cells.visit_meeting(balls, query, [&](uint32_t j) { found.push_back(j); });
-      std::sort(found.begin(), found.end());
-      for (uint32_t j = 0; j < n; ++j) {
-        if (pair_relation(query, balls.ball(j)) != hsp::exact::PairRelation::disjoint) expected.push_back(j);
-      }
-      EXPECT_EQ(found, expected);
+      cells.insert(i, random_ball(i));
+      ASSERT_NO_FATAL_FAILURE(cells.expect_all_meeting(random_ball(0)));
     }
   }
 }
@@ -50,46 +76,30 @@ TEST(BallCells, CollidingCubes) {
   constexpr uint32_t n = 300;
   constexpr int64_t side = 200;
   oracle::RandomSource random(6);
-  hsp::BallSet balls;
-  hsp::BallCells cells;
-  CarvedMemory memory, cell_memory;
-  memory.carve(balls, n);
-  cell_memory.carve(cells, n);
-  balls.n = n;
-  cells.clear(n, side);
-  std::vector<bool> there(n);
+  Cells cells(n, side);
   const auto insert = [&](uint32_t i) {
     const int64_t k = random.in(0, 150);
     const auto place = [&](int64_t step) { return side * k * step + random.in(0, side - 1); };
     const auto &step = oracle::colliding_steps[0];
-    balls.store(i, {{place(step[0]), place(step[1]), place(step[2])}, random.in(1, side / 2), i});
-    cells.insert(i, balls.ball(i).centre);
-    there[i] = true;
+    const hsp::exact::Vector centre{place(step[0]), place(step[1]), place(step[2])};
+    cells.insert(i, {centre, random.in(1, side / 2), i});
   };
   for (uint32_t round = 0; round < 3000; ++round) {
     const uint32_t i = random.below(n);
-    if (there[i]) {
+    if (cells.has(i)) {
       cells.remove(i);
-      there[i] = false;
     } else {
       insert(i);
     }
     if (round % 10 != 0) continue;
-    EXPECT_LE(cells.longest_way(), 40U);
-    const hsp::exact::LatticeBall query = balls.ball(there[i] ? i : 0);
-    std::vector<uint32_t> found, expected;
-    cells.visit_meeting(balls, query, [&](uint32_t j) { found.push_back(j); });
-    std::sort(found.begin(), found.end());
-    for (uint32_t j = 0; j < n; ++j) {
-      if (there[j] && pair_relation(query, balls.ball(j)) != hsp::exact::PairRelation::disjoint) expected.push_back(j);
-    }
-    ASSERT_EQ(found, expected);
+    EXPECT_LE(cells.get().longest_way(), 40U);
+    ASSERT_NO_FATAL_FAILURE(cells.expect_all_meeting(cells.ball(cells.has(i) ? i : 0)));
   }
   // A box of more cubes than there are balls.
   uint32_t count = 0;
   constexpr int64_t far = 10 * side;
-  cells.visit_box({-far, -far, -far}, {far, far, far}, [&](uint32_t j) { count += there[j] ? 1U : 1000U; });
-  EXPECT_EQ(count, std::count(there.begin(), there.end(), true));
+  cells.get().visit_box({-far, -far, -far}, {far, far, far}, [&](uint32_t j) { count += cells.has(j) ? 1U : 1000U; });
+  EXPECT_EQ(count, cells.count());
 }
 
 }  // namespace

@@ -6,60 +6,36 @@
 #include <cmath>
 #include <vector>
 
-#include "built_periodic.hpp"
-#include "random_balls.hpp"
 #include "slice_quadrature.hpp"
+#include "weighted_box.hpp"
 
 namespace {
 
-// Lengths of a few units on a lattice of 1e-8.
-constexpr double fine_step = 1e-8;
 constexpr double tolerance = 2e-4;
 
-struct RandomSet {
-  explicit RandomSet(oracle::RandomSource &random, uint32_t n) {
-    const auto between = [&](double low, double high) { return low + (high - low) * random.fraction(); };
-    box = {between(3.5, 5), 0, 0, between(-1.5, 1.5), between(3.5, 5), 0, 0, 0, 0};
-    box[6] = between(-1.5, 1.5);
-    box[7] = between(-1.5, 1.5);
-    box[8] = between(3.5, 5);
-    for (uint32_t i = 0; i < n; ++i) {
-      const double x = between(-4, 8);
-      const double y = between(-4, 8);
-      const double z = between(-4, 8);
-      balls.add(x, y, z, std::round(1e8 * between(0.6, 1.3)) / 1e8);
-      weights.push_back(between(-1, 2));
-    }
-  }
-  BuiltPeriodic built() const { return {balls, box, 0.0, fine_step}; }
-  double weighted_area(const BuiltPeriodic &periodic) const {
-    double sum = 0.0;
-    for (uint32_t i = 0; i < periodic.balls(); ++i) sum += weights[i] * periodic.of_ball(i).area;
-    return sum;
-  }
-
-  support::BallList balls;
-  BoxVectors box;
-  std::vector<double> weights;
-};
+double weighted_area(const WeightedBox &set, const BuiltPeriodic &periodic) {
+  double sum = 0.0;
+  for (uint32_t i = 0; i < periodic.balls(); ++i) sum += set.weights[i] * periodic.of_ball(i).area;
+  return sum;
+}
 
 struct Values {
   double area, volume;
 };
 
-Values values_of(const RandomSet &set) {
-  const BuiltPeriodic built(set.balls, set.box, 0.0, fine_step);
+Values values_of(const WeightedBox &set) {
+  const BuiltPeriodic built = set.built();
   EXPECT_EQ(built.status(), hsp::Status::ok);
-  return {set.weighted_area(built), built.totals().volume};
+  return {weighted_area(set, built), built.totals().volume};
 }
 
 // A difference quotient of fourth order, for a set that is changed by e. Places are rounded, so that e must be large.
 template <class Change>
-Values quotient(const RandomSet &set, Change change) {
+Values quotient(const WeightedBox &set, Change change) {
   constexpr double e = 1e-3;
   Values sum{0, 0};
   for (const auto &[times, factor] : {std::array{-2.0, 1.0}, {-1.0, -8.0}, {1.0, 8.0}, {2.0, -1.0}}) {
-    RandomSet changed = set;
+    WeightedBox changed = set;
     change(changed, times * e);
     const Values values = values_of(changed);
     sum.area += factor * values.area;
@@ -68,25 +44,19 @@ Values quotient(const RandomSet &set, Change change) {
   return {sum.area / (12 * e), sum.volume / (12 * e)};
 }
 
-void strain_all(RandomSet &set, size_t p, size_t q, double by) {
-  for (size_t row = 0; row < 3; ++row) set.box[3 * row + p] += by * set.box[3 * row + q];
-  for (size_t i = 0; i < set.balls.radius.size(); ++i) set.balls.xyz[3 * i + p] += by * set.balls.xyz[3 * i + q];
-}
-
 TEST(PeriodicMeasures, DeriveByTheStrainAndTheBox) {
   oracle::RandomSource random(331);
   for (int trial = 0; trial < 6; ++trial) {
-    const RandomSet set(random, 6);
-    const BuiltPeriodic built(set.balls, set.box, 0.0, fine_step);
+    const WeightedBox set(random, 6);
+    const BuiltPeriodic built = set.built();
     ASSERT_EQ(built.status(), hsp::Status::ok);
     const hsp::AreaWeights weights = hsp::weights_in_box(built.get(), set.weights.data(), hsp::TouchingBalls::meet);
     const hsp::Strain area = hsp::area_by_strain(built.get(), weights);
     const hsp::Strain volume = hsp::volume_by_strain(built.get());
     const hsp::exact::Lattice &lattice = built->images().lattice();
-    // The box stays as the library wants it for strains that are upper triangular.
     for (size_t p = 0; p < 3; ++p) {
       for (size_t q = p; q < 3; ++q) {
-        const Values found = quotient(set, [&](RandomSet &s, double e) { strain_all(s, p, q, e); });
+        const Values found = quotient(set, [&](WeightedBox &s, double e) { s.strain(p, q, e); });
         EXPECT_NEAR(lattice.area(area.by[3 * p + q]), found.area, tolerance);
         EXPECT_NEAR(lattice.volume(volume.by[3 * p + q]), found.volume, tolerance);
       }
@@ -95,19 +65,7 @@ TEST(PeriodicMeasures, DeriveByTheStrainAndTheBox) {
     const hsp::Strain area_by_box = hsp::by_box(built->images().box(), area);
     const hsp::Strain volume_by_box = hsp::by_box(built->images().box(), volume);
     for (const size_t k : {0U, 3U, 4U, 6U, 7U, 8U}) {
-      const Values found = quotient(set, [&](RandomSet &s, double e) {
-        const size_t row = k / 3;
-        const size_t axis = k % 3;
-        for (size_t i = 0; i < s.balls.radius.size(); ++i) {
-          double place[3];
-          const double *const at = &s.balls.xyz[3 * i];
-          place[2] = at[2] / s.box[8];
-          place[1] = (at[1] - place[2] * s.box[7]) / s.box[4];
-          place[0] = (at[0] - place[2] * s.box[6] - place[1] * s.box[3]) / s.box[0];
-          s.balls.xyz[3 * i + axis] += e * place[row];
-        }
-        s.box[k] += e;
-      });
+      const Values found = quotient(set, [&](WeightedBox &s, double e) { s.change_box(k, e); });
       EXPECT_NEAR(lattice.length(area_by_box.by[k]), found.area, tolerance);
       EXPECT_NEAR(lattice.area(volume_by_box.by[k]), found.volume, tolerance);
     }
@@ -117,8 +75,8 @@ TEST(PeriodicMeasures, DeriveByTheStrainAndTheBox) {
 TEST(PeriodicMeasures, DeriveByCentresAndRadii) {
   oracle::RandomSource random(332);
   for (int trial = 0; trial < 6; ++trial) {
-    const RandomSet set(random, 5);
-    const BuiltPeriodic built(set.balls, set.box, 0.0, fine_step);
+    const WeightedBox set(random, 5);
+    const BuiltPeriodic built = set.built();
     ASSERT_EQ(built.status(), hsp::Status::ok);
     const hsp::AreaWeights weights = hsp::weights_in_box(built.get(), set.weights.data(), hsp::TouchingBalls::meet);
     const hsp::exact::Lattice &lattice = built->images().lattice();
@@ -132,17 +90,17 @@ TEST(PeriodicMeasures, DeriveByCentresAndRadii) {
       by_radii += set.balls.radius[i] * lattice.length(own.radius);
       volume_by_radii += set.balls.radius[i] * lattice.area(own.measure.area);
       for (size_t axis = 0; axis < 3; ++axis) {
-        const Values found = quotient(set, [&](RandomSet &s, double e) { s.balls.xyz[3 * i + axis] += e; });
+        const Values found = quotient(set, [&](WeightedBox &s, double e) { s.balls.xyz[3 * i + axis] += e; });
         EXPECT_NEAR(lattice.length(centre[axis]), found.area, tolerance);
         EXPECT_NEAR(lattice.area(vector_area[axis]), found.volume, tolerance);
       }
-      const Values found = quotient(set, [&](RandomSet &s, double e) { s.balls.radius[i] += e; });
+      const Values found = quotient(set, [&](WeightedBox &s, double e) { s.balls.radius[i] += e; });
       EXPECT_NEAR(lattice.length(own.radius), found.area, tolerance);
       EXPECT_NEAR(lattice.area(own.measure.area), found.volume, tolerance);
     }
     // The torus moved as a whole; everything grown alike.
     EXPECT_NEAR(std::sqrt(lattice.area(lattice.area(dot(sum, sum)))), 0.0, 1e-11);
-    const double area = set.weighted_area(built);
+    const double area = weighted_area(set, built);
     const double volume = built.totals().volume;
     EXPECT_NEAR(lattice.area(hsp::area_by_strain(built.get(), weights).trace()) + by_radii, 2 * area, 1e-10);
     EXPECT_NEAR(lattice.volume(hsp::volume_by_strain(built.get()).trace()) + volume_by_radii, 3 * volume, 1e-10);
@@ -183,8 +141,8 @@ TEST(PeriodicMeasures, HaveTheReferenceStrains) {
 TEST(PeriodicMeasures, AreThoseOfSlices) {
   oracle::RandomSource random(333);
   for (int trial = 0; trial < 3; ++trial) {
-    const RandomSet set(random, 2);
-    const BuiltPeriodic built(set.balls, set.box, 0.0, fine_step);
+    const WeightedBox set(random, 2);
+    const BuiltPeriodic built = set.built();
     ASSERT_EQ(built.status(), hsp::Status::ok);
     std::vector<oracle::RealBall> copies;
     const hsp::exact::Lattice &lattice = built->images().lattice();

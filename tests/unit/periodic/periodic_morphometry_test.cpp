@@ -7,36 +7,11 @@
 #include <cmath>
 #include <vector>
 
-#include "built_periodic.hpp"
-#include "random_balls.hpp"
+#include "weighted_box.hpp"
 
 namespace {
 
-// Lengths of a few units on a lattice of 1e-8.
-constexpr double fine_step = 1e-8;
-
-struct RandomSet {
-  RandomSet(oracle::RandomSource &random, uint32_t n) {
-    const auto between = [&](double low, double high) { return low + (high - low) * random.fraction(); };
-    box = {between(3.5, 5), 0, 0, between(-1.5, 1.5), between(3.5, 5), 0, 0, 0, 0};
-    box[6] = between(-1.5, 1.5);
-    box[7] = between(-1.5, 1.5);
-    box[8] = between(3.5, 5);
-    for (uint32_t i = 0; i < n; ++i) {
-      const double x = between(-4, 8);
-      const double y = between(-4, 8);
-      const double z = between(-4, 8);
-      balls.add(x, y, z, std::round(1e8 * between(0.6, 1.3)) / 1e8);
-      weights.push_back(between(-1, 2));
-    }
-  }
-
-  support::BallList balls;
-  BoxVectors box;
-  std::vector<double> weights;
-};
-
-hsp::MorphometricEnergy energy_of(const BuiltPeriodic &built, const RandomSet &set,
+hsp::MorphometricEnergy energy_of(const BuiltPeriodic &built, const WeightedBox &set,
                                   const hsp::MorphometricFactors &factors,
                                   std::vector<hsp::EnergyGradient> *gradient = nullptr) {
   EXPECT_EQ(built.status(), hsp::Status::ok);
@@ -54,13 +29,13 @@ struct Quotient {
 };
 
 template <class Change>
-Quotient quotient(const RandomSet &set, const hsp::MorphometricFactors &factors, Change change) {
+Quotient quotient(const WeightedBox &set, const hsp::MorphometricFactors &factors, Change change) {
   const auto with_step = [&](double e) {
     double sum = 0.0;
     for (const auto &[times, factor] : {std::array{-2.0, 1.0}, {-1.0, -8.0}, {1.0, 8.0}, {2.0, -1.0}}) {
-      RandomSet changed = set;
+      WeightedBox changed = set;
       change(changed, times * e);
-      const BuiltPeriodic built(changed.balls, changed.box, 0.0, fine_step);
+      const BuiltPeriodic built = changed.built();
       sum += factor * energy_of(built, changed, factors).value;
     }
     return sum / (12 * e);
@@ -86,48 +61,27 @@ class Derivatives {
 constexpr hsp::MorphometricFactors bending_alone{0, 0, 1, 0};
 constexpr hsp::MorphometricFactors everything{-0.5, 1.5, 0.75, 2};
 
-void strain_all(RandomSet &set, size_t p, size_t q, double by) {
-  for (size_t row = 0; row < 3; ++row) set.box[3 * row + p] += by * set.box[3 * row + q];
-  for (size_t i = 0; i < set.balls.radius.size(); ++i) set.balls.xyz[3 * i + p] += by * set.balls.xyz[3 * i + q];
-}
-
-// Component k of the box, at fixed multiples of its vectors.
-void change_box(RandomSet &set, size_t k, double by) {
-  const size_t row = k / 3;
-  const size_t axis = k % 3;
-  for (size_t i = 0; i < set.balls.radius.size(); ++i) {
-    const double *const at = &set.balls.xyz[3 * i];
-    double place[3];
-    place[2] = at[2] / set.box[8];
-    place[1] = (at[1] - place[2] * set.box[7]) / set.box[4];
-    place[0] = (at[0] - place[2] * set.box[6] - place[1] * set.box[3]) / set.box[0];
-    set.balls.xyz[3 * i + axis] += by * place[row];
-  }
-  set.box[k] += by;
-}
-
 TEST(PeriodicMorphometry, DerivesByTheStrainAndTheBox) {
   oracle::RandomSource random(341);
   Derivatives derivatives;
   for (int trial = 0; trial < 5; ++trial) {
-    const RandomSet set(random, 6);
-    const BuiltPeriodic built(set.balls, set.box, 0.0, fine_step);
+    const WeightedBox set(random, 6);
+    const BuiltPeriodic built = set.built();
     ASSERT_EQ(built.status(), hsp::Status::ok);
     const hsp::AreaWeights weights = hsp::weights_in_box(built.get(), set.weights.data(), hsp::TouchingBalls::meet);
     const hsp::Strain strain = hsp::curvature_by_strain(built.get(), weights);
-    // The box stays as the library wants it for strains that are upper triangular; turning changes nothing.
+    // Turning changes nothing.
     for (size_t p = 0; p < 3; ++p) {
       for (size_t q = p; q < 3; ++q) {
         derivatives.expect(built->images().lattice().length(strain.by[3 * p + q]),
-                           quotient(set, bending_alone, [&](RandomSet &s, double e) { strain_all(s, p, q, e); }));
+                           quotient(set, bending_alone, [&](WeightedBox &s, double e) { s.strain(p, q, e); }));
         EXPECT_NEAR(strain.by[3 * p + q], strain.by[3 * q + p], 1e-9 / fine_step);
       }
     }
     const hsp::BoxGradient all = hsp::differentiate_morphometry_by_box(built.get(), weights, everything);
-    derivatives.expect(all.strain[4],
-                       quotient(set, everything, [](RandomSet &s, double e) { strain_all(s, 1, 1, e); }));
+    derivatives.expect(all.strain[4], quotient(set, everything, [](WeightedBox &s, double e) { s.strain(1, 1, e); }));
     for (const size_t k : {0U, 3U, 4U, 6U, 7U, 8U}) {
-      derivatives.expect(all.box[k], quotient(set, everything, [&](RandomSet &s, double e) { change_box(s, k, e); }));
+      derivatives.expect(all.box[k], quotient(set, everything, [&](WeightedBox &s, double e) { s.change_box(k, e); }));
     }
   }
 }
@@ -136,8 +90,8 @@ TEST(PeriodicMorphometry, DerivesByCentresAndRadii) {
   oracle::RandomSource random(342);
   Derivatives derivatives;
   for (int trial = 0; trial < 4; ++trial) {
-    const RandomSet set(random, 5);
-    const BuiltPeriodic built(set.balls, set.box, 0.0, fine_step);
+    const WeightedBox set(random, 5);
+    const BuiltPeriodic built = set.built();
     std::vector<hsp::EnergyGradient> gradient;
     const hsp::MorphometricEnergy energy = energy_of(built, set, everything, &gradient);
     EXPECT_NEAR(energy.value,
@@ -150,11 +104,12 @@ TEST(PeriodicMorphometry, DerivesByCentresAndRadii) {
       EXPECT_FALSE(gradient[i].one_sided);
       by_probe += gradient[i].radius;
       for (size_t axis = 0; axis < 3; ++axis) {
-        derivatives.expect(gradient[i].centre[axis],
-                           quotient(set, everything, [&](RandomSet &s, double e) { s.balls.xyz[3 * i + axis] += e; }));
+        derivatives.expect(gradient[i].centre[axis], quotient(set, everything, [&](WeightedBox &s, double e) {
+                             s.balls.xyz[3 * i + axis] += e;
+                           }));
       }
       derivatives.expect(gradient[i].radius,
-                         quotient(set, everything, [&](RandomSet &s, double e) { s.balls.radius[i] += e; }));
+                         quotient(set, everything, [&](WeightedBox &s, double e) { s.balls.radius[i] += e; }));
     }
     EXPECT_NEAR(by_probe, energy.by_probe, 1e-11);
   }
@@ -164,10 +119,10 @@ TEST(PeriodicMorphometry, DerivesByCentresAndRadii) {
 TEST(PeriodicMorphometry, HasTheLawsOfLengths) {
   oracle::RandomSource random(343);
   for (int trial = 0; trial < 40; ++trial) {
-    RandomSet set(random, 1 + static_cast<uint32_t>(trial) % 24);
+    WeightedBox set(random, 1 + static_cast<uint32_t>(trial) % 24);
     if (trial % 4 == 0) set.balls.radius[0] = 2.4;
     if (trial % 5 == 0) set.weights.assign(set.weights.size(), 1.0);
-    const BuiltPeriodic built(set.balls, set.box, 0.0, fine_step);
+    const BuiltPeriodic built = set.built();
     std::vector<hsp::EnergyGradient> gradient;
     const hsp::MorphometricEnergy energy = energy_of(built, set, bending_alone, &gradient);
     const hsp::AreaWeights weights = hsp::weights_in_box(built.get(), set.weights.data(), hsp::TouchingBalls::meet);
@@ -194,9 +149,9 @@ TEST(PeriodicMorphometry, HasTheLawsOfLengths) {
 // Two balls that touch across a face, and a crystal in which more than three spheres meet in a vertex.
 TEST(PeriodicMorphometry, SaysWhereItHasNoDerivatives) {
   const BoxVectors cube{4, 0, 0, 0, 4, 0, 0, 0, 4};
-  RandomSet set = [] {
+  WeightedBox set = [] {
     oracle::RandomSource random(1);
-    return RandomSet(random, 0);
+    return WeightedBox(random, 0);
   }();
   set.weights = {1.0, 1.0};
   const auto flags_of = [&](const support::BallList &balls) {

@@ -12,10 +12,10 @@ class BuiltContacts {
       : built_(balls, probe, step), status_(built_.status()) {
     if (status_ != hsp::Status::ok) return;
     const uint32_t n = balls.size();
-    status_ = build(boundary_memory_, boundary_, hsp::BoundaryLimits{n, 8, 8, 8, 0}, grid());
+    status_ = boundary_memory_.build(boundary_, hsp::BoundaryLimits{n, 8, 8, 8, 0}, grid());
     if (status_ != hsp::Status::ok) return;
     hsp::ContactLimits limits{n, boundary_.needed().neighbours, 4, simplices, simplices};
-    status_ = build(contacts_memory_, contacts_, limits, grid(), boundary(), neighbours());
+    status_ = contacts_memory_.build(contacts_, limits, grid(), boundary(), neighbours());
   }
 
   hsp::Status status() const { return status_; }
@@ -47,17 +47,6 @@ class BuiltContacts {
   }
 
  private:
-  // With larger limits until they suffice.
-  template <class Builder, class Limits, class... Inputs>
-  static hsp::Status build(CarvedMemory &memory, Builder &builder, Limits limits, const Inputs &...inputs) {
-    for (;;) {
-      memory.carve(builder, limits);
-      const hsp::Status status = builder.build(inputs...);
-      if (status != hsp::Status::capacity) return status;
-      limits = limits.covering(builder.needed());
-    }
-  }
-
   BuiltGrid built_;
   CarvedMemory boundary_memory_, contacts_memory_;
   hsp::BoundaryBuilder boundary_;

@@ -3,13 +3,13 @@
 
 #include "built_grid.hpp"
 #include "cells/free_space_builder.hpp"
-#include "lattice_ball.hpp"
+#include "lattice_lengths.hpp"
 
 class BuiltFreeSpace {
  public:
   explicit BuiltFreeSpace(const oracle::Balls &balls)
       : BuiltFreeSpace(balls, usual_limits(static_cast<uint32_t>(balls.size()))) {}
-  BuiltFreeSpace(const oracle::Balls &balls, const hsp::FreeSpaceLimits &limits) : grid_(listed(balls)) {
+  BuiltFreeSpace(const oracle::Balls &balls, const hsp::FreeSpaceLimits &limits) : grid_(oracle::in_lengths(balls, 1)) {
     status_ = build(limits);
     while (status_ == hsp::Status::capacity && retries_ < 20) {
       ++retries_;
@@ -34,14 +34,6 @@ class BuiltFreeSpace {
     hsp::FreeSpaceLimits limits;
     static_cast<void>(hsp::default_limits(balls, limits));
     return limits;
-  }
-  static support::BallList listed(const oracle::Balls &balls) {
-    support::BallList list;
-    for (const oracle::LatticeBall &ball : balls) {
-      list.add(static_cast<double>(ball.x), static_cast<double>(ball.y), static_cast<double>(ball.z),
-               static_cast<double>(ball.radius));
-    }
-    return list;
   }
 
   BuiltGrid grid_;

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "built_grid.hpp"
-#include "lattice_ball.hpp"
+#include "lattice_lengths.hpp"
 #include "paths/path_finder.hpp"
 
 class BuiltPaths {
  public:
-  explicit BuiltPaths(const oracle::Balls &balls, uint32_t points = 20000) : grid_(listed(balls)) {
+  explicit BuiltPaths(const oracle::Balls &balls, uint32_t points = 20000) : grid_(oracle::in_lengths(balls, 1)) {
     hsp::PathLimits limits;
     static_cast<void>(hsp::default_limits(static_cast<uint32_t>(balls.size()), limits.cells));
     limits.points = points;
@@ -24,15 +24,6 @@ class BuiltPaths {
   hsp::PathFinder &finder() { return finder_; }
 
  private:
-  static support::BallList listed(const oracle::Balls &balls) {
-    support::BallList list;
-    for (const oracle::LatticeBall &ball : balls) {
-      list.add(static_cast<double>(ball.x), static_cast<double>(ball.y), static_cast<double>(ball.z),
-               static_cast<double>(ball.radius));
-    }
-    return list;
-  }
-
   BuiltGrid grid_;
   CarvedMemory memory_;
   hsp::PathFinder finder_;

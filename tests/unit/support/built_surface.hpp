@@ -13,21 +13,21 @@ class BuiltSurface {
       : built_(balls, probe, step), status_(built_.status()) {
     if (status_ != hsp::Status::ok) return;
     const uint32_t n = balls.size();
-    status_ = build(boundary_memory_, boundary_, hsp::BoundaryLimits{n, n, 8 * n, n, 0}, built_.grid());
+    status_ = boundary_memory_.build(boundary_, hsp::BoundaryLimits{n, n, 8 * n, n, 0}, built_.grid());
     if (status_ != hsp::Status::ok) return;
     const hsp::Boundary &found = boundary();
-    status_ = build(surface_memory_, surface_,
-                    hsp::default_surface_limits(found.vertex_count(), found.face_count(), found.circle_count()),
-                    this->balls(), found);
+    status_ = surface_memory_.build(
+        surface_, hsp::default_surface_limits(found.vertex_count(), found.face_count(), found.circle_count()),
+        this->balls(), found);
   }
 
   // Again, of some shells of the boundary alone.
   hsp::Status choose(const std::vector<uint32_t> &shells) {
     const hsp::Boundary &found = boundary();
     const hsp::Span<const uint32_t> chosen(shells.data(), static_cast<uint32_t>(shells.size()));
-    status_ = build(surface_memory_, surface_,
-                    hsp::default_surface_limits(found.vertex_count(), found.face_count(), found.circle_count()),
-                    balls(), found, chosen);
+    status_ = surface_memory_.build(
+        surface_, hsp::default_surface_limits(found.vertex_count(), found.face_count(), found.circle_count()), balls(),
+        found, chosen);
     return status_;
   }
 
@@ -41,17 +41,6 @@ class BuiltSurface {
   }
 
  private:
-  // With larger limits until they suffice.
-  template <class Builder, class Limits, class... Inputs>
-  static hsp::Status build(CarvedMemory &memory, Builder &builder, Limits limits, const Inputs &...inputs) {
-    for (;;) {
-      memory.carve(builder, limits);
-      const hsp::Status status = builder.build(inputs...);
-      if (status != hsp::Status::capacity) return status;
-      limits = limits.covering(builder.needed());
-    }
-  }
-
   BuiltGrid built_;
   CarvedMemory boundary_memory_;
   CarvedMemory surface_memory_;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/poison.hpp"
+#include "core/status.hpp"
 #include "core/workspace.hpp"
 
 class CarvedMemory {
@@ -22,6 +23,17 @@ class CarvedMemory {
     memory_.assign(measured.bytes(), 0);
     hsp::Workspace workspace(memory_.data(), memory_.size());
     carved.carve(workspace, limits...);
+  }
+
+  // Carves the builder and builds, with larger limits until they suffice.
+  template <class Builder, class Limits, class... Inputs>
+  hsp::Status build(Builder &builder, Limits limits, const Inputs &...inputs) {
+    for (;;) {
+      carve(builder, limits);
+      const hsp::Status status = builder.build(inputs...);
+      if (status != hsp::Status::capacity) return status;
+      limits = limits.covering(builder.needed());
+    }
   }
 
  private:

@@ -10,6 +10,7 @@
 #include "built_grid.hpp"
 #include "built_topology.hpp"
 #include "carved_memory.hpp"
+#include "lattice_lengths.hpp"
 #include "paths/widest_probe.hpp"
 #include "random_balls.hpp"
 #include "topology/cells.hpp"
@@ -22,7 +23,7 @@ using oracle::Balls;
 
 class BuiltProbe {
  public:
-  BuiltProbe(const Balls &balls, const Vector &from, const Vector *to) : grid_(listed(balls)) {
+  BuiltProbe(const Balls &balls, const Vector &from, const Vector *to) : grid_(oracle::in_lengths(balls, 1)) {
     hsp::ProbeLimits limits{{}, static_cast<uint32_t>(balls.size())};
     static_cast<void>(hsp::default_limits(limits.balls, limits.cells));
     do {
@@ -45,15 +46,6 @@ class BuiltProbe {
   }
 
  private:
-  static support::BallList listed(const Balls &balls) {
-    support::BallList list;
-    for (const auto &ball : balls) {
-      list.add(static_cast<double>(ball.x), static_cast<double>(ball.y), static_cast<double>(ball.z),
-               static_cast<double>(ball.radius));
-    }
-    return list;
-  }
-
   BuiltGrid grid_;
   CarvedMemory memory_;
   hsp::WidestProbeFinder finder_;

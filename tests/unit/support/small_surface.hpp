@@ -13,6 +13,10 @@ struct SurfaceScene {
   SmallBall ball[8];
   int32_t probe;
 };
+constexpr SurfaceScene with_probe(SurfaceScene scene, int32_t probe) {
+  scene.probe = probe;
+  return scene;
+}
 inline constexpr int32_t usual_probe = 140000000;
 inline constexpr int32_t carbon = 170000000;
 

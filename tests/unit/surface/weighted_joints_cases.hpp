@@ -105,26 +105,12 @@ inline uint32_t motions_of_weighted_areas() {
   return first_failing(smooth_scenes, [](const SurfaceScene *scene) {
     if (!small_surface().build(*scene)) return false;
     const GradientOfScene found = gradient_of_scene(1, 0, uneven_weights);
-    double force[3] = {}, torque[3] = {}, growth = found.energy.by_probe * scene->probe, scale = 1.0;
-    for (uint32_t i = 0; i < scene->n; ++i) {
-      const double c[3] = {static_cast<double>(scene->ball[i].x), static_cast<double>(scene->ball[i].y),
-                           static_cast<double>(scene->ball[i].z)};
-      const double *const g = found.ball[i].centre;
-      for (int axis = 0; axis < 3; ++axis) {
-        const int next = (axis + 1) % 3, last = (axis + 2) % 3;
-        force[axis] += g[axis];
-        torque[axis] += c[next] * g[last] - c[last] * g[next];
-        growth += c[axis] * g[axis];
-        scale += std::fabs(g[axis]);
-      }
-      growth += found.ball[i].radius * scene->ball[i].r;
-      scale += std::fabs(found.ball[i].radius);
-    }
-    const double tolerance = 1e-11 * scale;
+    const Motion motion = motion_of(*scene, found);
+    const double tolerance = 1e-11 * motion.scale;
     for (int axis = 0; axis < 3; ++axis) {
-      if (!near(force[axis], 0, tolerance) || !near(torque[axis], 0, tolerance * 4e8)) return false;
+      if (!near(motion.force[axis], 0, tolerance) || !near(motion.torque[axis], 0, tolerance * 4e8)) return false;
     }
-    return near(growth, 2 * found.energy.area, tolerance * 4e8);
+    return near(motion.growth, 2 * found.energy.area, tolerance * 4e8);
   });
 }
 
