@@ -292,7 +292,7 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES AND NOT CMAKE_CXX_FLAG
 endif()
 set(HSP_OPTIMIZATION ${HSP_OPTIMIZATION} CACHE INTERNAL "Optimization of the library where there is no build type")
 
-# Code for AVX2 beside that of the target's baseline, chosen at run time (lib/ground/core/processor.hpp): in files *_avx2.cpp,
+# Code for AVX2 beside that of the target's baseline, chosen at run time (lib/ground/lanes/processor.hpp): in files *_avx2.cpp,
 # which are empty without the definition HSP_AVX2. Small targets do without.
 option(HSP_WIDE_CODE "Code for wider registers too, chosen at run time" ON)
 set(HSP_AVX2_OPTIONS "-mavx2;-mfma;-mpopcnt" CACHE INTERNAL "Options of the files for AVX2")

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "branch_predictor.hpp"
-#include "core/processor.hpp"
+#include "lanes/processor.hpp"
 #include "map_handle.hpp"
 #include "pose_workload.hpp"
 #include "query_workload.hpp"

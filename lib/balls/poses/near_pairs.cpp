@@ -8,7 +8,7 @@ namespace {
 typedef float FourFloats __attribute__((vector_size(16)));
 typedef int32_t FourMasks __attribute__((vector_size(16)));  // -1 where true
 
-// The operations of Floats (core/avx2_lanes.hpp) for every processor, by two vectors.
+// The operations of Floats (lanes/avx2_lanes.hpp) for every processor, by two vectors.
 struct EightFloats {
   FourFloats low, high;
 

@@ -1,6 +1,6 @@
 // Which balls of two molecules may meet in a pose: all pairs that are not certainly apart, found by floats, eight
 // spheres at a time. Whoever asks decides about these pairs exactly. The same pairs that meet come in the same order
-// whether the code for AVX2 runs or that for every processor. Raw pointers, as core/processor.hpp says.
+// whether the code for AVX2 runs or that for every processor. Raw pointers, as lanes/processor.hpp says.
 //
 // Errors, in units u = 2^-24 of s, the sum of the radii of both root spheres and of the slack of exact places. The
 // walk starts only if the root spheres meet, so that no vector here is longer than 2 s; and no radius is more than

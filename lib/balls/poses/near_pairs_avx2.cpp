@@ -1,7 +1,7 @@
 #include "poses/near_pairs.hpp"
 
 #if HSP_AVX2
-#include "core/avx2_lanes.hpp"
+#include "lanes/avx2_lanes.hpp"
 #include "poses/near_pairs_kernel.hpp"
 
 namespace hsp {

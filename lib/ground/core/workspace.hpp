@@ -15,8 +15,8 @@
 #include <new>
 
 #include "core/poison.hpp"
-#include "core/processor.hpp"
 #include "core/span.hpp"
+#include "lanes/processor.hpp"
 
 namespace hsp {
 

@@ -1,6 +1,6 @@
 #include "visibility/map_silhouettes.hpp"
 
-#include "core/floating_point.hpp"
+#include "lanes/floating_point.hpp"
 #include "visibility/loop_runs.hpp"
 
 namespace hsp {

@@ -9,7 +9,7 @@
 // cos a = rho/p. Where rho and p are equal up to rounding both answers are right: the piece between is empty.
 #pragma once
 
-#include "core/elementary_simd.hpp"
+#include "lanes/elementary_simd.hpp"
 #include "surface/saddle_sums.hpp"
 
 namespace hsp {

@@ -2,8 +2,8 @@
 // compile them; like everything in files for AVX2 they have internal linkage.
 #pragma once
 
-#include "core/elementary_simd.hpp"
 #include "exact/circle_crossing.hpp"
+#include "lanes/elementary_simd.hpp"
 #include "surface/probe_triangles.hpp"
 
 namespace hsp {

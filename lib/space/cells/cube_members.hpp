@@ -4,8 +4,8 @@
 
 #include <limits>
 
-#include "core/double_lanes.hpp"
 #include "core/vec3.hpp"
+#include "lanes/double_lanes.hpp"
 
 namespace hsp {
 

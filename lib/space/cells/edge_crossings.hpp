@@ -4,7 +4,7 @@
 
 #include "cells/cube_frame.hpp"
 #include "cells/vertex_sides.hpp"
-#include "core/double_lanes.hpp"
+#include "lanes/double_lanes.hpp"
 
 namespace hsp {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cells/vertex_sides.hpp"
-#include "core/double_lanes.hpp"
+#include "lanes/double_lanes.hpp"
 
 namespace hsp {
 

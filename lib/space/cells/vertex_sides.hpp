@@ -4,8 +4,8 @@
 #pragma once
 
 #include "cells/cube_members.hpp"
-#include "core/double_lanes.hpp"
 #include "core/status.hpp"
+#include "lanes/double_lanes.hpp"
 
 namespace hsp {
 

@@ -2,8 +2,8 @@
 // everything in files for AVX2 they have internal linkage. The formulas are those of curvature.hpp.
 #pragma once
 
-#include "core/elementary_simd.hpp"
-#include "core/lane_pairs.hpp"
+#include "lanes/elementary_simd.hpp"
+#include "lanes/lane_pairs.hpp"
 #include "measure/edge_sums.hpp"
 
 namespace hsp {

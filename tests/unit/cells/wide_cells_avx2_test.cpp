@@ -14,7 +14,7 @@
 #include "cells/edge_crossings.hpp"
 #include "cells/vertex_edges.hpp"
 #include "cells/vertex_sides.hpp"
-#include "core/processor.hpp"
+#include "lanes/processor.hpp"
 #include "random_balls.hpp"
 
 namespace {

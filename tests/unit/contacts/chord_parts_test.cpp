@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "carved_memory.hpp"
-#include "core/processor.hpp"
 #include "exact/discriminant.hpp"
 #include "exact/lattice_ball.hpp"
+#include "lanes/processor.hpp"
 #include "random_balls.hpp"
 #include "sphere/caps.hpp"
 

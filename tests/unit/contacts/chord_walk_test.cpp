@@ -10,7 +10,7 @@
 #include "boundary/boundary_builder.hpp"
 #include "built_grid.hpp"
 #include "contacts/chord_cuts.hpp"
-#include "core/processor.hpp"
+#include "lanes/processor.hpp"
 #include "lattice_lengths.hpp"
 #include "random_balls.hpp"
 

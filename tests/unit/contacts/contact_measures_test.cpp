@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "carved_memory.hpp"
-#include "core/processor.hpp"
 #include "exact/lattice_ball.hpp"
+#include "lanes/processor.hpp"
 #include "random_balls.hpp"
 #include "sphere/caps.hpp"
 

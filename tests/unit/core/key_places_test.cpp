@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/processor.hpp"
+#include "lanes/processor.hpp"
 #include "random_numbers.hpp"
 
 namespace {

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "core/processor.hpp"
+#include "lanes/processor.hpp"
 
 namespace {
 

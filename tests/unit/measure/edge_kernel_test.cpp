@@ -8,7 +8,7 @@
 #include <random>
 
 #include "built_boundary.hpp"
-#include "core/processor.hpp"
+#include "lanes/processor.hpp"
 #include "measure/arc_batches.hpp"
 #include "random_balls.hpp"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/processor.hpp"
+#include "lanes/processor.hpp"
 #include "random_balls.hpp"
 
 namespace {

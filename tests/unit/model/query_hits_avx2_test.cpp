@@ -1,6 +1,6 @@
 // Eight balls at once, by the cases for one at a time.
-#include "core/processor.hpp"
 #include "expect_cases.hpp"
+#include "lanes/processor.hpp"
 #include "query_hits_cases.hpp"
 
 namespace {

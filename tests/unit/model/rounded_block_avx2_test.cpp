@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "built_grid.hpp"
-#include "core/processor.hpp"
+#include "lanes/processor.hpp"
 #include "model/queries.hpp"
 #include "random_balls.hpp"
 

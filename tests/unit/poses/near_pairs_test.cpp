@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/processor.hpp"
+#include "lanes/processor.hpp"
 #include "random_poses.hpp"
 
 namespace {

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/processor.hpp"
 #include "exact/lattice_ball.hpp"
+#include "lanes/processor.hpp"
 #include "random_balls.hpp"
 
 #if HSP_AVX2

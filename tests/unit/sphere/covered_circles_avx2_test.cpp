@@ -6,8 +6,8 @@
 #include <numbers>
 #include <vector>
 
-#include "core/processor.hpp"
 #include "lane_circles.hpp"
+#include "lanes/processor.hpp"
 #include "random_balls.hpp"
 #include "sweep_length.hpp"
 

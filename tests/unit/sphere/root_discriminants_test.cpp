@@ -7,9 +7,9 @@
 #include <cmath>
 #include <vector>
 
-#include "core/processor.hpp"
 #include "exact/discriminant.hpp"
 #include "exact/lattice_ball.hpp"
+#include "lanes/processor.hpp"
 #include "random_balls.hpp"
 
 #if HSP_AVX2

@@ -1,8 +1,8 @@
 #include "avx2_lanes_checks.hpp"
 
 #if HSP_AVX2
-#include "core/avx2_lanes.hpp"
 #include "double_lanes_checks.hpp"
+#include "lanes/avx2_lanes.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/processor.hpp"
+#include "lanes/processor.hpp"
 #include "small_surface.hpp"
 #include "surface/probe_grid.hpp"
 

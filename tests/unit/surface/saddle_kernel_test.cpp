@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "core/processor.hpp"
+#include "lanes/processor.hpp"
 
 namespace {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/elementary.hpp"
-#include "core/processor.hpp"
 #include "core/vec3.hpp"
+#include "lanes/processor.hpp"
 
 namespace {
 

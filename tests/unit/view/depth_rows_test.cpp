@@ -10,7 +10,7 @@
 #include <limits>
 #include <random>
 
-#include "core/processor.hpp"
+#include "lanes/processor.hpp"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "core/processor.hpp"
+#include "lanes/processor.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "avx2_lanes_checks.hpp"
-#include "core/processor.hpp"
+#include "lanes/processor.hpp"
 
 namespace {
 
