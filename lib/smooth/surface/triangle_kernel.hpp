@@ -1,5 +1,5 @@
-// The kernels of probe_triangles.hpp for registers of n doubles. triangle_kernel.cpp and triangle_kernel_avx2.cpp
-// compile them; like everything in files for AVX2 they have internal linkage.
+// The kernels of probe_triangles.hpp for registers of n doubles. Like everything in kernels they have
+// internal linkage.
 #pragma once
 
 #include "exact/circle_crossing.hpp"

@@ -1,5 +1,5 @@
-// The kernels of edge_sums.hpp for registers of n doubles. edge_kernel.cpp and edge_kernel_avx2.cpp compile them; like
-// everything in files for AVX2 they have internal linkage. The formulas are those of curvature.hpp.
+// The kernels of edge_sums.hpp for registers of n doubles. Like everything in kernels they have internal
+// linkage. The formulas are those of curvature.hpp.
 #pragma once
 
 #include "lanes/elementary_simd.hpp"
