@@ -4,8 +4,7 @@
 # In the order of the rooms.
 set(HSP_LIBRARY_SOURCES
   lib/ground/core/elementary.cpp
-  lib/ground/core/key_places.cpp
-  lib/ground/core/key_places_avx2.cpp
+  lib/ground/core/key_places.kernel.cpp
   lib/ground/exact/exact_predicates.cpp
   lib/balls/model/ball_set.cpp
   lib/balls/model/block_sweep.cpp
@@ -24,8 +23,7 @@ set(HSP_LIBRARY_SOURCES
   lib/balls/model/ray_query.cpp
   lib/balls/model/set_digest.cpp
   lib/balls/model/vertical_ray.cpp
-  lib/balls/poses/near_pairs.cpp
-  lib/balls/poses/near_pairs_avx2.cpp
+  lib/balls/poses/near_pairs.kernel.cpp
   lib/balls/poses/pose.cpp
   lib/balls/poses/pose_queries.cpp
   lib/balls/poses/rational_pose.cpp
@@ -39,10 +37,10 @@ set(HSP_LIBRARY_SOURCES
   lib/space/cells/free_space_builder.cpp
   lib/space/cells/free_space_check.cpp
   lib/space/cells/power_cell.cpp
+  lib/space/cells/power_cell.kernel.cpp
   lib/space/cells/power_polytope.cpp
   lib/space/cells/power_predicates.cpp
   lib/space/cells/side_facets.cpp
-  lib/space/cells/wide_cells_avx2.cpp
   lib/space/paths/cell_crossing.cpp
   lib/space/paths/cell_search.cpp
   lib/space/paths/free_segments.cpp
@@ -71,14 +69,12 @@ set(HSP_LIBRARY_SOURCES
   lib/union/boundary/point_location.cpp
   lib/union/boundary/shells.cpp
   lib/union/measure/arc_batches.cpp
-  lib/union/measure/arc_kernel.cpp
-  lib/union/measure/arc_kernel_avx2.cpp
+  lib/union/measure/arc_sums.kernel.cpp
   lib/union/measure/areas.cpp
   lib/union/measure/boundary_metric_check.cpp
   lib/union/measure/boundary_positions.cpp
   lib/union/measure/curvature.cpp
-  lib/union/measure/edge_kernel.cpp
-  lib/union/measure/edge_kernel_avx2.cpp
+  lib/union/measure/edge_sums.kernel.cpp
   lib/union/measure/gradients.cpp
   lib/union/measure/tangency.cpp
   lib/union/topology/cells.cpp
@@ -94,8 +90,7 @@ set(HSP_LIBRARY_SOURCES
   lib/union/moving/component_update.cpp
   lib/union/moving/moving_balls.cpp
   lib/union/contacts/chord_clipper.cpp
-  lib/union/contacts/chord_kernel.cpp
-  lib/union/contacts/chord_kernel_avx2.cpp
+  lib/union/contacts/chord_cuts.kernel.cpp
   lib/union/contacts/chord_parts.cpp
   lib/union/contacts/chord_parts_avx2.cpp
   lib/union/contacts/chord_walk.cpp
@@ -127,8 +122,7 @@ set(HSP_LIBRARY_SOURCES
   lib/smooth/surface/probe_positions.cpp
   lib/smooth/surface/region_pieces.cpp
   lib/smooth/surface/saddle.cpp
-  lib/smooth/surface/saddle_kernel.cpp
-  lib/smooth/surface/saddle_kernel_avx2.cpp
+  lib/smooth/surface/saddle_sums.kernel.cpp
   lib/smooth/surface/settled_circles.cpp
   lib/smooth/surface/surface_areas.cpp
   lib/smooth/surface/surface_gradients.cpp
@@ -138,8 +132,7 @@ set(HSP_LIBRARY_SOURCES
   lib/smooth/surface/surface_patches.cpp
   lib/smooth/surface/surface_positions.cpp
   lib/smooth/surface/surface_shells.cpp
-  lib/smooth/surface/triangle_kernel.cpp
-  lib/smooth/surface/triangle_kernel_avx2.cpp
+  lib/smooth/surface/probe_triangles.kernel.cpp
   lib/smooth/surface/weighted_joints.cpp
   lib/smooth/mesh/boundary_curves.cpp
   lib/smooth/mesh/boundary_outline.cpp
@@ -258,15 +251,20 @@ if(NOT HSP_WHOLE AND (HSP_TOOL OR HSP_TESTS OR HSP_BENCH OR HSP_FUZZ OR HSP_FORT
     "set HSP_TOOL, HSP_FORTRAN, HSP_TESTS, HSP_BENCH and HSP_FUZZ to OFF")
 endif()
 list(TRANSFORM HSP_LIBRARY_SOURCES PREPEND ${PROJECT_SOURCE_DIR}/)
+# Kernels are compiled once more for each further target (lib/ground/lanes/target.hpp), the second ones for AVX2 alone.
+foreach(kind KERNEL AVX2)
+  string(TOLOWER "[._]${kind}[.]cpp$" ending)
+  set(HSP_${kind}_SOURCES ${HSP_LIBRARY_SOURCES})
+  list(FILTER HSP_${kind}_SOURCES INCLUDE REGEX "${ending}")
+  set(HSP_${kind}_SOURCES ${HSP_${kind}_SOURCES} CACHE INTERNAL "Sources of the library that match ${ending}")
+endforeach()
+list(REMOVE_ITEM HSP_LIBRARY_SOURCES ${HSP_AVX2_SOURCES})
 # In the cache, so that projects that carry this one as a subdirectory can call the function below, too.
-set(HSP_LIBRARY_SOURCES ${HSP_LIBRARY_SOURCES} CACHE INTERNAL "The sources of the library")
+set(HSP_LIBRARY_SOURCES ${HSP_LIBRARY_SOURCES} CACHE INTERNAL "The other sources of the library")
 # Includes name the room, not the wing.
 set(HSP_WING_FOLDERS ground balls union smooth space sight)
 list(TRANSFORM HSP_WING_FOLDERS PREPEND ${PROJECT_SOURCE_DIR}/lib/)
 set(HSP_WING_FOLDERS ${HSP_WING_FOLDERS} CACHE INTERNAL "The folders of the library's rooms")
-set(HSP_AVX2_SOURCES ${HSP_LIBRARY_SOURCES})
-list(FILTER HSP_AVX2_SOURCES INCLUDE REGEX "_avx2\\.cpp$")
-set(HSP_AVX2_SOURCES ${HSP_AVX2_SOURCES} CACHE INTERNAL "Those compiled for AVX2")
 
 # Position-independent code as CMAKE_POSITION_INDEPENDENT_CODE says. Without it: so that shared libraries, Python modules
 # for instance, can contain the archive, but not for machines without an operating system.
@@ -285,10 +283,10 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES AND NOT CMAKE_CXX_FLAG
 endif()
 set(HSP_OPTIMIZATION ${HSP_OPTIMIZATION} CACHE INTERNAL "Optimization of the library where there is no build type")
 
-# Code for AVX2 beside that of the target's baseline, chosen at run time (lib/ground/core/processor.hpp): in files *_avx2.cpp,
-# which are empty without the definition HSP_AVX2. Small targets do without.
+# Kernels for AVX2 beside those of the target's baseline, chosen at run time (lib/ground/lanes/target.hpp). Small targets do
+# without.
 option(HSP_WIDE_CODE "Code for wider registers too, chosen at run time" ON)
-set(HSP_AVX2_OPTIONS "-mavx2;-mfma;-mpopcnt" CACHE INTERNAL "Options of the files for AVX2")
+set(HSP_AVX2_OPTIONS "-mavx2;-mfma;-mpopcnt" CACHE INTERNAL "Options of the kernels for AVX2")
 if(HSP_WIDE_CODE AND NOT DEFINED CACHE{HSP_COMPILES_AVX2})
   string(JOIN " " CMAKE_REQUIRED_FLAGS ${HSP_AVX2_OPTIONS})
   set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
@@ -313,37 +311,52 @@ if(NOT DEFINED CACHE{HSP_TARGETS_AARCH64})
   unset(CMAKE_TRY_COMPILE_TARGET_TYPE)
 endif()
 
+# hsp_add_kernels(name target source... OPTIONS option...): kernels once more, in the namespace of a further target of the
+# library. With HSP_UNITY_BUILD all of a target are one unit.
+function(hsp_add_kernels name target)
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" OPTIONS)
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${name}.dir)
+  set(text "#undef HSP_TARGET\n#define HSP_TARGET ${target}\n")
+  foreach(source ${arg_UNPARSED_ARGUMENTS})
+    if(HSP_UNITY_BUILD)
+      set(unit ${folder}/Unity/${target}.cpp)
+      string(APPEND text "#include \"${source}\"\n")
+    else()
+      file(RELATIVE_PATH unit ${hardsphere_SOURCE_DIR}/lib ${source})
+      set(unit ${folder}/kernels/${target}/${unit})
+      file(CONFIGURE OUTPUT ${unit} CONTENT "${text}#include \"${source}\"\n" @ONLY)
+    endif()
+    list(APPEND units ${unit})
+  endforeach()
+  list(REMOVE_DUPLICATES units)
+  if(HSP_UNITY_BUILD)
+    file(CONFIGURE OUTPUT ${units} CONTENT "${text}" @ONLY)
+  endif()
+  target_sources(${name} PRIVATE ${units})
+  set_source_files_properties(${units} TARGET_DIRECTORY ${name} PROPERTIES COMPILE_OPTIONS "${arg_OPTIONS}"
+    SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
 # hsp_library_objects(name definition...): the library compiled as objects, with further definitions. The archive is made
 # of hardsphere_objects. Tests of inner parts link to a library of objects and compile what its headers define alike.
-# With HSP_UNITY_BUILD a room is one unit, the interface another, the code for AVX2 a third: most of the time that a
-# source takes alone goes into its headers.
+# With HSP_UNITY_BUILD a room is one unit, the interface another, the kernels of each further target a third: most of the
+# time that a source takes alone goes into its headers.
 function(hsp_library_objects name)
-  set(sources ${HSP_LIBRARY_SOURCES})
-  set(avx2_sources ${HSP_AVX2_SOURCES})
-  if(HSP_UNITY_BUILD)
-    # CMake leaves sources with options of their own out of its units.
-    list(REMOVE_ITEM sources ${avx2_sources})
-    list(TRANSFORM avx2_sources REPLACE "(.+)" "#include \"\\1\"\n" OUTPUT_VARIABLE lines)
-    list(JOIN lines "" lines)
-    set(avx2_sources ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${name}.dir/Unity/avx2.cpp)
-    file(CONFIGURE OUTPUT ${avx2_sources} CONTENT "${lines}" @ONLY)
-    list(APPEND sources ${avx2_sources})
-  endif()
-  add_library(${name} OBJECT ${sources})
+  add_library(${name} OBJECT ${HSP_LIBRARY_SOURCES})
   target_compile_features(${name} PUBLIC cxx_std_20)
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ${HSP_POSITION_INDEPENDENT}
     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON UNITY_BUILD ${HSP_UNITY_BUILD} UNITY_BUILD_MODE GROUP)
   foreach(source ${HSP_LIBRARY_SOURCES})
-    string(REGEX REPLACE ".*/([a-z]+)/[a-z_0-9]+\\.cpp$" "\\1" room ${source})
+    string(REGEX REPLACE ".*/([a-z]+)/[a-z_0-9.]+\\.cpp$" "\\1" room ${source})
     set_source_files_properties(${source} TARGET_DIRECTORY ${name} PROPERTIES UNITY_GROUP ${room})
   endforeach()
   target_include_directories(${name} PUBLIC ${hardsphere_SOURCE_DIR}/include ${HSP_WING_FOLDERS}
     PRIVATE ${hardsphere_SOURCE_DIR}/capi/shims)
-  target_compile_definitions(${name} PUBLIC $<$<BOOL:${HSP_PORTABLE_LIMBS}>:HSP_PORTABLE_LIMBS=1> ${ARGN})
+  target_compile_definitions(${name} PUBLIC $<$<BOOL:${HSP_PORTABLE_LIMBS}>:HSP_PORTABLE_LIMBS=1> ${ARGN}
+    PRIVATE HSP_TARGET=baseline)
   if(HSP_WIDE_CODE AND HSP_COMPILES_AVX2 AND NOT "HSP_AVX2=0" IN_LIST ARGN)
     target_compile_definitions(${name} PUBLIC HSP_AVX2=1)
-    set_source_files_properties(${avx2_sources} TARGET_DIRECTORY ${name} PROPERTIES
-      COMPILE_OPTIONS "${HSP_AVX2_OPTIONS}")
+    hsp_add_kernels(${name} avx2 ${HSP_KERNEL_SOURCES} ${HSP_AVX2_SOURCES} OPTIONS ${HSP_AVX2_OPTIONS})
   endif()
   # -ffp-contract=off: the same bits with and without fused multiply-add. The vectorizer of g++ 12 does not obey it: it
   # makes fused instructions of complex products (vfmaddsub, fcmla), hence it is off. A section for each function and

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "branch_predictor.hpp"
-#include "core/processor.hpp"
+#include "lanes/target.hpp"
 #include "pose_workload.hpp"
 #include "query_workload.hpp"
 #include "sizes.hpp"
@@ -130,7 +130,7 @@ int main(int argc, char **argv) {
     return 0;
   }
   if (argc == 2 && std::strcmp(argv[1], "--code") == 0) {
-    std::puts(hsp::has_avx2() ? "wide" : "scalar");
+    std::puts(hsp::best_target() == hsp::Target::avx2 ? "wide" : "scalar");
     return 0;
   }
   try {

@@ -1,12 +1,12 @@
 // How values cross the C interface: statuses, vectors, output arrays, violations.
 #pragma once
 
-#include "core/floating_point.hpp"
 #include "core/id_range.hpp"
 #include "core/status.hpp"
 #include "core/vec3.hpp"
 #include "handle_tag.hpp"
 #include "hardsphere.h"
+#include "lanes/floating_point.hpp"
 
 namespace hsp::capi {
 

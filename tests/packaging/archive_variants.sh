@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The archive keeps its promises about symbols however it is compiled: without optimisation, where inlining hides
-# nothing, and with the assertions that distributions switch on in the standard library. Code for wide registers does
-# not leave its files.
+# nothing, and with the assertions that distributions switch on in the standard library. Kernels of a target share no
+# symbol with others.
 #   archive_variants.sh VARIANT SOURCE-FOLDER WORK-FOLDER C++-COMPILER
 # VARIANT: checked_O0, checked_O2 (with these assertions), limbs32_O0 (with them, and 32-bit limbs)
 set -euo pipefail
@@ -18,5 +18,5 @@ echo "flags: $flags"
     cmake --build "$work/build" --target hardsphere --parallel 2
 } >"$work/log" 2>&1 || { tail -n 40 "$work/log" && exit 1; }
 bash "$here/archive_symbols.sh" "$work/build/libhardsphere.a" "$source"
-bash "$here/wide_symbols.sh" "$work/build/CMakeFiles/hardsphere_objects.dir/lib"
+bash "$here/target_symbols.sh" "$work/build/CMakeFiles/hardsphere_objects.dir"
 rm -rf "$work"

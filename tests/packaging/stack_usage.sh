@@ -12,18 +12,24 @@ rm -rf "$work"
 mkdir -p "$work"
 cd "$work"
 if [ -z "$objects" ]; then
-  # A unit for each room, for the interface and for the code for wide registers, where the compiler makes it.
+  # A unit for each room, for the interface and for the kernels of each further target.
   objects=$work
   (cd "$source" && find lib capi -maxdepth 3 -name '*.cpp' | sort) | while read -r file; do
-    unit=$(basename "$(dirname "$file")")
-    case $file in *_avx2.cpp) unit=avx2 ;; esac
-    echo "#include \"$source/$file\"" >>"$unit.cpp"
+    case $file in
+      *.kernel.cpp) units="$(basename "$(dirname "$file")") avx2" ;;
+      *_avx2.cpp) units=avx2 ;;
+      *) units=$(basename "$(dirname "$file")") ;;
+    esac
+    for unit in $units; do echo "#include \"$source/$file\"" >>"$unit.cpp"; done
   done
   wings=("$source"/lib/*/)
-  wide=()
-  if [ "$("$cxx" -dumpmachine | cut -d- -f1)" = x86_64 ]; then wide=(-DHSP_AVX2=1); fi
+  wide=(-DHSP_AVX2=1)
+  [ "$("$cxx" -dumpmachine | cut -d- -f1)" = x86_64 ] || { wide=() && rm avx2.cpp; }
   for unit in *.cpp; do
-    echo "$unit.o $unit$([ $unit != avx2.cpp ] || [ ${#wide[@]} -eq 0 ] || echo ' -mavx2 -mfma -mpopcnt')"
+    case $unit in
+      avx2.cpp) echo "$unit.o $unit -DHSP_TARGET=avx2 -mavx2 -mfma -mpopcnt" ;;
+      *) echo "$unit.o $unit -DHSP_TARGET=baseline" ;;
+    esac
   done | xargs -P 2 -L 1 "$cxx" "${wide[@]}" -std=c++20 -O2 -I"$source/include" "${wings[@]/#/-I}" -I"$source/capi/shims" \
     -ffp-contract=off -fno-math-errno -fno-exceptions -fno-rtti -fno-threadsafe-statics -fcallgraph-info=su \
     -fstack-usage -c -o

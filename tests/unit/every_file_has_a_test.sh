@@ -18,7 +18,7 @@ while read -r unit why; do
   reason[$unit]=$why
 done <"$list"
 
-units=$(find lib -name '*.hpp' -o -name '*.cpp' | sed -E 's,^lib/[a-z]*/,,; s,\.[ch]pp$,,' | sort -u)
+units=$(find lib -name '*.hpp' -o -name '*.cpp' | sed -E 's,^lib/[a-z]*/,,; s,(\.kernel)?\.[ch]pp$,,' | sort -u)
 for unit in $units; do
   if [ -e "tests/unit/${unit}_test.cpp" ]; then
     [ -z "${reason[$unit]+known}" ] || complain "$list: $unit has a test by now"

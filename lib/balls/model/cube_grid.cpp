@@ -73,7 +73,7 @@ CubeCoordinates CubeGrid::cube_at(const exact::Vector &point, int64_t side) {
 
 void CubeGrid::carve(Workspace &workspace, uint32_t n) {
   capacity_ = n;
-  wide_ = workspace.wide_code();
+  wide_ = workspace.target() == Target::avx2;
   const auto slots = workspace.take<uint32_t>(CubeTable::slots_for(n));
   const auto cubes = workspace.take<CubeCoordinates>(n);
   table_ = CubeTable(slots, cubes);

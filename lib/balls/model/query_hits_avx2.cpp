@@ -2,8 +2,8 @@
 #if HSP_AVX2
 #include "model/query_hits.hpp"
 
-#include "core/avx2_lanes.hpp"
 #include "exact/lattice.hpp"
+#include "lanes/avx2_lanes.hpp"
 
 namespace hsp {
 namespace {

@@ -1,6 +1,6 @@
 // Which balls of two molecules may meet in a pose: all pairs that are not certainly apart, found by floats, eight
-// spheres at a time. Whoever asks decides about these pairs exactly. The same pairs that meet come in the same order
-// whether the code for AVX2 runs or that for every processor. Raw pointers, as core/processor.hpp says.
+// spheres at a time. Whoever asks decides about these pairs exactly. The same pairs that meet come in the same order on
+// every target. Raw pointers, as lanes/target.hpp says.
 //
 // Errors, in units u = 2^-24 of s, the sum of the radii of both root spheres and of the slack of exact places. The
 // walk starts only if the root spheres meet, so that no vector here is longer than 2 s; and no radius is more than
@@ -11,6 +11,8 @@
 #pragma once
 
 #include <cstdint>
+
+#include "lanes/target.hpp"
 
 namespace hsp {
 
@@ -53,8 +55,8 @@ struct PairWalk {
 };
 
 // Goes on until some pairs of balls are found. Returns how many there are, 0 at the end.
-uint32_t find_near_pairs(const SphereLevels &fixed, const SphereLevels &moving, const FloatPose &pose, PairWalk &walk);
-uint32_t find_near_pairs_avx2(const SphereLevels &fixed, const SphereLevels &moving, const FloatPose &pose,
-                              PairWalk &walk);
+HSP_KERNEL(uint32_t, find_near_pairs,
+           (const SphereLevels &fixed, const SphereLevels &moving, const FloatPose &pose, PairWalk &walk),
+           (fixed, moving, pose, walk))
 
 }  // namespace hsp

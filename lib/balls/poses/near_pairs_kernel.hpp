@@ -1,5 +1,4 @@
-// The walk of near_pairs.hpp for eight floats of any kind, which near_pairs.cpp and near_pairs_avx2.cpp give it. Like
-// everything in files for AVX2 it has internal linkage.
+// The walk of near_pairs.hpp for eight floats of any kind. Like everything in kernels it has internal linkage.
 #pragma once
 
 #include <cstring>

@@ -6,10 +6,10 @@
 // snapped balls on every machine.
 #pragma once
 
-#include "core/floating_point.hpp"
 #include "core/status.hpp"
 #include "core/vec3.hpp"
 #include "exact/lattice.hpp"
+#include "lanes/floating_point.hpp"
 
 namespace hsp {
 

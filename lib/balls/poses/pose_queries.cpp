@@ -92,10 +92,7 @@ bool start_walk(const SphereTree &fixed, const SphereTree &moving, const Balls &
 }
 
 uint32_t go_on(const SphereTree &fixed, const SphereTree &moving, const FloatPose &floats, PairWalk &walk) {
-#if HSP_AVX2
-  if (fixed.wide_code()) return find_near_pairs_avx2(fixed.levels(), moving.levels(), floats, walk);
-#endif
-  return find_near_pairs(fixed.levels(), moving.levels(), floats, walk);
+  return find_near_pairs(fixed.target(), fixed.levels(), moving.levels(), floats, walk);
 }
 
 // Calls visit(ball at rest, moving ball, vector between their centres), in an order that depends on the trees and the

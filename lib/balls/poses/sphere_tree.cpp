@@ -48,7 +48,7 @@ void SphereTree::carve(Workspace &workspace, uint32_t balls) {
   nodes_ = FixedVector<TreeNode>(workspace.take<TreeNode>(2 * leaves));
   const SphereLevels shape = shape_of_levels(balls);
   blocks_ = workspace.take<SphereBlock>(shape.first[shape.top] + 1);
-  wide_code_ = workspace.wide_code();
+  target_ = workspace.target();
   x_ = workspace.take<double>(balls);
   y_ = workspace.take<double>(balls);
   z_ = workspace.take<double>(balls);

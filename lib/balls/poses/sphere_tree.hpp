@@ -41,11 +41,11 @@ class SphereTree {
   Vec3 centre(uint32_t i) const { return {x_[i], y_[i], z_[i]}; }
   double radius(uint32_t i) const { return r_[i]; }
   uint32_t caller(uint32_t i) const { return caller_[i]; }
-  // For walks eight at a time, by the code for wide registers where there is some; of a tree that is not empty.
+  // For walks eight at a time; of a tree that is not empty.
   const SphereLevels &levels() const { return levels_; }
-  bool wide_code() const { return wide_code_; }
-  // For tests that do without it.
-  void avoid_wide_code() { wide_code_ = false; }
+  Target target() const { return target_; }
+  // For tests that compare kernels.
+  void use(Target target) { target_ = target; }
   // No centre of a ball or of a node is farther from the origin.
   double reach() const { return reach_; }
   const exact::Lattice &lattice() const { return lattice_; }
@@ -67,7 +67,7 @@ class SphereTree {
   Span<uint8_t> in_second_;
   Span<SphereBlock> blocks_;
   SphereLevels levels_{};
-  bool wide_code_ = false;
+  Target target_ = Target::baseline;
   exact::Lattice lattice_;
   double reach_ = 0;
 };

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "core/floating_point.hpp"
+#include "lanes/floating_point.hpp"
 
 namespace hsp {
 

@@ -2,7 +2,7 @@
 // use differ in the last bit of their transcendental functions, even between processors of one family.
 #pragma once
 
-#include "core/floating_point.hpp"
+#include "lanes/floating_point.hpp"
 
 namespace hsp {
 

@@ -4,13 +4,14 @@
 
 #include <cstdint>
 
+#include "lanes/target.hpp"
+
 namespace hsp {
 
 inline constexpr uint32_t most_counted_keys = 32;
 
-// place[k] of key[k], for up to that many keys. Equal keys get the same place.
-void count_places(const int64_t *key, uint32_t count, uint32_t *place);
-// The same, four at a time, for processors with AVX2. Both arrays have room for most_counted_keys.
-void count_places_wide(const int64_t *key, uint32_t count, uint32_t *place);
+// place[k] of key[k], for up to that many keys. Equal keys get the same place. Both arrays have room for
+// most_counted_keys.
+HSP_KERNEL(void, count_places, (const int64_t *key, uint32_t count, uint32_t *place), (key, count, place))
 
 }  // namespace hsp

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "core/floating_point.hpp"
+#include "lanes/floating_point.hpp"
 
 namespace hsp {
 

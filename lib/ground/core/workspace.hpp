@@ -15,8 +15,8 @@
 #include <new>
 
 #include "core/poison.hpp"
-#include "core/processor.hpp"
 #include "core/span.hpp"
+#include "lanes/target.hpp"
 
 namespace hsp {
 
@@ -29,12 +29,12 @@ class Workspace {
   Workspace(void *memory, size_t bytes) : base_(static_cast<unsigned char *>(memory)), bytes_(bytes) {
     used_ = padding();
     unpoison(memory, bytes);
-    wide_code_ = has_avx2();
+    target_ = best_target();
   }
 
-  // Whether what is carved here may use the code for AVX2. The processor is asked once for a handle and never for a
+  // Which kernels serve what is carved here. The processor is asked once for a handle and never for a
   // size: in a virtual machine that traps to the host and takes tens of microseconds.
-  bool wide_code() const { return wide_code_; }
+  Target target() const { return target_; }
 
   // An array of `count` default-initialised T, or an empty span while measuring.
   template <class T>
@@ -70,7 +70,7 @@ class Workspace {
   size_t bytes_ = 0;
   size_t used_ = 0;
   bool overflow_ = false;
-  bool wide_code_ = false;
+  Target target_ = Target::baseline;
 };
 
 }  // namespace hsp

@@ -11,10 +11,10 @@
 // 2^248, so nothing overflows.
 #pragma once
 
-#include "core/floating_point.hpp"
 #include "core/vec3.hpp"
 #include "exact/circle_crossing.hpp"
 #include "exact/exact_predicates.hpp"
+#include "lanes/floating_point.hpp"
 
 namespace hsp::exact {
 

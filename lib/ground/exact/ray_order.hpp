@@ -7,10 +7,10 @@
 // are above -2^217. Sums of two square roots are compared by squaring twice.
 #pragma once
 
-#include "core/floating_point.hpp"
 #include "core/small_code.hpp"
 #include "exact/lattice_ball.hpp"
 #include "exact/wide_integer.hpp"
+#include "lanes/floating_point.hpp"
 
 namespace hsp::exact {
 

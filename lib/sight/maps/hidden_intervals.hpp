@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/fixed_vector.hpp"
-#include "core/floating_point.hpp"
 #include "core/sorting.hpp"
+#include "lanes/floating_point.hpp"
 #include "maps/scene_map.hpp"
 
 namespace hsp {

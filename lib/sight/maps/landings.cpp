@@ -1,6 +1,6 @@
 #include "maps/landings.hpp"
 
-#include "core/floating_point.hpp"
+#include "lanes/floating_point.hpp"
 
 namespace hsp {
 

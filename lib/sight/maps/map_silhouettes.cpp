@@ -1,6 +1,6 @@
 #include "maps/map_silhouettes.hpp"
 
-#include "core/floating_point.hpp"
+#include "lanes/floating_point.hpp"
 #include "maps/loop_runs.hpp"
 
 namespace hsp {

@@ -10,9 +10,9 @@
 // The contour, t = 0 and t = pi, appears as two lines. As u_z is not negative, half circles bulge towards the foot.
 #pragma once
 
-#include "core/floating_point.hpp"
 #include "core/status.hpp"
 #include "core/vec3.hpp"
+#include "lanes/floating_point.hpp"
 #include "maps/segment.hpp"
 #include "view/projected_arcs.hpp"
 

@@ -3,7 +3,7 @@
 // A stop turns a channel c in [0, 1] into c times a factor plus white. Headlight and soft differ in their tables alone.
 #pragma once
 
-#include "core/floating_point.hpp"
+#include "lanes/floating_point.hpp"
 #include "picture/colour.hpp"
 
 namespace hsp {

@@ -81,7 +81,7 @@ DiscCells DepthBuffer::cells_of(double x, double y, double radius, double square
 }
 
 void DepthBuffer::carve(Workspace &workspace, uint32_t balls) {
-  wide_ = workspace.wide_code();
+  wide_ = workspace.target() == Target::avx2;
   const uint64_t wanted = cells_per_ball * balls + further_cells;
   const uint64_t cells = wanted < most_cells ? wanted : most_cells;
   floor_ = workspace.take<float>(cells);

@@ -5,7 +5,7 @@
 namespace hsp {
 
 void measure_cells(const DiscOnCells &disc, DiscCells &cells) {
-  EdgeDistances<baseline_lanes>(disc).fill(cells);
+  EdgeDistances<register_lanes>(disc).fill(cells);
 }
 
 bool hides_one_by_one(const FloorCells &cells, const DiscCells &disc, double base) {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "core/double_lanes.hpp"
+#include "lanes/double_lanes.hpp"
 
 namespace hsp {
 

@@ -3,9 +3,9 @@
 // integers.
 #pragma once
 
-#include "core/floating_point.hpp"
 #include "core/vec3.hpp"
 #include "exact/wide_integer.hpp"
+#include "lanes/floating_point.hpp"
 
 namespace hsp {
 

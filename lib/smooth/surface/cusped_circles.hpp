@@ -2,8 +2,8 @@
 #pragma once
 
 #include "boundary/boundary.hpp"
-#include "core/floating_point.hpp"
 #include "core/workspace.hpp"
+#include "lanes/floating_point.hpp"
 
 namespace hsp {
 

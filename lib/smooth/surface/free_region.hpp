@@ -8,9 +8,9 @@
 #pragma once
 
 #include "core/fixed_vector.hpp"
-#include "core/floating_point.hpp"
 #include "core/small_code.hpp"
 #include "core/vec3.hpp"
+#include "lanes/floating_point.hpp"
 
 namespace hsp {
 

@@ -48,7 +48,7 @@ ProbeState ProbeCaps::gather(const BallSet &balls, const Boundary &boundary, con
   while (!search.done()) {
     uint32_t count;
 #if HSP_AVX2
-    if (boundary.has_wide_code()) {
+    if (boundary.target() == Target::avx2) {
       count = find_near_probes_avx2(search, found);
     } else
 #endif

@@ -121,14 +121,7 @@ void measure_triangles(const BallSet &balls, const Boundary &boundary, const Pro
     triangles.offset[1][lane] = offset.y;
     triangles.offset[2][lane] = offset.z;
   }
-#if HSP_AVX2
-  if (boundary.has_wide_code()) {
-    measure_triangles_avx2(arrays_of(balls), triangles);
-  } else
-#endif
-  {
-    measure_triangles(arrays_of(balls), triangles);
-  }
+  measure_triangles(boundary.target(), arrays_of(balls), triangles);
   for (uint32_t lane = 0; lane < ProbeTriangles::lanes; ++lane) {
     if ((places.order[vertices[lane]] & ProbePlaces::touching_bit) != 0) triangles.steradians[lane] = lune_of_touching;
   }
@@ -242,14 +235,7 @@ void ProbeGrid::place_all(const BallSet &balls, const Boundary &boundary) {
     FourVertices four;
     for (uint32_t lane = 0; lane < ProbeTriangles::lanes; ++lane) four[lane] = first + lane < n ? first + lane : n - 1;
     gather_triangles(boundary, place_, four, triangles);
-#if HSP_AVX2
-    if (boundary.has_wide_code()) {
-      place_probes_avx2(arrays_of(balls), triangles);
-    } else
-#endif
-    {
-      place_probes(arrays_of(balls), triangles);
-    }
+    place_probes(boundary.target(), arrays_of(balls), triangles);
     for (uint32_t lane = 0; lane < ProbeTriangles::lanes && first + lane < n; ++lane) {
       const uint32_t v = first + lane;
       const double x = triangles.offset[0][lane];

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "lanes/target.hpp"
 #include "sphere/near_balls.hpp"
 
 namespace hsp {
@@ -33,12 +34,7 @@ struct ProbeTriangles {
 };
 
 // Lanes that are not needed must repeat another one.
-void place_probes(const BallArrays &balls, ProbeTriangles &triangles);
-void measure_triangles(const BallArrays &balls, ProbeTriangles &triangles);
-
-#if HSP_AVX2
-void place_probes_avx2(const BallArrays &balls, ProbeTriangles &triangles);
-void measure_triangles_avx2(const BallArrays &balls, ProbeTriangles &triangles);
-#endif
+HSP_KERNEL(void, place_probes, (const BallArrays &balls, ProbeTriangles &triangles), (balls, triangles))
+HSP_KERNEL(void, measure_triangles, (const BallArrays &balls, ProbeTriangles &triangles), (balls, triangles))
 
 }  // namespace hsp

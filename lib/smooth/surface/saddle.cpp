@@ -18,13 +18,7 @@ SaddlePatches::SaddlePatches(const BallSet &balls, const Boundary &boundary, uin
 
 // Small circles from exact integers.
 void SaddlePatches::find_circle_radii(const ArcBatch &batch) {
-#if HSP_AVX2
-  const bool served = boundary_.has_wide_code() ? find_circle_radii_avx2(batch, rolled_.radius, circle_radius_)
-                                                : hsp::find_circle_radii(batch, rolled_.radius, circle_radius_);
-#else
-  const bool served = hsp::find_circle_radii(batch, rolled_.radius, circle_radius_);
-#endif
-  if (served) return;
+  if (hsp::find_circle_radii(boundary_.target(), batch, rolled_.radius, circle_radius_)) return;
   const exact::LatticeBall own = balls_.ball(ball_);
   for (uint32_t s = 0; s < batch.count + sum_lanes - 1; ++s) {
     if (s < batch.count && circle_radius_[s] == circle_radius_[s]) continue;
@@ -35,18 +29,12 @@ void SaddlePatches::find_circle_radii(const ArcBatch &batch) {
 
 SaddleMeasures SaddlePatches::measure(const ArcBatch &batch) {
   find_circle_radii(batch);
-#if HSP_AVX2
-  if (boundary_.has_wide_code()) return measure_saddles_avx2(batch, circle_radius_, rolled_);
-#endif
-  return measure_saddles(batch, circle_radius_, rolled_);
+  return measure_saddles(boundary_.target(), batch, circle_radius_, rolled_);
 }
 
 SaddleDerivatives SaddlePatches::differentiate(const ArcBatch &batch) {
   find_circle_radii(batch);
-#if HSP_AVX2
-  if (boundary_.has_wide_code()) return differentiate_saddles_avx2(batch, circle_radius_, rolled_);
-#endif
-  return differentiate_saddles(batch, circle_radius_, rolled_);
+  return differentiate_saddles(boundary_.target(), batch, circle_radius_, rolled_);
 }
 
 }  // namespace hsp

@@ -1,5 +1,5 @@
-// The kernels of saddle_sums.hpp for registers of n doubles. saddle_kernel.cpp and saddle_kernel_avx2.cpp compile them;
-// like everything in files for AVX2 they have internal linkage.
+// The kernels of saddle_sums.hpp for registers of n doubles. Like everything in kernels they have internal
+// linkage.
 //
 // Saddle patches are what the probe's lower side sweeps while it rolls along an arc, touching two balls. On the circle
 // of balls i and j, with u from c_i to c_j, e the radial unit vector and rho the circle's radius, a patch is
@@ -9,7 +9,7 @@
 // cos a = rho/p. Where rho and p are equal up to rounding both answers are right: the piece between is empty.
 #pragma once
 
-#include "core/elementary_simd.hpp"
+#include "lanes/elementary_simd.hpp"
 #include "surface/saddle_sums.hpp"
 
 namespace hsp {

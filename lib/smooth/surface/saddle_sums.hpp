@@ -31,18 +31,13 @@ struct SaddleDerivatives {
 
 // The radius of the circle in every slot, and in those behind the last that kernels read along; not a number where
 // doubles do not serve. False if there is such a one.
-bool find_circle_radii(const ArcBatch &batch, double radius, double (&circle_radius)[ArcBatch::room]);
-SaddleMeasures measure_saddles(const ArcBatch &batch, const double (&circle_radius)[ArcBatch::room],
-                               const RolledBall &ball);
-SaddleDerivatives differentiate_saddles(const ArcBatch &batch, const double (&circle_radius)[ArcBatch::room],
-                                        const RolledBall &ball);
-
-#if HSP_AVX2
-bool find_circle_radii_avx2(const ArcBatch &batch, double radius, double (&circle_radius)[ArcBatch::room]);
-SaddleMeasures measure_saddles_avx2(const ArcBatch &batch, const double (&circle_radius)[ArcBatch::room],
-                                    const RolledBall &ball);
-SaddleDerivatives differentiate_saddles_avx2(const ArcBatch &batch, const double (&circle_radius)[ArcBatch::room],
-                                             const RolledBall &ball);
-#endif
+HSP_KERNEL(bool, find_circle_radii, (const ArcBatch &batch, double radius, double (&circle_radius)[ArcBatch::room]),
+           (batch, radius, circle_radius))
+HSP_KERNEL(SaddleMeasures, measure_saddles,
+           (const ArcBatch &batch, const double (&circle_radius)[ArcBatch::room], const RolledBall &ball),
+           (batch, circle_radius, ball))
+HSP_KERNEL(SaddleDerivatives, differentiate_saddles,
+           (const ArcBatch &batch, const double (&circle_radius)[ArcBatch::room], const RolledBall &ball),
+           (batch, circle_radius, ball))
 
 }  // namespace hsp

@@ -1,9 +1,9 @@
-// The kernels of probe_triangles.hpp for registers of n doubles. triangle_kernel.cpp and triangle_kernel_avx2.cpp
-// compile them; like everything in files for AVX2 they have internal linkage.
+// The kernels of probe_triangles.hpp for registers of n doubles. Like everything in kernels they have
+// internal linkage.
 #pragma once
 
-#include "core/elementary_simd.hpp"
 #include "exact/circle_crossing.hpp"
+#include "lanes/elementary_simd.hpp"
 #include "surface/probe_triangles.hpp"
 
 namespace hsp {

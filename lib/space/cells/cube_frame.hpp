@@ -11,7 +11,7 @@
 #pragma once
 
 #include "core/decimal.hpp"
-#include "core/floating_point.hpp"
+#include "lanes/floating_point.hpp"
 #include "model/ball_set.hpp"
 #include "model/cube_table.hpp"
 

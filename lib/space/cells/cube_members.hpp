@@ -1,11 +1,12 @@
 // The balls that meet one cube, as numbers side by side, for the questions about each of them and all others. For
-// registers of n doubles: power_cell.cpp and wide_cells_avx2.cpp compile it, and both find the same bits.
+// registers of n doubles, which all find the same bits: power_cell.kernel.cpp compiles it.
 #pragma once
 
 #include <limits>
 
-#include "core/double_lanes.hpp"
 #include "core/vec3.hpp"
+#include "lanes/double_lanes.hpp"
+#include "lanes/target.hpp"
 
 namespace hsp {
 
@@ -32,12 +33,14 @@ struct PlaneOrder {
   uint32_t plane[most_ordered], next, count;
 };
 
-#if HSP_AVX2
-void find_planes_avx2(const MemberArrays &members, uint32_t own, double limit, const PlaneArrays &planes);
-bool is_before_all_avx2(const MemberArrays &members, uint32_t own, const Vec3 &point, double doubt,
-                        const double *distance);
-uint64_t find_dominance_avx2(const MemberArrays &members, uint32_t a, uint32_t first, double side, double doubt);
-#endif
+HSP_KERNEL(void, find_planes, (const MemberArrays &members, uint32_t own, double limit, const PlaneArrays &planes),
+           (members, own, limit, planes))
+HSP_KERNEL(bool, is_before_all,
+           (const MemberArrays &members, uint32_t own, const Vec3 &point, double doubt, const double *distance),
+           (members, own, point, doubt, distance))
+HSP_KERNEL(uint64_t, find_dominance,
+           (const MemberArrays &members, uint32_t a, uint32_t first, double side, double doubt),
+           (members, a, first, side, doubt))
 
 namespace {
 
@@ -68,7 +71,7 @@ inline void order_planes(const double *distance, uint32_t count, PlaneOrder &ord
 // The planes between a ball and all others, as CubeFrame::between() has them. The distance is infinite, and nothing
 // else means anything, if its square is larger than a limit, or if the ball is out of the game or the same.
 template <uint32_t n>
-inline void find_planes(const MemberArrays &members, uint32_t own, double limit, const PlaneArrays &planes) {
+inline void find_planes_in_lanes(const MemberArrays &members, uint32_t own, double limit, const PlaneArrays &planes) {
   using L = DoubleLanes<n>;
   using Real = typename L::Real;
   const Real x = L::all(members.x[own]), y = L::all(members.y[own]), z = L::all(members.z[own]);
@@ -98,8 +101,8 @@ inline void find_planes(const MemberArrays &members, uint32_t own, double limit,
 // Whether a point, twice as far from the centre of the cube, has less power to a ball than to all others whose planes
 // are not done with, by more than a doubt. The value of a plane is as in PowerCell::drop_dominated().
 template <uint32_t n>
-inline bool is_before_all(const MemberArrays &members, uint32_t own, const Vec3 &point, double doubt,
-                          const double *distance) {
+inline bool is_before_all_in_lanes(const MemberArrays &members, uint32_t own, const Vec3 &point, double doubt,
+                                   const double *distance) {
   using L = DoubleLanes<n>;
   using Real = typename L::Real;
   const Real x = L::all(members.x[own]), y = L::all(members.y[own]), z = L::all(members.z[own]);
@@ -118,7 +121,8 @@ inline bool is_before_all(const MemberArrays &members, uint32_t own, const Vec3 
 // Of up to 64 balls from number `first` on a bit for each: whether one of it and ball a may have less power than the
 // other all over the cube of this side, or both have one centre.
 template <uint32_t n>
-inline uint64_t find_dominance(const MemberArrays &members, uint32_t a, uint32_t first, double side, double doubt) {
+inline uint64_t find_dominance_in_lanes(const MemberArrays &members, uint32_t a, uint32_t first, double side,
+                                        double doubt) {
   using L = DoubleLanes<n>;
   using Real = typename L::Real;
   const Real x = L::all(members.x[a]), y = L::all(members.y[a]), z = L::all(members.z[a]);

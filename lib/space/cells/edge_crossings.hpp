@@ -1,10 +1,11 @@
-// Where a plane crosses edges of a polytope, as far as doubles tell. For registers of n doubles: power_polytope.cpp and
-// wide_cells_avx2.cpp compile it, and both find the same bits.
+// Where a plane crosses edges of a polytope, as far as doubles tell. For registers of n doubles, which all find the
+// same bits: power_cell.kernel.cpp compiles it.
 #pragma once
 
 #include "cells/cube_frame.hpp"
 #include "cells/vertex_sides.hpp"
-#include "core/double_lanes.hpp"
+#include "lanes/double_lanes.hpp"
+#include "lanes/target.hpp"
 
 namespace hsp {
 
@@ -25,10 +26,10 @@ inline CrossingBounds crossing_bounds(const CubeFrame &frame, const Vec3 &centre
           frame.plane_doubt()};
 }
 
-#if HSP_AVX2
-void cross_edges_avx2(const VertexArrays &of, const CrossedEdge *edges, const uint32_t *to, uint32_t count,
-                      const CrossingBounds &bounds);
-#endif
+HSP_KERNEL(void, cross_edges,
+           (const VertexArrays &of, const CrossedEdge *edges, const uint32_t *to, uint32_t count,
+            const CrossingBounds &bounds),
+           (of, edges, to, count, bounds))
 
 namespace {
 
@@ -41,8 +42,8 @@ namespace {
 //
 // Edge k makes vertex to[k]; no edge that follows has one of these as its end.
 template <uint32_t n>
-inline void cross_edges(const VertexArrays &of, const CrossedEdge *edges, const uint32_t *to, uint32_t count,
-                        const CrossingBounds &bounds) {
+inline void cross_edges_in_lanes(const VertexArrays &of, const CrossedEdge *edges, const uint32_t *to, uint32_t count,
+                                 const CrossingBounds &bounds) {
   using L = DoubleLanes<n>;
   using Real = typename L::Real;
   const Real least_rise = L::all(bounds.least_rise), most_doubt = L::all(bounds.most_doubt), one = L::all(1.0);

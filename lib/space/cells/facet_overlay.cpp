@@ -45,7 +45,7 @@ void FacetOverlay::carve(Workspace &workspace, uint32_t balls) {
   near_ = workspace.take<uint32_t>(static_cast<uint64_t>(balls) + 1);
   parts_ = FixedVector<Part>(workspace.take<Part>(parts_per_plane * planes));
   names_ = FixedVector<Name>(workspace.take<Name>(names_per_plane * planes));
-  wide_code_ = workspace.wide_code();
+  target_ = workspace.target();
 }
 
 // A corner lies on a line of the facet above, at its corner if it lies on two of them.
@@ -68,10 +68,7 @@ FacetSides FacetOverlay::compare(const Polygon &corners, const Polygon &lines) c
   const double margin = of.doubt + 0x1p-21 * frame_.side();
   const double *const u = corners.facets->u(of), *const w = corners.facets->w(of);
   const FlatLine *const edges = lines.facets->lines(around);
-#if HSP_AVX2
-  if (wide_code_) return compare_facets_avx2(u, w, of.corners, edges, around.corners, margin);
-#endif
-  return compare_facets<baseline_lanes>(u, w, of.corners, edges, around.corners, margin);
+  return compare_facets(target_, u, w, of.corners, edges, around.corners, margin);
 }
 
 // Whether one of the facets is certainly beyond an edge of the other, or both certainly have a piece in common: a

@@ -126,7 +126,7 @@ class FacetOverlay {
   Span<int8_t> sides_;
   Span<Listed> below_, above_;
   Span<uint32_t> near_;  // of those below, the ones that one above may have a piece with
-  [[maybe_unused]] bool wide_code_ = false;
+  Target target_ = Target::baseline;
   uint32_t size_ = 0;
   FixedVector<Part> parts_;
   FixedVector<Name> names_;

@@ -28,7 +28,7 @@ void PowerCell::carve(Workspace &workspace, uint32_t balls) {
   edges_ = workspace.take<EdgeEnds>(vertices + vertices / 2 + edges_behind);
   free_edges_ = workspace.take<uint8_t>(vertices);
   outside_ = workspace.take<uint64_t>(vertices / 64 + 1);
-  wide_code_ = workspace.wide_code();
+  target_ = workspace.target();
 }
 
 void PowerCell::enter(const BallSet &balls, const CubeFrame &frame, Span<const uint32_t> members) {
@@ -55,10 +55,7 @@ void PowerCell::enter(const BallSet &balls, const CubeFrame &frame, Span<const u
 
 // As find_dominance() has it.
 uint64_t PowerCell::dominance(uint32_t a, uint32_t first, double doubt) const {
-#if HSP_AVX2
-  if (wide_code_) return find_dominance_avx2(numbers(), a, first, frame_.side(), doubt);
-#endif
-  return find_dominance<baseline_lanes>(numbers(), a, first, frame_.side(), doubt);
+  return hsp::find_dominance(target_, numbers(), a, first, frame_.side(), doubt);
 }
 
 // The power to ball j less that to ball i is, but for a factor, g_j - g_i - (c_j - c_i).y with g = |c|^2 - r^2 and
@@ -87,18 +84,12 @@ void PowerCell::find_member_planes() {
   const double side = frame_.side();
   const Vec3 corner{side + std::fabs(centre_.x), side + std::fabs(centre_.y), side + std::fabs(centre_.z)};
   const double reach = std::sqrt(dot(corner, corner)) + 2 * frame_.plane_doubt();
-#if HSP_AVX2
-  if (wide_code_) return find_planes_avx2(numbers(), member_, reach * reach, of_planes_);
-#endif
-  find_planes<baseline_lanes>(numbers(), member_, reach * reach, of_planes_);
+  find_planes(target_, numbers(), member_, reach * reach, of_planes_);
 }
 
 // As find_cut() has it.
 uint32_t PowerCell::find_next_cut(const CutMargins &margins) {
-#if HSP_AVX2
-  if (wide_code_) return find_cut_avx2(polytope_.to_cut(), of_planes_, members_.size(), margins);
-#endif
-  return find_cut<baseline_lanes>(polytope_.to_cut(), of_planes_, members_.size(), margins);
+  return find_cut(target_, polytope_.to_cut(), of_planes_, members_.size(), margins);
 }
 
 // Whether the middle of the polytope is certainly on the near side of the planes that may still cut it. The distance of
@@ -106,10 +97,7 @@ uint32_t PowerCell::find_next_cut(const CutMargins &margins) {
 bool PowerCell::has_certain_point() const {
   const double side = frame_.side();
   const double doubt = (8 * polytope_.most_doubt() + 512 * unit_roundoff * side) * side;
-#if HSP_AVX2
-  if (wide_code_) return is_before_all_avx2(numbers(), member_, polytope_.middle(), doubt, of_planes_.distance);
-#endif
-  return is_before_all<baseline_lanes>(numbers(), member_, polytope_.middle(), doubt, of_planes_.distance);
+  return is_before_all(target_, numbers(), member_, polytope_.middle(), doubt, of_planes_.distance);
 }
 
 // The planes that cut most come first, and none follows that is farther than all that is left.
@@ -175,10 +163,7 @@ bool PowerCell::edge_is_free(uint32_t v, uint32_t k) const {
 
 SquareSides PowerCell::compare_with_ball(uint32_t first, double limit, double margin) const {
   const uint32_t left = polytope_.size() - first, count = left < 64 ? left : 64;
-#if HSP_AVX2
-  if (wide_code_) return compare_squares_avx2(polytope_.arrays().squared + first, count, limit, margin);
-#endif
-  return compare_squares<baseline_lanes>(polytope_.arrays().squared + first, count, limit, margin);
+  return compare_squares(target_, polytope_.arrays().squared + first, count, limit, margin);
 }
 
 // Which vertices are outside the ball. Returns how many.
@@ -235,10 +220,7 @@ uint32_t PowerCell::list_edges() {
 
 // As compare_edges() has it.
 EdgeSides PowerCell::compare_with_ball(const EdgeEnds *edges, uint32_t count, double limit, double doubt) const {
-#if HSP_AVX2
-  if (wide_code_) return compare_edges_avx2(polytope_.arrays(), edges, count, limit, doubt);
-#endif
-  return compare_edges<baseline_lanes>(polytope_.arrays(), edges, count, limit, doubt);
+  return compare_edges(target_, polytope_.arrays(), edges, count, limit, doubt);
 }
 
 // Calls visit(edge) for each edge that is outside the ball as a whole, and notes these.

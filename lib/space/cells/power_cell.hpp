@@ -102,7 +102,7 @@ class PowerCell {
   Span<uint8_t> free_edges_;                           // [vertices] a bit for each
   Span<uint64_t> outside_;                             // [vertices / 64] a bit for each
   uint32_t parts_ = 0, cutter_count_ = 0;
-  [[maybe_unused]] bool wide_code_ = false;
+  Target target_ = Target::baseline;
 };
 
 }  // namespace hsp

@@ -37,7 +37,7 @@ void PowerPolytope::carve(Workspace &workspace, uint32_t balls) {
   made_ = workspace.take<uint32_t>(most + crossings_behind);
   ends_ = workspace.take<uint32_t>(most_planes(balls));
   count_ = 0;
-  wide_code_ = workspace.wide_code();
+  target_ = workspace.target();
 }
 
 void PowerPolytope::start(const CubeFrame &frame, const Vec3 &centre) {
@@ -156,10 +156,7 @@ void PowerPolytope::cut(uint32_t plane, const UnitPlane *planes, const CubeFrame
 
 // As cross_edges() has it.
 void PowerPolytope::cross(uint32_t count) const {
-#if HSP_AVX2
-  if (wide_code_) return cross_edges_avx2(to_cut_.at, crossings_.data(), made_.data(), count, bounds_);
-#endif
-  cross_edges<baseline_lanes>(to_cut_.at, crossings_.data(), made_.data(), count, bounds_);
+  cross_edges(target_, to_cut_.at, crossings_.data(), made_.data(), count, bounds_);
 }
 
 // New vertices in too much doubt are where their three planes meet.

@@ -91,7 +91,7 @@ class PowerPolytope {
   uint32_t count_ = 0, hole_count_ = 0;
   CrossingBounds bounds_{};
   double most_doubt_ = 0.0;  // of all vertices that there have been
-  [[maybe_unused]] bool wide_code_ = false;
+  Target target_ = Target::baseline;
 };
 
 template <class ExactSide>

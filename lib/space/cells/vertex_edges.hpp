@@ -1,9 +1,10 @@
-// Which edges of a polytope are outside a sphere, as far as doubles tell. For registers of n doubles: power_cell.cpp
-// and wide_cells_avx2.cpp compile it, and both find the same bits.
+// Which edges of a polytope are outside a sphere, as far as doubles tell. For registers of n doubles,
+// which all find the same bits: power_cell.kernel.cpp compiles it.
 #pragma once
 
 #include "cells/vertex_sides.hpp"
-#include "core/double_lanes.hpp"
+#include "lanes/double_lanes.hpp"
+#include "lanes/target.hpp"
 
 namespace hsp {
 
@@ -19,9 +20,9 @@ struct EdgeSides {
 // How many records are read behind the last one; they must name vertices.
 inline constexpr uint32_t edges_behind = 3;
 
-#if HSP_AVX2
-EdgeSides compare_edges_avx2(const VertexArrays &of, const EdgeEnds *edges, uint32_t count, double limit, double doubt);
-#endif
+HSP_KERNEL(EdgeSides, compare_edges,
+           (const VertexArrays &of, const EdgeEnds *edges, uint32_t count, double limit, double doubt),
+           (of, edges, count, limit, doubt))
 
 namespace {
 
@@ -38,8 +39,8 @@ inline VectorOf<typename DoubleLanes<n>::Real> positions(const VertexArrays &of,
 // 135 u s^2 for their roundings, t by less than 230 u s^2, and L times the excess, as t <= L, by less than 800 u s^2 L,
 // besides the doubt of positions: CubeFrame::sphere_doubt() has 1024.
 template <uint32_t n>
-inline EdgeSides compare_edges(const VertexArrays &of, const EdgeEnds *edges, uint32_t count, double limit,
-                               double doubt) {
+inline EdgeSides compare_edges_in_lanes(const VertexArrays &of, const EdgeEnds *edges, uint32_t count, double limit,
+                                        double doubt) {
   using L = DoubleLanes<n>;
   using Real = typename L::Real;
   const Real bound = L::all(limit), most = L::all(doubt), zero = L::all(0.0), half = L::all(0.5), two = L::all(2.0);

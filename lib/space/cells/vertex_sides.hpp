@@ -1,11 +1,12 @@
 // Which plane is the next one that cuts a power cell, and on which side of it, or of the lines around a facet, up to 64
-// points lie, as far as doubles tell. For registers of n doubles: power_cell.cpp, facet_overlay.cpp and
-// wide_cells_avx2.cpp compile it, and all find the same bits.
+// points lie, as far as doubles tell. For registers of n doubles, which all find the same bits:
+// power_cell.kernel.cpp compiles it.
 #pragma once
 
 #include "cells/cube_members.hpp"
-#include "core/double_lanes.hpp"
 #include "core/status.hpp"
+#include "lanes/double_lanes.hpp"
+#include "lanes/target.hpp"
 
 namespace hsp {
 
@@ -46,13 +47,15 @@ struct SquareSides {
   uint64_t above, unsure;
 };
 
-#if HSP_AVX2
-uint32_t find_cut_avx2(const CutVertices &vertices, const PlaneArrays &planes, uint32_t plane_count,
-                       const CutMargins &margins);
-SquareSides compare_squares_avx2(const double *squared, uint32_t count, double limit, double margin);
-FacetSides compare_facets_avx2(const double *u, const double *w, uint32_t count, const FlatLine *lines,
-                               uint32_t line_count, double margin);
-#endif
+HSP_KERNEL(uint32_t, find_cut,
+           (const CutVertices &vertices, const PlaneArrays &planes, uint32_t plane_count, const CutMargins &margins),
+           (vertices, planes, plane_count, margins))
+HSP_KERNEL(SquareSides, compare_squares, (const double *squared, uint32_t count, double limit, double margin),
+           (squared, count, limit, margin))
+HSP_KERNEL(FacetSides, compare_facets,
+           (const double *u, const double *w, uint32_t count, const FlatLine *lines, uint32_t line_count,
+            double margin),
+           (u, w, count, lines, line_count, margin))
 
 namespace {
 
@@ -79,8 +82,8 @@ inline uint32_t nearest_plane(const double *distances, uint32_t plane_count) {
 // planes and this one are done with then. none_cuts if there is no such plane. is_covered, before any is done with, if
 // there are planes but no vertex is as far as is asked.
 template <uint32_t n>
-inline uint32_t find_cut(const CutVertices &vertices, const PlaneArrays &planes, uint32_t plane_count,
-                         const CutMargins &margins) {
+inline uint32_t find_cut_in_lanes(const CutVertices &vertices, const PlaneArrays &planes, uint32_t plane_count,
+                                  const CutMargins &margins) {
   using L = DoubleLanes<n>;
   using Real = typename L::Real;
   const VertexArrays of = vertices.at;
@@ -132,7 +135,7 @@ inline uint32_t find_cut(const CutVertices &vertices, const PlaneArrays &planes,
 }
 
 template <uint32_t n>
-inline SquareSides compare_squares(const double *squared, uint32_t count, double limit, double margin) {
+inline SquareSides compare_squares_in_lanes(const double *squared, uint32_t count, double limit, double margin) {
   using L = DoubleLanes<n>;
   using Real = typename L::Real;
   const Real bound = L::all(limit), most = L::all(margin), least = L::all(-margin);
@@ -147,8 +150,8 @@ inline SquareSides compare_squares(const double *squared, uint32_t count, double
 }
 
 template <uint32_t n>
-inline FacetSides compare_facets(const double *u, const double *w, uint32_t count, const FlatLine *lines,
-                                 uint32_t line_count, double margin) {
+inline FacetSides compare_facets_in_lanes(const double *u, const double *w, uint32_t count, const FlatLine *lines,
+                                          uint32_t line_count, double margin) {
   using L = DoubleLanes<n>;
   using Real = typename L::Real;
   const uint64_t all = ~UINT64_C(0) >> (64 - count);

@@ -1,8 +1,8 @@
 // Differences and distances of lattice points.
 #pragma once
 
-#include "core/floating_point.hpp"
 #include "exact/plane.hpp"
+#include "lanes/floating_point.hpp"
 
 namespace hsp {
 

@@ -115,7 +115,7 @@ struct BoundaryArrays {
   Span<uint32_t> component_origin;  // [balls] the ball of lowest rank of the component
   Span<uint32_t> component;         // [balls] number of the component
 
-  bool wide_code = false;  // this processor runs code for AVX2
+  Target target = Target::baseline;  // of the kernels for it
 
   void carve(Workspace &workspace, const BoundaryLimits &limits);
 };
@@ -201,7 +201,7 @@ class Boundary {
   }
 
   // Whether readers may run code for AVX2.
-  bool has_wide_code() const { return a_.wide_code; }
+  Target target() const { return a_.target; }
 
   // Components of the union, numbered in the order of their first ball in the input.
   uint32_t component(uint32_t ball) const { return a_.component[ball]; }

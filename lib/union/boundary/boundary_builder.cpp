@@ -13,7 +13,7 @@ static_assert(numbering + 1 == BoundaryBuilder::stages);
 }  // namespace
 
 void BoundaryArrays::carve(Workspace &workspace, const BoundaryLimits &limits) {
-  wide_code = workspace.wide_code();
+  target = workspace.target();
   const uint64_t n = limits.balls;
   const uint64_t v = limits.vertices;
   const uint64_t loops = limits.most_loops();

@@ -40,7 +40,7 @@ class BoundaryBuilder {
   LaneSearch &lanes() { return workers_[0].lanes; }
 #if HSP_AVX2
   void use_wide_code(bool use) {
-    arrays().wide_code = use;
+    arrays().target = use ? Target::avx2 : Target::baseline;
     for (BoundaryWorker &worker : workers_) worker.caps.wide = worker.lanes.enabled = use;
   }
 #endif

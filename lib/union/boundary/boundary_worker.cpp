@@ -134,7 +134,7 @@ void BoundaryWorker::find_root_discriminants(const BallSet &balls, uint32_t firs
                                       exact::plane_of(origin, balls.ball(vertex.ball[2]))));
   };
 #if HSP_AVX2
-  if (a.wide_code && first < last) {
+  if (a.target == Target::avx2 && first < last) {
     static_assert(sizeof(VertexRecord) == 4 * sizeof(uint32_t));
     uint32_t done = 0;
     const bool certain =

@@ -114,13 +114,7 @@ class BallLinker {
   }
 
   void count_places_of(const int64_t *key, uint32_t count, uint32_t *place) const {
-#if HSP_AVX2
-    if (a_.wide_code) {
-      count_places_wide(key, count, place);
-      return;
-    }
-#endif
-    count_places(key, count, place);
+    count_places(a_.target, key, count, place);
   }
 
   // One half-edge after the other. Where loops end cannot be predicted, so no branch depends on it.

@@ -9,6 +9,8 @@
 
 #include <cstdint>
 
+#include "lanes/target.hpp"
+
 namespace hsp {
 
 struct CapColumns {
@@ -31,9 +33,7 @@ struct NearestCut {
 };
 
 // Among caps [first, last).
-NearestCut nearest_cut(const CapColumns &caps, uint32_t first, uint32_t last, const ChordRay &ray);
-#if HSP_AVX2
-NearestCut nearest_cut_avx2(const CapColumns &caps, uint32_t first, uint32_t last, const ChordRay &ray);
-#endif
+HSP_KERNEL(NearestCut, nearest_cut, (const CapColumns &caps, uint32_t first, uint32_t last, const ChordRay &ray),
+           (caps, first, last, ray))
 
 }  // namespace hsp

@@ -1,9 +1,9 @@
-// The kernel of chord_cuts.hpp for registers of n doubles. chord_kernel.cpp and chord_kernel_avx2.cpp compile it; like
-// everything in files for AVX2 it has internal linkage.
+// The kernel of chord_cuts.hpp for registers of n doubles. Like everything in kernels it has internal
+// linkage.
 #pragma once
 
 #include "contacts/chord_cuts.hpp"
-#include "core/double_lanes.hpp"
+#include "lanes/double_lanes.hpp"
 
 namespace hsp {
 namespace {

@@ -83,7 +83,7 @@ uint32_t ChordWalk::walk(const Boundary &boundary, Caps &caps, Chords &&chords) 
   if (chords.next_open(open)) {
     pad(caps);
     do {
-      add_power_vertex(caps, open, cut_of(caps, open, boundary.has_wide_code()), chords);
+      add_power_vertex(caps, open, cut_of(caps, open, boundary.target()), chords);
     } while (chords.next_open(open));
   }
   return chords.link();
@@ -138,7 +138,7 @@ void ChordWalk::start_from_any(const Caps &caps, Chords &chords) {
 }
 
 // Of a chord that survives and does not end in a vertex of the boundary at this side.
-uint32_t ChordWalk::cut_of(const Caps &caps, const ChordEnd &end, [[maybe_unused]] bool wide) const {
+uint32_t ChordWalk::cut_of(const Caps &caps, const ChordEnd &end, Target target) const {
   const auto [j, k, side] = end;
   const CapPair pair(caps, j, k);
   if (pair.certainly_cross()) {
@@ -147,12 +147,7 @@ uint32_t ChordWalk::cut_of(const Caps &caps, const ChordEnd &end, [[maybe_unused
     const ChordRay ray{{chord.m.x, chord.m.y, chord.m.z},
                        {direction * chord.w.x, direction * chord.w.y, direction * chord.w.z}};
     const CapColumns columns{caps.ux.data(), caps.uy.data(), caps.uz.data(), caps.b.data()};
-#if HSP_AVX2
-    const NearestCut cut = wide ? nearest_cut_avx2(columns, caps.first_later, caps.count, ray)
-                                : nearest_cut(columns, caps.first_later, caps.count, ray);
-#else
-    const NearestCut cut = nearest_cut(columns, caps.first_later, caps.count, ray);
-#endif
+    const NearestCut cut = nearest_cut(target, columns, caps.first_later, caps.count, ray);
     const double gap = 8 * chord.error / ChordRay::least_slope;
     if (chord.error <= ChordRay::most_error && cut.unclear == 2 && cut.s < 2.0 && cut.second - cut.s > gap) {
       return cut.cap;

@@ -109,7 +109,7 @@ void ContactsBuilder::gather_caps(const BallSet &balls, const Boundary &boundary
 bool ContactsBuilder::start_cube(const CubeGrid &grid, const Boundary &boundary, uint32_t cube,
                                  const CubeBlock &block) {
   const uint32_t first = grid.balls_in(cube).first;
-  return boundary.has_wide_code() && candidates_.start_cube(grid, cube, first, part_from(block, first));
+  return boundary.target() == Target::avx2 && candidates_.start_cube(grid, cube, first, part_from(block, first));
 }
 
 void ContactsBuilder::start_ball(const BallSet &balls, const Boundary &boundary, const CubeBlock &block, uint32_t i,
@@ -212,7 +212,7 @@ void ContactsBuilder::measure_chords(const BallSet &balls, const Boundary &bound
   complete_chords(balls, boundary);
   chords_.count = 0;
 #if HSP_AVX2
-  if (boundary.has_wide_code()) {
+  if (boundary.target() == Target::avx2) {
     const BallArrays arrays = arrays_of(balls);
     uint32_t padded = count;
     for (; padded % 4 != 0; ++padded) chords_.repeat(count - 1, padded);
@@ -288,7 +288,7 @@ void ContactsBuilder::measure_contacts(const BallSet &balls, [[maybe_unused]] co
     }
     bool certain = false;
 #if HSP_AVX2
-    certain = boundary.has_wide_code() && measure_contacts_in_lanes(arrays_of(balls), measures);
+    certain = boundary.target() == Target::avx2 && measure_contacts_in_lanes(arrays_of(balls), measures);
 #endif
     for (uint32_t s = 0; s < count; ++s) {
       ContactRecord &contact = a.contacts[first + s];

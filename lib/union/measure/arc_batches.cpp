@@ -31,11 +31,7 @@ void ArcBatches::evaluate() {
 }
 
 bool ArcBatches::evaluate_in_doubles() {
-  const BallOfSet ball = ball_of_set(balls_, ball_);
-#if HSP_AVX2
-  if (boundary_.has_wide_code()) return evaluate_arcs_avx2(ball, batch_);
-#endif
-  return evaluate_arcs(ball, batch_);
+  return evaluate_arcs(boundary_.target(), ball_of_set(balls_, ball_), batch_);
 }
 
 // A slot of its own: a circle, and a half-edge on it or none.
@@ -171,13 +167,7 @@ void ArcBatches::complete_from_integers() {
 }
 
 void ArcBatches::complete_arcs() {
-#if HSP_AVX2
-  if (boundary_.has_wide_code()) {
-    complete_arcs_avx2(batch_);
-    return;
-  }
-#endif
-  hsp::complete_arcs(batch_);
+  hsp::complete_arcs(boundary_.target(), batch_);
 }
 
 void ArcBatches::circle_from_integers(uint32_t s) {

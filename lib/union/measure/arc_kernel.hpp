@@ -1,5 +1,5 @@
-// The kernels of arc_sums.hpp for registers of n doubles. arc_kernel.cpp and arc_kernel_avx2.cpp compile them; like
-// everything in files for AVX2 they have internal linkage.
+// The kernels of arc_sums.hpp for registers of n doubles. Like everything in kernels they have internal
+// linkage.
 #pragma once
 
 #include "core/elementary.hpp"

@@ -9,6 +9,8 @@
 
 #include <cstdint>
 
+#include "lanes/target.hpp"
+
 namespace hsp {
 
 // Two spheres that touch meet in a circle of radius 0, exactly known from integers.
@@ -66,23 +68,16 @@ struct GradientSums {
   WeightedSums weighted;
 };
 
-// The kernels, and the same for AVX2 (arc_kernel.hpp).
+// The kernels (arc_kernel.hpp).
 //
 // Circles, vertices, exterior angles and arcs of a batch, in doubles. True if doubles served for everything; else what
 // they did not serve is not a number: heights of circles, vertices, angles of arcs; and exterior_angles lacks those.
-bool evaluate_arcs(const BallOfSet &ball, ArcBatch &batch);
+HSP_KERNEL(bool, evaluate_arcs, (const BallOfSet &ball, ArcBatch &batch), (ball, batch))
 // Once more the arcs whose angles are not numbers, but for those on circles that doubles did not serve: their vertices
 // have been found elsewhere.
-void complete_arcs(ArcBatch &batch);
-AreaSums sum_areas(const ArcBatch &batch, double radius);
+HSP_KERNEL(void, complete_arcs, (ArcBatch & batch), (batch))
+HSP_KERNEL(AreaSums, sum_areas, (const ArcBatch &batch, double radius), (batch, radius))
 // With weights, too, in one pass.
-GradientSums sum_gradient(const ArcBatch &batch, double radius, double weight);
-
-#if HSP_AVX2
-bool evaluate_arcs_avx2(const BallOfSet &ball, ArcBatch &batch);
-void complete_arcs_avx2(ArcBatch &batch);
-AreaSums sum_areas_avx2(const ArcBatch &batch, double radius);
-GradientSums sum_gradient_avx2(const ArcBatch &batch, double radius, double weight);
-#endif
+HSP_KERNEL(GradientSums, sum_gradient, (const ArcBatch &batch, double radius, double weight), (batch, radius, weight))
 
 }  // namespace hsp

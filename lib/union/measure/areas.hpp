@@ -33,14 +33,9 @@ class FreeSurface {
   Vec3 vector_area() const { return 0.125 * vector_area_; }
 
  private:
-  AreaSums sums_of(const ArcBatch &batch) const {
-#if HSP_AVX2
-    if (boundary_.has_wide_code()) return sum_areas_avx2(batch, radius_);
-#endif
-    return sum_areas(batch, radius_);
-  }
+  AreaSums sums_of(const ArcBatch &batch) const { return sum_areas(boundary_.target(), batch, radius_); }
 
-  [[maybe_unused]] const Boundary &boundary_;  // says whether there is code for wide registers
+  const Boundary &boundary_;
   double radius_;
   double exterior_angles_ = 0.0, exterior_turns_ = 0.0;
   double cosines_ = 0.0;             // sum of 2 h angle

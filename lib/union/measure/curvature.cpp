@@ -102,11 +102,7 @@ class MeanCurvature {
   static double square(double a) { return a * a; }
 
   EdgeSums sums_of(const ArcBatch &batch, EdgeBatch &edges) const {
-    const double radius = balls_.r[k_];
-#if HSP_AVX2
-    if (boundary_.has_wide_code()) return differentiate_edges_avx2(radius, batch, weight_, edges);
-#endif
-    return differentiate_edges(radius, batch, weight_, edges);
+    return differentiate_edges(boundary_.target(), balls_.r[k_], batch, weight_, edges);
   }
 
   // Where D = 0 the vertex has no derivative and counts as unmoved. So nothing of its balls' motion may count there
@@ -127,7 +123,7 @@ class MeanCurvature {
   }
 
   const BallSet &balls_;
-  [[maybe_unused]] const Boundary &boundary_;  // says whether there is code for wide registers
+  const Boundary &boundary_;
   const AreaWeights &weights_;
   const uint32_t k_;
   const double weight_;
@@ -135,12 +131,8 @@ class MeanCurvature {
 };
 
 // Half of the sum of rho phi beta over the batch.
-double edges_of(const BallSet &balls, [[maybe_unused]] const Boundary &boundary, uint32_t i, const ArcBatch &batch) {
-  const BallOfSet ball = ball_of_set(balls, i);
-#if HSP_AVX2
-  if (boundary.has_wide_code()) return sum_edges_avx2(ball, batch);
-#endif
-  return sum_edges(ball, batch);
+double edges_of(const BallSet &balls, const Boundary &boundary, uint32_t i, const ArcBatch &batch) {
+  return sum_edges(boundary.target(), ball_of_set(balls, i), batch);
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
-// The kernels of edge_sums.hpp for registers of n doubles. edge_kernel.cpp and edge_kernel_avx2.cpp compile them; like
-// everything in files for AVX2 they have internal linkage. The formulas are those of curvature.hpp.
+// The kernels of edge_sums.hpp for registers of n doubles. Like everything in kernels they have internal
+// linkage. The formulas are those of curvature.hpp.
 #pragma once
 
-#include "core/elementary_simd.hpp"
-#include "core/lane_pairs.hpp"
+#include "lanes/elementary_simd.hpp"
+#include "lanes/lane_pairs.hpp"
 #include "measure/edge_sums.hpp"
 
 namespace hsp {

@@ -25,14 +25,10 @@ struct EdgeSums {
   double radius;
 };
 
-// The kernels, and the same for AVX2 (edge_kernel.hpp). The batch is evaluated. The first returns half of the sum of
+// The kernels (edge_kernel.hpp). The batch is evaluated. The first returns half of the sum of
 // rho phi beta; the second is of a ball of this radius and weight.
-double sum_edges(const BallOfSet &ball, const ArcBatch &arcs);
-EdgeSums differentiate_edges(double radius, const ArcBatch &arcs, double weight, EdgeBatch &edges);
-
-#if HSP_AVX2
-double sum_edges_avx2(const BallOfSet &ball, const ArcBatch &arcs);
-EdgeSums differentiate_edges_avx2(double radius, const ArcBatch &arcs, double weight, EdgeBatch &edges);
-#endif
+HSP_KERNEL(double, sum_edges, (const BallOfSet &ball, const ArcBatch &arcs), (ball, arcs))
+HSP_KERNEL(EdgeSums, differentiate_edges, (double radius, const ArcBatch &arcs, double weight, EdgeBatch &edges),
+           (radius, arcs, weight, edges))
 
 }  // namespace hsp

@@ -2,7 +2,7 @@
 // the product of their phases, and the number of whole turns.
 #pragma once
 
-#include "core/elementary_simd.hpp"
+#include "lanes/elementary_simd.hpp"
 
 namespace hsp {
 namespace {

@@ -79,16 +79,11 @@ class WeightedAreas {
     centre_ = centre_ + Vec3{sums.centre[0], sums.centre[1], sums.centre[2]};
     radius_ += sums.radius;
   }
-  GradientSums sums_of(const ArcBatch &batch) const {
-#if HSP_AVX2
-    if (boundary_.has_wide_code()) return sum_gradient_avx2(batch, R_, weight_);
-#endif
-    return sum_gradient(batch, R_, weight_);
-  }
+  GradientSums sums_of(const ArcBatch &batch) const { return sum_gradient(boundary_.target(), batch, R_, weight_); }
   void take_out_uncounted(ArcBatch &batch) const;
 
   const BallSet &balls_;
-  [[maybe_unused]] const Boundary &boundary_;  // says whether there is code for wide registers
+  const Boundary &boundary_;
   const AreaWeights &weights_;
   const double R_, weight_;
   Vec3 centre_{0.0, 0.0, 0.0};

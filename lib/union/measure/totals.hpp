@@ -2,8 +2,8 @@
 // run over the balls in the caller's order.
 #pragma once
 
-#include "core/double_lanes.hpp"
 #include "core/summation.hpp"
+#include "lanes/double_lanes.hpp"
 #include "measure/gradients.hpp"
 #include "measure/input_order.hpp"
 

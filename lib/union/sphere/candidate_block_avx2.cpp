@@ -1,7 +1,7 @@
 #include "sphere/candidate_block.hpp"
 
 #if HSP_AVX2
-#include "core/avx2_lanes.hpp"
+#include "lanes/avx2_lanes.hpp"
 
 namespace hsp {
 namespace {

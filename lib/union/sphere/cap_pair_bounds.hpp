@@ -15,7 +15,7 @@
 // and the rounding of the bound.
 #pragma once
 
-#include "core/floating_point.hpp"
+#include "lanes/floating_point.hpp"
 
 namespace hsp {
 

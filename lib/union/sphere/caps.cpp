@@ -13,7 +13,7 @@ void Caps::carve(Workspace &workspace, uint32_t capacity) {
   b = workspace.take<double>(padded);
   ball = workspace.take<uint32_t>(padded);
   planes_ = workspace.take<exact::Plane>(one_more);
-  wide = workspace.wide_code();
+  wide = workspace.target() == Target::avx2;
 }
 
 // One ball's component of the union. Most of its neighbours have its root as their parent already.

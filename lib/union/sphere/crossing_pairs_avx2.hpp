@@ -2,7 +2,7 @@
 // the error bounds of cap_pair.hpp and cap_pair_bounds.hpp. For files *_avx2.cpp alone.
 #pragma once
 
-#include "core/avx2_lanes.hpp"
+#include "lanes/avx2_lanes.hpp"
 #include "sphere/cap_pair_bounds.hpp"
 
 namespace hsp {

@@ -2,7 +2,7 @@
 // everything has internal linkage.
 #pragma once
 
-#include "core/twofold_avx2.hpp"
+#include "lanes/twofold_avx2.hpp"
 #include "sphere/near_balls.hpp"
 
 namespace hsp {

@@ -43,7 +43,7 @@ uint32_t count_few_clusters(const BallSet &balls, uint32_t i, const uint32_t *ot
 }
 
 void LaneSearch::carve(Workspace &workspace, uint32_t neighbours) {
-  enabled = workspace.wide_code() && neighbours <= PairSweep::most_caps;
+  enabled = workspace.target() == Target::avx2 && neighbours <= PairSweep::most_caps;
   // Rows of whole vectors.
   const uint32_t row = (neighbours + FloatCaps::spare + 7) / 8 * 8;
   Parts floats_of_caps(workspace.take<float>(18 * static_cast<uint64_t>(row)).data(), row);

@@ -1,5 +1,5 @@
 // The balls near one ball, and their caps, by the code for wide registers: near_balls_avx2.cpp. Raw pointers, as
-// core/processor.hpp says.
+// lanes/target.hpp says.
 #pragma once
 
 #include <cstdint>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/fixed_vector.hpp"
-#include "core/simd.hpp"
+#include "lanes/simd.hpp"
 #include "sphere/caps.hpp"
 #include "sphere/half_edges.hpp"
 

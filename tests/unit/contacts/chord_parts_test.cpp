@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "carved_memory.hpp"
-#include "core/processor.hpp"
 #include "exact/discriminant.hpp"
 #include "exact/lattice_ball.hpp"
+#include "lanes/target.hpp"
 #include "random_balls.hpp"
 #include "sphere/caps.hpp"
 
@@ -75,7 +75,7 @@ class Chords {
 
 class ChordParts : public testing::Test {
   void SetUp() override {
-    if (!hsp::has_avx2()) GTEST_SKIP() << "no such processor";
+    if (hsp::best_target() != hsp::Target::avx2) GTEST_SKIP() << "no such processor";
   }
 };
 

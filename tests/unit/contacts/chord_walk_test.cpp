@@ -10,9 +10,9 @@
 #include "boundary/boundary_builder.hpp"
 #include "built_grid.hpp"
 #include "contacts/chord_cuts.hpp"
-#include "core/processor.hpp"
 #include "lattice_lengths.hpp"
 #include "random_balls.hpp"
+#include "runnable_targets.hpp"
 
 namespace {
 
@@ -216,10 +216,9 @@ TEST(ChordCuts, AreThoseOfALoop) {
         EXPECT_EQ(found.cap, expected.cap);
       }
     };
-    compare(hsp::nearest_cut({ux, uy, uz, b}, first, last, ray));
-#if HSP_AVX2
-    if (hsp::has_avx2()) compare(hsp::nearest_cut_avx2({ux, uy, uz, b}, first, last, ray));
-#endif
+    for (const hsp::Target target : runnable_targets()) {
+      compare(hsp::nearest_cut(target, {ux, uy, uz, b}, first, last, ray));
+    }
   }
 }
 

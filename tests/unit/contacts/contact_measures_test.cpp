@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "carved_memory.hpp"
-#include "core/processor.hpp"
 #include "exact/lattice_ball.hpp"
+#include "lanes/target.hpp"
 #include "random_balls.hpp"
 #include "sphere/caps.hpp"
 
@@ -52,7 +52,7 @@ class Pairs {
       EXPECT_TRUE(!touches || (exact.area[s] == 0.0 && exact.edge[s] == 0.0));
     }
 #if HSP_AVX2
-    if (!hsp::has_avx2()) return;
+    if (hsp::best_target() != hsp::Target::avx2) return;
     const hsp::ContactMeasures before = contacts_;
     const bool certain = hsp::measure_contacts_in_lanes(hsp::arrays_of(balls_), contacts_);
     certain_ += certain ? 1U : 0U;
@@ -86,7 +86,7 @@ TEST(ContactMeasures, OfBallsOfEverySize) {
     pairs.add(random, ball[0], ball[1]);
   }
   EXPECT_GT(pairs.groups(), 4000U);
-  if (hsp::has_avx2()) {
+  if (hsp::best_target() == hsp::Target::avx2) {
     EXPECT_GT(pairs.certain(), pairs.groups() / 2);
   }
 }
@@ -103,7 +103,7 @@ TEST(ContactMeasures, OfBallsThatNearlyTouch) {
   }
   EXPECT_GT(pairs.groups(), 10000U);
   EXPECT_GT(pairs.touching(), 100U);
-  if (hsp::has_avx2()) {
+  if (hsp::best_target() == hsp::Target::avx2) {
     EXPECT_GT(pairs.certain(), pairs.groups() / 10);
     EXPECT_LT(pairs.certain(), pairs.groups());
   }

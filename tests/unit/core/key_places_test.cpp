@@ -7,14 +7,12 @@
 #include <limits>
 #include <vector>
 
-#include "core/processor.hpp"
 #include "random_numbers.hpp"
+#include "runnable_targets.hpp"
 
 namespace {
 
-using Count = void (*)(const int64_t *, uint32_t, uint32_t *);
-
-void check(Count count_places) {
+void check(hsp::Target target) {
   support::RandomNumbers<support::SplitMix64> random(7);
   for (int round = 0; round < 20000; ++round) {
     const uint32_t count = static_cast<uint32_t>(random.in(0, hsp::most_counted_keys));
@@ -24,7 +22,7 @@ void check(Count count_places) {
     for (int64_t &k : key) k = 2 * random.in(-largest, largest);
     if (count > 2) key[1] = std::numeric_limits<int64_t>::min();
     uint32_t place[hsp::most_counted_keys];
-    count_places(key, count, place);
+    hsp::count_places(target, key, count, place);
     std::vector<int64_t> sorted(key, key + count);
     std::sort(sorted.begin(), sorted.end());
     for (uint32_t k = 0; k < count; ++k) {
@@ -34,14 +32,7 @@ void check(Count count_places) {
 }
 
 TEST(KeyPlaces, AreThoseOfASort) {
-  check(hsp::count_places);
-}
-
-TEST(KeyPlaces, OfWideCode) {
-  if (!hsp::has_avx2()) GTEST_SKIP() << "this processor or this build has no AVX2";
-#if HSP_AVX2
-  check(hsp::count_places_wide);
-#endif
+  for (const hsp::Target target : runnable_targets()) check(target);
 }
 
 }  // namespace

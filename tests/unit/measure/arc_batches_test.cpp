@@ -134,11 +134,11 @@ class ArcsOfBall {
   const hsp::exact::LatticeBall own_;
 };
 
-// The code for wide registers gives the same bits.
-void check_wide_code(BuiltBoundary &built, uint32_t ball) {
-  if (!built.boundary().has_wide_code()) return;
-  const auto measured = [&](bool wide) {
-    built.arrays().wide_code = wide;
+// All targets give the same bits.
+void check_targets(BuiltBoundary &built, uint32_t ball) {
+  const hsp::Target best = built.boundary().target();
+  const auto measured = [&](hsp::Target target) {
+    built.arrays().target = target;
     const hsp::BallGradient g = hsp::gradient_of_ball(built.balls(), built.boundary(), {}, ball);
     const hsp::BallMeasure m = hsp::measure_ball(built.balls(), built.boundary(), ball);
     EXPECT_EQ(g.measure.area, m.area);
@@ -146,7 +146,7 @@ void check_wide_code(BuiltBoundary &built, uint32_t ball) {
     return std::array{m.area,     m.volume,        g.radius,        g.centre.x,     g.centre.y,
                       g.centre.z, g.vector_area.x, g.vector_area.y, g.vector_area.z};
   };
-  EXPECT_EQ(measured(false), measured(true));
+  EXPECT_EQ(measured(hsp::Target::baseline), measured(best));
 }
 
 Seen check_all(const oracle::Balls &set) {
@@ -158,7 +158,7 @@ Seen check_all(const oracle::Balls &set) {
     ArcsOfBall ball(built, i);
     ball.check(hsp::no_id, seen);
     ball.check_singles(by_faces);
-    check_wide_code(built, i);
+    check_targets(built, i);
     for (const uint32_t face : built.boundary().faces(i)) {
       ball.check(face, by_faces);
     }
@@ -260,7 +260,7 @@ TEST(ArcBatches, LoopsLongerThanABatch) {
     ArcsOfBall(built, large).check(hsp::no_id, seen);
     EXPECT_EQ(seen.arcs, 2 * n);
     EXPECT_EQ(seen.batches > 1, 2 * n > hsp::ArcBatch::capacity);
-    check_wide_code(built, large);
+    check_targets(built, large);
     const uint32_t first = built.boundary().faces(large).first;
     ASSERT_EQ(built.boundary().faces(large).size(), 2U);
     const hsp::BallMeasure whole = hsp::measure_ball(built.balls(), built.boundary(), large);

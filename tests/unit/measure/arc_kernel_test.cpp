@@ -1,13 +1,13 @@
 // The kernels over arcs for registers of one, two and four doubles: the same bits from each, in every slot and sum.
 #include "measure/arc_kernel.hpp"
+#include "runnable_targets.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
+#include <functional>
 #include <random>
 #include <vector>
-
-#include "core/processor.hpp"
 
 namespace {
 
@@ -56,10 +56,10 @@ struct Results {
 };
 
 struct Kernel {
-  bool (*evaluate)(const hsp::BallOfSet &, ArcBatch &);
-  hsp::AreaSums (*sum_areas)(const ArcBatch &, double);
-  hsp::GradientSums (*sum_gradient)(const ArcBatch &, double, double);
-  void (*complete_arcs)(ArcBatch &);
+  std::function<bool(const hsp::BallOfSet &, ArcBatch &)> evaluate;
+  std::function<hsp::AreaSums(const ArcBatch &, double)> sum_areas;
+  std::function<hsp::GradientSums(const ArcBatch &, double, double)> sum_gradient;
+  std::function<void(ArcBatch &)> complete_arcs;
 
   [[nodiscard]] Results run(const RandomArcs &arcs) const {
     Results results;
@@ -96,6 +96,14 @@ template <uint32_t n>
 Kernel kernel() {
   using K = hsp::ArcKernel<n>;
   return {K::evaluate, K::sum_areas, K::sum_gradient, K::complete_arcs};
+}
+Kernel kernel_of(hsp::Target target) {
+  return {[=](const hsp::BallOfSet &ball, ArcBatch &batch) { return hsp::evaluate_arcs(target, ball, batch); },
+          [=](const ArcBatch &batch, double radius) { return hsp::sum_areas(target, batch, radius); },
+          [=](const ArcBatch &batch, double radius, double weight) {
+            return hsp::sum_gradient(target, batch, radius, weight);
+          },
+          [=](ArcBatch &batch) { hsp::complete_arcs(target, batch); }};
 }
 
 // Any NaN is the same: which of two a sum takes is up to the compiler.
@@ -166,13 +174,7 @@ TEST(ArcKernel, GivesTheSameBitsForEveryWidth) {
     const RandomArcs arcs(random);
     const Results two = kernel<2>().run(arcs);
     expect_same(kernel<1>().run(arcs), two);
-    expect_same(Kernel{hsp::evaluate_arcs, hsp::sum_areas, hsp::sum_gradient, hsp::complete_arcs}.run(arcs), two);
-#if HSP_AVX2
-    if (hsp::has_avx2()) {
-      const Kernel wide{hsp::evaluate_arcs_avx2, hsp::sum_areas_avx2, hsp::sum_gradient_avx2, hsp::complete_arcs_avx2};
-      expect_same(wide.run(arcs), two);
-    }
-#endif
+    for (const hsp::Target target : runnable_targets()) expect_same(kernel_of(target).run(arcs), two);
     complete += two.complete ? 1U : 0U;
     completed.count(two);
     for (uint32_t s = 0; s < two.batch.count; ++s) arcs_served += two.batch.angle[s] > 0.0 ? 1U : 0U;

@@ -5,12 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <random>
 
 #include "built_boundary.hpp"
-#include "core/processor.hpp"
 #include "measure/arc_batches.hpp"
 #include "random_balls.hpp"
+#include "runnable_targets.hpp"
 
 namespace {
 
@@ -66,8 +67,8 @@ struct Results {
 };
 
 struct Kernel {
-  double (*sum)(const hsp::BallOfSet &, const ArcBatch &);
-  hsp::EdgeSums (*differentiate)(double, const ArcBatch &, double, EdgeBatch &);
+  std::function<double(const hsp::BallOfSet &, const ArcBatch &)> sum;
+  std::function<hsp::EdgeSums(double, const ArcBatch &, double, EdgeBatch &)> differentiate;
 
   [[nodiscard]] Results run(const hsp::BallOfSet &ball, const ArcBatch &arcs, const EdgeBatch &weights) const {
     Results results{sum(ball, arcs), {}, weights};
@@ -80,6 +81,12 @@ template <uint32_t n>
 Kernel kernel() {
   using K = hsp::EdgeKernel<n>;
   return {K::sum_edges, K::differentiate};
+}
+Kernel kernel_of(hsp::Target target) {
+  return {[=](const hsp::BallOfSet &ball, const ArcBatch &arcs) { return hsp::sum_edges(target, ball, arcs); },
+          [=](double radius, const ArcBatch &arcs, double weight, EdgeBatch &edges) {
+            return hsp::differentiate_edges(target, radius, arcs, weight, edges);
+          }};
 }
 
 void expect_same(const Results &a, const Results &b, uint32_t slots) {
@@ -113,19 +120,15 @@ TEST(EdgeKernel, GivesTheSameBitsForEveryWidth) {
           weights.radius[s] = built.balls().r[arcs.other[s]];
         }
         // Slots behind the last arc are filled for as many lanes as the target has.
-        const Results own = kernel<hsp::baseline_lanes>().run(ball, arcs, weights);
+        const Results own = kernel<hsp::register_lanes>().run(ball, arcs, weights);
         EXPECT_TRUE(std::isfinite(own.mean));
         EXPECT_TRUE(std::isfinite(own.sums.mean));
         EXPECT_TRUE(std::isfinite(own.sums.radius));
         for (const double x : own.sums.centre) EXPECT_TRUE(std::isfinite(x));
         expect_same(kernel<1>().run(ball, arcs, weights), own, arcs.count);
-        expect_same(Kernel{hsp::sum_edges, hsp::differentiate_edges}.run(ball, arcs, weights), own, arcs.count);
-#if HSP_AVX2
-        if (hsp::has_avx2()) {
-          expect_same(Kernel{hsp::sum_edges_avx2, hsp::differentiate_edges_avx2}.run(ball, arcs, weights), own,
-                      arcs.count);
+        for (const hsp::Target target : runnable_targets()) {
+          expect_same(kernel_of(target).run(ball, arcs, weights), own, arcs.count);
         }
-#endif
         arcs_seen += arcs.count;
       }
     }

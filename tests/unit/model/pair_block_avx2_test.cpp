@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/processor.hpp"
+#include "lanes/target.hpp"
 #include "random_balls.hpp"
 
 namespace {
@@ -64,7 +64,7 @@ void expect_met(const hsp::PairBlock &block, const Arrays &arrays, const std::ve
 
 class PairBlockAvx2 : public testing::Test {
   void SetUp() override {
-    if (!hsp::has_avx2()) GTEST_SKIP() << "this processor has no AVX2";
+    if (hsp::best_target() != hsp::Target::avx2) GTEST_SKIP() << "this processor has no AVX2";
   }
 };
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "built_grid.hpp"
-#include "core/processor.hpp"
+#include "lanes/target.hpp"
 #include "model/queries.hpp"
 #include "random_balls.hpp"
 
@@ -61,7 +61,7 @@ void expect_met(const hsp::CubeGrid &grid, const std::vector<hsp::BallRange> &ra
 
 class RoundedBlockAvx2 : public testing::Test {
   void SetUp() override {
-    if (!hsp::has_avx2()) GTEST_SKIP() << "this processor has no AVX2";
+    if (hsp::best_target() != hsp::Target::avx2) GTEST_SKIP() << "this processor has no AVX2";
   }
 };
 

@@ -7,15 +7,13 @@
 #include <memory>
 #include <vector>
 
-#include "core/processor.hpp"
 #include "random_poses.hpp"
+#include "runnable_targets.hpp"
 
 namespace {
 
 using oracle::Balls;
 using oracle::LatticeBall;
-using Find = uint32_t (*)(const hsp::SphereLevels &, const hsp::SphereLevels &, const hsp::FloatPose &,
-                          hsp::PairWalk &);
 using Pairs = std::vector<std::pair<uint32_t, uint32_t>>;
 
 hsp::FloatPose floats_of(const hsp::SphereTree &fixed, const hsp::SphereTree &moving, const hsp::Pose &pose,
@@ -34,7 +32,8 @@ hsp::FloatPose floats_of(const hsp::SphereTree &fixed, const hsp::SphereTree &mo
 }
 
 // All pairs that are found, in their order.
-Pairs found_by(Find find, const hsp::SphereTree &fixed, const hsp::SphereTree &moving, const hsp::FloatPose &pose) {
+Pairs found_by(hsp::Target target, const hsp::SphereTree &fixed, const hsp::SphereTree &moving,
+               const hsp::FloatPose &pose) {
   const auto walk = std::make_unique<hsp::PairWalk>();
   walk->waiting = 1;
   walk->pair[0] = {
@@ -44,12 +43,12 @@ Pairs found_by(Find find, const hsp::SphereTree &fixed, const hsp::SphereTree &m
       fixed.levels().top,
       moving.levels().top};
   Pairs pairs;
-  while (const uint32_t count = find(fixed.levels(), moving.levels(), pose, *walk)) {
+  while (const uint32_t count = hsp::find_near_pairs(target, fixed.levels(), moving.levels(), pose, *walk)) {
     EXPECT_LE(count, std::size(walk->found));
     EXPECT_LE(walk->waiting, std::size(walk->pair));
     for (uint32_t k = 0; k < count; ++k) pairs.emplace_back(walk->found[k].fixed, walk->found[k].moving);
   }
-  EXPECT_EQ(find(fixed.levels(), moving.levels(), pose, *walk), 0U);
+  EXPECT_EQ(hsp::find_near_pairs(target, fixed.levels(), moving.levels(), pose, *walk), 0U);
   return pairs;
 }
 
@@ -60,11 +59,11 @@ double gap_of(const hsp::SphereTree &fixed, const hsp::SphereTree &moving, const
 }
 
 // Empty, or which pair is left out, or found twice or although it is far apart.
-std::string complaint(Find find, const BuiltTree &fixed, const BuiltTree &moving, const hsp::Pose &pose) {
+std::string complaint(hsp::Target target, const BuiltTree &fixed, const BuiltTree &moving, const hsp::Pose &pose) {
   const hsp::SphereTree &rest = fixed.tree(), &other = moving.tree();
   const double sum = rest.node(0).radius + other.node(0).radius;
   const double slack = 1 + 0x1p-19 * sum;
-  Pairs found = found_by(find, rest, other, floats_of(rest, other, pose, slack));
+  Pairs found = found_by(target, rest, other, floats_of(rest, other, pose, slack));
   std::sort(found.begin(), found.end());
   if (std::adjacent_find(found.begin(), found.end()) != found.end()) return "a pair twice";
   for (uint32_t i = 0; i < rest.ball_count(); ++i)
@@ -77,7 +76,7 @@ std::string complaint(Find find, const BuiltTree &fixed, const BuiltTree &moving
   return found.empty() || found.back().first < rest.ball_count() ? "" : "no ball";
 }
 
-class NearPairs : public testing::TestWithParam<Find> {};
+class NearPairs : public testing::TestWithParam<hsp::Target> {};
 
 TEST_P(NearPairs, AreAllThatAreNotCertainlyApart) {
   oracle::RandomSource random(31);
@@ -122,25 +121,17 @@ TEST_P(NearPairs, ComeInOneOrder) {
   for (int time = 0; time < 20; ++time) {
     const BuiltTree fixed(oracle::loose_balls(random, 300)), moving(oracle::loose_balls(random, 90));
     const hsp::Pose pose = pose_of(random_pose(random, 300));
-    const auto meeting_by = [&](Find find) {
-      Pairs pairs = found_by(find, fixed.tree(), moving.tree(), floats_of(fixed.tree(), moving.tree(), pose, 2));
+    const auto meeting_by = [&](hsp::Target target) {
+      Pairs pairs = found_by(target, fixed.tree(), moving.tree(), floats_of(fixed.tree(), moving.tree(), pose, 2));
       std::erase_if(pairs, [&](const auto &pair) {
         return gap_of(fixed.tree(), moving.tree(), pose, pair.first, pair.second) > 0;
       });
       return pairs;
     };
-    EXPECT_EQ(meeting_by(GetParam()), meeting_by(hsp::find_near_pairs));
+    EXPECT_EQ(meeting_by(GetParam()), meeting_by(hsp::Target::baseline));
   }
 }
 
-std::vector<Find> kinds_of_code() {
-  std::vector<Find> found{hsp::find_near_pairs};
-#if HSP_AVX2
-  if (hsp::has_avx2()) found.push_back(hsp::find_near_pairs_avx2);
-#endif
-  return found;
-}
-
-INSTANTIATE_TEST_SUITE_P(Code, NearPairs, testing::ValuesIn(kinds_of_code()));
+INSTANTIATE_TEST_SUITE_P(Targets, NearPairs, testing::ValuesIn(runnable_targets()));
 
 }  // namespace

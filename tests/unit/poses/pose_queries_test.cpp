@@ -117,8 +117,8 @@ std::string complaint(const Balls &fixed, const Balls &moving, const hsp::Pose &
   };
   std::string text = complaint_about(rest, other, fixed, moving, pose);
   const auto order = order_of_pairs();
-  if (!text.empty() || !rest.tree().wide_code()) return text;
-  rest.avoid_wide_code();
+  if (!text.empty() || rest.tree().target() == hsp::Target::baseline) return text;
+  rest.use(hsp::Target::baseline);
   if (order != order_of_pairs()) return "another order";
   text = complaint_about(rest, other, fixed, moving, pose);
   return text.empty() ? "" : "for every processor: " + text;
@@ -259,7 +259,7 @@ TEST(PoseQueries, AgreeAlongMotionsWithinTheGap) {
     for (const LatticeBall &ball : fixed) size = std::max({size, std::abs(ball.x), std::abs(ball.y), std::abs(ball.z)});
     BuiltTree rest(fixed);
     const BuiltTree other(moving);
-    if (k % 2 == 1) rest.avoid_wide_code();
+    if (k % 2 == 1) rest.use(hsp::Target::baseline);
     PoseNumbers numbers = random_pose(random, 2 * size);
     hsp::GapBudget known(margins[k % 5]);
     bool was_free = false;

@@ -77,7 +77,7 @@ TEST(PosesSlow, AgreeWithBruteForceOfSetsOfAnyKind) {
     const Balls fixed = oracle::any_balls(random, static_cast<size_t>(random.in(1, 40)));
     const Balls other = oracle::any_balls(random, static_cast<size_t>(random.in(1, 40)));
     Meeting meeting(fixed, k % 5 == 0 ? fixed : other);
-    if (k % 2 == 1) meeting.fixed_tree.avoid_wide_code();
+    if (k % 2 == 1) meeting.fixed_tree.use(hsp::Target::baseline);
     int64_t size = 1;
     for (const LatticeBall &ball : fixed) size = std::max({size, std::abs(ball.x), std::abs(ball.y), std::abs(ball.z)});
     for (int time = 0; time < 200; ++time) {
@@ -98,7 +98,7 @@ TEST(PosesSlow, AgreeOfLatticesAgainstLattices) {
     const int64_t spacing = random.in(2, 6), radius = random.in(1, 4), other_radius = random.in(1, 4);
     const Balls fixed = oracle::box_lattice({4, 3, 3}, {spacing, spacing, spacing}, radius);
     Meeting meeting(fixed, oracle::box_lattice({3, 3, 4}, {spacing, spacing, spacing}, other_radius));
-    if (k % 2 == 1) meeting.fixed_tree.avoid_wide_code();
+    if (k % 2 == 1) meeting.fixed_tree.use(hsp::Target::baseline);
     for (int time = 0; time < 1000; ++time)
       ASSERT_EQ(meeting.complaint(random_pose(random, 4 * spacing)), "") << spacing << ' ' << radius;
     touching += meeting.touching;

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <vector>
 
-#include "core/processor.hpp"
 #include "lane_circles.hpp"
+#include "lanes/target.hpp"
 #include "random_balls.hpp"
 #include "sweep_length.hpp"
 
@@ -126,7 +126,7 @@ std::vector<Vector> directions(oracle::RandomSource &random) {
 }
 
 TEST(CoveredCircles, RandomCaps) {
-  if (!hsp::has_avx2()) GTEST_SKIP();
+  if (hsp::best_target() != hsp::Target::avx2) GTEST_SKIP();
   oracle::RandomSource random(911);
   int covered = 0, found = 0;
   for (int set = 0; set < oracle::sets(400); ++set) {
@@ -154,7 +154,7 @@ TEST(CoveredCircles, RandomCaps) {
 
 // One cap covers all but a gap, which may lie between two ends of arcs.
 TEST(CoveredCircles, GapsInOneCap) {
-  if (!hsp::has_avx2()) GTEST_SKIP();
+  if (hsp::best_target() != hsp::Target::avx2) GTEST_SKIP();
   oracle::RandomSource random(912);
   for (const Vector &u : directions(random)) {
     for (const Real b : {-0.8L, -0.1L, 0.0L, 0.6L, 0.95L}) {
@@ -171,7 +171,7 @@ TEST(CoveredCircles, GapsInOneCap) {
 
 // Their fractions are the largest and the least that there are. Six caps, or all but one.
 TEST(CoveredCircles, CapsOnAxes) {
-  if (!hsp::has_avx2()) GTEST_SKIP();
+  if (hsp::best_target() != hsp::Target::avx2) GTEST_SKIP();
   const std::vector<Vector> axes = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
   for (const Vector &u : axes) {
     for (const Real b : {-0.9L, -0.4L, 0.0L, 0.4L, 0.9L}) {
@@ -195,7 +195,7 @@ TEST(CoveredCircles, CapsOnAxes) {
 
 // Caps that cover a third or more each: together the circle, or all but a gap.
 TEST(CoveredCircles, ThreeCaps) {
-  if (!hsp::has_avx2()) GTEST_SKIP();
+  if (hsp::best_target() != hsp::Target::avx2) GTEST_SKIP();
   oracle::RandomSource random(913);
   for (const Vector &u : directions(random)) {
     for (const Real b : {-0.9L, -0.5L, 0.0L, 0.3L, 0.9L}) {
@@ -223,7 +223,7 @@ TEST(CoveredCircles, ThreeCaps) {
 
 // Nothing is said of circles that are so small that floats do not tell where they are.
 TEST(CoveredCircles, SmallCircles) {
-  if (!hsp::has_avx2()) GTEST_SKIP();
+  if (hsp::best_target() != hsp::Target::avx2) GTEST_SKIP();
   const Vector u = unit({1, 2, 3});
   const std::vector<Cap> caps = {cap_over({u, 0.9L}, 0, 2, 0.1L), {u, 0.5L}};
   std::vector<Cap> around;

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <vector>
 
-#include "core/processor.hpp"
 #include "exact/discriminant.hpp"
 #include "exact/lattice_ball.hpp"
+#include "lanes/target.hpp"
 #include "random_balls.hpp"
 
 #if HSP_AVX2
@@ -68,7 +68,7 @@ class Vertices {
 
 class RootDiscriminants : public testing::Test {
   void SetUp() override {
-    if (!hsp::has_avx2()) GTEST_SKIP() << "no such processor";
+    if (hsp::best_target() != hsp::Target::avx2) GTEST_SKIP() << "no such processor";
   }
 };
 

@@ -1,4 +1,4 @@
-// Checks of core/avx2_lanes.hpp, compiled for AVX2 apart from the test, which asks first whether the processor has it.
+// Checks of lanes/avx2_lanes.hpp, compiled for AVX2 apart from the test, which asks first whether the processor has it.
 #pragma once
 
 // Each returns null, or what is wrong.
@@ -9,4 +9,4 @@ const char *check_comparisons();
 const char *check_parts_and_counts();
 const char *check_long_integers();
 const char *check_front_orders();
-const char *check_four_doubles();  // those of core/double_lanes.hpp
+const char *check_four_doubles();  // those of lanes/double_lanes.hpp

@@ -1,8 +1,8 @@
-// Checks of core/double_lanes.hpp, lane by lane against the same on one double; signs of zeros count. Everything has
+// Checks of lanes/double_lanes.hpp, lane by lane against the same on one double; signs of zeros count. Everything has
 // internal linkage, so that files compiled for other registers have their own copy.
 #pragma once
 
-#include "core/double_lanes.hpp"
+#include "lanes/double_lanes.hpp"
 
 namespace {
 

@@ -171,6 +171,6 @@ class MovedUnion {
   hsp::CubeGrid grid_, written_;
   hsp::BoundaryBuilder builder_;
   hsp::MovingBalls moving_;
-  bool has_wide_ = hsp::has_avx2();
+  bool has_wide_ = hsp::best_target() == hsp::Target::avx2;
   hsp::Status status_ = hsp::Status::ok;
 };

@@ -17,7 +17,7 @@ class BuiltTree {
   }
 
   const hsp::SphereTree &tree() const { return tree_; }
-  void avoid_wide_code() { tree_.avoid_wide_code(); }
+  void use(hsp::Target target) { tree_.use(target); }
   hsp::Status status() const { return status_; }
 
  private:

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/processor.hpp"
+#include "lanes/target.hpp"
 #include "small_surface.hpp"
 #include "surface/probe_grid.hpp"
 
@@ -77,7 +77,7 @@ uint32_t first_bad_search(const hsp::ProbeTriangles *(*triangles_of)(uint32_t ve
   for (uint32_t round = 0; round < 40; ++round) {
     if (!searched_probes().build(random, round)) return round;
     for (uint32_t v = 0; v < SearchedProbes::vertices(); ++v) {
-      for (int wide = 0; wide <= (hsp::has_avx2() ? 1 : 0); ++wide) {
+      for (int wide = 0; wide <= (hsp::best_target() == hsp::Target::avx2 ? 1 : 0); ++wide) {
         uint32_t times[60];
         searched_probes().search(v, triangles_of(v), wide == 1, times);
         for (uint32_t w = 0; w < SearchedProbes::vertices(); ++w) {
@@ -119,7 +119,7 @@ inline const hsp::ProbeTriangles *triangle_of(uint32_t vertex) {
     triangles.offset[1][k] = offset.y;
     triangles.offset[2][k] = offset.z;
   }
-  hsp::measure_triangles(hsp::arrays_of(balls), triangles);
+  hsp::measure_triangles(hsp::Target::baseline, hsp::arrays_of(balls), triangles);
   return &triangles;
 }
 

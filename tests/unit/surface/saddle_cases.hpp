@@ -44,7 +44,9 @@ struct SaddleSide {
     batch.Xz[0] = X.z;
     ball = {radii, c.radius, c.probe, {arm.x, arm.y, arm.z - c.height}};
   }
-  hsp::SaddleMeasures measure() const { return hsp::measure_saddles(batch, circle_radius, ball); }
+  hsp::SaddleMeasures measure() const {
+    return hsp::measure_saddles(hsp::Target::baseline, batch, circle_radius, ball);
+  }
 };
 
 inline uint32_t area_and_volume_by_quadrature() {
@@ -124,7 +126,8 @@ inline uint32_t derivative_by_the_offset() {
     };
     constexpr double h = 1e-5;
     const SaddleSide side(c, 1, {0, 0, 0});
-    const double found = 2 * hsp::differentiate_saddles(side.batch, side.circle_radius, side.ball).area_offset;
+    const double found =
+        2 * hsp::differentiate_saddles(hsp::Target::baseline, side.batch, side.circle_radius, side.ball).area_offset;
     return near(found, (area(c.probe + h) - area(c.probe - h)) / (2 * h), 1e-6);
   });
 }

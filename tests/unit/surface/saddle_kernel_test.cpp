@@ -1,14 +1,14 @@
-// The kernels over saddle patches for registers of one and two doubles, and those for AVX2: the same bits from each.
+// The kernels over saddle patches for registers of one and two doubles, and of every target: the same bits from each.
 #include "surface/saddle_kernel.hpp"
+#include "runnable_targets.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <random>
 #include <vector>
-
-#include "core/processor.hpp"
 
 namespace {
 
@@ -57,9 +57,10 @@ struct Results {
 };
 
 struct Kernel {
-  bool (*find_radii)(const ArcBatch &, double, double (&)[ArcBatch::room]);
-  hsp::SaddleMeasures (*measure)(const ArcBatch &, const double (&)[ArcBatch::room], const hsp::RolledBall &);
-  hsp::SaddleDerivatives (*differentiate)(const ArcBatch &, const double (&)[ArcBatch::room], const hsp::RolledBall &);
+  using Radii = double[ArcBatch::room];
+  std::function<bool(const ArcBatch &, double, Radii &)> find_radii;
+  std::function<hsp::SaddleMeasures(const ArcBatch &, const Radii &, const hsp::RolledBall &)> measure;
+  std::function<hsp::SaddleDerivatives(const ArcBatch &, const Radii &, const hsp::RolledBall &)> differentiate;
 
   [[nodiscard]] Results run(const RandomSaddles &saddles) const {
     Results results;
@@ -81,6 +82,17 @@ Kernel kernel() {
   using K = hsp::SaddleKernel<n>;
   return {K::find_radii, K::measure, K::differentiate};
 }
+Kernel kernel_of(hsp::Target target) {
+  return {[=](const ArcBatch &batch, double radius, Kernel::Radii &radii) {
+            return hsp::find_circle_radii(target, batch, radius, radii);
+          },
+          [=](const ArcBatch &batch, const Kernel::Radii &radii, const hsp::RolledBall &ball) {
+            return hsp::measure_saddles(target, batch, radii, ball);
+          },
+          [=](const ArcBatch &batch, const Kernel::Radii &radii, const hsp::RolledBall &ball) {
+            return hsp::differentiate_saddles(target, batch, radii, ball);
+          }};
+}
 
 void expect_same(const Results &a, const Results &b) {
   EXPECT_EQ(a.served, b.served);
@@ -97,14 +109,7 @@ TEST(SaddleKernel, GivesTheSameBitsForEveryWidth) {
     const Results two = kernel<2>().run(saddles);
     unserved += two.served ? 0 : 1;
     expect_same(kernel<1>().run(saddles), two);
-#if HSP_AVX2
-    if (hsp::has_avx2()) {
-      expect_same(
-          Kernel{hsp::find_circle_radii_avx2, hsp::measure_saddles_avx2, hsp::differentiate_saddles_avx2}.run(saddles),
-          two);
-    }
-#endif
-    expect_same(Kernel{hsp::find_circle_radii, hsp::measure_saddles, hsp::differentiate_saddles}.run(saddles), two);
+    for (const hsp::Target target : runnable_targets()) expect_same(kernel_of(target).run(saddles), two);
     EXPECT_EQ(std::memcmp(&two.measures, &two.derivatives.measures, sizeof two.measures), 0);
     EXPECT_TRUE(std::isfinite(two.derivatives.area_centre[0] + two.derivatives.volume_radius));
     if (HasFailure()) return;

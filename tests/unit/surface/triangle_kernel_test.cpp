@@ -5,12 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <random>
 #include <vector>
 
 #include "core/elementary.hpp"
-#include "core/processor.hpp"
 #include "core/vec3.hpp"
+#include "runnable_targets.hpp"
 
 namespace {
 
@@ -58,8 +59,7 @@ class RandomTriples {
 };
 
 struct Kernel {
-  void (*place)(const hsp::BallArrays &, ProbeTriangles &);
-  void (*measure)(const hsp::BallArrays &, ProbeTriangles &);
+  std::function<void(const hsp::BallArrays &, ProbeTriangles &)> place, measure;
 
   [[nodiscard]] ProbeTriangles run(const RandomTriples &triples) const {
     ProbeTriangles found = triples.triangles();
@@ -71,6 +71,10 @@ struct Kernel {
 template <uint32_t n>
 Kernel kernel() {
   return {hsp::TriangleKernel<n>::place, hsp::TriangleKernel<n>::measure};
+}
+Kernel kernel_of(hsp::Target target) {
+  return {[=](const hsp::BallArrays &balls, ProbeTriangles &t) { hsp::place_probes(target, balls, t); },
+          [=](const hsp::BallArrays &balls, ProbeTriangles &t) { hsp::measure_triangles(target, balls, t); }};
 }
 
 template <size_t rows>
@@ -105,10 +109,7 @@ TEST(TriangleKernel, GivesTheSameBitsForEveryWidth) {
     const RandomTriples triples(random);
     const ProbeTriangles two = kernel<2>().run(triples);
     expect_same(kernel<1>().run(triples), two);
-#if HSP_AVX2
-    if (hsp::has_avx2()) expect_same(Kernel{hsp::place_probes_avx2, hsp::measure_triangles_avx2}.run(triples), two);
-#endif
-    expect_same(Kernel{hsp::place_probes, hsp::measure_triangles}.run(triples), two);
+    for (const hsp::Target target : runnable_targets()) expect_same(kernel_of(target).run(triples), two);
     if (HasFailure()) return;
   }
 }
@@ -178,7 +179,7 @@ TEST(TriangleKernel, SidesWithoutDirection) {
     t.sign[lane] = 1;
     t.offset[0][lane] = 1000;
   }
-  hsp::measure_triangles({x, y, z, r}, t);
+  hsp::measure_triangles(hsp::Target::baseline, {x, y, z, r}, t);
   for (uint32_t lane = 0; lane < ProbeTriangles::lanes; ++lane) {
     EXPECT_EQ(t.steradians[lane], -1);
     EXPECT_EQ(t.vector_area[0][lane], 0);

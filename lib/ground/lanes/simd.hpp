@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "core/floating_point.hpp"
+#include "lanes/floating_point.hpp"
 
 namespace hsp {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cases.hpp"
-#include "core/simd.hpp"
+#include "lanes/simd.hpp"
 
 namespace cases {
 
@@ -31,6 +31,6 @@ inline uint32_t lanes_answer_one_by_one() {
   });
 }
 
-inline constexpr Check core_simd[] = {{"lanes_answer_one_by_one", lanes_answer_one_by_one}};
+inline constexpr Check lanes_simd[] = {{"lanes_answer_one_by_one", lanes_answer_one_by_one}};
 
 }  // namespace cases

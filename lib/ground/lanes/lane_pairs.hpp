@@ -3,7 +3,7 @@
 // so that compilers and processors see them next to each other.
 #pragma once
 
-#include "core/double_lanes.hpp"
+#include "lanes/double_lanes.hpp"
 
 namespace hsp {
 namespace {

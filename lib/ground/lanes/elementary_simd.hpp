@@ -2,7 +2,7 @@
 // one, and the octants of arcs cannot be predicted.
 #pragma once
 
-#include "core/double_lanes.hpp"
+#include "lanes/double_lanes.hpp"
 
 namespace hsp {
 namespace {

@@ -1,12 +1,12 @@
 #include "measure/edge_kernel.hpp"
 
-namespace hsp {
+namespace hsp::HSP_TARGET {
 
 double sum_edges(const BallOfSet &ball, const ArcBatch &arcs) {
-  return EdgeKernel<baseline_lanes>::sum_edges(ball, arcs);
+  return EdgeKernel<register_lanes>::sum_edges(ball, arcs);
 }
 EdgeSums differentiate_edges(double radius, const ArcBatch &arcs, double weight, EdgeBatch &edges) {
-  return EdgeKernel<baseline_lanes>::differentiate(radius, arcs, weight, edges);
+  return EdgeKernel<register_lanes>::differentiate(radius, arcs, weight, edges);
 }
 
-}  // namespace hsp
+}  // namespace hsp::HSP_TARGET

@@ -1,9 +1,9 @@
 #include "contacts/chord_kernel.hpp"
 
-namespace hsp {
+namespace hsp::HSP_TARGET {
 
 NearestCut nearest_cut(const CapColumns &caps, uint32_t first, uint32_t last, const ChordRay &ray) {
-  return ChordKernel<baseline_lanes>::nearest(caps, first, last, ray);
+  return ChordKernel<register_lanes>::nearest(caps, first, last, ray);
 }
 
-}  // namespace hsp
+}  // namespace hsp::HSP_TARGET

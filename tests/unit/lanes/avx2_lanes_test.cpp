@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "avx2_lanes_checks.hpp"
-#include "core/processor.hpp"
+#include "lanes/target.hpp"
 
 namespace {
 
@@ -12,7 +12,7 @@ namespace {
 
 class Avx2Lanes : public testing::Test {
   void SetUp() override {
-    if (!hsp::has_avx2()) GTEST_SKIP() << "this processor or this build has no AVX2";
+    if (hsp::best_target() != hsp::Target::avx2) GTEST_SKIP() << "this processor or this build has no AVX2";
   }
 };
 

@@ -1,4 +1,4 @@
-#include "core/processor.hpp"
+#include "lanes/target.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,15 +6,15 @@ namespace {
 
 #if HSP_AVX2
 // The compiler's run-time library asks the same of the processor and of the operating system.
-TEST(Processor, KnowsWhetherItHasAvx2) {
+TEST(Target, KnowsWhetherItHasAvx2) {
   __builtin_cpu_init();
   const bool expected =
       __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("popcnt");
-  EXPECT_EQ(hsp::has_avx2(), expected);
+  EXPECT_EQ(hsp::best_target() == hsp::Target::avx2, expected);
 }
 #else
-TEST(Processor, HasNoWideCodeHere) {
-  EXPECT_FALSE(hsp::has_avx2());
+TEST(Target, IsTheBaselineHere) {
+  EXPECT_EQ(hsp::best_target(), hsp::Target::baseline);
 }
 #endif
 

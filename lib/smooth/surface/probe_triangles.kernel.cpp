@@ -1,12 +1,12 @@
 #include "surface/triangle_kernel.hpp"
 
-namespace hsp {
+namespace hsp::HSP_TARGET {
 
 void place_probes(const BallArrays &balls, ProbeTriangles &triangles) {
-  TriangleKernel<baseline_lanes>::place(balls, triangles);
+  TriangleKernel<register_lanes>::place(balls, triangles);
 }
 void measure_triangles(const BallArrays &balls, ProbeTriangles &triangles) {
-  TriangleKernel<baseline_lanes>::measure(balls, triangles);
+  TriangleKernel<register_lanes>::measure(balls, triangles);
 }
 
-}  // namespace hsp
+}  // namespace hsp::HSP_TARGET

@@ -1,14 +1,23 @@
-#include "poses/near_pairs.hpp"
+// Eight floats at once on every target: one register of AVX2, else two of four. Everything has internal linkage.
+#pragma once
 
-#include "poses/near_pairs_kernel.hpp"
+#if defined(__AVX2__)
+#include "lanes/avx2_lanes.hpp"
+#endif
+
+#include <cstdint>
+#include <cstring>
 
 namespace hsp {
 namespace {
 
+#if defined(__AVX2__)
+using EightFloats = Floats;
+#else
 typedef float FourFloats __attribute__((vector_size(16)));
 typedef int32_t FourMasks __attribute__((vector_size(16)));  // -1 where true
 
-// The operations of Floats (core/avx2_lanes.hpp) for every processor, by two vectors.
+// The operations of Floats (lanes/avx2_lanes.hpp) for every processor, by two vectors.
 struct EightFloats {
   FourFloats low, high;
 
@@ -37,11 +46,7 @@ struct EightFloats {
     return static_cast<uint32_t>(both | both >> 32);
   }
 };
+#endif
 
 }  // namespace
-
-uint32_t find_near_pairs(const SphereLevels &fixed, const SphereLevels &moving, const FloatPose &pose, PairWalk &walk) {
-  return PairWalker<EightFloats>(fixed, moving, pose, walk).find();
-}
-
 }  // namespace hsp

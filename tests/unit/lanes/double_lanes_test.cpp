@@ -3,5 +3,5 @@
 #include "expect_cases.hpp"
 
 TEST(DoubleLanes, Cases) {
-  expect_cases(cases::core_double_lanes);
+  expect_cases(cases::lanes_double_lanes);
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cases.hpp"
-#include "core/floating_point.hpp"
+#include "lanes/floating_point.hpp"
 
 namespace cases {
 
@@ -41,7 +41,7 @@ inline uint32_t constants_are_nearest() {
   return first_false(conditions);
 }
 
-inline constexpr Check core_floating_point[] = {
+inline constexpr Check lanes_floating_point[] = {
     {"finite_numbers_are_told_from_others", finite_numbers_are_told_from_others},
     {"constants_are_nearest", constants_are_nearest}};
 

@@ -3,5 +3,5 @@
 #include "expect_cases.hpp"
 
 TEST(Simd, Cases) {
-  expect_cases(cases::core_simd);
+  expect_cases(cases::lanes_simd);
 }

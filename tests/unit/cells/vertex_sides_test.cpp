@@ -14,8 +14,8 @@
 #include "cells/edge_crossings.hpp"
 #include "cells/vertex_edges.hpp"
 #include "cells/vertex_sides.hpp"
-#include "core/processor.hpp"
 #include "random_balls.hpp"
+#include "runnable_targets.hpp"
 
 namespace {
 
@@ -155,9 +155,9 @@ TEST(WideCells, FindCutAndCompareSquares) {
       for (uint32_t v = 0; v < count; ++v) ASSERT_EQ(vertices.value(v), expected.value[v]);
     };
     ASSERT_NO_FATAL_FAILURE(
-        check([&](const CutVertices &cut) { return hsp::find_cut<1>(cut, planes, plane_count, margins); }));
+        check([&](const CutVertices &cut) { return hsp::find_cut_in_lanes<1>(cut, planes, plane_count, margins); }));
     ASSERT_NO_FATAL_FAILURE(
-        check([&](const CutVertices &cut) { return hsp::find_cut<2>(cut, planes, plane_count, margins); }));
+        check([&](const CutVertices &cut) { return hsp::find_cut_in_lanes<2>(cut, planes, plane_count, margins); }));
     const uint32_t some = count < 64 ? count : 64;
     const double limit = static_cast<double>(random.in(0, 25)), margin = static_cast<double>(random.in(0, 16)) / 8;
     SquareSides sides{0, 0};
@@ -169,15 +169,16 @@ TEST(WideCells, FindCutAndCompareSquares) {
       ASSERT_EQ(found.above, sides.above);
       ASSERT_EQ(found.unsure, sides.unsure);
     };
-    ASSERT_NO_FATAL_FAILURE(check_sides(hsp::compare_squares<1>(vertices.arrays().squared, some, limit, margin)));
-    ASSERT_NO_FATAL_FAILURE(check_sides(hsp::compare_squares<2>(vertices.arrays().squared, some, limit, margin)));
-#if HSP_AVX2
-    if (hsp::has_avx2()) {
+    ASSERT_NO_FATAL_FAILURE(
+        check_sides(hsp::compare_squares_in_lanes<1>(vertices.arrays().squared, some, limit, margin)));
+    ASSERT_NO_FATAL_FAILURE(
+        check_sides(hsp::compare_squares_in_lanes<2>(vertices.arrays().squared, some, limit, margin)));
+    for (const hsp::Target target : runnable_targets()) {
       ASSERT_NO_FATAL_FAILURE(
-          check([&](const CutVertices &cut) { return hsp::find_cut_avx2(cut, planes, plane_count, margins); }));
-      ASSERT_NO_FATAL_FAILURE(check_sides(hsp::compare_squares_avx2(vertices.arrays().squared, some, limit, margin)));
+          check([&](const CutVertices &cut) { return hsp::find_cut(target, cut, planes, plane_count, margins); }));
+      ASSERT_NO_FATAL_FAILURE(
+          check_sides(hsp::compare_squares(target, vertices.arrays().squared, some, limit, margin)));
     }
-#endif
     none += expected.plane == hsp::none_cuts ? 1U : 0U;
     covered += expected.plane == hsp::is_covered ? 1U : 0U;
     without_end += expected.plane == hsp::none_cuts && margins.reach == much ? 1U : 0U;
@@ -226,13 +227,11 @@ TEST(WideCells, CompareEdges) {
       ASSERT_EQ(found.unsure, expected.unsure);
     };
     const VertexArrays arrays = vertices.arrays();
-    ASSERT_NO_FATAL_FAILURE(check(hsp::compare_edges<1>(arrays, edges.data(), count, limit, doubt)));
-    ASSERT_NO_FATAL_FAILURE(check(hsp::compare_edges<2>(arrays, edges.data(), count, limit, doubt)));
-#if HSP_AVX2
-    if (hsp::has_avx2()) {
-      ASSERT_NO_FATAL_FAILURE(check(hsp::compare_edges_avx2(arrays, edges.data(), count, limit, doubt)));
+    ASSERT_NO_FATAL_FAILURE(check(hsp::compare_edges_in_lanes<1>(arrays, edges.data(), count, limit, doubt)));
+    ASSERT_NO_FATAL_FAILURE(check(hsp::compare_edges_in_lanes<2>(arrays, edges.data(), count, limit, doubt)));
+    for (const hsp::Target target : runnable_targets()) {
+      ASSERT_NO_FATAL_FAILURE(check(hsp::compare_edges(target, arrays, edges.data(), count, limit, doubt)));
     }
-#endif
     outside += expected.outside != 0 ? 1U : 0U;
     unsure += expected.unsure != 0 ? 1U : 0U;
     inside += (expected.outside | expected.unsure) == 0 ? 1U : 0U;
@@ -306,13 +305,11 @@ TEST(WideCells, CrossEdges) {
       }
       ASSERT_EQ(found, expected);
     };
-    ASSERT_NO_FATAL_FAILURE(check(hsp::cross_edges<1>));
-    ASSERT_NO_FATAL_FAILURE(check(hsp::cross_edges<2>));
-#if HSP_AVX2
-    if (hsp::has_avx2()) {
-      ASSERT_NO_FATAL_FAILURE(check(hsp::cross_edges_avx2));
+    ASSERT_NO_FATAL_FAILURE(check(hsp::cross_edges_in_lanes<1>));
+    ASSERT_NO_FATAL_FAILURE(check(hsp::cross_edges_in_lanes<2>));
+    for (const hsp::Target target : runnable_targets()) {
+      ASSERT_NO_FATAL_FAILURE(check([target](auto &&...all) { hsp::cross_edges(target, all...); }));
     }
-#endif
     for (uint32_t k = 0; k < count; ++k) {
       const double rise = corners.value[edges[k].gone] - corners.value[edges[k].near / 4];
       known += expected.doubt[to[k]] < 4.0 ? 1U : 0U;
@@ -357,14 +354,14 @@ TEST(WideCells, CompareFacets) {
       ASSERT_EQ(found.reached, expected.reached);
     };
     const uint32_t line_count = static_cast<uint32_t>(lines.size());
-    ASSERT_NO_FATAL_FAILURE(check(hsp::compare_facets<1>(u.data(), w.data(), count, lines.data(), line_count, margin)));
-    ASSERT_NO_FATAL_FAILURE(check(hsp::compare_facets<2>(u.data(), w.data(), count, lines.data(), line_count, margin)));
-#if HSP_AVX2
-    if (hsp::has_avx2()) {
+    ASSERT_NO_FATAL_FAILURE(
+        check(hsp::compare_facets_in_lanes<1>(u.data(), w.data(), count, lines.data(), line_count, margin)));
+    ASSERT_NO_FATAL_FAILURE(
+        check(hsp::compare_facets_in_lanes<2>(u.data(), w.data(), count, lines.data(), line_count, margin)));
+    for (const hsp::Target target : runnable_targets()) {
       ASSERT_NO_FATAL_FAILURE(
-          check(hsp::compare_facets_avx2(u.data(), w.data(), count, lines.data(), line_count, margin)));
+          check(hsp::compare_facets(target, u.data(), w.data(), count, lines.data(), line_count, margin)));
     }
-#endif
     apart += expected.apart ? 1U : 0U;
     inside += expected.inside != 0 ? 1U : 0U;
     reached += expected.reached && expected.inside == 0 ? 1U : 0U;
@@ -417,9 +414,9 @@ TEST(WideCells, FindPlanesAndDominance) {
                        [&](uint32_t a, uint32_t b) { return expected[a].first < expected[b].first; });
       ASSERT_TRUE(std::equal(sorted.begin(), sorted.end(), order.plane));
     };
-    hsp::find_planes<1>(members, own, limit, planes);
+    hsp::find_planes_in_lanes<1>(members, own, limit, planes);
     ASSERT_NO_FATAL_FAILURE(check());
-    hsp::find_planes<2>(members, own, limit, planes);
+    hsp::find_planes_in_lanes<2>(members, own, limit, planes);
     ASSERT_NO_FATAL_FAILURE(check());
 
     const hsp::Vec3 point = 0.25 * centre(static_cast<uint32_t>(random.in(0, count - 1)));
@@ -431,8 +428,8 @@ TEST(WideCells, FindPlanesAndDominance) {
     }
     ++(is_before ? before : not_before);
     for (uint32_t k = count; k < count + 7; ++k) pd.data()[k] = hsp::done_with;
-    EXPECT_EQ(hsp::is_before_all<1>(members, own, point, least, pd.data()), is_before);
-    EXPECT_EQ(hsp::is_before_all<2>(members, own, point, least, pd.data()), is_before);
+    EXPECT_EQ(hsp::is_before_all_in_lanes<1>(members, own, point, least, pd.data()), is_before);
+    EXPECT_EQ(hsp::is_before_all_in_lanes<2>(members, own, point, least, pd.data()), is_before);
 
     const uint32_t first = static_cast<uint32_t>(random.in(0, count - 1));
     const double side = static_cast<double>(random.in(1, 8)), doubt = static_cast<double>(random.in(0, 2)) / 8;
@@ -443,16 +440,14 @@ TEST(WideCells, FindPlanesAndDominance) {
       concentric += spread == 0 && k != own ? 1U : 0U;
     }
     dominant += dominance != 0 ? 1U : 0U;
-    EXPECT_EQ(hsp::find_dominance<1>(members, own, first, side, doubt), dominance);
-    EXPECT_EQ(hsp::find_dominance<2>(members, own, first, side, doubt), dominance);
-#if HSP_AVX2
-    if (hsp::has_avx2()) {
-      hsp::find_planes_avx2(members, own, limit, planes);
+    EXPECT_EQ(hsp::find_dominance_in_lanes<1>(members, own, first, side, doubt), dominance);
+    EXPECT_EQ(hsp::find_dominance_in_lanes<2>(members, own, first, side, doubt), dominance);
+    for (const hsp::Target target : runnable_targets()) {
+      hsp::find_planes(target, members, own, limit, planes);
       ASSERT_NO_FATAL_FAILURE(check());
-      EXPECT_EQ(hsp::is_before_all_avx2(members, own, point, least, pd.data()), is_before);
-      EXPECT_EQ(hsp::find_dominance_avx2(members, own, first, side, doubt), dominance);
+      EXPECT_EQ(hsp::is_before_all(target, members, own, point, least, pd.data()), is_before);
+      EXPECT_EQ(hsp::find_dominance(target, members, own, first, side, doubt), dominance);
     }
-#endif
   }
   EXPECT_GT(near, 1000U);
   EXPECT_GT(before, 50U);

@@ -15,7 +15,7 @@ inline uint32_t vectors_of_lanes() {
   return first_false(conditions);
 }
 
-inline constexpr Check core_double_lanes[] = {{"double_lanes_answer_one_by_one", double_lanes_answer_one_by_one},
-                                              {"vectors_of_lanes", vectors_of_lanes}};
+inline constexpr Check lanes_double_lanes[] = {{"double_lanes_answer_one_by_one", double_lanes_answer_one_by_one},
+                                               {"vectors_of_lanes", vectors_of_lanes}};
 
 }  // namespace cases

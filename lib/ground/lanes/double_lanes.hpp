@@ -1,6 +1,6 @@
 // Several doubles at once, for kernels that are compiled for registers of several widths and give the same bits in
 // each: every lane is computed by the IEEE operations of a scalar, in the order in which they are written. Everything
-// here has internal linkage, so that files *_avx2.cpp have their own copy (processor.hpp).
+// here has internal linkage, so that kernels have their own copy for each target (target.hpp).
 #pragma once
 
 // The header of all instructions takes most of a second to read: where those of SSE2 do, theirs.
@@ -13,18 +13,20 @@
 #include <cstdint>
 #include <cstring>
 
-#include "core/floating_point.hpp"
+#include "lanes/floating_point.hpp"
 
 namespace hsp {
 
-// How many doubles a register of the target's baseline holds.
-#if defined(__SSE2__) || defined(__aarch64__) || defined(__ALTIVEC__) || defined(__wasm_simd128__)
-inline constexpr uint32_t baseline_lanes = 2;
-#else
-inline constexpr uint32_t baseline_lanes = 1;
-#endif
-
 namespace {
+
+// How many doubles a register of the target holds that is compiled for.
+#if defined(__AVX2__)
+constexpr uint32_t register_lanes = 4;
+#elif defined(__SSE2__) || defined(__aarch64__) || defined(__ALTIVEC__) || defined(__wasm_simd128__)
+constexpr uint32_t register_lanes = 2;
+#else
+constexpr uint32_t register_lanes = 1;
+#endif
 
 // The vector types of n doubles.
 template <uint32_t n>
@@ -65,6 +67,17 @@ struct DoubleLanes {
     return a;
   }
   static void store(double *p, const Real &a) { std::memcpy(p, &a, sizeof a); }
+  // Integers below 2^32.
+  static void store_integers(uint32_t *p, const Mask &a) {
+#if defined(__AVX2__)
+    if constexpr (n == 4) {
+      const __m256i front = _mm256_permutevar8x32_epi32(__m256i(a), _mm256_setr_epi32(0, 2, 4, 6, 1, 3, 5, 7));
+      _mm_storeu_si128(reinterpret_cast<__m128i *>(p), _mm256_castsi256_si128(front));
+      return;
+    }
+#endif
+    for (uint32_t k = 0; k < n; ++k) p[k] = static_cast<uint32_t>(a[k]);
+  }
   static Real all(double x) {
     if constexpr (n == 4) {
       return Real{x, x, x, x};
@@ -86,22 +99,40 @@ struct DoubleLanes {
   }
 
   // The bits of a number as a mask, and back.
-  static Mask bits(const Real &a) { return reinterpret_cast<Mask>(a); }
-  static Real number(const Mask &a) { return reinterpret_cast<Real>(a); }
+  static Mask bits(const Real &a) {
+    return reinterpret_cast<Mask>(a);
+  }
+  static Real number(const Mask &a) {
+    return reinterpret_cast<Real>(a);
+  }
 
   // a where the mask is set, else 0. The second for masks: on targets without a blend instruction GCC splits a plain &
   // of two comparisons into single lanes.
-  static Real kept(const Mask &mask, const Real &a) { return number(mask & bits(a)); }
-  static Mask both(const Mask &a, const Mask &b) { return bits(kept(a, number(b))); }
-  static Real select(const Mask &mask, const Real &a, const Real &b) { return mask ? a : b; }
+  static Real kept(const Mask &mask, const Real &a) {
+    return number(mask & bits(a));
+  }
+  static Mask both(const Mask &a, const Mask &b) {
+    return bits(kept(a, number(b)));
+  }
+  static Real select(const Mask &mask, const Real &a, const Real &b) {
+    return mask ? a : b;
+  }
   // Not a number where the mask is not set, else a.
-  static Real valid(const Mask &mask, const Real &a) { return number(~mask | bits(a)); }
+  static Real valid(const Mask &mask, const Real &a) {
+    return number(~mask | bits(a));
+  }
   // -a where the mask is set, else a.
-  static Real negate_if(const Mask &mask, const Real &a) { return number(bits(a) ^ (mask & bits(all(-0.0)))); }
-  static Real absolute(const Real &a) { return number(bits(a) & ~bits(all(-0.0))); }
+  static Real negate_if(const Mask &mask, const Real &a) {
+    return number(bits(a) ^ (mask & bits(all(-0.0))));
+  }
+  static Real absolute(const Real &a) {
+    return number(bits(a) & ~bits(all(-0.0)));
+  }
 
   // 1 where the highest bit is set, else 0.
-  static Mask sign_bits(const Mask &a) { return reinterpret_cast<Mask>(reinterpret_cast<Bits>(a) >> 63); }
+  static Mask sign_bits(const Mask &a) {
+    return reinterpret_cast<Mask>(reinterpret_cast<Bits>(a) >> 63);
+  }
 
   static Real square_root(const Real &a) {
 #if defined(__AVX2__)

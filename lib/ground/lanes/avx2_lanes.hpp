@@ -1,4 +1,4 @@
-// Eight floats, four doubles and eight integers at once, for files *_avx2.cpp alone (processor.hpp). Everything has
+// Eight floats, four doubles and eight integers at once, for files *_avx2.cpp alone (target.hpp). Everything has
 // internal linkage, so that each of them has its own copy.
 #pragma once
 
@@ -294,19 +294,6 @@ struct LongIntegers {
 inline LongIntegers product(LongIntegers a, LongIntegers b) {
   return {_mm256_mul_epi32(a.v, b.v)};
 }
-// How often a comparison of integers has held in each lane.
-struct LongCounts {
-  __m256i negative = _mm256_setzero_si256();
-
-  void count_greater(LongIntegers a, LongIntegers b) {
-    negative = _mm256_add_epi64(negative, _mm256_cmpgt_epi64(a.v, b.v));
-  }
-  void store(uint32_t *p) const {
-    const __m256i counts = _mm256_sub_epi64(_mm256_setzero_si256(), negative);
-    const __m256i front = _mm256_permutevar8x32_epi32(counts, _mm256_setr_epi32(0, 2, 4, 6, 1, 3, 5, 7));
-    _mm_storeu_si128(reinterpret_cast<__m128i *>(p), _mm256_castsi256_si128(front));
-  }
-};
 // Rounded to nearest, for all 64-bit integers: the upper half plus 2^84 + 2^63 and the lower plus 2^52, whose bits can
 // be put together, are exact doubles; so is the first difference, and the last sum is rounded once. What is left out by
 // that is exact too: either the difference has no smaller exponent than the lower half plus 2^52, or the sum is exact.

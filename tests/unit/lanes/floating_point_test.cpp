@@ -3,5 +3,5 @@
 #include "expect_cases.hpp"
 
 TEST(FloatingPoint, Cases) {
-  expect_cases(cases::core_floating_point);
+  expect_cases(cases::lanes_floating_point);
 }
