@@ -86,6 +86,7 @@ class Document {
     const std::string rest = rest_of(line);
     if (is(line, "set")) {
       const size_t blank = rest.find(' ');
+      if (blank == std::string::npos) throw std::runtime_error("no name, or nothing that it stands for");
       names_[rest.substr(0, blank)] = rest.substr(blank + 1);
     } else if (out_ == nullptr) {
       return;
@@ -110,7 +111,7 @@ class Document {
     }
   }
 
-  void write_block(const std::string &line, Lines lines) {
+  void write_block(const std::string &line, const Lines &lines) {
     if (is(line, "list")) {
       read_list(rest_of(line), lines);
     } else if (is(line, "each")) {
@@ -118,8 +119,8 @@ class Document {
     } else if (is(line, "if")) {
       write(chosen(rest_of(line), lines));
     } else if (is(line, "data")) {
-      if (out_ == nullptr)
-        write_plot_table(results_.folder / "plots" / (rest_of(line) + ".dat"), flat(lines), run_, lists_);
+      const std::string file = rest_of(line) + ".dat";
+      if (out_ == nullptr) write_plot_table(results_.folder / "plots" / file, flat(lines), run_, lists_);
     } else if (out_ == nullptr) {
       return;
     } else if (is(line, "table")) {

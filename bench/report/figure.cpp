@@ -261,15 +261,23 @@ double plain_amount(std::string_view figure, const Scope &scope) {
 
 std::string written(std::string_view figure, const Scope &scope) {
   const Parts parts = parts_of(figure);
-  const double value = amount_of(parts, scope);
-  if (parts.format == "verdict") return std::isnan(value) ? "not measured" : value >= 0 ? "goal" : "**missed**";
-  if (!std::isfinite(value)) return "-";
-  const std::string percent = parts.unit == 100 ? " %" : "";
-  if (parts.format == "3") return three_digits(value) + percent;
-  if (parts.format == "e") return scientific(value) + percent;
-  if (parts.format == ",") return grouped(value) + percent;
-  if (parts.format.size() == 2 && parts.format[0] == '.') return fixed(value, parts.format[1] - '0') + percent;
-  throw std::runtime_error("'" + std::string(figure) + "' has no format");
+  const double value = amount_of(parts, scope), shown = std::isfinite(value) ? value : 0;
+  const std::string &format = parts.format;
+  std::string text;
+  if (format == "verdict") {
+    return std::isnan(value) ? "not measured" : value >= 0 ? "goal" : "**missed**";
+  } else if (format == "3") {
+    text = three_digits(shown);
+  } else if (format == "e") {
+    text = scientific(shown);
+  } else if (format == ",") {
+    text = grouped(shown);
+  } else if (format.size() == 2 && format[0] == '.' && std::isdigit(static_cast<unsigned char>(format[1])) != 0) {
+    text = fixed(shown, format[1] - '0');
+  } else {
+    throw std::runtime_error("'" + std::string(figure) + "' has no format");
+  }
+  return !std::isfinite(value) ? "-" : parts.unit == 100 ? text + " %" : text;
 }
 
 }  // namespace report

@@ -19,8 +19,8 @@ void for_random_sets(uint64_t seed, int sets, oracle::Balls (*make)(oracle::Rand
   }
 }
 
-// Two to six balls that a ray along the z axis enters in one point, (0, 0, 100), the line tangent to some of them, and a
-// ball behind, in orders of their own: check(k, balls, grid, z) for the k-th order and five heights below.
+// Two to six balls that a ray along the z axis enters in one point, (0, 0, 100), tangent to some of them, and a ball
+// behind, in any order: check(k, balls, grid, z) for the k-th order and five heights below.
 template <class Check>
 void for_balls_entered_in_one_point(int orders, Check check) {
   const oracle::Balls balls = {{0, 0, 105, 5},  {3, 0, 104, 5}, {-3, 4, 100, 5},
