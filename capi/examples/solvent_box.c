@@ -2,7 +2,7 @@
  *   solvent_box FILE.xyzr AX BY CZ      x y z r on each line
  * Waters are balls of radius 1.4 on a grid of the box, wherever none of them meets the molecule or an image of it. The
  * molecule may lie anywhere, and across faces of the box. */
-#include <hardsphere.h>
+#include <hardsphere_workspace.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,39 +12,18 @@
 static const double water = 1.4, spacing = 2.9;
 static const double first_shell = 0.5; /* balls at most twice that apart are neighbours */
 
-/* A union in a box, in memory that grows. */
 struct box {
   double vector[9];
-  hsp_periodic *periodic;
-  void *memory;
-  size_t bytes;
+  hsp_workspace work;
 };
 
 /* Computes the balls, each larger by the probe. */
 static int32_t compute(struct box *box, const struct balls *balls, double probe) {
   hsp_model_options options;
-  hsp_periodic_limits limits;
-  int32_t status = hsp_model_options_init(&options, sizeof options);
+  const int32_t status = hsp_model_options_init(&options, sizeof options);
   options.probe = probe;
-  if (status == HSP_OK) status = hsp_periodic_limits_init(&limits, sizeof limits, balls->count);
-  while (status == HSP_OK) {
-    size_t bytes = 0;
-    status = hsp_periodic_bytes(&limits, &bytes);
-    if (status != HSP_OK) return status;
-    if (bytes > box->bytes) {
-      void *memory = realloc(box->memory, bytes);
-      if (memory == NULL) return HSP_E_MEMORY;
-      box->memory = memory;
-      box->bytes = bytes;
-    }
-    status = hsp_periodic_init(box->memory, box->bytes, &limits, &box->periodic);
-    if (status != HSP_OK) return status;
-    status = hsp_periodic_compute(box->periodic, balls->count, balls->xyz, balls->radius, &options, box->vector,
-                                  &limits, NULL);
-    if (status == HSP_OK) return HSP_OK;
-    if (status == HSP_E_CAPACITY) status = HSP_OK; /* once more, with limits that are larger now */
-  }
-  return status;
+  if (status != HSP_OK) return status;
+  return hsp_workspace_periodic(&box->work, balls->count, balls->xyz, balls->radius, &options, box->vector, NULL);
 }
 
 /* Adds waters at the points of a grid that are in no ball of the box: the molecule's, larger by a water's radius. */
@@ -56,7 +35,7 @@ static int32_t add_waters(const struct box *box, struct balls *balls) {
     double ball[4] = {0.0, 0.0, 0.0, water};
     for (int axis = 0; axis < 3; ++axis) ball[axis] = (at[axis] + 0.5) * box->vector[4 * axis] / many[axis];
     uint32_t hits = 0;
-    const int32_t status = hsp_periodic_query_point(box->periodic, ball, NULL, 0, &hits);
+    const int32_t status = hsp_periodic_query_point(box->work.periodic, ball, NULL, 0, &hits);
     if (status != HSP_OK && status != HSP_E_CAPACITY) return status;
     if (hits == 0 && !add_ball(balls, ball)) return HSP_E_MEMORY;
   }
@@ -65,7 +44,7 @@ static int32_t add_waters(const struct box *box, struct balls *balls) {
 
 static int32_t print_volumes(const struct box *box, const char *what) {
   hsp_periodic_totals totals;
-  const int32_t status = hsp_periodic_measure(box->periodic, &totals, NULL, NULL, 0, NULL);
+  const int32_t status = hsp_periodic_measure(box->work.periodic, &totals, NULL, NULL, 0, NULL);
   if (status == HSP_OK) {
     printf("%s: volume %.6f, area %.6f, free %.6f of %.6f\n", what, totals.volume, totals.area, totals.free_volume,
            totals.box_volume);
@@ -80,7 +59,7 @@ static int32_t count_first_shell(const struct box *box, uint32_t solute, unsigne
   int32_t status = HSP_OK;
   for (uint32_t i = 0; i < solute && status == HSP_OK;) {
     uint32_t needed = 0;
-    status = hsp_periodic_query_neighbours(box->periodic, i, image, room, &needed);
+    status = hsp_periodic_query_neighbours(box->work.periodic, i, image, room, &needed);
     if (status == HSP_E_CAPACITY) {
       hsp_image *more = realloc(image, needed * sizeof *image);
       status = more != NULL ? HSP_OK : HSP_E_MEMORY;
@@ -104,11 +83,11 @@ static int32_t count_first_shell(const struct box *box, uint32_t solute, unsigne
 static int32_t print_windings(const struct box *box) {
   hsp_periodic_counts counts;
   uint32_t needed = 0, most = 0, largest = 0;
-  int32_t status = hsp_periodic_get_counts(box->periodic, &counts);
+  int32_t status = hsp_periodic_get_counts(box->work.periodic, &counts);
   if (status != HSP_OK) return status;
   hsp_winding *winding = malloc(((size_t)counts.components + 1) * sizeof *winding);
   if (winding == NULL) return HSP_E_MEMORY;
-  status = hsp_periodic_get_windings(box->periodic, winding, counts.components, &needed);
+  status = hsp_periodic_get_windings(box->work.periodic, winding, counts.components, &needed);
   for (uint32_t c = 0; c < counts.components && status == HSP_OK; ++c) {
     if (winding[c].directions > most) most = winding[c].directions;
     if (winding[c].balls > largest) largest = winding[c].balls;
@@ -161,7 +140,7 @@ int main(int count, char **arguments) {
     if (status != HSP_OK) fprintf(stderr, "solvent_box: %s\n", hsp_status_text(status));
     done = status == HSP_OK;
   }
-  free(box.memory);
+  hsp_workspace_free(&box.work);
   free_balls(&balls);
   return done ? 0 : 1;
 }

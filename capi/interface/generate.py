@@ -18,8 +18,14 @@ except ModuleNotFoundError as missing:
     print("skipped: there is no python3-pycparser here")
     sys.exit(77)
 
+from write.abi import abi_constants, abi_functions, abi_since, abi_structs
+from write.cdef import cdef
+from write.fortran import fortran_module
+from write.function_index import function_index
 from write.model_text import model_text
 from write.registry import registry
+from write.workspace import workspace_header
+from write.workspace_fortran import workspace_module
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -27,6 +33,15 @@ ROOT = Path(__file__).resolve().parents[2]
 GENERATED = {
     "capi/interface/model.txt": model_text,
     "tests/laws/support/registry.c": registry,
+    "include/hardsphere_workspace.h": workspace_header,
+    "capi/fortran/hardsphere.f90": fortran_module,
+    "capi/fortran/hardsphere_workspace.f90": workspace_module,
+    "capi/abi/since.txt": abi_since,  # before functions.txt, which says what is new
+    "capi/abi/functions.txt": abi_functions,
+    "capi/abi/constants.txt": abi_constants,
+    "capi/abi/structs.txt": abi_structs,
+    "capi/guide/all_functions.md": function_index,
+    "capi/interface/hardsphere.cdef": cdef,
 }
 
 

@@ -97,6 +97,8 @@ contains
     call expect(hsp_map_get_outline(map, 0, loops, 2, needed), HSP_OK, 'hsp_map_get_outline')
     call check(needed == 2 .and. hsp_map_next_loop(map, loops(1)) == loops(2), 'an outline with a hole')
     call check(hsp_map_next(map, HSP_NONE) == HSP_NONE .and. hsp_map_twin(HSP_NONE) == HSP_NONE, 'no directed edge')
+    call check(all(hsp_map_twin([6_c_int32_t, 7_c_int32_t]) == [7, 6]), 'twins')
+    call check(all(hsp_surface_twin([6_c_int32_t, 7_c_int32_t, HSP_NONE]) == [7, 6, HSP_NONE]), 'twins of a surface')
   end subroutine
 
   subroutine questions()

@@ -98,6 +98,7 @@ program fortran_sticks_test
   call expect(hsp_sticks_pick(sticks, 0.0_c_double - map_info%origin(1), 4.0_c_double - map_info%origin(2), sight), HSP_OK, &
               'hsp_sticks_pick')
   call check(sight%ball == hsp_sticks_half(n, 1, 0), 'a whole stick')
+  call check(hsp_sticks_half(1000_c_int32_t, 10_c_int32_t, 1_c_int32_t) == 1021, 'a half of a stick')
   call expect(hsp_sticks_check(sticks, invariant, id), HSP_OK, 'hsp_sticks_check')
   call check(invariant == 0, 'no violated invariant')
   call expect(hsp_sticks_compute(sticks, model, count=0_c_int32_t, radius=1.0_c_double), HSP_OK, 'without sticks')

@@ -72,6 +72,7 @@ contains
     end do
     call check(hsp_quad_rot(HSP_NONE) == HSP_NONE .and. hsp_quad_inverse_rot(HSP_NONE) == HSP_NONE, 'rot of nothing')
     call check(hsp_quad_sym(HSP_NONE) == HSP_NONE, 'sym of nothing')
+    call check(hsp_quad_rot(huge(0_c_int32_t)) == huge(0_c_int32_t) - 3, 'rot of the largest number')
     call check(all(hsp_quad_rot([0_c_int32_t, 3_c_int32_t]) == [1, 0]), 'rot of an array')
   end subroutine
 

@@ -19,6 +19,7 @@ program fortran_workspace_test
   call rows_of_balls(20_c_int32_t)
   call refused()
   call copied()
+  call boxes()
   call report_checks()
 
 contains
@@ -35,6 +36,36 @@ contains
     call expect(work%find_path(away, away, path), HSP_E_ARGUMENT, 'no model for a path')
     call expect(work%compute_gate(away), HSP_E_ARGUMENT, 'no model for a probe')
     call expect(work%set_moving(1.0_c_double, 0.0_c_double, HSP_TANGENT_OVERLAP), HSP_E_ARGUMENT, 'no model to move')
+  end subroutine
+
+  ! Two unit balls that meet across a face of a box, then eight such boxes as one, without a model.
+  subroutine boxes()
+    type(hsp_workspace), target :: fresh
+    type(hsp_periodic_totals) :: one, eight
+    type(hsp_periodic_counts) :: counts
+    real(c_double) :: xyz(3, 16), box(9)
+    real(c_double), parameter :: radius(16) = 1
+    integer(c_int32_t) :: first_bad
+    integer :: i
+    do i = 0, 7
+      xyz(:, 2*i + 1) = 4*[mod(i, 2), mod(i/2, 2), i/4] + [0.5_c_double, 0.0_c_double, 0.0_c_double]
+      xyz(:, 2*i + 2) = xyz(:, 2*i + 1) + [2.75_c_double, 0.0_c_double, 0.0_c_double]
+    end do
+    box = 0
+    box([1, 5, 9]) = 4
+    call expect(fresh%compute_periodic(2_c_int32_t, xyz, radius, box=box), HSP_OK, 'two balls in a box')
+    call expect(hsp_periodic_measure(fresh%periodic, totals=one, capacity=0_c_int32_t), HSP_OK, 'what they have')
+    call check(near(one%area, 4*pi*(2 - 0.375_c_double)), 'area: each loses a cap of height 3/8')
+    call expect(fresh%compute_periodic(16_c_int32_t, xyz, radius, box=2*box, first_bad=first_bad), HSP_OK, 'eight boxes')
+    call expect(hsp_periodic_measure(fresh%periodic, totals=eight, capacity=0_c_int32_t), HSP_OK, 'what these have')
+    call check(near(eight%area, 8*one%area) .and. near(eight%volume, 8*one%volume), 'eight times as much')
+    call expect(hsp_periodic_get_counts(fresh%periodic, counts), HSP_OK, 'hsp_periodic_get_counts')
+    call check(counts%components == 8 .and. first_bad == HSP_NONE, 'eight components')
+    call expect(fresh%compute_periodic(2_c_int32_t, xyz, [1.0_c_double, -1.0_c_double], box=box, first_bad=first_bad), &
+                HSP_E_NEGATIVE, 'a negative radius')
+    call check(first_bad == 1, 'that of the second ball')
+    call expect(hsp_periodic_get_counts(fresh%periodic, counts), HSP_E_STATE, 'no results')
+    call check(.not. c_associated(fresh%model), 'no model')
   end subroutine
 
   ! A view of the boundary is none of the model alone.

@@ -1,7 +1,19 @@
 /* The workspace over malloc: handles that grow, for set after set, with the results that handles of ample size have.
  * The address sanitizer sees what is not given back. */
-#include <hardsphere_workspace.h>
+#include <limits.h>
 #include <math.h>
+#include <stdlib.h>
+
+/* The workspace has so many allocations left. */
+static unsigned allocations_left = UINT_MAX;
+static void *limited_malloc(size_t bytes) {
+  if (allocations_left == 0) return NULL;
+  --allocations_left;
+  return malloc(bytes);
+}
+#define malloc limited_malloc
+#include <hardsphere_workspace.h>
+#undef malloc
 
 #include "ball_sets.h"
 #include "check.h"
@@ -195,6 +207,136 @@ static void out_of_date(void) {
   hsp_workspace_free(&work);
 }
 
+/* What reading each handle yields. */
+static void check_readings(hsp_workspace *work, int32_t expected) {
+  hsp_boundary_counts counts;
+  hsp_topology_counts topology;
+  hsp_view_info view;
+  hsp_surface_counts surface;
+  hsp_mesh_counts mesh;
+  hsp_map_info map;
+  hsp_complex complex;
+  hsp_cells_counts cells;
+  hsp_widest_probe widest;
+  CHECK_EQUAL(hsp_boundary_get_counts(work->boundary, &counts), expected);
+  CHECK_EQUAL(hsp_topology_get_counts(work->topology, &topology), expected);
+  CHECK_EQUAL(hsp_view_get_info(work->view, &view), expected);
+  CHECK_EQUAL(hsp_surface_get_counts(work->surface, &surface), expected);
+  CHECK_EQUAL(hsp_mesh_get_counts(work->mesh, &mesh), expected);
+  CHECK_EQUAL(hsp_map_get_info(work->map, &map), expected);
+  CHECK_EQUAL(hsp_contacts_get_complex(work->contacts, &complex), expected);
+  CHECK_EQUAL(hsp_cells_get_counts(work->cells, &cells), expected);
+  CHECK_EQUAL(hsp_gate_get(work->gate, &widest), expected);
+}
+
+/* As many balls as before that meet more: the boundary moves into larger memory, and what was computed from it does not
+ * look where it was. */
+static void boundary_grows(void) {
+  static ball_set apart, crowd;
+  hsp_workspace work = {0};
+  const hsp_boundary *before;
+  hsp_topology_counts topology;
+  hsp_surface_counts surface;
+  hsp_mesh_counts mesh;
+  hsp_complex complex;
+  uint32_t i;
+  ball_set_start(&apart, "balls apart", 1e-8);
+  ball_set_start(&crowd, "a crowd", 1e-8);
+  for (i = 0; i < 400; ++i) {
+    ball_set_add(&apart, 4.0 * i, 0, 0, 1);
+    ball_set_add(&crowd, i % 20, i / 20, 0.1 * (i % 7), 8);
+  }
+  check_scene("a boundary that grows");
+  CHECK_EQUAL(compute_all(&work, &apart), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_mesh(&work, 0, 2), HSP_OK);
+  before = work.boundary;
+  CHECK_EQUAL(hsp_workspace_set(&work, crowd.n, crowd.xyz, crowd.radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_boundary(&work), HSP_OK);
+  CHECK(work.boundary != before);
+  CHECK_EQUAL(hsp_topology_get_counts(work.topology, &topology), HSP_E_STATE);
+  CHECK_EQUAL(hsp_surface_get_counts(work.surface, &surface), HSP_E_STATE);
+  CHECK_EQUAL(hsp_mesh_get_counts(work.mesh, &mesh), HSP_E_STATE);
+  CHECK_EQUAL(hsp_contacts_get_complex(work.contacts, &complex), HSP_E_STATE);
+  hsp_workspace_free(&work);
+}
+
+/* Without memory for more balls nothing has results, and nothing looks into memory that was given back; wherever memory
+ * ends, all can be computed once there is some again. */
+static void without_memory(void) {
+  static ball_set few, many;
+  uint32_t left;
+  int32_t status = HSP_E_MEMORY;
+  ball_set_start(&few, "a ball", 1e-8);
+  ball_set_add(&few, 0, 0, 0, 1);
+  ball_set_start(&many, "a chain", 1e-8);
+  ball_set_add_chain(&many, 200, 5);
+  for (left = 0; status == HSP_E_MEMORY; ++left) {
+    hsp_workspace work = {0};
+    check_scene("%u allocations", (unsigned)left);
+    CHECK_EQUAL(compute_all(&work, &few), HSP_OK);
+    CHECK_EQUAL(hsp_workspace_mesh(&work, 0, 2), HSP_OK);
+    check_readings(&work, HSP_OK);
+    allocations_left = left;
+    status = compute_all(&work, &many);
+    if (left == 0) check_readings(&work, HSP_E_STATE);
+    allocations_left = UINT_MAX;
+    CHECK_EQUAL(compute_all(&work, &many), HSP_OK);
+    check_results(&work, &many);
+    hsp_workspace_free(&work);
+  }
+  CHECK_EQUAL(status, HSP_OK);
+  CHECK(left > 10);
+}
+
+/* Boxes of m x m x m copies of two balls that meet across a face: they have m^3 times everything, whatever there was
+ * before, and the model is not touched. */
+static void boxes(void) {
+  static const uint32_t sides[] = {1, 4, 2, 5, 1};
+  static ball_set set;
+  hsp_workspace work = {0};
+  hsp_model_info info;
+  hsp_periodic_counts counts;
+  hsp_periodic_totals totals, one = {0, 0, 0, 0, 0};
+  uint32_t first_bad = 77, k, i;
+  double box[9] = {0};
+  ball_set_start(&set, "a ball", 1e-8);
+  ball_set_add(&set, 0, 0, 0, 1);
+  CHECK_EQUAL(hsp_workspace_set(&work, 1, set.xyz, set.radius, NULL, NULL), HSP_OK);
+  for (k = 0; k < sizeof sides / sizeof sides[0]; ++k) {
+    const uint32_t m = sides[k], copies = m * m * m;
+    check_scene("%u copies in a box", (unsigned)copies);
+    ball_set_start(&set, "copies", 1e-8);
+    for (i = 0; i < copies; ++i) {
+      const double x = 4.0 * (i % m), y = 4.0 * (i / m % m), z = 4.0 * (i / m / m);
+      ball_set_add(&set, x + 0.5, y, z, 1);
+      ball_set_add(&set, x + 3.25, y, z, 1);
+    }
+    box[0] = box[4] = box[8] = 4.0 * m;
+    CHECK_EQUAL(hsp_workspace_periodic(&work, set.n, set.xyz, set.radius, NULL, box, &first_bad), HSP_OK);
+    CHECK_EQUAL(first_bad, HSP_NONE);
+    CHECK_EQUAL(hsp_periodic_get_counts(work.periodic, &counts), HSP_OK);
+    CHECK(counts.balls == 2 * copies && counts.components == copies && counts.circles == copies);
+    CHECK_EQUAL(hsp_periodic_measure(work.periodic, &totals, NULL, NULL, 0, NULL), HSP_OK);
+    if (k == 0) one = totals;
+    CHECK_NEAR(totals.area, copies * one.area, 1e-12 * totals.area);
+    CHECK_NEAR(totals.volume, copies * one.volume, 1e-12 * totals.volume);
+  }
+  /* Two balls at distance 1.25: each loses a cap of height 3/8. */
+  CHECK_NEAR(one.area, 4 * acos(-1.0) * (2 - 0.375), 1e-13);
+  check_scene("refused boxes");
+  set.radius[1] = -1;
+  CHECK_EQUAL(hsp_workspace_periodic(&work, 2, set.xyz, set.radius, NULL, box, &first_bad), HSP_E_NEGATIVE);
+  CHECK_EQUAL(first_bad, 1);
+  CHECK_EQUAL(hsp_periodic_get_counts(work.periodic, &counts), HSP_E_STATE);
+  CHECK_EQUAL(hsp_workspace_periodic(&work, HSP_NONE, set.xyz, set.radius, NULL, box, NULL), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_model_get_info(work.model, &info), HSP_OK);
+  CHECK_EQUAL(info.balls, 1);
+  hsp_workspace_free(&work);
+  CHECK(work.periodic == NULL);
+  CHECK_EQUAL(hsp_workspace_periodic(&work, HSP_NONE, set.xyz, set.radius, NULL, box, NULL), HSP_E_RANGE);
+  hsp_workspace_free(&work);
+}
+
 /* Shorter and shorter edges in one workspace, of the boundary and of the surface in turn; with a probe these differ. */
 static void shorter_edges(void) {
   static ball_set set;
@@ -230,5 +372,8 @@ int main(void) {
   shorter_edges();
   view_without_boundary();
   out_of_date();
+  boundary_grows();
+  boxes();
+  without_memory();
   return check_report();
 }

@@ -1,49 +1,8 @@
-#!/usr/bin/python3
 """The reader of capi/interface, on small headers: every rule, and every question that it must leave open."""
-import sys
-import tempfile
-import textwrap
 import unittest
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parents[2] / "capi" / "interface"))
-try:
-    from read import read_interface
-except ModuleNotFoundError as missing:
-    if missing.name != "pycparser":
-        raise
-    print("skipped: there is no python3-pycparser here")
-    sys.exit(77)
+from small_headers import DECLARED, function_of, interface_of
 from write.model_text import argument_text, function_row
-
-DECLARED = """
-typedef struct hsp_x hsp_x;
-typedef struct hsp_row { double centre[3]; /**< length */ uint32_t ball; uint32_t reserved; /**< 0 */ } hsp_row;
-typedef struct hsp_limits {
-  uint32_t struct_size; /**< sizeof(hsp_limits) */
-  /** most balls,
-   *  as they come */
-  uint32_t balls;
-} hsp_limits;
-typedef int32_t (*hsp_sink)(void *context, const char *bytes, size_t count);
-"""
-
-
-def interface_of(text, listed=("x.h",)):
-    """The interface of a header x.h that holds the text."""
-    with tempfile.TemporaryDirectory() as folder:
-        (Path(folder) / "hardsphere").mkdir()
-        (Path(folder) / "hardsphere" / "x.h").write_text("#include <stddef.h>\n#include <stdint.h>\n" + text)
-        names = "".join(f" *   hardsphere/{name}  what it is for\n" for name in listed)
-        (Path(folder) / "hardsphere.h").write_text(f'/*\n{names} */\n#include "hardsphere/x.h"\n')
-        return read_interface(folder)
-
-
-def function_of(arguments, comment, before=""):
-    """hsp_f(arguments) with a comment, read behind the declarations above and `before`."""
-    rows = "\n".join(f" *  {row}" for row in textwrap.dedent(comment).strip().split("\n"))
-    text = f"{DECLARED}{before}\n/**\n{rows} */\nHSP_API int32_t hsp_f({arguments});\n"
-    return interface_of(text).function("hsp_f")
 
 
 class Reading(unittest.TestCase):
@@ -110,14 +69,12 @@ class Comments(Reading):
             First one.
             More of it, see hsp_g.
              - Property 1: it holds.
-            @since 0.2.0
             @retval HSP_OK          all is well
             @retval HSP_E_ARGUMENT  x is NULL; and so
                                     on""")
         self.assertEqual(f.brief, "First one.")
         self.assertEqual(f.prose, "First one. More of it, see hsp_g. - Property 1: it holds.")
         self.assertEqual(f.statuses, {"HSP_OK": "all is well", "HSP_E_ARGUMENT": "x is NULL; and so on"})
-        self.assertEqual(f.since, "0.2.0")
         self.assertEqual(function_row(f), "hsp_f(x handle) -> status E_ARGUMENT")
 
     def test_no_comment(self):

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # What the archive asks of a link, what it offers to it, and that it has no state.
-#   archive_symbols.sh ARCHIVE HEADER
+#   archive_symbols.sh ARCHIVE SOURCE-FOLDER
 # It may ask for memory copies, sqrt and the compiler's own arithmetic only: no heap, no exceptions, no C++ run time. It
 # must offer the header's functions and nothing else that a user's program could clash with. It must not hold anything that
 # can be written to while the program runs: no variables, no initialisation at run time.
 set -euo pipefail
 export LC_ALL=C
-archive=$1 header=$2
+archive=$1 source=$2
 here=$(cd "$(dirname "$0")" && pwd)
 failed=0
 
@@ -26,7 +26,7 @@ if [ -n "$refused" ]; then
 fi
 
 offered=$(echo "$symbols" | awk '$1 != "UND" {print $2}' | sort)
-if ! diff -u --label header --label archive <(bash "$here/header_functions.sh" "$header") <(echo "$offered"); then
+if ! diff -u --label header --label archive <(bash "$here/header_functions.sh" "$source") <(echo "$offered"); then
   echo "the archive does not define exactly the functions of the header"
   failed=1
 fi

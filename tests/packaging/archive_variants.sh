@@ -17,6 +17,6 @@ echo "flags: $flags"
     -DHSP_TOOL=OFF -DHSP_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF &&
     cmake --build "$work/build" --target hardsphere --parallel 2
 } >"$work/log" 2>&1 || { tail -n 40 "$work/log" && exit 1; }
-bash "$here/archive_symbols.sh" "$work/build/libhardsphere.a" "$source/include/hardsphere.h"
+bash "$here/archive_symbols.sh" "$work/build/libhardsphere.a" "$source"
 bash "$here/wide_symbols.sh" "$work/build/CMakeFiles/hardsphere_objects.dir/lib"
 rm -rf "$work"

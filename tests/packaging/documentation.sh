@@ -9,7 +9,7 @@ rm -rf "$work"
 cmake -S "$source" -B "$work" -DHSP_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF >"$work.log"
 cmake --build "$work" --target hardsphere_documentation >"$work.log" 2>&1 || { grep -E 'warning|error' "$work.log" | head -n 20 && exit 1; }
 here=$(cd "$(dirname "$0")" && pwd)
-functions=$(bash "$here/header_functions.sh" "$source/include/hardsphere.h")
+functions=$(bash "$here/header_functions.sh" "$source")
 missing=$(comm -23 <(echo "$functions" | sort) \
   <(cat "$work"/documentation/html/*.html | grep -oE 'hsp_[a-z0-9_]+' | LC_ALL=C sort -u))
 [ -z "$missing" ] || { echo "not documented:" && echo "$missing" && exit 1; }

@@ -7,7 +7,7 @@ cd "$1"
 here=$(cd "$(dirname "$0")" && pwd)
 failed=0
 functions=0
-for function in $(bash "$here/header_functions.sh" include/hardsphere.h); do
+for function in $(bash "$here/header_functions.sh" .); do
   functions=$((functions + 1))
   if ! grep -qE "[^A-Za-z0-9_]$function\(" tests/laws/support/registry.c; then
     echo "$function is not in the table of all functions"

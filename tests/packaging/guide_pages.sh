@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The pages of capi/guide say what happens. Of each page the blocks in C, one after another, are a program; the blocks of shell
 # compile and run it and more; what all of these print are the blocks of text. The files that it writes and the page shows
-# lie beside the page.
+# lie beside the page. A page without blocks of C has no program.
 #   guide_pages.sh SOURCE-FOLDER ARCHIVE WORK-FOLDER C-COMPILER
 # The commands `gcc` and `pkg-config` are stand-ins here, for the compiler with warnings as errors and for the library as
 # built. A page that needs OpenMP is left out, and named, where there is none.
@@ -54,6 +54,7 @@ try() { # page
 pages=("$source"/capi/guide/*.md)
 [ ${#pages[@]} -ge 3 ] || { echo "only ${#pages[@]} pages were found" && exit 1; }
 for page in "${pages[@]}"; do
+  grep -q '^```c$' "$page" || continue
   tool=$(missing "$page")
   if [ -n "$tool" ]; then
     echo "$(basename "$page") is left out: there is no $tool here"

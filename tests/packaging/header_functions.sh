@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The functions that hardsphere.h and the headers in the folder of its name declare, one a line, sorted.
-#   header_functions.sh HEADER
+# The functions that the headers declare, one a line, sorted: from the record of them in capi/abi.
+#   header_functions.sh SOURCE-FOLDER
 set -euo pipefail
-bash "$(dirname "$0")/header_text.sh" "$1" | tr "\n" " " | grep -oE "HSP_API [^;]*;" | grep -oE "hsp_[a-z0-9_]+\(" | tr -d "(" | LC_ALL=C sort
+sed -nE '/^HSP_/d; s/^.*[ *](hsp_[a-z0-9_]+)\(.*$/\1/p' "$1/capi/abi/functions.txt" | LC_ALL=C sort

@@ -56,7 +56,7 @@ if [ "$variant" != musl ] && [ "$variant" != lld ]; then
 fi >"$work/log" 2>&1 || { tail -n 40 "$work/log" && exit 1; }
 libraries=$(dirname "$(find "$prefix" -name 'libhardsphere.*' -print -quit)")
 
-functions=$(bash "$here/header_functions.sh" "$source/include/hardsphere.h")
+functions=$(bash "$here/header_functions.sh" "$source")
 case $variant in
   shared)
     library=$libraries/libhardsphere.so
@@ -74,7 +74,7 @@ case $variant in
     if grep -vE '^hsp_|^_Z' "$work/symbols"; then echo "other symbols than the library's own" && exit 1; fi
     if c++filt <"$work/symbols" | grep -vE '^hsp_|hsp::'; then echo "C++ code of others" && exit 1; fi
     ;;
-  clang | lld | musl) bash "$here/archive_symbols.sh" "$libraries/libhardsphere.a" "$source/include/hardsphere.h" ;;
+  clang | lld | musl) bash "$here/archive_symbols.sh" "$libraries/libhardsphere.a" "$source" ;;
 esac
 
 # Programs in C99, C++20 and C++23.

@@ -20,7 +20,8 @@ else
   echo "Fortran is left out: there is no compiler here"
 fi
 if /usr/bin/python3 -c 'import cffi, setuptools' 2>/dev/null; then
-  printf '#!/bin/sh\nexec /usr/bin/python3 "%s" "$1" "%s" "%s"\n' "$here/digits.py" "$source/include" "$(dirname "$library")" >digits_python
+  printf '#!/bin/sh\nexec /usr/bin/python3 "%s" "$1" "%s" "%s" "%s"\n' "$here/digits.py" "$source/include" \
+    "$(dirname "$library")" "$source/capi/interface/hardsphere.cdef" >digits_python
   chmod +x digits_python
   languages+=' python'
 else

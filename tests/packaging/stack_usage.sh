@@ -28,7 +28,7 @@ if [ -z "$objects" ]; then
     -ffp-contract=off -fno-math-errno -fno-exceptions -fno-rtti -fno-threadsafe-statics -fcallgraph-info=su \
     -fstack-usage -c -o
 fi
-bash "$here/header_functions.sh" "$source/include/hardsphere.h" >entries
+bash "$here/header_functions.sh" "$source" >entries
 # A folder of units may hold graphs of single files, too, from before.
 cd "$objects"
 graphs=$(find . -path '*/Unity/*' -name '*.ci')

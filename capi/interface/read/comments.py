@@ -37,17 +37,14 @@ def bare(comment):
 
 
 def read_comment(function):
-    """Takes the parts of a function's comment: prose and its first sentence, statuses, parameters, version."""
+    """Takes the parts of a function's comment: prose and its first sentence, statuses, parameters."""
     prose, tagged = [], None  # tagged: the text of a tag that rows with an indent go on with
     for row in function.comment.split("\n"):
         status = re.fullmatch(r"@retval (HSP_\w+) +(.*)", row)
         parameter = re.fullmatch(r"@param\[(?:in|out|in,out)\] +(\w+) +(.*)", row)
-        since = re.fullmatch(r"@since (\d+\.\d+\.\d+)", row)
         if status or parameter:
             tagged = function.statuses if status else function.parameters
             name, tagged[name] = (status or parameter).groups()
-        elif since:
-            function.since = since[1]
         elif tagged is not None and row.startswith(" "):
             tagged[name] += " " + row.strip()
         else:

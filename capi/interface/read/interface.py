@@ -35,7 +35,6 @@ class Function:
     prose: str = ""
     statuses: dict[str, str] = field(default_factory=dict)  # from @retval: the reasons for each
     parameters: dict[str, str] = field(default_factory=dict)  # from @param
-    since: str = ""  # from @since: the version that had it first
     open_questions: list[str] = field(default_factory=list)  # what no rule settles
 
     @property

@@ -1,34 +1,30 @@
-"""What digits.c prints, by cffi: digits.py FILE INCLUDE-FOLDER LIBRARY-FOLDER. Compiles its module where it runs."""
+"""What digits.c prints, by cffi and the declarations in CDEF: digits.py FILE INCLUDE-FOLDER LIBRARY-FOLDER CDEF. Compiles
+its module where it runs, if it is not there."""
+import importlib.util
 import struct
 import sys
 
 import cffi
 
-path, include, library = sys.argv[1:]
+path, include, library, cdef = sys.argv[1:]
 ffi = cffi.FFI()
+ffi.cdef(open(cdef).read())
 ffi.cdef("""
     typedef struct { ...; } hsp_workspace;
-    typedef struct { double area, volume; } hsp_totals;
-    typedef struct hsp_boundary hsp_boundary;
     hsp_boundary *boundary_of(hsp_workspace *work);
-    int32_t hsp_workspace_set(hsp_workspace *work, uint32_t n, const double *xyz, const double *radius, void *options,
-                              uint32_t *first_bad);
+    int32_t hsp_workspace_set(hsp_workspace *work, uint32_t n, const double *xyz, const double *radius,
+                              const hsp_model_options *options, uint32_t *first_bad);
     int32_t hsp_workspace_boundary(hsp_workspace *work);
     void hsp_workspace_free(hsp_workspace *work);
-    int32_t hsp_boundary_measure(const hsp_boundary *boundary, const uint8_t *selected, hsp_totals *totals, double *area,
-                                 double *volume, uint32_t capacity, uint32_t *needed);
-    int32_t hsp_boundary_gradient(const hsp_boundary *boundary, const double *sigma, double tension, double pressure,
-                                  uint32_t tangency, void *energy, double *d_centre, double *d_radius, void *flags,
-                                  uint32_t capacity, uint32_t *needed, uint32_t *first_bad);
-    #define HSP_TANGENT_OVERLAP ...
 """)
 ffi.set_source("_digits", """
     #include <hardsphere.h>
     #include <hardsphere_workspace.h>
     static hsp_boundary *boundary_of(hsp_workspace *work) { return work->boundary; }
 """, libraries=["hardsphere", "m"], include_dirs=[include], library_dirs=[library])
-ffi.compile()
 sys.path.insert(0, ".")
+if importlib.util.find_spec("_digits") is None:
+    ffi.compile()
 from _digits import ffi, lib
 
 rows = [[float(word) for word in line.split()] for line in open(path)]

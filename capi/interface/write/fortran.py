@@ -1,0 +1,150 @@
+"""The Fortran module. What is written by hand of it stands in fortran_template.f90."""
+import re
+from pathlib import Path
+
+from .template import filled
+
+TEMPLATE = Path(__file__).with_name("fortran_template.f90")
+WIDTH = 120
+KINDS = {"double": "real(c_double)", "int32_t": "integer(c_int32_t)", "uint32_t": "integer(c_int32_t)",
+         "uint8_t": "integer(c_int8_t)", "uint64_t": "integer(c_int64_t)", "int64_t": "integer(c_int64_t)",
+         "size_t": "integer(c_size_t)"}
+# What differs for Fortran from what the header says.
+NOTES = {
+    "hsp_status_text": "A pointer to C characters; hsp_status_message below returns the same as a Fortran string.",
+    "hsp_query_pairs": "Row i, from 0 on, is ids(first(i + 1) + 1 : first(i + 2)).",
+    "hsp_pose_from_matrix": "The matrix is row by row, as in C: transpose Fortran's.",
+    "hsp_periodic_query_pairs": "Row i, from 0 on, is out(first(i + 1) + 1 : first(i + 2)).",
+}
+
+
+def fortran_module(interface):
+    parts = {
+        "constants": sections(interface, "  ", interface.constants.values(), constant_rows),
+        "types": sections(interface, "  ", interface.structs_inside_first(), type_rows, apart=True),
+        "functions": sections(interface, "    ", interface.functions, function_rows, apart=True),
+        "bounds": sections(interface, "  ", bounds_of(interface), bound_rows, apart=True),
+    }
+    texts = [f"  character(*), parameter :: {name} = '{text}'" for name, text in interface.texts.items()]
+    parts["constants"][2:2] = texts  # all of them are in version.h, the first header
+    return filled(TEMPLATE, r" *! <(\w+)>", parts.get)
+
+
+def sections(interface, indent, items, rows_of, apart=False):
+    """The rows of all items, header by header, and a row that ends the last; `apart`: an empty row between items."""
+    rows, items = [], list(items)
+    for header, subject in interface.headers.items():
+        own = [item for item in items if item.header == header]
+        if own:
+            title = f"{indent}! ---- {header}: {subject} "
+            rows += [title[:WIDTH].ljust(WIDTH, "-"), ""]
+        for item in own:
+            rows += rows_of(item) + ([""] if apart else [])
+        if own and not apart:
+            rows.append("")
+    return [*rows, f"{indent}! ----"]
+
+
+def wrapped(text, indent, begin="", mark=""):
+    """A text over as many rows as it takes; `begin` stands before each, `mark` at the end of those that go on. Parts
+    that stay together have \\xa0 for spaces."""
+    rows, lead = [], " " * indent + begin
+    while len(lead) + len(text) > WIDTH:
+        cut = text.rfind(" ", 0, WIDTH - len(lead) - len(mark))
+        rows.append(lead + text[:cut] + mark)
+        text, lead = text[cut + 1:], " " * (indent + (0 if begin else 2)) + begin
+    return [row.replace("\xa0", " ") for row in (*rows, lead + text)]
+
+
+def remarked(declared, remark, column=0):
+    """A declaration with a remark behind it, or before it if it is too long for that."""
+    row = f"{declared.ljust(column)}  ! {remark}" if remark else declared
+    indent = len(declared) - len(declared.lstrip())
+    return [row] if len(row) <= WIDTH else [*wrapped(remark, indent, "! "), declared]
+
+
+def constant_rows(constant):
+    value = constant.value - 2 ** 32 if constant.value >= 2 ** 31 else constant.value
+    return remarked(f"  integer(c_int32_t), parameter :: {constant.name} = {value}_c_int32_t", constant.remark)
+
+
+def kind_of(base):
+    return KINDS.get(base, f"type({base})")
+
+
+def type_rows(struct):
+    declared = [f"    {kind_of(f.base)} :: {f.name}{f'({f.count})' if f.count > 1 else ''}" for f in struct.fields]
+    column = max(len(row) for row in declared)
+    rows = [row for d, f in zip(declared, struct.fields) for row in remarked(d, f.remark, column)]
+    return [f"  type, bind(C) :: {struct.name}", *rows, "  end type"]
+
+
+def function_rows(function):
+    result = {"int32_t": "status", "const char *": "text"}.get(function.result, "found")
+    kind = "type(c_ptr)" if function.result == "const char *" else kind_of(function.result)
+    declared = [declaration(a) for a in function.arguments]
+    own = f"{kind} :: {result}"
+    names = ", ".join(a.name for a in function.arguments)
+    head = (f"{'pure ' if function.pure else ''}function {function.name}({names}) result({result})"
+            f" bind(C,\xa0name=\"{function.name}\")")
+    rows = wrapped(NOTES[function.name], 4, "! ") if function.name in NOTES else []
+    rows += wrapped(head, 4, mark=" &")
+    rows += wrapped(f"import :: {', '.join(imported([d for d, _ in declared] + [own]))}", 6, mark=" &")
+    rows += [row for d, remark in declared for row in remarked(f"      {d}", remark)]
+    return [*rows, f"      {own}", "    end function"]
+
+
+def imported(rows):
+    return sorted(set(re.findall(r"\bc_[a-z0-9_]+|(?<=type\()hsp_\w+", " ".join(rows))))
+
+
+def declaration(argument):
+    """The declaration of a dummy argument, and a remark."""
+    name = argument.name
+    if argument.kind in ("handle", "memory", "context"):
+        return f"type(c_ptr), value :: {name}", "may be c_null_ptr" if argument.null == "always" else ""
+    if argument.kind == "handle_out":
+        return f"type(c_ptr), intent(inout) :: {name}", ""
+    if argument.kind == "callback":
+        return f"type(c_funptr), value :: {name}", f"of a function with the interface {argument.base}"
+    if not argument.stars:
+        return f"{kind_of(argument.base)}, value :: {name}", ""
+    optional = "" if argument.null == "never" else ", optional"
+    if argument.kind == "string":
+        return f"character(kind=c_char), intent(in){optional} :: {name}(*)", "ends with c_null_char"
+    extents, remark = extents_of(argument)
+    intent = "in" if argument.const else "inout"
+    return f"{kind_of(argument.base)}, intent({intent}){optional} :: {name}{extents}", remark
+
+
+def extents_of(argument):
+    """C's [n][3] is (3, *), and the remark says 3, n. What has four forms for each edge is numbered from 0, as in C."""
+    if not argument.extents:
+        return "", ""
+    first, *inner = argument.extents
+    inner = inner[::-1]
+    if first.isdigit():
+        return f"({', '.join([*inner, first])})", ""
+    if inner == ["4"]:
+        return "(0:3, 0:*)", f"4, {first}"
+    return f"({', '.join([*inner, '*'])})", ", ".join([*inner, first])
+
+
+def bounds_of(interface):
+    return [macro for macro in interface.macros.values() if macro.name.endswith("_BYTES")]
+
+
+def bound_rows(macro):
+    """HSP_X_BYTES, a sum of numbers and of numbers times a parameter, as a function."""
+    terms = []
+    for term in macro.text.replace(" ", "")[1:-1].split("+"):
+        found = re.fullmatch(r"\(size_t\)(\d+)(?:\*\(size_t\)\((\w+)\))?", term)
+        if not found or found[2] and found[2] not in macro.parameters:
+            raise ValueError(f"{macro.name}: no sum of products: {term}")
+        terms.append(f"{found[1]}_c_size_t" + (f"*int({found[2]},\xa0c_size_t)" if found[2] else ""))
+    names = ", ".join(macro.parameters)
+    return [f"  !> {macro.name} of the header, for the size of an allocation.",
+            *wrapped(f"pure function {macro.name.lower()}_bound({names}) result(bytes)", 2, mark=" &"),
+            *wrapped(f"integer(c_int32_t), intent(in) :: {names}", 4, mark=" &"),
+            "    integer(c_size_t) :: bytes",
+            *wrapped("bytes = " + " +\xa0".join(terms), 4, mark=" &"), "  end function"]

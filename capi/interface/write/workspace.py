@@ -1,0 +1,129 @@
+"""The header of workspaces: what is the same for every handle, into workspace_template.h. The facts are those of the
+module of workspaces, too."""
+from pathlib import Path
+
+from .template import filled
+
+TEMPLATE = Path(__file__).with_name("workspace_template.h")
+# The handles behind the model, in the order in which they stand in a workspace.
+HANDLES = ("boundary", "topology", "view", "surface", "mesh", "map", "contacts", "cells", "paths", "gate", "moving",
+           "periodic")
+WIDTH = 120
+# The functions of a workspace that make a handle, where they are not called as it.
+MADE_BY = {"model": "set", "paths": "path"}
+
+
+def dependents(interface, source):
+    """The handles whose results end with those of another, and the function that computes each: all that come from a
+    model end with it."""
+    found = []
+    for noun in HANDLES:
+        compute = interface.function(f"hsp_{noun}_compute")
+        sources = [a.base for a in compute.arguments[1:] if a.kind == "handle" and a.null == "never"] if compute else []
+        if sources and source == "model" or f"hsp_{source}" in sources:
+            found.append((noun, compute))
+    return found
+
+
+def first_limits_from(interface, noun):
+    """What the first limits of a handle are made from: `most_balls` of the workspace, `n` balls of its own, or the noun
+    of another handle; None if that takes more."""
+    given = [a.name for a in interface.function(f"hsp_{noun}_limits_init").arguments[2:]]
+    if given != ["balls"]:
+        return given[0] if len(given) == 1 else None
+    compute = interface.function(f"hsp_{noun}_compute")
+    return "n" if compute and compute.argument("n") else "most_balls"
+
+
+def passed_on(compute):
+    """The arguments of a function that a workspace does not have itself."""
+    return [a for a in compute.arguments if a.kind != "handle" and a.name != "limits"]
+
+
+def workspace_header(interface):
+    def part(name):
+        if name.startswith("compute "):
+            return compute_rows(interface.function(f"hsp_{name.removeprefix('compute ')}_compute"))
+        return {"fields": field_rows, "drop": drop_rows, "make": make_rows}[name](interface)
+
+    return filled(TEMPLATE, r" */\* <(.*)> \*/", part)
+
+
+def field_rows(interface):
+    nouns = ("model", *HANDLES)
+    fields = [(f"hsp_{noun} *{noun};", f"NULL before hsp_workspace_{MADE_BY.get(noun, noun)}") for noun in nouns]
+    fields += [(f"void *memory[{len(nouns)}];", "of the handles"),
+               ("uint32_t most_balls;", "what the model has room for"), ("uint32_t reserved;", "0")]
+    fields += [(f"hsp_{noun}_limits {noun}_limits;", f"what hsp_{noun} has room for") for noun in HANDLES]
+    column = max(len(field) for field, _ in fields)
+    return [f"  {field.ljust(column)} /**< {remark} */" for field, remark in fields]
+
+
+def drop_rows(interface):
+    rows = []
+    for source in ("model", *HANDLES):
+        if dependents(interface, source):
+            rows += [f"static inline void hsp_workspace_drop_of_{source}(hsp_workspace *work) {{"]
+            for noun, compute in dependents(interface, source):
+                nothing = ", ".join("NULL" if a.stars else "0" for a in compute.arguments[1:])
+                rows.append(f"  if (work->{noun} != NULL) (void)hsp_{noun}_compute(work->{noun}, {nothing});")
+            rows += ["}", ""]
+    return rows[:-1]
+
+
+def make_rows(interface):
+    rows = []
+    for place, noun in enumerate(HANDLES, 1):
+        rows += [f"static inline int32_t hsp_workspace_make_{noun}(hsp_workspace *work) {{",
+                 "  size_t bytes = 0;",
+                 f"  int32_t status = hsp_{noun}_bytes(&work->{noun}_limits, &bytes);",
+                 f"  work->{noun} = NULL;",
+                 f"  if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[{place}], bytes);",
+                 "  if (status == HSP_OK) {",
+                 f"    status = hsp_{noun}_init(work->memory[{place}], bytes, &work->{noun}_limits, &work->{noun});",
+                 "  }",
+                 "  return status;",
+                 "}", ""]
+        source = first_limits_from(interface, noun)
+        if source:
+            own, given = (", uint32_t n", "n") if source == "n" else ("", f"work->{source}")
+            rows += [f"static inline int32_t hsp_workspace_ready_{noun}(hsp_workspace *work{own}) {{",
+                     "  int32_t status = HSP_OK;",
+                     f"  if (work->{noun} != NULL) return HSP_OK;",
+                     f"  if (work->{noun}_limits.struct_size == 0) {{",
+                     f"    status = hsp_{noun}_limits_init(&work->{noun}_limits, sizeof work->{noun}_limits, {given});",
+                     "  }",
+                     f"  return status == HSP_OK ? hsp_workspace_make_{noun}(work) : status;",
+                     "}", "",
+                     f"static inline int32_t hsp_workspace_grow_{noun}(hsp_workspace *work, "
+                     f"const hsp_{noun}_limits *limits) {{",
+                     f"  work->{noun}_limits = *limits;",
+                     *([f"  hsp_workspace_drop_of_{noun}(work);"] if dependents(interface, noun) else []),
+                     f"  return hsp_workspace_make_{noun}(work);",
+                     "}", ""]
+    return rows[:-1]
+
+
+def compute_rows(compute):
+    """A function that computes a handle, and makes it larger until it suffices."""
+    noun = compute.name.removeprefix("hsp_").removesuffix("_compute")
+    own = {"limits": "&limits"} | {a.name: f"work->{a.name}" for a in compute.arguments if a.kind == "handle"}
+    call = f"{compute.name}({', '.join(own.get(a.name, a.name) for a in compute.arguments)})"
+    begin, arguments = f"static inline int32_t hsp_workspace_{noun}(", ["hsp_workspace *work"]
+    for argument in passed_on(compute):
+        if len(begin + arguments[-1] + argument.c) > WIDTH - len(", ) {"):
+            arguments.append(argument.c)
+            continue
+        arguments[-1] += f", {argument.c}"
+    head = f",\n{' ' * len(begin)}".join(arguments)
+    n = ", n" if compute.argument("n") else ""
+    return [*f"{begin}{head}) {{".split("\n"),
+            f"  int32_t status = hsp_workspace_ready_{noun}(work{n});",
+            f"  hsp_{noun}_limits limits = work->{noun}_limits;",
+            "  while (status == HSP_OK) {",
+            f"    status = {call};",
+            "    if (status != HSP_E_CAPACITY) return status;",
+            f"    status = hsp_workspace_grow_{noun}(work, &limits);",
+            "  }",
+            "  return status;",
+            "}"]

@@ -1,0 +1,106 @@
+"""The Fortran module of workspaces: what is the same for every handle, into workspace_template.f90."""
+from pathlib import Path
+
+from .fortran import declaration, wrapped
+from .template import filled
+from .workspace import HANDLES, dependents, first_limits_from, passed_on
+
+TEMPLATE = Path(__file__).with_name("workspace_template.f90")
+SELF = "    class(hsp_workspace), intent(inout), target :: self"
+STATUS = "    integer(c_int32_t) :: status"
+
+
+def workspace_module(interface):
+    def part(name):
+        if name.startswith("compute "):
+            return compute_rows(interface.function(f"hsp_{name.removeprefix('compute ')}_compute"))
+        return {"fields": field_rows, "private": private_rows, "drop": drop_rows, "make": make_rows}[name](interface)
+
+    return filled(TEMPLATE, r" *! <(.*)>", part)
+
+
+def field_rows(interface):
+    return [*(f"    type(c_ptr) :: {noun} = c_null_ptr" for noun in ("model", *HANDLES)),
+            "    integer(c_int32_t), private :: most_balls = 0",
+            f"    type(memory_block), private :: memory({1 + len(HANDLES)})",
+            *(f"    type(hsp_{noun}_limits), private :: {noun}_limits" for noun in HANDLES)]
+
+
+def private_rows(interface):
+    names = [row.split("(")[0].split()[-1] for row in [*drop_rows(interface), *make_rows(interface)]
+             if row.startswith(("  function", "  subroutine"))]
+    return wrapped(f"private :: {', '.join(names)}", 2, mark=" &")
+
+
+def drop_rows(interface):
+    rows = []
+    for source in ("model", *HANDLES):
+        if dependents(interface, source):
+            rows += [f"  subroutine drop_of_{source}(self)", SELF, "    integer(c_int32_t) :: ignored"]
+            for noun, compute in dependents(interface, source):
+                nothing = ", ".join(nothing_for(a) for a in compute.arguments[1:]
+                                    if a.kind == "handle" or a.null == "never")
+                call = f"{compute.name}(self%{noun}, {nothing})"
+                rows += wrapped(f"if (c_associated(self%{noun})) ignored = {call}", 4, mark=" &")
+            rows += ["  end subroutine", ""]
+    return rows[:-1]
+
+
+def nothing_for(argument):
+    """What stands for an argument that has to be there, where another one is refused in any case."""
+    if argument.kind == "handle":
+        return f"{argument.name}=c_null_ptr"
+    if argument.extents:
+        return f"{argument.name}=[real(c_double) :: {', '.join(['0'] * int(argument.extents[0]))}]"
+    return f"{argument.name}=0.0_c_double"
+
+
+def make_rows(interface):
+    rows = []
+    for place, noun in enumerate(HANDLES, 2):
+        memory = f"self%memory({place})"
+        rows += [f"  function make_{noun}(self) result(status)", SELF, STATUS, "    integer(c_size_t) :: bytes",
+                 f"    self%{noun} = c_null_ptr",
+                 f"    status = hsp_{noun}_bytes(self%{noun}_limits, bytes)",
+                 f"    if (status == HSP_OK) status = allocated_to({memory}, bytes)",
+                 "    if (status /= HSP_OK) return",
+                 f"    status = hsp_{noun}_init(c_loc({memory}%bytes), bytes, self%{noun}_limits, self%{noun})",
+                 "  end function", ""]
+        source = first_limits_from(interface, noun)
+        if source:
+            size = f"int(c_sizeof(self%{noun}_limits), c_int32_t)"
+            given = f"{size}, {'n' if source == 'n' else f'self%{source}'}"
+            rows += [f"  function ready_{noun}(self{', n' if source == 'n' else ''}) result(status)", SELF,
+                     *(["    integer(c_int32_t), intent(in) :: n"] if source == "n" else []), STATUS,
+                     "    status = HSP_OK",
+                     f"    if (c_associated(self%{noun})) return",
+                     *wrapped(f"status = hsp_{noun}_limits_init(self%{noun}_limits, {given})", 4, mark=" &"),
+                     f"    if (status == HSP_OK) status = make_{noun}(self)",
+                     "  end function", "",
+                     f"  function grow_{noun}(self, limits) result(status)", SELF,
+                     f"    type(hsp_{noun}_limits), intent(in) :: limits", STATUS,
+                     f"    self%{noun}_limits = limits",
+                     *([f"    call drop_of_{noun}(self)"] if dependents(interface, noun) else []),
+                     f"    status = make_{noun}(self)",
+                     "  end function", ""]
+    return rows[:-1]
+
+
+def compute_rows(compute):
+    """A function that computes a handle, and makes it larger until it suffices."""
+    noun = compute.name.removeprefix("hsp_").removesuffix("_compute")
+    own = {a.name: f"self%{a.name}" for a in compute.arguments if a.kind == "handle"}
+    call = f"{compute.name}({', '.join(own.get(a.name, a.name) for a in compute.arguments)})"
+    names = ", ".join(["self", *(a.name for a in passed_on(compute))])
+    n = ", n" if compute.argument("n") else ""
+    return [*wrapped(f"function compute_{noun}({names}) result(status)", 2, mark=" &"), SELF,
+            *(f"    {declaration(a)[0]}" for a in passed_on(compute)),
+            f"    type(hsp_{noun}_limits) :: limits", STATUS,
+            f"    status = ready_{noun}(self{n})",
+            f"    limits = self%{noun}_limits",
+            "    do while (status == HSP_OK)",
+            f"      status = {call}",
+            "      if (status /= HSP_E_CAPACITY) return",
+            f"      status = grow_{noun}(self, limits)",
+            "    end do",
+            "  end function"]

@@ -1,0 +1,80 @@
+"""The lists: the record of the binary interface, the index of functions, and the declarations for other languages."""
+import tempfile
+import unittest
+from pathlib import Path
+
+from small_headers import DECLARED, interface_of
+from write import abi
+from write.cdef import cdef
+from write.function_index import function_index
+
+HEADER = DECLARED + """
+typedef struct hsp_both { hsp_row row[2]; int64_t sum; } hsp_both;
+#define HSP_ABI_NUMBER 7
+#define HSP_VERSION_STRING "0.3.0"
+#define HSP_ALL UINT32_C(0xFFFFFFFF)
+#define HSP_X_BYTES(n, m) ((size_t)(n) + (size_t)(m))
+/** Make a | b of *x. More.
+ *  @retval HSP_OK          always
+ *  @retval HSP_E_ARGUMENT  x is NULL
+ *  @retval HSP_E_ID        no such b */
+int32_t hsp_b(const hsp_x *x, uint32_t b);
+/** A. */
+uint32_t hsp_a(uint32_t a);
+"""
+
+
+class Lists(unittest.TestCase):
+    def setUp(self):
+        self.interface = interface_of(HEADER)
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.addCleanup(setattr, abi, "RECORD", abi.RECORD)
+        abi.RECORD = Path(folder.name)
+        self.record(["uint32_t hsp_a(uint32_t a)"], ["hsp_a 0.1.0", "hsp_b 0.2.0"])
+
+    def record(self, functions, since):
+        (abi.RECORD / "functions.txt").write_text("\n".join(["# a title", *functions, ""]))
+        (abi.RECORD / "since.txt").write_text("\n".join(["# a title", *since, ""]))
+
+    def test_functions(self):
+        self.assertEqual(abi.abi_functions(self.interface), """\
+# Declarations of ABI number 7
+int32_t hsp_b(const hsp_x *x, uint32_t b)
+typedef int32_t (*hsp_sink)(void *context, const char *bytes, size_t count)
+typedef struct hsp_x hsp_x
+uint32_t hsp_a(uint32_t a)
+HSP_X_BYTES(n,m) ((size_t)(n) + (size_t)(m))
+""")
+
+    def test_constants_without_the_numbers_of_releases(self):
+        self.assertEqual(abi.abi_constants(self.interface), "# Constants of ABI number 7\nHSP_ALL 4294967295\n")
+
+    def test_structs_with_structs_inside(self):
+        rows = abi.abi_structs(self.interface).split("\n")
+        self.assertEqual(rows[1:5], ["hsp_both 72", "hsp_both.row 0 hsp_row 2", "hsp_both.sum 64 int64_t 1",
+                                     "hsp_limits 8"])
+
+    def test_since_when(self):
+        title = "# The version since which each function is declared as it is\n"
+        # The declaration of hsp_b is another one than in the record.
+        self.assertEqual(abi.abi_since(self.interface), title + "hsp_a 0.1.0\nhsp_b 0.3.0\n")
+        self.record([f.c for f in self.interface.functions], ["hsp_b 0.2.0"])
+        self.assertEqual(abi.abi_since(self.interface), title + "hsp_a 0.3.0\nhsp_b 0.2.0\n")
+
+    def test_index(self):
+        page = function_index(self.interface)
+        self.assertIn("\n## x.h\n\nWhat it is for: [hardsphere/x.h](../../include/hardsphere/x.h).\n", page)
+        self.assertIn("\n| `hsp_b` | Make a \\| b of \\*x. | E_ARGUMENT, E_ID | 0.3.0 |\n", page)
+        self.assertLess(page.index("`hsp_b`"), page.index("`hsp_a`"))
+
+    def test_declarations_for_other_languages(self):
+        text = cdef(self.interface)
+        self.assertIn("typedef struct hsp_both {\n  hsp_row row[2];\n  int64_t sum;\n} hsp_both;\n", text)
+        self.assertIn("#define HSP_ALL 4294967295\n", text)
+        self.assertIn("int32_t hsp_b(const hsp_x *x, uint32_t b);\n", text)
+        self.assertIn("typedef struct hsp_x hsp_x;\n", text)
+
+
+if __name__ == "__main__":
+    unittest.main()
