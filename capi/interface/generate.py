@@ -32,7 +32,6 @@ ROOT = Path(__file__).resolve().parents[2]
 # The files of the project, and what writes each of an interface.
 GENERATED = {
     "capi/interface/model.txt": model_text,
-    "tests/laws/support/registry.c": registry,
     "include/hardsphere_workspace.h": workspace_header,
     "capi/fortran/hardsphere.f90": fortran_module,
     "capi/fortran/hardsphere_workspace.f90": workspace_module,
@@ -42,6 +41,7 @@ GENERATED = {
     "capi/abi/structs.txt": abi_structs,
     "capi/guide/all_functions.md": function_index,
     "capi/interface/hardsphere.cdef": cdef,
+    "tests/laws/support/registry.c": registry,
 }
 
 
