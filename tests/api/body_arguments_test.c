@@ -1,5 +1,5 @@
-/* Bodies and poses: every argument that the header refuses, sizes, what they say of few balls, and answers one by one
- * and in lists. Many sets stand against brute force in unit_poses_pose_queries. */
+/* Bodies and poses: arguments that tests/laws says nothing about, sizes, what they say of few balls, and answers one by
+ * one and in lists. Many sets stand against brute force in unit_poses_pose_queries. */
 #include <hardsphere.h>
 #include <math.h>
 #include <string.h>

@@ -1,5 +1,5 @@
-/* Cells of free space: every argument that the header refuses, every call out of order, and what records say of balls
- * whose cells can be counted by hand. */
+/* Cells of free space: arguments that tests/laws says nothing about, every call out of order, and what records say of
+ * balls whose cells can be counted by hand. */
 #include <hardsphere.h>
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* Every argument that measuring parts, gradients and rows of the Jacobian refuse, every call out of order, and every
+/* Arguments that measuring parts, gradients and rows of the Jacobian refuse, every call out of order, and every
  * output that may be left out. Nothing is written by a call that fails. */
 #include <hardsphere.h>
 #include <math.h>

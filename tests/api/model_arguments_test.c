@@ -1,4 +1,4 @@
-/* Every argument of the model's functions that the header refuses: the status, what is written and what is not. */
+/* Arguments of the model's functions that the header refuses: the status, what is written and what is not. */
 #include <hardsphere.h>
 #include <math.h>
 #include <stdlib.h>

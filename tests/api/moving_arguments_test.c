@@ -1,5 +1,5 @@
-/* Balls that move: every argument that the header refuses, sizes, what a move changes and what it does not, and all
- * numbers against a new model of the same balls. Many sets and moves stand against new computations in
+/* Balls that move: arguments that tests/laws says nothing about, sizes, what a move changes and what it does not, and
+ * all numbers against a new model of the same balls. Many sets and moves stand against new computations in
  * unit_moving_moving_balls. */
 #include <hardsphere.h>
 #include <math.h>

@@ -1,5 +1,5 @@
-/* Paths through free space and widest probes: every argument that the header refuses, every call out of order, and what
- * is known of a ball and of a cage in closed form. */
+/* Paths through free space and widest probes: arguments that tests/laws says nothing about, every call out of order,
+ * and what is known of a ball and of a cage in closed form. */
 #include <hardsphere.h>
 #include <math.h>
 #include <string.h>

@@ -1,5 +1,5 @@
-/* Periodic boxes: every argument that the header refuses, every call out of order, limits that are too small, closed
- * forms of a few balls, queries against all images, and the laws that tie the outputs together. */
+/* Periodic boxes: arguments that tests/laws says nothing about, every call out of order, limits that are too small,
+ * closed forms of a few balls, queries against all images, and the laws that tie the outputs together. */
 #include <hardsphere.h>
 #include <math.h>
 #include <string.h>

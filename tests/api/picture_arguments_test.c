@@ -1,4 +1,4 @@
-/* Every argument of the functions for pictures that the header refuses, calls out of order, and sinks that refuse; of
+/* Arguments of the functions for pictures that the header refuses, calls out of order, and sinks that refuse; of
  * views and of maps. */
 #include <hardsphere.h>
 #include <math.h>

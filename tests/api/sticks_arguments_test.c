@@ -1,4 +1,5 @@
-/* Balls and sticks: every argument that the header refuses, every call out of order, and every conflict by its name. */
+/* Balls and sticks: arguments that tests/laws says nothing about, every call out of order, and every conflict by its
+ * name. */
 #include <hardsphere.h>
 #include <math.h>
 #include <string.h>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "fixture.h"
+#include "function_facts.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -50,29 +51,8 @@ int call_is_refused(const call *c, int32_t status);
 /* NULL, or the name of an output that was written although its name is not in `but`: "|name|name|". */
 const char *call_wrote(const call *c, const char *but);
 
-/* What the header lets a function write when it fails, but for handles that are refused: why there are no results. */
-int names_reason(const function *f, const argument *a);
-
-/* The place of an argument, -1 if there is none. */
-int place_of(const function *f, const char *name);
-int place_of_kind(const function *f, int kind);
-
 /* What a number of `needed` became; 0 if the function has none. */
 uint32_t call_needed(const call *c);
-
-int has_status(const function *f, int32_t status);
-int is_output(const argument *a);
-
-/* How many numbers or structs make an entry of an array. */
-size_t row_of(const argument *a);
-
-/* ---- the few functions of which names and kinds do not say enough ---- */
-
-/* Whether another call has to come before it, which call_run makes. */
-int needs_calls_before(const function *f);
-/* The argument without which this one may be NULL alone, or -1. Such functions add to arrays. */
-int null_only_with(const function *f, int i);
-int adds_to_arrays(const function *f);
 
 #ifdef __cplusplus
 }

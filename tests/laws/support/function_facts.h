@@ -1,0 +1,34 @@
+/* What is known of a function of the registry by the kinds of its arguments, and by names that always mean the same. */
+#pragma once
+
+#include "registry.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What the header lets a function write when it fails, but for handles that are refused: why there are no results. */
+int names_reason(const function *f, const argument *a);
+
+/* The place of an argument, -1 if there is none. */
+int place_of(const function *f, const char *name);
+int place_of_kind(const function *f, int kind);
+
+int has_status(const function *f, int32_t status);
+int is_output(const argument *a);
+
+/* How many numbers or structs make an entry of an array. */
+size_t row_of(const argument *a);
+
+/* ---- the few functions of which names and kinds do not say enough ---- */
+
+/* Whether other calls have to come before it. */
+int needs_calls_before(const function *f);
+void make_calls_before(const function *f);
+/* The argument without which this one may be NULL alone, or -1. Such functions add to arrays. */
+int null_only_with(const function *f, int i);
+int adds_to_arrays(const function *f);
+
+#ifdef __cplusplus
+}
+#endif
