@@ -1,165 +1,138 @@
 /* hardsphere boundary: what the boundary of the union consists of. */
 #include <inttypes.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 #include "commands/commands.h"
 #include "commands/input_report.h"
 #include "commands/periodic_result.h"
-#include "write/csv.h"
-#include "write/report.h"
+#include "write/table.h"
 
 /* The pieces of spheres are counted as the boundary has them; what hangs together is the topology's matter. */
 struct counted {
   hsp_boundary_counts boundary;
   hsp_topology_counts topology;
+  int64_t euler;
   hsp_shell *shells;
   uint32_t shell_count;
 };
-
-static int64_t euler_of(const struct counted *counted) {
-  return (int64_t)counted->topology.vertices - (int64_t)counted->topology.edges +
-         (int64_t)counted->topology.simple_faces;
-}
 
 static uint32_t voids_of(const struct counted *counted) {
   return counted->topology.cells - 1;
 }
 
-static const char *kind_of(const hsp_shell *shell) {
-  return shell->kind == HSP_SHELL_VOID ? "void" : "outer";
-}
-
-static void json_shells(const struct counted *counted, struct text_buffer *out) {
-  text_buffer_add(out, ", \"shell_list\": [");
-  for (uint32_t i = 0; i < counted->shell_count; ++i) {
-    const hsp_shell *shell = &counted->shells[i];
-    text_buffer_add(out, "%s{\"kind\": \"%s\", \"component\": %" PRIu32 ", \"cell\": %" PRIu32 ", \"faces\": %" PRIu32,
-                    i == 0 ? "" : ", ", kind_of(shell), shell->component, shell->cell, shell->faces);
-    text_buffer_add(out, ", \"euler\": %" PRId32 ", \"genus\": %" PRIu32 ", \"area\": ", shell->euler, shell->genus);
-    json_number(out, shell->area);
-    text_buffer_add(out, ", \"volume\": ");
-    json_number(out, shell->volume);
-    text_buffer_add(out, "}");
-  }
-  text_buffer_add(out, "]");
-}
-
-static void print_json(const struct request *request, const struct molecule *molecule, const struct counted *counted,
-                       struct text_buffer *out) {
+/* The counts, of the boundary in a box as far as there are any: nothing is outside there. */
+enum { MOST_COUNTS = 16 };
+static size_t list_counts(const struct counted *counted, bool in_box, struct result list[MOST_COUNTS]) {
   const hsp_boundary_counts *counts = &counted->boundary;
-  text_buffer_add(out, "{\"n\": %" PRIu32 ", \"vertices\": %" PRIu32 ", \"arcs\": %" PRIu32 ", \"circles\": %" PRIu32,
-                  counts->balls, counts->vertices, counts->arcs, counts->circles);
-  text_buffer_add(out, ", \"faces\": %" PRIu32 ", \"exposed_balls\": %" PRIu32 ", \"shells\": %" PRIu32, counts->faces,
-                  counts->exposed_balls, counted->topology.shells);
-  text_buffer_add(out, ", \"components\": %" PRIu32 ", \"voids\": %" PRIu32 ", \"euler\": %" PRId64,
-                  counted->topology.components, voids_of(counted), euler_of(counted));
-  if (request->shells) json_shells(counted, out);
-  input_report_json(out, request, molecule);
-  text_buffer_add(out, "}\n");
+  const hsp_topology_counts *topology = &counted->topology;
+  size_t count = 0;
+  list[count++] =
+      (struct result){"vertices", "vertices", counts->vertices, 0, "points on three spheres, outside all other balls"};
+  list[count++] = (struct result){"arcs", "arcs", counts->arcs, 0, "pieces of circles between two vertices"};
+  list[count++] = (struct result){"circles", "circles", counts->circles, 0, "whole circles of two spheres"};
+  list[count++] = (struct result){"faces", "faces", counts->faces, 0, "pieces of spheres"};
+  if (!in_box) {
+    const double buried = (double)counts->balls - counts->exposed_balls;
+    list[count++] = (struct result){"exposed_balls", "exposed balls", counts->exposed_balls, 0, "balls with a face"};
+    list[count++] = (struct result){NULL, "buried balls", buried, 0, "balls without a face"};
+  }
+  list[count++] =
+      (struct result){"shells", in_box ? "shells" : NULL, topology->shells, 0, "connected pieces of the boundary"};
+  list[count++] = (struct result){"components", in_box ? NULL : "components", topology->components, 0,
+                                  "connected pieces of the union"};
+  if (!in_box) {
+    list[count++] = (struct result){"voids", "voids", voids_of(counted), 0, "cavities enclosed by the union"};
+    list[count++] =
+        (struct result){NULL, "shells", topology->shells, 0, "connected pieces of the boundary: components + voids"};
+  }
+  list[count++] =
+      (struct result){"euler", "euler", (double)counted->euler, 0, "Euler characteristic, summed over the shells"};
+  if (!in_box && counts->tied_vertices > 0) {
+    list[count++] = (struct result){NULL, "tied vertices", counts->tied_vertices, 0,
+                                    "vertices with a fourth sphere or a tangency, decided by symbolic perturbation"};
+  }
+  return count;
 }
 
-/* A row of all counts, or one for each shell. */
-static void print_csv(const struct request *request, const struct counted *counted, struct text_buffer *out) {
-  const hsp_boundary_counts *counts = &counted->boundary;
-  if (!request->shells) {
-    text_buffer_add(out, "balls,vertices,arcs,circles,faces,exposed_balls,shells,components,voids,euler\n");
-    const uint32_t numbers[] = {counts->balls,
-                                counts->vertices,
-                                counts->arcs,
-                                counts->circles,
-                                counts->faces,
-                                counts->exposed_balls,
-                                counted->topology.shells,
-                                counted->topology.components,
-                                voids_of(counted)};
-    for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; ++k) text_buffer_add(out, "%" PRIu32 ",", numbers[k]);
-    text_buffer_add(out, "%" PRId64 "\n", euler_of(counted));
-    return;
-  }
-  text_buffer_add(out, "shell,kind,component,cell,faces,euler,genus,area,volume\n");
-  for (uint32_t i = 0; i < counted->shell_count; ++i) {
-    const hsp_shell *shell = &counted->shells[i];
-    text_buffer_add(out, "%" PRIu32 ",%s,%" PRIu32 ",%" PRIu32 ",%" PRIu32 ",%" PRId32 ",%" PRIu32 ",", i,
-                    kind_of(shell), shell->component, shell->cell, shell->faces, shell->euler, shell->genus);
-    csv_number(out, shell->area);
-    text_buffer_add(out, ",");
-    csv_number(out, shell->volume);
-    text_buffer_add(out, "\n");
-  }
+static void shell_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
+  const struct counted *counted = of;
+  const hsp_shell *shell = &counted->shells[row];
+  (void)text;
+  cells[0].count = (int64_t)row;
+  cells[1].text = shell->kind == HSP_SHELL_VOID ? "void" : "outer";
+  cells[2].count = shell->component;
+  cells[3].count = shell->cell;
+  cells[4].count = shell->faces;
+  cells[5].count = shell->euler;
+  cells[6].count = shell->genus;
+  cells[7].quantity = shell->area;
+  cells[8].quantity = shell->volume;
 }
 
-static void print_shells(const struct molecule *molecule, const struct counted *counted, struct text_buffer *out) {
-  char value[NUMBER_BYTES];
-  const char *unit = molecule->format->unit;
-  char titles[2][32];
-  snprintf(titles[0], sizeof titles[0], "area, %s^2", unit);
-  snprintf(titles[1], sizeof titles[1], "encloses, %s^3", unit);
-  text_buffer_add(out, "\n  %9s  %-5s  %9s  %9s  %9s  %20s  %20s\n", "shell", "kind", "component", "faces", "genus",
-                  titles[0], titles[1]);
-  for (uint32_t i = 0; i < counted->shell_count; ++i) {
-    const hsp_shell *shell = &counted->shells[i];
-    text_buffer_add(out, "  %9" PRIu32 "  %-5s  %9" PRIu32, i, kind_of(shell), shell->component);
-    text_buffer_add(out, "  %9s", count_text(value, shell->faces));
-    text_buffer_add(out, "  %9s", count_text(value, shell->genus));
-    text_buffer_add(out, "  %20s", column_text(value, molecule->format, shell->area, 4));
-    text_buffer_add(out, "  %20s\n", column_text(value, molecule->format, shell->volume, 4));
-  }
+static struct table table_of_shells(const struct molecule *molecule, const struct counted *counted) {
+  static const struct column columns[] = {
+      {NULL, "shell", "shell", 9, COLUMN_COUNT, 0},
+      {"kind", NULL, "kind", -5, COLUMN_TEXT, 0},
+      {"component", NULL, "component", 9, COLUMN_COUNT, 0},
+      {"cell", NULL, NULL, 0, COLUMN_COUNT, 0},
+      {"faces", NULL, "faces", 9, COLUMN_COUNT, 0},
+      {"euler", NULL, NULL, 0, COLUMN_COUNT, 0},
+      {"genus", NULL, "genus", 9, COLUMN_COUNT, 0},
+      {"area", NULL, "area, @^2", 20, COLUMN_QUANTITY, 4},
+      {"volume", NULL, "encloses, @^3", 20, COLUMN_QUANTITY, 4},
+  };
+  return (struct table){columns,  sizeof columns / sizeof columns[0], molecule->format, counted->shell_count, counted,
+                        shell_row};
 }
 
-static void print_table(const struct request *request, const struct molecule *molecule, const struct counted *counted,
-                        struct text_buffer *out) {
-  const hsp_boundary_counts *counts = &counted->boundary;
-  report_heading(out, request, molecule);
-  report_row_count(out, "vertices", counts->vertices, "points on three spheres, outside all other balls");
-  report_row_count(out, "arcs", counts->arcs, "pieces of circles between two vertices");
-  report_row_count(out, "circles", counts->circles, "whole circles of two spheres");
-  report_row_count(out, "faces", counts->faces, "pieces of spheres");
-  report_row_count(out, "exposed balls", counts->exposed_balls, "balls with a face");
-  report_row_count(out, "buried balls", (int64_t)counts->balls - (int64_t)counts->exposed_balls,
-                   "balls without a face");
-  report_row_count(out, "components", counted->topology.components, "connected pieces of the union");
-  report_row_count(out, "voids", voids_of(counted), "cavities enclosed by the union");
-  report_row_count(out, "shells", counted->topology.shells, "connected pieces of the boundary: components + voids");
-  report_row_count(out, "euler", euler_of(counted), "Euler characteristic, summed over the shells");
-  if (counts->tied_vertices > 0) {
-    report_row_count(out, "tied vertices", counts->tied_vertices,
-                     "vertices with a fourth sphere or a tangency, decided by symbolic perturbation");
-  }
-  const bool list_them = counted->shell_count > 1 || (request->shells && counted->shell_count > 0);
-  if (list_them) print_shells(molecule, counted, out);
-}
-
-/* What is counted in a periodic box, where nothing is outside. */
-static void print_box(const struct request *request, const struct molecule *molecule,
-                      const struct periodic_result *result, struct text_buffer *out) {
-  const hsp_periodic_counts *counts = &result->counts;
+static void print(const struct request *request, const struct molecule *molecule, const struct counted *counted,
+                  const struct periodic_result *box, struct text_buffer *out) {
+  struct result counts[MOST_COUNTS];
+  const size_t count = list_counts(counted, box != NULL, counts);
+  const struct table shells = table_of_shells(molecule, counted);
   if (request->json) {
-    text_buffer_add(out, "{\"n\": %" PRIu32 ", \"vertices\": %" PRIu32 ", \"arcs\": %" PRIu32 ", \"circles\": %" PRIu32,
-                    counts->balls, counts->vertices, counts->arcs, counts->circles);
-    text_buffer_add(out, ", \"faces\": %" PRIu32 ", \"shells\": %" PRIu32 ", \"components\": %" PRIu32, counts->faces,
-                    counts->shells, counts->components);
-    text_buffer_add(out, ", \"euler\": %" PRId32, counts->euler);
-    periodic_result_json(result, out);
+    text_buffer_add(out, "{\"n\": %" PRIu32, counted->boundary.balls);
+    results_json(counts, count, out);
+    if (request->shells) {
+      text_buffer_add(out, ", \"shell_list\": ");
+      table_json(&shells, out);
+    }
+    if (box != NULL) periodic_result_json(box, out);
     input_report_json(out, request, molecule);
     text_buffer_add(out, "}\n");
-    return;
+  } else if (request->csv && request->shells) {
+    table_csv(&shells, out);
+  } else if (request->csv) {
+    text_buffer_add(out, "balls,");
+    results_csv_titles(counts, count, out);
+    text_buffer_add(out, "\n%" PRIu32 ",", counted->boundary.balls);
+    results_csv(counts, count, out);
+    text_buffer_add(out, "\n");
+  } else {
+    report_heading(out, request, molecule);
+    results_print(counts, count, RESULT_WIDTH, "", out);
+    if (box != NULL) periodic_result_rows(box, molecule->format->unit, out);
+    if (counted->shell_count > 1 || (request->shells && counted->shell_count > 0)) {
+      text_buffer_add(out, "\n");
+      table_print(&shells, out);
+    }
   }
-  report_heading(out, request, molecule);
-  report_row_count(out, "vertices", counts->vertices, "points on three spheres, outside all other balls");
-  report_row_count(out, "arcs", counts->arcs, "pieces of circles between two vertices");
-  report_row_count(out, "circles", counts->circles, "whole circles of two spheres");
-  report_row_count(out, "faces", counts->faces, "pieces of spheres");
-  report_row_count(out, "shells", counts->shells, "connected pieces of the boundary");
-  report_row_count(out, "euler", counts->euler, "Euler characteristic, summed over the shells");
-  periodic_result_rows(result, molecule->format->unit, out);
 }
 
 static bool count_in_box(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                          struct text_buffer *out, struct failure *failure) {
   struct periodic_result result;
   const bool done = periodic_result_make(request, molecule, geometry, &result, failure);
-  if (done) print_box(request, molecule, &result, out);
+  const hsp_periodic_counts *counts = &result.counts;
+  struct counted counted = {.euler = counts->euler};
+  counted.boundary.balls = counts->balls;
+  counted.boundary.vertices = counts->vertices;
+  counted.boundary.arcs = counts->arcs;
+  counted.boundary.circles = counts->circles;
+  counted.boundary.faces = counts->faces;
+  counted.topology.shells = counts->shells;
+  counted.topology.components = counts->components;
+  if (done) print(request, molecule, &counted, &result, out);
   periodic_result_free(&result);
   return done;
 }
@@ -173,13 +146,9 @@ bool command_boundary(const struct request *request, const struct molecule *mole
   if (status == HSP_OK) status = hsp_topology_get_counts(geometry->work.topology, &counted.topology);
   if (status != HSP_OK) return failure_in_library(failure, status);
   if (!geometry_list_shells(geometry, &counted.shells, &counted.shell_count, failure)) return false;
-  if (request->json) {
-    print_json(request, molecule, &counted, out);
-  } else if (request->csv) {
-    print_csv(request, &counted, out);
-  } else {
-    print_table(request, molecule, &counted, out);
-  }
+  const hsp_topology_counts *topology = &counted.topology;
+  counted.euler = (int64_t)topology->vertices - (int64_t)topology->edges + (int64_t)topology->simple_faces;
+  print(request, molecule, &counted, NULL, out);
   free(counted.shells);
   return true;
 }

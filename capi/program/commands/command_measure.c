@@ -12,6 +12,7 @@
 #include "write/output_file.h"
 #include "write/pdb_output.h"
 #include "write/report.h"
+#include "write/table.h"
 
 /* Of totals, which are accurate to 1e-13 of their size for molecules; single balls are shown with four. */
 enum { TOTAL_DECIMALS = 10 };
@@ -61,42 +62,89 @@ static void interface_print(const char *text, const struct interface *interface,
                  out);
 }
 
+/* The numbers of the whole, those before the periodic box first. */
+enum { MOST_TOTALS = 16, BEFORE_BOX = 2 };
+static size_t list_totals(const struct request *request, const struct findings *found,
+                          struct result list[MOST_TOTALS]) {
+  const struct measurement *of = &found->measurement;
+  size_t count = 0;
+  list[count++] = (struct result){"area", "area", of->totals.area, TOTAL_DECIMALS, "@^2"};
+  list[count++] = (struct result){"volume", "volume", of->totals.volume, TOTAL_DECIMALS, "@^3"};
+  if (request->curvature) {
+    list[count++] = (struct result){"mean_curvature", "mean curvature", of->curvatures.mean, TOTAL_DECIMALS,
+                                    "@, integrated over the boundary"};
+    list[count++] = (struct result){"gauss_curvature", "gauss curvature", of->curvatures.gauss, TOTAL_DECIMALS,
+                                    ", 2 pi times its Euler characteristic"};
+  }
+  if (request->excluded_surface) {
+    list[count++] = (struct result){"convex_area", "convex area", of->surface.convex_area, TOTAL_DECIMALS,
+                                    "@^2, where the probe touches one atom"};
+    list[count++] = (struct result){"saddle_area", "saddle area", of->surface.saddle_area, TOTAL_DECIMALS,
+                                    "@^2, where it touches two"};
+    list[count++] = (struct result){"concave_area", "concave area", of->surface.concave_area, TOTAL_DECIMALS,
+                                    "@^2, where it touches three"};
+  }
+  if (of->weights != NULL) {
+    list[count++] = (struct result){
+        "weighted_area", "weighted area", of->weighted_area, TOTAL_DECIMALS,
+        request->excluded_surface ? ", the sum of weight x share of the area" : ", the sum of weight x free area"};
+  }
+  if (request->polar) {
+    list[count++] =
+        (struct result){"polar_area", "polar area", of->polar_area, TOTAL_DECIMALS, "@^2, of nitrogen and oxygen"};
+    list[count++] = (struct result){"apolar_area", "apolar area", of->apolar_area, TOTAL_DECIMALS,
+                                    "@^2, of carbon, sulfur and selenium"};
+    list[count++] = (struct result){"other_area", "other area", of->other_area, TOTAL_DECIMALS, "@^2, of all others"};
+  }
+  return count;
+}
+
+/* In a row of a frame what else has single numbers: the box behind the first totals, the interface at the end. */
+static void print_frame(const struct request *request, const struct molecule *molecule, const struct findings *found,
+                        struct text_buffer *out) {
+  const struct periodic_result *box = &found->measurement.box;
+  const struct interface *interface = &found->interface;
+  struct result row[MOST_TOTALS + 6];
+  size_t count = list_totals(request, found, row);
+  if (box->periodic != NULL) {
+    memmove(row + BEFORE_BOX + 2, row + BEFORE_BOX, (count - BEFORE_BOX) * sizeof *row);
+    row[BEFORE_BOX] = (struct result){"box_volume", NULL, box->totals.box_volume, 0, ""};
+    row[BEFORE_BOX + 1] = (struct result){"free_volume", NULL, box->totals.free_volume, 0, ""};
+    count += 2;
+  }
+  if (request->interface != NULL) {
+    row[count++] = (struct result){"first_alone", NULL, interface->side[0].alone, 0, ""};
+    row[count++] = (struct result){"second_alone", NULL, interface->side[1].alone, 0, ""};
+    row[count++] = (struct result){"together", NULL, interface->together, 0, ""};
+    row[count++] = (struct result){"buried", NULL, interface->buried, 0, ""};
+  }
+  if (molecule->frame.first) {
+    csv_frame_titles(out);
+    results_csv_titles(row, count, out);
+    text_buffer_add(out, "\n");
+  }
+  csv_frame(out, molecule);
+  results_csv(row, count, out);
+  text_buffer_add(out, "\n");
+}
+
 static void print_json(const struct request *request, const struct molecule *molecule, const struct findings *found,
                        struct text_buffer *out) {
   const struct measurement *measurement = &found->measurement;
+  struct result totals[MOST_TOTALS];
+  const size_t count = list_totals(request, found, totals);
+  /* What stands between the numbers: the kind of the surface before its areas. */
+  const size_t kind = BEFORE_BOX + (request->curvature ? 2 : 0);
   text_buffer_add(out, "{");
   json_frame(out, &molecule->frame);
-  text_buffer_add(out, "\"n\": %" PRIu32 ", \"area\": ", molecule->atoms);
-  json_number(out, measurement->totals.area);
-  text_buffer_add(out, ", \"volume\": ");
-  json_number(out, measurement->totals.volume);
+  text_buffer_add(out, "\"n\": %" PRIu32, molecule->atoms);
+  results_json(totals, BEFORE_BOX, out);
   if (measurement->box.periodic != NULL) periodic_result_json(&measurement->box, out);
-  if (request->curvature) {
-    text_buffer_add(out, ", \"mean_curvature\": ");
-    json_number(out, measurement->curvatures.mean);
-    text_buffer_add(out, ", \"gauss_curvature\": ");
-    json_number(out, measurement->curvatures.gauss);
-  }
+  results_json(totals + BEFORE_BOX, kind - BEFORE_BOX, out);
   if (request->excluded_surface) {
-    text_buffer_add(out, ", \"surface\": \"ses\", %s\"convex_area\": ", request->outer ? "\"outer\": true, " : "");
-    json_number(out, measurement->surface.convex_area);
-    text_buffer_add(out, ", \"saddle_area\": ");
-    json_number(out, measurement->surface.saddle_area);
-    text_buffer_add(out, ", \"concave_area\": ");
-    json_number(out, measurement->surface.concave_area);
+    text_buffer_add(out, ", \"surface\": \"ses\"%s", request->outer ? ", \"outer\": true" : "");
   }
-  if (measurement->weights != NULL) {
-    text_buffer_add(out, ", \"weighted_area\": ");
-    json_number(out, measurement->weighted_area);
-  }
-  if (request->polar) {
-    text_buffer_add(out, ", \"polar_area\": ");
-    json_number(out, measurement->polar_area);
-    text_buffer_add(out, ", \"apolar_area\": ");
-    json_number(out, measurement->apolar_area);
-    text_buffer_add(out, ", \"other_area\": ");
-    json_number(out, measurement->other_area);
-  }
+  results_json(totals + kind, count - kind, out);
   if (request->interface != NULL) interface_json(&found->interface, out);
   if (request_wants_balls(request)) {
     text_buffer_add(out, ", \"balls\": ");
@@ -114,40 +162,12 @@ static void print_tables(const struct request *request, const struct molecule *m
                          struct text_buffer *out) {
   const struct measurement *measurement = &found->measurement;
   const char *unit = molecule->format->unit;
-  char value[NUMBER_BYTES];
+  struct result totals[MOST_TOTALS];
+  const size_t count = list_totals(request, found, totals);
   report_heading(out, request, molecule);
-  text_buffer_add(out, "  %-16s %s %s^2\n", "area", quantity_text(value, measurement->totals.area, TOTAL_DECIMALS),
-                  unit);
-  text_buffer_add(out, "  %-16s %s %s^3\n", "volume", quantity_text(value, measurement->totals.volume, TOTAL_DECIMALS),
-                  unit);
+  results_print(totals, BEFORE_BOX, 0, unit, out);
   if (measurement->box.periodic != NULL) periodic_result_rows(&measurement->box, unit, out);
-  if (request->curvature) {
-    text_buffer_add(out, "  %-16s %s %s, integrated over the boundary\n", "mean curvature",
-                    quantity_text(value, measurement->curvatures.mean, TOTAL_DECIMALS), unit);
-    text_buffer_add(out, "  %-16s %s, 2 pi times its Euler characteristic\n", "gauss curvature",
-                    quantity_text(value, measurement->curvatures.gauss, TOTAL_DECIMALS));
-  }
-  if (request->excluded_surface) {
-    text_buffer_add(out, "  %-16s %s %s^2, where the probe touches one atom\n", "convex area",
-                    quantity_text(value, measurement->surface.convex_area, TOTAL_DECIMALS), unit);
-    text_buffer_add(out, "  %-16s %s %s^2, where it touches two\n", "saddle area",
-                    quantity_text(value, measurement->surface.saddle_area, TOTAL_DECIMALS), unit);
-    text_buffer_add(out, "  %-16s %s %s^2, where it touches three\n", "concave area",
-                    quantity_text(value, measurement->surface.concave_area, TOTAL_DECIMALS), unit);
-  }
-  if (measurement->weights != NULL) {
-    text_buffer_add(out, "  %-16s %s, the sum of weight x %s\n", "weighted area",
-                    quantity_text(value, measurement->weighted_area, TOTAL_DECIMALS),
-                    request->excluded_surface ? "share of the area" : "free area");
-  }
-  if (request->polar) {
-    text_buffer_add(out, "  %-16s %s %s^2, of nitrogen and oxygen\n", "polar area",
-                    quantity_text(value, measurement->polar_area, TOTAL_DECIMALS), unit);
-    text_buffer_add(out, "  %-16s %s %s^2, of carbon, sulfur and selenium\n", "apolar area",
-                    quantity_text(value, measurement->apolar_area, TOTAL_DECIMALS), unit);
-    text_buffer_add(out, "  %-16s %s %s^2, of all others\n", "other area",
-                    quantity_text(value, measurement->other_area, TOTAL_DECIMALS), unit);
-  }
+  results_print(totals + BEFORE_BOX, count - BEFORE_BOX, 0, unit, out);
   if (measurement->one_sided > 0) {
     if (request->excluded_surface) {
       report_row_count(out, "degenerate balls", measurement->one_sided,
@@ -160,67 +180,6 @@ static void print_tables(const struct request *request, const struct molecule *m
   if (request->interface != NULL) interface_print(request->interface, &found->interface, molecule->format, out);
   if (request_wants_balls(request)) ball_table_print(request, molecule, measurement, out);
   if (request->by != GROUPING_NONE) group_table_print(molecule, &found->groups, request->relative, out);
-}
-
-/* A row of the table of frames. */
-struct row {
-  const char *name[20];
-  double value[20];
-  size_t columns;
-};
-
-static void add_column(struct row *row, const char *name, double value) {
-  row->name[row->columns] = name;
-  row->value[row->columns++] = value;
-}
-
-static struct row row_of(const struct request *request, const struct findings *found) {
-  const struct measurement *measurement = &found->measurement;
-  struct row row = {.columns = 0};
-  add_column(&row, "area", measurement->totals.area);
-  add_column(&row, "volume", measurement->totals.volume);
-  if (measurement->box.periodic != NULL) {
-    add_column(&row, "box_volume", measurement->box.totals.box_volume);
-    add_column(&row, "free_volume", measurement->box.totals.free_volume);
-  }
-  if (request->curvature) {
-    add_column(&row, "mean_curvature", measurement->curvatures.mean);
-    add_column(&row, "gauss_curvature", measurement->curvatures.gauss);
-  }
-  if (request->excluded_surface) {
-    add_column(&row, "convex_area", measurement->surface.convex_area);
-    add_column(&row, "saddle_area", measurement->surface.saddle_area);
-    add_column(&row, "concave_area", measurement->surface.concave_area);
-  }
-  if (measurement->weights != NULL) add_column(&row, "weighted_area", measurement->weighted_area);
-  if (request->polar) {
-    add_column(&row, "polar_area", measurement->polar_area);
-    add_column(&row, "apolar_area", measurement->apolar_area);
-    add_column(&row, "other_area", measurement->other_area);
-  }
-  if (request->interface != NULL) {
-    add_column(&row, "first_alone", found->interface.side[0].alone);
-    add_column(&row, "second_alone", found->interface.side[1].alone);
-    add_column(&row, "together", found->interface.together);
-    add_column(&row, "buried", found->interface.buried);
-  }
-  return row;
-}
-
-static void print_frame(const struct request *request, const struct molecule *molecule, const struct findings *found,
-                        struct text_buffer *out) {
-  const struct row row = row_of(request, found);
-  if (molecule->frame.first) {
-    csv_frame_titles(out);
-    for (size_t k = 0; k < row.columns; ++k) {
-      text_buffer_add(out, "%s%s", row.name[k], k + 1 < row.columns ? "," : "\n");
-    }
-  }
-  csv_frame(out, molecule);
-  for (size_t k = 0; k < row.columns; ++k) {
-    csv_number(out, row.value[k]);
-    text_buffer_add(out, "%s", k + 1 < row.columns ? "," : "\n");
-  }
 }
 
 static void print(const struct request *request, const struct molecule *molecule, const struct findings *found,

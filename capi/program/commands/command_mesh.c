@@ -1,6 +1,4 @@
 /* hardsphere mesh: a surface as triangles. */
-#include <inttypes.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -26,32 +24,26 @@ static double area_of(const struct triangle_mesh *mesh) {
   return sum;
 }
 
-static void print_json(const struct request *request, const struct molecule *molecule, const struct triangle_mesh *mesh,
-                       uint64_t bytes, struct text_buffer *out) {
-  text_buffer_add(out, "{\"n\": %" PRIu32 ", \"vertices\": %" PRIu32 ", \"triangles\": %" PRIu32 ", \"edge\": ",
-                  molecule->atoms, mesh->vertices, mesh->triangles);
-  json_number(out, mesh->edge);
-  text_buffer_add(out, ", \"triangle_area\": ");
-  json_number(out, area_of(mesh));
-  text_buffer_add(out, ", \"bytes\": %" PRIu64, bytes);
-  input_report_json(out, request, molecule);
-  text_buffer_add(out, "}\n");
-}
-
-static void print_table(const struct request *request, const struct molecule *molecule,
-                        const struct triangle_mesh *mesh, uint64_t bytes, struct text_buffer *out) {
-  char value[NUMBER_BYTES];
-  char remark[80];
-  report_heading(out, request, molecule);
+static void print(const struct request *request, const struct molecule *molecule, const struct triangle_mesh *mesh,
+                  uint64_t bytes, struct text_buffer *out) {
   static const char *const remarks[] = {"of the balls alone", "of the balls with the probe", "that the probe leaves"};
+  const double area = area_of(mesh);
+  const struct result results[] = {
+      {NULL, "edge", mesh->edge, 3, "@, of a triangle, about"},
+      {"vertices", "vertices", mesh->vertices, 0, ""},
+      {"triangles", "triangles", mesh->triangles, 0, "closed: each edge in two of them"},
+      {"edge", NULL, mesh->edge, 0, ""},
+      {"triangle_area", "area", area, 3, "@^2, of the triangles; measure has the surface's"},
+      {"bytes", "bytes", (double)bytes, 0, ""},
+  };
+  const size_t count = sizeof results / sizeof results[0];
+  if (request->json) {
+    input_report_results(out, request, molecule, results, count);
+    return;
+  }
+  report_heading(out, request, molecule);
   report_row(out, "surface", meshing_surface_name(&request->meshing), remarks[request->meshing.surface]);
-  snprintf(remark, sizeof remark, "%s, of a triangle, about", molecule->format->unit);
-  report_row(out, "edge", quantity_text(value, mesh->edge, 3), remark);
-  report_row_count(out, "vertices", mesh->vertices, "");
-  report_row_count(out, "triangles", mesh->triangles, "closed: each edge in two of them");
-  snprintf(remark, sizeof remark, "%s^2, of the triangles; measure has the surface's", molecule->format->unit);
-  report_row(out, "area", quantity_text(value, area_of(mesh), 3), remark);
-  report_row_count(out, "bytes", (int64_t)bytes, "");
+  results_print(results, count, RESULT_WIDTH, molecule->format->unit, out);
 }
 
 /* The triangles of MSMS have a file of their own. */
@@ -96,13 +88,7 @@ bool command_mesh(const struct request *request, const struct molecule *molecule
               triangle_mesh_read(geometry->work.mesh, &mesh, failure);
   if (done) progress_show(&geometry->progress, "writing");
   done = done && write_file(request, molecule, &mesh, &bytes, failure);
-  if (done && !output_is_standard(meshing->out)) {
-    if (request->json) {
-      print_json(request, molecule, &mesh, bytes, out);
-    } else {
-      print_table(request, molecule, &mesh, bytes, out);
-    }
-  }
+  if (done && !output_is_standard(meshing->out)) print(request, molecule, &mesh, bytes, out);
   triangle_mesh_free(&mesh);
   return done;
 }

@@ -14,18 +14,6 @@ static bool has_rho(const hsp_packing *figures) {
   return (figures->flags & HSP_PACKING_NO_PAIR) == 0;
 }
 
-static void print_json(const struct request *request, const struct molecule *molecule, const hsp_packing *figures,
-                       struct text_buffer *out) {
-  text_buffer_add(out, "{\"n\": %" PRIu32 ", \"k\": ", molecule->atoms);
-  json_number(out, has_k(figures) ? figures->k : (double)NAN);
-  text_buffer_add(out, ", \"rho\": ");
-  json_number(out, has_rho(figures) ? figures->rho : (double)NAN);
-  text_buffer_add(out, ", \"max_overlaps\": %" PRIu32 ", \"mean_overlaps\": ", figures->max_overlaps);
-  json_number(out, figures->mean_overlaps);
-  input_report_json(out, request, molecule);
-  text_buffer_add(out, "}\n");
-}
-
 static void print_verdict(const struct molecule *molecule, const hsp_packing *figures, struct text_buffer *out) {
   if (figures->flags == 0) {
     char bound[NUMBER_BYTES];
@@ -55,29 +43,22 @@ static void print_verdict(const struct molecule *molecule, const hsp_packing *fi
   }
 }
 
-static void print_table(const struct request *request, const struct molecule *molecule, const hsp_packing *figures,
-                        struct text_buffer *out) {
-  char value[NUMBER_BYTES];
-  report_heading(out, request, molecule);
-  report_row(out, "k", has_k(figures) ? quantity_text(value, figures->k, 4) : "-", "largest radius / smallest radius");
-  report_row(out, "rho", has_rho(figures) ? quantity_text(value, figures->rho, 4) : "-",
-             "least of: distance of two centres / larger of their radii");
-  report_row_count(out, "max overlaps", figures->max_overlaps, "most balls that one ball overlaps");
-  report_row(out, "mean overlaps", quantity_text(value, figures->mean_overlaps, 4), "balls that a ball overlaps");
-  text_buffer_add(out, "\n");
-  print_verdict(molecule, figures, out);
-}
-
 bool command_model(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                    struct text_buffer *out, struct failure *failure) {
   hsp_packing figures;
   progress_show(&geometry->progress, "counting overlaps");
   const int32_t status = hsp_model_get_packing(geometry->work.model, &figures);
   if (status != HSP_OK) return failure_in_library(failure, status);
-  if (request->json) {
-    print_json(request, molecule, &figures, out);
-  } else {
-    print_table(request, molecule, &figures, out);
-  }
+  const struct result results[] = {
+      {"k", "k", has_k(&figures) ? figures.k : (double)NAN, 4, "largest radius / smallest radius"},
+      {"rho", "rho", has_rho(&figures) ? figures.rho : (double)NAN, 4,
+       "least of: distance of two centres / larger of their radii"},
+      {"max_overlaps", "max overlaps", figures.max_overlaps, 0, "most balls that one ball overlaps"},
+      {"mean_overlaps", "mean overlaps", figures.mean_overlaps, 4, "balls that a ball overlaps"},
+  };
+  input_report_results(out, request, molecule, results, sizeof results / sizeof results[0]);
+  if (request->json) return true;
+  text_buffer_add(out, "\n");
+  print_verdict(molecule, &figures, out);
   return true;
 }

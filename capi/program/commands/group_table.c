@@ -1,11 +1,10 @@
 #include "commands/group_table.h"
 
-#include <inttypes.h>
-#include <string.h>
+#include <stdio.h>
 
 #include "read/relative_areas.h"
-#include "write/csv.h"
 #include "write/report.h"
+#include "write/table.h"
 
 static const struct residue_label *label_of(const struct molecule *molecule, const struct atom_group *group) {
   return &molecule->label[group->first].residue;
@@ -16,77 +15,85 @@ static double relative_area(const struct molecule *molecule, const struct atom_g
   return group->area / largest_residue_area(label_of(molecule, group)->name);
 }
 
+/* What a row is about. */
+struct listed {
+  const struct molecule *molecule;
+  const struct atom_groups *groups;
+};
+
+/* Insertion codes stand behind numbers, which stand under each other. */
+static void residue_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
+  const struct listed *listed = of;
+  const struct atom_group *group = &listed->groups->group[row];
+  const struct residue_label *label = label_of(listed->molecule, group);
+  snprintf(text, CELL_BYTES, "%6s%-1s", label->number, label->insertion);
+  cells[0].text = label->chain;
+  cells[1].text = label->name;
+  cells[2].text = label->number;
+  cells[3].text = label->insertion;
+  cells[4].text = text;
+  cells[5].count = group->atoms;
+  cells[6].quantity = group->area;
+  cells[7].quantity = relative_area(listed->molecule, group);
+}
+
+static void chain_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
+  const struct listed *listed = of;
+  const struct atom_group *group = &listed->groups->group[row];
+  (void)text;
+  cells[0].text = label_of(listed->molecule, group)->chain;
+  cells[1].count = group->atoms;
+  cells[2].quantity = group->area;
+}
+
+static struct table table_of(const struct listed *listed, bool relative) {
+  static const struct column residue_columns[] = {
+      {"chain", NULL, "chain", -5, COLUMN_TEXT, 0},
+      {"name", "residue", "residue", -7, COLUMN_TEXT, 0},
+      {"number", NULL, NULL, 0, COLUMN_RESIDUE_NUMBER, 0},
+      {"insertion", NULL, NULL, 0, COLUMN_TEXT, 0},
+      {NULL, NULL, "number", 7, COLUMN_TEXT, 0},
+      {"atoms", NULL, "atoms", 9, COLUMN_COUNT, 0},
+      {"area", NULL, "free area", 16, COLUMN_QUANTITY, 4},
+      {"relative", NULL, "relative", 8, COLUMN_QUANTITY, 3}, /* the last one, if it is asked for */
+  };
+  static const struct column chain_columns[] = {
+      {"chain", NULL, "chain", -5, COLUMN_TEXT, 0},
+      {"atoms", NULL, "atoms", 9, COLUMN_COUNT, 0},
+      {"area", NULL, "free area", 16, COLUMN_QUANTITY, 4},
+  };
+  const bool residues = listed->groups->grouping == GROUPING_RESIDUE;
+  return (struct table){residues ? residue_columns : chain_columns,
+                        !residues  ? 3
+                        : relative ? 8
+                                   : 7,
+                        listed->molecule->format,
+                        listed->groups->count,
+                        listed,
+                        residues ? residue_row : chain_row};
+}
+
 void group_table_print(const struct molecule *molecule, const struct atom_groups *groups, bool relative,
                        struct text_buffer *out) {
-  const bool residues = groups->grouping == GROUPING_RESIDUE;
-  char value[NUMBER_BYTES];
+  const struct listed listed = {molecule, groups};
+  const struct table table = table_of(&listed, relative);
   text_buffer_add(out, "\n");
-  report_row_count(out, residues ? "residues" : "chains", groups->count, "");
-  text_buffer_add(out, "\n  %-5s", "chain");
-  if (residues) text_buffer_add(out, "  %-7s  %7s", "residue", "number");
-  text_buffer_add(out, "  %9s  %16s", "atoms", "free area");
-  text_buffer_add(out, relative ? "  %8s\n" : "%s\n", relative ? "relative" : "");
-  for (uint32_t i = 0; i < groups->count; ++i) {
-    const struct atom_group *group = &groups->group[i];
-    const struct residue_label *label = label_of(molecule, group);
-    text_buffer_add(out, "  %-5s", label->chain);
-    /* Insertion codes have a column of their own, so that the numbers stand under each other. */
-    if (residues) text_buffer_add(out, "  %-7s  %6s%-1s", label->name, label->number, label->insertion);
-    text_buffer_add(out, "  %9s", count_text(value, group->atoms));
-    text_buffer_add(out, "  %16s", column_text(value, molecule->format, group->area, 4));
-    if (relative)
-      text_buffer_add(out, "  %8s", column_text(value, molecule->format, relative_area(molecule, group), 3));
-    text_buffer_add(out, "\n");
-  }
+  report_row_count(out, groups->grouping == GROUPING_RESIDUE ? "residues" : "chains", groups->count, "");
+  text_buffer_add(out, "\n");
+  table_print(&table, out);
   if (relative) text_buffer_add(out, "\n  relative to the %s\n", relative_areas_source);
 }
 
 void group_table_json(const struct molecule *molecule, const struct atom_groups *groups, bool relative,
                       struct text_buffer *out) {
-  text_buffer_add(out, "[");
-  for (uint32_t i = 0; i < groups->count; ++i) {
-    const struct atom_group *group = &groups->group[i];
-    const struct residue_label *label = label_of(molecule, group);
-    text_buffer_add(out, "%s{\"chain\": ", i == 0 ? "" : ", ");
-    json_text(out, label->chain);
-    if (groups->grouping == GROUPING_RESIDUE) {
-      text_buffer_add(out, ", \"name\": ");
-      json_text(out, label->name);
-      text_buffer_add(out, ", \"number\": ");
-      json_residue_number(out, label->number);
-      text_buffer_add(out, ", \"insertion\": ");
-      json_text(out, label->insertion);
-    }
-    text_buffer_add(out, ", \"atoms\": %" PRIu32 ", \"area\": ", group->atoms);
-    json_number(out, group->area);
-    if (relative) {
-      text_buffer_add(out, ", \"relative\": ");
-      json_number(out, relative_area(molecule, group));
-    }
-    text_buffer_add(out, "}");
-  }
-  text_buffer_add(out, "]");
+  const struct listed listed = {molecule, groups};
+  const struct table table = table_of(&listed, relative);
+  table_json(&table, out);
 }
 
 void group_table_csv(const struct molecule *molecule, const struct atom_groups *groups, bool relative,
                      struct text_buffer *out) {
-  const bool residues = groups->grouping == GROUPING_RESIDUE;
-  text_buffer_add(out, "%s%s\n", residues ? "chain,residue,number,insertion,atoms,area" : "chain,atoms,area",
-                  relative ? ",relative" : "");
-  for (uint32_t i = 0; i < groups->count; ++i) {
-    const struct atom_group *group = &groups->group[i];
-    const struct residue_label *label = label_of(molecule, group);
-    const char *const texts[] = {label->chain, label->name, label->number, label->insertion};
-    for (int k = 0; k < (residues ? 4 : 1); ++k) {
-      csv_text(out, texts[k]);
-      text_buffer_add(out, ",");
-    }
-    text_buffer_add(out, "%" PRIu32 ",", group->atoms);
-    csv_number(out, group->area);
-    if (relative) {
-      text_buffer_add(out, ",");
-      csv_number(out, relative_area(molecule, group));
-    }
-    text_buffer_add(out, "\n");
-  }
+  const struct listed listed = {molecule, groups};
+  const struct table table = table_of(&listed, relative);
+  table_csv(&table, out);
 }

@@ -247,3 +247,16 @@ void input_report_json(struct text_buffer *out, const struct request *request, c
   json_count(out, "others", left_out->others);
   text_buffer_add(out, "}}");
 }
+
+void input_report_results(struct text_buffer *out, const struct request *request, const struct molecule *molecule,
+                          const struct result *results, size_t count) {
+  if (!request->json) {
+    report_heading(out, request, molecule);
+    results_print(results, count, RESULT_WIDTH, molecule->format->unit, out);
+    return;
+  }
+  text_buffer_add(out, "{\"n\": %" PRIu32, molecule->atoms);
+  results_json(results, count, out);
+  input_report_json(out, request, molecule);
+  text_buffer_add(out, "}\n");
+}

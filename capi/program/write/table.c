@@ -1,0 +1,141 @@
+#include "write/table.h"
+
+#include <inttypes.h>
+
+#include "write/csv.h"
+#include "write/report.h"
+
+/* A text with the unit in place of each '@'. */
+static void add_with_unit(struct text_buffer *out, const char *text, const char *unit) {
+  for (; *text != '\0'; ++text) {
+    if (*text == '@') text_buffer_add(out, "%s", unit);
+    if (*text != '@') text_buffer_append(out, text, 1);
+  }
+}
+
+void results_print(const struct result *results, size_t count, int width, const char *unit, struct text_buffer *out) {
+  for (const struct result *result = results; result != results + count; ++result) {
+    char value[NUMBER_BYTES];
+    if (result->title == NULL) continue;
+    const bool bare = result->remark[0] == '\0';
+    text_buffer_add(out, "  %-16s %-*s%s", result->title, bare ? 0 : width,
+                    quantity_text(value, result->number, result->decimals),
+                    bare || result->remark[0] == ',' ? "" : " ");
+    add_with_unit(out, result->remark, unit);
+    text_buffer_add(out, "\n");
+  }
+}
+
+void results_json(const struct result *results, size_t count, struct text_buffer *out) {
+  for (const struct result *result = results; result != results + count; ++result) {
+    if (result->key == NULL) continue;
+    text_buffer_add(out, ", \"%s\": ", result->key);
+    json_number(out, result->number);
+  }
+}
+
+void results_csv_titles(const struct result *results, size_t count, struct text_buffer *out) {
+  const char *comma = "";
+  for (const struct result *result = results; result != results + count; ++result) {
+    if (result->key == NULL) continue;
+    text_buffer_add(out, "%s%s", comma, result->key);
+    comma = ",";
+  }
+}
+
+void results_csv(const struct result *results, size_t count, struct text_buffer *out) {
+  const char *comma = "";
+  for (const struct result *result = results; result != results + count; ++result) {
+    if (result->key == NULL) continue;
+    text_buffer_add(out, "%s", comma);
+    csv_number(out, result->number);
+    comma = ",";
+  }
+}
+
+static void print_cell(const struct table *table, const struct column *column, union cell cell,
+                       struct text_buffer *out) {
+  char value[NUMBER_BYTES];
+  const char *shown = cell.text;
+  if (column->kind == COLUMN_COUNT) shown = count_text(value, cell.count);
+  if (column->kind == COLUMN_QUANTITY) shown = column_text(value, table->format, cell.quantity, column->decimals);
+  text_buffer_add(out, "  %*s", column->width, shown);
+}
+
+void table_print(const struct table *table, struct text_buffer *out) {
+  union cell cells[MOST_COLUMNS];
+  char text[CELL_BYTES];
+  for (int k = 0; k < table->count; ++k) {
+    const struct column *column = &table->columns[k];
+    struct text_buffer title = TEXT_BUFFER_EMPTY;
+    if (column->title == NULL) continue;
+    add_with_unit(&title, column->title, table->format->unit);
+    if (!title.out_of_memory) text_buffer_add(out, "  %*s", column->width, title.length == 0 ? "" : title.text);
+    out->out_of_memory = out->out_of_memory || title.out_of_memory;
+    text_buffer_free(&title);
+  }
+  text_buffer_add(out, "\n");
+  for (size_t row = 0; row < table->rows; ++row) {
+    table->row(table->of, row, cells, text);
+    for (int k = 0; k < table->count; ++k) {
+      if (table->columns[k].title != NULL) print_cell(table, &table->columns[k], cells[k], out);
+    }
+    text_buffer_add(out, "\n");
+  }
+}
+
+void table_json(const struct table *table, struct text_buffer *out) {
+  union cell cells[MOST_COLUMNS];
+  char text[CELL_BYTES];
+  const char *separator = "[{";
+  for (size_t row = 0; row < table->rows; ++row) {
+    table->row(table->of, row, cells, text);
+    for (int k = 0; k < table->count; ++k) {
+      const struct column *column = &table->columns[k];
+      if (column->key == NULL) continue;
+      text_buffer_add(out, "%s\"%s\": ", separator, column->key);
+      if (column->kind == COLUMN_COUNT) text_buffer_add(out, "%" PRId64, cells[k].count);
+      if (column->kind == COLUMN_QUANTITY) json_number(out, cells[k].quantity);
+      if (column->kind == COLUMN_TEXT) json_text(out, cells[k].text);
+      if (column->kind == COLUMN_RESIDUE_NUMBER) json_residue_number(out, cells[k].text);
+      separator = ", ";
+    }
+    text_buffer_add(out, "}");
+    separator = ", {";
+  }
+  text_buffer_add(out, separator[0] == '[' ? "[]" : "]");
+}
+
+static const char *csv_key(const struct column *column) {
+  return column->csv != NULL ? column->csv : column->key;
+}
+
+void table_csv(const struct table *table, struct text_buffer *out) {
+  union cell cells[MOST_COLUMNS];
+  char text[CELL_BYTES];
+  const char *comma = "";
+  for (int k = 0; k < table->count; ++k) {
+    if (csv_key(&table->columns[k]) == NULL) continue;
+    text_buffer_add(out, "%s%s", comma, csv_key(&table->columns[k]));
+    comma = ",";
+  }
+  text_buffer_add(out, "\n");
+  for (size_t row = 0; row < table->rows; ++row) {
+    table->row(table->of, row, cells, text);
+    comma = "";
+    for (int k = 0; k < table->count; ++k) {
+      const struct column *column = &table->columns[k];
+      if (csv_key(column) == NULL) continue;
+      text_buffer_add(out, "%s", comma);
+      if (column->kind == COLUMN_COUNT) {
+        text_buffer_add(out, "%" PRId64, cells[k].count);
+      } else if (column->kind == COLUMN_QUANTITY) {
+        csv_number(out, cells[k].quantity);
+      } else {
+        csv_text(out, cells[k].text);
+      }
+      comma = ",";
+    }
+    text_buffer_add(out, "\n");
+  }
+}
