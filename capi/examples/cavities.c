@@ -27,32 +27,10 @@ static int32_t compute(hsp_workspace *work, const struct balls *balls, double pr
   return status;
 }
 
-/* The balls with a face on one of the cell's shells. */
-static int32_t print_wall(const hsp_workspace *work, uint32_t cell, uint32_t ball_count) {
-  uint32_t shell_count = 0;
-  uint32_t face_count = 0;
-  hsp_topology_get_cell_shells(work->topology, cell, NULL, 0, &shell_count);
-  hsp_boundary_get_faces(work->boundary, NULL, 0, &face_count);
-  uint32_t *shells = malloc(((size_t)shell_count + 1) * sizeof *shells);
-  hsp_face *faces = malloc(((size_t)face_count + 1) * sizeof *faces);
-  unsigned char *in_wall = calloc((size_t)ball_count + 1, 1);
-  int32_t status = HSP_E_MEMORY;
-  if (shells != NULL && faces != NULL && in_wall != NULL) {
-    status = hsp_topology_get_cell_shells(work->topology, cell, shells, shell_count, &shell_count);
-    if (status == HSP_OK) status = hsp_boundary_get_faces(work->boundary, faces, face_count, &face_count);
-  }
-  for (uint32_t face = 0; status == HSP_OK && face < face_count; ++face) {
-    for (uint32_t i = 0; i < shell_count; ++i) {
-      if (faces[face].shell == shells[i]) in_wall[faces[face].ball] = 1;
-    }
-  }
-  for (uint32_t ball = 0; status == HSP_OK && ball < ball_count; ++ball) {
-    if (in_wall[ball]) printf(" %u", (unsigned)ball);
-  }
+static int32_t print_wall(const hsp_workspace *work, uint32_t cell, uint32_t *balls, uint32_t ball_count) {
+  const int32_t status = hsp_topology_get_cell_balls(work->topology, cell, balls, ball_count, &ball_count);
+  for (uint32_t i = 0; status == HSP_OK && i < ball_count; ++i) printf(" %u", (unsigned)balls[i]);
   printf("\n");
-  free(shells);
-  free(faces);
-  free(in_wall);
   return status;
 }
 
@@ -60,15 +38,17 @@ static int32_t print_cavities(const hsp_workspace *work, uint32_t ball_count) {
   uint32_t count = 0;
   hsp_topology_get_cells(work->topology, NULL, 0, &count);
   hsp_cell *cells = malloc(((size_t)count + 1) * sizeof *cells);
-  if (cells == NULL) return HSP_E_MEMORY;
-  int32_t status = hsp_topology_get_cells(work->topology, cells, count, &count);
+  uint32_t *balls = malloc(((size_t)ball_count + 1) * sizeof *balls);
+  int32_t status = cells == NULL || balls == NULL ? HSP_E_MEMORY : HSP_OK;
+  if (status == HSP_OK) status = hsp_topology_get_cells(work->topology, cells, count, &count);
   if (status == HSP_OK) printf("cavities: %u\n", (unsigned)count - 1);
   for (uint32_t cell = 1; status == HSP_OK && cell < count; ++cell) { /* cell 0 is the outside */
     printf("cavity %u: volume %.6f, area %.6f, pieces inside %u, balls around:", (unsigned)cell, cells[cell].volume,
            cells[cell].area, (unsigned)cells[cell].components);
-    status = print_wall(work, cell, ball_count);
+    status = print_wall(work, cell, balls, ball_count);
   }
   free(cells);
+  free(balls);
   return status;
 }
 

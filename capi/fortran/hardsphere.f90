@@ -2706,6 +2706,17 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_topology_get_cell_balls(topology, cell, balls, capacity, needed) result(status) &
+      bind(C, name="hsp_topology_get_cell_balls")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: topology
+      integer(c_int32_t), value :: cell
+      integer(c_int32_t), intent(inout), optional :: balls(*)  ! needed
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_topology_get_traversal(topology, shell, faces, capacity, needed) result(status) &
       bind(C, name="hsp_topology_get_traversal")
       import :: c_int32_t, c_ptr

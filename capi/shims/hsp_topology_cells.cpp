@@ -10,6 +10,13 @@ namespace {
 using hsp::capi::check_output;
 using hsp::capi::check_request;
 
+// What every list of what belongs to one cell or shell, number `id`, checks before it counts.
+int32_t check_list(const hsp_topology *topology, uint32_t id, uint32_t hsp::Topology::*number, const uint32_t *out,
+                   uint32_t capacity, const uint32_t *needed) {
+  const int32_t status = check_results(topology, needed == nullptr || (out == nullptr && capacity > 0));
+  return status == HSP_OK && id >= topology->structure().*number ? HSP_E_ID : status;
+}
+
 }  // namespace
 
 int32_t hsp_topology_get_shells(hsp_topology *topology, hsp_shell *out, uint32_t capacity, uint32_t *needed) {
@@ -66,14 +73,12 @@ int32_t hsp_topology_get_cells(hsp_topology *topology, hsp_cell *out, uint32_t c
 
 int32_t hsp_topology_get_cell_shells(const hsp_topology *topology, uint32_t cell, uint32_t *shells, uint32_t capacity,
                                      uint32_t *needed) {
-  if (const int32_t status = check_results(topology, needed == nullptr || (shells == nullptr && capacity > 0));
-      status != HSP_OK)
-    return status;
+  const int32_t status = check_list(topology, cell, &hsp::Topology::cell_count, shells, capacity, needed);
+  if (status != HSP_OK) return status;
   const hsp::Topology &structure = topology->structure();
-  if (cell >= structure.cell_count) return HSP_E_ID;
   uint32_t count = 0;
   for (uint32_t s = 0; s < structure.shell_count; ++s) count += structure.shells[s].cell == cell ? 1U : 0U;
-  if (const int32_t status = check_output(shells, capacity, count, needed); status != HSP_OK) return status;
+  if (check_output(shells, capacity, count, needed) != HSP_OK) return HSP_E_CAPACITY;
   uint32_t written = 0;
   for (uint32_t s = 0; s < structure.shell_count; ++s) {
     if (structure.shells[s].cell == cell) shells[written++] = s;
@@ -81,17 +86,25 @@ int32_t hsp_topology_get_cell_shells(const hsp_topology *topology, uint32_t cell
   return HSP_OK;
 }
 
+int32_t hsp_topology_get_cell_balls(hsp_topology *topology, uint32_t cell, uint32_t *balls, uint32_t capacity,
+                                    uint32_t *needed) {
+  const int32_t status = check_list(topology, cell, &hsp::Topology::cell_count, balls, capacity, needed);
+  if (status != HSP_OK) return status;
+  const hsp::Topology &structure = topology->scanned();
+  const hsp::Boundary &boundary = topology->boundary->structure();
+  const uint32_t count = hsp::count_balls_of_cell(boundary, structure, cell);
+  if (check_output(balls, capacity, count, needed) != HSP_OK) return HSP_E_CAPACITY;
+  hsp::list_balls_of_cell(topology->balls(), boundary, structure, cell, hsp::Span<uint32_t>(balls, count));
+  return HSP_OK;
+}
+
 int32_t hsp_topology_get_traversal(hsp_topology *topology, uint32_t shell, uint32_t *faces, uint32_t capacity,
                                    uint32_t *needed) {
-  if (const int32_t status = check_results(topology, needed == nullptr || (faces == nullptr && capacity > 0));
-      status != HSP_OK)
-    return status;
-  if (shell >= topology->structure().shell_count) return HSP_E_ID;
+  const int32_t status = check_list(topology, shell, &hsp::Topology::shell_count, faces, capacity, needed);
+  if (status != HSP_OK) return status;
   const hsp::Topology &structure = topology->scanned();
   const hsp::ShellRecord &record = structure.shells[shell];
-  if (const int32_t status = check_output(faces, capacity, record.simple_faces, needed); status != HSP_OK) {
-    return status;
-  }
+  if (check_output(faces, capacity, record.simple_faces, needed) != HSP_OK) return HSP_E_CAPACITY;
   for (uint32_t k = 0; k < record.simple_faces; ++k) faces[k] = structure.traversal[record.first_traversed + k];
   return HSP_OK;
 }

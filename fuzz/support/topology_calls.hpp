@@ -156,6 +156,10 @@ class TopologyCalls {
                           [&](uint32_t *out, uint32_t capacity, uint32_t *count) {
                             return hsp_topology_get_cell_shells(topology, cell, out, capacity, count);
                           });
+    check_array<uint32_t>(bytes_, 20, with_id(expected, cell, counts.cells),
+                          [&](uint32_t *out, uint32_t capacity, uint32_t *count) {
+                            return hsp_topology_get_cell_balls(topology, cell, out, capacity, count);
+                          });
     check_array<uint32_t>(bytes_, 60, with_id(expected, shell, counts.shells),
                           [&](uint32_t *out, uint32_t capacity, uint32_t *count) {
                             return hsp_topology_get_traversal(topology, shell, out, capacity, count);

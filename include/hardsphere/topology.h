@@ -262,8 +262,9 @@ typedef struct hsp_shell {
  *  - Property 1: areas sum to the area of the union; volumes of outer shells less those of voids to its volume, up to
  *    rounding.
  *
- *  Not const, like hsp_topology_get_cells and hsp_topology_get_traversal: after hsp_topology_compute the first of them
- *  that succeeds scans the shells. From then on any number of threads may call them at a time.
+ *  Not const, like hsp_topology_get_cells, hsp_topology_get_cell_balls and hsp_topology_get_traversal: after
+ *  hsp_topology_compute the first of them that succeeds scans the shells. From then on any number of threads may call
+ *  them at a time.
  *  Cost: O(size of the boundary).
  *  @retval HSP_E_ARGUMENT  topology or needed is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
@@ -311,6 +312,18 @@ HSP_API int32_t hsp_topology_get_cells(hsp_topology *topology, hsp_cell *out, ui
  *  @retval HSP_E_ID        there is no such cell */
 HSP_API int32_t hsp_topology_get_cell_shells(const hsp_topology *topology, uint32_t cell, uint32_t *shells,
                                              uint32_t capacity, uint32_t *needed);
+
+/** The balls that line a cell, ascending: those with a face on one of its shells. Of a cavity these are the balls
+ *  around it and the exposed ones of what lies in it. Not const, as hsp_topology_get_shells.
+ *  - Property 1: an exposed ball lines one cell at least, a buried one none.
+ *
+ *  Cost: O(shells + k log k) for k simple faces on the cell, for sets as in Theorem 2.1.
+ *  @retval HSP_E_ARGUMENT  topology or needed is NULL; balls is NULL with a capacity above 0
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
+ *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
+ *  @retval HSP_E_ID        there is no such cell */
+HSP_API int32_t hsp_topology_get_cell_balls(hsp_topology *topology, uint32_t cell, uint32_t *balls, uint32_t capacity,
+                                            uint32_t *needed);
 
 /** The paper's scan of one shell: its simple faces in the order in which its recursion from start_face visits them,
  *  around each face counter-clockwise from the edge by which it was entered (hsp_simple_face.q for start_face) and

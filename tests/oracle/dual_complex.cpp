@@ -235,6 +235,7 @@ void DualComplex::join_cells() {
   const size_t outside = 0;
   for (const auto &[triangle, sides] : triangles) {
     if (sides.tetrahedra.size() > 2) throw std::logic_error("three tetrahedra at one triangle");
+    if (sides.tetrahedra.size() == 1) hull_.insert(triangle.begin(), triangle.end());
     bool closed = false;
     for (const size_t t : sides.tetrahedra) closed = closed || tetrahedra_[t].in_complex;
     if (closed && sides.tetrahedra.size() == 2) continue;
@@ -288,6 +289,18 @@ uint32_t DualComplex::cell_of(int64_t x, int64_t y, int64_t z) const {
   }
   if (in_hull) throw std::logic_error("a free point in the dual complex");
   return 0;
+}
+
+std::vector<uint32_t> DualComplex::balls_around(uint32_t cell) const {
+  std::set<uint32_t> around;
+  if (cell == 0) {
+    around = hull_;
+    for (uint32_t i = 0; tetrahedra_.empty() && i < balls_.size(); ++i) around.insert(i);
+  }
+  for (const Tetrahedron &tetrahedron : tetrahedra_)
+    if (!tetrahedron.in_complex && tetrahedron.cell == cell)
+      around.insert(tetrahedron.ball.begin(), tetrahedron.ball.end());
+  return {around.begin(), around.end()};
 }
 
 }  // namespace oracle

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "lattice_ball.hpp"
@@ -26,6 +27,11 @@ class DualComplex {
   // Throws std::domain_error for a point of the union.
   [[nodiscard]] uint32_t cell_of(int64_t x, int64_t y, int64_t z) const;
 
+  // The balls of the tetrahedra in a component, ascending; around the unbounded one also those of the hull. In general
+  // position the balls of the complex among them are those with a face on it: what is free of a sphere has the shape of
+  // what the complex leaves free of the triangulation around its centre. A ball that is not of the complex has no face.
+  [[nodiscard]] std::vector<uint32_t> balls_around(uint32_t cell) const;
+
  private:
   struct Tetrahedron {
     std::array<uint32_t, 4> ball;
@@ -44,6 +50,7 @@ class DualComplex {
 
   Balls balls_;
   std::vector<Tetrahedron> tetrahedra_;
+  std::set<uint32_t> hull_;
   uint32_t cells_ = 1;
 };
 

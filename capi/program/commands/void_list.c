@@ -9,19 +9,6 @@ static int order_of_numbers(uint32_t a, uint32_t b) {
   return (a > b) - (a < b);
 }
 
-/* A ball with a face on a void. */
-struct wall {
-  uint32_t cell;
-  uint32_t ball;
-};
-
-static int order_of_walls(const void *left, const void *right) {
-  const struct wall *a = left;
-  const struct wall *b = right;
-  const int by_cell = order_of_numbers(a->cell, b->cell);
-  return by_cell != 0 ? by_cell : order_of_numbers(a->ball, b->ball);
-}
-
 static int order_of_voids(const void *left, const void *right) {
   const struct void_cell *a = left;
   const struct void_cell *b = right;
@@ -53,22 +40,7 @@ static bool take_cells(const struct geometry *geometry, struct void_list *list, 
   return done;
 }
 
-/* Every face on the wall of a void gives a pair of void and ball; each pair once, in order. */
-static uint32_t gather_walls(const hsp_face *faces, uint32_t face_count, const hsp_shell *shells, struct wall *walls) {
-  uint32_t pairs = 0;
-  for (uint32_t i = 0; i < face_count; ++i) {
-    const uint32_t cell = shells[faces[i].shell].cell;
-    if (cell > 0) walls[pairs++] = (struct wall){cell, faces[i].ball};
-  }
-  qsort(walls, pairs, sizeof *walls, order_of_walls);
-  uint32_t kept = 0;
-  for (uint32_t i = 0; i < pairs; ++i) {
-    if (kept == 0 || order_of_walls(&walls[kept - 1], &walls[i]) != 0) walls[kept++] = walls[i];
-  }
-  return kept;
-}
-
-/* What the boundary consists of, as far as walls and boxes of voids are made of it. */
+/* What the boundary consists of, as far as boxes of voids are made of it. */
 struct pieces {
   hsp_boundary_counts counts;
   hsp_face *faces;
@@ -109,23 +81,27 @@ static void find_boxes(const struct pieces *pieces, const hsp_shell *shells, str
   }
 }
 
+/* Every ball of a void has a face there: room for all faces is room for the balls of all voids. */
+static bool take_balls(const struct geometry *geometry, uint32_t face_count, struct void_list *list,
+                       struct failure *failure) {
+  list->balls = calloc((size_t)face_count + 1, sizeof *list->balls);
+  if (list->balls == NULL) return failure_of_memory(failure);
+  uint32_t taken = 0;
+  for (uint32_t i = 0; i < list->count; ++i) {
+    struct void_cell *of = &list->voids[i];
+    of->balls = &list->balls[taken];
+    const int32_t status = hsp_topology_get_cell_balls(geometry->work.topology, of->cell, &list->balls[taken],
+                                                       face_count - taken, &of->ball_count);
+    if (status != HSP_OK) return failure_in_library(failure, status);
+    taken += of->ball_count;
+  }
+  return true;
+}
+
 static bool take_walls(const struct geometry *geometry, const hsp_shell *shells, struct void_list *list,
                        struct failure *failure) {
   struct pieces pieces = {.faces = NULL, .arcs = NULL, .vertices = NULL};
-  bool done = take_pieces(geometry, &pieces, failure);
-  if (done) {
-    const uint32_t face_count = pieces.counts.faces;
-    struct wall *walls = calloc((size_t)face_count + 1, sizeof *walls);
-    list->balls = calloc((size_t)face_count + 1, sizeof *list->balls);
-    done = (walls != NULL && list->balls != NULL) || failure_of_memory(failure);
-    const uint32_t pairs = done ? gather_walls(pieces.faces, face_count, shells, walls) : 0;
-    for (uint32_t i = 0; i < pairs; ++i) {
-      struct void_cell *of = &list->voids[walls[i].cell - 1];
-      list->balls[i] = walls[i].ball;
-      if (of->ball_count++ == 0) of->balls = &list->balls[i];
-    }
-    free(walls);
-  }
+  const bool done = take_pieces(geometry, &pieces, failure) && take_balls(geometry, pieces.counts.faces, list, failure);
   if (done) find_boxes(&pieces, shells, list);
   free(pieces.faces);
   free(pieces.arcs);

@@ -1,6 +1,7 @@
 #include "topology/cells.hpp"
 
 #include "core/first_index.hpp"
+#include "core/sorting.hpp"
 #include "model/vertical_ray.hpp"
 
 namespace hsp {
@@ -42,6 +43,29 @@ void start_void_scans(const BallSet &balls, const Boundary &boundary, Topology &
       if (ball == start_ball || !exact::ranks_before(balls.ball(ball), balls.ball(start_ball))) continue;
     }
     shell.start_face = f;
+  }
+}
+
+// Whether a simple face is the first of its ball on its cell. The simple faces of a ball are consecutive.
+bool is_first_on_ball(const Boundary &boundary, const Topology &topology, uint32_t simple) {
+  const uint32_t ball = topology.ball_of(boundary, simple);
+  const uint32_t cell = topology.shells[topology.shell_of(boundary, simple)].cell;
+  while (simple > 0 && topology.ball_of(boundary, --simple) == ball) {
+    if (topology.shells[topology.shell_of(boundary, simple)].cell == cell) return false;
+  }
+  return true;
+}
+
+// Calls visit(ball) once for every ball with a face on a cell.
+template <class Visit>
+void visit_balls_of_cell(const Boundary &boundary, const Topology &topology, uint32_t cell, Visit visit) {
+  for (uint32_t s = 0; s < topology.shell_count; ++s) {
+    const ShellRecord &shell = topology.shells[s];
+    if (shell.cell != cell) continue;
+    for (const uint32_t simple :
+         topology.traversal.part(shell.first_traversed, shell.first_traversed + shell.simple_faces)) {
+      if (is_first_on_ball(boundary, topology, simple)) visit(topology.ball_of(boundary, simple));
+    }
   }
 }
 
@@ -134,6 +158,19 @@ void gather_cells(const CubeGrid &grid, const Boundary &boundary, Topology &topo
   for (uint32_t c = 0; c < topology.component_count; ++c) {
     topology.shells[topology.components[c].outer_shell].cell = topology.components[c].cell;
   }
+}
+
+uint32_t count_balls_of_cell(const Boundary &boundary, const Topology &topology, uint32_t cell) {
+  uint32_t count = 0;
+  visit_balls_of_cell(boundary, topology, cell, [&count](uint32_t) { ++count; });
+  return count;
+}
+
+void list_balls_of_cell(const BallSet &balls, const Boundary &boundary, const Topology &topology, uint32_t cell,
+                        Span<uint32_t> ids) {
+  uint32_t listed = 0;
+  visit_balls_of_cell(boundary, topology, cell, [&](uint32_t ball) { ids[listed++] = balls.caller[ball]; });
+  sort_in_place(ids, [](uint32_t a, uint32_t b) { return a < b; });
 }
 
 uint32_t cell_of_point(const CubeGrid &grid, const Boundary &boundary, const Topology &topology,

@@ -17,6 +17,12 @@ void gather_components(const CubeGrid &grid, const Boundary &boundary, Topology 
 // Finds for every shell its component, kind, cell and start face, and the cells of the components.
 void gather_cells(const CubeGrid &grid, const Boundary &boundary, Topology &topology);
 
+// How many balls have a face on a cell; and the caller's indices of these, [that many], ascending. The shells have been
+// traversed. O(shells) and sorting what is on the cell, if no ball has many faces.
+uint32_t count_balls_of_cell(const Boundary &boundary, const Topology &topology, uint32_t cell);
+void list_balls_of_cell(const BallSet &balls, const Boundary &boundary, const Topology &topology, uint32_t cell,
+                        Span<uint32_t> ids);
+
 // The cell of a point in no closed ball: that of the first shell a vertical ray from it enters.
 uint32_t cell_of_point(const CubeGrid &grid, const Boundary &boundary, const Topology &topology,
                        const exact::Vector &point);

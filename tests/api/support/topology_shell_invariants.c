@@ -244,6 +244,34 @@ static const char *broken_cell(const topology_result *t, uint32_t id) {
   return NULL;
 }
 
+/* The balls of a cell against the simple faces. A ball on no cell is one without faces: property 1. */
+static const char *broken_cell_balls(const topology_result *t) {
+  const uint32_t n = t->base->n;
+  uint32_t *ids = test_zeros(n, sizeof(uint32_t));
+  unsigned char *lines = test_zeros(n, 1), *exposed = test_zeros(n, 1);
+  const char *broken = NULL;
+  uint32_t id, i, k, needed = 0;
+  for (id = 0; id < t->counts.cells && broken == NULL; ++id) {
+    for (i = 0; i < n; ++i) lines[i] = 0;
+    for (i = 0; i < t->counts.simple_faces; ++i) {
+      if (t->shells[t->faces[i].shell].cell == id) lines[t->faces[i].ball] = exposed[t->faces[i].ball] = 1;
+    }
+    if (hsp_topology_get_cell_balls(t->topology, id, ids, n, &needed) != HSP_OK) needed = HSP_NONE;
+    for (i = 0, k = 0; i < n; ++i) {
+      if (lines[i] && (k >= needed || ids[k++] != i)) needed = HSP_NONE;
+    }
+    if (k != needed) broken = "hsp_topology_get_cell_balls: not the balls with faces on the cell, ascending";
+  }
+  for (i = 0; i < n && broken == NULL; ++i) {
+    if (exposed[i] != (t->base->balls[i].faces > 0))
+      broken = "hsp_topology_get_cell_balls, property 1: an exposed ball lines a cell";
+  }
+  free(ids);
+  free(lines);
+  free(exposed);
+  return broken;
+}
+
 /* From any cell, outwards over the component that walls it to the cell that this one lies in, one comes to cell 0. */
 static const char *broken_nesting(const topology_result *t) {
   uint32_t i;
@@ -263,6 +291,7 @@ static const char *broken_cells(const topology_result *t) {
   const char *broken = NULL;
   uint32_t i, needed = 12345;
   for (i = 0; i < t->counts.cells && broken == NULL; ++i) broken = broken_cell(t, i);
+  if (broken == NULL) broken = broken_cell_balls(t);
   if (broken == NULL) broken = broken_nesting(t);
   if (broken == NULL && (hsp_topology_get_cell_shells(t->topology, t->counts.cells, NULL, 0, &needed) != HSP_E_ID ||
                          hsp_topology_get_traversal(t->topology, t->counts.shells, NULL, 0, &needed) != HSP_E_ID)) {

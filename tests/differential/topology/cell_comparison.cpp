@@ -6,7 +6,6 @@
 
 #include "brute_queries.hpp"
 #include "cell_pairs.hpp"
-#include "dual_complex.hpp"
 #include "finding.hpp"
 #include "nerve.hpp"
 #include "random_balls.hpp"
@@ -135,6 +134,28 @@ std::string nesting_disagrees(const Balls &small) {
                       inside ? "lies in a void of" : "does not lie in a void of", outer);
     }
   }
+  return finding.text();
+}
+
+std::string cell_balls_disagree(const LibraryTopology &topology, const DualComplex &complex) {
+  const std::vector<hsp_ball> records = topology.boundary().balls();
+  const auto lists_of = [](uint32_t cells, auto list_of) {
+    std::vector<std::vector<uint32_t>> lists;
+    for (uint32_t cell = 0; cell < cells; ++cell) lists.push_back(list_of(cell));
+    std::sort(lists.begin() + 1, lists.end());  // cell 0 is the outer one for both
+    return lists;
+  };
+  const auto found = lists_of(topology.counts().cells, [&](uint32_t cell) { return topology.cell_balls(cell); });
+  const auto expected = lists_of(complex.cells(), [&](uint32_t cell) {
+    std::vector<uint32_t> around = complex.balls_around(cell);
+    std::erase_if(around, [&](uint32_t ball) { return records[ball].faces == 0; });
+    return around;
+  });
+  Finding finding;
+  finding.require(found.size() == expected.size(), found.size(), "cells instead of", expected.size());
+  for (size_t k = 0; k < found.size() && !finding.any(); ++k)
+    finding.require(found[k] == expected[k], "list", k, "of balls that line a cell has", found[k].size(), "instead of",
+                    expected[k].size());
   return finding.text();
 }
 

@@ -1,11 +1,10 @@
-// Which component lies in which void, and where points lie, against the dual complex; sets with many shells and sets
-// full of ties.
+// Which component lies in which void, which balls line a cell, and where points lie, against the dual complex; sets
+// with many shells and sets full of ties.
 #include <gtest/gtest.h>
 
 #include <array>
 
 #include "cell_comparison.hpp"
-#include "dual_complex.hpp"
 #include "nested_balls.hpp"
 #include "smallest_failing.hpp"
 #include "sweep_length.hpp"
@@ -53,6 +52,25 @@ TEST(Nesting, OfDegenerateSets) {
     const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(2, 12)));
     ASSERT_EQ(complaint_about_smallest(balls, nesting_disagrees), "");
   }
+}
+
+// Balls that line a cell are compared where no ties leave open whether a ball has a face there.
+TEST(CellBalls, OfShellsInShells) {
+  oracle::RandomSource random(58);
+  int voids = 0;
+  int with_several_faces = 0;
+  for (int k = 0; k < oracle::sets(200); ++k) {
+    Balls balls = oracle::scaled(nested_balls(random), 250);
+    for (oracle::LatticeBall &b : balls)
+      b = {b.x + random.in(-100, 100), b.y + random.in(-100, 100), b.z + random.in(-100, 100),
+           b.radius + random.in(0, 50)};
+    const LibraryTopology topology(balls);
+    ASSERT_EQ(cell_balls_disagree(topology, oracle::DualComplex(balls)), "") << oracle::to_text(balls);
+    voids += static_cast<int>(topology.cells().size()) - 1;
+    for (const hsp_ball &ball : topology.boundary().balls()) with_several_faces += ball.faces > 1 ? 1 : 0;
+  }
+  EXPECT_GT(voids, oracle::sets(200));
+  EXPECT_GT(with_several_faces, oracle::sets(1000));
 }
 
 TEST(Location, InShellsInShells) {

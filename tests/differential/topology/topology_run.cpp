@@ -47,6 +47,10 @@ std::vector<uint32_t> LibraryTopology::cell_shells(uint32_t cell) const {
   return all_records<uint32_t>([&](auto... out) { return hsp_topology_get_cell_shells(handle(), cell, out...); },
                                "hsp_topology_get_cell_shells");
 }
+std::vector<uint32_t> LibraryTopology::cell_balls(uint32_t cell) const {
+  return all_records<uint32_t>([&](auto... out) { return hsp_topology_get_cell_balls(handle(), cell, out...); },
+                               "hsp_topology_get_cell_balls");
+}
 std::vector<uint32_t> LibraryTopology::scan(uint32_t shell) const {
   return all_records<uint32_t>([&](auto... out) { return hsp_topology_get_traversal(handle(), shell, out...); },
                                "hsp_topology_get_traversal");

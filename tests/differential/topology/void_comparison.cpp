@@ -5,8 +5,8 @@
 #include <optional>
 #include <set>
 
+#include "cell_comparison.hpp"
 #include "cell_pairs.hpp"
-#include "dual_complex.hpp"
 #include "finding.hpp"
 #include "random_balls.hpp"
 
@@ -62,6 +62,8 @@ class Comparison {
 
   VoidFindings result() {
     finding_.require(cells_.size() == complex_.cells(), cells_.size() - 1, "voids instead of", complex_.cells() - 1);
+    const std::string lists = cell_balls_disagree(topology_, complex_);
+    finding_.require(lists.empty(), lists);
     locate_regions();
     locate_samples();
     for (uint32_t cell = 1; cell < cells_.size() && !finding_.any(); ++cell) bound_void(cell);

@@ -1673,6 +1673,18 @@ static int64_t call_hsp_topology_get_cell_shells(const value *v) {
   return (int64_t)hsp_topology_get_cell_shells(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
 }
 
+static const argument of_hsp_topology_get_cell_balls[] = {
+  {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology},
+  {"cell", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"balls", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held
+      = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+};
+static int64_t call_hsp_topology_get_cell_balls(const value *v) {
+  return (int64_t)hsp_topology_get_cell_balls(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
+}
+
 static const argument of_hsp_topology_get_traversal[] = {
   {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology},
   {"shell", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
@@ -2766,6 +2778,9 @@ const function registry[] = {
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
   {"hsp_topology_get_cell_shells", "topology", RESULT_status, 5, of_hsp_topology_get_cell_shells,
       call_hsp_topology_get_cell_shells, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
+      BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
+  {"hsp_topology_get_cell_balls", "topology", RESULT_status, 5, of_hsp_topology_get_cell_balls,
+      call_hsp_topology_get_cell_balls, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
       BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
   {"hsp_topology_get_traversal", "topology", RESULT_status, 5, of_hsp_topology_get_traversal,
       call_hsp_topology_get_traversal, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
