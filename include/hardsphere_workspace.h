@@ -13,6 +13,9 @@
  * call, as they move when they grow. A workspace may be copied; use only one of the copies. Distinct workspaces may be
  * used by distinct threads.
  *
+ * A row with a name, such as `---- model.h`, begins what is for that header. Where a component was left out of the
+ * library, what is for its headers is left out, too.
+ *
  * STATUS: that of the function of hardsphere.h that fails, and HSP_E_MEMORY if malloc fails. A call that fails leaves
  * the workspace such that every function may be called again; what it was to compute holds no results.
  */
@@ -28,28 +31,28 @@ typedef struct hsp_workspace {
   hsp_model *model;                    /**< NULL before hsp_workspace_set */
   hsp_boundary *boundary;              /**< NULL before hsp_workspace_boundary */
   hsp_topology *topology;              /**< NULL before hsp_workspace_topology */
-  hsp_view *view;                      /**< NULL before hsp_workspace_view */
-  hsp_surface *surface;                /**< NULL before hsp_workspace_surface */
-  hsp_mesh *mesh;                      /**< NULL before hsp_workspace_mesh */
-  hsp_map *map;                        /**< NULL before hsp_workspace_map */
+  hsp_view *view;                      /**< NULL before hsp_workspace_view (hardsphere/view.h) */
+  hsp_surface *surface;                /**< NULL before hsp_workspace_surface (hardsphere/surface.h) */
+  hsp_mesh *mesh;                      /**< NULL before hsp_workspace_mesh (hardsphere/mesh.h) */
+  hsp_map *map;                        /**< NULL before hsp_workspace_map (hardsphere/map.h) */
   hsp_contacts *contacts;              /**< NULL before hsp_workspace_contacts */
-  hsp_cells *cells;                    /**< NULL before hsp_workspace_cells */
-  hsp_paths *paths;                    /**< NULL before hsp_workspace_path */
-  hsp_gate *gate;                      /**< NULL before hsp_workspace_gate */
+  hsp_cells *cells;                    /**< NULL before hsp_workspace_cells (hardsphere/cells.h) */
+  hsp_paths *paths;                    /**< NULL before hsp_workspace_path (hardsphere/paths.h) */
+  hsp_gate *gate;                      /**< NULL before hsp_workspace_gate (hardsphere/paths.h) */
   hsp_moving *moving;                  /**< NULL before hsp_workspace_moving */
   void *memory[12];                    /**< of the twelve handles */
   uint32_t most_balls;                 /**< what the model has room for */
   uint32_t reserved;                   /**< 0 */
   hsp_boundary_limits boundary_limits; /**< what the boundary has room for */
   hsp_topology_limits topology_limits; /**< what the topology has room for */
-  hsp_view_limits view_limits;         /**< what the view has room for */
-  hsp_surface_limits surface_limits;   /**< what the surface has room for */
-  hsp_mesh_limits mesh_limits;         /**< what the mesh has room for */
-  hsp_map_limits map_limits;           /**< what the map has room for */
+  hsp_view_limits view_limits;         /**< what the view has room for (hardsphere/view.h) */
+  hsp_surface_limits surface_limits;   /**< what the surface has room for (hardsphere/surface.h) */
+  hsp_mesh_limits mesh_limits;         /**< what the mesh has room for (hardsphere/mesh.h) */
+  hsp_map_limits map_limits;           /**< what the map has room for (hardsphere/map.h) */
   hsp_contacts_limits contacts_limits; /**< what the contacts have room for */
-  hsp_cells_limits cells_limits;       /**< what the cells have room for */
-  hsp_paths_limits paths_limits;       /**< what the paths have room for */
-  hsp_gate_limits gate_limits;         /**< what the gate has room for */
+  hsp_cells_limits cells_limits;       /**< what the cells have room for (hardsphere/cells.h) */
+  hsp_paths_limits paths_limits;       /**< what the paths have room for (hardsphere/paths.h) */
+  hsp_gate_limits gate_limits;         /**< what the gate has room for (hardsphere/paths.h) */
   hsp_moving_limits moving_limits;     /**< what the balls that move have room for */
 } hsp_workspace;
 
@@ -83,6 +86,8 @@ static inline int32_t hsp_workspace_make_topology(hsp_workspace *work) {
   return status;
 }
 
+/* ---- view.h ---- */
+
 static inline int32_t hsp_workspace_make_view(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_view_bytes(&work->view_limits, &bytes);
@@ -91,6 +96,8 @@ static inline int32_t hsp_workspace_make_view(hsp_workspace *work) {
   if (status == HSP_OK) status = hsp_view_init(work->memory[3], bytes, &work->view_limits, &work->view);
   return status;
 }
+
+/* ---- surface.h ---- */
 
 static inline int32_t hsp_workspace_make_surface(hsp_workspace *work) {
   size_t bytes = 0;
@@ -101,6 +108,8 @@ static inline int32_t hsp_workspace_make_surface(hsp_workspace *work) {
   return status;
 }
 
+/* ---- mesh.h ---- */
+
 static inline int32_t hsp_workspace_make_mesh(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_mesh_bytes(&work->mesh_limits, &bytes);
@@ -110,6 +119,8 @@ static inline int32_t hsp_workspace_make_mesh(hsp_workspace *work) {
   return status;
 }
 
+/* ---- map.h ---- */
+
 static inline int32_t hsp_workspace_make_map(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_map_bytes(&work->map_limits, &bytes);
@@ -118,6 +129,8 @@ static inline int32_t hsp_workspace_make_map(hsp_workspace *work) {
   if (status == HSP_OK) status = hsp_map_init(work->memory[6], bytes, &work->map_limits, &work->map);
   return status;
 }
+
+/* ---- contacts.h ---- */
 
 static inline int32_t hsp_workspace_make_contacts(hsp_workspace *work) {
   size_t bytes = 0;
@@ -130,6 +143,8 @@ static inline int32_t hsp_workspace_make_contacts(hsp_workspace *work) {
   return status;
 }
 
+/* ---- cells.h ---- */
+
 static inline int32_t hsp_workspace_make_cells(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_cells_bytes(&work->cells_limits, &bytes);
@@ -138,6 +153,8 @@ static inline int32_t hsp_workspace_make_cells(hsp_workspace *work) {
   if (status == HSP_OK) status = hsp_cells_init(work->memory[8], bytes, &work->cells_limits, &work->cells);
   return status;
 }
+
+/* ---- paths.h ---- */
 
 static inline int32_t hsp_workspace_make_paths(hsp_workspace *work) {
   size_t bytes = 0;
@@ -157,6 +174,8 @@ static inline int32_t hsp_workspace_make_gate(hsp_workspace *work) {
   return status;
 }
 
+/* ---- moving.h ---- */
+
 static inline int32_t hsp_workspace_make_moving(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_moving_bytes(&work->moving_limits, &bytes);
@@ -165,6 +184,8 @@ static inline int32_t hsp_workspace_make_moving(hsp_workspace *work) {
   if (status == HSP_OK) status = hsp_moving_init(work->memory[11], bytes, &work->moving_limits, &work->moving);
   return status;
 }
+
+/* ---- model.h ---- */
 
 /** Take n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh, map,
  *  contacts, cells, paths and gate hold no results of other balls then; balls that move stay as they are. */
@@ -179,14 +200,14 @@ static inline int32_t hsp_workspace_set(hsp_workspace *work, uint32_t n, const d
     work->most_balls = 0;
     if (work->boundary != NULL) status = hsp_workspace_make_boundary(work);
     if (status == HSP_OK && work->topology != NULL) status = hsp_workspace_make_topology(work);
-    if (status == HSP_OK && work->view != NULL) status = hsp_workspace_make_view(work);
-    if (status == HSP_OK && work->surface != NULL) status = hsp_workspace_make_surface(work);
-    if (status == HSP_OK && work->mesh != NULL) status = hsp_workspace_make_mesh(work);
-    if (status == HSP_OK && work->map != NULL) status = hsp_workspace_make_map(work);
+    if (status == HSP_OK && work->view != NULL) status = hsp_workspace_make_view(work);       /* hardsphere/view.h */
+    if (status == HSP_OK && work->surface != NULL) status = hsp_workspace_make_surface(work); /* hardsphere/surface.h */
+    if (status == HSP_OK && work->mesh != NULL) status = hsp_workspace_make_mesh(work);       /* hardsphere/mesh.h */
+    if (status == HSP_OK && work->map != NULL) status = hsp_workspace_make_map(work);         /* hardsphere/map.h */
     if (status == HSP_OK && work->contacts != NULL) status = hsp_workspace_make_contacts(work);
-    if (status == HSP_OK && work->cells != NULL) status = hsp_workspace_make_cells(work);
-    if (status == HSP_OK && work->paths != NULL) status = hsp_workspace_make_paths(work);
-    if (status == HSP_OK && work->gate != NULL) status = hsp_workspace_make_gate(work);
+    if (status == HSP_OK && work->cells != NULL) status = hsp_workspace_make_cells(work); /* hardsphere/cells.h */
+    if (status == HSP_OK && work->paths != NULL) status = hsp_workspace_make_paths(work); /* hardsphere/paths.h */
+    if (status == HSP_OK && work->gate != NULL) status = hsp_workspace_make_gate(work);   /* hardsphere/paths.h */
     if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[0], bytes);
     if (status == HSP_OK) status = hsp_model_init(work->memory[0], bytes, n, &work->model);
     if (status != HSP_OK) return status;
@@ -211,8 +232,8 @@ static inline int32_t hsp_workspace_boundary(hsp_workspace *work) {
     work->boundary_limits = limits;
     /* The same where the boundary's memory is given back. */
     status = work->topology != NULL ? hsp_workspace_make_topology(work) : HSP_OK;
-    if (status == HSP_OK && work->surface != NULL) status = hsp_workspace_make_surface(work);
-    if (status == HSP_OK && work->mesh != NULL) status = hsp_workspace_make_mesh(work);
+    if (status == HSP_OK && work->surface != NULL) status = hsp_workspace_make_surface(work); /* hardsphere/surface.h */
+    if (status == HSP_OK && work->mesh != NULL) status = hsp_workspace_make_mesh(work);       /* hardsphere/mesh.h */
     if (status == HSP_OK && work->contacts != NULL) status = hsp_workspace_make_contacts(work);
     if (status == HSP_OK) status = hsp_workspace_make_boundary(work);
     if (status != HSP_OK) return status;
@@ -239,6 +260,8 @@ static inline int32_t hsp_workspace_topology(hsp_workspace *work) {
   return status;
 }
 
+/* ---- view.h ---- */
+
 /** Compute a view, of the model alone or, with use_boundary not 0, of the boundary that hsp_workspace_boundary has
  *  computed. options as for hsp_view_compute. HSP_E_ARGUMENT: no hsp_workspace_set before, or no hsp_workspace_boundary
  *  whose result is asked for. */
@@ -262,6 +285,8 @@ static inline int32_t hsp_workspace_view(hsp_workspace *work, int use_boundary, 
   return status;
 }
 
+/* ---- map.h ---- */
+
 /** Compute the visibility map of the model. options as for hsp_map_compute. */
 static inline int32_t hsp_workspace_map(hsp_workspace *work, const hsp_view_options *options) {
   int32_t status = HSP_OK;
@@ -280,6 +305,8 @@ static inline int32_t hsp_workspace_map(hsp_workspace *work, const hsp_view_opti
   }
   return status;
 }
+
+/* ---- contacts.h ---- */
 
 /** Compute the contacts of the balls of the boundary that hsp_workspace_boundary has computed. */
 static inline int32_t hsp_workspace_contacts(hsp_workspace *work) {
@@ -300,6 +327,8 @@ static inline int32_t hsp_workspace_contacts(hsp_workspace *work) {
   return status;
 }
 
+/* ---- cells.h ---- */
+
 /** Cut the free space of the model into cells. */
 static inline int32_t hsp_workspace_cells(hsp_workspace *work) {
   int32_t status = HSP_OK;
@@ -318,6 +347,8 @@ static inline int32_t hsp_workspace_cells(hsp_workspace *work) {
   }
   return status;
 }
+
+/* ---- paths.h ---- */
 
 /** Find a path from one point to another, both [3], through the free space of the model; arguments and statuses as
  *  hsp_paths_find. What only depends on the model is computed the first time. */
@@ -364,6 +395,8 @@ static inline int32_t hsp_workspace_gate(hsp_workspace *work, const double *from
   return status;
 }
 
+/* ---- moving.h ---- */
+
 /** Take the balls of the model as balls that move; arguments and statuses as hsp_moving_set. There is room for 256
  *  neighbours of each at least, or for all balls. */
 static inline int32_t hsp_workspace_moving(hsp_workspace *work, const double *sigma, double tension, double pressure,
@@ -387,6 +420,8 @@ static inline int32_t hsp_workspace_moving(hsp_workspace *work, const double *si
   }
   return status;
 }
+
+/* ---- surface.h ---- */
 
 /** Compute the solvent-excluded surface of shells [count] of the boundary that hsp_workspace_boundary has computed; of
  *  all of it if shells is NULL. */
@@ -414,6 +449,8 @@ static inline int32_t hsp_workspace_surface_of(hsp_workspace *work, const uint32
 static inline int32_t hsp_workspace_surface(hsp_workspace *work) {
   return hsp_workspace_surface_of(work, NULL, 0);
 }
+
+/* ---- mesh.h ---- */
 
 /* Limits of the mesh that suffice for edges of this length, too. */
 static inline int32_t hsp_workspace_raise_mesh_limits(hsp_workspace *work, int use_surface, double edge) {
@@ -451,6 +488,8 @@ static inline int32_t hsp_workspace_mesh(hsp_workspace *work, int use_surface, d
     if (status != HSP_OK) return status;
   }
 }
+
+/* ---- model.h ---- */
 
 /** Give all memory back; the workspace is as at first. */
 static inline void hsp_workspace_free(hsp_workspace *work) {

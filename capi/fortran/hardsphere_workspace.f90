@@ -11,6 +11,9 @@
 ! take them from the workspace after each call. Declare it with TARGET, and do not assign it to another: the handles of a
 ! copy are those of the original. Memory is given back when the workspace goes out of scope.
 !
+! A row with a name, such as `---- model.h`, begins what is for that header. Where a component was left out of the
+! library, what is for its headers is left out, too.
+!
 ! STATUS: that of the function of the module hardsphere that fails, and HSP_E_MEMORY where an allocation fails.
 module hardsphere_workspace
   use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int32_t, c_int8_t, c_loc, c_null_ptr, c_ptr, c_size_t, &
@@ -27,59 +30,63 @@ module hardsphere_workspace
     type(c_ptr) :: model = c_null_ptr
     type(c_ptr) :: boundary = c_null_ptr
     type(c_ptr) :: topology = c_null_ptr
-    type(c_ptr) :: view = c_null_ptr
-    type(c_ptr) :: surface = c_null_ptr
-    type(c_ptr) :: mesh = c_null_ptr
-    type(c_ptr) :: map = c_null_ptr
+    type(c_ptr) :: view = c_null_ptr ! hardsphere/view.h
+    type(c_ptr) :: surface = c_null_ptr ! hardsphere/surface.h
+    type(c_ptr) :: mesh = c_null_ptr ! hardsphere/mesh.h
+    type(c_ptr) :: map = c_null_ptr ! hardsphere/map.h
     type(c_ptr) :: contacts = c_null_ptr
-    type(c_ptr) :: cells = c_null_ptr
-    type(c_ptr) :: paths = c_null_ptr
-    type(c_ptr) :: gate = c_null_ptr
+    type(c_ptr) :: cells = c_null_ptr ! hardsphere/cells.h
+    type(c_ptr) :: paths = c_null_ptr ! hardsphere/paths.h
+    type(c_ptr) :: gate = c_null_ptr ! hardsphere/paths.h
     type(c_ptr) :: moving = c_null_ptr
     integer(c_int32_t), private :: most_balls = 0
     type(memory_block), private :: memory(12)
     type(hsp_boundary_limits), private :: boundary_limits
     type(hsp_topology_limits), private :: topology_limits
-    type(hsp_view_limits), private :: view_limits
-    type(hsp_surface_limits), private :: surface_limits
-    type(hsp_mesh_limits), private :: mesh_limits
-    type(hsp_map_limits), private :: map_limits
+    type(hsp_view_limits), private :: view_limits ! hardsphere/view.h
+    type(hsp_surface_limits), private :: surface_limits ! hardsphere/surface.h
+    type(hsp_mesh_limits), private :: mesh_limits ! hardsphere/mesh.h
+    type(hsp_map_limits), private :: map_limits ! hardsphere/map.h
     type(hsp_contacts_limits), private :: contacts_limits
-    type(hsp_cells_limits), private :: cells_limits
-    type(hsp_paths_limits), private :: paths_limits
-    type(hsp_gate_limits), private :: gate_limits
+    type(hsp_cells_limits), private :: cells_limits ! hardsphere/cells.h
+    type(hsp_paths_limits), private :: paths_limits ! hardsphere/paths.h
+    type(hsp_gate_limits), private :: gate_limits ! hardsphere/paths.h
     type(hsp_moving_limits), private :: moving_limits
   contains
     procedure :: set => set_balls
     procedure :: compute_boundary
     procedure :: compute_topology
-    procedure :: compute_view
-    procedure :: compute_surface
-    procedure :: compute_mesh
-    procedure :: compute_map
+    procedure :: compute_view ! hardsphere/view.h
+    procedure :: compute_surface ! hardsphere/surface.h
+    procedure :: compute_mesh ! hardsphere/mesh.h
+    procedure :: compute_map ! hardsphere/map.h
     procedure :: compute_contacts
-    procedure :: compute_cells
-    procedure :: find_path
-    procedure :: compute_gate
+    procedure :: compute_cells ! hardsphere/cells.h
+    procedure :: find_path ! hardsphere/paths.h
+    procedure :: compute_gate ! hardsphere/paths.h
     procedure :: set_moving
     procedure, private :: make_boundary
     procedure, private :: make_topology
-    procedure, private :: make_view
-    procedure, private :: make_surface
-    procedure, private :: make_mesh
-    procedure, private :: raise_mesh_limits
-    procedure, private :: make_map
+    procedure, private :: make_view ! hardsphere/view.h
+    procedure, private :: make_surface ! hardsphere/surface.h
+    procedure, private :: make_mesh ! hardsphere/mesh.h
+    procedure, private :: raise_mesh_limits ! hardsphere/mesh.h
+    procedure, private :: make_map ! hardsphere/map.h
     procedure, private :: make_contacts
-    procedure, private :: make_cells
-    procedure, private :: make_paths
-    procedure, private :: make_gate
+    procedure, private :: make_cells ! hardsphere/cells.h
+    procedure, private :: make_paths ! hardsphere/paths.h
+    procedure, private :: make_gate ! hardsphere/paths.h
     procedure, private :: make_moving
   end type
 
-  private :: set_balls, compute_boundary, compute_topology, compute_view, compute_surface, compute_mesh, compute_map, &
-    compute_contacts, compute_cells, find_path, compute_gate, set_moving, make_paths, make_gate, make_moving, &
-    make_boundary, make_topology, make_view, make_surface, make_mesh, raise_mesh_limits, &
-    make_map, make_contacts, make_cells, allocated_to
+  private :: set_balls, compute_boundary, compute_topology, compute_contacts, set_moving, make_boundary, make_topology, &
+    make_contacts, make_moving, allocated_to
+  private :: compute_view, make_view ! hardsphere/view.h
+  private :: compute_map, make_map ! hardsphere/map.h
+  private :: compute_surface, make_surface ! hardsphere/surface.h
+  private :: compute_mesh, make_mesh, raise_mesh_limits ! hardsphere/mesh.h
+  private :: compute_cells, make_cells ! hardsphere/cells.h
+  private :: find_path, compute_gate, make_paths, make_gate ! hardsphere/paths.h
 
 contains
 
@@ -101,14 +108,14 @@ contains
       self%most_balls = 0
       if (c_associated(self%boundary)) status = self%make_boundary()
       if (status == HSP_OK .and. c_associated(self%topology)) status = self%make_topology()
-      if (status == HSP_OK .and. c_associated(self%view)) status = self%make_view()
-      if (status == HSP_OK .and. c_associated(self%surface)) status = self%make_surface()
-      if (status == HSP_OK .and. c_associated(self%mesh)) status = self%make_mesh()
-      if (status == HSP_OK .and. c_associated(self%map)) status = self%make_map()
+      if (status == HSP_OK .and. c_associated(self%view)) status = self%make_view() ! hardsphere/view.h
+      if (status == HSP_OK .and. c_associated(self%surface)) status = self%make_surface() ! hardsphere/surface.h
+      if (status == HSP_OK .and. c_associated(self%mesh)) status = self%make_mesh() ! hardsphere/mesh.h
+      if (status == HSP_OK .and. c_associated(self%map)) status = self%make_map() ! hardsphere/map.h
       if (status == HSP_OK .and. c_associated(self%contacts)) status = self%make_contacts()
-      if (status == HSP_OK .and. c_associated(self%cells)) status = self%make_cells()
-      if (status == HSP_OK .and. c_associated(self%paths)) status = self%make_paths()
-      if (status == HSP_OK .and. c_associated(self%gate)) status = self%make_gate()
+      if (status == HSP_OK .and. c_associated(self%cells)) status = self%make_cells() ! hardsphere/cells.h
+      if (status == HSP_OK .and. c_associated(self%paths)) status = self%make_paths() ! hardsphere/paths.h
+      if (status == HSP_OK .and. c_associated(self%gate)) status = self%make_gate() ! hardsphere/paths.h
       if (status == HSP_OK) status = allocated_to(self%memory(1), bytes)
       if (status == HSP_OK) status = hsp_model_init(c_loc(self%memory(1)%bytes), bytes, n, self%model)
       if (status /= HSP_OK) return
@@ -136,8 +143,8 @@ contains
       ! The same where the boundary's memory is given back.
       status = HSP_OK
       if (c_associated(self%topology)) status = self%make_topology()
-      if (status == HSP_OK .and. c_associated(self%surface)) status = self%make_surface()
-      if (status == HSP_OK .and. c_associated(self%mesh)) status = self%make_mesh()
+      if (status == HSP_OK .and. c_associated(self%surface)) status = self%make_surface() ! hardsphere/surface.h
+      if (status == HSP_OK .and. c_associated(self%mesh)) status = self%make_mesh() ! hardsphere/mesh.h
       if (status == HSP_OK .and. c_associated(self%contacts)) status = self%make_contacts()
       if (status == HSP_OK) status = self%make_boundary()
       if (status /= HSP_OK) return
@@ -163,6 +170,8 @@ contains
       if (status /= HSP_OK) return
     end do
   end function
+
+  ! ---- view.h
 
   ! Computes a view of the model alone or, if use_boundary is there and true, of the boundary that compute_boundary has
   ! computed; options as for hsp_view_compute. HSP_E_ARGUMENT: no balls were set, or compute_boundary was never called.
@@ -196,6 +205,8 @@ contains
     end do
   end function
 
+  ! ---- surface.h
+
   ! Computes the solvent-excluded surface over the boundary that compute_boundary has computed.
   function compute_surface(self) result(status)
     class(hsp_workspace), intent(inout), target :: self
@@ -215,6 +226,8 @@ contains
       if (status /= HSP_OK) return
     end do
   end function
+
+  ! ---- mesh.h
 
   ! Computes triangles with edges of about the given length for the boundary that compute_boundary has computed or, if
   ! use_surface is there and true, for the smooth surface over it that compute_surface has computed.
@@ -248,6 +261,8 @@ contains
     end do
   end function
 
+  ! ---- map.h
+
   ! Computes the visibility map of the model; options as for hsp_map_compute.
   function compute_map(self, options) result(status)
     class(hsp_workspace), intent(inout), target :: self
@@ -269,6 +284,8 @@ contains
     end do
   end function
 
+  ! ---- contacts.h
+
   ! Computes the contacts of the balls of the boundary that compute_boundary has computed.
   function compute_contacts(self) result(status)
     class(hsp_workspace), intent(inout), target :: self
@@ -289,6 +306,8 @@ contains
     end do
   end function
 
+  ! ---- cells.h
+
   ! Cuts the free space of the model into cells.
   function compute_cells(self) result(status)
     class(hsp_workspace), intent(inout), target :: self
@@ -308,6 +327,8 @@ contains
       if (status /= HSP_OK) return
     end do
   end function
+
+  ! ---- paths.h
 
   ! Finds a path from one point to another through the free space of the model; arguments and statuses as
   ! hsp_paths_find. What only depends on the model is computed the first time.
@@ -359,6 +380,8 @@ contains
     end do
   end function
 
+  ! ---- mesh.h
+
   ! Limits of the mesh that suffice for edges of this length, too.
   function raise_mesh_limits(self, edge, smooth) result(status)
     class(hsp_workspace), intent(inout), target :: self
@@ -378,6 +401,8 @@ contains
     self%mesh_limits%triangles = max(self%mesh_limits%triangles, wanted%triangles)
     self%mesh_limits%points = max(self%mesh_limits%points, wanted%points)
   end function
+
+  ! ---- moving.h
 
   ! Takes the balls of the model as balls that move; arguments and statuses as hsp_moving_set. There is room for 256
   ! neighbours of each at least, or for all balls.
@@ -428,6 +453,8 @@ contains
     if (status == HSP_OK) status = hsp_topology_init(c_loc(self%memory(3)%bytes), bytes, self%topology_limits, self%topology)
   end function
 
+  ! ---- view.h
+
   function make_view(self) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t) :: status
@@ -437,6 +464,8 @@ contains
     if (status == HSP_OK) status = allocated_to(self%memory(4), bytes)
     if (status == HSP_OK) status = hsp_view_init(c_loc(self%memory(4)%bytes), bytes, self%view_limits, self%view)
   end function
+
+  ! ---- surface.h
 
   function make_surface(self) result(status)
     class(hsp_workspace), intent(inout), target :: self
@@ -448,6 +477,8 @@ contains
     if (status == HSP_OK) status = hsp_surface_init(c_loc(self%memory(5)%bytes), bytes, self%surface_limits, self%surface)
   end function
 
+  ! ---- mesh.h
+
   function make_mesh(self) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t) :: status
@@ -457,6 +488,8 @@ contains
     if (status == HSP_OK) status = allocated_to(self%memory(6), bytes)
     if (status == HSP_OK) status = hsp_mesh_init(c_loc(self%memory(6)%bytes), bytes, self%mesh_limits, self%mesh)
   end function
+
+  ! ---- map.h
 
   function make_map(self) result(status)
     class(hsp_workspace), intent(inout), target :: self
@@ -468,6 +501,8 @@ contains
     if (status == HSP_OK) status = hsp_map_init(c_loc(self%memory(7)%bytes), bytes, self%map_limits, self%map)
   end function
 
+  ! ---- contacts.h
+
   function make_contacts(self) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t) :: status
@@ -477,6 +512,8 @@ contains
     if (status == HSP_OK) status = allocated_to(self%memory(8), bytes)
     if (status == HSP_OK) status = hsp_contacts_init(c_loc(self%memory(8)%bytes), bytes, self%contacts_limits, self%contacts)
   end function
+
+  ! ---- paths.h
 
   function make_paths(self) result(status)
     class(hsp_workspace), intent(inout), target :: self
@@ -498,6 +535,8 @@ contains
     if (status == HSP_OK) status = hsp_gate_init(c_loc(self%memory(11)%bytes), bytes, self%gate_limits, self%gate)
   end function
 
+  ! ---- moving.h
+
   function make_moving(self) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t) :: status
@@ -508,6 +547,8 @@ contains
     if (status == HSP_OK) status = hsp_moving_init(c_loc(self%memory(12)%bytes), bytes, self%moving_limits, self%moving)
   end function
 
+  ! ---- cells.h
+
   function make_cells(self) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t) :: status
@@ -517,6 +558,8 @@ contains
     if (status == HSP_OK) status = allocated_to(self%memory(9), bytes)
     if (status == HSP_OK) status = hsp_cells_init(c_loc(self%memory(9)%bytes), bytes, self%cells_limits, self%cells)
   end function
+
+  ! ---- model.h
 
   ! Memory of another size, without its contents.
   function allocated_to(memory, bytes) result(status)
