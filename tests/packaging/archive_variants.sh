@@ -18,5 +18,5 @@ echo "flags: $flags"
     cmake --build "$work/build" --target hardsphere --parallel 2
 } >"$work/log" 2>&1 || { tail -n 40 "$work/log" && exit 1; }
 bash "$here/archive_symbols.sh" "$work/build/libhardsphere.a" "$source/include/hardsphere.h"
-bash "$here/wide_symbols.sh" "$work/build/CMakeFiles/hardsphere_objects.dir/lib"
+bash "$here/wide_symbols.sh" "$work/build/CMakeFiles/hardsphere_objects.dir"
 rm -rf "$work"

@@ -15,5 +15,6 @@ while read -r object; do
     failed=1
   fi
 done < <(find "$1" -name '*_avx2.cpp.o*')
+[ $n -gt 0 ] || { echo "no objects for wide registers in $1" && exit 1; }
 [ $failed -eq 0 ] && echo "$n objects for wide registers"
 exit $failed

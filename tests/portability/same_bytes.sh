@@ -45,7 +45,7 @@ build cmake --build "$work/build" --target $target --parallel 2
 
 failed=0
 bash "$here/../packaging/archive_symbols.sh" "$work/build/hardsphere/libhardsphere.a" "$source/include/hardsphere.h" || failed=1
-bash "$here/../packaging/wide_symbols.sh" "$work/build/hardsphere/CMakeFiles/hardsphere_objects.dir/lib" || failed=1
+bash "$here/../packaging/wide_symbols.sh" "$work/build/hardsphere/CMakeFiles/hardsphere_objects.dir" || failed=1
 
 programs=$work/build
 bash "$here/outputs.sh" "$source" "$work/outputs" "$emulator" "$programs/hardsphere/capi/hardsphere" \
