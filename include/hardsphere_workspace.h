@@ -15,6 +15,9 @@
  * call, as they move when they grow. A workspace may be copied; use only one of the copies. Distinct workspaces may be
  * used by distinct threads.
  *
+ * A row such as `---- model.h` begins what is for that header, to the next one. Where a component was left out of the
+ * library, what is for its headers is left out, too.
+ *
  * STATUS: that of the function of hardsphere.h that fails, and HSP_E_MEMORY if malloc fails. A call that fails leaves
  * the workspace such that every function may be called again; what it was to compute holds no results.
  */
@@ -27,34 +30,34 @@
 
 /** All zeros at first. The handles may be read; the rest is this file's. */
 typedef struct hsp_workspace {
-  hsp_model *model;                    /**< NULL before hsp_workspace_set */
-  hsp_boundary *boundary;              /**< NULL before hsp_workspace_boundary */
-  hsp_topology *topology;              /**< NULL before hsp_workspace_topology */
-  hsp_view *view;                      /**< NULL before hsp_workspace_view */
-  hsp_surface *surface;                /**< NULL before hsp_workspace_surface */
-  hsp_mesh *mesh;                      /**< NULL before hsp_workspace_mesh */
-  hsp_map *map;                        /**< NULL before hsp_workspace_map */
-  hsp_contacts *contacts;              /**< NULL before hsp_workspace_contacts */
-  hsp_cells *cells;                    /**< NULL before hsp_workspace_cells */
-  hsp_paths *paths;                    /**< NULL before hsp_workspace_path */
-  hsp_gate *gate;                      /**< NULL before hsp_workspace_gate */
-  hsp_moving *moving;                  /**< NULL before hsp_workspace_moving */
-  hsp_periodic *periodic;              /**< NULL before hsp_workspace_periodic */
+  hsp_model *model;                    /**< NULL before hsp_workspace_set (hardsphere/model.h) */
+  hsp_boundary *boundary;              /**< NULL before hsp_workspace_boundary (hardsphere/boundary.h) */
+  hsp_topology *topology;              /**< NULL before hsp_workspace_topology (hardsphere/topology.h) */
+  hsp_view *view;                      /**< NULL before hsp_workspace_view (hardsphere/view.h) */
+  hsp_surface *surface;                /**< NULL before hsp_workspace_surface (hardsphere/surface.h) */
+  hsp_mesh *mesh;                      /**< NULL before hsp_workspace_mesh (hardsphere/mesh.h) */
+  hsp_map *map;                        /**< NULL before hsp_workspace_map (hardsphere/map.h) */
+  hsp_contacts *contacts;              /**< NULL before hsp_workspace_contacts (hardsphere/contacts.h) */
+  hsp_cells *cells;                    /**< NULL before hsp_workspace_cells (hardsphere/cells.h) */
+  hsp_paths *paths;                    /**< NULL before hsp_workspace_path (hardsphere/paths.h) */
+  hsp_gate *gate;                      /**< NULL before hsp_workspace_gate (hardsphere/paths.h) */
+  hsp_moving *moving;                  /**< NULL before hsp_workspace_moving (hardsphere/moving.h) */
+  hsp_periodic *periodic;              /**< NULL before hsp_workspace_periodic (hardsphere/periodic.h) */
   void *memory[13];                    /**< of the handles */
   uint32_t most_balls;                 /**< what the model has room for */
   uint32_t reserved;                   /**< 0 */
-  hsp_boundary_limits boundary_limits; /**< what hsp_boundary has room for */
-  hsp_topology_limits topology_limits; /**< what hsp_topology has room for */
-  hsp_view_limits view_limits;         /**< what hsp_view has room for */
-  hsp_surface_limits surface_limits;   /**< what hsp_surface has room for */
-  hsp_mesh_limits mesh_limits;         /**< what hsp_mesh has room for */
-  hsp_map_limits map_limits;           /**< what hsp_map has room for */
-  hsp_contacts_limits contacts_limits; /**< what hsp_contacts has room for */
-  hsp_cells_limits cells_limits;       /**< what hsp_cells has room for */
-  hsp_paths_limits paths_limits;       /**< what hsp_paths has room for */
-  hsp_gate_limits gate_limits;         /**< what hsp_gate has room for */
-  hsp_moving_limits moving_limits;     /**< what hsp_moving has room for */
-  hsp_periodic_limits periodic_limits; /**< what hsp_periodic has room for */
+  hsp_boundary_limits boundary_limits; /**< what it has room for (hardsphere/boundary.h) */
+  hsp_topology_limits topology_limits; /**< what it has room for (hardsphere/topology.h) */
+  hsp_view_limits view_limits;         /**< what it has room for (hardsphere/view.h) */
+  hsp_surface_limits surface_limits;   /**< what it has room for (hardsphere/surface.h) */
+  hsp_mesh_limits mesh_limits;         /**< what it has room for (hardsphere/mesh.h) */
+  hsp_map_limits map_limits;           /**< what it has room for (hardsphere/map.h) */
+  hsp_contacts_limits contacts_limits; /**< what it has room for (hardsphere/contacts.h) */
+  hsp_cells_limits cells_limits;       /**< what it has room for (hardsphere/cells.h) */
+  hsp_paths_limits paths_limits;       /**< what it has room for (hardsphere/paths.h) */
+  hsp_gate_limits gate_limits;         /**< what it has room for (hardsphere/paths.h) */
+  hsp_moving_limits moving_limits;     /**< what it has room for (hardsphere/moving.h) */
+  hsp_periodic_limits periodic_limits; /**< what it has room for (hardsphere/periodic.h) */
 } hsp_workspace;
 
 /* Memory of another size, without its contents. */
@@ -65,28 +68,33 @@ static inline int32_t hsp_workspace_allocate(void **memory, size_t bytes) {
 }
 
 /* Drops what was computed from a handle, before the memory of that handle is given back. */
+/* ---- model.h */
 static inline void hsp_workspace_drop_of_model(hsp_workspace *work) {
-  if (work->boundary != NULL) (void)hsp_boundary_compute(work->boundary, NULL, NULL);
-  if (work->topology != NULL) (void)hsp_topology_compute(work->topology, NULL, NULL);
-  if (work->view != NULL) (void)hsp_view_compute(work->view, NULL, NULL, NULL, NULL);
-  if (work->surface != NULL) (void)hsp_surface_compute(work->surface, NULL, NULL);
-  if (work->mesh != NULL) (void)hsp_mesh_compute(work->mesh, NULL, 0, NULL);
-  if (work->map != NULL) (void)hsp_map_compute(work->map, NULL, NULL, NULL);
-  if (work->contacts != NULL) (void)hsp_contacts_compute(work->contacts, NULL, NULL);
-  if (work->cells != NULL) (void)hsp_cells_compute(work->cells, NULL, NULL);
-  if (work->paths != NULL) (void)hsp_paths_compute(work->paths, NULL, NULL);
-  if (work->gate != NULL) (void)hsp_gate_compute(work->gate, NULL, NULL, NULL, NULL);
+  if (work->boundary != NULL) (void)hsp_boundary_compute(work->boundary, NULL, NULL); /* hardsphere/boundary.h */
+  if (work->topology != NULL) (void)hsp_topology_compute(work->topology, NULL, NULL); /* hardsphere/topology.h */
+  if (work->view != NULL) (void)hsp_view_compute(work->view, NULL, NULL, NULL, NULL); /* hardsphere/view.h */
+  if (work->surface != NULL) (void)hsp_surface_compute(work->surface, NULL, NULL);    /* hardsphere/surface.h */
+  if (work->mesh != NULL) (void)hsp_mesh_compute(work->mesh, NULL, 0, NULL);          /* hardsphere/mesh.h */
+  if (work->map != NULL) (void)hsp_map_compute(work->map, NULL, NULL, NULL);          /* hardsphere/map.h */
+  if (work->contacts != NULL) (void)hsp_contacts_compute(work->contacts, NULL, NULL); /* hardsphere/contacts.h */
+  if (work->cells != NULL) (void)hsp_cells_compute(work->cells, NULL, NULL);          /* hardsphere/cells.h */
+  if (work->paths != NULL) (void)hsp_paths_compute(work->paths, NULL, NULL);          /* hardsphere/paths.h */
+  if (work->gate != NULL) (void)hsp_gate_compute(work->gate, NULL, NULL, NULL, NULL); /* hardsphere/paths.h */
 }
 
+/* ---- boundary.h */
 static inline void hsp_workspace_drop_of_boundary(hsp_workspace *work) {
-  if (work->topology != NULL) (void)hsp_topology_compute(work->topology, NULL, NULL);
-  if (work->surface != NULL) (void)hsp_surface_compute(work->surface, NULL, NULL);
-  if (work->mesh != NULL) (void)hsp_mesh_compute(work->mesh, NULL, 0, NULL);
-  if (work->contacts != NULL) (void)hsp_contacts_compute(work->contacts, NULL, NULL);
+  if (work->topology != NULL) (void)hsp_topology_compute(work->topology, NULL, NULL); /* hardsphere/topology.h */
+  if (work->surface != NULL) (void)hsp_surface_compute(work->surface, NULL, NULL);    /* hardsphere/surface.h */
+  if (work->mesh != NULL) (void)hsp_mesh_compute(work->mesh, NULL, 0, NULL);          /* hardsphere/mesh.h */
+  if (work->contacts != NULL) (void)hsp_contacts_compute(work->contacts, NULL, NULL); /* hardsphere/contacts.h */
 }
+
+/* ---- model.h */
 
 /* make: a handle of the current limits, without results. ready: the same, if there is none yet. grow: one of larger
  * limits. */
+/* ---- boundary.h */
 static inline int32_t hsp_workspace_make_boundary(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_boundary_bytes(&work->boundary_limits, &bytes);
@@ -113,6 +121,7 @@ static inline int32_t hsp_workspace_grow_boundary(hsp_workspace *work, const hsp
   return hsp_workspace_make_boundary(work);
 }
 
+/* ---- topology.h */
 static inline int32_t hsp_workspace_make_topology(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_topology_bytes(&work->topology_limits, &bytes);
@@ -138,6 +147,7 @@ static inline int32_t hsp_workspace_grow_topology(hsp_workspace *work, const hsp
   return hsp_workspace_make_topology(work);
 }
 
+/* ---- view.h */
 static inline int32_t hsp_workspace_make_view(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_view_bytes(&work->view_limits, &bytes);
@@ -163,6 +173,7 @@ static inline int32_t hsp_workspace_grow_view(hsp_workspace *work, const hsp_vie
   return hsp_workspace_make_view(work);
 }
 
+/* ---- surface.h */
 static inline int32_t hsp_workspace_make_surface(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_surface_bytes(&work->surface_limits, &bytes);
@@ -188,6 +199,7 @@ static inline int32_t hsp_workspace_grow_surface(hsp_workspace *work, const hsp_
   return hsp_workspace_make_surface(work);
 }
 
+/* ---- mesh.h */
 static inline int32_t hsp_workspace_make_mesh(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_mesh_bytes(&work->mesh_limits, &bytes);
@@ -199,6 +211,7 @@ static inline int32_t hsp_workspace_make_mesh(hsp_workspace *work) {
   return status;
 }
 
+/* ---- map.h */
 static inline int32_t hsp_workspace_make_map(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_map_bytes(&work->map_limits, &bytes);
@@ -224,6 +237,7 @@ static inline int32_t hsp_workspace_grow_map(hsp_workspace *work, const hsp_map_
   return hsp_workspace_make_map(work);
 }
 
+/* ---- contacts.h */
 static inline int32_t hsp_workspace_make_contacts(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_contacts_bytes(&work->contacts_limits, &bytes);
@@ -249,6 +263,7 @@ static inline int32_t hsp_workspace_grow_contacts(hsp_workspace *work, const hsp
   return hsp_workspace_make_contacts(work);
 }
 
+/* ---- cells.h */
 static inline int32_t hsp_workspace_make_cells(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_cells_bytes(&work->cells_limits, &bytes);
@@ -274,6 +289,7 @@ static inline int32_t hsp_workspace_grow_cells(hsp_workspace *work, const hsp_ce
   return hsp_workspace_make_cells(work);
 }
 
+/* ---- paths.h */
 static inline int32_t hsp_workspace_make_paths(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_paths_bytes(&work->paths_limits, &bytes);
@@ -299,6 +315,7 @@ static inline int32_t hsp_workspace_grow_paths(hsp_workspace *work, const hsp_pa
   return hsp_workspace_make_paths(work);
 }
 
+/* ---- paths.h */
 static inline int32_t hsp_workspace_make_gate(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_gate_bytes(&work->gate_limits, &bytes);
@@ -324,6 +341,7 @@ static inline int32_t hsp_workspace_grow_gate(hsp_workspace *work, const hsp_gat
   return hsp_workspace_make_gate(work);
 }
 
+/* ---- moving.h */
 static inline int32_t hsp_workspace_make_moving(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_moving_bytes(&work->moving_limits, &bytes);
@@ -349,6 +367,7 @@ static inline int32_t hsp_workspace_grow_moving(hsp_workspace *work, const hsp_m
   return hsp_workspace_make_moving(work);
 }
 
+/* ---- periodic.h */
 static inline int32_t hsp_workspace_make_periodic(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_periodic_bytes(&work->periodic_limits, &bytes);
@@ -373,6 +392,8 @@ static inline int32_t hsp_workspace_grow_periodic(hsp_workspace *work, const hsp
   work->periodic_limits = *limits;
   return hsp_workspace_make_periodic(work);
 }
+
+/* ---- model.h */
 
 /** Take n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh, map,
  *  contacts, cells, paths and gate hold no results of other balls then; balls that move and a box stay as they are. */
@@ -417,6 +438,8 @@ static inline int32_t hsp_workspace_topology(hsp_workspace *work) {
   return status;
 }
 
+/* ---- view.h */
+
 /** Compute a view, of the model alone or, with use_boundary not 0, of the boundary that hsp_workspace_boundary has
  *  computed. options as for hsp_view_compute. HSP_E_ARGUMENT: no hsp_workspace_set before, or no hsp_workspace_boundary
  *  whose result is asked for. */
@@ -435,6 +458,8 @@ static inline int32_t hsp_workspace_view(hsp_workspace *work, int use_boundary, 
   return status;
 }
 
+/* ---- map.h */
+
 /** Compute the visibility map of the model. options as for hsp_map_compute. */
 static inline int32_t hsp_workspace_map(hsp_workspace *work, const hsp_view_options *options) {
   int32_t status = hsp_workspace_ready_map(work);
@@ -446,6 +471,8 @@ static inline int32_t hsp_workspace_map(hsp_workspace *work, const hsp_view_opti
   }
   return status;
 }
+
+/* ---- contacts.h */
 
 /** Compute the contacts of the balls of the boundary that hsp_workspace_boundary has computed. */
 static inline int32_t hsp_workspace_contacts(hsp_workspace *work) {
@@ -459,6 +486,8 @@ static inline int32_t hsp_workspace_contacts(hsp_workspace *work) {
   return status;
 }
 
+/* ---- cells.h */
+
 /** Cut the free space of the model into cells. */
 static inline int32_t hsp_workspace_cells(hsp_workspace *work) {
   int32_t status = hsp_workspace_ready_cells(work);
@@ -470,6 +499,8 @@ static inline int32_t hsp_workspace_cells(hsp_workspace *work) {
   }
   return status;
 }
+
+/* ---- paths.h */
 
 /** Find a path from one point to another, both [3], through the free space of the model; arguments and statuses as
  *  hsp_paths_find. What only depends on the model is computed the first time. */
@@ -501,6 +532,8 @@ static inline int32_t hsp_workspace_gate(hsp_workspace *work, const double *from
   return status;
 }
 
+/* ---- moving.h */
+
 /** Take the balls of the model as balls that move; arguments and statuses as hsp_moving_set. There is room for 256
  *  neighbours of each at least, or for all balls. */
 static inline int32_t hsp_workspace_moving(hsp_workspace *work, const double *sigma, double tension, double pressure,
@@ -531,6 +564,8 @@ static inline int32_t hsp_workspace_periodic(hsp_workspace *work, uint32_t n, co
   return status;
 }
 
+/* ---- surface.h */
+
 /** Compute the solvent-excluded surface of shells [count] of the boundary that hsp_workspace_boundary has computed; of
  *  all of it if shells is NULL. */
 static inline int32_t hsp_workspace_surface_of(hsp_workspace *work, const uint32_t *shells, uint32_t count) {
@@ -549,6 +584,8 @@ static inline int32_t hsp_workspace_surface_of(hsp_workspace *work, const uint32
 static inline int32_t hsp_workspace_surface(hsp_workspace *work) {
   return hsp_workspace_surface_of(work, NULL, 0);
 }
+
+/* ---- mesh.h */
 
 /* Limits of the mesh that suffice for edges of this length, too. */
 static inline int32_t hsp_workspace_raise_mesh_limits(hsp_workspace *work, int use_surface, double edge) {
@@ -583,6 +620,8 @@ static inline int32_t hsp_workspace_mesh(hsp_workspace *work, int use_surface, d
     work->mesh_limits = limits;
   }
 }
+
+/* ---- model.h */
 
 /** Give all memory back; the workspace is as at first. */
 static inline void hsp_workspace_free(hsp_workspace *work) {

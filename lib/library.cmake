@@ -227,44 +227,41 @@ set(HSP_LIBRARY_SOURCES
   capi/shims/hsp_picture.cpp
   capi/shims/hsp_sticks.cpp
   capi/shims/hsp_sticks_map.cpp)
-# Parts that a build may leave out: functions of theirs are then not in the library. What smooth, space and sight stand on
-# is always there.
-set(HSP_ALL_COMPONENTS smooth space sight)
-set(HSP_COMPONENTS ${HSP_ALL_COMPONENTS} CACHE STRING "Parts of the library besides models, queries, unions and boxes")
-set(HSP_smooth_SOURCES "lib/smooth/|capi/shims/hsp_(surface|mesh)")
-set(HSP_space_SOURCES "lib/space/|capi/shims/hsp_(cells|paths)")
-set(HSP_sight_SOURCES "lib/sight/|capi/shims/hsp_(view|map|sticks|picture)")
-set(HSP_WHOLE ON)
-foreach(component ${HSP_COMPONENTS})
-  if(NOT component IN_LIST HSP_ALL_COMPONENTS)
-    message(FATAL_ERROR "HSP_COMPONENTS: there is no component ${component}; there are ${HSP_ALL_COMPONENTS}")
-  endif()
-endforeach()
+
+# The wings: which sources are theirs, the interface's among them, and whose headers those of lib/ find. What no other
+# pattern takes of the interface is union's.
+set(ground_pattern "lib/ground/")
+set(balls_pattern "lib/balls/|capi/shims/(element_radii|hsp_(status|element|model|query|body))\\.cpp")
+set(union_pattern "lib/union/|capi/shims/")
 foreach(component ${HSP_ALL_COMPONENTS})
-  if(NOT component IN_LIST HSP_COMPONENTS)
-    set(HSP_WHOLE OFF)
-    list(FILTER HSP_LIBRARY_SOURCES EXCLUDE REGEX "^(${HSP_${component}_SOURCES})")
+  list(JOIN HSP_${component}_HEADERS "|" headers)
+  set(${component}_pattern "lib/${component}/|capi/shims/hsp_(${headers})")
+endforeach()
+set(ground_roots ground)
+set(balls_roots ground balls)
+set(union_roots ground balls union)
+set(smooth_roots ground balls union smooth)
+set(space_roots ground balls space)
+set(sight_roots ground balls union sight)
+# In the cache, so that projects that carry this one as a subdirectory can call the function below, too.
+set(sources ${HSP_LIBRARY_SOURCES})
+set(wings "")
+set(folders "")
+foreach(wing ground balls smooth space sight union)
+  set(own ${sources})
+  list(FILTER own INCLUDE REGEX "^(${${wing}_pattern})")
+  list(FILTER sources EXCLUDE REGEX "^(${${wing}_pattern})")
+  if(NOT wing IN_LIST HSP_LEFT_OUT)
+    list(TRANSFORM own PREPEND ${PROJECT_SOURCE_DIR}/)
+    set(HSP_${wing}_SOURCES ${own} CACHE INTERNAL "The sources of the wing ${wing}")
+    list(TRANSFORM ${wing}_roots PREPEND ${PROJECT_SOURCE_DIR}/lib/ OUTPUT_VARIABLE roots)
+    set(HSP_${wing}_ROOTS ${roots} CACHE INTERNAL "Where its sources find headers")
+    list(APPEND wings ${wing})
+    list(APPEND folders ${PROJECT_SOURCE_DIR}/lib/${wing})
   endif()
 endforeach()
-if(NOT HSP_WHOLE AND (HSP_TOOL OR HSP_TESTS OR HSP_BENCH OR HSP_FUZZ OR HSP_FORTRAN))
-  message(FATAL_ERROR "Without all of HSP_COMPONENTS there are no program, Fortran module, tests, benchmarks and fuzzing: "
-    "set HSP_TOOL, HSP_FORTRAN, HSP_TESTS, HSP_BENCH and HSP_FUZZ to OFF")
-endif()
-list(TRANSFORM HSP_LIBRARY_SOURCES PREPEND ${PROJECT_SOURCE_DIR}/)
-# Kernels are compiled once more for each further target (lib/ground/lanes/target.hpp), the second ones for AVX2 alone.
-foreach(kind KERNEL AVX2)
-  string(TOLOWER "[._]${kind}[.]cpp$" ending)
-  set(HSP_${kind}_SOURCES ${HSP_LIBRARY_SOURCES})
-  list(FILTER HSP_${kind}_SOURCES INCLUDE REGEX "${ending}")
-  set(HSP_${kind}_SOURCES ${HSP_${kind}_SOURCES} CACHE INTERNAL "Sources of the library that match ${ending}")
-endforeach()
-list(REMOVE_ITEM HSP_LIBRARY_SOURCES ${HSP_AVX2_SOURCES})
-# In the cache, so that projects that carry this one as a subdirectory can call the function below, too.
-set(HSP_LIBRARY_SOURCES ${HSP_LIBRARY_SOURCES} CACHE INTERNAL "The other sources of the library")
-# Includes name the room, not the wing.
-set(HSP_WING_FOLDERS ground balls union smooth space sight)
-list(TRANSFORM HSP_WING_FOLDERS PREPEND ${PROJECT_SOURCE_DIR}/lib/)
-set(HSP_WING_FOLDERS ${HSP_WING_FOLDERS} CACHE INTERNAL "The folders of the library's rooms")
+set(HSP_WINGS ${wings} CACHE INTERNAL "The wings that are built")
+set(HSP_WING_FOLDERS ${folders} CACHE INTERNAL "The folders of their rooms")
 
 # Position-independent code as CMAKE_POSITION_INDEPENDENT_CODE says. Without it: so that shared libraries, Python modules
 # for instance, can contain the archive, but not for machines without an operating system.
@@ -311,53 +308,90 @@ if(NOT DEFINED CACHE{HSP_TARGETS_AARCH64})
   unset(CMAKE_TRY_COMPILE_TARGET_TYPE)
 endif()
 
-# hsp_add_kernels(name target source... OPTIONS option...): kernels once more, in the namespace of a further target of the
-# library. With HSP_UNITY_BUILD all of a target are one unit.
-function(hsp_add_kernels name target)
-  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" OPTIONS)
-  set(folder ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${name}.dir)
-  set(text "#undef HSP_TARGET\n#define HSP_TARGET ${target}\n")
-  foreach(source ${arg_UNPARSED_ARGUMENTS})
-    if(HSP_UNITY_BUILD)
-      set(unit ${folder}/Unity/${target}.cpp)
-      string(APPEND text "#include \"${source}\"\n")
-    else()
-      file(RELATIVE_PATH unit ${hardsphere_SOURCE_DIR}/lib ${source})
-      set(unit ${folder}/kernels/${target}/${unit})
-      file(CONFIGURE OUTPUT ${unit} CONTENT "${text}#include \"${source}\"\n" @ONLY)
-    endif()
-    list(APPEND units ${unit})
-  endforeach()
-  list(REMOVE_DUPLICATES units)
-  if(HSP_UNITY_BUILD)
-    file(CONFIGURE OUTPUT ${units} CONTENT "${text}" @ONLY)
-  endif()
-  target_sources(${name} PRIVATE ${units})
-  set_source_files_properties(${units} TARGET_DIRECTORY ${name} PROPERTIES COMPILE_OPTIONS "${arg_OPTIONS}"
-    SKIP_UNITY_BUILD_INCLUSION ON)
-endfunction()
-
 # hsp_library_objects(name definition...): the library compiled as objects, with further definitions. The archive is made
 # of hardsphere_objects. Tests of inner parts link to a library of objects and compile what its headers define alike.
-# With HSP_UNITY_BUILD a room is one unit, the interface another, the kernels of each further target a third: most of the
-# time that a source takes alone goes into its headers.
+#
+# A source finds the headers of its wing and of those that the wing stands on. So the compiler holds the order of wings, and
+# a test that of the rooms within one (tests/packaging/include_direction.sh). Sources of lib/ do not find the interface's.
+# Those of the interface to a component find union's as well, which are always there.
+#
+# Kernels, *.kernel.cpp, are compiled once more for each further target, in its namespace (lib/ground/lanes/target.hpp);
+# *_avx2.cpp for AVX2 alone.
+#
+# With HSP_UNITY_BUILD a room is one unit and the interface to a wing another: most of the time that a source takes alone
+# goes into its headers. The interface to balls is compiled file by file, and the kernels of a further target as two units,
+# those of ground and balls and the rest, which finds all headers: so a program that only asks which balls are hit links
+# little else, whatever its linker.
 function(hsp_library_objects name)
-  add_library(${name} OBJECT ${HSP_LIBRARY_SOURCES})
+  set(targets baseline)
+  set(wide OFF)
+  if(HSP_WIDE_CODE AND HSP_COMPILES_AVX2 AND NOT "HSP_AVX2=0" IN_LIST ARGN)
+    list(APPEND targets avx2)
+    set(wide ON)
+  endif()
+  set(files "")
+  set(units "")
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${name}.dir/Unity)
+  foreach(wing ${HSP_WINGS})
+    foreach(source ${HSP_${wing}_SOURCES})
+      string(REGEX MATCH "([a-z]+)/([a-z_0-9]+)(\\.kernel)?\\.cpp$" file ${source})
+      set(room ${CMAKE_MATCH_1})
+      set(file ${CMAKE_MATCH_2})
+      foreach(target ${targets})
+        set(roots ${HSP_${wing}_ROOTS})
+        set(unit ${room})
+        if(target STREQUAL "baseline" AND source MATCHES "_avx2\\.cpp$")
+          continue()
+        elseif(NOT target STREQUAL "baseline")
+          if(NOT source MATCHES "(\\.kernel|_${target})\\.cpp$")
+            continue()
+          endif()
+          set(unit balls_${target})
+          if(NOT wing MATCHES "ground|balls")
+            set(unit all_${target})
+            set(roots ${HSP_WING_FOLDERS})
+          endif()
+        elseif(room STREQUAL "shims")
+          list(APPEND roots ${HSP_INCLUDE_FOLDER} ${hardsphere_SOURCE_DIR}/capi/shims)
+          set(unit ${file})
+          if(NOT wing STREQUAL "balls")
+            set(unit ${wing}_shims)
+            list(APPEND roots ${HSP_union_ROOTS})
+          endif()
+        endif()
+        if(NOT HSP_UNITY_BUILD AND target STREQUAL "baseline")
+          set(unit ${source})
+        else()
+          if(NOT HSP_UNITY_BUILD)
+            set(unit ${room}_${file}_${target})
+          endif()
+          list(APPEND units ${unit})
+          if(NOT DEFINED text_${unit} AND NOT target STREQUAL "baseline")
+            set(text_${unit} "#undef HSP_TARGET\n#define HSP_TARGET ${target}\n")
+          endif()
+          string(APPEND text_${unit} "#include \"${source}\"\n")
+          set(unit ${folder}/${unit}.cpp)
+        endif()
+        list(APPEND files ${unit})
+        set_source_files_properties(${unit} PROPERTIES INCLUDE_DIRECTORIES "${roots}")
+        if(target STREQUAL "avx2")
+          set_source_files_properties(${unit} PROPERTIES COMPILE_OPTIONS "${HSP_AVX2_OPTIONS}")
+        endif()
+      endforeach()
+    endforeach()
+  endforeach()
+  list(REMOVE_DUPLICATES files)
+  list(REMOVE_DUPLICATES units)
+  foreach(unit ${units})
+    file(CONFIGURE OUTPUT ${folder}/${unit}.cpp CONTENT "${text_${unit}}" @ONLY)
+  endforeach()
+  add_library(${name} OBJECT ${files})
   target_compile_features(${name} PUBLIC cxx_std_20)
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ${HSP_POSITION_INDEPENDENT}
-    CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON UNITY_BUILD ${HSP_UNITY_BUILD} UNITY_BUILD_MODE GROUP)
-  foreach(source ${HSP_LIBRARY_SOURCES})
-    string(REGEX REPLACE ".*/([a-z]+)/[a-z_0-9.]+\\.cpp$" "\\1" room ${source})
-    set_source_files_properties(${source} TARGET_DIRECTORY ${name} PROPERTIES UNITY_GROUP ${room})
-  endforeach()
-  target_include_directories(${name} PUBLIC ${hardsphere_SOURCE_DIR}/include ${HSP_WING_FOLDERS}
-    PRIVATE ${hardsphere_SOURCE_DIR}/capi/shims)
-  target_compile_definitions(${name} PUBLIC $<$<BOOL:${HSP_PORTABLE_LIMBS}>:HSP_PORTABLE_LIMBS=1> ${ARGN}
-    PRIVATE HSP_TARGET=baseline)
-  if(HSP_WIDE_CODE AND HSP_COMPILES_AVX2 AND NOT "HSP_AVX2=0" IN_LIST ARGN)
-    target_compile_definitions(${name} PUBLIC HSP_AVX2=1)
-    hsp_add_kernels(${name} avx2 ${HSP_KERNEL_SOURCES} ${HSP_AVX2_SOURCES} OPTIONS ${HSP_AVX2_OPTIONS})
-  endif()
+    CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  target_include_directories(${name} INTERFACE ${HSP_INCLUDE_FOLDER} ${HSP_WING_FOLDERS})
+  target_compile_definitions(${name} PUBLIC $<$<BOOL:${HSP_PORTABLE_LIMBS}>:HSP_PORTABLE_LIMBS=1>
+    $<$<BOOL:${wide}>:HSP_AVX2=1> ${ARGN} PRIVATE HSP_TARGET=baseline)
   # -ffp-contract=off: the same bits with and without fused multiply-add. The vectorizer of g++ 12 does not obey it: it
   # makes fused instructions of complex products (vfmaddsub, fcmla), hence it is off. A section for each function and
   # table, so that the linker can leave out what a program does not call. The rest keeps the C++ run time out.
@@ -379,9 +413,9 @@ if(HSP_CHECKED_LIBRARY)
 endif()
 hsp_library_objects(hardsphere_objects ${HSP_CHECKS})
 
-# An archive of one relocatable object, in which everything but hsp_* is local: nothing else can clash in a user's link.
-# That takes GNU ld (lld lacks --force-group-allocation; Apple's linker and that for wasm know no such thing) and GNU
-# objcopy. Objects for optimization at link time are left as they are.
+# One relocatable object, in which everything but hsp_* is local: nothing else can clash in a user's link, but a linker
+# that does not collect sections takes the whole. It takes GNU ld (lld lacks --force-group-allocation; Apple's linker and that
+# for wasm know no such thing) and GNU objcopy. Objects for optimization at link time are left as they are.
 set(HSP_COMPILER ${CMAKE_CXX_COMPILER})
 if(CMAKE_CXX_COMPILER_TARGET)
   list(APPEND HSP_COMPILER --target=${CMAKE_CXX_COMPILER_TARGET})
@@ -407,11 +441,16 @@ function(hsp_can_link_single_object result)
   endforeach()
   set(${result} ON PARENT_SCOPE)
 endfunction()
-if(NOT BUILD_SHARED_LIBS AND NOT DEFINED CACHE{HSP_SINGLE_OBJECT})
-  hsp_can_link_single_object(HSP_SINGLE_OBJECT_WORKS)
-endif()
-option(HSP_SINGLE_OBJECT "Make the archive of one object with nothing but hsp_* in its symbol table"
-  ${HSP_SINGLE_OBJECT_WORKS})
+# hsp_link_object(object objects command...): makes the object of a library of objects, and has the command change it.
+function(hsp_link_object object objects)
+  add_custom_command(OUTPUT ${object}
+    COMMAND ${HSP_LINK_OBJECT} -o ${object} $<TARGET_OBJECTS:${objects}>
+    COMMAND ${ARGN}
+    DEPENDS ${objects} $<TARGET_OBJECTS:${objects}>
+    COMMAND_EXPAND_LISTS VERBATIM)
+  set_source_files_properties(${object} PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
+endfunction()
+option(HSP_SINGLE_OBJECT "Make the archive of one object with nothing but hsp_* in its symbol table" OFF)
 
 if(BUILD_SHARED_LIBS)
   add_library(hardsphere SHARED $<TARGET_OBJECTS:hardsphere_objects>)
@@ -419,14 +458,13 @@ if(BUILD_SHARED_LIBS)
   set_target_properties(hardsphere PROPERTIES VERSION ${PROJECT_VERSION}
     SOVERSION ${HSP_ABI_NUMBER})
 elseif(HSP_SINGLE_OBJECT)
-  set(HSP_OBJECT ${CMAKE_CURRENT_BINARY_DIR}/hardsphere.o)
-  add_custom_command(OUTPUT ${HSP_OBJECT}
-    COMMAND ${HSP_LINK_OBJECT} -o ${HSP_OBJECT} $<TARGET_OBJECTS:hardsphere_objects>
-    COMMAND ${HSP_KEEP_SYMBOLS} ${HSP_OBJECT}
-    DEPENDS hardsphere_objects $<TARGET_OBJECTS:hardsphere_objects>
-    COMMAND_EXPAND_LISTS VERBATIM)
-  add_library(hardsphere STATIC ${HSP_OBJECT})
-  set_source_files_properties(${HSP_OBJECT} PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
+  hsp_can_link_single_object(works)
+  if(NOT works)
+    message(FATAL_ERROR "HSP_SINGLE_OBJECT takes GNU ld and GNU objcopy, and neither -flto nor sanitizers")
+  endif()
+  set(object ${CMAKE_CURRENT_BINARY_DIR}/hardsphere.o)
+  hsp_link_object(${object} hardsphere_objects ${HSP_KEEP_SYMBOLS} ${object})
+  add_library(hardsphere STATIC ${object})
 else()
   add_library(hardsphere STATIC $<TARGET_OBJECTS:hardsphere_objects>)
 endif()
@@ -439,8 +477,17 @@ else()
   set_target_properties(hardsphere PROPERTIES LINKER_LANGUAGE C)
 endif()
 target_include_directories(hardsphere PUBLIC
-  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  $<BUILD_INTERFACE:${HSP_INCLUDE_FOLDER}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 # Systems that have no libm of its own find sqrt in their C library.
 if(UNIX AND NOT APPLE)
   target_link_libraries(hardsphere PUBLIC m)
+endif()
+# Each function and table has a section of its own: where the linker can, it leaves out what a program does not call.
+set(HSP_PC_LINKS "")
+if(NOT BUILD_SHARED_LIBS AND NOT HSP_SANITIZE)
+  check_linker_flag(C -Wl,--gc-sections HSP_LINKER_COLLECTS_SECTIONS)
+  if(HSP_LINKER_COLLECTS_SECTIONS)
+    target_link_options(hardsphere INTERFACE -Wl,--gc-sections)
+    set(HSP_PC_LINKS " -Wl,--gc-sections")
+  endif()
 endif()

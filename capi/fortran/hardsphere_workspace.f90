@@ -13,6 +13,9 @@
 ! take them from the workspace after each call. Declare it with TARGET, and do not assign it to another: the handles of
 ! a copy are those of the original. Memory is given back when the workspace goes out of scope.
 !
+! A row such as `---- model.h` begins what is for that header, to the next one. Where a component was left out of the
+! library, what is for its headers is left out, too.
+!
 ! STATUS: that of the function of the module hardsphere that fails, and HSP_E_MEMORY where an allocation fails.
 module hardsphere_workspace
   use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int32_t, c_int8_t, c_loc, c_null_ptr, c_ptr, &
@@ -26,59 +29,73 @@ module hardsphere_workspace
   end type
 
   type :: hsp_workspace
-    type(c_ptr) :: model = c_null_ptr
-    type(c_ptr) :: boundary = c_null_ptr
-    type(c_ptr) :: topology = c_null_ptr
-    type(c_ptr) :: view = c_null_ptr
-    type(c_ptr) :: surface = c_null_ptr
-    type(c_ptr) :: mesh = c_null_ptr
-    type(c_ptr) :: map = c_null_ptr
-    type(c_ptr) :: contacts = c_null_ptr
-    type(c_ptr) :: cells = c_null_ptr
-    type(c_ptr) :: paths = c_null_ptr
-    type(c_ptr) :: gate = c_null_ptr
-    type(c_ptr) :: moving = c_null_ptr
-    type(c_ptr) :: periodic = c_null_ptr
+    type(c_ptr) :: model = c_null_ptr ! hardsphere/model.h
+    type(c_ptr) :: boundary = c_null_ptr ! hardsphere/boundary.h
+    type(c_ptr) :: topology = c_null_ptr ! hardsphere/topology.h
+    type(c_ptr) :: view = c_null_ptr ! hardsphere/view.h
+    type(c_ptr) :: surface = c_null_ptr ! hardsphere/surface.h
+    type(c_ptr) :: mesh = c_null_ptr ! hardsphere/mesh.h
+    type(c_ptr) :: map = c_null_ptr ! hardsphere/map.h
+    type(c_ptr) :: contacts = c_null_ptr ! hardsphere/contacts.h
+    type(c_ptr) :: cells = c_null_ptr ! hardsphere/cells.h
+    type(c_ptr) :: paths = c_null_ptr ! hardsphere/paths.h
+    type(c_ptr) :: gate = c_null_ptr ! hardsphere/paths.h
+    type(c_ptr) :: moving = c_null_ptr ! hardsphere/moving.h
+    type(c_ptr) :: periodic = c_null_ptr ! hardsphere/periodic.h
     integer(c_int32_t), private :: most_balls = 0
     type(memory_block), private :: memory(13)
-    type(hsp_boundary_limits), private :: boundary_limits
-    type(hsp_topology_limits), private :: topology_limits
-    type(hsp_view_limits), private :: view_limits
-    type(hsp_surface_limits), private :: surface_limits
-    type(hsp_mesh_limits), private :: mesh_limits
-    type(hsp_map_limits), private :: map_limits
-    type(hsp_contacts_limits), private :: contacts_limits
-    type(hsp_cells_limits), private :: cells_limits
-    type(hsp_paths_limits), private :: paths_limits
-    type(hsp_gate_limits), private :: gate_limits
-    type(hsp_moving_limits), private :: moving_limits
-    type(hsp_periodic_limits), private :: periodic_limits
+    type(hsp_boundary_limits), private :: boundary_limits ! hardsphere/boundary.h
+    type(hsp_topology_limits), private :: topology_limits ! hardsphere/topology.h
+    type(hsp_view_limits), private :: view_limits ! hardsphere/view.h
+    type(hsp_surface_limits), private :: surface_limits ! hardsphere/surface.h
+    type(hsp_mesh_limits), private :: mesh_limits ! hardsphere/mesh.h
+    type(hsp_map_limits), private :: map_limits ! hardsphere/map.h
+    type(hsp_contacts_limits), private :: contacts_limits ! hardsphere/contacts.h
+    type(hsp_cells_limits), private :: cells_limits ! hardsphere/cells.h
+    type(hsp_paths_limits), private :: paths_limits ! hardsphere/paths.h
+    type(hsp_gate_limits), private :: gate_limits ! hardsphere/paths.h
+    type(hsp_moving_limits), private :: moving_limits ! hardsphere/moving.h
+    type(hsp_periodic_limits), private :: periodic_limits ! hardsphere/periodic.h
   contains
     procedure :: set => set_balls
     procedure :: compute_boundary
     procedure :: compute_topology
-    procedure :: compute_view
-    procedure :: compute_surface
-    procedure :: compute_mesh
-    procedure :: compute_map
+    procedure :: compute_view ! hardsphere/view.h
+    procedure :: compute_surface ! hardsphere/surface.h
+    procedure :: compute_mesh ! hardsphere/mesh.h
+    procedure :: compute_map ! hardsphere/map.h
     procedure :: compute_contacts
-    procedure :: compute_cells
-    procedure :: find_path
-    procedure :: compute_gate
+    procedure :: compute_cells ! hardsphere/cells.h
+    procedure :: find_path ! hardsphere/paths.h
+    procedure :: compute_gate ! hardsphere/paths.h
     procedure :: set_moving
     procedure :: compute_periodic
   end type
 
-  private :: set_balls, compute_boundary, compute_topology, compute_view, compute_surface, compute_mesh, compute_map, &
-    compute_contacts, compute_cells, find_path, compute_gate, set_moving, compute_periodic, raise_mesh_limits, &
-    allocated_to
-  private :: drop_of_model, drop_of_boundary, make_boundary, ready_boundary, grow_boundary, make_topology, &
-    ready_topology, grow_topology, make_view, ready_view, grow_view, make_surface, ready_surface, grow_surface, &
-    make_mesh, make_map, ready_map, grow_map, make_contacts, ready_contacts, grow_contacts, make_cells, ready_cells, &
-    grow_cells, make_paths, ready_paths, grow_paths, make_gate, ready_gate, grow_gate, make_moving, ready_moving, &
-    grow_moving, make_periodic, ready_periodic, grow_periodic
+  private :: set_balls, compute_boundary, compute_topology, compute_contacts, set_moving, compute_periodic, allocated_to
+  private :: compute_view ! hardsphere/view.h
+  private :: compute_surface ! hardsphere/surface.h
+  private :: compute_mesh, raise_mesh_limits ! hardsphere/mesh.h
+  private :: compute_map ! hardsphere/map.h
+  private :: compute_cells ! hardsphere/cells.h
+  private :: find_path, compute_gate ! hardsphere/paths.h
+  private :: drop_of_model ! hardsphere/model.h
+  private :: drop_of_boundary, make_boundary, ready_boundary, grow_boundary ! hardsphere/boundary.h
+  private :: make_topology, ready_topology, grow_topology ! hardsphere/topology.h
+  private :: make_view, ready_view, grow_view ! hardsphere/view.h
+  private :: make_surface, ready_surface, grow_surface ! hardsphere/surface.h
+  private :: make_mesh ! hardsphere/mesh.h
+  private :: make_map, ready_map, grow_map ! hardsphere/map.h
+  private :: make_contacts, ready_contacts, grow_contacts ! hardsphere/contacts.h
+  private :: make_cells, ready_cells, grow_cells ! hardsphere/cells.h
+  private :: make_paths, ready_paths, grow_paths ! hardsphere/paths.h
+  private :: make_gate, ready_gate, grow_gate ! hardsphere/paths.h
+  private :: make_moving, ready_moving, grow_moving ! hardsphere/moving.h
+  private :: make_periodic, ready_periodic, grow_periodic ! hardsphere/periodic.h
 
 contains
+
+  ! ---- model.h
 
   ! Takes n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh, map,
   ! contacts, cells, paths and gate hold no results of other balls then; balls that move and a box stay as they are.
@@ -132,6 +149,8 @@ contains
     end do
   end function
 
+  ! ---- view.h
+
   ! Computes a view of the model alone or, if use_boundary is there and true, of the boundary that compute_boundary has
   ! computed; options as for hsp_view_compute. HSP_E_ARGUMENT: no balls were set, or compute_boundary was never called.
   function compute_view(self, options, use_boundary) result(status)
@@ -158,6 +177,8 @@ contains
     end do
   end function
 
+  ! ---- surface.h
+
   ! Computes the solvent-excluded surface over the boundary that compute_boundary has computed.
   function compute_surface(self) result(status)
     class(hsp_workspace), intent(inout), target :: self
@@ -171,6 +192,8 @@ contains
       status = grow_surface(self, limits)
     end do
   end function
+
+  ! ---- mesh.h
 
   ! Computes triangles with edges of about the given length for the boundary that compute_boundary has computed or, if
   ! use_surface is there and true, for the smooth surface over it that compute_surface has computed.
@@ -206,6 +229,8 @@ contains
     end do
   end function
 
+  ! ---- map.h
+
   ! Computes the visibility map of the model; options as for hsp_map_compute.
   function compute_map(self, options) result(status)
     class(hsp_workspace), intent(inout), target :: self
@@ -221,6 +246,8 @@ contains
     end do
   end function
 
+  ! ---- contacts.h
+
   ! Computes the contacts of the balls of the boundary that compute_boundary has computed.
   function compute_contacts(self) result(status)
     class(hsp_workspace), intent(inout), target :: self
@@ -235,6 +262,8 @@ contains
     end do
   end function
 
+  ! ---- cells.h
+
   ! Cuts the free space of the model into cells.
   function compute_cells(self) result(status)
     class(hsp_workspace), intent(inout), target :: self
@@ -248,6 +277,8 @@ contains
       status = grow_cells(self, limits)
     end do
   end function
+
+  ! ---- paths.h
 
   ! Finds a path from one point to another through the free space of the model; arguments and statuses as
   ! hsp_paths_find. What only depends on the model is computed the first time.
@@ -287,6 +318,8 @@ contains
     end do
   end function
 
+  ! ---- mesh.h
+
   ! Limits of the mesh that suffice for edges of this length, too.
   function raise_mesh_limits(self, edge, smooth) result(status)
     class(hsp_workspace), intent(inout), target :: self
@@ -306,6 +339,8 @@ contains
     self%mesh_limits%triangles = max(self%mesh_limits%triangles, wanted%triangles)
     self%mesh_limits%points = max(self%mesh_limits%points, wanted%points)
   end function
+
+  ! ---- moving.h
 
   ! Takes the balls of the model as balls that move; arguments and statuses as hsp_moving_set. There is room for 256
   ! neighbours of each at least, or for all balls.
@@ -351,34 +386,39 @@ contains
 
   ! Drops what was computed from a handle, before the memory of that handle is given back.
 
+  ! ---- model.h
   subroutine drop_of_model(self)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t) :: ignored
-    if (c_associated(self%boundary)) ignored = hsp_boundary_compute(self%boundary, model=c_null_ptr)
-    if (c_associated(self%topology)) ignored = hsp_topology_compute(self%topology, boundary=c_null_ptr)
-    if (c_associated(self%view)) ignored = hsp_view_compute(self%view, model=c_null_ptr, boundary=c_null_ptr)
-    if (c_associated(self%surface)) ignored = hsp_surface_compute(self%surface, boundary=c_null_ptr)
-    if (c_associated(self%mesh)) ignored = hsp_mesh_compute(self%mesh, boundary=c_null_ptr, edge=0.0_c_double)
-    if (c_associated(self%map)) ignored = hsp_map_compute(self%map, model=c_null_ptr)
-    if (c_associated(self%contacts)) ignored = hsp_contacts_compute(self%contacts, boundary=c_null_ptr)
-    if (c_associated(self%cells)) ignored = hsp_cells_compute(self%cells, model=c_null_ptr)
-    if (c_associated(self%paths)) ignored = hsp_paths_compute(self%paths, model=c_null_ptr)
-    if (c_associated(self%gate)) ignored = hsp_gate_compute(self%gate, model=c_null_ptr, from=[real(c_double) :: 0, &
-      0, 0])
+    if (c_associated(self%boundary)) ignored = hsp_boundary_compute(self%boundary, model=c_null_ptr) ! hardsphere/boundary.h
+    if (c_associated(self%topology)) ignored = hsp_topology_compute(self%topology, boundary=c_null_ptr) ! hardsphere/topology.h
+    if (c_associated(self%view)) ignored = hsp_view_compute(self%view, model=c_null_ptr, boundary=c_null_ptr) ! hardsphere/view.h
+    if (c_associated(self%surface)) ignored = hsp_surface_compute(self%surface, boundary=c_null_ptr) ! hardsphere/surface.h
+    if (c_associated(self%mesh)) ignored = hsp_mesh_compute(self%mesh, boundary=c_null_ptr, edge=0.0_c_double) ! hardsphere/mesh.h
+    if (c_associated(self%map)) ignored = hsp_map_compute(self%map, model=c_null_ptr) ! hardsphere/map.h
+    if (c_associated(self%contacts)) ignored = hsp_contacts_compute(self%contacts, boundary=c_null_ptr) ! hardsphere/contacts.h
+    if (c_associated(self%cells)) ignored = hsp_cells_compute(self%cells, model=c_null_ptr) ! hardsphere/cells.h
+    if (c_associated(self%paths)) ignored = hsp_paths_compute(self%paths, model=c_null_ptr) ! hardsphere/paths.h
+    if (c_associated(self%gate)) ignored = hsp_gate_compute(self%gate, model=c_null_ptr, &                    ! hardsphere/paths.h
+      from=[real(c_double) :: 0, 0, 0]) ! hardsphere/paths.h
   end subroutine
 
+  ! ---- boundary.h
   subroutine drop_of_boundary(self)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t) :: ignored
-    if (c_associated(self%topology)) ignored = hsp_topology_compute(self%topology, boundary=c_null_ptr)
-    if (c_associated(self%surface)) ignored = hsp_surface_compute(self%surface, boundary=c_null_ptr)
-    if (c_associated(self%mesh)) ignored = hsp_mesh_compute(self%mesh, boundary=c_null_ptr, edge=0.0_c_double)
-    if (c_associated(self%contacts)) ignored = hsp_contacts_compute(self%contacts, boundary=c_null_ptr)
+    if (c_associated(self%topology)) ignored = hsp_topology_compute(self%topology, boundary=c_null_ptr) ! hardsphere/topology.h
+    if (c_associated(self%surface)) ignored = hsp_surface_compute(self%surface, boundary=c_null_ptr) ! hardsphere/surface.h
+    if (c_associated(self%mesh)) ignored = hsp_mesh_compute(self%mesh, boundary=c_null_ptr, edge=0.0_c_double) ! hardsphere/mesh.h
+    if (c_associated(self%contacts)) ignored = hsp_contacts_compute(self%contacts, boundary=c_null_ptr) ! hardsphere/contacts.h
   end subroutine
+
+  ! ---- model.h
 
   ! make: a handle of the current limits, without results. ready: the same, if there is none yet. grow: one of larger
   ! limits.
 
+  ! ---- boundary.h
   function make_boundary(self) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t) :: status
@@ -409,6 +449,7 @@ contains
     status = make_boundary(self)
   end function
 
+  ! ---- topology.h
   function make_topology(self) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t) :: status
@@ -438,6 +479,7 @@ contains
     status = make_topology(self)
   end function
 
+  ! ---- view.h
   function make_view(self) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t) :: status
@@ -466,6 +508,7 @@ contains
     status = make_view(self)
   end function
 
+  ! ---- surface.h
   function make_surface(self) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t) :: status
@@ -494,6 +537,7 @@ contains
     status = make_surface(self)
   end function
 
+  ! ---- mesh.h
   function make_mesh(self) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t) :: status
@@ -505,6 +549,7 @@ contains
     status = hsp_mesh_init(c_loc(self%memory(6)%bytes), bytes, self%mesh_limits, self%mesh)
   end function
 
+  ! ---- map.h
   function make_map(self) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t) :: status
@@ -533,6 +578,7 @@ contains
     status = make_map(self)
   end function
 
+  ! ---- contacts.h
   function make_contacts(self) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t) :: status
@@ -562,6 +608,7 @@ contains
     status = make_contacts(self)
   end function
 
+  ! ---- cells.h
   function make_cells(self) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t) :: status
@@ -590,6 +637,7 @@ contains
     status = make_cells(self)
   end function
 
+  ! ---- paths.h
   function make_paths(self) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t) :: status
@@ -618,6 +666,7 @@ contains
     status = make_paths(self)
   end function
 
+  ! ---- paths.h
   function make_gate(self) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t) :: status
@@ -646,6 +695,7 @@ contains
     status = make_gate(self)
   end function
 
+  ! ---- moving.h
   function make_moving(self) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t) :: status
@@ -674,6 +724,7 @@ contains
     status = make_moving(self)
   end function
 
+  ! ---- periodic.h
   function make_periodic(self) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t) :: status
@@ -702,6 +753,8 @@ contains
     self%periodic_limits = limits
     status = make_periodic(self)
   end function
+
+  ! ---- model.h
 
   ! Memory of another size, without its contents.
   function allocated_to(memory, bytes) result(status)

@@ -6,7 +6,7 @@ install(TARGETS hardsphere EXPORT hardsphere-targets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT hardsphere_development
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT hardsphere_runtime
     NAMELINK_COMPONENT hardsphere_development)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+install(DIRECTORY ${HSP_INCLUDE_FOLDER}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   COMPONENT hardsphere_development FILES_MATCHING PATTERN "*.h")
 
 set(HSP_PACKAGE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/hardsphere)
@@ -15,6 +15,7 @@ install(EXPORT hardsphere-targets NAMESPACE hardsphere:: DESTINATION ${HSP_PACKA
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/hardsphere-config.cmake.in hardsphere-config.cmake
   INSTALL_DESTINATION ${HSP_PACKAGE_FOLDER})
 write_basic_package_version_file(hardsphere-config-version.cmake COMPATIBILITY SameMinorVersion)
+list(JOIN HSP_COMPONENTS " " HSP_PC_COMPONENTS)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/hardsphere.pc.in hardsphere.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/hardsphere-config.cmake
   ${CMAKE_CURRENT_BINARY_DIR}/hardsphere-config-version.cmake DESTINATION ${HSP_PACKAGE_FOLDER}
@@ -24,8 +25,8 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/hardsphere.pc DESTINATION ${CMAKE_INST
 
 # The Fortran modules' source is part of every package: what is compiled of it (see fortran/CMakeLists.txt) serves one
 # compiler only.
-install(FILES ${PROJECT_SOURCE_DIR}/capi/fortran/hardsphere.f90
-  ${PROJECT_SOURCE_DIR}/capi/fortran/hardsphere_workspace.f90 DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hardsphere
+install(FILES ${HSP_FORTRAN_FOLDER}/hardsphere.f90 ${HSP_FORTRAN_FOLDER}/hardsphere_workspace.f90
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hardsphere
   COMPONENT hardsphere_development)
 install(FILES ${PROJECT_SOURCE_DIR}/capi/fortran/hardsphere-fortran.cmake DESTINATION ${HSP_PACKAGE_FOLDER}
   COMPONENT hardsphere_development)

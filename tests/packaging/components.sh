@@ -1,26 +1,88 @@
 #!/usr/bin/env bash
-# The library with a part of its components: no part needs another that was left out.
-#   components.sh SOURCE-FOLDER WORK-FOLDER C-COMPILER C++-COMPILER
+# The library with a part of its components, installed: it needs nothing that was left out, and its headers, its Fortran
+# modules and its package say what is there. Programs in C and Fortran link with it, whose sizes are printed.
+#   components.sh SOURCE-FOLDER WORK-FOLDER C-COMPILER C++-COMPILER [FORTRAN-COMPILER]
 set -euo pipefail
 export LC_ALL=C
-source=$1 work=$2 cc=$3 cxx=$4
+source=$1 work=$2 cc=$3 cxx=$4 fortran=${5:-}
+here=$(cd "$(dirname "$0")" && pwd)
 rm -rf "$work"
 mkdir -p "$work"
-for components in none smooth space sight; do
-  build=$work/$components
+fail() {
+  echo "$components: $*"
+  exit 1
+}
+package() { # components, further options: installs into $prefix
+  build=$work/build_$1 prefix=$work/prefix_$1
+  components=$1
+  shift
   {
     cmake -S "$source" -B "$build" -DCMAKE_C_COMPILER="$cc" -DCMAKE_CXX_COMPILER="$cxx" -DCMAKE_BUILD_TYPE=Release \
-      -DCMAKE_CXX_FLAGS_RELEASE=-O0 -DHSP_COMPONENTS="${components#none}" -DHSP_WERROR=ON -DHSP_TOOL=OFF -DHSP_TESTS=OFF \
-      -DHSP_BENCH=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF && cmake --build "$build" --parallel 2
+      -DCMAKE_INSTALL_LIBDIR=lib -DHSP_COMPONENTS="${components#none}" -DHSP_WERROR=ON -DHSP_TOOL=ON -DHSP_TESTS=OFF \
+      -DHSP_BENCH=OFF -DHSP_FUZZ=OFF "$@" && cmake --build "$build" --parallel 2 &&
+      cmake --install "$build" --prefix "$prefix"
   } >"$work/log" 2>&1 || { tail -n 40 "$work/log" && exit 1; }
-  # With all objects linked, nothing of the library is missing; a program that measures areas links without them.
-  "$cc" -r -nostdlib -o "$work/whole.o" -Wl,--whole-archive "$build/libhardsphere.a" -Wl,--no-whole-archive
+}
+text() { # of a program that runs
+  "$1" >/dev/null || fail "$1 fails"
+  size "$1" | awk 'NR == 2 {print $1}'
+}
+
+for components in none smooth space sight; do
+  options=(-DCMAKE_CXX_FLAGS_RELEASE=-O0 -DHSP_FORTRAN=OFF)
+  # The smallest as everybody compiles it.
+  if [ $components = none ]; then
+    options=(-DHSP_FORTRAN=OFF)
+    if [ -n "$fortran" ]; then options=(-DHSP_FORTRAN=ON -DCMAKE_Fortran_COMPILER="$fortran"); fi
+  fi
+  package $components "${options[@]}"
+  # With all objects linked, nothing of the library is missing; what is declared is there, and nothing else.
+  "$cc" -r -nostdlib -o "$work/whole.o" -Wl,--whole-archive "$prefix/lib/libhardsphere.a" -Wl,--no-whole-archive
   missing=$(nm -u "$work/whole.o" | grep -E 'hsp' || true)
-  [ -z "$missing" ] || { printf '%s: missing\n%s\n' "$components" "$missing" && exit 1; }
-  "$cc" -std=c99 -I"$source/include" "$source/capi/examples/minimal.c" "$build/libhardsphere.a" -lm -o "$work/minimal"
-  "$work/minimal" >/dev/null
-  echo "$components: $(stat -c %s "$build/libhardsphere.a") bytes"
+  [ -z "$missing" ] || fail "missing $missing"
+  echo '#include <hardsphere.h>' | "$cc" -std=c99 -E -P -I"$prefix/include" -x c - | grep -oE 'hsp_[a-z0-9_]+\(' | tr -d '(' |
+    sort -u >"$work/functions"
+  bash "$here/archive_symbols.sh" "$prefix/lib/libhardsphere.a" "$source" "$work/functions" >"$work/symbols" ||
+    { cat "$work/symbols" && fail "headers and archive differ"; }
+  # Fortran's interfaces are those of the headers, and both workspaces compile.
+  diff "$work/functions" \
+    <(sed -nE 's/.*bind\(C, *name="(hsp_[a-z0-9_]+)"\).*/\1/p' "$prefix/include/hardsphere/hardsphere.f90" | sort) ||
+    fail "the Fortran module declares something else than the headers"
+  echo '#include <hardsphere_workspace.h>' | "$cc" -std=c99 -Wall -Wextra -Wno-unused-function -Werror -fsyntax-only \
+    -I"$prefix/include" -x c - || fail "hardsphere_workspace.h does not compile"
+  if [ -n "$fortran" ]; then
+    "$fortran" -fsyntax-only -J "$work" "$prefix"/include/hardsphere/hardsphere{,_workspace}.f90 ||
+      fail "the Fortran modules do not compile"
+  fi
+  export PKG_CONFIG_PATH=$prefix/lib/pkgconfig
+  listed=$(pkg-config --variable=components hardsphere)
+  [ "$listed" = "${components#none}" ] || fail "pkg-config says $listed"
+  # A package that is asked for a component that it lacks is not found.
+  for asked in smooth space sight; do
+    mkdir -p "$work/$asked"
+    printf '%s\n' "cmake_minimum_required(VERSION 3.21)" "project(user LANGUAGES C)" \
+      "find_package(hardsphere REQUIRED COMPONENTS $asked)" >"$work/$asked/CMakeLists.txt"
+    found=0
+    cmake -S "$work/$asked" -B "$work/$asked/build_$components" -DCMAKE_C_COMPILER="$cc" -DCMAKE_PREFIX_PATH="$prefix" \
+      >"$work/log" 2>&1 && found=1
+    [ $found -eq "$([ $asked = $components ] && echo 1 || echo 0)" ] ||
+      { tail -n 10 "$work/log" && fail "find_package with component $asked"; }
+  done
+  read -ra flags <<<"$(pkg-config --cflags --libs hardsphere)"
+  "$cc" -std=c99 -O2 "$here/consumers/main.c" "${flags[@]}" -o "$work/area"
+  echo "$components: $(stat -c %s "$prefix/lib/libhardsphere.a") bytes of archive," \
+    "$(wc -l <"$work/functions") functions," \
+    "$(text "$work/area") bytes of text of a program in C that measures an area"
+  # The program says what it lacks.
+  if [ $components != sight ]; then
+    status=0
+    "$prefix/bin/hardsphere" draw "$source/bench/molecules/caffeine.pdb" -o "$work/none.svg" 2>"$work/log" || status=$?
+    [ $status -eq 2 ] && grep -q 'draw needs the component sight' "$work/log" || { cat "$work/log" && fail "draw: status $status"; }
+  fi
+  if [ $components = none ] && [ -n "$fortran" ]; then
+    read -ra flags <<<"$(pkg-config --cflags --libs hardsphere_fortran hardsphere)"
+    "$fortran" -O2 "$here/consumers/main.f90" "${flags[@]}" -J "$work" -o "$work/area_fortran"
+    echo "$components: $(text "$work/area_fortran") bytes of text of one in Fortran"
+  fi
 done
-if cmake -S "$source" -B "$work/program" -DHSP_COMPONENTS=smooth -DHSP_TOOL=ON >"$work/log" 2>&1; then
-  echo "a program without the components that it calls is not refused" && exit 1
-fi
+rm -rf "$work"

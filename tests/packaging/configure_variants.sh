@@ -20,7 +20,7 @@ configure() { # name, source folder, options
     -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "$@" >"$work/$name.log" 2>&1 || { tail -n 30 "$work/$name.log" && exit 1; }
 }
 has_flag() { # name, flag: whether the library is compiled with it
-  grep -F "unity_exact_cxx.cxx" "$work/$1/compile_commands.json" | grep -qE -- "(^| )$2( |\$)"
+  grep -F "Unity/exact.cpp" "$work/$1/compile_commands.json" | grep -qE -- "(^| )$2( |\$)"
 }
 
 # No GoogleTest, no Google Benchmark, no Fortran compiler.

@@ -6,7 +6,7 @@
 #              a soname, needs no C++ run time
 #   lto_fat    -g -flto=auto -ffat-lto-objects, as Fedora and Ubuntu build their packages; linked with and without -flto
 #   lto        -flto alone
-#   plain      with these flags and no single object: no linker and no objcopy but ar
+#   single     as one object: nothing but the header's functions in its symbol table
 #   clang      compiled by clang
 #   lld        what is installed in INSTALL-PREFIX, linked by clang and lld
 #   musl       the same, linked with the C library musl, statically
@@ -28,8 +28,8 @@ case $variant in
   shared) flags=$hardening optimization=-O0 options=(-DBUILD_SHARED_LIBS=ON) ;;
   lto_fat) flags='-g -flto=auto -ffat-lto-objects' optimization=-O3 links=('' '-flto=auto') ;;
   lto) flags='-flto' optimization=-O3 links=('-flto') ;;
-  plain)
-    flags=$hardening options=(-DHSP_SINGLE_OBJECT=OFF)
+  single)
+    options=(-DHSP_SINGLE_OBJECT=ON)
     links=('-Wl,-z,relro -Wl,-z,now -pie -fPIE')
     ;;
   clang)
@@ -67,14 +67,14 @@ case $variant in
     grep -qF "[libhardsphere.so.$abi]" "$work/dynamic" || { echo "the soname does not end with ABI number $abi" && exit 1; }
     if grep -E 'NEEDED.*(stdc\+\+|libc\+\+)' "$work/dynamic"; then exit 1; fi
     ;;
-  plain | lto*)
+  lto*)
     # What the symbol table of the archive has besides is the library's own C++ code, in a namespace.
     nm -g --defined-only "$libraries/libhardsphere.a" 2>/dev/null | awk 'NF == 3 {print $3}' | sort -u >"$work/symbols"
     diff -u --label header --label archive <(echo "$functions") <(grep '^hsp_' "$work/symbols")
     if grep -vE '^hsp_|^_Z' "$work/symbols"; then echo "other symbols than the library's own" && exit 1; fi
     if c++filt <"$work/symbols" | grep -vE '^hsp_|hsp::'; then echo "C++ code of others" && exit 1; fi
     ;;
-  clang | lld | musl) bash "$here/archive_symbols.sh" "$libraries/libhardsphere.a" "$source" ;;
+  single | clang | lld | musl) bash "$here/archive_symbols.sh" "$libraries/libhardsphere.a" "$source" ;;
 esac
 
 # Programs in C99, C++20 and C++23.

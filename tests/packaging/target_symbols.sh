@@ -7,14 +7,9 @@ set -euo pipefail
 export LC_ALL=C
 cd "$1"
 
-# The target of an object, as lib/library.cmake names its units.
+# The target of an object, as lib/library.cmake names its units: at the end, if it is not the baseline.
 target_of() {
-  case $1 in
-    */kernels/*) sed -E 's,.*/kernels/([^/]*)/.*,\1,' <<<"$1" ;;
-    */Unity/unity_*) echo baseline ;;
-    */Unity/*) basename "$1" | sed 's/[.].*//' ;;
-    *) echo baseline ;;
-  esac
+  case $1 in *_avx2.cpp.o*) echo avx2 ;; *) echo baseline ;; esac
 }
 defined=$(
   while read -r object; do

@@ -13,6 +13,10 @@ WIDTH = 120
 MADE_BY = {"model": "set", "paths": "path"}
 
 
+def header_of(interface, noun):
+    return interface.handles[f"hsp_{noun}"]
+
+
 def dependents(interface, source):
     """The handles whose results end with those of another, and the function that computes each: all that come from a
     model end with it."""
@@ -51,10 +55,12 @@ def workspace_header(interface):
 
 def field_rows(interface):
     nouns = ("model", *HANDLES)
-    fields = [(f"hsp_{noun} *{noun};", f"NULL before hsp_workspace_{MADE_BY.get(noun, noun)}") for noun in nouns]
+    fields = [(f"hsp_{noun} *{noun};", f"NULL before hsp_workspace_{MADE_BY.get(noun, noun)} "
+               f"(hardsphere/{header_of(interface, noun)})") for noun in nouns]
     fields += [(f"void *memory[{len(nouns)}];", "of the handles"),
                ("uint32_t most_balls;", "what the model has room for"), ("uint32_t reserved;", "0")]
-    fields += [(f"hsp_{noun}_limits {noun}_limits;", f"what hsp_{noun} has room for") for noun in HANDLES]
+    fields += [(f"hsp_{noun}_limits {noun}_limits;", f"what it has room for (hardsphere/{header_of(interface, noun)})")
+               for noun in HANDLES]
     column = max(len(field) for field, _ in fields)
     return [f"  {field.ljust(column)} /**< {remark} */" for field, remark in fields]
 
@@ -63,10 +69,14 @@ def drop_rows(interface):
     rows = []
     for source in ("model", *HANDLES):
         if dependents(interface, source):
-            rows += [f"static inline void hsp_workspace_drop_of_{source}(hsp_workspace *work) {{"]
+            rows += [f"/* ---- {header_of(interface, source)} */",
+                     f"static inline void hsp_workspace_drop_of_{source}(hsp_workspace *work) {{"]
+            calls = []
             for noun, compute in dependents(interface, source):
                 nothing = ", ".join("NULL" if a.stars else "0" for a in compute.arguments[1:])
-                rows.append(f"  if (work->{noun} != NULL) (void)hsp_{noun}_compute(work->{noun}, {nothing});")
+                calls.append((f"  if (work->{noun} != NULL) (void)hsp_{noun}_compute(work->{noun}, {nothing});", noun))
+            column = max(len(call) for call, _ in calls)
+            rows += [f"{call.ljust(column)} /* hardsphere/{header_of(interface, noun)} */" for call, noun in calls]
             rows += ["}", ""]
     return rows[:-1]
 
@@ -74,7 +84,8 @@ def drop_rows(interface):
 def make_rows(interface):
     rows = []
     for place, noun in enumerate(HANDLES, 1):
-        rows += [f"static inline int32_t hsp_workspace_make_{noun}(hsp_workspace *work) {{",
+        rows += [f"/* ---- {header_of(interface, noun)} */",
+                 f"static inline int32_t hsp_workspace_make_{noun}(hsp_workspace *work) {{",
                  "  size_t bytes = 0;",
                  f"  int32_t status = hsp_{noun}_bytes(&work->{noun}_limits, &bytes);",
                  f"  work->{noun} = NULL;",

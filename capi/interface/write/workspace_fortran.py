@@ -3,7 +3,7 @@ from pathlib import Path
 
 from .fortran import declaration, wrapped
 from .template import filled
-from .workspace import HANDLES, dependents, first_limits_from, passed_on
+from .workspace import HANDLES, dependents, first_limits_from, header_of, passed_on
 
 TEMPLATE = Path(__file__).with_name("workspace_template.f90")
 SELF = "    class(hsp_workspace), intent(inout), target :: self"
@@ -20,28 +20,35 @@ def workspace_module(interface):
 
 
 def field_rows(interface):
-    return [*(f"    type(c_ptr) :: {noun} = c_null_ptr" for noun in ("model", *HANDLES)),
+    def remark(noun):
+        return f" ! hardsphere/{header_of(interface, noun)}"
+
+    return [*(f"    type(c_ptr) :: {noun} = c_null_ptr{remark(noun)}" for noun in ("model", *HANDLES)),
             "    integer(c_int32_t), private :: most_balls = 0",
             f"    type(memory_block), private :: memory({1 + len(HANDLES)})",
-            *(f"    type(hsp_{noun}_limits), private :: {noun}_limits" for noun in HANDLES)]
+            *(f"    type(hsp_{noun}_limits), private :: {noun}_limits{remark(noun)}" for noun in HANDLES)]
 
 
 def private_rows(interface):
     names = [row.split("(")[0].split()[-1] for row in [*drop_rows(interface), *make_rows(interface)]
              if row.startswith(("  function", "  subroutine"))]
-    return wrapped(f"private :: {', '.join(names)}", 2, mark=" &")
+    return [f"  private :: {', '.join(own)} ! hardsphere/{header_of(interface, noun)}" for noun in ("model", *HANDLES)
+            if (own := [name for name in names if name.endswith(f"_{noun}")])]
 
 
 def drop_rows(interface):
     rows = []
     for source in ("model", *HANDLES):
         if dependents(interface, source):
-            rows += [f"  subroutine drop_of_{source}(self)", SELF, "    integer(c_int32_t) :: ignored"]
+            rows += [f"  ! ---- {header_of(interface, source)}", f"  subroutine drop_of_{source}(self)", SELF,
+                     "    integer(c_int32_t) :: ignored"]
             for noun, compute in dependents(interface, source):
                 nothing = ", ".join(nothing_for(a) for a in compute.arguments[1:]
                                     if a.kind == "handle" or a.null == "never")
                 call = f"{compute.name}(self%{noun}, {nothing})"
-                rows += wrapped(f"if (c_associated(self%{noun})) ignored = {call}", 4, mark=" &")
+                remark = f" ! hardsphere/{header_of(interface, noun)}"
+                rows += [row + remark for row in
+                         wrapped(f"if (c_associated(self%{noun})) ignored = {call}", 4, mark=" &".ljust(len(remark)))]
             rows += ["  end subroutine", ""]
     return rows[:-1]
 
@@ -59,7 +66,7 @@ def make_rows(interface):
     rows = []
     for place, noun in enumerate(HANDLES, 2):
         memory = f"self%memory({place})"
-        rows += [f"  function make_{noun}(self) result(status)", SELF, STATUS, "    integer(c_size_t) :: bytes",
+        rows += [f"  ! ---- {header_of(interface, noun)}", f"  function make_{noun}(self) result(status)", SELF, STATUS, "    integer(c_size_t) :: bytes",
                  f"    self%{noun} = c_null_ptr",
                  f"    status = hsp_{noun}_bytes(self%{noun}_limits, bytes)",
                  f"    if (status == HSP_OK) status = allocated_to({memory}, bytes)",

@@ -13,6 +13,9 @@
 ! take them from the workspace after each call. Declare it with TARGET, and do not assign it to another: the handles of
 ! a copy are those of the original. Memory is given back when the workspace goes out of scope.
 !
+! A row such as `---- model.h` begins what is for that header, to the next one. Where a component was left out of the
+! library, what is for its headers is left out, too.
+!
 ! STATUS: that of the function of the module hardsphere that fails, and HSP_E_MEMORY where an allocation fails.
 module hardsphere_workspace
   use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int32_t, c_int8_t, c_loc, c_null_ptr, c_ptr, &
@@ -31,24 +34,30 @@ module hardsphere_workspace
     procedure :: set => set_balls
     procedure :: compute_boundary
     procedure :: compute_topology
-    procedure :: compute_view
-    procedure :: compute_surface
-    procedure :: compute_mesh
-    procedure :: compute_map
+    procedure :: compute_view ! hardsphere/view.h
+    procedure :: compute_surface ! hardsphere/surface.h
+    procedure :: compute_mesh ! hardsphere/mesh.h
+    procedure :: compute_map ! hardsphere/map.h
     procedure :: compute_contacts
-    procedure :: compute_cells
-    procedure :: find_path
-    procedure :: compute_gate
+    procedure :: compute_cells ! hardsphere/cells.h
+    procedure :: find_path ! hardsphere/paths.h
+    procedure :: compute_gate ! hardsphere/paths.h
     procedure :: set_moving
     procedure :: compute_periodic
   end type
 
-  private :: set_balls, compute_boundary, compute_topology, compute_view, compute_surface, compute_mesh, compute_map, &
-    compute_contacts, compute_cells, find_path, compute_gate, set_moving, compute_periodic, raise_mesh_limits, &
-    allocated_to
+  private :: set_balls, compute_boundary, compute_topology, compute_contacts, set_moving, compute_periodic, allocated_to
+  private :: compute_view ! hardsphere/view.h
+  private :: compute_surface ! hardsphere/surface.h
+  private :: compute_mesh, raise_mesh_limits ! hardsphere/mesh.h
+  private :: compute_map ! hardsphere/map.h
+  private :: compute_cells ! hardsphere/cells.h
+  private :: find_path, compute_gate ! hardsphere/paths.h
   ! <private>
 
 contains
+
+  ! ---- model.h
 
   ! Takes n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh, map,
   ! contacts, cells, paths and gate hold no results of other balls then; balls that move and a box stay as they are.
@@ -80,6 +89,8 @@ contains
   ! Computes the topology of the boundary that compute_boundary has computed.
   ! <compute topology>
 
+  ! ---- view.h
+
   ! Computes a view of the model alone or, if use_boundary is there and true, of the boundary that compute_boundary has
   ! computed; options as for hsp_view_compute. HSP_E_ARGUMENT: no balls were set, or compute_boundary was never called.
   function compute_view(self, options, use_boundary) result(status)
@@ -106,8 +117,12 @@ contains
     end do
   end function
 
+  ! ---- surface.h
+
   ! Computes the solvent-excluded surface over the boundary that compute_boundary has computed.
   ! <compute surface>
+
+  ! ---- mesh.h
 
   ! Computes triangles with edges of about the given length for the boundary that compute_boundary has computed or, if
   ! use_surface is there and true, for the smooth surface over it that compute_surface has computed.
@@ -143,14 +158,22 @@ contains
     end do
   end function
 
+  ! ---- map.h
+
   ! Computes the visibility map of the model; options as for hsp_map_compute.
   ! <compute map>
+
+  ! ---- contacts.h
 
   ! Computes the contacts of the balls of the boundary that compute_boundary has computed.
   ! <compute contacts>
 
+  ! ---- cells.h
+
   ! Cuts the free space of the model into cells.
   ! <compute cells>
+
+  ! ---- paths.h
 
   ! Finds a path from one point to another through the free space of the model; arguments and statuses as
   ! hsp_paths_find. What only depends on the model is computed the first time.
@@ -177,6 +200,8 @@ contains
   ! hsp_gate_compute.
   ! <compute gate>
 
+  ! ---- mesh.h
+
   ! Limits of the mesh that suffice for edges of this length, too.
   function raise_mesh_limits(self, edge, smooth) result(status)
     class(hsp_workspace), intent(inout), target :: self
@@ -196,6 +221,8 @@ contains
     self%mesh_limits%triangles = max(self%mesh_limits%triangles, wanted%triangles)
     self%mesh_limits%points = max(self%mesh_limits%points, wanted%points)
   end function
+
+  ! ---- moving.h
 
   ! Takes the balls of the model as balls that move; arguments and statuses as hsp_moving_set. There is room for 256
   ! neighbours of each at least, or for all balls.
@@ -226,10 +253,14 @@ contains
 
   ! <drop>
 
+  ! ---- model.h
+
   ! make: a handle of the current limits, without results. ready: the same, if there is none yet. grow: one of larger
   ! limits.
 
   ! <make>
+
+  ! ---- model.h
 
   ! Memory of another size, without its contents.
   function allocated_to(memory, bytes) result(status)

@@ -15,6 +15,9 @@
  * call, as they move when they grow. A workspace may be copied; use only one of the copies. Distinct workspaces may be
  * used by distinct threads.
  *
+ * A row such as `---- model.h` begins what is for that header, to the next one. Where a component was left out of the
+ * library, what is for its headers is left out, too.
+ *
  * STATUS: that of the function of hardsphere.h that fails, and HSP_E_MEMORY if malloc fails. A call that fails leaves
  * the workspace such that every function may be called again; what it was to compute holds no results.
  */
@@ -40,9 +43,13 @@ static inline int32_t hsp_workspace_allocate(void **memory, size_t bytes) {
 /* Drops what was computed from a handle, before the memory of that handle is given back. */
 /* <drop> */
 
+/* ---- model.h */
+
 /* make: a handle of the current limits, without results. ready: the same, if there is none yet. grow: one of larger
  * limits. */
 /* <make> */
+
+/* ---- model.h */
 
 /** Take n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh, map,
  *  contacts, cells, paths and gate hold no results of other balls then; balls that move and a box stay as they are. */
@@ -69,6 +76,8 @@ static inline int32_t hsp_workspace_set(hsp_workspace *work, uint32_t n, const d
 /** Compute the topology of the boundary that hsp_workspace_boundary has computed. */
 /* <compute topology> */
 
+/* ---- view.h */
+
 /** Compute a view, of the model alone or, with use_boundary not 0, of the boundary that hsp_workspace_boundary has
  *  computed. options as for hsp_view_compute. HSP_E_ARGUMENT: no hsp_workspace_set before, or no hsp_workspace_boundary
  *  whose result is asked for. */
@@ -87,14 +96,22 @@ static inline int32_t hsp_workspace_view(hsp_workspace *work, int use_boundary, 
   return status;
 }
 
+/* ---- map.h */
+
 /** Compute the visibility map of the model. options as for hsp_map_compute. */
 /* <compute map> */
+
+/* ---- contacts.h */
 
 /** Compute the contacts of the balls of the boundary that hsp_workspace_boundary has computed. */
 /* <compute contacts> */
 
+/* ---- cells.h */
+
 /** Cut the free space of the model into cells. */
 /* <compute cells> */
+
+/* ---- paths.h */
 
 /** Find a path from one point to another, both [3], through the free space of the model; arguments and statuses as
  *  hsp_paths_find. What only depends on the model is computed the first time. */
@@ -117,6 +134,8 @@ static inline int32_t hsp_workspace_path(hsp_workspace *work, const double *from
  *  as hsp_gate_compute. */
 /* <compute gate> */
 
+/* ---- moving.h */
+
 /** Take the balls of the model as balls that move; arguments and statuses as hsp_moving_set. There is room for 256
  *  neighbours of each at least, or for all balls. */
 static inline int32_t hsp_workspace_moving(hsp_workspace *work, const double *sigma, double tension, double pressure,
@@ -137,6 +156,8 @@ static inline int32_t hsp_workspace_moving(hsp_workspace *work, const double *si
  *  used. */
 /* <compute periodic> */
 
+/* ---- surface.h */
+
 /** Compute the solvent-excluded surface of shells [count] of the boundary that hsp_workspace_boundary has computed; of
  *  all of it if shells is NULL. */
 static inline int32_t hsp_workspace_surface_of(hsp_workspace *work, const uint32_t *shells, uint32_t count) {
@@ -155,6 +176,8 @@ static inline int32_t hsp_workspace_surface_of(hsp_workspace *work, const uint32
 static inline int32_t hsp_workspace_surface(hsp_workspace *work) {
   return hsp_workspace_surface_of(work, NULL, 0);
 }
+
+/* ---- mesh.h */
 
 /* Limits of the mesh that suffice for edges of this length, too. */
 static inline int32_t hsp_workspace_raise_mesh_limits(hsp_workspace *work, int use_surface, double edge) {
@@ -189,6 +212,8 @@ static inline int32_t hsp_workspace_mesh(hsp_workspace *work, int use_surface, d
     work->mesh_limits = limits;
   }
 }
+
+/* ---- model.h */
 
 /** Give all memory back; the workspace is as at first. */
 static inline void hsp_workspace_free(hsp_workspace *work) {

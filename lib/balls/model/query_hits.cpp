@@ -2,13 +2,14 @@
 
 #include "core/small_code.hpp"
 #include "core/sorting.hpp"
-#include "exact/exact_predicates.hpp"
+#include "exact/power.hpp"
 
 namespace hsp {
 
 bool meet_exactly(double dx, double dy, double dz, double sum) {
-  return exact::Exact::compare_distance({static_cast<int64_t>(dx), static_cast<int64_t>(dy), static_cast<int64_t>(dz)},
-                                        static_cast<int64_t>(sum)) <= 0;
+  return exact::power({static_cast<int64_t>(dx), static_cast<int64_t>(dy), static_cast<int64_t>(dz)},
+                      static_cast<int64_t>(sum))
+             .sign() <= 0;
 }
 
 void add_hits(const QueryArrays &balls, const QueryBall &query, const BallRange *ranges, uint32_t count,

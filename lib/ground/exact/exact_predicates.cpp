@@ -277,11 +277,6 @@ void ExactPredicates<Limb>::radical_vector(const Plane &P, const Plane &Q, doubl
   q[2] = exact_q.z.to_double();
 }
 
-template <class Limb>
-int ExactPredicates<Limb>::compare_distance(const Vector &d, int64_t s) {
-  return (Evaluation<Limb>::dot128(d, d) - Evaluation<Limb>::times(s, s)).sign();
-}
-
 template struct ExactPredicates<uint32_t>;
 #if defined(__SIZEOF_INT128__)
 template struct ExactPredicates<uint64_t>;

@@ -57,9 +57,6 @@ struct ExactPredicates {
   // Where on the line (q x n + t n)/N of two planes a third one lies, for B not 0: t = -A/B, both rounded once.
   static double line_parameter(const Plane &P, const Plane &Q, const Plane &R);
   static void radical_vector(const Plane &P, const Plane &Q, double q[3]);  // q = h_P v - h_Q u
-
-  // Squared distance of two lattice points against a squared length: sign(|d|^2 - s^2) for |d_k|, s < 2^62.
-  static int compare_distance(const Vector &d, int64_t s);
 };
 
 using Exact = ExactPredicates<FastLimb>;

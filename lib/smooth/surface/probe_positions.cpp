@@ -1,12 +1,12 @@
 #include "surface/probe_positions.hpp"
 
-#include "exact/predicates.hpp"
+#include "exact/power.hpp"
 
 namespace hsp {
 namespace {
 
 bool touch_from_outside(const BallSet &balls, uint32_t a, uint32_t b) {
-  return exact::Exact::compare_distance(balls.exact_difference(a, b), balls.ball(a).radius + balls.ball(b).radius) == 0;
+  return exact::power(balls.exact_difference(a, b), balls.ball(a).radius + balls.ball(b).radius).sign() == 0;
 }
 
 // Whether the third ball of a vertex covers a whole gap of the circle of the other two: from the vertex to another one

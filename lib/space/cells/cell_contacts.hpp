@@ -5,7 +5,7 @@
 #include "cells/cube_frame.hpp"
 #include "core/fixed_vector.hpp"
 #include "core/workspace.hpp"
-#include "exact/wide_integer.hpp"
+#include "exact/power.hpp"
 
 namespace hsp {
 
@@ -50,11 +50,7 @@ class CellContacts {
 
  private:
   static exact::WideInteger<exact::FastLimb, 128> squared_distance(const exact::Vector &a, const exact::Vector &b) {
-    const auto square = [](int64_t along) {
-      const auto exactly = exact::WideInteger<exact::FastLimb, 64>::from(along);
-      return exact::product<128>(exactly, exactly);
-    };
-    return square(a.x - b.x) + square(a.y - b.y) + square(a.z - b.z);
+    return exact::squared_length({a.x - b.x, a.y - b.y, a.z - b.z});
   }
 
   FixedVector<AdjacentCells> pairs_;

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "cells/power_predicates.hpp"
+#include "exact/power.hpp"
 #include "model/grid_order.hpp"
 
 namespace hsp {
@@ -10,14 +11,9 @@ namespace {
 
 using I128 = exact::WideInteger<exact::FastLimb, 128>;
 
-// The power of a point to a ball, |x - c|^2 - r^2, exactly: both differences are below 2^33.
 I128 exact_power(const exact::LatticeBall &ball, const exact::Vector &point) {
-  const auto square = [](int64_t a) {
-    const auto wide = exact::WideInteger<exact::FastLimb, 64>::from(a);
-    return exact::product<128>(wide, wide);
-  };
-  return square(point.x - ball.centre.x) + square(point.y - ball.centre.y) + square(point.z - ball.centre.z) -
-         square(ball.radius);
+  const exact::Vector d{point.x - ball.centre.x, point.y - ball.centre.y, point.z - ball.centre.z};
+  return exact::power(d, ball.radius);
 }
 
 // Rounded, but for the sum of squares.

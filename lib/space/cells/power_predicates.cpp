@@ -2,6 +2,8 @@
 
 #include <initializer_list>
 
+#include "exact/power.hpp"
+
 namespace hsp {
 namespace {
 
@@ -24,9 +26,6 @@ I128 times(int64_t a, int64_t b) {
 }
 I128 long_dot(const Vector &a, const Vector &b) {
   return times(a.x, b.x) + times(a.y, b.y) + times(a.z, b.z);
-}
-I128 squared_length(const Vector &a) {
-  return long_dot(a, a);
 }
 LongVector<128> long_cross(const Vector &a, const Vector &b) {
   return {times(a.y, b.z) - times(a.z, b.y), times(a.z, b.x) - times(a.x, b.z), times(a.x, b.y) - times(a.y, b.x)};

@@ -32,7 +32,7 @@ bool touches_freely_from_inside(const BallSet &balls, const CubeBlock &block, ui
       const exact::Vector point{D * w.x + container.radius * v.x, D * w.y + container.radius * v.y,
                                 D * w.z + container.radius * v.z};
       // On the spheres of the two themselves it lies exactly, and so outside their interiors.
-      if (exact::Exact::compare_distance(point, D * third.radius) < 0) return false;
+      if (exact::power(point, D * third.radius).sign() < 0) return false;
     }
   }
   return true;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "boundary/boundary.hpp"
-#include "exact/exact_predicates.hpp"
+#include "exact/power.hpp"
 
 namespace hsp {
 

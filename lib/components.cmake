@@ -1,0 +1,67 @@
+# Parts that a build may leave out, so that nothing of them is in the library, its headers, its Fortran modules and its
+# package. Ground, balls and union, on which they stand, are always there.
+set(HSP_ALL_COMPONENTS smooth space sight)
+set(HSP_COMPONENTS ${HSP_ALL_COMPONENTS} CACHE STRING "Parts of the library besides models, queries, unions and boxes")
+# What of include/hardsphere is theirs.
+set(HSP_smooth_HEADERS surface mesh)
+set(HSP_space_HEADERS cells paths)
+set(HSP_sight_HEADERS view map sticks picture)
+
+foreach(component ${HSP_COMPONENTS})
+  if(NOT component IN_LIST HSP_ALL_COMPONENTS)
+    message(FATAL_ERROR "HSP_COMPONENTS: there is no component ${component}; there are ${HSP_ALL_COMPONENTS}")
+  endif()
+endforeach()
+set(HSP_LEFT_OUT ${HSP_ALL_COMPONENTS})
+list(REMOVE_ITEM HSP_LEFT_OUT ${HSP_COMPONENTS})
+if(HSP_LEFT_OUT AND (HSP_TESTS OR HSP_BENCH OR HSP_FUZZ))
+  message(FATAL_ERROR "Without all of HSP_COMPONENTS there are no tests, benchmarks and fuzzing: "
+    "set HSP_TESTS, HSP_BENCH and HSP_FUZZ to OFF")
+endif()
+
+# hsp_copy_what_is_there(from to): a copy of a text without rows that name a header that is left out, as
+# hardsphere/view.h, and without what stands from a row with `---- view.h` to the next row with ---- and a header, or to
+# the end of what such rows divide.
+function(hsp_copy_what_is_there from to)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${from})
+  file(READ ${from} text)
+  string(ASCII 1 mark)
+  string(REGEX REPLACE "---- ([a-z_]+\\.h)" "${mark}\\1" text "${text}")
+  string(REGEX REPLACE "\n( *! ----\n|  (abstract |end )?interface|end module|#endif)" "\n${mark}${mark}\\1" text "${text}")
+  foreach(component ${HSP_LEFT_OUT})
+    foreach(header ${HSP_${component}_HEADERS})
+      string(REGEX REPLACE "[^\n]*hardsphere/${header}\\.h[^\n]*\n" "" text "${text}")
+      string(REGEX REPLACE "[^\n${mark}]*${mark}${header}\\.h[^\n]*\n([^\n${mark}]*\n)*" "" text "${text}")
+    endforeach()
+  endforeach()
+  string(REPLACE "${mark}${mark}" "" text "${text}")
+  string(REPLACE "${mark}" "---- " text "${text}")
+  file(CONFIGURE OUTPUT ${to} CONTENT "${text}" @ONLY)
+endfunction()
+
+# The headers and the sources of the Fortran modules: as they stand here, or copies that declare what is there.
+set(folder ${PROJECT_SOURCE_DIR}/include)
+set(HSP_FORTRAN_FOLDER ${PROJECT_SOURCE_DIR}/capi/fortran)
+if(HSP_LEFT_OUT)
+  set(folder ${PROJECT_BINARY_DIR}/include)
+  set(HSP_FORTRAN_FOLDER ${PROJECT_BINARY_DIR}/fortran)
+  file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/hardsphere/*.h)
+  foreach(component ${HSP_LEFT_OUT})
+    list(TRANSFORM HSP_${component}_HEADERS REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/include/hardsphere/\\1.h"
+      OUTPUT_VARIABLE own)
+    list(REMOVE_ITEM headers ${own})
+    list(TRANSFORM HSP_${component}_HEADERS REPLACE "(.+)" "${folder}/hardsphere/\\1.h" OUTPUT_VARIABLE own)
+    file(REMOVE ${own})
+  endforeach()
+  foreach(header ${headers})
+    get_filename_component(name ${header} NAME)
+    configure_file(${header} ${folder}/hardsphere/${name} COPYONLY)
+  endforeach()
+  foreach(header hardsphere.h hardsphere_workspace.h)
+    hsp_copy_what_is_there(${PROJECT_SOURCE_DIR}/include/${header} ${folder}/${header})
+  endforeach()
+  foreach(module hardsphere.f90 hardsphere_workspace.f90)
+    hsp_copy_what_is_there(${PROJECT_SOURCE_DIR}/capi/fortran/${module} ${HSP_FORTRAN_FOLDER}/${module})
+  endforeach()
+endif()
+set(HSP_INCLUDE_FOLDER ${folder} CACHE INTERNAL "Where the headers are")
