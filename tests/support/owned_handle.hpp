@@ -34,131 +34,74 @@ class OwnedModel {
 };
 
 // Kinds of handles with limits. By the header so many enlargements by what a handle asks for lead to success.
-struct BoundaryKind {
-  using Handle = hsp_boundary;
-  using Limits = hsp_boundary_limits;
-  static constexpr int enlargements = 2;
-  static constexpr std::array limits = {&Limits::balls, &Limits::neighbours, &Limits::vertices, &Limits::circles};
-  static constexpr const char *name = "hsp_boundary";
-  static constexpr auto bytes = hsp_boundary_bytes;
-  static constexpr auto init = hsp_boundary_init;
+template <class HandleOfKind, class LimitsOfKind, int most_enlargements, auto bytes_of_limits, auto init_of_kind>
+struct KindOf {
+  using Handle = HandleOfKind;
+  using Limits = LimitsOfKind;
+  static constexpr int enlargements = most_enlargements;
+  static constexpr auto bytes = bytes_of_limits;
+  static constexpr auto init = init_of_kind;
 };
-struct SurfaceKind {
-  using Handle = hsp_surface;
-  using Limits = hsp_surface_limits;
-  static constexpr int enlargements = 4;
+struct BoundaryKind : KindOf<hsp_boundary, hsp_boundary_limits, 2, hsp_boundary_bytes, hsp_boundary_init> {
+  static constexpr const char *name = "hsp_boundary";
+  static constexpr std::array limits = {&Limits::balls, &Limits::neighbours, &Limits::vertices, &Limits::circles};
+};
+struct SurfaceKind : KindOf<hsp_surface, hsp_surface_limits, 4, hsp_surface_bytes, hsp_surface_init> {
+  static constexpr const char *name = "hsp_surface";
   static constexpr std::array limits = {&Limits::vertices, &Limits::faces, &Limits::neighbours,
                                         &Limits::pieces,   &Limits::arcs,  &Limits::cusped_circles};
-  static constexpr const char *name = "hsp_surface";
-  static constexpr auto bytes = hsp_surface_bytes;
-  static constexpr auto init = hsp_surface_init;
 };
-struct MeshKind {
-  using Handle = hsp_mesh;
-  using Limits = hsp_mesh_limits;
-  static constexpr int enlargements = 20;
+struct MeshKind : KindOf<hsp_mesh, hsp_mesh_limits, 20, hsp_mesh_bytes, hsp_mesh_init> {
+  static constexpr const char *name = "hsp_mesh";
   static constexpr std::array limits = {&Limits::balls, &Limits::curves, &Limits::vertices, &Limits::triangles,
                                         &Limits::points};
-  static constexpr const char *name = "hsp_mesh";
-  static constexpr auto bytes = hsp_mesh_bytes;
-  static constexpr auto init = hsp_mesh_init;
 };
-struct TopologyKind {
-  using Handle = hsp_topology;
-  using Limits = hsp_topology_limits;
-  static constexpr int enlargements = 3;
-  static constexpr std::array limits = {&Limits::balls, &Limits::neighbours, &Limits::edges, &Limits::cut_arcs};
+struct TopologyKind : KindOf<hsp_topology, hsp_topology_limits, 3, hsp_topology_bytes, hsp_topology_init> {
   static constexpr const char *name = "hsp_topology";
-  static constexpr auto bytes = hsp_topology_bytes;
-  static constexpr auto init = hsp_topology_init;
+  static constexpr std::array limits = {&Limits::balls, &Limits::neighbours, &Limits::edges, &Limits::cut_arcs};
 };
-struct ContactsKind {
-  using Handle = hsp_contacts;
-  using Limits = hsp_contacts_limits;
-  static constexpr int enlargements = 3;
-  static constexpr std::array limits = {&Limits::balls, &Limits::neighbours, &Limits::contacts};
+struct ContactsKind : KindOf<hsp_contacts, hsp_contacts_limits, 3, hsp_contacts_bytes, hsp_contacts_init> {
   static constexpr const char *name = "hsp_contacts";
-  static constexpr auto bytes = hsp_contacts_bytes;
-  static constexpr auto init = hsp_contacts_init;
+  static constexpr std::array limits = {&Limits::balls, &Limits::neighbours, &Limits::contacts};
 };
-struct ViewKind {
-  using Handle = hsp_view;
-  using Limits = hsp_view_limits;
-  static constexpr int enlargements = 3;
-  static constexpr std::array limits = {&Limits::balls, &Limits::neighbours, &Limits::arcs};
+struct ViewKind : KindOf<hsp_view, hsp_view_limits, 3, hsp_view_bytes, hsp_view_init> {
   static constexpr const char *name = "hsp_view";
-  static constexpr auto bytes = hsp_view_bytes;
-  static constexpr auto init = hsp_view_init;
+  static constexpr std::array limits = {&Limits::balls, &Limits::neighbours, &Limits::arcs};
 };
-struct MapKind {
-  using Handle = hsp_map;
-  using Limits = hsp_map_limits;
-  static constexpr int enlargements = 12;
-  static constexpr std::array limits = {&Limits::balls, &Limits::neighbours, &Limits::edges};
+struct MapKind : KindOf<hsp_map, hsp_map_limits, 12, hsp_map_bytes, hsp_map_init> {
   static constexpr const char *name = "hsp_map";
-  static constexpr auto bytes = hsp_map_bytes;
-  static constexpr auto init = hsp_map_init;
+  static constexpr std::array limits = {&Limits::balls, &Limits::neighbours, &Limits::edges};
 };
-struct SticksKind {
-  using Handle = hsp_sticks;
-  using Limits = hsp_sticks_limits;
-  static constexpr int enlargements = 12;
-  static constexpr std::array limits = {&Limits::balls, &Limits::sticks, &Limits::pairs, &Limits::edges};
+struct SticksKind : KindOf<hsp_sticks, hsp_sticks_limits, 12, hsp_sticks_bytes, hsp_sticks_init> {
   static constexpr const char *name = "hsp_sticks";
-  static constexpr auto bytes = hsp_sticks_bytes;
-  static constexpr auto init = hsp_sticks_init;
+  static constexpr std::array limits = {&Limits::balls, &Limits::sticks, &Limits::pairs, &Limits::edges};
 };
-struct CellsKind {
-  using Handle = hsp_cells;
-  using Limits = hsp_cells_limits;
-  static constexpr int enlargements = 6;
+struct CellsKind : KindOf<hsp_cells, hsp_cells_limits, 6, hsp_cells_bytes, hsp_cells_init> {
+  static constexpr const char *name = "hsp_cells";
   static constexpr std::array limits = {&Limits::cubes,       &Limits::entries,    &Limits::cells,
                                         &Limits::adjacencies, &Limits::landmarks,  &Limits::facets,
                                         &Limits::corners,     &Limits::cube_balls, &Limits::cube_corners};
-  static constexpr const char *name = "hsp_cells";
-  static constexpr auto bytes = hsp_cells_bytes;
-  static constexpr auto init = hsp_cells_init;
 };
-struct PathsKind {
-  using Handle = hsp_paths;
-  using Limits = hsp_paths_limits;
-  static constexpr int enlargements = 7;
+struct PathsKind : KindOf<hsp_paths, hsp_paths_limits, 7, hsp_paths_bytes, hsp_paths_init> {
+  static constexpr const char *name = "hsp_paths";
   static constexpr std::array limits = {&Limits::cubes,        &Limits::entries, &Limits::cells,   &Limits::adjacencies,
                                         &Limits::landmarks,    &Limits::facets,  &Limits::corners, &Limits::cube_balls,
                                         &Limits::cube_corners, &Limits::points};
-  static constexpr const char *name = "hsp_paths";
-  static constexpr auto bytes = hsp_paths_bytes;
-  static constexpr auto init = hsp_paths_init;
 };
-struct GateKind {
-  using Handle = hsp_gate;
-  using Limits = hsp_gate_limits;
-  static constexpr int enlargements = 40;
+struct GateKind : KindOf<hsp_gate, hsp_gate_limits, 40, hsp_gate_bytes, hsp_gate_init> {
+  static constexpr const char *name = "hsp_gate";
   static constexpr std::array limits = {&Limits::balls,       &Limits::cubes,       &Limits::entries, &Limits::cells,
                                         &Limits::adjacencies, &Limits::landmarks,   &Limits::facets,  &Limits::corners,
                                         &Limits::cube_balls,  &Limits::cube_corners};
-  static constexpr const char *name = "hsp_gate";
-  static constexpr auto bytes = hsp_gate_bytes;
-  static constexpr auto init = hsp_gate_init;
 };
-struct PeriodicKind {
-  using Handle = hsp_periodic;
-  using Limits = hsp_periodic_limits;
-  static constexpr int enlargements = 5;
+struct PeriodicKind : KindOf<hsp_periodic, hsp_periodic_limits, 5, hsp_periodic_bytes, hsp_periodic_init> {
+  static constexpr const char *name = "hsp_periodic";
   static constexpr std::array limits = {&Limits::balls,    &Limits::images,  &Limits::neighbours,
                                         &Limits::vertices, &Limits::circles, &Limits::contacts};
-  static constexpr const char *name = "hsp_periodic";
-  static constexpr auto bytes = hsp_periodic_bytes;
-  static constexpr auto init = hsp_periodic_init;
 };
-struct MovingKind {
-  using Handle = hsp_moving;
-  using Limits = hsp_moving_limits;
-  static constexpr int enlargements = 2;
-  static constexpr std::array limits = {&Limits::balls, &Limits::neighbours};
+struct MovingKind : KindOf<hsp_moving, hsp_moving_limits, 2, hsp_moving_bytes, hsp_moving_init> {
   static constexpr const char *name = "hsp_moving";
-  static constexpr auto bytes = hsp_moving_bytes;
-  static constexpr auto init = hsp_moving_init;
+  static constexpr std::array limits = {&Limits::balls, &Limits::neighbours};
 };
 
 // A handle of such a kind. Calls that fail throw std::runtime_error.
