@@ -8,10 +8,10 @@ readme=lib/README.md
 
 # What each room stands on. It may include itself, these rooms, and what these stand on. Two wings stand over the
 # boundary: topology, measure, contacts, periodic and surface know nothing of view, visibility, sticks and picture, nor
-# these of them. Cells of free space, paths through them and poses need no boundary.
-rooms="core exact model cells paths poses sphere boundary topology measure moving contacts periodic surface mesh"
+# these of them. Cells of free space, paths through them, pores and poses need no boundary.
+rooms="core exact model cells paths pores poses sphere boundary topology measure moving contacts periodic surface mesh"
 rooms+=" view visibility sticks picture capi"
-declare -A stands_on=([core]="" [exact]="core" [model]="exact" [cells]="model" [paths]="cells" [poses]="model" [sphere]="model"
+declare -A stands_on=([core]="" [exact]="core" [model]="exact" [cells]="model" [paths]="cells" [pores]="model" [poses]="model" [sphere]="model"
   [boundary]="sphere" [topology]="boundary" [measure]="topology" [moving]="measure" [contacts]="measure" [periodic]="contacts" [surface]="measure" [mesh]="surface"
   [view]="boundary" [visibility]="view" [sticks]="visibility" [picture]="view"
   [capi]="paths poses moving periodic mesh visibility sticks picture")
