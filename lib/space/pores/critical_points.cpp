@@ -10,7 +10,7 @@ namespace {
 
 using exact::Vector;
 
-constexpr uint32_t few = 7;          // balls all sets of which are tried
+constexpr uint32_t few = 6;          // balls all sets of which are tried
 constexpr uint32_t most_cubes = 64;  // that are being halved: from 2^52 steps down to the least
 constexpr int64_t least_half = 4;
 constexpr double root_of_three = 1.7320508075688774;
@@ -83,28 +83,33 @@ struct CriticalPoints::Directions {
     }
     return false;
   }
-  // Whether 0 is certainly outside the hull of three or four of them everywhere in the cube.
-  bool is_outside(uint32_t i, uint32_t j, uint32_t k) const {
+  // The plane through three of them: n.x = offset, and how far that can be off anywhere in the cube.
+  struct Face {
+    Vec3 n;
+    double length, offset, tolerance;
+  };
+  Face face(uint32_t i, uint32_t j, uint32_t k) const {
+    const Vec3 n = cross(a[j] - a[i], a[k] - a[i]);
     const double far = larger(larger(spread[i], spread[j]), spread[k]);
-    const Vec3 u = a[j] - a[i], v = a[k] - a[i], n = cross(u, v);
-    const double nn = std::sqrt(dot(n, n));
-    if (std::fabs(dot(n, a[i])) > far * nn + slack) return true;
+    const double length = std::sqrt(dot(n, n));
+    return {n, length, dot(n, a[i]), far * length + slack};
+  }
+  // Whether 0 is certainly outside the triangle of three of them everywhere in the cube.
+  bool is_outside(const Face &face, uint32_t i, uint32_t j, uint32_t k) const {
+    if (std::fabs(face.offset) > face.tolerance) return true;
+    const double far = larger(larger(spread[i], spread[j]), spread[k]);
     const auto beyond = [&](const Vec3 &from, const Vec3 &to) {
-      const Vec3 inward = cross(n, to - from);
-      return dot(inward, from) > far * std::sqrt(dot(inward, inward)) + slack;
+      const Vec3 inward = cross(face.n, to - from);
+      const double height = dot(inward, from) - slack;
+      return height > 0.0 && height * height > far * far * dot(inward, inward);
     };
     return beyond(a[i], a[j]) || beyond(a[j], a[k]) || beyond(a[k], a[i]);
   }
-  bool is_outside(uint32_t i, uint32_t j, uint32_t k, uint32_t l) const {
-    const double far = larger(larger(spread[i], spread[j]), larger(spread[k], spread[l]));
-    const auto beyond = [&](const Vec3 &p, const Vec3 &q, const Vec3 &r, const Vec3 &opposite) {
-      const Vec3 n = cross(q - p, r - p);
-      const double offset = dot(n, p), depth = dot(n, opposite) - offset;
-      const double tolerance = far * std::sqrt(dot(n, n)) + slack;
-      return depth > 0.0 ? offset > tolerance : -offset > tolerance;
-    };
-    return beyond(a[i], a[j], a[k], a[l]) || beyond(a[i], a[j], a[l], a[k]) || beyond(a[i], a[k], a[l], a[j]) ||
-           beyond(a[j], a[k], a[l], a[i]);
+  // Whether 0 and the fourth corner of a tetrahedron are certainly on different sides of a face.
+  bool separates(const Face &face, uint32_t opposite) const {
+    const double height = dot(face.n, a[opposite]), tolerance = face.length * spread[opposite] + slack;
+    return height > face.offset ? face.offset > face.tolerance && height > tolerance
+                                : -face.offset > face.tolerance && -height > tolerance;
   }
   // A lower bound of how far 0 is inside the hull; not positive if it is outside or nearly.
   double depth_of_hull(uint32_t count) const {
@@ -291,6 +296,10 @@ void CriticalPoints::settle_ties(Cube &cube) {
   const Span<const uint32_t> near = candidates_.part(cube.first, cube.last);
   const uint32_t count = near.size();
   if (count > Directions::room || count > limits_.near) return;
+  // Near the centres of balls nothing can be settled that is as large as a part of the cube.
+  for (const uint32_t ball : near) {
+    if (distance(balls, ball, cube.centre) < 4.0 * static_cast<double>(cube.half)) return;
+  }
   // Four of them that are far apart.
   uint32_t set[4] = {near[0], near[0], near[0], near[0]};
   double best[3] = {0.0, 0.0, 0.0};
@@ -361,23 +370,34 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Vector &centre, i
   }
   const bool directed = n <= Directions::room;
   const Directions directions(*balls_, near.part(0, directed ? n : 0), centre, reach_of(half));
-  uint32_t ids[4];
+  // Faces of few balls are kept, each being that of several tetrahedra.
+  Directions::Face faces[few][few][few];
+  const bool kept = n <= few;
+  for (uint32_t i = 0; kept && i < n; ++i) {
+    for (uint32_t j = i + 1; j < n; ++j) {
+      for (uint32_t k = j + 1; k < n; ++k) faces[i][j][k] = directions.face(i, j, k);
+    }
+  }
+  const auto face = [&](uint32_t i, uint32_t j, uint32_t k) {
+    return kept ? faces[i][j][k] : directions.face(i, j, k);
+  };
   for (uint32_t i = 0; i < n; ++i) {
     for (uint32_t j = i + 1; j < n; ++j) {
       for (uint32_t k = j + 1; k < n; ++k) {
-        ids[0] = near[i];
-        ids[1] = near[j];
-        ids[2] = near[k];
-        ids[3] = no_id;
-        if (!directed || !directions.is_outside(i, j, k)) {
+        const Directions::Face own = directed ? face(i, j, k) : Directions::Face{};
+        const uint32_t three[4] = {near[i], near[j], near[k], no_id};
+        if (!directed || !directions.is_outside(own, i, j, k)) {
           ++work_.triples;
-          try_point(ids, 3, near, centre, half);
+          try_point(three, 3, near, centre, half);
         }
         for (uint32_t l = k + 1; l < n; ++l) {
-          if (directed && directions.is_outside(i, j, k, l)) continue;
+          if (directed && (directions.separates(own, l) || directions.separates(face(i, j, l), k) ||
+                           directions.separates(face(i, k, l), j) || directions.separates(face(j, k, l), i))) {
+            continue;
+          }
           ++work_.quadruples;
-          ids[3] = near[l];
-          if (try_point(ids, 4, near, centre, half) && alone) return;
+          const uint32_t four[4] = {near[i], near[j], near[k], near[l]};
+          if (try_point(four, 4, near, centre, half) && alone) return;
         }
       }
     }
@@ -388,23 +408,26 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Vector &centre, i
 bool CriticalPoints::try_point(const uint32_t *ids, uint32_t count, Span<const uint32_t> near, const Vector &centre,
                                int64_t half) {
   const BallSet &balls = *balls_;
-  const NameTable &names = count == 3 ? gate_names_ : maximum_names_;
-  if (names.find(ids) != no_id) return false;
-  if (count == 3 ? are_collinear(balls, ids[0], ids[1], ids[2]) : are_coplanar(balls, ids[0], ids[1], ids[2], ids[3])) {
-    return false;
-  }
   TangentPoint point;
   const bool found = point.find(balls, {ids[0], ids[1], ids[2]}, count == 3 ? no_id : ids[3], false);
-  // Most are elsewhere.
-  const Vec3 at = point.place_estimate();
-  const double room = static_cast<double>(half) + (found ? point.place_error() : 0.0);
-  if (found && (std::fabs(at.x - static_cast<double>(centre.x)) > room ||
-                std::fabs(at.y - static_cast<double>(centre.y)) > room ||
-                std::fabs(at.z - static_cast<double>(centre.z)) > room)) {
+  if (!found) {
+    beyond_reach_ = beyond_reach_ || point.beyond_reach();
     return false;
   }
-  bool kept = found && point.level_against(floor_) > 0;
-  for (uint32_t axis = 0; kept && axis < 3; ++axis) {
+  // Most are elsewhere.
+  const Vec3 at = point.place_estimate();
+  const double off[3] = {at.x - static_cast<double>(centre.x), at.y - static_cast<double>(centre.y),
+                         at.z - static_cast<double>(centre.z)};
+  const double doubt = point.place_error(), side = static_cast<double>(half);
+  bool certain = true;
+  for (const double distance : off) {
+    if (std::fabs(distance) > side + doubt) return false;
+    certain = certain && std::fabs(distance) < side - doubt;
+  }
+  if ((count == 3 ? gate_names_ : maximum_names_).find(ids) != no_id) return false;
+  bool kept = point.level_against(floor_) > 0 && !(count == 3 ? are_collinear(balls, ids[0], ids[1], ids[2])
+                                                              : are_coplanar(balls, ids[0], ids[1], ids[2], ids[3]));
+  for (uint32_t axis = 0; kept && !certain && axis < 3; ++axis) {
     const int64_t middle = axis == 0 ? centre.x : axis == 1 ? centre.y : centre.z;
     kept = point.against(axis, middle - half) >= 0 && point.against(axis, middle + half) <= 0;
   }
@@ -424,7 +447,7 @@ bool CriticalPoints::try_point(const uint32_t *ids, uint32_t count, Span<const u
   return kept && tied == near.size();
 }
 
-void CriticalPoints::add(const TangentPoint &point, PointKind kind, Span<const uint32_t> tied) {
+void CriticalPoints::add(TangentPoint &point, PointKind kind, Span<const uint32_t> tied) {
   CriticalPoint record{{}, 0.0, 0.0, {no_id, no_id, no_id, no_id}, tied.size(), clamped_count(tied_.required())};
   name_of(*balls_, point, tied, kind, record.ball);
   NameTable &names = kind == PointKind::gate ? gate_names_ : maximum_names_;

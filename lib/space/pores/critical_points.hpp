@@ -66,7 +66,7 @@ class CriticalPoints {
   void try_sets(Span<const uint32_t> near, const exact::Vector &centre, int64_t half, bool alone);
   bool try_point(const uint32_t *ids, uint32_t count, Span<const uint32_t> near, const exact::Vector &centre,
                  int64_t half);
-  void add(const TangentPoint &point, PointKind kind, Span<const uint32_t> tied);
+  void add(TangentPoint &point, PointKind kind, Span<const uint32_t> tied);
 
   const BallSet *balls_ = nullptr;
   int64_t floor_ = 0;

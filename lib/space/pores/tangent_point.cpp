@@ -90,9 +90,84 @@ struct SteepLine {
   Number A() const { return dot(Q, Q) - D * D; }
   Number b() const { return dot(P, Q); }
   Number c() const { return dot(P, P); }
+  Triple<Number> place(const Number &z) const {
+    return {(P.x + Q.x * z) / D, (P.y + Q.y * z) / D, (P.z + Q.z * z) / D};
+  }
 
   Triple<Number> P, Q;
   Number D;
+};
+
+// The same in plain doubles with static bounds. Let the v have lengths up to l1, l2, l3, M be their product, S the sum of
+// those of balls, and u = 2^-53. Products of other v are wrong by 6 u of their length, so that a component of a cross
+// product N is by (3 + 24) u l l, D by l (27 sqrt(3) + 6 sqrt(3) + 4) u l l, below 80 u M; w by 10 u l^2, as |e| < l, P by
+// (27 + 10 + 5) u M S, below 64 u M S, and Q by 3 (27 + 5) u M, below 128 u M.
+struct RoughLine {
+  RoughLine(const BallSet &balls, const TangentCurve &curve, uint32_t last) {
+    struct PlainRow {
+      Vec3 v;
+      double e, w;
+    };
+    const auto row = [&](uint32_t ball) {
+      const Vec3 C = balls.difference(curve.base, ball);
+      const double e = balls.r[ball] - balls.r[curve.base];
+      return PlainRow{C, e, dot(C, C) - e * e};
+    };
+    const auto length = [](const Vec3 &v) { return 1.0001 * std::sqrt(dot(v, v)); };
+    const PlainRow first = row(curve.second);
+    PlainRow second = row(curve.third);
+    double S = length(first.v);
+    double M = S;
+    Vec3 normal = cross(first.v, second.v);
+    if (curve.in_plane) {
+      second = {normal, 0.0, 0.0};
+      normal = cross(first.v, second.v);
+      M *= length(second.v);
+    } else {
+      const double l = length(second.v);
+      M *= l;
+      S += l;
+    }
+    const PlainRow third = last == no_id ? PlainRow{normal, 0.0, 0.0} : row(last);
+    const double l = length(third.v);
+    M *= l;
+    if (last != no_id) S += l;
+    const Vec3 N1 = cross(second.v, third.v), N2 = cross(third.v, first.v);
+    const double error_P = 64 * unit_roundoff * M * S, error_Q = 128 * unit_roundoff * M;
+    D = {dot(first.v, N1), 80 * unit_roundoff * M};
+    const Vec3 p = combine(first.w, N1, second.w, N2) + third.w * normal;
+    const Vec3 q = combine(-first.e, N1, -second.e, N2) - third.e * normal;
+    P = p;
+    Q = q;
+    error_of_P = error_P;
+    error_of_Q = error_Q;
+    // Sums of three products, of vectors whose components are wrong by the same: sqrt(3) < 1.75.
+    const double PP = dot(P, P), QQ = dot(Q, Q), size_P = std::sqrt(PP) + 2.0 * error_P,
+                 size_Q = std::sqrt(QQ) + 2.0 * error_Q;
+    const double rounding = 4 * unit_roundoff;
+    square_Q = {QQ, 3.5 * size_Q * error_Q + rounding * size_Q * size_Q};
+    product = {dot(P, Q), 1.75 * (size_P * error_Q + size_Q * error_P) + rounding * size_P * size_Q};
+    square_P = {PP, 3.5 * size_P * error_P + rounding * size_P * size_P};
+    length_of_Q = size_Q;
+  }
+  Bounded A() const { return square_Q - D * D; }
+  Bounded b() const { return product; }
+  Bounded c() const { return square_P; }
+  // (P + Q z) / D, all components with one bound.
+  Triple<Bounded> place(const Bounded &z) const {
+    const double inverse = 1.0 / D.value;
+    const Vec3 y = combine(inverse, P, inverse * z.value, Q);
+    const double size = std::fabs(z.value) + z.error;
+    const double least = std::fabs(D.value) - D.error, length = std::sqrt(dot(P, P)) + length_of_Q * size;
+    const double error =
+        1.001 * ((error_of_P + error_of_Q * size + length_of_Q * z.error + 8 * unit_roundoff * length) / least +
+                 length * D.error / (least * least));
+    return {{y.x, error}, {y.y, error}, {y.z, error}};
+  }
+
+  Vec3 P, Q;
+  Bounded D, square_P, product, square_Q;
+  double error_of_P, error_of_Q, length_of_Q;
 };
 
 template <class Number>
@@ -152,29 +227,30 @@ bool TangentPoint::find(const BallSet &balls, const TangentCurve &curve, uint32_
   last_ = last;
   rising_ = rising;
   line_known_ = beyond_reach_ = false;
-  const CurveRows<Bounded> rows(balls, curve);
-  const SteepLine<Bounded> line(rows, last_row(balls, curve, rows, last));
-  z_ = {0.0, std::numeric_limits<double>::infinity()};
-  y_ = {z_, z_, z_};
-  bool certain = false;
-  if (line.D.sign() != 0) {
-    const Bounded A = rising ? -line.A() : line.A(), b = rising ? -line.b() : line.b(),
-                  c = rising ? -line.c() : line.c();
-    const Bounded discriminant = b * b - A * c;
-    if (discriminant.sign() < 0) return false;
-    const Bounded root = square_root(discriminant);
-    z_ = b.value < 0.0 ? c / (root - b) : (-b - root) / A;
-    if (z_.sign() < 0) return false;
-    certain = z_.sign() > 0;
-    const auto place = [&](const Bounded &p, const Bounded &q) { return (p + q * z_) / line.D; };
-    y_ = {place(line.P.x, line.Q.x), place(line.P.y, line.Q.y), place(line.P.z, line.Q.z)};
-  }
-  if (certain) return true;
+  const int known = estimate(RoughLine(balls, curve, last));
+  if (known != 0) return known > 0;
   if (is_beyond_reach(balls, curve, last)) {
     beyond_reach_ = true;
     return false;
   }
   return find_line() && has_root() && sign_at_root(line_.p, line_.q) * line_.D.sign() > 0;
+}
+
+// Both stages of doubles: 1 if there is certainly a point, -1 if certainly none, 0 if nothing is certain.
+template <class RoughLines>
+int TangentPoint::estimate(const RoughLines &line) {
+  z_ = {0.0, std::numeric_limits<double>::infinity()};
+  y_ = {z_, z_, z_};
+  if (line.D.sign() == 0) return 0;
+  const Bounded A = rising_ ? -line.A() : line.A(), b = rising_ ? -line.b() : line.b(),
+                c = rising_ ? -line.c() : line.c();
+  const Bounded discriminant = b * b - A * c;
+  if (discriminant.sign() < 0) return -1;
+  const Bounded root = square_root(discriminant);
+  z_ = b.value < 0.0 ? c / (root - b) : (-b - root) / A;
+  if (z_.sign() <= 0) return z_.sign();
+  y_ = line.place(z_);
+  return 1;
 }
 
 // The integers. False if the rows leave no line that crosses the cone in points.
@@ -280,10 +356,9 @@ int TangentPoint::side_of_curve(const TangentCurve &curve) const {
   });
 }
 
-int TangentPoint::departure(const TangentCurve &curve, uint32_t ball) const {
+int TangentPoint::departure(const TangentCurve &curve, int side, uint32_t ball) const {
   // (dy, dz) along the curve has v1.dy + e1 dz = v2.dy + e2 dz = 0 and y.dy = z dz, and the ball gets farther by
   // -(C.dy + e dz). That is, but for a factor of the sign of y.(v1 x v2), the determinant of (y, -z) and the rows.
-  const int side = side_of_curve(curve);
   const int turn = sign_of([&]<class Number>() {
     const CurveRows<Number> rows(*balls_, curve);
     const Row<Number> row = row_of<Number>(*balls_, curve.base, ball);
@@ -357,12 +432,19 @@ double TangentPoint::place_error() const {
   return (0.5 * (y_.x.error + y_.y.error + y_.z.error) + rounding) * (1.0 + 0x1p-50);
 }
 
-double TangentPoint::settle(Vec3 &place, double &level) const {
-  place = place_estimate();
-  level = level_estimate();
-  const double tolerable = 0x1p-45 * (std::fabs(z_.value) + std::fabs(level));
-  const double doubt = level_error();
-  if ((place_error() <= tolerable + 0x1p-20 && doubt <= tolerable) || beyond_reach_) return doubt;
+double TangentPoint::settle(Vec3 &place, double &level) {
+  double tolerable = 0.0, doubt = 0.0;
+  const auto is_good = [&] {
+    place = place_estimate();
+    level = level_estimate();
+    tolerable = 0x1p-42 * (std::fabs(z_.value) + std::fabs(level));
+    doubt = level_error();
+    return place_error() <= tolerable + 0x1p-20 && doubt <= tolerable;
+  };
+  if (is_good()) return doubt;
+  const CurveRows<Bounded> rows(*balls_, curve_);
+  estimate(SteepLine<Bounded>(rows, last_row(*balls_, curve_, rows, last_)));
+  if (is_good() || beyond_reach_) return doubt;
   if (is_beyond_reach(*balls_, curve_, last_) || !find_line()) return doubt;
   const auto scaled = [](const Long &a, int exponent) {
     int own = 0;

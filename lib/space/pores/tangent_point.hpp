@@ -60,9 +60,9 @@ class TangentPoint {
   int side_of_edge(const TangentCurve &plane, uint32_t i, uint32_t j) const;
   // On which side a point of a curve is: of the plane of its three centres, or of the line of its two in their plane.
   int side_of_curve(const TangentCurve &curve) const;
-  // Going up a curve from this point of it, on the side that it is on, which is not 0: whether a tied ball gets farther
+  // Going up a curve from this point of it, on the side that it is on, not 0: whether a tied ball gets farther
   // (+1) or nearer (-1) at once, or not at once (0).
-  int departure(const TangentCurve &curve, uint32_t ball) const;
+  int departure(const TangentCurve &curve, int side, uint32_t ball) const;
   // Sign of x - bound along an axis.
   int against(uint32_t axis, int64_t bound) const;
   // Sign of t - bound, and of t - t of another one.
@@ -74,8 +74,9 @@ class TangentPoint {
   double level_error() const { return 0.5 * z_.error + unit_roundoff * std::fabs(level_estimate()); }
   Vec3 place_estimate() const;
   double place_error() const;
-  // The same from the exact stage where the filter's error is large; returns how far the level may be off.
-  double settle(Vec3 &place, double &level) const;
+  // The same, by sharper bounds or by the exact stage where the filter's error is large; returns how far the level may be
+  // off.
+  double settle(Vec3 &place, double &level);
 
   // Whether a question was asked of balls that are too far apart for the exact stage; its answer means nothing then.
   bool beyond_reach() const { return beyond_reach_; }
@@ -86,6 +87,8 @@ class TangentPoint {
     LongInteger p, q, D, A, b, c;
     bool flat = false;
   };
+  template <class RoughLines>
+  int estimate(const RoughLines &line);
   template <class Make>
   int sign_of(const Make &make) const;
   bool find_line() const;

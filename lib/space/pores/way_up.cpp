@@ -50,7 +50,7 @@ bool WayUp::is_tied(uint32_t ball) const {
 // Whether no nearest ball gets nearer at once.
 bool WayUp::is_open(const Way &way) {
   for (const uint32_t ball : tied_.items()) {
-    if (!is_of_curve(way.curve, ball) && point_.departure(way.curve, ball) < 0) return false;
+    if (!is_of_curve(way.curve, ball) && point_.departure(way.curve, way.side, ball) < 0) return false;
   }
   return true;
 }
@@ -276,7 +276,6 @@ Status WayUp::climb(const CriticalPoint &gate, Span<const uint32_t> tied, bool o
     if (const Status status = follow(way, outside); status != Status::ok || outside) return status;
     if (leave(way)) continue;
     if (beyond_reach_ || point_.beyond_reach()) return Status::range;
-    if (kind_of(balls, point_, tied_.items()) != PointKind::maximum) return Status::check;
     name_of(balls, point_, tied_.items(), PointKind::maximum, name);
     return Status::ok;
   }

@@ -195,7 +195,7 @@ TEST(TangentPoint, DepartureAlongCurves) {
       if (!(std::fabs(gap(1, z0 + step)) < 1e-9)) continue;  // beyond the top of the curve
       const double there = gap(ball, z0 + step);
       if (std::fabs(there) < 1e-7) continue;
-      ASSERT_EQ(point.departure(curve, ball), there > 0.0 ? 1 : -1) << oracle::to_text(set.balls);
+      ASSERT_EQ(point.departure(curve, side, ball), there > 0.0 ? 1 : -1) << oracle::to_text(set.balls);
       ++checked;
     }
   }
