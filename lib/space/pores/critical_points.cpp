@@ -168,6 +168,7 @@ void CriticalPoints::carve(Workspace &workspace, const CriticalLimits &limits) {
   gate_names_.carve(workspace, limits.gates);
   candidates_ = workspace.take<uint32_t>(limits.candidates);
   distance_ = workspace.take<double>(limits.candidates);
+  cubes_ = workspace.take<Cube>(most_cubes);
   at_point_ = workspace.take<uint32_t>(limits.near);
   cluster_ = workspace.take<uint32_t>(limits.near);
 }
@@ -203,17 +204,16 @@ Status CriticalPoints::find(const BallSet &balls, int64_t floor) {
   const auto middle = [&](double low, double high, double part) {
     return nearest(0.5 * (low + high)) + static_cast<int64_t>(part * (static_cast<double>(half) - 0.5 * extent - 2.0));
   };
-  Cube stack[most_cubes];
   uint32_t depth = 0;
-  stack[depth++] = {{middle(low_.x, high_.x, 0.311), middle(low_.y, high_.y, 0.427), middle(low_.z, high_.z, 0.241)},
-                    half,
-                    0,
-                    balls.n,
-                    0,
-                    {},
-                    0};
+  cubes_[depth++] = {{middle(low_.x, high_.x, 0.311), middle(low_.y, high_.y, 0.427), middle(low_.z, high_.z, 0.241)},
+                     half,
+                     0,
+                     balls.n,
+                     0,
+                     {},
+                     0};
   while (depth > 0) {
-    Cube &cube = stack[depth - 1];
+    Cube &cube = cubes_[depth - 1];
     if (cube.next_part == 8) {
       --depth;
       continue;
@@ -238,7 +238,7 @@ Status CriticalPoints::find(const BallSet &balls, int64_t floor) {
     }
     settle_ties(child);
     if (is_settled(child)) continue;
-    stack[depth++] = child;
+    cubes_[depth++] = child;
   }
   needed_.maxima = clamped_count(maxima_.required());
   needed_.gates = clamped_count(gates_.required());
@@ -371,15 +371,16 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Vector &centre, i
   const bool directed = n <= Directions::room;
   const Directions directions(*balls_, near.part(0, directed ? n : 0), centre, reach_of(half));
   // Faces of few balls are kept, each being that of several tetrahedra.
-  Directions::Face faces[few][few][few];
+  Directions::Face faces[few * (few - 1) * (few - 2) / 6];
+  const auto place = [](uint32_t i, uint32_t j, uint32_t k) { return k * (k - 1) * (k - 2) / 6 + j * (j - 1) / 2 + i; };
   const bool kept = n <= few;
   for (uint32_t i = 0; kept && i < n; ++i) {
     for (uint32_t j = i + 1; j < n; ++j) {
-      for (uint32_t k = j + 1; k < n; ++k) faces[i][j][k] = directions.face(i, j, k);
+      for (uint32_t k = j + 1; k < n; ++k) faces[place(i, j, k)] = directions.face(i, j, k);
     }
   }
   const auto face = [&](uint32_t i, uint32_t j, uint32_t k) {
-    return kept ? faces[i][j][k] : directions.face(i, j, k);
+    return kept ? faces[place(i, j, k)] : directions.face(i, j, k);
   };
   for (uint32_t i = 0; i < n; ++i) {
     for (uint32_t j = i + 1; j < n; ++j) {

@@ -76,6 +76,7 @@ class CriticalPoints {
   NameTable maximum_names_, gate_names_;
   Span<uint32_t> candidates_;
   Span<double> distance_;  // [candidates]
+  Span<Cube> cubes_;       // that are being halved
   Span<uint32_t> at_point_, cluster_;
   CriticalLimits limits_, needed_;
   Work work_;

@@ -1,4 +1,4 @@
-// Signed integers of up to 1856 bits as sign and magnitude: for polynomials of high degree, most of whose values are far
+// Signed integers of up to so many bits as sign and magnitude: for polynomials of high degree, most of whose values are far
 // shorter than their bounds, and products cost no more than what their factors have. No heap, no exceptions; the bounds
 // in tangent_point.hpp say that values fit.
 #pragma once
@@ -7,10 +7,10 @@
 
 namespace hsp {
 
+template <uint32_t bits>
 class LongInteger {
  public:
   using Limb = exact::FastLimb;
-  static constexpr uint32_t bits = 1856;
 
   LongInteger() = default;  // 0
   LongInteger(int64_t value) : negative_(value < 0) {
@@ -21,6 +21,12 @@ class LongInteger {
     trim();
   }
   LongInteger(const LongInteger &other) { *this = other; }
+  // A shorter one.
+  template <uint32_t fewer>
+  requires(fewer < bits) LongInteger(const LongInteger<fewer> &other)
+      : length_(other.length_), negative_(other.negative_) {
+    for (uint32_t k = 0; k < length_; ++k) limb_[k] = other.limb_[k];
+  }
   LongInteger &operator=(const LongInteger &other) {
     length_ = other.length_;
     negative_ = other.negative_;
@@ -70,6 +76,8 @@ class LongInteger {
   }
 
  private:
+  template <uint32_t>
+  friend class LongInteger;
   using Wide = exact::DoubleLimb<Limb>::type;
   static constexpr uint32_t limb_bits = sizeof(Limb) * 8;
   static constexpr uint32_t limbs = bits / limb_bits;

@@ -7,7 +7,8 @@ namespace hsp {
 namespace {
 
 using Bounded = BoundedDouble;
-using Long = LongInteger;
+using Integer = TangentPoint::Integer;
+using Long = TangentPoint::Long;
 
 template <class Number>
 using Triple = NumberTriple<Number>;
@@ -36,8 +37,8 @@ Triple<Number> operator*(const Number &s, const Triple<Number> &a) {
 // Differences of coordinates and radii are integers below 2^53.
 template <class Number>
 Number number(double integer) {
-  if constexpr (std::is_same_v<Number, Long>) {
-    return Long(static_cast<int64_t>(integer));
+  if constexpr (std::is_same_v<Number, Integer>) {
+    return Integer(static_cast<int64_t>(integer));
   } else {
     return Bounded(integer);
   }
@@ -212,11 +213,18 @@ bool is_beyond_reach(const BallSet &balls, const TangentCurve &curve, uint32_t b
          (ball != no_id && is_beyond_reach(balls, curve.base, ball));
 }
 
+// x 2^exponent, by steps that are doubles.
+double scaled(double x, int exponent) {
+  for (; exponent > 0; exponent -= 32) x *= exponent < 32 ? static_cast<double>(INT64_C(1) << exponent) : 0x1p32;
+  for (; exponent < 0; exponent += 32) x /= exponent > -32 ? static_cast<double>(INT64_C(1) << -exponent) : 0x1p32;
+  return x;
+}
+
 // The filter's sign if it has one, else that of integers.
 template <class Make>
 int sign_of_number(const Make &make) {
   const int certain = make.template operator()<Bounded>().sign();
-  return certain != 0 ? certain : make.template operator()<Long>().sign();
+  return certain != 0 ? certain : make.template operator()<Integer>().sign();
 }
 
 }  // namespace
@@ -257,33 +265,34 @@ int TangentPoint::estimate(const RoughLines &line) {
 bool TangentPoint::find_line() const {
   if (line_known_) return line_found_;
   line_known_ = true;
-  const CurveRows<Long> rows(*balls_, curve_);
-  const Row<Long> third = last_row(*balls_, curve_, rows, last_);
-  const SteepLine<Long> steep(rows, third);
+  const CurveRows<Integer> rows(*balls_, curve_);
+  const Row<Integer> third = last_row(*balls_, curve_, rows, last_);
+  const SteepLine<Integer> steep(rows, third);
   line_.flat = steep.D.sign() == 0;
   line_found_ = true;
   if (!line_.flat) {
     line_.P = steep.P;
     line_.Q = steep.Q;
     line_.D = line_.q = steep.D;
-    line_.p = Long();
+    line_.p = Integer();
     line_.A = steep.A();
     line_.b = steep.b();
     line_.c = steep.c();
   } else {
     // The third v is a combination of the others, so that the rows have a z of their own, zeta / delta.
-    const Row<Long> &first = rows.first, &second = rows.second;
-    const Triple<Long> to_first = cross(second.v, rows.normal), to_second = cross(rows.normal, first.v);
-    const Long G = dot(rows.normal, rows.normal), g1 = dot(third.v, to_first), g2 = dot(third.v, to_second);
-    const Long delta = G * third.e - g1 * first.e - g2 * second.e, zeta = G * third.w - g1 * first.w - g2 * second.w;
+    const Row<Integer> &first = rows.first, &second = rows.second;
+    const Triple<Integer> to_first = cross(second.v, rows.normal), to_second = cross(rows.normal, first.v);
+    const Integer G = dot(rows.normal, rows.normal), g1 = dot(third.v, to_first), g2 = dot(third.v, to_second);
+    const Integer delta = G * third.e - g1 * first.e - g2 * second.e, zeta = G * third.w - g1 * first.w - g2 * second.w;
     line_.P = (first.w * delta - first.e * zeta) * to_first + (second.w * delta - second.e * zeta) * to_second;
     line_.Q = rows.normal;
     line_.D = G * delta;
     line_.p = G * zeta;
-    line_.q = Long();
+    line_.q = Integer();
     line_.A = G;
     line_.b = Long();
-    line_.c = dot(line_.P, line_.P) - line_.p * line_.p;
+    const Long x(line_.P.x), y(line_.P.y), z(line_.P.z), p(line_.p);
+    line_.c = x * x + y * y + z * z - p * p;
     line_found_ = line_.D.sign() != 0;
   }
   if (rising_) {
@@ -308,15 +317,15 @@ int TangentPoint::sign_of(const Make &make) const {
   const AffineForm<Bounded> rough = moved(*balls_, make.template operator()<Bounded>(), curve_.base);
   const int certain = (dot(rough.a, y_) + rough.c * z_ + rough.k).sign();
   if (certain != 0) return certain;
-  const AffineForm<Long> form = make.template operator()<Long>();
+  const AffineForm<Integer> form = make.template operator()<Integer>();
   if (beyond_reach_ || is_beyond_reach(*balls_, curve_, last_) || is_beyond_reach(*balls_, curve_.base, form.origin)) {
     beyond_reach_ = true;
     return 0;
   }
   if (!find_line()) return 0;
-  const AffineForm<Long> own = moved(*balls_, form, curve_.base);
-  const Long constant = dot(own.a, line_.P) + own.c * line_.p + own.k * line_.D;
-  const Long slope = dot(own.a, line_.Q) + own.c * line_.q;
+  const AffineForm<Integer> own = moved(*balls_, form, curve_.base);
+  const Integer constant = dot(own.a, line_.P) + own.c * line_.p + own.k * line_.D;
+  const Integer slope = dot(own.a, line_.Q) + own.c * line_.q;
   return sign_at_root(constant, slope) * line_.D.sign();
 }
 
@@ -394,18 +403,15 @@ int TangentPoint::compare_levels(const TangentPoint &other) const {
   const double shift = 2.0 * (balls_->r[other.curve_.base] - balls_->r[curve_.base]);
   const int certain = (z_ - other.z_ + Bounded(shift)).sign();
   if (certain != 0) return certain;
-  for (const TangentPoint *point : {this, &other}) {
-    if (is_beyond_reach(*balls_, point->curve_, point->last_)) beyond_reach_ = true;
-  }
+  if (is_beyond_reach(*balls_, curve_, last_) || is_beyond_reach(*balls_, other.curve_, other.last_))
+    beyond_reach_ = true;
   if (beyond_reach_ || !find_line() || !other.find_line()) return 0;
-  // z of this one less (z of the other one - shift).
-  const Long k(static_cast<int64_t>(shift)), twice(2);
-  if (other.line_.flat) {
-    const Long D = other.line_.D, p = other.line_.p - k * D;  // z of the other one, p / D, seen from this base
-    return sign_at_root(D * line_.p - p * line_.D, D * line_.q) * line_.D.sign() * D.sign();
-  }
-  if (line_.flat) return -other.compare_levels(*this);
+  // z of this one less that of the other one, as seen from there, and `shift` more.
+  const auto steps = static_cast<int64_t>(shift);
+  if (other.line_.flat) return compare_with_fixed(other.line_.p, other.line_.D, -steps);
+  if (line_.flat) return -other.compare_with_fixed(line_.p, line_.D, steps);
   const Line &own = line_;
+  const Long twice(2), k(steps);
   const Long A = other.line_.A, b = other.line_.b + A * k, c = other.line_.c + twice * (other.line_.b * k) + A * k * k;
   const int slope = sign_at_root(b, A);
   int value = 0;
@@ -418,6 +424,13 @@ int TangentPoint::compare_levels(const TangentPoint &other) const {
   if (value == 0 && slope < 0) return 0;
   const bool below = A.sign() > 0 ? value > 0 && slope < 0 : !(value <= 0 && slope < 0);
   return below ? -1 : 1;
+}
+
+// Sign of z - (zeta / delta + steps).
+int TangentPoint::compare_with_fixed(const Integer &zeta, const Integer &delta, int64_t steps) const {
+  const Integer there = zeta + Integer(steps) * delta;
+  const Long D(delta);
+  return sign_at_root(D * line_.p - Long(there) * line_.D, D * line_.q) * line_.D.sign() * delta.sign();
 }
 
 Vec3 TangentPoint::place_estimate() const {
@@ -446,15 +459,15 @@ double TangentPoint::settle(Vec3 &place, double &level) {
   estimate(SteepLine<Bounded>(rows, last_row(*balls_, curve_, rows, last_)));
   if (is_good() || beyond_reach_) return doubt;
   if (is_beyond_reach(*balls_, curve_, last_) || !find_line()) return doubt;
-  const auto scaled = [](const Long &a, int exponent) {
-    int own = 0;
-    const double mantissa = a.leading(own);
-    return std::ldexp(mantissa, own + exponent);
+  const auto number_of = [](const Integer &a) {
+    int exponent = 0;
+    const double mantissa = a.leading(exponent);
+    return scaled(mantissa, exponent);
   };
-  const auto quotient = [](const Long &a, const Long &b) {
+  const auto quotient = [](const Integer &a, const Integer &b) {
     int up = 0, down = 0;
     const double above = a.leading(up), below = b.leading(down);
-    return std::ldexp(above / below, up - down);
+    return scaled(above / below, up - down);
   };
   const BallSet &balls = *balls_;
   const uint32_t base = curve_.base;
@@ -470,20 +483,20 @@ double TangentPoint::settle(Vec3 &place, double &level) {
     const double root = std::sqrt(odd ? 2.0 * above / below : above / below);
     int of_D = 0;
     const double D = line_.D.leading(of_D);
-    const double height = std::ldexp((rising_ ? root : -root) / D, (up - down - (odd ? 1 : 0)) / 2 - of_D);
-    put(quotient(line_.P.x, line_.D) + height * scaled(line_.Q.x, 0),
-        quotient(line_.P.y, line_.D) + height * scaled(line_.Q.y, 0),
-        quotient(line_.P.z, line_.D) + height * scaled(line_.Q.z, 0), quotient(line_.p, line_.D));
+    const double height = scaled((rising_ ? root : -root) / D, (up - down - (odd ? 1 : 0)) / 2 - of_D);
+    put(quotient(line_.P.x, line_.D) + height * number_of(line_.Q.x),
+        quotient(line_.P.y, line_.D) + height * number_of(line_.Q.y),
+        quotient(line_.P.z, line_.D) + height * number_of(line_.Q.z), quotient(line_.p, line_.D));
     return tolerable + 0x1p-20;
   }
   // z to 2^-24 of a step, by halves: 2^24 z lies in [least, least + 2^size).
-  const Long unit(INT64_C(1) << 24);
-  Long least;
+  const Integer unit(INT64_C(1) << 24);
+  Integer least;
   for (int size = 62; size-- > 0;) {
-    const Long next = least + Long(INT64_C(1) << size);
+    const Integer next = least + Integer(INT64_C(1) << size);
     if (sign_at_root(-next, unit) >= 0) least = next;
   }
-  const Long D = line_.D * unit;
+  const Integer D = line_.D * unit;
   put(quotient(line_.P.x * unit + line_.Q.x * least, D), quotient(line_.P.y * unit + line_.Q.y * least, D),
       quotient(line_.P.z * unit + line_.Q.z * least, D), quotient(least, unit));
   return tolerable + 0x1p-20;
@@ -494,7 +507,7 @@ bool are_collinear(const BallSet &balls, uint32_t i, uint32_t j, uint32_t k) {
   const auto normal = [&]<class Number>() {
     return cross(difference<Number>(balls, i, j), difference<Number>(balls, i, k));
   };
-  return zero(normal.template operator()<Bounded>()) && zero(normal.template operator()<Long>());
+  return zero(normal.template operator()<Bounded>()) && zero(normal.template operator()<Integer>());
 }
 
 bool are_coplanar(const BallSet &balls, uint32_t i, uint32_t j, uint32_t k, uint32_t l) {

@@ -48,6 +48,10 @@ struct AffineForm {
 
 class TangentPoint {
  public:
+  // Of the rows, lines and forms, of degree 18 and below; of what is made of their products at a root.
+  using Integer = LongInteger<704>;
+  using Long = LongInteger<1856>;
+
   // On a curve and as near to one more ball; or in the plane of the curve's three centres, without one (no_id), which
   // is for curves of three balls. rising: with W' > 0. False if there is no such point, or if it has no z > 0.
   bool find(const BallSet &balls, const TangentCurve &curve, uint32_t last, bool rising);
@@ -83,8 +87,9 @@ class TangentPoint {
 
  private:
   struct Line {
-    NumberTriple<LongInteger> P, Q;
-    LongInteger p, q, D, A, b, c;
+    NumberTriple<Integer> P, Q;
+    Integer p, q, D;
+    Long A, b, c;
     bool flat = false;
   };
   template <class RoughLines>
@@ -93,7 +98,8 @@ class TangentPoint {
   int sign_of(const Make &make) const;
   bool find_line() const;
   bool has_root() const;
-  int sign_at_root(const LongInteger &constant, const LongInteger &slope) const;
+  int compare_with_fixed(const Integer &zeta, const Integer &delta, int64_t steps) const;
+  int sign_at_root(const Long &constant, const Long &slope) const;
 
   const BallSet *balls_ = nullptr;
   TangentCurve curve_;

@@ -10,7 +10,7 @@
 
 namespace {
 
-using hsp::LongInteger;
+using LongInteger = hsp::LongInteger<1856>;
 using oracle::BigInteger;
 
 struct Pair {
@@ -55,6 +55,10 @@ TEST(LongInteger, SumsAndProducts) {
     // (a + b)^2 = a^2 + 2 a b + b^2, to the last bit.
     const LongInteger sum = a.ours + b.ours;
     ASSERT_EQ((sum * sum - a.ours * a.ours - b.ours * b.ours - LongInteger(2) * a.ours * b.ours).sign(), 0);
+    // Of shorter ones.
+    const int64_t short_factor = random.in(-1000000000, 1000000000);
+    const hsp::LongInteger<128> shorter = hsp::LongInteger<128>(short_factor) * hsp::LongInteger<128>(short_factor - 1);
+    ASSERT_EQ((LongInteger(shorter) - LongInteger(short_factor) * LongInteger(short_factor - 1)).sign(), 0);
     // One more or one less is noticed.
     const LongInteger product = a.ours * b.ours;
     ASSERT_EQ((product + LongInteger(1) - product).sign(), 1);
@@ -75,7 +79,7 @@ TEST(LongInteger, SmallOnes) {
 // The widest products that tangent_point.hpp asks for.
 TEST(LongInteger, HasRoomForItsBits) {
   LongInteger power(1);
-  for (uint32_t k = 0; k + 1 < hsp::LongInteger::bits; ++k) power = power + power;
+  for (uint32_t k = 0; k + 1 < 1856; ++k) power = power + power;
   const LongInteger half = power - LongInteger(1);
   EXPECT_EQ((power - half).sign(), 1);
   EXPECT_EQ((half + LongInteger(1) - power).sign(), 0);
