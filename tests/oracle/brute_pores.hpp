@@ -21,7 +21,8 @@ struct CriticalSets {
 // By linear equations and both roots of the quadratic, in long doubles; for sets in general position.
 CriticalSets critical_sets(const Balls &outer);
 
-// How many pairs have the middle of their gap nearer than any other ball: the third kind of critical points. In integers.
+// How many pairs have the middle of their gap nearer than any other ball: the third kind of critical points. In
+// integers.
 int count_gaps(const Balls &outer);
 
 }  // namespace oracle

@@ -1,14 +1,14 @@
 // All maxima and gates above a floor.
 //
-// Cubes that cover all centres are halved until what may be nearest in one is few balls, or until one direction leads up
-// everywhere in it: then no critical point is there. Balls that are nearest somewhere in a cube are found by bounds in
-// doubles, rounded outward: f changes by no more than the way. So nothing is missed. Of the few all sets of three and four
-// are tried, and integers decide.
+// Cubes that cover all centres are halved until what may be nearest in one is few balls, or until one direction leads
+// up everywhere in it: then no critical point is there. Balls that are nearest somewhere in a cube are found by bounds
+// in doubles, rounded outward: f changes by no more than the way. So nothing is missed. Of the few all sets of three
+// and four are tried, and integers decide.
 //
 // Many balls that tie, or nearly, never become fewer. Let all balls within 2 delta of the nearest one at a point x be
 // within eps of it, and 0 be inside the hull of their directions by eta. At a distance d < delta from x no point is
-// critical if eps / d + 1.5 d / (D - d) < eta, D the least distance of the centres: what is nearest there all lies ahead,
-// so that the way back leads up. So a cube around x is settled at once where its sets are tried.
+// critical if eps / d + 1.5 d / (D - d) < eta, D the least distance of the centres: what is nearest there all lies
+// ahead, so that the way back leads up. So a cube around x is settled at once where its sets are tried.
 #pragma once
 
 #include "core/fixed_vector.hpp"
@@ -35,8 +35,8 @@ class CriticalPoints {
   };
 
   void carve(Workspace &workspace, const CriticalLimits &limits);
-  // Balls none of which lies inside another one. Status::capacity: a limit is too small, needed() tells what suffices as
-  // far as it is known. Status::range: balls of one question are too far apart.
+  // Balls none of which lies inside another one. Status::capacity: a limit is too small, needed() tells what suffices
+  // as far as it is known. Status::range: balls of one question are too far apart.
   Status find(const BallSet &balls, int64_t floor);
 
   const FixedVector<CriticalPoint> &maxima() const { return maxima_; }

@@ -1,6 +1,6 @@
-// Signed integers of up to so many bits as sign and magnitude: for polynomials of high degree, most of whose values are far
-// shorter than their bounds, and products cost no more than what their factors have. No heap, no exceptions; the bounds
-// in tangent_point.hpp say that values fit.
+// Signed integers of up to so many bits as sign and magnitude: for polynomials of high degree, most of whose values are
+// far shorter than their bounds, and products cost no more than what their factors have. No heap, no exceptions; the
+// bounds in tangent_point.hpp say that values fit.
 #pragma once
 
 #include "exact/wide_integer.hpp"

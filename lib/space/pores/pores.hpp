@@ -3,8 +3,8 @@
 //
 //   maximum   where f is largest nearby: four balls, more if they tie
 //   gate      where two components, or two ends of one, meet: three balls, more if they tie
-//   class     a component from its birth at a maximum to its death at a gate, where it merges into one that is older, of
-//             a larger birth. The outside is the oldest, and has no maximum
+//   class     a component from its birth at a maximum to its death at a gate, where it merges into one that is older,
+//             of a larger birth. The outside is the oldest, and has no maximum
 //
 // A probe fits at a point, or passes a gate, if it is narrower than f there. Ids of balls are the caller's. Levels are
 // radii of probes beyond the one that is in the model, in lattice steps.
@@ -19,8 +19,8 @@ namespace hsp {
 // Ends and parents that are no maximum.
 inline constexpr uint32_t pore_outside = no_id - 1;
 
-// A maximum or a gate as it is found. Its first three or four balls span it; all that tie follow in a list of their own if
-// they are more.
+// A maximum or a gate as it is found. Its first three or four balls span it; all that tie follow in a list of their own
+// if they are more.
 struct CriticalPoint {
   Vec3 place;
   double level;

@@ -72,8 +72,8 @@ Status PoresBuilder::build(const CubeGrid &grid, int64_t floor) {
   return Status::ok;
 }
 
-// Balls inside another one are nowhere nearest. The others in order of positions, so that nothing depends on the order in
-// which they are given.
+// Balls inside another one are nowhere nearest. The others in order of positions, so that nothing depends on the order
+// in which they are given.
 Status PoresBuilder::take_outer_balls(const CubeGrid &grid) {
   const BallSet &all = grid.balls();
   uint32_t count = 0;

@@ -27,8 +27,8 @@ class PoresBuilder {
  public:
   void carve(Workspace &workspace, const PoreLimits &limits);
 
-  // Of all maxima and gates above a floor, in steps. Status::capacity: a limit is too small, retry_limits(). Status::range:
-  // balls that touch one probe are more than 2^35 steps apart. Status::check cannot happen.
+  // Of all maxima and gates above a floor, in steps. Status::capacity: a limit is too small, retry_limits().
+  // Status::range: balls that touch one probe are more than 2^35 steps apart. Status::check cannot happen.
   Status build(const CubeGrid &grid, int64_t floor);
 
   // In descending order of levels; equal ones by their first balls, in the order of positions (exact/rank.hpp).

@@ -99,10 +99,10 @@ struct SteepLine {
   Number D;
 };
 
-// The same in plain doubles with static bounds. Let the v have lengths up to l1, l2, l3, M be their product, S the sum of
-// those of balls, and u = 2^-53. Products of other v are wrong by 6 u of their length, so that a component of a cross
-// product N is by (3 + 24) u l l, D by l (27 sqrt(3) + 6 sqrt(3) + 4) u l l, below 80 u M; w by 10 u l^2, as |e| < l, P by
-// (27 + 10 + 5) u M S, below 64 u M S, and Q by 3 (27 + 5) u M, below 128 u M.
+// The same in plain doubles with static bounds. Let the v have lengths up to l1, l2, l3, M be their product, S the sum
+// of those of balls, and u = 2^-53. Products of other v are wrong by 6 u of their length, so that a component of a
+// cross product N is by (3 + 24) u l l, D by l (27 sqrt(3) + 6 sqrt(3) + 4) u l l, below 80 u M; w by 10 u l^2, as |e|
+// < l, P by (27 + 10 + 5) u M S, below 64 u M S, and Q by 3 (27 + 5) u M, below 128 u M.
 struct RoughLine {
   RoughLine(const BallSet &balls, const TangentCurve &curve, uint32_t last) {
     struct PlainRow {

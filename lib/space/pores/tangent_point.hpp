@@ -1,19 +1,20 @@
 // Points that are equally far from several balls, and the signs of what is asked of them, decided by integers.
 //
-// One ball is the base: y = 2 (x - c), z = 2 (r + t) for a point x at the distance t from all balls of a set. With C and
-// e the differences of centre and radius from the base and w = |C|^2 - e^2, a ball is as near as the base iff
+// One ball is the base: y = 2 (x - c), z = 2 (r + t) for a point x at the distance t from all balls of a set. With C
+// and e the differences of centre and radius from the base and w = |C|^2 - e^2, a ball is as near as the base iff
 //   C.y + e z = w,       and nearer, tied or farther by the sign of  w - C.y - e z :
 // linear, beside |y|^2 = z^2. This holds if no ball lies inside another one, touching from within included; then z > 0
 // makes all distances of centres positive, too.
 //
 // Two such rows, or one and a plane through the base's centre, leave a curve; a third leaves a line in (y, z):
 //   y = (P + Q l) / D,  z = (p + q l) / D,   on which  |y|^2 - z^2 = 0  is  W(l) = A l^2 + 2 b l + c = 0 .
-// As a rule l is z. Where the rows fix z, as those of four centres in one plane do, l is the height over that plane.
-// Of the two roots one has W' < 0, the other W' > 0. Only the first can be a maximum or a gate: filtration needs no
-// other, ways up do. Sign of a form F + G l at the root with W' < 0: by W and W' at its zero -F/G, never by a square root.
+// As a rule l is z. Where the rows fix z, as those of four centres in one plane do, l is the height over that plane. Of
+// the two roots one has W' < 0, the other W' > 0. Only the first can be a maximum or a gate: filtration needs no other,
+// ways up do. Sign of a form F + G l at the root with W' < 0: by W and W' at its zero -F/G, never by a square root.
 //
-// The filter stage has all of this in doubles with error bounds; the exact stage in integers. Lengths below 2^36 between
-// the balls of a question (beyond_reach otherwise) give polynomials of degree 44 and below, less than 1620 bits:
+// The filter stage has all of this in doubles with error bounds; the exact stage in integers. Lengths below 2^36
+// between the balls of a question (beyond_reach otherwise) give polynomials of degree 44 and below, less than 1620
+// bits:
 //            D       P       Q       A, b, c       forms of degree       at the root
 //   4 balls  3       4       3       6, 7, 8       1 .. 5                up to 22
 //   3 balls  4       5       4       8, 9, 10      1 .. 5                up to 26
@@ -78,8 +79,8 @@ class TangentPoint {
   double level_error() const { return 0.5 * z_.error + unit_roundoff * std::fabs(level_estimate()); }
   Vec3 place_estimate() const;
   double place_error() const;
-  // The same, by sharper bounds or by the exact stage where the filter's error is large; returns how far the level may be
-  // off.
+  // The same, by sharper bounds or by the exact stage where the filter's error is large; returns how far the level may
+  // be off.
   double settle(Vec3 &place, double &level);
 
   // Whether a question was asked of balls that are too far apart for the exact stage; its answer means nothing then.
@@ -115,13 +116,13 @@ class TangentPoint {
 bool are_collinear(const BallSet &balls, uint32_t i, uint32_t j, uint32_t k);
 bool are_coplanar(const BallSet &balls, uint32_t i, uint32_t j, uint32_t k, uint32_t l);
 
-// Going up a curve of three balls, or of two in a plane, from the point nearest to their centres: whether a ball that is
-// tied there and whose centre is in the plane or on the line of those of the curve gets farther (+1) or nearer (-1), or
-// stays tied (0). The side is that which is gone up on, for a ball that is off the plane or the line.
+// Going up a curve of three balls, or of two in a plane, from the point nearest to their centres: whether a ball that
+// is tied there and whose centre is in the plane or on the line of those of the curve gets farther (+1) or nearer (-1),
+// or stays tied (0). The side is that which is gone up on, for a ball that is off the plane or the line.
 int departure_from_lowest(const BallSet &balls, const TangentCurve &curve, int side, uint32_t ball, bool &beyond_reach);
 
-// A curve in doubles: y = p + q z + h e with e across it and h^2 = -(A z^2 + 2 b z + c), seen from its base. error_at(z):
-// how far y may be off; infinite if nothing is known.
+// A curve in doubles: y = p + q z + h e with e across it and h^2 = -(A z^2 + 2 b z + c), seen from its base.
+// error_at(z): how far y may be off; infinite if nothing is known.
 struct CurveShape {
   Vec3 p, q, e;
   double A, b, c;

@@ -16,8 +16,8 @@ enum class PointKind : uint32_t { passing, gate, maximum };
 // Of a point and all balls that are nearest to it.
 PointKind kind_of(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied);
 
-// Whether a point is in the triangle of three centres, in whose plane it lies, or in the tetrahedron of four that are not
-// in one plane; sides included. on_side: whether it lies on one.
+// Whether a point is in the triangle of three centres, in whose plane it lies, or in the tetrahedron of four that are
+// not in one plane; sides included. on_side: whether it lies on one.
 bool is_in_triangle(const TangentPoint &point, uint32_t i, uint32_t j, uint32_t k, bool &on_side);
 bool is_in_tetrahedron(const BallSet &balls, const TangentPoint &point, const uint32_t *ids, bool &on_side);
 

@@ -1,9 +1,9 @@
-// Ways up from gates to maxima. From a point, with all balls that are nearest there, a curve of three of them is followed
-// on which f rises and no other gets nearer at once, to the first further ball; and again, up to a maximum. f rises all
-// the way, so that the maximum is in the component of free space that the way begins in.
+// Ways up from gates to maxima. From a point, with all balls that are nearest there, a curve of three of them is
+// followed on which f rises and no other gets nearer at once, to the first further ball; and again, up to a maximum. f
+// rises all the way, so that the maximum is in the component of free space that the way begins in.
 //
-// A curve that is an ellipse has a top, where it may end with no further ball. If the centres of all nearest balls are in
-// one plane with the point then, no curve of three leads up: the way goes on in that plane, with two balls.
+// A curve that is an ellipse has a top, where it may end with no further ball. If the centres of all nearest balls are
+// in one plane with the point then, no curve of three leads up: the way goes on in that plane, with two balls.
 //
 // Far away from all centres, beyond the box around them, is the outside.
 #pragma once
@@ -23,8 +23,8 @@ class WayUp {
   void prepare(const BallSet &balls, const CubeGrid &grid);
 
   // From a gate, all of whose balls are given, on the side where its three turn counter-clockwise or on the other one,
-  // to the name of a maximum, or to the outside. Status::capacity: near is too small. Status::range: balls of one question
-  // are too far apart. Status::check would mean that a point was neither a maximum nor left upwards.
+  // to the name of a maximum, or to the outside. Status::capacity: near is too small. Status::range: balls of one
+  // question are too far apart. Status::check would mean that a point was neither a maximum nor left upwards.
   Status climb(const CriticalPoint &gate, Span<const uint32_t> tied, bool other_side, uint32_t *name, bool &outside);
 
   uint32_t needed_near() const { return needed_near_; }

@@ -1,5 +1,5 @@
-// All maxima and gates, held against all sets of three and four, and against Euler's sum: with the outside and the gaps of
-// pairs, maxima + 1 - gates + gaps - balls is 0 if nothing is missing, ties or not.
+// All maxima and gates, held against all sets of three and four, and against Euler's sum: with the outside and the gaps
+// of pairs, maxima + 1 - gates + gaps - balls is 0 if nothing is missing, ties or not.
 #include "pores/critical_points.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Pores of crambin, held against a prototype in doubles with tolerances: the number of maxima and gates, the two classes
-// that persist most, and where a probe from the one cavity that a water fits in gets out.
+// Pores of crambin, held against a prototype in doubles with tolerances: the number of maxima and gates, the two
+// classes that persist most, and where a probe from the one cavity that a water fits in gets out.
 #include <gtest/gtest.h>
 
 #include "built_pores.hpp"

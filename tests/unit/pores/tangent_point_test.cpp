@@ -122,8 +122,8 @@ TEST(TangentPoint, SetsThatTieAtALatticePoint) {
       ASSERT_NO_FATAL_FAILURE(check_beside(set, curve, 3));
       ASSERT_EQ(point.side_of_curve(curve), oracle::sign_of(volume(u, v, w)));
     }
-    // Unless the fourth ball touches the curve without crossing it, or stays as near all along it: then the unit vectors
-    // from the centres to the point are in one plane.
+    // Unless the fourth ball touches the curve without crossing it, or stays as near all along it: then the unit
+    // vectors from the centres to the point are in one plane.
     const auto length = [&](size_t i) { return Int128{set.balls[i].radius + set.level}; };
     const oracle::Vector &a = set.way[1], &b = set.way[2], &c = set.way[3];
     const Int128 determinant = length(0) * volume(a, b, c) - length(1) * volume(w, b, c) + length(2) * volume(w, a, c) -
@@ -169,7 +169,8 @@ TEST(TangentPoint, OrderOfLevels) {
   EXPECT_GT(orders, 100);
 }
 
-// From a tied point up a curve: a ball gets nearer or farther as it does at a place a little further up, in long doubles.
+// From a tied point up a curve: a ball gets nearer or farther as it does at a place a little further up, in long
+// doubles.
 TEST(TangentPoint, DepartureAlongCurves) {
   oracle::RandomSource random(3);
   int checked = 0;

@@ -1,5 +1,5 @@
-// Kinds of points where balls tie, held against cones in integers: directions span space, or a plane, if and only if the
-// opposite of each is in the cone that all make up.
+// Kinds of points where balls tie, held against cones in integers: directions span space, or a plane, if and only if
+// the opposite of each is in the cone that all make up.
 #include "pores/tied_balls.hpp"
 
 #include <gtest/gtest.h>

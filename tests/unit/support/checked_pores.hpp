@@ -77,7 +77,8 @@ inline void compare_with_all_sets(oracle::RandomSource &random, int kind, Seen &
   ASSERT_NO_FATAL_FAILURE(check_euler_sum(outer, seen));
 }
 
-// Components at levels between all points that are a few steps apart, against regions of balls that have grown that much.
+// Components at levels between all points that are a few steps apart, against regions of balls that have grown that
+// much.
 inline void compare_with_regions(const oracle::Balls &balls, Seen &seen) {
   const BuiltPores pores(balls);
   ASSERT_EQ(pores.status(), hsp::Status::ok) << oracle::to_text(balls);

@@ -33,7 +33,8 @@ inline oracle::Balls general_set(oracle::RandomSource &random, size_t n, int kin
 
 inline constexpr int tied_kinds = 5;
 
-// 0 a lattice, 1 one plane of it, 2 one line, 3 a lattice that is shaken by a step, 4 any of the oracles' degenerate sets.
+// 0 a lattice, 1 one plane of it, 2 one line, 3 a lattice that is shaken by a step, 4 any of the oracles' degenerate
+// sets.
 inline oracle::Balls tied_set(oracle::RandomSource &random, size_t n, int kind) {
   if (kind == 4) {
     oracle::Balls balls = oracle::degenerate_balls(random, n);

@@ -40,7 +40,8 @@ inline bool lies_inside(const oracle::LatticeBall &a, const oracle::LatticeBall 
   return e >= 0 && oracle::dot(d, d) <= e * e;
 }
 
-// kinds: of directions; the fewer the more balls lie opposite each other or in one plane. flat: z of all directions is 0.
+// kinds: of directions; the fewer the more balls lie opposite each other or in one plane. flat: z of all directions is
+// 0.
 inline TiedSet tied_set(oracle::RandomSource &random, size_t n, size_t kinds, bool flat) {
   TiedSet set{{random.in(-1000, 1000), random.in(-1000, 1000), random.in(-1000, 1000)}, random.in(-2, 40), {}, {}};
   for (int attempt = 0; set.balls.size() < n && attempt < 400; ++attempt) {
