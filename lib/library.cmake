@@ -46,6 +46,11 @@ set(HSP_LIBRARY_SOURCES
   lib/space/paths/free_segments.cpp
   lib/space/paths/path_finder.cpp
   lib/space/paths/widest_probe.cpp
+  lib/space/pores/critical_points.cpp
+  lib/space/pores/pores_builder.cpp
+  lib/space/pores/tangent_point.cpp
+  lib/space/pores/tied_balls.cpp
+  lib/space/pores/way_up.cpp
   lib/union/sphere/arc_geometry.cpp
   lib/union/sphere/cap_clusters.cpp
   lib/union/sphere/candidate_block_avx2.cpp

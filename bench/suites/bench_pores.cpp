@@ -1,0 +1,64 @@
+// Free space for every probe at once over size: all maxima, gates and classes above the floor 0, by the room
+// lib/space/pores itself, which no function of the interface calls yet.
+#include <stdexcept>
+#include <vector>
+
+#include "pores/pores_builder.hpp"
+#include "sizes.hpp"
+#include "suite.hpp"
+
+namespace bench {
+namespace {
+
+// Memory of one object that a workspace is carved for.
+template <class Carved, class... Limits>
+size_t carve(std::vector<unsigned char> &memory, Carved &carved, const Limits &...limits) {
+  hsp::Workspace measured;
+  carved.carve(measured, limits...);
+  memory.resize(measured.bytes());
+  hsp::Workspace workspace(memory.data(), memory.size());
+  carved.carve(workspace, limits...);
+  return memory.size();
+}
+
+void pores(benchmark::State &state, Subject &subject) {
+  const uint32_t n = subject.balls.size();
+  std::vector<unsigned char> grid_memory, memory;
+  hsp::CubeGrid grid;
+  carve(grid_memory, grid, n);
+  uint32_t first_bad = 0;
+  if (grid.build({n, subject.balls.xyz.data(), subject.balls.radius.data()}, first_bad) != hsp::Status::ok) {
+    throw std::runtime_error("no grid");
+  }
+  hsp::PoreLimits limits;
+  if (hsp::default_limits(n, limits) != hsp::Status::ok) throw std::runtime_error("no limits");
+  hsp::PoresBuilder builder;
+  size_t bytes = carve(memory, builder, limits);
+  while (builder.build(grid, 0) == hsp::Status::capacity) {
+    limits = builder.retry_limits();
+    bytes = carve(memory, builder, limits);
+  }
+  for (auto iteration : state) {
+    static_cast<void>(iteration);
+    if (builder.build(grid, 0) != hsp::Status::ok) throw std::runtime_error("no pores");
+  }
+  const double atoms = n;
+  state.counters["maxima_per_atom"] = builder.maxima().size() / atoms;
+  state.counters["gates_per_atom"] = builder.gates().size() / atoms;
+  state.counters["sets_per_atom"] = static_cast<double>(builder.work().triples + builder.work().quadruples) / atoms;
+  state.counters["steps_per_gate"] = static_cast<double>(builder.steps()) / builder.gates().size();
+  state.counters["bytes"] = static_cast<double>(bytes);
+  state.counters["time_per_atom"] =
+      benchmark::Counter(atoms, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+}  // namespace
+
+void register_suite() {
+  for (const Size &size : all_sizes()) {
+    register_case("pores/" + size.name, {"pores/" + size.name, size.balls, 0.0, Stage::model}, pores)
+        ->Unit(benchmark::kMillisecond);
+  }
+}
+
+}  // namespace bench

@@ -1,0 +1,55 @@
+// A double and a bound of its distance from the exact number that it stands for: the filter stage of predicates whose
+// values have too many sizes for one static bound. The bound follows every operation (running error analysis: Higham,
+// Accuracy and Stability of Numerical Algorithms, section 3.3).
+//
+// Each bound is itself rounded a few times; a relative 2^-50 and the smallest normal double cover that.
+#pragma once
+
+#include "core/floating_point.hpp"
+
+namespace hsp {
+
+struct BoundedDouble {
+  double value = 0.0;
+  double error = 0.0;
+
+  BoundedDouble() = default;
+  // An integer of at most 53 bits, exactly.
+  BoundedDouble(double exact_value) : value(exact_value) {}
+  BoundedDouble(double rounded, double bound) : value(rounded), error(bound) {}
+
+  // +1 or -1 if that is certain, else 0.
+  int sign() const { return value > error ? 1 : value < -error ? -1 : 0; }
+
+  BoundedDouble operator-() const { return {-value, error}; }
+  friend BoundedDouble operator+(const BoundedDouble &a, const BoundedDouble &b) {
+    const double value = a.value + b.value;
+    return {value, covered(a.error + b.error + unit_roundoff * std::fabs(value))};
+  }
+  friend BoundedDouble operator-(const BoundedDouble &a, const BoundedDouble &b) { return a + -b; }
+  friend BoundedDouble operator*(const BoundedDouble &a, const BoundedDouble &b) {
+    const double value = a.value * b.value;
+    return {value, covered((std::fabs(a.value) + a.error) * b.error + std::fabs(b.value) * a.error +
+                           unit_roundoff * std::fabs(value))};
+  }
+  // Nothing is certain of a quotient whose divisor may be 0.
+  friend BoundedDouble operator/(const BoundedDouble &a, const BoundedDouble &b) {
+    const double least = std::fabs(b.value) - b.error;
+    if (!(least > 0.0)) return uncertain();
+    const double value = a.value / b.value;
+    return {value, covered((a.error + std::fabs(value) * b.error) / (least * (1.0 - 0x1p-52)) +
+                           unit_roundoff * std::fabs(value))};
+  }
+  // Of a number that is certainly positive: |sqrt(a) - sqrt(b)| = |a - b| / (sqrt(a) + sqrt(b)).
+  friend BoundedDouble square_root(const BoundedDouble &a) {
+    if (!(a.value > a.error)) return uncertain();
+    const double value = std::sqrt(a.value);
+    return {value, covered(a.error / value + unit_roundoff * value)};
+  }
+
+ private:
+  static double covered(double error) { return error * (1.0 + 0x1p-50) + std::numeric_limits<double>::min(); }
+  static BoundedDouble uncertain() { return {0.0, std::numeric_limits<double>::infinity()}; }
+};
+
+}  // namespace hsp

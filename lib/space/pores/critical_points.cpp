@@ -1,0 +1,464 @@
+#include "pores/critical_points.hpp"
+
+#include <initializer_list>
+
+#include "core/sorting.hpp"
+#include "exact/lattice.hpp"
+
+namespace hsp {
+namespace {
+
+using exact::Vector;
+
+constexpr uint32_t few = 6;          // balls all sets of which are tried
+constexpr uint32_t most_cubes = 64;  // that are being halved: from 2^52 steps down to the least
+constexpr int64_t least_half = 4;
+constexpr double root_of_three = 1.7320508075688774;
+// Of a unit vector in doubles, and of what is made of a few of them.
+constexpr double slack = 1e-12;
+
+double distance(const BallSet &balls, uint32_t ball, const Vector &from) {
+  const double x = balls.x[ball] - static_cast<double>(from.x), y = balls.y[ball] - static_cast<double>(from.y),
+               z = balls.z[ball] - static_cast<double>(from.z);
+  return std::sqrt(x * x + y * y + z * z);
+}
+// How far a point of a cube is from its centre, and a step more.
+double reach_of(int64_t half) {
+  return static_cast<double>(half + 2) * root_of_three * (1.0 + 0x1p-50);
+}
+// Bound of what is wrong with a computed distance: its differences are integers, its relative error below 3 2^-53.
+double doubt_of(double distance) {
+  return 0x1p-50 * distance;
+}
+bool contains(const Vector &centre, int64_t half, const Vector &other, int64_t other_half) {
+  const int64_t room = half - other_half;
+  const auto within = [&](int64_t a, int64_t b) { return a - b <= room && b - a <= room; };
+  return within(centre.x, other.x) && within(centre.y, other.y) && within(centre.z, other.z);
+}
+
+}  // namespace
+
+// Unit vectors from the centres of some balls to a point, and how far they can be off in a ball around that.
+struct CriticalPoints::Directions {
+  static constexpr uint32_t room = 64;
+  Vec3 a[room];
+  double spread[room];
+
+  Directions(const BallSet &balls, Span<const uint32_t> ids, const Vector &at, double reach) {
+    for (uint32_t k = 0; k < ids.size(); ++k) {
+      const uint32_t ball = ids[k];
+      const Vec3 y{static_cast<double>(at.x) - balls.x[ball], static_cast<double>(at.y) - balls.y[ball],
+                   static_cast<double>(at.z) - balls.z[ball]};
+      const double length = std::sqrt(dot(y, y));
+      const double sine = length > 0.0 ? reach / length : 2.0;
+      a[k] = length > 0.0 ? (1.0 / length) * y : Vec3{0.0, 0.0, 0.0};
+      // The chord of the largest angle.
+      spread[k] = sine < 1.0 ? std::sqrt(2.0 - 2.0 * std::sqrt(1.0 - sine * sine)) + 1e-7 * sine + slack : 2.0;
+    }
+  }
+
+  // Whether one direction leads up from all balls in all of the cube: some steps towards the point of the hull that is
+  // nearest to 0.
+  bool lead_up(uint32_t count) const {
+    Vec3 d{0.0, 0.0, 0.0};
+    for (uint32_t k = 0; k < count; ++k) d = d + a[k];
+    d = (1.0 / count) * d;
+    for (int turn = 0; turn < 12; ++turn) {
+      const double length = std::sqrt(dot(d, d));
+      if (!(length > 1e-6)) return false;
+      double worst = 2.0;
+      uint32_t which = 0;
+      for (uint32_t k = 0; k < count; ++k) {
+        const double lead = dot(a[k], d) / length - spread[k];
+        if (lead < worst) {
+          worst = lead;
+          which = k;
+        }
+      }
+      if (worst > slack) return true;
+      const Vec3 v = a[which] - d;
+      const double along = -dot(d, v) / dot(v, v);
+      if (!(along > 0.0)) return false;
+      d = d + (along < 1.0 ? along : 1.0) * v;
+    }
+    return false;
+  }
+  // The plane through three of them: n.x = offset, and how far that can be off anywhere in the cube.
+  struct Face {
+    Vec3 n;
+    double length, offset, tolerance;
+  };
+  Face face(uint32_t i, uint32_t j, uint32_t k) const {
+    const Vec3 n = cross(a[j] - a[i], a[k] - a[i]);
+    const double far = larger(larger(spread[i], spread[j]), spread[k]);
+    const double length = std::sqrt(dot(n, n));
+    return {n, length, dot(n, a[i]), far * length + slack};
+  }
+  // Whether 0 is certainly outside the triangle of three of them everywhere in the cube.
+  bool is_outside(const Face &face, uint32_t i, uint32_t j, uint32_t k) const {
+    if (std::fabs(face.offset) > face.tolerance) return true;
+    const double far = larger(larger(spread[i], spread[j]), spread[k]);
+    const auto beyond = [&](const Vec3 &from, const Vec3 &to) {
+      const Vec3 inward = cross(face.n, to - from);
+      const double height = dot(inward, from) - slack;
+      return height > 0.0 && height * height > far * far * dot(inward, inward);
+    };
+    return beyond(a[i], a[j]) || beyond(a[j], a[k]) || beyond(a[k], a[i]);
+  }
+  // Whether 0 and the fourth corner of a tetrahedron are certainly on different sides of a face.
+  bool separates(const Face &face, uint32_t opposite) const {
+    const double height = dot(face.n, a[opposite]), tolerance = face.length * spread[opposite] + slack;
+    return height > face.offset ? face.offset > face.tolerance && height > tolerance
+                                : -face.offset > face.tolerance && -height > tolerance;
+  }
+  // A lower bound of how far 0 is inside the hull; not positive if it is outside or nearly.
+  double depth_of_hull(uint32_t count) const {
+    constexpr uint32_t most = 16;  // the hull of some of them is inside that of all
+    uint32_t chosen[most] = {0};
+    uint32_t size = 1;
+    for (; size < most && size < count; ++size) {
+      double best = -1.0;
+      uint32_t which = 0;
+      for (uint32_t k = 0; k < count; ++k) {
+        double nearest_chosen = 8.0;
+        for (uint32_t c = 0; c < size; ++c) {
+          const Vec3 d = a[k] - a[chosen[c]];
+          nearest_chosen = smaller(nearest_chosen, dot(d, d));
+        }
+        if (nearest_chosen > best) {
+          best = nearest_chosen;
+          which = k;
+        }
+      }
+      chosen[size] = which;
+    }
+    double depth = 1.0;
+    for (uint32_t i = 0; i < size; ++i) {
+      for (uint32_t j = i + 1; j < size; ++j) {
+        for (uint32_t k = j + 1; k < size; ++k) {
+          const Vec3 &p = a[chosen[i]];
+          const Vec3 n = cross(a[chosen[j]] - p, a[chosen[k]] - p);
+          const double length = std::sqrt(dot(n, n));
+          if (length < 1e-6) continue;
+          // A plane counts if all are on one side of it, or nearly: one too many only makes the bound less.
+          bool above = false, below = false;
+          for (uint32_t l = 0; l < size; ++l) {
+            const double height = dot(n, a[chosen[l]] - p);
+            above = above || height > 1e-9 * length;
+            below = below || height < -1e-9 * length;
+          }
+          if (above && below) continue;
+          const double offset = dot(n, p) / length;
+          depth = smaller(depth, above ? -offset : offset);
+        }
+      }
+    }
+    return depth - 1e-8;
+  }
+  static double larger(double x, double y) { return x > y ? x : y; }
+  static double smaller(double x, double y) { return x < y ? x : y; }
+};
+
+void CriticalPoints::carve(Workspace &workspace, const CriticalLimits &limits) {
+  limits_ = limits;
+  maxima_ = FixedVector<CriticalPoint>(workspace.take<CriticalPoint>(limits.maxima));
+  gates_ = FixedVector<CriticalPoint>(workspace.take<CriticalPoint>(limits.gates));
+  tied_ = FixedVector<uint32_t>(workspace.take<uint32_t>(limits.tied));
+  maximum_names_.carve(workspace, limits.maxima);
+  gate_names_.carve(workspace, limits.gates);
+  candidates_ = workspace.take<uint32_t>(limits.candidates);
+  distance_ = workspace.take<double>(limits.candidates);
+  cubes_ = workspace.take<Cube>(most_cubes);
+  at_point_ = workspace.take<uint32_t>(limits.near);
+  cluster_ = workspace.take<uint32_t>(limits.near);
+}
+
+Status CriticalPoints::find(const BallSet &balls, int64_t floor) {
+  balls_ = &balls;
+  floor_ = floor;
+  needed_ = {balls.n, 0, 0, 0, balls.n, 0};
+  work_ = {};
+  beyond_reach_ = false;
+  maxima_.clear();
+  gates_.clear();
+  tied_.clear();
+  maximum_names_.clear();
+  gate_names_.clear();
+  if (balls.n < 3) return Status::ok;
+  if (balls.n > limits_.candidates) return Status::capacity;
+  low_ = high_ = {balls.x[0], balls.y[0], balls.z[0]};
+  for (uint32_t i = 0; i < balls.n; ++i) {
+    const auto cover = [](double x, double &low, double &high) {
+      low = x < low ? x : low;
+      high = x > high ? x : high;
+    };
+    cover(balls.x[i], low_.x, high_.x);
+    cover(balls.y[i], low_.y, high_.y);
+    cover(balls.z[i], low_.z, high_.z);
+    candidates_[i] = i;
+  }
+  const double extent = Directions::larger(Directions::larger(high_.x - low_.x, high_.y - low_.y), high_.z - low_.z);
+  int64_t half = least_half;
+  while (static_cast<double>(half) < 0.6 * extent + 2.0) half *= 2;
+  // Not in the middle, so that points of symmetry are no corners of cubes.
+  const auto middle = [&](double low, double high, double part) {
+    return nearest(0.5 * (low + high)) + static_cast<int64_t>(part * (static_cast<double>(half) - 0.5 * extent - 2.0));
+  };
+  uint32_t depth = 0;
+  cubes_[depth++] = {{middle(low_.x, high_.x, 0.311), middle(low_.y, high_.y, 0.427), middle(low_.z, high_.z, 0.241)},
+                     half,
+                     0,
+                     balls.n,
+                     0,
+                     {},
+                     0};
+  while (depth > 0) {
+    Cube &cube = cubes_[depth - 1];
+    if (cube.next_part == 8) {
+      --depth;
+      continue;
+    }
+    const uint32_t part = cube.next_part++;
+    const int64_t step = cube.half / 2;
+    Cube child = cube;
+    child.centre.x += (part & 1) != 0 ? step : -step;
+    child.centre.y += (part & 2) != 0 ? step : -step;
+    child.centre.z += (part & 4) != 0 ? step : -step;
+    child.half = step;
+    child.next_part = 0;
+    child.first = cube.last;
+    child.last = enter(child, cube.first, cube.last);
+    if (needed_.candidates > limits_.candidates) return Status::capacity;
+    if (child.last == child.first) continue;
+    const Span<const uint32_t> near = candidates_.part(child.first, child.last);
+    if (near.size() <= few || child.half <= least_half) {
+      try_sets(near, child.centre, child.half + 1, false);
+      if (needed_.near > limits_.near) return Status::capacity;
+      continue;
+    }
+    settle_ties(child);
+    if (is_settled(child)) continue;
+    cubes_[depth++] = child;
+  }
+  needed_.maxima = clamped_count(maxima_.required());
+  needed_.gates = clamped_count(gates_.required());
+  needed_.tied = clamped_count(tied_.required());
+  if (maxima_.overflowed() || gates_.overflowed() || tied_.overflowed()) return Status::capacity;
+  return beyond_reach_ ? Status::range : Status::ok;
+}
+
+bool CriticalPoints::is_settled(const Cube &cube) const {
+  return cube.settled_half != 0 && contains(cube.settled_centre, cube.settled_half, cube.centre, cube.half);
+}
+
+// What may be nearest in a cube, of candidates first .. last - 1, is put behind these; where it ends. Nothing is put if
+// no critical point is there.
+uint32_t CriticalPoints::enter(const Cube &cube, uint32_t first, uint32_t last) {
+  ++work_.cubes;
+  const double x = static_cast<double>(cube.centre.x), y = static_cast<double>(cube.centre.y),
+               z = static_cast<double>(cube.centre.z), side = static_cast<double>(cube.half + 1);
+  if (x - side > high_.x || x + side < low_.x || y - side > high_.y || y + side < low_.y || z - side > high_.z ||
+      z + side < low_.z || is_settled(cube)) {
+    return last;
+  }
+  const uint32_t most = last - first;
+  if (most > limits_.candidates - last) {
+    needed_.candidates = clamped_count(2 * static_cast<uint64_t>(last) + most);
+    return last;
+  }
+  const double reach = reach_of(cube.half);
+  double least = std::numeric_limits<double>::infinity();
+  for (uint32_t k = 0; k < most; ++k) {
+    const uint32_t ball = candidates_[first + k];
+    const double d = distance(*balls_, ball, cube.centre);
+    distance_[last + k] = d;
+    least = Directions::smaller(least, d + doubt_of(d) - balls_->r[ball]);
+  }
+  if (least + reach < static_cast<double>(floor_)) return last;
+  uint32_t count = 0;
+  for (uint32_t k = 0; k < most; ++k) {
+    const uint32_t ball = candidates_[first + k];
+    const double d = distance_[last + k];
+    candidates_[last + count] = ball;
+    count += d - doubt_of(d) - balls_->r[ball] <= least + 2.0 * reach ? 1U : 0U;
+  }
+  if (count < 3) return last;
+  if (count <= Directions::room &&
+      Directions(*balls_, candidates_.part(last, last + count), cube.centre, reach).lead_up(count)) {
+    return last;
+  }
+  return last + count;
+}
+
+// Where all of a cube's candidates tie, or nearly: tries their sets at once.
+void CriticalPoints::settle_ties(Cube &cube) {
+  const BallSet &balls = *balls_;
+  const Span<const uint32_t> near = candidates_.part(cube.first, cube.last);
+  const uint32_t count = near.size();
+  if (count > Directions::room || count > limits_.near) return;
+  // Near the centres of balls nothing can be settled that is as large as a part of the cube.
+  for (const uint32_t ball : near) {
+    if (distance(balls, ball, cube.centre) < 4.0 * static_cast<double>(cube.half)) return;
+  }
+  // Four of them that are far apart.
+  uint32_t set[4] = {near[0], near[0], near[0], near[0]};
+  double best[3] = {0.0, 0.0, 0.0};
+  for (uint32_t turn = 0; turn < 3; ++turn) {
+    const Vec3 u = balls.difference(set[0], set[1]), v = balls.difference(set[0], set[2]);
+    for (const uint32_t ball : near) {
+      const Vec3 w = balls.difference(set[0], ball), n = cross(u, turn == 1 ? w : v);
+      const double size = turn == 0 ? dot(w, w) : turn == 1 ? dot(n, n) : std::fabs(dot(n, w));
+      if (size > best[turn]) {
+        best[turn] = size;
+        set[turn + 1] = ball;
+      }
+    }
+    if (best[turn] == 0.0) return;
+  }
+  const double reach = reach_of(cube.half);
+  for (const bool rising : {false, true}) {
+    TangentPoint point;
+    if (!point.find(balls, {set[0], set[1], set[2]}, set[3], rising)) continue;
+    const Vec3 at = point.place_estimate();
+    if (!(std::fabs(at.x) + std::fabs(at.y) + std::fabs(at.z) < 0x1p52)) continue;
+    const Vector x{nearest(at.x), nearest(at.y), nearest(at.z)};
+    const Vec3 off{static_cast<double>(x.x - cube.centre.x), static_cast<double>(x.y - cube.centre.y),
+                   static_cast<double>(x.z - cube.centre.z)};
+    const double room =
+        2.0 * (reach - std::sqrt(dot(off, off)) * (1.0 + 0x1p-50));  // of the next ball that is no candidate
+    if (!(room > 0.0)) continue;
+    if (cube.settled_half != 0 && contains(cube.settled_centre, cube.settled_half, x, 0)) return;
+    const auto gap_of = [&](uint32_t ball) { return distance(balls, ball, x) - balls.r[ball]; };
+    for (uint32_t k = 0; k < count; ++k) cluster_[k] = near[k];
+    sort_in_place(cluster_.part(0, count), [&](uint32_t a, uint32_t b) { return gap_of(a) < gap_of(b); });
+    const double lowest = gap_of(cluster_[0]);
+    uint32_t size = 0;
+    double ratio = 0.0, next = 0.0, spread = 0.0, nearest_centre = std::numeric_limits<double>::infinity();
+    for (uint32_t k = 4; k <= count; ++k) {
+      const double here = gap_of(cluster_[k - 1]) - lowest + 1.0;
+      const double behind = Directions::smaller(k < count ? gap_of(cluster_[k]) - lowest : room, room) - 1.0;
+      if (behind > ratio * here) {
+        ratio = behind / here;
+        size = k;
+        next = behind;
+        spread = here;
+      }
+    }
+    if (size == 0) continue;
+    const Span<uint32_t> tied = cluster_.part(0, size);
+    for (const uint32_t ball : tied) nearest_centre = Directions::smaller(nearest_centre, distance(balls, ball, x));
+    const double depth = Directions(balls, tied, x, 0.0).depth_of_hull(size);
+    if (!(depth > 0.0)) continue;
+    const double delta = Directions::smaller(0.5 * next, 0.49 * depth * nearest_centre / (1.5 + depth));
+    const double settled = delta / root_of_three - 4.0;
+    if (!(settled > spread / (0.45 * depth) + 4.0) || settled < 0.125 * static_cast<double>(cube.half)) continue;
+    cube.settled_centre = x;
+    cube.settled_half = static_cast<int64_t>(settled);
+    sort_in_place(tied, [](uint32_t a, uint32_t b) { return a < b; });
+    try_sets(tied, x, cube.settled_half, true);
+    return;
+  }
+}
+
+// All sets of three and four; alone: a point where all of them tie is the only critical one in the cube.
+void CriticalPoints::try_sets(Span<const uint32_t> near, const Vector &centre, int64_t half, bool alone) {
+  ++work_.leaves;
+  const uint32_t n = near.size();
+  if (n > limits_.near) {
+    needed_.near = larger_count(needed_.near, n);
+    return;
+  }
+  const bool directed = n <= Directions::room;
+  const Directions directions(*balls_, near.part(0, directed ? n : 0), centre, reach_of(half));
+  // Faces of few balls are kept, each being that of several tetrahedra.
+  Directions::Face faces[few * (few - 1) * (few - 2) / 6];
+  const auto place = [](uint32_t i, uint32_t j, uint32_t k) { return k * (k - 1) * (k - 2) / 6 + j * (j - 1) / 2 + i; };
+  const bool kept = n <= few;
+  for (uint32_t i = 0; kept && i < n; ++i) {
+    for (uint32_t j = i + 1; j < n; ++j) {
+      for (uint32_t k = j + 1; k < n; ++k) faces[place(i, j, k)] = directions.face(i, j, k);
+    }
+  }
+  const auto face = [&](uint32_t i, uint32_t j, uint32_t k) {
+    return kept ? faces[place(i, j, k)] : directions.face(i, j, k);
+  };
+  for (uint32_t i = 0; i < n; ++i) {
+    for (uint32_t j = i + 1; j < n; ++j) {
+      for (uint32_t k = j + 1; k < n; ++k) {
+        const Directions::Face own = directed ? face(i, j, k) : Directions::Face{};
+        const uint32_t three[4] = {near[i], near[j], near[k], no_id};
+        if (!directed || !directions.is_outside(own, i, j, k)) {
+          ++work_.triples;
+          try_point(three, 3, near, centre, half);
+        }
+        for (uint32_t l = k + 1; l < n; ++l) {
+          if (directed && (directions.separates(own, l) || directions.separates(face(i, j, l), k) ||
+                           directions.separates(face(i, k, l), j) || directions.separates(face(j, k, l), i))) {
+            continue;
+          }
+          ++work_.quadruples;
+          const uint32_t four[4] = {near[i], near[j], near[k], near[l]};
+          if (try_point(four, 4, near, centre, half) && alone) return;
+        }
+      }
+    }
+  }
+}
+
+// Whether the point of a set is a critical one where all balls that are near tie.
+bool CriticalPoints::try_point(const uint32_t *ids, uint32_t count, Span<const uint32_t> near, const Vector &centre,
+                               int64_t half) {
+  const BallSet &balls = *balls_;
+  TangentPoint point;
+  const bool found = point.find(balls, {ids[0], ids[1], ids[2]}, count == 3 ? no_id : ids[3], false);
+  if (!found) {
+    beyond_reach_ = beyond_reach_ || point.beyond_reach();
+    return false;
+  }
+  // Most are elsewhere.
+  const Vec3 at = point.place_estimate();
+  const double off[3] = {at.x - static_cast<double>(centre.x), at.y - static_cast<double>(centre.y),
+                         at.z - static_cast<double>(centre.z)};
+  const double doubt = point.place_error(), side = static_cast<double>(half);
+  bool certain = true;
+  for (const double distance : off) {
+    if (std::fabs(distance) > side + doubt) return false;
+    certain = certain && std::fabs(distance) < side - doubt;
+  }
+  if ((count == 3 ? gate_names_ : maximum_names_).find(ids) != no_id) return false;
+  bool kept = point.level_against(floor_) > 0 && !(count == 3 ? are_collinear(balls, ids[0], ids[1], ids[2])
+                                                              : are_coplanar(balls, ids[0], ids[1], ids[2], ids[3]));
+  for (uint32_t axis = 0; kept && !certain && axis < 3; ++axis) {
+    const int64_t middle = axis == 0 ? centre.x : axis == 1 ? centre.y : centre.z;
+    kept = point.against(axis, middle - half) >= 0 && point.against(axis, middle + half) <= 0;
+  }
+  uint32_t tied = 0;
+  for (uint32_t k = 0; kept && k < near.size(); ++k) {
+    const int sign = point.nearness(near[k]);
+    kept = sign >= 0;
+    if (sign == 0) at_point_[tied++] = near[k];
+  }
+  bool on_side = false;
+  kept = kept && (count == 3 ? is_in_triangle(point, ids[0], ids[1], ids[2], on_side)
+                             : is_in_tetrahedron(balls, point, ids, on_side));
+  const PointKind kind = count == 3 ? PointKind::gate : PointKind::maximum;
+  if (kept) kept = (tied == count && !on_side) || kind_of(balls, point, at_point_.part(0, tied)) == kind;
+  if (kept) add(point, kind, at_point_.part(0, tied));
+  beyond_reach_ = beyond_reach_ || point.beyond_reach();
+  return kept && tied == near.size();
+}
+
+void CriticalPoints::add(TangentPoint &point, PointKind kind, Span<const uint32_t> tied) {
+  CriticalPoint record{{}, 0.0, 0.0, {no_id, no_id, no_id, no_id}, tied.size(), clamped_count(tied_.required())};
+  name_of(*balls_, point, tied, kind, record.ball);
+  NameTable &names = kind == PointKind::gate ? gate_names_ : maximum_names_;
+  FixedVector<CriticalPoint> &points = kind == PointKind::gate ? gates_ : maxima_;
+  if (names.find(record.ball) != no_id) return;
+  record.doubt = point.settle(record.place, record.level);
+  names.add(record.ball, points.size());
+  points.push(record);
+  if (tied.size() == (kind == PointKind::gate ? 3U : 4U)) return;
+  for (const uint32_t ball : tied) tied_.push(ball);
+}
+
+}  // namespace hsp

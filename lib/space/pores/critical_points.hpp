@@ -1,0 +1,86 @@
+// All maxima and gates above a floor.
+//
+// Cubes that cover all centres are halved until what may be nearest in one is few balls, or until one direction leads
+// up everywhere in it: then no critical point is there. Balls that are nearest somewhere in a cube are found by bounds
+// in doubles, rounded outward: f changes by no more than the way. So nothing is missed. Of the few all sets of three
+// and four are tried, and integers decide.
+//
+// Many balls that tie, or nearly, never become fewer. Let all balls within 2 delta of the nearest one at a point x be
+// within eps of it, and 0 be inside the hull of their directions by eta. At a distance d < delta from x no point is
+// critical if eps / d + 1.5 d / (D - d) < eta, D the least distance of the centres: what is nearest there all lies
+// ahead, so that the way back leads up. So a cube around x is settled at once where its sets are tried.
+#pragma once
+
+#include "core/fixed_vector.hpp"
+#include "pores/name_table.hpp"
+#include "pores/pores.hpp"
+#include "pores/tied_balls.hpp"
+
+namespace hsp {
+
+struct CriticalLimits {
+  uint32_t balls = 0;
+  uint32_t maxima = 0;
+  uint32_t gates = 0;
+  uint32_t tied = 0;        // balls of points where more tie than are needed, all together
+  uint32_t candidates = 0;  // balls that may be nearest, in all cubes that are being halved
+  uint32_t near = 0;        // balls of one set of candidates that are tried
+};
+
+class CriticalPoints {
+ public:
+  // Work that was done, for measurements.
+  struct Work {
+    uint64_t cubes = 0, leaves = 0, triples = 0, quadruples = 0;
+  };
+
+  void carve(Workspace &workspace, const CriticalLimits &limits);
+  // Balls none of which lies inside another one. Status::capacity: a limit is too small, needed() tells what suffices
+  // as far as it is known. Status::range: balls of one question are too far apart.
+  Status find(const BallSet &balls, int64_t floor);
+
+  const FixedVector<CriticalPoint> &maxima() const { return maxima_; }
+  const FixedVector<CriticalPoint> &gates() const { return gates_; }
+  const FixedVector<uint32_t> &tied() const { return tied_; }
+  // To be brought into order.
+  FixedVector<CriticalPoint> &maxima() { return maxima_; }
+  FixedVector<CriticalPoint> &gates() { return gates_; }
+  FixedVector<uint32_t> &tied() { return tied_; }
+  const CriticalLimits &needed() const { return needed_; }
+  const Work &work() const { return work_; }
+
+ private:
+  struct Cube {
+    exact::Vector centre;
+    int64_t half;
+    uint32_t first, last;  // of candidates_
+    uint32_t next_part;
+    exact::Vector settled_centre;  // of a cube in which all sets have been tried
+    int64_t settled_half;          // 0: there is none
+  };
+  struct Directions;
+
+  uint32_t enter(const Cube &cube, uint32_t first, uint32_t last);
+  bool is_settled(const Cube &cube) const;
+  void settle_ties(Cube &cube);
+  void try_sets(Span<const uint32_t> near, const exact::Vector &centre, int64_t half, bool alone);
+  bool try_point(const uint32_t *ids, uint32_t count, Span<const uint32_t> near, const exact::Vector &centre,
+                 int64_t half);
+  void add(TangentPoint &point, PointKind kind, Span<const uint32_t> tied);
+
+  const BallSet *balls_ = nullptr;
+  int64_t floor_ = 0;
+  Vec3 low_{}, high_{};  // of the centres
+  FixedVector<CriticalPoint> maxima_, gates_;
+  FixedVector<uint32_t> tied_;
+  NameTable maximum_names_, gate_names_;
+  Span<uint32_t> candidates_;
+  Span<double> distance_;  // [candidates]
+  Span<Cube> cubes_;       // that are being halved
+  Span<uint32_t> at_point_, cluster_;
+  CriticalLimits limits_, needed_;
+  Work work_;
+  bool beyond_reach_ = false;
+};
+
+}  // namespace hsp

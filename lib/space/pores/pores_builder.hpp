@@ -1,0 +1,73 @@
+// Free space for every probe at once, built: critical points, ways up from gates, classes and where they merge.
+#pragma once
+
+#include "core/disjoint_sets.hpp"
+#include "pores/critical_points.hpp"
+#include "pores/way_up.hpp"
+
+namespace hsp {
+
+struct PoreLimits {
+  uint32_t balls = 0;
+  uint32_t maxima = 0;
+  uint32_t gates = 0;
+  uint32_t tied = 0;        // balls of points where more tie than are needed, all together
+  uint32_t candidates = 0;  // scratch memory of the search
+  uint32_t near = 0;        // balls around one piece of a way, or one cube
+};
+
+// Limits that suffice for most molecules. Status::range if one would be larger than max_count.
+constexpr Status default_limits(uint32_t balls, PoreLimits &limits) {
+  if (balls > (max_count - 2048) / 8) return Status::range;
+  limits = {balls, 2 * balls + 64, 4 * balls + 128, balls + 256, 4 * balls + 2048, (balls < 1024 ? balls : 1024) + 16};
+  return Status::ok;
+}
+
+class PoresBuilder {
+ public:
+  void carve(Workspace &workspace, const PoreLimits &limits);
+
+  // Of all maxima and gates above a floor, in steps. Status::capacity: a limit is too small, retry_limits().
+  // Status::range: balls that touch one probe are more than 2^35 steps apart. Status::check cannot happen.
+  Status build(const CubeGrid &grid, int64_t floor);
+
+  // In descending order of levels; equal ones by their first balls, in the order of positions (exact/rank.hpp).
+  Span<const PoreMaximum> maxima() const { return maxima_.part(0, maximum_count_); }
+  Span<const PoreGate> gates() const { return gates_.part(0, gate_count_); }
+  // All nearest balls of a point; in the order of positions.
+  Span<const uint32_t> tied(const CriticalPoint &point) const {
+    const uint32_t named = point.ball[3] == no_id ? 3 : 4;
+    if (point.tied == named) return {point.ball, named};
+    return tied_.part(point.first_tied, point.first_tied + point.tied);
+  }
+  // Balls that are not inside another one.
+  uint32_t outer_balls() const { return balls_.n; }
+
+  // What to try again with after Status::capacity.
+  PoreLimits retry_limits() const;
+  // Work that was done, for measurements.
+  const CriticalPoints::Work &work() const { return critical_.work(); }
+  uint64_t steps() const { return ways_.steps(); }
+
+ private:
+  Status take_outer_balls(const CubeGrid &grid);
+  bool is_higher(const CriticalPoint &a, const CriticalPoint &b) const;
+  void sort_points();
+  Status climb_from_gates();
+  void merge();
+  void name_callers_balls();
+
+  PoreLimits limits_, needed_;
+  BallSet balls_;  // by rank; each knows its own place as that of the caller
+  Span<uint32_t> callers_;
+  CubeGrid grid_;
+  CriticalPoints critical_;
+  WayUp ways_;
+  NameTable names_;
+  Span<PoreMaximum> maxima_;
+  Span<PoreGate> gates_;
+  Span<uint32_t> tied_, near_, parents_;
+  uint32_t maximum_count_ = 0, gate_count_ = 0;
+};
+
+}  // namespace hsp

@@ -1,0 +1,574 @@
+#include "pores/tangent_point.hpp"
+
+#include <initializer_list>
+#include <type_traits>
+
+namespace hsp {
+namespace {
+
+using Bounded = BoundedDouble;
+using Integer = TangentPoint::Integer;
+using Long = TangentPoint::Long;
+
+template <class Number>
+using Triple = NumberTriple<Number>;
+
+template <class Number>
+Number dot(const Triple<Number> &a, const Triple<Number> &b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class Number>
+Triple<Number> cross(const Triple<Number> &a, const Triple<Number> &b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+template <class Number>
+Triple<Number> operator+(const Triple<Number> &a, const Triple<Number> &b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class Number>
+Triple<Number> operator-(const Triple<Number> &a) {
+  return {-a.x, -a.y, -a.z};
+}
+template <class Number>
+Triple<Number> operator*(const Number &s, const Triple<Number> &a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+
+// Differences of coordinates and radii are integers below 2^53.
+template <class Number>
+Number number(double integer) {
+  if constexpr (std::is_same_v<Number, Integer>) {
+    return Integer(static_cast<int64_t>(integer));
+  } else {
+    return Bounded(integer);
+  }
+}
+
+template <class Number>
+Triple<Number> difference(const BallSet &balls, uint32_t from, uint32_t to) {
+  const Vec3 d = balls.difference(from, to);
+  return {number<Number>(d.x), number<Number>(d.y), number<Number>(d.z)};
+}
+
+// v.y + e z = w
+template <class Number>
+struct Row {
+  Triple<Number> v;
+  Number e, w;
+};
+template <class Number>
+Row<Number> row_of(const BallSet &balls, uint32_t base, uint32_t ball) {
+  const Triple<Number> C = difference<Number>(balls, base, ball);
+  const Number e = number<Number>(balls.r[ball] - balls.r[base]);
+  return {C, e, dot(C, C) - e * e};
+}
+template <class Number>
+Row<Number> plane_row(const Triple<Number> &normal) {
+  return {normal, number<Number>(0.0), number<Number>(0.0)};
+}
+
+template <class Number>
+struct CurveRows {
+  CurveRows(const BallSet &balls, const TangentCurve &curve)
+      : first(row_of<Number>(balls, curve.base, curve.second)), second(row_of<Number>(balls, curve.base, curve.third)) {
+    if (curve.in_plane) second = plane_row(cross(first.v, second.v));
+    normal = cross(first.v, second.v);
+  }
+  Row<Number> first, second;
+  Triple<Number> normal;  // of the plane or line through the centres
+};
+
+// What three rows leave, unless they fix z.
+template <class Number>
+struct SteepLine {
+  SteepLine(const CurveRows<Number> &rows, const Row<Number> &third) {
+    const Row<Number> &first = rows.first, &second = rows.second;
+    const Triple<Number> N1 = cross(second.v, third.v), N2 = cross(third.v, first.v);
+    D = dot(first.v, N1);
+    P = first.w * N1 + second.w * N2 + third.w * rows.normal;
+    Q = -(first.e * N1 + second.e * N2 + third.e * rows.normal);
+  }
+  Number A() const { return dot(Q, Q) - D * D; }
+  Number b() const { return dot(P, Q); }
+  Number c() const { return dot(P, P); }
+  Triple<Number> place(const Number &z) const {
+    return {(P.x + Q.x * z) / D, (P.y + Q.y * z) / D, (P.z + Q.z * z) / D};
+  }
+
+  Triple<Number> P, Q;
+  Number D;
+};
+
+// The same in plain doubles with static bounds. Let the v have lengths up to l1, l2, l3, M be their product, S the sum
+// of those of balls, and u = 2^-53. Products of other v are wrong by 6 u of their length, so that a component of a
+// cross product N is by (3 + 24) u l l, D by l (27 sqrt(3) + 6 sqrt(3) + 4) u l l, below 80 u M; w by 10 u l^2, as |e|
+// < l, P by (27 + 10 + 5) u M S, below 64 u M S, and Q by 3 (27 + 5) u M, below 128 u M.
+struct RoughLine {
+  RoughLine(const BallSet &balls, const TangentCurve &curve, uint32_t last) {
+    struct PlainRow {
+      Vec3 v;
+      double e, w;
+    };
+    const auto row = [&](uint32_t ball) {
+      const Vec3 C = balls.difference(curve.base, ball);
+      const double e = balls.r[ball] - balls.r[curve.base];
+      return PlainRow{C, e, dot(C, C) - e * e};
+    };
+    const auto length = [](const Vec3 &v) { return 1.0001 * std::sqrt(dot(v, v)); };
+    const PlainRow first = row(curve.second);
+    PlainRow second = row(curve.third);
+    double S = length(first.v);
+    double M = S;
+    Vec3 normal = cross(first.v, second.v);
+    if (curve.in_plane) {
+      second = {normal, 0.0, 0.0};
+      normal = cross(first.v, second.v);
+      M *= length(second.v);
+    } else {
+      const double l = length(second.v);
+      M *= l;
+      S += l;
+    }
+    const PlainRow third = last == no_id ? PlainRow{normal, 0.0, 0.0} : row(last);
+    const double l = length(third.v);
+    M *= l;
+    if (last != no_id) S += l;
+    const Vec3 N1 = cross(second.v, third.v), N2 = cross(third.v, first.v);
+    const double error_P = 64 * unit_roundoff * M * S, error_Q = 128 * unit_roundoff * M;
+    D = {dot(first.v, N1), 80 * unit_roundoff * M};
+    const Vec3 p = combine(first.w, N1, second.w, N2) + third.w * normal;
+    const Vec3 q = combine(-first.e, N1, -second.e, N2) - third.e * normal;
+    P = p;
+    Q = q;
+    error_of_P = error_P;
+    error_of_Q = error_Q;
+    // Sums of three products, of vectors whose components are wrong by the same: sqrt(3) < 1.75.
+    const double PP = dot(P, P), QQ = dot(Q, Q), size_P = std::sqrt(PP) + 2.0 * error_P,
+                 size_Q = std::sqrt(QQ) + 2.0 * error_Q;
+    const double rounding = 4 * unit_roundoff;
+    square_Q = {QQ, 3.5 * size_Q * error_Q + rounding * size_Q * size_Q};
+    product = {dot(P, Q), 1.75 * (size_P * error_Q + size_Q * error_P) + rounding * size_P * size_Q};
+    square_P = {PP, 3.5 * size_P * error_P + rounding * size_P * size_P};
+    length_of_Q = size_Q;
+  }
+  Bounded A() const { return square_Q - D * D; }
+  Bounded b() const { return product; }
+  Bounded c() const { return square_P; }
+  // (P + Q z) / D, all components with one bound.
+  Triple<Bounded> place(const Bounded &z) const {
+    const double inverse = 1.0 / D.value;
+    const Vec3 y = combine(inverse, P, inverse * z.value, Q);
+    const double size = std::fabs(z.value) + z.error;
+    const double least = std::fabs(D.value) - D.error, length = std::sqrt(dot(P, P)) + length_of_Q * size;
+    const double error =
+        1.001 * ((error_of_P + error_of_Q * size + length_of_Q * z.error + 8 * unit_roundoff * length) / least +
+                 length * D.error / (least * least));
+    return {{y.x, error}, {y.y, error}, {y.z, error}};
+  }
+
+  Vec3 P, Q;
+  Bounded D, square_P, product, square_Q;
+  double error_of_P, error_of_Q, length_of_Q;
+};
+
+template <class Number>
+Row<Number> last_row(const BallSet &balls, const TangentCurve &curve, const CurveRows<Number> &rows, uint32_t last) {
+  return last == no_id ? plane_row(rows.normal) : row_of<Number>(balls, curve.base, last);
+}
+
+// The same balls seen from another one.
+template <class Number>
+AffineForm<Number> moved(const BallSet &balls, const AffineForm<Number> &form, uint32_t base) {
+  if (form.origin == base) return form;
+  const Number twice = number<Number>(2.0);
+  const Number e = number<Number>(balls.r[form.origin] - balls.r[base]);
+  return {form.a, form.c, form.k + twice * (form.c * e - dot(form.a, difference<Number>(balls, base, form.origin))),
+          base};
+}
+
+template <class Number>
+AffineForm<Number> homogeneous(const Triple<Number> &a, const Number &c, uint32_t origin) {
+  return {a, c, number<Number>(0.0), origin};
+}
+
+// Sign of constant + slope l at the root of A l^2 + 2 b l + c where that decreases.
+int sign_at_falling_root(const Long &A, const Long &b, const Long &c, const Long &constant, const Long &slope) {
+  if (slope.sign() == 0) return constant.sign();
+  const Long twice(2);
+  const int value = (A * constant * constant - twice * (b * constant * slope) + c * slope * slope).sign();
+  const bool falls = (b * slope - A * constant).sign() * slope.sign() < 0;
+  if (value == 0 && falls) return 0;
+  const bool before = A.sign() > 0 ? value > 0 && falls : !(value <= 0 && falls);
+  return before ? slope.sign() : -slope.sign();
+}
+
+bool is_beyond_reach(const BallSet &balls, uint32_t base, uint32_t ball) {
+  constexpr double reach = 0x1p35;
+  const Vec3 d = balls.difference(base, ball);
+  return std::fabs(d.x) > reach || std::fabs(d.y) > reach || std::fabs(d.z) > reach;
+}
+bool is_beyond_reach(const BallSet &balls, const TangentCurve &curve, uint32_t ball) {
+  return is_beyond_reach(balls, curve.base, curve.second) || is_beyond_reach(balls, curve.base, curve.third) ||
+         is_beyond_reach(balls, curve.second, curve.third) ||
+         (ball != no_id && is_beyond_reach(balls, curve.base, ball));
+}
+
+// x 2^exponent, by steps that are doubles.
+double scaled(double x, int exponent) {
+  for (; exponent > 0; exponent -= 32) x *= exponent < 32 ? static_cast<double>(INT64_C(1) << exponent) : 0x1p32;
+  for (; exponent < 0; exponent += 32) x /= exponent > -32 ? static_cast<double>(INT64_C(1) << -exponent) : 0x1p32;
+  return x;
+}
+
+// The filter's sign if it has one, else that of integers.
+template <class Make>
+int sign_of_number(const Make &make) {
+  const int certain = make.template operator()<Bounded>().sign();
+  return certain != 0 ? certain : make.template operator()<Integer>().sign();
+}
+
+}  // namespace
+
+bool TangentPoint::find(const BallSet &balls, const TangentCurve &curve, uint32_t last, bool rising) {
+  balls_ = &balls;
+  curve_ = curve;
+  last_ = last;
+  rising_ = rising;
+  line_known_ = beyond_reach_ = false;
+  const int known = estimate(RoughLine(balls, curve, last));
+  if (known != 0) return known > 0;
+  if (is_beyond_reach(balls, curve, last)) {
+    beyond_reach_ = true;
+    return false;
+  }
+  return find_line() && has_root() && sign_at_root(line_.p, line_.q) * line_.D.sign() > 0;
+}
+
+// Both stages of doubles: 1 if there is certainly a point, -1 if certainly none, 0 if nothing is certain.
+template <class RoughLines>
+int TangentPoint::estimate(const RoughLines &line) {
+  z_ = {0.0, std::numeric_limits<double>::infinity()};
+  y_ = {z_, z_, z_};
+  if (line.D.sign() == 0) return 0;
+  const Bounded A = rising_ ? -line.A() : line.A(), b = rising_ ? -line.b() : line.b(),
+                c = rising_ ? -line.c() : line.c();
+  const Bounded discriminant = b * b - A * c;
+  if (discriminant.sign() < 0) return -1;
+  const Bounded root = square_root(discriminant);
+  z_ = b.value < 0.0 ? c / (root - b) : (-b - root) / A;
+  if (z_.sign() <= 0) return z_.sign();
+  y_ = line.place(z_);
+  return 1;
+}
+
+// The integers. False if the rows leave no line that crosses the cone in points.
+bool TangentPoint::find_line() const {
+  if (line_known_) return line_found_;
+  line_known_ = true;
+  const CurveRows<Integer> rows(*balls_, curve_);
+  const Row<Integer> third = last_row(*balls_, curve_, rows, last_);
+  const SteepLine<Integer> steep(rows, third);
+  line_.flat = steep.D.sign() == 0;
+  line_found_ = true;
+  if (!line_.flat) {
+    line_.P = steep.P;
+    line_.Q = steep.Q;
+    line_.D = line_.q = steep.D;
+    line_.p = Integer();
+    line_.A = steep.A();
+    line_.b = steep.b();
+    line_.c = steep.c();
+  } else {
+    // The third v is a combination of the others, so that the rows have a z of their own, zeta / delta.
+    const Row<Integer> &first = rows.first, &second = rows.second;
+    const Triple<Integer> to_first = cross(second.v, rows.normal), to_second = cross(rows.normal, first.v);
+    const Integer G = dot(rows.normal, rows.normal), g1 = dot(third.v, to_first), g2 = dot(third.v, to_second);
+    const Integer delta = G * third.e - g1 * first.e - g2 * second.e, zeta = G * third.w - g1 * first.w - g2 * second.w;
+    line_.P = (first.w * delta - first.e * zeta) * to_first + (second.w * delta - second.e * zeta) * to_second;
+    line_.Q = rows.normal;
+    line_.D = G * delta;
+    line_.p = G * zeta;
+    line_.q = Integer();
+    line_.A = G;
+    line_.b = Long();
+    const Long x(line_.P.x), y(line_.P.y), z(line_.P.z), p(line_.p);
+    line_.c = x * x + y * y + z * z - p * p;
+    line_found_ = line_.D.sign() != 0;
+  }
+  if (rising_) {
+    line_.A = -line_.A;
+    line_.b = -line_.b;
+    line_.c = -line_.c;
+  }
+  return line_found_;
+}
+
+bool TangentPoint::has_root() const {
+  if ((line_.b * line_.b - line_.A * line_.c).sign() <= 0) return false;
+  return line_.A.sign() != 0 || line_.b.sign() < 0;
+}
+
+int TangentPoint::sign_at_root(const Long &constant, const Long &slope) const {
+  return sign_at_falling_root(line_.A, line_.b, line_.c, constant, slope);
+}
+
+template <class Make>
+int TangentPoint::sign_of(const Make &make) const {
+  const AffineForm<Bounded> rough = moved(*balls_, make.template operator()<Bounded>(), curve_.base);
+  const int certain = (dot(rough.a, y_) + rough.c * z_ + rough.k).sign();
+  if (certain != 0) return certain;
+  const AffineForm<Integer> form = make.template operator()<Integer>();
+  if (beyond_reach_ || is_beyond_reach(*balls_, curve_, last_) || is_beyond_reach(*balls_, curve_.base, form.origin)) {
+    beyond_reach_ = true;
+    return 0;
+  }
+  if (!find_line()) return 0;
+  const AffineForm<Integer> own = moved(*balls_, form, curve_.base);
+  const Integer constant = dot(own.a, line_.P) + own.c * line_.p + own.k * line_.D;
+  const Integer slope = dot(own.a, line_.Q) + own.c * line_.q;
+  return sign_at_root(constant, slope) * line_.D.sign();
+}
+
+int TangentPoint::nearness(uint32_t ball) const {
+  const uint32_t base = curve_.base;
+  if (ball == base || ball == curve_.second || (!curve_.in_plane && ball == curve_.third) || ball == last_) return 0;
+  if (is_beyond_reach(*balls_, base, ball)) {
+    // Doubles suffice if anything does.
+    const Row<Bounded> row = row_of<Bounded>(*balls_, base, ball);
+    const int certain = (row.w - dot(row.v, y_) - row.e * z_).sign();
+    beyond_reach_ = beyond_reach_ || certain == 0;
+    return certain;
+  }
+  return sign_of([&]<class Number>() {
+    const Row<Number> row = row_of<Number>(*balls_, base, ball);
+    return AffineForm<Number>{-row.v, -row.e, row.w, base};
+  });
+}
+
+int TangentPoint::side_of_plane(uint32_t i, uint32_t j, uint32_t k) const {
+  return sign_of([&]<class Number>() {
+    return homogeneous(cross(difference<Number>(*balls_, i, j), difference<Number>(*balls_, i, k)), number<Number>(0.0),
+                       i);
+  });
+}
+
+int TangentPoint::side_of_edge(const TangentCurve &plane, uint32_t i, uint32_t j) const {
+  return sign_of([&]<class Number>() {
+    const Triple<Number> normal = CurveRows<Number>(*balls_, plane).normal;
+    return homogeneous(cross(normal, difference<Number>(*balls_, i, j)), number<Number>(0.0), i);
+  });
+}
+
+int TangentPoint::side_of_curve(const TangentCurve &curve) const {
+  return sign_of([&]<class Number>() {
+    return homogeneous(CurveRows<Number>(*balls_, curve).normal, number<Number>(0.0), curve.base);
+  });
+}
+
+int TangentPoint::departure(const TangentCurve &curve, int side, uint32_t ball) const {
+  // (dy, dz) along the curve has v1.dy + e1 dz = v2.dy + e2 dz = 0 and y.dy = z dz, and the ball gets farther by
+  // -(C.dy + e dz). That is, but for a factor of the sign of y.(v1 x v2), the determinant of (y, -z) and the rows.
+  const int turn = sign_of([&]<class Number>() {
+    const CurveRows<Number> rows(*balls_, curve);
+    const Row<Number> row = row_of<Number>(*balls_, curve.base, ball);
+    const Row<Number> &first = rows.first, &second = rows.second;
+    return homogeneous(first.e * cross(second.v, row.v) + second.e * cross(row.v, first.v) + row.e * rows.normal,
+                       dot(rows.normal, row.v), curve.base);
+  });
+  if (turn != 0) return -side * turn;
+  // Tangent: the curve is convex, so that the ball stays on the side that it is on.
+  return side * side_of_centre(*balls_, curve, ball, beyond_reach_);
+}
+
+int TangentPoint::against(uint32_t axis, int64_t bound) const {
+  const BallSet &balls = *balls_;
+  const double centre = axis == 0 ? balls.x[curve_.base] : axis == 1 ? balls.y[curve_.base] : balls.z[curve_.base];
+  return sign_of([&]<class Number>() {
+    const Number zero = number<Number>(0.0), one = number<Number>(1.0);
+    const Triple<Number> direction{axis == 0 ? one : zero, axis == 1 ? one : zero, axis == 2 ? one : zero};
+    return AffineForm<Number>{direction, zero, number<Number>(2.0 * (centre - static_cast<double>(bound))),
+                              curve_.base};
+  });
+}
+
+int TangentPoint::level_against(int64_t bound) const {
+  const double z = 2.0 * (balls_->r[curve_.base] + static_cast<double>(bound));
+  return sign_of([&]<class Number>() {
+    const Number zero = number<Number>(0.0);
+    return AffineForm<Number>{{zero, zero, zero}, number<Number>(1.0), number<Number>(-z), curve_.base};
+  });
+}
+
+int TangentPoint::compare_levels(const TangentPoint &other) const {
+  const double shift = 2.0 * (balls_->r[other.curve_.base] - balls_->r[curve_.base]);
+  const int certain = (z_ - other.z_ + Bounded(shift)).sign();
+  if (certain != 0) return certain;
+  if (is_beyond_reach(*balls_, curve_, last_) || is_beyond_reach(*balls_, other.curve_, other.last_))
+    beyond_reach_ = true;
+  if (beyond_reach_ || !find_line() || !other.find_line()) return 0;
+  // z of this one less that of the other one, as seen from there, and `shift` more.
+  const auto steps = static_cast<int64_t>(shift);
+  if (other.line_.flat) return compare_with_fixed(other.line_.p, other.line_.D, -steps);
+  if (line_.flat) return -other.compare_with_fixed(line_.p, line_.D, steps);
+  const Line &own = line_;
+  const Long twice(2), k(steps);
+  const Long A = other.line_.A, b = other.line_.b + A * k, c = other.line_.c + twice * (other.line_.b * k) + A * k * k;
+  const int slope = sign_at_root(b, A);
+  int value = 0;
+  if (own.A.sign() != 0) {
+    value = sign_at_root(own.A * c - A * own.c, twice * (own.A * b - A * own.b)) * own.A.sign();
+  } else {
+    const Long zero = -own.c, per = twice * own.b;  // the root is zero / per
+    value = (A * zero * zero + twice * (b * zero * per) + c * per * per).sign();
+  }
+  if (value == 0 && slope < 0) return 0;
+  const bool below = A.sign() > 0 ? value > 0 && slope < 0 : !(value <= 0 && slope < 0);
+  return below ? -1 : 1;
+}
+
+// Sign of z - (zeta / delta + steps).
+int TangentPoint::compare_with_fixed(const Integer &zeta, const Integer &delta, int64_t steps) const {
+  const Integer there = zeta + Integer(steps) * delta;
+  const Long D(delta);
+  return sign_at_root(D * line_.p - Long(there) * line_.D, D * line_.q) * line_.D.sign() * delta.sign();
+}
+
+Vec3 TangentPoint::place_estimate() const {
+  const BallSet &balls = *balls_;
+  const uint32_t base = curve_.base;
+  return {balls.x[base] + 0.5 * y_.x.value, balls.y[base] + 0.5 * y_.y.value, balls.z[base] + 0.5 * y_.z.value};
+}
+
+double TangentPoint::place_error() const {
+  const Vec3 at = place_estimate();
+  const double rounding = unit_roundoff * (std::fabs(at.x) + std::fabs(at.y) + std::fabs(at.z));
+  return (0.5 * (y_.x.error + y_.y.error + y_.z.error) + rounding) * (1.0 + 0x1p-50);
+}
+
+double TangentPoint::settle(Vec3 &place, double &level) {
+  double tolerable = 0.0, doubt = 0.0;
+  const auto is_good = [&] {
+    place = place_estimate();
+    level = level_estimate();
+    tolerable = 0x1p-42 * (std::fabs(z_.value) + std::fabs(level));
+    doubt = level_error();
+    return place_error() <= tolerable + 0x1p-20 && doubt <= tolerable;
+  };
+  if (is_good()) return doubt;
+  const CurveRows<Bounded> rows(*balls_, curve_);
+  estimate(SteepLine<Bounded>(rows, last_row(*balls_, curve_, rows, last_)));
+  if (is_good() || beyond_reach_) return doubt;
+  if (is_beyond_reach(*balls_, curve_, last_) || !find_line()) return doubt;
+  const auto number_of = [](const Integer &a) {
+    int exponent = 0;
+    const double mantissa = a.leading(exponent);
+    return scaled(mantissa, exponent);
+  };
+  const auto quotient = [](const Integer &a, const Integer &b) {
+    int up = 0, down = 0;
+    const double above = a.leading(up), below = b.leading(down);
+    return scaled(above / below, up - down);
+  };
+  const BallSet &balls = *balls_;
+  const uint32_t base = curve_.base;
+  const auto put = [&](double x, double y, double z, double distance) {
+    place = {balls.x[base] + 0.5 * x, balls.y[base] + 0.5 * y, balls.z[base] + 0.5 * z};
+    level = 0.5 * distance - balls.r[base];
+  };
+  if (line_.flat) {
+    // l^2 = -c / A, and P and Q are at right angles: nothing cancels.
+    int up = 0, down = 0;
+    const double above = std::fabs((-line_.c).leading(up)), below = std::fabs(line_.A.leading(down));
+    const bool odd = ((up - down) & 1) != 0;
+    const double root = std::sqrt(odd ? 2.0 * above / below : above / below);
+    int of_D = 0;
+    const double D = line_.D.leading(of_D);
+    const double height = scaled((rising_ ? root : -root) / D, (up - down - (odd ? 1 : 0)) / 2 - of_D);
+    put(quotient(line_.P.x, line_.D) + height * number_of(line_.Q.x),
+        quotient(line_.P.y, line_.D) + height * number_of(line_.Q.y),
+        quotient(line_.P.z, line_.D) + height * number_of(line_.Q.z), quotient(line_.p, line_.D));
+    return tolerable + 0x1p-20;
+  }
+  // z to 2^-24 of a step, by halves: 2^24 z lies in [least, least + 2^size).
+  const Integer unit(INT64_C(1) << 24);
+  Integer least;
+  for (int size = 62; size-- > 0;) {
+    const Integer next = least + Integer(INT64_C(1) << size);
+    if (sign_at_root(-next, unit) >= 0) least = next;
+  }
+  const Integer D = line_.D * unit;
+  put(quotient(line_.P.x * unit + line_.Q.x * least, D), quotient(line_.P.y * unit + line_.Q.y * least, D),
+      quotient(line_.P.z * unit + line_.Q.z * least, D), quotient(least, unit));
+  return tolerable + 0x1p-20;
+}
+
+bool are_collinear(const BallSet &balls, uint32_t i, uint32_t j, uint32_t k) {
+  const auto zero = [](const auto &n) { return n.x.sign() == 0 && n.y.sign() == 0 && n.z.sign() == 0; };
+  const auto normal = [&]<class Number>() {
+    return cross(difference<Number>(balls, i, j), difference<Number>(balls, i, k));
+  };
+  return zero(normal.template operator()<Bounded>()) && zero(normal.template operator()<Integer>());
+}
+
+bool are_coplanar(const BallSet &balls, uint32_t i, uint32_t j, uint32_t k, uint32_t l) {
+  return sign_of_number([&]<class Number>() {
+           return dot(cross(difference<Number>(balls, i, j), difference<Number>(balls, i, k)),
+                      difference<Number>(balls, i, l));
+         }) == 0;
+}
+
+CurveShape::CurveShape(const BallSet &balls, const TangentCurve &curve) {
+  const CurveRows<Bounded> rows(balls, curve);
+  const SteepLine<Bounded> line(rows, plane_row(rows.normal));
+  const Bounded square = line.D * line.D;
+  const auto quotient = [](const Bounded &a, const Bounded &d, double &error) {
+    const Bounded value = a / d;
+    error += value.error;
+    return value.value;
+  };
+  error_p = error_q = error_A = error_b = error_c = 0.0;
+  p = {quotient(line.P.x, line.D, error_p), quotient(line.P.y, line.D, error_p), quotient(line.P.z, line.D, error_p)};
+  q = {quotient(line.Q.x, line.D, error_q), quotient(line.Q.y, line.D, error_q), quotient(line.Q.z, line.D, error_q)};
+  A = quotient(line.A(), square, error_A);
+  b = quotient(line.b(), square, error_b);
+  c = quotient(line.c(), square, error_c);
+  const Vec3 n{rows.normal.x.value, rows.normal.y.value, rows.normal.z.value};
+  e = (1.0 / std::sqrt(dot(n, n))) * n;
+}
+
+int side_of_centre(const BallSet &balls, const TangentCurve &curve, uint32_t ball, bool &beyond_reach) {
+  if (is_beyond_reach(balls, curve, ball)) beyond_reach = true;
+  return sign_of_number([&]<class Number>() {
+    return dot(CurveRows<Number>(balls, curve).normal, difference<Number>(balls, curve.base, ball));
+  });
+}
+
+int departure_from_lowest(const BallSet &balls, const TangentCurve &curve, int side, uint32_t ball,
+                          bool &beyond_reach) {
+  const int off = side_of_centre(balls, curve, ball, beyond_reach);
+  if (off != 0) return -side * off;
+  // Of w - C.y - e z the part that grows with z, in the plane or line of the curve's centres.
+  return sign_of_number([&]<class Number>() {
+    const CurveRows<Number> rows(balls, curve);
+    const Row<Number> row = row_of<Number>(balls, curve.base, ball);
+    const SteepLine<Number> line(rows, plane_row(rows.normal));
+    return -(dot(row.v, line.Q) + row.e * line.D);
+  });
+}
+
+bool turn_alike(const BallSet &balls, const TangentCurve &a, const TangentCurve &b) {
+  return sign_of_number([&]<class Number>() {
+           return dot(CurveRows<Number>(balls, a).normal, CurveRows<Number>(balls, b).normal);
+         }) > 0;
+}
+
+bool is_unbounded(const BallSet &balls, const TangentCurve &curve, bool &beyond_reach) {
+  if (is_beyond_reach(balls, curve, no_id)) beyond_reach = true;
+  if (curve.in_plane) return true;
+  return sign_of_number([&]<class Number>() {
+           const CurveRows<Number> rows(balls, curve);
+           return SteepLine<Number>(rows, plane_row(rows.normal)).A();
+         }) <= 0;
+}
+
+}  // namespace hsp

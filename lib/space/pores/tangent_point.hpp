@@ -1,0 +1,150 @@
+// Points that are equally far from several balls, and the signs of what is asked of them, decided by integers.
+//
+// One ball is the base: y = 2 (x - c), z = 2 (r + t) for a point x at the distance t from all balls of a set. With C
+// and e the differences of centre and radius from the base and w = |C|^2 - e^2, a ball is as near as the base iff
+//   C.y + e z = w,       and nearer, tied or farther by the sign of  w - C.y - e z :
+// linear, beside |y|^2 = z^2. This holds if no ball lies inside another one, touching from within included; then z > 0
+// makes all distances of centres positive, too.
+//
+// Two such rows, or one and a plane through the base's centre, leave a curve; a third leaves a line in (y, z):
+//   y = (P + Q l) / D,  z = (p + q l) / D,   on which  |y|^2 - z^2 = 0  is  W(l) = A l^2 + 2 b l + c = 0 .
+// As a rule l is z. Where the rows fix z, as those of four centres in one plane do, l is the height over that plane. Of
+// the two roots one has W' < 0, the other W' > 0. Only the first can be a maximum or a gate: filtration needs no other,
+// ways up do. Sign of a form F + G l at the root with W' < 0: by W and W' at its zero -F/G, never by a square root.
+//
+// The filter stage has all of this in doubles with error bounds; the exact stage in integers. Lengths below 2^36
+// between the balls of a question (beyond_reach otherwise) give polynomials of degree 44 and below, less than 1620
+// bits:
+//            D       P       Q       A, b, c       forms of degree       at the root
+//   4 balls  3       4       3       6, 7, 8       1 .. 5                up to 22
+//   3 balls  4       5       4       8, 9, 10      1 .. 5                up to 26
+//   flat     7 + 6   14      3       6, -, 28      1 .. 5                up to 42
+// and the order of two roots has degree 44.
+#pragma once
+
+#include "model/ball_set.hpp"
+#include "pores/bounded_double.hpp"
+#include "pores/long_integer.hpp"
+
+namespace hsp {
+
+// Where three balls are equally near; or two, in the plane of three.
+struct TangentCurve {
+  uint32_t base = no_id, second = no_id, third = no_id;
+  bool in_plane = false;  // the third ball only gives the plane
+};
+
+template <class Number>
+struct NumberTriple {
+  Number x, y, z;
+};
+
+// a.y + c z + k, of y and z as the ball `origin` has them.
+template <class Number>
+struct AffineForm {
+  NumberTriple<Number> a;
+  Number c, k;
+  uint32_t origin;
+};
+
+class TangentPoint {
+ public:
+  // Of the rows, lines and forms, of degree 18 and below; of what is made of their products at a root.
+  using Integer = LongInteger<704>;
+  using Long = LongInteger<1856>;
+
+  // On a curve and as near to one more ball; or in the plane of the curve's three centres, without one (no_id), which
+  // is for curves of three balls. rising: with W' > 0. False if there is no such point, or if it has no z > 0.
+  bool find(const BallSet &balls, const TangentCurve &curve, uint32_t last, bool rising);
+
+  // Sign of the distance of a ball less that of the point's balls: -1 nearer, 0 tied, +1 farther.
+  int nearness(uint32_t ball) const;
+  // On which side of the plane through three centres: +1 where they turn counter-clockwise, 0 in it.
+  int side_of_plane(uint32_t i, uint32_t j, uint32_t k) const;
+  // For a point in the plane of three centres, and two of that plane: +1 if i, j and the point turn as the three do.
+  int side_of_edge(const TangentCurve &plane, uint32_t i, uint32_t j) const;
+  // On which side a point of a curve is: of the plane of its three centres, or of the line of its two in their plane.
+  int side_of_curve(const TangentCurve &curve) const;
+  // Going up a curve from this point of it, on the side that it is on, not 0: whether a tied ball gets farther
+  // (+1) or nearer (-1) at once, or not at once (0).
+  int departure(const TangentCurve &curve, int side, uint32_t ball) const;
+  // Sign of x - bound along an axis.
+  int against(uint32_t axis, int64_t bound) const;
+  // Sign of t - bound, and of t - t of another one.
+  int level_against(int64_t bound) const;
+  int compare_levels(const TangentPoint &other) const;
+
+  // Of the filter stage, in steps; the error is infinite if it knows nothing.
+  double level_estimate() const { return 0.5 * z_.value - balls_->r[curve_.base]; }
+  double level_error() const { return 0.5 * z_.error + unit_roundoff * std::fabs(level_estimate()); }
+  Vec3 place_estimate() const;
+  double place_error() const;
+  // The same, by sharper bounds or by the exact stage where the filter's error is large; returns how far the level may
+  // be off.
+  double settle(Vec3 &place, double &level);
+
+  // Whether a question was asked of balls that are too far apart for the exact stage; its answer means nothing then.
+  bool beyond_reach() const { return beyond_reach_; }
+
+ private:
+  struct Line {
+    NumberTriple<Integer> P, Q;
+    Integer p, q, D;
+    Long A, b, c;
+    bool flat = false;
+  };
+  template <class RoughLines>
+  int estimate(const RoughLines &line);
+  template <class Make>
+  int sign_of(const Make &make) const;
+  bool find_line() const;
+  bool has_root() const;
+  int compare_with_fixed(const Integer &zeta, const Integer &delta, int64_t steps) const;
+  int sign_at_root(const Long &constant, const Long &slope) const;
+
+  const BallSet *balls_ = nullptr;
+  TangentCurve curve_;
+  uint32_t last_ = no_id;
+  bool rising_ = false;
+  NumberTriple<BoundedDouble> y_;
+  BoundedDouble z_;
+  mutable Line line_;
+  mutable bool line_known_ = false, line_found_ = false, beyond_reach_ = false;
+};
+
+// Whether the centres of three balls are on one line; or, with four, in one plane.
+bool are_collinear(const BallSet &balls, uint32_t i, uint32_t j, uint32_t k);
+bool are_coplanar(const BallSet &balls, uint32_t i, uint32_t j, uint32_t k, uint32_t l);
+
+// Going up a curve of three balls, or of two in a plane, from the point nearest to their centres: whether a ball that
+// is tied there and whose centre is in the plane or on the line of those of the curve gets farther (+1) or nearer (-1),
+// or stays tied (0). The side is that which is gone up on, for a ball that is off the plane or the line.
+int departure_from_lowest(const BallSet &balls, const TangentCurve &curve, int side, uint32_t ball, bool &beyond_reach);
+
+// A curve in doubles: y = p + q z + h e with e across it and h^2 = -(A z^2 + 2 b z + c), seen from its base.
+// error_at(z): how far y may be off; infinite if nothing is known.
+struct CurveShape {
+  Vec3 p, q, e;
+  double A, b, c;
+  double error_p, error_q, error_A, error_b, error_c;
+
+  CurveShape(const BallSet &balls, const TangentCurve &curve);
+  double height(double z) const {
+    const double squared = -((A * z + 2.0 * b) * z + c);
+    return squared > 0.0 ? std::sqrt(squared) : 0.0;
+  }
+  double error_at(double z) const {
+    return 1.001 * (error_p + error_q * z + std::sqrt((error_A * z + 2.0 * error_b) * z + error_c)) + 1e-12 * z;
+  }
+};
+
+// Sign of det(v1, v2, C) of a curve and the centre of a ball.
+int side_of_centre(const BallSet &balls, const TangentCurve &curve, uint32_t ball, bool &beyond_reach);
+
+// Whether the centres of two curves in one plane turn alike.
+bool turn_alike(const BallSet &balls, const TangentCurve &a, const TangentCurve &b);
+
+// Whether a curve goes on for ever.
+bool is_unbounded(const BallSet &balls, const TangentCurve &curve, bool &beyond_reach);
+
+}  // namespace hsp

@@ -1,0 +1,116 @@
+#include "pores/tied_balls.hpp"
+
+namespace hsp {
+namespace {
+
+// Signs of some numbers.
+struct Signs {
+  bool positive = false, negative = false;
+  void add(int sign) {
+    positive = positive || sign > 0;
+    negative = negative || sign < 0;
+  }
+  bool any() const { return positive || negative; }
+  bool both() const { return positive && negative; }
+};
+
+// All balls and the point in one plane: whether the directions span it.
+PointKind kind_in_plane(const TangentPoint &point, Span<const uint32_t> tied, const TangentCurve &plane) {
+  bool apart = false;
+  for (const uint32_t i : tied) {
+    Signs signs;
+    for (const uint32_t j : tied) {
+      if (j != i && !signs.both()) signs.add(point.side_of_edge(plane, i, j));
+    }
+    if (signs.any() && !signs.both()) return PointKind::passing;
+    apart = apart || signs.any();
+  }
+  return apart ? PointKind::gate : PointKind::passing;
+}
+
+}  // namespace
+
+PointKind kind_of(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied) {
+  // The extreme rays of K are orthogonal to two directions that are not parallel.
+  bool solid = false;
+  for (uint32_t a = 0; a < tied.size(); ++a) {
+    for (uint32_t b = a + 1; b < tied.size(); ++b) {
+      Signs signs;
+      for (uint32_t c = 0; c < tied.size() && !signs.both(); ++c) {
+        if (c != a && c != b) signs.add(point.side_of_plane(tied[a], tied[b], tied[c]));
+      }
+      if (signs.any() && !signs.both()) return PointKind::passing;
+      solid = solid || signs.any();
+    }
+  }
+  if (solid) return PointKind::maximum;
+  for (uint32_t c = 2; c < tied.size(); ++c) {
+    if (!are_collinear(balls, tied[0], tied[1], tied[c])) {
+      return kind_in_plane(point, tied, {tied[0], tied[1], tied[c]});
+    }
+  }
+  return PointKind::passing;
+}
+
+bool is_in_triangle(const TangentPoint &point, uint32_t i, uint32_t j, uint32_t k, bool &on_side) {
+  const TangentCurve plane{i, j, k};
+  const uint32_t corner[3] = {i, j, k};
+  on_side = false;
+  for (uint32_t c = 0; c < 3; ++c) {
+    const int side = point.side_of_edge(plane, corner[c], corner[(c + 1) % 3]);
+    if (side < 0) return false;
+    on_side = on_side || side == 0;
+  }
+  return true;
+}
+
+bool is_in_tetrahedron(const BallSet &balls, const TangentPoint &point, const uint32_t *ids, bool &on_side) {
+  on_side = false;
+  bool beyond_reach = false;
+  int turn = side_of_centre(balls, {ids[0], ids[1], ids[2]}, ids[3], beyond_reach);
+  for (uint32_t c = 0; c < 4; ++c) {
+    // Without corner 3, 2, 1, 0: each exchange of two corners is a turn the other way.
+    const uint32_t left_out = 3 - c;
+    uint32_t face[3], count = 0;
+    for (uint32_t k = 0; k < 4; ++k) {
+      if (k != left_out) face[count++] = ids[k];
+    }
+    const int side = turn * point.side_of_plane(face[0], face[1], face[2]);
+    if (side < 0) return false;
+    on_side = on_side || side == 0;
+    turn = -turn;
+  }
+  return true;
+}
+
+void name_of(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, PointKind kind,
+             uint32_t *name) {
+  const uint32_t n = tied.size();
+  bool on_side = false;
+  for (uint32_t a = 0; a < n; ++a) {
+    for (uint32_t b = a + 1; b < n; ++b) {
+      for (uint32_t c = b + 1; c < n; ++c) {
+        name[0] = tied[a];
+        name[1] = tied[b];
+        name[2] = tied[c];
+        if (kind == PointKind::gate) {
+          name[3] = no_id;
+          if (n == 3 || (!are_collinear(balls, name[0], name[1], name[2]) &&
+                         is_in_triangle(point, name[0], name[1], name[2], on_side))) {
+            return;
+          }
+          continue;
+        }
+        for (uint32_t d = c + 1; d < n; ++d) {
+          name[3] = tied[d];
+          if (n == 4 || (!are_coplanar(balls, name[0], name[1], name[2], name[3]) &&
+                         is_in_tetrahedron(balls, point, name, on_side))) {
+            return;
+          }
+        }
+      }
+    }
+  }
+}
+
+}  // namespace hsp

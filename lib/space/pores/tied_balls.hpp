@@ -1,0 +1,30 @@
+// What a point is from which all nearest balls are known. With a_i the directions from their centres to the point, and
+// K all d with a_i.d >= 0, only directions of K lead up, and
+//   K = {0}     a maximum;
+//   a line      a gate, which has two sides however many balls tie;
+//   else        neither: a way up begins there.
+// So ties need no perturbation. All from signs of planes and lines through centres, in which the lengths of x - c_i do
+// not matter.
+#pragma once
+
+#include "pores/tangent_point.hpp"
+
+namespace hsp {
+
+enum class PointKind : uint32_t { passing, gate, maximum };
+
+// Of a point and all balls that are nearest to it.
+PointKind kind_of(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied);
+
+// Whether a point is in the triangle of three centres, in whose plane it lies, or in the tetrahedron of four that are
+// not in one plane; sides included. on_side: whether it lies on one.
+bool is_in_triangle(const TangentPoint &point, uint32_t i, uint32_t j, uint32_t k, bool &on_side);
+bool is_in_tetrahedron(const BallSet &balls, const TangentPoint &point, const uint32_t *ids, bool &on_side);
+
+// The name of a gate or a maximum: of its balls the first three whose triangle has the point in it, or the first four
+// whose tetrahedron has. No other gate or maximum has that name, since a set of balls has one point with W' < 0.
+// tied: in ascending order.
+void name_of(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, PointKind kind,
+             uint32_t *name);
+
+}  // namespace hsp

@@ -1,0 +1,285 @@
+#include "pores/way_up.hpp"
+
+#include <initializer_list>
+
+namespace hsp {
+namespace {
+
+constexpr uint32_t most_steps = 100000;
+constexpr int most_windows = 400;
+
+bool is_of_curve(const TangentCurve &curve, uint32_t ball) {
+  return ball == curve.base || ball == curve.second || (!curve.in_plane && ball == curve.third);
+}
+
+}  // namespace
+
+void WayUp::carve(Workspace &workspace, uint32_t near) {
+  near_ = workspace.take<uint32_t>(near);
+  tied_ = FixedVector<uint32_t>(workspace.take<uint32_t>(near));
+}
+
+void WayUp::prepare(const BallSet &balls, const CubeGrid &grid) {
+  balls_ = &balls;
+  grid_ = &grid;
+  steps_ = 0;
+  needed_near_ = 0;
+  beyond_reach_ = false;
+  low_ = {0.0, 0.0, 0.0};
+  high_ = low_;
+  for (uint32_t i = 0; i < balls.n; ++i) {
+    const auto cover = [i](double x, double &low, double &high) {
+      low = i == 0 || x < low ? x : low;
+      high = i == 0 || x > high ? x : high;
+    };
+    cover(balls.x[i], low_.x, high_.x);
+    cover(balls.y[i], low_.y, high_.y);
+    cover(balls.z[i], low_.z, high_.z);
+  }
+  const Vec3 size = high_ - low_;
+  extent_ = std::sqrt(dot(size, size)) * (1.0 + 0x1p-50) + 4.0;
+}
+
+bool WayUp::is_tied(uint32_t ball) const {
+  for (const uint32_t each : tied_.items()) {
+    if (each == ball) return true;
+  }
+  return false;
+}
+
+// Whether no nearest ball gets nearer at once.
+bool WayUp::is_open(const Way &way) {
+  for (const uint32_t ball : tied_.items()) {
+    if (!is_of_curve(way.curve, ball) && point_.departure(way.curve, way.side, ball) < 0) return false;
+  }
+  return true;
+}
+bool WayUp::is_open_from_lowest(const Way &way) {
+  for (const uint32_t ball : tied_.items()) {
+    if (!is_of_curve(way.curve, ball) && departure_from_lowest(*balls_, way.curve, way.side, ball, beyond_reach_) < 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// The side is that of the gate's first three balls.
+bool WayUp::leave_gate(const CriticalPoint &gate, int side, Way &way) {
+  const TangentCurve named{gate.ball[0], gate.ball[1], gate.ball[2]};
+  const Span<const uint32_t> tied = tied_.items();
+  for (uint32_t a = 0; a < tied.size(); ++a) {
+    for (uint32_t b = a + 1; b < tied.size(); ++b) {
+      for (uint32_t c = b + 1; c < tied.size(); ++c) {
+        way.curve = {tied[a], tied[b], tied[c]};
+        bool on_side = false;
+        if (tied.size() > 3 && (are_collinear(*balls_, tied[a], tied[b], tied[c]) ||
+                                !is_in_triangle(point_, tied[a], tied[b], tied[c], on_side))) {
+          continue;
+        }
+        way.side = tied.size() == 3 || turn_alike(*balls_, named, way.curve) ? side : -side;
+        if (is_open_from_lowest(way)) return true;
+      }
+    }
+  }
+  return false;
+}
+
+// A way up from where the last one ended. False at a maximum, where there is none.
+bool WayUp::leave(Way &way) {
+  const TangentCurve before = way.curve;
+  const Span<const uint32_t> tied = tied_.items();
+  bool in_one_plane = true;
+  for (uint32_t a = 0; a < tied.size(); ++a) {
+    for (uint32_t b = a + 1; b < tied.size(); ++b) {
+      for (uint32_t c = b + 1; c < tied.size(); ++c) {
+        way.curve = {tied[a], tied[b], tied[c]};
+        way.side = point_.side_of_curve(way.curve);
+        if (way.side == 0) continue;
+        in_one_plane = false;
+        if (is_open(way)) return true;
+      }
+    }
+  }
+  // Beside a gate that is closed on one side: the point is in a triangle's plane.
+  for (uint32_t a = 0; a < tied.size(); ++a) {
+    for (uint32_t b = a + 1; b < tied.size(); ++b) {
+      for (uint32_t c = b + 1; c < tied.size(); ++c) {
+        way.curve = {tied[a], tied[b], tied[c]};
+        bool on_side = false;
+        if (point_.side_of_curve(way.curve) != 0 || are_collinear(*balls_, tied[a], tied[b], tied[c]) ||
+            !is_in_triangle(point_, tied[a], tied[b], tied[c], on_side)) {
+          continue;
+        }
+        for (const int side : {1, -1}) {
+          way.side = side;
+          if (is_open_from_lowest(way)) return true;
+        }
+      }
+    }
+  }
+  return in_one_plane && leave_in_plane(before, way);
+}
+
+bool WayUp::leave_in_plane(const TangentCurve &before, Way &way) {
+  const Span<const uint32_t> tied = tied_.items();
+  for (uint32_t a = 0; a < tied.size(); ++a) {
+    for (uint32_t b = a + 1; b < tied.size(); ++b) {
+      // Of the plane: a tied ball that is not on the line of the two; else what gave the plane before.
+      uint32_t third = before.third;
+      for (const uint32_t ball : tied) {
+        if (ball != tied[a] && ball != tied[b] && !are_collinear(*balls_, tied[a], tied[b], ball)) third = ball;
+      }
+      if (are_collinear(*balls_, tied[a], tied[b], third)) continue;
+      way.curve = {tied[a], tied[b], third, true};
+      const int here = point_.side_of_curve(way.curve);
+      for (const int side : {1, -1}) {
+        way.side = side;
+        if (here == side ? is_open(way) : here == 0 && is_open_from_lowest(way)) return true;
+      }
+    }
+  }
+  return false;
+}
+
+// Balls that can be nearest somewhere on a curve while its level is up to `to`, from z on.
+Status WayUp::gather(const CurveShape &shape, const TangentCurve &curve, double from, int64_t to) {
+  const BallSet &balls = *balls_;
+  const uint32_t base = curve.base;
+  const double level = static_cast<double>(to), z = 2.0 * (balls.r[base] + level);
+  const double error = shape.error_at(z);
+  LatticeQuery query{balls.ball(base).centre, 0};
+  // From the base's centre, from which no point is further than z / 2.
+  double reach = 0.5 * z;
+  if (error < 0.25 * z) {
+    const double h0 = shape.height(from), h1 = shape.height(z);
+    double low = h0 < h1 ? h0 : h1, high = h0 < h1 ? h1 : h0;
+    const double peak = shape.A > 0.0 ? -shape.b / shape.A : 0.0;
+    if (peak > from && peak < z) {
+      const double top = shape.height(peak);
+      high = top > high ? top : high;
+    }
+    const double along = 0.5 * (z - from) * std::sqrt(dot(shape.q, shape.q)), across = 0.5 * (high - low);
+    const double half = 0.5 * (std::sqrt(along * along + across * across) * (1.0 + 1e-9) + 2.0 * error) + 2.0;
+    if (half < reach) {
+      reach = half;
+      const Vec3 y = combine(0.5, shape.p + 0.5 * (from + z) * shape.q, 0.25 * (low + high), shape.e);
+      query.centre = {query.centre.x + nearest(y.x), query.centre.y + nearest(y.y), query.centre.z + nearest(y.z)};
+    }
+  }
+  reach += level + 2.0;
+  if (!(reach < exact::query_radius_limit)) return Status::range;
+  query.radius = reach > 0.0 ? static_cast<int64_t>(reach) + 1 : 0;
+  QueryResult result{near_.data(), near_.size(), 0};
+  find_balls_at_ball(*grid_, query, result);
+  needed_near_ = larger_count(needed_near_, result.hits);
+  if (result.hits > near_.size()) return Status::capacity;
+  near_count_ = result.hits;
+  return Status::ok;
+}
+
+// Of the balls that were gathered the first one that a curve meets above the point.
+bool WayUp::first_event(const Way &way, TangentPoint &event) {
+  bool any = false;
+  for (uint32_t k = 0; k < near_count_; ++k) {
+    const uint32_t ball = near_[k];
+    if (is_of_curve(way.curve, ball)) continue;
+    TangentPoint at[2];
+    bool there[2], above[2], certain[2];
+    for (const uint32_t root : {0U, 1U}) {
+      there[root] = at[root].find(*balls_, way.curve, ball, root == 1);
+      beyond_reach_ = beyond_reach_ || at[root].beyond_reach();
+      const double difference = at[root].level_estimate() - point_.level_estimate();
+      const double doubt = at[root].level_error() + point_.level_error();
+      certain[root] = !there[root] || std::fabs(difference) > doubt;
+      above[root] = there[root] && difference > doubt;
+    }
+    // Of a ball that is tied at the point one of the two is the point.
+    const bool known = is_tied(ball) && (certain[0] || certain[1]);
+    for (const uint32_t root : {0U, 1U}) {
+      if (!certain[root]) above[root] = !known && at[root].compare_levels(point_) > 0;
+      if (!above[root]) continue;
+      if (any && at[root].level_estimate() - at[root].level_error() > event.level_estimate() + event.level_error())
+        continue;
+      if (at[root].side_of_curve(way.curve) != way.side) continue;
+      if (any && at[root].compare_levels(event) >= 0) continue;
+      event = at[root];
+      any = true;
+    }
+  }
+  return any;
+}
+
+bool WayUp::is_beyond_box(const CurveShape &shape, uint32_t base, double z) const {
+  const BallSet &balls = *balls_;
+  if (0.5 * z > extent_) return true;
+  const double error = 0.5 * shape.error_at(z) + 2.0;
+  if (!(error < extent_)) return false;
+  const Vec3 y = combine(0.5, shape.p + z * shape.q, 0.5 * shape.height(z), shape.e);
+  const Vec3 x{balls.x[base] + y.x, balls.y[base] + y.y, balls.z[base] + y.z};
+  return x.x > high_.x + error || x.x < low_.x - error || x.y > high_.y + error || x.y < low_.y - error ||
+         x.z > high_.z + error || x.z < low_.z - error;
+}
+
+// To the next point of a way, and all balls that are nearest there.
+Status WayUp::follow(const Way &way, bool &outside) {
+  const BallSet &balls = *balls_;
+  const bool unbounded = is_unbounded(balls, way.curve, beyond_reach_);
+  TangentPoint top;
+  if (!unbounded && !top.find(balls, way.curve, no_id, true)) return beyond_reach_ ? Status::range : Status::check;
+  CurveShape shape(balls, way.curve);
+  if (way.side < 0) shape.e = -shape.e;
+  const double radius = balls.r[way.curve.base];
+  Vec3 place{};
+  double start = 0.0;
+  const double doubt = point_.settle(place, start);
+  const double from = 2.0 * (radius + start - doubt);
+  double window = 0.12 * (radius + start) + 16.0;
+  for (int turn = 0; turn < most_windows; ++turn, window *= 1.7) {
+    const double reached = start + window;
+    if (!(reached < 0x1p50)) return Status::range;
+    const int64_t to = nearest(reached);
+    const bool whole = !unbounded && top.level_against(to) <= 0;
+    if (const Status status = gather(shape, way.curve, from > 0.0 ? from : 0.0, to); status != Status::ok)
+      return status;
+    TangentPoint event;
+    bool met = first_event(way, event);
+    if (met && event.level_against(to) > 0) met = false;
+    if (!met && !whole) {
+      if (!unbounded || !is_beyond_box(shape, way.curve.base, 2.0 * (radius + static_cast<double>(to)))) continue;
+      outside = true;
+      return Status::ok;
+    }
+    point_ = met ? event : top;
+    tied_.clear();
+    for (uint32_t k = 0; k < near_count_; ++k) {
+      if (point_.nearness(near_[k]) == 0) tied_.push(near_[k]);
+    }
+    beyond_reach_ = beyond_reach_ || point_.beyond_reach();
+    return beyond_reach_ ? Status::range : Status::ok;
+  }
+  return Status::check;
+}
+
+Status WayUp::climb(const CriticalPoint &gate, Span<const uint32_t> tied, bool other_side, uint32_t *name,
+                    bool &outside) {
+  const BallSet &balls = *balls_;
+  outside = false;
+  needed_near_ = larger_count(needed_near_, tied.size());
+  if (tied.size() > near_.size()) return Status::capacity;
+  if (!point_.find(balls, {gate.ball[0], gate.ball[1], gate.ball[2]}, no_id, false)) return Status::check;
+  tied_.clear();
+  for (const uint32_t ball : tied) tied_.push(ball);
+  Way way;
+  if (!leave_gate(gate, other_side ? -1 : 1, way)) return beyond_reach_ ? Status::range : Status::check;
+  for (uint32_t step = 0; step < most_steps; ++step) {
+    ++steps_;
+    if (const Status status = follow(way, outside); status != Status::ok || outside) return status;
+    if (leave(way)) continue;
+    if (beyond_reach_ || point_.beyond_reach()) return Status::range;
+    name_of(balls, point_, tied_.items(), PointKind::maximum, name);
+    return Status::ok;
+  }
+  return Status::check;
+}
+
+}  // namespace hsp

@@ -1,0 +1,61 @@
+// Ways up from gates to maxima. From a point, with all balls that are nearest there, a curve of three of them is
+// followed on which f rises and no other gets nearer at once, to the first further ball; and again, up to a maximum. f
+// rises all the way, so that the maximum is in the component of free space that the way begins in.
+//
+// A curve that is an ellipse has a top, where it may end with no further ball. If the centres of all nearest balls are
+// in one plane with the point then, no curve of three leads up: the way goes on in that plane, with two balls.
+//
+// Far away from all centres, beyond the box around them, is the outside.
+#pragma once
+
+#include "core/fixed_vector.hpp"
+#include "model/queries.hpp"
+#include "pores/pores.hpp"
+#include "pores/tied_balls.hpp"
+
+namespace hsp {
+
+class WayUp {
+ public:
+  // near: how many balls may be around a piece of a curve.
+  void carve(Workspace &workspace, uint32_t near);
+  // The grid has the same balls, in the same order of the caller.
+  void prepare(const BallSet &balls, const CubeGrid &grid);
+
+  // From a gate, all of whose balls are given, on the side where its three turn counter-clockwise or on the other one,
+  // to the name of a maximum, or to the outside. Status::capacity: near is too small. Status::range: balls of one
+  // question are too far apart. Status::check would mean that a point was neither a maximum nor left upwards.
+  Status climb(const CriticalPoint &gate, Span<const uint32_t> tied, bool other_side, uint32_t *name, bool &outside);
+
+  uint32_t needed_near() const { return needed_near_; }
+  uint64_t steps() const { return steps_; }
+
+ private:
+  struct Way {
+    TangentCurve curve;
+    int side = 0;
+  };
+  bool leave_gate(const CriticalPoint &gate, int side, Way &way);
+  bool leave(Way &way);
+  bool leave_in_plane(const TangentCurve &before, Way &way);
+  bool is_open(const Way &way);
+  bool is_open_from_lowest(const Way &way);
+  Status follow(const Way &way, bool &outside);
+  Status gather(const CurveShape &shape, const TangentCurve &curve, double from, int64_t to);
+  bool first_event(const Way &way, TangentPoint &event);
+  bool is_beyond_box(const CurveShape &shape, uint32_t base, double z) const;
+  bool is_tied(uint32_t ball) const;
+
+  const BallSet *balls_ = nullptr;
+  const CubeGrid *grid_ = nullptr;
+  Vec3 low_{}, high_{};
+  double extent_ = 0.0;
+  TangentPoint point_;
+  FixedVector<uint32_t> tied_;
+  Span<uint32_t> near_;
+  uint32_t near_count_ = 0, needed_near_ = 0;
+  uint64_t steps_ = 0;
+  bool beyond_reach_ = false;
+};
+
+}  // namespace hsp

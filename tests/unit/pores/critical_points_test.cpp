@@ -1,0 +1,106 @@
+// All maxima and gates, held against all sets of three and four, and against Euler's sum: with the outside and the gaps
+// of pairs, maxima + 1 - gates + gaps - balls is 0 if nothing is missing, ties or not.
+#include "pores/critical_points.hpp"
+
+#include <gtest/gtest.h>
+
+#include "brute_pores.hpp"
+#include "checked_pores.hpp"
+#include "long_reals.hpp"
+#include "sweep_length.hpp"
+
+namespace {
+
+using checked_pores::FoundPoints;
+using hsp::no_id;
+
+TEST(CriticalPoints, AllSetsOfThreeAndFour) {
+  if (!oracle::has_long_reals) GTEST_SKIP();
+  oracle::RandomSource random(1);
+  checked_pores::Seen seen;
+  for (int turn = 0; turn < oracle::sets(60); ++turn) {
+    ASSERT_NO_FATAL_FAILURE(checked_pores::compare_with_all_sets(random, turn % pore_sets::general_kinds, seen));
+  }
+  EXPECT_GT(seen.points, 100);
+}
+
+TEST(CriticalPoints, EulerSumsOfTiedSets) {
+  oracle::RandomSource random(2);
+  checked_pores::Seen seen;
+  for (int turn = 0; turn < oracle::sets(100); ++turn) {
+    const oracle::Balls balls =
+        pore_sets::tied_set(random, static_cast<size_t>(random.in(1, 14)), turn % pore_sets::tied_kinds);
+    ASSERT_NO_FATAL_FAILURE(checked_pores::check_euler_sum(balls, seen));
+  }
+  EXPECT_GT(seen.tied, 5);
+}
+
+TEST(CriticalPoints, EulerSumsOfCages) {
+  oracle::RandomSource random(3);
+  checked_pores::Seen seen;
+  for (int kind = 0; kind < pore_sets::cage_kinds - 1; ++kind) {
+    for (const double unit : {1e8, 1e5}) {
+      ASSERT_NO_FATAL_FAILURE(checked_pores::check_euler_sum(pore_sets::cage(random, kind, unit), seen));
+    }
+  }
+  EXPECT_GT(seen.points, 100);
+}
+
+// A cube of eight balls: one maximum in the middle, of eight, and a gate in each side, of four.
+TEST(CriticalPoints, ACubeThatTies) {
+  oracle::Balls balls;
+  for (int k = 0; k < 8; ++k) balls.push_back({(k & 1) * 1000, (k >> 1 & 1) * 1000, (k >> 2) * 1000, 300});
+  const FoundPoints found(balls, 0);
+  ASSERT_EQ(found.status(), hsp::Status::ok);
+  ASSERT_EQ(found.points().maxima().size(), 1U);
+  const hsp::CriticalPoint &middle = found.points().maxima()[0];
+  EXPECT_EQ(middle.tied, 8U);
+  EXPECT_NEAR(middle.level, 500.0 * std::sqrt(3.0) - 300.0, 1e-9);
+  EXPECT_NEAR(middle.place.x, 500.0, 1e-9);
+  EXPECT_EQ(found.points().tied().size(), 8U + 6 * 4);
+  ASSERT_EQ(found.points().gates().size(), 6U);
+  for (const hsp::CriticalPoint &gate : found.points().gates().items()) {
+    EXPECT_EQ(gate.tied, 4U);
+    EXPECT_EQ(gate.ball[3], no_id);
+    EXPECT_NEAR(gate.level, 500.0 * std::sqrt(2.0) - 300.0, 1e-9);
+  }
+}
+
+// Points of the floor's own level are not above it.
+TEST(CriticalPoints, FloorsAreStrict) {
+  // A ring of four around the origin, at 500 from it, and two on the axis at 500: an octahedron of level 400.
+  const oracle::Balls balls{{500, 0, 0, 100},  {-500, 0, 0, 100}, {0, 500, 0, 100},
+                            {0, -500, 0, 100}, {0, 0, 500, 100},  {0, 0, -500, 100}};
+  EXPECT_EQ(FoundPoints(balls, 399).points().maxima().size(), 1U);
+  EXPECT_EQ(FoundPoints(balls, 400).points().maxima().size(), 0U);
+}
+
+TEST(CriticalPoints, FewBallsHaveNone) {
+  for (size_t n = 0; n < 3; ++n) {
+    oracle::Balls balls;
+    for (size_t k = 0; k < n; ++k) balls.push_back({static_cast<int64_t>(1000 * k), 0, 0, 10});
+    const FoundPoints found(balls, -11);
+    EXPECT_EQ(found.status(), hsp::Status::ok);
+    EXPECT_EQ(found.points().maxima().size() + found.points().gates().size(), 0U);
+  }
+}
+
+TEST(CriticalPoints, EveryLimitIsReported) {
+  oracle::RandomSource random(4);
+  const oracle::Balls balls = pore_sets::general_set(random, 40, 0);
+  const FoundPoints whole(balls, -200000000);
+  ASSERT_EQ(whole.status(), hsp::Status::ok);
+  const hsp::CriticalLimits needed = whole.points().needed();
+  for (uint32_t hsp::CriticalLimits::*limit :
+       {&hsp::CriticalLimits::maxima, &hsp::CriticalLimits::gates, &hsp::CriticalLimits::candidates}) {
+    for (const uint32_t value : {0U, 1U, needed.*limit - 1}) {
+      hsp::CriticalLimits limits = FoundPoints::roomy(balls);
+      limits.*limit = value;
+      const FoundPoints found(balls, -200000000, limits);
+      EXPECT_EQ(found.status(), hsp::Status::capacity);
+      EXPECT_GT(found.points().needed().*limit, value);
+    }
+  }
+}
+
+}  // namespace

@@ -1,0 +1,64 @@
+// The comparisons of the other files of this folder over many more sets.
+#include <gtest/gtest.h>
+
+#include "checked_pores.hpp"
+#include "long_reals.hpp"
+#include "pore_widths.hpp"
+#include "sweep_length.hpp"
+
+namespace {
+
+TEST(PoresSlow, AllSetsOfThreeAndFour) {
+  if (!oracle::has_long_reals) GTEST_SKIP();
+  oracle::RandomSource random(11);
+  checked_pores::Seen seen;
+  for (int turn = 0; turn < oracle::rounds(600, 6000); ++turn) {
+    ASSERT_NO_FATAL_FAILURE(checked_pores::compare_with_all_sets(random, turn % pore_sets::general_kinds, seen));
+  }
+  EXPECT_LT(seen.undecided, oracle::rounds(60, 600));
+}
+
+TEST(PoresSlow, EulerSumsOfTiedSets) {
+  oracle::RandomSource random(12);
+  checked_pores::Seen seen;
+  for (int turn = 0; turn < oracle::rounds(600, 4000); ++turn) {
+    const oracle::Balls balls =
+        pore_sets::tied_set(random, static_cast<size_t>(random.in(1, 16)), turn % pore_sets::tied_kinds);
+    ASSERT_NO_FATAL_FAILURE(checked_pores::check_euler_sum(balls, seen));
+  }
+}
+
+TEST(PoresSlow, Cages) {
+  oracle::RandomSource random(13);
+  checked_pores::Seen seen;
+  for (int turn = 0; turn < oracle::rounds(1, 2); ++turn) {
+    for (int kind = 0; kind < pore_sets::cage_kinds; ++kind) {
+      for (const double unit : {1e8, 1e7, 1e6, 1e5, 1e4, 1e3}) {
+        const oracle::Balls balls = pore_sets::cage(random, kind, unit);
+        ASSERT_NO_FATAL_FAILURE(checked_pores::check_euler_sum(balls, seen));
+        ASSERT_NO_FATAL_FAILURE(checked_pores::compare_with_regions(balls, seen));
+      }
+    }
+  }
+}
+
+TEST(PoresSlow, ComponentsAtAllLevels) {
+  oracle::RandomSource random(14);
+  checked_pores::Seen seen;
+  for (int turn = 0; turn < oracle::rounds(300, 1200); ++turn) {
+    const auto n = static_cast<size_t>(random.in(1, 30));
+    const oracle::Balls balls = turn % 2 == 0 ? pore_sets::tied_set(random, n, turn / 2 % pore_sets::tied_kinds)
+                                              : pore_sets::general_set(random, n, turn / 2 % pore_sets::general_kinds);
+    ASSERT_NO_FATAL_FAILURE(checked_pores::compare_with_regions(balls, seen));
+  }
+}
+
+TEST(PoresSlow, WidestProbesBetweenPlaces) {
+  oracle::RandomSource random(15);
+  pore_widths::Seen seen;
+  for (int turn = 0; turn < oracle::rounds(120, 12000); ++turn) {
+    ASSERT_NO_FATAL_FAILURE(pore_widths::compare_with_gates(random, turn % pore_sets::general_kinds, 8, seen));
+  }
+}
+
+}  // namespace

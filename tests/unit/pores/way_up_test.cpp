@@ -1,0 +1,72 @@
+// Ways up end at maxima that are higher than where they begin, and where they are known to lead.
+#include "pores/way_up.hpp"
+
+#include <gtest/gtest.h>
+
+#include "checked_pores.hpp"
+#include "sweep_length.hpp"
+
+namespace {
+
+using hsp::no_id;
+using hsp::pore_outside;
+
+// A tetrahedron of balls: from each of four gates one side leads to the middle, the other one out.
+TEST(WayUp, IntoATetrahedronAndOut) {
+  const oracle::Balls balls{
+      {1000, 1000, 1000, 900}, {1000, -1000, -1000, 910}, {-1000, 1000, -1000, 920}, {-1000, -1000, 1000, 930}};
+  const BuiltPores pores(balls);
+  ASSERT_EQ(pores.status(), hsp::Status::ok);
+  ASSERT_EQ(pores.maxima().size(), 1U);
+  ASSERT_EQ(pores.gates().size(), 4U);
+  for (const auto &gate : pores.gates()) {
+    // On the side where its three turn counter-clockwise seen from, that is of (b - a) x (c - a).
+    const auto at = [&](uint32_t k) { return balls[gate.point.ball[k]]; };
+    const oracle::Vector normal = oracle::cross(centre_difference(at(0), at(1)), centre_difference(at(0), at(2)));
+    const oracle::Vector inward{-at(0).x, -at(0).y, -at(0).z};
+    const bool first_inward = oracle::dot(normal, inward) > 0;
+    EXPECT_EQ(gate.end[first_inward ? 0 : 1], 0U);
+    EXPECT_EQ(gate.end[first_inward ? 1 : 0], pore_outside);
+  }
+}
+
+// Three balls, the middle one small: the curve of the three is an ellipse, at whose top no further ball is.
+TEST(WayUp, OverTheTopOfAnEllipse) {
+  const oracle::Balls balls{{-1000, 0, 0, 800}, {1000, 0, 0, 800}, {0, 250, 0, 20}};
+  const BuiltPores pores(balls);
+  ASSERT_EQ(pores.status(), hsp::Status::ok);
+  EXPECT_EQ(pores.maxima().size(), 0U);
+  for (const auto &gate : pores.gates()) {
+    EXPECT_EQ(gate.end[0], pore_outside);
+    EXPECT_EQ(gate.end[1], pore_outside);
+    EXPECT_FALSE(gate.merges);
+  }
+  EXPECT_EQ(pores.gates().size(), 1U);
+}
+
+// The same between walls: beyond the top the way goes on between two balls, to where others are.
+TEST(WayUp, ManyTopsAmongUnequalBalls) {
+  oracle::RandomSource random(1);
+  checked_pores::Seen seen;
+  for (int turn = 0; turn < oracle::sets(60); ++turn) {
+    ASSERT_NO_FATAL_FAILURE(checked_pores::compare_with_regions(pore_sets::general_set(random, 14, 2), seen));
+  }
+  EXPECT_GT(seen.levels, 100);
+}
+
+TEST(WayUp, EndsAreHigher) {
+  oracle::RandomSource random(2);
+  for (int turn = 0; turn < oracle::sets(20); ++turn) {
+    const BuiltPores pores(pore_sets::general_set(random, 30, turn % pore_sets::general_kinds));
+    ASSERT_EQ(pores.status(), hsp::Status::ok);
+    for (const auto &gate : pores.gates()) {
+      for (const uint32_t end : gate.end) {
+        ASSERT_NE(end, no_id);
+        if (end == pore_outside) continue;
+        ASSERT_GT(pores.maxima()[end].point.level, gate.point.level);
+      }
+    }
+  }
+}
+
+}  // namespace

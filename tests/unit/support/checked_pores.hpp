@@ -1,0 +1,109 @@
+// Pores held against brute force, against free space of grown balls, and against the widest probe.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "brute_pores.hpp"
+#include "built_free_space.hpp"
+#include "built_pores.hpp"
+#include "pore_sets.hpp"
+#include "tied_sets.hpp"
+
+namespace checked_pores {
+
+struct Seen {
+  int points = 0, tied = 0, undecided = 0, levels = 0, regions = 0, gates = 0;
+};
+
+// Critical points alone, of balls none of which lies inside another one.
+class FoundPoints {
+ public:
+  FoundPoints(const oracle::Balls &outer, int64_t floor) : FoundPoints(outer, floor, roomy(outer)) {}
+  FoundPoints(const oracle::Balls &outer, int64_t floor, const hsp::CriticalLimits &limits) : balls_(outer) {
+    memory_.carve(points_, limits);
+    status_ = points_.find(balls_.set(), floor);
+  }
+  static hsp::CriticalLimits roomy(const oracle::Balls &balls) {
+    const auto n = static_cast<uint32_t>(balls.size());
+    return {n, 40 * n + 200, 80 * n + 200, 4000, 200 * n + 4000, n + 8};
+  }
+  hsp::Status status() const { return status_; }
+  hsp::CriticalPoints &points() { return points_; }
+  const hsp::CriticalPoints &points() const { return points_; }
+  const hsp::BallSet &balls() const { return balls_.set(); }
+
+ private:
+  PlainBallSet balls_;
+  CarvedMemory memory_;
+  hsp::CriticalPoints points_;
+  hsp::Status status_ = hsp::Status::ok;
+};
+
+inline void check_euler_sum(const oracle::Balls &balls, Seen &seen) {
+  const oracle::Balls outer = oracle::outer_balls(balls);
+  const FoundPoints found(outer, BuiltPores::lowest(outer));
+  ASSERT_EQ(found.status(), hsp::Status::ok);
+  const auto maxima = static_cast<int>(found.points().maxima().size());
+  const auto gates = static_cast<int>(found.points().gates().size());
+  ASSERT_EQ(maxima + 1 - gates + oracle::count_gaps(outer) - static_cast<int>(outer.size()), 0)
+      << oracle::to_text(outer);
+  seen.points += maxima + gates;
+  seen.tied += found.points().tied().size() > 0 ? 1 : 0;
+}
+
+inline void compare_with_all_sets(oracle::RandomSource &random, int kind, Seen &seen) {
+  const oracle::Balls outer =
+      oracle::outer_balls(pore_sets::general_set(random, static_cast<size_t>(random.in(3, 14)), kind));
+  const oracle::CriticalSets expected = oracle::critical_sets(outer);
+  if (!expected.decided) {
+    ++seen.undecided;
+    return;
+  }
+  const FoundPoints found(outer, BuiltPores::lowest(outer));
+  ASSERT_EQ(found.status(), hsp::Status::ok);
+  oracle::CriticalSets ours;
+  for (const hsp::CriticalPoint &gate : found.points().gates().items()) {
+    ASSERT_TRUE(ours.gates.insert({gate.ball[0], gate.ball[1], gate.ball[2]}).second);
+  }
+  for (const hsp::CriticalPoint &top : found.points().maxima().items()) {
+    ASSERT_TRUE(ours.maxima.insert({top.ball[0], top.ball[1], top.ball[2], top.ball[3]}).second);
+  }
+  ASSERT_EQ(ours.gates, expected.gates) << oracle::to_text(outer);
+  ASSERT_EQ(ours.maxima, expected.maxima) << oracle::to_text(outer);
+  seen.points += static_cast<int>(ours.gates.size() + ours.maxima.size());
+  ASSERT_NO_FATAL_FAILURE(check_euler_sum(outer, seen));
+}
+
+// Components at levels between all points that are a few steps apart, against regions of balls that have grown that
+// much.
+inline void compare_with_regions(const oracle::Balls &balls, Seen &seen) {
+  const BuiltPores pores(balls);
+  ASSERT_EQ(pores.status(), hsp::Status::ok) << oracle::to_text(balls);
+  std::vector<double> levels;
+  for (const auto &maximum : pores.maxima()) levels.push_back(maximum.point.level);
+  for (const auto &gate : pores.gates()) levels.push_back(gate.point.level);
+  std::sort(levels.begin(), levels.end());
+  int64_t least = INT64_MAX, largest = 0;
+  for (const auto &ball : balls) {
+    least = std::min(least, ball.radius);
+    largest = std::max(largest, ball.radius);
+  }
+  for (size_t k = 0; k + 1 < levels.size(); ++k) {
+    const auto level = static_cast<int64_t>(std::llround(0.5 * (levels[k] + levels[k + 1])));
+    if (levels[k + 1] - levels[k] < 4.0 || least + level <= 0 || largest + level >= INT64_C(1) << 30) continue;
+    oracle::Balls grown = balls;
+    for (auto &ball : grown) ball.radius += level;
+    const BuiltFreeSpace space(grown);
+    ASSERT_EQ(space.status(), hsp::Status::ok);
+    ASSERT_EQ(pores.components(static_cast<double>(level)), static_cast<int>(space.space().region_count()))
+        << "at " << level << " of " << oracle::to_text(balls);
+    ++seen.levels;
+    seen.regions += static_cast<int>(space.space().region_count());
+  }
+  seen.points += static_cast<int>(pores.maxima().size() + pores.gates().size());
+}
+
+}  // namespace checked_pores
