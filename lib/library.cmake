@@ -172,11 +172,8 @@ set(HSP_LIBRARY_SOURCES
   lib/sight/maps/disc_grid.cpp
   lib/sight/maps/drawing_order.cpp
   lib/sight/maps/edge_distance.cpp
-  lib/sight/maps/edge_geometry.cpp
   lib/sight/maps/face_pole.cpp
-  lib/sight/maps/landings.cpp
   lib/sight/maps/map_builder.cpp
-  lib/sight/maps/map_paths.cpp
   lib/sight/maps/map_silhouettes.cpp
   lib/sight/maps/seen_balls.cpp
   lib/sight/maps/silhouette_arcs.cpp

@@ -4,24 +4,16 @@ namespace hsp {
 
 void DrawingOrder::carve(Workspace &workspace, const StickLimits &limits) {
   const uint64_t bodies = limits.balls + 2 * static_cast<uint64_t>(limits.sticks);
-  first_ = workspace.take<uint32_t>(bodies + 1);
-  above_ = workspace.take<uint32_t>(limits.pairs);
+  above_.carve(workspace, limits);
   waiting_ = workspace.take<uint32_t>(bodies);
   heap_ = workspace.take<uint32_t>(bodies);
 }
 
 uint32_t DrawingOrder::sort(Span<const StickPair> pairs, Span<const double> depth, Span<uint32_t> order) {
   const uint32_t bodies = depth.size();
-  for (uint32_t k = 0; k <= bodies; ++k) first_[k] = 0;
   for (uint32_t k = 0; k < bodies; ++k) waiting_[k] = 0;
-  for (const StickPair &pair : pairs) {
-    ++first_[pair.below];
-    ++waiting_[pair.above];
-  }
-  uint32_t end = 0;
-  for (uint32_t k = 0; k < bodies; ++k) first_[k] = end += first_[k];
-  first_[bodies] = end;
-  for (const StickPair &pair : pairs) above_[--first_[pair.below]] = pair.above;
+  for (const StickPair &pair : pairs) ++waiting_[pair.above];
+  above_.sort(pairs, bodies);
 
   const auto before = [depth](uint32_t a, uint32_t b) { return depth[a] != depth[b] ? depth[a] < depth[b] : a < b; };
   uint32_t ready = 0;
@@ -50,8 +42,8 @@ uint32_t DrawingOrder::sort(Span<const StickPair> pairs, Span<const double> dept
   while (ready > 0) {
     const uint32_t body = pop();
     order[placed++] = body;
-    for (uint32_t k = first_[body]; k < first_[body + 1]; ++k) {
-      if (--waiting_[above_[k]] == 0) push(above_[k]);
+    for (const uint32_t above : above_.of(body)) {
+      if (--waiting_[above] == 0) push(above);
     }
   }
   return placed;

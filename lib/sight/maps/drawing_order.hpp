@@ -22,8 +22,7 @@ class DrawingOrder {
   Cycle find_cycle(Span<const StickPair> pairs, uint32_t bodies);
 
  private:
-  Span<uint32_t> first_;    // [bodies + 1]
-  Span<uint32_t> above_;    // [pairs]
+  BodiesAbove above_;
   Span<uint32_t> waiting_;  // [bodies] pairs whose lower body has no place yet
   Span<uint32_t> heap_;     // [bodies]
 };

@@ -1,9 +1,11 @@
 // What is seen as paths to be painted: all faces of a body are one, and no two overlap.
 #pragma once
 
+#include "core/sorting.hpp"
 #include "maps/edge_geometry.hpp"
 #include "maps/loop_runs.hpp"
 #include "maps/visibility_map.hpp"
+#include "view/depth_order.hpp"
 #include "view/painted_paths.hpp"
 
 namespace hsp {
@@ -75,7 +77,18 @@ class MapPaths {
  public:
   // scratch: as many as balls are seen, which are no more than edges; it and the map have to outlive this.
   // O(n + m log m) for m of n balls.
-  MapPaths(const BallSet &balls, const VisibilityMap &map, Span<uint32_t> scratch);
+  MapPaths(const BallSet &balls, const VisibilityMap &map, Span<uint32_t> scratch) : map_(map) {
+    uint32_t count = 0;
+    for (uint32_t k = 0; k < map.scene.bodies(); ++k) {
+      const uint32_t first = map.first_face_of(k);
+      if (first != no_id) scratch[count++] = first;
+    }
+    first_face_ = scratch.part(0, count);
+    sort_in_place(first_face_, [&](uint32_t f, uint32_t g) {
+      return is_farther(balls, map.frame.direction, map.scene.ball_of(map.faces[f].owner),
+                        map.scene.ball_of(map.faces[g].owner));
+    });
+  }
   MapPaths(const MapPaths &) = delete;  // those who paint point here
   MapPaths &operator=(const MapPaths &) = delete;
 

@@ -13,20 +13,8 @@ constexpr ArcEnd natural_end{MapVertexKind::tangency, no_id};
 void StickArcs::carve(Workspace &workspace, const StickLimits &limits) {
   arcs_ = FixedVector<MapArc>(workspace.take<MapArc>(limits.edges));
   hidden_ = FixedVector<HiddenInterval>(workspace.take<HiddenInterval>(limits.edges));
-  first_above_ = workspace.take<uint32_t>(limits.balls + 2 * static_cast<uint64_t>(limits.sticks) + 1);
-  above_ = workspace.take<uint32_t>(limits.pairs);
+  above_.carve(workspace, limits);
   asked_ = workspace.take<uint32_t>(limits.sticks);
-}
-
-// A counting sort by the lower body.
-void StickArcs::sort_pairs(Span<const StickPair> pairs) {
-  const uint32_t bodies = scene_.bodies();
-  for (uint32_t k = 0; k <= bodies; ++k) first_above_[k] = 0;
-  for (const StickPair &pair : pairs) ++first_above_[pair.below];
-  uint32_t end = 0;
-  for (uint32_t k = 0; k < bodies; ++k) first_above_[k] = end += first_above_[k];
-  first_above_[bodies] = end;
-  for (const StickPair &pair : pairs) above_[--first_above_[pair.below]] = pair.above;
 }
 
 // Of equal balls the first one is not inside.
@@ -34,7 +22,7 @@ void StickArcs::mark_inside(Span<SeenBall> balls) const {
   for (uint32_t i = 0; i < scene_.balls.size(); ++i) {
     balls[i].inside = 0;
     const SeenBall &ball = scene_.balls[i];
-    for (const uint32_t k : bodies_above(i)) {
+    for (const uint32_t k : above_.of(i)) {
       if (!scene_.is_ball(k)) continue;
       const SeenBall &other = scene_.balls[k];
       const bool smaller = ball.r != other.r ? ball.r < other.r : i > k;
@@ -60,7 +48,7 @@ bool StickArcs::hide_by_stick(Parts &parts, uint32_t body, uint32_t except_stick
 template <class Parts>
 bool StickArcs::hide(Parts &parts, uint32_t body, uint32_t except_ball, uint32_t except_stick,
                      const ArcEnd &at_surface) {
-  for (const uint32_t k : bodies_above(body)) {
+  for (const uint32_t k : above_.of(body)) {
     if (!scene_.is_ball(k)) {
       if (hide_by_stick(parts, k, except_stick)) return true;
     } else if (k != except_ball && scene_.balls[k].inside == 0) {
@@ -104,7 +92,7 @@ void StickArcs::add_silhouette(uint32_t ball) {
   const RoundCurve curve = scene_.round_curve(ball, no_id);
   HiddenParts<RoundCurve> parts(curve, -pi, pi, hidden_);
   bool hidden = false;
-  for (const uint32_t k : bodies_above(ball)) {
+  for (const uint32_t k : above_.of(ball)) {
     if (hidden) break;
     if (!scene_.is_ball(k)) {
       hidden = !hide_by_own_stick(k, ball) && hide_by_stick(parts, k, no_id);
@@ -192,13 +180,13 @@ void StickArcs::find(const StickScene &scene, const StickView &view, Span<const 
   certain_ = true;
   curve_ = 0;
   for (uint32_t k = 0; k < scene.sticks.size(); ++k) asked_[k] = 0;
-  sort_pairs(pairs);
+  above_.sort(pairs, scene.bodies());
   mark_inside(balls);
   for (uint32_t i = 0; i < scene.balls.size(); ++i) {
     if (!(scene.balls[i].r > 0.0) || scene_.balls[i].inside != 0) continue;
     add_silhouette(i);
     for (const StickBite &bite : view.bites_of(i)) add_top_ring(bite);
-    for (const uint32_t k : bodies_above(i)) {
+    for (const uint32_t k : above_.of(i)) {
       if (scene.is_ball(k) && scene_.balls[k].inside == 0 && is_nearer(k, i)) add_crease(i, k);
     }
   }

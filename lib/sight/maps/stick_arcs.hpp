@@ -27,7 +27,6 @@ class StickArcs {
   uint32_t needed_edges() const { return larger_count(most_edges_of(arcs_, not_found_), most_hidden_); }
 
  private:
-  void sort_pairs(Span<const StickPair> pairs);
   void mark_inside(Span<SeenBall> balls) const;
   void add_silhouette(uint32_t ball);
   void add_crease(uint32_t ball, uint32_t nearer);
@@ -39,9 +38,6 @@ class StickArcs {
     const SeenBall &one = scene_.balls[a];
     const SeenBall &two = scene_.balls[b];
     return one.z != two.z ? one.z > two.z : a > b;
-  }
-  Span<const uint32_t> bodies_above(uint32_t body) const {
-    return above_.part(first_above_[body], first_above_[body + 1]);
   }
   template <class Parts>
   bool hide(Parts &parts, uint32_t body, uint32_t except_ball, uint32_t except_stick, const ArcEnd &at_surface);
@@ -57,10 +53,9 @@ class StickArcs {
   const StickView *view_ = nullptr;
   FixedVector<MapArc> arcs_;            // [edges]
   FixedVector<HiddenInterval> hidden_;  // [edges]
-  Span<uint32_t> first_above_;          // [bodies + 1]
-  Span<uint32_t> above_;                // [pairs]
-  Span<uint32_t> asked_;                // [sticks] the last curve for which a stick was asked
-  uint64_t not_found_ = 0;              // arcs at most
+  BodiesAbove above_;
+  Span<uint32_t> asked_;    // [sticks] the last curve for which a stick was asked
+  uint64_t not_found_ = 0;  // arcs at most
   uint32_t curve_ = 0;
   uint32_t most_hidden_ = 0;
   bool certain_ = true;

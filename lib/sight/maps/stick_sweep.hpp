@@ -22,6 +22,28 @@ struct StickPair {
   uint32_t below, above;
 };
 
+// The bodies above each of some, from pairs: a counting sort by the lower body.
+class BodiesAbove {
+ public:
+  void carve(Workspace &workspace, const StickLimits &limits) {
+    first_ = workspace.take<uint32_t>(limits.balls + 2 * static_cast<uint64_t>(limits.sticks) + 1);
+    above_ = workspace.take<uint32_t>(limits.pairs);
+  }
+  void sort(Span<const StickPair> pairs, uint32_t bodies) {
+    for (uint32_t k = 0; k <= bodies; ++k) first_[k] = 0;
+    for (const StickPair &pair : pairs) ++first_[pair.below];
+    uint32_t end = 0;
+    for (uint32_t k = 0; k < bodies; ++k) first_[k] = end += first_[k];
+    first_[bodies] = end;
+    for (const StickPair &pair : pairs) above_[--first_[pair.below]] = pair.above;
+  }
+  Span<const uint32_t> of(uint32_t body) const { return above_.part(first_[body], first_[body + 1]); }
+
+ private:
+  Span<uint32_t> first_;  // [bodies + 1]
+  Span<uint32_t> above_;  // [pairs]
+};
+
 // The box of a body in the view plane.
 struct SweptBox {
   double left, right, bottom, top;

@@ -5,7 +5,7 @@
 // Each bound is itself rounded a few times; a relative 2^-50 and the smallest normal double cover that.
 #pragma once
 
-#include "core/floating_point.hpp"
+#include "lanes/floating_point.hpp"
 
 namespace hsp {
 
