@@ -99,10 +99,11 @@ static void zsh_options(struct text_buffer *out, bool of_all, enum command comma
     if ((option->commands == EVERY_COMMAND) != of_all || !option_is_of(option, command)) continue;
     if (strcmp(option->name, previous) == 0) continue;
     previous = option->name;
-    const struct option *told = option; /* the row that has its text */
-    for (size_t k = i; told != NULL && told->help == NULL; ++k) told = option_at(k + 1);
-    text_buffer_add(out, "    '*%s[", option->name);
-    if (told != NULL) add_description(out, told->help[0] == '{' ? "" : told->help);
+    const struct option *described = option; /* the row that has its text */
+    for (size_t k = i; described != NULL && described->help == NULL; ++k) described = option_at(k + 1);
+    const bool brief = option->name[1] != '-';
+    text_buffer_add(out, "    '*%s%s[", option->name, option->argument == NULL ? "" : brief ? "+" : "=");
+    if (described != NULL) add_description(out, described->help);
     text_buffer_add(out, "]");
     if (option->argument != NULL) {
       struct text_buffer words = TEXT_BUFFER_EMPTY;

@@ -69,16 +69,19 @@ const char *suggest_command(const char *unknown) {
   return best;
 }
 
-/* The option of the command whose name is nearest. */
+/* The option of the command whose name is nearest, or --help. */
 static void nearest_option(enum command command, const char *unknown, size_t length, char out[SUGGESTION_BYTES]) {
   size_t least = most_wrong(length - 2) + 1;
-  const struct option *option;
-  for (size_t i = 0; (option = option_at(i)) != NULL; ++i) {
-    if (!option_is_of(option, command) || option->name[1] != '-') continue;
-    const size_t wrong = distance(unknown, length, option->name, strlen(option->name));
-    if (wrong == 0 || wrong >= least) continue; /* 0: a flag with a value */
-    least = wrong;
-    snprintf(out, SUGGESTION_BYTES, " did you mean %s?", option->name);
+  const struct option *option = option_at(0);
+  for (size_t i = 1;; option = option_at(i++)) {
+    const char *name = option == NULL ? "--help" : option->name;
+    const bool known = option == NULL || (option_is_of(option, command) && name[1] == '-');
+    const size_t wrong = known ? distance(unknown, length, name, strlen(name)) : FAR_APART;
+    if (wrong > 0 && wrong < least) { /* 0: a flag with a value */
+      least = wrong;
+      snprintf(out, SUGGESTION_BYTES, " did you mean %s?", name);
+    }
+    if (option == NULL) return;
   }
 }
 

@@ -54,7 +54,7 @@ static size_t list_counts(const struct counted *counted, bool in_box, struct res
   return count;
 }
 
-static void shell_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
+static bool shell_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
   const struct counted *counted = of;
   const hsp_shell *shell = &counted->shells[row];
   (void)text;
@@ -67,6 +67,7 @@ static void shell_row(const void *of, size_t row, union cell cells[MOST_COLUMNS]
   cells[6].count = shell->genus;
   cells[7].quantity = shell->area;
   cells[8].quantity = shell->volume;
+  return true;
 }
 
 static struct table table_of_shells(const struct molecule *molecule, const struct counted *counted) {
@@ -81,8 +82,8 @@ static struct table table_of_shells(const struct molecule *molecule, const struc
       {"area", NULL, "area, @^2", 20, COLUMN_QUANTITY, 4},
       {"volume", NULL, "encloses, @^3", 20, COLUMN_QUANTITY, 4},
   };
-  return (struct table){columns,  sizeof columns / sizeof columns[0], molecule->format, counted->shell_count, counted,
-                        shell_row};
+  return (struct table){
+      columns, sizeof columns / sizeof columns[0], molecule->format, counted->shell_count, counted, shell_row, NULL};
 }
 
 static void print(const struct request *request, const struct molecule *molecule, const struct counted *counted,

@@ -13,6 +13,7 @@
 #include "write/csv.h"
 #include "write/output_file.h"
 #include "write/report.h"
+#include "write/table.h"
 
 /* All that is printed. Arrays that were not asked for are NULL. */
 struct findings {
@@ -147,45 +148,128 @@ static const char *group_name(char out[GROUP_NAME_BYTES], const struct molecule 
   return out;
 }
 
-static void between_json(const struct request *request, const struct molecule *molecule, const struct findings *found,
-                         struct text_buffer *out) {
-  char name[GROUP_NAME_BYTES];
-  const char *separator = "";
-  for (uint32_t k = 0; k < found->between_count; ++k) {
-    const hsp_group_contact *sum = &found->between[k];
-    if (sum->area < request->least) continue;
-    text_buffer_add(out, "%s{\"%s\": [", separator, request->by == GROUPING_CHAIN ? "chains" : "residues");
-    json_text(out, group_name(name, molecule, &found->groups, sum->group[0]));
-    text_buffer_add(out, ", ");
-    json_text(out, group_name(name, molecule, &found->groups, sum->group[1]));
-    text_buffer_add(out, "], \"area\": ");
-    json_number(out, sum->area);
-    text_buffer_add(out, ", \"edge\": ");
-    json_number(out, sum->edge);
-    text_buffer_add(out, ", \"atom_pairs\": %" PRIu32 "}", sum->contacts);
-    separator = ", ";
+/* What tables are about. */
+struct listed {
+  const struct request *request;
+  const struct molecule *molecule;
+  const struct findings *found;
+  struct ball_columns columns;
+};
+
+/* The two balls of a contact. */
+static void lead_pair(const void *of, size_t row, enum form form, struct text_buffer *out) {
+  const struct listed *listed = of;
+  const struct molecule *molecule = listed->molecule;
+  const bool titles = row == TABLE_TITLES;
+  const uint32_t *const ball = titles ? NULL : listed->found->contacts[row].ball;
+  if (form == AS_JSON) text_buffer_add(out, "\"balls\": [%" PRIu32 ", %" PRIu32 "]", ball[0], ball[1]);
+  for (int side = 0; side < 2 && form != AS_JSON; ++side) {
+    if (form == AS_CSV && side == 1) text_buffer_add(out, ",");
+    if (form == AS_CSV && titles) ball_label_csv_titles(molecule->format, side == 0 ? "_1" : "_2", out);
+    if (form == AS_CSV && !titles) ball_label_csv(molecule, ball[side], out);
+    if (form == FOR_PERSONS && titles) report_name_titles(out, listed->columns, side == 0 ? "first" : "second");
+    if (form == FOR_PERSONS && !titles) report_name(out, listed->columns, molecule, ball[side]);
   }
 }
 
-static void pairs_json(const struct request *request, const struct findings *found, struct text_buffer *out) {
-  const char *separator = "";
-  for (uint32_t k = 0; k < found->contact_count; ++k) {
-    const hsp_contact *contact = &found->contacts[k];
-    if (contact->area < request->least) continue;
-    text_buffer_add(out, "%s{\"balls\": [%" PRIu32 ", %" PRIu32 "], \"area\": ", separator, contact->ball[0],
-                    contact->ball[1]);
-    json_number(out, contact->area);
-    text_buffer_add(out, ", \"edge\": ");
-    json_number(out, contact->edge);
-    text_buffer_add(out, ", \"distance\": ");
-    json_number(out, contact->distance);
-    if (found->shift != NULL) {
-      const int32_t *shift = found->shift + 3 * (size_t)k;
-      text_buffer_add(out, ", \"shift\": [%" PRId32 ", %" PRId32 ", %" PRId32 "]", shift[0], shift[1], shift[2]);
+static bool pair_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
+  const struct listed *listed = of;
+  const hsp_contact *contact = &listed->found->contacts[row];
+  (void)text;
+  cells[0].quantity = contact->area;
+  cells[1].quantity = contact->edge;
+  cells[2].quantity = contact->distance;
+  cells[3].shift = listed->found->shift == NULL ? NULL : listed->found->shift + 3 * row;
+  return contact->area >= listed->request->least;
+}
+
+/* The two residues or chains of a sum; in CSV as --by has them in measure. */
+static void lead_between(const void *of, size_t row, enum form form, struct text_buffer *out) {
+  const struct listed *listed = of;
+  const struct findings *found = listed->found;
+  const bool residues = listed->request->by == GROUPING_RESIDUE;
+  static const char *const keys[] = {"chain", "residue", "number", "insertion"};
+  char name[GROUP_NAME_BYTES];
+  if (form == AS_JSON) text_buffer_add(out, "\"%s\": [", residues ? "residues" : "chains");
+  for (int side = 0; side < 2; ++side) {
+    if (row == TABLE_TITLES) {
+      if (form == FOR_PERSONS) text_buffer_add(out, "  %14s", side == 0 ? "first" : "second");
+      for (int i = 0; form == AS_CSV && i < (residues ? 4 : 1); ++i) {
+        text_buffer_add(out, "%s%s_%d", side + i == 0 ? "" : ",", keys[i], side + 1);
+      }
+      continue;
     }
-    text_buffer_add(out, "}");
-    separator = ", ";
+    const uint32_t group = found->between[row].group[side];
+    const struct residue_label *label = &listed->molecule->label[found->groups.group[group].first].residue;
+    const char *const texts[] = {label->chain, label->name, label->number, label->insertion};
+    group_name(name, listed->molecule, &found->groups, group);
+    if (form == FOR_PERSONS) text_buffer_add(out, "  %14s", name);
+    if (form == AS_JSON && side == 1) text_buffer_add(out, ", ");
+    if (form == AS_JSON) json_text(out, name);
+    for (int i = 0; form == AS_CSV && i < (residues ? 4 : 1); ++i) {
+      text_buffer_add(out, side + i == 0 ? "" : ",");
+      csv_text(out, texts[i]);
+    }
   }
+  if (form == AS_JSON) text_buffer_add(out, "]");
+}
+
+static bool between_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
+  const struct listed *listed = of;
+  const hsp_group_contact *sum = &listed->found->between[row];
+  (void)text;
+  cells[0].quantity = sum->area;
+  cells[1].quantity = sum->edge;
+  cells[2].count = sum->contacts;
+  return sum->area >= listed->request->least;
+}
+
+/* The ball of a cell, for persons; in JSON the order tells. */
+static void lead_cell(const void *of, size_t row, enum form form, struct text_buffer *out) {
+  const struct listed *listed = of;
+  if (form != FOR_PERSONS) return;
+  if (row == TABLE_TITLES) report_ball_titles(out, listed->columns);
+  if (row != TABLE_TITLES) report_ball(out, listed->columns, listed->molecule, (uint32_t)row);
+}
+
+static bool cell_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
+  const struct findings *found = ((const struct listed *)of)->found;
+  (void)text;
+  cells[0].quantity = found->cell[row];
+  cells[1].quantity = found->free_area[row];
+  cells[2].quantity = found->area[row];
+  return true;
+}
+
+/* What is listed: pairs of balls, of residues or of chains. */
+static struct table table_of_pairs(const struct listed *listed) {
+  static const struct column columns[] = {
+      {"area", NULL, "area, @^2", 16, COLUMN_QUANTITY, 4},
+      {"edge", NULL, "edge, @", 16, COLUMN_QUANTITY, 4},
+      {"distance", NULL, "distance, @", 18, COLUMN_QUANTITY, 4},
+      {"shift", NULL, "shift of second", 14, COLUMN_SHIFT, 0}, /* in a box */
+  };
+  static const struct column between_columns[] = {
+      {"area", NULL, "area, @^2", 16, COLUMN_QUANTITY, 4},
+      {"edge", NULL, "edge, @", 16, COLUMN_QUANTITY, 4},
+      {"atom_pairs", NULL, "atom pairs", 14, COLUMN_COUNT, 0},
+  };
+  const struct findings *found = listed->found;
+  const struct file_format *format = listed->molecule->format;
+  if (listed->request->by != GROUPING_NONE) {
+    return (struct table){between_columns, 3, format, found->between_count, listed, between_row, lead_between};
+  }
+  return (struct table){columns,  found->shift == NULL ? 3 : 4, format, found->contact_count, listed, pair_row,
+                        lead_pair};
+}
+
+static struct table table_of_cells(const struct listed *listed) {
+  static const struct column columns[] = {
+      {"volume", NULL, "cell, @^3", 16, COLUMN_QUANTITY, 4},
+      {"area", NULL, "free area, @^2", 21, COLUMN_QUANTITY, 4},
+      {"contact", NULL, "contact area, @^2", 24, COLUMN_QUANTITY, 4},
+  };
+  return (struct table){columns, 3, listed->molecule->format, listed->molecule->atoms, listed, cell_row, lead_cell};
 }
 
 /* The balls that pairs and cells are about. */
@@ -199,166 +283,58 @@ static void balls_json(const struct molecule *molecule, struct text_buffer *out)
   text_buffer_add(out, "]");
 }
 
-static void print_json(const struct request *request, const struct molecule *molecule, const struct findings *found,
-                       struct text_buffer *out) {
+/* Single numbers, `count` of them before those of the box in a row of a frame. */
+static size_t list_totals(const struct findings *found, struct result list[5]) {
+  size_t count = 0;
+  list[count++] = (struct result){"contacts", NULL, found->contact_count, 0, ""};
+  list[count++] = (struct result){"area", "area", found->totals.area, 10, "@^2, of all contacts, each once"};
+  list[count++] = (struct result){"volume", "volume", found->totals.volume, 10, "@^3, of all cells"};
+  if (found->box.periodic == NULL) return count;
+  list[count++] = (struct result){"box_volume", NULL, found->box.totals.box_volume, 0, ""};
+  list[count++] = (struct result){"free_volume", NULL, found->box.totals.free_volume, 0, ""};
+  return count;
+}
+
+static void print_json(const struct listed *listed, struct text_buffer *out) {
+  const struct request *request = listed->request;
+  const struct findings *found = listed->found;
+  const struct table pairs = table_of_pairs(listed), cells = table_of_cells(listed);
+  struct result totals[5];
+  list_totals(found, totals);
   text_buffer_add(out, "{");
-  json_frame(out, &molecule->frame);
-  text_buffer_add(out, "\"n\": %" PRIu32 ", \"contacts\": %" PRIu32 ", \"area\": ", molecule->atoms,
-                  found->contact_count);
-  json_number(out, found->totals.area);
-  text_buffer_add(out, ", \"pairs\": [");
-  if (request->by != GROUPING_NONE) {
-    between_json(request, molecule, found, out);
-  } else {
-    pairs_json(request, found, out);
-  }
-  text_buffer_add(out, "]");
+  json_frame(out, &listed->molecule->frame);
+  text_buffer_add(out, "\"n\": %" PRIu32, listed->molecule->atoms);
+  results_json(totals, 2, out);
+  text_buffer_add(out, ", \"pairs\": ");
+  table_json(&pairs, out);
   if (request->cells) {
-    text_buffer_add(out, ", \"cells\": [");
-    for (uint32_t i = 0; i < molecule->atoms; ++i) {
-      text_buffer_add(out, "%s{\"volume\": ", i == 0 ? "" : ", ");
-      json_number(out, found->cell[i]);
-      text_buffer_add(out, ", \"area\": ");
-      json_number(out, found->free_area[i]);
-      text_buffer_add(out, ", \"contact\": ");
-      json_number(out, found->area[i]);
-      text_buffer_add(out, "}");
-    }
-    text_buffer_add(out, "]");
+    text_buffer_add(out, ", \"cells\": ");
+    table_json(&cells, out);
   }
-  if (request->by == GROUPING_NONE || request->cells) balls_json(molecule, out);
+  if (request->by == GROUPING_NONE || request->cells) balls_json(listed->molecule, out);
   if (found->box.periodic != NULL) periodic_result_json(&found->box, out);
-  input_report_json(out, request, molecule);
+  input_report_json(out, request, listed->molecule);
   text_buffer_add(out, "}\n");
 }
 
-/* "area, angstrom^2" */
-enum { TITLE_BYTES = 32, DECIMALS = 4 };
-static const char *title(char out[TITLE_BYTES], const struct molecule *molecule, const char *name, int power) {
-  snprintf(out, TITLE_BYTES, power == 1 ? "%s, %s" : "%s, %s^%d", name, molecule->format->unit, power);
-  return out;
-}
-
-static void print_pairs(const struct request *request, const struct molecule *molecule, const struct findings *found,
-                        struct text_buffer *out) {
-  const struct ball_columns columns = ball_columns_of(molecule);
-  char titles[3][TITLE_BYTES];
-  char values[3][NUMBER_BYTES];
-  text_buffer_add(out, "\n");
-  report_name_titles(out, columns, "first");
-  report_name_titles(out, columns, "second");
-  text_buffer_add(out, "  %16s  %16s  %18s%s\n", title(titles[0], molecule, "area", 2),
-                  title(titles[1], molecule, "edge", 1), title(titles[2], molecule, "distance", 1),
-                  found->shift != NULL ? "  shift of second" : "");
-  for (uint32_t k = 0; k < found->contact_count; ++k) {
-    const hsp_contact *contact = &found->contacts[k];
-    if (contact->area < request->least) continue;
-    report_name(out, columns, molecule, contact->ball[0]);
-    report_name(out, columns, molecule, contact->ball[1]);
-    text_buffer_add(out, "  %16s  %16s  %18s", column_text(values[0], molecule->format, contact->area, DECIMALS),
-                    column_text(values[1], molecule->format, contact->edge, DECIMALS),
-                    column_text(values[2], molecule->format, contact->distance, DECIMALS));
-    if (found->shift != NULL) {
-      const int32_t *shift = found->shift + 3 * (size_t)k;
-      text_buffer_add(out, "  %4" PRId32 " %4" PRId32 " %4" PRId32, shift[0], shift[1], shift[2]);
-    }
-    text_buffer_add(out, "\n");
-  }
-}
-
-static void print_between(const struct request *request, const struct molecule *molecule, const struct findings *found,
-                          struct text_buffer *out) {
-  char names[2][GROUP_NAME_BYTES];
-  char titles[2][TITLE_BYTES];
-  char values[2][NUMBER_BYTES];
-  text_buffer_add(out, "\n  %14s  %14s  %16s  %16s  %14s\n", "first", "second", title(titles[0], molecule, "area", 2),
-                  title(titles[1], molecule, "edge", 1), "atom pairs");
-  for (uint32_t k = 0; k < found->between_count; ++k) {
-    const hsp_group_contact *sum = &found->between[k];
-    if (sum->area < request->least) continue;
-    text_buffer_add(out, "  %14s  %14s  %16s  %16s  %14" PRIu32 "\n",
-                    group_name(names[0], molecule, &found->groups, sum->group[0]),
-                    group_name(names[1], molecule, &found->groups, sum->group[1]),
-                    column_text(values[0], molecule->format, sum->area, DECIMALS),
-                    column_text(values[1], molecule->format, sum->edge, DECIMALS), sum->contacts);
-  }
-}
-
-static void print_cells(const struct molecule *molecule, const struct findings *found, struct text_buffer *out) {
-  const struct ball_columns columns = ball_columns_of(molecule);
-  char titles[3][TITLE_BYTES];
-  char values[3][NUMBER_BYTES];
-  text_buffer_add(out, "\n");
-  report_ball_titles(out, columns);
-  text_buffer_add(out, "  %16s  %21s  %24s\n", title(titles[0], molecule, "cell", 3),
-                  title(titles[1], molecule, "free area", 2), title(titles[2], molecule, "contact area", 2));
-  for (uint32_t i = 0; i < molecule->atoms; ++i) {
-    report_ball(out, columns, molecule, i);
-    text_buffer_add(out, "  %16s  %21s  %24s\n", column_text(values[0], molecule->format, found->cell[i], DECIMALS),
-                    column_text(values[1], molecule->format, found->free_area[i], DECIMALS),
-                    column_text(values[2], molecule->format, found->area[i], DECIMALS));
-  }
-}
-
-static void csv_pairs(const struct request *request, const struct molecule *molecule, const struct findings *found,
-                      struct text_buffer *out) {
-  ball_label_csv_titles(molecule->format, "_1", out);
-  text_buffer_add(out, ",");
-  ball_label_csv_titles(molecule->format, "_2", out);
-  text_buffer_add(out, ",area,edge,distance%s\n", found->shift != NULL ? ",shift_x,shift_y,shift_z" : "");
-  for (uint32_t k = 0; k < found->contact_count; ++k) {
-    const hsp_contact *contact = &found->contacts[k];
-    const double numbers[] = {contact->area, contact->edge, contact->distance};
-    if (contact->area < request->least) continue;
-    ball_label_csv(molecule, contact->ball[0], out);
-    text_buffer_add(out, ",");
-    ball_label_csv(molecule, contact->ball[1], out);
-    csv_numbers(out, numbers, 3);
-    for (int axis = 0; axis < 3 && found->shift != NULL; ++axis) {
-      text_buffer_add(out, ",%" PRId32, found->shift[3 * (size_t)k + (size_t)axis]);
-    }
-    text_buffer_add(out, "\n");
-  }
-}
-
-/* The sums over residues or chains: names as --by has them in measure, of the one and of the other. */
-static void csv_between(const struct request *request, const struct molecule *molecule, const struct findings *found,
-                        struct text_buffer *out) {
-  const bool residues = request->by == GROUPING_RESIDUE;
-  text_buffer_add(
-      out, "%s,area,edge,atom_pairs\n",
-      residues ? "chain_1,residue_1,number_1,insertion_1,chain_2,residue_2,number_2,insertion_2" : "chain_1,chain_2");
-  for (uint32_t k = 0; k < found->between_count; ++k) {
-    const hsp_group_contact *sum = &found->between[k];
-    const double numbers[] = {sum->area, sum->edge};
-    if (sum->area < request->least) continue;
-    for (int side = 0; side < 2; ++side) {
-      const struct residue_label *label = &molecule->label[found->groups.group[sum->group[side]].first].residue;
-      const char *const texts[] = {label->chain, label->name, label->number, label->insertion};
-      for (int i = 0; i < (residues ? 4 : 1); ++i) {
-        text_buffer_add(out, side + i == 0 ? "" : ",");
-        csv_text(out, texts[i]);
-      }
-    }
-    csv_numbers(out, numbers, 2);
-    text_buffer_add(out, ",%" PRIu32 "\n", sum->contacts);
-  }
-}
-
-static void print_tables(const struct request *request, const struct molecule *molecule, const struct findings *found,
-                         struct text_buffer *out) {
-  const char *unit = molecule->format->unit;
-  char value[NUMBER_BYTES];
-  report_heading(out, request, molecule);
+static void print_tables(const struct listed *listed, struct text_buffer *out) {
+  const struct findings *found = listed->found;
+  const char *unit = listed->molecule->format->unit;
+  const struct table pairs = table_of_pairs(listed), cells = table_of_cells(listed);
+  struct result totals[5];
+  list_totals(found, totals);
+  report_heading(out, listed->request, listed->molecule);
   report_row_count(out, "contacts", found->contact_count, "pairs of balls whose cells of the union meet");
-  text_buffer_add(out, "  %-16s %s %s^2, of all contacts, each once\n", "area",
-                  quantity_text(value, found->totals.area, 10), unit);
-  text_buffer_add(out, "  %-16s %s %s^3, of all cells\n", "volume", quantity_text(value, found->totals.volume, 10),
-                  unit);
+  results_print(totals, 3, 0, unit, out);
   if (found->box.periodic != NULL) periodic_result_rows(&found->box, unit, out);
-  if (found->contact_count > 0 && request->by == GROUPING_NONE) print_pairs(request, molecule, found, out);
-  if (found->contact_count > 0 && request->by != GROUPING_NONE) print_between(request, molecule, found, out);
-  if (request->cells) print_cells(molecule, found, out);
+  if (found->contact_count > 0) {
+    text_buffer_add(out, "\n");
+    table_print(&pairs, out);
+  }
+  if (listed->request->cells) {
+    text_buffer_add(out, "\n");
+    table_print(&cells, out);
+  }
 }
 
 /* What is listed, as a picture. */
@@ -381,21 +357,15 @@ static bool write_map(const struct request *request, const struct molecule *mole
 
 /* A row of the table of frames. */
 static void print_frame(const struct molecule *molecule, const struct findings *found, struct text_buffer *out) {
+  struct result totals[5];
+  const size_t count = list_totals(found, totals);
   if (molecule->frame.first) {
     csv_frame_titles(out);
-    text_buffer_add(out, "contacts,area,volume%s\n", found->box.periodic != NULL ? ",box_volume,free_volume" : "");
+    results_csv_titles(totals, count, out);
+    text_buffer_add(out, "\n");
   }
   csv_frame(out, molecule);
-  text_buffer_add(out, "%" PRIu32 ",", found->contact_count);
-  csv_number(out, found->totals.area);
-  text_buffer_add(out, ",");
-  csv_number(out, found->totals.volume);
-  if (found->box.periodic != NULL) {
-    text_buffer_add(out, ",");
-    csv_number(out, found->box.totals.box_volume);
-    text_buffer_add(out, ",");
-    csv_number(out, found->box.totals.free_volume);
-  }
+  results_csv(totals, count, out);
   text_buffer_add(out, "\n");
 }
 
@@ -422,16 +392,16 @@ bool command_contacts(const struct request *request, const struct molecule *mole
     findings_free(&found);
     return done;
   }
+  const struct listed listed = {request, molecule, &found, ball_columns_of(molecule)};
+  const struct table pairs = table_of_pairs(&listed);
   if (done && request->json) {
-    print_json(request, molecule, &found, out);
+    print_json(&listed, out);
   } else if (done && molecule->frame.number > 0) {
     print_frame(molecule, &found, out);
-  } else if (done && request->csv && request->by == GROUPING_NONE) {
-    csv_pairs(request, molecule, &found, out);
   } else if (done && request->csv) {
-    csv_between(request, molecule, &found, out);
+    table_csv(&pairs, out);
   } else if (done) {
-    print_tables(request, molecule, &found, out);
+    print_tables(&listed, out);
   }
   findings_free(&found);
   return done;

@@ -1,6 +1,5 @@
 /* hardsphere map: what is seen from a direction, as faces, edges and vertices of the view plane. */
 #include <inttypes.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -8,6 +7,7 @@
 #include "commands/input_report.h"
 #include "draw/view_geometry.h"
 #include "write/report.h"
+#include "write/table.h"
 
 /* What is seen. */
 struct seen {
@@ -24,59 +24,55 @@ static bool read_map(const hsp_map *map, uint32_t balls, struct seen *seen, stru
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
-static void print_json(const struct request *request, const struct molecule *molecule, const struct seen *seen,
-                       struct text_buffer *out) {
-  const hsp_map_info *map = &seen->map;
-  text_buffer_add(out, "{\"n\": %" PRIu32 ", \"vertices\": %" PRIu32 ", \"edges\": %" PRIu32 ", \"faces\": %" PRIu32,
-                  molecule->atoms, map->vertices, map->edges, map->faces);
-  text_buffer_add(out, ", \"visible_balls\": %" PRIu32 ", \"visible_area\": ", map->balls);
-  json_number(out, map->area);
-  text_buffer_add(out, ", \"moved\": ");
-  json_number(out, map->perturbation);
-  text_buffer_add(out, ", \"balls\": [");
-  const char *separator = "";
-  for (uint32_t i = 0; i < molecule->atoms; ++i) {
-    if (seen->area[i] == 0.0) continue;
-    text_buffer_add(out, "%s{\"ball\": %" PRIu32 ", \"visible_area\": ", separator, i);
-    json_number(out, seen->area[i]);
-    text_buffer_add(out, "}");
-    separator = ", ";
-  }
-  text_buffer_add(out, "]");
-  input_report_json(out, request, molecule);
-  text_buffer_add(out, "}\n");
+/* What the table of balls is about. */
+struct listed {
+  const struct molecule *molecule;
+  const struct seen *seen;
+  struct ball_columns columns;
+};
+
+static void lead_ball(const void *of, size_t row, enum form form, struct text_buffer *out) {
+  const struct listed *listed = of;
+  if (form == AS_JSON) text_buffer_add(out, "\"ball\": %" PRIu32, (uint32_t)row);
+  if (form == FOR_PERSONS && row == TABLE_TITLES) report_ball_titles(out, listed->columns);
+  if (form == FOR_PERSONS && row != TABLE_TITLES) report_ball(out, listed->columns, listed->molecule, (uint32_t)row);
 }
 
-static void print_balls(const struct molecule *molecule, const struct seen *seen, struct text_buffer *out) {
-  const struct ball_columns columns = ball_columns_of(molecule);
+static bool ball_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
+  (void)text;
+  cells[0].quantity = ((const struct listed *)of)->seen->area[row];
+  return cells[0].quantity != 0.0;
+}
+
+static void print(const struct request *request, const struct molecule *molecule, const struct seen *seen,
+                  struct text_buffer *out) {
+  static const struct column columns[] = {{"visible_area", NULL, "visible area", 16, COLUMN_QUANTITY, 4}};
+  const hsp_map_info *map = &seen->map;
+  const bool moved = map->perturbation > 0.0;
+  const struct result results[] = {
+      {"vertices", "vertices", map->vertices, 0, "where edges end"},
+      {"edges", "edges", map->edges, 0, "silhouettes, and creases where two balls meet"},
+      {"faces", "faces", map->faces, 0, "the background counts"},
+      {"visible_balls", "visible balls", map->balls, 0, "of which something is seen"},
+      {"visible_area", "visible area", map->area, 6, "@^2, of the view plane"},
+      {"moved", moved ? "moved" : NULL, map->perturbation, 9, "@ at most: of balls seen one behind the other"},
+  };
+  const size_t count = sizeof results / sizeof results[0];
+  const struct listed listed = {molecule, seen, ball_columns_of(molecule)};
+  const struct table balls = {columns, 1, molecule->format, molecule->atoms, &listed, ball_row, lead_ball};
+  if (request->json) {
+    text_buffer_add(out, "{\"n\": %" PRIu32, molecule->atoms);
+    results_json(results, count, out);
+    text_buffer_add(out, ", \"balls\": ");
+    table_json(&balls, out);
+    input_report_json(out, request, molecule);
+    text_buffer_add(out, "}\n");
+    return;
+  }
+  input_report_results(out, request, molecule, results, count);
+  if (!request->per_ball) return;
   text_buffer_add(out, "\n");
-  report_ball_titles(out, columns);
-  text_buffer_add(out, "  %16s\n", "visible area");
-  for (uint32_t i = 0; i < molecule->atoms; ++i) {
-    char value[NUMBER_BYTES];
-    if (seen->area[i] == 0.0) continue;
-    report_ball(out, columns, molecule, i);
-    text_buffer_add(out, "  %16s\n", column_text(value, molecule->format, seen->area[i], 4));
-  }
-}
-
-static void print_table(const struct request *request, const struct molecule *molecule, const struct seen *seen,
-                        struct text_buffer *out) {
-  const hsp_map_info *map = &seen->map;
-  char value[NUMBER_BYTES];
-  char remark[80];
-  report_heading(out, request, molecule);
-  report_row_count(out, "vertices", map->vertices, "where edges end");
-  report_row_count(out, "edges", map->edges, "silhouettes, and creases where two balls meet");
-  report_row_count(out, "faces", map->faces, "the background counts");
-  report_row_count(out, "visible balls", map->balls, "of which something is seen");
-  snprintf(remark, sizeof remark, "%s^2, of the view plane", molecule->format->unit);
-  report_row(out, "visible area", quantity_text(value, map->area, 6), remark);
-  if (map->perturbation > 0.0) {
-    snprintf(remark, sizeof remark, "%s at most: of balls seen one behind the other", molecule->format->unit);
-    report_row(out, "moved", quantity_text(value, map->perturbation, 9), remark);
-  }
-  if (request->per_ball) print_balls(molecule, seen, out);
+  table_print(&balls, out);
 }
 
 bool command_map(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
@@ -85,8 +81,7 @@ bool command_map(const struct request *request, const struct molecule *molecule,
   memset(&seen, 0, sizeof seen);
   const bool done = geometry_compute_map(geometry, &request->viewing, molecule, failure) &&
                     read_map(geometry->work.map, molecule->atoms, &seen, failure);
-  if (done && request->json) print_json(request, molecule, &seen, out);
-  if (done && !request->json) print_table(request, molecule, &seen, out);
+  if (done) print(request, molecule, &seen, out);
   free(seen.area);
   return done;
 }

@@ -5,8 +5,8 @@
 #include "commands/commands.h"
 #include "commands/input_report.h"
 #include "commands/void_list.h"
-#include "write/csv.h"
 #include "write/report.h"
+#include "write/table.h"
 
 static void json_room(const struct void_room *room, struct text_buffer *out) {
   text_buffer_add(out, ", \"point\": ");
@@ -44,21 +44,36 @@ static void print_json(const struct request *request, const struct molecule *mol
   text_buffer_add(out, "}\n");
 }
 
-static void print_line(const struct molecule *molecule, uint32_t rank, const struct void_cell *of,
-                       struct text_buffer *out) {
-  const struct void_room *room = &of->room;
-  char volume[NUMBER_BYTES];
-  char area[NUMBER_BYTES];
-  text_buffer_add(out, "  %6" PRIu32 "  %16s  %16s", rank, column_text(volume, molecule->format, of->figures.volume, 4),
-                  column_text(area, molecule->format, of->figures.area, 4));
-  for (int axis = 0; axis < 3; ++axis) {
-    char value[NUMBER_BYTES];
-    const char *shown = room->found ? coordinate_text(value, molecule->format, room->xyz[axis]) : "-";
-    text_buffer_add(out, "  %9s", shown);
-  }
-  char clearance[NUMBER_BYTES];
-  text_buffer_add(out, "  %9s", room->found ? column_text(clearance, molecule->format, room->clearance, 4) : "-");
-  text_buffer_add(out, "  %6" PRIu32 "  %6" PRIu32 "\n", of->ball_count, of->figures.components);
+static bool void_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
+  const struct void_cell *cell = &((const struct void_list *)of)->voids[row];
+  const struct void_room *room = &cell->room;
+  (void)text;
+  cells[0].count = (int64_t)row + 1;
+  cells[1].quantity = cell->figures.volume;
+  cells[2].quantity = cell->figures.area;
+  for (int axis = 0; axis < 3; ++axis) cells[3 + axis].quantity = room->found ? room->xyz[axis] : NAN;
+  cells[6].quantity = room->found ? room->clearance : NAN;
+  cells[7].quantity = room->bound;
+  cells[8].count = cell->ball_count;
+  cells[9].count = cell->figures.components;
+  return true;
+}
+
+static struct table table_of(const struct molecule *molecule, const struct void_list *list) {
+  static const struct column columns[] = {
+      {"void", NULL, "void", 6, COLUMN_COUNT, 0},
+      {"volume", NULL, "volume", 16, COLUMN_QUANTITY, 4},
+      {"area", NULL, "area", 16, COLUMN_QUANTITY, 4},
+      {"x", NULL, "x", 9, COLUMN_COORDINATE, 0},
+      {"y", NULL, "y", 9, COLUMN_COORDINATE, 0},
+      {"z", NULL, "z", 9, COLUMN_COORDINATE, 0},
+      {"clearance", NULL, "clearance", 9, COLUMN_QUANTITY, 4},
+      {"clearance_bound", NULL, NULL, 0, COLUMN_QUANTITY, 0},
+      {"balls", NULL, "balls", 6, COLUMN_COUNT, 0},
+      {"components", NULL, "inside", 6, COLUMN_COUNT, 0},
+  };
+  return (struct table){columns, sizeof columns / sizeof columns[0], molecule->format, list->count, list, void_row,
+                        NULL};
 }
 
 static void print_wall(const struct molecule *molecule, struct ball_columns columns, uint32_t rank,
@@ -74,6 +89,7 @@ static void print_wall(const struct molecule *molecule, struct ball_columns colu
 
 static void print_table(const struct request *request, const struct molecule *molecule, const struct void_list *list,
                         struct text_buffer *out) {
+  const struct table table = table_of(molecule, list);
   report_heading(out, request, molecule);
   report_row_count(out, "voids", list->count, "cavities enclosed by the union, largest first");
   if (list->smaller > 0) report_row_count(out, "smaller", list->smaller, "not listed: smaller than --min-volume");
@@ -83,30 +99,11 @@ static void print_table(const struct request *request, const struct molecule *mo
                     "\n  volume in %s^3, area in %s^2; x y z: its point that is farthest from all balls, and its "
                     "clearance, in %s\n",
                     unit, unit, unit);
-    text_buffer_add(out, "  %6s  %16s  %16s  %9s  %9s  %9s  %9s  %6s  %6s\n", "void", "volume", "area", "x", "y", "z",
-                    "clearance", "balls", "inside");
+    table_print(&table, out);
   }
-  for (uint32_t i = 0; i < list->count; ++i) print_line(molecule, i + 1, &list->voids[i], out);
   if (!request->void_balls) return;
   const struct ball_columns columns = ball_columns_of(molecule);
   for (uint32_t i = 0; i < list->count; ++i) print_wall(molecule, columns, i + 1, &list->voids[i], out);
-}
-
-static void print_csv(const struct void_list *list, struct text_buffer *out) {
-  text_buffer_add(out, "void,volume,area,x,y,z,clearance,clearance_bound,balls,components\n");
-  for (uint32_t i = 0; i < list->count; ++i) {
-    const struct void_cell *of = &list->voids[i];
-    const struct void_room *room = &of->room;
-    const double numbers[] = {of->figures.volume, of->figures.area};
-    const double none[] = {NAN, NAN, NAN};
-    const double clearance = room->found ? room->clearance : NAN;
-    text_buffer_add(out, "%" PRIu32, i + 1);
-    csv_numbers(out, numbers, 2);
-    csv_numbers(out, room->found ? room->xyz : none, 3);
-    csv_numbers(out, &clearance, 1);
-    csv_numbers(out, &room->bound, 1);
-    text_buffer_add(out, ",%" PRIu32 ",%" PRIu32 "\n", of->ball_count, of->figures.components);
-  }
 }
 
 bool command_voids(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
@@ -115,7 +112,8 @@ bool command_voids(const struct request *request, const struct molecule *molecul
   struct void_list list;
   const bool done = void_list_make(geometry, molecule, request->probe, request->min_volume, &list, failure);
   if (done && request->json) print_json(request, molecule, &list, out);
-  if (done && request->csv) print_csv(&list, out);
+  const struct table table = table_of(molecule, &list);
+  if (done && request->csv) table_csv(&table, out);
   if (done && !request->json && !request->csv) print_table(request, molecule, &list, out);
   void_list_free(&list);
   return done;

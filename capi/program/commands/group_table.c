@@ -22,7 +22,7 @@ struct listed {
 };
 
 /* Insertion codes stand behind numbers, which stand under each other. */
-static void residue_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
+static bool residue_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
   const struct listed *listed = of;
   const struct atom_group *group = &listed->groups->group[row];
   const struct residue_label *label = label_of(listed->molecule, group);
@@ -35,15 +35,17 @@ static void residue_row(const void *of, size_t row, union cell cells[MOST_COLUMN
   cells[5].count = group->atoms;
   cells[6].quantity = group->area;
   cells[7].quantity = relative_area(listed->molecule, group);
+  return true;
 }
 
-static void chain_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
+static bool chain_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
   const struct listed *listed = of;
   const struct atom_group *group = &listed->groups->group[row];
   (void)text;
   cells[0].text = label_of(listed->molecule, group)->chain;
   cells[1].count = group->atoms;
   cells[2].quantity = group->area;
+  return true;
 }
 
 static struct table table_of(const struct listed *listed, bool relative) {
@@ -70,7 +72,8 @@ static struct table table_of(const struct listed *listed, bool relative) {
                         listed->molecule->format,
                         listed->groups->count,
                         listed,
-                        residues ? residue_row : chain_row};
+                        residues ? residue_row : chain_row,
+                        NULL};
 }
 
 void group_table_print(const struct molecule *molecule, const struct atom_groups *groups, bool relative,

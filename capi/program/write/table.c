@@ -1,6 +1,7 @@
 #include "write/table.h"
 
 #include <inttypes.h>
+#include <stdio.h>
 
 #include "write/csv.h"
 #include "write/report.h"
@@ -53,18 +54,28 @@ void results_csv(const struct result *results, size_t count, struct text_buffer 
   }
 }
 
+static void add_lead(const struct table *table, size_t row, enum form form, struct text_buffer *out) {
+  if (table->lead != NULL) table->lead(table->of, row, form, out);
+}
+
 static void print_cell(const struct table *table, const struct column *column, union cell cell,
                        struct text_buffer *out) {
   char value[NUMBER_BYTES];
   const char *shown = cell.text;
   if (column->kind == COLUMN_COUNT) shown = count_text(value, cell.count);
   if (column->kind == COLUMN_QUANTITY) shown = column_text(value, table->format, cell.quantity, column->decimals);
+  if (column->kind == COLUMN_COORDINATE) shown = coordinate_text(value, table->format, cell.quantity);
+  if (column->kind == COLUMN_SHIFT) {
+    snprintf(value, sizeof value, "%4" PRId32 " %4" PRId32 " %4" PRId32, cell.shift[0], cell.shift[1], cell.shift[2]);
+    shown = value;
+  }
   text_buffer_add(out, "  %*s", column->width, shown);
 }
 
 void table_print(const struct table *table, struct text_buffer *out) {
   union cell cells[MOST_COLUMNS];
   char text[CELL_BYTES];
+  add_lead(table, TABLE_TITLES, FOR_PERSONS, out);
   for (int k = 0; k < table->count; ++k) {
     const struct column *column = &table->columns[k];
     struct text_buffer title = TEXT_BUFFER_EMPTY;
@@ -76,7 +87,8 @@ void table_print(const struct table *table, struct text_buffer *out) {
   }
   text_buffer_add(out, "\n");
   for (size_t row = 0; row < table->rows; ++row) {
-    table->row(table->of, row, cells, text);
+    if (!table->row(table->of, row, cells, text)) continue;
+    add_lead(table, row, FOR_PERSONS, out);
     for (int k = 0; k < table->count; ++k) {
       if (table->columns[k].title != NULL) print_cell(table, &table->columns[k], cells[k], out);
     }
@@ -84,26 +96,47 @@ void table_print(const struct table *table, struct text_buffer *out) {
   }
 }
 
+static void json_cell(const struct column *column, union cell cell, struct text_buffer *out) {
+  switch (column->kind) {
+    case COLUMN_COUNT:
+      text_buffer_add(out, "%" PRId64, cell.count);
+      break;
+    case COLUMN_QUANTITY:
+    case COLUMN_COORDINATE:
+      json_number(out, cell.quantity);
+      break;
+    case COLUMN_TEXT:
+      json_text(out, cell.text);
+      break;
+    case COLUMN_RESIDUE_NUMBER:
+      json_residue_number(out, cell.text);
+      break;
+    case COLUMN_SHIFT:
+      text_buffer_add(out, "[%" PRId32 ", %" PRId32 ", %" PRId32 "]", cell.shift[0], cell.shift[1], cell.shift[2]);
+      break;
+  }
+}
+
 void table_json(const struct table *table, struct text_buffer *out) {
   union cell cells[MOST_COLUMNS];
   char text[CELL_BYTES];
-  const char *separator = "[{";
+  const char *begin = "";
+  text_buffer_add(out, "[");
   for (size_t row = 0; row < table->rows; ++row) {
-    table->row(table->of, row, cells, text);
+    if (!table->row(table->of, row, cells, text)) continue;
+    text_buffer_add(out, "%s{", begin);
+    const size_t length = out->length;
+    add_lead(table, row, AS_JSON, out);
     for (int k = 0; k < table->count; ++k) {
       const struct column *column = &table->columns[k];
       if (column->key == NULL) continue;
-      text_buffer_add(out, "%s\"%s\": ", separator, column->key);
-      if (column->kind == COLUMN_COUNT) text_buffer_add(out, "%" PRId64, cells[k].count);
-      if (column->kind == COLUMN_QUANTITY) json_number(out, cells[k].quantity);
-      if (column->kind == COLUMN_TEXT) json_text(out, cells[k].text);
-      if (column->kind == COLUMN_RESIDUE_NUMBER) json_residue_number(out, cells[k].text);
-      separator = ", ";
+      text_buffer_add(out, "%s\"%s\": ", out->length == length ? "" : ", ", column->key);
+      json_cell(column, cells[k], out);
     }
     text_buffer_add(out, "}");
-    separator = ", {";
+    begin = ", ";
   }
-  text_buffer_add(out, separator[0] == '[' ? "[]" : "]");
+  text_buffer_add(out, "]");
 }
 
 static const char *csv_key(const struct column *column) {
@@ -113,28 +146,36 @@ static const char *csv_key(const struct column *column) {
 void table_csv(const struct table *table, struct text_buffer *out) {
   union cell cells[MOST_COLUMNS];
   char text[CELL_BYTES];
-  const char *comma = "";
+  size_t length = out->length;
+  add_lead(table, TABLE_TITLES, AS_CSV, out);
   for (int k = 0; k < table->count; ++k) {
-    if (csv_key(&table->columns[k]) == NULL) continue;
-    text_buffer_add(out, "%s%s", comma, csv_key(&table->columns[k]));
-    comma = ",";
+    const char *key = csv_key(&table->columns[k]);
+    if (key == NULL) continue;
+    text_buffer_add(out, "%s%s", out->length == length ? "" : ",", key);
+    if (table->columns[k].kind == COLUMN_SHIFT) text_buffer_add(out, "_x,%s_y,%s_z", key, key);
   }
   text_buffer_add(out, "\n");
   for (size_t row = 0; row < table->rows; ++row) {
-    table->row(table->of, row, cells, text);
-    comma = "";
+    if (!table->row(table->of, row, cells, text)) continue;
+    const char *comma = "";
+    length = out->length;
+    add_lead(table, row, AS_CSV, out);
+    if (out->length > length) comma = ",";
     for (int k = 0; k < table->count; ++k) {
       const struct column *column = &table->columns[k];
+      const int32_t *shift = cells[k].shift;
       if (csv_key(column) == NULL) continue;
       text_buffer_add(out, "%s", comma);
+      comma = ",";
       if (column->kind == COLUMN_COUNT) {
         text_buffer_add(out, "%" PRId64, cells[k].count);
-      } else if (column->kind == COLUMN_QUANTITY) {
+      } else if (column->kind == COLUMN_QUANTITY || column->kind == COLUMN_COORDINATE) {
         csv_number(out, cells[k].quantity);
+      } else if (column->kind == COLUMN_SHIFT) {
+        text_buffer_add(out, "%" PRId32 ",%" PRId32 ",%" PRId32, shift[0], shift[1], shift[2]);
       } else {
         csv_text(out, cells[k].text);
       }
-      comma = ",";
     }
     text_buffer_add(out, "\n");
   }

@@ -3,6 +3,7 @@
 #ifndef HARDSPHERE_TOOL_TABLE_H
 #define HARDSPHERE_TOOL_TABLE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -33,7 +34,14 @@ void results_csv_titles(const struct result *results, size_t count, struct text_
 void results_csv(const struct result *results, size_t count, struct text_buffer *out);
 
 /* A column of a table. */
-enum column_kind { COLUMN_COUNT, COLUMN_QUANTITY, COLUMN_TEXT, COLUMN_RESIDUE_NUMBER };
+enum column_kind {
+  COLUMN_COUNT,
+  COLUMN_QUANTITY,
+  COLUMN_COORDINATE,
+  COLUMN_TEXT,
+  COLUMN_RESIDUE_NUMBER,
+  COLUMN_SHIFT /* three whole numbers; in CSV columns of their own, _x, _y and _z */
+};
 
 struct column {
   const char *key;   /* of JSON; NULL: it is not there */
@@ -47,9 +55,14 @@ struct column {
 /* What stands in one row of it, by its kind. */
 union cell {
   int64_t count;
-  double quantity;
+  double quantity; /* or coordinate */
   const char *text;
+  const int32_t *shift; /* [3] */
 };
+
+enum form { FOR_PERSONS, AS_JSON, AS_CSV };
+
+#define TABLE_TITLES SIZE_MAX
 
 enum { MOST_COLUMNS = 12, CELL_BYTES = 40 };
 
@@ -59,8 +72,10 @@ struct table {
   const struct file_format *format;
   size_t rows;
   const void *of; /* what `row` is about */
-  /* The cells of a row; `text` is room for one of them. */
-  void (*row)(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]);
+  /* The cells of a row; `text` is room for one of them. False: it is left out. */
+  bool (*row)(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]);
+  /* What stands before them in each form, as what a row is about is called, or its titles; NULL: nothing. */
+  void (*lead)(const void *of, size_t row, enum form form, struct text_buffer *out);
 };
 
 void table_print(const struct table *table, struct text_buffer *out);
