@@ -1,6 +1,6 @@
 #include "commands/group_table.h"
 
-#include <stdio.h>
+#include <string.h>
 
 #include "read/relative_areas.h"
 #include "write/report.h"
@@ -26,7 +26,10 @@ static bool residue_row(const void *of, size_t row, union cell cells[MOST_COLUMN
   const struct listed *listed = of;
   const struct atom_group *group = &listed->groups->group[row];
   const struct residue_label *label = label_of(listed->molecule, group);
-  snprintf(text, CELL_BYTES, "%6s%-1s", label->number, label->insertion);
+  const size_t length = strlen(label->number), blanks = length < 6 ? 6 - length : 0;
+  memset(text, ' ', blanks);
+  memcpy(text + blanks, label->number, length);
+  memcpy(text + blanks + length, label->insertion[0] == '\0' ? " " : label->insertion, 2);
   cells[0].text = label->chain;
   cells[1].text = label->name;
   cells[2].text = label->number;

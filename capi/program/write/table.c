@@ -2,9 +2,15 @@
 
 #include <inttypes.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "write/csv.h"
 #include "write/report.h"
+
+/* A text as it is, without what looking for conversions in it costs. */
+static void add(struct text_buffer *out, const char *text) {
+  text_buffer_append(out, text, strlen(text));
+}
 
 /* A text with the unit in place of each '@'. */
 static void add_with_unit(struct text_buffer *out, const char *text, const char *unit) {
@@ -120,21 +126,23 @@ static void json_cell(const struct column *column, union cell cell, struct text_
 void table_json(const struct table *table, struct text_buffer *out) {
   union cell cells[MOST_COLUMNS];
   char text[CELL_BYTES];
-  const char *begin = "";
+  const char *begin = "{";
   text_buffer_add(out, "[");
   for (size_t row = 0; row < table->rows; ++row) {
     if (!table->row(table->of, row, cells, text)) continue;
-    text_buffer_add(out, "%s{", begin);
+    add(out, begin);
     const size_t length = out->length;
     add_lead(table, row, AS_JSON, out);
     for (int k = 0; k < table->count; ++k) {
       const struct column *column = &table->columns[k];
       if (column->key == NULL) continue;
-      text_buffer_add(out, "%s\"%s\": ", out->length == length ? "" : ", ", column->key);
+      add(out, out->length == length ? "\"" : ", \"");
+      add(out, column->key);
+      add(out, "\": ");
       json_cell(column, cells[k], out);
     }
-    text_buffer_add(out, "}");
-    begin = ", ";
+    add(out, "}");
+    begin = ", {";
   }
   text_buffer_add(out, "]");
 }
@@ -165,7 +173,7 @@ void table_csv(const struct table *table, struct text_buffer *out) {
       const struct column *column = &table->columns[k];
       const int32_t *shift = cells[k].shift;
       if (csv_key(column) == NULL) continue;
-      text_buffer_add(out, "%s", comma);
+      add(out, comma);
       comma = ",";
       if (column->kind == COLUMN_COUNT) {
         text_buffer_add(out, "%" PRId64, cells[k].count);
@@ -177,6 +185,6 @@ void table_csv(const struct table *table, struct text_buffer *out) {
         csv_text(out, cells[k].text);
       }
     }
-    text_buffer_add(out, "\n");
+    add(out, "\n");
   }
 }
