@@ -48,7 +48,7 @@ class ChangedCall {
     if (call_.f->result == RESULT_number || call_.f->result == RESULT_text) return;
     const bool is_id = call_.f->result == RESULT_id;
     const bool succeeded = is_id ? static_cast<uint32_t>(call_.result) != HSP_NONE : call_.result == HSP_OK;
-    if (stranger_ && succeeded) fail("no handle, and not refused");
+    if (must_fail_ && succeeded) fail("NULL or no handle, and not refused");
     if (is_id || succeeded) return;
     const char *const written = call_wrote(&call_, may_be_written());
     if (written != nullptr) fail((std::string("written although it failed: ") + written).c_str());
@@ -141,6 +141,7 @@ class ChangedCall {
       default:
         break;
     }
+    must_fail_ = must_fail_ || a.null == NULL_never;
     call_put_null(&call_, i);
   }
 
@@ -150,7 +151,7 @@ class ChangedCall {
     const uint32_t other = 1 + (static_cast<uint32_t>(noun) + bytes_.below(NOUNS - 2)) % (NOUNS - 1);
     const uint32_t way = bytes_.below(7);
     const bool may_be_null = argument_at(i).null == NULL_always;
-    stranger_ = stranger_ || way < 5 || (way == 6 && !may_be_null);
+    must_fail_ = must_fail_ || way < 5 || (way == 6 && !may_be_null);
     switch (way) {
       case 0:  // random bytes
         for (unsigned char &byte : elsewhere_) byte = bytes_.byte();
@@ -231,7 +232,7 @@ class ChangedCall {
 
   Bytes &bytes_;
   call call_{};
-  bool stranger_ = false;
+  bool must_fail_ = false;
   int struct_size_ = -1;
   alignas(16) std::array<unsigned char, 1024> elsewhere_{};
 };
