@@ -22,7 +22,7 @@ class HiddenParts {
   HiddenParts(const Curve &curve, double from, double to, FixedVector<HiddenInterval> &hidden)
       : curve_(curve), from_(from), to_(to), hidden_(hidden) {}
 
-  // False if the curve lies on the front or contour of some body, so that roundings decide.
+  // False if the curve lies on the front or contour of some body, or enters it between these, so that roundings decide.
   bool certain() const { return certain_; }
 
   // What a ball hides; true if that is all. At its contour the end of a part is a T on `id`, at its surface it is as
@@ -31,11 +31,21 @@ class HiddenParts {
     count_ = 0;
     add_distance(ball, true);
     for (uint32_t k = 0; k < count_; ++k) at_[k].end = at_surface;
-    keep([&](const Vec3 &q) { return q.z >= ball.z; }, 0);
+    // At the height of the centre a curve goes through both the front and the contour, and roundings may let it miss
+    // both.
+    uint32_t at_centre = 0, kept = 0;
+    const auto counted = [&](const Vec3 &q, bool good) {
+      if (std::fabs(q.z - ball.z) >= at_level * ball.r) return good;
+      ++at_centre;
+      kept += good ? 1 : 0;
+      return good;
+    };
+    keep([&](const Vec3 &q) { return counted(q, q.z >= ball.z); }, 0);
     const uint32_t first = count_;
     add_distance(ball, false);
     for (uint32_t k = first; k < count_; ++k) at_[k].end = {MapVertexKind::t, id};
-    keep([&](const Vec3 &q) { return q.z < ball.z; }, first);
+    keep([&](const Vec3 &q) { return counted(q, q.z < ball.z); }, first);
+    if (at_centre > 0 && kept == 0) certain_ = false;
     return cut([&](const Vec3 &q) { return depth_behind(q, ball) / ball.r; }, ball.r);
   }
 
@@ -91,6 +101,8 @@ class HiddenParts {
   // the radius, or as far before; else it does not cross but coincide.
   static constexpr double long_interval = 0x1p-10;
   static constexpr double shallow = 0x1p-36;
+  // Of the radius: heights that are not told apart from that of a centre.
+  static constexpr double at_level = 0x1p-36;
 
   void add(double t) {
     if (t > from_ && t < to_ && count_ < most) at_[count_++].t = t;

@@ -78,9 +78,6 @@ class MapLinker {
     return add_edges(map) && link_half_edges(map);
   }
 
-  // Memory that is free between calls; [2 edges].
-  Span<uint32_t> scratch() { return vertex_at_; }
-
  private:
   // Ends of arcs: 2 arc where it begins and 2 arc + 1 where it ends. What the group says of their names is left out.
   struct NamedEnd {

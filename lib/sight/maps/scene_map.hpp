@@ -1,6 +1,6 @@
 // What is seen of a union of balls along a direction, as a subdivision of the view plane (Section 5.2): every face
-// shows one ball or the background. Or of other convex bodies: what the records of a map and all that is made of them
-// want to know of bodies a scene tells, BallScene of balls and StickScene of balls and sticks.
+// shows one ball or the background. The bodies may be others, if they are convex: all that depends on what they are is
+// in the scene of a map, BallScene for balls and StickScene for balls and sticks.
 //
 // The visible surface is the upper envelope of the front hemispheres. So every edge is a part of one of two kinds of
 // curves: a silhouette, or the crease where the spheres of two balls meet. Creases never hide anything, because the
