@@ -23,28 +23,28 @@ struct BoundedDouble {
 
   BoundedDouble operator-() const { return {-value, error}; }
   friend BoundedDouble operator+(const BoundedDouble &a, const BoundedDouble &b) {
-    const double value = a.value + b.value;
-    return {value, covered(a.error + b.error + unit_roundoff * std::fabs(value))};
+    const double sum = a.value + b.value;
+    return {sum, covered(a.error + b.error + unit_roundoff * std::fabs(sum))};
   }
   friend BoundedDouble operator-(const BoundedDouble &a, const BoundedDouble &b) { return a + -b; }
   friend BoundedDouble operator*(const BoundedDouble &a, const BoundedDouble &b) {
-    const double value = a.value * b.value;
-    return {value, covered((std::fabs(a.value) + a.error) * b.error + std::fabs(b.value) * a.error +
-                           unit_roundoff * std::fabs(value))};
+    const double product = a.value * b.value;
+    return {product, covered((std::fabs(a.value) + a.error) * b.error + std::fabs(b.value) * a.error +
+                             unit_roundoff * std::fabs(product))};
   }
   // Nothing is certain of a quotient whose divisor may be 0.
   friend BoundedDouble operator/(const BoundedDouble &a, const BoundedDouble &b) {
     const double least = std::fabs(b.value) - b.error;
     if (!(least > 0.0)) return uncertain();
-    const double value = a.value / b.value;
-    return {value, covered((a.error + std::fabs(value) * b.error) / (least * (1.0 - 0x1p-52)) +
-                           unit_roundoff * std::fabs(value))};
+    const double quotient = a.value / b.value;
+    return {quotient, covered((a.error + std::fabs(quotient) * b.error) / (least * (1.0 - 0x1p-52)) +
+                              unit_roundoff * std::fabs(quotient))};
   }
   // Of a number that is certainly positive: |sqrt(a) - sqrt(b)| = |a - b| / (sqrt(a) + sqrt(b)).
   friend BoundedDouble square_root(const BoundedDouble &a) {
     if (!(a.value > a.error)) return uncertain();
-    const double value = std::sqrt(a.value);
-    return {value, covered(a.error / value + unit_roundoff * value)};
+    const double root = std::sqrt(a.value);
+    return {root, covered(a.error / root + unit_roundoff * root)};
   }
 
  private:

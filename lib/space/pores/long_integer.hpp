@@ -3,6 +3,8 @@
 // bounds in tangent_point.hpp say that values fit.
 #pragma once
 
+#include <bit>
+
 #include "exact/wide_integer.hpp"
 
 namespace hsp {
@@ -63,16 +65,29 @@ class LongInteger {
     return result;
   }
 
-  // mantissa 2^exponent, with a relative error below 2^-52; 0 for 0.
+  // mantissa 2^exponent, rounded once: the leading 64 bits, of which the last one stands for all that follow. The same
+  // for limbs of any width; 0 for 0.
   double leading(int &exponent) const {
-    double mantissa = 0.0;
     exponent = 0;
-    const uint32_t kept = length_ * limb_bits > 128 ? 128 / limb_bits : length_;
-    for (uint32_t k = 1; k <= kept; ++k) {
-      mantissa = mantissa * (limb_bits == 64 ? 0x1p64 : 0x1p32) + static_cast<double>(limb_[length_ - k]);
+    if (length_ == 0) return 0.0;
+    const int size = static_cast<int>(length_ * limb_bits) - std::countl_zero(limb_[length_ - 1]);
+    exponent = size > 64 ? size - 64 : 0;
+    uint64_t mantissa = 0;
+    bool more_follows = false;
+    for (uint32_t k = 0; k < length_; ++k) {
+      const int place = static_cast<int>(k * limb_bits) - exponent;
+      const uint64_t limb = limb_[k];
+      if (place >= 0) {
+        mantissa |= limb << place;
+      } else if (place > -static_cast<int>(limb_bits)) {
+        mantissa |= limb >> -place;
+        more_follows = more_follows || limb << (64 + place) != 0;
+      } else {
+        more_follows = more_follows || limb != 0;
+      }
     }
-    exponent = static_cast<int>((length_ - kept) * limb_bits);
-    return negative_ ? -mantissa : mantissa;
+    const double rounded = static_cast<double>(mantissa | static_cast<uint64_t>(more_follows));
+    return negative_ ? -rounded : rounded;
   }
 
  private:

@@ -215,8 +215,12 @@ bool is_beyond_reach(const BallSet &balls, const TangentCurve &curve, uint32_t b
 
 // x 2^exponent, by steps that are doubles.
 double scaled(double x, int exponent) {
-  for (; exponent > 0; exponent -= 32) x *= exponent < 32 ? static_cast<double>(INT64_C(1) << exponent) : 0x1p32;
-  for (; exponent < 0; exponent += 32) x /= exponent > -32 ? static_cast<double>(INT64_C(1) << -exponent) : 0x1p32;
+  while (exponent != 0) {
+    const int step = exponent > 62 ? 62 : exponent < -62 ? -62 : exponent;
+    const auto factor = static_cast<double>(INT64_C(1) << (step < 0 ? -step : step));
+    x = step < 0 ? x / factor : x * factor;
+    exponent -= step;
+  }
   return x;
 }
 
