@@ -37,7 +37,7 @@ check() { # pattern of files, the wings whose headers they find, and `interface`
   done
 }
 # Of each room one file, and all of the interface.
-first() { (cd "$source" && for room in lib/"$1"/*/; do ls "$room"*.cpp | head -n 1; done | tr '\n' '|' | sed 's/|$//'); }
+first() { (cd "$source" && for room in lib/"$1"/*/; do find "$room" -name '*.cpp' | sort | head -n 1; done | tr '\n' '|' | sed 's/|$//'); }
 check "($(first ground))" "ground"
 check "($(first balls))" "ground balls"
 check "($(first union))" "ground balls union"

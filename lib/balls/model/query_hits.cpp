@@ -6,8 +6,7 @@
 
 namespace hsp {
 
-// Seldom called: searches stay small without it.
-[[gnu::noinline]] bool meet_exactly(double dx, double dy, double dz, double sum) {
+bool meet_exactly(double dx, double dy, double dz, double sum) {
   return exact::power({static_cast<int64_t>(dx), static_cast<int64_t>(dy), static_cast<int64_t>(dz)},
                       static_cast<int64_t>(sum))
              .sign() <= 0;

@@ -277,9 +277,6 @@ void ExactPredicates<Limb>::radical_vector(const Plane &P, const Plane &Q, doubl
   q[2] = exact_q.z.to_double();
 }
 
-template struct ExactPredicates<uint32_t>;
-#if defined(__SIZEOF_INT128__)
-template struct ExactPredicates<uint64_t>;
-#endif
+template struct ExactPredicates<FastLimb>;
 
 }  // namespace hsp::exact
