@@ -19,7 +19,7 @@ struct PoreLimits {
 // Limits that suffice for most molecules. Status::range if one would be larger than max_count.
 constexpr Status default_limits(uint32_t balls, PoreLimits &limits) {
   if (balls > (max_count - 2048) / 8) return Status::range;
-  limits = {balls, 2 * balls + 64, 4 * balls + 128, balls + 256, 4 * balls + 2048, (balls < 1024 ? balls : 1024) + 16};
+  limits = {balls, 2 * balls + 64, 4 * balls + 128, balls + 256, 4 * balls + 2048, balls + 16};
   return Status::ok;
 }
 
