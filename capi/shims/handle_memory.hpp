@@ -2,13 +2,13 @@
 // them, and they hold results or none.
 //
 // A handle is a struct with a tag (handle_tag.hpp), then its builder, named by its member type Builder, and default
-// values for the rest.
+// values for the rest. Where limits fix its memory they are its member type Limits (handle_limits.hpp).
 #pragma once
 
 #include "conversion.hpp"
 #include "core/workspace.hpp"
+#include "handle_limits.hpp"
 #include "handle_tag.hpp"
-#include "versioned_struct.hpp"
 
 namespace hsp::capi {
 
@@ -28,14 +28,13 @@ size_t bytes_of(const Limits &limits) {
   return measure.bytes();
 }
 
-// hsp_X_limits_init: the defaults of a kind of limits, for so many balls.
-template <class Defaults, auto convert, class Limits>
-int32_t init_limits(Limits *limits, uint32_t struct_size, uint32_t balls) {
+// hsp_X_limits_init: the defaults for so many balls.
+template <class Handle>
+int32_t init_limits(typename Handle::Limits::InHeader *limits, uint32_t struct_size, uint32_t balls) {
   if (const int32_t status = check_struct(limits, struct_size); status != HSP_OK) return status;
-  Defaults defaults;
+  typename Handle::Limits::InLibrary defaults;
   const Status status = default_limits(balls, defaults);
-  if (status == Status::ok) write_struct(convert(defaults), limits, struct_size);
-  return to_c(status);
+  return status == Status::ok ? Handle::Limits::write(defaults, limits, struct_size) : to_c(status);
 }
 
 // What every hsp_X_bytes ends with.
@@ -61,16 +60,38 @@ int32_t init(void *memory, size_t bytes, const Limits &limits, Handle **handle) 
   return HSP_OK;
 }
 
-// What every hsp_X_compute ends with. `limits` may be null. It becomes what was needed, or after a lack of capacity
-// what to retry with: no limit is smaller than the handle's, and one at least is larger.
-template <auto convert, class Handle, class Limits>
-int32_t finish(Handle &handle, Status status, Limits *limits) {
-  handle.complete = status == Status::ok;
+// hsp_X_bytes, and hsp_X_init, of handles with limits.
+template <class Handle>
+int32_t get_bytes_by_limits(const typename Handle::Limits::InHeader *limits, size_t *bytes) {
+  if (bytes == nullptr) return HSP_E_ARGUMENT;
+  typename Handle::Limits::InLibrary wanted;
+  const int32_t status = Handle::Limits::read(limits, wanted);
+  return status == HSP_OK ? get_bytes<Handle>(wanted, bytes) : status;
+}
+template <class Handle>
+int32_t init_by_limits(void *memory, size_t bytes, const typename Handle::Limits::InHeader *limits, Handle **handle) {
+  if (memory == nullptr || handle == nullptr) return HSP_E_ARGUMENT;
+  typename Handle::Limits::InLibrary wanted;
+  const int32_t status = Handle::Limits::read(limits, wanted);
+  return status == HSP_OK ? init(memory, bytes, wanted, handle) : status;
+}
+
+// `limits` may be null. It becomes what was needed, or after a lack of capacity what to retry with: no limit is smaller
+// than the handle's, and one at least is larger. Returns the status as the caller gets it.
+template <class Handle>
+int32_t hand_back_limits(const Handle &handle, Status status, typename Handle::Limits::InHeader *limits) {
   if (limits != nullptr && (status == Status::ok || status == Status::capacity)) {
-    const auto enough = handle.complete ? handle.builder.needed() : handle.builder.retry_limits();
-    write_struct(convert(enough), limits, limits->struct_size);
+    const auto enough = status == Status::ok ? handle.builder.needed() : handle.builder.retry_limits();
+    Handle::Limits::write(enough, limits, limits->struct_size);
   }
   return to_c(status);
+}
+
+// What every hsp_X_compute ends with.
+template <class Handle>
+int32_t finish(Handle &handle, Status status, typename Handle::Limits::InHeader *limits) {
+  handle.complete = status == Status::ok;
+  return hand_back_limits(handle, status, limits);
 }
 
 }  // namespace hsp::capi

@@ -13,22 +13,6 @@ namespace {
 using hsp::capi::check_request;
 using hsp::capi::for_each_half_edge;
 
-// The limits that a program gives.
-int32_t from_c(const hsp_boundary_limits *given, hsp::BoundaryLimits &result) {
-  hsp_boundary_limits limits;
-  if (const int32_t status = hsp::capi::read_struct(given, {}, limits); status != HSP_OK) return status;
-  if (limits.balls > HSP_MAX_BALLS || limits.neighbours > HSP_MAX_BALLS || limits.vertices > HSP_MAX_BALLS ||
-      limits.circles > HSP_MAX_BALLS || limits.workers > HSP_MAX_WORKERS)
-    return HSP_E_RANGE;
-  result = {limits.balls, limits.neighbours, limits.vertices, limits.circles, limits.workers};
-  return HSP_OK;
-}
-
-hsp_boundary_limits boundary_to_c(const hsp::BoundaryLimits &limits) {
-  return {
-      sizeof(hsp_boundary_limits), limits.balls, limits.neighbours, limits.vertices, limits.circles, limits.workers};
-}
-
 constexpr uint32_t number_of(hsp::BoundaryInvariant invariant) {
   return static_cast<uint32_t>(invariant);
 }
@@ -78,21 +62,15 @@ void drop_results(hsp_boundary &boundary) {
 }  // namespace
 
 int32_t hsp_boundary_limits_init(hsp_boundary_limits *limits, uint32_t struct_size, uint32_t balls) {
-  return hsp::capi::init_limits<hsp::BoundaryLimits, boundary_to_c>(limits, struct_size, balls);
+  return hsp::capi::init_limits<hsp_boundary>(limits, struct_size, balls);
 }
 
 int32_t hsp_boundary_bytes(const hsp_boundary_limits *limits, size_t *bytes) {
-  if (bytes == nullptr) return HSP_E_ARGUMENT;
-  hsp::BoundaryLimits wanted;
-  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
-  return hsp::capi::get_bytes<hsp_boundary>(wanted, bytes);
+  return hsp::capi::get_bytes_by_limits<hsp_boundary>(limits, bytes);
 }
 
 int32_t hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary_limits *limits, hsp_boundary **boundary) {
-  if (memory == nullptr || boundary == nullptr) return HSP_E_ARGUMENT;
-  hsp::BoundaryLimits wanted;
-  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
-  return hsp::capi::init(memory, bytes, wanted, boundary);
+  return hsp::capi::init_by_limits(memory, bytes, limits, boundary);
 }
 
 int32_t hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *model, hsp_boundary_limits *limits) {
@@ -100,7 +78,7 @@ int32_t hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *model, hsp
   drop_results(*boundary);
   if (const int32_t status = first_failure(check_handle(model), check_struct(limits)); status != HSP_OK) return status;
   boundary->model.set(model);
-  return hsp::capi::finish<boundary_to_c>(*boundary, boundary->builder.build(model->grid), limits);
+  return hsp::capi::finish(*boundary, boundary->builder.build(model->grid), limits);
 }
 
 int32_t hsp_boundary_begin(hsp_boundary *boundary, const hsp_model *model, uint32_t workers, uint32_t *stages) {
@@ -124,7 +102,7 @@ int32_t hsp_boundary_end(hsp_boundary *boundary, hsp_boundary_limits *limits) {
   if (!boundary->has_model()) return HSP_E_STATE;
   const hsp::Status status = boundary->builder.end();
   if (status == hsp::Status::state) return HSP_E_STATE;
-  return hsp::capi::finish<boundary_to_c>(*boundary, status, limits);
+  return hsp::capi::finish(*boundary, status, limits);
 }
 
 int32_t hsp_boundary_get_counts(const hsp_boundary *boundary, hsp_boundary_counts *counts) {

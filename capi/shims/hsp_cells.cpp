@@ -4,7 +4,6 @@
 
 #include "cells/arrangement.hpp"
 #include "cells/cell_location.hpp"
-#include "cells_limits.hpp"
 #include "conversion.hpp"
 #include "handle_memory.hpp"
 #include "hsp_topology.hpp"
@@ -36,19 +35,6 @@ static_assert(number_of(FreeSpaceInvariant::records) == 1 && number_of(FreeSpace
 static_assert(number_of(FreeSpaceInvariant::regions) == 3 && number_of(FreeSpaceInvariant::power_cells) == 4);
 static_assert(number_of(FreeSpaceInvariant::facets) == 5 && number_of(FreeSpaceInvariant::complement) == 6);
 
-// The limits that a program gives.
-int32_t from_c(const hsp_cells_limits *given, hsp::FreeSpaceLimits &result) {
-  hsp_cells_limits limits;
-  if (const int32_t status = hsp::capi::read_struct(given, {}, limits); status != HSP_OK) return status;
-  return hsp::capi::get_cells_limits(limits, result);
-}
-
-hsp_cells_limits cells_to_c(const hsp::FreeSpaceLimits &limits) {
-  hsp_cells_limits result{};
-  hsp::capi::put_cells_limits(limits, result);
-  return result;
-}
-
 // The corner of cubes as a length.
 double corner(const hsp_cells &cells, int64_t cube) {
   if (cube <= -hsp::EmptyRuns::infinity) return -std::numeric_limits<double>::infinity();
@@ -65,21 +51,15 @@ void put_box(const hsp_cells &cells, const hsp::CubeCoordinates &low, const hsp:
 }  // namespace
 
 int32_t hsp_cells_limits_init(hsp_cells_limits *limits, uint32_t struct_size, uint32_t balls) {
-  return hsp::capi::init_limits<hsp::FreeSpaceLimits, cells_to_c>(limits, struct_size, balls);
+  return hsp::capi::init_limits<hsp_cells>(limits, struct_size, balls);
 }
 
 int32_t hsp_cells_bytes(const hsp_cells_limits *limits, size_t *bytes) {
-  if (bytes == nullptr) return HSP_E_ARGUMENT;
-  hsp::FreeSpaceLimits wanted;
-  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
-  return hsp::capi::get_bytes<hsp_cells>(wanted, bytes);
+  return hsp::capi::get_bytes_by_limits<hsp_cells>(limits, bytes);
 }
 
 int32_t hsp_cells_init(void *memory, size_t bytes, const hsp_cells_limits *limits, hsp_cells **cells) {
-  if (memory == nullptr || cells == nullptr) return HSP_E_ARGUMENT;
-  hsp::FreeSpaceLimits wanted;
-  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
-  return hsp::capi::init(memory, bytes, wanted, cells);
+  return hsp::capi::init_by_limits(memory, bytes, limits, cells);
 }
 
 int32_t hsp_cells_compute(hsp_cells *cells, const hsp_model *model, hsp_cells_limits *limits) {
@@ -88,7 +68,7 @@ int32_t hsp_cells_compute(hsp_cells *cells, const hsp_model *model, hsp_cells_li
   if (const int32_t status = first_failure(check_handle(model), check_struct(limits)); status != HSP_OK) return status;
   const hsp::Status status = cells->builder.build(model->grid);
   cells->model.set(model);
-  return hsp::capi::finish<cells_to_c>(*cells, status, limits);
+  return hsp::capi::finish(*cells, status, limits);
 }
 
 int32_t hsp_cells_get_counts(const hsp_cells *cells, hsp_cells_counts *counts) {

@@ -8,6 +8,10 @@
 struct hsp_cells {
   using Builder = hsp::FreeSpaceBuilder;
   static constexpr auto kind = hsp::capi::HandleKind::cells;
+  using Given = hsp_cells_limits;
+  using Limits = hsp::capi::LimitFields<hsp::FreeSpaceLimits, Given, &Given::cubes, &Given::entries, &Given::cells,
+                                        &Given::adjacencies, &Given::landmarks, &Given::facets, &Given::corners,
+                                        &Given::cube_balls, &Given::cube_corners>;
 
   uintptr_t tag;
   Builder builder;

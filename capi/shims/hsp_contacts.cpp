@@ -13,26 +13,6 @@ using hsp::capi::first_failure;
 
 namespace {
 
-// The limits that a program gives.
-int32_t from_c(const hsp_contacts_limits *given, hsp::ContactLimits &result) {
-  hsp_contacts_limits limits;
-  if (const int32_t status = hsp::capi::read_struct(given, {}, limits); status != HSP_OK) return status;
-  if (limits.balls > HSP_MAX_BALLS || limits.neighbours > HSP_MAX_BALLS || limits.contacts > HSP_MAX_BALLS ||
-      limits.triangles > HSP_MAX_BALLS || limits.tetrahedra > HSP_MAX_BALLS)
-    return HSP_E_RANGE;
-  result = {limits.balls, limits.neighbours, limits.contacts, limits.triangles, limits.tetrahedra};
-  return HSP_OK;
-}
-
-hsp_contacts_limits to_c(const hsp::ContactLimits &limits) {
-  return {sizeof(hsp_contacts_limits),
-          limits.balls,
-          limits.neighbours,
-          limits.contacts,
-          limits.triangles,
-          limits.tetrahedra};
-}
-
 constexpr uint32_t number_of(hsp::ContactInvariant invariant) {
   return static_cast<uint32_t>(invariant);
 }
@@ -81,22 +61,16 @@ int32_t hsp_contacts_limits_init(hsp_contacts_limits *limits, uint32_t struct_si
   hsp::ContactLimits defaults;
   const hsp::Status status =
       hsp::default_contact_limits(boundary->balls().n, boundary->builder.needed().neighbours, defaults);
-  if (status == hsp::Status::ok) hsp::capi::write_struct(to_c(defaults), limits, struct_size);
+  if (status == hsp::Status::ok) hsp_contacts::Limits::write(defaults, limits, struct_size);
   return hsp::capi::to_c(status);
 }
 
 int32_t hsp_contacts_bytes(const hsp_contacts_limits *limits, size_t *bytes) {
-  if (bytes == nullptr) return HSP_E_ARGUMENT;
-  hsp::ContactLimits wanted;
-  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
-  return hsp::capi::get_bytes<hsp_contacts>(wanted, bytes);
+  return hsp::capi::get_bytes_by_limits<hsp_contacts>(limits, bytes);
 }
 
 int32_t hsp_contacts_init(void *memory, size_t bytes, const hsp_contacts_limits *limits, hsp_contacts **contacts) {
-  if (memory == nullptr || contacts == nullptr) return HSP_E_ARGUMENT;
-  hsp::ContactLimits wanted;
-  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
-  return hsp::capi::init(memory, bytes, wanted, contacts);
+  return hsp::capi::init_by_limits(memory, bytes, limits, contacts);
 }
 
 int32_t hsp_contacts_compute(hsp_contacts *contacts, const hsp_boundary *boundary, hsp_contacts_limits *limits) {
@@ -108,8 +82,7 @@ int32_t hsp_contacts_compute(hsp_contacts *contacts, const hsp_boundary *boundar
   const hsp::Status status =
       contacts->builder.build(boundary->model->grid, boundary->structure(), boundary->builder.needed().neighbours);
   contacts->boundary.set(boundary);
-  return hsp::capi::finish<static_cast<hsp_contacts_limits (*)(const hsp::ContactLimits &)>(to_c)>(*contacts, status,
-                                                                                                   limits);
+  return hsp::capi::finish(*contacts, status, limits);
 }
 
 int32_t hsp_contacts_get(const hsp_contacts *contacts, hsp_contact *out, uint32_t capacity, uint32_t *needed) {

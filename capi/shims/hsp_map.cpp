@@ -12,20 +12,6 @@ using hsp::capi::is_live;
 
 namespace {
 
-// The limits that a program gives.
-int32_t from_c(const hsp_map_limits *given, hsp::MapLimits &result) {
-  hsp_map_limits limits;
-  if (const int32_t status = hsp::capi::read_struct(given, {}, limits); status != HSP_OK) return status;
-  if (limits.balls > HSP_MAX_BALLS || limits.neighbours > HSP_MAX_BALLS || limits.edges > HSP_MAX_BALLS)
-    return HSP_E_RANGE;
-  result = {limits.balls, limits.neighbours, limits.edges};
-  return HSP_OK;
-}
-
-hsp_map_limits map_to_c(const hsp::MapLimits &limits) {
-  return {sizeof(hsp_map_limits), limits.balls, limits.neighbours, limits.edges};
-}
-
 // The map in which h is a directed edge; null if there is none.
 const hsp::VisibilityMap *map_with(const hsp_map *map, uint32_t h) {
   if (!is_live(map) || !map->has_results()) return nullptr;
@@ -35,21 +21,15 @@ const hsp::VisibilityMap *map_with(const hsp_map *map, uint32_t h) {
 }  // namespace
 
 int32_t hsp_map_limits_init(hsp_map_limits *limits, uint32_t struct_size, uint32_t balls) {
-  return hsp::capi::init_limits<hsp::MapLimits, map_to_c>(limits, struct_size, balls);
+  return hsp::capi::init_limits<hsp_map>(limits, struct_size, balls);
 }
 
 int32_t hsp_map_bytes(const hsp_map_limits *limits, size_t *bytes) {
-  if (bytes == nullptr) return HSP_E_ARGUMENT;
-  hsp::MapLimits wanted;
-  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
-  return hsp::capi::get_bytes<hsp_map>(wanted, bytes);
+  return hsp::capi::get_bytes_by_limits<hsp_map>(limits, bytes);
 }
 
 int32_t hsp_map_init(void *memory, size_t bytes, const hsp_map_limits *limits, hsp_map **map) {
-  if (memory == nullptr || map == nullptr) return HSP_E_ARGUMENT;
-  hsp::MapLimits wanted;
-  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
-  return hsp::capi::init(memory, bytes, wanted, map);
+  return hsp::capi::init_by_limits(memory, bytes, limits, map);
 }
 
 int32_t hsp_map_compute(hsp_map *map, const hsp_model *model, const hsp_view_options *options, hsp_map_limits *limits) {
@@ -62,7 +42,7 @@ int32_t hsp_map_compute(hsp_map *map, const hsp_model *model, const hsp_view_opt
     return status;
   const hsp::Status status = map->builder.build(model->grid, hsp::capi::direction_of(wanted));
   map->model.set(model);
-  return hsp::capi::finish<map_to_c>(*map, status, limits);
+  return hsp::capi::finish(*map, status, limits);
 }
 
 uint32_t hsp_map_next(const hsp_map *map, uint32_t h) {

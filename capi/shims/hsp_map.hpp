@@ -7,6 +7,8 @@
 struct hsp_map {
   using Builder = hsp::MapBuilder;
   static constexpr auto kind = hsp::capi::HandleKind::map;
+  using Given = hsp_map_limits;
+  using Limits = hsp::capi::LimitFields<hsp::MapLimits, Given, &Given::balls, &Given::neighbours, &Given::edges>;
 
   uintptr_t tag;
   Builder builder;

@@ -7,22 +7,6 @@ using hsp::capi::first_failure;
 
 namespace {
 
-// The limits that a program gives.
-int32_t from_c(const hsp_mesh_limits *given, hsp::MeshLimits &result) {
-  hsp_mesh_limits limits;
-  if (const int32_t status = hsp::capi::read_struct(given, {}, limits); status != HSP_OK) return status;
-  const uint32_t all[] = {limits.balls, limits.curves, limits.vertices, limits.triangles, limits.points};
-  for (const uint32_t limit : all) {
-    if (limit > HSP_MAX_BALLS) return HSP_E_RANGE;
-  }
-  result = {limits.balls, limits.curves, limits.vertices, limits.triangles, limits.points};
-  return HSP_OK;
-}
-
-hsp_mesh_limits to_c(const hsp::MeshLimits &limits) {
-  return {sizeof(hsp_mesh_limits), limits.balls, limits.curves, limits.vertices, limits.triangles, limits.points};
-}
-
 int32_t check_edge(double edge) {
   if (!hsp::is_finite(edge)) return HSP_E_NOT_FINITE;
   return edge > 0.0 ? HSP_OK : HSP_E_ARGUMENT;
@@ -44,7 +28,7 @@ int32_t init_limits(hsp_mesh_limits *limits, uint32_t struct_size, const Source 
   if (!source->has_results()) return HSP_E_STATE;
   hsp::MeshLimits enough;
   const hsp::Status status = expect(balls_of(*source).lattice.steps(edge), enough);
-  if (status == hsp::Status::ok) hsp::capi::write_struct(to_c(enough), limits, struct_size);
+  if (status == hsp::Status::ok) hsp_mesh::Limits::write(enough, limits, struct_size);
   return hsp::capi::to_c(status);
 }
 
@@ -57,8 +41,7 @@ int32_t compute(hsp_mesh *mesh, const Source *source, double edge, hsp_mesh_limi
   if (const int32_t status = check_edge(edge); status != HSP_OK) return status;
   if (!source->has_results()) return HSP_E_STATE;
   const hsp::Status status = build(balls_of(*source).lattice.steps(edge));
-  constexpr hsp_mesh_limits (*convert)(const hsp::MeshLimits &) = to_c;
-  return hsp::capi::finish<convert>(*mesh, status, limits);
+  return hsp::capi::finish(*mesh, status, limits);
 }
 
 hsp::Vec3 corner_of(const hsp::Mesh &mesh, const hsp::MeshTriangle &triangle, uint32_t k) {
@@ -94,17 +77,11 @@ int32_t hsp_mesh_limits_init_surface(hsp_mesh_limits *limits, uint32_t struct_si
 }
 
 int32_t hsp_mesh_bytes(const hsp_mesh_limits *limits, size_t *bytes) {
-  if (bytes == nullptr) return HSP_E_ARGUMENT;
-  hsp::MeshLimits wanted;
-  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
-  return hsp::capi::get_bytes<hsp_mesh>(wanted, bytes);
+  return hsp::capi::get_bytes_by_limits<hsp_mesh>(limits, bytes);
 }
 
 int32_t hsp_mesh_init(void *memory, size_t bytes, const hsp_mesh_limits *limits, hsp_mesh **mesh) {
-  if (memory == nullptr || mesh == nullptr) return HSP_E_ARGUMENT;
-  hsp::MeshLimits wanted;
-  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
-  return hsp::capi::init(memory, bytes, wanted, mesh);
+  return hsp::capi::init_by_limits(memory, bytes, limits, mesh);
 }
 
 int32_t hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *boundary, double edge, hsp_mesh_limits *limits) {

@@ -7,6 +7,9 @@
 struct hsp_mesh {
   using Builder = hsp::MeshBuilder;
   static constexpr auto kind = hsp::capi::HandleKind::mesh;
+  using Given = hsp_mesh_limits;
+  using Limits = hsp::capi::LimitFields<hsp::MeshLimits, Given, &Given::balls, &Given::curves, &Given::vertices,
+                                        &Given::triangles, &Given::points>;
 
   uintptr_t tag;
   Builder builder;

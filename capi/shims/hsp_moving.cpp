@@ -11,19 +11,6 @@ using hsp::capi::first_failure;
 
 namespace {
 
-// The limits that a program gives.
-int32_t from_c(const hsp_moving_limits *given, hsp::MovingLimits &result) {
-  hsp_moving_limits limits;
-  if (const int32_t status = hsp::capi::read_struct(given, {}, limits); status != HSP_OK) return status;
-  if (limits.balls > HSP_MAX_BALLS || limits.neighbours > HSP_MAX_BALLS) return HSP_E_RANGE;
-  result = {limits.balls, limits.neighbours};
-  return HSP_OK;
-}
-
-hsp_moving_limits moving_to_c(const hsp::MovingLimits &limits) {
-  return {sizeof(hsp_moving_limits), limits.balls, limits.neighbours};
-}
-
 hsp_moving_ball to_c(const hsp::MovingBalls &balls, uint32_t i) {
   const hsp::MovingBall &record = balls.record(i);
   const hsp::exact::LatticeBall placed = balls.placed(i);
@@ -49,21 +36,15 @@ hsp_moving_ball to_c(const hsp::MovingBalls &balls, uint32_t i) {
 }  // namespace
 
 int32_t hsp_moving_limits_init(hsp_moving_limits *limits, uint32_t struct_size, uint32_t balls) {
-  return hsp::capi::init_limits<hsp::MovingLimits, moving_to_c>(limits, struct_size, balls);
+  return hsp::capi::init_limits<hsp_moving>(limits, struct_size, balls);
 }
 
 int32_t hsp_moving_bytes(const hsp_moving_limits *limits, size_t *bytes) {
-  if (bytes == nullptr) return HSP_E_ARGUMENT;
-  hsp::MovingLimits wanted;
-  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
-  return hsp::capi::get_bytes<hsp_moving>(wanted, bytes);
+  return hsp::capi::get_bytes_by_limits<hsp_moving>(limits, bytes);
 }
 
 int32_t hsp_moving_init(void *memory, size_t bytes, const hsp_moving_limits *limits, hsp_moving **moving) {
-  if (memory == nullptr || moving == nullptr) return HSP_E_ARGUMENT;
-  hsp::MovingLimits wanted;
-  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
-  return hsp::capi::init(memory, bytes, wanted, moving);
+  return hsp::capi::init_by_limits(memory, bytes, limits, moving);
 }
 
 int32_t hsp_moving_set(hsp_moving *moving, const hsp_model *model, const double *sigma, double tension, double pressure,
@@ -76,7 +57,7 @@ int32_t hsp_moving_set(hsp_moving *moving, const hsp_model *model, const double 
   if (const int32_t status = hsp::capi::check_weights(sigma, all, first_bad); status != HSP_OK) return status;
   if (!hsp::is_finite(tension) || !hsp::is_finite(pressure)) return HSP_E_NOT_FINITE;
   const hsp::EnergyTerms terms{{sigma, hsp::capi::to_touching_balls(tangency)}, tension, pressure};
-  return hsp::capi::finish<moving_to_c>(*moving, moving->builder.set(model->grid, terms), limits);
+  return hsp::capi::finish(*moving, moving->builder.set(model->grid, terms), limits);
 }
 
 int32_t hsp_moving_move(hsp_moving *moving, uint32_t count, const uint32_t *ball, const double *xyz,
@@ -87,11 +68,7 @@ int32_t hsp_moving_move(hsp_moving *moving, uint32_t count, const uint32_t *ball
   uint32_t bad = HSP_NONE;
   const hsp::Status status = moving->builder.move({count, ball, xyz, radius}, bad);
   if (first_bad != nullptr) *first_bad = bad;
-  const bool done = status == hsp::Status::ok;
-  if (limits != nullptr && (done || status == hsp::Status::capacity)) {
-    const hsp::MovingLimits enough = done ? moving->builder.needed() : moving->builder.retry_limits();
-    hsp::capi::write_struct(moving_to_c(enough), limits, limits->struct_size);
-  }
+  hsp::capi::hand_back_limits(*moving, status, limits);
   return hsp::capi::to_c(status);
 }
 

@@ -7,6 +7,8 @@
 struct hsp_moving {
   using Builder = hsp::MovingBalls;
   static constexpr auto kind = hsp::capi::HandleKind::moving;
+  using Given = hsp_moving_limits;
+  using Limits = hsp::capi::LimitFields<hsp::MovingLimits, Given, &Given::balls, &Given::neighbours>;
 
   uintptr_t tag;
   Builder builder;

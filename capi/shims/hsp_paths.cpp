@@ -1,6 +1,5 @@
 #include "hsp_paths.hpp"
 
-#include "cells_limits.hpp"
 #include "conversion.hpp"
 #include "handle_memory.hpp"
 #include "model/queries.hpp"
@@ -16,36 +15,6 @@ static_assert(static_cast<uint32_t>(hsp::PathEnds::connected) == HSP_PATH_CONNEC
               static_cast<uint32_t>(hsp::PathEnds::apart) == HSP_PATH_APART &&
               static_cast<uint32_t>(hsp::PathEnds::covered) == HSP_PATH_COVERED);
 
-int32_t from_c(const hsp_paths_limits *given, hsp::PathLimits &result) {
-  hsp_paths_limits limits;
-  if (const int32_t status = hsp::capi::read_struct(given, {}, limits); status != HSP_OK) return status;
-  if (limits.points > HSP_MAX_BALLS) return HSP_E_RANGE;
-  result.points = limits.points;
-  return hsp::capi::get_cells_limits(limits, result.cells);
-}
-
-int32_t from_c(const hsp_gate_limits *given, hsp::ProbeLimits &result) {
-  hsp_gate_limits limits;
-  if (const int32_t status = hsp::capi::read_struct(given, {}, limits); status != HSP_OK) return status;
-  if (limits.balls > HSP_MAX_BALLS) return HSP_E_RANGE;
-  result.balls = limits.balls;
-  return hsp::capi::get_cells_limits(limits, result.cells);
-}
-
-hsp_paths_limits paths_to_c(const hsp::PathLimits &limits) {
-  hsp_paths_limits result{};
-  hsp::capi::put_cells_limits(limits.cells, result);
-  result.points = limits.points;
-  return result;
-}
-
-hsp_gate_limits gate_to_c(const hsp::ProbeLimits &limits) {
-  hsp_gate_limits result{};
-  hsp::capi::put_cells_limits(limits.cells, result);
-  result.balls = limits.balls;
-  return result;
-}
-
 // A point on the lattice of the balls.
 int32_t round_point(const hsp::BallSet &balls, const double *xyz, hsp::exact::Vector &point) {
   hsp::LatticeQuery query;
@@ -57,21 +26,15 @@ int32_t round_point(const hsp::BallSet &balls, const double *xyz, hsp::exact::Ve
 }  // namespace
 
 int32_t hsp_paths_limits_init(hsp_paths_limits *limits, uint32_t struct_size, uint32_t balls) {
-  return hsp::capi::init_limits<hsp::PathLimits, paths_to_c>(limits, struct_size, balls);
+  return hsp::capi::init_limits<hsp_paths>(limits, struct_size, balls);
 }
 
 int32_t hsp_paths_bytes(const hsp_paths_limits *limits, size_t *bytes) {
-  if (bytes == nullptr) return HSP_E_ARGUMENT;
-  hsp::PathLimits wanted;
-  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
-  return hsp::capi::get_bytes<hsp_paths>(wanted, bytes);
+  return hsp::capi::get_bytes_by_limits<hsp_paths>(limits, bytes);
 }
 
 int32_t hsp_paths_init(void *memory, size_t bytes, const hsp_paths_limits *limits, hsp_paths **paths) {
-  if (memory == nullptr || paths == nullptr) return HSP_E_ARGUMENT;
-  hsp::PathLimits wanted;
-  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
-  return hsp::capi::init(memory, bytes, wanted, paths);
+  return hsp::capi::init_by_limits(memory, bytes, limits, paths);
 }
 
 int32_t hsp_paths_compute(hsp_paths *paths, const hsp_model *model, hsp_paths_limits *limits) {
@@ -80,7 +43,7 @@ int32_t hsp_paths_compute(hsp_paths *paths, const hsp_model *model, hsp_paths_li
   if (const int32_t status = first_failure(check_handle(model), check_struct(limits)); status != HSP_OK) return status;
   const hsp::Status status = paths->builder.build(model->grid);
   paths->model.set(model);
-  return hsp::capi::finish<paths_to_c>(*paths, status, limits);
+  return hsp::capi::finish(*paths, status, limits);
 }
 
 int32_t hsp_paths_find(hsp_paths *paths, const double *from, const double *to, hsp_path *path,
@@ -96,12 +59,9 @@ int32_t hsp_paths_find(hsp_paths *paths, const double *from, const double *to, h
   if (status == HSP_OK) status = round_point(balls, to, end);
   if (status != HSP_OK) return status;
   hsp::PathSummary found;
-  status = hsp::capi::to_c(paths->builder.find(balls, start, end, found));
-  if (limits != nullptr && (status == HSP_OK || status == HSP_E_CAPACITY)) {
-    const hsp::PathLimits enough = status == HSP_OK ? paths->builder.needed() : paths->builder.retry_limits();
-    hsp::capi::write_struct(paths_to_c(enough), limits, limits->struct_size);
-  }
-  if (status != HSP_OK) return status;
+  const hsp::Status searched = paths->builder.find(balls, start, end, found);
+  hsp::capi::hand_back_limits(*paths, searched, limits);
+  if (searched != hsp::Status::ok) return hsp::capi::to_c(searched);
   *path = {balls.lattice.length(found.length), balls.lattice.length(found.clearance), static_cast<uint32_t>(found.ends),
            found.certified ? 1U : 0U,          paths->builder.points().size(),        0};
   return HSP_OK;
@@ -123,21 +83,15 @@ int32_t hsp_paths_get_points(const hsp_paths *paths, double *points, uint32_t ca
 }
 
 int32_t hsp_gate_limits_init(hsp_gate_limits *limits, uint32_t struct_size, uint32_t balls) {
-  return hsp::capi::init_limits<hsp::ProbeLimits, gate_to_c>(limits, struct_size, balls);
+  return hsp::capi::init_limits<hsp_gate>(limits, struct_size, balls);
 }
 
 int32_t hsp_gate_bytes(const hsp_gate_limits *limits, size_t *bytes) {
-  if (bytes == nullptr) return HSP_E_ARGUMENT;
-  hsp::ProbeLimits wanted;
-  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
-  return hsp::capi::get_bytes<hsp_gate>(wanted, bytes);
+  return hsp::capi::get_bytes_by_limits<hsp_gate>(limits, bytes);
 }
 
 int32_t hsp_gate_init(void *memory, size_t bytes, const hsp_gate_limits *limits, hsp_gate **gate) {
-  if (memory == nullptr || gate == nullptr) return HSP_E_ARGUMENT;
-  hsp::ProbeLimits wanted;
-  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
-  return hsp::capi::init(memory, bytes, wanted, gate);
+  return hsp::capi::init_by_limits(memory, bytes, limits, gate);
 }
 
 int32_t hsp_gate_compute(hsp_gate *gate, const hsp_model *model, const double *from, const double *to,
@@ -153,7 +107,7 @@ int32_t hsp_gate_compute(hsp_gate *gate, const hsp_model *model, const double *f
   if (rounded != HSP_OK) return rounded;
   const hsp::Status status = gate->builder.find(model->balls(), start, to == nullptr ? nullptr : &end, gate->widest);
   gate->model.set(model);
-  return hsp::capi::finish<gate_to_c>(*gate, status, limits);
+  return hsp::capi::finish(*gate, status, limits);
 }
 
 int32_t hsp_gate_get(const hsp_gate *gate, hsp_widest_probe *widest) {

@@ -9,6 +9,10 @@
 struct hsp_paths {
   using Builder = hsp::PathFinder;
   static constexpr auto kind = hsp::capi::HandleKind::paths;
+  using Given = hsp_paths_limits;
+  using Limits = hsp::capi::LimitFields<hsp::PathLimits, Given, &Given::cubes, &Given::entries, &Given::cells,
+                                        &Given::adjacencies, &Given::landmarks, &Given::facets, &Given::corners,
+                                        &Given::cube_balls, &Given::cube_corners, &Given::points>;
 
   uintptr_t tag;
   Builder builder;
@@ -22,6 +26,10 @@ struct hsp_paths {
 struct hsp_gate {
   using Builder = hsp::WidestProbeFinder;
   static constexpr auto kind = hsp::capi::HandleKind::gate;
+  using Given = hsp_gate_limits;
+  using Limits = hsp::capi::LimitFields<hsp::ProbeLimits, Given, &Given::cubes, &Given::entries, &Given::cells,
+                                        &Given::adjacencies, &Given::landmarks, &Given::facets, &Given::corners,
+                                        &Given::cube_balls, &Given::cube_corners, &Given::balls>;
 
   uintptr_t tag;
   Builder builder;

@@ -23,30 +23,6 @@ static_assert(static_cast<uint32_t>(PeriodicInvariant::closure) == 2);
 static_assert(static_cast<uint32_t>(PeriodicInvariant::outside) == 3);
 static_assert(static_cast<uint32_t>(PeriodicInvariant::volume) == 4);
 
-// The limits that a program gives.
-int32_t from_c(const hsp_periodic_limits *given, hsp::PeriodicLimits &result) {
-  hsp_periodic_limits limits;
-  if (const int32_t status = hsp::capi::read_struct(given, {}, limits); status != HSP_OK) return status;
-  const uint32_t counts[] = {limits.balls,    limits.images,  limits.neighbours,
-                             limits.vertices, limits.circles, limits.contacts};
-  for (const uint32_t count : counts) {
-    if (count > HSP_MAX_BALLS) return HSP_E_RANGE;
-  }
-  if (limits.balls + limits.images > HSP_MAX_BALLS) return HSP_E_RANGE;
-  result = {limits.balls, limits.images, limits.neighbours, limits.vertices, limits.circles, limits.contacts};
-  return HSP_OK;
-}
-
-hsp_periodic_limits periodic_to_c(const hsp::PeriodicLimits &limits) {
-  return {sizeof(hsp_periodic_limits),
-          limits.balls,
-          limits.images,
-          limits.neighbours,
-          limits.vertices,
-          limits.circles,
-          limits.contacts};
-}
-
 hsp_periodic_contact to_c(const hsp::PeriodicUnion &periodic, const hsp::PeriodicContact &contact) {
   const hsp::ContactRecord &record = *contact.record;
   const hsp::exact::Lattice &lattice = periodic.images().lattice();
@@ -82,21 +58,15 @@ hsp_winding to_winding(const hsp::Windings &windings, uint32_t component) {
 }  // namespace
 
 int32_t hsp_periodic_limits_init(hsp_periodic_limits *limits, uint32_t struct_size, uint32_t balls) {
-  return hsp::capi::init_limits<hsp::PeriodicLimits, periodic_to_c>(limits, struct_size, balls);
+  return hsp::capi::init_limits<hsp_periodic>(limits, struct_size, balls);
 }
 
 int32_t hsp_periodic_bytes(const hsp_periodic_limits *limits, size_t *bytes) {
-  if (bytes == nullptr) return HSP_E_ARGUMENT;
-  hsp::PeriodicLimits wanted;
-  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
-  return hsp::capi::get_bytes<hsp_periodic>(wanted, bytes);
+  return hsp::capi::get_bytes_by_limits<hsp_periodic>(limits, bytes);
 }
 
 int32_t hsp_periodic_init(void *memory, size_t bytes, const hsp_periodic_limits *limits, hsp_periodic **periodic) {
-  if (memory == nullptr || periodic == nullptr) return HSP_E_ARGUMENT;
-  hsp::PeriodicLimits wanted;
-  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
-  return hsp::capi::init(memory, bytes, wanted, periodic);
+  return hsp::capi::init_by_limits(memory, bytes, limits, periodic);
 }
 
 int32_t hsp_periodic_compute(hsp_periodic *periodic, uint32_t n, const double *xyz, const double *radius,
@@ -113,7 +83,7 @@ int32_t hsp_periodic_compute(hsp_periodic *periodic, uint32_t n, const double *x
       status != HSP_OK)
     return status;
   if (n > HSP_MAX_BALLS) return HSP_E_RANGE;
-  return hsp::capi::finish<periodic_to_c>(*periodic, periodic->builder.build(input, box, bad), limits);
+  return hsp::capi::finish(*periodic, periodic->builder.build(input, box, bad), limits);
 }
 
 int32_t hsp_periodic_get_counts(const hsp_periodic *periodic, hsp_periodic_counts *counts) {

@@ -7,6 +7,14 @@
 struct hsp_periodic {
   using Builder = hsp::PeriodicUnion;
   static constexpr auto kind = hsp::capi::HandleKind::periodic;
+  using Given = hsp_periodic_limits;
+  struct Limits : hsp::capi::LimitFields<hsp::PeriodicLimits, Given, &Given::balls, &Given::images, &Given::neighbours,
+                                         &Given::vertices, &Given::circles, &Given::contacts> {
+    static int32_t read(const Given *given, hsp::PeriodicLimits &limits) {
+      const int32_t status = LimitFields::read(given, limits);
+      return status == HSP_OK && limits.balls + limits.images > HSP_MAX_BALLS ? HSP_E_RANGE : status;
+    }
+  };
 
   uintptr_t tag;
   Builder builder;

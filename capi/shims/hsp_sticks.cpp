@@ -21,21 +21,6 @@ static_assert(static_cast<uint32_t>(hsp::StickConflict::none) == HSP_STICKS_NO_C
               static_cast<uint32_t>(hsp::StickConflict::stick_in_ball) == HSP_STICKS_STICK_IN_BALL &&
               static_cast<uint32_t>(hsp::StickConflict::cycle) == HSP_STICKS_CYCLE);
 
-// The limits that a program gives.
-int32_t from_c(const hsp_sticks_limits *given, hsp::StickLimits &result) {
-  hsp_sticks_limits limits;
-  if (const int32_t status = hsp::capi::read_struct(given, {}, limits); status != HSP_OK) return status;
-  for (const uint32_t limit : {limits.balls, limits.sticks, limits.pairs, limits.edges}) {
-    if (limit > HSP_MAX_BALLS) return HSP_E_RANGE;
-  }
-  result = {limits.balls, limits.sticks, limits.pairs, limits.edges};
-  return HSP_OK;
-}
-
-hsp_sticks_limits sticks_to_c(const hsp::StickLimits &limits) {
-  return {sizeof(hsp_sticks_limits), limits.balls, limits.sticks, limits.pairs, limits.edges};
-}
-
 bool are_valid(const hsp_stick *stick, uint32_t count) {
   if (stick == nullptr) return count == 0;
   for (uint32_t k = 0; k < count; ++k) {
@@ -76,27 +61,21 @@ int32_t compute(hsp_sticks *sticks, const hsp_model *model, const hsp_view_optio
     const hsp::StickViolation &violation = sticks->builder.violation();
     *conflict = {static_cast<uint32_t>(violation.conflict), violation.first, violation.second, 0};
   }
-  return hsp::capi::finish<sticks_to_c>(*sticks, status, limits);
+  return hsp::capi::finish(*sticks, status, limits);
 }
 
 }  // namespace
 
 int32_t hsp_sticks_limits_init(hsp_sticks_limits *limits, uint32_t struct_size, uint32_t balls) {
-  return hsp::capi::init_limits<hsp::StickLimits, sticks_to_c>(limits, struct_size, balls);
+  return hsp::capi::init_limits<hsp_sticks>(limits, struct_size, balls);
 }
 
 int32_t hsp_sticks_bytes(const hsp_sticks_limits *limits, size_t *bytes) {
-  if (bytes == nullptr) return HSP_E_ARGUMENT;
-  hsp::StickLimits wanted;
-  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
-  return hsp::capi::get_bytes<hsp_sticks>(wanted, bytes);
+  return hsp::capi::get_bytes_by_limits<hsp_sticks>(limits, bytes);
 }
 
 int32_t hsp_sticks_init(void *memory, size_t bytes, const hsp_sticks_limits *limits, hsp_sticks **sticks) {
-  if (memory == nullptr || sticks == nullptr) return HSP_E_ARGUMENT;
-  hsp::StickLimits wanted;
-  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
-  return hsp::capi::init(memory, bytes, wanted, sticks);
+  return hsp::capi::init_by_limits(memory, bytes, limits, sticks);
 }
 
 int32_t hsp_sticks_compute(hsp_sticks *sticks, const hsp_model *model, const hsp_view_options *options,

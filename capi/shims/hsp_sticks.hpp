@@ -7,6 +7,9 @@
 struct hsp_sticks {
   using Builder = hsp::StickViewBuilder;
   static constexpr auto kind = hsp::capi::HandleKind::sticks;
+  using Given = hsp_sticks_limits;
+  using Limits =
+      hsp::capi::LimitFields<hsp::StickLimits, Given, &Given::balls, &Given::sticks, &Given::pairs, &Given::edges>;
 
   uintptr_t tag;
   Builder builder;

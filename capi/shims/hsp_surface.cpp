@@ -10,22 +10,6 @@ using hsp::capi::first_failure;
 
 namespace {
 
-// The limits that a program gives.
-int32_t from_c(const hsp_surface_limits *given, hsp::SurfaceLimits &result) {
-  hsp_surface_limits limits;
-  if (const int32_t status = hsp::capi::read_struct(given, {}, limits); status != HSP_OK) return status;
-  if (limits.vertices > HSP_MAX_BALLS || limits.neighbours > HSP_MAX_BALLS || limits.pieces > HSP_MAX_BALLS ||
-      limits.arcs > HSP_MAX_BALLS || limits.faces > HSP_MAX_BALLS || limits.cusped_circles > HSP_MAX_BALLS)
-    return HSP_E_RANGE;
-  result = {limits.vertices, limits.faces, limits.neighbours, limits.pieces, limits.arcs, limits.cusped_circles};
-  return HSP_OK;
-}
-
-hsp_surface_limits to_c(const hsp::SurfaceLimits &limits) {
-  return {sizeof(hsp_surface_limits), limits.vertices, limits.faces, limits.neighbours, limits.pieces, limits.arcs,
-          limits.cusped_circles};
-}
-
 hsp_surface_totals to_c(const hsp::SurfaceMeasure &measure) {
   return {measure.area(), measure.volume, measure.convex, measure.saddle, measure.concave};
 }
@@ -41,8 +25,7 @@ int32_t begin(hsp_surface *surface, const hsp_boundary *boundary, const hsp_surf
 
 int32_t finish(hsp_surface &surface, const hsp_boundary &boundary, hsp::Status status, hsp_surface_limits *limits) {
   surface.boundary.set(&boundary);
-  constexpr hsp_surface_limits (*convert)(const hsp::SurfaceLimits &) = to_c;
-  return hsp::capi::finish<convert>(surface, status, limits);
+  return hsp::capi::finish(surface, status, limits);
 }
 
 // What no ball's own faces show. Of equal balls all but one have no vertices. Without a probe all balls that touch from
@@ -108,22 +91,15 @@ int32_t hsp_surface_limits_init(hsp_surface_limits *limits, uint32_t struct_size
   const hsp::Boundary &structure = boundary->structure();
   const hsp::SurfaceLimits enough =
       hsp::default_surface_limits(structure.vertex_count(), structure.face_count(), structure.circle_count());
-  hsp::capi::write_struct(to_c(enough), limits, struct_size);
-  return HSP_OK;
+  return hsp_surface::Limits::write(enough, limits, struct_size);
 }
 
 int32_t hsp_surface_bytes(const hsp_surface_limits *limits, size_t *bytes) {
-  if (bytes == nullptr) return HSP_E_ARGUMENT;
-  hsp::SurfaceLimits wanted;
-  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
-  return hsp::capi::get_bytes<hsp_surface>(wanted, bytes);
+  return hsp::capi::get_bytes_by_limits<hsp_surface>(limits, bytes);
 }
 
 int32_t hsp_surface_init(void *memory, size_t bytes, const hsp_surface_limits *limits, hsp_surface **surface) {
-  if (memory == nullptr || surface == nullptr) return HSP_E_ARGUMENT;
-  hsp::SurfaceLimits wanted;
-  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
-  return hsp::capi::init(memory, bytes, wanted, surface);
+  return hsp::capi::init_by_limits(memory, bytes, limits, surface);
 }
 
 int32_t hsp_surface_compute(hsp_surface *surface, const hsp_boundary *boundary, hsp_surface_limits *limits) {

@@ -11,21 +11,6 @@ namespace {
 
 using hsp::capi::check_range;
 
-// The limits that a program gives.
-int32_t from_c(const hsp_topology_limits *given, hsp::TopologyLimits &result) {
-  hsp_topology_limits limits;
-  if (const int32_t status = hsp::capi::read_struct(given, {}, limits); status != HSP_OK) return status;
-  if (limits.balls > HSP_MAX_BALLS || limits.neighbours > HSP_MAX_BALLS || limits.edges > HSP_MAX_BALLS ||
-      limits.cut_arcs > HSP_MAX_BALLS || limits.shells > HSP_MAX_BALLS)
-    return HSP_E_RANGE;
-  result = {limits.balls, limits.neighbours, limits.edges, limits.cut_arcs, limits.shells};
-  return HSP_OK;
-}
-
-hsp_topology_limits topology_to_c(const hsp::TopologyLimits &limits) {
-  return {sizeof(hsp_topology_limits), limits.balls, limits.neighbours, limits.edges, limits.cut_arcs, limits.shells};
-}
-
 constexpr uint32_t number_of(hsp::TopologyInvariant invariant) {
   return static_cast<uint32_t>(invariant);
 }
@@ -53,23 +38,16 @@ int32_t hsp_topology_limits_init(hsp_topology_limits *limits, uint32_t struct_si
     return status;
   if (!boundary->has_results()) return HSP_E_STATE;
   const uint32_t neighbours = boundary->builder.needed().neighbours;
-  hsp::capi::write_struct(topology_to_c(hsp::limits_for(boundary->balls(), boundary->structure(), neighbours)), limits,
-                          struct_size);
-  return HSP_OK;
+  return hsp_topology::Limits::write(hsp::limits_for(boundary->balls(), boundary->structure(), neighbours), limits,
+                                     struct_size);
 }
 
 int32_t hsp_topology_bytes(const hsp_topology_limits *limits, size_t *bytes) {
-  if (bytes == nullptr) return HSP_E_ARGUMENT;
-  hsp::TopologyLimits wanted;
-  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
-  return hsp::capi::get_bytes<hsp_topology>(wanted, bytes);
+  return hsp::capi::get_bytes_by_limits<hsp_topology>(limits, bytes);
 }
 
 int32_t hsp_topology_init(void *memory, size_t bytes, const hsp_topology_limits *limits, hsp_topology **topology) {
-  if (memory == nullptr || topology == nullptr) return HSP_E_ARGUMENT;
-  hsp::TopologyLimits wanted;
-  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
-  return hsp::capi::init(memory, bytes, wanted, topology);
+  return hsp::capi::init_by_limits(memory, bytes, limits, topology);
 }
 
 int32_t hsp_topology_compute(hsp_topology *topology, const hsp_boundary *boundary, hsp_topology_limits *limits) {
@@ -81,7 +59,7 @@ int32_t hsp_topology_compute(hsp_topology *topology, const hsp_boundary *boundar
   const hsp::Status status =
       topology->builder.build(boundary->model->grid, boundary->structure(), boundary->builder.needed().neighbours);
   topology->boundary.set(boundary);
-  return hsp::capi::finish<topology_to_c>(*topology, status, limits);
+  return hsp::capi::finish(*topology, status, limits);
 }
 
 int32_t hsp_topology_get_counts(const hsp_topology *topology, hsp_topology_counts *counts) {

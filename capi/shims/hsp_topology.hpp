@@ -7,6 +7,9 @@
 struct hsp_topology {
   using Builder = hsp::TopologyBuilder;
   static constexpr auto kind = hsp::capi::HandleKind::topology;
+  using Given = hsp_topology_limits;
+  using Limits = hsp::capi::LimitFields<hsp::TopologyLimits, Given, &Given::balls, &Given::neighbours, &Given::edges,
+                                        &Given::cut_arcs, &Given::shells>;
 
   uintptr_t tag;
   Builder builder;

@@ -7,40 +7,18 @@ using hsp::capi::check_handle;
 using hsp::capi::check_struct;
 using hsp::capi::first_failure;
 
-namespace {
-
-// The limits that a program gives.
-int32_t from_c(const hsp_view_limits *given, hsp::ViewLimits &result) {
-  hsp_view_limits limits;
-  if (const int32_t status = hsp::capi::read_struct(given, {}, limits); status != HSP_OK) return status;
-  if (limits.balls > HSP_MAX_BALLS || limits.neighbours > HSP_MAX_BALLS || limits.arcs > HSP_MAX_BALLS)
-    return HSP_E_RANGE;
-  result = {limits.balls, limits.neighbours, limits.arcs};
-  return HSP_OK;
-}
-
-hsp_view_limits view_to_c(const hsp::ViewLimits &limits) {
-  return {sizeof(hsp_view_limits), limits.balls, limits.neighbours, limits.arcs};
-}
-
-}  // namespace
+namespace {}  // namespace
 
 int32_t hsp_view_limits_init(hsp_view_limits *limits, uint32_t struct_size, uint32_t balls) {
-  return hsp::capi::init_limits<hsp::ViewLimits, view_to_c>(limits, struct_size, balls);
+  return hsp::capi::init_limits<hsp_view>(limits, struct_size, balls);
 }
 
 int32_t hsp_view_bytes(const hsp_view_limits *limits, size_t *bytes) {
-  if (bytes == nullptr) return HSP_E_ARGUMENT;
-  hsp::ViewLimits wanted;
-  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
-  return hsp::capi::get_bytes<hsp_view>(wanted, bytes);
+  return hsp::capi::get_bytes_by_limits<hsp_view>(limits, bytes);
 }
 
 int32_t hsp_view_init(void *memory, size_t bytes, const hsp_view_limits *limits, hsp_view **view) {
-  if (memory == nullptr || view == nullptr) return HSP_E_ARGUMENT;
-  hsp::ViewLimits wanted;
-  if (const int32_t status = from_c(limits, wanted); status != HSP_OK) return status;
-  return hsp::capi::init(memory, bytes, wanted, view);
+  return hsp::capi::init_by_limits(memory, bytes, limits, view);
 }
 
 int32_t hsp_view_options_init(hsp_view_options *options, uint32_t struct_size) {
@@ -84,5 +62,5 @@ int32_t hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_bound
   const hsp::Status status =
       view->builder.build(model->grid, boundary == nullptr ? nullptr : &boundary->structure(), request);
   view->model.set(model);
-  return hsp::capi::finish<view_to_c>(*view, status, limits);
+  return hsp::capi::finish(*view, status, limits);
 }
