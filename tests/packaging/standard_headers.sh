@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$1"
 allowed='bit|cfloat|cmath|cstddef|cstdint|cstring|initializer_list|limits|new|type_traits|utility'
 
-# The compiler's own, for code beyond the target's baseline (lib/ground/lanes/processor.hpp).
+# The compiler's own, for code beyond the target's baseline (lib/ground/lanes/target.hpp).
 allowed+='|cpuid.h|emmintrin.h|immintrin.h'
 
 includes=$(grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]*<' -r lib capi/shims/*.cpp capi/shims/*.hpp)

@@ -1,12 +1,11 @@
 #include "poses/near_pairs.hpp"
 
-#include "lanes/eight_floats.hpp"
 #include "poses/near_pairs_kernel.hpp"
 
 namespace hsp::HSP_TARGET {
 
 uint32_t find_near_pairs(const SphereLevels &fixed, const SphereLevels &moving, const FloatPose &pose, PairWalk &walk) {
-  return PairWalker<EightFloats>(fixed, moving, pose, walk).find();
+  return PairWalker(fixed, moving, pose, walk).find();
 }
 
 }  // namespace hsp::HSP_TARGET

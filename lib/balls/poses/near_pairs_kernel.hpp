@@ -1,15 +1,14 @@
-// The walk of near_pairs.hpp for eight floats of any kind. Like everything in kernels it has internal linkage.
+// The walk of near_pairs.hpp. Like everything in kernels it has internal linkage.
 #pragma once
 
-#include <cstring>
+#include <type_traits>
 
+#include "lanes/wide_pairs.hpp"
 #include "poses/near_pairs.hpp"
 
 namespace hsp {
 namespace {
 
-// Eight: load, all, store, +, -, *, fused (a b + c, rounded once or twice) and not_less (a bit for each lane).
-template <class Eight>
 class PairWalker {
  public:
   PairWalker(const SphereLevels &fixed, const SphereLevels &moving, const FloatPose &pose, PairWalk &walk)
@@ -36,6 +35,9 @@ class PairWalker {
   }
 
  private:
+  // One register, or two of four.
+  using L = std::conditional_t<register_floats == 8, Wide<float, 8>, WidePairs<float, 4>>;
+  using Eight = L::Real;
   struct Spheres {
     Eight x, y, z, r;
   };
@@ -44,10 +46,10 @@ class PairWalker {
     alignas(32) float x[8], y[8], z[8], r[8];
 
     explicit StoredSpheres(const Spheres &s) {
-      s.x.store(x);
-      s.y.store(y);
-      s.z.store(z);
-      s.r.store(r);
+      L::store(x, s.x);
+      L::store(y, s.y);
+      L::store(z, s.z);
+      L::store(r, s.r);
     }
   };
 
@@ -58,23 +60,23 @@ class PairWalker {
     return levels.blocks[levels.first[level] + k];
   }
   static Spheres load(const SphereBlock &eight) {
-    return {Eight::load(eight.x), Eight::load(eight.y), Eight::load(eight.z), Eight::load(eight.r)};
+    return {L::load(eight.x), L::load(eight.y), L::load(eight.z), L::load(eight.r)};
   }
   // Where the spheres of a block are, with the slack.
   Spheres image(const SphereBlock &eight) const {
     const Spheres s = load(eight);
     const auto along = [&](int axis) {
       const float *const row = pose_.row[axis];
-      return fused(Eight::all(row[0]), s.x,
-                   fused(Eight::all(row[1]), s.y, fused(Eight::all(row[2]), s.z, Eight::all(pose_.shift[axis]))));
+      return L::fused(L::all(row[0]), s.x,
+                      L::fused(L::all(row[1]), s.y, L::fused(L::all(row[2]), s.z, L::all(pose_.shift[axis]))));
     };
-    return {along(0), along(1), along(2), s.r + Eight::all(pose_.slack)};
+    return {along(0), along(1), along(2), s.r + L::all(pose_.slack)};
   }
   // A bit for each sphere that is not certainly apart from another one.
   static uint32_t near(const Spheres &s, float x, float y, float z, float r) {
-    const Eight dx = s.x - Eight::all(x), dy = s.y - Eight::all(y), dz = s.z - Eight::all(z);
-    const Eight sum = s.r + Eight::all(r);
-    return not_less(sum * sum, fused(dx, dx, fused(dy, dy, dz * dz)));
+    const Eight dx = s.x - L::all(x), dy = s.y - L::all(y), dz = s.z - L::all(z);
+    const Eight sum = s.r + L::all(r);
+    return static_cast<uint32_t>(L::set_lanes(sum * sum >= L::fused(dx, dx, L::fused(dy, dy, dz * dz))));
   }
   static uint32_t near(const Spheres &s, const SphereBlock &eight, uint32_t lane) {
     return near(s, eight.x[lane], eight.y[lane], eight.z[lane], eight.r[lane]);

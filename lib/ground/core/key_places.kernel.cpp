@@ -1,6 +1,6 @@
 #include "core/key_places.hpp"
 
-#include "lanes/double_lanes.hpp"
+#include "lanes/wide.hpp"
 
 namespace hsp::HSP_TARGET {
 
@@ -12,7 +12,7 @@ void count_places(const int64_t *key, uint32_t count, uint32_t *place) {
       place[k] = smaller;
     }
   } else {
-    using L = DoubleLanes<register_lanes>;
+    using L = Wide<double, register_lanes>;
     using Mask = L::Mask;
     for (uint32_t k = 0; k < count; k += 8) {
       const Mask low = L::load_mask(key + k), high = L::load_mask(key + k + 4);

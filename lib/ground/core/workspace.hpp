@@ -34,7 +34,7 @@ class Workspace {
 
   // Which kernels serve what is carved here. The processor is asked once for a handle and never for a
   // size: in a virtual machine that traps to the host and takes tens of microseconds.
-  Target target() const { return target_; }
+  Target target() const { return has_further_targets ? target_ : Target::baseline; }
 
   // An array of `count` default-initialised T, or an empty span while measuring.
   template <class T>

@@ -66,7 +66,7 @@ class Lattice {
     return on_lattice;
   }
   double length(double steps) const { return divisor_ == 1.0 ? steps / factor_ : steps * divisor_; }
-  // The same for several numbers in lanes, as lanes/double_lanes.hpp has them.
+  // The same for several numbers in lanes, as lanes/wide.hpp has them.
   template <class Lanes>
   Lanes lengths(const Lanes &steps) const {
     return divisor_ == 1.0 ? steps / factor_ : steps * divisor_;

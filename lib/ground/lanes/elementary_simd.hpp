@@ -2,7 +2,7 @@
 // one, and the octants of arcs cannot be predicted.
 #pragma once
 
-#include "lanes/double_lanes.hpp"
+#include "lanes/wide.hpp"
 
 namespace hsp {
 namespace {
@@ -28,7 +28,7 @@ struct AngleParts {
 // itself; the rest of another one has 1.25 + 0.55 from these, and 0.25 with what pi lacks. The sum of the parts adds
 // half a unit in the last place: 0.25 e next to pi/8, 2 e up to pi, 4 e up to 2 pi. Together at most 6.1 e, 4.1 e up to
 // pi, and 6 e of the angle.
-// L: DoubleLanes or LanePairs.
+// L: Wide or WidePairs.
 template <class L>
 #if !defined(__OPTIMIZE_SIZE__)
 [[gnu::always_inline]]
@@ -61,9 +61,9 @@ half_turn_angle(const typename L::Real &x, const typename L::Real &y) {
 
 // The angle of (x, y) in [-pi, pi], with the sign of y, also where y is a zero.
 template <uint32_t n>
-typename DoubleLanes<n>::Real signed_angle(const typename DoubleLanes<n>::Real &x,
-                                           const typename DoubleLanes<n>::Real &y) {
-  using L = DoubleLanes<n>;
+typename Wide<double, n>::Real signed_angle(const typename Wide<double, n>::Real &x,
+                                            const typename Wide<double, n>::Real &y) {
+  using L = Wide<double, n>;
   return L::negate_if(L::bits(y), half_turn_angle<L>(x, y).sum());
 }
 
@@ -72,9 +72,9 @@ template <uint32_t n>
 #if !defined(__OPTIMIZE_SIZE__)
 [[gnu::always_inline]]
 #endif
-inline typename DoubleLanes<n>::Real
-turn_angle(const typename DoubleLanes<n>::Real &x, const typename DoubleLanes<n>::Real &y) {
-  using L = DoubleLanes<n>;
+inline typename Wide<double, n>::Real
+turn_angle(const typename Wide<double, n>::Real &x, const typename Wide<double, n>::Real &y) {
+  using L = Wide<double, n>;
   const typename L::Mask below = y < 0.0;
   AngleParts<L> angle = half_turn_angle<L>(x, y);
   angle.multiple = L::negate_if(below, angle.multiple) + L::kept(below, L::all(2 * pi));

@@ -41,6 +41,7 @@ enum class Target : uint8_t { baseline, avx2 };
 
 // The widest that both the library and this processor have.
 #if HSP_AVX2
+inline constexpr bool has_further_targets = true;
 inline Target best_target() {
   if (__get_cpuid_max(0, nullptr) < 7) return Target::baseline;
   unsigned a = 0, b = 0, c = 0, d = 0;
@@ -55,6 +56,7 @@ inline Target best_target() {
   return (b & bit_AVX2) != 0 ? Target::avx2 : Target::baseline;
 }
 #else
+inline constexpr bool has_further_targets = false;
 constexpr Target best_target() {
   return Target::baseline;
 }

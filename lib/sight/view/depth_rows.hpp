@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "lanes/double_lanes.hpp"
+#include "lanes/wide.hpp"
 
 namespace hsp {
 
@@ -46,7 +46,7 @@ class EdgeDistances {
   }
 
  private:
-  using L = DoubleLanes<n>;
+  using L = Wide<double, n>;
   using Real = typename L::Real;
 
   // A constant, since without optimisation a call would be code that other files have as well.

@@ -1,5 +1,5 @@
 // The search for probes that may cut one probe's triangle, in floats: no probe that does is left out, and few others
-// are found. One function for every processor, one for AVX2, eight probes at a time.
+// are found.
 //
 // Lengths are in units of the side of the cubes that the probes are sorted by, positions relative to one point. With q
 // from this vertex to the other one, t the probe's diameter, g the normals of the triangle's sides and d its corners:
@@ -16,6 +16,8 @@
 #pragma once
 
 #include <cstdint>
+
+#include "lanes/target.hpp"
 
 namespace hsp {
 
@@ -47,10 +49,6 @@ struct ProbeSearch {
 
 // Looks on until everything has been seen or there is no room for more in found. Returns how many are there.
 // found [room + spare].
-uint32_t find_near_probes(ProbeSearch &search, uint32_t *found);
-
-#if HSP_AVX2
-uint32_t find_near_probes_avx2(ProbeSearch &search, uint32_t *found);
-#endif
+HSP_KERNEL(uint32_t, find_near_probes, (ProbeSearch & search, uint32_t *found), (search, found))
 
 }  // namespace hsp

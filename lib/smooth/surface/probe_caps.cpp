@@ -46,15 +46,7 @@ ProbeState ProbeCaps::gather(const BallSet &balls, const Boundary &boundary, con
   }
   uint32_t found[ProbeSearch::room + ProbeSearch::spare];
   while (!search.done()) {
-    uint32_t count;
-#if HSP_AVX2
-    if (boundary.target() == Target::avx2) {
-      count = find_near_probes_avx2(search, found);
-    } else
-#endif
-    {
-      count = find_near_probes(search, found);
-    }
+    const uint32_t count = find_near_probes(boundary.target(), search, found);
     for (uint32_t k = 0; k < count; ++k) {
       if (found[k] != vertex) take(balls, boundary, grid, found[k]);
     }

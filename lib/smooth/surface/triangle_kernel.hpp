@@ -11,7 +11,7 @@ namespace {
 
 template <uint32_t n>
 struct TriangleKernel {
-  using L = DoubleLanes<n>;
+  using L = Wide<double, n>;
   using Real = typename L::Real;
   using Mask = typename L::Mask;
   using Vector = VectorOf<Real>;

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "core/vec3.hpp"
-#include "lanes/double_lanes.hpp"
 #include "lanes/target.hpp"
+#include "lanes/wide.hpp"
 
 namespace hsp {
 
@@ -47,7 +47,7 @@ namespace {
 // Puts planes in order by counting those before each, so that no branch depends on a distance.
 template <uint32_t n>
 inline void order_planes(const double *distance, uint32_t count, PlaneOrder &order) {
-  using L = DoubleLanes<n>;
+  using L = Wide<double, n>;
   using Real = typename L::Real;
   using Mask = typename L::Mask;
   constexpr double lane_numbers[4] = {0.0, 1.0, 2.0, 3.0};
@@ -72,7 +72,7 @@ inline void order_planes(const double *distance, uint32_t count, PlaneOrder &ord
 // else means anything, if its square is larger than a limit, or if the ball is out of the game or the same.
 template <uint32_t n>
 inline void find_planes_in_lanes(const MemberArrays &members, uint32_t own, double limit, const PlaneArrays &planes) {
-  using L = DoubleLanes<n>;
+  using L = Wide<double, n>;
   using Real = typename L::Real;
   const Real x = L::all(members.x[own]), y = L::all(members.y[own]), z = L::all(members.z[own]);
   const Real radius = L::all(members.radius[own]), most = L::all(limit);
@@ -103,7 +103,7 @@ inline void find_planes_in_lanes(const MemberArrays &members, uint32_t own, doub
 template <uint32_t n>
 inline bool is_before_all_in_lanes(const MemberArrays &members, uint32_t own, const Vec3 &point, double doubt,
                                    const double *distance) {
-  using L = DoubleLanes<n>;
+  using L = Wide<double, n>;
   using Real = typename L::Real;
   const Real x = L::all(members.x[own]), y = L::all(members.y[own]), z = L::all(members.z[own]);
   const Real power = L::all(members.power[own]), least = L::all(doubt);
@@ -123,7 +123,7 @@ inline bool is_before_all_in_lanes(const MemberArrays &members, uint32_t own, co
 template <uint32_t n>
 inline uint64_t find_dominance_in_lanes(const MemberArrays &members, uint32_t a, uint32_t first, double side,
                                         double doubt) {
-  using L = DoubleLanes<n>;
+  using L = Wide<double, n>;
   using Real = typename L::Real;
   const Real x = L::all(members.x[a]), y = L::all(members.y[a]), z = L::all(members.z[a]);
   const Real power = L::all(members.power[a]), sides = L::all(side), doubts = L::all(doubt), zero = L::all(0.0);

@@ -4,8 +4,8 @@
 
 #include "cells/cube_frame.hpp"
 #include "cells/vertex_sides.hpp"
-#include "lanes/double_lanes.hpp"
 #include "lanes/target.hpp"
+#include "lanes/wide.hpp"
 
 namespace hsp {
 
@@ -44,7 +44,7 @@ namespace {
 template <uint32_t n>
 inline void cross_edges_in_lanes(const VertexArrays &of, const CrossedEdge *edges, const uint32_t *to, uint32_t count,
                                  const CrossingBounds &bounds) {
-  using L = DoubleLanes<n>;
+  using L = Wide<double, n>;
   using Real = typename L::Real;
   const Real least_rise = L::all(bounds.least_rise), most_doubt = L::all(bounds.most_doubt), one = L::all(1.0);
   const Real rounding = L::all(bounds.rounding), plane_doubt = L::all(bounds.plane_doubt), more = L::all(1.01);

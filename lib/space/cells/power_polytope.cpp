@@ -56,7 +56,7 @@ void PowerPolytope::start(const CubeFrame &frame, const Vec3 &centre) {
   PolytopeVertex *const vertices = vertices_.data();
   for (uint32_t v = 0; v < 8; ++v) vertices[v] = cube_corners[v];
   // Two corners at a time.
-  using L = DoubleLanes<2>;
+  using L = Wide<double, 2>;
   const L::Real in_x_both{in_x[0], in_x[1]}, both_x{-side, side};
   for (uint32_t v = 0; v < 8; v += 2) {
     const uint32_t y = v / 2 % 2, z = v / 4;

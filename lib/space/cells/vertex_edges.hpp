@@ -3,8 +3,8 @@
 #pragma once
 
 #include "cells/vertex_sides.hpp"
-#include "lanes/double_lanes.hpp"
 #include "lanes/target.hpp"
+#include "lanes/wide.hpp"
 
 namespace hsp {
 
@@ -28,8 +28,8 @@ namespace {
 
 // Where n vertices are.
 template <uint32_t n>
-inline VectorOf<typename DoubleLanes<n>::Real> positions(const VertexArrays &of, const uint32_t *v) {
-  using L = DoubleLanes<n>;
+inline VectorOf<typename Wide<double, n>::Real> positions(const VertexArrays &of, const uint32_t *v) {
+  using L = Wide<double, n>;
   return {L::gather(of.x, v), L::gather(of.y, v), L::gather(of.z, v)};
 }
 
@@ -41,7 +41,7 @@ inline VectorOf<typename DoubleLanes<n>::Real> positions(const VertexArrays &of,
 template <uint32_t n>
 inline EdgeSides compare_edges_in_lanes(const VertexArrays &of, const EdgeEnds *edges, uint32_t count, double limit,
                                         double doubt) {
-  using L = DoubleLanes<n>;
+  using L = Wide<double, n>;
   using Real = typename L::Real;
   const Real bound = L::all(limit), most = L::all(doubt), zero = L::all(0.0), half = L::all(0.5), two = L::all(2.0);
   uint64_t outside = 0, inside = 0;

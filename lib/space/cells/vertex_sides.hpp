@@ -5,8 +5,8 @@
 
 #include "cells/cube_members.hpp"
 #include "core/status.hpp"
-#include "lanes/double_lanes.hpp"
 #include "lanes/target.hpp"
+#include "lanes/wide.hpp"
 
 namespace hsp {
 
@@ -62,7 +62,7 @@ namespace {
 // The first one of the nearest planes, of which there are some.
 template <uint32_t n>
 inline uint32_t nearest_plane(const double *distances, uint32_t plane_count) {
-  using L = DoubleLanes<n>;
+  using L = Wide<double, n>;
   using Real = typename L::Real;
   Real nearest = L::all(done_with);
   for (uint32_t k = 0; k < plane_count; k += 8) {
@@ -84,7 +84,7 @@ inline uint32_t nearest_plane(const double *distances, uint32_t plane_count) {
 template <uint32_t n>
 inline uint32_t find_cut_in_lanes(const CutVertices &vertices, const PlaneArrays &planes, uint32_t plane_count,
                                   const CutMargins &margins) {
-  using L = DoubleLanes<n>;
+  using L = Wide<double, n>;
   using Real = typename L::Real;
   const VertexArrays of = vertices.at;
   double *const distances = planes.distance;
@@ -136,7 +136,7 @@ inline uint32_t find_cut_in_lanes(const CutVertices &vertices, const PlaneArrays
 
 template <uint32_t n>
 inline SquareSides compare_squares_in_lanes(const double *squared, uint32_t count, double limit, double margin) {
-  using L = DoubleLanes<n>;
+  using L = Wide<double, n>;
   using Real = typename L::Real;
   const Real bound = L::all(limit), most = L::all(margin), least = L::all(-margin);
   uint64_t above = 0, below = 0;
@@ -152,7 +152,7 @@ inline SquareSides compare_squares_in_lanes(const double *squared, uint32_t coun
 template <uint32_t n>
 inline FacetSides compare_facets_in_lanes(const double *u, const double *w, uint32_t count, const FlatLine *lines,
                                           uint32_t line_count, double margin) {
-  using L = DoubleLanes<n>;
+  using L = Wide<double, n>;
   using Real = typename L::Real;
   const uint64_t all = ~UINT64_C(0) >> (64 - count);
   const Real most = L::all(margin), least = L::all(-margin);

@@ -1,39 +1,42 @@
 #include "contacts/chord_clipper.hpp"
 
 #include "contacts/unit_chord.hpp"
+#include "lanes/wide.hpp"
 
 namespace hsp {
 namespace {
 
+using Two = Wide<double, 2>;
+
 // A chord on the unit sphere, for testing against pairs of caps.
 struct LaneChord {
-  Lanes mx, my, mz, wx, wy, wz;
+  Two::Real mx, my, mz, wx, wy, wz;
 
   explicit LaneChord(const UnitChord &chord)
-      : mx(all_lanes(chord.m.x)),
-        my(all_lanes(chord.m.y)),
-        mz(all_lanes(chord.m.z)),
-        wx(all_lanes(chord.w.x)),
-        wy(all_lanes(chord.w.y)),
-        wz(all_lanes(chord.w.z)) {}
+      : mx(Two::all(chord.m.x)),
+        my(Two::all(chord.m.y)),
+        mz(Two::all(chord.m.z)),
+        wx(Two::all(chord.w.x)),
+        wy(Two::all(chord.w.y)),
+        wz(Two::all(chord.w.z)) {}
 
   // Depths of p- and p+ in the test caps t and t + 1.
   struct Depths {
-    Lanes end[2];
+    Two::Real end[2];
   };
   Depths depths(const CapTests &tests, uint32_t t) const {
-    const Lanes x = load_lanes(&tests.ux[t]);
-    const Lanes y = load_lanes(&tests.uy[t]);
-    const Lanes z = load_lanes(&tests.uz[t]);
-    const Lanes f = mx * x + my * y + mz * z - load_lanes(&tests.b[t]);
-    const Lanes g = wx * x + wy * y + wz * z;
+    const Two::Real x = Two::load(&tests.ux[t]);
+    const Two::Real y = Two::load(&tests.uy[t]);
+    const Two::Real z = Two::load(&tests.uz[t]);
+    const Two::Real f = mx * x + my * y + mz * z - Two::load(&tests.b[t]);
+    const Two::Real g = wx * x + wy * y + wz * z;
     return {{f - g, f + g}};
   }
   // Whether one of the caps t to t + 3 certainly holds both ends.
-  bool inside_one(const CapTests &tests, uint32_t t, const Lanes &bound) const {
+  bool inside_one(const CapTests &tests, uint32_t t, const Two::Real &bound) const {
     const Depths a = depths(tests, t);
-    const Depths b = depths(tests, t + lane_count);
-    return any(((a.end[0] > bound) & (a.end[1] > bound)) | ((b.end[0] > bound) & (b.end[1] > bound)));
+    const Depths b = depths(tests, t + Two::lanes);
+    return Two::any(((a.end[0] > bound) & (a.end[1] > bound)) | ((b.end[0] > bound) & (b.end[1] > bound)));
   }
 };
 
@@ -107,28 +110,28 @@ bool ChordClipper::clip(const Caps &caps, uint32_t j, uint32_t k, ChordEnds &end
 // Of the caps only the chord's own two may be nearer to its ends than doubles tell.
 ChordClipper::Answer ChordClipper::clip_in_doubles(const Caps &caps, uint32_t j, uint32_t k, const CapPair &pair,
                                                    ChordEnds &ends) {
-  static_assert(CapTests::group == 2 * lane_count);
+  static_assert(CapTests::group == 2 * Two::lanes);
   const UnitChord chord(caps, j, k, pair);
   const LaneChord lanes(chord);
-  const Lanes bound = all_lanes(chord.error);
+  const Two::Real bound = Two::all(chord.error);
   if (lanes.inside_one(tests_, hint_, bound)) return Answer::gone;
 
   Clip clip[2] = {{-1.0, 0.0, no_id}, {1.0, 0.0, no_id}};
   uint32_t near = 0;
   bool certain = true;
-  for (uint32_t t = 0; t < tests_.count; t += lane_count) {
+  for (uint32_t t = 0; t < tests_.count; t += Two::lanes) {
     const auto [end] = lanes.depths(tests_, t);
     // Most caps hold neither end, and none is near.
-    if (!any(~((end[0] < -bound) & (end[1] < -bound)))) continue;
-    const LaneMask holds[2] = {end[0] > bound, end[1] > bound};
-    if (any(holds[0] & holds[1])) {
+    if (!Two::any(~((end[0] < -bound) & (end[1] < -bound)))) continue;
+    const Two::Mask holds[2] = {end[0] > bound, end[1] > bound};
+    if (Two::any(holds[0] & holds[1])) {
       hint_ = t - t % CapTests::group;
       return Answer::gone;
     }
-    near += count(((end[0] >= -bound) & (end[0] <= bound)) | ((end[1] >= -bound) & (end[1] <= bound)));
-    const LaneMask cuts = (holds[0] & (end[1] < -bound)) | (holds[1] & (end[0] < -bound));
-    if (!any(cuts)) continue;
-    for (uint32_t lane = 0; lane < lane_count; ++lane) {
+    near += Two::count(((end[0] >= -bound) & (end[0] <= bound)) | ((end[1] >= -bound) & (end[1] <= bound)));
+    const Two::Mask cuts = (holds[0] & (end[1] < -bound)) | (holds[1] & (end[0] < -bound));
+    if (!Two::any(cuts)) continue;
+    for (uint32_t lane = 0; lane < Two::lanes; ++lane) {
       if (cuts[lane] == 0) continue;
       const uint32_t side = holds[1][lane] != 0 ? 1 : 0;
       const double f = 0.5 * (end[1][lane] + end[0][lane]);

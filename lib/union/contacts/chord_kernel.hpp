@@ -3,14 +3,14 @@
 #pragma once
 
 #include "contacts/chord_cuts.hpp"
-#include "lanes/double_lanes.hpp"
+#include "lanes/wide.hpp"
 
 namespace hsp {
 namespace {
 
 template <uint32_t n>
 struct ChordKernel {
-  using L = DoubleLanes<n>;
+  using L = Wide<double, n>;
   using Real = typename L::Real;
   using Mask = typename L::Mask;
   using Vector = VectorOf<Real>;

@@ -36,7 +36,7 @@ double sum_of_lanes(const double (&lanes)[sum_lanes]) {
 // Four sums, n of the lanes of each.
 template <uint32_t n>
 struct FourSums {
-  using L = DoubleLanes<n>;
+  using L = Wide<double, n>;
   using Real = typename L::Real;
 
   Real a = L::all(0.0), b = L::all(0.0), c = L::all(0.0), d = L::all(0.0);
@@ -54,7 +54,7 @@ void store_sums(const FourSums<n> (&parts)[sum_lanes / n], double (&sums)[4]) {
     return;
   }
 #endif
-  using L = DoubleLanes<n>;
+  using L = Wide<double, n>;
   double a[sum_lanes], b[sum_lanes], c[sum_lanes], d[sum_lanes];
   for (uint32_t lane = 0; lane < sum_lanes; lane += n) {
     const FourSums<n> &part = parts[lane / n];
@@ -71,7 +71,7 @@ void store_sums(const FourSums<n> (&parts)[sum_lanes / n], double (&sums)[4]) {
 
 template <uint32_t n>
 struct ArcKernel {
-  using L = DoubleLanes<n>;
+  using L = Wide<double, n>;
   using Real = typename L::Real;
   using Mask = typename L::Mask;
   using Vector = VectorOf<Real>;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lanes/elementary_simd.hpp"
-#include "lanes/lane_pairs.hpp"
+#include "lanes/wide_pairs.hpp"
 #include "measure/edge_sums.hpp"
 
 namespace hsp {
@@ -11,7 +11,7 @@ namespace {
 
 // The square of an integer, exactly, as the sum of a multiple of 2^30 and of a rest below 2^48 in magnitude, for
 // integers up to 2^33. Sums and differences of a dozen of these are exact in both parts, so that their sum is rounded
-// once, whatever cancels. L: DoubleLanes or LanePairs.
+// once, whatever cancels. L: Wide or WidePairs.
 template <class L>
 struct ExactSquare {
   using Real = typename L::Real;
@@ -60,12 +60,12 @@ struct EdgeAngle {
 
 template <uint32_t n>
 struct EdgeKernel {
-  using L = DoubleLanes<n>;
+  using L = Wide<double, n>;
   using Real = typename L::Real;
   using Mask = typename L::Mask;
   using Vector = VectorOf<Real>;
   using Edge = EdgeAngle<L>;
-  using Pairs = LanePairs<n>;
+  using Pairs = WidePairs<double, n>;
 
   static Vector load(const double *x, const double *y, const double *z, uint32_t s) {
     return {L::load(x + s), L::load(y + s), L::load(z + s)};

@@ -10,7 +10,7 @@ namespace {
 template <uint32_t n>
 class ExteriorAngleSum {
  public:
-  using L = DoubleLanes<n>;
+  using L = Wide<double, n>;
   using Real = typename L::Real;
   using Mask = typename L::Mask;
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/summation.hpp"
-#include "lanes/double_lanes.hpp"
+#include "lanes/wide.hpp"
 #include "measure/gradients.hpp"
 #include "measure/input_order.hpp"
 
@@ -30,8 +30,8 @@ class MeasureSum {
 inline BallMeasure sum_and_convert(const BallSet &balls, double *area, double *volume) {
   const exact::Lattice &lattice = balls.lattice;
   MeasureSum sum;
-  const auto convert = [&]<uint32_t n>(DoubleLanes<n>, uint32_t i) {
-    using L = DoubleLanes<n>;
+  const auto convert = [&]<uint32_t n>(Wide<double, n>, uint32_t i) {
+    using L = Wide<double, n>;
     for (uint32_t k = i; k < i + n; ++k) sum.add({area[k], volume[k]});
     L::store(area + i, lattice.lengths(lattice.lengths(L::load(area + i))));
     L::store(volume + i, lattice.lengths(lattice.lengths(lattice.lengths(L::load(volume + i)))));
@@ -39,8 +39,8 @@ inline BallMeasure sum_and_convert(const BallSet &balls, double *area, double *v
   // Most of it is divisions.
   constexpr uint32_t lanes = small_code ? 1 : 2;
   uint32_t i = 0;
-  for (; i + lanes <= balls.n; i += lanes) convert(DoubleLanes<lanes>{}, i);
-  for (; i < balls.n; ++i) convert(DoubleLanes<1>{}, i);
+  for (; i + lanes <= balls.n; i += lanes) convert(Wide<double, lanes>{}, i);
+  for (; i < balls.n; ++i) convert(Wide<double, 1>{}, i);
   return in_caller_units(lattice, sum.total());
 }
 
@@ -138,7 +138,7 @@ inline EnergyGradient gradient_of_energy(const exact::Lattice &lattice, const En
                                          const BallGradient &ball) {
   // Two at a time, as there are many divisions. No two that are neighbours in memory: a register loaded from where two
   // numbers have just been stored waits for them.
-  using Pair = DoubleLanes<2>::Real;
+  using Pair = Wide<double, 2>::Real;
   const auto combined = [&](const Pair &of_area, const Pair &of_volume) {
     return terms.tension * lattice.lengths(of_area) + terms.pressure * lattice.lengths(lattice.lengths(of_volume));
   };

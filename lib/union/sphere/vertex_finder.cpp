@@ -1,9 +1,12 @@
 #include "sphere/vertex_finder.hpp"
 
+#include "lanes/wide.hpp"
 #include "sphere/cap_pair.hpp"
 
 namespace hsp {
 namespace {
+
+using Two = Wide<double, 2>;
 
 constexpr uint32_t size_classes = 8;
 
@@ -18,16 +21,16 @@ enum class PointAnswer { covered, free, uncertain };
 
 // A point, for testing against pairs of caps.
 struct LanePoint {
-  Lanes x, y, z;
+  Two::Real x, y, z;
 
   // Depth in the test caps t and t + 1.
-  Lanes depths(const CapTests &tests, uint32_t t) const {
-    return x * load_lanes(&tests.ux[t]) + y * load_lanes(&tests.uy[t]) + z * load_lanes(&tests.uz[t]) -
-           load_lanes(&tests.b[t]);
+  Two::Real depths(const CapTests &tests, uint32_t t) const {
+    return x * Two::load(&tests.ux[t]) + y * Two::load(&tests.uy[t]) + z * Two::load(&tests.uz[t]) -
+           Two::load(&tests.b[t]);
   }
-  bool inside_any(const CapTests &tests, uint32_t t, const Lanes &bound) const {
-    static_assert(CapTests::group == 2 * lane_count);
-    return any((depths(tests, t) > bound) | (depths(tests, t + lane_count) > bound));
+  bool inside_any(const CapTests &tests, uint32_t t, const Two::Real &bound) const {
+    static_assert(CapTests::group == 2 * Two::lanes);
+    return Two::any((depths(tests, t) > bound) | (depths(tests, t + Two::lanes) > bound));
   }
 };
 
@@ -35,8 +38,8 @@ struct LanePoint {
 // caps but its own two, on which it lies by construction. `hint` is the group that covered the last point: points of
 // one circle are near each other.
 PointAnswer test_point(const CapTests &tests, double x, double y, double z, double error, uint32_t &hint) {
-  const LanePoint point{all_lanes(x), all_lanes(y), all_lanes(z)};
-  const Lanes bound = all_lanes(error);
+  const LanePoint point{Two::all(x), Two::all(y), Two::all(z)};
+  const Two::Real bound = Two::all(error);
   if (point.inside_any(tests, hint, bound)) return PointAnswer::covered;
   for (uint32_t t = 0; t < tests.count; t += CapTests::group) {
     if (point.inside_any(tests, t, bound)) {
@@ -45,7 +48,7 @@ PointAnswer test_point(const CapTests &tests, double x, double y, double z, doub
     }
   }
   uint32_t near = 0;
-  for (uint32_t t = 0; t < tests.count; t += lane_count) near += count(point.depths(tests, t) >= -bound);
+  for (uint32_t t = 0; t < tests.count; t += Two::lanes) near += Two::count(point.depths(tests, t) >= -bound);
   return near == 2 ? PointAnswer::free : PointAnswer::uncertain;
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "core/fixed_vector.hpp"
-#include "lanes/simd.hpp"
 #include "sphere/caps.hpp"
 #include "sphere/half_edges.hpp"
 
@@ -14,7 +13,7 @@ struct CrossingPoints;
 // A copy of the caps, largest first by coarse classes of size: a covered point is most likely covered by one of the
 // first.
 struct CapTests {
-  static constexpr uint32_t group = 2 * lane_count;  // caps that are tested at once; the arrays are padded by one group
+  static constexpr uint32_t group = 4;  // caps that are tested at once; the arrays are padded by one group
   Span<double> ux, uy, uz, b;
   Span<uint32_t> cap;  // index in Caps
   uint32_t count = 0;

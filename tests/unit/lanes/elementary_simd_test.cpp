@@ -11,7 +11,7 @@
 
 namespace {
 
-using L = hsp::DoubleLanes<2>;
+using L = hsp::Wide<double, 2>;
 using Lanes = L::Real;
 
 constexpr long double whole_turn = 6.283185307179586476925286766559L;
@@ -36,7 +36,7 @@ struct Errors {
     EXPECT_EQ(magnitude, hsp::turn_angle<2>(Lanes{x, 1.0}, Lanes{std::fabs(y), 2.0})[0]);
     if (y >= 0.0) half_turn = std::max(half_turn, error_of(magnitude, exact));
     EXPECT_EQ(hsp::turn_angle<2>(Lanes{-3.0, x}, Lanes{-0.5, y})[1], angle);
-    EXPECT_EQ(hsp::turn_angle<1>(hsp::DoubleLanes<1>::all(x), hsp::DoubleLanes<1>::all(y))[0], angle);
+    EXPECT_EQ(hsp::turn_angle<1>(hsp::Wide<double, 1>::all(x), hsp::Wide<double, 1>::all(y))[0], angle);
     EXPECT_GE(angle, 0.0);
     const double error = error_of(angle, exact);
     absolute = std::max(absolute, error);

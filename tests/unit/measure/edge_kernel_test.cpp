@@ -38,9 +38,9 @@ TEST(EdgeKernel, RoundsIntegersOnce) {
     const int64_t outer = (a + b) * (a + b) - U;
     const int64_t inner = U - (a - b) * (a - b);
     if (outer < 0 || inner < 0) continue;
-    using Real = hsp::DoubleLanes<1>::Real;
+    using Real = hsp::Wide<double, 1>::Real;
     const auto lane = [](int64_t x) { return Real{static_cast<double>(x)}; };
-    const hsp::EdgeAngle<hsp::DoubleLanes<1>> edge(lane(a), lane(b), {lane(v[0]), lane(v[1]), lane(v[2])});
+    const hsp::EdgeAngle<hsp::Wide<double, 1>> edge(lane(a), lane(b), {lane(v[0]), lane(v[1]), lane(v[2])});
     const double product = 0.5 * std::sqrt(static_cast<double>(outer) * static_cast<double>(inner));
     const double cosine = 0.25 * static_cast<double>(outer - inner);
     ASSERT_EQ(edge.distance[0], std::sqrt(static_cast<double>(U)));

@@ -12,7 +12,7 @@ namespace cases {
 constexpr double eighth_x[] = {0.5, 0.5, 0, -0.5, -0.5};
 constexpr double eighth_y[] = {0, 0.5, 0.5, 0.5, 0};
 
-using TwoLanes = hsp::DoubleLanes<2>;
+using TwoLanes = hsp::Wide<double, 2>;
 using TwoReals = TwoLanes::Real;
 
 inline double total(const hsp::ExteriorAngleSum<2> &sum) {

@@ -1,8 +1,8 @@
 #include "avx2_lanes_checks.hpp"
 
 #if HSP_AVX2
-#include "double_lanes_checks.hpp"
 #include "lanes/avx2_lanes.hpp"
+#include "wide_checks.hpp"
 
 namespace {
 
@@ -68,7 +68,8 @@ const char *check_double_lanes() {
 }
 
 const char *check_four_doubles() {
-  const char *const wrong = check_lanes<4>();
+  if (const char *const of_floats = check_lanes<float, 8>(); of_floats != nullptr) return of_floats;
+  const char *const wrong = check_lanes<double, 4>();
   return wrong != nullptr ? wrong : check_lane_vectors<4>();
 }
 

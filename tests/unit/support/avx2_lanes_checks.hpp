@@ -9,4 +9,4 @@ const char *check_comparisons();
 const char *check_parts_and_counts();
 const char *check_long_integers();
 const char *check_front_orders();
-const char *check_four_doubles();  // those of lanes/double_lanes.hpp
+const char *check_four_doubles();  // those of lanes/wide.hpp

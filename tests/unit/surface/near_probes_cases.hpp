@@ -37,7 +37,7 @@ class SearchedProbes {
   double diameter() const { return 2.0 * probe_; }
 
   // How often each vertex is found; everything that overlaps is, if all directions count.
-  void search(uint32_t vertex, const hsp::ProbeTriangles *triangles, bool wide, uint32_t (&times)[60]) const {
+  void search(uint32_t vertex, const hsp::ProbeTriangles *triangles, hsp::Target target, uint32_t (&times)[60]) const {
     hsp::ProbeSearch search;
     grid_.start_search(small_union().balls(), vertex, search);
     const uint32_t lane = vertex % hsp::ProbeTriangles::lanes;
@@ -51,11 +51,7 @@ class SearchedProbes {
     for (uint32_t &count : times) count = 0;
     uint32_t found[hsp::ProbeSearch::room + hsp::ProbeSearch::spare];
     while (!search.done()) {
-      uint32_t count = 0;
-#if HSP_AVX2
-      if (wide) count = hsp::find_near_probes_avx2(search, found);
-#endif
-      if (!wide) count = hsp::find_near_probes(search, found);
+      const uint32_t count = hsp::find_near_probes(target, search, found);
       for (uint32_t k = 0; k < count; ++k) ++times[found[k]];
     }
   }
@@ -70,16 +66,16 @@ inline SearchedProbes &searched_probes() {
   return one;
 }
 
-// Once each, and with the code for every processor as with that for AVX2.
+// Once each, on all targets.
 template <class Judge>
 uint32_t first_bad_search(const hsp::ProbeTriangles *(*triangles_of)(uint32_t vertex), Judge judge) {
   Random random(20261121);
   for (uint32_t round = 0; round < 40; ++round) {
     if (!searched_probes().build(random, round)) return round;
     for (uint32_t v = 0; v < SearchedProbes::vertices(); ++v) {
-      for (int wide = 0; wide <= (hsp::best_target() == hsp::Target::avx2 ? 1 : 0); ++wide) {
+      for (const hsp::Target target : {hsp::Target::baseline, hsp::best_target()}) {
         uint32_t times[60];
-        searched_probes().search(v, triangles_of(v), wide == 1, times);
+        searched_probes().search(v, triangles_of(v), target, times);
         for (uint32_t w = 0; w < SearchedProbes::vertices(); ++w) {
           if (times[w] > 1 || !judge(v, w, times[w] == 1)) return round;
         }

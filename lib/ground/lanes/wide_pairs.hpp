@@ -1,16 +1,17 @@
-// Two vectors of n doubles side by side, with the operations of DoubleLanes that kernels need: for two independent long
-// chains of dependent operations, of which a processor does one while the other waits. Operations are written in turn,
-// so that compilers and processors see them next to each other.
+// Two words side by side, with the operations of Wide that kernels need: for two independent long chains of dependent
+// operations, of which a processor does one while the other waits, and for twice as many lanes as a register has.
+// Operations are written in turn, so that compilers and processors see them next to each other.
 #pragma once
 
-#include "lanes/double_lanes.hpp"
+#include "lanes/wide.hpp"
 
 namespace hsp {
 namespace {
 
-template <uint32_t n>
-struct LanePairs {
-  using L = DoubleLanes<n>;
+template <class T, uint32_t n>
+struct WidePairs {
+  using L = Wide<T, n>;
+  static constexpr uint32_t lanes = 2 * n;
 
   struct Mask {
     typename L::Mask first, second;
@@ -23,17 +24,23 @@ struct LanePairs {
     friend Real operator-(const Real &a, const Real &b) { return {a.first - b.first, a.second - b.second}; }
     friend Real operator*(const Real &a, const Real &b) { return {a.first * b.first, a.second * b.second}; }
     friend Real operator/(const Real &a, const Real &b) { return {a.first / b.first, a.second / b.second}; }
-    friend Real operator+(double a, const Real &b) { return {a + b.first, a + b.second}; }
-    friend Real operator+(const Real &a, double b) { return {a.first + b, a.second + b}; }
-    friend Real operator-(const Real &a, double b) { return {a.first - b, a.second - b}; }
-    friend Real operator*(double a, const Real &b) { return {a * b.first, a * b.second}; }
-    friend Real operator*(const Real &a, double b) { return {a.first * b, a.second * b}; }
+    friend Real operator+(T a, const Real &b) { return {a + b.first, a + b.second}; }
+    friend Real operator+(const Real &a, T b) { return {a.first + b, a.second + b}; }
+    friend Real operator-(const Real &a, T b) { return {a.first - b, a.second - b}; }
+    friend Real operator*(T a, const Real &b) { return {a * b.first, a * b.second}; }
+    friend Real operator*(const Real &a, T b) { return {a.first * b, a.second * b}; }
     friend Mask operator>(const Real &a, const Real &b) { return {a.first > b.first, a.second > b.second}; }
-    friend Mask operator>(const Real &a, double b) { return {a.first > b, a.second > b}; }
-    friend Mask operator<(const Real &a, double b) { return {a.first < b, a.second < b}; }
+    friend Mask operator>(const Real &a, T b) { return {a.first > b, a.second > b}; }
+    friend Mask operator<(const Real &a, T b) { return {a.first < b, a.second < b}; }
+    friend Mask operator>=(const Real &a, const Real &b) { return {a.first >= b.first, a.second >= b.second}; }
   };
 
-  static Real all(double x) { return {L::all(x), L::all(x)}; }
+  static Real load(const T *p) { return {L::load(p), L::load(p + n)}; }
+  static void store(T *p, const Real &a) {
+    L::store(p, a.first);
+    L::store(p + n, a.second);
+  }
+  static Real all(T x) { return {L::all(x), L::all(x)}; }
   static Real kept(const Mask &mask, const Real &a) {
     return {L::kept(mask.first, a.first), L::kept(mask.second, a.second)};
   }
@@ -48,6 +55,10 @@ struct LanePairs {
   }
   static Real smaller(const Real &a, const Real &b) {
     return {L::smaller(a.first, b.first), L::smaller(a.second, b.second)};
+  }
+  static uint64_t set_lanes(const Mask &mask) { return L::set_lanes(mask.first) | L::set_lanes(mask.second) << n; }
+  static Real fused(const Real &a, const Real &b, const Real &c) {
+    return {L::fused(a.first, b.first, c.first), L::fused(a.second, b.second, c.second)};
   }
 };
 

@@ -1,12 +1,13 @@
-// Checks of lanes/double_lanes.hpp, lane by lane against the same on one double; signs of zeros count. Everything has
+// Checks of lanes/wide.hpp, lane by lane against the same on one double; signs of zeros count. Everything has
 // internal linkage, so that files compiled for other registers have their own copy.
 #pragma once
 
-#include "lanes/double_lanes.hpp"
+#include "lanes/wide.hpp"
 
 namespace {
 
-inline bool same_bits(double a, double b) {
+template <class T>
+bool same_bits(T a, T b) {
   return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
@@ -14,49 +15,54 @@ constexpr double lane_values[] = {0.0, -0.0, 1.5, -3.0, 2.0, 0x1p-1074, -0x1p100
 constexpr uint32_t lane_value_count = sizeof lane_values / sizeof *lane_values;
 
 // What is wrong, or null. Every pair of values meets in every lane, beside others.
-template <uint32_t n>
+template <class T, uint32_t n>
 const char *check_lanes() {
-  using L = hsp::DoubleLanes<n>;
+  using L = hsp::Wide<T, n>;
   using Real = typename L::Real;
   using Mask = typename L::Mask;
+  T values[lane_value_count];
+  for (uint32_t k = 0; k < lane_value_count; ++k) values[k] = static_cast<T>(lane_values[k]);
   for (uint32_t k = 0; k < lane_value_count * lane_value_count; ++k) {
-    double a[n], b[n], out[n];
-    int64_t words[n];
+    T a[n], b[n], out[n];
+    typename L::Signed words[n];
     uint32_t index[n];
     for (uint32_t lane = 0; lane < n; ++lane) {
-      a[lane] = lane_values[(k + 5 * lane) % lane_value_count];
+      a[lane] = values[(k + 5 * lane) % lane_value_count];
       index[lane] = (k / lane_value_count + 7 * lane) % lane_value_count;
-      b[lane] = lane_values[index[lane]];
+      b[lane] = values[index[lane]];
       words[lane] = a[lane] < b[lane] ? -1 : 0;
     }
     const Real x = L::load(a);
-    const Real y = L::gather(lane_values, index);
+    const Real y = L::gather(values, index);
     const Mask smaller = x < y;
     const Mask loaded = L::load_mask(words);
     L::store(out, x);
     uint32_t set = 0;
+    uint64_t bits = 0;
     for (uint32_t lane = 0; lane < n; ++lane) {
       const bool is_smaller = a[lane] < b[lane];
       set += is_smaller ? 1U : 0U;
-      const double magnitude = std::signbit(a[lane]) ? -a[lane] : a[lane];
+      bits |= static_cast<uint64_t>(is_smaller) << lane;
+      const T magnitude = std::signbit(a[lane]) ? -a[lane] : a[lane];
       if (!same_bits(out[lane], a[lane])) return "load, store";
       if (!same_bits(y[lane], b[lane])) return "gather";
       if (!same_bits(L::all(a[0])[lane], a[0])) return "all";
       if (smaller[lane] != words[lane] || loaded[lane] != words[lane]) return "load_mask";
-      if (!same_bits(L::kept(smaller, x)[lane], is_smaller ? a[lane] : 0.0)) return "kept";
+      if (!same_bits(L::kept(smaller, x)[lane], is_smaller ? a[lane] : T{0})) return "kept";
       if (!same_bits(L::select(smaller, x, y)[lane], is_smaller ? a[lane] : b[lane])) return "select";
       if (!same_bits(L::smaller(x, y)[lane], is_smaller ? a[lane] : b[lane])) return "smaller";
       if (!same_bits(L::larger(x, y)[lane], a[lane] > b[lane] ? a[lane] : b[lane])) return "larger";
-      const double valid = L::valid(smaller, x)[lane];
+      const T valid = L::valid(smaller, x)[lane];
       if (is_smaller ? !same_bits(valid, a[lane]) : valid == valid) return "valid";
       if (!same_bits(L::negate_if(smaller, x)[lane], is_smaller ? -a[lane] : a[lane])) return "negate_if";
       if (!same_bits(L::absolute(x)[lane], magnitude)) return "absolute";
       if (!same_bits(L::square_root(L::absolute(x))[lane], std::sqrt(magnitude))) return "square_root";
       if (L::sign_bits(L::bits(x))[lane] != (std::signbit(a[lane]) ? 1 : 0)) return "sign_bits";
-      if (L::both(smaller, x > 0.0)[lane] != (is_smaller && a[lane] > 0.0 ? -1 : 0)) return "both";
+      if (L::both(smaller, x > T{0})[lane] != (is_smaller && a[lane] > T{0} ? -1 : 0)) return "both";
       if (!same_bits(L::number(L::bits(x))[lane], a[lane])) return "bits, number";
     }
     if (L::any(smaller) != (set > 0)) return "any";
+    if (L::set_lanes(smaller) != bits || L::count(smaller) != set) return "set_lanes, count";
     if (L::sum(smaller) != -static_cast<int64_t>(set)) return "sum";
   }
   return nullptr;
@@ -64,7 +70,7 @@ const char *check_lanes() {
 
 template <uint32_t n>
 const char *check_lane_vectors() {
-  using L = hsp::DoubleLanes<n>;
+  using L = hsp::Wide<double, n>;
   using Vector = hsp::VectorOf<typename L::Real>;
   const auto lanes = [](double first) {
     double x[n];

@@ -1,0 +1,223 @@
+// Several numbers at once, for kernels that are compiled for registers of several widths and give the same bits in
+// each: every lane is computed by the IEEE operations of a scalar, in the order in which they are written. Words are
+// the vector types of GCC and clang, with their operators; what these lack is here, by instructions of the target
+// where the compiler's own code is worse. Everything here has internal linkage, so that kernels have their own copy
+// for each target (target.hpp).
+#pragma once
+
+// The header of all instructions takes most of a second to read: where those of SSE2 do, theirs.
+#if defined(__AVX2__)
+#include <immintrin.h>
+#elif defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+#include <cstdint>
+#include <cstring>
+
+#include "lanes/floating_point.hpp"
+
+namespace hsp {
+namespace {
+
+// How many doubles a register of the target holds that is compiled for; of floats it holds twice as many, or one.
+#if defined(__AVX2__)
+constexpr uint32_t register_lanes = 4;
+#elif defined(__SSE2__) || defined(__aarch64__) || defined(__ALTIVEC__) || defined(__wasm_simd128__)
+constexpr uint32_t register_lanes = 2;
+#else
+constexpr uint32_t register_lanes = 1;
+#endif
+constexpr uint32_t register_floats = register_lanes == 1 ? 1 : 2 * register_lanes;
+
+// The integers that are as wide as a number.
+template <class T>
+struct IntegersOf;
+template <>
+struct IntegersOf<float> {
+  using Signed = int32_t;
+  using Unsigned = uint32_t;
+};
+template <>
+struct IntegersOf<double> {
+  using Signed = int64_t;
+  using Unsigned = uint64_t;
+};
+
+template <class T, uint32_t n>
+struct Wide {
+  static constexpr uint32_t lanes = n;
+  using Signed = typename IntegersOf<T>::Signed;
+  typedef T Real __attribute__((vector_size(n * sizeof(T))));
+  typedef Signed Mask __attribute__((vector_size(n * sizeof(T))));  // -1 where true
+  typedef typename IntegersOf<T>::Unsigned Bits __attribute__((vector_size(n * sizeof(T))));
+
+  static Mask load_mask(const Signed *p) {
+    Mask a;
+    std::memcpy(&a, p, sizeof a);
+    return a;
+  }
+  static Real all(T x) {
+    if constexpr (n == 8) {
+      return Real{x, x, x, x, x, x, x, x};
+    } else if constexpr (n == 4) {
+      return Real{x, x, x, x};
+    } else if constexpr (n == 2) {
+      return Real{x, x};
+    } else {
+      return Real{x};
+    }
+  }
+  // p[index[0]], p[index[1]] and so on.
+  static Real gather(const T *p, const uint32_t *index) {
+    if constexpr (n == 8) {
+      return Real{p[index[0]], p[index[1]], p[index[2]], p[index[3]],
+                  p[index[4]], p[index[5]], p[index[6]], p[index[7]]};
+    } else if constexpr (n == 4) {
+      return Real{p[index[0]], p[index[1]], p[index[2]], p[index[3]]};
+    } else if constexpr (n == 2) {
+      return Real{p[index[0]], p[index[1]]};
+    } else {
+      return Real{p[index[0]]};
+    }
+  }
+
+  // The bits of a number as a mask, and back.
+  static Mask bits(const Real &a) { return reinterpret_cast<Mask>(a); }
+  static Real number(const Mask &a) { return reinterpret_cast<Real>(a); }
+
+  // a where the mask is set, else 0. The second for masks: on targets without a blend instruction GCC splits a plain &
+  // of two comparisons into single lanes.
+  static Real kept(const Mask &mask, const Real &a) { return number(mask & bits(a)); }
+  static Mask both(const Mask &a, const Mask &b) { return bits(kept(a, number(b))); }
+  static Real select(const Mask &mask, const Real &a, const Real &b) { return mask ? a : b; }
+  // Not a number where the mask is not set, else a.
+  static Real valid(const Mask &mask, const Real &a) { return number(~mask | bits(a)); }
+  // -a where the mask is set, else a.
+  static Real negate_if(const Mask &mask, const Real &a) { return number(bits(a) ^ (mask & bits(all(-0.0)))); }
+  static Real absolute(const Real &a) { return number(bits(a) & ~bits(all(-0.0))); }
+
+  // 1 where the highest bit is set, else 0.
+  static Mask sign_bits(const Mask &a) {
+    return reinterpret_cast<Mask>(reinterpret_cast<Bits>(a) >> (8 * sizeof(T) - 1));
+  }
+
+  static int64_t sum(const Mask &a) {
+    int64_t total = 0;
+    for (uint32_t k = 0; k < n; ++k) total += a[k];
+    return total;
+  }
+  static uint32_t count(const Mask &mask) { return static_cast<uint32_t>(-sum(mask)); }
+
+  // Of eight floats GCC 12 makes copies of halves without these instructions.
+  static Real load(const T *p) {
+#if defined(__AVX2__)
+    if constexpr (n == 8) return Real(_mm256_loadu_ps(p));
+#endif
+    Real a;
+    std::memcpy(&a, p, sizeof a);
+    return a;
+  }
+  static void store(T *p, const Real &a) {
+#if defined(__AVX2__)
+    if constexpr (n == 8) {
+      _mm256_storeu_ps(p, __m256(a));
+      return;
+    }
+#endif
+    std::memcpy(p, &a, sizeof a);
+  }
+  static Real square_root(const Real &a) {
+#if defined(__AVX2__)
+    if constexpr (n == 4 && sizeof(T) == 8) return Real(_mm256_sqrt_pd(__m256d(a)));
+#endif
+    Real root = a;  // GCC -O1 does not see that every lane is written
+    for (uint32_t k = 0; k < n; ++k) root[k] = std::sqrt(a[k]);
+    return root;
+  }
+  // The larger and the smaller of two, b if they are equal or not numbers, as the instructions of SSE2 have it.
+  static Real larger(const Real &a, const Real &b) {
+#if defined(__AVX2__)
+    if constexpr (n == 4 && sizeof(T) == 8) return Real(_mm256_max_pd(__m256d(a), __m256d(b)));
+#endif
+#if defined(__SSE2__)
+    if constexpr (n == 2 && sizeof(T) == 8) return Real(_mm_max_pd(__m128d(a), __m128d(b)));
+#endif
+    return select(a > b, a, b);
+  }
+  static Real smaller(const Real &a, const Real &b) {
+#if defined(__AVX2__)
+    if constexpr (n == 4 && sizeof(T) == 8) return Real(_mm256_min_pd(__m256d(a), __m256d(b)));
+#endif
+#if defined(__SSE2__)
+    if constexpr (n == 2 && sizeof(T) == 8) return Real(_mm_min_pd(__m128d(a), __m128d(b)));
+#endif
+    return select(a < b, a, b);
+  }
+
+  // Integers below 2^32.
+  static void store_integers(uint32_t *p, const Mask &a) {
+#if defined(__AVX2__)
+    if constexpr (n == 4 && sizeof(T) == 8) {
+      const __m256i front = _mm256_permutevar8x32_epi32(__m256i(a), _mm256_setr_epi32(0, 2, 4, 6, 1, 3, 5, 7));
+      _mm_storeu_si128(reinterpret_cast<__m128i *>(p), _mm256_castsi256_si128(front));
+      return;
+    }
+#endif
+    for (uint32_t k = 0; k < n; ++k) p[k] = static_cast<uint32_t>(a[k]);
+  }
+  // A bit for each lane, lane 0 lowest: whether the mask is set there.
+  static uint64_t set_lanes(const Mask &mask) {
+#if defined(__AVX2__)
+    if constexpr (n == 8) return static_cast<uint64_t>(_mm256_movemask_ps(__m256(mask)));
+    if constexpr (n == 4 && sizeof(T) == 8) return static_cast<uint64_t>(_mm256_movemask_pd(__m256d(mask)));
+#endif
+#if defined(__SSE2__)
+    if constexpr (n == 4 && sizeof(T) == 4) return static_cast<uint64_t>(_mm_movemask_ps(__m128(mask)));
+    if constexpr (n == 2 && sizeof(T) == 8) return static_cast<uint64_t>(_mm_movemask_pd(__m128d(mask)));
+#endif
+    if constexpr (n == 4 && sizeof(T) == 4) {
+      const Mask own_bits = mask & Mask{1, 2, 4, 8};
+      uint64_t halves[2];
+      std::memcpy(halves, &own_bits, sizeof halves);
+      const uint64_t all_bits = halves[0] | halves[1];
+      return (all_bits | all_bits >> 32) & 15U;
+    }
+    uint64_t set = 0;
+    for (uint32_t k = 0; k < n; ++k) set |= static_cast<uint64_t>(mask[k] & 1) << k;
+    return set;
+  }
+  static bool any(const Mask &mask) {
+#if defined(__AVX2__)
+    if constexpr (n == 4 && sizeof(T) == 8) return _mm256_movemask_pd(__m256d(mask)) != 0;
+#endif
+    Signed found = 0;
+    for (uint32_t k = 0; k < n; ++k) found |= mask[k];
+    return found != 0;
+  }
+
+  // a b + c, rounded once where the target has an instruction for that, else twice: for what is decided or discarded
+  // within error bounds, never for results.
+  static Real fused(const Real &a, const Real &b, const Real &c) {
+#if defined(__FMA__)
+    if constexpr (n == 8) return Real(_mm256_fmadd_ps(__m256(a), __m256(b), __m256(c)));
+#endif
+    return a * b + c;
+  }
+};
+
+template <class Real>
+struct VectorOf {
+  Real x, y, z;
+
+  friend VectorOf operator+(const VectorOf &a, const VectorOf &b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  friend VectorOf operator-(const VectorOf &a, const VectorOf &b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  friend VectorOf operator*(const Real &s, const VectorOf &a) { return {s * a.x, s * a.y, s * a.z}; }
+  friend Real dot(const VectorOf &a, const VectorOf &b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+  friend VectorOf cross(const VectorOf &a, const VectorOf &b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  }
+};
+
+}  // namespace
+}  // namespace hsp

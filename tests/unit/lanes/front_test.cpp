@@ -1,0 +1,7 @@
+#include "front_cases.hpp"
+
+#include "expect_cases.hpp"
+
+TEST(Front, Cases) {
+  expect_cases(cases::lanes_front);
+}
