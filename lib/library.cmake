@@ -317,8 +317,8 @@ if(NOT DEFINED CACHE{HSP_TARGETS_AARCH64})
   unset(CMAKE_TRY_COMPILE_TARGET_TYPE)
 endif()
 
-# hsp_add_kernels(name target source... OPTIONS option...): kernels in the namespace of one target of the library. With
-# HSP_UNITY_BUILD they are one unit.
+# hsp_add_kernels(name target source... OPTIONS option...): kernels once more, in the namespace of a further target of the
+# library. With HSP_UNITY_BUILD all of a target are one unit.
 function(hsp_add_kernels name target)
   cmake_parse_arguments(PARSE_ARGV 2 arg "" "" OPTIONS)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${name}.dir)
@@ -345,19 +345,14 @@ endfunction()
 
 # hsp_library_objects(name definition...): the library compiled as objects, with further definitions. The archive is made
 # of hardsphere_objects. Tests of inner parts link to a library of objects and compile what its headers define alike.
-# With HSP_UNITY_BUILD a room is one unit, the interface another, the kernels of each target a third: most of the time that
-# a source takes alone goes into its headers. Where there is no further target, kernels are in the units of their rooms:
-# little code shares more functions there.
+# With HSP_UNITY_BUILD a room is one unit, the interface another, the kernels of each further target a third: most of the
+# time that a source takes alone goes into its headers.
 function(hsp_library_objects name)
-  set(sources ${HSP_LIBRARY_SOURCES})
-  if(HSP_WIDE_CODE AND HSP_COMPILES_AVX2)
-    list(REMOVE_ITEM sources ${HSP_KERNEL_SOURCES})
-  endif()
-  add_library(${name} OBJECT ${sources})
+  add_library(${name} OBJECT ${HSP_LIBRARY_SOURCES})
   target_compile_features(${name} PUBLIC cxx_std_20)
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ${HSP_POSITION_INDEPENDENT}
     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON UNITY_BUILD ${HSP_UNITY_BUILD} UNITY_BUILD_MODE GROUP)
-  foreach(source ${sources})
+  foreach(source ${HSP_LIBRARY_SOURCES})
     string(REGEX REPLACE ".*/([a-z]+)/[a-z_0-9.]+\\.cpp$" "\\1" room ${source})
     set_source_files_properties(${source} TARGET_DIRECTORY ${name} PROPERTIES UNITY_GROUP ${room})
   endforeach()
@@ -365,9 +360,6 @@ function(hsp_library_objects name)
     PRIVATE ${hardsphere_SOURCE_DIR}/capi/shims)
   target_compile_definitions(${name} PUBLIC $<$<BOOL:${HSP_PORTABLE_LIMBS}>:HSP_PORTABLE_LIMBS=1> ${ARGN}
     PRIVATE HSP_TARGET=baseline)
-  if(HSP_WIDE_CODE AND HSP_COMPILES_AVX2)
-    hsp_add_kernels(${name} baseline ${HSP_KERNEL_SOURCES})
-  endif()
   if(HSP_WIDE_CODE AND HSP_COMPILES_AVX2 AND NOT "HSP_AVX2=0" IN_LIST ARGN)
     target_compile_definitions(${name} PUBLIC HSP_AVX2=1)
     hsp_add_kernels(${name} avx2 ${HSP_KERNEL_SOURCES} ${HSP_AVX2_SOURCES} OPTIONS ${HSP_AVX2_OPTIONS})
