@@ -322,18 +322,13 @@ endif()
 # With HSP_UNITY_BUILD a room is one unit and the interface to a wing another: most of the time that a source takes alone
 # goes into its headers. The interface to balls is compiled file by file, and the kernels of a further target as two units,
 # those of ground and balls and the rest, which finds all headers: so a program that only asks which balls are hit links
-# little else, whatever its linker. Beside a further target those of the baseline are two units as well; else they are in
-# the units of their rooms: little code shares more functions there.
+# little else, whatever its linker. Those of the baseline are in the units of their rooms.
 function(hsp_library_objects name)
   set(targets baseline)
   set(wide OFF)
   if(HSP_WIDE_CODE AND HSP_COMPILES_AVX2 AND NOT "HSP_AVX2=0" IN_LIST ARGN)
     list(APPEND targets avx2)
     set(wide ON)
-  endif()
-  set(kernels_apart OFF)
-  if(HSP_WIDE_CODE AND HSP_COMPILES_AVX2)
-    set(kernels_apart ON)
   endif()
   set(files "")
   set(units "")
@@ -348,9 +343,10 @@ function(hsp_library_objects name)
         set(unit ${room})
         if(target STREQUAL "baseline" AND source MATCHES "_avx2\\.cpp$")
           continue()
-        elseif(NOT target STREQUAL "baseline" AND NOT source MATCHES "(\\.kernel|_${target})\\.cpp$")
-          continue()
-        elseif(NOT target STREQUAL "baseline" OR (kernels_apart AND source MATCHES "\\.kernel\\.cpp$"))
+        elseif(NOT target STREQUAL "baseline")
+          if(NOT source MATCHES "(\\.kernel|_${target})\\.cpp$")
+            continue()
+          endif()
           set(unit balls_${target})
           if(NOT wing MATCHES "ground|balls")
             set(unit all_${target})
