@@ -159,7 +159,6 @@ set(HSP_LIBRARY_SOURCES
   lib/sight/view/depth_rows_avx2.cpp
   lib/sight/view/occlusion.cpp
   lib/sight/view/piece_arcs.cpp
-  lib/sight/view/painted_paths.cpp
   lib/sight/view/projected_arcs.cpp
   lib/sight/view/view_builder.cpp
   lib/sight/view/view_frame.cpp
@@ -190,6 +189,7 @@ set(HSP_LIBRARY_SOURCES
   lib/sight/picture/ink.cpp
   lib/sight/picture/number_text.cpp
   lib/sight/picture/page.cpp
+  lib/sight/picture/painted_paths.cpp
   lib/sight/picture/paint.cpp
   lib/sight/picture/palettes.cpp
   lib/sight/picture/pdf_writer.cpp

@@ -1,6 +1,6 @@
 #include "core/elementary.hpp"
 #include "hsp_view.hpp"
-#include "view/painted_paths.hpp"
+#include "picture/painted_paths.hpp"
 #include "view/projected_arcs.hpp"
 #include "view_options.hpp"
 

@@ -9,11 +9,11 @@ readme=lib/README.md
 # What each room stands on. It may include itself, these rooms, and what these stand on. The wings smooth and sight both
 # stand on the boundary, and neither knows the other. Cells of free space, paths through them, pores and poses need no boundary.
 rooms="lanes core exact model cells paths pores poses sphere boundary measure topology moving contacts periodic surface mesh"
-rooms+=" view maps picture capi"
+rooms+=" view picture maps capi"
 declare -A stands_on=([lanes]="" [core]="lanes" [exact]="core" [model]="exact" [cells]="model" [paths]="cells" [pores]="model" [poses]="model" [sphere]="model"
   [boundary]="sphere" [measure]="boundary" [topology]="measure" [moving]="measure" [contacts]="measure" [periodic]="contacts" [surface]="measure" [mesh]="surface"
-  [view]="boundary" [maps]="view" [picture]="view"
-  [capi]="paths poses topology moving periodic mesh maps picture")
+  [view]="boundary" [picture]="view" [maps]="picture"
+  [capi]="paths poses topology moving periodic mesh maps")
 # The program's folders, from the command line down to the files that are read.
 folders="read write draw commands app"
 stands_on+=([read]="" [write]="read" [draw]="write" [commands]="draw" [app]="commands")

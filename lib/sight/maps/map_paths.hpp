@@ -5,8 +5,8 @@
 #include "maps/edge_geometry.hpp"
 #include "maps/loop_runs.hpp"
 #include "maps/visibility_map.hpp"
+#include "picture/painted_paths.hpp"
 #include "view/depth_order.hpp"
-#include "view/painted_paths.hpp"
 
 namespace hsp {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "maps/visibility_map.hpp"
-#include "view/painted_paths.hpp"
+#include "picture/painted_paths.hpp"
 
 namespace hsp {
 

@@ -3,7 +3,7 @@
 
 #include "core/elementary.hpp"
 #include "maps/stick_view.hpp"
-#include "view/painted_paths.hpp"
+#include "picture/painted_paths.hpp"
 
 namespace hsp {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "picture/byte_sink.hpp"
-#include "view/painted_paths.hpp"
+#include "picture/painted_paths.hpp"
 
 namespace hsp {
 

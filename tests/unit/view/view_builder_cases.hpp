@@ -4,9 +4,9 @@
 #include <initializer_list>
 #include <limits>
 
+#include "picture/painted_paths.hpp"
 #include "small_scenes.hpp"
 #include "small_view.hpp"
-#include "view/painted_paths.hpp"
 
 namespace cases {
 

@@ -3,5 +3,5 @@
 #include "expect_cases.hpp"
 
 TEST(PaintedPaths, Cases) {
-  expect_cases(cases::view_painted_paths);
+  expect_cases(cases::picture_painted_paths);
 }

@@ -1,4 +1,4 @@
-#include "view/painted_paths.hpp"
+#include "picture/painted_paths.hpp"
 
 namespace hsp {
 namespace {

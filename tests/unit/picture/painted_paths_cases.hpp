@@ -1,9 +1,9 @@
 // What a view hands out to be painted: its pieces with their arcs, and the box around them.
 #pragma once
 
+#include "picture/painted_paths.hpp"
 #include "small_scenes.hpp"
 #include "small_view.hpp"
-#include "view/painted_paths.hpp"
 
 namespace cases {
 
@@ -69,7 +69,7 @@ inline uint32_t paths_of_views() {
   });
 }
 
-inline constexpr Check view_painted_paths[] = {{"boxes_around_silhouettes", boxes_around_silhouettes},
-                                               {"paths_of_views", paths_of_views}};
+inline constexpr Check picture_painted_paths[] = {{"boxes_around_silhouettes", boxes_around_silhouettes},
+                                                  {"paths_of_views", paths_of_views}};
 
 }  // namespace cases
