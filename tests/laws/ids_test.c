@@ -16,14 +16,17 @@ static int is_id(const argument *a) {
 }
 
 static void ids(const function *f, uint32_t capacity) {
-  const uint32_t bad[] = {0xFFFFFFFF, 0x7FFFFFFF, 0x80000000, 100000, given.balls};
+  /* Maps of sticks number their halves behind the balls. */
+  const uint32_t halves = strcmp(f->noun, "sticks") == 0 && given.balls > fixture_stick.ball[1] ? 2 : 0;
+  const uint32_t balls = given.balls + halves;
+  const uint32_t bad[] = {0xFFFFFFFF, 0x7FFFFFFF, 0x80000000, 100000, balls};
   int i;
   size_t k;
   if (f->result != RESULT_id && !(f->result == RESULT_status && has_status(f, HSP_E_ID))) return;
   for (i = 0; i < f->count; ++i) {
     for (k = 0; k < sizeof bad / sizeof bad[0] && is_id(&f->arguments[i]); ++k) {
       call c;
-      if (bad[k] == given.balls && strcmp(f->arguments[i].name, "ball") != 0) continue;
+      if (bad[k] == balls && strcmp(f->arguments[i].name, "ball") != 0) continue;
       call_prepare(&c, f, capacity);
       if (f->arguments[i].kind == KIND_value) {
         c.v[i].u = bad[k];

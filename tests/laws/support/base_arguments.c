@@ -7,9 +7,9 @@ static const struct {
   const char *name;
   double value;
 } numbers[] = {
-    {"count", 1},   {"poses", 2}, {"tension", 1}, {"pressure", 0.5}, {"radius", 0.1},      {"margin", 1},
-    {"workers", 1}, {"first", 1}, {"face", 1},    {"dimension", 2},  {"atomic_number", 6}, {"shell", 0},
-    {"x", 0.3},     {"y", 0.2},   {"z", 0.1},     {"t", 0.25},
+    {"count", 1},         {"poses", 2},   {"tension", 1}, {"pressure", 0.5}, {"radius", 0.1},
+    {"margin", 1},        {"workers", 1}, {"first", 1},   {"face", 1},       {"dimension", 2},
+    {"atomic_number", 6}, {"shell", 0},   {"x", 0.3},     {"y", 0.2},        {"z", 0.1},
 };
 
 static double number_named(const argument *a) {
@@ -86,9 +86,18 @@ void fill_base(const argument *a, void *out, size_t count) {
   }
 }
 
+/* A parameter of edge 0 of a map, if that has edges. */
+static double parameter_on_edge(const function *f) {
+  hsp_map_edge edge;
+  const int32_t status = f->arguments[0].noun == NOUN_sticks
+                             ? hsp_sticks_get_edges(given.handle[NOUN_sticks], 0, 1, &edge)
+                             : hsp_map_get_edges(given.handle[NOUN_map], 0, 1, &edge);
+  return status == HSP_OK ? edge.from + 0.25 * (edge.to - edge.from) : 0;
+}
+
 value base_number(const function *f, int i) {
   const argument *const a = &f->arguments[i];
-  const double number = number_named(a);
+  const double number = strcmp(a->name, "t") == 0 ? parameter_on_edge(f) : number_named(a);
   value v;
   memset(&v, 0, sizeof v);
   if (strcmp(a->base, "double") == 0) {
