@@ -60,16 +60,16 @@ uint32_t cell_at(const BallSet &balls, const FreeSpace &space, const exact::Vect
   const Vec3 x = exact::to_double(point);
   const double side = static_cast<double>(space.side);
   const double doubt = 64 * unit_roundoff * side * side;
-  // The least and the second least, without a branch.
+  // The least and the second least, without a branch: in the one form in which compilers see a minimum and a maximum,
+  // and by a mask where g++ 12 makes a jump of a choice.
   uint32_t best = 0;
   double least = power(balls, members[0], x), second = std::numeric_limits<double>::infinity();
   for (uint32_t k = 1; k < members.size(); ++k) {
     const double candidate = power(balls, members[k], x);
-    const bool is_less = candidate < least;
-    const double larger = is_less ? least : candidate;
+    const double larger = least < candidate ? candidate : least;
     second = larger < second ? larger : second;
-    best = is_less ? k : best;
-    least = is_less ? candidate : least;
+    best ^= (best ^ k) & (0U - static_cast<uint32_t>(candidate < least));
+    least = candidate < least ? candidate : least;
   }
   if (second <= least + doubt) {
     const double limit = least + doubt;
