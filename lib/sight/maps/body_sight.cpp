@@ -6,7 +6,7 @@ namespace hsp {
 namespace {
 
 // Of a radius: what is closer to a contour, or two fronts that are closer to each other, roundings may decide.
-constexpr double close = 0x1p-30;
+constexpr double doubtful = 0x1p-30;
 
 }  // namespace
 
@@ -25,17 +25,17 @@ BodySight::Front BodySight::front_at(uint32_t body, double x, double y) const {
     const double dx = x - ball.x;
     const double dy = y - ball.y;
     const double squared = ball.r * ball.r - dx * dx - dy * dy;
-    const bool certain = std::fabs(squared) > close * ball.r * ball.r;
+    const bool certain = std::fabs(squared) > doubtful * ball.r * ball.r;
     return {squared > 0.0, certain, squared > 0.0 ? ball.z + std::sqrt(squared) : 0.0};
   }
   const Stick &stick = scene_.stick_at(body);
   const uint32_t part = scene_.part_of(body);
   if (part >= stick.parts) return {false, true, 0.0};
   const StickFront front = front_of(stick, x, y);
-  bool certain = std::fabs(front.beside) > close * stick.radius;
+  bool certain = std::fabs(front.beside) > doubtful * stick.radius;
   if (!front.exists) return {false, certain, 0.0};
   const bool beyond = stick.parts == 2 && front.s >= stick.middle();
-  if (stick.parts == 2 && std::fabs(front.s - stick.middle()) < close * stick.length) certain = false;
+  if (stick.parts == 2 && std::fabs(front.s - stick.middle()) < doubtful * stick.length) certain = false;
   return {beyond == (part == 1), certain, front.z};
 }
 
@@ -64,7 +64,7 @@ BodySight::Highest BodySight::highest_at(double x, double y, uint32_t except) co
     }
     ++found;
   }
-  if (found > 1 && first - second < close * largest_) highest.certain = false;
+  if (found > 1 && first - second < doubtful * largest_) highest.certain = false;
   return highest;
 }
 

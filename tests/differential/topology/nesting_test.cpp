@@ -6,6 +6,7 @@
 
 #include "cell_comparison.hpp"
 #include "nested_balls.hpp"
+#include "set_arrangements.hpp"
 #include "smallest_failing.hpp"
 #include "sweep_length.hpp"
 #include "topology_complaints.hpp"
