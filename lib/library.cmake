@@ -395,8 +395,10 @@ function(hsp_library_objects name)
     $<$<BOOL:${wide}>:HSP_AVX2=1> ${ARGN} PRIVATE HSP_TARGET=baseline)
   # -ffp-contract=off: the same bits with and without fused multiply-add. The vectorizer of g++ 12 does not obey it: it
   # makes fused instructions of complex products (vfmaddsub, fcmla), hence it is off. A section for each function and
-  # table, so that the linker can leave out what a program does not call. The rest keeps the C++ run time out.
-  target_compile_options(${name} PUBLIC -ffp-contract=off PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-tree-vectorize>
+  # table, so that the linker can leave out what a program does not call. -fno-gnu-unique: constants of headers are weak
+  # symbols as functions are, which an archive of one object makes local. The rest keeps the C++ run time out.
+  target_compile_options(${name} PUBLIC -ffp-contract=off PRIVATE
+    $<$<CXX_COMPILER_ID:GNU>:-fno-tree-vectorize> $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>
     ${HSP_OPTIMIZATION} -ffunction-sections -fdata-sections -fno-math-errno -fno-exceptions -fno-rtti
     -fno-threadsafe-statics -fno-asynchronous-unwind-tables -fstack-usage)
   # For Arm's 64-bit processors g++ 12 leaves out calls of functions that write to nothing but an object of the caller, if

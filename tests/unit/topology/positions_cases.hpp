@@ -201,7 +201,7 @@ inline uint32_t same_bits_in_reverse() {
   });
 }
 
-inline constexpr Check measure_positions[] = {
+inline constexpr Check topology_positions[] = {
     {"edges_are_arcs_between_their_vertices", edges_are_arcs_between_their_vertices},
     {"faces_lie_on_the_left", faces_lie_on_the_left},
     {"lower_ranks_are_the_frames", lower_ranks_are_the_frames},

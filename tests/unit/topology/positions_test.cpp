@@ -3,5 +3,5 @@
 #include "expect_cases.hpp"
 
 TEST(Positions, Cases) {
-  expect_cases(cases::measure_positions);
+  expect_cases(cases::topology_positions);
 }

@@ -138,9 +138,9 @@ inline uint32_t cells_of_a_cage() {
   return first_false(conditions);
 }
 
-inline constexpr Check measure_shell_volumes[] = {{"shells_sum_to_balls", shells_sum_to_balls},
-                                                  {"signs_that_are_wrong", signs_that_are_wrong},
-                                                  {"shells_in_closed_form", shells_in_closed_form},
-                                                  {"cells_of_a_cage", cells_of_a_cage}};
+inline constexpr Check topology_shell_volumes[] = {{"shells_sum_to_balls", shells_sum_to_balls},
+                                                   {"signs_that_are_wrong", signs_that_are_wrong},
+                                                   {"shells_in_closed_form", shells_in_closed_form},
+                                                   {"cells_of_a_cage", cells_of_a_cage}};
 
 }  // namespace cases

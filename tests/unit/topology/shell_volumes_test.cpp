@@ -9,7 +9,7 @@
 namespace {
 
 TEST(ShellVolumes, Cases) {
-  expect_cases(cases::measure_shell_volumes);
+  expect_cases(cases::topology_shell_volumes);
 }
 
 hsp::TopologyInvariant checked(const oracle::Balls &balls) {
