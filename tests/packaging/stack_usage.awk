@@ -11,7 +11,7 @@ function quoted(key,    from, rest) {
   return substr(rest, 1, index(rest, "\"") - 1)
 }
 
-# What calls through pointers reach is told by types: those of class PaintedPaths (lib/sight/picture/painted_paths.hpp) its
+# The types say what calls through pointers reach: those of class PaintedPaths (lib/sight/picture/painted_paths.hpp) its
 # functions, those of an ArcVisitor the lambdas that take arcs. Contours (lib/sight/picture/ink.hpp) ask for silhouettes and
 # for paths, their source hands arcs to the lambda that takes them, and that curves to those of the writers.
 function reached_by(from) {

@@ -8,13 +8,6 @@
 namespace hsp {
 namespace {
 
-// In the middle of an interval longer than this a curve that crosses at its ends is deeper behind than `shallow`
-// squared radii, or as far before; else it does not cross but coincide.
-constexpr double long_interval = 0x1p-10;
-constexpr double shallow = 0x1p-36;
-// A crease that enters a ball at the height of its centre, up to such a parameter, may miss both its sphere and the
-// cylinder below.
-constexpr double at_level = 0x1p-36;
 // A crease rises by less than this part of its radius if the balls are one before the other, up to rounding.
 constexpr double level_slope = 0x1p-30;
 
@@ -58,7 +51,7 @@ class CreaseOcclusion {
       // The roots only cut; this decides.
       const double depth = depth_behind(count == 0 ? middle_ : crease_.at(0.5 * (from + to)), ball);
       const bool here = depth > 0.0;
-      if (to - from > long_interval && std::fabs(depth) < shallow * ball.r * ball.r) certain_ = false;
+      if (to - from > long_interval && std::fabs(depth) < shallow_depth * ball.r * ball.r) certain_ = false;
       if (here && !hides) {
         since = from;
         begins = k == 0 ? MapVertexKind::plain : at_[k - 1].kind;
@@ -130,7 +123,7 @@ class CreaseOcclusion {
           if (t < -pi) t += 2 * pi;
           const double above = level - std::fabs(t);
           if (above >= 0.0) add_breakpoint(t, MapVertexKind::triple);
-          if (std::fabs(above) < at_level && t > left_ && t < right_) certain_ = false;
+          if (std::fabs(above) < level_height && t > left_ && t < right_) certain_ = false;
         }
       }
     }

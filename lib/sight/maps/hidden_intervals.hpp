@@ -8,6 +8,14 @@
 
 namespace hsp {
 
+// In the middle of an interval longer than this a curve that crosses at its ends is deeper behind than shallow_depth,
+// or as far before; else it does not cross but coincide. Relative to the radius, or its square for squared depths.
+inline constexpr double long_interval = 0x1p-10;
+inline constexpr double shallow_depth = 0x1p-36;
+// A crease that enters a ball as close as this to the height of its centre, relative to the radius, may miss both its
+// sphere and the cylinder below.
+inline constexpr double level_height = 0x1p-36;
+
 // What ends an arc: nothing (plain), or the ball that begins to hide the curve there. At the natural end of a crease,
 // a tangency, there is no such ball.
 struct ArcEnd {

@@ -35,7 +35,7 @@ class HiddenParts {
     // both.
     uint32_t at_centre = 0, kept = 0;
     const auto counted = [&](const Vec3 &q, bool good) {
-      if (std::fabs(q.z - ball.z) >= at_level * ball.r) return good;
+      if (std::fabs(q.z - ball.z) >= level_height * ball.r) return good;
       ++at_centre;
       kept += good ? 1 : 0;
       return good;
@@ -97,12 +97,6 @@ class HiddenParts {
     ArcEnd end;
   };
   static constexpr uint32_t most = 48;
-  // In the middle of an interval longer than this a curve that crosses at its ends is deeper behind than `shallow` of
-  // the radius, or as far before; else it does not cross but coincide.
-  static constexpr double long_interval = 0x1p-10;
-  static constexpr double shallow = 0x1p-36;
-  // Of the radius: heights that are not told apart from that of a centre.
-  static constexpr double at_level = 0x1p-36;
 
   void add(double t) {
     if (t > from_ && t < to_ && count_ < most) at_[count_++].t = t;
@@ -198,7 +192,7 @@ class HiddenParts {
       const double from = k == 0 ? from_ : at_[k - 1].t;
       const double to = k == count_ ? to_ : at_[k].t;
       const double behind = depth(curve_.at(0.5 * (from + to)));
-      if (to - from > long_interval && std::fabs(behind) < shallow * radius) certain_ = false;
+      if (to - from > long_interval && std::fabs(behind) < shallow_depth * radius) certain_ = false;
       const ArcEnd end = k == 0 ? ArcEnd{} : at_[k - 1].end;
       if (behind > 0.0 && !hides) {
         since = from;
