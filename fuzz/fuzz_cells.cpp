@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "computed_set.hpp"
+#include "owned_spaces.hpp"
 #include "required_limits.hpp"
 #include "topology_input.hpp"
 

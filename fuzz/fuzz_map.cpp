@@ -8,6 +8,7 @@
 
 #include "computed_set.hpp"
 #include "guarded_output.hpp"
+#include "owned_views.hpp"
 #include "picture_calls.hpp"
 #include "required_limits.hpp"
 #include "topology_input.hpp"

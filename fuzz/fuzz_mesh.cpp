@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "computed_set.hpp"
+#include "owned_surfaces.hpp"
 #include "required_limits.hpp"
 
 namespace {

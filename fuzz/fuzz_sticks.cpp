@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "computed_set.hpp"
+#include "owned_views.hpp"
 #include "picture_calls.hpp"
 #include "required_limits.hpp"
 #include "seen_cylinders.hpp"

@@ -5,6 +5,7 @@
 #include <surface_result.h>
 
 #include "computed_set.hpp"
+#include "owned_surfaces.hpp"
 #include "required_limits.hpp"
 
 namespace {

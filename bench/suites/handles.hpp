@@ -12,6 +12,8 @@
 
 #include "hardsphere.h"
 #include "owned_handle.hpp"
+#include "owned_spaces.hpp"
+#include "owned_surfaces.hpp"
 #include "paper_molecules.hpp"
 
 namespace bench {

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <owned_views.hpp>
+
 #include "handles.hpp"
 
 namespace bench {

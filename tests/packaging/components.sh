@@ -18,10 +18,17 @@ package() { # components, further options: installs into $prefix
   shift
   {
     cmake -S "$source" -B "$build" -DCMAKE_C_COMPILER="$cc" -DCMAKE_CXX_COMPILER="$cxx" -DCMAKE_BUILD_TYPE=Release \
-      -DCMAKE_INSTALL_LIBDIR=lib -DHSP_COMPONENTS="${components#none}" -DHSP_WERROR=ON -DHSP_TOOL=ON -DHSP_TESTS=OFF \
-      -DHSP_BENCH=OFF -DHSP_FUZZ=OFF "$@" && cmake --build "$build" --parallel 2 &&
+      -DCMAKE_INSTALL_LIBDIR=lib -DHSP_COMPONENTS="${components#none}" -DHSP_WERROR=ON -DHSP_TOOL=ON -DHSP_TESTS=ON \
+      -DHSP_BENCH=OFF -DHSP_FUZZ=OFF "$@" && mapfile -t tests < <(cmake --build "$build" --target help |
+        grep -oE 'api_[a-z]+_tests' | sort -u) && [ ${#tests[@]} -ge 8 ] &&
+      cmake --build "$build" --parallel 2 --target hardsphere hardsphere_tool "${tests[@]}" &&
+      if [ -n "$fortran" ] && [ "$components" = none ]; then cmake --build "$build" --target hardsphere_fortran; fi &&
       cmake --install "$build" --prefix "$prefix"
   } >"$work/log" 2>&1 || { tail -n 40 "$work/log" && exit 1; }
+  # What of the interface's tests such a build has.
+  (cd "$build" && ctest -R '^api_' -E 'threads|cxx20|fortran' --no-tests=error) >"$work/log" 2>&1 ||
+    { tail -n 40 "$work/log" && fail "tests of the interface"; }
+  ran=$(grep -oE 'out of [0-9]+' "$work/log")
 }
 text() { # of a program that runs
   "$1" >/dev/null || fail "$1 fails"
@@ -71,7 +78,7 @@ for components in none smooth space sight; do
   read -ra flags <<<"$(pkg-config --cflags --libs hardsphere)"
   "$cc" -std=c99 -O2 "$here/consumers/main.c" "${flags[@]}" -o "$work/area"
   echo "$components: $(stat -c %s "$prefix/lib/libhardsphere.a") bytes of archive," \
-    "$(wc -l <"$work/functions") functions," \
+    "$(wc -l <"$work/functions") functions, ${ran#out of } tests of the interface," \
     "$(text "$work/area") bytes of text of a program in C that measures an area"
   # The program says what it lacks.
   if [ $components != sight ]; then

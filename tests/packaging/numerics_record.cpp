@@ -11,6 +11,8 @@
 
 #include "molecule_file.hpp"
 #include "owned_handle.hpp"
+#include "owned_surfaces.hpp"
+#include "owned_views.hpp"
 #include "random_numbers.hpp"
 
 namespace {

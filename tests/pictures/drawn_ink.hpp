@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "drawn_view.hpp"
+#include "owned_views.hpp"
 #include "z_buffer.hpp"
 
 class DrawnInk {

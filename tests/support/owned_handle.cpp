@@ -23,12 +23,6 @@ hsp_boundary_limits default_boundary_limits(uint32_t balls) {
   return limits;
 }
 
-hsp_surface_limits surface_limits_for(const hsp_boundary *boundary) {
-  hsp_surface_limits limits;
-  expect_ok(hsp_surface_limits_init(&limits, sizeof limits, boundary), "hsp_surface_limits_init");
-  return limits;
-}
-
 hsp_topology_limits topology_limits_for(const hsp_boundary *boundary) {
   hsp_topology_limits limits;
   expect_ok(hsp_topology_limits_init(&limits, sizeof limits, boundary), "hsp_topology_limits_init");
@@ -38,18 +32,6 @@ hsp_topology_limits topology_limits_for(const hsp_boundary *boundary) {
 hsp_contacts_limits contacts_limits_for(const hsp_boundary *boundary) {
   hsp_contacts_limits limits;
   expect_ok(hsp_contacts_limits_init(&limits, sizeof limits, boundary), "hsp_contacts_limits_init");
-  return limits;
-}
-
-hsp_view_limits default_view_limits(uint32_t balls) {
-  hsp_view_limits limits;
-  expect_ok(hsp_view_limits_init(&limits, sizeof limits, balls), "hsp_view_limits_init");
-  return limits;
-}
-
-hsp_map_limits default_map_limits(uint32_t balls) {
-  hsp_map_limits limits;
-  expect_ok(hsp_map_limits_init(&limits, sizeof limits, balls), "hsp_map_limits_init");
   return limits;
 }
 

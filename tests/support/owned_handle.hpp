@@ -1,5 +1,5 @@
-// Handles of the C interface that own their memory. Those with limits take more memory until their computation
-// succeeds.
+// Handles of the C interface that own their memory: models, and what ground, balls and union give. Those with limits take
+// more memory until their computation succeeds. The kinds of each component have a file of their own.
 #pragma once
 
 #include <hardsphere.h>
@@ -46,62 +46,33 @@ struct BoundaryKind : KindOf<hsp_boundary, hsp_boundary_limits, 2, hsp_boundary_
   static constexpr const char *name = "hsp_boundary";
   static constexpr std::array limits = {&Limits::balls, &Limits::neighbours, &Limits::vertices, &Limits::circles};
 };
-struct SurfaceKind : KindOf<hsp_surface, hsp_surface_limits, 4, hsp_surface_bytes, hsp_surface_init> {
-  static constexpr const char *name = "hsp_surface";
-  static constexpr std::array limits = {&Limits::vertices, &Limits::faces, &Limits::neighbours,
-                                        &Limits::pieces,   &Limits::arcs,  &Limits::cusped_circles};
-};
-struct MeshKind : KindOf<hsp_mesh, hsp_mesh_limits, 20, hsp_mesh_bytes, hsp_mesh_init> {
-  static constexpr const char *name = "hsp_mesh";
-  static constexpr std::array limits = {&Limits::balls, &Limits::curves, &Limits::vertices, &Limits::triangles,
-                                        &Limits::points};
-};
 struct TopologyKind : KindOf<hsp_topology, hsp_topology_limits, 3, hsp_topology_bytes, hsp_topology_init> {
   static constexpr const char *name = "hsp_topology";
   static constexpr std::array limits = {&Limits::balls, &Limits::neighbours, &Limits::edges, &Limits::cut_arcs};
+  static size_t most_bytes(const Limits &limits) {
+    return HSP_TOPOLOGY_BYTES(limits.balls, limits.neighbours, limits.edges, limits.cut_arcs);
+  }
 };
 struct ContactsKind : KindOf<hsp_contacts, hsp_contacts_limits, 3, hsp_contacts_bytes, hsp_contacts_init> {
   static constexpr const char *name = "hsp_contacts";
   static constexpr std::array limits = {&Limits::balls, &Limits::neighbours, &Limits::contacts};
-};
-struct ViewKind : KindOf<hsp_view, hsp_view_limits, 3, hsp_view_bytes, hsp_view_init> {
-  static constexpr const char *name = "hsp_view";
-  static constexpr std::array limits = {&Limits::balls, &Limits::neighbours, &Limits::arcs};
-};
-struct MapKind : KindOf<hsp_map, hsp_map_limits, 12, hsp_map_bytes, hsp_map_init> {
-  static constexpr const char *name = "hsp_map";
-  static constexpr std::array limits = {&Limits::balls, &Limits::neighbours, &Limits::edges};
-};
-struct SticksKind : KindOf<hsp_sticks, hsp_sticks_limits, 12, hsp_sticks_bytes, hsp_sticks_init> {
-  static constexpr const char *name = "hsp_sticks";
-  static constexpr std::array limits = {&Limits::balls, &Limits::sticks, &Limits::pairs, &Limits::edges};
-};
-struct CellsKind : KindOf<hsp_cells, hsp_cells_limits, 6, hsp_cells_bytes, hsp_cells_init> {
-  static constexpr const char *name = "hsp_cells";
-  static constexpr std::array limits = {&Limits::cubes,       &Limits::entries,    &Limits::cells,
-                                        &Limits::adjacencies, &Limits::landmarks,  &Limits::facets,
-                                        &Limits::corners,     &Limits::cube_balls, &Limits::cube_corners};
-};
-struct PathsKind : KindOf<hsp_paths, hsp_paths_limits, 7, hsp_paths_bytes, hsp_paths_init> {
-  static constexpr const char *name = "hsp_paths";
-  static constexpr std::array limits = {&Limits::cubes,        &Limits::entries, &Limits::cells,   &Limits::adjacencies,
-                                        &Limits::landmarks,    &Limits::facets,  &Limits::corners, &Limits::cube_balls,
-                                        &Limits::cube_corners, &Limits::points};
-};
-struct GateKind : KindOf<hsp_gate, hsp_gate_limits, 40, hsp_gate_bytes, hsp_gate_init> {
-  static constexpr const char *name = "hsp_gate";
-  static constexpr std::array limits = {&Limits::balls,       &Limits::cubes,       &Limits::entries, &Limits::cells,
-                                        &Limits::adjacencies, &Limits::landmarks,   &Limits::facets,  &Limits::corners,
-                                        &Limits::cube_balls,  &Limits::cube_corners};
+  static size_t most_bytes(const Limits &limits) {
+    return HSP_CONTACTS_BYTES(limits.balls, limits.neighbours, limits.contacts, limits.triangles, limits.tetrahedra);
+  }
 };
 struct PeriodicKind : KindOf<hsp_periodic, hsp_periodic_limits, 5, hsp_periodic_bytes, hsp_periodic_init> {
   static constexpr const char *name = "hsp_periodic";
   static constexpr std::array limits = {&Limits::balls,    &Limits::images,  &Limits::neighbours,
                                         &Limits::vertices, &Limits::circles, &Limits::contacts};
+  static size_t most_bytes(const Limits &limits) {
+    return HSP_PERIODIC_BYTES(limits.balls, limits.images, limits.neighbours, limits.vertices, limits.circles,
+                              limits.contacts);
+  }
 };
 struct MovingKind : KindOf<hsp_moving, hsp_moving_limits, 2, hsp_moving_bytes, hsp_moving_init> {
   static constexpr const char *name = "hsp_moving";
   static constexpr std::array limits = {&Limits::balls, &Limits::neighbours};
+  static size_t most_bytes(const Limits &limits) { return HSP_MOVING_BYTES(limits.balls, limits.neighbours); }
 };
 
 // A handle of such a kind. Calls that fail throw std::runtime_error.
@@ -154,19 +125,13 @@ class OwnedHandle {
 };
 
 using OwnedBoundary = OwnedHandle<BoundaryKind>;
-using OwnedSurface = OwnedHandle<SurfaceKind>;
 using OwnedTopology = OwnedHandle<TopologyKind>;
 using OwnedContacts = OwnedHandle<ContactsKind>;
 using OwnedPeriodic = OwnedHandle<PeriodicKind>;
-using OwnedView = OwnedHandle<ViewKind>;
-using OwnedMap = OwnedHandle<MapKind>;
 
 hsp_boundary_limits default_boundary_limits(uint32_t balls);
-hsp_surface_limits surface_limits_for(const hsp_boundary *boundary);
 hsp_topology_limits topology_limits_for(const hsp_boundary *boundary);
 hsp_contacts_limits contacts_limits_for(const hsp_boundary *boundary);
-hsp_view_limits default_view_limits(uint32_t balls);
-hsp_map_limits default_map_limits(uint32_t balls);
 
 // All records of a getter, which is called with (Record *out, uint32_t capacity, uint32_t *needed).
 template <class Record, class Getter>

@@ -12,6 +12,7 @@
 #include "difference_quotients.hpp"
 #include "molecule_file.hpp"
 #include "owned_handle.hpp"
+#include "owned_surfaces.hpp"
 #include "random_numbers.hpp"
 #include "sweep_length.hpp"
 

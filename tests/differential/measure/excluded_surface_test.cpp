@@ -10,6 +10,7 @@
 #include "excluded_surface.hpp"
 #include "molecule_file.hpp"
 #include "owned_handle.hpp"
+#include "owned_surfaces.hpp"
 #include "random_numbers.hpp"
 #include "sweep_length.hpp"
 

@@ -13,6 +13,7 @@
 #include "lattice_lengths.hpp"
 #include "library_run.hpp"
 #include "molecule_balls.hpp"
+#include "owned_surfaces.hpp"
 
 namespace {
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "library_run.hpp"
+#include "owned_views.hpp"
 #include "path_painter.hpp"
 #include "z_buffer.hpp"
 

@@ -1,0 +1,39 @@
+// Handles of the component space that own their memory.
+#pragma once
+
+#include "owned_handle.hpp"
+
+namespace support {
+
+struct CellsKind : KindOf<hsp_cells, hsp_cells_limits, 6, hsp_cells_bytes, hsp_cells_init> {
+  static constexpr const char *name = "hsp_cells";
+  static constexpr std::array limits = {&Limits::cubes,       &Limits::entries,    &Limits::cells,
+                                        &Limits::adjacencies, &Limits::landmarks,  &Limits::facets,
+                                        &Limits::corners,     &Limits::cube_balls, &Limits::cube_corners};
+  static size_t most_bytes(const Limits &limits) {
+    return HSP_CELLS_BYTES(limits.cubes, limits.entries, limits.cells, limits.adjacencies, limits.landmarks,
+                           limits.facets, limits.corners, limits.cube_balls, limits.cube_corners);
+  }
+};
+struct PathsKind : KindOf<hsp_paths, hsp_paths_limits, 7, hsp_paths_bytes, hsp_paths_init> {
+  static constexpr const char *name = "hsp_paths";
+  static constexpr std::array limits = {&Limits::cubes,        &Limits::entries, &Limits::cells,   &Limits::adjacencies,
+                                        &Limits::landmarks,    &Limits::facets,  &Limits::corners, &Limits::cube_balls,
+                                        &Limits::cube_corners, &Limits::points};
+  static size_t most_bytes(const Limits &limits) {
+    return HSP_PATHS_BYTES(limits.cubes, limits.entries, limits.cells, limits.adjacencies, limits.landmarks,
+                           limits.facets, limits.corners, limits.cube_balls, limits.cube_corners, limits.points);
+  }
+};
+struct GateKind : KindOf<hsp_gate, hsp_gate_limits, 40, hsp_gate_bytes, hsp_gate_init> {
+  static constexpr const char *name = "hsp_gate";
+  static constexpr std::array limits = {&Limits::balls,       &Limits::cubes,       &Limits::entries, &Limits::cells,
+                                        &Limits::adjacencies, &Limits::landmarks,   &Limits::facets,  &Limits::corners,
+                                        &Limits::cube_balls,  &Limits::cube_corners};
+  static size_t most_bytes(const Limits &limits) {
+    return HSP_GATE_BYTES(limits.balls, limits.cubes, limits.entries, limits.cells, limits.adjacencies,
+                          limits.landmarks, limits.facets, limits.corners, limits.cube_balls, limits.cube_corners);
+  }
+};
+
+}  // namespace support
