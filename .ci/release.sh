@@ -100,7 +100,7 @@ RULES
 chmod +x "$tree/debian/rules"
 echo 'usr/lib/*/libhardsphere.so.*' >"$tree/debian/libhardsphere$abi.install"
 printf '%s\n' usr/include 'usr/lib/*/libhardsphere.a' 'usr/lib/*/libhardsphere.so' 'usr/lib/*/cmake' 'usr/lib/*/pkgconfig' \
-  usr/share/doc/libhardsphere-dev/README.md usr/share/doc/libhardsphere-dev/guide usr/share/doc/libhardsphere-dev/examples \
+  usr/share/doc/libhardsphere-dev/README.md usr/share/doc/libhardsphere-dev/CHANGELOG.md usr/share/doc/libhardsphere-dev/guide usr/share/doc/libhardsphere-dev/examples \
   >"$tree/debian/libhardsphere-dev.install"
 printf '%s\n' usr/bin usr/share/man >"$tree/debian/hardsphere.install"
 echo usr/share/doc/libhardsphere-dev/LICENSE >"$tree/debian/not-installed"

@@ -9,7 +9,8 @@ endif()
 # filter hands over as it stands.
 set(DOXYGEN_FILTER_PATTERNS "*.h=awk -f ${CMAKE_CURRENT_LIST_DIR}/opening_comment.awk"
   "*.md=awk -f ${CMAKE_CURRENT_LIST_DIR}/guide_links.awk")
-set(DOXYGEN_IMAGE_PATH ${PROJECT_SOURCE_DIR}/capi/guide)
+set(DOXYGEN_IMAGE_PATH ${PROJECT_SOURCE_DIR}/capi/guide ${PROJECT_SOURCE_DIR}/tests/program/pictures
+  ${PROJECT_SOURCE_DIR}/tests/differential/scans)
 set(DOXYGEN_PROJECT_BRIEF ${PROJECT_DESCRIPTION})
 set(DOXYGEN_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/documentation)
 set(DOXYGEN_OPTIMIZE_OUTPUT_FOR_C YES)

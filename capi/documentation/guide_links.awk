@@ -1,5 +1,5 @@
-# Guides as Doxygen reads them: each is a page of its file's name, and links between them are kept; of links to places that
-# are not on its pages, files of the source tree and headings, the words are left.
+# Guides as Doxygen reads them: each is a page of its file's name, and links between them and to pictures are kept; of links to
+# places that are not on its pages, files of the source tree and headings, the words are left.
 #   awk -f guide_links.awk GUIDE.md
 FNR == 1 {
   name = FILENAME
@@ -13,10 +13,12 @@ FNR == 1 {
     link = substr(left, RSTART, RLENGTH)
     words = substr(link, 2, index(link, "](") - 2)
     target = substr(link, index(link, "](") + 2)
-    if (target ~ /^[a-z_]+\.md\)/) {
+    if (target ~ /^[A-Za-z_]+\.md[#)]/) {
       sub(/\.md.*/, "", target)
       link = "@ref " target " \"" words "\""
-    } else if (target !~ /^(https?:|[a-z_]+\.svg\))/) {
+    } else if (target ~ /\.svg\)$/) {
+      sub(/\]\(.*\//, "](", link)
+    } else if (target !~ /^https?:/) {
       link = words
     }
     line = line substr(left, 1, RSTART - 1) link

@@ -40,8 +40,22 @@ if(HSP_TOOL)
   install(FILES ${PROJECT_SOURCE_DIR}/capi/program/app/hardsphere.zsh RENAME _hardsphere
     DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT hardsphere_runtime)
 endif()
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT hardsphere_documentation)
+
+# Pages, whose links are made to fit; what they show and link to: pictures, examples, and a molecule for these.
+set(HSP_PAGES_FOLDER ${CMAKE_CURRENT_BINARY_DIR}/pages)
+install(CODE "
+  set(SOURCE \"${PROJECT_SOURCE_DIR}\")
+  set(FOLDER \"${HSP_PAGES_FOLDER}\")
+  set(DOCUMENTATION \"${CMAKE_INSTALL_FULL_DOCDIR}\")
+  set(HEADERS \"${CMAKE_INSTALL_FULL_INCLUDEDIR}\")
+  include(\"${CMAKE_CURRENT_LIST_DIR}/installed_pages.cmake\")" COMPONENT hardsphere_documentation)
+install(DIRECTORY ${HSP_PAGES_FOLDER}/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT hardsphere_documentation)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/capi/guide DESTINATION ${CMAKE_INSTALL_DOCDIR}
+  COMPONENT hardsphere_documentation FILES_MATCHING PATTERN "*.svg")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/tests/program/pictures/ ${PROJECT_SOURCE_DIR}/tests/differential/scans/
+  DESTINATION ${CMAKE_INSTALL_DOCDIR}/guide/pictures COMPONENT hardsphere_documentation FILES_MATCHING PATTERN "*.svg")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/capi/examples DESTINATION ${CMAKE_INSTALL_DOCDIR}
   COMPONENT hardsphere_documentation)
-# The guides, and beside them the examples that they link to.
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/capi/guide ${PROJECT_SOURCE_DIR}/capi/examples DESTINATION ${CMAKE_INSTALL_DOCDIR}
+install(FILES ${PROJECT_SOURCE_DIR}/bench/molecules/crambin.pdb DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples
   COMPONENT hardsphere_documentation)

@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$1"
 folders="lib capi include tests bench fuzz .github .ci"
 
-# A page of capi/guide may cite the program that its blocks in C make, which has its name.
+# A page of capi/guide may cite the program that its blocks in C make, which has its name; that of README.md is water.c.
 # A file is cited by its path from the root, from lib/, a wing of it, capi/, include/ or tests/, from the citing file's folder, or by its name.
 find $folders ./*.* -type f | sed 's,^\./,,' | awk '
   function in_wing(name,   wing) {
@@ -14,6 +14,7 @@ find $folders ./*.* -type f | sed 's,^\./,,' | awk '
     return 0
   }
   function exists(name, from) {
+    if (from == "README.md" && name == "water.c") return 1
     if (from ~ /^capi\/guide\// && from == "capi/guide/" substr(name, 1, length(name) - 1) "md") return 1
     sub(/[^\/]*$/, "", from)
     while (name ~ /^\.\.\//) { sub(/^\.\.\//, "", name); sub(/[^\/]*\/$/, "", from) }

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every picture in README.md is what one command line of README.md writes, byte for byte; and what the command lines of
+# Every picture in README.md and the guide is what one command line there writes, byte for byte; and what the command lines of
 # tests/program/pictures/digests.txt write has the size and the digest there. One of these stands beside the list as a
 # whole, for program_draw_colours.
 #   gallery.sh SOURCE-FOLDER WORK-FOLDER PROGRAM [--write]
@@ -17,14 +17,15 @@ export LC_ALL=C
 cp "$source"/bench/molecules/*.pdb "$work/run"
 cp "$source/bench/molecules/crambin.pdb" "$work/run/1crn.pdb"
 
-# Lines of code, and code within the text; three blanks end a line. The same line may stand in both files.
+# Lines of code, and code within the text; three blanks end a line. The same line may be in several files.
+pages=("$source/README.md" "$source"/capi/guide/*.md)
 {
-  sed -n 's/^ *\(hardsphere [-a-z].*\)/\1/p' "$source/README.md" | sed -E 's/ {3,}.*//'
+  sed -n 's/^ *\(hardsphere [-a-z].*\)/\1/p' "${pages[@]}" | sed -E 's/ {3,}.*//'
   # shellcheck disable=SC2016 # these are Markdown's
-  grep -oh '`hardsphere [^`]*`' "$source/README.md" | tr -d '`'
+  grep -oh '`hardsphere [^`]*`' "${pages[@]}" | tr -d '`'
   sed -n 's/^[0-9]* [0-9a-f]* \(hardsphere .*\)/\1/p' "$digests"
 } | awk '!seen[$0]++' >"$work/lines"
-grep -oE "$pictures/[^)\" ]*" "$source/README.md" | sort -u >"$work/shown"
+grep -ohE "$pictures/[^)\" ]*" "${pages[@]}" | sort -u >"$work/shown"
 [ "$(wc -l <"$work/shown")" -ge 9 ] || { cat "$work/shown" && echo "are all the pictures that were found" && exit 1; }
 grep -oE -- '-o [^ ]+$' "$digests" | cut -d ' ' -f 2 >"$work/digested"
 
@@ -33,7 +34,7 @@ failed=0
 draw() {
   grep -E -- "(-o|--map) ${1//./\\.}( |\$)" "$work/lines" >"$work/line" || true
   if [ "$(wc -l <"$work/line")" -ne 1 ]; then
-    echo "$1: README.md and digests.txt have $(wc -l <"$work/line") command lines that write it"
+    echo "$1: the pages and digests.txt have $(wc -l <"$work/line") command lines that write it"
     failed=1
     return 1
   fi

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The pages of capi/guide say what happens. Of each page the blocks in C, one after another, are a program; the blocks of shell
+# README.md (From C) and the pages of capi/guide say what happens. Of each the blocks in C, one after another, are a program; the blocks of shell
 # compile and run it and more; what all of these print are the blocks of text. The files that it writes and the page shows
 # lie beside the page. A page without blocks of C has no program.
 #   guide_pages.sh SOURCE-FOLDER ARCHIVE WORK-FOLDER C-COMPILER
@@ -27,12 +27,13 @@ missing() { # what a page needs that is not here
 }
 
 try() { # page
-  local page=$1 name folder c
-  name=$(basename "$page" .md) folder=$work/$name
+  local page=$1 section=${2:-} name folder c
+  folder=$work/$(basename "$page" .md)
   mkdir -p "$folder/blocks"
-  awk -v folder="$folder/blocks" -f "$source/tests/packaging/page_blocks.awk" "$page"
+  awk -v folder="$folder/blocks" -v section="$section" -f "$source/tests/packaging/page_blocks.awk" "$page"
   c=("$folder"/blocks/*.c)
-  cat "${c[@]}" >"$folder/$name.c"
+  name=$(cat "$folder"/blocks/*.sh | grep -oE '[a-z_]+\.c\b' | head -n 1)
+  cat "${c[@]}" >"$folder/$name"
   cat "$folder"/blocks/*.text >"$folder/expected"
   cp "$source/bench/molecules/crambin.pdb" "$folder"
   (cd "$folder" && bash -euo pipefail -c "$(cat blocks/*.sh)") >"$folder/printed" 2>&1 ||
@@ -52,7 +53,8 @@ try() { # page
 }
 
 pages=("$source"/capi/guide/*.md)
-[ ${#pages[@]} -ge 3 ] || { echo "only ${#pages[@]} pages were found" && exit 1; }
+[ ${#pages[@]} -ge 16 ] || { echo "only ${#pages[@]} pages were found" && exit 1; }
+try "$source/README.md" "## From C"
 for page in "${pages[@]}"; do
   grep -q '^```c$' "$page" || continue
   tool=$(missing "$page")

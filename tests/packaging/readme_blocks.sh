@@ -1,14 +1,25 @@
 #!/usr/bin/env bash
-# Section "Build, install, link" of README.md: every block is run as it stands there, in order, in an empty folder with a
-# home of its own, beside a link `hardsphere` to the sources and the example programs that the section names.
+# How README.md and the pages of the guide say to install, build, link and call the library: every block is run as it is
+# there, in order, in an empty folder with a home of its own, beside a link `hardsphere` to the sources and the example
+# programs that the pages name. The blocks in C and Fortran of languages.md are readme_example.sh's and guide_pages.sh's.
 #   readme_blocks.sh SOURCE-FOLDER WORK-FOLDER
 # Blocks in Fortran, Python and for microcontrollers are left out where their tools are missing, and named.
 set -euo pipefail
 source=$1 work=$2
 rm -rf "$work"
-mkdir -p "$work/home" "$work/blocks"
-awk -v folder="$work/blocks" -v section="## Build, install, link" -f "$source/tests/packaging/page_blocks.awk" "$source/README.md"
-blocks=("$work"/blocks/*)
+mkdir -p "$work/home"
+blocks=()
+take() { # page, section of it or all, kinds of blocks
+  local folder
+  folder=$work/blocks/$(basename "$1" .md)
+  mkdir -p "$folder"
+  awk -v folder="$folder" -v section="$2" -f "$source/tests/packaging/page_blocks.awk" "$source/$1"
+  for kind in $3; do blocks+=("$folder"/*."$kind"); done
+}
+take README.md "## Install" sh
+take capi/guide/building.md "" "sh cmake"
+take capi/guide/microcontrollers.md "" sh
+take capi/guide/languages.md "" python
 [ ${#blocks[@]} -ge 7 ] || { echo "only ${#blocks[@]} blocks were found" && exit 1; }
 
 cd "$work"
@@ -25,8 +36,6 @@ export -f cmake
 ln -s "$source" hardsphere
 cp "$source/capi/examples/minimal.c" .
 cp "$source/capi/fortran/water.f90" .
-# The example that the section compiles stands above it.
-grep -qF "$(sed -n 2,8p minimal.c)" "$source/README.md" || { echo "README.md's example is not minimal.c" && exit 1; }
 
 missing() { # tool that a block needs
   case $1 in

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every command line with the program that README.md and capi/guide show, and every example in its help and its manual page, runs
+# Every command line with the program that README.md and the pages of capi/guide show, and every example in its help and its manual page, runs
 # as it stands there: exit status 0, nothing on stderr, results on stdout or in the files that it names, and no other files.
 #   readme_commands.sh own|further SOURCE-FOLDER WORK-FOLDER PROGRAM [FOLDER-OF-FURTHER-MOLECULES]
 # own: those on files that the project has, under the names that people know; further: those on molecules in the folder
@@ -24,14 +24,15 @@ cp "$inputs/../crambin.xtc" "$work/files/run.xtc"
 awk '/^ATOM/ { print substr($0, 31, 8), substr($0, 39, 8), substr($0, 47, 8), 1.7 }' "$molecules/crambin.pdb" >"$work/files/crambin.xyzr"
 foreign=(4hhb.pdb)
 
-# Lines of code in README.md and code within its text; in the summary of commands FILE and X,Y,Z stand for something,
-# and three blanks end a line.
+# Lines of code in the pages and code within their text; in the summary of commands FILE and X,Y,Z stand for something,
+# and three blanks end a line. Lines with variables of the shell are for machines that are not here.
+pages=("$source/README.md" "$source"/capi/guide/*.md)
 {
   awk '/^```/ { block = !block; next }
-       (block || /^    /) && /^ *([a-z][^|]*\| )?hardsphere [-a-z]/ { print }' "$source/README.md" |
+       (block || /^    /) && !/\$/ && /^ *([a-z][^|]*\| )?hardsphere [-a-z]/ { print }' "${pages[@]}" |
     sed -E -e 's/^ +//' -e 's/ {3,}.*//'
   # shellcheck disable=SC2016 # these are Markdown's
-  grep -oh '`hardsphere [^`]*`' "$source/README.md" "$source"/capi/guide/*.md | tr -d '`'
+  grep -oh '`hardsphere [^`]*`' "${pages[@]}" | tr -d '`'
   hardsphere --help | sed -n 's/^  hardsphere \([a-z]*\) .*FILE.*/\1/p' | while read -r command; do
     hardsphere "$command" --help | sed -n 's/^Example: //p'
   done
@@ -41,7 +42,7 @@ foreign=(4hhb.pdb)
 # Fewer would mean that they are written in another way now, and not found.
 [ "$(wc -l <"$work/lines")" -ge 25 ] || { cat "$work/lines" && echo "are all the lines that were found" && exit 1; }
 for command in model boundary measure voids query clash mesh map pick draw; do
-  grep -q "hardsphere $command 1crn" "$work/lines" || { echo "README.md shows no hardsphere $command" && exit 1; }
+  grep -q "hardsphere $command 1crn" "$work/lines" || { echo "no page shows hardsphere $command" && exit 1; }
 done
 
 fail() {

@@ -1,23 +1,38 @@
 #!/usr/bin/env bash
-# The examples of README.md in C and Fortran, as they stand there, compile without a warning, link and run: a program, and
-# a function and a subroutine `surface`, which main programs call here with two balls whose figures are known.
-#   readme_example.sh README.md INCLUDE-FOLDER ARCHIVE WORK-FOLDER C-COMPILER [FORTRAN-COMPILER MODULE-FOLDER FORTRAN-ARCHIVE]
+# The functions that README.md and languages.md of the guide show compile without a warning and give what main programs
+# here expect: in C `water`, without any allocation, and `surface` with a workspace; in Fortran `surface`.
+#   readme_example.sh SOURCE-FOLDER ARCHIVE WORK-FOLDER C-COMPILER [FORTRAN-COMPILER MODULE-FOLDER FORTRAN-ARCHIVE]
 set -euo pipefail
-readme=$1 include=$2 archive=$3 work=$4 cc=$5
+source=$1 archive=$2 work=$3 cc=$4
 rm -rf "$work"
-mkdir -p "$work"
+for page in README.md capi/guide/languages.md; do
+  folder=$work/$(basename "$page" .md)
+  mkdir -p "$folder"
+  awk -v folder="$folder" -f "$source/tests/packaging/page_blocks.awk" "$source/$page"
+done
+block() { # function, blocks: the one that has it
+  local name=$1 found
+  shift
+  found=$(grep -lE "(int32_t|subroutine) $name\(" "$@") || { echo "no page shows $name" && exit 1; }
+  cat "$found"
+}
 
-mkdir "$work/blocks"
-awk -v folder="$work/blocks" -f "$(dirname "$0")/page_blocks.awk" "$readme"
-c_blocks=("$work"/blocks/*.c) fortran_blocks=("$work"/blocks/*.fortran)
-cp "${c_blocks[0]}" "$work/example.c"
-grep -q 'int main' "$work/example.c" || { echo "README.md has no C example with a main function" && exit 1; }
-grep -q 'hsp_' "$work/example.c" || { echo "README.md's example does not use the library" && exit 1; }
-
+# Three unit balls that are apart.
+{
+  block water "$work"/README/*.c
+  cat <<'MAIN'
+#include <math.h>
+int main(void) {
+  const double pi = acos(-1.0), xyz[9] = {0, 0, 0, 3, 0, 0, 6, 0, 0}, radius[3] = {1, 1, 1};
+  hsp_totals totals;
+  if (water(xyz, radius, &totals) != HSP_OK) return 1;
+  return fabs(totals.area - 12 * pi) < 1e-12 && fabs(totals.volume - 4 * pi) < 1e-12 ? 0 : 2;
+}
+MAIN
+} >"$work/water.c"
 # Unit balls at distance 1: each loses a cap of height 1/2. The gradient of the area is 2 pi along the axis.
 {
-  echo '#include <hardsphere_workspace.h>'
-  cat "${c_blocks[1]}"
+  block surface "$work"/languages/*.c
   cat <<'MAIN'
 #include <math.h>
 int main(void) {
@@ -29,18 +44,18 @@ int main(void) {
 }
 MAIN
 } >"$work/surface.c"
-for name in example surface; do
-  "$cc" -std=c99 -Wall -Wextra -Wpedantic -Wno-missing-prototypes -Wstrict-prototypes -Werror -I"$include" \
+for name in water surface; do
+  "$cc" -std=c99 -Wall -Wextra -Wpedantic -Wno-missing-prototypes -Wstrict-prototypes -Werror -I"$source/include" \
     -o "$work/$name" "$work/$name.c" "$archive" -lm
   "$work/$name"
   # Both are C++ as well.
-  "$cc" -x c++ -std=c++20 -Wall -Wpedantic -Werror -I"$include" -fsyntax-only "$work/$name.c"
+  "$cc" -x c++ -std=c++20 -Wall -Wpedantic -Werror -I"$source/include" -fsyntax-only "$work/$name.c"
 done
 
-if [ $# -ge 8 ]; then
-  fortran=$6 modules=$7 fortran_archive=$8
+if [ $# -ge 7 ]; then
+  fortran=$5 modules=$6 fortran_archive=$7
   {
-    cat "${fortran_blocks[0]}"
+    block surface "$work"/languages/*.fortran
     cat <<'MAIN'
 program check
   use hardsphere_workspace

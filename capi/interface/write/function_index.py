@@ -6,11 +6,12 @@ from .abi import versions
 OPENING = """\
 # All functions
 
-In the order in which `hardsphere.h` says to read the headers; what each function does in full, its arguments, statuses,
-properties and cost stand there. Behind each stand the statuses that it has besides `HSP_OK`, without `HSP_`, and the
-version since which it is declared as it is. Every function that takes a handle may also return `HSP_E_HANDLE`. The
-[tutorial](tutorial.md) shows the most important ones at work, [other programs](coming_from.md) says what you called
-before, and [splitting the work](splitting_the_work.md) which ones threads may share.
+This page lists the functions in the order in which `hardsphere.h` says to read the headers. Each header has the rest:
+arguments, properties, cost and what each status means. The statuses are those besides `HSP_OK`, without `HSP_`; every
+function that takes a handle may also return `HSP_E_HANDLE`. The last column is the version since which a function is
+declared as it is.
+
+Next: [the guide](README.md)
 """
 GENERATED = "<!-- Generated from the headers by capi/interface/generate.sh -->"
 
