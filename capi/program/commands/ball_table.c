@@ -1,54 +1,15 @@
 #include "commands/ball_table.h"
 
-#include "read/number.h"
-#include "write/ball_label.h"
-#include "write/csv.h"
-#include "write/report.h"
-
-/* The derivatives that there may be, in the order of the keys and columns. In tables each takes the four columns of
- * x, y, z and r instead. */
-enum derivative_kind { BY_CENTRE, BY_RADIUS };
-enum { DERIVATIVES = 6, QUANTITIES = 3, DERIVATIVE_WIDTH = 15 };
-
-struct derivative {
-  const char *quantity;
-  enum derivative_kind kind;
-  const double *values; /* NULL: not asked for */
-};
-
-static void list_derivatives(const struct measurement *measurement, struct derivative list[DERIVATIVES]) {
-  list[0] = (struct derivative){"area", BY_CENTRE, measurement->of_area.centre};
-  list[1] = (struct derivative){"volume", BY_CENTRE, measurement->of_volume.centre};
-  list[2] = (struct derivative){"area", BY_RADIUS, measurement->of_area.radius};
-  list[3] = (struct derivative){"volume", BY_RADIUS, measurement->of_volume.radius};
-  list[4] = (struct derivative){"weighted", BY_CENTRE, measurement->of_weighted_area.centre};
-  list[5] = (struct derivative){"weighted", BY_RADIUS, measurement->of_weighted_area.radius};
-}
-
-static void list_gradients(const struct measurement *measurement, const struct gradient *list[QUANTITIES]) {
-  list[0] = &measurement->of_area;
-  list[1] = &measurement->of_volume;
-  list[2] = &measurement->of_weighted_area;
-}
-
-static void print_titles(const struct gradient *const gradients[QUANTITIES], struct text_buffer *out) {
-  static const char *const titles[QUANTITIES][4] = {
-      {"dA/dx", "dA/dy", "dA/dz", "dA/dr"}, {"dV/dx", "dV/dy", "dV/dz", "dV/dr"}, {"dW/dx", "dW/dy", "dW/dz", "dW/dr"}};
-  for (int i = 0; i < QUANTITIES; ++i) {
-    for (int k = 0; k < 4 && gradients[i]->centre != NULL; ++k) {
-      text_buffer_add(out, "  %*s", DERIVATIVE_WIDTH, titles[i][k]);
-    }
-  }
-  text_buffer_add(out, "\n");
-}
+#include <math.h>
+#include <string.h>
 
 static double magnitude(double value) {
   return value < 0.0 ? -value : value;
 }
 
 /* Columns are easier to compare if all their numbers are written alike: with six decimals, unless the largest of a
- * gradient would not fit or would hardly show. */
-static bool suits_decimals(const struct gradient *gradient, uint32_t atoms) {
+ * gradient would not fit or would hardly show; then in powers of ten. */
+static int decimals_of(const struct gradient *gradient, uint32_t atoms) {
   double largest = 0.0;
   for (size_t i = 0; i < 3 * (size_t)atoms; ++i) {
     if (magnitude(gradient->centre[i]) > largest) largest = magnitude(gradient->centre[i]);
@@ -56,122 +17,78 @@ static bool suits_decimals(const struct gradient *gradient, uint32_t atoms) {
   for (size_t i = 0; i < atoms; ++i) {
     if (magnitude(gradient->radius[i]) > largest) largest = magnitude(gradient->radius[i]);
   }
-  return largest == 0.0 || (largest >= 1e-2 && largest < 1e7);
+  return largest == 0.0 || (largest >= 1e-2 && largest < 1e7) ? 6 : -8;
 }
 
-static void print_derivative(double value, bool with_decimals, struct text_buffer *out) {
-  if (!is_finite(value)) {
-    text_buffer_add(out, "  %*s", DERIVATIVE_WIDTH, "-");
-  } else if (with_decimals) {
-    text_buffer_add(out, "  %*.6f", DERIVATIVE_WIDTH, magnitude(value) < 5e-7 ? 0.0 : value); /* no "-0.000000" */
-  } else {
-    text_buffer_add(out, "  %*.8e", DERIVATIVE_WIDTH, value + 0.0);
-  }
+static void add(struct ball_table *made, struct column column, const double *values) {
+  const int k = made->table.count++;
+  made->columns[k] = column;
+  made->values[k] = values;
 }
 
-static void print_derivatives(const struct gradient *const gradients[QUANTITIES], const bool with_decimals[QUANTITIES],
-                              uint32_t ball, struct text_buffer *out) {
-  for (int i = 0; i < QUANTITIES; ++i) {
-    if (gradients[i]->centre == NULL) continue;
-    for (size_t axis = 0; axis < 3; ++axis) {
-      print_derivative(gradients[i]->centre[3 * (size_t)ball + axis], with_decimals[i], out);
+/* For programs, by the kind of the derivative; for persons, by what it is of. */
+static void add_derivatives(struct ball_table *made, const struct measurement *measurement) {
+  static const char *const gradients[] = {"area_gradient", "volume_gradient", "weighted_gradient"};
+  static const char *const by_radius[] = {"area_dr", "volume_dr", "weighted_dr"};
+  static const char *const titles[] = {"dA/dx dA/dy dA/dz", "dV/dx dV/dy dV/dz", "dW/dx dW/dy dW/dz"};
+  static const char *const titles_by_radius[] = {"dA/dr", "dV/dr", "dW/dr"};
+  enum { WIDTH = 15, QUANTITIES = 3 };
+  const struct gradient *const of[QUANTITIES] = {&measurement->of_area, &measurement->of_volume,
+                                                 &measurement->of_weighted_area};
+  for (int first = 0; first < QUANTITIES; first += 2) {
+    const int behind = first + 2 < QUANTITIES ? first + 2 : QUANTITIES;
+    for (int k = first; k < behind; ++k) {
+      const struct column column = {gradients[k], NULL, NULL, 0, COLUMN_GRADIENT, 0};
+      if (of[k]->centre != NULL) add(made, column, of[k]->centre);
     }
-    print_derivative(gradients[i]->radius[ball], with_decimals[i], out);
+    for (int k = first; k < behind; ++k) {
+      const struct column column = {by_radius[k], NULL, NULL, 0, COLUMN_DERIVATIVE, 0};
+      if (of[k]->radius != NULL) add(made, column, of[k]->radius);
+    }
   }
-  text_buffer_add(out, "\n");
+  for (int k = 0; k < QUANTITIES; ++k) {
+    if (of[k]->centre == NULL) continue;
+    const int decimals = decimals_of(of[k], made->rows.molecule->atoms);
+    add(made, (struct column){NULL, NULL, titles[k], WIDTH, COLUMN_GRADIENT, decimals}, of[k]->centre);
+    add(made, (struct column){NULL, NULL, titles_by_radius[k], WIDTH, COLUMN_DERIVATIVE, decimals}, of[k]->radius);
+  }
 }
 
-static void print_free_part(double area, double radius, struct text_buffer *out) {
+static double free_share(const struct ball_table *made, size_t ball) {
   const double four_pi = 12.566370614359172;
+  const double radius = made->rows.molecule->radius[ball] + made->probe;
   const double whole = four_pi * radius * radius;
-  if (whole > 0.0) {
-    text_buffer_add(out, "  %6.1f %%", 100.0 * (area / whole));
-  } else {
-    text_buffer_add(out, "  %8s", "-");
-  }
+  return whole > 0.0 ? 100.0 * (made->area[ball] / whole) : (double)NAN;
 }
 
-void ball_table_print(const struct request *request, const struct molecule *molecule,
-                      const struct measurement *measurement, struct text_buffer *out) {
-  const struct gradient *gradients[QUANTITIES];
-  bool with_decimals[QUANTITIES];
-  list_gradients(measurement, gradients);
-  for (int i = 0; i < QUANTITIES; ++i) {
-    with_decimals[i] = gradients[i]->centre != NULL && suits_decimals(gradients[i], molecule->atoms);
-  }
-  const struct ball_columns columns = ball_columns_of(molecule);
-  text_buffer_add(out, "\n");
-  report_ball_titles(out, columns);
-  text_buffer_add(out, "  %14s  %8s", "free area", "free");
-  print_titles(gradients, out);
-  for (uint32_t i = 0; i < molecule->atoms; ++i) {
-    char value[NUMBER_BYTES];
-    report_ball(out, columns, molecule, i);
-    text_buffer_add(out, "  %14s", column_text(value, molecule->format, measurement->area[i], 4));
-    print_free_part(measurement->area[i], molecule->radius[i] + request->probe, out);
-    print_derivatives(gradients, with_decimals, i, out);
-  }
-}
-
-void ball_table_json(const struct molecule *molecule, const struct measurement *measurement, struct text_buffer *out) {
-  struct derivative derivatives[DERIVATIVES];
-  list_derivatives(measurement, derivatives);
-  text_buffer_add(out, "[");
-  for (uint32_t i = 0; i < molecule->atoms; ++i) {
-    text_buffer_add(out, "%s{", i == 0 ? "" : ", ");
-    ball_label_json(molecule, i, out);
-    text_buffer_add(out, ", \"area\": ");
-    json_number(out, measurement->area[i]);
-    if (measurement->weights != NULL) {
-      text_buffer_add(out, ", \"weight\": ");
-      json_number(out, measurement->weights[i]);
-    }
-    for (const struct derivative *of = derivatives; of != derivatives + DERIVATIVES; ++of) {
-      if (of->values == NULL) continue;
-      text_buffer_add(out, ", \"%s_%s\": ", of->quantity, of->kind == BY_CENTRE ? "gradient" : "dr");
-      if (of->kind == BY_CENTRE) {
-        json_vector(out, of->values + 3 * (size_t)i);
-      } else {
-        json_number(out, of->values[i]);
-      }
-    }
-    text_buffer_add(out, "}");
-  }
-  text_buffer_add(out, "]");
-}
-
-static void csv_header(const struct file_format *format, const struct derivative derivatives[DERIVATIVES], bool weights,
-                       struct text_buffer *out) {
-  ball_label_csv_titles(format, "", out);
-  text_buffer_add(out, ",x,y,z,radius,area");
-  if (weights) text_buffer_add(out, ",weight");
-  for (const struct derivative *of = derivatives; of != derivatives + DERIVATIVES; ++of) {
-    const char *name = of->quantity;
-    if (of->values == NULL) continue;
-    if (of->kind == BY_CENTRE) {
-      text_buffer_add(out, ",%s_gradient_x,%s_gradient_y,%s_gradient_z", name, name, name);
+static bool row_of(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
+  const struct ball_table *const made = of;
+  (void)text;
+  for (int k = 0; k < made->table.count; ++k) {
+    const enum column_kind kind = made->columns[k].kind;
+    if (kind == COLUMN_POINT || kind == COLUMN_GRADIENT) {
+      cells[k].vector = made->values[k] + 3 * row;
     } else {
-      text_buffer_add(out, ",%s_dr", name);
+      cells[k].quantity = kind == COLUMN_SHARE ? free_share(made, row) : made->values[k][row];
     }
   }
-  text_buffer_add(out, "\n");
+  return true;
 }
 
-void ball_table_csv(const struct molecule *molecule, const struct measurement *measurement, struct text_buffer *out) {
-  struct derivative derivatives[DERIVATIVES];
-  list_derivatives(measurement, derivatives);
-  csv_header(molecule->format, derivatives, measurement->weights != NULL, out);
-  for (uint32_t i = 0; i < molecule->atoms; ++i) {
-    ball_label_csv(molecule, i, out);
-    csv_numbers(out, molecule->xyz + 3 * (size_t)i, 3);
-    csv_numbers(out, &molecule->radius[i], 1);
-    csv_numbers(out, &measurement->area[i], 1);
-    if (measurement->weights != NULL) csv_numbers(out, &measurement->weights[i], 1);
-    for (const struct derivative *of = derivatives; of != derivatives + DERIVATIVES; ++of) {
-      if (of->values == NULL) continue;
-      const int count = of->kind == BY_CENTRE ? 3 : 1;
-      csv_numbers(out, of->values + (size_t)count * i, count);
-    }
-    text_buffer_add(out, "\n");
+void ball_table_make(const struct molecule *molecule, const struct measurement *measurement, double probe,
+                     struct ball_table *made) {
+  memset(made, 0, sizeof *made);
+  made->rows = ball_rows_of(molecule, NULL);
+  made->area = measurement->area;
+  made->probe = probe;
+  made->table = (struct table){made->columns, 0, molecule->format, molecule->atoms, made, row_of, ball_rows_lead};
+  /* In JSON they are of the ball. */
+  add(made, (struct column){NULL, "x,y,z", NULL, 0, COLUMN_POINT, 0}, molecule->xyz);
+  add(made, (struct column){NULL, "radius", NULL, 0, COLUMN_QUANTITY, 0}, molecule->radius);
+  add(made, (struct column){"area", NULL, "free area", 14, COLUMN_QUANTITY, 4}, measurement->area);
+  add(made, (struct column){NULL, NULL, "free", 8, COLUMN_SHARE, 1}, NULL);
+  if (measurement->weights != NULL) {
+    add(made, (struct column){"weight", NULL, NULL, 0, COLUMN_QUANTITY, 0}, measurement->weights);
   }
+  add_derivatives(made, measurement);
 }

@@ -1,17 +1,23 @@
-/* Balls with their areas and derivatives, as a table, JSON or CSV. */
+/* Balls with their areas and derivatives. */
 #ifndef HARDSPHERE_TOOL_BALL_TABLE_H
 #define HARDSPHERE_TOOL_BALL_TABLE_H
 
 #include "commands/measurement.h"
-#include "commands/request.h"
 #include "read/molecule.h"
-#include "read/text_buffer.h"
+#include "write/ball_label.h"
+#include "write/table.h"
 
-void ball_table_print(const struct request *request, const struct molecule *molecule,
-                      const struct measurement *measurement, struct text_buffer *out);
-void ball_table_csv(const struct molecule *molecule, const struct measurement *measurement, struct text_buffer *out);
+/* The table, and what it is made of. */
+struct ball_table {
+  struct ball_rows rows;
+  const double *area;
+  double probe;
+  struct column columns[MOST_COLUMNS];
+  const double *values[MOST_COLUMNS]; /* of the columns, a number or a vector a ball; NULL: the free part of its area */
+  struct table table;
+};
 
-/* The list, in brackets, that stands under "balls". */
-void ball_table_json(const struct molecule *molecule, const struct measurement *measurement, struct text_buffer *out);
+void ball_table_make(const struct molecule *molecule, const struct measurement *measurement, double probe,
+                     struct ball_table *made);
 
 #endif

@@ -1,14 +1,14 @@
 /* hardsphere boundary: what the boundary of the union consists of. */
-#include <inttypes.h>
 #include <stdlib.h>
 
 #include "commands/commands.h"
 #include "commands/input_report.h"
 #include "commands/periodic_result.h"
-#include "write/table.h"
 
 /* The pieces of spheres are counted as the boundary has them; what hangs together is the topology's matter. */
 struct counted {
+  const struct periodic_result *box; /* or NULL; then there are counts as far as any are: nothing is outside */
+  bool listed;                       /* shells */
   hsp_boundary_counts boundary;
   hsp_topology_counts topology;
   int64_t euler;
@@ -18,40 +18,6 @@ struct counted {
 
 static uint32_t voids_of(const struct counted *counted) {
   return counted->topology.cells - 1;
-}
-
-/* The counts, of the boundary in a box as far as there are any: nothing is outside there. */
-enum { MOST_COUNTS = 16 };
-static size_t list_counts(const struct counted *counted, bool in_box, struct result list[MOST_COUNTS]) {
-  const hsp_boundary_counts *counts = &counted->boundary;
-  const hsp_topology_counts *topology = &counted->topology;
-  size_t count = 0;
-  list[count++] =
-      (struct result){"vertices", "vertices", counts->vertices, 0, "points on three spheres, outside all other balls"};
-  list[count++] = (struct result){"arcs", "arcs", counts->arcs, 0, "pieces of circles between two vertices"};
-  list[count++] = (struct result){"circles", "circles", counts->circles, 0, "whole circles of two spheres"};
-  list[count++] = (struct result){"faces", "faces", counts->faces, 0, "pieces of spheres"};
-  if (!in_box) {
-    const double buried = (double)counts->balls - counts->exposed_balls;
-    list[count++] = (struct result){"exposed_balls", "exposed balls", counts->exposed_balls, 0, "balls with a face"};
-    list[count++] = (struct result){NULL, "buried balls", buried, 0, "balls without a face"};
-  }
-  list[count++] =
-      (struct result){"shells", in_box ? "shells" : NULL, topology->shells, 0, "connected pieces of the boundary"};
-  list[count++] = (struct result){"components", in_box ? NULL : "components", topology->components, 0,
-                                  "connected pieces of the union"};
-  if (!in_box) {
-    list[count++] = (struct result){"voids", "voids", voids_of(counted), 0, "cavities enclosed by the union"};
-    list[count++] =
-        (struct result){NULL, "shells", topology->shells, 0, "connected pieces of the boundary: components + voids"};
-  }
-  list[count++] =
-      (struct result){"euler", "euler", (double)counted->euler, 0, "Euler characteristic, summed over the shells"};
-  if (!in_box && counts->tied_vertices > 0) {
-    list[count++] = (struct result){NULL, "tied vertices", counts->tied_vertices, 0,
-                                    "vertices with a fourth sphere or a tangency, decided by symbolic perturbation"};
-  }
-  return count;
 }
 
 static bool shell_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
@@ -86,37 +52,48 @@ static struct table table_of_shells(const struct molecule *molecule, const struc
       columns, sizeof columns / sizeof columns[0], molecule->format, counted->shell_count, counted, shell_row, NULL};
 }
 
-static void print(const struct request *request, const struct molecule *molecule, const struct counted *counted,
-                  const struct periodic_result *box, struct text_buffer *out) {
-  struct result counts[MOST_COUNTS];
-  const size_t count = list_counts(counted, box != NULL, counts);
+static void print(struct record *record, const void *of) {
+  const struct counted *const counted = of;
+  const hsp_boundary_counts *counts = &counted->boundary;
+  const hsp_topology_counts *topology = &counted->topology;
+  const struct table shells = table_of_shells(record->molecule, counted);
+  const struct periodic_result *const box = counted->box;
+  record_count(record, record->atoms, NULL, counts->balls, "");
+  record_count(record, "vertices", "vertices", counts->vertices, "points on three spheres, outside all other balls");
+  record_count(record, "arcs", "arcs", counts->arcs, "pieces of circles between two vertices");
+  record_count(record, "circles", "circles", counts->circles, "whole circles of two spheres");
+  record_count(record, "faces", "faces", counts->faces, "pieces of spheres");
+  if (box == NULL) {
+    record_count(record, "exposed_balls", "exposed balls", counts->exposed_balls, "balls with a face");
+    record_count(record, NULL, "buried balls", counts->balls - counts->exposed_balls, "balls without a face");
+  }
+  record_count(record, "shells", box != NULL ? "shells" : NULL, topology->shells, "connected pieces of the boundary");
+  record_count(record, "components", box != NULL ? NULL : "components", topology->components,
+               "connected pieces of the union");
+  if (box == NULL) {
+    record_count(record, "voids", "voids", voids_of(counted), "cavities enclosed by the union");
+    record_count(record, NULL, "shells", topology->shells, "connected pieces of the boundary: components + voids");
+  }
+  record_count(record, "euler", "euler", counted->euler, "Euler characteristic, summed over the shells");
+  if (box == NULL && counts->tied_vertices > 0) {
+    record_count(record, NULL, "tied vertices", counts->tied_vertices,
+                 "vertices with a fourth sphere or a tangency, decided by symbolic perturbation");
+  }
+  if (record->form == AS_JSON && counted->listed) record_table(record, "shell_list", &shells);
+  const bool line = record->form == AS_CSV || record->form == AS_CSV_TITLES;
+  if (box != NULL && !line) periodic_result_record(record, box);
+  if (record->form == FOR_PERSONS && counted->shell_count > (counted->listed ? 0 : 1)) {
+    record_table(record, NULL, &shells);
+  }
+}
+
+static void print_all(const struct request *request, const struct molecule *molecule, const struct counted *counted,
+                      struct text_buffer *out) {
   const struct table shells = table_of_shells(molecule, counted);
-  if (request->json) {
-    text_buffer_add(out, "{\"n\": %" PRIu32, counted->boundary.balls);
-    results_json(counts, count, out);
-    if (request->shells) {
-      text_buffer_add(out, ", \"shell_list\": ");
-      table_json(&shells, out);
-    }
-    if (box != NULL) periodic_result_json(box, out);
-    input_report_json(out, request, molecule);
-    text_buffer_add(out, "}\n");
-  } else if (request->csv && request->shells) {
+  if (request->csv && request->shells) {
     table_csv(&shells, out);
-  } else if (request->csv) {
-    text_buffer_add(out, "balls,");
-    results_csv_titles(counts, count, out);
-    text_buffer_add(out, "\n%" PRIu32 ",", counted->boundary.balls);
-    results_csv(counts, count, out);
-    text_buffer_add(out, "\n");
   } else {
-    report_heading(out, request, molecule);
-    results_print(counts, count, RESULT_WIDTH, "", out);
-    if (box != NULL) periodic_result_rows(box, molecule->format->unit, out);
-    if (counted->shell_count > 1 || (request->shells && counted->shell_count > 0)) {
-      text_buffer_add(out, "\n");
-      table_print(&shells, out);
-    }
+    report(request, molecule, print, counted, out);
   }
 }
 
@@ -125,7 +102,7 @@ static bool count_in_box(const struct request *request, const struct molecule *m
   struct periodic_result result;
   const bool done = periodic_result_make(request, molecule, geometry, &result, failure);
   const hsp_periodic_counts *counts = &result.counts;
-  struct counted counted = {.euler = counts->euler};
+  struct counted counted = {.box = &result, .listed = request->shells, .euler = counts->euler};
   counted.boundary.balls = counts->balls;
   counted.boundary.vertices = counts->vertices;
   counted.boundary.arcs = counts->arcs;
@@ -133,7 +110,7 @@ static bool count_in_box(const struct request *request, const struct molecule *m
   counted.boundary.faces = counts->faces;
   counted.topology.shells = counts->shells;
   counted.topology.components = counts->components;
-  if (done) print(request, molecule, &counted, &result, out);
+  if (done) print_all(request, molecule, &counted, out);
   periodic_result_free(&result);
   return done;
 }
@@ -142,14 +119,14 @@ bool command_boundary(const struct request *request, const struct molecule *mole
                       struct text_buffer *out, struct failure *failure) {
   if (request->box.source != BOX_NONE) return count_in_box(request, molecule, geometry, out, failure);
   if (!geometry_compute_topology(geometry, failure)) return false;
-  struct counted counted;
+  struct counted counted = {.listed = request->shells};
   int32_t status = hsp_boundary_get_counts(geometry->work.boundary, &counted.boundary);
   if (status == HSP_OK) status = hsp_topology_get_counts(geometry->work.topology, &counted.topology);
   if (status != HSP_OK) return failure_in_library(failure, status);
   if (!geometry_list_shells(geometry, &counted.shells, &counted.shell_count, failure)) return false;
   const hsp_topology_counts *topology = &counted.topology;
   counted.euler = (int64_t)topology->vertices - (int64_t)topology->edges + (int64_t)topology->simple_faces;
-  print(request, molecule, &counted, NULL, out);
+  print_all(request, molecule, &counted, out);
   free(counted.shells);
   return true;
 }

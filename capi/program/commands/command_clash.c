@@ -1,6 +1,5 @@
 /* hardsphere clash: a molecule against another one that is turned and moved. */
 #include <inttypes.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -8,7 +7,6 @@
 #include "commands/input_report.h"
 #include "read/geometry.h"
 #include "write/ball_label.h"
-#include "write/report.h"
 
 /* What is found, and the bodies that it is found with. */
 struct clash {
@@ -113,32 +111,11 @@ static bool find(const struct molecule_request *moving, struct clash *clash, str
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
-static void input_json(const char *key, const struct molecule_request *one, struct text_buffer *out) {
-  text_buffer_add(out, ", \"%s\": {\"n\": %" PRIu32, key, one->molecule->atoms);
-  input_report_json(out, one->request, one->molecule);
-  text_buffer_add(out, "}");
-}
-
-static void print_json(const struct molecule_request *const both[2], const struct clash *clash,
-                       struct text_buffer *out) {
-  text_buffer_add(out, "{\"hit\": %s, \"pairs\": [", clash->overlap.pairs > 0 ? "true" : "false");
-  for (uint32_t k = 0; k < clash->overlap.pairs; ++k) {
-    text_buffer_add(out, "%s[%" PRIu32 ", %" PRIu32 "]", k > 0 ? ", " : "", clash->pair[2 * (size_t)k],
-                    clash->pair[2 * (size_t)k + 1]);
-  }
-  text_buffer_add(out, "], \"gap\": ");
-  json_number(out, clash->gap.gap);
-  text_buffer_add(out, ", \"nearest\": [%" PRIu32 ", %" PRIu32 "], \"overlap_volume\": ", clash->gap.fixed,
-                  clash->gap.moving);
-  json_number(out, clash->overlap.volume);
-  text_buffer_add(out, ", \"nearest_balls\": [{");
-  ball_label_json(both[0]->molecule, clash->gap.fixed, out);
-  text_buffer_add(out, "}, {");
-  ball_label_json(both[1]->molecule, clash->gap.moving, out);
-  text_buffer_add(out, "}]");
-  input_json("fixed", both[0], out);
-  input_json("moving", both[1], out);
-  text_buffer_add(out, "}\n");
+static void add_input(struct record *record, const char *key, const struct molecule_request *one) {
+  if (!record_key(record, key)) return;
+  text_buffer_add(record->out, "{\"n\": %" PRIu32, one->molecule->atoms);
+  input_report_json(record->out, one->request, one->molecule);
+  text_buffer_add_text(record->out, "}");
 }
 
 /* Both nearest balls in the columns that either file has something for. */
@@ -157,20 +134,40 @@ static void print_nearest(const struct molecule_request *const both[2], const st
     text_buffer_add(out, "\n  %-8s", k == 0 ? "first" : "second");
     report_ball(out, columns, both[k]->molecule, nearest[k]);
   }
-  text_buffer_add(out, "\n");
+  text_buffer_add_text(out, "\n");
 }
 
-static void print_table(const struct molecule_request *const both[2], const struct clash *clash,
-                        struct text_buffer *out) {
-  char value[NUMBER_BYTES], remark[100];
-  const char *const unit = both[0]->molecule->format->unit;
-  for (int k = 0; k < 2; ++k) report_heading(out, both[k]->request, both[k]->molecule);
-  snprintf(remark, sizeof remark, "%s, of the two balls below", unit);
-  report_row_count(out, "pairs", clash->overlap.pairs, "of balls that meet");
-  report_row(out, "least gap", quantity_text(value, clash->gap.gap, 6), remark);
-  snprintf(remark, sizeof remark, "%s^3, summed pair by pair", unit);
-  report_row(out, "overlap", quantity_text(value, clash->overlap.volume, 6), remark);
-  print_nearest(both, clash, out);
+static void print(const struct molecule_request *const both[2], const struct clash *clash, struct text_buffer *out) {
+  const bool json = both[0]->request->json;
+  const uint32_t pairs = clash->overlap.pairs, nearest[2] = {clash->gap.fixed, clash->gap.moving};
+  struct record record = {json ? AS_JSON : FOR_PERSONS, both[0]->molecule, NULL, VALUE_WIDTH, false, out};
+  if (json) text_buffer_add_text(out, "{");
+  for (int k = 0; k < 2 && !json; ++k) report_heading(out, both[k]->request, both[k]->molecule);
+  record_whether(&record, "hit", NULL, pairs > 0, "");
+  record_count(&record, NULL, "pairs", pairs, "of balls that meet");
+  if (record_key(&record, "pairs")) {
+    text_buffer_add_text(out, "[");
+    for (uint32_t k = 0; k < pairs; ++k) {
+      if (k > 0) text_buffer_add_text(out, ", ");
+      json_counts(out, clash->pair + 2 * (size_t)k, 2);
+    }
+    text_buffer_add_text(out, "]");
+  }
+  record_number(&record, "gap", "least gap", clash->gap.gap, 6, "@, of the two balls below");
+  record_counts(&record, "nearest", nearest, 2);
+  record_number(&record, "overlap_volume", "overlap", clash->overlap.volume, 6, "@^3, summed pair by pair");
+  if (!json) {
+    print_nearest(both, clash, out);
+    return;
+  }
+  text_buffer_add_text(out, ", \"nearest_balls\": [{");
+  ball_label_json(both[0]->molecule, nearest[0], out);
+  text_buffer_add_text(out, "}, {");
+  ball_label_json(both[1]->molecule, nearest[1], out);
+  text_buffer_add_text(out, "}]");
+  add_input(&record, "fixed", both[0]);
+  add_input(&record, "moving", both[1]);
+  text_buffer_add_text(out, "}\n");
 }
 
 bool command_clash(const struct molecule_request *fixed, const struct molecule_request *moving, struct text_buffer *out,
@@ -183,8 +180,7 @@ bool command_clash(const struct molecule_request *fixed, const struct molecule_r
   struct clash clash;
   memset(&clash, 0, sizeof clash);
   const bool done = set_models(both, &clash, failure) && make_bodies(&clash, failure) && find(moving, &clash, failure);
-  if (done && fixed->request->json) print_json(both, &clash, out);
-  if (done && !fixed->request->json) print_table(both, &clash, out);
+  if (done) print(both, &clash, out);
   clash_free(&clash);
   return done;
 }

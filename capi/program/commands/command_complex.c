@@ -1,43 +1,43 @@
 /* hardsphere complex: the dual complex of the union, its simplices by kind, and its topology. */
-#include <inttypes.h>
-
 #include "commands/commands.h"
 #include "commands/input_report.h"
-#include "write/report.h"
 
-static void counts_json(const char *name, const uint32_t counts[4], struct text_buffer *out) {
-  text_buffer_add(out, "\"%s\": [%" PRIu32 ", %" PRIu32 ", %" PRIu32 ", %" PRIu32 "]", name, counts[0], counts[1],
-                  counts[2], counts[3]);
-}
-
-static void print_json(const struct request *request, const struct molecule *molecule, const hsp_complex *found,
-                       struct text_buffer *out) {
-  text_buffer_add(out, "{\"n\": %" PRIu32 ", \"simplices\": {", molecule->atoms);
-  counts_json("singular", found->singular, out);
-  text_buffer_add(out, ", ");
-  counts_json("regular", found->regular, out);
-  text_buffer_add(out, ", ");
-  counts_json("interior", found->interior, out);
-  text_buffer_add(out, "}, \"euler\": %" PRId32 ", \"betti\": [%" PRIu32 ", %" PRIu32 ", %" PRIu32 "]", found->euler,
-                  found->betti[0], found->betti[1], found->betti[2]);
-  input_report_json(out, request, molecule);
-  text_buffer_add(out, "}\n");
-}
-
-static void print_table(const struct request *request, const struct molecule *molecule, const hsp_complex *found,
-                        struct text_buffer *out) {
+/* Simplices of one dimension, by kind; in JSON it is the other way round. */
+static bool row_of(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
   static const char *const names[4] = {"balls", "edges", "triangles", "tetrahedra"};
-  report_heading(out, request, molecule);
-  report_row_count(out, "components", found->betti[0], "connected pieces of the union");
-  report_row_count(out, "tunnels", found->betti[1], "independent ways through it");
-  report_row_count(out, "voids", found->betti[2], "cavities enclosed by it");
-  report_row_count(out, "euler", found->euler, "balls - edges + triangles - tetrahedra");
-  text_buffer_add(out, "\n  %-16s  %10s  %10s  %10s  %10s\n", "simplices", "singular", "regular", "interior", "all");
-  for (int d = 0; d < 4; ++d) {
-    text_buffer_add(out, "  %-16s  %10" PRIu32 "  %10" PRIu32 "  %10" PRIu32 "  %10" PRIu32 "\n", names[d],
-                    found->singular[d], found->regular[d], found->interior[d],
-                    found->singular[d] + found->regular[d] + found->interior[d]);
+  const hsp_complex *const complex = of;
+  (void)text;
+  cells[0].text = names[row];
+  cells[1].count = complex->singular[row];
+  cells[2].count = complex->regular[row];
+  cells[3].count = complex->interior[row];
+  cells[4].count = cells[1].count + cells[2].count + cells[3].count;
+  return true;
+}
+
+static void print(struct record *record, const void *of) {
+  static const struct column columns[] = {
+      {NULL, NULL, "simplices", -16, COLUMN_TEXT, 0}, {NULL, NULL, "singular", 10, COLUMN_COUNT, 0},
+      {NULL, NULL, "regular", 10, COLUMN_COUNT, 0},   {NULL, NULL, "interior", 10, COLUMN_COUNT, 0},
+      {NULL, NULL, "all", 10, COLUMN_COUNT, 0},
+  };
+  const hsp_complex *const complex = of;
+  const struct table simplices = {columns, 5, record->molecule->format, 4, complex, row_of, NULL};
+  record_atoms(record);
+  record_count(record, NULL, "components", complex->betti[0], "connected pieces of the union");
+  record_count(record, NULL, "tunnels", complex->betti[1], "independent ways through it");
+  record_count(record, NULL, "voids", complex->betti[2], "cavities enclosed by it");
+  if (record_key(record, "simplices")) {
+    struct record kinds = {.form = AS_JSON, .out = record->out};
+    text_buffer_add_text(record->out, "{");
+    record_counts(&kinds, "singular", complex->singular, 4);
+    record_counts(&kinds, "regular", complex->regular, 4);
+    record_counts(&kinds, "interior", complex->interior, 4);
+    text_buffer_add_text(record->out, "}");
   }
+  record_count(record, "euler", "euler", complex->euler, "balls - edges + triangles - tetrahedra");
+  record_counts(record, "betti", complex->betti, 3);
+  record_table(record, NULL, &simplices);
 }
 
 bool command_complex(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
@@ -46,10 +46,6 @@ bool command_complex(const struct request *request, const struct molecule *molec
   hsp_complex found;
   const int32_t status = hsp_contacts_get_complex(geometry->work.contacts, &found);
   if (status != HSP_OK) return failure_in_library(failure, status);
-  if (request->json) {
-    print_json(request, molecule, &found, out);
-  } else {
-    print_table(request, molecule, &found, out);
-  }
+  report(request, molecule, print, &found, out);
   return true;
 }

@@ -12,8 +12,6 @@
 #include "write/ball_label.h"
 #include "write/csv.h"
 #include "write/output_file.h"
-#include "write/report.h"
-#include "write/table.h"
 
 /* All that is printed. Arrays that were not asked for are NULL. */
 struct findings {
@@ -150,25 +148,25 @@ static const char *group_name(char out[GROUP_NAME_BYTES], const struct molecule 
 
 /* What tables are about. */
 struct listed {
+  struct ball_rows rows;
   const struct request *request;
-  const struct molecule *molecule;
   const struct findings *found;
-  struct ball_columns columns;
 };
 
 /* The two balls of a contact. */
 static void lead_pair(const void *of, size_t row, enum form form, struct text_buffer *out) {
   const struct listed *listed = of;
-  const struct molecule *molecule = listed->molecule;
+  const struct molecule *molecule = listed->rows.molecule;
   const bool titles = row == TABLE_TITLES;
   const uint32_t *const ball = titles ? NULL : listed->found->contacts[row].ball;
-  if (form == AS_JSON) text_buffer_add(out, "\"balls\": [%" PRIu32 ", %" PRIu32 "]", ball[0], ball[1]);
+  if (form == AS_JSON) text_buffer_add_text(out, "\"balls\": ");
+  if (form == AS_JSON) json_counts(out, ball, 2);
   for (int side = 0; side < 2 && form != AS_JSON; ++side) {
-    if (form == AS_CSV && side == 1) text_buffer_add(out, ",");
-    if (form == AS_CSV && titles) ball_label_csv_titles(molecule->format, side == 0 ? "_1" : "_2", out);
-    if (form == AS_CSV && !titles) ball_label_csv(molecule, ball[side], out);
-    if (form == FOR_PERSONS && titles) report_name_titles(out, listed->columns, side == 0 ? "first" : "second");
-    if (form == FOR_PERSONS && !titles) report_name(out, listed->columns, molecule, ball[side]);
+    if (form != FOR_PERSONS && side == 1) text_buffer_append(out, ",", 1);
+    if (form == AS_CSV_TITLES) ball_label_csv_titles(molecule->format, side == 0 ? "_1" : "_2", out);
+    if (form == AS_CSV) ball_label_csv(molecule, ball[side], out);
+    if (form == FOR_PERSONS && titles) report_name_titles(out, listed->rows.columns, side == 0 ? "first" : "second");
+    if (form == FOR_PERSONS && !titles) report_name(out, listed->rows.columns, molecule, ball[side]);
   }
 }
 
@@ -194,15 +192,15 @@ static void lead_between(const void *of, size_t row, enum form form, struct text
   for (int side = 0; side < 2; ++side) {
     if (row == TABLE_TITLES) {
       if (form == FOR_PERSONS) text_buffer_add(out, "  %14s", side == 0 ? "first" : "second");
-      for (int i = 0; form == AS_CSV && i < (residues ? 4 : 1); ++i) {
+      for (int i = 0; form == AS_CSV_TITLES && i < (residues ? 4 : 1); ++i) {
         text_buffer_add(out, "%s%s_%d", side + i == 0 ? "" : ",", keys[i], side + 1);
       }
       continue;
     }
     const uint32_t group = found->between[row].group[side];
-    const struct residue_label *label = &listed->molecule->label[found->groups.group[group].first].residue;
+    const struct residue_label *label = &listed->rows.molecule->label[found->groups.group[group].first].residue;
     const char *const texts[] = {label->chain, label->name, label->number, label->insertion};
-    group_name(name, listed->molecule, &found->groups, group);
+    group_name(name, listed->rows.molecule, &found->groups, group);
     if (form == FOR_PERSONS) text_buffer_add(out, "  %14s", name);
     if (form == AS_JSON && side == 1) text_buffer_add(out, ", ");
     if (form == AS_JSON) json_text(out, name);
@@ -222,14 +220,6 @@ static bool between_row(const void *of, size_t row, union cell cells[MOST_COLUMN
   cells[1].quantity = sum->edge;
   cells[2].count = sum->contacts;
   return sum->area >= listed->request->least;
-}
-
-/* The ball of a cell, for persons; in JSON the order tells. */
-static void lead_cell(const void *of, size_t row, enum form form, struct text_buffer *out) {
-  const struct listed *listed = of;
-  if (form != FOR_PERSONS) return;
-  if (row == TABLE_TITLES) report_ball_titles(out, listed->columns);
-  if (row != TABLE_TITLES) report_ball(out, listed->columns, listed->molecule, (uint32_t)row);
 }
 
 static bool cell_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
@@ -255,7 +245,7 @@ static struct table table_of_pairs(const struct listed *listed) {
       {"atom_pairs", NULL, "atom pairs", 14, COLUMN_COUNT, 0},
   };
   const struct findings *found = listed->found;
-  const struct file_format *format = listed->molecule->format;
+  const struct file_format *format = listed->rows.molecule->format;
   if (listed->request->by != GROUPING_NONE) {
     return (struct table){between_columns, 3, format, found->between_count, listed, between_row, lead_between};
   }
@@ -269,72 +259,29 @@ static struct table table_of_cells(const struct listed *listed) {
       {"area", NULL, "free area, @^2", 21, COLUMN_QUANTITY, 4},
       {"contact", NULL, "contact area, @^2", 24, COLUMN_QUANTITY, 4},
   };
-  return (struct table){columns, 3, listed->molecule->format, listed->molecule->atoms, listed, cell_row, lead_cell};
+  return (struct table){columns, 3,        listed->rows.molecule->format, listed->rows.molecule->atoms,
+                        listed,  cell_row, ball_rows_lead_silent};
 }
 
-/* The balls that pairs and cells are about. */
-static void balls_json(const struct molecule *molecule, struct text_buffer *out) {
-  text_buffer_add(out, ", \"balls\": [");
-  for (uint32_t i = 0; i < molecule->atoms; ++i) {
-    text_buffer_add(out, "%s{", i == 0 ? "" : ", ");
-    ball_label_json(molecule, i, out);
-    text_buffer_add(out, "}");
-  }
-  text_buffer_add(out, "]");
-}
-
-/* Single numbers, `count` of them before those of the box in a row of a frame. */
-static size_t list_totals(const struct findings *found, struct result list[5]) {
-  size_t count = 0;
-  list[count++] = (struct result){"contacts", NULL, found->contact_count, 0, ""};
-  list[count++] = (struct result){"area", "area", found->totals.area, 10, "@^2, of all contacts, each once"};
-  list[count++] = (struct result){"volume", "volume", found->totals.volume, 10, "@^3, of all cells"};
-  if (found->box.periodic == NULL) return count;
-  list[count++] = (struct result){"box_volume", NULL, found->box.totals.box_volume, 0, ""};
-  list[count++] = (struct result){"free_volume", NULL, found->box.totals.free_volume, 0, ""};
-  return count;
-}
-
-static void print_json(const struct listed *listed, struct text_buffer *out) {
-  const struct request *request = listed->request;
-  const struct findings *found = listed->found;
+static void print(struct record *record, const void *of) {
+  const struct listed *const listed = of;
+  const struct findings *const found = listed->found;
+  const struct request *const request = listed->request;
+  const struct periodic_result *const box = found->box.periodic == NULL ? NULL : &found->box;
   const struct table pairs = table_of_pairs(listed), cells = table_of_cells(listed);
-  struct result totals[5];
-  list_totals(found, totals);
-  text_buffer_add(out, "{");
-  json_frame(out, &listed->molecule->frame);
-  text_buffer_add(out, "\"n\": %" PRIu32, listed->molecule->atoms);
-  results_json(totals, 2, out);
-  text_buffer_add(out, ", \"pairs\": ");
-  table_json(&pairs, out);
-  if (request->cells) {
-    text_buffer_add(out, ", \"cells\": ");
-    table_json(&cells, out);
+  const bool json = record->form == AS_JSON;
+  record_atoms(record);
+  record_count(record, "contacts", "contacts", found->contact_count, "pairs of balls whose cells of the union meet");
+  record->width = 0;
+  record_number(record, "area", "area", found->totals.area, 10, "@^2, of all contacts, each once");
+  record_number(record, json ? NULL : "volume", "volume", found->totals.volume, 10, "@^3, of all cells");
+  if (box != NULL && !json) periodic_result_record(record, box);
+  if (json || found->contact_count > 0) record_table(record, "pairs", &pairs);
+  if (request->cells) record_table(record, "cells", &cells);
+  if ((request->by == GROUPING_NONE || request->cells) && record_key(record, "balls")) {
+    ball_labels_json(record->molecule, record->out);
   }
-  if (request->by == GROUPING_NONE || request->cells) balls_json(listed->molecule, out);
-  if (found->box.periodic != NULL) periodic_result_json(&found->box, out);
-  input_report_json(out, request, listed->molecule);
-  text_buffer_add(out, "}\n");
-}
-
-static void print_tables(const struct listed *listed, struct text_buffer *out) {
-  const struct findings *found = listed->found;
-  const char *unit = listed->molecule->format->unit;
-  const struct table pairs = table_of_pairs(listed), cells = table_of_cells(listed);
-  struct result totals[5];
-  list_totals(found, totals);
-  report_heading(out, listed->request, listed->molecule);
-  report_row_count(out, "contacts", found->contact_count, "pairs of balls whose cells of the union meet");
-  results_print(totals, 3, 0, unit, out);
-  if (found->box.periodic != NULL) periodic_result_rows(&found->box, unit, out);
-  if (found->contact_count > 0) {
-    text_buffer_add(out, "\n");
-    table_print(&pairs, out);
-  }
-  if (listed->request->cells) {
-    text_buffer_add(out, "\n");
-    table_print(&cells, out);
-  }
+  if (box != NULL && json) periodic_result_record(record, box);
 }
 
 /* What is listed, as a picture. */
@@ -353,20 +300,6 @@ static bool write_map(const struct request *request, const struct molecule *mole
   const bool done = contact_map_write(&map, request->map, failure);
   free(squares);
   return done;
-}
-
-/* A row of the table of frames. */
-static void print_frame(const struct molecule *molecule, const struct findings *found, struct text_buffer *out) {
-  struct result totals[5];
-  const size_t count = list_totals(found, totals);
-  if (molecule->frame.first) {
-    csv_frame_titles(out);
-    results_csv_titles(totals, count, out);
-    text_buffer_add(out, "\n");
-  }
-  csv_frame(out, molecule);
-  results_csv(totals, count, out);
-  text_buffer_add(out, "\n");
 }
 
 static bool find_all(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
@@ -392,16 +325,12 @@ bool command_contacts(const struct request *request, const struct molecule *mole
     findings_free(&found);
     return done;
   }
-  const struct listed listed = {request, molecule, &found, ball_columns_of(molecule)};
+  const struct listed listed = {ball_rows_of(molecule, NULL), request, &found};
   const struct table pairs = table_of_pairs(&listed);
-  if (done && request->json) {
-    print_json(&listed, out);
-  } else if (done && molecule->frame.number > 0) {
-    print_frame(molecule, &found, out);
-  } else if (done && request->csv) {
+  if (done && request->csv && molecule->frame.number == 0) {
     table_csv(&pairs, out);
   } else if (done) {
-    print_tables(&listed, out);
+    report(request, molecule, print, &listed, out);
   }
   findings_free(&found);
   return done;

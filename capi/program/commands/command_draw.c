@@ -279,84 +279,69 @@ static bool draw(const struct request *request, const struct molecule *molecule,
   return done;
 }
 
-static void print_json(const struct request *request, const struct molecule *molecule, const struct drawn *drawn,
-                       struct text_buffer *out) {
-  text_buffer_add(out, "{\"n\": %" PRIu32 ", \"pieces\": %" PRIu32 ", \"arcs\": %" PRIu32 ", \"bytes\": %" PRIu64,
-                  molecule->atoms, drawn->view.pieces, drawn->view.arcs, drawn->bytes);
-  if (drawing_is_of_sticks(&request->drawing)) text_buffer_add(out, ", \"sticks\": %" PRIu32, drawn->sticks);
-  if (request->drawing.spin > 0) text_buffer_add(out, ", \"pictures\": %d", request->drawing.spin);
-  text_buffer_add(out,
-                  ", \"style\": \"%s\", \"palette\": \"%s\", \"width\": ", drawing_style_name(drawn->options.style),
-                  drawn->palette.name);
-  json_number(out, drawn->options.width);
-  text_buffer_add(out, ", \"height\": ");
-  json_number(out, drawn->options.height);
-  text_buffer_add(out, ", \"occlusion\": ");
-  json_number(out, drawn->occlusion);
-  if (drawn->palette.remark == NULL) {
-    text_buffer_add(out, ", \"range\": [");
-    json_number(out, drawn->palette.low);
-    text_buffer_add(out, ", ");
-    json_number(out, drawn->palette.high);
-    text_buffer_add(out, "]");
-  }
-  input_report_json(out, request, molecule);
-  text_buffer_add(out, "}\n");
-}
+/* What is printed. */
+struct found {
+  const struct request *request;
+  struct drawn drawn;
+};
 
-static void print_table(const struct request *request, const struct molecule *molecule, const struct drawn *drawn,
-                        struct text_buffer *out) {
-  char value[160];
-  char towards[DIRECTION_BYTES];
-  char up[DIRECTION_BYTES];
-  report_heading(out, request, molecule);
+static void print(struct record *record, const void *of) {
+  const struct request *const request = ((const struct found *)of)->request;
+  const struct drawn *const drawn = &((const struct found *)of)->drawn;
+  const struct ball_palette *const palette = &drawn->palette;
+  const bool of_map = drawing_is_of_map(&request->drawing), of_sticks = drawing_is_of_sticks(&request->drawing);
+  const int pictures = request->drawing.spin;
+  char value[160], remark[80], occlusion[NUMBER_BYTES], towards[DIRECTION_BYTES], up[DIRECTION_BYTES];
   snprintf(value, sizeof value, "%s, %s, %.6g x %.6g %s", drawing_format_name(drawn->options.format),
            drawing_style_name(drawn->options.style), drawn->options.width, drawn->options.height,
            drawn->options.unit == HSP_UNIT_MM ? "mm" : "px");
-  report_row(out, "picture", value, "");
-  if (request->drawing.spin > 0) {
-    report_row_count(out, "pictures", request->drawing.spin, "of one turn, numbered from 000; view: that of the first");
+  record_text(record, NULL, "picture", value, "");
+  if (pictures > 0) {
+    record_count(record, NULL, "pictures", pictures, "of one turn, numbered from 000; view: that of the first");
   }
   snprintf(value, sizeof value, "%s towards the viewer, %s up", direction_text(towards, drawn->view.towards),
            direction_text(up, drawn->view.up));
-  report_row(out, "view", value, "");
-  char remark[80];
-  const bool falls = drawn->palette.falls;
-  snprintf(remark, sizeof remark, "from %s at %.6g to %s at %.6g", falls ? "red" : "blue", drawn->palette.low,
-           falls ? "blue" : "red", drawn->palette.high);
-  report_row(out, "palette", drawn->palette.name, drawn->palette.remark != NULL ? drawn->palette.remark : remark);
-  snprintf(value, sizeof value, "%.6g", drawn->occlusion);
-  report_row(out, "occlusion", value, drawn->occlusion > 0.0 ? "buried balls are darker" : "no ball is darkened");
-  const bool of_map = drawing_is_of_map(&request->drawing);
-  const bool of_sticks = drawing_is_of_sticks(&request->drawing);
+  record_text(record, NULL, "view", value, "");
+  snprintf(remark, sizeof remark, "from %s at %.6g to %s at %.6g", palette->falls ? "red" : "blue", palette->low,
+           palette->falls ? "blue" : "red", palette->high);
+  record_text(record, NULL, "palette", palette->name, palette->remark != NULL ? palette->remark : remark);
+  snprintf(occlusion, sizeof occlusion, "%.6g", drawn->occlusion);
+  record_text(record, NULL, "occlusion", occlusion,
+              drawn->occlusion > 0.0 ? "buried balls are darker" : "no ball is darkened");
   if (of_sticks) {
-    report_row_count(
-        out, "sticks", drawn->sticks,
-        molecule->bonds > 0 ? "bonds by CONECT records, else by covalent radii" : "bonds by covalent radii");
+    record_count(
+        record, NULL, "sticks", drawn->sticks,
+        record->molecule->bonds > 0 ? "bonds by CONECT records, else by covalent radii" : "bonds by covalent radii");
   }
-  report_row_count(out, "pieces", drawn->view.pieces,
-                   of_sticks ? "balls, sticks and halves of sticks"
-                   : of_map  ? "balls, side by side"
-                             : "painted one over the other, farthest first");
-  report_row_count(out, "arcs", drawn->view.arcs,
-                   of_sticks ? "of circles, ellipses and lines around them"
-                   : of_map  ? "of circles and ellipses between them"
-                             : "of circles and ellipses around them");
-  report_row_count(out, "bytes", (int64_t)drawn->bytes, "");
+  record_atoms(record);
+  record_count(record, "pieces", "pieces", drawn->view.pieces,
+               of_sticks ? "balls, sticks and halves of sticks"
+               : of_map  ? "balls, side by side"
+                         : "painted one over the other, farthest first");
+  record_count(record, "arcs", "arcs", drawn->view.arcs,
+               of_sticks ? "of circles, ellipses and lines around them"
+               : of_map  ? "of circles and ellipses between them"
+                         : "of circles and ellipses around them");
+  record_count(record, "bytes", "bytes", (int64_t)drawn->bytes, "");
+  if (of_sticks) record_count(record, "sticks", NULL, drawn->sticks, "");
+  if (pictures > 0) record_count(record, "pictures", NULL, pictures, "");
+  record_text(record, "style", NULL, drawing_style_name(drawn->options.style), "");
+  record_text(record, "palette", NULL, palette->name, "");
+  record_number(record, "width", NULL, drawn->options.width, 0, "");
+  record_number(record, "height", NULL, drawn->options.height, 0, "");
+  record_number(record, "occlusion", NULL, drawn->occlusion, 0, "");
+  const double range[2] = {palette->low, palette->high};
+  if (palette->remark == NULL) record_numbers(record, "range", range, 2);
 }
 
 bool command_draw(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                   struct text_buffer *out, struct failure *failure) {
-  struct drawn drawn;
-  memset(&drawn, 0, sizeof drawn);
-  const bool done = draw(request, molecule, geometry, &drawn, failure);
-  if (!done || output_is_standard(request->drawing.out)) return done;
-  if (request->json) {
-    print_json(request, molecule, &drawn, out);
-  } else {
-    print_table(request, molecule, &drawn, out);
-  }
-  return done;
+  struct found found;
+  memset(&found, 0, sizeof found);
+  found.request = request;
+  if (!draw(request, molecule, geometry, &found.drawn, failure)) return false;
+  if (!output_is_standard(request->drawing.out)) report(request, molecule, print, &found, out);
+  return true;
 }
 
 /* Whether the file says what colours are to stand for, and what labels name. */

@@ -1,5 +1,4 @@
 /* hardsphere gate: the widest probe that gets from one point to another, or to the outside, and what stops it. */
-#include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -8,7 +7,7 @@
 #include "commands/input_report.h"
 #include "commands/space_geometry.h"
 #include "commands/void_list.h"
-#include "write/report.h"
+#include "write/ball_label.h"
 
 /* Where the way begins and ends. */
 struct ends {
@@ -23,62 +22,44 @@ static uint32_t gate_balls(const hsp_widest_probe *widest) {
   return count;
 }
 
-static void print_json(const struct request *request, const struct molecule *molecule, const struct ends *ends,
-                       const hsp_widest_probe *widest, struct text_buffer *out) {
-  text_buffer_add(out, "{\"n\": %" PRIu32 ", \"passes\": %s, \"widest_probe\": ", molecule->atoms,
-                  widest->passes != 0 ? "true" : "false");
-  json_number(out, widest->passes != 0 ? widest->radius : NAN);
-  text_buffer_add(out, ", \"gate\": [");
-  for (uint32_t k = 0; k < gate_balls(widest); ++k) {
-    text_buffer_add(out, "%s%" PRIu32, k == 0 ? "" : ", ", widest->gate[k]);
-  }
-  text_buffer_add(out, "], \"from\": ");
-  json_vector(out, ends->from);
-  text_buffer_add(out, ", \"to\": ");
-  if (ends->inside) {
-    json_vector(out, ends->to);
-  } else {
-    text_buffer_add(out, "null");
-  }
-  input_report_json(out, request, molecule);
-  text_buffer_add(out, "}\n");
-}
-
-static void row_end(const char *name, const struct molecule *molecule, const struct place *place, const double point[3],
-                    struct text_buffer *out) {
+static void print_end(struct record *record, const char *name, const struct place *place, const double point[3]) {
+  const struct file_format *const format = record->molecule->format;
   char shown[4][NUMBER_BYTES];
   char value[4 * NUMBER_BYTES];
   if (place->of_void == 0) return;
-  snprintf(value, sizeof value, "%s %s %s  void %s", coordinate_text(shown[0], molecule->format, point[0]),
-           coordinate_text(shown[1], molecule->format, point[1]), coordinate_text(shown[2], molecule->format, point[2]),
+  snprintf(value, sizeof value, "%s %s %s  void %s", coordinate_text(shown[0], format, point[0]),
+           coordinate_text(shown[1], format, point[1]), coordinate_text(shown[2], format, point[2]),
            count_text(shown[3], (int64_t)place->of_void));
-  report_row(out, name, value, "");
+  record_text(record, NULL, name, value, "");
 }
 
-static void print_table(const struct request *request, const struct molecule *molecule, const struct ends *ends,
-                        const hsp_widest_probe *widest, struct text_buffer *out) {
+/* What is printed. */
+struct found {
+  const struct request *request;
+  struct ends ends;
+  hsp_widest_probe widest;
+};
+
+static void print(struct record *record, const void *of) {
   static const char *const kinds[] = {"", "one ball at an end", "two balls", "three balls around a passage"};
+  const struct found *const found = of;
+  const struct ends *const ends = &found->ends;
+  const hsp_widest_probe *const widest = &found->widest;
   const uint32_t count = gate_balls(widest);
-  char value[NUMBER_BYTES];
-  report_heading(out, request, molecule);
-  row_end("from", molecule, &request->from, ends->from, out);
-  row_end("to", molecule, &request->to, ends->to, out);
-  if (widest->passes == 0) {
-    report_row(out, "widest probe", "none", "not even a point passes");
-    return;
-  }
-  char remark[40];
-  snprintf(remark, sizeof remark, "%s, added to the radii", molecule->format->unit);
-  report_row(out, "widest probe", quantity_text(value, widest->radius, 8), remark);
-  report_row_count(out, "gate", count, kinds[count]);
-  if (count == 0) return;
-  const struct ball_columns columns = ball_columns_of(molecule);
-  text_buffer_add(out, "\n");
-  report_ball_titles(out, columns);
-  text_buffer_add(out, "\n");
-  for (uint32_t k = 0; k < count; ++k) {
-    report_ball(out, columns, molecule, widest->gate[k]);
-    text_buffer_add(out, "\n");
+  const bool passes = widest->passes != 0;
+  print_end(record, "from", &found->request->from, ends->from);
+  print_end(record, "to", &found->request->to, ends->to);
+  record_atoms(record);
+  record_whether(record, "passes", NULL, passes, "");
+  if (!passes) record_text(record, NULL, "widest probe", "none", "not even a point passes");
+  record_number(record, "widest_probe", passes ? "widest probe" : NULL, passes ? widest->radius : (double)NAN, 8,
+                "@, added to the radii");
+  if (passes) record_count(record, NULL, "gate", count, kinds[count]);
+  record_counts(record, "gate", widest->gate, count);
+  record_numbers(record, "from", ends->from, 3);
+  record_numbers(record, "to", ends->inside ? ends->to : NULL, 3);
+  if (record->form == FOR_PERSONS && passes && count > 0) {
+    ball_rows_print(record->molecule, widest->gate, count, record->out);
   }
 }
 
@@ -104,16 +85,12 @@ static bool find_ends(const struct request *request, const struct molecule *mole
 
 bool command_gate(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                   struct text_buffer *out, struct failure *failure) {
-  struct ends ends;
-  if (!find_ends(request, molecule, geometry, &ends, failure)) return false;
-  if (!geometry_find_gate(geometry, molecule, ends.from, ends.inside ? ends.to : NULL, failure)) return false;
-  hsp_widest_probe widest;
-  const int32_t status = hsp_gate_get(geometry->work.gate, &widest);
+  struct found found = {.request = request};
+  struct ends *const ends = &found.ends;
+  if (!find_ends(request, molecule, geometry, ends, failure)) return false;
+  if (!geometry_find_gate(geometry, molecule, ends->from, ends->inside ? ends->to : NULL, failure)) return false;
+  const int32_t status = hsp_gate_get(geometry->work.gate, &found.widest);
   if (status != HSP_OK) return failure_in_library(failure, status);
-  if (request->json) {
-    print_json(request, molecule, &ends, &widest, out);
-  } else {
-    print_table(request, molecule, &ends, &widest, out);
-  }
+  report(request, molecule, print, &found, out);
   return true;
 }

@@ -6,7 +6,6 @@
 #include "commands/input_report.h"
 #include "write/mesh_file.h"
 #include "write/output_file.h"
-#include "write/report.h"
 #ifndef HSP_WITHOUT_SIGHT
 #include "draw/mesh_picture.h"
 #include "draw/view_axes.h"
@@ -24,26 +23,25 @@ static double area_of(const struct triangle_mesh *mesh) {
   return sum;
 }
 
-static void print(const struct request *request, const struct molecule *molecule, const struct triangle_mesh *mesh,
-                  uint64_t bytes, struct text_buffer *out) {
+/* What is printed. */
+struct found {
+  const struct meshing *meshing;
+  const struct triangle_mesh *mesh;
+  uint64_t bytes;
+};
+
+static void print(struct record *record, const void *of) {
   static const char *const remarks[] = {"of the balls alone", "of the balls with the probe", "that the probe leaves"};
-  const double area = area_of(mesh);
-  const struct result results[] = {
-      {NULL, "edge", mesh->edge, 3, "@, of a triangle, about"},
-      {"vertices", "vertices", mesh->vertices, 0, ""},
-      {"triangles", "triangles", mesh->triangles, 0, "closed: each edge in two of them"},
-      {"edge", NULL, mesh->edge, 0, ""},
-      {"triangle_area", "area", area, 3, "@^2, of the triangles; measure has the surface's"},
-      {"bytes", "bytes", (double)bytes, 0, ""},
-  };
-  const size_t count = sizeof results / sizeof results[0];
-  if (request->json) {
-    input_report_results(out, request, molecule, results, count);
-    return;
-  }
-  report_heading(out, request, molecule);
-  report_row(out, "surface", meshing_surface_name(&request->meshing), remarks[request->meshing.surface]);
-  results_print(results, count, RESULT_WIDTH, molecule->format->unit, out);
+  const struct found *const found = of;
+  const struct triangle_mesh *const mesh = found->mesh;
+  record_atoms(record);
+  record_text(record, NULL, "surface", meshing_surface_name(found->meshing), remarks[found->meshing->surface]);
+  record_number(record, NULL, "edge", mesh->edge, 3, "@, of a triangle, about");
+  record_count(record, "vertices", "vertices", mesh->vertices, "");
+  record_count(record, "triangles", "triangles", mesh->triangles, "closed: each edge in two of them");
+  record_number(record, "edge", NULL, mesh->edge, 0, "");
+  record_number(record, "triangle_area", "area", area_of(mesh), 3, "@^2, of the triangles; measure has the surface's");
+  record_count(record, "bytes", "bytes", (int64_t)found->bytes, "");
 }
 
 /* The triangles of MSMS have a file of their own. */
@@ -76,7 +74,7 @@ bool command_mesh(const struct request *request, const struct molecule *molecule
                   struct text_buffer *out, struct failure *failure) {
   const struct meshing *meshing = &request->meshing;
   struct triangle_mesh mesh;
-  uint64_t bytes = 0;
+  struct found found = {meshing, &mesh, 0};
   memset(&mesh, 0, sizeof mesh);
   mesh.atoms = molecule->atoms;
   mesh.edge = edge_of(request);
@@ -87,8 +85,8 @@ bool command_mesh(const struct request *request, const struct molecule *molecule
               geometry_compute_mesh(geometry, smooth, mesh.edge, failure) &&
               triangle_mesh_read(geometry->work.mesh, &mesh, failure);
   if (done) progress_show(&geometry->progress, "writing");
-  done = done && write_file(request, molecule, &mesh, &bytes, failure);
-  if (done && !output_is_standard(meshing->out)) print(request, molecule, &mesh, bytes, out);
+  done = done && write_file(request, molecule, &mesh, &found.bytes, failure);
+  if (done && !output_is_standard(meshing->out)) report(request, molecule, print, &found, out);
   triangle_mesh_free(&mesh);
   return done;
 }

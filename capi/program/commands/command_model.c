@@ -14,7 +14,7 @@ static bool has_rho(const hsp_packing *figures) {
   return (figures->flags & HSP_PACKING_NO_PAIR) == 0;
 }
 
-static void print_verdict(const struct molecule *molecule, const hsp_packing *figures, struct text_buffer *out) {
+static void print_verdict(uint32_t atoms, const hsp_packing *figures, struct text_buffer *out) {
   if (figures->flags == 0) {
     char bound[NUMBER_BYTES];
     text_buffer_add(out, "Theorem 2.1 holds with these figures: no ball meets more than 216 (k/rho)^3 = %s others.\n",
@@ -23,7 +23,7 @@ static void print_verdict(const struct molecule *molecule, const hsp_packing *fi
   }
   text_buffer_add(out, "Theorem 2.1 does not apply:");
   const char *separator = " ";
-  if (molecule->atoms < 2) {
+  if (atoms < 2) {
     text_buffer_add(out, "%sthere are fewer than two balls, so rho has no value", separator);
     separator = "; ";
   } else if (!has_rho(figures)) {
@@ -38,9 +38,22 @@ static void print_verdict(const struct molecule *molecule, const hsp_packing *fi
     text_buffer_add(out, "%stwo centres coincide, so rho is 0", separator);
   }
   text_buffer_add(out, ".\n");
-  if (molecule->atoms >= 2) {
+  if (atoms >= 2) {
     text_buffer_add(out, "All results stay exact; only the bounds on time and memory are lost.\n");
   }
+}
+
+static void print(struct record *record, const void *of) {
+  const hsp_packing *const figures = of;
+  record_atoms(record);
+  record_number(record, "k", "k", has_k(figures) ? figures->k : (double)NAN, 4, "largest radius / smallest radius");
+  record_number(record, "rho", "rho", has_rho(figures) ? figures->rho : (double)NAN, 4,
+                "least of: distance of two centres / larger of their radii");
+  record_count(record, "max_overlaps", "max overlaps", figures->max_overlaps, "most balls that one ball overlaps");
+  record_number(record, "mean_overlaps", "mean overlaps", figures->mean_overlaps, 4, "balls that a ball overlaps");
+  if (record->form != FOR_PERSONS) return;
+  record_line(record, "");
+  print_verdict(record->molecule->atoms, figures, record->out);
 }
 
 bool command_model(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
@@ -49,16 +62,6 @@ bool command_model(const struct request *request, const struct molecule *molecul
   progress_show(&geometry->progress, "counting overlaps");
   const int32_t status = hsp_model_get_packing(geometry->work.model, &figures);
   if (status != HSP_OK) return failure_in_library(failure, status);
-  const struct result results[] = {
-      {"k", "k", has_k(&figures) ? figures.k : (double)NAN, 4, "largest radius / smallest radius"},
-      {"rho", "rho", has_rho(&figures) ? figures.rho : (double)NAN, 4,
-       "least of: distance of two centres / larger of their radii"},
-      {"max_overlaps", "max overlaps", figures.max_overlaps, 0, "most balls that one ball overlaps"},
-      {"mean_overlaps", "mean overlaps", figures.mean_overlaps, 4, "balls that a ball overlaps"},
-  };
-  input_report_results(out, request, molecule, results, sizeof results / sizeof results[0]);
-  if (request->json) return true;
-  text_buffer_add(out, "\n");
-  print_verdict(molecule, &figures, out);
+  report(request, molecule, print, &figures, out);
   return true;
 }

@@ -1,25 +1,15 @@
 /* hardsphere query: the balls that contain a point, or that meet a ball. */
-#include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
 
 #include "commands/commands.h"
 #include "commands/input_report.h"
-#include "write/report.h"
+#include "write/ball_label.h"
 
 static int32_t ask(const struct request *request, const hsp_model *model, uint32_t *ids, uint32_t capacity,
                    uint32_t *needed) {
   if (request->query == QUERY_POINT) return hsp_query_point(model, request->position, ids, capacity, needed);
   return hsp_query_ball(model, request->position, request->query_radius, ids, capacity, needed);
-}
-
-static void print_json(const struct request *request, const struct molecule *molecule, const uint32_t *ids,
-                       uint32_t count, struct text_buffer *out) {
-  text_buffer_add(out, "{\"hits\": [");
-  for (uint32_t i = 0; i < count; ++i) text_buffer_add(out, "%s%" PRIu32, i == 0 ? "" : ", ", ids[i]);
-  text_buffer_add(out, "]");
-  input_report_json(out, request, molecule);
-  text_buffer_add(out, "}\n");
 }
 
 static double distance(const double *a, const double *b) {
@@ -29,27 +19,36 @@ static double distance(const double *a, const double *b) {
   return sqrt(x * x + y * y + z * z); /* hypot differs from one mathematics library to the next; sqrt does not */
 }
 
-static void print_table(const struct request *request, const struct molecule *molecule, const uint32_t *ids,
-                        uint32_t count, struct text_buffer *out) {
-  const char *unit = molecule->format->unit;
-  report_heading(out, request, molecule);
-  const double *at = request->position;
-  text_buffer_add(out, "  %-16s at %.10g %.10g %.10g", request->query == QUERY_POINT ? "query point" : "query ball",
-                  at[0], at[1], at[2]);
-  if (request->query == QUERY_BALL) text_buffer_add(out, ", radius %.10g", request->query_radius);
-  text_buffer_add(out, " %s\n", unit);
-  report_row_count(out, "hits", count,
-                   request->query == QUERY_POINT ? "balls that contain the point" : "balls that meet the ball");
-  if (count == 0) return;
-  const struct ball_columns columns = ball_columns_of(molecule);
-  text_buffer_add(out, "\n");
-  report_ball_titles(out, columns);
-  text_buffer_add(out, "  %18s\n", "distance of centre");
-  for (uint32_t i = 0; i < count; ++i) {
-    char value[NUMBER_BYTES];
-    report_ball(out, columns, molecule, ids[i]);
-    text_buffer_add(out, "  %18s\n", quantity_text(value, distance(at, molecule->xyz + 3 * (size_t)ids[i]), 4));
-  }
+/* What is printed: the balls, and how far away they are. */
+struct found {
+  struct ball_rows rows;
+  const struct request *request;
+  uint32_t count;
+};
+
+static bool row_of(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
+  const struct found *const found = of;
+  (void)text;
+  cells[0].quantity =
+      distance(found->request->position, found->rows.molecule->xyz + 3 * (size_t)found->rows.balls[row]);
+  return true;
+}
+
+static void print(struct record *record, const void *of) {
+  static const struct column columns[] = {{NULL, NULL, "distance of centre", 18, COLUMN_PLAIN, 4}};
+  const struct found *const found = of;
+  const struct request *const request = found->request;
+  const double *const at = request->position;
+  const bool point = request->query == QUERY_POINT;
+  const struct table table = {columns, 1, request->format, found->count, found, row_of, ball_rows_lead};
+  record_counts(record, "hits", found->rows.balls, found->count);
+  if (record->form != FOR_PERSONS) return;
+  text_buffer_add(record->out, "  %-16s at %.10g %.10g %.10g", point ? "query point" : "query ball", at[0], at[1],
+                  at[2]);
+  if (!point) text_buffer_add(record->out, ", radius %.10g", request->query_radius);
+  text_buffer_add(record->out, " %s\n", record->molecule->format->unit);
+  record_count(record, NULL, "hits", found->count, point ? "balls that contain the point" : "balls that meet the ball");
+  if (found->count > 0) record_table(record, NULL, &table);
 }
 
 bool command_query(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
@@ -63,10 +62,9 @@ bool command_query(const struct request *request, const struct molecule *molecul
     failure_in_input(failure, 0, "the query: %s", geometry_reason(status));
   } else if (status != HSP_OK) {
     failure_in_library(failure, status);
-  } else if (request->json) {
-    print_json(request, molecule, ids, count, out);
   } else {
-    print_table(request, molecule, ids, count, out);
+    const struct found found = {ball_rows_of(molecule, ids), request, count};
+    report(request, molecule, print, &found, out);
   }
   free(ids);
   return status == HSP_OK;

@@ -3,8 +3,6 @@
 #include <string.h>
 
 #include "read/relative_areas.h"
-#include "write/report.h"
-#include "write/table.h"
 
 static const struct residue_label *label_of(const struct molecule *molecule, const struct atom_group *group) {
   return &molecule->label[group->first].residue;
@@ -79,22 +77,16 @@ static struct table table_of(const struct listed *listed, bool relative) {
                         NULL};
 }
 
-void group_table_print(const struct molecule *molecule, const struct atom_groups *groups, bool relative,
-                       struct text_buffer *out) {
-  const struct listed listed = {molecule, groups};
+void group_table_record(struct record *record, const struct atom_groups *groups, bool relative) {
+  const bool residues = groups->grouping == GROUPING_RESIDUE;
+  const struct listed listed = {record->molecule, groups};
   const struct table table = table_of(&listed, relative);
-  text_buffer_add(out, "\n");
-  report_row_count(out, groups->grouping == GROUPING_RESIDUE ? "residues" : "chains", groups->count, "");
-  text_buffer_add(out, "\n");
-  table_print(&table, out);
-  if (relative) text_buffer_add(out, "\n  relative to the %s\n", relative_areas_source);
-}
-
-void group_table_json(const struct molecule *molecule, const struct atom_groups *groups, bool relative,
-                      struct text_buffer *out) {
-  const struct listed listed = {molecule, groups};
-  const struct table table = table_of(&listed, relative);
-  table_json(&table, out);
+  record_line(record, "");
+  record_count(record, NULL, residues ? "residues" : "chains", groups->count, "");
+  record_table(record, residues ? "residues" : "chains", &table);
+  if (!relative) return;
+  record_line(record, "");
+  if (record->form == FOR_PERSONS) text_buffer_add(record->out, "  relative to the %s\n", relative_areas_source);
 }
 
 void group_table_csv(const struct molecule *molecule, const struct atom_groups *groups, bool relative,

@@ -1,6 +1,7 @@
 #include "commands/input_report.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 
 #include "read/line_reader.h"
@@ -248,15 +249,42 @@ void input_report_json(struct text_buffer *out, const struct request *request, c
   text_buffer_add(out, "}}");
 }
 
-void input_report_results(struct text_buffer *out, const struct request *request, const struct molecule *molecule,
-                          const struct result *results, size_t count) {
-  if (!request->json) {
-    report_heading(out, request, molecule);
-    results_print(results, count, RESULT_WIDTH, molecule->format->unit, out);
-    return;
+/* What of a frame stands before its results. */
+static void record_frame(struct record *record, const struct frame_stamp *frame) {
+  if (frame->number == 0) return;
+  record_count(record, "frame", NULL, (int64_t)frame->number, "");
+  record_number(record, "time", NULL, frame->timed ? frame->time : (double)NAN, 0, "");
+  if (frame->stepped) {
+    record_count(record, "step", NULL, frame->step, "");
+  } else {
+    record_number(record, "step", NULL, NAN, 0, "");
   }
-  text_buffer_add(out, "{\"n\": %" PRIu32, molecule->atoms);
-  results_json(results, count, out);
-  input_report_json(out, request, molecule);
-  text_buffer_add(out, "}\n");
+}
+
+void report(const struct request *request, const struct molecule *molecule,
+            void print(struct record *record, const void *of), const void *of, struct text_buffer *out) {
+  const bool frames = molecule->frame.number > 0, csv = !request->json && (frames || request->csv);
+  struct record record = {request->json ? AS_JSON
+                          : csv         ? AS_CSV_TITLES
+                                        : FOR_PERSONS,
+                          molecule,
+                          request->json ? "n"
+                          : frames      ? "atoms"
+                                        : "balls",
+                          VALUE_WIDTH,
+                          false,
+                          out};
+  if (request->json) text_buffer_add_text(out, "{");
+  if (record.form == FOR_PERSONS) report_heading(out, request, molecule);
+  if (csv && (!frames || molecule->frame.first)) {
+    record_frame(&record, &molecule->frame);
+    print(&record, of);
+    text_buffer_add_text(out, "\n");
+  }
+  if (csv) record.form = AS_CSV, record.any = false;
+  record_frame(&record, &molecule->frame);
+  print(&record, of);
+  if (request->json) input_report_json(out, request, molecule);
+  if (request->json) text_buffer_add_text(out, "}");
+  if (record.form != FOR_PERSONS) text_buffer_add_text(out, "\n");
 }

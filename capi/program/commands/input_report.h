@@ -5,7 +5,7 @@
 #include "commands/request.h"
 #include "read/molecule.h"
 #include "read/text_buffer.h"
-#include "write/table.h"
+#include "write/record.h"
 
 /* What was read and how: file, balls, what was left out, radii, probe. Every table begins with it. */
 void report_heading(struct text_buffer *out, const struct request *request, const struct molecule *molecule);
@@ -13,9 +13,10 @@ void report_heading(struct text_buffer *out, const struct request *request, cons
 /* The last key of every command's JSON: , "input": {...} */
 void input_report_json(struct text_buffer *out, const struct request *request, const struct molecule *molecule);
 
-/* Results that are but numbers, in a table or as JSON, each with what was read. */
-void input_report_results(struct text_buffer *out, const struct request *request, const struct molecule *molecule,
-                          const struct result *results, size_t count);
+/* The results that `print` puts into a record, with what was read before or behind them: a table, an object of JSON, or
+ * of CSV a line and its titles, which of a trajectory the first frame alone has. */
+void report(const struct request *request, const struct molecule *molecule,
+            void print(struct record *record, const void *of), const void *of, struct text_buffer *out);
 
 /* How many molecules of water are among the balls; 0 if there is nothing else. */
 uint64_t input_report_waters(const struct molecule *molecule);

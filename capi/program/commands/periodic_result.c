@@ -1,6 +1,7 @@
 #include "commands/periodic_result.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -54,61 +55,50 @@ void periodic_result_free(struct periodic_result *result) {
   memset(result, 0, sizeof *result);
 }
 
-static void nine_numbers(const char *name, const double numbers[9], struct text_buffer *out) {
-  text_buffer_add(out, ", \"%s\": [", name);
-  for (int k = 0; k < 9; ++k) {
-    if (k > 0) text_buffer_add(out, ", ");
-    json_number(out, numbers[k]);
-  }
-  text_buffer_add(out, "]");
-}
-
-void periodic_result_json(const struct periodic_result *result, struct text_buffer *out) {
-  nine_numbers("box", result->box, out);
-  text_buffer_add(out, ", \"box_turned\": %s", result->turned ? "true" : "false");
-  if (result->symmetry != NULL) unit_cell_json(result->symmetry, out);
-  text_buffer_add(out, ", \"box_volume\": ");
-  json_number(out, result->totals.box_volume);
-  text_buffer_add(out, ", \"free_volume\": ");
-  json_number(out, result->totals.free_volume);
-  text_buffer_add(out, ", \"windings\": [");
+static void record_windings(struct record *record, const struct periodic_result *result) {
+  struct text_buffer *const out = record->out;
+  if (!record_key(record, "windings")) return;
+  text_buffer_add_text(out, "[");
   for (uint32_t c = 0; c < result->counts.components; ++c) {
     const hsp_winding *winding = &result->windings[c];
     text_buffer_add(out, "%s{\"balls\": %" PRIu32 ", \"directions\": %" PRIu32 ", \"copies\": ", c == 0 ? "" : ", ",
                     winding->balls, winding->directions);
-    if (winding->copies == HSP_NONE) {
-      text_buffer_add(out, "null");
-    } else {
-      text_buffer_add(out, "%" PRIu32, winding->copies);
-    }
-    text_buffer_add(out, ", \"rows\": [");
+    json_number(out, winding->copies == HSP_NONE ? (double)NAN : winding->copies);
+    text_buffer_add_text(out, ", \"rows\": [");
     for (uint32_t r = 0; r < winding->directions; ++r) {
       const int32_t *row = winding->row + 3 * r;
       text_buffer_add(out, "%s[%" PRId32 ", %" PRId32 ", %" PRId32 "]", r == 0 ? "" : ", ", row[0], row[1], row[2]);
     }
-    text_buffer_add(out, "]}");
+    text_buffer_add_text(out, "]}");
   }
-  text_buffer_add(out, "]");
-  nine_numbers("strain_area", result->strain_area, out);
-  nine_numbers("strain_volume", result->strain_volume, out);
+  text_buffer_add_text(out, "]");
 }
 
-void periodic_result_rows(const struct periodic_result *result, const char *unit, struct text_buffer *out) {
-  enum { DECIMALS = 10 };
-  char value[NUMBER_BYTES];
-  uint32_t endless[4] = {0};
-  for (uint32_t c = 0; c < result->counts.components; ++c) ++endless[result->windings[c].directions];
-  if (result->symmetry != NULL) unit_cell_row(result->symmetry, out);
-  if (result->turned) report_row(out, "box", "turned, and the atoms with it, so that its first vector is along x", "");
-  text_buffer_add(out, "  %-16s %s %s^3\n", "box volume", quantity_text(value, result->totals.box_volume, DECIMALS),
-                  unit);
-  text_buffer_add(out, "  %-16s %s %s^3, of the box less that of the union\n", "free volume",
-                  quantity_text(value, result->totals.free_volume, DECIMALS), unit);
-  report_row_count(out, "components", result->counts.components, "connected pieces of the union");
+void periodic_result_record(struct record *record, const struct periodic_result *result) {
   static const char *const remarks[] = {"of them that go on for ever in one direction", "in two directions",
                                         "in three directions"};
   static const char *const names[] = {"endless lines", "endless layers", "endless nets"};
-  for (int k = 0; k < 3; ++k) {
-    if (endless[k + 1] > 0) report_row_count(out, names[k], endless[k + 1], remarks[k]);
+  enum { DECIMALS = 10 };
+  const int width = record->width;
+  uint32_t endless[4] = {0};
+  for (uint32_t c = 0; c < result->counts.components; ++c) ++endless[result->windings[c].directions];
+  record_numbers(record, "box", result->box, 9);
+  if (record->form == AS_JSON) record_whether(record, "box_turned", NULL, result->turned, "");
+  if (result->symmetry != NULL) unit_cell_record(record, result->symmetry);
+  if (result->turned) {
+    record_text(record, NULL, "box", "turned, and the atoms with it, so that its first vector is along x", "");
   }
+  record->width = 0;
+  record_number(record, "box_volume", "box volume", result->totals.box_volume, DECIMALS, "@^3");
+  record_number(record, "free_volume", "free volume", result->totals.free_volume, DECIMALS,
+                "@^3, of the box less that of the union");
+  record->width = VALUE_WIDTH;
+  record_count(record, NULL, "components", result->counts.components, "connected pieces of the union");
+  for (int k = 0; k < 3; ++k) {
+    if (endless[k + 1] > 0) record_count(record, NULL, names[k], endless[k + 1], remarks[k]);
+  }
+  record->width = width;
+  record_windings(record, result);
+  record_numbers(record, "strain_area", result->strain_area, 9);
+  record_numbers(record, "strain_volume", result->strain_volume, 9);
 }

@@ -8,7 +8,7 @@
 #include "commands/request.h"
 #include "read/geometry.h"
 #include "read/molecule.h"
-#include "read/text_buffer.h"
+#include "write/record.h"
 
 struct periodic_result {
   const hsp_periodic *periodic; /* the geometry's */
@@ -27,11 +27,7 @@ bool periodic_result_make(const struct request *request, const struct molecule *
 
 void periodic_result_free(struct periodic_result *result);
 
-/* , "box": [..], "box_turned": .., with the box of the file "symmetry": {..}, "box_volume": .., "free_volume": ..,
- * "windings": [..], "strain_area": [..], "strain_volume": [..] */
-void periodic_result_json(const struct periodic_result *result, struct text_buffer *out);
-
-/* Rows of a table: the box, what of it is free, components by their directions. */
-void periodic_result_rows(const struct periodic_result *result, const char *unit, struct text_buffer *out);
+/* The box, what of it is free, components by their directions. In a row of a frame its volumes alone. */
+void periodic_result_record(struct record *record, const struct periodic_result *result);
 
 #endif

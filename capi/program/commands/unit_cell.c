@@ -220,7 +220,7 @@ static const char *matrices_text(char out[80], const struct symmetry *symmetry) 
   return out;
 }
 
-void unit_cell_row(const struct symmetry *symmetry, struct text_buffer *out) {
+static void print_row(struct record *record, const struct symmetry *symmetry) {
   char value[300], matrices[80];
   char shared[NUMBER_BYTES];
   if (symmetry_is_none(symmetry)) return;
@@ -237,13 +237,18 @@ void unit_cell_row(const struct symmetry *symmetry, struct text_buffer *out) {
              symmetry->shared > 0 ? count_text(shared, (int64_t)symmetry->shared) : "",
              matrices_text(matrices, symmetry));
   }
-  report_row(out, "space group", value, "");
+  record_text(record, NULL, "space group", value, "");
 }
 
-void unit_cell_json(const struct symmetry *symmetry, struct text_buffer *out) {
-  text_buffer_add(out, ", \"symmetry\": {\"space_group\": ");
-  json_text(out, symmetry->space_group);
-  text_buffer_add(out, ", \"operators\": %lu, \"filled\": %s, \"special_positions\": %lu, \"matrices\": %lu}",
-                  (unsigned long)symmetry->count, symmetry->filled ? "true" : "false", (unsigned long)symmetry->shared,
-                  (unsigned long)symmetry->matrices);
+void unit_cell_record(struct record *record, const struct symmetry *symmetry) {
+  print_row(record, symmetry);
+  if (!record_key(record, "symmetry")) return;
+  struct record own = {.form = AS_JSON, .out = record->out};
+  text_buffer_add_text(own.out, "{");
+  record_text(&own, "space_group", NULL, symmetry->space_group, "");
+  record_count(&own, "operators", NULL, (int64_t)symmetry->count, "");
+  record_whether(&own, "filled", NULL, symmetry->filled, "");
+  record_count(&own, "special_positions", NULL, (int64_t)symmetry->shared, "");
+  record_count(&own, "matrices", NULL, (int64_t)symmetry->matrices, "");
+  text_buffer_add_text(own.out, "}");
 }

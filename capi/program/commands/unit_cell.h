@@ -7,7 +7,7 @@
 #include "commands/request.h"
 #include "read/failure.h"
 #include "read/molecule.h"
-#include "read/text_buffer.h"
+#include "write/record.h"
 
 /* If the box of the file is asked for, turn it and the atoms so that it is upright. */
 void unit_cell_turn(const struct request *request, struct molecule *molecule);
@@ -19,10 +19,7 @@ void unit_cell_turn(const struct request *request, struct molecule *molecule);
  * operators, or if the user does not want copies. */
 bool unit_cell_fill(const struct request *request, struct molecule *molecule, struct failure *failure);
 
-/* Where there is symmetry, what was made of it: a row of a table. */
-void unit_cell_row(const struct symmetry *symmetry, struct text_buffer *out);
-
-/* , "symmetry": {"space_group": "..", "operators": .., "filled": .., "special_positions": .., "matrices": ..} */
-void unit_cell_json(const struct symmetry *symmetry, struct text_buffer *out);
+/* Where there is symmetry, what was made of it. */
+void unit_cell_record(struct record *record, const struct symmetry *symmetry);
 
 #endif

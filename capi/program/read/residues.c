@@ -1,16 +1,22 @@
 #include "read/residues.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+bool residue_label_says(const struct residue_label *label) {
+  return label->name[0] != '\0' || label->number[0] != '\0' || label->chain[0] != '\0' || label->insertion[0] != '\0';
+}
+
 const char *residue_text(char out[RESIDUE_TEXT_BYTES], const struct residue_label *label) {
-  if (label->name[0] == '\0' && label->number[0] == '\0' && label->chain[0] == '\0' && label->insertion[0] == '\0') {
-    out[0] = '\0';
-  } else {
-    snprintf(out, RESIDUE_TEXT_BYTES, "%s %s%s%s%s", label->name, label->chain, label->chain[0] == '\0' ? "" : " ",
-             label->number, label->insertion);
+  const char *const parts[] = {label->name,     " ", label->chain, label->chain[0] == '\0' ? "" : " ", label->number,
+                               label->insertion};
+  char *at = out;
+  for (size_t k = 0; k < sizeof parts / sizeof parts[0] && residue_label_says(label); ++k) {
+    const size_t length = strlen(parts[k]);
+    memcpy(at, parts[k], length);
+    at += length;
   }
+  *at = '\0';
   return out;
 }
 

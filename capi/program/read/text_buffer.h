@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include "read/failure.h"
 
@@ -20,7 +21,17 @@ struct text_buffer {
 /* Make room for `more` bytes and a closing NUL; false when memory is short. */
 bool text_buffer_reserve(struct text_buffer *buffer, size_t more);
 
+/* As printf does it, and without it what is most common. */
 void text_buffer_add(struct text_buffer *buffer, const char *format, ...) FAILURE_FORMAT(2, 3);
+
+/* "%s" */
+void text_buffer_add_text(struct text_buffer *buffer, const char *text);
+
+/* "%" PRIu64 */
+void text_buffer_add_count(struct text_buffer *buffer, uint64_t count);
+
+/* A number as number_text_exact has it. */
+void text_buffer_add_exact(struct text_buffer *buffer, double value);
 
 /* Add bytes, whatever they are. */
 void text_buffer_append(struct text_buffer *buffer, const char *bytes, size_t count);

@@ -1,4 +1,4 @@
-/* What a ball is called in JSON and CSV: its index, and the names that its file's format has. */
+/* What balls are called: their index, and the names that their file's format has. */
 #ifndef HARDSPHERE_TOOL_BALL_LABEL_H
 #define HARDSPHERE_TOOL_BALL_LABEL_H
 
@@ -6,9 +6,31 @@
 
 #include "read/molecule.h"
 #include "read/text_buffer.h"
+#include "write/report.h"
+#include "write/table.h"
 
-/* The keys from "ball" to "radius", without braces. */
+/* What a table about balls is of, at the beginning of its `of`. */
+struct ball_rows {
+  const struct molecule *molecule;
+  struct ball_columns columns;
+  const uint32_t *balls; /* NULL: all of them */
+};
+
+struct ball_rows ball_rows_of(const struct molecule *molecule, const uint32_t *balls);
+
+/* The leads of such tables: the ball in full, with index alone in JSON, and not at all in JSON. */
+void ball_rows_lead(const void *of, size_t row, enum form form, struct text_buffer *out);
+void ball_rows_lead_index(const void *of, size_t row, enum form form, struct text_buffer *out);
+void ball_rows_lead_silent(const void *of, size_t row, enum form form, struct text_buffer *out);
+
+/* For persons: a table of balls alone behind an empty line. */
+void ball_rows_print(const struct molecule *molecule, const uint32_t *balls, uint32_t count, struct text_buffer *out);
+
+/* The keys of JSON from "ball" to "radius", without braces. */
 void ball_label_json(const struct molecule *molecule, uint32_t ball, struct text_buffer *out);
+
+/* All balls: [{...}, ...] */
+void ball_labels_json(const struct molecule *molecule, struct text_buffer *out);
 
 /* The first columns of a row that is about a ball, and their titles with a suffix behind each. */
 void ball_label_csv_titles(const struct file_format *format, const char *suffix, struct text_buffer *out);

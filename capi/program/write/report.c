@@ -2,8 +2,6 @@
 
 #include <inttypes.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "read/characters.h"
 #include "read/number.h"
@@ -23,32 +21,36 @@ void report_row_count(struct text_buffer *out, const char *name, int64_t value, 
 }
 
 const char *count_text(char out[NUMBER_BYTES], int64_t value) {
-  snprintf(out, NUMBER_BYTES, "%" PRId64, value);
-  return out;
+  char *const end = out + NUMBER_BYTES - 1;
+  char *begin = number_text_digits(end, value < 0 ? 0 - (uint64_t)value : (uint64_t)value);
+  if (value < 0) *--begin = '-';
+  *end = '\0';
+  return begin;
 }
 
 const char *quantity_text(char out[NUMBER_BYTES], double value, int decimals) {
   value += 0.0; /* no "-0" */
   const double magnitude = value < 0.0 ? -value : value;
-  if (!is_finite(magnitude)) return memcpy(out, "-", 2);
+  if (!is_finite(magnitude)) return "-";
   if (magnitude >= 1e12 || (magnitude > 0.0 && magnitude < 1e-2)) {
     snprintf(out, NUMBER_BYTES, "%.8e", value);
   } else {
-    snprintf(out, NUMBER_BYTES, "%.*f", decimals < 10 ? decimals : 10, value);
+    number_text_fixed(out, value, decimals < 10 ? decimals : 10);
   }
   return out;
 }
 
 const char *column_text(char out[NUMBER_BYTES], const struct file_format *format, double value, int decimals) {
+  static const double halves[] = {0.5, 0.5e-1, 0.5e-2, 0.5e-3, 0.5e-4};
   const double magnitude = value < 0.0 ? -value : value;
-  double half_of_last = 0.5;
-  for (int k = 0; k < decimals; ++k) half_of_last /= 10.0;
+  const double half_of_last = halves[decimals];
   /* Without a unit lengths may be of any order. */
   if (format->sign[0] == '\0' || !(magnitude < 1e12)) return quantity_text(out, value, decimals);
   if (magnitude >= half_of_last || value == 0.0) {
-    snprintf(out, NUMBER_BYTES, "%.*f", decimals, value + 0.0);
+    number_text_fixed(out, value + 0.0, decimals);
   } else {
-    snprintf(out, NUMBER_BYTES, "%s%.*f", value > 0.0 ? "<" : "", decimals, value > 0.0 ? 2.0 * half_of_last : 0.0);
+    out[0] = '<';
+    number_text_fixed(out + (value > 0.0), value > 0.0 ? 2.0 * half_of_last : 0.0, decimals);
   }
   return out;
 }
@@ -57,15 +59,6 @@ const char *coordinate_text(char out[NUMBER_BYTES], const struct file_format *fo
   enum { DECIMALS = 4 };
   const bool vanishes = format->sign[0] != '\0' && value < 0.5e-4 && value > -0.5e-4;
   return column_text(out, format, vanishes ? 0.0 : value, DECIMALS);
-}
-
-const char *exact_text(char out[NUMBER_BYTES], double value) {
-  /* 15 digits read back as any double that was written with so few; 17 tell every double from every other. */
-  for (int digits = 15; digits <= 17; ++digits) {
-    snprintf(out, NUMBER_BYTES, "%.*g", digits, value + 0.0); /* + 0.0: no "-0" */
-    if (digits == 17 || strtod(out, NULL) == value) break;
-  }
-  return out;
 }
 
 void report_file_name(struct text_buffer *out, const char *name) {
@@ -78,11 +71,10 @@ void report_file_name(struct text_buffer *out, const char *name) {
 
 struct ball_columns ball_columns_of(const struct molecule *molecule) {
   struct ball_columns columns = {false, false};
-  for (uint32_t i = 0; i < molecule->atoms; ++i) {
-    char residue[RESIDUE_TEXT_BYTES];
-    columns.names = columns.names || molecule->label[i].name[0] != '\0' ||
-                    residue_text(residue, &molecule->label[i].residue)[0] != '\0';
-    columns.elements = columns.elements || molecule->label[i].element.text[0] != '\0';
+  for (uint32_t i = 0; i < molecule->atoms && !(columns.names && columns.elements); ++i) {
+    const struct atom_label *label = &molecule->label[i];
+    columns.names = columns.names || label->name[0] != '\0' || residue_label_says(&label->residue);
+    columns.elements = columns.elements || label->element.text[0] != '\0';
   }
   return columns;
 }
@@ -114,49 +106,63 @@ void report_ball(struct text_buffer *out, struct ball_columns columns, const str
 
 void json_number(struct text_buffer *out, double value) {
   if (is_finite(value)) {
-    char shown[NUMBER_BYTES];
-    text_buffer_add(out, "%s", exact_text(shown, value));
+    text_buffer_add_exact(out, value);
   } else {
-    text_buffer_add(out, "null");
+    text_buffer_add_text(out, "null");
   }
 }
 
-void json_vector(struct text_buffer *out, const double xyz[3]) {
-  for (int axis = 0; axis < 3; ++axis) {
-    text_buffer_add(out, axis == 0 ? "[" : ", ");
-    json_number(out, xyz[axis]);
+void json_numbers(struct text_buffer *out, const double *numbers, uint32_t count) {
+  text_buffer_add_text(out, numbers == NULL ? "null" : "[");
+  for (uint32_t k = 0; numbers != NULL && k < count; ++k) {
+    if (k > 0) text_buffer_append(out, ", ", 2);
+    json_number(out, numbers[k]);
   }
-  text_buffer_add(out, "]");
+  if (numbers != NULL) text_buffer_append(out, "]", 1);
+}
+
+void json_counts(struct text_buffer *out, const uint32_t *counts, uint32_t count) {
+  text_buffer_add_text(out, "[");
+  for (uint32_t k = 0; k < count; ++k) {
+    if (k > 0) text_buffer_append(out, ", ", 2);
+    text_buffer_add_count(out, counts[k]);
+  }
+  text_buffer_append(out, "]", 1);
+}
+
+void json_points(struct text_buffer *out, const double *xyz, uint32_t count) {
+  text_buffer_add_text(out, "[");
+  for (uint32_t k = 0; k < count; ++k) {
+    if (k > 0) text_buffer_append(out, ", ", 2);
+    json_numbers(out, xyz + 3 * (size_t)k, 3);
+  }
+  text_buffer_add_text(out, "]");
+}
+
+/* What stands in a string as it is. */
+static bool is_plain(unsigned char byte) {
+  return byte >= 0x20 && byte < 0x7F && byte != '"' && byte != '\\';
 }
 
 void json_text(struct text_buffer *out, const char *text) {
-  text_buffer_add(out, "\"");
-  for (; *text != '\0'; ++text) {
+  text_buffer_append(out, "\"", 1);
+  while (*text != '\0') {
+    size_t plain = 0;
+    while (is_plain((unsigned char)text[plain])) ++plain;
+    text_buffer_append(out, text, plain);
+    text += plain;
     const unsigned char byte = (unsigned char)*text;
+    if (byte == '\0') break;
     if (byte >= 0x80) {
-      text_buffer_add(out, "\\ufffd");
+      text_buffer_add_text(out, "\\ufffd");
     } else if (byte < 0x20 || byte == 0x7F) {
       text_buffer_add(out, "\\u%04x", (unsigned)byte);
     } else {
-      text_buffer_add(out, "%s%c", byte == '"' || byte == '\\' ? "\\" : "", *text);
+      text_buffer_add(out, "\\%c", byte);
     }
+    ++text;
   }
-  text_buffer_add(out, "\"");
-}
-
-void json_frame(struct text_buffer *out, const struct frame_stamp *frame) {
-  if (frame->number == 0) return;
-  text_buffer_add(out, "\"frame\": %" PRIu64 ", \"time\": ", frame->number);
-  if (frame->timed) {
-    json_number(out, frame->time);
-  } else {
-    text_buffer_add(out, "null");
-  }
-  if (frame->stepped) {
-    text_buffer_add(out, ", \"step\": %" PRId64 ", ", frame->step);
-  } else {
-    text_buffer_add(out, ", \"step\": null, ");
-  }
+  text_buffer_append(out, "\"", 1);
 }
 
 void json_residue_number(struct text_buffer *out, const char *text) {
@@ -168,5 +174,6 @@ void json_residue_number(struct text_buffer *out, const char *text) {
     return;
   }
   while (digits[0] == '0' && length > 1) ++digits, --length; /* JSON has no leading zeros */
-  text_buffer_add(out, "%s%s", text[0] == '-' && digits[0] != '0' ? "-" : "", digits);
+  if (text[0] == '-' && digits[0] != '0') text_buffer_append(out, "-", 1);
+  text_buffer_append(out, digits, length);
 }

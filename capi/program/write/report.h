@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "read/molecule.h"
+#include "read/number_text.h"
 #include "read/text_buffer.h"
 
 /* The name of a file, with '?' for what would disturb a terminal. */
@@ -15,10 +16,7 @@ void report_file_name(struct text_buffer *out, const char *name);
 void report_row(struct text_buffer *out, const char *name, const char *value, const char *remark);
 void report_row_count(struct text_buffer *out, const char *name, int64_t value, const char *remark);
 
-/* Room for a number as the functions below write it. */
-#define NUMBER_BYTES 40
-
-/* A count. Numbers have no commas between thousands, so that other programs can read tables too. */
+/* A count, somewhere in `out`. Numbers have no commas between thousands, so that other programs can read tables too. */
 const char *count_text(char out[NUMBER_BYTES], int64_t value);
 
 /* A quantity with `decimals` decimals, or in powers of ten where that would be long or would show nothing. "-" unless
@@ -31,9 +29,6 @@ const char *column_text(char out[NUMBER_BYTES], const struct file_format *format
 
 /* The same of a coordinate, for which 0.0000 is as good as any other value. */
 const char *coordinate_text(char out[NUMBER_BYTES], const struct file_format *format, double value);
-
-/* The shortest of 15 to 17 significant digits that a reader turns into the same double again; it must be finite. */
-const char *exact_text(char out[NUMBER_BYTES], double value);
 
 /* One line per ball: what it is called; report_name has the index, atom and residue alone. Shows only the columns that
  * the file has something for. */
@@ -48,16 +43,19 @@ void report_name(struct text_buffer *out, struct ball_columns columns, const str
 void report_ball_titles(struct text_buffer *out, struct ball_columns columns);
 void report_ball(struct text_buffer *out, struct ball_columns columns, const struct molecule *molecule, uint32_t ball);
 
-/* A number of JSON, as exact_text has it; null unless it is finite. */
+/* A number of JSON, as number_text_exact has it; null unless it is finite. */
 void json_number(struct text_buffer *out, double value);
-void json_vector(struct text_buffer *out, const double xyz[3]);
+
+/* Arrays of JSON, of numbers null if there are none. */
+void json_numbers(struct text_buffer *out, const double *numbers, uint32_t count);
+void json_counts(struct text_buffer *out, const uint32_t *counts, uint32_t count);
+
+/* [[x, y, z], ...] */
+void json_points(struct text_buffer *out, const double *xyz, uint32_t count);
 
 /* A string of JSON, quotes included. Columns of bytes beyond ASCII may cut a character in two, so such bytes become
  * U+FFFD, the replacement character. */
 void json_text(struct text_buffer *out, const char *text);
-
-/* What a result of JSON begins with: nothing, or of a frame of a trajectory its number, time and step. */
-void json_frame(struct text_buffer *out, const struct frame_stamp *frame);
 
 /* The number of a residue. Most are whole numbers, but files with more residues than columns write letters, and some
  * write nothing: these remain texts. */

@@ -4,78 +4,82 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "read/number.h"
 #include "write/csv.h"
 #include "write/report.h"
 
-/* A text as it is, without what looking for conversions in it costs. */
-static void add(struct text_buffer *out, const char *text) {
-  text_buffer_append(out, text, strlen(text));
-}
-
-/* A text with the unit in place of each '@'. */
-static void add_with_unit(struct text_buffer *out, const char *text, const char *unit) {
-  for (; *text != '\0'; ++text) {
-    if (*text == '@') text_buffer_add(out, "%s", unit);
-    if (*text != '@') text_buffer_append(out, text, 1);
-  }
-}
-
-void results_print(const struct result *results, size_t count, int width, const char *unit, struct text_buffer *out) {
-  for (const struct result *result = results; result != results + count; ++result) {
-    char value[NUMBER_BYTES];
-    if (result->title == NULL) continue;
-    const bool bare = result->remark[0] == '\0';
-    text_buffer_add(out, "  %-16s %-*s%s", result->title, bare ? 0 : width,
-                    quantity_text(value, result->number, result->decimals),
-                    bare || result->remark[0] == ',' ? "" : " ");
-    add_with_unit(out, result->remark, unit);
-    text_buffer_add(out, "\n");
-  }
-}
-
-void results_json(const struct result *results, size_t count, struct text_buffer *out) {
-  for (const struct result *result = results; result != results + count; ++result) {
-    if (result->key == NULL) continue;
-    text_buffer_add(out, ", \"%s\": ", result->key);
-    json_number(out, result->number);
-  }
-}
-
-void results_csv_titles(const struct result *results, size_t count, struct text_buffer *out) {
-  const char *comma = "";
-  for (const struct result *result = results; result != results + count; ++result) {
-    if (result->key == NULL) continue;
-    text_buffer_add(out, "%s%s", comma, result->key);
-    comma = ",";
-  }
-}
-
-void results_csv(const struct result *results, size_t count, struct text_buffer *out) {
-  const char *comma = "";
-  for (const struct result *result = results; result != results + count; ++result) {
-    if (result->key == NULL) continue;
-    text_buffer_add(out, "%s", comma);
-    csv_number(out, result->number);
-    comma = ",";
-  }
+static bool is_vector(const struct column *column) {
+  return column->kind == COLUMN_POINT || column->kind == COLUMN_GRADIENT;
 }
 
 static void add_lead(const struct table *table, size_t row, enum form form, struct text_buffer *out) {
   if (table->lead != NULL) table->lead(table->of, row, form, out);
 }
 
+/* The title, of a vector three, with the unit in place of each '@'. */
+static void print_title(const struct table *table, const struct column *column, struct text_buffer *out) {
+  char title[CELL_BYTES] = "";
+  size_t length = 0;
+  for (const char *at = column->title;; ++at) {
+    if (*at == '\0' || (*at == ' ' && is_vector(column))) {
+      text_buffer_add(out, "  %*s", column->width, title);
+      length = 0;
+      if (*at == '\0') return;
+    } else if (*at == '@') {
+      length += (size_t)snprintf(title + length, sizeof title - length, "%s", table->format->unit);
+    } else {
+      title[length++] = *at;
+    }
+    title[length] = '\0';
+  }
+}
+
+/* In columns that are easy to compare: no "-0.000000". */
+static const char *derivative_text(char out[NUMBER_BYTES], double value, int decimals) {
+  if (!is_finite(value)) return "-";
+  if (decimals < 0) {
+    snprintf(out, NUMBER_BYTES, "%.*e", -decimals, value + 0.0);
+  } else {
+    number_text_fixed(out, value < 5e-7 && value > -5e-7 ? 0.0 : value, decimals);
+  }
+  return out;
+}
+
+static const char *cell_text(const struct table *table, const struct column *column, union cell cell,
+                             char out[NUMBER_BYTES]) {
+  switch (column->kind) {
+    case COLUMN_COUNT:
+      return count_text(out, cell.count);
+    case COLUMN_QUANTITY:
+      return column_text(out, table->format, cell.quantity, column->decimals);
+    case COLUMN_PLAIN:
+      return quantity_text(out, cell.quantity, column->decimals);
+    case COLUMN_DERIVATIVE:
+      return derivative_text(out, cell.quantity, column->decimals);
+    case COLUMN_SHARE:
+      if (!is_finite(cell.quantity)) return "-";
+      return strcpy(out + number_text_fixed(out, cell.quantity, column->decimals), " %"), out;
+    case COLUMN_SHIFT:
+      snprintf(out, NUMBER_BYTES, "%4" PRId32 " %4" PRId32 " %4" PRId32, cell.shift[0], cell.shift[1], cell.shift[2]);
+      return out;
+    default:
+      return cell.text;
+  }
+}
+
 static void print_cell(const struct table *table, const struct column *column, union cell cell,
                        struct text_buffer *out) {
   char value[NUMBER_BYTES];
-  const char *shown = cell.text;
-  if (column->kind == COLUMN_COUNT) shown = count_text(value, cell.count);
-  if (column->kind == COLUMN_QUANTITY) shown = column_text(value, table->format, cell.quantity, column->decimals);
-  if (column->kind == COLUMN_COORDINATE) shown = coordinate_text(value, table->format, cell.quantity);
-  if (column->kind == COLUMN_SHIFT) {
-    snprintf(value, sizeof value, "%4" PRId32 " %4" PRId32 " %4" PRId32, cell.shift[0], cell.shift[1], cell.shift[2]);
-    shown = value;
+  if (!is_vector(column)) {
+    text_buffer_add(out, "  %*s", column->width, cell_text(table, column, cell, value));
+    return;
   }
-  text_buffer_add(out, "  %*s", column->width, shown);
+  for (int axis = 0; axis < 3; ++axis) {
+    text_buffer_add(out, "  %*s", column->width,
+                    cell.vector == NULL            ? "-"
+                    : column->kind == COLUMN_POINT ? coordinate_text(value, table->format, cell.vector[axis])
+                                                   : derivative_text(value, cell.vector[axis], column->decimals));
+  }
 }
 
 void table_print(const struct table *table, struct text_buffer *out) {
@@ -83,22 +87,16 @@ void table_print(const struct table *table, struct text_buffer *out) {
   char text[CELL_BYTES];
   add_lead(table, TABLE_TITLES, FOR_PERSONS, out);
   for (int k = 0; k < table->count; ++k) {
-    const struct column *column = &table->columns[k];
-    struct text_buffer title = TEXT_BUFFER_EMPTY;
-    if (column->title == NULL) continue;
-    add_with_unit(&title, column->title, table->format->unit);
-    if (!title.out_of_memory) text_buffer_add(out, "  %*s", column->width, title.length == 0 ? "" : title.text);
-    out->out_of_memory = out->out_of_memory || title.out_of_memory;
-    text_buffer_free(&title);
+    if (table->columns[k].title != NULL) print_title(table, &table->columns[k], out);
   }
-  text_buffer_add(out, "\n");
+  text_buffer_add_text(out, "\n");
   for (size_t row = 0; row < table->rows; ++row) {
     if (!table->row(table->of, row, cells, text)) continue;
     add_lead(table, row, FOR_PERSONS, out);
     for (int k = 0; k < table->count; ++k) {
       if (table->columns[k].title != NULL) print_cell(table, &table->columns[k], cells[k], out);
     }
-    text_buffer_add(out, "\n");
+    text_buffer_append(out, "\n", 1);
   }
 }
 
@@ -108,7 +106,9 @@ static void json_cell(const struct column *column, union cell cell, struct text_
       text_buffer_add(out, "%" PRId64, cell.count);
       break;
     case COLUMN_QUANTITY:
-    case COLUMN_COORDINATE:
+    case COLUMN_PLAIN:
+    case COLUMN_SHARE:
+    case COLUMN_DERIVATIVE:
       json_number(out, cell.quantity);
       break;
     case COLUMN_TEXT:
@@ -117,8 +117,15 @@ static void json_cell(const struct column *column, union cell cell, struct text_
     case COLUMN_RESIDUE_NUMBER:
       json_residue_number(out, cell.text);
       break;
+    case COLUMN_POINT:
+    case COLUMN_GRADIENT:
+      json_numbers(out, cell.vector, 3);
+      break;
     case COLUMN_SHIFT:
       text_buffer_add(out, "[%" PRId32 ", %" PRId32 ", %" PRId32 "]", cell.shift[0], cell.shift[1], cell.shift[2]);
+      break;
+    case COLUMN_COUNTS:
+      json_counts(out, cell.counts.list, cell.counts.length);
       break;
   }
 }
@@ -127,64 +134,84 @@ void table_json(const struct table *table, struct text_buffer *out) {
   union cell cells[MOST_COLUMNS];
   char text[CELL_BYTES];
   const char *begin = "{";
-  text_buffer_add(out, "[");
+  text_buffer_add_text(out, "[");
   for (size_t row = 0; row < table->rows; ++row) {
     if (!table->row(table->of, row, cells, text)) continue;
-    add(out, begin);
+    text_buffer_add_text(out, begin);
     const size_t length = out->length;
     add_lead(table, row, AS_JSON, out);
     for (int k = 0; k < table->count; ++k) {
       const struct column *column = &table->columns[k];
       if (column->key == NULL) continue;
-      add(out, out->length == length ? "\"" : ", \"");
-      add(out, column->key);
-      add(out, "\": ");
+      text_buffer_add_text(out, out->length == length ? "\"" : ", \"");
+      text_buffer_add_text(out, column->key);
+      text_buffer_append(out, "\": ", 3);
       json_cell(column, cells[k], out);
     }
-    add(out, "}");
+    text_buffer_append(out, "}", 1);
     begin = ", {";
   }
-  text_buffer_add(out, "]");
+  text_buffer_add_text(out, "]");
 }
 
+/* NULL: it is not in CSV. */
 static const char *csv_key(const struct column *column) {
-  return column->csv != NULL ? column->csv : column->key;
+  if (column->csv == NULL) return column->key;
+  return column->csv[0] == '\0' ? NULL : column->csv;
+}
+
+static void csv_cell(const struct column *column, union cell cell, struct text_buffer *out) {
+  switch (column->kind) {
+    case COLUMN_COUNT:
+      text_buffer_add(out, "%" PRId64, cell.count);
+      break;
+    case COLUMN_QUANTITY:
+    case COLUMN_PLAIN:
+    case COLUMN_SHARE:
+    case COLUMN_DERIVATIVE:
+      csv_number(out, cell.quantity);
+      break;
+    case COLUMN_POINT:
+    case COLUMN_GRADIENT:
+      for (int axis = 0; axis < 3; ++axis) {
+        if (axis > 0) text_buffer_append(out, ",", 1);
+        if (cell.vector != NULL) csv_number(out, cell.vector[axis]);
+      }
+      break;
+    case COLUMN_SHIFT:
+      text_buffer_add(out, "%" PRId32 ",%" PRId32 ",%" PRId32, cell.shift[0], cell.shift[1], cell.shift[2]);
+      break;
+    default:
+      csv_text(out, cell.text);
+      break;
+  }
 }
 
 void table_csv(const struct table *table, struct text_buffer *out) {
   union cell cells[MOST_COLUMNS];
   char text[CELL_BYTES];
   size_t length = out->length;
-  add_lead(table, TABLE_TITLES, AS_CSV, out);
+  add_lead(table, TABLE_TITLES, AS_CSV_TITLES, out);
   for (int k = 0; k < table->count; ++k) {
-    const char *key = csv_key(&table->columns[k]);
+    const struct column *column = &table->columns[k];
+    const char *key = csv_key(column);
     if (key == NULL) continue;
     text_buffer_add(out, "%s%s", out->length == length ? "" : ",", key);
-    if (table->columns[k].kind == COLUMN_SHIFT) text_buffer_add(out, "_x,%s_y,%s_z", key, key);
+    const bool three = (is_vector(column) && column->csv == NULL) || column->kind == COLUMN_SHIFT;
+    if (three) text_buffer_add(out, "_x,%s_y,%s_z", key, key);
   }
-  text_buffer_add(out, "\n");
+  text_buffer_add_text(out, "\n");
   for (size_t row = 0; row < table->rows; ++row) {
     if (!table->row(table->of, row, cells, text)) continue;
-    const char *comma = "";
     length = out->length;
     add_lead(table, row, AS_CSV, out);
-    if (out->length > length) comma = ",";
+    bool any = out->length > length;
     for (int k = 0; k < table->count; ++k) {
-      const struct column *column = &table->columns[k];
-      const int32_t *shift = cells[k].shift;
-      if (csv_key(column) == NULL) continue;
-      add(out, comma);
-      comma = ",";
-      if (column->kind == COLUMN_COUNT) {
-        text_buffer_add(out, "%" PRId64, cells[k].count);
-      } else if (column->kind == COLUMN_QUANTITY || column->kind == COLUMN_COORDINATE) {
-        csv_number(out, cells[k].quantity);
-      } else if (column->kind == COLUMN_SHIFT) {
-        text_buffer_add(out, "%" PRId32 ",%" PRId32 ",%" PRId32, shift[0], shift[1], shift[2]);
-      } else {
-        csv_text(out, cells[k].text);
-      }
+      if (csv_key(&table->columns[k]) == NULL) continue;
+      if (any) text_buffer_append(out, ",", 1);
+      any = true;
+      csv_cell(&table->columns[k], cells[k], out);
     }
-    add(out, "\n");
+    text_buffer_append(out, "\n", 1);
   }
 }

@@ -1,5 +1,4 @@
-/* Results, each stated once: single numbers and tables, that are printed for persons, as JSON or as comma-separated
- * values. */
+/* Tables, each stated once, that are printed for persons, as JSON or as comma-separated values. */
 #ifndef HARDSPHERE_TOOL_TABLE_H
 #define HARDSPHERE_TOOL_TABLE_H
 
@@ -10,43 +9,27 @@
 #include "read/file_format.h"
 #include "read/text_buffer.h"
 
-/* A number. */
-struct result {
-  const char *key;   /* of JSON and CSV; NULL: it is for persons alone */
-  const char *title; /* for persons; NULL: it is for programs alone */
-  double number;     /* a count, too: they are below 2^53 */
-  int decimals;      /* for persons */
-  /* For persons, each '@' in it being the unit of length. A blank stands before it unless it begins with a comma. */
-  const char *remark;
-};
+enum form { FOR_PERSONS, AS_JSON, AS_CSV, AS_CSV_TITLES };
 
-/* What values take as a rule, so that remarks stand under each other. */
-enum { RESULT_WIDTH = 14 };
-
-/* For persons a line for each: title, value in so many columns at least, remark. */
-void results_print(const struct result *results, size_t count, int width, const char *unit, struct text_buffer *out);
-
-/* , "key": number */
-void results_json(const struct result *results, size_t count, struct text_buffer *out);
-
-/* With commas between them. */
-void results_csv_titles(const struct result *results, size_t count, struct text_buffer *out);
-void results_csv(const struct result *results, size_t count, struct text_buffer *out);
-
-/* A column of a table. */
 enum column_kind {
   COLUMN_COUNT,
   COLUMN_QUANTITY,
-  COLUMN_COORDINATE,
+  COLUMN_PLAIN, /* a quantity as it is in a row of its own */
   COLUMN_TEXT,
   COLUMN_RESIDUE_NUMBER,
-  COLUMN_SHIFT /* three whole numbers; in CSV columns of their own, _x, _y and _z */
+  COLUMN_SHARE,      /* in per cent */
+  COLUMN_DERIVATIVE, /* with decimals, or with negative ones in powers of ten */
+  COLUMN_POINT,      /* three coordinates, for persons and in CSV in columns of their own; nothing if NULL */
+  COLUMN_GRADIENT,   /* three derivatives, likewise */
+  COLUMN_SHIFT,      /* three whole numbers, in CSV in columns of their own */
+  COLUMN_COUNTS      /* an array, of JSON alone */
 };
 
 struct column {
-  const char *key;   /* of JSON; NULL: it is not there */
-  const char *csv;   /* of CSV, if it is another one */
-  const char *title; /* for persons, each '@' in it is the unit of length; NULL: it is for programs alone */
+  const char *key; /* of JSON; NULL: it is not there */
+  const char *csv; /* of CSV; NULL: the same, and of three columns with _x, _y and _z behind it; "": it is not there */
+  const char *title; /* for persons, each '@' in it is the unit of length, of three columns with blanks between them;
+                        NULL: it is for programs alone */
   int width;         /* for persons; negative: to the left */
   enum column_kind kind;
   int decimals; /* for persons */
@@ -55,16 +38,19 @@ struct column {
 /* What stands in one row of it, by its kind. */
 union cell {
   int64_t count;
-  double quantity; /* or coordinate */
+  double quantity; /* or derivative */
   const char *text;
+  const double *vector; /* [3] */
   const int32_t *shift; /* [3] */
+  struct {
+    const uint32_t *list;
+    uint32_t length;
+  } counts;
 };
-
-enum form { FOR_PERSONS, AS_JSON, AS_CSV };
 
 #define TABLE_TITLES SIZE_MAX
 
-enum { MOST_COLUMNS = 12, CELL_BYTES = 40 };
+enum { MOST_COLUMNS = 24, CELL_BYTES = 40 };
 
 struct table {
   const struct column *columns; /* [count] */
