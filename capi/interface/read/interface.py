@@ -58,10 +58,14 @@ class Function:
 
 @dataclass
 class Field:
+    """A field of a struct. `base` is its type without const and stars; of a pointer to a function, `function`."""
     name: str
     base: str
+    stars: int
+    const: bool
     count: int
     remark: str
+    c: str  # its declaration in C
 
 
 @dataclass
