@@ -533,10 +533,34 @@ static const argument of_hsp_boundary_get_gradient[] = {
   {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
   {"request", "hsp_gradient_request", .kind = KIND_sized_in, .size = sizeof(hsp_gradient_request), .null = NULL_always,
       .is_const = 1},
-  {"outputs", "hsp_gradient_outputs", .kind = KIND_sized, .size = sizeof(hsp_gradient_outputs)},
+  {"tangency", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t), .of = 1, .offset =
+      offsetof(hsp_gradient_request, tangency)},
+  {"tension", "double", .kind = KIND_value, .size = sizeof(double), .of = 1, .offset = offsetof(hsp_gradient_request,
+      tension)},
+  {"pressure", "double", .kind = KIND_value, .size = sizeof(double), .of = 1, .offset = offsetof(hsp_gradient_request,
+      pressure)},
+  {"sigma", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "n", .null = NULL_always, .of = 1,
+      .offset = offsetof(hsp_gradient_request, sigma), .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 1,
+      .offset = offsetof(hsp_gradient_request, executor), .is_const = 1},
+  {"outputs", "hsp_gradient_outputs", .kind = KIND_outputs, .size = sizeof(hsp_gradient_outputs)},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t), .of = 7, .offset =
+      offsetof(hsp_gradient_outputs, capacity)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .of = 7, .offset =
+      offsetof(hsp_gradient_outputs, needed)},
+  {"first_bad", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t), .of = 7, .offset =
+      offsetof(hsp_gradient_outputs, first_bad)},
+  {"energy", "hsp_energy", .kind = KIND_struct_out, .size = sizeof(hsp_energy), .null = NULL_always, .of = 7, .offset =
+      offsetof(hsp_gradient_outputs, energy)},
+  {"d_centre", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .row = 3, .null = NULL_always,
+      .of = 7, .offset = offsetof(hsp_gradient_outputs, d_centre), .held = 1},
+  {"d_radius", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .of = 7,
+      .offset = offsetof(hsp_gradient_outputs, d_radius), .held = 1},
+  {"flags", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "n", .null = NULL_always, .of = 7,
+      .offset = offsetof(hsp_gradient_outputs, flags), .held = 1},
 };
 static int64_t call_hsp_boundary_get_gradient(const value *v) {
-  return (int64_t)hsp_boundary_get_gradient(v[0].p, v[1].p, v[2].p);
+  return (int64_t)hsp_boundary_get_gradient(v[0].p, v[1].p, v[7].p);
 }
 
 static const argument of_hsp_boundary_gradient[] = {
@@ -2562,7 +2586,7 @@ const function registry[] = {
       BIT(HSP_E_STATE)},
   {"hsp_gradient_request_init", "gradient", RESULT_status, 2, of_hsp_gradient_request_init,
       call_hsp_gradient_request_init, BIT(HSP_OK) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION)},
-  {"hsp_boundary_get_gradient", "gradient", RESULT_status, 3, of_hsp_boundary_get_gradient,
+  {"hsp_boundary_get_gradient", "gradient", RESULT_status, 15, of_hsp_boundary_get_gradient,
       call_hsp_boundary_get_gradient, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
       BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE)},
   {"hsp_boundary_gradient", "gradient", RESULT_status, 12, of_hsp_boundary_gradient, call_hsp_boundary_gradient,
