@@ -114,6 +114,7 @@ class ChangedCall {
         return;
       case KIND_sized:
       case KIND_sized_in:
+      case KIND_outputs:
         if (!bytes_.one_in(4)) {
           change_struct(i, largest_struct(i), largest);
           return;
@@ -139,6 +140,7 @@ class ChangedCall {
         }
         break;
       default:
+        if (!is_pointer(&a)) return;
         break;
     }
     must_fail_ = must_fail_ || a.null == NULL_never;
@@ -187,7 +189,7 @@ class ChangedCall {
     return at;
   }
 
-  // One field of a struct, but no address, which is a number of 64 bits.
+  // One field of a struct, but no address, which may be a number of 64 bits.
   void change_struct(int i, void *at, size_t bytes) {
     const argument &a = argument_at(i);
     size_t count = 0;
@@ -197,7 +199,7 @@ class ChangedCall {
     for (size_t k = 0; k < registry_fields_size; ++k) {
       const field &part = registry_fields[k];
       if (std::strcmp(part.of, a.base) != 0 || which-- > 0) continue;
-      if (std::strcmp(part.base, "uint64_t") == 0) return;
+      if (std::strcmp(part.base, "uint64_t") == 0 || std::strchr(part.base, '*') != nullptr) return;
       auto *const out = static_cast<unsigned char *>(at) + part.offset;
       if (part.offset == 0 && a.kind != KIND_array_in && a.kind != KIND_struct_in) {
         const uint32_t size = bytes_.below(static_cast<uint32_t>(bytes) + 1);

@@ -4,6 +4,7 @@
  * be included on its own; this is the order to read them in. What is common to all of them stands below.
  *   hardsphere/version.h    the version of the header and of the library
  *   hardsphere/status.h     what functions return
+ *   hardsphere/executor.h   threads of the caller's own
  *   hardsphere/element.h    radii by element
  *   hardsphere/model.h      a set of balls on its lattice, and how well it behaves: k, rho, overlaps (Section 2)
  *   hardsphere/query.h      which balls contain a point, meet a ball, or meet each other (Section 3)
@@ -116,6 +117,7 @@
 #include "hardsphere/contacts.h"
 #include "hardsphere/curvature.h"
 #include "hardsphere/element.h"
+#include "hardsphere/executor.h"
 #include "hardsphere/gradient.h"
 #include "hardsphere/map.h"
 #include "hardsphere/measure.h"

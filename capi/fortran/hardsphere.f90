@@ -247,6 +247,17 @@ module hardsphere
 
   ! ----
 
+  ! ---- executor.h: threads of the caller's own -----------------------------------------------------------------------
+
+  type, bind(C) :: hsp_executor
+    integer(c_int32_t) :: struct_size  ! sizeof(hsp_executor)
+    integer(c_int32_t) :: workers      ! how many threads there are for the tasks
+    type(c_ptr) :: context             ! or NULL: handed to run
+    ! Calls task(data, 0) to task(data, tasks - 1), each once, in any order and on any threads, and returns when all
+    ! have returned. Not NULL with more than one worker.
+    type(c_funptr) :: run
+  end type
+
   ! ---- model.h: a set of balls on its lattice, and how well it behaves: k, rho, overlaps (Section 2) -----------------
 
   type, bind(C) :: hsp_model_options
@@ -411,6 +422,27 @@ module hardsphere
     real(c_double) :: area     ! sum_i sigma_i A_i
     real(c_double) :: volume   ! V
     real(c_double) :: d_probe  ! dE/d(probe) = sum of all dE/dr_i
+  end type
+
+  type, bind(C) :: hsp_gradient_request
+    integer(c_int32_t) :: struct_size  ! sizeof(hsp_gradient_request); hsp_gradient_request_init sets it
+    integer(c_int32_t) :: tangency     ! one of HSP_TANGENT_*
+    real(c_double) :: tension          ! of the weighted area
+    real(c_double) :: pressure         ! of the volume
+    type(c_ptr) :: sigma               ! [n], or NULL for all ones: the weights of the areas; a ball with 0 only blocks
+    type(c_ptr) :: executor            ! or NULL: the threads that share the work
+  end type
+
+  type, bind(C) :: hsp_gradient_outputs
+    integer(c_int32_t) :: struct_size  ! sizeof(hsp_gradient_outputs)
+    integer(c_int32_t) :: capacity     ! entries that each array [n] has room for
+    integer(c_int32_t) :: needed       ! becomes n
+    ! becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is none
+    integer(c_int32_t) :: first_bad
+    type(c_ptr) :: energy              ! or NULL
+    type(c_ptr) :: d_centre            ! [n][3], or NULL: dE/dc_i
+    type(c_ptr) :: d_radius            ! [n], or NULL: dE/dr_i
+    type(c_ptr) :: flags               ! [n], or NULL: HSP_GRADIENT_*
   end type
 
   type, bind(C) :: hsp_area_derivative
@@ -1182,6 +1214,14 @@ module hardsphere
     end function
   end interface
 
+  abstract interface
+    subroutine hsp_task(data, task) bind(C)
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: data
+      integer(c_int32_t), value :: task
+    end subroutine
+  end interface
+
   interface
 
     ! ---- version.h: the version of the header and of the library -----------------------------------------------------
@@ -1668,6 +1708,22 @@ module hardsphere
     end function
 
     ! ---- gradient.h: their derivatives -------------------------------------------------------------------------------
+
+    function hsp_gradient_request_init(request, struct_size) result(status) bind(C, name="hsp_gradient_request_init")
+      import :: c_int32_t, hsp_gradient_request
+      type(hsp_gradient_request), intent(inout) :: request
+      integer(c_int32_t), value :: struct_size
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_boundary_get_gradient(boundary, request, outputs) result(status) &
+      bind(C, name="hsp_boundary_get_gradient")
+      import :: c_int32_t, c_ptr, hsp_gradient_outputs, hsp_gradient_request
+      type(c_ptr), value :: boundary
+      type(hsp_gradient_request), intent(in), optional :: request
+      type(hsp_gradient_outputs), intent(inout) :: outputs
+      integer(c_int32_t) :: status
+    end function
 
     function hsp_boundary_gradient(boundary, sigma, tension, pressure, tangency, energy, d_centre, d_radius, flags, &
       capacity, needed, first_bad) result(status) bind(C, name="hsp_boundary_gradient")

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "conversion.hpp"
+#include "executor.hpp"
 #include "measure/totals.hpp"
 
 namespace hsp::capi {
@@ -14,6 +15,32 @@ constexpr TouchingBalls to_touching_balls(uint32_t tangency) {
 }
 
 static_assert(one_sided_flag == HSP_GRADIENT_ONE_SIDED);
+
+// How many entries the arrays for balls need, and whether the weights are numbers. `wanted`: whether there are arrays.
+template <class Outputs>
+int32_t check_outputs(uint32_t n, const double *sigma, bool wanted, Outputs &outputs) {
+  if (!fits(wanted, outputs.capacity, n, &outputs.needed)) return HSP_E_CAPACITY;
+  return check_weights(sigma, {0, n}, &outputs.first_bad);
+}
+
+// What is asked of an energy of areas and volume.
+struct GradientRequest {
+  hsp_gradient_request given{};
+  Executor executor{};
+
+  int32_t read(const hsp_gradient_request *request) {
+    if (const int32_t status = read_request(request, given); status != HSP_OK) return status;
+    return is_tangency(given.tangency) ? executor.read(given.executor) : HSP_E_ARGUMENT;
+  }
+  template <class Outputs>
+  int32_t check(uint32_t n, bool wanted, Outputs &outputs) const {
+    if (const int32_t status = check_outputs(n, given.sigma, wanted, outputs); status != HSP_OK) return status;
+    return is_finite(given.tension) && is_finite(given.pressure) ? HSP_OK : HSP_E_NOT_FINITE;
+  }
+  EnergyTerms terms() const {
+    return {{given.sigma, to_touching_balls(given.tangency)}, given.tension, given.pressure};
+  }
+};
 
 // Where gradients go; each may be null.
 struct GradientArrays {

@@ -6,10 +6,41 @@
 using hsp::capi::check_handle;
 using hsp::capi::check_results;
 using hsp::capi::check_weights;
+using hsp::capi::first_failure;
 using hsp::capi::GradientArrays;
 using hsp::capi::is_tangency;
 using hsp::capi::put_vector;
 using hsp::capi::to_touching_balls;
+
+int32_t hsp_gradient_request_init(hsp_gradient_request *request, uint32_t struct_size) {
+  return hsp::capi::write_struct(hsp_gradient_request{}, request, struct_size);
+}
+
+int32_t hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradient_request *request,
+                                  hsp_gradient_outputs *outputs) {
+  if (const int32_t status = check_handle(boundary); status != HSP_OK) return status;
+  hsp::capi::GradientRequest asked;
+  hsp_gradient_outputs out;
+  if (const int32_t status = first_failure(asked.read(request), hsp::capi::read_struct(outputs, {}, out));
+      status != HSP_OK)
+    return status;
+  if (!boundary->has_results()) return HSP_E_STATE;
+  const hsp::CubeGrid &grid = boundary->model->grid;
+  const GradientArrays arrays{out.d_centre, out.d_radius, out.flags};
+  if (const int32_t status = asked.check(grid.balls().n, arrays.any(), *outputs); status != HSP_OK) return status;
+
+  const hsp::Boundary &structure = boundary->structure();
+  const hsp::EnergyTerms terms = asked.terms();
+  const auto put = [&](uint32_t i, const hsp::EnergyGradient &gradient) { arrays.put(i, gradient); };
+  const hsp::Energy found =
+      asked.executor.is_parallel()
+          ? hsp::differentiate_energy(grid, structure, terms, {grid.balls().n, asked.executor.workers()},
+                                      asked.executor, put)
+          : hsp::differentiate_energy(grid, structure, terms, put);
+  if (out.flags != nullptr) hsp::flag_free_inner_contacts(grid, structure, HSP_GRADIENT_ONE_SIDED, out.flags);
+  if (out.energy != nullptr) *out.energy = hsp::capi::to_c(found);
+  return HSP_OK;
+}
 
 int32_t hsp_boundary_gradient(const hsp_boundary *boundary, const double *sigma, double tension, double pressure,
                               uint32_t tangency, hsp_energy *energy, double *d_centre, double *d_radius,

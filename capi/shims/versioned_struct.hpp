@@ -47,6 +47,13 @@ int32_t read_struct(const Struct *given, const Struct &defaults, Struct &complet
   return HSP_OK;
 }
 
+// The same of a request, whose defaults are zeros; null asks for these.
+template <class Request>
+int32_t read_request(const Request *given, Request &complete) {
+  complete = {};
+  return given == nullptr ? HSP_OK : read_struct(given, complete, complete);
+}
+
 // Whether a struct of this size can be written.
 template <class Struct>
 int32_t check_struct(const Struct *out, uint32_t struct_size) {

@@ -12,6 +12,7 @@
 #define HARDSPHERE_GRADIENT_H
 
 #include "boundary.h"
+#include "executor.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -33,6 +34,52 @@ typedef struct hsp_energy {
   double volume;  /**< V */
   double d_probe; /**< dE/d(probe) = sum of all dE/dr_i */
 } hsp_energy;
+
+/** What is asked: E = tension * sum_i sigma_i A_i + pressure * V. Zero means default in every field but the first. */
+typedef struct hsp_gradient_request {
+  uint32_t struct_size;         /**< sizeof(hsp_gradient_request); hsp_gradient_request_init sets it */
+  uint32_t tangency;            /**< one of HSP_TANGENT_* */
+  double tension;               /**< of the weighted area */
+  double pressure;              /**< of the volume */
+  const double *sigma;          /**< [n], or NULL for all ones: the weights of the areas; a ball with 0 only blocks */
+  const hsp_executor *executor; /**< or NULL: the threads that share the work */
+} hsp_gradient_request;
+
+/** Fill a request with defaults.
+ *  @retval HSP_E_ARGUMENT  request is NULL
+ *  @retval HSP_E_VERSION   struct_size is bad */
+HSP_API int32_t hsp_gradient_request_init(hsp_gradient_request *request, uint32_t struct_size);
+
+/** What is wanted, and where it goes. */
+typedef struct hsp_gradient_outputs {
+  uint32_t struct_size; /**< sizeof(hsp_gradient_outputs) */
+  uint32_t capacity;    /**< entries that each array [n] has room for */
+  uint32_t needed;      /**< becomes n */
+  uint32_t first_bad;   /**< becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is none */
+  hsp_energy *energy;   /**< or NULL */
+  double *d_centre;     /**< [n][3], or NULL: dE/dc_i */
+  double *d_radius;     /**< [n], or NULL: dE/dr_i */
+  uint32_t *flags;      /**< [n], or NULL: HSP_GRADIENT_* */
+} hsp_gradient_outputs;
+
+/** An energy and its gradient, in one pass. request may be NULL: all defaults.
+ *  For the area alone: tension 1. For the volume alone: pressure 1. With neither E is 0, while the parts of energy are
+ *  there. For molecular dynamics take HSP_TANGENT_OVERLAP, the default. On failure nothing but outputs->needed and
+ *  outputs->first_bad is written.
+ *  - Property 1: the sums of d_centre and of c_i x d_centre are zero up to rounding (E does not change under motions).
+ *  - Property 2: with all sigma equal, sum_i (r_i d_radius_i + c_i . d_centre_i) is 2 A for the area, 3 V for the
+ *    volume.
+ *  - Property 3: d_centre, d_radius and flags do not depend on the order of the balls, bit for bit.
+ *
+ *  Source: M. L. Connolly 1983, T. J. Richmond 1984 for the area; dV/dc_i is the vector area of ball i's faces.
+ *  Cost: O(n + vertices + circles).
+ *  @retval HSP_E_ARGUMENT    boundary or outputs is NULL; unknown tangency; an executor with workers and without run
+ *  @retval HSP_E_VERSION     bad struct_size, or an unknown part is not 0
+ *  @retval HSP_E_CAPACITY    an array is given and capacity < n
+ *  @retval HSP_E_STATE       nothing computed, or the model has changed since
+ *  @retval HSP_E_NOT_FINITE  a sigma, tension or pressure is NaN or infinite */
+HSP_API int32_t hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradient_request *request,
+                                          hsp_gradient_outputs *outputs);
 
 /** E = tension * sum_i sigma_i A_i + pressure * V and its gradient, in one pass.
  *  sigma [n], NULL for all ones; tangency is one of HSP_TANGENT_*; energy may be NULL. d_centre [n][3] = dE/dc_i,

@@ -55,6 +55,12 @@ HSP_X_BYTES(n,m) ((size_t)(n) + (size_t)(m))
         self.assertEqual(rows[1:5], ["hsp_both 72", "hsp_both.row 0 hsp_row 2", "hsp_both.sum 64 int64_t 1",
                                      "hsp_limits 8"])
 
+    def test_pointers_have_two_sizes(self):
+        self.interface = interface_of(HEADER + "typedef struct hsp_p { uint32_t a; uint32_t b; const double *x;"
+                                      " void (*run)(void *data); } hsp_p;")
+        self.assertIn("\nhsp_p 24/16\nhsp_p.a 0 uint32_t 1\nhsp_p.b 4 uint32_t 1\nhsp_p.x 8 double* 1\n"
+                      "hsp_p.run 16/12 function* 1\n", abi.abi_structs(self.interface))
+
     def test_since_when(self):
         title = "# The version since which each function is declared as it is\n"
         # The declaration of hsp_b is another one than in the record.

@@ -38,6 +38,16 @@ class Declarations(Reading):
         self.assertEqual([f.remark for f in limits.fields], ["sizeof(hsp_limits)", "most balls, as they come"])
         self.assertTrue(limits.sized and not row.sized)
 
+    def test_pointers_in_structs(self):
+        found = interface_of(DECLARED + """typedef void hsp_task(void *data, uint32_t task);
+            typedef struct hsp_a { const double *a; uint32_t *b[2]; void (*run)(void *c, hsp_task *task); } hsp_a;""")
+        fields = found.structs["hsp_a"].fields
+        self.assertEqual([(f.base, f.stars, f.const, f.count) for f in fields],
+                         [("double", 1, True, 1), ("uint32_t", 1, False, 2), ("function", 1, False, 1)])
+        self.assertEqual([f.c for f in fields],
+                         ["const double *a", "uint32_t *b[2]", "void (*run)(void *c, hsp_task *task)"])
+        self.assertIn("hsp_task", found.callbacks)
+
     def test_structs_inside_others_come_first(self):
         found = interface_of("typedef struct hsp_a { uint32_t a; } hsp_a;\ntypedef struct hsp_b { hsp_a a; } hsp_b;\n")
         found.structs = dict(reversed(found.structs.items()))
@@ -152,6 +162,44 @@ class Kinds(Reading):
                         "hsp_x *x, uint32_t capacity", self.ALL)
         self.assertOpen("what first begins: no count follows", "hsp_x *x, uint32_t first", self.ALL)
         self.assertOpen("what [rows] of a is", "const double *a", "a [rows].\n@retval HSP_E_ARGUMENT  a null pointer")
+
+
+class Fields(Reading):
+    STRUCTS = """
+typedef struct hsp_a_request {
+  uint32_t struct_size;
+  uint32_t reserved;
+  double factor;
+  const double *a; /**< [n][3], or NULL for ones */
+  const hsp_limits *limits; /**< what there is */
+} hsp_a_request;
+typedef struct hsp_a_outputs {
+  uint32_t struct_size;
+  uint32_t capacity;
+  uint32_t needed;
+  uint32_t first_bad;
+  hsp_row *row; /**< or NULL */
+  double *b; /**< [n], or NULL: of each */
+  double *c; /**< [9] */
+  double *d;%s
+} hsp_a_outputs;
+"""
+    ARGUMENTS = "const hsp_a_request *request, hsp_a_outputs *outputs"
+    COMMENT = "F.\n@retval HSP_E_ARGUMENT  outputs is NULL"
+
+    def test_each_is_an_argument(self):
+        self.assertEqual(self.argument("request", self.ARGUMENTS, self.COMMENT, self.STRUCTS % "/**< [2] */"),
+                         "request sized_in or NULL {factor value, a array_in [n][3] or NULL, limits sized_in}")
+        self.assertEqual(self.argument("outputs", self.ARGUMENTS, self.COMMENT, self.STRUCTS % "/**< [2] */"),
+                         "outputs {capacity, needed, first_bad value_out, row struct_out or NULL, "
+                         "b array_out [n] held or NULL, c array_out [9], d array_out [2]}")
+
+    def test_a_length_that_nobody_says(self):
+        self.assertOpen("length of outputs->d", self.ARGUMENTS, self.COMMENT, self.STRUCTS % "")
+
+    def test_a_request_that_is_written_is_a_struct_as_any(self):
+        self.assertEqual(self.argument("a", "hsp_a_request *a", "F.\n@retval HSP_E_ARGUMENT  a is NULL",
+                                       self.STRUCTS % ""), "a sized")
 
 
 class Extents(Reading):

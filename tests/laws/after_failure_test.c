@@ -29,11 +29,11 @@ static void check_reading(const function *reader, const char *what, const char *
 static int spoil(call *c, int i) {
   static const uint32_t no_size = 0;
   const argument *const a = &c->f->arguments[i];
-  if (a->kind == KIND_sized || a->kind == KIND_sized_in) {
+  if (is_sized(a)) {
     memcpy(c->v[i].p, &no_size, sizeof no_size);
   } else if (a->kind == KIND_value && strcmp(a->base, "double") == 0 && has_status(c->f, HSP_E_NOT_FINITE)) {
     c->v[i].d = NAN;
-  } else if (a->kind != KIND_value && a->kind != KIND_capacity && a->null == NULL_never) {
+  } else if (is_pointer(a) && a->null == NULL_never) {
     call_put_null(c, i);
   } else {
     return 0;

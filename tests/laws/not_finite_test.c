@@ -56,6 +56,7 @@ static void fields(const function *f, uint32_t capacity, int i) {
     const field *const part = &registry_fields[d];
     int k;
     if (strcmp(part->of, a->base) != 0 || strcmp(part->base, "double") != 0) continue;
+    if (place_of(f, part->name) > i) continue; /* a field that is tried as an argument */
     for (k = 0; k < BAD; ++k) {
       call c;
       char whose[64];

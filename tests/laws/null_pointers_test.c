@@ -20,7 +20,7 @@ static void null_pointers(const function *f, uint32_t capacity) {
     const argument *const a = &f->arguments[i];
     const int with = null_only_with(f, i);
     call c;
-    if (a->kind == KIND_value || a->kind == KIND_capacity) continue;
+    if (!is_pointer(a)) continue;
     call_prepare(&c, f, a->held && capacity == 0 ? 1 : capacity);
     call_put_null(&c, i);
     if (a->null == NULL_always) {

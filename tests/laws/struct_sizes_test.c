@@ -63,7 +63,7 @@ static void unknown_part(const function *f, uint32_t capacity, int i, uint32_t s
   call c;
   unsigned char *const data = prepare(&c, f, capacity, i, size, size);
   data[at] = 1;
-  if (a->kind == KIND_sized_in) {
+  if (a->kind != KIND_sized) { /* it asks for something */
     law_refused(&c, "an unknown part that is not 0 of", a->name, HSP_E_VERSION, "");
     return;
   }
@@ -89,7 +89,7 @@ static void struct_sizes(const function *f, uint32_t capacity) {
   for (i = 0; i < f->count; ++i) {
     const uint32_t size = (uint32_t)f->arguments[i].size;
     uint32_t k;
-    if (f->arguments[i].kind != KIND_sized && f->arguments[i].kind != KIND_sized_in) continue;
+    if (!is_sized(&f->arguments[i])) continue;
     /* Where handles are made again for each call, what is no multiple of 4 is left to the other functions. */
     for (k = 0; k <= size + BEYOND; k += place_of_kind(f, KIND_handle) < 0 ? 1 : 4) one_size(f, capacity, i, k);
     for (k = LARGEST - 5; k <= LARGEST + 8; ++k) one_size(f, capacity, i, k);

@@ -26,7 +26,7 @@ static void reserved_fields(const function *f, uint32_t capacity, int i) {
     call_prepare(&c, f, capacity);
     fence_data(i)[part->offset] = 1;
     snprintf(whose, sizeof whose, "%s->%s", a->name, part->name);
-    law_refused(&c, "not 0:", whose, a->kind == KIND_sized_in ? HSP_E_VERSION : HSP_E_ARGUMENT, "");
+    law_refused(&c, "not 0:", whose, is_sized(a) ? HSP_E_VERSION : HSP_E_ARGUMENT, "");
   }
 }
 
@@ -40,7 +40,7 @@ static void unknown_values(const function *f, uint32_t capacity) {
       c.v[i].u = 1u << 30;
       law_refused(&c, "unknown", a->name, HSP_E_ARGUMENT, "");
     }
-    if (a->kind == KIND_sized_in || a->kind == KIND_array_in || a->kind == KIND_struct_in)
+    if ((is_sized(a) && a->kind != KIND_sized) || a->kind == KIND_array_in || a->kind == KIND_struct_in)
       reserved_fields(f, capacity, i);
   }
 }

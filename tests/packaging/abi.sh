@@ -18,7 +18,9 @@ cd "$source/capi/abi"
   sed '/^#/d; /^HSP_/d; s/$/;/' functions.txt
   awk '!/^#/ { print "_Static_assert(" $1 " == " $2 ", \"" $1 "\");" }' constants.txt
   awk '/^#/ { next }
+    { gsub("[0-9]+/[0-9]+", "(sizeof(void *) == 8 ? &)", $2); sub("/", " : ", $2) }
     NF == 2 { print "_Static_assert(sizeof(" $1 ") == " $2 ", \"" $1 "\");"; next }
+    $3 == "function*" { $3 = "void (*)(void)" }
     { split($1, part, ".")
       print "_Static_assert(offsetof(" part[1] ", " part[2] ") == " $2 ", \"" $1 "\");"
       field = "((" part[1] " *)0)->" part[2]

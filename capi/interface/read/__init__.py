@@ -2,6 +2,7 @@
 long an array is and whether it may be NULL, from the comment of its function. README.md has the rules."""
 from .comments import read_comment
 from .declarations import read_declarations
+from .fields import take_fields
 from .kinds import take_kinds
 from .nulls import take_nulls
 
@@ -15,6 +16,7 @@ def read_interface(include):
         if not function.comment:
             function.open_questions.append("what it does: there is no comment")
         take_kinds(interface, function)
+        take_fields(interface, function)
     for function in interface.functions:
         take_nulls(interface, function)
         function.open_questions += [f"an argument {name}, of which @param speaks" for name in function.parameters

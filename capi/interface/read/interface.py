@@ -16,6 +16,7 @@ class Argument:
     extents: list[str] = field(default_factory=list)  # of an array, outermost first
     null: str = "never"  # whether it may be NULL: never, always, or empty: where there is nothing to hold
     held: bool = False  # an output array that has to have room for what `needed` becomes
+    fields: list["Argument"] = field(default_factory=list)  # of a request or of outputs
 
     @property
     def c(self):
@@ -58,10 +59,14 @@ class Function:
 
 @dataclass
 class Field:
+    """A field of a struct. `base` is its type without const and stars; of a pointer to a function, `function`."""
     name: str
     base: str
+    stars: int
+    const: bool
     count: int
     remark: str
+    c: str  # its declaration in C
 
 
 @dataclass

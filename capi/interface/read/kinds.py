@@ -4,7 +4,7 @@ import re
 from .extents import extents_of
 
 KINDS = ("handle", "handle_out", "memory", "context", "callback", "string", "value", "capacity", "needed", "array_in",
-         "array_out", "struct_in", "struct_out", "value_out", "sized_in", "sized")
+         "array_out", "struct_in", "struct_out", "value_out", "sized_in", "sized", "outputs")
 
 
 def take_kinds(interface, function):

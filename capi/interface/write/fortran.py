@@ -72,8 +72,12 @@ def kind_of(base):
     return KINDS.get(base, f"type({base})")
 
 
+def kind_of_field(field):
+    return "type(c_funptr)" if field.base == "function" else "type(c_ptr)" if field.stars else kind_of(field.base)
+
+
 def type_rows(struct):
-    declared = [f"    {kind_of(f.base)} :: {f.name}{f'({f.count})' if f.count > 1 else ''}" for f in struct.fields]
+    declared = [f"    {kind_of_field(f)} :: {f.name}{f'({f.count})' if f.count > 1 else ''}" for f in struct.fields]
     column = max(len(row) for row in declared)
     rows = [row for d, f in zip(declared, struct.fields) for row in remarked(d, f.remark, column)]
     return [f"  type, bind(C) :: {struct.name}", *rows, "  end type"]

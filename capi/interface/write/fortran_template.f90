@@ -43,6 +43,14 @@ module hardsphere
     end function
   end interface
 
+  abstract interface
+    subroutine hsp_task(data, task) bind(C)
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: data
+      integer(c_int32_t), value :: task
+    end subroutine
+  end interface
+
   interface
 
     ! <functions>

@@ -19,4 +19,6 @@ def argument_text(argument):
     kind = argument.kind if argument.kind != argument.name else ""
     extents = "".join(f"[{extent}]" for extent in argument.extents)
     null = {"never": "", "always": "or NULL", "empty": "or NULL if empty"}[argument.null]
-    return " ".join(part for part in (argument.name, kind, extents, "held" if argument.held else "", null) if part)
+    fields = f"{{{', '.join(map(argument_text, argument.fields))}}}" if argument.fields else ""
+    parts = (argument.name, kind, extents, "held" if argument.held else "", null, fields)
+    return " ".join(part for part in parts if part)

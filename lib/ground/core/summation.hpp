@@ -14,8 +14,9 @@ class TreeSum {
     waiting_[count_ % block] = term;
     if (++count_ % block == 0) add_block();
   }
-  double total() const {
-    double sum = 0.0;
+  // `rest`: what is added before the last of these terms, the sum of fewer terms than each of them stands for.
+  double total(double rest = 0.0) const {
+    double sum = rest;
     uint32_t left = count_ % block;  // terms that wait, the complete subtrees of which come last
     for (uint32_t size = 1; size < block; size *= 2) {
       if ((count_ & size) == 0) continue;

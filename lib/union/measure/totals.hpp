@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/summation.hpp"
+#include "core/term_ranges.hpp"
 #include "lanes/wide.hpp"
 #include "measure/gradients.hpp"
 #include "measure/input_order.hpp"
@@ -203,8 +204,11 @@ class EnergySum {
     volume_.add(share.volume);
     by_probe_.add(share.by_probe);
   }
+  EnergyShare sums(const EnergyShare &rest = {}) const {
+    return {area_.total(rest.area), volume_.total(rest.volume), by_probe_.total(rest.by_probe)};
+  }
   Energy total(const exact::Lattice &lattice, double tension, double pressure) const {
-    return energy_of({area_.total(), volume_.total(), by_probe_.total()}, lattice, tension, pressure);
+    return energy_of(sums(), lattice, tension, pressure);
   }
 
  private:
@@ -239,6 +243,27 @@ Energy differentiate_energy(const CubeGrid &grid, const Boundary &boundary, cons
                         sink(i, gradient);
                       });
   return sum.total(balls.lattice, terms.tension, terms.pressure);
+}
+
+// The same by tasks: run(tasks, task) calls task(t) for every t below `tasks`, in any order and on any threads, and so
+// is sink called.
+template <class Run, class Sink>
+Energy differentiate_energy(const CubeGrid &grid, const Boundary &boundary, const EnergyTerms &terms, TermRanges ranges,
+                            Run run, Sink sink) {
+  EnergyShare parts[TermRanges::most + 1] = {};  // the last: no rest
+  run(ranges.count(), [&](uint32_t task) {
+    EnergySum sum;
+    differentiate_balls(grid, boundary, terms, ranges[task],
+                        [&](uint32_t i, const EnergyGradient &gradient, const EnergyShare &share) {
+                          sum.add(share);
+                          sink(i, gradient);
+                        });
+    parts[task] = sum.sums();
+  });
+  EnergySum sum;
+  for (uint32_t part = 0; part < ranges.complete(); ++part) sum.add(parts[part]);
+  const EnergyShare sums = sum.sums(parts[ranges.complete()]);
+  return energy_of(sums, grid.balls().lattice, terms.tension, terms.pressure);
 }
 
 }  // namespace hsp

@@ -46,6 +46,12 @@ static void fill_struct(const char *base, void *out, size_t size) {
   if (strcmp(base, "hsp_morphometry") == 0) memcpy(out, &bending, size);
 }
 
+/* All tasks in the caller's thread, the last first. */
+static void run_tasks(void *context, uint32_t tasks, hsp_task *task, void *data) {
+  (void)context;
+  while (tasks > 0) task(data, --tasks);
+}
+
 /* Limits are those that the fixture's handles were made with. */
 static void fill_sized(const argument *a, void *out) {
   static const char *const limits_of[NOUNS] = {
@@ -56,10 +62,15 @@ static void fill_sized(const argument *a, void *out) {
       [NOUN_paths] = "hsp_paths_limits",       [NOUN_gate] = "hsp_gate_limits",
       [NOUN_view] = "hsp_view_limits",         [NOUN_map] = "hsp_map_limits",
       [NOUN_sticks] = "hsp_sticks_limits"};
+  static const hsp_executor executor = {sizeof executor, 2, NULL, run_tasks};
+  const uint32_t size = (uint32_t)a->size;
   int noun;
+  memset(out, 0, a->size);
+  memcpy(out, &size, sizeof size);
   for (noun = 0; noun < NOUNS; ++noun) {
     if (limits_of[noun] != NULL && strcmp(limits_of[noun], a->base) == 0) memcpy(out, given.limits[noun], a->size);
   }
+  if (strcmp(a->base, "hsp_executor") == 0) memcpy(out, &executor, sizeof executor);
   if (strcmp(a->base, "hsp_model_options") == 0) hsp_model_options_init(out, sizeof(hsp_model_options));
   if (strcmp(a->base, "hsp_view_options") == 0) hsp_view_options_init(out, sizeof(hsp_view_options));
   if (strcmp(a->base, "hsp_picture_options") == 0) {
@@ -72,7 +83,7 @@ static void fill_sized(const argument *a, void *out) {
 
 void fill_base(const argument *a, void *out, size_t count) {
   size_t i;
-  if (a->kind == KIND_sized || a->kind == KIND_sized_in) {
+  if (is_sized(a)) {
     fill_sized(a, out);
   } else if (strcmp(a->base, "double") == 0) {
     for (i = 0; i < count; ++i) {

@@ -113,12 +113,8 @@ static void give(call *c, int i, uint32_t capacity) {
       return;
     default:
       call_put(c, i, a->size);
-      if (a->kind == KIND_struct_in || a->kind == KIND_sized_in || a->kind == KIND_sized) fill_base(a, c->v[i].p, 1);
+      if (a->kind == KIND_struct_in || is_sized(a)) fill_base(a, c->v[i].p, 1);
   }
-}
-
-static int is_number(const argument *a) {
-  return a->kind == KIND_value || a->kind == KIND_capacity;
 }
 
 static void numbers_of(call *c, const function *f, uint32_t capacity) {
@@ -153,6 +149,40 @@ void call_prepare_next(call *c, const function *f, uint32_t capacity) {
 
 /* ---- a call ------------------------------------------------------------------------------------------------------ */
 
+/* Where a field lies in its request or outputs; NULL if they are missing or have not so many bytes. */
+static unsigned char *field_at(const call *c, int i) {
+  const argument *const a = &c->f->arguments[i];
+  const size_t bytes = is_pointer(a) ? sizeof(void *) : a->size;
+  if (a->of == 0 || !c->fenced[a->of] || a->offset + bytes > fence_size(a->of)) return NULL;
+  return fence_data(a->of) + a->offset;
+}
+
+static void put_fields(const call *c) {
+  int i;
+  for (i = 0; i < c->f->count; ++i) {
+    const argument *const a = &c->f->arguments[i];
+    unsigned char *const at = field_at(c, i);
+    if (at == NULL) continue;
+    if (is_number(a) || is_pointer(a)) {
+      memcpy(at, &c->v[i], is_number(a) ? a->size : sizeof(void *));
+    } else {
+      memcpy(at, c->v[i].p, a->size);
+    }
+  }
+}
+
+/* What is written in outputs themselves is taken out of them, so that nothing in them may change. */
+static void take_fields(const call *c) {
+  int i;
+  for (i = 0; i < c->f->count; ++i) {
+    const argument *const a = &c->f->arguments[i];
+    unsigned char *const at = field_at(c, i);
+    if (at == NULL || is_number(a) || is_pointer(a)) continue;
+    memcpy(c->v[i].p, at, a->size);
+    memcpy(at, fence_copy(a->of) + a->offset, a->size);
+  }
+}
+
 static void run(void *context) {
   call *const c = context;
   c->result = c->f->call(c->v);
@@ -164,12 +194,14 @@ void call_run(call *c) {
     make_calls_before(c->f);
     call_spoils(given.handle[NOUN_boundary]);
   }
+  put_fields(c);
   for (i = 0; i < c->f->count; ++i) {
     if (c->fenced[i]) fence_remember(i);
     if (c->f->arguments[i].kind == KIND_handle && !c->f->arguments[i].is_const) call_spoils(c->v[i].p);
   }
   c->outside = !fence_watch(run, c);
   if (c->outside) all_dirty = 1;
+  take_fields(c);
 }
 
 const char *call_finds(const call *c) {

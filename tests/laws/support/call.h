@@ -9,7 +9,7 @@
 extern "C" {
 #endif
 
-enum { MOST_ARGUMENTS = 16, PLENTY = 400 };
+enum { MOST_ARGUMENTS = 24, PLENTY = 400 };
 
 typedef struct call {
   const function *f;

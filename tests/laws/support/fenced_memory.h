@@ -10,7 +10,7 @@ extern "C" {
 /* Whether there are such pages here; if not, `why` says so. */
 int fences_exist(const char **why);
 
-enum { FENCES = 16, FENCE_BYTES = 1 << 20, FENCE_PATTERN = 0xA5 };
+enum { FENCES = 24, FENCE_BYTES = 1 << 20, FENCE_PATTERN = 0xA5 };
 
 /* So many bytes of a pattern in place 0 .. FENCES - 1, instead of what was there before. Between their end and the
  * fence lie `slack` bytes, which are compared too. */

@@ -39,6 +39,18 @@ int is_output(const argument *a) {
   }
 }
 
+int is_number(const argument *a) {
+  return a->kind == KIND_value || a->kind == KIND_capacity;
+}
+
+int is_pointer(const argument *a) {
+  return !is_number(a) && (a->of == 0 || (a->kind != KIND_needed && a->kind != KIND_value_out));
+}
+
+int is_sized(const argument *a) {
+  return a->kind == KIND_sized || a->kind == KIND_sized_in || a->kind == KIND_outputs;
+}
+
 size_t row_of(const argument *a) {
   return a->row == 0 ? 1 : a->row;
 }

@@ -521,6 +521,48 @@ static int64_t call_hsp_boundary_measure_faces(const value *v) {
   return (int64_t)hsp_boundary_measure_faces(v[0].p, v[1].p, v[2].p, v[3].u, v[4].p);
 }
 
+static const argument of_hsp_gradient_request_init[] = {
+  {"request", "hsp_gradient_request", .kind = KIND_sized, .size = sizeof(hsp_gradient_request)},
+  {"struct_size", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+};
+static int64_t call_hsp_gradient_request_init(const value *v) {
+  return (int64_t)hsp_gradient_request_init(v[0].p, v[1].u);
+}
+
+static const argument of_hsp_boundary_get_gradient[] = {
+  {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
+  {"request", "hsp_gradient_request", .kind = KIND_sized_in, .size = sizeof(hsp_gradient_request), .null = NULL_always,
+      .is_const = 1},
+  {"tangency", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t), .of = 1, .offset =
+      offsetof(hsp_gradient_request, tangency)},
+  {"tension", "double", .kind = KIND_value, .size = sizeof(double), .of = 1, .offset = offsetof(hsp_gradient_request,
+      tension)},
+  {"pressure", "double", .kind = KIND_value, .size = sizeof(double), .of = 1, .offset = offsetof(hsp_gradient_request,
+      pressure)},
+  {"sigma", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "n", .null = NULL_always, .of = 1,
+      .offset = offsetof(hsp_gradient_request, sigma), .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 1,
+      .offset = offsetof(hsp_gradient_request, executor), .is_const = 1},
+  {"outputs", "hsp_gradient_outputs", .kind = KIND_outputs, .size = sizeof(hsp_gradient_outputs)},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t), .of = 7, .offset =
+      offsetof(hsp_gradient_outputs, capacity)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .of = 7, .offset =
+      offsetof(hsp_gradient_outputs, needed)},
+  {"first_bad", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t), .of = 7, .offset =
+      offsetof(hsp_gradient_outputs, first_bad)},
+  {"energy", "hsp_energy", .kind = KIND_struct_out, .size = sizeof(hsp_energy), .null = NULL_always, .of = 7, .offset =
+      offsetof(hsp_gradient_outputs, energy)},
+  {"d_centre", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .row = 3, .null = NULL_always,
+      .of = 7, .offset = offsetof(hsp_gradient_outputs, d_centre), .held = 1},
+  {"d_radius", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .of = 7,
+      .offset = offsetof(hsp_gradient_outputs, d_radius), .held = 1},
+  {"flags", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "n", .null = NULL_always, .of = 7,
+      .offset = offsetof(hsp_gradient_outputs, flags), .held = 1},
+};
+static int64_t call_hsp_boundary_get_gradient(const value *v) {
+  return (int64_t)hsp_boundary_get_gradient(v[0].p, v[1].p, v[7].p);
+}
+
 static const argument of_hsp_boundary_gradient[] = {
   {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
   {"sigma", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "n", .null = NULL_always, .is_const = 1},
@@ -2542,6 +2584,11 @@ const function registry[] = {
   {"hsp_boundary_measure_faces", "measure", RESULT_status, 5, of_hsp_boundary_measure_faces,
       call_hsp_boundary_measure_faces, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
       BIT(HSP_E_STATE)},
+  {"hsp_gradient_request_init", "gradient", RESULT_status, 2, of_hsp_gradient_request_init,
+      call_hsp_gradient_request_init, BIT(HSP_OK) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION)},
+  {"hsp_boundary_get_gradient", "gradient", RESULT_status, 15, of_hsp_boundary_get_gradient,
+      call_hsp_boundary_get_gradient, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE)},
   {"hsp_boundary_gradient", "gradient", RESULT_status, 12, of_hsp_boundary_gradient, call_hsp_boundary_gradient,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
       BIT(HSP_E_NOT_FINITE)},
@@ -2941,6 +2988,10 @@ const function registry[] = {
 const size_t registry_size = sizeof registry / sizeof registry[0];
 
 const field registry_fields[] = {
+  {"hsp_executor", "struct_size", "uint32_t", offsetof(hsp_executor, struct_size), 1},
+  {"hsp_executor", "workers", "uint32_t", offsetof(hsp_executor, workers), 1},
+  {"hsp_executor", "context", "void *", offsetof(hsp_executor, context), 1},
+  {"hsp_executor", "run", "function *", offsetof(hsp_executor, run), 1},
   {"hsp_model_options", "struct_size", "uint32_t", offsetof(hsp_model_options, struct_size), 1},
   {"hsp_model_options", "reserved", "uint32_t", offsetof(hsp_model_options, reserved), 1},
   {"hsp_model_options", "probe", "double", offsetof(hsp_model_options, probe), 1},
@@ -3031,6 +3082,20 @@ const field registry_fields[] = {
   {"hsp_energy", "area", "double", offsetof(hsp_energy, area), 1},
   {"hsp_energy", "volume", "double", offsetof(hsp_energy, volume), 1},
   {"hsp_energy", "d_probe", "double", offsetof(hsp_energy, d_probe), 1},
+  {"hsp_gradient_request", "struct_size", "uint32_t", offsetof(hsp_gradient_request, struct_size), 1},
+  {"hsp_gradient_request", "tangency", "uint32_t", offsetof(hsp_gradient_request, tangency), 1},
+  {"hsp_gradient_request", "tension", "double", offsetof(hsp_gradient_request, tension), 1},
+  {"hsp_gradient_request", "pressure", "double", offsetof(hsp_gradient_request, pressure), 1},
+  {"hsp_gradient_request", "sigma", "double *", offsetof(hsp_gradient_request, sigma), 1},
+  {"hsp_gradient_request", "executor", "hsp_executor *", offsetof(hsp_gradient_request, executor), 1},
+  {"hsp_gradient_outputs", "struct_size", "uint32_t", offsetof(hsp_gradient_outputs, struct_size), 1},
+  {"hsp_gradient_outputs", "capacity", "uint32_t", offsetof(hsp_gradient_outputs, capacity), 1},
+  {"hsp_gradient_outputs", "needed", "uint32_t", offsetof(hsp_gradient_outputs, needed), 1},
+  {"hsp_gradient_outputs", "first_bad", "uint32_t", offsetof(hsp_gradient_outputs, first_bad), 1},
+  {"hsp_gradient_outputs", "energy", "hsp_energy *", offsetof(hsp_gradient_outputs, energy), 1},
+  {"hsp_gradient_outputs", "d_centre", "double *", offsetof(hsp_gradient_outputs, d_centre), 1},
+  {"hsp_gradient_outputs", "d_radius", "double *", offsetof(hsp_gradient_outputs, d_radius), 1},
+  {"hsp_gradient_outputs", "flags", "uint32_t *", offsetof(hsp_gradient_outputs, flags), 1},
   {"hsp_area_derivative", "centre", "double", offsetof(hsp_area_derivative, centre), 3},
   {"hsp_area_derivative", "radius", "double", offsetof(hsp_area_derivative, radius), 1},
   {"hsp_area_derivative", "angle", "double", offsetof(hsp_area_derivative, angle), 1},

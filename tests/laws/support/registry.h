@@ -26,7 +26,8 @@ enum {
   KIND_struct_out,
   KIND_value_out,
   KIND_sized_in,
-  KIND_sized
+  KIND_sized,
+  KIND_outputs
 };
 
 /* Whether an argument may be NULL; empty: where there is nothing to hold. */
@@ -73,6 +74,9 @@ typedef struct argument {
   size_t row;         /* how many numbers or structs make an entry, 0: one */
   int noun, null, is_const;
   int held; /* an output array that has to have room for what `needed` becomes */
+  /* Of a field: the place of the request or outputs that it stands behind, and where it lies in that. 0: no field. */
+  int of;
+  size_t offset;
 } argument;
 
 typedef struct function {

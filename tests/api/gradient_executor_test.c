@@ -1,0 +1,118 @@
+/* Executors: the same bits of a gradient for any number of workers and any order of their tasks, and what of an
+ * executor is refused. */
+#include <hardsphere.h>
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+#include "gradients.h"
+
+/* Runs tasks in an order of its own in the caller's thread. */
+typedef struct order {
+  uint64_t seed;
+  uint32_t runs, most_tasks;
+} order;
+
+static void run_shuffled(void *context, uint32_t tasks, hsp_task *task, void *data) {
+  order *const own = context;
+  uint32_t in_order[BALL_SET_MOST], k;
+  if (!CHECK(tasks <= BALL_SET_MOST)) return;
+  ball_set_shuffle(tasks, own->seed + own->runs++, in_order);
+  for (k = 0; k < tasks; ++k) task(data, in_order[k]);
+  if (tasks > own->most_tasks) own->most_tasks = tasks;
+}
+
+static hsp_executor executor_of(uint32_t workers, order *own) {
+  hsp_executor executor;
+  memset(&executor, 0, sizeof executor);
+  executor.struct_size = (uint32_t)sizeof executor;
+  executor.workers = workers;
+  executor.context = own;
+  executor.run = run_shuffled;
+  return executor;
+}
+
+static hsp_gradient_outputs outputs_into(uint32_t n, gradients *g) {
+  hsp_gradient_outputs outputs = {sizeof(hsp_gradient_outputs), 0, 0, 0, NULL, NULL, NULL, NULL};
+  memset(g, 0x5A, sizeof *g);
+  outputs.capacity = n;
+  outputs.energy = &g->energy;
+  outputs.d_centre = g->centre;
+  outputs.d_radius = g->radius;
+  outputs.flags = g->flags;
+  return outputs;
+}
+
+static void every_number_of_workers(const ball_set *set) {
+  static gradients alone, shared;
+  static double sigma[BALL_SET_MOST];
+  const uint32_t n = set->n;
+  hsp_gradient_request request = {sizeof request, HSP_TANGENT_OVERLAP, 0.7, -1.3, NULL, NULL};
+  computed c;
+  uint32_t workers, i;
+  for (i = 0; i < n; ++i) sigma[i] = i % 4 == 1 ? 0 : 0.75 * i - 2;
+  if (CHECK_EQUAL(computed_make(n, set->xyz, set->radius, NULL, &c), HSP_OK)) {
+    for (workers = 0; workers <= 9; ++workers) {
+      order own = {0, 0, 0};
+      hsp_executor executor = executor_of(workers, &own);
+      hsp_gradient_outputs outputs = outputs_into(n, &alone);
+      check_scene("%s by %u workers", set->name, (unsigned)workers);
+      own.seed = workers;
+      request.sigma = workers % 2 == 0 ? sigma : NULL;
+      request.tangency = workers % 3 == 0 ? HSP_TANGENT_DISJOINT : HSP_TANGENT_OVERLAP;
+      request.executor = NULL;
+      CHECK_EQUAL(hsp_boundary_get_gradient(c.boundary, &request, &outputs), HSP_OK);
+      outputs = outputs_into(n, &shared);
+      request.executor = &executor;
+      CHECK_EQUAL(hsp_boundary_get_gradient(c.boundary, &request, &outputs), HSP_OK);
+      CHECK_BYTES(&shared, &alone, sizeof alone);
+      CHECK(outputs.needed == n && outputs.first_bad == HSP_NONE);
+      CHECK_EQUAL(own.runs, workers > 1);
+      CHECK(own.most_tasks > 1 || workers <= 1 || n <= 64);
+    }
+  }
+  computed_release(&c);
+}
+
+static void refused(const ball_set *set) {
+  gradients g, untouched;
+  order own = {0, 0, 0};
+  hsp_executor executor = executor_of(2, &own);
+  hsp_gradient_request request;
+  hsp_gradient_outputs outputs = outputs_into(set->n, &g);
+  computed c;
+  memcpy(&untouched, &g, sizeof g);
+  CHECK_EQUAL(hsp_gradient_request_init(&request, (uint32_t)sizeof request), HSP_OK);
+  request.executor = &executor;
+  check_scene("executors that are refused");
+  if (CHECK_EQUAL(computed_make(set->n, set->xyz, set->radius, NULL, &c), HSP_OK)) {
+    executor.run = NULL;
+    CHECK_EQUAL(hsp_boundary_get_gradient(c.boundary, &request, &outputs), HSP_E_ARGUMENT);
+    executor.run = run_shuffled;
+    --executor.struct_size;
+    CHECK_EQUAL(hsp_boundary_get_gradient(c.boundary, &request, &outputs), HSP_E_VERSION);
+    executor.struct_size = 0;
+    CHECK_EQUAL(hsp_boundary_get_gradient(c.boundary, &request, &outputs), HSP_E_VERSION);
+    CHECK(own.runs == 0 && outputs.needed == 0);
+    CHECK_BYTES(&g, &untouched, sizeof g);
+    /* One worker needs no loop. */
+    executor = executor_of(1, NULL);
+    executor.run = NULL;
+    CHECK_EQUAL(hsp_boundary_get_gradient(c.boundary, &request, &outputs), HSP_OK);
+  }
+  computed_release(&c);
+}
+
+int main(void) {
+  static ball_set set;
+  uint32_t which;
+  for (which = 0; which < ball_set_count(); which += 5) {
+    ball_set_make(which, &set);
+    every_number_of_workers(&set);
+  }
+  ball_set_start(&set, "chain", 1e-8);
+  ball_set_add_chain(&set, BALL_SET_MOST, 77);
+  every_number_of_workers(&set);
+  refused(&set);
+  return check_report();
+}
