@@ -313,7 +313,7 @@ class Session {
     for (double &x : xyz) x = number();
     const double radius = number();
     const double *place = null() ? nullptr : xyz;
-    int32_t meets = 12345;
+    uint32_t meets = 12345;
     const int32_t status = hsp_query_meets(model, place, radius, &meets);
     const bool pointers = model != nullptr && place != nullptr;
     const bool finite = std::isfinite(xyz[0]) && std::isfinite(xyz[1]) && std::isfinite(xyz[2]);
@@ -328,8 +328,7 @@ class Session {
     check_array<uint32_t>(24, status, [&](uint32_t *out, uint32_t capacity, uint32_t *needed) {
       return hsp_query_ball(model, place, radius, out, capacity, needed);
     });
-    int32_t point_status = 12345;
-    const int32_t whether = hsp_query_meets(model, place, 0, &point_status);
+    const int32_t whether = hsp_query_meets(model, place, 0, &meets);
     check_array<uint32_t>(24, whether, [&](uint32_t *out, uint32_t capacity, uint32_t *needed) {
       return hsp_query_point(model, place, out, capacity, needed);
     });

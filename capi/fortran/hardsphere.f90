@@ -1146,28 +1146,27 @@ module hardsphere
     real(c_double) :: scale
     ! of a fixed frame: the point in space in its middle, length; default 0 0 0. Without a scale it has to be that
     real(c_double) :: centre(3)
-    ! HSP_ADDRESS of scratch memory of any alignment, with which PDF is compressed (Deflate) to a third to a seventh of
-    ! its size; default 0: it is not. Of no effect on other formats. A number, so that the struct is the same on every
-    ! machine
-    integer(c_int64_t) :: memory
+    ! scratch memory of any alignment, with which PDF is compressed (Deflate) to a third to a seventh of its size;
+    ! default NULL: it is not. Of no effect on other formats
+    type(c_ptr) :: memory
     ! of memory, HSP_PICTURE_MEMORY or more; default 0, as it has to be without memory
-    integer(c_int64_t) :: memory_bytes
-    ! HSP_ADDRESS of a computed map of the same model from the same direction, with which contours are drawn: see
-    ! HSP_INK_BORDER; default 0: none. Of balls and sticks there are none
-    integer(c_int64_t) :: ink
-    ! HSP_ADDRESS of a uint32_t for each ball of the model: numbers of groups, such as chains, residues or ligands, for
-    ! HSP_INK_GROUP; default 0: all balls are of one
-    integer(c_int64_t) :: group
+    integer(c_size_t) :: memory_bytes
+    ! a computed map of the same model from the same direction, with which contours are drawn: see HSP_INK_BORDER;
+    ! default NULL: none. Of balls and sticks there are none
+    type(c_ptr) :: ink
+    ! of each ball of the model: numbers of groups, such as chains, residues or ligands, for HSP_INK_GROUP; default
+    ! NULL: all balls are of one
+    type(c_ptr) :: group
     ! HSP_INK_*: of contours where they are widest; 0: none; < 0: chosen; default -1
     real(c_double) :: ink_width(3)
     integer(c_int32_t) :: ink_colour(3)     ! HSP_INK_*: 0xRRGGBB, fades like lines; default 0x23202B
     integer(c_int32_t) :: reserved_for_ink  ! 0
-    ! SVG: HSP_ADDRESS of a const char * for each ball of the model, each NULL, empty or names of classes with blanks
-    ! between them, NUL-terminated UTF-8. Such balls have their index in an id, "a", four digits or letters, "-" and
-    ! the index, and not in data-ball; halves of sticks have classes and data-ball. Default 0: none; of no effect on
-    ! other formats
-    integer(c_int64_t) :: atom_class
-    integer(c_int64_t) :: atom_title        ! SVG: likewise texts that browsers show beside the pointer; default 0: none
+    ! SVG: of each ball of the model, each NULL, empty or names of classes with blanks between them, NUL-terminated
+    ! UTF-8. Such balls have their index in an id, "a", four digits or letters, "-" and the index, and not in
+    ! data-ball; halves of sticks have classes and data-ball. Default NULL: none; of no effect on other formats
+    type(c_ptr) :: atom_class
+    ! SVG: likewise texts that browsers show beside the pointer; default NULL: none
+    type(c_ptr) :: atom_title
   end type
 
   ! ----
@@ -1279,7 +1278,7 @@ module hardsphere
       real(c_double), intent(in) :: xyz(3)
       integer(c_int32_t), intent(inout), optional :: ids(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1290,7 +1289,7 @@ module hardsphere
       real(c_double), value :: radius
       integer(c_int32_t), intent(inout), optional :: ids(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1310,7 +1309,7 @@ module hardsphere
       integer(c_int32_t), value :: ball
       integer(c_int32_t), intent(inout), optional :: ids(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1322,7 +1321,7 @@ module hardsphere
       integer(c_int32_t), intent(inout) :: first(*)  ! n + 1
       integer(c_int32_t), intent(inout), optional :: ids(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1423,7 +1422,7 @@ module hardsphere
       type(hsp_pose), intent(in) :: pose
       integer(c_int32_t), intent(inout), optional :: pair(2, *)  ! 2, needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1472,7 +1471,7 @@ module hardsphere
       type(hsp_rational_pose), intent(in) :: pose
       integer(c_int32_t), intent(inout), optional :: pair(2, *)  ! 2, needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1548,7 +1547,7 @@ module hardsphere
       type(c_ptr), value :: boundary
       type(hsp_vertex), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1557,7 +1556,7 @@ module hardsphere
       type(c_ptr), value :: boundary
       type(hsp_arc), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1567,7 +1566,7 @@ module hardsphere
       type(c_ptr), value :: boundary
       type(hsp_circle), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1577,7 +1576,7 @@ module hardsphere
       type(c_ptr), value :: boundary
       type(hsp_face), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1587,7 +1586,7 @@ module hardsphere
       type(c_ptr), value :: boundary
       type(hsp_loop), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1597,7 +1596,7 @@ module hardsphere
       type(c_ptr), value :: boundary
       type(hsp_loop_arc), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1607,7 +1606,7 @@ module hardsphere
       type(c_ptr), value :: boundary
       type(hsp_ball), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1742,7 +1741,7 @@ module hardsphere
       integer(c_int32_t), value :: tangency
       type(hsp_area_derivative), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1851,7 +1850,7 @@ module hardsphere
       type(c_ptr), value :: moving
       integer(c_int32_t), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1932,7 +1931,7 @@ module hardsphere
       type(c_ptr), value :: contacts
       type(hsp_contact), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1943,7 +1942,7 @@ module hardsphere
       integer(c_int32_t), value :: ball
       type(hsp_contact), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1966,7 +1965,7 @@ module hardsphere
       integer(c_int32_t), intent(in) :: group(*)  ! n
       type(hsp_group_contact), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1984,7 +1983,7 @@ module hardsphere
       integer(c_int32_t), value :: dimension
       type(hsp_simplex), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2092,7 +2091,7 @@ module hardsphere
       type(c_ptr), value :: periodic
       type(hsp_periodic_contact), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2103,7 +2102,7 @@ module hardsphere
       integer(c_int32_t), intent(in) :: group(*)  ! n
       type(hsp_group_contact), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2113,7 +2112,7 @@ module hardsphere
       type(c_ptr), value :: periodic
       type(hsp_winding), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2123,7 +2122,7 @@ module hardsphere
       type(c_ptr), value :: periodic
       integer(c_int32_t), intent(inout), optional :: component(*)  ! n
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2154,7 +2153,7 @@ module hardsphere
       real(c_double), intent(in) :: xyz(3)
       type(hsp_image), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2166,7 +2165,7 @@ module hardsphere
       real(c_double), value :: radius
       type(hsp_image), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2177,7 +2176,7 @@ module hardsphere
       integer(c_int32_t), value :: ball
       type(hsp_image), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2190,7 +2189,7 @@ module hardsphere
       integer(c_int32_t), intent(inout) :: first(*)  ! n + 1
       type(hsp_image), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2210,7 +2209,7 @@ module hardsphere
       type(c_ptr), value :: periodic
       type(hsp_periodic_vertex), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2219,7 +2218,7 @@ module hardsphere
       type(c_ptr), value :: periodic
       type(hsp_periodic_arc), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2229,7 +2228,7 @@ module hardsphere
       type(c_ptr), value :: periodic
       type(hsp_periodic_circle), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2239,7 +2238,7 @@ module hardsphere
       type(c_ptr), value :: periodic
       type(hsp_periodic_face), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2249,7 +2248,7 @@ module hardsphere
       type(c_ptr), value :: periodic
       type(hsp_periodic_loop), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2259,7 +2258,7 @@ module hardsphere
       type(c_ptr), value :: periodic
       type(hsp_periodic_loop_arc), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2269,7 +2268,7 @@ module hardsphere
       type(c_ptr), value :: periodic
       type(hsp_ball), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2444,7 +2443,7 @@ module hardsphere
       type(c_ptr), value :: surface
       type(hsp_surface_shell), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2671,7 +2670,7 @@ module hardsphere
       type(c_ptr), value :: topology
       type(hsp_shell), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2681,7 +2680,7 @@ module hardsphere
       type(c_ptr), value :: topology
       type(hsp_component), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2691,7 +2690,7 @@ module hardsphere
       type(c_ptr), value :: topology
       type(hsp_cell), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2702,7 +2701,7 @@ module hardsphere
       integer(c_int32_t), value :: cell
       integer(c_int32_t), intent(inout), optional :: shells(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2713,7 +2712,7 @@ module hardsphere
       integer(c_int32_t), value :: cell
       integer(c_int32_t), intent(inout), optional :: balls(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2724,7 +2723,7 @@ module hardsphere
       integer(c_int32_t), value :: shell
       integer(c_int32_t), intent(inout), optional :: faces(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2801,7 +2800,7 @@ module hardsphere
       integer(c_int32_t), value :: cell
       integer(c_int32_t), intent(inout), optional :: neighbours(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2839,7 +2838,7 @@ module hardsphere
       type(hsp_arrangement), intent(inout), optional :: of_ball(*)  ! n
       integer(c_int32_t), intent(inout), optional :: scratch(*)  ! needed
       integer(c_int32_t), value :: words
-      integer(c_int32_t), intent(inout) :: words_needed
+      integer(c_int32_t), intent(inout), optional :: words_needed
       integer(c_int32_t) :: status
     end function
 
@@ -2892,7 +2891,7 @@ module hardsphere
       type(c_ptr), value :: paths
       real(c_double), intent(inout), optional :: points(3, *)  ! 3, needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -3001,7 +3000,7 @@ module hardsphere
       type(c_ptr), value :: view
       type(hsp_view_piece), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -3010,7 +3009,7 @@ module hardsphere
       type(c_ptr), value :: view
       type(hsp_view_loop), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -3019,7 +3018,7 @@ module hardsphere
       type(c_ptr), value :: view
       type(hsp_view_arc), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -3132,7 +3131,7 @@ module hardsphere
       type(c_ptr), value :: map
       real(c_double), intent(inout), optional :: area(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -3142,7 +3141,7 @@ module hardsphere
       integer(c_int32_t), value :: ball
       integer(c_int32_t), intent(inout), optional :: h(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -3280,7 +3279,7 @@ module hardsphere
       type(c_ptr), value :: sticks
       real(c_double), intent(inout), optional :: area(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -3300,7 +3299,7 @@ module hardsphere
       integer(c_int32_t), value :: ball
       integer(c_int32_t), intent(inout), optional :: h(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 

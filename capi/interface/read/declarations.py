@@ -62,7 +62,7 @@ def field_of(part, rows):
     count, kind = 1, part.type
     if isinstance(kind, c_ast.ArrayDecl):
         count, kind = int(kind.dim.value), kind.type
-    return Field(part.name, type_of(kind)[0], count, remark_at(rows, part.coord.line))
+    return Field(part.name, *type_of(kind), count, remark_at(rows, part.coord.line), c_generator.CGenerator().visit(part))
 
 
 def type_of(node):

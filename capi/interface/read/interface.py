@@ -1,7 +1,7 @@
 """What is known of the interface, as data."""
 from dataclasses import dataclass, field
 
-# Bytes of each scalar on every target; size_t is what differs, and stands in no struct.
+# Bytes of each scalar on every target; size_t and pointers have those of an address.
 SCALARS = {"double": 8, "int32_t": 4, "uint32_t": 4, "uint8_t": 1, "int64_t": 8, "uint64_t": 8}
 
 
@@ -58,10 +58,24 @@ class Function:
 
 @dataclass
 class Field:
+    """A field of a struct. `base` is its type without const and stars; const: what it points to is."""
     name: str
     base: str
+    stars: int
+    const: bool
     count: int
     remark: str
+    c: str  # its declaration in C
+
+    @property
+    def kind(self):
+        """Its type without const."""
+        return self.base + "*" * self.stars
+
+    @property
+    def is_address(self):
+        """Whether it has as many bytes as an address."""
+        return self.stars > 0 or self.base == "size_t"
 
 
 @dataclass

@@ -27,17 +27,22 @@ def abi_constants(interface):
 
 def abi_structs(interface):
     """Fields follow each other without padding, which abi.sh asks compilers for many targets."""
-    rows, sizes = {}, dict(SCALARS)
+    rows, sizes = {}, {name: (size, size) for name, size in SCALARS.items()}  # with 64 and with 32 bits
     for struct in interface.structs_inside_first():
-        place, fields = 0, []
+        place, fields = (0, 0), []
         for field in struct.fields:
-            fields.append(f"{struct.name}.{field.name} {place} {field.base} {field.count}")
-            place += sizes[field.base] * field.count
+            fields.append(f"{struct.name}.{field.name} {by_address(place)} {field.kind} {field.count}")
+            size = (8, 4) if field.is_address else sizes[field.base]
+            place = tuple(at + size[k] * field.count for k, at in enumerate(place))
         sizes[struct.name] = place
-        rows[struct.name] = [f"{struct.name} {place}", *fields]
+        rows[struct.name] = [f"{struct.name} {by_address(place)}", *fields]
     title = opening(interface, "Structs")
-    title += ", for every target: size, then offset of each field, its type, and how many"
+    title += ": size, then offset of each field, its type, and how many; A/B: with addresses of 64 and of 32 bits"
     return "\n".join([title, *(row for name in sorted(rows) for row in rows[name]), ""])
+
+
+def by_address(places):
+    return str(places[0]) if places[0] == places[1] else f"{places[0]}/{places[1]}"
 
 
 def abi_since(interface):

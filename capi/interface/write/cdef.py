@@ -5,7 +5,7 @@ def cdef(interface):
     rows = ["/* The declarations of hardsphere.h. Generated from the headers by capi/interface/generate.sh. */"]
     rows += [f"typedef struct {handle} {handle};" for handle in interface.handles]
     for struct in interface.structs_inside_first():
-        fields = (f"  {f.base} {f.name}{f'[{f.count}]' if f.count > 1 else ''};" for f in struct.fields)
+        fields = (f"  {f.c};" for f in struct.fields)
         rows += [f"typedef struct {struct.name} {{", *fields, f"}} {struct.name};"]
     rows += [f"{declaration};" for declaration in interface.callbacks.values()]
     rows += [f"#define {constant.name} {constant.value}" for constant in interface.constants.values()]

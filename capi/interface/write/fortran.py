@@ -73,7 +73,8 @@ def kind_of(base):
 
 
 def type_rows(struct):
-    declared = [f"    {kind_of(f.base)} :: {f.name}{f'({f.count})' if f.count > 1 else ''}" for f in struct.fields]
+    declared = [f"    {'type(c_ptr)' if f.stars else kind_of(f.base)} :: {f.name}{f'({f.count})' if f.count > 1 else ''}"
+                for f in struct.fields]
     column = max(len(row) for row in declared)
     rows = [row for d, f in zip(declared, struct.fields) for row in remarked(d, f.remark, column)]
     return [f"  type, bind(C) :: {struct.name}", *rows, "  end type"]

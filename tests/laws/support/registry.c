@@ -96,7 +96,7 @@ static const argument of_hsp_query_point[] = {
   {"ids", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held =
       1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_query_point(const value *v) {
   return (int64_t)hsp_query_point(v[0].p, v[1].p, v[2].p, v[3].u, v[4].p);
@@ -109,7 +109,7 @@ static const argument of_hsp_query_ball[] = {
   {"ids", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held =
       1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_query_ball(const value *v) {
   return (int64_t)hsp_query_ball(v[0].p, v[1].p, v[2].d, v[3].p, v[4].u, v[5].p);
@@ -119,7 +119,7 @@ static const argument of_hsp_query_meets[] = {
   {"model", "hsp_model", .kind = KIND_handle, .noun = NOUN_model, .is_const = 1},
   {"xyz", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .is_const = 1},
   {"radius", "double", .kind = KIND_value, .size = sizeof(double)},
-  {"meets", "int32_t", .kind = KIND_value_out, .size = sizeof(int32_t)},
+  {"meets", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t)},
 };
 static int64_t call_hsp_query_meets(const value *v) {
   return (int64_t)hsp_query_meets(v[0].p, v[1].p, v[2].d, v[3].p);
@@ -131,7 +131,7 @@ static const argument of_hsp_query_neighbours[] = {
   {"ids", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held =
       1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_query_neighbours(const value *v) {
   return (int64_t)hsp_query_neighbours(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
@@ -144,7 +144,7 @@ static const argument of_hsp_query_pairs[] = {
   {"ids", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held =
       1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_query_pairs(const value *v) {
   return (int64_t)hsp_query_pairs(v[0].p, v[1].u, v[2].p, v[3].p, v[4].u, v[5].p);
@@ -256,7 +256,7 @@ static const argument of_hsp_body_pairs[] = {
   {"pair", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .row = 2, .null =
       NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_body_pairs(const value *v) {
   return (int64_t)hsp_body_pairs(v[0].p, v[1].p, v[2].p, v[3].p, v[4].u, v[5].p);
@@ -309,7 +309,7 @@ static const argument of_hsp_body_rational_pairs[] = {
   {"pair", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .row = 2, .null =
       NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_body_rational_pairs(const value *v) {
   return (int64_t)hsp_body_rational_pairs(v[0].p, v[1].p, v[2].p, v[3].p, v[4].u, v[5].p);
@@ -391,7 +391,7 @@ static const argument of_hsp_boundary_get_vertices[] = {
   {"out", "hsp_vertex", .kind = KIND_array_out, .size = sizeof(hsp_vertex), .extent = "needed", .null = NULL_empty,
       .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_boundary_get_vertices(const value *v) {
   return (int64_t)hsp_boundary_get_vertices(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -402,7 +402,7 @@ static const argument of_hsp_boundary_get_arcs[] = {
   {"out", "hsp_arc", .kind = KIND_array_out, .size = sizeof(hsp_arc), .extent = "needed", .null = NULL_empty, .held =
       1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_boundary_get_arcs(const value *v) {
   return (int64_t)hsp_boundary_get_arcs(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -413,7 +413,7 @@ static const argument of_hsp_boundary_get_circles[] = {
   {"out", "hsp_circle", .kind = KIND_array_out, .size = sizeof(hsp_circle), .extent = "needed", .null = NULL_empty,
       .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_boundary_get_circles(const value *v) {
   return (int64_t)hsp_boundary_get_circles(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -424,7 +424,7 @@ static const argument of_hsp_boundary_get_faces[] = {
   {"out", "hsp_face", .kind = KIND_array_out, .size = sizeof(hsp_face), .extent = "needed", .null = NULL_empty, .held =
       1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_boundary_get_faces(const value *v) {
   return (int64_t)hsp_boundary_get_faces(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -435,7 +435,7 @@ static const argument of_hsp_boundary_get_loops[] = {
   {"out", "hsp_loop", .kind = KIND_array_out, .size = sizeof(hsp_loop), .extent = "needed", .null = NULL_empty, .held =
       1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_boundary_get_loops(const value *v) {
   return (int64_t)hsp_boundary_get_loops(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -446,7 +446,7 @@ static const argument of_hsp_boundary_get_loop_arcs[] = {
   {"out", "hsp_loop_arc", .kind = KIND_array_out, .size = sizeof(hsp_loop_arc), .extent = "needed", .null = NULL_empty,
       .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_boundary_get_loop_arcs(const value *v) {
   return (int64_t)hsp_boundary_get_loop_arcs(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -457,7 +457,7 @@ static const argument of_hsp_boundary_get_balls[] = {
   {"out", "hsp_ball", .kind = KIND_array_out, .size = sizeof(hsp_ball), .extent = "needed", .null = NULL_empty, .held =
       1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_boundary_get_balls(const value *v) {
   return (int64_t)hsp_boundary_get_balls(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -604,7 +604,7 @@ static const argument of_hsp_boundary_get_area_row[] = {
   {"out", "hsp_area_derivative", .kind = KIND_array_out, .size = sizeof(hsp_area_derivative), .extent = "needed", .null
       = NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_boundary_get_area_row(const value *v) {
   return (int64_t)hsp_boundary_get_area_row(v[0].p, v[1].u, v[2].u, v[3].p, v[4].u, v[5].p);
@@ -726,7 +726,7 @@ static const argument of_hsp_moving_get_changed[] = {
   {"out", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held =
       1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_moving_get_changed(const value *v) {
   return (int64_t)hsp_moving_get_changed(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -814,7 +814,7 @@ static const argument of_hsp_contacts_get[] = {
   {"out", "hsp_contact", .kind = KIND_array_out, .size = sizeof(hsp_contact), .extent = "needed", .null = NULL_empty,
       .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_contacts_get(const value *v) {
   return (int64_t)hsp_contacts_get(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -826,7 +826,7 @@ static const argument of_hsp_contacts_get_row[] = {
   {"out", "hsp_contact", .kind = KIND_array_out, .size = sizeof(hsp_contact), .extent = "needed", .null = NULL_empty,
       .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_contacts_get_row(const value *v) {
   return (int64_t)hsp_contacts_get_row(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
@@ -852,7 +852,7 @@ static const argument of_hsp_contacts_group[] = {
   {"out", "hsp_group_contact", .kind = KIND_array_out, .size = sizeof(hsp_group_contact), .extent = "needed", .null =
       NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_contacts_group(const value *v) {
   return (int64_t)hsp_contacts_group(v[0].p, v[1].p, v[2].p, v[3].u, v[4].p);
@@ -872,7 +872,7 @@ static const argument of_hsp_contacts_get_simplices[] = {
   {"out", "hsp_simplex", .kind = KIND_array_out, .size = sizeof(hsp_simplex), .extent = "needed", .null = NULL_empty,
       .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_contacts_get_simplices(const value *v) {
   return (int64_t)hsp_contacts_get_simplices(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
@@ -991,7 +991,7 @@ static const argument of_hsp_periodic_get_contacts[] = {
   {"out", "hsp_periodic_contact", .kind = KIND_array_out, .size = sizeof(hsp_periodic_contact), .extent = "needed",
       .null = NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_periodic_get_contacts(const value *v) {
   return (int64_t)hsp_periodic_get_contacts(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -1003,7 +1003,7 @@ static const argument of_hsp_periodic_group_contacts[] = {
   {"out", "hsp_group_contact", .kind = KIND_array_out, .size = sizeof(hsp_group_contact), .extent = "needed", .null =
       NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_periodic_group_contacts(const value *v) {
   return (int64_t)hsp_periodic_group_contacts(v[0].p, v[1].p, v[2].p, v[3].u, v[4].p);
@@ -1014,7 +1014,7 @@ static const argument of_hsp_periodic_get_windings[] = {
   {"out", "hsp_winding", .kind = KIND_array_out, .size = sizeof(hsp_winding), .extent = "needed", .null = NULL_empty,
       .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_periodic_get_windings(const value *v) {
   return (int64_t)hsp_periodic_get_windings(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -1025,7 +1025,7 @@ static const argument of_hsp_periodic_get_components[] = {
   {"component", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "n", .null = NULL_empty, .held =
       1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_periodic_get_components(const value *v) {
   return (int64_t)hsp_periodic_get_components(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -1060,7 +1060,7 @@ static const argument of_hsp_periodic_query_point[] = {
   {"out", "hsp_image", .kind = KIND_array_out, .size = sizeof(hsp_image), .extent = "needed", .null = NULL_empty, .held
       = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_periodic_query_point(const value *v) {
   return (int64_t)hsp_periodic_query_point(v[0].p, v[1].p, v[2].p, v[3].u, v[4].p);
@@ -1073,7 +1073,7 @@ static const argument of_hsp_periodic_query_ball[] = {
   {"out", "hsp_image", .kind = KIND_array_out, .size = sizeof(hsp_image), .extent = "needed", .null = NULL_empty, .held
       = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_periodic_query_ball(const value *v) {
   return (int64_t)hsp_periodic_query_ball(v[0].p, v[1].p, v[2].d, v[3].p, v[4].u, v[5].p);
@@ -1085,7 +1085,7 @@ static const argument of_hsp_periodic_query_neighbours[] = {
   {"out", "hsp_image", .kind = KIND_array_out, .size = sizeof(hsp_image), .extent = "needed", .null = NULL_empty, .held
       = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_periodic_query_neighbours(const value *v) {
   return (int64_t)hsp_periodic_query_neighbours(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
@@ -1098,7 +1098,7 @@ static const argument of_hsp_periodic_query_pairs[] = {
   {"out", "hsp_image", .kind = KIND_array_out, .size = sizeof(hsp_image), .extent = "needed", .null = NULL_empty, .held
       = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_periodic_query_pairs(const value *v) {
   return (int64_t)hsp_periodic_query_pairs(v[0].p, v[1].u, v[2].p, v[3].p, v[4].u, v[5].p);
@@ -1118,7 +1118,7 @@ static const argument of_hsp_periodic_get_vertices[] = {
   {"out", "hsp_periodic_vertex", .kind = KIND_array_out, .size = sizeof(hsp_periodic_vertex), .extent = "needed", .null
       = NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_periodic_get_vertices(const value *v) {
   return (int64_t)hsp_periodic_get_vertices(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -1129,7 +1129,7 @@ static const argument of_hsp_periodic_get_arcs[] = {
   {"out", "hsp_periodic_arc", .kind = KIND_array_out, .size = sizeof(hsp_periodic_arc), .extent = "needed", .null =
       NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_periodic_get_arcs(const value *v) {
   return (int64_t)hsp_periodic_get_arcs(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -1140,7 +1140,7 @@ static const argument of_hsp_periodic_get_circles[] = {
   {"out", "hsp_periodic_circle", .kind = KIND_array_out, .size = sizeof(hsp_periodic_circle), .extent = "needed", .null
       = NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_periodic_get_circles(const value *v) {
   return (int64_t)hsp_periodic_get_circles(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -1151,7 +1151,7 @@ static const argument of_hsp_periodic_get_faces[] = {
   {"out", "hsp_periodic_face", .kind = KIND_array_out, .size = sizeof(hsp_periodic_face), .extent = "needed", .null =
       NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_periodic_get_faces(const value *v) {
   return (int64_t)hsp_periodic_get_faces(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -1162,7 +1162,7 @@ static const argument of_hsp_periodic_get_loops[] = {
   {"out", "hsp_periodic_loop", .kind = KIND_array_out, .size = sizeof(hsp_periodic_loop), .extent = "needed", .null =
       NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_periodic_get_loops(const value *v) {
   return (int64_t)hsp_periodic_get_loops(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -1173,7 +1173,7 @@ static const argument of_hsp_periodic_get_loop_arcs[] = {
   {"out", "hsp_periodic_loop_arc", .kind = KIND_array_out, .size = sizeof(hsp_periodic_loop_arc), .extent = "needed",
       .null = NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_periodic_get_loop_arcs(const value *v) {
   return (int64_t)hsp_periodic_get_loop_arcs(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -1184,7 +1184,7 @@ static const argument of_hsp_periodic_get_balls[] = {
   {"out", "hsp_ball", .kind = KIND_array_out, .size = sizeof(hsp_ball), .extent = "needed", .null = NULL_empty, .held =
       1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_periodic_get_balls(const value *v) {
   return (int64_t)hsp_periodic_get_balls(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -1381,14 +1381,14 @@ static const argument of_hsp_surface_get_shells[] = {
   {"out", "hsp_surface_shell", .kind = KIND_array_out, .size = sizeof(hsp_surface_shell), .extent = "needed", .null =
       NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_surface_get_shells(const value *v) {
   return (int64_t)hsp_surface_get_shells(v[0].p, v[1].p, v[2].u, v[3].p);
 }
 
 static const argument of_hsp_surface_check[] = {
-  {"surface", "hsp_surface", .kind = KIND_handle, .noun = NOUN_surface},
+  {"surface", "hsp_surface", .kind = KIND_handle, .noun = NOUN_surface, .is_const = 1},
   {"invariant", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t)},
   {"id", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t)},
 };
@@ -1633,7 +1633,7 @@ static const argument of_hsp_topology_get_shells[] = {
   {"out", "hsp_shell", .kind = KIND_array_out, .size = sizeof(hsp_shell), .extent = "needed", .null = NULL_empty, .held
       = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_topology_get_shells(const value *v) {
   return (int64_t)hsp_topology_get_shells(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -1644,7 +1644,7 @@ static const argument of_hsp_topology_get_components[] = {
   {"out", "hsp_component", .kind = KIND_array_out, .size = sizeof(hsp_component), .extent = "needed", .null =
       NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_topology_get_components(const value *v) {
   return (int64_t)hsp_topology_get_components(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -1655,7 +1655,7 @@ static const argument of_hsp_topology_get_cells[] = {
   {"out", "hsp_cell", .kind = KIND_array_out, .size = sizeof(hsp_cell), .extent = "needed", .null = NULL_empty, .held =
       1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_topology_get_cells(const value *v) {
   return (int64_t)hsp_topology_get_cells(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -1667,7 +1667,7 @@ static const argument of_hsp_topology_get_cell_shells[] = {
   {"shells", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held
       = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_topology_get_cell_shells(const value *v) {
   return (int64_t)hsp_topology_get_cell_shells(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
@@ -1679,7 +1679,7 @@ static const argument of_hsp_topology_get_cell_balls[] = {
   {"balls", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held
       = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_topology_get_cell_balls(const value *v) {
   return (int64_t)hsp_topology_get_cell_balls(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
@@ -1691,7 +1691,7 @@ static const argument of_hsp_topology_get_traversal[] = {
   {"faces", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held
       = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_topology_get_traversal(const value *v) {
   return (int64_t)hsp_topology_get_traversal(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
@@ -1776,7 +1776,7 @@ static const argument of_hsp_cells_get_neighbours[] = {
   {"neighbours", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty,
       .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_cells_get_neighbours(const value *v) {
   return (int64_t)hsp_cells_get_neighbours(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
@@ -1820,7 +1820,7 @@ static const argument of_hsp_model_arrangement[] = {
   {"scratch", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty,
       .held = 1},
   {"words", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"words_needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"words_needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_model_arrangement(const value *v) {
   return (int64_t)hsp_model_arrangement(v[0].p, v[1].p, v[2].p, v[3].p, v[4].u, v[5].p);
@@ -1878,7 +1878,7 @@ static const argument of_hsp_paths_get_points[] = {
   {"points", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "needed", .row = 3, .null = NULL_empty,
       .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_paths_get_points(const value *v) {
   return (int64_t)hsp_paths_get_points(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -2000,7 +2000,7 @@ static const argument of_hsp_view_get_pieces[] = {
   {"out", "hsp_view_piece", .kind = KIND_array_out, .size = sizeof(hsp_view_piece), .extent = "needed", .null =
       NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_view_get_pieces(const value *v) {
   return (int64_t)hsp_view_get_pieces(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -2011,7 +2011,7 @@ static const argument of_hsp_view_get_loops[] = {
   {"out", "hsp_view_loop", .kind = KIND_array_out, .size = sizeof(hsp_view_loop), .extent = "needed", .null =
       NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_view_get_loops(const value *v) {
   return (int64_t)hsp_view_get_loops(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -2022,7 +2022,7 @@ static const argument of_hsp_view_get_arcs[] = {
   {"out", "hsp_view_arc", .kind = KIND_array_out, .size = sizeof(hsp_view_arc), .extent = "needed", .null = NULL_empty,
       .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_view_get_arcs(const value *v) {
   return (int64_t)hsp_view_get_arcs(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -2149,7 +2149,7 @@ static const argument of_hsp_map_get_areas[] = {
   {"map", "hsp_map", .kind = KIND_handle, .noun = NOUN_map, .is_const = 1},
   {"area", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "needed", .null = NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_map_get_areas(const value *v) {
   return (int64_t)hsp_map_get_areas(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -2161,7 +2161,7 @@ static const argument of_hsp_map_get_outline[] = {
   {"h", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held =
       1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_map_get_outline(const value *v) {
   return (int64_t)hsp_map_get_outline(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
@@ -2317,7 +2317,7 @@ static const argument of_hsp_sticks_get_areas[] = {
   {"sticks", "hsp_sticks", .kind = KIND_handle, .noun = NOUN_sticks, .is_const = 1},
   {"area", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "needed", .null = NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_sticks_get_areas(const value *v) {
   return (int64_t)hsp_sticks_get_areas(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -2339,7 +2339,7 @@ static const argument of_hsp_sticks_get_outline[] = {
   {"h", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held =
       1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_sticks_get_outline(const value *v) {
   return (int64_t)hsp_sticks_get_outline(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
@@ -3485,14 +3485,14 @@ const field registry_fields[] = {
   {"hsp_picture_options", "reserved", "uint32_t", offsetof(hsp_picture_options, reserved), 1},
   {"hsp_picture_options", "scale", "double", offsetof(hsp_picture_options, scale), 1},
   {"hsp_picture_options", "centre", "double", offsetof(hsp_picture_options, centre), 3},
-  {"hsp_picture_options", "memory", "uint64_t", offsetof(hsp_picture_options, memory), 1},
-  {"hsp_picture_options", "memory_bytes", "uint64_t", offsetof(hsp_picture_options, memory_bytes), 1},
-  {"hsp_picture_options", "ink", "uint64_t", offsetof(hsp_picture_options, ink), 1},
-  {"hsp_picture_options", "group", "uint64_t", offsetof(hsp_picture_options, group), 1},
+  {"hsp_picture_options", "memory", "void*", offsetof(hsp_picture_options, memory), 1},
+  {"hsp_picture_options", "memory_bytes", "size_t", offsetof(hsp_picture_options, memory_bytes), 1},
+  {"hsp_picture_options", "ink", "hsp_map*", offsetof(hsp_picture_options, ink), 1},
+  {"hsp_picture_options", "group", "uint32_t*", offsetof(hsp_picture_options, group), 1},
   {"hsp_picture_options", "ink_width", "double", offsetof(hsp_picture_options, ink_width), 3},
   {"hsp_picture_options", "ink_colour", "uint32_t", offsetof(hsp_picture_options, ink_colour), 3},
   {"hsp_picture_options", "reserved_for_ink", "uint32_t", offsetof(hsp_picture_options, reserved_for_ink), 1},
-  {"hsp_picture_options", "atom_class", "uint64_t", offsetof(hsp_picture_options, atom_class), 1},
-  {"hsp_picture_options", "atom_title", "uint64_t", offsetof(hsp_picture_options, atom_title), 1},
+  {"hsp_picture_options", "atom_class", "char**", offsetof(hsp_picture_options, atom_class), 1},
+  {"hsp_picture_options", "atom_title", "char**", offsetof(hsp_picture_options, atom_title), 1},
 };
 const size_t registry_fields_size = sizeof registry_fields / sizeof registry_fields[0];
