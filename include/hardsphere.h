@@ -4,7 +4,8 @@
  * be included on its own; this is the order to read them in. What is common to all of them stands below.
  *   hardsphere/version.h    the version of the header and of the library
  *   hardsphere/status.h     what functions return
- *   hardsphere/element.h    radii by element
+ *   hardsphere/element.h    elements by symbol, and their radii
+ *   hardsphere/residue.h    radii by the names of residues and atoms
  *   hardsphere/model.h      a set of balls on its lattice, and how well it behaves: k, rho, overlaps (Section 2)
  *   hardsphere/query.h      which balls contain a point, meet a ball, or meet each other (Section 3)
  *   hardsphere/pose.h       a molecule against a moved one: hits, pairs, gaps (Sections 3 and 6)
@@ -136,6 +137,7 @@
 #include "hardsphere/picture.h"
 #include "hardsphere/pose.h"
 #include "hardsphere/query.h"
+#include "hardsphere/residue.h"
 #include "hardsphere/status.h"
 #include "hardsphere/sticks.h"
 #include "hardsphere/surface.h"

@@ -71,7 +71,7 @@ module hardsphere
   ! a degenerate set of balls, whose smooth surface does not close
   integer(c_int32_t), parameter :: HSP_E_OPEN_SURFACE = -14_c_int32_t
 
-  ! ---- element.h: radii by element -----------------------------------------------------------------------------------
+  ! ---- element.h: elements by symbol, and their radii ----------------------------------------------------------------
 
   ! Van der Waals radii of A. Bondi, J. Phys. Chem. 68 (1964) 441, completed for the main group by M. Mantina et al.,
   ! J. Phys. Chem. A 113 (2009) 5806, Table 12, with hydrogen 1.10 after R. S. Rowland and R. Taylor, J. Phys. Chem.
@@ -82,6 +82,16 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_RADII_CHEM3D = 1_c_int32_t
   ! The set's source has no radius for this element: the radius is a substitute.
   integer(c_int32_t), parameter :: HSP_RADIUS_FALLBACK = 1_c_int32_t
+
+  ! ---- residue.h: radii by the names of residues and atoms -----------------------------------------------------------
+
+  ! J. Tsai, R. Taylor, C. Chothia and M. Gerstein, J. Mol. Biol. 290 (1999) 253: an atom's class is its element, its
+  ! bonds and its hydrogens. Published: the 20 amino acids; nucleotides, water and some other residues are classed as
+  ! FreeSASA 2.1 ships it, and so is one oxygen of each carboxylate and phosphate, as a hydroxyl.
+  integer(c_int32_t), parameter :: HSP_RADII_PROTOR = 2_c_int32_t
+  ! C. Chothia, J. Mol. Biol. 105 (1976) 1, as the program NACCESS by S. Hubbard and J. Thornton uses them: the 20
+  ! amino acids.
+  integer(c_int32_t), parameter :: HSP_RADII_NACCESS = 3_c_int32_t
 
   ! ---- model.h: a set of balls on its lattice, and how well it behaves: k, rho, overlaps (Section 2) -----------------
 
@@ -246,6 +256,14 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_PALETTE_CHAIN = 2_c_int32_t
 
   ! ----
+
+  ! ---- residue.h: radii by the names of residues and atoms -----------------------------------------------------------
+
+  type, bind(C) :: hsp_residue_atom
+    character(kind=c_char) :: residue(8)  ! its name, in upper case, NUL-terminated
+    character(kind=c_char) :: atom(8)     ! likewise
+    real(c_double) :: radius              ! angstrom
+  end type
 
   ! ---- model.h: a set of balls on its lattice, and how well it behaves: k, rho, overlaps (Section 2) -----------------
 
@@ -1209,7 +1227,7 @@ module hardsphere
       type(c_ptr) :: text
     end function
 
-    ! ---- element.h: radii by element ---------------------------------------------------------------------------------
+    ! ---- element.h: elements by symbol, and their radii --------------------------------------------------------------
 
     function hsp_element_radius(set, atomic_number, radius, flags) result(status) bind(C, name="hsp_element_radius")
       import :: c_double, c_int32_t
@@ -1217,6 +1235,39 @@ module hardsphere
       integer(c_int32_t), value :: atomic_number
       real(c_double), intent(inout) :: radius
       integer(c_int32_t), intent(inout), optional :: flags
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_element_number(symbol, atomic_number) result(status) bind(C, name="hsp_element_number")
+      import :: c_char, c_int32_t
+      character(kind=c_char), intent(in) :: symbol(*)  ! ends with c_null_char
+      integer(c_int32_t), intent(inout) :: atomic_number
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_element_symbol(atomic_number) result(text) bind(C, name="hsp_element_symbol")
+      import :: c_int32_t, c_ptr
+      integer(c_int32_t), value :: atomic_number
+      type(c_ptr) :: text
+    end function
+
+    ! ---- residue.h: radii by the names of residues and atoms ---------------------------------------------------------
+
+    function hsp_residue_radius(set, residue, atom, radius) result(status) bind(C, name="hsp_residue_radius")
+      import :: c_char, c_double, c_int32_t
+      integer(c_int32_t), value :: set
+      character(kind=c_char), intent(in) :: residue(*)  ! ends with c_null_char
+      character(kind=c_char), intent(in) :: atom(*)  ! ends with c_null_char
+      real(c_double), intent(inout) :: radius
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_residue_get_atoms(set, out, capacity, needed) result(status) bind(C, name="hsp_residue_get_atoms")
+      import :: c_int32_t, hsp_residue_atom
+      integer(c_int32_t), value :: set
+      type(hsp_residue_atom), intent(inout), optional :: out(*)  ! needed
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1260,6 +1311,17 @@ module hardsphere
       import :: c_int32_t, c_ptr, hsp_model_info
       type(c_ptr), value :: model
       type(hsp_model_info), intent(inout) :: info
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_model_get_balls(model, xyz, radius, capacity, needed) result(status) &
+      bind(C, name="hsp_model_get_balls")
+      import :: c_double, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      real(c_double), intent(inout), optional :: xyz(3, *)  ! 3, n
+      real(c_double), intent(inout), optional :: radius(*)  ! n
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2527,6 +2589,18 @@ module hardsphere
       real(c_double), intent(inout), optional :: normals(3, *)  ! 3, vertices
       real(c_double), intent(inout), optional :: areas(*)  ! vertices
       integer(c_int32_t), intent(inout), optional :: balls(*)  ! vertices
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_mesh_get_weights(mesh, area, patches, weights, capacity, needed) result(status) &
+      bind(C, name="hsp_mesh_get_weights")
+      import :: c_double, c_int32_t, c_ptr
+      type(c_ptr), value :: mesh
+      real(c_double), intent(in) :: area(*)  ! patches
+      integer(c_int32_t), value :: patches
+      real(c_double), intent(inout), optional :: weights(*)  ! vertices
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status

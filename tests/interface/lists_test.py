@@ -61,7 +61,7 @@ HSP_X_BYTES(n,m) ((size_t)(n) + (size_t)(m))
         rows = abi.abi_structs(self.interface).split("\n")
         self.assertEqual(rows[rows.index("hsp_places 40/28"):][1:7], [
             "hsp_places.struct_size 0 uint32_t 1", "hsp_places.n 4 uint32_t 1", "hsp_places.x 8 hsp_x* 1",
-            "hsp_places.name 16/12 char** 1", "hsp_places.bytes 24/16 size_t 1", "hsp_places.a 32/20 double 1"])
+            "hsp_places.name 16/12 char* 1", "hsp_places.bytes 24/16 size_t 1", "hsp_places.a 32/20 double 1"])
 
     def test_since_when(self):
         title = "# The version since which each function is declared as it is\n"

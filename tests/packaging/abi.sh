@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The record of the binary interface in capi/abi, which is generated from the headers, against compilers:
-# declarations, values of constants, sizes of structs and offsets of fields, which are those of every target, or of those
-# whose addresses have 64 and 32 bits. clang, where it is there, compiles them as assertions for a list of targets.
+# declarations, values of constants, sizes of structs and offsets of fields, which are those of every target. clang,
+# where it is there, compiles them as assertions for a list of targets.
 #   abi.sh SOURCE-FOLDER WORK-FOLDER C-COMPILER
 # `bash capi/interface/generate.sh` makes the record anew. What that may change in a release: capi/abi/README.md.
 set -euo pipefail
@@ -17,13 +17,12 @@ cd "$source/capi/abi"
   # A declaration that is not the header's is an error.
   sed '/^#/d; /^HSP_/d; s/$/;/' functions.txt
   awk '!/^#/ { print "_Static_assert(" $1 " == " $2 ", \"" $1 "\");" }' constants.txt
-  awk 'function by_address(bytes, of) { # A/B: with addresses of 64 and of 32 bits
-      return split(bytes, of, "/") == 2 ? "(sizeof(void *) == 8 ? " of[1] " : " of[2] ")" : bytes
-    }
-    /^#/ { next }
-    NF == 2 { print "_Static_assert(sizeof(" $1 ") == " by_address($2) ", \"" $1 "\");"; next }
+  awk '/^#/ { next }
+    { gsub("[0-9]+/[0-9]+", "(sizeof(void *) == 8 ? &)", $2); sub("/", " : ", $2) }
+    NF == 2 { print "_Static_assert(sizeof(" $1 ") == " $2 ", \"" $1 "\");"; next }
+    $3 == "function*" { $3 = "void (*)(void)" }
     { split($1, part, ".")
-      print "_Static_assert(offsetof(" part[1] ", " part[2] ") == " by_address($2) ", \"" $1 "\");"
+      print "_Static_assert(offsetof(" part[1] ", " part[2] ") == " $2 ", \"" $1 "\");"
       field = "((" part[1] " *)0)->" part[2]
       print "_Static_assert(sizeof(" field ") == " $4 " * sizeof(" $3 "), \"" $1 "\");" }' structs.txt
 } >"$work/asserted.c"

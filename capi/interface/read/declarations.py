@@ -41,7 +41,7 @@ def take(interface, node, header, rows):
     """Adds what a node of the parser declares."""
     if isinstance(node, c_ast.Decl) and isinstance(node.type, c_ast.FuncDecl):
         interface.functions.append(function_of(node, header, rows))
-    elif isinstance(node, c_ast.Typedef) and isinstance(node.type, c_ast.PtrDecl):
+    elif isinstance(node, c_ast.Typedef) and isinstance(node.type, (c_ast.PtrDecl, c_ast.FuncDecl)):
         interface.callbacks[node.name] = c_generator.CGenerator().visit(node)
     elif isinstance(node, c_ast.Typedef) and node.type.type.decls is None:
         interface.handles[node.name] = header
@@ -59,10 +59,14 @@ def function_of(node, header, rows):
 
 
 def field_of(part, rows):
-    count, kind = 1, part.type
+    count, kind, declared = 1, part.type, c_generator.CGenerator().visit(part)
     if isinstance(kind, c_ast.ArrayDecl):
         count, kind = int(kind.dim.value), kind.type
-    return Field(part.name, *type_of(kind), count, remark_at(rows, part.coord.line), c_generator.CGenerator().visit(part))
+    if isinstance(kind, c_ast.PtrDecl) and isinstance(kind.type, c_ast.FuncDecl):
+        base, stars, const = "function", 1, False
+    else:
+        base, stars, const = type_of(kind)
+    return Field(part.name, base, stars, const, count, remark_at(rows, part.coord.line), declared)
 
 
 def type_of(node):

@@ -1,8 +1,8 @@
 """What is known of the interface, as data."""
 from dataclasses import dataclass, field
 
-# Bytes of each scalar on every target; size_t and pointers have those of an address.
-SCALARS = {"double": 8, "int32_t": 4, "uint32_t": 4, "uint8_t": 1, "int64_t": 8, "uint64_t": 8}
+# Bytes of each scalar on every target; size_t has those of a pointer.
+SCALARS = {"double": 8, "int32_t": 4, "uint32_t": 4, "uint8_t": 1, "int64_t": 8, "uint64_t": 8, "char": 1}
 
 
 @dataclass
@@ -58,7 +58,7 @@ class Function:
 
 @dataclass
 class Field:
-    """A field of a struct. `base` is its type without const and stars; const: what it points to is."""
+    """A field of a struct. `base` is its type without const and stars; of a pointer to a function, `function`."""
     name: str
     base: str
     stars: int
@@ -66,16 +66,6 @@ class Field:
     count: int
     remark: str
     c: str  # its declaration in C
-
-    @property
-    def kind(self):
-        """Its type without const."""
-        return self.base + "*" * self.stars
-
-    @property
-    def is_address(self):
-        """Whether it has as many bytes as an address."""
-        return self.stars > 0 or self.base == "size_t"
 
 
 @dataclass

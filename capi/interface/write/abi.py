@@ -5,6 +5,7 @@ from pathlib import Path
 from read.interface import SCALARS
 
 RECORD = Path(__file__).resolve().parents[3] / "capi" / "abi"
+POINTER = (8, 4)  # bytes on targets of 64 and 32 bits
 # What changes with every release by itself is no part of the record.
 OF_RELEASES = re.compile(r".*_VERSION_|HSP_(ABI|NUMERICS)_NUMBER")
 
@@ -25,24 +26,25 @@ def abi_constants(interface):
     return "\n".join([opening(interface, "Constants"), *sorted(rows), ""])
 
 
+def of_targets(numbers):
+    """A number of targets with pointers of 8 bytes and of 4."""
+    return str(numbers[0]) if numbers[0] == numbers[1] else "/".join(map(str, numbers))
+
+
 def abi_structs(interface):
     """Fields follow each other without padding, which abi.sh asks compilers for many targets."""
-    rows, sizes = {}, {name: (size, size) for name, size in SCALARS.items()}  # with 64 and with 32 bits
+    rows, sizes = {}, {name: (size, size) for name, size in SCALARS.items()} | {"size_t": POINTER}
     for struct in interface.structs_inside_first():
-        place, fields = (0, 0), []
+        places, fields = (0, 0), []
         for field in struct.fields:
-            fields.append(f"{struct.name}.{field.name} {by_address(place)} {field.kind} {field.count}")
-            size = (8, 4) if field.is_address else sizes[field.base]
-            place = tuple(at + size[k] * field.count for k, at in enumerate(place))
-        sizes[struct.name] = place
-        rows[struct.name] = [f"{struct.name} {by_address(place)}", *fields]
+            kind, size = (f"{field.base}*", POINTER) if field.stars else (field.base, sizes[field.base])
+            fields.append(f"{struct.name}.{field.name} {of_targets(places)} {kind} {field.count}")
+            places = tuple(place + field.count * bytes for place, bytes in zip(places, size))
+        sizes[struct.name] = places
+        rows[struct.name] = [f"{struct.name} {of_targets(places)}", *fields]
     title = opening(interface, "Structs")
-    title += ": size, then offset of each field, its type, and how many; A/B: with addresses of 64 and of 32 bits"
+    title += ", for every target: size, then offset of each field, its type, and how many; a/b: of 8 and 4 bytes a pointer"
     return "\n".join([title, *(row for name in sorted(rows) for row in rows[name]), ""])
-
-
-def by_address(places):
-    return str(places[0]) if places[0] == places[1] else f"{places[0]}/{places[1]}"
 
 
 def abi_since(interface):

@@ -8,7 +8,7 @@ TEMPLATE = Path(__file__).with_name("fortran_template.f90")
 WIDTH = 120
 KINDS = {"double": "real(c_double)", "int32_t": "integer(c_int32_t)", "uint32_t": "integer(c_int32_t)",
          "uint8_t": "integer(c_int8_t)", "uint64_t": "integer(c_int64_t)", "int64_t": "integer(c_int64_t)",
-         "size_t": "integer(c_size_t)"}
+         "size_t": "integer(c_size_t)", "char": "character(kind=c_char)"}
 # What differs for Fortran from what the header says.
 NOTES = {
     "hsp_status_text": "A pointer to C characters; hsp_status_message below returns the same as a Fortran string.",
@@ -72,9 +72,12 @@ def kind_of(base):
     return KINDS.get(base, f"type({base})")
 
 
+def kind_of_field(field):
+    return "type(c_funptr)" if field.base == "function" else "type(c_ptr)" if field.stars else kind_of(field.base)
+
+
 def type_rows(struct):
-    declared = [f"    {'type(c_ptr)' if f.stars else kind_of(f.base)} :: {f.name}{f'({f.count})' if f.count > 1 else ''}"
-                for f in struct.fields]
+    declared = [f"    {kind_of_field(f)} :: {f.name}{f'({f.count})' if f.count > 1 else ''}" for f in struct.fields]
     column = max(len(row) for row in declared)
     rows = [row for d, f in zip(declared, struct.fields) for row in remarked(d, f.remark, column)]
     return [f"  type, bind(C) :: {struct.name}", *rows, "  end type"]

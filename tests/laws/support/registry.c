@@ -34,6 +34,42 @@ static int64_t call_hsp_element_radius(const value *v) {
   return (int64_t)hsp_element_radius(v[0].u, v[1].u, v[2].p, v[3].p);
 }
 
+static const argument of_hsp_element_number[] = {
+  {"symbol", "char", .kind = KIND_string, .is_const = 1},
+  {"atomic_number", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t)},
+};
+static int64_t call_hsp_element_number(const value *v) {
+  return (int64_t)hsp_element_number(v[0].p, v[1].p);
+}
+
+static const argument of_hsp_element_symbol[] = {
+  {"atomic_number", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+};
+static int64_t call_hsp_element_symbol(const value *v) {
+  return (int64_t)(intptr_t)hsp_element_symbol(v[0].u);
+}
+
+static const argument of_hsp_residue_radius[] = {
+  {"set", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"residue", "char", .kind = KIND_string, .is_const = 1},
+  {"atom", "char", .kind = KIND_string, .is_const = 1},
+  {"radius", "double", .kind = KIND_value_out, .size = sizeof(double)},
+};
+static int64_t call_hsp_residue_radius(const value *v) {
+  return (int64_t)hsp_residue_radius(v[0].u, v[1].p, v[2].p, v[3].p);
+}
+
+static const argument of_hsp_residue_get_atoms[] = {
+  {"set", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"out", "hsp_residue_atom", .kind = KIND_array_out, .size = sizeof(hsp_residue_atom), .extent = "needed", .null =
+      NULL_empty, .held = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_residue_get_atoms(const value *v) {
+  return (int64_t)hsp_residue_get_atoms(v[0].u, v[1].p, v[2].u, v[3].p);
+}
+
 static const argument of_hsp_model_bytes[] = {
   {"balls", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
   {"bytes", "size_t", .kind = KIND_value_out, .size = sizeof(size_t)},
@@ -80,6 +116,18 @@ static const argument of_hsp_model_get_info[] = {
 };
 static int64_t call_hsp_model_get_info(const value *v) {
   return (int64_t)hsp_model_get_info(v[0].p, v[1].p);
+}
+
+static const argument of_hsp_model_get_balls[] = {
+  {"model", "hsp_model", .kind = KIND_handle, .noun = NOUN_model, .is_const = 1},
+  {"xyz", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .row = 3, .null = NULL_always, .held
+      = 1},
+  {"radius", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .held = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_model_get_balls(const value *v) {
+  return (int64_t)hsp_model_get_balls(v[0].p, v[1].p, v[2].p, v[3].u, v[4].p);
 }
 
 static const argument of_hsp_model_get_packing[] = {
@@ -1479,6 +1527,19 @@ static int64_t call_hsp_mesh_get_vertices(const value *v) {
   return (int64_t)hsp_mesh_get_vertices(v[0].p, v[1].p, v[2].p, v[3].p, v[4].p, v[5].u, v[6].p);
 }
 
+static const argument of_hsp_mesh_get_weights[] = {
+  {"mesh", "hsp_mesh", .kind = KIND_handle, .noun = NOUN_mesh, .is_const = 1},
+  {"area", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "patches", .is_const = 1},
+  {"patches", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"weights", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "vertices", .null = NULL_empty, .held
+      = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_mesh_get_weights(const value *v) {
+  return (int64_t)hsp_mesh_get_weights(v[0].p, v[1].p, v[2].u, v[3].p, v[4].u, v[5].p);
+}
+
 static const argument of_hsp_mesh_get_triangles[] = {
   {"mesh", "hsp_mesh", .kind = KIND_handle, .noun = NOUN_mesh, .is_const = 1},
   {"corners", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "triangles", .row = 3, .null =
@@ -2445,6 +2506,13 @@ const function registry[] = {
   {"hsp_status_text", "status", RESULT_text, 1, of_hsp_status_text, call_hsp_status_text, 0},
   {"hsp_element_radius", "element", RESULT_status, 4, of_hsp_element_radius, call_hsp_element_radius, BIT(HSP_OK) |
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_ID)},
+  {"hsp_element_number", "element", RESULT_status, 2, of_hsp_element_number, call_hsp_element_number, BIT(HSP_OK) |
+      BIT(HSP_E_ARGUMENT) | BIT(HSP_E_ID)},
+  {"hsp_element_symbol", "element", RESULT_text, 1, of_hsp_element_symbol, call_hsp_element_symbol, 0},
+  {"hsp_residue_radius", "residue", RESULT_status, 4, of_hsp_residue_radius, call_hsp_residue_radius, BIT(HSP_OK) |
+      BIT(HSP_E_ARGUMENT) | BIT(HSP_E_ID)},
+  {"hsp_residue_get_atoms", "residue", RESULT_status, 4, of_hsp_residue_get_atoms, call_hsp_residue_get_atoms,
+      BIT(HSP_OK) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY)},
   {"hsp_model_bytes", "model", RESULT_status, 2, of_hsp_model_bytes, call_hsp_model_bytes, BIT(HSP_OK) |
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_RANGE)},
   {"hsp_model_init", "model", RESULT_status, 4, of_hsp_model_init, call_hsp_model_init, BIT(HSP_OK) |
@@ -2456,6 +2524,8 @@ const function registry[] = {
       BIT(HSP_E_RANGE)},
   {"hsp_model_get_info", "model", RESULT_status, 2, of_hsp_model_get_info, call_hsp_model_get_info, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT)},
+  {"hsp_model_get_balls", "model", RESULT_status, 5, of_hsp_model_get_balls, call_hsp_model_get_balls, BIT(HSP_OK) |
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY)},
   {"hsp_model_get_packing", "model", RESULT_status, 2, of_hsp_model_get_packing, call_hsp_model_get_packing, BIT(HSP_OK)
       | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT)},
   {"hsp_query_point", "query", RESULT_status, 5, of_hsp_query_point, call_hsp_query_point, BIT(HSP_OK) |
@@ -2740,6 +2810,9 @@ const function registry[] = {
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_mesh_get_vertices", "mesh", RESULT_status, 7, of_hsp_mesh_get_vertices, call_hsp_mesh_get_vertices, BIT(HSP_OK)
       | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
+  {"hsp_mesh_get_weights", "mesh", RESULT_status, 6, of_hsp_mesh_get_weights, call_hsp_mesh_get_weights, BIT(HSP_OK) |
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_ID) |
+      BIT(HSP_E_NOT_FINITE)},
   {"hsp_mesh_get_triangles", "mesh", RESULT_status, 7, of_hsp_mesh_get_triangles, call_hsp_mesh_get_triangles,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
   {"hsp_mesh_get_patch", "mesh", RESULT_status, 4, of_hsp_mesh_get_patch, call_hsp_mesh_get_patch, BIT(HSP_OK) |
@@ -2941,6 +3014,9 @@ const function registry[] = {
 const size_t registry_size = sizeof registry / sizeof registry[0];
 
 const field registry_fields[] = {
+  {"hsp_residue_atom", "residue", "char", offsetof(hsp_residue_atom, residue), 8},
+  {"hsp_residue_atom", "atom", "char", offsetof(hsp_residue_atom, atom), 8},
+  {"hsp_residue_atom", "radius", "double", offsetof(hsp_residue_atom, radius), 1},
   {"hsp_model_options", "struct_size", "uint32_t", offsetof(hsp_model_options, struct_size), 1},
   {"hsp_model_options", "reserved", "uint32_t", offsetof(hsp_model_options, reserved), 1},
   {"hsp_model_options", "probe", "double", offsetof(hsp_model_options, probe), 1},
@@ -3485,14 +3561,14 @@ const field registry_fields[] = {
   {"hsp_picture_options", "reserved", "uint32_t", offsetof(hsp_picture_options, reserved), 1},
   {"hsp_picture_options", "scale", "double", offsetof(hsp_picture_options, scale), 1},
   {"hsp_picture_options", "centre", "double", offsetof(hsp_picture_options, centre), 3},
-  {"hsp_picture_options", "memory", "void*", offsetof(hsp_picture_options, memory), 1},
+  {"hsp_picture_options", "memory", "void *", offsetof(hsp_picture_options, memory), 1},
   {"hsp_picture_options", "memory_bytes", "size_t", offsetof(hsp_picture_options, memory_bytes), 1},
-  {"hsp_picture_options", "ink", "hsp_map*", offsetof(hsp_picture_options, ink), 1},
-  {"hsp_picture_options", "group", "uint32_t*", offsetof(hsp_picture_options, group), 1},
+  {"hsp_picture_options", "ink", "hsp_map *", offsetof(hsp_picture_options, ink), 1},
+  {"hsp_picture_options", "group", "uint32_t *", offsetof(hsp_picture_options, group), 1},
   {"hsp_picture_options", "ink_width", "double", offsetof(hsp_picture_options, ink_width), 3},
   {"hsp_picture_options", "ink_colour", "uint32_t", offsetof(hsp_picture_options, ink_colour), 3},
   {"hsp_picture_options", "reserved_for_ink", "uint32_t", offsetof(hsp_picture_options, reserved_for_ink), 1},
-  {"hsp_picture_options", "atom_class", "char**", offsetof(hsp_picture_options, atom_class), 1},
-  {"hsp_picture_options", "atom_title", "char**", offsetof(hsp_picture_options, atom_title), 1},
+  {"hsp_picture_options", "atom_class", "char *", offsetof(hsp_picture_options, atom_class), 1},
+  {"hsp_picture_options", "atom_title", "char *", offsetof(hsp_picture_options, atom_title), 1},
 };
 const size_t registry_fields_size = sizeof registry_fields / sizeof registry_fields[0];
