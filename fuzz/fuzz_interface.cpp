@@ -157,6 +157,38 @@ class Session {
     const int32_t status = -static_cast<int32_t>(bytes_.below(20));
     FUZZ_REQUIRE(hsp_status_text(status) != nullptr && hsp_status_text(status)[0] != 0, "status text");
     element_radius();
+    names();
+  }
+
+  // Texts of a few bytes, most of them letters and blanks.
+  std::string text() {
+    std::string made(bytes_.below(6), ' ');
+    for (char &letter : made) {
+      const bool odd = bytes_.one_in(10);
+      letter = odd ? static_cast<char>(1 + bytes_.below(255)) : "AaBbCcDdEeGgHhLlNnOoPpSs12 "[bytes_.below(27)];
+    }
+    return made;
+  }
+
+  void names() {
+    const std::string symbol = text(), residue = text();
+    const uint32_t set = bytes_.below(5);
+    uint32_t number = 777;
+    double radius = 777;
+    const int32_t known = hsp_element_number(null() ? nullptr : symbol.c_str(), &number);
+    FUZZ_REQUIRE(known == HSP_OK ? number >= 1 && number <= 118 : number == 777, "number of an element");
+    if (known == HSP_OK) {
+      uint32_t again = 0;
+      FUZZ_REQUIRE(hsp_element_number(hsp_element_symbol(number), &again) == HSP_OK && again == number, "symbol");
+    }
+    const bool there = set == HSP_RADII_PROTOR || set == HSP_RADII_NACCESS;
+    const int32_t status = hsp_residue_radius(set, bytes_.one_in(2) ? "GLY" : residue.c_str(), symbol.c_str(), &radius);
+    FUZZ_REQUIRE(status == HSP_OK ? 1 < radius && radius < 2 : radius == 777, "radius of a residue's atom");
+    FUZZ_REQUIRE(there ? status == HSP_OK || status == HSP_E_ID : status == HSP_E_ARGUMENT, "hsp_residue_radius");
+    check_array<hsp_residue_atom>(1500, there ? HSP_OK : HSP_E_ARGUMENT,
+                                  [&](hsp_residue_atom *out, uint32_t capacity, uint32_t *needed) {
+                                    return hsp_residue_get_atoms(set, out, capacity, needed);
+                                  });
   }
 
   void element_radius() {
@@ -313,7 +345,7 @@ class Session {
     for (double &x : xyz) x = number();
     const double radius = number();
     const double *place = null() ? nullptr : xyz;
-    int32_t meets = 12345;
+    uint32_t meets = 12345;
     const int32_t status = hsp_query_meets(model, place, radius, &meets);
     const bool pointers = model != nullptr && place != nullptr;
     const bool finite = std::isfinite(xyz[0]) && std::isfinite(xyz[1]) && std::isfinite(xyz[2]);
@@ -328,8 +360,7 @@ class Session {
     check_array<uint32_t>(24, status, [&](uint32_t *out, uint32_t capacity, uint32_t *needed) {
       return hsp_query_ball(model, place, radius, out, capacity, needed);
     });
-    int32_t point_status = 12345;
-    const int32_t whether = hsp_query_meets(model, place, 0, &point_status);
+    const int32_t whether = hsp_query_meets(model, place, 0, &meets);
     check_array<uint32_t>(24, whether, [&](uint32_t *out, uint32_t capacity, uint32_t *needed) {
       return hsp_query_point(model, place, out, capacity, needed);
     });

@@ -174,7 +174,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     // Some with ink, which is the map's own.
     return [&m](const uint32_t *colour, const hsp_picture_options *asked, auto... arguments) {
       hsp_picture_options chosen = *asked;
-      if (asked->width == 1000) chosen.ink = HSP_ADDRESS(m.map);
+      if (asked->width == 1000) chosen.ink = m.map;
       return hsp_picture_write_map(m.map, colour, &chosen, arguments...);
     };
   };

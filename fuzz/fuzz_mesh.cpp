@@ -4,6 +4,7 @@
 // smooth surface are open.
 #include <mesh_invariants.h>
 
+#include <cmath>
 #include <vector>
 
 #include "computed_set.hpp"
@@ -81,6 +82,27 @@ void require_sound(const mesh_result &mesh, int64_t expected_euler) {
   }
 }
 
+// Patches of area 1 each: the weights sum to the number of those that have triangles.
+void require_weights(const mesh_result &mesh) {
+  uint32_t patches = 0;
+  uint32_t last = 0;
+  for (uint32_t t = 0; t < mesh.counts.triangles; ++t) {
+    patches += t == 0 || mesh.patches[t] != last ? 1 : 0;
+    last = mesh.patches[t];
+  }
+  const std::vector<double> area(size_t{last} + 1, 1.0);
+  std::vector<double> weights(mesh.counts.vertices);
+  FUZZ_REQUIRE(
+      hsp_mesh_get_weights(mesh.mesh, area.data(), last + 1, weights.data(), mesh.counts.vertices, nullptr) == HSP_OK,
+      "hsp_mesh_get_weights");
+  double sum = 0;
+  for (const double weight : weights) {
+    FUZZ_REQUIRE(weight >= 0, "a negative weight");
+    sum += weight;
+  }
+  FUZZ_REQUIRE(std::abs(sum - patches) <= 1e-10 * patches, "the sum of weights");
+}
+
 void require_capacities(const mesh_result &reference, fuzz::Bytes &bytes) {
   const auto compute = [&](hsp_mesh *mesh, hsp_mesh_limits *limits) {
     return reference.surface == nullptr ? hsp_mesh_compute(mesh, reference.base->boundary, reference.edge, limits)
@@ -106,6 +128,7 @@ void require_mesh(const Base &base, double edge, int64_t euler, fuzz::Bytes &byt
   const Result again(base, edge);
   FUZZ_REQUIRE(same(reference.get().xyz, again.get().xyz, reference.get().counts.vertices), "other positions");
   FUZZ_REQUIRE(same(reference.get().corners, again.get().corners, reference.get().counts.triangles), "other triangles");
+  require_weights(reference.get());
   require_capacities(reference.get(), bytes);
 }
 

@@ -47,6 +47,17 @@ void check_info(const fuzz::ScaledBalls &set, const hsp_model *model) {
   FUZZ_REQUIRE(std::fabs(info.largest_radius - set.length(largest)) <= 1e-15 * info.largest_radius, "largest_radius");
 }
 
+// As rounded they are those of the set, which are on the lattice.
+void check_balls(const fuzz::ScaledBalls &set, const hsp_model *model) {
+  const support::BallList list = set.in_lengths();
+  const uint32_t n = list.size();
+  std::vector<double> xyz(3 * size_t{n} + 1, 777), radius(size_t{n} + 1, 777);
+  FUZZ_REQUIRE(hsp_model_get_balls(model, xyz.data(), radius.data(), n, nullptr) == HSP_OK, "hsp_model_get_balls");
+  FUZZ_REQUIRE(std::equal(list.xyz.begin(), list.xyz.end(), xyz.begin()) && xyz.back() == 777, "centres");
+  for (uint32_t i = 0; i < n; ++i) FUZZ_REQUIRE(radius[i] == set.length(set.radius_of(i)), "radii with the probe");
+  FUZZ_REQUIRE(radius.back() == 777, "beyond the last radius");
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -56,6 +67,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   const fuzz::CheckedModel model(first, misalignment);
   check_info(first, model.get());
   check_figures(first, model.get());
+  check_balls(first, model.get());
 
   // another frame in the same model, of at most as many balls
   const fuzz::ScaledBalls second = fuzz::ball_set(bytes, 48);
@@ -67,6 +79,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   if (status == HSP_OK) {
     check_info(second, model.get());
     check_figures(second, model.get());
+    check_balls(second, model.get());
   } else {
     hsp_model_info info;
     FUZZ_REQUIRE(hsp_model_get_info(model.get(), &info) == HSP_OK && info.balls == 0, "on failure the model is empty");

@@ -139,9 +139,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     check_hits(hits, bytes, [&](uint32_t *out, uint32_t capacity, uint32_t *needed) {
       return hsp_query_ball(model, xyz, set.length(reach), out, capacity, needed);
     });
-    int32_t meets = -1;
+    uint32_t meets = 77;
     FUZZ_REQUIRE(hsp_query_meets(model, xyz, set.length(reach), &meets) == HSP_OK, "hsp_query_meets");
-    FUZZ_REQUIRE(meets == (hits.empty() ? 0 : 1), "meets");
+    FUZZ_REQUIRE(meets == (hits.empty() ? 0U : 1U), "meets");
     check_ray(model, set, balls, place, next_direction(bytes, set, place));
   }
   return 0;

@@ -5,7 +5,8 @@
  *   hardsphere/version.h    the version of the header and of the library
  *   hardsphere/status.h     what functions return
  *   hardsphere/executor.h   threads of the caller's own
- *   hardsphere/element.h    radii by element
+ *   hardsphere/element.h    elements by symbol, and their radii
+ *   hardsphere/residue.h    radii by the names of residues and atoms
  *   hardsphere/model.h      a set of balls on its lattice, and how well it behaves: k, rho, overlaps (Section 2)
  *   hardsphere/query.h      which balls contain a point, meet a ball, or meet each other (Section 3)
  *   hardsphere/pose.h       a molecule against a moved one: hits, pairs, gaps (Sections 3 and 6)
@@ -48,7 +49,10 @@
  *   The library never allocates. For a handle X: hsp_X_bytes tells the size, hsp_X_init carves the handle out of memory
  *   of any alignment that the caller owns. A handle dies with its memory; there is nothing to free; initialising the
  *   memory again resets it. Distinct handles may be used by distinct threads, and a handle that is passed as const may
- *   be read by any number of threads at a time.
+ *   be read by any number of threads at a time. Besides what makes, moves or drops results, these take a handle that is
+ *   not const, as they work in its own memory: hsp_model_get_packing, hsp_X_check of boundary, topology, cells, map and
+ *   sticks, hsp_topology_get_shells, _get_cells, _get_cell_balls and _get_traversal, and hsp_picture_write,
+ *   _write_map and _write_sticks. They leave results as they are.
  *   A handle stays where it is made. A copy of one at another address, a handle of another kind and memory that holds
  *   no handle any more are refused with HSP_E_HANDLE, also where a language has one type for all pointers.
  *
@@ -87,12 +91,17 @@
  *
  * OUTPUT ARRAYS
  *   Where a function takes (T *out, uint32_t capacity, uint32_t *needed): *needed is set to the number of records there
- *   are, on HSP_OK and on HSP_E_CAPACITY. With capacity smaller than that the status is HSP_E_CAPACITY and nothing
- *   is written to out. out == NULL with capacity == 0 asks for the number: HSP_E_CAPACITY if there are records, HSP_OK
- *   if there are none. Behind the records, up to capacity, out may be written with what was there before: capacity must
- *   not count elements that are not there, or that another thread uses.
+ *   are, on HSP_OK and on HSP_E_CAPACITY; needed may be NULL. With capacity smaller than that the status is
+ *   HSP_E_CAPACITY and nothing is written to out. out == NULL with capacity == 0 asks for the number: HSP_E_CAPACITY if
+ *   there are records, HSP_OK if there are none. Behind the records, up to capacity, out may be written with what was
+ *   there before: capacity must not count elements that are not there, or that another thread uses.
  *   Where a function takes (uint32_t first, uint32_t count, T *out), exactly the records first .. first + count - 1 are
  *   written, or none with HSP_E_ID. How many there are is known from the counts; out may be NULL with count == 0.
+ *   The first form is that of lists which are taken as a whole: what a query finds, what belongs to one ball, face or
+ *   shell, values for all balls, all records of a boundary. The second is that of structures which are walked by the
+ *   numbers of their parts, such as quad-edges, half-edges, patches and free cells, and which may be read in parts.
+ *   Where a function takes several arrays before the capacity, each of them may be NULL, and the capacity is that of
+ *   each.
  *
  * STATUS
  *   Every function that can fail returns an int32_t: HSP_OK (0) or a negative number. On failure nothing but what the
@@ -130,6 +139,7 @@
 #include "hardsphere/picture.h"
 #include "hardsphere/pose.h"
 #include "hardsphere/query.h"
+#include "hardsphere/residue.h"
 #include "hardsphere/status.h"
 #include "hardsphere/sticks.h"
 #include "hardsphere/surface.h"

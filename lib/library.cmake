@@ -199,7 +199,10 @@ set(HSP_LIBRARY_SOURCES
   lib/sight/picture/svg_writer.cpp
   capi/shims/hsp_status.cpp
   capi/shims/element_radii.cpp
+  capi/shims/element_symbols.cpp
   capi/shims/hsp_element.cpp
+  capi/shims/residue_radii.cpp
+  capi/shims/hsp_residue.cpp
   capi/shims/hsp_model.cpp
   capi/shims/hsp_query.cpp
   capi/shims/hsp_body.cpp
@@ -232,7 +235,7 @@ set(HSP_LIBRARY_SOURCES
 # The wings: which sources are theirs, the interface's among them, and whose headers those of lib/ find. What no other
 # pattern takes of the interface is union's.
 set(ground_pattern "lib/ground/")
-set(balls_pattern "lib/balls/|capi/shims/(element_radii|hsp_(status|element|model|query|body))\\.cpp")
+set(balls_pattern "lib/balls/|capi/shims/(element_(radii|symbols)|residue_radii|hsp_(status|element|residue|model|query|body))\\.cpp")
 set(union_pattern "lib/union/|capi/shims/")
 foreach(component ${HSP_ALL_COMPONENTS})
   list(JOIN HSP_${component}_HEADERS "|" headers)

@@ -76,7 +76,7 @@ std::vector<double> random_points_near_surface(const Model &model, size_t count)
     for (size_t axis = 0; axis < 3; ++axis) {
       point[axis] = balls.xyz[3 * atom + axis] + distance / length * direction[axis];
     }
-    int32_t meets = 0;
+    uint32_t meets = 0;
     expect_ok(hsp_query_meets(model.get(), point.data(), 0, &meets), "hsp_query_meets");
     if (meets == 0) points.insert(points.end(), point.begin(), point.end());
   }

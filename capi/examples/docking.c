@@ -18,7 +18,7 @@ struct search {
   unsigned long places, clashes, queries;
 };
 
-static int32_t try_place(struct search *search, const double shift[3], int32_t *clashes, uint32_t *contacts) {
+static int32_t try_place(struct search *search, const double shift[3], uint32_t *clashes, uint32_t *contacts) {
   const struct balls *ligand = search->ligand;
   int32_t status = HSP_OK;
   *clashes = 0;
@@ -63,7 +63,7 @@ static int32_t search_grid(struct search *search, const struct balls *receptor, 
     for (uint32_t j = 0; j < steps[1]; ++j) {
       for (uint32_t k = 0; k < steps[2] && status == HSP_OK; ++k) {
         const double shift[3] = {first[0] + i * step, first[1] + j * step, first[2] + k * step};
-        int32_t clashes;
+        uint32_t clashes;
         uint32_t contacts;
         status = try_place(search, shift, &clashes, &contacts);
         ++search->places;

@@ -37,13 +37,13 @@ static int make_room(struct frame *frame) {
 
 /* The element stands in columns 77-78, or begins the atom's name. What is none of these counts as carbon. */
 static double radius_of(const char *line, size_t length) {
-  static const char symbols[] = "HCNOSP";
-  static const uint32_t atomic_numbers[] = {1, 6, 7, 8, 16, 15};
   const char *name = line + 12 + strspn(line + 12, " 0123456789");
-  const char symbol = length >= 78 && line[77] != ' ' ? line[77] : *name;
-  const char *found = symbol == '\0' ? NULL : strchr(symbols, symbol);
+  const char first[] = {*name, '\0'};
+  const char columns[] = {length >= 78 ? line[76] : '\0', length >= 78 ? line[77] : '\0', '\0'};
+  uint32_t number = 6;
   double radius = 0.0;
-  (void)hsp_element_radius(HSP_RADII_BONDI, found == NULL ? 6 : atomic_numbers[found - symbols], &radius, NULL);
+  if (hsp_element_number(columns, &number) != HSP_OK) (void)hsp_element_number(first, &number);
+  (void)hsp_element_radius(HSP_RADII_BONDI, number, &radius, NULL);
   return radius;
 }
 

@@ -71,7 +71,7 @@ module hardsphere
   ! a degenerate set of balls, whose smooth surface does not close
   integer(c_int32_t), parameter :: HSP_E_OPEN_SURFACE = -14_c_int32_t
 
-  ! ---- element.h: radii by element -----------------------------------------------------------------------------------
+  ! ---- element.h: elements by symbol, and their radii ----------------------------------------------------------------
 
   ! Van der Waals radii of A. Bondi, J. Phys. Chem. 68 (1964) 441, completed for the main group by M. Mantina et al.,
   ! J. Phys. Chem. A 113 (2009) 5806, Table 12, with hydrogen 1.10 after R. S. Rowland and R. Taylor, J. Phys. Chem.
@@ -82,6 +82,16 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_RADII_CHEM3D = 1_c_int32_t
   ! The set's source has no radius for this element: the radius is a substitute.
   integer(c_int32_t), parameter :: HSP_RADIUS_FALLBACK = 1_c_int32_t
+
+  ! ---- residue.h: radii by the names of residues and atoms -----------------------------------------------------------
+
+  ! J. Tsai, R. Taylor, C. Chothia and M. Gerstein, J. Mol. Biol. 290 (1999) 253: an atom's class is its element, its
+  ! bonds and its hydrogens. Published: the 20 amino acids; nucleotides, water and some other residues are classed as
+  ! FreeSASA 2.1 ships it, and so is one oxygen of each carboxylate and phosphate, as a hydroxyl.
+  integer(c_int32_t), parameter :: HSP_RADII_PROTOR = 2_c_int32_t
+  ! C. Chothia, J. Mol. Biol. 105 (1976) 1, as the program NACCESS by S. Hubbard and J. Thornton uses them: the 20
+  ! amino acids.
+  integer(c_int32_t), parameter :: HSP_RADII_NACCESS = 3_c_int32_t
 
   ! ---- model.h: a set of balls on its lattice, and how well it behaves: k, rho, overlaps (Section 2) -----------------
 
@@ -256,6 +266,14 @@ module hardsphere
     ! Calls task(data, 0) to task(data, tasks - 1), each once, in any order and on any threads, and returns when all
     ! have returned. Not NULL with more than one worker.
     type(c_funptr) :: run
+  end type
+
+  ! ---- residue.h: radii by the names of residues and atoms -----------------------------------------------------------
+
+  type, bind(C) :: hsp_residue_atom
+    character(kind=c_char) :: residue(8)  ! its name, in upper case, NUL-terminated
+    character(kind=c_char) :: atom(8)     ! likewise
+    real(c_double) :: radius              ! angstrom
   end type
 
   ! ---- model.h: a set of balls on its lattice, and how well it behaves: k, rho, overlaps (Section 2) -----------------
@@ -1178,28 +1196,27 @@ module hardsphere
     real(c_double) :: scale
     ! of a fixed frame: the point in space in its middle, length; default 0 0 0. Without a scale it has to be that
     real(c_double) :: centre(3)
-    ! HSP_ADDRESS of scratch memory of any alignment, with which PDF is compressed (Deflate) to a third to a seventh of
-    ! its size; default 0: it is not. Of no effect on other formats. A number, so that the struct is the same on every
-    ! machine
-    integer(c_int64_t) :: memory
+    ! scratch memory of any alignment, with which PDF is compressed (Deflate) to a third to a seventh of its size;
+    ! default NULL: it is not. Of no effect on other formats
+    type(c_ptr) :: memory
     ! of memory, HSP_PICTURE_MEMORY or more; default 0, as it has to be without memory
-    integer(c_int64_t) :: memory_bytes
-    ! HSP_ADDRESS of a computed map of the same model from the same direction, with which contours are drawn: see
-    ! HSP_INK_BORDER; default 0: none. Of balls and sticks there are none
-    integer(c_int64_t) :: ink
-    ! HSP_ADDRESS of a uint32_t for each ball of the model: numbers of groups, such as chains, residues or ligands, for
-    ! HSP_INK_GROUP; default 0: all balls are of one
-    integer(c_int64_t) :: group
+    integer(c_size_t) :: memory_bytes
+    ! a computed map of the same model from the same direction, with which contours are drawn: see HSP_INK_BORDER;
+    ! default NULL: none. Of balls and sticks there are none
+    type(c_ptr) :: ink
+    ! of each ball of the model: numbers of groups, such as chains, residues or ligands, for HSP_INK_GROUP; default
+    ! NULL: all balls are of one
+    type(c_ptr) :: group
     ! HSP_INK_*: of contours where they are widest; 0: none; < 0: chosen; default -1
     real(c_double) :: ink_width(3)
     integer(c_int32_t) :: ink_colour(3)     ! HSP_INK_*: 0xRRGGBB, fades like lines; default 0x23202B
     integer(c_int32_t) :: reserved_for_ink  ! 0
-    ! SVG: HSP_ADDRESS of a const char * for each ball of the model, each NULL, empty or names of classes with blanks
-    ! between them, NUL-terminated UTF-8. Such balls have their index in an id, "a", four digits or letters, "-" and
-    ! the index, and not in data-ball; halves of sticks have classes and data-ball. Default 0: none; of no effect on
-    ! other formats
-    integer(c_int64_t) :: atom_class
-    integer(c_int64_t) :: atom_title        ! SVG: likewise texts that browsers show beside the pointer; default 0: none
+    ! SVG: of each ball of the model, each NULL, empty or names of classes with blanks between them, NUL-terminated
+    ! UTF-8. Such balls have their index in an id, "a", four digits or letters, "-" and the index, and not in
+    ! data-ball; halves of sticks have classes and data-ball. Default NULL: none; of no effect on other formats
+    type(c_ptr) :: atom_class
+    ! SVG: likewise texts that browsers show beside the pointer; default NULL: none
+    type(c_ptr) :: atom_title
   end type
 
   ! ----
@@ -1250,7 +1267,7 @@ module hardsphere
       type(c_ptr) :: text
     end function
 
-    ! ---- element.h: radii by element ---------------------------------------------------------------------------------
+    ! ---- element.h: elements by symbol, and their radii --------------------------------------------------------------
 
     function hsp_element_radius(set, atomic_number, radius, flags) result(status) bind(C, name="hsp_element_radius")
       import :: c_double, c_int32_t
@@ -1258,6 +1275,39 @@ module hardsphere
       integer(c_int32_t), value :: atomic_number
       real(c_double), intent(inout) :: radius
       integer(c_int32_t), intent(inout), optional :: flags
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_element_number(symbol, atomic_number) result(status) bind(C, name="hsp_element_number")
+      import :: c_char, c_int32_t
+      character(kind=c_char), intent(in) :: symbol(*)  ! ends with c_null_char
+      integer(c_int32_t), intent(inout) :: atomic_number
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_element_symbol(atomic_number) result(text) bind(C, name="hsp_element_symbol")
+      import :: c_int32_t, c_ptr
+      integer(c_int32_t), value :: atomic_number
+      type(c_ptr) :: text
+    end function
+
+    ! ---- residue.h: radii by the names of residues and atoms ---------------------------------------------------------
+
+    function hsp_residue_radius(set, residue, atom, radius) result(status) bind(C, name="hsp_residue_radius")
+      import :: c_char, c_double, c_int32_t
+      integer(c_int32_t), value :: set
+      character(kind=c_char), intent(in) :: residue(*)  ! ends with c_null_char
+      character(kind=c_char), intent(in) :: atom(*)  ! ends with c_null_char
+      real(c_double), intent(inout) :: radius
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_residue_get_atoms(set, out, capacity, needed) result(status) bind(C, name="hsp_residue_get_atoms")
+      import :: c_int32_t, hsp_residue_atom
+      integer(c_int32_t), value :: set
+      type(hsp_residue_atom), intent(inout), optional :: out(*)  ! needed
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1304,6 +1354,17 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_model_get_balls(model, xyz, radius, capacity, needed) result(status) &
+      bind(C, name="hsp_model_get_balls")
+      import :: c_double, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      real(c_double), intent(inout), optional :: xyz(3, *)  ! 3, n
+      real(c_double), intent(inout), optional :: radius(*)  ! n
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_model_get_packing(model, figures) result(status) bind(C, name="hsp_model_get_packing")
       import :: c_int32_t, c_ptr, hsp_packing
       type(c_ptr), value :: model
@@ -1319,7 +1380,7 @@ module hardsphere
       real(c_double), intent(in) :: xyz(3)
       integer(c_int32_t), intent(inout), optional :: ids(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1330,7 +1391,7 @@ module hardsphere
       real(c_double), value :: radius
       integer(c_int32_t), intent(inout), optional :: ids(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1350,7 +1411,7 @@ module hardsphere
       integer(c_int32_t), value :: ball
       integer(c_int32_t), intent(inout), optional :: ids(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1362,7 +1423,7 @@ module hardsphere
       integer(c_int32_t), intent(inout) :: first(*)  ! n + 1
       integer(c_int32_t), intent(inout), optional :: ids(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1463,7 +1524,7 @@ module hardsphere
       type(hsp_pose), intent(in) :: pose
       integer(c_int32_t), intent(inout), optional :: pair(2, *)  ! 2, needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1512,7 +1573,7 @@ module hardsphere
       type(hsp_rational_pose), intent(in) :: pose
       integer(c_int32_t), intent(inout), optional :: pair(2, *)  ! 2, needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1588,7 +1649,7 @@ module hardsphere
       type(c_ptr), value :: boundary
       type(hsp_vertex), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1597,7 +1658,7 @@ module hardsphere
       type(c_ptr), value :: boundary
       type(hsp_arc), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1607,7 +1668,7 @@ module hardsphere
       type(c_ptr), value :: boundary
       type(hsp_circle), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1617,7 +1678,7 @@ module hardsphere
       type(c_ptr), value :: boundary
       type(hsp_face), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1627,7 +1688,7 @@ module hardsphere
       type(c_ptr), value :: boundary
       type(hsp_loop), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1637,7 +1698,7 @@ module hardsphere
       type(c_ptr), value :: boundary
       type(hsp_loop_arc), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1647,7 +1708,7 @@ module hardsphere
       type(c_ptr), value :: boundary
       type(hsp_ball), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1798,7 +1859,7 @@ module hardsphere
       integer(c_int32_t), value :: tangency
       type(hsp_area_derivative), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1907,7 +1968,7 @@ module hardsphere
       type(c_ptr), value :: moving
       integer(c_int32_t), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1988,7 +2049,7 @@ module hardsphere
       type(c_ptr), value :: contacts
       type(hsp_contact), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -1999,7 +2060,7 @@ module hardsphere
       integer(c_int32_t), value :: ball
       type(hsp_contact), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2022,7 +2083,7 @@ module hardsphere
       integer(c_int32_t), intent(in) :: group(*)  ! n
       type(hsp_group_contact), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2040,7 +2101,7 @@ module hardsphere
       integer(c_int32_t), value :: dimension
       type(hsp_simplex), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2148,7 +2209,7 @@ module hardsphere
       type(c_ptr), value :: periodic
       type(hsp_periodic_contact), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2159,7 +2220,7 @@ module hardsphere
       integer(c_int32_t), intent(in) :: group(*)  ! n
       type(hsp_group_contact), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2169,7 +2230,7 @@ module hardsphere
       type(c_ptr), value :: periodic
       type(hsp_winding), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2179,7 +2240,7 @@ module hardsphere
       type(c_ptr), value :: periodic
       integer(c_int32_t), intent(inout), optional :: component(*)  ! n
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2210,7 +2271,7 @@ module hardsphere
       real(c_double), intent(in) :: xyz(3)
       type(hsp_image), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2222,7 +2283,7 @@ module hardsphere
       real(c_double), value :: radius
       type(hsp_image), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2233,7 +2294,7 @@ module hardsphere
       integer(c_int32_t), value :: ball
       type(hsp_image), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2246,7 +2307,7 @@ module hardsphere
       integer(c_int32_t), intent(inout) :: first(*)  ! n + 1
       type(hsp_image), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2266,7 +2327,7 @@ module hardsphere
       type(c_ptr), value :: periodic
       type(hsp_periodic_vertex), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2275,7 +2336,7 @@ module hardsphere
       type(c_ptr), value :: periodic
       type(hsp_periodic_arc), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2285,7 +2346,7 @@ module hardsphere
       type(c_ptr), value :: periodic
       type(hsp_periodic_circle), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2295,7 +2356,7 @@ module hardsphere
       type(c_ptr), value :: periodic
       type(hsp_periodic_face), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2305,7 +2366,7 @@ module hardsphere
       type(c_ptr), value :: periodic
       type(hsp_periodic_loop), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2315,7 +2376,7 @@ module hardsphere
       type(c_ptr), value :: periodic
       type(hsp_periodic_loop_arc), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2325,7 +2386,7 @@ module hardsphere
       type(c_ptr), value :: periodic
       type(hsp_ball), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2500,7 +2561,7 @@ module hardsphere
       type(c_ptr), value :: surface
       type(hsp_surface_shell), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2584,6 +2645,18 @@ module hardsphere
       real(c_double), intent(inout), optional :: normals(3, *)  ! 3, vertices
       real(c_double), intent(inout), optional :: areas(*)  ! vertices
       integer(c_int32_t), intent(inout), optional :: balls(*)  ! vertices
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_mesh_get_weights(mesh, area, patches, weights, capacity, needed) result(status) &
+      bind(C, name="hsp_mesh_get_weights")
+      import :: c_double, c_int32_t, c_ptr
+      type(c_ptr), value :: mesh
+      real(c_double), intent(in) :: area(*)  ! patches
+      integer(c_int32_t), value :: patches
+      real(c_double), intent(inout), optional :: weights(*)  ! vertices
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
@@ -2727,7 +2800,7 @@ module hardsphere
       type(c_ptr), value :: topology
       type(hsp_shell), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2737,7 +2810,7 @@ module hardsphere
       type(c_ptr), value :: topology
       type(hsp_component), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2747,7 +2820,7 @@ module hardsphere
       type(c_ptr), value :: topology
       type(hsp_cell), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2758,7 +2831,7 @@ module hardsphere
       integer(c_int32_t), value :: cell
       integer(c_int32_t), intent(inout), optional :: shells(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2769,7 +2842,7 @@ module hardsphere
       integer(c_int32_t), value :: cell
       integer(c_int32_t), intent(inout), optional :: balls(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2780,7 +2853,7 @@ module hardsphere
       integer(c_int32_t), value :: shell
       integer(c_int32_t), intent(inout), optional :: faces(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2857,7 +2930,7 @@ module hardsphere
       integer(c_int32_t), value :: cell
       integer(c_int32_t), intent(inout), optional :: neighbours(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -2895,7 +2968,7 @@ module hardsphere
       type(hsp_arrangement), intent(inout), optional :: of_ball(*)  ! n
       integer(c_int32_t), intent(inout), optional :: scratch(*)  ! needed
       integer(c_int32_t), value :: words
-      integer(c_int32_t), intent(inout) :: words_needed
+      integer(c_int32_t), intent(inout), optional :: words_needed
       integer(c_int32_t) :: status
     end function
 
@@ -2948,7 +3021,7 @@ module hardsphere
       type(c_ptr), value :: paths
       real(c_double), intent(inout), optional :: points(3, *)  ! 3, needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -3057,7 +3130,7 @@ module hardsphere
       type(c_ptr), value :: view
       type(hsp_view_piece), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -3066,7 +3139,7 @@ module hardsphere
       type(c_ptr), value :: view
       type(hsp_view_loop), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -3075,7 +3148,7 @@ module hardsphere
       type(c_ptr), value :: view
       type(hsp_view_arc), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -3188,7 +3261,7 @@ module hardsphere
       type(c_ptr), value :: map
       real(c_double), intent(inout), optional :: area(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -3198,7 +3271,7 @@ module hardsphere
       integer(c_int32_t), value :: ball
       integer(c_int32_t), intent(inout), optional :: h(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -3336,7 +3409,7 @@ module hardsphere
       type(c_ptr), value :: sticks
       real(c_double), intent(inout), optional :: area(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -3356,7 +3429,7 @@ module hardsphere
       integer(c_int32_t), value :: ball
       integer(c_int32_t), intent(inout), optional :: h(*)  ! needed
       integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 

@@ -58,8 +58,9 @@ inline void put_vector(const double vector[3], double *array, uint32_t i) {
 }
 
 // The part every (out, capacity, needed) function shares: HSP_OK means that exactly `count` records are to be written.
+// `needed` may be null.
 inline int32_t check_output(const void *out, uint32_t capacity, uint32_t count, uint32_t *needed) {
-  *needed = count;
+  if (needed != nullptr) *needed = count;
   if (count > capacity) return HSP_E_CAPACITY;
   return out == nullptr && count > 0 ? HSP_E_ARGUMENT : HSP_OK;
 }
@@ -91,7 +92,7 @@ inline int32_t check_weights(const double *sigma, IdRange range, uint32_t *first
 // fit.
 template <class Handle, class Count>
 int32_t check_request(const Handle *handle, const void *out, uint32_t capacity, uint32_t *needed, Count count) {
-  const int32_t status = check_results(handle, needed == nullptr || (out == nullptr && capacity > 0));
+  const int32_t status = check_results(handle, out == nullptr && capacity > 0);
   if (status != HSP_OK) return status;
   return check_output(out, capacity, count(*handle), needed);
 }

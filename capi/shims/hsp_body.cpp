@@ -88,7 +88,7 @@ int32_t find_gaps(const hsp_body *fixed, const hsp_body *moving, uint32_t poses,
 template <class Numbers>
 int32_t list_pairs(const hsp_body *fixed, const hsp_body *moving, const Numbers *pose, uint32_t *pair,
                    uint32_t capacity, uint32_t *needed) {
-  const bool bad = pose == nullptr || needed == nullptr || (pair == nullptr && capacity > 0);
+  const bool bad = pose == nullptr || (pair == nullptr && capacity > 0);
   if (const int32_t refused = check_bodies(fixed, moving, bad); refused != HSP_OK) return refused;
   typename PoseOf<Numbers>::type at;
   if (const int32_t status = make_pose(fixed, moving, *pose, at); status != HSP_OK) return status;

@@ -109,8 +109,7 @@ int32_t hsp_cells_get_cells(const hsp_cells *cells, uint32_t first, uint32_t cou
 
 int32_t hsp_cells_get_neighbours(const hsp_cells *cells, uint32_t cell, uint32_t *neighbours, uint32_t capacity,
                                  uint32_t *needed) {
-  if (const int32_t status = check_results(cells, needed == nullptr || (neighbours == nullptr && capacity > 0));
-      status != HSP_OK)
+  if (const int32_t status = check_results(cells, neighbours == nullptr && capacity > 0); status != HSP_OK)
     return status;
   const hsp::FreeSpace &space = cells->structure();
   if (cell >= space.cell_count()) return HSP_E_ID;
@@ -158,9 +157,7 @@ int32_t hsp_cells_check(hsp_cells *cells, const hsp_topology *topology, uint32_t
 
 int32_t hsp_model_arrangement(const hsp_model *model, hsp_arrangement *totals, hsp_arrangement *of_ball,
                               uint32_t *scratch, uint32_t words, uint32_t *words_needed) {
-  if (const int32_t status = check_handle(model, words_needed == nullptr || (scratch == nullptr && words > 0));
-      status != HSP_OK)
-    return status;
+  if (const int32_t status = check_handle(model, scratch == nullptr && words > 0); status != HSP_OK) return status;
   const hsp::CubeGrid &grid = model->grid;
   uint64_t needed = 0;
   for (uint32_t i = 0; i < grid.balls().n; ++i) {
@@ -169,7 +166,7 @@ int32_t hsp_model_arrangement(const hsp_model *model, hsp_arrangement *totals, h
     needed = own > needed ? own : needed;
   }
   if (needed > UINT32_MAX) return HSP_E_RANGE;
-  *words_needed = static_cast<uint32_t>(needed);
+  if (words_needed != nullptr) *words_needed = static_cast<uint32_t>(needed);
   if (needed > words) return HSP_E_CAPACITY;
   hsp::Arrangement sum;
   for (uint32_t i = 0; i < grid.balls().n; ++i) {

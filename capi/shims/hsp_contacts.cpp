@@ -104,9 +104,7 @@ int32_t hsp_contacts_get(const hsp_contacts *contacts, hsp_contact *out, uint32_
 
 int32_t hsp_contacts_get_row(const hsp_contacts *contacts, uint32_t ball, hsp_contact *out, uint32_t capacity,
                              uint32_t *needed) {
-  if (const int32_t status = check_results(contacts, needed == nullptr || (out == nullptr && capacity > 0));
-      status != HSP_OK)
-    return status;
+  if (const int32_t status = check_results(contacts, out == nullptr && capacity > 0); status != HSP_OK) return status;
   if (ball >= contacts->balls().n) return HSP_E_ID;
   const hsp::Span<const uint32_t> row = contacts->structure().row(contacts->grid().grid_index(ball));
   const int32_t status = check_output(out, capacity, row.size(), needed);
@@ -137,8 +135,7 @@ int32_t hsp_contacts_measure(const hsp_contacts *contacts, hsp_totals *totals, d
 
 int32_t hsp_contacts_group(hsp_contacts *contacts, const uint32_t *group, hsp_group_contact *out, uint32_t capacity,
                            uint32_t *needed) {
-  if (const int32_t status =
-          check_results(contacts, group == nullptr || needed == nullptr || (out == nullptr && capacity > 0));
+  if (const int32_t status = check_results(contacts, group == nullptr || (out == nullptr && capacity > 0));
       status != HSP_OK)
     return status;
   const hsp::Contacts &structure = contacts->structure();
@@ -167,8 +164,8 @@ int32_t hsp_contacts_get_complex(const hsp_contacts *contacts, hsp_complex *coun
 
 int32_t hsp_contacts_get_simplices(const hsp_contacts *contacts, uint32_t dimension, hsp_simplex *out,
                                    uint32_t capacity, uint32_t *needed) {
-  if (const int32_t status = check_results(
-          contacts, needed == nullptr || (out == nullptr && capacity > 0) || dimension < 2 || dimension > 3);
+  if (const int32_t status =
+          check_results(contacts, (out == nullptr && capacity > 0) || dimension < 2 || dimension > 3);
       status != HSP_OK)
     return status;
   const hsp::Contacts &structure = contacts->structure();

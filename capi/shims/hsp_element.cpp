@@ -1,4 +1,5 @@
 #include "element_radii.hpp"
+#include "element_symbols.hpp"
 #include "hardsphere.h"
 
 static_assert(static_cast<uint32_t>(hsp::RadiiSet::bondi) == HSP_RADII_BONDI &&
@@ -11,4 +12,16 @@ int32_t hsp_element_radius(uint32_t set, uint32_t atomic_number, double *radius,
   *radius = found.radius;
   if (flags != nullptr) *flags = found.fallback ? HSP_RADIUS_FALLBACK : 0;
   return HSP_OK;
+}
+
+int32_t hsp_element_number(const char *symbol, uint32_t *atomic_number) {
+  if (symbol == nullptr || atomic_number == nullptr) return HSP_E_ARGUMENT;
+  const uint32_t number = hsp::element_number(symbol);
+  if (number == 0) return HSP_E_ID;
+  *atomic_number = number;
+  return HSP_OK;
+}
+
+const char *hsp_element_symbol(uint32_t atomic_number) {
+  return hsp::element_symbol(atomic_number);
 }

@@ -128,8 +128,7 @@ int32_t hsp_boundary_derivatives(const hsp_boundary *boundary, const double *sig
 
 int32_t hsp_boundary_get_area_row(const hsp_boundary *boundary, uint32_t ball, uint32_t tangency,
                                   hsp_area_derivative *out, uint32_t capacity, uint32_t *needed) {
-  if (const int32_t status =
-          check_results(boundary, needed == nullptr || (out == nullptr && capacity > 0) || !is_tangency(tangency));
+  if (const int32_t status = check_results(boundary, (out == nullptr && capacity > 0) || !is_tangency(tangency));
       status != HSP_OK)
     return status;
   const hsp::CubeGrid &grid = boundary->model->grid;

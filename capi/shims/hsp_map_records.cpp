@@ -46,8 +46,7 @@ int32_t hsp_map_get_areas(const hsp_map *map, double *area, uint32_t capacity, u
 }
 
 int32_t hsp_map_get_outline(const hsp_map *map, uint32_t ball, uint32_t *h, uint32_t capacity, uint32_t *needed) {
-  if (const int32_t status = check_results(map, needed == nullptr || (h == nullptr && capacity > 0)); status != HSP_OK)
-    return status;
+  if (const int32_t status = check_results(map, h == nullptr && capacity > 0); status != HSP_OK) return status;
   if (ball >= map->balls().n) return HSP_E_ID;
   const uint32_t first = map->structure().first_face[map->model->grid.grid_index(ball)];
   return hsp::capi::get_outline(map->structure(), first, h, capacity, needed);

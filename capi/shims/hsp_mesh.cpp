@@ -49,15 +49,42 @@ hsp::Vec3 corner_of(const hsp::Mesh &mesh, const hsp::MeshTriangle &triangle, ui
   return {xyz[0], xyz[1], xyz[2]};
 }
 
-void share_areas(const hsp::Mesh &mesh, double *areas) {
-  for (uint32_t v = 0; v < mesh.vertex_count(); ++v) areas[v] = 0.0;
+double third_of_area(const hsp::Mesh &mesh, const hsp::MeshTriangle &triangle) {
+  const hsp::Vec3 first = corner_of(mesh, triangle, 0);
+  const hsp::Vec3 twice = cross(corner_of(mesh, triangle, 1) - first, corner_of(mesh, triangle, 2) - first);
+  return std::sqrt(dot(twice, twice)) / 6;
+}
+
+// Gives each vertex share(t) of each triangle t around it.
+template <class Share>
+void share_out(const hsp::Mesh &mesh, double *shares, Share share) {
+  for (uint32_t v = 0; v < mesh.vertex_count(); ++v) shares[v] = 0.0;
   for (uint32_t t = 0; t < mesh.triangle_count(); ++t) {
-    const hsp::MeshTriangle &triangle = mesh.triangle(t);
-    const hsp::Vec3 first = corner_of(mesh, triangle, 0);
-    const hsp::Vec3 twice = cross(corner_of(mesh, triangle, 1) - first, corner_of(mesh, triangle, 2) - first);
-    const double share = std::sqrt(dot(twice, twice)) / 6;
-    for (const uint32_t v : triangle.vertex) areas[v] += share;
+    const double of_each = share(t);
+    for (const uint32_t v : mesh.triangle(t).vertex) shares[v] += of_each;
   }
+}
+
+void share_areas(const hsp::Mesh &mesh, double *areas) {
+  share_out(mesh, areas, [&](uint32_t t) { return third_of_area(mesh, mesh.triangle(t)); });
+}
+
+// The same, but the triangles of a patch have its area in all; where they have none themselves, equal parts.
+void share_areas_of_patches(const hsp::Mesh &mesh, const double *area, double *weights) {
+  hsp::IdRange own{0, 0};
+  double factor = 0.0;
+  bool flat = false;
+  share_out(mesh, weights, [&](uint32_t t) {
+    if (t == own.last) {
+      const uint32_t patch = mesh.triangle(t).patch;
+      own = mesh.triangles_of(patch);
+      double thirds = 0.0;
+      for (uint32_t k = own.first; k < own.last; ++k) thirds += third_of_area(mesh, mesh.triangle(k));
+      flat = thirds == 0.0;
+      factor = area[patch] / 3 / (flat ? own.size() : thirds);
+    }
+    return flat ? factor : factor * third_of_area(mesh, mesh.triangle(t));
+  });
 }
 
 }  // namespace
@@ -123,6 +150,20 @@ int32_t hsp_mesh_get_vertices(const hsp_mesh *mesh, double *xyz, double *normals
   }
   if (areas != nullptr) share_areas(found, areas);
   return HSP_OK;
+}
+
+int32_t hsp_mesh_get_weights(const hsp_mesh *mesh, const double *area, uint32_t patches, double *weights,
+                             uint32_t capacity, uint32_t *needed) {
+  const bool bad = area == nullptr || (weights == nullptr && capacity > 0);
+  if (const int32_t status = check_results(mesh, bad); status != HSP_OK) return status;
+  const hsp::Mesh &found = mesh->builder.mesh();
+  if (found.triangle_count() > 0 && found.triangle(found.triangle_count() - 1).patch >= patches) return HSP_E_ID;
+  for (uint32_t p = 0; p < patches; ++p) {
+    if (!hsp::is_finite(area[p])) return HSP_E_NOT_FINITE;
+  }
+  const int32_t status = hsp::capi::check_output(weights, capacity, found.vertex_count(), needed);
+  if (status == HSP_OK) share_areas_of_patches(found, area, weights);
+  return status;
 }
 
 int32_t hsp_mesh_get_triangles(const hsp_mesh *mesh, uint32_t *corners, uint32_t *kinds, uint32_t *patches,

@@ -66,6 +66,20 @@ int32_t hsp_model_get_info(const hsp_model *model, hsp_model_info *info) {
   return HSP_OK;
 }
 
+int32_t hsp_model_get_balls(const hsp_model *model, double *xyz, double *radius, uint32_t capacity, uint32_t *needed) {
+  if (const int32_t status = check_handle(model); status != HSP_OK) return status;
+  const hsp::BallSet &balls = model->balls();
+  const bool wanted = xyz != nullptr || radius != nullptr;
+  if (!hsp::capi::fits(wanted, capacity, balls.n, needed)) return HSP_E_CAPACITY;
+  for (uint32_t i = 0; wanted && i < balls.n; ++i) {
+    const hsp::exact::Lattice &lattice = balls.lattice;
+    const double centre[3] = {lattice.length(balls.x[i]), lattice.length(balls.y[i]), lattice.length(balls.z[i])};
+    hsp::capi::put_vector(centre, xyz, balls.caller[i]);
+    if (radius != nullptr) radius[balls.caller[i]] = lattice.length(balls.r[i]);
+  }
+  return HSP_OK;
+}
+
 int32_t hsp_model_get_packing(hsp_model *model, hsp_packing *figures) {
   if (const int32_t status = check_handle(model, figures == nullptr); status != HSP_OK) return status;
   const hsp::PackingStatistics found = hsp::packing_statistics(model->grid);

@@ -143,8 +143,7 @@ int32_t hsp_periodic_get_contacts(const hsp_periodic *periodic, hsp_periodic_con
 
 int32_t hsp_periodic_group_contacts(hsp_periodic *periodic, const uint32_t *group, hsp_group_contact *out,
                                     uint32_t capacity, uint32_t *needed) {
-  if (const int32_t status =
-          check_results(periodic, group == nullptr || needed == nullptr || (out == nullptr && capacity > 0));
+  if (const int32_t status = check_results(periodic, group == nullptr || (out == nullptr && capacity > 0));
       status != HSP_OK)
     return status;
   hsp::PeriodicUnion &structure = periodic->builder;

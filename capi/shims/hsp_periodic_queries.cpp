@@ -104,8 +104,7 @@ int32_t round_query(const hsp::PeriodicImages &images, const double *xyz, double
 
 int32_t ask_in_box(const hsp_periodic *periodic, const double *xyz, double radius, hsp_image *out, uint32_t capacity,
                    uint32_t *needed) {
-  if (const int32_t status =
-          check_results(periodic, xyz == nullptr || needed == nullptr || (out == nullptr && capacity > 0));
+  if (const int32_t status = check_results(periodic, xyz == nullptr || (out == nullptr && capacity > 0));
       status != HSP_OK)
     return status;
   QueryInBox query;
@@ -128,9 +127,7 @@ int32_t hsp_periodic_query_ball(const hsp_periodic *periodic, const double *xyz,
 
 int32_t hsp_periodic_query_neighbours(const hsp_periodic *periodic, uint32_t ball, hsp_image *out, uint32_t capacity,
                                       uint32_t *needed) {
-  if (const int32_t status = check_results(periodic, needed == nullptr || (out == nullptr && capacity > 0));
-      status != HSP_OK)
-    return status;
+  if (const int32_t status = check_results(periodic, out == nullptr && capacity > 0); status != HSP_OK) return status;
   if (ball >= periodic->balls()) return HSP_E_ID;
   const hsp::PeriodicUnion &structure = periodic->builder;
   const hsp::exact::LatticeBall own = structure.balls().ball(structure.grid().grid_index(ball));
@@ -139,8 +136,8 @@ int32_t hsp_periodic_query_neighbours(const hsp_periodic *periodic, uint32_t bal
 
 int32_t hsp_periodic_query_pairs(const hsp_periodic *periodic, uint32_t flags, uint32_t *first, hsp_image *out,
                                  uint32_t capacity, uint32_t *needed) {
-  if (const int32_t status = check_results(periodic, (flags & ~HSP_PAIRS_ONCE) != 0 || first == nullptr ||
-                                                         needed == nullptr || (out == nullptr && capacity > 0));
+  if (const int32_t status = check_results(
+          periodic, (flags & ~HSP_PAIRS_ONCE) != 0 || first == nullptr || (out == nullptr && capacity > 0));
       status != HSP_OK)
     return status;
   const hsp::PeriodicUnion &structure = periodic->builder;

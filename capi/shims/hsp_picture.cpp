@@ -41,15 +41,15 @@ hsp_picture_options defaults() {
           0,
           select.scale,
           {select.centre[0], select.centre[1], select.centre[2]},
-          HSP_ADDRESS(select.memory),
+          select.memory,
           select.memory_bytes,
-          0,
-          0,
+          nullptr,
+          nullptr,
           {select.ink_width[0], select.ink_width[1], select.ink_width[2]},
           {select.ink_colour[0], select.ink_colour[1], select.ink_colour[2]},
           0,
-          0,
-          0};
+          nullptr,
+          nullptr};
 }
 
 bool has_centre(const hsp_picture_options &options) {
@@ -61,11 +61,8 @@ bool is_valid(const hsp_picture_options &options) {
          (options.flags & ~(HSP_PICTURE_NO_IDS | HSP_PICTURE_NO_BACKGROUND)) == 0 &&
          !(options.width == 0.0 && options.height == 0.0) && !(options.scale == 0.0 && has_centre(options)) &&
          options.outline_colour <= largest_colour && options.background <= largest_colour &&
-         (options.memory != 0 || options.memory_bytes == 0) && options.memory <= UINTPTR_MAX &&
-         options.memory_bytes <= SIZE_MAX && options.ink <= UINTPTR_MAX && options.group <= UINTPTR_MAX &&
-         options.atom_class <= UINTPTR_MAX && options.atom_title <= UINTPTR_MAX &&
-         options.ink_colour[0] <= largest_colour && options.ink_colour[1] <= largest_colour &&
-         options.ink_colour[2] <= largest_colour;
+         (options.memory != nullptr || options.memory_bytes == 0) && options.ink_colour[0] <= largest_colour &&
+         options.ink_colour[1] <= largest_colour && options.ink_colour[2] <= largest_colour;
 }
 
 // Options as a program gives them, completed; null means defaults.
@@ -115,8 +112,8 @@ hsp::PictureOptions from_c(const hsp_picture_options &options) {
           (options.flags & HSP_PICTURE_NO_BACKGROUND) == 0,
           options.scale,
           {options.centre[0], options.centre[1], options.centre[2]},
-          reinterpret_cast<void *>(static_cast<uintptr_t>(options.memory)),
-          static_cast<size_t>(options.memory_bytes),
+          options.memory,
+          options.memory_bytes,
           {options.ink_width[0], options.ink_width[1], options.ink_width[2]},
           {options.ink_colour[0], options.ink_colour[1], options.ink_colour[2]}};
 }
@@ -132,23 +129,17 @@ struct Call {
   uint64_t *bytes;
 };
 
-template <class Data>
-const Data *at_address(uint64_t address) {
-  return reinterpret_cast<const Data *>(static_cast<uintptr_t>(address));
-}
-
 // Ink, if there is any, is a map that shows what a handle with results shows.
 template <class Handle>
-int32_t check_ink(const Handle &handle, uint64_t ink) {
-  if (ink == 0) return HSP_OK;
-  const hsp_map *map = at_address<hsp_map>(ink);
+int32_t check_ink(const Handle &handle, const hsp_map *map) {
+  if (map == nullptr) return HSP_OK;
   if (const int32_t status = check_handle(map); status != HSP_OK) return status;
   const bool same =
       map->has_results() && map->model.is(&*handle.model) && map->structure().frame.is_same(handle.structure().frame);
   return same ? HSP_OK : HSP_E_ARGUMENT;
 }
-int32_t check_ink(const hsp_sticks &, uint64_t ink) {
-  return ink == 0 ? HSP_OK : HSP_E_ARGUMENT;
+int32_t check_ink(const hsp_sticks &, const hsp_map *map) {
+  return map == nullptr ? HSP_OK : HSP_E_ARGUMENT;
 }
 
 // What a picture shows but its paths.
@@ -159,10 +150,10 @@ struct Contents {
 
   hsp::PictureInput with(const hsp::PaintedPaths &paths) const {
     hsp::PictureInput input{balls, paths, call.colour, call.title, call.description};
-    if (options.ink != 0) input.silhouettes = hsp::silhouettes_of(at_address<hsp_map>(options.ink)->structure());
-    input.group = at_address<uint32_t>(options.group);
-    input.atom_class = at_address<const char *>(options.atom_class);
-    input.atom_title = at_address<const char *>(options.atom_title);
+    if (options.ink != nullptr) input.silhouettes = hsp::silhouettes_of(options.ink->structure());
+    input.group = options.group;
+    input.atom_class = options.atom_class;
+    input.atom_title = options.atom_title;
     return input;
   }
 };
@@ -180,7 +171,7 @@ int32_t write_if_valid(const Handle *handle, const Call &call, uint64_t &taken, 
   }
   if (!is_finite(wanted)) return HSP_E_NOT_FINITE;
   if (!is_in_range(wanted)) return HSP_E_RANGE;
-  if (wanted.memory != 0 && wanted.memory_bytes < HSP_PICTURE_MEMORY) return HSP_E_MEMORY;
+  if (wanted.memory != nullptr && wanted.memory_bytes < HSP_PICTURE_MEMORY) return HSP_E_MEMORY;
   if (!ready) return HSP_E_STATE;
   const Contents contents{handle->balls(), call, wanted};
   return hsp::capi::to_c(write(contents, from_c(wanted), taken));

@@ -10,9 +10,7 @@ namespace {
 // Rounds the query, asks, and reports as every output array is reported.
 int32_t ask(const hsp_model *model, const double *xyz, double radius, uint32_t *ids, uint32_t capacity,
             uint32_t *needed) {
-  if (const int32_t status =
-          check_handle(model, xyz == nullptr || needed == nullptr || (ids == nullptr && capacity > 0));
-      status != HSP_OK)
+  if (const int32_t status = check_handle(model, xyz == nullptr || (ids == nullptr && capacity > 0)); status != HSP_OK)
     return status;
   hsp::QueryResult result{ids, capacity, 0};
   const hsp::Status status = hsp::find_balls(model->grid, xyz, radius, result);
@@ -31,7 +29,7 @@ int32_t hsp_query_ball(const hsp_model *model, const double *xyz, double radius,
   return ask(model, xyz, radius, ids, capacity, needed);
 }
 
-int32_t hsp_query_meets(const hsp_model *model, const double *xyz, double radius, int32_t *meets) {
+int32_t hsp_query_meets(const hsp_model *model, const double *xyz, double radius, uint32_t *meets) {
   if (const int32_t status = check_handle(model, xyz == nullptr || meets == nullptr); status != HSP_OK) return status;
   hsp::LatticeQuery query;
   const hsp::Status status = hsp::round_query(model->balls(), xyz, radius, query);
@@ -42,9 +40,7 @@ int32_t hsp_query_meets(const hsp_model *model, const double *xyz, double radius
 
 int32_t hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint32_t *ids, uint32_t capacity,
                              uint32_t *needed) {
-  if (const int32_t status = check_handle(model, needed == nullptr || (ids == nullptr && capacity > 0));
-      status != HSP_OK)
-    return status;
+  if (const int32_t status = check_handle(model, ids == nullptr && capacity > 0); status != HSP_OK) return status;
   if (ball >= model->balls().n) return HSP_E_ID;
   hsp::QueryResult result{ids, capacity, 0};
   hsp::find_neighbours(model->grid, model->grid.grid_index(ball), result);
@@ -53,8 +49,8 @@ int32_t hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint32_t *id
 
 int32_t hsp_query_pairs(const hsp_model *model, uint32_t flags, uint32_t *first, uint32_t *ids, uint32_t capacity,
                         uint32_t *needed) {
-  if (const int32_t status = check_handle(model, (flags & ~HSP_PAIRS_ONCE) != 0 || first == nullptr ||
-                                                     needed == nullptr || (ids == nullptr && capacity > 0));
+  if (const int32_t status =
+          check_handle(model, (flags & ~HSP_PAIRS_ONCE) != 0 || first == nullptr || (ids == nullptr && capacity > 0));
       status != HSP_OK)
     return status;
   const uint32_t n = model->balls().n;

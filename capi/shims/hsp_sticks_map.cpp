@@ -54,9 +54,7 @@ int32_t hsp_sticks_get_faces(const hsp_sticks *sticks, uint32_t first, uint32_t 
 }
 
 int32_t hsp_sticks_get_areas(const hsp_sticks *sticks, double *area, uint32_t capacity, uint32_t *needed) {
-  if (const int32_t status = check_handle(sticks, needed == nullptr || (area == nullptr && capacity > 0));
-      status != HSP_OK)
-    return status;
+  if (const int32_t status = check_handle(sticks, area == nullptr && capacity > 0); status != HSP_OK) return status;
   if (!has_map(sticks)) return HSP_E_STATE;
   const uint32_t bodies = sticks->bodies();
   const int32_t status = hsp::capi::check_output(area, capacity, bodies, needed);
@@ -75,9 +73,7 @@ int32_t hsp_sticks_pick(const hsp_sticks *sticks, double x, double y, hsp_map_si
 
 int32_t hsp_sticks_get_outline(const hsp_sticks *sticks, uint32_t ball, uint32_t *h, uint32_t capacity,
                                uint32_t *needed) {
-  if (const int32_t status = check_handle(sticks, needed == nullptr || (h == nullptr && capacity > 0));
-      status != HSP_OK)
-    return status;
+  if (const int32_t status = check_handle(sticks, h == nullptr && capacity > 0); status != HSP_OK) return status;
   if (!has_map(sticks)) return HSP_E_STATE;
   if (ball >= sticks->bodies()) return HSP_E_ID;
   return hsp::capi::get_outline(sticks->map(), sticks->map().first_face_of(sticks->body(ball)), h, capacity, needed);

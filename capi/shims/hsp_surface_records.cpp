@@ -220,9 +220,7 @@ int32_t hsp_surface_get_corners(const hsp_surface *surface, uint32_t first, uint
 
 int32_t hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_shell *out, uint32_t capacity,
                                uint32_t *needed) {
-  if (const int32_t status = check_results(surface, needed == nullptr || (out == nullptr && capacity > 0));
-      status != HSP_OK)
-    return status;
+  if (const int32_t status = check_results(surface, out == nullptr && capacity > 0); status != HSP_OK) return status;
   if (!surface->structure().is_closed()) return HSP_E_OPEN_SURFACE;
   const uint32_t shells = surface->structure().shells().count();
   if (const int32_t status = hsp::capi::check_output(out, capacity, shells, needed); status != HSP_OK) return status;
@@ -247,7 +245,7 @@ int32_t hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_shell *ou
   return HSP_OK;
 }
 
-int32_t hsp_surface_check(hsp_surface *surface, uint32_t *invariant, uint32_t *id) {
+int32_t hsp_surface_check(const hsp_surface *surface, uint32_t *invariant, uint32_t *id) {
   if (const int32_t status = check_results(surface, invariant == nullptr || id == nullptr); status != HSP_OK)
     return status;
   const SurfaceResults results(*surface);

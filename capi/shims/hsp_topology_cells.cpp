@@ -12,8 +12,8 @@ using hsp::capi::check_request;
 
 // What every list of what belongs to one cell or shell, number `id`, checks before it counts.
 int32_t check_list(const hsp_topology *topology, uint32_t id, uint32_t hsp::Topology::*number, const uint32_t *out,
-                   uint32_t capacity, const uint32_t *needed) {
-  const int32_t status = check_results(topology, needed == nullptr || (out == nullptr && capacity > 0));
+                   uint32_t capacity) {
+  const int32_t status = check_results(topology, out == nullptr && capacity > 0);
   return status == HSP_OK && id >= topology->structure().*number ? HSP_E_ID : status;
 }
 
@@ -54,8 +54,9 @@ int32_t hsp_topology_get_components(const hsp_topology *topology, hsp_component 
                                        [](const hsp_topology &handle) { return handle.structure().component_count; });
   if (status != HSP_OK) return status;
   const hsp::BallSet &balls = topology->balls();
-  for (uint32_t c = 0; c < *needed; ++c) {
-    const hsp::ComponentRecord &component = topology->structure().components[c];
+  const hsp::Topology &structure = topology->structure();
+  for (uint32_t c = 0; c < structure.component_count; ++c) {
+    const hsp::ComponentRecord &component = structure.components[c];
     out[c] = {
         component.balls, balls.caller[component.top_ball], component.outer_shell, component.shells, component.cell, 0};
   }
@@ -66,14 +67,15 @@ int32_t hsp_topology_get_cells(hsp_topology *topology, hsp_cell *out, uint32_t c
   const int32_t status = check_request(topology, out, capacity, needed,
                                        [](const hsp_topology &handle) { return handle.structure().cell_count; });
   if (status != HSP_OK) return status;
-  hsp::measure_cells(topology->balls(), topology->boundary->structure(), topology->scanned(),
-                     hsp::Span<hsp_cell>(out, *needed));
+  const hsp::Topology &structure = topology->scanned();
+  hsp::measure_cells(topology->balls(), topology->boundary->structure(), structure,
+                     hsp::Span<hsp_cell>(out, structure.cell_count));
   return HSP_OK;
 }
 
 int32_t hsp_topology_get_cell_shells(const hsp_topology *topology, uint32_t cell, uint32_t *shells, uint32_t capacity,
                                      uint32_t *needed) {
-  const int32_t status = check_list(topology, cell, &hsp::Topology::cell_count, shells, capacity, needed);
+  const int32_t status = check_list(topology, cell, &hsp::Topology::cell_count, shells, capacity);
   if (status != HSP_OK) return status;
   const hsp::Topology &structure = topology->structure();
   uint32_t count = 0;
@@ -88,7 +90,7 @@ int32_t hsp_topology_get_cell_shells(const hsp_topology *topology, uint32_t cell
 
 int32_t hsp_topology_get_cell_balls(hsp_topology *topology, uint32_t cell, uint32_t *balls, uint32_t capacity,
                                     uint32_t *needed) {
-  const int32_t status = check_list(topology, cell, &hsp::Topology::cell_count, balls, capacity, needed);
+  const int32_t status = check_list(topology, cell, &hsp::Topology::cell_count, balls, capacity);
   if (status != HSP_OK) return status;
   const hsp::Topology &structure = topology->scanned();
   const hsp::Boundary &boundary = topology->boundary->structure();
@@ -100,7 +102,7 @@ int32_t hsp_topology_get_cell_balls(hsp_topology *topology, uint32_t cell, uint3
 
 int32_t hsp_topology_get_traversal(hsp_topology *topology, uint32_t shell, uint32_t *faces, uint32_t capacity,
                                    uint32_t *needed) {
-  const int32_t status = check_list(topology, shell, &hsp::Topology::shell_count, faces, capacity, needed);
+  const int32_t status = check_list(topology, shell, &hsp::Topology::shell_count, faces, capacity);
   if (status != HSP_OK) return status;
   const hsp::Topology &structure = topology->scanned();
   const hsp::ShellRecord &record = structure.shells[shell];

@@ -42,7 +42,7 @@ inline hsp_picture_options picture_options(Bytes &bytes) {
   }
   if (bytes.one_in(2)) {
     static std::vector<unsigned char> memory(HSP_PICTURE_MEMORY);
-    options.memory = HSP_ADDRESS(memory.data());
+    options.memory = memory.data();
     options.memory_bytes = memory.size();
   }
   return options;

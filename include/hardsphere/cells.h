@@ -129,7 +129,7 @@ HSP_API int32_t hsp_cells_get_cells(const hsp_cells *cells, uint32_t first, uint
 /** The neighbours of a cell, ascending.
  *  - Property 1: a cell is a neighbour of each of its neighbours, and in the same region.
  *
- *  @retval HSP_E_ARGUMENT  cells or needed is NULL; neighbours is NULL with a capacity above 0
+ *  @retval HSP_E_ARGUMENT  cells is NULL; neighbours is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        there is no such cell */
@@ -189,7 +189,7 @@ typedef struct hsp_arrangement {
  *  - Property 2: the order of the balls has no effect but on the places in of_ball, unless balls are equal.
  *
  *  Cost: O(n) for sets as in Theorem 2.1; O(m^2) for a sphere that meets m others.
- *  @retval HSP_E_ARGUMENT  model or words_needed is NULL; scratch is NULL with words above 0
+ *  @retval HSP_E_ARGUMENT  model is NULL; scratch is NULL with words above 0
  *  @retval HSP_E_CAPACITY  words is less than *words_needed; nothing else is written
  *  @retval HSP_E_RANGE     a ball meets 2^31 others or more */
 HSP_API int32_t hsp_model_arrangement(const hsp_model *model, hsp_arrangement *totals, hsp_arrangement *of_ball,

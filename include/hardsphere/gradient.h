@@ -164,7 +164,7 @@ typedef struct hsp_area_derivative {
  *  - Property 2: dA_i/dr_j = dA_j/dr_i up to rounding.
  *
  *  Cost: O(m^2) for m arcs on the ball.
- *  @retval HSP_E_ARGUMENT  boundary or needed is NULL, or out with a capacity above 0; unknown tangency
+ *  @retval HSP_E_ARGUMENT  boundary is NULL, or out with a capacity above 0; unknown tangency
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        no such ball */

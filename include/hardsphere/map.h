@@ -199,7 +199,7 @@ HSP_API int32_t hsp_map_get_edges(const hsp_map *map, uint32_t first, uint32_t c
 HSP_API int32_t hsp_map_get_faces(const hsp_map *map, uint32_t first, uint32_t count, hsp_map_face *out);
 
 /** How much of each ball is seen: areas in the view plane, length^2, in the caller's order; 0 of what is hidden.
- *  @retval HSP_E_ARGUMENT  map or needed is NULL; area is NULL with a capacity above 0
+ *  @retval HSP_E_ARGUMENT  map is NULL; area is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, the number of balls
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_map_get_areas(const hsp_map *map, double *area, uint32_t capacity, uint32_t *needed);
@@ -208,7 +208,7 @@ HSP_API int32_t hsp_map_get_areas(const hsp_map *map, double *area, uint32_t cap
  *  hsp_map_next until it is back; what is seen is on the left.
  *
  *  Cost: O(loops around what is seen of the ball).
- *  @retval HSP_E_ARGUMENT  map or needed is NULL; h is NULL with a capacity above 0
+ *  @retval HSP_E_ARGUMENT  map is NULL; h is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        no such ball */

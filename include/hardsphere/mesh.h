@@ -89,7 +89,7 @@ HSP_API int32_t hsp_mesh_init(void *memory, size_t bytes, const hsp_mesh_limits 
  *    triangles is the Euler characteristic of hsp_boundary_get_counts, or the status says that there are none.
  *  - Property 2: the same model, boundary and edge yield the same bytes on every machine.
  *
- *  Cost: O(m + p log p) for m vertices, about 5 for each area of edge^2, and p on the sphere that has most of them.
+ *  Cost: O(m + p log p) for m vertices, some 1.2 for each area of edge^2, and p on the sphere that has most of them.
  *  @retval HSP_E_ARGUMENT    mesh or boundary is NULL; edge is not above 0
  *  @retval HSP_E_VERSION     bad struct_size of limits
  *  @retval HSP_E_NOT_FINITE  edge is NaN or infinite
@@ -132,7 +132,8 @@ typedef struct hsp_mesh_counts {
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
 HSP_API int32_t hsp_mesh_get_counts(const hsp_mesh *mesh, hsp_mesh_counts *counts);
 
-/** The vertices, which also serve as points all over the surface: positions, normals, areas and balls. Each of
+/** The vertices, which also serve as points all over the surface (but see hsp_mesh_get_weights for what they are not
+ *  fit for): positions, normals, areas and balls. Each of
  *  xyz [vertices][3], normals [vertices][3], areas [vertices] and balls [vertices] may be NULL, else capacity >=
  *  vertices; needed may be NULL and else becomes their number.
  *  normals have length 1 and point outward; on a border, where the patches that meet have one each, it is the direction
@@ -145,6 +146,24 @@ HSP_API int32_t hsp_mesh_get_counts(const hsp_mesh *mesh, hsp_mesh_counts *count
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
 HSP_API int32_t hsp_mesh_get_vertices(const hsp_mesh *mesh, double *xyz, double *normals, double *areas,
                                       uint32_t *balls, uint32_t capacity, uint32_t *needed);
+
+/** Weights of the vertices for sums over the surface, such as the mean of something at its points: areas as above, but
+ *  those of a patch's triangles are scaled so that they sum to its exact area. area [patches] has these: of
+ *  hsp_boundary_measure_faces, or hsp_surface_patch.area. A patch without triangles has no part in them.
+ *  weights [vertices].
+ *  - Property 1: the weights sum to the areas of all patches with triangles, up to rounding.
+ *
+ *  Points and weights are those of one geometry, for energies and pictures of it. They have no derivatives: when atoms
+ *  move points appear and vanish, and a sum over them jumps by a part of a weight, in continuum electrostatics by some
+ *  1e-5 of the energy. For forces, optimisation and molecular dynamics they are not fit; areas and volumes themselves
+ *  have exact gradients (gradient.h, surface.h).
+ *  @retval HSP_E_ARGUMENT    mesh or area is NULL; weights is NULL with a capacity above 0
+ *  @retval HSP_E_CAPACITY    capacity is smaller than *needed, the number of vertices
+ *  @retval HSP_E_STATE       nothing computed, or model or boundary changed since
+ *  @retval HSP_E_ID          a patch with triangles is none of those of area
+ *  @retval HSP_E_NOT_FINITE  an area is NaN or infinite */
+HSP_API int32_t hsp_mesh_get_weights(const hsp_mesh *mesh, const double *area, uint32_t patches, double *weights,
+                                     uint32_t capacity, uint32_t *needed);
 
 /** The triangles: the numbers of their vertices, and what each belongs to. Each of
  *  corners [triangles][3], kinds [triangles], patches [triangles] and balls [triangles] may be NULL, else capacity >=

@@ -101,6 +101,17 @@ typedef struct hsp_model_info {
  *  @retval HSP_E_ARGUMENT  a null pointer */
 HSP_API int32_t hsp_model_get_info(const hsp_model *model, hsp_model_info *info);
 
+/** The balls as rounded to the lattice, in the caller's order: xyz [n][3] and radius [n], probe included. Either may be
+ *  NULL; *needed becomes n.
+ *  - Property 1: they differ from what hsp_model_set was given, plus the probe, by half a step at most, by a step for
+ *    radii with a probe, and not at all where that has no more decimals than the lattice.
+ *  - Property 2: a model that is made of them with the same step and no probe decides everything alike.
+ *
+ *  @retval HSP_E_ARGUMENT  model is NULL
+ *  @retval HSP_E_CAPACITY  an array is given and capacity < n; nothing but *needed is written */
+HSP_API int32_t hsp_model_get_balls(const hsp_model *model, double *xyz, double *radius, uint32_t capacity,
+                                    uint32_t *needed);
+
 #define HSP_PACKING_ZERO_RADIUS UINT32_C(1) /**< a ball has radius 0 (probe included): k has no value */
 #define HSP_PACKING_COINCIDENT UINT32_C(2)  /**< two centres coincide: rho is 0 */
 #define HSP_PACKING_NO_PAIR UINT32_C(4)     /**< fewer than two balls, or all radii 0: rho has no value */

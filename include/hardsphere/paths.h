@@ -117,7 +117,7 @@ HSP_API int32_t hsp_paths_find(hsp_paths *paths, const double *from, const doubl
                                hsp_paths_limits *limits);
 
 /** The points [needed][3] of the last path, from its start to its end; none if there was none.
- *  @retval HSP_E_ARGUMENT  paths or needed is NULL; points is NULL with a capacity above 0
+ *  @retval HSP_E_ARGUMENT  paths is NULL; points is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, the number of points
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_paths_get_points(const hsp_paths *paths, double *points, uint32_t capacity, uint32_t *needed);

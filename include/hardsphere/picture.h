@@ -82,22 +82,21 @@ typedef struct hsp_picture_options {
   double scale;     /**< of a fixed frame: px or mm of the picture per unit of length; default 0: no fixed frame */
   double centre[3]; /**< of a fixed frame: the point in space in its middle, length; default 0 0 0. Without a scale it
                                 has to be that */
-  uint64_t memory;  /**< HSP_ADDRESS of scratch memory of any alignment, with which PDF is compressed (Deflate) to a
-                                third to a seventh of its size; default 0: it is not. Of no effect on other formats. A
-                                number, so that the struct is the same on every machine */
-  uint64_t memory_bytes; /**< of memory, HSP_PICTURE_MEMORY or more; default 0, as it has to be without memory */
-  uint64_t ink;   /**< HSP_ADDRESS of a computed map of the same model from the same direction, with which contours are
-                                drawn: see HSP_INK_BORDER; default 0: none. Of balls and sticks there are none */
-  uint64_t group; /**< HSP_ADDRESS of a uint32_t for each ball of the model: numbers of groups, such as chains,
-                                residues or ligands, for HSP_INK_GROUP; default 0: all balls are of one */
-  double ink_width[3];       /**< HSP_INK_*: of contours where they are widest; 0: none; < 0: chosen; default -1 */
-  uint32_t ink_colour[3];    /**< HSP_INK_*: 0xRRGGBB, fades like lines; default 0x23202B */
-  uint32_t reserved_for_ink; /**< 0 */
-  uint64_t atom_class; /**< SVG: HSP_ADDRESS of a const char * for each ball of the model, each NULL, empty or names of
-                                classes with blanks between them, NUL-terminated UTF-8. Such balls have their index in
-                                an id, "a", four digits or letters, "-" and the index, and not in data-ball; halves of
-                                sticks have classes and data-ball. Default 0: none; of no effect on other formats */
-  uint64_t atom_title; /**< SVG: likewise texts that browsers show beside the pointer; default 0: none */
+  void *memory;     /**< scratch memory of any alignment, with which PDF is compressed (Deflate) to a third to a seventh
+                                of its size; default NULL: it is not. Of no effect on other formats */
+  size_t memory_bytes;    /**< of memory, HSP_PICTURE_MEMORY or more; default 0, as it has to be without memory */
+  const hsp_map *ink;     /**< a computed map of the same model from the same direction, with which contours are drawn:
+                                see HSP_INK_BORDER; default NULL: none. Of balls and sticks there are none */
+  const uint32_t *group;  /**< of each ball of the model: numbers of groups, such as chains, residues or ligands, for
+                                HSP_INK_GROUP; default NULL: all balls are of one */
+  double ink_width[3];    /**< HSP_INK_*: of contours where they are widest; 0: none; < 0: chosen; default -1 */
+  uint32_t ink_colour[3]; /**< HSP_INK_*: 0xRRGGBB, fades like lines; default 0x23202B */
+  uint32_t reserved_for_ink;     /**< 0 */
+  const char *const *atom_class; /**< SVG: of each ball of the model, each NULL, empty or names of classes with blanks
+                                between them, NUL-terminated UTF-8. Such balls have their index in an id, "a", four
+                                digits or letters, "-" and the index, and not in data-ball; halves of sticks have
+                                classes and data-ball. Default NULL: none; of no effect on other formats */
+  const char *const *atom_title; /**< SVG: likewise texts that browsers show beside the pointer; default NULL: none */
 } hsp_picture_options;
 
 /** Contours along silhouettes, areas of a width that depends on the gap g between the silhouette and what lies behind
@@ -115,9 +114,6 @@ typedef struct hsp_picture_options {
 
 /** Bytes of memory that compression takes. */
 #define HSP_PICTURE_MEMORY UINT32_C(71680)
-
-/** A pointer to memory as a number. */
-#define HSP_ADDRESS(pointer) ((uint64_t)(uintptr_t)(pointer))
 
 /** Fill options with defaults.
  *  @retval HSP_E_ARGUMENT  options is NULL
@@ -197,7 +193,7 @@ HSP_API int32_t hsp_picture_write_map(hsp_map *map, const uint32_t *colour, cons
  *  Cost: O(paths log paths); bytes proportional to paths.
  *  @retval HSP_E_ARGUMENT    sticks or sink is NULL; unknown format, style, unit or flag; width and height are both 0;
  *                            a centre without a scale; a colour above 0xFFFFFF; memory_bytes without memory; ink is not
- *                            0
+ *                            NULL
  *  @retval HSP_E_VERSION     bad struct_size, or a reserved field is not 0
  *  @retval HSP_E_MEMORY      memory_bytes is less than HSP_PICTURE_MEMORY, and there is memory
  *  @retval HSP_E_STATE       nothing computed, or the model has changed since

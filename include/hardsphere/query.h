@@ -45,7 +45,7 @@ HSP_API int32_t hsp_query_ball(const hsp_model *model, const double *xyz, double
  *  @retval HSP_E_NOT_FINITE  a coordinate or the radius is NaN or infinite
  *  @retval HSP_E_NEGATIVE    the radius is negative
  *  @retval HSP_E_RANGE       a coordinate is beyond 2^50 lattice steps, or the radius beyond 2^51 */
-HSP_API int32_t hsp_query_meets(const hsp_model *model, const double *xyz, double radius, int32_t *meets);
+HSP_API int32_t hsp_query_meets(const hsp_model *model, const double *xyz, double radius, uint32_t *meets);
 
 /** The other balls that meet ball `ball` of the model.
  *  - Property 1: j is listed for i exactly if i is listed for j.

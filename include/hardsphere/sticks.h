@@ -210,7 +210,7 @@ HSP_API int32_t hsp_sticks_get_faces(const hsp_sticks *sticks, uint32_t first, u
 
 /** How much of each ball and then of each half of a stick is seen, by their numbers in the map: areas in the view
  *  plane, length^2; 0 of what is hidden and of the second half of a whole stick.
- *  @retval HSP_E_ARGUMENT  sticks or needed is NULL; area is NULL with a capacity above 0
+ *  @retval HSP_E_ARGUMENT  sticks is NULL; area is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, the number of balls and twice that of sticks
  *  @retval HSP_E_STATE     nothing computed, or an order to paint and no map, or the model has changed since */
 HSP_API int32_t hsp_sticks_get_areas(const hsp_sticks *sticks, double *area, uint32_t capacity, uint32_t *needed);
@@ -228,7 +228,7 @@ HSP_API int32_t hsp_sticks_pick(const hsp_sticks *sticks, double x, double y, hs
  *  edge h / 2 if h is even, against it if h is odd; the face is face[h % 2] of the edge.
  *
  *  Cost: O(loops around what is seen of it).
- *  @retval HSP_E_ARGUMENT  sticks or needed is NULL; h is NULL with a capacity above 0
+ *  @retval HSP_E_ARGUMENT  sticks is NULL; h is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or an order to paint and no map, or the model has changed since
  *  @retval HSP_E_ID        no such ball or half of a stick */

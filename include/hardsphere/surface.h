@@ -368,7 +368,7 @@ HSP_API int32_t hsp_surface_get_corners(const hsp_surface *surface, uint32_t fir
  *  - Property 1: areas and volumes of the chosen ones sum to those of hsp_surface_measure, up to rounding.
  *
  *  Cost: O(size of the surface).
- *  @retval HSP_E_ARGUMENT      surface or needed is NULL; out is NULL with a capacity above 0
+ *  @retval HSP_E_ARGUMENT      surface is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY      capacity is smaller than *needed
  *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
  *  @retval HSP_E_OPEN_SURFACE  joints are open: hsp_surface_counts */
@@ -391,14 +391,13 @@ HSP_API int32_t hsp_surface_get_shells(const hsp_surface *surface, hsp_surface_s
  *  9. areas and volumes of all patches, in chosen shells, sum to those of hsp_surface_measure, up to rounding; *id is
  *     HSP_NONE
  *
- *  The first may be violated where the input is degenerate, see above. Uses the surface's scratch memory, hence not
- *  const; results stay valid. Cost: O(size of the surface).
+ *  The first may be violated where the input is degenerate, see above. Cost: O(size of the surface).
  *  @retval HSP_OK              all hold
  *  @retval HSP_E_ARGUMENT      a null pointer
  *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
  *  @retval HSP_E_OPEN_SURFACE  the first is violated
  *  @retval HSP_E_CHECK         another is violated: please report it */
-HSP_API int32_t hsp_surface_check(hsp_surface *surface, uint32_t *invariant, uint32_t *id);
+HSP_API int32_t hsp_surface_check(const hsp_surface *surface, uint32_t *invariant, uint32_t *id);
 
 #ifdef __cplusplus
 }

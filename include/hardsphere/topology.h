@@ -266,7 +266,7 @@ typedef struct hsp_shell {
  *  hsp_topology_compute the first of them that succeeds scans the shells. From then on any number of threads may call
  *  them at a time.
  *  Cost: O(size of the boundary).
- *  @retval HSP_E_ARGUMENT  topology or needed is NULL; out is NULL with a capacity above 0
+ *  @retval HSP_E_ARGUMENT  topology is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
 HSP_API int32_t hsp_topology_get_shells(hsp_topology *topology, hsp_shell *out, uint32_t capacity, uint32_t *needed);
@@ -282,7 +282,7 @@ typedef struct hsp_component {
 } hsp_component;
 
 /** The connected components of the union, as numbered in hsp_ball: hsp_topology_counts.components records.
- *  @retval HSP_E_ARGUMENT  topology or needed is NULL; out is NULL with a capacity above 0
+ *  @retval HSP_E_ARGUMENT  topology is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
 HSP_API int32_t hsp_topology_get_components(const hsp_topology *topology, hsp_component *out, uint32_t capacity,
@@ -299,14 +299,14 @@ typedef struct hsp_cell {
 } hsp_cell;
 
 /** The cells of the complement: hsp_topology_counts.cells records. Not const, as hsp_topology_get_shells.
- *  @retval HSP_E_ARGUMENT  topology or needed is NULL; out is NULL with a capacity above 0
+ *  @retval HSP_E_ARGUMENT  topology is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
 HSP_API int32_t hsp_topology_get_cells(hsp_topology *topology, hsp_cell *out, uint32_t capacity, uint32_t *needed);
 
 /** The shells that bound a cell, ascending: its enclosing shell, and the outer shell of every component in it. Cost:
  *  O(shells).
- *  @retval HSP_E_ARGUMENT  topology or needed is NULL; shells is NULL with a capacity above 0
+ *  @retval HSP_E_ARGUMENT  topology is NULL; shells is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
  *  @retval HSP_E_ID        there is no such cell */
@@ -318,7 +318,7 @@ HSP_API int32_t hsp_topology_get_cell_shells(const hsp_topology *topology, uint3
  *  - Property 1: an exposed ball lines one cell at least, a buried one none.
  *
  *  Cost: O(shells + k log k) for k simple faces on the cell, for sets as in Theorem 2.1.
- *  @retval HSP_E_ARGUMENT  topology or needed is NULL; balls is NULL with a capacity above 0
+ *  @retval HSP_E_ARGUMENT  topology is NULL; balls is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
  *  @retval HSP_E_ID        there is no such cell */
@@ -329,7 +329,7 @@ HSP_API int32_t hsp_topology_get_cell_balls(hsp_topology *topology, uint32_t cel
  *  around each face counter-clockwise from the edge by which it was entered (hsp_simple_face.q for start_face) and
  *  at once into every neighbour not visited before. With the shell of hsp_topology_counts.start_face it is the outer
  *  boundary component from the topmost ball. Not const, as hsp_topology_get_shells.
- *  @retval HSP_E_ARGUMENT  topology or needed is NULL; faces is NULL with a capacity above 0
+ *  @retval HSP_E_ARGUMENT  topology is NULL; faces is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
  *  @retval HSP_E_ID        there is no such shell */

@@ -93,6 +93,16 @@ contains
     call expect(hsp_element_radius(2_c_int32_t, 8_c_int32_t, length), HSP_E_ARGUMENT, 'unknown set of radii')
     call expect(hsp_element_radius(HSP_RADII_BONDI, 119_c_int32_t, length), HSP_E_ID, 'no such element')
     call check(length == 3.48_c_double, 'radius after failure')
+    call expect(hsp_element_number('Fe'//c_null_char, flags), HSP_OK, 'hsp_element_number')
+    call check(flags == 26, 'iron by its symbol')
+    call expect(hsp_element_number('X'//c_null_char, flags), HSP_E_ID, 'hsp_element_number of no element')
+    call check(c_associated(hsp_element_symbol(26_c_int32_t)), 'hsp_element_symbol')
+    call expect(hsp_residue_radius(HSP_RADII_PROTOR, 'ASP'//c_null_char, 'OD2'//c_null_char, length), HSP_OK, &
+      'hsp_residue_radius')
+    call check(length == 1.46_c_double, 'an oxygen of aspartate')
+    call expect(hsp_residue_get_atoms(HSP_RADII_NACCESS, capacity=0_c_int32_t, needed=flags), HSP_E_CAPACITY, &
+      'hsp_residue_get_atoms')
+    call check(flags > 200, 'atoms of a set')
   end subroutine
 
   subroutine model_functions()

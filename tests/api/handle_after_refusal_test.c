@@ -17,7 +17,7 @@ static void refused_of_model(void) {
   hsp_model *made = NULL;
   model_contents before, after;
   uint32_t ids[BALLS], first[BALLS + 1], count;
-  int32_t meets;
+  uint32_t meets;
   hsp_ray_hit hit;
   four_handles_set(&h, BALLS);
   before = contents_of_model(h.model);
@@ -69,7 +69,7 @@ static void refused_of_boundary(void) {
   CHECK_EQUAL(hsp_boundary_get_vertices(h.boundary, &vertex, 1, &count), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_boundary_get_arcs(h.boundary, NULL, 0, &count), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_boundary_get_circles(h.boundary, NULL, 1, &count), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_boundary_get_faces(h.boundary, NULL, 0, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_faces(h.boundary, NULL, 1, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_loops(h.boundary, NULL, 0, &count), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_boundary_get_loop_arcs(h.boundary, NULL, 1, &count), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_balls(h.boundary, NULL, 0, &count), HSP_E_CAPACITY);

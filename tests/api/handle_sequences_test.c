@@ -200,7 +200,7 @@ static void check_pairs(int copy, int other) {
       expected = has_results(MAP, map) && map->source == view->source ? HSP_OK : HSP_E_ARGUMENT;
     }
     CHECK_EQUAL(hsp_picture_options_init(&options, sizeof options), HSP_OK);
-    options.ink = HSP_ADDRESS(map->handle);
+    options.ink = map->handle;
     picture_sink_start(&sink, SIZE_MAX);
     CHECK_EQUAL(hsp_picture_write(view->handle, NULL, &options, NULL, NULL, picture_sink_take, &sink, NULL), expected);
     picture_sink_release(&sink);

@@ -22,6 +22,68 @@ static void check_vertices(const mesh_result *m) {
   CHECK_NEAR(sum, mesh_area(m), 1e-10 * (1.0 + sum));
 }
 
+static double triangle_area(const mesh_result *m, uint32_t t) {
+  const double *const a = m->xyz[m->corners[t][0]], *const b = m->xyz[m->corners[t][1]],
+                      *const c = m->xyz[m->corners[t][2]];
+  double squared = 0.0;
+  int axis;
+  for (axis = 0; axis < 3; ++axis) {
+    const int y = (axis + 1) % 3, z = (axis + 2) % 3;
+    const double part = (b[y] - a[y]) * (c[z] - a[z]) - (b[z] - a[z]) * (c[y] - a[y]);
+    squared += part * part;
+  }
+  return 0.5 * sqrt(squared);
+}
+
+/* Each triangle gives its corners a third each of its part of its patch's exact area. */
+static void check_weights(const mesh_result *m, const double *area, uint32_t patches) {
+  const uint32_t n = m->counts.vertices;
+  double *const of_patch = test_zeros(patches, sizeof *of_patch), *const expected = test_zeros(n, sizeof *expected);
+  double *const weights = test_zeros(n, sizeof *weights);
+  uint32_t *const triangles = test_zeros(patches, sizeof *triangles);
+  double sum = 0.0, exact = 0.0;
+  uint32_t needed = HSP_NONE, t, v, k;
+  for (t = 0; t < m->counts.triangles; ++t) {
+    of_patch[m->patches[t]] += triangle_area(m, t);
+    ++triangles[m->patches[t]];
+  }
+  for (t = 0; t < m->counts.triangles; ++t) {
+    const uint32_t patch = m->patches[t];
+    const double part = of_patch[patch] > 0.0 ? triangle_area(m, t) / of_patch[patch] : 1.0 / triangles[patch];
+    for (k = 0; k < 3; ++k) expected[m->corners[t][k]] += area[patch] * part / 3;
+  }
+  for (k = 0; k < patches; ++k) exact += triangles[k] > 0 ? area[k] : 0.0;
+  CHECK_EQUAL(hsp_mesh_get_weights(m->mesh, area, patches, weights, n, &needed), HSP_OK);
+  CHECK_EQUAL(needed, n);
+  for (v = 0; v < n; ++v) {
+    CHECK_NEAR(weights[v], expected[v], 1e-9 * (1.0 + exact));
+    sum += weights[v];
+  }
+  CHECK_NEAR(sum, exact, 1e-12 * (1.0 + exact));
+  if (m->counts.triangles > 0) {
+    const uint32_t last = m->patches[m->counts.triangles - 1];
+    CHECK_EQUAL(hsp_mesh_get_weights(m->mesh, area, last, weights, n, NULL), HSP_E_ID);
+    CHECK_EQUAL(hsp_mesh_get_weights(m->mesh, area, last + 1, weights, n, NULL), HSP_OK);
+  }
+  free(of_patch);
+  free(expected);
+  free(weights);
+  free(triangles);
+}
+
+static void check_weights_of_boundary(const computed *c, const mesh_result *m) {
+  double *const area = test_zeros(c->counts.faces, sizeof *area);
+  double sum = 0.0;
+  uint32_t v;
+  CHECK_EQUAL(hsp_boundary_measure_faces(c->boundary, area, NULL, c->counts.faces, NULL), HSP_OK);
+  check_weights(m, area, c->counts.faces);
+  if (CHECK_EQUAL(hsp_mesh_get_weights(m->mesh, area, c->counts.faces, m->areas, m->counts.vertices, NULL), HSP_OK)) {
+    for (v = 0; v < m->counts.vertices; ++v) sum += m->areas[v];
+    CHECK_NEAR(sum, c->totals.area, 1e-11 * (1.0 + c->totals.area));
+  }
+  free(area);
+}
+
 static void check_triangles(const mesh_result *m) {
   uint32_t t;
   for (t = 0; t < m->counts.triangles; ++t) {
@@ -87,6 +149,7 @@ static void check_boundary(const ball_set *set, const computed *c, double edge) 
     check_closed(set, &m, c->counts.euler);
     check_vertices(&m);
     check_triangles(&m);
+    check_weights_of_boundary(c, &m);
   }
   mesh_result_release(&m);
 }
@@ -108,14 +171,17 @@ static int64_t euler_of_shells(const hsp_surface *surface) {
  * come near its area. */
 static void check_patches(const surface_result *s, const mesh_result *m) {
   hsp_surface_map_counts map;
+  double *area;
   uint32_t p, t, next = 0;
   CHECK_EQUAL(hsp_surface_get_map_counts(s->surface, &map), HSP_OK);
+  area = test_zeros(map.patches, sizeof *area);
   for (p = 0; p < map.patches; ++p) {
     hsp_surface_patch patch;
     uint32_t first = HSP_NONE, count = HSP_NONE;
     CHECK_EQUAL(hsp_surface_get_patches(s->surface, p, 1, &patch), HSP_OK);
+    area[p] = patch.area;
     CHECK_EQUAL(hsp_mesh_get_patch(m->mesh, p, &first, &count), HSP_OK);
-    if (!CHECK(first == next && count <= m->counts.triangles - first)) return;
+    if (!CHECK(first == next && count <= m->counts.triangles - first)) break;
     for (t = first; t < first + count; ++t) {
       CHECK_EQUAL(m->patches[t], p);
       CHECK_EQUAL(m->kinds[t], patch.kind);
@@ -129,6 +195,8 @@ static void check_patches(const surface_result *s, const mesh_result *m) {
     next = first + count;
   }
   CHECK_EQUAL(next, m->counts.triangles);
+  check_weights(m, area, map.patches);
+  free(area);
 }
 
 static void check_surface(const ball_set *set, const computed *c, double probe, double edge) {

@@ -10,7 +10,7 @@ static unsigned char memory[HSP_MODEL_BYTES(BALLS)];
 static hsp_model *model;
 static const double origin[3] = {0, 0, 0}, upwards[3] = {0, 0, 1};
 static uint32_t ids[4], first[BALLS + 1], needed;
-static int32_t meets;
+static uint32_t meets;
 static hsp_ray_hit hit;
 
 static void fill_outputs(void) {

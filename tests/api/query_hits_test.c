@@ -34,7 +34,7 @@ static uint32_t expected_hits(const ball_set *set, const double *xyz, int64_t re
 
 static void check_place(const ball_set *set, const double *xyz, double reach) {
   uint32_t expected[BALL_SET_MOST], ids[BALL_SET_MOST], hits, needed = 0;
-  int32_t meets = -1;
+  uint32_t meets = 77;
   hits = expected_hits(set, xyz, 0, HSP_NONE, expected);
   CHECK_EQUAL(hsp_query_point(model, xyz, ids, BALL_SET_MOST, &needed), HSP_OK);
   if (CHECK_EQUAL(needed, hits)) CHECK_BYTES(ids, expected, hits * sizeof ids[0]);

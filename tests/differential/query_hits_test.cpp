@@ -59,9 +59,9 @@ void expect_queries(const LibraryModel &model, const Balls &balls, const Lattice
             }),
             ball_hits)
       << oracle::to_text({query}) << " in " << oracle::to_text(balls);
-  int32_t meets = -1;
+  uint32_t meets = 77;
   EXPECT_EQ(hsp_query_meets(model.handle(), xyz.data(), radius, &meets), HSP_OK);
-  EXPECT_EQ(meets, ball_hits.empty() ? 0 : 1);
+  EXPECT_EQ(meets, ball_hits.empty() ? 0U : 1U);
 }
 
 // Row i of the lists begins at first[i].

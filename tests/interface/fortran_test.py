@@ -36,7 +36,7 @@ class Arguments(unittest.TestCase):
             ("integer(c_int64_t), intent(inout) :: total", ""),
             ("type(hsp_row), intent(inout), optional :: out(*)", "needed"),
             ("integer(c_int32_t), value :: capacity", ""),
-            ("integer(c_int32_t), intent(inout) :: needed", "")])
+            ("integer(c_int32_t), intent(inout), optional :: needed", "")])
 
     def test_a_function(self):
         function = function_of("hsp_x **x, double a", "F.\n@retval HSP_E_ARGUMENT  x is NULL")

@@ -10,6 +10,8 @@ from write.function_index import function_index
 
 HEADER = DECLARED + """
 typedef struct hsp_both { hsp_row row[2]; int64_t sum; } hsp_both;
+typedef struct hsp_places { uint32_t struct_size; uint32_t n; const hsp_x *x; const char *const *name; size_t bytes;
+                            double a; } hsp_places;
 #define HSP_ABI_NUMBER 7
 #define HSP_VERSION_STRING "0.3.0"
 #define HSP_ALL UINT32_C(0xFFFFFFFF)
@@ -61,6 +63,12 @@ HSP_X_BYTES(n,m) ((size_t)(n) + (size_t)(m))
         self.assertIn("\nhsp_p 24/16\nhsp_p.a 0 uint32_t 1\nhsp_p.b 4 uint32_t 1\nhsp_p.x 8 double* 1\n"
                       "hsp_p.run 16/12 function* 1\n", abi.abi_structs(self.interface))
 
+    def test_structs_with_pointers_have_two_layouts(self):
+        rows = abi.abi_structs(self.interface).split("\n")
+        self.assertEqual(rows[rows.index("hsp_places 40/28"):][1:7], [
+            "hsp_places.struct_size 0 uint32_t 1", "hsp_places.n 4 uint32_t 1", "hsp_places.x 8 hsp_x* 1",
+            "hsp_places.name 16/12 char* 1", "hsp_places.bytes 24/16 size_t 1", "hsp_places.a 32/20 double 1"])
+
     def test_since_when(self):
         title = "# The version since which each function is declared as it is\n"
         # The declaration of hsp_b is another one than in the record.
@@ -77,6 +85,7 @@ HSP_X_BYTES(n,m) ((size_t)(n) + (size_t)(m))
     def test_declarations_for_other_languages(self):
         text = cdef(self.interface)
         self.assertIn("typedef struct hsp_both {\n  hsp_row row[2];\n  int64_t sum;\n} hsp_both;\n", text)
+        self.assertIn("  const hsp_x *x;\n  const char * const *name;\n  size_t bytes;\n", text)
         self.assertIn("#define HSP_ALL 4294967295\n", text)
         self.assertIn("int32_t hsp_b(const hsp_x *x, uint32_t b);\n", text)
         self.assertIn("typedef struct hsp_x hsp_x;\n", text)

@@ -16,8 +16,8 @@ DrawnInk::DrawnInk(const oracle::Balls &balls, Direction towards)
 
 std::string DrawnInk::picture(hsp_picture_options options, const std::vector<uint32_t> &group) const {
   std::string text;
-  options.ink = HSP_ADDRESS(map_.get());
-  options.group = group.empty() ? 0 : HSP_ADDRESS(group.data());
+  options.ink = map_.get();
+  options.group = group.empty() ? nullptr : group.data();
   expect_ok(
       hsp_picture_write(view_.handle(), colours_.data(), &options, nullptr, nullptr, append_bytes, &text, nullptr),
       "hsp_picture_write");

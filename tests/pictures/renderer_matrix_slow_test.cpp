@@ -205,7 +205,7 @@ TEST_P(Recolouring, KeepsTheRatioOfCentreAndRim) {
   const DrawnView one({{0, 0, 0, 1000}});
   const char *const classes[] = {"el-C"};
   hsp_picture_options options = picture_options(HSP_FORMAT_SVG, HSP_STYLE_HEADLIGHT);
-  options.atom_class = HSP_ADDRESS(classes);
+  options.atom_class = classes;
   options.margin = 0;
   options.outline = 0;
   options.width = side;
@@ -237,7 +237,7 @@ TEST_P(Recolouring, IsDrawingInThatColour) {
   std::vector<const char *> classes;
   for (const oracle::LatticeBall &ball : balls) classes.push_back(ball.radius == 1520 ? "el-O" : "el-C");
   hsp_picture_options options = picture_options(HSP_FORMAT_SVG, HSP_STYLE_SOFT);
-  options.atom_class = HSP_ADDRESS(classes.data());
+  options.atom_class = classes.data();
   options.fog = 0;
   const auto drawn_in = [&](const std::vector<uint32_t> &colours) {
     std::string text;

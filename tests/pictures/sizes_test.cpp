@@ -37,7 +37,7 @@ TEST(PictureSizes, CompressedPdfStaysWithinItsBudgets) {
     hsp_picture_options options = picture_options(HSP_FORMAT_PDF, style);
     options.width = 170;
     options.unit = HSP_UNIT_MM;
-    options.memory = HSP_ADDRESS(memory.data());
+    options.memory = memory.data();
     options.memory_bytes = memory.size();
     return options;
   };

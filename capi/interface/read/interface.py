@@ -1,8 +1,8 @@
 """What is known of the interface, as data."""
 from dataclasses import dataclass, field
 
-# Bytes of each scalar on every target; size_t is what differs, and stands in no struct.
-SCALARS = {"double": 8, "int32_t": 4, "uint32_t": 4, "uint8_t": 1, "int64_t": 8, "uint64_t": 8}
+# Bytes of each scalar on every target; size_t has those of a pointer.
+SCALARS = {"double": 8, "int32_t": 4, "uint32_t": 4, "uint8_t": 1, "int64_t": 8, "uint64_t": 8, "char": 1}
 
 
 @dataclass

@@ -15,7 +15,7 @@ def take_nulls(interface, function):
         if stated is not None:
             argument.null = ("empty" if re.search(r"or NULL with ", stated) else
                              "always" if re.search(r"\bor NULL\b", stated) else "never")
-        elif argument.kind == "context":
+        elif argument.kind in ("context", "needed"):
             argument.null = "always"
         elif rule is not None and argument.name in rule:
             argument.null = rule[argument.name]

@@ -33,7 +33,7 @@ def of_targets(numbers):
 
 def abi_structs(interface):
     """Fields follow each other without padding, which abi.sh asks compilers for many targets."""
-    rows, sizes = {}, {name: (size, size) for name, size in SCALARS.items()}
+    rows, sizes = {}, {name: (size, size) for name, size in SCALARS.items()} | {"size_t": POINTER}
     for struct in interface.structs_inside_first():
         places, fields = (0, 0), []
         for field in struct.fields:

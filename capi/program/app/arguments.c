@@ -6,6 +6,7 @@
 #include "app/option.h"
 #include "app/request_check.h"
 #include "app/suggestion.h"
+#include "hardsphere.h"
 #include "read/number.h"
 #include "read/read_molecule.h"
 
@@ -50,14 +51,14 @@ static bool apply_overrides(struct reading *reading) {
 /* Get the radii by residue and atom, if any are asked for. */
 static bool load_table(struct reading *reading) {
   struct request *request = reading->request;
-  const struct radii_rule *rules = radii_set_rules(request->set);
-  if (request->radii_file == NULL && rules == NULL) return true;
+  const uint32_t residues = radii_set_residues(request->set);
+  if (request->radii_file == NULL && residues == HSP_NONE) return true;
   if (!file_format_has(request->format, FILE_RESIDUES)) {
     return failure_in_usage(reading->failure,
                             "--radii by residue and atom has no use here: the file names no residues");
   }
   if (request->radii_file != NULL) return radii_table_read(&request->table, request->radii_file, reading->failure);
-  return radii_table_make(&request->table, rules, reading->failure);
+  return radii_table_make(&request->table, residues, reading->failure);
 }
 
 static bool take_argument(struct reading *reading, const char *argument) {

@@ -205,15 +205,15 @@ static bool write_picture(const struct request *request, const struct molecule *
       text_buffer_free(&over);
       return false;
     }
-    drawn->options.ink = HSP_ADDRESS(geometry->work.map);
-    drawn->options.group = HSP_ADDRESS(group);
+    drawn->options.ink = geometry->work.map;
+    drawn->options.group = group;
   }
   struct ball_names names = BALL_NAMES_NONE;
   const bool classes = request->drawing.classes;
   const bool tooltips = request->drawing.tooltips;
   bool done = !(classes || tooltips) || ball_names_make(molecule, classes, tooltips, &names, failure);
-  drawn->options.atom_class = HSP_ADDRESS(names.class_of);
-  drawn->options.atom_title = HSP_ADDRESS(names.title_of);
+  drawn->options.atom_class = names.class_of;
+  drawn->options.atom_title = names.title_of;
   const struct picture picture = {view,        geometry->work.map, geometry->sticks,
                                   colour,      drawn->options,     title,
                                   description, over.text,          {drawn->frame.width, drawn->frame.height}};

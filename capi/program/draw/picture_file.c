@@ -95,7 +95,7 @@ bool picture_file_write(const struct picture *picture, const char *path, const s
     output_file_abandon(&file);
     return failure_of_memory(failure);
   }
-  options.memory = HSP_ADDRESS(memory);
+  options.memory = memory;
   options.memory_bytes = memory != NULL ? HSP_PICTURE_MEMORY : 0;
   const int32_t status = write_picture(picture, &options, &sink, bytes);
   free(memory);

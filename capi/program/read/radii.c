@@ -4,37 +4,29 @@
 
 #include "hardsphere.h"
 #include "read/characters.h"
-#include "read/protein_radii.h"
 
 /* The numbers are in the library. */
 struct radii_set {
   const char *name;
   const char *source;
-  uint32_t set;                   /* HSP_RADII_* */
-  const struct radii_rule *rules; /* by residue and atom, or NULL */
+  uint32_t elements; /* HSP_RADII_* */
+  uint32_t residues; /* likewise, or HSP_NONE */
 };
 
-const struct radii_set radii_bondi = {
-    "bondi", "van der Waals radii of Bondi 1964, Rowland & Taylor 1996, Mantina et al. 2009", HSP_RADII_BONDI, NULL};
+const struct radii_set radii_bondi = {"bondi",
+                                      "van der Waals radii of Bondi 1964, Rowland & Taylor 1996, Mantina et al. 2009",
+                                      HSP_RADII_BONDI, HSP_NONE};
 static const struct radii_set radii_chem3d = {"chem3d", "Chem3D Plus radii of Halperin & Overmars 1994",
-                                              HSP_RADII_CHEM3D, NULL};
-static const struct radii_set radii_protor = {"protor",
-                                              "radii of Tsai et al. 1999 for heavy atoms, classed as by FreeSASA",
-                                              HSP_RADII_BONDI, protein_radii_protor};
-static const struct radii_set radii_naccess = {"naccess",
-                                               "radii of Chothia 1976 for heavy atoms of proteins, as in NACCESS",
-                                               HSP_RADII_BONDI, protein_radii_naccess};
+                                              HSP_RADII_CHEM3D, HSP_NONE};
+static const struct radii_set radii_protor = {
+    "protor", "radii of Tsai et al. 1999 for heavy atoms, classed as by FreeSASA", HSP_RADII_BONDI, HSP_RADII_PROTOR};
+static const struct radii_set radii_naccess = {
+    "naccess", "radii of Chothia 1976 for heavy atoms of proteins, as in NACCESS", HSP_RADII_BONDI, HSP_RADII_NACCESS};
 
 static const struct radii_set *const sets[] = {&radii_bondi, &radii_chem3d, &radii_protor, &radii_naccess};
 
 /* Of an atom whose element is unknown: what the library gives elements that no set has a radius for. */
 static const double unknown_radius = 2.0;
-
-/* The symbols of the periodic table by atomic number, in two columns each. */
-static const char symbols[] =
-    "H HeLiBeB C N O F NeNaMgAlSiP S ClArK CaScTiV CrMnFeCoNiCuZnGaGeAsSeBrKrRbSrY ZrNbMoTcRuRhPdAgCdInSnSbTeI XeCs"
-    "BaLaCePrNdPmSmEuGdTbDyHoErTmYbLuHfTaW ReOsIrPtAuHgTlPbBiPoAtRnFrRaAcThPaU NpPuAmCmBkCfEsFmMdNoLrRfDbSgBhHsMtDs"
-    "RgCnNhFlMcLvTsOg";
 
 bool element_symbol_parse(const char *text, size_t length, struct element_symbol *symbol) {
   if (length < 1 || length > 2 || !is_letter(text[0]) || (length == 2 && !is_letter(text[1]))) return false;
@@ -46,20 +38,13 @@ bool element_symbol_parse(const char *text, size_t length, struct element_symbol
 }
 
 uint32_t element_atomic_number(struct element_symbol symbol) {
-  const char second = symbol.text[1] == '\0' ? ' ' : symbol.text[1];
-  for (size_t at = 0; symbols[at] != '\0'; at += 2) {
-    if (symbol.text[0] == symbols[at] && second == symbols[at + 1]) return (uint32_t)(at / 2 + 1);
-  }
-  return 0;
+  uint32_t number = 0;
+  return hsp_element_number(symbol.text, &number) == HSP_OK ? number : 0;
 }
 
 bool element_symbol_of_number(uint64_t number, struct element_symbol *symbol) {
-  if (number < 1 || number > (sizeof symbols - 1) / 2) return false;
-  const char *at = symbols + 2 * (number - 1);
-  symbol->text[0] = at[0];
-  symbol->text[1] = at[1] == ' ' ? '\0' : at[1];
-  symbol->text[2] = '\0';
-  return true;
+  const char *const text = number > UINT32_MAX ? "" : hsp_element_symbol((uint32_t)number);
+  return element_symbol_parse(text, strlen(text), symbol);
 }
 
 bool element_symbol_exists(struct element_symbol symbol) {
@@ -87,8 +72,8 @@ const struct radii_set *radii_set_find(const char *name) {
   return radii_set_at(i);
 }
 
-const struct radii_rule *radii_set_rules(const struct radii_set *set) {
-  return set->rules;
+uint32_t radii_set_residues(const struct radii_set *set) {
+  return set->residues;
 }
 
 const char *radii_set_name(const struct radii_set *set) {
@@ -109,7 +94,7 @@ void radii_take_set(struct radii *radii, const struct radii_set *set) {
   for (uint32_t number = 1; element_symbol_of_number(number, &symbol); ++number) {
     double radius;
     uint32_t flags;
-    if (hsp_element_radius(set->set, number, &radius, &flags) != HSP_OK) continue;
+    if (hsp_element_radius(set->elements, number, &radius, &flags) != HSP_OK) continue;
     radii_put(radii, symbol, radius);
     radii->substitute[place(symbol)] = (flags & HSP_RADIUS_FALLBACK) != 0;
     radii->given[place(symbol)] = false;

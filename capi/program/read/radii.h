@@ -37,7 +37,6 @@ struct radii {
 
 /* The sets that can be asked for by name. */
 struct radii_set;
-struct radii_rule;
 
 extern const struct radii_set radii_bondi;
 
@@ -47,8 +46,8 @@ const struct radii_set *radii_set_find(const char *name);
 /* All sets, from 0 on; NULL beyond the last. */
 const struct radii_set *radii_set_at(size_t i);
 
-/* The radii by residue and atom that the set has before those by element; NULL if it has none. */
-const struct radii_rule *radii_set_rules(const struct radii_set *set);
+/* The radii by residue and atom that the set has before those by element, HSP_RADII_*; HSP_NONE if it has none. */
+uint32_t radii_set_residues(const struct radii_set *set);
 
 const char *radii_set_name(const struct radii_set *set);
 

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "hardsphere.h"
 #include "read/radii.h"
 #include "read/radii_table.h"
 
@@ -24,7 +25,7 @@ static void print_elements(struct text_buffer *out) {
                   "element");
   for (size_t i = 0; radii_set_at(i) != NULL; ++i) {
     const struct radii_set *set = radii_set_at(i);
-    if (radii_set_rules(set) != NULL) continue;
+    if (radii_set_residues(set) != HSP_NONE) continue;
     text_buffer_add(out, "  %7s ", radii_set_name(set));
     radii_take_set(&radii[count++], set);
   }
@@ -38,7 +39,7 @@ static void print_elements(struct text_buffer *out) {
 
 static bool print_residues(const struct radii_set *set, struct text_buffer *out, struct failure *failure) {
   struct radii_table table = RADII_TABLE_NONE;
-  const bool made = radii_table_make(&table, radii_set_rules(set), failure);
+  const bool made = radii_table_make(&table, radii_set_residues(set), failure);
   const char *residue, *atom;
   const char *before = "";
   double radius;
@@ -62,7 +63,7 @@ bool radii_list_print(struct text_buffer *out, struct failure *failure) {
   print_elements(out);
   for (size_t i = 0; radii_set_at(i) != NULL; ++i) {
     const struct radii_set *set = radii_set_at(i);
-    if (radii_set_rules(set) != NULL && !print_residues(set, out, failure)) return false;
+    if (radii_set_residues(set) != HSP_NONE && !print_residues(set, out, failure)) return false;
   }
   return true;
 }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "hardsphere.h"
 #include "read/characters.h"
 #include "read/fields.h"
 #include "read/line_reader.h"
@@ -97,22 +98,23 @@ static bool sort_entries(struct radii_table *table, struct failure *failure) {
   return true;
 }
 
-bool radii_table_make(struct radii_table *table, const struct radii_rule *rules, struct failure *failure) {
-  for (const struct radii_rule *rule = rules; rule->residues != NULL; ++rule) {
-    enum { MOST_NAMES = 48 };
-    struct field residues[MOST_NAMES];
-    struct field atoms[MOST_NAMES];
-    const size_t residue_count = fields_split(rule->residues, strlen(rule->residues), residues, MOST_NAMES);
-    const size_t atom_count = fields_split(rule->atoms, strlen(rule->atoms), atoms, MOST_NAMES);
-    for (size_t i = 0; i < residue_count; ++i) {
-      for (size_t k = 0; k < atom_count; ++k) {
-        struct radii_entry *entry = add_entry(table, residues[i], atoms[k], 0, failure);
-        if (entry == NULL) return false;
-        entry->radius = rule->radius;
-      }
-    }
+static struct field whole(const char *name) {
+  return (struct field){name, strlen(name)};
+}
+
+bool radii_table_make(struct radii_table *table, uint32_t set, struct failure *failure) {
+  uint32_t count = 0;
+  hsp_residue_get_atoms(set, NULL, 0, &count);
+  hsp_residue_atom *atoms = malloc(count * sizeof *atoms);
+  if (atoms == NULL) return failure_of_memory(failure);
+  bool done = hsp_residue_get_atoms(set, atoms, count, NULL) == HSP_OK;
+  for (uint32_t i = 0; done && i < count; ++i) {
+    struct radii_entry *entry = add_entry(table, whole(atoms[i].residue), whole(atoms[i].atom), 0, failure);
+    done = entry != NULL;
+    if (done) entry->radius = atoms[i].radius;
   }
-  return sort_entries(table, failure);
+  free(atoms);
+  return done && sort_entries(table, failure);
 }
 
 static bool read_type(struct reading *reading, const struct field *part, size_t count) {
@@ -209,8 +211,8 @@ static const struct radii_entry *find(const struct radii_table *table, const str
 
 bool radii_table_find(const struct radii_table *table, const char *residue, const char *atom, double *radius) {
   struct radii_entry key;
-  if (!copy_name(key.residue, sizeof key.residue, (struct field){residue, strlen(residue)}) ||
-      !copy_name(key.atom, sizeof key.atom, (struct field){atom, strlen(atom)})) {
+  if (!copy_name(key.residue, sizeof key.residue, whole(residue)) ||
+      !copy_name(key.atom, sizeof key.atom, whole(atom))) {
     return false;
   }
   const struct radii_entry *found = find(table, &key);
@@ -229,7 +231,7 @@ static int order_of_residues(const void *left, const void *right) {
 
 bool radii_table_names(const struct radii_table *table, const char *residue) {
   struct radii_entry key;
-  if (table->count == 0 || !copy_name(key.residue, sizeof key.residue, (struct field){residue, strlen(residue)})) {
+  if (table->count == 0 || !copy_name(key.residue, sizeof key.residue, whole(residue))) {
     return false;
   }
   return bsearch(&key, table->entries, table->count, sizeof *table->entries, order_of_residues) != NULL;

@@ -20,15 +20,8 @@ struct radii_table {
 #define RADII_TABLE_NONE \
   { NULL, 0, 0, false }
 
-/* One line of a published table: all atoms of these names in all residues of these names, blanks between names. */
-struct radii_rule {
-  const char *residues;
-  const char *atoms;
-  double radius;
-};
-
-/* Make a table of rules, which end with one without names. Free the table on true and on false. */
-bool radii_table_make(struct radii_table *table, const struct radii_rule *rules, struct failure *failure);
+/* Make a table of a set of the library, HSP_RADII_*. Free the table on true and on false. */
+bool radii_table_make(struct radii_table *table, uint32_t set, struct failure *failure);
 
 /* Read a table from a file, in one of two forms; what follows a '#' is a comment:
  *   1. on each line the name of a residue, the name of an atom and a radius;

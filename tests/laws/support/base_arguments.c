@@ -1,4 +1,4 @@
-/* Base arguments by name: numbers, arrays, structs. */
+/* Base arguments by name: numbers, texts, arrays, structs. */
 #include <string.h>
 
 #include "call.h"
@@ -7,9 +7,9 @@ static const struct {
   const char *name;
   double value;
 } numbers[] = {
-    {"count", 1},         {"poses", 2},   {"tension", 1}, {"pressure", 0.5}, {"radius", 0.1},
-    {"margin", 1},        {"workers", 1}, {"first", 1},   {"face", 1},       {"dimension", 2},
-    {"atomic_number", 6}, {"shell", 0},   {"x", 0.3},     {"y", 0.2},        {"z", 0.1},
+    {"count", 1},   {"poses", 2}, {"tension", 1}, {"pressure", 0.5}, {"radius", 0.1},      {"margin", 1},
+    {"workers", 1}, {"first", 1}, {"face", 1},    {"dimension", 2},  {"atomic_number", 6}, {"patches", 100},
+    {"shell", 0},   {"x", 0.3},   {"y", 0.2},     {"z", 0.1},
 };
 
 static double number_named(const argument *a) {
@@ -20,6 +20,11 @@ static double number_named(const argument *a) {
     if (strcmp(numbers[k].name, a->name) == 0) return numbers[k].value;
   }
   return 0;
+}
+
+const char *base_text(const argument *a) {
+  if (strcmp(a->name, "residue") == 0) return "ALA";
+  return strcmp(a->name, "atom") == 0 ? "CA" : "c";
 }
 
 static double number_of_array(const argument *a, size_t i, size_t count) {
@@ -108,7 +113,9 @@ static double parameter_on_edge(const function *f) {
 
 value base_number(const function *f, int i) {
   const argument *const a = &f->arguments[i];
-  const double number = strcmp(a->name, "t") == 0 ? parameter_on_edge(f) : number_named(a);
+  const double number = strcmp(a->name, "t") == 0         ? parameter_on_edge(f)
+                        : strcmp(f->noun, "residue") == 0 ? HSP_RADII_PROTOR
+                                                          : number_named(a);
   value v;
   memset(&v, 0, sizeof v);
   if (strcmp(a->base, "double") == 0) {

@@ -97,7 +97,8 @@ static void give(call *c, int i, uint32_t capacity) {
       c->v[i].f = take_all;
       return;
     case KIND_string:
-      memcpy(call_put(c, i, 2), "a", 2);
+      count = strlen(base_text(a)) + 1;
+      memcpy(call_put(c, i, count), base_text(a), count);
       return;
     case KIND_handle_out:
       call_put(c, i, sizeof(void *));

@@ -37,6 +37,7 @@ void call_put_null(call *c, int i);
 /* What base arguments hold: the number i of a function; `count` numbers or structs of an array, or one struct. */
 value base_number(const function *f, int i);
 void fill_base(const argument *a, void *out, size_t count);
+const char *base_text(const argument *a);
 
 /* Calls. What holds of every call is seen to: `outside`, and call_finds. */
 void call_run(call *c);

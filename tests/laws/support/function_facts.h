@@ -16,7 +16,7 @@ int place_of_kind(const function *f, int kind);
 
 int has_status(const function *f, int32_t status);
 int is_output(const argument *a);
-/* A number that is no array: an argument, or a field that is read. A field that is written in its place is no pointer. */
+/* A number that is no array: an argument, or a field that is read. A field that is written there is no pointer. */
 int is_number(const argument *a);
 int is_pointer(const argument *a);
 /* A struct that says its size. */

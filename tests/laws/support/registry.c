@@ -34,6 +34,42 @@ static int64_t call_hsp_element_radius(const value *v) {
   return (int64_t)hsp_element_radius(v[0].u, v[1].u, v[2].p, v[3].p);
 }
 
+static const argument of_hsp_element_number[] = {
+  {"symbol", "char", .kind = KIND_string, .is_const = 1},
+  {"atomic_number", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t)},
+};
+static int64_t call_hsp_element_number(const value *v) {
+  return (int64_t)hsp_element_number(v[0].p, v[1].p);
+}
+
+static const argument of_hsp_element_symbol[] = {
+  {"atomic_number", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+};
+static int64_t call_hsp_element_symbol(const value *v) {
+  return (int64_t)(intptr_t)hsp_element_symbol(v[0].u);
+}
+
+static const argument of_hsp_residue_radius[] = {
+  {"set", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"residue", "char", .kind = KIND_string, .is_const = 1},
+  {"atom", "char", .kind = KIND_string, .is_const = 1},
+  {"radius", "double", .kind = KIND_value_out, .size = sizeof(double)},
+};
+static int64_t call_hsp_residue_radius(const value *v) {
+  return (int64_t)hsp_residue_radius(v[0].u, v[1].p, v[2].p, v[3].p);
+}
+
+static const argument of_hsp_residue_get_atoms[] = {
+  {"set", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"out", "hsp_residue_atom", .kind = KIND_array_out, .size = sizeof(hsp_residue_atom), .extent = "needed", .null =
+      NULL_empty, .held = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_residue_get_atoms(const value *v) {
+  return (int64_t)hsp_residue_get_atoms(v[0].u, v[1].p, v[2].u, v[3].p);
+}
+
 static const argument of_hsp_model_bytes[] = {
   {"balls", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
   {"bytes", "size_t", .kind = KIND_value_out, .size = sizeof(size_t)},
@@ -82,6 +118,18 @@ static int64_t call_hsp_model_get_info(const value *v) {
   return (int64_t)hsp_model_get_info(v[0].p, v[1].p);
 }
 
+static const argument of_hsp_model_get_balls[] = {
+  {"model", "hsp_model", .kind = KIND_handle, .noun = NOUN_model, .is_const = 1},
+  {"xyz", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .row = 3, .null = NULL_always, .held
+      = 1},
+  {"radius", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .held = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_model_get_balls(const value *v) {
+  return (int64_t)hsp_model_get_balls(v[0].p, v[1].p, v[2].p, v[3].u, v[4].p);
+}
+
 static const argument of_hsp_model_get_packing[] = {
   {"model", "hsp_model", .kind = KIND_handle, .noun = NOUN_model},
   {"figures", "hsp_packing", .kind = KIND_struct_out, .size = sizeof(hsp_packing)},
@@ -96,7 +144,7 @@ static const argument of_hsp_query_point[] = {
   {"ids", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held =
       1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_query_point(const value *v) {
   return (int64_t)hsp_query_point(v[0].p, v[1].p, v[2].p, v[3].u, v[4].p);
@@ -109,7 +157,7 @@ static const argument of_hsp_query_ball[] = {
   {"ids", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held =
       1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_query_ball(const value *v) {
   return (int64_t)hsp_query_ball(v[0].p, v[1].p, v[2].d, v[3].p, v[4].u, v[5].p);
@@ -119,7 +167,7 @@ static const argument of_hsp_query_meets[] = {
   {"model", "hsp_model", .kind = KIND_handle, .noun = NOUN_model, .is_const = 1},
   {"xyz", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .is_const = 1},
   {"radius", "double", .kind = KIND_value, .size = sizeof(double)},
-  {"meets", "int32_t", .kind = KIND_value_out, .size = sizeof(int32_t)},
+  {"meets", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t)},
 };
 static int64_t call_hsp_query_meets(const value *v) {
   return (int64_t)hsp_query_meets(v[0].p, v[1].p, v[2].d, v[3].p);
@@ -131,7 +179,7 @@ static const argument of_hsp_query_neighbours[] = {
   {"ids", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held =
       1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_query_neighbours(const value *v) {
   return (int64_t)hsp_query_neighbours(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
@@ -144,7 +192,7 @@ static const argument of_hsp_query_pairs[] = {
   {"ids", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held =
       1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_query_pairs(const value *v) {
   return (int64_t)hsp_query_pairs(v[0].p, v[1].u, v[2].p, v[3].p, v[4].u, v[5].p);
@@ -256,7 +304,7 @@ static const argument of_hsp_body_pairs[] = {
   {"pair", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .row = 2, .null =
       NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_body_pairs(const value *v) {
   return (int64_t)hsp_body_pairs(v[0].p, v[1].p, v[2].p, v[3].p, v[4].u, v[5].p);
@@ -309,7 +357,7 @@ static const argument of_hsp_body_rational_pairs[] = {
   {"pair", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .row = 2, .null =
       NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_body_rational_pairs(const value *v) {
   return (int64_t)hsp_body_rational_pairs(v[0].p, v[1].p, v[2].p, v[3].p, v[4].u, v[5].p);
@@ -391,7 +439,7 @@ static const argument of_hsp_boundary_get_vertices[] = {
   {"out", "hsp_vertex", .kind = KIND_array_out, .size = sizeof(hsp_vertex), .extent = "needed", .null = NULL_empty,
       .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_boundary_get_vertices(const value *v) {
   return (int64_t)hsp_boundary_get_vertices(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -402,7 +450,7 @@ static const argument of_hsp_boundary_get_arcs[] = {
   {"out", "hsp_arc", .kind = KIND_array_out, .size = sizeof(hsp_arc), .extent = "needed", .null = NULL_empty, .held =
       1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_boundary_get_arcs(const value *v) {
   return (int64_t)hsp_boundary_get_arcs(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -413,7 +461,7 @@ static const argument of_hsp_boundary_get_circles[] = {
   {"out", "hsp_circle", .kind = KIND_array_out, .size = sizeof(hsp_circle), .extent = "needed", .null = NULL_empty,
       .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_boundary_get_circles(const value *v) {
   return (int64_t)hsp_boundary_get_circles(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -424,7 +472,7 @@ static const argument of_hsp_boundary_get_faces[] = {
   {"out", "hsp_face", .kind = KIND_array_out, .size = sizeof(hsp_face), .extent = "needed", .null = NULL_empty, .held =
       1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_boundary_get_faces(const value *v) {
   return (int64_t)hsp_boundary_get_faces(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -435,7 +483,7 @@ static const argument of_hsp_boundary_get_loops[] = {
   {"out", "hsp_loop", .kind = KIND_array_out, .size = sizeof(hsp_loop), .extent = "needed", .null = NULL_empty, .held =
       1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_boundary_get_loops(const value *v) {
   return (int64_t)hsp_boundary_get_loops(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -446,7 +494,7 @@ static const argument of_hsp_boundary_get_loop_arcs[] = {
   {"out", "hsp_loop_arc", .kind = KIND_array_out, .size = sizeof(hsp_loop_arc), .extent = "needed", .null = NULL_empty,
       .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_boundary_get_loop_arcs(const value *v) {
   return (int64_t)hsp_boundary_get_loop_arcs(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -457,7 +505,7 @@ static const argument of_hsp_boundary_get_balls[] = {
   {"out", "hsp_ball", .kind = KIND_array_out, .size = sizeof(hsp_ball), .extent = "needed", .null = NULL_empty, .held =
       1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_boundary_get_balls(const value *v) {
   return (int64_t)hsp_boundary_get_balls(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -646,7 +694,7 @@ static const argument of_hsp_boundary_get_area_row[] = {
   {"out", "hsp_area_derivative", .kind = KIND_array_out, .size = sizeof(hsp_area_derivative), .extent = "needed", .null
       = NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_boundary_get_area_row(const value *v) {
   return (int64_t)hsp_boundary_get_area_row(v[0].p, v[1].u, v[2].u, v[3].p, v[4].u, v[5].p);
@@ -768,7 +816,7 @@ static const argument of_hsp_moving_get_changed[] = {
   {"out", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held =
       1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_moving_get_changed(const value *v) {
   return (int64_t)hsp_moving_get_changed(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -856,7 +904,7 @@ static const argument of_hsp_contacts_get[] = {
   {"out", "hsp_contact", .kind = KIND_array_out, .size = sizeof(hsp_contact), .extent = "needed", .null = NULL_empty,
       .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_contacts_get(const value *v) {
   return (int64_t)hsp_contacts_get(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -868,7 +916,7 @@ static const argument of_hsp_contacts_get_row[] = {
   {"out", "hsp_contact", .kind = KIND_array_out, .size = sizeof(hsp_contact), .extent = "needed", .null = NULL_empty,
       .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_contacts_get_row(const value *v) {
   return (int64_t)hsp_contacts_get_row(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
@@ -894,7 +942,7 @@ static const argument of_hsp_contacts_group[] = {
   {"out", "hsp_group_contact", .kind = KIND_array_out, .size = sizeof(hsp_group_contact), .extent = "needed", .null =
       NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_contacts_group(const value *v) {
   return (int64_t)hsp_contacts_group(v[0].p, v[1].p, v[2].p, v[3].u, v[4].p);
@@ -914,7 +962,7 @@ static const argument of_hsp_contacts_get_simplices[] = {
   {"out", "hsp_simplex", .kind = KIND_array_out, .size = sizeof(hsp_simplex), .extent = "needed", .null = NULL_empty,
       .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_contacts_get_simplices(const value *v) {
   return (int64_t)hsp_contacts_get_simplices(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
@@ -1033,7 +1081,7 @@ static const argument of_hsp_periodic_get_contacts[] = {
   {"out", "hsp_periodic_contact", .kind = KIND_array_out, .size = sizeof(hsp_periodic_contact), .extent = "needed",
       .null = NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_periodic_get_contacts(const value *v) {
   return (int64_t)hsp_periodic_get_contacts(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -1045,7 +1093,7 @@ static const argument of_hsp_periodic_group_contacts[] = {
   {"out", "hsp_group_contact", .kind = KIND_array_out, .size = sizeof(hsp_group_contact), .extent = "needed", .null =
       NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_periodic_group_contacts(const value *v) {
   return (int64_t)hsp_periodic_group_contacts(v[0].p, v[1].p, v[2].p, v[3].u, v[4].p);
@@ -1056,7 +1104,7 @@ static const argument of_hsp_periodic_get_windings[] = {
   {"out", "hsp_winding", .kind = KIND_array_out, .size = sizeof(hsp_winding), .extent = "needed", .null = NULL_empty,
       .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_periodic_get_windings(const value *v) {
   return (int64_t)hsp_periodic_get_windings(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -1067,7 +1115,7 @@ static const argument of_hsp_periodic_get_components[] = {
   {"component", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "n", .null = NULL_empty, .held =
       1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_periodic_get_components(const value *v) {
   return (int64_t)hsp_periodic_get_components(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -1102,7 +1150,7 @@ static const argument of_hsp_periodic_query_point[] = {
   {"out", "hsp_image", .kind = KIND_array_out, .size = sizeof(hsp_image), .extent = "needed", .null = NULL_empty, .held
       = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_periodic_query_point(const value *v) {
   return (int64_t)hsp_periodic_query_point(v[0].p, v[1].p, v[2].p, v[3].u, v[4].p);
@@ -1115,7 +1163,7 @@ static const argument of_hsp_periodic_query_ball[] = {
   {"out", "hsp_image", .kind = KIND_array_out, .size = sizeof(hsp_image), .extent = "needed", .null = NULL_empty, .held
       = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_periodic_query_ball(const value *v) {
   return (int64_t)hsp_periodic_query_ball(v[0].p, v[1].p, v[2].d, v[3].p, v[4].u, v[5].p);
@@ -1127,7 +1175,7 @@ static const argument of_hsp_periodic_query_neighbours[] = {
   {"out", "hsp_image", .kind = KIND_array_out, .size = sizeof(hsp_image), .extent = "needed", .null = NULL_empty, .held
       = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_periodic_query_neighbours(const value *v) {
   return (int64_t)hsp_periodic_query_neighbours(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
@@ -1140,7 +1188,7 @@ static const argument of_hsp_periodic_query_pairs[] = {
   {"out", "hsp_image", .kind = KIND_array_out, .size = sizeof(hsp_image), .extent = "needed", .null = NULL_empty, .held
       = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_periodic_query_pairs(const value *v) {
   return (int64_t)hsp_periodic_query_pairs(v[0].p, v[1].u, v[2].p, v[3].p, v[4].u, v[5].p);
@@ -1160,7 +1208,7 @@ static const argument of_hsp_periodic_get_vertices[] = {
   {"out", "hsp_periodic_vertex", .kind = KIND_array_out, .size = sizeof(hsp_periodic_vertex), .extent = "needed", .null
       = NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_periodic_get_vertices(const value *v) {
   return (int64_t)hsp_periodic_get_vertices(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -1171,7 +1219,7 @@ static const argument of_hsp_periodic_get_arcs[] = {
   {"out", "hsp_periodic_arc", .kind = KIND_array_out, .size = sizeof(hsp_periodic_arc), .extent = "needed", .null =
       NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_periodic_get_arcs(const value *v) {
   return (int64_t)hsp_periodic_get_arcs(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -1182,7 +1230,7 @@ static const argument of_hsp_periodic_get_circles[] = {
   {"out", "hsp_periodic_circle", .kind = KIND_array_out, .size = sizeof(hsp_periodic_circle), .extent = "needed", .null
       = NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_periodic_get_circles(const value *v) {
   return (int64_t)hsp_periodic_get_circles(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -1193,7 +1241,7 @@ static const argument of_hsp_periodic_get_faces[] = {
   {"out", "hsp_periodic_face", .kind = KIND_array_out, .size = sizeof(hsp_periodic_face), .extent = "needed", .null =
       NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_periodic_get_faces(const value *v) {
   return (int64_t)hsp_periodic_get_faces(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -1204,7 +1252,7 @@ static const argument of_hsp_periodic_get_loops[] = {
   {"out", "hsp_periodic_loop", .kind = KIND_array_out, .size = sizeof(hsp_periodic_loop), .extent = "needed", .null =
       NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_periodic_get_loops(const value *v) {
   return (int64_t)hsp_periodic_get_loops(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -1215,7 +1263,7 @@ static const argument of_hsp_periodic_get_loop_arcs[] = {
   {"out", "hsp_periodic_loop_arc", .kind = KIND_array_out, .size = sizeof(hsp_periodic_loop_arc), .extent = "needed",
       .null = NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_periodic_get_loop_arcs(const value *v) {
   return (int64_t)hsp_periodic_get_loop_arcs(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -1226,7 +1274,7 @@ static const argument of_hsp_periodic_get_balls[] = {
   {"out", "hsp_ball", .kind = KIND_array_out, .size = sizeof(hsp_ball), .extent = "needed", .null = NULL_empty, .held =
       1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_periodic_get_balls(const value *v) {
   return (int64_t)hsp_periodic_get_balls(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -1423,14 +1471,14 @@ static const argument of_hsp_surface_get_shells[] = {
   {"out", "hsp_surface_shell", .kind = KIND_array_out, .size = sizeof(hsp_surface_shell), .extent = "needed", .null =
       NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_surface_get_shells(const value *v) {
   return (int64_t)hsp_surface_get_shells(v[0].p, v[1].p, v[2].u, v[3].p);
 }
 
 static const argument of_hsp_surface_check[] = {
-  {"surface", "hsp_surface", .kind = KIND_handle, .noun = NOUN_surface},
+  {"surface", "hsp_surface", .kind = KIND_handle, .noun = NOUN_surface, .is_const = 1},
   {"invariant", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t)},
   {"id", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t)},
 };
@@ -1519,6 +1567,19 @@ static const argument of_hsp_mesh_get_vertices[] = {
 };
 static int64_t call_hsp_mesh_get_vertices(const value *v) {
   return (int64_t)hsp_mesh_get_vertices(v[0].p, v[1].p, v[2].p, v[3].p, v[4].p, v[5].u, v[6].p);
+}
+
+static const argument of_hsp_mesh_get_weights[] = {
+  {"mesh", "hsp_mesh", .kind = KIND_handle, .noun = NOUN_mesh, .is_const = 1},
+  {"area", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "patches", .is_const = 1},
+  {"patches", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"weights", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "vertices", .null = NULL_empty, .held
+      = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_mesh_get_weights(const value *v) {
+  return (int64_t)hsp_mesh_get_weights(v[0].p, v[1].p, v[2].u, v[3].p, v[4].u, v[5].p);
 }
 
 static const argument of_hsp_mesh_get_triangles[] = {
@@ -1675,7 +1736,7 @@ static const argument of_hsp_topology_get_shells[] = {
   {"out", "hsp_shell", .kind = KIND_array_out, .size = sizeof(hsp_shell), .extent = "needed", .null = NULL_empty, .held
       = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_topology_get_shells(const value *v) {
   return (int64_t)hsp_topology_get_shells(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -1686,7 +1747,7 @@ static const argument of_hsp_topology_get_components[] = {
   {"out", "hsp_component", .kind = KIND_array_out, .size = sizeof(hsp_component), .extent = "needed", .null =
       NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_topology_get_components(const value *v) {
   return (int64_t)hsp_topology_get_components(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -1697,7 +1758,7 @@ static const argument of_hsp_topology_get_cells[] = {
   {"out", "hsp_cell", .kind = KIND_array_out, .size = sizeof(hsp_cell), .extent = "needed", .null = NULL_empty, .held =
       1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_topology_get_cells(const value *v) {
   return (int64_t)hsp_topology_get_cells(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -1709,7 +1770,7 @@ static const argument of_hsp_topology_get_cell_shells[] = {
   {"shells", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held
       = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_topology_get_cell_shells(const value *v) {
   return (int64_t)hsp_topology_get_cell_shells(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
@@ -1721,7 +1782,7 @@ static const argument of_hsp_topology_get_cell_balls[] = {
   {"balls", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held
       = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_topology_get_cell_balls(const value *v) {
   return (int64_t)hsp_topology_get_cell_balls(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
@@ -1733,7 +1794,7 @@ static const argument of_hsp_topology_get_traversal[] = {
   {"faces", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held
       = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_topology_get_traversal(const value *v) {
   return (int64_t)hsp_topology_get_traversal(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
@@ -1818,7 +1879,7 @@ static const argument of_hsp_cells_get_neighbours[] = {
   {"neighbours", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty,
       .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_cells_get_neighbours(const value *v) {
   return (int64_t)hsp_cells_get_neighbours(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
@@ -1862,7 +1923,7 @@ static const argument of_hsp_model_arrangement[] = {
   {"scratch", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty,
       .held = 1},
   {"words", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"words_needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"words_needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_model_arrangement(const value *v) {
   return (int64_t)hsp_model_arrangement(v[0].p, v[1].p, v[2].p, v[3].p, v[4].u, v[5].p);
@@ -1920,7 +1981,7 @@ static const argument of_hsp_paths_get_points[] = {
   {"points", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "needed", .row = 3, .null = NULL_empty,
       .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_paths_get_points(const value *v) {
   return (int64_t)hsp_paths_get_points(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -2042,7 +2103,7 @@ static const argument of_hsp_view_get_pieces[] = {
   {"out", "hsp_view_piece", .kind = KIND_array_out, .size = sizeof(hsp_view_piece), .extent = "needed", .null =
       NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_view_get_pieces(const value *v) {
   return (int64_t)hsp_view_get_pieces(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -2053,7 +2114,7 @@ static const argument of_hsp_view_get_loops[] = {
   {"out", "hsp_view_loop", .kind = KIND_array_out, .size = sizeof(hsp_view_loop), .extent = "needed", .null =
       NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_view_get_loops(const value *v) {
   return (int64_t)hsp_view_get_loops(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -2064,7 +2125,7 @@ static const argument of_hsp_view_get_arcs[] = {
   {"out", "hsp_view_arc", .kind = KIND_array_out, .size = sizeof(hsp_view_arc), .extent = "needed", .null = NULL_empty,
       .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_view_get_arcs(const value *v) {
   return (int64_t)hsp_view_get_arcs(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -2191,7 +2252,7 @@ static const argument of_hsp_map_get_areas[] = {
   {"map", "hsp_map", .kind = KIND_handle, .noun = NOUN_map, .is_const = 1},
   {"area", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "needed", .null = NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_map_get_areas(const value *v) {
   return (int64_t)hsp_map_get_areas(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -2203,7 +2264,7 @@ static const argument of_hsp_map_get_outline[] = {
   {"h", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held =
       1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_map_get_outline(const value *v) {
   return (int64_t)hsp_map_get_outline(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
@@ -2359,7 +2420,7 @@ static const argument of_hsp_sticks_get_areas[] = {
   {"sticks", "hsp_sticks", .kind = KIND_handle, .noun = NOUN_sticks, .is_const = 1},
   {"area", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "needed", .null = NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_sticks_get_areas(const value *v) {
   return (int64_t)hsp_sticks_get_areas(v[0].p, v[1].p, v[2].u, v[3].p);
@@ -2381,7 +2442,7 @@ static const argument of_hsp_sticks_get_outline[] = {
   {"h", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held =
       1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
 static int64_t call_hsp_sticks_get_outline(const value *v) {
   return (int64_t)hsp_sticks_get_outline(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
@@ -2487,6 +2548,13 @@ const function registry[] = {
   {"hsp_status_text", "status", RESULT_text, 1, of_hsp_status_text, call_hsp_status_text, 0},
   {"hsp_element_radius", "element", RESULT_status, 4, of_hsp_element_radius, call_hsp_element_radius, BIT(HSP_OK) |
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_ID)},
+  {"hsp_element_number", "element", RESULT_status, 2, of_hsp_element_number, call_hsp_element_number, BIT(HSP_OK) |
+      BIT(HSP_E_ARGUMENT) | BIT(HSP_E_ID)},
+  {"hsp_element_symbol", "element", RESULT_text, 1, of_hsp_element_symbol, call_hsp_element_symbol, 0},
+  {"hsp_residue_radius", "residue", RESULT_status, 4, of_hsp_residue_radius, call_hsp_residue_radius, BIT(HSP_OK) |
+      BIT(HSP_E_ARGUMENT) | BIT(HSP_E_ID)},
+  {"hsp_residue_get_atoms", "residue", RESULT_status, 4, of_hsp_residue_get_atoms, call_hsp_residue_get_atoms,
+      BIT(HSP_OK) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY)},
   {"hsp_model_bytes", "model", RESULT_status, 2, of_hsp_model_bytes, call_hsp_model_bytes, BIT(HSP_OK) |
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_RANGE)},
   {"hsp_model_init", "model", RESULT_status, 4, of_hsp_model_init, call_hsp_model_init, BIT(HSP_OK) |
@@ -2498,6 +2566,8 @@ const function registry[] = {
       BIT(HSP_E_RANGE)},
   {"hsp_model_get_info", "model", RESULT_status, 2, of_hsp_model_get_info, call_hsp_model_get_info, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT)},
+  {"hsp_model_get_balls", "model", RESULT_status, 5, of_hsp_model_get_balls, call_hsp_model_get_balls, BIT(HSP_OK) |
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY)},
   {"hsp_model_get_packing", "model", RESULT_status, 2, of_hsp_model_get_packing, call_hsp_model_get_packing, BIT(HSP_OK)
       | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT)},
   {"hsp_query_point", "query", RESULT_status, 5, of_hsp_query_point, call_hsp_query_point, BIT(HSP_OK) |
@@ -2787,6 +2857,9 @@ const function registry[] = {
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_mesh_get_vertices", "mesh", RESULT_status, 7, of_hsp_mesh_get_vertices, call_hsp_mesh_get_vertices, BIT(HSP_OK)
       | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
+  {"hsp_mesh_get_weights", "mesh", RESULT_status, 6, of_hsp_mesh_get_weights, call_hsp_mesh_get_weights, BIT(HSP_OK) |
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_ID) |
+      BIT(HSP_E_NOT_FINITE)},
   {"hsp_mesh_get_triangles", "mesh", RESULT_status, 7, of_hsp_mesh_get_triangles, call_hsp_mesh_get_triangles,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
   {"hsp_mesh_get_patch", "mesh", RESULT_status, 4, of_hsp_mesh_get_patch, call_hsp_mesh_get_patch, BIT(HSP_OK) |
@@ -2992,6 +3065,9 @@ const field registry_fields[] = {
   {"hsp_executor", "workers", "uint32_t", offsetof(hsp_executor, workers), 1},
   {"hsp_executor", "context", "void *", offsetof(hsp_executor, context), 1},
   {"hsp_executor", "run", "function *", offsetof(hsp_executor, run), 1},
+  {"hsp_residue_atom", "residue", "char", offsetof(hsp_residue_atom, residue), 8},
+  {"hsp_residue_atom", "atom", "char", offsetof(hsp_residue_atom, atom), 8},
+  {"hsp_residue_atom", "radius", "double", offsetof(hsp_residue_atom, radius), 1},
   {"hsp_model_options", "struct_size", "uint32_t", offsetof(hsp_model_options, struct_size), 1},
   {"hsp_model_options", "reserved", "uint32_t", offsetof(hsp_model_options, reserved), 1},
   {"hsp_model_options", "probe", "double", offsetof(hsp_model_options, probe), 1},
@@ -3550,14 +3626,14 @@ const field registry_fields[] = {
   {"hsp_picture_options", "reserved", "uint32_t", offsetof(hsp_picture_options, reserved), 1},
   {"hsp_picture_options", "scale", "double", offsetof(hsp_picture_options, scale), 1},
   {"hsp_picture_options", "centre", "double", offsetof(hsp_picture_options, centre), 3},
-  {"hsp_picture_options", "memory", "uint64_t", offsetof(hsp_picture_options, memory), 1},
-  {"hsp_picture_options", "memory_bytes", "uint64_t", offsetof(hsp_picture_options, memory_bytes), 1},
-  {"hsp_picture_options", "ink", "uint64_t", offsetof(hsp_picture_options, ink), 1},
-  {"hsp_picture_options", "group", "uint64_t", offsetof(hsp_picture_options, group), 1},
+  {"hsp_picture_options", "memory", "void *", offsetof(hsp_picture_options, memory), 1},
+  {"hsp_picture_options", "memory_bytes", "size_t", offsetof(hsp_picture_options, memory_bytes), 1},
+  {"hsp_picture_options", "ink", "hsp_map *", offsetof(hsp_picture_options, ink), 1},
+  {"hsp_picture_options", "group", "uint32_t *", offsetof(hsp_picture_options, group), 1},
   {"hsp_picture_options", "ink_width", "double", offsetof(hsp_picture_options, ink_width), 3},
   {"hsp_picture_options", "ink_colour", "uint32_t", offsetof(hsp_picture_options, ink_colour), 3},
   {"hsp_picture_options", "reserved_for_ink", "uint32_t", offsetof(hsp_picture_options, reserved_for_ink), 1},
-  {"hsp_picture_options", "atom_class", "uint64_t", offsetof(hsp_picture_options, atom_class), 1},
-  {"hsp_picture_options", "atom_title", "uint64_t", offsetof(hsp_picture_options, atom_title), 1},
+  {"hsp_picture_options", "atom_class", "char *", offsetof(hsp_picture_options, atom_class), 1},
+  {"hsp_picture_options", "atom_title", "char *", offsetof(hsp_picture_options, atom_title), 1},
 };
 const size_t registry_fields_size = sizeof registry_fields / sizeof registry_fields[0];

@@ -28,7 +28,7 @@ static void query(void) {
   uint32_t needed;
   result |= hsp_query_ball(model, xyz, 1.5, ids, BALLS, &needed);
 #if PART & 16
-  int32_t meets;
+  uint32_t meets;
   result |= hsp_query_point(model, xyz, ids, BALLS, &needed);
   result |= hsp_query_meets(model, xyz, 1.5, &meets);
   result |= hsp_query_neighbours(model, 0, ids, BALLS, &needed);
