@@ -1,5 +1,5 @@
-// Handles of the C interface that own their memory: models, and those of union. Those with limits take more memory until
-// their computation succeeds. The kinds of each component have a file of their own.
+// Handles of the C interface that own their memory: models, and those of union. Those with limits take more memory
+// until their computation succeeds. The kinds of each component have a file of their own.
 #pragma once
 
 #include <hardsphere.h>
