@@ -15,10 +15,12 @@
 #include <vector>
 
 #include "branch_predictor.hpp"
+#include "free_space.hpp"
 #include "lanes/target.hpp"
 #include "pose_workload.hpp"
 #include "query_workload.hpp"
 #include "sizes.hpp"
+#include "smooth_surface.hpp"
 #include "tiling.hpp"
 #include "update_workload.hpp"
 #include "view_handle.hpp"

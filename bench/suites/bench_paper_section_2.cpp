@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "alternation.hpp"
+#include "free_space.hpp"
 #include "section_2/vertical_decomposition.hpp"
 #include "sizes.hpp"
 #include "suite.hpp"

@@ -7,6 +7,7 @@
 #include "alternation.hpp"
 #include "molecule_file.hpp"
 #include "sizes.hpp"
+#include "smooth_surface.hpp"
 #include "suite.hpp"
 
 namespace bench {

@@ -3,15 +3,11 @@
 #include <algorithm>
 
 namespace bench {
-namespace {
-
 std::vector<double> unequal_weights(uint32_t balls) {
   std::vector<double> weights;
   for (uint32_t ball = 0; ball < balls; ++ball) weights.push_back(1.0 + ball % 3);
   return weights;
 }
-
-}  // namespace
 
 Model::Model(const Balls &balls, double probe) : balls_(&balls), model_(balls.size()) {
   expect_ok(hsp_model_options_init(&options_, sizeof options_), "hsp_model_options_init");
@@ -87,52 +83,6 @@ hsp_boundary_counts Boundary::counts() const {
   return read(hsp_boundary_get_counts, boundary_.get(), "hsp_boundary_get_counts");
 }
 
-SmoothSurface::SmoothSurface(const Boundary &boundary)
-    : boundary_(&boundary),
-      balls_(boundary.model().size()),
-      weight_(unequal_weights(boundary.model().size())),
-      by_centre_(3 * size_t{boundary.model().size()}),
-      by_radius_(boundary.model().size()) {
-  surface_.take(support::surface_limits_for(boundary.get()));
-  compute();
-  surface_.take(surface_.needed());
-  compute();
-}
-
-void SmoothSurface::compute() {
-  surface_.compute([this](hsp_surface *surface, hsp_surface_limits *limits) {
-    return hsp_surface_compute(surface, boundary_->get(), limits);
-  });
-}
-
-hsp_surface_totals SmoothSurface::measure() {
-  hsp_surface_totals totals{};
-  expect_ok(hsp_surface_measure(surface_.get(), &totals, balls_.data(), static_cast<uint32_t>(balls_.size()), nullptr),
-            "hsp_surface_measure");
-  return totals;
-}
-
-hsp_energy SmoothSurface::gradient() {
-  hsp_energy energy{};
-  expect_ok(hsp_surface_gradient(surface_.get(), 1.0, 1.0, &energy, by_centre_.data(), by_radius_.data(), nullptr,
-                                 static_cast<uint32_t>(by_radius_.size()), nullptr),
-            "hsp_surface_gradient");
-  return energy;
-}
-
-hsp_energy SmoothSurface::weighted_gradient() {
-  hsp_energy energy{};
-  expect_ok(hsp_surface_weighted_gradient(surface_.get(), weight_.data(), 1.0, 1.0, &energy, by_centre_.data(),
-                                          by_radius_.data(), nullptr, static_cast<uint32_t>(by_radius_.size()), nullptr,
-                                          nullptr),
-            "hsp_surface_weighted_gradient");
-  return energy;
-}
-
-hsp_surface_counts SmoothSurface::counts() const {
-  return read(hsp_surface_get_counts, surface_.get(), "hsp_surface_get_counts");
-}
-
 Contacts::Contacts(const Boundary &boundary) : boundary_(&boundary) {
   contacts_.take(support::contacts_limits_for(boundary.get()));
   compute();
@@ -178,33 +128,6 @@ void Periodic::compute() {
 
 hsp_periodic_counts Periodic::counts() const {
   return read(hsp_periodic_get_counts, periodic_.get(), "hsp_periodic_get_counts");
-}
-
-FreeSpace::FreeSpace(const Model &model) : model_(&model) {
-  hsp_cells_limits limits{};
-  expect_ok(hsp_cells_limits_init(&limits, sizeof limits, model.size()), "hsp_cells_limits_init");
-  cells_.take(limits);
-  compute();
-}
-
-void FreeSpace::compute() {
-  cells_.compute(
-      [this](hsp_cells *cells, hsp_cells_limits *limits) { return hsp_cells_compute(cells, model_->get(), limits); });
-}
-
-hsp_cells_counts FreeSpace::counts() const {
-  return read(hsp_cells_get_counts, cells_.get(), "hsp_cells_get_counts");
-}
-
-size_t FreeSpace::locate(const std::vector<double> &points) const {
-  size_t in_none = 0;
-  for (size_t i = 0; i < points.size(); i += 3) {
-    uint32_t cell = 0;
-    const int32_t status = hsp_cells_locate(cells_.get(), &points[i], &cell);
-    if (status != HSP_OK) expect_ok(status, "hsp_cells_locate");
-    in_none += cell == HSP_NONE ? 1 : 0;
-  }
-  return in_none;
 }
 
 Topology::Topology(const Boundary &boundary) : boundary_(&boundary) {

@@ -1,5 +1,5 @@
-// hsp_model, hsp_boundary, hsp_surface, hsp_contacts, hsp_periodic and hsp_topology in memory of their own, for the
-// benchmarks.
+// hsp_model, hsp_boundary, hsp_contacts, hsp_periodic and hsp_topology in memory of their own, for the benchmarks. Those
+// of the components stand beside: smooth_surface, free_space and view_handle.
 //
 // Memory is taken before anything is timed, written once so that its pages are there, and used again by every
 // iteration: what the library asks of its users is what is timed.
@@ -12,8 +12,6 @@
 
 #include "hardsphere.h"
 #include "owned_handle.hpp"
-#include "owned_spaces.hpp"
-#include "owned_surfaces.hpp"
 #include "paper_molecules.hpp"
 
 namespace bench {
@@ -42,6 +40,9 @@ class Model {
   hsp_model_options options_{};
   support::OwnedModel model_;
 };
+
+// Weights of balls, not all the same.
+std::vector<double> unequal_weights(uint32_t balls);
 
 // What a call such as hsp_boundary_get_counts says of a handle.
 template <class Handle, class Record>
@@ -88,31 +89,6 @@ class Boundary {
   support::OwnedBoundary boundary_;
 };
 
-// The solvent-excluded surface over a boundary.
-class SmoothSurface {
- public:
-  // Makes room for exactly what this computed boundary needs, and computes it.
-  explicit SmoothSurface(const Boundary &boundary);
-
-  void compute();
-  // Areas and volume, of every ball and in total.
-  hsp_surface_totals measure();
-  // The sum of area and volume, with its derivatives by every centre and radius.
-  hsp_energy gradient();
-  // The same with a weight for the area of each ball.
-  hsp_energy weighted_gradient();
-  hsp_surface_counts counts() const;
-  size_t bytes() const { return surface_.bytes(); }
-
- private:
-  const Boundary *boundary_;
-  std::vector<hsp_surface_totals> balls_;
-  std::vector<double> weight_;
-  std::vector<double> by_centre_;
-  std::vector<double> by_radius_;
-  support::OwnedSurface surface_;
-};
-
 // Contacts and cells over a boundary.
 class Contacts {
  public:
@@ -144,22 +120,6 @@ class Periodic {
   hsp_model_options options_{};
   std::array<double, 9> box_{};
   support::OwnedPeriodic periodic_;
-};
-
-// The cells of free space of a model.
-class FreeSpace {
- public:
-  // Makes room for as much as it takes, and computes them.
-  explicit FreeSpace(const Model &model);
-
-  void compute();
-  hsp_cells_counts counts() const;
-  // The cells of points [count][3]. Returns how many are in none.
-  size_t locate(const std::vector<double> &points) const;
-
- private:
-  const Model *model_;
-  support::OwnedHandle<support::CellsKind> cells_;
 };
 
 class Topology {

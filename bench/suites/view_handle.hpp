@@ -6,9 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include <owned_views.hpp>
-
 #include "handles.hpp"
+#include "owned_views.hpp"
 
 namespace bench {
 

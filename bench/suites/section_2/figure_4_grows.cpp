@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdio>
 
+#include "free_space.hpp"
 #include "handles.hpp"
 #include "section_2/vertical_decomposition.hpp"
 

@@ -1,0 +1,51 @@
+#include "smooth_surface.hpp"
+
+namespace bench {
+
+SmoothSurface::SmoothSurface(const Boundary &boundary)
+    : boundary_(&boundary),
+      balls_(boundary.model().size()),
+      weight_(unequal_weights(boundary.model().size())),
+      by_centre_(3 * size_t{boundary.model().size()}),
+      by_radius_(boundary.model().size()) {
+  surface_.take(support::surface_limits_for(boundary.get()));
+  compute();
+  surface_.take(surface_.needed());
+  compute();
+}
+
+void SmoothSurface::compute() {
+  surface_.compute([this](hsp_surface *surface, hsp_surface_limits *limits) {
+    return hsp_surface_compute(surface, boundary_->get(), limits);
+  });
+}
+
+hsp_surface_totals SmoothSurface::measure() {
+  hsp_surface_totals totals{};
+  expect_ok(hsp_surface_measure(surface_.get(), &totals, balls_.data(), static_cast<uint32_t>(balls_.size()), nullptr),
+            "hsp_surface_measure");
+  return totals;
+}
+
+hsp_energy SmoothSurface::gradient() {
+  hsp_energy energy{};
+  expect_ok(hsp_surface_gradient(surface_.get(), 1.0, 1.0, &energy, by_centre_.data(), by_radius_.data(), nullptr,
+                                 static_cast<uint32_t>(by_radius_.size()), nullptr),
+            "hsp_surface_gradient");
+  return energy;
+}
+
+hsp_energy SmoothSurface::weighted_gradient() {
+  hsp_energy energy{};
+  expect_ok(hsp_surface_weighted_gradient(surface_.get(), weight_.data(), 1.0, 1.0, &energy, by_centre_.data(),
+                                          by_radius_.data(), nullptr, static_cast<uint32_t>(by_radius_.size()), nullptr,
+                                          nullptr),
+            "hsp_surface_weighted_gradient");
+  return energy;
+}
+
+hsp_surface_counts SmoothSurface::counts() const {
+  return read(hsp_surface_get_counts, surface_.get(), "hsp_surface_get_counts");
+}
+
+}  // namespace bench
