@@ -1,5 +1,5 @@
-// hsp_model, hsp_boundary, hsp_contacts, hsp_periodic and hsp_topology in memory of their own, for the benchmarks. Those
-// of the components stand beside: smooth_surface, free_space and view_handle.
+// hsp_model, hsp_boundary, hsp_contacts, hsp_periodic and hsp_topology in memory of their own, for the benchmarks.
+// Those of the components stand beside: smooth_surface, free_space and view_handle.
 //
 // Memory is taken before anything is timed, written once so that its pages are there, and used again by every
 // iteration: what the library asks of its users is what is timed.
