@@ -38,8 +38,10 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_VERSION_PATCH = 0_c_int32_t  ! raised when only mistakes were mended
   ! Version of this header: 10000 * major + 100 * minor + patch.
   integer(c_int32_t), parameter :: HSP_VERSION_NUMBER = 200_c_int32_t
-  ! The binary interface that this header describes; the shared library's file name ends with it.
+  ! The binary interface that stable headers describe; the shared library's file name ends with it.
   integer(c_int32_t), parameter :: HSP_ABI_NUMBER = 1_c_int32_t
+  ! The binary interface that provisional headers describe.
+  integer(c_int32_t), parameter :: HSP_PROVISIONAL_NUMBER = 1_c_int32_t
   ! The bits of the results that the library of this header gives.
   integer(c_int32_t), parameter :: HSP_NUMERICS_NUMBER = 2_c_int32_t
 
@@ -53,7 +55,7 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_E_MEMORY = -3_c_int32_t  ! the memory is smaller than required
   ! nothing there to read, continue or undo, or what it was made from has changed
   integer(c_int32_t), parameter :: HSP_E_STATE = -4_c_int32_t
-  ! no such ball, vertex, edge, face, shell, cell or element, or one listed twice
+  ! nothing has this id, number or name, or one is listed twice
   integer(c_int32_t), parameter :: HSP_E_ID = -5_c_int32_t
   ! a violated invariant, or results that contradict each other: please report it
   integer(c_int32_t), parameter :: HSP_E_CHECK = -6_c_int32_t
@@ -1209,6 +1211,11 @@ module hardsphere
     end function
 
     function hsp_abi() result(found) bind(C, name="hsp_abi")
+      import :: c_int32_t
+      integer(c_int32_t) :: found
+    end function
+
+    function hsp_provisional() result(found) bind(C, name="hsp_provisional")
       import :: c_int32_t
       integer(c_int32_t) :: found
     end function

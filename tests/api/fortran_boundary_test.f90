@@ -71,6 +71,7 @@ contains
     call check(c_sizeof(derivative) == 48, 'size of hsp_area_derivative')
     call check(hsp_version() == HSP_VERSION_NUMBER, 'version')
     call check(hsp_abi() == HSP_ABI_NUMBER, 'ABI number')
+    call check(hsp_provisional() == HSP_PROVISIONAL_NUMBER, 'provisional number')
     call check(hsp_numerics() == HSP_NUMERICS_NUMBER, 'numerics version')
     text = hsp_status_text(HSP_OK)
     call check(c_associated(text), 'status text')

@@ -8,7 +8,8 @@ OPENING = """\
 
 In the order in which `hardsphere.h` says to read the headers; what each function does in full, its arguments, statuses,
 properties and cost stand there. Behind each stand the statuses that it has besides `HSP_OK`, without `HSP_`, and the
-version since which it is declared as it is. Every function that takes a handle may also return `HSP_E_HANDLE`. The
+version since which it is declared as it is. Stable headers stay as they are from version 1.0 on, provisional ones may
+change with any minor version. Every function that takes a handle may also return `HSP_E_HANDLE`. The
 [tutorial](tutorial.md) shows the most important ones at work, [other programs](coming_from.md) says what you called
 before, and [splitting the work](splitting_the_work.md) which ones threads may share.
 """
@@ -20,7 +21,7 @@ def function_index(interface):
     since = versions(interface)
     for header, subject in interface.headers.items():
         rows += [f"## {header}", "", f"{plain(subject[:1].upper() + subject[1:])}: "
-                 f"[hardsphere/{header}](../../include/hardsphere/{header}).", "",
+                 f"[hardsphere/{header}](../../include/hardsphere/{header}). {interface.tiers[header].capitalize()}.", "",
                  "| function | what it does | statuses | since |", "|---|---|---|---|"]
         for function in interface.functions:
             if function.header == header:
