@@ -114,7 +114,7 @@
  *
  * LIMITS
  *   All handles but models take in what some numbers allow, which fix their memory. hsp_X_compute hands such limits
- *   back, if its last argument is not NULL. Its struct_size has to be set, which hsp_X_limits_init does.
+ *   back, if its argument of that name is not NULL. Their struct_size has to be set, which hsp_X_limits_init does.
  *   On HSP_E_CAPACITY they are limits to retry with: none is smaller than the handle's own, and one at least is larger.
  *   What is not known yet stays as it was, so that a few retries may be necessary. On HSP_OK they are what was needed,
  *   exactly. On any other status they stay as they are. So memory grows until it suffices in three lines:

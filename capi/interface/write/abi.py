@@ -47,6 +47,12 @@ def of_targets(numbers):
     return str(numbers[0]) if numbers[0] == numbers[1] else "/".join(map(str, numbers))
 
 
+def struct_sizes(interface):
+    """Bytes of each struct, with pointers of 8 bytes and of 4."""
+    rows = (row.split() for row in abi_structs(interface).split("\n") if not row.startswith("#"))
+    return {row[0]: tuple(map(int, (row[1].split("/") * 2)[:2])) for row in rows if len(row) == 2}
+
+
 def abi_structs(interface):
     """Fields follow each other without padding, which abi.sh asks compilers for many targets."""
     rows, sizes = {}, {name: (size, size) for name, size in SCALARS.items()} | {"size_t": POINTER}
