@@ -153,6 +153,7 @@ class Session {
   void constants() {
     FUZZ_REQUIRE(hsp_version() == HSP_VERSION_NUMBER, "version");
     FUZZ_REQUIRE(hsp_abi() == HSP_ABI_NUMBER, "ABI number");
+    FUZZ_REQUIRE(hsp_provisional() == HSP_PROVISIONAL_NUMBER, "provisional number");
     FUZZ_REQUIRE(hsp_numerics() == HSP_NUMERICS_NUMBER, "numerics version");
     const int32_t status = -static_cast<int32_t>(bytes_.below(20));
     FUZZ_REQUIRE(hsp_status_text(status) != nullptr && hsp_status_text(status)[0] != 0, "status text");

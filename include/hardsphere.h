@@ -29,6 +29,13 @@
  *   hardsphere/picture.h    a view, a map, or balls and sticks as SVG, EPS or PDF
  * The paper is Halperin and Overmars, "Spheres, Molecules, and Hidden Surface Removal", UU-CS-1994-36.
  *
+ * TIERS
+ *   Each header says at its head which of two tiers it is of. Stable are those of the union of balls and its numbers:
+ *   version, status, element, model, query, boundary, measure, gradient, contacts, topology. From version 1.0 on they
+ *   stay as they are, and are only added to; HSP_ABI_NUMBER is theirs. All others are provisional: what stands there
+ *   may change with any minor version, with a line in the changelog and HSP_PROVISIONAL_NUMBER (version.h). Results are
+ *   as well tested in either.
+ *
  * ARRAYS
  *   name     shape    type      unit             meaning
  *   xyz      [n][3]   double    length           centres, x y z of ball 0, then of ball 1, ...
@@ -44,6 +51,45 @@
  *   exactly. Everything combinatorial is then decided in integers; ties are decided as if every ball were
  *   larger by an infinitely small amount of its own, so that balls that touch count as meeting.
  *   See hsp_model_set for the limits of the lattice.
+ *
+ * HOW EXACT
+ *   header      decided in integers                rounded                          best effort, and what says so
+ *   model       -                                  coordinates and radii, once, to  -
+ *                                                  the lattice
+ *   query       which balls, which first on a ray  a ray's direction, distances     -
+ *   pose        hits and pairs                     places in a pose, once, to the   -
+ *                                                  lattice, rational ones not at
+ *                                                  all; gaps, overlaps
+ *   boundary    vertices, arcs, circles, faces,    positions, radii, angles         -
+ *               loops, shells, components
+ *   measure     -                                  areas, volumes                   -
+ *   gradient    what is flagged                    derivatives                      -
+ *   moving      as boundary                        as measure and gradient          -
+ *   curvature   multiples of pi/3 at vertices      mean curvature, derivatives      -
+ *   contacts    pairs, the dual complex, its       areas, distances, shares         -
+ *               Betti numbers
+ *   periodic    as boundary and contacts,          the box, once, to the lattice;   -
+ *               windings, queries                  as measure, gradient and contacts
+ *   surface     which patches the boundary yields  areas, volumes, derivatives      what probes leave of concave
+ *                                                                                   patches where many ties meet:
+ *                                                                                   open_joints, HSP_E_OPEN_SURFACE
+ *   mesh        how patches hang together          positions, normals               triangles where borders lie on each
+ *                                                                                   other: HSP_E_CHECK
+ *   topology    edges, simple faces, shells,       positions, areas, volumes        -
+ *               cells, where a point lies
+ *   cells       cells, neighbours, regions,        -                                -
+ *               where a point lies
+ *   paths       whether there is one, what is      points, once, to the lattice;    a polyline through passages of a
+ *               certified, whether a probe passes  lengths                          few steps: hsp_path.certified
+ *   view        the order of pieces, their arcs    the direction, once; arcs        -
+ *   map         -                                  areas                            faces, edges, vertices: balls are
+ *                                                                                   moved until labels fit,
+ *                                                                                   hsp_map_info.perturbation,
+ *                                                                                   HSP_E_CHECK
+ *   sticks      -                                  as map                           what covers what, and as map:
+ *                                                                                   HSP_E_CONFLICT, HSP_E_CHECK
+ *   picture     -                                  coordinates on the page          -
+ *   What is rounded has an error of a few last bits of the result, or is said at the function.
  *
  * MEMORY
  *   The library never allocates. For a handle X: hsp_X_bytes tells the size, hsp_X_init carves the handle out of memory
@@ -69,7 +115,7 @@
  *
  * LIMITS
  *   All handles but models take in what some numbers allow, which fix their memory. hsp_X_compute hands such limits
- *   back, if its last argument is not NULL. Its struct_size has to be set, which hsp_X_limits_init does.
+ *   back, if its argument of that name is not NULL. Their struct_size has to be set, which hsp_X_limits_init does.
  *   On HSP_E_CAPACITY they are limits to retry with: none is smaller than the handle's own, and one at least is larger.
  *   What is not known yet stays as it was, so that a few retries may be necessary. On HSP_OK they are what was needed,
  *   exactly. On any other status they stay as they are. So memory grows until it suffices in three lines:
@@ -86,8 +132,8 @@
  *   HSP_E_VERSION, as it is with a bad struct_size: a smaller one that no version of the struct had, or a larger one
  *   above 1024 or no multiple of 4. Of a struct that is written, such a part stays or becomes zeros; nothing is written
  *   beyond struct_size.
- *   All other structs are frozen: they stay as they are as long as HSP_ABI_NUMBER does. What is added comes as structs
- *   and functions of their own.
+ *   All other structs are frozen: they stay as they are as long as the number of their header's tier does. What is
+ *   added comes as structs and functions of their own.
  *
  * OUTPUT ARRAYS
  *   Where a function takes (T *out, uint32_t capacity, uint32_t *needed): *needed is set to the number of records there

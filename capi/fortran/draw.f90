@@ -19,7 +19,7 @@ contains
 end module
 
 program draw
-  use, intrinsic :: iso_c_binding, only: c_funloc, c_loc, c_null_char, c_sizeof
+  use, intrinsic :: iso_c_binding, only: c_funloc, c_loc, c_null_char
   use, intrinsic :: iso_fortran_env, only: error_unit
   use hardsphere_workspace
   use file_sink
@@ -45,7 +45,7 @@ program draw
     stop 1
   end if
   status = work%set(n, xyz, radius)
-  if (status == HSP_OK) status = hsp_view_options_init(direction, int(c_sizeof(direction), c_int32_t))
+  if (status == HSP_OK) status = hsp_view_options_init(direction, direction%struct_size)
   if (status == HSP_OK) status = hsp_view_options_turn(direction, -60.0_c_double, 0.0_c_double, 0.0_c_double)
   if (status == HSP_OK) status = work%compute_view(direction)
   if (status == HSP_OK) status = hsp_picture_write(work%view, colour=colour, title='A ring'//c_null_char, &

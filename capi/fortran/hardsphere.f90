@@ -13,6 +13,7 @@
 !   double xyz[n][3]             real(c_double) :: xyz(3, n)
 !   uint32_t onext[edges][4]     integer(c_int32_t) :: onext(0:3, 0:edges - 1), and indices are ids
 !   uint32_t                     integer(c_int32_t); values above huge() appear negative: HSP_NONE is -1
+!   uint32_t struct_size         is there as the struct is made: hsp_model_options_init(o, o%struct_size)
 !   uint8_t selected[n]          integer(c_int8_t) :: selected(n), 0 or not 0
 !   hsp_model *, other handles   type(c_ptr); where NULL is allowed, c_null_ptr
 !   void *memory                 type(c_ptr) from c_loc of an array with the TARGET attribute; the handle lives in it,
@@ -24,10 +25,12 @@
 !   void *context                type(c_ptr), as it will be handed to the sink; c_null_ptr if the sink has no use for it
 module hardsphere
   use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_funptr, c_int8_t, c_int32_t, c_int64_t, &
-                                         c_null_char, c_ptr, c_size_t
+                                         c_null_char, c_null_ptr, c_ptr, c_size_t
   implicit none
   private :: quad_turned
-  private :: c_char, c_double, c_f_pointer, c_funptr, c_int8_t, c_int32_t, c_int64_t, c_null_char, c_ptr, c_size_t
+  private :: c_char, c_double, c_f_pointer, c_funptr, c_int8_t, c_int32_t, c_int64_t, c_null_char, c_null_ptr, c_ptr
+  private :: c_size_t
+  integer(c_int32_t), parameter, private :: pointer_bytes = storage_size(c_null_ptr) / 8
 
   ! ---- version.h: the version of the header and of the library -------------------------------------------------------
 
@@ -38,8 +41,10 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_VERSION_PATCH = 0_c_int32_t  ! raised when only mistakes were mended
   ! Version of this header: 10000 * major + 100 * minor + patch.
   integer(c_int32_t), parameter :: HSP_VERSION_NUMBER = 200_c_int32_t
-  ! The binary interface that this header describes; the shared library's file name ends with it.
+  ! The binary interface that stable headers describe; the shared library's file name ends with it.
   integer(c_int32_t), parameter :: HSP_ABI_NUMBER = 1_c_int32_t
+  ! The binary interface that provisional headers describe.
+  integer(c_int32_t), parameter :: HSP_PROVISIONAL_NUMBER = 1_c_int32_t
   ! The bits of the results that the library of this header gives.
   integer(c_int32_t), parameter :: HSP_NUMERICS_NUMBER = 2_c_int32_t
 
@@ -53,7 +58,7 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_E_MEMORY = -3_c_int32_t  ! the memory is smaller than required
   ! nothing there to read, continue or undo, or what it was made from has changed
   integer(c_int32_t), parameter :: HSP_E_STATE = -4_c_int32_t
-  ! no such ball, vertex, edge, face, shell, cell or element, or one listed twice
+  ! nothing has this id, number or name, or one is listed twice
   integer(c_int32_t), parameter :: HSP_E_ID = -5_c_int32_t
   ! a violated invariant, or results that contradict each other: please report it
   integer(c_int32_t), parameter :: HSP_E_CHECK = -6_c_int32_t
@@ -260,9 +265,9 @@ module hardsphere
   ! ---- executor.h: threads of the caller's own -----------------------------------------------------------------------
 
   type, bind(C) :: hsp_executor
-    integer(c_int32_t) :: struct_size  ! sizeof(hsp_executor)
-    integer(c_int32_t) :: workers      ! how many threads there are for the tasks
-    type(c_ptr) :: context             ! or NULL: handed to run
+    integer(c_int32_t) :: struct_size = 8_c_int32_t + 2 * pointer_bytes  ! sizeof(hsp_executor)
+    integer(c_int32_t) :: workers                                        ! how many threads there are for the tasks
+    type(c_ptr) :: context                                               ! or NULL: handed to run
     ! Calls task(data, 0) to task(data, tasks - 1), each once, in any order and on any threads, and returns when all
     ! have returned. Not NULL with more than one worker.
     type(c_funptr) :: run
@@ -279,8 +284,8 @@ module hardsphere
   ! ---- model.h: a set of balls on its lattice, and how well it behaves: k, rho, overlaps (Section 2) -----------------
 
   type, bind(C) :: hsp_model_options
-    integer(c_int32_t) :: struct_size  ! sizeof(hsp_model_options); hsp_model_options_init sets it
-    integer(c_int32_t) :: reserved     ! 0
+    integer(c_int32_t) :: struct_size = 32_c_int32_t  ! sizeof(hsp_model_options); hsp_model_options_init sets it
+    integer(c_int32_t) :: reserved                    ! 0
     ! length, >= 0: added to every radius, for the solvent-accessible surface; default 0
     real(c_double) :: probe
     ! length, > 0: the lattice step; 0 means the smallest power of ten with r_max/step < 2^30
@@ -347,12 +352,12 @@ module hardsphere
   ! ---- boundary.h: the boundary of the union: vertices, arcs, circles, faces (Section 4.2, Steps 1 and 2) ------------
 
   type, bind(C) :: hsp_boundary_limits
-    integer(c_int32_t) :: struct_size  ! sizeof(hsp_boundary_limits)
-    integer(c_int32_t) :: balls        ! most balls of the model
-    integer(c_int32_t) :: neighbours   ! most balls that meet any one ball that lies inside no other
-    integer(c_int32_t) :: vertices     ! vertices of the boundary
-    integer(c_int32_t) :: circles      ! free circles
-    integer(c_int32_t) :: workers      ! most workers of hsp_boundary_begin; 0 is 1. Comes back as it is
+    integer(c_int32_t) :: struct_size = 24_c_int32_t  ! sizeof(hsp_boundary_limits)
+    integer(c_int32_t) :: balls                       ! most balls of the model
+    integer(c_int32_t) :: neighbours                  ! most balls that meet any one ball that lies inside no other
+    integer(c_int32_t) :: vertices                    ! vertices of the boundary
+    integer(c_int32_t) :: circles                     ! free circles
+    integer(c_int32_t) :: workers                     ! most workers of hsp_boundary_begin; 0 is 1. Comes back as it is
   end type
 
   type, bind(C) :: hsp_boundary_counts
@@ -443,24 +448,26 @@ module hardsphere
   end type
 
   type, bind(C) :: hsp_gradient_request
-    integer(c_int32_t) :: struct_size  ! sizeof(hsp_gradient_request); hsp_gradient_request_init sets it
-    integer(c_int32_t) :: tangency     ! one of HSP_TANGENT_*
-    real(c_double) :: tension          ! of the weighted area
-    real(c_double) :: pressure         ! of the volume
-    type(c_ptr) :: sigma               ! [n], or NULL for all ones: the weights of the areas; a ball with 0 only blocks
-    type(c_ptr) :: executor            ! or NULL: the threads that share the work
+    ! sizeof(hsp_gradient_request); hsp_gradient_request_init sets it
+    integer(c_int32_t) :: struct_size = 24_c_int32_t + 2 * pointer_bytes
+    integer(c_int32_t) :: tangency                                        ! one of HSP_TANGENT_*
+    real(c_double) :: tension                                             ! of the weighted area
+    real(c_double) :: pressure                                            ! of the volume
+    ! [n], or NULL for all ones: the weights of the areas; a ball with 0 only blocks
+    type(c_ptr) :: sigma
+    type(c_ptr) :: executor                                               ! or NULL: the threads that share the work
   end type
 
   type, bind(C) :: hsp_gradient_outputs
-    integer(c_int32_t) :: struct_size  ! sizeof(hsp_gradient_outputs)
-    integer(c_int32_t) :: capacity     ! entries that each array [n] has room for
-    integer(c_int32_t) :: needed       ! becomes n
+    integer(c_int32_t) :: struct_size = 16_c_int32_t + 4 * pointer_bytes  ! sizeof(hsp_gradient_outputs)
+    integer(c_int32_t) :: capacity                                        ! entries that each array [n] has room for
+    integer(c_int32_t) :: needed                                          ! becomes n
     ! becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is none
     integer(c_int32_t) :: first_bad
-    type(c_ptr) :: energy              ! or NULL
-    type(c_ptr) :: d_centre            ! [n][3], or NULL: dE/dc_i
-    type(c_ptr) :: d_radius            ! [n], or NULL: dE/dr_i
-    type(c_ptr) :: flags               ! [n], or NULL: HSP_GRADIENT_*
+    type(c_ptr) :: energy                                                 ! or NULL
+    type(c_ptr) :: d_centre                                               ! [n][3], or NULL: dE/dc_i
+    type(c_ptr) :: d_radius                                               ! [n], or NULL: dE/dr_i
+    type(c_ptr) :: flags                                                  ! [n], or NULL: HSP_GRADIENT_*
   end type
 
   type, bind(C) :: hsp_area_derivative
@@ -474,9 +481,9 @@ module hardsphere
   ! ---- moving.h: all of that while a few balls move at a time --------------------------------------------------------
 
   type, bind(C) :: hsp_moving_limits
-    integer(c_int32_t) :: struct_size  ! sizeof(hsp_moving_limits)
-    integer(c_int32_t) :: balls        ! most balls
-    integer(c_int32_t) :: neighbours   ! most balls that meet any one ball that lies inside no other
+    integer(c_int32_t) :: struct_size = 12_c_int32_t  ! sizeof(hsp_moving_limits)
+    integer(c_int32_t) :: balls                       ! most balls
+    integer(c_int32_t) :: neighbours                  ! most balls that meet any one ball that lies inside no other
   end type
 
   type, bind(C) :: hsp_moving_info
@@ -536,12 +543,13 @@ module hardsphere
   ! ---- contacts.h: which balls touch and by how much, shares of the union, the dual complex --------------------------
 
   type, bind(C) :: hsp_contacts_limits
-    integer(c_int32_t) :: struct_size  ! sizeof(hsp_contacts_limits)
-    integer(c_int32_t) :: balls        ! most balls of the model
-    integer(c_int32_t) :: neighbours   ! as in hsp_boundary_limits
-    integer(c_int32_t) :: contacts     ! contacts, each once
-    integer(c_int32_t) :: triangles    ! triangles to keep for hsp_contacts_get_simplices; 0: they are only counted
-    integer(c_int32_t) :: tetrahedra   ! the same of tetrahedra
+    integer(c_int32_t) :: struct_size = 24_c_int32_t  ! sizeof(hsp_contacts_limits)
+    integer(c_int32_t) :: balls                       ! most balls of the model
+    integer(c_int32_t) :: neighbours                  ! as in hsp_boundary_limits
+    integer(c_int32_t) :: contacts                    ! contacts, each once
+    ! triangles to keep for hsp_contacts_get_simplices; 0: they are only counted
+    integer(c_int32_t) :: triangles
+    integer(c_int32_t) :: tetrahedra                  ! the same of tetrahedra
   end type
 
   type, bind(C) :: hsp_contact
@@ -579,13 +587,13 @@ module hardsphere
   ! ---- periodic.h: all of that in a box whose copies fill space: areas, volume, contacts, windings, strain -----------
 
   type, bind(C) :: hsp_periodic_limits
-    integer(c_int32_t) :: struct_size  ! sizeof(hsp_periodic_limits)
-    integer(c_int32_t) :: balls        ! most balls
-    integer(c_int32_t) :: images       ! images of them that are near the box
-    integer(c_int32_t) :: neighbours   ! as in hsp_boundary_limits
-    integer(c_int32_t) :: vertices     ! of balls in the box; those across its faces once from each side
-    integer(c_int32_t) :: circles      ! the same
-    integer(c_int32_t) :: contacts     ! the same
+    integer(c_int32_t) :: struct_size = 28_c_int32_t  ! sizeof(hsp_periodic_limits)
+    integer(c_int32_t) :: balls                       ! most balls
+    integer(c_int32_t) :: images                      ! images of them that are near the box
+    integer(c_int32_t) :: neighbours                  ! as in hsp_boundary_limits
+    integer(c_int32_t) :: vertices                    ! of balls in the box; those across its faces once from each side
+    integer(c_int32_t) :: circles                     ! the same
+    integer(c_int32_t) :: contacts                    ! the same
   end type
 
   type, bind(C) :: hsp_periodic_counts
@@ -700,14 +708,14 @@ module hardsphere
   ! ---- surface.h: the smooth surface that a probe leaves, its area and volume (Section 4.3) --------------------------
 
   type, bind(C) :: hsp_surface_limits
-    integer(c_int32_t) :: struct_size     ! sizeof(hsp_surface_limits)
-    integer(c_int32_t) :: vertices        ! vertices of the boundary
-    integer(c_int32_t) :: faces           ! faces of the boundary
-    integer(c_int32_t) :: neighbours      ! most probes at other vertices that may cut any one concave patch
+    integer(c_int32_t) :: struct_size = 28_c_int32_t  ! sizeof(hsp_surface_limits)
+    integer(c_int32_t) :: vertices                    ! vertices of the boundary
+    integer(c_int32_t) :: faces                       ! faces of the boundary
+    integer(c_int32_t) :: neighbours                  ! most probes at other vertices that may cut any one concave patch
     ! what is left of the concave patches that are cut: at least one for each of them
     integer(c_int32_t) :: pieces
-    integer(c_int32_t) :: arcs            ! that bound these pieces
-    integer(c_int32_t) :: cusped_circles  ! circles whose saddle patches reach their axis
+    integer(c_int32_t) :: arcs                        ! that bound these pieces
+    integer(c_int32_t) :: cusped_circles              ! circles whose saddle patches reach their axis
   end type
 
   type, bind(C) :: hsp_surface_counts
@@ -789,12 +797,13 @@ module hardsphere
   ! ---- mesh.h: boundary or smooth surface as triangles ---------------------------------------------------------------
 
   type, bind(C) :: hsp_mesh_limits
-    integer(c_int32_t) :: struct_size  ! sizeof(hsp_mesh_limits)
-    integer(c_int32_t) :: balls        ! of the model; of a smooth surface, balls and vertices of the boundary
-    integer(c_int32_t) :: curves       ! arcs and circles of the boundary; of a smooth surface, its edges
-    integer(c_int32_t) :: vertices     ! of the mesh, with those that finer ones have replaced
-    integer(c_int32_t) :: triangles    ! of the mesh, with those that finer ones have replaced
-    integer(c_int32_t) :: points       ! most points of any one sphere while it is triangulated
+    integer(c_int32_t) :: struct_size = 24_c_int32_t  ! sizeof(hsp_mesh_limits)
+    ! of the model; of a smooth surface, balls and vertices of the boundary
+    integer(c_int32_t) :: balls
+    integer(c_int32_t) :: curves                      ! arcs and circles of the boundary; of a smooth surface, its edges
+    integer(c_int32_t) :: vertices                    ! of the mesh, with those that finer ones have replaced
+    integer(c_int32_t) :: triangles                   ! of the mesh, with those that finer ones have replaced
+    integer(c_int32_t) :: points                      ! most points of any one sphere while it is triangulated
   end type
 
   type, bind(C) :: hsp_mesh_counts
@@ -807,12 +816,13 @@ module hardsphere
   ! ---- topology.h: the boundary as quad-edges with simple faces, shells, cells, point location (Step 3) --------------
 
   type, bind(C) :: hsp_topology_limits
-    integer(c_int32_t) :: struct_size  ! sizeof(hsp_topology_limits)
-    integer(c_int32_t) :: balls        ! most balls of the model
-    integer(c_int32_t) :: neighbours   ! as in hsp_boundary_limits
-    integer(c_int32_t) :: edges        ! edges; vertices and simple faces are never more
-    integer(c_int32_t) :: cut_arcs     ! cut arcs that cut faces with several loops
-    integer(c_int32_t) :: shells       ! shells; 0: as many as the edges allow, two for each. Fewer take less memory
+    integer(c_int32_t) :: struct_size = 24_c_int32_t  ! sizeof(hsp_topology_limits)
+    integer(c_int32_t) :: balls                       ! most balls of the model
+    integer(c_int32_t) :: neighbours                  ! as in hsp_boundary_limits
+    integer(c_int32_t) :: edges                       ! edges; vertices and simple faces are never more
+    integer(c_int32_t) :: cut_arcs                    ! cut arcs that cut faces with several loops
+    ! shells; 0: as many as the edges allow, two for each. Fewer take less memory
+    integer(c_int32_t) :: shells
   end type
 
   type, bind(C) :: hsp_topology_counts
@@ -896,16 +906,17 @@ module hardsphere
   ! ---- cells.h: what no ball covers as simple cells, their neighbours, point location (Section 2) --------------------
 
   type, bind(C) :: hsp_cells_limits
-    integer(c_int32_t) :: struct_size   ! sizeof(hsp_cells_limits)
-    integer(c_int32_t) :: cubes         ! that balls meet
-    integer(c_int32_t) :: entries       ! pairs of a ball and a cube that it meets
-    integer(c_int32_t) :: cells         ! free parts and runs
-    integer(c_int32_t) :: adjacencies   ! pairs of neighbours
-    integer(c_int32_t) :: landmarks     ! vertices of power cells with several free parts
-    integer(c_int32_t) :: facets        ! of power cells on sides between two cubes that balls meet, each side once
-    integer(c_int32_t) :: corners       ! of all these facets
-    integer(c_int32_t) :: cube_balls    ! most balls that meet one cube; rarely some more
-    integer(c_int32_t) :: cube_corners  ! vertices of all power cells of one cube
+    integer(c_int32_t) :: struct_size = 40_c_int32_t  ! sizeof(hsp_cells_limits)
+    integer(c_int32_t) :: cubes                       ! that balls meet
+    integer(c_int32_t) :: entries                     ! pairs of a ball and a cube that it meets
+    integer(c_int32_t) :: cells                       ! free parts and runs
+    integer(c_int32_t) :: adjacencies                 ! pairs of neighbours
+    integer(c_int32_t) :: landmarks                   ! vertices of power cells with several free parts
+    ! of power cells on sides between two cubes that balls meet, each side once
+    integer(c_int32_t) :: facets
+    integer(c_int32_t) :: corners                     ! of all these facets
+    integer(c_int32_t) :: cube_balls                  ! most balls that meet one cube; rarely some more
+    integer(c_int32_t) :: cube_corners                ! vertices of all power cells of one cube
   end type
 
   type, bind(C) :: hsp_cells_counts
@@ -943,17 +954,17 @@ module hardsphere
   ! ---- paths.h: how a probe gets from one point to another, and how wide one may be (Section 2) ----------------------
 
   type, bind(C) :: hsp_paths_limits
-    integer(c_int32_t) :: struct_size   ! sizeof(hsp_paths_limits)
-    integer(c_int32_t) :: cubes         ! as hsp_cells_limits.cubes
-    integer(c_int32_t) :: entries       ! as hsp_cells_limits.entries
-    integer(c_int32_t) :: cells         ! as hsp_cells_limits.cells
-    integer(c_int32_t) :: adjacencies   ! as hsp_cells_limits.adjacencies
-    integer(c_int32_t) :: landmarks     ! as hsp_cells_limits.landmarks
-    integer(c_int32_t) :: facets        ! as hsp_cells_limits.facets
-    integer(c_int32_t) :: corners       ! as hsp_cells_limits.corners
-    integer(c_int32_t) :: cube_balls    ! as hsp_cells_limits.cube_balls
-    integer(c_int32_t) :: cube_corners  ! as hsp_cells_limits.cube_corners
-    integer(c_int32_t) :: points        ! of a path before it is shortened
+    integer(c_int32_t) :: struct_size = 44_c_int32_t  ! sizeof(hsp_paths_limits)
+    integer(c_int32_t) :: cubes                       ! as hsp_cells_limits.cubes
+    integer(c_int32_t) :: entries                     ! as hsp_cells_limits.entries
+    integer(c_int32_t) :: cells                       ! as hsp_cells_limits.cells
+    integer(c_int32_t) :: adjacencies                 ! as hsp_cells_limits.adjacencies
+    integer(c_int32_t) :: landmarks                   ! as hsp_cells_limits.landmarks
+    integer(c_int32_t) :: facets                      ! as hsp_cells_limits.facets
+    integer(c_int32_t) :: corners                     ! as hsp_cells_limits.corners
+    integer(c_int32_t) :: cube_balls                  ! as hsp_cells_limits.cube_balls
+    integer(c_int32_t) :: cube_corners                ! as hsp_cells_limits.cube_corners
+    integer(c_int32_t) :: points                      ! of a path before it is shortened
   end type
 
   type, bind(C) :: hsp_path
@@ -967,17 +978,17 @@ module hardsphere
   end type
 
   type, bind(C) :: hsp_gate_limits
-    integer(c_int32_t) :: struct_size   ! sizeof(hsp_gate_limits)
-    integer(c_int32_t) :: balls         ! of the model
-    integer(c_int32_t) :: cubes         ! as hsp_cells_limits.cubes
-    integer(c_int32_t) :: entries       ! as hsp_cells_limits.entries
-    integer(c_int32_t) :: cells         ! as hsp_cells_limits.cells
-    integer(c_int32_t) :: adjacencies   ! as hsp_cells_limits.adjacencies
-    integer(c_int32_t) :: landmarks     ! as hsp_cells_limits.landmarks
-    integer(c_int32_t) :: facets        ! as hsp_cells_limits.facets
-    integer(c_int32_t) :: corners       ! as hsp_cells_limits.corners
-    integer(c_int32_t) :: cube_balls    ! as hsp_cells_limits.cube_balls
-    integer(c_int32_t) :: cube_corners  ! as hsp_cells_limits.cube_corners
+    integer(c_int32_t) :: struct_size = 44_c_int32_t  ! sizeof(hsp_gate_limits)
+    integer(c_int32_t) :: balls                       ! of the model
+    integer(c_int32_t) :: cubes                       ! as hsp_cells_limits.cubes
+    integer(c_int32_t) :: entries                     ! as hsp_cells_limits.entries
+    integer(c_int32_t) :: cells                       ! as hsp_cells_limits.cells
+    integer(c_int32_t) :: adjacencies                 ! as hsp_cells_limits.adjacencies
+    integer(c_int32_t) :: landmarks                   ! as hsp_cells_limits.landmarks
+    integer(c_int32_t) :: facets                      ! as hsp_cells_limits.facets
+    integer(c_int32_t) :: corners                     ! as hsp_cells_limits.corners
+    integer(c_int32_t) :: cube_balls                  ! as hsp_cells_limits.cube_balls
+    integer(c_int32_t) :: cube_corners                ! as hsp_cells_limits.cube_corners
   end type
 
   type, bind(C) :: hsp_widest_probe
@@ -992,18 +1003,19 @@ module hardsphere
   ! ---- view.h: pieces in painter's order as true arcs (Section 5.1) --------------------------------------------------
 
   type, bind(C) :: hsp_view_limits
-    integer(c_int32_t) :: struct_size  ! sizeof(hsp_view_limits)
-    integer(c_int32_t) :: balls        ! most balls of the model
-    integer(c_int32_t) :: neighbours   ! most balls that meet any one ball that is not left out and lies inside no other
-    integer(c_int32_t) :: arcs         ! arcs of all pieces; pieces and loops are never more
+    integer(c_int32_t) :: struct_size = 16_c_int32_t  ! sizeof(hsp_view_limits)
+    integer(c_int32_t) :: balls                       ! most balls of the model
+    ! most balls that meet any one ball that is not left out and lies inside no other
+    integer(c_int32_t) :: neighbours
+    integer(c_int32_t) :: arcs                        ! arcs of all pieces; pieces and loops are never more
   end type
 
   type, bind(C) :: hsp_view_options
-    integer(c_int32_t) :: struct_size  ! sizeof(hsp_view_options); hsp_view_options_init sets it
-    integer(c_int32_t) :: pieces       ! HSP_PIECES_*
-    integer(c_int32_t) :: flags        ! HSP_VIEW_*
-    integer(c_int32_t) :: reserved     ! 0
-    real(c_double) :: towards(3)       ! from the balls towards the viewer, of any length; default 0 0 1
+    integer(c_int32_t) :: struct_size = 64_c_int32_t  ! sizeof(hsp_view_options); hsp_view_options_init sets it
+    integer(c_int32_t) :: pieces                      ! HSP_PIECES_*
+    integer(c_int32_t) :: flags                       ! HSP_VIEW_*
+    integer(c_int32_t) :: reserved                    ! 0
+    real(c_double) :: towards(3)                      ! from the balls towards the viewer, of any length; default 0 0 1
     ! what appears upwards, of any length, not necessarily across towards; default, and if it is parallel to towards: 0
     ! 1 0, or 0 0 1 if towards is parallel to that
     real(c_double) :: up(3)
@@ -1061,11 +1073,11 @@ module hardsphere
   ! ---- map.h: what is seen as faces, edges and vertices of the view plane (Section 5.2) ------------------------------
 
   type, bind(C) :: hsp_map_limits
-    integer(c_int32_t) :: struct_size  ! sizeof(hsp_map_limits)
-    integer(c_int32_t) :: balls        ! of the model
+    integer(c_int32_t) :: struct_size = 16_c_int32_t  ! sizeof(hsp_map_limits)
+    integer(c_int32_t) :: balls                       ! of the model
     ! most balls whose discs meet the disc of any one and that reach higher than its centre
     integer(c_int32_t) :: neighbours
-    integer(c_int32_t) :: edges        ! of the map
+    integer(c_int32_t) :: edges                       ! of the map
   end type
 
   type, bind(C) :: hsp_map_info
@@ -1136,12 +1148,12 @@ module hardsphere
   ! ---- sticks.h: balls and sticks in an order to paint them ----------------------------------------------------------
 
   type, bind(C) :: hsp_sticks_limits
-    integer(c_int32_t) :: struct_size  ! sizeof(hsp_sticks_limits)
-    integer(c_int32_t) :: balls        ! of the model
-    integer(c_int32_t) :: sticks       ! most sticks
+    integer(c_int32_t) :: struct_size = 20_c_int32_t  ! sizeof(hsp_sticks_limits)
+    integer(c_int32_t) :: balls                       ! of the model
+    integer(c_int32_t) :: sticks                      ! most sticks
     ! of balls and halves of sticks of which one may cover a part of the other; two if they are balls that meet
     integer(c_int32_t) :: pairs
-    integer(c_int32_t) :: edges        ! of the map, where there is one
+    integer(c_int32_t) :: edges                       ! of the map, where there is one
   end type
 
   type, bind(C) :: hsp_stick
@@ -1173,13 +1185,14 @@ module hardsphere
   ! ---- picture.h: a view, a map, or balls and sticks as SVG, EPS or PDF ----------------------------------------------
 
   type, bind(C) :: hsp_picture_options
-    integer(c_int32_t) :: struct_size       ! sizeof(hsp_picture_options)
-    integer(c_int32_t) :: format            ! HSP_FORMAT_*; default SVG
-    integer(c_int32_t) :: style             ! HSP_STYLE_*; default flat
-    integer(c_int32_t) :: unit              ! HSP_UNIT_* of width, height, outline and ink_width; default px
+    integer(c_int32_t) :: struct_size = 144_c_int32_t + 6 * pointer_bytes  ! sizeof(hsp_picture_options)
+    integer(c_int32_t) :: format                                           ! HSP_FORMAT_*; default SVG
+    integer(c_int32_t) :: style                                            ! HSP_STYLE_*; default flat
+    ! HSP_UNIT_* of width, height, outline and ink_width; default px
+    integer(c_int32_t) :: unit
     ! of the picture; 0: follows from height; less than 0.01 counts as 0.01; default 1000
     real(c_double) :: width
-    real(c_double) :: height                ! likewise, from width; default 0
+    real(c_double) :: height                                               ! likewise, from width; default 0
     ! around the balls, as a part of the larger side of their box, in [0, 10]; default 0.03. Of no effect with a scale.
     ! Lines around them have room in any case
     real(c_double) :: margin
@@ -1188,10 +1201,10 @@ module hardsphere
     ! how far the farthest ball fades to the background, in [0, 1], if it is five mean radii or more behind the
     ! nearest; default 0.3
     real(c_double) :: fog
-    integer(c_int32_t) :: outline_colour    ! 0xRRGGBB; default 0x23202B
-    integer(c_int32_t) :: background        ! 0xRRGGBB; default 0xFFFFFF
-    integer(c_int32_t) :: flags             ! HSP_PICTURE_*; default 0
-    integer(c_int32_t) :: reserved          ! 0
+    integer(c_int32_t) :: outline_colour                                   ! 0xRRGGBB; default 0x23202B
+    integer(c_int32_t) :: background                                       ! 0xRRGGBB; default 0xFFFFFF
+    integer(c_int32_t) :: flags                                            ! HSP_PICTURE_*; default 0
+    integer(c_int32_t) :: reserved                                         ! 0
     ! of a fixed frame: px or mm of the picture per unit of length; default 0: no fixed frame
     real(c_double) :: scale
     ! of a fixed frame: the point in space in its middle, length; default 0 0 0. Without a scale it has to be that
@@ -1209,8 +1222,9 @@ module hardsphere
     type(c_ptr) :: group
     ! HSP_INK_*: of contours where they are widest; 0: none; < 0: chosen; default -1
     real(c_double) :: ink_width(3)
-    integer(c_int32_t) :: ink_colour(3)     ! HSP_INK_*: 0xRRGGBB, fades like lines; default 0x23202B
-    integer(c_int32_t) :: reserved_for_ink  ! 0
+    ! HSP_INK_*: 0xRRGGBB, fades like lines; default 0x23202B
+    integer(c_int32_t) :: ink_colour(3)
+    integer(c_int32_t) :: reserved_for_ink                                 ! 0
     ! SVG: of each ball of the model, each NULL, empty or names of classes with blanks between them, NUL-terminated
     ! UTF-8. Such balls have their index in an id, "a", four digits or letters, "-" and the index, and not in
     ! data-ball; halves of sticks have classes and data-ball. Default NULL: none; of no effect on other formats
@@ -1249,6 +1263,11 @@ module hardsphere
     end function
 
     function hsp_abi() result(found) bind(C, name="hsp_abi")
+      import :: c_int32_t
+      integer(c_int32_t) :: found
+    end function
+
+    function hsp_provisional() result(found) bind(C, name="hsp_provisional")
       import :: c_int32_t
       integer(c_int32_t) :: found
     end function

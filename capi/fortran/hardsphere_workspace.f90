@@ -19,7 +19,7 @@
 ! STATUS: that of the function of the module hardsphere that fails, and HSP_E_MEMORY where an allocation fails.
 module hardsphere_workspace
   use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int32_t, c_int8_t, c_loc, c_null_ptr, c_ptr, &
-    c_size_t, c_sizeof
+    c_size_t
   use hardsphere
   implicit none
   public ! with c_double and c_int32_t, which callers need
@@ -208,7 +208,7 @@ contains
     if (present(use_surface)) smooth = use_surface
     status = HSP_OK
     if (.not. c_associated(self%mesh)) then
-      status = hsp_mesh_limits_init(self%mesh_limits, int(c_sizeof(limits), c_int32_t), self%boundary, edge)
+      status = hsp_mesh_limits_init(self%mesh_limits, limits%struct_size, self%boundary, edge)
       if (status /= HSP_OK) return
       status = HSP_E_CAPACITY
     end if
@@ -328,9 +328,9 @@ contains
     type(hsp_mesh_limits) :: wanted
     integer(c_int32_t) :: status
     if (smooth) then
-      status = hsp_mesh_limits_init_surface(wanted, int(c_sizeof(wanted), c_int32_t), self%surface, edge)
+      status = hsp_mesh_limits_init_surface(wanted, wanted%struct_size, self%surface, edge)
     else
-      status = hsp_mesh_limits_init(wanted, int(c_sizeof(wanted), c_int32_t), self%boundary, edge)
+      status = hsp_mesh_limits_init(wanted, wanted%struct_size, self%boundary, edge)
     end if
     if (status /= HSP_OK) return
     self%mesh_limits%balls = max(self%mesh_limits%balls, wanted%balls)
@@ -435,8 +435,7 @@ contains
     integer(c_int32_t) :: status
     status = HSP_OK
     if (c_associated(self%boundary)) return
-    status = hsp_boundary_limits_init(self%boundary_limits, int(c_sizeof(self%boundary_limits), c_int32_t), &
-      self%most_balls)
+    status = hsp_boundary_limits_init(self%boundary_limits, self%boundary_limits%struct_size, self%most_balls)
     if (status == HSP_OK) status = make_boundary(self)
   end function
 
@@ -466,8 +465,7 @@ contains
     integer(c_int32_t) :: status
     status = HSP_OK
     if (c_associated(self%topology)) return
-    status = hsp_topology_limits_init(self%topology_limits, int(c_sizeof(self%topology_limits), c_int32_t), &
-      self%boundary)
+    status = hsp_topology_limits_init(self%topology_limits, self%topology_limits%struct_size, self%boundary)
     if (status == HSP_OK) status = make_topology(self)
   end function
 
@@ -496,7 +494,7 @@ contains
     integer(c_int32_t) :: status
     status = HSP_OK
     if (c_associated(self%view)) return
-    status = hsp_view_limits_init(self%view_limits, int(c_sizeof(self%view_limits), c_int32_t), self%most_balls)
+    status = hsp_view_limits_init(self%view_limits, self%view_limits%struct_size, self%most_balls)
     if (status == HSP_OK) status = make_view(self)
   end function
 
@@ -525,7 +523,7 @@ contains
     integer(c_int32_t) :: status
     status = HSP_OK
     if (c_associated(self%surface)) return
-    status = hsp_surface_limits_init(self%surface_limits, int(c_sizeof(self%surface_limits), c_int32_t), self%boundary)
+    status = hsp_surface_limits_init(self%surface_limits, self%surface_limits%struct_size, self%boundary)
     if (status == HSP_OK) status = make_surface(self)
   end function
 
@@ -566,7 +564,7 @@ contains
     integer(c_int32_t) :: status
     status = HSP_OK
     if (c_associated(self%map)) return
-    status = hsp_map_limits_init(self%map_limits, int(c_sizeof(self%map_limits), c_int32_t), self%most_balls)
+    status = hsp_map_limits_init(self%map_limits, self%map_limits%struct_size, self%most_balls)
     if (status == HSP_OK) status = make_map(self)
   end function
 
@@ -595,8 +593,7 @@ contains
     integer(c_int32_t) :: status
     status = HSP_OK
     if (c_associated(self%contacts)) return
-    status = hsp_contacts_limits_init(self%contacts_limits, int(c_sizeof(self%contacts_limits), c_int32_t), &
-      self%boundary)
+    status = hsp_contacts_limits_init(self%contacts_limits, self%contacts_limits%struct_size, self%boundary)
     if (status == HSP_OK) status = make_contacts(self)
   end function
 
@@ -625,7 +622,7 @@ contains
     integer(c_int32_t) :: status
     status = HSP_OK
     if (c_associated(self%cells)) return
-    status = hsp_cells_limits_init(self%cells_limits, int(c_sizeof(self%cells_limits), c_int32_t), self%most_balls)
+    status = hsp_cells_limits_init(self%cells_limits, self%cells_limits%struct_size, self%most_balls)
     if (status == HSP_OK) status = make_cells(self)
   end function
 
@@ -654,7 +651,7 @@ contains
     integer(c_int32_t) :: status
     status = HSP_OK
     if (c_associated(self%paths)) return
-    status = hsp_paths_limits_init(self%paths_limits, int(c_sizeof(self%paths_limits), c_int32_t), self%most_balls)
+    status = hsp_paths_limits_init(self%paths_limits, self%paths_limits%struct_size, self%most_balls)
     if (status == HSP_OK) status = make_paths(self)
   end function
 
@@ -683,7 +680,7 @@ contains
     integer(c_int32_t) :: status
     status = HSP_OK
     if (c_associated(self%gate)) return
-    status = hsp_gate_limits_init(self%gate_limits, int(c_sizeof(self%gate_limits), c_int32_t), self%most_balls)
+    status = hsp_gate_limits_init(self%gate_limits, self%gate_limits%struct_size, self%most_balls)
     if (status == HSP_OK) status = make_gate(self)
   end function
 
@@ -712,7 +709,7 @@ contains
     integer(c_int32_t) :: status
     status = HSP_OK
     if (c_associated(self%moving)) return
-    status = hsp_moving_limits_init(self%moving_limits, int(c_sizeof(self%moving_limits), c_int32_t), self%most_balls)
+    status = hsp_moving_limits_init(self%moving_limits, self%moving_limits%struct_size, self%most_balls)
     if (status == HSP_OK) status = make_moving(self)
   end function
 
@@ -742,7 +739,7 @@ contains
     integer(c_int32_t) :: status
     status = HSP_OK
     if (c_associated(self%periodic)) return
-    status = hsp_periodic_limits_init(self%periodic_limits, int(c_sizeof(self%periodic_limits), c_int32_t), n)
+    status = hsp_periodic_limits_init(self%periodic_limits, self%periodic_limits%struct_size, n)
     if (status == HSP_OK) status = make_periodic(self)
   end function
 

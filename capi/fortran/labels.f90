@@ -1,6 +1,5 @@
 ! What is seen of a ring of balls from the side, from Fortran: how much of each, and where a label fits.
 program labels
-  use, intrinsic :: iso_c_binding, only: c_sizeof
   use, intrinsic :: iso_fortran_env, only: error_unit
   use hardsphere_workspace
   implicit none
@@ -18,7 +17,7 @@ program labels
     xyz(:, i) = [4*cos(turn*i), 4*sin(turn*i), 0.0_c_double]
   end do
   status = work%set(n, xyz, [(1.2_c_double + 0.3_c_double*mod(i, 2), i=1, n)])
-  if (status == HSP_OK) status = hsp_view_options_init(direction, int(c_sizeof(direction), c_int32_t))
+  if (status == HSP_OK) status = hsp_view_options_init(direction, direction%struct_size)
   if (status == HSP_OK) status = hsp_view_options_turn(direction, -60.0_c_double, 0.0_c_double, 0.0_c_double)
   if (status == HSP_OK) status = work%compute_map(direction)
   if (status == HSP_OK) status = hsp_map_get_info(work%map, info)

@@ -6,7 +6,6 @@
 ! each other, and where equal balls coincide the area has no derivative: the tension must not be much larger.
 ! One line for each step: number, energy, the largest derivative, the step's length.
 program minimise
-  use, intrinsic :: iso_c_binding, only: c_sizeof
   use, intrinsic :: iso_fortran_env, only: error_unit
   use hardsphere_workspace
   implicit none
@@ -27,7 +26,7 @@ program minimise
   real(c_double) :: xyz(3, n), force(3, n), energy, trial(3, n), trial_force(3, n), trial_energy, length, promised
   integer :: step
 
-  call must(hsp_model_options_init(options, int(c_sizeof(options), c_int32_t)))
+  call must(hsp_model_options_init(options, options%struct_size))
   options%probe = probe
   options%step = lattice_step
   xyz = on_lattice(zigzag())

@@ -1,7 +1,7 @@
 ! A water molecule from Fortran: its surface areas, bare and solvent-accessible.
 ! This is the whole life of a model and of a boundary: ask for the size, give memory, compute, read.
 program water
-  use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int8_t, c_loc, c_ptr, c_size_t, c_sizeof
+  use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int8_t, c_loc, c_ptr, c_size_t
   use, intrinsic :: iso_fortran_env, only: error_unit
   use hardsphere
   implicit none
@@ -29,12 +29,12 @@ program water
   allocate (model_memory(bytes))
   call must(hsp_model_init(c_loc(model_memory), bytes, n, model))
 
-  call must(hsp_boundary_limits_init(limits, int(c_sizeof(limits), c_int32_t), n))
+  call must(hsp_boundary_limits_init(limits, limits%struct_size, n))
   call must(hsp_boundary_bytes(limits, bytes))
   allocate (boundary_memory(bytes))
   call must(hsp_boundary_init(c_loc(boundary_memory), bytes, limits, boundary))
 
-  call must(hsp_model_options_init(options, int(c_sizeof(options), c_int32_t)))
+  call must(hsp_model_options_init(options, options%struct_size))
   do p = 1, size(probes)
     options%probe = probes(p)
     call must(hsp_model_set(model, n, xyz, radius, options))

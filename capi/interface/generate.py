@@ -20,6 +20,7 @@ except ModuleNotFoundError as missing:
 
 from write.abi import abi_constants, abi_functions, abi_since, abi_structs
 from write.cdef import cdef
+from write.exactness import exactness_page
 from write.fortran import fortran_module
 from write.function_index import function_index
 from write.model_text import model_text
@@ -40,6 +41,7 @@ GENERATED = {
     "capi/abi/constants.txt": abi_constants,
     "capi/abi/structs.txt": abi_structs,
     "capi/guide/all_functions.md": function_index,
+    "capi/guide/exactness.md": exactness_page,
     "capi/interface/hardsphere.cdef": cdef,
     "tests/laws/support/registry.c": registry,
 }

@@ -28,6 +28,9 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/hardsphere.pc DESTINATION ${CMAKE_INST
 install(FILES ${HSP_FORTRAN_FOLDER}/hardsphere.f90 ${HSP_FORTRAN_FOLDER}/hardsphere_workspace.f90
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hardsphere
   COMPONENT hardsphere_development)
+# Declarations without a preprocessor, for cffi and others.
+install(FILES ${PROJECT_SOURCE_DIR}/capi/interface/hardsphere.cdef DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hardsphere
+  COMPONENT hardsphere_development)
 install(FILES ${PROJECT_SOURCE_DIR}/capi/fortran/hardsphere-fortran.cmake DESTINATION ${HSP_PACKAGE_FOLDER}
   COMPONENT hardsphere_development)
 

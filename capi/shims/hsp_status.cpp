@@ -8,6 +8,10 @@ uint32_t hsp_abi(void) {
   return HSP_ABI_NUMBER;
 }
 
+uint32_t hsp_provisional(void) {
+  return HSP_PROVISIONAL_NUMBER;
+}
+
 uint32_t hsp_numerics(void) {
   return HSP_NUMERICS_NUMBER;
 }
@@ -25,7 +29,7 @@ const char *hsp_status_text(int32_t status) {
     case HSP_E_STATE:
       return "nothing there to read, continue or undo, or what it was made from has changed";
     case HSP_E_ID:
-      return "no such ball, vertex, edge, face, shell, cell or element, or one listed twice";
+      return "nothing has this id, number or name, or one is listed twice";
     case HSP_E_CHECK:
       return "a violated invariant, or results that contradict each other: please report it";
     case HSP_E_SINK:

@@ -1,5 +1,7 @@
 /* hardsphere/cells.h: what no ball covers, as O(n) simple cells with their neighbours (Section 2, Theorem 2.4).
  *
+ * Provisional: this may change with any minor version, as the changelog then says.
+ *
  * Space is cut by the cubes of the grid, whose side is twice the largest radius. In a cube that balls meet every point
  * belongs to the ball to which it has the least power, its squared distance from the centre less the squared radius:
  * that makes a convex polytope for each ball, its power cell. What is outside the ball falls into free parts. Cubes

@@ -1,5 +1,7 @@
 /* hardsphere/contacts.h: which balls touch and by how much, each ball's share of the union, the dual complex.
  *
+ * Stable: from version 1.0 on this stays as it is, and is only added to.
+ *
  * With the power |x - c_i|^2 - r_i^2 of a point x to ball i, radii with the probe:
  *   cell      of a ball: the points of the union with no less power to another ball; convex, inside the ball
  *   contact   of two balls: where their cells meet; the disk of their circle, cut off straight by other balls

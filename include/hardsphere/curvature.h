@@ -1,5 +1,7 @@
 /* hardsphere/curvature.h: integrated mean and Gaussian curvature of the union's boundary, and energies with them.
  *
+ * Provisional: this may change with any minor version, as the changelog then says.
+ *
  * Faces of ball i have the mean curvature 1 / r_i and the Gaussian curvature 1 / r_i^2. An edge counts as the limit of
  * a rounded concave one: over an arc of length l the normals turn by the angle beta between the two outward ones.
  *   M = sum_i A_i / r_i - 1/2 sum over arcs and circles of l beta

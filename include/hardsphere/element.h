@@ -1,4 +1,6 @@
-/* hardsphere/element.h: elements by symbol, and their radii. */
+/* hardsphere/element.h: elements by symbol, and their radii.
+ *
+ * Stable: from version 1.0 on this stays as it is, and is only added to. */
 #ifndef HARDSPHERE_ELEMENT_H
 #define HARDSPHERE_ELEMENT_H
 

@@ -1,4 +1,6 @@
-/* hardsphere/executor.h: threads of the caller's own. The library starts none. */
+/* hardsphere/executor.h: threads of the caller's own. The library starts none.
+ *
+ * Stable: from version 1.0 on this stays as it is, and is only added to. */
 #ifndef HARDSPHERE_EXECUTOR_H
 #define HARDSPHERE_EXECUTOR_H
 

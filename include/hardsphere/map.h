@@ -1,5 +1,7 @@
 /* hardsphere/map.h: the visibility map, what is seen of the balls as a subdivision of the view plane (Section 5.2).
  *
+ * Provisional: this may change with any minor version, as the changelog then says.
+ *
  * A view is for painting; a map knows what is seen. View coordinates are those of view.h: x to the right, y up, z
  * towards the viewer. Edges cut the view plane into faces, each of which shows one ball or the background:
  *   silhouette   an edge on the outline of a ball, a part of a circle: on its left that ball, on its right what is

@@ -1,4 +1,6 @@
-/* hardsphere/measure.h: areas and volumes. */
+/* hardsphere/measure.h: areas and volumes.
+ *
+ * Stable: from version 1.0 on this stays as it is, and is only added to. */
 #ifndef HARDSPHERE_MEASURE_H
 #define HARDSPHERE_MEASURE_H
 

@@ -1,5 +1,7 @@
 /* hardsphere/mesh.h: a surface as triangles, for programs that draw it or compute on it.
  *
+ * Provisional: this may change with any minor version, as the changelog then says.
+ *
  * The triangles of a mesh form closed surfaces: every edge belongs to two triangles, which run through it in opposite
  * directions, and the triangles around a vertex form one ring. They run counter-clockwise seen from outside. Every
  * vertex lies on the surface up to rounding, and every triangle belongs to one patch. How the faces, arcs and vertices

@@ -1,5 +1,7 @@
 /* hardsphere/model.h: a set of balls on its lattice, hashed into cubes.
  *
+ * Stable: from version 1.0 on this stays as it is, and is only added to.
+ *
  *   size_t bytes;                                hsp_model *model;
  *   hsp_model_bytes(n, &bytes);                  void *memory = malloc(bytes);
  *   hsp_model_init(memory, bytes, n, &model);    hsp_model_set(model, n, xyz, radius, NULL, NULL);

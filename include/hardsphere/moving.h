@@ -1,5 +1,7 @@
 /* hardsphere/moving.h: balls of which a few move at a time, as Monte-Carlo programs and minimisers have them.
  *
+ * Provisional: this may change with any minor version, as the changelog then says.
+ *
  *   hsp_moving_limits_init(&limits, sizeof limits, n);
  *   hsp_moving_bytes(&limits, &bytes);                      hsp_moving *moving;
  *   hsp_moving_init(memory, bytes, &limits, &moving);
@@ -139,7 +141,7 @@ typedef struct hsp_moving_info {
  *  @retval HSP_E_STATE     no balls: no hsp_moving_set before, or it failed */
 HSP_API int32_t hsp_moving_get_info(const hsp_moving *moving, hsp_moving_info *info);
 
-/** Area and volume of the union, and of each ball; all arguments but the first are those of hsp_boundary_measure.
+/** Area and volume of the union, and of each ball, always of all balls; other arguments as of hsp_boundary_measure.
  *  Cost: O(log n) for the totals, O(n) for the arrays.
  *  @retval HSP_E_ARGUMENT  moving is NULL
  *  @retval HSP_E_CAPACITY  an array is given and capacity < n; nothing but *needed is written

@@ -1,5 +1,7 @@
 /* hardsphere/periodic.h: balls in a box whose copies fill space, as simulations have them.
  *
+ * Provisional: this may change with any minor version, as the changelog then says.
+ *
  * What leaves the box through one face comes in through the opposite one. Balls may be given anywhere: each counts
  * once, with all of its images, so that broken and whole molecules are the same. A ball may meet several images of
  * another one, and of itself. Everything combinatorial is decided exactly, and ties alike in all copies of the box.

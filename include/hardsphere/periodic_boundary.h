@@ -1,5 +1,7 @@
 /* hardsphere/periodic_boundary.h: the boundary of a union in a periodic box: vertices, arcs, circles, faces, loops.
  *
+ * Provisional: this may change with any minor version, as the changelog then says.
+ *
  * They are those of hardsphere/boundary.h. What lies across the faces of the box, or is seen on several images, is
  * there once. Copies of it fill space; each record tells of one of them, and where its balls are for it:
  *

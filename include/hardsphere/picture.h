@@ -1,5 +1,7 @@
 /* hardsphere/picture.h: a view, a visibility map, or balls and sticks as SVG, EPS or PDF.
  *
+ * Provisional: this may change with any minor version, as the changelog then says.
+ *
  * A view as a vector picture: one path per piece, true arcs, painted back to front. A map as a vector picture: one path
  * for each ball that is seen, around all of its faces; no two paths overlap, and lines are drawn apart, each edge once.
  * That is for plotters, cutters and click maps; on screens seams of the background shine through where paths meet,

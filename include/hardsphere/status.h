@@ -1,4 +1,6 @@
-/* hardsphere/status.h: what functions return. */
+/* hardsphere/status.h: what functions return.
+ *
+ * Stable: from version 1.0 on this stays as it is, and is only added to. */
 #ifndef HARDSPHERE_STATUS_H
 #define HARDSPHERE_STATUS_H
 
@@ -19,7 +21,7 @@ extern "C" {
 #define HSP_E_CAPACITY (-2)      /**< an output array or a limit is too small; what suffices is reported */
 #define HSP_E_MEMORY (-3)        /**< the memory is smaller than required */
 #define HSP_E_STATE (-4)         /**< nothing there to read, continue or undo, or what it was made from has changed */
-#define HSP_E_ID (-5)            /**< no such ball, vertex, edge, face, shell, cell or element, or one listed twice */
+#define HSP_E_ID (-5)            /**< nothing has this id, number or name, or one is listed twice */
 #define HSP_E_CHECK (-6)         /**< a violated invariant, or results that contradict each other: please report it */
 #define HSP_E_SINK (-7)          /**< the caller's byte sink refused bytes */
 #define HSP_E_HANDLE (-8)        /**< no live handle of this kind: overwritten, moved, or of another kind */

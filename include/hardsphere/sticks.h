@@ -1,5 +1,7 @@
 /* hardsphere/sticks.h: balls and sticks as a picture, with hidden parts removed, and as a visibility map.
  *
+ * Provisional: this may change with any minor version, as the changelog then says.
+ *
  * A stick is a solid cylinder between the centres of two balls. View coordinates are those of view.h: x to the right, y
  * up, z towards the viewer. What is painted are balls, without what of them is inside sticks, and halves of sticks: the
  * part of a stick that is outside its two balls is cut in the middle, and each half belongs to its ball, whose colour

@@ -1,6 +1,8 @@
 /* hardsphere/surface.h: the smooth molecular surface (Section 4.3): area and volume of the solvent-excluded surface,
  * and their derivatives.
  *
+ * Provisional: this may change with any minor version, as the changelog then says.
+ *
  * Richards' surface: a probe, a ball of radius p, rolls over the balls; what it cannot reach is the solvent-excluded
  * solid, and its boundary is the surface. p is the probe of hsp_model_options, which the radii of the model contain, so
  * that the boundary is the surface on which the centre of the probe runs. Each of its features yields a patch:

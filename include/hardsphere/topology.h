@@ -1,5 +1,7 @@
 /* hardsphere/topology.h: the boundary as quad-edges with simple faces, shells, cells (Section 4.2, Step 3).
  *
+ * Stable: from version 1.0 on this stays as it is, and is only added to.
+ *
  * The boundary as one quad-edge structure (Guibas and Stolfi 1985) whose faces are simple, as the paper has them: every
  * simple face is bounded by one loop of at least two edges, every edge by two different simple faces. To this end
  *   - arcs stay as they are, each is an edge or, where a cut arc ends on it, several;

@@ -1,15 +1,20 @@
 /* hardsphere/version.h: the versions of the header and of the library, and the rule for comparing them.
  *
- * Three numbers, each as a macro of the header and as a function of the library that was linked:
- *   version    what there is. A larger one has all that a smaller one of the same ABI number has.
- *   ABI        how a compiled program and the library fit together. It is raised when a function, constant or struct
- *              that was released changes or goes, and stays when something is added.
- *   numerics   which bits come out. Two libraries of one numerics version give the same bits for the same calls, on
- *              every machine; it is raised with the first release in which a last bit of any result may differ.
+ * Stable: from version 1.0 on this stays as it is, and is only added to.
+ *
+ * Four numbers, each as a macro of the header and as a function of the library that was linked:
+ *   version      what there is. A larger one has all that a smaller one of the same ABI number has.
+ *   ABI          how a compiled program and the library fit together, as far as headers are stable (TIERS in
+ *                hardsphere.h). It is raised when a function, constant or struct of these that was released changes or
+ *                goes, and stays when something is added.
+ *   provisional  the same of all other headers.
+ *   numerics     which bits come out. Two libraries of one numerics version give the same bits for the same calls, on
+ *                every machine; it is raised with the first release in which a last bit of any result may differ.
  * A program may run with a library if
  *   hsp_abi() == HSP_ABI_NUMBER && hsp_version() >= HSP_VERSION_NUMBER
- * and with hsp_numerics() == HSP_NUMERICS_NUMBER, too, it gets the bits that it was tested with. What may change
- * with which number: capi/abi/README.md. */
+ * and, if it uses anything of a provisional header, hsp_provisional() == HSP_PROVISIONAL_NUMBER. With
+ * hsp_numerics() == HSP_NUMERICS_NUMBER, too, it gets the bits that it was tested with. What may change with which
+ * number: capi/abi/README.md. */
 #ifndef HARDSPHERE_VERSION_H
 #define HARDSPHERE_VERSION_H
 
@@ -29,8 +34,11 @@ extern "C" {
 /** Version of this header: 10000 * major + 100 * minor + patch. */
 #define HSP_VERSION_NUMBER (10000 * HSP_VERSION_MAJOR + 100 * HSP_VERSION_MINOR + HSP_VERSION_PATCH)
 
-/** The binary interface that this header describes; the shared library's file name ends with it. */
+/** The binary interface that stable headers describe; the shared library's file name ends with it. */
 #define HSP_ABI_NUMBER 1
+
+/** The binary interface that provisional headers describe. */
+#define HSP_PROVISIONAL_NUMBER 1
 
 /** The bits of the results that the library of this header gives. */
 #define HSP_NUMERICS_NUMBER 2
@@ -40,6 +48,9 @@ HSP_API uint32_t hsp_version(void);
 
 /** HSP_ABI_NUMBER of the library that was linked. */
 HSP_API uint32_t hsp_abi(void);
+
+/** HSP_PROVISIONAL_NUMBER of the library that was linked. */
+HSP_API uint32_t hsp_provisional(void);
 
 /** HSP_NUMERICS_NUMBER of the library that was linked. */
 HSP_API uint32_t hsp_numerics(void);

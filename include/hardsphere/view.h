@@ -1,5 +1,7 @@
 /* hardsphere/view.h: hidden surface removal by the painter's order (Section 5.1).
  *
+ * Provisional: this may change with any minor version, as the changelog then says.
+ *
  * A view looks at the balls from infinitely far away. View coordinates: x to the right, y up, z towards the viewer, so
  * that a larger z is nearer; (x, y) is the view plane. What is painted of a ball is a piece of its front hemisphere:
  *   HSP_PIECES_OUTSIDE_FARTHER   G-pieces: outside all farther balls (Lemma 5.3)

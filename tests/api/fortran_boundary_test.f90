@@ -2,7 +2,7 @@
 ! optional arguments arrive as null pointers, and errors as statuses.
 program fortran_interface_test
   use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_int8_t, c_loc, c_null_ptr, c_ptr, c_size_t, &
-                                         c_sizeof, c_associated
+                                         c_sizeof, c_associated, c_null_char
   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
   use fortran_checks
   use hardsphere
@@ -55,6 +55,8 @@ contains
     type(hsp_area_derivative) :: derivative
     type(c_ptr) :: text
     call check(c_sizeof(options) == 32, 'size of hsp_model_options')
+    call check(options%struct_size == c_sizeof(options), 'struct_size of hsp_model_options')
+    call check(limits%struct_size == c_sizeof(limits), 'struct_size of hsp_boundary_limits')
     call check(c_sizeof(info) == 40, 'size of hsp_model_info')
     call check(c_sizeof(figures) == 40, 'size of hsp_packing')
     call check(c_sizeof(limits) == 24, 'size of hsp_boundary_limits')
@@ -71,6 +73,7 @@ contains
     call check(c_sizeof(derivative) == 48, 'size of hsp_area_derivative')
     call check(hsp_version() == HSP_VERSION_NUMBER, 'version')
     call check(hsp_abi() == HSP_ABI_NUMBER, 'ABI number')
+    call check(hsp_provisional() == HSP_PROVISIONAL_NUMBER, 'provisional number')
     call check(hsp_numerics() == HSP_NUMERICS_NUMBER, 'numerics version')
     text = hsp_status_text(HSP_OK)
     call check(c_associated(text), 'status text')

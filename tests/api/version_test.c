@@ -5,7 +5,8 @@
 
 #include "check.h"
 
-#if HSP_VERSION_NUMBER < 200 || HSP_VERSION_NUMBER >= 1000000 || HSP_ABI_NUMBER < 1 || HSP_NUMERICS_NUMBER < 1
+#if HSP_VERSION_NUMBER < 200 || HSP_VERSION_NUMBER >= 1000000 || HSP_ABI_NUMBER < 1 || HSP_PROVISIONAL_NUMBER < 1 || \
+    HSP_NUMERICS_NUMBER < 1
 #error "the preprocessor cannot compare versions"
 #endif
 
@@ -19,6 +20,7 @@ int main(void) {
   CHECK_EQUAL(hsp_version() / 100 % 100, HSP_VERSION_MINOR);
   CHECK_EQUAL(hsp_version() % 100, HSP_VERSION_PATCH);
   CHECK_EQUAL(hsp_abi(), HSP_ABI_NUMBER);
+  CHECK_EQUAL(hsp_provisional(), HSP_PROVISIONAL_NUMBER);
   CHECK_EQUAL(hsp_numerics(), HSP_NUMERICS_NUMBER);
   return check_report();
 }

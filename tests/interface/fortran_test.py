@@ -63,6 +63,10 @@ class Data(unittest.TestCase):
     integer(c_int32_t) :: ball
     integer(c_int32_t) :: reserved  ! 0
   end type""")
+        rows = type_rows(found.structs["hsp_limits"], (24, 16))
+        self.assertIn("    integer(c_int32_t) :: struct_size = 8_c_int32_t + 2 * pointer_bytes  ! sizeof(hsp_limits)", rows)
+        self.assertIn("    integer(c_int32_t) :: struct_size = 24_c_int32_t  ! sizeof(hsp_limits)",
+                      type_rows(found.structs["hsp_limits"], (24, 24)))
 
     def test_constants(self):
         found = interface_of("#define HSP_A UINT32_C(0xFFFFFFFF) /**< none */\n#define HSP_B (-3)\n"

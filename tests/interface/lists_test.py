@@ -13,6 +13,7 @@ typedef struct hsp_both { hsp_row row[2]; int64_t sum; } hsp_both;
 typedef struct hsp_places { uint32_t struct_size; uint32_t n; const hsp_x *x; const char *const *name; size_t bytes;
                             double a; } hsp_places;
 #define HSP_ABI_NUMBER 7
+#define HSP_PROVISIONAL_NUMBER 5
 #define HSP_VERSION_STRING "0.3.0"
 #define HSP_ALL UINT32_C(0xFFFFFFFF)
 #define HSP_X_BYTES(n, m) ((size_t)(n) + (size_t)(m))
@@ -47,10 +48,21 @@ typedef int32_t (*hsp_sink)(void *context, const char *bytes, size_t count)
 typedef struct hsp_x hsp_x
 uint32_t hsp_a(uint32_t a)
 HSP_X_BYTES(n,m) ((size_t)(n) + (size_t)(m))
+# Declarations of provisional number 5
 """)
 
     def test_constants_without_the_numbers_of_releases(self):
-        self.assertEqual(abi.abi_constants(self.interface), "# Constants of ABI number 7\nHSP_ALL 4294967295\n")
+        self.assertEqual(abi.abi_constants(self.interface), "# Constants of ABI number 7\nHSP_ALL 4294967295\n"
+                         "# Constants of provisional number 5\n")
+
+    def test_tiers_are_kept_apart(self):
+        sentence = "Provisional: this may change with any minor\n * version, as the changelog then says."
+        interface = interface_of(HEADER, tier=sentence)
+        self.assertEqual(abi.abi_constants(interface), "# Constants of ABI number 7\n"
+                         "# Constants of provisional number 5\nHSP_ALL 4294967295\n")
+        self.assertTrue(abi.abi_functions(interface).startswith("# Declarations of ABI number 7\n# Decl"))
+        self.assertIn("\nhsp_a 0.1.0 provisional\n", abi.abi_since(interface))
+        self.assertIn("(../../include/hardsphere/x.h). Provisional.\n", function_index(interface))
 
     def test_structs_with_structs_inside(self):
         rows = abi.abi_structs(self.interface).split("\n")
@@ -70,15 +82,15 @@ HSP_X_BYTES(n,m) ((size_t)(n) + (size_t)(m))
             "hsp_places.name 16/12 char* 1", "hsp_places.bytes 24/16 size_t 1", "hsp_places.a 32/20 double 1"])
 
     def test_since_when(self):
-        title = "# The version since which each function is declared as it is\n"
+        title = "# The version since which each function is declared as it is, and its tier\n"
         # The declaration of hsp_b is another one than in the record.
-        self.assertEqual(abi.abi_since(self.interface), title + "hsp_a 0.1.0\nhsp_b 0.3.0\n")
+        self.assertEqual(abi.abi_since(self.interface), title + "hsp_a 0.1.0 stable\nhsp_b 0.3.0 stable\n")
         self.record([f.c for f in self.interface.functions], ["hsp_b 0.2.0"])
-        self.assertEqual(abi.abi_since(self.interface), title + "hsp_a 0.3.0\nhsp_b 0.2.0\n")
+        self.assertEqual(abi.abi_since(self.interface), title + "hsp_a 0.3.0 stable\nhsp_b 0.2.0 stable\n")
 
     def test_index(self):
         page = function_index(self.interface)
-        self.assertIn("\n## x.h\n\nWhat it is for: [hardsphere/x.h](../../include/hardsphere/x.h).\n", page)
+        self.assertIn("\n## x.h\n\nWhat it is for: [hardsphere/x.h](../../include/hardsphere/x.h). Stable.\n", page)
         self.assertIn("\n| `hsp_b` | Make a \\| b of \\*x. | E_ARGUMENT, E_ID | 0.3.0 |\n", page)
         self.assertLess(page.index("`hsp_b`"), page.index("`hsp_a`"))
 

@@ -2,6 +2,7 @@
 import unittest
 
 from small_headers import DECLARED, function_of, interface_of
+from read.tiers import SENTENCES
 from write.model_text import argument_text, function_row
 
 
@@ -269,6 +270,17 @@ class Nulls(Reading):
         self.assertEqual(self.nulls("a null pointer", "Rows.", arguments), "ea")
         self.assertEqual(self.nulls("a null pointer", "a [n], b [n].",
                                     "double *a, double *b, uint32_t capacity, uint32_t *needed"), "nna")
+
+
+class Tiers(unittest.TestCase):
+    def questions(self, tier):
+        return interface_of("/** A. */\nuint32_t hsp_a(void);\n", tier=tier).open_questions()
+
+    def test_a_header_says_its_tier_once(self):
+        self.assertEqual(self.questions("Stable: from version 1.0 on this stays as it is,\n * and is only added to."), [])
+        self.assertEqual(self.questions("Stable."), ["x.h: whether it is stable or provisional"])
+        both = " ".join(SENTENCES.values())
+        self.assertEqual(self.questions(both), ["x.h: whether it is stable or provisional"])
 
 
 if __name__ == "__main__":

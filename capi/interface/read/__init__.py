@@ -1,10 +1,13 @@
 """The interface as data, read from the headers: declarations by a C parser, and what C does not say of an argument, how
 long an array is and whether it may be NULL, from the comment of its function. README.md has the rules."""
+from pathlib import Path
+
 from .comments import read_comment
 from .declarations import read_declarations
 from .fields import take_fields
 from .kinds import take_kinds
 from .nulls import take_nulls
+from .tiers import take_tiers
 
 
 def read_interface(include):
@@ -21,4 +24,5 @@ def read_interface(include):
         take_nulls(interface, function)
         function.open_questions += [f"an argument {name}, of which @param speaks" for name in function.parameters
                                     if not function.argument(name)]
+    take_tiers(interface, {name: (Path(include) / "hardsphere" / name).read_text() for name in interface.headers})
     return interface

@@ -17,6 +17,7 @@ def read_declarations(include):
     interface = Interface()
     listed = re.findall(r"\* +hardsphere/(\w+\.h) +(.*)", (include / "hardsphere.h").read_text())
     interface.headers = dict(listed)
+    interface.text = (include / "hardsphere.h").read_text()
     rows = {name: (include / "hardsphere" / name).read_text().split("\n") for name in interface.headers}
     by_header = {name: [] for name in interface.headers}
     for node in c_parser.CParser().parse(preprocessed(include), "headers").ext:
@@ -43,6 +44,7 @@ def take(interface, node, header, rows):
         interface.functions.append(function_of(node, header, rows))
     elif isinstance(node, c_ast.Typedef) and isinstance(node.type, (c_ast.PtrDecl, c_ast.FuncDecl)):
         interface.callbacks[node.name] = c_generator.CGenerator().visit(node)
+        interface.homes[node.name] = header
     elif isinstance(node, c_ast.Typedef) and node.type.type.decls is None:
         interface.handles[node.name] = header
     elif isinstance(node, c_ast.Typedef):

@@ -103,16 +103,25 @@ class Constant:
 class Interface:
     """All of it: headers in the order in which hardsphere.h says to read them, and so all the rest."""
     headers: dict[str, str] = field(default_factory=dict)  # and what each is for
+    tiers: dict[str, str] = field(default_factory=dict)  # of each header: stable or provisional
+    text: str = ""  # hardsphere.h
+    open_headers: list[str] = field(default_factory=list)  # what they leave open
     functions: list[Function] = field(default_factory=list)
     structs: dict[str, Struct] = field(default_factory=dict)
     handles: dict[str, str] = field(default_factory=dict)  # and the header of each
     callbacks: dict[str, str] = field(default_factory=dict)  # and the declaration of each in C
     constants: dict[str, Constant] = field(default_factory=dict)
+    homes: dict[str, str] = field(default_factory=dict)  # the header of each callback
     texts: dict[str, str] = field(default_factory=dict)  # constants that are texts
     macros: dict[str, Macro] = field(default_factory=dict)
 
     def function(self, name):
         return next((f for f in self.functions if f.name == name), None)
+
+    def home_of(self, name):
+        """The header that declares a type; None of those of C."""
+        struct = self.structs.get(name)
+        return struct.header if struct else self.handles.get(name) or self.homes.get(name)
 
     def structs_inside_first(self):
         """The structs, each behind those that it holds."""
@@ -130,4 +139,4 @@ class Interface:
 
     def open_questions(self):
         """Rows `function: question`."""
-        return [f"{f.name}: {question}" for f in self.functions for question in f.open_questions]
+        return self.open_headers + [f"{f.name}: {question}" for f in self.functions for question in f.open_questions]

@@ -7,28 +7,50 @@ from read.interface import SCALARS
 RECORD = Path(__file__).resolve().parents[3] / "capi" / "abi"
 POINTER = (8, 4)  # bytes on targets of 64 and 32 bits
 # What changes with every release by itself is no part of the record.
-OF_RELEASES = re.compile(r".*_VERSION_|HSP_(ABI|NUMERICS)_NUMBER")
+OF_RELEASES = re.compile(r".*_VERSION_|HSP_(ABI|PROVISIONAL|NUMERICS)_NUMBER")
 
 
-def opening(interface, what):
-    return f"# {what} of ABI number {interface.constants['HSP_ABI_NUMBER'].value}"
+NUMBERS = {"stable": ("HSP_ABI_NUMBER", "ABI number"), "provisional": ("HSP_PROVISIONAL_NUMBER", "provisional number")}
+
+
+def by_tier(interface, what, rows_of, more=""):
+    """The rows of each tier behind a title; rows_of(header) has them by header."""
+    text = []
+    for tier, (constant, words) in NUMBERS.items():
+        number = interface.constants[constant].value
+        text.append(f"# {what} of {words} {number}{more}")
+        text += [row for rows in rows_of(tier) for row in rows]
+    return "\n".join([*text, ""])
+
+
+def sorted_rows(interface, tier, items):
+    """The rows of those of some pairs of header and row that are of a tier."""
+    return sorted(row for header, row in items if interface.tiers[header] == tier)
 
 
 def abi_functions(interface):
-    declared = [f.c for f in interface.functions] + [f"typedef struct {h} {h}" for h in interface.handles]
-    macros = [f"{m.name}({','.join(m.parameters)}) {m.text}" for m in interface.macros.values()]
-    return "\n".join([opening(interface, "Declarations"), *sorted([*declared, *interface.callbacks.values()]),
-                      *sorted(macros), ""])
+    declared = [(f.header, f.c) for f in interface.functions]
+    declared += [(header, f"typedef struct {handle} {handle}") for handle, header in interface.handles.items()]
+    declared += [(interface.homes[name], callback) for name, callback in interface.callbacks.items()]
+    macros = [(m.header, f"{m.name}({','.join(m.parameters)}) {m.text}") for m in interface.macros.values()]
+    return by_tier(interface, "Declarations",
+                   lambda tier: [sorted_rows(interface, tier, declared), sorted_rows(interface, tier, macros)])
 
 
 def abi_constants(interface):
-    rows = [f"{c.name} {c.value}" for c in interface.constants.values() if not OF_RELEASES.match(c.name)]
-    return "\n".join([opening(interface, "Constants"), *sorted(rows), ""])
+    rows = [(c.header, f"{c.name} {c.value}") for c in interface.constants.values() if not OF_RELEASES.match(c.name)]
+    return by_tier(interface, "Constants", lambda tier: [sorted_rows(interface, tier, rows)])
 
 
 def of_targets(numbers):
     """A number of targets with pointers of 8 bytes and of 4."""
     return str(numbers[0]) if numbers[0] == numbers[1] else "/".join(map(str, numbers))
+
+
+def struct_sizes(interface):
+    """Bytes of each struct, with pointers of 8 bytes and of 4."""
+    rows = (row.split() for row in abi_structs(interface).split("\n") if not row.startswith("#"))
+    return {row[0]: tuple(map(int, (row[1].split("/") * 2)[:2])) for row in rows if len(row) == 2}
 
 
 def abi_structs(interface):
@@ -42,20 +64,21 @@ def abi_structs(interface):
             places = tuple(place + field.count * bytes for place, bytes in zip(places, size))
         sizes[struct.name] = places
         rows[struct.name] = [f"{struct.name} {of_targets(places)}", *fields]
-    title = opening(interface, "Structs")
-    title += ", for every target: size, then offset of each field, its type, and how many; a/b: of 8 and 4 bytes a pointer"
-    return "\n".join([title, *(row for name in sorted(rows) for row in rows[name]), ""])
+    more = ": size, then offset of each field, its type, and how many; a/b: of 8 and 4 bytes a pointer"
+    return by_tier(interface, "Structs", lambda tier: [rows[name] for name in sorted(rows)
+                                                       if interface.tiers[interface.structs[name].header] == tier], more)
 
 
 def abi_since(interface):
-    return "\n".join(["# The version since which each function is declared as it is",
-                      *(f"{name} {version}" for name, version in sorted(versions(interface).items())), ""])
+    since = versions(interface)
+    return "\n".join(["# The version since which each function is declared as it is, and its tier",
+                      *sorted(f"{f.name} {since[f.name]} {interface.tiers[f.header]}" for f in interface.functions), ""])
 
 
 def versions(interface):
     """The version since which each function is declared as it is. What the record does not have, or has otherwise, is
     of the version that is worked on."""
     declared = (RECORD / "functions.txt").read_text().split("\n")
-    since = dict(row.split() for row in (RECORD / "since.txt").read_text().split("\n")[1:-1])
+    since = dict(row.split()[:2] for row in (RECORD / "since.txt").read_text().split("\n")[1:-1])
     present = interface.texts["HSP_VERSION_STRING"]
     return {f.name: since.get(f.name, present) if f.c in declared else present for f in interface.functions}

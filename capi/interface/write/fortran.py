@@ -2,6 +2,7 @@
 import re
 from pathlib import Path
 
+from .abi import struct_sizes
 from .template import filled
 
 TEMPLATE = Path(__file__).with_name("fortran_template.f90")
@@ -19,9 +20,11 @@ NOTES = {
 
 
 def fortran_module(interface):
+    sizes = struct_sizes(interface)
     parts = {
         "constants": sections(interface, "  ", interface.constants.values(), constant_rows),
-        "types": sections(interface, "  ", interface.structs_inside_first(), type_rows, apart=True),
+        "types": sections(interface, "  ", interface.structs_inside_first(),
+                          lambda struct: type_rows(struct, sizes[struct.name]), apart=True),
         "functions": sections(interface, "    ", interface.functions, function_rows, apart=True),
         "bounds": sections(interface, "  ", bounds_of(interface), bound_rows, apart=True),
     }
@@ -76,8 +79,13 @@ def kind_of_field(field):
     return "type(c_funptr)" if field.base == "function" else "type(c_ptr)" if field.stars else kind_of(field.base)
 
 
-def type_rows(struct):
+def type_rows(struct, sizes=()):
+    """`sizes`: its bytes with pointers of 8 bytes and of 4, for the default of struct_size."""
     declared = [f"    {kind_of_field(f)} :: {f.name}{f'({f.count})' if f.count > 1 else ''}" for f in struct.fields]
+    if struct.sized and sizes:
+        pointers = (sizes[0] - sizes[1]) // 4
+        more = f" + {pointers} * pointer_bytes" if pointers else ""
+        declared[0] += f" = {sizes[1] - 4 * pointers}_c_int32_t{more}"
     column = max(len(row) for row in declared)
     rows = [row for d, f in zip(declared, struct.fields) for row in remarked(d, f.remark, column)]
     return [f"  type, bind(C) :: {struct.name}", *rows, "  end type"]

@@ -13,6 +13,7 @@
 !   double xyz[n][3]             real(c_double) :: xyz(3, n)
 !   uint32_t onext[edges][4]     integer(c_int32_t) :: onext(0:3, 0:edges - 1), and indices are ids
 !   uint32_t                     integer(c_int32_t); values above huge() appear negative: HSP_NONE is -1
+!   uint32_t struct_size         is there as the struct is made: hsp_model_options_init(o, o%struct_size)
 !   uint8_t selected[n]          integer(c_int8_t) :: selected(n), 0 or not 0
 !   hsp_model *, other handles   type(c_ptr); where NULL is allowed, c_null_ptr
 !   void *memory                 type(c_ptr) from c_loc of an array with the TARGET attribute; the handle lives in it,
@@ -24,10 +25,12 @@
 !   void *context                type(c_ptr), as it will be handed to the sink; c_null_ptr if the sink has no use for it
 module hardsphere
   use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_funptr, c_int8_t, c_int32_t, c_int64_t, &
-                                         c_null_char, c_ptr, c_size_t
+                                         c_null_char, c_null_ptr, c_ptr, c_size_t
   implicit none
   private :: quad_turned
-  private :: c_char, c_double, c_f_pointer, c_funptr, c_int8_t, c_int32_t, c_int64_t, c_null_char, c_ptr, c_size_t
+  private :: c_char, c_double, c_f_pointer, c_funptr, c_int8_t, c_int32_t, c_int64_t, c_null_char, c_null_ptr, c_ptr
+  private :: c_size_t
+  integer(c_int32_t), parameter, private :: pointer_bytes = storage_size(c_null_ptr) / 8
 
   ! <constants>
 

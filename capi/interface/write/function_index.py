@@ -9,7 +9,7 @@ OPENING = """\
 This page lists the functions in the order in which `hardsphere.h` says to read the headers. Each header has the rest:
 arguments, properties, cost and what each status means. The statuses are those besides `HSP_OK`, without `HSP_`; every
 function that takes a handle may also return `HSP_E_HANDLE`. The last column is the version since which a function is
-declared as it is.
+declared as it is. Stable headers stay as they are from version 1.0 on, provisional ones may change with any minor version.
 
 Next: [the guide](README.md)
 """
@@ -21,7 +21,7 @@ def function_index(interface):
     since = versions(interface)
     for header, subject in interface.headers.items():
         rows += [f"## {header}", "", f"{plain(subject[:1].upper() + subject[1:])}: "
-                 f"[hardsphere/{header}](../../include/hardsphere/{header}).", "",
+                 f"[hardsphere/{header}](../../include/hardsphere/{header}). {interface.tiers[header].capitalize()}.", "",
                  "| function | what it does | statuses | since |", "|---|---|---|---|"]
         for function in interface.functions:
             if function.header == header:

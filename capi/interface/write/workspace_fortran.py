@@ -75,7 +75,7 @@ def make_rows(interface):
                  "  end function", ""]
         source = first_limits_from(interface, noun)
         if source:
-            size = f"int(c_sizeof(self%{noun}_limits), c_int32_t)"
+            size = f"self%{noun}_limits%struct_size"
             given = f"{size}, {'n' if source == 'n' else f'self%{source}'}"
             rows += [f"  function ready_{noun}(self{', n' if source == 'n' else ''}) result(status)", SELF,
                      *(["    integer(c_int32_t), intent(in) :: n"] if source == "n" else []), STATUS,

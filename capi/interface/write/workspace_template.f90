@@ -19,7 +19,7 @@
 ! STATUS: that of the function of the module hardsphere that fails, and HSP_E_MEMORY where an allocation fails.
 module hardsphere_workspace
   use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int32_t, c_int8_t, c_loc, c_null_ptr, c_ptr, &
-    c_size_t, c_sizeof
+    c_size_t
   use hardsphere
   implicit none
   public ! with c_double and c_int32_t, which callers need
@@ -137,7 +137,7 @@ contains
     if (present(use_surface)) smooth = use_surface
     status = HSP_OK
     if (.not. c_associated(self%mesh)) then
-      status = hsp_mesh_limits_init(self%mesh_limits, int(c_sizeof(limits), c_int32_t), self%boundary, edge)
+      status = hsp_mesh_limits_init(self%mesh_limits, limits%struct_size, self%boundary, edge)
       if (status /= HSP_OK) return
       status = HSP_E_CAPACITY
     end if
@@ -210,9 +210,9 @@ contains
     type(hsp_mesh_limits) :: wanted
     integer(c_int32_t) :: status
     if (smooth) then
-      status = hsp_mesh_limits_init_surface(wanted, int(c_sizeof(wanted), c_int32_t), self%surface, edge)
+      status = hsp_mesh_limits_init_surface(wanted, wanted%struct_size, self%surface, edge)
     else
-      status = hsp_mesh_limits_init(wanted, int(c_sizeof(wanted), c_int32_t), self%boundary, edge)
+      status = hsp_mesh_limits_init(wanted, wanted%struct_size, self%boundary, edge)
     end if
     if (status /= HSP_OK) return
     self%mesh_limits%balls = max(self%mesh_limits%balls, wanted%balls)

@@ -12,6 +12,11 @@ static int64_t call_hsp_abi(const value *v) {
   return (int64_t)hsp_abi();
 }
 
+static int64_t call_hsp_provisional(const value *v) {
+  (void)v;
+  return (int64_t)hsp_provisional();
+}
+
 static int64_t call_hsp_numerics(const value *v) {
   (void)v;
   return (int64_t)hsp_numerics();
@@ -2544,6 +2549,7 @@ static int64_t call_hsp_picture_write_sticks(const value *v) {
 const function registry[] = {
   {"hsp_version", "version", RESULT_number, 0, NULL, call_hsp_version, 0},
   {"hsp_abi", "version", RESULT_number, 0, NULL, call_hsp_abi, 0},
+  {"hsp_provisional", "version", RESULT_number, 0, NULL, call_hsp_provisional, 0},
   {"hsp_numerics", "version", RESULT_number, 0, NULL, call_hsp_numerics, 0},
   {"hsp_status_text", "status", RESULT_text, 1, of_hsp_status_text, call_hsp_status_text, 0},
   {"hsp_element_radius", "element", RESULT_status, 4, of_hsp_element_radius, call_hsp_element_radius, BIT(HSP_OK) |
