@@ -44,7 +44,7 @@ struct CriticalPoints::Directions {
   Vec3 a[room];
   double spread[room];
 
-  Directions(const BallSet &balls, Span<const uint32_t> ids, const Vector &at, double reach) {
+  void set(const BallSet &balls, Span<const uint32_t> ids, const Vector &at, double reach) {
     for (uint32_t k = 0; k < ids.size(); ++k) {
       const uint32_t ball = ids[k];
       const Vec3 y{static_cast<double>(at.x) - balls.x[ball], static_cast<double>(at.y) - balls.y[ball],
@@ -171,12 +171,14 @@ void CriticalPoints::carve(Workspace &workspace, const CriticalLimits &limits) {
   cubes_ = workspace.take<Cube>(most_cubes);
   at_point_ = workspace.take<uint32_t>(limits.near);
   cluster_ = workspace.take<uint32_t>(limits.near);
+  lines_ = workspace.take<TangentLines>(1);
+  directions_ = workspace.take<Directions>(1);
 }
 
 Status CriticalPoints::find(const BallSet &balls, int64_t floor) {
   balls_ = &balls;
   floor_ = floor;
-  needed_ = {balls.n, 0, 0, 0, balls.n, 0};
+  needed_ = {balls.n, 0, 0, 0, 0, 0};
   work_ = {};
   beyond_reach_ = false;
   maxima_.clear();
@@ -185,6 +187,7 @@ Status CriticalPoints::find(const BallSet &balls, int64_t floor) {
   maximum_names_.clear();
   gate_names_.clear();
   if (balls.n < 3) return Status::ok;
+  needed_.candidates = balls.n;
   if (balls.n > limits_.candidates) return Status::capacity;
   low_ = high_ = {balls.x[0], balls.y[0], balls.z[0]};
   for (uint32_t i = 0; i < balls.n; ++i) {
@@ -237,6 +240,7 @@ Status CriticalPoints::find(const BallSet &balls, int64_t floor) {
       continue;
     }
     settle_ties(child);
+    if (needed_.near > limits_.near) return Status::capacity;
     if (is_settled(child)) continue;
     cubes_[depth++] = child;
   }
@@ -262,10 +266,8 @@ uint32_t CriticalPoints::enter(const Cube &cube, uint32_t first, uint32_t last) 
     return last;
   }
   const uint32_t most = last - first;
-  if (most > limits_.candidates - last) {
-    needed_.candidates = clamped_count(2 * static_cast<uint64_t>(last) + most);
-    return last;
-  }
+  needed_.candidates = larger_count(needed_.candidates, clamped_count(static_cast<uint64_t>(last) + most));
+  if (most > limits_.candidates - last) return last;
   const double reach = reach_of(cube.half);
   double least = std::numeric_limits<double>::infinity();
   for (uint32_t k = 0; k < most; ++k) {
@@ -283,9 +285,10 @@ uint32_t CriticalPoints::enter(const Cube &cube, uint32_t first, uint32_t last) 
     count += d - doubt_of(d) - balls_->r[ball] <= least + 2.0 * reach ? 1U : 0U;
   }
   if (count < 3) return last;
-  if (count <= Directions::room &&
-      Directions(*balls_, candidates_.part(last, last + count), cube.centre, reach).lead_up(count)) {
-    return last;
+  if (count <= Directions::room) {
+    Directions &directions = directions_[0];
+    directions.set(*balls_, candidates_.part(last, last + count), cube.centre, reach);
+    if (directions.lead_up(count)) return last;
   }
   return last + count;
 }
@@ -295,7 +298,9 @@ void CriticalPoints::settle_ties(Cube &cube) {
   const BallSet &balls = *balls_;
   const Span<const uint32_t> near = candidates_.part(cube.first, cube.last);
   const uint32_t count = near.size();
-  if (count > Directions::room || count > limits_.near) return;
+  if (count > Directions::room) return;
+  needed_.near = larger_count(needed_.near, count);
+  if (count > limits_.near) return;
   // Near the centres of balls nothing can be settled that is as large as a part of the cube.
   for (const uint32_t ball : near) {
     if (distance(balls, ball, cube.centre) < 4.0 * static_cast<double>(cube.half)) return;
@@ -317,7 +322,7 @@ void CriticalPoints::settle_ties(Cube &cube) {
   }
   const double reach = reach_of(cube.half);
   for (const bool rising : {false, true}) {
-    TangentPoint point;
+    TangentPoint point(lines());
     if (!point.find(balls, {set[0], set[1], set[2]}, set[3], rising)) continue;
     const Vec3 at = point.place_estimate();
     if (!(std::fabs(at.x) + std::fabs(at.y) + std::fabs(at.z) < 0x1p52)) continue;
@@ -347,7 +352,8 @@ void CriticalPoints::settle_ties(Cube &cube) {
     if (size == 0) continue;
     const Span<uint32_t> tied = cluster_.part(0, size);
     for (const uint32_t ball : tied) nearest_centre = Directions::smaller(nearest_centre, distance(balls, ball, x));
-    const double depth = Directions(balls, tied, x, 0.0).depth_of_hull(size);
+    directions_[0].set(balls, tied, x, 0.0);
+    const double depth = directions_[0].depth_of_hull(size);
     if (!(depth > 0.0)) continue;
     const double delta = Directions::smaller(0.5 * next, 0.49 * depth * nearest_centre / (1.5 + depth));
     const double settled = delta / root_of_three - 4.0;
@@ -364,12 +370,11 @@ void CriticalPoints::settle_ties(Cube &cube) {
 void CriticalPoints::try_sets(Span<const uint32_t> near, const Vector &centre, int64_t half, bool alone) {
   ++work_.leaves;
   const uint32_t n = near.size();
-  if (n > limits_.near) {
-    needed_.near = larger_count(needed_.near, n);
-    return;
-  }
+  needed_.near = larger_count(needed_.near, n);
+  if (n > limits_.near) return;
   const bool directed = n <= Directions::room;
-  const Directions directions(*balls_, near.part(0, directed ? n : 0), centre, reach_of(half));
+  Directions &directions = directions_[0];
+  directions.set(*balls_, near.part(0, directed ? n : 0), centre, reach_of(half));
   // Faces of few balls are kept, each being that of several tetrahedra.
   Directions::Face faces[few * (few - 1) * (few - 2) / 6];
   const auto place = [](uint32_t i, uint32_t j, uint32_t k) { return k * (k - 1) * (k - 2) / 6 + j * (j - 1) / 2 + i; };
@@ -409,7 +414,7 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Vector &centre, i
 bool CriticalPoints::try_point(const uint32_t *ids, uint32_t count, Span<const uint32_t> near, const Vector &centre,
                                int64_t half) {
   const BallSet &balls = *balls_;
-  TangentPoint point;
+  TangentPoint point(lines());
   const bool found = point.find(balls, {ids[0], ids[1], ids[2]}, count == 3 ? no_id : ids[3], false);
   if (!found) {
     beyond_reach_ = beyond_reach_ || point.beyond_reach();

@@ -48,6 +48,8 @@ class CriticalPoints {
   FixedVector<uint32_t> &tied() { return tied_; }
   const CriticalLimits &needed() const { return needed_; }
   const Work &work() const { return work_; }
+  // For further points of the same balls.
+  TangentLines &lines() const { return lines_[0]; }
 
  private:
   struct Cube {
@@ -78,6 +80,8 @@ class CriticalPoints {
   Span<double> distance_;  // [candidates]
   Span<Cube> cubes_;       // that are being halved
   Span<uint32_t> at_point_, cluster_;
+  Span<TangentLines> lines_;     // [1]
+  Span<Directions> directions_;  // [1]
   CriticalLimits limits_, needed_;
   Work work_;
   bool beyond_reach_ = false;

@@ -109,7 +109,7 @@ Status PoresBuilder::take_outer_balls(const CubeGrid &grid) {
 bool PoresBuilder::is_higher(const CriticalPoint &a, const CriticalPoint &b) const {
   const double difference = a.level - b.level;
   if (std::fabs(difference) > a.doubt + b.doubt) return difference > 0.0;
-  TangentPoint p, q;
+  TangentPoint p(critical_.lines()), q(critical_.lines());
   p.find(balls_, curve_of(a), a.ball[3], false);
   q.find(balls_, curve_of(b), b.ball[3], false);
   const int sign = p.compare_levels(q);

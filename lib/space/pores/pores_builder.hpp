@@ -43,6 +43,9 @@ class PoresBuilder {
   // Balls that are not inside another one.
   uint32_t outer_balls() const { return balls_.n; }
 
+  // After a success the limits that suffice, with one less of any of which it would not have been one; else as far as
+  // they are known.
+  const PoreLimits &needed() const { return needed_; }
   // What to try again with after Status::capacity.
   PoreLimits retry_limits() const;
   // Work that was done, for measurements.

@@ -17,6 +17,7 @@ bool is_of_curve(const TangentCurve &curve, uint32_t ball) {
 void WayUp::carve(Workspace &workspace, uint32_t near) {
   near_ = workspace.take<uint32_t>(near);
   tied_ = FixedVector<uint32_t>(workspace.take<uint32_t>(near));
+  lines_ = workspace.take<TangentLines>(1);
 }
 
 void WayUp::prepare(const BallSet &balls, const CubeGrid &grid) {
@@ -183,7 +184,7 @@ bool WayUp::first_event(const Way &way, TangentPoint &event) {
   for (uint32_t k = 0; k < near_count_; ++k) {
     const uint32_t ball = near_[k];
     if (is_of_curve(way.curve, ball)) continue;
-    TangentPoint at[2];
+    TangentPoint at[2] = {TangentPoint(lines_[0]), TangentPoint(lines_[0])};
     bool there[2], above[2], certain[2];
     for (const uint32_t root : {0U, 1U}) {
       there[root] = at[root].find(*balls_, way.curve, ball, root == 1);
@@ -224,7 +225,7 @@ bool WayUp::is_beyond_box(const CurveShape &shape, uint32_t base, double z) cons
 Status WayUp::follow(const Way &way, bool &outside) {
   const BallSet &balls = *balls_;
   const bool unbounded = is_unbounded(balls, way.curve, beyond_reach_);
-  TangentPoint top;
+  TangentPoint top(lines_[0]);
   if (!unbounded && !top.find(balls, way.curve, no_id, true)) return beyond_reach_ ? Status::range : Status::check;
   CurveShape shape(balls, way.curve);
   if (way.side < 0) shape.e = -shape.e;
@@ -241,7 +242,7 @@ Status WayUp::follow(const Way &way, bool &outside) {
     const bool whole = !unbounded && top.level_against(to) <= 0;
     if (const Status status = gather(shape, way.curve, from > 0.0 ? from : 0.0, to); status != Status::ok)
       return status;
-    TangentPoint event;
+    TangentPoint event(lines_[0]);
     bool met = first_event(way, event);
     if (met && event.level_against(to) > 0) met = false;
     if (!met && !whole) {
@@ -266,6 +267,7 @@ Status WayUp::climb(const CriticalPoint &gate, Span<const uint32_t> tied, bool o
   outside = false;
   needed_near_ = larger_count(needed_near_, tied.size());
   if (tied.size() > near_.size()) return Status::capacity;
+  point_ = TangentPoint(lines_[0]);
   if (!point_.find(balls, {gate.ball[0], gate.ball[1], gate.ball[2]}, no_id, false)) return Status::check;
   tied_.clear();
   for (const uint32_t ball : tied) tied_.push(ball);

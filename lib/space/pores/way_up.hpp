@@ -50,6 +50,7 @@ class WayUp {
   const CubeGrid *grid_ = nullptr;
   Vec3 low_{}, high_{};
   double extent_ = 0.0;
+  Span<TangentLines> lines_;  // [1]
   TangentPoint point_;
   FixedVector<uint32_t> tied_;
   Span<uint32_t> near_;
