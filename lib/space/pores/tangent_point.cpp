@@ -463,10 +463,10 @@ double TangentPoint::place_error() const {
   return (0.5 * (y_.x.error + y_.y.error + y_.z.error) + rounding) * (1.0 + 0x1p-50);
 }
 
-double TangentPoint::settle(Vec3 &place, double &level) {
+double TangentPoint::estimate_closely(Vec3 &off, double &level) {
   double tolerable = 0.0, doubt = 0.0;
   const auto is_good = [&] {
-    place = place_estimate();
+    off = {0.5 * y_.x.value, 0.5 * y_.y.value, 0.5 * y_.z.value};
     level = level_estimate();
     tolerable = 0x1p-42 * (std::fabs(z_.value) + std::fabs(level));
     doubt = level_error();
@@ -489,11 +489,9 @@ double TangentPoint::settle(Vec3 &place, double &level) {
     const double above = a.leading(up), below = b.leading(down);
     return scaled(above / below, up - down);
   };
-  const BallSet &balls = *balls_;
-  const uint32_t base = curve_.base;
   const auto put = [&](double x, double y, double z, double distance) {
-    place = {balls.x[base] + 0.5 * x, balls.y[base] + 0.5 * y, balls.z[base] + 0.5 * z};
-    level = 0.5 * distance - balls.r[base];
+    off = {0.5 * x, 0.5 * y, 0.5 * z};
+    level = 0.5 * distance - balls_->r[curve_.base];
   };
   if (line.flat) {
     // l^2 = -c / A, and P and Q are at right angles: nothing cancels.
@@ -520,6 +518,39 @@ double TangentPoint::settle(Vec3 &place, double &level) {
   put(quotient(line.P.x * unit + line.Q.x * least, D), quotient(line.P.y * unit + line.Q.y * least, D),
       quotient(line.P.z * unit + line.Q.z * least, D), quotient(least, unit));
   return tolerable + 0x1p-20;
+}
+
+// Sign of t - halves unit / 2, for a power of two.
+int TangentPoint::level_against_half(double halves, double unit) const {
+  const double scale = 2.0 / unit, bound = 2.0 * scale * balls_->r[curve_.base] + 2.0 * halves;
+  return sign_of([&]<class Number>() {
+    const Number zero = number<Number>(0.0);
+    return AffineForm<Number>{{zero, zero, zero}, number<Number>(scale), number<Number>(-bound), curve_.base};
+  });
+}
+
+double TangentPoint::rounded_level(double level, double doubt, double unit) const {
+  double multiple = static_cast<double>(nearest(level / unit));
+  if (std::fabs(level / unit - multiple) + doubt / unit < 0.499) return multiple * unit;
+  for (int turn = 0; turn < 4 && level_against_half(2.0 * multiple + 1.0, unit) >= 0; ++turn) multiple += 1.0;
+  for (int turn = 0; turn < 4 && level_against_half(2.0 * multiple - 1.0, unit) < 0; ++turn) multiple -= 1.0;
+  return multiple * unit;
+}
+
+double TangentPoint::settle_from_base(Vec3 &off, double &level) {
+  const double doubt = estimate_closely(off, level);
+  // 2^-40 of the largest radius, or 2^-20 of a step.
+  double unit = 0x1p-20;
+  while (unit < 0x1p-41 * static_cast<double>(balls_->largest_radius)) unit *= 2.0;
+  if (!(doubt <= 2.0 * unit) || !(std::fabs(level) < 0x1p50 * unit)) return doubt;
+  level = rounded_level(level, doubt, unit);
+  return doubt + unit;
+}
+
+double TangentPoint::settle(Vec3 &place, double &level) {
+  const double doubt = settle_from_base(place, level);
+  place = Vec3{balls_->x[curve_.base], balls_->y[curve_.base], balls_->z[curve_.base]} + place;
+  return doubt;
 }
 
 bool are_collinear(const BallSet &balls, uint32_t i, uint32_t j, uint32_t k) {

@@ -110,14 +110,20 @@ class TangentPoint {
   Vec3 place_estimate() const;
   double place_error() const;
   // The same, by sharper bounds or by the exact stage where the filter's error is large; returns how far the level may
-  // be off.
+  // be off. The level is rounded to a power of two that depends on the largest radius alone, by integers where it is
+  // near the middle between two: symmetric points have the same, whatever balls they are computed from.
   double settle(Vec3 &place, double &level);
+  // The same with the place as seen from the first ball of the curve.
+  double settle_from_base(Vec3 &off, double &level);
 
   // Whether a question was asked of balls that are too far apart for the exact stage; its answer means nothing then.
   bool beyond_reach() const { return beyond_reach_; }
 
  private:
   using Line = TangentLines::Line;
+  double estimate_closely(Vec3 &off, double &level);
+  double rounded_level(double level, double doubt, double unit) const;
+  int level_against_half(double halves, double unit) const;
   template <class RoughLines>
   int estimate(const RoughLines &line);
   template <class Make>
