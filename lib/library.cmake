@@ -46,11 +46,6 @@ set(HSP_LIBRARY_SOURCES
   lib/space/paths/free_segments.cpp
   lib/space/paths/path_finder.cpp
   lib/space/paths/widest_probe.cpp
-  lib/space/pores/critical_points.cpp
-  lib/space/pores/pores_builder.cpp
-  lib/space/pores/tangent_point.cpp
-  lib/space/pores/tied_balls.cpp
-  lib/space/pores/way_up.cpp
   lib/union/sphere/arc_geometry.cpp
   lib/union/sphere/cap_clusters.cpp
   lib/union/sphere/candidate_block_avx2.cpp
@@ -112,6 +107,12 @@ set(HSP_LIBRARY_SOURCES
   lib/union/periodic/periodic_records.cpp
   lib/union/periodic/periodic_union.cpp
   lib/union/periodic/windings.cpp
+  lib/space/pores/critical_points.cpp
+  lib/space/pores/pore_balls.cpp
+  lib/space/pores/pores_builder.cpp
+  lib/space/pores/tangent_point.cpp
+  lib/space/pores/tied_balls.cpp
+  lib/space/pores/way_up.cpp
   lib/smooth/surface/concave_patches.cpp
   lib/smooth/surface/covered_gaps.cpp
   lib/smooth/surface/crease_lengths.cpp
@@ -245,7 +246,7 @@ set(ground_roots ground)
 set(balls_roots ground balls)
 set(union_roots ground balls union)
 set(smooth_roots ground balls union smooth)
-set(space_roots ground balls space)
+set(space_roots ground balls union space)
 set(sight_roots ground balls union sight)
 # In the cache, so that projects that carry this one as a subdirectory can call the function below, too.
 set(sources ${HSP_LIBRARY_SOURCES})

@@ -132,6 +132,22 @@ int nearness_to_gap(const LatticeBall &i, const LatticeBall &j, const LatticeBal
   return a.sign() * (a * a - b * b * D).sign();
 }
 
+// The same, in doubles where it is many steps.
+int quick_nearness_to_gap(const LatticeBall &i, const LatticeBall &j, const LatticeBall &ball) {
+  const Vector u = centre_difference(i, j), v = centre_difference(i, ball);
+  double length = 0.0, square = 0.0;
+  for (const Int128 x : u) length += static_cast<double>(x) * static_cast<double>(x);
+  length = std::sqrt(length);
+  const double t = 0.5 * (length - static_cast<double>(i.radius) - static_cast<double>(j.radius));
+  const double along = (static_cast<double>(i.radius) + t) / length;
+  for (size_t k = 0; k < 3; ++k) {
+    const double off = static_cast<double>(v[k]) - along * static_cast<double>(u[k]);
+    square += off * off;
+  }
+  const double farther = std::sqrt(square) - static_cast<double>(ball.radius) - t;
+  return std::fabs(farther) > 1000.0 ? (farther > 0.0 ? 1 : -1) : nearness_to_gap(i, j, ball);
+}
+
 }  // namespace
 
 Balls outer_balls(const Balls &balls) {
@@ -178,6 +194,48 @@ int count_gaps(const Balls &outer) {
       bool open = true;
       for (size_t l = 0; l < outer.size() && open; ++l) {
         open = l == i || l == j || nearness_to_gap(outer[i], outer[j], outer[l]) > 0;
+      }
+      gaps += open ? 1 : 0;
+    }
+  }
+  return gaps;
+}
+
+LatticeBall moved_by(const LatticeBall &ball, const BoxRows &box, const std::array<int, 3> &times) {
+  LatticeBall moved = ball;
+  for (size_t k = 0; k < 3; ++k) {
+    moved.x += times[k] * box[k][0];
+    moved.y += times[k] * box[k][1];
+    moved.z += times[k] * box[k][2];
+  }
+  return moved;
+}
+
+int count_gaps(const Balls &outer, const BoxRows &box, int copies) {
+  Balls all = outer;
+  const auto n = static_cast<uint32_t>(outer.size());
+  std::vector<uint32_t> of(n);
+  std::vector<std::array<int, 3>> times(n, {0, 0, 0});
+  for (uint32_t i = 0; i < n; ++i) of[i] = i;
+  for (int a = -copies; a <= copies; ++a) {
+    for (int b = -copies; b <= copies; ++b) {
+      for (int c = -copies; c <= copies; ++c) {
+        if (a == 0 && b == 0 && c == 0) continue;
+        for (uint32_t i = 0; i < n; ++i) {
+          all.push_back(moved_by(outer[i], box, {a, b, c}));
+          of.push_back(i);
+          times.push_back({a, b, c});
+        }
+      }
+    }
+  }
+  int gaps = 0;
+  for (uint32_t i = 0; i < n; ++i) {
+    for (uint32_t j = 0; j < all.size(); ++j) {
+      const bool first = of[j] > i || (of[j] == i && times[j] > std::array<int, 3>{0, 0, 0});
+      bool open = first;
+      for (size_t l = 0; l < all.size() && open; ++l) {
+        open = l == i || l == j || quick_nearness_to_gap(all[i], all[j], all[l]) > 0;
       }
       gaps += open ? 1 : 0;
     }

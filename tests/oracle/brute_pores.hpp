@@ -25,4 +25,11 @@ CriticalSets critical_sets(const Balls &outer);
 // integers.
 int count_gaps(const Balls &outer);
 
+// The vectors of a periodic box.
+using BoxRows = std::array<LatticePoint, 3>;
+LatticeBall moved_by(const LatticeBall &ball, const BoxRows &box, const std::array<int, 3> &times);
+
+// The gaps of balls in a box, each once for all its copies. Images up to `copies` boxes away count in each direction.
+int count_gaps(const Balls &outer, const BoxRows &box, int copies);
+
 }  // namespace oracle

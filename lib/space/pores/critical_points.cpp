@@ -44,7 +44,7 @@ struct CriticalPoints::Directions {
   Vec3 a[room];
   double spread[room];
 
-  Directions(const BallSet &balls, Span<const uint32_t> ids, const Vector &at, double reach) {
+  void set(const BallSet &balls, Span<const uint32_t> ids, const Vector &at, double reach) {
     for (uint32_t k = 0; k < ids.size(); ++k) {
       const uint32_t ball = ids[k];
       const Vec3 y{static_cast<double>(at.x) - balls.x[ball], static_cast<double>(at.y) - balls.y[ball],
@@ -161,9 +161,10 @@ struct CriticalPoints::Directions {
 
 void CriticalPoints::carve(Workspace &workspace, const CriticalLimits &limits) {
   limits_ = limits;
-  maxima_ = FixedVector<CriticalPoint>(workspace.take<CriticalPoint>(limits.maxima));
-  gates_ = FixedVector<CriticalPoint>(workspace.take<CriticalPoint>(limits.gates));
+  maxima_ = FixedVector<PoreMaximum>(workspace.take<PoreMaximum>(limits.maxima));
+  gates_ = FixedVector<PoreGate>(workspace.take<PoreGate>(limits.gates));
   tied_ = FixedVector<uint32_t>(workspace.take<uint32_t>(limits.tied));
+  tied_shifts_ = FixedVector<SmallShift>(workspace.take<SmallShift>(limits.tied));
   maximum_names_.carve(workspace, limits.maxima);
   gate_names_.carve(workspace, limits.gates);
   candidates_ = workspace.take<uint32_t>(limits.candidates);
@@ -171,38 +172,82 @@ void CriticalPoints::carve(Workspace &workspace, const CriticalLimits &limits) {
   cubes_ = workspace.take<Cube>(most_cubes);
   at_point_ = workspace.take<uint32_t>(limits.near);
   cluster_ = workspace.take<uint32_t>(limits.near);
+  lines_ = workspace.take<TangentLines>(1);
+  directions_ = workspace.take<Directions>(1);
 }
 
-Status CriticalPoints::find(const BallSet &balls, int64_t floor) {
-  balls_ = &balls;
+Status CriticalPoints::find(PoreBalls &balls, int64_t floor) {
+  all_ = &balls;
+  balls_ = &balls.set();
   floor_ = floor;
-  needed_ = {balls.n, 0, 0, 0, balls.n, 0};
+  needed_ = {balls.set().n, 0, 0, 0, 0, 0};
   work_ = {};
+  ceiling_ = std::numeric_limits<double>::infinity();
+  const PeriodicBox *const box = balls.box();
+  if (balls.own() < (box == nullptr ? 3U : 1U)) {
+    forget();
+    return Status::ok;
+  }
+  if (box == nullptr) {
+    const BallSet &set = balls.set();
+    Vec3 low{set.x[0], set.y[0], set.z[0]}, high = low;
+    for (uint32_t i = 0; i < set.n; ++i) {
+      const auto cover = [](double x, double &least, double &most) {
+        least = x < least ? x : least;
+        most = x > most ? x : most;
+      };
+      cover(set.x[i], low.x, high.x);
+      cover(set.y[i], low.y, high.y);
+      cover(set.z[i], low.z, high.z);
+    }
+    return search(low, high);
+  }
+  // Images as far from the box as balls can be nearest: as is guessed, until it is sure to suffice.
+  const Vec3 a = to_double(box->translation({{1, 0, 0}})), b = to_double(box->translation({{0, 1, 0}})),
+             c = to_double(box->translation({{0, 0, 1}}));
+  const double largest = static_cast<double>(balls.set().largest_radius);
+  double reach = 4.0 * largest + 0.25 * static_cast<double>(box->shortest_side());
+  for (;;) {
+    const bool longest = reach >= static_cast<double>(balls.longest_reach());
+    if (longest) reach = static_cast<double>(balls.longest_reach());
+    const Status status = balls.surround(static_cast<int64_t>(reach));
+    if (status != Status::ok) return status;
+    needed_.balls = larger_count(needed_.balls, balls.set().n);
+    ceiling_ = std::floor(reach) - largest - 2.0;
+    const Status found = search({0.0, 0.0, 0.0}, {a.x, b.y, c.z});
+    if (found != Status::ok || beyond_ceiling_ == 0.0) return found;
+    if (longest) return Status::check;
+    reach = Directions::larger(1.25 * reach, beyond_ceiling_ + largest + 4.0);
+  }
+}
+
+void CriticalPoints::forget() {
   beyond_reach_ = false;
+  beyond_ceiling_ = 0.0;
   maxima_.clear();
   gates_.clear();
   tied_.clear();
+  tied_shifts_.clear();
   maximum_names_.clear();
   gate_names_.clear();
-  if (balls.n < 3) return Status::ok;
+}
+
+// In a box of space. Finds nothing if beyond_ceiling_ is not 0 then.
+Status CriticalPoints::search(const Vec3 &low, const Vec3 &high) {
+  const BallSet &balls = *balls_;
+  forget();
+  needed_.candidates = larger_count(needed_.candidates, balls.n);
   if (balls.n > limits_.candidates) return Status::capacity;
-  low_ = high_ = {balls.x[0], balls.y[0], balls.z[0]};
-  for (uint32_t i = 0; i < balls.n; ++i) {
-    const auto cover = [](double x, double &low, double &high) {
-      low = x < low ? x : low;
-      high = x > high ? x : high;
-    };
-    cover(balls.x[i], low_.x, high_.x);
-    cover(balls.y[i], low_.y, high_.y);
-    cover(balls.z[i], low_.z, high_.z);
-    candidates_[i] = i;
-  }
+  for (uint32_t i = 0; i < balls.n; ++i) candidates_[i] = i;
+  low_ = low;
+  high_ = high;
   const double extent = Directions::larger(Directions::larger(high_.x - low_.x, high_.y - low_.y), high_.z - low_.z);
   int64_t half = least_half;
   while (static_cast<double>(half) < 0.6 * extent + 2.0) half *= 2;
   // Not in the middle, so that points of symmetry are no corners of cubes.
-  const auto middle = [&](double low, double high, double part) {
-    return nearest(0.5 * (low + high)) + static_cast<int64_t>(part * (static_cast<double>(half) - 0.5 * extent - 2.0));
+  const auto middle = [&](double least, double most, double part) {
+    return nearest(0.5 * (least + most)) +
+           static_cast<int64_t>(part * (static_cast<double>(half) - 0.5 * extent - 2.0));
   };
   uint32_t depth = 0;
   cubes_[depth++] = {{middle(low_.x, high_.x, 0.311), middle(low_.y, high_.y, 0.427), middle(low_.z, high_.z, 0.241)},
@@ -229,7 +274,12 @@ Status CriticalPoints::find(const BallSet &balls, int64_t floor) {
     child.first = cube.last;
     child.last = enter(child, cube.first, cube.last);
     if (needed_.candidates > limits_.candidates) return Status::capacity;
+    if (beyond_ceiling_ != 0.0) return Status::ok;
     if (child.last == child.first) continue;
+    if (unsure_) {
+      cubes_[depth++] = child;
+      continue;
+    }
     const Span<const uint32_t> near = candidates_.part(child.first, child.last);
     if (near.size() <= few || child.half <= least_half) {
       try_sets(near, child.centre, child.half + 1, false);
@@ -237,6 +287,7 @@ Status CriticalPoints::find(const BallSet &balls, int64_t floor) {
       continue;
     }
     settle_ties(child);
+    if (needed_.near > limits_.near) return Status::capacity;
     if (is_settled(child)) continue;
     cubes_[depth++] = child;
   }
@@ -255,6 +306,7 @@ bool CriticalPoints::is_settled(const Cube &cube) const {
 // no critical point is there.
 uint32_t CriticalPoints::enter(const Cube &cube, uint32_t first, uint32_t last) {
   ++work_.cubes;
+  unsure_ = false;
   const double x = static_cast<double>(cube.centre.x), y = static_cast<double>(cube.centre.y),
                z = static_cast<double>(cube.centre.z), side = static_cast<double>(cube.half + 1);
   if (x - side > high_.x || x + side < low_.x || y - side > high_.y || y + side < low_.y || z - side > high_.z ||
@@ -262,10 +314,8 @@ uint32_t CriticalPoints::enter(const Cube &cube, uint32_t first, uint32_t last) 
     return last;
   }
   const uint32_t most = last - first;
-  if (most > limits_.candidates - last) {
-    needed_.candidates = clamped_count(2 * static_cast<uint64_t>(last) + most);
-    return last;
-  }
+  needed_.candidates = larger_count(needed_.candidates, clamped_count(static_cast<uint64_t>(last) + most));
+  if (most > limits_.candidates - last) return last;
   const double reach = reach_of(cube.half);
   double least = std::numeric_limits<double>::infinity();
   for (uint32_t k = 0; k < most; ++k) {
@@ -275,6 +325,12 @@ uint32_t CriticalPoints::enter(const Cube &cube, uint32_t first, uint32_t last) 
     least = Directions::smaller(least, d + doubt_of(d) - balls_->r[ball]);
   }
   if (least + reach < static_cast<double>(floor_)) return last;
+  // A ball that is left out is no candidate: at the centre its distance is more than least + 2 reach.
+  unsure_ = least + 3.0 * reach > ceiling_;
+  if (unsure_ && (16.0 * reach < ceiling_ + static_cast<double>(balls_->largest_radius) || cube.half <= least_half)) {
+    beyond_ceiling_ = least + 3.0 * reach;
+    return last;
+  }
   uint32_t count = 0;
   for (uint32_t k = 0; k < most; ++k) {
     const uint32_t ball = candidates_[first + k];
@@ -282,10 +338,12 @@ uint32_t CriticalPoints::enter(const Cube &cube, uint32_t first, uint32_t last) 
     candidates_[last + count] = ball;
     count += d - doubt_of(d) - balls_->r[ball] <= least + 2.0 * reach ? 1U : 0U;
   }
+  if (unsure_) return last + count;
   if (count < 3) return last;
-  if (count <= Directions::room &&
-      Directions(*balls_, candidates_.part(last, last + count), cube.centre, reach).lead_up(count)) {
-    return last;
+  if (count <= Directions::room) {
+    Directions &directions = directions_[0];
+    directions.set(*balls_, candidates_.part(last, last + count), cube.centre, reach);
+    if (directions.lead_up(count)) return last;
   }
   return last + count;
 }
@@ -295,7 +353,9 @@ void CriticalPoints::settle_ties(Cube &cube) {
   const BallSet &balls = *balls_;
   const Span<const uint32_t> near = candidates_.part(cube.first, cube.last);
   const uint32_t count = near.size();
-  if (count > Directions::room || count > limits_.near) return;
+  if (count > Directions::room) return;
+  needed_.near = larger_count(needed_.near, count);
+  if (count > limits_.near) return;
   // Near the centres of balls nothing can be settled that is as large as a part of the cube.
   for (const uint32_t ball : near) {
     if (distance(balls, ball, cube.centre) < 4.0 * static_cast<double>(cube.half)) return;
@@ -317,7 +377,7 @@ void CriticalPoints::settle_ties(Cube &cube) {
   }
   const double reach = reach_of(cube.half);
   for (const bool rising : {false, true}) {
-    TangentPoint point;
+    TangentPoint point(lines());
     if (!point.find(balls, {set[0], set[1], set[2]}, set[3], rising)) continue;
     const Vec3 at = point.place_estimate();
     if (!(std::fabs(at.x) + std::fabs(at.y) + std::fabs(at.z) < 0x1p52)) continue;
@@ -347,7 +407,8 @@ void CriticalPoints::settle_ties(Cube &cube) {
     if (size == 0) continue;
     const Span<uint32_t> tied = cluster_.part(0, size);
     for (const uint32_t ball : tied) nearest_centre = Directions::smaller(nearest_centre, distance(balls, ball, x));
-    const double depth = Directions(balls, tied, x, 0.0).depth_of_hull(size);
+    directions_[0].set(balls, tied, x, 0.0);
+    const double depth = directions_[0].depth_of_hull(size);
     if (!(depth > 0.0)) continue;
     const double delta = Directions::smaller(0.5 * next, 0.49 * depth * nearest_centre / (1.5 + depth));
     const double settled = delta / root_of_three - 4.0;
@@ -364,12 +425,11 @@ void CriticalPoints::settle_ties(Cube &cube) {
 void CriticalPoints::try_sets(Span<const uint32_t> near, const Vector &centre, int64_t half, bool alone) {
   ++work_.leaves;
   const uint32_t n = near.size();
-  if (n > limits_.near) {
-    needed_.near = larger_count(needed_.near, n);
-    return;
-  }
+  needed_.near = larger_count(needed_.near, n);
+  if (n > limits_.near) return;
   const bool directed = n <= Directions::room;
-  const Directions directions(*balls_, near.part(0, directed ? n : 0), centre, reach_of(half));
+  Directions &directions = directions_[0];
+  directions.set(*balls_, near.part(0, directed ? n : 0), centre, reach_of(half));
   // Faces of few balls are kept, each being that of several tetrahedra.
   Directions::Face faces[few * (few - 1) * (few - 2) / 6];
   const auto place = [](uint32_t i, uint32_t j, uint32_t k) { return k * (k - 1) * (k - 2) / 6 + j * (j - 1) / 2 + i; };
@@ -409,7 +469,7 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Vector &centre, i
 bool CriticalPoints::try_point(const uint32_t *ids, uint32_t count, Span<const uint32_t> near, const Vector &centre,
                                int64_t half) {
   const BallSet &balls = *balls_;
-  TangentPoint point;
+  TangentPoint point(lines());
   const bool found = point.find(balls, {ids[0], ids[1], ids[2]}, count == 3 ? no_id : ids[3], false);
   if (!found) {
     beyond_reach_ = beyond_reach_ || point.beyond_reach();
@@ -425,7 +485,8 @@ bool CriticalPoints::try_point(const uint32_t *ids, uint32_t count, Span<const u
     if (std::fabs(distance) > side + doubt) return false;
     certain = certain && std::fabs(distance) < side - doubt;
   }
-  if ((count == 3 ? gate_names_ : maximum_names_).find(ids) != no_id) return false;
+  const PointName name = name_of_ids(ids, count);
+  if ((count == 3 ? gate_names_.find(name, gates_) : maximum_names_.find(name, maxima_)) != no_id) return false;
   bool kept = point.level_against(floor_) > 0 && !(count == 3 ? are_collinear(balls, ids[0], ids[1], ids[2])
                                                               : are_coplanar(balls, ids[0], ids[1], ids[2], ids[3]));
   for (uint32_t axis = 0; kept && !certain && axis < 3; ++axis) {
@@ -443,22 +504,60 @@ bool CriticalPoints::try_point(const uint32_t *ids, uint32_t count, Span<const u
                              : is_in_tetrahedron(balls, point, ids, on_side));
   const PointKind kind = count == 3 ? PointKind::gate : PointKind::maximum;
   if (kept) kept = (tied == count && !on_side) || kind_of(balls, point, at_point_.part(0, tied)) == kind;
-  if (kept) add(point, kind, at_point_.part(0, tied));
+  if (kept) add(point, ids, kind, at_point_.part(0, tied));
   beyond_reach_ = beyond_reach_ || point.beyond_reach();
   return kept && tied == near.size();
 }
 
-void CriticalPoints::add(TangentPoint &point, PointKind kind, Span<const uint32_t> tied) {
-  CriticalPoint record{{}, 0.0, 0.0, {no_id, no_id, no_id, no_id}, tied.size(), clamped_count(tied_.required())};
-  name_of(*balls_, point, tied, kind, record.ball);
-  NameTable &names = kind == PointKind::gate ? gate_names_ : maximum_names_;
-  FixedVector<CriticalPoint> &points = kind == PointKind::gate ? gates_ : maxima_;
-  if (names.find(record.ball) != no_id) return;
-  record.doubt = point.settle(record.place, record.level);
-  names.add(record.ball, points.size());
-  points.push(record);
-  if (tied.size() == (kind == PointKind::gate ? 3U : 4U)) return;
-  for (const uint32_t ball : tied) tied_.push(ball);
+// As they are found in all copies: by balls of the box and shifts from the first of them.
+PointName CriticalPoints::name_of_ids(const uint32_t *ids, uint32_t count) {
+  PointName name{{no_id, no_id, no_id, no_id}, {}};
+  const BoxShift first = all_->shift_of(ids[0]);
+  for (uint32_t k = 0; k < count; ++k) {
+    name.ball[k] = all_->ball_of(ids[k]);
+    const BoxShift shift = all_->shift_of(ids[k]) - first;
+    beyond_reach_ = beyond_reach_ || !SmallShift::fits(shift);
+    name.shift[k] = SmallShift::of(shift);
+  }
+  return name;
+}
+
+void CriticalPoints::add(TangentPoint &point, const uint32_t *ids, PointKind kind, Span<uint32_t> tied) {
+  const BallSet &balls = *balls_;
+  const uint32_t count = kind == PointKind::gate ? 3 : 4;
+  sort_in_place(tied, [&](uint32_t a, uint32_t b) { return balls.ranks_before(a, b); });
+  uint32_t set[4];
+  name_of(balls, point, tied, kind, set);
+  const PointName name = name_of_ids(set, count);
+  if ((kind == PointKind::gate ? gate_names_.find(name, gates_) : maximum_names_.find(name, maxima_)) != no_id) return;
+  // By the same balls in the same order, whatever set has found it.
+  bool same = true;
+  for (uint32_t k = 0; k < count; ++k) same = same && set[k] == ids[k];
+  if (!same) static_cast<void>(point.find(balls, {set[0], set[1], set[2]}, count == 3 ? no_id : set[3], false));
+  CriticalPoint record{};
+  record.tied = tied.size();
+  record.first_tied = clamped_count(tied_.required());
+  for (uint32_t k = 0; k < 4; ++k) {
+    record.ball[k] = name.ball[k];
+    record.shift[k] = name.shift[k];
+  }
+  Vec3 off{};
+  record.doubt = point.settle_from_base(off, record.level);
+  const uint32_t first = name.ball[0];
+  record.place = Vec3{balls.x[first], balls.y[first], balls.z[first]} + off;
+  if (kind == PointKind::gate) {
+    gates_.push({record, {no_id, no_id}, {}, false, false, 0});
+    gate_names_.add(name, clamped_count(gates_.required() - 1), gates_);
+  } else {
+    maxima_.push({record, no_id, no_id});
+    maximum_names_.add(name, clamped_count(maxima_.required() - 1), maxima_);
+  }
+  if (tied.size() == count) return;
+  const BoxShift home = all_->shift_of(set[0]);
+  for (const uint32_t ball : tied) {
+    tied_.push(all_->ball_of(ball));
+    tied_shifts_.push(SmallShift::of(all_->shift_of(ball) - home));
+  }
 }
 
 }  // namespace hsp

@@ -13,7 +13,7 @@
 
 #include "core/fixed_vector.hpp"
 #include "pores/name_table.hpp"
-#include "pores/pores.hpp"
+#include "pores/pore_balls.hpp"
 #include "pores/tied_balls.hpp"
 
 namespace hsp {
@@ -35,19 +35,24 @@ class CriticalPoints {
   };
 
   void carve(Workspace &workspace, const CriticalLimits &limits);
-  // Balls none of which lies inside another one. Status::capacity: a limit is too small, needed() tells what suffices
-  // as far as it is known. Status::range: balls of one question are too far apart.
-  Status find(const BallSet &balls, int64_t floor);
+  // Of balls none of which lies inside another one; points have their numbers there. Status::capacity: a limit is too
+  // small, needed() tells what suffices as far as it is known. Status::range: balls of one question are too far apart.
+  Status find(PoreBalls &balls, int64_t floor);
 
-  const FixedVector<CriticalPoint> &maxima() const { return maxima_; }
-  const FixedVector<CriticalPoint> &gates() const { return gates_; }
-  const FixedVector<uint32_t> &tied() const { return tied_; }
-  // To be brought into order.
-  FixedVector<CriticalPoint> &maxima() { return maxima_; }
-  FixedVector<CriticalPoint> &gates() { return gates_; }
+  // Room for records, whose points alone are set. To be brought into order.
+  FixedVector<PoreMaximum> &maxima() { return maxima_; }
+  FixedVector<PoreGate> &gates() { return gates_; }
+  const FixedVector<PoreMaximum> &maxima() const { return maxima_; }
+  const FixedVector<PoreGate> &gates() const { return gates_; }
   FixedVector<uint32_t> &tied() { return tied_; }
+  const FixedVector<uint32_t> &tied() const { return tied_; }
+  const FixedVector<SmallShift> &tied_shifts() const { return tied_shifts_; }
+  // Of the maxima, for numbers in another order.
+  NameTable &maximum_names() { return maximum_names_; }
   const CriticalLimits &needed() const { return needed_; }
   const Work &work() const { return work_; }
+  // For further points of the same balls.
+  TangentLines &lines() const { return lines_[0]; }
 
  private:
   struct Cube {
@@ -60,24 +65,35 @@ class CriticalPoints {
   };
   struct Directions;
 
+  void forget();
+  Status search(const Vec3 &low, const Vec3 &high);
   uint32_t enter(const Cube &cube, uint32_t first, uint32_t last);
   bool is_settled(const Cube &cube) const;
   void settle_ties(Cube &cube);
   void try_sets(Span<const uint32_t> near, const exact::Vector &centre, int64_t half, bool alone);
   bool try_point(const uint32_t *ids, uint32_t count, Span<const uint32_t> near, const exact::Vector &centre,
                  int64_t half);
-  void add(TangentPoint &point, PointKind kind, Span<const uint32_t> tied);
+  void add(TangentPoint &point, const uint32_t *ids, PointKind kind, Span<uint32_t> tied);
+  PointName name_of_ids(const uint32_t *ids, uint32_t count);
 
+  const PoreBalls *all_ = nullptr;
   const BallSet *balls_ = nullptr;
   int64_t floor_ = 0;
-  Vec3 low_{}, high_{};  // of the centres
-  FixedVector<CriticalPoint> maxima_, gates_;
+  // Levels up to which no ball that is left out can be nearest; the most that was found to be possible where it is more.
+  double ceiling_ = 0.0, beyond_ceiling_ = 0.0;
+  bool unsure_ = false;  // whether it is more in the last cube
+  Vec3 low_{}, high_{};  // of where points are looked for
+  FixedVector<PoreMaximum> maxima_;
+  FixedVector<PoreGate> gates_;
   FixedVector<uint32_t> tied_;
+  FixedVector<SmallShift> tied_shifts_;
   NameTable maximum_names_, gate_names_;
   Span<uint32_t> candidates_;
   Span<double> distance_;  // [candidates]
   Span<Cube> cubes_;       // that are being halved
   Span<uint32_t> at_point_, cluster_;
+  Span<TangentLines> lines_;     // [1]
+  Span<Directions> directions_;  // [1]
   CriticalLimits limits_, needed_;
   Work work_;
   bool beyond_reach_ = false;

@@ -8,25 +8,51 @@
 //
 // A probe fits at a point, or passes a gate, if it is narrower than f there. Ids of balls are the caller's. Levels are
 // radii of probes beyond the one that is in the model, in lattice steps.
+//
+// In a periodic box every point is there once for all its copies. Balls of a point are then images: a ball in its place
+// in the box, moved by a shift. Points have their first ball in its place.
 #pragma once
 
 #include "core/span.hpp"
 #include "core/status.hpp"
 #include "core/vec3.hpp"
+#include "periodic/periodic_box.hpp"
 
 namespace hsp {
 
 // Ends and parents that are no maximum.
 inline constexpr uint32_t pore_outside = no_id - 1;
 
+// Multiples of the vectors of a box in one number, 0 for none.
+struct SmallShift {
+  static constexpr int32_t largest = 511;
+  uint32_t bits = 0;
+
+  constexpr bool operator==(const SmallShift &other) const = default;
+  static constexpr bool fits(const BoxShift &shift) {
+    bool fits = true;
+    for (const int32_t k : shift.k) fits = fits && k <= largest && -k <= largest;
+    return fits;
+  }
+  static constexpr SmallShift of(const BoxShift &shift) {
+    const auto bits = [&](int axis) { return static_cast<uint32_t>(shift.k[axis]) & 1023; };
+    return {bits(0) | bits(1) << 10 | bits(2) << 20};
+  }
+  constexpr BoxShift shift() const {
+    const auto multiple = [&](int axis) { return static_cast<int32_t>(((bits >> 10 * axis & 1023) ^ 512)) - 512; };
+    return {{multiple(0), multiple(1), multiple(2)}};
+  }
+};
+
 // A maximum or a gate as it is found. Its first three or four balls span it; all that tie follow in a list of their own
 // if they are more.
 struct CriticalPoint {
   Vec3 place;
-  double level;
-  double doubt;      // how far the level may be off
-  uint32_t ball[4];  // ascending in the order of the pore balls; no_id behind the last one
-  uint32_t tied;     // how many balls are nearest
+  double level;         // rounded to a power of two, the same for all steps of symmetry
+  double doubt;         // how far the level may be off
+  uint32_t ball[4];     // in the order of positions; no_id behind the last one
+  SmallShift shift[4];  // of images in a box; none of the first
+  uint32_t tied;        // how many balls are nearest
   uint32_t first_tied;
 };
 
@@ -39,8 +65,11 @@ struct PoreMaximum {
 struct PoreGate {
   CriticalPoint point;
   uint32_t
-      end[2];   // maxima that its two sides lead up to, or pore_outside; first where its balls turn counter-clockwise
-  bool merges;  // two classes, rather than two ends of one
+      end[2];  // maxima that its two sides lead up to, or pore_outside; first where its balls turn counter-clockwise
+  SmallShift end_shift[2];  // in a box: which of their copies
+  bool merges;              // two classes, rather than two ends of one
+  bool winds;           // in a box: its class can be gone along in a direction, or to a copy, that it could not before
+  uint32_t directions;  // in which its class goes on for ever, from here on
 };
 
 }  // namespace hsp

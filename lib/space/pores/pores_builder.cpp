@@ -5,36 +5,18 @@
 #include "core/sorting.hpp"
 
 namespace hsp {
-namespace {
 
-bool is_inside(const exact::LatticeBall &inner, const exact::LatticeBall &outer) {
-  const int64_t room = outer.radius - inner.radius;
-  const int64_t x = inner.centre.x - outer.centre.x, y = inner.centre.y - outer.centre.y,
-                z = inner.centre.z - outer.centre.z;
-  if (x > room || y > room || z > room || -x > room || -y > room || -z > room) return false;
-  const int64_t squared = x * x + y * y + z * z;
-  if (squared == 0 && room == 0) return exact::ranks_before(outer, inner);
-  return squared <= room * room;
-}
-
-TangentCurve curve_of(const CriticalPoint &point) {
-  return {point.ball[0], point.ball[1], point.ball[2]};
-}
-
-}  // namespace
-
-void PoresBuilder::carve(Workspace &workspace, const PoreLimits &limits) {
+void PoresBuilder::carve(Workspace &workspace, const PoreLimits &limits, bool in_box) {
   limits_ = limits;
-  balls_.carve(workspace, limits.balls);
-  callers_ = workspace.take<uint32_t>(limits.balls);
-  grid_.carve(workspace, limits.balls);
+  balls_.carve(workspace, limits.balls, limits.near);
   critical_.carve(workspace, {limits.balls, limits.maxima, limits.gates, limits.tied, limits.candidates, limits.near});
-  ways_.carve(workspace, limits.near);
-  names_.carve(workspace, limits.maxima);
-  maxima_ = workspace.take<PoreMaximum>(limits.maxima);
-  gates_ = workspace.take<PoreGate>(limits.gates);
-  near_ = workspace.take<uint32_t>(limits.near);
+  ways_.carve(workspace, limits.near, limits.balls);
+  compared_.carve(workspace, 8, limits.balls);
+  maxima_ = critical_.maxima().room();
+  gates_ = critical_.gates().room();
+  tied_ = critical_.tied().room();
   parents_ = workspace.take<uint32_t>(static_cast<uint64_t>(limits.maxima) + 1);
+  windings_.carve(workspace, in_box ? limits.maxima : 0);
 }
 
 PoreLimits PoresBuilder::retry_limits() const {
@@ -47,14 +29,30 @@ PoreLimits PoresBuilder::retry_limits() const {
           step(limits_.candidates, needed_.candidates), step(limits_.near, needed_.near)};
 }
 
-Status PoresBuilder::build(const CubeGrid &grid, int64_t floor) {
+void PoresBuilder::begin(uint32_t balls) {
   maximum_count_ = gate_count_ = 0;
-  balls_.n = 0;
-  needed_ = {grid.balls().n, 0, 0, 0, 0, 0};
-  if (grid.balls().n > limits_.balls) return Status::capacity;
-  if (const Status status = take_outer_balls(grid); status != Status::ok) return status;
+  needed_ = {balls, 0, 0, 0, 0, 0};
+  passages_ = {};
+}
+
+Status PoresBuilder::build(const CubeGrid &grid, int64_t floor) {
+  begin(grid.balls().n);
+  const Status status = balls_.take(grid);
+  needed_.near = balls_.needed_near();
+  return status == Status::ok ? build_from(floor) : status;
+}
+
+Status PoresBuilder::build(const PeriodicImages &images, int64_t floor) {
+  begin(images.balls());
+  const Status status = balls_.take(images);
+  needed_.near = balls_.needed_near();
+  return status == Status::ok ? build_from(floor) : status;
+}
+
+Status PoresBuilder::build_from(int64_t floor) {
   Status status = critical_.find(balls_, floor);
   const CriticalLimits &needed = critical_.needed();
+  needed_.balls = larger_count(needed_.balls, larger_count(balls_.needed_balls(), needed.balls));
   needed_.maxima = needed.maxima;
   needed_.gates = needed.gates;
   needed_.tied = needed.tied;
@@ -63,119 +61,131 @@ Status PoresBuilder::build(const CubeGrid &grid, int64_t floor) {
   if (status != Status::ok) return status;
   sort_points();
   status = climb_from_gates();
+  if (status == Status::ok) status = balls_.box() != nullptr ? merge_in_box() : merge();
   if (status != Status::ok) {
     maximum_count_ = gate_count_ = 0;
     return status;
   }
-  merge();
   name_callers_balls();
   return Status::ok;
 }
 
-// Balls inside another one are nowhere nearest. The others in order of positions, so that nothing depends on the order
-// in which they are given.
-Status PoresBuilder::take_outer_balls(const CubeGrid &grid) {
-  const BallSet &all = grid.balls();
-  uint32_t count = 0;
-  for (uint32_t i = 0; i < all.n; ++i) {
-    const exact::LatticeBall ball = all.ball(i);
-    QueryResult result{near_.data(), near_.size(), 0};
-    find_balls_at_ball(grid, {ball.centre, ball.radius}, result);
-    needed_.near = larger_count(needed_.near, result.hits);
-    if (result.hits > near_.size()) return Status::capacity;
-    bool hidden = false;
-    for (uint32_t k = 0; k < result.hits && !hidden; ++k) {
-      const uint32_t other = grid.grid_index(near_[k]);
-      hidden = other != i && is_inside(ball, all.ball(other));
-    }
-    if (!hidden) callers_[count++] = i;
-  }
-  sort_in_place(callers_.part(0, count), [&](uint32_t a, uint32_t b) { return all.ranks_before(a, b); });
-  balls_.n = count;
-  balls_.lattice = all.lattice;
-  balls_.probe_steps = all.probe_steps;
-  balls_.largest_radius = all.largest_radius;
-  for (uint32_t k = 0; k < count; ++k) {
-    exact::LatticeBall ball = all.ball(callers_[k]);
-    callers_[k] = ball.index;
-    ball.index = k;
-    balls_.store(k, ball);
-  }
-  grid_.build(balls_, count);
-  return Status::ok;
-}
-
 // In doubles, where they are certain; by integers, and by names.
-bool PoresBuilder::is_higher(const CriticalPoint &a, const CriticalPoint &b) const {
+bool PoresBuilder::is_higher(const CriticalPoint &a, const CriticalPoint &b) {
   const double difference = a.level - b.level;
   if (std::fabs(difference) > a.doubt + b.doubt) return difference > 0.0;
-  TangentPoint p, q;
-  p.find(balls_, curve_of(a), a.ball[3], false);
-  q.find(balls_, curve_of(b), b.ball[3], false);
-  const int sign = p.compare_levels(q);
+  compared_.begin();
+  TangentPoint point[2] = {TangentPoint(critical_.lines()), TangentPoint(critical_.lines())};
+  uint32_t first[2];
+  for (const uint32_t which : {0U, 1U}) {
+    const CriticalPoint &record = which == 0 ? a : b;
+    uint32_t k[4] = {no_id, no_id, no_id, no_id};
+    for (uint32_t c = 0; c < 4 && record.ball[c] != no_id; ++c) {
+      k[c] = compared_.add(record.ball[c], record.shift[c].shift());
+    }
+    first[which] = k[0];
+    point[which].find(compared_.set(), {k[0], k[1], k[2]}, k[3], false);
+  }
+  const int sign = point[0].compare_levels(point[1]);
   if (sign != 0) return sign > 0;
+  if (first[0] != first[1]) return compared_.set().ranks_before(first[0], first[1]);
   for (uint32_t k = 0; k < 4; ++k) {
     if (a.ball[k] != b.ball[k]) return a.ball[k] < b.ball[k];
+    if (!(a.shift[k] == b.shift[k])) return visited_before(a.shift[k].shift(), b.shift[k].shift());
   }
   return false;
 }
 
 void PoresBuilder::sort_points() {
-  const auto higher = [&](const CriticalPoint &a, const CriticalPoint &b) { return is_higher(a, b); };
+  const auto higher = [&](const auto &a, const auto &b) { return is_higher(a.point, b.point); };
+  compared_.reset(balls_);
   sort_in_place(critical_.maxima().items(), higher);
   sort_in_place(critical_.gates().items(), higher);
-  tied_ = critical_.tied().items();
+  tied_shifts_ = critical_.tied_shifts().items();
   maximum_count_ = critical_.maxima().size();
   gate_count_ = critical_.gates().size();
-  names_.clear();
-  for (uint32_t k = 0; k < maximum_count_; ++k) {
-    maxima_[k] = {critical_.maxima()[k], no_id, no_id};
-    names_.add(maxima_[k].point.ball, k);
-  }
-  for (uint32_t k = 0; k < gate_count_; ++k) gates_[k] = {critical_.gates()[k], {no_id, no_id}, false};
+  NameTable &names = critical_.maximum_names();
+  names.clear();
+  for (uint32_t k = 0; k < maximum_count_; ++k) names.add(name_of(maxima_[k].point), k, critical_.maxima());
 }
 
 Status PoresBuilder::climb_from_gates() {
-  ways_.prepare(balls_, grid_);
+  ways_.prepare(balls_);
   for (uint32_t k = 0; k < gate_count_; ++k) {
     PoreGate &gate = gates_[k];
     for (const uint32_t side : {0U, 1U}) {
-      uint32_t name[4] = {no_id, no_id, no_id, no_id};
-      bool outside = false;
-      const Status status = ways_.climb(gate.point, tied(gate.point), side == 1, name, outside);
+      WayUp::End end;
+      const Status status = ways_.climb(gate.point, tied(gate.point), tied_shifts(gate.point), side == 1, end);
       needed_.near = larger_count(needed_.near, ways_.needed_near());
       if (status != Status::ok) return status;
-      gate.end[side] = outside ? pore_outside : names_.find(name);
+      gate.end[side] = end.outside ? pore_outside : critical_.maximum_names().find(end.name, critical_.maxima());
       if (gate.end[side] == no_id) return Status::check;
+      if (!SmallShift::fits(end.shift)) return Status::range;
+      gate.end_shift[side] = SmallShift::of(end.shift);
     }
   }
   return Status::ok;
 }
 
-// From the widest gate on. Numbers of classes are ages: 0 is the outside, the lowest of a set its oldest.
-void PoresBuilder::merge() {
+// The younger of two classes becomes a part of the older one. Numbers of classes are ages, the maxima's from `first` on;
+// a lower one is the outside. Returns that of both.
+uint32_t PoresBuilder::note_merger(uint32_t gate, uint32_t a, uint32_t b, uint32_t first) {
+  if (a == b) return a;
+  const uint32_t older = a < b ? a : b, younger = a < b ? b : a;
+  gates_[gate].merges = true;
+  maxima_[younger - first].gate = gate;
+  maxima_[younger - first].into = older < first ? pore_outside : older - first;
+  return older;
+}
+
+// From the widest gate on. 0 is the outside, the oldest class.
+Status PoresBuilder::merge() {
   DisjointSets classes(parents_.part(0, maximum_count_ + 1));
   classes.reset();
   for (uint32_t k = 0; k < gate_count_; ++k) {
-    PoreGate &gate = gates_[k];
     const auto class_at = [&](uint32_t end) { return classes.find(end == pore_outside ? 0 : end + 1); };
-    const uint32_t a = class_at(gate.end[0]), b = class_at(gate.end[1]);
-    if (a == b) continue;
-    gate.merges = true;
-    const uint32_t older = a < b ? a : b, younger = a < b ? b : a;
-    maxima_[younger - 1].gate = k;
-    maxima_[younger - 1].into = older == 0 ? pore_outside : older - 1;
+    const uint32_t a = class_at(gates_[k].end[0]), b = class_at(gates_[k].end[1]);
+    static_cast<void>(note_merger(k, a, b, 1));
     classes.join(a, b);
+  }
+  return Status::ok;
+}
+
+// Without an outside; classes remember which of their copies meet.
+Status PoresBuilder::merge_in_box() {
+  windings_.reset(maximum_count_);
+  for (uint32_t k = 0; k < gate_count_; ++k) {
+    PoreGate &gate = gates_[k];
+    const uint32_t older = note_merger(k, windings_.set_of(gate.end[0]), windings_.set_of(gate.end[1]), 0);
+    const WindingLattice &lattice = windings_.lattice_of_set(older);
+    const uint32_t rank = lattice.rank;
+    const uint64_t copies = lattice.copies();
+    if (!windings_.join(gate.end[0], gate.end[1], gate.end_shift[1].shift() - gate.end_shift[0].shift())) {
+      return Status::range;
+    }
+    gate.directions = lattice.rank;
+    gate.winds = lattice.rank != rank || lattice.copies() != copies;
+    note_passages(k, older, lattice);
+  }
+  return Status::ok;
+}
+
+void PoresBuilder::note_passages(uint32_t gate, uint32_t maximum, const WindingLattice &lattice) {
+  for (uint32_t d = 0; d < lattice.rank; ++d) {
+    if (passages_.gate[d] != no_id) continue;
+    passages_.gate[d] = gate;
+    passages_.maximum[d] = maximum;
+    passages_.lattice[d] = lattice;
   }
 }
 
 void PoresBuilder::name_callers_balls() {
   const auto rename = [&](CriticalPoint &point) {
-    for (uint32_t &ball : point.ball) ball = ball == no_id ? no_id : callers_[ball];
+    for (uint32_t &ball : point.ball) ball = ball == no_id ? no_id : balls_.callers(ball);
   };
   for (uint32_t k = 0; k < maximum_count_; ++k) rename(maxima_[k].point);
   for (uint32_t k = 0; k < gate_count_; ++k) rename(gates_[k].point);
-  for (uint32_t &ball : critical_.tied().items()) ball = callers_[ball];
+  for (uint32_t &ball : critical_.tied().items()) ball = balls_.callers(ball);
 }
 
 }  // namespace hsp

@@ -2,13 +2,14 @@
 #pragma once
 
 #include "core/disjoint_sets.hpp"
+#include "periodic/windings.hpp"
 #include "pores/critical_points.hpp"
 #include "pores/way_up.hpp"
 
 namespace hsp {
 
 struct PoreLimits {
-  uint32_t balls = 0;
+  uint32_t balls = 0;  // in a box with images of them
   uint32_t maxima = 0;
   uint32_t gates = 0;
   uint32_t tied = 0;        // balls of points where more tie than are needed, all together
@@ -23,13 +24,24 @@ constexpr Status default_limits(uint32_t balls, PoreLimits &limits) {
   return Status::ok;
 }
 
+// Where classes of a box first go on for ever in one, two and three directions: the widest gates by which a probe gets
+// so far.
+struct PorePassages {
+  uint32_t gate[3] = {no_id, no_id, no_id};
+  uint32_t maximum[3] = {no_id, no_id, no_id};  // of the class there, its largest cavity
+  WindingLattice lattice[3];                    // of its ways there
+};
+
 class PoresBuilder {
  public:
-  void carve(Workspace &workspace, const PoreLimits &limits);
+  // in_box: for periodic boxes, too.
+  void carve(Workspace &workspace, const PoreLimits &limits, bool in_box = false);
 
   // Of all maxima and gates above a floor, in steps. Status::capacity: a limit is too small, retry_limits().
   // Status::range: balls that touch one probe are more than 2^35 steps apart. Status::check cannot happen.
   Status build(const CubeGrid &grid, int64_t floor);
+  // The same in a periodic box. Status::range also if it is more than a hundred times longer than wide.
+  Status build(const PeriodicImages &images, int64_t floor);
 
   // In descending order of levels; equal ones by their first balls, in the order of positions (exact/rank.hpp).
   Span<const PoreMaximum> maxima() const { return maxima_.part(0, maximum_count_); }
@@ -40,9 +52,20 @@ class PoresBuilder {
     if (point.tied == named) return {point.ball, named};
     return tied_.part(point.first_tied, point.first_tied + point.tied);
   }
+  // Which images in a box they are, in the same order.
+  Span<const SmallShift> tied_shifts(const CriticalPoint &point) const {
+    const uint32_t named = point.ball[3] == no_id ? 3 : 4;
+    if (point.tied == named) return {point.shift, named};
+    return tied_shifts_.part(point.first_tied, point.first_tied + point.tied);
+  }
+  // In a box.
+  const PorePassages &passages() const { return passages_; }
   // Balls that are not inside another one.
-  uint32_t outer_balls() const { return balls_.n; }
+  uint32_t outer_balls() const { return balls_.own(); }
 
+  // After a success the limits that suffice, with one less of any of which it would not have been one; else as far as
+  // they are known.
+  const PoreLimits &needed() const { return needed_; }
   // What to try again with after Status::capacity.
   PoreLimits retry_limits() const;
   // Work that was done, for measurements.
@@ -50,23 +73,28 @@ class PoresBuilder {
   uint64_t steps() const { return ways_.steps(); }
 
  private:
-  Status take_outer_balls(const CubeGrid &grid);
-  bool is_higher(const CriticalPoint &a, const CriticalPoint &b) const;
+  void begin(uint32_t balls);
+  Status build_from(int64_t floor);
+  bool is_higher(const CriticalPoint &a, const CriticalPoint &b);
   void sort_points();
   Status climb_from_gates();
-  void merge();
+  Status merge();
+  Status merge_in_box();
+  uint32_t note_merger(uint32_t gate, uint32_t a, uint32_t b, uint32_t first);
+  void note_passages(uint32_t gate, uint32_t maximum, const WindingLattice &lattice);
   void name_callers_balls();
 
   PoreLimits limits_, needed_;
-  BallSet balls_;  // by rank; each knows its own place as that of the caller
-  Span<uint32_t> callers_;
-  CubeGrid grid_;
+  PoreBalls balls_;
   CriticalPoints critical_;
   WayUp ways_;
-  NameTable names_;
+  NearBalls compared_;  // of two points
   Span<PoreMaximum> maxima_;
   Span<PoreGate> gates_;
-  Span<uint32_t> tied_, near_, parents_;
+  Span<uint32_t> tied_, parents_;
+  Span<const SmallShift> tied_shifts_;
+  Windings windings_;
+  PorePassages passages_;
   uint32_t maximum_count_ = 0, gate_count_ = 0;
 };
 

@@ -202,6 +202,39 @@ int sign_at_falling_root(const Long &A, const Long &b, const Long &c, const Long
   return before ? slope.sign() : -slope.sign();
 }
 
+// The line of rows whose third v is a combination of the others, so that they have a z of their own, zeta / delta. By
+// call: what it has on the stack is not added to that of other lines.
+[[gnu::noinline]] void fill_flat(const CurveRows<Integer> &rows, const Row<Integer> &third, TangentLines::Line &line) {
+  const Row<Integer> &first = rows.first, &second = rows.second;
+  const Triple<Integer> to_first = cross(second.v, rows.normal), to_second = cross(rows.normal, first.v);
+  const Integer G = dot(rows.normal, rows.normal), g1 = dot(third.v, to_first), g2 = dot(third.v, to_second);
+  const Integer delta = G * third.e - g1 * first.e - g2 * second.e, zeta = G * third.w - g1 * first.w - g2 * second.w;
+  line.P = (first.w * delta - first.e * zeta) * to_first + (second.w * delta - second.e * zeta) * to_second;
+  line.Q = rows.normal;
+  line.D = G * delta;
+  line.p = G * zeta;
+  line.q = Integer();
+  line.A = G;
+  line.b = Long();
+  const Long x(line.P.x), y(line.P.y), z(line.P.z), p(line.p);
+  line.c = x * x + y * y + z * z - p * p;
+  line.there = line.D.sign() != 0;
+}
+
+int sign_at_root(const TangentLines::Line &line, const Long &constant, const Long &slope) {
+  return sign_at_falling_root(line.A, line.b, line.c, constant, slope);
+}
+bool has_root(const TangentLines::Line &line) {
+  if ((line.b * line.b - line.A * line.c).sign() <= 0) return false;
+  return line.A.sign() != 0 || line.b.sign() < 0;
+}
+// Sign of the z of a line less (zeta / delta + steps).
+int compare_with_fixed(const TangentLines::Line &line, const Integer &zeta, const Integer &delta, int64_t steps) {
+  const Integer there = zeta + Integer(steps) * delta;
+  const Long D(delta);
+  return sign_at_root(line, D * line.p - Long(there) * line.D, D * line.q) * line.D.sign() * delta.sign();
+}
+
 bool is_beyond_reach(const BallSet &balls, uint32_t base, uint32_t ball) {
   constexpr double reach = 0x1p35;
   const Vec3 d = balls.difference(base, ball);
@@ -238,14 +271,16 @@ bool TangentPoint::find(const BallSet &balls, const TangentCurve &curve, uint32_
   curve_ = curve;
   last_ = last;
   rising_ = rising;
-  line_known_ = beyond_reach_ = false;
+  number_ = lines_->next_point();
+  beyond_reach_ = false;
   const int known = estimate(RoughLine(balls, curve, last));
   if (known != 0) return known > 0;
   if (is_beyond_reach(balls, curve, last)) {
     beyond_reach_ = true;
     return false;
   }
-  return find_line() && has_root() && sign_at_root(line_.p, line_.q) * line_.D.sign() > 0;
+  const Line &line = exact_line();
+  return line.there && has_root(line) && sign_at_root(line, line.p, line.q) * line.D.sign() > 0;
 }
 
 // Both stages of doubles: 1 if there is certainly a point, -1 if certainly none, 0 if nothing is certain.
@@ -265,55 +300,38 @@ int TangentPoint::estimate(const RoughLines &line) {
   return 1;
 }
 
-// The integers. False if the rows leave no line that crosses the cone in points.
-bool TangentPoint::find_line() const {
-  if (line_known_) return line_found_;
-  line_known_ = true;
+const TangentPoint::Line &TangentPoint::exact_line() const {
+  Line &line = lines_->line_of(number_);
+  if (line.point != number_) {
+    line.point = number_;
+    fill(line);
+  }
+  return line;
+}
+
+// It is not there if the rows leave no line that crosses the cone in points.
+void TangentPoint::fill(Line &line) const {
   const CurveRows<Integer> rows(*balls_, curve_);
   const Row<Integer> third = last_row(*balls_, curve_, rows, last_);
   const SteepLine<Integer> steep(rows, third);
-  line_.flat = steep.D.sign() == 0;
-  line_found_ = true;
-  if (!line_.flat) {
-    line_.P = steep.P;
-    line_.Q = steep.Q;
-    line_.D = line_.q = steep.D;
-    line_.p = Integer();
-    line_.A = steep.A();
-    line_.b = steep.b();
-    line_.c = steep.c();
+  line.flat = steep.D.sign() == 0;
+  line.there = true;
+  if (!line.flat) {
+    line.P = steep.P;
+    line.Q = steep.Q;
+    line.D = line.q = steep.D;
+    line.p = Integer();
+    line.A = steep.A();
+    line.b = steep.b();
+    line.c = steep.c();
   } else {
-    // The third v is a combination of the others, so that the rows have a z of their own, zeta / delta.
-    const Row<Integer> &first = rows.first, &second = rows.second;
-    const Triple<Integer> to_first = cross(second.v, rows.normal), to_second = cross(rows.normal, first.v);
-    const Integer G = dot(rows.normal, rows.normal), g1 = dot(third.v, to_first), g2 = dot(third.v, to_second);
-    const Integer delta = G * third.e - g1 * first.e - g2 * second.e, zeta = G * third.w - g1 * first.w - g2 * second.w;
-    line_.P = (first.w * delta - first.e * zeta) * to_first + (second.w * delta - second.e * zeta) * to_second;
-    line_.Q = rows.normal;
-    line_.D = G * delta;
-    line_.p = G * zeta;
-    line_.q = Integer();
-    line_.A = G;
-    line_.b = Long();
-    const Long x(line_.P.x), y(line_.P.y), z(line_.P.z), p(line_.p);
-    line_.c = x * x + y * y + z * z - p * p;
-    line_found_ = line_.D.sign() != 0;
+    fill_flat(rows, third, line);
   }
   if (rising_) {
-    line_.A = -line_.A;
-    line_.b = -line_.b;
-    line_.c = -line_.c;
+    line.A = -line.A;
+    line.b = -line.b;
+    line.c = -line.c;
   }
-  return line_found_;
-}
-
-bool TangentPoint::has_root() const {
-  if ((line_.b * line_.b - line_.A * line_.c).sign() <= 0) return false;
-  return line_.A.sign() != 0 || line_.b.sign() < 0;
-}
-
-int TangentPoint::sign_at_root(const Long &constant, const Long &slope) const {
-  return sign_at_falling_root(line_.A, line_.b, line_.c, constant, slope);
 }
 
 template <class Make>
@@ -326,11 +344,12 @@ int TangentPoint::sign_of(const Make &make) const {
     beyond_reach_ = true;
     return 0;
   }
-  if (!find_line()) return 0;
+  const Line &line = exact_line();
+  if (!line.there) return 0;
   const AffineForm<Integer> own = moved(*balls_, form, curve_.base);
-  const Integer constant = dot(own.a, line_.P) + own.c * line_.p + own.k * line_.D;
-  const Integer slope = dot(own.a, line_.Q) + own.c * line_.q;
-  return sign_at_root(constant, slope) * line_.D.sign();
+  const Integer constant = dot(own.a, line.P) + own.c * line.p + own.k * line.D;
+  const Integer slope = dot(own.a, line.Q) + own.c * line.q;
+  return sign_at_root(line, constant, slope) * line.D.sign();
 }
 
 int TangentPoint::nearness(uint32_t ball) const {
@@ -409,18 +428,20 @@ int TangentPoint::compare_levels(const TangentPoint &other) const {
   if (certain != 0) return certain;
   if (is_beyond_reach(*balls_, curve_, last_) || is_beyond_reach(*balls_, other.curve_, other.last_))
     beyond_reach_ = true;
-  if (beyond_reach_ || !find_line() || !other.find_line()) return 0;
+  if (beyond_reach_) return 0;
+  const Line &own = exact_line(), &others = other.exact_line();
+  if (!own.there || !others.there) return 0;
   // z of this one less that of the other one, as seen from there, and `shift` more.
   const auto steps = static_cast<int64_t>(shift);
-  if (other.line_.flat) return compare_with_fixed(other.line_.p, other.line_.D, -steps);
-  if (line_.flat) return -other.compare_with_fixed(line_.p, line_.D, steps);
-  const Line &own = line_;
+  if (others.flat) return compare_with_fixed(own, others.p, others.D, -steps);
+  if (own.flat) return -compare_with_fixed(others, own.p, own.D, steps);
   const Long twice(2), k(steps);
-  const Long A = other.line_.A, b = other.line_.b + A * k, c = other.line_.c + twice * (other.line_.b * k) + A * k * k;
-  const int slope = sign_at_root(b, A);
+  const Long &A = others.A;
+  const Long b = others.b + A * k, c = others.c + twice * (others.b * k) + A * k * k;
+  const int slope = sign_at_root(own, b, A);
   int value = 0;
   if (own.A.sign() != 0) {
-    value = sign_at_root(own.A * c - A * own.c, twice * (own.A * b - A * own.b)) * own.A.sign();
+    value = sign_at_root(own, own.A * c - A * own.c, twice * (own.A * b - A * own.b)) * own.A.sign();
   } else {
     const Long zero = -own.c, per = twice * own.b;  // the root is zero / per
     value = (A * zero * zero + twice * (b * zero * per) + c * per * per).sign();
@@ -428,13 +449,6 @@ int TangentPoint::compare_levels(const TangentPoint &other) const {
   if (value == 0 && slope < 0) return 0;
   const bool below = A.sign() > 0 ? value > 0 && slope < 0 : !(value <= 0 && slope < 0);
   return below ? -1 : 1;
-}
-
-// Sign of z - (zeta / delta + steps).
-int TangentPoint::compare_with_fixed(const Integer &zeta, const Integer &delta, int64_t steps) const {
-  const Integer there = zeta + Integer(steps) * delta;
-  const Long D(delta);
-  return sign_at_root(D * line_.p - Long(there) * line_.D, D * line_.q) * line_.D.sign() * delta.sign();
 }
 
 Vec3 TangentPoint::place_estimate() const {
@@ -449,10 +463,10 @@ double TangentPoint::place_error() const {
   return (0.5 * (y_.x.error + y_.y.error + y_.z.error) + rounding) * (1.0 + 0x1p-50);
 }
 
-double TangentPoint::settle(Vec3 &place, double &level) {
+double TangentPoint::estimate_closely(Vec3 &off, double &level) {
   double tolerable = 0.0, doubt = 0.0;
   const auto is_good = [&] {
-    place = place_estimate();
+    off = {0.5 * y_.x.value, 0.5 * y_.y.value, 0.5 * y_.z.value};
     level = level_estimate();
     tolerable = 0x1p-42 * (std::fabs(z_.value) + std::fabs(level));
     doubt = level_error();
@@ -462,7 +476,9 @@ double TangentPoint::settle(Vec3 &place, double &level) {
   const CurveRows<Bounded> rows(*balls_, curve_);
   estimate(SteepLine<Bounded>(rows, last_row(*balls_, curve_, rows, last_)));
   if (is_good() || beyond_reach_) return doubt;
-  if (is_beyond_reach(*balls_, curve_, last_) || !find_line()) return doubt;
+  if (is_beyond_reach(*balls_, curve_, last_)) return doubt;
+  const Line &line = exact_line();
+  if (!line.there) return doubt;
   const auto number_of = [](const Integer &a) {
     int exponent = 0;
     const double mantissa = a.leading(exponent);
@@ -473,24 +489,22 @@ double TangentPoint::settle(Vec3 &place, double &level) {
     const double above = a.leading(up), below = b.leading(down);
     return scaled(above / below, up - down);
   };
-  const BallSet &balls = *balls_;
-  const uint32_t base = curve_.base;
   const auto put = [&](double x, double y, double z, double distance) {
-    place = {balls.x[base] + 0.5 * x, balls.y[base] + 0.5 * y, balls.z[base] + 0.5 * z};
-    level = 0.5 * distance - balls.r[base];
+    off = {0.5 * x, 0.5 * y, 0.5 * z};
+    level = 0.5 * distance - balls_->r[curve_.base];
   };
-  if (line_.flat) {
+  if (line.flat) {
     // l^2 = -c / A, and P and Q are at right angles: nothing cancels.
     int up = 0, down = 0;
-    const double above = std::fabs((-line_.c).leading(up)), below = std::fabs(line_.A.leading(down));
+    const double above = std::fabs((-line.c).leading(up)), below = std::fabs(line.A.leading(down));
     const bool odd = ((up - down) & 1) != 0;
     const double root = std::sqrt(odd ? 2.0 * above / below : above / below);
     int of_D = 0;
-    const double D = line_.D.leading(of_D);
+    const double D = line.D.leading(of_D);
     const double height = scaled((rising_ ? root : -root) / D, (up - down - (odd ? 1 : 0)) / 2 - of_D);
-    put(quotient(line_.P.x, line_.D) + height * number_of(line_.Q.x),
-        quotient(line_.P.y, line_.D) + height * number_of(line_.Q.y),
-        quotient(line_.P.z, line_.D) + height * number_of(line_.Q.z), quotient(line_.p, line_.D));
+    put(quotient(line.P.x, line.D) + height * number_of(line.Q.x),
+        quotient(line.P.y, line.D) + height * number_of(line.Q.y),
+        quotient(line.P.z, line.D) + height * number_of(line.Q.z), quotient(line.p, line.D));
     return tolerable + 0x1p-20;
   }
   // z to 2^-24 of a step, by halves: 2^24 z lies in [least, least + 2^size).
@@ -498,12 +512,45 @@ double TangentPoint::settle(Vec3 &place, double &level) {
   Integer least;
   for (int size = 62; size-- > 0;) {
     const Integer next = least + Integer(INT64_C(1) << size);
-    if (sign_at_root(-next, unit) >= 0) least = next;
+    if (sign_at_root(line, -next, unit) >= 0) least = next;
   }
-  const Integer D = line_.D * unit;
-  put(quotient(line_.P.x * unit + line_.Q.x * least, D), quotient(line_.P.y * unit + line_.Q.y * least, D),
-      quotient(line_.P.z * unit + line_.Q.z * least, D), quotient(least, unit));
+  const Integer D = line.D * unit;
+  put(quotient(line.P.x * unit + line.Q.x * least, D), quotient(line.P.y * unit + line.Q.y * least, D),
+      quotient(line.P.z * unit + line.Q.z * least, D), quotient(least, unit));
   return tolerable + 0x1p-20;
+}
+
+// Sign of t - halves unit / 2, for a power of two.
+int TangentPoint::level_against_half(double halves, double unit) const {
+  const double scale = 2.0 / unit, bound = 2.0 * scale * balls_->r[curve_.base] + 2.0 * halves;
+  return sign_of([&]<class Number>() {
+    const Number zero = number<Number>(0.0);
+    return AffineForm<Number>{{zero, zero, zero}, number<Number>(scale), number<Number>(-bound), curve_.base};
+  });
+}
+
+double TangentPoint::rounded_level(double level, double doubt, double unit) const {
+  double multiple = static_cast<double>(nearest(level / unit));
+  if (std::fabs(level / unit - multiple) + doubt / unit < 0.499) return multiple * unit;
+  for (int turn = 0; turn < 4 && level_against_half(2.0 * multiple + 1.0, unit) >= 0; ++turn) multiple += 1.0;
+  for (int turn = 0; turn < 4 && level_against_half(2.0 * multiple - 1.0, unit) < 0; ++turn) multiple -= 1.0;
+  return multiple * unit;
+}
+
+double TangentPoint::settle_from_base(Vec3 &off, double &level) {
+  const double doubt = estimate_closely(off, level);
+  // 2^-40 of the largest radius, or 2^-20 of a step.
+  double unit = 0x1p-20;
+  while (unit < 0x1p-41 * static_cast<double>(balls_->largest_radius)) unit *= 2.0;
+  if (!(doubt <= 2.0 * unit) || !(std::fabs(level) < 0x1p50 * unit)) return doubt;
+  level = rounded_level(level, doubt, unit);
+  return doubt + unit;
+}
+
+double TangentPoint::settle(Vec3 &place, double &level) {
+  const double doubt = settle_from_base(place, level);
+  place = Vec3{balls_->x[curve_.base], balls_->y[curve_.base], balls_->z[curve_.base]} + place;
+  return doubt;
 }
 
 bool are_collinear(const BallSet &balls, uint32_t i, uint32_t j, uint32_t k) {

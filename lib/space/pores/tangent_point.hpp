@@ -47,11 +47,41 @@ struct AffineForm {
   uint32_t origin;
 };
 
-class TangentPoint {
+// Memory of the exact stage, which is too large for a stack: the lines of the two points that were last asked for.
+class TangentLines {
  public:
   // Of the rows, lines and forms, of degree 18 and below; of what is made of their products at a root.
   using Integer = LongInteger<704>;
   using Long = LongInteger<1856>;
+  struct Line {
+    uint64_t point = 0;  // whose line this is
+    NumberTriple<Integer> P, Q;
+    Integer p, q, D;
+    Long A, b, c;
+    bool there = false, flat = false;
+  };
+
+  // Numbers of points, so that none is taken for another one.
+  uint64_t next_point() { return ++points_; }
+  // The line of a point, or where it is to be put, with another number. The one before stays.
+  Line &line_of(uint64_t point) {
+    if (line_[last_].point != point) last_ ^= 1;
+    return line_[last_];
+  }
+
+ private:
+  Line line_[2];
+  uint32_t last_ = 0;
+  uint64_t points_ = 0;
+};
+
+class TangentPoint {
+ public:
+  using Integer = TangentLines::Integer;
+  using Long = TangentLines::Long;
+
+  TangentPoint() = default;
+  explicit TangentPoint(TangentLines &lines) : lines_(&lines) {}
 
   // On a curve and as near to one more ball; or in the plane of the curve's three centres, without one (no_id), which
   // is for curves of three balls. rising: with W' > 0. False if there is no such point, or if it has no z > 0.
@@ -80,36 +110,36 @@ class TangentPoint {
   Vec3 place_estimate() const;
   double place_error() const;
   // The same, by sharper bounds or by the exact stage where the filter's error is large; returns how far the level may
-  // be off.
+  // be off. The level is rounded to a power of two that depends on the largest radius alone, by integers where it is
+  // near the middle between two: symmetric points have the same, whatever balls they are computed from.
   double settle(Vec3 &place, double &level);
+  // The same with the place as seen from the first ball of the curve.
+  double settle_from_base(Vec3 &off, double &level);
 
   // Whether a question was asked of balls that are too far apart for the exact stage; its answer means nothing then.
   bool beyond_reach() const { return beyond_reach_; }
 
  private:
-  struct Line {
-    NumberTriple<Integer> P, Q;
-    Integer p, q, D;
-    Long A, b, c;
-    bool flat = false;
-  };
+  using Line = TangentLines::Line;
+  double estimate_closely(Vec3 &off, double &level);
+  double rounded_level(double level, double doubt, double unit) const;
+  int level_against_half(double halves, double unit) const;
   template <class RoughLines>
   int estimate(const RoughLines &line);
   template <class Make>
   int sign_of(const Make &make) const;
-  bool find_line() const;
-  bool has_root() const;
-  int compare_with_fixed(const Integer &zeta, const Integer &delta, int64_t steps) const;
-  int sign_at_root(const Long &constant, const Long &slope) const;
+  const Line &exact_line() const;
+  void fill(Line &line) const;
 
+  TangentLines *lines_ = nullptr;
   const BallSet *balls_ = nullptr;
   TangentCurve curve_;
   uint32_t last_ = no_id;
   bool rising_ = false;
   NumberTriple<BoundedDouble> y_;
   BoundedDouble z_;
-  mutable Line line_;
-  mutable bool line_known_ = false, line_found_ = false, beyond_reach_ = false;
+  uint64_t number_ = 0;  // of its line
+  mutable bool beyond_reach_ = false;
 };
 
 // Whether the centres of three balls are on one line; or, with four, in one plane.

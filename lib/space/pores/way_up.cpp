@@ -2,6 +2,8 @@
 
 #include <initializer_list>
 
+#include "core/sorting.hpp"
+
 namespace hsp {
 namespace {
 
@@ -14,20 +16,24 @@ bool is_of_curve(const TangentCurve &curve, uint32_t ball) {
 
 }  // namespace
 
-void WayUp::carve(Workspace &workspace, uint32_t near) {
-  near_ = workspace.take<uint32_t>(near);
+void WayUp::carve(Workspace &workspace, uint32_t near, uint32_t balls) {
+  near_balls_.carve(workspace, near, balls);
+  near_ = FixedVector<uint32_t>(workspace.take<uint32_t>(near));
   tied_ = FixedVector<uint32_t>(workspace.take<uint32_t>(near));
+  lines_ = workspace.take<TangentLines>(1);
 }
 
-void WayUp::prepare(const BallSet &balls, const CubeGrid &grid) {
-  balls_ = &balls;
-  grid_ = &grid;
+void WayUp::prepare(PoreBalls &all) {
+  all_ = &all;
+  balls_ = &near_balls_.set();
   steps_ = 0;
   needed_near_ = 0;
+  near_balls_.reset(all);
   beyond_reach_ = false;
   low_ = {0.0, 0.0, 0.0};
   high_ = low_;
-  for (uint32_t i = 0; i < balls.n; ++i) {
+  const BallSet &balls = all.set();
+  for (uint32_t i = 0; i < all.own(); ++i) {
     const auto cover = [i](double x, double &low, double &high) {
       low = i == 0 || x < low ? x : low;
       high = i == 0 || x > high ? x : high;
@@ -64,8 +70,7 @@ bool WayUp::is_open_from_lowest(const Way &way) {
 }
 
 // The side is that of the gate's first three balls.
-bool WayUp::leave_gate(const CriticalPoint &gate, int side, Way &way) {
-  const TangentCurve named{gate.ball[0], gate.ball[1], gate.ball[2]};
+bool WayUp::leave_gate(const TangentCurve &named, int side, Way &way) {
   const Span<const uint32_t> tied = tied_.items();
   for (uint32_t a = 0; a < tied.size(); ++a) {
     for (uint32_t b = a + 1; b < tied.size(); ++b) {
@@ -169,21 +174,24 @@ Status WayUp::gather(const CurveShape &shape, const TangentCurve &curve, double 
   reach += level + 2.0;
   if (!(reach < exact::query_radius_limit)) return Status::range;
   query.radius = reach > 0.0 ? static_cast<int64_t>(reach) + 1 : 0;
-  QueryResult result{near_.data(), near_.size(), 0};
-  find_balls_at_ball(*grid_, query, result);
-  needed_near_ = larger_count(needed_near_, result.hits);
-  if (result.hits > near_.size()) return Status::capacity;
-  near_count_ = result.hits;
-  return Status::ok;
+  near_.clear();
+  bool room = true;
+  room = all_->visit_near(query, [&](uint32_t ball, const BoxShift &shift) {
+    const uint32_t k = near_balls_.add(ball, shift);
+    room = room && k != no_id;
+    if (k != no_id) near_.push(k);
+  }) && room;
+  needed_near_ = larger_count(needed_near_, all_->needed_near());
+  return room ? Status::ok : Status::capacity;
 }
 
 // Of the balls that were gathered the first one that a curve meets above the point.
 bool WayUp::first_event(const Way &way, TangentPoint &event) {
   bool any = false;
-  for (uint32_t k = 0; k < near_count_; ++k) {
+  for (uint32_t k = 0; k < near_.size(); ++k) {
     const uint32_t ball = near_[k];
     if (is_of_curve(way.curve, ball)) continue;
-    TangentPoint at[2];
+    TangentPoint at[2] = {TangentPoint(lines_[0]), TangentPoint(lines_[0])};
     bool there[2], above[2], certain[2];
     for (const uint32_t root : {0U, 1U}) {
       there[root] = at[root].find(*balls_, way.curve, ball, root == 1);
@@ -224,7 +232,7 @@ bool WayUp::is_beyond_box(const CurveShape &shape, uint32_t base, double z) cons
 Status WayUp::follow(const Way &way, bool &outside) {
   const BallSet &balls = *balls_;
   const bool unbounded = is_unbounded(balls, way.curve, beyond_reach_);
-  TangentPoint top;
+  TangentPoint top(lines_[0]);
   if (!unbounded && !top.find(balls, way.curve, no_id, true)) return beyond_reach_ ? Status::range : Status::check;
   CurveShape shape(balls, way.curve);
   if (way.side < 0) shape.e = -shape.e;
@@ -241,42 +249,56 @@ Status WayUp::follow(const Way &way, bool &outside) {
     const bool whole = !unbounded && top.level_against(to) <= 0;
     if (const Status status = gather(shape, way.curve, from > 0.0 ? from : 0.0, to); status != Status::ok)
       return status;
-    TangentPoint event;
+    TangentPoint event(lines_[0]);
     bool met = first_event(way, event);
     if (met && event.level_against(to) > 0) met = false;
     if (!met && !whole) {
-      if (!unbounded || !is_beyond_box(shape, way.curve.base, 2.0 * (radius + static_cast<double>(to)))) continue;
+      if (!unbounded || all_->box() != nullptr ||
+          !is_beyond_box(shape, way.curve.base, 2.0 * (radius + static_cast<double>(to))))
+        continue;
       outside = true;
       return Status::ok;
     }
     point_ = met ? event : top;
     tied_.clear();
-    for (uint32_t k = 0; k < near_count_; ++k) {
+    for (uint32_t k = 0; k < near_.size(); ++k) {
       if (point_.nearness(near_[k]) == 0) tied_.push(near_[k]);
     }
+    sort_in_place(tied_.items(), [&](uint32_t a, uint32_t b) { return balls.ranks_before(a, b); });
     beyond_reach_ = beyond_reach_ || point_.beyond_reach();
     return beyond_reach_ ? Status::range : Status::ok;
   }
   return Status::check;
 }
 
-Status WayUp::climb(const CriticalPoint &gate, Span<const uint32_t> tied, bool other_side, uint32_t *name,
-                    bool &outside) {
-  const BallSet &balls = *balls_;
-  outside = false;
+Status WayUp::climb(const CriticalPoint &gate, Span<const uint32_t> tied, Span<const SmallShift> shifts,
+                    bool other_side, End &end) {
+  end = {};
   needed_near_ = larger_count(needed_near_, tied.size());
-  if (tied.size() > near_.size()) return Status::capacity;
-  if (!point_.find(balls, {gate.ball[0], gate.ball[1], gate.ball[2]}, no_id, false)) return Status::check;
+  if (tied.size() > near_.capacity()) return Status::capacity;
+  near_balls_.begin();
   tied_.clear();
-  for (const uint32_t ball : tied) tied_.push(ball);
+  for (uint32_t k = 0; k < tied.size(); ++k) tied_.push(near_balls_.add(tied[k], shifts[k].shift()));
+  const auto number = [&](uint32_t k) { return near_balls_.add(gate.ball[k], gate.shift[k].shift()); };
+  const TangentCurve named{number(0), number(1), number(2)};
+  point_ = TangentPoint(lines_[0]);
+  if (!point_.find(*balls_, named, no_id, false)) return Status::check;
   Way way;
-  if (!leave_gate(gate, other_side ? -1 : 1, way)) return beyond_reach_ ? Status::range : Status::check;
+  if (!leave_gate(named, other_side ? -1 : 1, way)) return beyond_reach_ ? Status::range : Status::check;
   for (uint32_t step = 0; step < most_steps; ++step) {
     ++steps_;
-    if (const Status status = follow(way, outside); status != Status::ok || outside) return status;
+    if (const Status status = follow(way, end.outside); status != Status::ok || end.outside) return status;
     if (leave(way)) continue;
     if (beyond_reach_ || point_.beyond_reach()) return Status::range;
-    name_of(balls, point_, tied_.items(), PointKind::maximum, name);
+    uint32_t four[4];
+    name_of(*balls_, point_, tied_.items(), PointKind::maximum, four);
+    end.shift = near_balls_.shift(four[0]);
+    for (uint32_t k = 0; k < 4; ++k) {
+      const BoxShift shift = near_balls_.shift(four[k]) - end.shift;
+      if (!SmallShift::fits(shift)) return Status::range;
+      end.name.ball[k] = near_balls_.ball(four[k]);
+      end.name.shift[k] = SmallShift::of(shift);
+    }
     return Status::ok;
   }
   return Status::check;

@@ -9,25 +9,31 @@
 #pragma once
 
 #include "core/fixed_vector.hpp"
-#include "model/queries.hpp"
-#include "pores/pores.hpp"
+#include "pores/name_table.hpp"
+#include "pores/pore_balls.hpp"
 #include "pores/tied_balls.hpp"
 
 namespace hsp {
 
 class WayUp {
  public:
-  // near: how many balls may be around a piece of a curve.
-  void carve(Workspace &workspace, uint32_t near);
-  // The grid has the same balls, in the same order of the caller.
-  void prepare(const BallSet &balls, const CubeGrid &grid);
+  // near: how many balls may be around a way; of so many balls.
+  void carve(Workspace &workspace, uint32_t near, uint32_t balls);
+  void prepare(PoreBalls &balls);
 
-  // From a gate, all of whose balls are given, on the side where its three turn counter-clockwise or on the other one,
-  // to the name of a maximum, or to the outside. Status::capacity: near is too small. Status::range: balls of one
-  // question are too far apart. Status::check would mean that a point was neither a maximum nor left upwards.
-  Status climb(const CriticalPoint &gate, Span<const uint32_t> tied, bool other_side, uint32_t *name, bool &outside);
+  // Where a way ends.
+  struct End {
+    bool outside = false;
+    PointName name{};  // of a maximum
+    BoxShift shift{};  // which of its copies in a box
+  };
+  // From a gate, all of whose balls are given, on the side where its three turn counter-clockwise or on the other one.
+  // Status::capacity: near is too small. Status::range: balls of one question are too far apart. Status::check would
+  // mean that a point was neither a maximum nor left upwards.
+  Status climb(const CriticalPoint &gate, Span<const uint32_t> tied, Span<const SmallShift> shifts, bool other_side,
+               End &end);
 
-  uint32_t needed_near() const { return needed_near_; }
+  uint32_t needed_near() const { return larger_count(needed_near_, near_balls_.needed()); }
   uint64_t steps() const { return steps_; }
 
  private:
@@ -35,7 +41,7 @@ class WayUp {
     TangentCurve curve;
     int side = 0;
   };
-  bool leave_gate(const CriticalPoint &gate, int side, Way &way);
+  bool leave_gate(const TangentCurve &named, int side, Way &way);
   bool leave(Way &way);
   bool leave_in_plane(const TangentCurve &before, Way &way);
   bool is_open(const Way &way);
@@ -46,14 +52,15 @@ class WayUp {
   bool is_beyond_box(const CurveShape &shape, uint32_t base, double z) const;
   bool is_tied(uint32_t ball) const;
 
+  PoreBalls *all_ = nullptr;
+  NearBalls near_balls_;  // whose numbers are used here
   const BallSet *balls_ = nullptr;
-  const CubeGrid *grid_ = nullptr;
   Vec3 low_{}, high_{};
   double extent_ = 0.0;
+  Span<TangentLines> lines_;  // [1]
   TangentPoint point_;
-  FixedVector<uint32_t> tied_;
-  Span<uint32_t> near_;
-  uint32_t near_count_ = 0, needed_near_ = 0;
+  FixedVector<uint32_t> tied_, near_;
+  uint32_t needed_near_ = 0;
   uint64_t steps_ = 0;
   bool beyond_reach_ = false;
 };

@@ -34,6 +34,12 @@ class Windings {
   void reset(Span<const uint32_t> root, Span<const uint32_t> ball);
   // Ball i, in its place, meets ball j `shift` boxes away from its own.
   bool join(uint32_t i, uint32_t j, const BoxShift &shift);
+  // While they are joined: the lowest ball of a ball's set, and the lattice of a set by that.
+  uint32_t set_of(uint32_t ball) {
+    Offset ignored;
+    return find(ball, ignored);
+  }
+  const WindingLattice &lattice_of_set(uint32_t lowest) const { return lattice_[lowest]; }
   // Numbers the sets in the order of their first balls. Returns how many.
   uint32_t number();
 

@@ -53,16 +53,16 @@ TEST(CriticalPoints, ACubeThatTies) {
   const FoundPoints found(balls, 0);
   ASSERT_EQ(found.status(), hsp::Status::ok);
   ASSERT_EQ(found.points().maxima().size(), 1U);
-  const hsp::CriticalPoint &middle = found.points().maxima()[0];
+  const hsp::CriticalPoint &middle = found.points().maxima()[0].point;
   EXPECT_EQ(middle.tied, 8U);
-  EXPECT_NEAR(middle.level, 500.0 * std::sqrt(3.0) - 300.0, 1e-9);
+  EXPECT_NEAR(middle.level, 500.0 * std::sqrt(3.0) - 300.0, 1e-6);
   EXPECT_NEAR(middle.place.x, 500.0, 1e-9);
   EXPECT_EQ(found.points().tied().size(), 8U + 6 * 4);
   ASSERT_EQ(found.points().gates().size(), 6U);
-  for (const hsp::CriticalPoint &gate : found.points().gates().items()) {
-    EXPECT_EQ(gate.tied, 4U);
-    EXPECT_EQ(gate.ball[3], no_id);
-    EXPECT_NEAR(gate.level, 500.0 * std::sqrt(2.0) - 300.0, 1e-9);
+  for (const hsp::PoreGate &gate : found.points().gates().items()) {
+    EXPECT_EQ(gate.point.tied, 4U);
+    EXPECT_EQ(gate.point.ball[3], no_id);
+    EXPECT_NEAR(gate.point.level, 500.0 * std::sqrt(2.0) - 300.0, 1e-6);
   }
 }
 

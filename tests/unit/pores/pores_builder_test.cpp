@@ -164,15 +164,17 @@ TEST(PoresBuilder, FewBalls) {
   EXPECT_EQ(BuiltPores(acute).gates().size(), 1U);
 }
 
+constexpr uint32_t hsp::PoreLimits::*all_limits[] = {&hsp::PoreLimits::balls,      &hsp::PoreLimits::maxima,
+                                                     &hsp::PoreLimits::gates,      &hsp::PoreLimits::tied,
+                                                     &hsp::PoreLimits::candidates, &hsp::PoreLimits::near};
+
 TEST(PoresBuilder, EveryLimitIsReportedAndTakenBack) {
   oracle::Balls balls;
   for (int k = 0; k < 8; ++k) balls.push_back({(k & 1) * 1000, (k >> 1 & 1) * 1000, (k >> 2) * 1000, 300});
   BuiltPores whole(balls);
   ASSERT_EQ(whole.status(), hsp::Status::ok);
   const auto gates = whole.gates().size();
-  for (uint32_t hsp::PoreLimits::*limit :
-       {&hsp::PoreLimits::balls, &hsp::PoreLimits::maxima, &hsp::PoreLimits::gates, &hsp::PoreLimits::tied,
-        &hsp::PoreLimits::candidates, &hsp::PoreLimits::near}) {
+  for (uint32_t hsp::PoreLimits::*limit : all_limits) {
     hsp::PoreLimits limits = whole.limits();
     limits.*limit = 0;
     hsp::Status status = whole.build(limits, BuiltPores::lowest(balls));
@@ -184,6 +186,31 @@ TEST(PoresBuilder, EveryLimitIsReportedAndTakenBack) {
     }
     EXPECT_EQ(status, hsp::Status::ok);
     EXPECT_EQ(whole.gates().size(), gates);
+  }
+}
+
+// What was needed suffices, and one less of any of it does not.
+TEST(PoresBuilder, WhatWasNeededIsNoMoreThanThat) {
+  oracle::RandomSource random(8);
+  for (int turn = 0; turn < 6; ++turn) {
+    const oracle::Balls balls = turn == 0       ? pore_sets::cage(random, 1, 1e6)
+                                : turn % 2 == 0 ? pore_sets::tied_set(random, 14, turn / 2)
+                                                : pore_sets::general_set(random, 60, turn);
+    const int64_t floor = BuiltPores::lowest(balls);
+    BuiltPores whole(balls);
+    ASSERT_EQ(whole.status(), hsp::Status::ok);
+    const hsp::PoreLimits needed = whole.builder().needed();
+    ASSERT_EQ(whole.build(needed, floor), hsp::Status::ok);
+    for (uint32_t hsp::PoreLimits::*limit : all_limits) {
+      ASSERT_EQ(whole.builder().needed().*limit, needed.*limit);
+    }
+    for (uint32_t hsp::PoreLimits::*limit : all_limits) {
+      if (needed.*limit == 0) continue;
+      hsp::PoreLimits less = needed;
+      --(less.*limit);
+      ASSERT_EQ(whole.build(less, floor), hsp::Status::capacity);
+      ASSERT_GT(whole.builder().retry_limits().*limit, less.*limit);
+    }
   }
 }
 

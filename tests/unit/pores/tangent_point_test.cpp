@@ -17,6 +17,8 @@ using oracle::cross;
 using oracle::dot;
 using oracle::Int128;
 
+hsp::TangentLines lines;
+
 oracle::Vector minus(const oracle::Vector &a, const oracle::Vector &b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
@@ -28,7 +30,7 @@ Int128 volume(const oracle::Vector &a, const oracle::Vector &b, const oracle::Ve
 bool at_point(const hsp::BallSet &balls, const TiedSet &set, const TangentCurve &curve, uint32_t last,
               TangentPoint &found) {
   for (const bool rising : {false, true}) {
-    TangentPoint point;
+    TangentPoint point(lines);
     if (!point.find(balls, curve, last, rising)) continue;
     hsp::Vec3 place{};
     double level = 0.0;
@@ -83,11 +85,11 @@ void check_beside(const TiedSet &set, const TangentCurve &curve, uint32_t last) 
     }
     if (!fits) continue;
     const PlainBallSet balls(more.balls);
-    TangentPoint point;
+    TangentPoint point(lines);
     ASSERT_TRUE(at_point(balls.set(), set, curve, last, point));
     ASSERT_EQ(point.nearness(n - 1), -step);
     // As seen from the other ball: the point of the set with it is above or below by less than both.
-    TangentPoint other;
+    TangentPoint other(lines);
     if (!other.find(balls.set(), curve, n - 1, false)) continue;
     const int order = point.compare_levels(other);
     ASSERT_EQ(order, -other.compare_levels(point));
@@ -114,7 +116,7 @@ TEST(TangentPoint, SetsThatTieAtALatticePoint) {
     ASSERT_FALSE(hsp::are_collinear(balls, 0, 1, 2));
     ASSERT_EQ(hsp::are_coplanar(balls, 0, 1, 2, 3), volume(u, v, z) == 0);
     const TangentCurve curve{0, 1, 2};
-    TangentPoint point;
+    TangentPoint point(lines);
     if (at_point(balls, set, curve, 3, point)) {
       ++seen.points;
       seen.flat += volume(u, v, z) == 0 ? 1 : 0;
@@ -158,7 +160,7 @@ TEST(TangentPoint, OrderOfLevels) {
     }
     b.point[0] += 20000;
     const PlainBallSet balls(all);
-    TangentPoint p, q;
+    TangentPoint p(lines), q(lines);
     if (!at_point(balls.set(), a, {0, 1, 2}, 3, p) || !at_point(balls.set(), b, {4, 5, 6}, 7, q)) continue;
     const int expected = a.level < b.level ? -1 : a.level > b.level ? 1 : 0;
     ASSERT_EQ(p.compare_levels(q), expected);
@@ -180,7 +182,7 @@ TEST(TangentPoint, DepartureAlongCurves) {
     const PlainBallSet plain(set.balls);
     const hsp::BallSet &balls = plain.set();
     const TangentCurve curve{0, 1, 2};
-    TangentPoint point;
+    TangentPoint point(lines);
     if (hsp::are_collinear(balls, 0, 1, 2) || !at_point(balls, set, curve, 3, point)) continue;
     const int side = point.side_of_curve(curve);
     if (side == 0) continue;
@@ -207,9 +209,9 @@ TEST(TangentPoint, BallsTooFarApartAreReported) {
   const int64_t far = INT64_C(1) << 40;
   // Four centres in one plane and a fifth one off it by a hair: doubles know nothing.
   const PlainBallSet balls({{0, 0, 0, 10}, {far, 0, 0, 10}, {0, far, 0, 10}, {far, far, 0, 10}});
-  TangentPoint point;
+  TangentPoint point(lines);
   EXPECT_FALSE(point.find(balls.set(), {0, 1, 2}, 3, false) && point.nearness(3) != 0);
-  TangentPoint centre;
+  TangentPoint centre(lines);
   ASSERT_TRUE(centre.find(balls.set(), {0, 1, 2}, no_id, false));
   EXPECT_EQ(centre.nearness(3), 0);
   EXPECT_TRUE(centre.beyond_reach());

@@ -18,6 +18,8 @@ using oracle::dot;
 using oracle::Int128;
 using oracle::Vector;
 
+hsp::TangentLines lines;
+
 Int128 volume(const Vector &a, const Vector &b, const Vector &c) {
   return dot(cross(a, b), c);
 }
@@ -89,7 +91,7 @@ TEST(TiedBalls, KindsAndNames) {
           if (hsp::are_collinear(balls, i, j, k)) continue;
           for (uint32_t l = k + 1; l <= n && !found; ++l) {
             for (const bool rising : {false, true}) {
-              TangentPoint point;
+              TangentPoint point(lines);
               if (!point.find(balls, {i, j, k}, l == n ? no_id : l, rising)) continue;
               const hsp::Vec3 at = point.place_estimate();
               if (point.place_error() > 1e-3 || std::fabs(at.x - static_cast<double>(set.point[0])) > 0.1 ||
@@ -105,7 +107,7 @@ TEST(TiedBalls, KindsAndNames) {
               uint32_t name[4] = {no_id, no_id, no_id, no_id};
               hsp::name_of(balls, point, tied, kind, name);
               // It names the point: that root of its balls with W' < 0.
-              TangentPoint named;
+              TangentPoint named(lines);
               ASSERT_TRUE(named.find(balls, {name[0], name[1], name[2]}, name[3], false));
               ASSERT_EQ(named.compare_levels(point), 0);
               for (uint32_t m = 0; m < n; ++m) ASSERT_EQ(named.nearness(m), 0);
@@ -128,7 +130,7 @@ TEST(TiedBalls, AnOctahedronIsAMaximum) {
   const PlainBallSet plain(
       {{-100, 0, 0, 10}, {0, -100, 0, 10}, {0, 0, -100, 10}, {0, 0, 100, 10}, {0, 100, 0, 10}, {100, 0, 0, 10}});
   const hsp::BallSet &balls = plain.set();
-  TangentPoint point;
+  TangentPoint point(lines);
   ASSERT_TRUE(point.find(balls, {0, 1, 2}, 5, false));
   const uint32_t all[6] = {0, 1, 2, 3, 4, 5};
   for (const uint32_t ball : all) EXPECT_EQ(point.nearness(ball), 0);
@@ -151,7 +153,7 @@ TEST(TiedBalls, CornersAndSidesBelongToSimplices) {
   // The point is the middle of 0 and 5, and of 1 and 4.
   const PlainBallSet plain(
       {{-100, 0, 0, 10}, {0, -100, 0, 10}, {0, 0, -100, 10}, {0, 0, 100, 10}, {0, 100, 0, 10}, {100, 0, 0, 10}});
-  TangentPoint point;
+  TangentPoint point(lines);
   ASSERT_TRUE(point.find(plain.set(), {0, 1, 2}, 5, false));
   bool on_side = false;
   EXPECT_TRUE(hsp::is_in_triangle(point, 0, 1, 5, on_side));

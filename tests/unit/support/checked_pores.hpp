@@ -22,22 +22,33 @@ struct Seen {
 class FoundPoints {
  public:
   FoundPoints(const oracle::Balls &outer, int64_t floor) : FoundPoints(outer, floor, roomy(outer)) {}
-  FoundPoints(const oracle::Balls &outer, int64_t floor, const hsp::CriticalLimits &limits) : balls_(outer) {
+  FoundPoints(const oracle::Balls &outer, int64_t floor, const hsp::CriticalLimits &limits)
+      : grid_(BuiltPores::listed(outer)) {
+    const auto n = static_cast<uint32_t>(outer.size());
+    ball_memory_.carve(balls_, n, n);
     memory_.carve(points_, limits);
-    status_ = points_.find(balls_.set(), floor);
+    status_ = balls_.take(grid_.grid());
+    if (status_ == hsp::Status::ok) status_ = points_.find(balls_, floor);
   }
   static hsp::CriticalLimits roomy(const oracle::Balls &balls) {
     const auto n = static_cast<uint32_t>(balls.size());
     return {n, 40 * n + 200, 80 * n + 200, 4000, 200 * n + 4000, n + 8};
   }
   hsp::Status status() const { return status_; }
-  hsp::CriticalPoints &points() { return points_; }
   const hsp::CriticalPoints &points() const { return points_; }
-  const hsp::BallSet &balls() const { return balls_.set(); }
+  // The first `count` balls of a point in ascending order of the oracle.
+  template <size_t count>
+  std::array<uint32_t, count> balls_of(const hsp::CriticalPoint &point) const {
+    std::array<uint32_t, count> balls{};
+    for (size_t k = 0; k < count; ++k) balls[k] = balls_.callers(point.ball[k]);
+    std::sort(balls.begin(), balls.end());
+    return balls;
+  }
 
  private:
-  PlainBallSet balls_;
-  CarvedMemory memory_;
+  BuiltGrid grid_;
+  CarvedMemory ball_memory_, memory_;
+  hsp::PoreBalls balls_;
   hsp::CriticalPoints points_;
   hsp::Status status_ = hsp::Status::ok;
 };
@@ -65,11 +76,11 @@ inline void compare_with_all_sets(oracle::RandomSource &random, int kind, Seen &
   const FoundPoints found(outer, BuiltPores::lowest(outer));
   ASSERT_EQ(found.status(), hsp::Status::ok);
   oracle::CriticalSets ours;
-  for (const hsp::CriticalPoint &gate : found.points().gates().items()) {
-    ASSERT_TRUE(ours.gates.insert({gate.ball[0], gate.ball[1], gate.ball[2]}).second);
+  for (const hsp::PoreGate &gate : found.points().gates().items()) {
+    ASSERT_TRUE(ours.gates.insert(found.balls_of<3>(gate.point)).second);
   }
-  for (const hsp::CriticalPoint &top : found.points().maxima().items()) {
-    ASSERT_TRUE(ours.maxima.insert({top.ball[0], top.ball[1], top.ball[2], top.ball[3]}).second);
+  for (const hsp::PoreMaximum &top : found.points().maxima().items()) {
+    ASSERT_TRUE(ours.maxima.insert(found.balls_of<4>(top.point)).second);
   }
   ASSERT_EQ(ours.gates, expected.gates) << oracle::to_text(outer);
   ASSERT_EQ(ours.maxima, expected.maxima) << oracle::to_text(outer);

@@ -1,0 +1,138 @@
+#include "pores/pore_balls.hpp"
+
+#include "core/sorting.hpp"
+
+namespace hsp {
+namespace {
+
+bool is_inside(const exact::LatticeBall &inner, const exact::LatticeBall &outer) {
+  const int64_t room = outer.radius - inner.radius;
+  const int64_t x = inner.centre.x - outer.centre.x, y = inner.centre.y - outer.centre.y,
+                z = inner.centre.z - outer.centre.z;
+  if (x > room || y > room || z > room || -x > room || -y > room || -z > room) return false;
+  const int64_t squared = x * x + y * y + z * z;
+  if (squared == 0 && room == 0) return exact::ranks_before(outer, inner);
+  return squared <= room * room;
+}
+
+}  // namespace
+
+void PoreBalls::carve(Workspace &workspace, uint32_t balls, uint32_t near) {
+  set_.carve(workspace, balls);
+  grid_.carve(workspace, balls);
+  callers_ = workspace.take<uint32_t>(balls);
+  ball_of_ = workspace.take<uint32_t>(balls);
+  shift_of_ = workspace.take<SmallShift>(balls);
+  near_ = workspace.take<uint32_t>(near);
+}
+
+Status PoreBalls::take(const CubeGrid &grid) {
+  const BallSet &all = grid.balls();
+  box_ = nullptr;
+  needed_near_ = own_ = set_.n = 0;
+  needed_balls_ = all.n;
+  if (all.n > callers_.size()) return Status::capacity;
+  for (uint32_t i = 0; i < all.n; ++i) set_.store(all.caller[i], all.ball(i));
+  set_.largest_radius = all.largest_radius;
+  set_.n = all.n;
+  return keep_outer();
+}
+
+Status PoreBalls::take(const PeriodicImages &images) {
+  box_ = &images.box();
+  needed_near_ = own_ = set_.n = 0;
+  needed_balls_ = images.balls();
+  if (images.balls() > callers_.size()) return Status::capacity;
+  for (uint32_t i = 0; i < images.balls(); ++i) set_.store(i, images.in_steps().ball(i));
+  set_.largest_radius = images.largest_radius();
+  set_.n = images.balls();
+  const double a = to_double(box_->translation({{1, 0, 0}})).x, b = to_double(box_->translation({{0, 1, 0}})).y,
+               c = to_double(box_->translation({{0, 0, 1}})).z;
+  const double diagonal = std::sqrt(a * a + b * b + c * c);
+  longest_reach_ = static_cast<int64_t>(0.75 * diagonal) + 64;
+  if (diagonal > 200.0 * static_cast<double>(box_->shortest_side())) return Status::range;
+  return keep_outer();
+}
+
+// Balls inside another one are nowhere nearest. The others in order of positions, so that nothing depends on the order
+// in which they are given.
+Status PoreBalls::keep_outer() {
+  grid_.build(set_, set_.n);
+  uint32_t count = 0;
+  for (uint32_t i = 0; i < set_.n; ++i) {
+    const exact::LatticeBall ball = set_.ball(i);
+    bool hidden = false;
+    const bool room = visit_near({ball.centre, ball.radius}, [&](uint32_t other, const BoxShift &shift) {
+      hidden = hidden || (!(other == i && shift.is_zero()) && is_inside(ball, image(other, shift)));
+    });
+    if (!room) return Status::capacity;
+    if (!hidden) callers_[count++] = i;
+  }
+  sort_in_place(callers_.part(0, count), [&](uint32_t a, uint32_t b) { return set_.ranks_before(a, b); });
+  // The grid has all balls, too.
+  const BallSet &all = grid_.balls();
+  for (uint32_t k = 0; k < count; ++k) {
+    exact::LatticeBall ball = all.ball(grid_.grid_index(callers_[k]));
+    ball.index = k;
+    set_.store(k, ball);
+  }
+  own_ = set_.n = count;
+  grid_.build(set_, count);
+  return Status::ok;
+}
+
+Status PoreBalls::surround(int64_t reach) {
+  uint64_t count = own_;
+  for (uint32_t i = 0; i < own_; ++i) {
+    const exact::LatticeBall ball = set_.ball(i);
+    box_->visit_images(ball.centre, reach, [&](const BoxShift &shift) {
+      if (count < callers_.size()) {
+        const auto k = static_cast<uint32_t>(count);
+        ball_of_[k - own_] = i;
+        shift_of_[k - own_] = SmallShift::of(shift);
+        exact::LatticeBall moved = image(i, shift);
+        moved.index = k;
+        set_.store(k, moved);
+      }
+      ++count;
+    });
+  }
+  needed_balls_ = larger_count(needed_balls_, clamped_count(count));
+  set_.n = count > callers_.size() ? own_ : static_cast<uint32_t>(count);
+  return set_.n == count ? Status::ok : Status::capacity;
+}
+
+void NearBalls::carve(Workspace &workspace, uint32_t room, uint32_t balls) {
+  set_.carve(workspace, room);
+  shift_ = workspace.take<BoxShift>(room);
+  before_ = workspace.take<uint32_t>(room);
+  last_ = workspace.take<uint32_t>(balls);
+}
+
+void NearBalls::reset(const PoreBalls &balls) {
+  balls_ = &balls;
+  needed_ = set_.n = 0;
+  for (uint32_t k = 0; k < balls.own(); ++k) last_[k] = 0;
+  set_.largest_radius = balls.set().largest_radius;
+}
+
+uint32_t NearBalls::add(uint32_t ball, const BoxShift &shift) {
+  const uint32_t last = last_[ball];
+  const bool known = last < set_.n && set_.caller[last] == ball;
+  for (uint32_t k = known ? last : no_id; k != no_id; k = before_[k]) {
+    if (shift_[k] == shift) return k;
+  }
+  const uint32_t k = set_.n;
+  needed_ = larger_count(needed_, k + 1);
+  if (k == shift_.size()) return no_id;
+  exact::LatticeBall image = balls_->image(ball, shift);
+  image.index = ball;
+  ++set_.n;
+  set_.store(k, image);
+  shift_[k] = shift;
+  before_[k] = known ? last : no_id;
+  last_[ball] = k;
+  return k;
+}
+
+}  // namespace hsp
