@@ -79,7 +79,7 @@ HSP_API int32_t hsp_boundary_gradient_range(const hsp_boundary *boundary, const 
  *  - Property 1: with whatever ranges, d_centre, d_radius, flags and energy are those of hsp_boundary_gradient, bit for
  *    bit.
  *
- *  Cost: O(n), little of it.
+ *  Cost: O(n), far less than the gradient.
  *  @retval HSP_E_ARGUMENT    boundary is NULL; energy is given and shares is NULL
  *  @retval HSP_E_STATE       nothing computed, or the model has changed since
  *  @retval HSP_E_NOT_FINITE  tension or pressure is NaN or infinite */

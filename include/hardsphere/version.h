@@ -8,8 +8,8 @@
  *              every machine; it is raised with the first release in which a last bit of any result may differ.
  * A program may run with a library if
  *   hsp_abi() == HSP_ABI_NUMBER && hsp_version() >= HSP_VERSION_NUMBER
- * and with hsp_numerics() == HSP_NUMERICS_NUMBER, too, it gets the bits that it was tested with. What may change
- * with which number: capi/abi/README.md. */
+ * and with hsp_numerics() == HSP_NUMERICS_NUMBER, too, it gets the bits that it was tested with.
+ * capi/abi/README.md says what may change with which number. */
 #ifndef HARDSPHERE_VERSION_H
 #define HARDSPHERE_VERSION_H
 
