@@ -1,9 +1,9 @@
 /* hardsphere: exact geometry of unions of balls (molecules), for C, C++ and Fortran.
  *
- * A molecule is n balls. Exactly, and without allocating memory, the library answers what stands here. Each header can
- * be included on its own; this is the order to read them in. What is common to all of them stands below.
+ * A molecule is n balls. The library answers these questions about it, exactly and without allocating memory. Each
+ * header can be included on its own; this is the order to read them in. Below is what all of them have in common.
  *   hardsphere/version.h    the version of the header and of the library
- *   hardsphere/status.h     what functions return
+ *   hardsphere/status.h     the statuses that functions return
  *   hardsphere/executor.h   threads of the caller's own
  *   hardsphere/element.h    elements by symbol, and their radii
  *   hardsphere/residue.h    radii by the names of residues and atoms
@@ -21,17 +21,29 @@
  *   hardsphere/surface.h    the smooth surface that a probe leaves, its area and volume (Section 4.3)
  *   hardsphere/mesh.h       boundary or smooth surface as triangles
  *   hardsphere/topology.h   the boundary as quad-edges with simple faces, shells, cells, point location (Step 3)
- *   hardsphere/cells.h      what no ball covers as simple cells, their neighbours, point location (Section 2)
+ *   hardsphere/cells.h      free space as simple cells, their neighbours, point location (Section 2)
  *   hardsphere/paths.h      how a probe gets from one point to another, and how wide one may be (Section 2)
  *   hardsphere/view.h       pieces in painter's order as true arcs (Section 5.1)
- *   hardsphere/map.h        what is seen as faces, edges and vertices of the view plane (Section 5.2)
+ *   hardsphere/map.h        the visibility map: faces, edges and vertices of the view plane (Section 5.2)
  *   hardsphere/sticks.h     balls and sticks in an order to paint them
  *   hardsphere/picture.h    a view, a map, or balls and sticks as SVG, EPS or PDF
  * The paper is Halperin and Overmars, "Spheres, Molecules, and Hidden Surface Removal", UU-CS-1994-36.
  *
+ * WORDS
+ *   probe        a ball that rolls over the others; its radius is added to all radii
+ *   free         in no other ball
+ *   vertex       a free point of three spheres
+ *   arc, circle  a free part of the circle in which two spheres meet, between two vertices, or all of it
+ *   face         a connected free part of one sphere
+ *   boundary     all faces together: the boundary of the union of the balls
+ *   shell        a connected component of the boundary
+ *   component    a connected component of the union
+ *   cell, void   a connected component of the rest of space; a void is one that the union encloses
+ *   degenerate   in a special position, as balls that touch or four spheres through a point; a tie is a decision there
+ *
  * TIERS
  *   Each header says at its head which of two tiers it is of. Stable are those of the union of balls and its numbers:
- *   version, status, element, model, query, boundary, measure, gradient, contacts, topology. From version 1.0 on they
+ *   version, status, executor, element, model, query, boundary, measure, gradient, contacts, topology. From 1.0 on they
  *   stay as they are, and are only added to; HSP_ABI_NUMBER is theirs. All others are provisional: what stands there
  *   may change with any minor version, with a line in the changelog and HSP_PROVISIONAL_NUMBER (version.h). Results are
  *   as well tested in either.
@@ -103,21 +115,21 @@
  *   no handle any more are refused with HSP_E_HANDLE, also where a language has one type for all pointers.
  *
  * RESULTS
- *   What was computed from a model or a boundary looks there when it is read, so that these must outlive it. It can be
+ *   A result of a model or a boundary looks there when it is read, so that these must outlive it. It can be
  *   read while that handle, in the same place, holds the same: a model the same balls in the same order on the same
  *   lattice, with the same probe and largest radius; a boundary the results of such a model. Else reading it yields
  *   HSP_E_STATE. So nothing has to be done about results when hsp_X_init makes a handle again where it is, and those of
  *   balls that are taken once more can be read once more.
  *   Whether balls are the same is decided by 64 bits made of all that is known of them. Others have the same bits by
  *   accident with a probability of the order of 2^-64, or if somebody made them to.
- *   What was computed from a handle whose memory was given back, or is used for something else, must not be read any
+ *   A result of a handle whose memory was given back, or is used for something else, must not be read any
  *   more: the library cannot know. hsp_X_compute with NULL for the model or boundary drops results.
  *
  * LIMITS
  *   All handles but models take in what some numbers allow, which fix their memory. hsp_X_compute hands such limits
  *   back, if its argument of that name is not NULL. Their struct_size has to be set, which hsp_X_limits_init does.
  *   On HSP_E_CAPACITY they are limits to retry with: none is smaller than the handle's own, and one at least is larger.
- *   What is not known yet stays as it was, so that a few retries may be necessary. On HSP_OK they are what was needed,
+ *   A limit not known yet stays as it was, so that a few retries may be necessary. On HSP_OK they are what was needed,
  *   exactly. On any other status they stay as they are. So memory grows until it suffices in three lines:
  *     while ((status = hsp_X_compute(x, ..., &limits)) == HSP_E_CAPACITY) {
  *       hsp_X_bytes(&limits, &bytes);
@@ -132,8 +144,8 @@
  *   HSP_E_VERSION, as it is with a bad struct_size: a smaller one that no version of the struct had, or a larger one
  *   above 1024 or no multiple of 4. Of a struct that is written, such a part stays or becomes zeros; nothing is written
  *   beyond struct_size.
- *   All other structs are frozen: they stay as they are as long as the number of their header's tier does. What is
- *   added comes as structs and functions of their own.
+ *   All other structs are frozen: they stay as they are as long as the number of their header's tier does. Additions
+ *   come as structs and functions of their own.
  *
  * OUTPUT ARRAYS
  *   Where a function takes (T *out, uint32_t capacity, uint32_t *needed): *needed is set to the number of records there

@@ -503,7 +503,7 @@ static inline int32_t hsp_workspace_cells(hsp_workspace *work) {
 /* ---- paths.h */
 
 /** Find a path from one point to another, both [3], through the free space of the model; arguments and statuses as
- *  hsp_paths_find. What only depends on the model is computed the first time. */
+ *  hsp_paths_find. Parts that depend on the model alone are computed the first time. */
 static inline int32_t hsp_workspace_path(hsp_workspace *work, const double *from, const double *to, hsp_path *path) {
   int32_t status = hsp_workspace_ready_paths(work);
   hsp_paths_limits limits = work->paths_limits;

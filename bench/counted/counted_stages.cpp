@@ -40,7 +40,7 @@ using bench::Surface;
 
 constexpr bench::Direction towards = {0.36, -0.48, 0.8};
 
-// What it costs is told for each of n.
+// The cost is printed for each of n.
 void count_each(const char *stage, const bench::Balls &balls, const Surface &surface, uint32_t n,
                 const std::function<void()> &run) {
   bench::settle_branch_predictor();

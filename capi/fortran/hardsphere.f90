@@ -48,7 +48,7 @@ module hardsphere
   ! The bits of the results that the library of this header gives.
   integer(c_int32_t), parameter :: HSP_NUMERICS_NUMBER = 2_c_int32_t
 
-  ! ---- status.h: what functions return -------------------------------------------------------------------------------
+  ! ---- status.h: the statuses that functions return ------------------------------------------------------------------
 
   integer(c_int32_t), parameter :: HSP_OK = 0_c_int32_t  ! success
   ! a null pointer, an unknown option, or a value that is not allowed there
@@ -110,7 +110,7 @@ module hardsphere
 
   ! ---- query.h: which balls contain a point, meet a ball, or meet each other (Section 3) -----------------------------
 
-  ! Each pair of balls i < j stands once, as j in the row of i. Without this flag it stands in the rows of both.
+  ! Each pair of balls i < j is listed once, as j in the row of i. Without this flag it is in the rows of both.
   integer(c_int32_t), parameter :: HSP_PAIRS_ONCE = 1_c_int32_t
 
   ! ---- boundary.h: the boundary of the union: vertices, arcs, circles, faces (Section 4.2, Steps 1 and 2) ------------
@@ -182,7 +182,7 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_SHELL_OUTER = 0_c_int32_t  ! bounds its component from outside
   integer(c_int32_t), parameter :: HSP_SHELL_VOID = 1_c_int32_t  ! bounds a void inside its component
 
-  ! ---- cells.h: what no ball covers as simple cells, their neighbours, point location (Section 2) --------------------
+  ! ---- cells.h: free space as simple cells, their neighbours, point location (Section 2) -----------------------------
 
   integer(c_int32_t), parameter :: HSP_CELL_RUN = 0_c_int32_t  ! cubes that no ball meets
   ! a free part of the power cell of a ball that meets that power cell
@@ -205,7 +205,7 @@ module hardsphere
   ! which changes nothing that is seen, and pieces outside farther balls are cut by the remaining balls only.
   integer(c_int32_t), parameter :: HSP_VIEW_ALL_BALLS = 1_c_int32_t
 
-  ! ---- map.h: what is seen as faces, edges and vertices of the view plane (Section 5.2) ------------------------------
+  ! ---- map.h: the visibility map: faces, edges and vertices of the view plane (Section 5.2) --------------------------
 
   integer(c_int32_t), parameter :: HSP_MAP_PLAIN = 0_c_int32_t  ! on a closed curve without other vertices
   integer(c_int32_t), parameter :: HSP_MAP_TRIPLE = 1_c_int32_t  ! where three creases meet
@@ -903,7 +903,7 @@ module hardsphere
     integer(c_int32_t) :: reserved         ! 0
   end type
 
-  ! ---- cells.h: what no ball covers as simple cells, their neighbours, point location (Section 2) --------------------
+  ! ---- cells.h: free space as simple cells, their neighbours, point location (Section 2) -----------------------------
 
   type, bind(C) :: hsp_cells_limits
     integer(c_int32_t) :: struct_size = 40_c_int32_t  ! sizeof(hsp_cells_limits)
@@ -1070,7 +1070,7 @@ module hardsphere
     integer(c_int32_t) :: other_ball
   end type
 
-  ! ---- map.h: what is seen as faces, edges and vertices of the view plane (Section 5.2) ------------------------------
+  ! ---- map.h: the visibility map: faces, edges and vertices of the view plane (Section 5.2) --------------------------
 
   type, bind(C) :: hsp_map_limits
     integer(c_int32_t) :: struct_size = 16_c_int32_t  ! sizeof(hsp_map_limits)
@@ -1277,7 +1277,7 @@ module hardsphere
       integer(c_int32_t) :: found
     end function
 
-    ! ---- status.h: what functions return -----------------------------------------------------------------------------
+    ! ---- status.h: the statuses that functions return ----------------------------------------------------------------
 
     ! A pointer to C characters; hsp_status_message below returns the same as a Fortran string.
     function hsp_status_text(status) result(text) bind(C, name="hsp_status_text")
@@ -2892,7 +2892,7 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    ! ---- cells.h: what no ball covers as simple cells, their neighbours, point location (Section 2) ------------------
+    ! ---- cells.h: free space as simple cells, their neighbours, point location (Section 2) ---------------------------
 
     function hsp_cells_limits_init(limits, struct_size, balls) result(status) bind(C, name="hsp_cells_limits_init")
       import :: c_int32_t, hsp_cells_limits
@@ -3171,7 +3171,7 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    ! ---- map.h: what is seen as faces, edges and vertices of the view plane (Section 5.2) ----------------------------
+    ! ---- map.h: the visibility map: faces, edges and vertices of the view plane (Section 5.2) ------------------------
 
     function hsp_map_limits_init(limits, struct_size, balls) result(status) bind(C, name="hsp_map_limits_init")
       import :: c_int32_t, hsp_map_limits
@@ -3739,7 +3739,7 @@ contains
       + 112_c_size_t*int(edges, c_size_t) + 96_c_size_t*int(cut_arcs, c_size_t)
   end function
 
-  ! ---- cells.h: what no ball covers as simple cells, their neighbours, point location (Section 2) --------------------
+  ! ---- cells.h: free space as simple cells, their neighbours, point location (Section 2) -----------------------------
 
   !> HSP_CELLS_BYTES of the header, for the size of an allocation.
   pure function hsp_cells_bytes_bound(cubes, entries, cells, adjacencies, landmarks, facets, corners, cube_balls, &
@@ -3790,7 +3790,7 @@ contains
       + 64_c_size_t*int(arcs, c_size_t)
   end function
 
-  ! ---- map.h: what is seen as faces, edges and vertices of the view plane (Section 5.2) ------------------------------
+  ! ---- map.h: the visibility map: faces, edges and vertices of the view plane (Section 5.2) --------------------------
 
   !> HSP_MAP_BYTES of the header, for the size of an allocation.
   pure function hsp_map_bytes_bound(balls, neighbours, edges) result(bytes)

@@ -59,7 +59,7 @@ HSP_API int32_t hsp_boundary_bytes(const hsp_boundary_limits *limits, size_t *by
 #define HSP_BOUNDARY_BYTES(balls, neighbours, vertices, circles)                      \
   ((size_t)5120 + (size_t)64 * (size_t)(balls) + (size_t)256 * (size_t)(neighbours) + \
    (size_t)160 * (size_t)(vertices) + (size_t)80 * (size_t)(circles))
-/** What every worker but the first adds to it at most. */
+/** Bytes that every worker but the first adds to it at most. */
 #define HSP_WORKER_BYTES(balls, neighbours, vertices, circles)                         \
   ((size_t)13312 + (size_t)16 * (size_t)(balls) + (size_t)416 * (size_t)(neighbours) + \
    (size_t)16 * (size_t)(vertices) + (size_t)16 * (size_t)(circles))
@@ -253,7 +253,7 @@ HSP_API int32_t hsp_boundary_get_loop_arcs(const hsp_boundary *boundary, hsp_loo
 
 #define HSP_BALL_CONTAINED UINT32_C(1) /**< the ball lies inside one other ball */
 
-/** What the boundary has of a ball. Frozen. */
+/** A ball as the boundary has it. Frozen. */
 typedef struct hsp_ball {
   uint32_t faces;      /**< number of its faces; 0: the ball is buried */
   uint32_t first_face; /**< id of the first of them, HSP_NONE if there is none */

@@ -4,8 +4,8 @@
  *
  * Space is cut by the cubes of the grid, whose side is twice the largest radius. In a cube that balls meet every point
  * belongs to the ball to which it has the least power, its squared distance from the centre less the squared radius:
- * that makes a convex polytope for each ball, its power cell. What is outside the ball falls into free parts. Cubes
- * that no ball meets are taken together to runs along x, rows and layers of them.
+ * that makes a convex polytope for each ball, its power cell. The part of it outside the ball falls into free parts.
+ * Cubes that no ball meets are taken together to runs along x, rows and layers of them.
  *
  *   cell           a free part of a power cell, or a run: 0 .. cells - 1. Runs come first; cell 0 is the one below all
  *                  balls, which reaches to infinity

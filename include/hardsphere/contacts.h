@@ -127,7 +127,7 @@ HSP_API int32_t hsp_contacts_get_row(const hsp_contacts *contacts, uint32_t ball
 HSP_API int32_t hsp_contacts_measure(const hsp_contacts *contacts, hsp_totals *totals, double *cell_volume,
                                      double *contact_area, uint32_t capacity, uint32_t *needed);
 
-/** What two groups of balls have in contact. Frozen. */
+/** The contact of two groups of balls. Frozen. */
 typedef struct hsp_group_contact {
   double area;       /**< of all contacts between them */
   double edge;       /**< length of their borders on the surface of the union */

@@ -2,7 +2,7 @@
 #ifndef HARDSPHERE_EXPORT_H
 #define HARDSPHERE_EXPORT_H
 
-/* What stands before every function. Building the shared library defines HSP_BUILD_SHARED: the functions of this header
+/* The mark before every function. Building the shared library defines HSP_BUILD_SHARED: the functions of this header
  * are what it exports. Nothing has to be defined to use either library. */
 #ifndef HSP_API
 #ifdef HSP_BUILD_SHARED

@@ -37,7 +37,7 @@ typedef struct hsp_energy {
   double d_probe; /**< dE/d(probe) = sum of all dE/dr_i */
 } hsp_energy;
 
-/** What is asked: E = tension * sum_i sigma_i A_i + pressure * V. Zero means default in every field but the first. */
+/** The question: E = tension * sum_i sigma_i A_i + pressure * V. Zero means default in every field but the first. */
 typedef struct hsp_gradient_request {
   uint32_t struct_size;         /**< sizeof(hsp_gradient_request); hsp_gradient_request_init sets it */
   uint32_t tangency;            /**< one of HSP_TANGENT_* */
@@ -52,7 +52,7 @@ typedef struct hsp_gradient_request {
  *  @retval HSP_E_VERSION   struct_size is bad */
 HSP_API int32_t hsp_gradient_request_init(hsp_gradient_request *request, uint32_t struct_size);
 
-/** What is wanted, and where it goes. */
+/** The results that are wanted, and where they go. */
 typedef struct hsp_gradient_outputs {
   uint32_t struct_size; /**< sizeof(hsp_gradient_outputs) */
   uint32_t capacity;    /**< entries that each array [n] has room for */
@@ -128,7 +128,7 @@ HSP_API int32_t hsp_boundary_gradient_range(const hsp_boundary *boundary, const 
  *  - Property 1: with whatever ranges, d_centre, d_radius, flags and energy are those of hsp_boundary_gradient, bit for
  *    bit.
  *
- *  Cost: O(n), little of it.
+ *  Cost: O(n), far less than the gradient.
  *  @retval HSP_E_ARGUMENT    boundary is NULL; energy is given and shares is NULL
  *  @retval HSP_E_STATE       nothing computed, or the model has changed since
  *  @retval HSP_E_NOT_FINITE  tension or pressure is NaN or infinite */

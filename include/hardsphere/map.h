@@ -34,7 +34,7 @@
 extern "C" {
 #endif
 
-/** What is seen of the balls from one direction. */
+/** A map of the balls from one direction. */
 typedef struct hsp_map hsp_map;
 
 /** The limits that fix a map's memory. */
@@ -88,7 +88,7 @@ HSP_API int32_t hsp_map_init(void *memory, size_t bytes, const hsp_map_limits *l
 HSP_API int32_t hsp_map_compute(hsp_map *map, const hsp_model *model, const hsp_view_options *options,
                                 hsp_map_limits *limits);
 
-/** What the map shows, and where. Frozen. */
+/** Counts, box and frame of a map. Frozen. */
 typedef struct hsp_map_info {
   double origin[3];    /**< the point with view coordinates 0 0 0: the middle of the balls' centres, length */
   double right[3];     /**< unit vector: the x axis of the view coordinates */
@@ -219,14 +219,14 @@ HSP_API int32_t hsp_map_get_outline(const hsp_map *map, uint32_t ball, uint32_t 
 
 /* ---- questions --------------------------------------------------------------------------------------------------- */
 
-/** What is seen at a point of the view plane. Frozen. */
+/** The ball that is seen at a point of the view plane. Frozen. */
 typedef struct hsp_map_sight {
   double depth;  /**< z of the ball's front there, length; -infinity for the background */
   uint32_t ball; /**< the caller's index; HSP_NONE: the background */
   uint32_t face; /**< HSP_NONE if the point is so close to an edge that roundings decide */
 } hsp_map_sight;
 
-/** What is seen at (x, y), in view coordinates.
+/** The ball that is seen at (x, y), in view coordinates.
  *
  *  Cost: O(balls whose discs are near), and O(edges around the ball's faces) for the face.
  *  @retval HSP_E_ARGUMENT    a null pointer

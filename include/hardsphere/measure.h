@@ -20,7 +20,7 @@ typedef struct hsp_totals {
 } hsp_totals;
 
 /** Area and volume of the union, and of each ball, or those of some balls while the others only block.
- *  selected [n] holds one byte per ball, 0 or not 0; NULL selects all. What is not selected counts 0, and the rest is
+ *  selected [n] holds one byte per ball, 0 or not 0; NULL selects all. Other balls count 0, and the rest is
  *  the same bit for bit. totals may be NULL; area [n] and volume [n] may each be NULL, else capacity >= n; they are
  *  in the caller's order and do not overlap; needed may be NULL and else becomes n.
  *  area[i] is the free area of ball i. volume[i] is ball i's term of the divergence theorem,
@@ -50,7 +50,7 @@ HSP_API int32_t hsp_boundary_measure_range(const hsp_boundary *boundary, const u
 /** Make of such arrays, once all balls are in them, what hsp_boundary_measure writes; totals may be NULL.
  *  - Property 1: with whatever ranges, area, volume and totals are those of hsp_boundary_measure, bit for bit.
  *
- *  Cost: O(n), little of it.
+ *  Cost: O(n), far less than measuring.
  *  @retval HSP_E_ARGUMENT  boundary, area or volume is NULL
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_boundary_measure_end(const hsp_boundary *boundary, hsp_totals *totals, double *area,

@@ -88,7 +88,7 @@ HSP_API int32_t hsp_model_options_init(hsp_model_options *options, uint32_t stru
 HSP_API int32_t hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const double *radius,
                               const hsp_model_options *options, uint32_t *first_bad);
 
-/** What the model holds. Frozen. */
+/** A description of the model. Frozen. */
 typedef struct hsp_model_info {
   uint32_t balls;         /**< number of balls */
   uint32_t cubes;         /**< cubes of side 2 r_max that hold a centre (Section 3) */

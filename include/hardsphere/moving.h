@@ -11,15 +11,16 @@
  *   if (!accepted) hsp_moving_undo(moving);
  *
  * Areas, volume, an energy of them and its derivatives are known at all times. A move computes those balls again that
- * moved, that they met before, or that they meet now, and adds up totals along a fixed tree. What it costs does not
- * depend on how many other balls there are, but for the depth of that tree.
+ * moved, that they met before, or that they meet now, and adds up totals along a fixed tree. Its cost does not depend
+ * on how many other balls there are, but for the depth of that tree.
  *
  * SAME BITS   Every number is, bit for bit, what hsp_boundary_compute, hsp_boundary_measure and hsp_boundary_gradient
  * say of a new model of the balls as they are, whatever moves led there: one with the same lattice step, probe and
- * largest radius (hsp_model_options; hsp_moving_get_info tells them), or the one of hsp_moving_get_model. What only a
- * boundary has is to be computed from that model: ids of vertices, arcs and faces, shells, voids and all that follows.
+ * largest radius (hsp_model_options; hsp_moving_get_info tells them), or the one of hsp_moving_get_model. Results
+ * that only a boundary has are to be computed from that model: ids of vertices, arcs and faces, shells, voids and all
+ * that follows.
  *
- * WHAT IS REFUSED   The lattice is that of the model, and so is the largest radius: twice of it is the side of the
+ * REFUSED   The lattice is that of the model, and so is the largest radius: twice of it is the side of the
  * cubes in which balls are looked up. A move of a ball beyond the lattice, or to a radius above that, is refused. Set
  * hsp_model_options.largest_radius to leave room for balls that grow. A move that is refused or fails leaves everything
  * as it was. */
@@ -118,7 +119,7 @@ HSP_API int32_t hsp_moving_move(hsp_moving *moving, uint32_t count, const uint32
  *                          HSP_E_CAPACITY since */
 HSP_API int32_t hsp_moving_undo(hsp_moving *moving);
 
-/** What there is. Frozen. */
+/** Lattice and counts. Frozen. */
 typedef struct hsp_moving_info {
   double step;              /**< the lattice step, length */
   double probe;             /**< as rounded to the lattice, length */
@@ -171,7 +172,7 @@ typedef struct hsp_moving_ball {
   uint32_t reserved;       /**< 0 */
 } hsp_moving_ball;
 
-/** What is known of some balls: out [count] of ball [count], in this order; the same may be listed again.
+/** Some balls with all that is known of them: out [count] of ball [count], in this order; the same may be listed again.
  *  @retval HSP_E_ARGUMENT  moving is NULL; ball or out is NULL with count > 0
  *  @retval HSP_E_STATE     no balls: no hsp_moving_set before, or it failed
  *  @retval HSP_E_ID        no such ball; nothing is written */

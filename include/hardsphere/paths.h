@@ -124,7 +124,7 @@ HSP_API int32_t hsp_paths_find(hsp_paths *paths, const double *from, const doubl
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_paths_get_points(const hsp_paths *paths, double *points, uint32_t capacity, uint32_t *needed);
 
-/** What looks for the widest probe between two points. */
+/** A search for the widest probe between two points. */
 typedef struct hsp_gate hsp_gate;
 
 /** The limits that fix the memory of a gate: balls of the model, and the cells of the balls as they grow. */

@@ -2,15 +2,15 @@
  *
  * Provisional: this may change with any minor version, as the changelog then says.
  *
- * What leaves the box through one face comes in through the opposite one. Balls may be given anywhere: each counts
- * once, with all of its images, so that broken and whole molecules are the same. A ball may meet several images of
- * another one, and of itself. Everything combinatorial is decided exactly, and ties alike in all copies of the box.
+ * A ball that leaves the box through one face comes in through the opposite one. Balls may be given anywhere: each
+ * counts once, with all of its images, so that broken and whole molecules are the same. A ball may meet several images
+ * of another one, and of itself. Everything combinatorial is decided exactly, and ties alike in all copies of the box.
  *
  * The box is given by its vectors a, b, c: box [9] holds a_x 0 0, b_x b_y 0, c_x c_y c_z, as GROMACS has it. They are
  * rounded to the lattice of the balls once: components must have no more decimals than that for images to be images to
  * the last bit. Angles may be any: b and c are reduced by whole multiples of the vectors before them inside.
  *
- * Vertices, arcs and faces as records are in hardsphere/periodic_boundary.h. What has no meaning without an outside is
+ * Vertices, arcs and faces as records are in hardsphere/periodic_boundary.h. Notions that need an outside are
  * not there: voids, the outer shell, views and meshes; nor are rays, which would never leave the box. Components
  * instead tell in how many directions they go on for ever. */
 #ifndef HARDSPHERE_PERIODIC_H
@@ -100,7 +100,7 @@ HSP_API int32_t hsp_periodic_compute(hsp_periodic *periodic, uint32_t n, const d
                                      const hsp_model_options *options, const double *box, hsp_periodic_limits *limits,
                                      uint32_t *first_bad);
 
-/** What there is of each kind in the box, each once, whatever faces it lies across. Frozen. */
+/** The number of each kind in the box, each once, whatever faces it lies across. Frozen. */
 typedef struct hsp_periodic_counts {
   uint32_t balls;      /**< n */
   uint32_t images;     /**< that were made of them */
@@ -140,8 +140,8 @@ typedef struct hsp_periodic_totals {
 HSP_API int32_t hsp_periodic_measure(const hsp_periodic *periodic, hsp_periodic_totals *totals, double *area,
                                      double *cell_volume, uint32_t capacity, uint32_t *needed);
 
-/** Integrated curvatures of the boundary in the box, in all and by ball: as hsp_boundary_curvature. What is across the
- *  faces of the box counts as if it were inside: edges are shared by their two balls, vertices by their three.
+/** Integrated curvatures of the boundary in the box, in all and by ball: as hsp_boundary_curvature. Parts across the
+ *  faces of the box count as if they were inside: edges are shared by their two balls, vertices by their three.
  *  - Property 1: the sum of gauss_thirds is 6 times the Euler characteristic of the boundary.
  *
  *  Cost: O(n + vertices + circles).

@@ -2,8 +2,8 @@
  *
  * Provisional: this may change with any minor version, as the changelog then says.
  *
- * They are those of hardsphere/boundary.h. What lies across the faces of the box, or is seen on several images, is
- * there once. Copies of it fill space; each record tells of one of them, and where its balls are for it:
+ * They are those of hardsphere/boundary.h. Records across the faces of the box, or on several images, are there once.
+ * Copies of it fill space; each record tells of one of them, and where its balls are for it:
  *
  *   place    every ball has one image with 0 <= x < a_x, 0 <= y < b_y and 0 <= z < c_z: its place in the box
  *   record   of the balls of a vertex, arc or circle the first one is at its place, of a face its ball. Balls come in
@@ -143,7 +143,7 @@ typedef struct hsp_periodic_loop_arc {
 HSP_API int32_t hsp_periodic_get_loop_arcs(const hsp_periodic *periodic, hsp_periodic_loop_arc *out, uint32_t capacity,
                                            uint32_t *needed);
 
-/** What the boundary has of each ball, as hsp_boundary_get_balls: one record per ball, in the caller's order. A ball
+/** Each ball as the boundary has it, as hsp_boundary_get_balls: one record per ball, in the caller's order. A ball
  *  may be inside an image of another one; component is that of hsp_periodic_get_components.
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed

@@ -54,15 +54,15 @@ typedef int32_t (*hsp_sink)(void *context, const char *bytes, size_t count);
 /** Nothing behind the balls; fog still fades to the background colour. */
 #define HSP_PICTURE_NO_BACKGROUND UINT32_C(2)
 
-/** What a picture looks like. hsp_picture_options_init sets the defaults; every field means what it says.
+/** The look of a picture. hsp_picture_options_init sets the defaults; every field means what it says.
  *
  *  Without a scale all that is seen is fitted into the picture: of width and height the one that is 0 follows, and with
  *  both given the balls are in the middle. With a scale the frame is fixed, for movies and for pictures side by side:
  *  `centre` is in the middle whatever the direction, lengths are the same in every picture, and a side that is 0 is as
- *  long as the other one. What lies beyond the edges is cut off there: by the viewBox of SVG, a clip path of EPS, the
+ *  long as the other one. Everything beyond the edges is cut off there: by the viewBox of SVG, a clip path of EPS, the
  *  MediaBox of PDF. Chosen lines depend on the scale and on the radii of all balls of the model alone. Fog still goes
  *  from the nearest to the farthest ball of the view, or through five mean radii of the model's balls if that is more.
- *  What is fitted without margin and lines into a picture of the shape of its box (hsp_view_info) has the scale
+ *  A view that is fitted without margin and lines into a picture of the shape of its box (hsp_view_info) has the scale
  *  width / (high[0] - low[0]) and the centre origin + right (low[0] + high[0]) / 2 + up (low[1] + high[1]) / 2. */
 typedef struct hsp_picture_options {
   uint32_t struct_size; /**< sizeof(hsp_picture_options) */
@@ -161,7 +161,7 @@ HSP_API int32_t hsp_picture_write(hsp_view *view, const uint32_t *colour, const 
  *  arguments are those of hsp_picture_write, and all options apply:
  *    lines        are drawn after all paths, every edge of the map once, as parts of open paths; those of a ball, its
  *                 silhouette and where it is the nearer one of a crease, follow each other. SVG: without data-ball, and
- *                 whoever clicks on them clicks on what is below
+ *                 a click on them goes to what is below
  *    fitted size  what is seen of the balls has the same box as in a view
  *  Coordinates are rounded as in pictures of views, in SVG to 0.01 px or less on pages of up to 1000 px, in styles with
  *  light to 0.03 px: by so much neighbours may overlap or leave a gap. Of a map whose balls were moved (hsp_map_info)

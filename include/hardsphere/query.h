@@ -60,7 +60,7 @@ HSP_API int32_t hsp_query_meets(const hsp_model *model, const double *xyz, doubl
 HSP_API int32_t hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint32_t *ids, uint32_t capacity,
                                      uint32_t *needed);
 
-/** Each pair of balls i < j stands once, as j in the row of i. Without this flag it stands in the rows of both. */
+/** Each pair of balls i < j is listed once, as j in the row of i. Without this flag it is in the rows of both. */
 #define HSP_PAIRS_ONCE UINT32_C(1)
 
 /** All pairs of balls that meet, as rows of one array: the neighbours of ball i are ids[first[i]] to

@@ -32,7 +32,7 @@ extern "C" {
 #define HSP_E_CONFLICT (-13)     /**< balls and sticks that cannot be painted; which ones is reported */
 #define HSP_E_OPEN_SURFACE (-14) /**< a degenerate set of balls, whose smooth surface does not close */
 
-/** What stands above beside a status, for messages; never NULL, "unknown status" for numbers not listed above. */
+/** The meaning of a status as above, for messages; never NULL, "unknown status" for numbers not listed above. */
 HSP_API const char *hsp_status_text(int32_t status);
 
 #ifdef __cplusplus

@@ -3,7 +3,7 @@
  * Provisional: this may change with any minor version, as the changelog then says.
  *
  * A stick is a solid cylinder between the centres of two balls. View coordinates are those of view.h: x to the right, y
- * up, z towards the viewer. What is painted are balls, without what of them is inside sticks, and halves of sticks: the
+ * up, z towards the viewer. A picture has balls, without what of them is inside sticks, and halves of sticks: the
  * part of a stick that is outside its two balls is cut in the middle, and each half belongs to its ball, whose colour
  * it has. They are painted one over the other; whatever covers a part of something comes later. This order is not a
  * sort by depth, which is wrong for sticks: it follows from all pairs of which one covers a part of the other.
@@ -18,7 +18,7 @@
  *   a stick         is thinner than both its balls, and meets no other ball and no other stick
  *   two sticks      that end in one ball do not meet outside of it: its radius is at least that of the sticks divided
  *                   by the sine of half the angle between them; at 60 degrees twice that of the sticks
- * All of this is checked. What does not hold is named, and there is no picture then, rather than a wrong one. A stick
+ * All of this is checked. A rule that fails is named, and there is no picture then, rather than a wrong one. A stick
  * between balls that meet may be inside them; then nothing is asked of it. Roundings of about 2^-50 of all lengths
  * decide where it holds or fails by less than that. */
 #ifndef HARDSPHERE_STICKS_H
@@ -147,7 +147,7 @@ HSP_API int32_t hsp_sticks_compute_map(hsp_sticks *sticks, const hsp_model *mode
                                        const hsp_stick *stick, uint32_t count, double radius,
                                        hsp_sticks_conflict *conflict, hsp_sticks_limits *limits);
 
-/** What is painted, and where. Frozen. */
+/** Counts, box and frame of a picture. Frozen. */
 typedef struct hsp_sticks_info {
   double origin[3];  /**< the point with view coordinates 0 0 0: the middle of the balls' centres, length */
   double right[3];   /**< unit vector: the x axis of the view coordinates */
@@ -217,7 +217,7 @@ HSP_API int32_t hsp_sticks_get_faces(const hsp_sticks *sticks, uint32_t first, u
  *  @retval HSP_E_STATE     nothing computed, or an order to paint and no map, or the model has changed since */
 HSP_API int32_t hsp_sticks_get_areas(const hsp_sticks *sticks, double *area, uint32_t capacity, uint32_t *needed);
 
-/** What is seen at (x, y), in view coordinates: the ball or half of a stick, its depth and the face.
+/** The ball or half of a stick that is seen at (x, y), in view coordinates, its depth and the face.
  *
  *  Cost: O(balls and sticks), and O(edges around the faces of what is seen) for the face.
  *  @retval HSP_E_ARGUMENT    a null pointer

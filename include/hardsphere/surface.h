@@ -3,44 +3,67 @@
  *
  * Provisional: this may change with any minor version, as the changelog then says.
  *
- * Richards' surface: a probe, a ball of radius p, rolls over the balls; what it cannot reach is the solvent-excluded
- * solid, and its boundary is the surface. p is the probe of hsp_model_options, which the radii of the model contain, so
- * that the boundary is the surface on which the centre of the probe runs. Each of its features yields a patch:
- *   face          a convex patch, where the probe touches one ball, of radius r = radius - p
- *   arc, circle   a saddle patch, where it touches two. Where it reaches the axis of the two balls its axis cuts it
- *   vertex        a concave patch, where it touches three. Probes at other vertices may cut it, or leave nothing of it
- * The surface is exact where it meets itself. With p = 0 it is the boundary itself.
+ * A probe, a ball of radius p, rolls over the balls. The space that it cannot reach is the solvent-excluded solid, and
+ * the boundary of that is the surface, Richards' or Connolly's. p is the probe of hsp_model_options. The radii of the
+ * model contain it, so that the model's boundary is the surface on which the probe's centre runs. With p = 0 the smooth
+ * surface is that boundary itself.
  *
- * What cuts what follows from the exact boundary. Which pieces other probes leave of a concave patch is decided in
- * doubles, where their error bounds leave no doubt; else in integers, exactly, after directions have been rounded to 29
- * bits, which moves a border by about 1e-9 of p; else the status is HSP_E_CHECK. Vertices of the boundary that are
- * closer to each other than 2^-25 p count as one point.
+ * PATCHES   Each feature of the boundary gives a patch of one of three kinds:
+ *
+ *               .-------.
+ *              /         \            A probe, seen from the side, touches balls A and B.
+ *             |   probe   |
+ *             |           |           a, b   convex patches: parts of the balls themselves, of radius r = radius - p,
+ *         a    \         /    b              where the probe touches one ball. From faces
+ *      .-"""-.  '-._s_.-'  .-"""-.    s      saddle patch: the side of the probe between the two points where it
+ *     /       \           /       \          touches, swept as it rolls around both balls. From arcs and circles
+ *    |    A    |         |    B    |         concave patch: a third ball, behind, stops the roll. The probe touches
+ *     \       /           \       /          three balls, and its side between the three points is the patch.
+ *      '-----'             '-----'           From vertices
+ *
+ * The surface may meet itself, and is exact there. A saddle patch that reaches the axis of its two balls is cut by it,
+ * in two cusps. A concave patch may be cut by probes at other vertices into several pieces, or nothing of it is left;
+ * two concave patches meet in a crease.
+ *
+ * DECISIONS   The exact boundary decides which patches there are and where they meet. The pieces that other probes
+ * leave of a concave patch are decided in doubles where their error bounds allow; else in integers, exactly, after
+ * directions have been rounded to 29 bits, which moves a border by about 1e-9 of p; else the status is HSP_E_CHECK.
+ * Vertices of the boundary that are closer to each other than 2^-25 p count as one point.
  *
  * Where four probes meet in one point up to rounding, or a cusp and a probe, and where vertices count as one point, all
  * patches there follow one decision, that of probes in general position infinitely near. Patches without area, as of
- * vertices in the plane of their balls' centres, then join what is beside them. But where several ties of different
- * kinds come together a patch may have a corner or a crease that another lacks, or a crease may end elsewhere in one of
- * its patches than in the other, or what is left of a patch is not the sum of its pieces: a joint is open. Areas and
- * volumes hold nevertheless, but the surface cannot be read as patches, edges and corners, nor has it triangles. Of
- * 18,000 sets of up to 14 balls, most full of ties, none is so; of 70,000 more fewer than 10 are. Of sets of five
- * points on a small lattice 6 of 100 are; 10 of 100 if points, or balls tiny against the probe, are 1e-7 off such
- * places. Where balls touch in a vertex areas may be 1e-7 p^2 off.
+ * vertices in the plane of their balls' centres, then join their neighbours.
  *
- * PATCHES, EDGES, CORNERS follow from the boundary. With F faces, A arcs, C circles, V vertices of it, whose ids these
- * are, and "its ball 0" and "ball 1" those of hsp_arc and hsp_circle:
- *   patch   f                 convex patch of face f
- *           F + a             saddle patch of arc a; if it has cusps, the part of it at ball 0
- *           F + A + c         saddle patch of circle c, likewise
- *           F + A + C + v     concave patch of vertex v; if it is cut into pieces, the first of them
- *           from F + A + C + V on: the other parts of saddles with cusps, further pieces
- *   edge    2 a + s           of arc a, between its saddle patch and the convex patch on its ball s
- *           2 A + 2 c + s     the same of circle c
- *           2 A + 2 C + 2 a + e   between the saddle patch of arc a and the concave patch at its vertex[e]; if it has
- *                             cusps, the part of it at ball 0
- *           from 4 A + 2 C on: the parts at ball 1; creases, where two concave patches meet
- *   corner  3 v + t           of the concave patch of vertex v, on its ball number t in hsp_vertex
- *           from 3 V on: two cusps for every circle that has them, shared by all of its arcs; corners of creases
- *   shell   a connected component of the surface: not of the boundary, as probes on two sides of a wall may meet
+ * OPEN JOINTS   Where several ties of different kinds come together, patches may fail to fit: one has a corner or a
+ * crease that another lacks, a crease ends elsewhere in one of its patches than in the other, or pieces do not sum to
+ * what is left of their patch. Such a joint is open. Areas and volumes hold nevertheless, but the surface cannot be
+ * read as patches, edges and corners, nor has it triangles. Of 18,000 sets of up to 14 balls, most full of ties, none
+ * is so; of 70,000 more fewer than 10 are. Of sets of five points on a small lattice 6 of 100 are; 10 of 100 if points,
+ * or balls tiny against the probe, are 1e-7 off such positions. Where balls touch in a vertex areas may be 1e-7 p^2
+ * off.
+ *
+ * NUMBERS   Patches, edges and corners are numbered by the boundary, which has F faces, A arcs, C circles and V
+ * vertices; f, a, c and v are its ids. The balls 0 and 1 of an arc or circle are those of hsp_arc and hsp_circle.
+ *
+ *   patch           first           meaning
+ *   f               0               convex patch of face f
+ *   F + a           F               saddle patch of arc a; if it has cusps, its part at ball 0
+ *   F + A + c       F + A           saddle patch of circle c; likewise
+ *   F + A + C + v   F + A + C       concave patch of vertex v; if it is in pieces, the first one
+ *   others          F + A + C + V   the parts at ball 1 of saddle patches with cusps; further pieces
+ *
+ *   edge            first           meaning
+ *   2 a + s         0               of arc a, between its saddle patch and the convex patch on its ball s
+ *   2 A + 2 c + s   2 A             of circle c, likewise
+ *   2 (A + C + a) + e   2 A + 2 C   of arc a, between its saddle patch and the concave patch at its vertex[e]; if it
+ *                                   has cusps, of the part at ball 0
+ *   others          4 A + 2 C       of the parts at ball 1; creases
+ *
+ *   corner          first           meaning
+ *   3 v + t         0               of the concave patch of vertex v, on its ball number t in hsp_vertex
+ *   others          3 V             two cusps of every circle that has them, shared by all of its arcs; ends of creases
+ *
+ * A shell is a connected component of the surface: not of the boundary, as probes on two sides of a wall may meet.
  *
  * Every edge has two directions, h = 2 edge and 2 edge + 1: the first counter-clockwise about its axis. Seen from
  * outside of the solid a patch lies on the left of its edges. */
@@ -117,14 +140,14 @@ HSP_API int32_t hsp_surface_init(void *memory, size_t bytes, const hsp_surface_l
  *  @retval HSP_E_CHECK     no decision about a concave patch is consistent: please report it */
 HSP_API int32_t hsp_surface_compute(hsp_surface *surface, const hsp_boundary *boundary, hsp_surface_limits *limits);
 
-/** The same for a part of the boundary: shells [count] of it, numbered as in hsp_face.shell, in any order. The shells
- *  of one cell of the complement (hsp_topology_get_cell_shells) make that cell all the room that a probe has. With
- *  those of cell 0 it comes from outside: voids are filled, and what lies in them is gone.
+/** The same for a chosen part of the boundary: shells [count] of it, numbered as in hsp_face.shell, in any order. With
+ *  the shells of one cell of the complement (hsp_topology_get_cell_shells) the probe stays in that cell. With those of
+ *  cell 0 it comes from outside: voids are filled, and everything in them is gone.
  *
- *  hsp_surface_measure and hsp_surface_gradient are of the chosen part alone. Patches, edges, corners and shells are
- *  there of both parts: that of the rest is a surface of its own, and hsp_surface_shell.chosen tells them apart. No
- *  probe at a vertex of one part cuts a patch of the other, so that chosen shells of the surface are not those of the
- *  whole complement. hsp_surface_counts are of both parts, too.
+ *  The part that is chosen and the rest of the boundary have a surface each. hsp_surface_measure and
+ *  hsp_surface_gradient are of the chosen one alone; patches, edges, corners, shells and hsp_surface_counts are of
+ *  both, and hsp_surface_shell.chosen says to which one a shell belongs. No probe at a vertex of one part cuts a patch
+ *  of the other, so that chosen shells of the surface are not those of the whole complement.
  *  - Property 1: with all shells of the boundary the same as hsp_surface_compute.
  *
  *  @retval HSP_E_ARGUMENT  surface or boundary is NULL; shells is NULL with a count above 0

@@ -156,7 +156,7 @@ HSP_API uint32_t hsp_topology_lnext(const hsp_topology *topology, uint32_t q);
  *  quarter-edge, or no results. */
 HSP_API uint32_t hsp_topology_origin(const hsp_topology *topology, uint32_t q);
 
-/** What lies to the left of q: a simple face if q is even, a vertex if q is odd; HSP_NONE if there is no such
+/** The left side of q: a simple face if q is even, a vertex if q is odd; HSP_NONE if there is no such
  *  quarter-edge, or no results.
  *  - Property 1: left(q) = origin(inverse_rot(q)). */
 HSP_API uint32_t hsp_topology_left(const hsp_topology *topology, uint32_t q);

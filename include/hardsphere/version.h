@@ -13,8 +13,8 @@
  * A program may run with a library if
  *   hsp_abi() == HSP_ABI_NUMBER && hsp_version() >= HSP_VERSION_NUMBER
  * and, if it uses anything of a provisional header, hsp_provisional() == HSP_PROVISIONAL_NUMBER. With
- * hsp_numerics() == HSP_NUMERICS_NUMBER, too, it gets the bits that it was tested with. What may change with which
- * number: capi/abi/README.md. */
+ * hsp_numerics() == HSP_NUMERICS_NUMBER, too, it gets the bits that it was tested with. capi/abi/README.md says what
+ * may change with which number. */
 #ifndef HARDSPHERE_VERSION_H
 #define HARDSPHERE_VERSION_H
 

@@ -3,7 +3,7 @@
  * Provisional: this may change with any minor version, as the changelog then says.
  *
  * A view looks at the balls from infinitely far away. View coordinates: x to the right, y up, z towards the viewer, so
- * that a larger z is nearer; (x, y) is the view plane. What is painted of a ball is a piece of its front hemisphere:
+ * that a larger z is nearer; (x, y) is the view plane. Each ball is painted as a piece of its front hemisphere:
  *   HSP_PIECES_OUTSIDE_FARTHER   G-pieces: outside all farther balls (Lemma 5.3)
  *   HSP_PIECES_OUTSIDE_ALL       H-pieces: outside all other balls, the front part of the ball's faces (Theorem 5.1)
  * A ball is farther if its centre has the smaller z, exactly; of centres with equal z, the one of the ball that comes
@@ -120,7 +120,7 @@ HSP_API int32_t hsp_view_options_turn(hsp_view_options *options, double x, doubl
 HSP_API int32_t hsp_view_compute(hsp_view *view, const hsp_model *model, const hsp_boundary *boundary,
                                  const hsp_view_options *options, hsp_view_limits *limits);
 
-/** What the view shows, and where. Frozen. */
+/** Counts, box and frame of a view. Frozen. */
 typedef struct hsp_view_info {
   double origin[3];  /**< the point with view coordinates 0 0 0: the middle of the balls' centres, length */
   double right[3];   /**< unit vector: the x axis of the view coordinates */
@@ -141,7 +141,7 @@ typedef struct hsp_view_info {
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_view_get_info(const hsp_view *view, hsp_view_info *info);
 
-/** What is painted of one ball. Frozen. */
+/** A piece: the painted part of one ball. Frozen. */
 typedef struct hsp_view_piece {
   double centre[2];    /**< of the ball, in the view plane, length */
   double depth;        /**< z of the ball's centre, length; rounded, while the order of the pieces is exact */

@@ -223,7 +223,7 @@ static void every_gradient_range(const ball_set *set) {
   computations_release(&all);
 }
 
-/* Limits that are too small are told as hsp_boundary_compute tells them. */
+/* Limits that are too small are reported as by hsp_boundary_compute. */
 static void small_limits(const ball_set *set) {
   computations all;
   int which;

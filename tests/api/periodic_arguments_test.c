@@ -405,7 +405,7 @@ static void known_queries(void) {
     }
     CHECK_EQUAL(found, number);
   }
-  /* Whoever meets another one is met by it, from the other side. */
+  /* A ball that meets another one is met by it, from the other side. */
   for (i = 0; i < BALLS; ++i) {
     static hsp_image back[OUT];
     uint32_t n, m, there;

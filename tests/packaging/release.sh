@@ -24,7 +24,7 @@ mkdir -p "$work"
 debootstrap --variant=minbase "$suite" "$work/builder" "$archive" >"$work/log" 2>&1 ||
   { tail -n 3 "$work/log" && skip "debootstrap cannot make a bare Debian here"; }
 cp /etc/resolv.conf "$work/builder/etc/resolv.conf" 2>/dev/null || true
-# What apt is told here about proxies and the like.
+# The settings of apt here, about proxies and the like.
 cp -r /etc/apt/apt.conf.d/. "$work/builder/etc/apt/apt.conf.d/"
 cp -a "$work/builder" "$work/user"
 

@@ -21,7 +21,7 @@ namespace {
 // side by side, with lines of their own.
 enum class Subject { crambin, caffeine, map };
 
-// As wide as the program draws unless it is told otherwise.
+// As wide as the program draws by default.
 constexpr int side = 1000;
 
 std::string picture_of(Subject subject, uint32_t format, uint32_t style, int pixels = side) {

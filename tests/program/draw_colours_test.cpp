@@ -110,7 +110,7 @@ std::array<double, 3> seen(const std::string &colour, const double blindness[3][
   return lab;
 }
 
-// Twelve chains side by side. The first four can be told apart by everybody, and in grey print.
+// Twelve chains side by side. The first four differ for all eyes, and in grey print.
 TEST(DrawColours, TintsAreToldApart) {
   const double views[3][3][3] = {
       {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},

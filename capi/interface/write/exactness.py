@@ -4,11 +4,13 @@ import re
 OPENING = """\
 # How exact results are
 
-Coordinates and radii are rounded once, to a decimal lattice. What balls, faces and cells there are and how they hang
-together is then decided in integers, ties included: no tolerance takes part. Numbers such as areas are sums in doubles over
+Coordinates and radii are rounded once, to a decimal lattice. Balls, faces and cells, and how they hang together,
+are then decided in integers, ties included: no tolerance takes part. Numbers such as areas are sums in doubles over
 what was decided, with errors of a few last bits. A few headers decide in floating point where integers would be too
 long; a status or a number says where that did not suffice. `hardsphere.h` has this table, EXACTNESS there says how ties are
 decided, and each function its own bounds.
+
+Next: [robustness](robustness.md)
 """
 GENERATED = "<!-- Generated from the headers by capi/interface/generate.sh -->"
 

@@ -176,7 +176,7 @@ contains
   ! ---- paths.h
 
   ! Finds a path from one point to another through the free space of the model; arguments and statuses as
-  ! hsp_paths_find. What only depends on the model is computed the first time.
+  ! hsp_paths_find. Parts that depend on the model alone are computed the first time.
   function find_path(self, from, to, path) result(status)
     class(hsp_workspace), intent(inout), target :: self
     real(c_double), intent(in) :: from(3), to(3)

@@ -101,7 +101,7 @@ struct molecule {
 /* Prepare for reading one model of a file, counted from 1. */
 void molecule_init(struct molecule *molecule, const struct file_format *format, uint64_t model);
 
-/* Append an atom. False when memory is short or there are too many: for the library, or for whoever set `most`. */
+/* Append an atom. False when memory is short or there are too many: for the library, or for the caller's `most`. */
 bool molecule_add(struct molecule *molecule, const double xyz[3], double radius, const struct atom_label *label,
                   uint64_t line, struct failure *failure);
 

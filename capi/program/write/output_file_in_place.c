@@ -1,5 +1,5 @@
 /* Output files where there are no signals, owners and processes: WebAssembly with WASI. A file is written in its place,
- * and taken away if that fails; whoever stops the machine in between leaves a part of it. */
+ * and taken away if that fails; a machine that stops in between leaves a part of it. */
 #include <errno.h>
 #include <string.h>
 #include <sys/stat.h>

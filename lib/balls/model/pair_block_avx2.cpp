@@ -39,7 +39,7 @@ uint32_t add_to_block_avx2(PairBlock &block, const QueryArrays &balls, const Bal
     (Integers::ascending() + Integers::all(j)).store(block.place + to);
   }
   block.count += last - range.first;
-  // What stands behind the last one meets nothing.
+  // Lanes after the last one meet nothing.
   Floats::all(0x1p60F).store(block.x + block.count);
   Floats::all(0.0F).store(block.y + block.count);
   Floats::all(0.0F).store(block.z + block.count);

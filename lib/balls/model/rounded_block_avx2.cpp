@@ -75,7 +75,7 @@ bool fill_block_avx2(RoundedBlock &block, const QueryGrid &grid, const QueryArra
     block.range[k] = ranges[k];
     count += last - first;
   }
-  // What stands behind the last one meets nothing.
+  // Lanes after the last one meet nothing.
   Floats::all(0x1p60F).store(block.x + count);
   Floats::all(0.0F).store(block.y + count);
   Floats::all(0.0F).store(block.z + count);

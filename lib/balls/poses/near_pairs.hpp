@@ -1,5 +1,5 @@
 // Which balls of two molecules may meet in a pose: all pairs that are not certainly apart, found by floats, eight
-// spheres at a time. Whoever asks decides about these pairs exactly. The same pairs that meet come in the same order on
+// spheres at a time. The caller decides about these pairs exactly. The same pairs that meet come in the same order on
 // every target. Raw pointers, as lanes/target.hpp says.
 //
 // Errors, in units u = 2^-24 of s, the sum of the radii of both root spheres and of the slack of exact places. The

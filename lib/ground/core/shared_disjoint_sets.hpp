@@ -1,9 +1,10 @@
-// Disjoint sets that several threads may join at once, over caller memory. Whoever joins first, the smallest number
-// represents a set and no number has a larger parent, as in DisjointSets, which reads them once all joins are done.
+// Disjoint sets that several threads may join at once, over caller memory. Whatever the order of joins, the smallest
+// number represents a set and no number has a larger parent, as in DisjointSets, which reads them once all joins are
+// done.
 //
 // A number has a parent other than itself for ever once it has one, and only numbers that have none are given one, by
-// compare and exchange. So nothing is lost: who comes too late looks for the representative again. Halving a path may
-// store a parent that has a smaller one by now, which still is one of its ancestors.
+// compare and exchange. So nothing is lost: a thread that comes too late looks for the representative again. Halving a
+// path may store a parent that has a smaller one by now, which still is one of its ancestors.
 #pragma once
 
 #include "core/span.hpp"

@@ -1,5 +1,5 @@
 // The discs that the balls take of the view plane, by the squares of side 2 r_max that hold their centres. The lists of
-// squares are front to back, so that whoever looks for what reaches above a height stops early.
+// squares are front to back, so that a search for what reaches above a height stops early.
 #pragma once
 
 #include "core/fixed_vector.hpp"

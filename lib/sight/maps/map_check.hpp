@@ -1,5 +1,5 @@
 // The invariants of a visibility map of whatever bodies, checked from its records and its scene alone. For fuzzers,
-// careful callers, and whoever changes the code.
+// careful callers, and those who change the code.
 //
 // How much may be seen of a body, up to rounding. The area of a loop is summed over its edges: what each sweeps about
 // a point x as it goes from vertex to vertex along its ellipse. If every end P of a curve were at its vertex V, that

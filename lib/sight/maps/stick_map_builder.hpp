@@ -8,7 +8,7 @@
 // nothing else of sticks meets anything.
 //
 // What holds it together is checked as of a map of balls, with the difference that labels are not trusted. Where that
-// fails all centres are moved a little by whoever calls this.
+// fails the caller moves all centres a little.
 #pragma once
 
 #include "maps/body_sight.hpp"

@@ -20,7 +20,7 @@ constexpr uint32_t by_element[] = {
 constexpr uint32_t elements = sizeof by_element / sizeof by_element[0];
 static_assert(elements == 110);
 
-// Lightness in OKLab (Ottosson 2020) of the first four: .77, .70, .90, .83, so that they are told apart in grey print.
+// Lightness in OKLab (Ottosson 2020) of the first four: .77, .70, .90, .83, so that they differ in grey print.
 // As protanopes and deuteranopes see them (Machado, Oliveira and Fernandes 2009) these are at least .09 apart, any two
 // of all twelve .045; to others .12 and .075.
 constexpr uint32_t tints[12] = {0xE8A074, 0x6BA0E1, 0xFDDC88, 0xB0D3BB, 0xC4ADCE, 0x6F9F97,

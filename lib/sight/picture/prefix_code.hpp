@@ -1,4 +1,4 @@
-// Prefix codes as Deflate has them (RFC 1951, section 3.2.2): told by the lengths of their words alone.
+// Prefix codes as Deflate has them (RFC 1951, section 3.2.2): given by the lengths of their words alone.
 #pragma once
 
 #include <cstdint>

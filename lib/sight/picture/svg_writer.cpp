@@ -233,8 +233,8 @@ class SvgWriter : private PageWalker<SvgWriter> {
     sink_.put(shape.disc ? "</circle>\n" : "</path>\n");
   }
 
-  // The ball's colour on a group around its outline, and the same outline with light over it: whoever gives the group
-  // another colour keeps the light. Lines belong to the latter. The ball's disc is the unit circle around the origin.
+  // The ball's colour on a group around its outline, and the same outline with light over it: another colour
+  // for the group keeps the light. Lines belong to the latter. The ball's disc is the unit circle around the origin.
   void put_lit(uint32_t path, uint32_t level) {
     const Disc disc = disc_of(path);
     sink_.put("<g");
@@ -298,7 +298,7 @@ class SvgWriter : private PageWalker<SvgWriter> {
     put_contours(path);
   }
 
-  // Whoever clicks on a line clicks on the path below.
+  // A click on a line goes to the path below.
   void put_lines(uint32_t path, uint32_t &level) {
     lines_ = true;
     if (is_empty(path, PathPart::lines)) return;

@@ -45,7 +45,7 @@ class BoundaryCurves {
   bool is_circle(uint32_t curve) const { return curve >= first_circle_; }
   const MeshCurve &curve(uint32_t c) const { return curve_[c]; }
   MeshCurve &curve(uint32_t c) { return curve_[c]; }
-  // The memory of all curves, for who has others.
+  // The memory of all curves, for callers that have others.
   Span<MeshCurve> room() { return curve_; }
   // Points besides the vertices of the boundary.
   uint32_t samples(uint32_t c) const { return is_circle(c) ? curve_[c].segments : curve_[c].segments - 1; }

@@ -68,7 +68,7 @@ Status MeshBuilder::build_all(Outline &outline, double edge) {
   return Status::ok;
 }
 
-// Told from areas before any point is made. Most meshes are not too fine even if all spheres were free.
+// Follows from areas, before any point is made. Most meshes are not too fine even if all spheres were free.
 template <class Outline>
 bool MeshBuilder::has_too_many_inside(const Outline &outline, double edge) const {
   PointsInside at_most;

@@ -61,7 +61,7 @@ class Surface {
   const SurfaceShells &shells() const { return shells_; }
   // Vertices whose probe touches another one in a point of its patch: there derivatives of areas jump.
   const RankedBits &touching() const { return touching_; }
-  // What is measured. Patches, edges and shells are there of both parts.
+  // The part that is measured. Patches, edges and shells are those of both parts.
   const ChosenFaces &chosen() const { return chosen_; }
   Span<uint32_t> scratch() const { return scratch_; }  // [faces + pieces]
   // Whether everything that meets is found from all sides. Not so where several ties come together that no rule

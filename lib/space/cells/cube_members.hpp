@@ -11,8 +11,8 @@
 namespace hsp {
 
 // From the centre of the cube to that of a ball, its radius, and the square of the one less that of the other; 1, or 0
-// for a ball that is out of the game. Behind the last ball there is room for a multiple of eight, and what is there is
-// out of the game.
+// for a ball that is discarded. After the last ball there is room for a multiple of eight, and what is there is
+// discarded.
 struct MemberArrays {
   const double *x, *y, *z, *radius, *power, *in_game;
   uint32_t count;
@@ -69,7 +69,7 @@ inline void order_planes(const double *distance, uint32_t count, PlaneOrder &ord
 }
 
 // The planes between a ball and all others, as CubeFrame::between() has them. The distance is infinite, and nothing
-// else means anything, if its square is larger than a limit, or if the ball is out of the game or the same.
+// else means anything, if its square is larger than a limit, or if the ball is discarded or the same.
 template <uint32_t n>
 inline void find_planes_in_lanes(const MemberArrays &members, uint32_t own, double limit, const PlaneArrays &planes) {
   using L = Wide<double, n>;

@@ -21,8 +21,8 @@ class PowerCell {
 
   // The cube whose power cells follow, and the balls that meet it.
   void enter(const BallSet &balls, const CubeFrame &frame, Span<const uint32_t> members);
-  // Balls whose power cells are certainly empty, as another ball has less power all over the cube, are out of the game
-  // from then on; so are those that are found to be empty.
+  // Balls whose power cells are certainly empty, as another ball has less power all over the cube, are
+  // discarded from then on; so are those that are found to be empty.
   void drop_dominated();
 
   // The power cell of member number k, which may be empty.
@@ -50,7 +50,7 @@ class PowerCell {
   }
   // In doubles, of a plane on which the cell has a vertex.
   const UnitPlane &unit_plane(uint32_t number) const { return planes_[number]; }
-  // What a number says to whoever does not know the members: a side, or a ball and six.
+  // A number without regard to the members: a side, or a ball and six.
   uint32_t code_of(uint32_t number) const { return codes_[number]; }
   // The members whose planes have cut the cell, each once; of some no facet is left.
   uint32_t cutters() const { return cutter_count_; }

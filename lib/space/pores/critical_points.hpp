@@ -79,7 +79,7 @@ class CriticalPoints {
   const PoreBalls *all_ = nullptr;
   const BallSet *balls_ = nullptr;
   int64_t floor_ = 0;
-  // Levels up to which no ball that is left out can be nearest; the most that was found to be possible where it is more.
+  // Levels up to which no ball that is left out can be nearest; where it is more, the most that was found possible.
   double ceiling_ = 0.0, beyond_ceiling_ = 0.0;
   bool unsure_ = false;  // whether it is more in the last cube
   Vec3 low_{}, high_{};  // of where points are looked for

@@ -1,5 +1,5 @@
-// The balls that are nearest somewhere, those of a set that are not inside another one; in a periodic box with images of
-// them, without end.
+// The balls that are nearest somewhere, those of a set that are not inside another one; in a periodic box with images
+// of them, without end.
 #pragma once
 
 #include "core/fixed_vector.hpp"

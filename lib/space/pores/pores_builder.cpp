@@ -127,8 +127,8 @@ Status PoresBuilder::climb_from_gates() {
   return Status::ok;
 }
 
-// The younger of two classes becomes a part of the older one. Numbers of classes are ages, the maxima's from `first` on;
-// a lower one is the outside. Returns that of both.
+// The younger of two classes becomes a part of the older one. Numbers of classes are ages, the maxima's from `first`
+// on; a lower one is the outside. Returns that of both.
 uint32_t PoresBuilder::note_merger(uint32_t gate, uint32_t a, uint32_t b, uint32_t first) {
   if (a == b) return a;
   const uint32_t older = a < b ? a : b, younger = a < b ? b : a;

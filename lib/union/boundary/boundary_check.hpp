@@ -1,5 +1,5 @@
 // The combinatorial invariants of a boundary, checked from its records alone. A correct build violates none of them for
-// any input; the check serves fuzzers, careful callers, and whoever changes the code.
+// any input; the check serves fuzzers, careful callers, and those who change the code.
 #pragma once
 
 #include "boundary/boundary.hpp"

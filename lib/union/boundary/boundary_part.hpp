@@ -17,14 +17,14 @@ class BoundaryPart {
   // For the first `own` balls, at most 1.5 sides from a centre along each axis; no radius is larger than half a side.
   // Status::capacity if a limit is too small: needed() then reports what suffices.
   Status build(const BallSet &balls, uint32_t own, const double (&centre)[3], double side);
-  // For the balls of a grid that do not stand around.
+  // For the balls of a grid that are not in its halo.
   Status build(const CubeGrid &grid);
   const BoundaryLimits &needed() const { return needed_; }
 
   // Twins on other balls, shells and numbers of components are not there. With a grid, the origin of a component is any
   // ball of it.
   const Boundary &boundary() const { return boundary_; }
-  // A ball that stands around is inside others if this one is.
+  // A ball of the halo is inside others if this one is.
   void take_state(uint32_t ball, uint32_t from) { arrays().ball_state[ball] = arrays().ball_state[from]; }
   // With a grid, after it is built: the balls of the set, where each that was asked for is joined to all that meet it.
   // One inside others is joined to one of these, which whatever meets it meets, too. Each has its representative as

@@ -20,7 +20,7 @@ BallShare share_of(const CubeGrid &grid, uint32_t worker, uint32_t workers);
 // Aligned to cache lines, since each is written by a thread of its own.
 class alignas(64) BoundaryWorker {
  public:
-  BoundaryWorker();  // not in every place where there is one
+  BoundaryWorker();  // out of line: it is large
 
   // Worker 0 finds into the boundary's own arrays; the others have copies of them. scratch [loops + balls] is common.
   void carve(Workspace &workspace, const BoundaryLimits &limits, BoundaryArrays &arrays, uint32_t worker,

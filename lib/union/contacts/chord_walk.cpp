@@ -26,7 +26,7 @@ uint32_t cut_exactly(const Caps &caps, uint32_t j, uint32_t k, uint32_t side) {
   return nearest;
 }
 
-// Caps that nothing lies in behind the last one, for who reads whole registers.
+// Empty caps after the last one, for callers that read whole registers.
 void pad(Caps &caps) {
   for (uint32_t k = caps.count; k < caps.ux.size() && k < caps.count + 3; ++k) {
     caps.ux[k] = caps.uy[k] = caps.uz[k] = 0.0;

@@ -1,6 +1,6 @@
 // All chords that survive, ball after ball in the grid's order, each at the first of its three balls.
 //
-// Nobody looks at all pairs of caps: a chord is found at one of its ends. The ends on the surface of the union are the
+// Most pairs of caps are never tried: a chord is found at one of its ends. The ends on the surface of the union are the
 // boundary's vertices. Every other one is a power vertex, and there four chords end, one for every three of its balls.
 // So from an end that is known the walk goes along the chord to the other one: the nearest cut by a later ball, as
 // nothing is left of chords that earlier balls cut but what those found. There begin two more chords of the ball at

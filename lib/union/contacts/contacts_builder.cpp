@@ -322,7 +322,7 @@ void ContactsBuilder::make_rows(const CubeGrid &grid) {
   uint32_t end = 0;
   for (uint32_t i = 0; i < a.balls; ++i) a.first_in_row[i] = end += a.first_in_row[i];
   a.first_in_row[a.balls] = end;
-  // From their ends down, so that they are at their beginnings then.
+  // Each row is filled backwards; first_in_row then holds where rows start.
   const Span<uint32_t> found = walk_.scratch_of_contacts();
   for (uint32_t id = 0; id < a.contacts.size(); ++id) {
     for (const uint32_t ball : a.contacts[id].ball) found[--a.first_in_row[ball]] = id;

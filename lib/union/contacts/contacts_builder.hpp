@@ -23,7 +23,7 @@ struct ContactPlace {
   uint32_t ball[2];
 };
 
-// Balls that stand around are no images of others.
+// For sets whose halo, if any, has no images of other balls.
 struct NoImages {
   static constexpr bool there = false;
   static constexpr bool comes_before_its_ball(uint32_t) { return false; }
@@ -36,14 +36,15 @@ class ContactsBuilder {
  public:
   void carve(Workspace &workspace, const ContactLimits &limits);
 
-  // Where balls of the grid stand around, of the contacts of all others; boundary then says of those at least which are
-  // inside others. neighbours: what it needed of them. Status::capacity if a limit is too small; needed() then reports
-  // what suffices, once `neighbours` does. Of contacts that may be more than there are, by no more than the triangles.
+  // Of the contacts of all balls that are not in the grid's halo; the boundary says at least which balls of the halo
+  // are inside others. neighbours: what it needed of them. Status::capacity if a limit is too small; needed() then
+  // reports what suffices, once `neighbours` does. Of contacts that may be more than there are, by no more than the
+  // triangles.
   Status build(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours) {
     return build(grid, boundary, neighbours, NoImages{});
   }
 
-  // Where those that stand around may be images of the others, in a box whose copies fill space. A chord that lies
+  // For a halo that may have images of the other balls, in a box whose copies fill space. A chord that lies
   // across its faces is found once in each copy that holds one of its balls. It is computed in the one where no image
   // comes before its ball, an order that all copies share, and what it says of two images goes to their copies in the
   // box. Every contact of a ball and an image is there from both sides, the same bit for bit. Status::check if an image

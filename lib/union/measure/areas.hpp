@@ -14,7 +14,7 @@ class FreeSurface {
   FreeSurface(const Boundary &boundary, double radius) : boundary_(boundary), radius_(radius) {}
 
   void add(const ArcBatch &batch) { add(batch, sums_of(batch)); }
-  // The same for who has the sums.
+  // The same for callers that have the sums.
   void add(const ArcBatch &batch, const AreaSums &sums) {
     exterior_angles_ += batch.exterior_angles;
     exterior_turns_ += batch.exterior_turns;

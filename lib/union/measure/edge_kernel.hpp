@@ -121,7 +121,7 @@ struct EdgeKernel {
 
   // Areas of the two balls, each over its radius; rho beta; and what ball k's centre moves of the ends of its arcs:
   // with f = s beta (h_j/d) v/(rho d) half of (x_end - x_start) x f, which is -(s beta/(rho d)) h_j X/4 for the batch's
-  // X. Beside it, as nothing of one waits for the other, the third edge of the vertex where the arc starts.
+  // X. In parallel, as neither waits for the other: the third edge of the vertex where the arc starts.
   static void add_edges(double radius, const ArcBatch &arcs, double weight, uint32_t lane, EdgeBatch &edges,
                         Sums &sums) {
     const double inverse_radius = radius > 0.0 ? 1.0 / radius : 0.0;

@@ -29,7 +29,7 @@ uint32_t area_row_length(const Boundary &boundary, uint32_t i) {
   uint32_t length = 1 + boundary.circles(i).size();
   const IdRange half_edges = boundary.half_edges(i);
   for (const uint32_t u : half_edges) {
-    // Uses are sorted by the circle they leave along.
+    // Half-edges are sorted by the circle that they leave along.
     length += u == half_edges.first || boundary.half_edge(u).circle != boundary.half_edge(u - 1).circle ? 1U : 0U;
   }
   return length;

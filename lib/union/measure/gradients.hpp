@@ -90,8 +90,8 @@ class WeightedAreas {
   double radius_ = 0.0;
 };
 
-// The same for a ball with faces, for who sums more over its arcs: calls on_arcs(batch) for every batch, before what
-// does not count is taken out of it. Returns the solid angle of the faces.
+// The same for a ball with faces, for callers that sum more over its arcs: calls on_arcs(batch) for every batch, before
+// what does not count is taken out of it. Returns the solid angle of the faces.
 template <class OnArcs>
 double gather_gradient(const BallSet &balls, const Boundary &boundary, const AreaWeights &weights, uint32_t k,
                        BallGradient &result, OnArcs on_arcs) {

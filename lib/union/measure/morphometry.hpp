@@ -17,7 +17,7 @@ inline double gauss_of_thirds(int64_t thirds) {
   return static_cast<double>(thirds) * (pi / 3);
 }
 
-// Calls sink(i, curvature) for every ball i of the input that does not only stand around, in the unit of this lattice,
+// Calls sink(i, curvature) for every ball i of the input that is not in the halo, in the unit of this lattice,
 // as are the sums.
 template <class Sink>
 CurvatureTotals sum_curvatures(const CubeGrid &grid, const Boundary &boundary, const exact::Lattice &lattice,

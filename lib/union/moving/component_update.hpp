@@ -23,9 +23,9 @@ class ComponentUpdate {
   void begin(MovingRecords &records, uint32_t former);
   // Then, for each ball that moved, all that it meets now.
   void connect(const MovingRecords &records, uint32_t moved, uint32_t other);
-  // Then either this brings origins, rings and trees up to date, and notes what it changes;
+  // In the end one of the two: apply brings origins, rings and trees up to date, and notes what it changes;
   void apply(MovingRecords &records, const BallCells &cells, uint32_t former);
-  // or nothing has been said.
+  // abandon forgets the update.
   void abandon(const MovingRecords &records, uint32_t former);
 
  private:

@@ -1,10 +1,9 @@
 // The union of balls in a periodic box: balls that leave it through one face come in through the opposite one.
 //
-// The ordinary boundary and the ordinary contacts are computed, of the balls in the box alone, around which all images
-// near them stand. What they say is what copies of the box without end would show there: only balls that meet cut a
-// ball's sphere, its contacts and its cell, and what the symbolic perturbation decides depends on relative places and
-// on an order that all copies share (periodic_images.hpp). What balls in the box have in common across a face of it is
-// found once from each side.
+// The ordinary boundary and the ordinary contacts are computed, of the balls in the box alone, with all images near
+// them as their halo. They are those of endless copies of the box: only balls that meet cut a ball's sphere, its
+// contacts and its cell, and the symbolic perturbation depends on relative positions and on an order that all copies
+// share (periodic_images.hpp). Vertices, arcs and contacts across a face of the box are found once from each side.
 //
 // Numbers without "grid" are the caller's balls, or images behind them. Lengths are in steps.
 #pragma once
@@ -63,7 +62,7 @@ struct PeriodicContact {
   const ContactRecord *record;
 };
 
-// The images by their numbers in the grid, for who finds contacts.
+// The images by their numbers in the grid, for the search for contacts.
 class ImagesInGrid {
  public:
   ImagesInGrid(const CubeGrid &grid, const PeriodicImages &images) : grid_(grid), images_(images) {}

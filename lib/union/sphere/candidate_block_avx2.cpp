@@ -38,7 +38,7 @@ class NearLanes {
     store_front(near_ + found_, Integers::load(block_.ball + c), FrontOrder::of_eight(chosen));
     found_ += ones(chosen);
   }
-  // What stands behind the last one is near to nothing.
+  // Lanes after the last one are near to nothing.
   void keep_near(uint32_t first, uint32_t last) {
     for (uint32_t c = first; c < last && found_ <= most_; c += 8) keep(c, lanes(c));
   }

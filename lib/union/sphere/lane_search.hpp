@@ -1,6 +1,5 @@
-// Steps 1 and 2 for one ball after the other by the code for wide registers: in floats first, then in doubles. What
-// these are not certain of is left to Caps and VertexFinder, so that all results are theirs. Empty in libraries without
-// such code.
+// Steps 1 and 2 for one ball after the other, several caps at a time: in floats first, then in doubles. Caps and
+// VertexFinder decide the rest, so that all results are theirs. Empty in libraries without code for wide registers.
 #pragma once
 
 #include "sphere/cube_candidates.hpp"

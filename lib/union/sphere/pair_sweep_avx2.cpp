@@ -34,7 +34,7 @@ void sort_by_size(PairSweep &sweep) {
   uint32_t end = 0;
   for (uint32_t c = 0; c < PairSweep::size_classes; ++c) {
     const Floats limit = Floats::all(class_limits[c]);
-    // What stands behind the last cap is of no class.
+    // Lanes after the last cap belong to no class.
     for (uint32_t k = 0; k < count; k += 8) {
       const Caps8 caps = Caps8::load(from, k);
       const LaneBits members = greater(limit, caps.b) & not_greater(least, caps.b);
@@ -140,7 +140,7 @@ void keep_exposed(PairSweep &sweep) {
   const uint32_t count = sweep.count, large_caps = sweep.class_end[last_class];
   ExposedCircles exposed(sweep);
   for (uint32_t j = sweep.first_later; j < count; j += 16) {
-    // What stands behind the last circle is left out below.
+    // Lanes after the last circle are left out below.
     const Caps8 low = Caps8::load(caps, j), high = Caps8::load(caps, j + 8);
     const AmongLargeCaps among(large, large_caps, low, high);
     const Floats number = Floats::ascending() + Floats::all(static_cast<float>(j));
@@ -312,7 +312,7 @@ struct PointAnswer {
   const Floats below = -point.error;
   Floats deepest = Floats::all(-4.0F);
   uint32_t near = 0;
-  // What stands behind the last cap is far from the point, unless nothing is certain of it.
+  // Lanes after the last cap are far from the point, unless nothing is certain of it.
   for (uint32_t t = 0; t < count; t += 8) {
     const Floats depth = point.depth(Caps8::load(caps, t));
     deepest = larger(deepest, depth);

@@ -32,7 +32,8 @@ class VertexFinder {
   void find_on_last(const BallSet &balls, const Caps &caps, FixedVector<VertexRecord> &vertices,
                     FixedVector<CircleRecord> &circles);
 
-  // Parts of find, for who finds the rest otherwise: start, then any pairs j < k and any circles j of later caps.
+  // Parts of find, for callers that find the rest otherwise: start, then any pairs j < k and any circles j of later
+  // caps.
   void start(const Caps &caps);
   void decide_pair(const BallSet &balls, const Caps &caps, uint32_t j, uint32_t k, FixedVector<VertexRecord> &vertices);
   void decide_circle(const Caps &caps, uint32_t j, FixedVector<CircleRecord> &circles) const;

@@ -61,7 +61,7 @@ TEST(Measures, OfEachBallDoNotDependOnTheOrderOfTheBallsToTheBit) {
   for (int k = 0; k < oracle::sets(1500); ++k) {
     Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(2, 30)));
     std::sort(balls.begin(), balls.end());
-    // Equal balls are told apart by their index only: here the area may wander from one to the other.
+    // Equal balls differ by their index only: here the area may wander from one to the other.
     balls.erase(std::unique(balls.begin(), balls.end()), balls.end());
     const Measures sorted = LibraryBoundary(balls).measure();
     const std::vector<uint32_t> order = random.permutation(balls.size());

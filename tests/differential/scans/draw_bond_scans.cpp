@@ -11,7 +11,7 @@
 namespace {
 
 constexpr const char *black = "#000000";
-constexpr const char *first_colour = "#d55e00";  // vermilion and blue are told apart by everybody
+constexpr const char *first_colour = "#d55e00";  // vermilion and blue differ for all eyes
 constexpr const char *second_colour = "#0072b2";
 
 // One column: areas above, the derivative below.

@@ -111,7 +111,7 @@ TEST_F(PairBlockAvx2, PointsMeetWhereTheyAreEqual) {
   expect_met(block, arrays, balls, {0, 1, 2, 3, 4}, 2);
 }
 
-// Around the room: what fits is appended, and where the rest begins is told.
+// Around the room: what fits is appended, and where the rest begins is reported.
 TEST_F(PairBlockAvx2, TakesWhatItHasRoomFor) {
   constexpr uint32_t room = hsp::PairBlock::room;
   const std::vector<LatticeBall> balls(room + 20, LatticeBall{0, 0, 0, 1});

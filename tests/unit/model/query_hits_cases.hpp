@@ -125,7 +125,7 @@ uint32_t hits_are_ordered() {
       }
       hits.count = count;
       uint32_t sum = 0, sum_written = 0;
-      // No more room than is told: a sanitizer would see what is read or written behind it.
+      // No more room than is said: a sanitizer would see what is read or written behind it.
       uint32_t all_ids[hsp::QueryHits::room + 9];
       for (uint32_t &id : all_ids) id = untouched;
       const uint32_t room = count + round % 10;

@@ -1,5 +1,5 @@
-// Equal digests of equal sets, whatever memory holds them and whoever made them; other digests of sets that differ in
-// as little as one step of one number, in the caller's order or in the grid.
+// Equal digests of equal sets, whatever memory holds them and however they were made; other digests of sets that differ
+// in as little as one step of one number, in the caller's order or in the grid.
 #include "model/set_digest.hpp"
 
 #include <gtest/gtest.h>

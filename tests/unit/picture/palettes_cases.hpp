@@ -54,7 +54,7 @@ inline uint32_t difference(uint32_t a, uint32_t b) {
   return largest;
 }
 
-// Twelve tints that can be told apart, then the same again; atoms other than carbon are darker.
+// Twelve distinct tints, then the same again; atoms other than carbon are darker.
 inline uint32_t chains_have_tints() {
   for (uint32_t chain = 0; chain < 40; ++chain) {
     const uint32_t tint = hsp::palette_colour(Palette::chain, 6, chain);
