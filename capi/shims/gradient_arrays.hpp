@@ -2,7 +2,7 @@
 #pragma once
 
 #include "conversion.hpp"
-#include "executor.hpp"
+#include "caller_executor.hpp"
 #include "measure/totals.hpp"
 
 namespace hsp::capi {
