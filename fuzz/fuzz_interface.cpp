@@ -82,11 +82,9 @@ class Session {
         call_derivatives();
         break;
       case 20:
-        begin();
-        break;
       case 21:
       case 22:
-        go_on();
+        compute_with();
         break;
       case 23:
         surface_.init(boundary_, ready());
@@ -421,7 +419,6 @@ class Session {
     boundary_ = made;
     limits_ = limits;
     complete_ = false;
-    stages_ = 0;
   }
 
   void compute() {
@@ -437,7 +434,6 @@ class Session {
     }
     // Whatever comes of it, earlier results are gone.
     complete_ = status == HSP_OK;
-    stages_ = 0;
     of_ = contents_;
     if (model == nullptr) {
       FUZZ_REQUIRE(status == HSP_E_ARGUMENT, "hsp_boundary_compute, arguments");
@@ -455,70 +451,40 @@ class Session {
     }
   }
 
-  // ---- by several workers
-
-  void begin() {
+  // By an executor with anything in it, which gives the same as one thread or is refused.
+  void compute_with() {
     hsp_boundary *boundary = null() ? nullptr : boundary_;
-    const hsp_model *model = null() ? nullptr : model_;
-    fuzz::Output<uint32_t> stages(1, null());
-    const uint32_t most = limits_.workers == 0 ? 1 : limits_.workers;
-    const uint32_t workers = bytes_.one_in(8) ? bytes_.below(7) : 1 + bytes_.below(most);
-    const int32_t status = hsp_boundary_begin(boundary, model, workers, stages.data());
-    const bool pointers = boundary != nullptr && model != nullptr && stages.data() != nullptr;
-    const int32_t expected = !pointers ? HSP_E_ARGUMENT : workers < 1 || workers > most ? HSP_E_RANGE : HSP_OK;
-    FUZZ_REQUIRE(status == expected, "hsp_boundary_begin");
-    FUZZ_REQUIRE(stages.untouched_from(status == HSP_OK ? 1 : 0), "stages written on failure");
-    if (boundary == nullptr) return;
-    complete_ = false;
-    stages_ = 0;
-    of_ = contents_;
-    if (status != HSP_OK) return;
-    stages_ = *stages.data();
-    FUZZ_REQUIRE(stages_ > 0, "no stages");
-    done_.assign(workers, 0);
-  }
-
-  bool has_begun() const { return stages_ > 0 && of_ == contents_; }
-  uint32_t fewest_done() const { return *std::min_element(done_.begin(), done_.end()); }
-
-  void work(uint32_t stage, uint32_t worker) {
-    hsp_boundary *boundary = null() ? nullptr : boundary_;
-    int32_t expected = HSP_OK;
-    if (boundary == nullptr) {
-      expected = HSP_E_ARGUMENT;
-    } else if (!has_begun()) {
-      expected = HSP_E_STATE;
-    } else if (stage >= stages_ || worker >= done_.size()) {
-      expected = HSP_E_ID;
-    } else if (done_[worker] != stage || fewest_done() < stage) {
-      expected = HSP_E_STATE;
-    }
-    FUZZ_REQUIRE(hsp_boundary_work(boundary, stage, worker) == expected, "hsp_boundary_work");
-    if (expected == HSP_OK) ++done_[worker];
-  }
-
-  // Some work, mostly such as is due, and perhaps the end.
-  void go_on() {
-    for (uint32_t calls = bytes_.below(24); calls > 0; --calls) {
-      const uint32_t due = has_begun() ? fewest_done() : 0;
-      work(bytes_.one_in(16) ? bytes_.below(9) : due, bytes_.below(5));
-    }
-    if (bytes_.below(2) == 0) return;
-    for (int tries = 0; tries < 40 && has_begun() && fewest_done() < stages_; ++tries) {
-      const auto slowest = std::min_element(done_.begin(), done_.end());
-      work(*slowest, static_cast<uint32_t>(slowest - done_.begin()));
-    }
-    hsp_boundary *boundary = null() ? nullptr : boundary_;
+    const int ways = bytes_.one_in(3) ? static_cast<int>(LOOP_WAYS) : static_cast<int>(LOOP_RIGHT_WAYS);
+    loop own = loop_of(static_cast<int>(bytes_.below(static_cast<uint32_t>(ways))));
+    own.seed = bytes_.byte();
+    own.first_wrong = bytes_.below(9);
+    hsp_executor executor = executor_of(&own, bytes_.below(6));
+    if (bytes_.one_in(16)) executor.run = nullptr;
+    hsp_boundary_request request{sizeof request, 0, null() ? nullptr : &executor};
     hsp_boundary_limits needed = limits_;
-    const int32_t status = hsp_boundary_end(boundary, &needed);
-    if (boundary == nullptr || !has_begun() || fewest_done() < stages_) {
-      FUZZ_REQUIRE(status == (boundary == nullptr ? HSP_E_ARGUMENT : HSP_E_STATE), "hsp_boundary_end");
+    const int32_t status = hsp_boundary_compute_with(boundary, model_, null() ? nullptr : &request, &needed);
+    if (boundary == nullptr || model_ == nullptr) {
+      FUZZ_REQUIRE(status == HSP_E_ARGUMENT, "hsp_boundary_compute_with, arguments");
+      if (boundary != nullptr) complete_ = false;
       return;
     }
-    FUZZ_REQUIRE(status == HSP_OK || status == HSP_E_CAPACITY, "a status that hsp_boundary_end does not have");
-    FUZZ_REQUIRE(needed.workers == limits_.workers, "workers do not come back");
-    stages_ = 0;
     complete_ = status == HSP_OK;
+    of_ = contents_;
+    if (status == HSP_E_ARGUMENT) {
+      FUZZ_REQUIRE(executor.run == nullptr && executor.workers > 1, "hsp_boundary_compute_with refuses an executor");
+      return;
+    }
+    if (own.runs > 0) FUZZ_REQUIRE(own.most_tasks == limits_.workers, "parts");
+    if (status == HSP_E_EXECUTOR) {
+      FUZZ_REQUIRE(own.way >= LOOP_RIGHT_WAYS && own.runs == own.first_wrong + 1, "a loop is refused");
+      return;
+    }
+    FUZZ_REQUIRE(own.way < LOOP_RIGHT_WAYS || own.runs <= own.first_wrong, "a wrong loop is not refused");
+    FUZZ_REQUIRE(status == HSP_OK || status == HSP_E_CAPACITY, "a status that hsp_boundary_compute_with does not have");
+    const bool for_workers = needed.workers > limits_.workers;
+    FUZZ_REQUIRE(!for_workers || (status == HSP_E_CAPACITY && own.runs == 0 && needed.workers == executor.workers),
+                 "parts for workers");
+    if (for_workers) return;
     // One worker needs the same.
     hsp_boundary_limits again = limits_;
     FUZZ_REQUIRE(hsp_boundary_compute(boundary, model_, &again) == status, "another status by one worker");
@@ -582,7 +548,6 @@ class Session {
   void call_parts() {
     const hsp_boundary *boundary = null() ? nullptr : boundary_;
     fuzz::call_measure_parts(bytes_, boundary, reader_status(boundary), balls_);
-    fuzz::call_gradient_parts(bytes_, boundary, reader_status(boundary), balls_);
   }
 
   void call_derivatives() {
@@ -598,15 +563,13 @@ class Session {
   hsp_model *model_ = nullptr;
   hsp_boundary *boundary_ = nullptr;
   hsp_boundary_limits limits_{};
-  uint32_t limit_ = 0;          // of the model
-  uint32_t balls_ = 0;          // that the model holds
-  bool as_made_ = false;        // nothing set since it was made, or the last set failed
-  bool odd_numbers_ = false;    // NaN and the like may occur in the current call
-  uint64_t contents_ = 0;       // of the model
-  uint64_t of_ = 0;             // the contents that the boundary was computed from, or that have begun
-  bool complete_ = false;       // the boundary was computed
-  uint32_t stages_ = 0;         // of what has begun; 0 if nothing has
-  std::vector<uint32_t> done_;  // stages, of each worker
+  uint32_t limit_ = 0;        // of the model
+  uint32_t balls_ = 0;        // that the model holds
+  bool as_made_ = false;      // nothing set since it was made, or the last set failed
+  bool odd_numbers_ = false;  // NaN and the like may occur in the current call
+  uint64_t contents_ = 0;     // of the model
+  uint64_t of_ = 0;           // the contents that the boundary was computed from
+  bool complete_ = false;     // the boundary was computed
 };
 
 }  // namespace

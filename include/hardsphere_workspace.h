@@ -3,7 +3,9 @@
  * hardsphere with memory that grows: for C and C++ programs that may call malloc. Nothing of this is in the library.
  *
  *   hsp_workspace work = {0};                                   (in C++: hsp_workspace work = {};)
- *   int32_t status = hsp_workspace_set(&work, n, xyz, radius, NULL, NULL);
+ *   int32_t status = hsp_workspace_areas(&work, n, xyz, radius, 1.4, area, &totals);
+ *   ...
+ *   status = hsp_workspace_set(&work, n, xyz, radius, NULL, NULL);
  *   if (status == HSP_OK) status = hsp_workspace_boundary(&work);
  *   if (status == HSP_OK) status = hsp_boundary_measure(work.boundary, NULL, &totals, area, NULL, n, NULL);
  *   ...
@@ -414,16 +416,34 @@ static inline int32_t hsp_workspace_set(hsp_workspace *work, uint32_t n, const d
   return hsp_model_set(work->model, n, xyz, radius, options, first_bad);
 }
 
-/** Compute the boundary of the union of the balls. HSP_E_ARGUMENT: no hsp_workspace_set before. */
-static inline int32_t hsp_workspace_boundary(hsp_workspace *work) {
+/** Compute the boundary of the union of the balls; request and statuses as hsp_boundary_compute_with. HSP_E_ARGUMENT:
+ *  no hsp_workspace_set before, too. */
+static inline int32_t hsp_workspace_boundary_with(hsp_workspace *work, const hsp_boundary_request *request) {
   int32_t status = hsp_workspace_ready_boundary(work);
   hsp_boundary_limits limits = work->boundary_limits;
   while (status == HSP_OK) {
-    status = hsp_boundary_compute(work->boundary, work->model, &limits);
+    status = hsp_boundary_compute_with(work->boundary, work->model, request, &limits);
     if (status != HSP_E_CAPACITY) return status;
     status = hsp_workspace_grow_boundary(work, &limits);
   }
   return status;
+}
+
+/** The same without a request. */
+static inline int32_t hsp_workspace_boundary(hsp_workspace *work) {
+  return hsp_workspace_boundary_with(work, NULL);
+}
+
+/** Area of each of n balls that a probe can reach, and area and volume of all, in one call; arguments and statuses as
+ *  hsp_areas. Model and boundary are there afterwards. */
+static inline int32_t hsp_workspace_areas(hsp_workspace *work, uint32_t n, const double *xyz, const double *radius,
+                                          double probe, double *area, hsp_totals *totals) {
+  hsp_model_options options;
+  int32_t status = hsp_model_options_init(&options, sizeof options);
+  options.probe = probe;
+  if (status == HSP_OK) status = hsp_workspace_set(work, n, xyz, radius, &options, NULL);
+  if (status == HSP_OK) status = hsp_workspace_boundary(work);
+  return status == HSP_OK ? hsp_boundary_measure(work->boundary, NULL, totals, area, NULL, n, NULL) : status;
 }
 
 /** Compute the topology of the boundary that hsp_workspace_boundary has computed. */

@@ -4,6 +4,7 @@
 # In the order of the rooms.
 set(HSP_LIBRARY_SOURCES
   lib/ground/core/elementary.cpp
+  lib/ground/core/executor.cpp
   lib/ground/core/key_places.kernel.cpp
   lib/ground/exact/exact_predicates.cpp
   lib/balls/model/ball_set.cpp
@@ -206,6 +207,7 @@ set(HSP_LIBRARY_SOURCES
   capi/shims/hsp_residue.cpp
   capi/shims/hsp_model.cpp
   capi/shims/hsp_query.cpp
+  capi/shims/hsp_areas.cpp
   capi/shims/hsp_body.cpp
   capi/shims/hsp_boundary.cpp
   capi/shims/hsp_measure.cpp

@@ -1,8 +1,6 @@
-// Steps 1 and 2 with areas of every ball, split among 1 and 2 threads by hsp_boundary_begin and
-// hsp_boundary_measure_range, by turns with hsp_boundary_compute and hsp_boundary_measure. By the clock on the wall, so
-// to be run on a quiet machine.
+// Steps 1 and 2 with areas of every ball, split among 1 and 2 threads by an executor, by turns with
+// hsp_boundary_compute and hsp_boundary_measure. By the clock on the wall, so to be run on a quiet machine.
 #include <atomic>
-#include <barrier>
 #include <cstring>
 #include <stdexcept>
 #include <thread>
@@ -15,7 +13,7 @@
 namespace bench {
 namespace {
 
-constexpr uint32_t workers_per_thread = 8;
+constexpr uint32_t parts = 16;
 
 struct Measures {
   hsp_totals totals{};
@@ -35,35 +33,32 @@ void compute_alone(hsp_boundary *boundary, const hsp_model *model, Measures &out
       "hsp_boundary_measure");
 }
 
-// The threads are started anew each time.
-void compute_split(hsp_boundary *boundary, const hsp_model *model, uint32_t threads, Measures &out) {
-  const auto n = static_cast<uint32_t>(out.area.size());
-  const uint32_t workers = threads * workers_per_thread;
-  uint32_t stages = 0;
-  support::expect_ok(hsp_boundary_begin(boundary, model, workers, &stages), "hsp_boundary_begin");
-  std::vector<std::atomic<uint32_t>> next(stages + 1);
-  std::barrier meeting(threads);
-  int32_t ended = HSP_E_STATE;
-  const auto take_part = [&](uint32_t thread) {
-    for (uint32_t stage = 0; stage < stages; ++stage) {
-      for (uint32_t w; (w = next[stage]++) < workers;) hsp_boundary_work(boundary, stage, w);
-      meeting.arrive_and_wait();
-    }
-    if (thread == 0) ended = hsp_boundary_end(boundary, nullptr);
-    meeting.arrive_and_wait();
-    for (uint32_t w; (w = next[stages]++) < workers;) {
-      const auto first_of = [&](uint32_t part) { return static_cast<uint32_t>(uint64_t{n} * part / workers); };
-      hsp_boundary_measure_range(boundary, nullptr, first_of(w), first_of(w + 1) - first_of(w), out.area.data(),
-                                 out.volume.data());
-    }
+// An executor whose threads are started anew each time.
+void run_tasks(void *context, uint32_t tasks, hsp_task *task, void *data) {
+  const uint32_t threads = *static_cast<const uint32_t *>(context);
+  std::atomic<uint32_t> next = 0;
+  const auto take_part = [&] {
+    for (uint32_t k; (k = next++) < tasks;) task(data, k);
   };
   std::vector<std::thread> others;
-  for (uint32_t t = 1; t < threads; ++t) others.emplace_back(take_part, t);
-  take_part(0);
+  for (uint32_t t = 1; t < threads; ++t) others.emplace_back(take_part);
+  take_part();
   for (std::thread &other : others) other.join();
-  support::expect_ok(ended, "hsp_boundary_end");
-  support::expect_ok(hsp_boundary_measure_end(boundary, &out.totals, out.area.data(), out.volume.data()),
-                     "hsp_boundary_measure_end");
+}
+
+// Split for two workers, of which there may be one.
+void compute_split(hsp_boundary *boundary, const hsp_model *model, uint32_t threads, Measures &out) {
+  const hsp_executor executor{sizeof executor, 2, &threads, run_tasks};
+  const hsp_boundary_request request{sizeof request, 0, &executor};
+  support::expect_ok(hsp_boundary_compute_with(boundary, model, &request, nullptr), "hsp_boundary_compute_with");
+  const hsp_measure_request measuring{sizeof measuring, 0, nullptr, &executor};
+  hsp_measure_outputs outputs{};
+  outputs.struct_size = sizeof outputs;
+  outputs.capacity = static_cast<uint32_t>(out.area.size());
+  outputs.totals = &out.totals;
+  outputs.area = out.area.data();
+  outputs.volume = out.volume.data();
+  support::expect_ok(hsp_boundary_get_measures(boundary, &measuring, &outputs), "hsp_boundary_get_measures");
 }
 
 void alone_and_split(benchmark::State &state, Subject &subject) {
@@ -75,7 +70,7 @@ void alone_and_split(benchmark::State &state, Subject &subject) {
   boundary.take(support::default_boundary_limits(model.size()));
   boundary.compute(compute);
   hsp_boundary_limits limits = boundary.needed();
-  limits.workers = 2 * workers_per_thread;
+  limits.workers = parts;
   boundary.take(limits);
   Measures alone(model.size()), by_one(model.size()), by_two(model.size());
   alternate(state, model.size(),

@@ -75,6 +75,8 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_E_CONFLICT = -13_c_int32_t
   ! a degenerate set of balls, whose smooth surface does not close
   integer(c_int32_t), parameter :: HSP_E_OPEN_SURFACE = -14_c_int32_t
+  ! the caller's executor did not call every task exactly once
+  integer(c_int32_t), parameter :: HSP_E_EXECUTOR = -15_c_int32_t
 
   ! ---- element.h: elements by symbol, and their radii ----------------------------------------------------------------
 
@@ -269,7 +271,8 @@ module hardsphere
     integer(c_int32_t) :: workers                                        ! how many threads there are for the tasks
     type(c_ptr) :: context                                               ! or NULL: handed to run
     ! Calls task(data, 0) to task(data, tasks - 1), each once, in any order and on any threads, and returns when all
-    ! have returned. Not NULL with more than one worker.
+    ! have returned. What they wrote must be visible to the caller's thread then, as after a join. tasks may be larger
+    ! than workers, HSP_MAX_WORKERS at most. Not NULL with more than one worker.
     type(c_funptr) :: run
   end type
 
@@ -357,7 +360,14 @@ module hardsphere
     integer(c_int32_t) :: neighbours                  ! most balls that meet any one ball that lies inside no other
     integer(c_int32_t) :: vertices                    ! vertices of the boundary
     integer(c_int32_t) :: circles                     ! free circles
-    integer(c_int32_t) :: workers                     ! most workers of hsp_boundary_begin; 0 is 1. Comes back as it is
+    ! parts that threads of an executor share; 0 is 1. Comes back as it is if it suffices
+    integer(c_int32_t) :: workers
+  end type
+
+  type, bind(C) :: hsp_boundary_request
+    integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_boundary_request)
+    integer(c_int32_t) :: reserved                                       ! 0
+    type(c_ptr) :: executor                                              ! or NULL: the threads that share the work
   end type
 
   type, bind(C) :: hsp_boundary_counts
@@ -436,6 +446,24 @@ module hardsphere
   type, bind(C) :: hsp_totals
     real(c_double) :: area    ! of the boundary, walls of voids included, length^2
     real(c_double) :: volume  ! of the union, voids not included, length^3
+  end type
+
+  type, bind(C) :: hsp_measure_request
+    integer(c_int32_t) :: struct_size = 8_c_int32_t + 2 * pointer_bytes  ! sizeof(hsp_measure_request)
+    integer(c_int32_t) :: reserved                                       ! 0
+    ! [n], or NULL for all: 0 for balls that only block
+    type(c_ptr) :: selected
+    type(c_ptr) :: executor                                              ! or NULL: the threads that share the work
+  end type
+
+  type, bind(C) :: hsp_measure_outputs
+    integer(c_int32_t) :: struct_size = 16_c_int32_t + 3 * pointer_bytes  ! sizeof(hsp_measure_outputs)
+    integer(c_int32_t) :: capacity                                        ! entries that each array [n] has room for
+    integer(c_int32_t) :: needed                                          ! becomes n
+    integer(c_int32_t) :: reserved                                        ! 0
+    type(c_ptr) :: totals                                                 ! or NULL
+    type(c_ptr) :: area                                                   ! [n], or NULL: free area of each ball
+    type(c_ptr) :: volume                                                 ! [n], or NULL: each ball's term of the volume
   end type
 
   ! ---- gradient.h: their derivatives ---------------------------------------------------------------------------------
@@ -1631,26 +1659,12 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_boundary_begin(boundary, model, workers, stages) result(status) bind(C, name="hsp_boundary_begin")
-      import :: c_int32_t, c_ptr
+    function hsp_boundary_compute_with(boundary, model, request, limits) result(status) &
+      bind(C, name="hsp_boundary_compute_with")
+      import :: c_int32_t, c_ptr, hsp_boundary_limits, hsp_boundary_request
       type(c_ptr), value :: boundary
       type(c_ptr), value :: model
-      integer(c_int32_t), value :: workers
-      integer(c_int32_t), intent(inout) :: stages
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_boundary_work(boundary, stage, worker) result(status) bind(C, name="hsp_boundary_work")
-      import :: c_int32_t, c_ptr
-      type(c_ptr), value :: boundary
-      integer(c_int32_t), value :: stage
-      integer(c_int32_t), value :: worker
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_boundary_end(boundary, limits) result(status) bind(C, name="hsp_boundary_end")
-      import :: c_int32_t, c_ptr, hsp_boundary_limits
-      type(c_ptr), value :: boundary
+      type(hsp_boundary_request), intent(in), optional :: request
       type(hsp_boundary_limits), intent(inout), optional :: limits
       integer(c_int32_t) :: status
     end function
@@ -1741,6 +1755,26 @@ module hardsphere
 
     ! ---- measure.h: areas and volumes --------------------------------------------------------------------------------
 
+    function hsp_areas_bytes(n, bytes) result(status) bind(C, name="hsp_areas_bytes")
+      import :: c_int32_t, c_size_t
+      integer(c_int32_t), value :: n
+      integer(c_size_t), intent(inout) :: bytes
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_areas(n, xyz, radius, probe, memory, bytes, area, totals) result(status) bind(C, name="hsp_areas")
+      import :: c_double, c_int32_t, c_ptr, c_size_t, hsp_totals
+      integer(c_int32_t), value :: n
+      real(c_double), intent(in), optional :: xyz(3, *)  ! 3, n
+      real(c_double), intent(in), optional :: radius(*)  ! n
+      real(c_double), value :: probe
+      type(c_ptr), value :: memory
+      integer(c_size_t), intent(inout) :: bytes
+      real(c_double), intent(inout), optional :: area(*)  ! n
+      type(hsp_totals), intent(inout), optional :: totals
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_boundary_measure(boundary, selected, totals, area, volume, capacity, needed) result(status) &
       bind(C, name="hsp_boundary_measure")
       import :: c_double, c_int32_t, c_int8_t, c_ptr, hsp_totals
@@ -1754,25 +1788,12 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_boundary_measure_range(boundary, selected, first, count, area, volume) result(status) &
-      bind(C, name="hsp_boundary_measure_range")
-      import :: c_double, c_int32_t, c_int8_t, c_ptr
+    function hsp_boundary_get_measures(boundary, request, outputs) result(status) &
+      bind(C, name="hsp_boundary_get_measures")
+      import :: c_int32_t, c_ptr, hsp_measure_outputs, hsp_measure_request
       type(c_ptr), value :: boundary
-      integer(c_int8_t), intent(in), optional :: selected(*)  ! n
-      integer(c_int32_t), value :: first
-      integer(c_int32_t), value :: count
-      real(c_double), intent(inout) :: area(*)  ! n
-      real(c_double), intent(inout) :: volume(*)  ! n
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_boundary_measure_end(boundary, totals, area, volume) result(status) &
-      bind(C, name="hsp_boundary_measure_end")
-      import :: c_double, c_int32_t, c_ptr, hsp_totals
-      type(c_ptr), value :: boundary
-      type(hsp_totals), intent(inout), optional :: totals
-      real(c_double), intent(inout) :: area(*)  ! n
-      real(c_double), intent(inout) :: volume(*)  ! n
+      type(hsp_measure_request), intent(in), optional :: request
+      type(hsp_measure_outputs), intent(inout) :: outputs
       integer(c_int32_t) :: status
     end function
 
@@ -1820,36 +1841,6 @@ module hardsphere
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t), intent(inout), optional :: first_bad
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_boundary_gradient_range(boundary, sigma, tension, pressure, tangency, first, count, d_centre, &
-      d_radius, flags, shares, first_bad) result(status) bind(C, name="hsp_boundary_gradient_range")
-      import :: c_double, c_int32_t, c_ptr
-      type(c_ptr), value :: boundary
-      real(c_double), intent(in), optional :: sigma(*)  ! n
-      real(c_double), value :: tension
-      real(c_double), value :: pressure
-      integer(c_int32_t), value :: tangency
-      integer(c_int32_t), value :: first
-      integer(c_int32_t), value :: count
-      real(c_double), intent(inout), optional :: d_centre(3, *)  ! 3, n
-      real(c_double), intent(inout), optional :: d_radius(*)  ! n
-      integer(c_int32_t), intent(inout), optional :: flags(*)  ! n
-      real(c_double), intent(inout), optional :: shares(3, *)  ! 3, n
-      integer(c_int32_t), intent(inout), optional :: first_bad
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_boundary_gradient_end(boundary, tension, pressure, energy, flags, shares) result(status) &
-      bind(C, name="hsp_boundary_gradient_end")
-      import :: c_double, c_int32_t, c_ptr, hsp_energy
-      type(c_ptr), value :: boundary
-      real(c_double), value :: tension
-      real(c_double), value :: pressure
-      type(hsp_energy), intent(inout), optional :: energy
-      integer(c_int32_t), intent(inout), optional :: flags(*)  ! n
-      real(c_double), intent(in), optional :: shares(3, *)  ! 3, n
       integer(c_int32_t) :: status
     end function
 
@@ -3675,6 +3666,15 @@ contains
     integer(c_size_t) :: bytes
     bytes = 13312_c_size_t + 16_c_size_t*int(balls, c_size_t) + 416_c_size_t*int(neighbours, c_size_t) &
       + 16_c_size_t*int(vertices, c_size_t) + 16_c_size_t*int(circles, c_size_t)
+  end function
+
+  ! ---- measure.h: areas and volumes ----------------------------------------------------------------------------------
+
+  !> HSP_AREAS_BYTES of the header, for the size of an allocation.
+  pure function hsp_areas_bytes_bound(balls) result(bytes)
+    integer(c_int32_t), intent(in) :: balls
+    integer(c_size_t) :: bytes
+    bytes = 18432_c_size_t + 1888_c_size_t*int(balls, c_size_t)
   end function
 
   ! ---- moving.h: all of that while a few balls move at a time --------------------------------------------------------

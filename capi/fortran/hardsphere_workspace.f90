@@ -121,15 +121,16 @@ contains
     status = hsp_model_set(self%model, n, xyz, radius, options, first_bad)
   end function
 
-  ! Computes the boundary of the union of the balls. HSP_E_ARGUMENT: no balls were set.
-  function compute_boundary(self) result(status)
+  ! Computes the boundary of the union of the balls, as a request says, if it is there. HSP_E_ARGUMENT: no balls were set.
+  function compute_boundary(self, request) result(status)
     class(hsp_workspace), intent(inout), target :: self
+    type(hsp_boundary_request), intent(in), optional :: request
     type(hsp_boundary_limits) :: limits
     integer(c_int32_t) :: status
     status = ready_boundary(self)
     limits = self%boundary_limits
     do while (status == HSP_OK)
-      status = hsp_boundary_compute(self%boundary, self%model, limits)
+      status = hsp_boundary_compute_with(self%boundary, self%model, request, limits)
       if (status /= HSP_E_CAPACITY) return
       status = grow_boundary(self, limits)
     end do

@@ -1,8 +1,8 @@
 // How derivatives of areas and volume cross the C interface.
 #pragma once
 
+#include "caller_executor.hpp"
 #include "conversion.hpp"
-#include "executor.hpp"
 #include "measure/totals.hpp"
 
 namespace hsp::capi {

@@ -1,4 +1,5 @@
 #include "hsp_boundary.hpp"
+#include "caller_executor.hpp"
 #include "loop_walk.hpp"
 #include "measure/boundary_metric_check.hpp"
 #include "measure/boundary_positions.hpp"
@@ -53,12 +54,6 @@ void write_circle(const hsp::BallSet &balls, uint32_t a, uint32_t b, Record &rec
   record.ball[1] = balls.caller[b];
 }
 
-// What computing begins with, whatever comes of it.
-void drop_results(hsp_boundary &boundary) {
-  boundary.complete = false;
-  boundary.builder.abandon();
-}
-
 }  // namespace
 
 int32_t hsp_boundary_limits_init(hsp_boundary_limits *limits, uint32_t struct_size, uint32_t balls) {
@@ -74,35 +69,21 @@ int32_t hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary_limits 
 }
 
 int32_t hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *model, hsp_boundary_limits *limits) {
-  if (const int32_t status = check_handle(boundary); status != HSP_OK) return status;
-  drop_results(*boundary);
-  if (const int32_t status = first_failure(check_handle(model), check_struct(limits)); status != HSP_OK) return status;
-  boundary->model.set(model);
-  return hsp::capi::finish(*boundary, boundary->builder.build(model->grid), limits);
+  return hsp_boundary_compute_with(boundary, model, nullptr, limits);
 }
 
-int32_t hsp_boundary_begin(hsp_boundary *boundary, const hsp_model *model, uint32_t workers, uint32_t *stages) {
+int32_t hsp_boundary_compute_with(hsp_boundary *boundary, const hsp_model *model, const hsp_boundary_request *request,
+                                  hsp_boundary_limits *limits) {
   if (const int32_t status = check_handle(boundary); status != HSP_OK) return status;
-  drop_results(*boundary);
-  if (const int32_t status = check_handle(model, stages == nullptr); status != HSP_OK) return status;
-  boundary->model.set(model);
-  const hsp::Status status = boundary->builder.begin(model->grid, workers);
-  if (status == hsp::Status::ok) *stages = hsp::BoundaryBuilder::stages;
-  return hsp::capi::to_c(status);
-}
-
-int32_t hsp_boundary_work(hsp_boundary *boundary, uint32_t stage, uint32_t worker) {
-  if (const int32_t status = check_handle(boundary); status != HSP_OK) return status;
-  return boundary->has_model() ? hsp::capi::to_c(boundary->builder.work(stage, worker)) : HSP_E_STATE;
-}
-
-int32_t hsp_boundary_end(hsp_boundary *boundary, hsp_boundary_limits *limits) {
-  if (const int32_t status = first_failure(check_handle(boundary), check_struct(limits)); status != HSP_OK)
+  boundary->complete = false;
+  hsp_boundary_request asked;
+  hsp::capi::Executor executor;
+  if (const int32_t status =
+          first_failure(check_handle(model), hsp::capi::read_request(request, asked, executor), check_struct(limits));
+      status != HSP_OK)
     return status;
-  if (!boundary->has_model()) return HSP_E_STATE;
-  const hsp::Status status = boundary->builder.end();
-  if (status == hsp::Status::state) return HSP_E_STATE;
-  return hsp::capi::finish(*boundary, status, limits);
+  boundary->model.set(model);
+  return hsp::capi::finish(*boundary, boundary->builder.build(model->grid, executor), limits);
 }
 
 int32_t hsp_boundary_get_counts(const hsp_boundary *boundary, hsp_boundary_counts *counts) {

@@ -18,7 +18,7 @@ struct hsp_boundary {
 
   uintptr_t tag;
   Builder builder;
-  hsp::capi::Source<hsp_model> model{};  // of what was computed last, or has begun
+  hsp::capi::Source<hsp_model> model{};  // of what was computed last
   bool complete = false;                 // the boundary is there
 
   // Whether the model is as it was.

@@ -32,11 +32,12 @@ int32_t hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradie
   const hsp::Boundary &structure = boundary->structure();
   const hsp::EnergyTerms terms = asked.terms();
   const auto put = [&](uint32_t i, const hsp::EnergyGradient &gradient) { arrays.put(i, gradient); };
-  const hsp::Energy found =
-      asked.executor.is_parallel()
-          ? hsp::differentiate_energy(grid, structure, terms, {grid.balls().n, asked.executor.workers()},
-                                      asked.executor, put)
-          : hsp::differentiate_energy(grid, structure, terms, put);
+  hsp::Energy found;
+  if (!asked.executor.is_parallel()) {
+    found = hsp::differentiate_energy(grid, structure, terms, put);
+  } else if (!hsp::differentiate_in_parts(asked.executor, grid, structure, terms, found, put)) {
+    return HSP_E_EXECUTOR;
+  }
   if (out.flags != nullptr) hsp::flag_free_inner_contacts(grid, structure, HSP_GRADIENT_ONE_SIDED, out.flags);
   if (out.energy != nullptr) *out.energy = hsp::capi::to_c(found);
   return HSP_OK;
@@ -60,46 +61,6 @@ int32_t hsp_boundary_gradient(const hsp_boundary *boundary, const double *sigma,
       grid, structure, terms, [&](uint32_t i, const hsp::EnergyGradient &gradient) { arrays.put(i, gradient); });
   if (flags != nullptr) hsp::flag_free_inner_contacts(grid, structure, HSP_GRADIENT_ONE_SIDED, flags);
   if (energy != nullptr) *energy = hsp::capi::to_c(found);
-  return HSP_OK;
-}
-
-int32_t hsp_boundary_gradient_range(const hsp_boundary *boundary, const double *sigma, double tension, double pressure,
-                                    uint32_t tangency, uint32_t first, uint32_t count, double *d_centre,
-                                    double *d_radius, uint32_t *flags, double *shares, uint32_t *first_bad) {
-  if (const int32_t status = check_handle(boundary, !is_tangency(tangency)); status != HSP_OK) return status;
-  // Any of the arrays may be missing.
-  int32_t status = hsp::capi::check_range(boundary, first, count, boundary,
-                                          [](const hsp_boundary &b) { return b.structure().ball_count(); });
-  if (status != HSP_OK) return status;
-  const hsp::IdRange range{first, first + count};
-  status = check_weights(sigma, range, first_bad);
-  if (status != HSP_OK) return status;
-  if (!hsp::is_finite(tension) || !hsp::is_finite(pressure)) return HSP_E_NOT_FINITE;
-  const hsp::EnergyTerms terms{{sigma, to_touching_balls(tangency)}, tension, pressure};
-  const GradientArrays arrays{d_centre, d_radius, flags};
-  hsp::differentiate_balls(boundary->model->grid, boundary->structure(), terms, range,
-                           [&](uint32_t i, const hsp::EnergyGradient &gradient, const hsp::EnergyShare &share) {
-                             arrays.put(i, gradient);
-                             const double numbers[3] = {share.area, share.volume, share.by_probe};
-                             put_vector(numbers, shares, i);
-                           });
-  return HSP_OK;
-}
-
-int32_t hsp_boundary_gradient_end(const hsp_boundary *boundary, double tension, double pressure, hsp_energy *energy,
-                                  uint32_t *flags, const double *shares) {
-  if (const int32_t status = check_results(boundary, energy != nullptr && shares == nullptr); status != HSP_OK)
-    return status;
-  if (!hsp::is_finite(tension) || !hsp::is_finite(pressure)) return HSP_E_NOT_FINITE;
-  const hsp::CubeGrid &grid = boundary->model->grid;
-  if (flags != nullptr) hsp::flag_free_inner_contacts(grid, boundary->structure(), HSP_GRADIENT_ONE_SIDED, flags);
-  if (energy == nullptr) return HSP_OK;
-  hsp::EnergySum sum;
-  for (uint32_t i = 0; i < grid.balls().n; ++i) {
-    const double *own = shares + 3 * static_cast<size_t>(i);
-    sum.add({own[0], own[1], own[2]});
-  }
-  *energy = hsp::capi::to_c(sum.total(grid.balls().lattice, tension, pressure));
   return HSP_OK;
 }
 

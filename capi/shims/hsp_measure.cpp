@@ -1,8 +1,10 @@
+#include "caller_executor.hpp"
 #include "hsp_boundary.hpp"
 #include "measure/totals.hpp"
 
 using hsp::capi::check_handle;
 using hsp::capi::check_results;
+using hsp::capi::first_failure;
 
 int32_t hsp_boundary_measure(const hsp_boundary *boundary, const uint8_t *selected, hsp_totals *totals, double *area,
                              double *volume, uint32_t capacity, uint32_t *needed) {
@@ -15,26 +17,29 @@ int32_t hsp_boundary_measure(const hsp_boundary *boundary, const uint8_t *select
   return HSP_OK;
 }
 
-int32_t hsp_boundary_measure_range(const hsp_boundary *boundary, const uint8_t *selected, uint32_t first,
-                                   uint32_t count, double *area, double *volume) {
-  if (const int32_t status = check_handle(boundary, area == nullptr || volume == nullptr); status != HSP_OK)
+int32_t hsp_boundary_get_measures(const hsp_boundary *boundary, const hsp_measure_request *request,
+                                  hsp_measure_outputs *outputs) {
+  if (const int32_t status = check_handle(boundary); status != HSP_OK) return status;
+  hsp_measure_request asked;
+  hsp_measure_outputs out;
+  hsp::capi::Executor executor;
+  if (const int32_t status =
+          first_failure(hsp::capi::read_request(request, asked, executor), hsp::capi::read_struct(outputs, {}, out));
+      status != HSP_OK)
     return status;
-  const int32_t status = hsp::capi::check_range(boundary, first, count, area,
-                                                [](const hsp_boundary &b) { return b.structure().ball_count(); });
-  if (status != HSP_OK) return status;
-  hsp::measure_balls(boundary->model->grid, boundary->structure(), selected, {first, first + count},
-                     [&](uint32_t i, const hsp::BallMeasure &measure) {
-                       area[i] = measure.area;
-                       volume[i] = measure.volume;
-                     });
-  return HSP_OK;
-}
-
-int32_t hsp_boundary_measure_end(const hsp_boundary *boundary, hsp_totals *totals, double *area, double *volume) {
-  if (const int32_t status = check_results(boundary, area == nullptr || volume == nullptr); status != HSP_OK)
-    return status;
-  const hsp::BallMeasure total = hsp::sum_and_convert(boundary->balls(), area, volume);
-  if (totals != nullptr) *totals = {total.area, total.volume};
+  if (out.reserved != 0) return HSP_E_VERSION;
+  if (!boundary->has_results()) return HSP_E_STATE;
+  const hsp::CubeGrid &grid = boundary->model->grid;
+  const bool wanted = out.area != nullptr || out.volume != nullptr;
+  if (!hsp::capi::fits(wanted, out.capacity, grid.balls().n, &outputs->needed)) return HSP_E_CAPACITY;
+  const hsp::Boundary &structure = boundary->structure();
+  hsp::BallMeasure total;
+  if (!executor.is_parallel()) {
+    total = hsp::measure_into(grid, structure, asked.selected, out.area, out.volume);
+  } else if (!hsp::measure_in_parts(executor, grid, structure, asked.selected, out.area, out.volume, total)) {
+    return HSP_E_EXECUTOR;
+  }
+  if (out.totals != nullptr) *out.totals = {total.area, total.volume};
   return HSP_OK;
 }
 

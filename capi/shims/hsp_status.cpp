@@ -48,6 +48,8 @@ const char *hsp_status_text(int32_t status) {
       return "balls and sticks that cannot be painted; which ones is reported";
     case HSP_E_OPEN_SURFACE:
       return "a degenerate set of balls, whose smooth surface does not close";
+    case HSP_E_EXECUTOR:
+      return "the caller's executor did not call every task exactly once";
     default:
       return "unknown status";
   }

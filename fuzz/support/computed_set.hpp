@@ -52,7 +52,7 @@ inline std::vector<uint32_t> shuffled(uint32_t n, Bytes &bytes) {
 }
 
 inline void ComputedSet::compute_by_workers(uint32_t workers, Bytes &bytes) {
-  const int32_t status = computed_by_workers(&computed_, workers, shuffled(workers, bytes).data());
+  const int32_t status = computed_by_workers(&computed_, workers, bytes.byte());
   FUZZ_REQUIRE(status == HSP_OK, hsp_status_text(status));
 }
 

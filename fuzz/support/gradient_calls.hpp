@@ -1,6 +1,8 @@
 // Calls of the functions for parts and derivatives of areas with anything for arguments.
 #pragma once
 
+#include <loops.h>
+
 #include <cmath>
 
 #include "call_checks.hpp"
@@ -24,18 +26,23 @@ inline void call_measure_parts(Bytes &bytes, const hsp_boundary *boundary, int32
   FUZZ_REQUIRE(volume.untouched_from(volume.data() == nullptr ? 0 : written), "volume written where nothing belongs");
   FUZZ_REQUIRE(totals.untouched_from(status == HSP_OK && totals.data() != nullptr ? 1 : 0), "totals on failure");
 
-  const uint32_t first = bytes.below(30), count = bytes.one_in(8) ? HSP_NONE - bytes.below(3) : bytes.below(30);
-  Output<double> part_area(60, null(bytes)), part_volume(60, null(bytes));
-  const bool no_part = part_area.data() == nullptr || part_volume.data() == nullptr;
-  const int32_t refused = boundary == nullptr || no_part ? HSP_E_ARGUMENT : reader_status;
-  const bool there = first <= balls && count <= balls - first;
-  status = hsp_boundary_measure_range(boundary, null(bytes) ? nullptr : selected.data(), first, count, part_area.data(),
-                                      part_volume.data());
-  FUZZ_REQUIRE(status == (refused == HSP_OK && !there ? HSP_E_ID : refused), "hsp_boundary_measure_range");
-  if (!no_part) FUZZ_REQUIRE(part_area.untouched_from(status == HSP_OK ? first + count : 0), "area beyond a range");
-  Output<hsp_totals> part_totals(1, null(bytes));
-  status = hsp_boundary_measure_end(boundary, part_totals.data(), part_area.data(), part_volume.data());
-  FUZZ_REQUIRE(status == refused, "hsp_boundary_measure_end");
+  Output<double> own_area(bytes.below(30), null(bytes)), own_volume(own_area.capacity(), null(bytes));
+  Output<hsp_totals> own_totals(1, null(bytes));
+  loop own = loop_of(LOOP_SHUFFLED);
+  const hsp_executor executor = executor_of(&own, bytes.below(4));
+  const hsp_measure_request request{sizeof request, 0, selected.data(), null(bytes) ? nullptr : &executor};
+  hsp_measure_outputs outputs{sizeof outputs,  own_area.capacity(), 12345, 0, own_totals.data(),
+                              own_area.data(), own_volume.data()};
+  const bool own_arrays = own_area.data() != nullptr || own_volume.data() != nullptr;
+  status = hsp_boundary_get_measures(boundary, null(bytes) ? nullptr : &request, &outputs);
+  expected = reader_status;
+  if (expected == HSP_OK && own_arrays && own_area.capacity() < balls) expected = HSP_E_CAPACITY;
+  FUZZ_REQUIRE(status == expected, "hsp_boundary_get_measures");
+  FUZZ_REQUIRE(outputs.needed == (reader_status == HSP_OK ? balls : 12345), "what hsp_boundary_get_measures needs");
+  const uint32_t own_written = status == HSP_OK ? balls : 0;
+  FUZZ_REQUIRE(own_area.untouched_from(own_area.data() == nullptr ? 0 : own_written), "areas where nothing belongs");
+  FUZZ_REQUIRE(own_volume.untouched_from(own_volume.data() == nullptr ? 0 : own_written),
+               "volumes where nothing belongs");
 
   hsp_boundary_counts counts{};
   if (reader_status == HSP_OK) FUZZ_REQUIRE(hsp_boundary_get_counts(boundary, &counts) == HSP_OK, "counts");
@@ -49,50 +56,6 @@ inline void call_measure_parts(Bytes &bytes, const hsp_boundary *boundary, int32
   const uint32_t faces = status == HSP_OK ? counts.faces : 0;
   FUZZ_REQUIRE(face_area.untouched_from(face_area.data() == nullptr ? 0 : faces), "areas of faces");
   FUZZ_REQUIRE(face_volume.untouched_from(face_volume.data() == nullptr ? 0 : faces), "volumes of faces");
-}
-
-inline void call_gradient_parts(Bytes &bytes, const hsp_boundary *boundary, int32_t reader_status, uint32_t balls) {
-  const bool odd = bytes.one_in(3);
-  std::vector<double> sigma(balls + 1);
-  for (double &x : sigma) x = number(bytes, odd);
-  const double tension = number(bytes, odd), pressure = number(bytes, odd);
-  const uint32_t tangency = bytes.one_in(20) ? 2 + bytes.byte() : bytes.below(2);
-  const uint32_t first = bytes.below(30), count = bytes.one_in(8) ? HSP_NONE - bytes.below(3) : bytes.below(30);
-  const bool there = first <= balls && count <= balls - first;
-  const bool no_sigma = null(bytes);
-  const bool finite = std::isfinite(tension) && std::isfinite(pressure);
-  bool finite_weights = true;
-  for (uint32_t i = first; there && i < first + count && !no_sigma; ++i) {
-    finite_weights = finite_weights && std::isfinite(sigma[i]);
-  }
-  Output<double> centre(180, null(bytes)), radius(60, null(bytes)), shares(180, null(bytes));
-  Output<uint32_t> flags(60, null(bytes));
-  uint32_t first_bad = 12345;
-  int32_t status =
-      hsp_boundary_gradient_range(boundary, no_sigma ? nullptr : sigma.data(), tension, pressure, tangency, first,
-                                  count, centre.data(), radius.data(), flags.data(), shares.data(), &first_bad);
-  const int32_t refused = boundary == nullptr || tangency > HSP_TANGENT_DISJOINT ? HSP_E_ARGUMENT
-                          : reader_status != HSP_OK                              ? reader_status
-                          : !there                                               ? HSP_E_ID
-                          : !finite_weights || !finite                           ? HSP_E_NOT_FINITE
-                                                                                 : HSP_OK;
-  FUZZ_REQUIRE(status == refused, "hsp_boundary_gradient_range");
-  FUZZ_REQUIRE(finite_weights || status != HSP_E_NOT_FINITE || !std::isfinite(sigma[first_bad]),
-               "first_bad of a range");
-  const uint32_t end = status == HSP_OK ? first + count : 0;
-  FUZZ_REQUIRE(centre.untouched_from(centre.data() == nullptr ? 0 : 3 * end), "centre beyond a range");
-  FUZZ_REQUIRE(radius.untouched_from(radius.data() == nullptr ? 0 : end), "radius beyond a range");
-  FUZZ_REQUIRE(flags.untouched_from(flags.data() == nullptr ? 0 : end), "flags beyond a range");
-  FUZZ_REQUIRE(shares.untouched_from(shares.data() == nullptr ? 0 : 3 * end), "shares beyond a range");
-  Output<hsp_energy> energy(1, null(bytes));
-  status = hsp_boundary_gradient_end(boundary, tension, pressure, energy.data(), flags.data(), shares.data());
-  const bool nothing_to_sum = energy.data() != nullptr && shares.data() == nullptr;
-  FUZZ_REQUIRE(status == (boundary == nullptr || nothing_to_sum ? HSP_E_ARGUMENT
-                          : reader_status != HSP_OK             ? reader_status
-                          : !finite                             ? HSP_E_NOT_FINITE
-                                                                : HSP_OK),
-               "hsp_boundary_gradient_end");
-  FUZZ_REQUIRE(energy.untouched_from(status == HSP_OK && energy.data() != nullptr ? 1 : 0), "energy on failure");
 }
 
 inline void call_gradient(Bytes &bytes, const hsp_boundary *boundary, int32_t reader_status, uint32_t balls) {

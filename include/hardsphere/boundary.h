@@ -12,6 +12,7 @@
 #ifndef HARDSPHERE_BOUNDARY_H
 #define HARDSPHERE_BOUNDARY_H
 
+#include "executor.h"
 #include "model.h"
 
 #include <stddef.h>
@@ -31,7 +32,7 @@ typedef struct hsp_boundary_limits {
   uint32_t neighbours;  /**< most balls that meet any one ball that lies inside no other */
   uint32_t vertices;    /**< vertices of the boundary */
   uint32_t circles;     /**< free circles */
-  uint32_t workers;     /**< most workers of hsp_boundary_begin; 0 is 1. Comes back as it is */
+  uint32_t workers;     /**< parts that threads of an executor share; 0 is 1. Comes back as it is if it suffices */
 } hsp_boundary_limits;
 
 #define HSP_MAX_WORKERS UINT32_C(1024) /**< most workers of a boundary */
@@ -84,37 +85,26 @@ HSP_API int32_t hsp_boundary_init(void *memory, size_t bytes, const hsp_boundary
  *  @retval HSP_E_CAPACITY  a limit is too small */
 HSP_API int32_t hsp_boundary_compute(hsp_boundary *boundary, const hsp_model *model, hsp_boundary_limits *limits);
 
-/* ---- by several threads ---------------------------------------------------------------------------------------- */
+/** How a boundary is computed. Zero means default in every field but the first. */
+typedef struct hsp_boundary_request {
+  uint32_t struct_size;         /**< sizeof(hsp_boundary_request) */
+  uint32_t reserved;            /**< 0 */
+  const hsp_executor *executor; /**< or NULL: the threads that share the work */
+} hsp_boundary_request;
 
-/** The same as hsp_boundary_compute, split among threads of the caller's own:
- *    hsp_boundary_begin(boundary, model, workers, &stages);
- *    for (stage = 0; stage < stages; ++stage)
- *      for (worker = 0; worker < workers; ++worker) hsp_boundary_work(boundary, stage, worker);
- *    hsp_boundary_end(boundary, &limits);
- *  The calls of the inner loop may run side by side, in any order and by any threads, each made once; all have to
- *  return before one of the next stage is made. Every worker has about n / workers balls that lie together, and memory
- *  of its own. More workers than threads balance them.
- *  limits.workers of hsp_boundary_init allows for so many workers. begin drops earlier results, end makes new ones;
- *  hsp_boundary_begin and hsp_boundary_compute give up what has begun.
- *  - Property 1: all that can be read afterwards is the same for every number of workers, bit for bit.
+/** The same as hsp_boundary_compute, as a request says; request may be NULL: all defaults.
+ *  With an executor of more than one worker the work falls into limits.workers parts, with about as many balls that lie
+ *  together in each and memory of its own: as many as there are workers or, if they may be slowed down by others, some
+ *  for each. If there are fewer parts than workers the status is HSP_E_CAPACITY, and limits are some with one for each
+ *  worker, HSP_MAX_WORKERS at most. The executor runs a few times, one after the other.
+ *  - Property 1: all that can be read afterwards is the same for every number of workers and parts, bit for bit.
  *
- *  @retval HSP_E_ARGUMENT  a null pointer
- *  @retval HSP_E_RANGE     workers is 0 or larger than that of the limits */
-HSP_API int32_t hsp_boundary_begin(hsp_boundary *boundary, const hsp_model *model, uint32_t workers, uint32_t *stages);
-
-/** Do one worker's part of one stage. Refused work changes nothing. If a limit is too small hsp_boundary_end says so.
- *  @retval HSP_E_ARGUMENT  boundary is NULL
- *  @retval HSP_E_STATE     nothing has begun, or the model has changed since; this worker has done the stage, or some
- *                          worker has not done the one before
- *  @retval HSP_E_ID        no such stage or worker */
-HSP_API int32_t hsp_boundary_work(hsp_boundary *boundary, uint32_t stage, uint32_t worker);
-
-/** Make the results readable. limits: as of hsp_boundary_compute.
- *  @retval HSP_E_ARGUMENT  boundary is NULL
- *  @retval HSP_E_VERSION   bad struct_size of limits
- *  @retval HSP_E_CAPACITY  a limit is too small; the boundary holds no results, and all is to begin again
- *  @retval HSP_E_STATE     nothing has begun, the model has changed since, or work is left, which may still be done */
-HSP_API int32_t hsp_boundary_end(hsp_boundary *boundary, hsp_boundary_limits *limits);
+ *  @retval HSP_E_ARGUMENT  boundary or model is NULL; an executor with several workers and without run
+ *  @retval HSP_E_VERSION   bad struct_size of request, executor or limits, or reserved is not 0
+ *  @retval HSP_E_CAPACITY  a limit is too small, as for hsp_boundary_compute, or that of workers
+ *  @retval HSP_E_EXECUTOR  the executor did not call every task exactly once */
+HSP_API int32_t hsp_boundary_compute_with(hsp_boundary *boundary, const hsp_model *model,
+                                          const hsp_boundary_request *request, hsp_boundary_limits *limits);
 
 /* ---- what there is ---------------------------------------------------------------------------------------------- */
 

@@ -16,15 +16,18 @@ extern "C" {
 /** A task of the library's, of which `data` is all that it knows. */
 typedef void hsp_task(void *data, uint32_t task);
 
-/** A parallel loop of the caller's, as OpenMP, TBB or a pool of threads has it. A function that is given one may share
- *  its work out; results are the same bits for any number of workers. NULL instead of an executor, and workers 0 or 1,
- *  are the caller's thread. */
+/** A parallel loop of the caller's, as OpenMP, TBB or a pool of threads has it. A function that is given one shares its
+ *  work out, where there is enough of it, and otherwise does it in the caller's thread, as with NULL or with workers 0
+ *  or 1; results are the same bits either way and for any number of workers.
+ *  A loop that leaves a task out, does one twice or one that there is not makes that function return HSP_E_EXECUTOR: it
+ *  has no results then, and all handles may be used as before. A task that is called twice is done once. */
 typedef struct hsp_executor {
   uint32_t struct_size; /**< sizeof(hsp_executor) */
   uint32_t workers;     /**< how many threads there are for the tasks */
   void *context;        /**< or NULL: handed to run */
   /** Calls task(data, 0) to task(data, tasks - 1), each once, in any order and on any threads, and returns when all
-   *  have returned. Not NULL with more than one worker. */
+   *  have returned. Their results must be visible to the caller's thread then, as after a join. tasks may be larger
+   *  than workers, HSP_MAX_WORKERS at most. Not NULL with more than one worker. */
   void (*run)(void *context, uint32_t tasks, hsp_task *task, void *data);
 } hsp_executor;
 

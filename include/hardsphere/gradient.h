@@ -79,7 +79,8 @@ typedef struct hsp_gradient_outputs {
  *  @retval HSP_E_VERSION     bad struct_size, or an unknown part is not 0
  *  @retval HSP_E_CAPACITY    an array is given and capacity < n
  *  @retval HSP_E_STATE       nothing computed, or the model has changed since
- *  @retval HSP_E_NOT_FINITE  a sigma, tension or pressure is NaN or infinite */
+ *  @retval HSP_E_NOT_FINITE  a sigma, tension or pressure is NaN or infinite
+ *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written */
 HSP_API int32_t hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradient_request *request,
                                           hsp_gradient_outputs *outputs);
 
@@ -105,35 +106,6 @@ HSP_API int32_t hsp_boundary_gradient(const hsp_boundary *boundary, const double
                                       double pressure, uint32_t tangency, hsp_energy *energy, double *d_centre,
                                       double *d_radius, uint32_t *flags, uint32_t capacity, uint32_t *needed,
                                       uint32_t *first_bad);
-
-/** The same in parts, which threads of the caller's own may share: balls first .. first + count - 1, in the caller's
- *  order, into d_centre[first] and so on. All arrays are for all balls, and each may be NULL; shares [n][3] holds
- *  numbers of the library's own, from which hsp_boundary_gradient_end sums the energy. sigma, tension, pressure and
- *  tangency are those of hsp_boundary_gradient and the same in all parts. first_bad becomes the first ball of the range
- *  whose sigma is NaN or infinite: what a range beside such a ball finds may be NaN. Ranges that do not overlap may be
- *  asked for side by side. Threads that write one cache line wait for each other: long ranges are faster. On failure
- *  nothing but *first_bad is written.
- *  @retval HSP_E_ARGUMENT    boundary is NULL; unknown tangency
- *  @retval HSP_E_STATE       nothing computed, or the model has changed since
- *  @retval HSP_E_ID          there are not so many balls
- *  @retval HSP_E_NOT_FINITE  a sigma of the range, tension or pressure is NaN or infinite */
-HSP_API int32_t hsp_boundary_gradient_range(const hsp_boundary *boundary, const double *sigma, double tension,
-                                            double pressure, uint32_t tangency, uint32_t first, uint32_t count,
-                                            double *d_centre, double *d_radius, uint32_t *flags, double *shares,
-                                            uint32_t *first_bad);
-
-/** Make of such arrays, once all balls are in them, what hsp_boundary_gradient writes: flags of balls inside others and
- *  of what they touch are added, and the energy is summed. energy and flags may each be NULL, and without energy
- *  shares [n][3] too.
- *  - Property 1: with whatever ranges, d_centre, d_radius, flags and energy are those of hsp_boundary_gradient, bit for
- *    bit.
- *
- *  Cost: O(n), far less than the gradient.
- *  @retval HSP_E_ARGUMENT    boundary is NULL; energy is given and shares is NULL
- *  @retval HSP_E_STATE       nothing computed, or the model has changed since
- *  @retval HSP_E_NOT_FINITE  tension or pressure is NaN or infinite */
-HSP_API int32_t hsp_boundary_gradient_end(const hsp_boundary *boundary, double tension, double pressure,
-                                          hsp_energy *energy, uint32_t *flags, const double *shares);
 
 /** The two parts of that gradient, each on its own: the derivatives of S = sum_i sigma_i A_i and of the volume V.
  *  area_centre [n][3] = dS/dc_i, area_radius [n] = dS/dr_i, volume_centre [n][3] = dV/dc_i (the vector area of ball i's

@@ -5,6 +5,7 @@
 #define HARDSPHERE_MEASURE_H
 
 #include "boundary.h"
+#include "executor.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -18,6 +19,34 @@ typedef struct hsp_totals {
   double area;   /**< of the boundary, walls of voids included, length^2 */
   double volume; /**< of the union, voids not included, length^3 */
 } hsp_totals;
+
+/** Bytes of memory that suffice hsp_areas for most molecules of n balls: a model, and a boundary with the limits of
+ *  hsp_boundary_limits_init.
+ *  - Property 1: at most HSP_AREAS_BYTES(n).
+ *
+ *  @retval HSP_E_ARGUMENT  bytes is NULL
+ *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 64) / 8 balls, or the size does not fit a size_t */
+HSP_API int32_t hsp_areas_bytes(uint32_t n, size_t *bytes);
+
+/** The same as an upper bound that is a constant expression, for static arrays; for some hundred balls at most, as it
+ *  is more for large sets than need be. */
+#define HSP_AREAS_BYTES(balls) ((size_t)18432 + (size_t)1888 * (size_t)(balls))
+
+/** Area of each of n balls that a probe can reach, and area and volume of all, in one call: of centres xyz [n][3] and
+ *  radius [n] + probe. memory has *bytes bytes of any alignment, in which a model and a boundary are made; nothing of
+ *  it is needed afterwards. If it does not suffice *bytes becomes what does, or more than before: then to be called
+ *  again with so many, four times at most. memory may be NULL with *bytes 0. area [n] and totals may each be NULL.
+ *  - Property 1: area and totals are those of hsp_boundary_measure, bit for bit.
+ *
+ *  Cost: that of hsp_model_set, hsp_boundary_compute and hsp_boundary_measure; where hsp_areas_bytes does not suffice,
+ *  some of it several times.
+ *  @retval HSP_E_ARGUMENT    memory or bytes is NULL; xyz or radius is NULL with n > 0
+ *  @retval HSP_E_CAPACITY    the memory does not suffice; nothing but *bytes and the memory is written
+ *  @retval HSP_E_NOT_FINITE  a coordinate, a radius or the probe is NaN or infinite; hsp_model_set names the ball
+ *  @retval HSP_E_NEGATIVE    a radius or the probe is negative
+ *  @retval HSP_E_RANGE       a coordinate or radius lies beyond the lattice; more balls than hsp_areas_bytes allows */
+HSP_API int32_t hsp_areas(uint32_t n, const double *xyz, const double *radius, double probe, void *memory,
+                          size_t *bytes, double *area, hsp_totals *totals);
 
 /** Area and volume of the union, and of each ball, or those of some balls while the others only block.
  *  selected [n] holds one byte per ball, 0 or not 0; NULL selects all. Other balls count 0, and the rest is
@@ -37,24 +66,36 @@ typedef struct hsp_totals {
 HSP_API int32_t hsp_boundary_measure(const hsp_boundary *boundary, const uint8_t *selected, hsp_totals *totals,
                                      double *area, double *volume, uint32_t capacity, uint32_t *needed);
 
-/** The same in parts, which threads of the caller's own may share: balls first .. first + count - 1, in the caller's
- *  order, into area[first] and volume[first] and so on. The arrays are those of hsp_boundary_measure, each for all
- *  balls; they hold numbers of the library's own until hsp_boundary_measure_end. Ranges that do not overlap may be
- *  measured side by side. Threads that write one cache line wait for each other: long ranges are faster.
- *  @retval HSP_E_ARGUMENT  boundary, area or volume is NULL
- *  @retval HSP_E_ID        there are not so many balls
- *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_boundary_measure_range(const hsp_boundary *boundary, const uint8_t *selected, uint32_t first,
-                                           uint32_t count, double *area, double *volume);
+/** The question. Zero means default in every field but the first. */
+typedef struct hsp_measure_request {
+  uint32_t struct_size;         /**< sizeof(hsp_measure_request) */
+  uint32_t reserved;            /**< 0 */
+  const uint8_t *selected;      /**< [n], or NULL for all: 0 for balls that only block */
+  const hsp_executor *executor; /**< or NULL: the threads that share the work */
+} hsp_measure_request;
 
-/** Make of such arrays, once all balls are in them, what hsp_boundary_measure writes; totals may be NULL.
- *  - Property 1: with whatever ranges, area, volume and totals are those of hsp_boundary_measure, bit for bit.
+/** The results that are wanted, and where they go. */
+typedef struct hsp_measure_outputs {
+  uint32_t struct_size; /**< sizeof(hsp_measure_outputs) */
+  uint32_t capacity;    /**< entries that each array [n] has room for */
+  uint32_t needed;      /**< becomes n */
+  uint32_t reserved;    /**< 0 */
+  hsp_totals *totals;   /**< or NULL */
+  double *area;         /**< [n], or NULL: free area of each ball */
+  double *volume;       /**< [n], or NULL: each ball's term of the volume */
+} hsp_measure_outputs;
+
+/** The same as a request says; request may be NULL: all defaults.
+ *  - Property 1: totals, area and volume are those of hsp_boundary_measure for every number of workers, bit for bit.
  *
- *  Cost: O(n), far less than measuring.
- *  @retval HSP_E_ARGUMENT  boundary, area or volume is NULL
- *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_boundary_measure_end(const hsp_boundary *boundary, hsp_totals *totals, double *area,
-                                         double *volume);
+ *  Cost: O(n + what the selected balls' faces have of arcs and circles).
+ *  @retval HSP_E_ARGUMENT  boundary or outputs is NULL; an executor with several workers and without run
+ *  @retval HSP_E_VERSION   bad struct_size of request, outputs or executor, or reserved is not 0
+ *  @retval HSP_E_CAPACITY  an array is given and capacity < n; nothing but outputs->needed is written
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since
+ *  @retval HSP_E_EXECUTOR  the executor did not call every task exactly once; the arrays may have been written */
+HSP_API int32_t hsp_boundary_get_measures(const hsp_boundary *boundary, const hsp_measure_request *request,
+                                          hsp_measure_outputs *outputs);
 
 /** Area, and term of the volume, of each face: area [faces] and volume [faces], each may be NULL, face ids as in
  *  hsp_boundary_get_faces. A face's volume term is that of the divergence theorem about its ball's origin o (see

@@ -1,10 +1,38 @@
 ! The interface as a Fortran program sees it: every function of the module is called, records arrive field by field,
 ! optional arguments arrive as null pointers, and errors as statuses.
+module fortran_loops
+  use, intrinsic :: iso_c_binding, only: c_f_pointer, c_f_procpointer, c_funptr, c_int32_t, c_ptr
+  use hardsphere, only: hsp_task
+  implicit none
+contains
+  subroutine run_backwards(context, tasks, task, data) bind(C)
+    type(c_ptr), value :: context, data
+    integer(c_int32_t), value :: tasks
+    type(c_funptr), value :: task
+    procedure(hsp_task), pointer :: one
+    integer(c_int32_t), pointer :: runs
+    integer(c_int32_t) :: k
+    call c_f_pointer(context, runs)
+    call c_f_procpointer(task, one)
+    do k = tasks - 1, 0, -1
+      call one(data, k)
+    end do
+    runs = runs + 1
+  end subroutine
+
+  subroutine run_nothing(context, tasks, task, data) bind(C)
+    type(c_ptr), value :: context, data
+    integer(c_int32_t), value :: tasks
+    type(c_funptr), value :: task
+  end subroutine
+end module
+
 program fortran_interface_test
-  use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_int8_t, c_loc, c_null_ptr, c_ptr, c_size_t, &
-                                         c_sizeof, c_associated, c_null_char
+  use, intrinsic :: iso_c_binding, only: c_double, c_funloc, c_int32_t, c_int64_t, c_int8_t, c_loc, c_null_ptr, c_ptr, &
+                                         c_size_t, c_sizeof, c_associated, c_null_char
   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
   use fortran_checks
+  use fortran_loops
   use hardsphere
   implicit none
 
@@ -194,8 +222,12 @@ contains
     type(hsp_ball) :: balls(n)
     type(hsp_totals) :: totals
     real(c_double) :: area(n), volume(n)
-    integer(c_int32_t) :: needed, invariant, id, stages
+    type(hsp_executor), target :: executor
+    type(hsp_boundary_request) :: request
+    integer(c_int32_t), target :: runs
+    integer(c_int32_t) :: needed, invariant, id
     integer :: v, b
+    runs = 0
     call expect(hsp_boundary_limits_init(limits, int(c_sizeof(limits), c_int32_t), n), HSP_OK, 'hsp_boundary_limits_init')
     call check(limits%balls == n .and. limits%neighbours == n .and. limits%vertices == 96 .and. limits%circles == 24, &
                'default limits')
@@ -207,14 +239,20 @@ contains
     needed_limits%struct_size = int(c_sizeof(needed_limits), c_int32_t)
     call expect(hsp_boundary_compute(boundary, model, needed_limits), HSP_OK, 'hsp_boundary_compute')
     call check(needed_limits%neighbours == 2 .and. needed_limits%vertices == 2 .and. needed_limits%circles == 0, 'needed')
-    ! the same by its one worker
-    call expect(hsp_boundary_begin(boundary, model, 2_c_int32_t, stages), HSP_E_RANGE, 'two workers')
-    call expect(hsp_boundary_begin(boundary, model, 1_c_int32_t, stages), HSP_OK, 'hsp_boundary_begin')
-    do v = 0, stages - 1
-      call expect(hsp_boundary_work(boundary, int(v, c_int32_t), 0_c_int32_t), HSP_OK, 'hsp_boundary_work')
-    end do
-    call expect(hsp_boundary_end(boundary, needed_limits), HSP_OK, 'hsp_boundary_end')
-    call check(needed_limits%vertices == 2 .and. needed_limits%workers == 0, 'needed by a worker')
+    ! by more workers than there is room for, and then by two
+    executor = hsp_executor(int(c_sizeof(executor), c_int32_t), 2, c_loc(runs), c_funloc(run_backwards))
+    request = hsp_boundary_request(int(c_sizeof(request), c_int32_t), 0, c_loc(executor))
+    call expect(hsp_boundary_compute_with(boundary, model, request, limits), HSP_E_CAPACITY, 'room for one')
+    call check(limits%workers == 2 .and. limits%vertices == 96 .and. runs == 0, 'limits for two workers')
+    call expect(hsp_boundary_bytes(limits, bytes), HSP_OK, 'hsp_boundary_bytes')
+    deallocate (boundary_memory)
+    allocate (boundary_memory(bytes))
+    call expect(hsp_boundary_init(c_loc(boundary_memory), bytes, limits, boundary), HSP_OK, 'hsp_boundary_init')
+    call expect(hsp_boundary_compute_with(boundary, model, request, needed_limits), HSP_OK, 'hsp_boundary_compute_with')
+    call check(needed_limits%vertices == 2 .and. needed_limits%workers == 2 .and. runs > 0, 'needed by two workers')
+    executor%run = c_funloc(run_nothing)
+    call expect(hsp_boundary_compute_with(boundary, model, request), HSP_E_EXECUTOR, 'a loop that does nothing')
+    call expect(hsp_boundary_compute_with(boundary, model), HSP_OK, 'no request')
     call expect(hsp_boundary_get_counts(boundary, counts), HSP_OK, 'hsp_boundary_get_counts')
     call check(counts%balls == n .and. counts%exposed_balls == n .and. counts%contained_balls == 0, 'counts of balls')
     call check(counts%vertices == 2 .and. counts%arcs == 3 .and. counts%circles == 0, 'counts of vertices and arcs')
@@ -323,8 +361,15 @@ contains
     type(hsp_totals) :: totals
     type(hsp_face) :: faces(4)
     real(c_double) :: all_area(n), all_volume(n), area(n), volume(n), face_area(4), face_volume(4)
+    real(c_double), target :: own_area(n)
+    type(hsp_totals), target :: own_totals
+    type(hsp_measure_request) :: request
+    type(hsp_measure_outputs) :: outputs
+    integer(c_int8_t), allocatable, target :: memory(:)
+    integer(c_size_t) :: bytes
     integer(c_int32_t) :: needed, f
-    integer(c_int8_t), parameter :: selected(n) = [0_c_int8_t, 1_c_int8_t, 0_c_int8_t, -1_c_int8_t]
+    integer(c_int8_t), target :: selected(n)
+    selected = [0_c_int8_t, 1_c_int8_t, 0_c_int8_t, -1_c_int8_t]
     call compute_all()
     call expect(hsp_boundary_measure(boundary, area=all_area, volume=all_volume, capacity=n), HSP_OK, 'all balls')
     call expect(hsp_boundary_measure(boundary, selected, totals, area, volume, n), HSP_OK, &
@@ -333,6 +378,18 @@ contains
     call check(all(volume == merge(all_volume, 0.0_c_double, selected /= 0)), 'volume terms of selected balls')
     call check(abs(totals%area - all_area(2) - all_area(4)) < 1e-13_c_double, 'area of selected balls')
     call check(abs(totals%volume - all_volume(2) - all_volume(4)) < 1e-13_c_double, 'volume of selected balls')
+    request = hsp_measure_request(int(c_sizeof(request), c_int32_t), 0, c_loc(selected), c_null_ptr)
+    outputs = hsp_measure_outputs(int(c_sizeof(outputs), c_int32_t), n, 0, 0, c_loc(own_totals), c_loc(own_area), c_null_ptr)
+    call expect(hsp_boundary_get_measures(boundary, request, outputs), HSP_OK, 'hsp_boundary_get_measures')
+    call check(all(own_area == area) .and. own_totals%volume == totals%volume .and. outputs%needed == n, 'by a request')
+    call expect(hsp_areas_bytes(n, bytes), HSP_OK, 'hsp_areas_bytes')
+    call check(bytes <= hsp_areas_bytes_bound(n), 'bytes for areas')
+    allocate (memory(bytes))
+    call expect(hsp_areas(n, xyz, radius, 0.0_c_double, c_loc(memory), bytes, area, totals), HSP_OK, 'hsp_areas')
+    call check(all(area == all_area) .and. abs(totals%volume - sum(all_volume)) < 1e-12_c_double, 'areas in one call')
+    bytes = 0
+    call expect(hsp_areas(n, xyz, radius, 0.0_c_double, c_null_ptr, bytes), HSP_E_CAPACITY, 'bytes for areas')
+    call check(bytes == size(memory, kind=c_size_t), 'bytes for areas')
     area = -1
     call expect(hsp_boundary_measure(boundary, area=area, capacity=n), HSP_OK, 'no selection selects all')
     call check(all(area == all_area), 'no selection selects all')
@@ -353,27 +410,26 @@ contains
     type(hsp_totals) :: totals
     real(c_double) :: centre(3, n), by_radius(n), area(n), moved(3, n), at(-1:1)
     real(c_double) :: area_centre(3, n), area_radius(n), volume_centre(3, n), volume_radius(n)
-    real(c_double) :: part_centre(3, n), part_radius(n), shares(3, n)
-    type(hsp_energy) :: part_energy
-    integer(c_int32_t) :: flags(n), part_flags(n), needed, first_bad
+    real(c_double), target :: own_centre(3, n), own_radius(n), weights(n)
+    type(hsp_energy), target :: own_energy
+    type(hsp_gradient_request) :: request
+    type(hsp_gradient_outputs) :: outputs
+    integer(c_int32_t), target :: own_flags(n)
+    integer(c_int32_t) :: flags(n), needed, first_bad
     integer :: axis, step
     call compute_all()
     flags = 7
     call expect(hsp_boundary_gradient(boundary, sigma, 0.5_c_double, 2.0_c_double, HSP_TANGENT_OVERLAP, energy, centre, &
                                       by_radius, flags, n), HSP_OK, 'hsp_boundary_gradient')
-    call expect(hsp_boundary_gradient_range(boundary, sigma, 0.5_c_double, 2.0_c_double, HSP_TANGENT_OVERLAP, 1_c_int32_t, &
-                                            n - 1, part_centre, part_radius, part_flags, shares), HSP_OK, 'a range')
-    call expect(hsp_boundary_gradient_range(boundary, sigma, 0.5_c_double, 2.0_c_double, HSP_TANGENT_OVERLAP, 0_c_int32_t, &
-                                            1_c_int32_t, part_centre, part_radius, part_flags, shares, first_bad), HSP_OK, &
-                'hsp_boundary_gradient_range')
-    call expect(hsp_boundary_gradient_end(boundary, 0.5_c_double, 2.0_c_double, part_energy, part_flags, shares), HSP_OK, &
-                'hsp_boundary_gradient_end')
-    call check(all(part_centre == centre) .and. all(part_radius == by_radius) .and. all(part_flags == flags) .and. &
-               first_bad == HSP_NONE, 'a gradient in two ranges')
-    call check(part_energy%value == energy%value .and. part_energy%area == energy%area .and. &
-               part_energy%volume == energy%volume .and. part_energy%d_probe == energy%d_probe, 'an energy in two ranges')
-    call expect(hsp_boundary_gradient_range(boundary, sigma, 0.5_c_double, 2.0_c_double, HSP_TANGENT_OVERLAP, n, &
-                                            1_c_int32_t), HSP_E_ID, 'a range that is not there')
+    weights = sigma
+    request = hsp_gradient_request(int(c_sizeof(request), c_int32_t), HSP_TANGENT_OVERLAP, 0.5_c_double, 2.0_c_double, &
+                                   c_loc(weights), c_null_ptr)
+    outputs = hsp_gradient_outputs(int(c_sizeof(outputs), c_int32_t), n, 0, 0, c_loc(own_energy), c_loc(own_centre), &
+                                   c_loc(own_radius), c_loc(own_flags))
+    call expect(hsp_boundary_get_gradient(boundary, request, outputs), HSP_OK, 'hsp_boundary_get_gradient')
+    call check(outputs%needed == n .and. outputs%first_bad == HSP_NONE, 'needed by a request')
+    call check(all(own_centre == centre) .and. all(own_radius == by_radius) .and. all(own_flags == flags) .and. &
+               own_energy%value == energy%value .and. own_energy%d_probe == energy%d_probe, 'a gradient by a request')
     call expect(hsp_boundary_derivatives(boundary, sigma, HSP_TANGENT_OVERLAP, area_centre, area_radius, volume_centre, &
                                          volume_radius, capacity=n, needed=needed, first_bad=first_bad), HSP_OK, &
                 'hsp_boundary_derivatives')

@@ -6,31 +6,7 @@
 
 #include "check.h"
 #include "gradients.h"
-
-/* Runs tasks in an order of its own in the caller's thread. */
-typedef struct order {
-  uint64_t seed;
-  uint32_t runs, most_tasks;
-} order;
-
-static void run_shuffled(void *context, uint32_t tasks, hsp_task *task, void *data) {
-  order *const own = context;
-  uint32_t in_order[BALL_SET_MOST], k;
-  if (!CHECK(tasks <= BALL_SET_MOST)) return;
-  ball_set_shuffle(tasks, own->seed + own->runs++, in_order);
-  for (k = 0; k < tasks; ++k) task(data, in_order[k]);
-  if (tasks > own->most_tasks) own->most_tasks = tasks;
-}
-
-static hsp_executor executor_of(uint32_t workers, order *own) {
-  hsp_executor executor;
-  memset(&executor, 0, sizeof executor);
-  executor.struct_size = (uint32_t)sizeof executor;
-  executor.workers = workers;
-  executor.context = own;
-  executor.run = run_shuffled;
-  return executor;
-}
+#include "loops.h"
 
 static hsp_gradient_outputs outputs_into(uint32_t n, gradients *g) {
   hsp_gradient_outputs outputs = {sizeof(hsp_gradient_outputs), 0, 0, 0, NULL, NULL, NULL, NULL};
@@ -53,11 +29,10 @@ static void every_number_of_workers(const ball_set *set) {
   for (i = 0; i < n; ++i) sigma[i] = i % 4 == 1 ? 0 : 0.75 * i - 2;
   if (CHECK_EQUAL(computed_make(n, set->xyz, set->radius, NULL, &c), HSP_OK)) {
     for (workers = 0; workers <= 9; ++workers) {
-      order own = {0, 0, 0};
-      hsp_executor executor = executor_of(workers, &own);
+      loop own = loop_of(LOOP_SHUFFLED);
+      hsp_executor executor = executor_of(&own, workers);
       hsp_gradient_outputs outputs = outputs_into(n, &alone);
       check_scene("%s by %u workers", set->name, (unsigned)workers);
-      own.seed = workers;
       request.sigma = workers % 2 == 0 ? sigma : NULL;
       request.tangency = workers % 3 == 0 ? HSP_TANGENT_DISJOINT : HSP_TANGENT_OVERLAP;
       request.executor = NULL;
@@ -67,8 +42,9 @@ static void every_number_of_workers(const ball_set *set) {
       CHECK_EQUAL(hsp_boundary_get_gradient(c.boundary, &request, &outputs), HSP_OK);
       CHECK_BYTES(&shared, &alone, sizeof alone);
       CHECK(outputs.needed == n && outputs.first_bad == HSP_NONE);
-      CHECK_EQUAL(own.runs, workers > 1);
-      CHECK(own.most_tasks > 1 || workers <= 1 || n <= 64);
+      /* More balls than are worth two tasks. */
+      CHECK_EQUAL(own.runs, workers > 1 && n > 64);
+      CHECK(own.most_tasks > 1 || own.runs == 0);
     }
   }
   computed_release(&c);
@@ -76,8 +52,8 @@ static void every_number_of_workers(const ball_set *set) {
 
 static void refused(const ball_set *set) {
   gradients g, untouched;
-  order own = {0, 0, 0};
-  hsp_executor executor = executor_of(2, &own);
+  loop own = loop_of(LOOP_IN_ORDER);
+  hsp_executor executor = executor_of(&own, 2);
   hsp_gradient_request request;
   hsp_gradient_outputs outputs = outputs_into(set->n, &g);
   computed c;
@@ -88,7 +64,7 @@ static void refused(const ball_set *set) {
   if (CHECK_EQUAL(computed_make(set->n, set->xyz, set->radius, NULL, &c), HSP_OK)) {
     executor.run = NULL;
     CHECK_EQUAL(hsp_boundary_get_gradient(c.boundary, &request, &outputs), HSP_E_ARGUMENT);
-    executor.run = run_shuffled;
+    executor = executor_of(&own, 2);
     --executor.struct_size;
     CHECK_EQUAL(hsp_boundary_get_gradient(c.boundary, &request, &outputs), HSP_E_VERSION);
     executor.struct_size = 0;
@@ -96,7 +72,7 @@ static void refused(const ball_set *set) {
     CHECK(own.runs == 0 && outputs.needed == 0);
     CHECK_BYTES(&g, &untouched, sizeof g);
     /* One worker needs no loop. */
-    executor = executor_of(1, NULL);
+    executor = executor_of(NULL, 1);
     executor.run = NULL;
     CHECK_EQUAL(hsp_boundary_get_gradient(c.boundary, &request, &outputs), HSP_OK);
   }

@@ -63,8 +63,6 @@ static void refused_of_boundary(void) {
   limits = four_boundary_limits(BALLS);
   limits.workers = HSP_MAX_WORKERS + 1;
   CHECK_EQUAL(hsp_boundary_init(h.boundary_memory, SIZE, &limits, &made), HSP_E_RANGE);
-  CHECK_EQUAL(hsp_boundary_work(h.boundary, 0, 0), HSP_E_STATE);
-  CHECK_EQUAL(hsp_boundary_end(h.boundary, NULL), HSP_E_STATE);
   CHECK_EQUAL(hsp_boundary_get_counts(h.boundary, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_vertices(h.boundary, &vertex, 1, &count), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_boundary_get_arcs(h.boundary, NULL, 0, &count), HSP_E_CAPACITY);

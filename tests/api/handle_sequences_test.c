@@ -9,6 +9,7 @@
 #include "check.h"
 #include "guarded_memory.h"
 #include "handle_life.h"
+#include "loops.h"
 #include "picture_sink.h"
 #include "random_numbers.h"
 
@@ -310,13 +311,14 @@ static void init_handle(int kind, slot *s, uint64_t *seed) {
 
 /* By two workers, if there is room for them. */
 static int32_t compute_in_parts(hsp_boundary *boundary, const hsp_model *model) {
-  uint32_t stages = 0, stage, worker;
-  const int32_t status = hsp_boundary_begin(boundary, model, 2, &stages);
-  if (status == HSP_E_RANGE) return hsp_boundary_compute(boundary, model, NULL);
-  for (stage = 0; stage < stages; ++stage) {
-    for (worker = 0; worker < 2; ++worker) CHECK_EQUAL(hsp_boundary_work(boundary, stage, worker), HSP_OK);
-  }
-  return status == HSP_OK ? hsp_boundary_end(boundary, NULL) : status;
+  loop own = loop_of(LOOP_SHUFFLED);
+  const hsp_executor executor = executor_of(&own, 2);
+  hsp_boundary_request request = {sizeof request, 0, NULL};
+  hsp_boundary_limits limits = {sizeof limits, 0, 0, 0, 0, 0};
+  int32_t status;
+  request.executor = &executor;
+  status = hsp_boundary_compute_with(boundary, model, &request, &limits);
+  return status == HSP_E_CAPACITY && own.runs == 0 ? hsp_boundary_compute(boundary, model, NULL) : status;
 }
 
 static void compute(int kind, slot *s, uint64_t *seed) {

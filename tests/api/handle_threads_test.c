@@ -1,14 +1,15 @@
 /* Handles that are passed as const may be read by any number of threads at a time, and distinct handles used by
  * distinct threads: four threads read one model and one handle of each kind while computing handles of their own, and
- * four threads locate points by one topology. What hsp_boundary_work lets threads do side by side: four threads compute
- * one boundary. */
-#define _POSIX_C_SOURCE 200112L /* pthread_barrier_t */
+ * four threads locate points by one topology. An executor of four threads: they compute, measure and differentiate one
+ * boundary, and may even call all tasks each, which is refused and harms nothing. */
+#define _POSIX_C_SOURCE 200112L
 #include <hardsphere.h>
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "check.h"
+#include "gradients.h"
 #include "handle_life.h"
 #include "topology_sets.h"
 
@@ -153,49 +154,66 @@ static void located_in_threads(void) {
 
 /* ---- one boundary ---- */
 
-enum { WORKERS = 2 * THREADS };
+typedef struct share {
+  hsp_task *task;
+  void *data;
+  uint32_t tasks, first, step;
+} share;
 
-typedef struct split {
-  hsp_boundary *boundary;
-  uint32_t stages, thread;
-  pthread_barrier_t *meeting;
-  int failed;
-} split;
-
-/* Every THREADS-th worker of each stage. */
-static void *take_part(void *argument) {
-  split *mine = argument;
-  uint32_t stage, worker;
-  for (stage = 0; stage < mine->stages; ++stage) {
-    for (worker = mine->thread; worker < WORKERS; worker += THREADS) {
-      mine->failed |= hsp_boundary_work(mine->boundary, stage, worker) != HSP_OK;
-    }
-    pthread_barrier_wait(mine->meeting);
+/* Of all tasks, every step-th from the first on, and round about. */
+static void *do_tasks(void *argument) {
+  const share *const mine = argument;
+  uint32_t k;
+  for (k = 0; k < mine->tasks; k += mine->step) {
+    if (mine->first + k < mine->tasks || mine->step == 1) mine->task(mine->data, (mine->first + k) % mine->tasks);
   }
   return NULL;
 }
 
-static void compute_in_threads(hsp_boundary *boundary, const hsp_model *model) {
-  split parts[THREADS];
-  pthread_barrier_t meeting;
-  uint32_t stages = 0;
-  int t;
-  CHECK_EQUAL(hsp_boundary_begin(boundary, model, WORKERS, &stages), HSP_OK);
-  CHECK_EQUAL(pthread_barrier_init(&meeting, NULL, THREADS), 0);
+/* context: the step of each thread. 1: every task is called by all of them. */
+static void run(void *context, uint32_t tasks, hsp_task *task, void *data) {
+  share shares[THREADS];
+  uint32_t t;
   for (t = 0; t < THREADS; ++t) {
-    parts[t].boundary = boundary;
-    parts[t].stages = stages;
-    parts[t].thread = (uint32_t)t;
-    parts[t].meeting = &meeting;
-    parts[t].failed = 0;
+    shares[t].task = task;
+    shares[t].data = data;
+    shares[t].tasks = tasks;
+    shares[t].first = t;
+    shares[t].step = *(const uint32_t *)context;
   }
-  run_in_threads(take_part, parts, sizeof parts[0]);
-  for (t = 0; t < THREADS; ++t) CHECK(!parts[t].failed);
-  CHECK_EQUAL(pthread_barrier_destroy(&meeting), 0);
-  CHECK_EQUAL(hsp_boundary_end(boundary, NULL), HSP_OK);
+  run_in_threads(do_tasks, shares, sizeof shares[0]);
 }
 
-/* hsp_boundary_begin, property 1. The balls of a chain meet their neighbours, so every shell is of many workers. */
+static void measured_in_threads(const computed *c, const hsp_executor *executor) {
+  static gradients alone, shared;
+  static double area[2][BALL_SET_MOST], volume[2][BALL_SET_MOST];
+  hsp_totals totals[2];
+  hsp_measure_request request = {sizeof request, 0, NULL, NULL};
+  hsp_measure_outputs outputs = {sizeof outputs, 0, 0, 0, NULL, NULL, NULL};
+  hsp_gradient_request differentiating = {sizeof differentiating, HSP_TANGENT_OVERLAP, 1, 2, NULL, NULL};
+  hsp_gradient_outputs derivatives = {sizeof derivatives, 0, 0, 0, NULL, NULL, NULL, NULL};
+  int which;
+  for (which = 0; which < 2; ++which) {
+    gradients *const into = which == 0 ? &alone : &shared;
+    outputs.capacity = derivatives.capacity = c->n;
+    outputs.totals = &totals[which];
+    outputs.area = area[which];
+    outputs.volume = volume[which];
+    derivatives.energy = &into->energy;
+    derivatives.d_centre = into->centre;
+    derivatives.d_radius = into->radius;
+    derivatives.flags = into->flags;
+    request.executor = differentiating.executor = which == 0 ? NULL : executor;
+    CHECK_EQUAL(hsp_boundary_get_measures(c->boundary, &request, &outputs), HSP_OK);
+    CHECK_EQUAL(hsp_boundary_get_gradient(c->boundary, &differentiating, &derivatives), HSP_OK);
+  }
+  CHECK_BYTES(&totals[1], &totals[0], sizeof totals[0]);
+  CHECK_BYTES(area[1], area[0], c->n * sizeof(double));
+  CHECK_BYTES(volume[1], volume[0], c->n * sizeof(double));
+  CHECK_BYTES(&shared, &alone, sizeof alone);
+}
+
+/* hsp_boundary_compute_with, property 1. The balls of a chain meet their neighbours, so each shell is of many parts. */
 static void split_among_threads(void) {
   static ball_set set;
   computations all;
@@ -207,19 +225,30 @@ static void split_among_threads(void) {
     const kind_of_life *k = &kinds_of_life[BOUNDARY];
     unsigned char *buffer = buffer_for(&all);
     const uint64_t expected = k->hash(all.boundary.boundary, &all.boundary, buffer, all.room);
+    uint32_t step = THREADS;
+    hsp_executor executor = {sizeof executor, THREADS, NULL, run};
+    hsp_boundary_request request = {sizeof request, 0, NULL};
     hsp_boundary_limits limits = all.boundary.needed;
     hsp_boundary *boundary = NULL;
     size_t bytes = 0;
     void *memory;
-    limits.workers = WORKERS;
+    executor.context = &step;
+    request.executor = &executor;
+    limits.workers = 2 * THREADS;
     CHECK_EQUAL(hsp_boundary_bytes(&limits, &bytes), HSP_OK);
     memory = test_zeros(bytes, 1);
     CHECK_EQUAL(hsp_boundary_init(memory, bytes, &limits, &boundary), HSP_OK);
     CHECK(expected != 0);
     for (round = 0; round < 10 * ROUNDS; ++round) {
-      compute_in_threads(boundary, all.boundary.model);
+      step = round % 5 == 4 ? 1 : THREADS;
+      CHECK_EQUAL(hsp_boundary_compute_with(boundary, all.boundary.model, &request, NULL),
+                  step == 1 ? HSP_E_EXECUTOR : HSP_OK);
+      if (step == 1) continue;
       CHECK(k->hash(boundary, &all.boundary, buffer, all.room) == expected);
+      measured_in_threads(&all.boundary, &executor);
     }
+    step = THREADS;
+    CHECK_EQUAL(hsp_boundary_compute_with(boundary, all.boundary.model, &request, NULL), HSP_OK);
     CHECK(k->use(boundary));
     free(memory);
     free(buffer);

@@ -44,7 +44,7 @@ static int spoil(call *c, int i) {
 static void after_failure(const function *f, uint32_t capacity) {
   const function *reader;
   int i, is_const, computes;
-  if (f->count == 0 || f->arguments[0].kind != KIND_handle || needs_calls_before(f)) return;
+  if (f->count == 0 || f->arguments[0].kind != KIND_handle) return;
   reader = reader_of(f->arguments[0].noun);
   is_const = f->arguments[0].is_const;
   computes = strstr(f->name, "_compute") != NULL || strcmp(f->name, "hsp_moving_set") == 0;

@@ -14,7 +14,6 @@ static void refused(call *c, int i, void *stranger, const char *what) {
 
 static void overwritten(const function *f, int i, uint32_t capacity) {
   call c;
-  if (needs_calls_before(f)) return; /* they would be given it, too */
   call_prepare(&c, f, capacity);
   memset(c.v[i].p, 0x5A, sizeof(uintptr_t));
   call_spoils(c.v[i].p);

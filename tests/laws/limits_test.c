@@ -61,6 +61,17 @@ static void grow(const function *f, uint32_t capacity, const uint32_t *from, con
   for (k = 1; k < numbers; ++k) CHECK(limits[k] == needed[k] || limits[k] == 0); /* 0: for something else */
 }
 
+/* Parts for threads, to a function that has none. */
+static int is_of_no_use(const function *f, const char *base, int k) {
+  size_t d;
+  for (d = 0; d < registry_fields_size; ++d) {
+    const field *const part = &registry_fields[d];
+    if (strcmp(part->of, base) == 0 && part->offset == 4 * (size_t)k)
+      return strcmp(part->name, "workers") == 0 && !has_status(f, HSP_E_EXECUTOR);
+  }
+  return 0;
+}
+
 static void limits(const function *f, uint32_t capacity) {
   const int place = limits_of(f), numbers = place < 0 ? 0 : (int)f->arguments[place].size / 4;
   uint32_t needed[NUMBERS] = {0}, again[NUMBERS];
@@ -76,7 +87,7 @@ static void limits(const function *f, uint32_t capacity) {
   for (k = 1; k < numbers; ++k) {
     uint32_t less[NUMBERS], back[NUMBERS];
     int32_t status;
-    if (needed[k] == 0) continue;
+    if (needed[k] == 0 || is_of_no_use(f, f->arguments[place].base, k)) continue;
     memcpy(less, needed, sizeof less);
     --less[k];
     memcpy(back, less, sizeof back);

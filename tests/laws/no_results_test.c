@@ -5,7 +5,7 @@
 
 static void no_results(const function *f, uint32_t capacity) {
   int i;
-  if (!has_status(f, HSP_E_STATE) || needs_calls_before(f)) return;
+  if (!has_status(f, HSP_E_STATE)) return;
   for (i = 0; i < f->count; ++i) {
     const argument *const a = &f->arguments[i];
     call c;

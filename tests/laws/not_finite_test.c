@@ -75,7 +75,6 @@ static void not_finite(const function *f, uint32_t capacity) {
   for (i = 0; i < f->count; ++i) {
     const argument *const a = &f->arguments[i];
     const int is_number = strcmp(a->base, "double") == 0;
-    if (null_only_with(f, i) >= 0) continue; /* sums, of which nothing is asked */
     if (is_number && (a->kind == KIND_value || a->kind == KIND_array_in)) numbers(f, capacity, i);
     if (a->kind == KIND_sized_in || a->kind == KIND_struct_in || (!is_number && a->kind == KIND_array_in))
       fields(f, capacity, i);

@@ -18,22 +18,15 @@ static void null_pointers(const function *f, uint32_t capacity) {
   int i;
   for (i = 0; i < f->count; ++i) {
     const argument *const a = &f->arguments[i];
-    const int with = null_only_with(f, i);
     call c;
     if (!is_pointer(a)) continue;
     call_prepare(&c, f, a->held && capacity == 0 ? 1 : capacity);
     call_put_null(&c, i);
     if (a->null == NULL_always) {
-      if (with >= 0) call_put_null(&c, with);
       law_run(&c, "NULL for", a->name);
       CHECK_EQUAL(c.result, HSP_OK);
     } else {
       law_refused(&c, "NULL for", a->name, HSP_E_ARGUMENT, "");
-    }
-    if (with >= 0) {
-      call_prepare(&c, f, capacity);
-      call_put_null(&c, i);
-      law_refused(&c, "NULL alone for", a->name, HSP_E_ARGUMENT, "");
     }
     if (a->null == NULL_empty) with_nothing_to_hold(f, i, capacity);
   }

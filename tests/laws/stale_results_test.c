@@ -26,7 +26,7 @@ static void base_overwritten(const function *f, uint32_t capacity, int base) {
 static void stale_results(const function *f, uint32_t capacity) {
   static const int bases[] = {NOUN_model, NOUN_boundary};
   int k;
-  if (!has_status(f, HSP_E_STATE) || needs_calls_before(f)) return;
+  if (!has_status(f, HSP_E_STATE)) return;
   for (k = 0; k < 2; ++k) {
     int i, any = 0;
     call c;

@@ -17,16 +17,16 @@ block() { # function, blocks: the one that has it
   cat "$found"
 }
 
-# Three unit balls that are apart.
+# Three unit balls that are apart, seen by a probe of 1.4.
 {
   block water "$work"/README/*.c
   cat <<'MAIN'
 #include <math.h>
 int main(void) {
-  const double pi = acos(-1.0), xyz[9] = {0, 0, 0, 3, 0, 0, 6, 0, 0}, radius[3] = {1, 1, 1};
+  const double pi = acos(-1.0), xyz[9] = {0, 0, 0, 6, 0, 0, 12, 0, 0}, radius[3] = {1, 1, 1};
   hsp_totals totals;
   if (water(xyz, radius, &totals) != HSP_OK) return 1;
-  return fabs(totals.area - 12 * pi) < 1e-12 && fabs(totals.volume - 4 * pi) < 1e-12 ? 0 : 2;
+  return fabs(totals.area / (12 * pi * 2.4 * 2.4) - 1) < 1e-14 && fabs(totals.volume / (4 * pi * 2.4 * 2.4 * 2.4) - 1) < 1e-14 ? 0 : 2;
 }
 MAIN
 } >"$work/water.c"

@@ -15,7 +15,7 @@ def take_kinds(interface, function):
         if argument.base in interface.handles:
             argument.kind = "handle" if argument.stars == 1 else "handle_out"
         elif argument.base == "void":
-            argument.kind = "memory" if after and after.name == "bytes" and not after.stars else "context"
+            argument.kind = "memory" if after and after.name == "bytes" and after.base == "size_t" else "context"
         elif argument.base in interface.callbacks:
             argument.kind = "callback"
         elif argument.base == "char":

@@ -47,7 +47,8 @@ def passed_on(compute):
 def workspace_header(interface):
     def part(name):
         if name.startswith("compute "):
-            return compute_rows(interface.function(f"hsp_{name.removeprefix('compute ')}_compute"))
+            noun, how, _ = name.removeprefix("compute ").partition("_with")
+            return compute_rows(interface.function(f"hsp_{noun}_compute{how}"), noun, how)
         return {"fields": field_rows, "drop": drop_rows, "make": make_rows}[name](interface)
 
     return filled(TEMPLATE, r" */\* <(.*)> \*/", part)
@@ -115,12 +116,11 @@ def make_rows(interface):
     return rows[:-1]
 
 
-def compute_rows(compute):
-    """A function that computes a handle, and makes it larger until it suffices."""
-    noun = compute.name.removeprefix("hsp_").removesuffix("_compute")
+def compute_rows(compute, noun, how):
+    """A function that computes a handle, and makes it larger until it suffices; how: "_with" a request, or "" """
     own = {"limits": "&limits"} | {a.name: f"work->{a.name}" for a in compute.arguments if a.kind == "handle"}
     call = f"{compute.name}({', '.join(own.get(a.name, a.name) for a in compute.arguments)})"
-    begin, arguments = f"static inline int32_t hsp_workspace_{noun}(", ["hsp_workspace *work"]
+    begin, arguments = f"static inline int32_t hsp_workspace_{noun}{how}(", ["hsp_workspace *work"]
     for argument in passed_on(compute):
         if len(begin + arguments[-1] + argument.c) > WIDTH - len(", ) {"):
             arguments.append(argument.c)

@@ -13,7 +13,8 @@ STATUS = "    integer(c_int32_t) :: status"
 def workspace_module(interface):
     def part(name):
         if name.startswith("compute "):
-            return compute_rows(interface.function(f"hsp_{name.removeprefix('compute ')}_compute"))
+            noun, how, _ = name.removeprefix("compute ").partition("_with")
+            return compute_rows(interface.function(f"hsp_{noun}_compute{how}"), noun)
         return {"fields": field_rows, "private": private_rows, "drop": drop_rows, "make": make_rows}[name](interface)
 
     return filled(TEMPLATE, r" *! <(.*)>", part)
@@ -93,9 +94,8 @@ def make_rows(interface):
     return rows[:-1]
 
 
-def compute_rows(compute):
+def compute_rows(compute, noun):
     """A function that computes a handle, and makes it larger until it suffices."""
-    noun = compute.name.removeprefix("hsp_").removesuffix("_compute")
     own = {a.name: f"self%{a.name}" for a in compute.arguments if a.kind == "handle"}
     call = f"{compute.name}({', '.join(own.get(a.name, a.name) for a in compute.arguments)})"
     names = ", ".join(["self", *(a.name for a in passed_on(compute))])

@@ -83,8 +83,8 @@ contains
     status = hsp_model_set(self%model, n, xyz, radius, options, first_bad)
   end function
 
-  ! Computes the boundary of the union of the balls. HSP_E_ARGUMENT: no balls were set.
-  ! <compute boundary>
+  ! Computes the boundary of the union of the balls, as a request says, if it is there. HSP_E_ARGUMENT: no balls were set.
+  ! <compute boundary_with>
 
   ! Computes the topology of the boundary that compute_boundary has computed.
   ! <compute topology>

@@ -19,6 +19,7 @@ enum class Status : int32_t {
   range = -12,
   conflict = -13,
   open_surface = -14,
+  executor = -15,
 };
 
 // The id that no ball, vertex, loop or face has.

@@ -6,9 +6,8 @@
 namespace hsp {
 namespace {
 
-// Each stage reads what all workers have done in those before.
-enum Stage : uint32_t { searching, placing, counting, distributing, linking, settling, joining, numbering };
-static_assert(numbering + 1 == BoundaryBuilder::stages);
+// What follows the search. Each stage reads what all workers have done in those before.
+enum Stage : uint32_t { placing, counting, distributing, linking, settling, joining, numbering };
 
 }  // namespace
 
@@ -35,7 +34,6 @@ void BoundaryArrays::carve(Workspace &workspace, const BoundaryLimits &limits) {
 void BoundaryBuilder::carve(Workspace &workspace, const BoundaryLimits &limits) {
   limits_ = limits;
   needed_ = {};
-  abandon();
   arrays().carve(workspace, limits);
   scratch_ = workspace.take<uint32_t>(limits.most_loops() + limits.balls);
   const uint32_t count = larger_count(limits.workers, 1);
@@ -47,61 +45,35 @@ void BoundaryBuilder::carve(Workspace &workspace, const BoundaryLimits &limits) 
   }
 }
 
-Status BoundaryBuilder::build(const CubeGrid &grid) {
-  Status status = begin(grid, 1);
-  for (uint32_t stage = 0; stage < stages && status == Status::ok; ++stage) status = work(stage, 0);
-  return status == Status::ok ? end() : status;
-}
-
-Status BoundaryBuilder::begin(const CubeGrid &grid, uint32_t workers) {
-  abandon();
-  if (workers < 1 || workers > workers_.size()) return Status::range;
+Status BoundaryBuilder::build(const CubeGrid &grid, const Executor &executor) {
   needed_ = {};
+  needed_.balls = grid.balls().n;
   needed_.workers = limits_.workers;
+  const bool alone = executor.workers() == 1;
+  if (!alone && executor.workers() > workers_.size()) needed_.workers = executor.workers();
+  if (needed_.balls > limits_.balls || needed_.workers > limits_.workers) return Status::capacity;
   grid_ = &grid;
-  count_ = workers;
-  for (uint32_t w = 0; w < workers; ++w) workers_[w].start(share_of(grid, w, workers));
-  return Status::ok;
-}
+  count_ = alone ? 1 : workers_.size();
+  for (uint32_t w = 0; w < count_; ++w) workers_[w].start(share_of(grid, w, count_));
+  const auto search = [this](uint32_t worker) { workers_[worker].search(*grid_, arrays().ball_state.data()); };
+  if (!executor.for_each(count_, search)) return Status::executor;
 
-Status BoundaryBuilder::work(uint32_t stage, uint32_t worker) {
-  if (grid_ == nullptr) return Status::state;
-  if (stage >= stages || worker >= count_) return Status::id;
-  for (const BoundaryWorker &other : at_work()) {
-    if (other.done() < stage) return Status::state;
-  }
-  BoundaryWorker &own = workers_[worker];
-  if (own.done() != stage) return Status::state;
-  if (stage == searching) {
-    if (grid_->balls().n <= limits_.balls) own.search(*grid_, arrays().ball_state.data());
-  } else {
-    const Found all = found();
-    if (stage == placing && worker == 0) {
-      arrays().balls = grid_->balls().n;
-      arrays().vertices.set_count(all.vertices);
-      arrays().circles.set_count(all.circles);
-    }
-    if (all.fits) assemble(stage, worker);
-  }
-  own.count_stage();
-  return Status::ok;
-}
-
-Status BoundaryBuilder::end() {
-  if (grid_ == nullptr) return Status::state;
-  for (const BoundaryWorker &worker : at_work()) {
-    if (worker.done() != stages) return Status::state;
-  }
   const Found all = found();
-  needed_.balls = grid_->balls().n;
   needed_.neighbours = all.neighbours;
   // Not all were looked for if there was no room for all neighbours of a ball.
-  if (all.neighbours <= limits_.neighbours) {
-    needed_.vertices = clamped_count(all.vertices);
-    needed_.circles = clamped_count(all.circles);
+  if (all.neighbours > limits_.neighbours) return Status::capacity;
+  needed_.vertices = clamped_count(all.vertices);
+  needed_.circles = clamped_count(all.circles);
+  if (all.vertices > limits_.vertices || all.circles > limits_.circles) return Status::capacity;
+
+  arrays().balls = needed_.balls;
+  arrays().vertices.set_count(all.vertices);
+  arrays().circles.set_count(all.circles);
+  for (uint32_t stage = placing; stage <= numbering; ++stage) {
+    const auto assemble_in = [this, stage](uint32_t worker) { assemble(stage, worker); };
+    if (!executor.for_each(count_, assemble_in)) return Status::executor;
   }
-  abandon();
-  return all.fits ? Status::ok : Status::capacity;
+  return Status::ok;
 }
 
 BoundaryBuilder::Found BoundaryBuilder::found() const {
@@ -111,8 +83,6 @@ BoundaryBuilder::Found BoundaryBuilder::found() const {
     all.vertices += worker.vertices().required();
     all.circles += worker.circles().required();
   }
-  all.fits = grid_->balls().n <= limits_.balls && all.neighbours <= limits_.neighbours &&
-             all.vertices <= limits_.vertices && all.circles <= limits_.circles;
   return all;
 }
 

@@ -1,8 +1,10 @@
 // Steps 1 and 2 of Section 4.2 over all balls, and what follows from them: loops, faces, shells, components. The work
-// can be split among workers, each with a share of the cubes, in stages; the results do not depend on the split.
+// can be split among workers, each with a share of the cubes, in stages; the results do not depend on the split. All
+// workers end a stage before one begins the next.
 #pragma once
 
 #include "boundary/boundary_worker.hpp"
+#include "core/executor.hpp"
 #include "core/shared_disjoint_sets.hpp"
 
 namespace hsp {
@@ -11,20 +13,9 @@ class BoundaryBuilder {
  public:
   void carve(Workspace &workspace, const BoundaryLimits &limits);
 
-  // All of it. Status::capacity if a limit is too small; needed() then reports what suffices.
-  Status build(const CubeGrid &grid);
-
-  // The same in parts: begin, every stage by every worker, end. Workers that are in one stage may run side by side. The
-  // grid stays as it is until the end. Status::range if there are not so many workers.
-  Status begin(const CubeGrid &grid, uint32_t workers);
-  static constexpr uint32_t stages = 8;
-  // Status::state if nothing has begun, this worker is not just before that stage, or any worker has not done the one
-  // before; Status::id if there is no such stage or worker.
-  Status work(uint32_t stage, uint32_t worker);
-  // Status::state if nothing has begun or work is left; else as build.
-  Status end();
-  // Leaves off.
-  void abandon() { grid_ = nullptr; }
+  // All of it; by all workers that the limits allow for, if the executor has more than one. Status::capacity if a limit
+  // is too small, or allows for fewer than it has; needed() then reports what suffices. Status::executor if it fails.
+  Status build(const CubeGrid &grid, const Executor &executor = {});
 
   const Boundary &boundary() const { return boundary_; }
   const BoundaryLimits &needed() const { return needed_; }
@@ -53,7 +44,6 @@ class BoundaryBuilder {
   struct Found {
     uint32_t neighbours = 0;
     uint64_t vertices = 0, circles = 0;
-    bool fits = false;
   };
   Found found() const;
   void assemble(uint32_t stage, uint32_t worker);
@@ -72,8 +62,8 @@ class BoundaryBuilder {
   Boundary boundary_;
   Span<BoundaryWorker> workers_;
   Span<uint32_t> scratch_;
-  const CubeGrid *grid_ = nullptr;  // while there is something to be done
-  uint32_t count_ = 0;              // of workers that do it
+  const CubeGrid *grid_ = nullptr;  // while it is built
+  uint32_t count_ = 0;              // of workers that build it
 };
 
 }  // namespace hsp

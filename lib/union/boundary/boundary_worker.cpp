@@ -70,7 +70,6 @@ void BoundaryWorker::start(const BallShare &share) {
   circles_.clear();
   met_ = {share.balls.first, share.balls.first};
   neighbours_ = 0;
-  done_ = 0;
 }
 
 // Every ball of the block becomes a set, if it is none yet.

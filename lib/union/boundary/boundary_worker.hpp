@@ -26,7 +26,7 @@ class alignas(64) BoundaryWorker {
   void carve(Workspace &workspace, const BoundaryLimits &limits, BoundaryArrays &arrays, uint32_t worker,
              Span<uint32_t> scratch);
 
-  // Takes a share. Nothing is found, no stage done.
+  // Takes a share. Nothing is found.
   void start(const BallShare &share);
 
   // Vertices and circles of the share's balls, and which balls meet.
@@ -57,10 +57,6 @@ class alignas(64) BoundaryWorker {
   void move_down(uint32_t loops_down, uint32_t faces_down, BoundaryArrays &arrays) const;
   void renumber(uint32_t loops_down, uint32_t faces_down, BoundaryArrays &arrays) const;
 
-  // Stages done. Other workers may ask, and then see what was written before.
-  uint32_t done() const { return __atomic_load_n(&done_, __ATOMIC_ACQUIRE); }
-  void count_stage() { __atomic_store_n(&done_, done_ + 1, __ATOMIC_RELEASE); }
-
   Caps caps;
   LaneSearch lanes;
   IdRange placed_vertices, placed_circles;  // where in the boundary
@@ -82,7 +78,6 @@ class alignas(64) BoundaryWorker {
   Span<uint32_t> arriving_, leaving_;  // [balls] words for chaining
   BallRange met_{0, 0};
   uint32_t neighbours_ = 0;
-  uint32_t done_ = 0;
 };
 
 }  // namespace hsp

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "core/summation.hpp"
-#include "core/term_ranges.hpp"
 #include "lanes/wide.hpp"
 #include "measure/gradients.hpp"
 #include "measure/input_order.hpp"
+#include "measure/sums_in_parts.hpp"
 
 namespace hsp {
 
@@ -17,11 +17,13 @@ inline BallMeasure in_caller_units(const exact::Lattice &lattice, const BallMeas
 // Sums measures of balls, in lattice steps.
 class MeasureSum {
  public:
+  using Term = BallMeasure;
   void add(const BallMeasure &measure) {
     area_.add(measure.area);
     volume_.add(measure.volume);
   }
-  BallMeasure total() const { return {area_.total(), volume_.total()}; }
+  BallMeasure sums(const BallMeasure &rest) const { return {area_.total(rest.area), volume_.total(rest.volume)}; }
+  BallMeasure total() const { return sums({}); }
 
  private:
   TreeSum area_, volume_;
@@ -57,21 +59,12 @@ inline BallMeasure measure_counted(const BallSet &balls, const Boundary &boundar
   return has_counted_faces(boundary, selected, i, ball) ? measure_ball(balls, boundary, ball) : BallMeasure{};
 }
 
-// Calls sink(i, measure) for every ball i of a range of the input, with its measure in lattice steps.
+// Calls sink(i, measure) for every ball i of a range of the input, in the caller's unit, and adds to the sum. Nothing
+// is 0 in every unit: only balls that have faces need the divisions.
 template <class Sink>
-void measure_balls(const CubeGrid &grid, const Boundary &boundary, const uint8_t *selected, IdRange range, Sink sink) {
+void measure_range(const CubeGrid &grid, const Boundary &boundary, const uint8_t *selected, IdRange range,
+                   MeasureSum &sum, Sink sink) {
   visit_in_input_order(grid, boundary, range, [&](uint32_t i, uint32_t ball) {
-    sink(i, measure_counted(grid.balls(), boundary, selected, i, ball));
-  });
-}
-
-// The same for all balls, in the caller's unit; returns the sums. Nothing is 0 in every unit: only balls that have
-// faces need the divisions.
-template <class Sink>
-BallMeasure measure_union(const CubeGrid &grid, const Boundary &boundary, const uint8_t *selected, Sink sink) {
-  const exact::Lattice &lattice = grid.balls().lattice;
-  MeasureSum sum;
-  visit_in_input_order(grid, boundary, [&](uint32_t i, uint32_t ball) {
     if (!has_counted_faces(boundary, selected, i, ball)) {
       sum.add({});
       sink(i, BallMeasure{});
@@ -79,9 +72,16 @@ BallMeasure measure_union(const CubeGrid &grid, const Boundary &boundary, const 
     }
     const BallMeasure measure = measure_ball(grid.balls(), boundary, ball);
     sum.add(measure);
-    sink(i, in_caller_units(lattice, measure));
+    sink(i, in_caller_units(grid.balls().lattice, measure));
   });
-  return in_caller_units(lattice, sum.total());
+}
+
+// The same for all balls; returns the sums.
+template <class Sink>
+BallMeasure measure_union(const CubeGrid &grid, const Boundary &boundary, const uint8_t *selected, Sink sink) {
+  MeasureSum sum;
+  measure_range(grid, boundary, selected, {0, grid.balls().n}, sum, sink);
+  return in_caller_units(grid.balls().lattice, sum.total());
 }
 
 // The same into arrays in the caller's order, which do not overlap; each may be null. With both of them balls are
@@ -109,6 +109,21 @@ inline BallMeasure measure_into(const CubeGrid &grid, const Boundary &boundary, 
     volume[i] = measure.volume;
   }
   return sum_and_convert(balls, area, volume);
+}
+
+// The same by several tasks. False if the executor fails.
+inline bool measure_in_parts(const Executor &executor, const CubeGrid &grid, const Boundary &boundary,
+                             const uint8_t *selected, double *area, double *volume, BallMeasure &total) {
+  const auto put = [area, volume](uint32_t i, const BallMeasure &measure) {
+    if (area != nullptr) area[i] = measure.area;
+    if (volume != nullptr) volume[i] = measure.volume;
+  };
+  const auto measure_part = [&](IdRange range, MeasureSum &sum) {
+    measure_range(grid, boundary, selected, range, sum, put);
+  };
+  const bool each = sum_in_parts<MeasureSum>(executor, grid.balls().n, measure_part, total);
+  total = in_caller_units(grid.balls().lattice, total);
+  return each;
 }
 
 // tension * S + pressure * V, with S the weighted area and V the volume of the union.
@@ -199,6 +214,7 @@ inline Energy energy_of(const EnergyShare &sums, const exact::Lattice &lattice, 
 
 class EnergySum {
  public:
+  using Term = EnergyShare;
   void add(const EnergyShare &share) {
     area_.add(share.area);
     volume_.add(share.volume);
@@ -245,25 +261,21 @@ Energy differentiate_energy(const CubeGrid &grid, const Boundary &boundary, cons
   return sum.total(balls.lattice, terms.tension, terms.pressure);
 }
 
-// The same by tasks: run(tasks, task) calls task(t) for every t below `tasks`, in any order and on any threads, and so
-// is sink called.
-template <class Run, class Sink>
-Energy differentiate_energy(const CubeGrid &grid, const Boundary &boundary, const EnergyTerms &terms, TermRanges ranges,
-                            Run run, Sink sink) {
-  EnergyShare parts[TermRanges::most + 1] = {};  // the last: no rest
-  run(ranges.count(), [&](uint32_t task) {
-    EnergySum sum;
-    differentiate_balls(grid, boundary, terms, ranges[task],
+// The same by several tasks, from which sink is called. False if the executor fails.
+template <class Sink>
+bool differentiate_in_parts(const Executor &executor, const CubeGrid &grid, const Boundary &boundary,
+                            const EnergyTerms &terms, Energy &energy, Sink sink) {
+  const auto differentiate_part = [&](IdRange range, EnergySum &sum) {
+    differentiate_balls(grid, boundary, terms, range,
                         [&](uint32_t i, const EnergyGradient &gradient, const EnergyShare &share) {
                           sum.add(share);
                           sink(i, gradient);
                         });
-    parts[task] = sum.sums();
-  });
-  EnergySum sum;
-  for (uint32_t part = 0; part < ranges.complete(); ++part) sum.add(parts[part]);
-  const EnergyShare sums = sum.sums(parts[ranges.complete()]);
-  return energy_of(sums, grid.balls().lattice, terms.tension, terms.pressure);
+  };
+  EnergyShare sums{};
+  const bool each = sum_in_parts<EnergySum>(executor, grid.balls().n, differentiate_part, sums);
+  energy = energy_of(sums, grid.balls().lattice, terms.tension, terms.pressure);
+  return each;
 }
 
 }  // namespace hsp

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "loops.h"
 HANDLE_FUNCTIONS(boundary)
 LIMITS_OF_BALLS(boundary)
 
@@ -113,22 +114,22 @@ static void free_records(computed *c) {
   free(c->loop_arcs);
 }
 
-int32_t computed_by_workers(computed *c, uint32_t workers, const uint32_t *order) {
+int32_t computed_by_workers(computed *c, uint32_t workers, uint64_t seed) {
+  loop own = loop_of(LOOP_SHUFFLED);
+  const hsp_executor executor = executor_of(&own, workers);
+  hsp_boundary_request request = {sizeof request, 0, NULL};
   hsp_boundary_limits limits = c->needed;
-  uint32_t stages = 0, stage, k;
   size_t bytes = 0;
   int32_t status;
+  own.seed = seed;
+  request.executor = &executor;
   limits.workers = workers;
   status = hsp_boundary_bytes(&limits, &bytes);
   if (status != HSP_OK) return status;
   free(c->boundary_memory);
   c->boundary_memory = test_zeros(bytes, 1);
   status = hsp_boundary_init(c->boundary_memory, bytes, &limits, &c->boundary);
-  if (status == HSP_OK) status = hsp_boundary_begin(c->boundary, c->model, workers, &stages);
-  for (stage = 0; stage < stages; ++stage) {
-    for (k = 0; k < workers && status == HSP_OK; ++k) status = hsp_boundary_work(c->boundary, stage, order[k]);
-  }
-  if (status == HSP_OK) status = hsp_boundary_end(c->boundary, &c->needed);
+  if (status == HSP_OK) status = hsp_boundary_compute_with(c->boundary, c->model, &request, &c->needed);
   if (status != HSP_OK) return status;
   c->needed.workers = 0;
   free_records(c);

@@ -47,9 +47,9 @@ void spread_balls(uint32_t n, const double (*ball)[4], double *xyz, double *radi
 int32_t computed_make(uint32_t n, const double *xyz, const double *radius, const hsp_model_options *options,
                       computed *result);
 
-/* Computes the boundary again, in memory of its own, by so many workers, who come in that order in every stage, and
- * reads everything again. */
-int32_t computed_by_workers(computed *result, uint32_t workers, const uint32_t *order);
+/* Computes the boundary again, in memory of its own, by so many workers in orders of that seed, and reads everything
+ * again. */
+int32_t computed_by_workers(computed *result, uint32_t workers, uint64_t seed);
 
 void computed_release(computed *result);
 

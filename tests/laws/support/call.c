@@ -76,6 +76,8 @@ static void *base_handle(const argument *a, int i) {
   return given.handle[a->noun];
 }
 
+static const size_t memory_of_call = HSP_AREAS_BYTES(FIXTURE_BALLS);
+
 static void give(call *c, int i, uint32_t capacity) {
   const argument *const a = &c->f->arguments[i];
   size_t count;
@@ -104,7 +106,7 @@ static void give(call *c, int i, uint32_t capacity) {
       call_put(c, i, sizeof(void *));
       return;
     case KIND_memory: /* not one byte more than the handle takes */
-      call_put(c, i, c->v[i + 1].z);
+      call_put(c, i, is_memory_of_call(c->f, i) ? memory_of_call : c->v[i + 1].z);
       return;
     case KIND_array_in:
     case KIND_array_out:
@@ -115,6 +117,7 @@ static void give(call *c, int i, uint32_t capacity) {
     default:
       call_put(c, i, a->size);
       if (a->kind == KIND_struct_in || is_sized(a)) fill_base(a, c->v[i].p, 1);
+      if (i > 0 && is_memory_of_call(c->f, i - 1)) memcpy(c->v[i].p, &memory_of_call, sizeof memory_of_call);
   }
 }
 
@@ -191,10 +194,6 @@ static void run(void *context) {
 
 void call_run(call *c) {
   int i;
-  if (needs_calls_before(c->f)) {
-    make_calls_before(c->f);
-    call_spoils(given.handle[NOUN_boundary]);
-  }
   put_fields(c);
   for (i = 0; i < c->f->count; ++i) {
     if (c->fenced[i]) fence_remember(i);
@@ -228,6 +227,7 @@ const char *call_wrote(const call *c, const char *but) {
   for (i = 0; i < c->f->count; ++i) {
     const argument *const a = &c->f->arguments[i];
     char name[64];
+    if (is_memory_of_call(c->f, i)) continue; /* nothing of it is an answer */
     snprintf(name, sizeof name, "|%s|", a->name);
     if (c->fenced[i] && is_output(a) && strstr(but, name) == NULL && !fence_unchanged(i, 0)) return a->name;
   }

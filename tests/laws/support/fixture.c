@@ -99,8 +99,13 @@ static int32_t start_limits(int noun, void *limits) {
   const uint32_t n = given.balls;
   void *const boundary = given.handle[NOUN_boundary];
   switch (noun) {
-    case NOUN_boundary:
-      return hsp_boundary_limits_init(limits, sizeof(hsp_boundary_limits), n);
+    case NOUN_boundary: { /* with parts for the executor of base arguments */
+      hsp_boundary_limits of_boundary;
+      const int32_t status = hsp_boundary_limits_init(&of_boundary, sizeof of_boundary, n);
+      of_boundary.workers = 2;
+      memcpy(limits, &of_boundary, sizeof of_boundary);
+      return status;
+    }
     case NOUN_moving:
       return hsp_moving_limits_init(limits, sizeof(hsp_moving_limits), n);
     case NOUN_contacts: { /* with simplices to keep */

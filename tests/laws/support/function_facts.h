@@ -22,17 +22,11 @@ int is_pointer(const argument *a);
 /* A struct that says its size. */
 int is_sized(const argument *a);
 
+/* Memory for one call, of which the next argument points to the size; other memory is for a handle. */
+int is_memory_of_call(const function *f, int i);
+
 /* How many numbers or structs make an entry of an array. */
 size_t row_of(const argument *a);
-
-/* ---- the few functions of which names and kinds do not say enough ---- */
-
-/* Whether other calls have to come before it. */
-int needs_calls_before(const function *f);
-void make_calls_before(const function *f);
-/* The argument without which this one may be NULL alone, or -1. Such functions add to arrays. */
-int null_only_with(const function *f, int i);
-int adds_to_arrays(const function *f);
 
 #ifdef __cplusplus
 }

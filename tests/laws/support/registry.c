@@ -404,31 +404,17 @@ static int64_t call_hsp_boundary_compute(const value *v) {
   return (int64_t)hsp_boundary_compute(v[0].p, v[1].p, v[2].p);
 }
 
-static const argument of_hsp_boundary_begin[] = {
+static const argument of_hsp_boundary_compute_with[] = {
   {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary},
   {"model", "hsp_model", .kind = KIND_handle, .noun = NOUN_model, .is_const = 1},
-  {"workers", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
-  {"stages", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t)},
-};
-static int64_t call_hsp_boundary_begin(const value *v) {
-  return (int64_t)hsp_boundary_begin(v[0].p, v[1].p, v[2].u, v[3].p);
-}
-
-static const argument of_hsp_boundary_work[] = {
-  {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary},
-  {"stage", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
-  {"worker", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
-};
-static int64_t call_hsp_boundary_work(const value *v) {
-  return (int64_t)hsp_boundary_work(v[0].p, v[1].u, v[2].u);
-}
-
-static const argument of_hsp_boundary_end[] = {
-  {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary},
+  {"request", "hsp_boundary_request", .kind = KIND_sized_in, .size = sizeof(hsp_boundary_request), .null = NULL_always,
+      .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 2,
+      .offset = offsetof(hsp_boundary_request, executor), .is_const = 1},
   {"limits", "hsp_boundary_limits", .kind = KIND_sized, .size = sizeof(hsp_boundary_limits), .null = NULL_always},
 };
-static int64_t call_hsp_boundary_end(const value *v) {
-  return (int64_t)hsp_boundary_end(v[0].p, v[1].p);
+static int64_t call_hsp_boundary_compute_with(const value *v) {
+  return (int64_t)hsp_boundary_compute_with(v[0].p, v[1].p, v[2].p, v[4].p);
 }
 
 static const argument of_hsp_boundary_get_counts[] = {
@@ -525,6 +511,29 @@ static int64_t call_hsp_boundary_check(const value *v) {
   return (int64_t)hsp_boundary_check(v[0].p, v[1].p, v[2].p);
 }
 
+static const argument of_hsp_areas_bytes[] = {
+  {"n", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"bytes", "size_t", .kind = KIND_value_out, .size = sizeof(size_t)},
+};
+static int64_t call_hsp_areas_bytes(const value *v) {
+  return (int64_t)hsp_areas_bytes(v[0].u, v[1].p);
+}
+
+static const argument of_hsp_areas[] = {
+  {"n", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"xyz", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "n", .row = 3, .null = NULL_empty,
+      .is_const = 1},
+  {"radius", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "n", .null = NULL_empty, .is_const = 1},
+  {"probe", "double", .kind = KIND_value, .size = sizeof(double)},
+  {"memory", "void", .kind = KIND_memory},
+  {"bytes", "size_t", .kind = KIND_value_out, .size = sizeof(size_t)},
+  {"area", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always},
+  {"totals", "hsp_totals", .kind = KIND_struct_out, .size = sizeof(hsp_totals), .null = NULL_always},
+};
+static int64_t call_hsp_areas(const value *v) {
+  return (int64_t)hsp_areas(v[0].u, v[1].p, v[2].p, v[3].d, v[4].p, v[5].p, v[6].p, v[7].p);
+}
+
 static const argument of_hsp_boundary_measure[] = {
   {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
   {"selected", "uint8_t", .kind = KIND_array_in, .size = sizeof(uint8_t), .extent = "n", .null = NULL_always, .is_const
@@ -539,27 +548,28 @@ static int64_t call_hsp_boundary_measure(const value *v) {
   return (int64_t)hsp_boundary_measure(v[0].p, v[1].p, v[2].p, v[3].p, v[4].p, v[5].u, v[6].p);
 }
 
-static const argument of_hsp_boundary_measure_range[] = {
+static const argument of_hsp_boundary_get_measures[] = {
   {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
-  {"selected", "uint8_t", .kind = KIND_array_in, .size = sizeof(uint8_t), .extent = "n", .null = NULL_always, .is_const
-      = 1},
-  {"first", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
-  {"count", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
-  {"area", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n"},
-  {"volume", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n"},
+  {"request", "hsp_measure_request", .kind = KIND_sized_in, .size = sizeof(hsp_measure_request), .null = NULL_always,
+      .is_const = 1},
+  {"selected", "uint8_t", .kind = KIND_array_in, .size = sizeof(uint8_t), .extent = "n", .null = NULL_always, .of = 1,
+      .offset = offsetof(hsp_measure_request, selected), .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 1,
+      .offset = offsetof(hsp_measure_request, executor), .is_const = 1},
+  {"outputs", "hsp_measure_outputs", .kind = KIND_outputs, .size = sizeof(hsp_measure_outputs)},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t), .of = 4, .offset =
+      offsetof(hsp_measure_outputs, capacity)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .of = 4, .offset = offsetof(hsp_measure_outputs,
+      needed)},
+  {"totals", "hsp_totals", .kind = KIND_struct_out, .size = sizeof(hsp_totals), .null = NULL_always, .of = 4, .offset =
+      offsetof(hsp_measure_outputs, totals)},
+  {"area", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .of = 4,
+      .offset = offsetof(hsp_measure_outputs, area), .held = 1},
+  {"volume", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .of = 4,
+      .offset = offsetof(hsp_measure_outputs, volume), .held = 1},
 };
-static int64_t call_hsp_boundary_measure_range(const value *v) {
-  return (int64_t)hsp_boundary_measure_range(v[0].p, v[1].p, v[2].u, v[3].u, v[4].p, v[5].p);
-}
-
-static const argument of_hsp_boundary_measure_end[] = {
-  {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
-  {"totals", "hsp_totals", .kind = KIND_struct_out, .size = sizeof(hsp_totals), .null = NULL_always},
-  {"area", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n"},
-  {"volume", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n"},
-};
-static int64_t call_hsp_boundary_measure_end(const value *v) {
-  return (int64_t)hsp_boundary_measure_end(v[0].p, v[1].p, v[2].p, v[3].p);
+static int64_t call_hsp_boundary_get_measures(const value *v) {
+  return (int64_t)hsp_boundary_get_measures(v[0].p, v[1].p, v[4].p);
 }
 
 static const argument of_hsp_boundary_measure_faces[] = {
@@ -635,38 +645,6 @@ static const argument of_hsp_boundary_gradient[] = {
 static int64_t call_hsp_boundary_gradient(const value *v) {
   return (int64_t)hsp_boundary_gradient(v[0].p, v[1].p, v[2].d, v[3].d, v[4].u, v[5].p, v[6].p, v[7].p, v[8].p, v[9].u,
       v[10].p, v[11].p);
-}
-
-static const argument of_hsp_boundary_gradient_range[] = {
-  {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
-  {"sigma", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "n", .null = NULL_always, .is_const = 1},
-  {"tension", "double", .kind = KIND_value, .size = sizeof(double)},
-  {"pressure", "double", .kind = KIND_value, .size = sizeof(double)},
-  {"tangency", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
-  {"first", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
-  {"count", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
-  {"d_centre", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .row = 3, .null = NULL_always},
-  {"d_radius", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always},
-  {"flags", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "n", .null = NULL_always},
-  {"shares", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .row = 3, .null = NULL_always},
-  {"first_bad", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t), .null = NULL_always},
-};
-static int64_t call_hsp_boundary_gradient_range(const value *v) {
-  return (int64_t)hsp_boundary_gradient_range(v[0].p, v[1].p, v[2].d, v[3].d, v[4].u, v[5].u, v[6].u, v[7].p, v[8].p,
-      v[9].p, v[10].p, v[11].p);
-}
-
-static const argument of_hsp_boundary_gradient_end[] = {
-  {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
-  {"tension", "double", .kind = KIND_value, .size = sizeof(double)},
-  {"pressure", "double", .kind = KIND_value, .size = sizeof(double)},
-  {"energy", "hsp_energy", .kind = KIND_struct_out, .size = sizeof(hsp_energy), .null = NULL_always},
-  {"flags", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "n", .null = NULL_always},
-  {"shares", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "n", .row = 3, .null = NULL_always,
-      .is_const = 1},
-};
-static int64_t call_hsp_boundary_gradient_end(const value *v) {
-  return (int64_t)hsp_boundary_gradient_end(v[0].p, v[1].d, v[2].d, v[3].p, v[4].p, v[5].p);
 }
 
 static const argument of_hsp_boundary_derivatives[] = {
@@ -2624,12 +2602,9 @@ const function registry[] = {
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_MEMORY) | BIT(HSP_E_RANGE)},
   {"hsp_boundary_compute", "boundary", RESULT_status, 3, of_hsp_boundary_compute, call_hsp_boundary_compute, BIT(HSP_OK)
       | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY)},
-  {"hsp_boundary_begin", "boundary", RESULT_status, 4, of_hsp_boundary_begin, call_hsp_boundary_begin, BIT(HSP_OK) |
-      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_RANGE)},
-  {"hsp_boundary_work", "boundary", RESULT_status, 3, of_hsp_boundary_work, call_hsp_boundary_work, BIT(HSP_OK) |
-      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
-  {"hsp_boundary_end", "boundary", RESULT_status, 2, of_hsp_boundary_end, call_hsp_boundary_end, BIT(HSP_OK) |
-      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
+  {"hsp_boundary_compute_with", "boundary", RESULT_status, 5, of_hsp_boundary_compute_with,
+      call_hsp_boundary_compute_with, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_EXECUTOR)},
   {"hsp_boundary_get_counts", "boundary", RESULT_status, 2, of_hsp_boundary_get_counts, call_hsp_boundary_get_counts,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_boundary_get_vertices", "boundary", RESULT_status, 4, of_hsp_boundary_get_vertices,
@@ -2650,13 +2625,15 @@ const function registry[] = {
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
   {"hsp_boundary_check", "boundary", RESULT_status, 3, of_hsp_boundary_check, call_hsp_boundary_check, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_CHECK)},
+  {"hsp_areas_bytes", "measure", RESULT_status, 2, of_hsp_areas_bytes, call_hsp_areas_bytes, BIT(HSP_OK) |
+      BIT(HSP_E_ARGUMENT) | BIT(HSP_E_RANGE)},
+  {"hsp_areas", "measure", RESULT_status, 8, of_hsp_areas, call_hsp_areas, BIT(HSP_OK) | BIT(HSP_E_ARGUMENT) |
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_NEGATIVE) | BIT(HSP_E_RANGE)},
   {"hsp_boundary_measure", "measure", RESULT_status, 7, of_hsp_boundary_measure, call_hsp_boundary_measure, BIT(HSP_OK)
       | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
-  {"hsp_boundary_measure_range", "measure", RESULT_status, 6, of_hsp_boundary_measure_range,
-      call_hsp_boundary_measure_range, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_ID) |
-      BIT(HSP_E_STATE)},
-  {"hsp_boundary_measure_end", "measure", RESULT_status, 4, of_hsp_boundary_measure_end, call_hsp_boundary_measure_end,
-      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
+  {"hsp_boundary_get_measures", "measure", RESULT_status, 10, of_hsp_boundary_get_measures,
+      call_hsp_boundary_get_measures, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_EXECUTOR)},
   {"hsp_boundary_measure_faces", "measure", RESULT_status, 5, of_hsp_boundary_measure_faces,
       call_hsp_boundary_measure_faces, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
       BIT(HSP_E_STATE)},
@@ -2664,15 +2641,9 @@ const function registry[] = {
       call_hsp_gradient_request_init, BIT(HSP_OK) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION)},
   {"hsp_boundary_get_gradient", "gradient", RESULT_status, 15, of_hsp_boundary_get_gradient,
       call_hsp_boundary_get_gradient, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
-      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE)},
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR)},
   {"hsp_boundary_gradient", "gradient", RESULT_status, 12, of_hsp_boundary_gradient, call_hsp_boundary_gradient,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
-      BIT(HSP_E_NOT_FINITE)},
-  {"hsp_boundary_gradient_range", "gradient", RESULT_status, 12, of_hsp_boundary_gradient_range,
-      call_hsp_boundary_gradient_range, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) |
-      BIT(HSP_E_ID) | BIT(HSP_E_NOT_FINITE)},
-  {"hsp_boundary_gradient_end", "gradient", RESULT_status, 6, of_hsp_boundary_gradient_end,
-      call_hsp_boundary_gradient_end, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) |
       BIT(HSP_E_NOT_FINITE)},
   {"hsp_boundary_derivatives", "gradient", RESULT_status, 11, of_hsp_boundary_derivatives,
       call_hsp_boundary_derivatives, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
@@ -3112,6 +3083,9 @@ const field registry_fields[] = {
   {"hsp_boundary_limits", "vertices", "uint32_t", offsetof(hsp_boundary_limits, vertices), 1},
   {"hsp_boundary_limits", "circles", "uint32_t", offsetof(hsp_boundary_limits, circles), 1},
   {"hsp_boundary_limits", "workers", "uint32_t", offsetof(hsp_boundary_limits, workers), 1},
+  {"hsp_boundary_request", "struct_size", "uint32_t", offsetof(hsp_boundary_request, struct_size), 1},
+  {"hsp_boundary_request", "reserved", "uint32_t", offsetof(hsp_boundary_request, reserved), 1},
+  {"hsp_boundary_request", "executor", "hsp_executor *", offsetof(hsp_boundary_request, executor), 1},
   {"hsp_boundary_counts", "balls", "uint32_t", offsetof(hsp_boundary_counts, balls), 1},
   {"hsp_boundary_counts", "exposed_balls", "uint32_t", offsetof(hsp_boundary_counts, exposed_balls), 1},
   {"hsp_boundary_counts", "contained_balls", "uint32_t", offsetof(hsp_boundary_counts, contained_balls), 1},
@@ -3160,6 +3134,17 @@ const field registry_fields[] = {
   {"hsp_ball", "flags", "uint32_t", offsetof(hsp_ball, flags), 1},
   {"hsp_totals", "area", "double", offsetof(hsp_totals, area), 1},
   {"hsp_totals", "volume", "double", offsetof(hsp_totals, volume), 1},
+  {"hsp_measure_request", "struct_size", "uint32_t", offsetof(hsp_measure_request, struct_size), 1},
+  {"hsp_measure_request", "reserved", "uint32_t", offsetof(hsp_measure_request, reserved), 1},
+  {"hsp_measure_request", "selected", "uint8_t *", offsetof(hsp_measure_request, selected), 1},
+  {"hsp_measure_request", "executor", "hsp_executor *", offsetof(hsp_measure_request, executor), 1},
+  {"hsp_measure_outputs", "struct_size", "uint32_t", offsetof(hsp_measure_outputs, struct_size), 1},
+  {"hsp_measure_outputs", "capacity", "uint32_t", offsetof(hsp_measure_outputs, capacity), 1},
+  {"hsp_measure_outputs", "needed", "uint32_t", offsetof(hsp_measure_outputs, needed), 1},
+  {"hsp_measure_outputs", "reserved", "uint32_t", offsetof(hsp_measure_outputs, reserved), 1},
+  {"hsp_measure_outputs", "totals", "hsp_totals *", offsetof(hsp_measure_outputs, totals), 1},
+  {"hsp_measure_outputs", "area", "double *", offsetof(hsp_measure_outputs, area), 1},
+  {"hsp_measure_outputs", "volume", "double *", offsetof(hsp_measure_outputs, volume), 1},
   {"hsp_energy", "value", "double", offsetof(hsp_energy, value), 1},
   {"hsp_energy", "area", "double", offsetof(hsp_energy, area), 1},
   {"hsp_energy", "volume", "double", offsetof(hsp_energy, volume), 1},

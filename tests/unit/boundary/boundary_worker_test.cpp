@@ -78,6 +78,10 @@ void expect_same_arrays(const hsp::BoundaryArrays &a, const hsp::BoundaryArrays 
   expect_same(a.component, b.component, n, "component");
 }
 
+void last_first(void *, uint32_t tasks, hsp::Executor::Task *task, void *data) {
+  while (tasks-- > 0) task(data, tasks);
+}
+
 void expect_same_for_all_splits(const support::BallList &balls, double probe, const hsp::BoundaryLimits &limits) {
   const BuiltGrid built(balls, probe, 0.0);
   CarvedMemory alone_memory;
@@ -91,12 +95,7 @@ void expect_same_for_all_splits(const support::BallList &balls, double probe, co
     CarvedMemory memory;
     hsp::BoundaryBuilder several;
     memory.carve(several, for_all);
-    ASSERT_EQ(several.begin(built.grid(), workers), hsp::Status::ok);
-    for (uint32_t stage = 0; stage < hsp::BoundaryBuilder::stages; ++stage) {
-      // The last one first.
-      for (uint32_t w = workers; w-- > 0;) EXPECT_EQ(several.work(stage, w), hsp::Status::ok);
-    }
-    EXPECT_EQ(several.end(), expected);
+    EXPECT_EQ(several.build(built.grid(), hsp::Executor(workers, last_first, nullptr)), expected);
     EXPECT_EQ(several.needed().workers, workers);
     EXPECT_EQ(several.needed().balls, alone.needed().balls);
     EXPECT_EQ(several.needed().neighbours, alone.needed().neighbours);

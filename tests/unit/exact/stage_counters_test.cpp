@@ -65,13 +65,12 @@ Answers compute(const hsp_model *model, const hsp_boundary_limits &limits, hsp_b
   hsp_boundary *boundary = nullptr;
   EXPECT_EQ(hsp_boundary_init(memory.data(), bytes, &limits, &boundary), HSP_OK);
   stage_counters = {};
-  const uint32_t workers = std::max(limits.workers, 1U);
-  uint32_t stages_of_work = 0;
-  EXPECT_EQ(hsp_boundary_begin(boundary, model, workers, &stages_of_work), HSP_OK);
-  for (uint32_t stage = 0; stage < stages_of_work; ++stage) {
-    for (uint32_t w = 0; w < workers; ++w) EXPECT_EQ(hsp_boundary_work(boundary, stage, w), HSP_OK);
-  }
-  EXPECT_EQ(hsp_boundary_end(boundary, needed), HSP_OK);
+  const auto run = [](void *, uint32_t tasks, hsp_task *task, void *data) {
+    for (uint32_t k = 0; k < tasks; ++k) task(data, k);
+  };
+  const hsp_executor executor{sizeof executor, limits.workers, nullptr, run};
+  const hsp_boundary_request request{sizeof request, 0, &executor};
+  EXPECT_EQ(hsp_boundary_compute_with(boundary, model, &request, needed), HSP_OK);
   result.counters = stage_counters;
   EXPECT_EQ(hsp_boundary_get_counts(boundary, &result.counts), HSP_OK);
   return result;

@@ -1,0 +1,54 @@
+// A loop of the caller's, which does the tasks of a piece of work, side by side if it likes. Nothing here starts a
+// thread.
+#pragma once
+
+#include <cstdint>
+
+#include "core/small_code.hpp"
+
+namespace hsp {
+
+// The most tasks of one loop, and the most workers that anybody asks for.
+inline constexpr uint32_t max_tasks = 1024;
+
+class Executor {
+ public:
+  using Task = void(void *data, uint32_t task);
+  using Run = void(void *context, uint32_t tasks, Task *task, void *data);
+
+  // The caller's own thread.
+  Executor() = default;
+  // run(context, tasks, task, data) calls task(data, k) once for each k below `tasks`, in any order and on any threads,
+  // and returns when all are done. One worker takes no run, and 0 is 1.
+  Executor(uint32_t workers, Run *run, void *context)
+      : workers_(workers < 1           ? 1
+                 : workers < max_tasks ? workers
+                                       : max_tasks),
+        run_(run),
+        context_(context) {}
+
+  uint32_t workers() const { return workers_; }
+  // Whether work that could be done by one is worth code for several.
+  bool is_parallel() const { return !small_code && workers_ > 1; }
+
+  // Does work(0) .. work(tasks - 1), side by side; false unless each was done once. What is called a second time, or is
+  // none of them, is not done. tasks <= max_tasks.
+  template <class Work>
+  bool for_each(uint32_t tasks, const Work &work) const {
+    if (workers_ > 1 && tasks > 1) {
+      const auto do_one = [](void *data, uint32_t task) { (*static_cast<const Work *>(data))(task); };
+      return run_all(tasks, do_one, const_cast<Work *>(&work));
+    }
+    for (uint32_t task = 0; task < tasks; ++task) work(task);
+    return true;
+  }
+
+ private:
+  bool run_all(uint32_t tasks, Task *task, void *data) const;
+
+  uint32_t workers_ = 1;
+  Run *run_ = nullptr;
+  void *context_ = nullptr;
+};
+
+}  // namespace hsp

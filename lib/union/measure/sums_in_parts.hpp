@@ -1,0 +1,27 @@
+// Sums over all balls by the tasks of an executor, with the bits of one sum over them in the order of the input.
+#pragma once
+
+#include "core/executor.hpp"
+#include "core/term_ranges.hpp"
+
+namespace hsp {
+
+// Calls visit(range, sum) for ranges that are all balls together, side by side; it adds a term for each ball of the
+// range. Sum::sums(rest): of its terms with those behind them, of which rest are the sums. False if the executor
+// fails.
+template <class Sum, class Visit>
+bool sum_in_parts(const Executor &executor, uint32_t balls, Visit visit, typename Sum::Term &sums) {
+  const TermRanges ranges(balls, executor.workers());
+  typename Sum::Term of_range[TermRanges::most + 1] = {};  // the last: no rest
+  const bool each = executor.for_each(ranges.count(), [&](uint32_t k) {
+    Sum sum;
+    visit(ranges[k], sum);
+    of_range[k] = sum.sums({});
+  });
+  Sum all;
+  for (uint32_t k = 0; k < ranges.complete(); ++k) all.add(of_range[k]);
+  sums = all.sums(of_range[ranges.complete()]);
+  return each;
+}
+
+}  // namespace hsp

@@ -1,0 +1,27 @@
+/* Loops for executors: tasks in several orders, and loops that break the rules. */
+#pragma once
+
+#include <hardsphere.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum { LOOP_IN_ORDER, LOOP_REVERSED, LOOP_SHUFFLED, LOOP_RIGHT_WAYS };
+enum { LOOP_FORGETS = LOOP_RIGHT_WAYS, LOOP_DOES_TWICE, LOOP_ADDS_ONE, LOOP_DOES_NOTHING, LOOP_WAYS };
+
+typedef struct loop {
+  int way;
+  uint32_t first_wrong; /* run in which a wrong way begins; before, tasks are done in order */
+  uint32_t runs;        /* made so far */
+  uint32_t most_tasks;  /* of them */
+  uint64_t seed;        /* of LOOP_SHUFFLED */
+} loop;
+
+loop loop_of(int way);
+
+hsp_executor executor_of(loop *own, uint32_t workers);
+
+#ifdef __cplusplus
+}
+#endif
