@@ -287,6 +287,35 @@ TEST(Cif, AlternateLocations) {
   EXPECT_EQ(input["left_out"]["alternate_locations"].number, 3);
 }
 
+// Rows are told by their values, not by lines: quotes with blanks in them, rows over two lines, two rows on a line,
+// comments, and lines with other columns in between.
+TEST(Cif, RowsAndLines) {
+  const std::string head = cif_loop({"label_atom_id", "type_symbol", "Cartn_x", "Cartn_y", "Cartn_z"});
+  const std::string rows =
+      "C1 C 0 0 0\n"
+      "C2 C 9 0 0\n"
+      "'C 3' C 18 0\n0\n"
+      "\"C'4\" C 27 0 0\n"
+      "'C 5' C 36 0 0 # five\n"
+      "C6   C    45.000   -0.0    0 \n"
+      "C7   C    54.000   -0.0    0 C8 C 63 0 0\n"
+      "\tC9 C 72 0 0\n"
+      "'C''' C 81 0 0\n"
+      "C11\nC 90 0 0";
+  const TemporaryFile file("rows.cif", head + rows);
+  const std::string csv = run_program({"measure", file.path(), "--csv"}).out;
+  int ball = 0;
+  for (const char *name : {"C1", "C2", "C 3", "C'4", "C 5", "C6", "C7", "C8", "C9", "C''", "C11"}) {
+    std::string line = "\n";
+    line.append(std::to_string(ball)).append(",").append(name).append(",C,,,,,").append(std::to_string(9 * ball));
+    EXPECT_NE(csv.find(line + ",0,0,"), std::string::npos) << line << csv;
+    ++ball;
+  }
+  const TemporaryFile broken("broken.cif", head + "C1 C 0 0 0\nC2 C 9 0\n");
+  EXPECT_NE(run_program({"measure", broken.path()}).err.find("a row of _atom_site has 4 of 5 values"),
+            std::string::npos);
+}
+
 // Symbols with a charge, and deuterium.
 TEST(Cif, Elements) {
   const std::string head = cif_loop({"type_symbol", "Cartn_x", "Cartn_y", "Cartn_z"});

@@ -2,7 +2,9 @@
 // part of their label alone, and elements where columns 77-78 and the atom name leave room for doubt.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <random>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -111,6 +113,49 @@ TEST(PdbRecords, AlternatesOfAResidueWithTwoNames) {
   beta.segment = serine.segment;
   beta.place = "A  52A";
   EXPECT_EQ(atoms_of({with_letter({}, 'A'), with_letter(beta, 'B')}).records, (std::vector<int>{0, 1}));
+}
+
+// The three rules of alternate_locations.h, by a search through all records before.
+std::vector<int> kept_by_search(const std::vector<Record> &records) {
+  std::vector<int> kept;
+  for (size_t i = 0; i < records.size(); ++i) {
+    const auto same_residue = [&](const Record &r) {
+      return std::string(r.place) + r.segment == std::string(records[i].place) + records[i].segment;
+    };
+    const auto same_name = [&](const Record &r) { return std::string(r.name) == records[i].name; };
+    const auto first_atom =
+        std::find_if(records.begin(), records.end(), [&](const Record &r) { return same_residue(r) && same_name(r); });
+    const auto first_lettered = std::find_if(records.begin(), records.end(),
+                                             [&](const Record &r) { return same_residue(r) && r.letter != ' '; });
+    const char letter = records[i].letter;
+    const bool keeps =
+        letter == ' ' || (first_atom->letter == letter && (std::string(first_lettered->residue) == records[i].residue ||
+                                                           first_lettered->letter == letter));
+    if (keeps) kept.push_back(static_cast<int>(i));
+  }
+  return kept;
+}
+
+TEST(PdbRecords, AlternatesAmongAtomsWithoutLetters) {
+  std::mt19937 random(20);
+  const auto one_of = [&](const std::vector<const char *> &texts) { return texts[random() % texts.size()]; };
+  int dropped = 0;
+  for (int round = 0; round < 60; ++round) {
+    std::vector<Record> records;
+    Record record;
+    for (int i = 0; i < 60; ++i) {
+      if (random() % 4 == 0) record.place = one_of({"A  52 ", "A  53 ", "A  52A", "B  52 "});
+      if (random() % 8 == 0) record.segment = one_of({"    ", "SEGB"});
+      if (random() % 8 == 0) record.residue = one_of({"ALA", "SER"});
+      record.name = one_of({" N  ", " CA ", " CB ", " C  "});
+      record.letter = "      AB"[random() % 8];
+      records.push_back(record);
+    }
+    const std::vector<int> expected = kept_by_search(records);
+    ASSERT_EQ(atoms_of(records).records, expected) << round;
+    dropped += static_cast<int>(records.size() - expected.size());
+  }
+  EXPECT_GT(dropped, 60);
 }
 
 std::string element_of(const char *name, const char *element) {

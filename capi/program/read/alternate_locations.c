@@ -1,54 +1,78 @@
 #include "read/alternate_locations.h"
 
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { KEY_WORDS = 5, SEGMENT_BYTES = 4 };
+/* Which residue. */
+struct residue_place {
+  char chain[12];
+  char number[12];
+  char insertion[2];
+  char segment[6]; /* four characters of it */
+};
 
 struct seen_location {
-  uint64_t key[KEY_WORDS]; /* atom name (empty for the residue as a whole), chain, number, insertion code, segment */
-  char residue[8];         /* name of the residue in the first record with this key */
-  char letter;             /* of that record */
+  char name[8]; /* of the atom; empty for the residue as a whole */
+  struct residue_place place;
+  char residue[8]; /* name of the residue in the first record with this name and place */
+  char letter;     /* of that record */
 };
+
+enum { KEY_BYTES = offsetof(struct seen_location, residue) };
 
 struct location_slot {
   uint32_t hash;
   uint32_t place; /* in `seen`, plus 1; 0: empty */
 };
 
-static char *put(char *out, const char *text, size_t room) {
-  for (size_t i = 0; i < room && text[i] != '\0'; ++i) out[i] = text[i];
-  return out + room;
+struct waiting_name {
+  char text[8];
+};
+
+/* Neighbours in the file without letters, of one residue. */
+struct residue_visit {
+  struct residue_place place;
+  char residue[8];  /* its name */
+  size_t first;     /* of the names that wait */
+  uint32_t count;   /* of them; 0: none waits any more */
+  uint32_t next;    /* of the same residue, counted from 1; 0: none */
+  uint32_t last;    /* of the first visit of a residue: the last one, counted from 1 */
+  uint32_t waiting; /* likewise: the first one with names that wait, or the last one */
+};
+
+/* Labels have zeros behind their texts. */
+static struct residue_place place_of(const struct residue_label *residue, struct field segment) {
+  struct residue_place place;
+  memcpy(place.chain, residue->chain, sizeof place.chain);
+  memcpy(place.number, residue->number, sizeof place.number);
+  memcpy(place.insertion, residue->insertion, sizeof place.insertion);
+  memset(place.segment, 0, sizeof place.segment);
+  memcpy(place.segment, segment.text, segment.length < 4 ? segment.length : 4);
+  return place;
 }
 
-static struct seen_location location_of(const struct atom_label *label, struct field segment, char letter,
-                                        bool of_atom) {
-  struct seen_location location;
-  char key[sizeof location.key] = "";
-  const struct residue_label *residue = &label->residue;
-  char *end = put(key, of_atom ? label->name : "", sizeof label->name);
-  end = put(end, residue->chain, sizeof residue->chain);
-  end = put(end, residue->number, sizeof residue->number);
-  end = put(end, residue->insertion, sizeof residue->insertion);
-  memcpy(end, segment.text, segment.length < SEGMENT_BYTES ? segment.length : SEGMENT_BYTES);
-  memcpy(location.key, key, sizeof key);
-  memset(location.residue, 0, sizeof location.residue);
-  put(location.residue, residue->name, sizeof location.residue);
-  location.letter = letter;
+static struct seen_location location_of(const char *name, const struct residue_place *place, const char *residue,
+                                        char letter) {
+  struct seen_location location = {.place = *place, .letter = letter};
+  memcpy(location.name, name, sizeof location.name);
+  memcpy(location.residue, residue, sizeof location.residue);
   return location;
 }
 
-static uint32_t hash_of(const struct seen_location *location) {
+static uint32_t hash_of(const void *key, size_t bytes) {
   uint64_t hash = 0;
-  for (size_t i = 0; i < KEY_WORDS; ++i) {
-    hash = (hash ^ location->key[i]) * UINT64_C(0x9E3779B97F4A7C15);
+  for (size_t i = 0; i < bytes; i += sizeof hash) {
+    uint64_t word;
+    memcpy(&word, (const char *)key + i, sizeof word);
+    hash = (hash ^ word) * UINT64_C(0x9E3779B97F4A7C15);
     hash ^= hash >> 32;
   }
   return (uint32_t)hash;
 }
 
 static bool same_key(const struct seen_location *a, const struct seen_location *b) {
-  return memcmp(a->key, b->key, sizeof a->key) == 0;
+  return memcmp(a, b, KEY_BYTES) == 0;
 }
 
 /* Room for one more, in the list and in the table, half of which stays empty. */
@@ -81,7 +105,7 @@ static bool reserve(struct alternate_locations *locations) {
 static const struct seen_location *first_of(struct alternate_locations *locations,
                                             const struct seen_location *location) {
   if (!reserve(locations)) return NULL;
-  const uint32_t hash = hash_of(location);
+  const uint32_t hash = hash_of(location, KEY_BYTES);
   size_t at = hash & (locations->capacity - 1);
   for (; locations->slots[at].place != 0; at = (at + 1) & (locations->capacity - 1)) {
     const struct location_slot slot = locations->slots[at];
@@ -94,15 +118,114 @@ static const struct seen_location *first_of(struct alternate_locations *location
   return &locations->seen[locations->count - 1];
 }
 
+static bool goes_on(const struct residue_visit *visit, const struct residue_place *place, const char *residue) {
+  return memcmp(&visit->place, place, sizeof *place) == 0 &&
+         memcmp(visit->residue, residue, sizeof visit->residue) == 0;
+}
+
+/* Note an atom without a letter. False: memory is short. */
+static bool note_waiting(struct alternate_locations *locations, const char *name, const struct residue_place *place,
+                         const char *residue) {
+  struct residue_visit *visit = locations->visits > 0 ? &locations->visit[locations->visits - 1] : NULL;
+  if (locations->waits == locations->wait_room) {
+    const size_t room = locations->wait_room == 0 ? 512 : 2 * locations->wait_room;
+    struct waiting_name *waiting =
+        room > SIZE_MAX / sizeof *waiting ? NULL : realloc(locations->waiting, room * sizeof *waiting);
+    if (waiting == NULL) return false;
+    locations->waiting = waiting;
+    locations->wait_room = room;
+  }
+  /* One that is in the table may have been shown. */
+  if (visit == NULL || locations->numbered == locations->visits || !goes_on(visit, place, residue)) {
+    if (locations->visits == locations->visit_room) {
+      const size_t room = locations->visit_room == 0 ? 128 : 2 * (size_t)locations->visit_room;
+      if (room > UINT32_MAX || room > SIZE_MAX / sizeof *visit) return false;
+      visit = realloc(locations->visit, room * sizeof *visit);
+      if (visit == NULL) return false;
+      locations->visit = visit;
+      locations->visit_room = (uint32_t)room;
+    }
+    visit = &locations->visit[locations->visits++];
+    *visit = (struct residue_visit){.place = *place, .first = locations->waits};
+    memcpy(visit->residue, residue, sizeof visit->residue);
+  }
+  ++visit->count;
+  memcpy(locations->waiting[locations->waits++].text, name, sizeof locations->waiting->text);
+  return true;
+}
+
+/* Where the table of residues has the place, or would have it. */
+static uint32_t *residue_at(const struct alternate_locations *locations, const struct residue_place *place) {
+  size_t at = hash_of(place, sizeof *place) & (locations->residues - 1);
+  while (locations->residue[at] != 0 &&
+         memcmp(&locations->visit[locations->residue[at] - 1].place, place, sizeof *place) != 0) {
+    at = (at + 1) & (locations->residues - 1);
+  }
+  return &locations->residue[at];
+}
+
+/* Put the visits that are new into the table of residues. */
+static bool number_visits(struct alternate_locations *locations) {
+  if (2 * (size_t)locations->visits >= locations->residues) {
+    size_t capacity = locations->residues == 0 ? 256 : locations->residues;
+    while (capacity <= 2 * (size_t)locations->visits) capacity *= 2;
+    uint32_t *const grown = calloc(capacity, sizeof *grown), *const old = locations->residue;
+    const size_t before = locations->residues;
+    if (grown == NULL) return false;
+    locations->residue = grown;
+    locations->residues = capacity;
+    for (size_t k = 0; k < before; ++k) {
+      if (old[k] != 0) *residue_at(locations, &locations->visit[old[k] - 1].place) = old[k];
+    }
+    free(old);
+  }
+  for (; locations->numbered < locations->visits; ++locations->numbered) {
+    const uint32_t own = locations->numbered + 1;
+    uint32_t *const first = residue_at(locations, &locations->visit[own - 1].place);
+    if (*first == 0) {
+      *first = own;
+      locations->visit[own - 1].last = locations->visit[own - 1].waiting = own;
+    } else {
+      struct residue_visit *const head = &locations->visit[*first - 1];
+      locations->visit[head->last - 1].next = own;
+      head->last = own;
+    }
+  }
+  return true;
+}
+
+/* Show the atoms that wait of a residue. */
+static bool show_waiting(struct alternate_locations *locations, const struct residue_place *place) {
+  if (locations->visits == 0) return true;
+  if (!number_visits(locations)) return false;
+  const uint32_t first = *residue_at(locations, place);
+  if (first == 0) return true;
+  uint32_t *const waiting = &locations->visit[first - 1].waiting;
+  for (;;) {
+    struct residue_visit *const visit = &locations->visit[*waiting - 1];
+    for (uint32_t k = 0; k < visit->count; ++k) {
+      const struct seen_location atom =
+          location_of(locations->waiting[visit->first + k].text, place, visit->residue, ' ');
+      if (first_of(locations, &atom) == NULL) return false;
+    }
+    visit->count = 0;
+    if (visit->next == 0) return true;
+    *waiting = visit->next;
+  }
+}
+
 bool alternate_locations_keep(struct alternate_locations *locations, const struct atom_label *label,
                               struct field segment, char letter, bool *keep) {
+  static const char nobody[sizeof label->name] = "";
+  const struct residue_place place = place_of(&label->residue, segment);
   *keep = true;
-  const struct seen_location atom = location_of(label, segment, letter, true);
+  if (letter == ' ') return note_waiting(locations, label->name, &place, label->residue.name);
+  if (!show_waiting(locations, &place)) return false;
+  const struct seen_location atom = location_of(label->name, &place, label->residue.name, letter);
   const struct seen_location *first_atom = first_of(locations, &atom);
   if (first_atom == NULL) return false;
-  if (letter == ' ') return true;
   *keep = first_atom->letter == letter;
-  const struct seen_location residue = location_of(label, segment, letter, false);
+  const struct seen_location residue = location_of(nobody, &place, label->residue.name, letter);
   const struct seen_location *first_residue = first_of(locations, &residue);
   if (first_residue == NULL) return false;
   if (memcmp(first_residue->residue, residue.residue, sizeof residue.residue) != 0) {
@@ -114,5 +237,8 @@ bool alternate_locations_keep(struct alternate_locations *locations, const struc
 void alternate_locations_free(struct alternate_locations *locations) {
   free(locations->seen);
   free(locations->slots);
+  free(locations->visit);
+  free(locations->waiting);
+  free(locations->residue);
   *locations = (struct alternate_locations)ALTERNATE_LOCATIONS_NONE;
 }

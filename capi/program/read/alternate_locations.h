@@ -10,18 +10,29 @@
 
 struct seen_location;
 struct location_slot;
+struct residue_visit;
+struct waiting_name;
 
-/* The atoms and residues seen so far, in the order of the file, and a hash table with open addressing over them. */
+/* The atoms and residues with letters seen so far, in the order of the file, and a hash table with open addressing over
+ * them. Atoms without a letter wait, residue by residue, until one of their residue has a letter; in most files none
+ * has. */
 struct alternate_locations {
   struct seen_location *seen;
   uint32_t count;
   uint32_t room;
   struct location_slot *slots;
   size_t capacity; /* a power of two, or 0 */
+  struct residue_visit *visit;
+  uint32_t visits, visit_room;
+  uint32_t numbered; /* visits that are in the table of residues */
+  struct waiting_name *waiting;
+  size_t waits, wait_room;
+  uint32_t *residue; /* table of the first visits of residues, counted from 1 */
+  size_t residues;   /* its size, a power of two, or 0 */
 };
 
 #define ALTERNATE_LOCATIONS_NONE \
-  { NULL, 0, 0, NULL, 0 }
+  { .seen = NULL }
 
 /* Whether an atom record belongs to the molecule; records must be shown in the order of the file. What tells atoms and
  * residues from each other is the label and, where a format has it, the segment.

@@ -85,6 +85,7 @@ enum cif_item cif_item_of(struct field tag, enum cif_table *table) {
 void cif_row_clear(struct cif_row *row, uint64_t line) {
   memset(row->length, 0, sizeof row->length);
   row->text.length = 0;
+  row->values = NULL;
   row->line = line;
 }
 
@@ -96,8 +97,8 @@ void cif_row_put(struct cif_row *row, enum cif_item item, const struct cif_token
 }
 
 struct field cif_row_get(const struct cif_row *row, enum cif_item item) {
-  return row->length[item] == 0 ? (struct field){"", 0}
-                                : (struct field){row->text.text + row->begin[item], row->length[item]};
+  if (row->length[item] == 0) return (struct field){"", 0};
+  return (struct field){(row->values != NULL ? row->values : row->text.text) + row->begin[item], row->length[item]};
 }
 
 struct field cif_row_either(const struct cif_row *row, enum cif_item author, enum cif_item label) {

@@ -71,12 +71,13 @@ enum cif_item {
  * has a point: _cell_length_a, _cell.length_a. Of mmCIF's tables of atoms every tag has the table. */
 enum cif_item cif_item_of(struct field tag, enum cif_table *table);
 
-/* The values of one atom. They are copied: the lines that they come from are gone when the row is complete. Zeros at
+/* The values of one atom. Those of several lines are copied: lines are gone when the row is complete. Zeros at
  * first. */
 struct cif_row {
   size_t begin[CIF_ITEMS];
   size_t length[CIF_ITEMS]; /* 0 where the file says nothing */
   uint64_t line;
+  const char *values; /* what they are in; NULL: the text below */
   struct text_buffer text;
 };
 

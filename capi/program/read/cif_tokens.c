@@ -100,15 +100,20 @@ enum cif_kind cif_tokens_next(struct cif_tokens *tokens) {
       tokens->at = end;
       return take(tokens, kind_of((struct field){text + begin, end - begin}), begin, end);
     }
-    const enum line_status status = line_reader_next(reader, tokens->failure);
-    if (status == LINE_FAILED) return fail(tokens);
-    tokens->at = 0;
-    if (status == LINE_END) {
-      tokens->kind = CIF_END;
-      tokens->text = (struct field){"", 0};
-      return CIF_END;
-    }
+    if (!cif_tokens_next_line(tokens)) return tokens->kind;
   }
+}
+
+bool cif_tokens_next_line(struct cif_tokens *tokens) {
+  const enum line_status status = line_reader_next(tokens->reader, tokens->failure);
+  tokens->at = 0;
+  if (status == LINE_READ) return true;
+  if (status == LINE_FAILED) fail(tokens);
+  if (status == LINE_END) {
+    tokens->kind = CIF_END;
+    tokens->text = (struct field){"", 0};
+  }
+  return false;
 }
 
 bool cif_value_is_absent(const struct cif_tokens *tokens) {

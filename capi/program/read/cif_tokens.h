@@ -40,6 +40,9 @@ void cif_tokens_begin(struct cif_tokens *tokens, struct line_reader *reader, str
 /* Step to the next token and return its kind. CIF_FAILED: the failure says why. */
 enum cif_kind cif_tokens_next(struct cif_tokens *tokens);
 
+/* Step to the next line instead, and look at none of its tokens. False: there is none, kind tells why. */
+bool cif_tokens_next_line(struct cif_tokens *tokens);
+
 /* Whether a value says nothing: "?" and ".", unless in quotes. */
 bool cif_value_is_absent(const struct cif_tokens *tokens);
 

@@ -7,6 +7,8 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "read/words.h"
+
 bool input_is_standard(const char *path) {
   return strcmp(path, "-") == 0;
 }
@@ -35,6 +37,7 @@ bool line_reader_open(struct line_reader *reader, const char *path, struct failu
   reader->ending = "";
   reader->marked = false;
   reader->number = 0;
+  reader->block = NULL;
   reader->capacity = 0;
   reader->next = 0;
   reader->filled = 0;
@@ -76,22 +79,40 @@ bool line_reader_keep_standard_input(struct failure *failure) {
 #endif
 
 /* A person who watches sees large files grow. */
-static void show_progress(struct line_reader *reader) {
+static void show_progress(struct line_reader *reader, size_t got) {
   const uint64_t before = reader->bytes;
-  reader->bytes += reader->filled;
+  reader->bytes += got;
   if (reader->bytes / PROGRESS_LEAST_BYTES == before / PROGRESS_LEAST_BYTES) return;
   reader->progress = progress_begin(reader->bytes, PROGRESS_LEAST_BYTES);
   progress_show_bytes(&reader->progress, "reading", reader->bytes);
 }
 
-/* Fill the chunk anew if it is used up. LINE_END: the file has ended. */
+/* What is behind the block: a line's end, which every search finds, and room for words. */
+enum { BEHIND_BLOCK = 64 };
+
+/* More bytes behind those from `next` on, which move to the front of the block; it grows if they fill it. LINE_END: the
+ * file has ended. */
 static enum line_status refill(struct line_reader *reader, struct failure *failure) {
-  if (reader->next < reader->filled) return LINE_READ;
-  errno = 0;
+  const size_t kept = reader->filled - reader->next;
+  if (kept > 0 && reader->next > 0) memmove(reader->block, reader->block + reader->next, kept);
   reader->next = 0;
-  reader->filled = fread(reader->chunk, 1, sizeof reader->chunk, reader->file);
-  show_progress(reader);
-  if (reader->filled > 0) return LINE_READ;
+  reader->filled = kept;
+  if (kept == reader->capacity) {
+    const size_t capacity = kept == 0 ? LINE_READER_BLOCK : 2 * kept;
+    char *block = kept > SIZE_MAX / 4 ? NULL : realloc(reader->block, capacity + BEHIND_BLOCK);
+    if (block == NULL) {
+      failure_of_memory(failure);
+      return LINE_FAILED;
+    }
+    reader->block = block;
+    reader->capacity = capacity;
+  }
+  errno = 0;
+  const size_t got = fread(reader->block + kept, 1, reader->capacity - kept, reader->file);
+  reader->filled += got;
+  memset(reader->block + reader->filled, '\n', BEHIND_BLOCK);
+  show_progress(reader, got);
+  if (got > 0) return LINE_READ;
   if (ferror(reader->file)) {
     failure_in_input(failure, 0, "%s", errno != 0 ? strerror(errno) : "cannot be read");
     return LINE_FAILED;
@@ -99,77 +120,72 @@ static enum line_status refill(struct line_reader *reader, struct failure *failu
   return LINE_END;
 }
 
-static bool append(struct line_reader *reader, const unsigned char *bytes, size_t count) {
-  if (reader->capacity - reader->length <= count) {
-    if (count > SIZE_MAX / 4 - reader->length) return false;
-    const size_t capacity = 2 * (reader->length + count) + 128;
-    char *text = realloc(reader->text, capacity);
-    if (text == NULL) return false;
-    reader->text = text;
-    reader->capacity = capacity;
+/* The first byte that ends or breaks a line, any control character but a tab; there is one. */
+static char *end_of_line(char *at) {
+  for (;; at += 16) {
+    const uint32_t found = (below_in_16(at, ' ') & ~equal_in_16(at, '\t')) | equal_in_16(at, 0x7F);
+    if (found != 0) return at + lowest_bit(found);
   }
-  if (count > 0) memcpy(reader->text + reader->length, bytes, count);
-  reader->length += count;
-  reader->text[reader->length] = '\0';
-  return true;
 }
 
-static bool ends_or_breaks_line(unsigned char byte) {
-  return (byte < 0x20 && byte != '\t') || byte == 0x7F;
-}
-
-static void drop_byte_order_mark(struct line_reader *reader) {
-  static const char mark[] = "\xEF\xBB\xBF";
-  if (reader->length >= 3 && memcmp(reader->text, mark, 3) == 0) {
-    memmove(reader->text, reader->text + 3, reader->length - 3 + 1);
-    reader->length -= 3;
-    reader->marked = true;
+/* The number of bytes up to the end of the line that begins at `next`, all of them in the block. */
+static enum line_status find_end(struct line_reader *reader, size_t *length, struct failure *failure) {
+  for (*length = 0;;) {
+    char *const begin = reader->block + reader->next;
+    *length = (size_t)(end_of_line(begin + *length) - begin);
+    if (*length < reader->filled - reader->next) return LINE_READ;
+    *length = reader->filled - reader->next;
+    const enum line_status status = refill(reader, failure);
+    if (status != LINE_READ) return status;
   }
 }
 
 enum line_status line_reader_next(struct line_reader *reader, struct failure *failure) {
+  size_t length = 0;
+  reader->text = NULL;
   reader->length = 0;
   reader->ending = "";
   reader->marked = false;
-  enum line_status status = refill(reader, failure);
-  if (status != LINE_READ) return status;
-  ++reader->number;
-  while (status == LINE_READ) {
-    size_t end = reader->next;
-    while (end < reader->filled && !ends_or_breaks_line(reader->chunk[end])) ++end;
-    if (!append(reader, reader->chunk + reader->next, end - reader->next)) {
-      failure_of_memory(failure);
-      return LINE_FAILED;
-    }
-    reader->next = end;
-    if (end < reader->filled) break;
-    status = refill(reader, failure);
-    if (status == LINE_FAILED) return LINE_FAILED;
+  if (reader->next == reader->filled) {
+    const enum line_status status = refill(reader, failure);
+    if (status != LINE_READ) return status;
   }
+  ++reader->number;
+  const enum line_status status = find_end(reader, &length, failure);
+  if (status == LINE_FAILED) return LINE_FAILED;
+  size_t ending = 0;
   if (status == LINE_READ) {
-    const unsigned char byte = reader->chunk[reader->next++];
+    const char byte = reader->block[reader->next + length];
     if (byte != '\n' && byte != '\r') {
       failure_in_input(failure, reader->number, "binary data (byte 0x%02X); expected text", (unsigned)byte);
       return LINE_FAILED;
     }
+    ending = 1;
     reader->ending = byte == '\n' ? "\n" : "\r";
     if (byte == '\r') {
-      status = refill(reader, failure);
-      if (status == LINE_FAILED) return LINE_FAILED;
-      if (status == LINE_READ && reader->chunk[reader->next] == '\n') {
-        ++reader->next;
+      if (reader->next + length + 1 == reader->filled && refill(reader, failure) == LINE_FAILED) return LINE_FAILED;
+      if (reader->next + length + 1 < reader->filled && reader->block[reader->next + length + 1] == '\n') {
+        ending = 2;
         reader->ending = "\r\n";
       }
     }
   }
-  if (reader->number == 1) drop_byte_order_mark(reader);
+  reader->text = reader->block + reader->next;
+  reader->length = length;
+  reader->text[length] = '\0';
+  reader->next += length + ending;
+  if (reader->number == 1 && length >= 3 && memcmp(reader->text, "\xEF\xBB\xBF", 3) == 0) {
+    reader->text += 3;
+    reader->length -= 3;
+    reader->marked = true;
+  }
   return LINE_READ;
 }
 
 void line_reader_close(struct line_reader *reader) {
   progress_end(&reader->progress);
-  free(reader->text);
-  reader->text = NULL;
+  free(reader->block);
+  reader->block = reader->text = NULL;
   if (reader->file != NULL && reader->file != stdin) fclose(reader->file);
   reader->file = NULL;
 }

@@ -10,21 +10,22 @@
 #include "read/failure.h"
 #include "read/progress.h"
 
-#define LINE_READER_CHUNK 65536
+#define LINE_READER_BLOCK 65536
 
 struct line_reader {
-  char *text;         /* the current line without its end, NUL-terminated; valid until the next call */
+  char *text;         /* the current line without its end, NUL-terminated, in the block; valid until the next call. From
+                         any place in it 16 bytes may be read. */
   size_t length;      /* its length */
   const char *ending; /* what ended it: "\n", "\r\n", "\r", or "" at the end of the file */
   bool marked;        /* a byte-order mark was dropped from it */
   uint64_t number;    /* its number, counted from 1; 0 before the first line */
   FILE *file;         /* closed by line_reader_close unless it is standard input */
-  size_t capacity;    /* of text */
-  size_t next;        /* first byte of the chunk that was not looked at */
-  size_t filled;      /* bytes in the chunk */
+  char *block;        /* what was read of the file and not yet passed */
+  size_t capacity;    /* of the block, not counting what is behind it */
+  size_t next;        /* first byte of the block that was not looked at */
+  size_t filled;      /* bytes in the block */
   uint64_t bytes;     /* all that were read */
   struct progress progress;
-  unsigned char chunk[LINE_READER_CHUNK];
 };
 
 /* Whether the name of an input stands for standard input: "-". */

@@ -16,16 +16,33 @@
 
 /* Numbers as files write them have few digits: digits and power of ten are doubles then, and one operation rounds
  * once. Not where the machine keeps more precision than a double has. */
-enum { FEW_DIGITS = 15, SMALL_EXPONENT = 22 };
+enum { MOST_DIGITS = 18, SMALL_EXPONENT = 22 };
+#define EXACT_DIGITS (UINT64_C(1) << 53)
 
-static bool quick_value(uint64_t digits, size_t count, int64_t exponent, double *value) {
+static bool quick_value(uint64_t digits, int exponent, double *value) {
   static const double powers[SMALL_EXPONENT + 1] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                     1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                                     1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-  if (FLT_EVAL_METHOD != 0 || count > FEW_DIGITS || exponent < -SMALL_EXPONENT || exponent > SMALL_EXPONENT) {
-    return false;
-  }
+  if (FLT_EVAL_METHOD != 0 || digits > EXACT_DIGITS) return false;
+  if (digits == 0) exponent = 0;
+  if (exponent < -SMALL_EXPONENT || exponent > SMALL_EXPONENT) return false;
   *value = exponent < 0 ? (double)digits / powers[-exponent] : (double)digits * powers[exponent];
+  return true;
+}
+
+/* A decimal of at most 18 digits without an exponent, times a power of ten. False: it is another one, or none. */
+static bool parse_quickly(const char *text, size_t length, int power, double *value) {
+  const bool negative = length > 0 && text[0] == '-';
+  uint64_t digits = 0;
+  size_t at = negative ? 1 : 0, whole = 0, decimals = 0;
+  if (length > MOST_DIGITS + 2) return false;
+  for (; at < length && is_digit(text[at]); ++at, ++whole) digits = 10 * digits + (uint64_t)(text[at] - '0');
+  if (at < length && text[at] == '.') {
+    for (++at; at < length && is_digit(text[at]); ++at, ++decimals) digits = 10 * digits + (uint64_t)(text[at] - '0');
+  }
+  if (at < length || whole + decimals == 0 || whole + decimals > MOST_DIGITS) return false;
+  if (!quick_value(digits, power - (int)decimals, value)) return false;
+  if (negative) *value = -*value;
   return true;
 }
 
@@ -66,6 +83,7 @@ enum number_status number_parse(const char *text, size_t length, double *value) 
 }
 
 enum number_status number_parse_times(const char *text, size_t length, int power, double *value) {
+  if (parse_quickly(text, length, power, value)) return NUMBER_OK;
   size_t at = 0;
   const bool negative = length > 0 && text[0] == '-';
   if (length > 0 && (text[0] == '+' || text[0] == '-')) ++at;
@@ -73,7 +91,6 @@ enum number_status number_parse_times(const char *text, size_t length, int power
   /* The number is gathered as digits x 10^exponent with whole digits, so that no decimal point, which a locale could
    * change, ever reaches strtod. */
   char digits[KEPT_DIGITS + 40];
-  uint64_t few = 0; /* the first of them */
   size_t kept = 0;
   int64_t exponent = power;
   bool any_digit = false;
@@ -89,7 +106,6 @@ enum number_status number_parse_times(const char *text, size_t length, int power
     any_digit = true;
     const bool leading_zero = kept == 0 && c == '0';
     if (leading_zero || kept < KEPT_DIGITS) {
-      if (kept < FEW_DIGITS) few = 10 * few + (uint64_t)(c - '0');
       if (!leading_zero) digits[kept++] = c;
       if (after_point) --exponent;
     } else {
@@ -100,10 +116,13 @@ enum number_status number_parse_times(const char *text, size_t length, int power
   if (!any_digit) return classify(text, length);
   if (at < length && (!parse_exponent(text, length, &at, &exponent) || at != length)) return NUMBER_SYNTAX;
 
-  double quick;
-  if (quick_value(few, kept, kept == 0 ? 0 : exponent, &quick)) {
-    *value = negative ? -quick : quick;
-    return NUMBER_OK;
+  if (!dropped && kept <= MOST_DIGITS && exponent >= -SMALL_EXPONENT && exponent <= SMALL_EXPONENT) {
+    uint64_t few = 0;
+    for (size_t i = 0; i < kept; ++i) few = 10 * few + (uint64_t)(digits[i] - '0');
+    if (quick_value(few, (int)exponent, value)) {
+      if (negative) *value = -*value;
+      return NUMBER_OK;
+    }
   }
   if (dropped) {
     digits[kept++] = '1';

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "read/characters.h"
+#include "read/words.h"
 
 /* Records of "Protein Data Bank contents guide", versions 2.3 and 3.3, and of programs in wide use, by the letters that
  * their names begin with. */
@@ -29,6 +30,8 @@ static bool begins_with(const char *line, size_t length, const char *word) {
 }
 
 enum pdb_record pdb_record_of(const char *line, size_t length) {
+  /* Most lines are "ATOM  " or "HETATM". */
+  if (pdb_record_is_plain_atom(line, length)) return PDB_ATOM;
   size_t blanks = 0;
   while (blanks < length && is_blank(line[blanks])) ++blanks;
   if (blanks == length || line[0] == '#') return PDB_BLANK;
@@ -58,6 +61,11 @@ static bool take_bonds(const struct line_reader *reader, struct molecule *molecu
     if (other.length > 0 && !molecule_add_bond(molecule, &bond, failure)) return false;
   }
   return true;
+}
+
+bool pdb_record_is_plain_atom(const char *line, size_t length) {
+  const uint64_t six = length < 6 ? 0 : word_first(word_at(line), 6); /* of ATOM or HETATM */
+  return six == UINT64_C(0x20204D4F5441) || six == UINT64_C(0x4D5441544548);
 }
 
 bool pdb_record_is_hetatm(const char *line) {

@@ -21,8 +21,11 @@ enum pdb_record {
   PDB_ALIEN  /* no record of the format */
 };
 
-/* What the line is, by its first columns. */
+/* What the line of a reader is, by its first columns. */
 enum pdb_record pdb_record_of(const char *line, size_t length);
+
+/* Whether it begins with "ATOM  " or "HETATM", as atom records do in nearly all files. `line` is a reader's. */
+bool pdb_record_is_plain_atom(const char *line, size_t length);
 
 /* Whether an atom record is HETATM. */
 bool pdb_record_is_hetatm(const char *line);

@@ -11,11 +11,13 @@
 #include "read/characters.h"
 #include "read/cif_component.h"
 #include "read/cif_crystal.h"
+#include "read/cif_lines.h"
 #include "read/cif_row.h"
 #include "read/cif_tokens.h"
 #include "read/number.h"
 #include "read/read_molecule.h"
 #include "read/residue_kinds.h"
+#include "read/words.h"
 
 enum { MOST_ITEMS = 256, MODEL_BYTES = 24 };
 
@@ -118,7 +120,9 @@ static bool in_model(struct cif_reading *reading) {
 static bool take_cartesian(struct cif_reading *reading, double xyz[3]) {
   static const char *const names[3] = {"Cartn_x", "Cartn_y", "Cartn_z"};
   for (int axis = 0; axis < 3; ++axis) {
-    const struct field number = cif_without_uncertainty(cif_row_get(&reading->row, (enum cif_item)(CIF_X + axis)));
+    const struct field value = cif_row_get(&reading->row, (enum cif_item)(CIF_X + axis));
+    if (reading->row.values != NULL && word_token(value.text, value.length, &xyz[axis])) continue;
+    const struct field number = cif_without_uncertainty(value);
     if (!field_number(number, names[axis], &xyz[axis], reading->row.line, reading->failure)) return false;
   }
   return true;
@@ -269,11 +273,29 @@ static bool take_crystal(struct cif_reading *reading, enum cif_item item) {
          cif_crystal_take(&reading->crystal, item, &reading->tokens, &reading->molecule->symmetry, reading->failure);
 }
 
+/* Rows that are lines, from the value that begins the reader's line to the first that is none, before which a value is
+ * not looked at. False: an atom cannot be read, or the file. */
+static bool read_lines(struct cif_reading *reading, struct cif_lines *lines) {
+  struct cif_tokens *tokens = &reading->tokens;
+  bool any = false;
+  cif_row_clear(&reading->row, tokens->line);
+  for (; cif_lines_take(lines, tokens->reader, &reading->row); any = true) {
+    if (!take_row(reading)) return false;
+    if (!cif_tokens_next_line(tokens)) return tokens->kind == CIF_END;
+  }
+  return !any || cif_tokens_next(tokens) != CIF_FAILED;
+}
+
 /* The values of a loop, row by row. */
 static bool read_rows(struct cif_reading *reading, const enum cif_item *items, size_t count) {
   struct cif_tokens *tokens = &reading->tokens;
+  struct cif_lines lines = {.items = items, .count = count};
   size_t at = 0;
   for (; tokens->kind == CIF_VALUE; cif_tokens_next(tokens)) {
+    if (at == 0 && !tokens->quoted && tokens->text.text == tokens->reader->text) {
+      if (!read_lines(reading, &lines)) return false;
+      if (tokens->kind != CIF_VALUE) break;
+    }
     if (at == 0) cif_row_clear(&reading->row, tokens->line);
     if (items[at] != CIF_OTHER_ITEM) cif_row_put(&reading->row, items[at], tokens);
     if (++at < count) continue;

@@ -11,6 +11,7 @@
 #include "read/pdb_records.h"
 #include "read/read_molecule.h"
 #include "read/residue_kinds.h"
+#include "read/words.h"
 
 enum { LAST_COLUMN = 80 };
 
@@ -111,14 +112,89 @@ static bool read_atom(const struct line_reader *reader, struct alternate_locatio
   return molecule_add(molecule, xyz, 0.0, &label, line, failure);
 }
 
+/* What is kept from one plain record to the next: columns 18-25 and 20-27, and the residue in them. */
+struct plain_records {
+  uint64_t columns[2];
+  struct residue_label residue;
+};
+
+/* An element's symbol of one or two letters, right-justified in columns 77-78. */
+static bool plain_element(const char *columns, struct element_symbol *element) {
+  if (columns[0] == ' ') {
+    if (columns[1] == '\0' || strchr("HCNOSP", columns[1]) == NULL) return false;
+    element->text[0] = columns[1];
+    return true;
+  }
+  return is_letter(columns[0]) && is_letter(columns[1]) && element_symbol_parse(columns, 2, element) &&
+         element_symbol_exists(*element);
+}
+
+/* False: it may be the segment's name that tells the chain. */
+static bool plain_residue(const char *text, struct plain_records *plain) {
+  const uint64_t columns[2] = {word_at(text + 17), word_at(text + 19)};
+  if (columns[0] == plain->columns[0] && columns[1] == plain->columns[1]) return true;
+  if (text[21] == ' ') return false;
+  memset(&plain->residue, 0, sizeof plain->residue);
+  word_put(plain->residue.name, word_label(columns[0], 3));
+  plain->residue.chain[0] = text[21];
+  word_put(plain->residue.number, word_label(columns[1] >> 24, 4));
+  if (text[26] != ' ') plain->residue.insertion[0] = text[26];
+  memcpy(plain->columns, columns, sizeof columns);
+  return true;
+}
+
+/* Most records, eight columns at a time: one with all columns, a chain, a usual element, decimals that end in the last
+ * of their columns, without tabs and without a letter of its location. LINE_END: it is no such record, whatever else,
+ * and nothing was done. */
+static enum line_status read_plain_atom(const struct line_reader *reader, struct plain_records *plain,
+                                        struct alternate_locations *seen, struct molecule *molecule,
+                                        struct failure *failure) {
+  const char *const text = reader->text;
+  struct atom_label label = ATOM_LABEL_NONE;
+  double xyz[3];
+  if (reader->length < 78 || text[16] != ' ' || !pdb_record_is_plain_atom(text, reader->length)) return LINE_END;
+  uint64_t tabs = 0;
+  for (size_t at = 6; at < 78; at += 8) tabs |= word_find(word_at(text + at), '\t');
+  for (size_t axis = 0; axis < 3; ++axis) {
+    if (!word_number(word_at(text + 30 + 8 * axis), &xyz[axis])) return LINE_END;
+  }
+  if (tabs != 0 || !plain_element(text + 76, &label.element) || !plain_residue(text, plain)) return LINE_END;
+  label.residue = plain->residue;
+  label.hetatm = text[0] == 'H';
+  word_put(label.name, word_label(word_at(text + 12), 4));
+  label_check_bead(&label);
+  const uint64_t serial = word_label(word_at(text + 6), 5);
+  for (int i = 0; i < 5; ++i) label.serial.text[i] = (char)(serial >> 8 * i);
+  /* Columns 61-66, as the last of eight. */
+  const uint64_t factor = word_at(text + 58) >> 16 << 16 | word_first(WORD_OF(' '), 2);
+  label.has_temperature_factor = word_number(factor, &label.temperature_factor);
+  if (!label.has_temperature_factor) {
+    const struct field other = field_in_columns(text, reader->length, 61, 66);
+    label.has_temperature_factor = number_parse(other.text, other.length, &label.temperature_factor) == NUMBER_OK;
+  }
+  bool keep;
+  if (!alternate_locations_keep(seen, &label, field_in_columns(text, reader->length, 73, 76), ' ', &keep)) {
+    failure_of_memory(failure);
+    return LINE_FAILED;
+  }
+  return molecule_add(molecule, xyz, 0.0, &label, reader->number, failure) ? LINE_READ : LINE_FAILED;
+}
+
+static bool read_any_atom(struct line_reader *reader, struct plain_records *plain, struct alternate_locations *seen,
+                          struct molecule *molecule, struct failure *failure) {
+  const enum line_status status = read_plain_atom(reader, plain, seen, molecule, failure);
+  return status == LINE_END ? read_atom(reader, seen, molecule, failure) : status == LINE_READ;
+}
+
 static bool read_pdb(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
   struct alternate_locations seen = ALTERNATE_LOCATIONS_NONE;
   struct pdb_models models = {0, false};
+  struct plain_records plain = {{0, 0}, {"", "", "", ""}};
   bool record_seen = false;
   enum line_status status;
   for (;;) {
     status = pdb_next_atom(reader, molecule, &models, &record_seen, failure);
-    if (status == LINE_READ && !read_atom(reader, &seen, molecule, failure)) status = LINE_FAILED;
+    if (status == LINE_READ && !read_any_atom(reader, &plain, &seen, molecule, failure)) status = LINE_FAILED;
     if (status != LINE_READ) break;
   }
   alternate_locations_free(&seen);
@@ -129,6 +205,7 @@ static bool read_pdb(struct line_reader *reader, struct molecule *molecule, stru
 static enum line_status read_records(struct line_reader *reader, bool *begun, bool wanted,
                                      struct alternate_locations *seen, struct molecule *molecule,
                                      struct failure *failure) {
+  struct plain_records plain = {{0, 0}, {"", "", "", ""}};
   for (;;) {
     const enum line_status status = line_reader_next(reader, failure);
     const bool within = *begun;
@@ -140,7 +217,7 @@ static enum line_status read_records(struct line_reader *reader, bool *begun, bo
     if (within && (record == PDB_MODEL || record == PDB_END)) return LINE_READ;
     if (record == PDB_OTHER && !within) frame_title_read(reader->text, &molecule->frame);
     if (record == PDB_OTHER) box_from_cryst1(reader, &molecule->frame.box);
-    if (record == PDB_ATOM && wanted && !read_atom(reader, seen, molecule, failure)) return LINE_FAILED;
+    if (record == PDB_ATOM && wanted && !read_any_atom(reader, &plain, seen, molecule, failure)) return LINE_FAILED;
   }
 }
 

@@ -1,0 +1,154 @@
+/* Eight or sixteen characters at a time: lines, decimals and labels in fixed columns. The first character is the lowest
+ * byte of a word on any machine. */
+#ifndef HARDSPHERE_TOOL_WORDS_H
+#define HARDSPHERE_TOOL_WORDS_H
+
+#include <float.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
+#define WORD_OF(byte) (UINT64_C(0x0101010101010101) * (byte))
+
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+static inline uint64_t word_at(const char *text) {
+  uint64_t word;
+  memcpy(&word, text, sizeof word);
+  return word;
+}
+
+static inline void word_put(char *out, uint64_t word) {
+  memcpy(out, &word, sizeof word);
+}
+#else
+static inline uint64_t word_at(const char *text) {
+  uint64_t word = 0;
+  for (int i = 0; i < 8; ++i) word |= (uint64_t)(unsigned char)text[i] << 8 * i;
+  return word;
+}
+
+static inline void word_put(char *out, uint64_t word) {
+  for (int i = 0; i < 8; ++i) out[i] = (char)(word >> 8 * i);
+}
+#endif
+
+/* Of a word that is not 0. */
+static inline unsigned lowest_bit(uint64_t word) {
+#ifdef __GNUC__
+  return (unsigned)__builtin_ctzll(word);
+#else
+  unsigned at = 0;
+  while ((word >> at & 1) == 0) ++at;
+  return at;
+#endif
+}
+
+static inline unsigned highest_bit(uint64_t word) {
+#ifdef __GNUC__
+  return 63U - (unsigned)__builtin_clzll(word);
+#else
+  unsigned at = 63;
+  while ((word >> at & 1) == 0) --at;
+  return at;
+#endif
+}
+
+/* The first `count` characters, 0 to 8, and zeros behind them. */
+static inline uint64_t word_first(uint64_t word, unsigned count) {
+  return count >= 8 ? word : word & ((UINT64_C(1) << 8 * count) - 1);
+}
+
+/* 0x80 in place of the first character that equals `byte`, and perhaps of later ones; 0: none does. */
+static inline uint64_t word_find(uint64_t word, char byte) {
+  const uint64_t apart = word ^ WORD_OF((unsigned char)byte);
+  return (apart - WORD_OF(0x01)) & ~apart & WORD_OF(0x80);
+}
+
+/* Whether all eight are digits, and the number that they make up. */
+static inline bool word_is_digits(uint64_t word) {
+  return ((word & WORD_OF(0xF0)) | ((word + WORD_OF(0x06)) & WORD_OF(0xF0)) >> 4) == WORD_OF(0x33);
+}
+
+static inline uint32_t word_digits(uint64_t word) {
+  word = (word & WORD_OF(0x0F)) * 2561 >> 8;
+  word = (word & UINT64_C(0x00FF00FF00FF00FF)) * 6553601 >> 16;
+  return (uint32_t)((word & UINT64_C(0x0000FFFF0000FFFF)) * UINT64_C(42949672960001) >> 32);
+}
+
+/* Eight columns with blanks, a sign or none, digits with one point or none, at least one digit, and nothing behind: the
+ * value is that of number_parse, digits over a power of ten, rounded once. False: anything else, right or wrong. */
+static inline bool word_number(uint64_t word, double *value) {
+  static const double powers[8] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7};
+  const uint64_t filled = word ^ WORD_OF(' ');
+  if (FLT_EVAL_METHOD != 0 || filled == 0) return false;
+  unsigned head = lowest_bit(filled) & 56; /* bits in front of the digits */
+  const bool negative = (char)(word >> head) == '-';
+  if (negative) head += 8;
+  const uint64_t point = word_find(word, '.');
+  unsigned decimals = 0;
+  if (point != 0) {
+    const unsigned at = lowest_bit(point) & 56;
+    decimals = (56 - at) / 8;
+    /* The digits before it move up to those behind it. */
+    const uint64_t before = (UINT64_C(1) << at) - 1;
+    word = (word & before) << 8 | (word & ~before & ~(UINT64_C(0xFF) << at));
+    head += 8;
+  }
+  if (head >= 64) return false;
+  const uint64_t blank = (UINT64_C(1) << head) - 1;
+  word = (word & ~blank) | (WORD_OF('0') & blank);
+  if (!word_is_digits(word)) return false;
+  const double magnitude = (double)word_digits(word) / powers[decimals];
+  *value = negative ? -magnitude : magnitude;
+  return true;
+}
+
+/* The same of `length` characters without blanks. */
+static inline bool word_token(const char *text, size_t length, double *value) {
+  if (length == 0 || length > 8) return false;
+  const unsigned unused = 64 - 8 * (unsigned)length;
+  const uint64_t word = word_at(text) << unused | word_first(WORD_OF(' '), unused / 8);
+  return text[0] != ' ' && word_number(word, value);
+}
+
+/* Columns without the blanks around them, and zeros behind. */
+static inline uint64_t word_label(uint64_t word, unsigned width) {
+  const uint64_t filled = word_first(word ^ WORD_OF(' '), width);
+  if (filled == 0) return 0;
+  const unsigned first = lowest_bit(filled) & 56, last = highest_bit(filled) & 56;
+  return word_first(word >> first, (last - first) / 8 + 1);
+}
+
+/* A bit for each of sixteen characters: those below `limit`, 1 to 128, and those that equal `byte`. */
+#ifdef __SSE2__
+static inline uint32_t below_in_16(const char *text, char limit) {
+  const __m128i bytes = _mm_loadu_si128((const __m128i *)(const void *)text), most = _mm_set1_epi8((char)(limit - 1));
+  return (uint32_t)_mm_movemask_epi8(_mm_cmpeq_epi8(_mm_min_epu8(bytes, most), bytes));
+}
+
+static inline uint32_t equal_in_16(const char *text, char byte) {
+  const __m128i bytes = _mm_loadu_si128((const __m128i *)(const void *)text);
+  return (uint32_t)_mm_movemask_epi8(_mm_cmpeq_epi8(bytes, _mm_set1_epi8(byte)));
+}
+#else
+static inline uint32_t below_in_8(uint64_t word, char limit) {
+  const uint64_t high = WORD_OF(0x80);
+  const uint64_t other = (((word | high) - WORD_OF((unsigned char)limit)) | word) & high;
+  return (uint32_t)(((other ^ high) >> 7) * UINT64_C(0x0102040810204080) >> 56);
+}
+
+static inline uint32_t below_in_16(const char *text, char limit) {
+  return below_in_8(word_at(text), limit) | below_in_8(word_at(text + 8), limit) << 8;
+}
+
+static inline uint32_t equal_in_16(const char *text, char byte) {
+  const uint64_t same = WORD_OF((unsigned char)byte);
+  return below_in_8(word_at(text) ^ same, 1) | below_in_8(word_at(text + 8) ^ same, 1) << 8;
+}
+#endif
+
+#endif

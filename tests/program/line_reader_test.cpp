@@ -1,0 +1,109 @@
+// Lines of any length and with any ends, wherever the blocks end that a file is read in, against the text that was written.
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "temporary_file.hpp"
+
+extern "C" {
+#include "read/line_reader.h"
+}
+
+namespace {
+
+struct Line {
+  std::string text;
+  std::string ending;
+};
+
+bool operator==(const Line &a, const Line &b) {
+  return a.text == b.text && a.ending == b.ending;
+}
+
+// What is read; `why` is set if it ends before the file does.
+std::vector<Line> lines_of(const std::string &text, failure *why) {
+  const TemporaryFile file("lines.txt", text);
+  line_reader reader;
+  std::vector<Line> lines;
+  *why = failure{0, nullptr, 0, ""};
+  EXPECT_TRUE(line_reader_open(&reader, file.path().c_str(), why));
+  while (line_reader_next(&reader, why) == LINE_READ) {
+    EXPECT_EQ(reader.text[reader.length], '\0');
+    lines.push_back({std::string(reader.text, reader.length), reader.ending});
+    EXPECT_EQ(reader.number, lines.size());
+  }
+  line_reader_close(&reader);
+  return lines;
+}
+
+void check(const std::vector<Line> &lines) {
+  std::string text;
+  for (const Line &line : lines) text += line.text + line.ending;
+  failure why;
+  const std::vector<Line> read = lines_of(text, &why);
+  EXPECT_EQ(why.reason, std::string());
+  ASSERT_EQ(read.size(), lines.size());
+  for (size_t i = 0; i < lines.size(); ++i) ASSERT_TRUE(read[i] == lines[i]) << i;
+}
+
+TEST(LineReader, EndsThatBlocksCutInTwo) {
+  for (const size_t block : {size_t{LINE_READER_BLOCK}, size_t{2} * LINE_READER_BLOCK}) {
+    for (size_t back = 0; back < 4; ++back) {
+      for (const char *ending : {"\n", "\r\n", "\r"}) {
+        check({{"first", ending},
+               {std::string(block - 5 - std::string(ending).size() - back, 'x'), ending},
+               {"last", ""}});
+        check({{std::string(block - back, 'y'), ending}, {"", ending}, {"z", ending}});
+      }
+    }
+  }
+}
+
+TEST(LineReader, LinesOfAnyLength) {
+  std::mt19937 random(3);
+  for (int round = 0; round < 40; ++round) {
+    std::vector<Line> lines;
+    for (int i = 0; i < 300; ++i) {
+      const size_t length = random() % 40 == 0 ? random() % 90000 : random() % 100;
+      // A line that is empty behind one that ends in CR must not begin with LF.
+      std::string text;
+      for (size_t k = 0; k < length; ++k) text += "ab \t\x81\xFF~1"[random() % 8];
+      const char *const ends[] = {"\n", "\r\n", "\r"};
+      std::string ending = ends[random() % 3];
+      if (text.empty() && ending == "\n" && !lines.empty() && lines.back().ending == "\r") ending = "\r\n";
+      lines.push_back({text, ending});
+    }
+    check(lines);
+  }
+}
+
+TEST(LineReader, TheMarkAtTheBeginning) {
+  failure why;
+  const std::vector<Line> lines = lines_of("\xEF\xBB\xBFone\n\xEF\xBB\xBFtwo", &why);
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[0].text, "one");
+  EXPECT_EQ(lines[1].text, "\xEF\xBB\xBFtwo");
+  EXPECT_TRUE(lines_of("", &why).empty());
+}
+
+// In any place of a word: every control character but a tab.
+TEST(LineReader, BytesOfNoText) {
+  for (int byte = 0; byte < 256; ++byte) {
+    const bool control = (byte < 0x20 && byte != '\t' && byte != '\n' && byte != '\r') || byte == 0x7F;
+    for (size_t at = 0; at < 17; ++at) {
+      std::string text(40, 'a');
+      text[at] = static_cast<char>(byte);
+      failure why;
+      lines_of("one\n" + text, &why);
+      ASSERT_EQ(why.reason[0] != '\0', control) << byte << ' ' << at;
+      if (control) {
+        ASSERT_EQ(why.line, 2U);
+      }
+    }
+  }
+}
+
+}  // namespace
