@@ -8,7 +8,7 @@
 
 namespace hsp {
 
-// The arrays of a BallSet, which may be read seven places behind the last ball.
+// The arrays of a BallSet, which may be read seven entries after the last ball.
 struct QueryArrays {
   const double *x, *y, *z, *r;
   const uint32_t *caller;
@@ -23,7 +23,7 @@ struct QueryBall {
 // The caller's indices of the balls that have been found, in any order. Beyond the room hits are counted, not stored.
 struct QueryHits {
   static constexpr uint32_t room = 128;
-  uint32_t ids[room + 8];  // with places that may be overwritten behind
+  uint32_t ids[room + 8];  // and entries after them that may be overwritten
   uint32_t count;
 };
 
