@@ -42,7 +42,7 @@ struct QueryGrid {
   double extent;                   // from the middle along any axis no centre is further
 };
 
-// No set is rounded whose extent is more of its largest radius (query_hits_avx2.cpp).
+// Sets whose extent is more than so many largest radii are not rounded (query_hits_avx2.cpp).
 constexpr double most_extent_of_rounded = 0x1p18;
 
 // How far the difference of squares can be wrong between a query of radius q and rounded balls. Let the reach be
