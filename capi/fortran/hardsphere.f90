@@ -271,7 +271,7 @@ module hardsphere
     integer(c_int32_t) :: workers                                        ! how many threads there are for the tasks
     type(c_ptr) :: context                                               ! or NULL: handed to run
     ! Calls task(data, 0) to task(data, tasks - 1), each once, in any order and on any threads, and returns when all
-    ! have returned. What they wrote must be visible to the caller's thread then, as after a join. tasks may be larger
+    ! have returned. Their results must be visible to the caller's thread then, as after a join. tasks may be larger
     ! than workers, HSP_MAX_WORKERS at most. Not NULL with more than one worker.
     type(c_funptr) :: run
   end type

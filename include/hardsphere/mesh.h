@@ -83,8 +83,8 @@ HSP_API int32_t hsp_mesh_bytes(const hsp_mesh_limits *limits, size_t *bytes);
 HSP_API int32_t hsp_mesh_init(void *memory, size_t bytes, const hsp_mesh_limits *limits, hsp_mesh **mesh);
 
 /** Triangles for a computed boundary, with edges of about the given length: the van der Waals surface, or with a probe
- *  the solvent-accessible one. Triangles are as large as that at most but for rounding; where the surface has arcs that
- *  are shorter, or curves that are close to each other, they are smaller. Boundary and model must outlive the mesh,
+ *  the solvent-accessible one. Triangles are at most that large, up to rounding, and smaller where the surface has
+ *  shorter arcs or curves that are close to each other. Boundary and model must outlive the mesh,
  *  which can be read while these hold the same (RESULTS in hardsphere.h). On failure it holds no results. limits: see
  *  LIMITS in hardsphere.h; at most twenty retries, hardly ever any.
  *  - Property 1: the triangles are closed surfaces as described above, and the number of vertices less half that of
@@ -155,8 +155,8 @@ HSP_API int32_t hsp_mesh_get_vertices(const hsp_mesh *mesh, double *xyz, double 
  *  weights [vertices].
  *  - Property 1: the weights sum to the areas of all patches with triangles, up to rounding.
  *
- *  Points and weights are those of one geometry, for energies and pictures of it. They have no derivatives: when atoms
- *  move points appear and vanish, and a sum over them jumps by a part of a weight, in continuum electrostatics by some
+ *  Points and weights are those of one geometry, for energies and pictures of it. They have no derivatives. When atoms
+ *  move, points appear and vanish, and a sum over them jumps by a part of a weight: in continuum electrostatics by some
  *  1e-5 of the energy. For forces, optimisation and molecular dynamics they are not fit; areas and volumes themselves
  *  have exact gradients (gradient.h, surface.h).
  *  @retval HSP_E_ARGUMENT    mesh or area is NULL; weights is NULL with a capacity above 0

@@ -4,10 +4,10 @@
  *
  * A view as a vector picture: one path per piece, true arcs, painted back to front. A map as a vector picture: one path
  * for each ball that is seen, around all of its faces; no two paths overlap, and lines are drawn apart, each edge once.
- * That is for plotters, cutters and click maps; on screens seams of the background shine through where paths meet,
- * which views do not have. Balls and sticks: one path for each ball and half of a stick, painted back to front; or,
- * where they have no such order, around what is seen of each, as of a map. The bytes depend on these, the colours and
- * the options alone, not on the machine.
+ * Maps serve plotters, cutters and click maps. On screens the background shines through the seams between their paths;
+ * pictures of views have no seams. Balls and sticks: one path for each ball and half of a stick, painted back to front;
+ * or, where they have no such order, around what is seen of each, as of a map. The bytes depend on these, the colours
+ * and the options alone, not on the machine.
  *   SVG   elliptical arcs, and circles for balls that are seen whole; each ball carries the caller's index as
  *         data-ball, or in an id where it has classes. In styles with light it is a group with the ball's colour around
  *         its path, with light over it, in coordinates in which the ball's disc is the unit circle: a style sheet that

@@ -5,7 +5,7 @@
 namespace hsp {
 namespace {
 
-// The first coordinate that has no place on the lattice decides; the radius is finite.
+// The first coordinate that does not fit the lattice decides; the radius is finite.
 Status why_off_lattice(const exact::Lattice &lattice, const double *xyz) {
   for (uint32_t axis = 0; axis < 3; ++axis) {
     if (!is_finite(xyz[axis])) return Status::not_finite;

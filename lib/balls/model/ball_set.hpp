@@ -22,7 +22,7 @@ struct BallInput {
   double largest_radius = 0.0;  // without probe; 0: of these balls
 };
 
-// Ball i on a lattice; Status::range or Status::not_finite if it has no place there. Its radius is finite and >= 0.
+// Ball i on a lattice; Status::range or Status::not_finite if it does not fit. Its radius is finite and >= 0.
 Status round_ball(const exact::Lattice &lattice, int64_t probe_steps, const double *xyz, double radius, uint32_t i,
                   exact::LatticeBall &ball);
 
@@ -36,7 +36,7 @@ class BallRounding {
  public:
   // Checks probe, step and all radii, and chooses the lattice. first_bad: the offending ball, or no_id.
   Status prepare(const BallInput &input, uint32_t &first_bad);
-  // After prepare(), for one ball or more: whether all have a place on the lattice, as by round(), which then need not
+  // After prepare(), for one ball or more: whether all fit the lattice, as by round(), which then need not
   // be asked; and the box around them. first_bad: the first that has none.
   Status find_box(LatticeBox &box, uint32_t &first_bad) const;
   // Begins to read ball i of the input from memory.
@@ -50,13 +50,13 @@ class BallRounding {
   Status round(uint32_t i, exact::LatticeBall &ball) const {
     return round_ball(lattice_, probe_steps_, input_.xyz + 3 * static_cast<size_t>(i), input_.radius[i], i, ball);
   }
-  // The same for balls that are known to have a place on the lattice.
+  // The same for balls that are known to fit the lattice.
   HSP_INLINE_UNLESS_SMALL exact::Vector centre(uint32_t i) const {
     const double *const xyz = input_.xyz + 3 * static_cast<size_t>(i);
     return {nearest(lattice_.steps(xyz[0])), nearest(lattice_.steps(xyz[1])), nearest(lattice_.steps(xyz[2]))};
   }
   exact::LatticeBall ball(uint32_t i) const { return {centre(i), rounded_radius(input_.radius[i]), i}; }
-  // The largest of all radii, probe included, if all balls have a place on the lattice and there are any.
+  // The largest of all radii, probe included, if all balls fit the lattice and there are any.
   int64_t largest_radius() const { return rounded_radius(largest_); }
 
   const exact::Lattice &lattice() const { return lattice_; }

@@ -11,7 +11,7 @@ constexpr uint32_t input_balls_ahead = 64;
 // So many balls are still near when their cubes are looked at.
 constexpr uint32_t balls_in_block = 512;
 
-// Balls of an input that all have a place on the lattice, in the caller's order.
+// Balls of an input that all fit the lattice, in the caller's order.
 struct InputBalls {
   BallRounding rounding;
 
@@ -24,7 +24,7 @@ struct InputBalls {
   }
   exact::Vector centre(uint32_t i) const { return rounding.centre(i); }
 };
-// Balls that are on a lattice: in the caller's order, or from places in a set.
+// Balls that are on a lattice: in the caller's order, or by their slots in a set.
 struct GivenBalls {
   const BallSet &balls;
 
@@ -169,7 +169,7 @@ GridOrder CubeGrid::order_of(const Source &source, const BallSet &given, const L
                     {entries, other_entries.part(2 * part.first, 2 * part.last), first_ball_});
 }
 
-// A part of the balls, in its order, to the same places, as new cubes. Where a cube begins is not foreseen by the
+// A part of the balls, in its order, to the same slots, as new cubes. Where a cube begins is not foreseen by the
 // processor: first balls are written to where the next first ball belongs, and stay there if a cube begins.
 template <class Source>
 void CubeGrid::put(const Source &given, const CubeAxis &axis, BallRange part, const GridOrder &order) {
@@ -242,7 +242,7 @@ Status CubeGrid::build(const BallInput &input, uint32_t &first_bad) {
   BallRounding rounding;
   if (const Status status = rounding.prepare(input, first_bad); status != Status::ok) return status;
 
-  // Every ball is rounded twice, for its cube and then into its place: that is cheaper than a second copy of the set.
+  // Every ball is rounded twice, for its cube and then into its slot: that is cheaper than a second copy of the set.
   LatticeBox box;
   int64_t largest = 0;
   if (small_code) {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr uint32_t more_than_near = UINT32_C(1) << 18;  // entries
 
-// From the number of entries for each digit to the place of the first of them.
+// From the number of entries for each digit to the slot of the first of them.
 void add_up(const Span<uint32_t> &counts) {
   uint32_t place = 0;
   for (uint32_t &count : counts) {
@@ -80,7 +80,7 @@ void DigitSort::sort_highest_first() {
   if (passes_.count == 2) exchange();
 }
 
-// Entries first .. last - 1, to the same places of the other array.
+// Entries first .. last - 1, to the same slots of the other array.
 void DigitSort::sort_by_lowest_digit(uint32_t first, uint32_t last) {
   const Span<uint32_t> places = counters_.part(mask() + 1, 2 * (mask() + 1));
   for (uint32_t &count : places) count = 0;

@@ -8,7 +8,7 @@
 
 namespace hsp {
 
-// The arrays of a BallSet, which may be read seven places behind the last ball.
+// The arrays of a BallSet, which may be read seven entries after the last ball.
 struct QueryArrays {
   const double *x, *y, *z, *r;
   const uint32_t *caller;
@@ -23,7 +23,7 @@ struct QueryBall {
 // The caller's indices of the balls that have been found, in any order. Beyond the room hits are counted, not stored.
 struct QueryHits {
   static constexpr uint32_t room = 128;
-  uint32_t ids[room + 8];  // with places that may be overwritten behind
+  uint32_t ids[room + 8];  // and entries after them that may be overwritten
   uint32_t count;
 };
 
@@ -42,7 +42,7 @@ struct QueryGrid {
   double extent;                   // from the middle along any axis no centre is further
 };
 
-// No set is rounded whose extent is more of its largest radius (query_hits_avx2.cpp).
+// Sets whose extent is more than so many largest radii are not rounded (query_hits_avx2.cpp).
 constexpr double most_extent_of_rounded = 0x1p18;
 
 // How far the difference of squares can be wrong between a query of radius q and rounded balls. Let the reach be

@@ -2,7 +2,7 @@
 // spheres at a time. The caller decides about these pairs exactly. The same pairs that meet come in the same order on
 // every target. Raw pointers, as lanes/target.hpp says.
 //
-// Errors, in units u = 2^-24 of s, the sum of the radii of both root spheres and of the slack of exact places. The
+// Errors, in units u = 2^-24 of s, the sum of the radii of both root spheres and of the slack of exact positions. The
 // walk starts only if the root spheres meet, so that no vector here is longer than 2 s; and no radius is more than
 // twice that of its root, since centres are within the root. A centre is rounded by u, its image by 14 u (entries of
 // the rotation, the shift, three products and three sums along each axis), the centre that it is compared with by u,
@@ -37,7 +37,7 @@ struct FloatPose {
 };
 
 struct NearPair {
-  uint32_t fixed, moving;  // places in the orders of the trees
+  uint32_t fixed, moving;  // ranks in the orders of the trees
 };
 
 // Two spheres that are not certainly apart, of any level but 0, and where the moving one is.

@@ -89,7 +89,7 @@ class PairWalker {
     return radius <= 1.5F * pair.moving[3];
   }
 
-  // Pairs wait so that those of lower places come first.
+  // Pairs wait so that those of lower ranks come first.
   void open_moving(const SpherePair &pair) {
     const Spheres images = image(block(moving_, pair.moving_level - 1, pair.moving_node));
     uint32_t bits = near(images, block(fixed_, pair.fixed_level, pair.fixed_node / 8), pair.fixed_node % 8);

@@ -27,7 +27,7 @@ class SnappedBalls {
   // Where a ball is whose image has been found.
   Vec3 place(const Vec3 &image) const { return snapped(image); }
 
-  // Whether a ball at rest about c and the ball about p meet; `between`: from c to the place of p.
+  // Whether a ball at rest about c and the ball about p meet; `between`: from c to the position of p.
   bool meet(const Vec3 &, const Vec3 &, const Vec3 &between, double sum) const {
     return hsp::meet(between.x, between.y, between.z, sum);
   }
@@ -64,7 +64,7 @@ class RationalBalls {
 };
 
 // Whether the root spheres are within a margin of each other; if so the walk for pairs that are begins, with the pose
-// relative to their centres. The margin is one more slack of all places.
+// relative to their centres. The margin is one more slack of all positions.
 template <class Balls>
 bool start_walk(const SphereTree &fixed, const SphereTree &moving, const Balls &balls, double margin, FloatPose &floats,
                 PairWalk &walk) {
@@ -79,7 +79,7 @@ bool start_walk(const SphereTree &fixed, const SphereTree &moving, const Balls &
   };
   for (uint32_t k = 0; k < 3; ++k) store(balls.rounded().row(k), floats.row[k]);
   store(between, floats.shift);
-  // Of a place, of the shift, and of all floats.
+  // Of a position, of the shift, and of all floats.
   floats.slack = static_cast<float>((2 * balls.slack() + margin) + 0x1p-19 * sum);
   SpherePair &roots = walk.pair[0];
   store(between, roots.moving);
@@ -184,7 +184,7 @@ bool any_meet(const SphereTree &fixed, const SphereTree &moving, const Balls &ba
     const Vec3 between = balls.image(b.centre) - a.centre;
     gap = std::sqrt(dot(between, between)) - sum_of_roots;
   }
-  // The gap is of rounded places, and so is what is compared with the budget.
+  // The gap is of rounded positions, and so is what is compared with the budget.
   known.from = balls.rounded();
   known.budget = gap - 4 * slack;
   return false;

@@ -19,7 +19,7 @@ Status make_pose(const SphereTree &fixed, const SphereTree &moving, const double
 Status make_pose(const SphereTree &fixed, const SphereTree &moving, const int32_t *quaternion,
                  const double *translation, RationalPose &pose);
 
-// Two balls, by their places in the trees: those that decided the last answer. A caller that asks about one pose after
+// Two balls, by their ranks in the trees: those that decided the last answer. A caller that asks about one pose after
 // the other hands them on; they are tried first, and where poses change little nothing else may be needed. Answers do
 // not depend on them, and any numbers will do.
 struct PairPlace {

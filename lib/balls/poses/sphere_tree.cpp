@@ -103,7 +103,7 @@ Status SphereTree::build(const BallSet &balls) {
   return Status::ok;
 }
 
-// All places of the blocks hold spheres that are far from all others.
+// All slots of the blocks hold spheres that are far from all others.
 void SphereTree::start_levels(uint32_t balls) {
   levels_ = shape_of_levels(balls);
   levels_.blocks = blocks_.data();

@@ -24,7 +24,7 @@ class DisjointSets {
   }
   // Whether the root is k's parent: then they are in one set.
   bool has_parent(uint32_t k, uint32_t root) const { return parent_[k] == root; }
-  // Of numbers k[first .. last - 1] the place of the first one whose parent is not the root; last if there is none.
+  // Of numbers k[first .. last - 1] the index of the first one whose parent is not the root; last if there is none.
   uint32_t first_elsewhere(const uint32_t *k, uint32_t first, uint32_t last, uint32_t root) const {
     const uint32_t *const parent = parent_.data();
     while (first < last && parent[k[first]] == root) ++first;

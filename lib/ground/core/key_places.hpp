@@ -1,4 +1,4 @@
-// The places of a few keys in ascending order, by counting the smaller ones: no branch depends on a key, as none could
+// The ranks of a few keys in ascending order, by counting the smaller ones: no branch depends on a key, as none could
 // be predicted.
 #pragma once
 

@@ -49,7 +49,7 @@ uint32_t DrawingOrder::sort(Span<const StickPair> pairs, Span<const double> dept
   return placed;
 }
 
-// Every body without a place lies over another one without a place. A walk down that has as many steps as there
+// Every body without a rank lies over another one without a rank. A walk down that has as many steps as there
 // are bodies is in a cycle.
 DrawingOrder::Cycle DrawingOrder::find_cycle(Span<const StickPair> pairs, uint32_t bodies) {
   for (uint32_t k = 0; k < bodies; ++k) heap_[k] = no_id;

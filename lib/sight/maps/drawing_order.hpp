@@ -11,11 +11,11 @@ class DrawingOrder {
   void carve(Workspace &workspace, const StickLimits &limits);
 
   // Of the bodies that may come next always the one with the smallest depth; of equal ones the first. depth: by body.
-  // Writes as many bodies into `order` as have a place, and returns their number; the others lie over each other in
+  // Writes as many bodies into `order` as have a rank, and returns their number; the others lie over each other in
   // cycles, or over such. O((n + pairs) log n).
   uint32_t sort(Span<const StickPair> pairs, Span<const double> depth, Span<uint32_t> order);
 
-  // A cycle, if the last order had no place for some bodies: the last of its bodies, and how many it has.
+  // A cycle, if the last order had no rank for some bodies: the last of its bodies, and how many it has.
   struct Cycle {
     uint32_t last, length;
   };
@@ -23,7 +23,7 @@ class DrawingOrder {
 
  private:
   BodiesAbove above_;
-  Span<uint32_t> waiting_;  // [bodies] pairs whose lower body has no place yet
+  Span<uint32_t> waiting_;  // [bodies] pairs whose lower body has no rank yet
   Span<uint32_t> heap_;     // [bodies]
 };
 

@@ -15,7 +15,7 @@
 
 namespace hsp {
 
-// A curve from one parameter to another one, while bodies are asked what they hide of it.
+// A curve between two parameters, and the parts of it that bodies hide.
 template <class Curve>
 class HiddenParts {
  public:
@@ -139,7 +139,7 @@ class HiddenParts {
     const Vec3 normals[3] = {n1, n2, n3};
     add_squares_on(curve_, c, normals, sum);
   }
-  // The product of cosine and sine goes by counting angles from where the terms of twice the angle have a maximum.
+  // Angles counted from the maximum of the terms of twice the angle leave no product of cosine and sine.
   void add_squares_on(const RoundCurve &curve, const Vec3 &c, const Vec3 normals[3], double sum) {
     const Vec3 d = curve.middle - c;
     double constant = -sum, cosine = 0.0, sine = 0.0, twice_cosine = 0.0, twice_sine = 0.0;

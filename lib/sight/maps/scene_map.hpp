@@ -141,7 +141,7 @@ struct MapRecords {
 template <class Scene>
 struct SceneMap : MapRecords {
   Scene scene;
-  Span<const uint32_t> first_face;  // by the places of bodies; no_id of those without faces
+  Span<const uint32_t> first_face;  // by the ranks of bodies; no_id of those without faces
 
   // The first face that shows a body or, for no_id, the background; no_id if there is none.
   uint32_t first_face_of(uint32_t owner) const { return owner == no_id ? 0 : first_face[scene.place_of(owner)]; }

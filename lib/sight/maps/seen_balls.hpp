@@ -1,4 +1,4 @@
-// The balls that may be seen, in view coordinates, those with the highest tops first. Their places in this order are
+// The balls that may be seen, in view coordinates, those with the highest tops first. Their ranks in this order are
 // the ids of this room.
 #pragma once
 

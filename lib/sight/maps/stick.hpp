@@ -5,7 +5,7 @@
 // With v = sqrt(radius^2 - w^2) the front of the stick is there at the height (a u_z + v) / h above the foot and
 // (a + u_z v) / h along the axis, where h is the length at which a unit of the axis u is seen.
 //
-// The points of the front at one place s along the axis are the half circle t in [0, pi] of
+// The points of the front at one position s along the axis are the half circle t in [0, pi] of
 //   s u + radius (cos t across + sin t rise),   across = (-e_y, e_x, 0), rise = (-u_z e, h), e = (u_x, u_y)/h
 // The contour, t = 0 and t = pi, appears as two lines. As u_z is not negative, half circles bulge towards the foot.
 #pragma once

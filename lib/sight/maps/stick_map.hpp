@@ -7,10 +7,10 @@
 
 namespace hsp {
 
-// Faces farthest body first, and each body at its own place.
+// Faces farthest body first, and each body at its own rank.
 struct StickMap : SceneMap<StickScene> {
   bool exist = false;
-  Span<uint32_t> first_loop;  // [owners] places in the order of loops
+  Span<uint32_t> first_loop;  // [owners] indices in the order of loops
 
   // As a source of paths (map_paths.hpp): one for each body that is seen, of its loops in their order.
   const StickMap &map() const { return *this; }

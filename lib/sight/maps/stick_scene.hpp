@@ -35,7 +35,7 @@ struct StraightCurve {
   Vec3 at(double t) const { return combine(1.0, start, t, step); }
 };
 
-// The front of a stick over a point of the view plane: its height, and the place along the axis.
+// The front of a stick over a point of the view plane: its height, and the position along the axis.
 struct StickFront {
   bool exists;  // only between the centres of its balls
   double z, s;

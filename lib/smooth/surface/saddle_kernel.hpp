@@ -65,7 +65,7 @@ struct SaddleKernel {
     // Those of two sides, seen from the first.
     Profile(const Profile &own, const Profile &other)
         : T(own.T + other.T), S(own.S + other.S), Q(own.Q - other.Q), C2(own.C2 + other.C2), SC(own.SC - other.SC) {}
-    // The same times a number each.
+    // The same, each side with a weight.
     Profile(double weight, const Profile &own, double other_weight, const Profile &other)
         : T(weight * own.T + other_weight * other.T),
           S(weight * own.S + other_weight * other.S),

@@ -1,7 +1,7 @@
 // Caps of the sphere of one probe as a source of decisions for free_region.hpp where several patches meet in one point:
 // every question that patches share has one answer for all of them. For surfaces whose joints are open otherwise.
 //
-// What doubles know for certain they decide, as in circles_in_doubles.hpp. Else
+// Doubles decide where they are certain, as in circles_in_doubles.hpp. Else
 //   four probes in one point, and two that touch or circles that do: exactly, for the vertices rounded to a lattice of
 //     2^-29 p, as the spheres of equal balls. Ties are left to the symbolic perturbation, so the answers are those of
 //     one set of probes in general position, whichever of its spheres asks;

@@ -113,7 +113,7 @@ void PowerPolytope::cut(uint32_t plane, const UnitPlane *planes, const CubeFrame
   const uint32_t *const holes = holes_.data();
   const CrossedEdge *const crossings = crossings_.data();
   uint32_t *const ends = ends_.data(), *const made = made_.data();
-  // New vertices take the places of those that are cut off, once these have no more edges to be cut, and then places
+  // New vertices take the slots of those that are cut off, once these have no more edges to be cut, and then slots
   // behind the last one.
   uint32_t filled = 0, end = count_;
   for (uint32_t c = 0; c < count; ++c) {
@@ -149,7 +149,7 @@ void PowerPolytope::cut(uint32_t plane, const UnitPlane *planes, const CubeFrame
     solve_uncertain(count, planes, frame);
   }
   count_ = end;
-  // The last vertices take the places that are left, from the last one on.
+  // The last vertices take the slots that are left, from the last one on.
   for (uint32_t hole = hole_count_; hole > filled; --hole) move(--count_, holes[hole - 1]);
   clear_squares_behind();
 }

@@ -83,7 +83,7 @@ class PowerPolytope {
   CutVertices to_cut_{};   // [vertices + 7] where they are
   Span<uint64_t> beyond_;  // [vertices / 64] a bit for each
   Span<uint64_t> unsure_;  // [vertices / 64]
-  // Those that are beyond, ascending; they leave their places to others. Then the number of vertices.
+  // Those that are beyond, ascending; they leave their slots to others. Then the number of vertices.
   Span<uint32_t> holes_;         // [vertices + 1]
   Span<CrossedEdge> crossings_;  // [vertices + crossings_behind]
   Span<uint32_t> made_;          // [vertices + crossings_behind] the vertices that are made there

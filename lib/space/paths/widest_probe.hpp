@@ -33,7 +33,7 @@ class WidestProbeFinder {
  public:
   void carve(Workspace &workspace, const ProbeLimits &limits);
   // `to` is null for the outside. Status::capacity: a limit is too small, retry_limits(). Status::range: a probe passes
-  // with which the largest ball has no place on the lattice.
+  // with which the largest ball lies beyond the lattice.
   Status find(const BallSet &balls, const exact::Vector &from, const exact::Vector *to, WidestProbe &widest);
 
   // What suffices, after Status::ok.

@@ -56,7 +56,7 @@ CurvedBallGradient curved_gradient_of_ball(const BallSet &balls, const Boundary 
 
 // Ball k's part of the derivatives of a weighted M by the strain, in steps: all balls' parts sum to them. What M takes
 // from the vector between two balls counts half at each of them. What a vertex adds to the derivatives by its balls'
-// centres counts with their places as seen from the vertex.
+// centres counts with their positions as seen from the vertex.
 void add_curvature_strain_of_ball(const BallSet &balls, const Boundary &boundary, const AreaWeights &weights,
                                   uint32_t k, StrainSum &sum);
 

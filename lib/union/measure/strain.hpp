@@ -1,5 +1,5 @@
 // Derivatives by the strain of everything, x -> x + eps x of all centres but not of radii: for pieces of balls whose
-// derivatives by their centres sum to zero, so that only relative places count.
+// derivatives by their centres sum to zero, so that only relative positions count.
 #pragma once
 
 #include "core/summation.hpp"

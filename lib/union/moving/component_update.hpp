@@ -18,7 +18,7 @@ class ComponentUpdate {
   // The first update: trees that span the components of balls that have none.
   void span(MovingRecords &records, const BallCells &cells);
 
-  // Any other update. The first `former` balls of the journal are those that moved, which are in their new places, and
+  // Any other update. The first `former` balls of the journal are those that moved, at their new positions, and
   // what these met before.
   void begin(MovingRecords &records, uint32_t former);
   // Then, for each ball that moved, all that it meets now.

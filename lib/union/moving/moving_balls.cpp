@@ -230,7 +230,7 @@ void MovingBalls::note_meeting(const exact::LatticeBall &ball) {
   cells_.visit_meeting(records_.balls, ball, [this](uint32_t j) { records_.note(j); });
 }
 
-// The same for a ball in its new place.
+// The same for a ball at its new position.
 void MovingBalls::note_what_meets(uint32_t i) {
   cells_.visit_meeting(records_.balls, records_.balls.ball(i), [this, i](uint32_t j) {
     records_.note(j);

@@ -24,7 +24,7 @@ constexpr Status default_limits(uint32_t balls, MovingLimits &limits) {
   return Status::ok;
 }
 
-// Balls that get new places or radii: number k is ball ball[k] of the caller's.
+// Balls that get new positions or radii: number k is ball ball[k] of the caller's.
 struct BallMoves {
   uint32_t count = 0;
   const uint32_t *ball = nullptr;

@@ -58,7 +58,7 @@ class MovingRecords {
   // Those noted, in this order.
   uint32_t noted() const { return count_; }
   const JournalEntry &entry(uint32_t k) const { return journal_[k]; }
-  // The place of ball i in the journal, no_id if it is not there.
+  // The index of ball i in the journal, no_id if it is not there.
   uint32_t entry_of(uint32_t i) const { return entry_[i]; }
   // Forgets the journal.
   void begin() {

@@ -4,8 +4,8 @@
 // Under a strain x -> x + eps x of everything, box and centres but not radii,
 //   dV/d eps = sum over contacts of C d u (x) u,  C its area, d the distance of the two centres, u the unit vector
 //   dS/d eps = sum over balls i and free arcs of (w_i dA_i/dc_j) (x) (c_j - c_i)
-// (the divergence theorem in each ball's cell; only relative places count). With the box's vectors as columns of h and
-// places as multiples of them held fixed, the derivative by h is X h^-T for X that by the strain.
+// (the divergence theorem in each ball's cell; only relative positions count). With the box's vectors as columns of h
+// and positions as multiples of them held fixed, the derivative by h is X h^-T for X that by the strain.
 #pragma once
 
 #include "measure/strain.hpp"

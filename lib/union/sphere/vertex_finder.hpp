@@ -53,8 +53,8 @@ class VertexFinder {
 // The exact stage: pushes the free points among p+ and p- of the circles of caps j < k. Returns whether the circles
 // cross. A further sphere ties with a point if it passes through it before the perturbation, unless its ball lies
 // inside one of the vertex's three balls and touches it there. This exception makes the flag independent of the ball at
-// which the vertex is decided. If the circles certainly cross, their points in doubles may be given: then only caps are
-// asked about that these leave open.
+// which the vertex is decided. If the circles certainly cross, callers may give their points in doubles: then only the
+// caps that these leave open are tested.
 bool find_vertices_exactly(const BallSet &balls, const Caps &caps, const CapTests &tests, uint32_t j, uint32_t k,
                            const CrossingPoints *points, FixedVector<VertexRecord> &vertices);
 
