@@ -45,6 +45,10 @@ inline size_t most_bytes(const hsp_gate_limits &limits) {
                         limits.facets, limits.corners, limits.cube_balls, limits.cube_corners);
 }
 
+inline size_t most_bytes(const hsp_pores_limits &limits) {
+  return HSP_PORES_BYTES(limits.balls, limits.maxima, limits.gates, limits.tied, limits.candidates, limits.neighbours,
+                         limits.points);
+}
 inline size_t most_bytes(const hsp_periodic_limits &limits) {
   return HSP_PERIODIC_BYTES(limits.balls, limits.images, limits.neighbours, limits.vertices, limits.circles,
                             limits.contacts);

@@ -94,6 +94,11 @@ struct GateKind : KindOf<hsp_gate, hsp_gate_limits, 40, hsp_gate_bytes, hsp_gate
                                         &Limits::adjacencies, &Limits::landmarks,   &Limits::facets,  &Limits::corners,
                                         &Limits::cube_balls,  &Limits::cube_corners};
 };
+struct PoresKind : KindOf<hsp_pores, hsp_pores_limits, 40, hsp_pores_bytes, hsp_pores_init> {
+  static constexpr const char *name = "hsp_pores";
+  static constexpr std::array limits = {&Limits::balls,      &Limits::maxima,     &Limits::gates, &Limits::tied,
+                                        &Limits::candidates, &Limits::neighbours, &Limits::points};
+};
 struct PeriodicKind : KindOf<hsp_periodic, hsp_periodic_limits, 5, hsp_periodic_bytes, hsp_periodic_init> {
   static constexpr const char *name = "hsp_periodic";
   static constexpr std::array limits = {&Limits::balls,    &Limits::images,  &Limits::neighbours,

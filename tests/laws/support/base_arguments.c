@@ -7,9 +7,9 @@ static const struct {
   const char *name;
   double value;
 } numbers[] = {
-    {"count", 1},         {"poses", 2},   {"tension", 1}, {"pressure", 0.5}, {"radius", 0.1},
-    {"margin", 1},        {"workers", 1}, {"first", 1},   {"face", 1},       {"dimension", 2},
-    {"atomic_number", 6}, {"shell", 0},   {"x", 0.3},     {"y", 0.2},        {"z", 0.1},
+    {"count", 1},   {"poses", 2}, {"tension", 1}, {"pressure", 0.5}, {"radius", 0.1},      {"margin", 1},
+    {"workers", 1}, {"first", 1}, {"face", 1},    {"dimension", 2},  {"atomic_number", 6}, {"shell", 0},
+    {"x", 0.3},     {"y", 0.2},   {"z", 0.1},     {"narrow", 0.1},   {"wide", 1},
 };
 
 static double number_named(const argument *a) {
@@ -54,14 +54,15 @@ static void fill_sized(const argument *a, void *out) {
       [NOUN_surface] = "hsp_surface_limits",   [NOUN_mesh] = "hsp_mesh_limits",
       [NOUN_topology] = "hsp_topology_limits", [NOUN_cells] = "hsp_cells_limits",
       [NOUN_paths] = "hsp_paths_limits",       [NOUN_gate] = "hsp_gate_limits",
-      [NOUN_view] = "hsp_view_limits",         [NOUN_map] = "hsp_map_limits",
-      [NOUN_sticks] = "hsp_sticks_limits"};
+      [NOUN_pores] = "hsp_pores_limits",       [NOUN_view] = "hsp_view_limits",
+      [NOUN_map] = "hsp_map_limits",           [NOUN_sticks] = "hsp_sticks_limits"};
   int noun;
   for (noun = 0; noun < NOUNS; ++noun) {
     if (limits_of[noun] != NULL && strcmp(limits_of[noun], a->base) == 0) memcpy(out, given.limits[noun], a->size);
   }
   if (strcmp(a->base, "hsp_model_options") == 0) hsp_model_options_init(out, sizeof(hsp_model_options));
   if (strcmp(a->base, "hsp_view_options") == 0) hsp_view_options_init(out, sizeof(hsp_view_options));
+  if (strcmp(a->base, "hsp_pores_options") == 0) hsp_pores_options_init(out, sizeof(hsp_pores_options));
   if (strcmp(a->base, "hsp_picture_options") == 0) {
     hsp_picture_options options;
     hsp_picture_options_init(&options, sizeof options);
@@ -95,9 +96,16 @@ static double parameter_on_edge(const function *f) {
   return status == HSP_OK ? edge.from + 0.25 * (edge.to - edge.from) : 0;
 }
 
+/* Whether it reads pores, of which the fixture has one maximum. */
+static int is_of_pores(const function *f) {
+  return f->count > 0 && f->arguments[0].noun == NOUN_pores && f->arguments[0].kind == KIND_handle;
+}
+
 value base_number(const function *f, int i) {
   const argument *const a = &f->arguments[i];
-  const double number = strcmp(a->name, "t") == 0 ? parameter_on_edge(f) : number_named(a);
+  const double number = strcmp(a->name, "t") == 0                         ? parameter_on_edge(f)
+                        : is_of_pores(f) && strcmp(a->name, "first") == 0 ? 0
+                                                                          : number_named(a);
   value v;
   memset(&v, 0, sizeof v);
   if (strcmp(a->base, "double") == 0) {
