@@ -23,6 +23,7 @@
  *   hardsphere/topology.h   the boundary as quad-edges with simple faces, shells, cells, point location (Step 3)
  *   hardsphere/cells.h      free space as simple cells, their neighbours, point location (Section 2)
  *   hardsphere/paths.h      how a probe gets from one point to another, and how wide one may be (Section 2)
+ *   hardsphere/pores.h      free space for every probe at once: pockets, mouths, tunnels, cavities
  *   hardsphere/view.h       pieces in painter's order as true arcs (Section 5.1)
  *   hardsphere/map.h        the visibility map: faces, edges and vertices of the view plane (Section 5.2)
  *   hardsphere/sticks.h     balls and sticks in an order to paint them
@@ -93,6 +94,8 @@
  *               where a point lies
  *   paths       whether there is one, what is      points, once, to the lattice;    a polyline through passages of a
  *               certified, whether a probe passes  lengths                          few steps: hsp_path.certified
+ *   pores       maxima, gates, their balls, what   points, levels                   -
+ *               merges where, the order of levels
  *   view        the order of pieces, their arcs    the direction, once; arcs        -
  *   map         -                                  areas                            faces, edges, vertices: balls are
  *                                                                                   moved until labels fit,
@@ -172,8 +175,8 @@
  * HANDLES AFTER A FAILURE
  *   hsp_model_set, hsp_moving_set and hsp_X_compute replace what the handle held, whether they succeed or not. One that
  *   fails, for whatever reason, leaves the handle as hsp_X_init makes it: a model is empty (hsp_model_get_info says so:
- *   0 balls, step 1e-8); a boundary, surface, mesh, topology, view, map, contacts, cells, paths, a gate, a periodic
- *   union or balls that move hold no results, and reading them yields HSP_E_STATE.
+ *   0 balls, step 1e-8); a boundary, surface, mesh, topology, view, map, contacts, cells, paths, a gate, pores, a
+ *   periodic union or balls that move hold no results, and reading them yields HSP_E_STATE.
  *   All other functions leave what a handle holds as it is, whatever they return.
  */
 #ifndef HARDSPHERE_H
@@ -195,6 +198,7 @@
 #include "hardsphere/periodic.h"
 #include "hardsphere/periodic_boundary.h"
 #include "hardsphere/picture.h"
+#include "hardsphere/pores.h"
 #include "hardsphere/pose.h"
 #include "hardsphere/query.h"
 #include "hardsphere/residue.h"

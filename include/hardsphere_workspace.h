@@ -43,9 +43,10 @@ typedef struct hsp_workspace {
   hsp_cells *cells;                    /**< NULL before hsp_workspace_cells (hardsphere/cells.h) */
   hsp_paths *paths;                    /**< NULL before hsp_workspace_path (hardsphere/paths.h) */
   hsp_gate *gate;                      /**< NULL before hsp_workspace_gate (hardsphere/paths.h) */
+  hsp_pores *pores;                    /**< NULL before hsp_workspace_pores (hardsphere/pores.h) */
   hsp_moving *moving;                  /**< NULL before hsp_workspace_moving (hardsphere/moving.h) */
   hsp_periodic *periodic;              /**< NULL before hsp_workspace_periodic (hardsphere/periodic.h) */
-  void *memory[13];                    /**< of the handles */
+  void *memory[14];                    /**< of the handles */
   uint32_t most_balls;                 /**< what the model has room for */
   uint32_t reserved;                   /**< 0 */
   hsp_boundary_limits boundary_limits; /**< what it has room for (hardsphere/boundary.h) */
@@ -58,6 +59,7 @@ typedef struct hsp_workspace {
   hsp_cells_limits cells_limits;       /**< what it has room for (hardsphere/cells.h) */
   hsp_paths_limits paths_limits;       /**< what it has room for (hardsphere/paths.h) */
   hsp_gate_limits gate_limits;         /**< what it has room for (hardsphere/paths.h) */
+  hsp_pores_limits pores_limits;       /**< what it has room for (hardsphere/pores.h) */
   hsp_moving_limits moving_limits;     /**< what it has room for (hardsphere/moving.h) */
   hsp_periodic_limits periodic_limits; /**< what it has room for (hardsphere/periodic.h) */
 } hsp_workspace;
@@ -82,6 +84,7 @@ static inline void hsp_workspace_drop_of_model(hsp_workspace *work) {
   if (work->cells != NULL) (void)hsp_cells_compute(work->cells, NULL, NULL);          /* hardsphere/cells.h */
   if (work->paths != NULL) (void)hsp_paths_compute(work->paths, NULL, NULL);          /* hardsphere/paths.h */
   if (work->gate != NULL) (void)hsp_gate_compute(work->gate, NULL, NULL, NULL, NULL); /* hardsphere/paths.h */
+  if (work->pores != NULL) (void)hsp_pores_compute(work->pores, NULL, NULL, NULL);    /* hardsphere/pores.h */
 }
 
 /* ---- boundary.h */
@@ -343,14 +346,40 @@ static inline int32_t hsp_workspace_grow_gate(hsp_workspace *work, const hsp_gat
   return hsp_workspace_make_gate(work);
 }
 
+/* ---- pores.h */
+static inline int32_t hsp_workspace_make_pores(hsp_workspace *work) {
+  size_t bytes = 0;
+  int32_t status = hsp_pores_bytes(&work->pores_limits, &bytes);
+  work->pores = NULL;
+  if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[11], bytes);
+  if (status == HSP_OK) {
+    status = hsp_pores_init(work->memory[11], bytes, &work->pores_limits, &work->pores);
+  }
+  return status;
+}
+
+static inline int32_t hsp_workspace_ready_pores(hsp_workspace *work) {
+  int32_t status = HSP_OK;
+  if (work->pores != NULL) return HSP_OK;
+  if (work->pores_limits.struct_size == 0) {
+    status = hsp_pores_limits_init(&work->pores_limits, sizeof work->pores_limits, work->most_balls);
+  }
+  return status == HSP_OK ? hsp_workspace_make_pores(work) : status;
+}
+
+static inline int32_t hsp_workspace_grow_pores(hsp_workspace *work, const hsp_pores_limits *limits) {
+  work->pores_limits = *limits;
+  return hsp_workspace_make_pores(work);
+}
+
 /* ---- moving.h */
 static inline int32_t hsp_workspace_make_moving(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_moving_bytes(&work->moving_limits, &bytes);
   work->moving = NULL;
-  if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[11], bytes);
+  if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[12], bytes);
   if (status == HSP_OK) {
-    status = hsp_moving_init(work->memory[11], bytes, &work->moving_limits, &work->moving);
+    status = hsp_moving_init(work->memory[12], bytes, &work->moving_limits, &work->moving);
   }
   return status;
 }
@@ -374,9 +403,9 @@ static inline int32_t hsp_workspace_make_periodic(hsp_workspace *work) {
   size_t bytes = 0;
   int32_t status = hsp_periodic_bytes(&work->periodic_limits, &bytes);
   work->periodic = NULL;
-  if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[12], bytes);
+  if (status == HSP_OK) status = hsp_workspace_allocate(&work->memory[13], bytes);
   if (status == HSP_OK) {
-    status = hsp_periodic_init(work->memory[12], bytes, &work->periodic_limits, &work->periodic);
+    status = hsp_periodic_init(work->memory[13], bytes, &work->periodic_limits, &work->periodic);
   }
   return status;
 }
@@ -398,7 +427,8 @@ static inline int32_t hsp_workspace_grow_periodic(hsp_workspace *work, const hsp
 /* ---- model.h */
 
 /** Take n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh, map,
- *  contacts, cells, paths and gate hold no results of other balls then; balls that move and a box stay as they are. */
+ *  contacts, cells, paths, gate and pores hold no results of other balls then; balls that move and a box stay as they
+ *  are. */
 static inline int32_t hsp_workspace_set(hsp_workspace *work, uint32_t n, const double *xyz, const double *radius,
                                         const hsp_model_options *options, uint32_t *first_bad) {
   if (work->model == NULL || n > work->most_balls) {
@@ -548,6 +578,35 @@ static inline int32_t hsp_workspace_gate(hsp_workspace *work, const double *from
     status = hsp_gate_compute(work->gate, work->model, from, to, &limits);
     if (status != HSP_E_CAPACITY) return status;
     status = hsp_workspace_grow_gate(work, &limits);
+  }
+  return status;
+}
+
+/* ---- pores.h */
+
+/** Find maxima, gates and classes of the free space of the model; arguments and statuses as hsp_pores_compute. */
+static inline int32_t hsp_workspace_pores(hsp_workspace *work, const hsp_pores_options *options) {
+  int32_t status = hsp_workspace_ready_pores(work);
+  hsp_pores_limits limits = work->pores_limits;
+  while (status == HSP_OK) {
+    status = hsp_pores_compute(work->pores, work->model, options, &limits);
+    if (status != HSP_E_CAPACITY) return status;
+    status = hsp_workspace_grow_pores(work, &limits);
+  }
+  return status;
+}
+
+/** Find a tunnel after hsp_workspace_pores with the same options; arguments and statuses as hsp_pores_find_tunnel. */
+static inline int32_t hsp_workspace_tunnel(hsp_workspace *work, const hsp_pores_options *options, const double *from,
+                                           const double *to, const uint32_t *avoided, uint32_t count,
+                                           hsp_tunnel *tunnel) {
+  int32_t status = hsp_workspace_ready_pores(work);
+  hsp_pores_limits limits = work->pores_limits;
+  while (status == HSP_OK) {
+    status = hsp_pores_find_tunnel(work->pores, from, to, avoided, count, tunnel, &limits);
+    if (status != HSP_E_CAPACITY) return status;
+    status = hsp_workspace_grow_pores(work, &limits);
+    if (status == HSP_OK) status = hsp_pores_compute(work->pores, work->model, options, NULL);
   }
   return status;
 }

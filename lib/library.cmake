@@ -108,11 +108,15 @@ set(HSP_LIBRARY_SOURCES
   lib/union/periodic/periodic_records.cpp
   lib/union/periodic/periodic_union.cpp
   lib/union/periodic/windings.cpp
+  lib/space/pores/ascent.cpp
+  lib/space/pores/class_tree.cpp
   lib/space/pores/critical_points.cpp
+  lib/space/pores/pockets.cpp
   lib/space/pores/pore_balls.cpp
   lib/space/pores/pores_builder.cpp
   lib/space/pores/tangent_point.cpp
   lib/space/pores/tied_balls.cpp
+  lib/space/pores/tunnel.cpp
   lib/space/pores/way_up.cpp
   lib/smooth/surface/concave_patches.cpp
   lib/smooth/surface/covered_gaps.cpp
@@ -229,6 +233,7 @@ set(HSP_LIBRARY_SOURCES
   capi/shims/hsp_topology_cells.cpp
   capi/shims/hsp_cells.cpp
   capi/shims/hsp_paths.cpp
+  capi/shims/hsp_pores.cpp
   capi/shims/hsp_view.cpp
   capi/shims/hsp_view_records.cpp
   capi/shims/hsp_picture.cpp

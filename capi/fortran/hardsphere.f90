@@ -197,6 +197,11 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_PATH_APART = 1_c_int32_t  ! the ends lie in two regions of free space
   integer(c_int32_t), parameter :: HSP_PATH_COVERED = 2_c_int32_t  ! at least one of the ends lies in a ball
 
+  ! ---- pores.h: free space for every probe at once: pockets, mouths, tunnels, cavities -------------------------------
+
+  ! the class of the outside, where a maximum may stand
+  integer(c_int32_t), parameter :: HSP_PORE_OUTSIDE = -2_c_int32_t
+
   ! ---- view.h: pieces in painter's order as true arcs (Section 5.1) --------------------------------------------------
 
   ! front hemispheres outside farther balls; needs no boundary
@@ -1026,6 +1031,109 @@ module hardsphere
     integer(c_int32_t) :: gate(3)   ! the balls that stop a wider one, ascending, HSP_NONE behind the last
     integer(c_int32_t) :: builds    ! how often free space was cut into cells
     integer(c_int32_t) :: reserved  ! 0
+  end type
+
+  ! ---- pores.h: free space for every probe at once: pockets, mouths, tunnels, cavities -------------------------------
+
+  type, bind(C) :: hsp_pores_limits
+    integer(c_int32_t) :: struct_size = 32_c_int32_t  ! sizeof(hsp_pores_limits)
+    integer(c_int32_t) :: balls                       ! of the model
+    integer(c_int32_t) :: maxima                      ! above the floor
+    integer(c_int32_t) :: gates                       ! above the floor
+    ! balls of maxima with more than four nearest balls, and of gates with more than three
+    integer(c_int32_t) :: tied
+    integer(c_int32_t) :: candidates                  ! scratch memory of the search
+    integer(c_int32_t) :: neighbours                  ! balls around a piece of a way
+    integer(c_int32_t) :: points                      ! of a tunnel
+  end type
+
+  type, bind(C) :: hsp_pores_options
+    integer(c_int32_t) :: struct_size = 16_c_int32_t  ! sizeof(hsp_pores_options)
+    integer(c_int32_t) :: reserved                    ! 0
+    ! radius of the narrowest probe of interest, rounded down to the lattice; may be negative down to where the largest
+    ! ball has no radius left; default 0: what not even a point passes is closed
+    real(c_double) :: floor
+  end type
+
+  type, bind(C) :: hsp_pores_counts
+    integer(c_int32_t) :: maxima       ! above the floor: as many as classes without the outside
+    integer(c_int32_t) :: gates        ! above the floor
+    integer(c_int32_t) :: merges       ! gates where two classes meet; the others close a ring of free space
+    integer(c_int32_t) :: cavities     ! classes that nothing reaches: maxima - merges
+    integer(c_int32_t) :: outer_balls  ! balls that are not inside another one
+    integer(c_int32_t) :: reserved     ! 0
+  end type
+
+  type, bind(C) :: hsp_pore_maximum
+    real(c_double) :: xyz(3)       ! the centre of the largest probe there
+    real(c_double) :: radius       ! of that: the birth of the class
+    real(c_double) :: death        ! radius at the gate where it merges; the floor if there is none
+    ! balls that it is between, the least of the nearest ones by position; they may be more
+    integer(c_int32_t) :: ball(4)
+    integer(c_int32_t) :: gate     ! where the class merges into an older one; HSP_NONE if nothing reaches it
+    integer(c_int32_t) :: parent   ! the maximum of that older one, HSP_PORE_OUTSIDE, or HSP_NONE
+  end type
+
+  type, bind(C) :: hsp_pore_gate
+    real(c_double) :: xyz(3)       ! the centre of the widest probe that gets there
+    real(c_double) :: radius       ! of that; narrower ones pass
+    ! balls that it is between, the least of the nearest ones by position; they may be more
+    integer(c_int32_t) :: ball(3)
+    ! maxima that its two sides lead up to, or HSP_PORE_OUTSIDE; the first on the side from which the three balls turn
+    ! counter-clockwise
+    integer(c_int32_t) :: end(2)
+    integer(c_int32_t) :: merges   ! whether two classes meet, rather than two ends of one: 1 or 0
+  end type
+
+  type, bind(C) :: hsp_pore_place
+    real(c_double) :: radius       ! of the largest probe there; below 0 in a ball, infinite without balls
+    integer(c_int32_t) :: ball     ! a nearest one; HSP_NONE without balls
+    ! that a way up leads to, or HSP_PORE_OUTSIDE; HSP_NONE if the radius is not above the floor
+    integer(c_int32_t) :: maximum
+  end type
+
+  type, bind(C) :: hsp_pore_passage
+    ! wider ones do not get through; 0 if none above the floor does, infinite without balls
+    real(c_double) :: radius
+    integer(c_int32_t) :: passes    ! whether any above the floor does: 1 or 0
+    integer(c_int32_t) :: gate      ! that stops wider ones; HSP_NONE if that is an end, or if none passes
+    integer(c_int32_t) :: ball      ! that stops wider ones at an end; HSP_NONE if that is a gate, or if none passes
+    integer(c_int32_t) :: at(2)     ! the maxima above the two points as hsp_pores_locate says
+    integer(c_int32_t) :: reserved  ! 0
+  end type
+
+  type, bind(C) :: hsp_pore_pocket
+    real(c_double) :: radius        ! of the widest probe that fits in it: its depth
+    real(c_double) :: mouth         ! of the widest probe that passes one of its mouths; the floor without mouths
+    integer(c_int32_t) :: maximum   ! the widest one in it
+    ! its widest mouth; HSP_NONE if it is a cavity that the narrow probe does not get out of
+    integer(c_int32_t) :: gate
+    integer(c_int32_t) :: maxima    ! how many are in it
+    integer(c_int32_t) :: mouths    ! how many it has
+    integer(c_int32_t) :: balls     ! how many line it
+    integer(c_int32_t) :: reserved  ! 0
+  end type
+
+  type, bind(C) :: hsp_tunnel
+    ! of the widest probe that gets through; 0 if there is no tunnel, infinite without balls
+    real(c_double) :: radius
+    real(c_double) :: length        ! of the polyline through its points; 0 if there is no tunnel
+    integer(c_int32_t) :: there     ! whether there is a tunnel: 1 or 0
+    integer(c_int32_t) :: gate      ! its tightest one; HSP_NONE if it passes none
+    integer(c_int32_t) :: gates     ! how many it passes
+    integer(c_int32_t) :: points    ! of the polyline; 0 if there is no tunnel
+    ! whether it comes to the outside: 1 or 0. If it comes back from there the polyline leaps
+    integer(c_int32_t) :: outside
+    integer(c_int32_t) :: reserved  ! 0
+  end type
+
+  type, bind(C) :: hsp_tunnel_point
+    real(c_double) :: xyz(3)
+    real(c_double) :: radius       ! of the largest probe there
+    ! nearest ones, HSP_NONE behind the last: four at a maximum, three at a gate, else one to three
+    integer(c_int32_t) :: ball(4)
+    integer(c_int32_t) :: gate     ! that it is, or HSP_NONE
+    integer(c_int32_t) :: maximum  ! that it is, or HSP_NONE
   end type
 
   ! ---- view.h: pieces in painter's order as true arcs (Section 5.1) --------------------------------------------------
@@ -3076,6 +3184,204 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    ! ---- pores.h: free space for every probe at once: pockets, mouths, tunnels, cavities -----------------------------
+
+    function hsp_pores_limits_init(limits, struct_size, balls) result(status) bind(C, name="hsp_pores_limits_init")
+      import :: c_int32_t, hsp_pores_limits
+      type(hsp_pores_limits), intent(inout) :: limits
+      integer(c_int32_t), value :: struct_size
+      integer(c_int32_t), value :: balls
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_bytes(limits, bytes) result(status) bind(C, name="hsp_pores_bytes")
+      import :: c_int32_t, c_size_t, hsp_pores_limits
+      type(hsp_pores_limits), intent(in) :: limits
+      integer(c_size_t), intent(inout) :: bytes
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_init(memory, bytes, limits, pores) result(status) bind(C, name="hsp_pores_init")
+      import :: c_int32_t, c_ptr, c_size_t, hsp_pores_limits
+      type(c_ptr), value :: memory
+      integer(c_size_t), value :: bytes
+      type(hsp_pores_limits), intent(in) :: limits
+      type(c_ptr), intent(inout) :: pores
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_options_init(options, struct_size) result(status) bind(C, name="hsp_pores_options_init")
+      import :: c_int32_t, hsp_pores_options
+      type(hsp_pores_options), intent(inout) :: options
+      integer(c_int32_t), value :: struct_size
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_compute(pores, model, options, limits) result(status) bind(C, name="hsp_pores_compute")
+      import :: c_int32_t, c_ptr, hsp_pores_limits, hsp_pores_options
+      type(c_ptr), value :: pores
+      type(c_ptr), value :: model
+      type(hsp_pores_options), intent(in), optional :: options
+      type(hsp_pores_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_get_counts(pores, counts) result(status) bind(C, name="hsp_pores_get_counts")
+      import :: c_int32_t, c_ptr, hsp_pores_counts
+      type(c_ptr), value :: pores
+      type(hsp_pores_counts), intent(inout) :: counts
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_get_maxima(pores, first, count, out) result(status) bind(C, name="hsp_pores_get_maxima")
+      import :: c_int32_t, c_ptr, hsp_pore_maximum
+      type(c_ptr), value :: pores
+      integer(c_int32_t), value :: first
+      integer(c_int32_t), value :: count
+      type(hsp_pore_maximum), intent(inout), optional :: out(*)  ! count
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_get_gates(pores, first, count, out) result(status) bind(C, name="hsp_pores_get_gates")
+      import :: c_int32_t, c_ptr, hsp_pore_gate
+      type(c_ptr), value :: pores
+      integer(c_int32_t), value :: first
+      integer(c_int32_t), value :: count
+      type(hsp_pore_gate), intent(inout), optional :: out(*)  ! count
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_get_maximum_balls(pores, maximum, balls, capacity, needed) result(status) &
+      bind(C, name="hsp_pores_get_maximum_balls")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: pores
+      integer(c_int32_t), value :: maximum
+      integer(c_int32_t), intent(inout), optional :: balls(*)  ! needed
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_get_gate_balls(pores, gate, balls, capacity, needed) result(status) &
+      bind(C, name="hsp_pores_get_gate_balls")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: pores
+      integer(c_int32_t), value :: gate
+      integer(c_int32_t), intent(inout), optional :: balls(*)  ! needed
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_class_at(pores, maximum, radius, member) result(status) bind(C, name="hsp_pores_class_at")
+      import :: c_double, c_int32_t, c_ptr
+      type(c_ptr), value :: pores
+      integer(c_int32_t), value :: maximum
+      real(c_double), value :: radius
+      integer(c_int32_t), intent(inout) :: member
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_gate_between(pores, maximum, other, gate) result(status) bind(C, name="hsp_pores_gate_between")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: pores
+      integer(c_int32_t), value :: maximum
+      integer(c_int32_t), value :: other
+      integer(c_int32_t), intent(inout) :: gate
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_locate(pores, xyz, place) result(status) bind(C, name="hsp_pores_locate")
+      import :: c_double, c_int32_t, c_ptr, hsp_pore_place
+      type(c_ptr), value :: pores
+      real(c_double), intent(in) :: xyz(3)
+      type(hsp_pore_place), intent(inout) :: place
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_widest(pores, from, to, passage) result(status) bind(C, name="hsp_pores_widest")
+      import :: c_double, c_int32_t, c_ptr, hsp_pore_passage
+      type(c_ptr), value :: pores
+      real(c_double), intent(in) :: from(3)
+      real(c_double), intent(in), optional :: to(3)
+      type(hsp_pore_passage), intent(inout) :: passage
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_find_pockets(pores, narrow, wide, pockets) result(status) bind(C, name="hsp_pores_find_pockets")
+      import :: c_double, c_int32_t, c_ptr
+      type(c_ptr), value :: pores
+      real(c_double), value :: narrow
+      real(c_double), value :: wide
+      integer(c_int32_t), intent(inout) :: pockets
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_get_pockets(pores, first, count, out) result(status) bind(C, name="hsp_pores_get_pockets")
+      import :: c_int32_t, c_ptr, hsp_pore_pocket
+      type(c_ptr), value :: pores
+      integer(c_int32_t), value :: first
+      integer(c_int32_t), value :: count
+      type(hsp_pore_pocket), intent(inout), optional :: out(*)  ! count
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_get_pocket_maxima(pores, pocket, maxima, capacity, needed) result(status) &
+      bind(C, name="hsp_pores_get_pocket_maxima")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: pores
+      integer(c_int32_t), value :: pocket
+      integer(c_int32_t), intent(inout), optional :: maxima(*)  ! needed
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_get_pocket_mouths(pores, pocket, gates, capacity, needed) result(status) &
+      bind(C, name="hsp_pores_get_pocket_mouths")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: pores
+      integer(c_int32_t), value :: pocket
+      integer(c_int32_t), intent(inout), optional :: gates(*)  ! needed
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_get_pocket_balls(pores, pocket, balls, capacity, needed) result(status) &
+      bind(C, name="hsp_pores_get_pocket_balls")
+      import :: c_int32_t, c_ptr
+      type(c_ptr), value :: pores
+      integer(c_int32_t), value :: pocket
+      integer(c_int32_t), intent(inout), optional :: balls(*)  ! needed
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_find_tunnel(pores, from, to, avoided, count, tunnel, limits) result(status) &
+      bind(C, name="hsp_pores_find_tunnel")
+      import :: c_double, c_int32_t, c_ptr, hsp_pores_limits, hsp_tunnel
+      type(c_ptr), value :: pores
+      real(c_double), intent(in) :: from(3)
+      real(c_double), intent(in), optional :: to(3)
+      integer(c_int32_t), intent(in), optional :: avoided(*)  ! count
+      integer(c_int32_t), value :: count
+      type(hsp_tunnel), intent(inout) :: tunnel
+      type(hsp_pores_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_get_tunnel_points(pores, points, capacity, needed) result(status) &
+      bind(C, name="hsp_pores_get_tunnel_points")
+      import :: c_int32_t, c_ptr, hsp_tunnel_point
+      type(c_ptr), value :: pores
+      type(hsp_tunnel_point), intent(inout), optional :: points(*)  ! needed
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
     ! ---- view.h: pieces in painter's order as true arcs (Section 5.1) ------------------------------------------------
 
     function hsp_view_limits_init(limits, struct_size, balls) result(status) bind(C, name="hsp_view_limits_init")
@@ -3778,6 +4084,17 @@ contains
       + 8_c_size_t*int(entries, c_size_t) + 28_c_size_t*int(cells, c_size_t) + 16_c_size_t*int(adjacencies, c_size_t) &
       + 12_c_size_t*int(landmarks, c_size_t) + 72_c_size_t*int(facets, c_size_t) + 48_c_size_t*int(corners, c_size_t) &
       + 1536_c_size_t*int(cube_balls, c_size_t) + 64_c_size_t*int(cube_corners, c_size_t)
+  end function
+
+  ! ---- pores.h: free space for every probe at once: pockets, mouths, tunnels, cavities -------------------------------
+
+  !> HSP_PORES_BYTES of the header, for the size of an allocation.
+  pure function hsp_pores_bytes_bound(balls, maxima, gates, tied, candidates, neighbours, points) result(bytes)
+    integer(c_int32_t), intent(in) :: balls, maxima, gates, tied, candidates, neighbours, points
+    integer(c_size_t) :: bytes
+    bytes = 32768_c_size_t + 176_c_size_t*int(balls, c_size_t) + 192_c_size_t*int(maxima, c_size_t) &
+      + 136_c_size_t*int(gates, c_size_t) + 16_c_size_t*int(tied, c_size_t) + 16_c_size_t*int(candidates, c_size_t) &
+      + 80_c_size_t*int(neighbours, c_size_t) + 112_c_size_t*int(points, c_size_t)
   end function
 
   ! ---- view.h: pieces in painter's order as true arcs (Section 5.1) --------------------------------------------------

@@ -40,10 +40,11 @@ module hardsphere_workspace
     type(c_ptr) :: cells = c_null_ptr ! hardsphere/cells.h
     type(c_ptr) :: paths = c_null_ptr ! hardsphere/paths.h
     type(c_ptr) :: gate = c_null_ptr ! hardsphere/paths.h
+    type(c_ptr) :: pores = c_null_ptr ! hardsphere/pores.h
     type(c_ptr) :: moving = c_null_ptr ! hardsphere/moving.h
     type(c_ptr) :: periodic = c_null_ptr ! hardsphere/periodic.h
     integer(c_int32_t), private :: most_balls = 0
-    type(memory_block), private :: memory(13)
+    type(memory_block), private :: memory(14)
     type(hsp_boundary_limits), private :: boundary_limits ! hardsphere/boundary.h
     type(hsp_topology_limits), private :: topology_limits ! hardsphere/topology.h
     type(hsp_view_limits), private :: view_limits ! hardsphere/view.h
@@ -54,6 +55,7 @@ module hardsphere_workspace
     type(hsp_cells_limits), private :: cells_limits ! hardsphere/cells.h
     type(hsp_paths_limits), private :: paths_limits ! hardsphere/paths.h
     type(hsp_gate_limits), private :: gate_limits ! hardsphere/paths.h
+    type(hsp_pores_limits), private :: pores_limits ! hardsphere/pores.h
     type(hsp_moving_limits), private :: moving_limits ! hardsphere/moving.h
     type(hsp_periodic_limits), private :: periodic_limits ! hardsphere/periodic.h
   contains
@@ -68,6 +70,8 @@ module hardsphere_workspace
     procedure :: compute_cells ! hardsphere/cells.h
     procedure :: find_path ! hardsphere/paths.h
     procedure :: compute_gate ! hardsphere/paths.h
+    procedure :: compute_pores ! hardsphere/pores.h
+    procedure :: find_tunnel ! hardsphere/pores.h
     procedure :: set_moving
     procedure :: compute_periodic
   end type
@@ -79,6 +83,7 @@ module hardsphere_workspace
   private :: compute_map ! hardsphere/map.h
   private :: compute_cells ! hardsphere/cells.h
   private :: find_path, compute_gate ! hardsphere/paths.h
+  private :: compute_pores, find_tunnel ! hardsphere/pores.h
   private :: drop_of_model ! hardsphere/model.h
   private :: drop_of_boundary, make_boundary, ready_boundary, grow_boundary ! hardsphere/boundary.h
   private :: make_topology, ready_topology, grow_topology ! hardsphere/topology.h
@@ -90,6 +95,7 @@ module hardsphere_workspace
   private :: make_cells, ready_cells, grow_cells ! hardsphere/cells.h
   private :: make_paths, ready_paths, grow_paths ! hardsphere/paths.h
   private :: make_gate, ready_gate, grow_gate ! hardsphere/paths.h
+  private :: make_pores, ready_pores, grow_pores ! hardsphere/pores.h
   private :: make_moving, ready_moving, grow_moving ! hardsphere/moving.h
   private :: make_periodic, ready_periodic, grow_periodic ! hardsphere/periodic.h
 
@@ -98,7 +104,8 @@ contains
   ! ---- model.h
 
   ! Takes n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh, map,
-  ! contacts, cells, paths and gate hold no results of other balls then; balls that move and a box stay as they are.
+  ! contacts, cells, paths, gate and pores hold no results of other balls then; balls that move and a box stay as they
+  ! are.
   function set_balls(self, n, xyz, radius, options, first_bad) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t), intent(in) :: n
@@ -319,6 +326,45 @@ contains
     end do
   end function
 
+  ! ---- pores.h
+
+  ! Finds maxima, gates and classes of the free space of the model; arguments and statuses as hsp_pores_compute.
+  function compute_pores(self, options) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    type(hsp_pores_options), intent(in), optional :: options
+    type(hsp_pores_limits) :: limits
+    integer(c_int32_t) :: status
+    status = ready_pores(self)
+    limits = self%pores_limits
+    do while (status == HSP_OK)
+      status = hsp_pores_compute(self%pores, self%model, options, limits)
+      if (status /= HSP_E_CAPACITY) return
+      status = grow_pores(self, limits)
+    end do
+  end function
+
+  ! Finds a tunnel after compute_pores with the same options, to the outside without `to`; arguments and statuses as
+  ! hsp_pores_find_tunnel.
+  function find_tunnel(self, options, from, to, avoided, count, tunnel) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    type(hsp_pores_options), intent(in), optional :: options
+    real(c_double), intent(in) :: from(3)
+    real(c_double), intent(in), optional :: to(3)
+    integer(c_int32_t), intent(in), optional :: avoided(*)
+    integer(c_int32_t), intent(in) :: count
+    type(hsp_tunnel), intent(inout) :: tunnel
+    type(hsp_pores_limits) :: limits
+    integer(c_int32_t) :: status
+    status = ready_pores(self)
+    limits = self%pores_limits
+    do while (status == HSP_OK)
+      status = hsp_pores_find_tunnel(self%pores, from, to, avoided, count, tunnel, limits)
+      if (status /= HSP_E_CAPACITY) return
+      status = grow_pores(self, limits)
+      if (status == HSP_OK) status = hsp_pores_compute(self%pores, self%model, options)
+    end do
+  end function
+
   ! ---- mesh.h
 
   ! Limits of the mesh that suffice for edges of this length, too.
@@ -402,6 +448,7 @@ contains
     if (c_associated(self%paths)) ignored = hsp_paths_compute(self%paths, model=c_null_ptr) ! hardsphere/paths.h
     if (c_associated(self%gate)) ignored = hsp_gate_compute(self%gate, model=c_null_ptr, &                    ! hardsphere/paths.h
       from=[real(c_double) :: 0, 0, 0]) ! hardsphere/paths.h
+    if (c_associated(self%pores)) ignored = hsp_pores_compute(self%pores, model=c_null_ptr) ! hardsphere/pores.h
   end subroutine
 
   ! ---- boundary.h
@@ -693,6 +740,35 @@ contains
     status = make_gate(self)
   end function
 
+  ! ---- pores.h
+  function make_pores(self) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    integer(c_int32_t) :: status
+    integer(c_size_t) :: bytes
+    self%pores = c_null_ptr
+    status = hsp_pores_bytes(self%pores_limits, bytes)
+    if (status == HSP_OK) status = allocated_to(self%memory(12), bytes)
+    if (status /= HSP_OK) return
+    status = hsp_pores_init(c_loc(self%memory(12)%bytes), bytes, self%pores_limits, self%pores)
+  end function
+
+  function ready_pores(self) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    integer(c_int32_t) :: status
+    status = HSP_OK
+    if (c_associated(self%pores)) return
+    status = hsp_pores_limits_init(self%pores_limits, self%pores_limits%struct_size, self%most_balls)
+    if (status == HSP_OK) status = make_pores(self)
+  end function
+
+  function grow_pores(self, limits) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    type(hsp_pores_limits), intent(in) :: limits
+    integer(c_int32_t) :: status
+    self%pores_limits = limits
+    status = make_pores(self)
+  end function
+
   ! ---- moving.h
   function make_moving(self) result(status)
     class(hsp_workspace), intent(inout), target :: self
@@ -700,9 +776,9 @@ contains
     integer(c_size_t) :: bytes
     self%moving = c_null_ptr
     status = hsp_moving_bytes(self%moving_limits, bytes)
-    if (status == HSP_OK) status = allocated_to(self%memory(12), bytes)
+    if (status == HSP_OK) status = allocated_to(self%memory(13), bytes)
     if (status /= HSP_OK) return
-    status = hsp_moving_init(c_loc(self%memory(12)%bytes), bytes, self%moving_limits, self%moving)
+    status = hsp_moving_init(c_loc(self%memory(13)%bytes), bytes, self%moving_limits, self%moving)
   end function
 
   function ready_moving(self) result(status)
@@ -729,9 +805,9 @@ contains
     integer(c_size_t) :: bytes
     self%periodic = c_null_ptr
     status = hsp_periodic_bytes(self%periodic_limits, bytes)
-    if (status == HSP_OK) status = allocated_to(self%memory(13), bytes)
+    if (status == HSP_OK) status = allocated_to(self%memory(14), bytes)
     if (status /= HSP_OK) return
-    status = hsp_periodic_init(c_loc(self%memory(13)%bytes), bytes, self%periodic_limits, self%periodic)
+    status = hsp_periodic_init(c_loc(self%memory(14)%bytes), bytes, self%periodic_limits, self%periodic)
   end function
 
   function ready_periodic(self, n) result(status)

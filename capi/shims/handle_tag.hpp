@@ -20,6 +20,7 @@ enum class HandleKind : uint8_t {
   moving,
   paths,
   periodic,
+  pores,
   sticks,
   surface,
   topology,

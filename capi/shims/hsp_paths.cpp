@@ -2,26 +2,19 @@
 
 #include "conversion.hpp"
 #include "handle_memory.hpp"
-#include "model/queries.hpp"
+#include "rounded_point.hpp"
 
 using hsp::capi::check_handle;
 using hsp::capi::check_results;
 using hsp::capi::check_struct;
 using hsp::capi::first_failure;
+using hsp::capi::round_point;
 
 namespace {
 
 static_assert(static_cast<uint32_t>(hsp::PathEnds::connected) == HSP_PATH_CONNECTED &&
               static_cast<uint32_t>(hsp::PathEnds::apart) == HSP_PATH_APART &&
               static_cast<uint32_t>(hsp::PathEnds::covered) == HSP_PATH_COVERED);
-
-// A point on the lattice of the balls.
-int32_t round_point(const hsp::BallSet &balls, const double *xyz, hsp::exact::Vector &point) {
-  hsp::LatticeQuery query;
-  const hsp::Status status = hsp::round_query(balls, xyz, 0.0, query);
-  if (status == hsp::Status::ok) point = query.centre;
-  return hsp::capi::to_c(status);
-}
 
 }  // namespace
 

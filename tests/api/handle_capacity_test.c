@@ -1,7 +1,7 @@
-/* Every limit of models, boundaries, topologies, views, contacts, cells, paths, gates, bodies, periodic unions and
- * balls that move, for sets of every kind, at 0, 1, needed-1, needed and needed+1: HSP_E_CAPACITY with nothing written
- * beyond what the header names, or the same results as with ample memory. Memory is of exactly the size that the bytes
- * function tells, with guard bytes around it. */
+/* Every limit of models, boundaries, topologies, views, contacts, cells, paths, gates, pores, bodies, periodic
+ * unions and balls that move, for sets of every kind, at 0, 1, needed-1, needed and needed+1: HSP_E_CAPACITY with
+ * nothing written beyond what the header names, or the same results as with ample memory. Memory is of exactly the
+ * size that the bytes function tells, with guard bytes around it. */
 #include <hardsphere.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,6 +16,7 @@
 #include "output_sweep.h"
 #include "paths_result.h"
 #include "periodic_result.h"
+#include "pores_result.h"
 #include "topology_result.h"
 #include "topology_sets.h"
 #include "view_result.h"
@@ -430,6 +431,49 @@ static void no_gate_results(const void *gate) {
   CHECK_EQUAL(hsp_gate_get(gate, &widest), HSP_E_STATE);
 }
 
+/* Of pores all records and the points of the tunnel, of which there are none after a failure. */
+static void pores_results(const void *pores, const void *source) {
+  const pores_result *all = source;
+  const size_t bytes[3] = {all->counts.maxima * sizeof(hsp_pore_maximum), all->counts.gates * sizeof(hsp_pore_gate),
+                           all->tunnel.points * sizeof(hsp_tunnel_point)};
+  int part;
+  for (part = 0; part < 3; ++part) {
+    guarded_memory records = guarded_take(bytes[part], 0, GUARDED_PATTERN);
+    void *known = test_zeros(1, bytes[part]);
+    int copy;
+    for (copy = 0; copy < 2; ++copy) {
+      const hsp_pores *const handle = copy == 0 ? all->pores : pores;
+      void *const out = copy == 0 ? known : (void *)records.block;
+      uint32_t needed = all->tunnel.points;
+      CHECK_EQUAL(part == 0   ? hsp_pores_get_maxima(handle, 0, all->counts.maxima, out)
+                  : part == 1 ? hsp_pores_get_gates(handle, 0, all->counts.gates, out)
+                              : hsp_pores_get_tunnel_points(handle, out, all->tunnel.points, &needed),
+                  HSP_OK);
+      CHECK_EQUAL(needed, all->tunnel.points);
+    }
+    CHECK_BYTES(records.block, known, bytes[part]);
+    CHECK(guarded_clean(&records));
+    guarded_give_back(&records);
+    free(known);
+  }
+}
+
+static void no_pores_results(const void *pores) {
+  uint32_t needed = 12345;
+  const int32_t status = hsp_pores_get_tunnel_points(pores, NULL, 0, &needed);
+  CHECK(status == HSP_E_STATE ? needed == 12345 : status == HSP_OK && needed == 0);
+}
+
+static void sweep_pores(const computed *c, const char *name) {
+  pores_result all;
+  if (CHECK_EQUAL(pores_result_make(c, &all), HSP_OK)) {
+    const known_handle known = {&pores_handle, &all, &all.needed, pores_results, no_pores_results, NULL};
+    CHECK(all.tunnel.there == 1 && all.tunnel.points >= 1);
+    sweep_limits(&known, name);
+  }
+  pores_result_release(&all);
+}
+
 /* In few steps, so that cells are not cut thirty times: a tetrahedron of balls that leaves its middle open. */
 static void sweep_gate(void) {
   static const double xyz[12] = {1, 1, 1, 1, -1, -1, -1, 1, -1, -1, -1, 1}, radius[4] = {1.5, 1.5, 1.5, 1.375};
@@ -591,6 +635,7 @@ int main(void) {
       /* They have nine limits, so that a few balls must do. */
       if (which % 3 == 1 && set.n <= 12) sweep_cells(&all, set.name);
       if (which % 3 == 2 && set.n <= 5) sweep_paths(&all, set.name);
+      if (which % 3 == 0 && set.n <= 12) sweep_pores(&all, set.name);
     }
     computed_release(&all);
   }

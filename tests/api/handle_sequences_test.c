@@ -14,7 +14,7 @@
 #include "random_numbers.h"
 
 enum { FIRST, SMALLER, PERMUTED, PROBE, STEP, LARGEST_RADIUS, MOVED, FEWER, EMPTY, CONTENTS };
-enum { DEPENDENT_KINDS = GATE + 1, COPIES = 2, BALLS = 5, MOST_CAPACITY = 24, ROOM = 4096 };
+enum { DEPENDENT_KINDS = PORES + 1, COPIES = 2, BALLS = 5, MOST_CAPACITY = 24, ROOM = 4096 };
 
 static struct {
   ball_set set;
@@ -50,7 +50,7 @@ static void take_sources(int content, hsp_model *model, hsp_boundary *boundary, 
   all->boundary.model = model;
   all->boundary.boundary = boundary;
   all->topology.base = all->view.base = all->map.base = all->sticks.base = all->surface.base = all->mesh.base =
-      all->contacts.base = all->cells.base = all->paths.base = all->gate.base = &all->boundary;
+      all->contacts.base = all->cells.base = all->paths.base = all->gate.base = all->pores.base = &all->boundary;
 }
 
 static void make_contents(void) {
@@ -94,6 +94,7 @@ static void compute_contents(void) {
     made[CELLS] = cells_result_make(base, &all->cells);
     made[PATHS] = paths_result_make(base, &all->paths);
     made[GATE] = gate_result_make(base, &all->gate);
+    made[PORES] = pores_result_make(base, &all->pores);
     all->room = ROOM;
     if (buffer == NULL) buffer = buffer_for(all);
     if (mesh_result_make_surface(&all->surface, 1.0, &all->mesh) == HSP_OK) {
@@ -145,6 +146,7 @@ static int32_t first_reading(int kind, const void *handle) {
     hsp_complex contacts;
     hsp_cells_counts cells;
     hsp_widest_probe gate;
+    hsp_pores_counts pores;
   } out;
   uint32_t needed;
   switch (kind) {
@@ -170,8 +172,10 @@ static int32_t first_reading(int kind, const void *handle) {
       const int32_t status = hsp_paths_get_points(handle, NULL, 0, &needed);
       return status == HSP_E_CAPACITY ? HSP_OK : status;
     }
-    default:
+    case GATE:
       return hsp_gate_get(handle, &out.gate);
+    default:
+      return hsp_pores_get_counts(handle, &out.pores);
   }
 }
 

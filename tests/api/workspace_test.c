@@ -25,6 +25,7 @@ static void *limited_malloc(size_t bytes) {
 /* Outside all balls, so that there is a path. */
 static const double far_below[3] = {1e4, -2e4, -9e4}, far_above[3] = {0, 0, 9e4};
 static hsp_path path;
+static hsp_tunnel tunnel;
 
 static int32_t compute_all(hsp_workspace *work, const ball_set *set) {
   int32_t status = hsp_workspace_set(work, set->n, set->xyz, set->radius, NULL, NULL);
@@ -37,6 +38,10 @@ static int32_t compute_all(hsp_workspace *work, const ball_set *set) {
   if (status == HSP_OK) status = hsp_workspace_cells(work);
   if (status == HSP_OK) status = hsp_workspace_path(work, far_below, far_above, &path);
   if (status == HSP_OK) status = hsp_workspace_gate(work, far_below, far_above);
+  if (status == HSP_OK && set->n <= 30) status = hsp_workspace_pores(work, NULL);
+  if (status == HSP_OK && set->n <= 30) {
+    status = hsp_workspace_tunnel(work, NULL, far_below, far_above, NULL, 0, &tunnel);
+  }
   if (status == HSP_OK) status = hsp_workspace_moving(work, NULL, 1, 0, HSP_TANGENT_OVERLAP, NULL);
   return status;
 }
@@ -103,6 +108,7 @@ static void check_results(hsp_workspace *work, const ball_set *set) {
   CHECK_EQUAL(hsp_gate_get(work->gate, &widest), HSP_OK);
   CHECK(widest.passes == 1 && widest.radius > 0);
   if (set->n <= 30) {
+    CHECK(tunnel.there == 1 && tunnel.points >= 2 && tunnel.points <= work->pores_limits.points);
     CHECK_EQUAL(hsp_cells_check(work->cells, work->topology, &invariant, &id), HSP_OK);
     check_mesh(work, &c);
   }
@@ -124,7 +130,7 @@ static void set_after_set(void) {
   hsp_workspace_free(&work);
   CHECK(work.model == NULL && work.boundary == NULL && work.topology == NULL && work.view == NULL &&
         work.surface == NULL && work.mesh == NULL && work.map == NULL && work.contacts == NULL && work.cells == NULL &&
-        work.paths == NULL && work.gate == NULL && work.moving == NULL);
+        work.paths == NULL && work.gate == NULL && work.pores == NULL && work.moving == NULL);
   check_scene("after it was freed");
   CHECK_EQUAL(compute_all(&work, &set), HSP_OK);
   check_results(&work, &set);
@@ -174,6 +180,8 @@ static void out_of_date(void) {
   CHECK_EQUAL(hsp_workspace_cells(&work), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_workspace_path(&work, far_below, far_above, &path), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_workspace_gate(&work, far_below, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_workspace_pores(&work, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_workspace_tunnel(&work, NULL, far_below, NULL, NULL, 0, &tunnel), HSP_E_STATE);
   CHECK_EQUAL(hsp_workspace_moving(&work, NULL, 1, 0, HSP_TANGENT_OVERLAP, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_workspace_set(&work, 0, NULL, NULL, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_workspace_boundary(&work), HSP_OK);

@@ -14,7 +14,7 @@ rooms+=" view picture maps capi"
 declare -A stands_on=([lanes]="" [core]="lanes" [exact]="core" [model]="exact" [cells]="model" [paths]="cells" [poses]="model" [sphere]="model"
   [boundary]="sphere" [measure]="boundary" [topology]="measure" [moving]="measure" [contacts]="measure" [periodic]="contacts" [pores]="periodic" [surface]="measure" [mesh]="surface"
   [view]="boundary" [picture]="view" [maps]="picture"
-  [capi]="paths poses topology moving periodic mesh maps")
+  [capi]="paths pores poses topology moving periodic mesh maps")
 # The program's folders, from the command line down to the files that are read.
 folders="read write draw commands app"
 stands_on+=([read]="" [write]="read" [draw]="write" [commands]="draw" [app]="commands")

@@ -1,4 +1,5 @@
-// Lines of any length and with any ends, wherever the blocks end that a file is read in, against the text that was written.
+// Lines of any length and with any ends, wherever the blocks end that a file is read in, against the text that was
+// written.
 #include <gtest/gtest.h>
 
 #include <cstddef>

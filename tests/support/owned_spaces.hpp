@@ -35,5 +35,14 @@ struct GateKind : KindOf<hsp_gate, hsp_gate_limits, 40, hsp_gate_bytes, hsp_gate
                           limits.landmarks, limits.facets, limits.corners, limits.cube_balls, limits.cube_corners);
   }
 };
+struct PoresKind : KindOf<hsp_pores, hsp_pores_limits, 40, hsp_pores_bytes, hsp_pores_init> {
+  static constexpr const char *name = "hsp_pores";
+  static constexpr std::array limits = {&Limits::balls,      &Limits::maxima,     &Limits::gates, &Limits::tied,
+                                        &Limits::candidates, &Limits::neighbours, &Limits::points};
+  static size_t most_bytes(const Limits &limits) {
+    return HSP_PORES_BYTES(limits.balls, limits.maxima, limits.gates, limits.tied, limits.candidates, limits.neighbours,
+                           limits.points);
+  }
+};
 
 }  // namespace support

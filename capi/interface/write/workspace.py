@@ -6,8 +6,8 @@ from .template import filled
 
 TEMPLATE = Path(__file__).with_name("workspace_template.h")
 # The handles behind the model, in the order in which they stand in a workspace.
-HANDLES = ("boundary", "topology", "view", "surface", "mesh", "map", "contacts", "cells", "paths", "gate", "moving",
-           "periodic")
+HANDLES = ("boundary", "topology", "view", "surface", "mesh", "map", "contacts", "cells", "paths", "gate", "pores",
+           "moving", "periodic")
 WIDTH = 120
 # The functions of a workspace that make a handle, where they are not called as it.
 MADE_BY = {"model": "set", "paths": "path"}

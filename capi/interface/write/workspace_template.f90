@@ -42,6 +42,8 @@ module hardsphere_workspace
     procedure :: compute_cells ! hardsphere/cells.h
     procedure :: find_path ! hardsphere/paths.h
     procedure :: compute_gate ! hardsphere/paths.h
+    procedure :: compute_pores ! hardsphere/pores.h
+    procedure :: find_tunnel ! hardsphere/pores.h
     procedure :: set_moving
     procedure :: compute_periodic
   end type
@@ -53,6 +55,7 @@ module hardsphere_workspace
   private :: compute_map ! hardsphere/map.h
   private :: compute_cells ! hardsphere/cells.h
   private :: find_path, compute_gate ! hardsphere/paths.h
+  private :: compute_pores, find_tunnel ! hardsphere/pores.h
   ! <private>
 
 contains
@@ -60,7 +63,8 @@ contains
   ! ---- model.h
 
   ! Takes n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh, map,
-  ! contacts, cells, paths and gate hold no results of other balls then; balls that move and a box stay as they are.
+  ! contacts, cells, paths, gate and pores hold no results of other balls then; balls that move and a box stay as they
+  ! are.
   function set_balls(self, n, xyz, radius, options, first_bad) result(status)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t), intent(in) :: n
@@ -199,6 +203,33 @@ contains
   ! Finds the widest probe from one point to another, or to the outside without `to`; arguments and statuses as
   ! hsp_gate_compute.
   ! <compute gate>
+
+  ! ---- pores.h
+
+  ! Finds maxima, gates and classes of the free space of the model; arguments and statuses as hsp_pores_compute.
+  ! <compute pores>
+
+  ! Finds a tunnel after compute_pores with the same options, to the outside without `to`; arguments and statuses as
+  ! hsp_pores_find_tunnel.
+  function find_tunnel(self, options, from, to, avoided, count, tunnel) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    type(hsp_pores_options), intent(in), optional :: options
+    real(c_double), intent(in) :: from(3)
+    real(c_double), intent(in), optional :: to(3)
+    integer(c_int32_t), intent(in), optional :: avoided(*)
+    integer(c_int32_t), intent(in) :: count
+    type(hsp_tunnel), intent(inout) :: tunnel
+    type(hsp_pores_limits) :: limits
+    integer(c_int32_t) :: status
+    status = ready_pores(self)
+    limits = self%pores_limits
+    do while (status == HSP_OK)
+      status = hsp_pores_find_tunnel(self%pores, from, to, avoided, count, tunnel, limits)
+      if (status /= HSP_E_CAPACITY) return
+      status = grow_pores(self, limits)
+      if (status == HSP_OK) status = hsp_pores_compute(self%pores, self%model, options)
+    end do
+  end function
 
   ! ---- mesh.h
 

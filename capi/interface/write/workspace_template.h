@@ -54,7 +54,8 @@ static inline int32_t hsp_workspace_allocate(void **memory, size_t bytes) {
 /* ---- model.h */
 
 /** Take n balls into the model; arguments and statuses as hsp_model_set. Boundary, topology, view, surface, mesh, map,
- *  contacts, cells, paths and gate hold no results of other balls then; balls that move and a box stay as they are. */
+ *  contacts, cells, paths, gate and pores hold no results of other balls then; balls that move and a box stay as they
+ *  are. */
 static inline int32_t hsp_workspace_set(hsp_workspace *work, uint32_t n, const double *xyz, const double *radius,
                                         const hsp_model_options *options, uint32_t *first_bad) {
   if (work->model == NULL || n > work->most_balls) {
@@ -153,6 +154,26 @@ static inline int32_t hsp_workspace_path(hsp_workspace *work, const double *from
 /** Find the widest probe from one point to another, both [3], or to the outside if `to` is NULL; arguments and statuses
  *  as hsp_gate_compute. */
 /* <compute gate> */
+
+/* ---- pores.h */
+
+/** Find maxima, gates and classes of the free space of the model; arguments and statuses as hsp_pores_compute. */
+/* <compute pores> */
+
+/** Find a tunnel after hsp_workspace_pores with the same options; arguments and statuses as hsp_pores_find_tunnel. */
+static inline int32_t hsp_workspace_tunnel(hsp_workspace *work, const hsp_pores_options *options, const double *from,
+                                           const double *to, const uint32_t *avoided, uint32_t count,
+                                           hsp_tunnel *tunnel) {
+  int32_t status = hsp_workspace_ready_pores(work);
+  hsp_pores_limits limits = work->pores_limits;
+  while (status == HSP_OK) {
+    status = hsp_pores_find_tunnel(work->pores, from, to, avoided, count, tunnel, &limits);
+    if (status != HSP_E_CAPACITY) return status;
+    status = hsp_workspace_grow_pores(work, &limits);
+    if (status == HSP_OK) status = hsp_pores_compute(work->pores, work->model, options, NULL);
+  }
+  return status;
+}
 
 /* ---- moving.h */
 

@@ -22,6 +22,10 @@ namespace hsp {
 
 // Ends and parents that are no maximum.
 inline constexpr uint32_t pore_outside = no_id - 1;
+// Maxima and the outside as numbers from 0 on.
+constexpr uint32_t node_of(uint32_t maximum) {
+  return maximum == pore_outside ? 0 : maximum + 1;
+}
 
 // Multiples of the vectors of a box in one number, 0 for none.
 struct SmallShift {
@@ -70,6 +74,13 @@ struct PoreGate {
   bool merges;              // two classes, rather than two ends of one
   bool winds;           // in a box: its class can be gone along in a direction, or to a copy, that it could not before
   uint32_t directions;  // in which its class goes on for ever, from here on
+};
+
+// Of a way up from a gate: a point of the curve on which three balls, or two, are nearest.
+struct WayPoint {
+  Vec3 place;
+  double level;
+  uint32_t ball[3];  // no_id behind the last one
 };
 
 }  // namespace hsp

@@ -143,7 +143,7 @@ Status PoresBuilder::merge() {
   DisjointSets classes(parents_.part(0, maximum_count_ + 1));
   classes.reset();
   for (uint32_t k = 0; k < gate_count_; ++k) {
-    const auto class_at = [&](uint32_t end) { return classes.find(end == pore_outside ? 0 : end + 1); };
+    const auto class_at = [&](uint32_t end) { return classes.find(node_of(end)); };
     const uint32_t a = class_at(gates_[k].end[0]), b = class_at(gates_[k].end[1]);
     static_cast<void>(note_merger(k, a, b, 1));
     classes.join(a, b);
@@ -186,6 +186,30 @@ void PoresBuilder::name_callers_balls() {
   for (uint32_t k = 0; k < maximum_count_; ++k) rename(maxima_[k].point);
   for (uint32_t k = 0; k < gate_count_; ++k) rename(gates_[k].point);
   for (uint32_t &ball : critical_.tied().items()) ball = balls_.callers(ball);
+}
+
+Status PoresBuilder::trace(uint32_t gate, uint32_t end, FixedVector<WayPoint> &points) {
+  const auto own = [&](uint32_t callers) {
+    uint32_t ball = 0;
+    while (balls_.callers(ball) != callers) ++ball;
+    return ball;
+  };
+  const auto first = points.size();
+  const bool listed = gates_[gate].point.tied > 3;
+  CriticalPoint point = gates_[gate].point;
+  for (uint32_t k = 0; k < 3; ++k) point.ball[k] = own(point.ball[k]);
+  const Span<uint32_t> list = listed ? tied_.part(point.first_tied, point.first_tied + point.tied) : Span<uint32_t>();
+  for (uint32_t &ball : list) ball = own(ball);
+  const Span<const uint32_t> nearest = listed ? Span<const uint32_t>(list) : Span<const uint32_t>(point.ball, 3);
+  WayUp::End ended;
+  ways_.trace_into(&points);
+  const Status status = ways_.climb(point, nearest, tied_shifts(gates_[gate].point), end == 1, ended);
+  ways_.trace_into(nullptr);
+  for (uint32_t &ball : list) ball = balls_.callers(ball);
+  for (uint32_t k = first; k < points.size(); ++k) {
+    for (uint32_t &ball : points[k].ball) ball = ball == no_id ? no_id : balls_.callers(ball);
+  }
+  return status;
 }
 
 }  // namespace hsp

@@ -60,6 +60,8 @@ class PoresBuilder {
   }
   // In a box.
   const PorePassages &passages() const { return passages_; }
+  // Adds the points of the way up from a gate to its end, without the gate.
+  Status trace(uint32_t gate, uint32_t end, FixedVector<WayPoint> &points);
   // Balls that are not inside another one.
   uint32_t outer_balls() const { return balls_.own(); }
 

@@ -257,9 +257,15 @@ Status WayUp::follow(const Way &way, bool &outside) {
           !is_beyond_box(shape, way.curve.base, 2.0 * (radius + static_cast<double>(to))))
         continue;
       outside = true;
+      if (trace_ != nullptr) trace(way, shape, start, static_cast<double>(to));
       return Status::ok;
     }
     point_ = met ? event : top;
+    if (trace_ != nullptr) {
+      double end = 0.0;
+      static_cast<void>(point_.settle(place, end));
+      trace(way, shape, start, end);
+    }
     tied_.clear();
     for (uint32_t k = 0; k < near_.size(); ++k) {
       if (point_.nearness(near_[k]) == 0) tied_.push(near_[k]);
@@ -269,6 +275,24 @@ Status WayUp::follow(const Way &way, bool &outside) {
     return beyond_reach_ ? Status::range : Status::ok;
   }
   return Status::check;
+}
+
+// Near the lowest and the highest point of a curve a level changes with the square of the way.
+void WayUp::trace(const Way &way, const CurveShape &shape, double from, double to) const {
+  constexpr int parts = 8;
+  const BallSet &balls = *balls_;
+  const TangentCurve &curve = way.curve;
+  const Vec3 centre{balls.x[curve.base], balls.y[curve.base], balls.z[curve.base]};
+  for (int k = 1; k <= parts; ++k) {
+    const double u = static_cast<double>(k) / parts, level = from + u * u * (3.0 - 2.0 * u) * (to - from);
+    const double z = 2.0 * (balls.r[curve.base] + level);
+    if (!(shape.error_at(z) < 64.0)) continue;
+    const Vec3 y = combine(1.0, shape.p + z * shape.q, shape.height(z), shape.e);
+    trace_->push({centre + 0.5 * y,
+                  level,
+                  {near_balls_.ball(curve.base), near_balls_.ball(curve.second),
+                   curve.in_plane ? no_id : near_balls_.ball(curve.third)}});
+  }
 }
 
 Status WayUp::climb(const CriticalPoint &gate, Span<const uint32_t> tied, Span<const SmallShift> shifts,

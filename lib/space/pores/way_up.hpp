@@ -33,6 +33,9 @@ class WayUp {
   Status climb(const CriticalPoint &gate, Span<const uint32_t> tied, Span<const SmallShift> shifts, bool other_side,
                End &end);
 
+  // The points of the next ways are added to that, if it is not null: where another curve begins, and some between.
+  void trace_into(FixedVector<WayPoint> *points) { trace_ = points; }
+
   uint32_t needed_near() const { return larger_count(needed_near_, near_balls_.needed()); }
   uint64_t steps() const { return steps_; }
 
@@ -51,6 +54,7 @@ class WayUp {
   bool first_event(const Way &way, TangentPoint &event);
   bool is_beyond_box(const CurveShape &shape, uint32_t base, double z) const;
   bool is_tied(uint32_t ball) const;
+  void trace(const Way &way, const CurveShape &shape, double from, double to) const;
 
   PoreBalls *all_ = nullptr;
   NearBalls near_balls_;  // whose numbers are used here
@@ -60,6 +64,7 @@ class WayUp {
   Span<TangentLines> lines_;  // [1]
   TangentPoint point_;
   FixedVector<uint32_t> tied_, near_;
+  FixedVector<WayPoint> *trace_ = nullptr;
   uint32_t needed_near_ = 0;
   uint64_t steps_ = 0;
   bool beyond_reach_ = false;

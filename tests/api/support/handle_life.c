@@ -355,6 +355,35 @@ static uint64_t gate_hash(const void *gate, const void *source, unsigned char *b
   return mixed_hash(UINT64_C(0xCBF29CE484222325), &widest, sizeof widest);
 }
 
+/* Maxima, gates, all their balls, the tunnel, and where its points are. */
+static uint64_t pores_hash(const void *pores, const void *source, unsigned char *buffer, uint32_t room) {
+  uint64_t hash = UINT64_C(0xCBF29CE484222325);
+  hsp_pores_counts counts;
+  hsp_pore_place place;
+  uint32_t needed = 0, i;
+  int bad = hsp_pores_get_counts(pores, &counts) != HSP_OK;
+  (void)source;
+  if (bad || counts.maxima + counts.gates > room) return 0;
+  hash = mixed_hash(hash, &counts, sizeof counts);
+  bad |= hsp_pores_get_maxima(pores, 0, counts.maxima, (void *)buffer) != HSP_OK;
+  hash = mixed_hash(hash, buffer, counts.maxima * sizeof(hsp_pore_maximum));
+  bad |= hsp_pores_get_gates(pores, 0, counts.gates, (void *)buffer) != HSP_OK;
+  hash = mixed_hash(hash, buffer, counts.gates * sizeof(hsp_pore_gate));
+  for (i = 0; i < counts.maxima && !bad; ++i) {
+    bad |= hsp_pores_get_maximum_balls(pores, i, (void *)buffer, room, &needed) != HSP_OK;
+    hash = mixed_hash(hash, buffer, needed * sizeof(uint32_t));
+  }
+  bad |= hsp_pores_get_tunnel_points(pores, (void *)buffer, room, &needed) != HSP_OK;
+  hash = mixed_hash(hash, buffer, needed * sizeof(hsp_tunnel_point));
+  for (i = 0; i < needed && !bad; ++i) {
+    hsp_tunnel_point point;
+    memcpy(&point, buffer + i * sizeof point, sizeof point);
+    bad |= hsp_pores_locate(pores, point.xyz, &place) != HSP_OK;
+    hash = mixed_hash(hash, &place, sizeof place);
+  }
+  return bad ? 0 : hash;
+}
+
 /* Of a body that has balls; the one of itself with itself. */
 static uint64_t body_hash(const void *body, const void *source, unsigned char *buffer, uint32_t room) {
   uint64_t hash = UINT64_C(0xCBF29CE484222325);
@@ -531,6 +560,14 @@ static int use_gate(void *gate) {
   return hsp_gate_get(gate, &widest) == HSP_OK && widest.builds <= 40;
 }
 
+static int use_pores(void *pores) {
+  hsp_tunnel tunnel;
+  uint32_t found = 0;
+  const int bad = hsp_pores_find_pockets(pores, 0, 1e3, &found) != HSP_OK;
+  return !bad && hsp_pores_get_pockets(pores, 0, 0, NULL) == HSP_OK &&
+         find_widest_tunnel(pores, &tunnel, NULL) == HSP_OK;
+}
+
 /* No function of a body uses scratch memory. */
 static int use_body(void *body) {
   uint32_t hit = 0;
@@ -578,6 +615,7 @@ const kind_of_life kinds_of_life[KINDS] = {{&boundary_handle, "a boundary", boun
                                            {&cells_handle, "cells", cells_hash, use_cells},
                                            {&paths_handle, "a path", paths_hash, use_paths},
                                            {&gate_handle, "a gate", gate_hash, use_gate},
+                                           {&pores_handle, "pores", pores_hash, use_pores},
                                            {&body_handle, "a body", body_hash, use_body},
                                            {&periodic_handle, "a periodic union", periodic_hash, use_periodic},
                                            {&moving_handle, "balls that move", moving_hash, use_moving}};
@@ -616,6 +654,12 @@ static int add_path(computations *all) {
   return 1;
 }
 
+static int add_pores(computations *all) {
+  if (!CHECK_EQUAL(pores_result_make(&all->boundary, &all->pores), HSP_OK)) return 0;
+  all->room += all->pores.counts.maxima + all->pores.counts.gates + all->pores.tunnel.points;
+  return 1;
+}
+
 static int add_sticks(computations *all, const hsp_view_options *options) {
   if (!CHECK_EQUAL(sticks_result_make(&all->boundary, options, &all->sticks), HSP_OK)) return 0;
   all->room += 2 * all->sticks.count + all->sticks.map.edges + all->sticks.map.faces;
@@ -623,7 +667,7 @@ static int add_sticks(computations *all, const hsp_view_options *options) {
 }
 
 int computations_add_slow(computations *all, const hsp_view_options *options) {
-  return add_cells(all) && add_path(all) && add_sticks(all, options);
+  return add_cells(all) && add_path(all) && add_pores(all) && add_sticks(all, options);
 }
 
 static int make_contacts_and_cells(computations *all) {
@@ -632,6 +676,7 @@ static int make_contacts_and_cells(computations *all) {
   all->room += all->contacts.count + all->contacts.needed.triangles + all->contacts.needed.tetrahedra;
   if (c->n <= CELLS_OF_BALLS && !(add_cells(all) && add_path(all))) return 0;
   if (c->n <= GATES_OF_BALLS && !CHECK_EQUAL(gate_result_make(c, &all->gate), HSP_OK)) return 0;
+  if (c->n <= CELLS_OF_BALLS && !add_pores(all)) return 0;
   if (!CHECK_EQUAL(body_result_make(c, &all->body), HSP_OK)) return 0;
   all->room += all->body.overlap[0].pairs;
   if (!CHECK_EQUAL(periodic_result_make(c, &all->periodic), HSP_OK)) return 0;
@@ -660,6 +705,7 @@ void computations_release(computations *all) {
   moving_result_release(&all->moving);
   periodic_result_release(&all->periodic);
   body_result_release(&all->body);
+  pores_result_release(&all->pores);
   gate_result_release(&all->gate);
   paths_result_release(&all->paths);
   cells_result_release(&all->cells);
@@ -675,26 +721,36 @@ void computations_release(computations *all) {
 }
 
 const void *source_of(const computations *all, int kind) {
-  const void *const sources[KINDS] = {&all->boundary, &all->topology, &all->view,     &all->surface, &all->mesh,
-                                      &all->map,      &all->sticks,   &all->contacts, &all->cells,   &all->paths,
-                                      &all->gate,     &all->body,     &all->periodic, &all->moving};
+  const void *const sources[KINDS] = {&all->boundary, &all->topology, &all->view,     &all->surface,  &all->mesh,
+                                      &all->map,      &all->sticks,   &all->contacts, &all->cells,    &all->paths,
+                                      &all->gate,     &all->pores,    &all->body,     &all->periodic, &all->moving};
   return sources[kind];
 }
 
 void *handle_of(const computations *all, int kind) {
-  void *const handles[KINDS] = {
-      all->boundary.boundary, all->topology.topology, all->view.view,     all->surface.surface,
-      all->mesh.mesh,         all->map.map,           all->sticks.sticks, all->contacts.contacts,
-      all->cells.cells,       all->paths.paths,       all->gate.gate,     all->boundary.n > 0 ? all->body.body : NULL,
-      all->periodic.periodic, all->moving.moving};
+  void *const handles[KINDS] = {all->boundary.boundary,
+                                all->topology.topology,
+                                all->view.view,
+                                all->surface.surface,
+                                all->mesh.mesh,
+                                all->map.map,
+                                all->sticks.sticks,
+                                all->contacts.contacts,
+                                all->cells.cells,
+                                all->paths.paths,
+                                all->gate.gate,
+                                all->pores.pores,
+                                all->boundary.n > 0 ? all->body.body : NULL,
+                                all->periodic.periodic,
+                                all->moving.moving};
   return handles[kind];
 }
 
 limit_numbers limits_of(const computations *all, int kind) {
   const void *const needed[KINDS] = {
-      &all->boundary.needed, &all->topology.needed, &all->view.needed,     &all->surface.needed, &all->mesh.needed,
-      &all->map.needed,      &all->sticks.needed,   &all->contacts.needed, &all->cells.needed,   &all->paths.needed,
-      &all->gate.needed,     &all->body.needed,     &all->periodic.needed, &all->moving.needed};
+      &all->boundary.needed, &all->topology.needed, &all->view.needed,     &all->surface.needed,  &all->mesh.needed,
+      &all->map.needed,      &all->sticks.needed,   &all->contacts.needed, &all->cells.needed,    &all->paths.needed,
+      &all->gate.needed,     &all->pores.needed,    &all->body.needed,     &all->periodic.needed, &all->moving.needed};
   limit_numbers limits;
   memset(&limits, 0, sizeof limits);
   memcpy(&limits, needed[kind], kinds_of_life[kind].kind->struct_size);

@@ -11,6 +11,7 @@
 #include "moving_result.h"
 #include "paths_result.h"
 #include "periodic_result.h"
+#include "pores_result.h"
 #include "sticks_result.h"
 #include "topology_result.h"
 #include "view_result.h"
@@ -35,6 +36,7 @@ enum {
   CELLS,
   PATHS,
   GATE,
+  PORES,
   BODY,
   PERIODIC,
   MOVING,
@@ -61,6 +63,7 @@ typedef struct computations {
   cells_result cells; /* none of sets of more than CELLS_OF_BALLS balls, for the sake of time */
   paths_result paths; /* likewise */
   gate_result gate;   /* none of sets of more than GATES_OF_BALLS balls: cells are cut thirty times */
+  pores_result pores; /* likewise */
   body_result body;
   periodic_result periodic;
   moving_result moving;
@@ -68,8 +71,8 @@ typedef struct computations {
 } computations;
 
 /* Computes the boundary of a set, and unless `options` is NULL its topology, that view and map, sticks, the smooth
- * surface and triangles of it, contacts, cells, path, gate, the body, the set in a periodic box and balls that move;
- * false, after a failed check, if a call fails. To be followed by computations_release. */
+ * surface and triangles of it, contacts, cells, path, gate, pores, the body, the set in a periodic box and balls that
+ * move; false, after a failed check, if a call fails. To be followed by computations_release. */
 int computations_make(const ball_set *set, const hsp_view_options *options, computations *all);
 void computations_release(computations *all);
 

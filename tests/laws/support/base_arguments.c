@@ -9,7 +9,7 @@ static const struct {
 } numbers[] = {
     {"count", 1},   {"poses", 2}, {"tension", 1}, {"pressure", 0.5}, {"radius", 0.1},      {"margin", 1},
     {"workers", 1}, {"first", 1}, {"face", 1},    {"dimension", 2},  {"atomic_number", 6}, {"patches", 100},
-    {"shell", 0},   {"x", 0.3},   {"y", 0.2},     {"z", 0.1},
+    {"shell", 0},   {"x", 0.3},   {"y", 0.2},     {"z", 0.1},        {"narrow", 0.1},      {"wide", 1},
 };
 
 static double number_named(const argument *a) {
@@ -65,8 +65,8 @@ static void fill_sized(const argument *a, void *out) {
       [NOUN_surface] = "hsp_surface_limits",   [NOUN_mesh] = "hsp_mesh_limits",
       [NOUN_topology] = "hsp_topology_limits", [NOUN_cells] = "hsp_cells_limits",
       [NOUN_paths] = "hsp_paths_limits",       [NOUN_gate] = "hsp_gate_limits",
-      [NOUN_view] = "hsp_view_limits",         [NOUN_map] = "hsp_map_limits",
-      [NOUN_sticks] = "hsp_sticks_limits"};
+      [NOUN_pores] = "hsp_pores_limits",       [NOUN_view] = "hsp_view_limits",
+      [NOUN_map] = "hsp_map_limits",           [NOUN_sticks] = "hsp_sticks_limits"};
   static const hsp_executor executor = {sizeof executor, 2, NULL, run_tasks};
   const uint32_t size = (uint32_t)a->size;
   int noun;
@@ -78,6 +78,7 @@ static void fill_sized(const argument *a, void *out) {
   if (strcmp(a->base, "hsp_executor") == 0) memcpy(out, &executor, sizeof executor);
   if (strcmp(a->base, "hsp_model_options") == 0) hsp_model_options_init(out, sizeof(hsp_model_options));
   if (strcmp(a->base, "hsp_view_options") == 0) hsp_view_options_init(out, sizeof(hsp_view_options));
+  if (strcmp(a->base, "hsp_pores_options") == 0) hsp_pores_options_init(out, sizeof(hsp_pores_options));
   if (strcmp(a->base, "hsp_picture_options") == 0) {
     hsp_picture_options options;
     hsp_picture_options_init(&options, sizeof options);
@@ -111,11 +112,17 @@ static double parameter_on_edge(const function *f) {
   return status == HSP_OK ? edge.from + 0.25 * (edge.to - edge.from) : 0;
 }
 
+/* Whether it reads pores, of which the fixture has one maximum. */
+static int is_of_pores(const function *f) {
+  return f->count > 0 && f->arguments[0].noun == NOUN_pores && f->arguments[0].kind == KIND_handle;
+}
+
 value base_number(const function *f, int i) {
   const argument *const a = &f->arguments[i];
-  const double number = strcmp(a->name, "t") == 0         ? parameter_on_edge(f)
-                        : strcmp(f->noun, "residue") == 0 ? HSP_RADII_PROTOR
-                                                          : number_named(a);
+  const double number = strcmp(a->name, "t") == 0                         ? parameter_on_edge(f)
+                        : strcmp(f->noun, "residue") == 0                 ? HSP_RADII_PROTOR
+                        : is_of_pores(f) && strcmp(a->name, "first") == 0 ? 0
+                                                                          : number_named(a);
   value v;
   memset(&v, 0, sizeof v);
   if (strcmp(a->base, "double") == 0) {

@@ -14,7 +14,7 @@ const double fixture_xyz[FIXTURE_BALLS][3] = {{1.5, 0, 0},  {-1.5, 0, 0}, {0, 1.
 const double fixture_radius[FIXTURE_BALLS] = {1.2, 1.2, 1.2, 1.2, 1.2, 1.2, 0.9, 0.3, 0.8};
 const double fixture_box[9] = {12, 0, 0, 0, 12, 0, 0, 0, 12};
 const double fixture_outside[3] = {9, 9, 9};
-const double fixture_probe = 0.2, fixture_edge = 0.7, fixture_stick_radius = 0.1;
+const double fixture_probe = 0.2, fixture_edge = 0.7, fixture_stick_radius = 0.1, fixture_floor = -0.3;
 const hsp_stick fixture_stick = {{0, 6}, 0, 0};
 
 fixture given;
@@ -77,6 +77,7 @@ int depends_on(int noun, int base) {
     case NOUN_cells:
     case NOUN_paths:
     case NOUN_gate:
+    case NOUN_pores:
     case NOUN_map:
     case NOUN_sticks:
     case NOUN_view:
@@ -129,6 +130,8 @@ static int32_t start_limits(int noun, void *limits) {
       return hsp_paths_limits_init(limits, sizeof(hsp_paths_limits), n);
     case NOUN_gate:
       return hsp_gate_limits_init(limits, sizeof(hsp_gate_limits), n);
+    case NOUN_pores:
+      return hsp_pores_limits_init(limits, sizeof(hsp_pores_limits), n);
     case NOUN_view:
       return hsp_view_limits_init(limits, sizeof(hsp_view_limits), n);
     case NOUN_map:
@@ -148,6 +151,9 @@ static int32_t compute(int noun, void *handle, void *limits) {
   const uint32_t n = given.balls, sticks = n > fixture_stick.ball[1], last = FIXTURE_BALLS - 1;
   hsp_model_options options;
   hsp_path path;
+  hsp_tunnel tunnel;
+  hsp_pores_options below;
+  uint32_t pockets;
   int32_t status;
   switch (noun) {
     case NOUN_model:
@@ -180,6 +186,12 @@ static int32_t compute(int noun, void *handle, void *limits) {
       return status != HSP_OK ? status : hsp_paths_find(handle, fixture_outside, there, &path, limits);
     case NOUN_gate:
       return hsp_gate_compute(handle, model, fixture_outside, NULL, limits);
+    case NOUN_pores: /* down to where there are gates of the void, with a tunnel and pockets */
+      need(hsp_pores_options_init(&below, sizeof below), "options");
+      below.floor = fixture_floor;
+      status = hsp_pores_compute(handle, model, &below, limits);
+      if (status == HSP_OK) status = hsp_pores_find_pockets(handle, fixture_floor, 5, &pockets);
+      return status != HSP_OK ? status : hsp_pores_find_tunnel(handle, fixture_outside, NULL, NULL, 0, &tunnel, limits);
     case NOUN_view:
       return hsp_view_compute(handle, model, boundary, NULL, limits);
     case NOUN_map:

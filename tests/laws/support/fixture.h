@@ -26,7 +26,7 @@ extern fixture given;
 
 extern const double fixture_xyz[FIXTURE_BALLS][3], fixture_radius[FIXTURE_BALLS], fixture_box[9];
 extern const double fixture_outside[3]; /* a point that no ball is near to */
-extern const double fixture_probe, fixture_edge, fixture_stick_radius;
+extern const double fixture_probe, fixture_edge, fixture_stick_radius, fixture_floor;
 extern const hsp_stick fixture_stick;
 
 /* Makes `given` of the first balls instead of what it was. The program ends if a call fails. */

@@ -2016,6 +2016,227 @@ static int64_t call_hsp_gate_get(const value *v) {
   return (int64_t)hsp_gate_get(v[0].p, v[1].p);
 }
 
+static const argument of_hsp_pores_limits_init[] = {
+  {"limits", "hsp_pores_limits", .kind = KIND_sized, .size = sizeof(hsp_pores_limits)},
+  {"struct_size", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"balls", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+};
+static int64_t call_hsp_pores_limits_init(const value *v) {
+  return (int64_t)hsp_pores_limits_init(v[0].p, v[1].u, v[2].u);
+}
+
+static const argument of_hsp_pores_bytes[] = {
+  {"limits", "hsp_pores_limits", .kind = KIND_sized_in, .size = sizeof(hsp_pores_limits), .is_const = 1},
+  {"bytes", "size_t", .kind = KIND_value_out, .size = sizeof(size_t)},
+};
+static int64_t call_hsp_pores_bytes(const value *v) {
+  return (int64_t)hsp_pores_bytes(v[0].p, v[1].p);
+}
+
+static const argument of_hsp_pores_init[] = {
+  {"memory", "void", .kind = KIND_memory},
+  {"bytes", "size_t", .kind = KIND_value, .size = sizeof(size_t)},
+  {"limits", "hsp_pores_limits", .kind = KIND_sized_in, .size = sizeof(hsp_pores_limits), .is_const = 1},
+  {"pores", "hsp_pores", .kind = KIND_handle_out, .noun = NOUN_pores},
+};
+static int64_t call_hsp_pores_init(const value *v) {
+  return (int64_t)hsp_pores_init(v[0].p, v[1].z, v[2].p, v[3].p);
+}
+
+static const argument of_hsp_pores_options_init[] = {
+  {"options", "hsp_pores_options", .kind = KIND_sized, .size = sizeof(hsp_pores_options)},
+  {"struct_size", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+};
+static int64_t call_hsp_pores_options_init(const value *v) {
+  return (int64_t)hsp_pores_options_init(v[0].p, v[1].u);
+}
+
+static const argument of_hsp_pores_compute[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores},
+  {"model", "hsp_model", .kind = KIND_handle, .noun = NOUN_model, .is_const = 1},
+  {"options", "hsp_pores_options", .kind = KIND_sized_in, .size = sizeof(hsp_pores_options), .null = NULL_always,
+      .is_const = 1},
+  {"limits", "hsp_pores_limits", .kind = KIND_sized, .size = sizeof(hsp_pores_limits), .null = NULL_always},
+};
+static int64_t call_hsp_pores_compute(const value *v) {
+  return (int64_t)hsp_pores_compute(v[0].p, v[1].p, v[2].p, v[3].p);
+}
+
+static const argument of_hsp_pores_get_counts[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
+  {"counts", "hsp_pores_counts", .kind = KIND_struct_out, .size = sizeof(hsp_pores_counts)},
+};
+static int64_t call_hsp_pores_get_counts(const value *v) {
+  return (int64_t)hsp_pores_get_counts(v[0].p, v[1].p);
+}
+
+static const argument of_hsp_pores_get_maxima[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
+  {"first", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"count", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"out", "hsp_pore_maximum", .kind = KIND_array_out, .size = sizeof(hsp_pore_maximum), .extent = "count", .null =
+      NULL_empty},
+};
+static int64_t call_hsp_pores_get_maxima(const value *v) {
+  return (int64_t)hsp_pores_get_maxima(v[0].p, v[1].u, v[2].u, v[3].p);
+}
+
+static const argument of_hsp_pores_get_gates[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
+  {"first", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"count", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"out", "hsp_pore_gate", .kind = KIND_array_out, .size = sizeof(hsp_pore_gate), .extent = "count", .null =
+      NULL_empty},
+};
+static int64_t call_hsp_pores_get_gates(const value *v) {
+  return (int64_t)hsp_pores_get_gates(v[0].p, v[1].u, v[2].u, v[3].p);
+}
+
+static const argument of_hsp_pores_get_maximum_balls[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
+  {"maximum", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"balls", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held
+      = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_pores_get_maximum_balls(const value *v) {
+  return (int64_t)hsp_pores_get_maximum_balls(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
+}
+
+static const argument of_hsp_pores_get_gate_balls[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
+  {"gate", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"balls", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held
+      = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_pores_get_gate_balls(const value *v) {
+  return (int64_t)hsp_pores_get_gate_balls(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
+}
+
+static const argument of_hsp_pores_class_at[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
+  {"maximum", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"radius", "double", .kind = KIND_value, .size = sizeof(double)},
+  {"member", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t)},
+};
+static int64_t call_hsp_pores_class_at(const value *v) {
+  return (int64_t)hsp_pores_class_at(v[0].p, v[1].u, v[2].d, v[3].p);
+}
+
+static const argument of_hsp_pores_gate_between[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
+  {"maximum", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"other", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"gate", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t)},
+};
+static int64_t call_hsp_pores_gate_between(const value *v) {
+  return (int64_t)hsp_pores_gate_between(v[0].p, v[1].u, v[2].u, v[3].p);
+}
+
+static const argument of_hsp_pores_locate[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
+  {"xyz", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .is_const = 1},
+  {"place", "hsp_pore_place", .kind = KIND_struct_out, .size = sizeof(hsp_pore_place)},
+};
+static int64_t call_hsp_pores_locate(const value *v) {
+  return (int64_t)hsp_pores_locate(v[0].p, v[1].p, v[2].p);
+}
+
+static const argument of_hsp_pores_widest[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
+  {"from", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .is_const = 1},
+  {"to", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .null = NULL_always, .is_const = 1},
+  {"passage", "hsp_pore_passage", .kind = KIND_struct_out, .size = sizeof(hsp_pore_passage)},
+};
+static int64_t call_hsp_pores_widest(const value *v) {
+  return (int64_t)hsp_pores_widest(v[0].p, v[1].p, v[2].p, v[3].p);
+}
+
+static const argument of_hsp_pores_find_pockets[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores},
+  {"narrow", "double", .kind = KIND_value, .size = sizeof(double)},
+  {"wide", "double", .kind = KIND_value, .size = sizeof(double)},
+  {"pockets", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t)},
+};
+static int64_t call_hsp_pores_find_pockets(const value *v) {
+  return (int64_t)hsp_pores_find_pockets(v[0].p, v[1].d, v[2].d, v[3].p);
+}
+
+static const argument of_hsp_pores_get_pockets[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
+  {"first", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"count", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"out", "hsp_pore_pocket", .kind = KIND_array_out, .size = sizeof(hsp_pore_pocket), .extent = "count", .null =
+      NULL_empty},
+};
+static int64_t call_hsp_pores_get_pockets(const value *v) {
+  return (int64_t)hsp_pores_get_pockets(v[0].p, v[1].u, v[2].u, v[3].p);
+}
+
+static const argument of_hsp_pores_get_pocket_maxima[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
+  {"pocket", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"maxima", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held
+      = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_pores_get_pocket_maxima(const value *v) {
+  return (int64_t)hsp_pores_get_pocket_maxima(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
+}
+
+static const argument of_hsp_pores_get_pocket_mouths[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
+  {"pocket", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"gates", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held
+      = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_pores_get_pocket_mouths(const value *v) {
+  return (int64_t)hsp_pores_get_pocket_mouths(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
+}
+
+static const argument of_hsp_pores_get_pocket_balls[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
+  {"pocket", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"balls", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held
+      = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_pores_get_pocket_balls(const value *v) {
+  return (int64_t)hsp_pores_get_pocket_balls(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
+}
+
+static const argument of_hsp_pores_find_tunnel[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores},
+  {"from", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .is_const = 1},
+  {"to", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .null = NULL_always, .is_const = 1},
+  {"avoided", "uint32_t", .kind = KIND_array_in, .size = sizeof(uint32_t), .extent = "count", .null = NULL_empty,
+      .is_const = 1},
+  {"count", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"tunnel", "hsp_tunnel", .kind = KIND_struct_out, .size = sizeof(hsp_tunnel)},
+  {"limits", "hsp_pores_limits", .kind = KIND_sized, .size = sizeof(hsp_pores_limits), .null = NULL_always},
+};
+static int64_t call_hsp_pores_find_tunnel(const value *v) {
+  return (int64_t)hsp_pores_find_tunnel(v[0].p, v[1].p, v[2].p, v[3].p, v[4].u, v[5].p, v[6].p);
+}
+
+static const argument of_hsp_pores_get_tunnel_points[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
+  {"points", "hsp_tunnel_point", .kind = KIND_array_out, .size = sizeof(hsp_tunnel_point), .extent = "needed", .null =
+      NULL_empty, .held = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_pores_get_tunnel_points(const value *v) {
+  return (int64_t)hsp_pores_get_tunnel_points(v[0].p, v[1].p, v[2].u, v[3].p);
+}
+
 static const argument of_hsp_view_limits_init[] = {
   {"limits", "hsp_view_limits", .kind = KIND_sized, .size = sizeof(hsp_view_limits)},
   {"struct_size", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
@@ -2932,6 +3153,59 @@ const function registry[] = {
       BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
   {"hsp_gate_get", "paths", RESULT_status, 2, of_hsp_gate_get, call_hsp_gate_get, BIT(HSP_OK) | BIT(HSP_E_HANDLE) |
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
+  {"hsp_pores_limits_init", "pores", RESULT_status, 3, of_hsp_pores_limits_init, call_hsp_pores_limits_init, BIT(HSP_OK)
+      | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_RANGE)},
+  {"hsp_pores_bytes", "pores", RESULT_status, 2, of_hsp_pores_bytes, call_hsp_pores_bytes, BIT(HSP_OK) |
+      BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_RANGE)},
+  {"hsp_pores_init", "pores", RESULT_status, 4, of_hsp_pores_init, call_hsp_pores_init, BIT(HSP_OK) |
+      BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_MEMORY) | BIT(HSP_E_RANGE)},
+  {"hsp_pores_options_init", "pores", RESULT_status, 2, of_hsp_pores_options_init, call_hsp_pores_options_init,
+      BIT(HSP_OK) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION)},
+  {"hsp_pores_compute", "pores", RESULT_status, 4, of_hsp_pores_compute, call_hsp_pores_compute, BIT(HSP_OK) |
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_NOT_FINITE) |
+      BIT(HSP_E_RANGE) | BIT(HSP_E_CHECK)},
+  {"hsp_pores_get_counts", "pores", RESULT_status, 2, of_hsp_pores_get_counts, call_hsp_pores_get_counts, BIT(HSP_OK) |
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
+  {"hsp_pores_get_maxima", "pores", RESULT_status, 4, of_hsp_pores_get_maxima, call_hsp_pores_get_maxima, BIT(HSP_OK) |
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
+  {"hsp_pores_get_gates", "pores", RESULT_status, 4, of_hsp_pores_get_gates, call_hsp_pores_get_gates, BIT(HSP_OK) |
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
+  {"hsp_pores_get_maximum_balls", "pores", RESULT_status, 5, of_hsp_pores_get_maximum_balls,
+      call_hsp_pores_get_maximum_balls, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
+      BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
+  {"hsp_pores_get_gate_balls", "pores", RESULT_status, 5, of_hsp_pores_get_gate_balls, call_hsp_pores_get_gate_balls,
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
+  {"hsp_pores_class_at", "pores", RESULT_status, 4, of_hsp_pores_class_at, call_hsp_pores_class_at, BIT(HSP_OK) |
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_ID) | BIT(HSP_E_NOT_FINITE) |
+      BIT(HSP_E_RANGE)},
+  {"hsp_pores_gate_between", "pores", RESULT_status, 4, of_hsp_pores_gate_between, call_hsp_pores_gate_between,
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
+  {"hsp_pores_locate", "pores", RESULT_status, 3, of_hsp_pores_locate, call_hsp_pores_locate, BIT(HSP_OK) |
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) |
+      BIT(HSP_E_CHECK)},
+  {"hsp_pores_widest", "pores", RESULT_status, 4, of_hsp_pores_widest, call_hsp_pores_widest, BIT(HSP_OK) |
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) |
+      BIT(HSP_E_CHECK)},
+  {"hsp_pores_find_pockets", "pores", RESULT_status, 4, of_hsp_pores_find_pockets, call_hsp_pores_find_pockets,
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) |
+      BIT(HSP_E_RANGE)},
+  {"hsp_pores_get_pockets", "pores", RESULT_status, 4, of_hsp_pores_get_pockets, call_hsp_pores_get_pockets, BIT(HSP_OK)
+      | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
+  {"hsp_pores_get_pocket_maxima", "pores", RESULT_status, 5, of_hsp_pores_get_pocket_maxima,
+      call_hsp_pores_get_pocket_maxima, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
+      BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
+  {"hsp_pores_get_pocket_mouths", "pores", RESULT_status, 5, of_hsp_pores_get_pocket_mouths,
+      call_hsp_pores_get_pocket_mouths, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
+      BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
+  {"hsp_pores_get_pocket_balls", "pores", RESULT_status, 5, of_hsp_pores_get_pocket_balls,
+      call_hsp_pores_get_pocket_balls, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
+      BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
+  {"hsp_pores_find_tunnel", "pores", RESULT_status, 7, of_hsp_pores_find_tunnel, call_hsp_pores_find_tunnel, BIT(HSP_OK)
+      | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
+      BIT(HSP_E_ID) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CHECK)},
+  {"hsp_pores_get_tunnel_points", "pores", RESULT_status, 4, of_hsp_pores_get_tunnel_points,
+      call_hsp_pores_get_tunnel_points, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
+      BIT(HSP_E_STATE)},
   {"hsp_view_limits_init", "view", RESULT_status, 3, of_hsp_view_limits_init, call_hsp_view_limits_init, BIT(HSP_OK) |
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_RANGE)},
   {"hsp_view_bytes", "view", RESULT_status, 2, of_hsp_view_bytes, call_hsp_view_bytes, BIT(HSP_OK) | BIT(HSP_E_ARGUMENT)
@@ -3493,6 +3767,64 @@ const field registry_fields[] = {
   {"hsp_widest_probe", "gate", "uint32_t", offsetof(hsp_widest_probe, gate), 3},
   {"hsp_widest_probe", "builds", "uint32_t", offsetof(hsp_widest_probe, builds), 1},
   {"hsp_widest_probe", "reserved", "uint32_t", offsetof(hsp_widest_probe, reserved), 1},
+  {"hsp_pores_limits", "struct_size", "uint32_t", offsetof(hsp_pores_limits, struct_size), 1},
+  {"hsp_pores_limits", "balls", "uint32_t", offsetof(hsp_pores_limits, balls), 1},
+  {"hsp_pores_limits", "maxima", "uint32_t", offsetof(hsp_pores_limits, maxima), 1},
+  {"hsp_pores_limits", "gates", "uint32_t", offsetof(hsp_pores_limits, gates), 1},
+  {"hsp_pores_limits", "tied", "uint32_t", offsetof(hsp_pores_limits, tied), 1},
+  {"hsp_pores_limits", "candidates", "uint32_t", offsetof(hsp_pores_limits, candidates), 1},
+  {"hsp_pores_limits", "neighbours", "uint32_t", offsetof(hsp_pores_limits, neighbours), 1},
+  {"hsp_pores_limits", "points", "uint32_t", offsetof(hsp_pores_limits, points), 1},
+  {"hsp_pores_options", "struct_size", "uint32_t", offsetof(hsp_pores_options, struct_size), 1},
+  {"hsp_pores_options", "reserved", "uint32_t", offsetof(hsp_pores_options, reserved), 1},
+  {"hsp_pores_options", "floor", "double", offsetof(hsp_pores_options, floor), 1},
+  {"hsp_pores_counts", "maxima", "uint32_t", offsetof(hsp_pores_counts, maxima), 1},
+  {"hsp_pores_counts", "gates", "uint32_t", offsetof(hsp_pores_counts, gates), 1},
+  {"hsp_pores_counts", "merges", "uint32_t", offsetof(hsp_pores_counts, merges), 1},
+  {"hsp_pores_counts", "cavities", "uint32_t", offsetof(hsp_pores_counts, cavities), 1},
+  {"hsp_pores_counts", "outer_balls", "uint32_t", offsetof(hsp_pores_counts, outer_balls), 1},
+  {"hsp_pores_counts", "reserved", "uint32_t", offsetof(hsp_pores_counts, reserved), 1},
+  {"hsp_pore_maximum", "xyz", "double", offsetof(hsp_pore_maximum, xyz), 3},
+  {"hsp_pore_maximum", "radius", "double", offsetof(hsp_pore_maximum, radius), 1},
+  {"hsp_pore_maximum", "death", "double", offsetof(hsp_pore_maximum, death), 1},
+  {"hsp_pore_maximum", "ball", "uint32_t", offsetof(hsp_pore_maximum, ball), 4},
+  {"hsp_pore_maximum", "gate", "uint32_t", offsetof(hsp_pore_maximum, gate), 1},
+  {"hsp_pore_maximum", "parent", "uint32_t", offsetof(hsp_pore_maximum, parent), 1},
+  {"hsp_pore_gate", "xyz", "double", offsetof(hsp_pore_gate, xyz), 3},
+  {"hsp_pore_gate", "radius", "double", offsetof(hsp_pore_gate, radius), 1},
+  {"hsp_pore_gate", "ball", "uint32_t", offsetof(hsp_pore_gate, ball), 3},
+  {"hsp_pore_gate", "end", "uint32_t", offsetof(hsp_pore_gate, end), 2},
+  {"hsp_pore_gate", "merges", "uint32_t", offsetof(hsp_pore_gate, merges), 1},
+  {"hsp_pore_place", "radius", "double", offsetof(hsp_pore_place, radius), 1},
+  {"hsp_pore_place", "ball", "uint32_t", offsetof(hsp_pore_place, ball), 1},
+  {"hsp_pore_place", "maximum", "uint32_t", offsetof(hsp_pore_place, maximum), 1},
+  {"hsp_pore_passage", "radius", "double", offsetof(hsp_pore_passage, radius), 1},
+  {"hsp_pore_passage", "passes", "uint32_t", offsetof(hsp_pore_passage, passes), 1},
+  {"hsp_pore_passage", "gate", "uint32_t", offsetof(hsp_pore_passage, gate), 1},
+  {"hsp_pore_passage", "ball", "uint32_t", offsetof(hsp_pore_passage, ball), 1},
+  {"hsp_pore_passage", "at", "uint32_t", offsetof(hsp_pore_passage, at), 2},
+  {"hsp_pore_passage", "reserved", "uint32_t", offsetof(hsp_pore_passage, reserved), 1},
+  {"hsp_pore_pocket", "radius", "double", offsetof(hsp_pore_pocket, radius), 1},
+  {"hsp_pore_pocket", "mouth", "double", offsetof(hsp_pore_pocket, mouth), 1},
+  {"hsp_pore_pocket", "maximum", "uint32_t", offsetof(hsp_pore_pocket, maximum), 1},
+  {"hsp_pore_pocket", "gate", "uint32_t", offsetof(hsp_pore_pocket, gate), 1},
+  {"hsp_pore_pocket", "maxima", "uint32_t", offsetof(hsp_pore_pocket, maxima), 1},
+  {"hsp_pore_pocket", "mouths", "uint32_t", offsetof(hsp_pore_pocket, mouths), 1},
+  {"hsp_pore_pocket", "balls", "uint32_t", offsetof(hsp_pore_pocket, balls), 1},
+  {"hsp_pore_pocket", "reserved", "uint32_t", offsetof(hsp_pore_pocket, reserved), 1},
+  {"hsp_tunnel", "radius", "double", offsetof(hsp_tunnel, radius), 1},
+  {"hsp_tunnel", "length", "double", offsetof(hsp_tunnel, length), 1},
+  {"hsp_tunnel", "there", "uint32_t", offsetof(hsp_tunnel, there), 1},
+  {"hsp_tunnel", "gate", "uint32_t", offsetof(hsp_tunnel, gate), 1},
+  {"hsp_tunnel", "gates", "uint32_t", offsetof(hsp_tunnel, gates), 1},
+  {"hsp_tunnel", "points", "uint32_t", offsetof(hsp_tunnel, points), 1},
+  {"hsp_tunnel", "outside", "uint32_t", offsetof(hsp_tunnel, outside), 1},
+  {"hsp_tunnel", "reserved", "uint32_t", offsetof(hsp_tunnel, reserved), 1},
+  {"hsp_tunnel_point", "xyz", "double", offsetof(hsp_tunnel_point, xyz), 3},
+  {"hsp_tunnel_point", "radius", "double", offsetof(hsp_tunnel_point, radius), 1},
+  {"hsp_tunnel_point", "ball", "uint32_t", offsetof(hsp_tunnel_point, ball), 4},
+  {"hsp_tunnel_point", "gate", "uint32_t", offsetof(hsp_tunnel_point, gate), 1},
+  {"hsp_tunnel_point", "maximum", "uint32_t", offsetof(hsp_tunnel_point, maximum), 1},
   {"hsp_view_limits", "struct_size", "uint32_t", offsetof(hsp_view_limits, struct_size), 1},
   {"hsp_view_limits", "balls", "uint32_t", offsetof(hsp_view_limits, balls), 1},
   {"hsp_view_limits", "neighbours", "uint32_t", offsetof(hsp_view_limits, neighbours), 1},

@@ -51,6 +51,7 @@ enum {
   NOUN_cells,
   NOUN_paths,
   NOUN_gate,
+  NOUN_pores,
   NOUN_view,
   NOUN_map,
   NOUN_sticks,

@@ -30,6 +30,7 @@ class BuiltPores {
   uint32_t retries() const { return retries_; }
   const hsp::PoreLimits &limits() const { return limits_; }
   hsp::PoresBuilder &builder() { return builder_; }
+  const hsp::CubeGrid &grid() const { return grid_.grid(); }
   const hsp::PoresBuilder &builder() const { return builder_; }
   hsp::Span<const hsp::PoreMaximum> maxima() const { return builder_.maxima(); }
   hsp::Span<const hsp::PoreGate> gates() const { return builder_.gates(); }

@@ -1,0 +1,345 @@
+#include "hsp_pores.hpp"
+
+#include "conversion.hpp"
+#include "core/sorting.hpp"
+#include "handle_memory.hpp"
+#include "model/queries.hpp"
+#include "rounded_point.hpp"
+
+using hsp::capi::check_handle;
+using hsp::capi::check_range;
+using hsp::capi::check_results;
+using hsp::capi::check_struct;
+using hsp::capi::first_failure;
+
+namespace {
+
+static_assert(hsp::pore_outside == HSP_PORE_OUTSIDE);
+
+hsp_pores_options default_options() {
+  return {sizeof(hsp_pores_options), 0, 0.0};
+}
+
+int32_t read_options(const hsp_pores_options *given, hsp_pores_options &complete) {
+  complete = default_options();
+  if (given == nullptr) return HSP_OK;
+  if (const int32_t status = hsp::capi::read_struct(given, default_options(), complete); status != HSP_OK) {
+    return status;
+  }
+  if (complete.reserved != 0) return HSP_E_VERSION;
+  return hsp::is_finite(complete.floor) ? HSP_OK : HSP_E_NOT_FINITE;
+}
+
+// In steps, rounded down, and no farther than points can be.
+int64_t floor_in_steps(const hsp::BallSet &balls, double floor) {
+  constexpr double limit = hsp::exact::query_radius_limit;
+  const double steps = std::floor(balls.lattice.steps(floor));
+  return static_cast<int64_t>(steps < -limit ? -limit : steps > limit ? limit : steps);
+}
+
+double floor_of(const hsp_pores &pores) {
+  return pores.lattice().length(static_cast<double>(pores.builder.floor()));
+}
+
+void put_place(const hsp_pores &pores, const hsp::Vec3 &place, double xyz[3]) {
+  const hsp::exact::Lattice &lattice = pores.lattice();
+  hsp::capi::to_array({lattice.length(place.x), lattice.length(place.y), lattice.length(place.z)}, xyz);
+}
+
+// Whether there is such a maximum, or the outside.
+bool is_class(const hsp_pores &pores, uint32_t maximum) {
+  return maximum == HSP_PORE_OUTSIDE || maximum < pores.maxima().size();
+}
+
+// Whether pores know of probes of this level, and it is on the lattice.
+bool is_level(const hsp_pores &pores, double level) {
+  return level >= static_cast<double>(pores.builder.floor()) && level <= hsp::exact::query_radius_limit;
+}
+
+// Writes what `put` makes of each of list(*pores), if the number of a record is below number(*pores). needed may be
+// null.
+template <class T, class Number, class List, class Put>
+int32_t get_list(const hsp_pores *pores, uint32_t record, T *out, uint32_t capacity, uint32_t *needed, Number number,
+                 List list, Put put) {
+  const int32_t status = check_results(pores, out == nullptr && capacity > 0);
+  if (status != HSP_OK) return status;
+  if (record >= number(*pores)) return HSP_E_ID;
+  const auto there = list(*pores);
+  uint32_t count = 0;
+  const int32_t fits = hsp::capi::check_output(out, capacity, there.size(), needed != nullptr ? needed : &count);
+  if (fits != HSP_OK) return fits;
+  for (uint32_t k = 0; k < there.size(); ++k) out[k] = put(there[k]);
+  return HSP_OK;
+}
+
+uint32_t as_it_is(uint32_t number) {
+  return number;
+}
+
+int32_t get_pocket_list(const hsp_pores *pores, uint32_t pocket, uint32_t *out, uint32_t capacity, uint32_t *needed,
+                        hsp::Span<const uint32_t> (hsp::PocketFinder::*list)(const hsp::Pocket &) const) {
+  return get_list(
+      pores, pocket, out, capacity, needed,
+      [](const hsp_pores &handle) { return handle.builder.pockets().pockets().size(); },
+      [&](const hsp_pores &handle) {
+        const hsp::PocketFinder &pockets = handle.builder.pockets();
+        return (pockets.*list)(pockets.pockets()[pocket]);
+      },
+      as_it_is);
+}
+
+// The nearest balls of maxima or gates, which are in the order of positions, ascending.
+template <class Records>
+int32_t get_tied(const hsp_pores *pores, uint32_t record, uint32_t *balls, uint32_t capacity, uint32_t *needed,
+                 Records records) {
+  uint32_t count = 0;
+  const int32_t status = get_list(
+      pores, record, balls, capacity, needed, [&](const hsp_pores &handle) { return records(handle).size(); },
+      [&](const hsp_pores &handle) {
+        const hsp::Span<const uint32_t> tied = handle.builder.pores().tied(records(handle)[record].point);
+        count = tied.size();
+        return tied;
+      },
+      as_it_is);
+  if (status == HSP_OK) {
+    hsp::sort_in_place(hsp::Span<uint32_t>(balls, count), [](uint32_t a, uint32_t b) { return a < b; });
+  }
+  return status;
+}
+
+// Where a point is; of a handle with results.
+int32_t locate(const hsp_pores &pores, const double *xyz, hsp::PorePlace &place) {
+  hsp::exact::Vector point;
+  if (const int32_t status = hsp::capi::round_point(pores.model->balls(), xyz, point); status != HSP_OK) return status;
+  return hsp::capi::to_c(hsp::locate(pores.builder.pores(), pores.model->grid, point, pores.builder.floor(), place));
+}
+
+}  // namespace
+
+int32_t hsp_pores_limits_init(hsp_pores_limits *limits, uint32_t struct_size, uint32_t balls) {
+  return hsp::capi::init_limits<hsp_pores>(limits, struct_size, balls);
+}
+
+int32_t hsp_pores_bytes(const hsp_pores_limits *limits, size_t *bytes) {
+  return hsp::capi::get_bytes_by_limits<hsp_pores>(limits, bytes);
+}
+
+int32_t hsp_pores_init(void *memory, size_t bytes, const hsp_pores_limits *limits, hsp_pores **pores) {
+  return hsp::capi::init_by_limits(memory, bytes, limits, pores);
+}
+
+int32_t hsp_pores_options_init(hsp_pores_options *options, uint32_t struct_size) {
+  return hsp::capi::write_struct(default_options(), options, struct_size);
+}
+
+int32_t hsp_pores_compute(hsp_pores *pores, const hsp_model *model, const hsp_pores_options *options,
+                          hsp_pores_limits *limits) {
+  if (const int32_t status = check_handle(pores); status != HSP_OK) return status;
+  pores->complete = false;
+  hsp_pores_options asked;
+  const int32_t refused = first_failure(check_handle(model), check_struct(limits), read_options(options, asked));
+  if (refused != HSP_OK) return refused;
+  const hsp::Status status = pores->builder.build(model->grid, floor_in_steps(model->balls(), asked.floor));
+  pores->model.set(model);
+  return hsp::capi::finish(*pores, status, limits);
+}
+
+int32_t hsp_pores_get_counts(const hsp_pores *pores, hsp_pores_counts *counts) {
+  if (const int32_t status = check_results(pores, counts == nullptr); status != HSP_OK) return status;
+  uint32_t merges = 0;
+  for (const hsp::PoreGate &gate : pores->gates()) merges += gate.merges ? 1 : 0;
+  const uint32_t maxima = pores->maxima().size();
+  *counts = {maxima, pores->gates().size(), merges, maxima - merges, pores->builder.pores().outer_balls(), 0};
+  return HSP_OK;
+}
+
+int32_t hsp_pores_get_maxima(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_maximum *out) {
+  const int32_t status =
+      check_range(pores, first, count, out, [](const hsp_pores &handle) { return handle.maxima().size(); });
+  if (status != HSP_OK) return status;
+  for (uint32_t k = 0; k < count; ++k) {
+    const hsp::PoreMaximum &maximum = pores->maxima()[first + k];
+    hsp_pore_maximum &record = out[k];
+    put_place(*pores, maximum.point.place, record.xyz);
+    record.radius = pores->lattice().length(maximum.point.level);
+    record.death = maximum.gate == hsp::no_id ? floor_of(*pores)
+                                              : pores->lattice().length(pores->gates()[maximum.gate].point.level);
+    for (int b = 0; b < 4; ++b) record.ball[b] = maximum.point.ball[b];
+    record.gate = maximum.gate;
+    record.parent = maximum.into;
+  }
+  return HSP_OK;
+}
+
+int32_t hsp_pores_get_gates(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_gate *out) {
+  const int32_t status =
+      check_range(pores, first, count, out, [](const hsp_pores &handle) { return handle.gates().size(); });
+  if (status != HSP_OK) return status;
+  for (uint32_t k = 0; k < count; ++k) {
+    const hsp::PoreGate &gate = pores->gates()[first + k];
+    hsp_pore_gate &record = out[k];
+    put_place(*pores, gate.point.place, record.xyz);
+    record.radius = pores->lattice().length(gate.point.level);
+    for (int b = 0; b < 3; ++b) record.ball[b] = gate.point.ball[b];
+    for (int side = 0; side < 2; ++side) record.end[side] = gate.end[side];
+    record.merges = gate.merges ? 1 : 0;
+  }
+  return HSP_OK;
+}
+
+int32_t hsp_pores_get_maximum_balls(const hsp_pores *pores, uint32_t maximum, uint32_t *balls, uint32_t capacity,
+                                    uint32_t *needed) {
+  return get_tied(pores, maximum, balls, capacity, needed, [](const hsp_pores &handle) { return handle.maxima(); });
+}
+
+int32_t hsp_pores_get_gate_balls(const hsp_pores *pores, uint32_t gate, uint32_t *balls, uint32_t capacity,
+                                 uint32_t *needed) {
+  return get_tied(pores, gate, balls, capacity, needed, [](const hsp_pores &handle) { return handle.gates(); });
+}
+
+int32_t hsp_pores_class_at(const hsp_pores *pores, uint32_t maximum, double radius, uint32_t *member) {
+  if (const int32_t status = check_results(pores, member == nullptr); status != HSP_OK) return status;
+  if (!is_class(*pores, maximum)) return HSP_E_ID;
+  if (!hsp::is_finite(radius)) return HSP_E_NOT_FINITE;
+  const double level = pores->lattice().steps(radius);
+  if (!is_level(*pores, level)) return HSP_E_RANGE;
+  *member = pores->builder.tree().class_at(maximum, level);
+  return HSP_OK;
+}
+
+int32_t hsp_pores_gate_between(const hsp_pores *pores, uint32_t maximum, uint32_t other, uint32_t *gate) {
+  if (const int32_t status = check_results(pores, gate == nullptr); status != HSP_OK) return status;
+  if (!is_class(*pores, maximum) || !is_class(*pores, other)) return HSP_E_ID;
+  *gate = pores->builder.tree().gate_between(maximum, other);
+  return HSP_OK;
+}
+
+int32_t hsp_pores_locate(const hsp_pores *pores, const double *xyz, hsp_pore_place *place) {
+  if (const int32_t status = check_results(pores, xyz == nullptr || place == nullptr); status != HSP_OK) return status;
+  hsp::PorePlace found;
+  if (const int32_t status = locate(*pores, xyz, found); status != HSP_OK) return status;
+  *place = {pores->lattice().length(found.level), found.ball, found.maximum};
+  return HSP_OK;
+}
+
+int32_t hsp_pores_widest(const hsp_pores *pores, const double *from, const double *to, hsp_pore_passage *passage) {
+  const int32_t refused = check_results(pores, from == nullptr || passage == nullptr);
+  if (refused != HSP_OK) return refused;
+  hsp::PorePlace ends[2];
+  ends[1] = {std::numeric_limits<double>::infinity(), hsp::no_id, hsp::pore_outside};
+  int32_t status = locate(*pores, from, ends[0]);
+  if (status == HSP_OK && to != nullptr) status = locate(*pores, to, ends[1]);
+  if (status != HSP_OK) return status;
+  const uint32_t a = ends[0].maximum, b = ends[1].maximum;
+  *passage = {0.0, 0, HSP_NONE, HSP_NONE, {a, b}, 0};
+  if (a == hsp::no_id || b == hsp::no_id) return HSP_OK;
+  const uint32_t gate = pores->builder.tree().gate_between(a, b);
+  if (a != b && gate == hsp::no_id) return HSP_OK;
+  const hsp::PorePlace &tighter = ends[ends[0].level <= ends[1].level ? 0 : 1];
+  const bool at_gate = gate != hsp::no_id && pores->gates()[gate].point.level < tighter.level;
+  passage->passes = 1;
+  passage->radius = pores->lattice().length(at_gate ? pores->gates()[gate].point.level : tighter.level);
+  if (at_gate) {
+    passage->gate = gate;
+  } else {
+    passage->ball = tighter.ball;
+  }
+  return HSP_OK;
+}
+
+int32_t hsp_pores_find_pockets(hsp_pores *pores, double narrow, double wide, uint32_t *pockets) {
+  if (const int32_t status = check_handle(pores); status != HSP_OK) return status;
+  pores->builder.forget_pockets();
+  if (pockets == nullptr) return HSP_E_ARGUMENT;
+  if (!pores->has_results()) return HSP_E_STATE;
+  if (!hsp::is_finite(narrow) || !hsp::is_finite(wide)) return HSP_E_NOT_FINITE;
+  if (wide < narrow) return HSP_E_ARGUMENT;
+  const double narrow_level = pores->lattice().steps(narrow), wide_level = pores->lattice().steps(wide);
+  if (!is_level(*pores, narrow_level) || !is_level(*pores, wide_level)) return HSP_E_RANGE;
+  pores->builder.find_pockets(narrow_level, wide_level);
+  *pockets = pores->builder.pockets().pockets().size();
+  return HSP_OK;
+}
+
+int32_t hsp_pores_get_pockets(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_pocket *out) {
+  const int32_t status = check_range(pores, first, count, out,
+                                     [](const hsp_pores &handle) { return handle.builder.pockets().pockets().size(); });
+  if (status != HSP_OK) return status;
+  const hsp::PocketFinder &finder = pores->builder.pockets();
+  for (uint32_t k = 0; k < count; ++k) {
+    const hsp::Pocket &pocket = finder.pockets()[first + k];
+    out[k] = {pores->lattice().length(pores->maxima()[pocket.maximum].point.level),
+              pocket.mouth == hsp::no_id ? floor_of(*pores)
+                                         : pores->lattice().length(pores->gates()[pocket.mouth].point.level),
+              pocket.maximum,
+              pocket.mouth,
+              finder.maxima(pocket).size(),
+              finder.mouths(pocket).size(),
+              finder.balls(pocket).size(),
+              0};
+  }
+  return HSP_OK;
+}
+
+int32_t hsp_pores_get_pocket_maxima(const hsp_pores *pores, uint32_t pocket, uint32_t *maxima, uint32_t capacity,
+                                    uint32_t *needed) {
+  return get_pocket_list(pores, pocket, maxima, capacity, needed, &hsp::PocketFinder::maxima);
+}
+
+int32_t hsp_pores_get_pocket_mouths(const hsp_pores *pores, uint32_t pocket, uint32_t *gates, uint32_t capacity,
+                                    uint32_t *needed) {
+  return get_pocket_list(pores, pocket, gates, capacity, needed, &hsp::PocketFinder::mouths);
+}
+
+int32_t hsp_pores_get_pocket_balls(const hsp_pores *pores, uint32_t pocket, uint32_t *balls, uint32_t capacity,
+                                   uint32_t *needed) {
+  return get_pocket_list(pores, pocket, balls, capacity, needed, &hsp::PocketFinder::balls);
+}
+
+int32_t hsp_pores_find_tunnel(hsp_pores *pores, const double *from, const double *to, const uint32_t *avoided,
+                              uint32_t count, hsp_tunnel *tunnel, hsp_pores_limits *limits) {
+  if (const int32_t status = check_handle(pores); status != HSP_OK) return status;
+  pores->builder.forget_tunnel();
+  if (from == nullptr || tunnel == nullptr || (avoided == nullptr && count > 0)) return HSP_E_ARGUMENT;
+  if (const int32_t refused = check_struct(limits); refused != HSP_OK) return refused;
+  if (!pores->has_results()) return HSP_E_STATE;
+  for (uint32_t k = 0; k < count; ++k) {
+    if (avoided[k] >= pores->gates().size()) return HSP_E_ID;
+  }
+  const hsp::BallSet &balls = pores->model->balls();
+  hsp::exact::Vector start, end;
+  int32_t status = hsp::capi::round_point(balls, from, start);
+  if (status == HSP_OK && to != nullptr) status = hsp::capi::round_point(balls, to, end);
+  if (status != HSP_OK) return status;
+  hsp::TunnelSummary found;
+  const hsp::Status searched =
+      pores->builder.find_tunnel(pores->model->grid, start, to != nullptr ? &end : nullptr, {avoided, count}, found);
+  hsp::capi::hand_back_limits(*pores, searched, limits);
+  if (searched != hsp::Status::ok) return hsp::capi::to_c(searched);
+  const hsp::exact::Lattice &lattice = balls.lattice;
+  *tunnel = {lattice.length(found.level),
+             lattice.length(found.length),
+             found.there ? 1U : 0U,
+             found.gate,
+             found.gates,
+             pores->builder.tunnel().points().size(),
+             found.outside ? 1U : 0U,
+             0};
+  return HSP_OK;
+}
+
+int32_t hsp_pores_get_tunnel_points(const hsp_pores *pores, hsp_tunnel_point *points, uint32_t capacity,
+                                    uint32_t *needed) {
+  return get_list(
+      pores, 0, points, capacity, needed, [](const hsp_pores &) { return 1U; },
+      [](const hsp_pores &handle) { return handle.builder.tunnel().points(); },
+      [pores](const hsp::TunnelPoint &point) {
+        hsp_tunnel_point record;
+        put_place(*pores, point.place, record.xyz);
+        record.radius = pores->lattice().length(point.level);
+        for (int b = 0; b < 4; ++b) record.ball[b] = point.ball[b];
+        record.gate = point.gate;
+        record.maximum = point.maximum;
+        return record;
+      });
+}

@@ -1,0 +1,242 @@
+// Pores of any set: classes at a probe are the regions of free space around grown balls, for points and in number; the
+// tree, pockets and tunnels fit together; the widest probe between two points, which looks at one pair alone; tied
+// balls in integers; no effect of the order of the balls; limits that are too small.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "computed_set.hpp"
+#include "owned_spaces.hpp"
+#include "required_limits.hpp"
+#include "topology_input.hpp"
+
+namespace {
+
+using Point = std::array<double, 3>;
+
+constexpr uint32_t most_balls = 12;
+
+struct Result {
+  hsp_pores_counts counts{};
+  hsp_pores_limits needed{};
+  std::vector<hsp_pore_maximum> maxima;
+  std::vector<hsp_pore_gate> gates;
+};
+
+hsp_pores_options with_floor(double floor) {
+  hsp_pores_options options;
+  FUZZ_REQUIRE(hsp_pores_options_init(&options, sizeof options) == HSP_OK, "hsp_pores_options_init");
+  options.floor = floor;
+  return options;
+}
+
+Result read(const hsp_pores *pores) {
+  Result result;
+  FUZZ_REQUIRE(hsp_pores_get_counts(pores, &result.counts) == HSP_OK, "counts");
+  result.maxima.resize(result.counts.maxima);
+  result.gates.resize(result.counts.gates);
+  FUZZ_REQUIRE(hsp_pores_get_maxima(pores, 0, result.counts.maxima, result.maxima.data()) == HSP_OK, "maxima");
+  FUZZ_REQUIRE(hsp_pores_get_gates(pores, 0, result.counts.gates, result.gates.data()) == HSP_OK, "gates");
+  return result;
+}
+
+Result compute(const hsp_model *model, uint32_t n, const hsp_pores_options &options,
+               support::OwnedHandle<support::PoresKind> &pores) {
+  hsp_pores_limits limits;
+  FUZZ_REQUIRE(hsp_pores_limits_init(&limits, sizeof limits, n) == HSP_OK, "hsp_pores_limits_init");
+  pores.take(limits);
+  pores.compute(
+      [&](hsp_pores *handle, hsp_pores_limits *asked) { return hsp_pores_compute(handle, model, &options, asked); });
+  Result result = read(pores.get());
+  result.needed = pores.needed();
+  return result;
+}
+
+bool same_levels(const Result &a, const Result &b) {
+  const auto same = [](const auto &p, const auto &q) { return p.radius == q.radius; };
+  return std::memcmp(&a.counts, &b.counts, sizeof a.counts) == 0 &&
+         std::equal(a.maxima.begin(), a.maxima.end(), b.maxima.begin(), b.maxima.end(), same) &&
+         std::equal(a.gates.begin(), a.gates.end(), b.gates.begin(), b.gates.end(), same);
+}
+
+double distance(const fuzz::ScaledBalls &set, const double *xyz, uint32_t ball) {
+  const oracle::LatticeBall &b = set.balls[ball];
+  return std::hypot(xyz[0] - set.length(b.x), xyz[1] - set.length(b.y), xyz[2] - set.length(b.z)) -
+         set.length(set.radius_of(ball));
+}
+
+double nearest(const fuzz::ScaledBalls &set, const double *xyz) {
+  double least = INFINITY;
+  for (uint32_t i = 0; i < set.n(); ++i) least = std::min(least, distance(set, xyz, i));
+  return least;
+}
+
+// What doubles of this size may be off, and a step.
+double doubt_of(const fuzz::ScaledBalls &set, double size) {
+  return 2.0 * set.step() + 1e-12 * std::fabs(size);
+}
+
+void require_sound(const fuzz::ScaledBalls &set, const Result &result, const hsp_pores *pores, double floor) {
+  const auto outside = HSP_PORE_OUTSIDE;
+  uint32_t merges = 0;
+  for (uint32_t k = 0; k < result.counts.gates; ++k) {
+    const hsp_pore_gate &gate = result.gates[k];
+    merges += gate.merges;
+    FUZZ_REQUIRE(gate.radius > floor - set.step(), "a gate above the floor");
+    FUZZ_REQUIRE(std::fabs(nearest(set, gate.xyz) - gate.radius) <= doubt_of(set, gate.radius), "radius at a gate");
+    for (const uint32_t end : gate.end) {
+      FUZZ_REQUIRE(end == outside || end < result.counts.maxima, "an end of a gate");
+      FUZZ_REQUIRE(end == outside || result.maxima[end].radius >= gate.radius, "an end is wider");
+    }
+    for (const uint32_t ball : gate.ball) {
+      FUZZ_REQUIRE(std::fabs(distance(set, gate.xyz, ball) - gate.radius) <= doubt_of(set, gate.radius), "its balls");
+    }
+  }
+  FUZZ_REQUIRE(merges == result.counts.merges, "merges");
+  FUZZ_REQUIRE(result.counts.cavities == result.counts.maxima - merges, "cavities");
+  for (uint32_t k = 0; k < result.counts.maxima; ++k) {
+    const hsp_pore_maximum &maximum = result.maxima[k];
+    FUZZ_REQUIRE(std::fabs(nearest(set, maximum.xyz) - maximum.radius) <= doubt_of(set, maximum.radius), "its radius");
+    FUZZ_REQUIRE(k == 0 || maximum.radius <= result.maxima[k - 1].radius + doubt_of(set, maximum.radius),
+                 "their order");
+    uint32_t balls[64], needed = 0;
+    const int32_t status = hsp_pores_get_maximum_balls(pores, k, balls, 64, &needed);
+    FUZZ_REQUIRE(needed >= 4 && status == (needed > 64 ? HSP_E_CAPACITY : HSP_OK), "its balls");
+    uint32_t gate = 0;
+    FUZZ_REQUIRE(hsp_pores_gate_between(pores, k, outside, &gate) == HSP_OK, "its way out");
+    if (maximum.gate == HSP_NONE) {
+      FUZZ_REQUIRE(maximum.parent == HSP_NONE && gate == HSP_NONE, "a cavity has no way out");
+      continue;
+    }
+    FUZZ_REQUIRE(maximum.parent == outside || maximum.parent < k, "a parent is older");
+    FUZZ_REQUIRE(result.gates[maximum.gate].merges == 1 && maximum.death == result.gates[maximum.gate].radius, "death");
+    FUZZ_REQUIRE(gate >= maximum.gate || gate == HSP_NONE, "the way out is no wider");
+  }
+}
+
+// At a level that no maximum or gate is near to.
+void require_regions(const fuzz::ScaledBalls &set, const Result &result, hsp_pores *pores, int64_t level,
+                     fuzz::Bytes &bytes) {
+  const double radius = set.length(level);
+  for (const auto &maximum : result.maxima) {
+    if (std::fabs(maximum.radius - radius) < doubt_of(set, radius)) return;
+  }
+  for (const auto &gate : result.gates) {
+    if (std::fabs(gate.radius - radius) < doubt_of(set, radius)) return;
+  }
+  fuzz::ScaledBalls grown = set;
+  grown.probe_steps += level;
+  for (uint32_t i = 0; i < grown.n(); ++i) {
+    if (grown.radius_of(i) >= INT64_C(1) << 30) return;
+  }
+  const fuzz::ComputedSet base(grown);
+  support::OwnedHandle<support::CellsKind> cells;
+  hsp_cells_limits limits;
+  FUZZ_REQUIRE(hsp_cells_limits_init(&limits, sizeof limits, set.n()) == HSP_OK, "hsp_cells_limits_init");
+  cells.take(limits);
+  cells.compute(
+      [&](hsp_cells *handle, hsp_cells_limits *asked) { return hsp_cells_compute(handle, base.get().model, asked); });
+  hsp_cells_counts counts{};
+  FUZZ_REQUIRE(hsp_cells_get_counts(cells.get(), &counts) == HSP_OK, "counts of cells");
+  std::set<uint32_t> classes{HSP_PORE_OUTSIDE};
+  for (uint32_t k = 0; k < result.counts.maxima; ++k) {
+    uint32_t member = 0;
+    FUZZ_REQUIRE(hsp_pores_class_at(pores, k, radius, &member) == HSP_OK, "class");
+    FUZZ_REQUIRE((member == HSP_NONE) == (result.maxima[k].radius < radius), "whether it fits");
+    if (member != HSP_NONE) classes.insert(member);
+  }
+  FUZZ_REQUIRE(classes.size() == counts.regions, "classes are the regions");
+  uint32_t pockets = 0;
+  FUZZ_REQUIRE(hsp_pores_find_pockets(pores, radius, radius, &pockets) == HSP_OK, "pockets");
+  FUZZ_REQUIRE(pockets + 1 == counts.regions, "pockets are the cavities");
+  std::map<uint32_t, uint32_t> region_of;
+  for (int k = 0; k < 6; ++k) {
+    Point xyz{};
+    for (double &x : xyz) x = set.length((static_cast<int64_t>(bytes.below(4000)) - 2000) * (1 + bytes.below(8)));
+    hsp_pore_place place{};
+    uint32_t cell = 0, member = 0;
+    FUZZ_REQUIRE(hsp_pores_locate(pores, xyz.data(), &place) == HSP_OK, "locate");
+    if (std::fabs(place.radius - radius) < doubt_of(set, radius)) continue;
+    FUZZ_REQUIRE(hsp_cells_locate(cells.get(), xyz.data(), &cell) == HSP_OK, "locate in cells");
+    FUZZ_REQUIRE((cell != HSP_NONE) == (place.radius > radius), "whether it is free");
+    if (cell == HSP_NONE) continue;
+    hsp_free_cell record{};
+    FUZZ_REQUIRE(hsp_cells_get_cells(cells.get(), cell, 1, &record) == HSP_OK, "its cell");
+    FUZZ_REQUIRE(hsp_pores_class_at(pores, place.maximum, radius, &member) == HSP_OK, "its class");
+    FUZZ_REQUIRE((member == HSP_PORE_OUTSIDE) == (record.region == 0), "outside or not");
+    const auto known = region_of.insert({member, record.region}).first;
+    FUZZ_REQUIRE(known->second == record.region, "one class in two regions");
+  }
+}
+
+void require_tunnel(const fuzz::ScaledBalls &set, hsp_pores *pores, const Point &from, const Point *to) {
+  const double *const end = to == nullptr ? nullptr : to->data();
+  hsp_pore_passage passage{};
+  FUZZ_REQUIRE(hsp_pores_widest(pores, from.data(), end, &passage) == HSP_OK, "widest");
+  hsp_tunnel tunnel{};
+  const int32_t status = hsp_pores_find_tunnel(pores, from.data(), end, nullptr, 0, &tunnel, nullptr);
+  if (status == HSP_E_CAPACITY) return;
+  FUZZ_REQUIRE(status == HSP_OK, "tunnel");
+  FUZZ_REQUIRE(tunnel.there == passage.passes && tunnel.radius == passage.radius, "the tunnel is as wide");
+  std::vector<hsp_tunnel_point> points(tunnel.points);
+  FUZZ_REQUIRE(hsp_pores_get_tunnel_points(pores, points.data(), tunnel.points, nullptr) == HSP_OK, "its points");
+  for (const hsp_tunnel_point &point : points) {
+    const double there = nearest(set, point.xyz);
+    if (set.n() == 0) continue;
+    FUZZ_REQUIRE(std::fabs(there - point.radius) <= 4.0 * doubt_of(set, there), "radius at a point");
+    FUZZ_REQUIRE(there >= tunnel.radius - 4.0 * doubt_of(set, there), "a point is as wide");
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  fuzz::Bytes bytes(data, size);
+  fuzz::ScaledBalls set = fuzz::topology_set(bytes);
+  // In so few steps that all tie, or nearly, every set of four is tried.
+  if (set.n() > most_balls) set.balls.resize(most_balls);
+  const fuzz::ComputedSet base(set);
+  const hsp_model *const model = base.get().model;
+  const int64_t floor = bytes.one_in(2) ? 0 : -static_cast<int64_t>(bytes.below(300));
+  const hsp_pores_options options = with_floor(set.length(floor));
+  support::OwnedHandle<support::PoresKind> pores;
+  const Result reference = compute(model, set.n(), options, pores);
+  require_sound(set, reference, pores.get(), set.length(floor));
+  for (int k = 0; k < 2; ++k) {
+    int64_t level = static_cast<int64_t>(bytes.below(2000));
+    if (!reference.maxima.empty() && bytes.one_in(2)) {
+      const double radius = reference.maxima[bytes.below(reference.counts.maxima)].radius;
+      level = static_cast<int64_t>(std::floor(radius / set.step())) - static_cast<int64_t>(bytes.below(20));
+    }
+    if (level >= 0 && level >= floor) require_regions(set, reference, pores.get(), level, bytes);
+  }
+  for (int k = 0; k < 2; ++k) {
+    Point ends[2];
+    for (Point &end : ends) {
+      for (double &x : end) x = set.length((static_cast<int64_t>(bytes.below(4000)) - 2000) * (1 + bytes.below(8)));
+      if (reference.maxima.empty() || !bytes.one_in(2)) continue;
+      std::memcpy(end.data(), reference.maxima[bytes.below(reference.counts.maxima)].xyz, sizeof end);
+    }
+    require_tunnel(set, pores.get(), ends[0], bytes.one_in(2) ? nullptr : &ends[1]);
+  }
+  const auto again = [&](hsp_pores *handle, hsp_pores_limits *limits) {
+    return hsp_pores_compute(handle, model, &options, limits);
+  };
+  const auto compare = [&](const hsp_pores *handle) {
+    hsp_pores_counts counts{};
+    const int32_t status = hsp_pores_get_counts(handle, &counts);
+    if (status != HSP_OK) return status;
+    FUZZ_REQUIRE(same_levels(reference, read(handle)), "pores the second time");
+    return status;
+  };
+  fuzz::require_limits<support::PoresKind>(reference.needed, bytes, again, compare);
+  const fuzz::ComputedSet other(fuzz::permuted(set, fuzz::shuffled(set.n(), bytes)));
+  support::OwnedHandle<support::PoresKind> permuted;
+  FUZZ_REQUIRE(same_levels(reference, compute(other.get().model, set.n(), options, permuted)),
+               "levels depend on the order of the balls");
+  return 0;
+}

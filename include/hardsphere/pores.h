@@ -1,0 +1,352 @@
+/* hardsphere/pores.h: free space for every probe at once: pockets, mouths, tunnels, cavities.
+ *
+ * Provisional: this may change with any minor version, as the changelog then says.
+ *
+ * f(x) is the radius of the largest probe that fits at the point x: the least distance of x from a ball, |x - c| - r. A
+ * probe is added to the radii of the model, and fits, or passes, if it is narrower than f: what touches meets. Free
+ * space for a probe p is where f > p. As p falls, parts of it appear and meet:
+ *
+ *   maximum   where f is largest nearby: four balls are nearest there, or more
+ *   gate      where two parts of free space meet, or two ends of one: three balls are nearest there, or more
+ *   class     a part of free space from its birth at a maximum to its death at a gate, where it merges into one that is
+ *             older, of a wider maximum. So each maximum is a class, and classes are the nodes of a tree. The outside
+ *             is a class without a maximum, HSP_PORE_OUTSIDE, older than all others. A class that meets no other above
+ *             the floor is a cavity that nothing reaches
+ *
+ * Which balls have a maximum or a gate, what its two sides lead up to, and the order of levels are decided in integers,
+ * ties included; points and radii are doubles of that. Maxima and gates are numbered from the widest on. */
+#ifndef HARDSPHERE_PORES_H
+#define HARDSPHERE_PORES_H
+
+#include "model.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Maxima, gates and the tree of their classes. */
+typedef struct hsp_pores hsp_pores;
+
+/** The limits that fix the memory of pores. */
+typedef struct hsp_pores_limits {
+  uint32_t struct_size; /**< sizeof(hsp_pores_limits) */
+  uint32_t balls;       /**< of the model */
+  uint32_t maxima;      /**< above the floor */
+  uint32_t gates;       /**< above the floor */
+  uint32_t tied;        /**< balls of maxima with more than four nearest balls, and of gates with more than three */
+  uint32_t candidates;  /**< scratch memory of the search */
+  uint32_t neighbours;  /**< balls around a piece of a way */
+  uint32_t points;      /**< of a tunnel */
+} hsp_pores_limits;
+
+/** Limits that suffice for most molecules of `balls` atoms, about 1.3 kB for each: maxima 2 balls + 64, gates 4 balls +
+ *  128, tied balls + 256, candidates 4 balls + 2048, neighbours balls + 16, points balls + 4096.
+ *  @retval HSP_E_ARGUMENT  limits is NULL
+ *  @retval HSP_E_VERSION   struct_size is bad
+ *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 2048) / 8 balls; set the limits by hand then */
+HSP_API int32_t hsp_pores_limits_init(hsp_pores_limits *limits, uint32_t struct_size, uint32_t balls);
+
+/** Bytes that hsp_pores_init needs.
+ *  - Property 1: at most HSP_PORES_BYTES of the limits.
+ *  - Property 2: grows with each limit.
+ *
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_VERSION   bad struct_size
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
+HSP_API int32_t hsp_pores_bytes(const hsp_pores_limits *limits, size_t *bytes);
+
+/** The same as an upper bound that is a constant expression, for static arrays. */
+#define HSP_PORES_BYTES(balls, maxima, gates, tied, candidates, neighbours, points)                                 \
+  ((size_t)32768 + (size_t)176 * (size_t)(balls) + (size_t)192 * (size_t)(maxima) + (size_t)136 * (size_t)(gates) + \
+   (size_t)16 * (size_t)(tied) + (size_t)16 * (size_t)(candidates) + (size_t)80 * (size_t)(neighbours) +            \
+   (size_t)112 * (size_t)(points))
+
+/** Make pores without results in caller memory of any alignment; sets *pores.
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_VERSION   bad struct_size
+ *  @retval HSP_E_MEMORY    bytes is less than hsp_pores_bytes says; nothing is written
+ *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
+HSP_API int32_t hsp_pores_init(void *memory, size_t bytes, const hsp_pores_limits *limits, hsp_pores **pores);
+
+/** Which part of free space is computed. */
+typedef struct hsp_pores_options {
+  uint32_t struct_size; /**< sizeof(hsp_pores_options) */
+  uint32_t reserved;    /**< 0 */
+  double floor; /**< radius of the narrowest probe of interest, rounded down to the lattice; may be negative down to
+                     where the largest ball has no radius left; default 0: what not even a point passes is closed */
+} hsp_pores_options;
+
+/** Default options.
+ *  @retval HSP_E_ARGUMENT  options is NULL
+ *  @retval HSP_E_VERSION   struct_size is bad */
+HSP_API int32_t hsp_pores_options_init(hsp_pores_options *options, uint32_t struct_size);
+
+/** Find all maxima and gates of a model above the floor, and the tree of their classes; options may be NULL. The model
+ *  must outlive them; they can be read while it holds the same balls (RESULTS in hardsphere.h). On failure they hold no
+ *  results. limits: see LIMITS in hardsphere.h; at most forty retries. points is 0 in what was needed: that depends on
+ *  the tunnel.
+ *  - Property 1: the order of the balls has no effect but on their numbers, unless balls are equal.
+ *
+ *  Cost: O(n) for sets as in Theorem 2.1, and O(m log m) for m maxima and gates.
+ *  @retval HSP_E_ARGUMENT    pores or model is NULL
+ *  @retval HSP_E_VERSION     bad struct_size of options or limits, or options->reserved is not 0
+ *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
+ *  @retval HSP_E_NOT_FINITE  options->floor is a NaN or an infinity
+ *  @retval HSP_E_RANGE       balls that touch one probe are more than 2^35 lattice steps apart
+ *  @retval HSP_E_CHECK       a way up ends nowhere, which cannot happen: please report it */
+HSP_API int32_t hsp_pores_compute(hsp_pores *pores, const hsp_model *model, const hsp_pores_options *options,
+                                  hsp_pores_limits *limits);
+
+/** How many of everything. Frozen. */
+typedef struct hsp_pores_counts {
+  uint32_t maxima;      /**< above the floor: as many as classes without the outside */
+  uint32_t gates;       /**< above the floor */
+  uint32_t merges;      /**< gates where two classes meet; the others close a ring of free space */
+  uint32_t cavities;    /**< classes that nothing reaches: maxima - merges */
+  uint32_t outer_balls; /**< balls that are not inside another one */
+  uint32_t reserved;    /**< 0 */
+} hsp_pores_counts;
+
+/** How many maxima, gates and cavities there are.
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
+HSP_API int32_t hsp_pores_get_counts(const hsp_pores *pores, hsp_pores_counts *counts);
+
+#define HSP_PORE_OUTSIDE UINT32_C(0xFFFFFFFE) /**< the class of the outside, where a maximum may stand */
+
+/** A maximum and its class. Frozen. */
+typedef struct hsp_pore_maximum {
+  double xyz[3];    /**< the centre of the largest probe there */
+  double radius;    /**< of that: the birth of the class */
+  double death;     /**< radius at the gate where it merges; the floor if there is none */
+  uint32_t ball[4]; /**< balls that it is between, the least of the nearest ones by position; they may be more */
+  uint32_t gate;    /**< where the class merges into an older one; HSP_NONE if nothing reaches it */
+  uint32_t parent;  /**< the maximum of that older one, HSP_PORE_OUTSIDE, or HSP_NONE */
+} hsp_pore_maximum;
+
+/** The maxima first .. first + count - 1, exactly count records, of hsp_pores_counts.maxima in all, the widest first;
+ *  out may be NULL with count 0.
+ *  - Property 1: radius > death, and the parent has a lower number.
+ *
+ *  @retval HSP_E_ARGUMENT  pores is NULL; out is NULL with a count above 0
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since
+ *  @retval HSP_E_ID        not all of these maxima are there */
+HSP_API int32_t hsp_pores_get_maxima(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_maximum *out);
+
+/** A gate. Frozen. */
+typedef struct hsp_pore_gate {
+  double xyz[3];    /**< the centre of the widest probe that gets there */
+  double radius;    /**< of that; narrower ones pass */
+  uint32_t ball[3]; /**< balls that it is between, the least of the nearest ones by position; they may be more */
+  uint32_t end[2];  /**< maxima that its two sides lead up to, or HSP_PORE_OUTSIDE; the first on the side from which the
+                         three balls turn counter-clockwise */
+  uint32_t merges;  /**< whether two classes meet, rather than two ends of one: 1 or 0 */
+} hsp_pore_gate;
+
+/** The gates first .. first + count - 1, exactly count records, of hsp_pores_counts.gates in all, the widest first; out
+ *  may be NULL with count 0.
+ *  @retval HSP_E_ARGUMENT  pores is NULL; out is NULL with a count above 0
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since
+ *  @retval HSP_E_ID        not all of these gates are there */
+HSP_API int32_t hsp_pores_get_gates(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_gate *out);
+
+/** All balls that are nearest at a maximum, in ascending order.
+ *  - Property 1: exact: all of these touch the largest probe, and no others.
+ *
+ *  @retval HSP_E_ARGUMENT  pores is NULL; balls is NULL with a capacity above 0
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, which may be NULL
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since
+ *  @retval HSP_E_ID        there is no such maximum */
+HSP_API int32_t hsp_pores_get_maximum_balls(const hsp_pores *pores, uint32_t maximum, uint32_t *balls,
+                                            uint32_t capacity, uint32_t *needed);
+
+/** All balls that are nearest at a gate, in ascending order.
+ *  @retval HSP_E_ARGUMENT  pores is NULL; balls is NULL with a capacity above 0
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, which may be NULL
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since
+ *  @retval HSP_E_ID        there is no such gate */
+HSP_API int32_t hsp_pores_get_gate_balls(const hsp_pores *pores, uint32_t gate, uint32_t *balls, uint32_t capacity,
+                                         uint32_t *needed);
+
+/** The part of free space that a maximum is in for a probe: *member becomes the oldest maximum of that part, or
+ *  HSP_PORE_OUTSIDE; HSP_NONE if the probe does not fit at the maximum. `maximum` may be HSP_PORE_OUTSIDE. Two maxima
+ *  are in one part if they have the same class.
+ *
+ *  Cost: O(depth of the tree).
+ *  @retval HSP_E_ARGUMENT    pores or member is NULL
+ *  @retval HSP_E_STATE       nothing computed, or the model has changed since
+ *  @retval HSP_E_ID          there is no such maximum
+ *  @retval HSP_E_NOT_FINITE  radius is a NaN or an infinity
+ *  @retval HSP_E_RANGE       radius is below the floor, or above 2^51 lattice steps */
+HSP_API int32_t hsp_pores_class_at(const hsp_pores *pores, uint32_t maximum, double radius, uint32_t *member);
+
+/** The gate where the classes of two maxima meet, either of which may be HSP_PORE_OUTSIDE: *gate becomes the tightest
+ *  gate of the widest path between them, of which narrower probes get from one to the other. HSP_NONE if they do not
+ *  meet above the floor, or are the same.
+ *
+ *  Cost: O(depth of the tree).
+ *  @retval HSP_E_ARGUMENT  pores or gate is NULL
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since
+ *  @retval HSP_E_ID        there is no such maximum */
+HSP_API int32_t hsp_pores_gate_between(const hsp_pores *pores, uint32_t maximum, uint32_t other, uint32_t *gate);
+
+/** Where a point is. Frozen. */
+typedef struct hsp_pore_place {
+  double radius;    /**< of the largest probe there; below 0 in a ball, infinite without balls */
+  uint32_t ball;    /**< a nearest one; HSP_NONE without balls */
+  uint32_t maximum; /**< that a way up leads to, or HSP_PORE_OUTSIDE; HSP_NONE if the radius is not above the floor */
+} hsp_pore_place;
+
+/** Where the point xyz [3] is, which is rounded to the lattice. With the floor 0 whether it is in a ball is exact.
+ *  - Property 1: for any probe that is narrower than radius by a lattice step, the point is in the same part of free
+ *    space as the maximum. Which maximum of that part it is, is one of several answers.
+ *
+ *  Cost: O(n + maxima + gates), most of it for comparing places.
+ *  @retval HSP_E_ARGUMENT    a null pointer
+ *  @retval HSP_E_STATE       nothing computed, or the model has changed since
+ *  @retval HSP_E_NOT_FINITE  xyz holds a NaN or an infinity
+ *  @retval HSP_E_RANGE       xyz lies beyond 2^50 lattice steps
+ *  @retval HSP_E_CHECK       a way up ends nowhere, which cannot happen: please report it */
+HSP_API int32_t hsp_pores_locate(const hsp_pores *pores, const double *xyz, hsp_pore_place *place);
+
+/** The widest probe between two points. Frozen. */
+typedef struct hsp_pore_passage {
+  double radius;     /**< wider ones do not get through; 0 if none above the floor does, infinite without balls */
+  uint32_t passes;   /**< whether any above the floor does: 1 or 0 */
+  uint32_t gate;     /**< that stops wider ones; HSP_NONE if that is an end, or if none passes */
+  uint32_t ball;     /**< that stops wider ones at an end; HSP_NONE if that is a gate, or if none passes */
+  uint32_t at[2];    /**< the maxima above the two points as hsp_pores_locate says */
+  uint32_t reserved; /**< 0 */
+} hsp_pore_passage;
+
+/** The widest probe that gets from one point to another, from [3] and to [3], or to the outside if `to` is NULL. The
+ *  points are rounded to the lattice.
+ *  - Property 1: its radius is that of hsp_gate_get up to a lattice step, which looks at one pair of points alone.
+ *
+ *  Cost: that of hsp_pores_locate, twice.
+ *  @retval HSP_E_ARGUMENT    pores, from or passage is NULL
+ *  @retval HSP_E_STATE       nothing computed, or the model has changed since
+ *  @retval HSP_E_NOT_FINITE  a point holds a NaN or an infinity
+ *  @retval HSP_E_RANGE       a point lies beyond 2^50 lattice steps
+ *  @retval HSP_E_CHECK       a way up ends nowhere, which cannot happen: please report it */
+HSP_API int32_t hsp_pores_widest(const hsp_pores *pores, const double *from, const double *to,
+                                 hsp_pore_passage *passage);
+
+/** A pocket. Frozen. */
+typedef struct hsp_pore_pocket {
+  double radius;     /**< of the widest probe that fits in it: its depth */
+  double mouth;      /**< of the widest probe that passes one of its mouths; the floor without mouths */
+  uint32_t maximum;  /**< the widest one in it */
+  uint32_t gate;     /**< its widest mouth; HSP_NONE if it is a cavity that the narrow probe does not get out of */
+  uint32_t maxima;   /**< how many are in it */
+  uint32_t mouths;   /**< how many it has */
+  uint32_t balls;    /**< how many line it */
+  uint32_t reserved; /**< 0 */
+} hsp_pore_pocket;
+
+/** Find pockets: where a probe of the radius `narrow` fits, and one of the radius `wide` does not get to from the
+ *  outside. A pocket is made up of maxima wider than `narrow`, joined by gates wider than that; its mouths are such
+ *  gates to where the wide probe gets. one wider than everything gets nowhere. *pockets becomes how many
+ *  there are; they stay until the next call.
+ *  - Property 1: with narrow = wide pockets are the cavities of that probe: the regions of hsp_cells of balls that are
+ *    grown by it, without the outside.
+ *
+ *  Cost: O(maxima + gates), and sorting the balls of each pocket.
+ *  @retval HSP_E_ARGUMENT    pores or pockets is NULL; wide is less than narrow
+ *  @retval HSP_E_STATE       nothing computed, or the model has changed since
+ *  @retval HSP_E_NOT_FINITE  narrow or wide is a NaN or an infinity
+ *  @retval HSP_E_RANGE       narrow is below the floor, or one of them above 2^51 lattice steps */
+HSP_API int32_t hsp_pores_find_pockets(hsp_pores *pores, double narrow, double wide, uint32_t *pockets);
+
+/** The pockets first .. first + count - 1 of the last hsp_pores_find_pockets, exactly count records, that with the
+ *  widest maximum first; out may be NULL with count 0.
+ *  @retval HSP_E_ARGUMENT  pores is NULL; out is NULL with a count above 0
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since
+ *  @retval HSP_E_ID        not all of these pockets are there */
+HSP_API int32_t hsp_pores_get_pockets(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_pocket *out);
+
+/** The maxima of a pocket, the widest first.
+ *  @retval HSP_E_ARGUMENT  pores is NULL; maxima is NULL with a capacity above 0
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, which may be NULL
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since
+ *  @retval HSP_E_ID        there is no such pocket */
+HSP_API int32_t hsp_pores_get_pocket_maxima(const hsp_pores *pores, uint32_t pocket, uint32_t *maxima,
+                                            uint32_t capacity, uint32_t *needed);
+
+/** The mouths of a pocket, the widest first: numbers of gates.
+ *  @retval HSP_E_ARGUMENT  pores is NULL; gates is NULL with a capacity above 0
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, which may be NULL
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since
+ *  @retval HSP_E_ID        there is no such pocket */
+HSP_API int32_t hsp_pores_get_pocket_mouths(const hsp_pores *pores, uint32_t pocket, uint32_t *gates, uint32_t capacity,
+                                            uint32_t *needed);
+
+/** The balls that line a pocket, in ascending order: nearest ones of its maxima, of the gates between them and of its
+ *  mouths.
+ *  @retval HSP_E_ARGUMENT  pores is NULL; balls is NULL with a capacity above 0
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, which may be NULL
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since
+ *  @retval HSP_E_ID        there is no such pocket */
+HSP_API int32_t hsp_pores_get_pocket_balls(const hsp_pores *pores, uint32_t pocket, uint32_t *balls, uint32_t capacity,
+                                           uint32_t *needed);
+
+/** A tunnel. Frozen. */
+typedef struct hsp_tunnel {
+  double radius;     /**< of the widest probe that gets through; 0 if there is no tunnel, infinite without balls */
+  double length;     /**< of the polyline through its points; 0 if there is no tunnel */
+  uint32_t there;    /**< whether there is a tunnel: 1 or 0 */
+  uint32_t gate;     /**< its tightest one; HSP_NONE if it passes none */
+  uint32_t gates;    /**< how many it passes */
+  uint32_t points;   /**< of the polyline; 0 if there is no tunnel */
+  uint32_t outside;  /**< whether it comes to the outside: 1 or 0. If it comes back from there the polyline leaps */
+  uint32_t reserved; /**< 0 */
+} hsp_tunnel;
+
+/** Find the tunnel from one point to another, from [3] and to [3], or to the outside if `to` is NULL, that the widest
+ *  probe gets through, without the gates avoided [count]. To avoid the tightest gates of tunnels before finds the next
+ *  best one that has another bottleneck. It leads through maxima and gates, and each part of it is as wide as any path
+ *  between its ends. Its points stay until the next call; on failure there are none. limits, if not NULL, become what
+ *  was needed for pores and the tunnel, or limits to retry with, for new pores: their struct_size has to be set.
+ *  - Property 1: without avoided gates its radius is that of hsp_pores_widest.
+ *  - Property 2: the largest probe at a gate is narrower than at the points beside it: the way rises from there.
+ *
+ *  @param[out] tunnel     the tunnel, or that there is none
+ *
+ *  Cost: O((maxima + gates) log maxima + gates count), and that of hsp_pores_locate.
+ *  @retval HSP_E_ARGUMENT    pores, from or tunnel is NULL; avoided is NULL with a count above 0
+ *  @retval HSP_E_VERSION     bad struct_size of limits
+ *  @retval HSP_E_CAPACITY    limits.points is too small; the pores keep their results
+ *  @retval HSP_E_STATE       nothing computed, or the model has changed since
+ *  @retval HSP_E_ID          an avoided gate is not there
+ *  @retval HSP_E_NOT_FINITE  a point holds a NaN or an infinity
+ *  @retval HSP_E_RANGE       a point lies beyond 2^50 lattice steps
+ *  @retval HSP_E_CHECK       a way up ends nowhere, which cannot happen: please report it */
+HSP_API int32_t hsp_pores_find_tunnel(hsp_pores *pores, const double *from, const double *to, const uint32_t *avoided,
+                                      uint32_t count, hsp_tunnel *tunnel, hsp_pores_limits *limits);
+
+/** A point of a tunnel. Frozen. */
+typedef struct hsp_tunnel_point {
+  double xyz[3];
+  double radius; /**< of the largest probe there */
+  uint32_t
+      ball[4];   /**< nearest ones, HSP_NONE behind the last: four at a maximum, three at a gate, else one to three */
+  uint32_t gate; /**< that it is, or HSP_NONE */
+  uint32_t maximum; /**< that it is, or HSP_NONE */
+} hsp_tunnel_point;
+
+/** The points [needed] of the last tunnel, from its start to its end; none if there was none. Between two of them the
+ *  way is a curve of points equally far from two or three balls, or a straight line away from one.
+ *  @retval HSP_E_ARGUMENT  pores is NULL; points is NULL with a capacity above 0
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, which may be NULL
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
+HSP_API int32_t hsp_pores_get_tunnel_points(const hsp_pores *pores, hsp_tunnel_point *points, uint32_t capacity,
+                                            uint32_t *needed);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

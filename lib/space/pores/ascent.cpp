@@ -1,0 +1,262 @@
+#include "pores/ascent.hpp"
+
+#include <initializer_list>
+
+namespace hsp {
+namespace {
+
+constexpr double least_delta = 0x1p-6;
+constexpr uint32_t most_hits = 192;
+constexpr uint32_t most_saddles = 64;
+constexpr uint32_t most_tied = 16;
+constexpr int most_turns = 64;
+
+double smaller(double a, double b) {
+  return a < b ? a : b;
+}
+
+uint32_t smaller_count(uint32_t a, uint32_t b) {
+  return a < b ? a : b;
+}
+
+double length_of(const Vec3 &v) {
+  return std::sqrt(dot(v, v));
+}
+
+// The point of the affine hull of some points that is nearest to 0. False if it is outside their hull, or if they are
+// nearly dependent.
+bool nearest_of_simplex(const Vec3 *v, uint32_t count, Vec3 &nearest) {
+  if (count == 1) {
+    nearest = v[0];
+    return true;
+  }
+  const Vec3 u = v[1] - v[0];
+  if (count == 2) {
+    const double squared = dot(u, u), t = -dot(v[0], u);
+    if (!(squared > 1e-30) || t < 0.0 || t > squared) return false;
+    nearest = v[0] + (t / squared) * u;
+    return true;
+  }
+  const Vec3 w = v[2] - v[0], n = cross(u, w);
+  if (count == 3) {
+    const double squared = dot(n, n);
+    if (!(squared > 1e-28)) return false;
+    const double height = dot(n, v[0]) / squared;
+    const Vec3 foot = height * n;
+    for (uint32_t k = 0; k < 3; ++k) {
+      const Vec3 &from = v[k], &to = v[(k + 1) % 3];
+      if (dot(cross(to - from, foot - from), n) < 0.0) return false;
+    }
+    nearest = foot;
+    return true;
+  }
+  // All four faces have 0 on the side of the fourth point.
+  for (uint32_t k = 0; k < 4; ++k) {
+    const Vec3 &a = v[k], &b = v[(k + 1) % 4], &c = v[(k + 2) % 4], &d = v[(k + 3) % 4];
+    const Vec3 m = cross(b - a, c - a);
+    const double own = dot(m, d - a), zero = -dot(m, a);
+    if (!(std::fabs(own) > 1e-18) || zero * own < 0.0) return false;
+  }
+  nearest = {0.0, 0.0, 0.0};
+  return true;
+}
+
+}  // namespace
+
+Vec3 nearest_to_zero(Vec3 *points, uint32_t &count) {
+  Vec3 best = points[0];
+  double least = dot(best, best);
+  uint32_t chosen = 1;
+  for (uint32_t set = 2; set < 1U << count; ++set) {
+    Vec3 some[4] = {}, nearest{};
+    uint32_t size = 0;
+    for (uint32_t k = 0; k < count; ++k) {
+      if ((set >> k & 1U) != 0) some[size++] = points[k];
+    }
+    if (!nearest_of_simplex(some, size, nearest) || dot(nearest, nearest) >= least) continue;
+    best = nearest;
+    least = dot(best, best);
+    chosen = set;
+  }
+  uint32_t kept = 0;
+  for (uint32_t k = 0; k < count; ++k) {
+    if ((chosen >> k & 1U) != 0) points[kept++] = points[k];
+  }
+  count = kept;
+  return best;
+}
+
+Ascent::Ascent(const CubeGrid &grid, const exact::Vector &start) : grid_(grid), start_(start) {
+  const BallSet &balls = grid.balls();
+  for (uint32_t i = 0; i < balls.n; ++i) {
+    const exact::Vector centre = balls.ball(i).centre;
+    const auto cover = [i](int64_t x, int64_t &low, int64_t &high) {
+      low = i == 0 || x < low ? x : low;
+      high = i == 0 || x > high ? x : high;
+    };
+    cover(centre.x, box_.low.x, box_.high.x);
+    cover(centre.y, box_.low.y, box_.high.y);
+    cover(centre.z, box_.low.z, box_.high.z);
+  }
+  // The reach that some balls have and no more than there is room for, or nearly: doubled, then halved.
+  double low = 0.0, high = 0.0;
+  double reach = static_cast<double>(balls.largest_radius) + 1.0;
+  for (int turn = 0; balls.n > 0 && turn < 120; ++turn) {
+    uint32_t ids[1];
+    QueryResult result{ids, 0, 0};
+    find_balls_at_ball(grid, {start, static_cast<int64_t>(reach)}, result);
+    if (result.hits > 0 && result.hits <= most_hits) break;
+    (result.hits > 0 ? high : low) = reach;
+    if (high > 0.0 && high - low < 2.0) break;
+    reach = high > 0.0 ? 0.5 * (low + high) : 2.0 * reach;
+    if (!(reach < exact::query_radius_limit)) break;
+  }
+  level_ = balls.n > 0 ? reach : std::numeric_limits<double>::infinity();
+  look(reach);
+  delta_ = 0.25 * (std::fabs(level_) + static_cast<double>(balls.largest_radius)) + 1.0;
+  move(0.0, at_);
+}
+
+// All balls within some distance, and f. False if there are none, or too many.
+bool Ascent::look(double reach) {
+  const BallSet &balls = grid_.balls();
+  uint32_t ids[most_hits];
+  QueryResult result{ids, most_hits, 0};
+  const exact::Vector offset{nearest(at_.x), nearest(at_.y), nearest(at_.z)};
+  const double radius = reach > 0.0 ? reach + 2.0 : 2.0;
+  known_ = -1.0;
+  if (!(radius < exact::query_radius_limit)) return false;
+  find_balls_at_ball(
+      grid_, {{start_.x + offset.x, start_.y + offset.y, start_.z + offset.z}, static_cast<int64_t>(radius)}, result);
+  if (result.hits == 0 || result.hits > most_hits) return false;
+  const auto seen = [&](uint32_t id) {
+    const exact::Vector c = balls.ball(grid_.grid_index(id)).centre;
+    const Vec3 y{at_.x - static_cast<double>(c.x - start_.x), at_.y - static_cast<double>(c.y - start_.y),
+                 at_.z - static_cast<double>(c.z - start_.z)};
+    const double length = length_of(y);
+    return NearBall{length > 0.0 ? (1.0 / length) * y : Vec3{1.0, 0.0, 0.0}, length - balls.r[grid_.grid_index(id)],
+                    id};
+  };
+  NearBall first = seen(ids[0]);
+  for (uint32_t k = 1; k < result.hits; ++k) {
+    const NearBall other = seen(ids[k]);
+    if (other.gap < first.gap) first = other;
+  }
+  level_ = first.gap;
+  near_count_ = 0;
+  near_[near_count_++] = first;
+  for (uint32_t k = 0; k < result.hits; ++k) {
+    const NearBall other = seen(ids[k]);
+    if (other.ball == first.ball || other.gap > reach) continue;
+    if (near_count_ == room) return false;
+    near_[near_count_++] = other;
+  }
+  known_ = reach - level_;
+  return true;
+}
+
+// How many balls are within delta of the nearest one; they come first. 0 if they are too many to be known.
+uint32_t Ascent::within(double delta) {
+  if (!(known_ >= delta) && !look(level_ + delta)) return 0;
+  uint32_t count = 0;
+  for (uint32_t k = 0; k < near_count_; ++k) {
+    if (near_[k].gap > level_ + delta) continue;
+    const NearBall other = near_[k];
+    near_[k] = near_[count];
+    near_[count++] = other;
+  }
+  return count;
+}
+
+void Ascent::move(double length, const Vec3 &direction) {
+  const double before = level_;
+  at_ = at_ + length * direction;
+  const auto beyond = [](double x, int64_t start, int64_t low, int64_t high) {
+    return x > static_cast<double>(high - start) || x < static_cast<double>(low - start);
+  };
+  outside_ = grid_.balls().n == 0 || beyond(at_.x, start_.x, box_.low.x, box_.high.x) ||
+             beyond(at_.y, start_.y, box_.low.y, box_.high.y) || beyond(at_.z, start_.z, box_.low.z, box_.high.z);
+  if (length > 0.0 && !look(before + length + delta_) && !look(before + length)) level_ = before;
+}
+
+bool Ascent::step() {
+  if (outside_ || steps_ == most_steps) return false;
+  ++steps_;
+  const double size = std::fabs(level_) + static_cast<double>(grid_.balls().largest_radius) + 1.0;
+  for (; delta_ >= least_delta; delta_ *= 0.5) {
+    const uint32_t count = within(delta_);
+    if (count == 0) continue;
+    Vec3 basis[4] = {near_[0].a};
+    uint32_t spanning = 1;
+    Vec3 d = basis[0];
+    for (int turn = 0; turn < most_turns; ++turn) {
+      uint32_t least = 0;
+      for (uint32_t k = 1; k < count; ++k) {
+        if (dot(near_[k].a, d) < dot(near_[least].a, d)) least = k;
+      }
+      if (dot(near_[least].a, d) >= 0.75 * dot(d, d) || spanning == 4) break;
+      basis[spanning++] = near_[least].a;
+      d = nearest_to_zero(basis, spanning);
+    }
+    const double steepness = length_of(d);
+    // Steps may be flat where they are short, as beside a gate.
+    if (steepness <= 0.1 * std::sqrt(delta_ / size)) continue;
+    double lead = 1.0;
+    for (uint32_t k = 0; k < count; ++k) lead = smaller(lead, dot(near_[k].a, d) / steepness);
+    if (!(lead > 0.0)) continue;
+    const double length = delta_ / (1.0 + lead);
+    delta_ = smaller(2.0 * delta_, 0.5 * size);
+    move(length, (1.0 / steepness) * d);
+    return true;
+  }
+  return leave_saddle();
+}
+
+// Where no way up is steep the nearest balls have directions that are opposite, or three in one plane with the point:
+// as far as others let it, a way leads off at right angles to these, from a gate to both sides.
+bool Ascent::leave_saddle() {
+  const uint32_t tied = smaller_count(within(16.0), most_tied);
+  if (saddles_ == most_saddles) return false;
+  ++saddles_;
+  Vec3 a[most_tied];
+  for (uint32_t i = 0; i < tied; ++i) a[i] = near_[i].a;
+  const auto leave = [&](const Vec3 &n) {
+    const double length = length_of(n);
+    return length > 1e-6 && (leave_along((1.0 / length) * n) || leave_along((-1.0 / length) * n));
+  };
+  for (uint32_t i = 0; i < tied; ++i) {
+    for (uint32_t j = i + 1; j < tied; ++j) {
+      for (uint32_t k = j + 1; k < tied; ++k) {
+        if (leave(cross(a[j] - a[i], a[k] - a[i]))) return true;
+      }
+    }
+  }
+  for (uint32_t i = 0; i < tied; ++i) {
+    for (uint32_t j = i + 1; j < tied; ++j) {
+      if (leave(cross(a[i], a[j]))) return true;
+    }
+    if (leave(cross(a[i], {1.0, 0.0, 0.0})) || leave(cross(a[i], {0.0, 1.0, 0.0}))) return true;
+  }
+  return false;
+}
+
+// As far as no ball within reach gets nearer.
+bool Ascent::leave_along(const Vec3 &n) {
+  const double size = std::fabs(level_) + static_cast<double>(grid_.balls().largest_radius) + 1.0;
+  const auto is_open = [&](double delta) {
+    const uint32_t count = within(delta);
+    for (uint32_t k = 0; k < count; ++k) {
+      if (!(dot(near_[k].a, n) > -1e-8)) return false;
+    }
+    return count > 0;
+  };
+  if (!is_open(16.0)) return false;
+  double delta = 64.0;
+  if (!is_open(delta)) return false;
+  while (2.0 * delta < 0.1 * size && is_open(2.0 * delta)) delta *= 2.0;
+  delta_ = delta;
+  move(delta, n);
+  return true;
+}
+
+}  // namespace hsp

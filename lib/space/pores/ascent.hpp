@@ -1,0 +1,66 @@
+// A way up from any point to where f has a maximum, in doubles.
+//
+// With a_i the unit vectors from the centres to a point, d a unit vector with d.a_i >= s for all balls within delta of
+// the nearest one, and h = delta / (1 + s): along d each of them gets farther by s h at least, since |x - c| is convex,
+// and no other ball gets nearer by more than h. So f rises by s h, and is nowhere on the way below where it began. d is
+// that of the point of the hull of the a_i that is nearest to 0. Where s is small delta is halved, down to a fraction
+// of a lattice step: at a maximum, or beside a gate or the middle of a gap of two balls, from where the way goes on at
+// right angles to their directions.
+#pragma once
+
+#include "core/fixed_vector.hpp"
+#include "model/queries.hpp"
+#include "pores/pores.hpp"
+
+namespace hsp {
+
+class Ascent {
+ public:
+  // From a point in no ball, or in one.
+  Ascent(const CubeGrid &grid, const exact::Vector &start);
+
+  // f there, and where it is, seen from the start.
+  double level() const { return level_; }
+  const Vec3 &offset() const { return at_; }
+  // A ball that is nearest there; no_id without balls.
+  uint32_t nearest_ball() const { return near_count_ > 0 ? near_[0].ball : no_id; }
+  // Beyond the box around all centres: from there f rises for ever.
+  bool is_outside() const { return outside_; }
+  // One step up. False if there is none, or outside.
+  bool step();
+  // Whether steps were given up, which cannot happen.
+  bool is_lost() const { return steps_ == most_steps; }
+
+ private:
+  static constexpr uint32_t room = 64;
+  static constexpr uint32_t most_steps = 100000;
+  struct NearBall {
+    Vec3 a;  // unit vector from the centre
+    double gap;
+    uint32_t ball;  // of the caller
+  };
+
+  bool look(double reach);
+  uint32_t within(double delta);
+  bool leave_saddle();
+  bool leave_along(const Vec3 &n);
+  void move(double length, const Vec3 &direction);
+
+  const CubeGrid &grid_;
+  exact::Vector start_;
+  LatticeBox box_;
+  Vec3 at_{0.0, 0.0, 0.0};
+  double level_ = 0.0;
+  double delta_ = 0.0;   // of the next try
+  double known_ = -1.0;  // near_ has all balls within that of the nearest one; below 0: none
+  NearBall near_[room];  // the nearest one first
+  uint32_t near_count_ = 0;
+  uint32_t saddles_ = 0;  // that were left
+  uint32_t steps_ = 0;
+  bool outside_ = false;
+};
+
+// The point of the hull of up to four points that is nearest to 0. Of the points those stay that span it.
+Vec3 nearest_to_zero(Vec3 *points, uint32_t &count);
+
+}  // namespace hsp

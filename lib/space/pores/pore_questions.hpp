@@ -1,0 +1,66 @@
+// Pores with what is asked of them: pockets and tunnels, in one piece of memory.
+#pragma once
+
+#include "pores/pockets.hpp"
+#include "pores/tunnel.hpp"
+
+namespace hsp {
+
+struct PoreQuestionLimits {
+  PoreLimits pores;
+  uint32_t points = 0;  // of a tunnel
+};
+
+// Limits that suffice for most molecules. Status::range if one would be larger than max_count.
+constexpr Status default_limits(uint32_t balls, PoreQuestionLimits &limits) {
+  const Status status = default_limits(balls, limits.pores);
+  if (status == Status::ok) limits.points = balls + 4096;
+  return status;
+}
+
+class PoreQuestions {
+ public:
+  void carve(Workspace &workspace, const PoreQuestionLimits &limits) {
+    builder_.carve(workspace, limits.pores);
+    pockets_.carve(workspace, limits.pores);
+    tunnel_.carve(workspace, limits.pores.maxima, limits.points);
+  }
+  // As PoresBuilder::build. There is nothing where the largest ball has no radius left.
+  Status build(const CubeGrid &grid, int64_t floor) {
+    pockets_.forget();
+    tunnel_.forget();
+    floor_ = floor;
+    const int64_t lowest = -grid.balls().largest_radius - 1;
+    return builder_.build(grid, floor < lowest ? lowest : floor);
+  }
+  // As TunnelFinder::find.
+  Status find_tunnel(const CubeGrid &grid, const exact::Vector &from, const exact::Vector *to,
+                     Span<const uint32_t> avoided, TunnelSummary &summary) {
+    return tunnel_.find(builder_, grid, {from, to, avoided, floor_}, summary);
+  }
+  // As PocketFinder::find.
+  void find_pockets(double narrow, double wide) { pockets_.find(builder_, narrow, wide); }
+  void forget_pockets() { pockets_.forget(); }
+  void forget_tunnel() { tunnel_.forget(); }
+
+  const PoresBuilder &pores() const { return builder_; }
+  const PocketFinder &pockets() const { return pockets_; }
+  const TunnelFinder &tunnel() const { return tunnel_; }
+  ClassTree tree() const { return ClassTree(builder_); }
+  int64_t floor() const { return floor_; }
+
+  // What suffices for the pores and for the last tunnel.
+  PoreQuestionLimits needed() const { return {builder_.needed(), tunnel_.needed_points()}; }
+  // What to try again with after Status::capacity.
+  PoreQuestionLimits retry_limits() const {
+    return {builder_.retry_limits(), larger_count(tunnel_.capacity(), tunnel_.needed_points())};
+  }
+
+ private:
+  PoresBuilder builder_;
+  PocketFinder pockets_;
+  TunnelFinder tunnel_;
+  int64_t floor_ = 0;
+};
+
+}  // namespace hsp

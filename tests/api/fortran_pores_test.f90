@@ -1,0 +1,87 @@
+! Pores as a Fortran program sees them: every function is called, and records arrive as the header has them.
+program fortran_pores_test
+  use, intrinsic :: iso_c_binding
+  use hardsphere
+  use fortran_checks
+  implicit none
+  integer(c_int32_t), parameter :: n = 4
+  real(c_double), parameter :: xyz(3, n) = reshape([1, 1, 1, 1, -1, -1, -1, 1, -1, -1, -1, 1]*1.0_c_double, [3, n])
+  real(c_double), parameter :: radius(n) = [1.0_c_double, 1.0_c_double, 1.0_c_double, 1.25_c_double]
+  real(c_double), parameter :: middle(3) = 0, away(3) = [9, 8, 7]
+  integer(c_int8_t), allocatable, target :: model_memory(:), memory(:)
+  type(c_ptr) :: model = c_null_ptr, pores = c_null_ptr
+  type(hsp_pores_limits) :: limits
+  type(hsp_pores_options) :: options
+  type(hsp_pores_counts) :: counts
+  type(hsp_pore_maximum) :: top(1)
+  type(hsp_pore_gate) :: gates(8)
+  type(hsp_pore_place) :: place
+  type(hsp_pore_passage) :: passage
+  type(hsp_pore_pocket) :: pocket(1)
+  type(hsp_tunnel) :: tunnel
+  type(hsp_tunnel_point), allocatable :: points(:)
+  integer(c_int32_t) :: list(8), needed, number
+  integer(c_size_t) :: bytes
+
+  call check(c_sizeof(limits) == 32 .and. c_sizeof(options) == 16 .and. c_sizeof(counts) == 24, 'sizes of numbers')
+  call check(c_sizeof(top(1)) == 64 .and. c_sizeof(gates(1)) == 56 .and. c_sizeof(place) == 16, 'sizes of records')
+  call check(c_sizeof(passage) == 32 .and. c_sizeof(pocket(1)) == 40 .and. c_sizeof(tunnel) == 40, 'sizes of answers')
+  call expect(hsp_model_bytes(n, bytes), HSP_OK, 'hsp_model_bytes')
+  allocate (model_memory(bytes))
+  call expect(hsp_model_init(c_loc(model_memory), bytes, n, model), HSP_OK, 'hsp_model_init')
+  call expect(hsp_model_set(model, n, xyz, radius), HSP_OK, 'hsp_model_set')
+  call expect(hsp_pores_limits_init(limits, int(c_sizeof(limits), c_int32_t), n), HSP_OK, 'hsp_pores_limits_init')
+  call check(limits%maxima == 72 .and. limits%points == 4100, 'limits of pores')
+  call expect(hsp_pores_bytes(limits, bytes), HSP_OK, 'hsp_pores_bytes')
+  call check(bytes <= hsp_pores_bytes_bound(limits%balls, limits%maxima, limits%gates, limits%tied, limits%candidates, &
+                                            limits%neighbours, limits%points), 'hsp_pores_bytes_bound')
+  allocate (memory(bytes))
+  call expect(hsp_pores_init(c_loc(memory), bytes, limits, pores), HSP_OK, 'hsp_pores_init')
+  call expect(hsp_pores_get_counts(pores, counts), HSP_E_STATE, 'no pores yet')
+  call expect(hsp_pores_options_init(options, int(c_sizeof(options), c_int32_t)), HSP_OK, 'hsp_pores_options_init')
+  options%floor = -0.5_c_double
+  call expect(hsp_pores_compute(pores, model, options, limits), HSP_OK, 'hsp_pores_compute')
+  call expect(hsp_pores_get_counts(pores, counts), HSP_OK, 'hsp_pores_get_counts')
+  call check(counts%maxima == 1 .and. counts%gates == 4 .and. counts%cavities == 0 .and. counts%outer_balls == 4, 'counts')
+  call expect(hsp_pores_get_maxima(pores, 0_c_int32_t, 1_c_int32_t, top), HSP_OK, 'hsp_pores_get_maxima')
+  call check(top(1)%radius > 0.6 .and. top(1)%radius < 0.732 .and. top(1)%parent == HSP_PORE_OUTSIDE, 'the maximum')
+  call expect(hsp_pores_get_gates(pores, 0_c_int32_t, 4_c_int32_t, gates), HSP_OK, 'hsp_pores_get_gates')
+  call check(abs(gates(1)%radius - (sqrt(8.0_c_double/3) - 1)) < 1e-12, 'the gate of the three small balls')
+  call check(abs(top(1)%death - gates(1)%radius) < 1e-12 .and. top(1)%gate == 0, 'where it merges')
+  call expect(hsp_pores_get_maximum_balls(pores, 0_c_int32_t, list, 8_c_int32_t, needed), HSP_OK, &
+              'hsp_pores_get_maximum_balls')
+  call check(needed == 4 .and. all(list(1:4) == [0, 1, 2, 3]), 'its balls')
+  call expect(hsp_pores_get_gate_balls(pores, 0_c_int32_t, list, 8_c_int32_t, needed), HSP_OK, 'hsp_pores_get_gate_balls')
+  call check(needed == 3 .and. all(list(1:3) == [0, 1, 2]), 'balls of the gate')
+  call expect(hsp_pores_class_at(pores, 0_c_int32_t, 0.7_c_double, number), HSP_OK, 'hsp_pores_class_at')
+  call check(number == 0 .or. number == HSP_NONE, 'the class of a probe')
+  call expect(hsp_pores_gate_between(pores, 0_c_int32_t, HSP_PORE_OUTSIDE, number), HSP_OK, 'hsp_pores_gate_between')
+  call check(number == 0, 'the way out')
+  call expect(hsp_pores_locate(pores, middle, place), HSP_OK, 'hsp_pores_locate')
+  call check(place%maximum == 0 .and. place%ball == 3, 'where the middle is')
+  call expect(hsp_pores_widest(pores, middle, passage=passage), HSP_OK, 'hsp_pores_widest')
+  call check(passage%passes == 1 .and. passage%radius <= place%radius, 'how wide')
+  call expect(hsp_pores_widest(pores, middle, away, passage), HSP_OK, 'hsp_pores_widest to a point')
+  call expect(hsp_pores_find_pockets(pores, 0.0_c_double, 1.0_c_double, number), HSP_OK, 'hsp_pores_find_pockets')
+  call check(number == 1, 'one pocket')
+  call expect(hsp_pores_get_pockets(pores, 0_c_int32_t, 1_c_int32_t, pocket), HSP_OK, 'hsp_pores_get_pockets')
+  call check(pocket(1)%maxima == 1 .and. pocket(1)%mouths == 4 .and. pocket(1)%balls == 4, 'the pocket')
+  call expect(hsp_pores_get_pocket_maxima(pores, 0_c_int32_t, list, 8_c_int32_t, needed), HSP_OK, &
+              'hsp_pores_get_pocket_maxima')
+  call check(needed == 1 .and. list(1) == 0, 'its maximum')
+  call expect(hsp_pores_get_pocket_mouths(pores, 0_c_int32_t, list, 8_c_int32_t, needed), HSP_OK, &
+              'hsp_pores_get_pocket_mouths')
+  call check(needed == 4 .and. list(1) == 0, 'its mouths')
+  call expect(hsp_pores_get_pocket_balls(pores, 0_c_int32_t, list, 8_c_int32_t, needed), HSP_OK, &
+              'hsp_pores_get_pocket_balls')
+  call check(needed == 4, 'its lining')
+  call expect(hsp_pores_find_tunnel(pores, middle, count=0_c_int32_t, tunnel=tunnel), HSP_OK, 'hsp_pores_find_tunnel')
+  call check(tunnel%there == 1 .and. tunnel%gate == 0 .and. tunnel%outside == 1, 'the tunnel')
+  allocate (points(tunnel%points))
+  call expect(hsp_pores_get_tunnel_points(pores, points, tunnel%points, needed), HSP_OK, 'hsp_pores_get_tunnel_points')
+  call check(all(points(1)%xyz == middle) .and. any(points%gate == 0), 'its points')
+  call expect(hsp_pores_find_tunnel(pores, middle, away, [0_c_int32_t], 1_c_int32_t, tunnel, limits), HSP_OK, &
+              'hsp_pores_find_tunnel that avoids a gate')
+  call check(tunnel%gate > 0 .and. limits%points == tunnel%points, 'another way')
+  call report_checks()
+end program

@@ -1,0 +1,172 @@
+/* Pores of balls for which maxima, gates and tunnels are known in closed form: a cubic cage, a bottle of rings, and
+ * two cages side by side. */
+#include <hardsphere.h>
+#include <hardsphere_workspace.h>
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+
+enum { MOST = 400 };
+static hsp_workspace work;
+static hsp_pores_counts counts;
+static double xyz[3 * MOST], radii[MOST];
+static uint32_t n;
+
+static void add(double x, double y, double z, double radius) {
+  xyz[3 * n] = x;
+  xyz[3 * n + 1] = y;
+  xyz[3 * n + 2] = z;
+  radii[n++] = radius;
+}
+
+static void compute(void) {
+  CHECK_EQUAL(hsp_workspace_set(&work, n, xyz, radii, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_pores(&work, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_counts(work.pores, &counts), HSP_OK);
+}
+
+/* A cubic lattice of x by 3 by 3 places without those at odd x in the middle. */
+static void set_cages(uint32_t length, double radius) {
+  uint32_t x, y, z;
+  n = 0;
+  for (x = 0; x < length; ++x) {
+    for (y = 0; y < 3; ++y) {
+      for (z = 0; z < 3; ++z) {
+        if (x % 2 == 1 && y == 1 && z == 1) continue;
+        add(10.0 * x, 10.0 * y, 10.0 * z, radius);
+      }
+    }
+  }
+}
+
+/* Its middle is 10 away from six balls. Each of the eight cubes around it, a corner of which is missing, has a maximum
+ * in its middle, half a diagonal from seven balls. From there gates lead to the middle of the cage, through the
+ * triangle of the three balls next to the missing corner, and outward through three squares. */
+static void one_cage(void) {
+  hsp_pore_maximum top;
+  hsp_pore_gate gate;
+  hsp_pore_passage passage;
+  hsp_pore_pocket pocket;
+  uint32_t balls[MOST], needed = 0, found = 0, k;
+  static const double middle[3] = {10, 10, 10};
+  set_cages(3, 6);
+  compute();
+  CHECK(counts.maxima == 9 && counts.gates == 8 + 24 && counts.cavities == 0);
+  for (k = 1; k < 9; ++k) {
+    CHECK_EQUAL(hsp_pores_get_maxima(work.pores, k, 1, &top), HSP_OK);
+    CHECK(fabs(top.radius - (5 * sqrt(3) - 6)) < 1e-9 && fabs(top.death - (10 * sqrt(2.0 / 3) - 6)) < 1e-9);
+    CHECK(top.parent == 0 && top.gate < 8);
+    CHECK_EQUAL(hsp_pores_get_maximum_balls(work.pores, k, balls, MOST, &needed), HSP_OK);
+    CHECK_EQUAL(needed, 7);
+  }
+  CHECK_EQUAL(hsp_pores_get_maxima(work.pores, 0, 1, &top), HSP_OK);
+  CHECK_NEAR(top.radius, 4, 1e-12);
+  for (k = 0; k < 3; ++k) CHECK_NEAR(top.xyz[k], middle[k], 1e-12);
+  CHECK_EQUAL(top.parent, HSP_PORE_OUTSIDE);
+  CHECK_EQUAL(hsp_pores_get_maximum_balls(work.pores, 0, balls, MOST, &needed), HSP_OK);
+  CHECK_EQUAL(needed, 6);
+  for (k = 0; k < needed; ++k) {
+    const double *c = xyz + 3 * (size_t)balls[k];
+    CHECK(fabs(c[0] - 10) + fabs(c[1] - 10) + fabs(c[2] - 10) == 10);
+    CHECK(k == 0 || balls[k - 1] < balls[k]);
+  }
+  CHECK_EQUAL(hsp_pores_get_gates(work.pores, top.gate, 1, &gate), HSP_OK);
+  CHECK(top.death == gate.radius && gate.merges == 1);
+  CHECK(fabs(gate.radius - (10 / sqrt(2) - 6)) < 1e-9);
+  CHECK(gate.end[0] == HSP_PORE_OUTSIDE ? gate.end[1] < 9 : gate.end[0] < 9 && gate.end[1] == HSP_PORE_OUTSIDE);
+  CHECK_EQUAL(hsp_pores_widest(work.pores, middle, NULL, &passage), HSP_OK);
+  CHECK(passage.passes == 1 && passage.radius == gate.radius && passage.gate == top.gate && passage.at[0] == 0);
+  CHECK_EQUAL(hsp_pores_find_pockets(work.pores, 1, 1.1, &found), HSP_OK);
+  CHECK_EQUAL(found, 1);
+  CHECK_EQUAL(hsp_pores_get_pockets(work.pores, 0, 1, &pocket), HSP_OK);
+  CHECK(pocket.radius == top.radius && pocket.maxima == 9 && pocket.mouth == gate.radius && pocket.gate == top.gate);
+  CHECK(pocket.mouths == 24 && pocket.reserved == 0);
+  CHECK_EQUAL(hsp_pores_get_pocket_balls(work.pores, 0, balls, MOST, &needed), HSP_OK);
+  CHECK_EQUAL(needed, pocket.balls);
+  CHECK_EQUAL(hsp_pores_get_pocket_maxima(work.pores, 0, balls, MOST, &needed), HSP_OK);
+  for (k = 0; k < 9; ++k) CHECK_EQUAL(balls[k], k);
+  CHECK_EQUAL(needed, 9);
+  CHECK_EQUAL(hsp_pores_get_pocket_mouths(work.pores, 0, balls, MOST, &needed), HSP_OK);
+  CHECK_EQUAL(needed, 24);
+  for (k = 0; k < needed; ++k) CHECK_EQUAL(balls[k], 8 + k);
+  CHECK_EQUAL(hsp_pores_get_gate_balls(work.pores, 8, balls, MOST, &needed), HSP_OK);
+  CHECK_EQUAL(needed, 4); /* of a square */
+  CHECK_EQUAL(hsp_pores_get_gate_balls(work.pores, 0, balls, MOST, &needed), HSP_OK);
+  CHECK_EQUAL(needed, 3);
+  CHECK_EQUAL(hsp_pores_find_pockets(work.pores, 1, 1.05, &found), HSP_OK);
+  CHECK_EQUAL(found, 0); /* the wide one gets in, too */
+  CHECK_EQUAL(hsp_pores_find_pockets(work.pores, 2, 2, &found), HSP_OK);
+  CHECK_EQUAL(found, 1);
+  CHECK_EQUAL(hsp_pores_get_pockets(work.pores, 0, 1, &pocket), HSP_OK);
+  CHECK(pocket.mouths == 0 && pocket.gate == HSP_NONE && pocket.mouth == 0); /* a cavity */
+}
+
+/* Rings of eight balls around an axis, from a narrow end through a wide belly to the neck and out, closed by a ball
+ * below: what gets in passes the neck. */
+static void bottle(void) {
+  static const double ring[6][2] = {{0, 3}, {1.5, 4}, {3, 4.2}, {4.5, 4}, {6, 3}, {7.5, 2.5}};
+  static const double inside[3] = {0.1, 0, 3};
+  hsp_tunnel tunnel;
+  hsp_tunnel_point points[400];
+  const double radius = 1.75;
+  uint32_t r, k, needed = 0, at = HSP_NONE;
+  n = 0;
+  add(0, 0, -2, 3);
+  for (r = 0; r < 6; ++r) {
+    for (k = 0; k < 8; ++k) {
+      const double angle = 0.7853981633974483 * k + 0.39269908169872414 * (r % 2);
+      add(ring[r][1] * cos(angle), ring[r][1] * sin(angle), ring[r][0], radius);
+    }
+  }
+  compute();
+  CHECK(counts.maxima >= 1);
+  CHECK_EQUAL(hsp_workspace_tunnel(&work, NULL, inside, NULL, NULL, 0, &tunnel), HSP_OK);
+  CHECK(tunnel.there == 1 && tunnel.outside == 1);
+  /* The eight of the neck are in one plane, as far as their rounding to the lattice goes. */
+  CHECK(fabs(tunnel.radius - 0.75) < 1e-7);
+  CHECK_EQUAL(hsp_pores_get_tunnel_points(work.pores, points, 400, &needed), HSP_OK);
+  CHECK_EQUAL(needed, tunnel.points);
+  for (k = 0; k < needed; ++k) {
+    CHECK(points[k].radius >= tunnel.radius - 1e-9);
+    CHECK(fabs(points[k].xyz[0]) < 0.2 || points[k].xyz[2] > 7.5); /* along the axis */
+    if (points[k].gate == tunnel.gate) at = k;
+  }
+  CHECK(at != HSP_NONE && fabs(points[at].xyz[2] - 7.5) < 1e-6 && points[at].radius == tunnel.radius);
+  CHECK(tunnel.length > 4.4);
+}
+
+/* Two cages with a square between them, of balls that have grown a little: the one opens to the other before both open
+ * to the outside, at the square of smaller balls. */
+static void two_cages(void) {
+  uint32_t k, gate = HSP_NONE, member = HSP_NONE;
+  hsp_pore_gate between;
+  hsp_pore_passage passage;
+  static const double left[3] = {10, 10, 10}, right[3] = {30, 10, 10};
+  set_cages(5, 6);
+  for (k = 0; k < n; ++k) {
+    if (xyz[3 * k] == 20) radii[k] = xyz[3 * k + 1] == 10 && xyz[3 * k + 2] == 10 ? 5.5 : 5.8;
+  }
+  compute();
+  CHECK_EQUAL(counts.maxima, 2 + 16);
+  CHECK_EQUAL(hsp_pores_gate_between(work.pores, 0, 1, &gate), HSP_OK);
+  CHECK(gate < counts.gates);
+  CHECK_EQUAL(hsp_pores_get_gates(work.pores, gate, 1, &between), HSP_OK);
+  CHECK(fabs(between.xyz[0] - 20) < 1e-7 && between.merges == 1);
+  CHECK_EQUAL(hsp_pores_class_at(work.pores, 1, between.radius, &member), HSP_OK);
+  CHECK_EQUAL(member, 1);
+  CHECK_EQUAL(hsp_pores_class_at(work.pores, 1, between.radius - 1e-9, &member), HSP_OK);
+  CHECK_EQUAL(member, 0);
+  CHECK_EQUAL(hsp_pores_widest(work.pores, left, right, &passage), HSP_OK);
+  CHECK(passage.radius == between.radius && passage.gate == gate);
+  CHECK(passage.at[0] != passage.at[1] && passage.at[0] + passage.at[1] == 1);
+}
+
+int main(void) {
+  memset(&work, 0, sizeof work);
+  one_cage();
+  bottle();
+  two_cages();
+  hsp_workspace_free(&work);
+  return check_report();
+}

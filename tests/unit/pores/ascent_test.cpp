@@ -1,0 +1,98 @@
+// Ways up: f, from all balls, never falls on them, and they end at a maximum or outside. The point of a hull that is
+// nearest to 0 is held against mixtures of its corners.
+#include "pores/ascent.hpp"
+
+#include <gtest/gtest.h>
+
+#include "built_pores.hpp"
+#include "pore_sets.hpp"
+#include "sweep_length.hpp"
+
+namespace {
+
+double nearest_distance(const oracle::Balls &balls, const hsp::Vec3 &x) {
+  double least = INFINITY;
+  for (const auto &ball : balls) {
+    const double dx = x.x - static_cast<double>(ball.x), dy = x.y - static_cast<double>(ball.y),
+                 dz = x.z - static_cast<double>(ball.z);
+    least = std::min(least, std::sqrt(dx * dx + dy * dy + dz * dz) - static_cast<double>(ball.radius));
+  }
+  return least;
+}
+
+TEST(Ascent, TheDistanceNeverFalls) {
+  oracle::RandomSource random(1);
+  int steps = 0, outside = 0, tops = 0;
+  for (int turn = 0; turn < oracle::sets(60); ++turn) {
+    const oracle::Balls balls = turn % 2 == 0 ? pore_sets::general_set(random, 40, turn / 2 % pore_sets::general_kinds)
+                                              : pore_sets::tied_set(random, 20, turn / 2 % pore_sets::tied_kinds);
+    const BuiltPores pores(balls);
+    ASSERT_EQ(pores.status(), hsp::Status::ok);
+    for (int k = 0; k < 10; ++k) {
+      const auto along = [&] {  // of the others some are full of ties
+        return turn % 2 == 0 ? random.in(-130000000, 130000000) : random.in(0, 6) * 50000000;
+      };
+      const hsp::exact::Vector start{along(), along(), along()};
+      hsp::Ascent way(pores.grid(), start);
+      const auto at = [&](double part, const hsp::Vec3 &from) {
+        const hsp::Vec3 o = hsp::combine(1.0 - part, from, part, way.offset());
+        return nearest_distance(balls, {static_cast<double>(start.x) + o.x, static_cast<double>(start.y) + o.y,
+                                        static_cast<double>(start.z) + o.z});
+      };
+      hsp::Vec3 before = way.offset();
+      double level = way.level();
+      ASSERT_NEAR(level, at(1.0, before), 1e-6);
+      while (way.step()) {
+        for (const double part : {0.25, 0.5, 0.75}) ASSERT_GE(at(part, before), level - 2.0) << oracle::to_text(balls);
+        ASSERT_NEAR(way.level(), at(1.0, before), 1e-4);
+        ASSERT_GE(way.level(), level - 2.0);
+        before = way.offset();
+        level = way.level();
+        ++steps;
+      }
+      ASSERT_FALSE(way.is_lost());
+      ++(way.is_outside() ? outside : tops);
+      if (way.is_outside()) continue;
+      // There is a maximum, or nearly.
+      double nearest = INFINITY;
+      for (const auto &maximum : pores.maxima()) {
+        const hsp::Vec3 p = maximum.point.place, o = way.offset();
+        const hsp::Vec3 d{p.x - o.x - static_cast<double>(start.x), p.y - o.y - static_cast<double>(start.y),
+                          p.z - o.z - static_cast<double>(start.z)};
+        nearest = std::min(nearest, std::sqrt(dot(d, d)));
+      }
+      ASSERT_LT(nearest, 1e4) << oracle::to_text(balls) << start.x << ' ' << start.y << ' ' << start.z;
+    }
+  }
+  EXPECT_GT(steps, 3 * (outside + tops));
+  EXPECT_GT(outside, tops / 20);
+  EXPECT_GT(tops, outside / 20);
+}
+
+TEST(Ascent, NoMixtureOfPointsIsNearerToZero) {
+  oracle::RandomSource random(2);
+  const auto number = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(random.in(0, 1000000)) * 1e-6;
+  };
+  int inside = 0;
+  for (int turn = 0; turn < 2000; ++turn) {
+    const auto given = static_cast<uint32_t>(random.in(1, 4));
+    const bool shifted = random.one_in(2);
+    hsp::Vec3 points[4], all[4];
+    for (uint32_t k = 0; k < given; ++k) {
+      const hsp::Vec3 v{number(-1, 1), number(-1, 1), number(shifted ? 0.1 : -1, 1)};
+      points[k] = all[k] = (1.0 / std::sqrt(dot(v, v))) * v;
+    }
+    uint32_t count = given;
+    const hsp::Vec3 found = hsp::nearest_to_zero(points, count);
+    ASSERT_LE(count, given);
+    ASSERT_GE(count, 1U);
+    inside += dot(found, found) == 0.0 ? 1 : 0;
+    // Nearest: no point of the hull is on the near side of the plane across it.
+    for (uint32_t k = 0; k < given; ++k) ASSERT_GE(dot(all[k], found), dot(found, found) - 1e-9);
+    for (uint32_t k = 0; k < count; ++k) ASSERT_NEAR(dot(points[k], found), dot(found, found), 1e-9);
+  }
+  EXPECT_GT(inside, 20);
+}
+
+}  // namespace

@@ -1,0 +1,148 @@
+// Tunnels: their tightest gate against relaxation over the gates that are not avoided, their points against the
+// distance from all balls.
+#include "pores/tunnel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "checked_pores.hpp"
+#include "sweep_length.hpp"
+
+namespace {
+
+using hsp::no_id;
+using hsp::pore_outside;
+
+// The level of the tightest gate of the widest path, without some gates.
+double width(const BuiltPores &pores, uint32_t from, uint32_t to, const std::vector<uint32_t> &avoided) {
+  std::vector<double> at(pores.maxima().size() + 1, -INFINITY);
+  at[hsp::node_of(from)] = INFINITY;
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (uint32_t k = 0; k < pores.gates().size(); ++k) {
+      const hsp::PoreGate &gate = pores.gates()[k];
+      if (std::find(avoided.begin(), avoided.end(), k) != avoided.end()) continue;
+      for (const uint32_t side : {0U, 1U}) {
+        const double through = std::min(at[hsp::node_of(gate.end[side])], gate.point.level);
+        double &there = at[hsp::node_of(gate.end[1 - side])];
+        changed = changed || through > there;
+        there = std::max(there, through);
+      }
+    }
+  }
+  return at[hsp::node_of(to)];
+}
+
+double distance_at(const oracle::Balls &balls, const hsp::Vec3 &x, uint32_t ball) {
+  const auto &b = balls[ball];
+  const double dx = x.x - static_cast<double>(b.x), dy = x.y - static_cast<double>(b.y),
+               dz = x.z - static_cast<double>(b.z);
+  return std::sqrt(dx * dx + dy * dy + dz * dz) - static_cast<double>(b.radius);
+}
+
+void check_points(const oracle::Balls &balls, const BuiltPores &pores, const hsp::TunnelFinder &finder,
+                  const hsp::TunnelSummary &found) {
+  uint32_t gates = 0, tightest = no_id;
+  double length = 0.0;
+  for (uint32_t k = 0; k < finder.points().size(); ++k) {
+    const hsp::TunnelPoint &point = finder.points()[k];
+    double level = INFINITY;
+    for (uint32_t b = 0; b < balls.size(); ++b) level = std::min(level, distance_at(balls, point.place, b));
+    ASSERT_NEAR(point.level, level, 4.0) << oracle::to_text(balls);
+    ASSERT_GE(level, found.level - 4.0);
+    for (const uint32_t ball : point.ball) {
+      if (ball != no_id) {
+        ASSERT_NEAR(distance_at(balls, point.place, ball), level, 8.0);
+      }
+    }
+    if (point.gate != no_id) {
+      ++gates;
+      tightest = tightest == no_id ? point.gate : std::max(tightest, point.gate);
+      ASSERT_EQ(point.level, pores.gates()[point.gate].point.level);
+      // It rises to both sides.
+      ASSERT_GE(finder.points()[k - 1].level, point.level - 1e-6);
+      ASSERT_GE(finder.points()[k + 1].level, point.level - 1e-6);
+    }
+    if (k == 0) continue;
+    const hsp::Vec3 d = point.place - finder.points()[k - 1].place;
+    length += std::sqrt(dot(d, d));
+  }
+  ASSERT_EQ(gates, found.gates);
+  ASSERT_EQ(tightest, found.gate);
+  ASSERT_DOUBLE_EQ(length, found.length);
+}
+
+TEST(Tunnel, IsTheWidestThatAvoidsGates) {
+  oracle::RandomSource random(1);
+  int tunnels = 0, gates = 0, blocked = 0, alternatives = 0;
+  for (int turn = 0; turn < oracle::sets(40); ++turn) {
+    const oracle::Balls balls = turn % 2 == 0 ? pore_sets::general_set(random, 40, turn / 2 % pore_sets::general_kinds)
+                                              : pore_sets::tied_set(random, 24, turn / 2 % pore_sets::tied_kinds);
+    const int64_t floor = turn % 4 < 2 ? 0 : BuiltPores::lowest(balls);
+    BuiltPores pores(balls, floor);
+    ASSERT_EQ(pores.status(), hsp::Status::ok);
+    if (pores.maxima().empty()) continue;
+    hsp::TunnelFinder finder;
+    struct Limited {
+      hsp::TunnelFinder &finder;
+      void carve(hsp::Workspace &workspace, const std::pair<uint32_t, uint32_t> &limits) {
+        finder.carve(workspace, limits.first, limits.second);
+      }
+    } limited{finder};
+    CarvedMemory memory;
+    memory.carve(limited, std::pair<uint32_t, uint32_t>(pores.maxima().size(), 20000));
+    const auto any_place = [&] {
+      const auto last = static_cast<int64_t>(pores.maxima().size()) - 1;
+      const hsp::Vec3 &at = pores.maxima()[static_cast<uint32_t>(random.in(0, last))].point.place;
+      return hsp::exact::Vector{std::llround(at.x), std::llround(at.y), std::llround(at.z)};
+    };
+    const hsp::exact::Vector from = any_place(), to = any_place();
+    const bool to_outside = turn % 3 != 0;
+    std::vector<uint32_t> avoided;
+    for (int next = 0; next < 4; ++next) {
+      hsp::TunnelSummary found{};
+      const hsp::Span<const uint32_t> without(avoided.data(), static_cast<uint32_t>(avoided.size()));
+      ASSERT_EQ(finder.find(pores.builder(), pores.grid(), {from, to_outside ? nullptr : &to, without, floor}, found),
+                hsp::Status::ok);
+      const uint32_t a = found.ends[0].maximum, b = found.ends[1].maximum;
+      if (a == no_id || b == no_id) break;
+      const double expected = width(pores, a, b, avoided);
+      ASSERT_EQ(found.there, expected != -INFINITY);
+      if (!found.there) {
+        ++blocked;
+        ASSERT_TRUE(finder.points().empty());
+        break;
+      }
+      // Gates that tie are in one order, whatever the last bits of their levels.
+      ASSERT_NEAR(found.level, std::min({expected, found.ends[0].level, found.ends[1].level}), 1e-6);
+      ASSERT_EQ(found.gate == no_id, expected == INFINITY);
+      if (found.gate != no_id) {
+        ASSERT_NEAR(pores.gates()[found.gate].point.level, expected, 1e-6);
+      }
+      ASSERT_NO_FATAL_FAILURE(check_points(balls, pores, finder, found));
+      ++tunnels;
+      alternatives += next > 0 ? 1 : 0;
+      gates += static_cast<int>(found.gates);
+      if (found.gate == no_id) break;
+      // One point less is too few.
+      const uint32_t needed = finder.needed_points();
+      ASSERT_EQ(needed, finder.points().size());
+      hsp::TunnelFinder small;
+      Limited limited_small{small};
+      CarvedMemory other;
+      other.carve(limited_small, std::pair<uint32_t, uint32_t>(pores.maxima().size(), needed - 1));
+      ASSERT_EQ(small.find(pores.builder(), pores.grid(), {from, to_outside ? nullptr : &to, without, floor}, found),
+                hsp::Status::capacity);
+      ASSERT_EQ(small.needed_points(), needed);
+      ASSERT_TRUE(small.points().empty());
+      avoided.push_back(found.gate);
+    }
+  }
+  EXPECT_GT(tunnels, 40);
+  EXPECT_GT(gates, tunnels);
+  EXPECT_GT(alternatives, 20);
+  EXPECT_GT(blocked, 3);
+}
+
+}  // namespace
