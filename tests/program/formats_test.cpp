@@ -287,7 +287,7 @@ TEST(Cif, AlternateLocations) {
   EXPECT_EQ(input["left_out"]["alternate_locations"].number, 3);
 }
 
-// Rows are told by their values, not by lines: quotes with blanks in them, rows over two lines, two rows on a line,
+// Rows follow from their values, not from lines: quotes with blanks in them, rows over two lines, two rows on a line,
 // comments, and lines with other columns in between.
 TEST(Cif, RowsAndLines) {
   const std::string head = cif_loop({"label_atom_id", "type_symbol", "Cartn_x", "Cartn_y", "Cartn_z"});
