@@ -49,30 +49,29 @@ struct BoundaryKind : KindOf<hsp_boundary, hsp_boundary_limits, 2, hsp_boundary_
 struct TopologyKind : KindOf<hsp_topology, hsp_topology_limits, 3, hsp_topology_bytes, hsp_topology_init> {
   static constexpr const char *name = "hsp_topology";
   static constexpr std::array limits = {&Limits::balls, &Limits::neighbours, &Limits::edges, &Limits::cut_arcs};
-  static size_t most_bytes(const Limits &limits) {
-    return HSP_TOPOLOGY_BYTES(limits.balls, limits.neighbours, limits.edges, limits.cut_arcs);
+  static size_t most_bytes(const Limits &most) {
+    return HSP_TOPOLOGY_BYTES(most.balls, most.neighbours, most.edges, most.cut_arcs);
   }
 };
 struct ContactsKind : KindOf<hsp_contacts, hsp_contacts_limits, 3, hsp_contacts_bytes, hsp_contacts_init> {
   static constexpr const char *name = "hsp_contacts";
   static constexpr std::array limits = {&Limits::balls, &Limits::neighbours, &Limits::contacts};
-  static size_t most_bytes(const Limits &limits) {
-    return HSP_CONTACTS_BYTES(limits.balls, limits.neighbours, limits.contacts, limits.triangles, limits.tetrahedra);
+  static size_t most_bytes(const Limits &most) {
+    return HSP_CONTACTS_BYTES(most.balls, most.neighbours, most.contacts, most.triangles, most.tetrahedra);
   }
 };
 struct PeriodicKind : KindOf<hsp_periodic, hsp_periodic_limits, 5, hsp_periodic_bytes, hsp_periodic_init> {
   static constexpr const char *name = "hsp_periodic";
   static constexpr std::array limits = {&Limits::balls,    &Limits::images,  &Limits::neighbours,
                                         &Limits::vertices, &Limits::circles, &Limits::contacts};
-  static size_t most_bytes(const Limits &limits) {
-    return HSP_PERIODIC_BYTES(limits.balls, limits.images, limits.neighbours, limits.vertices, limits.circles,
-                              limits.contacts);
+  static size_t most_bytes(const Limits &most) {
+    return HSP_PERIODIC_BYTES(most.balls, most.images, most.neighbours, most.vertices, most.circles, most.contacts);
   }
 };
 struct MovingKind : KindOf<hsp_moving, hsp_moving_limits, 2, hsp_moving_bytes, hsp_moving_init> {
   static constexpr const char *name = "hsp_moving";
   static constexpr std::array limits = {&Limits::balls, &Limits::neighbours};
-  static size_t most_bytes(const Limits &limits) { return HSP_MOVING_BYTES(limits.balls, limits.neighbours); }
+  static size_t most_bytes(const Limits &most) { return HSP_MOVING_BYTES(most.balls, most.neighbours); }
 };
 
 // A handle of such a kind. Calls that fail throw std::runtime_error.

@@ -9,17 +9,16 @@ struct SurfaceKind : KindOf<hsp_surface, hsp_surface_limits, 4, hsp_surface_byte
   static constexpr const char *name = "hsp_surface";
   static constexpr std::array limits = {&Limits::vertices, &Limits::faces, &Limits::neighbours,
                                         &Limits::pieces,   &Limits::arcs,  &Limits::cusped_circles};
-  static size_t most_bytes(const Limits &limits) {
-    return HSP_SURFACE_BYTES(limits.vertices, limits.faces, limits.neighbours, limits.pieces, limits.arcs,
-                             limits.cusped_circles);
+  static size_t most_bytes(const Limits &most) {
+    return HSP_SURFACE_BYTES(most.vertices, most.faces, most.neighbours, most.pieces, most.arcs, most.cusped_circles);
   }
 };
 struct MeshKind : KindOf<hsp_mesh, hsp_mesh_limits, 20, hsp_mesh_bytes, hsp_mesh_init> {
   static constexpr const char *name = "hsp_mesh";
   static constexpr std::array limits = {&Limits::balls, &Limits::curves, &Limits::vertices, &Limits::triangles,
                                         &Limits::points};
-  static size_t most_bytes(const Limits &limits) {
-    return HSP_MESH_BYTES(limits.balls, limits.curves, limits.vertices, limits.triangles, limits.points);
+  static size_t most_bytes(const Limits &most) {
+    return HSP_MESH_BYTES(most.balls, most.curves, most.vertices, most.triangles, most.points);
   }
 };
 using OwnedSurface = OwnedHandle<SurfaceKind>;
