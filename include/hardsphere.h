@@ -28,6 +28,7 @@
  *   hardsphere/map.h        the visibility map: faces, edges and vertices of the view plane (Section 5.2)
  *   hardsphere/sticks.h     balls and sticks in an order to paint them
  *   hardsphere/picture.h    a view, a map, or balls and sticks as SVG, EPS or PDF
+ *   hardsphere/deprecated.h  old names, for one version
  * The paper is Halperin and Overmars, "Spheres, Molecules, and Hidden Surface Removal", UU-CS-1994-36.
  *
  * WORDS
@@ -186,6 +187,7 @@
 #include "hardsphere/cells.h"
 #include "hardsphere/contacts.h"
 #include "hardsphere/curvature.h"
+#include "hardsphere/deprecated.h"
 #include "hardsphere/element.h"
 #include "hardsphere/executor.h"
 #include "hardsphere/gradient.h"

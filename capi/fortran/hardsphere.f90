@@ -371,8 +371,8 @@ module hardsphere
 
   type, bind(C) :: hsp_boundary_request
     integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_boundary_request)
-    integer(c_int32_t) :: reserved                                       ! 0
-    type(c_ptr) :: executor                                              ! or NULL: the threads that share the work
+    integer(c_int32_t) :: reserved = 0_c_int32_t                         ! 0
+    type(c_ptr) :: executor = c_null_ptr                                 ! or NULL: the threads that share the work
   end type
 
   type, bind(C) :: hsp_boundary_counts
@@ -455,20 +455,20 @@ module hardsphere
 
   type, bind(C) :: hsp_measure_request
     integer(c_int32_t) :: struct_size = 8_c_int32_t + 2 * pointer_bytes  ! sizeof(hsp_measure_request)
-    integer(c_int32_t) :: reserved                                       ! 0
+    integer(c_int32_t) :: reserved = 0_c_int32_t                         ! 0
     ! [n], or NULL for all: 0 for balls that only block
-    type(c_ptr) :: selected
-    type(c_ptr) :: executor                                              ! or NULL: the threads that share the work
+    type(c_ptr) :: selected = c_null_ptr
+    type(c_ptr) :: executor = c_null_ptr                                 ! or NULL: the threads that share the work
   end type
 
   type, bind(C) :: hsp_measure_outputs
     integer(c_int32_t) :: struct_size = 16_c_int32_t + 3 * pointer_bytes  ! sizeof(hsp_measure_outputs)
-    integer(c_int32_t) :: capacity                                        ! entries that each array [n] has room for
-    integer(c_int32_t) :: needed                                          ! becomes n
-    integer(c_int32_t) :: reserved                                        ! 0
-    type(c_ptr) :: totals                                                 ! or NULL
-    type(c_ptr) :: area                                                   ! [n], or NULL: free area of each ball
-    type(c_ptr) :: volume                                                 ! [n], or NULL: each ball's term of the volume
+    integer(c_int32_t) :: capacity = 0_c_int32_t                          ! entries that each array [n] has room for
+    integer(c_int32_t) :: needed = 0_c_int32_t                            ! becomes n
+    integer(c_int32_t) :: reserved = 0_c_int32_t                          ! 0
+    type(c_ptr) :: totals = c_null_ptr                                    ! or NULL
+    type(c_ptr) :: area = c_null_ptr                                      ! [n], or NULL: free area of each ball
+    type(c_ptr) :: volume = c_null_ptr                                    ! [n], or NULL: each ball's term of the volume
   end type
 
   ! ---- gradient.h: their derivatives ---------------------------------------------------------------------------------
@@ -483,24 +483,46 @@ module hardsphere
   type, bind(C) :: hsp_gradient_request
     ! sizeof(hsp_gradient_request); hsp_gradient_request_init sets it
     integer(c_int32_t) :: struct_size = 24_c_int32_t + 2 * pointer_bytes
-    integer(c_int32_t) :: tangency                                        ! one of HSP_TANGENT_*
-    real(c_double) :: tension                                             ! of the weighted area
-    real(c_double) :: pressure                                            ! of the volume
+    integer(c_int32_t) :: tangency = 0_c_int32_t                          ! one of HSP_TANGENT_*
+    real(c_double) :: tension = 0.0_c_double                              ! of the weighted area
+    real(c_double) :: pressure = 0.0_c_double                             ! of the volume
     ! [n], or NULL for all ones: the weights of the areas; a ball with 0 only blocks
-    type(c_ptr) :: sigma
-    type(c_ptr) :: executor                                               ! or NULL: the threads that share the work
+    type(c_ptr) :: sigma = c_null_ptr
+    type(c_ptr) :: executor = c_null_ptr                                  ! or NULL: the threads that share the work
   end type
 
   type, bind(C) :: hsp_gradient_outputs
     integer(c_int32_t) :: struct_size = 16_c_int32_t + 4 * pointer_bytes  ! sizeof(hsp_gradient_outputs)
-    integer(c_int32_t) :: capacity                                        ! entries that each array [n] has room for
-    integer(c_int32_t) :: needed                                          ! becomes n
+    integer(c_int32_t) :: capacity = 0_c_int32_t                          ! entries that each array [n] has room for
+    integer(c_int32_t) :: needed = 0_c_int32_t                            ! becomes n
     ! becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is none
-    integer(c_int32_t) :: first_bad
-    type(c_ptr) :: energy                                                 ! or NULL
-    type(c_ptr) :: d_centre                                               ! [n][3], or NULL: dE/dc_i
-    type(c_ptr) :: d_radius                                               ! [n], or NULL: dE/dr_i
-    type(c_ptr) :: flags                                                  ! [n], or NULL: HSP_GRADIENT_*
+    integer(c_int32_t) :: first_bad = 0_c_int32_t
+    type(c_ptr) :: energy = c_null_ptr                                    ! or NULL
+    type(c_ptr) :: d_centre = c_null_ptr                                  ! [n][3], or NULL: dE/dc_i
+    type(c_ptr) :: d_radius = c_null_ptr                                  ! [n], or NULL: dE/dr_i
+    type(c_ptr) :: flags = c_null_ptr                                     ! [n], or NULL: HSP_GRADIENT_*
+  end type
+
+  type, bind(C) :: hsp_derivatives_request
+    integer(c_int32_t) :: struct_size = 8_c_int32_t + 2 * pointer_bytes  ! sizeof(hsp_derivatives_request)
+    integer(c_int32_t) :: tangency = 0_c_int32_t                         ! one of HSP_TANGENT_*
+    ! [n], or NULL for all ones: the weights of the areas
+    type(c_ptr) :: sigma = c_null_ptr
+    type(c_ptr) :: executor = c_null_ptr                                 ! or NULL: the threads that share the work
+  end type
+
+  type, bind(C) :: hsp_derivatives_outputs
+    integer(c_int32_t) :: struct_size = 16_c_int32_t + 5 * pointer_bytes  ! sizeof(hsp_derivatives_outputs)
+    integer(c_int32_t) :: capacity = 0_c_int32_t                          ! entries that each array [n] has room for
+    integer(c_int32_t) :: needed = 0_c_int32_t                            ! becomes n
+    ! becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is none
+    integer(c_int32_t) :: first_bad = 0_c_int32_t
+    type(c_ptr) :: area_centre = c_null_ptr                               ! [n][3], or NULL: dS/dc_i
+    type(c_ptr) :: area_radius = c_null_ptr                               ! [n], or NULL: dS/dr_i
+    ! [n][3], or NULL: dV/dc_i, the vector area of ball i's faces
+    type(c_ptr) :: volume_centre = c_null_ptr
+    type(c_ptr) :: volume_radius = c_null_ptr                             ! [n], or NULL: dV/dr_i, ball i's free area
+    type(c_ptr) :: flags = c_null_ptr                                     ! [n], or NULL: HSP_GRADIENT_*
   end type
 
   type, bind(C) :: hsp_area_derivative
@@ -556,11 +578,16 @@ module hardsphere
     real(c_double) :: gauss  ! G = pi/3 times the sum of gauss_thirds
   end type
 
-  type, bind(C) :: hsp_morphometry
-    real(c_double) :: pressure  ! of the volume
-    real(c_double) :: tension   ! of the weighted area
-    real(c_double) :: bending   ! of the weighted mean curvature
-    real(c_double) :: gaussian  ! of the Gaussian curvature
+  type, bind(C) :: hsp_morphometry_request
+    integer(c_int32_t) :: struct_size = 40_c_int32_t + 2 * pointer_bytes  ! sizeof(hsp_morphometry_request)
+    integer(c_int32_t) :: reserved = 0_c_int32_t                          ! 0
+    real(c_double) :: pressure = 0.0_c_double                             ! of the volume
+    real(c_double) :: tension = 0.0_c_double                              ! of the weighted area
+    real(c_double) :: bending = 0.0_c_double                              ! of the weighted mean curvature
+    real(c_double) :: gaussian = 0.0_c_double                             ! of the Gaussian curvature
+    ! [n], or NULL for all ones: the weights of area and mean curvature
+    type(c_ptr) :: sigma = c_null_ptr
+    type(c_ptr) :: executor = c_null_ptr                                  ! or NULL: the threads that share the work
   end type
 
   type, bind(C) :: hsp_morphometric_energy
@@ -571,6 +598,18 @@ module hardsphere
     real(c_double) :: mean
     real(c_double) :: gauss    ! G
     real(c_double) :: d_probe  ! the derivative by the probe, the sum of all d_radius
+  end type
+
+  type, bind(C) :: hsp_morphometry_outputs
+    integer(c_int32_t) :: struct_size = 16_c_int32_t + 4 * pointer_bytes  ! sizeof(hsp_morphometry_outputs)
+    integer(c_int32_t) :: capacity = 0_c_int32_t                          ! entries that each array [n] has room for
+    integer(c_int32_t) :: needed = 0_c_int32_t                            ! becomes n
+    ! becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is none
+    integer(c_int32_t) :: first_bad = 0_c_int32_t
+    type(c_ptr) :: energy = c_null_ptr                                    ! or NULL
+    type(c_ptr) :: d_centre = c_null_ptr                                  ! [n][3], or NULL: by the centres
+    type(c_ptr) :: d_radius = c_null_ptr                                  ! [n], or NULL: by the radii
+    type(c_ptr) :: flags = c_null_ptr                                     ! [n], or NULL: HSP_CURVATURE_ONE_SIDED
   end type
 
   ! ---- contacts.h: which balls touch and by how much, shares of the union, the dual complex --------------------------
@@ -652,6 +691,22 @@ module hardsphere
     real(c_double) :: contact_area  ! of all contacts, each once
   end type
 
+  type, bind(C) :: hsp_periodic_morphometry_outputs
+    integer(c_int32_t) :: struct_size = 16_c_int32_t + 6 * pointer_bytes  ! sizeof(hsp_periodic_morphometry_outputs)
+    integer(c_int32_t) :: capacity = 0_c_int32_t                          ! entries that each array [n] has room for
+    integer(c_int32_t) :: needed = 0_c_int32_t                            ! becomes n
+    ! becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is none
+    integer(c_int32_t) :: first_bad = 0_c_int32_t
+    type(c_ptr) :: energy = c_null_ptr                                    ! or NULL
+    type(c_ptr) :: d_centre = c_null_ptr                                  ! [n][3], or NULL: by the centres
+    type(c_ptr) :: d_radius = c_null_ptr                                  ! [n], or NULL: by the radii
+    type(c_ptr) :: flags = c_null_ptr                                     ! [n], or NULL: HSP_CURVATURE_ONE_SIDED
+    ! [9], or NULL: by the strain, as of hsp_periodic_gradient_outputs
+    type(c_ptr) :: d_strain = c_null_ptr
+    ! [9], or NULL: by the vectors of the box, the same
+    type(c_ptr) :: d_box = c_null_ptr
+  end type
+
   type, bind(C) :: hsp_periodic_contact
     real(c_double) :: area          ! length^2
     real(c_double) :: edge          ! length of the part of its border that is on the surface of the union
@@ -675,6 +730,22 @@ module hardsphere
     ! of the lattice of its windings, in multiples of the vectors of the box: as many rows of three as directions, in
     ! echelon form with positive pivots and smaller numbers above them: equal lattices have equal rows; the rest is 0
     integer(c_int32_t) :: row(9)
+  end type
+
+  type, bind(C) :: hsp_periodic_gradient_outputs
+    integer(c_int32_t) :: struct_size = 16_c_int32_t + 6 * pointer_bytes  ! sizeof(hsp_periodic_gradient_outputs)
+    integer(c_int32_t) :: capacity = 0_c_int32_t                          ! entries that each array [n] has room for
+    integer(c_int32_t) :: needed = 0_c_int32_t                            ! becomes n
+    ! becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is none
+    integer(c_int32_t) :: first_bad = 0_c_int32_t
+    type(c_ptr) :: energy = c_null_ptr                                    ! or NULL
+    type(c_ptr) :: d_centre = c_null_ptr                                  ! [n][3], or NULL: dE/dc_i
+    type(c_ptr) :: d_radius = c_null_ptr                                  ! [n], or NULL: dE/dr_i
+    type(c_ptr) :: flags = c_null_ptr                                     ! [n], or NULL: HSP_GRADIENT_*
+    ! [9], or NULL: [3 p + q] is by eps_pq, if all centres and vectors x become x + eps x and radii stay
+    type(c_ptr) :: d_strain = c_null_ptr
+    ! [9], or NULL: [3 k + p] is by component p of vector k, if all centres keep their multiples of the vectors
+    type(c_ptr) :: d_box = c_null_ptr
   end type
 
   type, bind(C) :: hsp_image
@@ -1933,38 +2004,12 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_boundary_gradient(boundary, sigma, tension, pressure, tangency, energy, d_centre, d_radius, flags, &
-      capacity, needed, first_bad) result(status) bind(C, name="hsp_boundary_gradient")
-      import :: c_double, c_int32_t, c_ptr, hsp_energy
+    function hsp_boundary_get_derivatives(boundary, request, outputs) result(status) &
+      bind(C, name="hsp_boundary_get_derivatives")
+      import :: c_int32_t, c_ptr, hsp_derivatives_outputs, hsp_derivatives_request
       type(c_ptr), value :: boundary
-      real(c_double), intent(in), optional :: sigma(*)  ! n
-      real(c_double), value :: tension
-      real(c_double), value :: pressure
-      integer(c_int32_t), value :: tangency
-      type(hsp_energy), intent(inout), optional :: energy
-      real(c_double), intent(inout), optional :: d_centre(3, *)  ! 3, n
-      real(c_double), intent(inout), optional :: d_radius(*)  ! n
-      integer(c_int32_t), intent(inout), optional :: flags(*)  ! n
-      integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout), optional :: needed
-      integer(c_int32_t), intent(inout), optional :: first_bad
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_boundary_derivatives(boundary, sigma, tangency, area_centre, area_radius, volume_centre, &
-      volume_radius, flags, capacity, needed, first_bad) result(status) bind(C, name="hsp_boundary_derivatives")
-      import :: c_double, c_int32_t, c_ptr
-      type(c_ptr), value :: boundary
-      real(c_double), intent(in), optional :: sigma(*)  ! n
-      integer(c_int32_t), value :: tangency
-      real(c_double), intent(inout), optional :: area_centre(3, *)  ! 3, n
-      real(c_double), intent(inout), optional :: area_radius(*)  ! n
-      real(c_double), intent(inout), optional :: volume_centre(3, *)  ! 3, n
-      real(c_double), intent(inout), optional :: volume_radius(*)  ! n
-      integer(c_int32_t), intent(inout), optional :: flags(*)  ! n
-      integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout), optional :: needed
-      integer(c_int32_t), intent(inout), optional :: first_bad
+      type(hsp_derivatives_request), intent(in), optional :: request
+      type(hsp_derivatives_outputs), intent(inout) :: outputs
       integer(c_int32_t) :: status
     end function
 
@@ -2110,19 +2155,12 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_boundary_morphometry(boundary, sigma, factors, energy, d_centre, d_radius, flags, capacity, needed, &
-      first_bad) result(status) bind(C, name="hsp_boundary_morphometry")
-      import :: c_double, c_int32_t, c_ptr, hsp_morphometric_energy, hsp_morphometry
+    function hsp_boundary_get_morphometry(boundary, request, outputs) result(status) &
+      bind(C, name="hsp_boundary_get_morphometry")
+      import :: c_int32_t, c_ptr, hsp_morphometry_outputs, hsp_morphometry_request
       type(c_ptr), value :: boundary
-      real(c_double), intent(in), optional :: sigma(*)  ! n
-      type(hsp_morphometry), intent(in) :: factors
-      type(hsp_morphometric_energy), intent(inout), optional :: energy
-      real(c_double), intent(inout), optional :: d_centre(3, *)  ! 3, n
-      real(c_double), intent(inout), optional :: d_radius(*)  ! n
-      integer(c_int32_t), intent(inout), optional :: flags(*)  ! n
-      integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout), optional :: needed
-      integer(c_int32_t), intent(inout), optional :: first_bad
+      type(hsp_morphometry_request), intent(in), optional :: request
+      type(hsp_morphometry_outputs), intent(inout) :: outputs
       integer(c_int32_t) :: status
     end function
 
@@ -2302,21 +2340,12 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_periodic_morphometry(periodic, sigma, factors, energy, d_centre, d_radius, flags, d_strain, d_box, &
-      capacity, needed, first_bad) result(status) bind(C, name="hsp_periodic_morphometry")
-      import :: c_double, c_int32_t, c_ptr, hsp_morphometric_energy, hsp_morphometry
+    function hsp_periodic_get_morphometry(periodic, request, outputs) result(status) &
+      bind(C, name="hsp_periodic_get_morphometry")
+      import :: c_int32_t, c_ptr, hsp_morphometry_request, hsp_periodic_morphometry_outputs
       type(c_ptr), value :: periodic
-      real(c_double), intent(in), optional :: sigma(*)  ! n
-      type(hsp_morphometry), intent(in) :: factors
-      type(hsp_morphometric_energy), intent(inout), optional :: energy
-      real(c_double), intent(inout), optional :: d_centre(3, *)  ! 3, n
-      real(c_double), intent(inout), optional :: d_radius(*)  ! n
-      integer(c_int32_t), intent(inout), optional :: flags(*)  ! n
-      real(c_double), intent(inout), optional :: d_strain(9)
-      real(c_double), intent(inout), optional :: d_box(9)
-      integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout), optional :: needed
-      integer(c_int32_t), intent(inout), optional :: first_bad
+      type(hsp_morphometry_request), intent(in), optional :: request
+      type(hsp_periodic_morphometry_outputs), intent(inout) :: outputs
       integer(c_int32_t) :: status
     end function
 
@@ -2361,23 +2390,12 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_periodic_gradient(periodic, sigma, tension, pressure, tangency, energy, d_centre, d_radius, flags, &
-      d_strain, d_box, capacity, needed, first_bad) result(status) bind(C, name="hsp_periodic_gradient")
-      import :: c_double, c_int32_t, c_ptr, hsp_energy
+    function hsp_periodic_get_gradient(periodic, request, outputs) result(status) &
+      bind(C, name="hsp_periodic_get_gradient")
+      import :: c_int32_t, c_ptr, hsp_gradient_request, hsp_periodic_gradient_outputs
       type(c_ptr), value :: periodic
-      real(c_double), intent(in), optional :: sigma(*)  ! n
-      real(c_double), value :: tension
-      real(c_double), value :: pressure
-      integer(c_int32_t), value :: tangency
-      type(hsp_energy), intent(inout), optional :: energy
-      real(c_double), intent(inout), optional :: d_centre(3, *)  ! 3, n
-      real(c_double), intent(inout), optional :: d_radius(*)  ! n
-      integer(c_int32_t), intent(inout), optional :: flags(*)  ! n
-      real(c_double), intent(inout), optional :: d_strain(9)
-      real(c_double), intent(inout), optional :: d_box(9)
-      integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout), optional :: needed
-      integer(c_int32_t), intent(inout), optional :: first_bad
+      type(hsp_gradient_request), intent(in), optional :: request
+      type(hsp_periodic_gradient_outputs), intent(inout) :: outputs
       integer(c_int32_t) :: status
     end function
 
@@ -2571,35 +2589,11 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_surface_gradient(surface, tension, pressure, energy, d_centre, d_radius, flags, capacity, needed) &
-      result(status) bind(C, name="hsp_surface_gradient")
-      import :: c_double, c_int32_t, c_ptr, hsp_energy
+    function hsp_surface_get_gradient(surface, request, outputs) result(status) bind(C, name="hsp_surface_get_gradient")
+      import :: c_int32_t, c_ptr, hsp_gradient_outputs, hsp_gradient_request
       type(c_ptr), value :: surface
-      real(c_double), value :: tension
-      real(c_double), value :: pressure
-      type(hsp_energy), intent(inout), optional :: energy
-      real(c_double), intent(inout), optional :: d_centre(3, *)  ! 3, n
-      real(c_double), intent(inout), optional :: d_radius(*)  ! n
-      integer(c_int32_t), intent(inout), optional :: flags(*)  ! n
-      integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout), optional :: needed
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_surface_weighted_gradient(surface, sigma, tension, pressure, energy, d_centre, d_radius, flags, &
-      capacity, needed, first_bad) result(status) bind(C, name="hsp_surface_weighted_gradient")
-      import :: c_double, c_int32_t, c_ptr, hsp_energy
-      type(c_ptr), value :: surface
-      real(c_double), intent(in), optional :: sigma(*)  ! n
-      real(c_double), value :: tension
-      real(c_double), value :: pressure
-      type(hsp_energy), intent(inout), optional :: energy
-      real(c_double), intent(inout), optional :: d_centre(3, *)  ! 3, n
-      real(c_double), intent(inout), optional :: d_radius(*)  ! n
-      integer(c_int32_t), intent(inout), optional :: flags(*)  ! n
-      integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout), optional :: needed
-      integer(c_int32_t), intent(inout), optional :: first_bad
+      type(hsp_gradient_request), intent(in), optional :: request
+      type(hsp_gradient_outputs), intent(inout) :: outputs
       integer(c_int32_t) :: status
     end function
 
