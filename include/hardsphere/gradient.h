@@ -85,7 +85,7 @@ typedef struct hsp_gradient_outputs {
 HSP_API int32_t hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradient_request *request,
                                           hsp_gradient_outputs *outputs);
 
-/** What is asked of the two parts of a gradient. Zero means default in every field but the first. */
+/** The question of the two parts of a gradient. Zero means default in every field but the first. */
 typedef struct hsp_derivatives_request {
   uint32_t struct_size;         /**< sizeof(hsp_derivatives_request) */
   uint32_t tangency;            /**< one of HSP_TANGENT_* */

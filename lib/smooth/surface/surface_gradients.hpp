@@ -56,7 +56,7 @@ struct SurfaceGradient {
 SurfaceGradient surface_gradient_of_ball(const BallSet &balls, const Boundary &boundary, const Surface &surface,
                                          const AreaWeights &weights, uint32_t i);
 
-// Of tension * S + pressure * V, S the weighted area, in the caller's unit: its derivatives by one ball's centre and radius.
+// Derivatives of tension * S + pressure * V, S the weighted area, by a ball's centre and radius, in the caller's unit.
 struct SurfaceEnergyGradient {
   double centre[3];
   double radius;

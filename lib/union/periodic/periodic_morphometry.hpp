@@ -7,8 +7,8 @@
 namespace hsp {
 
 // Calls sink(i, gradient) for every ball i of the input, whose images move and grow with it, from the tasks of the
-// executor, all in the caller's unit. The volume is the sum of the cells. weights: weights_in_box. False if the executor
-// fails.
+// executor, all in the caller's unit. The volume is the sum of the cells. weights: weights_in_box. False if the
+// executor fails.
 template <class Sink>
 bool differentiate_morphometry_in_box(const Executor &executor, const PeriodicUnion &periodic,
                                       const AreaWeights &weights, const MorphometricFactors &factors,
