@@ -187,7 +187,6 @@
 #include "hardsphere/cells.h"
 #include "hardsphere/contacts.h"
 #include "hardsphere/curvature.h"
-#include "hardsphere/deprecated.h"
 #include "hardsphere/element.h"
 #include "hardsphere/executor.h"
 #include "hardsphere/gradient.h"
@@ -210,5 +209,9 @@
 #include "hardsphere/topology.h"
 #include "hardsphere/version.h"
 #include "hardsphere/view.h"
+
+#ifndef HSP_NO_DEPRECATED
+#include "hardsphere/deprecated.h"
+#endif
 
 #endif

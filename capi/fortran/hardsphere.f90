@@ -20,16 +20,18 @@
 !                                so the array must outlive the handle and must not be reallocated
 !   T *out, uint32_t capacity    out(*) with capacity elements; other extents stand behind the declarations
 !   a pointer that may be NULL   an optional argument that is left out
+!   a request and outputs        these types, whose defaults are those of C; or each of their fields as a named argument,
+!                                optional: hsp_boundary_get_gradient(b, tension=1.0_c_double, d_centre=g, capacity=n)
 !   const char *title            character(kind=c_char) :: title(*); a string that ends with c_null_char may be passed
 !   hsp_sink                     type(c_funptr) from c_funloc of a function with the interface hsp_sink
 !   void *context                type(c_ptr), as it will be handed to the sink; c_null_ptr if the sink has no use for it
 module hardsphere
   use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_funptr, c_int8_t, c_int32_t, c_int64_t, &
-                                         c_null_char, c_null_ptr, c_ptr, c_size_t
+                                         c_loc, c_null_char, c_null_ptr, c_ptr, c_size_t
   implicit none
   private :: quad_turned
-  private :: c_char, c_double, c_f_pointer, c_funptr, c_int8_t, c_int32_t, c_int64_t, c_null_char, c_null_ptr, c_ptr
-  private :: c_size_t
+  private :: c_char, c_double, c_f_pointer, c_funptr, c_int8_t, c_int32_t, c_int64_t, c_loc, c_null_char, c_null_ptr
+  private :: c_ptr, c_size_t
   integer(c_int32_t), parameter, private :: pointer_bytes = storage_size(c_null_ptr) / 8
 
   ! ---- version.h: the version of the header and of the library -------------------------------------------------------
@@ -3830,6 +3832,54 @@ module hardsphere
 
   end interface
 
+  ! What is asked and what is wanted as named arguments instead of a request and outputs.
+    ! ---- measure.h: areas and volumes --------------------------------------------------------------------------------
+
+    private :: hsp_boundary_get_measures_named
+    interface hsp_boundary_get_measures
+      procedure :: hsp_boundary_get_measures, hsp_boundary_get_measures_named
+    end interface
+
+    ! ---- gradient.h: their derivatives -------------------------------------------------------------------------------
+
+    private :: hsp_boundary_get_gradient_named
+    interface hsp_boundary_get_gradient
+      procedure :: hsp_boundary_get_gradient, hsp_boundary_get_gradient_named
+    end interface
+
+    private :: hsp_boundary_get_derivatives_named
+    interface hsp_boundary_get_derivatives
+      procedure :: hsp_boundary_get_derivatives, hsp_boundary_get_derivatives_named
+    end interface
+
+    ! ---- curvature.h: integrated mean and Gaussian curvature ---------------------------------------------------------
+
+    private :: hsp_boundary_get_morphometry_named
+    interface hsp_boundary_get_morphometry
+      procedure :: hsp_boundary_get_morphometry, hsp_boundary_get_morphometry_named
+    end interface
+
+    ! ---- periodic.h: all of that in a box whose copies fill space: areas, volume, contacts, windings, strain ---------
+
+    private :: hsp_periodic_get_morphometry_named
+    interface hsp_periodic_get_morphometry
+      procedure :: hsp_periodic_get_morphometry, hsp_periodic_get_morphometry_named
+    end interface
+
+    private :: hsp_periodic_get_gradient_named
+    interface hsp_periodic_get_gradient
+      procedure :: hsp_periodic_get_gradient, hsp_periodic_get_gradient_named
+    end interface
+
+    ! ---- surface.h: the smooth surface that a probe leaves, its area and volume (Section 4.3) ------------------------
+
+    private :: hsp_surface_get_gradient_named
+    interface hsp_surface_get_gradient
+      procedure :: hsp_surface_get_gradient, hsp_surface_get_gradient_named
+    end interface
+
+    ! ----
+
 contains
 
   !> The element of a Fortran array (lower bound 1) that belongs to a 0-based id.
@@ -3930,6 +3980,269 @@ contains
     integer(c_int32_t) :: number
     number = balls + 2_c_int32_t*stick + half
   end function
+
+  ! ---- measure.h: areas and volumes ----------------------------------------------------------------------------------
+
+  !> hsp_boundary_get_measures with the fields of its request and outputs as arguments.
+  function hsp_boundary_get_measures_named(boundary, selected, executor, totals, area, volume, capacity, needed) &
+    result(status)
+    type(c_ptr), intent(in) :: boundary
+    integer(c_int8_t), intent(in), optional, target :: selected(*)  ! n
+    type(hsp_executor), intent(in), optional, target :: executor
+    type(hsp_totals), intent(inout), optional, target :: totals
+    real(c_double), intent(inout), optional, target :: area(*)  ! n
+    real(c_double), intent(inout), optional, target :: volume(*)  ! n
+    integer(c_int32_t), intent(in), optional :: capacity
+    integer(c_int32_t), intent(inout), optional :: needed
+    integer(c_int32_t) :: status
+    type(hsp_measure_request) :: request
+    type(hsp_measure_outputs) :: outputs
+    if (present(selected)) request%selected = c_loc(selected)
+    if (present(executor)) request%executor = c_loc(executor)
+    if (present(totals)) outputs%totals = c_loc(totals)
+    if (present(area)) outputs%area = c_loc(area)
+    if (present(volume)) outputs%volume = c_loc(volume)
+    if (present(capacity)) outputs%capacity = capacity
+    if (present(needed)) outputs%needed = needed
+    status = hsp_boundary_get_measures(boundary, request, outputs)
+    if (present(needed)) needed = outputs%needed
+  end function
+
+  ! ---- gradient.h: their derivatives ---------------------------------------------------------------------------------
+
+  !> hsp_boundary_get_gradient with the fields of its request and outputs as arguments.
+  function hsp_boundary_get_gradient_named(boundary, tangency, tension, pressure, sigma, executor, energy, d_centre, &
+    d_radius, flags, capacity, needed, first_bad) result(status)
+    type(c_ptr), intent(in) :: boundary
+    integer(c_int32_t), intent(in), optional :: tangency
+    real(c_double), intent(in), optional :: tension
+    real(c_double), intent(in), optional :: pressure
+    real(c_double), intent(in), optional, target :: sigma(*)  ! n
+    type(hsp_executor), intent(in), optional, target :: executor
+    type(hsp_energy), intent(inout), optional, target :: energy
+    real(c_double), intent(inout), optional, target :: d_centre(3, *)  ! 3, n
+    real(c_double), intent(inout), optional, target :: d_radius(*)  ! n
+    integer(c_int32_t), intent(inout), optional, target :: flags(*)  ! n
+    integer(c_int32_t), intent(in), optional :: capacity
+    integer(c_int32_t), intent(inout), optional :: needed
+    integer(c_int32_t), intent(inout), optional :: first_bad
+    integer(c_int32_t) :: status
+    type(hsp_gradient_request) :: request
+    type(hsp_gradient_outputs) :: outputs
+    if (present(tangency)) request%tangency = tangency
+    if (present(tension)) request%tension = tension
+    if (present(pressure)) request%pressure = pressure
+    if (present(sigma)) request%sigma = c_loc(sigma)
+    if (present(executor)) request%executor = c_loc(executor)
+    if (present(energy)) outputs%energy = c_loc(energy)
+    if (present(d_centre)) outputs%d_centre = c_loc(d_centre)
+    if (present(d_radius)) outputs%d_radius = c_loc(d_radius)
+    if (present(flags)) outputs%flags = c_loc(flags)
+    if (present(capacity)) outputs%capacity = capacity
+    if (present(needed)) outputs%needed = needed
+    if (present(first_bad)) outputs%first_bad = first_bad
+    status = hsp_boundary_get_gradient(boundary, request, outputs)
+    if (present(needed)) needed = outputs%needed
+    if (present(first_bad)) first_bad = outputs%first_bad
+  end function
+
+  !> hsp_boundary_get_derivatives with the fields of its request and outputs as arguments.
+  function hsp_boundary_get_derivatives_named(boundary, tangency, sigma, executor, area_centre, area_radius, &
+    volume_centre, volume_radius, flags, capacity, needed, first_bad) result(status)
+    type(c_ptr), intent(in) :: boundary
+    integer(c_int32_t), intent(in), optional :: tangency
+    real(c_double), intent(in), optional, target :: sigma(*)  ! n
+    type(hsp_executor), intent(in), optional, target :: executor
+    real(c_double), intent(inout), optional, target :: area_centre(3, *)  ! 3, n
+    real(c_double), intent(inout), optional, target :: area_radius(*)  ! n
+    real(c_double), intent(inout), optional, target :: volume_centre(3, *)  ! 3, n
+    real(c_double), intent(inout), optional, target :: volume_radius(*)  ! n
+    integer(c_int32_t), intent(inout), optional, target :: flags(*)  ! n
+    integer(c_int32_t), intent(in), optional :: capacity
+    integer(c_int32_t), intent(inout), optional :: needed
+    integer(c_int32_t), intent(inout), optional :: first_bad
+    integer(c_int32_t) :: status
+    type(hsp_derivatives_request) :: request
+    type(hsp_derivatives_outputs) :: outputs
+    if (present(tangency)) request%tangency = tangency
+    if (present(sigma)) request%sigma = c_loc(sigma)
+    if (present(executor)) request%executor = c_loc(executor)
+    if (present(area_centre)) outputs%area_centre = c_loc(area_centre)
+    if (present(area_radius)) outputs%area_radius = c_loc(area_radius)
+    if (present(volume_centre)) outputs%volume_centre = c_loc(volume_centre)
+    if (present(volume_radius)) outputs%volume_radius = c_loc(volume_radius)
+    if (present(flags)) outputs%flags = c_loc(flags)
+    if (present(capacity)) outputs%capacity = capacity
+    if (present(needed)) outputs%needed = needed
+    if (present(first_bad)) outputs%first_bad = first_bad
+    status = hsp_boundary_get_derivatives(boundary, request, outputs)
+    if (present(needed)) needed = outputs%needed
+    if (present(first_bad)) first_bad = outputs%first_bad
+  end function
+
+  ! ---- curvature.h: integrated mean and Gaussian curvature -----------------------------------------------------------
+
+  !> hsp_boundary_get_morphometry with the fields of its request and outputs as arguments.
+  function hsp_boundary_get_morphometry_named(boundary, pressure, tension, bending, gaussian, sigma, executor, &
+    energy, d_centre, d_radius, flags, capacity, needed, first_bad) result(status)
+    type(c_ptr), intent(in) :: boundary
+    real(c_double), intent(in), optional :: pressure
+    real(c_double), intent(in), optional :: tension
+    real(c_double), intent(in), optional :: bending
+    real(c_double), intent(in), optional :: gaussian
+    real(c_double), intent(in), optional, target :: sigma(*)  ! n
+    type(hsp_executor), intent(in), optional, target :: executor
+    type(hsp_morphometric_energy), intent(inout), optional, target :: energy
+    real(c_double), intent(inout), optional, target :: d_centre(3, *)  ! 3, n
+    real(c_double), intent(inout), optional, target :: d_radius(*)  ! n
+    integer(c_int32_t), intent(inout), optional, target :: flags(*)  ! n
+    integer(c_int32_t), intent(in), optional :: capacity
+    integer(c_int32_t), intent(inout), optional :: needed
+    integer(c_int32_t), intent(inout), optional :: first_bad
+    integer(c_int32_t) :: status
+    type(hsp_morphometry_request) :: request
+    type(hsp_morphometry_outputs) :: outputs
+    if (present(pressure)) request%pressure = pressure
+    if (present(tension)) request%tension = tension
+    if (present(bending)) request%bending = bending
+    if (present(gaussian)) request%gaussian = gaussian
+    if (present(sigma)) request%sigma = c_loc(sigma)
+    if (present(executor)) request%executor = c_loc(executor)
+    if (present(energy)) outputs%energy = c_loc(energy)
+    if (present(d_centre)) outputs%d_centre = c_loc(d_centre)
+    if (present(d_radius)) outputs%d_radius = c_loc(d_radius)
+    if (present(flags)) outputs%flags = c_loc(flags)
+    if (present(capacity)) outputs%capacity = capacity
+    if (present(needed)) outputs%needed = needed
+    if (present(first_bad)) outputs%first_bad = first_bad
+    status = hsp_boundary_get_morphometry(boundary, request, outputs)
+    if (present(needed)) needed = outputs%needed
+    if (present(first_bad)) first_bad = outputs%first_bad
+  end function
+
+  ! ---- periodic.h: all of that in a box whose copies fill space: areas, volume, contacts, windings, strain -----------
+
+  !> hsp_periodic_get_morphometry with the fields of its request and outputs as arguments.
+  function hsp_periodic_get_morphometry_named(periodic, pressure, tension, bending, gaussian, sigma, executor, &
+    energy, d_centre, d_radius, flags, d_strain, d_box, capacity, needed, first_bad) result(status)
+    type(c_ptr), intent(in) :: periodic
+    real(c_double), intent(in), optional :: pressure
+    real(c_double), intent(in), optional :: tension
+    real(c_double), intent(in), optional :: bending
+    real(c_double), intent(in), optional :: gaussian
+    real(c_double), intent(in), optional, target :: sigma(*)  ! n
+    type(hsp_executor), intent(in), optional, target :: executor
+    type(hsp_morphometric_energy), intent(inout), optional, target :: energy
+    real(c_double), intent(inout), optional, target :: d_centre(3, *)  ! 3, n
+    real(c_double), intent(inout), optional, target :: d_radius(*)  ! n
+    integer(c_int32_t), intent(inout), optional, target :: flags(*)  ! n
+    real(c_double), intent(inout), optional, target :: d_strain(9)
+    real(c_double), intent(inout), optional, target :: d_box(9)
+    integer(c_int32_t), intent(in), optional :: capacity
+    integer(c_int32_t), intent(inout), optional :: needed
+    integer(c_int32_t), intent(inout), optional :: first_bad
+    integer(c_int32_t) :: status
+    type(hsp_morphometry_request) :: request
+    type(hsp_periodic_morphometry_outputs) :: outputs
+    if (present(pressure)) request%pressure = pressure
+    if (present(tension)) request%tension = tension
+    if (present(bending)) request%bending = bending
+    if (present(gaussian)) request%gaussian = gaussian
+    if (present(sigma)) request%sigma = c_loc(sigma)
+    if (present(executor)) request%executor = c_loc(executor)
+    if (present(energy)) outputs%energy = c_loc(energy)
+    if (present(d_centre)) outputs%d_centre = c_loc(d_centre)
+    if (present(d_radius)) outputs%d_radius = c_loc(d_radius)
+    if (present(flags)) outputs%flags = c_loc(flags)
+    if (present(d_strain)) outputs%d_strain = c_loc(d_strain)
+    if (present(d_box)) outputs%d_box = c_loc(d_box)
+    if (present(capacity)) outputs%capacity = capacity
+    if (present(needed)) outputs%needed = needed
+    if (present(first_bad)) outputs%first_bad = first_bad
+    status = hsp_periodic_get_morphometry(periodic, request, outputs)
+    if (present(needed)) needed = outputs%needed
+    if (present(first_bad)) first_bad = outputs%first_bad
+  end function
+
+  !> hsp_periodic_get_gradient with the fields of its request and outputs as arguments.
+  function hsp_periodic_get_gradient_named(periodic, tangency, tension, pressure, sigma, executor, energy, d_centre, &
+    d_radius, flags, d_strain, d_box, capacity, needed, first_bad) result(status)
+    type(c_ptr), intent(in) :: periodic
+    integer(c_int32_t), intent(in), optional :: tangency
+    real(c_double), intent(in), optional :: tension
+    real(c_double), intent(in), optional :: pressure
+    real(c_double), intent(in), optional, target :: sigma(*)  ! n
+    type(hsp_executor), intent(in), optional, target :: executor
+    type(hsp_energy), intent(inout), optional, target :: energy
+    real(c_double), intent(inout), optional, target :: d_centre(3, *)  ! 3, n
+    real(c_double), intent(inout), optional, target :: d_radius(*)  ! n
+    integer(c_int32_t), intent(inout), optional, target :: flags(*)  ! n
+    real(c_double), intent(inout), optional, target :: d_strain(9)
+    real(c_double), intent(inout), optional, target :: d_box(9)
+    integer(c_int32_t), intent(in), optional :: capacity
+    integer(c_int32_t), intent(inout), optional :: needed
+    integer(c_int32_t), intent(inout), optional :: first_bad
+    integer(c_int32_t) :: status
+    type(hsp_gradient_request) :: request
+    type(hsp_periodic_gradient_outputs) :: outputs
+    if (present(tangency)) request%tangency = tangency
+    if (present(tension)) request%tension = tension
+    if (present(pressure)) request%pressure = pressure
+    if (present(sigma)) request%sigma = c_loc(sigma)
+    if (present(executor)) request%executor = c_loc(executor)
+    if (present(energy)) outputs%energy = c_loc(energy)
+    if (present(d_centre)) outputs%d_centre = c_loc(d_centre)
+    if (present(d_radius)) outputs%d_radius = c_loc(d_radius)
+    if (present(flags)) outputs%flags = c_loc(flags)
+    if (present(d_strain)) outputs%d_strain = c_loc(d_strain)
+    if (present(d_box)) outputs%d_box = c_loc(d_box)
+    if (present(capacity)) outputs%capacity = capacity
+    if (present(needed)) outputs%needed = needed
+    if (present(first_bad)) outputs%first_bad = first_bad
+    status = hsp_periodic_get_gradient(periodic, request, outputs)
+    if (present(needed)) needed = outputs%needed
+    if (present(first_bad)) first_bad = outputs%first_bad
+  end function
+
+  ! ---- surface.h: the smooth surface that a probe leaves, its area and volume (Section 4.3) --------------------------
+
+  !> hsp_surface_get_gradient with the fields of its request and outputs as arguments.
+  function hsp_surface_get_gradient_named(surface, tangency, tension, pressure, sigma, executor, energy, d_centre, &
+    d_radius, flags, capacity, needed, first_bad) result(status)
+    type(c_ptr), intent(in) :: surface
+    integer(c_int32_t), intent(in), optional :: tangency
+    real(c_double), intent(in), optional :: tension
+    real(c_double), intent(in), optional :: pressure
+    real(c_double), intent(in), optional, target :: sigma(*)  ! n
+    type(hsp_executor), intent(in), optional, target :: executor
+    type(hsp_energy), intent(inout), optional, target :: energy
+    real(c_double), intent(inout), optional, target :: d_centre(3, *)  ! 3, n
+    real(c_double), intent(inout), optional, target :: d_radius(*)  ! n
+    integer(c_int32_t), intent(inout), optional, target :: flags(*)  ! n
+    integer(c_int32_t), intent(in), optional :: capacity
+    integer(c_int32_t), intent(inout), optional :: needed
+    integer(c_int32_t), intent(inout), optional :: first_bad
+    integer(c_int32_t) :: status
+    type(hsp_gradient_request) :: request
+    type(hsp_gradient_outputs) :: outputs
+    if (present(tangency)) request%tangency = tangency
+    if (present(tension)) request%tension = tension
+    if (present(pressure)) request%pressure = pressure
+    if (present(sigma)) request%sigma = c_loc(sigma)
+    if (present(executor)) request%executor = c_loc(executor)
+    if (present(energy)) outputs%energy = c_loc(energy)
+    if (present(d_centre)) outputs%d_centre = c_loc(d_centre)
+    if (present(d_radius)) outputs%d_radius = c_loc(d_radius)
+    if (present(flags)) outputs%flags = c_loc(flags)
+    if (present(capacity)) outputs%capacity = capacity
+    if (present(needed)) outputs%needed = needed
+    if (present(first_bad)) outputs%first_bad = first_bad
+    status = hsp_surface_get_gradient(surface, request, outputs)
+    if (present(needed)) needed = outputs%needed
+    if (present(first_bad)) first_bad = outputs%first_bad
+  end function
+
+  ! ----
 
   ! ---- model.h: a set of balls on its lattice, and how well it behaves: k, rho, overlaps (Section 2) -----------------
 

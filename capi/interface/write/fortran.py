@@ -20,12 +20,16 @@ NOTES = {
 
 
 def fortran_module(interface):
+    from .fortran_named import generic_rows, named_rows, takes_outputs
     sizes = struct_sizes(interface)
+    named = [f for f in interface.functions if takes_outputs(f)]
     parts = {
         "constants": sections(interface, "  ", interface.constants.values(), constant_rows),
         "types": sections(interface, "  ", interface.structs_inside_first(),
                           lambda struct: type_rows(struct, sizes[struct.name]), apart=True),
         "functions": sections(interface, "    ", interface.functions, function_rows, apart=True),
+        "generics": sections(interface, "    ", named, generic_rows, apart=True),
+        "named": sections(interface, "  ", named, named_rows, apart=True),
         "bounds": sections(interface, "  ", bounds_of(interface), bound_rows, apart=True),
     }
     texts = [f"  character(*), parameter :: {name} = '{text}'" for name, text in interface.texts.items()]
