@@ -20,8 +20,8 @@
 !                                so the array must outlive the handle and must not be reallocated
 !   T *out, uint32_t capacity    out(*) with capacity elements; other extents stand behind the declarations
 !   a pointer that may be NULL   an optional argument that is left out
-!   a request and outputs        these types, whose defaults are those of C; or each of their fields as a named argument,
-!                                optional: hsp_boundary_get_gradient(b, tension=1.0_c_double, d_centre=g, capacity=n)
+!   a request and outputs        these types, with the defaults of C; or their fields as named optional arguments:
+!                                hsp_boundary_get_gradient(b, tension=1.0_c_double, d_centre=g, capacity=n)
 !   const char *title            character(kind=c_char) :: title(*); a string that ends with c_null_char may be passed
 !   hsp_sink                     type(c_funptr) from c_funloc of a function with the interface hsp_sink
 !   void *context                type(c_ptr), as it will be handed to the sink; c_null_ptr if the sink has no use for it

@@ -125,7 +125,7 @@ class Module(unittest.TestCase):
         left = "\n".join(rows)
         for name in ("hsp_surface_", "HSP_SURFACE_", "hsp_mesh_"):
             self.assertNotIn(name, left)
-        for name in ("abstract interface", "  end interface\n\ncontains", "hsp_map_twin", "hsp_topology_bytes_bound",
+        for name in ("abstract interface", "  ! ----\n\ncontains", "hsp_map_twin", "hsp_topology_bytes_bound",
                      "hsp_picture_write_map", "end module"):
             self.assertIn(name, left)
 
