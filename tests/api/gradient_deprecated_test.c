@@ -1,5 +1,5 @@
-/* Old names, which deprecated.h has: the same bits and statuses as the new calls, and needed and first_bad where the old
- * functions wrote them. */
+/* Old names, which deprecated.h has: the same bits and statuses as the new calls, and needed and first_bad where the
+ * old functions wrote them. */
 #define HSP_NO_DEPRECATION_WARNINGS
 #include <hardsphere.h>
 #include <math.h>
