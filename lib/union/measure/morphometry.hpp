@@ -45,9 +45,8 @@ struct MorphometricEnergy {
 
 // What one ball contributes.
 struct MorphometryShare {
-  EnergyShare measures;
-  double mean;      // in lattice steps
-  double by_probe;  // in the caller's unit
+  EnergyShare measures;  // by_probe: with that of the mean curvature
+  double mean;           // in lattice steps
 };
 
 class MorphometrySum {
@@ -56,15 +55,14 @@ class MorphometrySum {
   void add(const MorphometryShare &share) {
     measures_.add(share.measures);
     mean_.add(share.mean);
-    by_probe_.add(share.by_probe);
   }
   MorphometryShare sums(const MorphometryShare &rest) const {
-    return {measures_.sums(rest.measures), mean_.total(rest.mean), by_probe_.total(rest.by_probe)};
+    return {measures_.sums(rest.measures), mean_.total(rest.mean)};
   }
 
  private:
   EnergySum measures_;
-  TreeSum mean_, by_probe_;
+  TreeSum mean_;
 };
 
 // The energy of balls whose lengths in steps are lengths on this lattice.
@@ -79,11 +77,10 @@ struct MorphometryTerms {
     const MeanCurvatureGradient &curved = own.curvature;
     const double bending[] = {curved.centre.x, curved.centre.y, curved.centre.z};
     EnergyGradient gradient = gradient_of_energy(lattice, terms, own.measures);
-    const EnergyShare measures = share_of_energy(balls, terms, ball, own.measures, gradient);
     for (int axis = 0; axis < 3; ++axis) gradient.centre[axis] += factors.bending * bending[axis];
     gradient.radius += factors.bending * curved.radius;
     gradient.one_sided = gradient.one_sided || curved.one_sided;
-    sum.add({measures, curved.mean, gradient.radius});
+    sum.add({share_of_energy(balls, terms, ball, own.measures, gradient), curved.mean});
     return gradient;
   }
   // From the sums of all shares; visit(range, sum) adds those of a range of the balls. euler: of the boundary. False if
@@ -98,7 +95,7 @@ struct MorphometryTerms {
     result.mean = lattice.length(sums.mean);
     result.gauss = gauss_of_thirds(6 * euler);
     result.value = energy.value + factors.bending * result.mean + factors.gaussian * result.gauss;
-    result.by_probe = sums.by_probe;
+    result.by_probe = energy.by_probe;
     return each;
   }
 };
