@@ -18,8 +18,10 @@
 #include <stdint.h>
 
 #if defined(__GNUC__) && !defined(HSP_NO_DEPRECATION_WARNINGS)
+/** Before an old name: what compilers say of its use. */
 #define HSP_REPLACED_BY(name) __attribute__((deprecated("call " #name)))
 #else
+/** Nothing. */
 #define HSP_REPLACED_BY(name)
 #endif
 
