@@ -43,6 +43,11 @@
  *   cell, void   a connected component of the rest of space; a void is one that the union encloses
  *   degenerate   in a special position, as balls that touch or four spheres through a point; a tie is a decision there
  *
+ * NAMES
+ *   hsp_X_compute, of models, bodies and balls that move hsp_X_set, takes what results are made of. hsp_X_get_counts
+ *   says how many there are of each kind; hsp_X_get_info says that and what else is settled, such as the lattice or the
+ *   frame of a view. hsp_X_measure, hsp_X_gradient and hsp_X_curvature give numbers, in all and of each ball.
+ *
  * TIERS
  *   Each header says at its head which of two tiers it is of. Stable are those of the union of balls and its numbers:
  *   version, status, executor, element, model, query, boundary, measure, gradient, contacts, topology. From 1.0 on they

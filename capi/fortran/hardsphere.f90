@@ -2127,10 +2127,11 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_moving_get_changed(moving, out, capacity, needed) result(status) bind(C, name="hsp_moving_get_changed")
+    function hsp_moving_get_changed(moving, balls, capacity, needed) result(status) &
+      bind(C, name="hsp_moving_get_changed")
       import :: c_int32_t, c_ptr
       type(c_ptr), value :: moving
-      integer(c_int32_t), intent(inout), optional :: out(*)  ! needed
+      integer(c_int32_t), intent(inout), optional :: balls(*)  ! needed
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status

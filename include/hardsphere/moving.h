@@ -187,7 +187,7 @@ HSP_API int32_t hsp_moving_get_balls(const hsp_moving *moving, uint32_t count, c
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     no balls: no hsp_moving_set before, or it failed */
-HSP_API int32_t hsp_moving_get_changed(const hsp_moving *moving, uint32_t *out, uint32_t capacity, uint32_t *needed);
+HSP_API int32_t hsp_moving_get_changed(const hsp_moving *moving, uint32_t *balls, uint32_t capacity, uint32_t *needed);
 
 /** Put the balls as they are into a model, as hsp_model_set would with the same lattice and largest radius: for a
  *  boundary with ids, shells and topology, for queries and views. Results of other contents of the model cannot be read

@@ -79,7 +79,8 @@ HSP_API int32_t hsp_periodic_init(void *memory, size_t bytes, const hsp_periodic
 /** Take n balls and a box, and compute boundary, contacts and components. Balls and options are those of hsp_model_set:
  *  xyz and radius may be NULL only if n is 0; options and limits may be NULL. box [9] holds the three vectors; nothing
  *  is kept of the arrays. On failure there are no results. first_bad may be NULL, else it is set to the index of the
- *  first ball that is refused, or HSP_NONE. limits: see LIMITS in hardsphere.h; at most five retries.
+ *  first ball that is refused, or HSP_NONE if none is, or if options or the box are at fault: a step that is too small
+ *  for every radius, too. limits: see LIMITS in hardsphere.h; at most five retries.
  *  - Property 1: which image of a ball is given, and which vectors for the same box, has no effect but on shifts, on
  *    the order of what is sorted by them, on the rows of windings and on derivatives by the vectors: all other numbers
  *    are the same bit for bit.

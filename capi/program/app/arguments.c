@@ -96,16 +96,17 @@ static bool check(struct reading *reading) {
                             command_table[request->command].name);
   }
   if (request->command == COMMAND_QUERY && request->query == QUERY_NONE) {
-    return failure_in_usage(reading->failure, "query needs --point X Y Z or --ball X Y Z R");
+    return failure_in_usage(reading->failure,
+                            "query needs --point X Y Z or --ball X Y Z R; see hardsphere query --help");
   }
   if (request->command == COMMAND_PICK && !request->at.given) {
-    return failure_in_usage(reading->failure, "pick needs --at X Y");
+    return failure_in_usage(reading->failure, "pick needs --at X Y; see hardsphere pick --help");
   }
   if (request->command == COMMAND_PATH && !(request->from.point.given && request->to.point.given)) {
-    return failure_in_usage(reading->failure, "path needs --from X Y Z and --to X Y Z");
+    return failure_in_usage(reading->failure, "path needs --from X Y Z and --to X Y Z; see hardsphere path --help");
   }
   if (request->command == COMMAND_GATE && !request->from.point.given) {
-    return failure_in_usage(reading->failure, "gate needs --from X Y Z or --from void:K");
+    return failure_in_usage(reading->failure, "gate needs --from X Y Z or --from void:K; see hardsphere gate --help");
   }
   if (request->command == COMMAND_GATE && reading->probe_seen && request->from.of_void == 0 &&
       request->to.of_void == 0) {

@@ -121,9 +121,10 @@ static bool run_two(enum command command, int count, char **arguments, struct te
   return done;
 }
 
-static bool asks_for_help(int count, char **arguments) {
+/* Whether an option that any command has stands among the arguments. */
+static bool asks_for(const char *name, const char *letter, int count, char **arguments) {
   for (int i = 0; i < count && strcmp(arguments[i], "--") != 0; ++i) {
-    if (strcmp(arguments[i], "--help") == 0 || strcmp(arguments[i], "-h") == 0) return true;
+    if (strcmp(arguments[i], name) == 0 || strcmp(arguments[i], letter) == 0) return true;
   }
   return false;
 }
@@ -170,8 +171,12 @@ static bool run(int count, char **arguments, struct text_buffer *out, struct fai
   }
   enum command command;
   if (!find_command(first, &command, failure)) return false;
-  if (asks_for_help(count - 1, arguments + 1)) {
+  if (asks_for("--help", "-h", count - 1, arguments + 1)) {
     usage_of_command(out, command);
+    return true;
+  }
+  if (asks_for("--version", "-V", count - 1, arguments + 1)) {
+    usage_version(out);
     return true;
   }
   const struct command_row *row = &command_table[command];

@@ -784,8 +784,8 @@ static int64_t call_hsp_moving_get_balls(const value *v) {
 
 static const argument of_hsp_moving_get_changed[] = {
   {"moving", "hsp_moving", .kind = KIND_handle, .noun = NOUN_moving, .is_const = 1},
-  {"out", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held =
-      1},
+  {"balls", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held
+      = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
   {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
