@@ -33,8 +33,10 @@ int32_t read_options(const hsp_pores_options *given, hsp_pores_options &complete
 // In steps, rounded down, and no farther than points can be.
 int64_t floor_in_steps(const hsp::BallSet &balls, double floor) {
   constexpr double limit = hsp::exact::query_radius_limit;
-  const double steps = std::floor(balls.lattice.steps(floor));
-  return static_cast<int64_t>(steps < -limit ? -limit : steps > limit ? limit : steps);
+  const double steps = balls.lattice.steps(floor);
+  const double near = steps < -limit ? -limit : steps > limit ? limit : steps;
+  const int64_t truncated = static_cast<int64_t>(near);
+  return truncated - static_cast<int64_t>(static_cast<double>(truncated) > near);
 }
 
 double floor_of(const hsp_pores &pores) {
