@@ -46,7 +46,7 @@ void ContactsBuilder::carve(Workspace &workspace, const ContactLimits &limits) {
   contact_of_cap_ = workspace.take<uint32_t>(limits.neighbours);
 }
 
-bool ContactsBuilder::start(const CubeGrid &grid, uint32_t neighbours) {
+bool ContactsBuilder::start(const CubeGrid &grid, uint32_t neighbours, Target target) {
   const uint32_t balls = grid.balls().n;
   clear(balls);
   own_balls_ = grid.own_balls();
@@ -54,7 +54,7 @@ bool ContactsBuilder::start(const CubeGrid &grid, uint32_t neighbours) {
   needed_.neighbours = neighbours;
   if (balls > limits_.balls || neighbours > limits_.neighbours) return false;
   walk_.start(balls, own_balls_);
-  candidates_.borrow(contacts_.a_.row);
+  candidates_.borrow(contacts_.a_.row, target);
   return true;
 }
 

@@ -1,9 +1,7 @@
 #include "sphere/few_caps.hpp"
+#include "sphere/crossing_pairs.hpp"
 
-#if HSP_AVX2
-#include "sphere/crossing_pairs_avx2.hpp"
-
-namespace hsp {
+namespace hsp::HSP_TARGET {
 namespace {
 
 // Bits of caps.
@@ -164,11 +162,15 @@ class FewCapsSearch {
   uint32_t pair_count_ = 0;
 };
 
+// False for words of two numbers: the loops of VertexFinder take no more instructions.
 template <class Lanes, class Real>
 bool find_few(const CapPointers<Real> &caps, uint32_t count, uint32_t first_later, FewCaps &found) {
-  constexpr uint32_t all = most_few_caps / Lanes::lanes;
-  if (2 * count <= most_few_caps) return FewCapsSearch<Lanes, all / 2>(caps, count, first_later, found).run();
-  return FewCapsSearch<Lanes, all>(caps, count, first_later, found).run();
+  if constexpr (Lanes::lanes > 2) {
+    constexpr uint32_t all = most_few_caps / Lanes::lanes;
+    if (2 * count <= most_few_caps) return FewCapsSearch<Lanes, all / 2>(caps, count, first_later, found).run();
+    return FewCapsSearch<Lanes, all>(caps, count, first_later, found).run();
+  }
+  return false;
 }
 
 }  // namespace
@@ -183,5 +185,4 @@ bool find_few_in_doubles(const double *x, const double *y, const double *z, cons
   return find_few<Doubles>(CapPointers<double>{x, y, z, b}, count, first_later, found);
 }
 
-}  // namespace hsp
-#endif
+}  // namespace hsp::HSP_TARGET
