@@ -1,10 +1,10 @@
 // Words for kernels that are written once and compiled for registers of several widths: Floats, Doubles, Integers and
-// Fractions, as many of each as a register of the target holds, and their signs and comparisons as bits. By avx2_lanes.hpp
-// for 32 bytes, by words_16.hpp for 16; a target without registers of several lanes has none. Everything has internal
-// linkage, so that kernels have their own copy for each target (target.hpp).
+// Fractions, as many of each as a register of the target holds, and their signs and comparisons as bits. By
+// avx2_lanes.hpp for 32 bytes, by words_16.hpp for 16; a target without registers of several lanes has none. Everything
+// has internal linkage, so that kernels have their own copy for each target (target.hpp).
 //
-// fused() and its sisters are rounded once or twice, as the target has it: for what is decided or discarded within error
-// bounds that allow both, never for results.
+// fused() and its sisters are rounded once or twice, as the target has it: for what is decided or discarded within
+// error bounds that allow both, never for results.
 #pragma once
 
 #include <cstdint>

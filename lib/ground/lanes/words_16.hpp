@@ -274,7 +274,9 @@ struct Fractions {
     return a;
 #endif
   }
-  static int16_t saturated(int32_t x) { return static_cast<int16_t>(x < -0x8000 ? -0x8000 : x > 0x7FFF ? 0x7FFF : x); }
+  static int16_t saturated(int32_t x) {
+    return static_cast<int16_t>(x < -0x8000 ? -0x8000 : x > 0x7FFF ? 0x7FFF : x);
+  }
   template <class Operation>
   static Fractions each(Fractions a, Fractions b, Operation operation) {
     for (uint32_t k = 0; k < lanes; ++k) a.v[k] = saturated(operation(a.v[k], b.v[k]));
@@ -327,8 +329,12 @@ struct FractionSigns {
     return signs;
 #endif
   }
-  friend FractionSigns either_negative(FractionSigns a, FractionSigns b) { return {static_cast<Word>(a.v | b.v)}; }
-  friend FractionSigns both_negative(FractionSigns a, FractionSigns b) { return {static_cast<Word>(a.v & b.v)}; }
+  friend FractionSigns either_negative(FractionSigns a, FractionSigns b) {
+    return {static_cast<Word>(a.v | b.v)};
+  }
+  friend FractionSigns both_negative(FractionSigns a, FractionSigns b) {
+    return {static_cast<Word>(a.v & b.v)};
+  }
   // Which of the first four floats, and of the last, became a negative fraction in a or in b.
   void negative(LaneBits &low, LaneBits &high) const {
 #if defined(__SSE2__)

@@ -39,9 +39,7 @@ class BoundaryBuilder {
   }
 
  private:
-  Span<BoundaryWorker> at_work() const {
-    return workers_.part(0, count_);
-  }
+  Span<BoundaryWorker> at_work() const { return workers_.part(0, count_); }
   // What all workers together have found.
   struct Found {
     uint32_t neighbours = 0;
@@ -55,9 +53,7 @@ class BoundaryBuilder {
   void link(uint32_t worker);
   void settle(uint32_t worker);
   // Whether all workers join faces to shells; else one of them does.
-  bool shares_shells() const {
-    return count_ > 1 && SharedDisjointSets::available;
-  }
+  bool shares_shells() const { return count_ > 1 && SharedDisjointSets::available; }
 
   BoundaryLimits limits_;
   BoundaryLimits needed_;

@@ -6,9 +6,10 @@
 // s / 2, or of any balls, at most 1.5 s from a common centre; and those of balls that they meet, at most s more. Both
 // are rounded once, so that each difference has an error of at most 2.5 s e + 1.5 s e + s e = 5 s e, and the square of
 // the distance one of 2 d sqrt(3) 5 s e < 17.4 s^2 e. Both radii and their sum are rounded: t has a relative error of
-// 2e, its square one of 4 s^2 e. Partial sums of dz^2 - t^2 + dy^2 + dx^2 lie between - s^2 and s^2, and there are seven
-// roundings at most, four where sums are fused: 7 s^2 e. Terms in e^2 are far below the rest of 32 s^2 e = 2^-19 s^2, the
-// margin below which d^2 - t^2 is taken for negative. All numbers are below 2^36 in size, so nothing over- or underflows.
+// 2e, its square one of 4 s^2 e. Partial sums of dz^2 - t^2 + dy^2 + dx^2 lie between - s^2 and s^2, and there are
+// seven roundings at most, four where sums are fused: 7 s^2 e. Terms in e^2 are far below the rest of 32 s^2 e = 2^-19
+// s^2, the margin below which d^2 - t^2 is taken for negative. All numbers are below 2^36 in size, so nothing over- or
+// underflows.
 #pragma once
 
 #include "lanes/target.hpp"
@@ -41,7 +42,7 @@ HSP_KERNEL(uint32_t, near_candidates,
            (const CandidateBlock &block, uint32_t own, uint32_t *near, uint32_t most, uint32_t &earlier),
            (block, own, near, most, earlier))
 // The same of the candidates behind `own` alone.
-HSP_KERNEL(uint32_t, later_candidates,
-           (const CandidateBlock &block, uint32_t own, uint32_t *near, uint32_t most), (block, own, near, most))
+HSP_KERNEL(uint32_t, later_candidates, (const CandidateBlock &block, uint32_t own, uint32_t *near, uint32_t most),
+           (block, own, near, most))
 
 }  // namespace hsp

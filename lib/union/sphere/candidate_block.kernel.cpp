@@ -8,7 +8,8 @@ namespace {
 Floats relative(const double *p, uint32_t count, Doubles origin) {
   if (count >= Floats::lanes) return to_floats(Doubles::load(p) - origin, Doubles::load(p + Doubles::lanes) - origin);
   const Doubles low = Doubles::load_first(p, count);
-  const Doubles high = count > Doubles::lanes ? Doubles::load_first(p + Doubles::lanes, count - Doubles::lanes) : Doubles::all(0.0);
+  const Doubles high =
+      count > Doubles::lanes ? Doubles::load_first(p + Doubles::lanes, count - Doubles::lanes) : Doubles::all(0.0);
   return to_floats(low - origin, high - origin);
 }
 

@@ -1,8 +1,8 @@
 // The error bounds with which two caps and their crossing points are decided, in doubles (cap_pair.hpp, where they are
 // derived) and in floats, for the code that does so in lanes.
 //
-// In floats, with e = 2^-24 and u 6.5, b 29 from float_caps.hpp, first order, |b| <= 1, q <= S <= 1; a product is rounded
-// before it is added, or not, where the target fuses them:
+// In floats, with e = 2^-24 and u 6.5, b 29 from float_caps.hpp, first order, |b| <= 1, q <= S <= 1; a product is
+// rounded before it is added, or not, where the target fuses them:
 //   g         2 * 6.5 + 3                                                                                16
 //   q         1 - b_j^2: 60; g^2: 34; b_k^2: 61; 2 g b_j b_k: 2 (16 + 29 + 29) + 4; last addition: 1     308
 //   b_j - g b_k    29 + 29 + 16 + 2                                                                      76

@@ -36,12 +36,8 @@ struct Caps {
   bool wide = false;            // made four at a time: the same are made
 
   void carve(Workspace &workspace, uint32_t capacity);
-  uint32_t capacity() const {
-    return planes_.size() - 1;
-  }
-  bool overflowed() const {
-    return met > capacity();
-  }
+  uint32_t capacity() const { return planes_.size() - 1; }
+  bool overflowed() const { return met > capacity(); }
 
   // Finds the caps of ball i, whose neighbours lie in the block. Every ball that meets it is joined to it in
   // components, if given.
@@ -86,12 +82,8 @@ struct Caps {
     planes_made_ = false;
   }
 
-  Vec3 axis(uint32_t k) const {
-    return {ux[k], uy[k], uz[k]};
-  }
-  exact::Predicates predicates() const {
-    return {sphere, length_squared};
-  }
+  Vec3 axis(uint32_t k) const { return {ux[k], uy[k], uz[k]}; }
+  exact::Predicates predicates() const { return {sphere, length_squared}; }
   // Index of the cap of a ball; it must be there.
   uint32_t cap_of(uint32_t other) const;
 

@@ -1,9 +1,10 @@
-// Which circles of caps are certainly covered by other caps, in fractions. Nothing on such a circle is free, so that none of its pairs has to be looked at. Most circles of a ball with many caps are such.
+// Which circles of caps are certainly covered by other caps, in fractions. Nothing on such a circle is free, so that
+// none of its pairs has to be looked at. Most circles of a ball with many caps are such.
 //
 // A circle is cut into eight arcs of 45 degrees, and is covered if each arc lies inside one of the caps. With u, b the
 // cap of the circle, v, c another one, E and F unit vectors across u and each other, and r = sqrt(1 - b^2), the depth
 // of the circle's point at angle t in the other cap is d(t) = A + X cos t + Y sin t with A = b u.v - c, X = r E.v and
-// Y = r F.v. It is known to within 18 f, with f = 2^-15 and by fraction_caps_avx2.hpp, e = 2^-24:
+// Y = r F.v. It is known to within 18 f, with f = 2^-15 and by fraction_caps.hpp, e = 2^-24:
 //   r E, r F     E, F: u has a length within 11 e of 1 and is 11 e from the true one; they turn with u no more than
 //                three times as far; 1 / (1 + |z|) is known to 3 e: 38 e; r for 1 - b^2 > 2^-8, so that r > 2^-4:
 //                60 e / (2 r) + e < 481 e; rounded by f / 2                                                   1.6

@@ -1,4 +1,5 @@
-// The caps of one ball as floats, made where several at a time are wanted: x on the unit sphere lies in the cap iff u.x >= b, as in caps.hpp.
+// The caps of one ball as floats, made where several at a time are wanted: x on the unit sphere lies in the cap iff u.x
+// >= b, as in caps.hpp.
 //
 // Errors in units of e = 2^-24, first order. The differences of centres v, the difference p and the sum s of the radii
 // are integers rounded once, the ball's radius r as well:
@@ -23,9 +24,9 @@ struct FloatCaps {
   float *x = nullptr, *y = nullptr, *z = nullptr, *b = nullptr;
 };
 
-// The caps of `count` balls near ball i, followed by as many in which nothing lies as there are lanes. Returns false if one of the
-// balls is not certain to meet ball i in a proper circle, or is more than four radii away. Writes spare_ids ids behind
-// `near`.
+// The caps of `count` balls near ball i, followed by as many in which nothing lies as there are lanes. Returns false if
+// one of the balls is not certain to meet ball i in a proper circle, or is more than four radii away. Writes spare_ids
+// ids behind `near`.
 HSP_KERNEL(bool, make_float_caps,
            (const BallArrays &balls, uint32_t i, uint32_t *near, uint32_t count, const FloatCaps &caps),
            (balls, i, near, count, caps))

@@ -1,6 +1,6 @@
-// A ball with many caps: which pairs of later caps may have a free point, found in floats. Pairs whose circles certainly
-// do not cross and points that are certainly covered are left out several at a time; what is not
-// certain is left to doubles. Most points of most circles are covered by a large cap, so the large ones come first.
+// A ball with many caps: which pairs of later caps may have a free point, found in floats. Pairs whose circles
+// certainly do not cross and points that are certainly covered are left out several at a time; what is not certain is
+// left to doubles. Most points of most circles are covered by a large cap, so the large ones come first.
 #pragma once
 
 #include "sphere/float_caps.hpp"
