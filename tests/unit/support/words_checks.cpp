@@ -91,7 +91,8 @@ const char *check_doubles() {
   const Doubles low = Doubles::load(d), high = Doubles::load(d + half);
   if (!lanes_are(to_floats(low, high), [&](uint32_t k) { return static_cast<float>(d[k]); })) return "to_floats";
   const uint32_t index[8] = {7, 0, 3, 3, 1, 2, 6, 5};
-  const Floats at = to_floats(Doubles::at(d, index) - Doubles::all(1), Doubles::at(d, index + half) + Doubles::all_of(d));
+  const Floats at =
+      to_floats(Doubles::at(d, index) - Doubles::all(1), Doubles::at(d, index + half) + Doubles::all_of(d));
   if (!lanes_are(at, [&](uint32_t k) { return static_cast<float>(k < half ? d[index[k]] - 1 : d[index[k]] + d[0]); }))
     return "at, +, -";
   for (uint32_t count = 0; count <= half; ++count) {
@@ -126,8 +127,8 @@ int32_t stopped(int32_t x) {
 const char *check_fractions() {
   constexpr uint32_t all = Fractions::lanes;
   static_assert(all == 2 * n);
-  const int32_t sample[] = {0, 1, -1, 2, 3, -3, 127, -255, 4095, 16384, -16384, 23170, -23171, 32766, 32767, -32767,
-                            -32768, 12345, -9876};
+  const int32_t sample[] = {0,      1,     -1,     2,     3,     -3,     127,    -255,  4095, 16384,
+                            -16384, 23170, -23171, 32766, 32767, -32767, -32768, 12345, -9876};
   constexpr int32_t samples = sizeof sample / sizeof sample[0];
   for (int32_t shift = 0; shift < samples; ++shift) {
     float u[all], v[all];
@@ -171,7 +172,8 @@ const char *check_fractions() {
     float twice[n];
     Fractions::twice(Floats::load(u), 1.0F).store(twice);
     for (uint32_t k = 0; k < n; ++k) {
-      if (!equals(Fractions::all_of(twice + k) - x, [&](int32_t i, int32_t) { return stopped(p[k] - i); })) return "twice";
+      if (!equals(Fractions::all_of(twice + k) - x, [&](int32_t i, int32_t) { return stopped(p[k] - i); }))
+        return "twice";
     }
   }
   // What is too large stops, and halves are rounded to even.
