@@ -106,10 +106,9 @@ void ContactsBuilder::gather_caps(const BallSet &balls, const Boundary &boundary
   caps_.gather(balls, part_from(block, i + 1), i, nullptr);
 }
 
-bool ContactsBuilder::start_cube(const CubeGrid &grid, const Boundary &boundary, uint32_t cube,
-                                 const CubeBlock &block) {
+bool ContactsBuilder::start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block) {
   const uint32_t first = grid.balls_in(cube).first;
-  return boundary.target() == Target::avx2 && candidates_.start_cube(grid, cube, first, part_from(block, first));
+  return candidates_.start_cube(grid, cube, first, part_from(block, first));
 }
 
 void ContactsBuilder::start_ball(const BallSet &balls, const Boundary &boundary, const CubeBlock &block, uint32_t i,

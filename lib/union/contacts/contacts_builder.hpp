@@ -56,7 +56,7 @@ class ContactsBuilder {
     for (uint32_t cube = 0; cube < grid.own_cubes(); ++cube) {
       const CubeBlock &block = sweep.block_around(cube);
       const BallRange own = grid.balls_in(cube);
-      const bool in_lanes = start_cube(grid, boundary, cube, block);
+      const bool in_lanes = start_cube(grid, cube, block);
       for (uint32_t i = own.first; i < own.last; ++i) {
         if (boundary.is_contained(i)) continue;
         start_ball(grid.balls(), boundary, block, i, in_lanes);
@@ -104,7 +104,7 @@ class ContactsBuilder {
 
   bool start(const CubeGrid &grid, uint32_t neighbours, Target target);
   void clear(uint32_t balls);
-  bool start_cube(const CubeGrid &grid, const Boundary &boundary, uint32_t cube, const CubeBlock &block);
+  bool start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block);
   void gather_caps(const BallSet &balls, const Boundary &boundary, const CubeBlock &block, uint32_t i, bool in_lanes);
   void start_ball(const BallSet &balls, const Boundary &boundary, const CubeBlock &block, uint32_t i, bool in_lanes);
   void find_chords(const Boundary &boundary);
