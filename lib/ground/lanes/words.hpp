@@ -46,7 +46,8 @@ inline uint32_t ones(LaneBits bits) {
 }
 // The lowest `count` lanes of one Floats; all from that on.
 inline LaneBits first_lanes(uint32_t count) {
-  return (1U << (count < Floats::lanes ? count : Floats::lanes)) - 1U;
+  const uint32_t chosen = count < Floats::lanes ? count : Floats::lanes;  // in one expression GCC makes branches of it
+  return (1U << chosen) - 1U;
 }
 
 }  // namespace

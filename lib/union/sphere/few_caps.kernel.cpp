@@ -1,7 +1,4 @@
 #include "sphere/few_caps.hpp"
-
-#include <type_traits>
-
 #include "sphere/crossing_pairs.hpp"
 
 namespace hsp::HSP_TARGET {
@@ -71,13 +68,17 @@ struct PointTest {
   LaneBits outside() const { return near.equal(2); }
 };
 
+// A constant as an argument.
+template <uint32_t n>
+struct Number {
+  constexpr operator uint32_t() const { return n; }
+};
+
 template <class Lanes, uint32_t vectors>
 class FewCapsSearch {
  public:
   using Real = typename Lanes::Real;
   using SomeCaps = LaneCaps<Lanes>;
-  template <uint32_t n>
-  using Number = std::integral_constant<uint32_t, n>;
   using Pairs = CrossingPairs<Lanes, 32>;
 
   FewCapsSearch(const CapPointers<Real> &caps, uint32_t count, uint32_t first_later, FewCaps &found)
