@@ -1128,10 +1128,9 @@ module hardsphere
   end type
 
   type, bind(C) :: hsp_tunnel_point
-    real(c_double) :: xyz(3)
+    real(c_double) :: xyz(3)       ! where it lies
     real(c_double) :: radius       ! of the largest probe there
-    ! nearest ones, HSP_NONE behind the last: four at a maximum, three at a gate, else one to three
-    integer(c_int32_t) :: ball(4)
+    integer(c_int32_t) :: ball(4)  ! nearest ones, then HSP_NONE: four at a maximum, three at a gate, else one to three
     integer(c_int32_t) :: gate     ! that it is, or HSP_NONE
     integer(c_int32_t) :: maximum  ! that it is, or HSP_NONE
   end type
