@@ -41,7 +41,7 @@ Boundary::Boundary(Model &model, Room room)
 
 void Boundary::compute() {
   boundary_.compute([this](hsp_boundary *boundary, hsp_boundary_limits *limits) {
-    return hsp_boundary_compute(boundary, model_->get(), limits);
+    return hsp_boundary_compute_with(boundary, model_->get(), nullptr, limits);
   });
 }
 
