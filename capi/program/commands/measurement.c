@@ -105,9 +105,7 @@ static bool measure_areas(const struct request *request, const struct molecule *
     const int32_t status = hsp_periodic_measure(box->periodic, NULL, measurement->area, NULL, molecule->atoms, NULL);
     return status == HSP_OK || failure_in_library(failure, status);
   }
-  const int32_t status = hsp_boundary_measure(geometry->work.boundary, NULL, &measurement->totals, measurement->area,
-                                              NULL, measurement->area == NULL ? 0 : molecule->atoms, NULL);
-  return status == HSP_OK || failure_in_library(failure, status);
+  return geometry_measure(geometry, molecule->atoms, &measurement->totals, measurement->area, failure);
 }
 
 /* Which of the three sums an atom counts for. */

@@ -42,8 +42,8 @@ bool trajectory_open(struct trajectory *trajectory, const char *path, uint32_t a
  * LINE_FAILED: the failure has its number. */
 enum line_status trajectory_next(struct trajectory *trajectory, bool wanted, struct failure *failure);
 
-/* Put "frame N: " before the reason of a failure that concerns a frame of the file. Always false. */
-bool failure_in_frame(struct failure *failure, const struct trajectory *trajectory);
+/* Put "frame N: " before the reason of a failure that concerns the frame of this number. Always false. */
+bool failure_in_frame(struct failure *failure, uint64_t number);
 
 void trajectory_close(struct trajectory *trajectory);
 
