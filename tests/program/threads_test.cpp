@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <random>
 #include <string>
 #include <vector>
@@ -67,9 +68,14 @@ Words all_inputs() {
 TEST(Threads, ManyFilesWithDamagedOnesAmongThem) {
   const Words inputs = all_inputs();
   ASSERT_GT(inputs.size(), 150u);
-  for (const Words &command : {Words{"measure", "--json"}, Words{"measure", "--csv", "--probe", "1.4"},
-                               Words{"measure", "--only", "chain:Z"}, Words{"voids"}, Words{"boundary", "--csv"}}) {
-    const Outcome one = run_by_threads(command + inputs);
+  Words of_pdb;
+  std::copy_if(inputs.begin(), inputs.end(), std::back_inserter(of_pdb),
+               [](const std::string &name) { return name.ends_with(".pdb"); });
+  for (const Words &command :
+       {Words{"measure", "--json"} + inputs, Words{"measure", "--csv", "--probe", "1.4"} + inputs,
+        Words{"measure", "--csv", "--hide", "atom:QQ"} + of_pdb, Words{"voids"} + inputs,
+        Words{"boundary", "--csv"} + inputs}) {
+    const Outcome one = run_by_threads(command);
     EXPECT_EQ(one.status, 1);
     EXPECT_NE(one.err, "");
     EXPECT_NE(one.out, "");
@@ -164,7 +170,7 @@ TEST(Threads, FramesOfText) {
 
 // Enough balls for several threads to share them.
 TEST(Threads, OneLargeMolecule) {
-  constexpr int side = 24;
+  constexpr int side = 18;
   std::mt19937 random(11);
   std::uniform_real_distribution<double> off(-0.3, 0.3);
   std::string text;
