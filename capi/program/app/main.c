@@ -30,6 +30,11 @@ static bool prepare(const struct request *request, struct molecule *molecule, st
   return molecule_take_radii(molecule, &request->radii, &request->table, failure);
 }
 
+static unsigned keeping_of(const struct request *request) {
+  return (request->trajectory != NULL ? KEEP_PLACES : KEEP_NO_MORE) |
+         (request->command == COMMAND_DRAW ? KEEP_EXTRAS : KEEP_NO_MORE);
+}
+
 /* Read the file of a request and do what it asks for, by so many threads. */
 static bool run_command(const struct request *request, uint32_t threads, struct notes *notes, struct text_buffer *out,
                         struct failure *failure) {
@@ -38,7 +43,7 @@ static bool run_command(const struct request *request, uint32_t threads, struct 
   struct geometry geometry = {.work = {0}};
   const bool again = request->pdb_out != NULL && input_is_standard(request->file);
   if (again && !line_reader_keep_standard_input(failure)) return false;
-  bool done = read_molecule(request->file, request->format, request->model, &molecule, failure) &&
+  bool done = read_molecule(request->file, request->format, request->model, keeping_of(request), &molecule, failure) &&
               prepare(request, &molecule, notes, failure);
   if (done && request->trajectory != NULL) {
     done = command_frames(request, &molecule, command, failure);
@@ -80,7 +85,7 @@ static bool run_two(enum command command, int count, char **arguments, struct te
     done = radii_list_print(out, failure);
   } else {
     for (int k = 0; k < 2 && done; ++k) {
-      done = read_molecule(request[k].file, request[k].format, request[k].model, &molecule[k], failure) &&
+      done = read_molecule(request[k].file, request[k].format, request[k].model, KEEP_NO_MORE, &molecule[k], failure) &&
              prepare(&request[k], &molecule[k], &notes[k], failure);
     }
     const struct molecule_request fixed = {&request[0], &molecule[0]}, moving = {&request[1], &molecule[1]};

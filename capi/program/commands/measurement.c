@@ -7,7 +7,7 @@
 #include "read/weights.h"
 
 static double *allocate(const struct molecule *molecule, size_t numbers_per_atom, struct failure *failure) {
-  /* An atom has at least 80 bytes in memory already, so that the size cannot overflow. */
+  /* An atom has at least 50 bytes in memory already, so that the size cannot overflow. */
   double *numbers = malloc((numbers_per_atom * molecule->atoms + 1) * sizeof *numbers);
   if (numbers == NULL) failure_of_memory(failure);
   return numbers;

@@ -54,10 +54,12 @@ static bool read_atom(const struct line_reader *reader, size_t width, struct mol
   for (int axis = 0; axis < 3; ++axis) {
     if (!take_coordinate(reader, width, axis, &xyz[axis], failure)) return false;
   }
+  struct residue_label residue = RESIDUE_LABEL_NONE;
   struct atom_label label = ATOM_LABEL_NONE;
+  label.residue = &residue;
   const struct field name = field_in_columns(text, length, 11, 15);
-  label_copy(label.residue.number, sizeof label.residue.number, field_in_columns(text, length, 1, 5));
-  label_copy(label.residue.name, sizeof label.residue.name, field_in_columns(text, length, 6, 10));
+  label_copy(residue.number, sizeof residue.number, field_in_columns(text, length, 1, 5));
+  label_copy(residue.name, sizeof residue.name, field_in_columns(text, length, 6, 10));
   label_copy(label.name, sizeof label.name, name);
   label_take_element(&label, name);
   return molecule_add(molecule, xyz, 0.0, &label, reader->number, failure);

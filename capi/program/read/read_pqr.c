@@ -119,19 +119,23 @@ static bool read_atom(const struct line_reader *reader, struct molecule *molecul
     failure->line = 0;
   }
 
+  struct residue_label residue = RESIDUE_LABEL_NONE;
   struct atom_label label = ATOM_LABEL_NONE;
+  label.residue = &residue;
   label_copy(label.name, sizeof label.name, record.name);
-  label_copy(label.residue.name, sizeof label.residue.name, record.residue);
-  label_copy(label.residue.chain, sizeof label.residue.chain, record.chain);
-  label_number(record.number, &label.residue);
+  label_copy(residue.name, sizeof residue.name, record.residue);
+  label_copy(residue.chain, sizeof residue.chain, record.chain);
+  label_number(record.number, &residue);
   label.hetatm = pdb_record_is_hetatm(reader->text);
-  label.charge = value[3];
   if (record.element.length == 0 || !element_symbol_parse(record.element.text, record.element.length, &label.element)) {
     /* Virtual sites have radii here as well, and names that tell nothing are no reason to refuse an atom. */
-    const enum atom_kind kind = atom_kind_of(record.name, false, label.residue.name, &label.element);
+    const enum atom_kind kind = atom_kind_of(record.name, false, residue.name, &label.element);
     if (kind != ATOM_KNOWN) label.element.text[0] = '\0';
   }
-  return molecule_add(molecule, value, radius, &label, line, failure);
+  if (!molecule_add(molecule, value, radius, &label, line, failure)) return false;
+  struct atom_extra *const extra = molecule_last_extra(molecule);
+  if (extra != NULL) extra->value = value[3];
+  return true;
 }
 
 static bool read_pqr(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {

@@ -35,7 +35,7 @@ bool trajectory_open(struct trajectory *trajectory, const char *path, uint32_t a
   trajectory->path = path;
   trajectory->atoms = atoms;
   failure->file = input_name(path);
-  molecule_init(&trajectory->model, trajectory->models, 1);
+  molecule_init(&trajectory->model, trajectory->models, 1, KEEP_NO_MORE);
   if (trajectory->format == TRAJECTORY_MODELS) {
     trajectory->lines = malloc(sizeof *trajectory->lines);
     if (trajectory->lines == NULL) return failure_of_memory(failure);
@@ -60,7 +60,7 @@ bool failure_in_frame(struct failure *failure, uint64_t number) {
 
 static enum line_status next_model(struct trajectory *trajectory, bool wanted, struct failure *failure) {
   struct molecule *model = &trajectory->model;
-  model->atoms = model->read = 0;
+  molecule_empty(model);
   model->most = trajectory->atoms;
   model->frame = trajectory->stamp;
   model->frame.box = trajectory->last_box;

@@ -17,7 +17,7 @@ struct trajectory {
   uint32_t atoms;  /* of every frame */
   uint64_t frames; /* read or stepped over */
   double *xyz;     /* [atoms][3], angstrom: the frame read last */
-  uint64_t *line;  /* [atoms], where its atoms stand; NULL in binary files */
+  uint32_t *line;  /* [atoms], where its atoms stand; NULL in binary files */
   struct frame_stamp stamp;
   bool boxed; /* one of the frames so far has a box, or what is none where one belongs */
   /* The rest is this file's. */
