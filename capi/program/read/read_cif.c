@@ -61,7 +61,7 @@ static bool take_element(const struct cif_row *row, struct field symbol, struct 
                          struct atom_label *label, struct failure *failure) {
   char shown[EXCERPT_BYTES];
   if (symbol.length == 0) {
-    if (!small) label_take_element(label, name);
+    if (!small) label_take_element(NULL, label, name);
     if (!small || element_of_label(name, &label->element)) return true;
     return failure_in_input(failure, row->line, "no type_symbol, and the label '%s' does not tell the element",
                             excerpt(shown, name.text, name.length));

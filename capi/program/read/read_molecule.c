@@ -8,8 +8,10 @@
 #include "read/characters.h"
 #include "read/residue_kinds.h"
 
-void label_take_element(struct atom_label *label, struct field name) {
-  const enum atom_kind kind = atom_kind_of(name, false, label->residue->name, &label->element);
+void label_take_element(struct kinds_seen *seen, struct atom_label *label, struct field name) {
+  const char *const residue = label->residue->name;
+  const enum atom_kind kind = seen == NULL ? atom_kind_of(name, false, residue, &label->element)
+                                           : atom_kind_again(seen, name, residue, &label->element);
   label->virtual_site = kind == ATOM_VIRTUAL;
   label->bead = kind == ATOM_BEAD;
   if (label->virtual_site) label->element = virtual_symbol_of(name);

@@ -7,10 +7,11 @@
 #include "read/failure.h"
 #include "read/line_reader.h"
 #include "read/molecule.h"
+#include "read/residue_kinds.h"
 
 /* Tell by its name, which stands in no columns, what element an atom of the labelled residue is, or that it is none. It
- * is empty if the name does not tell. */
-void label_take_element(struct atom_label *label, struct field name);
+ * is empty if the name does not tell. seen: NULL, or as atom_kind_again. */
+void label_take_element(struct kinds_seen *seen, struct atom_label *label, struct field name);
 
 /* The same if the atom is a bead, by the names in the label, whatever element the file guesses from them: B or S. */
 void label_check_bead(struct atom_label *label);

@@ -99,7 +99,7 @@ static bool read_atom(const struct line_reader *reader, struct alternate_locatio
   static const char *const names[3] = {"x (columns 31-38)", "y (columns 39-46)", "z (columns 47-54)"};
   for (size_t axis = 0; axis < 3; ++axis) {
     const struct field number = field_in_columns(reader->text, reader->length, 31 + 8 * axis, 38 + 8 * axis);
-    if (!field_number(number, names[axis], &xyz[axis], line, failure)) return false;
+    if (!field_number_in_line(number, names[axis], &xyz[axis], line, failure)) return false;
   }
   struct residue_label residue = RESIDUE_LABEL_NONE;
   struct atom_label label = ATOM_LABEL_NONE;

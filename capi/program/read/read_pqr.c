@@ -83,7 +83,7 @@ static bool read_numbers(const struct record *record, uint64_t line, double valu
                          struct failure *failure) {
   static const char *const names[4] = {"x", "y", "z", "charge"};
   for (size_t i = 0; i < 4; ++i) {
-    if (!field_number(record->value[i], names[i], &value[i], line, failure)) return false;
+    if (!field_number_in_line(record->value[i], names[i], &value[i], line, failure)) return false;
   }
   return field_radius(record->value[4], radius, line, failure);
 }
@@ -104,7 +104,8 @@ static void label_number(struct field number, struct residue_label *label) {
   label_copy(label->number, sizeof label->number, number);
 }
 
-static bool read_atom(const struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
+static bool read_atom(const struct line_reader *reader, struct kinds_seen *seen, struct molecule *molecule,
+                      struct failure *failure) {
   const uint64_t line = reader->number;
   struct record record;
   double value[4];
@@ -129,7 +130,7 @@ static bool read_atom(const struct line_reader *reader, struct molecule *molecul
   label.hetatm = pdb_record_is_hetatm(reader->text);
   if (record.element.length == 0 || !element_symbol_parse(record.element.text, record.element.length, &label.element)) {
     /* Virtual sites have radii here as well, and names that tell nothing are no reason to refuse an atom. */
-    const enum atom_kind kind = atom_kind_of(record.name, false, residue.name, &label.element);
+    const enum atom_kind kind = atom_kind_again(seen, record.name, residue.name, &label.element);
     if (kind != ATOM_KNOWN) label.element.text[0] = '\0';
   }
   if (!molecule_add(molecule, value, radius, &label, line, failure)) return false;
@@ -140,11 +141,12 @@ static bool read_atom(const struct line_reader *reader, struct molecule *molecul
 
 static bool read_pqr(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
   struct pdb_models models = {0, false};
+  struct kinds_seen seen = {{{0, 0, 0, 0, {""}}}};
   bool record_seen = false;
   for (;;) {
     const enum line_status status = pdb_next_atom(reader, molecule, &models, &record_seen, failure);
     if (status != LINE_READ) return status == LINE_END;
-    if (!read_atom(reader, molecule, failure)) return false;
+    if (!read_atom(reader, &seen, molecule, failure)) return false;
   }
 }
 
