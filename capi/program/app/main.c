@@ -51,6 +51,7 @@ static bool run_command(const struct request *request, uint32_t threads, struct 
     geometry.progress = progress_begin(molecule.atoms, PROGRESS_LEAST_BALLS);
     done = done && unit_cell_fill(request, &molecule, failure);
     geometry_share_work(&geometry, threads, molecule.atoms);
+    out->threads = threads;
     done = done && geometry_set_model(&geometry, &molecule, request->probe, 0.0, failure) &&
            command(request, &molecule, &geometry, out, failure);
     geometry_free(&geometry);
