@@ -129,7 +129,8 @@ void molecule_init(struct molecule *molecule, const struct file_format *format, 
 /* Forget all atoms, but not the memory of them. */
 void molecule_empty(struct molecule *molecule);
 
-/* Append an atom, and its residue unless it is that of the atom before. False when memory is short or there are too many: for the library, or for the caller's `most`. */
+/* Append an atom, and its residue unless it is that of the atom before. False when memory is short or there are too
+ * many: for the library, or for the caller's `most`. */
 bool molecule_add(struct molecule *molecule, const double xyz[3], double radius, const struct atom_label *label,
                   uint64_t line, struct failure *failure);
 

@@ -102,7 +102,7 @@ struct slot {
 
 struct line {
   const struct in_order *loop;
-  pthread_mutex_t taking; /* whoever takes an item has it, and may wait for bytes meanwhile */
+  pthread_mutex_t taking; /* the thread that takes an item has it, and may wait for bytes meanwhile */
   pthread_mutex_t lock;   /* of all that follows, but of `taken`, which is the taker's */
   pthread_cond_t given_some;
   uint64_t taken;
@@ -156,7 +156,7 @@ static bool take_next(struct line *line, uint32_t *slot) {
   return taken;
 }
 
-/* Give what is next and worked; whoever finishes an item while another gives leaves it to that one. */
+/* Give what is next and worked. A thread that finishes an item while another one gives leaves it to that one. */
 static void give_worked(struct line *line, uint32_t slot) {
   pthread_mutex_lock(&line->lock);
   line->slots[slot].worked = true;

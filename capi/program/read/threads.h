@@ -24,7 +24,7 @@ struct in_order {
   uint32_t slots;   /* at least as many */
   /* That items between `take` and `give` may weigh together; one alone may weigh more. 0: any weight. */
   uint64_t most;
-  /* Take the next item into the slot. Called by one thread at a time, in the order of the items. False: there is none. */
+  /* Take the next item into the slot, by one thread at a time, in the order of the items. False: there is none. */
   bool (*take)(void *of, uint32_t slot, uint64_t *weight);
   /* Work on it, by one of the workers. */
   void (*work)(void *of, uint32_t worker, uint32_t slot);

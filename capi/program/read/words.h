@@ -150,8 +150,7 @@ static inline bool word_decimal(const char *text, size_t length, int power, doub
     if (!word_whole(joined, whole + decimals, &digits)) return false;
   } else {
     if (!word_whole(front, whole, &digits) || !word_whole(back, decimals, &behind)) return false;
-    digits = digits * tens[decimals] + behind;
-    if (digits > UINT64_C(1) << 53) return false;
+    digits = digits * tens[decimals] + behind; /* 15 digits at most: exact in a double */
   }
   const int exponent = digits == 0 ? 0 : power - (int)decimals;
   const double magnitude = exponent < 0 ? (double)digits / powers[-exponent] : (double)digits * powers[exponent];
