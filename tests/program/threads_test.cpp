@@ -92,14 +92,14 @@ TEST(Threads, ManyFilesWithDamagedOnesAmongThem) {
 // One that takes long, with small ones behind it that are ready before.
 TEST(Threads, ALargeFileBeforeSmallOnes) {
   const Words small(40, "good/water.pdb");
-  const Outcome one = run_by_threads(Words{"measure", "good/one.pdb", molecules_folder() + "/felix_model.pdb"} + small);
+  const Outcome one = run_by_threads(Words{"measure", "good/one.pdb", molecules_folder() + "/sod_stand_in.pdb"} + small);
   EXPECT_EQ(one.status, 1);
 }
 
 // Also where others are ready behind the first one.
 TEST(Threads, FullOutputIsSaidOnce) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
-  const Words many(100, "good/water.pdb"), large{"measure", "--threads", "3", molecules_folder() + "/felix_model.pdb"};
+  const Words many(100, "good/water.pdb"), large{"measure", "--threads", "3", molecules_folder() + "/sod_stand_in.pdb"};
   const Outcome outcome = run_program(large + many, "/dev/full");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(outcome.err, "hardsphere: standard output: No space left on device\n");
