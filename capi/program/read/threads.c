@@ -1,8 +1,4 @@
-#ifdef __linux__
-#define _GNU_SOURCE /* sched_getaffinity */
-#else
-#define _POSIX_C_SOURCE 200112L /* threads, sysconf */
-#endif
+#define _GNU_SOURCE /* sched_getaffinity of Linux; elsewhere nothing hides the number of processors */
 
 #include "read/threads.h"
 
