@@ -195,7 +195,10 @@ bool several_files_run(const struct request *first, int count, char **arguments,
     progress_end(&several.progress);
     *failure = (struct failure){several.exit_status, NULL, 0, ""};
   }
-  for (uint32_t k = 0; several.file != NULL && k < loop->slots; ++k) text_buffer_free(&several.file[k].out);
+  for (uint32_t k = 0; several.file != NULL && k < loop->slots; ++k) {
+    text_buffer_free(&several.file[k].out);
+    notes_free(&several.file[k].notes);
+  }
   for (size_t i = 0; i < MOST_FORMATS; ++i) request_free(&several.of_format[i]);
   text_buffer_free(&several.header);
   free(several.file);
