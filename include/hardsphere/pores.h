@@ -305,8 +305,8 @@ typedef struct hsp_tunnel {
   uint32_t reserved; /**< 0 */
 } hsp_tunnel;
 
-/** Find the tunnel from one point to another, or to the outside, that the widest probe gets through without the gates to
- *  be avoided. To avoid the tightest gates of tunnels before finds the next best one that has another bottleneck. It
+/** Find the tunnel from one point to another, or to the outside, that the widest probe gets through without the gates
+ *  to be avoided. To avoid the tightest gates of tunnels before finds the next best one that has another bottleneck. It
  *  leads through maxima and gates, and each part of it is as wide as any path between its ends. Its points stay until
  *  the next call; on failure there are none.
  *  - Property 1: without avoided gates its radius is that of hsp_pores_widest.
