@@ -1,5 +1,6 @@
 #include "app/arguments.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #include "app/command_table.h"
@@ -135,6 +136,8 @@ bool request_parse(struct request *request, enum command command, int file, int 
   request->surface = -1;
   request->meshing = (struct meshing)MESHING_DEFAULT;
   request->drawing = (struct drawing)DRAWING_DEFAULT;
+  request->names = malloc(((size_t)count + 1) * sizeof *request->names);
+  if (request->names == NULL) return failure_of_memory(failure);
   struct reading reading = {.request = request, .rest = arguments, .left = count, .failure = failure};
   bool options_end = false;
   bool standard_seen = false;
@@ -149,7 +152,8 @@ bool request_parse(struct request *request, enum command command, int file, int 
         if (standard_seen) return failure_in_usage(failure, "standard input is one file, not two");
         standard_seen = true;
       }
-      if (request->files++ == file) request->file = argument;
+      if (request->files == file) request->file = argument;
+      request->names[request->files++] = argument;
     }
   }
   return check(&reading);

@@ -7,7 +7,7 @@
 #include "read/weights.h"
 
 static double *allocate(const struct molecule *molecule, size_t numbers_per_atom, struct failure *failure) {
-  /* An atom has at least 80 bytes in memory already, so that the size cannot overflow. */
+  /* An atom has at least 50 bytes in memory already, so that the size cannot overflow. */
   double *numbers = malloc((numbers_per_atom * molecule->atoms + 1) * sizeof *numbers);
   if (numbers == NULL) failure_of_memory(failure);
   return numbers;
@@ -126,9 +126,7 @@ static bool measure_areas(const struct request *request, const struct molecule *
     const int32_t status = hsp_periodic_measure(box->periodic, NULL, measurement->area, NULL, molecule->atoms, NULL);
     return status == HSP_OK || failure_in_library(failure, status);
   }
-  const int32_t status = hsp_boundary_measure(geometry->work.boundary, NULL, &measurement->totals, measurement->area,
-                                              NULL, measurement->area == NULL ? 0 : molecule->atoms, NULL);
-  return status == HSP_OK || failure_in_library(failure, status);
+  return geometry_measure(geometry, molecule->atoms, &measurement->totals, measurement->area, failure);
 }
 
 /* Which of the three sums an atom counts for. */

@@ -156,7 +156,7 @@ struct entry {
 static bool is_shown(const struct annotation *annotation, uint32_t atom, bool of_chains) {
   const struct atom_label *label = &annotation->molecule->label[atom];
   if (!selection_takes(annotation->selected, label)) return false;
-  return !of_chains || (!label->hetatm && strcmp(label->element.text, "C") == 0 && label->residue.chain[0] != '\0');
+  return !of_chains || (!label->hetatm && strcmp(label->element.text, "C") == 0 && label->residue->chain[0] != '\0');
 }
 
 static bool find_entries(const struct annotation *annotation, struct entry entries[MOST_ENTRIES], size_t *count,
@@ -165,7 +165,7 @@ static bool find_entries(const struct annotation *annotation, struct entry entri
   *count = 0;
   for (uint32_t atom = 0; atom < annotation->molecule->atoms; ++atom) {
     const struct atom_label *label = &annotation->molecule->label[atom];
-    const char *const text = of_chains ? label->residue.chain : label->element.text;
+    const char *const text = of_chains ? label->residue->chain : label->element.text;
     if (text[0] == '\0' || !is_shown(annotation, atom, of_chains)) continue;
     size_t at = 0;
     while (at < *count && strcmp(entries[at].text, text) != 0) ++at;

@@ -57,7 +57,7 @@ static void colour_by_residue(const struct molecule *molecule, uint32_t *colour,
   said->remark = "by kind of residue, ligands and ions by element";
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     const struct atom_label *label = &molecule->label[i];
-    if (residue_colour_find(label->residue.name, &colour[i])) continue;
+    if (residue_colour_find(label->residue->name, &colour[i])) continue;
     const bool alone = !atom_is_of_chain(label) && !atom_is_water(label);
     colour[i] = alone ? colour_of(label, HSP_PALETTE_JMOL, 0) : hsp_palette_colour(HSP_PALETTE_SOFT, CARBON, 0);
   }
