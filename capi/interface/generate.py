@@ -24,6 +24,7 @@ from write.exactness import exactness_page
 from write.fortran import fortran_module
 from write.function_index import function_index
 from write.model_text import model_text
+from write.python import python_module
 from write.registry import registry
 from write.workspace import workspace_header
 from write.workspace_fortran import workspace_module
@@ -43,6 +44,7 @@ GENERATED = {
     "capi/guide/all_functions.md": function_index,
     "capi/guide/exactness.md": exactness_page,
     "capi/interface/hardsphere.cdef": cdef,
+    "capi/python/hardsphere/_interface.py": python_module,
     "tests/laws/support/registry.c": registry,
 }
 
