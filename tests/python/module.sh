@@ -4,6 +4,7 @@
 # VARIANT
 #   numpy, lists      the module with numpy, and as if there were none
 #   mdanalysis, ase   what serves these packages
+#   page              the page of the guide
 #   wheel             the wheel, installed into an empty folder and an empty environment
 # Exit status 77: a package is missing here. Debian's Python, which has Debian's packages, goes before another one in PATH.
 set -euo pipefail
@@ -16,6 +17,7 @@ test=$variant
 case $variant in
   numpy) needs=(numpy) test=module ;;
   lists) test=module ;;
+  page) needs=(numpy) ;;
   mdanalysis) needs=(numpy MDAnalysis) ;;
   ase) needs=(numpy ase) ;;
 esac
