@@ -7,7 +7,7 @@ install(TARGETS hardsphere EXPORT hardsphere-targets
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT hardsphere_runtime
     NAMELINK_COMPONENT hardsphere_development)
 install(DIRECTORY ${HSP_INCLUDE_FOLDER}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-  COMPONENT hardsphere_development FILES_MATCHING PATTERN "*.h")
+  COMPONENT hardsphere_development FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
 
 set(HSP_PACKAGE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/hardsphere)
 install(EXPORT hardsphere-targets NAMESPACE hardsphere:: DESTINATION ${HSP_PACKAGE_FOLDER}
