@@ -9,7 +9,7 @@
 //   work.set(next_xyz, radius);                                                      the next frame, in the same memory
 //
 // all() calls any function of hardsphere.h that ends with (out, capacity, needed), range() any that ends with
-// (first, count, out). A workspace has the handles for all other functions, and computes those of the boundary when they
+// (first, count, out). A workspace has the handles for all other functions and computes those of the boundary when they
 // are first asked for. check() makes an exception of the status of a call of your own. A workspace owns what
 // hsp_workspace_* of hardsphere_workspace.h makes: run(hsp_workspace_view, 1, &options) is for those with arguments.
 #ifndef HARDSPHERE_HPP
