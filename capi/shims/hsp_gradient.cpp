@@ -24,7 +24,7 @@ int32_t hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradie
   if (const int32_t status = first_failure(asked.read(request), hsp::capi::read_struct(outputs, {}, out));
       status != HSP_OK)
     return status;
-  if (!boundary->has_results()) return HSP_E_STATE;
+  if (!boundary->has_areas() || (boundary->of_some && asked.given.pressure != 0.0)) return HSP_E_STATE;
   const hsp::CubeGrid &grid = boundary->model->grid;
   const GradientArrays arrays{out.d_centre, out.d_radius, out.flags};
   if (const int32_t status = asked.check(grid.balls().n, arrays.any(), *outputs); status != HSP_OK) return status;
@@ -39,6 +39,12 @@ int32_t hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradie
     return HSP_E_EXECUTOR;
   }
   if (out.flags != nullptr) hsp::flag_free_inner_contacts(grid, structure, HSP_GRADIENT_ONE_SIDED, out.flags);
+  if (boundary->of_some) {
+    found.volume = 0.0;
+    for (uint32_t i = 0; out.flags != nullptr && i < grid.balls().n; ++i) {
+      if (structure.is_left_out(i)) out.flags[grid.balls().caller[i]] = 0;
+    }
+  }
   if (out.energy != nullptr) *out.energy = hsp::capi::to_c(found);
   return HSP_OK;
 }

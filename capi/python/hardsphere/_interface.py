@@ -184,7 +184,8 @@ class BoundaryLimits(Record):
 
 class BoundaryRequest(Record):
     """How a boundary is computed."""
-    _fields_ = [("struct_size", C.c_uint32), ("reserved", C.c_uint32), ("executor", C.c_void_p)]
+    _fields_ = [("struct_size", C.c_uint32), ("reserved", C.c_uint32), ("executor", C.c_void_p),
+                ("selected", C.c_void_p)]
 
 
 class BoundaryCounts(Record):
@@ -872,9 +873,9 @@ class Boundary(Handle):
         """Compute the boundary of the union of the model's balls."""
         return call("hsp_boundary_compute", self, model=model)
 
-    def compute_with(self, model: Model) -> Boundary:
+    def compute_with(self, model: Model, *, selected: Any | None = None) -> Boundary:
         """The same as hsp_boundary_compute, as a request says; request may be NULL: all defaults."""
-        return call("hsp_boundary_compute_with", self, model=model)
+        return call("hsp_boundary_compute_with", self, model=model, selected=selected)
 
     def get_counts(self) -> BoundaryCounts:
         """How many of everything the boundary has."""
@@ -2296,7 +2297,7 @@ FUNCTIONS = {
 }
 FIELDS = {
     "hsp_model_options": "probe:value:double::always step:value:double::always largest_radius:value:double::always",
-    "hsp_boundary_request": "executor:sized_in:hsp_executor::always",
+    "hsp_boundary_request": "executor:sized_in:hsp_executor::always selected:array_in:uint8_t:n:always",
     "hsp_measure_request": "selected:array_in:uint8_t:n:always executor:sized_in:hsp_executor::always",
     "hsp_measure_outputs": "capacity:capacity:uint32_t::never needed:needed:uint32_t::never "
         "totals:struct_out:hsp_totals::always area:array_out:double:n:always volume:array_out:double:n:always",
