@@ -462,10 +462,11 @@ class Session {
     if (bytes_.one_in(16)) executor.run = nullptr;
     std::vector<uint8_t> selected(balls_);
     for (uint8_t &chosen : selected) chosen = bytes_.byte() & 1;
-    const bool of_some = bytes_.one_in(3) && !selected.empty();
+    const bool asked = !null();
+    const bool of_some = asked && bytes_.one_in(3) && !selected.empty();
     hsp_boundary_request request{sizeof request, 0, null() ? nullptr : &executor, of_some ? selected.data() : nullptr};
     hsp_boundary_limits needed = limits_;
-    const int32_t status = hsp_boundary_compute_with(boundary, model_, null() ? nullptr : &request, &needed);
+    const int32_t status = hsp_boundary_compute_with(boundary, model_, asked ? &request : nullptr, &needed);
     if (boundary == nullptr || model_ == nullptr) {
       FUZZ_REQUIRE(status == HSP_E_ARGUMENT, "hsp_boundary_compute_with, arguments");
       if (boundary != nullptr) complete_ = false;
