@@ -14,7 +14,7 @@ cd "$work"
 if [ -z "$objects" ]; then
   # A unit for each room, for the interface and for the kernels of each further target.
   objects=$work
-  (cd "$source" && find lib capi -maxdepth 3 -name '*.cpp' | sort) | while read -r file; do
+  (cd "$source" && find lib capi/shims -maxdepth 3 -name '*.cpp' | sort) | while read -r file; do
     case $file in
       *.kernel.cpp) units="$(basename "$(dirname "$file")") avx2" ;;
       *_avx2.cpp) units=avx2 ;;
