@@ -21,6 +21,7 @@ except ModuleNotFoundError as missing:
 from write.abi import abi_constants, abi_functions, abi_since, abi_structs
 from write.cdef import cdef
 from write.exactness import exactness_page
+from write.foreign import julia_declarations, rust_declarations
 from write.fortran import fortran_module
 from write.function_index import function_index
 from write.model_text import model_text
@@ -45,6 +46,8 @@ GENERATED = {
     "capi/guide/exactness.md": exactness_page,
     "capi/interface/hardsphere.cdef": cdef,
     "capi/python/hardsphere/_interface.py": python_module,
+    "capi/bindings/hardsphere.rs": rust_declarations,
+    "capi/bindings/hardsphere.jl": julia_declarations,
     "tests/laws/support/registry.c": registry,
 }
 

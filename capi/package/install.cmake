@@ -29,7 +29,8 @@ install(FILES ${HSP_FORTRAN_FOLDER}/hardsphere.f90 ${HSP_FORTRAN_FOLDER}/hardsph
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hardsphere
   COMPONENT hardsphere_development)
 # Declarations without a preprocessor, for cffi and others.
-install(FILES ${PROJECT_SOURCE_DIR}/capi/interface/hardsphere.cdef DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hardsphere
+install(FILES ${PROJECT_SOURCE_DIR}/capi/interface/hardsphere.cdef ${PROJECT_SOURCE_DIR}/capi/bindings/hardsphere.rs
+  ${PROJECT_SOURCE_DIR}/capi/bindings/hardsphere.jl DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hardsphere
   COMPONENT hardsphere_development)
 install(FILES ${PROJECT_SOURCE_DIR}/capi/fortran/hardsphere-fortran.cmake DESTINATION ${HSP_PACKAGE_FOLDER}
   COMPONENT hardsphere_development)
