@@ -460,9 +460,13 @@ class Session {
     own.first_wrong = bytes_.below(9);
     hsp_executor executor = executor_of(&own, bytes_.below(6));
     if (bytes_.one_in(16)) executor.run = nullptr;
-    hsp_boundary_request request{sizeof request, 0, null() ? nullptr : &executor};
+    std::vector<uint8_t> selected(balls_);
+    for (uint8_t &chosen : selected) chosen = bytes_.byte() & 1;
+    const bool asked = !null();
+    const bool of_some = asked && bytes_.one_in(3) && !selected.empty();
+    hsp_boundary_request request{sizeof request, 0, null() ? nullptr : &executor, of_some ? selected.data() : nullptr};
     hsp_boundary_limits needed = limits_;
-    const int32_t status = hsp_boundary_compute_with(boundary, model_, null() ? nullptr : &request, &needed);
+    const int32_t status = hsp_boundary_compute_with(boundary, model_, asked ? &request : nullptr, &needed);
     if (boundary == nullptr || model_ == nullptr) {
       FUZZ_REQUIRE(status == HSP_E_ARGUMENT, "hsp_boundary_compute_with, arguments");
       if (boundary != nullptr) complete_ = false;
@@ -487,8 +491,36 @@ class Session {
     if (for_workers) return;
     // One worker needs the same.
     hsp_boundary_limits again = limits_;
+    if (of_some) {
+      request.executor = nullptr;
+      FUZZ_REQUIRE(hsp_boundary_compute_with(boundary, model_, &request, &again) == status, "another status by one");
+      FUZZ_REQUIRE(std::memcmp(&again, &needed, sizeof needed) == 0, "other limits by one worker, of some balls");
+      areas_of_some(boundary, selected, status);
+      return;
+    }
     FUZZ_REQUIRE(hsp_boundary_compute(boundary, model_, &again) == status, "another status by one worker");
     FUZZ_REQUIRE(std::memcmp(&again, &needed, sizeof needed) == 0, "other limits by one worker");
+  }
+
+  // The areas of some balls are those in the whole boundary, which is there afterwards.
+  void areas_of_some(hsp_boundary *boundary, const std::vector<uint8_t> &selected, int32_t status) {
+    std::vector<double> area[2] = {std::vector<double>(balls_), std::vector<double>(balls_)};
+    hsp_measure_request request{};
+    request.struct_size = sizeof request;
+    request.selected = selected.data();
+    hsp_boundary_counts counts;
+    FUZZ_REQUIRE(hsp_boundary_get_counts(boundary, &counts) == HSP_E_STATE, "counts of some balls");
+    for (std::vector<double> &areas : area) {
+      hsp_measure_outputs outputs{};
+      outputs.struct_size = sizeof outputs;
+      outputs.capacity = balls_;
+      outputs.area = areas.data();
+      const int32_t expected = status == HSP_OK ? HSP_OK : HSP_E_STATE;
+      FUZZ_REQUIRE(hsp_boundary_get_measures(boundary, &request, &outputs) == expected, "hsp_boundary_get_measures");
+      if (&areas == &area[0]) status = hsp_boundary_compute(boundary, model_, nullptr);
+    }
+    complete_ = status == HSP_OK;
+    if (complete_) FUZZ_REQUIRE(area[0] == area[1], "areas of some balls");
   }
 
   int32_t reader_status(const hsp_boundary *boundary) const {

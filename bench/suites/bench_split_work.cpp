@@ -49,7 +49,7 @@ void run_tasks(void *context, uint32_t tasks, hsp_task *task, void *data) {
 // Split for two workers, of which there may be one.
 void compute_split(hsp_boundary *boundary, const hsp_model *model, uint32_t threads, Measures &out) {
   const hsp_executor executor{sizeof executor, 2, &threads, run_tasks};
-  const hsp_boundary_request request{sizeof request, 0, &executor};
+  const hsp_boundary_request request{sizeof request, 0, &executor, nullptr};
   support::expect_ok(hsp_boundary_compute_with(boundary, model, &request, nullptr), "hsp_boundary_compute_with");
   const hsp_measure_request measuring{sizeof measuring, 0, nullptr, &executor};
   hsp_measure_outputs outputs{};

@@ -27,6 +27,8 @@ set(DOXYGEN_GENERATE_LATEX NO)
 set(DOXYGEN_HAVE_DOT NO)
 set(DOXYGEN_QUIET YES)
 set(DOXYGEN_EXTRACT_ALL NO)
+# It has its description as a plain comment, and the C interface has the rest.
+set(DOXYGEN_EXCLUDE_PATTERNS "*/hardsphere.hpp")
 # Parameters are described in sentences.
 set(DOXYGEN_WARN_NO_PARAMDOC NO)
 set(DOXYGEN_WARN_AS_ERROR FAIL_ON_WARNINGS)

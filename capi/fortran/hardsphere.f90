@@ -372,9 +372,11 @@ module hardsphere
   end type
 
   type, bind(C) :: hsp_boundary_request
-    integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_boundary_request)
+    integer(c_int32_t) :: struct_size = 8_c_int32_t + 2 * pointer_bytes  ! sizeof(hsp_boundary_request)
     integer(c_int32_t) :: reserved = 0_c_int32_t                         ! 0
     type(c_ptr) :: executor = c_null_ptr                                 ! or NULL: the threads that share the work
+    ! [n], or NULL for all balls of the model: a ball with 0 only blocks
+    type(c_ptr) :: selected = c_null_ptr
   end type
 
   type, bind(C) :: hsp_boundary_counts

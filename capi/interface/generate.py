@@ -21,9 +21,11 @@ except ModuleNotFoundError as missing:
 from write.abi import abi_constants, abi_deprecated, abi_functions, abi_since, abi_structs
 from write.cdef import cdef
 from write.exactness import exactness_page
+from write.foreign import julia_declarations, rust_declarations
 from write.fortran import fortran_module
 from write.function_index import function_index
 from write.model_text import model_text
+from write.python import python_module
 from write.registry import registry
 from write.workspace import workspace_header
 from write.workspace_fortran import workspace_module
@@ -44,6 +46,9 @@ GENERATED = {
     "capi/guide/all_functions.md": function_index,
     "capi/guide/exactness.md": exactness_page,
     "capi/interface/hardsphere.cdef": cdef,
+    "capi/python/hardsphere/_interface.py": python_module,
+    "capi/bindings/hardsphere.rs": rust_declarations,
+    "capi/bindings/hardsphere.jl": julia_declarations,
     "tests/laws/support/registry.c": registry,
 }
 

@@ -7,7 +7,7 @@ install(TARGETS hardsphere EXPORT hardsphere-targets
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT hardsphere_runtime
     NAMELINK_COMPONENT hardsphere_development)
 install(DIRECTORY ${HSP_INCLUDE_FOLDER}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-  COMPONENT hardsphere_development FILES_MATCHING PATTERN "*.h")
+  COMPONENT hardsphere_development FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
 
 set(HSP_PACKAGE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/hardsphere)
 install(EXPORT hardsphere-targets NAMESPACE hardsphere:: DESTINATION ${HSP_PACKAGE_FOLDER}
@@ -29,7 +29,8 @@ install(FILES ${HSP_FORTRAN_FOLDER}/hardsphere.f90 ${HSP_FORTRAN_FOLDER}/hardsph
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hardsphere
   COMPONENT hardsphere_development)
 # Declarations without a preprocessor, for cffi and others.
-install(FILES ${PROJECT_SOURCE_DIR}/capi/interface/hardsphere.cdef DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hardsphere
+install(FILES ${PROJECT_SOURCE_DIR}/capi/interface/hardsphere.cdef ${PROJECT_SOURCE_DIR}/capi/bindings/hardsphere.rs
+  ${PROJECT_SOURCE_DIR}/capi/bindings/hardsphere.jl DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hardsphere
   COMPONENT hardsphere_development)
 install(FILES ${PROJECT_SOURCE_DIR}/capi/fortran/hardsphere-fortran.cmake DESTINATION ${HSP_PACKAGE_FOLDER}
   COMPONENT hardsphere_development)

@@ -23,12 +23,18 @@ int32_t check_outputs(uint32_t n, const double *sigma, bool wanted, Outputs &out
   return check_weights(sigma, {0, n}, &outputs.first_bad);
 }
 
-// Reads what is asked of a handle's results, and where outputs go; `asked` has the request and reads it.
+// Reads what is asked of a handle, and where outputs go; `asked` has the request and reads it.
+template <class Handle, class Asked, class Request, class Outputs>
+int32_t read_parts(const Handle *handle, const Request *request, Asked &asked, const Outputs *outputs, Outputs &out) {
+  if (const int32_t status = check_handle(handle); status != HSP_OK) return status;
+  return first_failure(asked.read(request), read_struct(outputs, {}, out));
+}
+
+// The same of a handle's results.
 template <class Handle, class Asked, class Request, class Outputs>
 int32_t read_question(const Handle *handle, const Request *request, Asked &asked, const Outputs *outputs,
                       Outputs &out) {
-  if (const int32_t status = check_handle(handle); status != HSP_OK) return status;
-  const int32_t status = first_failure(asked.read(request), read_struct(outputs, {}, out));
+  const int32_t status = read_parts(handle, request, asked, outputs, out);
   return status == HSP_OK && !handle->has_results() ? HSP_E_STATE : status;
 }
 

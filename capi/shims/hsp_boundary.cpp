@@ -83,7 +83,8 @@ int32_t hsp_boundary_compute_with(hsp_boundary *boundary, const hsp_model *model
       status != HSP_OK)
     return status;
   boundary->model.set(model);
-  return hsp::capi::finish(*boundary, boundary->builder.build(model->grid, executor), limits);
+  boundary->of_some = asked.selected != nullptr;
+  return hsp::capi::finish(*boundary, boundary->builder.build(model->grid, executor, asked.selected), limits);
 }
 
 int32_t hsp_boundary_get_counts(const hsp_boundary *boundary, hsp_boundary_counts *counts) {

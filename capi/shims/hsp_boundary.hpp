@@ -20,11 +20,14 @@ struct hsp_boundary {
   Builder builder;
   hsp::capi::Source<hsp_model> model{};  // of what was computed last
   bool complete = false;                 // the boundary is there
+  bool of_some = false;                  // of some balls alone, of which there are areas and their gradients
 
   // Whether the model is as it was.
   bool has_model() const { return model.is_unchanged(); }
   // Whether results may be read: computed, and the model unchanged since.
-  bool has_results() const { return complete && has_model(); }
+  bool has_results() const { return has_areas() && !of_some; }
+  // Whether areas may be, of the balls that were selected.
+  bool has_areas() const { return complete && has_model(); }
   uint64_t version() const { return model.version(); }
   const hsp::Boundary &structure() const { return builder.boundary(); }
   const hsp::BallSet &balls() const { return model->balls(); }

@@ -7,6 +7,7 @@ using hsp::capi::check_results;
 using hsp::capi::GradientArrays;
 using hsp::capi::is_tangency;
 using hsp::capi::put_vector;
+using hsp::capi::read_parts;
 using hsp::capi::read_question;
 using hsp::capi::to_touching_balls;
 
@@ -18,7 +19,8 @@ int32_t hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradie
                                   hsp_gradient_outputs *outputs) {
   hsp::capi::GradientRequest asked;
   hsp_gradient_outputs out;
-  if (const int32_t status = read_question(boundary, request, asked, outputs, out); status != HSP_OK) return status;
+  if (const int32_t status = read_parts(boundary, request, asked, outputs, out); status != HSP_OK) return status;
+  if (!boundary->has_areas() || (boundary->of_some && asked.given.pressure != 0.0)) return HSP_E_STATE;
   const hsp::CubeGrid &grid = boundary->model->grid;
   const GradientArrays arrays{out.d_centre, out.d_radius, out.flags};
   if (const int32_t status = asked.check(grid.balls().n, arrays.any(), *outputs); status != HSP_OK) return status;
@@ -33,6 +35,12 @@ int32_t hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradie
     return HSP_E_EXECUTOR;
   }
   if (out.flags != nullptr) hsp::flag_free_inner_contacts(grid, structure, HSP_GRADIENT_ONE_SIDED, out.flags);
+  if (boundary->of_some) {
+    found.volume = 0.0;
+    for (uint32_t i = 0; out.flags != nullptr && i < grid.balls().n; ++i) {
+      if (structure.is_left_out(i)) out.flags[grid.balls().caller[i]] = 0;
+    }
+  }
   if (out.energy != nullptr) *out.energy = hsp::capi::to_c(found);
   return HSP_OK;
 }

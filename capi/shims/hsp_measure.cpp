@@ -28,7 +28,7 @@ int32_t hsp_boundary_get_measures(const hsp_boundary *boundary, const hsp_measur
       status != HSP_OK)
     return status;
   if (out.reserved != 0) return HSP_E_VERSION;
-  if (!boundary->has_results()) return HSP_E_STATE;
+  if (!boundary->has_areas() || (boundary->of_some && out.volume != nullptr)) return HSP_E_STATE;
   const hsp::CubeGrid &grid = boundary->model->grid;
   const bool wanted = out.area != nullptr || out.volume != nullptr;
   if (!hsp::capi::fits(wanted, out.capacity, grid.balls().n, &outputs->needed)) return HSP_E_CAPACITY;
@@ -39,7 +39,7 @@ int32_t hsp_boundary_get_measures(const hsp_boundary *boundary, const hsp_measur
   } else if (!hsp::measure_in_parts(executor, grid, structure, asked.selected, out.area, out.volume, total)) {
     return HSP_E_EXECUTOR;
   }
-  if (out.totals != nullptr) *out.totals = {total.area, total.volume};
+  if (out.totals != nullptr) *out.totals = {total.area, boundary->of_some ? 0.0 : total.volume};
   return HSP_OK;
 }
 

@@ -90,6 +90,7 @@ typedef struct hsp_boundary_request {
   uint32_t struct_size;         /**< sizeof(hsp_boundary_request) */
   uint32_t reserved;            /**< 0 */
   const hsp_executor *executor; /**< or NULL: the threads that share the work */
+  const uint8_t *selected;      /**< [n], or NULL for all balls of the model: a ball with 0 only blocks */
 } hsp_boundary_request;
 
 /** The same as hsp_boundary_compute, as a request says; request may be NULL: all defaults.
@@ -97,7 +98,12 @@ typedef struct hsp_boundary_request {
  *  together in each and memory of its own: as many as there are workers or, if they may be slowed down by others, some
  *  for each. If there are fewer parts than workers the status is HSP_E_CAPACITY, and limits are some with one for each
  *  worker, HSP_MAX_WORKERS at most. The executor runs a few times, one after the other.
+ *  With selected only what lies on the selected balls is found, in the time that these take: for codes with ghosts. The
+ *  boundary then answers hsp_boundary_get_measures and hsp_boundary_get_gradient alone, for these balls; all else is
+ *  HSP_E_STATE, and so are volumes and a pressure, since they take the whole.
  *  - Property 1: all that can be read afterwards is the same for every number of workers and parts, bit for bit.
+ *  - Property 2: areas, derivatives and flags of selected balls are those of the whole boundary, bit for bit; but of a
+ *    selected ball and an equal one that is not the flag may be set without need.
  *
  *  @retval HSP_E_ARGUMENT  boundary or model is NULL; an executor with several workers and without run
  *  @retval HSP_E_VERSION   bad struct_size of request, executor or limits, or reserved is not 0

@@ -13,7 +13,7 @@
 #include "topology_sets.h"
 
 static hsp_boundary_request request_for(const hsp_executor *executor) {
-  hsp_boundary_request request = {sizeof request, 0, NULL};
+  hsp_boundary_request request = {sizeof request, 0, NULL, NULL};
   request.executor = executor;
   return request;
 }

@@ -241,7 +241,7 @@ contains
     call check(needed_limits%neighbours == 2 .and. needed_limits%vertices == 2 .and. needed_limits%circles == 0, 'needed')
     ! by more workers than there is room for, and then by two
     executor = hsp_executor(int(c_sizeof(executor), c_int32_t), 2, c_loc(runs), c_funloc(run_backwards))
-    request = hsp_boundary_request(int(c_sizeof(request), c_int32_t), 0, c_loc(executor))
+    request = hsp_boundary_request(int(c_sizeof(request), c_int32_t), 0, c_loc(executor), c_null_ptr)
     call expect(hsp_boundary_compute_with(boundary, model, request, limits), HSP_E_CAPACITY, 'room for one')
     call check(limits%workers == 2 .and. limits%vertices == 96 .and. runs == 0, 'limits for two workers')
     call expect(hsp_boundary_bytes(limits, bytes), HSP_OK, 'hsp_boundary_bytes')

@@ -227,7 +227,7 @@ static void split_among_threads(void) {
     const uint64_t expected = k->hash(all.boundary.boundary, &all.boundary, buffer, all.room);
     uint32_t step = THREADS;
     hsp_executor executor = {sizeof executor, THREADS, NULL, run};
-    hsp_boundary_request request = {sizeof request, 0, NULL};
+    hsp_boundary_request request = {sizeof request, 0, NULL, NULL};
     hsp_boundary_limits limits = all.boundary.needed;
     hsp_boundary *boundary = NULL;
     size_t bytes = 0;

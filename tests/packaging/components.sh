@@ -58,6 +58,8 @@ for components in none smooth space sight; do
     fail "the Fortran module declares something else than the headers"
   echo '#include <hardsphere_workspace.h>' | "$cc" -std=c99 -Wall -Wextra -Wno-unused-function -Werror -fsyntax-only \
     -I"$prefix/include" -x c - || fail "hardsphere_workspace.h does not compile"
+  echo '#include <hardsphere.hpp>' | "$cxx" -std=c++20 -Wall -Wextra -Wno-unused-function -Werror -fsyntax-only \
+    -I"$prefix/include" -x c++ - || fail "hardsphere.hpp does not compile"
   if [ -n "$fortran" ]; then
     "$fortran" -fsyntax-only -J "$work" "$prefix"/include/hardsphere/hardsphere{,_workspace}.f90 ||
       fail "the Fortran modules do not compile"

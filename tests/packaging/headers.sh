@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Each public header compiles on its own, as C99 and as C++20; hardsphere.h includes all that are in its folder and says
+# Each public header compiles on its own, as C99 and as C++20, hardsphere.hpp as C++20; hardsphere.h includes all that are in its folder and says
 # what each is; every function that returns a status lists what it may return (@retval) and refers to no other for it.
 #   headers.sh SOURCE-FOLDER C-COMPILER C++-COMPILER
 set -euo pipefail
@@ -25,6 +25,9 @@ for header in "$include"/hardsphere.h "$include"/hardsphere_workspace.h "$includ
   grep -qF " *   $name " "$include/hardsphere.h" || complain "hardsphere.h does not say what $name is"
 done
 [ $headers -gt 5 ] || complain "the headers were not found"
+
+"$cxx" -std=c++20 -Wall -Wextra -Wconversion -Wshadow -Wpedantic -Werror -I "$include" -x c++ -fsyntax-only - \
+  <<<"$(printf '#include <hardsphere.hpp>\n#include <hardsphere.hpp>\n')" || complain "hardsphere.hpp is no C++20 on its own"
 
 # A function's comment is the last one that ends before it. Awk reads whole comments and whole declarations.
 functions=$(cat "$include"/hardsphere/*.h | awk '

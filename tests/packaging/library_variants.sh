@@ -66,6 +66,11 @@ case $variant in
     abi=$(sed -nE 's/^#define HSP_ABI_NUMBER ([0-9]+)$/\1/p' "$source/include/hardsphere/version.h")
     grep -qF "[libhardsphere.so.$abi]" "$work/dynamic" || { echo "the soname does not end with ABI number $abi" && exit 1; }
     if grep -E 'NEEDED.*(stdc\+\+|libc\+\+)' "$work/dynamic"; then exit 1; fi
+    # The Python module's own tests have a library made of the archive.
+    if command -v python3 >/dev/null; then
+      shot='import hardsphere; print(f"{hardsphere.measure([[0, 0, 0], [1, 0, 0]], [1, 1]).area:.6f}")'
+      [ "$(HARDSPHERE_LIBRARY=$library PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$source/capi/python python3 -c "$shot")" = 18.849556 ]
+    fi
     ;;
   lto*)
     # What the symbol table of the archive has besides is the library's own C++ code, in a namespace.

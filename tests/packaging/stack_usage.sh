@@ -16,7 +16,7 @@ if [ -z "$objects" ]; then
   objects=$work
   lanes=$(sed -n '/^set(HSP_SOURCES_OF_LANES/,/)/p' "$source/lib/library.cmake")
   [ "$("$cxx" -dumpmachine | cut -d- -f1)" != x86_64 ] || lanes=
-  (cd "$source" && find lib capi -maxdepth 3 -name '*.cpp' | sort) | while read -r file; do
+  (cd "$source" && find lib capi/shims -maxdepth 3 -name '*.cpp' | sort) | while read -r file; do
     [[ $lanes != *$file* ]] || continue
     case $file in
       *.kernel.cpp) units="$(basename "$(dirname "$file")") avx2" ;;

@@ -111,6 +111,7 @@ struct BoundaryArrays {
   static constexpr uint8_t contained = 1;
   static constexpr uint8_t without_caps = 2;  // no other sphere meets it: free as a whole unless it is contained
   static constexpr uint32_t one_cluster = 4;
+  static constexpr uint8_t left_out = 252;  // it only blocks: nothing of it is looked for
 
   Span<uint32_t> component_origin;  // [balls] the ball of lowest rank of the component
   Span<uint32_t> component;         // [balls] number of the component
@@ -146,6 +147,8 @@ class Boundary {
     return a_.closed_half_edge.part(ids.first, ids.last);
   }
   bool is_contained(uint32_t ball) const { return (a_.ball_state[ball] & BoundaryArrays::contained) != 0; }
+  // Nothing is known of it, as the boundary is that of some balls alone.
+  bool is_left_out(uint32_t ball) const { return a_.ball_state[ball] == BoundaryArrays::left_out; }
   // No other sphere meets it, and no other ball contains it.
   bool is_free_of_caps(uint32_t ball) const { return a_.ball_state[ball] == BoundaryArrays::without_caps; }
   bool is_exposed(uint32_t ball) const { return !faces(ball).empty(); }

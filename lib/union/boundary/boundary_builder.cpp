@@ -45,7 +45,7 @@ void BoundaryBuilder::carve(Workspace &workspace, const BoundaryLimits &limits) 
   }
 }
 
-Status BoundaryBuilder::build(const CubeGrid &grid, const Executor &executor) {
+Status BoundaryBuilder::build(const CubeGrid &grid, const Executor &executor, const uint8_t *selected) {
   needed_ = {};
   needed_.balls = grid.balls().n;
   needed_.workers = limits_.workers;
@@ -54,7 +54,14 @@ Status BoundaryBuilder::build(const CubeGrid &grid, const Executor &executor) {
   if (needed_.balls > limits_.balls || needed_.workers > limits_.workers) return Status::capacity;
   grid_ = &grid;
   count_ = alone ? 1 : workers_.size();
-  for (uint32_t w = 0; w < count_; ++w) workers_[w].start(share_of(grid, w, count_));
+  of_some_ = selected != nullptr;
+  const uint32_t *chosen = nullptr;
+  if (of_some_) {  // in memory that nothing needs while balls are searched
+    const BallSet &balls = grid.balls();
+    for (uint32_t i = 0; i < balls.n; ++i) arrays().component[i] = selected[balls.caller[i]];
+    chosen = arrays().component.data();
+  }
+  for (uint32_t w = 0; w < count_; ++w) workers_[w].start(share_of(grid, w, count_), chosen);
   const auto search = [this](uint32_t worker) { workers_[worker].search(*grid_, arrays().ball_state.data()); };
   if (!executor.for_each(count_, search)) return Status::executor;
 
@@ -92,7 +99,7 @@ void BoundaryBuilder::assemble(uint32_t stage, uint32_t worker) {
   switch (stage) {
     case placing:
       place(worker);
-      if (worker == 0) join_components();
+      if (worker == 0 && !of_some_) join_components();
       break;
     case counting:
       own.count(a);
@@ -107,12 +114,16 @@ void BoundaryBuilder::assemble(uint32_t stage, uint32_t worker) {
       settle(worker);
       break;
     case joining:
-      if (shares_shells()) {
+      if (shares_shells() && !of_some_) {
         SharedDisjointSets shells(scratch_.part(0, a.face_count));
         join_faces(boundary_, own.placed_vertices, own.placed_circles, shells);
       }
       break;
     default:
+      if (of_some_) {
+        if (worker == 0) leave_out_components();
+        return;
+      }
       // Neither knows of the other.
       if (worker == 0 && shares_shells()) number_shells(DisjointSets(scratch_.part(0, a.face_count)), a);
       if (worker == 0 && !shares_shells()) find_shells(boundary_, a, scratch_);
@@ -148,6 +159,13 @@ void BoundaryBuilder::join_components() {
   for (uint32_t i = workers_[0].met().last; i < n; ++i) parent[i] = i;
   DisjointSets components(parent);
   for (const BoundaryWorker &worker : workers_.part(1, count_)) worker.join_components(components);
+}
+
+// Every ball is the origin of its own terms.
+void BoundaryBuilder::leave_out_components() {
+  BoundaryArrays &a = arrays();
+  a.shell_count = a.component_count = 0;
+  for (uint32_t i = 0; i < a.balls; ++i) a.component_origin[i] = i;
 }
 
 void BoundaryBuilder::distribute(uint32_t worker) {

@@ -15,7 +15,9 @@ class BoundaryBuilder {
 
   // All of it; by all workers that the limits allow for, if the executor has more than one. Status::capacity if a limit
   // is too small, or allows for fewer than it has; needed() then reports what suffices. Status::executor if it fails.
-  Status build(const CubeGrid &grid, const Executor &executor = {});
+  // selected: null, or in the caller's order whether a ball is not left out. Those left out only block: nothing of them
+  // is there, nor are twins, shells and components.
+  Status build(const CubeGrid &grid, const Executor &executor = {}, const uint8_t *selected = nullptr);
 
   const Boundary &boundary() const { return boundary_; }
   const BoundaryLimits &needed() const { return needed_; }
@@ -49,6 +51,7 @@ class BoundaryBuilder {
   void assemble(uint32_t stage, uint32_t worker);
   void place(uint32_t worker);
   void join_components();
+  void leave_out_components();
   void distribute(uint32_t worker);
   void link(uint32_t worker);
   void settle(uint32_t worker);
@@ -62,6 +65,7 @@ class BoundaryBuilder {
   Span<uint32_t> scratch_;
   const CubeGrid *grid_ = nullptr;  // while it is built
   uint32_t count_ = 0;              // of workers that build it
+  bool of_some_ = false;            // balls alone
 };
 
 }  // namespace hsp

@@ -64,8 +64,9 @@ void BoundaryWorker::carve(Workspace &workspace, const BoundaryLimits &limits, B
   lanes.take_candidates(workspace, limits.neighbours);
 }
 
-void BoundaryWorker::start(const BallShare &share) {
+void BoundaryWorker::start(const BallShare &share, const uint32_t *selected) {
   share_ = share;
+  selected_ = selected;
   vertices_.clear();
   circles_.clear();
   met_ = {share.balls.first, share.balls.first};
@@ -87,13 +88,44 @@ void BoundaryWorker::cover(const CubeBlock &block) {
 void BoundaryWorker::search(const CubeGrid &grid, uint8_t *ball_state) {
   const BallSet &balls = grid.balls();
   DisjointSets components(parent_.part(0, balls.n));
+  DisjointSets *const joined = selected_ == nullptr ? &components : nullptr;
   BlockSweep sweep(grid);
   for (uint32_t cube = share_.first_cube; cube < share_.last_cube; ++cube) {
+    const BallRange own = grid.balls_in(cube);
+    if (leaves_out(own)) {
+      for (uint32_t i = own.first; i < own.last; ++i) ball_state[i] = BoundaryArrays::left_out;
+      continue;
+    }
     const CubeBlock &block = sweep.block_around(cube);
     cover(block);
-    const BallRange own = grid.balls_in(cube);
     const bool in_lanes = lanes.start_cube(grid, cube, block);
-    for (uint32_t i = own.first; i < own.last; ++i) search_ball(balls, block, i, in_lanes, &components, ball_state);
+    for (uint32_t i = own.first; i < own.last; ++i) search_ball(balls, block, i, in_lanes, joined, ball_state);
+  }
+}
+
+// Whether nothing is to be searched there.
+bool BoundaryWorker::leaves_out(BallRange range) const {
+  if (selected_ == nullptr) return false;
+  for (uint32_t i = range.first; i < range.last; ++i) {
+    if (!is_left_out(i)) return false;
+  }
+  return true;
+}
+
+// Where balls are left out the first ball of a record may be one of these, before that at which it was found. Every
+// exchange of two balls changes the sign of a vertex.
+void BoundaryWorker::order_balls_of_records(uint32_t first_vertex, uint32_t first_circle) {
+  const auto before = [](uint32_t p, uint32_t q) { return p < q; };
+  for (uint32_t v = first_vertex; v < vertices_.size(); ++v) {
+    VertexRecord &vertex = vertices_[v];
+    const OrderedVertex ordered = in_order(vertex, before);
+    const uint32_t tied = vertex.code & VertexRecord::tied_bit;
+    vertex = {{ordered.ball[0], ordered.ball[1], ordered.ball[2]},
+              tied | (ordered.sign > 0 ? VertexRecord::positive_bit : 0U)};
+  }
+  for (uint32_t c = first_circle; c < circles_.size(); ++c) {
+    const auto [p, q] = circles_[c].ball;
+    if (q < p) circles_[c] = {{q, p}, {no_id, no_id}};
   }
 }
 
@@ -106,8 +138,13 @@ void BoundaryWorker::search(const BallSet &balls, const double (&centre)[3], dou
 
 void BoundaryWorker::search_ball(const BallSet &balls, const CubeBlock &block, uint32_t i, bool in_lanes,
                                  DisjointSets *components, uint8_t *ball_state) {
-  const bool by_lanes = in_lanes && lanes.gather(balls, i, caps, components);
+  if (is_left_out(i)) {
+    ball_state[i] = BoundaryArrays::left_out;
+    return;
+  }
+  const bool by_lanes = in_lanes && lanes.gather(balls, i, caps, components, selected_);
   if (!by_lanes) caps.gather(balls, block, i, components);
+  if (!by_lanes && selected_ != nullptr) caps.put_selected_first(selected_);
   ball_state[i] = static_cast<uint8_t>((caps.contained ? BoundaryArrays::contained : 0) |
                                        (caps.count == 0 ? BoundaryArrays::without_caps : 0));
   if (caps.contained) return;
@@ -115,11 +152,13 @@ void BoundaryWorker::search_ball(const BallSet &balls, const CubeBlock &block, u
   // Once a ball has more neighbours than there is room for, the rest is only counted.
   if (neighbours_ > caps.capacity()) return;
   uint32_t clusters = 0;
+  const uint32_t first_vertex = vertices_.size(), first_circle = circles_.size();
   if (by_lanes) {
     clusters = lanes.find(balls, caps, finder_, vertices_, circles_);
   } else {
     finder_.find(balls, caps, vertices_, circles_);
   }
+  if (selected_ != nullptr) order_balls_of_records(first_vertex, first_circle);
   ball_state[i] |= static_cast<uint8_t>(face_finder_.count_clusters(caps, clusters) * BoundaryArrays::one_cluster);
 }
 
@@ -151,9 +190,11 @@ void BoundaryWorker::join_components(DisjointSets &components) const {
   for (uint32_t i = met_.first; i < met_.last; ++i) components.join(i, parent_[i]);
 }
 
-// Two balls that meet are around each other's cubes, and records are in the order of their first balls.
+// Two balls that meet are around each other's cubes, and records are in the order of their first balls; where balls are
+// left out they need not be.
 void BoundaryWorker::count(BoundaryArrays &a) {
   const auto first_met = [this](const auto &records, IdRange placed) {
+    if (selected_ != nullptr) return UINT32_C(0);
     return first_index(0, placed.first, [&](uint32_t id) { return records[id].ball[0] >= met_.first; });
   };
   touching.balls = share_.balls;

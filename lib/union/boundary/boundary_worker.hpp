@@ -26,10 +26,11 @@ class alignas(64) BoundaryWorker {
   void carve(Workspace &workspace, const BoundaryLimits &limits, BoundaryArrays &arrays, uint32_t worker,
              Span<uint32_t> scratch);
 
-  // Takes a share. Nothing is found.
-  void start(const BallShare &share);
+  // Takes a share. Nothing is found. selected: null, or in the grid's order whether a ball is not left out.
+  void start(const BallShare &share, const uint32_t *selected = nullptr);
 
-  // Vertices and circles of the share's balls, and which balls meet.
+  // Vertices and circles of the share's balls, and which balls meet. Of some balls alone: what lies on one of them, found
+  // at the first of those. Components are not looked for then.
   void search(const CubeGrid &grid, uint8_t *ball_state);
   // The same for the first balls of a set without a grid, the share's, that are at most 1.5 sides from a centre along
   // each axis; no radius is larger than half a side. Components are not looked for.
@@ -65,11 +66,15 @@ class alignas(64) BoundaryWorker {
   IdRange loops, faces;                     // of them, as link() numbers these
 
  private:
+  bool is_left_out(uint32_t i) const { return selected_ != nullptr && selected_[i] == 0; }
+  bool leaves_out(BallRange range) const;
+  void order_balls_of_records(uint32_t first_vertex, uint32_t first_circle);
   void cover(const CubeBlock &block);
   void search_ball(const BallSet &balls, const CubeBlock &block, uint32_t i, bool in_lanes, DisjointSets *components,
                    uint8_t *ball_state);
 
   BallShare share_;
+  const uint32_t *selected_ = nullptr;
   VertexFinder finder_;
   FaceFinder face_finder_;
   FixedVector<VertexRecord> vertices_;

@@ -201,7 +201,7 @@ uint32_t link_half_edges(const BallSet &balls, BallRange range, const HalfEdgeCh
   BallLinker linker(balls, a, chain);
   for (uint32_t i = range.first; i < range.last; ++i) {
     a.first[i].loop = loops;
-    loops = linker.link(i, loops);
+    if (a.ball_state[i] != BoundaryArrays::left_out) loops = linker.link(i, loops);
   }
   return loops;
 }

@@ -14,6 +14,18 @@ bool within(const exact::Vector &v, int64_t s) {
 
 }  // namespace
 
+bool lies_inside_another(const CubeGrid &grid, uint32_t i) {
+  const exact::LatticeBall own = grid.balls().ball(i);
+  const CubeBlock block = grid.block_around(grid.cube_at(own.centre));
+  for (uint32_t r = 0; r < block.ranges; ++r) {
+    for (uint32_t j = block.range[r].first; j < block.range[r].last; ++j) {
+      if (j != i && exact::pair_relation(own, grid.balls().ball(j)) == exact::PairRelation::first_in_second)
+        return true;
+    }
+  }
+  return false;
+}
+
 bool touches_freely_from_inside(const BallSet &balls, const CubeBlock &block, uint32_t inner, uint32_t outer) {
   const exact::LatticeBall own = balls.ball(inner);
   const exact::LatticeBall container = balls.ball(outer);

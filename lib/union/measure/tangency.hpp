@@ -11,6 +11,9 @@ namespace hsp {
 // are equal.
 bool touches_freely_from_inside(const BallSet &balls, const CubeBlock &block, uint32_t inner, uint32_t outer);
 
+// Whether a ball lies inside another one, for balls of which the boundary does not know it.
+bool lies_inside_another(const CubeGrid &grid, uint32_t i);
+
 // Calls visit(j) for every ball j that ball i touches so.
 template <class Visit>
 void visit_balls_touched_from_inside(const CubeGrid &grid, uint32_t i, Visit visit) {
@@ -25,13 +28,15 @@ void visit_balls_touched_from_inside(const CubeGrid &grid, uint32_t i, Visit vis
 
 // Calls visit(i, j) for every ball i inside others and every ball j that it touches freely from inside, if moving one
 // of them would bare a part of it. Of equal balls at most one has faces; if it has none, moving another bares nothing.
+// A ball that is left out counts as if it had faces.
 template <class Visit>
 void visit_free_inner_contacts(const CubeGrid &grid, const Boundary &boundary, Visit visit) {
   const BallSet &balls = grid.balls();
   for (uint32_t i = 0; i < balls.n; ++i) {
-    if (!boundary.is_contained(i)) continue;
+    if (!boundary.is_contained(i) && !boundary.is_left_out(i)) continue;
     visit_balls_touched_from_inside(grid, i, [&](uint32_t j) {
-      if (balls.r[i] != balls.r[j] || boundary.is_exposed(j)) visit(i, j);
+      if (boundary.is_left_out(i) && !lies_inside_another(grid, i)) return;
+      if (balls.r[i] != balls.r[j] || boundary.is_exposed(j) || boundary.is_left_out(j)) visit(i, j);
     });
   }
 }

@@ -147,6 +147,22 @@ void Caps::take_given(uint32_t n, Joining &joining) {
   for (uint32_t k = 0; k < n; ++k) take(own, ball[k], {*balls_, origin, ball[k]}, joining);
 }
 
+void Caps::put_selected_first(const uint32_t *selected) {
+  const auto exchange_in = [](auto &array, uint32_t p, uint32_t q) {
+    const auto moved = array[p];
+    array[p] = array[q];
+    array[q] = moved;
+  };
+  first_later = hsp::put_selected_first(ball, first_later, selected, [&](uint32_t p, uint32_t q) {
+    exchange_in(ux, p, q);
+    exchange_in(uy, p, q);
+    exchange_in(uz, p, q);
+    exchange_in(b, p, q);
+    exchange_in(ball, p, q);
+  });
+  planes_made_ = false;
+}
+
 void Caps::take_circles(const BallSet &balls, uint32_t i, uint32_t n, uint32_t n_earlier, DisjointSets *components) {
   start(balls, i);
   count = met = n;
@@ -159,10 +175,11 @@ void Caps::take_circles(const BallSet &balls, uint32_t i, uint32_t n, uint32_t n
 void Caps::make_doubles() {
   if (doubles_made_) return;
   doubles_made_ = true;
-  const uint32_t n = count;
+  const uint32_t n = count, later = first_later;
   count = met = 0;
   Joining joining(origin, nullptr);
   take_given(n, joining);
+  first_later = later;
 }
 
 #if HSP_AVX2

@@ -18,6 +18,17 @@ inline BallArrays arrays_of(const BallSet &balls) {
   return {balls.x.data(), balls.y.data(), balls.z.data(), balls.r.data()};
 }
 
+// Moves those of the first `earlier` balls that are selected before the others; returns how many these are. exchange(a, b)
+// exchanges what belongs to two places.
+template <class Exchange>
+uint32_t put_selected_first(Span<const uint32_t> ball, uint32_t earlier, const uint32_t *selected, Exchange exchange) {
+  uint32_t first = 0;
+  for (uint32_t k = 0; k < earlier; ++k) {
+    if (selected[ball[k]] != 0) exchange(first++, k);
+  }
+  return first;
+}
+
 // Caps in ascending order of the grid's ball ids, structure of arrays over scratch memory of fixed capacity.
 struct Caps {
   static constexpr uint32_t padding = has_lanes ? 8 : 0;  // may be written behind the spare slot
@@ -25,7 +36,9 @@ struct Caps {
   Span<double> ux, uy, uz, b;
   Span<uint32_t> ball;  // the other ball, grid order
   uint32_t count = 0;
-  uint32_t first_later = 0;  // caps from here on are of balls after the origin ball in grid order
+  // Caps from here on are of balls after the origin ball in grid order; where only some balls are searched, of those and
+  // of all that are not.
+  uint32_t first_later = 0;
 
   uint32_t origin = 0;  // the ball they lie on, grid order
   exact::Sphere sphere{};
@@ -65,6 +78,9 @@ struct Caps {
     for (uint32_t k = 0; k < count; ++k) planes_[k] = plane_of(k);
     planes_made_ = true;
   }
+
+  // After gather: those of later balls become those of all others than the earlier ones that are selected.
+  void put_selected_first(const uint32_t *selected);
 
   // Drops the caps of balls that keep(ball) refuses.
   template <class Keep>

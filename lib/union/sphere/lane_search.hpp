@@ -27,8 +27,9 @@ class LaneSearch {
   // neighbours lie in the block.
   bool start_block(const BallSet &balls, const CubeBlock &block, uint32_t first_own, const double (&centre)[3],
                    double side);
-  // The caps of ball i of that cube: their balls, and floats. False if that is left to Caps::gather.
-  bool gather(const BallSet &balls, uint32_t i, Caps &caps, DisjointSets *components);
+  // The caps of ball i of that cube: their balls, and floats. False if that is left to Caps::gather. selected: null, or
+  // as for Caps::put_selected_first.
+  bool gather(const BallSet &balls, uint32_t i, Caps &caps, DisjointSets *components, const uint32_t *selected);
   // After gather: as VertexFinder::find. Returns the number of clusters of the caps, 0 if they were not counted.
   uint32_t find(const BallSet &balls, Caps &caps, VertexFinder &finder, FixedVector<VertexRecord> &vertices,
                 FixedVector<CircleRecord> &circles);
@@ -69,7 +70,7 @@ class LaneSearch {
   void take_candidates(Workspace &, uint32_t) {}
   bool start_cube(const CubeGrid &, uint32_t, const CubeBlock &) { return false; }
   bool start_block(const BallSet &, const CubeBlock &, uint32_t, const double (&)[3], double) { return false; }
-  bool gather(const BallSet &, uint32_t, Caps &, DisjointSets *) { return false; }
+  bool gather(const BallSet &, uint32_t, Caps &, DisjointSets *, const uint32_t *) { return false; }
   uint32_t find(const BallSet &, Caps &, VertexFinder &, FixedVector<VertexRecord> &, FixedVector<CircleRecord> &) {
     return 0;
   }

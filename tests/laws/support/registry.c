@@ -411,10 +411,12 @@ static const argument of_hsp_boundary_compute_with[] = {
       .is_const = 1},
   {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 2,
       .offset = offsetof(hsp_boundary_request, executor), .is_const = 1},
+  {"selected", "uint8_t", .kind = KIND_array_in, .size = sizeof(uint8_t), .extent = "n", .null = NULL_always, .of = 2,
+      .offset = offsetof(hsp_boundary_request, selected), .is_const = 1},
   {"limits", "hsp_boundary_limits", .kind = KIND_sized, .size = sizeof(hsp_boundary_limits), .null = NULL_always},
 };
 static int64_t call_hsp_boundary_compute_with(const value *v) {
-  return (int64_t)hsp_boundary_compute_with(v[0].p, v[1].p, v[2].p, v[4].p);
+  return (int64_t)hsp_boundary_compute_with(v[0].p, v[1].p, v[2].p, v[5].p);
 }
 
 static const argument of_hsp_boundary_get_counts[] = {
@@ -2858,7 +2860,7 @@ const function registry[] = {
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_MEMORY) | BIT(HSP_E_RANGE)},
   {"hsp_boundary_compute", "boundary", RESULT_status, 3, of_hsp_boundary_compute, call_hsp_boundary_compute, BIT(HSP_OK)
       | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY)},
-  {"hsp_boundary_compute_with", "boundary", RESULT_status, 5, of_hsp_boundary_compute_with,
+  {"hsp_boundary_compute_with", "boundary", RESULT_status, 6, of_hsp_boundary_compute_with,
       call_hsp_boundary_compute_with, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
       BIT(HSP_E_CAPACITY) | BIT(HSP_E_EXECUTOR)},
   {"hsp_boundary_get_counts", "boundary", RESULT_status, 2, of_hsp_boundary_get_counts, call_hsp_boundary_get_counts,
@@ -3390,6 +3392,7 @@ const field registry_fields[] = {
   {"hsp_boundary_request", "struct_size", "uint32_t", offsetof(hsp_boundary_request, struct_size), 1},
   {"hsp_boundary_request", "reserved", "uint32_t", offsetof(hsp_boundary_request, reserved), 1},
   {"hsp_boundary_request", "executor", "hsp_executor *", offsetof(hsp_boundary_request, executor), 1},
+  {"hsp_boundary_request", "selected", "uint8_t *", offsetof(hsp_boundary_request, selected), 1},
   {"hsp_boundary_counts", "balls", "uint32_t", offsetof(hsp_boundary_counts, balls), 1},
   {"hsp_boundary_counts", "exposed_balls", "uint32_t", offsetof(hsp_boundary_counts, exposed_balls), 1},
   {"hsp_boundary_counts", "contained_balls", "uint32_t", offsetof(hsp_boundary_counts, contained_balls), 1},

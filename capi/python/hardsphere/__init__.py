@@ -1,0 +1,294 @@
+"""Exact areas, volumes, gradients, contacts, cavities, surfaces, pores and pictures of unions of balls.
+
+    import hardsphere
+    hardsphere.measure(centers, radii, probe=1.4).area       # the shortest way; centers [n][3], radii [n]
+
+    balls = hardsphere.Balls(centers, radii, probe=1.4)      # more than one question, or frame after frame
+    balls.area, balls.areas                                  # of the union, and what each ball has of it
+    energy = balls.gradient(tension=0.0072)                  # .value, .d_centre, .d_radius
+    balls.contacts(), balls.cavities(), balls.surface(), balls.mesh(0.5), balls.pores(), balls.svg()
+    balls.set(next_centers)                                  # the next frame; memory is kept
+    hardsphere.Box(centers, radii, vectors, probe=1.4)       # the same in a periodic box
+
+Lengths are in any unit, areas in its square. Only what is asked for is computed. Arrays are numpy's where numpy is there,
+and lists where it is not. Behind these classes are the handles of the C interface with all of its functions as methods:
+`balls.boundary.get_vertices()`; `hardsphere.Topology` and the others serve on their own, too. A failed call raises
+`hardsphere.Error` with `.status` and `.ball`. Threads run during calls; give each its own `Balls`.
+
+The shared library is `$HARDSPHERE_LIBRARY`, else one beside this file, else what the system's loader finds.
+"""
+from __future__ import annotations
+
+from typing import Any, NamedTuple, Sequence
+
+from . import _interface
+from ._calls import Error, Handle, Record, Result, library, numpy
+from ._interface import *  # noqa: F401,F403
+from ._interface import (Boundary, Contacts, Mesh, Model, Periodic, Pores, Sticks, Surface, Topology, View)
+
+__version__ = _interface.VERSION_STRING
+
+
+class Measure(NamedTuple):
+    """Of the union, and of each ball: its free area, and its term of the volume."""
+    area: float
+    volume: float
+    areas: Any
+    volumes: Any
+
+
+class Gradient(NamedTuple):
+    """An energy of areas and the volume, and its derivatives: by centres [n][3], by radii [n], by the probe. flags [n]
+    say where the derivative is one-sided. In a box by the strain and by its vectors too."""
+    value: float
+    d_centre: Any
+    d_radius: Any
+    flags: Any
+    d_probe: float
+    area: float
+    volume: float
+    d_strain: Any = None
+    d_box: Any = None
+
+    @property
+    def forces(self) -> Any:
+        """-d_centre."""
+        return -self.d_centre if numpy is not None else [tuple(-x for x in row) for row in self.d_centre]
+
+
+class Cavity(NamedTuple):
+    """A hollow in which the probe fits and that it cannot leave: its volume, its area, the indices of its balls."""
+    volume: float
+    area: float
+    balls: Any
+
+
+class Triangles(NamedTuple):
+    """A mesh: vertices [v][3], triangles [t][3] of their indices, outward normals [v][3], and the ball of each vertex."""
+    vertices: Any
+    triangles: Any
+    normals: Any
+    balls: Any
+
+
+class Space(NamedTuple):
+    """Where larger probes fit: records of the widest places and of the gates between them, largest first as the library
+    has them; `handle` answers more: `.widest(a, b)`, `.find_pockets(..)`, `.find_tunnel(..)`."""
+    maxima: Any
+    gates: Any
+    handle: Pores
+
+
+class Svg(str):
+    """A picture as text, which notebooks show."""
+
+    def _repr_svg_(self) -> str:
+        return str(self)
+
+
+def _energy(found: Any, **more: Any) -> Gradient:
+    e = found.energy
+    return Gradient(e.value, found.d_centre, found.d_radius, found.flags, e.d_probe, e.area, e.volume, **more)
+
+
+class _Set:
+    """What balls in free space and in a box have in common."""
+    n: int
+
+    def __init__(self, radii: Any, probe: float, options: dict[str, float]):
+        self._radii, self._options = radii, {"probe": probe, **options}
+        self._computed: dict[str, Any] = {}
+        self._handles: dict[str, Any] = {}
+
+    def _once(self, name: str, compute: Any) -> Any:
+        if name not in self._computed:
+            self._computed[name] = compute()
+        return self._computed[name]
+
+    def _handle(self, kind: type, *given: Any, key: Any = None, compute: str = "compute", **named: Any) -> Any:
+        """A handle of a kind, computed from others once for each set of balls and key."""
+        handle = self._handles.setdefault(kind, kind())
+        ready = (compute, key)
+        if self._computed.get(kind) != ready:
+            self._computed.pop(kind, None)
+            getattr(handle, compute)(*given, **named)
+            self._computed[kind] = ready
+        return handle
+
+    def measure(self, selected: Any = None) -> Measure:
+        raise NotImplementedError
+
+    @property
+    def area(self) -> float:
+        """Of the union's surface."""
+        return self._once("measure", self.measure).area
+
+    @property
+    def volume(self) -> float:
+        """Of the union."""
+        return self._once("measure", self.measure).volume
+
+    @property
+    def areas(self) -> Any:
+        """What each ball has of the surface: with a probe, its solvent-accessible area."""
+        return self._once("measure", self.measure).areas
+
+
+class Balls(_Set):
+    """Balls, and what is known of their union."""
+
+    def __init__(self, centers: Any, radii: Any, probe: float = 0.0, **options: float):
+        """probe is added to all radii. options: step and largest_radius, as of hsp_model_options."""
+        super().__init__(radii, probe, options)
+        self.model = Model()
+        self.set(centers, radii)
+
+    def set(self, centers: Any, radii: Any = None) -> "Balls":
+        """Other centres, as of the next frame; other radii if they are given."""
+        self._radii = self._radii if radii is None else radii
+        self._computed.clear()
+        self.model.set(centers, self._radii, **self._options)
+        self.n = self.model.n
+        return self
+
+    @property
+    def boundary(self) -> Boundary:
+        """The boundary of the union: vertices, arcs, circles, faces, loops, shells."""
+        return self._handle(Boundary, self.model)
+
+    @property
+    def topology(self) -> Topology:
+        """Shells, components and the hollows of the union."""
+        return self._handle(Topology, self.boundary)
+
+    @property
+    def counts(self) -> Any:
+        """How many balls are exposed, vertices, arcs, faces, shells, components, voids there are."""
+        return self.boundary.get_counts()
+
+    def measure(self, selected: Any = None) -> Measure:
+        """Area and volume. selected: n truth values; other balls only block, and have 0."""
+        found = self.boundary.get_measures(selected=selected)
+        return Measure(found.totals.area, found.totals.volume, found.area, found.volume)
+
+    def gradient(self, tension: float = 1.0, pressure: float = 0.0, sigma: Any = None, tangency: int = 0) -> Gradient:
+        """Of tension * sum_i sigma_i A_i + pressure * V. sigma: n weights, 1 if not given."""
+        return _energy(self.boundary.get_gradient(tension=tension, pressure=pressure, sigma=sigma, tangency=tangency))
+
+    def contacts(self, groups: Any = None) -> Any:
+        """Records of the balls whose cells touch: area, edge, distance, ball. groups: a number for each ball, as of
+        residues or chains; then records of groups: area, edge, group, contacts."""
+        handle = self._handle(Contacts, self.boundary)
+        return handle.get() if groups is None else handle.group(groups)
+
+    def cavities(self) -> list[Cavity]:
+        """The hollows, largest first. The probe fits into each."""
+        if self.counts.voids == 0:
+            return []
+        topology = self.topology
+        found = [Cavity(float(cell["volume"]), float(cell["area"]), topology.get_cell_balls(k)) if numpy is not None else
+                 Cavity(cell.volume, cell.area, topology.get_cell_balls(k))
+                 for k, cell in enumerate(topology.get_cells()) if k > 0]
+        return sorted(found, key=lambda cavity: -cavity.volume)
+
+    def surface(self) -> Result:
+        """The smooth surface that the probe rolls over, the solvent-excluded one: .totals, and .balls, a record each."""
+        return self._handle(Surface, self.boundary).measure()
+
+    def mesh(self, edge: float, smooth: bool = False) -> Triangles:
+        """Triangles with edges of about that length: of the union's surface, or of the smooth one."""
+        source = self._handle(Surface, self.boundary) if smooth else self.boundary
+        mesh = self._handle(Mesh, source, edge, key=edge, compute="compute_surface" if smooth else "compute")
+        points = mesh.get_vertices()
+        return Triangles(points.xyz, mesh.get_triangles(only="corners"), points.normals, points.balls)
+
+    def pores(self, floor: float | None = None) -> Space:
+        """Free space for probes of any radius from the floor on: 0, or what is given."""
+        handle = self._handle(Pores, self.model, key=floor, floor=floor)
+        counts = handle.get_counts()
+        return Space(handle.get_maxima(0, counts.maxima), handle.get_gates(0, counts.gates), handle)
+
+    def pairs(self, once: bool = True) -> list[tuple[int, int]]:
+        """The balls that meet; each pair once, or from both sides."""
+        found = self.model.query_pairs(_interface.PAIRS_ONCE if once else 0)
+        return [(i, int(j)) for i in range(self.n) for j in found.ids[found.first[i]:found.first[i + 1]]]
+
+    def svg(self, colors: Any = None, *, bonds: Any = None, stick: float = 0.2, towards: Sequence[float] | None = None,
+            up: Sequence[float] | None = None, style: str = "soft", title: str | None = None, **options: Any) -> Svg:
+        """A picture. colors: n times 0xRRGGBB. bonds: pairs of balls, drawn as sticks of that radius between small
+        balls. towards: from the molecule to the viewer. style: flat, headlight or soft. options: as of
+        hsp_picture_options, such as width, fog and outline."""
+        options["style"] = getattr(_interface, f"STYLE_{style.upper()}")
+        look = {"towards": towards, "up": up}
+        if bonds is None:
+            view = self._handle(View, self.model, self.boundary, key=repr(look), **look)
+            text = view.picture_write(colors, title, **options)
+        else:
+            sticks = self._handle(Sticks, self.model, [_interface.Stick(ball=tuple(pair)) for pair in bonds], stick,
+                                  key=repr((look, list(map(tuple, bonds)), stick)), **look)
+            text = sticks.picture_write_sticks(colors, title, **options)
+        return Svg(text.decode())
+
+
+class Box(_Set):
+    """Balls in a periodic box. vectors: three lengths, or [3][3] with the first along x, the second in the x-y plane."""
+
+    def __init__(self, centers: Any, radii: Any, vectors: Any, probe: float = 0.0, **options: float):
+        super().__init__(radii, probe, options)
+        self.handle = Periodic()
+        self.set(centers, radii, vectors)
+
+    def set(self, centers: Any, radii: Any = None, vectors: Any = None) -> "Box":
+        """Other centres, as of the next frame; radii and vectors if they are given."""
+        self._radii = self._radii if radii is None else radii
+        if vectors is not None:
+            rows = [list(row) if hasattr(row, "__len__") else row for row in vectors]
+            if not isinstance(rows[0], list):
+                rows = [[x if i == j else 0.0 for j in range(3)] for i, x in enumerate(rows)]
+            self._box = [float(x) for row in rows for x in row]
+        self._computed.clear()
+        self.handle.compute(centers, self._radii, self._box, **self._options)
+        self.n = self.handle.n
+        return self
+
+    @property
+    def totals(self) -> Any:
+        """Area, volume, the box's volume, what is free of it, and the area of contacts."""
+        return self.handle.measure(only="totals")
+
+    def measure(self, selected: Any = None) -> Measure:
+        """Area and volume, and those of each ball's cell."""
+        if selected is not None:
+            raise ValueError("in a box all balls are measured")
+        found = self.handle.measure()
+        return Measure(found.totals.area, found.totals.volume, found.area, found.cell_volume)
+
+    def gradient(self, tension: float = 1.0, pressure: float = 0.0, sigma: Any = None, tangency: int = 0) -> Gradient:
+        """As that of Balls, and by the strain and the vectors of the box."""
+        found = self.handle.gradient(tension, pressure, tangency, sigma)
+        return _energy(found, d_strain=_matrix(found.d_strain), d_box=_matrix(found.d_box))
+
+    def contacts(self, groups: Any = None) -> Any:
+        """As those of Balls; a record says by which vectors the second ball is moved."""
+        return self.handle.get_contacts() if groups is None else self.handle.group_contacts(groups)
+
+
+def _matrix(nine: Any) -> Any:
+    return nine.reshape(3, 3) if numpy is not None else [tuple(nine[k:k + 3]) for k in (0, 3, 6)]
+
+
+def measure(centers: Any, radii: Any, probe: float = 0.0, selected: Any = None, **options: float) -> Measure:
+    """Area and volume of a union of balls. probe is added to all radii; selected balls are measured, others block."""
+    return Balls(centers, radii, probe, **options).measure(selected)
+
+
+def radius_of(element: str | int) -> float:
+    """The van der Waals radius of an element by symbol or atomic number, in angstrom, after Bondi and Mantina."""
+    number = _interface.element_number(element) if isinstance(element, str) else element
+    return _interface.element_radius(_interface.RADII_BONDI, number).radius
+
+
+def colors_of(elements: Sequence[str | int], palette: int = 0) -> list[int]:
+    """A colour for each element, 0xRRGGBB."""
+    numbers = (_interface.element_number(e) if isinstance(e, str) else e for e in elements)
+    return [_interface.palette_colour(palette, number, 0) for number in numbers]

@@ -1,0 +1,392 @@
+"""Calls of the shared library by ctypes, as `_interface.py` describes its functions: arrays in and out, memory that
+grows, statuses as exceptions. numpy's arrays come back where numpy is there, and lists where it is not."""
+from __future__ import annotations
+
+import ctypes as C
+import ctypes.util
+import os
+from types import SimpleNamespace
+from typing import Any, Iterable, NamedTuple
+
+try:
+    import numpy
+except ImportError:
+    numpy = None  # type: ignore[assignment]
+
+_NONE, _CAPACITY, _ABI = 0xFFFFFFFF, -2, 1
+_SCALARS = {"double": C.c_double, "int32_t": C.c_int32, "uint32_t": C.c_uint32, "uint8_t": C.c_uint8,
+            "int64_t": C.c_int64, "uint64_t": C.c_uint64, "size_t": C.c_size_t}
+_SINK = C.CFUNCTYPE(C.c_int32, C.c_void_p, C.POINTER(C.c_char), C.c_size_t)
+
+
+def _load() -> C.CDLL:
+    here = os.path.dirname(os.path.abspath(__file__))
+    chosen = os.environ.get("HARDSPHERE_LIBRARY")
+    if chosen:
+        return C.CDLL(chosen)
+    for name in (os.path.join(here, f"libhardsphere.so.{_ABI}"), os.path.join(here, "libhardsphere.so"),
+                 f"libhardsphere.so.{_ABI}", ctypes.util.find_library("hardsphere")):
+        try:
+            return C.CDLL(name) if name else None
+        except OSError:
+            continue
+    raise ImportError(f"there is no libhardsphere.so.{_ABI}: build it with -DBUILD_SHARED_LIBS=ON and set "
+                      "HARDSPHERE_LIBRARY to it")
+
+
+library = _load()
+library.hsp_status_text.restype = C.c_char_p
+if library.hsp_abi() != _ABI:
+    raise ImportError(f"the library has ABI number {library.hsp_abi()}, and this module is for {_ABI}")
+
+
+class Error(ValueError):
+    """A call failed. `status` is one of hardsphere.E_*, `ball` the index of the ball to blame, or None."""
+
+    def __init__(self, status: int, ball: int = _NONE, where: str = ""):
+        self.status, self.ball = status, None if ball == _NONE else ball
+        text = library.hsp_status_text(status).decode()
+        super().__init__(f"{text}{'' if self.ball is None else f' (ball {ball})'}{where and f' in {where}'}")
+
+
+class Record(C.Structure):
+    """A struct of the interface; its fields are attributes."""
+
+    def __repr__(self) -> str:
+        shown = ((name, getattr(self, name)) for name, *_ in self._fields_)
+        return f"{type(self).__name__}({', '.join(f'{n}={list(v) if isinstance(v, C.Array) else v!r}' for n, v in shown)})"
+
+
+class Result(SimpleNamespace):
+    """Several results of one call, by name."""
+
+
+class Argument(NamedTuple):
+    name: str
+    kind: str
+    base: str
+    extents: tuple[str, ...]
+    null: str
+
+    @classmethod
+    def read(cls, text: str) -> "Argument":
+        name, kind, base, extents, null = text.split(":")
+        return cls(name, kind, base, tuple(extents.split(";")) if extents else (), null)
+
+
+class Described(NamedTuple):
+    function: Any
+    result: str
+    arguments: list[Argument]
+    fields: dict[str, list[Argument]]
+
+
+_functions: dict[str, str] = {}
+_fields: dict[str, list[Argument]] = {}
+_records: dict[str, type] = {}
+_ready: dict[str, Described] = {}
+
+
+def describe(functions: dict[str, str], fields: dict[str, str], records: dict[str, type]) -> None:
+    """Takes what `_interface.py` says of functions, of structs that go in field by field, and of records."""
+    _functions.update(functions)
+    _fields.update({name: [Argument.read(a) for a in text.split()] for name, text in fields.items()})
+    _records.update(records)
+
+
+def _described(name: str) -> Described:
+    if name not in _ready:
+        result, *arguments = _functions[name].split()
+        parsed = [Argument.read(a) for a in arguments]
+        function = getattr(library, name)
+        function.restype = {"int32_t": C.c_int32, "uint32_t": C.c_uint32}.get(result, C.c_char_p)
+        function.argtypes = [_SCALARS[a.base] if a.kind in ("value", "capacity") else
+                             C.c_char_p if a.kind == "string" else _SINK if a.kind == "callback" else C.c_void_p
+                             for a in parsed]
+        _ready[name] = Described(function, result, parsed, {a.name: _fields.get(a.base, []) for a in parsed})
+    return _ready[name]
+
+
+def _type(base: str) -> Any:
+    return _SCALARS[base] if base in _SCALARS else C.c_char_p if base == "char" else _records[base]
+
+
+def _check(status: int, where: str, ball: int = _NONE) -> None:
+    if status != 0:
+        raise Error(status, ball, where)
+
+
+# ---- arrays ----------------------------------------------------------------------------------------------------------
+
+def _flat(values: Any, depth: int) -> Iterable[Any]:
+    if depth == 0:
+        return (values,)
+    return (x for row in values for x in (_flat(row, depth - 1) if hasattr(row, "__len__") else (row,)))
+
+
+def array_in(values: Any, argument: Argument, sizes: dict[str, int]) -> Any:
+    """Values as a C array; of what `sizes` does not know yet of its extents, the values say how many there are."""
+    base, kind = argument.base, _type(argument.base)
+    if base in _SCALARS and numpy is not None:
+        if base == "uint8_t":
+            values = numpy.asarray(values).astype(bool)
+        data = numpy.ascontiguousarray(values, dtype=kind)
+        made, length = C.cast(data.ctypes.data, C.POINTER(kind)), data.size
+        made.kept = data  # type: ignore[attr-defined]
+    else:
+        flat = list(_flat(values, len(argument.extents))) if base in _SCALARS else list(values)
+        if base == "char":
+            flat = [None if text is None else text.encode() for text in flat]
+        elif base == "double":
+            flat = [float(x) for x in flat]
+        elif base in _SCALARS:
+            flat = [int(bool(x)) if base == "uint8_t" else int(x) for x in flat]
+        elif numpy is not None and isinstance(values, numpy.ndarray):
+            flat = [kind.from_buffer_copy(row.tobytes()) for row in values]
+        made, length = (kind * len(flat))(*flat), len(flat)
+    first, *rest = argument.extents or ("1",)
+    row = 1
+    for extent in rest:
+        row *= int(extent)
+    count = length // row if length % row == 0 else -1
+    expected = int(first) if first.isdigit() else sizes.setdefault(first, count)
+    if count != expected or count < 0:
+        raise ValueError(f"{argument.name}: {length} numbers, and not {expected if expected >= 0 else 'n'} x {row}")
+    return made
+
+
+def array_out(argument: Argument, rows: int) -> Any:
+    count = rows
+    for extent in argument.extents[1:]:
+        count *= int(extent)
+    return (_type(argument.base) * count)()
+
+
+def given_back(made: Any, argument: Argument) -> Any:
+    """A C array as numpy's, or as a list; of several extents as rows."""
+    row = [int(extent) for extent in argument.extents[1:]]
+    if numpy is not None:
+        if len(made) == 0:
+            return numpy.zeros((0, *row), dtype=made._type_)
+        result = numpy.ctypeslib.as_array(made)
+        return result.reshape(-1, *row) if row else result
+    values = list(made)
+    return [tuple(values[k:k + row[0]]) for k in range(0, len(values), row[0])] if row else values
+
+
+# ---- handles ---------------------------------------------------------------------------------------------------------
+
+class Handle:
+    """A handle of the library in memory that grows until it suffices."""
+    noun = ""
+
+    def __init__(self, **limits: int):
+        """limits: fields of the limits that are to be larger from the start, for those who know."""
+        self.n = 0  # balls
+        self._pointer: Any = C.c_void_p()
+        self._memory: Any = None
+        self._room = -1
+        self._limits: Any = None
+        self._wanted = limits
+        self._kept: list[Any] = []  # memory of what the results come from
+        self._last: tuple[str, dict[str, Any]] | None = None
+
+    def _of(self, what: str) -> str:
+        return f"hsp_{self.noun}_{what}"
+
+    def _make(self, *size: Any) -> None:
+        memory_bytes, pointer = C.c_size_t(), C.c_void_p()
+        _check(_described(self._of("bytes")).function(*size, C.byref(memory_bytes)), self._of("bytes"))
+        memory = C.create_string_buffer(memory_bytes.value)
+        status = _described(self._of("init")).function(C.cast(memory, C.c_void_p), memory_bytes, *size, C.byref(pointer))
+        _check(status, self._of("init"))
+        self._memory, self._pointer = memory, pointer
+
+    def _grow(self, limits: Any) -> None:
+        self._limits = limits
+        self._make(C.byref(limits))
+
+    def _ready(self, name: str, values: dict[str, Any], sizes: dict[str, int]) -> None:
+        """Makes the handle before it computes for the first time, and one without limits when more balls come."""
+        balls = sizes.get("n", next((v.n for v in values.values() if isinstance(v, Handle)), self.n))
+        if self._of("limits_init") not in _functions:
+            if balls > self._room:
+                self._make(max(balls, 1))
+                self._room = max(balls, 1)
+        elif self._limits is None:
+            init = name.replace("compute", "limits_init")
+            described = _described(init if init in _functions and init != name else self._of("limits_init"))
+            limits = _records[described.arguments[0].base]()
+            more = []
+            for a in described.arguments[2:]:
+                handles = [v for v in values.values() if isinstance(v, Handle) and f"hsp_{v.noun}" == a.base]
+                more.append(handles[0]._pointer if handles else balls if a.name == "balls" else values[a.name])
+            _check(described.function(C.byref(limits), C.sizeof(limits), *more), self._of("limits_init"))
+            for field, least in self._wanted.items():
+                setattr(limits, field, max(getattr(limits, field), least))
+            self._grow(limits)
+        self.n = balls
+
+
+# ---- a call ----------------------------------------------------------------------------------------------------------
+
+def _options(argument: Argument, fields: list[Argument], values: dict[str, Any], sizes: dict[str, int]) -> Any:
+    """A struct of options with its defaults and what is given."""
+    made = _records[argument.base]()
+    init = f"{argument.base}_init"
+    if init in _functions:
+        _check(_described(init).function(C.byref(made), C.sizeof(made)), init)
+    else:
+        made.struct_size = C.sizeof(made)
+    kept = []
+    for field in fields:
+        value = values.get(field.name)
+        if value is None:
+            continue
+        if field.kind == "handle":
+            value = value._pointer.value
+        elif field.kind == "array_in":
+            kept.append(array_in(value, field, sizes))
+            value = C.cast(kept[-1], C.c_void_p).value
+        elif field.extents:
+            value = (_SCALARS[field.base] * int(field.extents[0]))(*value)
+        setattr(made, field.name, value)
+    made.kept = kept
+    return made
+
+
+def _length(argument: Argument, sizes: dict[str, int]) -> int | None:
+    """How many rows an output array has; None if only the function knows."""
+    first = argument.extents[0]
+    if first.isdigit():
+        return int(first)
+    name, _, more = first.partition("+")
+    return sizes[name] + int(more or 0) if name in sizes else None
+
+
+def call(name: str, handle: Handle | None, only: Iterable[str] | None = None, **values: Any) -> Any:
+    """Calls a function: `values` are what its arguments, and the fields of its options, become. only: the names of the
+    outputs that are wanted, where not all are."""
+    described = _described(name)
+    arguments = described.arguments
+    values = {key.rstrip("_"): value for key, value in values.items()}  # from_ is Python's way to name it
+    only = None if only is None else {only} if isinstance(only, str) else set(only)
+    sizes = {} if handle is None or any(a.name == "n" for a in arguments) else {"n": handle.n}
+    computes = any(a.kind == "sized" and a.base.endswith("_limits") for a in arguments)
+    makes = handle is not None and (name.removeprefix(handle._of("")).split("_")[0] in ("compute", "set"))
+    if makes:  # its balls come with the arguments
+        sizes.pop("n", None)
+        sizes.update({"n": v.n for v in values.values() if isinstance(v, Handle)})
+    arrays = {a.name: None if values.get(a.name) is None else array_in(values[a.name], a, sizes)
+              for a in arguments if a.kind == "array_in"}
+    for a in arguments:  # a number that is asked for is a length, too
+        if a.kind == "value" and isinstance(values.get(a.name), int):
+            sizes.setdefault(a.name, values[a.name])
+    if makes:
+        handle._ready(name, values, sizes)
+    for a in arguments:
+        if a.kind == "value" and a.name in sizes and a.name not in values:
+            values[a.name] = sizes[a.name]
+
+    outputs = [f for a in arguments for f in (described.fields[a.name] if a.kind == "outputs" else [a])
+               if f.kind in ("value_out", "struct_out", "array_out")]
+    wanted = [f for f in outputs if only is None or f.name in only or f.name == "first_bad" or f.null != "always"]
+    made = {f.name: array_out(f, _length(f, sizes)) if f.kind == "array_out" else _type(f.base)()
+            for f in wanted if f.kind != "array_out" or _length(f, sizes) is not None}
+    if "first_bad" in made:
+        made["first_bad"].value = _NONE
+    open_ones = [f for f in wanted if f.name not in made]
+    taken = bytearray()
+
+    def sink(_: Any, text: Any, count: int) -> int:
+        taken.extend(text[:count])
+        return 0
+
+    def attempt(capacity: int) -> tuple[int, int]:
+        """The status, and what is needed."""
+        needed, passed, kept, ends = C.c_uint32(), [], [], None
+        for place, a in enumerate(arguments):
+            if a.kind == "handle":
+                owner = handle if place == 0 and handle is not None else values.get(a.name)
+                passed.append(None if owner is None else owner._pointer)
+            elif a.kind == "value":
+                passed.append(values[a.name])
+            elif a.kind == "array_in":
+                passed.append(arrays[a.name])
+            elif a.kind in ("value_out", "struct_out", "array_out"):
+                passed.append(C.byref(made[a.name]) if a.name in made else None)
+            elif a.kind == "capacity":
+                passed.append(capacity)
+            elif a.kind == "needed":
+                passed.append(C.byref(needed))
+            elif a.kind == "string":
+                passed.append(None if values.get(a.name) is None else values[a.name].encode())
+            elif a.kind == "struct_in":
+                passed.append(C.byref(values[a.name]))
+            elif a.kind == "callback":
+                kept.append(_SINK(sink))
+                passed.append(kept[-1])
+            elif a.kind == "memory":
+                passed.append(C.cast(scratch, C.c_void_p))
+            elif a.kind == "outputs":
+                ends = _records[a.base]()
+                ends.struct_size, ends.capacity = C.sizeof(ends), capacity
+                for f in described.fields[a.name]:
+                    if f.name in made and f.name != "first_bad":
+                        setattr(ends, f.name, C.addressof(made[f.name]))
+                passed.append(C.byref(ends))
+            elif a.kind == "sized" and a.base.endswith("_limits"):
+                limits.append(type(handle._limits)(*(getattr(handle._limits, f) for f, *_ in handle._limits._fields_)))
+                passed.append(C.byref(limits[-1]))
+            elif a.kind == "sized":
+                passed.append(C.byref(values[a.name]))
+            elif a.kind == "sized_in" and described.fields[a.name]:
+                kept.append(_options(a, described.fields[a.name], values, sizes))
+                passed.append(C.byref(kept[-1]))
+            else:
+                passed.append(None)
+        status = described.function(*passed)
+        if ends is not None and hasattr(ends, "first_bad") and "first_bad" in made:
+            made["first_bad"].value = ends.first_bad
+        return status, ends.needed if ends is not None and hasattr(ends, "needed") else needed.value
+
+    limits: list[Any] = []
+    scratch = C.create_string_buffer(0)
+    # What the handle's balls are many of is held to that many; what only the function knows is asked for first.
+    capacity = 0 if open_ones else sizes.get("n", 0)
+    status, needed = attempt(capacity)
+    while status == _CAPACITY and computes and handle is not None:
+        moved = name.startswith(handle._of("move"))
+        handle._grow(limits[-1])
+        if moved:  # the balls as they were are in the old memory, which is gone
+            raise Error(status, _NONE, name + ": set the balls again")
+        if not makes and handle._last is not None:
+            call(handle._last[0], handle, **handle._last[1])
+        status, needed = attempt(capacity)
+    while status == _CAPACITY and "bytes" in made and C.sizeof(scratch) < made["bytes"].value:  # memory for one call
+        scratch = C.create_string_buffer(made["bytes"].value)
+        status, needed = attempt(capacity)
+    if open_ones and status in (0, _CAPACITY):
+        made.update({f.name: array_out(f, needed) for f in open_ones})
+        if needed:
+            status, needed = attempt(needed)
+        elif status == _CAPACITY:
+            status = 0
+    if described.result != "int32_t":
+        return status.decode() if isinstance(status, bytes) else status
+    bad = made.pop("first_bad", None)
+    _check(status, name, _NONE if bad is None else bad.value)
+    if handle is not None:
+        sources = [v for v in values.values() if isinstance(v, Handle)]
+        if makes:
+            handle._kept = [(source._memory, source._kept) for source in sources]
+            handle._last = (name, values)
+        elif name.endswith("get_model"):
+            sources[0].n = handle.n
+    if any(a.kind == "callback" for a in arguments):
+        return bytes(taken)
+    found = {f.name: given_back(made[f.name], f) if f.kind == "array_out" else
+             made[f.name] if f.kind == "struct_out" else made[f.name].value
+             for f in wanted if f.name in made and f.name not in ("scratch", "bytes")}
+    return handle if not found else next(iter(found.values())) if len(found) == 1 else Result(**found)
+

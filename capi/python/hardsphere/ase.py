@@ -1,0 +1,54 @@
+"""Solvation by area and volume, for ASE: energy, forces and stress of tension * sum_i sigma_i A_i + pressure * V, in eV
+and angstrom.
+
+    atoms.calc = SumCalculator([EMT(), Solvation(tension=0.0072 * kcal / mol, probe=1.4)])
+"""
+from __future__ import annotations
+
+from typing import Any
+
+import numpy
+from ase.calculators.calculator import Calculator, all_changes
+
+import hardsphere
+
+
+class Solvation(Calculator):
+    """radii: one for each atom, by element if not given. sigma: weights of the atoms' areas, 1 if not given."""
+    implemented_properties = ["energy", "free_energy", "forces", "energies", "stress"]
+
+    def __init__(self, tension: float, pressure: float = 0.0, probe: float = 1.4, radii: Any = None, sigma: Any = None,
+                 **keywords: Any):
+        super().__init__(**keywords)
+        self.tension, self.pressure, self.probe, self.given, self.sigma = tension, pressure, probe, radii, sigma
+        self.balls: Any = None
+
+    def calculate(self, atoms: Any = None, properties: Any = ("energy",), system_changes: Any = all_changes) -> None:
+        super().calculate(atoms, properties, system_changes)
+        atoms = self.atoms
+        if atoms.pbc.any() and not atoms.pbc.all():
+            raise ValueError("periodic in all directions or in none")
+        periodic = bool(atoms.pbc.all())
+        # The library has the first vector of a box along x and the second in the x-y plane: there and back by a turn. The
+        # box of a left-handed cell has the third one the other way: the same copies.
+        cell, turn = atoms.cell.copy(), numpy.eye(3)
+        if periodic:
+            cell.array[2] *= numpy.sign(numpy.linalg.det(cell.array))
+            cell, turn = cell.standard_form()
+        more = {"vectors": cell.array} if periodic else {}
+        centers = atoms.positions @ turn.T
+        if self.balls is None or "numbers" in system_changes or "pbc" in system_changes:
+            radii = self.given
+            if radii is None:
+                radii = [hardsphere.radius_of(int(number)) for number in atoms.numbers]
+            kind = hardsphere.Box if periodic else hardsphere.Balls
+            self.balls = kind(centers, radii, probe=self.probe, **more)
+        else:
+            self.balls.set(centers, **more)
+        found = self.balls.gradient(self.tension, self.pressure, self.sigma)
+        weights = 1.0 if self.sigma is None else numpy.asarray(self.sigma)
+        self.results = {"energy": found.value, "free_energy": found.value, "forces": found.forces @ turn,
+                        "energies": self.tension * weights * self.balls.areas}
+        if periodic:
+            strain = turn.T @ found.d_strain @ turn / atoms.get_volume()
+            self.results["stress"] = ((strain + strain.T) / 2).flat[[0, 4, 8, 5, 2, 1]]

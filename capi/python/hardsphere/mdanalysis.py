@@ -1,0 +1,67 @@
+"""Areas of a selection over a trajectory, for MDAnalysis.
+
+    from hardsphere.mdanalysis import SASA
+    run = SASA(universe.select_atoms("protein"), environment=universe.select_atoms("protein or resname LIG")).run(step=10)
+    run.results.area                # [frames]
+    run.results.areas               # [frames][atoms of the selection]
+    run.results.residue_areas       # [frames][residues of the selection]
+"""
+from __future__ import annotations
+
+from typing import Any
+
+import numpy
+from MDAnalysis.analysis.base import AnalysisBase
+from MDAnalysis.topology.guessers import guess_atom_element
+
+import hardsphere
+
+
+def radii_of(atoms: Any) -> Any:
+    """The topology's radii, else van der Waals radii by element."""
+    if hasattr(atoms, "radii"):
+        return numpy.asarray(atoms.radii, dtype=float)
+    elements = atoms.elements if hasattr(atoms, "elements") else [guess_atom_element(name) for name in atoms.names]
+    known = {element: hardsphere.radius_of(element.capitalize()) for element in set(elements)}
+    return numpy.array([known[element] for element in elements])
+
+
+class SASA(AnalysisBase):
+    """Areas of some atoms, while all of the environment blocks. radii: one for each atom of the environment, in
+    angstrom. box=True: in the frame's periodic box. cavities=True: results.cavities too, a list for each frame."""
+
+    def __init__(self, atoms: Any, environment: Any = None, radii: Any = None, probe: float = 1.4, box: bool = False,
+                 cavities: bool = False, **keywords: Any):
+        super().__init__(atoms.universe.trajectory, **keywords)
+        if box and cavities:
+            raise ValueError("cavities are those of balls in free space")
+        self.atoms, self.environment = atoms, atoms if environment is None else environment
+        self.radii = radii_of(self.environment) if radii is None else numpy.asarray(radii, dtype=float)
+        self.probe, self.box, self.want_cavities = probe, box, cavities
+        rank = {index: k for k, index in enumerate(self.environment.indices)}
+        if any(index not in rank for index in self.atoms.indices):
+            raise ValueError("the environment has to hold all atoms of the selection")
+        self.own = numpy.array([rank[index] for index in self.atoms.indices], dtype=int)
+        self.balls: Any = None
+
+    def _prepare(self) -> None:
+        self.results.area, self.results.areas = numpy.zeros(self.n_frames), numpy.zeros((self.n_frames, len(self.atoms)))
+        self.results.cavities = []
+
+    def _single_frame(self) -> None:
+        more = {"vectors": self._ts.triclinic_dimensions} if self.box else {}
+        if self.balls is None:
+            kind = hardsphere.Box if self.box else hardsphere.Balls
+            self.balls = kind(self.environment.positions, self.radii, probe=self.probe, **more)
+        else:
+            self.balls.set(self.environment.positions, **more)
+        self.results.areas[self._frame_index] = self.balls.areas[self.own]
+        self.results.area[self._frame_index] = self.results.areas[self._frame_index].sum()
+        if self.want_cavities:
+            self.results.cavities.append(self.balls.cavities())
+
+    def _conclude(self) -> None:
+        groups, number = numpy.unique(self.atoms.resindices, return_inverse=True)
+        self.results.residue_areas = numpy.zeros((len(self.results.areas), len(groups)))
+        for frame, row in enumerate(self.results.areas):
+            self.results.residue_areas[frame] = numpy.bincount(number, weights=row, minlength=len(groups))

@@ -1,0 +1,114 @@
+// hardsphere.hpp: values, exceptions, and what a workspace holds after moves and failures.
+#include <hardsphere.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <numbers>
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+int failed = 0;
+
+void expect(bool holds, const char *said) {
+  if (holds) return;
+  std::fprintf(stderr, "not so: %s\n", said);
+  failed = 1;
+}
+#define EXPECT(condition) expect(condition, #condition)
+
+bool near(double a, double b, double most = 1e-12) {
+  return std::fabs(a - b) <= most;
+}
+
+// Two balls of radius 1: each loses a cap of height 1/2.
+const std::vector<double> lens = {0, 0, 0, 1, 0, 0}, ones = {1, 1};
+
+template <class Call>
+hardsphere::error caught(Call &&call) {
+  try {
+    call();
+  } catch (const hardsphere::error &failure) {
+    return failure;
+  }
+  expect(false, "a call that has to throw does");
+  return hardsphere::error(HSP_OK);
+}
+
+void test_values() {
+  hardsphere::workspace work(lens, ones);
+  const hardsphere::measures found = work.measure();
+  EXPECT(near(found.total.area, 6 * pi) && near(found.area[1], 3 * pi));
+  EXPECT(near(found.total.volume, 2 * pi * 27 / 24) && near(found.volume[0] + found.volume[1], found.total.volume));
+  const std::vector<uint8_t> selected = {0, 1};
+  EXPECT(near(work.measure(selected).total.area, 3 * pi) && work.measure(selected).area[0] == 0);
+  const hardsphere::gradients slope = work.gradient({.tension = 2, .sigma = ones});
+  EXPECT(near(slope.energy.value, 12 * pi) && near(slope.d_centre[3], 4 * pi, 1e-7));
+  EXPECT(near(work.gradient({.pressure = 1}).energy.value, found.total.volume) && slope.flags[0] == 0);
+  EXPECT(hardsphere::measure(lens, ones, {.probe = 0.5}).total.area > found.total.area);
+  EXPECT(work.pairs().of(0).size() == 1 && work.pairs().of(0)[0] == 1 && work.pairs().of(1).empty());
+  EXPECT(work.pairs(0).ids.size() == 2);
+}
+
+void test_all_and_range() {
+  hardsphere::workspace work(lens, ones);
+  EXPECT(hardsphere::all(hsp_boundary_get_circles, work.boundary()).size() == 1);
+  EXPECT(hardsphere::all(hsp_boundary_get_vertices, work.boundary()).empty());
+  EXPECT(near(hardsphere::all(hsp_contacts_get, work.contacts())[0].area, pi * 3 / 4));
+  EXPECT(hardsphere::all(hsp_query_neighbours, work.model(), 1U)[0] == 0);
+  hsp_topology_counts counts{};
+  hardsphere::check(hsp_topology_get_counts(work.topology(), &counts));
+  EXPECT(hardsphere::range(hsp_topology_get_edges, work.topology(), 0, counts.edges).size() == counts.edges);
+  EXPECT(caught([&] { hardsphere::all(hsp_query_neighbours, work.model(), 2U); }).status() == HSP_E_ID);
+}
+
+void test_refusals() {
+  const std::vector<double> bad = {0, 0, 0, std::numeric_limits<double>::quiet_NaN(), 0, 0};
+  hardsphere::workspace work(lens, ones);
+  const hardsphere::error failure = caught([&] { work.set(bad, ones); });
+  EXPECT(failure.status() == HSP_E_NOT_FINITE && failure.ball() == 1);
+  EXPECT(failure.what() == std::string_view(hsp_status_text(HSP_E_NOT_FINITE)));
+  EXPECT(work.size() == 0);
+  work.set(lens, ones);  // all is as before
+  EXPECT(near(work.measure().total.area, 6 * pi));
+  const std::vector<double> sigma = {1, std::numeric_limits<double>::infinity()};
+  EXPECT(caught([&] { work.gradient({.tension = 1, .sigma = sigma}); }).ball() == 1);
+  EXPECT(caught([&] { work.set(lens, bad); }).status() == HSP_E_ARGUMENT);
+  work.set(lens, ones);
+  EXPECT(caught([&] { work.gradient({.tension = 1, .sigma = lens}); }).status() == HSP_E_ARGUMENT);
+  const std::vector<uint8_t> one = {1};
+  EXPECT(caught([&] { work.measure(one); }).status() == HSP_E_ARGUMENT);
+  EXPECT(caught([] { hardsphere::workspace().boundary(); }).status() == HSP_E_ARGUMENT);
+}
+
+void test_lives() {
+  hardsphere::workspace work(lens, ones);
+  work.topology();
+  hardsphere::workspace other = std::move(work);
+  EXPECT(near(other.measure().total.area, 6 * pi) && work->boundary == nullptr && work.size() == 0);
+  work = std::move(other);
+  EXPECT(near(work.measure().total.area, 6 * pi) && work.size() == 2);
+  // More balls than before, all handles anew; then fewer in the same memory.
+  std::vector<double> row, radius(500, 1);
+  for (int i = 0; i < 500; ++i) row.insert(row.end(), {1.0 * i, 0, 0});
+  work.set(row, radius);
+  EXPECT(near(work.measure().total.area, 4 * pi + 499 * 2 * pi, 1e-9));
+  EXPECT(hardsphere::all(hsp_contacts_get, work.contacts()).size() == 499);
+  work.set(lens, ones);
+  EXPECT(near(work.measure().total.area, 6 * pi));
+  EXPECT(hardsphere::all(hsp_contacts_get, work.contacts()).size() == 1);
+  work.run(hsp_workspace_topology);
+  work.set({}, {});
+  EXPECT(work.measure().total.area == 0 && work.pairs().ids.empty());
+}
+
+}  // namespace
+
+int main() {
+  test_values();
+  test_all_and_range();
+  test_refusals();
+  test_lives();
+  return failed;
+}

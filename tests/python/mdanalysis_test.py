@@ -1,0 +1,66 @@
+"""Areas of MDAnalysis's selections over a trajectory, against the module itself and against the program."""
+import json
+import os
+import shutil
+import subprocess
+import tempfile
+import unittest
+import warnings
+
+from program import CRAMBIN, SOURCE
+
+warnings.simplefilter("ignore")
+
+import MDAnalysis
+import numpy
+from MDAnalysis.transformations import set_dimensions
+
+import hardsphere
+from hardsphere.mdanalysis import SASA
+
+FOLDER = tempfile.TemporaryDirectory()  # MDAnalysis writes beside a trajectory
+RUN = shutil.copy(f"{SOURCE}/tests/program/inputs/crambin.xtc", FOLDER.name)
+
+
+class Trajectory(unittest.TestCase):
+    def setUp(self):
+        self.universe = MDAnalysis.Universe(CRAMBIN, RUN)
+
+    def test_areas_are_those_of_the_frames(self):
+        run = SASA(self.universe.atoms).run()
+        self.assertGreater(len(run.results.area), 1)
+        radii = [hardsphere.radius_of(e.capitalize()) for e in self.universe.atoms.elements]
+        for frame, areas in zip(self.universe.trajectory, run.results.areas):
+            own = hardsphere.measure(self.universe.atoms.positions, radii, probe=1.4)
+            self.assertTrue((areas == own.areas).all())
+        self.assertTrue(numpy.allclose(run.results.area, run.results.areas.sum(axis=1), rtol=1e-14))
+        self.assertEqual(run.results.residue_areas.shape, (len(run.results.area), 46))
+        self.assertTrue(numpy.allclose(run.results.residue_areas.sum(axis=1), run.results.area, rtol=1e-12))
+
+    def test_the_program_says_the_same_up_to_floats(self):
+        rows = subprocess.run([os.environ["HSP_PROGRAM"], "measure", CRAMBIN, "--trajectory", RUN, "--probe",
+                               "1.4", "--json"], capture_output=True, text=True, check=True).stdout.splitlines()
+        said = [json.loads(row)["area"] for row in rows]
+        self.assertTrue(numpy.allclose(SASA(self.universe.atoms).run().results.area, said, atol=5e-3, rtol=0))
+
+    def test_what_is_around_blocks(self):
+        atoms = self.universe.select_atoms("resid 1-10")
+        alone, among = SASA(atoms).run(), SASA(atoms, environment=self.universe.atoms, cavities=True).run()
+        self.assertTrue((among.results.area < alone.results.area).all())
+        self.assertEqual(len(among.results.cavities), len(among.results.area))
+        whole = SASA(self.universe.atoms).run().results.areas[:, :len(atoms)]
+        self.assertTrue((among.results.areas == whole).all())
+        with self.assertRaises(ValueError):
+            SASA(self.universe.atoms, environment=atoms)
+
+    def test_a_box(self):
+        def area(side, box):
+            universe = MDAnalysis.Universe(CRAMBIN, RUN)
+            universe.trajectory.add_transformations(set_dimensions([side, side, side, 90, 90, 90]))
+            return SASA(universe.atoms, box=box).run(stop=2).results.area
+        self.assertTrue(numpy.allclose(area(90, True), area(90, False), rtol=1e-9))
+        self.assertTrue((area(30, True) < area(30, False) - 1).all())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,273 @@
+"""The Python module against the program, closed forms and the record of the binary interface."""
+import inspect
+import math
+import unittest
+from xml.etree import ElementTree
+
+import program
+from program import CRAMBIN, SOURCE, random_balls, said
+
+import hardsphere
+from hardsphere import _calls, _interface
+
+CENTERS, RADII = program.read_of(CRAMBIN)
+LENS = [[0, 0, 0], [1, 0, 0]]  # of radius 1: each loses a cap of height 1/2
+
+
+def plain(values):
+    return values.tolist() if hasattr(values, "tolist") else values
+
+
+def field(record, name):
+    """Of a struct, or of a row of numpy's array of them."""
+    return record[name] if hasattr(record, "dtype") else getattr(record, name)
+
+
+def rows_of(name):
+    """The rows of a record of the binary interface, as words."""
+    with open(f"{SOURCE}/capi/abi/{name}.txt") as file:
+        return [row.split() for row in file if not row.startswith("#")]
+
+
+class Declarations(unittest.TestCase):
+    def test_layouts_are_those_of_the_record(self):
+        sizes = {}
+        for name, number, *_ in rows_of("structs"):
+            sizes[name] = int(number.split("/")[0])
+        self.assertGreater(len(_calls._records), 80)
+        for struct, record in _calls._records.items():
+            self.assertEqual(_calls.C.sizeof(record), sizes.pop(struct), struct)
+            for name, *_ in record._fields_:
+                self.assertEqual(getattr(record, name).offset, sizes.pop(f"{struct}.{name}"), f"{struct}.{name}")
+        self.assertEqual(sizes, {})
+
+    def test_constants_are_those_of_the_record(self):
+        for name, value in rows_of("constants"):
+            self.assertEqual(getattr(hardsphere, name.removeprefix("HSP_")), int(value), name)
+
+    def test_the_library_has_every_function(self):
+        for name in _interface.FUNCTIONS:
+            _calls._described(name)
+
+    def test_every_function_is_called_by_something(self):
+        text = inspect.getsource(_interface)
+        for name in _interface.FUNCTIONS:
+            if not name.endswith(("_bytes", "_init", "_init_surface")):
+                self.assertIn(f'return call("{name}"', text)
+
+
+class Program(unittest.TestCase):
+    """To the last bit: the program prints all digits of a number."""
+
+    def test_areas(self):
+        for probe in 0, 1.4:
+            found = said("measure", CRAMBIN, "--per-ball", "--probe", str(probe))
+            measured = hardsphere.measure(CENTERS, RADII, probe=probe)
+            self.assertEqual((measured.area, measured.volume), (found["area"], found["volume"]))
+            self.assertEqual(plain(measured.areas), [ball["area"] for ball in found["balls"]])
+            alone = hardsphere.areas(CENTERS, RADII, probe)
+            self.assertEqual(plain(alone.area), plain(measured.areas))
+
+    def test_gradients(self):
+        found = said("measure", CRAMBIN, "--gradient")["balls"]
+        balls = hardsphere.Balls(CENTERS, RADII)
+        area, volume = balls.gradient(), balls.gradient(0, 1)
+        self.assertEqual(list(map(list, plain(area.d_centre))), [ball["area_gradient"] for ball in found])
+        self.assertEqual(list(map(list, plain(volume.d_centre))), [ball["volume_gradient"] for ball in found])
+        self.assertEqual(plain(area.d_radius), [ball["area_dr"] for ball in found])
+        self.assertEqual([-x for x in plain(area.forces)[5]], list(plain(area.d_centre)[5]))
+
+    def test_contacts(self):
+        found = said("contacts", CRAMBIN)
+        records = hardsphere.Balls(CENTERS, RADII).contacts()
+        self.assertEqual([(list(field(r, "ball")), field(r, "area")) for r in records],
+                         [(pair["balls"], pair["area"]) for pair in found["pairs"]])
+        chains = hardsphere.Balls(CENTERS, RADII).contacts([k % 2 for k in range(len(RADII))])
+        self.assertEqual(len(chains), 1)
+        self.assertAlmostEqual(field(chains[0], "area"), sum(p["area"] for p in found["pairs"]
+                                                             if sum(p["balls"]) % 2), 8)
+
+    def test_cavities(self):
+        found = said("voids", CRAMBIN, "--probe", "0.4", "--balls")["voids"]
+        cavities = hardsphere.Balls(CENTERS, RADII, probe=0.4).cavities()
+        self.assertGreater(len(found), 2)
+        self.assertEqual([(c.volume, c.area, plain(c.balls)) for c in cavities],
+                         [(v["volume"], v["area"], v["balls"]) for v in found])
+
+    def test_smooth_surface(self):
+        found = said("measure", CRAMBIN, "--probe", "1.4", "--surface", "ses")
+        totals = hardsphere.Balls(CENTERS, RADII, probe=1.4).surface().totals
+        self.assertEqual((totals.area, totals.volume), (found["area"], found["volume"]))
+
+    def test_boxes(self):
+        found = said("measure", CRAMBIN, "--per-ball", "--gradient", "--box", "45,0,0,3,20,0,4,5,25")
+        box = hardsphere.Box(CENTERS, RADII, [[45, 0, 0], [3, 20, 0], [4, 5, 25]])
+        self.assertEqual((box.area, box.volume, box.totals.free_volume),
+                         (found["area"], found["volume"], found["free_volume"]))
+        self.assertEqual(plain(box.areas), [ball["area"] for ball in found["balls"]])
+        self.assertEqual([x for row in plain(box.gradient().d_strain) for x in row], found["strain_area"])
+        pairs = said("contacts", CRAMBIN, "--box", "45,0,0,3,20,0,4,5,25")["pairs"]
+        self.assertEqual([list(field(r, "shift")) for r in box.contacts()], [pair["shift"] for pair in pairs])
+
+
+class Values(unittest.TestCase):
+    def test_two_balls(self):
+        measured = hardsphere.measure(LENS, [1, 1])
+        self.assertAlmostEqual(measured.area, 6 * math.pi, 12)
+        self.assertAlmostEqual(measured.areas[0], 3 * math.pi, 12)
+        self.assertAlmostEqual(measured.volume, 2 * math.pi * 27 / 24, 12)
+        self.assertAlmostEqual(hardsphere.Balls(LENS, [1, 1]).gradient().d_centre[1][0], 2 * math.pi, 6)
+
+    def test_what_is_not_selected_blocks(self):
+        measured = hardsphere.measure(LENS, [1, 1], selected=[True, False])
+        self.assertAlmostEqual(measured.area, 3 * math.pi, 12)
+        self.assertEqual(measured.areas[1], 0)
+
+    def test_weights(self):
+        balls = hardsphere.Balls(LENS, [1, 1])
+        self.assertAlmostEqual(balls.gradient(sigma=[1, 0]).value, 3 * math.pi, 12)
+        self.assertAlmostEqual(balls.gradient(2, 3).value, 2 * balls.area + 3 * balls.volume, 12)
+
+    def test_the_next_frame_and_more_balls(self):
+        balls = hardsphere.Balls(LENS, [1, 1])
+        self.assertEqual((balls.area, balls.cavities()), (hardsphere.measure(LENS, [1, 1]).area, []))
+        topology = balls.topology
+        balls.set([[0, 0, 0], [5, 0, 0]])
+        self.assertAlmostEqual(balls.area, 8 * math.pi, 12)
+        with self.assertRaises(hardsphere.Error) as refused:  # results of another set
+            topology.get_counts()
+        self.assertEqual(refused.exception.status, hardsphere.E_STATE)
+        centers, radii = random_balls(3000, 30)
+        balls.set(centers, radii)
+        fresh = hardsphere.Balls(centers, radii)
+        self.assertEqual(plain(balls.areas), plain(fresh.areas))
+        self.assertEqual(balls.topology.get_counts().shells, fresh.counts.shells)
+
+    def test_meshes(self):
+        balls = hardsphere.Balls(CENTERS, RADII, probe=1.4)
+        for smooth in False, True:
+            mesh = balls.mesh(0.7, smooth)
+            edges = {}
+            for a, b, c in plain(mesh.triangles):
+                for edge in (a, b), (b, c), (c, a):
+                    edges[edge] = edges.get(edge, 0) + 1
+            self.assertEqual(set(edges), {(b, a) for a, b in edges})
+            self.assertEqual(len(mesh.vertices), len(mesh.normals))
+            self.assertLess(max(max(t) for t in plain(mesh.triangles)), len(mesh.vertices))
+        self.assertGreater(len(balls.mesh(0.4).triangles), len(balls.mesh(0.8).triangles))
+
+    def test_pores(self):
+        """A probe in the middle of a cube of eight balls, and the gates, its faces."""
+        corners = [[x, y, z] for x in (0, 4) for y in (0, 4) for z in (0, 4)]
+        space = hardsphere.Balls(corners, [1.0] * 8).pores()
+        widest = max(field(m, "radius") for m in space.maxima)
+        self.assertAlmostEqual(widest, math.sqrt(12) - 1, 7)
+        self.assertAlmostEqual(space.handle.widest([2, 2, 2]).radius, math.sqrt(8) - 1, 7)
+        higher = hardsphere.Balls(corners, [1.0] * 8).pores(floor=2.6)
+        self.assertEqual(len(higher.maxima), 0)
+
+    def test_pairs(self):
+        centers, radii = random_balls(60, 8)
+        near = [(i, j) for i in range(60) for j in range(i + 1, 60)
+                if math.dist(centers[i], centers[j]) < radii[i] + radii[j]]
+        balls = hardsphere.Balls(centers, radii)
+        self.assertEqual(sorted(tuple(sorted(p)) for p in balls.pairs()), near)
+        self.assertEqual(len(balls.pairs(once=False)), 2 * len(near))
+
+    def test_pictures(self):
+        balls = hardsphere.Balls(CENTERS, RADII)
+        picture = balls.svg(hardsphere.colors_of(["C"] * balls.n), towards=[0, 0, 1], width=400, title="a < b")
+        self.assertEqual(picture._repr_svg_(), picture)
+        drawn = {node.get("data-ball") for node in ElementTree.fromstring(picture).iter()} - {None}
+        self.assertGreater(len(drawn), 100)
+        self.assertTrue(drawn <= set(map(str, range(balls.n))))
+        self.assertNotEqual(picture, balls.svg(towards=[0, 1, 0], width=400))
+        sticks = hardsphere.Balls([[0, 0, 0], [2, 0, 0]], [0.5, 0.5]).svg(bonds=[(0, 1)], towards=[0, 0, 1])
+        self.assertGreater(len(list(ElementTree.fromstring(sticks).iter())), 3)
+
+    def test_moves(self):
+        centers, radii = random_balls(40, 8)
+        moving = hardsphere.Moving(neighbours=100).set(hardsphere.Balls(centers, radii).model, 1.0, 0.0, 0)
+        for step in range(5):
+            centers[step] = [x + 0.3 for x in centers[step]]
+            moving.move([step], [centers[step]])
+        self.assertEqual(moving.measure(only="totals").area, hardsphere.measure(centers, radii).area)
+        model = hardsphere.Model().set([[0, 0, 0]] * 40, [1] * 40)
+        moving.get_model(model)
+        self.assertEqual(hardsphere.Boundary().compute(model).measure(only=["totals"]).area,
+                         hardsphere.measure(centers, radii).area)
+
+    def test_a_way_that_takes_more_room_than_there_was(self):
+        centers, radii = random_balls(200, 20, low=0.5, high=1.0)
+        paths = hardsphere.Paths().compute(hardsphere.Balls(centers, radii, probe=0.2).model)
+        path = paths.find([-5, -5, -5], [25, 25, 25])
+        points = plain(paths.get_points())
+        self.assertEqual((list(points[0]), list(points[-1])), ([-5] * 3, [25] * 3))
+        self.assertAlmostEqual(path.length, sum(map(math.dist, points, points[1:])), 9)
+
+    def test_elements(self):
+        self.assertEqual((hardsphere.radius_of("C"), hardsphere.radius_of(8)), (1.7, 1.52))
+        with self.assertRaises(hardsphere.Error):
+            hardsphere.radius_of("Xx")
+        self.assertGreater(len(hardsphere.residue_get_atoms(hardsphere.RADII_PROTOR)), 100)
+
+    def test_poses(self):
+        fixed = hardsphere.Body().set(hardsphere.Balls([[0, 0, 0]], [1]).model)
+        apart = [hardsphere.pose_from_matrix([1, 0, 0, 0, 1, 0, 0, 0, 1], [x, 0, 0]) for x in (1.9, 2.1, 5)]
+        self.assertEqual(plain(fixed.hits(fixed, apart)), [1, 0, 0])
+        self.assertAlmostEqual(field(fixed.gaps(fixed, apart)[2], "gap"), 3, 6)
+
+
+class Wrong(unittest.TestCase):
+    def test_the_ball_to_blame(self):
+        with self.assertRaises(hardsphere.Error) as refused:
+            hardsphere.measure([[0, 0, 0], [0, math.nan, 0]], [1, 1])
+        self.assertEqual((refused.exception.status, refused.exception.ball), (hardsphere.E_NOT_FINITE, 1))
+        with self.assertRaises(hardsphere.Error) as refused:
+            hardsphere.Box(LENS, [1, -1], [9, 9, 9])
+        self.assertEqual((refused.exception.status, refused.exception.ball), (hardsphere.E_NEGATIVE, 1))
+        with self.assertRaises(hardsphere.Error) as refused:
+            hardsphere.Balls(LENS, [1, 1]).gradient(sigma=[1, math.inf])
+        self.assertEqual((refused.exception.status, refused.exception.ball), (hardsphere.E_NOT_FINITE, 1))
+
+    def test_lengths(self):
+        for centers, radii in ((LENS, [1]), ([[0, 0]], [1]), (LENS, [[1, 1], [1, 1]])):
+            with self.assertRaises((ValueError, TypeError)):
+                hardsphere.measure(centers, radii)
+        balls = hardsphere.Balls(LENS, [1, 1])
+        for call in (lambda: balls.measure([True]), lambda: balls.gradient(sigma=[1]), lambda: balls.contacts([0] * 3),
+                     lambda: balls.svg([0])):
+            with self.assertRaises(ValueError):
+                call()
+
+    def test_nothing_computed(self):
+        with self.assertRaises(hardsphere.Error):
+            hardsphere.Boundary().get_counts()
+        self.assertEqual(hardsphere.measure([], []).area, 0)
+
+
+class EveryGetter(unittest.TestCase):
+    """What takes no argument, of all handles: a description that is wrong shows as a refusal or a wrong length."""
+
+    def test_handles(self):
+        centers, radii = random_balls(50, 7)
+        balls = hardsphere.Balls(centers, radii, probe=0.1)
+        balls.mesh(0.5), balls.contacts(), balls.topology, balls.surface(), balls.pores(), balls.svg()
+        handles = [balls.model, *balls._handles.values(), hardsphere.Cells().compute(balls.model),
+                   hardsphere.Map().compute(balls.model, towards=[0, 0, 1]), hardsphere.Box(centers, radii, [9, 9, 9]).handle,
+                   hardsphere.Gate().compute(balls.model, [3, 3, 3])]
+        called = 0
+        for handle in handles:
+            for name, method in inspect.getmembers(handle, inspect.ismethod):
+                needs = [p for p in inspect.signature(method).parameters.values() if p.default is p.empty]
+                if not name.startswith("_") and not needs and not name.startswith(("compute", "set")):
+                    with self.subTest(f"{handle.noun}.{name}"):
+                        method()
+                        called += 1
+        self.assertGreater(called, 60)
+        self.assertEqual(len(balls.boundary.get_vertices()), balls.counts.vertices)
+        self.assertEqual(len(balls.boundary.measure_faces().area), balls.counts.faces)
+
+
+if __name__ == "__main__":
+    unittest.main()
