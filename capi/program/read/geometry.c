@@ -63,7 +63,8 @@ bool geometry_set_model(struct geometry *geometry, const struct molecule *molecu
 
 bool geometry_compute_boundary(struct geometry *geometry, struct failure *failure) {
   progress_show(&geometry->progress, "computing the boundary");
-  hsp_boundary_request request = {(uint32_t)sizeof request, 0, executor_of(geometry)};
+  const hsp_boundary_request request = {
+      .struct_size = sizeof request, .reserved = 0, .executor = executor_of(geometry), .selected = NULL};
   int32_t status = hsp_workspace_boundary_with(&geometry->work, &request);
   if (status == HSP_E_MEMORY && request.executor != NULL) { /* each thread needs some of its own */
     geometry->executor.workers = 1;
