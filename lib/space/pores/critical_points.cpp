@@ -133,7 +133,7 @@ struct CriticalPoints::Directions {
     }
     d = (1.0 / count) * d;
     least *= side / count;
-    for (int turn = 0; turn < 12; ++turn) {
+    for (int turn = 0; turn < 8; ++turn) {
       const double squared = dot(d, d);
       if (!(squared > 1e-12) || squared <= least * least) return false;
       const double across = side * size(d);
@@ -361,7 +361,8 @@ Status CriticalPoints::search(const Vec3 &low, const Vec3 &high) {
       if (needed_.near > limits_.near) return Status::capacity;
       continue;
     }
-    settle_ties(child);
+    // Ties do not become fewer.
+    if (9 * near.size() >= 8 * (cube.last - cube.first)) settle_ties(child);
     if (needed_.near > limits_.near) return Status::capacity;
     if (is_settled(child)) continue;
     cubes_[depth++] = child;
@@ -393,11 +394,13 @@ uint32_t CriticalPoints::enter(const Cube &cube, uint32_t first, uint32_t last) 
   if (most > limits_.candidates - last) return last;
   const double reach = reach_of(cube.half);
   double least = std::numeric_limits<double>::infinity();
+  const BallSet &balls = *balls_;
   for (uint32_t k = 0; k < most; ++k) {
     const uint32_t ball = candidates_[first + k];
-    const double d = distance(*balls_, ball, cube.centre);
+    const double dx = balls.x[ball] - x, dy = balls.y[ball] - y, dz = balls.z[ball] - z;
+    const double d = std::sqrt(dx * dx + dy * dy + dz * dz);
     distance_[last + k] = d;
-    least = Directions::smaller(least, d + doubt_of(d) - balls_->r[ball]);
+    least = Directions::smaller(least, d + doubt_of(d) - balls.r[ball]);
   }
   if (least + reach < static_cast<double>(floor_)) return last;
   // A ball that is left out is no candidate: at the centre its distance is more than least + 2 reach.
