@@ -91,8 +91,8 @@ struct CriticalPoints::Directions {
   double gap[room];      // distance of the ball
   double curve[room];    // how far that can be above its linear part in the cube
   double rounding[room];
-  Vec3 a[room];          // unit vector from the centre; 0 in it
-  double side = 0.0;     // half an edge of the cube, and a little more
+  Vec3 a[room];       // unit vector from the centre; 0 in it
+  double side = 0.0;  // half an edge of the cube, and a little more
 
   void set(const BallSet &balls, Span<const uint32_t> ids, const Vector &at, double half) {
     side = half;
@@ -566,7 +566,8 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, con
                            directions.separates(face(i, k, l), j) || directions.separates(face(j, k, l), i))) {
             continue;
           }
-          if (directed && directions.is_nearly_flat(own, l) && are_coplanar(*balls_, near[i], near[j], near[k], near[l])) {
+          if (directed && directions.is_nearly_flat(own, l) &&
+              are_coplanar(*balls_, near[i], near[j], near[k], near[l])) {
             continue;
           }
           ++work_.quadruples;

@@ -156,8 +156,9 @@ void name_of(const BallSet &balls, const TangentPoint &point, Span<const uint32_
           name[3] = tied[d];
           const int certain = directions.surround(a, b, c, d);
           if (certain < 0) continue;
-          if (n == 4 || certain > 0 || (!are_coplanar(balls, name[0], name[1], name[2], name[3]) &&
-                         is_in_tetrahedron(balls, point, name, on_side))) {
+          if (n == 4 || certain > 0 ||
+              (!are_coplanar(balls, name[0], name[1], name[2], name[3]) &&
+               is_in_tetrahedron(balls, point, name, on_side))) {
             return;
           }
         }

@@ -116,7 +116,8 @@ bool WayUp::leave(Way &way) {
       for (uint32_t c = b + 1; c < tied.size(); ++c) {
         way.curve = {tied[a], tied[b], tied[c]};
         bool on_side = false;
-        if (directions.are_on_both_sides(a, b, c) || point_.side_of_curve(way.curve) != 0 || are_collinear(*balls_, tied[a], tied[b], tied[c]) ||
+        if (directions.are_on_both_sides(a, b, c) || point_.side_of_curve(way.curve) != 0 ||
+            are_collinear(*balls_, tied[a], tied[b], tied[c]) ||
             !is_in_triangle(point_, tied[a], tied[b], tied[c], on_side)) {
           continue;
         }
@@ -250,7 +251,8 @@ Status WayUp::follow(const Way &way, bool &outside) {
     if (const Status status = gather(shape, way.curve, from > 0.0 ? from : 0.0, to); status != Status::ok)
       return status;
     TangentPoint event(lines_[0]);
-    bool met = first_event(way, CurvePiece(shape, from > 0.0 ? from : 0.0, 2.0 * (radius + static_cast<double>(to))), event);
+    bool met =
+        first_event(way, CurvePiece(shape, from > 0.0 ? from : 0.0, 2.0 * (radius + static_cast<double>(to))), event);
     if (met && event.level_against(to) > 0) met = false;
     if (!met && !whole) {
       if (!unbounded || all_->box() != nullptr ||
