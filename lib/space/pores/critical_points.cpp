@@ -81,8 +81,8 @@ bool meet(const CriticalPoints::Block &a, const CriticalPoints::Block &b) {
 
 }  // namespace
 
-// Some balls as the middle of a cube sees them. A critical point is in the hull of the centres of what is nearest there,
-// so that a plane between these and the cube excludes all of them: only linear forms are asked, at the corners of the
+// Some balls as the middle of a cube sees them. A critical point is in the hull of the centres of what is nearest
+// there, so that a plane between these and the cube excludes all of them: only linear forms are asked, at the corners of the
 // cube. Of |x - c| the linear part is a lower bound.
 struct CriticalPoints::Directions {
   static constexpr uint32_t room = 64;
@@ -516,8 +516,8 @@ void CriticalPoints::settle_ties(Cube &cube) {
   }
 }
 
-// All sets of three and four with points in both of two cubes; alone: a point where all of them tie is the only critical
-// one in the first.
+// All sets of three and four with points in both of two cubes; alone: a point where all of them tie is the only
+// critical one in the first.
 void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, const Block &other, bool alone) {
   ++work_.leaves;
   const uint32_t n = near.size();
