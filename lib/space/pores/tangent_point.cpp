@@ -626,9 +626,10 @@ bool turn_alike(const BallSet &balls, const TangentCurve &a, const TangentCurve 
          }) > 0;
 }
 
-bool is_unbounded(const BallSet &balls, const TangentCurve &curve, bool &beyond_reach) {
+bool is_unbounded(const BallSet &balls, const TangentCurve &curve, const CurveShape &shape, bool &beyond_reach) {
   if (is_beyond_reach(balls, curve, no_id)) beyond_reach = true;
   if (curve.in_plane) return true;
+  if (std::fabs(shape.A) > shape.error_A) return shape.A < 0.0;
   return sign_of_number([&]<class Number>() {
            const CurveRows<Number> rows(balls, curve);
            return SteepLine<Number>(rows, plane_row(rows.normal)).A();

@@ -191,7 +191,7 @@ int side_of_centre(const BallSet &balls, const TangentCurve &curve, uint32_t bal
 // Whether the centres of two curves in one plane turn alike.
 bool turn_alike(const BallSet &balls, const TangentCurve &a, const TangentCurve &b);
 
-// Whether a curve goes on for ever.
-bool is_unbounded(const BallSet &balls, const TangentCurve &curve, bool &beyond_reach);
+// Whether a curve of that shape goes on for ever.
+bool is_unbounded(const BallSet &balls, const TangentCurve &curve, const CurveShape &shape, bool &beyond_reach);
 
 }  // namespace hsp

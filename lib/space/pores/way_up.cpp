@@ -232,10 +232,10 @@ bool WayUp::is_beyond_box(const CurveShape &shape, uint32_t base, double z) cons
 // To the next point of a way, and all balls that are nearest there.
 Status WayUp::follow(const Way &way, bool &outside) {
   const BallSet &balls = *balls_;
-  const bool unbounded = is_unbounded(balls, way.curve, beyond_reach_);
+  CurveShape shape(balls, way.curve);
+  const bool unbounded = is_unbounded(balls, way.curve, shape, beyond_reach_);
   TangentPoint top(lines_[0]);
   if (!unbounded && !top.find(balls, way.curve, no_id, true)) return beyond_reach_ ? Status::range : Status::check;
-  CurveShape shape(balls, way.curve);
   if (way.side < 0) shape.e = -shape.e;
   const double radius = balls.r[way.curve.base];
   Vec3 place{};
@@ -250,9 +250,9 @@ Status WayUp::follow(const Way &way, bool &outside) {
     const bool whole = !unbounded && top.level_against(to) <= 0;
     if (const Status status = gather(shape, way.curve, from > 0.0 ? from : 0.0, to); status != Status::ok)
       return status;
+    const CurvePiece piece(shape, from > 0.0 ? from : 0.0, 2.0 * (radius + static_cast<double>(to)));
     TangentPoint event(lines_[0]);
-    bool met =
-        first_event(way, CurvePiece(shape, from > 0.0 ? from : 0.0, 2.0 * (radius + static_cast<double>(to))), event);
+    bool met = first_event(way, piece, event);
     if (met && event.level_against(to) > 0) met = false;
     if (!met && !whole) {
       if (!unbounded || all_->box() != nullptr ||
@@ -270,7 +270,8 @@ Status WayUp::follow(const Way &way, bool &outside) {
     }
     tied_.clear();
     for (uint32_t k = 0; k < near_.size(); ++k) {
-      if (point_.nearness(near_[k]) == 0) tied_.push(near_[k]);
+      const bool far = piece.is_far_from(balls, way.curve.base, near_[k]);
+      if (!far && point_.nearness(near_[k]) == 0) tied_.push(near_[k]);
     }
     sort_in_place(tied_.items(), [&](uint32_t a, uint32_t b) { return balls.ranks_before(a, b); });
     beyond_reach_ = beyond_reach_ || point_.beyond_reach();
