@@ -1,5 +1,7 @@
 #include "hsp_pores.hpp"
 
+#include <bit>
+
 #include "conversion.hpp"
 #include "core/sorting.hpp"
 #include "handle_memory.hpp"
@@ -54,6 +56,16 @@ bool is_class(const hsp_pores &pores, uint32_t maximum) {
 }
 
 // Whether pores know of probes of this level, and it is on the lattice.
+// Of levels that are radii of `radius` or less to the caller the highest: a probe that is as wide as a gate to the last
+// bit does not pass it. level: about that.
+double highest_level(const hsp_pores &pores, double level, double radius) {
+  const auto above = [](double x) { return std::bit_cast<double>(std::bit_cast<int64_t>(x) + (x > 0.0 ? 1 : -1)); };
+  const auto below = [](double x) { return std::bit_cast<double>(std::bit_cast<int64_t>(x) - (x > 0.0 ? 1 : -1)); };
+  if (std::fabs(level) < 0x1p-40) return level;  // no gate has one so small
+  while (pores.lattice().length(level) > radius) level = below(level);
+  while (pores.lattice().length(above(level)) <= radius) level = above(level);
+  return level;
+}
 bool is_level(const hsp_pores &pores, double level) {
   return level >= static_cast<double>(pores.builder.floor()) && level <= hsp::exact::query_radius_limit;
 }
@@ -203,7 +215,7 @@ int32_t hsp_pores_class_at(const hsp_pores *pores, uint32_t maximum, double radi
   if (!hsp::is_finite(radius)) return HSP_E_NOT_FINITE;
   const double level = pores->lattice().steps(radius);
   if (!is_level(*pores, level)) return HSP_E_RANGE;
-  *member = pores->builder.tree().class_at(maximum, level);
+  *member = pores->builder.tree().class_at(maximum, highest_level(*pores, level, radius));
   return HSP_OK;
 }
 
@@ -256,7 +268,7 @@ int32_t hsp_pores_find_pockets(hsp_pores *pores, double narrow, double wide, uin
   if (wide < narrow) return HSP_E_ARGUMENT;
   const double narrow_level = pores->lattice().steps(narrow), wide_level = pores->lattice().steps(wide);
   if (!is_level(*pores, narrow_level) || !is_level(*pores, wide_level)) return HSP_E_RANGE;
-  pores->builder.find_pockets(narrow_level, wide_level);
+  pores->builder.find_pockets(highest_level(*pores, narrow_level, narrow), highest_level(*pores, wide_level, wide));
   *pockets = pores->builder.pockets().pockets().size();
   return HSP_OK;
 }

@@ -155,8 +155,22 @@ static void two_cages(void) {
   CHECK(fabs(between.xyz[0] - 20) < 1e-7 && between.merges == 1);
   CHECK_EQUAL(hsp_pores_class_at(work.pores, 1, between.radius, &member), HSP_OK);
   CHECK_EQUAL(member, 1);
-  CHECK_EQUAL(hsp_pores_class_at(work.pores, 1, between.radius - 1e-9, &member), HSP_OK);
+  CHECK_EQUAL(hsp_pores_class_at(work.pores, 1, nextafter(between.radius, 0), &member), HSP_OK);
   CHECK_EQUAL(member, 0);
+  /* At the very radius of each gate and maximum, too: a probe as wide as that does not pass, one by a bit less does. */
+  for (k = 0; k < counts.maxima; ++k) {
+    hsp_pore_maximum top;
+    CHECK_EQUAL(hsp_pores_get_maxima(work.pores, k, 1, &top), HSP_OK);
+    CHECK_EQUAL(hsp_pores_class_at(work.pores, k, top.radius, &member), HSP_OK);
+    CHECK_EQUAL(member, HSP_NONE);
+    CHECK_EQUAL(hsp_pores_class_at(work.pores, k, nextafter(top.radius, 0), &member), HSP_OK);
+    CHECK_EQUAL(member, k);
+    if (top.gate == HSP_NONE) continue;
+    CHECK_EQUAL(hsp_pores_class_at(work.pores, k, top.death, &member), HSP_OK);
+    CHECK_EQUAL(member, k);
+    CHECK_EQUAL(hsp_pores_class_at(work.pores, k, nextafter(top.death, 0), &member), HSP_OK);
+    CHECK(member != k && member != HSP_NONE);
+  }
   CHECK_EQUAL(hsp_pores_widest(work.pores, left, right, &passage), HSP_OK);
   CHECK(passage.radius == between.radius && passage.gate == gate);
   CHECK(passage.at[0] != passage.at[1] && passage.at[0] + passage.at[1] == 1);

@@ -36,40 +36,111 @@ bool contains(const Vector &centre, int64_t half, const Vector &other, int64_t o
   return within(centre.x, other.x) && within(centre.y, other.y) && within(centre.z, other.z);
 }
 
-}  // namespace
-
-// Unit vectors from the centres of some balls to a point, and how far they can be off in a ball around that.
-struct CriticalPoints::Directions {
-  static constexpr uint32_t room = 64;
-  Vec3 a[room];
-  double spread[room];
-
-  void set(const BallSet &balls, Span<const uint32_t> ids, const Vector &at, double reach) {
-    for (uint32_t k = 0; k < ids.size(); ++k) {
-      const uint32_t ball = ids[k];
-      const Vec3 y{static_cast<double>(at.x) - balls.x[ball], static_cast<double>(at.y) - balls.y[ball],
-                   static_cast<double>(at.z) - balls.z[ball]};
-      const double length = std::sqrt(dot(y, y));
-      const double sine = length > 0.0 ? reach / length : 2.0;
-      a[k] = length > 0.0 ? (1.0 / length) * y : Vec3{0.0, 0.0, 0.0};
-      // The chord of the largest angle.
-      spread[k] = sine < 1.0 ? std::sqrt(2.0 - 2.0 * std::sqrt(1.0 - sine * sine)) + 1e-7 * sine + slack : 2.0;
+double longest_side(const Vec3 &v) {
+  const double x = std::fabs(v.x), y = std::fabs(v.y), z = std::fabs(v.z);
+  return x > y ? (x > z ? x : z) : y > z ? y : z;
+}
+// +1 and -1 if it is certain whether a point is in a cube, its sides included.
+int may_be_in(const TangentPoint &point, const CriticalPoints::Block &block) {
+  const Vec3 off = point.place_estimate() - to_double(block.centre);
+  const double most = longest_side(off), side = static_cast<double>(block.half), doubt = point.place_error();
+  return most > side + doubt ? -1 : most < side - doubt ? 1 : 0;
+}
+bool is_in(const TangentPoint &point, const CriticalPoints::Block &block) {
+  const int certain = may_be_in(point, block);
+  if (certain != 0) return certain > 0;
+  const int64_t middle[3] = {block.centre.x, block.centre.y, block.centre.z};
+  for (uint32_t axis = 0; axis < 3; ++axis) {
+    if (point.against(axis, middle[axis] - block.half) < 0 || point.against(axis, middle[axis] + block.half) > 0) {
+      return false;
     }
   }
+  return true;
+}
+// Four balls that are far apart; false if all centres are in one plane.
+bool find_far_apart(const BallSet &balls, Span<const uint32_t> near, uint32_t *set) {
+  for (uint32_t k = 0; k < 4; ++k) set[k] = near[0];
+  for (uint32_t turn = 0; turn < 3; ++turn) {
+    double best = 0.0;
+    const Vec3 u = balls.difference(set[0], set[1]), v = balls.difference(set[0], set[2]);
+    for (const uint32_t ball : near) {
+      const Vec3 w = balls.difference(set[0], ball), n = cross(u, turn == 1 ? w : v);
+      const double size = turn == 0 ? dot(w, w) : turn == 1 ? dot(n, n) : std::fabs(dot(n, w));
+      if (size > best) {
+        best = size;
+        set[turn + 1] = ball;
+      }
+    }
+    if (best == 0.0) return false;
+  }
+  return true;
+}
+bool meet(const CriticalPoints::Block &a, const CriticalPoints::Block &b) {
+  return contains(a.centre, a.half, b.centre, -b.half);
+}
 
-  // Whether one direction leads up from all balls in all of the cube: some steps towards the point of the hull that is
-  // nearest to 0.
+}  // namespace
+
+// Some balls as the middle of a cube sees them. A critical point is in the hull of the centres of what is nearest
+// there, so that a plane between these and the cube excludes all of them: only linear forms are asked, at the corners of the
+// cube. Of |x - c| the linear part is a lower bound.
+struct CriticalPoints::Directions {
+  static constexpr uint32_t room = 64;
+  Vec3 y[room];          // from the centres
+  double inverse[room];  // of its length
+  double gap[room];      // distance of the ball
+  double curve[room];    // how far that can be above its linear part in the cube
+  double rounding[room];
+  Vec3 a[room];       // unit vector from the centre; 0 in it
+  double side = 0.0;  // half an edge of the cube, and a little more
+
+  void set(const BallSet &balls, Span<const uint32_t> ids, const Vector &at, double half) {
+    side = half;
+    const double reach = root_of_three * half, sagitta = 0.5001 * reach * reach;
+    for (uint32_t k = 0; k < ids.size(); ++k) {
+      const uint32_t ball = ids[k];
+      y[k] = {static_cast<double>(at.x) - balls.x[ball], static_cast<double>(at.y) - balls.y[ball],
+              static_cast<double>(at.z) - balls.z[ball]};
+      const double length = std::sqrt(dot(y[k], y[k]));
+      inverse[k] = length > 0.0 ? 1.0 / length : 0.0;
+      a[k] = inverse[k] * y[k];
+      gap[k] = length - balls.r[ball];
+      rounding[k] = slack * (length + balls.r[ball]);
+      curve[k] = (length > 1.001 * reach ? sagitta / (length - reach) : 2.0 * reach) + rounding[k];
+    }
+  }
+  // Whether ball k is farther than ball m in all of the cube.
+  bool is_farther(uint32_t k, uint32_t m) const {
+    return gap[k] - gap[m] > side * (1.0 + slack) * size(a[k] - a[m]) + curve[m] + rounding[k];
+  }
+  void move(uint32_t from, uint32_t to) {
+    y[to] = y[from];
+    inverse[to] = inverse[from];
+    gap[to] = gap[from];
+    curve[to] = curve[from];
+    rounding[to] = rounding[from];
+    a[to] = a[from];
+  }
+
+  // Whether one direction leads up from all balls in all of the cube: some steps towards the point of the hull of the
+  // a that is nearest to 0.
   bool lead_up(uint32_t count) const {
     Vec3 d{0.0, 0.0, 0.0};
-    for (uint32_t k = 0; k < count; ++k) d = d + a[k];
+    double least = 0.0;  // of the length of d if there is such a direction
+    for (uint32_t k = 0; k < count; ++k) {
+      d = d + a[k];
+      least += inverse[k];
+    }
     d = (1.0 / count) * d;
-    for (int turn = 0; turn < 12; ++turn) {
-      const double length = std::sqrt(dot(d, d));
-      if (!(length > 1e-6)) return false;
+    least *= side / count;
+    for (int turn = 0; turn < 8; ++turn) {
+      const double squared = dot(d, d);
+      if (!(squared > 1e-12) || squared <= least * least) return false;
+      const double across = side * size(d);
       double worst = 2.0;
       uint32_t which = 0;
       for (uint32_t k = 0; k < count; ++k) {
-        const double lead = dot(a[k], d) / length - spread[k];
+        const double lead = dot(a[k], d) - across * inverse[k];
         if (lead < worst) {
           worst = lead;
           which = k;
@@ -79,37 +150,40 @@ struct CriticalPoints::Directions {
       const Vec3 v = a[which] - d;
       const double along = -dot(d, v) / dot(v, v);
       if (!(along > 0.0)) return false;
-      d = d + (along < 1.0 ? along : 1.0) * v;
+      const double part = along < 1.0 ? along : 1.0;
+      d = d + part * v;
+      least += part * (side * inverse[which] - least);
     }
     return false;
   }
-  // The plane through three of them: n.x = offset, and how far that can be off anywhere in the cube.
+  // The plane through the centres of three of them: n.(x - c) from offset - span to offset + span in the cube. tiny:
+  // what rounding may do to it.
   struct Face {
     Vec3 n;
-    double length, offset, tolerance;
+    double offset, span, tiny;
   };
   Face face(uint32_t i, uint32_t j, uint32_t k) const {
-    const Vec3 n = cross(a[j] - a[i], a[k] - a[i]);
-    const double far = larger(larger(spread[i], spread[j]), spread[k]);
-    const double length = std::sqrt(dot(n, n));
-    return {n, length, dot(n, a[i]), far * length + slack};
+    const Vec3 u = y[i] - y[j], v = y[i] - y[k], n = cross(u, v);
+    const double tiny = 1e-13 * size(u) * size(v);
+    return {n, dot(n, y[i]), side * size(n), tiny};
   }
-  // Whether 0 is certainly outside the triangle of three of them everywhere in the cube.
+  // Whether the cube is certainly outside the triangle of three of them.
   bool is_outside(const Face &face, uint32_t i, uint32_t j, uint32_t k) const {
-    if (std::fabs(face.offset) > face.tolerance) return true;
-    const double far = larger(larger(spread[i], spread[j]), spread[k]);
-    const auto beyond = [&](const Vec3 &from, const Vec3 &to) {
-      const Vec3 inward = cross(face.n, to - from);
-      const double height = dot(inward, from) - slack;
-      return height > 0.0 && height * height > far * far * dot(inward, inward);
+    if (std::fabs(face.offset) > face.span + face.tiny * size(y[i])) return true;
+    const auto beyond = [&](uint32_t from, uint32_t to) {
+      const Vec3 edge = y[from] - y[to], inward = cross(face.n, edge);
+      return dot(inward, y[from]) + side * size(inward) < -face.tiny * size(edge) * (size(y[from]) + side);
     };
-    return beyond(a[i], a[j]) || beyond(a[j], a[k]) || beyond(a[k], a[i]);
+    return beyond(i, j) || beyond(j, k) || beyond(k, i);
   }
-  // Whether 0 and the fourth corner of a tetrahedron are certainly on different sides of a face.
+  // Whether the cube and the fourth corner of a tetrahedron are certainly on different sides of a face.
   bool separates(const Face &face, uint32_t opposite) const {
-    const double height = dot(face.n, a[opposite]), tolerance = face.length * spread[opposite] + slack;
-    return height > face.offset ? face.offset > face.tolerance && height > tolerance
-                                : -face.offset > face.tolerance && -height > tolerance;
+    const double height = face.offset - dot(face.n, y[opposite]), off = face.tiny * size(y[opposite]);
+    const double most = face.span + 4.0 * off;
+    return height > 4.0 * off ? face.offset < -most : height < -4.0 * off && face.offset > most;
+  }
+  bool is_nearly_flat(const Face &face, uint32_t fourth) const {
+    return std::fabs(face.offset - dot(face.n, y[fourth])) <= 4.0 * face.tiny * size(y[fourth]);
   }
   // A lower bound of how far 0 is inside the hull; not positive if it is outside or nearly.
   double depth_of_hull(uint32_t count) const {
@@ -155,6 +229,7 @@ struct CriticalPoints::Directions {
     }
     return depth - 1e-8;
   }
+  static double size(const Vec3 &v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
   static double larger(double x, double y) { return x > y ? x : y; }
   static double smaller(double x, double y) { return x < y ? x : y; }
 };
@@ -283,11 +358,12 @@ Status CriticalPoints::search(const Vec3 &low, const Vec3 &high) {
     }
     const Span<const uint32_t> near = candidates_.part(child.first, child.last);
     if (near.size() <= few || child.half <= least_half) {
-      try_sets(near, child.centre, child.half + 1, false);
+      try_sets(near, {child.centre, child.half + 1}, {child.centre, child.half + 1}, false);
       if (needed_.near > limits_.near) return Status::capacity;
       continue;
     }
-    settle_ties(child);
+    // Ties do not become fewer.
+    if (9 * near.size() >= 8 * (cube.last - cube.first)) settle_ties(child);
     if (needed_.near > limits_.near) return Status::capacity;
     if (is_settled(child)) continue;
     cubes_[depth++] = child;
@@ -319,11 +395,13 @@ uint32_t CriticalPoints::enter(const Cube &cube, uint32_t first, uint32_t last) 
   if (most > limits_.candidates - last) return last;
   const double reach = reach_of(cube.half);
   double least = std::numeric_limits<double>::infinity();
+  const BallSet &balls = *balls_;
   for (uint32_t k = 0; k < most; ++k) {
     const uint32_t ball = candidates_[first + k];
-    const double d = distance(*balls_, ball, cube.centre);
+    const double dx = balls.x[ball] - x, dy = balls.y[ball] - y, dz = balls.z[ball] - z;
+    const double d = std::sqrt(dx * dx + dy * dy + dz * dz);
     distance_[last + k] = d;
-    least = Directions::smaller(least, d + doubt_of(d) - balls_->r[ball]);
+    least = Directions::smaller(least, d + doubt_of(d) - balls.r[ball]);
   }
   if (least + reach < static_cast<double>(floor_)) return last;
   // A ball that is left out is no candidate: at the centre its distance is more than least + 2 reach.
@@ -343,10 +421,31 @@ uint32_t CriticalPoints::enter(const Cube &cube, uint32_t first, uint32_t last) 
   if (count < 3) return last;
   if (count <= Directions::room) {
     Directions &directions = directions_[0];
-    directions.set(*balls_, candidates_.part(last, last + count), cube.centre, reach);
+    directions.set(*balls_, candidates_.part(last, last + count), cube.centre, static_cast<double>(cube.half + 2));
     if (directions.lead_up(count)) return last;
+    const uint32_t left = drop_farther(last, count);
+    if (left < 3 || (left < count && directions.lead_up(left))) return last;
+    count = left;
   }
   return last + count;
+}
+
+// Leaves out candidates that are farther than another one in all of the cube; how many stay.
+uint32_t CriticalPoints::drop_farther(uint32_t first, uint32_t count) {
+  Directions &directions = directions_[0];
+  uint32_t nearest_one = 0;
+  for (uint32_t k = 1; k < count; ++k) {
+    if (directions.gap[k] < directions.gap[nearest_one]) nearest_one = k;
+  }
+  bool dropped[Directions::room];
+  for (uint32_t k = 0; k < count; ++k) dropped[k] = k != nearest_one && directions.is_farther(k, nearest_one);
+  uint32_t left = 0;
+  for (uint32_t k = 0; k < count; ++k) {
+    if (dropped[k]) continue;
+    directions.move(k, left);
+    candidates_[first + left++] = candidates_[first + k];
+  }
+  return left;
 }
 
 // Where all of a cube's candidates tie, or nearly: tries their sets at once.
@@ -361,33 +460,15 @@ void CriticalPoints::settle_ties(Cube &cube) {
   for (const uint32_t ball : near) {
     if (distance(balls, ball, cube.centre) < 4.0 * static_cast<double>(cube.half)) return;
   }
-  // Four of them that are far apart.
-  uint32_t set[4] = {near[0], near[0], near[0], near[0]};
-  double best[3] = {0.0, 0.0, 0.0};
-  for (uint32_t turn = 0; turn < 3; ++turn) {
-    const Vec3 u = balls.difference(set[0], set[1]), v = balls.difference(set[0], set[2]);
-    for (const uint32_t ball : near) {
-      const Vec3 w = balls.difference(set[0], ball), n = cross(u, turn == 1 ? w : v);
-      const double size = turn == 0 ? dot(w, w) : turn == 1 ? dot(n, n) : std::fabs(dot(n, w));
-      if (size > best[turn]) {
-        best[turn] = size;
-        set[turn + 1] = ball;
-      }
-    }
-    if (best[turn] == 0.0) return;
-  }
-  const double reach = reach_of(cube.half);
+  uint32_t set[4];
+  if (!find_far_apart(balls, near, set)) return;
   for (const bool rising : {false, true}) {
     TangentPoint point(lines());
     if (!point.find(balls, {set[0], set[1], set[2]}, set[3], rising)) continue;
     const Vec3 at = point.place_estimate();
     if (!(std::fabs(at.x) + std::fabs(at.y) + std::fabs(at.z) < 0x1p52)) continue;
     const Vector x{nearest(at.x), nearest(at.y), nearest(at.z)};
-    const Vec3 off{static_cast<double>(x.x - cube.centre.x), static_cast<double>(x.y - cube.centre.y),
-                   static_cast<double>(x.z - cube.centre.z)};
-    const double room =
-        2.0 * (reach - std::sqrt(dot(off, off)) * (1.0 + 0x1p-50));  // of the next ball that is no candidate
-    if (!(room > 0.0)) continue;
+    if (!contains(cube.centre, 2 * cube.half, x, 0)) continue;
     if (cube.settled_half != 0 && contains(cube.settled_centre, cube.settled_half, x, 0)) return;
     const auto gap_of = [&](uint32_t ball) { return distance(balls, ball, x) - balls.r[ball]; };
     for (uint32_t k = 0; k < count; ++k) cluster_[k] = near[k];
@@ -397,7 +478,7 @@ void CriticalPoints::settle_ties(Cube &cube) {
     double ratio = 0.0, next = 0.0, spread = 0.0, nearest_centre = std::numeric_limits<double>::infinity();
     for (uint32_t k = 4; k <= count; ++k) {
       const double here = gap_of(cluster_[k - 1]) - lowest + 1.0;
-      const double behind = Directions::smaller(k < count ? gap_of(cluster_[k]) - lowest : room, room) - 1.0;
+      const double behind = k < count ? gap_of(cluster_[k]) - lowest - 1.0 : 4.0 * reach_of(cube.half);
       if (behind > ratio * here) {
         ratio = behind / here;
         size = k;
@@ -413,31 +494,57 @@ void CriticalPoints::settle_ties(Cube &cube) {
     if (!(depth > 0.0)) continue;
     const double delta = Directions::smaller(0.5 * next, 0.49 * depth * nearest_centre / (1.5 + depth));
     const double settled = delta / root_of_three - 4.0;
-    if (!(settled > spread / (0.45 * depth) + 4.0) || settled < 0.125 * static_cast<double>(cube.half)) continue;
+    const double around = spread / (0.45 * depth) + 4.0;  // beyond which no point is critical
+    if (!(settled > around) || settled < 0.125 * static_cast<double>(cube.half)) continue;
     cube.settled_centre = x;
     cube.settled_half = static_cast<int64_t>(settled);
     sort_in_place(tied, [](uint32_t a, uint32_t b) { return a < b; });
-    try_sets(tied, x, cube.settled_half, true);
+    const Block left{x, static_cast<int64_t>(around) + 1}, own{cube.centre, cube.half + 1};
+    if (!meet(left, own)) return;
+    // Where all of them tie exactly, that is the one point.
+    uint32_t four[4];
+    TangentPoint all(lines());
+    bool tie = find_far_apart(balls, tied, four) && all.find(balls, {four[0], four[1], four[2]}, four[3], rising) &&
+               all.level_against(floor_) > 0;
+    for (uint32_t k = 0; tie && k < size; ++k) tie = all.nearness(tied[k]) == 0;
+    beyond_reach_ = beyond_reach_ || all.beyond_reach();
+    if (!tie) {
+      try_sets(tied, left, own, true);
+    } else if (is_in(all, own)) {
+      add(all, four, PointKind::maximum, tied);
+    }
     return;
   }
 }
 
-// All sets of three and four; alone: a point where all of them tie is the only critical one in the cube.
-void CriticalPoints::try_sets(Span<const uint32_t> near, const Vector &centre, int64_t half, bool alone) {
+// All sets of three and four with points in both of two cubes; alone: a point where all of them tie is the only
+// critical one in the first.
+void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, const Block &other, bool alone) {
   ++work_.leaves;
   const uint32_t n = near.size();
   needed_.near = larger_count(needed_.near, n);
   if (n > limits_.near) return;
   const bool directed = n <= Directions::room;
   Directions &directions = directions_[0];
-  directions.set(*balls_, near.part(0, directed ? n : 0), centre, reach_of(half));
+  directions.set(*balls_, near.part(0, directed ? n : 0), block.centre, static_cast<double>(block.half + 2));
+  // Which of them can be as near in the cube, by bits.
+  uint64_t ties[Directions::room];
+  for (uint32_t i = 0; i < n && directed; ++i) ties[i] = 0;
+  for (uint32_t i = 0; i < n && directed; ++i) {
+    for (uint32_t j = i + 1; j < n; ++j) {
+      if (!directions.is_farther(i, j) && !directions.is_farther(j, i)) ties[i] |= UINT64_C(1) << j;
+    }
+  }
+  const auto tie = [&](uint32_t i, uint32_t j) { return !directed || (ties[i] >> j & 1) != 0; };
   // Faces of few balls are kept, each being that of several tetrahedra.
   Directions::Face faces[few * (few - 1) * (few - 2) / 6];
   const auto place = [](uint32_t i, uint32_t j, uint32_t k) { return k * (k - 1) * (k - 2) / 6 + j * (j - 1) / 2 + i; };
   const bool kept = n <= few;
   for (uint32_t i = 0; kept && i < n; ++i) {
     for (uint32_t j = i + 1; j < n; ++j) {
-      for (uint32_t k = j + 1; k < n; ++k) faces[place(i, j, k)] = directions.face(i, j, k);
+      for (uint32_t k = j + 1; k < n; ++k) {
+        if (tie(i, j) && tie(i, k) && tie(j, k)) faces[place(i, j, k)] = directions.face(i, j, k);
+      }
     }
   }
   const auto face = [&](uint32_t i, uint32_t j, uint32_t k) {
@@ -445,21 +552,28 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Vector &centre, i
   };
   for (uint32_t i = 0; i < n; ++i) {
     for (uint32_t j = i + 1; j < n; ++j) {
+      if (!tie(i, j)) continue;
       for (uint32_t k = j + 1; k < n; ++k) {
+        if (!tie(i, k) || !tie(j, k)) continue;
         const Directions::Face own = directed ? face(i, j, k) : Directions::Face{};
         const uint32_t three[4] = {near[i], near[j], near[k], no_id};
         if (!directed || !directions.is_outside(own, i, j, k)) {
           ++work_.triples;
-          try_point(three, 3, near, centre, half);
+          try_point(three, 3, near, block, other);
         }
         for (uint32_t l = k + 1; l < n; ++l) {
+          if (!tie(i, l) || !tie(j, l) || !tie(k, l)) continue;
           if (directed && (directions.separates(own, l) || directions.separates(face(i, j, l), k) ||
                            directions.separates(face(i, k, l), j) || directions.separates(face(j, k, l), i))) {
             continue;
           }
+          if (directed && directions.is_nearly_flat(own, l) &&
+              are_coplanar(*balls_, near[i], near[j], near[k], near[l])) {
+            continue;
+          }
           ++work_.quadruples;
           const uint32_t four[4] = {near[i], near[j], near[k], near[l]};
-          if (try_point(four, 4, near, centre, half) && alone) return;
+          if (try_point(four, 4, near, block, other) && alone) return;
         }
       }
     }
@@ -467,8 +581,8 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Vector &centre, i
 }
 
 // Whether the point of a set is a critical one where all balls that are near tie.
-bool CriticalPoints::try_point(const uint32_t *ids, uint32_t count, Span<const uint32_t> near, const Vector &centre,
-                               int64_t half) {
+bool CriticalPoints::try_point(const uint32_t *ids, uint32_t count, Span<const uint32_t> near, const Block &block,
+                               const Block &other) {
   const BallSet &balls = *balls_;
   TangentPoint point(lines());
   const bool found = point.find(balls, {ids[0], ids[1], ids[2]}, count == 3 ? no_id : ids[3], false);
@@ -477,23 +591,12 @@ bool CriticalPoints::try_point(const uint32_t *ids, uint32_t count, Span<const u
     return false;
   }
   // Most are elsewhere.
-  const Vec3 at = point.place_estimate();
-  const double off[3] = {at.x - static_cast<double>(centre.x), at.y - static_cast<double>(centre.y),
-                         at.z - static_cast<double>(centre.z)};
-  const double doubt = point.place_error(), side = static_cast<double>(half);
-  bool certain = true;
-  for (const double distance : off) {
-    if (std::fabs(distance) > side + doubt) return false;
-    certain = certain && std::fabs(distance) < side - doubt;
-  }
+  if (may_be_in(point, block) < 0 || may_be_in(point, other) < 0) return false;
   const PointName name = name_of_ids(ids, count);
   if ((count == 3 ? gate_names_.find(name, gates_) : maximum_names_.find(name, maxima_)) != no_id) return false;
   bool kept = point.level_against(floor_) > 0 && !(count == 3 ? are_collinear(balls, ids[0], ids[1], ids[2])
                                                               : are_coplanar(balls, ids[0], ids[1], ids[2], ids[3]));
-  for (uint32_t axis = 0; kept && !certain && axis < 3; ++axis) {
-    const int64_t middle = axis == 0 ? centre.x : axis == 1 ? centre.y : centre.z;
-    kept = point.against(axis, middle - half) >= 0 && point.against(axis, middle + half) <= 0;
-  }
+  kept = kept && is_in(point, block) && is_in(point, other);
   uint32_t tied = 0;
   for (uint32_t k = 0; kept && k < near.size(); ++k) {
     const int sign = point.nearness(near[k]);

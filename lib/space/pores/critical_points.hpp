@@ -29,6 +29,10 @@ struct CriticalLimits {
 
 class CriticalPoints {
  public:
+  struct Block {
+    exact::Vector centre;
+    int64_t half;
+  };
   // Work that was done, for measurements.
   struct Work {
     uint64_t cubes = 0, leaves = 0, triples = 0, quadruples = 0;
@@ -70,9 +74,10 @@ class CriticalPoints {
   uint32_t enter(const Cube &cube, uint32_t first, uint32_t last);
   bool is_settled(const Cube &cube) const;
   void settle_ties(Cube &cube);
-  void try_sets(Span<const uint32_t> near, const exact::Vector &centre, int64_t half, bool alone);
-  bool try_point(const uint32_t *ids, uint32_t count, Span<const uint32_t> near, const exact::Vector &centre,
-                 int64_t half);
+  uint32_t drop_farther(uint32_t first, uint32_t count);
+  void try_sets(Span<const uint32_t> near, const Block &block, const Block &other, bool alone);
+  bool try_point(const uint32_t *ids, uint32_t count, Span<const uint32_t> near, const Block &block,
+                 const Block &other);
   void add(TangentPoint &point, const uint32_t *ids, PointKind kind, Span<uint32_t> tied);
   PointName name_of_ids(const uint32_t *ids, uint32_t count);
 

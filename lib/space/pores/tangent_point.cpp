@@ -587,6 +587,19 @@ CurveShape::CurveShape(const BallSet &balls, const TangentCurve &curve) {
   e = (1.0 / std::sqrt(dot(n, n))) * n;
 }
 
+CurvePiece::CurvePiece(const CurveShape &curve, double lower, double upper)
+    : shape(curve), from(lower), to(upper), error(curve.error_at(upper)) {
+  const double h0 = shape.height(from), h1 = shape.height(to);
+  low = h0 < h1 ? h0 : h1;
+  high = h0 < h1 ? h1 : h0;
+  const double peak = shape.A > 0.0 ? -shape.b / shape.A : 0.0;
+  if (peak > from && peak < to) {
+    const double top = shape.height(peak);
+    high = top > high ? top : high;
+  }
+  span = 4.0 * (std::sqrt(dot(shape.p, shape.p)) + std::sqrt(dot(shape.q, shape.q)) * to + high + to);
+}
+
 int side_of_centre(const BallSet &balls, const TangentCurve &curve, uint32_t ball, bool &beyond_reach) {
   if (is_beyond_reach(balls, curve, ball)) beyond_reach = true;
   return sign_of_number([&]<class Number>() {
@@ -613,9 +626,10 @@ bool turn_alike(const BallSet &balls, const TangentCurve &a, const TangentCurve 
          }) > 0;
 }
 
-bool is_unbounded(const BallSet &balls, const TangentCurve &curve, bool &beyond_reach) {
+bool is_unbounded(const BallSet &balls, const TangentCurve &curve, const CurveShape &shape, bool &beyond_reach) {
   if (is_beyond_reach(balls, curve, no_id)) beyond_reach = true;
   if (curve.in_plane) return true;
+  if (std::fabs(shape.A) > shape.error_A) return shape.A < 0.0;
   return sign_of_number([&]<class Number>() {
            const CurveRows<Number> rows(balls, curve);
            return SteepLine<Number>(rows, plane_row(rows.normal)).A();

@@ -168,13 +168,30 @@ struct CurveShape {
   }
 };
 
+// A piece of a curve, between two z, and how far off its line it is there.
+struct CurvePiece {
+  CurvePiece(const CurveShape &shape, double from, double to);
+  // Whether a ball is certainly farther than those of the curve on all of the piece.
+  bool is_far_from(const BallSet &balls, uint32_t base, uint32_t ball) const {
+    const Vec3 C = balls.difference(base, ball);
+    const double e = balls.r[ball] - balls.r[base], size = std::fabs(C.x) + std::fabs(C.y) + std::fabs(C.z);
+    const double w = dot(C, C) - e * e, slope = dot(C, shape.q) + e, across = dot(C, shape.e);
+    const double most = dot(C, shape.p) + slope * (slope > 0.0 ? to : from) + across * (across > 0.0 ? high : low);
+    return w - most > size * error + 1e-13 * size * (size + span);
+  }
+
+  const CurveShape &shape;
+  double from, to, low, high, error;
+  double span;  // of all lengths there
+};
+
 // Sign of det(v1, v2, C) of a curve and the centre of a ball.
 int side_of_centre(const BallSet &balls, const TangentCurve &curve, uint32_t ball, bool &beyond_reach);
 
 // Whether the centres of two curves in one plane turn alike.
 bool turn_alike(const BallSet &balls, const TangentCurve &a, const TangentCurve &b);
 
-// Whether a curve goes on for ever.
-bool is_unbounded(const BallSet &balls, const TangentCurve &curve, bool &beyond_reach);
+// Whether a curve of that shape goes on for ever.
+bool is_unbounded(const BallSet &balls, const TangentCurve &curve, const CurveShape &shape, bool &beyond_reach);
 
 }  // namespace hsp

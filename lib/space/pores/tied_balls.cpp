@@ -28,9 +28,59 @@ PointKind kind_in_plane(const TangentPoint &point, Span<const uint32_t> tied, co
   return apart ? PointKind::gate : PointKind::passing;
 }
 
+constexpr double clear_of_rounding = 1e-9;
+
 }  // namespace
 
+TiedDirections::TiedDirections(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied) {
+  if (tied.size() <= 4 || tied.size() > room) return;
+  const Vec3 at = point.place_estimate();
+  const double error = point.place_error();
+  for (uint32_t k = 0; k < tied.size(); ++k) {
+    const Vec3 y = at - Vec3{balls.x[tied[k]], balls.y[tied[k]], balls.z[tied[k]]};
+    const double length = std::sqrt(dot(y, y));
+    if (!(error < 1e-12 * length)) return;
+    a_[k] = (1.0 / length) * y;
+  }
+  count_ = tied.size();
+}
+
+bool TiedDirections::are_on_both_sides(uint32_t i, uint32_t j, uint32_t k) const {
+  const Vec3 n = cross(a_[j] - a_[i], a_[k] - a_[i]);
+  const double offset = dot(n, a_[i]);
+  bool above = false, below = false;
+  for (uint32_t l = 0; l < count_ && !(above && below); ++l) {
+    const double height = dot(n, a_[l]) - offset;
+    above = above || height > clear_of_rounding;
+    below = below || height < -clear_of_rounding;
+  }
+  return above && below;
+}
+
+int TiedDirections::surround(uint32_t i, uint32_t j, uint32_t k, uint32_t l) const {
+  if (count_ == 0) return 0;
+  const Vec3 u = cross(a_[i], a_[j]), v = cross(a_[k], a_[l]);
+  const double part[4] = {dot(a_[j], v), -dot(a_[i], v), dot(u, a_[l]), -dot(u, a_[k])};
+  bool positive = false, negative = false, certain = true;
+  for (const double each : part) {
+    positive = positive || each > clear_of_rounding;
+    negative = negative || each < -clear_of_rounding;
+    certain = certain && std::fabs(each) > clear_of_rounding;
+  }
+  return positive && negative ? -1 : certain ? 1 : 0;
+}
+
 PointKind kind_of(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied) {
+  const TiedDirections directions(balls, point, tied);
+  for (uint32_t a = 0; a < tied.size(); ++a) {
+    for (uint32_t b = a + 1; b < tied.size(); ++b) {
+      for (uint32_t c = b + 1; c < tied.size(); ++c) {
+        for (uint32_t d = c + 1; d < tied.size(); ++d) {
+          if (directions.surround(a, b, c, d) > 0) return PointKind::maximum;
+        }
+      }
+    }
+  }
   // The extreme rays of K are orthogonal to two directions that are not parallel.
   bool solid = false;
   for (uint32_t a = 0; a < tied.size(); ++a) {
@@ -86,6 +136,7 @@ bool is_in_tetrahedron(const BallSet &balls, const TangentPoint &point, const ui
 void name_of(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, PointKind kind,
              uint32_t *name) {
   const uint32_t n = tied.size();
+  const TiedDirections directions(balls, point, tied);
   bool on_side = false;
   for (uint32_t a = 0; a < n; ++a) {
     for (uint32_t b = a + 1; b < n; ++b) {
@@ -103,8 +154,11 @@ void name_of(const BallSet &balls, const TangentPoint &point, Span<const uint32_
         }
         for (uint32_t d = c + 1; d < n; ++d) {
           name[3] = tied[d];
-          if (n == 4 || (!are_coplanar(balls, name[0], name[1], name[2], name[3]) &&
-                         is_in_tetrahedron(balls, point, name, on_side))) {
+          const int certain = directions.surround(a, b, c, d);
+          if (certain < 0) continue;
+          if (n == 4 || certain > 0 ||
+              (!are_coplanar(balls, name[0], name[1], name[2], name[3]) &&
+               is_in_tetrahedron(balls, point, name, on_side))) {
             return;
           }
         }

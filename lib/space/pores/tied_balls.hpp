@@ -14,6 +14,22 @@ namespace hsp {
 enum class PointKind : uint32_t { passing, gate, maximum };
 
 // Of a point and all balls that are nearest to it.
+// Unit vectors from the centres of many tied balls to their point, in doubles: what is certain by them need not be
+// asked of the exact stage.
+class TiedDirections {
+ public:
+  TiedDirections(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied);
+  // Whether some are certainly on both sides of the plane through three of them: no curve of these leads up.
+  bool are_on_both_sides(uint32_t i, uint32_t j, uint32_t k) const;
+  // Whether 0 is in the tetrahedron of four: +1 and -1 if that is certain.
+  int surround(uint32_t i, uint32_t j, uint32_t k, uint32_t l) const;
+
+ private:
+  static constexpr uint32_t room = 64;
+  Vec3 a_[room];
+  uint32_t count_ = 0;  // 0: nothing is certain
+};
+
 PointKind kind_of(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied);
 
 // Whether a point is in the triangle of three centres, in whose plane it lies, or in the tetrahedron of four that are

@@ -93,10 +93,15 @@ bool WayUp::leave_gate(const TangentCurve &named, int side, Way &way) {
 bool WayUp::leave(Way &way) {
   const TangentCurve before = way.curve;
   const Span<const uint32_t> tied = tied_.items();
+  const TiedDirections directions(*balls_, point_, tied);
   bool in_one_plane = true;
   for (uint32_t a = 0; a < tied.size(); ++a) {
     for (uint32_t b = a + 1; b < tied.size(); ++b) {
       for (uint32_t c = b + 1; c < tied.size(); ++c) {
+        if (directions.are_on_both_sides(a, b, c)) {
+          in_one_plane = false;
+          continue;
+        }
         way.curve = {tied[a], tied[b], tied[c]};
         way.side = point_.side_of_curve(way.curve);
         if (way.side == 0) continue;
@@ -111,7 +116,8 @@ bool WayUp::leave(Way &way) {
       for (uint32_t c = b + 1; c < tied.size(); ++c) {
         way.curve = {tied[a], tied[b], tied[c]};
         bool on_side = false;
-        if (point_.side_of_curve(way.curve) != 0 || are_collinear(*balls_, tied[a], tied[b], tied[c]) ||
+        if (directions.are_on_both_sides(a, b, c) || point_.side_of_curve(way.curve) != 0 ||
+            are_collinear(*balls_, tied[a], tied[b], tied[c]) ||
             !is_in_triangle(point_, tied[a], tied[b], tied[c], on_side)) {
           continue;
         }
@@ -156,13 +162,8 @@ Status WayUp::gather(const CurveShape &shape, const TangentCurve &curve, double 
   // From the base's centre, from which no point is further than z / 2.
   double reach = 0.5 * z;
   if (error < 0.25 * z) {
-    const double h0 = shape.height(from), h1 = shape.height(z);
-    double low = h0 < h1 ? h0 : h1, high = h0 < h1 ? h1 : h0;
-    const double peak = shape.A > 0.0 ? -shape.b / shape.A : 0.0;
-    if (peak > from && peak < z) {
-      const double top = shape.height(peak);
-      high = top > high ? top : high;
-    }
+    const CurvePiece piece(shape, from, z);
+    const double low = piece.low, high = piece.high;
     const double along = 0.5 * (z - from) * std::sqrt(dot(shape.q, shape.q)), across = 0.5 * (high - low);
     const double half = 0.5 * (std::sqrt(along * along + across * across) * (1.0 + 1e-9) + 2.0 * error) + 2.0;
     if (half < reach) {
@@ -186,11 +187,11 @@ Status WayUp::gather(const CurveShape &shape, const TangentCurve &curve, double 
 }
 
 // Of the balls that were gathered the first one that a curve meets above the point.
-bool WayUp::first_event(const Way &way, TangentPoint &event) {
+bool WayUp::first_event(const Way &way, const CurvePiece &piece, TangentPoint &event) {
   bool any = false;
   for (uint32_t k = 0; k < near_.size(); ++k) {
     const uint32_t ball = near_[k];
-    if (is_of_curve(way.curve, ball)) continue;
+    if (is_of_curve(way.curve, ball) || piece.is_far_from(*balls_, way.curve.base, ball)) continue;
     TangentPoint at[2] = {TangentPoint(lines_[0]), TangentPoint(lines_[0])};
     bool there[2], above[2], certain[2];
     for (const uint32_t root : {0U, 1U}) {
@@ -231,15 +232,15 @@ bool WayUp::is_beyond_box(const CurveShape &shape, uint32_t base, double z) cons
 // To the next point of a way, and all balls that are nearest there.
 Status WayUp::follow(const Way &way, bool &outside) {
   const BallSet &balls = *balls_;
-  const bool unbounded = is_unbounded(balls, way.curve, beyond_reach_);
+  CurveShape shape(balls, way.curve);
+  const bool unbounded = is_unbounded(balls, way.curve, shape, beyond_reach_);
   TangentPoint top(lines_[0]);
   if (!unbounded && !top.find(balls, way.curve, no_id, true)) return beyond_reach_ ? Status::range : Status::check;
-  CurveShape shape(balls, way.curve);
   if (way.side < 0) shape.e = -shape.e;
   const double radius = balls.r[way.curve.base];
   Vec3 place{};
-  double start = 0.0;
-  const double doubt = point_.settle(place, start);
+  double start = point_.level_estimate(), doubt = point_.level_error();
+  if (trace_ != nullptr || !(doubt < 4.0)) doubt = point_.settle(place, start);
   const double from = 2.0 * (radius + start - doubt);
   double window = 0.12 * (radius + start) + 16.0;
   for (int turn = 0; turn < most_windows; ++turn, window *= 1.7) {
@@ -249,8 +250,9 @@ Status WayUp::follow(const Way &way, bool &outside) {
     const bool whole = !unbounded && top.level_against(to) <= 0;
     if (const Status status = gather(shape, way.curve, from > 0.0 ? from : 0.0, to); status != Status::ok)
       return status;
+    const CurvePiece piece(shape, from > 0.0 ? from : 0.0, 2.0 * (radius + static_cast<double>(to)));
     TangentPoint event(lines_[0]);
-    bool met = first_event(way, event);
+    bool met = first_event(way, piece, event);
     if (met && event.level_against(to) > 0) met = false;
     if (!met && !whole) {
       if (!unbounded || all_->box() != nullptr ||
@@ -268,7 +270,8 @@ Status WayUp::follow(const Way &way, bool &outside) {
     }
     tied_.clear();
     for (uint32_t k = 0; k < near_.size(); ++k) {
-      if (point_.nearness(near_[k]) == 0) tied_.push(near_[k]);
+      const bool far = piece.is_far_from(balls, way.curve.base, near_[k]);
+      if (!far && point_.nearness(near_[k]) == 0) tied_.push(near_[k]);
     }
     sort_in_place(tied_.items(), [&](uint32_t a, uint32_t b) { return balls.ranks_before(a, b); });
     beyond_reach_ = beyond_reach_ || point_.beyond_reach();

@@ -51,7 +51,7 @@ class WayUp {
   bool is_open_from_lowest(const Way &way);
   Status follow(const Way &way, bool &outside);
   Status gather(const CurveShape &shape, const TangentCurve &curve, double from, int64_t to);
-  bool first_event(const Way &way, TangentPoint &event);
+  bool first_event(const Way &way, const CurvePiece &piece, TangentPoint &event);
   bool is_beyond_box(const CurveShape &shape, uint32_t base, double z) const;
   bool is_tied(uint32_t ball) const;
   void trace(const Way &way, const CurveShape &shape, double from, double to) const;
