@@ -111,7 +111,7 @@ TEST(ContactMap, ShadesEndAtRoundNumbers) {
       std::string digits = std::to_string(static_cast<long>(std::round(ends[k] * 1e6)));
       digits.erase(digits.find_last_not_of('0') + 1);
       EXPECT_LE(digits.size(), 2u) << ends[k];
-      if (k > 0) EXPECT_GT(ends[k], ends[k - 1]);
+      EXPECT_GT(ends[k], k == 0 ? 0.0 : ends[k - 1]);
     }
     EXPECT_GE(ends.back(), largest * (1 - 1e-9));
     EXPECT_LT(ends.back(), largest * 1.1);

@@ -356,8 +356,9 @@ static bool check_colours(const struct request *request, struct failure *failure
     return failure_in_usage(failure, "--label %s has no use here: the file names no residues",
                             request->drawing.label == LABEL_CHAIN ? "chain" : "residue");
   }
-  if (colour == COLOUR_BFACTOR && !file_format_has(request->format, FILE_TEMPERATURE_FACTORS)) {
-    return failure_in_usage(failure, "--colour bfactor is for %s files",
+  if ((colour == COLOUR_BFACTOR || colour == COLOUR_PLDDT) &&
+      !file_format_has(request->format, FILE_TEMPERATURE_FACTORS)) {
+    return failure_in_usage(failure, "--colour %s is for %s files", colour == COLOUR_PLDDT ? "plddt" : "bfactor",
                             file_format_list(list, ".", "and", FILE_TEMPERATURE_FACTORS, true));
   }
   if (colour == COLOUR_CHARGE && !file_format_has(request->format, FILE_CHARGES)) {

@@ -1,5 +1,6 @@
 #include "draw/ball_colours.h"
 
+#include <math.h>
 #include <stddef.h>
 #include <stdlib.h>
 
@@ -14,9 +15,18 @@ enum { MOST_BALLS_BY_ELEMENT = 2000 };
 
 enum { CARBON = 6 };
 
-/* From blue over a warm white to red, in steps: pictures write a colour once for all balls that have it. */
-enum { RAMP_STEPS = 16 };
-static const uint32_t ramp[3] = {0x3F74B5, 0xEFE9DC, 0xC2452F};
+/* From blue over a grey without a hue of its own to red. So many steps are not seen as such, and pictures write a colour
+ * once for all balls that have it. */
+enum { RAMP_STEPS = 64 };
+static const uint32_t ramp[3] = {0x3F74B5, 0xE8E8E8, 0xC2452F};
+
+/* How sure AlphaFold is of a residue, in the colours of its database (J. Jumper et al., Nature 596 (2021) 583). */
+static const struct colour_band plddt[] = {
+    {90.0, 0x0053D6, "> 90"}, {70.0, 0x65CBF3, "70 - 90"}, {50.0, 0xFFDB13, "50 - 70"}, {-INFINITY, 0xFF7D45, "< 50"}};
+enum { PLDDT_BANDS = sizeof plddt / sizeof plddt[0] };
+
+/* Carbon of ligands, among tints and muted elements. */
+static const uint32_t ligand_carbon = 0x7E8A93;
 
 /* What is not highlighted keeps so much of its own colour. Highlighted carbon must not be grey among grey. */
 static const uint32_t plain = 0xDEDBD4;
@@ -41,7 +51,8 @@ static uint32_t number_of(const struct atom_label *label) {
 
 static uint32_t colour_of(const struct atom_label *label, uint32_t palette, uint32_t chain) {
   const bool alone = palette == HSP_PALETTE_CHAIN && !atom_is_of_chain(label) && !atom_is_water(label);
-  return hsp_palette_colour(alone ? HSP_PALETTE_JMOL : palette, number_of(label), chain);
+  if (alone && number_of(label) == CARBON) return ligand_carbon;
+  return hsp_palette_colour(alone ? HSP_PALETTE_SOFT : palette, number_of(label), chain);
 }
 
 /* Numbers of chains become colours of elements or chains. */
@@ -59,12 +70,19 @@ static void colour_by_residue(const struct molecule *molecule, uint32_t *colour,
     const struct atom_label *label = &molecule->label[i];
     if (residue_colour_find(label->residue.name, &colour[i])) continue;
     const bool alone = !atom_is_of_chain(label) && !atom_is_water(label);
-    colour[i] = alone ? colour_of(label, HSP_PALETTE_JMOL, 0) : hsp_palette_colour(HSP_PALETTE_SOFT, CARBON, 0);
+    colour[i] = alone ? colour_of(label, HSP_PALETTE_CHAIN, 0) : hsp_palette_colour(HSP_PALETTE_SOFT, CARBON, 0);
   }
+}
+
+static uint32_t band_colour(const struct ball_palette *palette, double value) {
+  size_t k = 0;
+  while (k + 1 < palette->bands && !(value > palette->band[k].above)) ++k;
+  return palette->band[k].colour;
 }
 
 /* Halves first, so that no difference overflows. */
 uint32_t ball_palette_colour(const struct ball_palette *palette, double value) {
+  if (palette->bands > 0) return band_colour(palette, value);
   const double low = palette->low;
   const double high = palette->high;
   const double part = high > low ? (value / 2.0 - low / 2.0) / (high / 2.0 - low / 2.0) : 0.5;
@@ -80,8 +98,21 @@ static bool colour_by_value(const struct drawing *drawing, const struct molecule
                             struct ball_palette *said, struct failure *failure) {
   double *value = NULL;
   if (!ball_values_make(drawing, molecule, &value, failure)) return false;
+  static const char *const quantities[] = {[COLOUR_AREA] = "area",
+                                           [COLOUR_BFACTOR] = "B factor",
+                                           [COLOUR_CHARGE] = "charge, e",
+                                           [COLOUR_PLDDT] = "pLDDT",
+                                           [COLOUR_FILE] = "value"};
   said->name = "ramp";
   said->remark = NULL;
+  said->quantity = quantities[drawing->colour];
+  said->power = drawing->colour == COLOUR_AREA || drawing->colour == COLOUR_BFACTOR ? 2 : 0;
+  if (drawing->colour == COLOUR_PLDDT) {
+    said->name = "plddt";
+    said->remark = "AlphaFold's four bands of how sure it is";
+    said->band = plddt;
+    said->bands = PLDDT_BANDS;
+  }
   said->low = drawing->range[0];
   said->high = drawing->range[1];
   for (uint32_t i = 0; i < molecule->atoms && !drawing->range_given; ++i) {
@@ -117,7 +148,7 @@ static bool mute_others(const struct selection *highlight, const struct molecule
 bool ball_colours_make(const struct drawing *drawing, const struct selection *highlight,
                        const struct molecule *molecule, uint32_t **colour, struct ball_palette *palette,
                        struct failure *failure) {
-  *palette = (struct ball_palette){NULL, NULL, 0.0, 0.0, false};
+  *palette = (struct ball_palette){.name = NULL};
   if (!chain_numbers_make(molecule, colour, failure)) return false;
   bool done = true;
   bool by_element = false;
