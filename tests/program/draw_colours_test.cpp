@@ -82,6 +82,31 @@ TEST(DrawColours, Chains) {
   for (const auto &[ball, colour] : fills(file.path(), {})) EXPECT_EQ(colour, "D2CDC3") << ball;
 }
 
+// A strand's bases are lighter than its backbone; other elements than carbon are a little darker; and the thirteenth chain
+// has the first tint, paler.
+TEST(DrawColours, TintsWithinAChain) {
+  std::string text;
+  const std::vector<std::string> names = {" C1'", " P  ", " O4*", " C2 ", " N1 "};
+  for (size_t i = 0; i < names.size() + 12; ++i) {
+    char line[100];
+    const size_t chain = i < names.size() ? 0 : i - names.size() + 1;
+    const std::string name = chain == 0 ? names[i] : " CA ";
+    std::snprintf(line, sizeof line, "ATOM  %5d %s %s %c   1    %8.3f%8.3f%8.3f  1.00  0.00           %c\n",
+                  static_cast<int>(i), name.c_str(), chain == 0 ? " DA" : "ALA", static_cast<char>('A' + chain),
+                  5.0 * static_cast<double>(i), 0.0, 0.0, name[1]);
+    text += line;
+  }
+  const TemporaryFile file("strand.pdb", text);
+  const std::map<int, std::string> found = fills(file.path(), {"--colour", "chain"});
+  ASSERT_EQ(found.size(), names.size() + 12);
+  EXPECT_EQ(found.at(0), "E8A074");
+  EXPECT_EQ(found.at(1), "DA966D");  // .94 of it
+  EXPECT_EQ(found.at(2), found.at(1));
+  EXPECT_EQ(found.at(3), "F0C1A5");  // .35 of the way to white
+  EXPECT_EQ(found.at(4), found.at(3));
+  EXPECT_EQ(found.at(16), "F1C6AC");  // .4
+}
+
 // A colour as people see it, in OKLab (Ottosson 2020): lightness first. blindness: the rows of a simulation by Machado,
 // Oliveira and Fernandes (2009) for linear light.
 std::array<double, 3> seen(const std::string &colour, const double blindness[3][3]) {
@@ -297,6 +322,23 @@ TEST(DrawColours, TemperatureFactorsAndAreas) {
   EXPECT_EQ(found.at(2), ramp_colour(0.5, 0, 1));
 }
 
+// Names are those of style sheets.
+TEST(DrawColours, ColoursHaveNames) {
+  for (const auto &[name, digits] : std::map<std::string, std::string>{
+           {"white", "FFFFFF"}, {"black", "000000"}, {"navy", "000080"}, {"orange", "ffa500"}, {"grey", "#808080"}}) {
+    EXPECT_EQ(drawn(crambin(), {"--background", name}), drawn(crambin(), {"--background", digits})) << name;
+  }
+  EXPECT_EQ(run_program({"draw", crambin(), "-o", "x.svg", "--background", "whit"}).status, 2);
+}
+
+// Far ones of many sticks fade, where nothing is said.
+TEST(DrawColours, ManySticksFade) {
+  for (const auto &[file, fog] : std::map<std::string, std::string>{{"crambin", "0.7"}, {"caffeine", "0.3"}}) {
+    const std::string path = molecules_folder() + "/" + file + ".pdb";
+    EXPECT_EQ(drawn(path, {"--as", "ball-and-stick"}), drawn(path, {"--as", "ball-and-stick", "--fog", fog})) << file;
+  }
+}
+
 // Numbers above 90, 70 and 50, and others.
 TEST(DrawColours, BandsOfAlphaFold) {
   std::string text;
@@ -424,9 +466,10 @@ TEST(DrawColours, InkWidthsAndColours) {
 TEST(DrawColours, LooksArePresets) {
   const std::vector<std::pair<std::string, std::vector<std::string>>> looks = {
       {"paper", {"--ink", "--occlusion", "0.5"}},
-      {"goodsell", {"--ink", "--style", "flat", "--occlusion", "0.5", "--outline", "0", "--fog", "0.4"}},
+      {"goodsell",
+       {"--palette", "chain", "--ink", "--style", "flat", "--occlusion", "0.5", "--outline", "0", "--fog", "0.4"}},
       {"slide",
-       {"--ink", "--occlusion", "0.5", "--outline", "0", "--fog", "0.45", "--background", "14171E", "--outline-colour",
+       {"--ink", "--occlusion", "0.5", "--outline", "0", "--fog", "0.15", "--background", "14171E", "--outline-colour",
         "ECE9E2", "--ink-colour", "14171E", "--width", "1600", "--height", "900"}},
       {"print",
        {"--ink", "--style", "flat", "--occlusion", "0", "--fog", "0", "--outline-colour", "000000", "--ink-colour",
@@ -438,7 +481,7 @@ TEST(DrawColours, LooksArePresets) {
     other.back() = look == "slide" ? "800" : look == "print" ? "0000ff" : "0.1";
     const std::string option = other[other.size() - 2];
     EXPECT_EQ(drawn(crambin(), {"--look", look, option, other.back()}),
-              look == "slide" ? drawn(crambin(), {"--ink", "--occlusion", "0.5", "--outline", "0", "--fog", "0.45",
+              look == "slide" ? drawn(crambin(), {"--ink", "--occlusion", "0.5", "--outline", "0", "--fog", "0.15",
                                                   "--background", "14171E", "--outline-colour", "ECE9E2",
                                                   "--ink-colour", "14171E", "--height", "800"})
                               : drawn(crambin(), other))

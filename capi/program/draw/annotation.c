@@ -212,7 +212,8 @@ struct entry {
 struct legend {
   struct entry entry[MOST_ENTRIES];
   size_t entries;
-  bool cut; /* there are more */
+  bool cut;             /* there are more */
+  const char *quantity; /* NULL: what they are is seen */
 };
 
 /* Of colours by chain, atoms of chains stand for these, by their carbon, which has the tint itself; all others stand for
@@ -260,9 +261,11 @@ static void find_entries(const struct annotation *annotation, struct legend *leg
     }
     legend->entry[legend->entries++] = (struct entry){text, annotation->colour[atom], !of_chain};
   }
-  if (annotation->palette->bands == 0) {
-    qsort(legend->entry, legend->entries, sizeof legend->entry[0], compare_entries);
-  }
+  legend->quantity = annotation->palette->quantity;
+  if (annotation->palette->bands > 0 || legend->entries == 0) return;
+  qsort(legend->entry, legend->entries, sizeof legend->entry[0], compare_entries);
+  /* There are chains C and N, too. */
+  if (!legend->entry[0].of_element && legend->entry[legend->entries - 1].of_element) legend->quantity = "chains";
 }
 
 static double entry_width(const struct entry *entry, double size) {
@@ -275,11 +278,13 @@ static void write_entries(const struct writer *writer, double y) {
   static const char more[] = "..";
   struct legend legend;
   find_entries(writer->annotation, &legend);
-  const double room = (writer->annotation->drawing->scale_bar ? 0.62 : 1.0) * writer->width - writer->size;
-  double wide = 0.0;
+  const char *const quantity = legend.quantity;
+  const double room = (writer->annotation->drawing->scale_bar ? 0.66 : 1.0) * writer->width - writer->size;
+  double wide = quantity == NULL ? 0.0 : pen_width(quantity, writer->size) + 0.6 * writer->size;
   for (size_t i = 0; i < legend.entries; ++i) wide += entry_width(&legend.entry[i], writer->size);
   const double size = writer->size * (wide <= room ? 1.0 : wide * smallest >= room ? smallest : room / wide);
-  double left = 0.4 * size + (wide * smallest > room || legend.cut ? pen_width(more, size) : 0.0);
+  double left = (quantity == NULL ? 0.4 * size : pen_width(quantity, size) + size) +
+                (wide * smallest > room || legend.cut ? pen_width(more, size) : 0.0);
   size_t shown = 0;
   while (shown < legend.entries && left + entry_width(&legend.entry[shown], size) <= room + 0.5 * size) {
     left += entry_width(&legend.entry[shown++], size);
@@ -298,8 +303,7 @@ static void write_entries(const struct writer *writer, double y) {
     pen_rectangle(&writer->pen, behind, 1.02 * size, 1.02 * size, writer->colour);
     pen_rectangle(&writer->pen, corner, 0.9 * size, 0.9 * size, legend.entry[i].colour);
   }
-  const char *const quantity = writer->annotation->palette->quantity;
-  if (quantity != NULL) write_text(writer, quantity, x - 0.8 * size, y, size, 1.0);
+  if (quantity != NULL) write_text(writer, quantity, x - 0.6 * size, y, size, 1.0);
 }
 
 /* The quantity with its unit, and the ramp between the two ends. */

@@ -3,11 +3,13 @@
 #include <math.h>
 #include <stddef.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "draw/ball_values.h"
 #include "draw/colour_mixed.h"
 #include "draw/residue_colours.h"
 #include "hardsphere.h"
+#include "read/residue_kinds.h"
 #include "read/residues.h"
 
 /* With more balls than that, elements are specks; what is to be seen are chains. */
@@ -33,15 +35,25 @@ static const uint32_t plain = 0xDEDBD4;
 static const double kept = 0.25;
 static const uint32_t highlighted_carbon = 0x66B8A6;
 
-/* Whether atoms of chains have more than one of these numbers. */
-static bool has_chains(const struct molecule *molecule, const uint32_t *number) {
+/* How many of these numbers atoms of chains have, up to two; of all chains, or of those of nucleotides. */
+static int count_chains(const struct molecule *molecule, const uint32_t *number, bool of_nucleotides) {
   uint32_t first = UINT32_MAX;
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
-    if (!atom_is_of_chain(&molecule->label[i])) continue;
+    const struct atom_label *label = &molecule->label[i];
+    if (!atom_is_of_chain(label)) continue;
+    if (of_nucleotides && residue_kind_of(label->residue.name) != RESIDUE_NUCLEOTIDE) continue;
     if (first == UINT32_MAX) first = number[i];
-    if (number[i] != first) return true;
+    if (number[i] != first) return 2;
   }
-  return false;
+  return first == UINT32_MAX ? 0 : 1;
+}
+
+/* Whether colours stand for chains where the user says nothing: in large molecules of several, and in strands, where
+ * elements do not tell which is which. */
+static bool is_by_chain(const struct drawing *drawing, const struct molecule *molecule, const uint32_t *number) {
+  const bool many = drawing->by_chain || molecule->atoms > MOST_BALLS_BY_ELEMENT;
+  const int chains = many ? count_chains(molecule, number, false) : 0;
+  return chains == 2 || (chains == 1 && drawing->tints_one) || count_chains(molecule, number, true) == 2;
 }
 
 /* Where the file names no element, grey is better than the loud colour of elements that nobody knows. */
@@ -49,10 +61,26 @@ static uint32_t number_of(const struct atom_label *label) {
   return label->element.text[0] == '\0' ? CARBON : element_atomic_number(label->element);
 }
 
+/* Phosphate and sugar; of names like O5' or, in old files, O5*. */
+static bool is_of_backbone(const struct atom_label *label) {
+  return strpbrk(label->name, "'*P") != NULL;
+}
+
+/* All atoms of a chain look as one body: elements but carbon are darker by five steps of L* alone, and bases of
+ * nucleotides as much lighter. The tints of the library come back after some chains, then as paler ones. */
+static uint32_t tint_of(const struct atom_label *label, uint32_t chain) {
+  enum { TINTS = 12 };
+  const uint32_t tint = hsp_palette_colour(HSP_PALETTE_CHAIN, CARBON, chain);
+  const uint32_t own = chain / TINTS % 2 == 0 ? tint : colour_mixed(tint, 0xFFFFFF, 0.4);
+  const bool of_base = residue_kind_of(label->residue.name) == RESIDUE_NUCLEOTIDE && !is_of_backbone(label);
+  if (of_base) return colour_mixed(own, 0xFFFFFF, 0.35);
+  return number_of(label) == CARBON ? own : colour_mixed(own, 0x000000, 0.06);
+}
+
 static uint32_t colour_of(const struct atom_label *label, uint32_t palette, uint32_t chain) {
-  const bool alone = palette == HSP_PALETTE_CHAIN && !atom_is_of_chain(label) && !atom_is_water(label);
-  if (alone && number_of(label) == CARBON) return ligand_carbon;
-  return hsp_palette_colour(alone ? HSP_PALETTE_SOFT : palette, number_of(label), chain);
+  if (palette != HSP_PALETTE_CHAIN) return hsp_palette_colour(palette, number_of(label), chain);
+  if (atom_is_of_chain(label) || atom_is_water(label)) return tint_of(label, chain);
+  return number_of(label) == CARBON ? ligand_carbon : hsp_palette_colour(HSP_PALETTE_SOFT, number_of(label), 0);
 }
 
 /* Numbers of chains become colours of elements or chains. */
@@ -157,9 +185,8 @@ bool ball_colours_make(const struct drawing *drawing, const struct selection *hi
   } else if (drawing->colour == COLOUR_RESIDUE) {
     colour_by_residue(molecule, *colour, palette);
   } else {
-    const bool many = drawing->by_chain || molecule->atoms > MOST_BALLS_BY_ELEMENT;
-    const bool large = many && has_chains(molecule, *colour);
-    const bool by_chain = drawing->colour == COLOUR_CHAIN || (drawing->colour < 0 && large);
+    const bool by_chain =
+        drawing->colour == COLOUR_CHAIN || (drawing->colour < 0 && is_by_chain(drawing, molecule, *colour));
     const uint32_t usual = by_chain ? HSP_PALETTE_CHAIN : HSP_PALETTE_SOFT;
     const uint32_t chosen = drawing->palette >= 0 ? (uint32_t)drawing->palette : usual;
     by_element = chosen != HSP_PALETTE_CHAIN;
