@@ -82,8 +82,8 @@ TEST(DrawColours, Chains) {
   for (const auto &[ball, colour] : fills(file.path(), {})) EXPECT_EQ(colour, "D2CDC3") << ball;
 }
 
-// A strand's bases are lighter than its backbone; other elements than carbon are a little darker; and the thirteenth chain
-// has the first tint, paler.
+// A strand's bases are lighter than its backbone; other elements than carbon are a little darker; and the thirteenth
+// chain has the first tint, paler.
 TEST(DrawColours, TintsWithinAChain) {
   std::string text;
   const std::vector<std::string> names = {" C1'", " P  ", " O4*", " C2 ", " N1 "};

@@ -62,7 +62,8 @@ std::array<int, 3> colour_of(const std::string &svg, const std::string &path) {
   return {static_cast<int>(number >> 16 & 0xFF), static_cast<int>(number >> 8 & 0xFF), static_cast<int>(number & 0xFF)};
 }
 
-// The loops of a path, in twentieths of a px: lines, and parabolas that are given by the point where their tangents meet.
+// The loops of a path, in twentieths of a px: lines, and parabolas that are given by the point where their tangents
+// meet.
 std::vector<Part> loops_of(const std::string &path) {
   std::vector<Part> parts;
   std::string spaced;
@@ -133,8 +134,8 @@ std::vector<Part> drawn(const std::string &file, const std::vector<std::string> 
   return parts_of(drawn_text(file, options));
 }
 
-// The front of a ball covers its disc, in one area with one gradient: 1000 px are its diameter and a margin of .03 of it
-// on either side.
+// The front of a ball covers its disc, in one area with one gradient: 1000 px are its diameter and a margin of .03 of
+// it on either side.
 TEST(MeshPicture, TheFrontOfABallIsADisc) {
   const TemporaryFile ball("ball.xyzr", "5 6 7 2\n");
   const double disc = std::numbers::pi * 0.25 * std::pow(1000 / 1.06, 2);

@@ -216,8 +216,8 @@ struct legend {
   const char *quantity; /* NULL: what they are is seen */
 };
 
-/* Of colours by chain, atoms of chains stand for these, by their carbon, which has the tint itself; all others stand for
- * their elements. */
+/* Of colours by chain, atoms of chains stand for these, by their carbon, which has the tint itself; all others stand
+ * for their elements. */
 static bool stands_for_chain(const struct annotation *annotation, const struct atom_label *label) {
   return strcmp(annotation->palette->name, "chain") == 0 && (atom_is_of_chain(label) || atom_is_water(label));
 }

@@ -17,8 +17,8 @@ enum { MOST_BALLS_BY_ELEMENT = 2000 };
 
 enum { CARBON = 6 };
 
-/* From blue over a grey without a hue of its own to red. So many steps are not seen as such, and pictures write a colour
- * once for all balls that have it. */
+/* From blue over a grey without a hue of its own to red. So many steps are not seen as such, and pictures write a
+ * colour once for all balls that have it. */
 enum { RAMP_STEPS = 64 };
 static const uint32_t ramp[3] = {0x3F74B5, 0xE8E8E8, 0xC2452F};
 

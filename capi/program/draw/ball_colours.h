@@ -32,10 +32,10 @@ struct colour_band {
 /* The colour that a ramp has for a number. */
 uint32_t ball_palette_colour(const struct ball_palette *palette, double value);
 
-/* The colour of every ball, 0xRRGGBB, to be freed on true, and what it stands for: what the user says; else the chain
- * in large molecules with several, and the element in all others. Where colours stand for chains or residues, ligands
- * and ions have colours by element, with carbon of its own, so that they are found at a glance. What is not highlighted, if
- * anything is, is nearly grey; among elements highlighted carbon is green. */
+/* The colour of every ball, 0xRRGGBB, to be freed on true, and what it stands for: what the user says; else the
+ * chain in large molecules with several, and the element in all others. Where colours stand for chains or residues,
+ * ligands and ions have colours by element, with carbon of its own, so that they are found at a glance. What is not
+ * highlighted, if anything is, is nearly grey; among elements highlighted carbon is green. */
 bool ball_colours_make(const struct drawing *drawing, const struct selection *highlight,
                        const struct molecule *molecule, uint32_t **colour, struct ball_palette *palette,
                        struct failure *failure);

@@ -149,8 +149,8 @@ struct way {
   bool closed, curved;
 };
 
-/* Whether a curve may go by this point: where no third outline comes to it, and where the way turns by less than 37 degrees, and is no shorter than three times
- * on one side as on the other. */
+/* Whether a curve may go by this point: where no third outline comes to it, and where the way turns by less than 37
+ * degrees, and is no shorter than three times on one side as on the other. */
 static bool is_smooth(const struct way *way, size_t k) {
   if (!way->curved || (!way->closed && (k == 0 || k + 1 == way->points))) return false;
   const int32_t *before = way->point[(k + way->points - 1) % way->points];

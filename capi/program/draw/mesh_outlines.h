@@ -1,5 +1,5 @@
-/* Areas of the page by the edges of what they are made of: edges between neighbours of one paint cancel out, and what is
- * left are outlines. */
+/* Areas of the page by the edges of what they are made of: edges between neighbours of one paint cancel out, and
+ * what is left are outlines. */
 #ifndef HARDSPHERE_TOOL_MESH_OUTLINES_H
 #define HARDSPHERE_TOOL_MESH_OUTLINES_H
 

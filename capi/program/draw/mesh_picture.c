@@ -35,7 +35,8 @@ enum { CARBON = 6, MOST_COLOURS = 128, FEWEST_BANDS = 16, MOST_BANDS = 64, MOST_
 /* What is seen of a surface. */
 enum { OUTSIDE, INSIDE, OF_VOID, SIDES };
 
-/* Paints of a layer are numbered: for each sphere those of its sides, for each colour its bands of light, then lines. */
+/* Paints of a layer are numbered: for each sphere those of its sides, for each colour its bands of light, then
+ * lines. */
 static const uint32_t first_band = UINT32_C(1) << 31;
 static const uint32_t hairlines = UINT32_MAX;
 

@@ -26,9 +26,9 @@ struct mesh_view {
  * hairlines. Farther triangles are painted first, by the depth of their middles, which is right but where a triangle is
  * as large as the gap to what it covers.
  *
- * With a cut the inside of the surface is seen, too, and the section by the plane as a line, and voids as bodies in red,
- * which a legend says; crumbs are dropped (mesh_parts.h). *bytes becomes how many were written. False, with the file
- * named, if it cannot be written in full. */
+ * With a cut the inside of the surface is seen, too, and the section by the plane as a line, and voids as bodies in
+ * red, which a legend says; crumbs are dropped (mesh_parts.h). *bytes becomes how many were written. False, with the
+ * file named, if it cannot be written in full. */
 bool mesh_picture_write(const struct triangle_mesh *mesh, const struct mesh_view *view, const struct molecule *molecule,
                         const char *title, const char *path, uint64_t *bytes, struct failure *failure);
 

@@ -24,8 +24,8 @@ void pen_rectangle(const struct pen *pen, const double corner[2], double width, 
 
 /* A text on a line at (x, y), which begins there with anchor 0, has its middle there with .5 and ends there with 1.
  * Around its letters lies a seam, so that it is read over anything, unless it has their colour. Of ASCII, and of an
- * angstrom's sign and a raised 2 (in UTF-8), it shows all characters, of others none. In PDF the font is Helvetica, one of the fonts that every reader has, named as
- * the library's files do. */
+ * angstrom's sign and a raised 2 (in UTF-8), it shows all characters, of others none. In PDF the font is Helvetica,
+ * one of the fonts that every reader has, named as the library's files do. */
 struct pen_text {
   const char *text;
   double x, y, size, anchor;
