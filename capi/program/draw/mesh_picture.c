@@ -318,7 +318,7 @@ static bool paint_triangles(struct mesh_picture *picture) {
     for (int k = 0; k < 3; ++k) {
       const double *at = picture->parts.seen + 3 * (size_t)mesh->corners[3 * (size_t)t + (size_t)k];
       place(&picture->frame, at, one->at[k]);
-      one->depth += at[2] / 3.0;
+      one->depth[k] = at[2];
     }
   }
   const bool enough = mesh_layers_find(seen, count, slack);

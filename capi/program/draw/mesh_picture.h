@@ -23,8 +23,7 @@ struct mesh_view {
  * Patches of spheres are areas with one radial gradient each: as it is known which circles of it are where, no triangle
  * is seen. Saddles are cut into bands of equal light. Colours of atoms meet where the surface is nearest to neither: on
  * the narrowest circle of a saddle, and on the planes through the probe that go on from there. Borders of patches are
- * hairlines. Farther triangles are painted first, by the depth of their middles, which is right but where a triangle is
- * as large as the gap to what it covers.
+ * hairlines. Farther triangles are painted first (mesh_layers.h).
  *
  * With a cut the inside of the surface is seen, too, and the section by the plane as a line, and voids as bodies in
  * red, which a legend says; crumbs are dropped (mesh_parts.h). *bytes becomes how many were written. False, with the
