@@ -56,7 +56,7 @@ static bool check_second_file(const struct request *request, struct failure *fai
 
 #ifndef HSP_WITHOUT_SIGHT
 /* Voids are small, and shown whole: of shorter triangles than what is cut. */
-static const double edge_of_voids = 0.4;
+static const double edge_of_voids = 0.6;
 
 static bool add_finer_voids(const struct request *request, struct geometry *geometry, struct triangle_mesh *mesh,
                             struct failure *failure) {

@@ -106,6 +106,12 @@ struct squares {
   uint32_t across[2];
   uint32_t *first; /* [squares + 1] */
   uint32_t *met;
+  struct range *range; /* [triangles] */
+};
+
+/* From a square to a square. */
+struct range {
+  uint32_t from[2], to[2];
 };
 
 static void find_box(const struct seen_triangle *triangle, int32_t low[2], int32_t high[2]) {
@@ -119,14 +125,15 @@ static void find_box(const struct seen_triangle *triangle, int32_t low[2], int32
   }
 }
 
-static void find_range(const struct squares *squares, const struct seen_triangle *triangle, uint32_t from[2],
-                       uint32_t to[2]) {
+static struct range find_range(const struct squares *squares, const struct seen_triangle *triangle) {
   int32_t low[2], high[2];
+  struct range range;
   find_box(triangle, low, high);
   for (int axis = 0; axis < 2; ++axis) {
-    from[axis] = (uint32_t)((low[axis] - (int64_t)squares->low[axis]) / squares->side);
-    to[axis] = (uint32_t)((high[axis] - (int64_t)squares->low[axis]) / squares->side);
+    range.from[axis] = (uint32_t)((low[axis] - (int64_t)squares->low[axis]) / squares->side);
+    range.to[axis] = (uint32_t)((high[axis] - (int64_t)squares->low[axis]) / squares->side);
   }
+  return range;
 }
 
 /* Squares about as wide as a triangle is in the mean. */
@@ -155,14 +162,15 @@ static void choose_squares(const struct seen_triangle *triangle, uint32_t count,
 static bool fill_squares(const struct seen_triangle *triangle, uint32_t count, struct squares *squares) {
   const size_t all = (size_t)squares->across[0] * squares->across[1];
   size_t needed = 0;
-  uint32_t from[2], to[2];
   squares->first = calloc(all + 2, sizeof *squares->first);
-  if (squares->first == NULL) return false;
+  squares->range = calloc((size_t)count + 1, sizeof *squares->range);
+  if (squares->first == NULL || squares->range == NULL) return false;
   for (int pass = 0; pass < 2; ++pass) {
     for (uint32_t i = 0; i < count; ++i) {
-      find_range(squares, &triangle[i], from, to);
-      for (uint32_t y = from[1]; y <= to[1]; ++y) {
-        for (uint32_t x = from[0]; x <= to[0]; ++x) {
+      if (pass == 0) squares->range[i] = find_range(squares, &triangle[i]);
+      const struct range *const range = &squares->range[i];
+      for (uint32_t y = range->from[1]; y <= range->to[1]; ++y) {
+        for (uint32_t x = range->from[0]; x <= range->to[0]; ++x) {
           const size_t square = (size_t)y * squares->across[0] + x;
           if (pass == 0) {
             ++squares->first[square + 2];
@@ -202,26 +210,21 @@ static bool add_pair(struct pairs *pairs, uint32_t lower, uint32_t upper) {
 }
 
 /* Boxes that meet have one square in which their common part begins. */
-static bool begins_here(const struct squares *squares, const struct seen_triangle *a, const struct seen_triangle *b,
-                        uint32_t x, uint32_t y) {
-  uint32_t from[2][2], to[2];
-  find_range(squares, a, from[0], to);
-  find_range(squares, b, from[1], to);
-  return x == (from[0][0] > from[1][0] ? from[0][0] : from[1][0]) &&
-         y == (from[0][1] > from[1][1] ? from[0][1] : from[1][1]);
+static bool begins_here(const struct range *a, const struct range *b, uint32_t x, uint32_t y) {
+  return x == (a->from[0] > b->from[0] ? a->from[0] : b->from[0]) &&
+         y == (a->from[1] > b->from[1] ? a->from[1] : b->from[1]);
 }
 
 static bool find_pairs(const struct seen_triangle *triangle, uint32_t count, const struct squares *squares,
                        double slack, struct pairs *pairs) {
   for (uint32_t i = 0; i < count; ++i) {
-    uint32_t from[2], to[2];
-    find_range(squares, &triangle[i], from, to);
-    for (uint32_t y = from[1]; y <= to[1]; ++y) {
-      for (uint32_t x = from[0]; x <= to[0]; ++x) {
+    const struct range *const range = &squares->range[i];
+    for (uint32_t y = range->from[1]; y <= range->to[1]; ++y) {
+      for (uint32_t x = range->from[0]; x <= range->to[0]; ++x) {
         const size_t square = (size_t)y * squares->across[0] + x;
         for (uint32_t k = squares->first[square]; k < squares->first[square + 1] && squares->met[k] < i; ++k) {
           const uint32_t other = squares->met[k];
-          if (!begins_here(squares, &triangle[i], &triangle[other], x, y)) continue;
+          if (!begins_here(range, &squares->range[other], x, y)) continue;
           if (!overlap(&triangle[other], &triangle[i], slack)) continue;
           const bool over = lies_over(&triangle[i], &triangle[other]);
           if (!add_pair(pairs, over ? other : i, over ? i : other)) return false;
@@ -285,7 +288,7 @@ static void set_layers(struct seen_triangle *triangle, uint32_t count, const str
 }
 
 bool mesh_layers_find(struct seen_triangle *triangle, uint32_t count, double slack) {
-  struct squares squares = {{0, 0}, 1, {0, 0}, NULL, NULL};
+  struct squares squares = {{0, 0}, 1, {0, 0}, NULL, NULL, NULL};
   struct pairs pairs = {NULL, 0, 0};
   struct order order = {NULL, NULL, NULL, NULL, NULL};
   if (count == 0) return true;
@@ -296,6 +299,7 @@ bool mesh_layers_find(struct seen_triangle *triangle, uint32_t count, double sla
   if (enough) set_layers(triangle, count, &order);
   free(squares.first);
   free(squares.met);
+  free(squares.range);
   free(pairs.pair);
   free(order.first);
   free(order.upper);
