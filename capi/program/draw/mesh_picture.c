@@ -160,7 +160,7 @@ static void add_polygon(struct mesh_picture *picture, const struct polygon *poly
   }
 }
 
-/* Between two circles of the light each. */
+/* Between two circles of the light each, and on under the next band, which comes later: no page shows between them. */
 static void add_bands(struct mesh_picture *picture, const struct polygon *polygon, uint32_t layer, uint32_t colour) {
   double least = 1.0, most = 0.0;
   for (int k = 0; k < polygon->corners; ++k) {
@@ -171,7 +171,7 @@ static void add_bands(struct mesh_picture *picture, const struct polygon *polygo
     double below[MOST_CORNERS], above[MOST_CORNERS];
     for (int k = 0; k < polygon->corners; ++k) below[k] = (double)band / picture->bands - polygon->corner[k].circle;
     const struct polygon outer = cut_off(polygon, below);
-    for (int k = 0; k < outer.corners; ++k) above[k] = outer.corner[k].circle - (double)(band + 1) / picture->bands;
+    for (int k = 0; k < outer.corners; ++k) above[k] = outer.corner[k].circle - (double)(band + 2) / picture->bands;
     const struct polygon part = cut_off(&outer, above);
     add_polygon(picture, &part, layer, first_band + colour * MOST_BANDS + (uint32_t)band);
   }
