@@ -22,6 +22,7 @@ static const double slack = 2.0;            /* of overlaps */
 static const double hairline = 5.0;         /* at most */
 static const double hairline_per_unit = 0.0055, thinnest = 1.2;
 static const double section_line = 22.0;
+static const double largest_sphere = 1e7;  /* larger ones are as good as flat: no circles of light are seen */
 static const double bands_per_unit = 0.08; /* of the picture's scale: the smaller saddles are, the fewer */
 
 static const uint32_t inside_colour = 0xC9B79C;
@@ -210,7 +211,9 @@ static void add_part(struct mesh_picture *picture, const struct polygon *polygon
   const struct triangle_mesh *mesh = picture->mesh;
   const uint32_t kind = mesh->kinds[triangle];
   const uint32_t layer = picture->layer[triangle];
-  if (kind == HSP_PATCH_CONVEX || kind == HSP_PATCH_CONCAVE) {
+  const double radius = kind == HSP_PATCH_CONVEX ? picture->molecule->radius[ball] : mesh->probe;
+  const bool of_sphere = kind == HSP_PATCH_CONVEX || kind == HSP_PATCH_CONCAVE;
+  if (of_sphere && radius * picture->frame.scale < largest_sphere) {
     const uint32_t sphere =
         kind == HSP_PATCH_CONVEX ? ball : mesh->atoms + 3 * mesh->patches[triangle] + (uint32_t)slot;
     add_polygon(picture, polygon, layer, SIDES * sphere + (uint32_t)side);
