@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "draw/pen.h"
+#include "draw/text_width.h"
 #include "read/residues.h"
 
 enum { MOST_ENTRIES = 200, RAMP_PARTS = 65, TEXT_BYTES = 48, MOST_POWERS = 300 };
@@ -93,7 +94,7 @@ static void uncross(struct placed_label *label, size_t count, double x) {
 static double widest_of(const struct placed_label *label, size_t count, double size) {
   double widest = 0.0;
   for (size_t i = 0; i < count; ++i) {
-    const double width = pen_width(label[i].text, size);
+    const double width = text_width(label[i].text, size);
     if (width > widest) widest = width;
   }
   return widest;
@@ -148,7 +149,7 @@ static bool write_labels(const struct writer *writer, struct failure *failure) {
         {frame->x + frame->scale * label->at[0], frame->y - frame->scale * label->at[1]},
         0.0,
         frame->scale * label->radius < dot / 2.0 * writer->size};
-    const double across = pen_width(label->text, writer->size);
+    const double across = text_width(label->text, writer->size);
     if (hypot(across, letter_height * writer->size) / 2.0 <= frame->scale * label->radius) {
       write_within(writer, label, placed.at);
     } else {
@@ -269,7 +270,7 @@ static void find_entries(const struct annotation *annotation, struct legend *leg
 }
 
 static double entry_width(const struct entry *entry, double size) {
-  return 1.5 * size + pen_width(entry->text, size);
+  return 1.5 * size + text_width(entry->text, size);
 }
 
 /* From right to left. Where there are more than have room, letters are smaller, and then the last entries are dots. */
@@ -280,22 +281,22 @@ static void write_entries(const struct writer *writer, double y) {
   find_entries(writer->annotation, &legend);
   const char *const quantity = legend.quantity;
   const double room = (writer->annotation->drawing->scale_bar ? 0.66 : 1.0) * writer->width - writer->size;
-  double wide = quantity == NULL ? 0.0 : pen_width(quantity, writer->size) + 0.6 * writer->size;
+  double wide = quantity == NULL ? 0.0 : text_width(quantity, writer->size) + 0.6 * writer->size;
   for (size_t i = 0; i < legend.entries; ++i) wide += entry_width(&legend.entry[i], writer->size);
   const double size = writer->size * (wide <= room ? 1.0 : wide * smallest >= room ? smallest : room / wide);
-  double left = (quantity == NULL ? 0.4 * size : pen_width(quantity, size) + size) +
-                (wide * smallest > room || legend.cut ? pen_width(more, size) : 0.0);
+  double left = (quantity == NULL ? 0.4 * size : text_width(quantity, size) + size) +
+                (wide * smallest > room || legend.cut ? text_width(more, size) : 0.0);
   size_t shown = 0;
   while (shown < legend.entries && left + entry_width(&legend.entry[shown], size) <= room + 0.5 * size) {
     left += entry_width(&legend.entry[shown++], size);
   }
   double x = writer->width - 0.4 * writer->size;
   if (shown < legend.entries || legend.cut) {
-    x -= pen_width(more, size);
+    x -= text_width(more, size);
     write_text(writer, more, x, y, size, 0.0);
   }
   for (size_t i = shown; i-- > 0;) {
-    x -= 0.45 * size + pen_width(legend.entry[i].text, size);
+    x -= 0.45 * size + text_width(legend.entry[i].text, size);
     write_text(writer, legend.entry[i].text, x, y, size, 0.0);
     x -= 1.05 * size;
     const double corner[2] = {x, y - 0.45 * size};
@@ -313,7 +314,7 @@ static void write_ramp(const struct writer *writer, double y) {
   snprintf(text[0], TEXT_BYTES, "%.4g", palette->low);
   snprintf(text[1], TEXT_BYTES, "%.4g", palette->high);
   const double part = 8.5 / RAMP_PARTS * writer->size;
-  double x = writer->width - writer->size - pen_width(text[1], writer->size);
+  double x = writer->width - writer->size - text_width(text[1], writer->size);
   write_text(writer, text[1], x, y, writer->size, 0.0);
   x -= 0.4 * writer->size + RAMP_PARTS * part;
   for (int i = 0; i < RAMP_PARTS; ++i) {
@@ -328,7 +329,7 @@ static void write_ramp(const struct writer *writer, double y) {
   const char *const sign = palette->power > 0 ? writer->annotation->molecule->format->sign : "";
   snprintf(text[2], TEXT_BYTES, "%s%s%s%s", palette->quantity, sign[0] == '\0' ? "" : ", ", sign,
            sign[0] != '\0' && palette->power == 2 ? "\xC2\xB2" : "");
-  write_text(writer, text[2], x - 1.2 * writer->size - pen_width(text[0], writer->size), y, writer->size, 1.0);
+  write_text(writer, text[2], x - 1.2 * writer->size - text_width(text[0], writer->size), y, writer->size, 1.0);
 }
 
 /* ---- all of it ---- */

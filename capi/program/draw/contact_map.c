@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "draw/pen.h"
+#include "draw/text_width.h"
 #include "read/text_buffer.h"
 #include "write/output_file.h"
 
@@ -95,7 +95,7 @@ static void add_labels(struct text_buffer *out, const struct contact_map *map) {
     char text[LABEL_BYTES];
     name_row(text, map, row);
     const double at = (row + 0.5) * SIDE / map->rows;
-    const double width = pen_width(text, LETTER);
+    const double width = text_width(text, LETTER);
     const double half = (width > LETTER ? width : LETTER) / 2.0 + 2.0;
     if (at - half < free_from) continue;
     add_label(out, text, at);
@@ -117,7 +117,7 @@ static void add_chains(struct text_buffer *out, const struct contact_map *map) {
     const double room = (double)(row - first) * SIDE / map->rows;
     const double middle = (double)(first + row) / 2.0 * SIDE / map->rows;
     first = row;
-    if (room < pen_width(chain, LETTER) + 4.0 || room < LETTER + 4.0) continue;
+    if (room < text_width(chain, LETTER) + 4.0 || room < LETTER + 4.0) continue;
     add_text(out, LEFT + middle, TOP - 7, "middle", chain);
     add_text(out, LEFT + SIDE + 7, TOP + middle + 4.0, "start", chain);
   }

@@ -11,6 +11,7 @@
 #include "draw/mesh_parts.h"
 #include "draw/pen.h"
 #include "draw/surface_light.h"
+#include "draw/text_width.h"
 #include "hardsphere.h"
 #include "read/text_buffer.h"
 #include "write/output_file.h"
@@ -517,7 +518,7 @@ static void add_entry(const struct pen *pen, double *x, double y, uint32_t colou
   pen_rectangle(pen, corner, 0.9 * letter, 0.9 * letter, colour);
   const struct pen_text written = {text, *x + 1.3 * letter, y + 0.36 * letter, letter, 0.0, line_colour, 0xFFFFFF};
   pen_write(pen, &written);
-  *x += 1.9 * letter + pen_width(text, letter);
+  *x += 1.9 * letter + text_width(text, letter);
 }
 
 static void add_legend(const struct mesh_picture *picture, struct text_buffer *out) {

@@ -176,12 +176,3 @@ void pen_write(const struct pen *pen, const struct pen_text *text) {
     text_buffer_add(pen->out, "</text>\n");
   }
 }
-
-double pen_width(const char *text, double size) {
-  double count = 0.0;
-  for (const char *c = text; *c != '\0'; ++c) {
-    if (find_letter(c) != NULL) ++c;
-    count += 1.0;
-  }
-  return 0.6 * size * count;
-}

@@ -33,7 +33,4 @@ struct pen_text {
 };
 void pen_write(const struct pen *pen, const struct pen_text *text);
 
-/* About how wide it becomes. */
-double pen_width(const char *text, double size);
-
 #endif
