@@ -2,8 +2,8 @@
 #ifndef HARDSPHERE_TOOL_TEXT_WIDTH_H
 #define HARDSPHERE_TOOL_TEXT_WIDTH_H
 
-/* About how wide a text, in UTF-8, becomes in letters of a size: so wide is a letter of Helvetica at most, but for a few
- * capitals. */
+/* About how wide a text, in UTF-8, becomes in letters of a size: so wide is a letter of Helvetica at most, but for a
+ * few capitals. */
 double text_width(const char *text, double size);
 
 #endif
