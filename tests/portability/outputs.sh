@@ -8,7 +8,7 @@ source=$1 outputs=$2 emulator=$3 program=$4 interface_bits=$5 arc_tangent_bits=$
 export LC_ALL=C
 if [ "$names" = few ]; then
   names='^(interface_bits|arc_tangent_bits|(crambin|caffeine|degenerate)(\.probe)?\.(measure|boundary)|crambin\.(contacts|map)'
-  names+='|draw\.(caffeine\.soft\.svg|crambin\.faces\.pdf|degenerate\.flat\.eps)|bad\.[a-d].*)$'
+  names+='|picture\..*|draw\.(caffeine\.soft\.svg|crambin\.faces\.pdf|degenerate\.flat\.eps)|bad\.[a-d].*)$'
 fi
 rm -rf "$outputs"
 mkdir -p "$outputs"
@@ -93,6 +93,14 @@ draw crambin.seen.pdf bench/molecules/crambin.pdb --style flat --pieces visible 
 for pieces in "" "--pieces visible" "--pieces visible --ball-size 0.6"; do
   draw "crambin.sticks${pieces// /}.svg" bench/molecules/crambin.pdb --as ball-and-stick --view 1,2,3 $pieces
 done
+
+# Pictures that the program makes of its own, without the library's writers.
+caffeine=bench/molecules/caffeine.pdb crambin=bench/molecules/crambin.pdb
+succeed picture.surface "$program" mesh --json --probe 1.4 --surface ses $caffeine -o "$outputs/picture.surface.svg"
+succeed picture.cut "$program" mesh --json --probe 1.4 --cut --edge 0.8 $crambin -o "$outputs/picture.cut.svg"
+succeed picture.contacts "$program" contacts --json --by residue $crambin --map "$outputs/picture.contacts.svg"
+succeed picture.labels "$program" draw --json --as ball-and-stick --label atom --legend $caffeine \
+  -o "$outputs/picture.labels.svg"
 
 succeed crambin.drawn "$program" draw --json bench/molecules/crambin.pdb -o "$outputs/crambin.svg"
 

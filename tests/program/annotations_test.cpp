@@ -208,16 +208,61 @@ TEST(Annotations, LegendsOfElements) {
 TEST(Annotations, LegendsOfNumbersAndChains) {
   const std::string svg = drawn(crambin(), {"--legend", "--colour", "bfactor", "--range", "2.5,15"});
   const std::vector<Text> texts = texts_of(svg);
-  ASSERT_EQ(texts.size(), 2u);
+  ASSERT_EQ(texts.size(), 3u);
   EXPECT_EQ(texts[0].text, "15");
   EXPECT_EQ(texts[1].text, "2.5");
+  EXPECT_EQ(texts[2].text, "B factor, \xC3\x85\xC2\xB2");
   EXPECT_LT(texts[1].x, texts[0].x);
   const std::vector<std::string> parts = elements(svg, "<rect x=");
-  ASSERT_EQ(parts.size(), 17u);
+  ASSERT_EQ(parts.size(), 65u);
   EXPECT_EQ(word_after(parts.front(), "fill=\"#", "\""), "3f74b5");
   EXPECT_EQ(word_after(parts.back(), "fill=\"#", "\""), "c2452f");
   const std::vector<Text> chains = texts_of(drawn(molecules_folder() + "/sod_stand_in.pdb", {"--legend"}));
-  ASSERT_EQ(chains.size(), 4u);
+  std::vector<std::string> names;
+  for (auto chain = chains.rbegin(); chain != chains.rend(); ++chain) names.push_back(chain->text);
+  EXPECT_EQ(names, (std::vector<std::string>{"chains", "A", "B", "C", "D", "Cu", "Zn"}));
+  const std::vector<Text> bands = texts_of(drawn(crambin(), {"--legend", "--colour", "plddt"}));
+  ASSERT_EQ(bands.size(), 5u);
+  EXPECT_EQ(bands[3].text, "&gt; 90");
+  EXPECT_EQ(bands[4].text, "pLDDT");
+}
+
+// Many chains have a legend, too, within the page: of smaller letters, and where these are small enough of fewer names.
+TEST(Annotations, LegendsOfManyChains) {
+  for (const size_t count : {21u, 62u}) {
+    std::string text;
+    for (size_t i = 0; i < count; ++i) {
+      char line[100];
+      const char chain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789"[count - 1 - i];
+      std::snprintf(line, sizeof line, "ATOM  %5d  CA  ALA %c   1    %8.3f%8.3f%8.3f  1.00  0.00           C\n",
+                    static_cast<int>(i), chain, 5.0 * static_cast<double>(i), 0.0, 0.0);
+      text += line;
+    }
+    const TemporaryFile file("chains.pdb", text);
+    std::vector<Text> texts = texts_of(drawn(file.path(), {"--legend", "--palette", "chain", "--scale-bar"}));
+    texts.erase(texts.begin());  // of the scale bar
+    const bool all = count == 21;
+    EXPECT_EQ(texts.front().text, all ? "U" : "..");
+    EXPECT_EQ(texts.back().text, count == 21 ? "A" : "0");  // digits come before letters
+    EXPECT_EQ(texts.size() == count, all);
+    EXPECT_GT(texts.back().x, 345);  // beside the scale bar
+    for (const Text &one : texts) EXPECT_LT(one.x + one.size, 1000);
+  }
+}
+
+// What less is seen of than the dot would cover has a ring: a dot of the seam's colour in the dot.
+TEST(Annotations, RingsWhereLittleIsSeen) {
+  const TemporaryFile hidden("hidden.xyz", "2\n\nC 0 0 0\nO 0.7 0 -4\n");
+  const std::vector<std::string> options = {"--label", "atom", "--style", "flat", "--view", "0,0,1", "--radius"};
+  for (const auto &[radius, dots] : {std::pair<const char *, int>{"C=1.7,O=1.02", 3}, {"C=1.7,O=1.1", 2}}) {
+    std::vector<std::string> all = options;
+    all.emplace_back(radius);
+    int found = 0;
+    for (const Line &line : lines_of(drawn(hidden.path(), all))) {
+      found += line.from[0] == line.to[0] && line.from[1] == line.to[1];
+    }
+    EXPECT_EQ(found, dots) << radius;
+  }
 }
 
 // Charges: red below nothing, blue above, white at nothing; the larger end decides.
@@ -226,12 +271,12 @@ TEST(Annotations, Charges) {
                            "ATOM 1 CL X A 1 0 0 0 -0.5 1\nATOM 2 NA X A 1 5 0 0 1 1\nATOM 3 AR X A 1 9 0 0 0 1\n");
   std::map<int, std::string> found = fills(ions.path(), {"--colour", "charge"});
   EXPECT_EQ(found[1], "3F74B5");
-  EXPECT_EQ(found[2], "EFE9DC");
+  EXPECT_EQ(found[2], "E8E8E8");
   EXPECT_GT(std::stoi(found[0].substr(0, 2), nullptr, 16), std::stoi(found[0].substr(4, 2), nullptr, 16) + 40);
   found = fills(ions.path(), {"--colour", "charge", "--range=-0.5,0.5"});
   EXPECT_EQ(found[0], "C2452F");
   const std::vector<Text> texts = texts_of(drawn(ions.path(), {"--colour", "charge", "--legend"}));
-  ASSERT_EQ(texts.size(), 2u);
+  ASSERT_EQ(texts.size(), 3u);
   EXPECT_EQ(texts[0].text, "1");
   EXPECT_EQ(texts[1].text, "-1");
 }
@@ -321,8 +366,7 @@ TEST(Annotations, TextsInPdfAreWhereSvgHasThem) {
     const double x = text.x - (text.anchor == "middle" ? 0.5 : text.anchor == "end" ? 1.0 : 0.0) * width;
     char expected[128];
     std::snprintf(expected, sizeof expected, "BT /F1 %.3f Tf 0 Tr ", text.size);
-    size_t at = pdf.find('(' + text.text + ") Tj");
-    at = pdf.find('(' + text.text + ") Tj", at + 1);  // the first one is the seam
+    const size_t at = pdf.rfind('(' + text.text + ") Tj");  // before it may come the seam
     ASSERT_NE(at, std::string::npos) << text.text;
     const size_t line = pdf.rfind('\n', at) + 1;
     EXPECT_EQ(pdf.substr(line, std::string(expected).size()), expected);

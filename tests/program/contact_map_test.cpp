@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <map>
 #include <regex>
 #include <string>
@@ -84,6 +86,64 @@ TEST(ContactMap, ShowsThePairsOfResidues) {
   const std::string svg = read_file(picture.path());
   expect_drawn(svg, areas);
   EXPECT_NE(svg.find(">45</text>"), std::string::npos);
+  EXPECT_NE(svg.find(">10A</text>"), std::string::npos);
+  EXPECT_EQ(svg.find(">10B</text>"), std::string::npos);  // it would lie over 10A
+}
+
+// The numbers that the shades end at, in order.
+std::vector<double> shade_ends(const std::string &svg) {
+  std::vector<double> ends;
+  static const std::regex entry("<rect x=[^>]*/>\n<text [^>]*>([^<]*)</text>");
+  for (std::sregex_iterator e(svg.begin(), svg.end(), entry), end; e != end; ++e) ends.push_back(std::stod((*e)[1]));
+  return ends;
+}
+
+// Every end has two digits at most, each is above the one before, and the last one holds the largest area.
+TEST(ContactMap, ShadesEndAtRoundNumbers) {
+  for (const char *distance : {"0.1", "0.7", "1.1", "1.3", "1.55", "1.7", "1.83", "1.97", "1.999"}) {
+    const TemporaryFile pair("pair.xyzr", "0 0 0 1\n" + std::string(distance) + " 0 0 1\n");
+    const TemporaryFile picture("map.svg");
+    const Json listed = run_json({"contacts", pair.path(), "--map", picture.path()});
+    const double largest = listed["pairs"].items.at(0)["area"].number;
+    const std::vector<double> ends = shade_ends(read_file(picture.path()));
+    ASSERT_EQ(ends.size(), 6u);
+    for (size_t k = 0; k < 6; ++k) {
+      std::string digits = std::to_string(static_cast<long>(std::round(ends[k] * 1e6)));
+      digits.erase(digits.find_last_not_of('0') + 1);
+      EXPECT_LE(digits.size(), 2u) << ends[k];
+      EXPECT_GT(ends[k], k == 0 ? 0.0 : ends[k - 1]);
+    }
+    EXPECT_GE(ends.back(), largest * (1 - 1e-9));
+    EXPECT_LT(ends.back(), largest * 1.1);
+  }
+}
+
+// Labels of one axis keep away from each other: letters are at most .6 of their size wide, as those of Helvetica are.
+TEST(ContactMap, LabelsDoNotOverlap) {
+  std::string atoms;
+  for (int k = 0; k < 40; ++k) {
+    char line[96];
+    std::snprintf(line, sizeof line, "ATOM  %5d  C   ALA A%4d%c   %8.3f%8.3f%8.3f  1.00  0.00           C\n", k + 1,
+                  1000 + k / 4, "ABCD"[k % 4], 1.5 * k, 0.0, 0.0);
+    atoms += line;
+  }
+  const TemporaryFile file("many.pdb", atoms);
+  const TemporaryFile picture("map.svg");
+  ASSERT_EQ(run_program({"contacts", file.path(), "--by", "residue", "--map", picture.path()}).status, 0);
+  const std::string svg = read_file(picture.path());
+  static const std::regex label("<text x=\"([0-9.]+)\" y=\"([0-9.]+)\" text-anchor=\"(end|middle)\">([0-9]+[A-D])<");
+  double before[2] = {-1e9, -1e9};
+  size_t labels = 0;
+  for (std::sregex_iterator l(svg.begin(), svg.end(), label), end; l != end; ++l, ++labels) {
+    const bool below = (*l)[3] == "middle";
+    const double half = below ? 0.3 * 12 * static_cast<double>((*l)[4].length()) : 6;
+    const double at = std::stod((*l)[below ? 1 : 2]);
+    EXPECT_GT(at - half, before[below]) << (*l)[0];
+    before[below] = at + half;
+  }
+  EXPECT_GE(labels, 4u);
+  EXPECT_EQ(labels % 2, 0u);
+  EXPECT_NE(svg.find(">residue, chain A<"), std::string::npos);
 }
 
 TEST(ContactMap, IsRefusedWhereItHasNoPlace) {

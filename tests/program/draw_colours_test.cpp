@@ -82,6 +82,31 @@ TEST(DrawColours, Chains) {
   for (const auto &[ball, colour] : fills(file.path(), {})) EXPECT_EQ(colour, "D2CDC3") << ball;
 }
 
+// A strand's bases are lighter than its backbone; other elements than carbon are a little darker; and the thirteenth
+// chain has the first tint, paler.
+TEST(DrawColours, TintsWithinAChain) {
+  std::string text;
+  const std::vector<std::string> names = {" C1'", " P  ", " O4*", " C2 ", " N1 "};
+  for (size_t i = 0; i < names.size() + 12; ++i) {
+    char line[100];
+    const size_t chain = i < names.size() ? 0 : i - names.size() + 1;
+    const std::string name = chain == 0 ? names[i] : " CA ";
+    std::snprintf(line, sizeof line, "ATOM  %5d %s %s %c   1    %8.3f%8.3f%8.3f  1.00  0.00           %c\n",
+                  static_cast<int>(i), name.c_str(), chain == 0 ? " DA" : "ALA", static_cast<char>('A' + chain),
+                  5.0 * static_cast<double>(i), 0.0, 0.0, name[1]);
+    text += line;
+  }
+  const TemporaryFile file("strand.pdb", text);
+  const std::map<int, std::string> found = fills(file.path(), {"--colour", "chain"});
+  ASSERT_EQ(found.size(), names.size() + 12);
+  EXPECT_EQ(found.at(0), "E8A074");
+  EXPECT_EQ(found.at(1), "DA966D");  // .94 of it
+  EXPECT_EQ(found.at(2), found.at(1));
+  EXPECT_EQ(found.at(3), "F0C1A5");  // .35 of the way to white
+  EXPECT_EQ(found.at(4), found.at(3));
+  EXPECT_EQ(found.at(16), "F1C6AC");  // .4
+}
+
 // A colour as people see it, in OKLab (Ottosson 2020): lightness first. blindness: the rows of a simulation by Machado,
 // Oliveira and Fernandes (2009) for linear light.
 std::array<double, 3> seen(const std::string &colour, const double blindness[3][3]) {
@@ -183,14 +208,14 @@ TEST(DrawColours, TintsByDefault) {
     EXPECT_EQ(found.at(it.atoms - 1) != grey, it.last_tinted) << it.atoms << it.chains << it.rest;
     EXPECT_EQ(found, fills(file.path(), {"--occlusion", "0", "--palette", it.tinted ? "chain" : "soft"}));
   }
-  // A haem beside two chains: its carbon as Jmol has it, in whatever chain.
+  // A haem beside two chains: its carbon has a colour of its own, in whatever chain, and zinc that of zinc.
   const TemporaryFile haem("haem.pdb",
                            file_of(2001, "ABBBB", "ATOM      1GLY") +
                                "HETATM    1  CHA HEM A   1     -20.000   0.000   0.000  1.00  0.00           C\n"
                                "HETATM    1 ZN    ZN B   2     -20.000  20.000   0.000  1.00  0.00          ZN\n");
   const std::map<int, std::string> found = fills(haem.path(), plain);
-  EXPECT_EQ(found.at(2001), "909090");
-  EXPECT_EQ(found.at(2002), "7D80B0");
+  EXPECT_EQ(found.at(2001), "7E8A93");
+  EXPECT_EQ(found.at(2002), "ADACC0");
   EXPECT_NE(found.at(0), found.at(1999));
   EXPECT_EQ(found.at(0), found.at(2000));
 }
@@ -202,7 +227,7 @@ TEST(DrawColours, Residues) {
       {"ATOM  TRP", "C7A9E0"}, {"ATOM  CYX", "F3DC74"}, {"HETATMMSE", "F3DC74"}, {"ATOM  VAL", "E3C68C"},
       {"ATOM  GLY", "F1EDE4"}, {"ATOM   DA", "F0AC96"}, {"ATOM    C", "9FC3E6"}, {"ATOM  GUA", "B7D3A0"},
       {"ATOM  RU5", "EED28A"}, {"ATOM  DT3", "EED28A"}, {"ATOM  ACE", "D2CDC3"}, {"ATOM  XYZ", "D2CDC3"},
-      {"HETATMHEM", "909090"}};
+      {"HETATMHEM", "7E8A93"}};
   std::string text;
   for (size_t i = 0; i < residues.size(); ++i) {
     char line[100];
@@ -227,11 +252,11 @@ TEST(DrawColours, Residues) {
   EXPECT_EQ(fills(file.path(), {"--colour", "element"}), fills(file.path(), {}));
 }
 
-// Sixteen steps from blue over white to red: a number's, between the least and the greatest or the user's.
+// Sixty-four steps from blue over grey to red: a number's, between the least and the greatest or the user's.
 std::string ramp_colour(double number, double low, double high) {
   const double part = std::min(1.0, std::max(0.0, (number - low) / (high - low)));
-  const int ends[3][3] = {{0x3F, 0x74, 0xB5}, {0xEF, 0xE9, 0xDC}, {0xC2, 0x45, 0x2F}};
-  const double step = std::floor(16 * part + 0.5) / 8;
+  const int ends[3][3] = {{0x3F, 0x74, 0xB5}, {0xE8, 0xE8, 0xE8}, {0xC2, 0x45, 0x2F}};
+  const double step = std::floor(64 * part + 0.5) / 32;
   char text[7] = "";
   for (int k = 0; k < 3; ++k) {
     const int from = ends[step <= 1 ? 0 : 1][k];
@@ -256,7 +281,7 @@ TEST(DrawColours, NumbersOfAFile) {
     }
   }
   const TemporaryFile same("same.txt", "7\n7\n7\n7\n7\n");
-  for (const auto &[ball, colour] : fills(file.path(), {"--colour", same.path()})) EXPECT_EQ(colour, "EFE9DC") << ball;
+  for (const auto &[ball, colour] : fills(file.path(), {"--colour", same.path()})) EXPECT_EQ(colour, "E8E8E8") << ball;
   const TemporaryFile out("numbers.svg");
   const Json json = run_json({"draw", file.path(), "-o", out.path(), "--colour", numbers.path()});
   EXPECT_EQ(json["palette"].text, "ramp");
@@ -295,6 +320,43 @@ TEST(DrawColours, TemperatureFactorsAndAreas) {
   EXPECT_EQ(found.at(0), ramp_colour(0, 0, 1));
   EXPECT_EQ(found.at(1), ramp_colour(1, 0, 1));
   EXPECT_EQ(found.at(2), ramp_colour(0.5, 0, 1));
+}
+
+// Names are those of style sheets.
+TEST(DrawColours, ColoursHaveNames) {
+  for (const auto &[name, digits] : std::map<std::string, std::string>{
+           {"white", "FFFFFF"}, {"black", "000000"}, {"navy", "000080"}, {"orange", "ffa500"}, {"grey", "#808080"}}) {
+    EXPECT_EQ(drawn(crambin(), {"--background", name}), drawn(crambin(), {"--background", digits})) << name;
+  }
+  EXPECT_EQ(run_program({"draw", crambin(), "-o", "x.svg", "--background", "whit"}).status, 2);
+}
+
+// Far ones of many sticks fade, where nothing is said.
+TEST(DrawColours, ManySticksFade) {
+  for (const auto &[file, fog] : std::map<std::string, std::string>{{"crambin", "0.7"}, {"caffeine", "0.3"}}) {
+    const std::string path = molecules_folder() + "/" + file + ".pdb";
+    EXPECT_EQ(drawn(path, {"--as", "ball-and-stick"}), drawn(path, {"--as", "ball-and-stick", "--fog", fog})) << file;
+  }
+}
+
+// Numbers above 90, 70 and 50, and others.
+TEST(DrawColours, BandsOfAlphaFold) {
+  std::string text;
+  const std::vector<std::pair<double, std::string>> numbers = {{100, "0053D6"},  {90.01, "0053D6"}, {90, "65CBF3"},
+                                                               {70.5, "65CBF3"}, {70, "FFDB13"},    {50.1, "FFDB13"},
+                                                               {50, "FF7D45"},   {0, "FF7D45"}};
+  for (size_t i = 0; i < numbers.size(); ++i) {
+    char line[100];
+    std::snprintf(line, sizeof line, "ATOM  %5d  CA  ALA A%4d    %8.3f%8.3f%8.3f  1.00%6.2f           C\n",
+                  static_cast<int>(i), static_cast<int>(i), 5.0 * static_cast<double>(i), 0.0, 0.0, numbers[i].first);
+    text += line;
+  }
+  const TemporaryFile file("model.pdb", text);
+  const std::map<int, std::string> found = fills(file.path(), {"--colour", "plddt"});
+  ASSERT_EQ(found.size(), numbers.size());
+  for (const auto &[ball, colour] : found) EXPECT_EQ(colour, numbers[static_cast<size_t>(ball)].second) << ball;
+  EXPECT_EQ(run_program({"draw", file.path(), "-o", "x.svg", "--colour", "plddt", "--range", "0,1"}).status, 2);
+  EXPECT_EQ(run_program({"draw", "good/one.xyzr", "-o", "x.svg", "--colour", "plddt"}).status, 2);
 }
 
 // What is named keeps its colours, but for carbon among elements; all else keeps a quarter of them.
@@ -404,9 +466,10 @@ TEST(DrawColours, InkWidthsAndColours) {
 TEST(DrawColours, LooksArePresets) {
   const std::vector<std::pair<std::string, std::vector<std::string>>> looks = {
       {"paper", {"--ink", "--occlusion", "0.5"}},
-      {"goodsell", {"--ink", "--style", "flat", "--occlusion", "0.5", "--outline", "0", "--fog", "0.4"}},
+      {"goodsell",
+       {"--palette", "chain", "--ink", "--style", "flat", "--occlusion", "0.5", "--outline", "0", "--fog", "0.4"}},
       {"slide",
-       {"--ink", "--occlusion", "0.5", "--outline", "0", "--fog", "0.45", "--background", "14171E", "--outline-colour",
+       {"--ink", "--occlusion", "0.5", "--outline", "0", "--fog", "0.15", "--background", "14171E", "--outline-colour",
         "ECE9E2", "--ink-colour", "14171E", "--width", "1600", "--height", "900"}},
       {"print",
        {"--ink", "--style", "flat", "--occlusion", "0", "--fog", "0", "--outline-colour", "000000", "--ink-colour",
@@ -418,7 +481,7 @@ TEST(DrawColours, LooksArePresets) {
     other.back() = look == "slide" ? "800" : look == "print" ? "0000ff" : "0.1";
     const std::string option = other[other.size() - 2];
     EXPECT_EQ(drawn(crambin(), {"--look", look, option, other.back()}),
-              look == "slide" ? drawn(crambin(), {"--ink", "--occlusion", "0.5", "--outline", "0", "--fog", "0.45",
+              look == "slide" ? drawn(crambin(), {"--ink", "--occlusion", "0.5", "--outline", "0", "--fog", "0.15",
                                                   "--background", "14171E", "--outline-colour", "ECE9E2",
                                                   "--ink-colour", "14171E", "--height", "800"})
                               : drawn(crambin(), other))

@@ -1,11 +1,13 @@
 // hardsphere mesh -o OUT.svg: what the triangles of a picture cover, in which order and colours, and what a cut shows.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "program_runner.hpp"
@@ -13,13 +15,17 @@
 
 namespace {
 
+using Point = std::array<double, 2>;
+
 struct Part {
   std::array<int, 3> colour;
-  std::vector<std::array<double, 2>> points;  // px, y up
+  std::vector<Point> points;  // px, y up; of curves their ends
   bool closed;
+  double swept;  // between the ends of curves and the curves
+  std::string fill;
 
   [[nodiscard]] double area() const {
-    double sum = 0;
+    double sum = swept;
     for (size_t k = 0; closed && k < points.size(); ++k) {
       const auto &a = points[k];
       const auto &b = points[(k + 1) % points.size()];
@@ -30,36 +36,90 @@ struct Part {
   [[nodiscard]] bool is_red() const { return colour[0] > colour[1] + 60; }
 };
 
-// Units of the file are tenths of a px.
-std::vector<Part> parts_of(const std::string &svg) {
+std::string attribute(const std::string &element, const std::string &name) {
+  const size_t at = element.find(' ' + name + "=\"");
+  if (at == std::string::npos) return "";
+  const size_t begin = at + name.size() + 3;
+  return element.substr(begin, element.find('"', begin) - begin);
+}
+
+std::string element_of(const std::string &svg, const std::string &id) {
+  const size_t at = svg.find("id=\"" + id + "\"");
+  EXPECT_NE(at, std::string::npos) << id;
+  return svg.substr(svg.rfind('<', at), svg.find('\n', at) - svg.rfind('<', at));
+}
+
+// A colour itself, or what the gradient of a sphere makes of it in the middle.
+std::array<int, 3> colour_of(const std::string &svg, const std::string &path) {
+  std::string colour = attribute(path, "color");
+  const std::string fill = attribute(path, "fill");
+  if (fill.rfind("url(#", 0) == 0) {
+    const std::string sphere = element_of(svg, fill.substr(5, fill.size() - 6));
+    const std::string stops = element_of(svg, attribute(sphere, "xlink:href").substr(1));
+    colour = stops.substr(stops.find("offset=\"0.4\" stop-color=\"") + 25, 7);
+  }
+  const unsigned long number = std::stoul(colour.substr(1), nullptr, 16);
+  return {static_cast<int>(number >> 16 & 0xFF), static_cast<int>(number >> 8 & 0xFF), static_cast<int>(number & 0xFF)};
+}
+
+// The loops of a path, in twentieths of a px: lines, and parabolas that are given by the point where their tangents
+// meet.
+std::vector<Part> loops_of(const std::string &path) {
   std::vector<Part> parts;
-  const std::string head = "<path color=\"#";
-  for (size_t at = svg.find(head); at != std::string::npos; at = svg.find(head, at + 1)) {
-    Part part{{}, {}, false};
-    const unsigned long colour = std::stoul(svg.substr(at + head.size(), 6), nullptr, 16);
-    for (size_t k = 0; k < 3; ++k) part.colour[k] = static_cast<int>(colour >> (16 - 8 * k) & 0xFF);
-    const size_t begin = svg.find(" d=\"M", at) + 5;
-    std::string path = svg.substr(begin, svg.find('"', begin) - begin);
-    part.closed = path.back() == 'z';
-    std::string spaced;
-    for (const char c : path) {
-      if (c == '-') spaced += ' ';
-      spaced += c == 'l' || c == 'z' ? ' ' : c;
+  std::string spaced;
+  for (const char c : path) {
+    const bool command = std::string("Mlqtz").find(c) != std::string::npos;
+    spaced += command ? std::string(" ") + c + ' ' : c == '-' ? " -" : std::string(1, c);
+  }
+  std::istringstream words(spaced);
+  char command = 'M';
+  Point at{}, control{};
+  const auto next = [&words](const Point &from, int sign) {
+    Point to{};
+    words >> to[0] >> to[1];
+    return Point{from[0] * sign + to[0] / 20, from[1] * sign - to[1] / 20};
+  };
+  for (std::string word; words >> word;) {
+    if (std::string("Mlqtz").find(word[0]) != std::string::npos) {
+      command = word[0];
+      if (command == 'z') parts.back().closed = true;
+      if (command == 'M') parts.push_back({{}, {at = next(at, 0)}, false, 0, ""});
+      continue;
     }
-    std::istringstream numbers(spaced);
-    double x = 0;
-    double y = 0;
-    for (double dx = 0, dy = 0; numbers >> dx >> dy;) {
-      x += dx / 10;
-      y -= dy / 10;
-      part.points.push_back({x, y});
+    words.seekg(-static_cast<std::streamoff>(word.size()), std::ios::cur);
+    if (command == 'q') control = next(at, 1);
+    if (command == 't') control = {2 * at[0] - control[0], 2 * at[1] - control[1]};
+    const Point to = next(at, 1);
+    if (command != 'l') {
+      const Point a{control[0] - at[0], control[1] - at[1]}, b{to[0] - at[0], to[1] - at[1]};
+      parts.back().swept += (a[0] * b[1] - a[1] * b[0]) / 3;
     }
-    parts.push_back(part);
+    parts.back().points.push_back(at = to);
   }
   return parts;
 }
 
-std::vector<Part> drawn(const std::string &file, std::vector<std::string> options) {
+// Of an area several, if it has several loops. Borders of patches are left out.
+std::vector<Part> parts_of(const std::string &svg) {
+  std::vector<Part> parts;
+  for (size_t at = svg.find("<path "); at != std::string::npos; at = svg.find("<path ", at + 1)) {
+    const std::string path = svg.substr(at, svg.find('\n', at) - at);
+    if (!attribute(path, "stroke-opacity").empty()) continue;
+    const bool line = attribute(path, "fill") == "none";
+    for (Part part : loops_of(attribute(path, "d"))) {
+      if (line) {
+        part.closed = false;
+      } else {
+        part.colour = colour_of(svg, path);
+        part.fill = attribute(path, "fill");
+      }
+      parts.push_back(part);
+    }
+  }
+  return parts;
+}
+
+std::string drawn_text(const std::string &file, std::vector<std::string> options) {
   const TemporaryFile out("mesh.svg");
   options.insert(options.begin(), {"mesh", file, "-o", out.path()});
   const Outcome outcome = run_program(options);
@@ -67,45 +127,86 @@ std::vector<Part> drawn(const std::string &file, std::vector<std::string> option
   const std::string svg = read_file(out.path());
   EXPECT_EQ(svg.substr(0, 38), "<svg xmlns=\"http://www.w3.org/2000/svg");
   EXPECT_EQ(svg.substr(svg.size() - 7), "</svg>\n");
-  return parts_of(svg);
+  return svg;
 }
 
-double area_of(const std::vector<Part> &parts) {
-  double sum = 0;
-  for (const Part &part : parts) sum += part.area();
-  return sum;
+std::vector<Part> drawn(const std::string &file, const std::vector<std::string> &options) {
+  return parts_of(drawn_text(file, options));
 }
 
-// The front of a ball covers its disc, once: 1000 px are its diameter and a margin of .03 of it on either side.
+// The front of a ball covers its disc, in one area with one gradient: 1000 px are its diameter and a margin of .03 of
+// it on either side.
 TEST(MeshPicture, TheFrontOfABallIsADisc) {
   const TemporaryFile ball("ball.xyzr", "5 6 7 2\n");
   const double disc = std::numbers::pi * 0.25 * std::pow(1000 / 1.06, 2);
   for (const char *view : {"0,0,1", "1,2,3"}) {
-    const std::vector<Part> parts = drawn(ball.path(), {"--edge", "0.2", "--view", view});
-    EXPECT_GT(parts.size(), 1000u);
-    for (const Part &part : parts) {
-      EXPECT_GE(part.area(), -1);  // but for rounding they all face the viewer
-    }
-    EXPECT_NEAR(area_of(parts), disc, 0.01 * disc) << view;
+    const std::string svg = drawn_text(ball.path(), {"--edge", "0.2", "--view", view});
+    const std::vector<Part> parts = parts_of(svg);
+    ASSERT_EQ(parts.size(), 1u);
+    EXPECT_NEAR(parts[0].area(), disc, 0.01 * disc) << view;
+    const std::string gradient = element_of(svg, "s0");
+    EXPECT_NEAR(std::stod(attribute(gradient, "r")), 20 * 500 / 1.06, 0.01 * 20 * 500);
+    for (const char *centre : {"cx", "cy"}) EXPECT_NEAR(std::stod(attribute(gradient, centre)), 20 * 500, 20 * 5);
+    EXPECT_LT(std::stod(attribute(gradient, "fx")), std::stod(attribute(gradient, "cx")));
+    EXPECT_LT(std::stod(attribute(gradient, "fy")), std::stod(attribute(gradient, "cy")));
   }
 }
 
-// Cut in the middle, the back of the ball shows its inside, on the same disc, within a rim all around.
+// Cut in the middle, the back of the ball shows its inside, on the same disc, within a rim all around. The light of a
+// hollow comes from the other side.
 TEST(MeshPicture, ACutShowsTheInside) {
   const TemporaryFile ball("ball.xyzr", "5 6 7 2\n");
   const double radius = 500 / 1.06;
-  const std::vector<Part> parts = drawn(ball.path(), {"--edge", "0.2", "--view", "0,0,1", "--cut"});
+  const std::string svg = drawn_text(ball.path(), {"--edge", "0.2", "--view", "0,0,1", "--cut"});
   double rim = 0;
   double area = 0;
-  for (const Part &part : parts) {
+  for (const Part &part : parts_of(svg)) {
     area += part.area();
     if (part.closed) continue;
-    ASSERT_EQ(part.points.size(), 2u);
-    rim += std::hypot(part.points[1][0] - part.points[0][0], part.points[1][1] - part.points[0][1]);
-    EXPECT_NEAR(std::hypot(part.points[0][0] - 500, part.points[0][1] + 500), radius, 0.02 * radius);
+    for (size_t k = 0; k < part.points.size(); ++k) {
+      const Point &next = part.points[(k + 1) % part.points.size()];
+      rim += std::hypot(next[0] - part.points[k][0], next[1] - part.points[k][1]);
+      EXPECT_NEAR(std::hypot(part.points[k][0] - 500, part.points[k][1] + 500), radius, 0.02 * radius);
+    }
   }
   EXPECT_NEAR(area, -std::numbers::pi * radius * radius, 0.01 * std::numbers::pi * radius * radius);
   EXPECT_NEAR(rim, 2 * std::numbers::pi * radius, 0.02 * rim);
+  EXPECT_GT(std::stod(attribute(element_of(svg, "s1"), "fx")), 20 * 500);
+  EXPECT_EQ(svg.find(">voids<"), std::string::npos);
+  EXPECT_NE(svg.find(">inside of the surface, cut open<"), std::string::npos);
+}
+
+// What a cut leaves of a ball of a 200th of the area floats behind the plane: it is dropped. One of a 20th is not.
+TEST(MeshPicture, ACutLeavesNoCrumbs) {
+  for (const auto &[small, sections] : {std::pair<const char *, size_t>{"0.28", 1}, {"0.9", 2}}) {
+    const TemporaryFile balls("balls.xyzr", "0 0 0 4\n9 0 0.1 " + std::string(small) + "\n");
+    size_t lines = 0;
+    for (const Part &part : drawn(balls.path(), {"--edge", "0.1", "--view", "0,0,1", "--cut"})) {
+      lines += part.closed ? 0 : 1;
+    }
+    EXPECT_EQ(lines, sections) << small;
+  }
+}
+
+// Two balls of radii 1.7 and 1.52 in a distance of 3, probe 1.4: each has what lies on its side of the plane where the
+// probe's centres are, x = (3.1^2 - 2.92^2 + 3^2) / 6; in a picture of 6.22 and a margin.
+TEST(MeshPicture, ColoursMeetWhereTheSurfaceIsNarrowest) {
+  const TemporaryFile pair("pair.xyz", "2\n\nN 0 0 0\nO 3 0 0\n");
+  const std::vector<Part> parts = drawn(pair.path(), {"--radius", "N=1.7", "--radius", "O=1.52", "--probe", "1.4",
+                                                      "--surface", "ses", "--edge", "0.4", "--view", "0,0,1"});
+  const double border = (3.1 * 3.1 - 2.92 * 2.92 + 9) / 6;
+  const double scale = 1000 / (6.22 * 1.06);
+  const double px = (border + 1.7 + 0.03 * 6.22) * scale;
+  double red = 0, blue = 1e9;
+  for (const Part &part : parts) {
+    const bool of_oxygen = part.colour[0] > part.colour[2];
+    for (const Point &point : part.points) {
+      if (of_oxygen) blue = std::min(blue, point[0]);
+      if (!of_oxygen) red = std::max(red, point[0]);
+    }
+  }
+  EXPECT_NEAR(red, px, 1);
+  EXPECT_NEAR(blue, px, 1);
 }
 
 // Six balls around a void: as a body it has the shape that they leave, and is seen only if they are cut open.
@@ -114,12 +215,15 @@ TEST(MeshPicture, VoidsAreRed) {
   for (const Part &part : drawn("good/cage.xyzr", options)) EXPECT_FALSE(part.is_red());
   std::vector<std::string> cut = options;
   cut.emplace_back("--cut");
-  double area = 0;
+  double area = 0;  // of the side towards the viewer, which comes last
+  std::string fill;
   std::array<double, 2> low = {1e9, 1e9};
   std::array<double, 2> high = {-1e9, -1e9};
-  for (const Part &part : drawn("good/cage.xyzr", cut)) {
+  const std::vector<Part> parts = drawn("good/cage.xyzr", cut);
+  for (const Part &part : parts) fill = part.is_red() ? part.fill : fill;
+  for (const Part &part : parts) {
     if (!part.is_red()) continue;
-    area -= part.area();
+    area -= part.fill == fill ? part.area() : 0;
     for (const auto &point : part.points) {
       for (size_t k = 0; k < 2; ++k) {
         low[k] = std::min(low[k], point[k]);
@@ -140,8 +244,9 @@ TEST(MeshPicture, VoidsAreRed) {
 TEST(MeshPicture, TheCutGoesThroughTheVoid) {
   const TemporaryFile more("more.xyzr", read_file(inputs_folder() + "/good/cage.xyzr") + "0 0 9 1.5\n3 0 2 1\n");
   const std::vector<Part> parts = drawn(more.path(), {"--edge", "0.05", "--view", "0,0,1", "--cut"});
-  ASSERT_FALSE(parts.empty());
-  EXPECT_TRUE(parts.back().is_red());
+  const auto last = std::find_if(parts.rbegin(), parts.rend(), [](const Part &part) { return part.closed; });
+  ASSERT_NE(last, parts.rend());
+  EXPECT_TRUE(last->is_red());
 }
 
 // The nearer atom is painted last, in its own colour, from whichever side one looks.

@@ -37,7 +37,7 @@ _hardsphere() {
       "draw --look") words="paper goodsell slide print" ;;
       "draw --style") words="flat headlight soft" ;;
       "draw --palette") words="soft jmol chain" ;;
-      "draw --colour") words="element chain residue area bfactor charge" ;;
+      "draw --colour") words="element chain residue area bfactor charge plddt" ;;
       "draw --unit") words="px mm" ;;
       "draw --background") words="none" ;;
       "draw --label") words="atom residue chain" ;;

@@ -134,7 +134,7 @@ case $words[2] in
     '*--look=[several options by one name]:paper|goodsell|slide|print:(paper goodsell slide print)'
     '*--style=[one colour a ball, light from the viewer, or light from the upper left]:flat|headlight|soft:(flat headlight soft)'
     '*--palette=[muted colours or Jmol'\''s by element, or a tint for each chain and ligands and ions by]:soft|jmol|chain:(soft jmol chain)'
-    '*--colour=[what colours stand for]:WHAT:(element chain residue area bfactor charge)'
+    '*--colour=[what colours stand for]:WHAT:(element chain residue area bfactor charge plddt)'
     '*--range=[which numbers are blue and red]:LOW,HIGH:'
     '*--highlight=[mute the colours of all atoms but those that S names, as for --only]:S:'
     '*--occlusion=[darken buried balls, from 0, not at all, to 1]:S:'

@@ -121,7 +121,21 @@ bool option_numbers(struct reading *reading, const struct option *option, const 
   return true;
 }
 
+/* The names that style sheets have had from the first. */
+struct colour_name {
+  const char *name;
+  int rgb;
+};
+static const struct colour_name colour_names[] = {
+    {"white", 0xFFFFFF}, {"silver", 0xC0C0C0},  {"gray", 0x808080},   {"grey", 0x808080},   {"black", 0x000000},
+    {"red", 0xFF0000},   {"maroon", 0x800000},  {"orange", 0xFFA500}, {"yellow", 0xFFFF00}, {"olive", 0x808000},
+    {"lime", 0x00FF00},  {"green", 0x008000},   {"aqua", 0x00FFFF},   {"teal", 0x008080},   {"blue", 0x0000FF},
+    {"navy", 0x000080},  {"fuchsia", 0xFF00FF}, {"purple", 0x800080}};
+
 int option_rgb(const char *text) {
+  for (size_t k = 0; k < sizeof colour_names / sizeof colour_names[0]; ++k) {
+    if (strcmp(text, colour_names[k].name) == 0) return colour_names[k].rgb;
+  }
   const char *digits = text[0] == '#' ? text + 1 : text;
   int number = 0;
   if (strlen(digits) != 6) return -1;

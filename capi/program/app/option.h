@@ -91,7 +91,7 @@ bool option_number(const struct reading *reading, const struct option *option, c
 bool option_numbers(struct reading *reading, const struct option *option, const char *value, const char *names,
                     double *numbers);
 
-/* RRGGBB, with # or without it; negative: it is none. */
+/* RRGGBB, with # or without it, or a name as in style sheets; negative: it is none. */
 int option_rgb(const char *text);
 
 #endif

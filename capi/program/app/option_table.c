@@ -175,22 +175,24 @@ const struct option *option_at(size_t i) {
       {"--look", "paper|goodsell|slide|print", take_choice, OF(DRAW), .target = IN(drawing.look),
        .words = "paper|goodsell|slide|print",
        .help = "several options by one name; what else is said wins. paper: contours, and buried balls\n"
-               "darker; goodsell: the same in flat colours, by chain where there are two, without lines\n"
-               "between bonded atoms; slide: before a dark background, 1600 x 900 px; print: flat, black\n"
-               "contours, lines up to 1000 balls, nothing darkened or faded, for printers without colours"},
+               "darker; goodsell: the same in flat colours, a tint for each chain, without lines between\n"
+               "bonded atoms; slide: before a dark background, 1600 x 900 px; print: flat, black\n"
+               "contours, lines up to 1000 balls, nothing darkened or faded, for printers without colours.\n"
+               "Balls and sticks have wider lines for contours"},
       {"--style", "flat|headlight|soft", take_choice, OF(DRAW), .target = IN(drawing.style),
        .words = "flat|headlight|soft",
        .help = "one colour a ball, light from the viewer, or light from the upper left; default\n"
                "soft up to 2000 balls, flat above"},
       {"--palette", "soft|jmol|chain", take_choice, OF(DRAW), .target = IN(drawing.palette), .words = "soft|jmol|chain",
        .help = "muted colours or Jmol's by element, or a tint for each chain and ligands and ions by\n"
-               "element; default chain above 2000 balls with two chains or more, else soft. .xyzr files\n"
-               "name no elements: all balls count as carbon"},
-      {"--colour", "WHAT", take_colour_meaning, OF(DRAW), .words = "element|chain|residue|area|bfactor|charge",
-       .what = "element, chain, residue, area, bfactor, charge or a file",
+               "element; default chain above 2000 balls with two chains or more, and with two of\n"
+               "nucleotides, else soft. .xyzr files name no elements: all balls count as carbon"},
+      {"--colour", "WHAT", take_colour_meaning, OF(DRAW), .words = "element|chain|residue|area|bfactor|charge|plddt",
+       .what = "element, chain, residue, area, bfactor, charge, plddt or a file",
        .help = "what colours stand for: element, chain, residue (by its kind), area (that is free for a\n"
                "water molecule), bfactor (of .pdb and .cif files), charge (of .pqr files, from red to\n"
-               "blue, white where there is none), or a file with a dot or slash in its\n"
+               "blue, pale where there is none), plddt (the column of bfactor in AlphaFold's four\n"
+               "bands: above 90, 70, 50, and below), or a file with a dot or slash in its\n"
                "name: a number for each ball that is drawn, each on its own line, # comments. Default as\n"
                "for --palette. Numbers go from blue to red, and darken nothing without --occlusion"},
       {"--range", "LOW,HIGH", take_range, OF(DRAW),
@@ -205,12 +207,12 @@ const struct option *option_at(size_t i) {
                "molecules it takes less than 1 s up to 20000 balls, 15 us a ball beyond, several times\n"
                "that with a --probe; a coarser rule serves above 1000 and above 5000"},
       {"--fog", "F", take_number, OF(DRAW), .target = IN(drawing.fog), .most = 1,
-       .help = "fade far balls to the background, from 0, not at all, to 1; default 0.3, 0 without a\n"
-               "background"},
+       .help = "fade far balls to the background, from 0, not at all, to 1; default 0.3, 0.7 for balls\n"
+               "and sticks above 60 atoms, 0 without a background"},
       {"--outline", "W", take_number, OF(DRAW), .target = IN(drawing.outline), .most = 1e6,
        .help = "the width of lines along silhouettes and intersections, 0: none; default by size"},
       {"--outline-colour", "RRGGBB", take_colour, OF(DRAW), .target = IN(drawing.outline_colour), .what = "RRGGBB",
-       .help = "their colour; default 23202B"},
+       .help = "their colour; default 23202B. Colours have names, too, as in style sheets: white, navy"},
       {"--ink", NULL, take_flag, OF(DRAW), .target = IN(drawing.ink),
        .help = "contours as wide as what lies behind them is far: thickest around the molecule, thick\n"
                "around chains and ligands, from nothing up elsewhere; lines get thinner, or none"},

@@ -58,6 +58,10 @@ static bool view_options_of(const struct drawing *drawing, const struct molecule
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
+/* Among more balls and sticks the eye needs more than lines to tell what is near. */
+enum { MOST_STICKS_AT_A_GLANCE = 60 };
+static const double fog_of_many_sticks = 0.7;
+
 static bool picture_options_of(const struct drawing *drawing, uint32_t balls, const hsp_view_info *view,
                                hsp_picture_options *options, struct picture_frame *frame, struct failure *failure) {
   const int32_t status = hsp_picture_options_init(options, (uint32_t)sizeof *options);
@@ -72,6 +76,7 @@ static bool picture_options_of(const struct drawing *drawing, uint32_t balls, co
   }
   if (drawing->width >= 0.0) options->width = drawing->width;
   if (drawing->outline >= 0.0) options->outline = drawing->outline;
+  if (drawing_is_of_sticks(drawing) && balls > MOST_STICKS_AT_A_GLANCE) options->fog = fog_of_many_sticks;
   if (drawing->fog >= 0.0) options->fog = drawing->fog;
   if (drawing->margin >= 0.0) options->margin = drawing->margin;
   if (drawing->scale > 0.0) {
@@ -356,8 +361,9 @@ static bool check_colours(const struct request *request, struct failure *failure
     return failure_in_usage(failure, "--label %s has no use here: the file names no residues",
                             request->drawing.label == LABEL_CHAIN ? "chain" : "residue");
   }
-  if (colour == COLOUR_BFACTOR && !file_format_has(request->format, FILE_TEMPERATURE_FACTORS)) {
-    return failure_in_usage(failure, "--colour bfactor is for %s files",
+  if ((colour == COLOUR_BFACTOR || colour == COLOUR_PLDDT) &&
+      !file_format_has(request->format, FILE_TEMPERATURE_FACTORS)) {
+    return failure_in_usage(failure, "--colour %s is for %s files", colour == COLOUR_PLDDT ? "plddt" : "bfactor",
                             file_format_list(list, ".", "and", FILE_TEMPERATURE_FACTORS, true));
   }
   if (colour == COLOUR_CHARGE && !file_format_has(request->format, FILE_CHARGES)) {

@@ -26,21 +26,21 @@ static double area_of(const struct triangle_mesh *mesh) {
 /* What is printed. */
 struct found {
   const struct meshing *meshing;
-  const struct triangle_mesh *mesh;
+  uint32_t vertices, triangles;
   uint64_t bytes;
+  double edge, area;
 };
 
 static void print(struct record *record, const void *of) {
   static const char *const remarks[] = {"of the balls alone", "of the balls with the probe", "that the probe leaves"};
   const struct found *const found = of;
-  const struct triangle_mesh *const mesh = found->mesh;
   record_atoms(record);
   record_text(record, NULL, "surface", meshing_surface_name(found->meshing), remarks[found->meshing->surface]);
-  record_number(record, NULL, "edge", mesh->edge, 3, "@, of a triangle, about");
-  record_count(record, "vertices", "vertices", mesh->vertices, "");
-  record_count(record, "triangles", "triangles", mesh->triangles, "closed: each edge in two of them");
-  record_number(record, "edge", NULL, mesh->edge, 0, "");
-  record_number(record, "triangle_area", "area", area_of(mesh), 3, "@^2, of the triangles; measure has the surface's");
+  record_number(record, NULL, "edge", found->edge, 3, "@, of a triangle, about");
+  record_count(record, "vertices", "vertices", found->vertices, "");
+  record_count(record, "triangles", "triangles", found->triangles, "closed: each edge in two of them");
+  record_number(record, "edge", NULL, found->edge, 0, "");
+  record_number(record, "triangle_area", "area", found->area, 3, "@^2, of the triangles; measure has the surface's");
   record_count(record, "bytes", "bytes", (int64_t)found->bytes, "");
 }
 
@@ -54,18 +54,48 @@ static bool check_second_file(const struct request *request, struct failure *fai
   return !over || failure_in_usage(failure, "-o would write over the file that is read");
 }
 
-static bool write_file(const struct request *request, const struct molecule *molecule, const struct triangle_mesh *mesh,
-                       uint64_t *bytes, struct failure *failure) {
+#ifndef HSP_WITHOUT_SIGHT
+/* Voids are small, and shown whole: of shorter triangles than what is cut. */
+static const double edge_of_voids = 0.6;
+
+static bool add_finer_voids(const struct request *request, struct geometry *geometry, struct triangle_mesh *mesh,
+                            struct failure *failure) {
+  struct triangle_mesh finer;
+  memset(&finer, 0, sizeof finer);
+  const bool smooth = request->meshing.surface == MESH_SOLVENT_EXCLUDED;
+  const bool done = geometry_compute_mesh(geometry, smooth, edge_of_voids * mesh->edge, failure) &&
+                    triangle_mesh_read(geometry->work.mesh, &finer, failure) &&
+                    triangle_mesh_append(mesh, &finer, failure);
+  triangle_mesh_free(&finer);
+  return done;
+}
+
+static bool write_picture(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                          struct triangle_mesh *mesh, uint64_t *bytes, struct failure *failure) {
+  const struct meshing *meshing = &request->meshing;
+  struct mesh_view view = {.cut = meshing->cut, .of_outside = mesh->triangles};
+  struct mesh_patch *patches = NULL;
+  const int32_t status = viewing_axes(&request->viewing, molecule, view.axis);
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  const bool smooth = meshing->surface == MESH_SOLVENT_EXCLUDED;
+  const bool done = (!smooth || geometry_list_patches(geometry, &patches, failure)) &&
+                    (!view.cut || add_finer_voids(request, geometry, mesh, failure));
+  view.patches = patches;
+  const bool written =
+      done && mesh_picture_write(mesh, &view, molecule, input_base_name(request->file), meshing->out, bytes, failure);
+  free(patches);
+  return written;
+}
+#endif
+
+static bool write_file(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                       struct triangle_mesh *mesh, uint64_t *bytes, struct failure *failure) {
   const struct meshing *meshing = &request->meshing;
 #ifdef HSP_WITHOUT_SIGHT
   (void)molecule;
+  (void)geometry;
 #else
-  if (meshing->format == MESH_SVG) {
-    struct mesh_view view = {.cut = meshing->cut};
-    const int32_t status = viewing_axes(&request->viewing, molecule, view.axis);
-    if (status != HSP_OK) return failure_in_library(failure, status);
-    return mesh_picture_write(mesh, &view, molecule, input_base_name(request->file), meshing->out, bytes, failure);
-  }
+  if (meshing->format == MESH_SVG) return write_picture(request, molecule, geometry, mesh, bytes, failure);
 #endif
   return mesh_file_write(mesh, meshing->format, meshing->out, bytes, failure);
 }
@@ -74,7 +104,7 @@ bool command_mesh(const struct request *request, const struct molecule *molecule
                   struct text_buffer *out, struct failure *failure) {
   const struct meshing *meshing = &request->meshing;
   struct triangle_mesh mesh;
-  struct found found = {meshing, &mesh, 0};
+  struct found found = {meshing, 0, 0, 0, 0.0, 0.0};
   memset(&mesh, 0, sizeof mesh);
   mesh.atoms = molecule->atoms;
   mesh.edge = edge_of(request);
@@ -85,7 +115,11 @@ bool command_mesh(const struct request *request, const struct molecule *molecule
               geometry_compute_mesh(geometry, smooth, mesh.edge, failure) &&
               triangle_mesh_read(geometry->work.mesh, &mesh, failure);
   if (done) progress_show(&geometry->progress, "writing");
-  done = done && write_file(request, molecule, &mesh, &found.bytes, failure);
+  found.vertices = mesh.vertices;
+  found.triangles = mesh.triangles;
+  found.edge = mesh.edge;
+  found.area = done ? area_of(&mesh) : 0.0;
+  done = done && write_file(request, molecule, geometry, &mesh, &found.bytes, failure);
   if (done && !output_is_standard(meshing->out)) report(request, molecule, print, &found, out);
   triangle_mesh_free(&mesh);
   return done;

@@ -6,12 +6,16 @@
 
 #include "read/failure.h"
 #include "read/geometry.h"
+#include "write/mesh_file.h"
 
 /* Compute the solvent-excluded surface over the boundary, which is computed. */
 bool geometry_compute_surface(struct geometry *geometry, struct failure *failure);
 
 /* The same of the outer cell alone, as if voids were filled. */
 bool geometry_compute_outer_surface(struct geometry *geometry, struct failure *failure);
+
+/* Of a computed surface, what each of its patches comes from: of convex ones nothing. To be freed on true. */
+bool geometry_list_patches(const struct geometry *geometry, struct mesh_patch **patches, struct failure *failure);
 
 /* Make triangles of the boundary or of the solvent-excluded surface, which is computed. */
 bool geometry_compute_mesh(struct geometry *geometry, bool of_surface, double edge, struct failure *failure);

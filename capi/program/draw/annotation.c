@@ -6,9 +6,10 @@
 #include <string.h>
 
 #include "draw/pen.h"
-#include "read/residue_kinds.h"
+#include "draw/text_width.h"
+#include "read/residues.h"
 
-enum { MOST_ENTRIES = 14, RAMP_PARTS = 17, TEXT_BYTES = 48, MOST_POWERS = 300 };
+enum { MOST_ENTRIES = 200, RAMP_PARTS = 65, TEXT_BYTES = 48, MOST_POWERS = 300 };
 
 static const double letter_height = 0.72;         /* of capitals, in sizes */
 static const double line_height = 1.3;            /* from label to label */
@@ -32,7 +33,10 @@ struct placed_label {
   const char *text;
   double at[2]; /* of what it names, px */
   double y;     /* of a label beside the molecule */
+  bool hidden;  /* less is seen of it than a dot would cover */
 };
+
+static const double dot = 0.3, ring = 0.55; /* wide, in sizes */
 
 static int compare_heights(const void *a, const void *b) {
   const struct placed_label *p = a;
@@ -55,27 +59,77 @@ static void spread(struct placed_label *label, size_t count, double step, double
   }
 }
 
+/* Whether the lines of two labels, at x from the middle, cross: the order of their ends is not that of their heights
+ * where the nearer one ends. */
+static bool lines_cross(const struct placed_label *upper, const struct placed_label *lower, double x) {
+  const double far[2] = {fabs(upper->at[0] - x), fabs(lower->at[0] - x)};
+  const bool first = far[0] < far[1];
+  const struct placed_label *near = first ? upper : lower, *other = first ? lower : upper;
+  const double wide = first ? far[1] : far[0];
+  if (!(wide > 0.0)) return false;
+  const double share = (first ? far[0] : far[1]) / wide;
+  const double height = other->y + share * (other->at[1] - other->y);
+  return first ? height < near->at[1] : height > near->at[1];
+}
+
+/* Lines that cross change their places, which makes them shorter. */
+static void uncross(struct placed_label *label, size_t count, double x) {
+  bool changed = true;
+  for (size_t pass = 0; changed && pass < count; ++pass) {
+    changed = false;
+    for (size_t i = 0; i < count; ++i) {
+      for (size_t k = i + 1; k < count; ++k) {
+        if (!lines_cross(&label[i], &label[k], x)) continue;
+        const struct placed_label kept = label[i];
+        label[i] = label[k];
+        label[k] = kept;
+        label[k].y = label[i].y;
+        label[i].y = kept.y;
+        changed = true;
+      }
+    }
+  }
+}
+
 static double widest_of(const struct placed_label *label, size_t count, double size) {
   double widest = 0.0;
   for (size_t i = 0; i < count; ++i) {
-    const double width = pen_width(label[i].text, size);
+    const double width = text_width(label[i].text, size);
     if (width > widest) widest = width;
   }
   return widest;
 }
 
-/* All lines first, so that none crosses a letter. */
-static void write_side(const struct writer *writer, const struct placed_label *label, size_t count, double size,
-                       bool left) {
+/* Within a ball, on its colour: whichever of the two colours differs more from it. */
+static void write_within(const struct writer *writer, const struct page_label *label, const double at[2]) {
+  const uint32_t colours[3] = {writer->annotation->colour[label->atom], writer->colour, writer->seam};
+  int light[3];
+  for (int k = 0; k < 3; ++k) {
+    light[k] = 3 * (int)(colours[k] >> 16 & 0xFF) + 6 * (int)(colours[k] >> 8 & 0xFF) + (int)(colours[k] & 0xFF);
+  }
+  const bool of_lines = abs(light[1] - light[0]) >= abs(light[2] - light[0]);
+  const uint32_t colour = of_lines ? writer->colour : writer->seam;
+  const double y = at[1] + writer->size * letter_height / 2.0;
+  const struct pen_text written = {label->text, at[0], y, writer->size, 0.5, colour, colour};
+  pen_write(&writer->pen, &written);
+}
+
+/* What is less seen than the dot has a ring instead. All lines first, so that none crosses a letter. */
+static void write_side(const struct writer *writer, struct placed_label *label, size_t count, double size, bool left) {
   const double column = writer->annotation->frame.column;
   const double away = column > 0.0 ? column - 0.4 * size : widest_of(label, count, size) + 0.6 * size;
   const double x = left ? away : writer->width - away;
+  uncross(label, count, x);
   for (int seam = 1; seam >= 0; --seam) {
     for (size_t i = 0; i < count; ++i) {
       const double from[2] = {left ? x + 0.25 * size : x - 0.25 * size, label[i].y};
       const uint32_t colour = seam == 1 ? writer->seam : writer->colour;
       pen_line(&writer->pen, from, label[i].at, size * (seam == 1 ? 0.2 : 0.06), colour);
-      pen_line(&writer->pen, label[i].at, label[i].at, size * (seam == 1 ? 0.45 : 0.3), colour);
+      const double wide = label[i].hidden ? ring : dot;
+      pen_line(&writer->pen, label[i].at, label[i].at, size * (seam == 1 ? wide + 0.15 : wide), colour);
+      if (seam == 0 && label[i].hidden) {
+        pen_line(&writer->pen, label[i].at, label[i].at, size * (wide - 0.15), writer->seam);
+      }
     }
   }
   for (size_t i = 0; i < count; ++i) write_text(writer, label[i].text, x, label[i].y, size, left ? 1.0 : 0.0);
@@ -91,10 +145,13 @@ static bool write_labels(const struct writer *writer, struct failure *failure) {
   for (uint32_t i = 0; i < annotation->label_count; ++i) {
     const struct page_label *label = &annotation->labels[i];
     const struct placed_label placed = {
-        label->text, {frame->x + frame->scale * label->at[0], frame->y - frame->scale * label->at[1]}, 0.0};
-    const double across = pen_width(label->text, writer->size);
+        label->text,
+        {frame->x + frame->scale * label->at[0], frame->y - frame->scale * label->at[1]},
+        0.0,
+        frame->scale * label->radius < dot / 2.0 * writer->size};
+    const double across = text_width(label->text, writer->size);
     if (hypot(across, letter_height * writer->size) / 2.0 <= frame->scale * label->radius) {
-      write_text(writer, label->text, placed.at[0], placed.at[1], writer->size, 0.5);
+      write_within(writer, label, placed.at);
     } else {
       const int right = placed.at[0] > writer->width / 2.0 ? 1 : 0;
       sides[right][count[right]++] = placed;
@@ -150,56 +207,114 @@ static void write_scale_bar(const struct writer *writer, double y) {
 struct entry {
   const char *text;
   uint32_t colour;
+  bool of_element;
 };
 
-/* Chains stand for their carbon atoms, which have the tint itself. Ligands have colours by element. */
-static bool is_shown(const struct annotation *annotation, uint32_t atom, bool of_chains) {
-  const struct atom_label *label = &annotation->molecule->label[atom];
-  if (!selection_takes(annotation->selected, label)) return false;
-  return !of_chains || (!label->hetatm && strcmp(label->element.text, "C") == 0 && label->residue->chain[0] != '\0');
+struct legend {
+  struct entry entry[MOST_ENTRIES];
+  size_t entries;
+  bool cut;             /* there are more */
+  const char *quantity; /* NULL: what they are is seen */
+};
+
+/* Of colours by chain, atoms of chains stand for these, by their carbon, which has the tint itself; all others stand
+ * for their elements. */
+static bool stands_for_chain(const struct annotation *annotation, const struct atom_label *label) {
+  return strcmp(annotation->palette->name, "chain") == 0 && (atom_is_of_chain(label) || atom_is_water(label));
 }
 
-static bool find_entries(const struct annotation *annotation, struct entry entries[MOST_ENTRIES], size_t *count,
-                         struct failure *failure) {
-  const bool of_chains = strcmp(annotation->palette->name, "chain") == 0;
-  *count = 0;
-  for (uint32_t atom = 0; atom < annotation->molecule->atoms; ++atom) {
+/* Chains before elements, shorter names first; of elements C and H, as formulas have them. */
+static int compare_entries(const void *left, const void *right) {
+  const struct entry *a = left;
+  const struct entry *b = right;
+  if (a->of_element != b->of_element) return a->of_element ? 1 : -1;
+  for (const char *first = a->of_element ? "CH" : ""; *first != '\0'; ++first) {
+    const bool is[2] = {a->text[0] == *first && a->text[1] == '\0', b->text[0] == *first && b->text[1] == '\0'};
+    if (is[0] != is[1]) return is[0] ? -1 : 1;
+  }
+  const size_t length[2] = {strlen(a->text), strlen(b->text)};
+  if (!a->of_element && length[0] != length[1]) return length[0] < length[1] ? -1 : 1;
+  return strcmp(a->text, b->text);
+}
+
+static void find_entries(const struct annotation *annotation, struct legend *legend) {
+  legend->entries = 0;
+  legend->cut = false;
+  for (size_t k = 0; k < annotation->palette->bands; ++k) {
+    legend->entry[legend->entries++] =
+        (struct entry){annotation->palette->band[k].name, annotation->palette->band[k].colour, false};
+  }
+  for (uint32_t atom = 0; atom < annotation->molecule->atoms && annotation->palette->bands == 0; ++atom) {
     const struct atom_label *label = &annotation->molecule->label[atom];
-    const char *const text = of_chains ? label->residue->chain : label->element.text;
-    if (text[0] == '\0' || !is_shown(annotation, atom, of_chains)) continue;
+    const bool of_chain = stands_for_chain(annotation, label);
+    const char *const text = of_chain ? label->residue->chain : label->element.text;
+    if (text[0] == '\0' || !selection_takes(annotation->selected, label)) continue;
+    if (of_chain && strcmp(label->element.text, "C") != 0) continue;
     size_t at = 0;
-    while (at < *count && strcmp(entries[at].text, text) != 0) ++at;
-    if (at < *count) continue;
-    if (at == MOST_ENTRIES) return failure_in_input(failure, 0, "--legend has room for %d colours", MOST_ENTRIES);
-    entries[(*count)++] = (struct entry){text, annotation->colour[atom]};
+    while (at < legend->entries &&
+           (strcmp(legend->entry[at].text, text) != 0 || legend->entry[at].of_element == of_chain)) {
+      ++at;
+    }
+    if (at < legend->entries) continue;
+    if (at == MOST_ENTRIES) {
+      legend->cut = true;
+      break;
+    }
+    legend->entry[legend->entries++] = (struct entry){text, annotation->colour[atom], !of_chain};
   }
-  return true;
+  legend->quantity = annotation->palette->quantity;
+  if (annotation->palette->bands > 0 || legend->entries == 0) return;
+  qsort(legend->entry, legend->entries, sizeof legend->entry[0], compare_entries);
+  /* There are chains C and N, too. */
+  if (!legend->entry[0].of_element && legend->entry[legend->entries - 1].of_element) legend->quantity = "chains";
 }
 
-static bool write_entries(const struct writer *writer, double y, struct failure *failure) {
-  struct entry entries[MOST_ENTRIES];
-  size_t count = 0;
-  if (!find_entries(writer->annotation, entries, &count, failure)) return false;
+static double entry_width(const struct entry *entry, double size) {
+  return 1.5 * size + text_width(entry->text, size);
+}
+
+/* From right to left. Where there are more than have room, letters are smaller, and then the last entries are dots. */
+static void write_entries(const struct writer *writer, double y) {
+  static const double smallest = 0.6;
+  static const char more[] = "..";
+  struct legend legend;
+  find_entries(writer->annotation, &legend);
+  const char *const quantity = legend.quantity;
+  const double room = (writer->annotation->drawing->scale_bar ? 0.66 : 1.0) * writer->width - writer->size;
+  double wide = quantity == NULL ? 0.0 : text_width(quantity, writer->size) + 0.6 * writer->size;
+  for (size_t i = 0; i < legend.entries; ++i) wide += entry_width(&legend.entry[i], writer->size);
+  const double size = writer->size * (wide <= room ? 1.0 : wide * smallest >= room ? smallest : room / wide);
+  double left = (quantity == NULL ? 0.4 * size : text_width(quantity, size) + size) +
+                (wide * smallest > room || legend.cut ? text_width(more, size) : 0.0);
+  size_t shown = 0;
+  while (shown < legend.entries && left + entry_width(&legend.entry[shown], size) <= room + 0.5 * size) {
+    left += entry_width(&legend.entry[shown++], size);
+  }
   double x = writer->width - 0.4 * writer->size;
-  for (size_t i = count; i-- > 0;) {
-    x -= 0.6 * writer->size + pen_width(entries[i].text, writer->size);
-    write_text(writer, entries[i].text, x, y, writer->size, 0.0);
-    x -= 1.2 * writer->size;
-    const double corner[2] = {x, y - 0.45 * writer->size};
-    const double behind[2] = {corner[0] - 0.06 * writer->size, corner[1] - 0.06 * writer->size};
-    pen_rectangle(&writer->pen, behind, 1.02 * writer->size, 1.02 * writer->size, writer->colour);
-    pen_rectangle(&writer->pen, corner, 0.9 * writer->size, 0.9 * writer->size, entries[i].colour);
+  if (shown < legend.entries || legend.cut) {
+    x -= text_width(more, size);
+    write_text(writer, more, x, y, size, 0.0);
   }
-  return true;
+  for (size_t i = shown; i-- > 0;) {
+    x -= 0.45 * size + text_width(legend.entry[i].text, size);
+    write_text(writer, legend.entry[i].text, x, y, size, 0.0);
+    x -= 1.05 * size;
+    const double corner[2] = {x, y - 0.45 * size};
+    const double behind[2] = {corner[0] - 0.06 * size, corner[1] - 0.06 * size};
+    pen_rectangle(&writer->pen, behind, 1.02 * size, 1.02 * size, writer->colour);
+    pen_rectangle(&writer->pen, corner, 0.9 * size, 0.9 * size, legend.entry[i].colour);
+  }
+  if (quantity != NULL) write_text(writer, quantity, x - 0.6 * size, y, size, 1.0);
 }
 
+/* The quantity with its unit, and the ramp between the two ends. */
 static void write_ramp(const struct writer *writer, double y) {
   const struct ball_palette *palette = writer->annotation->palette;
-  char text[2][TEXT_BYTES];
+  char text[3][TEXT_BYTES];
   snprintf(text[0], TEXT_BYTES, "%.4g", palette->low);
   snprintf(text[1], TEXT_BYTES, "%.4g", palette->high);
-  const double part = 0.5 * writer->size;
-  double x = writer->width - writer->size - pen_width(text[1], writer->size);
+  const double part = 8.5 / RAMP_PARTS * writer->size;
+  double x = writer->width - writer->size - text_width(text[1], writer->size);
   write_text(writer, text[1], x, y, writer->size, 0.0);
   x -= 0.4 * writer->size + RAMP_PARTS * part;
   for (int i = 0; i < RAMP_PARTS; ++i) {
@@ -207,10 +322,14 @@ static void write_ramp(const struct writer *writer, double y) {
     const double corner[2] = {x + i * part, y - 0.45 * writer->size};
     const double share = (double)i / (RAMP_PARTS - 1);
     const double value = palette->low * (1.0 - share) + palette->high * share;
-    const double width = i + 1 < RAMP_PARTS ? 1.2 * part : part;
+    const double width = i + 1 < RAMP_PARTS ? 1.5 * part : part;
     pen_rectangle(&writer->pen, corner, width, 0.9 * writer->size, ball_palette_colour(palette, value));
   }
   write_text(writer, text[0], x - 0.4 * writer->size, y, writer->size, 1.0);
+  const char *const sign = palette->power > 0 ? writer->annotation->molecule->format->sign : "";
+  snprintf(text[2], TEXT_BYTES, "%s%s%s%s", palette->quantity, sign[0] == '\0' ? "" : ", ", sign,
+           sign[0] != '\0' && palette->power == 2 ? "\xC2\xB2" : "");
+  write_text(writer, text[2], x - 1.2 * writer->size - text_width(text[0], writer->size), y, writer->size, 1.0);
 }
 
 /* ---- all of it ---- */
@@ -231,7 +350,7 @@ bool annotation_write(const struct annotation *annotation, struct text_buffer *o
   if (drawing->label >= 0) done = write_labels(&writer, failure);
   if (drawing->scale_bar) write_scale_bar(&writer, y);
   if (done && drawing->legend && annotation->palette->remark == NULL) write_ramp(&writer, y);
-  if (done && drawing->legend && annotation->palette->remark != NULL) done = write_entries(&writer, y, failure);
+  if (done && drawing->legend && annotation->palette->remark != NULL) write_entries(&writer, y);
   pen_end(&writer.pen);
   return done && (!out->out_of_memory || failure_of_memory(failure));
 }

@@ -26,7 +26,7 @@ struct annotation {
 };
 
 /* Append it to `out`, in the language of the picture. A label stands within what it names if it has room there, else
- * beside the molecule. False: there are more labels or more colours than have room. */
+ * beside the molecule. False: there are more labels than have room. */
 bool annotation_write(const struct annotation *annotation, struct text_buffer *out, struct failure *failure);
 
 #endif

@@ -1,12 +1,15 @@
 #include "draw/ball_colours.h"
 
+#include <math.h>
 #include <stddef.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "draw/ball_values.h"
 #include "draw/colour_mixed.h"
 #include "draw/residue_colours.h"
 #include "hardsphere.h"
+#include "read/residue_kinds.h"
 #include "read/residues.h"
 
 /* With more balls than that, elements are specks; what is to be seen are chains. */
@@ -14,24 +17,43 @@ enum { MOST_BALLS_BY_ELEMENT = 2000 };
 
 enum { CARBON = 6 };
 
-/* From blue over a warm white to red, in steps: pictures write a colour once for all balls that have it. */
-enum { RAMP_STEPS = 16 };
-static const uint32_t ramp[3] = {0x3F74B5, 0xEFE9DC, 0xC2452F};
+/* From blue over a grey without a hue of its own to red. So many steps are not seen as such, and pictures write a
+ * colour once for all balls that have it. */
+enum { RAMP_STEPS = 64 };
+static const uint32_t ramp[3] = {0x3F74B5, 0xE8E8E8, 0xC2452F};
+
+/* How sure AlphaFold is of a residue, in the colours of its database (J. Jumper et al., Nature 596 (2021) 583). */
+static const struct colour_band plddt[] = {
+    {90.0, 0x0053D6, "> 90"}, {70.0, 0x65CBF3, "70 - 90"}, {50.0, 0xFFDB13, "50 - 70"}, {-INFINITY, 0xFF7D45, "< 50"}};
+enum { PLDDT_BANDS = sizeof plddt / sizeof plddt[0] };
+
+/* Carbon of ligands, among tints and muted elements. */
+static const uint32_t ligand_carbon = 0x7E8A93;
 
 /* What is not highlighted keeps so much of its own colour. Highlighted carbon must not be grey among grey. */
 static const uint32_t plain = 0xDEDBD4;
 static const double kept = 0.25;
 static const uint32_t highlighted_carbon = 0x66B8A6;
 
-/* Whether atoms of chains have more than one of these numbers. */
-static bool has_chains(const struct molecule *molecule, const uint32_t *number) {
+/* How many of these numbers atoms of chains have, up to two; of all chains, or of those of nucleotides. */
+static int count_chains(const struct molecule *molecule, const uint32_t *number, bool of_nucleotides) {
   uint32_t first = UINT32_MAX;
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
-    if (!atom_is_of_chain(&molecule->label[i])) continue;
+    const struct atom_label *label = &molecule->label[i];
+    if (!atom_is_of_chain(label)) continue;
+    if (of_nucleotides && residue_kind_of(label->residue->name) != RESIDUE_NUCLEOTIDE) continue;
     if (first == UINT32_MAX) first = number[i];
-    if (number[i] != first) return true;
+    if (number[i] != first) return 2;
   }
-  return false;
+  return first == UINT32_MAX ? 0 : 1;
+}
+
+/* Whether colours stand for chains where the user says nothing: in large molecules of several, and in strands, where
+ * elements do not tell which is which. */
+static bool is_by_chain(const struct drawing *drawing, const struct molecule *molecule, const uint32_t *number) {
+  const bool many = drawing->by_chain || molecule->atoms > MOST_BALLS_BY_ELEMENT;
+  const int chains = many ? count_chains(molecule, number, false) : 0;
+  return chains == 2 || (chains == 1 && drawing->tints_one) || count_chains(molecule, number, true) == 2;
 }
 
 /* Where the file names no element, grey is better than the loud colour of elements that nobody knows. */
@@ -39,9 +61,26 @@ static uint32_t number_of(const struct atom_label *label) {
   return label->element.text[0] == '\0' ? CARBON : element_atomic_number(label->element);
 }
 
+/* Phosphate and sugar; of names like O5' or, in old files, O5*. */
+static bool is_of_backbone(const struct atom_label *label) {
+  return strpbrk(label->name, "'*P") != NULL;
+}
+
+/* All atoms of a chain look as one body: elements but carbon are darker by five steps of L* alone, and bases of
+ * nucleotides as much lighter. The tints of the library come back after some chains, then as paler ones. */
+static uint32_t tint_of(const struct atom_label *label, uint32_t chain) {
+  enum { TINTS = 12 };
+  const uint32_t tint = hsp_palette_colour(HSP_PALETTE_CHAIN, CARBON, chain);
+  const uint32_t own = chain / TINTS % 2 == 0 ? tint : colour_mixed(tint, 0xFFFFFF, 0.4);
+  const bool of_base = residue_kind_of(label->residue->name) == RESIDUE_NUCLEOTIDE && !is_of_backbone(label);
+  if (of_base) return colour_mixed(own, 0xFFFFFF, 0.35);
+  return number_of(label) == CARBON ? own : colour_mixed(own, 0x000000, 0.06);
+}
+
 static uint32_t colour_of(const struct atom_label *label, uint32_t palette, uint32_t chain) {
-  const bool alone = palette == HSP_PALETTE_CHAIN && !atom_is_of_chain(label) && !atom_is_water(label);
-  return hsp_palette_colour(alone ? HSP_PALETTE_JMOL : palette, number_of(label), chain);
+  if (palette != HSP_PALETTE_CHAIN) return hsp_palette_colour(palette, number_of(label), chain);
+  if (atom_is_of_chain(label) || atom_is_water(label)) return tint_of(label, chain);
+  return number_of(label) == CARBON ? ligand_carbon : hsp_palette_colour(HSP_PALETTE_SOFT, number_of(label), 0);
 }
 
 /* Numbers of chains become colours of elements or chains. */
@@ -59,12 +98,19 @@ static void colour_by_residue(const struct molecule *molecule, uint32_t *colour,
     const struct atom_label *label = &molecule->label[i];
     if (residue_colour_find(label->residue->name, &colour[i])) continue;
     const bool alone = !atom_is_of_chain(label) && !atom_is_water(label);
-    colour[i] = alone ? colour_of(label, HSP_PALETTE_JMOL, 0) : hsp_palette_colour(HSP_PALETTE_SOFT, CARBON, 0);
+    colour[i] = alone ? colour_of(label, HSP_PALETTE_CHAIN, 0) : hsp_palette_colour(HSP_PALETTE_SOFT, CARBON, 0);
   }
+}
+
+static uint32_t band_colour(const struct ball_palette *palette, double value) {
+  size_t k = 0;
+  while (k + 1 < palette->bands && !(value > palette->band[k].above)) ++k;
+  return palette->band[k].colour;
 }
 
 /* Halves first, so that no difference overflows. */
 uint32_t ball_palette_colour(const struct ball_palette *palette, double value) {
+  if (palette->bands > 0) return band_colour(palette, value);
   const double low = palette->low;
   const double high = palette->high;
   const double part = high > low ? (value / 2.0 - low / 2.0) / (high / 2.0 - low / 2.0) : 0.5;
@@ -80,8 +126,21 @@ static bool colour_by_value(const struct drawing *drawing, const struct molecule
                             struct ball_palette *said, struct failure *failure) {
   double *value = NULL;
   if (!ball_values_make(drawing, molecule, &value, failure)) return false;
+  static const char *const quantities[] = {[COLOUR_AREA] = "area",
+                                           [COLOUR_BFACTOR] = "B factor",
+                                           [COLOUR_CHARGE] = "charge, e",
+                                           [COLOUR_PLDDT] = "pLDDT",
+                                           [COLOUR_FILE] = "value"};
   said->name = "ramp";
   said->remark = NULL;
+  said->quantity = quantities[drawing->colour];
+  said->power = drawing->colour == COLOUR_AREA || drawing->colour == COLOUR_BFACTOR ? 2 : 0;
+  if (drawing->colour == COLOUR_PLDDT) {
+    said->name = "plddt";
+    said->remark = "AlphaFold's four bands of how sure it is";
+    said->band = plddt;
+    said->bands = PLDDT_BANDS;
+  }
   said->low = drawing->range[0];
   said->high = drawing->range[1];
   for (uint32_t i = 0; i < molecule->atoms && !drawing->range_given; ++i) {
@@ -117,7 +176,7 @@ static bool mute_others(const struct selection *highlight, const struct molecule
 bool ball_colours_make(const struct drawing *drawing, const struct selection *highlight,
                        const struct molecule *molecule, uint32_t **colour, struct ball_palette *palette,
                        struct failure *failure) {
-  *palette = (struct ball_palette){NULL, NULL, 0.0, 0.0, false};
+  *palette = (struct ball_palette){.name = NULL};
   if (!chain_numbers_make(molecule, colour, failure)) return false;
   bool done = true;
   bool by_element = false;
@@ -126,9 +185,8 @@ bool ball_colours_make(const struct drawing *drawing, const struct selection *hi
   } else if (drawing->colour == COLOUR_RESIDUE) {
     colour_by_residue(molecule, *colour, palette);
   } else {
-    const bool many = drawing->by_chain || molecule->atoms > MOST_BALLS_BY_ELEMENT;
-    const bool large = many && has_chains(molecule, *colour);
-    const bool by_chain = drawing->colour == COLOUR_CHAIN || (drawing->colour < 0 && large);
+    const bool by_chain =
+        drawing->colour == COLOUR_CHAIN || (drawing->colour < 0 && is_by_chain(drawing, molecule, *colour));
     const uint32_t usual = by_chain ? HSP_PALETTE_CHAIN : HSP_PALETTE_SOFT;
     const uint32_t chosen = drawing->palette >= 0 ? (uint32_t)drawing->palette : usual;
     by_element = chosen != HSP_PALETTE_CHAIN;

@@ -2,22 +2,47 @@
 
 #include <inttypes.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "draw/text_width.h"
 #include "read/text_buffer.h"
 #include "write/output_file.h"
 
 /* Pixels. Within the frame a row is a unit, so that squares have small coordinates. */
-enum { LEFT = 64, TOP = 32, SIDE = 640, RIGHT = 16, BOTTOM = 72, SHADES = 6, MOST_TICKS = 16 };
+enum { LEFT = 72, TOP = 40, SIDE = 640, RIGHT = 40, BOTTOM = 92, SHADES = 6, MOST_TICKS = 16, TICK = 4, LETTER = 12 };
+enum { LABEL_BYTES = 64 };
 
 /* Even steps of lightness. */
 static const char *const shades[SHADES] = {"#d6dfeb", "#b0c2d9", "#8aa5c6", "#6488b2", "#3e6b9d", "#174e87"};
 
-/* The k-th shade ends at this part of the largest area: areas of contacts differ by powers of ten. */
-static double shade_end(int shade) {
-  const double part = (shade + 1) / (double)SHADES;
-  return part * part;
+/* Powers of ten, as far as doubles go. */
+static double power_of_ten_below(double value) {
+  double power = 1.0;
+  while (power > value && power > 1e-300) power /= 10.0;
+  while (10.0 * power <= value && power < 1e300) power *= 10.0;
+  return power;
+}
+
+/* The nearest of 1, 1.5, 2, 3, 4, 5, 6, 8, 10 times a power of ten: no two numbers of ratio 1.5 become one. */
+static double rounded(double value) {
+  static const double steps[] = {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0};
+  const double power = power_of_ten_below(value);
+  size_t k = 0;
+  while (k + 1 < sizeof steps / sizeof steps[0] && value / power > (steps[k] + steps[k + 1]) / 2.0) ++k;
+  return steps[k] * power;
+}
+
+/* Where each shade ends, in parts of the largest area that grow with the square: areas of contacts differ by powers of
+ * ten. Ends are round; the last one is not below the largest area. */
+static void find_shade_ends(double largest, double end[SHADES]) {
+  for (int shade = 0; shade < SHADES; ++shade) {
+    const double part = (shade + 1) / (double)SHADES;
+    end[shade] = rounded(part * part * largest);
+  }
+  const double unit = power_of_ten_below(largest) / 10.0;
+  end[SHADES - 1] = ceil(largest / unit) * unit;
 }
 
 static const struct residue_label *label_of(const struct contact_map *map, uint32_t row) {
@@ -37,23 +62,44 @@ static bool has_tick(const struct contact_map *map, uint32_t row, uint32_t step)
   return strtol(label_of(map, row)->number, NULL, 10) % (long)step == 0;
 }
 
-static void add_label(struct text_buffer *out, const struct contact_map *map, uint32_t row) {
-  const double at = (row + 0.5) * SIDE / map->rows;
-  for (int axis = 0; axis < 2; ++axis) {
-    if (axis == 0) {
-      text_buffer_add(out, "<text x=\"%d\" y=\"%.1f\" text-anchor=\"end\">", LEFT - 6, TOP + at + 4.0);
-    } else {
-      text_buffer_add(out, "<text x=\"%.1f\" y=\"%d\" text-anchor=\"middle\">", LEFT + at, TOP + SIDE + 16);
-    }
-    if (map->groups->grouping == GROUPING_NONE) {
-      text_buffer_add(out, "%" PRIu32, row);
-    } else if (map->groups->grouping == GROUPING_CHAIN) {
-      text_buffer_add_xml(out, label_of(map, row)->chain);
-    } else {
-      text_buffer_add_xml(out, label_of(map, row)->number);
-      text_buffer_add_xml(out, label_of(map, row)->insertion);
-    }
-    text_buffer_add(out, "</text>\n");
+static void name_row(char text[LABEL_BYTES], const struct contact_map *map, uint32_t row) {
+  if (map->groups->grouping == GROUPING_NONE) {
+    snprintf(text, LABEL_BYTES, "%" PRIu32, row);
+  } else if (map->groups->grouping == GROUPING_CHAIN) {
+    snprintf(text, LABEL_BYTES, "%s", label_of(map, row)->chain);
+  } else {
+    snprintf(text, LABEL_BYTES, "%s%s", label_of(map, row)->number, label_of(map, row)->insertion);
+  }
+}
+
+static void add_text(struct text_buffer *out, double x, double y, const char *anchor, const char *text) {
+  text_buffer_add(out, "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">", x, y, anchor);
+  text_buffer_add_xml(out, text);
+  text_buffer_add(out, "</text>\n");
+}
+
+/* On both axes, with ticks. */
+static void add_label(struct text_buffer *out, const char *text, double at) {
+  text_buffer_add(out, "<path stroke=\"#9a9a9a\" d=\"M%d %.1fh-%dM%.1f %dv%d\"/>\n", LEFT, TOP + at, TICK, LEFT + at,
+                  TOP + SIDE, TICK);
+  add_text(out, LEFT - TICK - 3, TOP + at + 4.0, "end", text);
+  add_text(out, LEFT + at, TOP + SIDE + TICK + LETTER + 1, "middle", text);
+}
+
+/* Those of rows with ticks, but for labels that would touch the one before. */
+static void add_labels(struct text_buffer *out, const struct contact_map *map) {
+  const uint32_t step = tick_step(map->rows);
+  double free_from = -HUGE_VAL;
+  for (uint32_t row = 0; row < map->rows; ++row) {
+    if (!has_tick(map, row, step)) continue;
+    char text[LABEL_BYTES];
+    name_row(text, map, row);
+    const double at = (row + 0.5) * SIDE / map->rows;
+    const double width = text_width(text, LETTER);
+    const double half = (width > LETTER ? width : LETTER) / 2.0 + 2.0;
+    if (at - half < free_from) continue;
+    add_label(out, text, at);
+    free_from = at + half;
   }
 }
 
@@ -62,29 +108,59 @@ static bool begins_chain(const struct contact_map *map, uint32_t row) {
          strcmp(label_of(map, row)->chain, label_of(map, row - 1)->chain) != 0;
 }
 
+/* The names of chains, above and to the right of their rows, where these have room for them. */
+static void add_chains(struct text_buffer *out, const struct contact_map *map) {
+  uint32_t first = 0;
+  for (uint32_t row = 1; row <= map->rows; ++row) {
+    if (row < map->rows && !begins_chain(map, row)) continue;
+    const char *const chain = label_of(map, first)->chain;
+    const double room = (double)(row - first) * SIDE / map->rows;
+    const double middle = (double)(first + row) / 2.0 * SIDE / map->rows;
+    first = row;
+    if (room < text_width(chain, LETTER) + 4.0 || room < LETTER + 4.0) continue;
+    add_text(out, LEFT + middle, TOP - 7, "middle", chain);
+    add_text(out, LEFT + SIDE + 7, TOP + middle + 4.0, "start", chain);
+  }
+}
+
+/* Of both axes. */
+static void add_axis_names(struct text_buffer *out, const struct contact_map *map, bool several) {
+  static const char *const names[] = {
+      [GROUPING_NONE] = "ball", [GROUPING_RESIDUE] = "residue", [GROUPING_CHAIN] = "chain"};
+  char text[LABEL_BYTES];
+  const bool of_chain = map->groups->grouping == GROUPING_RESIDUE && !several && label_of(map, 0)->chain[0] != '\0';
+  snprintf(text, sizeof text, "%s%s%s", names[map->groups->grouping], of_chain ? ", chain " : "",
+           of_chain ? label_of(map, 0)->chain : "");
+  add_text(out, LEFT + SIDE / 2, TOP + SIDE + TICK + 2 * LETTER + 8, "middle", text);
+  text_buffer_add(out, "<g transform=\"translate(%d %d) rotate(-90)\">", 2 * LETTER, TOP + SIDE / 2);
+  add_text(out, 0.0, 0.0, "middle", text);
+  text_buffer_add(out, "</g>\n");
+}
+
 static void add_axes(struct text_buffer *out, const struct contact_map *map) {
-  const uint32_t step = tick_step(map->rows);
+  bool several = false;
   text_buffer_add(out, "<path fill=\"none\" stroke=\"#9a9a9a\" d=\"M%d %dh%dv%dh-%dzl%d %d", LEFT, TOP, SIDE, SIDE,
                   SIDE, SIDE, SIDE);
   for (uint32_t row = 1; row < map->rows; ++row) {
     if (!begins_chain(map, row)) continue;
     const double at = (double)row * SIDE / map->rows;
     text_buffer_add(out, "M%d %.2fh%dM%.2f %dv%d", LEFT, TOP + at, SIDE, LEFT + at, TOP, SIDE);
+    several = true;
   }
   text_buffer_add(out, "\"/>\n");
-  for (uint32_t row = 0; row < map->rows; ++row) {
-    if (has_tick(map, row, step)) add_label(out, map, row);
-  }
+  add_labels(out, map);
+  if (several) add_chains(out, map);
+  add_axis_names(out, map, several);
 }
 
 /* A path of all squares of a shade. Where a row is less than a pixel, a square is a pixel all the same. */
-static void add_squares(struct text_buffer *out, const struct contact_map *map, double largest) {
+static void add_squares(struct text_buffer *out, const struct contact_map *map, const double end[SHADES]) {
   const double unit = (double)SIDE / map->rows;
   const double side = unit < 1.0 ? 1.0 / unit : 1.0;
   text_buffer_add(out, "<g transform=\"translate(%d %d) scale(%.9g)\">\n", LEFT, TOP, unit);
   for (int shade = 0; shade < SHADES; ++shade) {
-    const double above = shade == 0 ? 0.0 : shade_end(shade - 1) * largest;
-    const double most = shade + 1 == SHADES ? HUGE_VAL : shade_end(shade) * largest;
+    const double above = shade == 0 ? 0.0 : end[shade - 1];
+    const double most = shade + 1 == SHADES ? HUGE_VAL : end[shade];
     bool any = false;
     for (uint32_t k = 0; k < map->count; ++k) {
       const struct contact_square *square = &map->squares[k];
@@ -101,15 +177,15 @@ static void add_squares(struct text_buffer *out, const struct contact_map *map, 
   text_buffer_add(out, "</g>\n");
 }
 
-static void add_scale(struct text_buffer *out, const struct contact_map *map, double largest) {
-  const int y = TOP + SIDE + 32, width = SIDE / (SHADES + 2);
+static void add_scale(struct text_buffer *out, const struct contact_map *map, const double end[SHADES]) {
+  const int y = TOP + SIDE + TICK + 3 * LETTER + 16, width = SIDE / (SHADES + 3);
   const char *sign = map->molecule->format->sign;
-  text_buffer_add(out, "<text x=\"%d\" y=\"%d\">area up to%s%s%s</text>\n", LEFT, y + 12,
-                  sign[0] == '\0' ? "" : ", in ", sign, sign[0] == '\0' ? "" : "²");
+  text_buffer_add(out, "<text x=\"%d\" y=\"%d\">contact area%s%s%s up to</text>\n", LEFT, y + 12,
+                  sign[0] == '\0' ? "" : " in ", sign, sign[0] == '\0' ? "" : "²");
   for (int shade = 0; shade < SHADES; ++shade) {
-    const int x = LEFT + (shade + 2) * width;
+    const int x = LEFT + (shade + 3) * width;
     text_buffer_add(out, "<rect x=\"%d\" y=\"%d\" width=\"14\" height=\"14\" fill=\"%s\"/>\n", x, y, shades[shade]);
-    text_buffer_add(out, "<text x=\"%d\" y=\"%d\">%.3g</text>\n", x + 19, y + 12, shade_end(shade) * largest);
+    text_buffer_add(out, "<text x=\"%d\" y=\"%d\">%.3g</text>\n", x + 19, y + 12, end[shade]);
   }
 }
 
@@ -119,18 +195,20 @@ bool contact_map_write(const struct contact_map *map, const char *path, struct f
   for (uint32_t k = 0; k < map->count; ++k) {
     if (map->squares[k].area > largest) largest = map->squares[k].area;
   }
+  double end[SHADES] = {0.0};
+  if (largest > 0.0) find_shade_ends(largest, end);
   const int width = LEFT + SIDE + RIGHT, height = TOP + SIDE + BOTTOM;
-  text_buffer_add(
-      &out,
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\" "
-      "font-family=\"sans-serif\" font-size=\"12\" fill=\"#333333\" role=\"img\">\n<title>Contacts</title>\n"
-      "<rect width=\"%d\" height=\"%d\" fill=\"#ffffff\"/>\n",
-      width, height, width, height, width, height);
+  text_buffer_add(&out,
+                  "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\" "
+                  "font-family=\"Helvetica,Arial,sans-serif\" font-size=\"%d\" fill=\"#333333\" "
+                  "role=\"img\">\n<title>Contacts</title>\n"
+                  "<rect width=\"%d\" height=\"%d\" fill=\"#ffffff\"/>\n",
+                  width, height, width, height, LETTER, width, height);
   if (map->rows > 0) {
-    add_squares(&out, map, largest);
+    add_squares(&out, map, end);
     add_axes(&out, map);
   }
-  if (largest > 0.0) add_scale(&out, map, largest);
+  if (largest > 0.0) add_scale(&out, map, end);
   text_buffer_add(&out, "</svg>\n");
   bool done = !out.out_of_memory || failure_of_memory(failure);
   struct output_file file;

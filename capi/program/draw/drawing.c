@@ -14,7 +14,8 @@ enum { PIECES_VISIBLE = 2 };
 /* In the order of their numbers in hardsphere.h. */
 static const char *const style_names[STYLES] = {"flat", "headlight", "soft"};
 static const char *const palette_names[PALETTES] = {"soft", "jmol", "chain"};
-static const char *const colour_names[COLOUR_FILE] = {"element", "chain", "residue", "area", "bfactor", "charge"};
+static const char *const colour_names[COLOUR_FILE] = {"element", "chain",  "residue", "area",
+                                                      "bfactor", "charge", "plddt"};
 static const char *const format_names[FORMATS] = {"SVG", "EPS", "PDF"};
 
 /* Above MOST_SOFT_BALLS shading of single balls tells less than it costs in bytes. What tells something about molecules
@@ -59,7 +60,7 @@ bool drawing_check(struct drawing *drawing, struct failure *failure) {
   if (drawing->spin > 0 && output_is_standard(drawing->out)) {
     return failure_in_usage(failure, "--spin writes several files: standard output is one");
   }
-  if (drawing->range_given && !drawing_is_of_values(drawing)) {
+  if (drawing->range_given && (!drawing_is_of_values(drawing) || drawing->colour == COLOUR_PLDDT)) {
     return failure_in_usage(failure,
                             "--range is for colours that stand for numbers: it needs --colour area, bfactor, "
                             "charge or a file");

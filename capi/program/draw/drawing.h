@@ -9,7 +9,16 @@
 #include "read/failure.h"
 
 /* What colours stand for. */
-enum { COLOUR_ELEMENT, COLOUR_CHAIN, COLOUR_RESIDUE, COLOUR_AREA, COLOUR_BFACTOR, COLOUR_CHARGE, COLOUR_FILE };
+enum {
+  COLOUR_ELEMENT,
+  COLOUR_CHAIN,
+  COLOUR_RESIDUE,
+  COLOUR_AREA,
+  COLOUR_BFACTOR,
+  COLOUR_CHARGE,
+  COLOUR_PLDDT,
+  COLOUR_FILE
+};
 
 /* What labels name. */
 enum { LABEL_ATOM, LABEL_RESIDUE, LABEL_CHAIN };
@@ -57,11 +66,12 @@ struct drawing {
   bool ink;
   double ink_width[INK_LEVELS];
   int ink_colour[INK_LEVELS];
-  int look;      /* see look.h */
-  bool darkens;  /* buried balls, where the user says nothing of occlusion: looks do */
-  bool by_chain; /* colours of molecules with two chains or more: likewise, of palettes */
-  bool classes;  /* names of elements, residues and chains for style sheets */
-  bool tooltips; /* names of atoms beside the pointer */
+  int look;       /* see look.h */
+  bool darkens;   /* buried balls, where the user says nothing of occlusion: looks do */
+  bool by_chain;  /* colours of molecules with two chains or more: likewise, of palettes */
+  bool tints_one; /* of one chain, too: likewise */
+  bool classes;   /* names of elements, residues and chains for style sheets */
+  bool tooltips;  /* names of atoms beside the pointer */
 };
 
 #define DRAWING_NO_BACKGROUND 0x1000000

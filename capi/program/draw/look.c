@@ -16,6 +16,8 @@ struct look {
   double occlusion;
   bool darkens;         /* buried balls, also in the flat style */
   bool by_chain;        /* colours of molecules of two chains or more, also of small ones */
+  bool tints_one;       /* likewise of one chain */
+  double stick_outline; /* of balls and sticks: their contours */
   double width, height; /* px */
 };
 
@@ -25,10 +27,10 @@ struct look {
  *   slide     light on dark, 16:9; contours are gaps of the background's colour
  *   print     for printers without colours or with little ink: flat, nothing darkened or faded, black lines */
 static const struct look looks[] = {
-    {-1, -1, -1, -1, -1.0, -1.0, -1.0, true, false, -1.0, -1.0},
-    {(int)HSP_STYLE_FLAT, -1, -1, -1, 0.0, 0.4, -1.0, true, true, -1.0, -1.0},
-    {-1, 0x14171E, 0xECE9E2, 0x14171E, 0.0, 0.45, -1.0, true, true, 1600.0, 900.0},
-    {(int)HSP_STYLE_FLAT, -1, 0x000000, 0x000000, -1.0, 0.0, 0.0, false, true, -1.0, -1.0},
+    {-1, -1, -1, -1, -1.0, -1.0, -1.0, true, false, false, 2.0, -1.0, -1.0},
+    {(int)HSP_STYLE_FLAT, -1, -1, -1, 0.0, 0.4, -1.0, true, true, true, 2.0, -1.0, -1.0},
+    {-1, 0x14171E, 0xECE9E2, 0x14171E, 0.0, 0.15, -1.0, true, true, false, 0.0, 1600.0, 900.0},
+    {(int)HSP_STYLE_FLAT, -1, 0x000000, 0x000000, -1.0, 0.0, 0.0, false, true, false, 2.0, -1.0, -1.0},
 };
 
 static void choose(int *choice, int preset) {
@@ -50,13 +52,16 @@ void look_apply(struct drawing *drawing) {
   choose(&drawing->background, look->background);
   choose(&drawing->outline_colour, look->outline_colour);
   for (int level = 0; level < INK_LEVELS; ++level) choose(&drawing->ink_colour[level], look->ink_colour);
-  if (!of_sticks) {
+  if (of_sticks) {
+    choose_number(&drawing->outline, look->stick_outline);
+  } else {
     drawing->ink = true;
     choose_number(&drawing->outline, look->outline);
     choose_number(&drawing->occlusion, look->occlusion);
   }
   drawing->darkens = look->darkens;
   drawing->by_chain = look->by_chain;
+  drawing->tints_one = look->tints_one;
   const bool sized = drawing->width >= 0.0 || drawing->height >= 0.0 || drawing->scale >= 0.0 || drawing->crop_given;
   if (!sized && drawing->unit != (int)HSP_UNIT_MM) {
     drawing->width = look->width;

@@ -3,281 +3,560 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "draw/colour_mixed.h"
+#include "draw/mesh_layers.h"
+#include "draw/mesh_outlines.h"
+#include "draw/mesh_parts.h"
+#include "draw/pen.h"
+#include "draw/surface_light.h"
+#include "draw/text_width.h"
 #include "hardsphere.h"
 #include "read/text_buffer.h"
 #include "write/output_file.h"
 
 static const double picture_width = 1000.0; /* px */
 static const double margin = 0.03;          /* of the larger side */
+static const double letter = 220.0;         /* tenths of a px, as all that follows */
+static const double slack = 2.0;            /* of overlaps */
+static const double hairline = 5.0;         /* at most */
+static const double hairline_per_unit = 0.0055, thinnest = 1.2;
+static const double section_line = 22.0;
+static const double largest_sphere = 1e7;  /* larger ones are as good as flat: no circles of light are seen */
+static const double bands_per_unit = 0.08; /* of the picture's scale: the smaller saddles are, the fewer */
 
 static const uint32_t inside_colour = 0xC9B79C;
 static const uint32_t void_colour = 0xC2452F;
+static const uint32_t line_colour = 0x23202B;
 static const double element_share = 0.7; /* the rest is grey */
 static const uint32_t grey = 0xD2CDC3;
 
-/* Towards the light, as in pictures of style soft: left, above and before. */
-static const double light[3] = {-0.421, 0.521, 0.742};
-enum { LIGHT_STEPS = 40, CARBON = 6 };
-static const double fog = 0.25; /* of the farthest triangle */
+enum { CARBON = 6, MOST_COLOURS = 128, FEWEST_BANDS = 16, MOST_BANDS = 64, MOST_CORNERS = 12 };
 
-/* A part of the picture: what is left of a triangle, or a piece of the rim of a cut. */
-struct part {
-  double depth; /* of its middle */
-  double point[4][2];
-  int points; /* 2: of a rim */
-  uint32_t colour;
-};
+/* What is seen of a surface. */
+enum { OUTSIDE, INSIDE, OF_VOID, SIDES };
 
-struct mesh_picture {
-  const struct triangle_mesh *mesh;
-  const struct molecule *molecule;
-  double *seen;      /* [vertices][3], along the axes of the view */
-  uint32_t *root;    /* [vertices], of the connected part that it belongs to */
-  double *volume;    /* [vertices], of the part of which it is the root; negative: a void */
-  struct part *part; /* [2 triangles] */
-  size_t parts;
-  double low[3], high[3];
-  double cut; /* the depth of the plane; infinite: none */
-};
-
-/* ---- connected parts ---- */
-
-static uint32_t root_of(uint32_t *root, uint32_t v) {
-  while (root[v] != v) {
-    root[v] = root[root[v]];
-    v = root[v];
-  }
-  return v;
-}
-
-static double determinant(const double *a, const double *b, const double *c) {
-  return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
-}
-
-/* Triangles are counter-clockwise seen from outside the balls: around a void the volume is negative. */
-static void find_connected_parts(struct mesh_picture *picture) {
-  const struct triangle_mesh *mesh = picture->mesh;
-  for (uint32_t v = 0; v < mesh->vertices; ++v) picture->root[v] = v;
-  for (size_t t = 0; t < mesh->triangles; ++t) {
-    const uint32_t *c = mesh->corners + 3 * t;
-    for (int k = 1; k < 3; ++k) picture->root[root_of(picture->root, c[k])] = root_of(picture->root, c[0]);
-  }
-  for (uint32_t v = 0; v < mesh->vertices; ++v) picture->root[v] = root_of(picture->root, v);
-  for (size_t t = 0; t < mesh->triangles; ++t) {
-    const uint32_t *c = mesh->corners + 3 * t;
-    const uint32_t root = picture->root[c[0]];
-    double side[3][3];
-    for (int k = 0; k < 9; ++k) {
-      side[k / 3][k % 3] =
-          picture->seen[3 * (size_t)c[k / 3] + (size_t)(k % 3)] - picture->seen[3 * (size_t)root + (size_t)(k % 3)];
-    }
-    picture->volume[root] += determinant(side[0], side[1], side[2]) / 6.0;
-  }
-}
-
-static bool is_of_void(const struct mesh_picture *picture, uint32_t vertex) {
-  return picture->volume[picture->root[vertex]] < 0.0;
-}
-
-/* ---- what is seen ---- */
-
-static void look(struct mesh_picture *picture, const double axis[3][3]) {
-  const struct triangle_mesh *mesh = picture->mesh;
-  for (size_t v = 0; v < mesh->vertices; ++v) {
-    const double *at = mesh->xyz + 3 * v;
-    for (int k = 0; k < 3; ++k) {
-      const double x = axis[k][0] * at[0] + axis[k][1] * at[1] + axis[k][2] * at[2];
-      picture->seen[3 * v + (size_t)k] = x;
-      if (v == 0 || x < picture->low[k]) picture->low[k] = x;
-      if (v == 0 || x > picture->high[k]) picture->high[k] = x;
-    }
-  }
-}
-
-/* The plane through the middle of the largest void, or else of everything. */
-static double find_cut(const struct mesh_picture *picture) {
-  const struct triangle_mesh *mesh = picture->mesh;
-  uint32_t largest = UINT32_MAX;
-  for (uint32_t v = 0; v < mesh->vertices; ++v) {
-    const double volume = picture->volume[v];
-    if (volume < 0.0 && (largest == UINT32_MAX || volume < picture->volume[largest])) largest = v;
-  }
-  double low = picture->low[2];
-  double high = picture->high[2];
-  bool any = false;
-  for (uint32_t v = 0; v < mesh->vertices && largest != UINT32_MAX; ++v) {
-    if (picture->root[v] != largest) continue;
-    const double depth = picture->seen[3 * (size_t)v + 2];
-    if (!any || depth < low) low = depth;
-    if (!any || depth > high) high = depth;
-    any = true;
-  }
-  return low / 2.0 + high / 2.0;
-}
-
-static uint32_t own_colour(const struct mesh_picture *picture, size_t triangle, bool inside, bool of_void) {
-  if (of_void) return void_colour;
-  if (inside) return inside_colour;
-  /* Borders between atoms on smooth patches follow triangles: the mean over the corners softens the steps. */
-  uint32_t colour = 0;
-  for (int k = 0; k < 3; ++k) {
-    const uint32_t vertex = picture->mesh->corners[3 * triangle + (size_t)k];
-    const struct atom_label *label = &picture->molecule->label[picture->mesh->vertex_balls[vertex]];
-    const uint32_t number = label->element.text[0] == '\0' ? CARBON : element_atomic_number(label->element);
-    colour = colour_mixed(colour, hsp_palette_colour(HSP_PALETTE_SOFT, number, 0), 1.0 / (k + 1));
-  }
-  return colour_mixed(grey, colour, element_share);
-}
-
-/* With the mean of the corners' normals, turned to the viewer, in steps: so many colours differ by more than an eye can
- * tell. */
-static uint32_t lit_colour(const struct mesh_picture *picture, const struct mesh_view *view, size_t triangle,
-                           bool inside, double depth, uint32_t colour) {
-  double normal[3] = {0.0, 0.0, 0.0};
-  for (int k = 0; k < 3; ++k) {
-    const double *n = picture->mesh->normals + 3 * (size_t)picture->mesh->corners[3 * triangle + (size_t)k];
-    for (int axis = 0; axis < 3; ++axis) {
-      const double *a = view->axis[axis];
-      normal[axis] += (inside ? -1.0 : 1.0) * (a[0] * n[0] + a[1] * n[1] + a[2] * n[2]);
-    }
-  }
-  const double length = sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
-  const double cosine =
-      length > 0.0 ? (normal[0] * light[0] + normal[1] * light[1] + normal[2] * light[2]) / length : 1.0;
-  const double part = floor((1.0 + cosine) / 2.0 * LIGHT_STEPS + 0.5) / LIGHT_STEPS;
-  const double bright = 0.42 + 0.66 * part * sqrt(part);
-  const uint32_t lit =
-      bright <= 1.0 ? colour_mixed(0x0A0A18, colour, bright) : colour_mixed(colour, 0xFFFFFF, 4.0 * (bright - 1.0));
-  const double range = picture->high[2] - picture->low[2];
-  const double behind = range > 0.0 ? (picture->high[2] - depth) / range : 0.0;
-  return colour_mixed(lit, 0xFFFFFF, fog * floor(behind * 16.0 + 0.5) / 16.0);
-}
-
-/* What is left of a triangle behind the cut, and the piece of the rim where the cut goes through. */
-static void add_parts(struct mesh_picture *picture, const double *corner[3], double depth, bool whole,
-                      uint32_t colour) {
-  struct part *part = &picture->part[picture->parts++];
-  struct part rim = {.depth = picture->cut, .points = 0, .colour = 0};
-  *part = (struct part){.depth = whole || depth < picture->cut ? depth : picture->cut, .points = 0, .colour = colour};
-  for (int k = 0; k < 3; ++k) {
-    const double *from = corner[k];
-    const double *to = corner[(k + 1) % 3];
-    const bool behind[2] = {whole || from[2] <= picture->cut, whole || to[2] <= picture->cut};
-    if (behind[0]) {
-      for (int axis = 0; axis < 2; ++axis) part->point[part->points][axis] = from[axis];
-      ++part->points;
-    }
-    if (behind[0] == behind[1]) continue;
-    const double share = (picture->cut - from[2]) / (to[2] - from[2]);
-    for (int axis = 0; axis < 2; ++axis) {
-      const double x = from[axis] + share * (to[axis] - from[axis]);
-      part->point[part->points][axis] = x;
-      rim.point[rim.points][axis] = x;
-    }
-    ++part->points;
-    ++rim.points;
-  }
-  if (part->points < 3) --picture->parts;
-  if (rim.points == 2) picture->part[picture->parts++] = rim;
-}
-
-/* Nobody looks through a closed surface. Of a void, as a body, what faces the viewer is what turns away from him as a
- * surface of the balls. */
-static bool is_shown(bool cut, bool of_void, double turn) {
-  if (of_void) return cut && turn < 0.0;
-  return turn > 0.0 || (cut && turn < 0.0);
-}
-
-static void find_parts(struct mesh_picture *picture, const struct mesh_view *view) {
-  const struct triangle_mesh *mesh = picture->mesh;
-  for (size_t t = 0; t < mesh->triangles; ++t) {
-    const uint32_t *c = mesh->corners + 3 * t;
-    const double *corner[3];
-    for (int k = 0; k < 3; ++k) corner[k] = picture->seen + 3 * (size_t)c[k];
-    const double turn = (corner[1][0] - corner[0][0]) * (corner[2][1] - corner[0][1]) -
-                        (corner[1][1] - corner[0][1]) * (corner[2][0] - corner[0][0]);
-    const bool inside = turn < 0.0;
-    const bool of_void = is_of_void(picture, c[0]);
-    if (!is_shown(view->cut, of_void, turn)) continue;
-    const double depth = (corner[0][2] + corner[1][2] + corner[2][2]) / 3.0;
-    const uint32_t own = own_colour(picture, t, inside, of_void);
-    add_parts(picture, corner, depth, of_void, lit_colour(picture, view, t, inside, depth, own));
-  }
-}
-
-static int compare_parts(const void *a, const void *b) {
-  const struct part *p = a;
-  const struct part *q = b;
-  if (p->depth != q->depth) return p->depth < q->depth ? -1 : 1;
-  for (int k = 0; k < 2; ++k) {
-    if (p->point[0][k] != q->point[0][k]) return p->point[0][k] < q->point[0][k] ? -1 : 1;
-  }
-  return p->points - q->points;
-}
-
-/* ---- the file ---- */
+/* Paints of a layer are numbered: for each sphere those of its sides, for each colour its bands of light, then
+ * lines. */
+static const uint32_t first_band = UINT32_C(1) << 31;
+static const uint32_t hairlines = UINT32_MAX;
 
 /* Tenths of a px. */
 struct frame {
   double scale, left, top;
-  int64_t width, height;
+  int32_t width, height, strip;
 };
 
-static int64_t rounded(double value) {
-  return (int64_t)floor(value + 0.5);
+struct mesh_picture {
+  const struct triangle_mesh *mesh;
+  const struct mesh_view *view;
+  const struct molecule *molecule;
+  struct mesh_parts parts;
+  struct frame frame;
+  uint32_t *layer;           /* [triangles], UINT32_MAX: not shown */
+  uint32_t (*patch_ball)[3]; /* [patches], that it comes from; UINT32_MAX: no more */
+  uint32_t patches;
+  double *ball;                  /* [atoms][3], along the axes of the view */
+  uint32_t colour[MOST_COLOURS]; /* [colours], each once */
+  uint32_t colours;
+  int bands; /* of light, on saddles */
+  struct painted_edges areas, section;
+};
+
+/* ---- where things are ---- */
+
+static int32_t rounded(double value) {
+  return (int32_t)floor(value + 0.5);
 }
 
-static struct frame find_frame(const struct mesh_picture *picture) {
-  const double wide = picture->high[0] - picture->low[0];
-  const double high = picture->high[1] - picture->low[1];
+static void find_frame(const struct mesh_parts *parts, bool cut, struct frame *frame) {
+  const double wide = parts->high[0] - parts->low[0];
+  const double high = parts->high[1] - parts->low[1];
   const double around = margin * (wide > high ? wide : high);
   const double across = wide + 2.0 * around;
-  struct frame frame = {1.0, 0.0, 0.0, rounded(10.0 * picture_width), rounded(10.0 * picture_width)};
-  if (!(across > 0.0)) return frame; /* nothing is seen */
-  frame.scale = 10.0 * picture_width / across;
-  frame.left = picture->low[0] - around;
-  frame.top = picture->high[1] + around;
-  frame.height = rounded(frame.scale * (high + 2.0 * around));
-  return frame;
+  *frame = (struct frame){1.0, 0.0, 0.0, rounded(10.0 * picture_width), rounded(10.0 * picture_width), 0};
+  if (!(across > 0.0)) return; /* nothing is seen */
+  frame->scale = 10.0 * picture_width / across;
+  frame->left = parts->low[0] - around;
+  frame->top = parts->high[1] + around;
+  frame->height = rounded(frame->scale * (high + 2.0 * around));
+  if (cut) frame->strip = rounded(2.0 * letter);
 }
 
-/* Lines in a triangle's own colour cover what anti-aliasing leaves open between neighbours. currentColor gives line and
- * area one colour; classes would be shared by all pictures of a page. */
-static void add_part(struct text_buffer *out, const struct part *part, const struct frame *frame) {
-  int64_t before[2] = {0, 0};
-  text_buffer_add(out, "<path color=\"#%06" PRIx32 "\" d=\"", part->points == 2 ? UINT32_C(0x23202B) : part->colour);
-  for (int k = 0; k < part->points; ++k) {
-    const int64_t at[2] = {rounded((part->point[k][0] - frame->left) * frame->scale),
-                           rounded((frame->top - part->point[k][1]) * frame->scale)};
-    const int64_t y = at[1] - before[1];
-    text_buffer_add(out, "%s%" PRId64 "%s%" PRId64,
-                    k == 0              ? "M"
-                    : k == 1            ? "l"
-                    : at[0] < before[0] ? ""
-                                        : " ",
-                    at[0] - before[0], y < 0 ? "" : " ", y);
-    before[0] = at[0];
-    before[1] = at[1];
+static void place(const struct frame *frame, const double *at, int32_t page[2]) {
+  page[0] = rounded((at[0] - frame->left) * frame->scale);
+  page[1] = rounded((frame->top - at[1]) * frame->scale);
+}
+
+static void turn(const double axis[3][3], const double *from, double to[3]) {
+  for (int k = 0; k < 3; ++k) to[k] = axis[k][0] * from[0] + axis[k][1] * from[1] + axis[k][2] * from[2];
+}
+
+/* ---- colours ---- */
+
+static uint32_t colour_number(struct mesh_picture *picture, uint32_t colour) {
+  uint32_t k = 0;
+  while (k < picture->colours && picture->colour[k] != colour) ++k;
+  if (k == MOST_COLOURS) return k - 1; /* more than there are elements */
+  if (k == picture->colours) picture->colour[picture->colours++] = colour;
+  return k;
+}
+
+static uint32_t colour_of(struct mesh_picture *picture, uint32_t ball, int side) {
+  if (side == OF_VOID) return colour_number(picture, void_colour);
+  if (side == INSIDE) return colour_number(picture, inside_colour);
+  const struct atom_label *label = &picture->molecule->label[ball];
+  const uint32_t number = label->element.text[0] == '\0' ? CARBON : element_atomic_number(label->element);
+  return colour_number(picture, colour_mixed(grey, hsp_palette_colour(HSP_PALETTE_SOFT, number, 0), element_share));
+}
+
+/* ---- polygons, cut along where a linear function is 0 ---- */
+
+struct corner {
+  double at[3];  /* along the axes of the view */
+  double circle; /* of the light: surface_light.h */
+};
+
+struct polygon {
+  struct corner corner[MOST_CORNERS];
+  int corners;
+};
+
+/* In the same way from both sides, so that neighbours meet. */
+static struct corner between(const struct corner *a, const struct corner *b, double value_a, double value_b) {
+  bool swapped = false;
+  for (int k = 0; k < 3; ++k) {
+    if (a->at[k] == b->at[k]) continue;
+    swapped = a->at[k] > b->at[k];
+    break;
   }
-  text_buffer_add(out, "%s\"/>\n", part->points == 2 ? "" : "z");
+  if (swapped) return between(b, a, value_b, value_a);
+  const double share = value_a / (value_a - value_b);
+  struct corner corner;
+  for (int k = 0; k < 3; ++k) corner.at[k] = a->at[k] + share * (b->at[k] - a->at[k]);
+  corner.circle = a->circle + share * (b->circle - a->circle);
+  return corner;
 }
 
-static void add_picture(struct text_buffer *out, const struct mesh_picture *picture, const char *title) {
-  const struct frame frame = find_frame(picture);
+/* What lies where the values at the corners are 0 or less. */
+static struct polygon cut_off(const struct polygon *polygon, const double value[MOST_CORNERS]) {
+  struct polygon left = {.corners = 0};
+  for (int k = 0; k < polygon->corners; ++k) {
+    const int next = (k + 1) % polygon->corners;
+    if (value[k] <= 0.0 && left.corners < MOST_CORNERS) left.corner[left.corners++] = polygon->corner[k];
+    if ((value[k] < 0.0 && value[next] > 0.0) || (value[k] > 0.0 && value[next] < 0.0)) {
+      if (left.corners == MOST_CORNERS) continue;
+      left.corner[left.corners++] = between(&polygon->corner[k], &polygon->corner[next], value[k], value[next]);
+    }
+  }
+  return left;
+}
+
+static void add_polygon(struct mesh_picture *picture, const struct polygon *polygon, uint32_t layer, uint32_t paint) {
+  for (int k = 0; k < polygon->corners; ++k) {
+    struct painted_edge edge = {.layer = layer, .paint = paint};
+    place(&picture->frame, polygon->corner[k].at, edge.from);
+    place(&picture->frame, polygon->corner[(k + 1) % polygon->corners].at, edge.to);
+    painted_edges_add(&picture->areas, &edge);
+  }
+}
+
+/* Between two circles of the light each, and on under the next band, which comes later: no page shows between them. */
+static void add_bands(struct mesh_picture *picture, const struct polygon *polygon, uint32_t layer, uint32_t colour) {
+  double least = 1.0, most = 0.0;
+  for (int k = 0; k < polygon->corners; ++k) {
+    if (polygon->corner[k].circle < least) least = polygon->corner[k].circle;
+    if (polygon->corner[k].circle > most) most = polygon->corner[k].circle;
+  }
+  for (int band = (int)(least * picture->bands); band < picture->bands && band <= most * picture->bands; ++band) {
+    double below[MOST_CORNERS], above[MOST_CORNERS];
+    for (int k = 0; k < polygon->corners; ++k) below[k] = (double)band / picture->bands - polygon->corner[k].circle;
+    const struct polygon outer = cut_off(polygon, below);
+    for (int k = 0; k < outer.corners; ++k) above[k] = outer.corner[k].circle - (double)(band + 2) / picture->bands;
+    const struct polygon part = cut_off(&outer, above);
+    add_polygon(picture, &part, layer, first_band + colour * MOST_BANDS + (uint32_t)band);
+  }
+}
+
+/* ---- patches ---- */
+
+/* How much nearer a point is to a ball, with the probe, than to its centre: the least is what it belongs to. */
+static double power(const struct mesh_picture *picture, uint32_t ball, const double *at) {
+  const double *centre = picture->ball + 3 * (size_t)ball;
+  const double radius = picture->molecule->radius[ball] + picture->mesh->probe;
+  double sum = -radius * radius;
+  for (int k = 0; k < 3; ++k) sum += (at[k] - centre[k]) * (at[k] - centre[k]);
+  return sum;
+}
+
+/* Of a polygon, what belongs to one of the balls of its patch. */
+static struct polygon part_of_ball(const struct mesh_picture *picture, const struct polygon *polygon,
+                                   const uint32_t balls[3], int slot) {
+  struct polygon part = *polygon;
+  for (int other = 0; other < 3; ++other) {
+    double value[MOST_CORNERS];
+    if (other == slot || balls[other] == UINT32_MAX) continue;
+    for (int k = 0; k < part.corners; ++k) {
+      const double *at = part.corner[k].at;
+      value[k] = power(picture, balls[slot], at) - power(picture, balls[other], at);
+    }
+    part = cut_off(&part, value);
+  }
+  return part;
+}
+
+/* The sphere of a convex patch is that of its ball; of a concave one, each ball has its own part. */
+static void add_part(struct mesh_picture *picture, const struct polygon *polygon, uint32_t triangle, int slot,
+                     uint32_t ball, int side) {
+  const struct triangle_mesh *mesh = picture->mesh;
+  const uint32_t kind = mesh->kinds[triangle];
+  const uint32_t layer = picture->layer[triangle];
+  const double radius = kind == HSP_PATCH_CONVEX ? picture->molecule->radius[ball] : mesh->probe;
+  const bool of_sphere = kind == HSP_PATCH_CONVEX || kind == HSP_PATCH_CONCAVE;
+  if (of_sphere && radius * picture->frame.scale < largest_sphere) {
+    const uint32_t sphere =
+        kind == HSP_PATCH_CONVEX ? ball : mesh->atoms + 3 * mesh->patches[triangle] + (uint32_t)slot;
+    add_polygon(picture, polygon, layer, SIDES * sphere + (uint32_t)side);
+  } else {
+    add_bands(picture, polygon, layer, colour_of(picture, ball, side));
+  }
+}
+
+static int side_of(const struct mesh_picture *picture, uint32_t triangle, double area) {
+  if (mesh_parts_is_of_void(&picture->parts, picture->mesh->corners[3 * (size_t)triangle])) return OF_VOID;
+  return area < 0.0 ? INSIDE : OUTSIDE;
+}
+
+/* Twice the area on the page, above 0 if it is counter-clockwise. */
+static double seen_area(const struct mesh_picture *picture, uint32_t triangle) {
+  const double *at[3];
+  for (int k = 0; k < 3; ++k) {
+    at[k] = picture->parts.seen + 3 * (size_t)picture->mesh->corners[3 * (size_t)triangle + (size_t)k];
+  }
+  return (at[1][0] - at[0][0]) * (at[2][1] - at[0][1]) - (at[1][1] - at[0][1]) * (at[2][0] - at[0][0]);
+}
+
+/* With the normals turned to the viewer. */
+static struct polygon polygon_of(const struct mesh_picture *picture, uint32_t triangle, int side) {
+  struct polygon polygon = {.corners = 3};
+  for (int k = 0; k < 3; ++k) {
+    const uint32_t vertex = picture->mesh->corners[3 * (size_t)triangle + (size_t)k];
+    double normal[3];
+    turn(picture->view->axis, picture->mesh->normals + 3 * (size_t)vertex, normal);
+    for (int axis = 0; axis < 3 && side != OUTSIDE; ++axis) normal[axis] = -normal[axis];
+    memcpy(polygon.corner[k].at, picture->parts.seen + 3 * (size_t)vertex, sizeof polygon.corner[k].at);
+    polygon.corner[k].circle = surface_light_circle(normal);
+  }
+  return polygon;
+}
+
+/* Where the plane of the cut goes through. */
+static void add_section(struct mesh_picture *picture, const struct polygon *polygon, const double value[3]) {
+  double ends[2][3];
+  int count = 0;
+  for (int k = 0; k < 3; ++k) {
+    const int next = (k + 1) % 3;
+    if ((value[k] <= 0.0) == (value[next] <= 0.0)) continue;
+    const struct corner end = between(&polygon->corner[k], &polygon->corner[next], value[k], value[next]);
+    memcpy(ends[value[k] <= 0.0 ? 0 : 1], end.at, sizeof end.at);
+    ++count;
+  }
+  if (count != 2) return;
+  struct painted_edge edge = {.layer = 0, .paint = 0};
+  place(&picture->frame, ends[0], edge.from);
+  place(&picture->frame, ends[1], edge.to);
+  painted_edges_add(&picture->section, &edge);
+}
+
+static void add_triangle(struct mesh_picture *picture, uint32_t triangle) {
+  const int side = side_of(picture, triangle, seen_area(picture, triangle));
+  const uint32_t *const balls = picture->patch_ball[picture->mesh->patches[triangle]];
+  struct polygon polygon = polygon_of(picture, triangle, side);
+  if (side != OF_VOID && picture->parts.cut < INFINITY) {
+    double value[MOST_CORNERS];
+    for (int k = 0; k < 3; ++k) value[k] = polygon.corner[k].at[2] - picture->parts.cut;
+    polygon = cut_off(&polygon, value);
+  }
+  bool one = true;
+  for (int slot = 1; slot < 3 && balls[slot] != UINT32_MAX; ++slot) {
+    one = one && colour_of(picture, balls[slot], side) == colour_of(picture, balls[0], side);
+  }
+  for (int slot = 0; slot < (one ? 1 : 3); ++slot) {
+    if (balls[slot] == UINT32_MAX) continue;
+    const struct polygon part = one ? polygon : part_of_ball(picture, &polygon, balls, slot);
+    if (part.corners >= 3) add_part(picture, &part, triangle, slot, balls[slot], side);
+  }
+}
+
+/* Nobody looks through a closed surface. Of a void, as a body, what faces the viewer is what turns away from him as a
+ * surface of the balls. */
+static bool is_shown(const struct mesh_picture *picture, uint32_t triangle) {
+  const uint32_t first = picture->mesh->corners[3 * (size_t)triangle];
+  const bool of_void = mesh_parts_is_of_void(&picture->parts, first);
+  const bool cut = picture->view->cut;
+  const double area = seen_area(picture, triangle);
+  if (cut && of_void != (triangle >= picture->view->of_outside)) return false;
+  if (of_void) return cut && area < 0.0;
+  if (!(area > 0.0 || (cut && area < 0.0))) return false;
+  bool behind = false;
+  for (int k = 0; k < 3; ++k) {
+    const uint32_t vertex = picture->mesh->corners[3 * (size_t)triangle + (size_t)k];
+    if (picture->parts.seen[3 * (size_t)vertex + 2] > picture->parts.cut) continue;
+    if (picture->parts.dropped[vertex]) return false;
+    behind = true;
+  }
+  return behind;
+}
+
+static bool paint_triangles(struct mesh_picture *picture) {
+  const struct triangle_mesh *mesh = picture->mesh;
+  struct seen_triangle *seen = calloc((size_t)mesh->triangles + 1, sizeof *seen);
+  uint32_t count = 0;
+  if (seen == NULL) return false;
+  for (uint32_t t = 0; t < mesh->triangles; ++t) {
+    picture->layer[t] = UINT32_MAX;
+    if (!is_shown(picture, t)) continue;
+    struct seen_triangle *const one = &seen[count++];
+    one->number = t;
+    for (int k = 0; k < 3; ++k) {
+      const double *at = picture->parts.seen + 3 * (size_t)mesh->corners[3 * (size_t)t + (size_t)k];
+      place(&picture->frame, at, one->at[k]);
+      one->depth[k] = at[2];
+    }
+  }
+  const bool enough = mesh_layers_find(seen, count, slack);
+  for (uint32_t i = 0; enough && i < count; ++i) picture->layer[seen[i].number] = seen[i].layer;
+  for (uint32_t i = 0; enough && i < count; ++i) add_triangle(picture, seen[i].number);
+  free(seen);
+  return enough;
+}
+
+/* ---- lines ---- */
+
+struct side {
+  uint32_t low, high, triangle;
+  bool back;
+};
+
+static int compare_sides(const void *left, const void *right) {
+  const struct side *a = left;
+  const struct side *b = right;
+  if (a->low != b->low) return a->low < b->low ? -1 : 1;
+  if (a->high != b->high) return a->high < b->high ? -1 : 1;
+  return (a->triangle > b->triangle) - (a->triangle < b->triangle);
+}
+
+/* A border of two patches that are both seen, in the direction of the patch with the lower number. */
+static void add_hairline(struct mesh_picture *picture, const struct side *side, uint32_t layer) {
+  struct polygon line = {.corners = 2};
+  double value[MOST_CORNERS];
+  for (int k = 0; k < 2; ++k) {
+    const uint32_t vertex = (k == 0) != side->back ? side->low : side->high;
+    memcpy(line.corner[k].at, picture->parts.seen + 3 * (size_t)vertex, sizeof line.corner[k].at);
+    line.corner[k].circle = 0.0;
+    value[k] = mesh_parts_is_of_void(&picture->parts, vertex) ? -1.0 : line.corner[k].at[2] - picture->parts.cut;
+  }
+  if (value[0] > 0.0 || value[1] > 0.0) return;
+  struct painted_edge edge = {.layer = layer, .paint = hairlines};
+  place(&picture->frame, line.corner[0].at, edge.from);
+  place(&picture->frame, line.corner[1].at, edge.to);
+  painted_edges_add(&picture->areas, &edge);
+}
+
+static double hairline_width(const struct mesh_picture *picture) {
+  const double width = hairline_per_unit * picture->frame.scale;
+  return width < hairline ? width : hairline;
+}
+
+static bool paint_lines(struct mesh_picture *picture) {
+  const struct triangle_mesh *mesh = picture->mesh;
+  if (hairline_width(picture) < thinnest) return true;
+  struct side *sides = calloc((size_t)mesh->triangles + 1, 3 * sizeof *sides);
+  size_t count = 0;
+  if (sides == NULL) return false;
+  for (uint32_t t = 0; t < mesh->triangles; ++t) {
+    for (size_t k = 0; k < 3 && picture->layer[t] != UINT32_MAX; ++k) {
+      const uint32_t from = mesh->corners[3 * (size_t)t + k], to = mesh->corners[3 * (size_t)t + (k + 1) % 3];
+      sides[count++] = (struct side){from < to ? from : to, from < to ? to : from, t, from > to};
+    }
+  }
+  qsort(sides, count, sizeof *sides, compare_sides);
+  for (size_t i = 0; i + 1 < count; ++i) {
+    const struct side *const one = &sides[i], *const other = &sides[i + 1];
+    if (one->low != other->low || one->high != other->high) continue;
+    if (mesh->patches[one->triangle] == mesh->patches[other->triangle]) continue;
+    const uint32_t layer[2] = {picture->layer[one->triangle], picture->layer[other->triangle]};
+    add_hairline(picture, one, layer[0] > layer[1] ? layer[0] : layer[1]);
+  }
+  free(sides);
+  return true;
+}
+
+static void find_section(struct mesh_picture *picture) {
+  for (uint32_t t = 0; t < picture->view->of_outside; ++t) {
+    const uint32_t *c = picture->mesh->corners + 3 * (size_t)t;
+    struct polygon polygon = {.corners = 3};
+    double value[3];
+    bool dropped = mesh_parts_is_of_void(&picture->parts, c[0]);
+    for (int k = 0; k < 3; ++k) {
+      memcpy(polygon.corner[k].at, picture->parts.seen + 3 * (size_t)c[k], sizeof polygon.corner[k].at);
+      polygon.corner[k].circle = 0.0;
+      value[k] = polygon.corner[k].at[2] - picture->parts.cut;
+      dropped = dropped || (value[k] <= 0.0 && picture->parts.dropped[c[k]]);
+    }
+    if (!dropped) add_section(picture, &polygon, value);
+  }
+}
+
+/* ---- the file ---- */
+
+static bool is_of_sphere(uint32_t paint) {
+  return paint < first_band;
+}
+
+static int compare_paints(const void *left, const void *right) {
+  const uint32_t a = *(const uint32_t *)left, b = *(const uint32_t *)right;
+  return (a > b) - (a < b);
+}
+
+static uint32_t sphere_colour(struct mesh_picture *picture, uint32_t paint) {
+  const uint32_t sphere = paint / SIDES, atoms = picture->mesh->atoms;
+  const uint32_t ball = sphere < atoms ? sphere : picture->patch_ball[(sphere - atoms) / 3][(sphere - atoms) % 3];
+  return colour_of(picture, ball, (int)(paint % SIDES));
+}
+
+/* Normals point to the centre of the probe's sphere, and away from that of a ball, but on the inside. */
+static void add_sphere(struct mesh_picture *picture, struct text_buffer *out, uint32_t paint) {
+  const struct triangle_mesh *mesh = picture->mesh;
+  const uint32_t sphere = paint / SIDES;
+  const bool of_ball = sphere < mesh->atoms;
+  const bool turned = of_ball == (paint % SIDES != OUTSIDE);
+  const bool smooth = picture->view->patches != NULL;
+  double centre[3];
+  double radius = mesh->probe;
+  if (of_ball) {
+    memcpy(centre, picture->ball + 3 * (size_t)sphere, sizeof centre);
+    radius = picture->molecule->radius[sphere] + (smooth ? 0.0 : mesh->probe);
+  } else {
+    turn(picture->view->axis, picture->view->patches[(sphere - mesh->atoms) / 3].probe, centre);
+  }
+  int32_t at[2];
+  place(&picture->frame, centre, at);
+  for (int axis = 0; axis < 2; ++axis) at[axis] *= 2; /* see add_picture */
+  const double size = 2.0 * radius * picture->frame.scale * (turned ? -1.0 : 1.0);
   text_buffer_add(out,
-                  "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%" PRId64 ".%" PRId64 "px\" height=\"%" PRId64
-                  ".%" PRId64 "px\" viewBox=\"0 0 %" PRId64 " %" PRId64 "\" role=\"img\">\n<title>",
-                  frame.width / 10, frame.width % 10, frame.height / 10, frame.height % 10, frame.width, frame.height);
+                  "<radialGradient id=\"s%" PRIu32 "\" gradientUnits=\"userSpaceOnUse\" cx=\"%" PRId32
+                  "\" cy=\"%" PRId32 "\" r=\"%" PRId32 "\" fx=\"%" PRId32 "\" fy=\"%" PRId32
+                  "\" xlink:href=\"#c%" PRIu32 "\"/>\n",
+                  paint, at[0], at[1], rounded(fabs(size)), rounded(at[0] + surface_light_focus[0] * size),
+                  rounded(at[1] - surface_light_focus[1] * size), sphere_colour(picture, paint));
+}
+
+/* What light makes of each colour, and for each sphere that is seen where its light is. */
+static bool add_gradients(struct mesh_picture *picture, struct text_buffer *out) {
+  const struct painted_edges *areas = &picture->areas;
+  uint32_t *paints = calloc(areas->count + 1, sizeof *paints);
+  size_t count = 0;
+  if (paints == NULL) return false;
+  for (size_t i = 0; i < areas->count; i = painted_edges_end(areas, i)) {
+    if (is_of_sphere(areas->edge[i].paint)) paints[count++] = areas->edge[i].paint;
+  }
+  qsort(paints, count, sizeof *paints, compare_paints);
+  for (size_t i = 0; i < count; ++i) (void)sphere_colour(picture, paints[i]);
+  for (uint32_t c = 0; c < picture->colours; ++c) {
+    text_buffer_add(out, "<linearGradient id=\"c%" PRIu32 "\">", c);
+    for (int stop = 0; stop < SURFACE_STOPS; ++stop) {
+      text_buffer_add(out, "<stop offset=\"%.4g\" stop-color=\"#%06" PRIx32 "\"/>", surface_light_offset(stop),
+                      surface_light_stop(picture->colour[c], stop));
+    }
+    text_buffer_add(out, "</linearGradient>\n");
+  }
+  for (size_t i = 0; i < count; ++i) {
+    if (i == 0 || paints[i] != paints[i - 1]) add_sphere(picture, out, paints[i]);
+  }
+  free(paints);
+  return true;
+}
+
+/* Lines in an area's own colour cover what anti-aliasing leaves open between neighbours. */
+static bool add_areas(const struct mesh_picture *picture, struct text_buffer *out) {
+  const struct painted_edges *areas = &picture->areas;
+  bool enough = true;
+  for (size_t i = 0, end = 0; i < areas->count; i = end) {
+    const uint32_t paint = areas->edge[i].paint;
+    end = painted_edges_end(areas, i);
+    if (paint == hairlines) {
+      text_buffer_add(out,
+                      "<path fill=\"none\" stroke=\"#%06" PRIx32 "\" stroke-opacity=\".4\" stroke-width=\"%.2f\" d=\"",
+                      line_colour, 2.0 * hairline_width(picture));
+    } else if (is_of_sphere(paint)) {
+      text_buffer_add(out, "<path fill=\"url(#s%" PRIu32 ")\" stroke=\"url(#s%" PRIu32 ")\" d=\"", paint, paint);
+    } else {
+      const uint32_t band = (paint - first_band) % MOST_BANDS, colour = (paint - first_band) / MOST_BANDS;
+      text_buffer_add(out, "<path color=\"#%06" PRIx32 "\" d=\"",
+                      surface_light_on(picture->colour[colour], ((double)band + 0.5) / picture->bands));
+    }
+    enough =
+        enough && painted_edges_write(areas, i, end, paint != hairlines, paint < first_band || paint == hairlines, out);
+    text_buffer_add(out, "\"/>\n");
+  }
+  return enough;
+}
+
+static bool add_section_line(const struct mesh_picture *picture, struct text_buffer *out) {
+  if (picture->section.count == 0) return true;
+  text_buffer_add(out, "<path fill=\"none\" stroke=\"#%06" PRIx32 "\" stroke-width=\"%.0f\" d=\"", line_colour,
+                  2.0 * section_line);
+  const bool enough = painted_edges_write(&picture->section, 0, picture->section.count, false, true, out);
+  text_buffer_add(out, "\"/>\n");
+  return enough;
+}
+
+static void add_entry(const struct pen *pen, double *x, double y, uint32_t colour, const char *text) {
+  const double corner[2] = {*x, y - letter * 0.45};
+  pen_rectangle(pen, corner, 0.9 * letter, 0.9 * letter, colour);
+  const struct pen_text written = {text, *x + 1.3 * letter, y + 0.36 * letter, letter, 0.0, line_colour, 0xFFFFFF};
+  pen_write(pen, &written);
+  *x += 1.9 * letter + text_width(text, letter);
+}
+
+static void add_legend(const struct mesh_picture *picture, struct text_buffer *out) {
+  const struct pen pen = {out, HSP_FORMAT_SVG, (double)picture->frame.height};
+  const double y = picture->frame.height + picture->frame.strip / 2.0 - 0.3 * letter;
+  double x = margin * 10.0 * picture_width;
+  bool any = false;
+  for (uint32_t t = picture->view->of_outside; t < picture->mesh->triangles; ++t) {
+    any = any || picture->layer[t] != UINT32_MAX;
+  }
+  pen_begin(&pen);
+  add_entry(&pen, &x, y, surface_light_on(inside_colour, 0.4), "inside of the surface, cut open");
+  if (any) add_entry(&pen, &x, y, surface_light_on(void_colour, 0.4), "voids");
+  pen_end(&pen);
+}
+
+static bool add_picture(struct mesh_picture *picture, const char *title, struct text_buffer *out) {
+  const struct frame *const frame = &picture->frame;
+  const int32_t height = frame->height + frame->strip;
+  text_buffer_add(out,
+                  "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
+                  "width=\"%" PRId32 ".%" PRId32 "px\" height=\"%" PRId32 ".%" PRId32 "px\" viewBox=\"0 0 %" PRId32
+                  " %" PRId32 "\" role=\"img\">\n<title>",
+                  frame->width / 10, frame->width % 10, height / 10, height % 10, frame->width, height);
   text_buffer_add_xml(out, title);
-  text_buffer_add(out,
-                  "</title>\n<rect width=\"%" PRId64 "\" height=\"%" PRId64
-                  "\" fill=\"#ffffff\"/>\n<g fill=\"currentColor\" stroke=\"currentColor\" stroke-width=\"6\" "
-                  "stroke-linejoin=\"round\" stroke-linecap=\"round\">\n",
-                  frame.width, frame.height);
-  for (size_t i = 0; i < picture->parts; ++i) add_part(out, &picture->part[i], &frame);
-  text_buffer_add(out, "</g>\n</svg>\n");
+  text_buffer_add(out, "</title>\n<rect width=\"%" PRId32 "\" height=\"%" PRId32 "\" fill=\"#ffffff\"/>\n<defs>\n",
+                  frame->width, height);
+  if (!add_gradients(picture, out)) return false;
+  /* Outlines are in halves of units. */
+  text_buffer_add(
+      out,
+      "</defs>\n<g transform=\"scale(.5)\" fill=\"currentColor\" stroke=\"currentColor\" stroke-width=\"12\" "
+      "stroke-linejoin=\"round\" stroke-linecap=\"round\">\n");
+  const bool enough = add_areas(picture, out) && add_section_line(picture, out);
+  text_buffer_add(out, "</g>\n");
+  if (frame->strip > 0) add_legend(picture, out);
+  text_buffer_add(out, "</svg>\n");
+  return enough;
 }
 
 static bool write_text(const struct text_buffer *text, const char *path, struct failure *failure) {
@@ -288,34 +567,62 @@ static bool write_text(const struct text_buffer *text, const char *path, struct 
   return output_file_finish(&file, failure);
 }
 
+/* ---- all of it ---- */
+
+static bool find_patch_balls(struct mesh_picture *picture) {
+  const struct triangle_mesh *mesh = picture->mesh;
+  for (size_t t = 0; t < mesh->triangles; ++t) {
+    if (mesh->patches[t] >= picture->patches) picture->patches = mesh->patches[t] + 1;
+  }
+  picture->patch_ball = calloc((size_t)picture->patches + 1, sizeof *picture->patch_ball);
+  if (picture->patch_ball == NULL) return false;
+  memset(picture->patch_ball, 0xFF, picture->patches * sizeof *picture->patch_ball);
+  for (size_t t = 0; t < mesh->triangles; ++t) {
+    uint32_t *const balls = picture->patch_ball[mesh->patches[t]];
+    if (mesh->kinds[t] == HSP_PATCH_CONVEX) {
+      balls[0] = mesh->balls[t];
+    } else {
+      memcpy(balls, picture->view->patches[mesh->patches[t]].ball, sizeof *picture->patch_ball);
+    }
+  }
+  return true;
+}
+
+static bool make(struct mesh_picture *picture) {
+  const struct triangle_mesh *mesh = picture->mesh;
+  const bool cut = picture->view->cut;
+  picture->layer = calloc((size_t)mesh->triangles + 1, sizeof *picture->layer);
+  picture->ball = calloc((size_t)mesh->atoms + 1, 3 * sizeof *picture->ball);
+  if (picture->layer == NULL || picture->ball == NULL || !find_patch_balls(picture)) return false;
+  for (size_t i = 0; i < mesh->atoms; ++i) {
+    turn(picture->view->axis, picture->molecule->xyz + 3 * i, picture->ball + 3 * i);
+  }
+  if (!mesh_parts_find(mesh, picture->view->axis, &picture->parts)) return false;
+  if (cut && !mesh_parts_cut(mesh, picture->view->of_outside, &picture->parts)) return false;
+  find_frame(&picture->parts, cut, &picture->frame);
+  const double bands = bands_per_unit * picture->frame.scale;
+  picture->bands = bands < FEWEST_BANDS ? FEWEST_BANDS : bands > MOST_BANDS ? MOST_BANDS : (int)bands;
+  if (!paint_triangles(picture) || !paint_lines(picture)) return false;
+  if (cut) find_section(picture);
+  painted_edges_cancel(&picture->areas);
+  painted_edges_cancel(&picture->section);
+  return !picture->areas.out_of_memory && !picture->section.out_of_memory &&
+         painted_edges_find_joints(&picture->areas, first_band);
+}
+
 bool mesh_picture_write(const struct triangle_mesh *mesh, const struct mesh_view *view, const struct molecule *molecule,
                         const char *title, const char *path, uint64_t *bytes, struct failure *failure) {
-  const size_t v = (size_t)mesh->vertices + 1;
-  struct mesh_picture picture = {.mesh = mesh,
-                                 .molecule = molecule,
-                                 .seen = calloc(v, 3 * sizeof *picture.seen),
-                                 .root = calloc(v, sizeof *picture.root),
-                                 .volume = calloc(v, sizeof *picture.volume),
-                                 .part = calloc((size_t)mesh->triangles + 1, 2 * sizeof *picture.part),
-                                 .cut = INFINITY};
+  struct mesh_picture picture = {.mesh = mesh, .view = view, .molecule = molecule};
   struct text_buffer text = TEXT_BUFFER_EMPTY;
-  bool done = false;
-  if (picture.seen == NULL || picture.root == NULL || picture.volume == NULL || picture.part == NULL) {
-    failure_of_memory(failure);
-  } else {
-    look(&picture, view->axis);
-    find_connected_parts(&picture);
-    if (view->cut) picture.cut = find_cut(&picture);
-    find_parts(&picture, view);
-    qsort(picture.part, picture.parts, sizeof *picture.part, compare_parts);
-    add_picture(&text, &picture, title);
-    done = write_text(&text, path, failure);
-    *bytes = text.length;
-  }
+  const bool made = make(&picture) && add_picture(&picture, title, &text);
+  const bool done = made ? write_text(&text, path, failure) : failure_of_memory(failure);
+  if (done) *bytes = text.length;
   text_buffer_free(&text);
-  free(picture.seen);
-  free(picture.root);
-  free(picture.volume);
-  free(picture.part);
+  mesh_parts_free(&picture.parts);
+  painted_edges_free(&picture.areas);
+  painted_edges_free(&picture.section);
+  free(picture.layer);
+  free(picture.patch_ball);
+  free(picture.ball);
   return done;
 }

@@ -13,13 +13,21 @@
 struct mesh_view {
   double axis[3][3]; /* to the right, upwards and towards the viewer: unit vectors */
   bool cut;          /* what lies before the middle of the largest void, or else of everything, is left out */
+  const struct mesh_patch *patches; /* of the smooth surface; else NULL */
+  uint32_t of_outside;              /* triangles: only the first so many show what is no void, only the others voids */
 };
 
-/* Write what is seen of a closed mesh to the file `path` (output_file.h), 1000 px wide: light from the upper left,
- * colours by element, and farther triangles first by the depth of their middles, which is right but where a triangle
- * is as large as the gap to what it covers. With a cut the inside of the surface and the rim of the cut are seen, too,
- * and voids, as bodies in red. *bytes becomes how many were written. False, with the file named, if it cannot be
- * written in full. */
+/* Write what is seen of a closed mesh to the file `path` (output_file.h), 1000 px wide, with light from the upper left
+ * and colours by element.
+ *
+ * Patches of spheres are areas with one radial gradient each: as it is known which circles of it are where, no triangle
+ * is seen. Saddles are cut into bands of equal light. Colours of atoms meet where the surface is nearest to neither: on
+ * the narrowest circle of a saddle, and on the planes through the probe that go on from there. Borders of patches are
+ * hairlines. Farther triangles are painted first (mesh_layers.h).
+ *
+ * With a cut the inside of the surface is seen, too, and the section by the plane as a line, and voids as bodies in
+ * red, which a legend says; crumbs are dropped (mesh_parts.h). *bytes becomes how many were written. False, with the
+ * file named, if it cannot be written in full. */
 bool mesh_picture_write(const struct triangle_mesh *mesh, const struct mesh_view *view, const struct molecule *molecule,
                         const char *title, const char *path, uint64_t *bytes, struct failure *failure);
 

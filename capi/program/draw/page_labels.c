@@ -84,6 +84,7 @@ bool page_labels_find(const hsp_map *map, const struct molecule *molecule, const
     last[at - 1] = atom;
     if (pole.radius <= label->radius) continue;
     label->radius = pole.radius;
+    label->atom = atom;
     memcpy(label->at, pole.centre, sizeof label->at);
   }
   free(last);

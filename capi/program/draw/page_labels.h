@@ -14,6 +14,7 @@ struct page_label {
   char text[48];
   double at[2];  /* in view coordinates: the middle of the largest circle in any face of a ball that belongs to it */
   double radius; /* of that circle */
+  uint32_t atom; /* whose ball has it */
 };
 
 /* One label for each atom, residue or chain of which something is selected and seen, in the order of the file; *labels

@@ -6,13 +6,18 @@
 
 #include "hardsphere.h"
 
-/* Capital a with ring: in UTF-8, and in a string of PostScript or PDF, where ISO Latin 1 and Windows agree. */
-static const char ring[] = "\xC3\x85";
-static const char ring_in_string[] = "\\305";
+/* Characters beyond ASCII: in UTF-8, and in a string of PostScript or PDF, where ISO Latin 1 and Windows agree. */
+struct letter {
+  const char *utf8; /* two bytes */
+  const char *in_string;
+  int width;
+};
+static const struct letter letters[] = {{"\xC3\x85", "\\305", 667}, {"\xC2\xB2", "\\262", 333}};
+enum { LETTERS = sizeof letters / sizeof letters[0] };
 
-/* Widths of its characters from ' ' to '~' and of the capital a with ring, in thousandths of the size: of Helvetica, by
- * Adobe's font metrics, in the encoding of Windows. */
-enum { FIRST = ' ', LAST = '~', WIDTH_OF_RING = 667 };
+/* Widths of the characters from ' ' to '~', and of those, in thousandths of the size: of Helvetica, by Adobe's font
+ * metrics, in the encoding of Windows. */
+enum { FIRST = ' ', LAST = '~' };
 static const uint16_t widths[LAST - FIRST + 1] = {
     278,  278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333, 278, 278, /* to '/' */
     556,  556, 556, 556, 556, 556, 556, 556, 556, 556, 278, 278, 584, 584, 584, 556, /* to '?' */
@@ -75,8 +80,12 @@ void pen_rectangle(const struct pen *pen, const double corner[2], double width, 
                   postscript ? "rectfill" : "re f");
 }
 
-static bool is_ring(const char *c) {
-  return strncmp(c, ring, 2) == 0;
+/* NULL for all others. */
+static const struct letter *find_letter(const char *c) {
+  for (int k = 0; k < LETTERS; ++k) {
+    if (strncmp(c, letters[k].utf8, 2) == 0) return &letters[k];
+  }
+  return NULL;
 }
 
 static bool is_shown(char c) {
@@ -86,8 +95,9 @@ static bool is_shown(char c) {
 static void put_string(const struct pen *pen, const char *text) {
   for (const char *c = text; *c != '\0'; ++c) {
     const char one[2] = {*c, '\0'};
-    if (is_ring(c)) {
-      text_buffer_add(pen->out, "%s", pen->language == HSP_FORMAT_SVG ? ring : ring_in_string);
+    const struct letter *const letter = find_letter(c);
+    if (letter != NULL) {
+      text_buffer_add(pen->out, "%s", pen->language == HSP_FORMAT_SVG ? letter->utf8 : letter->in_string);
       ++c;
     } else if (is_shown(*c) && pen->language != HSP_FORMAT_SVG) {
       text_buffer_add(pen->out, "%s%s", strchr("()\\", *c) != NULL ? "\\" : "", one);
@@ -97,14 +107,20 @@ static void put_string(const struct pen *pen, const char *text) {
   }
 }
 
+static bool has_seam(const struct pen_text *text) {
+  return text->seam != text->colour;
+}
+
 static void write_postscript(const struct pen *pen, const struct pen_text *text) {
   text_buffer_add(pen->out, "/Written findfont %.3f scalefont setfont %.2f %.2f moveto (", text->size, text->x,
                   pen->height - text->y);
   put_string(pen, text->text);
-  text_buffer_add(pen->out, ")\ndup stringwidth pop %.3g mul 0 rmoveto gsave %.3f setlinewidth\n", -text->anchor,
-                  text->size / 5.0);
-  put_colour(pen, text->seam, "setrgbcolor");
-  text_buffer_add(pen->out, "dup true charpath stroke grestore\n");
+  text_buffer_add(pen->out, ")\ndup stringwidth pop %.3g mul 0 rmoveto\n", -text->anchor);
+  if (has_seam(text)) {
+    text_buffer_add(pen->out, "gsave %.3f setlinewidth\n", text->size / 5.0);
+    put_colour(pen, text->seam, "setrgbcolor");
+    text_buffer_add(pen->out, "dup true charpath stroke grestore\n");
+  }
   put_colour(pen, text->colour, "setrgbcolor");
   text_buffer_add(pen->out, "show\n");
 }
@@ -113,8 +129,9 @@ static void write_postscript(const struct pen *pen, const struct pen_text *text)
 static double exact_width(const char *text, double size) {
   double width = 0.0;
   for (const char *c = text; *c != '\0'; ++c) {
-    if (is_ring(c)) {
-      width += WIDTH_OF_RING;
+    const struct letter *const letter = find_letter(c);
+    if (letter != NULL) {
+      width += letter->width;
       ++c;
     } else if (is_shown(*c)) {
       width += widths[*c - FIRST];
@@ -128,7 +145,7 @@ static void write_pdf(const struct pen *pen, const struct pen_text *text) {
   const double x = text->x - text->anchor * exact_width(text->text, text->size);
   put_colour(pen, text->seam, "RG");
   put_colour(pen, text->colour, "rg");
-  for (int seam = 1; seam >= 0; --seam) {
+  for (int seam = has_seam(text) ? 1 : 0; seam >= 0; --seam) {
     if (seam == 1) text_buffer_add(pen->out, "%.3f w\n", text->size / 5.0);
     text_buffer_add(pen->out, "BT /F1 %.3f Tf %d Tr %.2f %.2f Td (", text->size, seam, x, pen->height - text->y);
     put_string(pen, text->text);
@@ -146,7 +163,7 @@ void pen_write(const struct pen *pen, const struct pen_text *text) {
     return;
   }
   const char *const anchor = text->anchor < 0.25 ? "start" : text->anchor < 0.75 ? "middle" : "end";
-  for (int seam = 1; seam >= 0; --seam) {
+  for (int seam = has_seam(text) ? 1 : 0; seam >= 0; --seam) {
     text_buffer_add(pen->out, "<text x=\"%.2f\" y=\"%.2f\" font-size=\"%.3f\" text-anchor=\"%s\" ", text->x, text->y,
                     text->size, anchor);
     if (seam == 1) {
@@ -158,13 +175,4 @@ void pen_write(const struct pen *pen, const struct pen_text *text) {
     put_string(pen, text->text);
     text_buffer_add(pen->out, "</text>\n");
   }
-}
-
-double pen_width(const char *text, double size) {
-  double letters = 0.0;
-  for (const char *c = text; *c != '\0'; ++c) {
-    if (is_ring(c)) ++c;
-    letters += 1.0;
-  }
-  return 0.6 * size * letters;
 }

@@ -23,17 +23,14 @@ void pen_line(const struct pen *pen, const double from[2], const double to[2], d
 void pen_rectangle(const struct pen *pen, const double corner[2], double width, double height, uint32_t colour);
 
 /* A text on a line at (x, y), which begins there with anchor 0, has its middle there with .5 and ends there with 1.
- * Around its letters lies a seam, so that it is read over anything. Of an angstrom's sign (in UTF-8) and of ASCII it
- * shows all characters, of others none. In PDF the font is Helvetica, one of the fonts that every reader has, named as
- * the library's files do. */
+ * Around its letters lies a seam, so that it is read over anything, unless it has their colour. Of ASCII, and of an
+ * angstrom's sign and a raised 2 (in UTF-8), it shows all characters, of others none. In PDF the font is Helvetica,
+ * one of the fonts that every reader has, named as the library's files do. */
 struct pen_text {
   const char *text;
   double x, y, size, anchor;
   uint32_t colour, seam;
 };
 void pen_write(const struct pen *pen, const struct pen_text *text);
-
-/* About how wide it becomes. */
-double pen_width(const char *text, double size);
 
 #endif

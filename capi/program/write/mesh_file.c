@@ -34,6 +34,34 @@ bool triangle_mesh_read(const hsp_mesh *mesh, struct triangle_mesh *into, struct
              HSP_OK;
 }
 
+static bool append(void *array, size_t size, size_t count, const void *more, size_t more_count) {
+  void **const whole = array;
+  void *const grown = realloc(*whole, (count + more_count + 1) * size);
+  if (grown == NULL) return false;
+  *whole = grown;
+  memcpy((char *)grown + count * size, more, more_count * size);
+  return true;
+}
+
+bool triangle_mesh_append(struct triangle_mesh *mesh, const struct triangle_mesh *more, struct failure *failure) {
+  const size_t v = mesh->vertices, t = mesh->triangles, more_v = more->vertices, more_t = more->triangles;
+  if (v + more_v >= UINT32_MAX || t + more_t >= UINT32_MAX ||
+      !append(&mesh->xyz, 3 * sizeof *mesh->xyz, v, more->xyz, more_v) ||
+      !append(&mesh->normals, 3 * sizeof *mesh->normals, v, more->normals, more_v) ||
+      !append(&mesh->areas, sizeof *mesh->areas, v, more->areas, more_v) ||
+      !append(&mesh->vertex_balls, sizeof *mesh->vertex_balls, v, more->vertex_balls, more_v) ||
+      !append(&mesh->corners, 3 * sizeof *mesh->corners, t, more->corners, more_t) ||
+      !append(&mesh->kinds, sizeof *mesh->kinds, t, more->kinds, more_t) ||
+      !append(&mesh->patches, sizeof *mesh->patches, t, more->patches, more_t) ||
+      !append(&mesh->balls, sizeof *mesh->balls, t, more->balls, more_t)) {
+    return failure_of_memory(failure);
+  }
+  for (size_t k = 3 * t; k < 3 * (t + more_t); ++k) mesh->corners[k] += (uint32_t)v;
+  mesh->vertices = (uint32_t)(v + more_v);
+  mesh->triangles = (uint32_t)(t + more_t);
+  return true;
+}
+
 void triangle_mesh_free(struct triangle_mesh *mesh) {
   free(mesh->xyz);
   free(mesh->normals);

@@ -24,11 +24,20 @@ struct triangle_mesh {
   double edge, probe;
 };
 
+/* Of a smooth surface, what a patch comes from. */
+struct mesh_patch {
+  double probe[3];  /* the probe's centre; of concave patches */
+  uint32_t ball[3]; /* UINT32_MAX: no more */
+};
+
 struct hsp_mesh;
 
 /* Everything of a computed mesh; to be freed on true and on false. */
 bool triangle_mesh_read(const struct hsp_mesh *mesh, struct triangle_mesh *into, struct failure *failure);
 void triangle_mesh_free(struct triangle_mesh *mesh);
+
+/* Append the triangles of another mesh of the same surface, with vertices of their own. */
+bool triangle_mesh_append(struct triangle_mesh *mesh, const struct triangle_mesh *more, struct failure *failure);
 
 /* Where MSMS has the triangles: name.face for name.vert. To be freed; NULL if memory is short. */
 char *mesh_file_faces_name(const char *path);

@@ -1,0 +1,22 @@
+/* In which order triangles that are seen are painted. */
+#ifndef HARDSPHERE_TOOL_MESH_LAYERS_H
+#define HARDSPHERE_TOOL_MESH_LAYERS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/* A triangle on the page, in whole units, with the depths of its corners. */
+struct seen_triangle {
+  int32_t at[3][2];
+  double depth[3];
+  uint32_t number; /* anything of the caller's, each once */
+  uint32_t layer;
+};
+
+/* Sort them, the farthest first, and set their layers: none of a layer lies over another one of it, and what lies over
+ * another one, in the middle of where both are, is of a later layer. So all that has one paint in one layer is one
+ * area. Of triangles that lie over each other in a ring the farthest comes first. Overlaps of less than `slack` units
+ * are none. False for want of memory. */
+bool mesh_layers_find(struct seen_triangle *triangle, uint32_t count, double slack);
+
+#endif

@@ -1,0 +1,277 @@
+#include "draw/mesh_outlines.h"
+
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+
+void painted_edges_add(struct painted_edges *edges, const struct painted_edge *edge) {
+  if (memcmp(edge->from, edge->to, sizeof edge->from) == 0 || edges->out_of_memory) return;
+  if (edges->count == edges->room) {
+    const size_t room = 2 * edges->room + 1024;
+    struct painted_edge *const grown = realloc(edges->edge, room * sizeof *grown);
+    edges->out_of_memory = grown == NULL;
+    if (grown == NULL) return;
+    edges->edge = grown;
+    edges->room = room;
+  }
+  edges->edge[edges->count++] = *edge;
+}
+
+static int compare_points(const int32_t a[2], const int32_t b[2]) {
+  if (a[0] != b[0]) return a[0] < b[0] ? -1 : 1;
+  return (a[1] > b[1]) - (a[1] < b[1]);
+}
+
+static int compare_groups(const struct painted_edge *a, const struct painted_edge *b) {
+  if (a->layer != b->layer) return a->layer < b->layer ? -1 : 1;
+  return (a->paint > b->paint) - (a->paint < b->paint);
+}
+
+static bool runs_back(const struct painted_edge *edge) {
+  return compare_points(edge->from, edge->to) > 0;
+}
+
+/* Edges that run back stand beside those that they cancel. */
+static int compare_lines(const void *left, const void *right) {
+  const struct painted_edge *a = left;
+  const struct painted_edge *b = right;
+  const bool back[2] = {runs_back(a), runs_back(b)};
+  int order = compare_groups(a, b);
+  if (order == 0) order = compare_points(back[0] ? a->to : a->from, back[1] ? b->to : b->from);
+  if (order == 0) order = compare_points(back[0] ? a->from : a->to, back[1] ? b->from : b->to);
+  return order != 0 ? order : (int)back[0] - (int)back[1];
+}
+
+static int compare_starts(const void *left, const void *right) {
+  const struct painted_edge *a = left;
+  const struct painted_edge *b = right;
+  int order = compare_groups(a, b);
+  if (order == 0) order = compare_points(a->from, b->from);
+  return order != 0 ? order : compare_points(a->to, b->to);
+}
+
+static bool same_line(const struct painted_edge *a, const struct painted_edge *b) {
+  if (compare_groups(a, b) != 0) return false;
+  const bool along = compare_points(a->from, b->from) == 0 && compare_points(a->to, b->to) == 0;
+  return along || (compare_points(a->from, b->to) == 0 && compare_points(a->to, b->from) == 0);
+}
+
+void painted_edges_cancel(struct painted_edges *edges) {
+  size_t kept = 0;
+  if (edges->count == 0) return;
+  qsort(edges->edge, edges->count, sizeof *edges->edge, compare_lines);
+  for (size_t i = 0; i < edges->count;) {
+    size_t end = i, back = 0;
+    while (end < edges->count && same_line(&edges->edge[i], &edges->edge[end])) back += runs_back(&edges->edge[end++]);
+    const size_t along = end - i - back;
+    const struct painted_edge left = edges->edge[along >= back ? i : end - 1];
+    const size_t more = along >= back ? along - back : back - along;
+    for (size_t k = 0; k < more; ++k) edges->edge[kept++] = left;
+    i = end;
+  }
+  edges->count = kept;
+  qsort(edges->edge, kept, sizeof *edges->edge, compare_starts);
+}
+
+size_t painted_edges_end(const struct painted_edges *edges, size_t first) {
+  size_t end = first;
+  while (end < edges->count && compare_groups(&edges->edge[first], &edges->edge[end]) == 0) ++end;
+  return end;
+}
+
+/* The first edge that starts there, or the end. */
+static size_t find_start(const struct painted_edges *edges, size_t first, size_t end, const int32_t at[2]) {
+  size_t low = first, high = end;
+  while (low < high) {
+    const size_t middle = low + (high - low) / 2;
+    if (compare_points(edges->edge[middle].from, at) < 0) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low < end && compare_points(edges->edge[low].from, at) == 0 ? low : end;
+}
+
+/* An edge that is written has no length any more. */
+static void mark(struct painted_edge *edge) {
+  memcpy(edge->to, edge->from, sizeof edge->to);
+}
+static bool is_marked(const struct painted_edge *edge) {
+  return compare_points(edge->from, edge->to) == 0;
+}
+
+/* ---- points where outlines meet ---- */
+
+static int compare_segments(const void *left, const void *right) {
+  const struct painted_edge *a = left;
+  const struct painted_edge *b = right;
+  const int order = compare_points(a->from, b->from);
+  return order != 0 ? order : compare_points(a->to, b->to);
+}
+
+bool painted_edges_find_joints(struct painted_edges *edges, uint32_t end_of_paints) {
+  struct painted_edge *segment = calloc(2 * edges->count + 1, sizeof *segment);
+  size_t count = 0, joints = 0;
+  if (segment == NULL) return false;
+  for (size_t i = 0; i < edges->count; ++i) {
+    if (edges->edge[i].paint >= end_of_paints) continue;
+    for (int back = 0; back < 2; ++back, ++count) {
+      memcpy(segment[count].from, back == 1 ? edges->edge[i].to : edges->edge[i].from, sizeof segment->from);
+      memcpy(segment[count].to, back == 1 ? edges->edge[i].from : edges->edge[i].to, sizeof segment->to);
+    }
+  }
+  qsort(segment, count, sizeof *segment, compare_segments);
+  edges->joint = calloc(count + 1, sizeof *edges->joint);
+  for (size_t i = 0, end = 0; edges->joint != NULL && i < count; i = end) {
+    int different = 1;
+    for (end = i + 1; end < count && compare_points(segment[i].from, segment[end].from) == 0; ++end) {
+      if (compare_points(segment[end].to, segment[end - 1].to) != 0) ++different;
+    }
+    if (different > 2) memcpy(edges->joint[joints++], segment[i].from, sizeof segment->from);
+  }
+  edges->joints = joints;
+  free(segment);
+  return edges->joint != NULL;
+}
+
+static int compare_joints(const void *left, const void *right) {
+  return compare_points(left, right);
+}
+
+/* ---- paths ---- */
+
+/* A way along edges: the points that it turns at. */
+struct way {
+  const struct painted_edges *edges;
+  const int32_t (*point)[2];
+  size_t points;
+  bool closed, curved;
+};
+
+/* Whether a curve may go by this point: where no third outline comes to it, and where the way turns by less than 37
+ * degrees, and is no shorter than three times on one side as on the other. */
+static bool is_smooth(const struct way *way, size_t k) {
+  if (!way->curved || (!way->closed && (k == 0 || k + 1 == way->points))) return false;
+  const int32_t *before = way->point[(k + way->points - 1) % way->points];
+  const int32_t *at = way->point[k];
+  const int32_t *after = way->point[(k + 1) % way->points];
+  const double a[2] = {(double)at[0] - before[0], (double)at[1] - before[1]};
+  const double b[2] = {(double)after[0] - at[0], (double)after[1] - at[1]};
+  const double along = a[0] * b[0] + a[1] * b[1];
+  const double squares[2] = {a[0] * a[0] + a[1] * a[1], b[0] * b[0] + b[1] * b[1]};
+  const bool even = squares[0] <= 9.0 * squares[1] && squares[1] <= 9.0 * squares[0];
+  return even && along > 0.0 && along * along > 0.64 * squares[0] * squares[1] &&
+         (way->edges->joints == 0 ||
+          bsearch(at, way->edges->joint, way->edges->joints, sizeof *way->edges->joint, compare_joints) == NULL);
+}
+
+/* Halves of units, in which middles of edges are whole. */
+struct writer {
+  struct text_buffer *out;
+  int32_t at[2];
+  char command; /* the last one */
+};
+
+static void put_number(struct writer *writer, int32_t number, bool first) {
+  text_buffer_add(writer->out, "%s%" PRId32, first || number < 0 ? "" : " ", number);
+}
+
+static void put_points(struct writer *writer, char command, const int32_t *first, const int32_t *last) {
+  const char name[2] = {command, '\0'};
+  const bool named = writer->command != command;
+  if (named) text_buffer_add_text(writer->out, name);
+  for (int axis = 0; axis < 2; ++axis) {
+    put_number(writer, first[axis] - writer->at[axis], axis == 0 && named);
+  }
+  for (int axis = 0; axis < 2 && last != first; ++axis) put_number(writer, last[axis] - writer->at[axis], false);
+  memcpy(writer->at, last, sizeof writer->at);
+  writer->command = command;
+}
+
+static void find_middle(const struct way *way, size_t k, int32_t middle[2]) {
+  const int32_t *a = way->point[k % way->points];
+  const int32_t *b = way->point[(k + 1) % way->points];
+  for (int axis = 0; axis < 2; ++axis) middle[axis] = a[axis] + b[axis];
+}
+
+/* By smooth points go parabolas from the middle of one edge to that of the next. Their control points are the points
+ * themselves: each is the last one mirrored in the middle between them, as `t` has it. */
+static void put_way(struct text_buffer *out, const struct way *way) {
+  struct writer writer = {out, {0, 0}, 'M'};
+  size_t first = 0;
+  while (way->closed && first < way->points && is_smooth(way, first)) ++first;
+  const bool round = first == way->points;
+  if (round) first = 0;
+  if (round) {
+    find_middle(way, way->points - 1, writer.at);
+  } else {
+    for (int axis = 0; axis < 2; ++axis) writer.at[axis] = 2 * way->point[first][axis];
+  }
+  text_buffer_add(out, "M%" PRId32 " %" PRId32, writer.at[0], writer.at[1]);
+  const size_t last = round ? way->points : way->closed ? way->points + 1 : way->points;
+  bool curved = false;
+  for (size_t i = round ? 0 : 1; i < last; ++i) {
+    const size_t k = (first + i) % way->points;
+    const int32_t at[2] = {2 * way->point[k][0], 2 * way->point[k][1]};
+    int32_t middle[2];
+    if (!is_smooth(way, k)) {
+      if (!(way->closed && i + 1 == last && !curved)) put_points(&writer, 'l', at, at);
+      curved = false;
+      continue;
+    }
+    if (!curved && !(round && i == 0)) {
+      find_middle(way, k + way->points - 1, middle);
+      put_points(&writer, 'l', middle, middle);
+    }
+    find_middle(way, k, middle);
+    if (curved) {
+      put_points(&writer, 't', middle, middle);
+    } else {
+      put_points(&writer, 'q', at, middle);
+    }
+    curved = true;
+  }
+  if (way->closed) text_buffer_add(out, "z");
+}
+
+/* From an edge along those that begin where it ends, to where it began or where none is left. */
+static bool take_way(const struct painted_edges *edges, size_t edge, size_t first, size_t end, int32_t (*point)[2],
+                     struct way *way) {
+  size_t count = 0;
+  size_t next = edge;
+  bool round = false;
+  memcpy(point[count++], edges->edge[edge].from, sizeof *point);
+  while (next < end && !round) {
+    memcpy(point[count], edges->edge[next].to, sizeof *point);
+    mark(&edges->edge[next]);
+    round = compare_points(point[count], point[0]) == 0;
+    if (!round) ++count;
+    next = round ? end : find_start(edges, first, end, point[count - 1]);
+    while (next < end && is_marked(&edges->edge[next])) {
+      ++next;
+      if (next < end && compare_points(edges->edge[next].from, point[count - 1]) != 0) next = end;
+    }
+  }
+  way->point = (const int32_t(*)[2])point;
+  way->points = count;
+  way->closed = way->closed || round;
+  return count > 1;
+}
+
+bool painted_edges_write(const struct painted_edges *edges, size_t first, size_t end, bool closed, bool curved,
+                         struct text_buffer *out) {
+  int32_t(*point)[2] = calloc(end - first + 2, sizeof *point);
+  if (point == NULL) return false;
+  for (size_t i = first; i < end; ++i) {
+    struct way way = {.edges = edges, .closed = closed, .curved = curved};
+    if (!is_marked(&edges->edge[i]) && take_way(edges, i, first, end, point, &way)) put_way(out, &way);
+  }
+  free(point);
+  return true;
+}
+
+void painted_edges_free(struct painted_edges *edges) {
+  free(edges->edge);
+  free(edges->joint);
+}

@@ -1,0 +1,49 @@
+/* Areas of the page by the edges of what they are made of: edges between neighbours of one paint cancel out, and
+ * what is left are outlines. */
+#ifndef HARDSPHERE_TOOL_MESH_OUTLINES_H
+#define HARDSPHERE_TOOL_MESH_OUTLINES_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "read/text_buffer.h"
+
+struct painted_edge {
+  uint32_t layer;
+  uint32_t paint; /* anything of the caller's: areas of a layer are painted in their order */
+  int32_t from[2], to[2];
+};
+
+struct painted_edges {
+  struct painted_edge *edge; /* [count] */
+  size_t count, room;
+  int32_t (*joint)[2]; /* [joints], sorted */
+  size_t joints;
+  bool out_of_memory; /* stays set */
+};
+
+#define PAINTED_EDGES_NONE \
+  { NULL, 0, 0, NULL, 0, false }
+
+/* Edges of no length are left out. */
+void painted_edges_add(struct painted_edges *edges, const struct painted_edge *edge);
+
+/* Sort by layers and paints, and let edges cancel those that run back. */
+void painted_edges_cancel(struct painted_edges *edges);
+
+/* Find joints: where more than two edges meet, of those left of paints below the end. No curve goes by a joint. False
+ * for want of memory. */
+bool painted_edges_find_joints(struct painted_edges *edges, uint32_t end_of_paints);
+
+/* The end of the edges that have layer and paint of the first one. */
+size_t painted_edges_end(const struct painted_edges *edges, size_t first);
+
+/* The edges first .. end - 1 as data of an SVG path, in halves of units, curved if so asked where they turn
+ * gently. Each loop is
+ * closed; or they are lines, which may end. False for want of memory. */
+bool painted_edges_write(const struct painted_edges *edges, size_t first, size_t end, bool closed, bool curved,
+                         struct text_buffer *out);
+
+void painted_edges_free(struct painted_edges *edges);
+
+#endif

@@ -1,0 +1,9 @@
+/* How much room a line of text takes. */
+#ifndef HARDSPHERE_TOOL_TEXT_WIDTH_H
+#define HARDSPHERE_TOOL_TEXT_WIDTH_H
+
+/* About how wide a text, in UTF-8, becomes in letters of a size: so wide is a letter of Helvetica at most, but for a
+ * few capitals. */
+double text_width(const char *text, double size);
+
+#endif
