@@ -1,6 +1,7 @@
 #include "paths/widest_probe.hpp"
 
 #include "cells/cell_location.hpp"
+#include "core/sorting.hpp"
 #include "paths/lattice_points.hpp"
 
 namespace hsp {
@@ -227,15 +228,7 @@ void WidestProbeFinder::find_gate(int64_t probe, WidestProbe &widest) const {
         gate[0] = balls.caller[i];
         gate[1] = balls.caller[j];
         gate[2] = balls.caller[k];
-        const auto order = [&](uint32_t a, uint32_t b) {
-          if (gate[a] <= gate[b]) return;
-          const uint32_t larger = gate[a];
-          gate[a] = gate[b];
-          gate[b] = larger;
-        };
-        order(0, 1);
-        order(1, 2);
-        order(0, 1);
+        sort_three(gate[0], gate[1], gate[2]);
       });
     });
   }
