@@ -2,6 +2,7 @@
 // vertex lies on the surface, every triangle belongs to one patch.
 #pragma once
 
+#include "core/first_index.hpp"
 #include "core/fixed_vector.hpp"
 #include "surface/surface_map.hpp"
 
@@ -51,17 +52,7 @@ class Mesh {
   friend class MeshBuilder;
 
   uint32_t first_from(uint64_t patch) const {
-    uint32_t low = 0;
-    uint32_t high = triangle_count();
-    while (low < high) {
-      const uint32_t middle = low + (high - low) / 2;
-      if (triangles_[middle].patch < patch) {
-        low = middle + 1;
-      } else {
-        high = middle;
-      }
-    }
-    return low;
+    return first_index(0, triangle_count(), [&](uint32_t t) { return triangles_[t].patch >= patch; });
   }
 
   FixedVector<MeshVertex> vertices_;
