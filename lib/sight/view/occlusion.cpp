@@ -2,14 +2,14 @@
 
 #include <limits>
 
+#include "core/ahead.hpp"
 #include "core/rows.hpp"
 
 namespace hsp {
 namespace {
 
 constexpr uint32_t most_buckets = 256;
-constexpr uint32_t ahead = 16;  // cubes to come whose extents are asked of the memory
-constexpr uint8_t raised = 2;   // in visible[]: a ball that has raised the floor
+constexpr uint8_t raised = 2;  // in visible[]: a ball that has raised the floor
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 double smaller(double a, double b) {
@@ -116,7 +116,7 @@ void OcclusionCuller::hide(const CubeGrid &grid, const ViewFrame &frame, Span<ui
   if (!prepare(grid, frame, visible)) return;
   order_cubes(grid.cubes());
   for (uint32_t k = 0; k < ordered_; ++k) {
-    if (k + ahead < ordered_) __builtin_prefetch(&extent_[order_[k + ahead]]);
+    if (k + ahead::extents < ordered_) __builtin_prefetch(&extent_[order_[k + ahead::extents]]);
     const CubeExtent &extent = extent_[order_[k]];
     const BoundingBox box{extent.left, extent.right, extent.bottom, extent.top};
     if (floor_.is_above(box, extent.height)) continue;
