@@ -4,6 +4,7 @@
 
 #include "core/first_index.hpp"
 #include "core/fixed_vector.hpp"
+#include "core/limits.hpp"
 #include "surface/surface_map.hpp"
 
 namespace hsp {
@@ -14,12 +15,6 @@ struct MeshLimits {
   uint32_t vertices = 0;
   uint32_t triangles = 0;
   uint32_t points = 0;  // most points of any one sphere while it is triangulated
-
-  constexpr MeshLimits covering(const MeshLimits &other) const {
-    return {larger_count(balls, other.balls), larger_count(curves, other.curves),
-            larger_count(vertices, other.vertices), larger_count(triangles, other.triangles),
-            larger_count(points, other.points)};
-  }
 };
 
 struct MeshVertex {
