@@ -1,7 +1,8 @@
 /* hardsphere: exact geometry of unions of balls (molecules), for C, C++ and Fortran.
  *
  * A molecule is n balls. The library answers these questions about it, exactly and without allocating memory. Each
- * header can be included on its own; this is the order to read them in. Below is what all of them have in common.
+ * header can be included on its own and names pages of the guide, capi/guide (as installed, guide beside README.md);
+ * this is the order to read them in. Below is what all of them have in common.
  *   hardsphere/version.h    the version of the header and of the library
  *   hardsphere/status.h     the statuses that functions return
  *   hardsphere/executor.h   threads of the caller's own

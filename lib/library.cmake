@@ -88,6 +88,7 @@ set(HSP_LIBRARY_SOURCES
   lib/union/topology/topology_check.cpp
   lib/union/topology/traversal.cpp
   lib/union/moving/ball_cells.cpp
+  lib/union/moving/ball_group.cpp
   lib/union/moving/component_update.cpp
   lib/union/moving/moving_balls.cpp
   lib/union/contacts/chord_clipper.cpp

@@ -4,6 +4,7 @@
 #include "core/id_range.hpp"
 #include "core/status.hpp"
 #include "core/vec3.hpp"
+#include "core/violation.hpp"
 #include "handle_tag.hpp"
 #include "hardsphere.h"
 #include "lanes/floating_point.hpp"
@@ -107,8 +108,8 @@ int32_t check_range(const Handle *handle, uint32_t first, uint32_t count, const 
 }
 
 // What every check of a computed handle ends with: the first violated invariant and where it fails.
-template <class Violation>
-int32_t report(const Violation &violation, uint32_t *invariant, uint32_t *id) {
+template <class Invariant>
+int32_t report(const Violation<Invariant> &violation, uint32_t *invariant, uint32_t *id) {
   *invariant = static_cast<uint32_t>(violation.invariant);
   *id = violation.id;
   return *invariant == 0 ? HSP_OK : HSP_E_CHECK;

@@ -249,7 +249,7 @@ int32_t hsp_boundary_check(hsp_boundary *boundary, uint32_t *invariant, uint32_t
     return status;
   const hsp::BallSet &balls = boundary->balls();
   const hsp::Boundary &structure = boundary->structure();
-  hsp::Violation violation = hsp::check_boundary(balls, structure, boundary->builder.scratch());
+  hsp::BoundaryViolation violation = hsp::check_boundary(balls, structure, boundary->builder.scratch());
   if (violation.invariant == BoundaryInvariant::none) violation = hsp::check_boundary_metric(balls, structure);
   return hsp::capi::report(violation, invariant, id);
 }

@@ -1,5 +1,7 @@
 /* hardsphere/boundary.h: the boundary of the union: vertices, arcs, circles, faces (Section 4.2, Steps 1 and 2).
  *
+ * Guide: tutorial.md, splitting_the_work.md.
+ *
  * Stable: from version 1.0 on this stays as it is, and is only added to.
  *
  *   vertex   a point on three spheres outside all other balls; named by its three balls and a sign

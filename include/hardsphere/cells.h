@@ -1,5 +1,7 @@
 /* hardsphere/cells.h: what no ball covers, as O(n) simple cells with their neighbours (Section 2, Theorem 2.4).
  *
+ * Guide: tutorial.md.
+ *
  * Provisional: this may change with any minor version, as the changelog then says.
  *
  * Space is cut by the cubes of the grid, whose side is twice the largest radius. In a cube that balls meet every point

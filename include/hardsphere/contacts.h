@@ -1,5 +1,7 @@
 /* hardsphere/contacts.h: which balls touch and by how much, each ball's share of the union, the dual complex.
  *
+ * Guide: questions.md, coming_from.md.
+ *
  * Stable: from version 1.0 on this stays as it is, and is only added to.
  *
  * With the power |x - c_i|^2 - r_i^2 of a point x to ball i, radii with the probe:

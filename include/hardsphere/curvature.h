@@ -1,5 +1,7 @@
 /* hardsphere/curvature.h: integrated mean and Gaussian curvature of the union's boundary, and energies with them.
  *
+ * Guide: questions.md, exactness.md.
+ *
  * Provisional: this may change with any minor version, as the changelog then says.
  *
  * Faces of ball i have the mean curvature 1 / r_i and the Gaussian curvature 1 / r_i^2. An edge counts as the limit of

@@ -1,5 +1,7 @@
 /* hardsphere/element.h: elements by symbol, and their radii.
  *
+ * Guide: tutorial.md.
+ *
  * Stable: from version 1.0 on this stays as it is, and is only added to. */
 #ifndef HARDSPHERE_ELEMENT_H
 #define HARDSPHERE_ELEMENT_H

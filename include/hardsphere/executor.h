@@ -1,5 +1,7 @@
 /* hardsphere/executor.h: threads of the caller's own. The library starts none.
  *
+ * Guide: splitting_the_work.md.
+ *
  * Stable: from version 1.0 on this stays as it is, and is only added to. */
 #ifndef HARDSPHERE_EXECUTOR_H
 #define HARDSPHERE_EXECUTOR_H

@@ -1,5 +1,7 @@
 /* hardsphere/gradient.h: derivatives of areas and of the volume.
  *
+ * Guide: robustness.md, exactness.md.
+ *
  * Stable: from version 1.0 on this stays as it is, and is only added to.
  *
  * The area A_i of ball i and the volume V of the union as functions of all centres and radii. V is continuously

@@ -1,5 +1,7 @@
 /* hardsphere/map.h: the visibility map, what is seen of the balls as a subdivision of the view plane (Section 5.2).
  *
+ * Guide: questions.md, gallery.md.
+ *
  * Provisional: this may change with any minor version, as the changelog then says.
  *
  * A view is for painting; a map knows what is seen. View coordinates are those of view.h: x to the right, y up, z

@@ -1,5 +1,7 @@
 /* hardsphere/measure.h: areas and volumes.
  *
+ * Guide: tutorial.md, exactness.md.
+ *
  * Stable: from version 1.0 on this stays as it is, and is only added to. */
 #ifndef HARDSPHERE_MEASURE_H
 #define HARDSPHERE_MEASURE_H

@@ -1,5 +1,7 @@
 /* hardsphere/mesh.h: a surface as triangles, for programs that draw it or compute on it.
  *
+ * Guide: smooth_surface.md.
+ *
  * Provisional: this may change with any minor version, as the changelog then says.
  *
  * The triangles of a mesh form closed surfaces: every edge belongs to two triangles, which run through it in opposite

@@ -1,5 +1,7 @@
 /* hardsphere/model.h: a set of balls on its lattice, hashed into cubes.
  *
+ * Guide: robustness.md, guarantees.md.
+ *
  * Stable: from version 1.0 on this stays as it is, and is only added to.
  *
  *   size_t bytes;                                hsp_model *model;

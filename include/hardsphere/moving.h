@@ -1,5 +1,7 @@
 /* hardsphere/moving.h: balls of which a few move at a time, as Monte-Carlo programs and minimisers have them.
  *
+ * Guide: moving_balls.md.
+ *
  * Provisional: this may change with any minor version, as the changelog then says.
  *
  *   hsp_moving_limits_init(&limits, sizeof limits, n);

@@ -1,6 +1,8 @@
 /* hardsphere/paths.h: how a point, the centre of a probe, gets through free space, and how wide a probe may be (Section
  * 2, Theorem 2.4).
  *
+ * Guide: questions.md, coming_from.md.
+ *
  * Provisional: this may change with any minor version, as the changelog then says.
  *
  * Free space is what no ball covers. A probe is a part of the model: in a model that is grown by one, paths are those

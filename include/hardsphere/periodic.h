@@ -1,5 +1,7 @@
 /* hardsphere/periodic.h: balls in a box whose copies fill space, as simulations have them.
  *
+ * Guide: periodic_boxes.md.
+ *
  * Provisional: this may change with any minor version, as the changelog then says.
  *
  * A ball that leaves the box through one face comes in through the opposite one. Balls may be given anywhere: each

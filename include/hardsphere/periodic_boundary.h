@@ -1,5 +1,7 @@
 /* hardsphere/periodic_boundary.h: the boundary of a union in a periodic box: vertices, arcs, circles, faces, loops.
  *
+ * Guide: periodic_boxes.md.
+ *
  * Provisional: this may change with any minor version, as the changelog then says.
  *
  * They are those of hardsphere/boundary.h. Records across the faces of the box, or on several images, are there once.

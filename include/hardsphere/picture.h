@@ -1,5 +1,7 @@
 /* hardsphere/picture.h: a view, a visibility map, or balls and sticks as SVG, EPS or PDF.
  *
+ * Guide: gallery.md.
+ *
  * Provisional: this may change with any minor version, as the changelog then says.
  *
  * A view as a vector picture: one path per piece, true arcs, painted back to front. A map as a vector picture: one path

@@ -1,5 +1,7 @@
 /* hardsphere/pores.h: free space for every probe at once: pockets, mouths, tunnels, cavities.
  *
+ * Guide: questions.md, exactness.md.
+ *
  * Provisional: this may change with any minor version, as the changelog then says.
  *
  * f(x) is the radius of the largest probe that fits at the point x: the least distance of x from a ball, |x - c| - r. A

@@ -1,5 +1,7 @@
 /* hardsphere/pose.h: molecule against molecule: one at rest, one turned and moved as a whole (Sections 3 and 6).
  *
+ * Guide: poses.md.
+ *
  * Provisional: this may change with any minor version, as the changelog then says.
  *
  *   hsp_body_bytes(n, &bytes);                    hsp_body *body;

@@ -1,5 +1,7 @@
 /* hardsphere/query.h: which balls contain a point, meet a ball, meet each other, are first on a ray (Section 3).
  *
+ * Guide: questions.md.
+ *
  * Stable: from version 1.0 on this stays as it is, and is only added to.
  *
  * Balls are closed: touching counts. Query positions and radii are rounded to the model's lattice, then decided

@@ -1,5 +1,7 @@
 /* hardsphere/residue.h: radii by the names of residues and atoms, for proteins and nucleic acids without hydrogens.
  *
+ * Guide: questions.md.
+ *
  * Provisional: this may change with any minor version, as the changelog then says.
  *
  * In such sets a heavy atom's radius depends on its bonds and covers its hydrogens. They are tables of names: which set

@@ -1,5 +1,7 @@
 /* hardsphere/status.h: what functions return.
  *
+ * Guide: guarantees.md.
+ *
  * Stable: from version 1.0 on this stays as it is, and is only added to. */
 #ifndef HARDSPHERE_STATUS_H
 #define HARDSPHERE_STATUS_H

@@ -1,5 +1,7 @@
 /* hardsphere/sticks.h: balls and sticks as a picture, with hidden parts removed, and as a visibility map.
  *
+ * Guide: gallery.md.
+ *
  * Provisional: this may change with any minor version, as the changelog then says.
  *
  * A stick is a solid cylinder between the centres of two balls. View coordinates are those of view.h: x to the right, y

@@ -1,6 +1,8 @@
 /* hardsphere/surface.h: the smooth molecular surface (Section 4.3): area and volume of the solvent-excluded surface,
  * and their derivatives.
  *
+ * Guide: smooth_surface.md.
+ *
  * Provisional: this may change with any minor version, as the changelog then says.
  *
  * A probe, a ball of radius p, rolls over the balls. The space that it cannot reach is the solvent-excluded solid, and

@@ -1,5 +1,7 @@
 /* hardsphere/topology.h: the boundary as quad-edges with simple faces, shells, cells (Section 4.2, Step 3).
  *
+ * Guide: tutorial.md.
+ *
  * Stable: from version 1.0 on this stays as it is, and is only added to.
  *
  * The boundary as one quad-edge structure (Guibas and Stolfi 1985) whose faces are simple, as the paper has them: every

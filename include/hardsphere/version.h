@@ -1,5 +1,7 @@
 /* hardsphere/version.h: the versions of the header and of the library, and the rule for comparing them.
  *
+ * Guide: guarantees.md.
+ *
  * Stable: from version 1.0 on this stays as it is, and is only added to.
  *
  * Four numbers, each as a macro of the header and as a function of the library that was linked:

@@ -1,5 +1,7 @@
 /* hardsphere/view.h: hidden surface removal by the painter's order (Section 5.1).
  *
+ * Guide: gallery.md.
+ *
  * Provisional: this may change with any minor version, as the changelog then says.
  *
  * A view looks at the balls from infinitely far away. View coordinates: x to the right, y up, z towards the viewer, so

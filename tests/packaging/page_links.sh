@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
 # Links of README, of the list of changes and of the guide lead to files and headings that are there, in the sources and
 # as installed. README has at most 200 lines. Every page of the guide is in its index, in one chain: each names the next.
+# Functions that pages of the sources name are declared in the headers, but those of older versions in CHANGELOG and the
+# page on migration. Each header names pages of the guide.
 #   page_links.sh sources SOURCE-FOLDER
 #   page_links.sh installed PREFIX
 set -euo pipefail
@@ -55,5 +57,30 @@ while read -r page && read -r next <&3; do
   named=$(sed -nE 's/^Next: \[[^]]*\]\(([^()]*)\)$/\1/p' "$guide/$page")
   [ "$named" = "$next" ] || fail "$page names \"$named\" as the next page, and the index $next"
 done <<<"$chain" 3< <(sed 1d <<<"$chain" && echo README.md)
-[ $failed -eq 0 ] && echo "$links links, $lines lines of README, ${#pages[@]} pages"
+
+# Pages write names as `hsp_all_of_it`, `_end_of_one` after one with the same beginning, and `hsp_beginning_*`.
+names=0
+if [ "$which" = sources ]; then
+  known=$(grep -ohE '\bhsp_[a-z0-9_]+\b' "$root"/include/*.h "$root"/include/hardsphere/*.h | sort -u)
+  for page in "$readme" "$root"/lib/README.md "$root"/capi/README.md "${pages[@]}"; do
+    [ "${page##*/}" != migration.md ] || continue
+    while read -r name; do
+      names=$((names + 1))
+      case $name in
+        *\*) grep -q "^${name%\*}" <<<"$known" || fail "${page#"$root"/}: no name begins with $name" ;;
+        _*) grep -q "$name\$" <<<"$known" || fail "${page#"$root"/}: no name ends in $name" ;;
+        *) grep -qx "$name" <<<"$known" || fail "${page#"$root"/}: no header has $name" ;;
+      esac
+    done < <(grep hsp_ "$page" | grep -oE '\bhsp_[a-z0-9_]+\b(\*|\.cpp)?|`_[a-z0-9_]+`' | grep -v '\.cpp$' | tr -d '`' | sort -u)
+  done
+  [ $names -ge 400 ] || fail "only $names names were found"
+
+  for header in "$root"/include/hardsphere/*.h; do
+    case ${header##*/} in export.h | deprecated.h) continue ;; esac
+    named=$(sed -nE 's/^ \* Guide: (.*)\.$/\1/p' "$header" | tr -d ,)
+    [ -n "$named" ] || fail "${header##*/} names no page of the guide"
+    for page in $named; do [ -e "$guide/$page" ] || fail "${header##*/}: the guide has no $page"; done
+  done
+fi
+[ $failed -eq 0 ] && echo "$links links, $names names, $lines lines of README, ${#pages[@]} pages"
 exit $failed

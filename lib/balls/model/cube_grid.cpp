@@ -1,13 +1,12 @@
 #include "model/cube_grid.hpp"
 
+#include "core/ahead.hpp"
 #include "core/small_code.hpp"
 #include "model/grid_order.hpp"
 
 namespace hsp {
 namespace {
 
-// Balls of a large set are far from each other in the order of the input, and on their way while others are rounded.
-constexpr uint32_t input_balls_ahead = 64;
 // So many balls are still near when their cubes are looked at.
 constexpr uint32_t balls_in_block = 512;
 
@@ -189,10 +188,10 @@ void CubeGrid::put(const Source &given, const CubeAxis &axis, BallRange part, co
     const uint32_t end = n - block < balls_in_block ? n : block + balls_in_block;
     uint32_t cubes = table_.count();
     for (uint32_t k = block; k < end; ++k) {
-      if (!small_code && k + input_balls_ahead < n) {
-        const uint32_t ahead = order.ball(k + input_balls_ahead);
-        source.fetch(ahead);
-        __builtin_prefetch(&grid_index_[part.first + ahead], 1);
+      if (!small_code && k + ahead::input_balls < n) {
+        const uint32_t later = order.ball(k + ahead::input_balls);
+        source.fetch(later);
+        __builtin_prefetch(&grid_index_[part.first + later], 1);
       }
       const exact::LatticeBall ball = store(k);
       bool begins = true;

@@ -2,6 +2,7 @@
 // number of cubes that hold balls alone, not on the extent of the set.
 #pragma once
 
+#include "core/ahead.hpp"
 #include "model/cube_slots.hpp"
 
 namespace hsp {
@@ -47,8 +48,8 @@ class CubeTable {
     const uint32_t count = count_, size = slots.size();
     const CubeOf cube = cube_of();
     for (uint32_t number = 0; number < count; ++number) {
-      if (!small_code && number + fetched_ahead < count) {
-        slots.prefetch(CubeProbe(linear_hash(cube(number + fetched_ahead)), size).slot);
+      if (!small_code && number + ahead::slots < count) {
+        slots.prefetch(CubeProbe(linear_hash(cube(number + ahead::slots)), size).slot);
       }
       if (!slots.insert_in_table(number, cube)) [[unlikely]]
         return slots_.make_tree(count_, cube_of());
@@ -71,8 +72,6 @@ class CubeTable {
   const CubeCoordinates &high() const { return high_; }
 
  private:
-  // Slots of a large table are far from each other: they are on their way while other cubes are inserted.
-  static constexpr uint32_t fetched_ahead = 32;
   // More than these do not stay in a near memory, but a bit for each does.
   static constexpr uint32_t most_near_slots = 1U << 16;
 
@@ -87,7 +86,7 @@ class CubeTable {
   // slots are never read, and are on their way while later cubes look for theirs.
   void insert_far(Span<uint32_t> taken) {
     for (uint32_t &word : taken.part(0, slots_.size() / 32)) word = 0;
-    uint32_t found[fetched_ahead];  // slots that are not written yet
+    uint32_t found[ahead::slots];  // slots that are not written yet
     for (uint32_t number = 0; number < count_; ++number) {
       uint32_t length = 1;
       CubeProbe probe = probe_of(number);
@@ -100,13 +99,13 @@ class CubeTable {
       taken[probe.slot / 32] |= 1U << probe.slot % 32;
       slots_.note(length);
       slots_.prefetch(probe.slot);
-      uint32_t &slot = found[number % fetched_ahead];
-      if (number >= fetched_ahead) slots_.put(slot, number - fetched_ahead);
+      uint32_t &slot = found[number % ahead::slots];
+      if (number >= ahead::slots) slots_.put(slot, number - ahead::slots);
       slot = probe.slot;
     }
     // There are more cubes than that, as there are so many slots.
-    for (uint32_t number = count_ - fetched_ahead; number < count_; ++number) {
-      slots_.put(found[number % fetched_ahead], number);
+    for (uint32_t number = count_ - ahead::slots; number < count_; ++number) {
+      slots_.put(found[number % ahead::slots], number);
     }
   }
 

@@ -1,5 +1,6 @@
 #include "model/neighbour_lists.hpp"
 
+#include "core/ahead.hpp"
 #include "model/pair_block.hpp"
 #include "model/queries.hpp"
 #include "model/rounded_block.hpp"
@@ -188,9 +189,9 @@ class RowWalk {
     QueryHits hits;
     const uint32_t last = grid_.balls().n - 1;
     for_each_ball([&](uint32_t i, const RoundedBlock *around) {
-      const auto later = [&](uint32_t ahead) { return balls_.caller[i + ahead < last ? i + ahead : last]; };
-      __builtin_prefetch(&first[later(2 * rows_ahead)]);
-      prefetch_row(first, ids, later(rows_ahead));
+      const auto later = [&](uint32_t by) { return balls_.caller[i + by < last ? i + by : last]; };
+      __builtin_prefetch(&first[later(2 * ahead::rows)]);
+      prefetch_row(first, ids, later(ahead::rows));
       const uint32_t own = balls_.caller[i], length = first[own + 1] - first[own];
       if (length == 0) return;
       uint32_t *const row = ids.data() + first[own];
@@ -238,7 +239,6 @@ class RowWalk {
   static bool is_possible(const CubeGrid &grid) { return grid.wide() && grid.query_grid().rounded != nullptr; }
 
   static constexpr uint32_t most_balls_in_a_cube = 4;
-  static constexpr uint32_t rows_ahead = 8;
 
   const CubeGrid &grid_;
   const QueryArrays balls_;

@@ -72,4 +72,24 @@ void sort_by_place(Span<T> items, Span<uint32_t> scratch, PlaceOf place_of, Less
   if (!in_order) sort_in_place(items, less);
 }
 
+// Sorts three items, and returns whether the number of exchanges is odd.
+template <class T, class Less>
+bool sort_three(T &a, T &b, T &c, Less less) {
+  bool odd = false;
+  const auto order = [&](T &first, T &second) {
+    if (!less(second, first)) return;
+    const T later = first;
+    first = second;
+    second = later;
+    odd = !odd;
+  };
+  order(a, b);
+  order(b, c);
+  order(a, b);
+  return odd;
+}
+inline bool sort_three(uint32_t &a, uint32_t &b, uint32_t &c) {
+  return sort_three(a, b, c, [](uint32_t p, uint32_t q) { return p < q; });
+}
+
 }  // namespace hsp

@@ -1,6 +1,7 @@
 // What a map of balls knows of them: their curves, how these are named where they meet, and where a ball may be seen.
 #pragma once
 
+#include "core/sorting.hpp"
 #include "maps/curves.hpp"
 #include "maps/edge_geometry.hpp"
 #include "maps/hidden_intervals.hpp"
@@ -17,16 +18,7 @@ struct CornerName {
 // point, the one where it leaves has the other; exchanging two of the balls changes the sign.
 inline CornerName name_of_triple(const MapArc &arc, uint32_t end) {
   CornerName name{arc.ball, arc.nearer, arc.end[end].ball, end};
-  const auto order = [&name](uint32_t &a, uint32_t &b) {
-    if (a <= b) return;
-    const uint32_t other = a;
-    a = b;
-    b = other;
-    name.point ^= 1U;
-  };
-  order(name.group, name.middle);
-  order(name.middle, name.last);
-  order(name.group, name.middle);
+  if (sort_three(name.group, name.middle, name.last)) name.point ^= 1U;
   return name;
 }
 

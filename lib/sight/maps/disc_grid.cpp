@@ -1,5 +1,6 @@
 #include "maps/disc_grid.hpp"
 
+#include "core/rows.hpp"
 #include "core/sorting.hpp"
 
 namespace hsp {
@@ -35,7 +36,7 @@ void DiscGrid::carve(Workspace &workspace, uint32_t balls) {
   item_ = workspace.take<uint32_t>(balls);
 }
 
-// A counting sort, which keeps the balls of a square in their order.
+// The balls of a square keep their order.
 void DiscGrid::build(Span<const SeenBall> balls) {
   balls_ = balls;
   largest_ = 0.0;
@@ -47,14 +48,10 @@ void DiscGrid::build(Span<const SeenBall> balls) {
     const CubeCoordinates square = square_at(ball.x, ball.y);
     if (squares_.find(square) == no_id) squares_.append(square);
   }
-  const uint32_t squares = squares_.count();
-  for (uint32_t k = 0; k <= squares; ++k) first_[k] = 0;
-  const auto square_of = [this](const SeenBall &ball) { return squares_.find(square_at(ball.x, ball.y)); };
-  for (const SeenBall &ball : balls) ++first_[square_of(ball)];
-  uint32_t end = 0;
-  for (uint32_t k = 0; k < squares; ++k) first_[k] = end += first_[k];
-  first_[squares] = end;
-  for (uint32_t i = balls.size(); i-- > 0;) item_[--first_[square_of(balls[i])]] = i;
+  sort_to_rows(
+      first_, squares_.count(), balls.size(),
+      [&](uint32_t i) { return squares_.find(square_at(balls[i].x, balls[i].y)); },
+      [this](uint32_t at, uint32_t i) { item_[at] = i; });
 }
 
 // A ball that contains another one reaches at least as high, up to rounding, and the larger one of two with equal tops

@@ -11,6 +11,7 @@
 // that may be missing, what is seen is at least -s, and at most s more than the silhouette grown by the largest d.
 #pragma once
 
+#include "core/violation.hpp"
 #include "maps/edge_geometry.hpp"
 
 namespace hsp {
@@ -31,32 +32,24 @@ enum class MapInvariant : uint32_t {
   sides = 9,       // what the sides of an edge show has its front at the middle of the edge, not before it
 };
 
-// The first violated invariant, and the id of the vertex, edge, half-edge, loop or face where it fails; no_id where
-// none does.
-struct MapViolation {
-  MapInvariant invariant = MapInvariant::none;
-  uint32_t id = no_id;
-};
+// Where: the id of a vertex, edge, half-edge, loop or face.
+using MapViolation = Violation<MapInvariant>;
 
 template <class Map>
-class MapLaws {
+class MapLaws : FirstViolation<MapInvariant> {
  public:
   MapLaws(const Map &map, Span<uint32_t> scratch)
       : map_(map), largest_(map.scene.largest()), bodies_(map.scene.bodies()), count_(scratch) {}
 
   MapViolation run() {
-    if (!vertices() || !edges() || !successors() || !loops() || !faces() || !euler() || !positions() || !areas() ||
-        !seen_areas() || !sides()) {
-      return violation_;
+    if (vertices() && edges() && successors() && loops() && faces() && euler() && positions() && areas() &&
+        seen_areas()) {
+      sides();
     }
-    return {};
+    return violation_;
   }
 
  private:
-  bool fail(MapInvariant invariant, uint32_t id) {
-    violation_ = {invariant, id};
-    return false;
-  }
   static bool agree(double area, double other, double of) { return std::fabs(area - other) <= 0x1p-30 * of; }
   uint32_t target(uint32_t half_edge) const { return map_.origin(half_edge ^ 1U); }
   bool is_body(uint32_t body) const { return body < bodies_; }
@@ -248,7 +241,6 @@ class MapLaws {
   double largest_;
   uint32_t bodies_;
   Span<uint32_t> count_;
-  MapViolation violation_;
 };
 
 // scratch [2 edges + 1]. O(size).

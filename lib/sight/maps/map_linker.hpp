@@ -10,6 +10,7 @@
 // roundings have decided differently about one and the same thing. Then there is no map.
 #pragma once
 
+#include "core/rows.hpp"
 #include "core/sorting.hpp"
 #include "maps/ball_scene.hpp"
 #include "maps/landings.hpp"
@@ -50,20 +51,20 @@ class MapLinker {
       for (uint32_t end = 0; end < 2; ++end) {
         CornerName name;
         if (arc.end[end].kind == MapVertexKind::t) {
-          ++first_landing_[arc.end[end].ball + 1];
+          ++first_landing_[arc.end[end].ball];
           ++edges;
         } else if (scene.name(arc, end, name)) {
-          ++first_named_[name.group + 1];
+          ++first_named_[name.group];
         } else {
           all_named_ = false;
         }
       }
     }
     for (const MapArc &arc : arcs) {
-      if (arc.closed && arc.nearer == no_id && first_landing_[arc.ball + 1] > 0) --edges;
+      if (arc.closed && arc.nearer == no_id && first_landing_[arc.ball] > 0) --edges;
     }
-    sum_up_counts(first_named_, groups_);
-    sum_up_counts(first_landing_, bodies_);
+    end_rows(first_named_, groups_);
+    end_rows(first_landing_, bodies_);
     return edges;
   }
 
@@ -89,26 +90,14 @@ class MapLinker {
     }
   };
 
-  // From numbers per place, counted one place too far, to where each begins.
-  static void sum_up_counts(Span<uint32_t> first, uint32_t places) {
-    for (uint32_t k = 1; k <= places; ++k) first[k] += first[k - 1];
-  }
-  // After a counting sort from the last to the first: each count has become where its place begins, one too far.
-  static void shift(Span<uint32_t> first, uint32_t places, uint32_t total) {
-    for (uint32_t k = 0; k < places; ++k) first[k] = first[k + 1];
-    first[places] = total;
-  }
-
-  // A counting sort by groups, then the ends of each group among themselves.
+  // By groups, then the ends of each group among themselves.
   void sort_named_ends(const Scene &scene) {
-    const uint32_t total = first_named_[groups_];
     for (uint32_t end = 2 * arcs_.size(); end-- > 0;) {
       const MapArc &arc = arcs_[end / 2];
       CornerName name;
       if (arc.closed || arc.end[end % 2].kind == MapVertexKind::t || !scene.name(arc, end % 2, name)) continue;
-      named_[--first_named_[name.group + 1]] = {name.middle, name.last, name.point, end};
+      named_[--first_named_[name.group]] = {name.middle, name.last, name.point, end};
     }
-    shift(first_named_, groups_, total);
     for (uint32_t k = 0; k < groups_; ++k) {
       sort_in_place(named_.part(first_named_[k], first_named_[k + 1]), [](const NamedEnd &a, const NamedEnd &b) {
         if (a.middle != b.middle) return a.middle < b.middle;
@@ -179,7 +168,6 @@ class MapLinker {
 
   // Vertices at ends on contours, by the bodies of these; where they come first, in the order of the arcs.
   void add_landings(Map &map) {
-    const uint32_t total = first_landing_[bodies_];
     const uint32_t ends = 2 * arcs_.size();
     for (uint32_t k = 0; k < ends; ++k) {
       const uint32_t end = Scene::corners_first ? ends - 1 - k : k;
@@ -187,10 +175,9 @@ class MapLinker {
       if (label.kind != MapVertexKind::t) continue;
       const uint32_t v = add_vertex(end, MapVertexKind::t, label.ball, map);
       const MapVertex &at = map.vertices[v];
-      landing_[--first_landing_[label.ball + 1]] = {map.scene.landing(label.ball, at.x, at.y), v};
+      landing_[--first_landing_[label.ball]] = {map.scene.landing(label.ball, at.x, at.y), v};
       vertex_at_[end] = v;
     }
-    shift(first_landing_, bodies_, total);
   }
 
   uint32_t add_edge(const MapArc &arc, double from, double to, uint32_t v, uint32_t w, Map &map) {

@@ -13,6 +13,7 @@
 // order of their centres, too.
 #pragma once
 
+#include "core/rows.hpp"
 #include "maps/stick_view.hpp"
 
 namespace hsp {
@@ -22,7 +23,7 @@ struct StickPair {
   uint32_t below, above;
 };
 
-// The bodies above each of some, from pairs: a counting sort by the lower body.
+// The bodies above each of some, from pairs, those of later pairs first.
 class BodiesAbove {
  public:
   void carve(Workspace &workspace, const StickLimits &limits) {
@@ -30,12 +31,10 @@ class BodiesAbove {
     above_ = workspace.take<uint32_t>(limits.pairs);
   }
   void sort(Span<const StickPair> pairs, uint32_t bodies) {
-    for (uint32_t k = 0; k <= bodies; ++k) first_[k] = 0;
-    for (const StickPair &pair : pairs) ++first_[pair.below];
-    uint32_t end = 0;
-    for (uint32_t k = 0; k < bodies; ++k) first_[k] = end += first_[k];
-    first_[bodies] = end;
-    for (const StickPair &pair : pairs) above_[--first_[pair.below]] = pair.above;
+    const uint32_t last = pairs.size() - 1;
+    sort_to_rows(
+        first_, bodies, pairs.size(), [&](uint32_t k) { return pairs[last - k].below; },
+        [&](uint32_t at, uint32_t k) { above_[at] = pairs[last - k].above; });
   }
   Span<const uint32_t> of(uint32_t body) const { return above_.part(first_[body], first_[body + 1]); }
 

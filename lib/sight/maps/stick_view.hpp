@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/fixed_vector.hpp"
+#include "core/limits.hpp"
 #include "core/workspace.hpp"
 #include "maps/stick.hpp"
 
@@ -13,12 +14,6 @@ struct StickLimits {
   uint32_t sticks = 0;
   uint32_t pairs = 0;  // of balls and parts of sticks that are seen one over the other; twice if balls meet
   uint32_t edges = 0;  // around what is seen of them, where they have no drawing order
-
-  // The smallest limits that are no smaller than these and others.
-  constexpr StickLimits covering(const StickLimits &other) const {
-    return {larger_count(balls, other.balls), larger_count(sticks, other.sticks), larger_count(pairs, other.pairs),
-            larger_count(edges, other.edges)};
-  }
 };
 
 // Limits that suffice for most molecules whose balls and sticks have a drawing order. Status::range if one would be

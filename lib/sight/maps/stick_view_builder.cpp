@@ -102,21 +102,17 @@ Stick StickViewBuilder::make_stick(uint32_t one, uint32_t other, double radius, 
   return stick;
 }
 
-// A counting sort by balls, then by angles.
+// By balls, then by angles.
 void StickViewBuilder::find_bites() {
-  const Span<uint32_t> first = view_.first_bite.part(0, balls_ + 1);
-  for (uint32_t &each : first) each = 0;
+  const Span<uint32_t> first = view_.first_bite;
   StickBite bite{};
-  for (const Stick &stick : view_.sticks.items()) first[stick.ball[1]] += has_bite(stick, bite) ? 1U : 0U;
-  uint32_t end = 0;
-  for (uint32_t i = 0; i < balls_; ++i) first[i] = end += first[i];
-  first[balls_] = end;
-  view_.bites.set_count(end);
-  for (uint32_t k = 0; k < view_.sticks.size(); ++k) {
-    if (!has_bite(view_.sticks[k], bite)) continue;
-    bite.stick = k;
-    view_.bites[--first[view_.sticks[k].ball[1]]] = bite;
-  }
+  view_.bites.set_count(sort_to_rows(
+      first, balls_, view_.sticks.size(),
+      [&](uint32_t k) { return has_bite(view_.sticks[k], bite) ? view_.sticks[k].ball[1] : balls_; },
+      [&](uint32_t at, uint32_t k) {
+        bite.stick = k;
+        view_.bites.room()[at] = bite;
+      }));
   for (uint32_t i = 0; i < balls_; ++i) {
     sort_in_place(view_.bites.items().part(first[i], first[i + 1]), [](const StickBite &a, const StickBite &b) {
       return a.middle != b.middle ? a.middle < b.middle : a.stick < b.stick;

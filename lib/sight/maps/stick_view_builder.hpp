@@ -51,7 +51,7 @@ class StickViewBuilder {
   const StickViolation &violation() const { return violation_; }
   const StickLimits &needed() const { return needed_; }
   // What to try again with after Status::capacity.
-  StickLimits retry_limits() const { return limits_.covering(needed_); }
+  StickLimits retry_limits() const { return covering(limits_, needed_); }
   // What the map shows at a point.
   BodySight sight() const { return map_.sight(sweep_.boxes()); }
   // Scratch memory for writers of pictures, [balls + 2 sticks], and for checks of the map, [2 edges + 1].

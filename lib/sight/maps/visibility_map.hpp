@@ -1,6 +1,7 @@
 // The visibility map of balls (Section 5.2).
 #pragma once
 
+#include "core/limits.hpp"
 #include "maps/ball_scene.hpp"
 #include "maps/scene_map.hpp"
 
@@ -10,12 +11,6 @@ struct MapLimits {
   uint32_t balls = 0;       // of the model
   uint32_t neighbours = 0;  // most balls of which discs meet any one disc and that reach higher than its centre
   uint32_t edges = 0;       // of the map
-
-  // The smallest limits that are no smaller than these and others.
-  constexpr MapLimits covering(const MapLimits &other) const {
-    return {larger_count(balls, other.balls), larger_count(neighbours, other.neighbours),
-            larger_count(edges, other.edges)};
-  }
 };
 
 // Limits that suffice for most molecules. Status::range if one would be larger than max_count.

@@ -2,12 +2,14 @@
 
 #include <limits>
 
+#include "core/ahead.hpp"
+#include "core/rows.hpp"
+
 namespace hsp {
 namespace {
 
 constexpr uint32_t most_buckets = 256;
-constexpr uint32_t ahead = 16;  // cubes to come whose extents are asked of the memory
-constexpr uint8_t raised = 2;   // in visible[]: a ball that has raised the floor
+constexpr uint8_t raised = 2;  // in visible[]: a ball that has raised the floor
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 double smaller(double a, double b) {
@@ -93,7 +95,7 @@ bool OcclusionCuller::prepare(const CubeGrid &grid, const ViewFrame &frame, Span
   return true;
 }
 
-// A counting sort of the cubes that hold balls in question.
+// The cubes that hold balls in question, the highest ones first.
 void OcclusionCuller::order_cubes(uint32_t cubes) {
   const double spread = highest_top_ - lowest_top_;
   const double scale = spread > 0.0 ? static_cast<double>(most_buckets) / spread : 0.0;
@@ -105,17 +107,8 @@ void OcclusionCuller::order_cubes(uint32_t cubes) {
     if (place >= most_buckets - 1) return most_buckets - 1;
     return place > 0.0 ? static_cast<uint32_t>(place) : 0U;
   };
-  for (uint32_t b = 0; b <= most_buckets; ++b) bucket_[b] = 0;
-  for (uint32_t cube = 0; cube < cubes; ++cube) {
-    const uint32_t bucket = bucket_of(cube);
-    if (bucket < most_buckets) ++bucket_[bucket + 1];
-  }
-  for (uint32_t b = 0; b < most_buckets; ++b) bucket_[b + 1] += bucket_[b];
-  ordered_ = bucket_[most_buckets];
-  for (uint32_t cube = 0; cube < cubes; ++cube) {
-    const uint32_t bucket = bucket_of(cube);
-    if (bucket < most_buckets) order_[bucket_[bucket]++] = cube;
-  }
+  ordered_ =
+      sort_to_rows(bucket_, most_buckets, cubes, bucket_of, [this](uint32_t at, uint32_t cube) { order_[at] = cube; });
 }
 
 void OcclusionCuller::hide(const CubeGrid &grid, const ViewFrame &frame, Span<uint8_t> visible) {
@@ -123,7 +116,7 @@ void OcclusionCuller::hide(const CubeGrid &grid, const ViewFrame &frame, Span<ui
   if (!prepare(grid, frame, visible)) return;
   order_cubes(grid.cubes());
   for (uint32_t k = 0; k < ordered_; ++k) {
-    if (k + ahead < ordered_) __builtin_prefetch(&extent_[order_[k + ahead]]);
+    if (k + ahead::extents < ordered_) __builtin_prefetch(&extent_[order_[k + ahead::extents]]);
     const CubeExtent &extent = extent_[order_[k]];
     const BoundingBox box{extent.left, extent.right, extent.bottom, extent.top};
     if (floor_.is_above(box, extent.height)) continue;

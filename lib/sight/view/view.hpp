@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/fixed_vector.hpp"
+#include "core/limits.hpp"
 #include "core/workspace.hpp"
 #include "model/ball_set.hpp"
 #include "view/view_frame.hpp"
@@ -13,12 +14,6 @@ struct ViewLimits {
   uint32_t balls = 0;
   uint32_t neighbours = 0;
   uint32_t arcs = 0;
-
-  // The smallest limits that are no smaller than these and others.
-  constexpr ViewLimits covering(const ViewLimits &other) const {
-    return {larger_count(balls, other.balls), larger_count(neighbours, other.neighbours),
-            larger_count(arcs, other.arcs)};
-  }
 };
 
 // Limits that suffice for most molecules. Status::range if one would be larger than max_count.

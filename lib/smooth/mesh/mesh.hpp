@@ -2,7 +2,9 @@
 // vertex lies on the surface, every triangle belongs to one patch.
 #pragma once
 
+#include "core/first_index.hpp"
 #include "core/fixed_vector.hpp"
+#include "core/limits.hpp"
 #include "surface/surface_map.hpp"
 
 namespace hsp {
@@ -13,12 +15,6 @@ struct MeshLimits {
   uint32_t vertices = 0;
   uint32_t triangles = 0;
   uint32_t points = 0;  // most points of any one sphere while it is triangulated
-
-  constexpr MeshLimits covering(const MeshLimits &other) const {
-    return {larger_count(balls, other.balls), larger_count(curves, other.curves),
-            larger_count(vertices, other.vertices), larger_count(triangles, other.triangles),
-            larger_count(points, other.points)};
-  }
 };
 
 struct MeshVertex {
@@ -51,17 +47,7 @@ class Mesh {
   friend class MeshBuilder;
 
   uint32_t first_from(uint64_t patch) const {
-    uint32_t low = 0;
-    uint32_t high = triangle_count();
-    while (low < high) {
-      const uint32_t middle = low + (high - low) / 2;
-      if (triangles_[middle].patch < patch) {
-        low = middle + 1;
-      } else {
-        high = middle;
-      }
-    }
-    return low;
+    return first_index(0, triangle_count(), [&](uint32_t t) { return triangles_[t].patch >= patch; });
   }
 
   FixedVector<MeshVertex> vertices_;

@@ -19,7 +19,7 @@ class MeshBuilder {
 
   const Mesh &mesh() const { return mesh_; }
   const MeshLimits &needed() const { return needed_; }
-  MeshLimits retry_limits() const { return limits_.covering(needed_); }
+  MeshLimits retry_limits() const { return covering(limits_, needed_); }
 
  private:
   struct PatchRange {

@@ -1,6 +1,7 @@
 #include "surface/flat_patches.hpp"
 
 #include "core/elementary.hpp"
+#include "core/sorting.hpp"
 #include "surface/covered_gaps.hpp"
 
 namespace hsp {
@@ -31,15 +32,7 @@ bool FlatPatches::find(uint32_t vertex) {
   if (!look(vertex)) return false;
   // The balls in the order of their directions, after the widest gap between two.
   uint32_t order[3] = {0, 1, 2};
-  const auto swap_if_behind = [&](uint32_t a, uint32_t b) {
-    if (angle_[order[a]] <= angle_[order[b]]) return;
-    const uint32_t other = order[a];
-    order[a] = order[b];
-    order[b] = other;
-  };
-  swap_if_behind(0, 1);
-  swap_if_behind(1, 2);
-  swap_if_behind(0, 1);
+  sort_three(order[0], order[1], order[2], [this](uint32_t a, uint32_t b) { return angle_[a] < angle_[b]; });
   uint32_t first = 0;
   double widest = 0.0;
   for (uint32_t k = 0; k < 3; ++k) {

@@ -2,6 +2,7 @@
 
 #include "core/decimal.hpp"
 #include "core/first_index.hpp"
+#include "core/rows.hpp"
 #include "core/sorting.hpp"
 #include "sphere/caps.hpp"
 #include "surface/probe_positions.hpp"
@@ -268,18 +269,14 @@ void ProbeGrid::build(const BallSet &balls, const Boundary &boundary) {
   lay_out(n);
   probes_ = n;
   buckets_ = buckets_for(n);
-  // Counting sort: first_[b] counts bucket b, then is where it ends, then where it starts.
-  for (uint32_t b = 0; b <= buckets_; ++b) first_[b] = 0;
-  for (uint32_t v = 0; v < n; ++v) ++first_[bucket_of(in_units(balls, place_[v]))];
-  uint32_t sum = 0;
-  for (uint32_t b = 0; b <= buckets_; ++b) {
-    sum += first_[b];
-    first_[b] = sum;
-  }
-  for (uint32_t v = n; v-- > 0;) {
-    const Vec3 place = in_units(balls, place_[v]);
-    store(--first_[bucket_of(place)], place, v);
-  }
+  Vec3 place{0.0, 0.0, 0.0};
+  sort_to_rows(
+      first_, buckets_, n,
+      [&](uint32_t v) {
+        place = in_units(balls, place_[v]);
+        return bucket_of(place);
+      },
+      [&](uint32_t at, uint32_t v) { store(at, place, v); });
   if (mixes_cubes(balls)) sort_by_cubes(balls);
   for (uint32_t k = n; k < n + spare_probes; ++k) x_[k] = y_[k] = z_[k] = 0.0F;
 }

@@ -2,6 +2,7 @@
 
 #include "core/decimal.hpp"
 #include "core/elementary.hpp"
+#include "core/sorting.hpp"
 #include "measure/areas.hpp"
 #include "sphere/arc_geometry.hpp"
 #include "surface/covered_gaps.hpp"
@@ -196,15 +197,7 @@ bool SettledCircles::is_in_patches(const Crossing &crossing, int sign) const {
   const uint32_t own = probe_.vertex();
   const Vec3 &point = crossing.point[sign > 0 ? 1 : 0];
   uint32_t vertex[3] = {own, vertex_at(crossing.first, point), vertex_at(crossing.second, point)};
-  const auto order = [&vertex](int a, int b) {
-    if (vertex[a] < vertex[b]) return;
-    const uint32_t other = vertex[a];
-    vertex[a] = vertex[b];
-    vertex[b] = other;
-  };
-  order(0, 1);
-  order(1, 2);
-  order(0, 1);
+  sort_three(vertex[0], vertex[1], vertex[2]);
   const Vec3 from_own = p * point;
   double deepest = 0.0;
   bool at_border = false;

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "core/fixed_vector.hpp"
+#include "core/limits.hpp"
 #include "core/workspace.hpp"
 #include "surface/concave_patches.hpp"
 #include "surface/patch_corners.hpp"
@@ -24,15 +25,6 @@ struct SurfaceLimits {
   uint32_t pieces = 0;          // of cut patches
   uint32_t arcs = 0;            // around these
   uint32_t cusped_circles = 0;  // circles whose saddle patches reach their axis
-
-  constexpr SurfaceLimits covering(const SurfaceLimits &other) const {
-    return {larger_count(vertices, other.vertices),
-            larger_count(faces, other.faces),
-            larger_count(neighbours, other.neighbours),
-            larger_count(pieces, other.pieces),
-            larger_count(arcs, other.arcs),
-            larger_count(cusped_circles, other.cusped_circles)};
-  }
 };
 
 // Enough for molecules: in haemoglobin no more than 34 probes overlap any one; up to 22 of 100 patches are cut, into

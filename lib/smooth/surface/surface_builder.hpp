@@ -20,7 +20,7 @@ class SurfaceBuilder {
 
   const Surface &surface() const { return surface_; }
   const SurfaceLimits &needed() const { return needed_; }
-  SurfaceLimits retry_limits() const { return limits_.covering(needed_); }
+  SurfaceLimits retry_limits() const { return covering(limits_, needed_); }
 
  private:
   Status build(const BallSet &balls, const Boundary &boundary, const Span<const uint32_t> *shells);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double tolerance = CreaseLengths::tolerance;
 
-class SurfaceChecker {
+class SurfaceChecker : FirstViolation<SurfaceInvariant> {
  public:
   SurfaceChecker(const BallSet &balls, const Boundary &boundary, const Surface &surface)
       : balls_(balls),
@@ -37,11 +37,6 @@ class SurfaceChecker {
   }
 
  private:
-  bool holds() const { return violation_.invariant == SurfaceInvariant::none; }
-  void fail(SurfaceInvariant invariant, uint32_t id) {
-    if (holds()) violation_ = {invariant, id};
-  }
-
   void check_steps(uint32_t h) {
     const uint32_t next = map_.next(h);
     const bool good = next < 2 * map_.edge_count() && map_.previous(next) == h && map_.left(next) == map_.left(h) &&
@@ -58,7 +53,10 @@ class SurfaceChecker {
     do {
       uint32_t h = loop;
       do {
-        if (map_.left(h) != patch || visited_ >= 2 * map_.edge_count()) return fail(SurfaceInvariant::loops, patch);
+        if (map_.left(h) != patch || visited_ >= 2 * map_.edge_count()) {
+          fail(SurfaceInvariant::loops, patch);
+          return;
+        }
         ++visited_;
         h = map_.next(h);
       } while (h != loop);
@@ -163,7 +161,7 @@ class SurfaceChecker {
   void check_patch(uint32_t id) {
     const SurfacePatch record = map_.patch(id);
     const PatchMeasure measure = measure_patch(balls_, boundary_, surface_, id);
-    if (!(measure.area >= 0.0)) return fail(SurfaceInvariant::areas, id);
+    if (!(measure.area >= 0.0)) fail(SurfaceInvariant::areas, id);
     if (record.kind != PatchKind::convex && record.kind != PatchKind::concave) return;
     Position centre;
     double radius;
@@ -210,7 +208,6 @@ class SurfaceChecker {
   const CreaseLengths creases_;
   const double length_;
   uint32_t visited_ = 0;
-  SurfaceViolation violation_;
 };
 
 }  // namespace

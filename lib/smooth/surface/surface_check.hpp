@@ -1,6 +1,7 @@
 // The invariants of a smooth surface as a map, and of the areas of its patches, checked from its records and positions.
 #pragma once
 
+#include "core/violation.hpp"
 #include "surface/surface_map.hpp"
 
 namespace hsp {
@@ -19,11 +20,8 @@ enum class SurfaceInvariant : uint32_t {
   totals = 9,
 };
 
-// The first violated invariant, and the id of the directed edge, patch, corner or shell where it fails.
-struct SurfaceViolation {
-  SurfaceInvariant invariant = SurfaceInvariant::none;
-  uint32_t id = no_id;
-};
+// Where: the id of a directed edge, patch, corner or shell.
+using SurfaceViolation = Violation<SurfaceInvariant>;
 
 SurfaceViolation check_surface(const BallSet &balls, const Boundary &boundary, const Surface &surface);
 

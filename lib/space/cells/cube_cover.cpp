@@ -1,5 +1,6 @@
 #include "cells/cube_cover.hpp"
 
+#include "core/rows.hpp"
 #include "core/sorting.hpp"
 #include "model/grid_order.hpp"
 
@@ -81,15 +82,12 @@ bool CubeCover::build(const CubeGrid &grid) {
   for (uint32_t k = 0; k < needed_cubes_; ++k) entries_[k] = first_entry_[table_.find(sorted[k])];
   table_.clear(needed_cubes_);
   for (const CubeCoordinates &cube : sorted) table_.append(cube);
-  // Each becomes where the cube's entries end, and then, entry by entry from the last ball on, where they begin.
-  uint32_t end = 0;
   most_balls_ = 0;
   for (uint32_t k = 0; k < needed_cubes_; ++k) {
     most_balls_ = larger_count(most_balls_, entries_[k]);
-    end += entries_[k];
-    first_entry_[k] = end;
+    first_entry_[k] = entries_[k];
   }
-  first_entry_[needed_cubes_] = end;
+  end_rows(first_entry_, needed_cubes_);
   for (uint32_t i = balls.n; i-- > 0;) {
     const auto enter = [&](const CubeCoordinates &cube) { entries_[--first_entry_[table_.find(cube)]] = i; };
     for_each_cube(balls.ball(i), axis, enter);

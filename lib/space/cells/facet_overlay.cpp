@@ -1,5 +1,7 @@
 #include "cells/facet_overlay.hpp"
 
+#include "core/sorting.hpp"
+
 namespace hsp {
 namespace {
 
@@ -265,15 +267,7 @@ uint32_t FacetOverlay::cell_of(uint32_t which, uint32_t corner) const {
 // Three balls make a corner that is the same in all pieces around it.
 bool FacetOverlay::name_of(uint32_t corner, Name &name) const {
   if (!three_balls(edges_[previous(corner)].line, edges_[corner].line, name.ball)) return false;
-  const auto order = [&](uint32_t a, uint32_t b) {
-    if (name.ball[a] <= name.ball[b]) return;
-    const uint32_t larger = name.ball[a];
-    name.ball[a] = name.ball[b];
-    name.ball[b] = larger;
-  };
-  order(0, 1);
-  order(1, 2);
-  order(0, 1);
+  sort_three(name.ball[0], name.ball[1], name.ball[2]);
   return true;
 }
 

@@ -14,6 +14,7 @@
 #include "cells/empty_runs.hpp"
 #include "core/fixed_vector.hpp"
 #include "core/id_range.hpp"
+#include "core/limits.hpp"
 #include "core/workspace.hpp"
 
 namespace hsp {
@@ -28,19 +29,6 @@ struct FreeSpaceLimits {
   uint32_t corners = 0;       // of these facets
   uint32_t cube_balls = 0;    // that meet one cube
   uint32_t cube_corners = 0;  // of all power cells of one cube
-
-  // The smallest limits that are no smaller than these and others.
-  constexpr FreeSpaceLimits covering(const FreeSpaceLimits &other) const {
-    return {larger_count(cubes, other.cubes),
-            larger_count(entries, other.entries),
-            larger_count(cells, other.cells),
-            larger_count(adjacencies, other.adjacencies),
-            larger_count(landmarks, other.landmarks),
-            larger_count(facets, other.facets),
-            larger_count(corners, other.corners),
-            larger_count(cube_balls, other.cube_balls),
-            larger_count(cube_corners, other.cube_corners)};
-  }
 };
 
 // Limits that suffice for most molecules. Status::range if one would be larger than max_count.

@@ -22,7 +22,7 @@ class FreeSpaceBuilder {
   FreeSpaceScratch scratch() { return {cell_, structure_.region_sets, touched_}; }
   const FreeSpaceLimits &needed() const { return needed_; }
   // What to try again with after Status::capacity.
-  FreeSpaceLimits retry_limits() const { return limits_.covering(needed_); }
+  FreeSpaceLimits retry_limits() const { return covering(limits_, needed_); }
 
  private:
   // A cube and what is on its six sides.

@@ -6,7 +6,7 @@
 namespace hsp {
 namespace {
 
-class FreeSpaceCheck {
+class FreeSpaceCheck : FirstViolation<FreeSpaceInvariant> {
  public:
   FreeSpaceCheck(const BallSet &balls, const FreeSpace &space, FreeSpaceScratch scratch)
       : balls_(balls), space_(space), cell_(scratch.cell), sets_(scratch.sets), planes_(scratch.planes) {}
@@ -17,11 +17,6 @@ class FreeSpaceCheck {
   }
 
  private:
-  bool fail(FreeSpaceInvariant invariant, uint32_t id) {
-    violation_ = {invariant, id};
-    return false;
-  }
-
   // What a cell says of itself must be what its place says.
   bool records() {
     const uint32_t cells = space_.cell_count(), runs = space_.run_count(), entries = space_.cover.entries();
@@ -120,7 +115,7 @@ class FreeSpaceCheck {
         found += cell_.empty() ? 0 : 1;
         if (!cell_.empty()) cell_.find_free_parts();
         if (!is_polytope(members.size()) || !has_parts(parts)) {
-          static_cast<void>(fail(FreeSpaceInvariant::power_cells, k));
+          fail(FreeSpaceInvariant::power_cells, k);
           return;
         }
         for (const uint32_t c : parts) {
@@ -130,7 +125,7 @@ class FreeSpaceCheck {
       }
     }
     if (found != space_.power_cells) {
-      static_cast<void>(fail(FreeSpaceInvariant::power_cells, space_.cube_count()));
+      fail(FreeSpaceInvariant::power_cells, space_.cube_count());
     } else {
       violation_ = across;
     }
@@ -223,7 +218,6 @@ class FreeSpaceCheck {
   uint32_t plane_count_ = 0;
   uint32_t cube_ = 0;
   uint32_t cube_beside_[cube_sides]{}, run_beside_[cube_sides]{};
-  FreeSpaceViolation violation_;
 };
 
 }  // namespace

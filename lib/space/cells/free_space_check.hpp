@@ -4,6 +4,7 @@
 
 #include "cells/free_space.hpp"
 #include "cells/power_cell.hpp"
+#include "core/violation.hpp"
 
 namespace hsp {
 
@@ -18,11 +19,8 @@ enum class FreeSpaceInvariant : uint32_t {
   complement = 6,   // regions are as many as the cells of the complement
 };
 
-// The first law that is violated, and the number of the cell or cube where it is; no_id where none is.
-struct FreeSpaceViolation {
-  FreeSpaceInvariant invariant = FreeSpaceInvariant::none;
-  uint32_t id = no_id;
-};
+// Where: the number of a cell or cube.
+using FreeSpaceViolation = Violation<FreeSpaceInvariant>;
 
 // Scratch memory of the builder.
 struct FreeSpaceScratch {

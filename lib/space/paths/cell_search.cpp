@@ -26,12 +26,11 @@ void CellSearch::carve(Workspace &workspace, const FreeSpaceLimits &limits) {
 void CellSearch::prepare(const FreeSpace &space) {
   // Both have as many: the neighbours of a cell and its contacts.
   const uint32_t cells = space.cell_count();
-  for (uint32_t c = 0; c <= cells; ++c) first_link_[c] = space.first_neighbour[c];
-  for (uint32_t contact = 0; contact < space.adjacency_count(); ++contact) {
-    for (const uint32_t cell : space.contacts[contact].cell) links_[first_link_[cell]++] = contact;
+  for (uint32_t c = 0; c < cells; ++c) first_link_[c] = space.first_neighbour[c + 1];
+  first_link_[cells] = space.first_neighbour[cells];
+  for (uint32_t contact = space.adjacency_count(); contact-- > 0;) {
+    for (const uint32_t cell : space.contacts[contact].cell) links_[--first_link_[cell]] = contact;
   }
-  for (uint32_t c = cells; c > 0; --c) first_link_[c] = first_link_[c - 1];
-  first_link_[0] = 0;
   constexpr int64_t beyond = INT64_C(1) << 52;
   const auto corner = [&](int64_t cube) {
     return cube <= -EmptyRuns::infinity ? -beyond : cube >= EmptyRuns::infinity ? beyond : cube * space.side;

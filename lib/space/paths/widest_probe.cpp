@@ -1,6 +1,7 @@
 #include "paths/widest_probe.hpp"
 
 #include "cells/cell_location.hpp"
+#include "core/sorting.hpp"
 #include "paths/lattice_points.hpp"
 
 namespace hsp {
@@ -33,12 +34,7 @@ ProbeLimits WidestProbeFinder::retry_limits() const {
   const auto step = [](uint32_t limit, uint32_t needed) {
     return needed > limit ? clamped_count(static_cast<uint64_t>(needed) + needed / 2) : limit;
   };
-  const FreeSpaceLimits &cells = limits_.cells, &needed = needed_.cells;
-  return {{step(cells.cubes, needed.cubes), step(cells.entries, needed.entries), step(cells.cells, needed.cells),
-           step(cells.adjacencies, needed.adjacencies), step(cells.landmarks, needed.landmarks),
-           step(cells.facets, needed.facets), step(cells.corners, needed.corners),
-           step(cells.cube_balls, needed.cube_balls), step(cells.cube_corners, needed.cube_corners)},
-          larger_count(limits_.balls, needed_.balls)};
+  return {each_limit(limits_.cells, needed_.cells, step), larger_count(limits_.balls, needed_.balls)};
 }
 
 // Whether a probe passes, whose radius leaves both points outside the grown balls.
@@ -47,7 +43,7 @@ Status WidestProbeFinder::pass(int64_t probe, bool &passes) {
   Status status = grid_.build({n_, xyz_.data(), radius_.data(), static_cast<double>(probe), 1.0}, bad);
   if (status != Status::ok) return status;
   status = builder_.build(grid_);
-  needed_.cells = needed_.cells.covering(builder_.needed());
+  needed_.cells = covering(needed_.cells, builder_.needed());
   if (status != Status::ok) return status;
   ++builds_;
   const FreeSpace &space = builder_.structure();
@@ -227,15 +223,7 @@ void WidestProbeFinder::find_gate(int64_t probe, WidestProbe &widest) const {
         gate[0] = balls.caller[i];
         gate[1] = balls.caller[j];
         gate[2] = balls.caller[k];
-        const auto order = [&](uint32_t a, uint32_t b) {
-          if (gate[a] <= gate[b]) return;
-          const uint32_t larger = gate[a];
-          gate[a] = gate[b];
-          gate[b] = larger;
-        };
-        order(0, 1);
-        order(1, 2);
-        order(0, 1);
+        sort_three(gate[0], gate[1], gate[2]);
       });
     });
   }

@@ -13,6 +13,7 @@
 #include "core/disjoint_sets.hpp"
 #include "core/fixed_vector.hpp"
 #include "core/id_range.hpp"
+#include "core/limits.hpp"
 #include "core/workspace.hpp"
 #include "model/cube_grid.hpp"
 #include "sphere/half_edges.hpp"
@@ -25,13 +26,6 @@ struct BoundaryLimits {
   uint32_t vertices = 0;
   uint32_t circles = 0;
   uint32_t workers = 0;  // that may share the work; 0 is 1
-
-  // The smallest limits that are no smaller than these and others.
-  constexpr BoundaryLimits covering(const BoundaryLimits &other) const {
-    return {larger_count(balls, other.balls), larger_count(neighbours, other.neighbours),
-            larger_count(vertices, other.vertices), larger_count(circles, other.circles),
-            larger_count(workers, other.workers)};
-  }
   // Loops have at least two arcs or are circles.
   uint64_t most_loops() const { return 3 * static_cast<uint64_t>(vertices) / 2 + 2 * static_cast<uint64_t>(circles); }
 };

@@ -22,7 +22,7 @@ class BoundaryBuilder {
   const Boundary &boundary() const { return boundary_; }
   const BoundaryLimits &needed() const { return needed_; }
   // What to try again with after Status::capacity.
-  BoundaryLimits retry_limits() const { return limits_.covering(needed_); }
+  BoundaryLimits retry_limits() const { return covering(limits_, needed_); }
 
   // The arrays behind the boundary, for tests that break them.
   BoundaryArrays &arrays() { return boundary_.a_; }

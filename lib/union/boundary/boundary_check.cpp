@@ -3,24 +3,17 @@
 namespace hsp {
 namespace {
 
-class BoundaryCheck {
+class BoundaryCheck : FirstViolation<BoundaryInvariant> {
  public:
   BoundaryCheck(const BallSet &balls, const Boundary &boundary, Span<uint32_t> scratch)
       : balls_(balls), boundary_(boundary), scratch_(scratch) {}
 
-  Violation run() {
-    if (!vertices() || !half_edges() || !successors() || !twins() || !loops() || !faces() || !shells() || !euler()) {
-      return violation_;
-    }
-    return {};
+  BoundaryViolation run() {
+    if (vertices() && half_edges() && successors() && twins() && loops() && faces() && shells()) euler();
+    return violation_;
   }
 
  private:
-  bool fail(BoundaryInvariant invariant, uint32_t id) {
-    violation_ = {invariant, id};
-    return false;
-  }
-
   // Three different balls in ascending order, none of them inside another.
   bool vertices() {
     for (uint32_t v = 0; v < boundary_.vertex_count(); ++v) {
@@ -189,12 +182,11 @@ class BoundaryCheck {
   const BallSet &balls_;
   const Boundary &boundary_;
   Span<uint32_t> scratch_;
-  Violation violation_;
 };
 
 }  // namespace
 
-Violation check_boundary(const BallSet &balls, const Boundary &boundary, Span<uint32_t> scratch) {
+BoundaryViolation check_boundary(const BallSet &balls, const Boundary &boundary, Span<uint32_t> scratch) {
   return BoundaryCheck(balls, boundary, scratch).run();
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "boundary/boundary.hpp"
+#include "core/violation.hpp"
 
 namespace hsp {
 
@@ -22,14 +23,10 @@ enum class BoundaryInvariant : uint32_t {
   closure = 11,
 };
 
-// The first violated invariant, and the id of the vertex, half-edge, loop, face, shell or ball where it fails;
-// no_id where none does.
-struct Violation {
-  BoundaryInvariant invariant = BoundaryInvariant::none;
-  uint32_t id = no_id;
-};
+// Where: the id of a vertex, half-edge, loop, face, shell or ball.
+using BoundaryViolation = Violation<BoundaryInvariant>;
 
 // Checks invariants 1 to 8, in order. scratch [loops + balls]. O(size).
-Violation check_boundary(const BallSet &balls, const Boundary &boundary, Span<uint32_t> scratch);
+BoundaryViolation check_boundary(const BallSet &balls, const Boundary &boundary, Span<uint32_t> scratch);
 
 }  // namespace hsp

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "boundary/boundary.hpp"
+#include "core/ahead.hpp"
 #include "core/small_code.hpp"
 
 namespace hsp {
@@ -10,11 +11,9 @@ namespace hsp {
 template <class Sets>
 void join_faces(const Boundary &boundary, IdRange vertices, IdRange circles, Sets &shells) {
   // The three faces at a vertex share arcs, and every arc has a vertex.
-  constexpr uint32_t ahead = 16;
-  constexpr uint32_t few_vertices = 32768;  // the half-edges of so few stay in the caches
-  const bool far_apart = !small_code && boundary.vertex_count() > few_vertices;
+  const bool far_apart = !small_code && boundary.vertex_count() > ahead::few_vertices;
   for (const uint32_t v : vertices) {
-    if (far_apart && v + ahead < vertices.last) boundary.prefetch_half_edges_at(v + ahead);
+    if (far_apart && v + ahead::vertices < vertices.last) boundary.prefetch_half_edges_at(v + ahead::vertices);
     const uint32_t first = boundary.face_of(boundary.half_edge_at(v, 0));
     shells.join(first, boundary.face_of(boundary.half_edge_at(v, 1)));
     shells.join(first, boundary.face_of(boundary.half_edge_at(v, 2)));

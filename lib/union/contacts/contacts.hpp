@@ -10,6 +10,7 @@
 #pragma once
 
 #include "boundary/boundary.hpp"
+#include "core/limits.hpp"
 
 namespace hsp {
 
@@ -19,13 +20,6 @@ struct ContactLimits {
   uint32_t contacts = 0;
   uint32_t triangles = 0;   // 0: they are only counted
   uint32_t tetrahedra = 0;  // the same
-
-  // The smallest limits that are no smaller than these and others.
-  constexpr ContactLimits covering(const ContactLimits &other) const {
-    return {larger_count(balls, other.balls), larger_count(neighbours, other.neighbours),
-            larger_count(contacts, other.contacts), larger_count(triangles, other.triangles),
-            larger_count(tetrahedra, other.tetrahedra)};
-  }
 };
 
 // In lattice steps.

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "contacts/contact_measures.hpp"
+#include "core/rows.hpp"
 #include "exact/discriminant.hpp"
 #include "measure/areas.hpp"
 
@@ -314,16 +315,13 @@ void ContactsBuilder::close_cells() {
 // it is in contact with.
 void ContactsBuilder::make_rows(const CubeGrid &grid) {
   ContactArrays &a = contacts_.a_;
-  for (uint32_t i = 0; i <= a.balls; ++i) a.first_in_row[i] = 0;
+  const Span<uint32_t> found = walk_.scratch_of_contacts();
+  for (uint32_t i = 0; i < a.balls; ++i) a.first_in_row[i] = 0;
   for (const ContactRecord &contact : a.contacts.items()) {
     for (const uint32_t ball : contact.ball) ++a.first_in_row[ball];
   }
-  uint32_t end = 0;
-  for (uint32_t i = 0; i < a.balls; ++i) a.first_in_row[i] = end += a.first_in_row[i];
-  a.first_in_row[a.balls] = end;
-  // Each row is filled backwards; first_in_row then holds where rows start.
-  const Span<uint32_t> found = walk_.scratch_of_contacts();
-  for (uint32_t id = 0; id < a.contacts.size(); ++id) {
+  end_rows(a.first_in_row, a.balls);
+  for (uint32_t id = a.contacts.size(); id-- > 0;) {
     for (const uint32_t ball : a.contacts[id].ball) found[--a.first_in_row[ball]] = id;
   }
   const Span<uint32_t> next = walk_.scratch_of_balls();

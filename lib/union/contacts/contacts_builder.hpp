@@ -90,7 +90,7 @@ class ContactsBuilder {
   const Contacts &contacts() const { return contacts_; }
   // Triangles and tetrahedra count if they have limits.
   const ContactLimits &needed() const { return needed_; }
-  ContactLimits retry_limits() const { return limits_.covering(needed_); }
+  ContactLimits retry_limits() const { return covering(limits_, needed_); }
   // [contacts]
   Span<uint32_t> scratch() { return contacts_.a_.links; }
   // For tests, which break them.

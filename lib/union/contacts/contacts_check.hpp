@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contacts/contacts.hpp"
+#include "core/violation.hpp"
 
 namespace hsp {
 
@@ -15,11 +16,8 @@ enum class ContactInvariant : uint32_t {
   volume = 4,   // the cells sum to the volume of the union
 };
 
-// The first violated invariant, and the id of the contact or ball where it fails; no_id where none does.
-struct ContactViolation {
-  ContactInvariant invariant = ContactInvariant::none;
-  uint32_t id = no_id;
-};
+// Where: the id of a contact or ball.
+using ContactViolation = Violation<ContactInvariant>;
 
 // O(size)
 ContactViolation check_contacts(const BallSet &balls, const Boundary &boundary, const Contacts &contacts);

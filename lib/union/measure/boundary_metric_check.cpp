@@ -39,7 +39,7 @@ class BoundaryMetricCheck {
  public:
   BoundaryMetricCheck(const BallSet &balls, const Boundary &boundary) : balls_(balls), boundary_(boundary) {}
 
-  Violation run() const {
+  BoundaryViolation run() const {
     double volume = 0.0;
     double second_volume = 0.0;
     double scale = 0.0;
@@ -66,7 +66,7 @@ class BoundaryMetricCheck {
       scale += r * r * second.error_bound * (r + norm(arm));
     }
     const double difference = volume - second_volume;
-    return std::fabs(difference) <= scale ? Violation{} : Violation{BoundaryInvariant::closure, 0};
+    return std::fabs(difference) <= scale ? BoundaryViolation{} : BoundaryViolation{BoundaryInvariant::closure, 0};
   }
 
  private:
@@ -154,7 +154,7 @@ class BoundaryMetricCheck {
 
 }  // namespace
 
-Violation check_boundary_metric(const BallSet &balls, const Boundary &boundary) {
+BoundaryViolation check_boundary_metric(const BallSet &balls, const Boundary &boundary) {
   return BoundaryMetricCheck(balls, boundary).run();
 }
 

@@ -7,6 +7,6 @@
 namespace hsp {
 
 // Invariants 9 to 11. O(size).
-Violation check_boundary_metric(const BallSet &balls, const Boundary &boundary);
+BoundaryViolation check_boundary_metric(const BallSet &balls, const Boundary &boundary);
 
 }  // namespace hsp

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "boundary/boundary.hpp"
+#include "core/ahead.hpp"
 #include "core/small_code.hpp"
 
 namespace hsp {
@@ -11,22 +12,17 @@ namespace hsp {
 // Calls visit(i, ball) for every ball i of a range of the input, with its index in the grid's order.
 template <class Visit>
 void visit_in_input_order(const CubeGrid &grid, const Boundary &boundary, IdRange range, Visit visit) {
-  constexpr uint32_t far = 24;   // visits ahead: what is found by the ball's index
-  constexpr uint32_t near = 12;  // and what is found by that
-  constexpr uint32_t next = 6;   // and by that
-  // In sets that are no larger, vertices and what of other balls is read stay near.
-  constexpr uint32_t few_balls = 16384;
   const BallSet &balls = grid.balls();
   const uint32_t half_edges = range.empty() ? 0 : boundary.half_edges(grid.own_balls() - 1).last;
   for (uint32_t i = range.first; i < range.last; ++i) {
-    if (i + far < range.last) {
-      const uint32_t ball = grid.grid_index(i + far);
+    if (i + ahead::ranges < range.last) {
+      const uint32_t ball = grid.grid_index(i + ahead::ranges);
       boundary.prefetch_ranges(ball);
       balls.prefetch(ball);
     }
-    if (i + near < range.last) boundary.prefetch_half_edges(grid.grid_index(i + near));
-    if (!small_code && balls.n > few_balls && i + next < range.last) {
-      const uint32_t ball = grid.grid_index(i + next);
+    if (i + ahead::half_edges < range.last) boundary.prefetch_half_edges(grid.grid_index(i + ahead::half_edges));
+    if (!small_code && balls.n > ahead::few_balls && i + ahead::neighbours < range.last) {
+      const uint32_t ball = grid.grid_index(i + ahead::neighbours);
       boundary.prefetch_vertices(ball, half_edges);
       boundary.prefetch_neighbours(balls, ball, half_edges);
     }

@@ -2,6 +2,7 @@
 // run over the balls in the caller's order.
 #pragma once
 
+#include "core/ahead.hpp"
 #include "core/summation.hpp"
 #include "lanes/wide.hpp"
 #include "measure/gradients.hpp"
@@ -95,11 +96,10 @@ inline BallMeasure measure_into(const CubeGrid &grid, const Boundary &boundary, 
       if (volume != nullptr) volume[i] = measure.volume;
     });
   }
-  constexpr uint32_t ahead = 24;
   const BallSet &balls = grid.balls();
   for (uint32_t ball = 0; ball < balls.n; ++ball) {
-    if (ball + ahead < balls.n) {
-      const uint32_t later = balls.caller[ball + ahead];
+    if (ball + ahead::outputs < balls.n) {
+      const uint32_t later = balls.caller[ball + ahead::outputs];
       __builtin_prefetch(&area[later], 1);
       __builtin_prefetch(&volume[later], 1);
     }

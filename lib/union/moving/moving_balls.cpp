@@ -1,26 +1,7 @@
 #include "moving/moving_balls.hpp"
 
-#include "measure/tangency.hpp"
-
 namespace hsp {
 namespace {
-
-// Balls that are computed together, and how far they reach: what is around them is gathered once for all.
-constexpr uint32_t most_in_group = 64;
-constexpr int64_t most_sides = 3;
-
-// On a sphere with m caps, at most 6 m - 12 vertices are free (Kedem and others 1986), and m circles. More room is for
-// groups: it saves halving them.
-BoundaryLimits limits_of_part(const MovingLimits &limits) {
-  const uint64_t m = limits.neighbours;
-  return {limits.balls, limits.neighbours, clamped_count(6 * m + 16 * most_in_group),
-          clamped_count(m + 4 * most_in_group), 0};
-}
-
-void stretch(int64_t value, int64_t &low, int64_t &high) {
-  low = value < low ? value : low;
-  high = value > high ? value : high;
-}
 
 bool stays_put(const exact::LatticeBall &a, const exact::LatticeBall &b) {
   return a.centre.x == b.centre.x && a.centre.y == b.centre.y && a.centre.z == b.centre.z && a.radius == b.radius;
@@ -49,10 +30,7 @@ void MovingBalls::carve(Workspace &workspace, const MovingLimits &limits) {
   place_ = workspace.take<uint32_t>(limits.balls);
   new_ball_ = workspace.take<exact::LatticeBall>(limits.balls);
   weight_ = workspace.take<double>(limits.balls);
-  part_.carve(workspace, limits_of_part(limits));
-  near_.carve(workspace, limits.balls);
-  near_ball_ = workspace.take<uint32_t>(static_cast<uint64_t>(limits.balls) + 1);
-  in_group_ = workspace.take<uint8_t>(limits.balls);
+  group_.carve(workspace, limits.balls, limits.neighbours);
   records_.balls.n = 0;
   may_undo_ = false;
 }
@@ -71,8 +49,9 @@ Status MovingBalls::set(const CubeGrid &grid, const EnergyTerms &terms) {
   }
   BallSet &balls = records_.balls;
   records_.clear(n);
-  balls.lattice = near_.lattice = given.lattice;
+  balls.lattice = given.lattice;
   balls.probe_steps = given.probe_steps;
+  group_.clear(given.lattice, n);
   cells_.clear(n, grid.side());
   components_.clear(n);
   sums_.resize(n);
@@ -85,7 +64,6 @@ Status MovingBalls::set(const CubeGrid &grid, const EnergyTerms &terms) {
     balls.store(i, ball);
     place_[ball.index] = i;
     if (weighted_) weight_[ball.index] = terms.weights.weight[ball.index];
-    in_group_[i] = 0;
     cells_.insert(i, ball.centre);
     MovingBall own{};
     own.origin = own.next = own.previous = i;
@@ -148,7 +126,7 @@ Status MovingBalls::stage(const BallMoves &moves, uint32_t &first_bad) {
   uint32_t staged = 0;
   for (uint32_t k = 0; k < moves.count && status == Status::ok; ++k) {
     const uint32_t caller = moves.ball[k];
-    if (caller >= size() || in_group_[place_[caller]] != 0) {
+    if (caller >= size() || group_.mark(place_[caller]) != 0) {
       status = Status::id;
     } else {
       status = round_move(moves, k);
@@ -156,11 +134,11 @@ Status MovingBalls::stage(const BallMoves &moves, uint32_t &first_bad) {
     if (status != Status::ok) {
       first_bad = k;
     } else {
-      in_group_[place_[caller]] = 1;
+      group_.mark(place_[caller]) = 1;
       staged = k + 1;
     }
   }
-  for (uint32_t k = 0; k < staged; ++k) in_group_[place_[moves.ball[k]]] = 0;
+  for (uint32_t k = 0; k < staged; ++k) group_.mark(place_[moves.ball[k]]) = 0;
   return status;
 }
 
@@ -207,17 +185,18 @@ uint32_t MovingBalls::place_one(uint32_t caller) {
   const auto is_near = [this](int64_t a, int64_t b) { return a - b < cells_.side() && b - a < cells_.side(); };
   if (records_.noted() == 0 || !is_near(p.x, q.x) || !is_near(p.y, q.y) || !is_near(p.z, q.z))
     return place_all({1, &caller, nullptr, nullptr});
-  uint32_t later = 0;
+  const Span<uint32_t> later = group_.scratch();
+  uint32_t count = 0;
   cells_.visit_meeting(records_.balls, before, new_ball_[0], [&](uint32_t j, bool met_before) {
     if (met_before) {
       records_.note(j);
     } else {
-      near_ball_[later++] = j;
+      later[count++] = j;
     }
   });
   const uint32_t former = records_.noted();
   place_again(i, new_ball_[0]);
-  for (const uint32_t j : near_ball_.part(0, later)) records_.note(j);
+  for (const uint32_t j : later.part(0, count)) records_.note(j);
   components_.begin(records_, former);
   for (uint32_t k = 1; k < records_.noted(); ++k) {
     const uint32_t j = records_.entry(k).ball;
@@ -241,118 +220,15 @@ void MovingBalls::note_what_meets(uint32_t i) {
 // What is in the journal is to be computed again. The first `former` balls of it are as for ComponentUpdate.
 Status MovingBalls::update(uint32_t former) {
   const uint32_t affected = records_.noted();
-  if (const Status status = compute(affected); status != Status::ok) {
+  needed_.neighbours = group_.compute(records_, cells_, affected, weights());
+  if (needed_.neighbours > limits_.neighbours) {
     components_.abandon(records_, former);
-    return status;
+    return Status::capacity;
   }
   components_.apply(records_, cells_, former);
   settle(affected);
-  flag_inner_contacts(affected);
+  if (counts_.contained != 0) group_.flag_inner_contacts(records_, cells_, affected);
   return Status::ok;
-}
-
-// If there is no room for all neighbours of a ball, the rest is done to learn how many others have.
-Status MovingBalls::compute(uint32_t affected) {
-  for (uint32_t first = 0; first < affected;) {
-    uint32_t count = choose_group(first, affected);
-    Status status = compute_group(count);
-    // A single ball has room for all of its vertices.
-    while (status != Status::ok && count > 1 && part_.needed().neighbours <= limits_.neighbours) {
-      count = choose_group(first, first + count / 2);
-      status = compute_group(count);
-    }
-    needed_.neighbours = larger_count(needed_.neighbours, part_.needed().neighbours);
-    first += count;
-  }
-  return needed_.neighbours <= limits_.neighbours ? Status::ok : Status::capacity;
-}
-
-Status MovingBalls::compute_group(uint32_t count) {
-  gather_around(count);
-  const Status status = part_.build(near_, count, centre_, static_cast<double>(cells_.side()));
-  if (status == Status::ok) {
-    store_group(count);
-  }
-  return status;
-}
-
-// Takes balls of the journal from `first` on into near_, as many as lie together. Returns their number.
-uint32_t MovingBalls::choose_group(uint32_t first, uint32_t last) {
-  const BallSet &balls = records_.balls;
-  const int64_t most = most_sides * cells_.side();
-  uint32_t count = 0;
-  for (uint32_t k = first; k < last && count < most_in_group; ++k) {
-    const uint32_t i = records_.entry(k).ball;
-    const exact::LatticeBall ball = balls.ball(i);
-    const exact::Vector &c = ball.centre;
-    exact::Vector low = count == 0 ? c : low_, high = count == 0 ? c : high_;
-    stretch(c.x, low.x, high.x);
-    stretch(c.y, low.y, high.y);
-    stretch(c.z, low.z, high.z);
-    if (high.x - low.x > most || high.y - low.y > most || high.z - low.z > most) break;
-    low_ = low;
-    high_ = high;
-    near_.store(count, ball);
-    near_ball_[count++] = i;
-  }
-  return count;
-}
-
-// Behind the group in near_, all balls that meet one of it, and some more.
-void MovingBalls::gather_around(uint32_t count) {
-  const BallSet &balls = records_.balls;
-  const auto middle = [](int64_t a, int64_t b) { return 0.5 * static_cast<double>(a + b); };
-  centre_[0] = middle(low_.x, high_.x);
-  centre_[1] = middle(low_.y, high_.y);
-  centre_[2] = middle(low_.z, high_.z);
-  const auto squared_distance = [this](const BallSet &set, uint32_t i) {
-    const double dx = set.x[i] - centre_[0], dy = set.y[i] - centre_[1], dz = set.z[i] - centre_[2];
-    return dx * dx + dy * dy + dz * dz;
-  };
-  double reach = 0.0, largest = 0.0;
-  for (uint32_t k = 0; k < count; ++k) {
-    in_group_[near_ball_[k]] = 1;
-    const double own = std::sqrt(squared_distance(near_, k)) + near_.r[k];
-    reach = own > reach ? own : reach;
-    largest = near_.r[k] > largest ? near_.r[k] : largest;
-  }
-  // Above all rounding errors.
-  reach = reach * (1.0 + 0x1p-40) + 1.0;
-  uint32_t n = count;
-  const int64_t around = static_cast<int64_t>(largest) + cells_.side() / 2;
-  cells_.visit_box({low_.x - around, low_.y - around, low_.z - around},
-                   {high_.x + around, high_.y + around, high_.z + around}, [&](uint32_t j) {
-                     const double sum = reach + balls.r[j];
-                     // No branch, as whether this ball is taken is hard to predict.
-                     near_ball_[n] = j;
-                     n += static_cast<uint32_t>(squared_distance(balls, j) <= sum * sum) &
-                          static_cast<uint32_t>(in_group_[j] == 0);
-                   });
-  for (uint32_t k = count; k < n; ++k) {
-    const uint32_t j = near_ball_[k];
-    near_.x[k] = balls.x[j];
-    near_.y[k] = balls.y[j];
-    near_.z[k] = balls.z[j];
-    near_.r[k] = balls.r[j];
-    near_.caller[k] = balls.caller[j];
-  }
-  near_.n = n;
-  for (uint32_t k = 0; k < count; ++k) in_group_[near_ball_[k]] = 0;
-}
-
-void MovingBalls::store_group(uint32_t count) {
-  const Boundary &boundary = part_.boundary();
-  const AreaWeights own_weights = weights();
-  for (uint32_t k = 0; k < count; ++k) {
-    MovingBall &ball = records_.ball[near_ball_[k]];
-    ball.own = gradient_of_ball(near_, boundary, own_weights, k);
-    ball.half_edges = boundary.half_edges(k).size();
-    ball.circles = boundary.circles(k).size();
-    ball.loops = boundary.loops(k).size();
-    ball.faces = boundary.faces(k).size();
-    ball.contained = boundary.is_contained(k);
-    ball.one_sided = ball.own.one_sided;
-  }
 }
 
 // Counts and sums, once everything else is known.
@@ -386,38 +262,6 @@ void MovingBalls::put_back() {
     if (entry.moved) place_again(i, entry.placed);
     records_.ball[i] = entry.before;
     records_.parent[i] = entry.parent;
-  }
-}
-
-// A ball inside others that touches one of them at a free point: both have one-sided derivatives. Whether it does
-// depends on balls alone that meet either.
-void MovingBalls::flag_inner_contacts(uint32_t affected) {
-  if (counts_.contained == 0) return;
-  for (uint32_t first = 0; first < affected;) {
-    const uint32_t count = choose_group(first, affected);
-    gather_around(count);
-    flag_group(count);
-    first += count;
-  }
-}
-
-void MovingBalls::flag_group(uint32_t count) {
-  const CubeBlock everything{{{0, near_.n}}, 1};
-  const auto record = [this](uint32_t k) -> MovingBall & { return records_.ball[near_ball_[k]]; };
-  const auto touches = [&](uint32_t inner, uint32_t outer) {
-    return inner != outer && (near_.r[inner] != near_.r[outer] || record(outer).faces != 0) &&
-           touches_freely_from_inside(near_, everything, inner, outer);
-  };
-  for (uint32_t inner = 0; inner < near_.n; ++inner) {
-    if (!record(inner).contained) continue;
-    if (inner < count) {
-      for (uint32_t outer = 0; outer < near_.n; ++outer) {
-        if (touches(inner, outer)) record(inner).one_sided = true;
-      }
-    }
-    for (uint32_t outer = 0; outer < count; ++outer) {
-      if (touches(inner, outer)) record(outer).one_sided = true;
-    }
   }
 }
 

@@ -5,9 +5,9 @@
 // records are not kept.
 #pragma once
 
-#include "boundary/boundary_part.hpp"
 #include "core/sum_tree.hpp"
 #include "measure/totals.hpp"
+#include "moving/ball_group.hpp"
 #include "moving/component_update.hpp"
 
 namespace hsp {
@@ -56,9 +56,7 @@ class MovingBalls {
   uint32_t size() const { return records_.balls.n; }
   const MovingLimits &needed() const { return needed_; }
   // What to try again with after Status::capacity.
-  MovingLimits retry_limits() const {
-    return {larger_count(limits_.balls, needed_.balls), larger_count(limits_.neighbours, needed_.neighbours)};
-  }
+  MovingLimits retry_limits() const { return covering(limits_, needed_); }
   // The largest radius that a ball may have, probe included, in lattice steps.
   int64_t largest_radius() const { return cells_.side() / 2; }
   const exact::Lattice &lattice() const { return records_.balls.lattice; }
@@ -89,7 +87,7 @@ class MovingBalls {
   Status write(CubeGrid &grid) const;
 
   // For tests that do without the code for wide registers.
-  BoundaryPart &part() { return part_; }
+  BoundaryPart &part() { return group_.part(); }
 
  private:
   using Sums = SumTree<4>;
@@ -102,13 +100,6 @@ class MovingBalls {
   void note_meeting(const exact::LatticeBall &ball);
   void note_what_meets(uint32_t i);
   Status update(uint32_t former);
-  Status compute(uint32_t affected);
-  Status compute_group(uint32_t count);
-  uint32_t choose_group(uint32_t first, uint32_t last);
-  void gather_around(uint32_t count);
-  void store_group(uint32_t count);
-  void flag_inner_contacts(uint32_t affected);
-  void flag_group(uint32_t count);
   void settle(uint32_t affected);
   void put_back();
   Sums::Term term_of(uint32_t i) const;
@@ -130,14 +121,7 @@ class MovingBalls {
   bool weighted_ = false;
   TouchingBalls touching_balls_ = TouchingBalls::meet;
   double tension_ = 0.0, pressure_ = 0.0;
-
-  // Some balls that lie together, and those around them, as a set of their own.
-  BoundaryPart part_;
-  BallSet near_;
-  Span<uint32_t> near_ball_;  // [balls + 1] which they are
-  Span<uint8_t> in_group_;    // [balls]
-  double centre_[3] = {0.0, 0.0, 0.0};
-  exact::Vector low_{}, high_{};  // the corners of a box around the group's centres
+  BallGroup group_;
 };
 
 }  // namespace hsp

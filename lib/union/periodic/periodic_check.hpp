@@ -1,6 +1,7 @@
 // Laws that hold for every union in a periodic box: two ways to compute that have little in common.
 #pragma once
 
+#include "core/violation.hpp"
 #include "periodic/periodic_union.hpp"
 
 namespace hsp {
@@ -13,10 +14,8 @@ enum class PeriodicInvariant : uint32_t {
   volume,   // the cells sum to what faces, and contacts across the faces of the box, say of the volume
 };
 
-struct PeriodicViolation {
-  PeriodicInvariant invariant = PeriodicInvariant::none;
-  uint32_t id = no_id;  // the caller's ball concerned
-};
+// Where: the caller's number of a ball.
+using PeriodicViolation = Violation<PeriodicInvariant>;
 
 PeriodicViolation check_periodic(const PeriodicUnion &periodic);
 

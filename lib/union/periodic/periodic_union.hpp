@@ -11,6 +11,7 @@
 #include "boundary/boundary_part.hpp"
 #include "contacts/contact_groups.hpp"
 #include "contacts/contacts_builder.hpp"
+#include "core/limits.hpp"
 #include "core/ranked_bits.hpp"
 #include "periodic/periodic_images.hpp"
 #include "periodic/windings.hpp"
@@ -24,13 +25,6 @@ struct PeriodicLimits {
   uint32_t vertices = 0;  // once for each side of the box that their balls are on
   uint32_t circles = 0;
   uint32_t contacts = 0;
-
-  // The smallest limits that are no smaller than these and others.
-  constexpr PeriodicLimits covering(const PeriodicLimits &other) const {
-    return {larger_count(balls, other.balls),           larger_count(images, other.images),
-            larger_count(neighbours, other.neighbours), larger_count(vertices, other.vertices),
-            larger_count(circles, other.circles),       larger_count(contacts, other.contacts)};
-  }
 };
 
 // Limits that suffice for most boxes of molecules. Status::range if one would be larger than max_count.
@@ -96,7 +90,7 @@ class PeriodicUnion {
   Status build(const BallInput &input, const double vector[9], uint32_t &first_bad);
 
   const PeriodicLimits &needed() const { return needed_; }
-  PeriodicLimits retry_limits() const { return limits_.covering(needed_); }
+  PeriodicLimits retry_limits() const { return covering(limits_, needed_); }
 
   const PeriodicImages &images() const { return images_; }
   const PeriodicCounts &counts() const { return counts_; }

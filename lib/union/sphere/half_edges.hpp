@@ -4,7 +4,7 @@
 // the ball whose sphere cuts out its circle.
 #pragma once
 
-#include "core/span.hpp"
+#include "core/sorting.hpp"
 #include "core/status.hpp"
 #include "exact/angular_order.hpp"
 
@@ -34,17 +34,9 @@ struct OrderedVertex {
 // The balls of a vertex in the order of before(p, q).
 template <class Before>
 OrderedVertex in_order(const VertexRecord &vertex, Before before) {
-  OrderedVertex result{{vertex.ball[0], vertex.ball[1], vertex.ball[2]}, vertex.positive() ? 1 : -1};
-  const auto order = [&](int a, int b) {
-    if (!before(result.ball[b], result.ball[a])) return;
-    const uint32_t later = result.ball[a];
-    result.ball[a] = result.ball[b];
-    result.ball[b] = later;
-    result.sign = -result.sign;
-  };
-  order(0, 1);
-  order(1, 2);
-  order(0, 1);
+  OrderedVertex result{{vertex.ball[0], vertex.ball[1], vertex.ball[2]}, 1};
+  const bool odd = sort_three(result.ball[0], result.ball[1], result.ball[2], before);
+  if (vertex.positive() == odd) result.sign = -1;
   return result;
 }
 

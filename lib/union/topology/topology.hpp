@@ -10,6 +10,7 @@
 #pragma once
 
 #include "boundary/boundary.hpp"
+#include "core/limits.hpp"
 #include "topology/cut_arcs.hpp"
 #include "topology/quad_edges.hpp"
 #include "topology/subdivision.hpp"
@@ -22,13 +23,6 @@ struct TopologyLimits {
   uint32_t edges = 0;
   uint32_t cut_arcs = 0;
   uint32_t shells = 0;  // 0 is as many as the edges allow
-
-  // The smallest limits that are no smaller than these and others.
-  constexpr TopologyLimits covering(const TopologyLimits &other) const {
-    return {larger_count(balls, other.balls), larger_count(neighbours, other.neighbours),
-            larger_count(edges, other.edges), larger_count(cut_arcs, other.cut_arcs),
-            shells == 0 ? 0 : larger_count(shells, other.shells)};
-  }
 
   // A shell is no less than two edges.
   constexpr uint32_t most_shells() const { return shells == 0 || shells > edges / 2 ? edges / 2 : shells; }
@@ -48,6 +42,13 @@ struct TopologyLimits {
  private:
   constexpr uint64_t no_more_than_edges(uint64_t wanted) const { return wanted < edges ? wanted : edges; }
 };
+
+// As for other limits, but that none of shells is none.
+constexpr TopologyLimits covering(const TopologyLimits &limits, const TopologyLimits &others) {
+  TopologyLimits both = each_limit(limits, others, larger_count);
+  if (limits.shells == 0) both.shells = 0;
+  return both;
+}
 
 // The highest or lowest point of a ball.
 class Pole {

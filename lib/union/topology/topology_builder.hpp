@@ -23,7 +23,7 @@ class TopologyBuilder {
   const Topology &scanned(const Boundary &boundary);
   const TopologyLimits &needed() const { return needed_; }
   // What to try again with after Status::capacity.
-  TopologyLimits retry_limits() const { return limits_.covering(needed_); }
+  TopologyLimits retry_limits() const { return covering(limits_, needed_); }
 
   // Scratch memory for checks; [edges].
   Span<uint32_t> marks() const { return structure_.marks; }

@@ -5,22 +5,17 @@
 namespace hsp {
 namespace {
 
-class TopologyCheck {
+class TopologyCheck : FirstViolation<TopologyInvariant> {
  public:
   TopologyCheck(const Boundary &boundary, const Topology &topology, Span<uint32_t> marks)
       : boundary_(boundary), topology_(topology), quads_(topology.quads), marks_(marks) {}
 
   TopologyViolation run() {
-    if (!algebra() || !vertices() || !faces() || !sides() || !euler() || !traversal() || !cells()) return violation_;
-    return {};
+    if (algebra() && vertices() && faces() && sides() && euler() && traversal()) cells();
+    return violation_;
   }
 
  private:
-  bool fail(TopologyInvariant invariant, uint32_t id) {
-    violation_ = {invariant, id};
-    return false;
-  }
-
   // onext is a permutation that keeps origins, and goes round dual faces the other way: e Rot Onext Rot Onext = e.
   bool algebra() {
     for (uint32_t q = 0; q < 4 * quads_.edges; ++q) {
@@ -162,7 +157,6 @@ class TopologyCheck {
   const Topology &topology_;
   const QuadEdges &quads_;
   Span<uint32_t> marks_;
-  TopologyViolation violation_;
 };
 
 }  // namespace

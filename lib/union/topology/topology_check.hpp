@@ -1,6 +1,7 @@
 // The invariants of a topology, checked from its tables alone. A correct build violates none of them for any input.
 #pragma once
 
+#include "core/violation.hpp"
 #include "topology/topology.hpp"
 
 namespace hsp {
@@ -18,12 +19,8 @@ enum class TopologyInvariant : uint32_t {
   volumes = 8,
 };
 
-// The first invariant that is violated, and the id of the quarter-edge, vertex, simple face, shell or component where
-// it is; no_id where none is.
-struct TopologyViolation {
-  TopologyInvariant invariant = TopologyInvariant::none;
-  uint32_t id = no_id;
-};
+// Where: the id of a quarter-edge, vertex, simple face, shell or component.
+using TopologyViolation = Violation<TopologyInvariant>;
 
 // Invariants 1 to 7, in order. marks [edges] is scratch memory. O(size).
 TopologyViolation check_topology(const Boundary &boundary, const Topology &topology, Span<uint32_t> marks);

@@ -184,7 +184,7 @@ const std::vector<Flaw> flaws = {
 };
 
 // Numbers left in the memory for checks mean nothing.
-hsp::Violation checked(BuiltBoundary &boundary) {
+hsp::BoundaryViolation checked(BuiltBoundary &boundary) {
   for (uint32_t &number : boundary.scratch()) number = 0xA5A5A5A5U;
   return hsp::check_boundary(boundary.balls(), boundary.boundary(), boundary.scratch());
 }
@@ -204,7 +204,7 @@ TEST(BoundaryCheck, FindsEveryFlaw) {
     BuiltBoundary boundary(scene);
     ASSERT_EQ(boundary.status(), hsp::Status::ok);
     const uint32_t where = flaw.make(boundary);
-    const hsp::Violation violation = checked(boundary);
+    const hsp::BoundaryViolation violation = checked(boundary);
     EXPECT_EQ(violation.invariant, flaw.invariant);
     if (where != anywhere) {
       EXPECT_EQ(violation.id, where);
@@ -228,7 +228,7 @@ TEST(BoundaryCheck, FindsTwoSurfacesInOneShell) {
   ASSERT_EQ(arrays.shell_count, 2U);
   arrays.faces[1].shell = 0;
   arrays.shell_count = 1;
-  const hsp::Violation violation = checked(boundary);
+  const hsp::BoundaryViolation violation = checked(boundary);
   EXPECT_EQ(violation.invariant, BoundaryInvariant::euler);
   EXPECT_EQ(violation.id, 0U);
 }
@@ -240,7 +240,7 @@ TEST(BoundaryCheck, FindsAComponentWithoutAShell) {
   ASSERT_EQ(arrays.shell_count, 1U);
   arrays.component_origin[1] = 1;
   arrays.component_origin[0] = 0;
-  const hsp::Violation violation = checked(boundary);
+  const hsp::BoundaryViolation violation = checked(boundary);
   EXPECT_EQ(violation.invariant, BoundaryInvariant::euler);
   EXPECT_EQ(violation.id, 2U);
 }
@@ -275,7 +275,7 @@ class EachInTurn {
   template <class Number>
   void expect(Number &number, const Number &wrong, BoundaryInvariant invariant, uint32_t id) {
     const Number right = std::exchange(number, wrong);
-    const hsp::Violation violation = checked(built_);
+    const hsp::BoundaryViolation violation = checked(built_);
     EXPECT_EQ(violation.invariant, invariant);
     if (id != anywhere) {
       EXPECT_EQ(violation.id, id);

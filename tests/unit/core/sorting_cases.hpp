@@ -75,8 +75,27 @@ inline uint32_t sorted_by_the_given_order() {
   return all_hold;
 }
 
+// All orders of three, also with equal ones, which are never exchanged.
+inline uint32_t three_sorted() {
+  constexpr uint32_t orders[][3] = {{1, 2, 3}, {2, 3, 1}, {3, 1, 2}, {1, 3, 2}, {3, 2, 1}, {2, 1, 3},
+                                    {1, 1, 2}, {1, 2, 1}, {2, 1, 1}, {2, 2, 1}, {2, 1, 2}, {1, 1, 1}};
+  return first_failing(orders, [](const uint32_t(&given)[3]) {
+    uint32_t item[3] = {given[0], given[1], given[2]};
+    uint32_t inversions = 0;
+    for (uint32_t k = 0; k < 3; ++k) {
+      for (uint32_t j = 0; j < k; ++j) inversions += given[j] > given[k] ? 1U : 0U;
+    }
+    const bool odd = hsp::sort_three(item[0], item[1], item[2]);
+    uint32_t digits = 0;
+    for (const uint32_t each : given) digits += each == 1 ? 1U : each == 2 ? 10U : 100U;
+    for (const uint32_t each : item) digits -= each == 1 ? 1U : each == 2 ? 10U : 100U;
+    return item[0] <= item[1] && item[1] <= item[2] && digits == 0 && odd == (inversions % 2 == 1);
+  });
+}
+
 inline constexpr Check core_sorting[] = {{"sorted_in_place", sorted_in_place},
                                          {"sorted_by_place", sorted_by_place},
-                                         {"sorted_by_the_given_order", sorted_by_the_given_order}};
+                                         {"sorted_by_the_given_order", sorted_by_the_given_order},
+                                         {"three_sorted", three_sorted}};
 
 }  // namespace cases

@@ -23,7 +23,7 @@ TEST(VisibilityMap, HasDefaultLimits) {
 }
 
 TEST(VisibilityMap, LimitsCoverEachOther) {
-  const MapLimits both = MapLimits{1, 20, 3}.covering({10, 2, 30});
+  const MapLimits both = covering(MapLimits{1, 20, 3}, {10, 2, 30});
   EXPECT_EQ(both.balls, 10U);
   EXPECT_EQ(both.neighbours, 20U);
   EXPECT_EQ(both.edges, 30U);

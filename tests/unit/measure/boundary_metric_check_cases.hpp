@@ -11,7 +11,7 @@
 
 namespace cases {
 
-inline hsp::Violation metric_violation() {
+inline hsp::BoundaryViolation metric_violation() {
   return hsp::check_boundary_metric(small_union().balls(), small_union().boundary());
 }
 inline bool structure_is_correct() {
@@ -52,7 +52,7 @@ inline uint32_t vertices_off_their_spheres() {
         if (!small_union().build(c.ball, c.n)) return false;
         small_union().builder().arrays().root_discriminant[v] *= factor;
         // A wrong sign is the other common point of the three spheres.
-        const hsp::Violation found = metric_violation();
+        const hsp::BoundaryViolation found = metric_violation();
         if (!structure_is_correct()) return false;
         if (factor == -1.0 ? found.invariant == hsp::BoundaryInvariant::none
                            : found.invariant != hsp::BoundaryInvariant::positions || found.id != v) {
@@ -72,7 +72,7 @@ inline uint32_t vertices_off_small_spheres() {
   hsp::BoundaryArrays &arrays = small_union().builder().arrays();
   if (arrays.vertices.size() == 0) return 1;
   arrays.root_discriminant[0] *= 1 + 1e-6;
-  const hsp::Violation found = metric_violation();
+  const hsp::BoundaryViolation found = metric_violation();
   const bool small = found.id < 3 && found.id != small_union().grid().grid_index(0);
   return found.invariant == hsp::BoundaryInvariant::areas && small ? all_hold : 2;
 }
@@ -96,7 +96,7 @@ inline uint32_t faces_cut_in_two() {
   arrays.loop_face[cut] = band + 1;
   arrays.faces[band + 1] = {middle, cut, hsp::no_id};
   hsp::find_shells(small_union().boundary(), arrays, small_union().builder().scratch());
-  const hsp::Violation found = metric_violation();
+  const hsp::BoundaryViolation found = metric_violation();
   const bool conditions[] = {arrays.shell_count == 2, structure_is_correct(),
                              found.invariant == hsp::BoundaryInvariant::areas, found.id == middle};
   return first_false(conditions);

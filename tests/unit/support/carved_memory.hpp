@@ -32,7 +32,7 @@ class CarvedMemory {
       carve(builder, limits);
       const hsp::Status status = builder.build(inputs...);
       if (status != hsp::Status::capacity) return status;
-      limits = limits.covering(builder.needed());
+      limits = covering(limits, builder.needed());
     }
   }
 

@@ -101,9 +101,9 @@ TEST(TopologyLimits, CoverShells) {
   const TopologyLimits two{4, 3, 21, 2, 2};
   EXPECT_EQ(any.most_shells(), 10U);
   EXPECT_EQ(two.most_shells(), 2U);
-  EXPECT_EQ(any.covering({5, 3, 30, 2, 7}).shells, 0U);
-  EXPECT_EQ(two.covering({5, 3, 30, 2, 7}).shells, 7U);
-  EXPECT_EQ(two.covering({5, 3, 30, 2, 0}).shells, 2U);
+  EXPECT_EQ(covering(any, {5, 3, 30, 2, 7}).shells, 0U);
+  EXPECT_EQ(covering(two, {5, 3, 30, 2, 7}).shells, 7U);
+  EXPECT_EQ(covering(two, {5, 3, 30, 2, 0}).shells, 2U);
   EXPECT_EQ(two.most_poles(), 6U);
   EXPECT_EQ(two.most_simple_faces(), 15U);
   EXPECT_EQ(any.most_simple_faces(), 21U);

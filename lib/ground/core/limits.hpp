@@ -1,0 +1,28 @@
+// Limits of structures, records of numbers that say how much there is room for, taken number by number.
+#pragma once
+
+#include <bit>
+
+#include "core/status.hpp"
+
+namespace hsp {
+
+// The limits choose(x, y) of each number x of some limits and y of others.
+template <class Limits, class Choose>
+constexpr Limits each_limit(const Limits &limits, const Limits &others, Choose choose) {
+  struct Numbers {
+    uint32_t of[sizeof(Limits) / sizeof(uint32_t)];
+  };
+  Numbers x = std::bit_cast<Numbers>(limits);
+  const Numbers y = std::bit_cast<Numbers>(others);
+  for (size_t k = 0; k < sizeof(Limits) / sizeof(uint32_t); ++k) x.of[k] = choose(x.of[k], y.of[k]);
+  return std::bit_cast<Limits>(x);
+}
+
+// The smallest limits that are no smaller than some and others.
+template <class Limits>
+constexpr Limits covering(const Limits &limits, const Limits &others) {
+  return each_limit(limits, others, larger_count);
+}
+
+}  // namespace hsp

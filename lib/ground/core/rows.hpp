@@ -1,0 +1,31 @@
+// Items in rows of one array, by a counting sort: row k has items first[k] to first[k + 1] - 1, in the order in which
+// they are given.
+#pragma once
+
+#include "core/span.hpp"
+
+namespace hsp {
+
+// From how many items each row has, in first[0 .. rows - 1], to where it ends; returns their sum, which becomes
+// first[rows]. Each item, the last one first, is to be put at --first[its row] then: that leaves where each row begins.
+constexpr uint32_t end_rows(Span<uint32_t> first, uint32_t rows) {
+  uint32_t end = 0;
+  for (uint32_t k = 0; k < rows; ++k) first[k] = end += first[k];
+  return first[rows] = end;
+}
+
+// All of that for items 0 to `items` - 1: row_of(item) is the row of each, or `rows` if it is in none. Calls
+// put(position, item), always after row_of(item), and returns how many were put. first: [rows + 1].
+template <class RowOf, class Put>
+uint32_t sort_to_rows(Span<uint32_t> first, uint32_t rows, uint32_t items, RowOf row_of, Put put) {
+  for (uint32_t k = 0; k <= rows; ++k) first[k] = 0;
+  for (uint32_t item = 0; item < items; ++item) ++first[row_of(item)];
+  const uint32_t end = end_rows(first, rows);
+  for (uint32_t item = items; item-- > 0;) {
+    const uint32_t row = row_of(item);
+    if (row < rows) put(--first[row], item);
+  }
+  return end;
+}
+
+}  // namespace hsp

@@ -1,0 +1,172 @@
+#include "moving/ball_group.hpp"
+
+#include "measure/tangency.hpp"
+
+namespace hsp {
+namespace {
+
+// Balls that are computed together, and how far they reach: what is around them is gathered once for all.
+constexpr uint32_t most_in_group = 64;
+constexpr int64_t most_sides = 3;
+
+// On a sphere with m caps, at most 6 m - 12 vertices are free (Kedem and others 1986), and m circles. More room is for
+// groups: it saves halving them.
+BoundaryLimits limits_of_part(uint32_t balls, uint32_t neighbours) {
+  const uint64_t m = neighbours;
+  return {balls, neighbours, clamped_count(6 * m + 16 * most_in_group), clamped_count(m + 4 * most_in_group), 0};
+}
+
+void stretch(int64_t value, int64_t &low, int64_t &high) {
+  low = value < low ? value : low;
+  high = value > high ? value : high;
+}
+
+}  // namespace
+
+void BallGroup::carve(Workspace &workspace, uint32_t balls, uint32_t neighbours) {
+  neighbours_ = neighbours;
+  part_.carve(workspace, limits_of_part(balls, neighbours));
+  near_.carve(workspace, balls);
+  near_ball_ = workspace.take<uint32_t>(static_cast<uint64_t>(balls) + 1);
+  in_group_ = workspace.take<uint8_t>(balls);
+}
+
+void BallGroup::clear(const exact::Lattice &lattice, uint32_t n) {
+  near_.lattice = lattice;
+  for (uint8_t &each : in_group_.part(0, n)) each = 0;
+}
+
+// If there is no room for all neighbours of a ball, the rest is done to learn how many others have.
+uint32_t BallGroup::compute(MovingRecords &records, const BallCells &cells, uint32_t affected, AreaWeights weights) {
+  uint32_t needed = 0;
+  for (uint32_t first = 0; first < affected;) {
+    uint32_t count = choose(records, cells, first, affected);
+    Status status = compute_chosen(records, cells, count, weights);
+    // A single ball has room for all of its vertices.
+    while (status != Status::ok && count > 1 && part_.needed().neighbours <= neighbours_) {
+      count = choose(records, cells, first, first + count / 2);
+      status = compute_chosen(records, cells, count, weights);
+    }
+    needed = larger_count(needed, part_.needed().neighbours);
+    first += count;
+  }
+  return needed;
+}
+
+Status BallGroup::compute_chosen(MovingRecords &records, const BallCells &cells, uint32_t count, AreaWeights weights) {
+  gather_around(records, cells, count);
+  const Status status = part_.build(near_, count, centre_, static_cast<double>(cells.side()));
+  if (status == Status::ok) store(records, count, weights);
+  return status;
+}
+
+// Takes balls of the journal from `first` on into near_, as many as lie together. Returns their number.
+uint32_t BallGroup::choose(const MovingRecords &records, const BallCells &cells, uint32_t first, uint32_t last) {
+  const BallSet &balls = records.balls;
+  const int64_t most = most_sides * cells.side();
+  uint32_t count = 0;
+  for (uint32_t k = first; k < last && count < most_in_group; ++k) {
+    const uint32_t i = records.entry(k).ball;
+    const exact::LatticeBall ball = balls.ball(i);
+    const exact::Vector &c = ball.centre;
+    exact::Vector low = count == 0 ? c : low_, high = count == 0 ? c : high_;
+    stretch(c.x, low.x, high.x);
+    stretch(c.y, low.y, high.y);
+    stretch(c.z, low.z, high.z);
+    if (high.x - low.x > most || high.y - low.y > most || high.z - low.z > most) break;
+    low_ = low;
+    high_ = high;
+    near_.store(count, ball);
+    near_ball_[count++] = i;
+  }
+  return count;
+}
+
+// Behind the group in near_, all balls that meet one of it, and some more.
+void BallGroup::gather_around(const MovingRecords &records, const BallCells &cells, uint32_t count) {
+  const BallSet &balls = records.balls;
+  const auto middle = [](int64_t a, int64_t b) { return 0.5 * static_cast<double>(a + b); };
+  centre_[0] = middle(low_.x, high_.x);
+  centre_[1] = middle(low_.y, high_.y);
+  centre_[2] = middle(low_.z, high_.z);
+  const auto squared_distance = [this](const BallSet &set, uint32_t i) {
+    const double dx = set.x[i] - centre_[0], dy = set.y[i] - centre_[1], dz = set.z[i] - centre_[2];
+    return dx * dx + dy * dy + dz * dz;
+  };
+  double reach = 0.0, largest = 0.0;
+  for (uint32_t k = 0; k < count; ++k) {
+    in_group_[near_ball_[k]] = 1;
+    const double own = std::sqrt(squared_distance(near_, k)) + near_.r[k];
+    reach = own > reach ? own : reach;
+    largest = near_.r[k] > largest ? near_.r[k] : largest;
+  }
+  // Above all rounding errors.
+  reach = reach * (1.0 + 0x1p-40) + 1.0;
+  uint32_t n = count;
+  const int64_t around = static_cast<int64_t>(largest) + cells.side() / 2;
+  cells.visit_box({low_.x - around, low_.y - around, low_.z - around},
+                  {high_.x + around, high_.y + around, high_.z + around}, [&](uint32_t j) {
+                    const double sum = reach + balls.r[j];
+                    // No branch, as whether this ball is taken is hard to predict.
+                    near_ball_[n] = j;
+                    n += static_cast<uint32_t>(squared_distance(balls, j) <= sum * sum) &
+                         static_cast<uint32_t>(in_group_[j] == 0);
+                  });
+  for (uint32_t k = count; k < n; ++k) {
+    const uint32_t j = near_ball_[k];
+    near_.x[k] = balls.x[j];
+    near_.y[k] = balls.y[j];
+    near_.z[k] = balls.z[j];
+    near_.r[k] = balls.r[j];
+    near_.caller[k] = balls.caller[j];
+  }
+  near_.n = n;
+  for (uint32_t k = 0; k < count; ++k) in_group_[near_ball_[k]] = 0;
+}
+
+void BallGroup::store(MovingRecords &records, uint32_t count, AreaWeights weights) const {
+  const Boundary &boundary = part_.boundary();
+  for (uint32_t k = 0; k < count; ++k) {
+    MovingBall &ball = records.ball[near_ball_[k]];
+    ball.own = gradient_of_ball(near_, boundary, weights, k);
+    ball.half_edges = boundary.half_edges(k).size();
+    ball.circles = boundary.circles(k).size();
+    ball.loops = boundary.loops(k).size();
+    ball.faces = boundary.faces(k).size();
+    ball.contained = boundary.is_contained(k);
+    ball.one_sided = ball.own.one_sided;
+  }
+}
+
+// A ball inside others that touches one of them at a free point: both have one-sided derivatives. Whether it does
+// depends on balls alone that meet either.
+void BallGroup::flag_inner_contacts(MovingRecords &records, const BallCells &cells, uint32_t affected) {
+  for (uint32_t first = 0; first < affected;) {
+    const uint32_t count = choose(records, cells, first, affected);
+    gather_around(records, cells, count);
+    flag(records, count);
+    first += count;
+  }
+}
+
+void BallGroup::flag(MovingRecords &records, uint32_t count) const {
+  const CubeBlock everything{{{0, near_.n}}, 1};
+  const auto record = [&](uint32_t k) -> MovingBall & { return records.ball[near_ball_[k]]; };
+  const auto touches = [&](uint32_t inner, uint32_t outer) {
+    return inner != outer && (near_.r[inner] != near_.r[outer] || record(outer).faces != 0) &&
+           touches_freely_from_inside(near_, everything, inner, outer);
+  };
+  for (uint32_t inner = 0; inner < near_.n; ++inner) {
+    if (!record(inner).contained) continue;
+    if (inner < count) {
+      for (uint32_t outer = 0; outer < near_.n; ++outer) {
+        if (touches(inner, outer)) record(inner).one_sided = true;
+      }
+    }
+    for (uint32_t outer = 0; outer < count; ++outer) {
+      if (touches(inner, outer)) record(outer).one_sided = true;
+    }
+  }
+}
+
+}  // namespace hsp

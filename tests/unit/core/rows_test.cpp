@@ -1,0 +1,7 @@
+#include "rows_cases.hpp"
+
+#include "expect_cases.hpp"
+
+TEST(Rows, Cases) {
+  expect_cases(cases::core_rows);
+}
