@@ -31,8 +31,8 @@ size_t common_bytes(uint32_t size) {
   return size < sizeof(Struct) ? size : sizeof(Struct);
 }
 
-// Whether all bytes from `begin` to `end` are zeros. Where it is compiled into callers whose struct is their own, g++ warns
-// of bytes behind it that are never read.
+// Whether all bytes from `begin` to `end` are zeros. Where it is compiled into callers whose struct is their own, g++
+// warns of bytes behind it that are never read.
 [[gnu::noinline]] inline bool are_zeros(const void *given, size_t begin, size_t end) {
   const auto *const bytes = static_cast<const unsigned char *>(given);
   for (size_t i = begin; i < end; ++i) {

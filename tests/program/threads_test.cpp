@@ -92,7 +92,8 @@ TEST(Threads, ManyFilesWithDamagedOnesAmongThem) {
 // One that takes long, with small ones behind it that are ready before.
 TEST(Threads, ALargeFileBeforeSmallOnes) {
   const Words small(40, "good/water.pdb");
-  const Outcome one = run_by_threads(Words{"measure", "good/one.pdb", molecules_folder() + "/sod_stand_in.pdb"} + small);
+  const std::string large = molecules_folder() + "/sod_stand_in.pdb";
+  const Outcome one = run_by_threads(Words{"measure", "good/one.pdb", large} + small);
   EXPECT_EQ(one.status, 1);
 }
 
