@@ -18,8 +18,8 @@ inline BallArrays arrays_of(const BallSet &balls) {
   return {balls.x.data(), balls.y.data(), balls.z.data(), balls.r.data()};
 }
 
-// Moves those of the first `earlier` balls that are selected before the others; returns how many these are. exchange(a,
-// b) exchanges what belongs to two places.
+// Moves those of the first `earlier` balls that are selected before the others; returns how many these are.
+// exchange(a, b) exchanges what belongs to two positions.
 template <class Exchange>
 uint32_t put_selected_first(Span<const uint32_t> ball, uint32_t earlier, const uint32_t *selected, Exchange exchange) {
   uint32_t first = 0;
