@@ -126,11 +126,11 @@ void require_curvature(const computed &base, fuzz::Bytes &bytes) {
   }
   FUZZ_REQUIRE(finite, "a mean curvature that is no number");
   FUZZ_REQUIRE(sum == 6 * base.counts.euler, "Gauss-Bonnet");
-  const hsp_morphometry factors = {1, 1, 1, 1};
+  const hsp_morphometry_request factors{sizeof factors, 0, 1, 1, 1, 1, sigma.data(), nullptr};
   hsp_morphometric_energy energy{};
-  FUZZ_REQUIRE(hsp_boundary_morphometry(base.boundary, sigma.data(), &factors, &energy, centre.data(), by_radius.data(),
-                                        nullptr, base.n, nullptr, nullptr) == HSP_OK,
-               "hsp_boundary_morphometry");
+  hsp_morphometry_outputs outputs{sizeof outputs, base.n, 0, 0, &energy, centre.data(), by_radius.data(), nullptr};
+  FUZZ_REQUIRE(hsp_boundary_get_morphometry(base.boundary, &factors, &outputs) == HSP_OK,
+               "hsp_boundary_get_morphometry");
   finite = std::isfinite(energy.value);
   for (const double x : centre) finite = finite && std::isfinite(x);
   for (const double x : by_radius) finite = finite && std::isfinite(x);

@@ -49,8 +49,8 @@ Reading read(const std::string &text, const std::string &extension, uint64_t mod
   Reading reading;
   const file_format *format = file_format_of(path.c_str(), &why);
   FUZZ_REQUIRE(format != nullptr, "extension");
-  reading.done =
-      read_molecule(path.c_str(), format, model, &atoms, &why) && molecule_take_radii(&atoms, &table, &no_table, &why);
+  reading.done = read_molecule(path.c_str(), format, model, KEEP_PLACES | KEEP_EXTRAS, &atoms, &why) &&
+                 molecule_take_radii(&atoms, &table, &no_table, &why);
   reading.exit_status = why.exit_status;
   reading.reason = why.reason;
   reading.line = why.line;

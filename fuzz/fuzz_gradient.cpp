@@ -11,7 +11,7 @@ void require_sound(const char *broken) {
   FUZZ_REQUIRE(broken == nullptr, broken);
 }
 
-// hsp_boundary_gradient, property 3, with equal weights for equal balls.
+// hsp_boundary_get_gradient, property 3, with equal weights for equal balls.
 void require_no_order(const fuzz::ScaledBalls &set, const computed &c, uint32_t tangency, fuzz::Bytes &bytes) {
   const fuzz::ComputedSet other(fuzz::permuted(set, fuzz::shuffled(set.n(), bytes)));
   const auto weights_of = [](const computed &of) {

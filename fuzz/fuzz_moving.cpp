@@ -81,10 +81,11 @@ Numbers fresh_numbers(const hsp_model *model, const hsp_moving *moving, const Ba
   FUZZ_REQUIRE(
       hsp_boundary_measure(b, nullptr, &result.totals, result.area.data(), result.volume.data(), n, nullptr) == HSP_OK,
       "measures of a new model");
-  FUZZ_REQUIRE(hsp_boundary_gradient(b, balls.sigma.data(), tension, pressure, HSP_TANGENT_OVERLAP, &result.energy,
-                                     result.centre.data(), result.radius.data(), result.flags.data(), n, nullptr,
-                                     nullptr) == HSP_OK,
-               "gradients of a new model");
+  const hsp_gradient_request request{sizeof request, HSP_TANGENT_OVERLAP, tension,
+                                     pressure,       balls.sigma.data(),  nullptr};
+  hsp_gradient_outputs outputs{sizeof outputs,     n, 0, 0, &result.energy, result.centre.data(), result.radius.data(),
+                               result.flags.data()};
+  FUZZ_REQUIRE(hsp_boundary_get_gradient(b, &request, &outputs) == HSP_OK, "gradients of a new model");
   hsp_boundary_counts counts{};
   hsp_moving_info info{};
   FUZZ_REQUIRE(hsp_boundary_get_counts(b, &counts) == HSP_OK && hsp_moving_get_info(moving, &info) == HSP_OK, "counts");

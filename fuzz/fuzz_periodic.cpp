@@ -114,19 +114,33 @@ Result result_of(support::OwnedPeriodic &periodic, const Crystal &crystal) {
                                                       "hsp_periodic_get_windings");
   result.component = support::all_records<uint32_t>([p](auto... out) { return hsp_periodic_get_components(p, out...); },
                                                     "hsp_periodic_get_components");
-  FUZZ_REQUIRE(hsp_periodic_gradient(p, nullptr, 1, 0.5, HSP_TANGENT_OVERLAP, &result.energy, result.centre.data(),
-                                     result.radius.data(), nullptr, result.strain.data(), result.box.data(), n, nullptr,
-                                     nullptr) == HSP_OK,
-               "gradient");
+  const hsp_gradient_request energy{sizeof energy, HSP_TANGENT_OVERLAP, 1, 0.5, nullptr, nullptr};
+  hsp_periodic_gradient_outputs gradient{sizeof gradient,
+                                         n,
+                                         0,
+                                         0,
+                                         &result.energy,
+                                         result.centre.data(),
+                                         result.radius.data(),
+                                         nullptr,
+                                         result.strain.data(),
+                                         result.box.data()};
+  FUZZ_REQUIRE(hsp_periodic_get_gradient(p, &energy, &gradient) == HSP_OK, "gradient");
   result.curved_radius.resize(n);
   result.curved_centre.resize(3 * size_t{n});
   result.curved_flags.resize(n);
-  const hsp_morphometry bending{0, 0, 1, 0};
-  FUZZ_REQUIRE(
-      hsp_periodic_morphometry(p, nullptr, &bending, &result.morphometric, result.curved_centre.data(),
-                               result.curved_radius.data(), result.curved_flags.data(), result.curved_strain.data(),
-                               result.curved_box.data(), n, nullptr, nullptr) == HSP_OK,
-      "morphometric energy");
+  const hsp_morphometry_request bending{sizeof bending, 0, 0, 0, 1, 0, nullptr, nullptr};
+  hsp_periodic_morphometry_outputs curved{sizeof curved,
+                                          n,
+                                          0,
+                                          0,
+                                          &result.morphometric,
+                                          result.curved_centre.data(),
+                                          result.curved_radius.data(),
+                                          result.curved_flags.data(),
+                                          result.curved_strain.data(),
+                                          result.curved_box.data()};
+  FUZZ_REQUIRE(hsp_periodic_get_morphometry(p, &bending, &curved) == HSP_OK, "morphometric energy");
   std::vector<uint32_t> group(size_t{n} + 1);
   for (uint32_t i = 0; i < n; ++i) group[i] = i % 3 == 2 ? HSP_NONE : i % 3;
   result.groups = support::all_records<hsp_group_contact>(

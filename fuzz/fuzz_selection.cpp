@@ -123,14 +123,16 @@ std::optional<bool> selects(const std::string &text, const Atom &atom) {
   return all;
 }
 
-atom_label label_of(const Atom &atom) {
+atom_label label_of(const Atom &atom, residue_label &residue) {
   atom_label label;
   std::memset(&label, 0, sizeof label);
+  std::memset(&residue, 0, sizeof residue);
+  label.residue = &residue;
   std::strcpy(label.name, atom.name);
-  std::strcpy(label.residue.chain, atom.chain);
-  std::strcpy(label.residue.name, atom.residue);
-  std::strcpy(label.residue.number, atom.number);
-  std::strcpy(label.residue.insertion, atom.insertion);
+  std::strcpy(residue.chain, atom.chain);
+  std::strcpy(residue.name, atom.residue);
+  std::strcpy(residue.number, atom.number);
+  std::strcpy(residue.insertion, atom.insertion);
   std::strcpy(label.element.text, atom.element);
   label.hetatm = atom.hetatm;
   return label;
@@ -146,7 +148,8 @@ void check(const std::string &text, bool hide) {
   for (const Atom &atom : atoms) {
     const auto expected = selects(text, atom);
     FUZZ_REQUIRE(expected.has_value() == taken, "taken or refused, against the grammar");
-    const atom_label label = label_of(atom);
+    residue_label residue;
+    const atom_label label = label_of(atom, residue);
     if (taken) FUZZ_REQUIRE(selection_takes(&made, &label) == (*expected != hide), "another answer");
   }
   selection_free(&made);

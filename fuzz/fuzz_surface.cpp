@@ -68,14 +68,15 @@ struct Gradient {
 Gradient gradient_of(const surface_result &s, const double *sigma, double tension, double pressure) {
   const uint32_t n = s.base->n;
   Gradient g{{}, std::vector<double>(3 * size_t{n}), std::vector<double>(n), std::vector<uint32_t>(n)};
-  const int32_t status = hsp_surface_weighted_gradient(s.surface, sigma, tension, pressure, &g.energy, g.centre.data(),
-                                                       g.radius.data(), g.flags.data(), n, nullptr, nullptr);
+  const hsp_gradient_request request{sizeof request, HSP_TANGENT_OVERLAP, tension, pressure, sigma, nullptr};
+  hsp_gradient_outputs outputs{sizeof outputs, n, 0, 0, &g.energy, g.centre.data(), g.radius.data(), g.flags.data()};
+  const int32_t status = hsp_surface_get_gradient(s.surface, &request, &outputs);
   FUZZ_REQUIRE(status == HSP_OK, hsp_status_text(status));
   return g;
 }
 
-// hsp_surface_gradient, properties 1, 2 and 4, and property 1 for weights. Near vertices of three spheres that hardly
-// meet terms are as large as they like, and cancel.
+// hsp_surface_get_gradient, properties 1, 2 and 4, and property 1 for weights. Near vertices of three spheres that
+// hardly meet terms are as large as they like, and cancel.
 void require_gradient(const surface_result &s) {
   for (const bool of_volume : {false, true}) {
     const Gradient g = gradient_of(s, nullptr, of_volume ? 0 : 1, of_volume ? 1 : 0);

@@ -28,6 +28,7 @@
  *   hardsphere/map.h        the visibility map: faces, edges and vertices of the view plane (Section 5.2)
  *   hardsphere/sticks.h     balls and sticks in an order to paint them
  *   hardsphere/picture.h    a view, a map, or balls and sticks as SVG, EPS or PDF
+ *   hardsphere/deprecated.h  old names, for one version
  * The paper is Halperin and Overmars, "Spheres, Molecules, and Hidden Surface Removal", UU-CS-1994-36.
  *
  * WORDS
@@ -41,6 +42,11 @@
  *   component    a connected component of the union
  *   cell, void   a connected component of the rest of space; a void is one that the union encloses
  *   degenerate   in a special position, as balls that touch or four spheres through a point; a tie is a decision there
+ *
+ * NAMES
+ *   hsp_X_compute, of models, bodies and balls that move hsp_X_set, takes what results are made of. hsp_X_get_counts
+ *   says how many there are of each kind; hsp_X_get_info says that and what else is settled, such as the lattice or the
+ *   frame of a view. hsp_X_measure, hsp_X_gradient and hsp_X_curvature give numbers, in all and of each ball.
  *
  * TIERS
  *   Each header says at its head which of two tiers it is of. Stable are those of the union of balls and its numbers:
@@ -164,6 +170,15 @@
  *   Where a function takes several arrays before the capacity, each of them may be NULL, and the capacity is that of
  *   each.
  *
+ * REQUESTS AND OUTPUTS
+ *   A function with much to say takes a request, which says what is asked, and outputs, which say where results go. Both
+ *   begin with struct_size. In a request 0 or NULL means default, and the request may itself be NULL: all defaults. A
+ *   pointer in outputs is NULL where its result is not wanted; capacity is that of each array [n], needed becomes n. In
+ *   C, with names:
+ *     hsp_gradient_request request = {.struct_size = sizeof request, .tension = 1.0};
+ *     hsp_gradient_outputs outputs = {.struct_size = sizeof outputs, .capacity = n, .d_centre = gradient};
+ *     status = hsp_boundary_get_gradient(boundary, &request, &outputs);
+ *
  * STATUS
  *   Every function that can fail returns an int32_t: HSP_OK (0) or a negative number. On failure nothing but what the
  *   function's comment names is written. Treat an unknown negative number as a general failure.
@@ -208,5 +223,9 @@
 #include "hardsphere/topology.h"
 #include "hardsphere/version.h"
 #include "hardsphere/view.h"
+
+#ifndef HSP_NO_DEPRECATED
+#include "hardsphere/deprecated.h"
+#endif
 
 #endif

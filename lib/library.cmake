@@ -49,15 +49,15 @@ set(HSP_LIBRARY_SOURCES
   lib/space/paths/widest_probe.cpp
   lib/union/sphere/arc_geometry.cpp
   lib/union/sphere/cap_clusters.cpp
-  lib/union/sphere/candidate_block_avx2.cpp
+  lib/union/sphere/candidate_block.kernel.cpp
   lib/union/sphere/caps.cpp
   lib/union/sphere/cube_candidates.cpp
-  lib/union/sphere/few_caps_avx2.cpp
-  lib/union/sphere/float_caps_avx2.cpp
+  lib/union/sphere/few_caps.kernel.cpp
+  lib/union/sphere/float_caps.kernel.cpp
   lib/union/sphere/great_circles.cpp
   lib/union/sphere/lane_search.cpp
   lib/union/sphere/near_balls_avx2.cpp
-  lib/union/sphere/pair_sweep_avx2.cpp
+  lib/union/sphere/pair_sweep.kernel.cpp
   lib/union/sphere/root_discriminants_avx2.cpp
   lib/union/sphere/vertex_finder.cpp
   lib/union/boundary/boundary_builder.cpp
@@ -294,7 +294,7 @@ set(HSP_OPTIMIZATION ${HSP_OPTIMIZATION} CACHE INTERNAL "Optimization of the lib
 
 # Kernels for AVX2 beside those of the target's baseline, chosen at run time (lib/ground/lanes/target.hpp). Small targets do
 # without.
-option(HSP_WIDE_CODE "Code for wider registers too, chosen at run time" ON)
+option(HSP_WIDE_CODE "Searches in lanes of registers, and kernels for wider ones too, chosen at run time" ON)
 set(HSP_AVX2_OPTIONS "-mavx2;-mfma;-mpopcnt" CACHE INTERNAL "Options of the kernels for AVX2")
 if(HSP_WIDE_CODE AND NOT DEFINED CACHE{HSP_COMPILES_AVX2})
   string(JOIN " " CMAKE_REQUIRED_FLAGS ${HSP_AVX2_OPTIONS})
@@ -310,6 +310,17 @@ if(HSP_WIDE_CODE AND NOT DEFINED CACHE{HSP_COMPILES_AVX2})
   unset(CMAKE_TRY_COMPILE_TARGET_TYPE)
 endif()
 
+# Whether registers of the baseline hold several numbers, so that what is searched for in lanes is, for every target.
+if(HSP_WIDE_CODE AND NOT DEFINED CACHE{HSP_BASELINE_HAS_LANES})
+  set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
+  check_cxx_source_compiles("
+    #if !defined(__SSE2__) && !defined(__aarch64__)
+    #error one number for each register
+    #endif
+    int main() { return 0; }" HSP_BASELINE_HAS_LANES)
+  unset(CMAKE_TRY_COMPILE_TARGET_TYPE)
+endif()
+
 if(NOT DEFINED CACHE{HSP_TARGETS_AARCH64})
   set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
   check_cxx_source_compiles("
@@ -320,6 +331,15 @@ if(NOT DEFINED CACHE{HSP_TARGETS_AARCH64})
   unset(CMAKE_TRY_COMPILE_TARGET_TYPE)
 endif()
 
+set(HSP_SOURCES_OF_LANES
+  lib/union/sphere/candidate_block.kernel.cpp
+  lib/union/sphere/cube_candidates.cpp
+  lib/union/sphere/few_caps.kernel.cpp
+  lib/union/sphere/float_caps.kernel.cpp
+  lib/union/sphere/lane_search.cpp
+  lib/union/sphere/pair_sweep.kernel.cpp)
+list(TRANSFORM HSP_SOURCES_OF_LANES PREPEND ${PROJECT_SOURCE_DIR}/)
+
 # hsp_library_objects(name definition...): the library compiled as objects, with further definitions. The archive is made
 # of hardsphere_objects. Tests of inner parts link to a library of objects and compile what its headers define alike.
 #
@@ -328,7 +348,7 @@ endif()
 # Those of the interface to a component find union's as well, which are always there.
 #
 # Kernels, *.kernel.cpp, are compiled once more for each further target, in its namespace (lib/ground/lanes/target.hpp);
-# *_avx2.cpp for AVX2 alone.
+# *_avx2.cpp for AVX2 alone. HSP_SOURCES_OF_LANES are there where registers of the baseline hold several numbers.
 #
 # With HSP_UNITY_BUILD a room is one unit and the interface to a wing another: most of the time that a source takes alone
 # goes into its headers. The interface to balls is compiled file by file, and the kernels of a further target as two units,
@@ -341,11 +361,18 @@ function(hsp_library_objects name)
     list(APPEND targets avx2)
     set(wide ON)
   endif()
+  set(lanes OFF)
+  if(HSP_WIDE_CODE AND HSP_BASELINE_HAS_LANES AND NOT "HSP_LANES=0" IN_LIST ARGN)
+    set(lanes ON)
+  endif()
   set(files "")
   set(units "")
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${name}.dir/Unity)
   foreach(wing ${HSP_WINGS})
     foreach(source ${HSP_${wing}_SOURCES})
+      if(source IN_LIST HSP_SOURCES_OF_LANES AND NOT lanes)
+        continue()
+      endif()
       string(REGEX MATCH "([a-z]+)/([a-z_0-9]+)(\\.kernel)?\\.cpp$" file ${source})
       set(room ${CMAKE_MATCH_1})
       set(file ${CMAKE_MATCH_2})
@@ -403,7 +430,7 @@ function(hsp_library_objects name)
     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   target_include_directories(${name} INTERFACE ${HSP_INCLUDE_FOLDER} ${HSP_WING_FOLDERS})
   target_compile_definitions(${name} PUBLIC $<$<BOOL:${HSP_PORTABLE_LIMBS}>:HSP_PORTABLE_LIMBS=1>
-    $<$<BOOL:${wide}>:HSP_AVX2=1> ${ARGN} PRIVATE HSP_TARGET=baseline)
+    $<$<BOOL:${wide}>:HSP_AVX2=1> $<$<BOOL:${lanes}>:HSP_LANES=1> ${ARGN} PRIVATE HSP_TARGET=baseline)
   # -ffp-contract=off: the same bits with and without fused multiply-add. The vectorizer of g++ 12 does not obey it: it
   # makes fused instructions of complex products (vfmaddsub, fcmla), hence it is off. A section for each function and
   # table, so that the linker can leave out what a program does not call. -fno-gnu-unique: constants of headers are weak

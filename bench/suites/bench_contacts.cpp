@@ -1,5 +1,5 @@
 // Contacts with cells, and the mean curvature with its gradient, over size: hsp_contacts_compute,
-// hsp_boundary_curvature and hsp_boundary_morphometry by turns with hsp_boundary_compute.
+// hsp_boundary_curvature and hsp_boundary_get_morphometry by turns with hsp_boundary_compute.
 #include "alternation.hpp"
 #include "sizes.hpp"
 #include "suite.hpp"

@@ -1,4 +1,4 @@
-// hsp_boundary_measure and hsp_boundary_gradient over size, by turns with hsp_boundary_compute; and frames of a
+// hsp_boundary_measure and hsp_boundary_get_gradient over size, by turns with hsp_boundary_compute; and frames of a
 // trajectory, each set, computed and differentiated in the same memory.
 #include "alternation.hpp"
 #include "random_numbers.hpp"

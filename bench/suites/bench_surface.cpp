@@ -1,6 +1,6 @@
 // The smooth surface over size, by turns with the solvent-accessible boundary that it stands on: hsp_surface_compute,
-// hsp_surface_measure and hsp_surface_gradient. Triangles of that boundary. And the smooth surface's area and volume of
-// the two molecules of which other programs' results are known.
+// hsp_surface_measure and hsp_surface_get_gradient. Triangles of that boundary. And the smooth surface's area and
+// volume of the two molecules of which other programs' results are known.
 #include <filesystem>
 #include <string>
 

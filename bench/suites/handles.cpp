@@ -41,7 +41,7 @@ Boundary::Boundary(Model &model, Room room)
 
 void Boundary::compute() {
   boundary_.compute([this](hsp_boundary *boundary, hsp_boundary_limits *limits) {
-    return hsp_boundary_compute(boundary, model_->get(), limits);
+    return hsp_boundary_compute_with(boundary, model_->get(), nullptr, limits);
   });
 }
 
@@ -55,10 +55,11 @@ hsp_totals Boundary::measure() {
 
 hsp_energy Boundary::gradient() {
   hsp_energy energy{};
-  expect_ok(
-      hsp_boundary_gradient(boundary_.get(), weight_.data(), 1.0, 1.0, HSP_TANGENT_OVERLAP, &energy, by_centre_.data(),
-                            by_radius_.data(), nullptr, static_cast<uint32_t>(by_radius_.size()), nullptr, nullptr),
-      "hsp_boundary_gradient");
+  const hsp_gradient_request request{sizeof request, HSP_TANGENT_OVERLAP, 1.0, 1.0, weight_.data(), nullptr};
+  hsp_gradient_outputs outputs{
+      sizeof outputs, static_cast<uint32_t>(by_radius_.size()), 0, 0, &energy, by_centre_.data(), by_radius_.data(),
+      nullptr};
+  expect_ok(hsp_boundary_get_gradient(boundary_.get(), &request, &outputs), "hsp_boundary_get_gradient");
   return energy;
 }
 
@@ -71,11 +72,12 @@ hsp_curvatures Boundary::curvature() {
 }
 
 hsp_morphometric_energy Boundary::curvature_gradient() {
-  const hsp_morphometry bending{0, 0, 1, 0};
+  const hsp_morphometry_request bending{sizeof bending, 0, 0, 0, 1, 0, nullptr, nullptr};
   hsp_morphometric_energy energy{};
-  expect_ok(hsp_boundary_morphometry(boundary_.get(), nullptr, &bending, &energy, by_centre_.data(), by_radius_.data(),
-                                     nullptr, static_cast<uint32_t>(by_radius_.size()), nullptr, nullptr),
-            "hsp_boundary_morphometry");
+  hsp_morphometry_outputs outputs{
+      sizeof outputs, static_cast<uint32_t>(by_radius_.size()), 0, 0, &energy, by_centre_.data(), by_radius_.data(),
+      nullptr};
+  expect_ok(hsp_boundary_get_morphometry(boundary_.get(), &bending, &outputs), "hsp_boundary_get_morphometry");
   return energy;
 }
 

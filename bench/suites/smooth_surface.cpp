@@ -27,21 +27,22 @@ hsp_surface_totals SmoothSurface::measure() {
   return totals;
 }
 
-hsp_energy SmoothSurface::gradient() {
+hsp_energy SmoothSurface::gradient_with(const double *sigma) {
   hsp_energy energy{};
-  expect_ok(hsp_surface_gradient(surface_.get(), 1.0, 1.0, &energy, by_centre_.data(), by_radius_.data(), nullptr,
-                                 static_cast<uint32_t>(by_radius_.size()), nullptr),
-            "hsp_surface_gradient");
+  const hsp_gradient_request request{sizeof request, HSP_TANGENT_OVERLAP, 1.0, 1.0, sigma, nullptr};
+  hsp_gradient_outputs outputs{
+      sizeof outputs, static_cast<uint32_t>(by_radius_.size()), 0, 0, &energy, by_centre_.data(), by_radius_.data(),
+      nullptr};
+  expect_ok(hsp_surface_get_gradient(surface_.get(), &request, &outputs), "hsp_surface_get_gradient");
   return energy;
 }
 
+hsp_energy SmoothSurface::gradient() {
+  return gradient_with(nullptr);
+}
+
 hsp_energy SmoothSurface::weighted_gradient() {
-  hsp_energy energy{};
-  expect_ok(hsp_surface_weighted_gradient(surface_.get(), weight_.data(), 1.0, 1.0, &energy, by_centre_.data(),
-                                          by_radius_.data(), nullptr, static_cast<uint32_t>(by_radius_.size()), nullptr,
-                                          nullptr),
-            "hsp_surface_weighted_gradient");
-  return energy;
+  return gradient_with(weight_.data());
 }
 
 hsp_surface_counts SmoothSurface::counts() const {

@@ -27,6 +27,8 @@ class SmoothSurface {
   size_t bytes() const { return surface_.bytes(); }
 
  private:
+  hsp_energy gradient_with(const double *sigma);  // null for all ones
+
   const Boundary *boundary_;
   std::vector<hsp_surface_totals> balls_;
   std::vector<double> weight_;

@@ -31,8 +31,11 @@ static int32_t evaluate(struct system *system, double *potential) {
   }
   if (status == HSP_OK) status = hsp_workspace_boundary(&system->work);
   if (status == HSP_OK) {
-    status = hsp_boundary_gradient(system->work.boundary, system->sigma, tension, pressure, HSP_TANGENT_OVERLAP,
-                                   &surface, system->force, NULL, NULL, balls->count, NULL, NULL);
+    const hsp_gradient_request request = {
+        .struct_size = sizeof request, .tension = tension, .pressure = pressure, .sigma = system->sigma};
+    hsp_gradient_outputs outputs = {
+        .struct_size = sizeof outputs, .capacity = balls->count, .energy = &surface, .d_centre = system->force};
+    status = hsp_boundary_get_gradient(system->work.boundary, &request, &outputs);
   }
   if (status != HSP_OK) return status;
   *potential = surface.value;

@@ -96,8 +96,10 @@ static int32_t compute(struct trajectory *trajectory, struct frame *frame, doubl
   if (work->most_balls != most_balls || memcmp(&work->boundary_limits, &limits, sizeof limits) != 0) {
     ++trajectory->sizings;
   }
-  return hsp_boundary_gradient(work->boundary, NULL, 1.0, 0.0, HSP_TANGENT_OVERLAP, energy, frame->gradient, NULL, NULL,
-                               frame->atoms, NULL, NULL);
+  const hsp_gradient_request area = {.struct_size = sizeof area, .tension = 1.0};
+  hsp_gradient_outputs outputs = {
+      .struct_size = sizeof outputs, .capacity = frame->atoms, .energy = energy, .d_centre = frame->gradient};
+  return hsp_boundary_get_gradient(work->boundary, &area, &outputs);
 }
 
 static double largest_norm(const struct frame *frame) {

@@ -16,7 +16,7 @@ static const double stiffness = 5.0, probe = 1.4;
 
 struct search {
   struct balls balls;
-  hsp_morphometry factors;
+  hsp_morphometry_request factors;
   double *start, *place, *gradient; /* [count][3] */
   hsp_morphometric_energy surface;  /* of the last place that was evaluated */
   hsp_workspace work;
@@ -33,8 +33,9 @@ static int32_t evaluate(struct search *search, double *energy) {
   }
   if (status == HSP_OK) status = hsp_workspace_boundary(&search->work);
   if (status == HSP_OK) {
-    status = hsp_boundary_morphometry(search->work.boundary, NULL, &search->factors, &search->surface, search->gradient,
-                                      NULL, NULL, n, NULL, NULL);
+    hsp_morphometry_outputs outputs = {
+        .struct_size = sizeof outputs, .capacity = n, .energy = &search->surface, .d_centre = search->gradient};
+    status = hsp_boundary_get_morphometry(search->work.boundary, &search->factors, &outputs);
   }
   if (status != HSP_OK) return status;
   *energy = search->surface.value;
@@ -91,6 +92,7 @@ int main(int count, char **arguments) {
     fprintf(stderr, "usage: minimise FILE.xyzr [STEPS [PRESSURE TENSION BENDING GAUSSIAN]]\n");
     return 2;
   }
+  search.factors.struct_size = sizeof search.factors;
   search.factors.pressure = count == 7 ? strtod(arguments[3], NULL) : 0.02;
   search.factors.tension = count == 7 ? strtod(arguments[4], NULL) : 0.05;
   search.factors.bending = count == 7 ? strtod(arguments[5], NULL) : -0.1;

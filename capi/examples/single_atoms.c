@@ -74,8 +74,9 @@ static int32_t compare(hsp_workspace *work, const struct walk *walk, double surf
   if (status == HSP_OK) status = hsp_workspace_boundary(work);
   if (status == HSP_OK) status = hsp_boundary_get_counts(work->boundary, &counts);
   if (status == HSP_OK) {
-    status = hsp_boundary_gradient(work->boundary, NULL, tension, 0.0, HSP_TANGENT_OVERLAP, &energy, NULL, NULL, NULL,
-                                   0, NULL, NULL);
+    const hsp_gradient_request request = {.struct_size = sizeof request, .tension = tension};
+    hsp_gradient_outputs outputs = {.struct_size = sizeof outputs, .energy = &energy};
+    status = hsp_boundary_get_gradient(work->boundary, &request, &outputs);
   }
   if (status != HSP_OK) return status;
   printf("a new model has %s: %.17g kcal/mol, %u vertices, %u voids\n",

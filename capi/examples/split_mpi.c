@@ -128,8 +128,11 @@ static int32_t compute(const struct layers *layers, struct part *part) {
   if (status == HSP_OK) status = hsp_workspace_boundary(&work);
   if (status == HSP_OK) status = hsp_boundary_measure(work.boundary, NULL, NULL, part->area, NULL, n, NULL);
   if (status == HSP_OK) {
-    status = hsp_boundary_derivatives(work.boundary, NULL, HSP_TANGENT_OVERLAP, part->area_centre, NULL,
-                                      part->vector_area, NULL, NULL, n, NULL, NULL);
+    hsp_derivatives_outputs outputs = {.struct_size = sizeof outputs,
+                                       .capacity = n,
+                                       .area_centre = part->area_centre,
+                                       .volume_centre = part->vector_area};
+    status = hsp_boundary_get_derivatives(work.boundary, NULL, &outputs);
   }
   hsp_workspace_free(&work);
   return status;

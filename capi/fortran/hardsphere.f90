@@ -20,16 +20,18 @@
 !                                so the array must outlive the handle and must not be reallocated
 !   T *out, uint32_t capacity    out(*) with capacity elements; other extents stand behind the declarations
 !   a pointer that may be NULL   an optional argument that is left out
+!   a request and outputs        these types, with the defaults of C; or their fields as named optional arguments:
+!                                hsp_boundary_get_gradient(b, tension=1.0_c_double, d_centre=g, capacity=n)
 !   const char *title            character(kind=c_char) :: title(*); a string that ends with c_null_char may be passed
 !   hsp_sink                     type(c_funptr) from c_funloc of a function with the interface hsp_sink
 !   void *context                type(c_ptr), as it will be handed to the sink; c_null_ptr if the sink has no use for it
 module hardsphere
   use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_funptr, c_int8_t, c_int32_t, c_int64_t, &
-                                         c_null_char, c_null_ptr, c_ptr, c_size_t
+                                         c_loc, c_null_char, c_null_ptr, c_ptr, c_size_t
   implicit none
   private :: quad_turned
-  private :: c_char, c_double, c_f_pointer, c_funptr, c_int8_t, c_int32_t, c_int64_t, c_null_char, c_null_ptr, c_ptr
-  private :: c_size_t
+  private :: c_char, c_double, c_f_pointer, c_funptr, c_int8_t, c_int32_t, c_int64_t, c_loc, c_null_char, c_null_ptr
+  private :: c_ptr, c_size_t
   integer(c_int32_t), parameter, private :: pointer_bytes = storage_size(c_null_ptr) / 8
 
   ! ---- version.h: the version of the header and of the library -------------------------------------------------------
@@ -371,8 +373,8 @@ module hardsphere
 
   type, bind(C) :: hsp_boundary_request
     integer(c_int32_t) :: struct_size = 8_c_int32_t + 1 * pointer_bytes  ! sizeof(hsp_boundary_request)
-    integer(c_int32_t) :: reserved                                       ! 0
-    type(c_ptr) :: executor                                              ! or NULL: the threads that share the work
+    integer(c_int32_t) :: reserved = 0_c_int32_t                         ! 0
+    type(c_ptr) :: executor = c_null_ptr                                 ! or NULL: the threads that share the work
   end type
 
   type, bind(C) :: hsp_boundary_counts
@@ -455,20 +457,20 @@ module hardsphere
 
   type, bind(C) :: hsp_measure_request
     integer(c_int32_t) :: struct_size = 8_c_int32_t + 2 * pointer_bytes  ! sizeof(hsp_measure_request)
-    integer(c_int32_t) :: reserved                                       ! 0
+    integer(c_int32_t) :: reserved = 0_c_int32_t                         ! 0
     ! [n], or NULL for all: 0 for balls that only block
-    type(c_ptr) :: selected
-    type(c_ptr) :: executor                                              ! or NULL: the threads that share the work
+    type(c_ptr) :: selected = c_null_ptr
+    type(c_ptr) :: executor = c_null_ptr                                 ! or NULL: the threads that share the work
   end type
 
   type, bind(C) :: hsp_measure_outputs
     integer(c_int32_t) :: struct_size = 16_c_int32_t + 3 * pointer_bytes  ! sizeof(hsp_measure_outputs)
-    integer(c_int32_t) :: capacity                                        ! entries that each array [n] has room for
-    integer(c_int32_t) :: needed                                          ! becomes n
-    integer(c_int32_t) :: reserved                                        ! 0
-    type(c_ptr) :: totals                                                 ! or NULL
-    type(c_ptr) :: area                                                   ! [n], or NULL: free area of each ball
-    type(c_ptr) :: volume                                                 ! [n], or NULL: each ball's term of the volume
+    integer(c_int32_t) :: capacity = 0_c_int32_t                          ! entries that each array [n] has room for
+    integer(c_int32_t) :: needed = 0_c_int32_t                            ! becomes n
+    integer(c_int32_t) :: reserved = 0_c_int32_t                          ! 0
+    type(c_ptr) :: totals = c_null_ptr                                    ! or NULL
+    type(c_ptr) :: area = c_null_ptr                                      ! [n], or NULL: free area of each ball
+    type(c_ptr) :: volume = c_null_ptr                                    ! [n], or NULL: each ball's term of the volume
   end type
 
   ! ---- gradient.h: their derivatives ---------------------------------------------------------------------------------
@@ -483,24 +485,46 @@ module hardsphere
   type, bind(C) :: hsp_gradient_request
     ! sizeof(hsp_gradient_request); hsp_gradient_request_init sets it
     integer(c_int32_t) :: struct_size = 24_c_int32_t + 2 * pointer_bytes
-    integer(c_int32_t) :: tangency                                        ! one of HSP_TANGENT_*
-    real(c_double) :: tension                                             ! of the weighted area
-    real(c_double) :: pressure                                            ! of the volume
+    integer(c_int32_t) :: tangency = 0_c_int32_t                          ! one of HSP_TANGENT_*
+    real(c_double) :: tension = 0.0_c_double                              ! of the weighted area
+    real(c_double) :: pressure = 0.0_c_double                             ! of the volume
     ! [n], or NULL for all ones: the weights of the areas; a ball with 0 only blocks
-    type(c_ptr) :: sigma
-    type(c_ptr) :: executor                                               ! or NULL: the threads that share the work
+    type(c_ptr) :: sigma = c_null_ptr
+    type(c_ptr) :: executor = c_null_ptr                                  ! or NULL: the threads that share the work
   end type
 
   type, bind(C) :: hsp_gradient_outputs
     integer(c_int32_t) :: struct_size = 16_c_int32_t + 4 * pointer_bytes  ! sizeof(hsp_gradient_outputs)
-    integer(c_int32_t) :: capacity                                        ! entries that each array [n] has room for
-    integer(c_int32_t) :: needed                                          ! becomes n
+    integer(c_int32_t) :: capacity = 0_c_int32_t                          ! entries that each array [n] has room for
+    integer(c_int32_t) :: needed = 0_c_int32_t                            ! becomes n
     ! becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is none
-    integer(c_int32_t) :: first_bad
-    type(c_ptr) :: energy                                                 ! or NULL
-    type(c_ptr) :: d_centre                                               ! [n][3], or NULL: dE/dc_i
-    type(c_ptr) :: d_radius                                               ! [n], or NULL: dE/dr_i
-    type(c_ptr) :: flags                                                  ! [n], or NULL: HSP_GRADIENT_*
+    integer(c_int32_t) :: first_bad = 0_c_int32_t
+    type(c_ptr) :: energy = c_null_ptr                                    ! or NULL
+    type(c_ptr) :: d_centre = c_null_ptr                                  ! [n][3], or NULL: dE/dc_i
+    type(c_ptr) :: d_radius = c_null_ptr                                  ! [n], or NULL: dE/dr_i
+    type(c_ptr) :: flags = c_null_ptr                                     ! [n], or NULL: HSP_GRADIENT_*
+  end type
+
+  type, bind(C) :: hsp_derivatives_request
+    integer(c_int32_t) :: struct_size = 8_c_int32_t + 2 * pointer_bytes  ! sizeof(hsp_derivatives_request)
+    integer(c_int32_t) :: tangency = 0_c_int32_t                         ! one of HSP_TANGENT_*
+    ! [n], or NULL for all ones: the weights of the areas
+    type(c_ptr) :: sigma = c_null_ptr
+    type(c_ptr) :: executor = c_null_ptr                                 ! or NULL: the threads that share the work
+  end type
+
+  type, bind(C) :: hsp_derivatives_outputs
+    integer(c_int32_t) :: struct_size = 16_c_int32_t + 5 * pointer_bytes  ! sizeof(hsp_derivatives_outputs)
+    integer(c_int32_t) :: capacity = 0_c_int32_t                          ! entries that each array [n] has room for
+    integer(c_int32_t) :: needed = 0_c_int32_t                            ! becomes n
+    ! becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is none
+    integer(c_int32_t) :: first_bad = 0_c_int32_t
+    type(c_ptr) :: area_centre = c_null_ptr                               ! [n][3], or NULL: dS/dc_i
+    type(c_ptr) :: area_radius = c_null_ptr                               ! [n], or NULL: dS/dr_i
+    ! [n][3], or NULL: dV/dc_i, the vector area of ball i's faces
+    type(c_ptr) :: volume_centre = c_null_ptr
+    type(c_ptr) :: volume_radius = c_null_ptr                             ! [n], or NULL: dV/dr_i, ball i's free area
+    type(c_ptr) :: flags = c_null_ptr                                     ! [n], or NULL: HSP_GRADIENT_*
   end type
 
   type, bind(C) :: hsp_area_derivative
@@ -556,11 +580,16 @@ module hardsphere
     real(c_double) :: gauss  ! G = pi/3 times the sum of gauss_thirds
   end type
 
-  type, bind(C) :: hsp_morphometry
-    real(c_double) :: pressure  ! of the volume
-    real(c_double) :: tension   ! of the weighted area
-    real(c_double) :: bending   ! of the weighted mean curvature
-    real(c_double) :: gaussian  ! of the Gaussian curvature
+  type, bind(C) :: hsp_morphometry_request
+    integer(c_int32_t) :: struct_size = 40_c_int32_t + 2 * pointer_bytes  ! sizeof(hsp_morphometry_request)
+    integer(c_int32_t) :: reserved = 0_c_int32_t                          ! 0
+    real(c_double) :: pressure = 0.0_c_double                             ! of the volume
+    real(c_double) :: tension = 0.0_c_double                              ! of the weighted area
+    real(c_double) :: bending = 0.0_c_double                              ! of the weighted mean curvature
+    real(c_double) :: gaussian = 0.0_c_double                             ! of the Gaussian curvature
+    ! [n], or NULL for all ones: the weights of area and mean curvature
+    type(c_ptr) :: sigma = c_null_ptr
+    type(c_ptr) :: executor = c_null_ptr                                  ! or NULL: the threads that share the work
   end type
 
   type, bind(C) :: hsp_morphometric_energy
@@ -571,6 +600,18 @@ module hardsphere
     real(c_double) :: mean
     real(c_double) :: gauss    ! G
     real(c_double) :: d_probe  ! the derivative by the probe, the sum of all d_radius
+  end type
+
+  type, bind(C) :: hsp_morphometry_outputs
+    integer(c_int32_t) :: struct_size = 16_c_int32_t + 4 * pointer_bytes  ! sizeof(hsp_morphometry_outputs)
+    integer(c_int32_t) :: capacity = 0_c_int32_t                          ! entries that each array [n] has room for
+    integer(c_int32_t) :: needed = 0_c_int32_t                            ! becomes n
+    ! becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is none
+    integer(c_int32_t) :: first_bad = 0_c_int32_t
+    type(c_ptr) :: energy = c_null_ptr                                    ! or NULL
+    type(c_ptr) :: d_centre = c_null_ptr                                  ! [n][3], or NULL: by the centres
+    type(c_ptr) :: d_radius = c_null_ptr                                  ! [n], or NULL: by the radii
+    type(c_ptr) :: flags = c_null_ptr                                     ! [n], or NULL: HSP_CURVATURE_ONE_SIDED
   end type
 
   ! ---- contacts.h: which balls touch and by how much, shares of the union, the dual complex --------------------------
@@ -652,6 +693,22 @@ module hardsphere
     real(c_double) :: contact_area  ! of all contacts, each once
   end type
 
+  type, bind(C) :: hsp_periodic_morphometry_outputs
+    integer(c_int32_t) :: struct_size = 16_c_int32_t + 6 * pointer_bytes  ! sizeof(hsp_periodic_morphometry_outputs)
+    integer(c_int32_t) :: capacity = 0_c_int32_t                          ! entries that each array [n] has room for
+    integer(c_int32_t) :: needed = 0_c_int32_t                            ! becomes n
+    ! becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is none
+    integer(c_int32_t) :: first_bad = 0_c_int32_t
+    type(c_ptr) :: energy = c_null_ptr                                    ! or NULL
+    type(c_ptr) :: d_centre = c_null_ptr                                  ! [n][3], or NULL: by the centres
+    type(c_ptr) :: d_radius = c_null_ptr                                  ! [n], or NULL: by the radii
+    type(c_ptr) :: flags = c_null_ptr                                     ! [n], or NULL: HSP_CURVATURE_ONE_SIDED
+    ! [9], or NULL: by the strain, as of hsp_periodic_gradient_outputs
+    type(c_ptr) :: d_strain = c_null_ptr
+    ! [9], or NULL: by the vectors of the box, the same
+    type(c_ptr) :: d_box = c_null_ptr
+  end type
+
   type, bind(C) :: hsp_periodic_contact
     real(c_double) :: area          ! length^2
     real(c_double) :: edge          ! length of the part of its border that is on the surface of the union
@@ -675,6 +732,22 @@ module hardsphere
     ! of the lattice of its windings, in multiples of the vectors of the box: as many rows of three as directions, in
     ! echelon form with positive pivots and smaller numbers above them: equal lattices have equal rows; the rest is 0
     integer(c_int32_t) :: row(9)
+  end type
+
+  type, bind(C) :: hsp_periodic_gradient_outputs
+    integer(c_int32_t) :: struct_size = 16_c_int32_t + 6 * pointer_bytes  ! sizeof(hsp_periodic_gradient_outputs)
+    integer(c_int32_t) :: capacity = 0_c_int32_t                          ! entries that each array [n] has room for
+    integer(c_int32_t) :: needed = 0_c_int32_t                            ! becomes n
+    ! becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is none
+    integer(c_int32_t) :: first_bad = 0_c_int32_t
+    type(c_ptr) :: energy = c_null_ptr                                    ! or NULL
+    type(c_ptr) :: d_centre = c_null_ptr                                  ! [n][3], or NULL: dE/dc_i
+    type(c_ptr) :: d_radius = c_null_ptr                                  ! [n], or NULL: dE/dr_i
+    type(c_ptr) :: flags = c_null_ptr                                     ! [n], or NULL: HSP_GRADIENT_*
+    ! [9], or NULL: [3 p + q] is by eps_pq, if all centres and vectors x become x + eps x and radii stay
+    type(c_ptr) :: d_strain = c_null_ptr
+    ! [9], or NULL: [3 k + p] is by component p of vector k, if all centres keep their multiples of the vectors
+    type(c_ptr) :: d_box = c_null_ptr
   end type
 
   type, bind(C) :: hsp_image
@@ -1128,10 +1201,9 @@ module hardsphere
   end type
 
   type, bind(C) :: hsp_tunnel_point
-    real(c_double) :: xyz(3)
+    real(c_double) :: xyz(3)       ! where it lies
     real(c_double) :: radius       ! of the largest probe there
-    ! nearest ones, HSP_NONE behind the last: four at a maximum, three at a gate, else one to three
-    integer(c_int32_t) :: ball(4)
+    integer(c_int32_t) :: ball(4)  ! nearest ones, then HSP_NONE: four at a maximum, three at a gate, else one to three
     integer(c_int32_t) :: gate     ! that it is, or HSP_NONE
     integer(c_int32_t) :: maximum  ! that it is, or HSP_NONE
   end type
@@ -1934,38 +2006,12 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_boundary_gradient(boundary, sigma, tension, pressure, tangency, energy, d_centre, d_radius, flags, &
-      capacity, needed, first_bad) result(status) bind(C, name="hsp_boundary_gradient")
-      import :: c_double, c_int32_t, c_ptr, hsp_energy
+    function hsp_boundary_get_derivatives(boundary, request, outputs) result(status) &
+      bind(C, name="hsp_boundary_get_derivatives")
+      import :: c_int32_t, c_ptr, hsp_derivatives_outputs, hsp_derivatives_request
       type(c_ptr), value :: boundary
-      real(c_double), intent(in), optional :: sigma(*)  ! n
-      real(c_double), value :: tension
-      real(c_double), value :: pressure
-      integer(c_int32_t), value :: tangency
-      type(hsp_energy), intent(inout), optional :: energy
-      real(c_double), intent(inout), optional :: d_centre(3, *)  ! 3, n
-      real(c_double), intent(inout), optional :: d_radius(*)  ! n
-      integer(c_int32_t), intent(inout), optional :: flags(*)  ! n
-      integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout), optional :: needed
-      integer(c_int32_t), intent(inout), optional :: first_bad
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_boundary_derivatives(boundary, sigma, tangency, area_centre, area_radius, volume_centre, &
-      volume_radius, flags, capacity, needed, first_bad) result(status) bind(C, name="hsp_boundary_derivatives")
-      import :: c_double, c_int32_t, c_ptr
-      type(c_ptr), value :: boundary
-      real(c_double), intent(in), optional :: sigma(*)  ! n
-      integer(c_int32_t), value :: tangency
-      real(c_double), intent(inout), optional :: area_centre(3, *)  ! 3, n
-      real(c_double), intent(inout), optional :: area_radius(*)  ! n
-      real(c_double), intent(inout), optional :: volume_centre(3, *)  ! 3, n
-      real(c_double), intent(inout), optional :: volume_radius(*)  ! n
-      integer(c_int32_t), intent(inout), optional :: flags(*)  ! n
-      integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout), optional :: needed
-      integer(c_int32_t), intent(inout), optional :: first_bad
+      type(hsp_derivatives_request), intent(in), optional :: request
+      type(hsp_derivatives_outputs), intent(inout) :: outputs
       integer(c_int32_t) :: status
     end function
 
@@ -2081,10 +2127,11 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_moving_get_changed(moving, out, capacity, needed) result(status) bind(C, name="hsp_moving_get_changed")
+    function hsp_moving_get_changed(moving, balls, capacity, needed) result(status) &
+      bind(C, name="hsp_moving_get_changed")
       import :: c_int32_t, c_ptr
       type(c_ptr), value :: moving
-      integer(c_int32_t), intent(inout), optional :: out(*)  ! needed
+      integer(c_int32_t), intent(inout), optional :: balls(*)  ! needed
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
@@ -2111,19 +2158,12 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_boundary_morphometry(boundary, sigma, factors, energy, d_centre, d_radius, flags, capacity, needed, &
-      first_bad) result(status) bind(C, name="hsp_boundary_morphometry")
-      import :: c_double, c_int32_t, c_ptr, hsp_morphometric_energy, hsp_morphometry
+    function hsp_boundary_get_morphometry(boundary, request, outputs) result(status) &
+      bind(C, name="hsp_boundary_get_morphometry")
+      import :: c_int32_t, c_ptr, hsp_morphometry_outputs, hsp_morphometry_request
       type(c_ptr), value :: boundary
-      real(c_double), intent(in), optional :: sigma(*)  ! n
-      type(hsp_morphometry), intent(in) :: factors
-      type(hsp_morphometric_energy), intent(inout), optional :: energy
-      real(c_double), intent(inout), optional :: d_centre(3, *)  ! 3, n
-      real(c_double), intent(inout), optional :: d_radius(*)  ! n
-      integer(c_int32_t), intent(inout), optional :: flags(*)  ! n
-      integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout), optional :: needed
-      integer(c_int32_t), intent(inout), optional :: first_bad
+      type(hsp_morphometry_request), intent(in), optional :: request
+      type(hsp_morphometry_outputs), intent(inout) :: outputs
       integer(c_int32_t) :: status
     end function
 
@@ -2303,21 +2343,12 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_periodic_morphometry(periodic, sigma, factors, energy, d_centre, d_radius, flags, d_strain, d_box, &
-      capacity, needed, first_bad) result(status) bind(C, name="hsp_periodic_morphometry")
-      import :: c_double, c_int32_t, c_ptr, hsp_morphometric_energy, hsp_morphometry
+    function hsp_periodic_get_morphometry(periodic, request, outputs) result(status) &
+      bind(C, name="hsp_periodic_get_morphometry")
+      import :: c_int32_t, c_ptr, hsp_morphometry_request, hsp_periodic_morphometry_outputs
       type(c_ptr), value :: periodic
-      real(c_double), intent(in), optional :: sigma(*)  ! n
-      type(hsp_morphometry), intent(in) :: factors
-      type(hsp_morphometric_energy), intent(inout), optional :: energy
-      real(c_double), intent(inout), optional :: d_centre(3, *)  ! 3, n
-      real(c_double), intent(inout), optional :: d_radius(*)  ! n
-      integer(c_int32_t), intent(inout), optional :: flags(*)  ! n
-      real(c_double), intent(inout), optional :: d_strain(9)
-      real(c_double), intent(inout), optional :: d_box(9)
-      integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout), optional :: needed
-      integer(c_int32_t), intent(inout), optional :: first_bad
+      type(hsp_morphometry_request), intent(in), optional :: request
+      type(hsp_periodic_morphometry_outputs), intent(inout) :: outputs
       integer(c_int32_t) :: status
     end function
 
@@ -2362,23 +2393,12 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_periodic_gradient(periodic, sigma, tension, pressure, tangency, energy, d_centre, d_radius, flags, &
-      d_strain, d_box, capacity, needed, first_bad) result(status) bind(C, name="hsp_periodic_gradient")
-      import :: c_double, c_int32_t, c_ptr, hsp_energy
+    function hsp_periodic_get_gradient(periodic, request, outputs) result(status) &
+      bind(C, name="hsp_periodic_get_gradient")
+      import :: c_int32_t, c_ptr, hsp_gradient_request, hsp_periodic_gradient_outputs
       type(c_ptr), value :: periodic
-      real(c_double), intent(in), optional :: sigma(*)  ! n
-      real(c_double), value :: tension
-      real(c_double), value :: pressure
-      integer(c_int32_t), value :: tangency
-      type(hsp_energy), intent(inout), optional :: energy
-      real(c_double), intent(inout), optional :: d_centre(3, *)  ! 3, n
-      real(c_double), intent(inout), optional :: d_radius(*)  ! n
-      integer(c_int32_t), intent(inout), optional :: flags(*)  ! n
-      real(c_double), intent(inout), optional :: d_strain(9)
-      real(c_double), intent(inout), optional :: d_box(9)
-      integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout), optional :: needed
-      integer(c_int32_t), intent(inout), optional :: first_bad
+      type(hsp_gradient_request), intent(in), optional :: request
+      type(hsp_periodic_gradient_outputs), intent(inout) :: outputs
       integer(c_int32_t) :: status
     end function
 
@@ -2572,35 +2592,11 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_surface_gradient(surface, tension, pressure, energy, d_centre, d_radius, flags, capacity, needed) &
-      result(status) bind(C, name="hsp_surface_gradient")
-      import :: c_double, c_int32_t, c_ptr, hsp_energy
+    function hsp_surface_get_gradient(surface, request, outputs) result(status) bind(C, name="hsp_surface_get_gradient")
+      import :: c_int32_t, c_ptr, hsp_gradient_outputs, hsp_gradient_request
       type(c_ptr), value :: surface
-      real(c_double), value :: tension
-      real(c_double), value :: pressure
-      type(hsp_energy), intent(inout), optional :: energy
-      real(c_double), intent(inout), optional :: d_centre(3, *)  ! 3, n
-      real(c_double), intent(inout), optional :: d_radius(*)  ! n
-      integer(c_int32_t), intent(inout), optional :: flags(*)  ! n
-      integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout), optional :: needed
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_surface_weighted_gradient(surface, sigma, tension, pressure, energy, d_centre, d_radius, flags, &
-      capacity, needed, first_bad) result(status) bind(C, name="hsp_surface_weighted_gradient")
-      import :: c_double, c_int32_t, c_ptr, hsp_energy
-      type(c_ptr), value :: surface
-      real(c_double), intent(in), optional :: sigma(*)  ! n
-      real(c_double), value :: tension
-      real(c_double), value :: pressure
-      type(hsp_energy), intent(inout), optional :: energy
-      real(c_double), intent(inout), optional :: d_centre(3, *)  ! 3, n
-      real(c_double), intent(inout), optional :: d_radius(*)  ! n
-      integer(c_int32_t), intent(inout), optional :: flags(*)  ! n
-      integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout), optional :: needed
-      integer(c_int32_t), intent(inout), optional :: first_bad
+      type(hsp_gradient_request), intent(in), optional :: request
+      type(hsp_gradient_outputs), intent(inout) :: outputs
       integer(c_int32_t) :: status
     end function
 
@@ -3837,6 +3833,54 @@ module hardsphere
 
   end interface
 
+  ! What is asked and what is wanted as named arguments instead of a request and outputs.
+    ! ---- measure.h: areas and volumes --------------------------------------------------------------------------------
+
+    private :: hsp_boundary_get_measures_named
+    interface hsp_boundary_get_measures
+      procedure :: hsp_boundary_get_measures, hsp_boundary_get_measures_named
+    end interface
+
+    ! ---- gradient.h: their derivatives -------------------------------------------------------------------------------
+
+    private :: hsp_boundary_get_gradient_named
+    interface hsp_boundary_get_gradient
+      procedure :: hsp_boundary_get_gradient, hsp_boundary_get_gradient_named
+    end interface
+
+    private :: hsp_boundary_get_derivatives_named
+    interface hsp_boundary_get_derivatives
+      procedure :: hsp_boundary_get_derivatives, hsp_boundary_get_derivatives_named
+    end interface
+
+    ! ---- curvature.h: integrated mean and Gaussian curvature ---------------------------------------------------------
+
+    private :: hsp_boundary_get_morphometry_named
+    interface hsp_boundary_get_morphometry
+      procedure :: hsp_boundary_get_morphometry, hsp_boundary_get_morphometry_named
+    end interface
+
+    ! ---- periodic.h: all of that in a box whose copies fill space: areas, volume, contacts, windings, strain ---------
+
+    private :: hsp_periodic_get_morphometry_named
+    interface hsp_periodic_get_morphometry
+      procedure :: hsp_periodic_get_morphometry, hsp_periodic_get_morphometry_named
+    end interface
+
+    private :: hsp_periodic_get_gradient_named
+    interface hsp_periodic_get_gradient
+      procedure :: hsp_periodic_get_gradient, hsp_periodic_get_gradient_named
+    end interface
+
+    ! ---- surface.h: the smooth surface that a probe leaves, its area and volume (Section 4.3) ------------------------
+
+    private :: hsp_surface_get_gradient_named
+    interface hsp_surface_get_gradient
+      procedure :: hsp_surface_get_gradient, hsp_surface_get_gradient_named
+    end interface
+
+    ! ----
+
 contains
 
   !> The element of a Fortran array (lower bound 1) that belongs to a 0-based id.
@@ -3937,6 +3981,269 @@ contains
     integer(c_int32_t) :: number
     number = balls + 2_c_int32_t*stick + half
   end function
+
+  ! ---- measure.h: areas and volumes ----------------------------------------------------------------------------------
+
+  !> hsp_boundary_get_measures with the fields of its request and outputs as arguments.
+  function hsp_boundary_get_measures_named(boundary, selected, executor, totals, area, volume, capacity, needed) &
+    result(status)
+    type(c_ptr), intent(in) :: boundary
+    integer(c_int8_t), intent(in), optional, target :: selected(*)  ! n
+    type(hsp_executor), intent(in), optional, target :: executor
+    type(hsp_totals), intent(inout), optional, target :: totals
+    real(c_double), intent(inout), optional, target :: area(*)  ! n
+    real(c_double), intent(inout), optional, target :: volume(*)  ! n
+    integer(c_int32_t), intent(in), optional :: capacity
+    integer(c_int32_t), intent(inout), optional :: needed
+    integer(c_int32_t) :: status
+    type(hsp_measure_request) :: request
+    type(hsp_measure_outputs) :: outputs
+    if (present(selected)) request%selected = c_loc(selected)
+    if (present(executor)) request%executor = c_loc(executor)
+    if (present(totals)) outputs%totals = c_loc(totals)
+    if (present(area)) outputs%area = c_loc(area)
+    if (present(volume)) outputs%volume = c_loc(volume)
+    if (present(capacity)) outputs%capacity = capacity
+    if (present(needed)) outputs%needed = needed
+    status = hsp_boundary_get_measures(boundary, request, outputs)
+    if (present(needed)) needed = outputs%needed
+  end function
+
+  ! ---- gradient.h: their derivatives ---------------------------------------------------------------------------------
+
+  !> hsp_boundary_get_gradient with the fields of its request and outputs as arguments.
+  function hsp_boundary_get_gradient_named(boundary, tangency, tension, pressure, sigma, executor, energy, d_centre, &
+    d_radius, flags, capacity, needed, first_bad) result(status)
+    type(c_ptr), intent(in) :: boundary
+    integer(c_int32_t), intent(in), optional :: tangency
+    real(c_double), intent(in), optional :: tension
+    real(c_double), intent(in), optional :: pressure
+    real(c_double), intent(in), optional, target :: sigma(*)  ! n
+    type(hsp_executor), intent(in), optional, target :: executor
+    type(hsp_energy), intent(inout), optional, target :: energy
+    real(c_double), intent(inout), optional, target :: d_centre(3, *)  ! 3, n
+    real(c_double), intent(inout), optional, target :: d_radius(*)  ! n
+    integer(c_int32_t), intent(inout), optional, target :: flags(*)  ! n
+    integer(c_int32_t), intent(in), optional :: capacity
+    integer(c_int32_t), intent(inout), optional :: needed
+    integer(c_int32_t), intent(inout), optional :: first_bad
+    integer(c_int32_t) :: status
+    type(hsp_gradient_request) :: request
+    type(hsp_gradient_outputs) :: outputs
+    if (present(tangency)) request%tangency = tangency
+    if (present(tension)) request%tension = tension
+    if (present(pressure)) request%pressure = pressure
+    if (present(sigma)) request%sigma = c_loc(sigma)
+    if (present(executor)) request%executor = c_loc(executor)
+    if (present(energy)) outputs%energy = c_loc(energy)
+    if (present(d_centre)) outputs%d_centre = c_loc(d_centre)
+    if (present(d_radius)) outputs%d_radius = c_loc(d_radius)
+    if (present(flags)) outputs%flags = c_loc(flags)
+    if (present(capacity)) outputs%capacity = capacity
+    if (present(needed)) outputs%needed = needed
+    if (present(first_bad)) outputs%first_bad = first_bad
+    status = hsp_boundary_get_gradient(boundary, request, outputs)
+    if (present(needed)) needed = outputs%needed
+    if (present(first_bad)) first_bad = outputs%first_bad
+  end function
+
+  !> hsp_boundary_get_derivatives with the fields of its request and outputs as arguments.
+  function hsp_boundary_get_derivatives_named(boundary, tangency, sigma, executor, area_centre, area_radius, &
+    volume_centre, volume_radius, flags, capacity, needed, first_bad) result(status)
+    type(c_ptr), intent(in) :: boundary
+    integer(c_int32_t), intent(in), optional :: tangency
+    real(c_double), intent(in), optional, target :: sigma(*)  ! n
+    type(hsp_executor), intent(in), optional, target :: executor
+    real(c_double), intent(inout), optional, target :: area_centre(3, *)  ! 3, n
+    real(c_double), intent(inout), optional, target :: area_radius(*)  ! n
+    real(c_double), intent(inout), optional, target :: volume_centre(3, *)  ! 3, n
+    real(c_double), intent(inout), optional, target :: volume_radius(*)  ! n
+    integer(c_int32_t), intent(inout), optional, target :: flags(*)  ! n
+    integer(c_int32_t), intent(in), optional :: capacity
+    integer(c_int32_t), intent(inout), optional :: needed
+    integer(c_int32_t), intent(inout), optional :: first_bad
+    integer(c_int32_t) :: status
+    type(hsp_derivatives_request) :: request
+    type(hsp_derivatives_outputs) :: outputs
+    if (present(tangency)) request%tangency = tangency
+    if (present(sigma)) request%sigma = c_loc(sigma)
+    if (present(executor)) request%executor = c_loc(executor)
+    if (present(area_centre)) outputs%area_centre = c_loc(area_centre)
+    if (present(area_radius)) outputs%area_radius = c_loc(area_radius)
+    if (present(volume_centre)) outputs%volume_centre = c_loc(volume_centre)
+    if (present(volume_radius)) outputs%volume_radius = c_loc(volume_radius)
+    if (present(flags)) outputs%flags = c_loc(flags)
+    if (present(capacity)) outputs%capacity = capacity
+    if (present(needed)) outputs%needed = needed
+    if (present(first_bad)) outputs%first_bad = first_bad
+    status = hsp_boundary_get_derivatives(boundary, request, outputs)
+    if (present(needed)) needed = outputs%needed
+    if (present(first_bad)) first_bad = outputs%first_bad
+  end function
+
+  ! ---- curvature.h: integrated mean and Gaussian curvature -----------------------------------------------------------
+
+  !> hsp_boundary_get_morphometry with the fields of its request and outputs as arguments.
+  function hsp_boundary_get_morphometry_named(boundary, pressure, tension, bending, gaussian, sigma, executor, &
+    energy, d_centre, d_radius, flags, capacity, needed, first_bad) result(status)
+    type(c_ptr), intent(in) :: boundary
+    real(c_double), intent(in), optional :: pressure
+    real(c_double), intent(in), optional :: tension
+    real(c_double), intent(in), optional :: bending
+    real(c_double), intent(in), optional :: gaussian
+    real(c_double), intent(in), optional, target :: sigma(*)  ! n
+    type(hsp_executor), intent(in), optional, target :: executor
+    type(hsp_morphometric_energy), intent(inout), optional, target :: energy
+    real(c_double), intent(inout), optional, target :: d_centre(3, *)  ! 3, n
+    real(c_double), intent(inout), optional, target :: d_radius(*)  ! n
+    integer(c_int32_t), intent(inout), optional, target :: flags(*)  ! n
+    integer(c_int32_t), intent(in), optional :: capacity
+    integer(c_int32_t), intent(inout), optional :: needed
+    integer(c_int32_t), intent(inout), optional :: first_bad
+    integer(c_int32_t) :: status
+    type(hsp_morphometry_request) :: request
+    type(hsp_morphometry_outputs) :: outputs
+    if (present(pressure)) request%pressure = pressure
+    if (present(tension)) request%tension = tension
+    if (present(bending)) request%bending = bending
+    if (present(gaussian)) request%gaussian = gaussian
+    if (present(sigma)) request%sigma = c_loc(sigma)
+    if (present(executor)) request%executor = c_loc(executor)
+    if (present(energy)) outputs%energy = c_loc(energy)
+    if (present(d_centre)) outputs%d_centre = c_loc(d_centre)
+    if (present(d_radius)) outputs%d_radius = c_loc(d_radius)
+    if (present(flags)) outputs%flags = c_loc(flags)
+    if (present(capacity)) outputs%capacity = capacity
+    if (present(needed)) outputs%needed = needed
+    if (present(first_bad)) outputs%first_bad = first_bad
+    status = hsp_boundary_get_morphometry(boundary, request, outputs)
+    if (present(needed)) needed = outputs%needed
+    if (present(first_bad)) first_bad = outputs%first_bad
+  end function
+
+  ! ---- periodic.h: all of that in a box whose copies fill space: areas, volume, contacts, windings, strain -----------
+
+  !> hsp_periodic_get_morphometry with the fields of its request and outputs as arguments.
+  function hsp_periodic_get_morphometry_named(periodic, pressure, tension, bending, gaussian, sigma, executor, &
+    energy, d_centre, d_radius, flags, d_strain, d_box, capacity, needed, first_bad) result(status)
+    type(c_ptr), intent(in) :: periodic
+    real(c_double), intent(in), optional :: pressure
+    real(c_double), intent(in), optional :: tension
+    real(c_double), intent(in), optional :: bending
+    real(c_double), intent(in), optional :: gaussian
+    real(c_double), intent(in), optional, target :: sigma(*)  ! n
+    type(hsp_executor), intent(in), optional, target :: executor
+    type(hsp_morphometric_energy), intent(inout), optional, target :: energy
+    real(c_double), intent(inout), optional, target :: d_centre(3, *)  ! 3, n
+    real(c_double), intent(inout), optional, target :: d_radius(*)  ! n
+    integer(c_int32_t), intent(inout), optional, target :: flags(*)  ! n
+    real(c_double), intent(inout), optional, target :: d_strain(9)
+    real(c_double), intent(inout), optional, target :: d_box(9)
+    integer(c_int32_t), intent(in), optional :: capacity
+    integer(c_int32_t), intent(inout), optional :: needed
+    integer(c_int32_t), intent(inout), optional :: first_bad
+    integer(c_int32_t) :: status
+    type(hsp_morphometry_request) :: request
+    type(hsp_periodic_morphometry_outputs) :: outputs
+    if (present(pressure)) request%pressure = pressure
+    if (present(tension)) request%tension = tension
+    if (present(bending)) request%bending = bending
+    if (present(gaussian)) request%gaussian = gaussian
+    if (present(sigma)) request%sigma = c_loc(sigma)
+    if (present(executor)) request%executor = c_loc(executor)
+    if (present(energy)) outputs%energy = c_loc(energy)
+    if (present(d_centre)) outputs%d_centre = c_loc(d_centre)
+    if (present(d_radius)) outputs%d_radius = c_loc(d_radius)
+    if (present(flags)) outputs%flags = c_loc(flags)
+    if (present(d_strain)) outputs%d_strain = c_loc(d_strain)
+    if (present(d_box)) outputs%d_box = c_loc(d_box)
+    if (present(capacity)) outputs%capacity = capacity
+    if (present(needed)) outputs%needed = needed
+    if (present(first_bad)) outputs%first_bad = first_bad
+    status = hsp_periodic_get_morphometry(periodic, request, outputs)
+    if (present(needed)) needed = outputs%needed
+    if (present(first_bad)) first_bad = outputs%first_bad
+  end function
+
+  !> hsp_periodic_get_gradient with the fields of its request and outputs as arguments.
+  function hsp_periodic_get_gradient_named(periodic, tangency, tension, pressure, sigma, executor, energy, d_centre, &
+    d_radius, flags, d_strain, d_box, capacity, needed, first_bad) result(status)
+    type(c_ptr), intent(in) :: periodic
+    integer(c_int32_t), intent(in), optional :: tangency
+    real(c_double), intent(in), optional :: tension
+    real(c_double), intent(in), optional :: pressure
+    real(c_double), intent(in), optional, target :: sigma(*)  ! n
+    type(hsp_executor), intent(in), optional, target :: executor
+    type(hsp_energy), intent(inout), optional, target :: energy
+    real(c_double), intent(inout), optional, target :: d_centre(3, *)  ! 3, n
+    real(c_double), intent(inout), optional, target :: d_radius(*)  ! n
+    integer(c_int32_t), intent(inout), optional, target :: flags(*)  ! n
+    real(c_double), intent(inout), optional, target :: d_strain(9)
+    real(c_double), intent(inout), optional, target :: d_box(9)
+    integer(c_int32_t), intent(in), optional :: capacity
+    integer(c_int32_t), intent(inout), optional :: needed
+    integer(c_int32_t), intent(inout), optional :: first_bad
+    integer(c_int32_t) :: status
+    type(hsp_gradient_request) :: request
+    type(hsp_periodic_gradient_outputs) :: outputs
+    if (present(tangency)) request%tangency = tangency
+    if (present(tension)) request%tension = tension
+    if (present(pressure)) request%pressure = pressure
+    if (present(sigma)) request%sigma = c_loc(sigma)
+    if (present(executor)) request%executor = c_loc(executor)
+    if (present(energy)) outputs%energy = c_loc(energy)
+    if (present(d_centre)) outputs%d_centre = c_loc(d_centre)
+    if (present(d_radius)) outputs%d_radius = c_loc(d_radius)
+    if (present(flags)) outputs%flags = c_loc(flags)
+    if (present(d_strain)) outputs%d_strain = c_loc(d_strain)
+    if (present(d_box)) outputs%d_box = c_loc(d_box)
+    if (present(capacity)) outputs%capacity = capacity
+    if (present(needed)) outputs%needed = needed
+    if (present(first_bad)) outputs%first_bad = first_bad
+    status = hsp_periodic_get_gradient(periodic, request, outputs)
+    if (present(needed)) needed = outputs%needed
+    if (present(first_bad)) first_bad = outputs%first_bad
+  end function
+
+  ! ---- surface.h: the smooth surface that a probe leaves, its area and volume (Section 4.3) --------------------------
+
+  !> hsp_surface_get_gradient with the fields of its request and outputs as arguments.
+  function hsp_surface_get_gradient_named(surface, tangency, tension, pressure, sigma, executor, energy, d_centre, &
+    d_radius, flags, capacity, needed, first_bad) result(status)
+    type(c_ptr), intent(in) :: surface
+    integer(c_int32_t), intent(in), optional :: tangency
+    real(c_double), intent(in), optional :: tension
+    real(c_double), intent(in), optional :: pressure
+    real(c_double), intent(in), optional, target :: sigma(*)  ! n
+    type(hsp_executor), intent(in), optional, target :: executor
+    type(hsp_energy), intent(inout), optional, target :: energy
+    real(c_double), intent(inout), optional, target :: d_centre(3, *)  ! 3, n
+    real(c_double), intent(inout), optional, target :: d_radius(*)  ! n
+    integer(c_int32_t), intent(inout), optional, target :: flags(*)  ! n
+    integer(c_int32_t), intent(in), optional :: capacity
+    integer(c_int32_t), intent(inout), optional :: needed
+    integer(c_int32_t), intent(inout), optional :: first_bad
+    integer(c_int32_t) :: status
+    type(hsp_gradient_request) :: request
+    type(hsp_gradient_outputs) :: outputs
+    if (present(tangency)) request%tangency = tangency
+    if (present(tension)) request%tension = tension
+    if (present(pressure)) request%pressure = pressure
+    if (present(sigma)) request%sigma = c_loc(sigma)
+    if (present(executor)) request%executor = c_loc(executor)
+    if (present(energy)) outputs%energy = c_loc(energy)
+    if (present(d_centre)) outputs%d_centre = c_loc(d_centre)
+    if (present(d_radius)) outputs%d_radius = c_loc(d_radius)
+    if (present(flags)) outputs%flags = c_loc(flags)
+    if (present(capacity)) outputs%capacity = capacity
+    if (present(needed)) outputs%needed = needed
+    if (present(first_bad)) outputs%first_bad = first_bad
+    status = hsp_surface_get_gradient(surface, request, outputs)
+    if (present(needed)) needed = outputs%needed
+    if (present(first_bad)) first_bad = outputs%first_bad
+  end function
+
+  ! ----
 
   ! ---- model.h: a set of balls on its lattice, and how well it behaves: k, rho, overlaps (Section 2) -----------------
 

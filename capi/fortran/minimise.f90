@@ -1,9 +1,9 @@
 ! A small chain of balls in a solvent that it avoids, from Fortran: steepest descent on
 !   E = stiffness/2 sum over springs (|c_i - c_j| - length)^2 + tension A + pressure V
 ! where A and V are area and volume of the union of the balls, solvent-accessible, whose gradient is one call of
-! hsp_boundary_gradient. Springs join neighbours and next neighbours, which keeps bonds and bond angles: what is left is
-! to turn about the bonds, and the surface makes the chain fold. Nothing but the springs keeps balls from moving into
-! each other, and where equal balls coincide the area has no derivative: the tension must not be much larger.
+! hsp_boundary_get_gradient. Springs join neighbours and next neighbours, which keeps bonds and bond angles: what is
+! left is to turn about the bonds, and the surface makes the chain fold. Nothing but the springs keeps balls from moving
+! into each other, and where equal balls coincide the area has no derivative: the tension must not be much larger.
 ! One line for each step: number, energy, the largest derivative, the step's length.
 program minimise
   use, intrinsic :: iso_fortran_env, only: error_unit
@@ -84,8 +84,8 @@ contains
     integer :: i
     call must(work%set(n, places, radius, options))
     call must(work%compute_boundary())
-    call must(hsp_boundary_gradient(work%boundary, tension=tension, pressure=pressure, tangency=HSP_TANGENT_OVERLAP, &
-                                    energy=surface, d_centre=gradient, capacity=n))
+    call must(hsp_boundary_get_gradient(work%boundary, tension=tension, pressure=pressure, energy=surface, &
+                                        d_centre=gradient, capacity=n))
     value = surface%value
     do i = 1, n - 1
       call add_spring(places, i, i + 1, bond, value, gradient)

@@ -26,13 +26,22 @@ struct CurvatureArrays {
   }
 };
 
-inline bool are_finite(const hsp_morphometry &factors) {
-  return is_finite(factors.pressure) && is_finite(factors.tension) && is_finite(factors.bending) &&
-         is_finite(factors.gaussian);
-}
-inline MorphometricFactors to_factors(const hsp_morphometry &factors) {
-  return {factors.pressure, factors.tension, factors.bending, factors.gaussian};
-}
+// What is asked of a morphometric energy.
+struct MorphometryRequest {
+  hsp_morphometry_request given{};
+  Executor executor{};
+
+  int32_t read(const hsp_morphometry_request *request) { return read_request(request, given, executor); }
+  template <class Outputs>
+  int32_t check(uint32_t n, bool wanted, Outputs &outputs) const {
+    if (const int32_t status = check_outputs(n, given.sigma, wanted, outputs); status != HSP_OK) return status;
+    const bool finite =
+        is_finite(given.pressure) && is_finite(given.tension) && is_finite(given.bending) && is_finite(given.gaussian);
+    return finite ? HSP_OK : HSP_E_NOT_FINITE;
+  }
+  MorphometricFactors factors() const { return {given.pressure, given.tension, given.bending, given.gaussian}; }
+};
+
 inline hsp_morphometric_energy to_c(const MorphometricEnergy &energy) {
   return {energy.value, energy.volume, energy.area, energy.mean, energy.gauss, energy.by_probe};
 }

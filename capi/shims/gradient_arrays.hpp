@@ -23,15 +23,30 @@ int32_t check_outputs(uint32_t n, const double *sigma, bool wanted, Outputs &out
   return check_weights(sigma, {0, n}, &outputs.first_bad);
 }
 
-// What is asked of an energy of areas and volume.
-struct GradientRequest {
-  hsp_gradient_request given{};
+// Reads what is asked of a handle's results, and where outputs go; `asked` has the request and reads it.
+template <class Handle, class Asked, class Request, class Outputs>
+int32_t read_question(const Handle *handle, const Request *request, Asked &asked, const Outputs *outputs,
+                      Outputs &out) {
+  if (const int32_t status = check_handle(handle); status != HSP_OK) return status;
+  const int32_t status = first_failure(asked.read(request), read_struct(outputs, {}, out));
+  return status == HSP_OK && !handle->has_results() ? HSP_E_STATE : status;
+}
+
+// A request in which balls that touch are as it says.
+template <class Request>
+struct TangentRequest {
+  Request given{};
   Executor executor{};
 
-  int32_t read(const hsp_gradient_request *request) {
+  int32_t read(const Request *request) {
     if (const int32_t status = read_request(request, given); status != HSP_OK) return status;
     return is_tangency(given.tangency) ? executor.read(given.executor) : HSP_E_ARGUMENT;
   }
+};
+using DerivativesRequest = TangentRequest<hsp_derivatives_request>;
+
+// What is asked of an energy of areas and volume.
+struct GradientRequest : TangentRequest<hsp_gradient_request> {
   template <class Outputs>
   int32_t check(uint32_t n, bool wanted, Outputs &outputs) const {
     if (const int32_t status = check_outputs(n, given.sigma, wanted, outputs); status != HSP_OK) return status;

@@ -3,13 +3,11 @@
 #include "measure/tangency.hpp"
 #include "measure/totals.hpp"
 
-using hsp::capi::check_handle;
 using hsp::capi::check_results;
-using hsp::capi::check_weights;
-using hsp::capi::first_failure;
 using hsp::capi::GradientArrays;
 using hsp::capi::is_tangency;
 using hsp::capi::put_vector;
+using hsp::capi::read_question;
 using hsp::capi::to_touching_balls;
 
 int32_t hsp_gradient_request_init(hsp_gradient_request *request, uint32_t struct_size) {
@@ -18,13 +16,9 @@ int32_t hsp_gradient_request_init(hsp_gradient_request *request, uint32_t struct
 
 int32_t hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradient_request *request,
                                   hsp_gradient_outputs *outputs) {
-  if (const int32_t status = check_handle(boundary); status != HSP_OK) return status;
   hsp::capi::GradientRequest asked;
   hsp_gradient_outputs out;
-  if (const int32_t status = first_failure(asked.read(request), hsp::capi::read_struct(outputs, {}, out));
-      status != HSP_OK)
-    return status;
-  if (!boundary->has_results()) return HSP_E_STATE;
+  if (const int32_t status = read_question(boundary, request, asked, outputs, out); status != HSP_OK) return status;
   const hsp::CubeGrid &grid = boundary->model->grid;
   const GradientArrays arrays{out.d_centre, out.d_radius, out.flags};
   if (const int32_t status = asked.check(grid.balls().n, arrays.any(), *outputs); status != HSP_OK) return status;
@@ -43,47 +37,30 @@ int32_t hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradie
   return HSP_OK;
 }
 
-int32_t hsp_boundary_gradient(const hsp_boundary *boundary, const double *sigma, double tension, double pressure,
-                              uint32_t tangency, hsp_energy *energy, double *d_centre, double *d_radius,
-                              uint32_t *flags, uint32_t capacity, uint32_t *needed, uint32_t *first_bad) {
-  if (const int32_t status = check_results(boundary, !is_tangency(tangency)); status != HSP_OK) return status;
+int32_t hsp_boundary_get_derivatives(const hsp_boundary *boundary, const hsp_derivatives_request *request,
+                                     hsp_derivatives_outputs *outputs) {
+  hsp::capi::DerivativesRequest asked;
+  hsp_derivatives_outputs out;
+  if (const int32_t status = read_question(boundary, request, asked, outputs, out); status != HSP_OK) return status;
   const hsp::CubeGrid &grid = boundary->model->grid;
   const uint32_t n = grid.balls().n;
-  const bool wanted = d_centre != nullptr || d_radius != nullptr || flags != nullptr;
-  if (!hsp::capi::fits(wanted, capacity, n, needed)) return HSP_E_CAPACITY;
-  if (const int32_t status = check_weights(sigma, {0, n}, first_bad); status != HSP_OK) return status;
-  if (!hsp::is_finite(tension) || !hsp::is_finite(pressure)) return HSP_E_NOT_FINITE;
-
+  const bool wanted = out.area_centre != nullptr || out.area_radius != nullptr || out.volume_centre != nullptr ||
+                      out.volume_radius != nullptr || out.flags != nullptr;
+  if (const int32_t status = hsp::capi::check_outputs(n, asked.given.sigma, wanted, *outputs); status != HSP_OK)
+    return status;
   const hsp::Boundary &structure = boundary->structure();
-  const hsp::EnergyTerms terms{{sigma, to_touching_balls(tangency)}, tension, pressure};
-  const GradientArrays arrays{d_centre, d_radius, flags};
-  const hsp::Energy found = hsp::differentiate_energy(
-      grid, structure, terms, [&](uint32_t i, const hsp::EnergyGradient &gradient) { arrays.put(i, gradient); });
-  if (flags != nullptr) hsp::flag_free_inner_contacts(grid, structure, HSP_GRADIENT_ONE_SIDED, flags);
-  if (energy != nullptr) *energy = hsp::capi::to_c(found);
-  return HSP_OK;
-}
-
-int32_t hsp_boundary_derivatives(const hsp_boundary *boundary, const double *sigma, uint32_t tangency,
-                                 double *area_centre, double *area_radius, double *volume_centre, double *volume_radius,
-                                 uint32_t *flags, uint32_t capacity, uint32_t *needed, uint32_t *first_bad) {
-  if (const int32_t status = check_results(boundary, !is_tangency(tangency)); status != HSP_OK) return status;
-  const hsp::CubeGrid &grid = boundary->model->grid;
-  const uint32_t n = grid.balls().n;
-  const bool wanted = area_centre != nullptr || area_radius != nullptr || volume_centre != nullptr ||
-                      volume_radius != nullptr || flags != nullptr;
-  if (!hsp::capi::fits(wanted, capacity, n, needed)) return HSP_E_CAPACITY;
-  if (const int32_t status = check_weights(sigma, {0, n}, first_bad); status != HSP_OK) return status;
-  const hsp::Boundary &structure = boundary->structure();
-  const hsp::AreaWeights weights{sigma, to_touching_balls(tangency)};
-  hsp::differentiate_measures(grid, structure, weights, [&](uint32_t i, const hsp::MeasureGradient &gradient) {
-    put_vector(gradient.area_centre, area_centre, i);
-    put_vector(gradient.volume_centre, volume_centre, i);
-    if (area_radius != nullptr) area_radius[i] = gradient.area_radius;
-    if (volume_radius != nullptr) volume_radius[i] = gradient.volume_radius;
-    if (flags != nullptr) flags[i] = gradient.one_sided ? HSP_GRADIENT_ONE_SIDED : 0;
+  const hsp::AreaWeights weights{asked.given.sigma, to_touching_balls(asked.given.tangency)};
+  const bool each = hsp::for_each_range(asked.executor, n, [&](hsp::IdRange range) {
+    hsp::differentiate_measures(grid, structure, weights, range, [&](uint32_t i, const hsp::MeasureGradient &gradient) {
+      put_vector(gradient.area_centre, out.area_centre, i);
+      put_vector(gradient.volume_centre, out.volume_centre, i);
+      if (out.area_radius != nullptr) out.area_radius[i] = gradient.area_radius;
+      if (out.volume_radius != nullptr) out.volume_radius[i] = gradient.volume_radius;
+      if (out.flags != nullptr) out.flags[i] = gradient.one_sided ? HSP_GRADIENT_ONE_SIDED : 0;
+    });
   });
-  if (flags != nullptr) hsp::flag_free_inner_contacts(grid, structure, HSP_GRADIENT_ONE_SIDED, flags);
+  if (!each) return HSP_E_EXECUTOR;
+  if (out.flags != nullptr) hsp::flag_free_inner_contacts(grid, structure, HSP_GRADIENT_ONE_SIDED, out.flags);
   return HSP_OK;
 }
 

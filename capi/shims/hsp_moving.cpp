@@ -139,13 +139,13 @@ int32_t hsp_moving_get_balls(const hsp_moving *moving, uint32_t count, const uin
   return HSP_OK;
 }
 
-int32_t hsp_moving_get_changed(const hsp_moving *moving, uint32_t *out, uint32_t capacity, uint32_t *needed) {
+int32_t hsp_moving_get_changed(const hsp_moving *moving, uint32_t *balls, uint32_t capacity, uint32_t *needed) {
   const int32_t status = hsp::capi::check_request(
-      moving, out, capacity, needed, [](const hsp_moving &handle) { return handle.builder.changed_count(); });
+      moving, balls, capacity, needed, [](const hsp_moving &handle) { return handle.builder.changed_count(); });
   if (status != HSP_OK) return status;
   uint32_t written = 0;
-  moving->builder.visit_changed([&](uint32_t ball) { out[written++] = ball; });
-  hsp::sort_in_place(hsp::Span<uint32_t>(out, written), [](uint32_t a, uint32_t b) { return a < b; });
+  moving->builder.visit_changed([&](uint32_t ball) { balls[written++] = ball; });
+  hsp::sort_in_place(hsp::Span<uint32_t>(balls, written), [](uint32_t a, uint32_t b) { return a < b; });
   return HSP_OK;
 }
 

@@ -169,27 +169,26 @@ int32_t hsp_periodic_get_components(const hsp_periodic *periodic, uint32_t *comp
   return HSP_OK;
 }
 
-int32_t hsp_periodic_gradient(const hsp_periodic *periodic, const double *sigma, double tension, double pressure,
-                              uint32_t tangency, hsp_energy *energy, double *d_centre, double *d_radius,
-                              uint32_t *flags, double *d_strain, double *d_box, uint32_t capacity, uint32_t *needed,
-                              uint32_t *first_bad) {
-  if (const int32_t status = check_results(periodic, !hsp::capi::is_tangency(tangency)); status != HSP_OK)
+int32_t hsp_periodic_get_gradient(const hsp_periodic *periodic, const hsp_gradient_request *request,
+                                  hsp_periodic_gradient_outputs *outputs) {
+  hsp::capi::GradientRequest asked;
+  hsp_periodic_gradient_outputs out;
+  if (const int32_t status = hsp::capi::read_question(periodic, request, asked, outputs, out); status != HSP_OK)
     return status;
-  const hsp::capi::GradientArrays arrays{d_centre, d_radius, flags};
-  const uint32_t n = periodic->balls();
-  if (!hsp::capi::fits(arrays.any(), capacity, n, needed)) return HSP_E_CAPACITY;
-  if (const int32_t status = hsp::capi::check_weights(sigma, {0, n}, first_bad); status != HSP_OK) return status;
-  if (!hsp::is_finite(tension) || !hsp::is_finite(pressure)) return HSP_E_NOT_FINITE;
+  const hsp::capi::GradientArrays arrays{out.d_centre, out.d_radius, out.flags};
+  if (const int32_t status = asked.check(periodic->balls(), arrays.any(), *outputs); status != HSP_OK) return status;
 
   const hsp::PeriodicUnion &structure = periodic->builder;
-  const hsp::EnergyTerms terms{hsp::weights_in_box(structure, sigma, hsp::capi::to_touching_balls(tangency)), tension,
-                               pressure};
-  const hsp::Energy found = hsp::differentiate_in_box(
-      structure, terms, [&](uint32_t i, const hsp::EnergyGradient &gradient) { arrays.put(i, gradient); });
-  if (flags != nullptr) hsp::flag_free_inner_contacts_in_box(structure, HSP_GRADIENT_ONE_SIDED, flags);
-  if (energy != nullptr) *energy = hsp::capi::to_c(found);
-  if (d_strain == nullptr && d_box == nullptr) return HSP_OK;
-  hsp::capi::put_box_gradient(hsp::differentiate_by_box(structure, terms), d_strain, d_box);
+  hsp::EnergyTerms terms = asked.terms();
+  terms.weights = hsp::weights_in_box(structure, asked.given.sigma, terms.weights.touching_balls);
+  hsp::Energy found;
+  if (!hsp::differentiate_in_box(asked.executor, structure, terms, found,
+                                 [&](uint32_t i, const hsp::EnergyGradient &gradient) { arrays.put(i, gradient); }))
+    return HSP_E_EXECUTOR;
+  if (out.flags != nullptr) hsp::flag_free_inner_contacts_in_box(structure, HSP_GRADIENT_ONE_SIDED, out.flags);
+  if (out.energy != nullptr) *out.energy = hsp::capi::to_c(found);
+  if (out.d_strain == nullptr && out.d_box == nullptr) return HSP_OK;
+  hsp::capi::put_box_gradient(hsp::differentiate_by_box(structure, terms), out.d_strain, out.d_box);
   return HSP_OK;
 }
 

@@ -16,25 +16,27 @@ int32_t hsp_periodic_curvature(const hsp_periodic *periodic, hsp_curvatures *tot
   return HSP_OK;
 }
 
-int32_t hsp_periodic_morphometry(const hsp_periodic *periodic, const double *sigma, const hsp_morphometry *factors,
-                                 hsp_morphometric_energy *energy, double *d_centre, double *d_radius, uint32_t *flags,
-                                 double *d_strain, double *d_box, uint32_t capacity, uint32_t *needed,
-                                 uint32_t *first_bad) {
-  if (const int32_t status = check_results(periodic, factors == nullptr); status != HSP_OK) return status;
-  const hsp::capi::GradientArrays arrays{d_centre, d_radius, flags};
-  const uint32_t n = periodic->balls();
-  if (!hsp::capi::fits(arrays.any(), capacity, n, needed)) return HSP_E_CAPACITY;
-  if (const int32_t status = hsp::capi::check_weights(sigma, {0, n}, first_bad); status != HSP_OK) return status;
-  if (!hsp::capi::are_finite(*factors)) return HSP_E_NOT_FINITE;
+int32_t hsp_periodic_get_morphometry(const hsp_periodic *periodic, const hsp_morphometry_request *request,
+                                     hsp_periodic_morphometry_outputs *outputs) {
+  hsp::capi::MorphometryRequest asked;
+  hsp_periodic_morphometry_outputs out;
+  if (const int32_t status = hsp::capi::read_question(periodic, request, asked, outputs, out); status != HSP_OK)
+    return status;
+  const hsp::capi::GradientArrays arrays{out.d_centre, out.d_radius, out.flags};
+  if (const int32_t status = asked.check(periodic->balls(), arrays.any(), *outputs); status != HSP_OK) return status;
 
   const hsp::PeriodicUnion &structure = periodic->builder;
-  const hsp::AreaWeights weights = hsp::weights_in_box(structure, sigma, hsp::TouchingBalls::meet);
-  const hsp::MorphometricFactors terms = hsp::capi::to_factors(*factors);
-  const hsp::MorphometricEnergy found = hsp::differentiate_morphometry_in_box(
-      structure, weights, terms, [&](uint32_t i, const hsp::EnergyGradient &gradient) { arrays.put(i, gradient); });
-  if (flags != nullptr) hsp::flag_free_inner_contacts_in_box(structure, HSP_CURVATURE_ONE_SIDED, flags);
-  if (energy != nullptr) *energy = hsp::capi::to_c(found);
-  if (d_strain == nullptr && d_box == nullptr) return HSP_OK;
-  hsp::capi::put_box_gradient(hsp::differentiate_morphometry_by_box(structure, weights, terms), d_strain, d_box);
+  const hsp::AreaWeights weights = hsp::weights_in_box(structure, asked.given.sigma, hsp::TouchingBalls::meet);
+  const hsp::MorphometricFactors factors = asked.factors();
+  hsp::MorphometricEnergy found;
+  if (!hsp::differentiate_morphometry_in_box(
+          asked.executor, structure, weights, factors, found,
+          [&](uint32_t i, const hsp::EnergyGradient &gradient) { arrays.put(i, gradient); }))
+    return HSP_E_EXECUTOR;
+  if (out.flags != nullptr) hsp::flag_free_inner_contacts_in_box(structure, HSP_CURVATURE_ONE_SIDED, out.flags);
+  if (out.energy != nullptr) *out.energy = hsp::capi::to_c(found);
+  if (out.d_strain == nullptr && out.d_box == nullptr) return HSP_OK;
+  hsp::capi::put_box_gradient(hsp::differentiate_morphometry_by_box(structure, weights, factors), out.d_strain,
+                              out.d_box);
   return HSP_OK;
 }

@@ -33,8 +33,10 @@ int32_t read_options(const hsp_pores_options *given, hsp_pores_options &complete
 // In steps, rounded down, and no farther than points can be.
 int64_t floor_in_steps(const hsp::BallSet &balls, double floor) {
   constexpr double limit = hsp::exact::query_radius_limit;
-  const double steps = std::floor(balls.lattice.steps(floor));
-  return static_cast<int64_t>(steps < -limit ? -limit : steps > limit ? limit : steps);
+  const double steps = balls.lattice.steps(floor);
+  const double near = steps < -limit ? -limit : steps > limit ? limit : steps;
+  const int64_t truncated = static_cast<int64_t>(near);
+  return truncated - static_cast<int64_t>(static_cast<double>(truncated) > near);
 }
 
 double floor_of(const hsp_pores &pores) {
@@ -72,12 +74,10 @@ int32_t get_list(const hsp_pores *pores, uint32_t record, T *out, uint32_t capac
   return HSP_OK;
 }
 
-uint32_t as_it_is(uint32_t number) {
-  return number;
-}
+constexpr auto as_it_is = [](uint32_t number) { return number; };
 
-int32_t get_pocket_list(const hsp_pores *pores, uint32_t pocket, uint32_t *out, uint32_t capacity, uint32_t *needed,
-                        hsp::Span<const uint32_t> (hsp::PocketFinder::*list)(const hsp::Pocket &) const) {
+template <auto list>
+int32_t get_pocket_list(const hsp_pores *pores, uint32_t pocket, uint32_t *out, uint32_t capacity, uint32_t *needed) {
   return get_list(
       pores, pocket, out, capacity, needed,
       [](const hsp_pores &handle) { return handle.builder.pockets().pockets().size(); },
@@ -283,17 +283,17 @@ int32_t hsp_pores_get_pockets(const hsp_pores *pores, uint32_t first, uint32_t c
 
 int32_t hsp_pores_get_pocket_maxima(const hsp_pores *pores, uint32_t pocket, uint32_t *maxima, uint32_t capacity,
                                     uint32_t *needed) {
-  return get_pocket_list(pores, pocket, maxima, capacity, needed, &hsp::PocketFinder::maxima);
+  return get_pocket_list<&hsp::PocketFinder::maxima>(pores, pocket, maxima, capacity, needed);
 }
 
 int32_t hsp_pores_get_pocket_mouths(const hsp_pores *pores, uint32_t pocket, uint32_t *gates, uint32_t capacity,
                                     uint32_t *needed) {
-  return get_pocket_list(pores, pocket, gates, capacity, needed, &hsp::PocketFinder::mouths);
+  return get_pocket_list<&hsp::PocketFinder::mouths>(pores, pocket, gates, capacity, needed);
 }
 
 int32_t hsp_pores_get_pocket_balls(const hsp_pores *pores, uint32_t pocket, uint32_t *balls, uint32_t capacity,
                                    uint32_t *needed) {
-  return get_pocket_list(pores, pocket, balls, capacity, needed, &hsp::PocketFinder::balls);
+  return get_pocket_list<&hsp::PocketFinder::balls>(pores, pocket, balls, capacity, needed);
 }
 
 int32_t hsp_pores_find_tunnel(hsp_pores *pores, const double *from, const double *to, const uint32_t *avoided,

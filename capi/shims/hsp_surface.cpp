@@ -1,4 +1,5 @@
 #include "hsp_surface.hpp"
+#include "gradient_arrays.hpp"
 #include "measure/tangency.hpp"
 #include "surface/degenerate_balls.hpp"
 #include "surface/surface_gradients.hpp"
@@ -42,44 +43,6 @@ void flag_degenerate_balls(const hsp::CubeGrid &grid, const hsp::Boundary &bound
     flag(outer);
   });
   hsp::visit_degenerate_balls(grid, boundary, surface, any_tied, flag);
-}
-
-// Where gradients go; each may be null.
-struct GradientArrays {
-  double *d_centre, *d_radius;
-  uint32_t *flags;
-
-  bool any() const { return d_centre != nullptr || d_radius != nullptr || flags != nullptr; }
-  void put(uint32_t i, const hsp::SurfaceEnergyGradient &gradient) const {
-    hsp::capi::put_vector(gradient.centre, d_centre, i);
-    if (d_radius != nullptr) d_radius[i] = gradient.radius;
-    if (flags != nullptr) flags[i] = gradient.degenerate ? HSP_SURFACE_DEGENERATE : 0;
-  }
-};
-
-int32_t get_gradient(const hsp_surface *surface, const double *sigma, double tension, double pressure,
-                     hsp_energy *energy, const GradientArrays &arrays, uint32_t capacity, uint32_t *needed,
-                     uint32_t *first_bad) {
-  if (const int32_t status = check_results(surface); status != HSP_OK) return status;
-  const hsp::CubeGrid &grid = surface->boundary->model->grid;
-  const uint32_t n = grid.balls().n;
-  if (!hsp::capi::fits(arrays.any(), capacity, n, needed)) return HSP_E_CAPACITY;
-  if (const int32_t status = hsp::capi::check_weights(sigma, {0, n}, first_bad); status != HSP_OK) return status;
-  if (!hsp::is_finite(tension) || !hsp::is_finite(pressure)) return HSP_E_NOT_FINITE;
-
-  const hsp::Boundary &boundary = surface->boundary->structure();
-  const hsp::EnergyTerms terms{{sigma}, tension, pressure};
-  bool any_degenerate = false;
-  const hsp::SurfaceEnergy found = hsp::differentiate_surface(
-      grid, boundary, surface->builder.surface(), terms, [&](uint32_t i, const hsp::SurfaceEnergyGradient &gradient) {
-        arrays.put(i, gradient);
-        any_degenerate = any_degenerate || gradient.degenerate;
-      });
-  if (arrays.flags != nullptr) {
-    flag_degenerate_balls(grid, boundary, surface->builder.surface(), terms.weights, any_degenerate, arrays.flags);
-  }
-  if (energy != nullptr) *energy = {found.value, found.area, found.volume, found.by_probe};
-  return HSP_OK;
 }
 
 }  // namespace
@@ -143,15 +106,33 @@ int32_t hsp_surface_measure(const hsp_surface *surface, hsp_surface_totals *tota
   return HSP_OK;
 }
 
-int32_t hsp_surface_gradient(const hsp_surface *surface, double tension, double pressure, hsp_energy *energy,
-                             double *d_centre, double *d_radius, uint32_t *flags, uint32_t capacity, uint32_t *needed) {
-  return get_gradient(surface, nullptr, tension, pressure, energy, {d_centre, d_radius, flags}, capacity, needed,
-                      nullptr);
-}
+int32_t hsp_surface_get_gradient(const hsp_surface *surface, const hsp_gradient_request *request,
+                                 hsp_gradient_outputs *outputs) {
+  hsp::capi::GradientRequest asked;
+  hsp_gradient_outputs out;
+  if (const int32_t status = hsp::capi::read_question(surface, request, asked, outputs, out); status != HSP_OK)
+    return status;
+  if (asked.given.tangency != HSP_TANGENT_OVERLAP) return HSP_E_ARGUMENT;
+  const hsp::CubeGrid &grid = surface->boundary->model->grid;
+  const uint32_t n = grid.balls().n;
+  const bool wanted = out.d_centre != nullptr || out.d_radius != nullptr || out.flags != nullptr;
+  if (const int32_t status = asked.check(n, wanted, *outputs); status != HSP_OK) return status;
 
-int32_t hsp_surface_weighted_gradient(const hsp_surface *surface, const double *sigma, double tension, double pressure,
-                                      hsp_energy *energy, double *d_centre, double *d_radius, uint32_t *flags,
-                                      uint32_t capacity, uint32_t *needed, uint32_t *first_bad) {
-  return get_gradient(surface, sigma, tension, pressure, energy, {d_centre, d_radius, flags}, capacity, needed,
-                      first_bad);
+  const hsp::Boundary &boundary = surface->boundary->structure();
+  const hsp::Surface &smooth = surface->builder.surface();
+  const hsp::EnergyTerms terms = asked.terms();
+  const auto put = [&out](uint32_t i, const hsp::SurfaceEnergyGradient &gradient) {
+    hsp::capi::put_vector(gradient.centre, out.d_centre, i);
+    if (out.d_radius != nullptr) out.d_radius[i] = gradient.radius;
+    if (out.flags != nullptr) out.flags[i] = gradient.degenerate ? HSP_SURFACE_DEGENERATE : 0;
+  };
+  hsp::Energy found;
+  if (!hsp::differentiate_surface(asked.executor, grid, boundary, smooth, terms, found, put)) return HSP_E_EXECUTOR;
+  if (out.flags != nullptr) {
+    bool any_degenerate = false;
+    for (uint32_t i = 0; i < n; ++i) any_degenerate = any_degenerate || out.flags[i] != 0;
+    flag_degenerate_balls(grid, boundary, smooth, terms.weights, any_degenerate, out.flags);
+  }
+  if (out.energy != nullptr) *out.energy = hsp::capi::to_c(found);
+  return HSP_OK;
 }

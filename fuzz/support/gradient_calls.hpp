@@ -72,16 +72,23 @@ inline void call_gradient(Bytes &bytes, const hsp_boundary *boundary, int32_t re
   Output<hsp_energy> energy(1, null(bytes));
   Output<double> centre(3 * capacity, null(bytes)), radius(capacity, null(bytes));
   Output<uint32_t> flags(capacity, null(bytes));
-  const int32_t status =
-      hsp_boundary_gradient(boundary, no_sigma ? nullptr : sigma.data(), tension, pressure, tangency, energy.data(),
-                            centre.data(), radius.data(), flags.data(), capacity, nullptr, nullptr);
+  const double *const weights = no_sigma ? nullptr : sigma.data();
+  loop own = loop_of(LOOP_SHUFFLED);
+  const hsp_executor executor = executor_of(&own, bytes.below(4));
+  const hsp_executor *const workers = null(bytes) ? nullptr : &executor;
+  const hsp_gradient_request request{sizeof request, tangency, tension, pressure, weights, workers};
+  hsp_gradient_outputs outputs{sizeof outputs, capacity,      12345,         12345,
+                               energy.data(),  centre.data(), radius.data(), flags.data()};
+  const int32_t status = hsp_boundary_get_gradient(boundary, &request, &outputs);
   // The two parts of the gradient have the same arguments but for the factors, which are finite numbers there.
   Output<double> area_centre(3 * capacity, null(bytes)), area_radius(capacity, null(bytes));
   Output<double> volume_centre(3 * capacity, null(bytes)), volume_radius(capacity, null(bytes));
-  uint32_t first_bad = 12345;
-  const int32_t parts_status = hsp_boundary_derivatives(boundary, no_sigma ? nullptr : sigma.data(), tangency,
-                                                        area_centre.data(), area_radius.data(), volume_centre.data(),
-                                                        volume_radius.data(), nullptr, capacity, nullptr, &first_bad);
+  const hsp_derivatives_request parts_request{sizeof parts_request, tangency, weights, workers};
+  hsp_derivatives_outputs parts_outputs{
+      sizeof parts_outputs, capacity, 12345, 12345, area_centre.data(), area_radius.data(), volume_centre.data(),
+      volume_radius.data(), nullptr};
+  const int32_t parts_status = hsp_boundary_get_derivatives(boundary, &parts_request, &parts_outputs);
+  const uint32_t first_bad = parts_outputs.first_bad;
   const bool parts = area_centre.data() != nullptr || area_radius.data() != nullptr ||
                      volume_centre.data() != nullptr || volume_radius.data() != nullptr;
   const int32_t parts_expected = boundary == nullptr || tangency > HSP_TANGENT_DISJOINT ? HSP_E_ARGUMENT
@@ -89,7 +96,7 @@ inline void call_gradient(Bytes &bytes, const hsp_boundary *boundary, int32_t re
                                  : parts && capacity < balls                            ? HSP_E_CAPACITY
                                  : !finite_weights                                      ? HSP_E_NOT_FINITE
                                                                                         : HSP_OK;
-  FUZZ_REQUIRE(parts_status == parts_expected, "hsp_boundary_derivatives");
+  FUZZ_REQUIRE(parts_status == parts_expected, "hsp_boundary_get_derivatives");
   FUZZ_REQUIRE(parts_status != HSP_E_NOT_FINITE || (first_bad < balls && !std::isfinite(sigma[first_bad])),
                "first_bad");
   const uint32_t of_parts = parts_status == HSP_OK ? balls : 0;
@@ -99,16 +106,16 @@ inline void call_gradient(Bytes &bytes, const hsp_boundary *boundary, int32_t re
                    volume_radius.untouched_from(volume_radius.data() == nullptr ? 0 : of_parts),
                "derivatives written where nothing belongs");
   if (boundary == nullptr || tangency > HSP_TANGENT_DISJOINT) {
-    FUZZ_REQUIRE(status == HSP_E_ARGUMENT, "hsp_boundary_gradient, arguments");
+    FUZZ_REQUIRE(status == HSP_E_ARGUMENT, "hsp_boundary_get_gradient, arguments");
   } else if (reader_status != HSP_OK) {
-    FUZZ_REQUIRE(status < 0, "hsp_boundary_gradient without results");
+    FUZZ_REQUIRE(status < 0, "hsp_boundary_get_gradient without results");
   } else {
     const bool arrays = centre.data() != nullptr || radius.data() != nullptr || flags.data() != nullptr;
     const bool too_small = arrays && capacity < balls;
     const bool good = status == HSP_OK           ? finite && !too_small
                       : status == HSP_E_CAPACITY ? too_small
                                                  : status == HSP_E_NOT_FINITE && !finite;
-    FUZZ_REQUIRE(good, "hsp_boundary_gradient");
+    FUZZ_REQUIRE(good, "hsp_boundary_get_gradient");
   }
   const uint32_t written = status == HSP_OK ? balls : 0;
   FUZZ_REQUIRE(energy.untouched_from(status == HSP_OK && energy.data() != nullptr ? 1 : 0), "energy on failure");

@@ -112,22 +112,23 @@ class SurfaceCalls {
     FUZZ_REQUIRE(hsp_surface_get_counts(surface, &counts) == expected, "hsp_surface_get_counts");
     FUZZ_REQUIRE(hsp_surface_measure(surface, &totals, nullptr, 0, &balls) == expected, "hsp_surface_measure");
     const double tension = number(bytes_, true);
-    const int32_t gradient = hsp_surface_gradient(surface, tension, 1, &energy, nullptr, nullptr, nullptr, 0, nullptr);
-    FUZZ_REQUIRE(gradient == (expected == HSP_OK && !std::isfinite(tension) ? HSP_E_NOT_FINITE : expected),
-                 "hsp_surface_gradient");
     std::vector<double> sigma(balls, 1.0);
-    uint32_t bad = HSP_NONE, first_bad = 12345;
+    uint32_t bad = HSP_NONE;
     if (balls > 0) {
       const uint32_t changed = bytes_.below(balls);
       sigma[changed] = number(bytes_, true);
       if (!std::isfinite(sigma[changed])) bad = changed;
     }
-    const int32_t weighted = hsp_surface_weighted_gradient(surface, sigma.data(), 1, tension, &energy, nullptr, nullptr,
-                                                           nullptr, 0, nullptr, &first_bad);
-    FUZZ_REQUIRE(
-        weighted == (expected == HSP_OK && (bad != HSP_NONE || !std::isfinite(tension)) ? HSP_E_NOT_FINITE : expected),
-        "hsp_surface_weighted_gradient");
-    FUZZ_REQUIRE(first_bad == (expected == HSP_OK ? bad : 12345), "the first weight that is no number");
+    const uint32_t tangency = bytes_.one_in(20) ? 1 + bytes_.byte() : HSP_TANGENT_OVERLAP;
+    const bool finite = bad == HSP_NONE && std::isfinite(tension);
+    const int32_t asked = tangency > HSP_TANGENT_DISJOINT                          ? HSP_E_ARGUMENT
+                          : expected == HSP_OK && tangency == HSP_TANGENT_DISJOINT ? HSP_E_ARGUMENT
+                                                                                   : expected;
+    const hsp_gradient_request request{sizeof request, tangency, 1, tension, sigma.data(), nullptr};
+    hsp_gradient_outputs outputs{sizeof outputs, 0, 12345, 12345, &energy, nullptr, nullptr, nullptr};
+    const int32_t gradient = hsp_surface_get_gradient(surface, &request, &outputs);
+    FUZZ_REQUIRE(gradient == (asked == HSP_OK && !finite ? HSP_E_NOT_FINITE : asked), "hsp_surface_get_gradient");
+    FUZZ_REQUIRE(outputs.first_bad == (asked == HSP_OK ? bad : 12345), "the first weight that is no number");
     const int32_t of_map = expected == HSP_OK && counts.open_joints > 0 ? HSP_E_OPEN_SURFACE : expected;
     FUZZ_REQUIRE(hsp_surface_get_map_counts(surface, &map) == of_map, "hsp_surface_get_map_counts");
     FUZZ_REQUIRE(hsp_surface_check(surface, &invariant, &id) == of_map, "hsp_surface_check");

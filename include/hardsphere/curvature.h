@@ -12,6 +12,7 @@
 #define HARDSPHERE_CURVATURE_H
 
 #include "boundary.h"
+#include "executor.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -39,13 +40,18 @@ typedef struct hsp_curvatures {
 HSP_API int32_t hsp_boundary_curvature(const hsp_boundary *boundary, hsp_curvatures *totals, double *mean,
                                        int32_t *gauss_thirds, uint32_t capacity, uint32_t *needed);
 
-/** The factors of a morphometric energy. Frozen. */
-typedef struct hsp_morphometry {
-  double pressure; /**< of the volume */
-  double tension;  /**< of the weighted area */
-  double bending;  /**< of the weighted mean curvature */
-  double gaussian; /**< of the Gaussian curvature */
-} hsp_morphometry;
+/** The question: a morphometric energy, of a union or of one in a periodic box (periodic.h). Zero means default in
+ *  every field but the first. */
+typedef struct hsp_morphometry_request {
+  uint32_t struct_size;         /**< sizeof(hsp_morphometry_request) */
+  uint32_t reserved;            /**< 0 */
+  double pressure;              /**< of the volume */
+  double tension;               /**< of the weighted area */
+  double bending;               /**< of the weighted mean curvature */
+  double gaussian;              /**< of the Gaussian curvature */
+  const double *sigma;          /**< [n], or NULL for all ones: the weights of area and mean curvature */
+  const hsp_executor *executor; /**< or NULL: the threads that share the work */
+} hsp_morphometry_request;
 
 /** A morphometric energy and its parts. Frozen. */
 typedef struct hsp_morphometric_energy {
@@ -61,25 +67,35 @@ typedef struct hsp_morphometric_energy {
  *  four spheres or more meet in a vertex of the ball, or one of its vertices is where two circles only touch. */
 #define HSP_CURVATURE_ONE_SIDED UINT32_C(1)
 
-/** A morphometric energy and its gradient in one pass; balls that touch count as overlapping.
- *  sigma [n], NULL for all ones; energy may be NULL. d_centre [n][3], d_radius [n] and flags [n] =
- *  HSP_CURVATURE_ONE_SIDED may each be NULL and else hold capacity >= n entries. needed may be NULL and else becomes n;
- *  first_bad may be NULL and else becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is none.
+/** The results that are wanted, and where they go. */
+typedef struct hsp_morphometry_outputs {
+  uint32_t struct_size; /**< sizeof(hsp_morphometry_outputs) */
+  uint32_t capacity;    /**< entries that each array [n] has room for */
+  uint32_t needed;      /**< becomes n */
+  uint32_t first_bad;   /**< becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is none */
+  hsp_morphometric_energy *energy; /**< or NULL */
+  double *d_centre;                /**< [n][3], or NULL: by the centres */
+  double *d_radius;                /**< [n], or NULL: by the radii */
+  uint32_t *flags;                 /**< [n], or NULL: HSP_CURVATURE_ONE_SIDED */
+} hsp_morphometry_outputs;
+
+/** A morphometric energy and its gradient in one pass; balls that touch count as overlapping. request may be NULL: all
+ *  defaults. With no factor E is 0, while the parts of energy are there.
  *  M is continuous; its slope is unbounded where an arc is born or dies and where balls begin to touch. G is constant
- *  but for jumps. On failure nothing but *needed and *first_bad is written.
+ *  but for jumps. On failure nothing but outputs->needed and outputs->first_bad is written.
  *  - Property 1: the sum of d_centre is zero up to rounding.
  *  - Property 2: with only bending not 0, sum_i (r_i d_radius_i + c_i . d_centre_i) is M(sigma).
  *  - Property 3: d_centre, d_radius and flags do not depend on the order of the balls, bit for bit.
  *
  *  Cost: O(n + vertices + circles).
- *  @retval HSP_E_ARGUMENT    boundary or factors is NULL
+ *  @retval HSP_E_ARGUMENT    boundary or outputs is NULL; an executor with workers and without run
+ *  @retval HSP_E_VERSION     bad struct_size, an unknown part or reserved is not 0
  *  @retval HSP_E_CAPACITY    an array is given and capacity < n
  *  @retval HSP_E_STATE       nothing computed, or the model has changed since
- *  @retval HSP_E_NOT_FINITE  a sigma or a factor is NaN or infinite */
-HSP_API int32_t hsp_boundary_morphometry(const hsp_boundary *boundary, const double *sigma,
-                                         const hsp_morphometry *factors, hsp_morphometric_energy *energy,
-                                         double *d_centre, double *d_radius, uint32_t *flags, uint32_t capacity,
-                                         uint32_t *needed, uint32_t *first_bad);
+ *  @retval HSP_E_NOT_FINITE  a sigma or a factor is NaN or infinite
+ *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written */
+HSP_API int32_t hsp_boundary_get_morphometry(const hsp_boundary *boundary, const hsp_morphometry_request *request,
+                                             hsp_morphometry_outputs *outputs);
 
 #ifdef __cplusplus
 }

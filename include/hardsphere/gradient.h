@@ -37,7 +37,8 @@ typedef struct hsp_energy {
   double d_probe; /**< dE/d(probe) = sum of all dE/dr_i */
 } hsp_energy;
 
-/** The question: E = tension * sum_i sigma_i A_i + pressure * V. Zero means default in every field but the first. */
+/** The question: E = tension * sum_i sigma_i A_i + pressure * V, of a union, one in a periodic box (periodic.h), or a
+ *  smooth surface (surface.h). Zero means default in every field but the first. */
 typedef struct hsp_gradient_request {
   uint32_t struct_size;         /**< sizeof(hsp_gradient_request); hsp_gradient_request_init sets it */
   uint32_t tangency;            /**< one of HSP_TANGENT_* */
@@ -84,44 +85,41 @@ typedef struct hsp_gradient_outputs {
 HSP_API int32_t hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradient_request *request,
                                           hsp_gradient_outputs *outputs);
 
-/** E = tension * sum_i sigma_i A_i + pressure * V and its gradient, in one pass.
- *  sigma [n], NULL for all ones; tangency is one of HSP_TANGENT_*; energy may be NULL. d_centre [n][3] = dE/dc_i,
- *  d_radius [n] = dE/dr_i and flags [n] = HSP_GRADIENT_* may each be NULL and else hold capacity >= n entries.
- *  For the area alone: tension 1, pressure 0, sigma NULL. For the volume alone: tension 0, pressure 1. A ball with
- *  sigma 0 only blocks. For molecular dynamics take HSP_TANGENT_OVERLAP. needed may be NULL and else becomes n;
- *  first_bad may be NULL and else becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is none.
- *  On failure nothing but *needed and *first_bad is written.
- *  - Property 1: the sums of d_centre and of c_i x d_centre are zero up to rounding (E does not change under motions).
- *  - Property 2: with all sigma equal, sum_i (r_i d_radius_i + c_i . d_centre_i) is 2 A for the area, 3 V for the
- *    volume.
- *  - Property 3: d_centre, d_radius and flags do not depend on the order of the balls, bit for bit.
- *
- *  Source: M. L. Connolly 1983, T. J. Richmond 1984 for the area; dV/dc_i is the vector area of ball i's faces.
- *  Cost: O(n + vertices + circles).
- *  @retval HSP_E_ARGUMENT    boundary is NULL; unknown tangency
- *  @retval HSP_E_CAPACITY    an array is given and capacity < n
- *  @retval HSP_E_STATE       nothing computed, or the model has changed since
- *  @retval HSP_E_NOT_FINITE  a sigma, tension or pressure is NaN or infinite */
-HSP_API int32_t hsp_boundary_gradient(const hsp_boundary *boundary, const double *sigma, double tension,
-                                      double pressure, uint32_t tangency, hsp_energy *energy, double *d_centre,
-                                      double *d_radius, uint32_t *flags, uint32_t capacity, uint32_t *needed,
-                                      uint32_t *first_bad);
+/** The question of the two parts of a gradient. Zero means default in every field but the first. */
+typedef struct hsp_derivatives_request {
+  uint32_t struct_size;         /**< sizeof(hsp_derivatives_request) */
+  uint32_t tangency;            /**< one of HSP_TANGENT_* */
+  const double *sigma;          /**< [n], or NULL for all ones: the weights of the areas */
+  const hsp_executor *executor; /**< or NULL: the threads that share the work */
+} hsp_derivatives_request;
 
-/** The two parts of that gradient, each on its own: the derivatives of S = sum_i sigma_i A_i and of the volume V.
- *  area_centre [n][3] = dS/dc_i, area_radius [n] = dS/dr_i, volume_centre [n][3] = dV/dc_i (the vector area of ball i's
- *  faces), volume_radius [n] = dV/dr_i (ball i's free area); each may be NULL. The other arguments are those of
- *  hsp_boundary_gradient. On failure nothing but *needed and *first_bad is written.
- *  - Property 1: tension times the one plus pressure times the other is what hsp_boundary_gradient says, up to
+/** The results that are wanted, and where they go: derivatives of S = sum_i sigma_i A_i and of the volume V. */
+typedef struct hsp_derivatives_outputs {
+  uint32_t struct_size;  /**< sizeof(hsp_derivatives_outputs) */
+  uint32_t capacity;     /**< entries that each array [n] has room for */
+  uint32_t needed;       /**< becomes n */
+  uint32_t first_bad;    /**< becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is none */
+  double *area_centre;   /**< [n][3], or NULL: dS/dc_i */
+  double *area_radius;   /**< [n], or NULL: dS/dr_i */
+  double *volume_centre; /**< [n][3], or NULL: dV/dc_i, the vector area of ball i's faces */
+  double *volume_radius; /**< [n], or NULL: dV/dr_i, ball i's free area */
+  uint32_t *flags;       /**< [n], or NULL: HSP_GRADIENT_* */
+} hsp_derivatives_outputs;
+
+/** The two parts of that gradient, each on its own. request may be NULL: all defaults. On failure nothing but
+ *  outputs->needed and outputs->first_bad is written.
+ *  - Property 1: tension times the one plus pressure times the other is what hsp_boundary_get_gradient says, up to
  *    rounding; with tension 1 and pressure 0, or 0 and 1, and finite numbers, bit for bit.
  *
- *  @retval HSP_E_ARGUMENT    boundary is NULL; unknown tangency
+ *  Cost: O(n + vertices + circles).
+ *  @retval HSP_E_ARGUMENT    boundary or outputs is NULL; unknown tangency; an executor with workers and without run
+ *  @retval HSP_E_VERSION     bad struct_size, or an unknown part is not 0
  *  @retval HSP_E_CAPACITY    an array is given and capacity < n
  *  @retval HSP_E_STATE       nothing computed, or the model has changed since
- *  @retval HSP_E_NOT_FINITE  a sigma is NaN or infinite */
-HSP_API int32_t hsp_boundary_derivatives(const hsp_boundary *boundary, const double *sigma, uint32_t tangency,
-                                         double *area_centre, double *area_radius, double *volume_centre,
-                                         double *volume_radius, uint32_t *flags, uint32_t capacity, uint32_t *needed,
-                                         uint32_t *first_bad);
+ *  @retval HSP_E_NOT_FINITE  a sigma is NaN or infinite
+ *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written */
+HSP_API int32_t hsp_boundary_get_derivatives(const hsp_boundary *boundary, const hsp_derivatives_request *request,
+                                             hsp_derivatives_outputs *outputs);
 
 /** One entry of a ball's row of the area's Jacobian. Frozen. */
 typedef struct hsp_area_derivative {

@@ -14,11 +14,11 @@
  * moved, that they met before, or that they meet now, and adds up totals along a fixed tree. Its cost does not depend
  * on how many other balls there are, but for the depth of that tree.
  *
- * SAME BITS   Every number is, bit for bit, what hsp_boundary_compute, hsp_boundary_measure and hsp_boundary_gradient
- * say of a new model of the balls as they are, whatever moves led there: one with the same lattice step, probe and
- * largest radius (hsp_model_options; hsp_moving_get_info tells them), or the one of hsp_moving_get_model. Results
- * that only a boundary has are to be computed from that model: ids of vertices, arcs and faces, shells, voids and all
- * that follows.
+ * SAME BITS   Every number is, bit for bit, what hsp_boundary_compute, hsp_boundary_measure and
+ * hsp_boundary_get_gradient say of a new model of the balls as they are, whatever moves led there: one with the same
+ * lattice step, probe and largest radius (hsp_model_options; hsp_moving_get_info tells them), or the one of
+ * hsp_moving_get_model. Results that only a boundary has are to be computed from that model: ids of vertices, arcs and
+ * faces, shells, voids and all that follows.
  *
  * REFUSED   The lattice is that of the model, and so is the largest radius: twice of it is the side of the
  * cubes in which balls are looked up. A move of a ball beyond the lattice, or to a radius above that, is refused. Set
@@ -75,13 +75,14 @@ HSP_API int32_t hsp_moving_bytes(const hsp_moving_limits *limits, size_t *bytes)
  *  @retval HSP_E_RANGE     a limit is larger than HSP_MAX_BALLS, or the size does not fit a size_t */
 HSP_API int32_t hsp_moving_init(void *memory, size_t bytes, const hsp_moving_limits *limits, hsp_moving **moving);
 
-/** Take the balls of a model, and the energy that is to be known: sigma, tension, pressure and tangency are those of
- *  hsp_boundary_gradient. Computes everything; nothing is kept of the model and of sigma. May be called any number of
- *  times. On failure the handle holds no results. limits: see LIMITS in hardsphere.h; at most two retries. first_bad
- *  may be NULL and else becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is none.
+/** Take the balls of a model, and the energy that is to be known: sigma [n], NULL for all ones, tension, pressure and
+ *  tangency are those of hsp_gradient_request. Computes everything; nothing is kept of the model and of sigma. May be
+ *  called any number of times. On failure the handle holds no results. limits: see LIMITS in hardsphere.h; at most two
+ *  retries. first_bad may be NULL and else becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is
+ *  none.
  *  - Property 1: the order of the balls has no effect but on ids, and on the last bits of sums over all balls.
  *
- *  Cost: about that of hsp_boundary_compute and hsp_boundary_gradient.
+ *  Cost: about that of hsp_boundary_compute and hsp_boundary_get_gradient.
  *  @retval HSP_E_ARGUMENT    moving or model is NULL; unknown tangency
  *  @retval HSP_E_VERSION     bad struct_size of limits
  *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
@@ -150,7 +151,8 @@ HSP_API int32_t hsp_moving_get_info(const hsp_moving *moving, hsp_moving_info *i
 HSP_API int32_t hsp_moving_measure(const hsp_moving *moving, hsp_totals *totals, double *area, double *volume,
                                    uint32_t capacity, uint32_t *needed);
 
-/** The energy that hsp_moving_set was given, and its derivatives; the arguments are those of hsp_boundary_gradient.
+/** The energy that hsp_moving_set was given, and its derivatives as of hsp_boundary_get_gradient: d_centre [n][3],
+ *  d_radius [n] and flags [n] may each be NULL and else hold capacity >= n entries. energy and needed may be NULL.
  *  Cost: O(log n) for the energy, O(n) for the arrays.
  *  @retval HSP_E_ARGUMENT  moving is NULL
  *  @retval HSP_E_CAPACITY  an array is given and capacity < n; nothing but *needed is written
@@ -185,7 +187,7 @@ HSP_API int32_t hsp_moving_get_balls(const hsp_moving *moving, uint32_t count, c
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     no balls: no hsp_moving_set before, or it failed */
-HSP_API int32_t hsp_moving_get_changed(const hsp_moving *moving, uint32_t *out, uint32_t capacity, uint32_t *needed);
+HSP_API int32_t hsp_moving_get_changed(const hsp_moving *moving, uint32_t *balls, uint32_t capacity, uint32_t *needed);
 
 /** Put the balls as they are into a model, as hsp_model_set would with the same lattice and largest radius: for a
  *  boundary with ids, shells and topology, for queries and views. Results of other contents of the model cannot be read

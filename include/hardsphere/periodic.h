@@ -79,7 +79,8 @@ HSP_API int32_t hsp_periodic_init(void *memory, size_t bytes, const hsp_periodic
 /** Take n balls and a box, and compute boundary, contacts and components. Balls and options are those of hsp_model_set:
  *  xyz and radius may be NULL only if n is 0; options and limits may be NULL. box [9] holds the three vectors; nothing
  *  is kept of the arrays. On failure there are no results. first_bad may be NULL, else it is set to the index of the
- *  first ball that is refused, or HSP_NONE. limits: see LIMITS in hardsphere.h; at most five retries.
+ *  first ball that is refused, or HSP_NONE if none is, or if options or the box are at fault: a step that is too small
+ *  for every radius, too. limits: see LIMITS in hardsphere.h; at most five retries.
  *  - Property 1: which image of a ball is given, and which vectors for the same box, has no effect but on shifts, on
  *    the order of what is sorted by them, on the rows of windings and on derivatives by the vectors: all other numbers
  *    are the same bit for bit.
@@ -151,23 +152,36 @@ HSP_API int32_t hsp_periodic_measure(const hsp_periodic *periodic, hsp_periodic_
 HSP_API int32_t hsp_periodic_curvature(const hsp_periodic *periodic, hsp_curvatures *totals, double *mean,
                                        int32_t *gauss_thirds, uint32_t capacity, uint32_t *needed);
 
-/** A morphometric energy, its gradient by the balls, and its derivatives by the box, in one call. The arguments are
- *  those of hsp_boundary_morphometry, and d_strain [9] and d_box [9] those of hsp_periodic_gradient, which may be NULL.
- *  When a ball moves or grows all of its images do. The volume is the sum of the cells.
- *  On failure nothing but *needed and *first_bad is written.
+/** The results that are wanted of a morphometric energy in a box, and where they go. */
+typedef struct hsp_periodic_morphometry_outputs {
+  uint32_t struct_size; /**< sizeof(hsp_periodic_morphometry_outputs) */
+  uint32_t capacity;    /**< entries that each array [n] has room for */
+  uint32_t needed;      /**< becomes n */
+  uint32_t first_bad;   /**< becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is none */
+  hsp_morphometric_energy *energy; /**< or NULL */
+  double *d_centre;                /**< [n][3], or NULL: by the centres */
+  double *d_radius;                /**< [n], or NULL: by the radii */
+  uint32_t *flags;                 /**< [n], or NULL: HSP_CURVATURE_ONE_SIDED */
+  double *d_strain;                /**< [9], or NULL: by the strain, as of hsp_periodic_gradient_outputs */
+  double *d_box;                   /**< [9], or NULL: by the vectors of the box, the same */
+} hsp_periodic_morphometry_outputs;
+
+/** A morphometric energy, its gradient by the balls, and its derivatives by the box, in one call: as
+ *  hsp_boundary_get_morphometry. request may be NULL: all defaults. When a ball moves or grows all of its images do.
+ *  The volume is the sum of the cells. On failure nothing but outputs->needed and outputs->first_bad is written.
  *  - Property 1: the sum of d_centre is zero up to rounding.
  *  - Property 2: with only bending not 0, the trace of d_strain + sum_i r_i d_radius_i is M(sigma), up to rounding.
  *  - Property 3: d_strain is symmetric up to rounding, where no ball has a flag.
  *
  *  Cost: O(n + vertices + circles + contacts).
- *  @retval HSP_E_ARGUMENT    periodic or factors is NULL
+ *  @retval HSP_E_ARGUMENT    periodic or outputs is NULL; an executor with workers and without run
+ *  @retval HSP_E_VERSION     bad struct_size, an unknown part or reserved is not 0
  *  @retval HSP_E_CAPACITY    an array for balls is given and capacity < n
  *  @retval HSP_E_STATE       nothing computed
- *  @retval HSP_E_NOT_FINITE  a sigma or a factor is NaN or infinite */
-HSP_API int32_t hsp_periodic_morphometry(const hsp_periodic *periodic, const double *sigma,
-                                         const hsp_morphometry *factors, hsp_morphometric_energy *energy,
-                                         double *d_centre, double *d_radius, uint32_t *flags, double *d_strain,
-                                         double *d_box, uint32_t capacity, uint32_t *needed, uint32_t *first_bad);
+ *  @retval HSP_E_NOT_FINITE  a sigma or a factor is NaN or infinite
+ *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written */
+HSP_API int32_t hsp_periodic_get_morphometry(const hsp_periodic *periodic, const hsp_morphometry_request *request,
+                                             hsp_periodic_morphometry_outputs *outputs);
 
 /** A contact of a ball and an image. Frozen. */
 typedef struct hsp_periodic_contact {
@@ -227,26 +241,38 @@ HSP_API int32_t hsp_periodic_get_windings(const hsp_periodic *periodic, hsp_wind
 HSP_API int32_t hsp_periodic_get_components(const hsp_periodic *periodic, uint32_t *component, uint32_t capacity,
                                             uint32_t *needed);
 
-/** E = tension * sum_i sigma_i A_i + pressure * V and its derivatives by the balls and by the box. The arguments that
- *  hsp_boundary_gradient has are as there; when a ball moves or grows all of its images do. d_strain [9] and d_box [9]
- *  may be NULL.
- *  d_strain [3 p + q] is by eps_pq, if all centres and vectors x become x + eps x and radii stay: its trace over
- *  3 V_box is what E adds to the pressure, with its sign changed. d_box [3 k + p] is by component p of vector k, if all
- *  centres keep their multiples of the vectors.
- *  On failure nothing but *needed and *first_bad is written.
+/** The results that are wanted, and where they go. */
+typedef struct hsp_periodic_gradient_outputs {
+  uint32_t struct_size; /**< sizeof(hsp_periodic_gradient_outputs) */
+  uint32_t capacity;    /**< entries that each array [n] has room for */
+  uint32_t needed;      /**< becomes n */
+  uint32_t first_bad;   /**< becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is none */
+  hsp_energy *energy;   /**< or NULL */
+  double *d_centre;     /**< [n][3], or NULL: dE/dc_i */
+  double *d_radius;     /**< [n], or NULL: dE/dr_i */
+  uint32_t *flags;      /**< [n], or NULL: HSP_GRADIENT_* */
+  double *d_strain;     /**< [9], or NULL: [3 p + q] is by eps_pq, if all centres and vectors x become x + eps x and
+                             radii stay */
+  double *d_box; /**< [9], or NULL: [3 k + p] is by component p of vector k, if all centres keep their multiples of the
+                      vectors */
+} hsp_periodic_gradient_outputs;
+
+/** An energy and its derivatives by the balls and by the box, as hsp_boundary_get_gradient. request may be NULL: all
+ *  defaults. When a ball moves or grows all of its images do. The trace of d_strain over 3 V_box is what E adds to the
+ *  pressure, with its sign changed. On failure nothing but outputs->needed and outputs->first_bad is written.
  *  - Property 1: the sum of d_centre is zero up to rounding.
  *  - Property 2: with all sigma equal, the trace of d_strain + sum_i r_i d_radius_i is 2 A for the area, 3 V for the
  *    volume.
  *
  *  Cost: O(n + vertices + circles + contacts).
- *  @retval HSP_E_ARGUMENT    periodic is NULL; unknown tangency
+ *  @retval HSP_E_ARGUMENT    periodic or outputs is NULL; unknown tangency; an executor with workers and without run
+ *  @retval HSP_E_VERSION     bad struct_size, or an unknown part is not 0
  *  @retval HSP_E_CAPACITY    an array for balls is given and capacity < n
  *  @retval HSP_E_STATE       nothing computed
- *  @retval HSP_E_NOT_FINITE  a sigma, tension or pressure is NaN or infinite */
-HSP_API int32_t hsp_periodic_gradient(const hsp_periodic *periodic, const double *sigma, double tension,
-                                      double pressure, uint32_t tangency, hsp_energy *energy, double *d_centre,
-                                      double *d_radius, uint32_t *flags, double *d_strain, double *d_box,
-                                      uint32_t capacity, uint32_t *needed, uint32_t *first_bad);
+ *  @retval HSP_E_NOT_FINITE  a sigma, tension or pressure is NaN or infinite
+ *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written */
+HSP_API int32_t hsp_periodic_get_gradient(const hsp_periodic *periodic, const hsp_gradient_request *request,
+                                          hsp_periodic_gradient_outputs *outputs);
 
 /** A ball, or an image of it. Frozen. */
 typedef struct hsp_image {

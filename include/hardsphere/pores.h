@@ -305,15 +305,21 @@ typedef struct hsp_tunnel {
   uint32_t reserved; /**< 0 */
 } hsp_tunnel;
 
-/** Find the tunnel from one point to another, from [3] and to [3], or to the outside if `to` is NULL, that the widest
- *  probe gets through, without the gates avoided [count]. To avoid the tightest gates of tunnels before finds the next
- *  best one that has another bottleneck. It leads through maxima and gates, and each part of it is as wide as any path
- *  between its ends. Its points stay until the next call; on failure there are none. limits, if not NULL, become what
- *  was needed for pores and the tunnel, or limits to retry with, for new pores: their struct_size has to be set.
+/** Find the tunnel from one point to another, or to the outside, that the widest probe gets through without the gates
+ *  to be avoided. To avoid the tightest gates of tunnels before finds the next best one that has another bottleneck. It
+ *  leads through maxima and gates, and each part of it is as wide as any path between its ends. Its points stay until
+ *  the next call; on failure there are none.
  *  - Property 1: without avoided gates its radius is that of hsp_pores_widest.
  *  - Property 2: the largest probe at a gate is narrower than at the points beside it: the way rises from there.
  *
- *  @param[out] tunnel     the tunnel, or that there is none
+ *  @param[in,out] pores  of which no other tunnel is needed any more
+ *  @param[in] from       [3]
+ *  @param[in] to         [3], or NULL: the outside
+ *  @param[in] avoided    [count], or NULL with count = 0: ids of gates
+ *  @param[in] count      of avoided gates
+ *  @param[out] tunnel    the tunnel, or that there is none
+ *  @param[out] limits    or NULL: what was needed for pores and the tunnel, or limits to retry with, for new pores; its
+ *                        struct_size has to be set
  *
  *  Cost: O((maxima + gates) log maxima + gates count), and that of hsp_pores_locate.
  *  @retval HSP_E_ARGUMENT    pores, from or tunnel is NULL; avoided is NULL with a count above 0
@@ -329,11 +335,10 @@ HSP_API int32_t hsp_pores_find_tunnel(hsp_pores *pores, const double *from, cons
 
 /** A point of a tunnel. Frozen. */
 typedef struct hsp_tunnel_point {
-  double xyz[3];
-  double radius; /**< of the largest probe there */
-  uint32_t
-      ball[4];   /**< nearest ones, HSP_NONE behind the last: four at a maximum, three at a gate, else one to three */
-  uint32_t gate; /**< that it is, or HSP_NONE */
+  double xyz[3];    /**< where it lies */
+  double radius;    /**< of the largest probe there */
+  uint32_t ball[4]; /**< nearest ones, then HSP_NONE: four at a maximum, three at a gate, else one to three */
+  uint32_t gate;    /**< that it is, or HSP_NONE */
   uint32_t maximum; /**< that it is, or HSP_NONE */
 } hsp_tunnel_point;
 

@@ -145,7 +145,7 @@ HSP_API int32_t hsp_surface_compute(hsp_surface *surface, const hsp_boundary *bo
  *  cell 0 it comes from outside: voids are filled, and everything in them is gone.
  *
  *  The part that is chosen and the rest of the boundary have a surface each. hsp_surface_measure and
- *  hsp_surface_gradient are of the chosen one alone; patches, edges, corners, shells and hsp_surface_counts are of
+ *  hsp_surface_get_gradient are of the chosen one alone; patches, edges, corners, shells and hsp_surface_counts are of
  *  both, and hsp_surface_shell.chosen says to which one a shell belongs. No probe at a vertex of one part cuts a patch
  *  of the other, so that chosen shells of the surface are not those of the whole complement.
  *  - Property 1: with all shells of the boundary the same as hsp_surface_compute.
@@ -212,49 +212,36 @@ HSP_API int32_t hsp_surface_measure(const hsp_surface *surface, hsp_surface_tota
  *  ball's centre, or one of two balls touches the other from inside. */
 #define HSP_SURFACE_DEGENERATE UINT32_C(1)
 
-/** E = tension * A + pressure * V of the smooth surface and its gradient, in one pass.
- *  energy may be NULL. d_centre [n][3] = dE/dc_i, d_radius [n] = dE/dr_i for radii without the probe, and flags [n] =
- *  HSP_SURFACE_* may each be NULL and else hold capacity >= n entries. energy->d_probe is the derivative by the probe,
- *  at the same radii. For the area alone: tension 1, pressure 0; for the volume alone: tension 0, pressure 1. needed
- *  may be NULL and else becomes n. On failure nothing but *needed is written.
+/** E = tension * sum_i sigma_i A_i + pressure * V of the smooth surface and its gradient, in one pass, with A_i ball
+ *  i's share of the area as hsp_surface_measure has it. request may be NULL: all defaults. outputs->d_radius is for
+ *  radii without the probe, outputs->flags are HSP_SURFACE_*, and energy->d_probe is the derivative by the probe, at
+ *  the same radii. For the area alone: tension 1. For the volume alone: pressure 1. On failure nothing but
+ *  outputs->needed and outputs->first_bad is written.
  *  - Property 1: the sums of d_centre and of c_i x d_centre are zero up to rounding (E does not change under motions).
- *  - Property 2: sum_i (r_i d_radius_i + c_i . d_centre_i) + probe d_probe is 2 A for the area, 3 V for the volume.
+ *  - Property 2: sum_i (r_i d_radius_i + c_i . d_centre_i) + probe d_probe is 2 sum_i sigma_i A_i for the area, 3 V for
+ *    the volume.
  *  - Property 3: d_centre, d_radius and flags do not depend on the order of the balls, bit for bit.
- *  - Property 4: energy->area and energy->volume are those of hsp_surface_measure up to rounding.
+ *  - Property 4: without sigma energy->area and energy->volume are those of hsp_surface_measure up to rounding; with a
+ *    sigma that is the same for all balls everything is that of this multiple of the area, up to rounding.
  *
  *  A and V are continuous, but where a piece of the outside is born. V is continuously differentiable but where more
  *  than three spheres pass through a vertex, or three through a circle; A is but where arcs and vertices come or go at
  *  an angle. That takes what HSP_SURFACE_DEGENERATE flags; there derivatives are those on one side at best. Without a
  *  probe balls that touch are flagged, too, and circles of three are not (gradient.h). The slope of a derivative may be
  *  unbounded elsewhere, where an arc or a vertex is born. The lattice's rounding is not differentiated.
- *  Cost: O(n + size of the boundary).
- *  @retval HSP_E_ARGUMENT    surface is NULL
- *  @retval HSP_E_CAPACITY    an array is given and capacity < n
- *  @retval HSP_E_STATE       nothing computed, or model or boundary changed since
- *  @retval HSP_E_NOT_FINITE  tension or pressure is NaN or infinite */
-HSP_API int32_t hsp_surface_gradient(const hsp_surface *surface, double tension, double pressure, hsp_energy *energy,
-                                     double *d_centre, double *d_radius, uint32_t *flags, uint32_t capacity,
-                                     uint32_t *needed);
-
-/** The same of E = tension * sum_i sigma_i A_i + pressure * V, with A_i ball i's share of the area as
- *  hsp_surface_measure has it. sigma [n], NULL for all ones; energy->area becomes sum_i sigma_i A_i; first_bad may be
- *  NULL and else becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is none. The other arguments
- *  are those of hsp_surface_gradient. On failure nothing but *needed and *first_bad is written.
- *  - Property 1: properties 1 and 3 of hsp_surface_gradient; with pressure 0 property 2, for 2 sum_i sigma_i A_i.
- *  - Property 2: without sigma everything is what hsp_surface_gradient says, bit for bit; with a sigma that is the same
- *    for all balls it is that of this multiple of the area, up to rounding.
- *
  *  Shares are less smooth than their sum. Where an arc or a vertex is born what one ball has passes to another with a
  *  square root: next to that derivatives grow without bound. Where the plane of an arc or a circle passes a ball's
  *  centre, or a ball touches another from inside, they jump, which HSP_SURFACE_DEGENERATE flags.
- *  @retval HSP_E_ARGUMENT    surface is NULL
+ *  Cost: O(n + size of the boundary).
+ *  @retval HSP_E_ARGUMENT    surface or outputs is NULL; tangency is not HSP_TANGENT_OVERLAP; an executor with workers
+ *                            and without run
+ *  @retval HSP_E_VERSION     bad struct_size, or an unknown part is not 0
  *  @retval HSP_E_CAPACITY    an array is given and capacity < n
  *  @retval HSP_E_STATE       nothing computed, or model or boundary changed since
- *  @retval HSP_E_NOT_FINITE  a sigma, tension or pressure is NaN or infinite */
-HSP_API int32_t hsp_surface_weighted_gradient(const hsp_surface *surface, const double *sigma, double tension,
-                                              double pressure, hsp_energy *energy, double *d_centre, double *d_radius,
-                                              uint32_t *flags, uint32_t capacity, uint32_t *needed,
-                                              uint32_t *first_bad);
+ *  @retval HSP_E_NOT_FINITE  a sigma, tension or pressure is NaN or infinite
+ *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written */
+HSP_API int32_t hsp_surface_get_gradient(const hsp_surface *surface, const hsp_gradient_request *request,
+                                         hsp_gradient_outputs *outputs);
 
 /* ---- patches, edges, corners ------------------------------------------------------------------------------------- */
 

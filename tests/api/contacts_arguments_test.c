@@ -183,11 +183,12 @@ static void reading(void) {
 
 static void curvature(void) {
   hsp_curvatures totals;
-  hsp_morphometry factors = {0, 0, 1, 0};
+  hsp_morphometry_request factors = {.struct_size = sizeof factors, .bending = 1};
   hsp_morphometric_energy energy;
+  hsp_morphometry_outputs asked = {.struct_size = sizeof asked, .energy = &energy};
   double mean[BALLS], d_centre[3 * BALLS], d_radius[BALLS], sigma[BALLS] = {1, 1, 1, 1, 1}, sum = 0, moment = 0;
   int32_t thirds[BALLS], all = 0;
-  uint32_t flags[BALLS], needed = 0, bad = 0, k;
+  uint32_t flags[BALLS], needed = 0, k;
   CHECK_EQUAL(hsp_boundary_curvature(boundary, &totals, mean, thirds, BALLS - 1, &needed), HSP_E_CAPACITY);
   CHECK_EQUAL(needed, BALLS);
   CHECK_EQUAL(hsp_boundary_curvature(boundary, &totals, mean, thirds, BALLS, NULL), HSP_OK);
@@ -201,24 +202,29 @@ static void curvature(void) {
   CHECK_EQUAL(all, 12);
   CHECK_EQUAL(thirds[4], 6);
 
-  CHECK_EQUAL(hsp_boundary_morphometry(boundary, NULL, &factors, &energy, d_centre, NULL, NULL, 1, &needed, NULL),
-              HSP_E_CAPACITY);
-  CHECK_EQUAL(needed, BALLS);
+  asked.d_centre = d_centre;
+  asked.capacity = 1;
+  CHECK_EQUAL(hsp_boundary_get_morphometry(boundary, &factors, &asked), HSP_E_CAPACITY);
+  CHECK_EQUAL(asked.needed, BALLS);
+  asked.d_centre = NULL;
   sigma[2] = (double)NAN;
-  CHECK_EQUAL(hsp_boundary_morphometry(boundary, sigma, &factors, &energy, NULL, NULL, NULL, 0, NULL, &bad),
-              HSP_E_NOT_FINITE);
-  CHECK_EQUAL(bad, 2);
+  factors.sigma = sigma;
+  CHECK_EQUAL(hsp_boundary_get_morphometry(boundary, &factors, &asked), HSP_E_NOT_FINITE);
+  CHECK_EQUAL(asked.first_bad, 2);
+  factors.sigma = NULL;
   for (k = 0; k < 4; ++k) {
     double *const factor[4] = {&factors.pressure, &factors.tension, &factors.bending, &factors.gaussian};
     const double before = *factor[k];
     *factor[k] = (double)INFINITY;
-    CHECK_EQUAL(hsp_boundary_morphometry(boundary, NULL, &factors, &energy, NULL, NULL, NULL, 0, NULL, &bad),
-                HSP_E_NOT_FINITE);
+    CHECK_EQUAL(hsp_boundary_get_morphometry(boundary, &factors, &asked), HSP_E_NOT_FINITE);
     *factor[k] = before;
   }
-  CHECK_EQUAL(hsp_boundary_morphometry(boundary, NULL, &factors, &energy, d_centre, d_radius, flags, BALLS, NULL, &bad),
-              HSP_OK);
-  CHECK_EQUAL(bad, HSP_NONE);
+  asked.d_centre = d_centre;
+  asked.d_radius = d_radius;
+  asked.flags = flags;
+  asked.capacity = BALLS;
+  CHECK_EQUAL(hsp_boundary_get_morphometry(boundary, &factors, &asked), HSP_OK);
+  CHECK_EQUAL(asked.first_bad, HSP_NONE);
   CHECK_NEAR(energy.value, totals.mean, 1e-13);
   CHECK_NEAR(energy.mean, totals.mean, 1e-13);
   CHECK_NEAR(energy.gauss, totals.gauss, 1e-14);
@@ -240,11 +246,12 @@ static void curvature(void) {
   factors.pressure = 2;
   factors.tension = 3;
   factors.gaussian = 5;
-  CHECK_EQUAL(hsp_boundary_morphometry(boundary, NULL, &factors, &energy, NULL, NULL, NULL, 0, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_boundary_get_morphometry(boundary, &factors, SIZED(hsp_morphometry_outputs, .energy = &energy)),
+              HSP_OK);
   CHECK_NEAR(energy.value, 2 * energy.volume + 3 * energy.area + energy.mean + 5 * energy.gauss, 1e-12);
   CHECK_EQUAL(hsp_model_set(model, BALLS - 1, xyz, radius, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_boundary_curvature(boundary, &totals, NULL, NULL, 0, NULL), HSP_E_STATE);
-  CHECK_EQUAL(hsp_boundary_morphometry(boundary, NULL, &factors, &energy, NULL, NULL, NULL, 0, NULL, NULL),
+  CHECK_EQUAL(hsp_boundary_get_morphometry(boundary, &factors, SIZED(hsp_morphometry_outputs, .energy = &energy)),
               HSP_E_STATE);
 }
 

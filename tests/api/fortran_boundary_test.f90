@@ -419,20 +419,21 @@ contains
     integer :: axis, step
     call compute_all()
     flags = 7
-    call expect(hsp_boundary_gradient(boundary, sigma, 0.5_c_double, 2.0_c_double, HSP_TANGENT_OVERLAP, energy, centre, &
-                                      by_radius, flags, n), HSP_OK, 'hsp_boundary_gradient')
+    call expect(hsp_boundary_get_gradient(boundary, sigma=sigma, tension=0.5_c_double, pressure=2.0_c_double, &
+                                          energy=energy, d_centre=centre, d_radius=by_radius, flags=flags, capacity=n), &
+                HSP_OK, 'a gradient by named arguments')
     weights = sigma
-    request = hsp_gradient_request(int(c_sizeof(request), c_int32_t), HSP_TANGENT_OVERLAP, 0.5_c_double, 2.0_c_double, &
-                                   c_loc(weights), c_null_ptr)
-    outputs = hsp_gradient_outputs(int(c_sizeof(outputs), c_int32_t), n, 0, 0, c_loc(own_energy), c_loc(own_centre), &
-                                   c_loc(own_radius), c_loc(own_flags))
+    request = hsp_gradient_request(tension=0.5_c_double, pressure=2.0_c_double, sigma=c_loc(weights))
+    outputs = hsp_gradient_outputs(capacity=n, energy=c_loc(own_energy), d_centre=c_loc(own_centre), &
+                                   d_radius=c_loc(own_radius), flags=c_loc(own_flags))
+    call check(request%struct_size == c_sizeof(request) .and. outputs%struct_size == c_sizeof(outputs), 'sizes as made')
     call expect(hsp_boundary_get_gradient(boundary, request, outputs), HSP_OK, 'hsp_boundary_get_gradient')
     call check(outputs%needed == n .and. outputs%first_bad == HSP_NONE, 'needed by a request')
     call check(all(own_centre == centre) .and. all(own_radius == by_radius) .and. all(own_flags == flags) .and. &
                own_energy%value == energy%value .and. own_energy%d_probe == energy%d_probe, 'a gradient by a request')
-    call expect(hsp_boundary_derivatives(boundary, sigma, HSP_TANGENT_OVERLAP, area_centre, area_radius, volume_centre, &
-                                         volume_radius, capacity=n, needed=needed, first_bad=first_bad), HSP_OK, &
-                'hsp_boundary_derivatives')
+    call expect(hsp_boundary_get_derivatives(boundary, sigma=sigma, area_centre=area_centre, area_radius=area_radius, &
+                                             volume_centre=volume_centre, volume_radius=volume_radius, capacity=n, &
+                                             needed=needed, first_bad=first_bad), HSP_OK, 'hsp_boundary_get_derivatives')
     call check(needed == n .and. first_bad == HSP_NONE, 'all weights are numbers')
     call check(all(abs(0.5_c_double*area_centre + 2*volume_centre - centre) < 1e-12_c_double) .and. &
                all(abs(0.5_c_double*area_radius + 2*volume_radius - by_radius) < 1e-12_c_double), 'the parts of a gradient')
@@ -458,14 +459,16 @@ contains
     end do
     call compute_all()
     energy%value = 0
-    call expect(hsp_boundary_gradient(boundary, tension=1.0_c_double, pressure=0.0_c_double, &
-                                      tangency=HSP_TANGENT_DISJOINT, energy=energy, capacity=0_c_int32_t), HSP_OK, 'energy')
+    call expect(hsp_boundary_get_gradient(boundary, tension=1.0_c_double, tangency=HSP_TANGENT_DISJOINT, energy=energy), &
+                HSP_OK, 'energy')
     call expect(hsp_boundary_measure(boundary, totals=totals, capacity=0_c_int32_t), HSP_OK, 'totals')
     call check(abs(energy%value - totals%area) < 1e-12_c_double, 'without weights all are 1')
-    call expect(hsp_boundary_gradient(boundary, sigma, 1.0_c_double, 0.0_c_double, 2_c_int32_t, capacity=0_c_int32_t), &
-                HSP_E_ARGUMENT, 'unknown tangency')
-    call expect(hsp_boundary_gradient(boundary, sigma, ieee_value(pi, ieee_quiet_nan), 0.0_c_double, &
-                                      HSP_TANGENT_DISJOINT, capacity=0_c_int32_t), HSP_E_NOT_FINITE, 'tension that is no number')
+    call expect(hsp_boundary_get_gradient(boundary, sigma=sigma, tangency=2_c_int32_t), HSP_E_ARGUMENT, 'unknown tangency')
+    call expect(hsp_boundary_get_gradient(boundary, tension=ieee_value(pi, ieee_quiet_nan)), HSP_E_NOT_FINITE, &
+                'tension that is no number')
+    needed = 12345
+    call expect(hsp_boundary_get_gradient(boundary, d_centre=centre, capacity=n - 1, needed=needed), HSP_E_CAPACITY, 'room')
+    call check(needed == n, 'needed by named arguments')
     call touching_balls()
   end subroutine
 
@@ -478,13 +481,12 @@ contains
     integer(c_int32_t) :: flags(2)
     call expect(hsp_model_set(model, 2_c_int32_t, places, radii), HSP_OK, 'touching balls')
     call expect(hsp_boundary_compute(boundary, model), HSP_OK, 'touching balls')
-    call expect(hsp_boundary_gradient(boundary, tension=1.0_c_double, pressure=0.0_c_double, &
-                                      tangency=HSP_TANGENT_OVERLAP, d_centre=centre, flags=flags, capacity=2_c_int32_t), &
-                HSP_OK, 'touching balls')
+    call expect(hsp_boundary_get_gradient(boundary, tension=1.0_c_double, d_centre=centre, flags=flags, &
+                                          capacity=2_c_int32_t), HSP_OK, 'touching balls')
     call check(all(flags == HSP_GRADIENT_ONE_SIDED), 'flags of touching balls')
     call check(abs(centre(2, 2) - 1.5_c_double*pi) < 1e-13_c_double, 'touching balls as if they met')
-    call expect(hsp_boundary_gradient(boundary, tension=1.0_c_double, pressure=0.0_c_double, &
-                                      tangency=HSP_TANGENT_DISJOINT, d_centre=centre, capacity=2_c_int32_t), HSP_OK, 'apart')
+    call expect(hsp_boundary_get_gradient(boundary, tension=1.0_c_double, tangency=HSP_TANGENT_DISJOINT, d_centre=centre, &
+                                          capacity=2_c_int32_t), HSP_OK, 'apart')
     call check(all(centre == 0), 'touching balls as if they were apart')
   end subroutine
 
@@ -505,8 +507,8 @@ contains
                'angle of an entry')
     call check(row(2)%angle == 0, 'angle of the ball itself')
     sigma = [0, 1, 0, 0]
-    call expect(hsp_boundary_gradient(boundary, sigma, 1.0_c_double, 0.0_c_double, HSP_TANGENT_OVERLAP, d_centre=centre, &
-                                      capacity=n), HSP_OK, 'gradient of one area')
+    call expect(hsp_boundary_get_gradient(boundary, sigma=sigma, tension=1.0_c_double, d_centre=centre, capacity=n), &
+                HSP_OK, 'gradient of one area')
     call check(all(abs(centre(:, 1) - row(1)%centre) < 1e-13_c_double), 'first entry is the gradient')
     call check(all(abs(centre(:, 2) - row(2)%centre) < 1e-13_c_double), 'second entry is the gradient')
     call check(all(abs(centre(:, 3) - row(3)%centre) < 1e-13_c_double), 'third entry is the gradient')
@@ -519,7 +521,6 @@ contains
 
   subroutine curvatures()
     type(hsp_curvatures) :: totals
-    type(hsp_morphometry) :: factors
     type(hsp_morphometric_energy) :: energy
     real(c_double) :: mean(n), d_centre(3, n), d_radius(n), sigma(n)
     integer(c_int32_t) :: thirds(n), flags(n), needed, first_bad
@@ -530,14 +531,14 @@ contains
     call check(abs(totals%gauss - 8*pi) < 1e-13_c_double, 'Gaussian curvature')
     call check(abs(mean(4) - 2*pi) < 1e-14_c_double, 'mean curvature of a ball alone')
     sigma = 1
-    factors = hsp_morphometry(0.0_c_double, 0.0_c_double, 1.0_c_double, 0.0_c_double)
-    call expect(hsp_boundary_morphometry(boundary, sigma, factors, energy, d_centre, d_radius, flags, n, needed, &
-                                         first_bad), HSP_OK, 'hsp_boundary_morphometry')
+    call expect(hsp_boundary_get_morphometry(boundary, sigma=sigma, bending=1.0_c_double, energy=energy, &
+                                             d_centre=d_centre, d_radius=d_radius, flags=flags, capacity=n, &
+                                             needed=needed, first_bad=first_bad), HSP_OK, 'hsp_boundary_get_morphometry')
     call check(first_bad == HSP_NONE .and. all(flags == 0), 'flags of a morphometric energy')
     call check(abs(energy%value - totals%mean) < 1e-12_c_double, 'bending energy')
     call check(abs(sum(d_radius*radius) + sum(d_centre*xyz) - energy%mean) < 1e-12_c_double, 'homogeneity')
     call check(maxval(abs(sum(d_centre, dim=2))) < 1e-13_c_double, 'sum of derivatives')
-    call expect(hsp_boundary_morphometry(boundary, factors=factors, capacity=0_c_int32_t), HSP_OK, 'nothing asked')
+    call expect(hsp_boundary_get_morphometry(boundary, bending=1.0_c_double), HSP_OK, 'nothing asked')
   end subroutine
 
   ! The ball apart comes to the others and goes back.

@@ -91,20 +91,19 @@ program fortran_periodic_test
   call expect(hsp_periodic_get_components(periodic, component, n, needed), HSP_OK, 'hsp_periodic_get_components')
   call check(all(component == [0, 0, 1]), 'components')
 
-  call expect(hsp_periodic_gradient(periodic, tension=0.0_c_double, pressure=1.0_c_double, &
-                                    tangency=HSP_TANGENT_OVERLAP, energy=energy, d_centre=d_centre, &
-                                    d_radius=d_radius, flags=flags, d_strain=d_strain, d_box=d_box, capacity=n), HSP_OK, &
-              'hsp_periodic_gradient')
+  call expect(hsp_periodic_get_gradient(periodic, pressure=1.0_c_double, energy=energy, d_centre=d_centre, &
+                                        d_radius=d_radius, flags=flags, d_strain=d_strain, d_box=d_box, capacity=n), &
+              HSP_OK, 'hsp_periodic_get_gradient')
   call check(abs(energy%value - totals%volume) < 1e-11_c_double .and. all(flags == 0), 'energy')
   call check(maxval(abs(d_centre)) < 1e-11_c_double .and. maxval(abs(d_radius - area)) < 1e-11_c_double, 'gradient')
   call check(abs(d_strain(1) - 2.25_c_double*pi) < 1e-11_c_double, 'strain')
   call check(maxval(abs(d_strain(2:))) < 1e-11_c_double, 'no more strain')
   call check(abs(d_box(1) - 0.5625_c_double*pi) < 1e-11_c_double, 'by the box')
 
-  call expect(hsp_periodic_morphometry(periodic, factors=hsp_morphometry(0.5_c_double, 0.0_c_double, 2.0_c_double, &
-                                                                         1.0_c_double), &
-                                       energy=morphometric, d_centre=d_centre, d_radius=d_radius, flags=flags, &
-                                       d_strain=d_strain, d_box=d_box, capacity=n), HSP_OK, 'hsp_periodic_morphometry')
+  call expect(hsp_periodic_get_morphometry(periodic, pressure=0.5_c_double, bending=2.0_c_double, gaussian=1.0_c_double, &
+                                           energy=morphometric, d_centre=d_centre, d_radius=d_radius, flags=flags, &
+                                           d_strain=d_strain, d_box=d_box, capacity=n), HSP_OK, &
+              'hsp_periodic_get_morphometry')
   call check(abs(morphometric%mean - curvatures%mean) < 1e-11_c_double .and. all(flags == 0), 'morphometric energy')
   call check(abs(morphometric%value - totals%volume/2 - 2*curvatures%mean - curvatures%gauss) < 1e-11_c_double, 'its value')
   call check(abs(d_strain(1) + dot_product(radius, d_radius) - 1.5_c_double*totals%volume - 2*curvatures%mean) < &

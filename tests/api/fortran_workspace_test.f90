@@ -105,8 +105,8 @@ contains
     status = work%set(n, xyz, radius)
     if (status == HSP_OK) status = work%compute_boundary()
     if (status == HSP_OK) status = hsp_boundary_measure(work%boundary, totals=totals, area=area, capacity=n)
-    if (status == HSP_OK) status = hsp_boundary_gradient(work%boundary, tension=1.0_c_double, pressure=0.0_c_double, &
-      tangency=HSP_TANGENT_OVERLAP, energy=energy, d_centre=gradient, capacity=n)
+    if (status == HSP_OK) status = hsp_boundary_get_gradient(work%boundary, tension=1.0_c_double, energy=energy, &
+      d_centre=gradient, capacity=n)
     call expect(status, HSP_OK, 'area and gradient')
     call check(near(totals%area, 4*pi*n - 2*pi*(n - 1)), 'area')
     call check(near(totals%volume, 4*pi/3*n - 2*(n - 1)*pi*5/24), 'volume: caps have pi h^2 (3 - h)/3')
@@ -125,15 +125,15 @@ contains
     call check(near(sum(shares%area), surface%area), 'the shares of the balls')
     energy%area = 0
     gradient = 0
-    call expect(hsp_surface_gradient(work%surface, 1.0_c_double, 0.0_c_double, energy, gradient, capacity=n), HSP_OK, &
-                'its gradient')
+    call expect(hsp_surface_get_gradient(work%surface, tension=1.0_c_double, energy=energy, d_centre=gradient, &
+                                         capacity=n), HSP_OK, 'its gradient')
     call check(near(energy%area, totals%area), 'the energy is the area')
     if (n > 1) call check(near(gradient(1, n), 2*pi) .and. near(gradient(1, 1), -2*pi), 'the ends pull as before')
     ! Weights 1 .. n: of the inner balls, which have all the same area, the weights at both ends count.
     sigma = [(real(i, c_double), i=1, n)]
     first_bad = 0
-    call expect(hsp_surface_weighted_gradient(work%surface, sigma, 1.0_c_double, 0.0_c_double, energy, gradient, &
-                                              capacity=n, first_bad=first_bad), HSP_OK, 'with weights')
+    call expect(hsp_surface_get_gradient(work%surface, sigma=sigma, tension=1.0_c_double, energy=energy, &
+                                         d_centre=gradient, capacity=n, first_bad=first_bad), HSP_OK, 'with weights')
     call check(near(energy%area, sum(sigma*area)) .and. first_bad == HSP_NONE, 'the weighted area')
     if (n > 1) call check(near(gradient(1, n), pi*(2*n - 1)), 'the last pair pulls with the sum of its weights')
     call expect(hsp_surface_compute_shells(work%surface, work%boundary, [0], 1), HSP_OK, 'of its only shell')

@@ -57,13 +57,17 @@ static void check_outputs_untouched(void) {
 
 static int32_t gradient_with(const hsp_boundary *of, const double *weights, double tension, double pressure,
                              uint32_t tangency) {
-  return hsp_boundary_gradient(of, weights, tension, pressure, tangency, &energy, &by_centre[0][0], by_radius, flags,
-                               BALLS, NULL, NULL);
+  return hsp_boundary_get_gradient(
+      of, SIZED(hsp_gradient_request, .sigma = weights, .tension = tension, .pressure = pressure, .tangency = tangency),
+      SIZED(hsp_gradient_outputs, .energy = &energy, .d_centre = &by_centre[0][0], .d_radius = by_radius,
+            .flags = flags, .capacity = BALLS));
 }
 
 static int32_t derivatives_with(const hsp_boundary *of, const double *weights, uint32_t tangency) {
-  return hsp_boundary_derivatives(of, weights, tangency, &by_centre[0][0], by_radius, &volume_by_centre[0][0],
-                                  volume_by_radius, flags, BALLS, NULL, NULL);
+  return hsp_boundary_get_derivatives(of, SIZED(hsp_derivatives_request, .sigma = weights, .tangency = tangency),
+                                      SIZED(hsp_derivatives_outputs, .area_centre = &by_centre[0][0],
+                                            .area_radius = by_radius, .volume_centre = &volume_by_centre[0][0],
+                                            .volume_radius = volume_by_radius, .flags = flags, .capacity = BALLS));
 }
 
 static void check_measure(const hsp_boundary *which, int32_t status) {
@@ -83,7 +87,8 @@ static void out_of_order(void) {
   CHECK_EQUAL(hsp_model_set(model, BALLS - 1, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
   check_measure(boundary, HSP_E_STATE);
   CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, three_balls_radius, NULL, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_boundary_gradient(boundary, NULL, 1, 0, HSP_TANGENT_OVERLAP, NULL, NULL, NULL, NULL, 0, NULL, NULL),
+  CHECK_EQUAL(hsp_boundary_get_gradient(boundary, SIZED(hsp_gradient_request, .tension = 1),
+                                        SIZED(hsp_gradient_outputs, .capacity = 0)),
               HSP_OK);
   check_scene("model emptied by a refusal");
   CHECK_EQUAL(hsp_model_set(model, BALLS, three_balls_xyz, bad_radius, NULL, NULL), HSP_E_NEGATIVE);
@@ -117,33 +122,34 @@ static void bad_arguments(void) {
     CHECK_EQUAL(gradient_with(boundary, NULL, not_finite[v], 1, HSP_TANGENT_OVERLAP), HSP_E_NOT_FINITE);
     CHECK_EQUAL(gradient_with(boundary, NULL, 1, not_finite[v], HSP_TANGENT_OVERLAP), HSP_E_NOT_FINITE);
     for (i = 0; i < BALLS; ++i) {
-      uint32_t first_bad = 12345;
+      hsp_gradient_outputs nothing = {.struct_size = sizeof nothing, .first_bad = 12345};
+      hsp_derivatives_outputs no_parts = {.struct_size = sizeof no_parts, .first_bad = 12345};
       weights[i] = not_finite[v];
       CHECK_EQUAL(derivatives_with(boundary, weights, HSP_TANGENT_OVERLAP), HSP_E_NOT_FINITE);
-      CHECK_EQUAL(hsp_boundary_gradient(boundary, weights, 1, 0, HSP_TANGENT_DISJOINT, NULL, NULL, NULL, NULL, 0, NULL,
-                                        &first_bad),
-                  HSP_E_NOT_FINITE);
-      CHECK_EQUAL(first_bad, i);
-      first_bad = 12345;
-      CHECK_EQUAL(hsp_boundary_derivatives(boundary, weights, HSP_TANGENT_DISJOINT, NULL, NULL, NULL, NULL, NULL, 0,
-                                           NULL, &first_bad),
-                  HSP_E_NOT_FINITE);
-      CHECK_EQUAL(first_bad, i);
-      CHECK_EQUAL(gradient_with(boundary, weights, 1, 1, HSP_TANGENT_DISJOINT), HSP_E_NOT_FINITE);
-      /* whatever it is multiplied with, and whether or not anybody wants the results */
-      CHECK_EQUAL(gradient_with(boundary, weights, 0, 1, HSP_TANGENT_OVERLAP), HSP_E_NOT_FINITE);
+      /* whether or not anybody wants the results */
       CHECK_EQUAL(
-          hsp_boundary_gradient(boundary, weights, 1, 0, HSP_TANGENT_DISJOINT, NULL, NULL, NULL, NULL, 0, NULL, NULL),
+          hsp_boundary_get_gradient(
+              boundary, SIZED(hsp_gradient_request, .sigma = weights, .tension = 1, .tangency = HSP_TANGENT_DISJOINT),
+              &nothing),
           HSP_E_NOT_FINITE);
+      CHECK_EQUAL(nothing.first_bad, i);
+      CHECK_EQUAL(
+          hsp_boundary_get_derivatives(
+              boundary, SIZED(hsp_derivatives_request, .sigma = weights, .tangency = HSP_TANGENT_DISJOINT), &no_parts),
+          HSP_E_NOT_FINITE);
+      CHECK_EQUAL(no_parts.first_bad, i);
+      CHECK_EQUAL(gradient_with(boundary, weights, 1, 1, HSP_TANGENT_DISJOINT), HSP_E_NOT_FINITE);
+      /* whatever it is multiplied with */
+      CHECK_EQUAL(gradient_with(boundary, weights, 0, 1, HSP_TANGENT_OVERLAP), HSP_E_NOT_FINITE);
       weights[i] = 1;
     }
   }
   {
-    uint32_t first_bad = 12345;
-    CHECK_EQUAL(hsp_boundary_gradient(boundary, weights, NAN, 0, HSP_TANGENT_DISJOINT, NULL, NULL, NULL, NULL, 0, NULL,
-                                      &first_bad),
-                HSP_E_NOT_FINITE);
-    CHECK_EQUAL(first_bad, HSP_NONE);
+    hsp_gradient_outputs nothing = {.struct_size = sizeof nothing, .first_bad = 12345};
+    CHECK_EQUAL(
+        hsp_boundary_get_gradient(boundary, SIZED(hsp_gradient_request, .sigma = weights, .tension = NAN), &nothing),
+        HSP_E_NOT_FINITE);
+    CHECK_EQUAL(nothing.first_bad, HSP_NONE);
   }
   check_scene("rows");
   CHECK_EQUAL(hsp_boundary_get_area_row(boundary, BALLS, HSP_TANGENT_OVERLAP, row, ENTRIES, &needed), HSP_E_ID);
@@ -162,32 +168,40 @@ static void too_small(void) {
     CHECK_EQUAL(hsp_boundary_measure_faces(boundary, face_area, NULL, capacity, NULL), HSP_E_CAPACITY);
     CHECK_EQUAL(hsp_boundary_measure_faces(boundary, NULL, face_volume, capacity, NULL), HSP_E_CAPACITY);
     CHECK_EQUAL(hsp_boundary_measure_faces(boundary, face_area, face_volume, capacity, NULL), HSP_E_CAPACITY);
-    CHECK_EQUAL(hsp_boundary_gradient(boundary, sigma, 1, 1, HSP_TANGENT_OVERLAP, &energy, &by_centre[0][0], NULL, NULL,
-                                      capacity, NULL, NULL),
+    CHECK_EQUAL(hsp_boundary_get_gradient(
+                    boundary, SIZED(hsp_gradient_request, .sigma = sigma, .tension = 1, .pressure = 1),
+                    SIZED(hsp_gradient_outputs, .energy = &energy, .d_centre = &by_centre[0][0], .capacity = capacity)),
                 HSP_E_CAPACITY);
-    CHECK_EQUAL(hsp_boundary_gradient(boundary, sigma, 1, 1, HSP_TANGENT_OVERLAP, &energy, NULL, by_radius, NULL,
-                                      capacity, NULL, NULL),
+    CHECK_EQUAL(hsp_boundary_get_gradient(
+                    boundary, SIZED(hsp_gradient_request, .sigma = sigma, .tension = 1, .pressure = 1),
+                    SIZED(hsp_gradient_outputs, .energy = &energy, .d_radius = by_radius, .capacity = capacity)),
                 HSP_E_CAPACITY);
-    CHECK_EQUAL(hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_DISJOINT, &energy, NULL, NULL, flags, capacity,
-                                      NULL, NULL),
-                HSP_E_CAPACITY);
-    CHECK_EQUAL(hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_DISJOINT, NULL, &by_centre[0][0], by_radius,
-                                      flags, capacity, NULL, NULL),
-                HSP_E_CAPACITY);
+    CHECK_EQUAL(
+        hsp_boundary_get_gradient(
+            boundary, SIZED(hsp_gradient_request, .tension = 1, .pressure = 1, .tangency = HSP_TANGENT_DISJOINT),
+            SIZED(hsp_gradient_outputs, .energy = &energy, .flags = flags, .capacity = capacity)),
+        HSP_E_CAPACITY);
+    CHECK_EQUAL(
+        hsp_boundary_get_gradient(
+            boundary, SIZED(hsp_gradient_request, .tension = 1, .pressure = 1, .tangency = HSP_TANGENT_DISJOINT),
+            SIZED(hsp_gradient_outputs, .d_centre = &by_centre[0][0], .d_radius = by_radius, .flags = flags,
+                  .capacity = capacity)),
+        HSP_E_CAPACITY);
   }
   check_outputs_untouched();
   for (capacity = 0; capacity <= BALLS; ++capacity) {
     const int32_t status = capacity < BALLS ? HSP_E_CAPACITY : HSP_OK;
-    uint32_t balls = 0, faces = 0, of_gradient = 0, of_derivatives = 0;
+    hsp_gradient_outputs gradient = {.struct_size = sizeof gradient, .capacity = capacity, .d_radius = by_radius};
+    hsp_derivatives_outputs parts = {
+        .struct_size = sizeof parts, .capacity = capacity, .volume_radius = volume_by_radius};
+    uint32_t balls = 0, faces = 0;
     CHECK_EQUAL(hsp_boundary_measure(boundary, NULL, NULL, area, NULL, capacity, &balls), status);
     CHECK_EQUAL(hsp_boundary_measure_faces(boundary, face_area, NULL, capacity, &faces), status); /* FACES == BALLS */
-    CHECK_EQUAL(hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_OVERLAP, NULL, NULL, by_radius, NULL, capacity,
-                                      &of_gradient, NULL),
-                status);
-    CHECK_EQUAL(hsp_boundary_derivatives(boundary, NULL, HSP_TANGENT_OVERLAP, NULL, NULL, NULL, volume_by_radius, NULL,
-                                         capacity, &of_derivatives, NULL),
-                status);
-    CHECK(balls == BALLS && faces == FACES && of_gradient == BALLS && of_derivatives == BALLS);
+    CHECK_EQUAL(
+        hsp_boundary_get_gradient(boundary, SIZED(hsp_gradient_request, .tension = 1, .pressure = 1), &gradient),
+        status);
+    CHECK_EQUAL(hsp_boundary_get_derivatives(boundary, NULL, &parts), status);
+    CHECK(balls == BALLS && faces == FACES && gradient.needed == BALLS && parts.needed == BALLS);
   }
   fill_outputs();
   CHECK_EQUAL(hsp_boundary_get_area_row(boundary, 0, HSP_TANGENT_OVERLAP, row, ENTRIES - 1, &needed), HSP_E_CAPACITY);
@@ -209,9 +223,12 @@ static void left_out(void) {
   for (given = 0; given < 16; ++given) {
     check_scene("gradient without those outputs that 15 - %d stands for", given);
     fill_outputs();
-    CHECK_EQUAL(hsp_boundary_gradient(boundary, sigma, 3, -0.5, HSP_TANGENT_OVERLAP, (given & 1) != 0 ? &energy : NULL,
-                                      (given & 2) != 0 ? &by_centre[0][0] : NULL, (given & 4) != 0 ? by_radius : NULL,
-                                      (given & 8) != 0 ? flags : NULL, (given & 14) != 0 ? BALLS : 0, NULL, NULL),
+    CHECK_EQUAL(hsp_boundary_get_gradient(
+                    boundary, SIZED(hsp_gradient_request, .sigma = sigma, .tension = 3, .pressure = -0.5),
+                    SIZED(hsp_gradient_outputs, .energy = (given & 1) != 0 ? &energy : NULL,
+                          .d_centre = (given & 2) != 0 ? &by_centre[0][0] : NULL,
+                          .d_radius = (given & 4) != 0 ? by_radius : NULL, .flags = (given & 8) != 0 ? flags : NULL,
+                          .capacity = (given & 14) != 0 ? BALLS : 0)),
                 HSP_OK);
     if ((given & 1) != 0) CHECK_BYTES(&energy, &all_energy, sizeof energy);
     if ((given & 2) != 0) CHECK_BYTES(by_centre, all_centre, sizeof by_centre);
@@ -232,12 +249,14 @@ static void left_out(void) {
   memcpy(all_flags, flags, sizeof all_flags);
   for (given = 0; given < 32; ++given) {
     fill_outputs();
-    CHECK_EQUAL(
-        hsp_boundary_derivatives(boundary, sigma, HSP_TANGENT_DISJOINT, (given & 1) != 0 ? &by_centre[0][0] : NULL,
-                                 (given & 2) != 0 ? by_radius : NULL, (given & 4) != 0 ? &volume_by_centre[0][0] : NULL,
-                                 (given & 8) != 0 ? volume_by_radius : NULL, (given & 16) != 0 ? flags : NULL,
-                                 given ? BALLS : 0, NULL, NULL),
-        HSP_OK);
+    CHECK_EQUAL(hsp_boundary_get_derivatives(
+                    boundary, SIZED(hsp_derivatives_request, .sigma = sigma, .tangency = HSP_TANGENT_DISJOINT),
+                    SIZED(hsp_derivatives_outputs, .area_centre = (given & 1) != 0 ? &by_centre[0][0] : NULL,
+                          .area_radius = (given & 2) != 0 ? by_radius : NULL,
+                          .volume_centre = (given & 4) != 0 ? &volume_by_centre[0][0] : NULL,
+                          .volume_radius = (given & 8) != 0 ? volume_by_radius : NULL,
+                          .flags = (given & 16) != 0 ? flags : NULL, .capacity = given ? BALLS : 0)),
+                HSP_OK);
     if ((given & 1) != 0) CHECK_BYTES(by_centre, all_centre, sizeof by_centre);
     if ((given & 2) != 0) CHECK_BYTES(by_radius, all_radius, sizeof by_radius);
     if ((given & 4) != 0) CHECK_BYTES(volume_by_centre, all_volume_centre, sizeof by_centre);
@@ -278,18 +297,22 @@ static void no_balls(void) {
   CHECK_EQUAL(hsp_boundary_measure(boundary, NULL, NULL, area, volume, 0, NULL), HSP_OK);
   CHECK_EQUAL(hsp_boundary_measure_faces(boundary, face_area, face_volume, 0, NULL), HSP_OK);
   CHECK_EQUAL(hsp_boundary_measure_faces(boundary, NULL, NULL, 0, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_boundary_gradient(boundary, sigma, 1, 1, HSP_TANGENT_DISJOINT, NULL, &by_centre[0][0], by_radius,
-                                    flags, 0, NULL, NULL),
-              HSP_OK);
+  CHECK_EQUAL(
+      hsp_boundary_get_gradient(
+          boundary,
+          SIZED(hsp_gradient_request, .sigma = sigma, .tension = 1, .pressure = 1, .tangency = HSP_TANGENT_DISJOINT),
+          SIZED(hsp_gradient_outputs, .d_centre = &by_centre[0][0], .d_radius = by_radius, .flags = flags)),
+      HSP_OK);
   CHECK_EQUAL(hsp_boundary_get_area_row(boundary, 0, HSP_TANGENT_OVERLAP, row, ENTRIES, &needed), HSP_E_ID);
   CHECK_EQUAL(gradient_with(boundary, NULL, NAN, 1, HSP_TANGENT_OVERLAP), HSP_E_NOT_FINITE);
   CHECK_EQUAL(gradient_with(boundary, NULL, 1, 1, 2), HSP_E_ARGUMENT);
   check_outputs_untouched();
   CHECK_EQUAL(hsp_boundary_measure(boundary, selected, &totals, NULL, NULL, 0, NULL), HSP_OK);
   CHECK(totals.area == 0 && totals.volume == 0);
-  CHECK_EQUAL(
-      hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_DISJOINT, &energy, NULL, NULL, NULL, 0, NULL, NULL),
-      HSP_OK);
+  CHECK_EQUAL(hsp_boundary_get_gradient(
+                  boundary, SIZED(hsp_gradient_request, .tension = 1, .pressure = 1, .tangency = HSP_TANGENT_DISJOINT),
+                  SIZED(hsp_gradient_outputs, .energy = &energy)),
+              HSP_OK);
   CHECK(energy.value == 0 && energy.area == 0 && energy.volume == 0 && energy.d_probe == 0);
 }
 

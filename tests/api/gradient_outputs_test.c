@@ -92,11 +92,13 @@ static void sweep_gradient(const computed *c) {
       hsp_energy energy, untouched;
       memset(&energy, GUARDED_PATTERN, sizeof energy);
       untouched = energy;
-      CHECK_EQUAL(hsp_boundary_gradient(c->boundary, NULL, 2, 0.5, HSP_TANGENT_OVERLAP, &energy,
-                                        (arrays & 1) != 0 ? doubles(&centre) : NULL,
-                                        (arrays & 2) != 0 ? doubles(&radius) : NULL,
-                                        (arrays & 4) != 0 ? numbers(&flags) : NULL, capacity, NULL, NULL),
-                  enough ? HSP_OK : HSP_E_CAPACITY);
+      CHECK_EQUAL(
+          hsp_boundary_get_gradient(
+              c->boundary, SIZED(hsp_gradient_request, .tension = 2, .pressure = 0.5),
+              SIZED(hsp_gradient_outputs, .energy = &energy, .d_centre = (arrays & 1) != 0 ? doubles(&centre) : NULL,
+                    .d_radius = (arrays & 2) != 0 ? doubles(&radius) : NULL,
+                    .flags = (arrays & 4) != 0 ? numbers(&flags) : NULL, .capacity = capacity)),
+          enough ? HSP_OK : HSP_E_CAPACITY);
       CHECK_BYTES(&energy, enough ? &g.energy : &untouched, sizeof energy);
       CHECK(holds(&centre, enough && (arrays & 1) != 0, g.centre, 3 * n * sizeof(double)));
       CHECK(holds(&radius, enough && (arrays & 2) != 0, g.radius, n * sizeof(double)));

@@ -29,7 +29,7 @@ static uint32_t flagged(const computed *c) {
   return count;
 }
 
-/* hsp_boundary_gradient, property 3. */
+/* hsp_boundary_get_gradient, property 3. */
 static void check_order(const ball_set *set, const computed *c, const double *sigma, uint32_t tangency) {
   static ball_set permuted;
   uint32_t order[BALL_SET_MOST], i;

@@ -74,10 +74,12 @@ static void refused_of_boundary(void) {
   CHECK_EQUAL(hsp_boundary_measure(h.boundary, NULL, NULL, number, NULL, BALLS - 1, NULL), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_boundary_measure(h.boundary, NULL, NULL, NULL, number, 0, NULL), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_boundary_measure_faces(h.boundary, number, NULL, 1, NULL), HSP_E_CAPACITY);
-  CHECK_EQUAL(
-      hsp_boundary_gradient(h.boundary, NULL, NAN, 0, HSP_TANGENT_OVERLAP, NULL, NULL, NULL, NULL, 0, NULL, NULL),
-      HSP_E_NOT_FINITE);
-  CHECK_EQUAL(hsp_boundary_gradient(h.boundary, NULL, 1, 0, 2, NULL, NULL, NULL, NULL, 0, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_boundary_get_gradient(h.boundary, SIZED(hsp_gradient_request, .tension = NAN),
+                                        SIZED(hsp_gradient_outputs, .capacity = 0)),
+              HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_boundary_get_gradient(h.boundary, SIZED(hsp_gradient_request, .tension = 1, .tangency = 2),
+                                        SIZED(hsp_gradient_outputs, .capacity = 0)),
+              HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_get_area_row(h.boundary, BALLS, HSP_TANGENT_DISJOINT, NULL, 0, &count), HSP_E_ID);
   CHECK_EQUAL(hsp_boundary_check(h.boundary, NULL, &id), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_boundary_check(h.boundary, &invariant, NULL), HSP_E_ARGUMENT);
@@ -178,9 +180,14 @@ static void refused_of_surface(void) {
   CHECK_EQUAL(hsp_surface_init(f.surface_memory, FIFTH_SIZE, &limits, &made), HSP_E_RANGE);
   CHECK_EQUAL(hsp_surface_get_counts(f.surface, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_surface_measure(f.surface, NULL, totals, BALLS - 1, NULL), HSP_E_CAPACITY);
-  CHECK_EQUAL(hsp_surface_gradient(f.surface, 1, NAN, NULL, number, NULL, NULL, BALLS, NULL), HSP_E_NOT_FINITE);
-  CHECK_EQUAL(hsp_surface_gradient(f.surface, 1, 1, NULL, number, NULL, NULL, 0, NULL), HSP_E_CAPACITY);
-  CHECK_EQUAL(hsp_surface_weighted_gradient(f.surface, weights, 1, 0, NULL, number, NULL, NULL, BALLS, NULL, &id),
+  CHECK_EQUAL(hsp_surface_get_gradient(f.surface, SIZED(hsp_gradient_request, .tension = 1, .pressure = NAN),
+                                       SIZED(hsp_gradient_outputs, .d_centre = number, .capacity = BALLS)),
+              HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_surface_get_gradient(f.surface, SIZED(hsp_gradient_request, .tension = 1, .pressure = 1),
+                                       SIZED(hsp_gradient_outputs, .d_centre = number)),
+              HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_surface_get_gradient(f.surface, SIZED(hsp_gradient_request, .sigma = weights, .tension = 1),
+                                       SIZED(hsp_gradient_outputs, .d_centre = number, .capacity = BALLS)),
               HSP_E_NOT_FINITE);
   CHECK_EQUAL(hsp_surface_get_map_counts(f.surface, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_surface_get_patches(f.surface, HSP_NONE, 1, &patch), HSP_E_ID);

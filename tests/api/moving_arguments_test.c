@@ -80,8 +80,10 @@ static everything read_boundary(const hsp_model *of) {
   memset(&all, 0, sizeof all);
   CHECK_EQUAL(hsp_boundary_compute(boundary, of, NULL), HSP_OK);
   CHECK_EQUAL(hsp_boundary_measure(boundary, NULL, &all.totals, all.area, all.volume, BALLS, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_boundary_gradient(boundary, sigma, 1.5, -0.25, HSP_TANGENT_OVERLAP, &all.energy, all.d_centre,
-                                    all.d_radius, all.flags, BALLS, NULL, NULL),
+  CHECK_EQUAL(hsp_boundary_get_gradient(boundary,
+                                        SIZED(hsp_gradient_request, .sigma = sigma, .tension = 1.5, .pressure = -0.25),
+                                        SIZED(hsp_gradient_outputs, .energy = &all.energy, .d_centre = all.d_centre,
+                                              .d_radius = all.d_radius, .flags = all.flags, .capacity = BALLS)),
               HSP_OK);
   return all;
 }

@@ -29,7 +29,8 @@ static hsp_periodic_loop loop[OUT];
 static hsp_ball ball[BALLS];
 static hsp_energy energy;
 static hsp_morphometric_energy morphometric;
-static const hsp_morphometry factors = {0.5, 1.5, -2, 0.25};
+static const hsp_morphometry_request factors = {
+    .struct_size = sizeof factors, .pressure = 0.5, .tension = 1.5, .bending = -2, .gaussian = 0.25};
 static hsp_group_contact between[OUT];
 static double area[BALLS], cell[BALLS], mean[BALLS], centre[BALLS][3], by_radius[BALLS], strain[9], by_box[9];
 static hsp_curvatures curvatures;
@@ -88,7 +89,8 @@ static void refused_reading(void) {
   CHECK_EQUAL(number, counts.contacts);
   CHECK_EQUAL(hsp_periodic_get_windings(periodic, NULL, 0, &number), HSP_E_CAPACITY);
   CHECK_EQUAL(number, counts.components);
-  CHECK_EQUAL(hsp_periodic_gradient(periodic, NULL, 1, 0, 2, NULL, NULL, NULL, NULL, NULL, NULL, 0, NULL, NULL),
+  CHECK_EQUAL(hsp_periodic_get_gradient(periodic, SIZED(hsp_gradient_request, .tension = 1, .tangency = 2),
+                                        SIZED(hsp_periodic_gradient_outputs, .capacity = 0)),
               HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_periodic_query_point(periodic, xyz, NULL, 0, &number), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_periodic_query_point(periodic, boxes_away, image, OUT, &number), HSP_E_RANGE);
@@ -293,8 +295,10 @@ static void known_values(void) {
   CHECK(winding[0].directions == 3 && winding[0].row[0] == 1 && winding[0].row[4] == 1 && winding[0].row[8] == 1);
   CHECK_EQUAL(hsp_periodic_get_contacts(periodic, contact, OUT, &number), HSP_OK);
   CHECK(number == 3 && contact[0].shift[2] == 1 && contact[1].shift[1] == 1 && contact[2].shift[0] == 1);
-  CHECK_EQUAL(hsp_periodic_gradient(periodic, NULL, 0, 1, HSP_TANGENT_OVERLAP, &energy, centre[0], by_radius, flags,
-                                    strain, by_box, BALLS, NULL, NULL),
+  CHECK_EQUAL(hsp_periodic_get_gradient(
+                  periodic, SIZED(hsp_gradient_request, .pressure = 1),
+                  SIZED(hsp_periodic_gradient_outputs, .energy = &energy, .d_centre = centre[0], .d_radius = by_radius,
+                        .flags = flags, .d_strain = strain, .d_box = by_box, .capacity = BALLS)),
               HSP_OK);
   for (i = 0; i < 9; ++i) {
     CHECK_NEAR(strain[i], i % 4 == 0 ? 13.351768777757 : 0, 1e-11);
@@ -310,8 +314,9 @@ static void known_values(void) {
   compute(1, one, &half, cube);
   CHECK(counts.contacts == 3 && totals.contact_area == 0);
   CHECK_NEAR(totals.area, 16 * pi, 1e-12);
-  CHECK_EQUAL(hsp_periodic_gradient(periodic, NULL, 1, 0, HSP_TANGENT_DISJOINT, NULL, NULL, by_radius, flags, NULL,
-                                    NULL, 1, NULL, NULL),
+  CHECK_EQUAL(hsp_periodic_get_gradient(
+                  periodic, SIZED(hsp_gradient_request, .tension = 1, .tangency = HSP_TANGENT_DISJOINT),
+                  SIZED(hsp_periodic_gradient_outputs, .d_radius = by_radius, .flags = flags, .capacity = 1)),
               HSP_OK);
   CHECK_EQUAL(flags[0], HSP_GRADIENT_ONE_SIDED);
   CHECK_NEAR(by_radius[0], 16 * pi, 1e-12);
@@ -326,15 +331,21 @@ static void known_energies(void) {
   static const double in_pairs[6] = {0.5, 1, 1, 3.75, 5, 1}, equal_balls[2] = {1, 1}, one_inside[2] = {1, 0.25};
   static const double twice[6] = {0.5, 1, 1, 4.5, 5, 1};
   static const uint32_t rod_and_rest[BALLS] = {HSP_NONE, 4, 4, 2}, halves[BALLS] = {9, 4, 9, 9};
-  static const hsp_morphometry bending = {0, 0, 1, 0};
+  static const hsp_morphometry_request bending = {.struct_size = sizeof bending, .bending = 1};
+  hsp_periodic_morphometry_outputs all = {.struct_size = sizeof all,
+                                          .capacity = BALLS,
+                                          .energy = &morphometric,
+                                          .d_centre = centre[0],
+                                          .d_radius = by_radius,
+                                          .flags = flags,
+                                          .d_strain = strain,
+                                          .d_box = by_box};
   const double beta = acos(-0.28);
   uint32_t i;
   make();
   compute(BALLS, xyz, radius, box);
-  CHECK_EQUAL(hsp_periodic_morphometry(periodic, NULL, &factors, &morphometric, centre[0], by_radius, flags, strain,
-                                       by_box, BALLS, &number, NULL),
-              HSP_OK);
-  CHECK_EQUAL(number, BALLS);
+  CHECK_EQUAL(hsp_periodic_get_morphometry(periodic, &factors, &all), HSP_OK);
+  CHECK_EQUAL(all.needed, BALLS);
   CHECK_NEAR(morphometric.volume, totals.volume, 1e-12);
   CHECK_NEAR(morphometric.area, totals.area, 1e-12);
   CHECK_NEAR(morphometric.mean, curvatures.mean, 1e-12);
@@ -344,9 +355,11 @@ static void known_energies(void) {
   CHECK_NEAR(morphometric.d_probe, by_radius[0] + by_radius[1] + by_radius[2] + by_radius[3], 1e-12);
   /* With d = 2 between its balls M is 4 pi d - 2 pi rho beta, where rho = 3/4 falls by 2/3 as d grows by 1, and beta
    * grows by 4/3. */
-  CHECK_EQUAL(hsp_periodic_morphometry(periodic, NULL, &bending, NULL, NULL, by_radius, flags, strain, by_box, BALLS,
-                                       NULL, NULL),
-              HSP_OK);
+  CHECK_EQUAL(
+      hsp_periodic_get_morphometry(periodic, &bending,
+                                   SIZED(hsp_periodic_morphometry_outputs, .d_radius = by_radius, .flags = flags,
+                                         .d_strain = strain, .d_box = by_box, .capacity = BALLS)),
+      HSP_OK);
   CHECK_NEAR(curvatures.mean, 15 * pi - 1.5 * pi * beta, 1e-12);
   CHECK_NEAR(strain[0], 4 * pi + 8 * pi / 3 * beta, 1e-12);
   CHECK_NEAR(strain[0] + 2.5 * by_radius[0], 8 * pi - 1.5 * pi * beta, 1e-12);
@@ -368,11 +381,12 @@ static void known_energies(void) {
   for (i = 0; i < 2; ++i) {
     compute(2, i == 0 ? in_pairs : twice, i == 0 ? one_inside : equal_balls, cube);
     FILL(flags);
-    CHECK_EQUAL(hsp_periodic_morphometry(periodic, NULL, &factors, NULL, NULL, NULL, flags, NULL, NULL, 2, NULL, NULL),
+    CHECK_EQUAL(hsp_periodic_get_morphometry(periodic, &factors,
+                                             SIZED(hsp_periodic_morphometry_outputs, .flags = flags, .capacity = 2)),
                 HSP_OK);
     CHECK(flags[0] == HSP_CURVATURE_ONE_SIDED && flags[1] == HSP_CURVATURE_ONE_SIDED);
-    CHECK_EQUAL(hsp_periodic_gradient(periodic, NULL, 1, 0, HSP_TANGENT_OVERLAP, NULL, NULL, NULL, flags, NULL, NULL, 2,
-                                      NULL, NULL),
+    CHECK_EQUAL(hsp_periodic_get_gradient(periodic, SIZED(hsp_gradient_request, .tension = 1),
+                                          SIZED(hsp_periodic_gradient_outputs, .flags = flags, .capacity = 2)),
                 HSP_OK);
     CHECK(flags[0] == HSP_GRADIENT_ONE_SIDED && flags[1] == HSP_GRADIENT_ONE_SIDED);
   }
@@ -422,7 +436,7 @@ static void known_queries(void) {
   }
 }
 
-/* Sums and scaling (hsp_periodic_gradient, Properties 1 and 2), of contacts and of cells. */
+/* Sums and scaling (hsp_periodic_get_gradient, Properties 1 and 2), of contacts and of cells. */
 static void laws(void) {
   double sum[3] = {0, 0, 0}, cells = 0, by_radii, tripled;
   uint32_t i, pass, k;
@@ -441,8 +455,9 @@ static void laws(void) {
   CHECK_NEAR(cells, totals.volume, 1e-12);
   CHECK_NEAR(tripled, 3 * totals.volume, 1e-11);
   for (pass = 0; pass < 2; ++pass) {
-    CHECK_EQUAL(hsp_periodic_gradient(periodic, NULL, pass == 0, pass, HSP_TANGENT_OVERLAP, &energy, centre[0],
-                                      by_radius, NULL, strain, NULL, BALLS, NULL, NULL),
+    CHECK_EQUAL(hsp_periodic_get_gradient(periodic, SIZED(hsp_gradient_request, .tension = pass == 0, .pressure = pass),
+                                          SIZED(hsp_periodic_gradient_outputs, .energy = &energy, .d_centre = centre[0],
+                                                .d_radius = by_radius, .d_strain = strain, .capacity = BALLS)),
                 HSP_OK);
     by_radii = 0;
     for (i = 0; i < BALLS; ++i) {

@@ -28,10 +28,19 @@ static hsp_surface_shell shells[2];
 static uint32_t needed, first_bad, invariant, id;
 static double sigma[BALLS] = {1, -2, 0.5};
 
-/* hsp_surface_weighted_gradient with all outputs. */
+/* hsp_surface_get_gradient with all outputs. */
 static int32_t weighted_with(const hsp_surface *which, double tension, double pressure, uint32_t capacity) {
-  return hsp_surface_weighted_gradient(which, sigma, tension, pressure, &energy, d_centre, d_radius, flags, capacity,
-                                       &needed, &first_bad);
+  hsp_gradient_outputs all = {.struct_size = sizeof all,
+                              .capacity = capacity,
+                              .energy = &energy,
+                              .d_centre = d_centre,
+                              .d_radius = d_radius,
+                              .flags = flags};
+  const int32_t status = hsp_surface_get_gradient(
+      which, SIZED(hsp_gradient_request, .sigma = sigma, .tension = tension, .pressure = pressure), &all);
+  needed = all.needed;
+  first_bad = all.first_bad;
+  return status;
 }
 
 static void check_reading(const hsp_surface *which, int32_t status) {
@@ -43,14 +52,26 @@ static void check_has_results(void) {
   CHECK_EQUAL(counts.concave_patches, 2);
   CHECK_EQUAL(hsp_surface_measure(surface, &totals, balls, BALLS, &needed), HSP_OK);
   CHECK(totals.area > 0.0 && needed == BALLS);
-  CHECK_EQUAL(hsp_surface_gradient(surface, 1, 1, &energy, d_centre, d_radius, flags, BALLS, &needed), HSP_OK);
+  CHECK_EQUAL(hsp_surface_get_gradient(surface, SIZED(hsp_gradient_request, .tension = 1, .pressure = 1),
+                                       SIZED(hsp_gradient_outputs, .energy = &energy, .d_centre = d_centre,
+                                             .d_radius = d_radius, .flags = flags, .capacity = BALLS)),
+              HSP_OK);
   CHECK_NEAR(energy.value, totals.area + totals.volume, 1e-12 * energy.value);
-  CHECK_EQUAL(hsp_surface_gradient(surface, 1, 1, NULL, NULL, NULL, NULL, 0, NULL), HSP_OK);
+  /* Balls that touch overlap here. */
+  CHECK_EQUAL(hsp_surface_get_gradient(surface, SIZED(hsp_gradient_request, .tangency = HSP_TANGENT_DISJOINT),
+                                       SIZED(hsp_gradient_outputs, .capacity = 0)),
+              HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_get_gradient(surface, SIZED(hsp_gradient_request, .tension = 1, .pressure = 1),
+                                       SIZED(hsp_gradient_outputs, .capacity = 0)),
+              HSP_OK);
   CHECK_EQUAL(weighted_with(surface, 1, 1, BALLS), HSP_OK);
   CHECK(needed == BALLS && first_bad == HSP_NONE);
   CHECK_NEAR(energy.area, balls[0].area - 2 * balls[1].area + 0.5 * balls[2].area, 1e-12 * totals.area);
   CHECK_NEAR(energy.value, energy.area + totals.volume, 1e-12 * totals.volume);
-  CHECK_EQUAL(hsp_surface_weighted_gradient(surface, sigma, 1, 1, NULL, NULL, NULL, NULL, 0, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(
+      hsp_surface_get_gradient(surface, SIZED(hsp_gradient_request, .sigma = sigma, .tension = 1, .pressure = 1),
+                               SIZED(hsp_gradient_outputs, .capacity = 0)),
+      HSP_OK);
   CHECK_EQUAL(hsp_surface_get_map_counts(surface, &map), HSP_OK);
   CHECK_EQUAL(map.shells, 1);
   CHECK_EQUAL(hsp_surface_check(surface, &invariant, &id), HSP_OK);

@@ -76,8 +76,9 @@ static double energy_of(uint32_t n, const double *xyz, const double *radius, dou
   surface_result s;
   CHECK_EQUAL(computed_make(n, xyz, radius, &options, &c), HSP_OK);
   CHECK_EQUAL(surface_result_make(&c, &s), HSP_OK);
-  CHECK_EQUAL(hsp_surface_weighted_gradient(s.surface, sigma, tension, pressure, &energy, NULL, NULL, flags,
-                                            flags == NULL ? 0 : n, NULL, NULL),
+  CHECK_EQUAL(hsp_surface_get_gradient(
+                  s.surface, SIZED(hsp_gradient_request, .sigma = sigma, .tension = tension, .pressure = pressure),
+                  SIZED(hsp_gradient_outputs, .energy = &energy, .flags = flags, .capacity = flags == NULL ? 0 : n)),
               HSP_OK);
   surface_result_release(&s);
   computed_release(&c);

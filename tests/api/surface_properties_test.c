@@ -162,11 +162,15 @@ static void surface_gradient_make(const surface_result *s, const double *sigma, 
   g->flags = test_zeros(n, sizeof *g->flags);
   if (sigma == NULL) {
     CHECK_EQUAL(
-        hsp_surface_gradient(s->surface, tension, pressure, &g->energy, g->centre, g->radius, g->flags, n, NULL),
+        hsp_surface_get_gradient(s->surface, SIZED(hsp_gradient_request, .tension = tension, .pressure = pressure),
+                                 SIZED(hsp_gradient_outputs, .energy = &g->energy, .d_centre = g->centre,
+                                       .d_radius = g->radius, .flags = g->flags, .capacity = n)),
         HSP_OK);
   } else {
-    CHECK_EQUAL(hsp_surface_weighted_gradient(s->surface, sigma, tension, pressure, &g->energy, g->centre, g->radius,
-                                              g->flags, n, NULL, NULL),
+    CHECK_EQUAL(hsp_surface_get_gradient(
+                    s->surface, SIZED(hsp_gradient_request, .sigma = sigma, .tension = tension, .pressure = pressure),
+                    SIZED(hsp_gradient_outputs, .energy = &g->energy, .d_centre = g->centre, .d_radius = g->radius,
+                          .flags = g->flags, .capacity = n)),
                 HSP_OK);
   }
   for (i = 0; i < n; ++i) {
@@ -195,7 +199,7 @@ static double *weights_of(const computed *c) {
   return sigma;
 }
 
-/* hsp_surface_weighted_gradient: what it says for equal weights and without any; its sums; without a probe it is the
+/* hsp_surface_get_gradient: what it says for equal weights and without any; its sums; without a probe it is the
  * boundary's gradient. */
 static void check_weights(const ball_set *set, const surface_result *s, double probe) {
   const uint32_t n = set->n;
@@ -205,12 +209,15 @@ static void check_weights(const ball_set *set, const surface_result *s, double p
   int degenerate = 0;
   uint32_t i, axis;
   surface_gradient_make(s, NULL, 1.5, -0.25, &plain);
-  CHECK_EQUAL(hsp_surface_weighted_gradient(s->surface, NULL, 1.5, -0.25, NULL, NULL, NULL, NULL, 0, NULL, NULL),
+  CHECK_EQUAL(hsp_surface_get_gradient(s->surface, SIZED(hsp_gradient_request, .tension = 1.5, .pressure = -0.25),
+                                       SIZED(hsp_gradient_outputs, .capacity = 0)),
               HSP_OK);
   surface_gradient_make(s, twos, 1.5, -0.25, &weighted);
-  CHECK_EQUAL(hsp_surface_weighted_gradient(s->surface, NULL, 1.5, -0.25, &weighted.energy, weighted.centre,
-                                            weighted.radius, weighted.flags, n, NULL, NULL),
-              HSP_OK);
+  CHECK_EQUAL(
+      hsp_surface_get_gradient(s->surface, SIZED(hsp_gradient_request, .tension = 1.5, .pressure = -0.25),
+                               SIZED(hsp_gradient_outputs, .energy = &weighted.energy, .d_centre = weighted.centre,
+                                     .d_radius = weighted.radius, .flags = weighted.flags, .capacity = n)),
+      HSP_OK);
   same_gradients(&plain, &weighted, n);
   surface_gradient_release(&weighted);
   for (i = 0; i < n; ++i) twos[i] = 2;
@@ -250,8 +257,11 @@ static void check_weights(const ball_set *set, const surface_result *s, double p
   }
   if (!degenerate && probe == 0.0) {
     surface_gradient_make(s, NULL, 1, 0, &plain);
-    CHECK_EQUAL(hsp_boundary_gradient(s->base->boundary, sigma, 1, 0, HSP_TANGENT_DISJOINT, &plain.energy, plain.centre,
-                                      plain.radius, plain.flags, n, NULL, NULL),
+    CHECK_EQUAL(hsp_boundary_get_gradient(
+                    s->base->boundary,
+                    SIZED(hsp_gradient_request, .sigma = sigma, .tension = 1, .tangency = HSP_TANGENT_DISJOINT),
+                    SIZED(hsp_gradient_outputs, .energy = &plain.energy, .d_centre = plain.centre,
+                          .d_radius = plain.radius, .flags = plain.flags, .capacity = n)),
                 HSP_OK);
     for (i = 0; i < n; ++i) {
       CHECK_NEAR(weighted.radius[i], plain.radius[i], 1e-9 * scale);
@@ -265,7 +275,7 @@ static void check_weights(const ball_set *set, const surface_result *s, double p
   free(sigma);
 }
 
-/* hsp_surface_gradient, properties 1, 2 and 4, for the area alone and for the volume alone. Where vertices are
+/* hsp_surface_get_gradient, properties 1, 2 and 4, for the area alone and for the volume alone. Where vertices are
  * degenerate derivatives need not add up. */
 static void check_gradient(const ball_set *set, const surface_result *s, double probe) {
   int of_volume;

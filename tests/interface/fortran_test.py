@@ -68,6 +68,17 @@ class Data(unittest.TestCase):
         self.assertIn("    integer(c_int32_t) :: struct_size = 24_c_int32_t  ! sizeof(hsp_limits)",
                       type_rows(found.structs["hsp_limits"], (24, 24)))
 
+    def test_what_is_asked_has_defaults(self):
+        found = interface_of("typedef struct hsp_a_request {\n  uint32_t struct_size;\n  uint32_t reserved;\n"
+                             "  double factor;\n  const double *a; /**< [n] */\n} hsp_a_request;\n")
+        self.assertEqual("\n".join(type_rows(found.structs["hsp_a_request"], (24, 20))), """\
+  type, bind(C) :: hsp_a_request
+    integer(c_int32_t) :: struct_size = 16_c_int32_t + 1 * pointer_bytes
+    integer(c_int32_t) :: reserved = 0_c_int32_t
+    real(c_double) :: factor = 0.0_c_double
+    type(c_ptr) :: a = c_null_ptr                                         ! [n]
+  end type""")
+
     def test_constants(self):
         found = interface_of("#define HSP_A UINT32_C(0xFFFFFFFF) /**< none */\n#define HSP_B (-3)\n"
                              "#define HSP_LONG 1 /**< " + "word " * 30 + "*/\n")
@@ -114,7 +125,7 @@ class Module(unittest.TestCase):
         left = "\n".join(rows)
         for name in ("hsp_surface_", "HSP_SURFACE_", "hsp_mesh_"):
             self.assertNotIn(name, left)
-        for name in ("abstract interface", "  end interface\n\ncontains", "hsp_map_twin", "hsp_topology_bytes_bound",
+        for name in ("abstract interface", "  ! ----\n\ncontains", "hsp_map_twin", "hsp_topology_bytes_bound",
                      "hsp_picture_write_map", "end module"):
             self.assertIn(name, left)
 

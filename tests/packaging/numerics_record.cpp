@@ -87,11 +87,11 @@ void print_measures(const std::string &set, const hsp_boundary *boundary, uint32
   print(set, "face_areas", face_area);
   print(set, "face_volumes", face_volume);
 
+  const hsp_gradient_request request{sizeof request, HSP_TANGENT_OVERLAP, 0.75, 0.25, nullptr, nullptr};
   hsp_energy energy;
   std::vector<double> centre(3 * size_t{n}), radius(n);
-  expect_ok(hsp_boundary_gradient(boundary, nullptr, 0.75, 0.25, HSP_TANGENT_OVERLAP, &energy, centre.data(),
-                                  radius.data(), nullptr, n, nullptr, nullptr),
-            "hsp_boundary_gradient");
+  hsp_gradient_outputs outputs{sizeof outputs, n, 0, 0, &energy, centre.data(), radius.data(), nullptr};
+  expect_ok(hsp_boundary_get_gradient(boundary, &request, &outputs), "hsp_boundary_get_gradient");
   print_one(set, "energy", energy);
   print(set, "gradient_centres", centre);
   print(set, "gradient_radii", radius);
@@ -251,10 +251,11 @@ void print_set(const std::string &name, const support::BallList &balls, double p
   expect_ok(hsp_surface_measure(surface.get(), &surface_totals, shares.data(), n, nullptr), "hsp_surface_measure");
   print_one(set, "surface", surface_totals);
   print(set, "surface_shares", shares);
+  const hsp_gradient_request request{sizeof request, HSP_TANGENT_OVERLAP, 0.75, 0.25, nullptr, nullptr};
   hsp_energy energy;
   std::vector<double> centre(3 * size_t{n}), radius(n);
-  expect_ok(hsp_surface_gradient(surface.get(), 0.75, 0.25, &energy, centre.data(), radius.data(), nullptr, n, nullptr),
-            "hsp_surface_gradient");
+  hsp_gradient_outputs outputs{sizeof outputs, n, 0, 0, &energy, centre.data(), radius.data(), nullptr};
+  expect_ok(hsp_surface_get_gradient(surface.get(), &request, &outputs), "hsp_surface_get_gradient");
   print_one(set, "surface_energy", energy);
   print(set, "surface_gradient_centres", centre);
   print(set, "surface_gradient_radii", radius);

@@ -19,6 +19,8 @@ function reached_by(from) {
   if (from ~ /17SilhouetteVisitorE$/) return "a taker of silhouettes"
   if (from ~ /17BallInk6finish/) return "a taker of contours"
   if (from ~ /10ArcVisitor/) return "a visitor"
+  if (from ~ /8Executor7run_all/) return "a loop over tasks"
+  if (from ~ /10run_marked/) return "a task"
   if (from ~ /12PaintedPaths|12PictureInput|[SEP][vpd][gsf]Writer|3hsp5Paint|^hsp_sticks_get_info$/) return "a function of paths"
   return "__indirect_call"
 }
@@ -29,6 +31,8 @@ function add_callee(from, to) {
 
 /^node:/ {
   title = quoted("title")
+  if (title ~ /10run_marked/) add_callee("a loop over tasks", title)
+  if (title ~ /8Executor8for_each.*_FUN/) add_callee("a task", title)
   if (title ~ /12PaintedPaths5visitI.*_FUN/) add_callee("a visitor", title)
   if (title ~ /17SilhouetteVisitorE$/) add_callee("a function of silhouettes", title)
   if (title ~ /13SilhouetteArc.*_FUN/) add_callee("a taker of silhouettes", title)
@@ -70,8 +74,6 @@ function deepest(f,    i, below, most, to) {
     return 0
   }
   if (f == "__indirect_call") {
-    if (!indirect) print "a call through a pointer"
-    indirect = 1
     failed = 1
     return 0
   }
@@ -79,6 +81,7 @@ function deepest(f,    i, below, most, to) {
   most = 0
   for (i = 1; i <= callees[f]; ++i) {
     to = callee[f, i]
+    if (to == "__indirect_call") print "a call through a pointer by " f
     below = deepest(to)
     if (below > most) {
       most = below

@@ -14,7 +14,10 @@ cd "$work"
 if [ -z "$objects" ]; then
   # A unit for each room, for the interface and for the kernels of each further target.
   objects=$work
+  lanes=$(sed -n '/^set(HSP_SOURCES_OF_LANES/,/)/p' "$source/lib/library.cmake")
+  [ "$("$cxx" -dumpmachine | cut -d- -f1)" != x86_64 ] || lanes=
   (cd "$source" && find lib capi -maxdepth 3 -name '*.cpp' | sort) | while read -r file; do
+    [[ $lanes != *$file* ]] || continue
     case $file in
       *.kernel.cpp) units="$(basename "$(dirname "$file")") avx2" ;;
       *_avx2.cpp) units=avx2 ;;
@@ -23,7 +26,7 @@ if [ -z "$objects" ]; then
     for unit in $units; do echo "#include \"$source/$file\"" >>"$unit.cpp"; done
   done
   wings=("$source"/lib/*/)
-  wide=(-DHSP_AVX2=1)
+  wide=(-DHSP_AVX2=1 -DHSP_LANES=1)
   [ "$("$cxx" -dumpmachine | cut -d- -f1)" = x86_64 ] || { wide=() && rm avx2.cpp; }
   for unit in *.cpp; do
     case $unit in

@@ -2,6 +2,7 @@
 #include <stdio.h>
 
 #include "ball_sets.h"
+#include "check.h"
 #include "interface_bits.h"
 
 static double centre[3 * BALL_SET_MOST], radius[BALL_SET_MOST], sigma[BALL_SET_MOST];
@@ -28,8 +29,11 @@ static void print_parts(const computed *c) {
 static void print_energy(const computed *c, double tension, double pressure, uint32_t tangency) {
   hsp_energy energy = {0.0, 0.0, 0.0, 0.0};
   uint32_t i;
-  print_status("energy", hsp_boundary_gradient(c->boundary, sigma, tension, pressure, tangency, &energy, centre, radius,
-                                               flags, c->n, NULL, NULL));
+  print_status("energy", hsp_boundary_get_gradient(c->boundary,
+                                                   SIZED(hsp_gradient_request, .sigma = sigma, .tension = tension,
+                                                         .pressure = pressure, .tangency = tangency),
+                                                   SIZED(hsp_gradient_outputs, .energy = &energy, .d_centre = centre,
+                                                         .d_radius = radius, .flags = flags, .capacity = c->n)));
   print_doubles(&energy.value, 1);
   print_doubles(&energy.area, 1);
   print_doubles(&energy.volume, 1);

@@ -2,6 +2,7 @@
 #include <stdio.h>
 
 #include "ball_sets.h"
+#include "check.h"
 #include "interface_bits.h"
 #include "periodic_result.h"
 
@@ -63,7 +64,6 @@ static void print_gradient(const periodic_result *p) {
 
 static void print_periodic_results(const periodic_result *p) {
   const hsp_periodic_counts *n = &p->counts;
-  const hsp_morphometry factors = {-0.5, 1, 0.75, 2};
   hsp_morphometric_energy energy;
   uint32_t i;
   printf(" %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRId32, n->images,
@@ -95,11 +95,18 @@ static void print_periodic_results(const periodic_result *p) {
     end_line();
   }
   print_status("periodic gradient",
-               hsp_periodic_gradient(p->periodic, p->base->radius, 1, -0.5, HSP_TANGENT_OVERLAP, NULL, centre, radius,
-                                     NULL, strain, box, p->base->n, NULL, NULL));
+               hsp_periodic_get_gradient(
+                   p->periodic, SIZED(hsp_gradient_request, .sigma = p->base->radius, .tension = 1, .pressure = -0.5),
+                   SIZED(hsp_periodic_gradient_outputs, .d_centre = centre, .d_radius = radius, .d_strain = strain,
+                         .d_box = box, .capacity = p->base->n)));
   print_gradient(p);
-  print_status("periodic morphometry", hsp_periodic_morphometry(p->periodic, p->base->radius, &factors, &energy, centre,
-                                                                radius, NULL, strain, box, p->base->n, NULL, NULL));
+  print_status("periodic morphometry",
+               hsp_periodic_get_morphometry(
+                   p->periodic,
+                   SIZED(hsp_morphometry_request, .sigma = p->base->radius, .pressure = -0.5, .tension = 1,
+                         .bending = 0.75, .gaussian = 2),
+                   SIZED(hsp_periodic_morphometry_outputs, .energy = &energy, .d_centre = centre, .d_radius = radius,
+                         .d_strain = strain, .d_box = box, .capacity = p->base->n)));
   print_doubles(&energy.value, 1);
   print_doubles(&energy.mean, 1);
   print_gradient(p);

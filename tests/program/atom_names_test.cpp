@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -174,6 +175,29 @@ TEST(AtomNames, KindsOfResidues) {
        "TP3", "TP4", "TP5", "T3P", "T4P", "T5P", "SPC", "SPCE", "OPC",  "SWM4", "hoh"},
       RESIDUE_WATER);
   all({"", "HEM", "LIG", "CLA", "NAG", "ALAX", "AL", "ZZZ", "0AA", "NLIG", "XALA", "NALAA"}, RESIDUE_OTHER);
+}
+
+// What was found before is found again, whatever came between.
+TEST(AtomNames, FoundAgain) {
+  static const char *const residues[] = {"ALA", "GLY", "HOH", "SOL",  "MSE", "CYS",  "DA",  "NAG",
+                                         "",    "SOD", "CLA", "NALA", "LIG", "TIP3", "ala", "ALAX"};
+  kinds_seen seen = {};
+  std::mt19937 random(12);
+  for (int round = 0; round < 60000; ++round) {
+    std::string name;
+    for (size_t i = 0, length = random() % 5; i < length; ++i) name += "CHNOSABDMEP1X2'c"[random() % 16];
+    if (round % 50 == 0) name = residues[random() % 16];
+    char residue[8] = "";
+    std::strcpy(residue, residues[random() % 16]);
+    element_symbol element = {""}, expected = {""};
+    const field text = {name.data(), name.size()};
+    const std::string behind = name + "CA      ";
+    const atom_kind kind = atom_kind_of(text, false, residue, &expected);
+    ASSERT_EQ(atom_kind_again(&seen, {behind.data(), name.size()}, residue, &element), kind) << residue << ' ' << name;
+    if (kind == ATOM_KNOWN) {
+      ASSERT_STREQ(element.text, expected.text) << residue << ' ' << name;
+    }
+  }
 }
 
 TEST(AtomNames, VirtualSymbols) {

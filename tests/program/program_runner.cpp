@@ -161,7 +161,7 @@ Outcome run_program_in(const Surroundings &surroundings, const std::vector<std::
   const pid_t child = fork();
   if (child == 0) {
     if (!settle(surroundings)) _exit(126);
-    become(HSP_PROGRAM, arguments, out_descriptor, err.descriptor());
+    become(HSP_PROGRAM, arguments, out_descriptor, surroundings.err_is_out ? out_descriptor : err.descriptor());
   }
   outcome.status = status_of(child);
   if (!surroundings.out_path.empty() && out_descriptor >= 0) close(out_descriptor);

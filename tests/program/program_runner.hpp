@@ -21,6 +21,7 @@ struct Surroundings {
   std::string in_path;           // standard input; none of its own if empty
   bool in_is_pipe = false;       // whether that is given to it as a pipe
   std::string out_path;          // standard output; Outcome::out if empty
+  bool err_is_out = false;       // standard error goes there too
   long most_file_bytes = -1;     // the size that no file may exceed; -1: any
   bool as_nobody = false;        // as a user without any rights, if the test may choose
   std::function<void()> before;  // what else happens in its process before it begins

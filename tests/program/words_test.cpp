@@ -1,6 +1,7 @@
 // Characters eight and sixteen at a time against the same one by one, and numbers in columns against number_parse.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -99,6 +100,70 @@ TEST(Words, NumbersInEightColumns) {
     }
   }
   EXPECT_GT(taken, written);
+}
+
+// The same of numbers of up to sixteen characters, also of ten times as much; of those that files write all are taken.
+TEST(Words, DecimalsOfTwoWords) {
+  static const char alphabet[] = "0123456789.. -+eE d1.9x\t";
+  std::mt19937_64 random(10);
+  size_t taken = 0;
+  for (int round = 0; round < 600000; ++round) {
+    std::string text;
+    const int decimals = static_cast<int>(random() % 9), power = round % 2;
+    const bool as_written = round % 3 != 0;
+    if (as_written) {
+      char number[64];
+      const double size[] = {1e-3, 20.0, 2000.0, 1e5, 1e7};
+      const double value = (static_cast<double>(random() >> 11) * 0x1p-53 - 0.5) * size[random() % 5];
+      std::snprintf(number, sizeof number, "%.*f", decimals, value);
+      text = number;
+      if (random() % 8 == 0 && decimals > 0 && text[text[0] == '-' ? 1 : 0] == '0') text.erase(text.find('0'), 1);
+    } else {
+      text.resize(1 + random() % 18);
+      for (char &c : text) c = alphabet[random() % (round % 2 == 0 ? 24 : 12)];
+    }
+    double value = -1.0, expected = -2.0;
+    const number_status status = number_parse_times(text.data(), text.size(), power, &expected);
+    const std::string behind = text + "7.7777777777777777";
+    if (word_decimal(behind.data(), text.size(), power, &value)) {
+      ASSERT_EQ(status, NUMBER_OK) << text;
+      ASSERT_EQ(std::memcmp(&value, &expected, sizeof value), 0) << text << " times 10^" << power;
+      ++taken;
+    } else if (as_written) {
+      ASSERT_GT(text.size(), 15U) << text;
+    }
+  }
+  EXPECT_GT(taken, 300000U);
+  for (const char *text : {"-                ", ".                ", "-.               ", "1.2.3            "}) {
+    double value = 0.0;
+    EXPECT_FALSE(word_decimal(text, std::string(text).find(' '), 0, &value)) << text;
+  }
+}
+
+// Fields between blanks as one finds them character by character, in lines of any length.
+TEST(Words, FieldsOfALine) {
+  std::mt19937_64 random(11);
+  for (int round = 0; round < 100000; ++round) {
+    const size_t length = random() % (round % 10 == 0 ? 150 : 40);
+    std::string text(length + 16, 'x');
+    for (size_t i = 0; i < length; ++i) text[i] = "ab  \tcd\x80"[random() % 8];
+    const size_t capacity = random() % 8;
+    field fields[8];
+    size_t count = 0;
+    const size_t found = fields_split(text.data(), length, fields, capacity);
+    for (size_t at = 0; at < length;) {
+      const size_t begin = text.find_first_not_of(" \t", at);
+      if (begin >= length) break;
+      const size_t end = std::min(text.find_first_of(" \t", begin), length);
+      if (count < capacity) {
+        ASSERT_EQ(fields[count].text, text.data() + begin);
+        ASSERT_EQ(fields[count].length, end - begin);
+      }
+      ++count;
+      at = end;
+    }
+    ASSERT_EQ(found, count) << text.substr(0, length);
+  }
 }
 
 TEST(Words, WhatIsNoNumber) {

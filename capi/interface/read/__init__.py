@@ -9,6 +9,8 @@ from .kinds import take_kinds
 from .nulls import take_nulls
 from .tiers import take_tiers
 
+MOST_ARGUMENTS = 8
+
 
 def read_interface(include):
     """The interface of the headers in a folder. What the rules do not settle is among its open questions."""
@@ -18,6 +20,8 @@ def read_interface(include):
     for function in interface.functions:
         if not function.comment:
             function.open_questions.append("what it does: there is no comment")
+        if len(function.arguments) > MOST_ARGUMENTS:
+            function.open_questions.append(f"more than {MOST_ARGUMENTS} arguments: a request and outputs have names")
         take_kinds(interface, function)
         take_fields(interface, function)
     for function in interface.functions:

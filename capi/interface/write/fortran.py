@@ -20,12 +20,16 @@ NOTES = {
 
 
 def fortran_module(interface):
+    from .fortran_named import generic_rows, named_rows, takes_outputs
     sizes = struct_sizes(interface)
+    named = [f for f in interface.functions if takes_outputs(f)]
     parts = {
         "constants": sections(interface, "  ", interface.constants.values(), constant_rows),
         "types": sections(interface, "  ", interface.structs_inside_first(),
                           lambda struct: type_rows(struct, sizes[struct.name]), apart=True),
         "functions": sections(interface, "    ", interface.functions, function_rows, apart=True),
+        "generics": sections(interface, "    ", named, generic_rows, apart=True),
+        "named": sections(interface, "  ", named, named_rows, apart=True),
         "bounds": sections(interface, "  ", bounds_of(interface), bound_rows, apart=True),
     }
     texts = [f"  character(*), parameter :: {name} = '{text}'" for name, text in interface.texts.items()]
@@ -83,12 +87,24 @@ def type_rows(struct, sizes=()):
     """`sizes`: its bytes with pointers of 8 bytes and of 4, for the default of struct_size."""
     declared = [f"    {kind_of_field(f)} :: {f.name}{f'({f.count})' if f.count > 1 else ''}" for f in struct.fields]
     if struct.sized and sizes:
+        # Zero means default in requests and outputs.
+        if struct.name.endswith(("_request", "_outputs")):
+            declared = [row + initial(f) for row, f in zip(declared, struct.fields)]
         pointers = (sizes[0] - sizes[1]) // 4
         more = f" + {pointers} * pointer_bytes" if pointers else ""
         declared[0] += f" = {sizes[1] - 4 * pointers}_c_int32_t{more}"
     column = max(len(row) for row in declared)
     rows = [row for d, f in zip(declared, struct.fields) for row in remarked(d, f.remark, column)]
     return [f"  type, bind(C) :: {struct.name}", *rows, "  end type"]
+
+
+def initial(field):
+    """The default of a field whose C default is 0; that of struct_size follows."""
+    kind = kind_of_field(field)
+    if field.name == "struct_size":
+        return ""
+    return " = " + ("c_null_ptr" if field.stars else f"0.0_{kind[5:-1]}" if kind.startswith("real")
+                    else f"0_{kind[8:-1]}")
 
 
 def function_rows(function):

@@ -20,16 +20,18 @@
 !                                so the array must outlive the handle and must not be reallocated
 !   T *out, uint32_t capacity    out(*) with capacity elements; other extents stand behind the declarations
 !   a pointer that may be NULL   an optional argument that is left out
+!   a request and outputs        these types, with the defaults of C; or their fields as named optional arguments:
+!                                hsp_boundary_get_gradient(b, tension=1.0_c_double, d_centre=g, capacity=n)
 !   const char *title            character(kind=c_char) :: title(*); a string that ends with c_null_char may be passed
 !   hsp_sink                     type(c_funptr) from c_funloc of a function with the interface hsp_sink
 !   void *context                type(c_ptr), as it will be handed to the sink; c_null_ptr if the sink has no use for it
 module hardsphere
   use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_funptr, c_int8_t, c_int32_t, c_int64_t, &
-                                         c_null_char, c_null_ptr, c_ptr, c_size_t
+                                         c_loc, c_null_char, c_null_ptr, c_ptr, c_size_t
   implicit none
   private :: quad_turned
-  private :: c_char, c_double, c_f_pointer, c_funptr, c_int8_t, c_int32_t, c_int64_t, c_null_char, c_null_ptr, c_ptr
-  private :: c_size_t
+  private :: c_char, c_double, c_f_pointer, c_funptr, c_int8_t, c_int32_t, c_int64_t, c_loc, c_null_char, c_null_ptr
+  private :: c_ptr, c_size_t
   integer(c_int32_t), parameter, private :: pointer_bytes = storage_size(c_null_ptr) / 8
 
   ! <constants>
@@ -59,6 +61,9 @@ module hardsphere
     ! <functions>
 
   end interface
+
+  ! What is asked and what is wanted as named arguments instead of a request and outputs.
+  ! <generics>
 
 contains
 
@@ -160,6 +165,8 @@ contains
     integer(c_int32_t) :: number
     number = balls + 2_c_int32_t*stick + half
   end function
+
+  ! <named>
 
   ! <bounds>
 

@@ -13,7 +13,7 @@ def registry(interface):
     rows += [entry(interface, function) for function in interface.functions]
     rows += ["};", "const size_t registry_size = sizeof registry / sizeof registry[0];", ""]
     rows.append("const field registry_fields[] = {")
-    rows += [f'  {{"{s.name}", "{f.name}", "{f.base}{star(f)}", offsetof({s.name}, {f.name}), {f.count}}},'
+    rows += ["\n".join(filled(f'{{"{s.name}", "{f.name}", "{f.base}{star(f)}", offsetof({s.name}, {f.name}), {f.count}}},'))
              for s in interface.structs.values() for f in s.fields]
     rows += ["};", "const size_t registry_fields_size = sizeof registry_fields / sizeof registry_fields[0];", ""]
     return "\n".join(rows)

@@ -1,5 +1,6 @@
 #include "app/arguments.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #include "app/command_table.h"
@@ -96,16 +97,17 @@ static bool check(struct reading *reading) {
                             command_table[request->command].name);
   }
   if (request->command == COMMAND_QUERY && request->query == QUERY_NONE) {
-    return failure_in_usage(reading->failure, "query needs --point X Y Z or --ball X Y Z R");
+    return failure_in_usage(reading->failure,
+                            "query needs --point X Y Z or --ball X Y Z R; see hardsphere query --help");
   }
   if (request->command == COMMAND_PICK && !request->at.given) {
-    return failure_in_usage(reading->failure, "pick needs --at X Y");
+    return failure_in_usage(reading->failure, "pick needs --at X Y; see hardsphere pick --help");
   }
   if (request->command == COMMAND_PATH && !(request->from.point.given && request->to.point.given)) {
-    return failure_in_usage(reading->failure, "path needs --from X Y Z and --to X Y Z");
+    return failure_in_usage(reading->failure, "path needs --from X Y Z and --to X Y Z; see hardsphere path --help");
   }
   if (request->command == COMMAND_GATE && !request->from.point.given) {
-    return failure_in_usage(reading->failure, "gate needs --from X Y Z or --from void:K");
+    return failure_in_usage(reading->failure, "gate needs --from X Y Z or --from void:K; see hardsphere gate --help");
   }
   if (request->command == COMMAND_GATE && reading->probe_seen && request->from.of_void == 0 &&
       request->to.of_void == 0) {
@@ -134,6 +136,8 @@ bool request_parse(struct request *request, enum command command, int file, int 
   request->surface = -1;
   request->meshing = (struct meshing)MESHING_DEFAULT;
   request->drawing = (struct drawing)DRAWING_DEFAULT;
+  request->names = malloc(((size_t)count + 1) * sizeof *request->names);
+  if (request->names == NULL) return failure_of_memory(failure);
   struct reading reading = {.request = request, .rest = arguments, .left = count, .failure = failure};
   bool options_end = false;
   bool standard_seen = false;
@@ -148,7 +152,8 @@ bool request_parse(struct request *request, enum command command, int file, int 
         if (standard_seen) return failure_in_usage(failure, "standard input is one file, not two");
         standard_seen = true;
       }
-      if (request->files++ == file) request->file = argument;
+      if (request->files == file) request->file = argument;
+      request->names[request->files++] = argument;
     }
   }
   return check(&reading);

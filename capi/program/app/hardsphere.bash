@@ -4,7 +4,7 @@ _hardsphere() {
   if [ "$COMP_CWORD" -eq 1 ]; then
     words="model boundary measure voids contacts complex cells path gate clash query mesh map pick draw completion help --help --version"
   elif [[ $word == -* ]]; then
-    words="--help --format --radii --radius --probe --json --no-water --no-hetatm --no-hydrogens --only --hide --model"
+    words="--help --format --radii --radius --probe --json --no-water --no-hetatm --no-hydrogens --only --hide --model --threads"
     case $command in
       model) words+="" ;;
       boundary) words+=" --shells --csv --box" ;;

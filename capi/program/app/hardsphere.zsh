@@ -36,6 +36,7 @@ common=(
     '*--only=[read only the atoms that S names, or all but them]:S:'
     '*--hide=[read only the atoms that S names, or all but them]:S:'
     '*--model=[read model N of the file, counted from 1]:N:'
+    '*--threads=[let N threads work on files, on frames of a trajectory or on a large molecule]:N:'
     '--help[more about the command]'
     '*:file:_files'
 )

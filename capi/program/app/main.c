@@ -30,63 +30,43 @@ static bool prepare(const struct request *request, struct molecule *molecule, st
   return molecule_take_radii(molecule, &request->radii, &request->table, failure);
 }
 
-static bool run_command(const struct request *request, struct text_buffer *out, struct failure *failure) {
+static unsigned keeping_of(const struct request *request) {
+  return (request->trajectory != NULL ? KEEP_PLACES : KEEP_NO_MORE) |
+         (request->command == COMMAND_DRAW ? KEEP_EXTRAS : KEEP_NO_MORE);
+}
+
+/* Read the file of a request and do what it asks for, by so many threads. */
+static bool run_command(const struct request *request, uint32_t threads, struct notes *notes, struct text_buffer *out,
+                        struct failure *failure) {
   command_function *const command = command_table[request->command].run;
   struct molecule molecule;
   struct geometry geometry = {.work = {0}};
-  struct notes notes = NOTES_NONE;
   const bool again = request->pdb_out != NULL && input_is_standard(request->file);
   if (again && !line_reader_keep_standard_input(failure)) return false;
-  bool done = read_molecule(request->file, request->format, request->model, &molecule, failure) &&
-              prepare(request, &molecule, &notes, failure);
-  geometry.progress = progress_begin(molecule.atoms, PROGRESS_LEAST_BALLS);
+  bool done = read_molecule(request->file, request->format, request->model, keeping_of(request), &molecule, failure) &&
+              prepare(request, &molecule, notes, failure);
   if (done && request->trajectory != NULL) {
-    done = command_frames(request, &molecule, &geometry, command, failure);
+    done = command_frames(request, &molecule, command, failure);
   } else {
-    done = done && unit_cell_fill(request, &molecule, failure) &&
-           geometry_set_model(&geometry, &molecule, request->probe, 0.0, failure) &&
+    geometry.progress = progress_begin(molecule.atoms, PROGRESS_LEAST_BALLS);
+    done = done && unit_cell_fill(request, &molecule, failure);
+    geometry_share_work(&geometry, threads, molecule.atoms);
+    out->threads = threads;
+    done = done && geometry_set_model(&geometry, &molecule, request->probe, 0.0, failure) &&
            command(request, &molecule, &geometry, out, failure);
+    geometry_free(&geometry);
   }
-  geometry_free(&geometry);
-  if (done) notes_print(&notes, request, &molecule);
-  notes_free(&notes);
+  if (done) notes_count_water(notes, request, &molecule);
   molecule_free(&molecule);
   return done;
 }
 
-/* Do what the command line asks for with one of its files. */
-static bool run_file(enum command command, int file, int count, char **arguments, struct several_files *several,
-                     struct failure *failure) {
-  struct request request;
-  struct text_buffer record = TEXT_BUFFER_EMPTY;
-  const bool done = request_parse(&request, command, file, count, arguments, failure) &&
-                    run_command(&request, &record, failure) && several_files_print(several, &request, &record, failure);
-  text_buffer_free(&record);
-  request_free(&request);
+static bool run_one(const struct request *request, struct text_buffer *out, struct failure *failure) {
+  struct notes notes = NOTES_NONE;
+  const bool done = run_command(request, request_threads(request), &notes, out, failure);
+  if (done) notes_print(&notes, request);
+  notes_free(&notes);
   return done;
-}
-
-/* Several files: a command line at fault stops all, a file at fault only itself. */
-static bool run_files(enum command command, int files, int count, char **arguments, struct failure *failure) {
-  for (int file = 0; file < files; ++file) {
-    struct request request;
-    const bool good = request_parse(&request, command, file, count, arguments, failure);
-    const bool own = failure->file == request.file;
-    request_free(&request);
-    if (!good && !own) return false;
-  }
-  struct several_files several = SEVERAL_FILES_NONE;
-  int exit_status = 0;
-  for (int file = 0; file < files; ++file) {
-    *failure = (struct failure){0, NULL, 0, ""};
-    if (run_file(command, file, count, arguments, &several, failure)) continue;
-    failure_print(failure);
-    exit_status = failure->exit_status;
-    if (failure->file == NULL) break; /* it is standard output that fails, or memory */
-  }
-  several_files_free(&several);
-  failure->exit_status = exit_status;
-  return true;
 }
 
 /* Two files: the molecule at rest and the one that is moved. */
@@ -106,14 +86,17 @@ static bool run_two(enum command command, int count, char **arguments, struct te
     done = radii_list_print(out, failure);
   } else {
     for (int k = 0; k < 2 && done; ++k) {
-      done = read_molecule(request[k].file, request[k].format, request[k].model, &molecule[k], failure) &&
+      done = read_molecule(request[k].file, request[k].format, request[k].model, KEEP_NO_MORE, &molecule[k], failure) &&
              prepare(&request[k], &molecule[k], &notes[k], failure);
     }
     const struct molecule_request fixed = {&request[0], &molecule[0]}, moving = {&request[1], &molecule[1]};
     done = done && command_table[command].run_two(&fixed, &moving, out, failure);
   }
   for (int k = 0; k < 2; ++k) {
-    if (done && !request[0].list_radii) notes_print(&notes[k], &request[k], &molecule[k]);
+    if (done && !request[0].list_radii) {
+      notes_count_water(&notes[k], &request[k], &molecule[k]);
+      notes_print(&notes[k], &request[k]);
+    }
     notes_free(&notes[k]);
     molecule_free(&molecule[k]);
     request_free(&request[k]);
@@ -121,9 +104,10 @@ static bool run_two(enum command command, int count, char **arguments, struct te
   return done;
 }
 
-static bool asks_for_help(int count, char **arguments) {
+/* Whether an option that any command has stands among the arguments. */
+static bool asks_for(const char *name, const char *letter, int count, char **arguments) {
   for (int i = 0; i < count && strcmp(arguments[i], "--") != 0; ++i) {
-    if (strcmp(arguments[i], "--help") == 0 || strcmp(arguments[i], "-h") == 0) return true;
+    if (strcmp(arguments[i], name) == 0 || strcmp(arguments[i], letter) == 0) return true;
   }
   return false;
 }
@@ -170,8 +154,12 @@ static bool run(int count, char **arguments, struct text_buffer *out, struct fai
   }
   enum command command;
   if (!find_command(first, &command, failure)) return false;
-  if (asks_for_help(count - 1, arguments + 1)) {
+  if (asks_for("--help", "-h", count - 1, arguments + 1)) {
     usage_of_command(out, command);
+    return true;
+  }
+  if (asks_for("--version", "-V", count - 1, arguments + 1)) {
+    usage_version(out);
     return true;
   }
   const struct command_row *row = &command_table[command];
@@ -182,12 +170,15 @@ static bool run(int count, char **arguments, struct text_buffer *out, struct fai
   if (row->run_two != NULL) return run_two(command, count - 1, arguments + 1, out, failure);
   struct request request;
   bool done = request_parse(&request, command, 0, count - 1, arguments + 1, failure);
-  const int files = request.list_radii ? 0 : request.files;
-  if (files < 2 && done) {
-    done = request.list_radii ? radii_list_print(out, failure) : run_command(&request, out, failure);
+  if (request.list_radii) {
+    done = done && radii_list_print(out, failure);
+  } else if (request.files < 2) {
+    done = done && run_one(&request, out, failure);
+  } else if (done || failure->file == request.file) { /* else the command line is at fault */
+    done = several_files_run(&request, count - 1, arguments + 1, run_command, failure);
   }
   request_free(&request);
-  return files < 2 ? done : run_files(command, files, count - 1, arguments + 1, failure);
+  return done;
 }
 
 int main(int count, char **arguments) {

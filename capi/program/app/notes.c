@@ -41,14 +41,18 @@ static void print(const struct request *request, const struct failure *note) {
   failure_print(&line);
 }
 
-void notes_print(const struct notes *notes, const struct request *request, const struct molecule *molecule) {
+void notes_count_water(struct notes *notes, const struct request *request, const struct molecule *molecule) {
+  const bool rows = request->csv || (request->trajectory != NULL && !request->json);
+  notes->waters = rows ? input_report_waters(molecule) : 0;
+}
+
+void notes_print(const struct notes *notes, const struct request *request) {
+  const uint64_t waters = notes->waters;
   struct failure note = {0, NULL, 0, ""};
   if (notes->unmatched.length > 0) {
     snprintf(note.reason, sizeof note.reason, "nothing matches %s", notes->unmatched.text);
     print(request, &note);
   }
-  const bool rows = request->csv || (request->trajectory != NULL && !request->json);
-  const uint64_t waters = rows ? input_report_waters(molecule) : 0;
   if (waters > 0) {
     snprintf(note.reason, sizeof note.reason, "%" PRIu64 " %s counted; --no-water leaves %s out", waters,
              waters == 1 ? "water is" : "waters are", waters == 1 ? "it" : "them");

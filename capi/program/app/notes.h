@@ -9,10 +9,11 @@
 /* Names in lists that nothing has: "--only chain:Z, --radius Xx". */
 struct notes {
   struct text_buffer unmatched;
+  uint64_t waters; /* that are counted where the output cannot say so: in --csv */
 };
 
 #define NOTES_NONE \
-  { TEXT_BUFFER_EMPTY }
+  { TEXT_BUFFER_EMPTY, 0 }
 
 /* Look for the names of --only, --hide and --radius among all atoms of a file. */
 void notes_look_among_all(struct notes *notes, const struct request *request, const struct molecule *molecule);
@@ -20,8 +21,11 @@ void notes_look_among_all(struct notes *notes, const struct request *request, co
 /* Look for those of --highlight among the atoms that are left. */
 void notes_look_among_chosen(struct notes *notes, const struct request *request, const struct molecule *molecule);
 
-/* A line for the names, and one for water that is counted where the output cannot say so: in --csv. */
-void notes_print(const struct notes *notes, const struct request *request, const struct molecule *molecule);
+/* Count water among the atoms that were measured. */
+void notes_count_water(struct notes *notes, const struct request *request, const struct molecule *molecule);
+
+/* A line for the names, and one for water. */
+void notes_print(const struct notes *notes, const struct request *request);
 
 void notes_free(struct notes *notes);
 

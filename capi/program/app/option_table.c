@@ -42,6 +42,10 @@ const struct option *option_at(size_t i) {
       {"--model", "N", take_model, EVERY, .what = "the number of a model, from 1 on",
        .help = "read model N of the file, counted from 1; default 1"},
 
+      {"--threads", "N", take_threads, EVERY, .what = "how many threads",
+       .help = "let N threads work on files, on frames of a trajectory or on a large molecule; default one\n"
+               "for each processor. The output is the same for any number"},
+
       {"--shells", NULL, take_flag, OF(BOUNDARY), .target = IN(shells), .help = "list them in any case, in JSON too"},
       {"--csv", NULL, take_flag, OF(BOUNDARY), .target = IN(csv),
        .help = "print the counts, or with --shells the list, as comma-separated values and nothing else"},
@@ -80,8 +84,8 @@ const struct option *option_at(size_t i) {
       {"--trajectory", "RUN", take_path, OF(MEASURE), .target = IN(trajectory),
        .help = "go through the frames of a .xtc, .dcd, {frames} file instead, each with the\n"
                "atoms that are read of FILE, which has their names and radii, in its order. A frame is\n"
-               "a row of comma-separated values, or with --json a line, printed before the next is\n"
-               "read. Boxes are not used without --box: the molecule is taken as it stands in the\n"
+               "a row of comma-separated values, or with --json a line, printed as soon as those before\n"
+               "it are. Boxes are not used without --box: the molecule is taken as it stands in the\n"
                "frame. A frame at fault ends the run with status 1; the rows before it stay"},
       {"--frames", "A:B:S", take_frames, OF(MEASURE), .what = "frames, A:B:S",
        .help = "only the frames A to B, counted from 1, in steps of S; or A alone, A:, :B, ::S"},

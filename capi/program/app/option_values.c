@@ -4,6 +4,7 @@
 #include "app/option.h"
 #include "commands/interface.h"
 #include "read/number.h"
+#include "read/threads.h"
 
 /* ---- files and radii ---- */
 
@@ -15,6 +16,7 @@ bool take_format(struct reading *reading, const struct option *option, const cha
   if (value == NULL) return failure_in_usage(reading->failure, "--format needs %s", list);
   if (request->format != NULL) return option_given_twice(reading, option);
   request->format = file_format_named(value);
+  request->format_given = true;
   char shown[EXCERPT_BYTES];
   return request->format != NULL ||
          failure_in_usage(reading->failure, "--format: '%s' is not %s", excerpt(shown, value, strlen(value)), list);
@@ -79,6 +81,18 @@ bool take_model(struct reading *reading, const struct option *option, const char
   char shown[EXCERPT_BYTES];
   return failure_in_usage(reading->failure, "--model: '%s' is not the number of a model, from 1 on",
                           excerpt(shown, value, strlen(value)));
+}
+
+bool take_threads(struct reading *reading, const struct option *option, const char *value) {
+  uint32_t *const threads = &reading->request->threads;
+  uint64_t count = 0;
+  if (!option_value(reading, option, &value)) return false;
+  if (*threads > 0) return option_given_twice(reading, option);
+  if (number_parse_count(value, strlen(value), &count) != NUMBER_OK || count < 1 || count > MOST_THREADS) {
+    return failure_in_usage(reading->failure, "--threads must be how many threads, from 1 to %d", MOST_THREADS);
+  }
+  *threads = (uint32_t)count;
+  return true;
 }
 
 bool take_interface(struct reading *reading, const struct option *option, const char *value) {

@@ -1,8 +1,48 @@
 #include "app/several_files.h"
 
+#include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
+#include "app/arguments.h"
+#include "read/line_reader.h"
+#include "read/progress.h"
+#include "read/threads.h"
 #include "write/csv.h"
+
+enum {
+  MOST_FORMATS = 8,
+  SLOTS_OF_WORKER = 8, /* so that a large file among small ones keeps nobody waiting */
+  WATCHED_FILES = 100, /* less takes no time that anybody would watch */
+  MEMORY_OF_BYTE = 5   /* what takes a byte in a file takes about so many in memory */
+};
+
+/* What files take in memory that are worked on at the same time; a larger one is alone. */
+#define MOST_MEMORY ((uint64_t)1 << 30)
+
+/* A file between reading and printing. */
+struct file {
+  const struct request *request; /* of its format; NULL: it has none */
+  const char *name;
+  bool done;
+  struct notes notes;
+  struct text_buffer out;
+  struct failure failure; /* if it is not done */
+};
+
+struct several_files {
+  const struct request *first;
+  struct request of_format[MOST_FORMATS]; /* one for all files of a format; without names: there are none */
+  file_function *run;
+  struct in_order loop;
+  struct file *file; /* [slots] */
+  int taken;
+  int given;
+  bool any;                  /* was printed */
+  struct text_buffer header; /* of the table of --csv, which all share */
+  struct progress progress;
+  int exit_status;
+};
 
 /* The length of a table's first row, its line end included. A line end in quotes is part of a field. */
 static size_t row_length(const char *text, size_t length) {
@@ -36,8 +76,9 @@ static bool add_table(struct several_files *several, const struct request *reque
   return !several->header.out_of_memory || failure_of_memory(failure);
 }
 
-bool several_files_print(struct several_files *several, const struct request *request, const struct text_buffer *record,
-                         struct failure *failure) {
+/* False: it cannot be printed, or its table has other columns than the first one. */
+static bool print(struct several_files *several, const struct request *request, const struct text_buffer *record,
+                  struct failure *failure) {
   if (record->out_of_memory) return failure_of_memory(failure);
   struct text_buffer out = TEXT_BUFFER_EMPTY;
   bool done = true;
@@ -55,6 +96,111 @@ bool several_files_print(struct several_files *several, const struct request *re
   return done;
 }
 
-void several_files_free(struct several_files *several) {
-  text_buffer_free(&several->header);
+/* The request for files of its format; NULL with the reason: its name says none. The last one is for standard input
+ * without --format, which no request can be made for. */
+static struct request *request_of(struct several_files *several, const char *name, struct failure *failure) {
+  const struct request *const first = several->first;
+  if (!first->format_given && input_is_standard(name)) return &several->of_format[MOST_FORMATS - 1];
+  const struct file_format *const format = first->format_given ? first->format : file_format_of(name, failure);
+  size_t i = 0;
+  if (format == NULL) return NULL;
+  while (file_format_at(i) != format) ++i;
+  return &several->of_format[i];
+}
+
+/* Find fault with the command line, for files of each format that there are. */
+static bool make_requests(struct several_files *several, int count, char **arguments, struct failure *failure) {
+  const struct request *const first = several->first;
+  for (int k = 0; k < first->files; ++k) {
+    struct request *const request = request_of(several, first->names[k], failure);
+    if (request == NULL || request->names != NULL) continue;
+    if (!request_parse(request, first->command, k, count, arguments, failure)) return false;
+  }
+  return true;
+}
+
+static uint64_t memory_of(const char *name) {
+  struct stat found;
+  if (input_is_standard(name) || stat(name, &found) != 0 || !S_ISREG(found.st_mode) || found.st_size < 0) return 0;
+  return MEMORY_OF_BYTE * (uint64_t)found.st_size;
+}
+
+static bool take_file(void *of, uint32_t slot, uint64_t *weight) {
+  struct several_files *const several = of;
+  struct file *const file = &several->file[slot];
+  if (several->taken == several->first->files) return false;
+  file->name = several->first->names[several->taken++];
+  file->failure = (struct failure){0, NULL, 0, ""};
+  file->request = request_of(several, file->name, &file->failure);
+  file->out.length = 0;
+  if (several->loop.workers > 1) *weight = memory_of(file->name);
+  return true;
+}
+
+static void work_on_file(void *of, uint32_t worker, uint32_t slot) {
+  const struct several_files *const several = of;
+  struct file *const file = &several->file[slot];
+  (void)worker;
+  file->done = false;
+  file->notes = (struct notes)NOTES_NONE;
+  if (file->request == NULL) return;
+  struct request own = *file->request;
+  own.file = file->name;
+  file->done =
+      several->run(&own, request_threads(&own) / several->loop.workers, &file->notes, &file->out, &file->failure);
+}
+
+static void show_files(const struct several_files *several) {
+  char text[60];
+  snprintf(text, sizeof text, "file %d of %d", several->given, several->first->files);
+  progress_show(&several->progress, text);
+}
+
+static bool print_file(void *of, uint32_t slot) {
+  struct several_files *const several = of;
+  struct file *const file = &several->file[slot];
+  ++several->given;
+  progress_end(&several->progress);
+  if (file->done) {
+    struct request own = *file->request;
+    own.file = file->name;
+    notes_print(&file->notes, &own);
+    file->done = print(several, &own, &file->out, &file->failure);
+  }
+  notes_free(&file->notes);
+  if (!file->done) {
+    failure_print(&file->failure);
+    several->exit_status = file->failure.exit_status;
+    if (file->failure.file == NULL) return false; /* it is standard output that fails, or memory */
+  }
+  show_files(several);
+  return true;
+}
+
+bool several_files_run(const struct request *first, int count, char **arguments, file_function *run,
+                       struct failure *failure) {
+  const uint32_t files = (uint32_t)first->files, threads = request_threads(first);
+  struct several_files several = {.first = first, .run = run};
+  struct in_order *const loop = &several.loop;
+  *loop = (struct in_order){&several,  threads < files ? threads : files, 0, MOST_MEMORY, take_file, work_on_file,
+                            print_file};
+  loop->slots = loop->workers == 1 ? 1 : SLOTS_OF_WORKER * loop->workers;
+  bool done = make_requests(&several, count, arguments, failure);
+  several.file = done ? calloc(loop->slots, sizeof *several.file) : NULL;
+  if (done && several.file == NULL) done = failure_of_memory(failure);
+  if (done) {
+    several.progress = progress_begin(files, WATCHED_FILES);
+    if (loop->workers > 1) progress_be_quiet();
+    done = in_order_run(loop) || failure_of_memory(failure);
+    progress_end(&several.progress);
+    *failure = (struct failure){several.exit_status, NULL, 0, ""};
+  }
+  for (uint32_t k = 0; several.file != NULL && k < loop->slots; ++k) {
+    text_buffer_free(&several.file[k].out);
+    notes_free(&several.file[k].notes);
+  }
+  for (size_t i = 0; i < MOST_FORMATS; ++i) request_free(&several.of_format[i]);
+  text_buffer_free(&several.header);
+  free(several.file);
+  return done;
 }

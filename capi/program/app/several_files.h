@@ -1,28 +1,25 @@
-/* One command on several files: what each of them gives, one after the other. */
+/* One command on several files, by several threads: what each of them gives, one after the other. */
 #ifndef HARDSPHERE_TOOL_SEVERAL_FILES_H
 #define HARDSPHERE_TOOL_SEVERAL_FILES_H
 
 #include <stdbool.h>
+#include <stdint.h>
 
+#include "app/notes.h"
 #include "commands/request.h"
 #include "read/failure.h"
 #include "read/text_buffer.h"
 
-/* What was printed so far. */
-struct several_files {
-  bool any;
-  struct text_buffer header; /* of the table of --csv, which all share */
-};
+/* Do what is asked for with the file of a request, by so many threads. */
+typedef bool file_function(const struct request *request, uint32_t threads, struct notes *notes,
+                           struct text_buffer *out, struct failure *failure);
 
-#define SEVERAL_FILES_NONE \
-  { false, TEXT_BUFFER_EMPTY }
-
-/* Print what a file gave: tables with an empty line between them, JSON as one object a line, and of --csv one table
- * with the file's name as its first column. False: it cannot be printed, or its table has other columns than the first
- * one. */
-bool several_files_print(struct several_files *several, const struct request *request, const struct text_buffer *record,
-                         struct failure *failure);
-
-void several_files_free(struct several_files *several);
+/* Run it on all files of the command line, of which `first` is the request for the first one, and print what they give
+ * in their order: tables with an empty line between them, JSON as one object a line, and of --csv one table with the
+ * file's name as its first column. A command line at fault stops all before anything is read: false. A file at fault,
+ * or one whose table has other columns than the first one, stops only itself: its failure is printed, and of the last
+ * one the failure has the exit status. */
+bool several_files_run(const struct request *first, int count, char **arguments, file_function *run,
+                       struct failure *failure);
 
 #endif

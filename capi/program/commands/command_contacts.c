@@ -137,7 +137,7 @@ static bool find_groups(const struct request *request, const struct molecule *mo
 enum { GROUP_NAME_BYTES = 2 * RESIDUE_TEXT_BYTES };
 static const char *group_name(char out[GROUP_NAME_BYTES], const struct molecule *molecule,
                               const struct atom_groups *groups, uint32_t group) {
-  const struct residue_label *label = &molecule->label[groups->group[group].first].residue;
+  const struct residue_label *label = molecule->label[groups->group[group].first].residue;
   if (groups->grouping == GROUPING_CHAIN) {
     snprintf(out, GROUP_NAME_BYTES, "%s", label->chain);
   } else {
@@ -198,7 +198,7 @@ static void lead_between(const void *of, size_t row, enum form form, struct text
       continue;
     }
     const uint32_t group = found->between[row].group[side];
-    const struct residue_label *label = &listed->rows.molecule->label[found->groups.group[group].first].residue;
+    const struct residue_label *label = listed->rows.molecule->label[found->groups.group[group].first].residue;
     const char *const texts[] = {label->chain, label->name, label->number, label->insertion};
     group_name(name, listed->rows.molecule, &found->groups, group);
     if (form == FOR_PERSONS) text_buffer_add(out, "  %14s", name);

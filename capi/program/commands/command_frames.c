@@ -2,88 +2,185 @@
 
 #include <inttypes.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "commands/frame_range.h"
 #include "commands/unit_cell.h"
 #include "read/line_reader.h"
 #include "read/progress.h"
+#include "read/threads.h"
 #include "read/trajectory.h"
 
-/* The frame's coordinates for those atoms that became balls. `own` is the box of the file of the molecule, which serves
- * frames of a file that has none at all. */
-static void take_frame(const struct trajectory *trajectory, const struct box_record *own, bool first,
-                       struct molecule *molecule) {
+/* Frames of so many atoms are in work together, or else fewer threads have one: half a gigabyte. */
+enum { MOST_ATOMS = 1500000, SLOTS_OF_WORKER = 2 };
+
+/* A frame between reading and printing. */
+struct frame {
+  struct molecule molecule; /* with coordinates and lines of its own, all else is that of the file */
+  bool done;                /* it was read, and the command has its results */
+  struct failure failure;   /* if not */
+  struct text_buffer out;
+};
+
+struct frames {
+  const struct request *request;
+  command_function *command;
+  const struct molecule *molecule;
+  struct trajectory trajectory;
+  struct box_record own; /* of the file of the molecule, which serves frames of a file that has none at all */
+  struct in_order loop;
+  struct geometry *geometry; /* [workers] */
+  struct frame *frame;       /* [slots] */
+  uint64_t taken;            /* frames that were asked for and are there */
+  bool broken;               /* one of them could not be read */
+  struct progress progress;
+  struct failure begin;    /* the file, and nothing of a fault: what each frame begins with */
+  struct failure *failure; /* of the first frame at fault */
+};
+
+/* The frame's coordinates for those atoms that became balls. */
+static void take_coordinates(const struct trajectory *trajectory, struct molecule *molecule) {
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     const size_t place = molecule->place[i];
     memcpy(molecule->xyz + 3 * (size_t)i, trajectory->xyz + 3 * place, 3 * sizeof *molecule->xyz);
     molecule->line[i] = trajectory->line == NULL ? 0 : trajectory->line[place];
   }
-  molecule->frame = trajectory->stamp;
-  if (!trajectory->boxed) molecule->frame.box = *own;
-  molecule->frame.first = first;
-}
-
-/* Do what is asked for with the frame that was read, and print it. */
-static bool run_frame(const struct request *request, const struct trajectory *trajectory,
-                      const struct molecule *molecule, struct geometry *geometry, command_function *command,
-                      const struct progress *progress, struct text_buffer *out, struct failure *failure) {
-  const char *file = failure->file;
-  out->length = 0;
-  if (!geometry_set_model(geometry, molecule, request->probe, 0.0, failure) ||
-      !command(request, molecule, geometry, out, failure)) {
-    return failure->file != file ? false : failure_in_frame(failure, trajectory);
-  }
-  progress_end(&geometry->progress);
-  progress_end(progress);
-  const bool printed = text_buffer_print(out, failure);
-  if (printed) failure->file = file;
-  return printed;
-}
-
-static bool check_number(const struct request *request, uint64_t measured, uint64_t frames, struct failure *failure) {
-  if (measured > 0) return true;
-  if (frames == 0) return failure_in_input(failure, 0, "no frames in the file");
-  return failure_in_input(failure, 0, "no frame %" PRIu64 ": the file has %" PRIu64, request->frames.first, frames);
 }
 
 /* What a person who watches sees: nothing of short trajectories. */
-static void show_frame(const struct trajectory *trajectory, struct progress *progress) {
+static void show_frame(struct frames *frames, uint64_t number) {
   char text[40];
-  *progress = progress_begin(trajectory->frames * trajectory->atoms, PROGRESS_LEAST_BALLS);
-  snprintf(text, sizeof text, "frame %" PRIu64, trajectory->frames);
-  progress_show(progress, text);
+  const uint64_t amount = number * frames->molecule->atoms;
+  if (frames->loop.workers == 1) frames->progress = progress_begin(amount, PROGRESS_LEAST_BALLS);
+  if (amount < PROGRESS_LEAST_BALLS) return;
+  snprintf(text, sizeof text, "frame %" PRIu64, number);
+  progress_show(&frames->progress, text);
 }
 
-static bool run_frames(const struct request *request, struct trajectory *trajectory, struct molecule *molecule,
-                       struct geometry *geometry, command_function *command, struct progress *progress,
-                       struct text_buffer *out, struct failure *failure) {
-  uint64_t measured = 0;
-  const struct box_record own = molecule->frame.box;
-  while (trajectory->frames < request->frames.last) {
-    const bool wanted = frame_range_has(&request->frames, trajectory->frames + 1);
-    const enum line_status status = trajectory_next(trajectory, wanted, failure);
-    if (status == LINE_FAILED) return false;
+static bool take_frame(void *of, uint32_t slot, uint64_t *weight) {
+  struct frames *const frames = of;
+  struct frame *const frame = &frames->frame[slot];
+  struct trajectory *const trajectory = &frames->trajectory;
+  (void)weight;
+  while (!frames->broken && trajectory->frames < frames->request->frames.last) {
+    const bool wanted = frame_range_has(&frames->request->frames, trajectory->frames + 1);
+    frame->failure = frames->begin;
+    const enum line_status status = trajectory_next(trajectory, wanted, &frame->failure);
     if (status == LINE_END) break;
-    show_frame(trajectory, progress);
-    if (!wanted) continue;
-    take_frame(trajectory, &own, measured++ == 0, molecule);
-    unit_cell_turn(request, molecule);
-    if (!run_frame(request, trajectory, molecule, geometry, command, progress, out, failure)) return false;
+    frames->broken = status == LINE_FAILED;
+    if (frames->loop.workers == 1 && !frames->broken) show_frame(frames, trajectory->frames);
+    if (!wanted && !frames->broken) continue;
+    frame->done = !frames->broken;
+    if (frames->broken) return true;
+    take_coordinates(trajectory, &frame->molecule);
+    frame->molecule.frame = trajectory->stamp;
+    if (!trajectory->boxed) frame->molecule.frame.box = frames->own;
+    frame->molecule.frame.first = frames->taken++ == 0;
+    return true;
   }
-  return check_number(request, measured, trajectory->frames, failure);
+  return false;
 }
 
-bool command_frames(const struct request *request, struct molecule *molecule, struct geometry *geometry,
-                    command_function *command, struct failure *failure) {
-  struct trajectory trajectory;
-  struct text_buffer out = TEXT_BUFFER_EMPTY;
-  struct progress progress = {false};
-  bool done = trajectory_format_of(request->trajectory, request->format, &trajectory, failure);
-  done = done && trajectory_open(&trajectory, request->trajectory, molecule->read, failure) &&
-         run_frames(request, &trajectory, molecule, geometry, command, &progress, &out, failure);
-  progress_end(&progress);
-  trajectory_close(&trajectory);
-  text_buffer_free(&out);
+static void work_on_frame(void *of, uint32_t worker, uint32_t slot) {
+  const struct frames *const frames = of;
+  const struct request *const request = frames->request;
+  struct geometry *const geometry = &frames->geometry[worker];
+  struct frame *const frame = &frames->frame[slot];
+  struct failure *const failure = &frame->failure;
+  const char *const file = failure->file;
+  if (!frame->done) return;
+  frame->out.length = 0;
+  unit_cell_turn(request, &frame->molecule);
+  frame->done = geometry_set_model(geometry, &frame->molecule, request->probe, 0.0, failure) &&
+                frames->command(request, &frame->molecule, geometry, &frame->out, failure);
+  if (!frame->done && failure->file == file) failure_in_frame(failure, frame->molecule.frame.number);
+  progress_end(&geometry->progress);
+}
+
+static bool print_frame(void *of, uint32_t slot) {
+  struct frames *const frames = of;
+  const struct frame *const frame = &frames->frame[slot];
+  progress_end(&frames->progress);
+  if (!frame->done) {
+    *frames->failure = frame->failure;
+    return false;
+  }
+  if (!text_buffer_print(&frame->out, frames->failure)) return false;
+  if (frames->loop.workers > 1) show_frame(frames, frame->molecule.frame.number);
+  return true;
+}
+
+static bool check_number(const struct frames *frames, struct failure *failure) {
+  if (failure->exit_status != 0) return false;
+  failure->file = frames->begin.file;
+  if (frames->taken > 0) return true;
+  if (frames->trajectory.frames == 0) return failure_in_input(failure, 0, "no frames in the file");
+  return failure_in_input(failure, 0, "no frame %" PRIu64 ": the file has %" PRIu64, frames->request->frames.first,
+                          frames->trajectory.frames);
+}
+
+/* Handles for each worker, and coordinates for each slot. */
+static bool allocate(struct frames *frames, struct failure *failure) {
+  const struct in_order *const loop = &frames->loop;
+  const size_t atoms = (size_t)frames->molecule->atoms;
+  frames->geometry = calloc(loop->workers, sizeof *frames->geometry);
+  frames->frame = calloc(loop->slots, sizeof *frames->frame);
+  bool done = frames->geometry != NULL && frames->frame != NULL;
+  for (uint32_t k = 0; done && k < loop->slots; ++k) {
+    struct molecule *const molecule = &frames->frame[k].molecule;
+    *molecule = *frames->molecule;
+    molecule->xyz = malloc((atoms + 1) * 3 * sizeof *molecule->xyz);
+    molecule->line = malloc((atoms + 1) * sizeof *molecule->line);
+    done = molecule->xyz != NULL && molecule->line != NULL;
+  }
+  return done || failure_of_memory(failure);
+}
+
+static void release(struct frames *frames) {
+  for (uint32_t k = 0; frames->geometry != NULL && k < frames->loop.workers; ++k) geometry_free(&frames->geometry[k]);
+  for (uint32_t k = 0; frames->frame != NULL && k < frames->loop.slots; ++k) {
+    free(frames->frame[k].molecule.xyz);
+    free(frames->frame[k].molecule.line);
+    text_buffer_free(&frames->frame[k].out);
+  }
+  free(frames->geometry);
+  free(frames->frame);
+}
+
+/* As many workers as there is memory for, and for each of them as many threads as are left. */
+static void share_out(struct frames *frames) {
+  const uint32_t threads = request_threads(frames->request), atoms = frames->molecule->atoms;
+  const uint32_t most = atoms < MOST_ATOMS ? MOST_ATOMS / (atoms + 1) + 1 : 1;
+  struct in_order *const loop = &frames->loop;
+  loop->workers = threads < most ? threads : most;
+  loop->slots = loop->workers == 1 ? 1 : SLOTS_OF_WORKER * loop->workers;
+}
+
+bool command_frames(const struct request *request, const struct molecule *molecule, command_function *command,
+                    struct failure *failure) {
+  struct frames frames = {.request = request,
+                          .command = command,
+                          .molecule = molecule,
+                          .own = molecule->frame.box,
+                          .loop = {.of = &frames, .take = take_frame, .work = work_on_frame, .give = print_frame},
+                          .failure = failure};
+  share_out(&frames);
+  const uint32_t workers = frames.loop.workers;
+  frames.progress = progress_begin(workers > 1, 1);
+  if (workers > 1) progress_be_quiet();
+  bool done = trajectory_format_of(request->trajectory, request->format, &frames.trajectory, failure) &&
+              trajectory_open(&frames.trajectory, request->trajectory, molecule->read, failure) &&
+              allocate(&frames, failure);
+  for (uint32_t k = 0; done && k < workers; ++k) {
+    frames.geometry[k].progress = progress_begin(molecule->atoms, PROGRESS_LEAST_BALLS);
+    geometry_share_work(&frames.geometry[k], request_threads(request) / workers, molecule->atoms);
+  }
+  frames.begin = *failure;
+  if (done) done = in_order_run(&frames.loop) || failure_of_memory(failure);
+  done = done && check_number(&frames, failure);
+  progress_end(&frames.progress);
+  release(&frames);
+  trajectory_close(&frames.trajectory);
   return done;
 }

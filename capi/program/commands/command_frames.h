@@ -11,8 +11,9 @@
 #include "read/text_buffer.h"
 
 /* Put each frame that the request asks for into the molecule, which is prepared, and print what the command writes for
- * it before the next one is read. Memory is that of one frame. A failure stops all; what was printed stays. */
-bool command_frames(const struct request *request, struct molecule *molecule, struct geometry *geometry,
-                    command_function *command, struct failure *failure);
+ * it as soon as those before it are printed. Memory is that of a few frames for each thread, one without any. A failure
+ * stops all; what was printed stays. */
+bool command_frames(const struct request *request, const struct molecule *molecule, command_function *command,
+                    struct failure *failure);
 
 #endif

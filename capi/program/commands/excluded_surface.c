@@ -27,9 +27,17 @@ bool excluded_surface_measure(bool outer, uint32_t atoms, struct geometry *geome
 
 int32_t excluded_surface_gradients(const struct geometry *geometry, uint32_t atoms, const struct gradient *of_area,
                                    const struct gradient *of_volume, uint32_t *flags) {
-  const int32_t status = hsp_surface_gradient(geometry->work.surface, 1.0, 0.0, NULL, of_area->centre, of_area->radius,
-                                              flags, atoms, NULL);
+  const hsp_gradient_request area = {.struct_size = sizeof area, .tension = 1.0};
+  const hsp_gradient_request volume = {.struct_size = sizeof volume, .pressure = 1.0};
+  hsp_gradient_outputs outputs = {.struct_size = sizeof outputs,
+                                  .capacity = atoms,
+                                  .d_centre = of_area->centre,
+                                  .d_radius = of_area->radius,
+                                  .flags = flags};
+  const int32_t status = hsp_surface_get_gradient(geometry->work.surface, &area, &outputs);
   if (status != HSP_OK) return status;
-  return hsp_surface_gradient(geometry->work.surface, 0.0, 1.0, NULL, of_volume->centre, of_volume->radius, NULL, atoms,
-                              NULL);
+  outputs.d_centre = of_volume->centre;
+  outputs.d_radius = of_volume->radius;
+  outputs.flags = NULL;
+  return hsp_surface_get_gradient(geometry->work.surface, &volume, &outputs);
 }

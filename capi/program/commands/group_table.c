@@ -5,7 +5,7 @@
 #include "read/relative_areas.h"
 
 static const struct residue_label *label_of(const struct molecule *molecule, const struct atom_group *group) {
-  return &molecule->label[group->first].residue;
+  return molecule->label[group->first].residue;
 }
 
 /* NaN where there is nothing to compare with. */

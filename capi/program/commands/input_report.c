@@ -21,13 +21,15 @@ struct among {
 
 static struct among count_among(const struct molecule *molecule) {
   struct among among = {0, 0, 0, 0, 0, 0, 0};
+  bool water = false; /* the residue of the atom before */
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     const struct atom_label *label = &molecule->label[i];
-    const bool water = atom_is_water(label);
-    if (water) {
-      ++among.water_atoms;
-      if (i == 0 || !residue_label_same(&molecule->label[i - 1].residue, &label->residue)) ++among.waters;
+    const struct residue_label *const before = i == 0 ? NULL : molecule->label[i - 1].residue;
+    if (label->residue != before) {
+      water = atom_is_water(label);
+      if (water && (i == 0 || !residue_label_same(before, label->residue))) ++among.waters;
     }
+    if (water) ++among.water_atoms;
     if (label->hetatm && !water) ++among.hetatm;
     if (atom_is_hydrogen(label)) ++among.hydrogens;
     if (molecule->radius[i] == 0.0) ++among.points;

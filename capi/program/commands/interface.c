@@ -56,7 +56,7 @@ static bool take_parts(const char *text, const struct molecule *molecule, struct
   for (int side = 0; side < 2; ++side) {
     const uint32_t first = taken;
     for (uint32_t i = 0; i < molecule->atoms; ++i) {
-      if (side_of(text, molecule->label[i].residue.chain) != side) continue;
+      if (side_of(text, molecule->label[i].residue->chain) != side) continue;
       memcpy(parts->xyz + 3 * (size_t)taken, molecule->xyz + 3 * (size_t)i, 3 * sizeof *parts->xyz);
       parts->radius[taken++] = molecule->radius[i];
     }

@@ -7,7 +7,7 @@
 #include "read/weights.h"
 
 static double *allocate(const struct molecule *molecule, size_t numbers_per_atom, struct failure *failure) {
-  /* An atom has at least 80 bytes in memory already, so that the size cannot overflow. */
+  /* An atom has at least 50 bytes in memory already, so that the size cannot overflow. */
   double *numbers = malloc((numbers_per_atom * molecule->atoms + 1) * sizeof *numbers);
   if (numbers == NULL) failure_of_memory(failure);
   return numbers;
@@ -19,6 +19,23 @@ static bool allocate_gradient(const struct molecule *molecule, struct gradient *
   return gradient->centre != NULL && gradient->radius != NULL;
 }
 
+static int32_t periodic_gradients(const hsp_periodic *periodic, uint32_t atoms, const struct gradient *of_area,
+                                  const struct gradient *of_volume, uint32_t *flags) {
+  const hsp_gradient_request area = {.struct_size = sizeof area, .tension = 1.0};
+  const hsp_gradient_request volume = {.struct_size = sizeof volume, .pressure = 1.0};
+  hsp_periodic_gradient_outputs outputs = {.struct_size = sizeof outputs,
+                                           .capacity = atoms,
+                                           .d_centre = of_area->centre,
+                                           .d_radius = of_area->radius,
+                                           .flags = flags};
+  const int32_t status = hsp_periodic_get_gradient(periodic, &area, &outputs);
+  if (status != HSP_OK) return status;
+  outputs.d_centre = of_volume->centre;
+  outputs.d_radius = of_volume->radius;
+  outputs.flags = NULL;
+  return hsp_periodic_get_gradient(periodic, &volume, &outputs);
+}
+
 /* Derivatives of area and volume by all centres and radii, and how many balls have one-sided ones. */
 static bool measure_gradients(const struct molecule *molecule, const struct geometry *geometry, bool excluded_surface,
                               struct measurement *measurement, struct failure *failure) {
@@ -28,19 +45,18 @@ static bool measure_gradients(const struct molecule *molecule, const struct geom
   if (flags == NULL) return failure_of_memory(failure);
   int32_t status;
   if (measurement->box.periodic != NULL) {
-    status = hsp_periodic_gradient(measurement->box.periodic, NULL, 1.0, 0.0, HSP_TANGENT_OVERLAP, NULL,
-                                   of_area->centre, of_area->radius, flags, NULL, NULL, molecule->atoms, NULL, NULL);
-    if (status == HSP_OK) {
-      status =
-          hsp_periodic_gradient(measurement->box.periodic, NULL, 0.0, 1.0, HSP_TANGENT_OVERLAP, NULL, of_volume->centre,
-                                of_volume->radius, NULL, NULL, NULL, molecule->atoms, NULL, NULL);
-    }
+    status = periodic_gradients(measurement->box.periodic, molecule->atoms, of_area, of_volume, flags);
   } else if (excluded_surface) {
     status = excluded_surface_gradients(geometry, molecule->atoms, of_area, of_volume, flags);
   } else {
-    status =
-        hsp_boundary_derivatives(geometry->work.boundary, NULL, HSP_TANGENT_OVERLAP, of_area->centre, of_area->radius,
-                                 of_volume->centre, of_volume->radius, flags, molecule->atoms, NULL, NULL);
+    hsp_derivatives_outputs outputs = {.struct_size = sizeof outputs,
+                                       .capacity = molecule->atoms,
+                                       .area_centre = of_area->centre,
+                                       .area_radius = of_area->radius,
+                                       .volume_centre = of_volume->centre,
+                                       .volume_radius = of_volume->radius,
+                                       .flags = flags};
+    status = hsp_boundary_get_derivatives(geometry->work.boundary, NULL, &outputs);
   }
   for (uint32_t i = 0; status == HSP_OK && i < molecule->atoms; ++i) {
     if (flags[i] != 0) ++measurement->one_sided;
@@ -49,17 +65,27 @@ static bool measure_gradients(const struct molecule *molecule, const struct geom
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
+/* The weighted area and its gradient, of the union or of that in the box; either may be NULL. */
+static int32_t get_weighted_area(const struct geometry *geometry, const struct measurement *measurement, uint32_t atoms,
+                                 hsp_energy *energy, const struct gradient *gradient) {
+  const hsp_gradient_request request = {.struct_size = sizeof request, .tension = 1.0, .sigma = measurement->weights};
+  double *const centre = gradient != NULL ? gradient->centre : NULL;
+  double *const radius = gradient != NULL ? gradient->radius : NULL;
+  if (measurement->box.periodic != NULL) {
+    hsp_periodic_gradient_outputs outputs = {
+        .struct_size = sizeof outputs, .capacity = atoms, .energy = energy, .d_centre = centre, .d_radius = radius};
+    return hsp_periodic_get_gradient(measurement->box.periodic, &request, &outputs);
+  }
+  hsp_gradient_outputs outputs = {
+      .struct_size = sizeof outputs, .capacity = atoms, .energy = energy, .d_centre = centre, .d_radius = radius};
+  return hsp_boundary_get_gradient(geometry->work.boundary, &request, &outputs);
+}
+
 static bool measure_weighted_gradient(const struct molecule *molecule, const struct geometry *geometry,
                                       struct measurement *measurement, struct failure *failure) {
   struct gradient *gradient = &measurement->of_weighted_area;
   if (!allocate_gradient(molecule, gradient, failure)) return false;
-  const hsp_periodic *const periodic = measurement->box.periodic;
-  const int32_t status =
-      periodic != NULL
-          ? hsp_periodic_gradient(periodic, measurement->weights, 1.0, 0.0, HSP_TANGENT_OVERLAP, NULL, gradient->centre,
-                                  gradient->radius, NULL, NULL, NULL, molecule->atoms, NULL, NULL)
-          : hsp_boundary_gradient(geometry->work.boundary, measurement->weights, 1.0, 0.0, HSP_TANGENT_OVERLAP, NULL,
-                                  gradient->centre, gradient->radius, NULL, molecule->atoms, NULL, NULL);
+  const int32_t status = get_weighted_area(geometry, measurement, molecule->atoms, NULL, gradient);
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
@@ -71,12 +97,7 @@ static bool measure_weighted_area(const struct request *request, uint32_t atoms,
     return true;
   }
   hsp_energy energy;
-  const hsp_periodic *const periodic = measurement->box.periodic;
-  const int32_t status = periodic != NULL
-                             ? hsp_periodic_gradient(periodic, measurement->weights, 1.0, 0.0, HSP_TANGENT_OVERLAP,
-                                                     &energy, NULL, NULL, NULL, NULL, NULL, 0, NULL, NULL)
-                             : hsp_boundary_gradient(geometry->work.boundary, measurement->weights, 1.0, 0.0,
-                                                     HSP_TANGENT_OVERLAP, &energy, NULL, NULL, NULL, 0, NULL, NULL);
+  const int32_t status = get_weighted_area(geometry, measurement, atoms, &energy, NULL);
   if (status != HSP_OK) return failure_in_library(failure, status);
   measurement->weighted_area = energy.area;
   return true;
@@ -105,9 +126,7 @@ static bool measure_areas(const struct request *request, const struct molecule *
     const int32_t status = hsp_periodic_measure(box->periodic, NULL, measurement->area, NULL, molecule->atoms, NULL);
     return status == HSP_OK || failure_in_library(failure, status);
   }
-  const int32_t status = hsp_boundary_measure(geometry->work.boundary, NULL, &measurement->totals, measurement->area,
-                                              NULL, measurement->area == NULL ? 0 : molecule->atoms, NULL);
-  return status == HSP_OK || failure_in_library(failure, status);
+  return geometry_measure(geometry, molecule->atoms, &measurement->totals, measurement->area, failure);
 }
 
 /* Which of the three sums an atom counts for. */

@@ -39,14 +39,12 @@ bool periodic_result_make(const struct request *request, const struct molecule *
   result->windings = calloc((size_t)result->counts.components + 1, sizeof *result->windings);
   if (result->windings == NULL) return failure_of_memory(failure);
   status = hsp_periodic_get_windings(periodic, result->windings, result->counts.components, &needed);
-  if (status == HSP_OK) {
-    status = hsp_periodic_gradient(periodic, NULL, 1.0, 0.0, HSP_TANGENT_OVERLAP, NULL, NULL, NULL, NULL,
-                                   result->strain_area, NULL, 0, NULL, NULL);
-  }
-  if (status == HSP_OK) {
-    status = hsp_periodic_gradient(periodic, NULL, 0.0, 1.0, HSP_TANGENT_OVERLAP, NULL, NULL, NULL, NULL,
-                                   result->strain_volume, NULL, 0, NULL, NULL);
-  }
+  const hsp_gradient_request area = {.struct_size = sizeof area, .tension = 1.0};
+  const hsp_gradient_request volume = {.struct_size = sizeof volume, .pressure = 1.0};
+  hsp_periodic_gradient_outputs outputs = {.struct_size = sizeof outputs, .d_strain = result->strain_area};
+  if (status == HSP_OK) status = hsp_periodic_get_gradient(periodic, &area, &outputs);
+  outputs.d_strain = result->strain_volume;
+  if (status == HSP_OK) status = hsp_periodic_get_gradient(periodic, &volume, &outputs);
   return status == HSP_OK || failure_in_library(failure, status);
 }
 

@@ -1,5 +1,9 @@
 #include "commands/request.h"
 
+#include <stdlib.h>
+
+#include "read/threads.h"
+
 bool request_wants_balls(const struct request *request) {
   return request->per_ball || request->gradient || (request->csv && request->by == GROUPING_NONE);
 }
@@ -9,7 +13,12 @@ bool request_wants_areas(const struct request *request) {
          (request->excluded_surface && request->weights != NULL);
 }
 
+uint32_t request_threads(const struct request *request) {
+  return request->threads > 0 ? request->threads : threads_of_machine();
+}
+
 void request_free(struct request *request) {
+  free(request->names);
   text_buffer_free(&request->overrides);
   selection_free(&request->selection);
   selection_free(&request->highlight);

@@ -48,9 +48,11 @@ enum query_kind { QUERY_NONE, QUERY_POINT, QUERY_BALL };
 /* What a user asks for. */
 struct request {
   enum command command;
-  int files;        /* how many are named */
-  const char *file; /* the one that this request is about; "-": standard input */
+  int files;          /* how many are named */
+  const char **names; /* [files] */
+  const char *file;   /* the one that this request is about; "-": standard input */
   const struct file_format *format;
+  bool format_given; /* by --format */
   bool json;
   bool csv;
   bool per_ball; /* of `measure` and `map` */
@@ -93,6 +95,7 @@ struct request {
   struct radii_table table; /* of that file, or of the set; empty if there is none */
   bool list_radii;          /* show what sets there are, and do nothing else */
   struct radii radii;
+  uint32_t threads;             /* 0: as many as the machine has processors */
   struct text_buffer overrides; /* "C=1.7, ZN=1.4": what --radius changed, as the user wrote it */
 };
 
@@ -101,6 +104,9 @@ bool request_wants_balls(const struct request *request);
 
 /* Whether the area of each ball is asked for, in whatever form. */
 bool request_wants_areas(const struct request *request);
+
+/* How many threads may be at work. */
+uint32_t request_threads(const struct request *request);
 
 void request_free(struct request *request);
 

@@ -41,7 +41,7 @@ static int count_chains(const struct molecule *molecule, const uint32_t *number,
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     const struct atom_label *label = &molecule->label[i];
     if (!atom_is_of_chain(label)) continue;
-    if (of_nucleotides && residue_kind_of(label->residue.name) != RESIDUE_NUCLEOTIDE) continue;
+    if (of_nucleotides && residue_kind_of(label->residue->name) != RESIDUE_NUCLEOTIDE) continue;
     if (first == UINT32_MAX) first = number[i];
     if (number[i] != first) return 2;
   }
@@ -72,7 +72,7 @@ static uint32_t tint_of(const struct atom_label *label, uint32_t chain) {
   enum { TINTS = 12 };
   const uint32_t tint = hsp_palette_colour(HSP_PALETTE_CHAIN, CARBON, chain);
   const uint32_t own = chain / TINTS % 2 == 0 ? tint : colour_mixed(tint, 0xFFFFFF, 0.4);
-  const bool of_base = residue_kind_of(label->residue.name) == RESIDUE_NUCLEOTIDE && !is_of_backbone(label);
+  const bool of_base = residue_kind_of(label->residue->name) == RESIDUE_NUCLEOTIDE && !is_of_backbone(label);
   if (of_base) return colour_mixed(own, 0xFFFFFF, 0.35);
   return number_of(label) == CARBON ? own : colour_mixed(own, 0x000000, 0.06);
 }
@@ -96,7 +96,7 @@ static void colour_by_residue(const struct molecule *molecule, uint32_t *colour,
   said->remark = "by kind of residue, ligands and ions by element";
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     const struct atom_label *label = &molecule->label[i];
-    if (residue_colour_find(label->residue.name, &colour[i])) continue;
+    if (residue_colour_find(label->residue->name, &colour[i])) continue;
     const bool alone = !atom_is_of_chain(label) && !atom_is_water(label);
     colour[i] = alone ? colour_of(label, HSP_PALETTE_CHAIN, 0) : hsp_palette_colour(HSP_PALETTE_SOFT, CARBON, 0);
   }

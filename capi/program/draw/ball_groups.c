@@ -12,7 +12,7 @@ bool ball_groups_make(const struct drawing *drawing, const struct molecule *mole
   uint32_t residue = 0; /* counted along the file */
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     const struct atom_label *label = &molecule->label[i];
-    if (i > 0 && !residue_label_same(&molecule->label[i - 1].residue, &label->residue)) ++residue;
+    if (i > 0 && !residue_label_same(molecule->label[i - 1].residue, label->residue)) ++residue;
     if (drawing->colour == COLOUR_RESIDUE || !atom_is_of_chain(label)) (*group)[i] = chains + residue;
   }
   return true;

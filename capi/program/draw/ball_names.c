@@ -17,7 +17,7 @@ static void join_words(char *text) {
 
 static void put_class(char *out, const struct atom_label *label) {
   const char *const words[3][2] = {
-      {"el-", label->element.text}, {"res-", label->residue.name}, {"chain-", label->residue.chain}};
+      {"el-", label->element.text}, {"res-", label->residue->name}, {"chain-", label->residue->chain}};
   size_t used = 0;
   out[0] = '\0';
   for (int k = 0; k < 3; ++k) {
@@ -31,7 +31,7 @@ static void put_class(char *out, const struct atom_label *label) {
 
 static void put_title(char *out, const struct atom_label *label) {
   char residue[RESIDUE_TEXT_BYTES];
-  residue_text(residue, &label->residue);
+  residue_text(residue, label->residue);
   snprintf(out, NAME_BYTES, "%s%s%s", residue, residue[0] != '\0' && label->name[0] != '\0' ? " " : "", label->name);
 }
 

@@ -11,12 +11,12 @@ static const double water_radius = 1.4;
 static bool take_temperature_factors(const struct drawing *drawing, const struct molecule *molecule, double *value,
                                      struct failure *failure) {
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
-    const struct atom_label *label = &molecule->label[i];
-    if (!label->has_temperature_factor) {
+    const struct atom_extra *extra = &molecule->extra[i];
+    if (!extra->has_value) {
       return failure_in_input(failure, molecule->line[i], "no temperature factor for --colour %s",
                               drawing->colour == COLOUR_PLDDT ? "plddt" : "bfactor");
     }
-    value[i] = label->temperature_factor;
+    value[i] = extra->value;
   }
   return true;
 }
@@ -40,7 +40,7 @@ bool ball_values_make(const struct drawing *drawing, const struct molecule *mole
   }
   *value = malloc(((size_t)molecule->atoms + 1) * sizeof **value);
   if (*value == NULL) return failure_of_memory(failure);
-  for (uint32_t i = 0; i < molecule->atoms; ++i) (*value)[i] = molecule->label[i].charge;
+  for (uint32_t i = 0; i < molecule->atoms; ++i) (*value)[i] = molecule->extra[i].value;
   if (drawing->colour == COLOUR_CHARGE) return true;
   if (drawing->colour == COLOUR_AREA ? find_free_areas(molecule, *value, failure)
                                      : take_temperature_factors(drawing, molecule, *value, failure)) {

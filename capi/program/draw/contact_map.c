@@ -46,7 +46,7 @@ static void find_shade_ends(double largest, double end[SHADES]) {
 }
 
 static const struct residue_label *label_of(const struct contact_map *map, uint32_t row) {
-  return &map->molecule->label[map->groups->group[row].first].residue;
+  return map->molecule->label[map->groups->group[row].first].residue;
 }
 
 /* 1, 2, 5, 10, ...: the least of them that leaves no more than MOST_TICKS ticks. */

@@ -30,7 +30,7 @@ static int32_t find_widest(const hsp_map *map, uint32_t ball, bool *seen, hsp_ma
 
 static bool has_several_chains(const struct molecule *molecule) {
   for (uint32_t i = 1; i < molecule->atoms; ++i) {
-    if (strcmp(molecule->label[i].residue.chain, molecule->label[0].residue.chain) != 0) return true;
+    if (strcmp(molecule->label[i].residue->chain, molecule->label[0].residue->chain) != 0) return true;
   }
   return false;
 }
@@ -38,7 +38,7 @@ static bool has_several_chains(const struct molecule *molecule) {
 /* Residues of several chains with the chain's letter. */
 static void name_label(char *out, size_t room, const struct molecule *molecule, uint32_t atom, int kind, bool several) {
   const struct atom_label *label = &molecule->label[atom];
-  const struct residue_label *residue = &label->residue;
+  const struct residue_label *residue = label->residue;
   if (kind == LABEL_CHAIN) {
     snprintf(out, room, "%s", residue->chain);
   } else if (kind == LABEL_RESIDUE) {
@@ -54,8 +54,8 @@ static void name_label(char *out, size_t room, const struct molecule *molecule, 
 
 /* Whether the atom belongs to the same thing as an earlier one. Residues stand together in a file. */
 static bool belongs(const struct molecule *molecule, uint32_t atom, uint32_t earlier, int kind) {
-  const struct residue_label *a = &molecule->label[atom].residue;
-  const struct residue_label *b = &molecule->label[earlier].residue;
+  const struct residue_label *a = molecule->label[atom].residue;
+  const struct residue_label *b = molecule->label[earlier].residue;
   if (kind == LABEL_CHAIN) return strcmp(a->chain, b->chain) == 0;
   return kind == LABEL_RESIDUE && residue_label_same(a, b);
 }

@@ -217,15 +217,15 @@ static bool show_waiting(struct alternate_locations *locations, const struct res
 bool alternate_locations_keep(struct alternate_locations *locations, const struct atom_label *label,
                               struct field segment, char letter, bool *keep) {
   static const char nobody[sizeof label->name] = "";
-  const struct residue_place place = place_of(&label->residue, segment);
+  const struct residue_place place = place_of(label->residue, segment);
   *keep = true;
-  if (letter == ' ') return note_waiting(locations, label->name, &place, label->residue.name);
+  if (letter == ' ') return note_waiting(locations, label->name, &place, label->residue->name);
   if (!show_waiting(locations, &place)) return false;
-  const struct seen_location atom = location_of(label->name, &place, label->residue.name, letter);
+  const struct seen_location atom = location_of(label->name, &place, label->residue->name, letter);
   const struct seen_location *first_atom = first_of(locations, &atom);
   if (first_atom == NULL) return false;
   *keep = first_atom->letter == letter;
-  const struct seen_location residue = location_of(nobody, &place, label->residue.name, letter);
+  const struct seen_location residue = location_of(nobody, &place, label->residue->name, letter);
   const struct seen_location *first_residue = first_of(locations, &residue);
   if (first_residue == NULL) return false;
   if (memcmp(first_residue->residue, residue.residue, sizeof residue.residue) != 0) {

@@ -2,21 +2,29 @@
 
 #include "read/characters.h"
 #include "read/number.h"
+#include "read/words.h"
 
 size_t fields_split(const char *line, size_t length, struct field *fields, size_t capacity) {
   size_t count = 0;
-  size_t at = 0;
-  for (;;) {
-    while (at < length && is_blank(line[at])) ++at;
-    if (at == length) return count;
-    const size_t begin = at;
-    while (at < length && !is_blank(line[at])) ++at;
-    if (count < capacity) {
-      fields[count].text = line + begin;
-      fields[count].length = at - begin;
+  bool within = false;
+  for (size_t at = 0; at < length; at += 16) {
+    uint32_t blank = equal_in_16(line + at, ' ') | equal_in_16(line + at, '\t');
+    if (length - at < 16) blank |= UINT32_C(0xFFFF) << (length - at) & UINT32_C(0xFFFF);
+    /* Where a field begins or ends. */
+    uint32_t change = (blank ^ (blank << 1 | (within ? 0 : 1))) & UINT32_C(0xFFFF);
+    for (; change != 0; change &= change - 1) {
+      const char *const place = line + at + lowest_bit(change);
+      if (within) {
+        if (count < capacity) fields[count].length = (size_t)(place - fields[count].text);
+        ++count;
+      } else if (count < capacity) {
+        fields[count].text = place;
+      }
+      within = !within;
     }
-    ++count;
   }
+  if (within && count < capacity) fields[count].length = (size_t)(line + length - fields[count].text);
+  return within ? count + 1 : count;
 }
 
 struct field field_in_columns(const char *line, size_t length, size_t first, size_t last) {
@@ -43,8 +51,12 @@ bool field_number(struct field field, const char *name, double *value, uint64_t 
                           number_complaint(status));
 }
 
+bool field_number_in_line(struct field field, const char *name, double *value, uint64_t line, struct failure *failure) {
+  return word_decimal(field.text, field.length, 0, value) || field_number(field, name, value, line, failure);
+}
+
 bool field_radius(struct field field, double *value, uint64_t line, struct failure *failure) {
-  if (!field_number(field, "radius", value, line, failure)) return false;
+  if (!field_number_in_line(field, "radius", value, line, failure)) return false;
   if (*value < 0.0) {
     char shown[EXCERPT_BYTES];
     return failure_in_input(failure, line, "radius: '%s' is negative", excerpt(shown, field.text, field.length));

@@ -13,7 +13,8 @@ struct field {
   size_t length;
 };
 
-/* Split at blanks and tabs. The first `capacity` fields are stored; the result is the number of all of them. */
+/* Split a line of a line_reader, or its rest, at blanks and tabs. The first `capacity` fields are stored; the result is
+ * the number of all of them. */
 size_t fields_split(const char *line, size_t length, struct field *fields, size_t capacity);
 
 /* Columns first .. last, counted from 1, without the blanks around; empty where the line ends before them. */
@@ -24,6 +25,9 @@ bool field_is(struct field field, const char *word);
 
 /* The number in a field; `name` is what the reason calls it, for instance "x" or "charge". */
 bool field_number(struct field field, const char *name, double *value, uint64_t line, struct failure *failure);
+
+/* The same of a field in a line of a line_reader, which most numbers are read of at once. */
+bool field_number_in_line(struct field field, const char *name, double *value, uint64_t line, struct failure *failure);
 
 /* The same for a radius: negative numbers are refused as well. */
 bool field_radius(struct field field, double *value, uint64_t line, struct failure *failure);

@@ -2,6 +2,30 @@
 
 #include <stdlib.h>
 
+#include "read/threads.h"
+
+/* A thread is worth its start for so many balls, a millisecond or two of work. */
+enum { BALLS_OF_THREAD = 1500 };
+
+static void run_tasks(void *context, uint32_t tasks, hsp_task *task, void *data) {
+  const hsp_executor *const executor = context;
+  threads_run(executor->workers, tasks, task, data);
+}
+
+void geometry_share_work(struct geometry *geometry, uint32_t threads, uint32_t balls) {
+  const uint32_t most = balls / BALLS_OF_THREAD;
+  hsp_executor *const executor = &geometry->executor;
+  executor->struct_size = (uint32_t)sizeof *executor;
+  executor->workers = threads < most ? threads : most;
+  executor->context = executor;
+  executor->run = run_tasks;
+}
+
+/* NULL: the calling thread alone. */
+static const hsp_executor *executor_of(const struct geometry *geometry) {
+  return geometry->executor.workers > 1 ? &geometry->executor : NULL;
+}
+
 bool failure_in_library(struct failure *failure, int32_t status) {
   /* The workspace takes as much memory as it needs. */
   if (status == HSP_E_MEMORY) return failure_of_memory(failure);
@@ -39,7 +63,21 @@ bool geometry_set_model(struct geometry *geometry, const struct molecule *molecu
 
 bool geometry_compute_boundary(struct geometry *geometry, struct failure *failure) {
   progress_show(&geometry->progress, "computing the boundary");
-  const int32_t status = hsp_workspace_boundary(&geometry->work);
+  hsp_boundary_request request = {(uint32_t)sizeof request, 0, executor_of(geometry)};
+  int32_t status = hsp_workspace_boundary_with(&geometry->work, &request);
+  if (status == HSP_E_MEMORY && request.executor != NULL) { /* each thread needs some of its own */
+    geometry->executor.workers = 1;
+    geometry->work.boundary_limits.workers = 0;
+    status = hsp_workspace_boundary(&geometry->work);
+  }
+  return status == HSP_OK || failure_in_library(failure, status);
+}
+
+bool geometry_measure(const struct geometry *geometry, uint32_t balls, hsp_totals *totals, double *area,
+                      struct failure *failure) {
+  const hsp_measure_request request = {(uint32_t)sizeof request, 0, NULL, executor_of(geometry)};
+  hsp_measure_outputs outputs = {(uint32_t)sizeof outputs, area == NULL ? 0 : balls, 0, 0, totals, area, NULL};
+  const int32_t status = hsp_boundary_get_measures(geometry->work.boundary, &request, &outputs);
   return status == HSP_OK || failure_in_library(failure, status);
 }
 

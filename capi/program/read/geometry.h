@@ -12,12 +12,20 @@
 struct geometry {
   hsp_workspace work;        /* zeros at first */
   struct progress progress;  /* of what is done here; not watched at first */
+  hsp_executor executor;     /* geometry_share_work; zeros: the calling thread alone */
   struct hsp_sticks *sticks; /* NULL at first; ball_and_stick.h computes them */
   void *sticks_memory;
   hsp_periodic *periodic; /* NULL at first */
   void *periodic_memory;
   hsp_periodic_limits periodic_limits;
 };
+
+/* Let as many threads share what follows, as far as sets of so many balls have enough for them. */
+void geometry_share_work(struct geometry *geometry, uint32_t threads, uint32_t balls);
+
+/* Area and volume of all, and of each ball unless `area` is NULL, from the boundary. */
+bool geometry_measure(const struct geometry *geometry, uint32_t balls, hsp_totals *totals, double *area,
+                      struct failure *failure);
 
 /* Make the model. A ball that the library refuses is named by its line. step: of the lattice, 0 for the library's
  * choice. */

@@ -9,11 +9,50 @@
 #include "read/residue_kinds.h"
 #include "read/text_buffer.h"
 
-void molecule_init(struct molecule *molecule, const struct file_format *format, uint64_t model) {
+const struct residue_label residue_nameless = RESIDUE_LABEL_NONE;
+
+enum { RESIDUES_OF_BLOCK = 256 };
+
+struct residue_block {
+  struct residue_block *next;
+  struct residue_label label[RESIDUES_OF_BLOCK];
+};
+
+void molecule_init(struct molecule *molecule, const struct file_format *format, uint64_t model, unsigned keeps) {
   memset(molecule, 0, sizeof *molecule);
+  molecule->keeps = keeps;
   molecule->format = format;
   molecule->model = model;
   molecule->most = HSP_MAX_BALLS;
+}
+
+void molecule_empty(struct molecule *molecule) {
+  molecule->atoms = molecule->read = 0;
+  molecule->residues.last = molecule->residues.first;
+  molecule->residues.used = 0;
+}
+
+/* NULL: memory is short. */
+static const struct residue_label *keep_residue(struct residue_list *list, const struct residue_label *residue) {
+  if (residue == &residue_nameless) return residue;
+  struct residue_block *block = list->last;
+  if (list->used > 0) {
+    const struct residue_label *const before = &block->label[list->used - 1];
+    if (memcmp(before, residue, sizeof *residue) == 0) return before;
+  }
+  if (block == NULL || list->used == RESIDUES_OF_BLOCK) {
+    struct residue_block *next = block == NULL ? NULL : block->next;
+    if (next == NULL) {
+      next = malloc(sizeof *next);
+      if (next == NULL) return NULL;
+      next->next = NULL;
+      *(block == NULL ? &list->first : &block->next) = next;
+    }
+    list->last = block = next;
+    list->used = 0;
+  }
+  block->label[list->used] = *residue;
+  return &block->label[list->used++];
 }
 
 static bool grow(struct molecule *molecule) {
@@ -23,13 +62,21 @@ static bool grow(struct molecule *molecule) {
   if (xyz != NULL) molecule->xyz = xyz;
   double *radius = realloc(molecule->radius, capacity * sizeof *radius);
   if (radius != NULL) molecule->radius = radius;
-  uint64_t *line = realloc(molecule->line, capacity * sizeof *line);
+  uint32_t *line = realloc(molecule->line, capacity * sizeof *line);
   if (line != NULL) molecule->line = line;
   struct atom_label *label = realloc(molecule->label, capacity * sizeof *label);
   if (label != NULL) molecule->label = label;
-  uint32_t *place = realloc(molecule->place, capacity * sizeof *place);
-  if (place != NULL) molecule->place = place;
-  if (xyz == NULL || radius == NULL || line == NULL || label == NULL || place == NULL) return false;
+  if (xyz == NULL || radius == NULL || line == NULL || label == NULL) return false;
+  if (molecule->keeps & KEEP_PLACES) {
+    uint32_t *place = realloc(molecule->place, capacity * sizeof *place);
+    if (place == NULL) return false;
+    molecule->place = place;
+  }
+  if (molecule->keeps & KEEP_EXTRAS) {
+    struct atom_extra *extra = realloc(molecule->extra, capacity * sizeof *extra);
+    if (extra == NULL) return false;
+    molecule->extra = extra;
+  }
   molecule->capacity = (uint32_t)capacity; /* at most twice HSP_MAX_BALLS */
   return true;
 }
@@ -42,13 +89,22 @@ bool molecule_add(struct molecule *molecule, const double xyz[3], double radius,
                             library ? "" : ", which the molecule has");
   }
   if (molecule->atoms == molecule->capacity && !grow(molecule)) return failure_of_memory(failure);
+  const struct residue_label *const residue = keep_residue(&molecule->residues, label->residue);
+  if (residue == NULL) return failure_of_memory(failure);
   const size_t atom = molecule->atoms++;
   memcpy(molecule->xyz + 3 * atom, xyz, 3 * sizeof *xyz);
   molecule->radius[atom] = radius;
-  molecule->line[atom] = line;
+  molecule->line[atom] = line <= UINT32_MAX ? (uint32_t)line : 0;
   molecule->label[atom] = *label;
-  molecule->place[atom] = molecule->read++;
+  molecule->label[atom].residue = residue;
+  if (molecule->place != NULL) molecule->place[atom] = molecule->read;
+  if (molecule->extra != NULL) molecule->extra[atom] = (struct atom_extra)ATOM_EXTRA_NONE;
+  ++molecule->read;
   return true;
+}
+
+struct atom_extra *molecule_last_extra(const struct molecule *molecule) {
+  return molecule->extra == NULL ? NULL : &molecule->extra[molecule->atoms - 1];
 }
 
 bool molecule_add_bond(struct molecule *molecule, const struct stated_bond *bond, struct failure *failure) {
@@ -106,7 +162,7 @@ static bool report_nameless(const struct molecule *molecule, uint32_t atom, stru
   excerpt(name, label->name, strlen(label->name));
   if (label->bead) {
     return failure_in_input(failure, line, "'%s' of %s is no element: looks coarse-grained; give radii by --radii FILE",
-                            name, excerpt(residue, label->residue.name, strlen(label->residue.name)));
+                            name, excerpt(residue, label->residue->name, strlen(label->residue->name)));
   }
   return failure_in_input(failure, line, "%s in the atom name '%s'", molecule->format->nameless, name);
 }
@@ -138,15 +194,16 @@ void molecule_move_atom(struct molecule *molecule, uint32_t to, uint32_t from) {
   memcpy(molecule->xyz + 3 * (size_t)to, molecule->xyz + 3 * (size_t)from, 3 * sizeof *molecule->xyz);
   molecule->radius[to] = molecule->radius[from];
   molecule->line[to] = molecule->line[from];
-  molecule->place[to] = molecule->place[from];
   molecule->label[to] = molecule->label[from];
+  if (molecule->place != NULL) molecule->place[to] = molecule->place[from];
+  if (molecule->extra != NULL) molecule->extra[to] = molecule->extra[from];
 }
 
 /* The radius of an atom; false if it has none. */
 static bool find_radius(struct atom_label *label, const struct radii *radii, const struct radii_table *table,
                         double *radius) {
   if (!radii_is_given(radii, label->element)) {
-    label->by_name = radii_table_find(table, label->residue.name, label->name, radius);
+    label->by_name = radii_table_find(table, label->residue->name, label->name, radius);
   }
   if (label->by_name) return true;
   return (!label->virtual_site || radii_is_given(radii, label->element)) && radii_find(radii, label->element, radius);
@@ -166,7 +223,7 @@ bool molecule_take_radii(struct molecule *molecule, const struct radii *radii, c
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     struct atom_label *label = &molecule->label[i];
     const struct element_symbol element = label->element;
-    if (without_hydrogens && atom_is_hydrogen(label) && radii_table_names(table, label->residue.name)) {
+    if (without_hydrogens && atom_is_hydrogen(label) && radii_table_names(table, label->residue->name)) {
       ++molecule->left_out.hydrogens_of_set;
       continue;
     }
@@ -195,12 +252,12 @@ bool molecule_take_radii(struct molecule *molecule, const struct radii *radii, c
 }
 
 bool atom_is_water(const struct atom_label *label) {
-  return residue_kind_of(label->residue.name) == RESIDUE_WATER;
+  return residue_kind_of(label->residue->name) == RESIDUE_WATER;
 }
 
 bool atom_is_of_chain(const struct atom_label *label) {
   if (!label->hetatm) return true;
-  const enum residue_kind kind = residue_kind_of(label->residue.name);
+  const enum residue_kind kind = residue_kind_of(label->residue->name);
   return kind == RESIDUE_AMINO_ACID || kind == RESIDUE_NUCLEOTIDE;
 }
 
@@ -214,9 +271,14 @@ void molecule_free(struct molecule *molecule) {
   free(molecule->line);
   free(molecule->label);
   free(molecule->place);
+  free(molecule->extra);
+  for (struct residue_block *block = molecule->residues.first, *next; block != NULL; block = next) {
+    next = block->next;
+    free(block);
+  }
   free(molecule->bond);
   symmetry_free(&molecule->symmetry);
-  molecule_init(molecule, molecule->format, molecule->model);
+  molecule_init(molecule, molecule->format, molecule->model, molecule->keeps);
 }
 
 void label_copy(char *out, size_t room, struct field text) {

@@ -22,6 +22,19 @@ struct residue_label {
   char insertion[2];
 };
 
+#define RESIDUE_LABEL_NONE \
+  { "", "", "", "" }
+
+/* Of atoms in files without residues. */
+extern const struct residue_label residue_nameless;
+
+/* Residues of a molecule, which stay where they are as more come. */
+struct residue_block;
+struct residue_list {
+  struct residue_block *first, *last;
+  size_t used; /* of the last block */
+};
+
 /* The serial number of an atom as written, which in large files is none; empty where no bonds are stated by it. */
 struct serial_label {
   char text[6];
@@ -32,24 +45,31 @@ struct stated_bond {
   struct serial_label serial[2];
 };
 
-/* What a person calls an atom; empty where the file does not say. */
+/* What a person calls an atom; empty where the file does not say. Files have many: it is kept small. */
 struct atom_label {
+  const struct residue_label *residue; /* in a molecule one for all neighbours of the residue */
   char name[8];
-  struct residue_label residue;
   struct element_symbol element; /* empty where neither columns nor names tell */
-  bool hetatm;                   /* the file says that it belongs to no chain: to a ligand, an ion, water */
-  bool by_name;                  /* its radius is by residue and atom */
-  bool by_number;                /* the file has the atomic number of the element */
-  bool bead;         /* no atom, but several of a coarse-grained model, which needs a radius by residue and atom */
-  bool virtual_site; /* no atom, but a place beside one; becomes a ball only if the user gives its symbol a radius */
-  struct serial_label serial;
-  bool has_temperature_factor;
-  double temperature_factor;
-  double charge; /* of .pqr files, in elementary charges */
+  bool hetatm : 1;               /* the file says that it belongs to no chain: to a ligand, an ion, water */
+  bool by_name : 1;              /* its radius is by residue and atom */
+  bool by_number : 1;            /* the file has the atomic number of the element */
+  bool bead : 1; /* no atom, but several of a coarse-grained model, which needs a radius by residue and atom */
+  bool
+      virtual_site : 1; /* no atom, but a place beside one; becomes a ball only if the user gives its symbol a radius */
 };
 
 #define ATOM_LABEL_NONE \
-  { "", {"", "", "", ""}, {""}, false, false, false, false, false, {""}, false, 0.0, 0.0 }
+  { &residue_nameless, "", {""}, false, false, false, false, false }
+
+/* What else a file says of an atom, which only pictures show. */
+struct atom_extra {
+  struct serial_label serial;
+  bool has_value;
+  double value; /* the temperature factor, or of .pqr files the charge, in elementary charges */
+};
+
+#define ATOM_EXTRA_NONE \
+  { {""}, false, 0.0 }
 
 /* What a file holds beside the atoms that became balls, in atoms unless it says otherwise. */
 struct left_out {
@@ -84,9 +104,12 @@ struct molecule {
   uint32_t most;            /* that may be read */
   double *xyz;              /* [atoms][3] */
   double *radius;           /* [atoms] */
-  uint64_t *line;           /* [atoms], the line that an atom was read from; 0: none */
-  uint32_t *place;          /* [atoms], its place among those read */
+  uint32_t *line;           /* [atoms], the line that an atom was read from; 0: none, or beyond 4 billion */
   struct atom_label *label; /* [atoms] */
+  struct residue_list residues;
+  unsigned keeps;           /* what else: molecule_keeping */
+  uint32_t *place;          /* [atoms], its place among those read, or NULL */
+  struct atom_extra *extra; /* [atoms], or NULL */
   uint64_t model;           /* which model was read, counted from 1 */
   uint64_t models;          /* how many the file has */
   struct stated_bond *bond; /* [bonds] as they are read */
@@ -98,12 +121,21 @@ struct molecule {
   struct symmetry symmetry; /* that goes with the box of the frame */
 };
 
-/* Prepare for reading one model of a file, counted from 1. */
-void molecule_init(struct molecule *molecule, const struct file_format *format, uint64_t model);
+enum molecule_keeping { KEEP_NO_MORE = 0, KEEP_PLACES = 1, KEEP_EXTRAS = 2 };
 
-/* Append an atom. False when memory is short or there are too many: for the library, or for the caller's `most`. */
+/* Prepare for reading one model of a file, counted from 1. */
+void molecule_init(struct molecule *molecule, const struct file_format *format, uint64_t model, unsigned keeps);
+
+/* Forget all atoms, but not the memory of them. */
+void molecule_empty(struct molecule *molecule);
+
+/* Append an atom, and its residue unless it is that of the atom before. False when memory is short or there are too
+ * many: for the library, or for the caller's `most`. */
 bool molecule_add(struct molecule *molecule, const double xyz[3], double radius, const struct atom_label *label,
                   uint64_t line, struct failure *failure);
+
+/* What is kept of the atom that was appended last beside its label; NULL: nothing. */
+struct atom_extra *molecule_last_extra(const struct molecule *molecule);
 
 /* Append a bond that the file states. False when memory is short. */
 bool molecule_add_bond(struct molecule *molecule, const struct stated_bond *bond, struct failure *failure);

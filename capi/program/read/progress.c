@@ -8,8 +8,14 @@
 /* As wide as any text shown, so that each covers the one before. */
 enum { WIDTH = 60 };
 
+static bool quiet;
+
+void progress_be_quiet(void) {
+  quiet = true;
+}
+
 struct progress progress_begin(uint64_t amount, uint64_t least) {
-  return (struct progress){amount >= least && isatty(fileno(stderr)) == 1};
+  return (struct progress){!quiet && amount >= least && isatty(fileno(stderr)) == 1};
 }
 
 void progress_show(const struct progress *progress, const char *text) {

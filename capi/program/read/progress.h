@@ -13,6 +13,9 @@ struct progress {
   bool watched;
 };
 
+/* From now on nothing more begins to be watched: several threads are about to be at work. */
+void progress_be_quiet(void);
+
 /* Watched if it is as much as `least`, and stderr is a terminal. */
 struct progress progress_begin(uint64_t amount, uint64_t least);
 

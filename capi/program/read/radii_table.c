@@ -211,6 +211,7 @@ static const struct radii_entry *find(const struct radii_table *table, const str
 
 bool radii_table_find(const struct radii_table *table, const char *residue, const char *atom, double *radius) {
   struct radii_entry key;
+  if (table->count == 0) return false;
   if (!copy_name(key.residue, sizeof key.residue, whole(residue)) ||
       !copy_name(key.atom, sizeof key.atom, whole(atom))) {
     return false;

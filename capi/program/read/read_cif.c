@@ -61,7 +61,7 @@ static bool take_element(const struct cif_row *row, struct field symbol, struct 
                          struct atom_label *label, struct failure *failure) {
   char shown[EXCERPT_BYTES];
   if (symbol.length == 0) {
-    if (!small) label_take_element(label, name);
+    if (!small) label_take_element(NULL, label, name);
     if (!small || element_of_label(name, &label->element)) return true;
     return failure_in_input(failure, row->line, "no type_symbol, and the label '%s' does not tell the element",
                             excerpt(shown, name.text, name.length));
@@ -87,16 +87,21 @@ static struct field name_of(const struct cif_row *row) {
   return name.length > 0 ? name : cif_row_get(row, CIF_SITE_LABEL);
 }
 
-static void take_label(const struct cif_row *row, struct atom_label *label) {
-  struct residue_label *residue = &label->residue;
+static void take_label(const struct cif_row *row, struct residue_label *residue, struct atom_label *label) {
+  label->residue = residue;
   label_copy(label->name, sizeof label->name, name_of(row));
   label_copy(residue->name, sizeof residue->name, cif_row_either(row, CIF_AUTH_RESIDUE, CIF_LABEL_RESIDUE));
   label_copy(residue->chain, sizeof residue->chain, cif_row_either(row, CIF_AUTH_CHAIN, CIF_LABEL_CHAIN));
   label_copy(residue->number, sizeof residue->number, cif_row_either(row, CIF_AUTH_NUMBER, CIF_LABEL_NUMBER));
   label_copy(residue->insertion, sizeof residue->insertion, cif_row_get(row, CIF_INSERTION));
   label->hetatm = field_is(cif_row_get(row, CIF_GROUP), "HETATM");
+}
+
+/* The temperature factor, if it is kept. */
+static void take_extra(const struct cif_row *row, struct atom_extra *extra) {
+  if (extra == NULL) return;
   const struct field factor = cif_without_uncertainty(cif_row_get(row, CIF_B_FACTOR));
-  label->has_temperature_factor = number_parse(factor.text, factor.length, &label->temperature_factor) == NUMBER_OK;
+  extra->has_value = number_parse(factor.text, factor.length, &extra->value) == NUMBER_OK;
 }
 
 /* Whether the row belongs to the model that is read. */
@@ -160,8 +165,9 @@ static bool take_atom(struct cif_reading *reading) {
   bool keep = true;
   if (!(reading->fractional ? take_fractions(reading, xyz, &keep) : take_cartesian(reading, xyz))) return false;
   if (!keep) return true;
+  struct residue_label residue = RESIDUE_LABEL_NONE;
   struct atom_label label = ATOM_LABEL_NONE;
-  take_label(row, &label);
+  take_label(row, &residue, &label);
   const struct field alternate = cif_row_get(row, CIF_ALTERNATE);
   if (!alternate_locations_keep(&reading->seen, &label, cif_row_get(row, CIF_LABEL_CHAIN),
                                 alternate.length == 0 ? ' ' : alternate.text[0], &keep)) {
@@ -171,8 +177,12 @@ static bool take_atom(struct cif_reading *reading) {
     ++molecule->left_out.alternate_locations;
     return true;
   }
-  return take_element(row, cif_row_get(row, CIF_SYMBOL), name_of(row), reading->fractional, &label, failure) &&
-         molecule_add(molecule, xyz, 0.0, &label, row->line, failure);
+  if (!take_element(row, cif_row_get(row, CIF_SYMBOL), name_of(row), reading->fractional, &label, failure) ||
+      !molecule_add(molecule, xyz, 0.0, &label, row->line, failure)) {
+    return false;
+  }
+  take_extra(row, molecule_last_extra(molecule));
+  return true;
 }
 
 /* Its coordinates follow when all atoms are known. */
@@ -180,9 +190,11 @@ static bool take_component_atom(struct cif_reading *reading) {
   static const double nowhere[3] = {0.0, 0.0, 0.0};
   const struct cif_row *row = &reading->row;
   const struct field name = cif_row_get(row, CIF_COMPONENT_ATOM);
+  struct residue_label residue = RESIDUE_LABEL_NONE;
   struct atom_label label = ATOM_LABEL_NONE;
+  label.residue = &residue;
   label_copy(label.name, sizeof label.name, name);
-  label_copy(label.residue.name, sizeof label.residue.name, cif_row_get(row, CIF_COMPONENT_NAME));
+  label_copy(residue.name, sizeof residue.name, cif_row_get(row, CIF_COMPONENT_NAME));
   return cif_component_take(&reading->component, row, reading->failure) &&
          take_element(row, cif_row_get(row, CIF_COMPONENT_SYMBOL), name, false, &label, reading->failure) &&
          molecule_add(reading->molecule, nowhere, 0.0, &label, row->line, reading->failure);
@@ -198,7 +210,7 @@ static bool take_row(struct cif_reading *reading) {
 static void drop_component(struct cif_reading *reading) {
   struct molecule *molecule = reading->molecule;
   if (reading->source != CIF_COMPONENT) return;
-  molecule->atoms = molecule->read = 0;
+  molecule_empty(molecule);
   molecule->models = 0;
   memset(&molecule->left_out, 0, sizeof molecule->left_out);
   cif_component_free(&reading->component);

@@ -9,6 +9,7 @@
 #include "read/frame_title.h"
 #include "read/number.h"
 #include "read/read_molecule.h"
+#include "read/words.h"
 
 enum { FIRST_COORDINATE = 20 /* counted from 0 */, POWER_OF_NANOMETRE = 1 };
 
@@ -30,6 +31,7 @@ static bool take_coordinate(const struct line_reader *reader, size_t width, int 
                             struct failure *failure) {
   const size_t first = FIRST_COORDINATE + (size_t)axis * width + 1;
   const struct field number = field_in_columns(reader->text, reader->length, first, first + width - 1);
+  if (word_decimal(number.text, number.length, POWER_OF_NANOMETRE, value)) return true;
   const enum number_status status = number_parse_times(number.text, number.length, POWER_OF_NANOMETRE, value);
   if (status == NUMBER_OK) return true;
   if (number.length == 0) {
@@ -42,10 +44,9 @@ static bool take_coordinate(const struct line_reader *reader, size_t width, int 
                           number_complaint(status));
 }
 
-static bool read_atom(const struct line_reader *reader, size_t width, struct molecule *molecule,
-                      struct failure *failure) {
-  const char *text = reader->text;
-  const size_t length = reader->length;
+static bool read_atom(const struct line_reader *reader, size_t width, struct kinds_seen *seen,
+                      struct molecule *molecule, struct failure *failure) {
+  const char *const text = reader->text;
   if (width == 0) {
     return failure_in_input(failure, reader->number,
                             "expected x y z in columns of equal width from column 21 on, each with a decimal point");
@@ -54,12 +55,13 @@ static bool read_atom(const struct line_reader *reader, size_t width, struct mol
   for (int axis = 0; axis < 3; ++axis) {
     if (!take_coordinate(reader, width, axis, &xyz[axis], failure)) return false;
   }
+  struct residue_label residue = RESIDUE_LABEL_NONE;
   struct atom_label label = ATOM_LABEL_NONE;
-  const struct field name = field_in_columns(text, length, 11, 15);
-  label_copy(label.residue.number, sizeof label.residue.number, field_in_columns(text, length, 1, 5));
-  label_copy(label.residue.name, sizeof label.residue.name, field_in_columns(text, length, 6, 10));
-  label_copy(label.name, sizeof label.name, name);
-  label_take_element(&label, name);
+  label.residue = &residue;
+  word_put(residue.number, word_label(word_at(text), 5));
+  word_put(residue.name, word_label(word_at(text + 5), 5));
+  word_put(label.name, word_label(word_at(text + 10), 5));
+  label_take_element(seen, &label, (struct field){label.name, strlen(label.name)});
   return molecule_add(molecule, xyz, 0.0, &label, reader->number, failure);
 }
 
@@ -129,13 +131,14 @@ static enum line_status find_model(struct line_reader *reader, struct molecule *
 static enum line_status read_model(struct line_reader *reader, uint64_t count, bool wanted, struct molecule *molecule,
                                    uint64_t *read, struct failure *failure) {
   size_t width = 0;
+  struct kinds_seen seen = {{{0, 0, 0, 0, {""}}}};
   enum line_status status = LINE_READ;
   for (*read = 0; *read < count; ++*read) {
     status = line_reader_next(reader, failure);
     if (status != LINE_READ) return status;
     if (!wanted) continue;
     if (*read == 0) width = width_of(reader);
-    if (!read_atom(reader, width, molecule, failure)) return LINE_FAILED;
+    if (!read_atom(reader, width, &seen, molecule, failure)) return LINE_FAILED;
   }
   status = line_reader_next(reader, failure);
   struct box_record box;

@@ -8,8 +8,10 @@
 #include "read/characters.h"
 #include "read/residue_kinds.h"
 
-void label_take_element(struct atom_label *label, struct field name) {
-  const enum atom_kind kind = atom_kind_of(name, false, label->residue.name, &label->element);
+void label_take_element(struct kinds_seen *seen, struct atom_label *label, struct field name) {
+  const char *const residue = label->residue->name;
+  const enum atom_kind kind = seen == NULL ? atom_kind_of(name, false, residue, &label->element)
+                                           : atom_kind_again(seen, name, residue, &label->element);
   label->virtual_site = kind == ATOM_VIRTUAL;
   label->bead = kind == ATOM_BEAD;
   if (label->virtual_site) label->element = virtual_symbol_of(name);
@@ -17,7 +19,7 @@ void label_take_element(struct atom_label *label, struct field name) {
 
 void label_check_bead(struct atom_label *label) {
   const bool guessed = strcmp(label->element.text, "B") == 0 || strcmp(label->element.text, "S") == 0;
-  label->bead = label->bead || (guessed && is_bead_name(label->name, label->residue.name));
+  label->bead = label->bead || (guessed && is_bead_name(label->name, label->residue->name));
   if (label->bead) label->element = (struct element_symbol){""};
 }
 
@@ -45,9 +47,9 @@ static bool check_atoms(const struct molecule *molecule, struct failure *failure
   return failure_in_input(failure, 0, "no atoms in model %" PRIu64, molecule->model);
 }
 
-bool read_molecule(const char *path, const struct file_format *format, uint64_t model, struct molecule *molecule,
-                   struct failure *failure) {
-  molecule_init(molecule, format, model);
+bool read_molecule(const char *path, const struct file_format *format, uint64_t model, unsigned keeps,
+                   struct molecule *molecule, struct failure *failure) {
+  molecule_init(molecule, format, model, keeps);
   failure->file = input_name(path);
   struct line_reader *reader = malloc(sizeof *reader);
   if (reader == NULL) return failure_of_memory(failure);

@@ -7,10 +7,11 @@
 #include "read/failure.h"
 #include "read/line_reader.h"
 #include "read/molecule.h"
+#include "read/residue_kinds.h"
 
 /* Tell by its name, which stands in no columns, what element an atom of the labelled residue is, or that it is none. It
- * is empty if the name does not tell. */
-void label_take_element(struct atom_label *label, struct field name);
+ * is empty if the name does not tell. seen: NULL, or as atom_kind_again. */
+void label_take_element(struct kinds_seen *seen, struct atom_label *label, struct field name);
 
 /* The same if the atom is a bead, by the names in the label, whatever element the file guesses from them: B or S. */
 void label_check_bead(struct atom_label *label);
@@ -25,9 +26,9 @@ bool read_announced_model(struct line_reader *reader, uint64_t count, announced_
                           struct molecule *molecule, struct failure *failure);
 
 /* Read one model of a file (line_reader_open), counted from 1, into a molecule that was not initialised; free it with
- * molecule_free on true and on false. Radii are 0 in formats without radii: molecule_take_radii is to follow. Every
- * file is either read in full or refused, and so is one without atoms. */
-bool read_molecule(const char *path, const struct file_format *format, uint64_t model, struct molecule *molecule,
-                   struct failure *failure);
+ * molecule_free on true and on false. Radii are 0 in formats without radii: molecule_take_radii is to follow. keeps:
+ * molecule_keeping. Every file is either read in full or refused, and so is one without atoms. */
+bool read_molecule(const char *path, const struct file_format *format, uint64_t model, unsigned keeps,
+                   struct molecule *molecule, struct failure *failure);
 
 #endif

@@ -38,7 +38,7 @@ static void label_element(const struct line_reader *reader, struct atom_label *l
     return;
   }
   struct element_symbol by_name = {""};
-  const enum atom_kind kind = atom_kind_of(columns, true, label->residue.name, &by_name);
+  const enum atom_kind kind = atom_kind_of(columns, true, label->residue->name, &by_name);
   label->virtual_site = kind == ATOM_VIRTUAL || (by_columns && is_virtual_symbol(label->element));
   if (!by_columns || element_is_unknown(by_name))
     label->element = kind == ATOM_VIRTUAL ? virtual_symbol_of(columns) : by_name;
@@ -83,6 +83,14 @@ static bool check_columns(const struct line_reader *reader, struct failure *fail
   return true;
 }
 
+/* The serial number and the temperature factor, if they are kept. */
+static void take_extra(const struct line_reader *reader, struct atom_extra *extra) {
+  if (extra == NULL) return;
+  label_copy(extra->serial.text, sizeof extra->serial.text, field_in_columns(reader->text, reader->length, 7, 11));
+  const struct field factor = field_in_columns(reader->text, reader->length, 61, 66);
+  extra->has_value = number_parse(factor.text, factor.length, &extra->value) == NUMBER_OK;
+}
+
 static bool read_atom(const struct line_reader *reader, struct alternate_locations *seen, struct molecule *molecule,
                       struct failure *failure) {
   const uint64_t line = reader->number;
@@ -91,16 +99,15 @@ static bool read_atom(const struct line_reader *reader, struct alternate_locatio
   static const char *const names[3] = {"x (columns 31-38)", "y (columns 39-46)", "z (columns 47-54)"};
   for (size_t axis = 0; axis < 3; ++axis) {
     const struct field number = field_in_columns(reader->text, reader->length, 31 + 8 * axis, 38 + 8 * axis);
-    if (!field_number(number, names[axis], &xyz[axis], line, failure)) return false;
+    if (!field_number_in_line(number, names[axis], &xyz[axis], line, failure)) return false;
   }
+  struct residue_label residue = RESIDUE_LABEL_NONE;
   struct atom_label label = ATOM_LABEL_NONE;
+  label.residue = &residue;
   const struct field name = field_in_columns(reader->text, reader->length, 13, 16);
   label_copy(label.name, sizeof label.name, name);
-  label_residue(reader, &label.residue);
+  label_residue(reader, &residue);
   label.hetatm = pdb_record_is_hetatm(reader->text);
-  label_copy(label.serial.text, sizeof label.serial.text, field_in_columns(reader->text, reader->length, 7, 11));
-  const struct field factor = field_in_columns(reader->text, reader->length, 61, 66);
-  label.has_temperature_factor = number_parse(factor.text, factor.length, &label.temperature_factor) == NUMBER_OK;
   const struct field segment = field_in_columns(reader->text, reader->length, 73, 76);
   bool keep;
   if (!alternate_locations_keep(seen, &label, segment, column(reader, 17), &keep)) return failure_of_memory(failure);
@@ -109,7 +116,9 @@ static bool read_atom(const struct line_reader *reader, struct alternate_locatio
     return true;
   }
   label_element(reader, &label);
-  return molecule_add(molecule, xyz, 0.0, &label, line, failure);
+  if (!molecule_add(molecule, xyz, 0.0, &label, line, failure)) return false;
+  take_extra(reader, molecule_last_extra(molecule));
+  return true;
 }
 
 /* What is kept from one plain record to the next: columns 18-25 and 20-27, and the residue in them. */
@@ -159,25 +168,18 @@ static enum line_status read_plain_atom(const struct line_reader *reader, struct
     if (!word_number(word_at(text + 30 + 8 * axis), &xyz[axis])) return LINE_END;
   }
   if (tabs != 0 || !plain_element(text + 76, &label.element) || !plain_residue(text, plain)) return LINE_END;
-  label.residue = plain->residue;
+  label.residue = &plain->residue;
   label.hetatm = text[0] == 'H';
   word_put(label.name, word_label(word_at(text + 12), 4));
   label_check_bead(&label);
-  const uint64_t serial = word_label(word_at(text + 6), 5);
-  for (int i = 0; i < 5; ++i) label.serial.text[i] = (char)(serial >> 8 * i);
-  /* Columns 61-66, as the last of eight. */
-  const uint64_t factor = word_at(text + 58) >> 16 << 16 | word_first(WORD_OF(' '), 2);
-  label.has_temperature_factor = word_number(factor, &label.temperature_factor);
-  if (!label.has_temperature_factor) {
-    const struct field other = field_in_columns(text, reader->length, 61, 66);
-    label.has_temperature_factor = number_parse(other.text, other.length, &label.temperature_factor) == NUMBER_OK;
-  }
   bool keep;
   if (!alternate_locations_keep(seen, &label, field_in_columns(text, reader->length, 73, 76), ' ', &keep)) {
     failure_of_memory(failure);
     return LINE_FAILED;
   }
-  return molecule_add(molecule, xyz, 0.0, &label, reader->number, failure) ? LINE_READ : LINE_FAILED;
+  if (!molecule_add(molecule, xyz, 0.0, &label, reader->number, failure)) return LINE_FAILED;
+  take_extra(reader, molecule_last_extra(molecule));
+  return LINE_READ;
 }
 
 static bool read_any_atom(struct line_reader *reader, struct plain_records *plain, struct alternate_locations *seen,

@@ -83,7 +83,7 @@ static bool read_numbers(const struct record *record, uint64_t line, double valu
                          struct failure *failure) {
   static const char *const names[4] = {"x", "y", "z", "charge"};
   for (size_t i = 0; i < 4; ++i) {
-    if (!field_number(record->value[i], names[i], &value[i], line, failure)) return false;
+    if (!field_number_in_line(record->value[i], names[i], &value[i], line, failure)) return false;
   }
   return field_radius(record->value[4], radius, line, failure);
 }
@@ -104,7 +104,8 @@ static void label_number(struct field number, struct residue_label *label) {
   label_copy(label->number, sizeof label->number, number);
 }
 
-static bool read_atom(const struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
+static bool read_atom(const struct line_reader *reader, struct kinds_seen *seen, struct molecule *molecule,
+                      struct failure *failure) {
   const uint64_t line = reader->number;
   struct record record;
   double value[4];
@@ -119,28 +120,33 @@ static bool read_atom(const struct line_reader *reader, struct molecule *molecul
     failure->line = 0;
   }
 
+  struct residue_label residue = RESIDUE_LABEL_NONE;
   struct atom_label label = ATOM_LABEL_NONE;
+  label.residue = &residue;
   label_copy(label.name, sizeof label.name, record.name);
-  label_copy(label.residue.name, sizeof label.residue.name, record.residue);
-  label_copy(label.residue.chain, sizeof label.residue.chain, record.chain);
-  label_number(record.number, &label.residue);
+  label_copy(residue.name, sizeof residue.name, record.residue);
+  label_copy(residue.chain, sizeof residue.chain, record.chain);
+  label_number(record.number, &residue);
   label.hetatm = pdb_record_is_hetatm(reader->text);
-  label.charge = value[3];
   if (record.element.length == 0 || !element_symbol_parse(record.element.text, record.element.length, &label.element)) {
     /* Virtual sites have radii here as well, and names that tell nothing are no reason to refuse an atom. */
-    const enum atom_kind kind = atom_kind_of(record.name, false, label.residue.name, &label.element);
+    const enum atom_kind kind = atom_kind_again(seen, record.name, residue.name, &label.element);
     if (kind != ATOM_KNOWN) label.element.text[0] = '\0';
   }
-  return molecule_add(molecule, value, radius, &label, line, failure);
+  if (!molecule_add(molecule, value, radius, &label, line, failure)) return false;
+  struct atom_extra *const extra = molecule_last_extra(molecule);
+  if (extra != NULL) extra->value = value[3];
+  return true;
 }
 
 static bool read_pqr(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
   struct pdb_models models = {0, false};
+  struct kinds_seen seen = {{{0, 0, 0, 0, {""}}}};
   bool record_seen = false;
   for (;;) {
     const enum line_status status = pdb_next_atom(reader, molecule, &models, &record_seen, failure);
     if (status != LINE_READ) return status == LINE_END;
-    if (!read_atom(reader, molecule, failure)) return false;
+    if (!read_atom(reader, &seen, molecule, failure)) return false;
   }
 }
 

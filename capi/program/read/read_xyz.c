@@ -116,7 +116,7 @@ static bool read_atom(struct line_reader *reader, const struct field *column, si
   double xyz[3];
   static const char *const names[3] = {"x", "y", "z"};
   for (size_t axis = 0; axis < 3; ++axis) {
-    if (!field_number(column[columns.position + axis], names[axis], &xyz[axis], line, failure)) {
+    if (!field_number_in_line(column[columns.position + axis], names[axis], &xyz[axis], line, failure)) {
       const struct field *first = &column[0];
       const struct field *second = &column[1];
       const bool tinker = is_digit(first->text[0]) && is_letter(second->text[0]);

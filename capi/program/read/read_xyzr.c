@@ -19,7 +19,7 @@ static bool read_xyzr(struct line_reader *reader, struct molecule *molecule, str
     double radius;
     static const char *const names[3] = {"x", "y", "z"};
     for (size_t axis = 0; axis < 3 && axis < columns; ++axis) {
-      if (!field_number(column[axis], names[axis], &xyz[axis], reader->number, failure)) return false;
+      if (!field_number_in_line(column[axis], names[axis], &xyz[axis], reader->number, failure)) return false;
     }
     if (columns < 4) {
       return failure_in_input(failure, reader->number, "expected x y z r, found %u of 4 columns", (unsigned)columns);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "read/characters.h"
+#include "read/words.h"
 
 enum { NAME_BYTES = 8 };
 
@@ -200,4 +201,18 @@ enum atom_kind atom_kind_of(struct field name, bool in_columns, const char *resi
   if (known) return ATOM_KNOWN;
   element->text[0] = '\0';
   return ATOM_UNKNOWN;
+}
+
+enum atom_kind atom_kind_again(struct kinds_seen *seen, struct field name, const char residue[8],
+                               struct element_symbol *element) {
+  if (name.length == 0 || name.length > 8) return atom_kind_of(name, false, residue, element);
+  const uint64_t of_name = word_first(word_at(name.text), (unsigned)name.length), of_residue = word_at(residue);
+  const uint64_t mixed = (of_name * 31 + of_residue) * UINT64_C(0x9E3779B97F4A7C15);
+  struct kind_seen *const found = &seen->of[mixed >> 56];
+  if (found->length != name.length || found->name != of_name || found->residue != of_residue) {
+    *found = (struct kind_seen){of_name, of_residue, (unsigned char)name.length, 0, {""}};
+    found->kind = (unsigned char)atom_kind_of(name, false, residue, &found->element);
+  }
+  *element = found->element;
+  return (enum atom_kind)found->kind;
 }

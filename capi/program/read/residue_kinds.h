@@ -5,6 +5,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include "read/fields.h"
 #include "read/radii.h"
@@ -37,6 +38,21 @@ enum atom_kind {
  *      an element of one letter.
  * Deuterium is hydrogen. */
 enum atom_kind atom_kind_of(struct field name, bool in_columns, const char *residue, struct element_symbol *element);
+
+/* What was found last for names and residues, by both: the same few come again and again. Zeros at first. */
+struct kinds_seen {
+  struct kind_seen {
+    uint64_t name, residue; /* eight characters each, with zeros behind */
+    unsigned char length;   /* of the name; 0: nothing yet */
+    unsigned char kind;
+    struct element_symbol element;
+  } of[256];
+};
+
+/* The same as atom_kind_of without columns; eight characters may be read of the name, and zeros stand behind the
+ * residue's. */
+enum atom_kind atom_kind_again(struct kinds_seen *seen, struct field name, const char residue[8],
+                               struct element_symbol *element);
 
 /* Whether the name is one that beads have in such a residue, BB, BB1, SC1, whatever element programs guess from it. */
 bool is_bead_name(const char *name, const char *residue);

@@ -21,6 +21,7 @@ const char *residue_text(char out[RESIDUE_TEXT_BYTES], const struct residue_labe
 }
 
 bool residue_label_same(const struct residue_label *a, const struct residue_label *b) {
+  if (a == b) return true;
   return strcmp(a->number, b->number) == 0 && strcmp(a->insertion, b->insertion) == 0 &&
          strcmp(a->name, b->name) == 0 && strcmp(a->chain, b->chain) == 0;
 }
@@ -37,7 +38,7 @@ static void add_atom(struct atom_groups *groups, double area) {
 
 static void group_residues(const struct molecule *molecule, const double *area, struct atom_groups *groups) {
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
-    const bool begins = i == 0 || !residue_label_same(&molecule->label[i - 1].residue, &molecule->label[i].residue);
+    const bool begins = i == 0 || !residue_label_same(molecule->label[i - 1].residue, molecule->label[i].residue);
     if (begins) begin_group(groups, i);
     add_atom(groups, area[i]);
   }
@@ -69,7 +70,7 @@ static struct chain_member *sorted_members(const struct molecule *molecule) {
   struct chain_member *members = malloc(((size_t)molecule->atoms + 1) * sizeof *members);
   if (members == NULL) return NULL;
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
-    members[i] = (struct chain_member){molecule->label[i].residue.chain, i};
+    members[i] = (struct chain_member){molecule->label[i].residue->chain, i};
   }
   qsort(members, molecule->atoms, sizeof *members, order_of_members);
   return members;

@@ -180,13 +180,13 @@ static bool holds_of_residue(const struct selection_item *item, const struct res
 }
 
 static bool holds(const struct selection_item *item, const struct atom_label *label) {
-  const char *chain = label->residue.chain;
+  const char *chain = label->residue->chain;
   switch (item->key) {
     case KEY_CHAIN:
       if (chain[0] == '\0') return item->text.length == 1 && item->text.text[0] == '.';
       return strlen(chain) == item->text.length && memcmp(chain, item->text.text, item->text.length) == 0;
     case KEY_RESIDUE:
-      return holds_of_residue(item, &label->residue);
+      return holds_of_residue(item, label->residue);
     case KEY_ELEMENT:
       return strcmp(item->symbol.text, label->element.text) == 0;
     case KEY_ATOM:

@@ -60,7 +60,7 @@ bool stated_bonds_find(const struct molecule *molecule, struct stated_bonds *bon
   const bool enough = atoms != NULL && bonds->pair != NULL && bonds->named != NULL;
   if (enough) {
     for (uint32_t i = 0; i < molecule->atoms; ++i) {
-      atoms[i].serial = molecule->label[i].serial;
+      atoms[i].serial = molecule->extra[i].serial;
       atoms[i].atom = i;
     }
     qsort(atoms, molecule->atoms, sizeof *atoms, compare_serials);

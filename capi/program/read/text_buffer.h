@@ -13,10 +13,11 @@ struct text_buffer {
   size_t length;
   size_t capacity;
   bool out_of_memory; /* stays set; later additions are ignored */
+  uint32_t threads;   /* that may make rows of a table for it at the same time; 0: the calling one alone */
 };
 
 #define TEXT_BUFFER_EMPTY \
-  { NULL, 0, 0, false }
+  { NULL, 0, 0, false, 0 }
 
 /* Make room for `more` bytes and a closing NUL; false when memory is short. */
 bool text_buffer_reserve(struct text_buffer *buffer, size_t more);

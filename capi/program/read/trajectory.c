@@ -35,7 +35,7 @@ bool trajectory_open(struct trajectory *trajectory, const char *path, uint32_t a
   trajectory->path = path;
   trajectory->atoms = atoms;
   failure->file = input_name(path);
-  molecule_init(&trajectory->model, trajectory->models, 1);
+  molecule_init(&trajectory->model, trajectory->models, 1, KEEP_NO_MORE);
   if (trajectory->format == TRAJECTORY_MODELS) {
     trajectory->lines = malloc(sizeof *trajectory->lines);
     if (trajectory->lines == NULL) return failure_of_memory(failure);
@@ -50,17 +50,17 @@ bool trajectory_open(struct trajectory *trajectory, const char *path, uint32_t a
   return trajectory->format == TRAJECTORY_XTC || dcd_begin(&trajectory->dcd, &trajectory->bytes, atoms, failure);
 }
 
-bool failure_in_frame(struct failure *failure, const struct trajectory *trajectory) {
+bool failure_in_frame(struct failure *failure, uint64_t number) {
   char reason[sizeof failure->reason];
   memcpy(reason, failure->reason, sizeof reason);
-  const int length = snprintf(failure->reason, sizeof failure->reason, "frame %" PRIu64 ": ", trajectory->stamp.number);
+  const int length = snprintf(failure->reason, sizeof failure->reason, "frame %" PRIu64 ": ", number);
   snprintf(failure->reason + length, sizeof failure->reason - (size_t)length, "%s", reason);
   return false;
 }
 
 static enum line_status next_model(struct trajectory *trajectory, bool wanted, struct failure *failure) {
   struct molecule *model = &trajectory->model;
-  model->atoms = model->read = 0;
+  molecule_empty(model);
   model->most = trajectory->atoms;
   model->frame = trajectory->stamp;
   model->frame.box = trajectory->last_box;
@@ -111,7 +111,7 @@ enum line_status trajectory_next(struct trajectory *trajectory, bool wanted, str
   }
   if (status == LINE_READ) ++trajectory->frames;
   trajectory->boxed = trajectory->boxed || trajectory->stamp.box.given || trajectory->stamp.box.denied;
-  if (status == LINE_FAILED) failure_in_frame(failure, trajectory);
+  if (status == LINE_FAILED) failure_in_frame(failure, trajectory->stamp.number);
   return status;
 }
 

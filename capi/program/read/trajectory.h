@@ -17,7 +17,7 @@ struct trajectory {
   uint32_t atoms;  /* of every frame */
   uint64_t frames; /* read or stepped over */
   double *xyz;     /* [atoms][3], angstrom: the frame read last */
-  uint64_t *line;  /* [atoms], where its atoms stand; NULL in binary files */
+  uint32_t *line;  /* [atoms], where its atoms stand; NULL in binary files */
   struct frame_stamp stamp;
   bool boxed; /* one of the frames so far has a box, or what is none where one belongs */
   /* The rest is this file's. */
@@ -42,8 +42,8 @@ bool trajectory_open(struct trajectory *trajectory, const char *path, uint32_t a
  * LINE_FAILED: the failure has its number. */
 enum line_status trajectory_next(struct trajectory *trajectory, bool wanted, struct failure *failure);
 
-/* Put "frame N: " before the reason of a failure that concerns a frame of the file. Always false. */
-bool failure_in_frame(struct failure *failure, const struct trajectory *trajectory);
+/* Put "frame N: " before the reason of a failure that concerns the frame of this number. Always false. */
+bool failure_in_frame(struct failure *failure, uint64_t number);
 
 void trajectory_close(struct trajectory *trajectory);
 

@@ -23,7 +23,7 @@ static bool read_lines(struct line_reader *reader, const char *what, uint32_t co
       return failure_in_input(failure, reader->number, "expected one %s on a line, found %zu columns", what, columns);
     }
     double weight;
-    if (!field_number(column, what, &weight, reader->number, failure)) return false;
+    if (!field_number_in_line(column, what, &weight, reader->number, failure)) return false;
     if (read == count) {
       return failure_in_input(failure, reader->number, "more %ss than balls: there are %" PRIu32 " balls", what, count);
     }

@@ -115,6 +115,49 @@ static inline bool word_token(const char *text, size_t length, double *value) {
   return text[0] != ' ' && word_number(word, value);
 }
 
+/* Digits, at most 8 and before others perhaps, as a number. False: one of them is none. */
+static inline bool word_whole(uint64_t word, unsigned count, uint64_t *number) {
+  *number = 0;
+  if (count == 0) return true;
+  const unsigned unused = 64 - 8 * count;
+  word = count == 8 ? word : word << unused | word_first(WORD_OF('0'), unused / 8);
+  if (!word_is_digits(word)) return false;
+  *number = word_digits(word);
+  return true;
+}
+
+/* A decimal without blanks, of at most 8 digits before its point and 8 behind it: the value is that of
+ * number_parse_times, with power 0 or 1, rounded once. 16 bytes may be read. False: anything else, right or wrong. */
+static inline bool word_decimal(const char *text, size_t length, int power, double *value) {
+  static const double powers[9] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8};
+  static const uint64_t tens[9] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000};
+  if (FLT_EVAL_METHOD != 0 || length == 0 || length > 16) return false;
+  const bool negative = text[0] == '-';
+  const char *const begin = text + (negative ? 1 : 0);
+  unsigned whole = (unsigned)length - (negative ? 1 : 0), decimals = 0;
+  const uint64_t front = word_at(begin), point = word_find(front, '.');
+  const unsigned at = point != 0 ? lowest_bit(point) / 8 : 8;
+  if (at < whole) {
+    if (at == 8 && begin[8] != '.') return false;
+    decimals = whole - at - 1;
+    whole = at;
+  }
+  if (whole > 8 || decimals > 8 || whole + decimals == 0) return false;
+  const uint64_t back = decimals > 0 ? word_at(begin + whole + 1) : 0;
+  uint64_t digits, behind = 0;
+  if (whole + decimals <= 8) { /* the digits move up to those behind the point */
+    const uint64_t joined = whole == 8 ? front : word_first(front, whole) | back << 8 * whole;
+    if (!word_whole(joined, whole + decimals, &digits)) return false;
+  } else {
+    if (!word_whole(front, whole, &digits) || !word_whole(back, decimals, &behind)) return false;
+    digits = digits * tens[decimals] + behind; /* 15 digits at most: exact in a double */
+  }
+  const int exponent = digits == 0 ? 0 : power - (int)decimals;
+  const double magnitude = exponent < 0 ? (double)digits / powers[-exponent] : (double)digits * powers[exponent];
+  *value = negative ? -magnitude : magnitude;
+  return true;
+}
+
 /* Columns without the blanks around them, and zeros behind. */
 static inline uint64_t word_label(uint64_t word, unsigned width) {
   const uint64_t filled = word_first(word ^ WORD_OF(' '), width);

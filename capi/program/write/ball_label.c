@@ -16,7 +16,7 @@ struct ball_name {
 /* Which names there are follows from the format, not from what a file happens to leave empty. Returns how many. */
 static int list_names(const struct file_format *format, const struct atom_label *label,
                       struct ball_name list[MOST_NAMES]) {
-  const struct residue_label *residue = &label->residue;
+  const struct residue_label *residue = label->residue;
   const bool residues = file_format_has(format, FILE_RESIDUES);
   int count = 0;
   if (residues) list[count++] = (struct ball_name){"atom", label->name};
@@ -39,7 +39,7 @@ void ball_label_json(const struct molecule *molecule, uint32_t ball, struct text
     text_buffer_append(out, ", \"", 3);
     text_buffer_add_text(out, names[i].key);
     text_buffer_append(out, "\": ", 3);
-    (names[i].text == label->residue.number ? json_residue_number : json_text)(out, names[i].text);
+    (names[i].text == label->residue->number ? json_residue_number : json_text)(out, names[i].text);
   }
   text_buffer_add_text(out, ", \"xyz\": ");
   json_numbers(out, molecule->xyz + 3 * (size_t)ball, 3);

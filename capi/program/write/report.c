@@ -73,7 +73,7 @@ struct ball_columns ball_columns_of(const struct molecule *molecule) {
   struct ball_columns columns = {false, false};
   for (uint32_t i = 0; i < molecule->atoms && !(columns.names && columns.elements); ++i) {
     const struct atom_label *label = &molecule->label[i];
-    columns.names = columns.names || label->name[0] != '\0' || residue_label_says(&label->residue);
+    columns.names = columns.names || label->name[0] != '\0' || residue_label_says(label->residue);
     columns.elements = columns.elements || label->element.text[0] != '\0';
   }
   return columns;
@@ -88,7 +88,7 @@ void report_name(struct text_buffer *out, struct ball_columns columns, const str
   const struct atom_label *label = &molecule->label[ball];
   char residue[RESIDUE_TEXT_BYTES];
   text_buffer_add(out, "  %9" PRIu32, ball);
-  if (columns.names) text_buffer_add(out, "  %-6s %-17s", label->name, residue_text(residue, &label->residue));
+  if (columns.names) text_buffer_add(out, "  %-6s %-17s", label->name, residue_text(residue, label->residue));
 }
 
 void report_ball_titles(struct text_buffer *out, struct ball_columns columns) {

@@ -2,9 +2,11 @@
 
 #include <inttypes.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "read/number.h"
+#include "read/threads.h"
 #include "write/csv.h"
 #include "write/report.h"
 
@@ -82,23 +84,88 @@ static void print_cell(const struct table *table, const struct column *column, u
   }
 }
 
-void table_print(const struct table *table, struct text_buffer *out) {
+/* The cells of a row, in one of the forms. */
+typedef void row_function(const struct table *table, size_t row, const union cell *cells, struct text_buffer *out);
+
+/* ---- rows by several threads ---- */
+
+enum { ROWS_OF_PART = 2000, SLOTS_OF_WORKER = 2 };
+
+struct rows {
+  const struct table *table;
+  row_function *add;
+  struct text_buffer *out;
+  struct text_buffer *part; /* [slots] */
+  size_t *first;            /* [slots], of the rows in it */
+  size_t next;
+};
+
+static void add_rows(const struct table *table, row_function *add, size_t first, size_t end, struct text_buffer *out) {
   union cell cells[MOST_COLUMNS];
   char text[CELL_BYTES];
+  for (size_t row = first; row < end; ++row) {
+    if (table->row(table->of, row, cells, text)) add(table, row, cells, out);
+  }
+}
+
+static bool take_part(void *of, uint32_t slot, uint64_t *weight) {
+  struct rows *const rows = of;
+  (void)weight;
+  rows->first[slot] = rows->next;
+  rows->next += ROWS_OF_PART;
+  return rows->first[slot] < rows->table->rows;
+}
+
+static void work_on_part(void *of, uint32_t worker, uint32_t slot) {
+  struct rows *const rows = of;
+  const size_t first = rows->first[slot], left = rows->table->rows - first;
+  (void)worker;
+  rows->part[slot].length = 0;
+  add_rows(rows->table, rows->add, first, first + (left < ROWS_OF_PART ? left : ROWS_OF_PART), &rows->part[slot]);
+}
+
+static bool give_part(void *of, uint32_t slot) {
+  struct rows *const rows = of;
+  text_buffer_append(rows->out, rows->part[slot].text, rows->part[slot].length);
+  rows->out->out_of_memory = rows->out->out_of_memory || rows->part[slot].out_of_memory;
+  return !rows->out->out_of_memory;
+}
+
+static void add_all_rows(const struct table *table, row_function *add, struct text_buffer *out) {
+  const size_t parts = table->rows / ROWS_OF_PART;
+  const uint32_t workers = out->threads < parts ? out->threads : (uint32_t)parts, slots = SLOTS_OF_WORKER * workers;
+  if (workers < 2) {
+    add_rows(table, add, 0, table->rows, out);
+    return;
+  }
+  struct rows rows = {table, add, out, calloc(slots, sizeof *rows.part), calloc(slots, sizeof *rows.first), 0};
+  const struct in_order loop = {&rows, workers, slots, 0, take_part, work_on_part, give_part};
+  if (rows.part == NULL || rows.first == NULL || !in_order_run(&loop)) out->out_of_memory = true;
+  for (uint32_t k = 0; rows.part != NULL && k < slots; ++k) text_buffer_free(&rows.part[k]);
+  free(rows.part);
+  free(rows.first);
+}
+
+/* ---- for persons ---- */
+
+static void print_row(const struct table *table, size_t row, const union cell *cells, struct text_buffer *out) {
+  add_lead(table, row, FOR_PERSONS, out);
+  for (int k = 0; k < table->count; ++k) {
+    if (table->columns[k].title != NULL) print_cell(table, &table->columns[k], cells[k], out);
+  }
+  text_buffer_append(out, "\n", 1);
+}
+
+void table_print(const struct table *table, struct text_buffer *out) {
   add_lead(table, TABLE_TITLES, FOR_PERSONS, out);
   for (int k = 0; k < table->count; ++k) {
     if (table->columns[k].title != NULL) print_title(table, &table->columns[k], out);
   }
   text_buffer_add_text(out, "\n");
-  for (size_t row = 0; row < table->rows; ++row) {
-    if (!table->row(table->of, row, cells, text)) continue;
-    add_lead(table, row, FOR_PERSONS, out);
-    for (int k = 0; k < table->count; ++k) {
-      if (table->columns[k].title != NULL) print_cell(table, &table->columns[k], cells[k], out);
-    }
-    text_buffer_append(out, "\n", 1);
-  }
+  add_all_rows(table, print_row, out);
 }
+
+/* ---- as JSON ---- */
 
 static void json_cell(const struct column *column, union cell cell, struct text_buffer *out) {
   switch (column->kind) {
@@ -130,29 +197,30 @@ static void json_cell(const struct column *column, union cell cell, struct text_
   }
 }
 
-void table_json(const struct table *table, struct text_buffer *out) {
-  union cell cells[MOST_COLUMNS];
-  char text[CELL_BYTES];
-  const char *begin = "{";
-  text_buffer_add_text(out, "[");
-  for (size_t row = 0; row < table->rows; ++row) {
-    if (!table->row(table->of, row, cells, text)) continue;
-    text_buffer_add_text(out, begin);
-    const size_t length = out->length;
-    add_lead(table, row, AS_JSON, out);
-    for (int k = 0; k < table->count; ++k) {
-      const struct column *column = &table->columns[k];
-      if (column->key == NULL) continue;
-      text_buffer_add_text(out, out->length == length ? "\"" : ", \"");
-      text_buffer_add_text(out, column->key);
-      text_buffer_append(out, "\": ", 3);
-      json_cell(column, cells[k], out);
-    }
-    text_buffer_append(out, "}", 1);
-    begin = ", {";
+static void json_row(const struct table *table, size_t row, const union cell *cells, struct text_buffer *out) {
+  text_buffer_append(out, "{", 1);
+  const size_t length = out->length;
+  add_lead(table, row, AS_JSON, out);
+  for (int k = 0; k < table->count; ++k) {
+    const struct column *column = &table->columns[k];
+    if (column->key == NULL) continue;
+    text_buffer_add_text(out, out->length == length ? "\"" : ", \"");
+    text_buffer_add_text(out, column->key);
+    text_buffer_append(out, "\": ", 3);
+    json_cell(column, cells[k], out);
   }
+  text_buffer_append(out, "}, ", 3);
+}
+
+void table_json(const struct table *table, struct text_buffer *out) {
+  text_buffer_add_text(out, "[");
+  const size_t begin = out->length;
+  add_all_rows(table, json_row, out);
+  if (out->length > begin) out->length -= 2; /* behind the last row nothing stands between rows */
   text_buffer_add_text(out, "]");
 }
+
+/* ---- as comma-separated values ---- */
 
 /* NULL: it is not in CSV. */
 static const char *csv_key(const struct column *column) {
@@ -187,10 +255,21 @@ static void csv_cell(const struct column *column, union cell cell, struct text_b
   }
 }
 
+static void csv_row(const struct table *table, size_t row, const union cell *cells, struct text_buffer *out) {
+  const size_t length = out->length;
+  add_lead(table, row, AS_CSV, out);
+  bool any = out->length > length;
+  for (int k = 0; k < table->count; ++k) {
+    if (csv_key(&table->columns[k]) == NULL) continue;
+    if (any) text_buffer_append(out, ",", 1);
+    any = true;
+    csv_cell(&table->columns[k], cells[k], out);
+  }
+  text_buffer_append(out, "\n", 1);
+}
+
 void table_csv(const struct table *table, struct text_buffer *out) {
-  union cell cells[MOST_COLUMNS];
-  char text[CELL_BYTES];
-  size_t length = out->length;
+  const size_t length = out->length;
   add_lead(table, TABLE_TITLES, AS_CSV_TITLES, out);
   for (int k = 0; k < table->count; ++k) {
     const struct column *column = &table->columns[k];
@@ -201,17 +280,5 @@ void table_csv(const struct table *table, struct text_buffer *out) {
     if (three) text_buffer_add(out, "_x,%s_y,%s_z", key, key);
   }
   text_buffer_add_text(out, "\n");
-  for (size_t row = 0; row < table->rows; ++row) {
-    if (!table->row(table->of, row, cells, text)) continue;
-    length = out->length;
-    add_lead(table, row, AS_CSV, out);
-    bool any = out->length > length;
-    for (int k = 0; k < table->count; ++k) {
-      if (csv_key(&table->columns[k]) == NULL) continue;
-      if (any) text_buffer_append(out, ",", 1);
-      any = true;
-      csv_cell(&table->columns[k], cells[k], out);
-    }
-    text_buffer_append(out, "\n", 1);
-  }
+  add_all_rows(table, csv_row, out);
 }

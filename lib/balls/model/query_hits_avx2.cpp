@@ -3,7 +3,7 @@
 #include "model/query_hits.hpp"
 
 #include "exact/lattice.hpp"
-#include "lanes/avx2_lanes.hpp"
+#include "lanes/words.hpp"
 
 namespace hsp {
 namespace {

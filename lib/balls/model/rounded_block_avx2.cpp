@@ -1,7 +1,7 @@
 #if HSP_AVX2
 #include "model/rounded_block.hpp"
 
-#include "lanes/avx2_lanes.hpp"
+#include "lanes/words.hpp"
 
 namespace hsp {
 namespace {

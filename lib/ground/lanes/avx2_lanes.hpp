@@ -1,28 +1,11 @@
-// Eight floats, four doubles and eight integers at once, for files *_avx2.cpp alone (target.hpp). Everything has
-// internal linkage, so that each of them has its own copy.
+// The words of words.hpp for registers of 32 bytes: eight floats, four doubles, eight integers, sixteen fractions; and
+// what files *_avx2.cpp alone need of them.
 #pragma once
 
 #include <immintrin.h>
 
-#include <cstdint>
-
 namespace hsp {
 namespace {
-
-// A bit for each lane, lane 0 lowest.
-using LaneBits = uint32_t;
-
-// The lowest `count` lanes of eight; all from eight on.
-inline LaneBits first_lanes(uint32_t count) {
-  const uint32_t chosen = count < 8 ? count : 8;
-  return (1U << chosen) - 1U;
-}
-inline uint32_t ones(LaneBits bits) {
-  return static_cast<uint32_t>(__builtin_popcount(bits));
-}
-inline uint32_t lowest(LaneBits bits) {
-  return static_cast<uint32_t>(__builtin_ctz(bits));
-}
 
 struct Floats {
   using Real = float;
@@ -251,9 +234,6 @@ inline Doubles magnitude(Doubles a) {
   return {_mm256_andnot_pd(_mm256_set1_pd(-0.0), a.v)};
 }
 
-// How often a comparison has held in each lane.
-template <class Lanes>
-struct LaneCounts;
 template <>
 struct LaneCounts<Floats> {
   __m256i negative = _mm256_setzero_si256();
@@ -397,6 +377,7 @@ constexpr FrontOrders front_orders;
 struct FrontOrder {
   __m256i v;
 
+  static FrontOrder of(LaneBits chosen) { return of_eight(chosen); }
   static FrontOrder of_eight(LaneBits chosen) { return widened(front_orders.of_eight[chosen]); }
   static FrontOrder of_four(LaneBits chosen) { return widened(front_orders.of_four[chosen]); }
   static FrontOrder widened(const uint8_t *order) {
@@ -416,6 +397,13 @@ FrontOrder front_order(LaneBits chosen) {
 inline Floats in_order(Floats a, FrontOrder order) {
   return {_mm256_permutevar8x32_ps(a.v, order.v)};
 }
+// Up to eight numbers, of which any eight are wanted.
+struct EightFloats {
+  Floats numbers;
+
+  static EightFloats load(const float *p) { return {Floats::load(p)}; }
+  Floats in_order(const uint8_t *order) const { return hsp::in_order(numbers, FrontOrder::widened(order)); }
+};
 inline void store_front(float *p, Floats a, FrontOrder order) {
   in_order(a, order).store(p);
 }

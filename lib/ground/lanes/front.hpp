@@ -3,7 +3,7 @@
 #pragma once
 
 #if defined(__AVX2__)
-#include "lanes/avx2_lanes.hpp"
+#include "lanes/words.hpp"
 #endif
 #include "lanes/wide.hpp"
 

@@ -1,6 +1,6 @@
 // The instruction sets that kernels are compiled for, and which of them this processor runs. It is asked when a handle
 // is made, by cpuid: nothing is imported and nothing is global. lib/library.cmake has the list, with their options;
-// HSP_AVX2 says that it holds avx2.
+// HSP_AVX2 says that it holds avx2, HSP_LANES that the registers of the baseline hold several numbers.
 //
 // Kernels are sources with a second ending, kernel; they are compiled once for each target, into namespace
 // hsp::HSP_TARGET. They must not emit any function that other files emit as well: the linker keeps one copy of an
@@ -38,6 +38,14 @@ namespace hsp {
 
 // The baseline is what the whole library is compiled for.
 enum class Target : uint8_t { baseline, avx2 };
+
+// Whether there are kernels of lanes, words.hpp: those that are slower than plain loops, and larger, where a register
+// holds one number.
+#if HSP_LANES
+inline constexpr bool has_lanes = true;
+#else
+inline constexpr bool has_lanes = false;
+#endif
 
 // The widest that both the library and this processor have.
 #if HSP_AVX2

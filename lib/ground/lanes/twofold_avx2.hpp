@@ -6,7 +6,7 @@
 // leaves out is known, rounded_within() tells whether the exact number would be rounded to the same double.
 #pragma once
 
-#include "lanes/avx2_lanes.hpp"
+#include "lanes/words.hpp"
 
 namespace hsp {
 namespace {

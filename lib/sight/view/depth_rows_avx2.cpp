@@ -2,7 +2,7 @@
 #if HSP_AVX2
 #include "view/depth_rows.hpp"
 
-#include "lanes/avx2_lanes.hpp"
+#include "lanes/words.hpp"
 
 namespace hsp {
 namespace {

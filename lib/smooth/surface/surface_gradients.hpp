@@ -56,51 +56,38 @@ struct SurfaceGradient {
 SurfaceGradient surface_gradient_of_ball(const BallSet &balls, const Boundary &boundary, const Surface &surface,
                                          const AreaWeights &weights, uint32_t i);
 
-// tension * S + pressure * V, S the weighted area, in the caller's unit.
-struct SurfaceEnergy {
-  double area = 0.0, volume = 0.0, value = 0.0;
-  double by_probe = 0.0;  // with radii that do not contain it
-};
-
-// Its derivatives by one ball's centre and radius.
+// Derivatives of tension * S + pressure * V, S the weighted area, by a ball's centre and radius, in the caller's unit.
 struct SurfaceEnergyGradient {
   double centre[3];
   double radius;
   bool degenerate;
 };
 
-// Calls sink(i, gradient) for every ball i of the input, and returns the energy. Sums run over the balls in the
-// caller's order.
+// Calls sink(i, gradient) for every ball i of the input, from the tasks of the executor. Sums run over the balls in the
+// caller's order; Energy::by_probe is with radii that do not contain the probe. False if the executor fails.
 template <class Sink>
-SurfaceEnergy differentiate_surface(const CubeGrid &grid, const Boundary &boundary, const Surface &surface,
-                                    const EnergyTerms &terms, Sink sink) {
+bool differentiate_surface(const Executor &executor, const CubeGrid &grid, const Boundary &boundary,
+                           const Surface &surface, const EnergyTerms &terms, Energy &energy, Sink sink) {
   const BallSet &balls = grid.balls();
   const exact::Lattice &lattice = balls.lattice;
-  TreeSum area;
-  TreeSum volume;
-  TreeSum by_probe;
   // A step of the lattice may be any power of ten: each is converted on its own.
   const auto combined = [&](double of_area, double of_volume) {
     return terms.tension * lattice.length(of_area) + terms.pressure * lattice.area(of_volume);
   };
-  visit_in_input_order(grid, boundary, [&](uint32_t i, uint32_t ball) {
-    const SurfaceGradient own = surface_gradient_of_ball(balls, boundary, surface, terms.weights, ball);
-    const SurfaceEnergyGradient gradient{
-        {combined(own.area_centre.x, own.volume_centre.x), combined(own.area_centre.y, own.volume_centre.y),
-         combined(own.area_centre.z, own.volume_centre.z)},
-        combined(own.area_radius, own.volume_radius),
-        own.degenerate};
-    area.add(terms.weights.of(balls, ball) * own.measure.area());
-    volume.add(own.measure.volume);
-    by_probe.add(gradient.radius + combined(own.area_offset, -own.measure.area()));
-    sink(i, gradient);
-  });
-  SurfaceEnergy energy;
-  energy.area = lattice.area(area.total());
-  energy.volume = lattice.volume(volume.total());
-  energy.value = terms.tension * energy.area + terms.pressure * energy.volume;
-  energy.by_probe = by_probe.total();
-  return energy;
+  const auto visit = [&](IdRange range, EnergySum &sum) {
+    visit_in_input_order(grid, boundary, range, [&](uint32_t i, uint32_t ball) {
+      const SurfaceGradient own = surface_gradient_of_ball(balls, boundary, surface, terms.weights, ball);
+      const SurfaceEnergyGradient gradient{
+          {combined(own.area_centre.x, own.volume_centre.x), combined(own.area_centre.y, own.volume_centre.y),
+           combined(own.area_centre.z, own.volume_centre.z)},
+          combined(own.area_radius, own.volume_radius),
+          own.degenerate};
+      sum.add({terms.weights.of(balls, ball) * own.measure.area(), own.measure.volume,
+               gradient.radius + combined(own.area_offset, -own.measure.area())});
+      sink(i, gradient);
+    });
+  };
+  return sum_energy(executor, balls.n, lattice, terms, visit, energy);
 }
 
 }  // namespace hsp

@@ -210,10 +210,11 @@ Status CriticalPoints::find(PoreBalls &balls, int64_t floor) {
   for (;;) {
     const bool longest = reach >= static_cast<double>(balls.longest_reach());
     if (longest) reach = static_cast<double>(balls.longest_reach());
-    const Status status = balls.surround(static_cast<int64_t>(reach));
+    const int64_t steps = static_cast<int64_t>(reach);
+    const Status status = balls.surround(steps);
     if (status != Status::ok) return status;
     needed_.balls = larger_count(needed_.balls, balls.set().n);
-    ceiling_ = std::floor(reach) - largest - 2.0;
+    ceiling_ = static_cast<double>(steps) - largest - 2.0;
     const Status found = search({0.0, 0.0, 0.0}, {a.x, b.y, c.z});
     if (found != Status::ok || beyond_ceiling_ == 0.0) return found;
     if (longest) return Status::check;

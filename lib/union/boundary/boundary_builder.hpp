@@ -27,19 +27,19 @@ class BoundaryBuilder {
   // Scratch memory for checks; [loops + balls].
   Span<uint32_t> scratch() { return scratch_; }
 
-  // For tests that do with less of the code for wide registers, or without.
+  // For tests: the kernels of another target, and the search without lanes or with less of its stages.
   LaneSearch &lanes() { return workers_[0].lanes; }
-#if HSP_AVX2
-  void use_wide_code(bool use) {
-    arrays().target = use ? Target::avx2 : Target::baseline;
-    for (BoundaryWorker &worker : workers_) worker.caps.wide = worker.lanes.enabled = use;
+  void use(Target target, bool use_lanes) {
+    arrays().target = target;
+    for (BoundaryWorker &worker : workers_) {
+      worker.lanes.use(target, use_lanes);
+      worker.caps.lanes = use_lanes;
+      worker.caps.wide = target == Target::avx2;
+    }
   }
-#endif
 
  private:
-  Span<BoundaryWorker> at_work() const {
-    return workers_.part(0, count_);
-  }
+  Span<BoundaryWorker> at_work() const { return workers_.part(0, count_); }
   // What all workers together have found.
   struct Found {
     uint32_t neighbours = 0;
@@ -53,9 +53,7 @@ class BoundaryBuilder {
   void link(uint32_t worker);
   void settle(uint32_t worker);
   // Whether all workers join faces to shells; else one of them does.
-  bool shares_shells() const {
-    return count_ > 1 && SharedDisjointSets::available;
-  }
+  bool shares_shells() const { return count_ > 1 && SharedDisjointSets::available; }
 
   BoundaryLimits limits_;
   BoundaryLimits needed_;

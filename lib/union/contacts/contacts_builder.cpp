@@ -46,7 +46,7 @@ void ContactsBuilder::carve(Workspace &workspace, const ContactLimits &limits) {
   contact_of_cap_ = workspace.take<uint32_t>(limits.neighbours);
 }
 
-bool ContactsBuilder::start(const CubeGrid &grid, uint32_t neighbours) {
+bool ContactsBuilder::start(const CubeGrid &grid, uint32_t neighbours, Target target) {
   const uint32_t balls = grid.balls().n;
   clear(balls);
   own_balls_ = grid.own_balls();
@@ -54,7 +54,7 @@ bool ContactsBuilder::start(const CubeGrid &grid, uint32_t neighbours) {
   needed_.neighbours = neighbours;
   if (balls > limits_.balls || neighbours > limits_.neighbours) return false;
   walk_.start(balls, own_balls_);
-  candidates_.borrow(contacts_.a_.row);
+  candidates_.borrow(contacts_.a_.row, target);
   return true;
 }
 
@@ -106,10 +106,9 @@ void ContactsBuilder::gather_caps(const BallSet &balls, const Boundary &boundary
   caps_.gather(balls, part_from(block, i + 1), i, nullptr);
 }
 
-bool ContactsBuilder::start_cube(const CubeGrid &grid, const Boundary &boundary, uint32_t cube,
-                                 const CubeBlock &block) {
+bool ContactsBuilder::start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block) {
   const uint32_t first = grid.balls_in(cube).first;
-  return boundary.target() == Target::avx2 && candidates_.start_cube(grid, cube, first, part_from(block, first));
+  return candidates_.start_cube(grid, cube, first, part_from(block, first));
 }
 
 void ContactsBuilder::start_ball(const BallSet &balls, const Boundary &boundary, const CubeBlock &block, uint32_t i,

@@ -51,12 +51,12 @@ class ContactsBuilder {
   // is missing.
   template <class Images>
   Status build(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours, const Images &images) {
-    if (!start(grid, neighbours)) return Status::capacity;
+    if (!start(grid, neighbours, boundary.target())) return Status::capacity;
     BlockSweep sweep(grid);
     for (uint32_t cube = 0; cube < grid.own_cubes(); ++cube) {
       const CubeBlock &block = sweep.block_around(cube);
       const BallRange own = grid.balls_in(cube);
-      const bool in_lanes = start_cube(grid, boundary, cube, block);
+      const bool in_lanes = start_cube(grid, cube, block);
       for (uint32_t i = own.first; i < own.last; ++i) {
         if (boundary.is_contained(i)) continue;
         start_ball(grid.balls(), boundary, block, i, in_lanes);
@@ -102,9 +102,9 @@ class ContactsBuilder {
   static constexpr uint32_t no_room = no_id - 1;
   static constexpr uint32_t elsewhere = no_id - 2;
 
-  bool start(const CubeGrid &grid, uint32_t neighbours);
+  bool start(const CubeGrid &grid, uint32_t neighbours, Target target);
   void clear(uint32_t balls);
-  bool start_cube(const CubeGrid &grid, const Boundary &boundary, uint32_t cube, const CubeBlock &block);
+  bool start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block);
   void gather_caps(const BallSet &balls, const Boundary &boundary, const CubeBlock &block, uint32_t i, bool in_lanes);
   void start_ball(const BallSet &balls, const Boundary &boundary, const CubeBlock &block, uint32_t i, bool in_lanes);
   void find_chords(const Boundary &boundary);

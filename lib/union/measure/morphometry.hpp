@@ -43,57 +43,77 @@ struct MorphometricEnergy {
   double value = 0.0, volume = 0.0, area = 0.0, mean = 0.0, gauss = 0.0, by_probe = 0.0;
 };
 
-// Sums the energy over balls, whose lengths in steps are lengths on this lattice.
+// What one ball contributes.
+struct MorphometryShare {
+  EnergyShare measures;  // by_probe: with that of the mean curvature
+  double mean;           // in lattice steps
+};
+
 class MorphometrySum {
  public:
-  MorphometrySum(const exact::Lattice &lattice, const AreaWeights &weights, const MorphometricFactors &factors)
-      : lattice_(lattice), terms_{weights, factors.tension, factors.pressure}, factors_(factors) {}
-
-  // Returns the derivatives by a ball; its share of the volume is own.measures.measure.volume.
-  EnergyGradient add(const BallSet &balls, uint32_t ball, const CurvedBallGradient &own) {
-    const MeanCurvatureGradient &curved = own.curvature;
-    const double bending[] = {curved.centre.x, curved.centre.y, curved.centre.z};
-    EnergyGradient gradient = gradient_of_energy(lattice_, terms_, own.measures);
-    sum_.add(share_of_energy(balls, terms_, ball, own.measures, gradient));
-    for (int axis = 0; axis < 3; ++axis) gradient.centre[axis] += factors_.bending * bending[axis];
-    gradient.radius += factors_.bending * curved.radius;
-    gradient.one_sided = gradient.one_sided || curved.one_sided;
-    mean_.add(curved.mean);
-    by_probe_.add(gradient.radius);
-    return gradient;
+  using Term = MorphometryShare;
+  void add(const MorphometryShare &share) {
+    measures_.add(share.measures);
+    mean_.add(share.mean);
   }
-  // euler: of the boundary.
-  MorphometricEnergy total(int64_t euler) const {
-    const Energy energy = sum_.total(lattice_, factors_.tension, factors_.pressure);
-    MorphometricEnergy result;
-    result.volume = energy.volume;
-    result.area = energy.area;
-    result.mean = lattice_.length(mean_.total());
-    result.gauss = gauss_of_thirds(6 * euler);
-    result.value = energy.value + factors_.bending * result.mean + factors_.gaussian * result.gauss;
-    result.by_probe = by_probe_.total();
-    return result;
+  MorphometryShare sums(const MorphometryShare &rest) const {
+    return {measures_.sums(rest.measures), mean_.total(rest.mean)};
   }
 
  private:
-  const exact::Lattice &lattice_;
-  const EnergyTerms terms_;
-  const MorphometricFactors factors_;
-  EnergySum sum_;
-  TreeSum mean_, by_probe_;
+  EnergySum measures_;
+  TreeSum mean_;
 };
 
-// Calls sink(i, gradient) for every ball i of the input, and returns the energy.
+// The energy of balls whose lengths in steps are lengths on this lattice.
+struct MorphometryTerms {
+  const exact::Lattice &lattice;
+  AreaWeights weights;
+  MorphometricFactors factors;
+
+  // Returns the derivatives by a ball, and adds its share; its volume is own.measures.measure.volume.
+  EnergyGradient add(const BallSet &balls, uint32_t ball, const CurvedBallGradient &own, MorphometrySum &sum) const {
+    const EnergyTerms terms{weights, factors.tension, factors.pressure};
+    const MeanCurvatureGradient &curved = own.curvature;
+    const double bending[] = {curved.centre.x, curved.centre.y, curved.centre.z};
+    EnergyGradient gradient = gradient_of_energy(lattice, terms, own.measures);
+    for (int axis = 0; axis < 3; ++axis) gradient.centre[axis] += factors.bending * bending[axis];
+    gradient.radius += factors.bending * curved.radius;
+    gradient.one_sided = gradient.one_sided || curved.one_sided;
+    sum.add({share_of_energy(balls, terms, ball, own.measures, gradient), curved.mean});
+    return gradient;
+  }
+  // From the sums of all shares; visit(range, sum) adds those of a range of the balls. euler: of the boundary. False if
+  // the executor fails.
+  template <class Visit>
+  bool sum(const Executor &executor, uint32_t count, int64_t euler, Visit visit, MorphometricEnergy &result) const {
+    MorphometryShare sums{};
+    const bool each = sum_by<MorphometrySum>(executor, count, visit, sums);
+    const Energy energy = energy_of(sums.measures, lattice, factors.tension, factors.pressure);
+    result.volume = energy.volume;
+    result.area = energy.area;
+    result.mean = lattice.length(sums.mean);
+    result.gauss = gauss_of_thirds(6 * euler);
+    result.value = energy.value + factors.bending * result.mean + factors.gaussian * result.gauss;
+    result.by_probe = energy.by_probe;
+    return each;
+  }
+};
+
+// Calls sink(i, gradient) for every ball i of the input, from the tasks of the executor. False if that fails.
 template <class Sink>
-MorphometricEnergy differentiate_morphometry(const CubeGrid &grid, const Boundary &boundary, const AreaWeights &weights,
-                                             const MorphometricFactors &factors, Sink sink) {
+bool differentiate_morphometry(const Executor &executor, const CubeGrid &grid, const Boundary &boundary,
+                               const AreaWeights &weights, const MorphometricFactors &factors,
+                               MorphometricEnergy &energy, Sink sink) {
   const BallSet &balls = grid.balls();
-  MorphometrySum sum(balls.lattice, weights, factors);
+  const MorphometryTerms terms{balls.lattice, weights, factors};
   const bool any_tied = has_tied_vertices(boundary);
-  visit_in_input_order(grid, boundary, [&](uint32_t i, uint32_t ball) {
-    sink(i, sum.add(balls, ball, curved_gradient_of_ball(balls, boundary, weights, ball, any_tied)));
-  });
-  return sum.total(boundary.euler());
+  const auto visit = [&](IdRange range, MorphometrySum &sum) {
+    visit_in_input_order(grid, boundary, range, [&](uint32_t i, uint32_t ball) {
+      sink(i, terms.add(balls, ball, curved_gradient_of_ball(balls, boundary, weights, ball, any_tied), sum));
+    });
+  };
+  return terms.sum(executor, balls.n, boundary.euler(), visit, energy);
 }
 
 }  // namespace hsp

@@ -24,4 +24,25 @@ bool sum_in_parts(const Executor &executor, uint32_t balls, Visit visit, typenam
   return each;
 }
 
+// Calls visit(range) for ranges that are all balls together, side by side. False if the executor fails.
+template <class Visit>
+bool for_each_range(const Executor &executor, uint32_t balls, Visit visit) {
+  if (!executor.is_parallel()) {
+    visit(IdRange{0, balls});
+    return true;
+  }
+  const TermRanges ranges(balls, executor.workers());
+  return executor.for_each(ranges.count(), [&](uint32_t k) { visit(ranges[k]); });
+}
+
+// sum_in_parts, by the caller's thread if the executor has no more.
+template <class Sum, class Visit>
+bool sum_by(const Executor &executor, uint32_t balls, Visit visit, typename Sum::Term &sums) {
+  if (executor.is_parallel()) return sum_in_parts<Sum>(executor, balls, visit, sums);
+  Sum all;
+  visit(IdRange{0, balls}, all);
+  sums = all.sums({});
+  return true;
+}
+
 }  // namespace hsp

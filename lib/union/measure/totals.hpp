@@ -172,13 +172,14 @@ struct MeasureGradient {
   bool one_sided;
 };
 
-// Calls sink(i, gradient) for every ball i of the input.
+// Calls sink(i, gradient) for every ball i of a range of the input.
 template <class Sink>
-void differentiate_measures(const CubeGrid &grid, const Boundary &boundary, const AreaWeights &weights, Sink sink) {
+void differentiate_measures(const CubeGrid &grid, const Boundary &boundary, const AreaWeights &weights, IdRange range,
+                            Sink sink) {
   const BallSet &balls = grid.balls();
   const EnergyTerms area{weights, 1.0, 0.0};
   const EnergyTerms volume{weights, 0.0, 1.0};
-  visit_in_input_order(grid, boundary, [&](uint32_t i, uint32_t ball) {
+  visit_in_input_order(grid, boundary, range, [&](uint32_t i, uint32_t ball) {
     const BallGradient own = gradient_of_ball(balls, boundary, weights, ball);
     const EnergyGradient of_area = gradient_of_energy(balls.lattice, area, own);
     const EnergyGradient of_volume = gradient_of_energy(balls.lattice, volume, own);
@@ -275,6 +276,16 @@ bool differentiate_in_parts(const Executor &executor, const CubeGrid &grid, cons
   EnergyShare sums{};
   const bool each = sum_in_parts<EnergySum>(executor, grid.balls().n, differentiate_part, sums);
   energy = energy_of(sums, grid.balls().lattice, terms.tension, terms.pressure);
+  return each;
+}
+
+// The energy of balls whose shares visit(range, sum) adds, with lengths on this lattice. False if the executor fails.
+template <class Visit>
+bool sum_energy(const Executor &executor, uint32_t balls, const exact::Lattice &lattice, const EnergyTerms &terms,
+                Visit visit, Energy &energy) {
+  EnergyShare sums{};
+  const bool each = sum_by<EnergySum>(executor, balls, visit, sums);
+  energy = energy_of(sums, lattice, terms.tension, terms.pressure);
   return each;
 }
 

@@ -71,21 +71,23 @@ inline BallGradient gradient_in_box(const PeriodicUnion &periodic, const AreaWei
   return gradient_of_ball(periodic.balls(), periodic.boundary(), weights, periodic.grid().grid_index(i));
 }
 
-// Calls sink(i, gradient) for every ball i of the input, and returns the energy, all in the caller's unit. The volume
-// is the sum of the cells. terms: with weights_in_box.
+// Calls sink(i, gradient) for every ball i of the input, from the tasks of the executor, all in the caller's unit. The
+// volume is the sum of the cells. terms: with weights_in_box. False if the executor fails.
 template <class Sink>
-Energy differentiate_in_box(const PeriodicUnion &periodic, const EnergyTerms &terms, Sink sink) {
+bool differentiate_in_box(const Executor &executor, const PeriodicUnion &periodic, const EnergyTerms &terms,
+                          Energy &energy, Sink sink) {
   const exact::Lattice &lattice = periodic.images().lattice();
-  EnergySum sum;
-  for (uint32_t i = 0; i < periodic.images().balls(); ++i) {
-    const uint32_t ball = periodic.grid().grid_index(i);
-    const BallGradient own = gradient_in_box(periodic, terms.weights, i);
-    const EnergyGradient gradient = gradient_of_energy(lattice, terms, own);
-    sum.add({terms.weights.of(periodic.balls(), ball) * own.measure.area, periodic.contacts().cell_volume(ball),
-             gradient.radius});
-    sink(i, gradient);
-  }
-  return sum.total(lattice, terms.tension, terms.pressure);
+  const auto visit = [&](IdRange range, EnergySum &sum) {
+    for (uint32_t i = range.first; i < range.last; ++i) {
+      const uint32_t ball = periodic.grid().grid_index(i);
+      const BallGradient own = gradient_in_box(periodic, terms.weights, i);
+      const EnergyGradient gradient = gradient_of_energy(lattice, terms, own);
+      sum.add({terms.weights.of(periodic.balls(), ball) * own.measure.area, periodic.contacts().cell_volume(ball),
+               gradient.radius});
+      sink(i, gradient);
+    }
+  };
+  return sum_energy(executor, periodic.images().balls(), lattice, terms, visit, energy);
 }
 
 // Of the energy by the strain and by the vectors of the box, in the caller's unit.

@@ -6,21 +6,25 @@
 
 namespace hsp {
 
-// Calls sink(i, gradient) for every ball i of the input, whose images move and grow with it, and returns the energy,
-// all in the caller's unit. The volume is the sum of the cells. weights: weights_in_box.
+// Calls sink(i, gradient) for every ball i of the input, whose images move and grow with it, from the tasks of the
+// executor, all in the caller's unit. The volume is the sum of the cells. weights: weights_in_box. False if the
+// executor fails.
 template <class Sink>
-MorphometricEnergy differentiate_morphometry_in_box(const PeriodicUnion &periodic, const AreaWeights &weights,
-                                                    const MorphometricFactors &factors, Sink sink) {
+bool differentiate_morphometry_in_box(const Executor &executor, const PeriodicUnion &periodic,
+                                      const AreaWeights &weights, const MorphometricFactors &factors,
+                                      MorphometricEnergy &energy, Sink sink) {
   const Boundary &boundary = periodic.boundary();
-  MorphometrySum sum(periodic.images().lattice(), weights, factors);
+  const MorphometryTerms terms{periodic.images().lattice(), weights, factors};
   const bool any_tied = has_tied_vertices(boundary);
-  for (uint32_t i = 0; i < periodic.images().balls(); ++i) {
-    const uint32_t ball = periodic.grid().grid_index(i);
-    CurvedBallGradient own = curved_gradient_of_ball(periodic.balls(), boundary, weights, ball, any_tied);
-    own.measures.measure.volume = periodic.contacts().cell_volume(ball);
-    sink(i, sum.add(periodic.balls(), ball, own));
-  }
-  return sum.total(periodic.counts().euler());
+  const auto visit = [&](IdRange range, MorphometrySum &sum) {
+    for (uint32_t i = range.first; i < range.last; ++i) {
+      const uint32_t ball = periodic.grid().grid_index(i);
+      CurvedBallGradient own = curved_gradient_of_ball(periodic.balls(), boundary, weights, ball, any_tied);
+      own.measures.measure.volume = periodic.contacts().cell_volume(ball);
+      sink(i, terms.add(periodic.balls(), ball, own, sum));
+    }
+  };
+  return terms.sum(executor, periodic.images().balls(), periodic.counts().euler(), visit, energy);
 }
 
 // Of the weighted mean curvature, in steps.

@@ -1,17 +1,18 @@
 // The error bounds with which two caps and their crossing points are decided, in doubles (cap_pair.hpp, where they are
 // derived) and in floats, for the code that does so in lanes.
 //
-// In floats, with e = 2^-24 and u 6.5, b 28 from float_caps.hpp, first order, |b| <= 1, q <= S <= 1; sums are fused:
+// In floats, with e = 2^-24 and u 6.5, b 29 from float_caps.hpp, first order, |b| <= 1, q <= S <= 1; a product is
+// rounded before it is added, or not, where the target fuses them:
 //   g         2 * 6.5 + 3                                                                                16
-//   q         1 - b_j^2: 57; g^2: 33; b_k^2: 58; 2 g b_j b_k: 2 (16 + 28 + 28) + 2; last addition: 1     295
-//   b_j - g b_k    28 + 28 + 16 + 1                                                                      73
-//   S         2 * 16 + 1                                                                                 33
+//   q         1 - b_j^2: 60; g^2: 34; b_k^2: 61; 2 g b_j b_k: 2 (16 + 29 + 29) + 4; last addition: 1     308
+//   b_j - g b_k    29 + 29 + 16 + 2                                                                      76
+//   S         2 * 16 + 2                                                                                 34
 // The points, as in cap_pair.hpp with s = 1/S:
-//   alpha, beta    2 (73 s + 33 s sqrt(s) + 4 sqrt(s)),  u: 13 sqrt(s)
-//   gamma          148 s/sqrt(q) + 33 s sqrt(s) + 5 sqrt(s),  cross product: 15 sqrt(s),  additions: 1 sqrt(s) + 2
-//   a test         6.5 + 28 + 6 more
-// As s >= 1, all stays below e s (332 s + 148/sqrt(q)); used are 512 and 240. With q > 2^-12 the relative errors of q
-// and S are below 0.072 and 0.009, which raise 148 by less than a tenth; what is left of the slack absorbs terms in e^2
+//   alpha, beta    2 (76 s + 34 s sqrt(s) + 4 sqrt(s)),  u: 13 sqrt(s)
+//   gamma          154 s/sqrt(q) + 34 s sqrt(s) + 5 sqrt(s),  cross product: 16 sqrt(s),  additions: 2 sqrt(s) + 3
+//   a test         6.5 + 29 + 7 more
+// As s >= 1, all stays below e s (346 s + 154/sqrt(q)); used are 512 and 240. With q > 2^-12 the relative errors of q
+// and S are below 0.076 and 0.009, which raise 154 by less than a tenth; what is left of the slack absorbs terms in e^2
 // and the rounding of the bound.
 #pragma once
 

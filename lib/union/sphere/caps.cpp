@@ -13,6 +13,7 @@ void Caps::carve(Workspace &workspace, uint32_t capacity) {
   b = workspace.take<double>(padded);
   ball = workspace.take<uint32_t>(padded);
   planes_ = workspace.take<exact::Plane>(one_more);
+  lanes = has_lanes;
   wide = workspace.target() == Target::avx2;
 }
 
@@ -128,20 +129,23 @@ void Caps::gather(const BallSet &balls, const CubeBlock &block, uint32_t i, Disj
   }
 }
 
-// No cap comes behind its ball.
 void Caps::gather_given(const BallSet &balls, uint32_t i, uint32_t n) {
   start(balls, i);
   Joining joining(i, nullptr);
+  take_given(n, joining);
+}
+
+// No cap comes behind its ball.
+void Caps::take_given(uint32_t n, Joining &joining) {
 #if HSP_AVX2
   if (wide) {
     take_all(ball.data(), n, joining);
     return;
   }
 #endif
-  for (uint32_t k = 0; k < n; ++k) take(balls.ball(i), ball[k], {balls, i, ball[k]}, joining);
+  const exact::LatticeBall own = balls_->ball(origin);
+  for (uint32_t k = 0; k < n; ++k) take(own, ball[k], {*balls_, origin, ball[k]}, joining);
 }
-
-#if HSP_AVX2
 
 void Caps::take_circles(const BallSet &balls, uint32_t i, uint32_t n, uint32_t n_earlier, DisjointSets *components) {
   start(balls, i);
@@ -158,9 +162,10 @@ void Caps::make_doubles() {
   const uint32_t n = count;
   count = met = 0;
   Joining joining(origin, nullptr);
-  take_all(ball.data(), n, joining);
+  take_given(n, joining);
 }
 
+#if HSP_AVX2
 // The same, some balls at a time.
 void Caps::gather_wide(const CubeBlock &block, Joining &joining) {
   constexpr uint32_t room = 128;

@@ -20,11 +20,7 @@ inline BallArrays arrays_of(const BallSet &balls) {
 
 // Caps in ascending order of the grid's ball ids, structure of arrays over scratch memory of fixed capacity.
 struct Caps {
-#if HSP_AVX2
-  static constexpr uint32_t padding = 8;  // may be written behind the spare slot
-#else
-  static constexpr uint32_t padding = 0;
-#endif
+  static constexpr uint32_t padding = has_lanes ? 8 : 0;  // may be written behind the spare slot
   // All have a spare slot at the end.
   Span<double> ux, uy, uz, b;
   Span<uint32_t> ball;  // the other ball, grid order
@@ -36,15 +32,12 @@ struct Caps {
   double length_squared = 0.0;  // max(W, |v|^2), for the exact filter
   bool contained = false;       // the ball lies inside another one and has no caps that matter
   uint32_t met = 0;             // balls that meet this one, whether or not there was room for their caps
-  bool wide = false;            // by the code for wide registers, which finds the same
+  bool lanes = false;           // searched in lanes where that is possible: the same is found
+  bool wide = false;            // made four at a time: the same are made
 
   void carve(Workspace &workspace, uint32_t capacity);
-  uint32_t capacity() const {
-    return planes_.size() - 1;
-  }
-  bool overflowed() const {
-    return met > capacity();
-  }
+  uint32_t capacity() const { return planes_.size() - 1; }
+  bool overflowed() const { return met > capacity(); }
 
   // Finds the caps of ball i, whose neighbours lie in the block. Every ball that meets it is joined to it in
   // components, if given.
@@ -53,12 +46,10 @@ struct Caps {
   // The caps of ball i by n other balls alone, which are in `ball` in any order and not certainly disjoint from it.
   void gather_given(const BallSet &balls, uint32_t i, uint32_t n);
 
-#if HSP_AVX2
   // As gather, of which only the balls are known: there are n of them in `ball`, and all certainly meet ball i in
   // proper circles. Their caps follow with make_doubles, if they are needed.
   void take_circles(const BallSet &balls, uint32_t i, uint32_t n, uint32_t n_earlier, DisjointSets *components);
   void make_doubles();
-#endif
 
   const exact::Plane &plane(uint32_t k) const;
 
@@ -91,12 +82,8 @@ struct Caps {
     planes_made_ = false;
   }
 
-  Vec3 axis(uint32_t k) const {
-    return {ux[k], uy[k], uz[k]};
-  }
-  exact::Predicates predicates() const {
-    return {sphere, length_squared};
-  }
+  Vec3 axis(uint32_t k) const { return {ux[k], uy[k], uz[k]}; }
+  exact::Predicates predicates() const { return {sphere, length_squared}; }
   // Index of the cap of a ball; it must be there.
   uint32_t cap_of(uint32_t other) const;
 
@@ -106,6 +93,7 @@ struct Caps {
 
   void start(const BallSet &balls, uint32_t i);
   bool take(const exact::LatticeBall &own, uint32_t j, const Distance &distance, Joining &joining);
+  void take_given(uint32_t n, Joining &joining);
 #if HSP_AVX2
   void gather_wide(const CubeBlock &block, Joining &joining);
   bool take_near(Span<uint32_t> near, Joining &joining);

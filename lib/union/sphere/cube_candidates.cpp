@@ -1,9 +1,9 @@
 #include "sphere/cube_candidates.hpp"
 
-#if HSP_AVX2
 namespace hsp {
 
-void CubeCandidates::borrow(Span<uint32_t> memory) {
+void CubeCandidates::borrow(Span<uint32_t> memory, Target target) {
+  target_ = target;
   const uint32_t most = memory.size() / number_of_arrays / 8 * 8;
   block_.room = most > CandidateBlock::spare ? most - CandidateBlock::spare : 0;
   if (block_.room == 0) return;
@@ -34,11 +34,10 @@ bool CubeCandidates::start_block(const BallSet &balls, const CubeBlock &block, u
   for (uint32_t k = 0; k < block.ranges; ++k) {
     const BallRange range = block.range[k];
     if (range.first <= first_own && first_own < range.last) own_place_ = block_.count + (first_own - range.first);
-    add_candidates(block_, arrays, range.first, range.last, centre);
+    add_candidates(target_, block_, arrays, range.first, range.last, centre);
   }
-  end_candidates(block_);
+  end_candidates(target_, block_);
   return true;
 }
 
 }  // namespace hsp
-#endif

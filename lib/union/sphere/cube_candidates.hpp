@@ -1,5 +1,5 @@
 // The candidates around one cube after the other (candidate_block.hpp), in memory that somebody lends. Empty in
-// libraries without code for wide registers.
+// libraries without kernels of lanes.
 #pragma once
 
 #include "sphere/candidate_block.hpp"
@@ -7,13 +7,14 @@
 
 namespace hsp {
 
-#if HSP_AVX2
+#if HSP_LANES
 
 class CubeCandidates {
  public:
   static constexpr uint32_t number_of_arrays = 5;  // that the memory is shared out among
 
-  void borrow(Span<uint32_t> memory);
+  void borrow(Span<uint32_t> memory, Target target);
+  void use(Target target) { target_ = target; }
 
   // For the balls of one cube from `first_own` on: those in the block are their candidates. False if there is no room
   // for them.
@@ -25,15 +26,16 @@ class CubeCandidates {
   // Those that are not certainly disjoint from ball i, in the order of the block, as near_candidates and
   // later_candidates say.
   uint32_t near(uint32_t i, uint32_t *ids, uint32_t most, uint32_t &earlier) const {
-    return near_candidates(block_, place(i), ids, most, earlier);
+    return near_candidates(target_, block_, place(i), ids, most, earlier);
   }
   uint32_t later(uint32_t i, uint32_t *ids, uint32_t most) const {
-    return later_candidates(block_, place(i), ids, most);
+    return later_candidates(target_, block_, place(i), ids, most);
   }
 
  private:
   uint32_t place(uint32_t i) const { return own_place_ + (i - first_own_); }
 
+  Target target_ = Target::baseline;
   CandidateBlock block_;
   uint32_t first_own_ = 0;  // ball of the cube
   uint32_t own_place_ = 0;  // and its number among the candidates
@@ -43,7 +45,7 @@ class CubeCandidates {
 
 class CubeCandidates {
  public:
-  void borrow(Span<uint32_t>) {}
+  void borrow(Span<uint32_t>, Target) {}
   bool start_cube(const CubeGrid &, uint32_t, uint32_t, const CubeBlock &) { return false; }
   uint32_t later(uint32_t, uint32_t *, uint32_t) const { return 0; }
 };

@@ -1,8 +1,8 @@
 // A ball with few caps, as on van der Waals surfaces: all pairs of caps at once as bits of words, which give vertices,
-// free circles and clusters together (few_caps_avx2.cpp).
+// free circles and clusters together.
 #pragma once
 
-#include <cstdint>
+#include "lanes/target.hpp"
 
 namespace hsp {
 
@@ -24,9 +24,14 @@ struct FewCaps {
 
 // False if not everything is certain; `found` then means nothing. The arrays can be read up to eight caps,
 // or sixteen if there are more than eight.
-bool find_few_in_floats(const float *x, const float *y, const float *z, const float *b, uint32_t count,
-                        uint32_t first_later, FewCaps &found);
-bool find_few_in_doubles(const double *x, const double *y, const double *z, const double *b, uint32_t count,
-                         uint32_t first_later, FewCaps &found);
+HSP_KERNEL(bool, find_few_in_floats,
+           (const float *x, const float *y, const float *z, const float *b, uint32_t count, uint32_t first_later,
+            FewCaps &found),
+           (x, y, z, b, count, first_later, found))
+// Always false where registers hold two doubles: the loops of VertexFinder are no slower.
+HSP_KERNEL(bool, find_few_in_doubles,
+           (const double *x, const double *y, const double *z, const double *b, uint32_t count, uint32_t first_later,
+            FewCaps &found),
+           (x, y, z, b, count, first_later, found))
 
 }  // namespace hsp

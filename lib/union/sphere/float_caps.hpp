@@ -1,18 +1,19 @@
-// The caps of one ball as floats, made where eight at a time are wanted (float_caps_avx2.cpp): x on the unit sphere
-// lies in the cap iff u.x >= b, as in caps.hpp.
+// The caps of one ball as floats, made where several at a time are wanted: x on the unit sphere lies in the cap iff u.x
+// >= b, as in caps.hpp.
 //
 // Errors in units of e = 2^-24, first order. The differences of centres v, the difference p and the sum s of the radii
 // are integers rounded once, the ball's radius r as well:
 //   |v|^2     relative 2 by v, 3 by the fused sum                                                        5
 //   |v|, 1/|v|   relative 2.5 + 1, + 1                                                             3.5, 4.5
 //   u         relative 1 by v, 4.5, 1, in each component                                                 6.5
-//   h = |v|^2 - p s    5 |v|^2 + 2 |p s| + |h|
+//   h = |v|^2 - p s    5 |v|^2 + 3 |p s| + |h|, 2 |p s| where it is fused
 //   b = h / (2 r |v|)  with t = |v| / (2 r) <= 2 and |b| <= 1, so that |p s| / (2 r |v|) <= t + 1:
-//             5 t + 2 (t + 1) + 1, and 4.5 + 1 by 1/|v|, 2 by 1/(2 r), 1                     7 t + 11.5 <= 25.5
-// used: u 6.5, b 28. Whether two balls meet in a proper circle is decided with a relative margin of 32, while |v|^2 is
+//             5 t + 3 (t + 1) + 1, and 4.5 + 1 by 1/|v|, 2 by 1/(2 r), 1                     8 t + 12.5 <= 28.5
+// used: u 6.5, b 29. Whether two balls meet in a proper circle is decided with a relative margin of 32, while |v|^2 is
 // known to 5 and s^2 and p^2 to 4.
 #pragma once
 
+#include "lanes/target.hpp"
 #include "sphere/near_balls.hpp"
 
 namespace hsp {
@@ -23,9 +24,11 @@ struct FloatCaps {
   float *x = nullptr, *y = nullptr, *z = nullptr, *b = nullptr;
 };
 
-// The caps of `count` balls near ball i, followed by eight caps in which nothing lies. Returns false if one of the
-// balls is not certain to meet ball i in a proper circle, or is more than four radii away. Writes spare_ids ids behind
-// `near`.
-bool make_float_caps(const BallArrays &balls, uint32_t i, uint32_t *near, uint32_t count, const FloatCaps &caps);
+// The caps of `count` balls near ball i, followed by as many in which nothing lies as there are lanes. Returns false if
+// one of the balls is not certain to meet ball i in a proper circle, or is more than four radii away. Writes spare_ids
+// ids behind `near`.
+HSP_KERNEL(bool, make_float_caps,
+           (const BallArrays &balls, uint32_t i, uint32_t *near, uint32_t count, const FloatCaps &caps),
+           (balls, i, near, count, caps))
 
 }  // namespace hsp

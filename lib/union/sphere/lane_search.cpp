@@ -1,6 +1,5 @@
 #include "sphere/lane_search.hpp"
 
-#if HSP_AVX2
 namespace hsp {
 namespace {
 
@@ -30,20 +29,21 @@ FloatCaps take_caps(Parts &parts) {
 
 }  // namespace
 
-uint32_t count_few_clusters(const BallSet &balls, uint32_t i, const uint32_t *others, uint32_t n) {
+uint32_t count_few_clusters(Target target, const BallSet &balls, uint32_t i, const uint32_t *others, uint32_t n) {
   if (n > most_few_caps) return 0;
   uint32_t near[most_few_caps + spare_ids];
   float caps[4][most_few_caps + FloatCaps::spare];
   for (uint32_t k = 0; k < n; ++k) near[k] = others[k];
   FewCaps found;
-  return make_float_caps(arrays_of(balls), i, near, n, {caps[0], caps[1], caps[2], caps[3]}) &&
-                 find_few_in_floats(caps[0], caps[1], caps[2], caps[3], n, n, found)
+  return make_float_caps(target, arrays_of(balls), i, near, n, {caps[0], caps[1], caps[2], caps[3]}) &&
+                 find_few_in_floats(target, caps[0], caps[1], caps[2], caps[3], n, n, found)
              ? found.clusters
              : 0;
 }
 
 void LaneSearch::carve(Workspace &workspace, uint32_t neighbours) {
-  enabled = workspace.target() == Target::avx2 && neighbours <= PairSweep::most_caps;
+  target_ = workspace.target();
+  enabled = neighbours <= PairSweep::most_caps;
   // Rows of whole vectors.
   const uint32_t row = (neighbours + FloatCaps::spare + 7) / 8 * 8;
   Parts floats_of_caps(workspace.take<float>(18 * static_cast<uint64_t>(row)).data(), row);
@@ -61,7 +61,7 @@ void LaneSearch::take_candidates(Workspace &workspace, uint32_t neighbours) {
   // ball's neighbours lie.
   const uint32_t most = neighbours <= PairSweep::most_caps ? neighbours : PairSweep::most_caps;
   const uint64_t room = 8 * (uint64_t{most} + 32);
-  candidates_.borrow(workspace.take<uint32_t>(CubeCandidates::number_of_arrays * room));
+  borrow_candidates(workspace.take<uint32_t>(CubeCandidates::number_of_arrays * room));
 }
 
 bool LaneSearch::start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block) {
@@ -78,14 +78,14 @@ bool LaneSearch::gather(const BallSet &balls, uint32_t i, Caps &caps, DisjointSe
   uint32_t earlier = 0;
   const uint32_t found = candidates_.near(i, near, caps.capacity(), earlier);
   if (found > caps.capacity()) return false;
-  if (!make_float_caps(arrays_of(balls), i, near, found, sweep_.caps)) return false;
+  if (!make_float_caps(target_, arrays_of(balls), i, near, found, sweep_.caps)) return false;
   caps.take_circles(balls, i, found, earlier, components);
   return true;
 }
 
 bool LaneSearch::find_few(Caps &caps, FewCaps &found) {
   const FloatCaps &f = sweep_.caps;
-  if (floats && find_few_in_floats(f.x, f.y, f.z, f.b, caps.count, caps.first_later, found)) return true;
+  if (floats && find_few_in_floats(target_, f.x, f.y, f.z, f.b, caps.count, caps.first_later, found)) return true;
   caps.make_doubles();
   if (!doubles) return false;
   const uint32_t read = 2 * caps.count <= most_few_caps ? most_few_caps / 2 : most_few_caps;
@@ -93,7 +93,7 @@ bool LaneSearch::find_few(Caps &caps, FewCaps &found) {
     caps.ux[k] = caps.uy[k] = caps.uz[k] = 0.0;
     caps.b[k] = 4.0;
   }
-  return find_few_in_doubles(caps.ux.data(), caps.uy.data(), caps.uz.data(), caps.b.data(), caps.count,
+  return find_few_in_doubles(target_, caps.ux.data(), caps.uy.data(), caps.uz.data(), caps.b.data(), caps.count,
                              caps.first_later, found);
 }
 
@@ -133,9 +133,9 @@ void LaneSearch::find_many(const BallSet &balls, Caps &caps, VertexFinder &finde
   };
   sweep_.count = caps.count;
   sweep_.first_later = caps.first_later;
-  start_sweep(sweep_);
+  start_sweep(target_, sweep_);
   OpenPair pairs[PairSweep::batch];
-  while (const uint32_t found = next_open_pairs(sweep_, pairs)) {
+  while (const uint32_t found = next_open_pairs(target_, sweep_, pairs)) {
     for (const OpenPair &pair : Span<const OpenPair>(pairs, found)) {
       if (!pair.certain || !floats) {
         prepare();
@@ -149,7 +149,7 @@ void LaneSearch::find_many(const BallSet &balls, Caps &caps, VertexFinder &finde
     }
   }
   exact::count_answer(exact::Question::vertex_pair, exact::Stage::lanes, sweep_.crossing - passed_on);
-  const uint32_t uncrossed = uncrossed_caps(sweep_, uncrossed_.data());
+  const uint32_t uncrossed = uncrossed_caps(target_, sweep_, uncrossed_.data());
   for (const uint32_t j : uncrossed_.part(0, uncrossed)) {
     prepare();
     finder.decide_circle(caps, j, circles);
@@ -157,4 +157,3 @@ void LaneSearch::find_many(const BallSet &balls, Caps &caps, VertexFinder &finde
 }
 
 }  // namespace hsp
-#endif

@@ -1,5 +1,5 @@
 // Steps 1 and 2 for one ball after the other, several caps at a time: in floats first, then in doubles. Caps and
-// VertexFinder decide the rest, so that all results are theirs. Empty in libraries without code for wide registers.
+// VertexFinder decide the rest, so that all results are theirs. Empty in libraries without kernels of lanes.
 #pragma once
 
 #include "sphere/cube_candidates.hpp"
@@ -9,16 +9,16 @@
 
 namespace hsp {
 
-#if HSP_AVX2
+#if HSP_LANES
 
 // The number of clusters of the caps of ball i by n others; 0 if these are many, or if floats are not certain.
-uint32_t count_few_clusters(const BallSet &balls, uint32_t i, const uint32_t *others, uint32_t n);
+uint32_t count_few_clusters(Target target, const BallSet &balls, uint32_t i, const uint32_t *others, uint32_t n);
 
 class LaneSearch {
  public:
   void carve(Workspace &workspace, uint32_t neighbours);
   // Memory for the candidates of a cube, all that is needed while balls are searched: somebody else's, or its own.
-  void borrow_candidates(Span<uint32_t> words) { candidates_.borrow(words); }
+  void borrow_candidates(Span<uint32_t> words) { candidates_.borrow(words, target_); }
   void take_candidates(Workspace &workspace, uint32_t neighbours);
 
   // For the balls of one cube, whose block of cubes is given. False if they are to be searched otherwise.
@@ -33,7 +33,12 @@ class LaneSearch {
   uint32_t find(const BallSet &balls, Caps &caps, VertexFinder &finder, FixedVector<VertexRecord> &vertices,
                 FixedVector<CircleRecord> &circles);
 
-  // For tests: which stages there are.
+  // For tests: for which target, if at all, and which stages there are.
+  void use(Target target, bool use_lanes) {
+    target_ = target;
+    candidates_.use(target);
+    enabled = use_lanes;
+  }
   bool enabled = false;
   bool floats = true;
   bool doubles = true;
@@ -43,6 +48,7 @@ class LaneSearch {
   void find_many(const BallSet &balls, Caps &caps, VertexFinder &finder, FixedVector<VertexRecord> &vertices,
                  FixedVector<CircleRecord> &circles);
 
+  Target target_ = Target::baseline;
   CubeCandidates candidates_;
   PairSweep sweep_;
   Span<uint32_t> uncrossed_;
@@ -50,13 +56,14 @@ class LaneSearch {
 
 #else
 
-inline uint32_t count_few_clusters(const BallSet &, uint32_t, const uint32_t *, uint32_t) {
+inline uint32_t count_few_clusters(Target, const BallSet &, uint32_t, const uint32_t *, uint32_t) {
   return 0;
 }
 
 class LaneSearch {
  public:
   static constexpr bool enabled = false;
+  void use(Target, bool) {}
   void carve(Workspace &, uint32_t) {}
   void borrow_candidates(Span<uint32_t>) {}
   void take_candidates(Workspace &, uint32_t) {}

@@ -1,7 +1,7 @@
 #include "sphere/near_balls.hpp"
 
 #if HSP_AVX2
-#include "lanes/avx2_lanes.hpp"
+#include "lanes/words.hpp"
 
 namespace hsp {
 namespace {

@@ -1,6 +1,6 @@
-// A ball with many caps: which pairs of later caps may have a free point, found in floats (pair_sweep_avx2.cpp). Pairs
-// whose circles certainly do not cross and points that are certainly covered are left out eight at a time; what is not
-// certain is left to doubles. Most points of most circles are covered by a large cap, so the large ones come first.
+// A ball with many caps: which pairs of later caps may have a free point, found in floats. Pairs whose circles
+// certainly do not cross and points that are certainly covered are left out several at a time; what is not certain is
+// left to doubles. Most points of most circles are covered by a large cap, so the large ones come first.
 #pragma once
 
 #include "sphere/float_caps.hpp"
@@ -21,7 +21,7 @@ struct PairSweep {
   FloatCaps caps;
   uint32_t count = 0, first_later = 0;
   FloatCaps by_size;             // the larger caps again, by classes of size
-  FloatCaps large;               // the same as fractions (fraction_caps_avx2.hpp)
+  FloatCaps large;               // the same as fractions (fraction_caps.hpp)
   FloatCaps exposed;             // later caps whose circles are not certainly covered by large caps
   float *exposed_cap = nullptr;  // their numbers
   float *crossed = nullptr;      // for each something negative if it certainly crosses the circle of a large cap
@@ -33,10 +33,10 @@ struct PairSweep {
 };
 
 // After caps, count and first_later, and memory for the rest.
-void start_sweep(PairSweep &sweep);
+HSP_KERNEL(void, start_sweep, (PairSweep & sweep), (sweep))
 // The next open pairs, in the order of j and k, at most PairSweep::batch. Returns their number, 0 after the last.
-uint32_t next_open_pairs(PairSweep &sweep, OpenPair *pairs);
+HSP_KERNEL(uint32_t, next_open_pairs, (PairSweep & sweep, OpenPair *pairs), (sweep, pairs))
 // After the last pair: the caps whose circles may be free as a whole, ascending. Room for count caps.
-uint32_t uncrossed_caps(const PairSweep &sweep, uint32_t *caps);
+HSP_KERNEL(uint32_t, uncrossed_caps, (const PairSweep &sweep, uint32_t *caps), (sweep, caps))
 
 }  // namespace hsp

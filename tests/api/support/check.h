@@ -20,6 +20,12 @@ int check_bytes(const void *actual, const void *expected, size_t bytes, const ch
 /* Prints how many checks were made and failed. 0 if all held and there was at least one, else 1. */
 int check_report(void);
 
+/* A request or outputs with these fields; all others are 0. */
+#define SIZED(type, ...)                     \
+  &(type) {                                  \
+    .struct_size = sizeof(type), __VA_ARGS__ \
+  }
+
 #define CHECK(condition) check_true((condition) != 0, #condition, __FILE__, __LINE__)
 #define CHECK_EQUAL(actual, expected) \
   check_equal((long long)(actual), (long long)(expected), #actual " == " #expected, __FILE__, __LINE__)

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "check.h"
 #include "vectors.h"
 
 /* A gradient, and how large the terms are that its sums are made of. */
@@ -21,9 +22,12 @@ static const char *gradient_make(const computed *c, const double *sigma, double 
   g->centre = test_zeros(c->n, 3 * sizeof *g->centre);
   g->radius = test_zeros(c->n, sizeof *g->radius);
   g->flags = test_zeros(c->n, sizeof *g->flags);
-  if (hsp_boundary_gradient(c->boundary, sigma, tension, pressure, tangency, &g->energy, g->centre, g->radius, g->flags,
-                            c->n, NULL, NULL) != HSP_OK) {
-    return "hsp_boundary_gradient: not HSP_OK";
+  if (hsp_boundary_get_gradient(
+          c->boundary,
+          SIZED(hsp_gradient_request, .sigma = sigma, .tension = tension, .pressure = pressure, .tangency = tangency),
+          SIZED(hsp_gradient_outputs, .energy = &g->energy, .d_centre = g->centre, .d_radius = g->radius,
+                .flags = g->flags, .capacity = c->n)) != HSP_OK) {
+    return "hsp_boundary_get_gradient: not HSP_OK";
   }
   for (i = 0; i < c->n; ++i) {
     if (!(isfinite(length(g->centre + 3 * i)) && isfinite(g->radius[i]))) return "a derivative is not finite";
@@ -90,9 +94,9 @@ static const char *broken_motions(const computed *c, const gradient *g, double l
   forces = fmax(largest_size(force), least);
   torques = fmax(largest_size(torque), least * c->extent);
   for (axis = 0; axis < 3; ++axis) {
-    if (!near(force[axis].sum, 0, 1e-11 * forces)) return "hsp_boundary_gradient, property 1: translations";
+    if (!near(force[axis].sum, 0, 1e-11 * forces)) return "hsp_boundary_get_gradient, property 1: translations";
     if (!near(torque[axis].sum, 0, 1e-11 * torques + 8 * c->rounding * forces)) {
-      return "hsp_boundary_gradient, property 1: rotations";
+      return "hsp_boundary_get_gradient, property 1: rotations";
     }
   }
   return NULL;
@@ -116,7 +120,7 @@ static const char *broken_dilation(const computed *c, const gradient *g, double 
   if (near(all.sum, 0,
            1e-11 * fmax(all.size, least * (c->extent + c->info.largest_radius)) + 8 * c->rounding * slopes.size))
     return NULL;
-  return "hsp_boundary_gradient, property 2: dilations";
+  return "hsp_boundary_get_gradient, property 2: dilations";
 }
 
 static const char *broken_energy(const computed *c, const double *sigma, const gradient *g, double tension,

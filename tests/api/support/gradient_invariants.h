@@ -1,5 +1,5 @@
 /* Invariants of the derivatives of areas and volume of any computed set. Each function returns NULL, or a sentence
- * about the first of them that does not hold. sigma: weights as for hsp_boundary_gradient, NULL for all ones. */
+ * about the first of them that does not hold. sigma: weights as for hsp_boundary_get_gradient, NULL for all ones. */
 #pragma once
 
 #include "computed.h"
@@ -8,7 +8,7 @@
 extern "C" {
 #endif
 
-/* Properties 1 and 2 of hsp_boundary_gradient, its energies against hsp_boundary_measure, and that it is linear in
+/* Properties 1 and 2 of hsp_boundary_get_gradient, its energies against hsp_boundary_measure, and that it is linear in
  * tension and pressure. */
 const char *broken_gradients(const computed *c, const double *sigma, double tension, double pressure,
                              uint32_t tangency);
@@ -20,8 +20,8 @@ const char *broken_gradient_flags(const computed *c, const double *sigma);
  * up to gradients. Memory is quadratic in the number of balls, and so is time for each ball. */
 const char *broken_area_rows(const computed *c, const double *sigma, uint32_t tangency);
 
-/* Property 3 of hsp_boundary_gradient: the balls of `other` are those of c in another order, with their weights. Any
- * one of equal balls may have what the others lack. */
+/* Property 3 of hsp_boundary_get_gradient: the balls of `other` are those of c in another order, with their weights.
+ * Any one of equal balls may have what the others lack. */
 const char *gradient_difference_after_permutation(const computed *c, const double *sigma, const computed *other,
                                                   const double *other_sigma, uint32_t tangency);
 

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "check.h"
 #include "gradient_invariants.h"
 #include "gradients.h"
 #include "vectors.h"
@@ -129,9 +130,11 @@ static const char *broken_weighted_sum(const row_set *s, const double *sigma, ui
   double *centre = test_zeros(3 * n, sizeof *centre), *radius = test_zeros(n, sizeof *radius);
   uint32_t *flags = test_zeros(n, sizeof *flags);
   uint32_t i, j, k;
-  if (hsp_boundary_gradient(c->boundary, sigma, 1, 0, tangency, NULL, centre, radius, flags, c->n, NULL, NULL) !=
+  if (hsp_boundary_get_gradient(
+          c->boundary, SIZED(hsp_gradient_request, .sigma = sigma, .tension = 1, .tangency = tangency),
+          SIZED(hsp_gradient_outputs, .d_centre = centre, .d_radius = radius, .flags = flags, .capacity = c->n)) !=
       HSP_OK) {
-    broken = "hsp_boundary_gradient: not HSP_OK";
+    broken = "hsp_boundary_get_gradient: not HSP_OK";
   }
   for (j = 0; j < n && broken == NULL; ++j) {
     double sum[4] = {0, 0, 0, 0}, size = c->radius[j];

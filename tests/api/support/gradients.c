@@ -3,11 +3,16 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "check.h"
+
 int32_t gradients_make(const computed *c, const double *sigma, double tension, double pressure, uint32_t tangency,
                        gradients *result) {
   memset(result, 0x5A, sizeof *result);
-  return hsp_boundary_gradient(c->boundary, sigma, tension, pressure, tangency, &result->energy, result->centre,
-                               result->radius, result->flags, c->n, NULL, NULL);
+  return hsp_boundary_get_gradient(
+      c->boundary,
+      SIZED(hsp_gradient_request, .sigma = sigma, .tension = tension, .pressure = pressure, .tangency = tangency),
+      SIZED(hsp_gradient_outputs, .energy = &result->energy, .d_centre = result->centre, .d_radius = result->radius,
+            .flags = result->flags, .capacity = c->n));
 }
 
 int32_t jacobian_make(const computed *c, uint32_t tangency, jacobian *result) {

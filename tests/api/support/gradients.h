@@ -11,7 +11,7 @@ typedef struct gradients {
   uint32_t flags[BALL_SET_MOST];
 } gradients;
 
-/* hsp_boundary_gradient with all outputs; the status. */
+/* hsp_boundary_get_gradient with all outputs; the status. */
 int32_t gradients_make(const computed *c, const double *sigma, double tension, double pressure, uint32_t tangency,
                        gradients *result);
 

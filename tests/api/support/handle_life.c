@@ -28,8 +28,9 @@ static uint64_t derived_hash(const hsp_boundary *boundary, const hsp_boundary_co
   hash = mixed_hash(mixed_hash(hash, &totals, sizeof totals), numbers, 2 * (size_t)n * sizeof *numbers);
   bad |= hsp_boundary_measure_faces(boundary, numbers, numbers + counts->faces, counts->faces, NULL) != HSP_OK;
   hash = mixed_hash(hash, numbers, 2 * (size_t)counts->faces * sizeof *numbers);
-  bad |= hsp_boundary_gradient(boundary, NULL, 1, -0.5, HSP_TANGENT_OVERLAP, &energy, numbers, numbers + 3 * (size_t)n,
-                               flags, n, NULL, NULL) != HSP_OK;
+  bad |= hsp_boundary_get_gradient(boundary, SIZED(hsp_gradient_request, .tension = 1, .pressure = -0.5),
+                                   SIZED(hsp_gradient_outputs, .energy = &energy, .d_centre = numbers,
+                                         .d_radius = numbers + 3 * (size_t)n, .flags = flags, .capacity = n)) != HSP_OK;
   hash = mixed_hash(mixed_hash(hash, &energy, sizeof energy), numbers, 4 * (size_t)n * sizeof *numbers);
   hash = mixed_hash(hash, flags, n * sizeof *flags);
   for (i = 0; i < n; ++i) {
@@ -147,11 +148,14 @@ static uint64_t surface_hash(const void *surface, const void *source, unsigned c
   hash = mixed_hash(hash, &counts, sizeof counts);
   bad |= hsp_surface_measure(surface, &totals, (void *)buffer, n, &needed) != HSP_OK;
   hash = mixed_hash(mixed_hash(hash, &totals, sizeof totals), buffer, n * sizeof totals);
-  bad |= hsp_surface_gradient(surface, 1, -0.5, &energy, numbers, numbers + 3 * (size_t)n, flags, n, NULL) != HSP_OK;
+  bad |= hsp_surface_get_gradient(surface, SIZED(hsp_gradient_request, .tension = 1, .pressure = -0.5),
+                                  SIZED(hsp_gradient_outputs, .energy = &energy, .d_centre = numbers,
+                                        .d_radius = numbers + 3 * (size_t)n, .flags = flags, .capacity = n)) != HSP_OK;
   hash = mixed_hash(mixed_hash(hash, &energy, sizeof energy), numbers, 4 * (size_t)n * sizeof *numbers);
   hash = mixed_hash(hash, flags, n * sizeof *flags);
-  bad |= hsp_surface_weighted_gradient(surface, s->base->radius, 1, 0, &energy, numbers, numbers + 3 * (size_t)n, flags,
-                                       n, NULL, NULL) != HSP_OK;
+  bad |= hsp_surface_get_gradient(surface, SIZED(hsp_gradient_request, .sigma = s->base->radius, .tension = 1),
+                                  SIZED(hsp_gradient_outputs, .energy = &energy, .d_centre = numbers,
+                                        .d_radius = numbers + 3 * (size_t)n, .flags = flags, .capacity = n)) != HSP_OK;
   hash = mixed_hash(mixed_hash(hash, &energy, sizeof energy), numbers, 4 * (size_t)n * sizeof *numbers);
   if (hsp_surface_get_map_counts(surface, &map) != HSP_OK) return bad || counts.open_joints == 0 ? 0 : hash;
   hash = mixed_hash(hash, &map, sizeof map);
@@ -415,7 +419,6 @@ static uint64_t periodic_hash(const void *periodic, const void *source, unsigned
   hsp_periodic_totals totals;
   hsp_curvatures curvatures;
   hsp_energy energy;
-  const hsp_morphometry factors = {-0.5, 1, 2, 3};
   hsp_morphometric_energy morphometric;
   double strain[9], box[9];
   uint32_t needed = 0, i;
@@ -433,13 +436,20 @@ static uint64_t periodic_hash(const void *periodic, const void *source, unsigned
   hash = mixed_hash(hash, buffer, needed * sizeof(hsp_winding));
   bad |= hsp_periodic_get_components(periodic, (void *)buffer, room, &needed) != HSP_OK;
   hash = mixed_hash(hash, buffer, needed * sizeof(uint32_t));
-  bad |= hsp_periodic_gradient(periodic, c->radius, 1, -0.5, HSP_TANGENT_OVERLAP, &energy, numbers,
-                               numbers + 3 * (size_t)n, flags, strain, box, n, NULL, NULL) != HSP_OK;
+  bad |= hsp_periodic_get_gradient(periodic,
+                                   SIZED(hsp_gradient_request, .sigma = c->radius, .tension = 1, .pressure = -0.5),
+                                   SIZED(hsp_periodic_gradient_outputs, .energy = &energy, .d_centre = numbers,
+                                         .d_radius = numbers + 3 * (size_t)n, .flags = flags, .d_strain = strain,
+                                         .d_box = box, .capacity = n)) != HSP_OK;
   hash = mixed_hash(mixed_hash(hash, &energy, sizeof energy), numbers, 4 * (size_t)n * sizeof *numbers);
   hash = mixed_hash(mixed_hash(hash, flags, n * sizeof *flags), strain, sizeof strain);
   hash = mixed_hash(hash, box, sizeof box);
-  bad |= hsp_periodic_morphometry(periodic, c->radius, &factors, &morphometric, numbers, numbers + 3 * (size_t)n, flags,
-                                  strain, box, n, NULL, NULL) != HSP_OK;
+  bad |= hsp_periodic_get_morphometry(periodic,
+                                      SIZED(hsp_morphometry_request, .sigma = c->radius, .pressure = -0.5, .tension = 1,
+                                            .bending = 2, .gaussian = 3),
+                                      SIZED(hsp_periodic_morphometry_outputs, .energy = &morphometric,
+                                            .d_centre = numbers, .d_radius = numbers + 3 * (size_t)n, .flags = flags,
+                                            .d_strain = strain, .d_box = box, .capacity = n)) != HSP_OK;
   hash = mixed_hash(mixed_hash(hash, &morphometric, sizeof morphometric), numbers, 4 * (size_t)n * sizeof *numbers);
   hash = mixed_hash(mixed_hash(hash, flags, n * sizeof *flags), strain, sizeof strain);
   hash = mixed_hash(hash, box, sizeof box);

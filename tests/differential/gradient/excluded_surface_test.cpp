@@ -62,22 +62,19 @@ class SmoothSurface {
     std::vector<uint32_t> flags;
   };
   [[nodiscard]] Gradient gradient(double tension, double pressure) const {
-    Gradient g = empty_gradient();
-    support::expect_ok(hsp_surface_gradient(surface_.get(), tension, pressure, &g.energy, g.centre.data(),
-                                            g.radius.data(), g.flags.data(), n_, nullptr),
-                       "hsp_surface_gradient");
-    return g;
+    return gradient(nullptr, tension, pressure);
   }
   // Of the weighted area.
-  [[nodiscard]] Gradient gradient(const std::vector<double> &sigma) const {
-    Gradient g = empty_gradient();
-    support::expect_ok(hsp_surface_weighted_gradient(surface_.get(), sigma.data(), 1, 0, &g.energy, g.centre.data(),
-                                                     g.radius.data(), g.flags.data(), n_, nullptr, nullptr),
-                       "hsp_surface_weighted_gradient");
-    return g;
-  }
+  [[nodiscard]] Gradient gradient(const std::vector<double> &sigma) const { return gradient(sigma.data(), 1, 0); }
 
  private:
+  [[nodiscard]] Gradient gradient(const double *sigma, double tension, double pressure) const {
+    Gradient g = empty_gradient();
+    const hsp_gradient_request request{sizeof request, HSP_TANGENT_OVERLAP, tension, pressure, sigma, nullptr};
+    hsp_gradient_outputs outputs{sizeof outputs, n_, 0, 0, &g.energy, g.centre.data(), g.radius.data(), g.flags.data()};
+    support::expect_ok(hsp_surface_get_gradient(surface_.get(), &request, &outputs), "hsp_surface_get_gradient");
+    return g;
+  }
   [[nodiscard]] Gradient empty_gradient() const {
     return {{}, std::vector<double>(3 * size_t{n_}), std::vector<double>(n_), std::vector<uint32_t>(n_)};
   }

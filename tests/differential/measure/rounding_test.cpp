@@ -146,11 +146,9 @@ Errors errors_of(const char *file, int64_t probe) {
   const uint32_t n = static_cast<uint32_t>(balls.size());
   const std::vector<double> area = library.measure().area;
   std::vector<double> by_centre(3 * n), volume_by_centre(3 * n), by_radius(n);
-  uint32_t needed = 0;
-  uint32_t first_bad = 0;
-  expect_ok(hsp_boundary_derivatives(library.handle(), nullptr, HSP_TANGENT_OVERLAP, by_centre.data(), by_radius.data(),
-                                     volume_by_centre.data(), nullptr, nullptr, n, &needed, &first_bad),
-            "hsp_boundary_derivatives");
+  hsp_derivatives_outputs outputs{sizeof outputs,          n,       0,      0, by_centre.data(), by_radius.data(),
+                                  volume_by_centre.data(), nullptr, nullptr};
+  expect_ok(hsp_boundary_get_derivatives(library.handle(), nullptr, &outputs), "hsp_boundary_get_derivatives");
   Errors errors;
   for (uint32_t i = 0; i < n; ++i) {
     const Sums &sums = exact.of(i);

@@ -7,9 +7,10 @@ static const struct {
   const char *name;
   double value;
 } numbers[] = {
-    {"count", 1},   {"poses", 2}, {"tension", 1}, {"pressure", 0.5}, {"radius", 0.1},      {"margin", 1},
-    {"workers", 1}, {"first", 1}, {"face", 1},    {"dimension", 2},  {"atomic_number", 6}, {"patches", 100},
-    {"shell", 0},   {"x", 0.3},   {"y", 0.2},     {"z", 0.1},        {"narrow", 0.1},      {"wide", 1},
+    {"count", 1},         {"poses", 2},     {"tension", 1}, {"pressure", 0.5}, {"radius", 0.1},
+    {"margin", 1},        {"workers", 1},   {"first", 1},   {"face", 1},       {"dimension", 2},
+    {"atomic_number", 6}, {"patches", 100}, {"shell", 0},   {"x", 0.3},        {"y", 0.2},
+    {"z", 0.1},           {"narrow", 0.1},  {"wide", 1},    {"bending", 1},    {"gaussian", 1},
 };
 
 static double number_named(const argument *a) {
@@ -43,12 +44,10 @@ static double number_of_array(const argument *a, size_t i, size_t count) {
 static void fill_struct(const char *base, void *out, size_t size) {
   static const hsp_pose pose = {{1, 0, 0, 0}, {0.5, 0, 0}};
   static const hsp_rational_pose rational = {{1, 0, 0, 0}, {0.5, 0, 0}};
-  static const hsp_morphometry bending = {1, 1, 1, 1};
   memset(out, 0, size);
   if (strcmp(base, "hsp_pose") == 0) memcpy(out, &pose, size);
   if (strcmp(base, "hsp_rational_pose") == 0) memcpy(out, &rational, size);
   if (strcmp(base, "hsp_stick") == 0) memcpy(out, &fixture_stick, size);
-  if (strcmp(base, "hsp_morphometry") == 0) memcpy(out, &bending, size);
 }
 
 /* All tasks in the caller's thread, the last first. */

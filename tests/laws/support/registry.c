@@ -626,48 +626,36 @@ static int64_t call_hsp_boundary_get_gradient(const value *v) {
   return (int64_t)hsp_boundary_get_gradient(v[0].p, v[1].p, v[7].p);
 }
 
-static const argument of_hsp_boundary_gradient[] = {
+static const argument of_hsp_boundary_get_derivatives[] = {
   {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
-  {"sigma", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "n", .null = NULL_always, .is_const = 1},
-  {"tension", "double", .kind = KIND_value, .size = sizeof(double)},
-  {"pressure", "double", .kind = KIND_value, .size = sizeof(double)},
-  {"tangency", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
-  {"energy", "hsp_energy", .kind = KIND_struct_out, .size = sizeof(hsp_energy), .null = NULL_always},
-  {"d_centre", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .row = 3, .null = NULL_always,
-      .held = 1},
-  {"d_radius", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .held = 1},
-  {"flags", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "n", .null = NULL_always, .held =
-      1},
-  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
-  {"first_bad", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t), .null = NULL_always},
-};
-static int64_t call_hsp_boundary_gradient(const value *v) {
-  return (int64_t)hsp_boundary_gradient(v[0].p, v[1].p, v[2].d, v[3].d, v[4].u, v[5].p, v[6].p, v[7].p, v[8].p, v[9].u,
-      v[10].p, v[11].p);
-}
-
-static const argument of_hsp_boundary_derivatives[] = {
-  {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
-  {"sigma", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "n", .null = NULL_always, .is_const = 1},
-  {"tangency", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"request", "hsp_derivatives_request", .kind = KIND_sized_in, .size = sizeof(hsp_derivatives_request), .null =
+      NULL_always, .is_const = 1},
+  {"tangency", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t), .of = 1, .offset =
+      offsetof(hsp_derivatives_request, tangency)},
+  {"sigma", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "n", .null = NULL_always, .of = 1,
+      .offset = offsetof(hsp_derivatives_request, sigma), .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 1,
+      .offset = offsetof(hsp_derivatives_request, executor), .is_const = 1},
+  {"outputs", "hsp_derivatives_outputs", .kind = KIND_outputs, .size = sizeof(hsp_derivatives_outputs)},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t), .of = 5, .offset =
+      offsetof(hsp_derivatives_outputs, capacity)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .of = 5, .offset =
+      offsetof(hsp_derivatives_outputs, needed)},
+  {"first_bad", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t), .of = 5, .offset =
+      offsetof(hsp_derivatives_outputs, first_bad)},
   {"area_centre", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .row = 3, .null =
-      NULL_always, .held = 1},
-  {"area_radius", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .held =
-      1},
+      NULL_always, .of = 5, .offset = offsetof(hsp_derivatives_outputs, area_centre), .held = 1},
+  {"area_radius", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .of = 5,
+      .offset = offsetof(hsp_derivatives_outputs, area_radius), .held = 1},
   {"volume_centre", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .row = 3, .null =
-      NULL_always, .held = 1},
-  {"volume_radius", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .held
-      = 1},
-  {"flags", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "n", .null = NULL_always, .held =
-      1},
-  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
-  {"first_bad", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t), .null = NULL_always},
+      NULL_always, .of = 5, .offset = offsetof(hsp_derivatives_outputs, volume_centre), .held = 1},
+  {"volume_radius", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .of =
+      5, .offset = offsetof(hsp_derivatives_outputs, volume_radius), .held = 1},
+  {"flags", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "n", .null = NULL_always, .of = 5,
+      .offset = offsetof(hsp_derivatives_outputs, flags), .held = 1},
 };
-static int64_t call_hsp_boundary_derivatives(const value *v) {
-  return (int64_t)hsp_boundary_derivatives(v[0].p, v[1].p, v[2].u, v[3].p, v[4].p, v[5].p, v[6].p, v[7].p, v[8].u,
-      v[9].p, v[10].p);
+static int64_t call_hsp_boundary_get_derivatives(const value *v) {
+  return (int64_t)hsp_boundary_get_derivatives(v[0].p, v[1].p, v[5].p);
 }
 
 static const argument of_hsp_boundary_get_area_row[] = {
@@ -796,8 +784,8 @@ static int64_t call_hsp_moving_get_balls(const value *v) {
 
 static const argument of_hsp_moving_get_changed[] = {
   {"moving", "hsp_moving", .kind = KIND_handle, .noun = NOUN_moving, .is_const = 1},
-  {"out", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held =
-      1},
+  {"balls", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held
+      = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
   {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
@@ -826,24 +814,40 @@ static int64_t call_hsp_boundary_curvature(const value *v) {
   return (int64_t)hsp_boundary_curvature(v[0].p, v[1].p, v[2].p, v[3].p, v[4].u, v[5].p);
 }
 
-static const argument of_hsp_boundary_morphometry[] = {
+static const argument of_hsp_boundary_get_morphometry[] = {
   {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
-  {"sigma", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "n", .null = NULL_always, .is_const = 1},
-  {"factors", "hsp_morphometry", .kind = KIND_struct_in, .size = sizeof(hsp_morphometry), .is_const = 1},
+  {"request", "hsp_morphometry_request", .kind = KIND_sized_in, .size = sizeof(hsp_morphometry_request), .null =
+      NULL_always, .is_const = 1},
+  {"pressure", "double", .kind = KIND_value, .size = sizeof(double), .of = 1, .offset =
+      offsetof(hsp_morphometry_request, pressure)},
+  {"tension", "double", .kind = KIND_value, .size = sizeof(double), .of = 1, .offset = offsetof(hsp_morphometry_request,
+      tension)},
+  {"bending", "double", .kind = KIND_value, .size = sizeof(double), .of = 1, .offset = offsetof(hsp_morphometry_request,
+      bending)},
+  {"gaussian", "double", .kind = KIND_value, .size = sizeof(double), .of = 1, .offset =
+      offsetof(hsp_morphometry_request, gaussian)},
+  {"sigma", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "n", .null = NULL_always, .of = 1,
+      .offset = offsetof(hsp_morphometry_request, sigma), .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 1,
+      .offset = offsetof(hsp_morphometry_request, executor), .is_const = 1},
+  {"outputs", "hsp_morphometry_outputs", .kind = KIND_outputs, .size = sizeof(hsp_morphometry_outputs)},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t), .of = 8, .offset =
+      offsetof(hsp_morphometry_outputs, capacity)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .of = 8, .offset =
+      offsetof(hsp_morphometry_outputs, needed)},
+  {"first_bad", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t), .of = 8, .offset =
+      offsetof(hsp_morphometry_outputs, first_bad)},
   {"energy", "hsp_morphometric_energy", .kind = KIND_struct_out, .size = sizeof(hsp_morphometric_energy), .null =
-      NULL_always},
+      NULL_always, .of = 8, .offset = offsetof(hsp_morphometry_outputs, energy)},
   {"d_centre", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .row = 3, .null = NULL_always,
-      .held = 1},
-  {"d_radius", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .held = 1},
-  {"flags", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "n", .null = NULL_always, .held =
-      1},
-  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
-  {"first_bad", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t), .null = NULL_always},
+      .of = 8, .offset = offsetof(hsp_morphometry_outputs, d_centre), .held = 1},
+  {"d_radius", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .of = 8,
+      .offset = offsetof(hsp_morphometry_outputs, d_radius), .held = 1},
+  {"flags", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "n", .null = NULL_always, .of = 8,
+      .offset = offsetof(hsp_morphometry_outputs, flags), .held = 1},
 };
-static int64_t call_hsp_boundary_morphometry(const value *v) {
-  return (int64_t)hsp_boundary_morphometry(v[0].p, v[1].p, v[2].p, v[3].p, v[4].p, v[5].p, v[6].p, v[7].u, v[8].p,
-      v[9].p);
+static int64_t call_hsp_boundary_get_morphometry(const value *v) {
+  return (int64_t)hsp_boundary_get_morphometry(v[0].p, v[1].p, v[8].p);
 }
 
 static const argument of_hsp_contacts_limits_init[] = {
@@ -1037,26 +1041,45 @@ static int64_t call_hsp_periodic_curvature(const value *v) {
   return (int64_t)hsp_periodic_curvature(v[0].p, v[1].p, v[2].p, v[3].p, v[4].u, v[5].p);
 }
 
-static const argument of_hsp_periodic_morphometry[] = {
+static const argument of_hsp_periodic_get_morphometry[] = {
   {"periodic", "hsp_periodic", .kind = KIND_handle, .noun = NOUN_periodic, .is_const = 1},
-  {"sigma", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "n", .null = NULL_always, .is_const = 1},
-  {"factors", "hsp_morphometry", .kind = KIND_struct_in, .size = sizeof(hsp_morphometry), .is_const = 1},
+  {"request", "hsp_morphometry_request", .kind = KIND_sized_in, .size = sizeof(hsp_morphometry_request), .null =
+      NULL_always, .is_const = 1},
+  {"pressure", "double", .kind = KIND_value, .size = sizeof(double), .of = 1, .offset =
+      offsetof(hsp_morphometry_request, pressure)},
+  {"tension", "double", .kind = KIND_value, .size = sizeof(double), .of = 1, .offset = offsetof(hsp_morphometry_request,
+      tension)},
+  {"bending", "double", .kind = KIND_value, .size = sizeof(double), .of = 1, .offset = offsetof(hsp_morphometry_request,
+      bending)},
+  {"gaussian", "double", .kind = KIND_value, .size = sizeof(double), .of = 1, .offset =
+      offsetof(hsp_morphometry_request, gaussian)},
+  {"sigma", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "n", .null = NULL_always, .of = 1,
+      .offset = offsetof(hsp_morphometry_request, sigma), .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 1,
+      .offset = offsetof(hsp_morphometry_request, executor), .is_const = 1},
+  {"outputs", "hsp_periodic_morphometry_outputs", .kind = KIND_outputs, .size =
+      sizeof(hsp_periodic_morphometry_outputs)},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t), .of = 8, .offset =
+      offsetof(hsp_periodic_morphometry_outputs, capacity)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .of = 8, .offset =
+      offsetof(hsp_periodic_morphometry_outputs, needed)},
+  {"first_bad", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t), .of = 8, .offset =
+      offsetof(hsp_periodic_morphometry_outputs, first_bad)},
   {"energy", "hsp_morphometric_energy", .kind = KIND_struct_out, .size = sizeof(hsp_morphometric_energy), .null =
-      NULL_always},
+      NULL_always, .of = 8, .offset = offsetof(hsp_periodic_morphometry_outputs, energy)},
   {"d_centre", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .row = 3, .null = NULL_always,
-      .held = 1},
-  {"d_radius", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .held = 1},
-  {"flags", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "n", .null = NULL_always, .held =
-      1},
-  {"d_strain", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "9", .null = NULL_always},
-  {"d_box", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "9", .null = NULL_always},
-  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
-  {"first_bad", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t), .null = NULL_always},
+      .of = 8, .offset = offsetof(hsp_periodic_morphometry_outputs, d_centre), .held = 1},
+  {"d_radius", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .of = 8,
+      .offset = offsetof(hsp_periodic_morphometry_outputs, d_radius), .held = 1},
+  {"flags", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "n", .null = NULL_always, .of = 8,
+      .offset = offsetof(hsp_periodic_morphometry_outputs, flags), .held = 1},
+  {"d_strain", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "9", .null = NULL_always, .of = 8,
+      .offset = offsetof(hsp_periodic_morphometry_outputs, d_strain)},
+  {"d_box", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "9", .null = NULL_always, .of = 8,
+      .offset = offsetof(hsp_periodic_morphometry_outputs, d_box)},
 };
-static int64_t call_hsp_periodic_morphometry(const value *v) {
-  return (int64_t)hsp_periodic_morphometry(v[0].p, v[1].p, v[2].p, v[3].p, v[4].p, v[5].p, v[6].p, v[7].p, v[8].p,
-      v[9].u, v[10].p, v[11].p);
+static int64_t call_hsp_periodic_get_morphometry(const value *v) {
+  return (int64_t)hsp_periodic_get_morphometry(v[0].p, v[1].p, v[8].p);
 }
 
 static const argument of_hsp_periodic_get_contacts[] = {
@@ -1104,27 +1127,42 @@ static int64_t call_hsp_periodic_get_components(const value *v) {
   return (int64_t)hsp_periodic_get_components(v[0].p, v[1].p, v[2].u, v[3].p);
 }
 
-static const argument of_hsp_periodic_gradient[] = {
+static const argument of_hsp_periodic_get_gradient[] = {
   {"periodic", "hsp_periodic", .kind = KIND_handle, .noun = NOUN_periodic, .is_const = 1},
-  {"sigma", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "n", .null = NULL_always, .is_const = 1},
-  {"tension", "double", .kind = KIND_value, .size = sizeof(double)},
-  {"pressure", "double", .kind = KIND_value, .size = sizeof(double)},
-  {"tangency", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
-  {"energy", "hsp_energy", .kind = KIND_struct_out, .size = sizeof(hsp_energy), .null = NULL_always},
+  {"request", "hsp_gradient_request", .kind = KIND_sized_in, .size = sizeof(hsp_gradient_request), .null = NULL_always,
+      .is_const = 1},
+  {"tangency", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t), .of = 1, .offset =
+      offsetof(hsp_gradient_request, tangency)},
+  {"tension", "double", .kind = KIND_value, .size = sizeof(double), .of = 1, .offset = offsetof(hsp_gradient_request,
+      tension)},
+  {"pressure", "double", .kind = KIND_value, .size = sizeof(double), .of = 1, .offset = offsetof(hsp_gradient_request,
+      pressure)},
+  {"sigma", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "n", .null = NULL_always, .of = 1,
+      .offset = offsetof(hsp_gradient_request, sigma), .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 1,
+      .offset = offsetof(hsp_gradient_request, executor), .is_const = 1},
+  {"outputs", "hsp_periodic_gradient_outputs", .kind = KIND_outputs, .size = sizeof(hsp_periodic_gradient_outputs)},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t), .of = 7, .offset =
+      offsetof(hsp_periodic_gradient_outputs, capacity)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .of = 7, .offset =
+      offsetof(hsp_periodic_gradient_outputs, needed)},
+  {"first_bad", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t), .of = 7, .offset =
+      offsetof(hsp_periodic_gradient_outputs, first_bad)},
+  {"energy", "hsp_energy", .kind = KIND_struct_out, .size = sizeof(hsp_energy), .null = NULL_always, .of = 7, .offset =
+      offsetof(hsp_periodic_gradient_outputs, energy)},
   {"d_centre", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .row = 3, .null = NULL_always,
-      .held = 1},
-  {"d_radius", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .held = 1},
-  {"flags", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "n", .null = NULL_always, .held =
-      1},
-  {"d_strain", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "9", .null = NULL_always},
-  {"d_box", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "9", .null = NULL_always},
-  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
-  {"first_bad", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t), .null = NULL_always},
+      .of = 7, .offset = offsetof(hsp_periodic_gradient_outputs, d_centre), .held = 1},
+  {"d_radius", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .of = 7,
+      .offset = offsetof(hsp_periodic_gradient_outputs, d_radius), .held = 1},
+  {"flags", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "n", .null = NULL_always, .of = 7,
+      .offset = offsetof(hsp_periodic_gradient_outputs, flags), .held = 1},
+  {"d_strain", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "9", .null = NULL_always, .of = 7,
+      .offset = offsetof(hsp_periodic_gradient_outputs, d_strain)},
+  {"d_box", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "9", .null = NULL_always, .of = 7,
+      .offset = offsetof(hsp_periodic_gradient_outputs, d_box)},
 };
-static int64_t call_hsp_periodic_gradient(const value *v) {
-  return (int64_t)hsp_periodic_gradient(v[0].p, v[1].p, v[2].d, v[3].d, v[4].u, v[5].p, v[6].p, v[7].p, v[8].p, v[9].p,
-      v[10].p, v[11].u, v[12].p, v[13].p);
+static int64_t call_hsp_periodic_get_gradient(const value *v) {
+  return (int64_t)hsp_periodic_get_gradient(v[0].p, v[1].p, v[7].p);
 }
 
 static const argument of_hsp_periodic_query_point[] = {
@@ -1331,41 +1369,38 @@ static int64_t call_hsp_surface_measure(const value *v) {
   return (int64_t)hsp_surface_measure(v[0].p, v[1].p, v[2].p, v[3].u, v[4].p);
 }
 
-static const argument of_hsp_surface_gradient[] = {
+static const argument of_hsp_surface_get_gradient[] = {
   {"surface", "hsp_surface", .kind = KIND_handle, .noun = NOUN_surface, .is_const = 1},
-  {"tension", "double", .kind = KIND_value, .size = sizeof(double)},
-  {"pressure", "double", .kind = KIND_value, .size = sizeof(double)},
-  {"energy", "hsp_energy", .kind = KIND_struct_out, .size = sizeof(hsp_energy), .null = NULL_always},
+  {"request", "hsp_gradient_request", .kind = KIND_sized_in, .size = sizeof(hsp_gradient_request), .null = NULL_always,
+      .is_const = 1},
+  {"tangency", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t), .of = 1, .offset =
+      offsetof(hsp_gradient_request, tangency)},
+  {"tension", "double", .kind = KIND_value, .size = sizeof(double), .of = 1, .offset = offsetof(hsp_gradient_request,
+      tension)},
+  {"pressure", "double", .kind = KIND_value, .size = sizeof(double), .of = 1, .offset = offsetof(hsp_gradient_request,
+      pressure)},
+  {"sigma", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "n", .null = NULL_always, .of = 1,
+      .offset = offsetof(hsp_gradient_request, sigma), .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 1,
+      .offset = offsetof(hsp_gradient_request, executor), .is_const = 1},
+  {"outputs", "hsp_gradient_outputs", .kind = KIND_outputs, .size = sizeof(hsp_gradient_outputs)},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t), .of = 7, .offset =
+      offsetof(hsp_gradient_outputs, capacity)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .of = 7, .offset =
+      offsetof(hsp_gradient_outputs, needed)},
+  {"first_bad", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t), .of = 7, .offset =
+      offsetof(hsp_gradient_outputs, first_bad)},
+  {"energy", "hsp_energy", .kind = KIND_struct_out, .size = sizeof(hsp_energy), .null = NULL_always, .of = 7, .offset =
+      offsetof(hsp_gradient_outputs, energy)},
   {"d_centre", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .row = 3, .null = NULL_always,
-      .held = 1},
-  {"d_radius", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .held = 1},
-  {"flags", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "n", .null = NULL_always, .held =
-      1},
-  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+      .of = 7, .offset = offsetof(hsp_gradient_outputs, d_centre), .held = 1},
+  {"d_radius", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .of = 7,
+      .offset = offsetof(hsp_gradient_outputs, d_radius), .held = 1},
+  {"flags", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "n", .null = NULL_always, .of = 7,
+      .offset = offsetof(hsp_gradient_outputs, flags), .held = 1},
 };
-static int64_t call_hsp_surface_gradient(const value *v) {
-  return (int64_t)hsp_surface_gradient(v[0].p, v[1].d, v[2].d, v[3].p, v[4].p, v[5].p, v[6].p, v[7].u, v[8].p);
-}
-
-static const argument of_hsp_surface_weighted_gradient[] = {
-  {"surface", "hsp_surface", .kind = KIND_handle, .noun = NOUN_surface, .is_const = 1},
-  {"sigma", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "n", .null = NULL_always, .is_const = 1},
-  {"tension", "double", .kind = KIND_value, .size = sizeof(double)},
-  {"pressure", "double", .kind = KIND_value, .size = sizeof(double)},
-  {"energy", "hsp_energy", .kind = KIND_struct_out, .size = sizeof(hsp_energy), .null = NULL_always},
-  {"d_centre", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .row = 3, .null = NULL_always,
-      .held = 1},
-  {"d_radius", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .held = 1},
-  {"flags", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "n", .null = NULL_always, .held =
-      1},
-  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
-  {"first_bad", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t), .null = NULL_always},
-};
-static int64_t call_hsp_surface_weighted_gradient(const value *v) {
-  return (int64_t)hsp_surface_weighted_gradient(v[0].p, v[1].p, v[2].d, v[3].d, v[4].p, v[5].p, v[6].p, v[7].p, v[8].u,
-      v[9].p, v[10].p);
+static int64_t call_hsp_surface_get_gradient(const value *v) {
+  return (int64_t)hsp_surface_get_gradient(v[0].p, v[1].p, v[7].p);
 }
 
 static const argument of_hsp_surface_get_map_counts[] = {
@@ -2863,12 +2898,9 @@ const function registry[] = {
   {"hsp_boundary_get_gradient", "gradient", RESULT_status, 15, of_hsp_boundary_get_gradient,
       call_hsp_boundary_get_gradient, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
       BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR)},
-  {"hsp_boundary_gradient", "gradient", RESULT_status, 12, of_hsp_boundary_gradient, call_hsp_boundary_gradient,
-      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
-      BIT(HSP_E_NOT_FINITE)},
-  {"hsp_boundary_derivatives", "gradient", RESULT_status, 11, of_hsp_boundary_derivatives,
-      call_hsp_boundary_derivatives, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
-      BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE)},
+  {"hsp_boundary_get_derivatives", "gradient", RESULT_status, 14, of_hsp_boundary_get_derivatives,
+      call_hsp_boundary_get_derivatives, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR)},
   {"hsp_boundary_get_area_row", "gradient", RESULT_status, 6, of_hsp_boundary_get_area_row,
       call_hsp_boundary_get_area_row, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
       BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
@@ -2899,9 +2931,9 @@ const function registry[] = {
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
   {"hsp_boundary_curvature", "curvature", RESULT_status, 6, of_hsp_boundary_curvature, call_hsp_boundary_curvature,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
-  {"hsp_boundary_morphometry", "curvature", RESULT_status, 10, of_hsp_boundary_morphometry,
-      call_hsp_boundary_morphometry, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
-      BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE)},
+  {"hsp_boundary_get_morphometry", "curvature", RESULT_status, 16, of_hsp_boundary_get_morphometry,
+      call_hsp_boundary_get_morphometry, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR)},
   {"hsp_contacts_limits_init", "contacts", RESULT_status, 3, of_hsp_contacts_limits_init, call_hsp_contacts_limits_init,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_STATE) | BIT(HSP_E_RANGE)},
   {"hsp_contacts_bytes", "contacts", RESULT_status, 2, of_hsp_contacts_bytes, call_hsp_contacts_bytes, BIT(HSP_OK) |
@@ -2940,9 +2972,9 @@ const function registry[] = {
       | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
   {"hsp_periodic_curvature", "periodic", RESULT_status, 6, of_hsp_periodic_curvature, call_hsp_periodic_curvature,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
-  {"hsp_periodic_morphometry", "periodic", RESULT_status, 12, of_hsp_periodic_morphometry,
-      call_hsp_periodic_morphometry, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
-      BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE)},
+  {"hsp_periodic_get_morphometry", "periodic", RESULT_status, 18, of_hsp_periodic_get_morphometry,
+      call_hsp_periodic_get_morphometry, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR)},
   {"hsp_periodic_get_contacts", "periodic", RESULT_status, 4, of_hsp_periodic_get_contacts,
       call_hsp_periodic_get_contacts, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
       BIT(HSP_E_STATE)},
@@ -2955,9 +2987,9 @@ const function registry[] = {
   {"hsp_periodic_get_components", "periodic", RESULT_status, 4, of_hsp_periodic_get_components,
       call_hsp_periodic_get_components, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
       BIT(HSP_E_STATE)},
-  {"hsp_periodic_gradient", "periodic", RESULT_status, 14, of_hsp_periodic_gradient, call_hsp_periodic_gradient,
-      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
-      BIT(HSP_E_NOT_FINITE)},
+  {"hsp_periodic_get_gradient", "periodic", RESULT_status, 17, of_hsp_periodic_get_gradient,
+      call_hsp_periodic_get_gradient, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR)},
   {"hsp_periodic_query_point", "periodic", RESULT_status, 5, of_hsp_periodic_query_point, call_hsp_periodic_query_point,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
       BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
@@ -3008,11 +3040,9 @@ const function registry[] = {
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_surface_measure", "surface", RESULT_status, 5, of_hsp_surface_measure, call_hsp_surface_measure, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
-  {"hsp_surface_gradient", "surface", RESULT_status, 9, of_hsp_surface_gradient, call_hsp_surface_gradient, BIT(HSP_OK)
-      | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE)},
-  {"hsp_surface_weighted_gradient", "surface", RESULT_status, 11, of_hsp_surface_weighted_gradient,
-      call_hsp_surface_weighted_gradient, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
-      BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE)},
+  {"hsp_surface_get_gradient", "surface", RESULT_status, 15, of_hsp_surface_get_gradient, call_hsp_surface_get_gradient,
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) |
+      BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR)},
   {"hsp_surface_get_map_counts", "surface", RESULT_status, 2, of_hsp_surface_get_map_counts,
       call_hsp_surface_get_map_counts, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) |
       BIT(HSP_E_OPEN_SURFACE)},
@@ -3437,6 +3467,19 @@ const field registry_fields[] = {
   {"hsp_gradient_outputs", "d_centre", "double *", offsetof(hsp_gradient_outputs, d_centre), 1},
   {"hsp_gradient_outputs", "d_radius", "double *", offsetof(hsp_gradient_outputs, d_radius), 1},
   {"hsp_gradient_outputs", "flags", "uint32_t *", offsetof(hsp_gradient_outputs, flags), 1},
+  {"hsp_derivatives_request", "struct_size", "uint32_t", offsetof(hsp_derivatives_request, struct_size), 1},
+  {"hsp_derivatives_request", "tangency", "uint32_t", offsetof(hsp_derivatives_request, tangency), 1},
+  {"hsp_derivatives_request", "sigma", "double *", offsetof(hsp_derivatives_request, sigma), 1},
+  {"hsp_derivatives_request", "executor", "hsp_executor *", offsetof(hsp_derivatives_request, executor), 1},
+  {"hsp_derivatives_outputs", "struct_size", "uint32_t", offsetof(hsp_derivatives_outputs, struct_size), 1},
+  {"hsp_derivatives_outputs", "capacity", "uint32_t", offsetof(hsp_derivatives_outputs, capacity), 1},
+  {"hsp_derivatives_outputs", "needed", "uint32_t", offsetof(hsp_derivatives_outputs, needed), 1},
+  {"hsp_derivatives_outputs", "first_bad", "uint32_t", offsetof(hsp_derivatives_outputs, first_bad), 1},
+  {"hsp_derivatives_outputs", "area_centre", "double *", offsetof(hsp_derivatives_outputs, area_centre), 1},
+  {"hsp_derivatives_outputs", "area_radius", "double *", offsetof(hsp_derivatives_outputs, area_radius), 1},
+  {"hsp_derivatives_outputs", "volume_centre", "double *", offsetof(hsp_derivatives_outputs, volume_centre), 1},
+  {"hsp_derivatives_outputs", "volume_radius", "double *", offsetof(hsp_derivatives_outputs, volume_radius), 1},
+  {"hsp_derivatives_outputs", "flags", "uint32_t *", offsetof(hsp_derivatives_outputs, flags), 1},
   {"hsp_area_derivative", "centre", "double", offsetof(hsp_area_derivative, centre), 3},
   {"hsp_area_derivative", "radius", "double", offsetof(hsp_area_derivative, radius), 1},
   {"hsp_area_derivative", "angle", "double", offsetof(hsp_area_derivative, angle), 1},
@@ -3471,16 +3514,28 @@ const field registry_fields[] = {
   {"hsp_moving_ball", "reserved", "uint32_t", offsetof(hsp_moving_ball, reserved), 1},
   {"hsp_curvatures", "mean", "double", offsetof(hsp_curvatures, mean), 1},
   {"hsp_curvatures", "gauss", "double", offsetof(hsp_curvatures, gauss), 1},
-  {"hsp_morphometry", "pressure", "double", offsetof(hsp_morphometry, pressure), 1},
-  {"hsp_morphometry", "tension", "double", offsetof(hsp_morphometry, tension), 1},
-  {"hsp_morphometry", "bending", "double", offsetof(hsp_morphometry, bending), 1},
-  {"hsp_morphometry", "gaussian", "double", offsetof(hsp_morphometry, gaussian), 1},
+  {"hsp_morphometry_request", "struct_size", "uint32_t", offsetof(hsp_morphometry_request, struct_size), 1},
+  {"hsp_morphometry_request", "reserved", "uint32_t", offsetof(hsp_morphometry_request, reserved), 1},
+  {"hsp_morphometry_request", "pressure", "double", offsetof(hsp_morphometry_request, pressure), 1},
+  {"hsp_morphometry_request", "tension", "double", offsetof(hsp_morphometry_request, tension), 1},
+  {"hsp_morphometry_request", "bending", "double", offsetof(hsp_morphometry_request, bending), 1},
+  {"hsp_morphometry_request", "gaussian", "double", offsetof(hsp_morphometry_request, gaussian), 1},
+  {"hsp_morphometry_request", "sigma", "double *", offsetof(hsp_morphometry_request, sigma), 1},
+  {"hsp_morphometry_request", "executor", "hsp_executor *", offsetof(hsp_morphometry_request, executor), 1},
   {"hsp_morphometric_energy", "value", "double", offsetof(hsp_morphometric_energy, value), 1},
   {"hsp_morphometric_energy", "volume", "double", offsetof(hsp_morphometric_energy, volume), 1},
   {"hsp_morphometric_energy", "area", "double", offsetof(hsp_morphometric_energy, area), 1},
   {"hsp_morphometric_energy", "mean", "double", offsetof(hsp_morphometric_energy, mean), 1},
   {"hsp_morphometric_energy", "gauss", "double", offsetof(hsp_morphometric_energy, gauss), 1},
   {"hsp_morphometric_energy", "d_probe", "double", offsetof(hsp_morphometric_energy, d_probe), 1},
+  {"hsp_morphometry_outputs", "struct_size", "uint32_t", offsetof(hsp_morphometry_outputs, struct_size), 1},
+  {"hsp_morphometry_outputs", "capacity", "uint32_t", offsetof(hsp_morphometry_outputs, capacity), 1},
+  {"hsp_morphometry_outputs", "needed", "uint32_t", offsetof(hsp_morphometry_outputs, needed), 1},
+  {"hsp_morphometry_outputs", "first_bad", "uint32_t", offsetof(hsp_morphometry_outputs, first_bad), 1},
+  {"hsp_morphometry_outputs", "energy", "hsp_morphometric_energy *", offsetof(hsp_morphometry_outputs, energy), 1},
+  {"hsp_morphometry_outputs", "d_centre", "double *", offsetof(hsp_morphometry_outputs, d_centre), 1},
+  {"hsp_morphometry_outputs", "d_radius", "double *", offsetof(hsp_morphometry_outputs, d_radius), 1},
+  {"hsp_morphometry_outputs", "flags", "uint32_t *", offsetof(hsp_morphometry_outputs, flags), 1},
   {"hsp_contacts_limits", "struct_size", "uint32_t", offsetof(hsp_contacts_limits, struct_size), 1},
   {"hsp_contacts_limits", "balls", "uint32_t", offsetof(hsp_contacts_limits, balls), 1},
   {"hsp_contacts_limits", "neighbours", "uint32_t", offsetof(hsp_contacts_limits, neighbours), 1},
@@ -3531,6 +3586,19 @@ const field registry_fields[] = {
   {"hsp_periodic_totals", "box_volume", "double", offsetof(hsp_periodic_totals, box_volume), 1},
   {"hsp_periodic_totals", "free_volume", "double", offsetof(hsp_periodic_totals, free_volume), 1},
   {"hsp_periodic_totals", "contact_area", "double", offsetof(hsp_periodic_totals, contact_area), 1},
+  {"hsp_periodic_morphometry_outputs", "struct_size", "uint32_t", offsetof(hsp_periodic_morphometry_outputs,
+      struct_size), 1},
+  {"hsp_periodic_morphometry_outputs", "capacity", "uint32_t", offsetof(hsp_periodic_morphometry_outputs, capacity), 1},
+  {"hsp_periodic_morphometry_outputs", "needed", "uint32_t", offsetof(hsp_periodic_morphometry_outputs, needed), 1},
+  {"hsp_periodic_morphometry_outputs", "first_bad", "uint32_t", offsetof(hsp_periodic_morphometry_outputs, first_bad),
+      1},
+  {"hsp_periodic_morphometry_outputs", "energy", "hsp_morphometric_energy *", offsetof(hsp_periodic_morphometry_outputs,
+      energy), 1},
+  {"hsp_periodic_morphometry_outputs", "d_centre", "double *", offsetof(hsp_periodic_morphometry_outputs, d_centre), 1},
+  {"hsp_periodic_morphometry_outputs", "d_radius", "double *", offsetof(hsp_periodic_morphometry_outputs, d_radius), 1},
+  {"hsp_periodic_morphometry_outputs", "flags", "uint32_t *", offsetof(hsp_periodic_morphometry_outputs, flags), 1},
+  {"hsp_periodic_morphometry_outputs", "d_strain", "double *", offsetof(hsp_periodic_morphometry_outputs, d_strain), 1},
+  {"hsp_periodic_morphometry_outputs", "d_box", "double *", offsetof(hsp_periodic_morphometry_outputs, d_box), 1},
   {"hsp_periodic_contact", "area", "double", offsetof(hsp_periodic_contact, area), 1},
   {"hsp_periodic_contact", "edge", "double", offsetof(hsp_periodic_contact, edge), 1},
   {"hsp_periodic_contact", "distance", "double", offsetof(hsp_periodic_contact, distance), 1},
@@ -3544,6 +3612,16 @@ const field registry_fields[] = {
   {"hsp_winding", "directions", "uint32_t", offsetof(hsp_winding, directions), 1},
   {"hsp_winding", "copies", "uint32_t", offsetof(hsp_winding, copies), 1},
   {"hsp_winding", "row", "int32_t", offsetof(hsp_winding, row), 9},
+  {"hsp_periodic_gradient_outputs", "struct_size", "uint32_t", offsetof(hsp_periodic_gradient_outputs, struct_size), 1},
+  {"hsp_periodic_gradient_outputs", "capacity", "uint32_t", offsetof(hsp_periodic_gradient_outputs, capacity), 1},
+  {"hsp_periodic_gradient_outputs", "needed", "uint32_t", offsetof(hsp_periodic_gradient_outputs, needed), 1},
+  {"hsp_periodic_gradient_outputs", "first_bad", "uint32_t", offsetof(hsp_periodic_gradient_outputs, first_bad), 1},
+  {"hsp_periodic_gradient_outputs", "energy", "hsp_energy *", offsetof(hsp_periodic_gradient_outputs, energy), 1},
+  {"hsp_periodic_gradient_outputs", "d_centre", "double *", offsetof(hsp_periodic_gradient_outputs, d_centre), 1},
+  {"hsp_periodic_gradient_outputs", "d_radius", "double *", offsetof(hsp_periodic_gradient_outputs, d_radius), 1},
+  {"hsp_periodic_gradient_outputs", "flags", "uint32_t *", offsetof(hsp_periodic_gradient_outputs, flags), 1},
+  {"hsp_periodic_gradient_outputs", "d_strain", "double *", offsetof(hsp_periodic_gradient_outputs, d_strain), 1},
+  {"hsp_periodic_gradient_outputs", "d_box", "double *", offsetof(hsp_periodic_gradient_outputs, d_box), 1},
   {"hsp_image", "ball", "uint32_t", offsetof(hsp_image, ball), 1},
   {"hsp_image", "shift", "int32_t", offsetof(hsp_image, shift), 3},
   {"hsp_periodic_id", "id", "uint32_t", offsetof(hsp_periodic_id, id), 1},

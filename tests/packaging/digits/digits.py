@@ -38,8 +38,10 @@ assert lib.hsp_workspace_set(work, n, xyz, radius, null, null) == 0
 assert lib.hsp_workspace_boundary(work) == 0
 boundary = lib.boundary_of(work)
 assert lib.hsp_boundary_measure(boundary, null, totals, area, volume, n, null) == 0
-assert lib.hsp_boundary_gradient(boundary, null, 1.0, 1.0, lib.HSP_TANGENT_OVERLAP, null, gradient, null, null, n, null,
-                                 null) == 0
+request, outputs = ffi.new("hsp_gradient_request *"), ffi.new("hsp_gradient_outputs *")
+request.struct_size, request.tension, request.pressure = ffi.sizeof(request[0]), 1.0, 1.0
+outputs.struct_size, outputs.capacity, outputs.d_centre = ffi.sizeof(outputs[0]), n, gradient
+assert lib.hsp_boundary_get_gradient(boundary, request, outputs) == 0
 for number in [totals.area, totals.volume, *area, *volume, *gradient]:
     print("%016X" % struct.unpack("=Q", struct.pack("=d", number)))
 lib.hsp_workspace_free(work)

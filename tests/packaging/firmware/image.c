@@ -54,8 +54,13 @@ static void compute_boundary(void) {
   hsp_totals totals;
   hsp_energy energy;
   result |= hsp_boundary_measure(boundary, NULL, &totals, area, volume, BALLS, NULL);
-  result |=
-      hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_OVERLAP, &energy, centre, slope, NULL, BALLS, NULL, NULL);
+  result |= hsp_boundary_get_gradient(
+      boundary, &(hsp_gradient_request){.struct_size = sizeof(hsp_gradient_request), .tension = 1, .pressure = 1},
+      &(hsp_gradient_outputs){.struct_size = sizeof(hsp_gradient_outputs),
+                              .energy = &energy,
+                              .d_centre = centre,
+                              .d_radius = slope,
+                              .capacity = BALLS});
 }
 #endif
 

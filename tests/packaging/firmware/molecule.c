@@ -133,8 +133,13 @@ static int32_t run(void) {
   report("# measure");
   machine_begin();
   if (status == HSP_OK) {
-    status = hsp_boundary_gradient(boundary, NULL, 1, 1, HSP_TANGENT_OVERLAP, &energy, &centre[0][0], slope, NULL,
-                                   BALLS, NULL, NULL);
+    status = hsp_boundary_get_gradient(
+        boundary, &(hsp_gradient_request){.struct_size = sizeof(hsp_gradient_request), .tension = 1, .pressure = 1},
+        &(hsp_gradient_outputs){.struct_size = sizeof(hsp_gradient_outputs),
+                                .energy = &energy,
+                                .d_centre = &centre[0][0],
+                                .d_radius = slope,
+                                .capacity = BALLS});
   }
   report("# gradient");
   if (status == HSP_OK) status = make_topology(boundary, &topology);

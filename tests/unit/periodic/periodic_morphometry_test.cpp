@@ -16,10 +16,12 @@ hsp::MorphometricEnergy energy_of(const BuiltPeriodic &built, const WeightedBox 
                                   std::vector<hsp::EnergyGradient> *gradient = nullptr) {
   EXPECT_EQ(built.status(), hsp::Status::ok);
   const hsp::AreaWeights weights = hsp::weights_in_box(built.get(), set.weights.data(), hsp::TouchingBalls::meet);
-  return hsp::differentiate_morphometry_in_box(built.get(), weights, factors,
-                                               [&](uint32_t, const hsp::EnergyGradient &of_ball) {
-                                                 if (gradient != nullptr) gradient->push_back(of_ball);
-                                               });
+  hsp::MorphometricEnergy energy;
+  EXPECT_TRUE(hsp::differentiate_morphometry_in_box(hsp::Executor(), built.get(), weights, factors, energy,
+                                                    [&](uint32_t, const hsp::EnergyGradient &of_ball) {
+                                                      if (gradient != nullptr) gradient->push_back(of_ball);
+                                                    }));
+  return energy;
 }
 
 // A derivative, and how far it may be off: difference quotients of fourth order for two steps. Where an arc is born or

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "exact/lattice_ball.hpp"
-#include "lanes/target.hpp"
 #include "random_balls.hpp"
+#include "runnable_targets.hpp"
 
-#if HSP_AVX2
+#if HSP_LANES
 namespace {
 
 using hsp::exact::LatticeBall;
@@ -22,7 +22,8 @@ struct Candidates {
   std::vector<uint32_t> id;
   hsp::CandidateBlock block;
 
-  Candidates(const std::vector<LatticeBall> &balls, const hsp::exact::Vector &centre, int64_t side) {
+  Candidates(hsp::Target target, const std::vector<LatticeBall> &balls, const hsp::exact::Vector &centre,
+             int64_t side) {
     for (const LatticeBall &ball : balls) {
       x.push_back(static_cast<double>(ball.centre.x));
       y.push_back(static_cast<double>(ball.centre.y));
@@ -44,9 +45,9 @@ struct Candidates {
                               static_cast<double>(centre.z)};
     // In two parts that end where no vector does.
     const hsp::BallArrays arrays{x.data(), y.data(), z.data(), r.data()};
-    hsp::add_candidates(block, arrays, 0, n / 3, middle);
-    hsp::add_candidates(block, arrays, n / 3, n, middle);
-    hsp::end_candidates(block);
+    hsp::add_candidates(target, block, arrays, 0, n / 3, middle);
+    hsp::add_candidates(target, block, arrays, n / 3, n, middle);
+    hsp::end_candidates(target, block);
   }
 };
 
@@ -86,8 +87,11 @@ std::vector<LatticeBall> balls_around(oracle::RandomSource &random, const hsp::e
   return balls;
 }
 
-TEST(CandidateBlock, NoneThatMeetsIsLeftOut) {
-  if (hsp::best_target() != hsp::Target::avx2) GTEST_SKIP() << "no such processor";
+class CandidateBlock : public testing::TestWithParam<hsp::Target> {};
+INSTANTIATE_TEST_SUITE_P(Targets, CandidateBlock, testing::ValuesIn(runnable_targets()));
+
+TEST_P(CandidateBlock, NoneThatMeetsIsLeftOut) {
+  const hsp::Target target = GetParam();
   oracle::RandomSource random(901);
   uint32_t meeting = 0, near_misses = 0;
   for (int k = 0; k < 4000; ++k) {
@@ -99,11 +103,11 @@ TEST(CandidateBlock, NoneThatMeetsIsLeftOut) {
     std::vector<LatticeBall> balls = balls_around(random, centre, side);
     const uint32_t own = static_cast<uint32_t>(k) % 40;
     std::swap(balls[0], balls[own]);
-    const Candidates candidates(balls, centre, side);
+    const Candidates candidates(target, balls, centre, side);
     const uint32_t n = static_cast<uint32_t>(balls.size());
     std::vector<uint32_t> near(n + hsp::spare_ids);
     uint32_t earlier = 0;
-    const uint32_t found = hsp::near_candidates(candidates.block, own, near.data(), n, earlier);
+    const uint32_t found = hsp::near_candidates(target, candidates.block, own, near.data(), n, earlier);
     ASSERT_LT(found, n);
     ASSERT_TRUE(std::is_sorted(near.begin(), near.begin() + found));
     ASSERT_EQ(earlier, std::lower_bound(near.begin(), near.begin() + found, own) - near.begin());
@@ -121,12 +125,12 @@ TEST(CandidateBlock, NoneThatMeetsIsLeftOut) {
       }
     }
     std::vector<uint32_t> later(n + hsp::spare_ids);
-    ASSERT_EQ(hsp::later_candidates(candidates.block, own, later.data(), n), found - earlier);
+    ASSERT_EQ(hsp::later_candidates(target, candidates.block, own, later.data(), n), found - earlier);
     ASSERT_TRUE(std::equal(near.begin() + earlier, near.begin() + found, later.begin()));
     // More than asked for.
     if (found > 9) {
-      ASSERT_GT(hsp::near_candidates(candidates.block, own, near.data(), found - 1, earlier), found - 1);
-      ASSERT_EQ(hsp::near_candidates(candidates.block, own, near.data(), found, earlier), found);
+      ASSERT_GT(hsp::near_candidates(target, candidates.block, own, near.data(), found - 1, earlier), found - 1);
+      ASSERT_EQ(hsp::near_candidates(target, candidates.block, own, near.data(), found, earlier), found);
     }
   }
   EXPECT_GT(meeting, 20000U);

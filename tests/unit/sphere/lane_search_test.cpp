@@ -1,4 +1,4 @@
-// Steps 1 and 2 by the code for wide registers against those by the code for every processor: the same vertices in the
+// Steps 1 and 2 in lanes of every target against those one by one: the same vertices in the
 // same order, circles, half-edges, faces, components and needed limits, with every stage left out in turn.
 #include "sphere/lane_search.hpp"
 
@@ -14,8 +14,9 @@
 #include "lattice_lengths.hpp"
 #include "molecule_file.hpp"
 #include "random_balls.hpp"
+#include "runnable_targets.hpp"
 
-#if HSP_AVX2
+#if HSP_LANES
 namespace {
 
 struct Stages {
@@ -35,12 +36,12 @@ class Builder {
  public:
   explicit Builder(const hsp::BoundaryLimits &limits) {
     memory_.carve(builder_, limits);
-    processor_has_it_ = builder_.lanes().enabled;
+    has_room_ = builder_.lanes().enabled;
   }
 
   // All that the stages find, as bytes.
-  std::string result(const hsp::CubeGrid &grid, const Stages &stages) {
-    builder_.use_wide_code(stages.enabled && processor_has_it_);
+  std::string result(const hsp::CubeGrid &grid, const Stages &stages, hsp::Target target) {
+    builder_.use(target, stages.enabled);
     builder_.lanes().floats = stages.floats;
     builder_.lanes().doubles = stages.doubles;
     status = builder_.build(grid);
@@ -67,12 +68,12 @@ class Builder {
 
   hsp::Status status = hsp::Status::ok;
   uint32_t vertices() const { return builder_.boundary().vertex_count(); }
-  bool processor_has_it() const { return processor_has_it_; }
+  bool has_room() const { return has_room_; }
 
  private:
   CarvedMemory memory_;
   hsp::BoundaryBuilder builder_;
-  bool processor_has_it_ = false;
+  bool has_room_ = false;
 };
 
 // Limits from such that hardly anything fits to ample ones.
@@ -85,13 +86,15 @@ uint32_t expect_same_results(const std::string &name, const support::BallList &b
        {hsp::BoundaryLimits{n, 1, 2, 1}, hsp::BoundaryLimits{n, 7, 10, 3}, hsp::BoundaryLimits{n, n, 3, n},
         hsp::BoundaryLimits{n, n, 24 * n, 4 * n}}) {
     Builder builder(limits);
-    if (!builder.processor_has_it()) return 0;
-    const std::string expected = builder.result(built.grid(), scalar);
+    EXPECT_TRUE(builder.has_room());
+    const std::string expected = builder.result(built.grid(), scalar, hsp::Target::baseline);
     vertices = builder.vertices();
-    for (const Stages &stages : ways) {
-      EXPECT_EQ(expected == builder.result(built.grid(), stages), true)
-          << name << ", probe " << probe << ", neighbours " << limits.neighbours << ", floats " << stages.floats
-          << ", doubles " << stages.doubles;
+    for (const hsp::Target target : runnable_targets()) {
+      for (const Stages &stages : ways) {
+        EXPECT_EQ(expected == builder.result(built.grid(), stages, target), true)
+            << name << ", probe " << probe << ", neighbours " << limits.neighbours << ", floats " << stages.floats
+            << ", doubles " << stages.doubles << ", target " << static_cast<int>(target);
+      }
     }
   }
   return vertices;
@@ -105,9 +108,7 @@ TEST(LaneSearch, DegenerateSets) {
     if (set.balls.size() > 2000) continue;
     vertices += expect_same_results(set.name, oracle::in_lengths(set.balls, 1), 0.0, 1.0);
   }
-  if (hsp::best_target() == hsp::Target::avx2) {
-    EXPECT_GT(vertices, 1000U);
-  }
+  EXPECT_GT(vertices, 1000U);
 }
 
 TEST(LaneSearch, Molecules) {

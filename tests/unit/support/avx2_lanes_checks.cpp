@@ -1,7 +1,7 @@
 #include "avx2_lanes_checks.hpp"
 
 #if HSP_AVX2
-#include "lanes/avx2_lanes.hpp"
+#include "lanes/words.hpp"
 #include "wide_checks.hpp"
 
 namespace {

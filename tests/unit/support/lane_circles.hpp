@@ -1,7 +1,9 @@
-// Circles that caps cover (sphere/covered_circles_avx2.hpp), compiled for AVX2 apart from the test.
+// Circles that caps cover (sphere/covered_circles.hpp), a kernel apart from the test.
 #pragma once
 
-#include <cstdint>
+#include "lanes/target.hpp"
+
+namespace hsp {
 
 // Caps in arrays; of circles there are sixteen.
 struct FloatCapArrays {
@@ -9,4 +11,7 @@ struct FloatCapArrays {
 };
 
 // A bit for each circle that the caps certainly cover.
-uint32_t covered_circles(const FloatCapArrays &circles, const FloatCapArrays &caps, uint32_t count);
+HSP_KERNEL(uint32_t, covered_circles, (const FloatCapArrays &circles, const FloatCapArrays &caps, uint32_t count),
+           (circles, caps, count))
+
+}  // namespace hsp

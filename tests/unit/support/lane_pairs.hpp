@@ -1,7 +1,9 @@
-// Pairs of caps in lanes (sphere/crossing_pairs_avx2.hpp), compiled for AVX2 apart from the test.
+// Pairs of caps in lanes (sphere/crossing_pairs.hpp), a kernel apart from the test.
 #pragma once
 
-#include <cstdint>
+#include "lanes/target.hpp"
+
+namespace hsp {
 
 // Arrays that can be read as whole vectors.
 template <class Real>
@@ -16,5 +18,8 @@ struct LanePair {
   Real error;
 };
 
-LanePair<float> lane_pair(const ThreeCaps<float> &caps, uint32_t j, uint32_t k);
-LanePair<double> lane_pair(const ThreeCaps<double> &caps, uint32_t j, uint32_t k);
+HSP_KERNEL(LanePair<float>, lane_pair, (const ThreeCaps<float> &caps, uint32_t j, uint32_t k), (caps, j, k))
+// Of targets whose registers hold four of them.
+HSP_KERNEL(LanePair<double>, lane_pair, (const ThreeCaps<double> &caps, uint32_t j, uint32_t k), (caps, j, k))
+
+}  // namespace hsp

@@ -96,11 +96,7 @@ class MovedUnion {
   std::string complaint(bool wide = true) {
     if (read() != hsp::Status::ok) return "the grid";
     if (!writes_that_grid()) return "the grid that is written";
-#if HSP_AVX2
-    builder_.use_wide_code(wide && has_wide_);
-#else
-    static_cast<void>(wide);
-#endif
+    builder_.use(wide ? hsp::best_target() : hsp::Target::baseline, wide && hsp::has_lanes);
     if (builder_.build(grid_) != hsp::Status::ok) return "the boundary";
     return difference(moved_numbers(), fresh_numbers());
   }
@@ -171,6 +167,5 @@ class MovedUnion {
   hsp::CubeGrid grid_, written_;
   hsp::BoundaryBuilder builder_;
   hsp::MovingBalls moving_;
-  bool has_wide_ = hsp::best_target() == hsp::Target::avx2;
   hsp::Status status_ = hsp::Status::ok;
 };

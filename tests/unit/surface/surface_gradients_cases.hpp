@@ -10,15 +10,15 @@
 namespace cases {
 
 struct GradientOfScene {
-  hsp::SurfaceEnergy energy;
+  hsp::Energy energy;
   hsp::SurfaceEnergyGradient ball[8];
 };
 // weight [n]; null for all ones.
 inline GradientOfScene gradient_of_scene(double tension, double pressure, const double *weight = nullptr) {
   GradientOfScene result{};
-  result.energy = hsp::differentiate_surface(
-      small_union().grid(), small_union().boundary(), small_surface().builder().surface(),
-      {{weight}, tension, pressure},
+  hsp::differentiate_surface(
+      hsp::Executor(), small_union().grid(), small_union().boundary(), small_surface().builder().surface(),
+      {{weight}, tension, pressure}, result.energy,
       [&result](uint32_t i, const hsp::SurfaceEnergyGradient &gradient) { result.ball[i] = gradient; });
   return result;
 }

@@ -1,15 +1,12 @@
 #include "sphere/pair_sweep.hpp"
+#include "sphere/covered_circles.hpp"
 
-#if HSP_AVX2
-#include "sphere/covered_circles_avx2.hpp"
-#include "sphere/crossing_pairs_avx2.hpp"
-
-namespace hsp {
+namespace hsp::HSP_TARGET {
 namespace {
 
 using Bounds = CapPairBounds<float>;
-using Caps8 = LaneCaps<Floats>;
-using Points8 = LanePoints<Floats>;
+using SomeCaps = LaneCaps<Floats>;
+using SomePoints = LanePoints<Floats>;
 
 // Heights below which caps belong to the first class and to the second. Those of either are called large.
 constexpr float class_limits[PairSweep::size_classes] = {0.5F, 0.75F};
@@ -19,7 +16,7 @@ CapPointers<float> pointers(const FloatCaps &caps) {
   return {caps.x, caps.y, caps.z, caps.b};
 }
 
-void store_chosen(const FloatCaps &to, uint32_t place, const Caps8 &caps, FrontOrder order) {
+void store_chosen(const FloatCaps &to, uint32_t place, const SomeCaps &caps, const FrontOrder &order) {
   store_front(to.x + place, caps.x, order);
   store_front(to.y + place, caps.y, order);
   store_front(to.z + place, caps.z, order);
@@ -35,10 +32,10 @@ void sort_by_size(PairSweep &sweep) {
   for (uint32_t c = 0; c < PairSweep::size_classes; ++c) {
     const Floats limit = Floats::all(class_limits[c]);
     // Lanes after the last cap belong to no class.
-    for (uint32_t k = 0; k < count; k += 8) {
-      const Caps8 caps = Caps8::load(from, k);
+    for (uint32_t k = 0; k < count; k += Floats::lanes) {
+      const SomeCaps caps = SomeCaps::load(from, k);
       const LaneBits members = greater(limit, caps.b) & not_greater(least, caps.b);
-      store_chosen(to, end, caps, FrontOrder::of_eight(members));
+      store_chosen(to, end, caps, FrontOrder::of(members));
       end += ones(members);
     }
     sweep.class_end[c] = end;
@@ -50,20 +47,21 @@ void store_large(PairSweep &sweep) {
   const CapPointers<float> from = pointers(sweep.by_size);
   const FloatCaps to = sweep.large;
   const uint32_t count = sweep.class_end[last_class];
-  for (uint32_t k = 0; k < count; k += 8) {
-    store_as_fractions(Caps8::load(from, k), to.x + k, to.y + k, to.z + k, to.b + k);
+  for (uint32_t k = 0; k < count; k += Floats::lanes) {
+    store_as_fractions(SomeCaps::load(from, k), to.x + k, to.y + k, to.z + k, to.b + k);
   }
 }
 
-// How sixteen circles lie to the large caps. With d = u_k.(b_j u_j) - b_k the depth of the centre of circle j in cap k
-// and S = 1 - g^2, the circles cross iff q = S (1 - b_j^2) - d^2 > 0, and circle j lies inside cap k iff q < 0 and
-// d > 0. With f = 2^-15 and by fraction_caps_avx2.hpp, d is known to 7.5 f and its square to 15.5; g^2 to 10.5, S to
-// 11, 1 - b_j^2 to 1.1 and their product to 12.6: q to 28.1 f, below the margin of 32 f. Where d > 1 it stops there,
-// and its square at 1, which S (1 - b_j^2) does not exceed. Where d < -0.99 it is taken for that: as b_k < 7/8,
-// |b_j g| > 0.11 then, and S (1 - b_j^2) <= (1 - |b_j g|)^2 < 0.8, so that the circles still seem to be apart.
+// How circles, as many as there are fractions, lie to the large caps. With d = u_k.(b_j u_j) - b_k the depth of the
+// centre of circle j in cap k and S = 1 - g^2, the circles cross iff q = S (1 - b_j^2) - d^2 > 0, and circle j lies
+// inside cap k iff q < 0 and d > 0. With f = 2^-15 and by fraction_caps.hpp, d is known to 7.5 f and its square to
+// 15.5; g^2 to 10.5, S to 11, 1 - b_j^2 to 1.1 and their product to 12.6: q to 28.1 f, below the margin of 32 f. Where
+// d > 1 it stops there, and its square at 1, which S (1 - b_j^2) does not exceed. Where d < -0.99 it is taken for that:
+// as b_k < 7/8, |b_j g| > 0.11 then, and S (1 - b_j^2) <= (1 - |b_j g|)^2 < 0.8, so that the circles still seem to be
+// apart.
 class AmongLargeCaps {
  public:
-  AmongLargeCaps(const CapPointers<float> &large, uint32_t count, const Caps8 &low, const Caps8 &high) {
+  AmongLargeCaps(const CapPointers<float> &large, uint32_t count, const SomeCaps &low, const SomeCaps &high) {
     const FractionCircles circles(low, high);
     const Floats one = Floats::all(1.0F);
     const Fractions square = Fractions::of(minus_fused(low.b, low.b, one), minus_fused(high.b, high.b, one), 1.0F);
@@ -120,8 +118,8 @@ class ExposedCircles {
  public:
   explicit ExposedCircles(PairSweep &sweep) : to_(sweep.exposed), cap_(sweep.exposed_cap), crossed_(sweep.crossed) {}
 
-  void keep(const Caps8 &circles, Floats caps, Floats crossed, LaneBits chosen) {
-    const FrontOrder order = FrontOrder::of_eight(chosen);
+  void keep(const SomeCaps &circles, Floats caps, Floats crossed, LaneBits chosen) {
+    const FrontOrder order = FrontOrder::of(chosen);
     store_chosen(to_, kept_, circles, order);
     store_front(cap_ + kept_, caps, order);
     store_front(crossed_ + kept_, crossed, order);
@@ -139,15 +137,15 @@ void keep_exposed(PairSweep &sweep) {
   const CapPointers<float> caps = pointers(sweep.caps), large = pointers(sweep.large);
   const uint32_t count = sweep.count, large_caps = sweep.class_end[last_class];
   ExposedCircles exposed(sweep);
-  for (uint32_t j = sweep.first_later; j < count; j += 16) {
+  for (uint32_t j = sweep.first_later; j < count; j += 2 * Floats::lanes) {
     // Lanes after the last circle are left out below.
-    const Caps8 low = Caps8::load(caps, j), high = Caps8::load(caps, j + 8);
+    const SomeCaps low = SomeCaps::load(caps, j), high = SomeCaps::load(caps, j + Floats::lanes);
     const AmongLargeCaps among(large, large_caps, low, high);
     const Floats number = Floats::ascending() + Floats::all(static_cast<float>(j));
     exposed.keep(low, number, among.low_crossing(), first_lanes(count - j) & among.low_outside());
-    if (j + 8 >= count) break;
-    exposed.keep(high, number + Floats::all(8.0F), among.high_crossing(),
-                 first_lanes(count - j - 8) & among.high_outside());
+    if (j + Floats::lanes >= count) break;
+    exposed.keep(high, number + Floats::all(static_cast<float>(Floats::lanes)), among.high_crossing(),
+                 first_lanes(count - j - Floats::lanes) & among.high_outside());
   }
   end_exposed(sweep, exposed.kept());
 }
@@ -158,16 +156,17 @@ void leave_out_covered_circles(PairSweep &sweep) {
   const uint32_t count = sweep.exposed_count, large_caps = sweep.class_end[last_class];
   if (count <= 8) return;
   ExposedCircles exposed(sweep);
-  const auto keep = [&](uint32_t a, const Caps8 &circles, LaneBits chosen) {
+  const auto keep = [&](uint32_t a, const SomeCaps &circles, LaneBits chosen) {
     exposed.keep(circles, Floats::load(sweep.exposed_cap + a), Floats::load(sweep.crossed + a), chosen);
   };
-  for (uint32_t a = 0; a < count; a += 16) {
-    const Caps8 low = Caps8::load(from, a), high = Caps8::load(from, a + 8);
+  for (uint32_t a = 0; a < count; a += 2 * Floats::lanes) {
+    const SomeCaps low = SomeCaps::load(from, a), high = SomeCaps::load(from, a + Floats::lanes);
     CoveredArcs arcs(low, high);
     for (uint32_t t = 0; t < large_caps; ++t) arcs.cover(FractionCap::all_of(large, t));
     const CoveredArcs::Covered covered = arcs.covered();
     keep(a, low, first_lanes(count - a) & ~covered.low);
-    if (a + 8 < count) keep(a + 8, high, first_lanes(count - a - 8) & ~covered.high);
+    if (a + Floats::lanes < count)
+      keep(a + Floats::lanes, high, first_lanes(count - a - Floats::lanes) & ~covered.high);
   }
   end_exposed(sweep, exposed.kept());
 }
@@ -179,8 +178,8 @@ struct alignas(32) OpenPoints {
   float pair[size];  // its number in the batch, and that plus `batch` for p+
 
   // Puts the chosen ones behind `count` others. Returns how many there are then.
-  uint32_t keep(uint32_t count, const Points8 &points, Floats pairs, LaneBits chosen) {
-    const FrontOrder order = FrontOrder::of_eight(chosen);
+  uint32_t keep(uint32_t count, const SomePoints &points, Floats pairs, LaneBits chosen) {
+    const FrontOrder order = FrontOrder::of(chosen);
     store_front(x + count, points.x, order);
     store_front(y + count, points.y, order);
     store_front(z + count, points.z, order);
@@ -188,10 +187,10 @@ struct alignas(32) OpenPoints {
     store_front(pair + count, pairs, order);
     return count + ones(chosen);
   }
-  Points8 at(uint32_t p) const {
+  SomePoints at(uint32_t p) const {
     return {Floats::load(x + p), Floats::load(y + p), Floats::load(z + p), Floats::load(error + p)};
   }
-  Points8 in_all_lanes(uint32_t p) const {
+  SomePoints in_all_lanes(uint32_t p) const {
     return {Floats::all_of(x + p), Floats::all_of(y + p), Floats::all_of(z + p), Floats::all_of(error + p)};
   }
 };
@@ -200,11 +199,11 @@ struct alignas(32) OpenPoints {
 struct NotCovered {
   LaneBits first, second;
 
-  NotCovered(const CapPointers<float> &caps, uint32_t begin, uint32_t end, const Points8 &a, const Points8 &b) {
+  NotCovered(const CapPointers<float> &caps, uint32_t begin, uint32_t end, const SomePoints &a, const SomePoints &b) {
     Floats deepest_a = Floats::all(-4.0F), deepest_b = deepest_a;
 #pragma GCC unroll 2
     for (uint32_t t = begin; t < end; ++t) {
-      const Caps8 cap = Caps8::all_of(caps, t);
+      const SomeCaps cap = SomeCaps::all_of(caps, t);
       deepest_a = larger(deepest_a, a.depth(cap));
       deepest_b = larger(deepest_b, b.depth(cap));
     }
@@ -213,7 +212,7 @@ struct NotCovered {
   }
 };
 
-// Adds those points of eight pairs, number p, p + 1, ..., that are in no cap of the first class. Returns how many
+// Adds those points of pairs, number p, p + 1, ..., that are in no cap of the first class. Returns how many
 // points there are then.
 [[gnu::always_inline]] inline uint32_t add_points(const CapPointers<float> &by_size, uint32_t first_class,
                                                   LaneCrossings<Floats> crossings, Floats q, uint32_t p, LaneBits valid,
@@ -235,7 +234,7 @@ using Pairs = CrossingPairs<Floats, PairSweep::batch>;
 uint32_t open_points(const CapPointers<float> &by_size, uint32_t first_class, const Pairs &pairs, uint32_t count,
                      OpenPoints &open) {
   uint32_t left = 0;
-  for (uint32_t p = 0; p < count; p += 8) {
+  for (uint32_t p = 0; p < count; p += Floats::lanes) {
     left = add_points(by_size, first_class, LaneCrossings<Floats>(pairs, p), Floats::load(pairs.q + p), p,
                       first_lanes(count - p), open, left);
   }
@@ -267,14 +266,14 @@ constexpr PairsOfFew pairs_of_few;
 uint32_t open_points_of_few(PairSweep &sweep, OpenPoints &open) {
   const CapPointers<float> by_size = pointers(sweep.by_size);
   const uint32_t circles = sweep.exposed_count, count = PairsOfFew::count(circles);
-  const Caps8 all = Caps8::load(pointers(sweep.exposed), 0);
-  const auto caps_in_order = [&all](const uint8_t *order) {
-    const FrontOrder lanes = FrontOrder::widened(order);
-    return Caps8{in_order(all.x, lanes), in_order(all.y, lanes), in_order(all.z, lanes), in_order(all.b, lanes)};
+  const EightFloats x = EightFloats::load(sweep.exposed.x), y = EightFloats::load(sweep.exposed.y),
+                    z = EightFloats::load(sweep.exposed.z), b = EightFloats::load(sweep.exposed.b);
+  const auto caps_in_order = [&](const uint8_t *order) {
+    return SomeCaps{x.in_order(order), y.in_order(order), z.in_order(order), b.in_order(order)};
   };
   uint32_t left = 0;
-  for (uint32_t p = 0; p < count; p += 8) {
-    const Caps8 u = caps_in_order(pairs_of_few.j[circles] + p), v = caps_in_order(pairs_of_few.k[circles] + p);
+  for (uint32_t p = 0; p < count; p += Floats::lanes) {
+    const SomeCaps u = caps_in_order(pairs_of_few.j[circles] + p), v = caps_in_order(pairs_of_few.k[circles] + p);
     const PairLanes<Floats> pair(u, v);
     const LaneBits crossing = first_lanes(count - p) & not_greater(Floats::all(-Bounds::crossing), pair.q);
     sweep.crossing += ones(crossing);
@@ -283,19 +282,20 @@ uint32_t open_points_of_few(PairSweep &sweep, OpenPoints &open) {
   return left;
 }
 
-constexpr uint32_t passed_at_once = 16;
+constexpr uint32_t passed_at_once = 2 * Floats::lanes;
 
 // Leaves out points that are in one of caps begin .. end - 1. Returns how many are left of `count`.
 [[gnu::always_inline]] inline uint32_t leave_out_covered(const CapPointers<float> &by_size, uint32_t begin,
                                                          uint32_t end, OpenPoints &open, uint32_t count) {
   uint32_t left = 0;
   for (uint32_t p = 0; p < count; p += passed_at_once) {
-    const Points8 a = open.at(p), b = open.at(p + 8);
-    const Floats pairs_a = Floats::load(open.pair + p), pairs_b = Floats::load(open.pair + p + 8);
+    const SomePoints a = open.at(p), b = open.at(p + Floats::lanes);
+    const Floats pairs_a = Floats::load(open.pair + p), pairs_b = Floats::load(open.pair + p + Floats::lanes);
     const NotCovered open_lanes(by_size, begin, end, a, b);
     left = open.keep(left, a, pairs_a, first_lanes(count - p) & open_lanes.first);
     // Without a branch on how many there are.
-    left = open.keep(left, b, pairs_b, first_lanes(count - p > 8 ? count - p - 8 : 0) & open_lanes.second);
+    left = open.keep(left, b, pairs_b,
+                     first_lanes(count - p > Floats::lanes ? count - p - Floats::lanes : 0) & open_lanes.second);
   }
   return left;
 }
@@ -308,13 +308,13 @@ struct PointAnswer {
 
 [[gnu::always_inline]] inline PointAnswer among_all_caps(const CapPointers<float> &caps, uint32_t count,
                                                          const OpenPoints &open, uint32_t p) {
-  const Points8 point = open.in_all_lanes(p);
+  const SomePoints point = open.in_all_lanes(p);
   const Floats below = -point.error;
   Floats deepest = Floats::all(-4.0F);
   uint32_t near = 0;
   // Lanes after the last cap are far from the point, unless nothing is certain of it.
-  for (uint32_t t = 0; t < count; t += 8) {
-    const Floats depth = point.depth(Caps8::load(caps, t));
+  for (uint32_t t = 0; t < count; t += Floats::lanes) {
+    const Floats depth = point.depth(SomeCaps::load(caps, t));
     deepest = larger(deepest, depth);
     near += ones(not_less(depth, below));
   }
@@ -362,14 +362,14 @@ uint32_t add_pairs(PairSweep &sweep, Pairs &pairs) {
   const Floats apart = Floats::all(-Bounds::crossing);
   uint32_t row = sweep.row, column = sweep.column, count = 0;
   while (row + 1 < exposed_count && !Pairs::is_full(count)) {
-    const Caps8 cap = Caps8::all_of(exposed, row);
+    const SomeCaps cap = SomeCaps::all_of(exposed, row);
     const Floats row_number = Floats::all(static_cast<float>(row));
     Floats numbers = Floats::ascending() + Floats::all(static_cast<float>(column));
-    for (; column < exposed_count && !Pairs::is_full(count); column += 8) {
-      const Caps8 others = Caps8::load(exposed, column);
+    for (; column < exposed_count && !Pairs::is_full(count); column += Floats::lanes) {
+      const SomeCaps others = SomeCaps::load(exposed, column);
       const PairLanes<Floats> pair(cap, others);
       count = pairs.add(count, row_number, cap, numbers, others, pair, not_greater(apart, pair.q));
-      numbers = numbers + Floats::all(8.0F);
+      numbers = numbers + Floats::all(static_cast<float>(Floats::lanes));
     }
     if (column >= exposed_count) column = ++row + 1;
   }
@@ -381,15 +381,15 @@ uint32_t add_pairs(PairSweep &sweep, Pairs &pairs) {
 
 // Whether a circle certainly crosses another one, or lies inside a cap as a whole: by the formulas of AmongLargeCaps in
 // floats, the circle being one and the caps all, itself among them, of which nothing is certain. Where |d| < 1.2 its
-// square has an error of 2.4 * 73 e, e = 2^-24, and the other product one of 91 e, below 512 e together; where it is
+// square has an error of 2.4 * 76 e, e = 2^-24, and the other product one of 95 e, below 512 e together; where it is
 // larger, -q > 0.4. If -q > 512 e, |d| is above 512 e too.
 bool has_covered_point(const CapPointers<float> &caps, uint32_t count, uint32_t circle) {
-  const Caps8 own = Caps8::all_of(caps, circle);
+  const SomeCaps own = SomeCaps::all_of(caps, circle);
   const Floats one = Floats::all(1.0F), margin = Floats::all(Bounds::crossing);
   const Floats square = minus_fused(own.b, own.b, one);
   Floats covered = Floats::all(-4.0F);
-  for (uint32_t t = 0; t < count; t += 8) {
-    const Caps8 cap = Caps8::load(caps, t);
+  for (uint32_t t = 0; t < count; t += Floats::lanes) {
+    const SomeCaps cap = SomeCaps::load(caps, t);
     const Floats g = own.dot(cap);
     const Floats depth = fused_minus(g, own.b, cap.b);
     const Floats minus_q = minus_fused(minus_fused(g, g, one), square, depth * depth);
@@ -437,7 +437,7 @@ uint32_t next_open_pairs(PairSweep &sweep, OpenPair *answers) {
 
 uint32_t uncrossed_caps(const PairSweep &sweep, uint32_t *caps) {
   uint32_t found = 0;
-  for (uint32_t a = 0; a < sweep.exposed_count; a += 8) {
+  for (uint32_t a = 0; a < sweep.exposed_count; a += Floats::lanes) {
     LaneBits left = first_lanes(sweep.exposed_count - a) & ~negative(Floats::load(sweep.crossed + a));
     for (; left != 0; left &= left - 1) {
       const uint32_t cap = static_cast<uint32_t>(sweep.exposed_cap[a + lowest(left)]);
@@ -448,5 +448,4 @@ uint32_t uncrossed_caps(const PairSweep &sweep, uint32_t *caps) {
   return found;
 }
 
-}  // namespace hsp
-#endif
+}  // namespace hsp::HSP_TARGET

@@ -7,14 +7,15 @@
 #include <vector>
 
 #include "lane_circles.hpp"
-#include "lanes/target.hpp"
 #include "random_balls.hpp"
+#include "runnable_targets.hpp"
 #include "sweep_length.hpp"
 
-#if HSP_AVX2
+#if HSP_LANES
 namespace {
 
 using Real = long double;
+using hsp::FloatCapArrays;
 constexpr Real pi = std::numbers::pi_v<Real>;
 
 struct Vector {
@@ -94,13 +95,20 @@ class Arrays {
   std::vector<float> x_, y_, z_, b_;
 };
 
-bool said_to_be_covered(const Cap &circle, const std::vector<Cap> &caps) {
-  const std::vector<Cap> circles(16, circle);
-  const uint32_t covered =
-      covered_circles(Arrays(circles).get(), Arrays(caps).get(), static_cast<uint32_t>(caps.size()));
-  EXPECT_TRUE(covered == 0 || covered == 0xFFFFU);
-  return covered != 0;
-}
+class CoveredCircles : public testing::TestWithParam<hsp::Target> {
+ protected:
+  // A bit for each of sixteen circles.
+  static uint32_t covered(const std::vector<Cap> &circles, const std::vector<Cap> &caps) {
+    return hsp::covered_circles(GetParam(), Arrays(circles).get(), Arrays(caps).get(),
+                                static_cast<uint32_t>(caps.size()));
+  }
+  static bool said_to_be_covered(const Cap &circle, const std::vector<Cap> &caps) {
+    const uint32_t said = covered(std::vector<Cap>(16, circle), caps);
+    EXPECT_TRUE(said == 0 || said == 0xFFFFU);
+    return said != 0;
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Targets, CoveredCircles, testing::ValuesIn(runnable_targets()));
 
 Vector random_direction(oracle::RandomSource &random) {
   for (;;) {
@@ -125,10 +133,9 @@ std::vector<Vector> directions(oracle::RandomSource &random) {
   return all;
 }
 
-TEST(CoveredCircles, RandomCaps) {
-  if (hsp::best_target() != hsp::Target::avx2) GTEST_SKIP();
+TEST_P(CoveredCircles, RandomCaps) {
   oracle::RandomSource random(911);
-  int covered = 0, found = 0;
+  int truly = 0, found = 0;
   for (int set = 0; set < oracle::sets(400); ++set) {
     std::vector<Cap> circles, caps;
     const auto add = [&random](std::vector<Cap> &to, int count, Real low, Real high) {
@@ -139,22 +146,20 @@ TEST(CoveredCircles, RandomCaps) {
     };
     add(circles, 16, -0.9L, 0.99L);
     add(caps, 2 + set % 16, -0.5L, 0.87L);
-    const uint32_t said =
-        covered_circles(Arrays(circles).get(), Arrays(caps).get(), static_cast<uint32_t>(caps.size()));
+    const uint32_t said = covered(circles, caps);
     for (uint32_t lane = 0; lane < 16; ++lane) {
       const bool is = is_covered(circles[lane], caps), told = (said >> lane & 1U) != 0;
       EXPECT_TRUE(is || !told) << "set " << set << ", circle " << lane;
-      covered += is ? 1 : 0;
+      truly += is ? 1 : 0;
       found += told ? 1 : 0;
     }
   }
-  EXPECT_GT(2 * found, covered);
-  EXPECT_GT(covered, oracle::sets(400));
+  EXPECT_GT(2 * found, truly);
+  EXPECT_GT(truly, oracle::sets(400));
 }
 
 // One cap covers all but a gap, which may lie between two ends of arcs.
-TEST(CoveredCircles, GapsInOneCap) {
-  if (hsp::best_target() != hsp::Target::avx2) GTEST_SKIP();
+TEST_P(CoveredCircles, GapsInOneCap) {
   oracle::RandomSource random(912);
   for (const Vector &u : directions(random)) {
     for (const Real b : {-0.8L, -0.1L, 0.0L, 0.6L, 0.95L}) {
@@ -170,8 +175,7 @@ TEST(CoveredCircles, GapsInOneCap) {
 }
 
 // Their fractions are the largest and the least that there are. Six caps, or all but one.
-TEST(CoveredCircles, CapsOnAxes) {
-  if (hsp::best_target() != hsp::Target::avx2) GTEST_SKIP();
+TEST_P(CoveredCircles, CapsOnAxes) {
   const std::vector<Vector> axes = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
   for (const Vector &u : axes) {
     for (const Real b : {-0.9L, -0.4L, 0.0L, 0.4L, 0.9L}) {
@@ -194,8 +198,7 @@ TEST(CoveredCircles, CapsOnAxes) {
 }
 
 // Caps that cover a third or more each: together the circle, or all but a gap.
-TEST(CoveredCircles, ThreeCaps) {
-  if (hsp::best_target() != hsp::Target::avx2) GTEST_SKIP();
+TEST_P(CoveredCircles, ThreeCaps) {
   oracle::RandomSource random(913);
   for (const Vector &u : directions(random)) {
     for (const Real b : {-0.9L, -0.5L, 0.0L, 0.3L, 0.9L}) {
@@ -222,8 +225,7 @@ TEST(CoveredCircles, ThreeCaps) {
 }
 
 // Nothing is said of circles that are so small that floats do not tell where they are.
-TEST(CoveredCircles, SmallCircles) {
-  if (hsp::best_target() != hsp::Target::avx2) GTEST_SKIP();
+TEST_P(CoveredCircles, SmallCircles) {
   const Vector u = unit({1, 2, 3});
   const std::vector<Cap> caps = {cap_over({u, 0.9L}, 0, 2, 0.1L), {u, 0.5L}};
   std::vector<Cap> around;

@@ -1,8 +1,8 @@
-// Caps and circles as fractions, sixteen circles at once, for what need not be sharp: which circles certainly lie in
-// caps. For files *_avx2.cpp alone.
+// Caps and circles as fractions, twice as many circles at once as in floats, for what need not be sharp: which circles
+// certainly lie in caps.
 //
 // With f = 2^-15 the step of fractions: u and b of circles, v and c of caps are rounded by f / 2, or 1 is taken for
-// 1 - f; 6.5 e and 28 e with e = 2^-24 are less than 0.1 f more (float_caps.hpp): they are known to f. So that no dot
+// 1 - f; 6.5 e and 29 e with e = 2^-24 are less than 0.1 f more (float_caps.hpp): they are known to f. So that no dot
 // product becomes -1, u is shortened by a factor; so are all depths, of which only signs are asked for, if c is, while
 // v and b are what they are. A dot product of vectors of at most length 1, with components known to p f and q f, is
 // known to sqrt(3) (p + q) f and three times f / 2; no sum is larger than 1, so that one that stops there is not made
@@ -12,7 +12,7 @@
 //   b u.v - c   1 more                         7.5
 #pragma once
 
-#include "sphere/crossing_pairs_avx2.hpp"
+#include "sphere/crossing_pairs.hpp"
 
 namespace hsp {
 namespace {
@@ -43,7 +43,7 @@ struct FractionCap {
   Fractions dot(const LaneFractions &a) const { return a.x * x + a.y * y + a.z * z; }
 };
 
-// Sixteen circles.
+// As many circles as there are fractions.
 struct FractionCircles {
   LaneFractions u;
   Fractions b;

@@ -1,14 +1,12 @@
 #include "sphere/float_caps.hpp"
+#include "lanes/words.hpp"
 
-#if HSP_AVX2
-#include "lanes/avx2_lanes.hpp"
-
-namespace hsp {
+namespace hsp::HSP_TARGET {
 namespace {
 
-// Eight numbers less one of them, exact before they are rounded.
+// As many numbers as there are lanes, less one of them, exact before they are rounded.
 Floats differences(const double *p, const uint32_t *id, Doubles from) {
-  return to_floats(Doubles::at(p, id) - from, Doubles::at(p, id + 4) - from);
+  return to_floats(Doubles::at(p, id) - from, Doubles::at(p, id + Doubles::lanes) - from);
 }
 
 }  // namespace
@@ -23,11 +21,11 @@ bool make_float_caps(const BallArrays &balls, uint32_t i, uint32_t *near, uint32
   const Floats below = Floats::all(1.0F - 0x1p-19F);
   const Floats above = Floats::all(1.0F + 0x1p-19F);
   LaneBits unsure = 0;
-  for (uint32_t k = 0; k < count; k += 8) {
+  for (uint32_t k = 0; k < count; k += Floats::lanes) {
     const uint32_t *const ids = near + k;
     const Floats dx = differences(balls.x, ids, own[0]), dy = differences(balls.y, ids, own[1]),
                  dz = differences(balls.z, ids, own[2]);
-    const Doubles r_low = Doubles::at(balls.r, ids), r_high = Doubles::at(balls.r, ids + 4);
+    const Doubles r_low = Doubles::at(balls.r, ids), r_high = Doubles::at(balls.r, ids + Doubles::lanes);
     const Floats difference = to_floats(r_low - own[3], r_high - own[3]);
     const Floats sum = to_floats(r_low + own[3], r_high + own[3]);
     const Floats squared = fused(dx, dx, fused(dy, dy, dz * dz));
@@ -49,5 +47,4 @@ bool make_float_caps(const BallArrays &balls, uint32_t i, uint32_t *near, uint32
   return unsure == 0;
 }
 
-}  // namespace hsp
-#endif
+}  // namespace hsp::HSP_TARGET

@@ -1,8 +1,8 @@
 // Pairs of caps in lanes of floats or doubles, and the points in which their circles cross, by the formulas and with
-// the error bounds of cap_pair.hpp and cap_pair_bounds.hpp. For files *_avx2.cpp alone.
+// the error bounds of cap_pair.hpp and cap_pair_bounds.hpp: for kernels.
 #pragma once
 
-#include "lanes/avx2_lanes.hpp"
+#include "lanes/words.hpp"
 #include "sphere/cap_pair_bounds.hpp"
 
 namespace hsp {

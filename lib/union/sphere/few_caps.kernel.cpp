@@ -1,9 +1,7 @@
 #include "sphere/few_caps.hpp"
+#include "sphere/crossing_pairs.hpp"
 
-#if HSP_AVX2
-#include "sphere/crossing_pairs_avx2.hpp"
-
-namespace hsp {
+namespace hsp::HSP_TARGET {
 namespace {
 
 // Bits of caps.
@@ -70,10 +68,17 @@ struct PointTest {
   LaneBits outside() const { return near.equal(2); }
 };
 
+// A constant as an argument.
+template <uint32_t n>
+struct Number {
+  constexpr operator uint32_t() const { return n; }
+};
+
 template <class Lanes, uint32_t vectors>
 class FewCapsSearch {
  public:
   using Real = typename Lanes::Real;
+  using SomeCaps = LaneCaps<Lanes>;
   using Pairs = CrossingPairs<Lanes, 32>;
 
   FewCapsSearch(const CapPointers<Real> &caps, uint32_t count, uint32_t first_later, FewCaps &found)
@@ -82,11 +87,7 @@ class FewCapsSearch {
   bool run() {
     found_.points = 0;
     found_.crossing = 0;
-    LaneCaps<Lanes> all_caps[vectors];
-    for (uint32_t v = 0; v < vectors; ++v) all_caps[v] = LaneCaps<Lanes>::load(caps_, Lanes::lanes * v);
-    for (uint32_t j = 0; j < count_; ++j) {
-      if (!add_row(j, all_caps)) return false;
-    }
+    if (!add_rows()) return false;
     found_.clusters = clusters_.count;
     found_.free_circles = first_caps(count_) & ~first_caps(first_later_) & ~touched_;
     return test_points();
@@ -95,22 +96,47 @@ class FewCapsSearch {
  private:
   static CapBits first_caps(uint32_t count) { return (1U << count) - 1U; }
 
-  // Cap j with all others. Pairs count once, with the later cap as the other one.
-  bool add_row(uint32_t j, const LaneCaps<Lanes> (&all_caps)[vectors]) {
-    const LaneCaps<Lanes> cap = LaneCaps<Lanes>::all_of(caps_, j);
+  // Each cap with those of its own vector and of later ones. Two vectors stay in registers, and each has its own loop.
+  bool add_rows() {
+    if constexpr (vectors <= 2) {
+      SomeCaps all_caps[vectors];
+      for (uint32_t v = 0; v < vectors; ++v) all_caps[v] = SomeCaps::load(caps_, Lanes::lanes * v);
+      return add_rows<0>(all_caps);
+    }
+    const uint32_t used = (count_ + Lanes::lanes - 1) / Lanes::lanes;
+    for (uint32_t j = 0; j < count_; ++j) {
+      if (!add_row(j, j / Lanes::lanes, used, nullptr)) return false;
+    }
+    return true;
+  }
+  template <uint32_t first>
+  bool add_rows(const SomeCaps (&all_caps)[vectors]) {
+    constexpr uint32_t begin = Lanes::lanes * first, end = begin + Lanes::lanes;
+    for (uint32_t j = begin; j < (first + 1 < vectors ? end : count_); ++j) {
+      if (!add_row(j, Number<first>(), Number<vectors>(), all_caps)) return false;
+    }
+    if constexpr (first + 1 < vectors) return add_rows<first + 1>(all_caps);
+    return true;
+  }
+
+  // Cap j with vectors first .. last - 1, which may be given. Pairs count once, with the later cap as the other one.
+  template <class First, class Last>
+  bool add_row(uint32_t j, First first, Last last, const SomeCaps *all_caps) {
+    const SomeCaps cap = SomeCaps::all_of(caps_, j);
     const CapBits own = 1U << j;
     const CapBits after = first_caps(count_) & ~first_caps(j + 1);
     Relations relations;
-    for (uint32_t v = 0; v < vectors; ++v) {
+    for (uint32_t v = first; v < last; ++v) {
       const uint32_t shift = Lanes::lanes * v;
-      const PairLanes<Lanes> pair(cap, all_caps[v]);
-      relate(cap, all_caps[v], pair, shift, relations);
+      const SomeCaps others = all_caps != nullptr ? all_caps[v] : SomeCaps::load(caps_, shift);
+      const PairLanes<Lanes> pair(cap, others);
+      relate(cap, others, pair, shift, relations);
       if (j < first_later_) continue;
       const LaneBits crossing = (relations.at_points & after) >> shift & ((1U << Lanes::lanes) - 1U);
       if (crossing == 0) continue;
       if (Pairs::is_full(pair_count_) && !test_points()) return false;
       pair_count_ = pairs_.add(pair_count_, Lanes::all(static_cast<Real>(j)), cap,
-                               Lanes::ascending() + Lanes::all(static_cast<Real>(shift)), all_caps[v], pair, crossing);
+                               Lanes::ascending() + Lanes::all(static_cast<Real>(shift)), others, pair, crossing);
     }
     const CapBits cross = relations.cross & after;
     const CapBits inside = relations.inside & after;
@@ -164,11 +190,16 @@ class FewCapsSearch {
   uint32_t pair_count_ = 0;
 };
 
+// False for words of two numbers: the loops of VertexFinder take no more instructions.
 template <class Lanes, class Real>
 bool find_few(const CapPointers<Real> &caps, uint32_t count, uint32_t first_later, FewCaps &found) {
-  constexpr uint32_t all = most_few_caps / Lanes::lanes;
-  if (2 * count <= most_few_caps) return FewCapsSearch<Lanes, all / 2>(caps, count, first_later, found).run();
-  return FewCapsSearch<Lanes, all>(caps, count, first_later, found).run();
+  if constexpr (Lanes::lanes > 2) {
+    if constexpr (Lanes::lanes == 8) {
+      if (count <= 8) return FewCapsSearch<Lanes, 1>(caps, count, first_later, found).run();
+    }
+    return FewCapsSearch<Lanes, most_few_caps / Lanes::lanes>(caps, count, first_later, found).run();
+  }
+  return false;
 }
 
 }  // namespace
@@ -183,5 +214,4 @@ bool find_few_in_doubles(const double *x, const double *y, const double *z, cons
   return find_few<Doubles>(CapPointers<double>{x, y, z, b}, count, first_later, found);
 }
 
-}  // namespace hsp
-#endif
+}  // namespace hsp::HSP_TARGET

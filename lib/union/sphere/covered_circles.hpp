@@ -1,13 +1,13 @@
-// Which circles of caps are certainly covered by other caps, in fractions: for files *_avx2.cpp alone. Nothing on such
-// a circle is free, so that none of its pairs has to be looked at. Most circles of a ball with many caps are such.
+// Which circles of caps are certainly covered by other caps, in fractions. Nothing on such a circle is free, so that
+// none of its pairs has to be looked at. Most circles of a ball with many caps are such.
 //
 // A circle is cut into eight arcs of 45 degrees, and is covered if each arc lies inside one of the caps. With u, b the
 // cap of the circle, v, c another one, E and F unit vectors across u and each other, and r = sqrt(1 - b^2), the depth
 // of the circle's point at angle t in the other cap is d(t) = A + X cos t + Y sin t with A = b u.v - c, X = r E.v and
-// Y = r F.v. It is known to within 18 f, with f = 2^-15 and by fraction_caps_avx2.hpp, e = 2^-24:
+// Y = r F.v. It is known to within 18 f, with f = 2^-15 and by fraction_caps.hpp, e = 2^-24:
 //   r E, r F     E, F: u has a length within 11 e of 1 and is 11 e from the true one; they turn with u no more than
-//                three times as far; 1 / (1 + |z|) is known to 3 e: 36 e; r for 1 - b^2 > 2^-8, so that r > 2^-4:
-//                57 e / (2 r) + e < 457 e; rounded by f / 2                                                   1.6
+//                three times as far; 1 / (1 + |z|) is known to 3 e: 38 e; r for 1 - b^2 > 2^-8, so that r > 2^-4:
+//                60 e / (2 r) + e < 481 e; rounded by f / 2                                                   1.6
 //   A                                                                                                         7.5
 //   X, Y         2.6 sqrt(3) + 1.5                                                                              6
 //   X cos t, Y sin t   at eighths of a turn: 6 / sqrt(2) + 0.3 by the constant + 0.5 < 5.1, for both         10.2
@@ -22,17 +22,17 @@
 // then |b u.v| >= 1/8 and B <= 1 - |b u.v|, so that no d seems positive.
 #pragma once
 
-#include "sphere/fraction_caps_avx2.hpp"
+#include "sphere/fraction_caps.hpp"
 
 namespace hsp {
 namespace {
 
 class CoveredArcs {
  public:
-  using Caps8 = LaneCaps<Floats>;
+  using SomeCaps = LaneCaps<Floats>;
 
-  // Sixteen circles.
-  CoveredArcs(const Caps8 &low, const Caps8 &high) : CoveredArcs(low, high, Frames(low), Frames(high)) {}
+  // As many circles as there are fractions.
+  CoveredArcs(const SomeCaps &low, const SomeCaps &high) : CoveredArcs(low, high, Frames(low), Frames(high)) {}
 
   // One more cap that may cover arcs of them.
   void cover(const FractionCap &cap) {
@@ -64,12 +64,12 @@ class CoveredArcs {
   }
 
  private:
-  // r E and r F of eight circles.
+  // r E and r F of circles.
   struct Frames {
     Floats ex, ey, ez, fx, fy, fz;
     LaneBits wide;
 
-    explicit Frames(const Caps8 &circles) {
+    explicit Frames(const SomeCaps &circles) {
       // Across u = (x, y, z), with s the sign of z, a = -1 / (s + z) and p = x y a (Duff et al., Building an
       // Orthonormal Basis, Revisited, JCGT 6 (1), 2017): E = (1 + s x^2 a, s p, -s x) and F = (p, s + y^2 a, -y).
       const Floats one = Floats::all(1.0F);
@@ -89,7 +89,7 @@ class CoveredArcs {
   };
 
   static Fractions both(Floats low, Floats high) { return Fractions::of(low, high, fraction_factor); }
-  CoveredArcs(const Caps8 &low, const Caps8 &high, const Frames &first, const Frames &last)
+  CoveredArcs(const SomeCaps &low, const SomeCaps &high, const Frames &first, const Frames &last)
       : circles_(low, high),
         e_{both(first.ex, last.ex), both(first.ey, last.ey), both(first.ez, last.ez)},
         f_{both(first.fx, last.fx), both(first.fy, last.fy), both(first.fz, last.fz)},

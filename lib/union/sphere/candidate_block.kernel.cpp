@@ -1,16 +1,15 @@
 #include "sphere/candidate_block.hpp"
+#include "lanes/words.hpp"
 
-#if HSP_AVX2
-#include "lanes/avx2_lanes.hpp"
-
-namespace hsp {
+namespace hsp::HSP_TARGET {
 namespace {
 
-// The first `count` of eight numbers from p on, less an origin.
+// The first `count` numbers from p on, less an origin, and zeros.
 Floats relative(const double *p, uint32_t count, Doubles origin) {
-  if (count >= 8) return to_floats(Doubles::load(p) - origin, Doubles::load(p + 4) - origin);
+  if (count >= Floats::lanes) return to_floats(Doubles::load(p) - origin, Doubles::load(p + Doubles::lanes) - origin);
   const Doubles low = Doubles::load_first(p, count);
-  const Doubles high = count > 4 ? Doubles::load_first(p + 4, count - 4) : Doubles::all(0.0);
+  const Doubles high =
+      count > Doubles::lanes ? Doubles::load_first(p + Doubles::lanes, count - Doubles::lanes) : Doubles::all(0.0);
   return to_floats(low - origin, high - origin);
 }
 
@@ -28,19 +27,19 @@ class NearLanes {
         most_(most) {}
 
   uint32_t found() const { return found_; }
-  // Of eight candidates from c on.
+  // Of the candidates from c on, as many as there are lanes.
   LaneBits lanes(uint32_t c) const {
     const Floats dx = Floats::load(block_.x + c) - x_, dy = Floats::load(block_.y + c) - y_,
                  dz = Floats::load(block_.z + c) - z_, sum = Floats::load(block_.r + c) + r_;
     return not_less(margin_, fused(dx, dx, fused(dy, dy, minus_fused(sum, sum, dz * dz))));
   }
   void keep(uint32_t c, LaneBits chosen) {
-    store_front(near_ + found_, Integers::load(block_.ball + c), FrontOrder::of_eight(chosen));
+    store_front(near_ + found_, Integers::load(block_.ball + c), FrontOrder::of(chosen));
     found_ += ones(chosen);
   }
   // Lanes after the last one are near to nothing.
   void keep_near(uint32_t first, uint32_t last) {
-    for (uint32_t c = first; c < last && found_ <= most_; c += 8) keep(c, lanes(c));
+    for (uint32_t c = first; c < last && found_ <= most_; c += Floats::lanes) keep(c, lanes(c));
   }
 
  private:
@@ -56,7 +55,7 @@ class NearLanes {
 void add_candidates(CandidateBlock &block, const BallArrays &balls, uint32_t first, uint32_t last,
                     const double (&centre)[3]) {
   const Doubles x = Doubles::all(centre[0]), y = Doubles::all(centre[1]), z = Doubles::all(centre[2]);
-  for (uint32_t j = first; j < last; j += 8) {
+  for (uint32_t j = first; j < last; j += Floats::lanes) {
     const uint32_t to = block.count + (j - first);
     relative(balls.x + j, last - j, x).store(block.x + to);
     relative(balls.y + j, last - j, y).store(block.y + to);
@@ -77,7 +76,7 @@ void end_candidates(CandidateBlock &block) {
 
 uint32_t near_candidates(const CandidateBlock &block, uint32_t own, uint32_t *near, uint32_t most, uint32_t &earlier) {
   NearLanes around(block, own, near, most);
-  const uint32_t with_own = own & ~7U;
+  const uint32_t with_own = own / Floats::lanes * Floats::lanes;
   around.keep_near(0, with_own);
   earlier = around.found();
   if (around.found() > most) return around.found();
@@ -85,7 +84,7 @@ uint32_t near_candidates(const CandidateBlock &block, uint32_t own, uint32_t *ne
   const LaneBits chosen = around.lanes(with_own) & ~own_lane;
   around.keep(with_own, chosen);
   earlier += ones(chosen & (own_lane - 1U));
-  around.keep_near(with_own + 8, block.count);
+  around.keep_near(with_own + Floats::lanes, block.count);
   return around.found();
 }
 
@@ -95,5 +94,4 @@ uint32_t later_candidates(const CandidateBlock &block, uint32_t own, uint32_t *n
   return around.found();
 }
 
-}  // namespace hsp
-#endif
+}  // namespace hsp::HSP_TARGET

@@ -1,0 +1,54 @@
+// Words for kernels that are written once and compiled for registers of several widths: Floats, Doubles, Integers and
+// Fractions, as many of each as a register of the target holds, and their signs and comparisons as bits. By
+// avx2_lanes.hpp for 32 bytes, by words_16.hpp for 16; a target without registers of several lanes has none. Everything
+// has internal linkage, so that kernels have their own copy for each target (target.hpp).
+//
+// fused() and its sisters are rounded once or twice, as the target has it: for what is decided or discarded within
+// error bounds that allow both, never for results.
+#pragma once
+
+#include <cstdint>
+
+namespace hsp {
+namespace {
+
+// A bit for each lane, lane 0 lowest.
+using LaneBits = uint32_t;
+
+inline uint32_t lowest(LaneBits bits) {
+  return static_cast<uint32_t>(__builtin_ctz(bits));
+}
+
+// How often a comparison has held in each lane.
+template <class Lanes>
+struct LaneCounts;
+
+}  // namespace
+}  // namespace hsp
+
+#if defined(__AVX2__)
+#include "lanes/avx2_lanes.hpp"
+#else
+#include "lanes/words_16.hpp"
+#endif
+
+namespace hsp {
+namespace {
+
+// How many lanes of one Floats are chosen.
+inline uint32_t ones(LaneBits bits) {
+#if defined(__POPCNT__)
+  return static_cast<uint32_t>(__builtin_popcount(bits));
+#else
+  static_assert(Floats::lanes == 4);
+  return static_cast<uint32_t>(0x4332322132212110U >> 4 * bits) & 15U;
+#endif
+}
+// The lowest `count` lanes of one Floats; all from that on.
+inline LaneBits first_lanes(uint32_t count) {
+  const uint32_t chosen = count < Floats::lanes ? count : Floats::lanes;  // in one expression GCC makes branches of it
+  return (1U << chosen) - 1U;
+}
+
+}  // namespace
+}  // namespace hsp

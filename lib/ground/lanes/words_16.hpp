@@ -1,0 +1,417 @@
+// The words of words.hpp for registers of 16 bytes: four floats, two doubles, eight fractions. By instructions of SSE2,
+// of its followers up to x86-64-v2 and of NEON where the compiler's own code is worse; without any of them it is right
+// as well.
+#pragma once
+
+#if defined(__SSE4_1__)
+#include <smmintrin.h>
+#elif defined(__SSSE3__)
+#include <tmmintrin.h>
+#elif defined(__aarch64__)
+#include <arm_neon.h>
+#endif
+
+#include "lanes/wide.hpp"
+
+namespace hsp {
+namespace {
+
+struct Floats {
+  using Real = float;
+  using Word = Wide<float, 4>;
+  static constexpr uint32_t lanes = 4;
+  Word::Real v;
+
+  static Floats load(const float *p) { return {Word::load(p)}; }
+  static Floats all(float x) { return {Word::all(x)}; }
+  static Floats ascending() { return {Word::Real{0, 1, 2, 3}}; }
+  static Floats all_of(const float *p) { return {Word::all(*p)}; }
+  static Floats at(const float *p, const uint8_t *index) {
+    return {Word::Real{p[index[0]], p[index[1]], p[index[2]], p[index[3]]}};
+  }
+  void store(float *p) const { Word::store(p, v); }
+
+  friend Floats operator+(Floats a, Floats b) { return {a.v + b.v}; }
+  friend Floats operator-(Floats a, Floats b) { return {a.v - b.v}; }
+  friend Floats operator*(Floats a, Floats b) { return {a.v * b.v}; }
+  friend Floats operator/(Floats a, Floats b) { return {a.v / b.v}; }
+  friend Floats operator-(Floats a) { return {-a.v}; }
+};
+
+struct Doubles {
+  using Real = double;
+  using Word = Wide<double, 2>;
+  static constexpr uint32_t lanes = 2;
+  Word::Real v;
+
+  static Doubles load(const double *p) { return {Word::load(p)}; }
+  // The first `count` of two numbers and zeros, for the end of an array.
+  static Doubles load_first(const double *p, uint32_t count) {
+    if (count >= lanes) return load(p);
+    return {Word::Real{count > 0 ? *p : 0.0, 0.0}};
+  }
+  static Doubles at(const double *p, const uint32_t *index) { return {Word::Real{p[index[0]], p[index[1]]}}; }
+  static Doubles all(double x) { return {Word::all(x)}; }
+  static Doubles all_of(const double *p) { return {Word::all(*p)}; }
+
+  friend Doubles operator+(Doubles a, Doubles b) { return {a.v + b.v}; }
+  friend Doubles operator-(Doubles a, Doubles b) { return {a.v - b.v}; }
+};
+
+struct Integers {
+  static constexpr uint32_t lanes = 4;
+  using Bits = Wide<float, 4>::Bits;
+  Bits v;
+
+  static Integers load(const uint32_t *p) {
+    Integers a;
+    std::memcpy(&a.v, p, sizeof a.v);
+    return a;
+  }
+  static Integers all(uint32_t x) { return {Bits{x, x, x, x}}; }
+  static Integers ascending() { return {Bits{0, 1, 2, 3}}; }
+  void store(uint32_t *p) const { std::memcpy(p, &v, sizeof v); }
+
+  friend Integers operator+(Integers a, Integers b) { return {a.v + b.v}; }
+};
+
+inline LaneBits lane_bits(const Floats::Word::Mask &mask) {
+#if defined(__aarch64__)
+  constexpr uint32_t bit[4] = {1, 2, 4, 8};
+  return vaddvq_u32(vandq_u32(uint32x4_t(mask), vld1q_u32(bit)));
+#else
+  return static_cast<LaneBits>(Floats::Word::set_lanes(mask));
+#endif
+}
+
+// a b + c, a b - c and c - a b, rounded once with NEON and twice without.
+inline Floats fused(Floats a, Floats b, Floats c) {
+#if defined(__aarch64__)
+  return {Floats::Word::Real(vfmaq_f32(float32x4_t(c.v), float32x4_t(a.v), float32x4_t(b.v)))};
+#else
+  return {a.v * b.v + c.v};
+#endif
+}
+inline Floats fused_minus(Floats a, Floats b, Floats c) {
+#if defined(__aarch64__)
+  return fused(a, b, -c);
+#else
+  return {a.v * b.v - c.v};
+#endif
+}
+inline Floats minus_fused(Floats a, Floats b, Floats c) {
+#if defined(__aarch64__)
+  return {Floats::Word::Real(vfmsq_f32(float32x4_t(c.v), float32x4_t(a.v), float32x4_t(b.v)))};
+#else
+  return {c.v - a.v * b.v};
+#endif
+}
+inline Floats square_root(Floats a) {
+#if defined(__SSE2__)
+  return {Floats::Word::Real(_mm_sqrt_ps(__m128(a.v)))};
+#elif defined(__aarch64__)
+  return {Floats::Word::Real(vsqrtq_f32(float32x4_t(a.v)))};
+#else
+  return {Floats::Word::square_root(a.v)};
+#endif
+}
+// Either of two that are not both numbers.
+inline Floats larger(Floats a, Floats b) {
+#if defined(__SSE2__)
+  return {Floats::Word::Real(_mm_max_ps(__m128(a.v), __m128(b.v)))};
+#elif defined(__aarch64__)
+  return {Floats::Word::Real(vmaxq_f32(float32x4_t(a.v), float32x4_t(b.v)))};
+#else
+  return {Floats::Word::larger(a.v, b.v)};
+#endif
+}
+inline Floats smaller(Floats a, Floats b) {
+#if defined(__SSE2__)
+  return {Floats::Word::Real(_mm_min_ps(__m128(a.v), __m128(b.v)))};
+#elif defined(__aarch64__)
+  return {Floats::Word::Real(vminq_f32(float32x4_t(a.v), float32x4_t(b.v)))};
+#else
+  return {Floats::Word::smaller(a.v, b.v)};
+#endif
+}
+// c in lanes where a > b, d in the others, also where a or b is NaN.
+inline Floats where_greater(Floats a, Floats b, Floats c, Floats d) {
+  return {Floats::Word::select(a.v > b.v, c.v, d.v)};
+}
+// The size of one number with the sign of another.
+inline Floats with_sign_of(Floats size, Floats sign) {
+  using W = Floats::Word;
+  return {W::number(W::bits(W::absolute(size.v)) | (W::bits(sign.v) & W::bits(W::all(-0.0F))))};
+}
+
+// Four doubles as floats, rounded to nearest.
+inline Floats to_floats(Doubles low, Doubles high) {
+#if defined(__SSE2__)
+  return {Floats::Word::Real(_mm_movelh_ps(_mm_cvtpd_ps(__m128d(low.v)), _mm_cvtpd_ps(__m128d(high.v))))};
+#elif defined(__aarch64__)
+  return {Floats::Word::Real(vcvt_high_f32_f64(vcvt_f32_f64(float64x2_t(low.v)), float64x2_t(high.v)))};
+#else
+  return {Floats::Word::Real{static_cast<float>(low.v[0]), static_cast<float>(low.v[1]), static_cast<float>(high.v[0]),
+                             static_cast<float>(high.v[1])}};
+#endif
+}
+
+// Comparisons; all false for NaN.
+inline LaneBits greater(Floats a, Floats b) {
+  return lane_bits(a.v > b.v);
+}
+inline LaneBits not_greater(Floats a, Floats b) {  // but true for NaN
+  return lane_bits(~(a.v > b.v));
+}
+inline LaneBits not_less(Floats a, Floats b) {
+  return lane_bits(a.v >= b.v);
+}
+// By the sign bit: true for -0.
+inline LaneBits negative(Floats a) {
+#if defined(__SSE2__)
+  return lane_bits(Floats::Word::bits(a.v));
+#else
+  return lane_bits(Floats::Word::bits(a.v) < 0);
+#endif
+}
+
+template <>
+struct LaneCounts<Floats> {
+  Floats::Word::Mask negative = {};
+
+  void count_not_less(Floats a, Floats b) { negative += a.v >= b.v; }
+  LaneBits equal(int32_t count) const {
+    return lane_bits(negative == Floats::Word::Mask{-count, -count, -count, -count});
+  }
+};
+
+struct Fractions {
+  typedef int16_t Word __attribute__((vector_size(16)));
+  static constexpr uint32_t lanes = 8;
+  Word v;
+
+  static Fractions all(float x) {
+    const int16_t s = static_cast<int16_t>(x * 0x1p15F);
+    return {Word{s, s, s, s, s, s, s, s}};
+  }
+  static Fractions of(Floats low, Floats high, float factor) {
+    return packed(integers(low, factor), integers(high, factor));
+  }
+  static Floats twice(Floats a, float factor) {
+    const Signed four = integers(a, factor);
+    const Word fractions = packed(four, four).v;
+    return {reinterpret_cast<Floats::Word::Real>(Word{fractions[0], fractions[0], fractions[1], fractions[1],
+                                                      fractions[2], fractions[2], fractions[3], fractions[3]})};
+  }
+  static Fractions all_of(const float *twice) { return {reinterpret_cast<Word>(Floats::Word::all(*twice))}; }
+
+  Floats signs_of_low() const {
+    return {reinterpret_cast<Floats::Word::Real>(Word{v[0], v[0], v[1], v[1], v[2], v[2], v[3], v[3]})};
+  }
+  Floats signs_of_high() const {
+    return {reinterpret_cast<Floats::Word::Real>(Word{v[4], v[4], v[5], v[5], v[6], v[6], v[7], v[7]})};
+  }
+
+  friend Fractions operator+(Fractions a, Fractions b) {
+#if defined(__SSE2__)
+    return {Word(_mm_adds_epi16(__m128i(a.v), __m128i(b.v)))};
+#elif defined(__aarch64__)
+    return {Word(vqaddq_s16(int16x8_t(a.v), int16x8_t(b.v)))};
+#else
+    return each(a, b, [](int32_t x, int32_t y) { return x + y; });
+#endif
+  }
+  friend Fractions operator-(Fractions a, Fractions b) {
+#if defined(__SSE2__)
+    return {Word(_mm_subs_epi16(__m128i(a.v), __m128i(b.v)))};
+#elif defined(__aarch64__)
+    return {Word(vqsubq_s16(int16x8_t(a.v), int16x8_t(b.v)))};
+#else
+    return each(a, b, [](int32_t x, int32_t y) { return x - y; });
+#endif
+  }
+  friend Fractions operator*(Fractions a, Fractions b) {
+#if defined(__SSSE3__)
+    return {Word(_mm_mulhrs_epi16(__m128i(a.v), __m128i(b.v)))};
+#elif defined(__SSE2__)
+    // Twice the upper half, and the two bits below that rounded to one.
+    const __m128i high = _mm_mulhi_epi16(__m128i(a.v), __m128i(b.v));
+    const __m128i below = _mm_srli_epi16(_mm_mullo_epi16(__m128i(a.v), __m128i(b.v)), 14);
+    return {Word(_mm_add_epi16(_mm_add_epi16(high, high), _mm_avg_epu16(below, _mm_setzero_si128())))};
+#elif defined(__aarch64__)
+    return {Word(vqrdmulhq_s16(int16x8_t(a.v), int16x8_t(b.v)))};
+#else
+    return each(a, b, [](int32_t x, int32_t y) { return (x * y + 0x4000) >> 15; });
+#endif
+  }
+
+ private:
+  using Signed = Floats::Word::Mask;
+
+  static Signed integers(Floats a, float factor) {
+    const Floats scaled = a * Floats::all(factor * 0x1p15F);
+#if defined(__SSE2__)
+    return Signed(_mm_cvtps_epi32(__m128(scaled.v)));
+#elif defined(__aarch64__)
+    return Signed(vcvtnq_s32_f32(float32x4_t(scaled.v)));
+#else
+    // The sum has no bits behind the point, and no number here that matters is larger than 2^20.
+    const Floats near = (scaled + Floats::all(0x1.8p23F)) - Floats::all(0x1.8p23F);
+    return __builtin_convertvector(near.v, Signed);
+#endif
+  }
+  static Fractions packed(Signed low, Signed high) {
+#if defined(__SSE2__)
+    return {Word(_mm_packs_epi32(__m128i(low), __m128i(high)))};
+#elif defined(__aarch64__)
+    return {Word(vqmovn_high_s32(vqmovn_s32(int32x4_t(low)), int32x4_t(high)))};
+#else
+    Fractions a{};
+    for (uint32_t k = 0; k < 4; ++k) {
+      a.v[k] = saturated(low[k]);
+      a.v[k + 4] = saturated(high[k]);
+    }
+    return a;
+#endif
+  }
+  static int16_t saturated(int32_t x) {
+    return static_cast<int16_t>(x < -0x8000 ? -0x8000 : x > 0x7FFF ? 0x7FFF : x);
+  }
+  template <class Operation>
+  static Fractions each(Fractions a, Fractions b, Operation operation) {
+    for (uint32_t k = 0; k < lanes; ++k) a.v[k] = saturated(operation(a.v[k], b.v[k]));
+    return a;
+  }
+};
+inline Fractions larger(Fractions a, Fractions b) {
+#if defined(__SSE2__)
+  return {Fractions::Word(_mm_max_epi16(__m128i(a.v), __m128i(b.v)))};
+#else
+  return {a.v > b.v ? a.v : b.v};
+#endif
+}
+inline Fractions smaller(Fractions a, Fractions b) {
+#if defined(__SSE2__)
+  return {Fractions::Word(_mm_min_epi16(__m128i(a.v), __m128i(b.v)))};
+#else
+  return {a.v < b.v ? a.v : b.v};
+#endif
+}
+// -1 remains.
+inline Fractions magnitude(Fractions a) {
+#if defined(__SSSE3__)
+  return {Fractions::Word(_mm_abs_epi16(__m128i(a.v)))};
+#elif defined(__aarch64__)
+  return {Fractions::Word(vabsq_s16(int16x8_t(a.v)))};
+#else
+  typedef uint16_t Unsigned __attribute__((vector_size(16)));
+  return larger(a, {reinterpret_cast<Fractions::Word>(Unsigned{} - reinterpret_cast<Unsigned>(a.v))});
+#endif
+}
+
+// The signs of two times eight fractions.
+struct FractionSigns {
+  typedef int8_t Word __attribute__((vector_size(16)));
+  Word v;
+
+  static FractionSigns all_negative() { return {~Word{}}; }
+  static FractionSigns of(Fractions a, Fractions b) {
+#if defined(__SSE2__)
+    return {Word(_mm_packs_epi16(__m128i(a.v), __m128i(b.v)))};
+#elif defined(__aarch64__)
+    return {Word(vqmovn_high_s16(vqmovn_s16(int16x8_t(a.v)), int16x8_t(b.v)))};
+#else
+    FractionSigns signs{};
+    for (uint32_t k = 0; k < 8; ++k) {
+      signs.v[k] = static_cast<int8_t>(a.v[k] < 0 ? -1 : 0);
+      signs.v[k + 8] = static_cast<int8_t>(b.v[k] < 0 ? -1 : 0);
+    }
+    return signs;
+#endif
+  }
+  friend FractionSigns either_negative(FractionSigns a, FractionSigns b) {
+    return {static_cast<Word>(a.v | b.v)};
+  }
+  friend FractionSigns both_negative(FractionSigns a, FractionSigns b) {
+    return {static_cast<Word>(a.v & b.v)};
+  }
+  // Which of the first four floats, and of the last, became a negative fraction in a or in b.
+  void negative(LaneBits &low, LaneBits &high) const {
+#if defined(__SSE2__)
+    const LaneBits bits = static_cast<LaneBits>(_mm_movemask_epi8(__m128i(v))), either = bits | bits >> 8;
+#elif defined(__aarch64__)
+    constexpr uint8_t bit[8] = {1, 2, 4, 8, 16, 32, 64, 128};
+    const int8x8_t any = vorr_s8(vget_low_s8(int8x16_t(v)), vget_high_s8(int8x16_t(v)));
+    const LaneBits either = vaddv_u8(vand_u8(vcltz_s8(any), vld1_u8(bit)));
+#else
+    LaneBits either = 0;
+    for (uint32_t k = 0; k < 16; ++k) either |= (v[k] < 0 ? 1U : 0U) << k % 8;
+#endif
+    low = either & 15U;
+    high = either >> 4 & 15U;
+  }
+};
+
+// Where the chosen of four lanes go so that they are first. It may serve several stores.
+#if defined(__SSSE3__) || defined(__aarch64__)
+struct FrontOrders {
+  alignas(64) uint8_t bytes[16][16];
+
+  constexpr FrontOrders() : bytes{} {
+    for (uint32_t chosen = 0; chosen < 16; ++chosen) {
+      uint32_t to = 0;
+      for (uint32_t byte = 0; byte < 16; ++byte) {
+        if (chosen >> byte / 4 & 1U) bytes[chosen][to++] = static_cast<uint8_t>(byte);
+      }
+    }
+  }
+};
+constexpr FrontOrders front_orders;
+
+struct FrontOrder {
+  const uint8_t *bytes;
+
+  static FrontOrder of(LaneBits chosen) { return {front_orders.bytes[chosen]}; }
+};
+// Writes the chosen lanes first; there must be room for all lanes.
+inline void store_front(float *p, Floats a, FrontOrder order) {
+#if defined(__SSSE3__)
+  const __m128i bytes = _mm_load_si128(reinterpret_cast<const __m128i *>(order.bytes));
+  _mm_storeu_ps(p, _mm_castsi128_ps(_mm_shuffle_epi8(_mm_castps_si128(__m128(a.v)), bytes)));
+#else
+  vst1q_f32(p, vreinterpretq_f32_u8(vqtbl1q_u8(vreinterpretq_u8_f32(float32x4_t(a.v)), vld1q_u8(order.bytes))));
+#endif
+}
+#else
+struct FrontOrder {
+  uint32_t to[4];
+
+  static FrontOrder of(LaneBits chosen) {
+    const uint32_t first = chosen & 1U, second = first + (chosen >> 1 & 1U);
+    return {{0, first, second, second + (chosen >> 2 & 1U)}};
+  }
+};
+inline void store_front(float *p, Floats a, const FrontOrder &order) {
+  for (uint32_t k = 0; k < 4; ++k) p[order.to[k]] = a.v[k];
+}
+#endif
+template <class>
+FrontOrder front_order(LaneBits chosen) {
+  return FrontOrder::of(chosen);
+}
+inline void store_front(uint32_t *p, Integers a, const FrontOrder &order) {
+  float in_order[4];
+  store_front(in_order, {reinterpret_cast<Floats::Word::Real>(a.v)}, order);
+  std::memcpy(p, in_order, sizeof in_order);
+}
+
+// Up to eight numbers, of which any four are wanted.
+struct EightFloats {
+  const float *p;
+
+  static EightFloats load(const float *p) { return {p}; }
+  Floats in_order(const uint8_t *order) const { return Floats::at(p, order); }
+};
+
+}  // namespace
+}  // namespace hsp

@@ -1,0 +1,202 @@
+#include "words_checks.hpp"
+
+#if HSP_LANES
+#include "lanes/words.hpp"
+
+namespace hsp::HSP_TARGET {
+namespace {
+
+constexpr uint32_t n = Floats::lanes;
+constexpr float a[8] = {1.0F, -2.0F, 3.0F, 0.5F, 8.0F, -16.0F, 0.0F, 7.0F};
+constexpr float b[8] = {2.0F, 2.0F, -4.0F, 0.25F, 4.0F, 32.0F, 1.0F, 7.0F};
+
+// Whether each lane is what one number at a time gives.
+template <class Expected>
+bool lanes_are(Floats found, Expected expected) {
+  float lane[n];
+  found.store(lane);
+  for (uint32_t k = 0; k < n; ++k) {
+    if (lane[k] != expected(k)) return false;
+  }
+  return true;
+}
+template <class Expected>
+bool bits_are(LaneBits found, Expected expected) {
+  LaneBits bits = 0;
+  for (uint32_t k = 0; k < n; ++k) bits |= (expected(k) ? 1U : 0U) << k;
+  return found == bits;
+}
+
+// All results are exact.
+const char *check_floats() {
+  const Floats x = Floats::load(a), y = Floats::load(b), three = Floats::all(3);
+  const auto of = [](auto operation) { return [operation](uint32_t k) { return operation(a[k], b[k]); }; };
+  if (!lanes_are(x + y, of([](float u, float v) { return u + v; }))) return "+";
+  if (!lanes_are(x - y, of([](float u, float v) { return u - v; }))) return "-";
+  if (!lanes_are(x * y, of([](float u, float v) { return u * v; }))) return "*";
+  if (!lanes_are(x / y, of([](float u, float v) { return u / v; }))) return "/";
+  if (!lanes_are(-x, of([](float u, float) { return -u; }))) return "minus";
+  if (!lanes_are(fused(x, y, three), of([](float u, float v) { return u * v + 3; }))) return "fused";
+  if (!lanes_are(fused_minus(x, y, three), of([](float u, float v) { return u * v - 3; }))) return "fused_minus";
+  if (!lanes_are(minus_fused(x, y, three), of([](float u, float v) { return 3 - u * v; }))) return "minus_fused";
+  if (!lanes_are(square_root(x * x), of([](float u, float) { return u < 0 ? -u : u; }))) return "square_root";
+  if (!lanes_are(larger(x, y), of([](float u, float v) { return u > v ? u : v; }))) return "larger";
+  if (!lanes_are(smaller(x, y), of([](float u, float v) { return u < v ? u : v; }))) return "smaller";
+  if (!lanes_are(with_sign_of(y, x), of([](float u, float v) { return __builtin_copysignf(v, u); }))) return "sign";
+  if (!lanes_are(Floats::all_of(a + 1), [](uint32_t) { return a[1]; })) return "all_of";
+  if (!lanes_are(Floats::ascending(), [](uint32_t k) { return static_cast<float>(k); })) return "ascending";
+  const uint8_t order[8] = {7, 0, 0, 5, 1, 2, 6, 3};
+  if (!lanes_are(EightFloats::load(a).in_order(order), [&](uint32_t k) { return a[order[k]]; })) return "in_order";
+  return nullptr;
+}
+
+// Not numbers in the first lanes, as there may be four alone.
+const char *check_comparisons() {
+  const float nan = __builtin_nanf("");
+  const float u[8] = {nan, nan, 3.0F, 2.0F, 2.0F, 1.0F, 7.0F, -0.0F};
+  const float v[8] = {1.0F, nan, 2.0F, 2.0F, nan, 2.0F, 8.0F, 0.0F};
+  const Floats x = Floats::load(u), y = Floats::load(v), zero = Floats::all(0), one = Floats::all(1);
+  if (!bits_are(greater(x, y), [&](uint32_t k) { return u[k] > v[k]; })) return "greater";
+  if (!bits_are(not_greater(x, y), [&](uint32_t k) { return !(u[k] > v[k]); })) return "not_greater";
+  if (!bits_are(not_less(x, y), [&](uint32_t k) { return u[k] >= v[k]; })) return "not_less";
+  if (!lanes_are(where_greater(x, y, zero, one), [&](uint32_t k) { return u[k] > v[k] ? 0.0F : 1.0F; })) return "where";
+  const float signs[8] = {-0.0F, 1.0F, 0.0F, -1.0F, -2.0F, 3.0F, 4.0F, -5.0F};
+  if (!bits_are(negative(Floats::load(signs)), [&](uint32_t k) { return __builtin_signbit(signs[k]) != 0; }))
+    return "negative";
+  for (uint32_t count = 0; count < 12; ++count) {
+    const uint32_t most = count < n ? count : n;
+    if (ones(first_lanes(count)) != most || first_lanes(count) >> most != 0) return "first_lanes, ones";
+  }
+  for (LaneBits bits = 1; bits < 1U << n; ++bits) {
+    uint32_t count = 0, first = n;
+    for (uint32_t k = n; k-- > 0;) {
+      count += bits >> k & 1U;
+      if ((bits >> k & 1U) != 0) first = k;
+    }
+    if (ones(bits) != count || lowest(bits) != first) return "ones, lowest";
+  }
+  LaneCounts<Floats> counts;
+  for (int k = 0; k < 3; ++k) counts.count_not_less(Floats::load(a), Floats::all(static_cast<float>(k)));
+  for (int32_t count = 0; count < 4; ++count) {
+    const auto reached = [](float x_) { return (x_ >= 0 ? 1 : 0) + (x_ >= 1 ? 1 : 0) + (x_ >= 2 ? 1 : 0); };
+    if (!bits_are(counts.equal(count), [&](uint32_t k) { return reached(a[k]) == count; })) return "counts";
+  }
+  return nullptr;
+}
+
+// The last bit is lost, to even, or rounded away from what is nearest below.
+const char *check_doubles() {
+  constexpr uint32_t half = Doubles::lanes;
+  const double d[8] = {0x1.000003p0, 0x1.000001p0, 0.1, -2.5, 1e30, 1.0, 5.0, -6.0};
+  const Doubles low = Doubles::load(d), high = Doubles::load(d + half);
+  if (!lanes_are(to_floats(low, high), [&](uint32_t k) { return static_cast<float>(d[k]); })) return "to_floats";
+  const uint32_t index[8] = {7, 0, 3, 3, 1, 2, 6, 5};
+  const Floats at =
+      to_floats(Doubles::at(d, index) - Doubles::all(1), Doubles::at(d, index + half) + Doubles::all_of(d));
+  if (!lanes_are(at, [&](uint32_t k) { return static_cast<float>(k < half ? d[index[k]] - 1 : d[index[k]] + d[0]); }))
+    return "at, +, -";
+  for (uint32_t count = 0; count <= half; ++count) {
+    const Floats first = to_floats(Doubles::load_first(d, count), Doubles::all(0.0));
+    if (!lanes_are(first, [&](uint32_t k) { return k < count ? static_cast<float>(d[k]) : 0.0F; })) return "load_first";
+  }
+  return nullptr;
+}
+
+const char *check_front_orders() {
+  const uint32_t ids[8] = {10, 11, 12, 13, 14, 15, 16, 17};
+  for (LaneBits chosen = 0; chosen < 1U << n; ++chosen) {
+    uint32_t ids_first[8];
+    float floats_first[8];
+    const FrontOrder order = front_order<Floats>(chosen);
+    store_front(ids_first, Integers::ascending() + Integers::all(10), order);
+    store_front(floats_first, Floats::load(a), order);
+    uint32_t to = 0;
+    for (uint32_t lane = 0; lane < n; ++lane) {
+      if ((chosen >> lane & 1U) == 0) continue;
+      if (ids_first[to] != ids[lane]) return "integers in front";
+      if (floats_first[to++] != a[lane]) return "floats in front";
+    }
+  }
+  return nullptr;
+}
+
+// Multiples of 2^-15 as integers, against the same by halves.
+int32_t stopped(int32_t x) {
+  return x < -0x8000 ? -0x8000 : x > 0x7FFF ? 0x7FFF : x;
+}
+const char *check_fractions() {
+  constexpr uint32_t all = Fractions::lanes;
+  static_assert(all == 2 * n);
+  const int32_t sample[] = {0,      1,     -1,     2,     3,     -3,     127,    -255,  4095, 16384,
+                            -16384, 23170, -23171, 32766, 32767, -32767, -32768, 12345, -9876};
+  constexpr int32_t samples = sizeof sample / sizeof sample[0];
+  for (int32_t shift = 0; shift < samples; ++shift) {
+    float u[all], v[all];
+    int32_t p[all], q[all];
+    for (uint32_t k = 0; k < all; ++k) {
+      p[k] = sample[(static_cast<int32_t>(k) + shift) % samples];
+      q[k] = sample[(static_cast<int32_t>(5 * k) + 3 * shift) % samples];
+      u[k] = static_cast<float>(p[k]) * 0x1p-15F;
+      v[k] = static_cast<float>(q[k]) * 0x1p-15F;
+    }
+    const Fractions x = Fractions::of(Floats::load(u), Floats::load(u + n), 1.0F);
+    const Fractions y = Fractions::of(Floats::load(v), Floats::load(v + n), 1.0F);
+    // A result less what it should be is 0, and no other number has neither sign.
+    const auto equals = [&](Fractions found, auto expected) {
+      float e[all];
+      for (uint32_t k = 0; k < all; ++k) e[k] = static_cast<float>(expected(p[k], q[k])) * 0x1p-15F;
+      const Fractions should = Fractions::of(Floats::load(e), Floats::load(e + n), 1.0F);
+      LaneBits low = 0, high = 0;
+      FractionSigns::of(found - should, should - found).negative(low, high);
+      return (low | high) == 0;
+    };
+    if (!equals(x + y, [](int32_t i, int32_t j) { return stopped(i + j); })) return "fractions, +";
+    if (!equals(x - y, [](int32_t i, int32_t j) { return stopped(i - j); })) return "fractions, -";
+    if (!equals(larger(x, y), [](int32_t i, int32_t j) { return i > j ? i : j; })) return "fractions, larger";
+    if (!equals(smaller(x, y), [](int32_t i, int32_t j) { return i < j ? i : j; })) return "fractions, smaller";
+    if (!equals(magnitude(x), [](int32_t i, int32_t) { return i < 0 && i > -32768 ? -i : i; })) return "magnitude";
+    const Fractions one_less = larger(x, Fractions::all(-0x7FFFp-15F));
+    if (!equals(one_less * y, [](int32_t i, int32_t j) { return ((i < -32767 ? -32767 : i) * j + 0x4000) >> 15; }))
+      return "fractions, *";
+    if (!bits_are(negative(x.signs_of_low()), [&](uint32_t k) { return p[k] < 0; })) return "signs_of_low";
+    if (!bits_are(negative(x.signs_of_high()), [&](uint32_t k) { return p[k + n] < 0; })) return "signs_of_high";
+    const FractionSigns either = either_negative(FractionSigns::of(x, y), FractionSigns::of(y, x));
+    const FractionSigns both = both_negative(FractionSigns::of(x, x), FractionSigns::of(y, y));
+    LaneBits low = 0, high = 0;
+    either.negative(low, high);
+    if (!bits_are(low, [&](uint32_t k) { return p[k] < 0 || q[k] < 0; })) return "either, low";
+    if (!bits_are(high, [&](uint32_t k) { return p[k + n] < 0 || q[k + n] < 0; })) return "either, high";
+    both.negative(low, high);
+    if (!bits_are(low, [&](uint32_t k) { return p[k] < 0 && q[k] < 0; })) return "both, low";
+    if (!bits_are(high, [&](uint32_t k) { return p[k + n] < 0 && q[k + n] < 0; })) return "both, high";
+    float twice[n];
+    Fractions::twice(Floats::load(u), 1.0F).store(twice);
+    for (uint32_t k = 0; k < n; ++k) {
+      if (!equals(Fractions::all_of(twice + k) - x, [&](int32_t i, int32_t) { return stopped(p[k] - i); }))
+        return "twice";
+    }
+  }
+  // What is too large stops, and halves are rounded to even.
+  const float far[2 * n] = {4.0F, -4.0F, 0x1.8p-15F, 0x2.8p-15F};
+  const float near[2 * n] = {0x7FFFp-15F, -1.0F, 0x2p-15F, 0x2p-15F};
+  const Fractions x = Fractions::of(Floats::load(far), Floats::load(far + n), 1.0F);
+  const Fractions y = Fractions::of(Floats::load(near), Floats::load(near + n), 1.0F);
+  LaneBits low = 0, high = 0;
+  FractionSigns::of(x - y, y - x).negative(low, high);
+  return (low | high) == 0 ? nullptr : "fractions, of";
+}
+
+}  // namespace
+
+void check_words(const char *&wrong) {
+  const char *(*const checks[])() = {check_floats, check_comparisons, check_doubles, check_front_orders,
+                                     check_fractions};
+  for (const auto check : checks) {
+    wrong = check();
+    if (wrong != nullptr) return;
+  }
+}
+
+}  // namespace hsp::HSP_TARGET
+
+#endif
