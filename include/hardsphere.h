@@ -166,10 +166,10 @@
  *   each.
  *
  * REQUESTS AND OUTPUTS
- *   A function with much to say takes a request, which says what is asked, and outputs, which say where results go. Both
- *   begin with struct_size. In a request 0 or NULL means default, and the request may itself be NULL: all defaults. A
- *   pointer in outputs is NULL where its result is not wanted; capacity is that of each array [n], needed becomes n. In
- *   C, with names:
+ *   A function with much to say takes a request, which says what is asked, and outputs, which say where results go.
+ *   Both begin with struct_size. In a request 0 or NULL means default, and the request may itself be NULL: all
+ *   defaults. A pointer in outputs is NULL where its result is not wanted; capacity is that of each array [n], needed
+ *   becomes n. In C, with names:
  *     hsp_gradient_request request = {.struct_size = sizeof request, .tension = 1.0};
  *     hsp_gradient_outputs outputs = {.struct_size = sizeof outputs, .capacity = n, .d_centre = gradient};
  *     status = hsp_boundary_get_gradient(boundary, &request, &outputs);
