@@ -29,11 +29,7 @@ int32_t hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradie
   const hsp::EnergyTerms terms = asked.terms();
   const auto put = [&](uint32_t i, const hsp::EnergyGradient &gradient) { arrays.put(i, gradient); };
   hsp::Energy found;
-  if (!asked.executor.is_parallel()) {
-    found = hsp::differentiate_energy(grid, structure, terms, put);
-  } else if (!hsp::differentiate_in_parts(asked.executor, grid, structure, terms, found, put)) {
-    return HSP_E_EXECUTOR;
-  }
+  if (!hsp::differentiate_energy(asked.executor, grid, structure, terms, found, put)) return HSP_E_EXECUTOR;
   if (out.flags != nullptr) hsp::flag_free_inner_contacts(grid, structure, HSP_GRADIENT_ONE_SIDED, out.flags);
   if (boundary->of_some) {
     found.volume = 0.0;

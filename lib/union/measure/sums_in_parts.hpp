@@ -6,6 +6,14 @@
 
 namespace hsp {
 
+// The sums of all ranges from those of each. A call of its own, as what it takes of the stack is not needed by the tasks.
+template <class Sum>
+[[gnu::noinline]] typename Sum::Term sum_of_ranges(const TermRanges &ranges, const typename Sum::Term *of_range) {
+  Sum all;
+  for (uint32_t k = 0; k < ranges.complete(); ++k) all.add(of_range[k]);
+  return all.sums(of_range[ranges.complete()]);
+}
+
 // Calls visit(range, sum) for ranges that are all balls together, side by side; it adds a term for each ball of the
 // range. Sum::sums(rest): of its terms with those behind them, of which rest are the sums. False if the executor
 // fails.
@@ -13,14 +21,13 @@ template <class Sum, class Visit>
 bool sum_in_parts(const Executor &executor, uint32_t balls, Visit visit, typename Sum::Term &sums) {
   const TermRanges ranges(balls, executor.workers());
   typename Sum::Term of_range[TermRanges::most + 1] = {};  // the last: no rest
-  const bool each = executor.for_each(ranges.count(), [&](uint32_t k) {
+  const auto sum_range = [&](uint32_t k) __attribute__((noinline)) {
     Sum sum;
     visit(ranges[k], sum);
     of_range[k] = sum.sums({});
-  });
-  Sum all;
-  for (uint32_t k = 0; k < ranges.complete(); ++k) all.add(of_range[k]);
-  sums = all.sums(of_range[ranges.complete()]);
+  };
+  const bool each = executor.for_each(ranges.count(), sum_range);
+  sums = sum_of_ranges<Sum>(ranges, of_range);
   return each;
 }
 
@@ -35,13 +42,19 @@ bool for_each_range(const Executor &executor, uint32_t balls, Visit visit) {
   return executor.for_each(ranges.count(), [&](uint32_t k) { visit(ranges[k]); });
 }
 
-// sum_in_parts, by the caller's thread if the executor has no more.
+// The same by the caller's thread alone. A call of its own: what it takes of the stack is not that of the tasks' caller.
 template <class Sum, class Visit>
-bool sum_by(const Executor &executor, uint32_t balls, Visit visit, typename Sum::Term &sums) {
-  if (executor.is_parallel()) return sum_in_parts<Sum>(executor, balls, visit, sums);
+[[gnu::noinline]] void sum_alone(uint32_t balls, Visit visit, typename Sum::Term &sums) {
   Sum all;
   visit(IdRange{0, balls}, all);
   sums = all.sums({});
+}
+
+// sum_in_parts, or alone if the executor has no more threads.
+template <class Sum, class Visit>
+bool sum_by(const Executor &executor, uint32_t balls, Visit visit, typename Sum::Term &sums) {
+  if (executor.is_parallel()) return sum_in_parts<Sum>(executor, balls, visit, sums);
+  sum_alone<Sum>(balls, visit, sums);
   return true;
 }
 

@@ -262,23 +262,6 @@ Energy differentiate_energy(const CubeGrid &grid, const Boundary &boundary, cons
   return sum.total(balls.lattice, terms.tension, terms.pressure);
 }
 
-// The same by several tasks, from which sink is called. False if the executor fails.
-template <class Sink>
-bool differentiate_in_parts(const Executor &executor, const CubeGrid &grid, const Boundary &boundary,
-                            const EnergyTerms &terms, Energy &energy, Sink sink) {
-  const auto differentiate_part = [&](IdRange range, EnergySum &sum) {
-    differentiate_balls(grid, boundary, terms, range,
-                        [&](uint32_t i, const EnergyGradient &gradient, const EnergyShare &share) {
-                          sum.add(share);
-                          sink(i, gradient);
-                        });
-  };
-  EnergyShare sums{};
-  const bool each = sum_in_parts<EnergySum>(executor, grid.balls().n, differentiate_part, sums);
-  energy = energy_of(sums, grid.balls().lattice, terms.tension, terms.pressure);
-  return each;
-}
-
 // The energy of balls whose shares visit(range, sum) adds, with lengths on this lattice. False if the executor fails.
 template <class Visit>
 bool sum_energy(const Executor &executor, uint32_t balls, const exact::Lattice &lattice, const EnergyTerms &terms,
@@ -287,6 +270,20 @@ bool sum_energy(const Executor &executor, uint32_t balls, const exact::Lattice &
   const bool each = sum_by<EnergySum>(executor, balls, visit, sums);
   energy = energy_of(sums, lattice, terms.tension, terms.pressure);
   return each;
+}
+
+// Calls sink(i, gradient) for every ball i of the input, from the tasks of the executor. False if that fails.
+template <class Sink>
+bool differentiate_energy(const Executor &executor, const CubeGrid &grid, const Boundary &boundary,
+                          const EnergyTerms &terms, Energy &energy, Sink sink) {
+  const auto visit = [&](IdRange range, EnergySum &sum) {
+    differentiate_balls(grid, boundary, terms, range,
+                        [&](uint32_t i, const EnergyGradient &gradient, const EnergyShare &share) {
+                          sum.add(share);
+                          sink(i, gradient);
+                        });
+  };
+  return sum_energy(executor, grid.balls().n, grid.balls().lattice, terms, visit, energy);
 }
 
 }  // namespace hsp

@@ -31,10 +31,9 @@ int main(int argc, char **argv) {
   if (status == HSP_OK) status = hsp_workspace_boundary(&work);
   if (status == HSP_OK) status = hsp_boundary_measure(work.boundary, NULL, &totals, area, volume, n, NULL);
   if (status == HSP_OK) {
-    status = hsp_boundary_get_gradient(
-        work.boundary,
-        &(hsp_gradient_request){.struct_size = sizeof(hsp_gradient_request), .tension = 1.0, .pressure = 1.0},
-        &(hsp_gradient_outputs){.struct_size = sizeof(hsp_gradient_outputs), .d_centre = gradient, .capacity = n});
+    const hsp_gradient_request request = {sizeof request, HSP_TANGENT_OVERLAP, 1.0, 1.0, NULL, NULL};
+    hsp_gradient_outputs outputs = {sizeof outputs, n, 0, 0, NULL, gradient, NULL, NULL};
+    status = hsp_boundary_get_gradient(work.boundary, &request, &outputs);
   }
   hsp_workspace_free(&work);
   if (status != HSP_OK) return 1;
