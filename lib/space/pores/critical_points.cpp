@@ -82,7 +82,7 @@ bool meet(const CriticalPoints::Block &a, const CriticalPoints::Block &b) {
 }  // namespace
 
 // Some balls as the middle of a cube sees them. A critical point is in the hull of the centres of what is nearest
-// there, so that a plane between these and the cube excludes all of them: only linear forms are asked, at the corners of the
+// there: a plane between these and the cube excludes all of them. So only linear forms are asked, at the corners of the
 // cube. Of |x - c| the linear part is a lower bound.
 struct CriticalPoints::Directions {
   static constexpr uint32_t room = 64;
