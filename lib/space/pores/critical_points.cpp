@@ -133,7 +133,7 @@ struct CriticalPoints::Directions {
     }
     d = (1.0 / count) * d;
     least *= side / count;
-    for (int turn = 0; turn < 8; ++turn) {
+    for (int turn = 0; turn < 6; ++turn) {
       const double squared = dot(d, d);
       if (!(squared > 1e-12) || squared <= least * least) return false;
       const double across = side * size(d);
@@ -421,10 +421,8 @@ uint32_t CriticalPoints::enter(const Cube &cube, uint32_t first, uint32_t last) 
   if (count <= Directions::room) {
     Directions &directions = directions_[0];
     directions.set(*balls_, candidates_.part(last, last + count), cube.centre, static_cast<double>(cube.half + 2));
-    if (directions.lead_up(count)) return last;
-    const uint32_t left = drop_farther(last, count);
-    if (left < 3 || (left < count && directions.lead_up(left))) return last;
-    count = left;
+    count = drop_farther(last, count);
+    if (count < 3 || directions.lead_up(count)) return last;
   }
   return last + count;
 }
