@@ -82,8 +82,8 @@ bool meet(const CriticalPoints::Block &a, const CriticalPoints::Block &b) {
 }  // namespace
 
 // Some balls as the middle of a cube sees them. A critical point is in the hull of the centres of what is nearest
-// there, so that a plane between these and the cube excludes all of them: only linear forms are asked, at the corners
-// of the cube. Of |x - c| the linear part is a lower bound.
+// there: a plane between these and the cube excludes all of them. So only linear forms are asked, at the corners of the
+// cube. Of |x - c| the linear part is a lower bound.
 struct CriticalPoints::Directions {
   static constexpr uint32_t room = 64;
   Vec3 y[room];          // from the centres
@@ -133,7 +133,7 @@ struct CriticalPoints::Directions {
     }
     d = (1.0 / count) * d;
     least *= side / count;
-    for (int turn = 0; turn < 8; ++turn) {
+    for (int turn = 0; turn < 6; ++turn) {
       const double squared = dot(d, d);
       if (!(squared > 1e-12) || squared <= least * least) return false;
       const double across = side * size(d);
@@ -422,10 +422,8 @@ uint32_t CriticalPoints::enter(const Cube &cube, uint32_t first, uint32_t last) 
   if (count <= Directions::room) {
     Directions &directions = directions_[0];
     directions.set(*balls_, candidates_.part(last, last + count), cube.centre, static_cast<double>(cube.half + 2));
-    if (directions.lead_up(count)) return last;
-    const uint32_t left = drop_farther(last, count);
-    if (left < 3 || (left < count && directions.lead_up(left))) return last;
-    count = left;
+    count = drop_farther(last, count);
+    if (count < 3 || directions.lead_up(count)) return last;
   }
   return last + count;
 }

@@ -8,7 +8,8 @@
 // Many balls that tie, or nearly, never become fewer. Let all balls within 2 delta of the nearest one at a point x be
 // within eps of it, and 0 be inside the hull of their directions by eta. At a distance d < delta from x no point is
 // critical if eps / d + 1.5 d / (D - d) < eta, D the least distance of the centres: what is nearest there all lies
-// ahead, so that the way back leads up. So a cube around x is settled at once where its sets are tried.
+// ahead, so that the way back leads up. So a cube around x is settled at once where its sets are tried. Only balls that
+// can be nearest in the cube that is halved count for that; what is found outside it is left to other cubes.
 #pragma once
 
 #include "core/fixed_vector.hpp"
