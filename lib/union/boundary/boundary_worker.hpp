@@ -29,8 +29,8 @@ class alignas(64) BoundaryWorker {
   // Takes a share. Nothing is found. selected: null, or in the grid's order whether a ball is not left out.
   void start(const BallShare &share, const uint32_t *selected = nullptr);
 
-  // Vertices and circles of the share's balls, and which balls meet. Of some balls alone: what lies on one of them, found
-  // at the first of those. Components are not looked for then.
+  // Vertices and circles of the share's balls, and which balls meet. Of some balls alone: what lies on one of them,
+  // found at the first of those. Components are not looked for then.
   void search(const CubeGrid &grid, uint8_t *ball_state);
   // The same for the first balls of a set without a grid, the share's, that are at most 1.5 sides from a centre along
   // each axis; no radius is larger than half a side. Components are not looked for.

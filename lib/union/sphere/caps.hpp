@@ -18,8 +18,8 @@ inline BallArrays arrays_of(const BallSet &balls) {
   return {balls.x.data(), balls.y.data(), balls.z.data(), balls.r.data()};
 }
 
-// Moves those of the first `earlier` balls that are selected before the others; returns how many these are. exchange(a, b)
-// exchanges what belongs to two places.
+// Moves those of the first `earlier` balls that are selected before the others; returns how many these are.
+// exchange(p, q) exchanges what belongs to two positions.
 template <class Exchange>
 uint32_t put_selected_first(Span<const uint32_t> ball, uint32_t earlier, const uint32_t *selected, Exchange exchange) {
   uint32_t first = 0;
@@ -40,8 +40,8 @@ struct Caps {
   Span<double> ux, uy, uz, b;
   Span<uint32_t> ball;  // the other ball, grid order
   uint32_t count = 0;
-  // Caps from here on are of balls after the origin ball in grid order; where only some balls are searched, of those and
-  // of all that are not.
+  // Caps from here on are of balls after the origin ball in grid order; where only some balls are searched, of those
+  // and of all that are not.
   uint32_t first_later = 0;
 
   uint32_t origin = 0;  // the ball they lie on, grid order
