@@ -1,7 +1,6 @@
 // OpenMM 7.7: a surface energy as a force of one's own, without a plugin of kernels; nm and kJ/mol. On the Reference
 // platform forces are added to the platform's array. OpenMM 8 has CustomCPPForceImpl for this, on all platforms.
-//   openmm_sasa TENSION DT STEPS    216 atoms with forces of Lennard-Jones: the worst difference of forces from quotients,
-//                                   the largest force, and how far the total energy goes in NVE
+// Prints the worst difference of forces from quotients, the largest force, and how far the total energy goes in NVE.
 #include <OpenMM.h>
 #include <openmm/internal/ContextImpl.h>
 #include <openmm/internal/ForceImpl.h>
