@@ -19,7 +19,7 @@ inline BallArrays arrays_of(const BallSet &balls) {
 }
 
 // Moves those of the first `earlier` balls that are selected before the others; returns how many these are.
-// exchange(p, q) exchanges what belongs to two positions.
+// exchange(a, b) exchanges what belongs to two positions.
 template <class Exchange>
 uint32_t put_selected_first(Span<const uint32_t> ball, uint32_t earlier, const uint32_t *selected, Exchange exchange) {
   uint32_t first = 0;
