@@ -16,7 +16,8 @@ packages_for_all_tests=(clang clang-14 lld musl-tools libclang-rt-14-dev g++-arm
   valgrind python3-numpy)
 # WebAssembly and the page that uses it, MPI, machines without an operating system, packages that the Python module serves.
 optional_packages_for_all_tests=(wasi-libc libclang-rt-14-dev-wasm32 libc++-14-dev-wasm32 libc++abi-14-dev-wasm32 nodejs
-  chromium openmpi-bin libopenmpi-dev qemu-system-arm python3-mdanalysis python3-ase rustc)
+  chromium openmpi-bin libopenmpi-dev qemu-system-arm python3-mdanalysis python3-ase rustc
+  lammps liblammps-dev libopenmm-dev)
 # What the preset long tests besides: other processors, packages, and programs that draw pictures.
 packages_for_long_tests=(g++-aarch64-linux-gnu g++-riscv64-linux-gnu g++-i686-linux-gnu googletest debootstrap dpkg-dev
   debhelper lintian cairosvg inkscape mupdf-tools)

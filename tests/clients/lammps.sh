@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# capi/clients/lammps_sasa.c: the same bits of areas and forces with 1, 2 and 4 ranks, forces against difference quotients
+# of the energy, and the total energy kept, the better the smaller the time step.
+#   lammps.sh SOURCE-FOLDER ARCHIVE WORK-FOLDER
+# Exit status 77: LAMMPS's library or MPI is missing here; packages lammps, liblammps-dev, openmpi-bin, libopenmpi-dev.
+set -euo pipefail
+source=$1 archive=$2 work=$3
+export LC_ALL=C OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
+rm -rf "$work"
+mkdir -p "$work"
+cd "$work"
+printf '#include <lammps/library.h>\n' >probe.c
+if ! command -v mpicc >/dev/null || ! mpicc -DLAMMPS_SMALLBIG -DLAMMPS_LIB_MPI -c probe.c 2>/dev/null; then
+  echo "skipped: there is no LAMMPS with MPI here" && exit 77
+fi
+mpirun -n 1 true >log 2>&1 || { echo "skipped: $(grep -m 1 . log)" && exit 77; }
+mpicc -O2 -std=c99 -Wall -Wextra -DLAMMPS_SMALLBIG -DLAMMPS_LIB_MPI -I"$source/include" \
+  "$source/capi/clients/lammps_sasa.c" "$archive" -llammps -lm -o lammps_sasa
+
+for ranks in 1 2 4; do
+  mpirun -n $ranks ./lammps_sasa 0.0072 bits 2>log | sort >bits.$ranks
+done
+[ "$(wc -l <bits.1)" -eq 512 ] && [ "$(awk '$4 != "0x0p+0"' bits.1 | wc -l)" -gt 100 ]
+cmp bits.1 bits.2
+cmp bits.1 bits.4
+./lammps_sasa 0.0072 quotients >quotients
+awk '{ if (!($1 < 1e-7 && $2 > 0.01)) { print "forces: " $0; exit 1 } }' quotients
+# Spheres that come to touch, or cease to, change a force at once: the error falls with the step, not with its square.
+for run in "4 960" "2 1920" "1 3840"; do
+  read -ra words <<<"$run"
+  ./lammps_sasa 0.0072 run "${words[@]}"
+done >kept
+awk '{ rms[NR] = $1 } END { exit !(NR == 3 && rms[1] > rms[3] * 3 && rms[2] > rms[3] && rms[3] < 0.02) }' kept ||
+  { echo "the total energy goes by" && cat kept && exit 1; }
+echo "512 atoms, the same bits with 1, 2 and 4 ranks; quotients $(cat quotients); energy goes by" $(cat kept)
