@@ -49,11 +49,7 @@ void SphereTree::carve(Workspace &workspace, uint32_t balls) {
   const SphereLevels shape = shape_of_levels(balls);
   blocks_ = workspace.take<SphereBlock>(shape.first[shape.top] + 1);
   target_ = workspace.target();
-  x_ = workspace.take<double>(balls);
-  y_ = workspace.take<double>(balls);
-  z_ = workspace.take<double>(balls);
-  r_ = workspace.take<double>(balls);
-  caller_ = workspace.take<uint32_t>(balls);
+  workspace.take_each(balls, x_, y_, z_, r_, caller_);
   for (Span<uint32_t> &each : along_) each = workspace.take<uint32_t>(balls);
   waiting_ = workspace.take<uint32_t>(balls);
   in_second_ = workspace.take<uint8_t>(balls);

@@ -46,6 +46,12 @@ class Workspace {
     return {first, static_cast<uint32_t>(count)};
   }
 
+  // Such an array for each of some, one after the other.
+  template <class... T>
+  void take_each(uint64_t count, Span<T> &...arrays) {
+    ((arrays = take<T>(count)), ...);
+  }
+
   // Bytes that suffice for any alignment of the block; 0 if they do not fit a size_t.
   size_t bytes() const { return overflow_ || used_ > SIZE_MAX - alignment ? 0 : used_ + alignment; }
 

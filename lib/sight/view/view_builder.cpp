@@ -12,9 +12,7 @@ void ViewBuilder::carve(Workspace &workspace, const ViewLimits &limits) {
   hidden_.carve(workspace, limits.balls);
   piece_.carve(workspace, limits.neighbours);
   cut_ = FixedVector<PieceRecord>(workspace.take<PieceRecord>(limits.balls));
-  visible_ = workspace.take<uint8_t>(limits.balls);
-  scratch_ = workspace.take<uint32_t>(limits.balls);
-  keys_ = workspace.take<DepthKey>(limits.balls);
+  workspace.take_each(limits.balls, visible_, scratch_, keys_);
 }
 
 // Balls of radius 0 have no front and balls without faces are invisible. The pieces of the other balls cover them, so

@@ -19,6 +19,20 @@
 
 namespace hsp {
 
+// Whether two circles cross, and where if they certainly do. error: A e.
+template <class Crossing>
+Answer certain_crossing(const CircleCrossing<Vec3, double> &pair, uint32_t j, uint32_t k, double error,
+                        Crossing &crossing) {
+  const double D = pair.discriminant(1.0);
+  const double scale = error * std::sqrt(pair.nn + dot(pair.q, pair.q));
+  if (D < -256 * scale) return Answer::no;
+  // So far above its error that the first order decides.
+  if (!(D > 4096 * scale)) return Answer::unknown;
+  const double root = std::sqrt(D);
+  crossing = {j, k, root, {pair.point(-root), pair.point(root)}, 256 * error / root};
+  return Answer::yes;
+}
+
 class CirclesInDoubles {
  public:
   // amplification >= 1.
@@ -37,14 +51,7 @@ class CirclesInDoubles {
 
   Answer crossing(uint32_t j, uint32_t k, Crossing &crossing) const {
     const CircleCrossing<Vec3, double> pair(caps_.axis(j), caps_.b[j], caps_.axis(k), caps_.b[k]);
-    const double D = pair.discriminant(1.0);
-    const double scale = error_ * std::sqrt(pair.nn + dot(pair.q, pair.q));
-    if (D < -256 * scale) return Answer::no;
-    // So far above its error that the first order decides.
-    if (!(D > 4096 * scale)) return Answer::unknown;
-    const double root = std::sqrt(D);
-    crossing = {j, k, root, {pair.point(-root), pair.point(root)}, 256 * error_ / root};
-    return Answer::yes;
+    return certain_crossing(pair, j, k, error_, crossing);
   }
   Answer contains(const Crossing &crossing, int sign, uint32_t r) const {
     const double above = dot(caps_.axis(r), crossing.point[sign > 0 ? 1 : 0]) - caps_.b[r];

@@ -5,6 +5,7 @@
 #include "core/sorting.hpp"
 #include "measure/areas.hpp"
 #include "sphere/arc_geometry.hpp"
+#include "surface/circles_in_doubles.hpp"
 #include "surface/covered_gaps.hpp"
 
 namespace hsp {
@@ -141,17 +142,11 @@ Answer SettledCircles::crossing(uint32_t j, uint32_t k, Crossing &crossing) cons
 
 Answer SettledCircles::crossing_of_probes(uint32_t j, uint32_t k, Crossing &crossing) const {
   const CircleCrossing<Vec3, double> pair(caps_.axis(j), height(j), caps_.axis(k), height(k));
-  const double D = pair.discriminant(1.0);
-  const double scale = error_ * std::sqrt(pair.nn + dot(pair.q, pair.q));
-  if (D < -256 * scale) return Answer::no;
-  if (D > 4096 * scale) {
-    const double root = std::sqrt(D);
-    crossing = {j, k, root, {pair.point(-root), pair.point(root)}, 256 * error_ / root};
-    return Answer::yes;
-  }
+  if (const Answer answer = certain_crossing(pair, j, k, error_, crossing); answer != Answer::unknown) return answer;
   const exact::Plane &P = caps_.plane(j);
   const exact::Plane &Q = caps_.plane(k);
   if (predicates_.crossing(P, Q).sign < 0) return Answer::no;
+  const double D = pair.discriminant(1.0);
   const double exact_D = exact::Exact::discriminant(predicates_.sphere(), P, Q);
   const double root = std::sqrt(exact_D > 0.0 ? exact_D : 0.0);
   constexpr double to_unit = 2.0 / static_cast<double>(twice_smaller_probe);

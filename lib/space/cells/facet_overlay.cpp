@@ -36,15 +36,10 @@ bool concur(const PowerPlane &a, const PowerPlane &b, const PowerPlane &line) {
 
 void FacetOverlay::carve(Workspace &workspace, uint32_t balls) {
   const uint64_t planes = PowerPolytope::most_planes(balls);
-  corners_ = workspace.take<Corner>(2 * planes);
-  other_corners_ = workspace.take<Corner>(2 * planes);
-  edges_ = workspace.take<Edge>(2 * planes);
-  other_edges_ = workspace.take<Edge>(2 * planes);
+  workspace.take_each(2 * planes, corners_, other_corners_, edges_, other_edges_);
   above_planes_ = workspace.take<UnitPlane>(planes);
   sides_ = workspace.take<int8_t>(2 * planes);
-  below_ = workspace.take<Listed>(static_cast<uint64_t>(balls) + 1);
-  above_ = workspace.take<Listed>(static_cast<uint64_t>(balls) + 1);
-  near_ = workspace.take<uint32_t>(static_cast<uint64_t>(balls) + 1);
+  workspace.take_each(static_cast<uint64_t>(balls) + 1, below_, above_, near_);
   parts_ = FixedVector<Part>(workspace.take<Part>(parts_per_plane * planes));
   names_ = FixedVector<Name>(workspace.take<Name>(names_per_plane * planes));
   target_ = workspace.target();

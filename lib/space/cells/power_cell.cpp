@@ -19,9 +19,7 @@ void PowerCell::carve(Workspace &workspace, uint32_t balls) {
   order_ = workspace.take<PlaneOrder>(1);
   of_planes_.order = order_.data();
   const uint64_t planes = PowerPolytope::most_planes(balls), vertices = PowerPolytope::most_vertices(balls);
-  planes_ = workspace.take<UnitPlane>(planes);
-  codes_ = workspace.take<uint32_t>(planes);
-  first_free_ = workspace.take<uint32_t>(planes);
+  workspace.take_each(planes, planes_, codes_, first_free_);
   cutters_ = workspace.take<uint32_t>(balls);
   part_ = workspace.take<uint32_t>(vertices);
   waiting_ = workspace.take<uint32_t>(vertices);

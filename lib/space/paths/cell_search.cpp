@@ -16,9 +16,7 @@ int64_t nearest_common(int64_t value, int64_t a_low, int64_t a_high, int64_t b_l
 }  // namespace
 
 void CellSearch::carve(Workspace &workspace, const FreeSpaceLimits &limits) {
-  visits_ = workspace.take<Visit>(limits.cells);
-  heap_ = workspace.take<uint32_t>(limits.cells);
-  boxes_ = workspace.take<Box>(limits.cells);
+  workspace.take_each(limits.cells, visits_, heap_, boxes_);
   first_link_ = workspace.take<uint32_t>(static_cast<uint64_t>(limits.cells) + 1);
   links_ = workspace.take<uint32_t>(2 * static_cast<uint64_t>(limits.adjacencies));
 }

@@ -26,9 +26,7 @@ void BoundaryArrays::carve(Workspace &workspace, const BoundaryLimits &limits) {
   loop_start = workspace.take<LoopElement>(loops);
   loop_face = workspace.take<uint32_t>(loops);
   faces = workspace.take<FaceRecord>(loops + n);
-  ball_state = workspace.take<uint8_t>(n);
-  component_origin = workspace.take<uint32_t>(n);
-  component = workspace.take<uint32_t>(n);
+  workspace.take_each(n, ball_state, component_origin, component);
 }
 
 void BoundaryBuilder::carve(Workspace &workspace, const BoundaryLimits &limits) {

@@ -89,8 +89,9 @@ void BallGroup::gather_around(const MovingRecords &records, const BallCells &cel
   centre_[0] = middle(low_.x, high_.x);
   centre_[1] = middle(low_.y, high_.y);
   centre_[2] = middle(low_.z, high_.z);
-  const auto squared_distance = [this](const BallSet &set, uint32_t i) {
-    const double dx = set.x[i] - centre_[0], dy = set.y[i] - centre_[1], dz = set.z[i] - centre_[2];
+  const double x = centre_[0], y = centre_[1], z = centre_[2];
+  const auto squared_distance = [x, y, z](const BallSet &set, uint32_t i) {
+    const double dx = set.x[i] - x, dy = set.y[i] - y, dz = set.z[i] - z;
     return dx * dx + dy * dy + dz * dz;
   };
   double reach = 0.0, largest = 0.0;

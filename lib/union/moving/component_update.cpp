@@ -3,15 +3,7 @@
 namespace hsp {
 
 void ComponentUpdate::carve(Workspace &workspace, uint32_t balls) {
-  set_ = workspace.take<uint32_t>(balls);
-  touched_ = workspace.take<uint32_t>(balls);
-  list_ = workspace.take<uint32_t>(balls);
-  links_ = workspace.take<Link>(balls);
-  first_ = workspace.take<uint32_t>(balls);
-  last_ = workspace.take<uint32_t>(balls);
-  following_ = workspace.take<uint32_t>(balls);
-  of_ = workspace.take<uint32_t>(balls);
-  flags_ = workspace.take<uint8_t>(balls);
+  workspace.take_each(balls, set_, touched_, list_, links_, first_, last_, following_, of_, flags_);
 }
 
 void ComponentUpdate::clear(uint32_t n) {

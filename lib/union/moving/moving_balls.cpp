@@ -27,9 +27,7 @@ void MovingBalls::carve(Workspace &workspace, const MovingLimits &limits) {
   cells_.carve(workspace, limits.balls);
   components_.carve(workspace, limits.balls);
   sums_.carve(workspace, limits.balls);
-  place_ = workspace.take<uint32_t>(limits.balls);
-  new_ball_ = workspace.take<exact::LatticeBall>(limits.balls);
-  weight_ = workspace.take<double>(limits.balls);
+  workspace.take_each(limits.balls, place_, new_ball_, weight_);
   group_.carve(workspace, limits.balls, limits.neighbours);
   records_.balls.n = 0;
   may_undo_ = false;

@@ -29,10 +29,7 @@ class MovingRecords {
  public:
   void carve(Workspace &workspace, uint32_t capacity) {
     balls.carve(workspace, capacity);
-    ball = workspace.take<MovingBall>(capacity);
-    parent = workspace.take<uint32_t>(capacity);
-    journal_ = workspace.take<JournalEntry>(capacity);
-    entry_ = workspace.take<uint32_t>(capacity);
+    workspace.take_each(capacity, ball, parent, journal_, entry_);
   }
 
   // Everything that knows of no ball and no change.

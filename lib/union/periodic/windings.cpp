@@ -113,11 +113,7 @@ uint64_t WindingLattice::copies() const {
 
 void Windings::carve(Workspace &workspace, uint32_t balls) {
   n_ = 0;
-  parent_ = workspace.take<uint32_t>(balls);
-  offset_ = workspace.take<Offset>(balls);
-  lattice_ = workspace.take<WindingLattice>(balls);
-  component_ = workspace.take<uint32_t>(balls);
-  first_ = workspace.take<uint32_t>(balls);
+  workspace.take_each(balls, parent_, offset_, lattice_, component_, first_);
 }
 
 void Windings::reset(uint32_t balls) {
