@@ -5,8 +5,8 @@
 
 namespace hsp {
 
-// Invariant: an enumeration as in hardsphere.h, in which `none` is 0. id: that of the record where it fails; no_id where
-// none does.
+// Invariant: an enumeration as in hardsphere.h, in which `none` is 0. id: that of the record where it fails; no_id
+// where none does.
 template <class Invariant>
 struct Violation {
   Invariant invariant = Invariant::none;

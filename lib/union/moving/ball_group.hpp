@@ -1,5 +1,5 @@
-// Balls that changed, in groups that lie together: what lies on those of a group is computed with the balls around them, as
-// a set of their own.
+// Balls that changed, in groups that lie together: what lies on those of a group is computed with the balls around
+// them, as a set of their own.
 #pragma once
 
 #include "boundary/boundary_part.hpp"
