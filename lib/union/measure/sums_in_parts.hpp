@@ -6,7 +6,7 @@
 
 namespace hsp {
 
-// The sums of all ranges from those of each. A call of its own, as what it takes of the stack is not needed by the tasks.
+// The sums of all ranges from those of each. A call of its own, as what it takes of the stack the tasks do not need.
 template <class Sum>
 [[gnu::noinline]] typename Sum::Term sum_of_ranges(const TermRanges &ranges, const typename Sum::Term *of_range) {
   Sum all;
@@ -42,7 +42,7 @@ bool for_each_range(const Executor &executor, uint32_t balls, Visit visit) {
   return executor.for_each(ranges.count(), [&](uint32_t k) { visit(ranges[k]); });
 }
 
-// The same by the caller's thread alone. A call of its own: what it takes of the stack is not that of the tasks' caller.
+// The same by the caller's thread alone. A call of its own: what it takes of the stack is not its caller's.
 template <class Sum, class Visit>
 [[gnu::noinline]] void sum_alone(uint32_t balls, Visit visit, typename Sum::Term &sums) {
   Sum all;
