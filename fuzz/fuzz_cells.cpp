@@ -167,7 +167,7 @@ void require_widest(const fuzz::ScaledBalls &set, const hsp_model *model, const 
   });
   if (status == HSP_E_RANGE) return;  // no lattice has room for balls grown that much
   hsp_widest_probe widest{};
-  FUZZ_REQUIRE(hsp_gate_get(gate.get(), &widest) == HSP_OK, "hsp_gate_get");
+  FUZZ_REQUIRE(hsp_gate_get_widest(gate.get(), &widest) == HSP_OK, "hsp_gate_get_widest");
   FUZZ_REQUIRE((widest.passes != 0) == passes && widest.builds <= 64, "whether a point passes");
   for (int k = 0; k < 3; ++k) {
     FUZZ_REQUIRE(widest.gate[k] == HSP_NONE || widest.gate[k] < set.n(), "a ball of a gate");
@@ -188,7 +188,7 @@ void require_widest(const fuzz::ScaledBalls &set, const hsp_model *model, const 
   if (!bytes.one_in(4)) return;
   const auto compare = [&](const hsp_gate *handle) {
     hsp_widest_probe again{};
-    const int32_t read = hsp_gate_get(handle, &again);
+    const int32_t read = hsp_gate_get_widest(handle, &again);
     FUZZ_REQUIRE(read != HSP_OK || std::memcmp(&again, &widest, sizeof widest) == 0, "the probe the second time");
     return read;
   };
@@ -210,7 +210,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
 
   topology_result topology{};
   FUZZ_REQUIRE(topology_result_make(&base.get(), &topology) == HSP_OK, "topology");
-  FUZZ_REQUIRE(reference.counts.regions == topology.counts.cells, "regions are not the cells of the complement");
+  FUZZ_REQUIRE(reference.counts.regions == topology.counts.regions, "regions are not the cells of the complement");
   FUZZ_REQUIRE(hsp_cells_check(cells.get(), topology.topology, &invariant, &id) == HSP_OK, "hsp_cells_check");
   FUZZ_REQUIRE(invariant == 0 && id == HSP_NONE, "a violated invariant");
   FUZZ_REQUIRE(same_results(reference, read(cells.get())), "results after the check");

@@ -1,4 +1,4 @@
-// Contacts, cells and curvatures of any set: the library's check of itself, rows, groups and simplices against all
+// Contacts, shares and curvatures of any set: the library's check of itself, rows, groups and simplices against all
 // contacts, areas and volumes against the boundary, the same twice and in any order, and limits that are too small.
 #include <cmath>
 #include <cstring>
@@ -13,7 +13,7 @@ namespace {
 
 struct Result {
   std::vector<hsp_contact> contacts;
-  std::vector<double> cell, area;
+  std::vector<double> share, area;
   hsp_totals totals;
   hsp_complex complex;
   hsp_contacts_limits needed;
@@ -22,10 +22,10 @@ struct Result {
 Result read_result(hsp_contacts *contacts, uint32_t n) {
   Result result{};
   result.contacts = support::all_records<hsp_contact>(
-      [contacts](auto... out) { return hsp_contacts_get(contacts, out...); }, "hsp_contacts_get");
-  result.cell.resize(n);
+      [contacts](auto... out) { return hsp_contacts_get_pairs(contacts, out...); }, "hsp_contacts_get_pairs");
+  result.share.resize(n);
   result.area.resize(n);
-  FUZZ_REQUIRE(hsp_contacts_measure(contacts, &result.totals, result.cell.data(), result.area.data(), n, nullptr) == 0,
+  FUZZ_REQUIRE(hsp_contacts_measure(contacts, &result.totals, result.share.data(), result.area.data(), n, nullptr) == 0,
                "hsp_contacts_measure");
   FUZZ_REQUIRE(hsp_contacts_get_complex(contacts, &result.complex) == HSP_OK, "hsp_contacts_get_complex");
   return result;
@@ -54,14 +54,14 @@ void require_laws(hsp_contacts *contacts, const computed &base, const Result &re
   FUZZ_REQUIRE(c.singular[1] == base.counts.circles, "edges and circles");
   FUZZ_REQUIRE(c.singular[1] + c.regular[1] + c.interior[1] == result.contacts.size(), "edges and contacts");
   double size = 1.0;
-  for (uint32_t i = 0; i < base.n; ++i) size += std::fabs(result.cell[i]) + std::fabs(base.volume[i]);
-  FUZZ_REQUIRE(std::fabs(result.totals.volume - base.totals.volume) <= 1e-9 * size, "volume of the cells");
+  for (uint32_t i = 0; i < base.n; ++i) size += std::fabs(result.share[i]) + std::fabs(base.volume[i]);
+  FUZZ_REQUIRE(std::fabs(result.totals.volume - base.totals.volume) <= 1e-9 * size, "volume of the shares");
 
   // Rows are all contacts, once for each of their balls.
   std::vector<std::vector<hsp_contact>> rows(base.n);
   for (const hsp_contact &contact : result.contacts) {
     FUZZ_REQUIRE(contact.ball[0] < contact.ball[1] && contact.ball[1] < base.n, "balls of a contact");
-    FUZZ_REQUIRE(contact.area >= 0.0 && contact.edge >= 0.0 && contact.distance > 0.0, "numbers of a contact");
+    FUZZ_REQUIRE(contact.area >= 0.0 && contact.rim >= 0.0 && contact.distance > 0.0, "numbers of a contact");
     for (const uint32_t ball : contact.ball) rows[ball].push_back(contact);
   }
   for (uint32_t i = 0; i < base.n; ++i) {
@@ -176,7 +176,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   for (uint32_t i = 0; i < set.n(); ++i)
     for (uint32_t k = 0; k < i; ++k) distinct = distinct && set.balls[i] != set.balls[k];
   for (uint32_t k = 0; distinct && k < set.n(); ++k) {
-    FUZZ_REQUIRE(mixed.cell[k] == reference.cell[order[k]], "a cell depends on the order of the balls");
+    FUZZ_REQUIRE(mixed.share[k] == reference.share[order[k]], "a share depends on the order of the balls");
     FUZZ_REQUIRE(mixed.area[k] == reference.area[order[k]], "an area depends on the order of the balls");
   }
   FUZZ_REQUIRE(std::memcmp(&mixed.complex, &reference.complex, sizeof mixed.complex) == 0,

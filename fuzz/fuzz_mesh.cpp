@@ -50,8 +50,8 @@ class Surface {
   bool is_closed() const { return surface_.counts.open_joints == 0; }
   // Of a surface that is closed.
   int64_t euler() const {
-    hsp_surface_map_counts map{};
-    FUZZ_REQUIRE(hsp_surface_get_map_counts(surface_.surface, &map) == HSP_OK, "counts of the map");
+    hsp_surface_part_counts map{};
+    FUZZ_REQUIRE(hsp_surface_get_part_counts(surface_.surface, &map) == HSP_OK, "counts of the map");
     std::vector<hsp_surface_shell> shells(map.shells);
     uint32_t needed = 0;
     const int32_t status = hsp_surface_get_shells(surface_.surface, shells.data(), map.shells, &needed);

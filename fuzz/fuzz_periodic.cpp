@@ -184,7 +184,7 @@ void require_groups(const Result &result) {
     const uint32_t a = contact.ball[0] % 3, b = contact.ball[1] % 3;
     if (a == b || a == 2 || b == 2) continue;
     sum.area += contact.area;
-    sum.edge += contact.edge;
+    sum.rim += contact.rim;
     ++sum.contacts;
   }
   FUZZ_REQUIRE(result.groups.size() == (sum.contacts > 0 ? 1U : 0U), "how many groups are in contact");
@@ -192,7 +192,7 @@ void require_groups(const Result &result) {
   const hsp_group_contact &found = result.groups[0];
   FUZZ_REQUIRE(found.group[0] == 0 && found.group[1] == 1 && found.contacts == sum.contacts, "two groups");
   FUZZ_REQUIRE(std::fabs(found.area - sum.area) <= 1e-12 * sum.area, "area between groups");
-  FUZZ_REQUIRE(std::fabs(found.edge - sum.edge) <= 1e-12 * sum.edge, "edges between groups");
+  FUZZ_REQUIRE(std::fabs(found.rim - sum.rim) <= 1e-12 * sum.rim, "edges between groups");
 }
 
 void require_laws(const hsp_periodic *periodic, const Crystal &crystal, const Result &result) {
@@ -265,7 +265,7 @@ void require_laws(const hsp_periodic *periodic, const Crystal &crystal, const Re
     const Key key{static_cast<int32_t>(contact.ball[0]), static_cast<int32_t>(contact.ball[1]), contact.shift[0],
                   contact.shift[1], contact.shift[2]};
     FUZZ_REQUIRE(contact.ball[0] <= contact.ball[1] && once_each.count(key) == 1, "a contact without neighbours");
-    FUZZ_REQUIRE(contact.area >= 0.0 && contact.edge >= 0.0 && contact.distance > 0.0, "numbers of a contact");
+    FUZZ_REQUIRE(contact.area >= 0.0 && contact.rim >= 0.0 && contact.distance > 0.0, "numbers of a contact");
   }
 }
 

@@ -109,8 +109,8 @@ void require_map(const surface_result &s, const hsp_boundary_counts &boundary) {
   const int32_t status = hsp_surface_check(surface, &invariant, &id);
   const bool open = s.counts.open_joints > 0;
   FUZZ_REQUIRE(status == (open ? HSP_E_OPEN_SURFACE : HSP_OK) && invariant == (open ? 1 : 0), "hsp_surface_check");
-  hsp_surface_map_counts counts;
-  FUZZ_REQUIRE(hsp_surface_get_map_counts(surface, &counts) == (open ? HSP_E_OPEN_SURFACE : HSP_OK),
+  hsp_surface_part_counts counts;
+  FUZZ_REQUIRE(hsp_surface_get_part_counts(surface, &counts) == (open ? HSP_E_OPEN_SURFACE : HSP_OK),
                "counts of the map");
   if (open) {
     FUZZ_REQUIRE(hsp_surface_next(surface, 0) == HSP_NONE, "a step on an open surface");

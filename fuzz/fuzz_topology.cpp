@@ -45,7 +45,7 @@ void require_same_bytes(const topology_result &a, const topology_result &b) {
   FUZZ_REQUIRE(same(a.faces, b.faces, a.counts.simple_faces), "simple faces differ the second time");
   FUZZ_REQUIRE(same(a.shells, b.shells, a.counts.shells), "shells differ the second time");
   FUZZ_REQUIRE(same(a.components, b.components, a.counts.components), "components differ the second time");
-  FUZZ_REQUIRE(same(a.cells, b.cells, a.counts.cells), "cells differ the second time");
+  FUZZ_REQUIRE(same(a.regions, b.regions, a.counts.regions), "regions differ the second time");
 }
 
 // hsp_topology_compute, property 1.
@@ -117,15 +117,16 @@ std::array<double, 3> lengths(const fuzz::ScaledBalls &set, const Place &at) {
   return {set.length(at[0]), set.length(at[1]), set.length(at[2])};
 }
 
-// The cell of a point; checked against the balls.
-uint32_t cell_of(const fuzz::ScaledBalls &set, const Result &result, const Place &at) {
+// The region of a point; checked against the balls.
+uint32_t region_of(const fuzz::ScaledBalls &set, const Result &result, const Place &at) {
   bool inside = false;
   for (uint32_t i = 0; i < set.n(); ++i) inside = inside || in_ball(set, i, at);
-  uint32_t cell = 12345;
-  FUZZ_REQUIRE(hsp_topology_locate(result.topology(), lengths(set, at).data(), &cell) == HSP_OK, "hsp_topology_locate");
-  FUZZ_REQUIRE((cell == HSP_NONE) == inside, "in a cell exactly if in no ball");
-  FUZZ_REQUIRE(cell == HSP_NONE || cell < result.get().counts.cells, "no such cell");
-  return cell;
+  uint32_t region = 12345;
+  FUZZ_REQUIRE(hsp_topology_locate(result.topology(), lengths(set, at).data(), &region) == HSP_OK,
+               "hsp_topology_locate");
+  FUZZ_REQUIRE((region == HSP_NONE) == inside, "in a region exactly if in no ball");
+  FUZZ_REQUIRE(region == HSP_NONE || region < result.get().counts.regions, "no such region");
+  return region;
 }
 
 // Near a ball of the set, mostly between it and another.
@@ -143,16 +144,16 @@ Place some_place(const fuzz::ScaledBalls &set, fuzz::Bytes &bytes) {
 void require_places(const fuzz::ScaledBalls &set, const Result &result, fuzz::Bytes &bytes) {
   static constexpr int64_t far_away = int64_t{1} << 22;
   Place before{};
-  uint32_t before_cell = HSP_NONE;
+  uint32_t before_region = HSP_NONE;
   for (int k = 0; k < 16; ++k) {
     const Place at = some_place(set, bytes);
-    const uint32_t cell = cell_of(set, result, at);
-    if (cell != HSP_NONE) {
+    const uint32_t region = region_of(set, result, at);
+    if (region != HSP_NONE) {
       for (size_t axis = 0; axis < 3; ++axis) {
         for (const int64_t end : {-far_away, far_away}) {
           Place away = at;
           away[axis] = end;
-          if (line_is_free(set, at, away)) FUZZ_REQUIRE(cell == 0, "a free way out, but not in the outer cell");
+          if (line_is_free(set, at, away)) FUZZ_REQUIRE(region == 0, "a free way out, but not in the outer region");
         }
       }
     }
@@ -161,16 +162,16 @@ void require_places(const fuzz::ScaledBalls &set, const Result &result, fuzz::By
       const Place first{at[0], before[1], before[2]}, second{at[0], at[1], before[2]};
       const bool joined =
           line_is_free(set, before, first) && line_is_free(set, first, second) && line_is_free(set, second, at);
-      FUZZ_REQUIRE(!joined || cell == before_cell, "joined by a free way, but in different cells");
+      FUZZ_REQUIRE(!joined || region == before_region, "joined by a free way, but in different regions");
     }
     before = at;
-    before_cell = cell;
+    before_region = region;
   }
-  FUZZ_REQUIRE(cell_of(set, result, {far_away, 0, 0}) == 0, "far away, but not in the outer cell");
+  FUZZ_REQUIRE(region_of(set, result, {far_away, 0, 0}) == 0, "far away, but not in the outer region");
 }
 
-// Places all over a box around the balls, joined along the axes wherever that is free: what is joined is one cell, and
-// what the box's surface reaches is the outer one.
+// Places all over a box around the balls, joined along the axes wherever that is free: what is joined is one region,
+// and what the box's surface reaches is the outer one.
 void require_flood(const fuzz::ScaledBalls &set, const Result &result) {
   int64_t spacing = set.steps_per_unit;
   Place low{}, high{};
@@ -184,24 +185,25 @@ void require_flood(const fuzz::ScaledBalls &set, const Result &result) {
     spacing = std::max(spacing, (high[axis] - low[axis]) / 16 + 1);
   }
   for (int64_t &coordinate : low) coordinate -= 1 + spacing / 3;
-  std::map<Place, uint32_t> cells;
+  std::map<Place, uint32_t> regions;
   for (int64_t x = low[0]; x <= high[0] + spacing; x += spacing) {
     for (int64_t y = low[1]; y <= high[1] + spacing; y += spacing) {
       for (int64_t z = low[2]; z <= high[2] + spacing; z += spacing) {
         const Place at{x, y, z};
-        const uint32_t cell = cell_of(set, result, at);
-        cells[at] = cell;
-        FUZZ_REQUIRE((cell == HSP_NONE) == !line_is_free(set, at, at), "in a cell exactly if in no ball");
+        const uint32_t region = region_of(set, result, at);
+        regions[at] = region;
+        FUZZ_REQUIRE((region == HSP_NONE) == !line_is_free(set, at, at), "in a region exactly if in no ball");
         bool border = false;
         for (size_t axis = 0; axis < 3; ++axis) {
           border = border || at[axis] == low[axis] || at[axis] > high[axis];
           Place neighbour = at;
           neighbour[axis] -= spacing;
-          const auto there = cells.find(neighbour);
-          if (there == cells.end() || !line_is_free(set, neighbour, at)) continue;
-          FUZZ_REQUIRE(there->second == cell, "neighbours in the box joined by a free line, but in different cells");
+          const auto there = regions.find(neighbour);
+          if (there == regions.end() || !line_is_free(set, neighbour, at)) continue;
+          FUZZ_REQUIRE(there->second == region,
+                       "neighbours in the box joined by a free line, but in different regions");
         }
-        if (border) FUZZ_REQUIRE(cell == 0, "on the box's surface, but not in the outer cell");
+        if (border) FUZZ_REQUIRE(region == 0, "on the box's surface, but not in the outer region");
       }
     }
   }

@@ -21,7 +21,7 @@
  *   hardsphere/periodic_boundary.h  vertices, arcs, circles, faces in such a box
  *   hardsphere/surface.h    the smooth surface that a probe leaves, its area and volume (Section 4.3)
  *   hardsphere/mesh.h       boundary or smooth surface as triangles
- *   hardsphere/topology.h   the boundary as quad-edges with simple faces, shells, cells, point location (Step 3)
+ *   hardsphere/topology.h   the boundary as quad-edges with simple faces, shells, regions, point location (Step 3)
  *   hardsphere/cells.h      free space as simple cells, their neighbours, point location (Section 2)
  *   hardsphere/paths.h      how a probe gets from one point to another, and how wide one may be (Section 2)
  *   hardsphere/pores.h      free space for every probe at once: pockets, mouths, tunnels, cavities
@@ -41,7 +41,10 @@
  *   boundary     all faces together: the boundary of the union of the balls
  *   shell        a connected component of the boundary
  *   component    a connected component of the union
- *   cell, void   a connected component of the rest of space; a void is one that the union encloses
+ *   region, void a connected component of the rest of space; a void is one that the union encloses
+ *   cell         a simple piece of free space; regions consist of cells (cells.h)
+ *   share        of a ball: the part of the union nearer to it than to others, by power distance (contacts.h)
+ *   rim          of a contact: the part of its border on the boundary
  *   degenerate   in a special position, as balls that touch or four spheres through a point; a tie is a decision there
  *
  * NAMES
@@ -62,7 +65,8 @@
  *   radius   [n]      double    length           radii, 0 allowed
  *   ids      [m]      uint32_t  -                ball indices, always 0-based, always the caller's own order
  *   area     [n]      double    length^2         free area of each ball
- *   volume   [n]      double    length^3         each ball's term of the volume
+ *   volume_term  [n]  double    length^3         each ball's term of the volume: no volume of an atom
+ *   share_volume [n]  double    length^3         volume of each ball's share, of an atom
  * Lengths are in whatever unit the caller uses, and results are in the same unit. Angles are in radians.
  *
  * EXACTNESS
@@ -96,7 +100,7 @@
  *   mesh        how patches hang together          positions, normals               triangles where borders lie on each
  *                                                                                   other: HSP_E_CHECK
  *   topology    edges, simple faces, shells,       positions, areas, volumes        -
- *               cells, where a point lies
+ *               regions, where a point lies
  *   cells       cells, neighbours, regions,        -                                -
  *               where a point lies
  *   paths       whether there is one, what is      points, once, to the lattice;    a polyline through passages of a
@@ -119,7 +123,7 @@
  *   memory again resets it. Distinct handles may be used by distinct threads, and a handle that is passed as const may
  *   be read by any number of threads at a time. Besides what makes, moves or drops results, these take a handle that is
  *   not const, as they work in its own memory: hsp_model_get_packing, hsp_X_check of boundary, topology, cells, map and
- *   sticks, hsp_topology_get_shells, _get_cells, _get_cell_balls and _get_traversal, and hsp_picture_write,
+ *   sticks, hsp_topology_get_shells, _get_regions, _get_region_balls and _get_traversal, and hsp_picture_write,
  *   _write_map and _write_sticks. They leave results as they are.
  *   A handle stays where it is made. A copy of one at another address, a handle of another kind and memory that holds
  *   no handle any more are refused with HSP_E_HANDLE, also where a language has one type for all pointers.

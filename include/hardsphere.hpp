@@ -5,7 +5,7 @@
 //   hardsphere::workspace work(xyz, radius, {.probe = 1.4});                         more than one question
 //   std::vector<double> areas = work.measure().area;
 //   std::vector<double> forces = work.gradient({.tension = -0.0072}).d_centre;
-//   for (const hsp_contact &contact : hardsphere::all(hsp_contacts_get, work.contacts())) ..
+//   for (const hsp_contact &contact : hardsphere::all(hsp_contacts_get_pairs, work.contacts())) ..
 //   work.set(next_xyz, radius);                                                      the next frame, in the same memory
 //
 // all() calls any function of hardsphere.h that ends with (out, capacity, needed), range() any that ends with
@@ -164,7 +164,7 @@ class workspace {
     request.struct_size = sizeof request, request.selected = selected.data();
     hsp_measure_outputs outputs{};
     outputs.struct_size = sizeof outputs, outputs.capacity = size_, outputs.totals = &found.total;
-    outputs.area = found.area.data(), outputs.volume = found.volume.data();
+    outputs.area = found.area.data(), outputs.volume_term = found.volume.data();
     check(hsp_boundary_get_measures(boundary(), &request, &outputs));
     return found;
   }

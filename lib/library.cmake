@@ -78,7 +78,7 @@ set(HSP_LIBRARY_SOURCES
   lib/union/measure/edge_sums.kernel.cpp
   lib/union/measure/gradients.cpp
   lib/union/measure/tangency.cpp
-  lib/union/topology/cells.cpp
+  lib/union/topology/regions.cpp
   lib/union/topology/cut_arcs.cpp
   lib/union/topology/positions.cpp
   lib/union/topology/shell_volumes.cpp
@@ -231,7 +231,7 @@ set(HSP_LIBRARY_SOURCES
   capi/shims/hsp_mesh.cpp
   capi/shims/hsp_topology.cpp
   capi/shims/hsp_topology_records.cpp
-  capi/shims/hsp_topology_cells.cpp
+  capi/shims/hsp_topology_regions.cpp
   capi/shims/hsp_cells.cpp
   capi/shims/hsp_paths.cpp
   capi/shims/hsp_pores.cpp

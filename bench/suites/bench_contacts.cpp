@@ -1,4 +1,4 @@
-// Contacts with cells, and the mean curvature with its gradient, over size: hsp_contacts_compute,
+// Contacts with shares, and the mean curvature with its gradient, over size: hsp_contacts_compute,
 // hsp_boundary_curvature and hsp_boundary_get_morphometry by turns with hsp_boundary_compute.
 #include "alternation.hpp"
 #include "sizes.hpp"

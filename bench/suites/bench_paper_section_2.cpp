@@ -72,7 +72,7 @@ std::vector<double> point_in_void(const Balls &balls) {
   Model model(balls, 1.4);
   Boundary boundary(model);
   Topology topology(boundary);
-  if (topology.counts().cells < 2) return {};
+  if (topology.counts().regions < 2) return {};
   const std::vector<double> points = random_points_in_box(model, 200000);
   for (size_t i = 0; i < points.size(); i += 3) {
     uint32_t cell = 0;
@@ -93,7 +93,7 @@ uint32_t gate_builds(const Model &model, const double *from) {
     return hsp_gate_compute(made, model.get(), from, nullptr, asked);
   });
   hsp_widest_probe widest{};
-  expect_ok(hsp_gate_get(gate.get(), &widest), "hsp_gate_get");
+  expect_ok(hsp_gate_get_widest(gate.get(), &widest), "hsp_gate_get_widest");
   return widest.builds;
 }
 

@@ -1,5 +1,5 @@
 // A molecule in the periodic box of its tilings, and waters that fill a box, by turns with the same balls in free
-// space: model, boundary, contacts and cells of both.
+// space: model, boundary, contacts and shares of both.
 #include <cmath>
 #include <cstdint>
 

@@ -57,7 +57,7 @@ void compute_split(hsp_boundary *boundary, const hsp_model *model, uint32_t thre
   outputs.capacity = static_cast<uint32_t>(out.area.size());
   outputs.totals = &out.totals;
   outputs.area = out.area.data();
-  outputs.volume = out.volume.data();
+  outputs.volume_term = out.volume.data();
   support::expect_ok(hsp_boundary_get_measures(boundary, &measuring, &outputs), "hsp_boundary_get_measures");
 }
 

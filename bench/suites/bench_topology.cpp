@@ -1,5 +1,5 @@
-// Step 3 over size: hsp_topology_compute by turns with hsp_boundary_compute, the memory it takes, and which cell of the
-// complement a point lies in (hsp_topology_locate). "box": uniform in the surrounding box; "surface": outside all
+// Step 3 over size: hsp_topology_compute by turns with hsp_boundary_compute, the memory it takes, and which region of
+// the complement a point lies in (hsp_topology_locate). "box": uniform in the surrounding box; "surface": outside all
 // balls, within 1 Angstrom of them.
 #include <stdexcept>
 
@@ -30,7 +30,7 @@ void boundary_and_topology(benchmark::State &state, Subject &subject) {
   state.counters["edges_per_atom"] = topology.edges / atoms;
   state.counters["cut_edges_per_atom"] = topology.cut_edges / atoms;
   state.counters["components"] = topology.components;
-  state.counters["voids"] = topology.cells - 1;
+  state.counters["voids"] = topology.regions - 1;
   state.counters["bytes"] = static_cast<double>(subject.topology->bytes());
   state.counters["bytes_by_default"] = static_cast<double>(subject.topology->bytes_by_default());
 }

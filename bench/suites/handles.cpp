@@ -104,7 +104,7 @@ hsp_complex Contacts::complex() const {
 
 uint32_t Contacts::count() const {
   uint32_t needed = 0;
-  hsp_contacts_get(contacts_.get(), nullptr, 0, &needed);
+  hsp_contacts_get_pairs(contacts_.get(), nullptr, 0, &needed);
   return needed;
 }
 

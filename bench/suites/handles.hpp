@@ -89,7 +89,7 @@ class Boundary {
   support::OwnedBoundary boundary_;
 };
 
-// Contacts and cells over a boundary.
+// Contacts and shares over a boundary.
 class Contacts {
  public:
   // Makes room for exactly what this computed boundary needs, simplices only counted, and computes them.

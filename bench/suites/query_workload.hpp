@@ -34,7 +34,7 @@ size_t query_all_neighbours(const Model &model);
 // The same in one call, into arrays that grow as needed.
 size_t query_all_pairs(const Model &model, std::vector<uint32_t> &first, std::vector<uint32_t> &ids);
 
-// Ask in which cell of the complement each of the points [count][3] lies. Returns how many lie inside balls and how
+// Ask in which region of the complement each of the points [count][3] lies. Returns how many lie inside balls and how
 // many in voids.
 struct Located {
   size_t inside = 0;

@@ -186,7 +186,7 @@ end
 struct hsp_body_gap
     gap::Cdouble
     fixed::UInt32
-    moving::UInt32
+    posed::UInt32
 end
 
 struct hsp_body_overlap
@@ -305,7 +305,7 @@ struct hsp_measure_outputs
     reserved::UInt32
     totals::Ptr{hsp_totals}
     area::Ptr{Cdouble}
-    volume::Ptr{Cdouble}
+    volume_term::Ptr{Cdouble}
 end
 
 struct hsp_energy
@@ -389,7 +389,7 @@ struct hsp_moving_ball
     centre::NTuple{3, Cdouble}
     radius::Cdouble
     area::Cdouble
-    volume::Cdouble
+    volume_term::Cdouble
     d_centre::NTuple{3, Cdouble}
     d_radius::Cdouble
     faces::UInt32
@@ -445,7 +445,7 @@ end
 
 struct hsp_contact
     area::Cdouble
-    edge::Cdouble
+    rim::Cdouble
     distance::Cdouble
     ball::NTuple{2, UInt32}
     chords::UInt32
@@ -455,7 +455,7 @@ end
 
 struct hsp_group_contact
     area::Cdouble
-    edge::Cdouble
+    rim::Cdouble
     group::NTuple{2, UInt32}
     contacts::UInt32
     reserved::UInt32
@@ -523,7 +523,7 @@ end
 
 struct hsp_periodic_contact
     area::Cdouble
-    edge::Cdouble
+    rim::Cdouble
     distance::Cdouble
     ball::NTuple{2, UInt32}
     chords::UInt32
@@ -640,7 +640,7 @@ struct hsp_surface_totals
     concave_area::Cdouble
 end
 
-struct hsp_surface_map_counts
+struct hsp_surface_part_counts
     patches::UInt32
     edges::UInt32
     corners::UInt32
@@ -726,7 +726,7 @@ struct hsp_topology_counts
     cut_edges::UInt32
     shells::UInt32
     components::UInt32
-    cells::UInt32
+    regions::UInt32
     start_face::UInt32
 end
 
@@ -767,7 +767,7 @@ struct hsp_shell
     genus::UInt32
     kind::UInt32
     component::UInt32
-    cell::UInt32
+    region::UInt32
     faces::UInt32
     simple_faces::UInt32
     edges::UInt32
@@ -780,11 +780,11 @@ struct hsp_component
     top_ball::UInt32
     outer_shell::UInt32
     shells::UInt32
-    cell::UInt32
+    region::UInt32
     reserved::UInt32
 end
 
-struct hsp_cell
+struct hsp_region
     area::Cdouble
     volume::Cdouble
     enclosing_shell::UInt32
@@ -1281,50 +1281,49 @@ function hsp_pose_from_matrix(matrix, translation, pose)
           translation, pose)
 end
 
-function hsp_body_hits(fixed, moving, poses, pose, hit, first_bad)
+function hsp_body_hits(fixed, posed, poses, pose, hit, first_bad)
     ccall((:hsp_body_hits, libhardsphere), Int32, (Ptr{hsp_body}, Ptr{hsp_body}, UInt32, Ptr{hsp_pose}, Ptr{UInt32},
-          Ptr{UInt32}), fixed, moving, poses, pose, hit, first_bad)
+          Ptr{UInt32}), fixed, posed, poses, pose, hit, first_bad)
 end
 
-function hsp_body_hits_along(fixed, moving, poses, pose, margin, hit, first_bad)
+function hsp_body_hits_along(fixed, posed, poses, pose, margin, hit, first_bad)
     ccall((:hsp_body_hits_along, libhardsphere), Int32, (Ptr{hsp_body}, Ptr{hsp_body}, UInt32, Ptr{hsp_pose}, Cdouble,
-          Ptr{UInt32}, Ptr{UInt32}), fixed, moving, poses, pose, margin, hit, first_bad)
+          Ptr{UInt32}, Ptr{UInt32}), fixed, posed, poses, pose, margin, hit, first_bad)
 end
 
-function hsp_body_gaps(fixed, moving, poses, pose, gap, first_bad)
+function hsp_body_gaps(fixed, posed, poses, pose, gap, first_bad)
     ccall((:hsp_body_gaps, libhardsphere), Int32, (Ptr{hsp_body}, Ptr{hsp_body}, UInt32, Ptr{hsp_pose},
-          Ptr{hsp_body_gap}, Ptr{UInt32}), fixed, moving, poses, pose, gap, first_bad)
+          Ptr{hsp_body_gap}, Ptr{UInt32}), fixed, posed, poses, pose, gap, first_bad)
 end
 
-function hsp_body_overlaps(fixed, moving, poses, pose, overlap, first_bad)
+function hsp_body_overlaps(fixed, posed, poses, pose, overlap, first_bad)
     ccall((:hsp_body_overlaps, libhardsphere), Int32, (Ptr{hsp_body}, Ptr{hsp_body}, UInt32, Ptr{hsp_pose},
-          Ptr{hsp_body_overlap}, Ptr{UInt32}), fixed, moving, poses, pose, overlap, first_bad)
+          Ptr{hsp_body_overlap}, Ptr{UInt32}), fixed, posed, poses, pose, overlap, first_bad)
 end
 
-function hsp_body_pairs(fixed, moving, pose, pair, capacity, needed)
+function hsp_body_pairs(fixed, posed, pose, pair, capacity, needed)
     ccall((:hsp_body_pairs, libhardsphere), Int32, (Ptr{hsp_body}, Ptr{hsp_body}, Ptr{hsp_pose}, Ptr{UInt32}, UInt32,
-          Ptr{UInt32}), fixed, moving, pose, pair, capacity, needed)
+          Ptr{UInt32}), fixed, posed, pose, pair, capacity, needed)
 end
 
-function hsp_body_rational_hits(fixed, moving, poses, pose, hit, first_bad)
+function hsp_body_rational_hits(fixed, posed, poses, pose, hit, first_bad)
     ccall((:hsp_body_rational_hits, libhardsphere), Int32, (Ptr{hsp_body}, Ptr{hsp_body}, UInt32,
-          Ptr{hsp_rational_pose}, Ptr{UInt32}, Ptr{UInt32}), fixed, moving, poses, pose, hit, first_bad)
+          Ptr{hsp_rational_pose}, Ptr{UInt32}, Ptr{UInt32}), fixed, posed, poses, pose, hit, first_bad)
 end
 
-function hsp_body_rational_hits_along(fixed, moving, poses, pose, margin, hit, first_bad)
+function hsp_body_rational_hits_along(fixed, posed, poses, pose, margin, hit, first_bad)
     ccall((:hsp_body_rational_hits_along, libhardsphere), Int32, (Ptr{hsp_body}, Ptr{hsp_body}, UInt32,
-          Ptr{hsp_rational_pose}, Cdouble, Ptr{UInt32}, Ptr{UInt32}), fixed, moving, poses, pose, margin, hit,
-          first_bad)
+          Ptr{hsp_rational_pose}, Cdouble, Ptr{UInt32}, Ptr{UInt32}), fixed, posed, poses, pose, margin, hit, first_bad)
 end
 
-function hsp_body_rational_gaps(fixed, moving, poses, pose, gap, first_bad)
+function hsp_body_rational_gaps(fixed, posed, poses, pose, gap, first_bad)
     ccall((:hsp_body_rational_gaps, libhardsphere), Int32, (Ptr{hsp_body}, Ptr{hsp_body}, UInt32,
-          Ptr{hsp_rational_pose}, Ptr{hsp_body_gap}, Ptr{UInt32}), fixed, moving, poses, pose, gap, first_bad)
+          Ptr{hsp_rational_pose}, Ptr{hsp_body_gap}, Ptr{UInt32}), fixed, posed, poses, pose, gap, first_bad)
 end
 
-function hsp_body_rational_pairs(fixed, moving, pose, pair, capacity, needed)
+function hsp_body_rational_pairs(fixed, posed, pose, pair, capacity, needed)
     ccall((:hsp_body_rational_pairs, libhardsphere), Int32, (Ptr{hsp_body}, Ptr{hsp_body}, Ptr{hsp_rational_pose},
-          Ptr{UInt32}, UInt32, Ptr{UInt32}), fixed, moving, pose, pair, capacity, needed)
+          Ptr{UInt32}, UInt32, Ptr{UInt32}), fixed, posed, pose, pair, capacity, needed)
 end
 
 function hsp_boundary_limits_init(limits, struct_size, balls)
@@ -1405,9 +1404,9 @@ function hsp_areas(n, xyz, radius, probe, memory, bytes, area, totals)
           Ptr{Cdouble}, Ptr{hsp_totals}), n, xyz, radius, probe, memory, bytes, area, totals)
 end
 
-function hsp_boundary_measure(boundary, selected, totals, area, volume, capacity, needed)
+function hsp_boundary_measure(boundary, selected, totals, area, volume_term, capacity, needed)
     ccall((:hsp_boundary_measure, libhardsphere), Int32, (Ptr{hsp_boundary}, Ptr{UInt8}, Ptr{hsp_totals}, Ptr{Cdouble},
-          Ptr{Cdouble}, UInt32, Ptr{UInt32}), boundary, selected, totals, area, volume, capacity, needed)
+          Ptr{Cdouble}, UInt32, Ptr{UInt32}), boundary, selected, totals, area, volume_term, capacity, needed)
 end
 
 function hsp_boundary_get_measures(boundary, request, outputs)
@@ -1415,9 +1414,9 @@ function hsp_boundary_get_measures(boundary, request, outputs)
           Ptr{hsp_measure_outputs}), boundary, request, outputs)
 end
 
-function hsp_boundary_measure_faces(boundary, area, volume, capacity, needed)
+function hsp_boundary_measure_faces(boundary, area, volume_term, capacity, needed)
     ccall((:hsp_boundary_measure_faces, libhardsphere), Int32, (Ptr{hsp_boundary}, Ptr{Cdouble}, Ptr{Cdouble}, UInt32,
-          Ptr{UInt32}), boundary, area, volume, capacity, needed)
+          Ptr{UInt32}), boundary, area, volume_term, capacity, needed)
 end
 
 function hsp_gradient_request_init(request, struct_size)
@@ -1472,9 +1471,9 @@ function hsp_moving_get_info(moving, info)
     ccall((:hsp_moving_get_info, libhardsphere), Int32, (Ptr{hsp_moving}, Ptr{hsp_moving_info}), moving, info)
 end
 
-function hsp_moving_measure(moving, totals, area, volume, capacity, needed)
+function hsp_moving_measure(moving, totals, area, volume_term, capacity, needed)
     ccall((:hsp_moving_measure, libhardsphere), Int32, (Ptr{hsp_moving}, Ptr{hsp_totals}, Ptr{Cdouble}, Ptr{Cdouble},
-          UInt32, Ptr{UInt32}), moving, totals, area, volume, capacity, needed)
+          UInt32, Ptr{UInt32}), moving, totals, area, volume_term, capacity, needed)
 end
 
 function hsp_moving_gradient(moving, energy, d_centre, d_radius, flags, capacity, needed)
@@ -1525,8 +1524,8 @@ function hsp_contacts_compute(contacts, boundary, limits)
           Ptr{hsp_contacts_limits}), contacts, boundary, limits)
 end
 
-function hsp_contacts_get(contacts, out, capacity, needed)
-    ccall((:hsp_contacts_get, libhardsphere), Int32, (Ptr{hsp_contacts}, Ptr{hsp_contact}, UInt32, Ptr{UInt32}),
+function hsp_contacts_get_pairs(contacts, out, capacity, needed)
+    ccall((:hsp_contacts_get_pairs, libhardsphere), Int32, (Ptr{hsp_contacts}, Ptr{hsp_contact}, UInt32, Ptr{UInt32}),
           contacts, out, capacity, needed)
 end
 
@@ -1535,9 +1534,9 @@ function hsp_contacts_get_row(contacts, ball, out, capacity, needed)
           Ptr{UInt32}), contacts, ball, out, capacity, needed)
 end
 
-function hsp_contacts_measure(contacts, totals, cell_volume, contact_area, capacity, needed)
+function hsp_contacts_measure(contacts, totals, share_volume, contact_area, capacity, needed)
     ccall((:hsp_contacts_measure, libhardsphere), Int32, (Ptr{hsp_contacts}, Ptr{hsp_totals}, Ptr{Cdouble},
-          Ptr{Cdouble}, UInt32, Ptr{UInt32}), contacts, totals, cell_volume, contact_area, capacity, needed)
+          Ptr{Cdouble}, UInt32, Ptr{UInt32}), contacts, totals, share_volume, contact_area, capacity, needed)
 end
 
 function hsp_contacts_group(contacts, group, out, capacity, needed)
@@ -1584,9 +1583,9 @@ function hsp_periodic_get_counts(periodic, counts)
           counts)
 end
 
-function hsp_periodic_measure(periodic, totals, area, cell_volume, capacity, needed)
+function hsp_periodic_measure(periodic, totals, area, share_volume, capacity, needed)
     ccall((:hsp_periodic_measure, libhardsphere), Int32, (Ptr{hsp_periodic}, Ptr{hsp_periodic_totals}, Ptr{Cdouble},
-          Ptr{Cdouble}, UInt32, Ptr{UInt32}), periodic, totals, area, cell_volume, capacity, needed)
+          Ptr{Cdouble}, UInt32, Ptr{UInt32}), periodic, totals, area, share_volume, capacity, needed)
 end
 
 function hsp_periodic_curvature(periodic, totals, mean, gauss_thirds, capacity, needed)
@@ -1722,8 +1721,8 @@ function hsp_surface_get_gradient(surface, request, outputs)
           Ptr{hsp_gradient_outputs}), surface, request, outputs)
 end
 
-function hsp_surface_get_map_counts(surface, counts)
-    ccall((:hsp_surface_get_map_counts, libhardsphere), Int32, (Ptr{hsp_surface}, Ptr{hsp_surface_map_counts}),
+function hsp_surface_get_part_counts(surface, counts)
+    ccall((:hsp_surface_get_part_counts, libhardsphere), Int32, (Ptr{hsp_surface}, Ptr{hsp_surface_part_counts}),
           surface, counts)
 end
 
@@ -1772,14 +1771,14 @@ function hsp_surface_check(surface, invariant, id)
           id)
 end
 
-function hsp_mesh_limits_init(limits, struct_size, boundary, edge)
+function hsp_mesh_limits_init(limits, struct_size, boundary, edge_length)
     ccall((:hsp_mesh_limits_init, libhardsphere), Int32, (Ptr{hsp_mesh_limits}, UInt32, Ptr{hsp_boundary}, Cdouble),
-          limits, struct_size, boundary, edge)
+          limits, struct_size, boundary, edge_length)
 end
 
-function hsp_mesh_limits_init_surface(limits, struct_size, surface, edge)
+function hsp_mesh_limits_init_surface(limits, struct_size, surface, edge_length)
     ccall((:hsp_mesh_limits_init_surface, libhardsphere), Int32, (Ptr{hsp_mesh_limits}, UInt32, Ptr{hsp_surface},
-          Cdouble), limits, struct_size, surface, edge)
+          Cdouble), limits, struct_size, surface, edge_length)
 end
 
 function hsp_mesh_bytes(limits, bytes)
@@ -1791,14 +1790,14 @@ function hsp_mesh_init(memory, bytes, limits, mesh)
           memory, bytes, limits, mesh)
 end
 
-function hsp_mesh_compute(mesh, boundary, edge, limits)
+function hsp_mesh_compute(mesh, boundary, edge_length, limits)
     ccall((:hsp_mesh_compute, libhardsphere), Int32, (Ptr{hsp_mesh}, Ptr{hsp_boundary}, Cdouble, Ptr{hsp_mesh_limits}),
-          mesh, boundary, edge, limits)
+          mesh, boundary, edge_length, limits)
 end
 
-function hsp_mesh_compute_surface(mesh, surface, edge, limits)
+function hsp_mesh_compute_surface(mesh, surface, edge_length, limits)
     ccall((:hsp_mesh_compute_surface, libhardsphere), Int32, (Ptr{hsp_mesh}, Ptr{hsp_surface}, Cdouble,
-          Ptr{hsp_mesh_limits}), mesh, surface, edge, limits)
+          Ptr{hsp_mesh_limits}), mesh, surface, edge_length, limits)
 end
 
 function hsp_mesh_get_counts(mesh, counts)
@@ -1895,19 +1894,19 @@ function hsp_topology_get_components(topology, out, capacity, needed)
           Ptr{UInt32}), topology, out, capacity, needed)
 end
 
-function hsp_topology_get_cells(topology, out, capacity, needed)
-    ccall((:hsp_topology_get_cells, libhardsphere), Int32, (Ptr{hsp_topology}, Ptr{hsp_cell}, UInt32, Ptr{UInt32}),
+function hsp_topology_get_regions(topology, out, capacity, needed)
+    ccall((:hsp_topology_get_regions, libhardsphere), Int32, (Ptr{hsp_topology}, Ptr{hsp_region}, UInt32, Ptr{UInt32}),
           topology, out, capacity, needed)
 end
 
-function hsp_topology_get_cell_shells(topology, cell, shells, capacity, needed)
-    ccall((:hsp_topology_get_cell_shells, libhardsphere), Int32, (Ptr{hsp_topology}, UInt32, Ptr{UInt32}, UInt32,
-          Ptr{UInt32}), topology, cell, shells, capacity, needed)
+function hsp_topology_get_region_shells(topology, region, shells, capacity, needed)
+    ccall((:hsp_topology_get_region_shells, libhardsphere), Int32, (Ptr{hsp_topology}, UInt32, Ptr{UInt32}, UInt32,
+          Ptr{UInt32}), topology, region, shells, capacity, needed)
 end
 
-function hsp_topology_get_cell_balls(topology, cell, balls, capacity, needed)
-    ccall((:hsp_topology_get_cell_balls, libhardsphere), Int32, (Ptr{hsp_topology}, UInt32, Ptr{UInt32}, UInt32,
-          Ptr{UInt32}), topology, cell, balls, capacity, needed)
+function hsp_topology_get_region_balls(topology, region, balls, capacity, needed)
+    ccall((:hsp_topology_get_region_balls, libhardsphere), Int32, (Ptr{hsp_topology}, UInt32, Ptr{UInt32}, UInt32,
+          Ptr{UInt32}), topology, region, balls, capacity, needed)
 end
 
 function hsp_topology_get_traversal(topology, shell, faces, capacity, needed)
@@ -1915,9 +1914,9 @@ function hsp_topology_get_traversal(topology, shell, faces, capacity, needed)
           Ptr{UInt32}), topology, shell, faces, capacity, needed)
 end
 
-function hsp_topology_locate(topology, xyz, cell)
+function hsp_topology_locate(topology, xyz, region)
     ccall((:hsp_topology_locate, libhardsphere), Int32, (Ptr{hsp_topology}, Ptr{Cdouble}, Ptr{UInt32}), topology, xyz,
-          cell)
+          region)
 end
 
 function hsp_topology_check(topology, invariant, id)
@@ -2025,8 +2024,8 @@ function hsp_gate_compute(gate, model, from, to, limits)
           Ptr{hsp_gate_limits}), gate, model, from, to, limits)
 end
 
-function hsp_gate_get(gate, widest)
-    ccall((:hsp_gate_get, libhardsphere), Int32, (Ptr{hsp_gate}, Ptr{hsp_widest_probe}), gate, widest)
+function hsp_gate_get_widest(gate, widest)
+    ccall((:hsp_gate_get_widest, libhardsphere), Int32, (Ptr{hsp_gate}, Ptr{hsp_widest_probe}), gate, widest)
 end
 
 function hsp_pores_limits_init(limits, struct_size, balls)

@@ -266,7 +266,7 @@ pub struct hsp_pose {
 pub struct hsp_body_gap {
     pub gap: f64,
     pub fixed: u32,
-    pub moving: u32,
+    pub posed: u32,
 }
 
 #[repr(C)]
@@ -415,7 +415,7 @@ pub struct hsp_measure_outputs {
     pub reserved: u32,
     pub totals: *mut hsp_totals,
     pub area: *mut f64,
-    pub volume: *mut f64,
+    pub volume_term: *mut f64,
 }
 
 #[repr(C)]
@@ -517,7 +517,7 @@ pub struct hsp_moving_ball {
     pub centre: [f64; 3],
     pub radius: f64,
     pub area: f64,
-    pub volume: f64,
+    pub volume_term: f64,
     pub d_centre: [f64; 3],
     pub d_radius: f64,
     pub faces: u32,
@@ -585,7 +585,7 @@ pub struct hsp_contacts_limits {
 #[derive(Clone, Copy)]
 pub struct hsp_contact {
     pub area: f64,
-    pub edge: f64,
+    pub rim: f64,
     pub distance: f64,
     pub ball: [u32; 2],
     pub chords: u32,
@@ -597,7 +597,7 @@ pub struct hsp_contact {
 #[derive(Clone, Copy)]
 pub struct hsp_group_contact {
     pub area: f64,
-    pub edge: f64,
+    pub rim: f64,
     pub group: [u32; 2],
     pub contacts: u32,
     pub reserved: u32,
@@ -679,7 +679,7 @@ pub struct hsp_periodic_morphometry_outputs {
 #[derive(Clone, Copy)]
 pub struct hsp_periodic_contact {
     pub area: f64,
-    pub edge: f64,
+    pub rim: f64,
     pub distance: f64,
     pub ball: [u32; 2],
     pub chords: u32,
@@ -824,7 +824,7 @@ pub struct hsp_surface_totals {
 
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct hsp_surface_map_counts {
+pub struct hsp_surface_part_counts {
     pub patches: u32,
     pub edges: u32,
     pub corners: u32,
@@ -926,7 +926,7 @@ pub struct hsp_topology_counts {
     pub cut_edges: u32,
     pub shells: u32,
     pub components: u32,
-    pub cells: u32,
+    pub regions: u32,
     pub start_face: u32,
 }
 
@@ -975,7 +975,7 @@ pub struct hsp_shell {
     pub genus: u32,
     pub kind: u32,
     pub component: u32,
-    pub cell: u32,
+    pub region: u32,
     pub faces: u32,
     pub simple_faces: u32,
     pub edges: u32,
@@ -990,13 +990,13 @@ pub struct hsp_component {
     pub top_ball: u32,
     pub outer_shell: u32,
     pub shells: u32,
-    pub cell: u32,
+    pub region: u32,
     pub reserved: u32,
 }
 
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct hsp_cell {
+pub struct hsp_region {
     pub area: f64,
     pub volume: f64,
     pub enclosing_shell: u32,
@@ -1521,7 +1521,7 @@ extern "C" {
     pub fn hsp_pose_from_matrix(matrix: *const f64, translation: *const f64, pose: *mut hsp_pose) -> i32;
     pub fn hsp_body_hits(
         fixed: *const hsp_body,
-        moving: *const hsp_body,
+        posed: *const hsp_body,
         poses: u32,
         pose: *const hsp_pose,
         hit: *mut u32,
@@ -1529,7 +1529,7 @@ extern "C" {
     ) -> i32;
     pub fn hsp_body_hits_along(
         fixed: *const hsp_body,
-        moving: *const hsp_body,
+        posed: *const hsp_body,
         poses: u32,
         pose: *const hsp_pose,
         margin: f64,
@@ -1538,7 +1538,7 @@ extern "C" {
     ) -> i32;
     pub fn hsp_body_gaps(
         fixed: *const hsp_body,
-        moving: *const hsp_body,
+        posed: *const hsp_body,
         poses: u32,
         pose: *const hsp_pose,
         gap: *mut hsp_body_gap,
@@ -1546,7 +1546,7 @@ extern "C" {
     ) -> i32;
     pub fn hsp_body_overlaps(
         fixed: *const hsp_body,
-        moving: *const hsp_body,
+        posed: *const hsp_body,
         poses: u32,
         pose: *const hsp_pose,
         overlap: *mut hsp_body_overlap,
@@ -1554,7 +1554,7 @@ extern "C" {
     ) -> i32;
     pub fn hsp_body_pairs(
         fixed: *const hsp_body,
-        moving: *const hsp_body,
+        posed: *const hsp_body,
         pose: *const hsp_pose,
         pair: *mut u32,
         capacity: u32,
@@ -1562,7 +1562,7 @@ extern "C" {
     ) -> i32;
     pub fn hsp_body_rational_hits(
         fixed: *const hsp_body,
-        moving: *const hsp_body,
+        posed: *const hsp_body,
         poses: u32,
         pose: *const hsp_rational_pose,
         hit: *mut u32,
@@ -1570,7 +1570,7 @@ extern "C" {
     ) -> i32;
     pub fn hsp_body_rational_hits_along(
         fixed: *const hsp_body,
-        moving: *const hsp_body,
+        posed: *const hsp_body,
         poses: u32,
         pose: *const hsp_rational_pose,
         margin: f64,
@@ -1579,7 +1579,7 @@ extern "C" {
     ) -> i32;
     pub fn hsp_body_rational_gaps(
         fixed: *const hsp_body,
-        moving: *const hsp_body,
+        posed: *const hsp_body,
         poses: u32,
         pose: *const hsp_rational_pose,
         gap: *mut hsp_body_gap,
@@ -1587,7 +1587,7 @@ extern "C" {
     ) -> i32;
     pub fn hsp_body_rational_pairs(
         fixed: *const hsp_body,
-        moving: *const hsp_body,
+        posed: *const hsp_body,
         pose: *const hsp_rational_pose,
         pair: *mut u32,
         capacity: u32,
@@ -1672,7 +1672,7 @@ extern "C" {
         selected: *const u8,
         totals: *mut hsp_totals,
         area: *mut f64,
-        volume: *mut f64,
+        volume_term: *mut f64,
         capacity: u32,
         needed: *mut u32,
     ) -> i32;
@@ -1684,7 +1684,7 @@ extern "C" {
     pub fn hsp_boundary_measure_faces(
         boundary: *const hsp_boundary,
         area: *mut f64,
-        volume: *mut f64,
+        volume_term: *mut f64,
         capacity: u32,
         needed: *mut u32,
     ) -> i32;
@@ -1740,7 +1740,7 @@ extern "C" {
         moving: *const hsp_moving,
         totals: *mut hsp_totals,
         area: *mut f64,
-        volume: *mut f64,
+        volume_term: *mut f64,
         capacity: u32,
         needed: *mut u32,
     ) -> i32;
@@ -1791,7 +1791,7 @@ extern "C" {
         boundary: *const hsp_boundary,
         limits: *mut hsp_contacts_limits,
     ) -> i32;
-    pub fn hsp_contacts_get(
+    pub fn hsp_contacts_get_pairs(
         contacts: *const hsp_contacts,
         out: *mut hsp_contact,
         capacity: u32,
@@ -1807,7 +1807,7 @@ extern "C" {
     pub fn hsp_contacts_measure(
         contacts: *const hsp_contacts,
         totals: *mut hsp_totals,
-        cell_volume: *mut f64,
+        share_volume: *mut f64,
         contact_area: *mut f64,
         capacity: u32,
         needed: *mut u32,
@@ -1851,7 +1851,7 @@ extern "C" {
         periodic: *const hsp_periodic,
         totals: *mut hsp_periodic_totals,
         area: *mut f64,
-        cell_volume: *mut f64,
+        share_volume: *mut f64,
         capacity: u32,
         needed: *mut u32,
     ) -> i32;
@@ -2008,7 +2008,7 @@ extern "C" {
         request: *const hsp_gradient_request,
         outputs: *mut hsp_gradient_outputs,
     ) -> i32;
-    pub fn hsp_surface_get_map_counts(surface: *const hsp_surface, counts: *mut hsp_surface_map_counts) -> i32;
+    pub fn hsp_surface_get_part_counts(surface: *const hsp_surface, counts: *mut hsp_surface_part_counts) -> i32;
     pub fn hsp_surface_next(surface: *const hsp_surface, h: u32) -> u32;
     pub fn hsp_surface_previous(surface: *const hsp_surface, h: u32) -> u32;
     pub fn hsp_surface_next_loop(surface: *const hsp_surface, h: u32) -> u32;
@@ -2043,13 +2043,13 @@ extern "C" {
         limits: *mut hsp_mesh_limits,
         struct_size: u32,
         boundary: *const hsp_boundary,
-        edge: f64,
+        edge_length: f64,
     ) -> i32;
     pub fn hsp_mesh_limits_init_surface(
         limits: *mut hsp_mesh_limits,
         struct_size: u32,
         surface: *const hsp_surface,
-        edge: f64,
+        edge_length: f64,
     ) -> i32;
     pub fn hsp_mesh_bytes(limits: *const hsp_mesh_limits, bytes: *mut usize) -> i32;
     pub fn hsp_mesh_init(
@@ -2061,13 +2061,13 @@ extern "C" {
     pub fn hsp_mesh_compute(
         mesh: *mut hsp_mesh,
         boundary: *const hsp_boundary,
-        edge: f64,
+        edge_length: f64,
         limits: *mut hsp_mesh_limits,
     ) -> i32;
     pub fn hsp_mesh_compute_surface(
         mesh: *mut hsp_mesh,
         surface: *const hsp_surface,
-        edge: f64,
+        edge_length: f64,
         limits: *mut hsp_mesh_limits,
     ) -> i32;
     pub fn hsp_mesh_get_counts(mesh: *const hsp_mesh, counts: *mut hsp_mesh_counts) -> i32;
@@ -2157,22 +2157,22 @@ extern "C" {
         capacity: u32,
         needed: *mut u32,
     ) -> i32;
-    pub fn hsp_topology_get_cells(
+    pub fn hsp_topology_get_regions(
         topology: *mut hsp_topology,
-        out: *mut hsp_cell,
+        out: *mut hsp_region,
         capacity: u32,
         needed: *mut u32,
     ) -> i32;
-    pub fn hsp_topology_get_cell_shells(
+    pub fn hsp_topology_get_region_shells(
         topology: *const hsp_topology,
-        cell: u32,
+        region: u32,
         shells: *mut u32,
         capacity: u32,
         needed: *mut u32,
     ) -> i32;
-    pub fn hsp_topology_get_cell_balls(
+    pub fn hsp_topology_get_region_balls(
         topology: *mut hsp_topology,
-        cell: u32,
+        region: u32,
         balls: *mut u32,
         capacity: u32,
         needed: *mut u32,
@@ -2184,7 +2184,7 @@ extern "C" {
         capacity: u32,
         needed: *mut u32,
     ) -> i32;
-    pub fn hsp_topology_locate(topology: *const hsp_topology, xyz: *const f64, cell: *mut u32) -> i32;
+    pub fn hsp_topology_locate(topology: *const hsp_topology, xyz: *const f64, region: *mut u32) -> i32;
     pub fn hsp_topology_check(topology: *mut hsp_topology, invariant: *mut u32, id: *mut u32) -> i32;
     pub fn hsp_cells_limits_init(limits: *mut hsp_cells_limits, struct_size: u32, balls: u32) -> i32;
     pub fn hsp_cells_bytes(limits: *const hsp_cells_limits, bytes: *mut usize) -> i32;
@@ -2252,7 +2252,7 @@ extern "C" {
         to: *const f64,
         limits: *mut hsp_gate_limits,
     ) -> i32;
-    pub fn hsp_gate_get(gate: *const hsp_gate, widest: *mut hsp_widest_probe) -> i32;
+    pub fn hsp_gate_get_widest(gate: *const hsp_gate, widest: *mut hsp_widest_probe) -> i32;
     pub fn hsp_pores_limits_init(limits: *mut hsp_pores_limits, struct_size: u32, balls: u32) -> i32;
     pub fn hsp_pores_bytes(limits: *const hsp_pores_limits, bytes: *mut usize) -> i32;
     pub fn hsp_pores_init(

@@ -31,7 +31,7 @@ contains
     outputs%reserved = 0
     outputs%totals = c_null_ptr
     outputs%area = c_loc(sasa)
-    outputs%volume = c_null_ptr
+    outputs%volume_term = c_null_ptr
     if (status == HSP_OK) status = hsp_boundary_get_measures(work%boundary, outputs=outputs)
     if (status /= HSP_OK .or. .not. present(dsdr)) return
     allocate (row(64))

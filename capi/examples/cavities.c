@@ -27,8 +27,8 @@ static int32_t compute(hsp_workspace *work, const struct balls *balls, double pr
   return status;
 }
 
-static int32_t print_wall(const hsp_workspace *work, uint32_t cell, uint32_t *balls, uint32_t ball_count) {
-  const int32_t status = hsp_topology_get_cell_balls(work->topology, cell, balls, ball_count, &ball_count);
+static int32_t print_wall(const hsp_workspace *work, uint32_t region, uint32_t *balls, uint32_t ball_count) {
+  const int32_t status = hsp_topology_get_region_balls(work->topology, region, balls, ball_count, &ball_count);
   for (uint32_t i = 0; status == HSP_OK && i < ball_count; ++i) printf(" %u", (unsigned)balls[i]);
   printf("\n");
   return status;
@@ -36,18 +36,18 @@ static int32_t print_wall(const hsp_workspace *work, uint32_t cell, uint32_t *ba
 
 static int32_t print_cavities(const hsp_workspace *work, uint32_t ball_count) {
   uint32_t count = 0;
-  hsp_topology_get_cells(work->topology, NULL, 0, &count);
-  hsp_cell *cells = malloc(((size_t)count + 1) * sizeof *cells);
+  hsp_topology_get_regions(work->topology, NULL, 0, &count);
+  hsp_region *regions = malloc(((size_t)count + 1) * sizeof *regions);
   uint32_t *balls = malloc(((size_t)ball_count + 1) * sizeof *balls);
-  int32_t status = cells == NULL || balls == NULL ? HSP_E_MEMORY : HSP_OK;
-  if (status == HSP_OK) status = hsp_topology_get_cells(work->topology, cells, count, &count);
+  int32_t status = regions == NULL || balls == NULL ? HSP_E_MEMORY : HSP_OK;
+  if (status == HSP_OK) status = hsp_topology_get_regions(work->topology, regions, count, &count);
   if (status == HSP_OK) printf("cavities: %u\n", (unsigned)count - 1);
-  for (uint32_t cell = 1; status == HSP_OK && cell < count; ++cell) { /* cell 0 is the outside */
-    printf("cavity %u: volume %.6f, area %.6f, pieces inside %u, balls around:", (unsigned)cell, cells[cell].volume,
-           cells[cell].area, (unsigned)cells[cell].components);
-    status = print_wall(work, cell, balls, ball_count);
+  for (uint32_t region = 1; status == HSP_OK && region < count; ++region) { /* region 0 is the outside */
+    printf("cavity %u: volume %.6f, area %.6f, pieces inside %u, balls around:", (unsigned)region,
+           regions[region].volume, regions[region].area, (unsigned)regions[region].components);
+    status = print_wall(work, region, balls, ball_count);
   }
-  free(cells);
+  free(regions);
   free(balls);
   return status;
 }
@@ -59,17 +59,17 @@ static int32_t print_way_out(const hsp_workspace *work, const struct balls *ball
     const double right = balls->xyz[3 * (size_t)i] + 2 * (balls->radius[i] + probe);
     if (right > outside[0]) outside[0] = right;
   }
-  uint32_t cell = HSP_NONE, cell_outside = 0;
-  int32_t status = hsp_topology_locate(work->topology, point, &cell);
-  if (status == HSP_OK) status = hsp_topology_locate(work->topology, outside, &cell_outside);
+  uint32_t region = HSP_NONE, region_outside = 0;
+  int32_t status = hsp_topology_locate(work->topology, point, &region);
+  if (status == HSP_OK) status = hsp_topology_locate(work->topology, outside, &region_outside);
   if (status != HSP_OK) return status;
   printf("the point %g %g %g lies ", point[0], point[1], point[2]);
-  if (cell == HSP_NONE) {
+  if (region == HSP_NONE) {
     printf("in a ball\n");
-  } else if (cell == cell_outside) { /* a point, and a probe's centre, moves freely within its cell */
+  } else if (region == region_outside) { /* a point, and a probe's centre, moves freely within its region */
     printf("outside\n");
   } else {
-    printf("in cavity %u and cannot get out\n", (unsigned)cell);
+    printf("in cavity %u and cannot get out\n", (unsigned)region);
   }
   return status;
 }

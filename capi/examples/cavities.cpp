@@ -14,12 +14,13 @@ Balls cage() {
 }
 
 void print_cavities(hardsphere::workspace &work) {
-  const auto cells = hardsphere::all(hsp_topology_get_cells, work.topology());
+  const auto cells = hardsphere::all(hsp_topology_get_regions, work.topology());
   std::printf("cavities: %zu\n", cells.size() - 1);
   for (uint32_t cell = 1; cell < cells.size(); ++cell) {  // cell 0 is the outside
     std::printf("cavity %u: volume %.6f, area %.6f, pieces inside %u, balls around:", cell, cells[cell].volume,
                 cells[cell].area, cells[cell].components);
-    for (uint32_t ball : hardsphere::all(hsp_topology_get_cell_balls, work.topology(), cell)) std::printf(" %u", ball);
+    for (uint32_t ball : hardsphere::all(hsp_topology_get_region_balls, work.topology(), cell))
+      std::printf(" %u", ball);
     std::printf("\n");
   }
 }

@@ -35,11 +35,11 @@ static int larger_first(const void *p, const void *q) {
 /* Contacts of a first chain of `first` atoms with the atoms behind them. */
 static int32_t find_pairs(const hsp_contacts *contacts, uint32_t first, struct report *report) {
   uint32_t all = 0;
-  int32_t status = hsp_contacts_get(contacts, NULL, 0, &all);
+  int32_t status = hsp_contacts_get_pairs(contacts, NULL, 0, &all);
   if (status != HSP_OK && status != HSP_E_CAPACITY) return status;
   report->pair = malloc(((size_t)all + 1) * sizeof *report->pair);
   if (report->pair == NULL) return HSP_E_MEMORY;
-  status = hsp_contacts_get(contacts, report->pair, all, &all);
+  status = hsp_contacts_get_pairs(contacts, report->pair, all, &all);
   if (status != HSP_OK) return status;
   for (uint32_t k = 0; k < all; ++k) {
     if (report->pair[k].ball[0] < first && report->pair[k].ball[1] >= first) {
@@ -82,7 +82,7 @@ static void print_report(const struct report *report, const struct balls *chain)
   }
   printf("buried in all %.6f\n", buried[0] + buried[1]);
   printf("contact area %.6f in %u pairs of atoms, %.6f of its border on the surface\n", report->between.area,
-         (unsigned)report->between.contacts, report->between.edge);
+         (unsigned)report->between.contacts, report->between.rim);
   for (uint32_t k = 0; k < report->pairs && k < MOST_SHOWN; ++k) {
     const hsp_contact *pair = &report->pair[k];
     printf("%u of the first, %u of the second: area %.6f, distance %.6f\n", (unsigned)pair->ball[0],

@@ -31,7 +31,7 @@ int main(int count, char **arguments) try {
   }
   const auto groups = hardsphere::all(hsp_contacts_group, work.contacts(), group.data());
   const hsp_group_contact between = groups.empty() ? hsp_group_contact{} : groups[0];
-  auto pairs = hardsphere::all(hsp_contacts_get, work.contacts());
+  auto pairs = hardsphere::all(hsp_contacts_get_pairs, work.contacts());
   std::erase_if(pairs, [=](const hsp_contact &pair) { return pair.ball[0] >= first || pair.ball[1] < first; });
   std::ranges::sort(pairs, {},
                     [](const hsp_contact &pair) { return std::tuple(-pair.area, pair.ball[0], pair.ball[1]); });
@@ -43,7 +43,7 @@ int main(int count, char **arguments) try {
   }
   std::printf("buried in all %.6f\n", alone[0] - together[0] + (alone[1] - together[1]));
   std::printf("contact area %.6f in %u pairs of atoms, %.6f of its border on the surface\n", between.area,
-              between.contacts, between.edge);
+              between.contacts, between.rim);
   pairs.resize(std::min<size_t>(pairs.size(), 10));
   for (const hsp_contact &pair : pairs) {
     std::printf("%u of the first, %zu of the second: area %.6f, distance %.6f\n", pair.ball[0], pair.ball[1] - first,

@@ -22,7 +22,8 @@ static inline int32_t compute(const struct balls *balls, const hsp_executor *exe
   double *const area = r->numbers, *const volume = area + n, *const centre = volume + n;
   hsp_boundary_request computing = {.struct_size = sizeof computing, .executor = executor};
   hsp_measure_request measuring = {.struct_size = sizeof measuring, .executor = executor};
-  hsp_measure_outputs measures = {sizeof measures, .capacity = n, .totals = &r->totals, .area = area, .volume = volume};
+  hsp_measure_outputs measures = {sizeof measures, .capacity = n, .totals = &r->totals, .area = area,
+                                  .volume_term = volume};
   hsp_gradient_request deriving = {.struct_size = sizeof deriving, .tension = 1, .executor = executor};
   hsp_gradient_outputs gradient = {sizeof gradient, .capacity = n, .energy = &r->energy, .d_centre = centre};
   hsp_workspace work = {0};

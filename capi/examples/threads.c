@@ -26,11 +26,11 @@ static void *locate(void *argument) {
     const double point[3] = {part->low[0] + part->step[0] * (at % STEPS),
                              part->low[1] + part->step[1] * (at / STEPS % STEPS),
                              part->low[2] + part->step[2] * (at / STEPS / STEPS)};
-    uint32_t cell;
-    part->status = hsp_topology_locate(part->topology, point, &cell);
-    if (cell == HSP_NONE) {
+    uint32_t region;
+    part->status = hsp_topology_locate(part->topology, point, &region);
+    if (region == HSP_NONE) {
       ++part->in_balls;
-    } else if (cell == 0) {
+    } else if (region == 0) {
       ++part->outside;
     } else {
       ++part->in_voids;

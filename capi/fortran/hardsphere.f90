@@ -173,7 +173,7 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_CORNER_CUSP = 1_c_int32_t  ! where saddle patches meet their axis
   integer(c_int32_t), parameter :: HSP_CORNER_CREASE = 2_c_int32_t  ! of three concave patches
 
-  ! ---- topology.h: the boundary as quad-edges with simple faces, shells, cells, point location (Step 3) --------------
+  ! ---- topology.h: the boundary as quad-edges with simple faces, shells, regions, point location (Step 3) ------------
 
   integer(c_int32_t), parameter :: HSP_POINT_VERTEX = 0_c_int32_t  ! a vertex of the boundary; its id is the same
   ! an added point of an arc or circle of ball[0] < ball[1]
@@ -344,8 +344,8 @@ module hardsphere
   type, bind(C) :: hsp_body_gap
     ! length: |c - c'| - r - r', least of all pairs; negative for the pair that overlaps deepest
     real(c_double) :: gap
-    integer(c_int32_t) :: fixed   ! ball of the body at rest; HSP_NONE if a body has no balls: the gap is infinite then
-    integer(c_int32_t) :: moving  ! ball of the moving body, likewise
+    integer(c_int32_t) :: fixed  ! ball of the body at rest; HSP_NONE if a body has no balls: the gap is infinite then
+    integer(c_int32_t) :: posed  ! ball of the posed body, likewise
   end type
 
   type, bind(C) :: hsp_body_overlap
@@ -472,7 +472,8 @@ module hardsphere
     integer(c_int32_t) :: reserved = 0_c_int32_t                          ! 0
     type(c_ptr) :: totals = c_null_ptr                                    ! or NULL
     type(c_ptr) :: area = c_null_ptr                                      ! [n], or NULL: free area of each ball
-    type(c_ptr) :: volume = c_null_ptr                                    ! [n], or NULL: each ball's term of the volume
+    ! [n], or NULL: each ball's term of the volume, which is no volume of an atom
+    type(c_ptr) :: volume_term = c_null_ptr
   end type
 
   ! ---- gradient.h: their derivatives ---------------------------------------------------------------------------------
@@ -566,7 +567,7 @@ module hardsphere
     real(c_double) :: centre(3)           ! as rounded to the lattice, length
     real(c_double) :: radius              ! likewise, probe included
     real(c_double) :: area                ! its free area, length^2
-    real(c_double) :: volume              ! its term of the volume, see hsp_boundary_measure
+    real(c_double) :: volume_term         ! its term of the volume, see hsp_boundary_measure
     real(c_double) :: d_centre(3)         ! derivative of the energy by its centre
     real(c_double) :: d_radius            ! and by its radius
     integer(c_int32_t) :: faces           ! number of its faces; 0: the ball is buried
@@ -630,7 +631,7 @@ module hardsphere
 
   type, bind(C) :: hsp_contact
     real(c_double) :: area             ! length^2
-    real(c_double) :: edge             ! length of the part of its border that is on the surface of the union
+    real(c_double) :: rim              ! length of the part of its border that is on the surface of the union
     real(c_double) :: distance         ! of the two centres
     integer(c_int32_t) :: ball(2)      ! its two balls a < b
     integer(c_int32_t) :: chords       ! straight sides
@@ -640,7 +641,7 @@ module hardsphere
 
   type, bind(C) :: hsp_group_contact
     real(c_double) :: area          ! of all contacts between them
-    real(c_double) :: edge          ! length of their borders on the surface of the union
+    real(c_double) :: rim           ! length of their borders on the surface of the union
     integer(c_int32_t) :: group(2)  ! the groups g < h
     integer(c_int32_t) :: contacts  ! how many
     integer(c_int32_t) :: reserved  ! 0
@@ -713,7 +714,7 @@ module hardsphere
 
   type, bind(C) :: hsp_periodic_contact
     real(c_double) :: area          ! length^2
-    real(c_double) :: edge          ! length of the part of its border that is on the surface of the union
+    real(c_double) :: rim           ! length of the part of its border that is on the surface of the union
     real(c_double) :: distance      ! of the two centres
     integer(c_int32_t) :: ball(2)   ! its two balls a <= b
     integer(c_int32_t) :: chords    ! straight sides
@@ -845,7 +846,7 @@ module hardsphere
     real(c_double) :: concave_area  ! length^2
   end type
 
-  type, bind(C) :: hsp_surface_map_counts
+  type, bind(C) :: hsp_surface_part_counts
     integer(c_int32_t) :: patches    ! of all kinds
     integer(c_int32_t) :: edges      ! of all kinds
     integer(c_int32_t) :: corners    ! of all kinds
@@ -921,7 +922,7 @@ module hardsphere
     integer(c_int32_t) :: refined    ! of these, those that got more points than their length demands
   end type
 
-  ! ---- topology.h: the boundary as quad-edges with simple faces, shells, cells, point location (Step 3) --------------
+  ! ---- topology.h: the boundary as quad-edges with simple faces, shells, regions, point location (Step 3) ------------
 
   type, bind(C) :: hsp_topology_limits
     integer(c_int32_t) :: struct_size = 24_c_int32_t  ! sizeof(hsp_topology_limits)
@@ -940,7 +941,7 @@ module hardsphere
     integer(c_int32_t) :: cut_edges     ! of the edges, the ones that cut a face or a whole sphere
     integer(c_int32_t) :: shells        ! connected components of the boundary
     integer(c_int32_t) :: components    ! of the union
-    integer(c_int32_t) :: cells         ! of the complement: 1 + voids
+    integer(c_int32_t) :: regions       ! of the complement: 1 + voids
     ! the simple face that holds the highest point of all; HSP_NONE if there are no balls
     integer(c_int32_t) :: start_face
   end type
@@ -983,7 +984,7 @@ module hardsphere
     integer(c_int32_t) :: genus         ! 1 - euler/2: number of handles
     integer(c_int32_t) :: kind          ! HSP_SHELL_*
     integer(c_int32_t) :: component     ! of the union, as in hsp_ball
-    integer(c_int32_t) :: cell          ! of the complement, on its other side
+    integer(c_int32_t) :: region        ! of the complement, on its other side
     integer(c_int32_t) :: faces         ! maximal faces
     integer(c_int32_t) :: simple_faces  ! and what they are cut into
     integer(c_int32_t) :: edges         ! edges of its simple faces
@@ -998,14 +999,14 @@ module hardsphere
     integer(c_int32_t) :: top_ball     ! the ball with its highest point
     integer(c_int32_t) :: outer_shell  ! the one shell of kind HSP_SHELL_OUTER
     integer(c_int32_t) :: shells       ! outer shell and voids
-    integer(c_int32_t) :: cell         ! the cell it lies in: 0 or a void of another component
+    integer(c_int32_t) :: region       ! the region it lies in: 0 or a void of another component
     integer(c_int32_t) :: reserved     ! 0
   end type
 
-  type, bind(C) :: hsp_cell
+  type, bind(C) :: hsp_region
     real(c_double) :: area                 ! of all its shells, length^2
-    real(c_double) :: volume               ! of the cell itself, what lies in it left out, length^3; of cell 0: 0
-    integer(c_int32_t) :: enclosing_shell  ! the shell of kind HSP_SHELL_VOID around it; HSP_NONE for cell 0
+    real(c_double) :: volume               ! of the region itself, what lies in it left out, length^3; of region 0: 0
+    integer(c_int32_t) :: enclosing_shell  ! the shell of kind HSP_SHELL_VOID around it; HSP_NONE for region 0
     integer(c_int32_t) :: components       ! components of the union that lie in it
     integer(c_int32_t) :: shells           ! shells that bound it
     integer(c_int32_t) :: reserved         ! 0
@@ -1699,10 +1700,10 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_body_hits(fixed, moving, poses, pose, hit, first_bad) result(status) bind(C, name="hsp_body_hits")
+    function hsp_body_hits(fixed, posed, poses, pose, hit, first_bad) result(status) bind(C, name="hsp_body_hits")
       import :: c_int32_t, c_ptr, hsp_pose
       type(c_ptr), value :: fixed
-      type(c_ptr), value :: moving
+      type(c_ptr), value :: posed
       integer(c_int32_t), value :: poses
       type(hsp_pose), intent(in), optional :: pose(*)  ! poses
       integer(c_int32_t), intent(inout), optional :: hit(*)  ! poses
@@ -1710,11 +1711,11 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_body_hits_along(fixed, moving, poses, pose, margin, hit, first_bad) result(status) &
+    function hsp_body_hits_along(fixed, posed, poses, pose, margin, hit, first_bad) result(status) &
       bind(C, name="hsp_body_hits_along")
       import :: c_double, c_int32_t, c_ptr, hsp_pose
       type(c_ptr), value :: fixed
-      type(c_ptr), value :: moving
+      type(c_ptr), value :: posed
       integer(c_int32_t), value :: poses
       type(hsp_pose), intent(in), optional :: pose(*)  ! poses
       real(c_double), value :: margin
@@ -1723,10 +1724,10 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_body_gaps(fixed, moving, poses, pose, gap, first_bad) result(status) bind(C, name="hsp_body_gaps")
+    function hsp_body_gaps(fixed, posed, poses, pose, gap, first_bad) result(status) bind(C, name="hsp_body_gaps")
       import :: c_int32_t, c_ptr, hsp_body_gap, hsp_pose
       type(c_ptr), value :: fixed
-      type(c_ptr), value :: moving
+      type(c_ptr), value :: posed
       integer(c_int32_t), value :: poses
       type(hsp_pose), intent(in), optional :: pose(*)  ! poses
       type(hsp_body_gap), intent(inout), optional :: gap(*)  ! poses
@@ -1734,11 +1735,11 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_body_overlaps(fixed, moving, poses, pose, overlap, first_bad) result(status) &
+    function hsp_body_overlaps(fixed, posed, poses, pose, overlap, first_bad) result(status) &
       bind(C, name="hsp_body_overlaps")
       import :: c_int32_t, c_ptr, hsp_body_overlap, hsp_pose
       type(c_ptr), value :: fixed
-      type(c_ptr), value :: moving
+      type(c_ptr), value :: posed
       integer(c_int32_t), value :: poses
       type(hsp_pose), intent(in), optional :: pose(*)  ! poses
       type(hsp_body_overlap), intent(inout), optional :: overlap(*)  ! poses
@@ -1746,10 +1747,10 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_body_pairs(fixed, moving, pose, pair, capacity, needed) result(status) bind(C, name="hsp_body_pairs")
+    function hsp_body_pairs(fixed, posed, pose, pair, capacity, needed) result(status) bind(C, name="hsp_body_pairs")
       import :: c_int32_t, c_ptr, hsp_pose
       type(c_ptr), value :: fixed
-      type(c_ptr), value :: moving
+      type(c_ptr), value :: posed
       type(hsp_pose), intent(in) :: pose
       integer(c_int32_t), intent(inout), optional :: pair(2, *)  ! 2, needed
       integer(c_int32_t), value :: capacity
@@ -1757,11 +1758,11 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_body_rational_hits(fixed, moving, poses, pose, hit, first_bad) result(status) &
+    function hsp_body_rational_hits(fixed, posed, poses, pose, hit, first_bad) result(status) &
       bind(C, name="hsp_body_rational_hits")
       import :: c_int32_t, c_ptr, hsp_rational_pose
       type(c_ptr), value :: fixed
-      type(c_ptr), value :: moving
+      type(c_ptr), value :: posed
       integer(c_int32_t), value :: poses
       type(hsp_rational_pose), intent(in), optional :: pose(*)  ! poses
       integer(c_int32_t), intent(inout), optional :: hit(*)  ! poses
@@ -1769,11 +1770,11 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_body_rational_hits_along(fixed, moving, poses, pose, margin, hit, first_bad) result(status) &
+    function hsp_body_rational_hits_along(fixed, posed, poses, pose, margin, hit, first_bad) result(status) &
       bind(C, name="hsp_body_rational_hits_along")
       import :: c_double, c_int32_t, c_ptr, hsp_rational_pose
       type(c_ptr), value :: fixed
-      type(c_ptr), value :: moving
+      type(c_ptr), value :: posed
       integer(c_int32_t), value :: poses
       type(hsp_rational_pose), intent(in), optional :: pose(*)  ! poses
       real(c_double), value :: margin
@@ -1782,11 +1783,11 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_body_rational_gaps(fixed, moving, poses, pose, gap, first_bad) result(status) &
+    function hsp_body_rational_gaps(fixed, posed, poses, pose, gap, first_bad) result(status) &
       bind(C, name="hsp_body_rational_gaps")
       import :: c_int32_t, c_ptr, hsp_body_gap, hsp_rational_pose
       type(c_ptr), value :: fixed
-      type(c_ptr), value :: moving
+      type(c_ptr), value :: posed
       integer(c_int32_t), value :: poses
       type(hsp_rational_pose), intent(in), optional :: pose(*)  ! poses
       type(hsp_body_gap), intent(inout), optional :: gap(*)  ! poses
@@ -1794,11 +1795,11 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_body_rational_pairs(fixed, moving, pose, pair, capacity, needed) result(status) &
+    function hsp_body_rational_pairs(fixed, posed, pose, pair, capacity, needed) result(status) &
       bind(C, name="hsp_body_rational_pairs")
       import :: c_int32_t, c_ptr, hsp_rational_pose
       type(c_ptr), value :: fixed
-      type(c_ptr), value :: moving
+      type(c_ptr), value :: posed
       type(hsp_rational_pose), intent(in) :: pose
       integer(c_int32_t), intent(inout), optional :: pair(2, *)  ! 2, needed
       integer(c_int32_t), value :: capacity
@@ -1957,14 +1958,14 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_boundary_measure(boundary, selected, totals, area, volume, capacity, needed) result(status) &
+    function hsp_boundary_measure(boundary, selected, totals, area, volume_term, capacity, needed) result(status) &
       bind(C, name="hsp_boundary_measure")
       import :: c_double, c_int32_t, c_int8_t, c_ptr, hsp_totals
       type(c_ptr), value :: boundary
       integer(c_int8_t), intent(in), optional :: selected(*)  ! n
       type(hsp_totals), intent(inout), optional :: totals
       real(c_double), intent(inout), optional :: area(*)  ! n
-      real(c_double), intent(inout), optional :: volume(*)  ! n
+      real(c_double), intent(inout), optional :: volume_term(*)  ! n
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
@@ -1979,12 +1980,12 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_boundary_measure_faces(boundary, area, volume, capacity, needed) result(status) &
+    function hsp_boundary_measure_faces(boundary, area, volume_term, capacity, needed) result(status) &
       bind(C, name="hsp_boundary_measure_faces")
       import :: c_double, c_int32_t, c_ptr
       type(c_ptr), value :: boundary
       real(c_double), intent(inout), optional :: area(*)  ! faces
-      real(c_double), intent(inout), optional :: volume(*)  ! faces
+      real(c_double), intent(inout), optional :: volume_term(*)  ! faces
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
@@ -2095,13 +2096,13 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_moving_measure(moving, totals, area, volume, capacity, needed) result(status) &
+    function hsp_moving_measure(moving, totals, area, volume_term, capacity, needed) result(status) &
       bind(C, name="hsp_moving_measure")
       import :: c_double, c_int32_t, c_ptr, hsp_totals
       type(c_ptr), value :: moving
       type(hsp_totals), intent(inout), optional :: totals
       real(c_double), intent(inout), optional :: area(*)  ! n
-      real(c_double), intent(inout), optional :: volume(*)  ! n
+      real(c_double), intent(inout), optional :: volume_term(*)  ! n
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
@@ -2204,7 +2205,8 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_contacts_get(contacts, out, capacity, needed) result(status) bind(C, name="hsp_contacts_get")
+    function hsp_contacts_get_pairs(contacts, out, capacity, needed) result(status) &
+      bind(C, name="hsp_contacts_get_pairs")
       import :: c_int32_t, c_ptr, hsp_contact
       type(c_ptr), value :: contacts
       type(hsp_contact), intent(inout), optional :: out(*)  ! needed
@@ -2224,12 +2226,12 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_contacts_measure(contacts, totals, cell_volume, contact_area, capacity, needed) result(status) &
+    function hsp_contacts_measure(contacts, totals, share_volume, contact_area, capacity, needed) result(status) &
       bind(C, name="hsp_contacts_measure")
       import :: c_double, c_int32_t, c_ptr, hsp_totals
       type(c_ptr), value :: contacts
       type(hsp_totals), intent(inout), optional :: totals
-      real(c_double), intent(inout), optional :: cell_volume(*)  ! n
+      real(c_double), intent(inout), optional :: share_volume(*)  ! n
       real(c_double), intent(inout), optional :: contact_area(*)  ! n
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(inout), optional :: needed
@@ -2321,13 +2323,13 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_periodic_measure(periodic, totals, area, cell_volume, capacity, needed) result(status) &
+    function hsp_periodic_measure(periodic, totals, area, share_volume, capacity, needed) result(status) &
       bind(C, name="hsp_periodic_measure")
       import :: c_double, c_int32_t, c_ptr, hsp_periodic_totals
       type(c_ptr), value :: periodic
       type(hsp_periodic_totals), intent(inout), optional :: totals
       real(c_double), intent(inout), optional :: area(*)  ! n
-      real(c_double), intent(inout), optional :: cell_volume(*)  ! n
+      real(c_double), intent(inout), optional :: share_volume(*)  ! n
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
@@ -2602,10 +2604,10 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_surface_get_map_counts(surface, counts) result(status) bind(C, name="hsp_surface_get_map_counts")
-      import :: c_int32_t, c_ptr, hsp_surface_map_counts
+    function hsp_surface_get_part_counts(surface, counts) result(status) bind(C, name="hsp_surface_get_part_counts")
+      import :: c_int32_t, c_ptr, hsp_surface_part_counts
       type(c_ptr), value :: surface
-      type(hsp_surface_map_counts), intent(inout) :: counts
+      type(hsp_surface_part_counts), intent(inout) :: counts
       integer(c_int32_t) :: status
     end function
 
@@ -2691,23 +2693,23 @@ module hardsphere
 
     ! ---- mesh.h: boundary or smooth surface as triangles -------------------------------------------------------------
 
-    function hsp_mesh_limits_init(limits, struct_size, boundary, edge) result(status) &
+    function hsp_mesh_limits_init(limits, struct_size, boundary, edge_length) result(status) &
       bind(C, name="hsp_mesh_limits_init")
       import :: c_double, c_int32_t, c_ptr, hsp_mesh_limits
       type(hsp_mesh_limits), intent(inout) :: limits
       integer(c_int32_t), value :: struct_size
       type(c_ptr), value :: boundary
-      real(c_double), value :: edge
+      real(c_double), value :: edge_length
       integer(c_int32_t) :: status
     end function
 
-    function hsp_mesh_limits_init_surface(limits, struct_size, surface, edge) result(status) &
+    function hsp_mesh_limits_init_surface(limits, struct_size, surface, edge_length) result(status) &
       bind(C, name="hsp_mesh_limits_init_surface")
       import :: c_double, c_int32_t, c_ptr, hsp_mesh_limits
       type(hsp_mesh_limits), intent(inout) :: limits
       integer(c_int32_t), value :: struct_size
       type(c_ptr), value :: surface
-      real(c_double), value :: edge
+      real(c_double), value :: edge_length
       integer(c_int32_t) :: status
     end function
 
@@ -2727,21 +2729,21 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_mesh_compute(mesh, boundary, edge, limits) result(status) bind(C, name="hsp_mesh_compute")
+    function hsp_mesh_compute(mesh, boundary, edge_length, limits) result(status) bind(C, name="hsp_mesh_compute")
       import :: c_double, c_int32_t, c_ptr, hsp_mesh_limits
       type(c_ptr), value :: mesh
       type(c_ptr), value :: boundary
-      real(c_double), value :: edge
+      real(c_double), value :: edge_length
       type(hsp_mesh_limits), intent(inout), optional :: limits
       integer(c_int32_t) :: status
     end function
 
-    function hsp_mesh_compute_surface(mesh, surface, edge, limits) result(status) &
+    function hsp_mesh_compute_surface(mesh, surface, edge_length, limits) result(status) &
       bind(C, name="hsp_mesh_compute_surface")
       import :: c_double, c_int32_t, c_ptr, hsp_mesh_limits
       type(c_ptr), value :: mesh
       type(c_ptr), value :: surface
-      real(c_double), value :: edge
+      real(c_double), value :: edge_length
       type(hsp_mesh_limits), intent(inout), optional :: limits
       integer(c_int32_t) :: status
     end function
@@ -2800,7 +2802,7 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    ! ---- topology.h: the boundary as quad-edges with simple faces, shells, cells, point location (Step 3) ------------
+    ! ---- topology.h: the boundary as quad-edges with simple faces, shells, regions, point location (Step 3) ----------
 
     function hsp_topology_limits_init(limits, struct_size, boundary) result(status) &
       bind(C, name="hsp_topology_limits_init")
@@ -2930,32 +2932,32 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_topology_get_cells(topology, out, capacity, needed) result(status) &
-      bind(C, name="hsp_topology_get_cells")
-      import :: c_int32_t, c_ptr, hsp_cell
+    function hsp_topology_get_regions(topology, out, capacity, needed) result(status) &
+      bind(C, name="hsp_topology_get_regions")
+      import :: c_int32_t, c_ptr, hsp_region
       type(c_ptr), value :: topology
-      type(hsp_cell), intent(inout), optional :: out(*)  ! needed
+      type(hsp_region), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
-    function hsp_topology_get_cell_shells(topology, cell, shells, capacity, needed) result(status) &
-      bind(C, name="hsp_topology_get_cell_shells")
+    function hsp_topology_get_region_shells(topology, region, shells, capacity, needed) result(status) &
+      bind(C, name="hsp_topology_get_region_shells")
       import :: c_int32_t, c_ptr
       type(c_ptr), value :: topology
-      integer(c_int32_t), value :: cell
+      integer(c_int32_t), value :: region
       integer(c_int32_t), intent(inout), optional :: shells(*)  ! needed
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
-    function hsp_topology_get_cell_balls(topology, cell, balls, capacity, needed) result(status) &
-      bind(C, name="hsp_topology_get_cell_balls")
+    function hsp_topology_get_region_balls(topology, region, balls, capacity, needed) result(status) &
+      bind(C, name="hsp_topology_get_region_balls")
       import :: c_int32_t, c_ptr
       type(c_ptr), value :: topology
-      integer(c_int32_t), value :: cell
+      integer(c_int32_t), value :: region
       integer(c_int32_t), intent(inout), optional :: balls(*)  ! needed
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(inout), optional :: needed
@@ -2973,11 +2975,11 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_topology_locate(topology, xyz, cell) result(status) bind(C, name="hsp_topology_locate")
+    function hsp_topology_locate(topology, xyz, region) result(status) bind(C, name="hsp_topology_locate")
       import :: c_double, c_int32_t, c_ptr
       type(c_ptr), value :: topology
       real(c_double), intent(in) :: xyz(3)
-      integer(c_int32_t), intent(inout) :: cell
+      integer(c_int32_t), intent(inout) :: region
       integer(c_int32_t) :: status
     end function
 
@@ -3175,7 +3177,7 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    function hsp_gate_get(gate, widest) result(status) bind(C, name="hsp_gate_get")
+    function hsp_gate_get_widest(gate, widest) result(status) bind(C, name="hsp_gate_get_widest")
       import :: c_int32_t, c_ptr, hsp_widest_probe
       type(c_ptr), value :: gate
       type(hsp_widest_probe), intent(inout) :: widest
@@ -3987,14 +3989,14 @@ contains
   ! ---- measure.h: areas and volumes ----------------------------------------------------------------------------------
 
   !> hsp_boundary_get_measures with the fields of its request and outputs as arguments.
-  function hsp_boundary_get_measures_named(boundary, selected, executor, totals, area, volume, capacity, needed) &
+  function hsp_boundary_get_measures_named(boundary, selected, executor, totals, area, volume_term, capacity, needed) &
     result(status)
     type(c_ptr), intent(in) :: boundary
     integer(c_int8_t), intent(in), optional, target :: selected(*)  ! n
     type(hsp_executor), intent(in), optional, target :: executor
     type(hsp_totals), intent(inout), optional, target :: totals
     real(c_double), intent(inout), optional, target :: area(*)  ! n
-    real(c_double), intent(inout), optional, target :: volume(*)  ! n
+    real(c_double), intent(inout), optional, target :: volume_term(*)  ! n
     integer(c_int32_t), intent(in), optional :: capacity
     integer(c_int32_t), intent(inout), optional :: needed
     integer(c_int32_t) :: status
@@ -4004,7 +4006,7 @@ contains
     if (present(executor)) request%executor = c_loc(executor)
     if (present(totals)) outputs%totals = c_loc(totals)
     if (present(area)) outputs%area = c_loc(area)
-    if (present(volume)) outputs%volume = c_loc(volume)
+    if (present(volume_term)) outputs%volume_term = c_loc(volume_term)
     if (present(capacity)) outputs%capacity = capacity
     if (present(needed)) outputs%needed = needed
     status = hsp_boundary_get_measures(boundary, request, outputs)
@@ -4344,7 +4346,7 @@ contains
       + 64_c_size_t*int(vertices, c_size_t) + 32_c_size_t*int(triangles, c_size_t) + 384_c_size_t*int(points, c_size_t)
   end function
 
-  ! ---- topology.h: the boundary as quad-edges with simple faces, shells, cells, point location (Step 3) --------------
+  ! ---- topology.h: the boundary as quad-edges with simple faces, shells, regions, point location (Step 3) ------------
 
   !> HSP_TOPOLOGY_BYTES of the header, for the size of an allocation.
   pure function hsp_topology_bytes_bound(balls, neighbours, edges, cut_arcs) result(bytes)

@@ -441,7 +441,7 @@ contains
     if (c_associated(self%topology)) ignored = hsp_topology_compute(self%topology, boundary=c_null_ptr) ! hardsphere/topology.h
     if (c_associated(self%view)) ignored = hsp_view_compute(self%view, model=c_null_ptr, boundary=c_null_ptr) ! hardsphere/view.h
     if (c_associated(self%surface)) ignored = hsp_surface_compute(self%surface, boundary=c_null_ptr) ! hardsphere/surface.h
-    if (c_associated(self%mesh)) ignored = hsp_mesh_compute(self%mesh, boundary=c_null_ptr, edge=0.0_c_double) ! hardsphere/mesh.h
+    if (c_associated(self%mesh)) ignored = hsp_mesh_compute(self%mesh, boundary=c_null_ptr, edge_length=0.0_c_double) ! hardsphere/mesh.h
     if (c_associated(self%map)) ignored = hsp_map_compute(self%map, model=c_null_ptr) ! hardsphere/map.h
     if (c_associated(self%contacts)) ignored = hsp_contacts_compute(self%contacts, boundary=c_null_ptr) ! hardsphere/contacts.h
     if (c_associated(self%cells)) ignored = hsp_cells_compute(self%cells, model=c_null_ptr) ! hardsphere/cells.h
@@ -457,7 +457,7 @@ contains
     integer(c_int32_t) :: ignored
     if (c_associated(self%topology)) ignored = hsp_topology_compute(self%topology, boundary=c_null_ptr) ! hardsphere/topology.h
     if (c_associated(self%surface)) ignored = hsp_surface_compute(self%surface, boundary=c_null_ptr) ! hardsphere/surface.h
-    if (c_associated(self%mesh)) ignored = hsp_mesh_compute(self%mesh, boundary=c_null_ptr, edge=0.0_c_double) ! hardsphere/mesh.h
+    if (c_associated(self%mesh)) ignored = hsp_mesh_compute(self%mesh, boundary=c_null_ptr, edge_length=0.0_c_double) ! hardsphere/mesh.h
     if (c_associated(self%contacts)) ignored = hsp_contacts_compute(self%contacts, boundary=c_null_ptr) ! hardsphere/contacts.h
   end subroutine
 

@@ -8,13 +8,13 @@ using hsp::capi::name_none;
 
 namespace {
 
-int32_t make_pose(const hsp_body *fixed, const hsp_body *moving, const hsp_pose &numbers, hsp::Pose &pose) {
-  return hsp::capi::to_c(hsp::make_pose(fixed->tree, moving->tree, numbers.quaternion, numbers.translation, pose));
+int32_t make_pose(const hsp_body *fixed, const hsp_body *posed, const hsp_pose &numbers, hsp::Pose &pose) {
+  return hsp::capi::to_c(hsp::make_pose(fixed->tree, posed->tree, numbers.quaternion, numbers.translation, pose));
 }
 
-int32_t make_pose(const hsp_body *fixed, const hsp_body *moving, const hsp_rational_pose &numbers,
+int32_t make_pose(const hsp_body *fixed, const hsp_body *posed, const hsp_rational_pose &numbers,
                   hsp::RationalPose &pose) {
-  return hsp::capi::to_c(hsp::make_pose(fixed->tree, moving->tree, numbers.quaternion, numbers.translation, pose));
+  return hsp::capi::to_c(hsp::make_pose(fixed->tree, posed->tree, numbers.quaternion, numbers.translation, pose));
 }
 
 // What the numbers of a pose make.
@@ -29,74 +29,74 @@ struct PoseOf<hsp_rational_pose> {
   using type = hsp::RationalPose;
 };
 
-int32_t check_bodies(const hsp_body *fixed, const hsp_body *moving, bool bad) {
-  return first_failure(check_handle(fixed), check_handle(moving, bad));
+int32_t check_bodies(const hsp_body *fixed, const hsp_body *posed, bool bad) {
+  return first_failure(check_handle(fixed), check_handle(posed, bad));
 }
 
 // Checks all poses before anything is written, then calls answer(k, pose) for each.
 template <class Numbers, class Answer>
-int32_t for_each_pose(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const Numbers *numbers,
+int32_t for_each_pose(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const Numbers *numbers,
                       const void *out, uint32_t *first_bad, Answer answer) {
   const bool bad = poses > 0 && (numbers == nullptr || out == nullptr);
-  if (const int32_t status = name_none(check_bodies(fixed, moving, bad), first_bad); status != HSP_OK) return status;
+  if (const int32_t status = name_none(check_bodies(fixed, posed, bad), first_bad); status != HSP_OK) return status;
   typename PoseOf<Numbers>::type pose;
   for (uint32_t k = 0; k < poses; ++k) {
-    const int32_t status = make_pose(fixed, moving, numbers[k], pose);
+    const int32_t status = make_pose(fixed, posed, numbers[k], pose);
     if (status == HSP_OK) continue;
     if (first_bad != nullptr && status != HSP_E_ARGUMENT) *first_bad = k;
     return status;
   }
   for (uint32_t k = 0; k < poses; ++k) {
-    static_cast<void>(make_pose(fixed, moving, numbers[k], pose));
+    static_cast<void>(make_pose(fixed, posed, numbers[k], pose));
     answer(k, pose);
   }
   return HSP_OK;
 }
 
 template <class Numbers>
-int32_t find_hits(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const Numbers *pose, uint32_t *hit,
+int32_t find_hits(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const Numbers *pose, uint32_t *hit,
                   uint32_t *first_bad) {
   hsp::PairPlace witness;
-  return for_each_pose(fixed, moving, poses, pose, hit, first_bad, [&](uint32_t k, const auto &at) {
-    hit[k] = hsp::any_balls_meet(fixed->tree, moving->tree, at, witness) ? 1 : 0;
+  return for_each_pose(fixed, posed, poses, pose, hit, first_bad, [&](uint32_t k, const auto &at) {
+    hit[k] = hsp::any_balls_meet(fixed->tree, posed->tree, at, witness) ? 1 : 0;
   });
 }
 
 template <class Numbers>
-int32_t find_hits_along(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const Numbers *pose,
+int32_t find_hits_along(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const Numbers *pose,
                         double margin, uint32_t *hit, uint32_t *first_bad) {
   const bool bad = poses > 0 && (pose == nullptr || hit == nullptr);
-  if (const int32_t status = name_none(check_bodies(fixed, moving, bad), first_bad); status != HSP_OK) return status;
+  if (const int32_t status = name_none(check_bodies(fixed, posed, bad), first_bad); status != HSP_OK) return status;
   if (!hsp::is_finite(margin)) return HSP_E_NOT_FINITE;
   if (margin < 0.0) return HSP_E_RANGE;
   hsp::GapBudget known(fixed->tree.lattice().steps(margin));
-  return for_each_pose(fixed, moving, poses, pose, hit, first_bad, [&](uint32_t k, const auto &at) {
-    hit[k] = hsp::any_balls_meet(fixed->tree, moving->tree, at, known) ? 1 : 0;
+  return for_each_pose(fixed, posed, poses, pose, hit, first_bad, [&](uint32_t k, const auto &at) {
+    hit[k] = hsp::any_balls_meet(fixed->tree, posed->tree, at, known) ? 1 : 0;
   });
 }
 
 template <class Numbers>
-int32_t find_gaps(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const Numbers *pose, hsp_body_gap *gap,
+int32_t find_gaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const Numbers *pose, hsp_body_gap *gap,
                   uint32_t *first_bad) {
   hsp::PairPlace witness;
-  return for_each_pose(fixed, moving, poses, pose, gap, first_bad, [&](uint32_t k, const auto &at) {
-    const hsp::PairGap found = hsp::least_gap(fixed->tree, moving->tree, at, witness);
+  return for_each_pose(fixed, posed, poses, pose, gap, first_bad, [&](uint32_t k, const auto &at) {
+    const hsp::PairGap found = hsp::least_gap(fixed->tree, posed->tree, at, witness);
     gap[k] = {fixed->tree.lattice().length(found.gap), found.fixed, found.moving};
   });
 }
 
 template <class Numbers>
-int32_t list_pairs(const hsp_body *fixed, const hsp_body *moving, const Numbers *pose, uint32_t *pair,
-                   uint32_t capacity, uint32_t *needed) {
+int32_t list_pairs(const hsp_body *fixed, const hsp_body *posed, const Numbers *pose, uint32_t *pair, uint32_t capacity,
+                   uint32_t *needed) {
   const bool bad = pose == nullptr || (pair == nullptr && capacity > 0);
-  if (const int32_t refused = check_bodies(fixed, moving, bad); refused != HSP_OK) return refused;
+  if (const int32_t refused = check_bodies(fixed, posed, bad); refused != HSP_OK) return refused;
   typename PoseOf<Numbers>::type at;
-  if (const int32_t status = make_pose(fixed, moving, *pose, at); status != HSP_OK) return status;
-  const uint32_t count = hsp::clamped_count(hsp::list_meeting_pairs(fixed->tree, moving->tree, at, {}));
+  if (const int32_t status = make_pose(fixed, posed, *pose, at); status != HSP_OK) return status;
+  const uint32_t count = hsp::clamped_count(hsp::list_meeting_pairs(fixed->tree, posed->tree, at, {}));
   if (count == hsp::no_id) return HSP_E_RANGE;
   const int32_t status = hsp::capi::check_output(pair, capacity, count, needed);
   if (status != HSP_OK) return status;
-  hsp::list_meeting_pairs(fixed->tree, moving->tree, at, {reinterpret_cast<hsp::MeetingPair *>(pair), count});
+  hsp::list_meeting_pairs(fixed->tree, posed->tree, at, {reinterpret_cast<hsp::MeetingPair *>(pair), count});
   return HSP_OK;
 }
 
@@ -134,50 +134,50 @@ int32_t hsp_pose_from_matrix(const double *matrix, const double *translation, hs
   return HSP_OK;
 }
 
-int32_t hsp_body_hits(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const hsp_pose *pose,
-                      uint32_t *hit, uint32_t *first_bad) {
-  return find_hits(fixed, moving, poses, pose, hit, first_bad);
+int32_t hsp_body_hits(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose, uint32_t *hit,
+                      uint32_t *first_bad) {
+  return find_hits(fixed, posed, poses, pose, hit, first_bad);
 }
 
-int32_t hsp_body_rational_hits(const hsp_body *fixed, const hsp_body *moving, uint32_t poses,
+int32_t hsp_body_rational_hits(const hsp_body *fixed, const hsp_body *posed, uint32_t poses,
                                const hsp_rational_pose *pose, uint32_t *hit, uint32_t *first_bad) {
-  return find_hits(fixed, moving, poses, pose, hit, first_bad);
+  return find_hits(fixed, posed, poses, pose, hit, first_bad);
 }
 
-int32_t hsp_body_hits_along(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const hsp_pose *pose,
+int32_t hsp_body_hits_along(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose,
                             double margin, uint32_t *hit, uint32_t *first_bad) {
-  return find_hits_along(fixed, moving, poses, pose, margin, hit, first_bad);
+  return find_hits_along(fixed, posed, poses, pose, margin, hit, first_bad);
 }
 
-int32_t hsp_body_rational_hits_along(const hsp_body *fixed, const hsp_body *moving, uint32_t poses,
+int32_t hsp_body_rational_hits_along(const hsp_body *fixed, const hsp_body *posed, uint32_t poses,
                                      const hsp_rational_pose *pose, double margin, uint32_t *hit, uint32_t *first_bad) {
-  return find_hits_along(fixed, moving, poses, pose, margin, hit, first_bad);
+  return find_hits_along(fixed, posed, poses, pose, margin, hit, first_bad);
 }
 
-int32_t hsp_body_gaps(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const hsp_pose *pose,
+int32_t hsp_body_gaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose,
                       hsp_body_gap *gap, uint32_t *first_bad) {
-  return find_gaps(fixed, moving, poses, pose, gap, first_bad);
+  return find_gaps(fixed, posed, poses, pose, gap, first_bad);
 }
 
-int32_t hsp_body_rational_gaps(const hsp_body *fixed, const hsp_body *moving, uint32_t poses,
+int32_t hsp_body_rational_gaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses,
                                const hsp_rational_pose *pose, hsp_body_gap *gap, uint32_t *first_bad) {
-  return find_gaps(fixed, moving, poses, pose, gap, first_bad);
+  return find_gaps(fixed, posed, poses, pose, gap, first_bad);
 }
 
-int32_t hsp_body_overlaps(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const hsp_pose *pose,
+int32_t hsp_body_overlaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose,
                           hsp_body_overlap *overlap, uint32_t *first_bad) {
-  return for_each_pose(fixed, moving, poses, pose, overlap, first_bad, [&](uint32_t k, const hsp::Pose &at) {
-    const hsp::Overlap found = hsp::sum_overlaps(fixed->tree, moving->tree, at);
+  return for_each_pose(fixed, posed, poses, pose, overlap, first_bad, [&](uint32_t k, const hsp::Pose &at) {
+    const hsp::Overlap found = hsp::sum_overlaps(fixed->tree, posed->tree, at);
     overlap[k] = {fixed->tree.lattice().volume(found.volume), hsp::clamped_count(found.pairs), 0};
   });
 }
 
-int32_t hsp_body_pairs(const hsp_body *fixed, const hsp_body *moving, const hsp_pose *pose, uint32_t *pair,
+int32_t hsp_body_pairs(const hsp_body *fixed, const hsp_body *posed, const hsp_pose *pose, uint32_t *pair,
                        uint32_t capacity, uint32_t *needed) {
-  return list_pairs(fixed, moving, pose, pair, capacity, needed);
+  return list_pairs(fixed, posed, pose, pair, capacity, needed);
 }
 
-int32_t hsp_body_rational_pairs(const hsp_body *fixed, const hsp_body *moving, const hsp_rational_pose *pose,
+int32_t hsp_body_rational_pairs(const hsp_body *fixed, const hsp_body *posed, const hsp_rational_pose *pose,
                                 uint32_t *pair, uint32_t capacity, uint32_t *needed) {
-  return list_pairs(fixed, moving, pose, pair, capacity, needed);
+  return list_pairs(fixed, posed, pose, pair, capacity, needed);
 }

@@ -149,7 +149,7 @@ int32_t hsp_cells_check(hsp_cells *cells, const hsp_topology *topology, uint32_t
   const hsp::FreeSpace &space = cells->structure();
   hsp::FreeSpaceViolation violation = hsp::check_free_space(cells->balls(), space, cells->builder.scratch());
   if (violation.invariant == FreeSpaceInvariant::none && topology != nullptr &&
-      space.region_count() != topology->structure().cell_count) {
+      space.region_count() != topology->structure().region_count) {
     violation.invariant = FreeSpaceInvariant::complement;
   }
   return hsp::capi::report(violation, invariant, id);

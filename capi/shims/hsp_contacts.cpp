@@ -35,7 +35,7 @@ hsp_contact to_c(const hsp::BallSet &balls, const hsp::ContactRecord &contact) {
                          (contact.has_arc() || contact.is_circle() ? 0 : HSP_CONTACT_BURIED) |
                          (contact.is_circle() ? HSP_CONTACT_CIRCLE : 0);
   return {balls.lattice.area(contact.area),
-          balls.lattice.length(contact.edge),
+          balls.lattice.length(contact.rim),
           balls.lattice.length(std::sqrt(dot(v, v))),
           {a < b ? a : b, a < b ? b : a},
           contact.chords,
@@ -85,7 +85,7 @@ int32_t hsp_contacts_compute(hsp_contacts *contacts, const hsp_boundary *boundar
   return hsp::capi::finish(*contacts, status, limits);
 }
 
-int32_t hsp_contacts_get(const hsp_contacts *contacts, hsp_contact *out, uint32_t capacity, uint32_t *needed) {
+int32_t hsp_contacts_get_pairs(const hsp_contacts *contacts, hsp_contact *out, uint32_t capacity, uint32_t *needed) {
   const int32_t status = check_request(contacts, out, capacity, needed,
                                        [](const hsp_contacts &c) { return c.structure().contact_count(); });
   if (status != HSP_OK) return status;
@@ -113,19 +113,19 @@ int32_t hsp_contacts_get_row(const hsp_contacts *contacts, uint32_t ball, hsp_co
   return HSP_OK;
 }
 
-int32_t hsp_contacts_measure(const hsp_contacts *contacts, hsp_totals *totals, double *cell_volume,
+int32_t hsp_contacts_measure(const hsp_contacts *contacts, hsp_totals *totals, double *share_volume,
                              double *contact_area, uint32_t capacity, uint32_t *needed) {
   if (const int32_t status = check_results(contacts); status != HSP_OK) return status;
   const hsp::BallSet &balls = contacts->balls();
-  const bool wanted = cell_volume != nullptr || contact_area != nullptr;
+  const bool wanted = share_volume != nullptr || contact_area != nullptr;
   if (!hsp::capi::fits(wanted, capacity, balls.n, needed)) return HSP_E_CAPACITY;
   const hsp::Contacts &structure = contacts->structure();
   hsp::TreeSum area, volume;
   for (uint32_t i = 0; i < balls.n; ++i) {
     const uint32_t ball = contacts->grid().grid_index(i);
     area.add(structure.contact_area(ball));
-    volume.add(structure.cell_volume(ball));
-    if (cell_volume != nullptr) cell_volume[i] = balls.lattice.volume(structure.cell_volume(ball));
+    volume.add(structure.share_volume(ball));
+    if (share_volume != nullptr) share_volume[i] = balls.lattice.volume(structure.share_volume(ball));
     if (contact_area != nullptr) contact_area[i] = balls.lattice.area(structure.contact_area(ball));
   }
   // A contact is one of two balls.

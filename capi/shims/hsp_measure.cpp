@@ -7,12 +7,12 @@ using hsp::capi::check_results;
 using hsp::capi::first_failure;
 
 int32_t hsp_boundary_measure(const hsp_boundary *boundary, const uint8_t *selected, hsp_totals *totals, double *area,
-                             double *volume, uint32_t capacity, uint32_t *needed) {
+                             double *volume_term, uint32_t capacity, uint32_t *needed) {
   if (const int32_t status = check_results(boundary); status != HSP_OK) return status;
   const hsp::CubeGrid &grid = boundary->model->grid;
-  const bool wanted = area != nullptr || volume != nullptr;
+  const bool wanted = area != nullptr || volume_term != nullptr;
   if (!hsp::capi::fits(wanted, capacity, grid.balls().n, needed)) return HSP_E_CAPACITY;
-  const hsp::BallMeasure total = hsp::measure_into(grid, boundary->structure(), selected, area, volume);
+  const hsp::BallMeasure total = hsp::measure_into(grid, boundary->structure(), selected, area, volume_term);
   if (totals != nullptr) *totals = {total.area, total.volume};
   return HSP_OK;
 }
@@ -28,33 +28,33 @@ int32_t hsp_boundary_get_measures(const hsp_boundary *boundary, const hsp_measur
       status != HSP_OK)
     return status;
   if (out.reserved != 0) return HSP_E_VERSION;
-  if (!boundary->has_areas() || (boundary->of_some && out.volume != nullptr)) return HSP_E_STATE;
+  if (!boundary->has_areas() || (boundary->of_some && out.volume_term != nullptr)) return HSP_E_STATE;
   const hsp::CubeGrid &grid = boundary->model->grid;
-  const bool wanted = out.area != nullptr || out.volume != nullptr;
+  const bool wanted = out.area != nullptr || out.volume_term != nullptr;
   if (!hsp::capi::fits(wanted, out.capacity, grid.balls().n, &outputs->needed)) return HSP_E_CAPACITY;
   const hsp::Boundary &structure = boundary->structure();
   hsp::BallMeasure total;
   if (!executor.is_parallel()) {
-    total = hsp::measure_into(grid, structure, asked.selected, out.area, out.volume);
-  } else if (!hsp::measure_in_parts(executor, grid, structure, asked.selected, out.area, out.volume, total)) {
+    total = hsp::measure_into(grid, structure, asked.selected, out.area, out.volume_term);
+  } else if (!hsp::measure_in_parts(executor, grid, structure, asked.selected, out.area, out.volume_term, total)) {
     return HSP_E_EXECUTOR;
   }
   if (out.totals != nullptr) *out.totals = {total.area, boundary->of_some ? 0.0 : total.volume};
   return HSP_OK;
 }
 
-int32_t hsp_boundary_measure_faces(const hsp_boundary *boundary, double *area, double *volume, uint32_t capacity,
+int32_t hsp_boundary_measure_faces(const hsp_boundary *boundary, double *area, double *volume_term, uint32_t capacity,
                                    uint32_t *needed) {
   if (const int32_t status = check_results(boundary); status != HSP_OK) return status;
   const hsp::Boundary &structure = boundary->structure();
-  const bool wanted = area != nullptr || volume != nullptr;
+  const bool wanted = area != nullptr || volume_term != nullptr;
   if (!hsp::capi::fits(wanted, capacity, structure.face_count(), needed)) return HSP_E_CAPACITY;
   if (!wanted) return HSP_OK;
   const hsp::BallSet &balls = boundary->balls();
   for (uint32_t i = 0; i < balls.n; ++i) {
     hsp::measure_faces(balls, structure, i, [&](uint32_t face, const hsp::BallMeasure &measure) {
       if (area != nullptr) area[face] = balls.lattice.area(measure.area);
-      if (volume != nullptr) volume[face] = balls.lattice.volume(measure.volume);
+      if (volume_term != nullptr) volume_term[face] = balls.lattice.volume(measure.volume);
     });
   }
   return HSP_OK;

@@ -7,9 +7,9 @@ using hsp::capi::first_failure;
 
 namespace {
 
-int32_t check_edge(double edge) {
-  if (!hsp::is_finite(edge)) return HSP_E_NOT_FINITE;
-  return edge > 0.0 ? HSP_OK : HSP_E_ARGUMENT;
+int32_t check_edge(double edge_length) {
+  if (!hsp::is_finite(edge_length)) return HSP_E_NOT_FINITE;
+  return edge_length > 0.0 ? HSP_OK : HSP_E_ARGUMENT;
 }
 
 const hsp::BallSet &balls_of(const hsp_boundary &boundary) {
@@ -21,26 +21,27 @@ const hsp::BallSet &balls_of(const hsp_surface &surface) {
 
 // For the triangles of a boundary or a surface: expect(steps, enough) says what suffices for edges of so many steps.
 template <class Source, class Expect>
-int32_t init_limits(hsp_mesh_limits *limits, uint32_t struct_size, const Source *source, double edge, Expect expect) {
+int32_t init_limits(hsp_mesh_limits *limits, uint32_t struct_size, const Source *source, double edge_length,
+                    Expect expect) {
   if (const int32_t status = first_failure(check_handle(source), check_struct(limits, struct_size)); status != HSP_OK)
     return status;
-  if (const int32_t status = check_edge(edge); status != HSP_OK) return status;
+  if (const int32_t status = check_edge(edge_length); status != HSP_OK) return status;
   if (!source->has_results()) return HSP_E_STATE;
   hsp::MeshLimits enough;
-  const hsp::Status status = expect(balls_of(*source).lattice.steps(edge), enough);
+  const hsp::Status status = expect(balls_of(*source).lattice.steps(edge_length), enough);
   if (status == hsp::Status::ok) hsp_mesh::Limits::write(enough, limits, struct_size);
   return hsp::capi::to_c(status);
 }
 
 // build(steps) makes the triangles and names the boundary.
 template <class Source, class Build>
-int32_t compute(hsp_mesh *mesh, const Source *source, double edge, hsp_mesh_limits *limits, Build build) {
+int32_t compute(hsp_mesh *mesh, const Source *source, double edge_length, hsp_mesh_limits *limits, Build build) {
   if (const int32_t status = check_handle(mesh); status != HSP_OK) return status;
   mesh->complete = false;
   if (const int32_t status = first_failure(check_handle(source), check_struct(limits)); status != HSP_OK) return status;
-  if (const int32_t status = check_edge(edge); status != HSP_OK) return status;
+  if (const int32_t status = check_edge(edge_length); status != HSP_OK) return status;
   if (!source->has_results()) return HSP_E_STATE;
-  const hsp::Status status = build(balls_of(*source).lattice.steps(edge));
+  const hsp::Status status = build(balls_of(*source).lattice.steps(edge_length));
   return hsp::capi::finish(*mesh, status, limits);
 }
 
@@ -89,15 +90,16 @@ void share_areas_of_patches(const hsp::Mesh &mesh, const double *area, double *w
 
 }  // namespace
 
-int32_t hsp_mesh_limits_init(hsp_mesh_limits *limits, uint32_t struct_size, const hsp_boundary *boundary, double edge) {
-  return init_limits(limits, struct_size, boundary, edge, [boundary](double steps, hsp::MeshLimits &enough) {
+int32_t hsp_mesh_limits_init(hsp_mesh_limits *limits, uint32_t struct_size, const hsp_boundary *boundary,
+                             double edge_length) {
+  return init_limits(limits, struct_size, boundary, edge_length, [boundary](double steps, hsp::MeshLimits &enough) {
     return hsp::expected_mesh_limits(boundary->balls(), boundary->structure(), steps, enough);
   });
 }
 
 int32_t hsp_mesh_limits_init_surface(hsp_mesh_limits *limits, uint32_t struct_size, const hsp_surface *surface,
-                                     double edge) {
-  return init_limits(limits, struct_size, surface, edge, [surface](double steps, hsp::MeshLimits &enough) {
+                                     double edge_length) {
+  return init_limits(limits, struct_size, surface, edge_length, [surface](double steps, hsp::MeshLimits &enough) {
     const hsp_boundary &boundary = *surface->boundary;
     return hsp::expected_mesh_limits(boundary.balls(), boundary.structure(), surface->structure(), steps, enough);
   });
@@ -111,15 +113,16 @@ int32_t hsp_mesh_init(void *memory, size_t bytes, const hsp_mesh_limits *limits,
   return hsp::capi::init_by_limits(memory, bytes, limits, mesh);
 }
 
-int32_t hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *boundary, double edge, hsp_mesh_limits *limits) {
-  return compute(mesh, boundary, edge, limits, [mesh, boundary](double steps) {
+int32_t hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *boundary, double edge_length, hsp_mesh_limits *limits) {
+  return compute(mesh, boundary, edge_length, limits, [mesh, boundary](double steps) {
     mesh->boundary.set(boundary);
     return mesh->builder.build(boundary->balls(), boundary->structure(), steps);
   });
 }
 
-int32_t hsp_mesh_compute_surface(hsp_mesh *mesh, const hsp_surface *surface, double edge, hsp_mesh_limits *limits) {
-  return compute(mesh, surface, edge, limits, [mesh, surface](double steps) {
+int32_t hsp_mesh_compute_surface(hsp_mesh *mesh, const hsp_surface *surface, double edge_length,
+                                 hsp_mesh_limits *limits) {
+  return compute(mesh, surface, edge_length, limits, [mesh, surface](double steps) {
     const hsp_boundary &boundary = *surface->boundary;
     mesh->boundary.set(&boundary);
     return mesh->builder.build(boundary.balls(), boundary.structure(), surface->structure(), steps);

@@ -25,7 +25,7 @@ hsp_moving_ball to_c(const hsp::MovingBalls &balls, uint32_t i) {
   }
   result.radius = lattice.length(static_cast<double>(placed.radius));
   result.area = measure.area;
-  result.volume = measure.volume;
+  result.volume_term = measure.volume;
   result.d_radius = gradient.radius;
   result.faces = record.faces;
   result.flags = record.contained ? HSP_BALL_CONTAINED : 0;
@@ -99,16 +99,16 @@ int32_t hsp_moving_get_info(const hsp_moving *moving, hsp_moving_info *info) {
   return HSP_OK;
 }
 
-int32_t hsp_moving_measure(const hsp_moving *moving, hsp_totals *totals, double *area, double *volume,
+int32_t hsp_moving_measure(const hsp_moving *moving, hsp_totals *totals, double *area, double *volume_term,
                            uint32_t capacity, uint32_t *needed) {
   if (const int32_t status = check_results(moving); status != HSP_OK) return status;
   const hsp::MovingBalls &balls = moving->builder;
-  const bool wanted = area != nullptr || volume != nullptr;
+  const bool wanted = area != nullptr || volume_term != nullptr;
   if (!hsp::capi::fits(wanted, capacity, balls.size(), needed)) return HSP_E_CAPACITY;
   for (uint32_t i = 0; wanted && i < balls.size(); ++i) {
     const hsp::BallMeasure own = balls.measure(i);
     if (area != nullptr) area[i] = own.area;
-    if (volume != nullptr) volume[i] = own.volume;
+    if (volume_term != nullptr) volume_term[i] = own.volume;
   }
   if (totals != nullptr) {
     const hsp::BallMeasure all = balls.totals();

@@ -103,7 +103,7 @@ int32_t hsp_gate_compute(hsp_gate *gate, const hsp_model *model, const double *f
   return hsp::capi::finish(*gate, status, limits);
 }
 
-int32_t hsp_gate_get(const hsp_gate *gate, hsp_widest_probe *widest) {
+int32_t hsp_gate_get_widest(const hsp_gate *gate, hsp_widest_probe *widest) {
   if (const int32_t status = check_results(gate, widest == nullptr); status != HSP_OK) return status;
   const hsp::WidestProbe &found = gate->widest;
   *widest = {gate->model->balls().lattice.length(found.radius),

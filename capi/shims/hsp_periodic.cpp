@@ -30,7 +30,7 @@ hsp_periodic_contact to_c(const hsp::PeriodicUnion &periodic, const hsp::Periodi
   const hsp::Vec3 v = grid.balls().difference(grid.grid_index(contact.ball), grid.grid_index(contact.other));
   hsp_periodic_contact result{};
   result.area = lattice.area(record.area);
-  result.edge = lattice.length(record.edge);
+  result.rim = lattice.length(record.rim);
   result.distance = lattice.length(std::sqrt(dot(v, v)));
   result.ball[0] = contact.ball;
   result.ball[1] = periodic.images().ball_of(contact.other);
@@ -106,14 +106,14 @@ int32_t hsp_periodic_get_counts(const hsp_periodic *periodic, hsp_periodic_count
 }
 
 int32_t hsp_periodic_measure(const hsp_periodic *periodic, hsp_periodic_totals *totals, double *area,
-                             double *cell_volume, uint32_t capacity, uint32_t *needed) {
+                             double *share_volume, uint32_t capacity, uint32_t *needed) {
   if (const int32_t status = check_results(periodic); status != HSP_OK) return status;
-  const bool wanted = area != nullptr || cell_volume != nullptr;
+  const bool wanted = area != nullptr || share_volume != nullptr;
   if (!hsp::capi::fits(wanted, capacity, periodic->balls(), needed)) return HSP_E_CAPACITY;
   const hsp::PeriodicTotals found =
       hsp::measure_periodic(periodic->builder, [&](uint32_t i, const hsp::BallMeasure &own) {
         if (area != nullptr) area[i] = own.area;
-        if (cell_volume != nullptr) cell_volume[i] = own.volume;
+        if (share_volume != nullptr) share_volume[i] = own.volume;
       });
   if (totals != nullptr) {
     *totals = {found.area, found.volume, found.box_volume, found.free_volume, found.contact_area};

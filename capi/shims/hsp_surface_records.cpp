@@ -164,7 +164,7 @@ uint32_t take_step(const hsp_surface *surface, uint32_t h, Step step) {
 
 }  // namespace
 
-int32_t hsp_surface_get_map_counts(const hsp_surface *surface, hsp_surface_map_counts *counts) {
+int32_t hsp_surface_get_part_counts(const hsp_surface *surface, hsp_surface_part_counts *counts) {
   if (const int32_t status = check_results(surface, counts == nullptr); status != HSP_OK) return status;
   const hsp::Surface &structure = surface->structure();
   if (!structure.is_closed()) return HSP_E_OPEN_SURFACE;

@@ -21,7 +21,7 @@ static_assert(number_of(TopologyInvariant::none) == 0);
 static_assert(number_of(TopologyInvariant::algebra) == 1 && number_of(TopologyInvariant::vertices) == 2);
 static_assert(number_of(TopologyInvariant::faces) == 3 && number_of(TopologyInvariant::sides) == 4);
 static_assert(number_of(TopologyInvariant::euler) == 5 && number_of(TopologyInvariant::traversal) == 6);
-static_assert(number_of(TopologyInvariant::cells) == 7 && number_of(TopologyInvariant::volumes) == 8);
+static_assert(number_of(TopologyInvariant::regions) == 7 && number_of(TopologyInvariant::volumes) == 8);
 
 // Applies a step of the quad-edge algebra to a quarter-edge that is there.
 template <class Step>
@@ -68,7 +68,7 @@ int32_t hsp_topology_get_counts(const hsp_topology *topology, hsp_topology_count
   *counts = {structure.vertex_count, structure.quads.edges,
              structure.face_count,   structure.quads.edges - structure.first_cut_edge,
              structure.shell_count,  structure.component_count,
-             structure.cell_count,   structure.start_face};
+             structure.region_count, structure.start_face};
   return HSP_OK;
 }
 

@@ -107,7 +107,7 @@ class SurfaceCalls {
     hsp_surface_counts counts{};
     hsp_surface_totals totals{};
     hsp_energy energy{};
-    hsp_surface_map_counts map{};
+    hsp_surface_part_counts map{};
     uint32_t invariant = 12345, id = 12345, needed = 12345, balls = 0;
     FUZZ_REQUIRE(hsp_surface_get_counts(surface, &counts) == expected, "hsp_surface_get_counts");
     FUZZ_REQUIRE(hsp_surface_measure(surface, &totals, nullptr, 0, &balls) == expected, "hsp_surface_measure");
@@ -130,7 +130,7 @@ class SurfaceCalls {
     FUZZ_REQUIRE(gradient == (asked == HSP_OK && !finite ? HSP_E_NOT_FINITE : asked), "hsp_surface_get_gradient");
     FUZZ_REQUIRE(outputs.first_bad == (asked == HSP_OK ? bad : 12345), "the first weight that is no number");
     const int32_t of_map = expected == HSP_OK && counts.open_joints > 0 ? HSP_E_OPEN_SURFACE : expected;
-    FUZZ_REQUIRE(hsp_surface_get_map_counts(surface, &map) == of_map, "hsp_surface_get_map_counts");
+    FUZZ_REQUIRE(hsp_surface_get_part_counts(surface, &map) == of_map, "hsp_surface_get_part_counts");
     FUZZ_REQUIRE(hsp_surface_check(surface, &invariant, &id) == of_map, "hsp_surface_check");
     FUZZ_REQUIRE(expected == HSP_OK ? invariant == (counts.open_joints > 0 ? 1 : 0) : invariant == 12345, "invariant");
     const int32_t shells = hsp_surface_get_shells(surface, nullptr, 0, &needed);

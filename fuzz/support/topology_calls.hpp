@@ -117,11 +117,11 @@ class TopologyCalls {
         if (!std::isfinite(x)) expected = HSP_E_NOT_FINITE;
       }
     }
-    uint32_t cell = 12345;
-    const int32_t status = hsp_topology_locate(topology, xyz, &cell);
+    uint32_t region = 12345;
+    const int32_t status = hsp_topology_locate(topology, xyz, &region);
     // The lattice of small balls ends near them.
     FUZZ_REQUIRE(status == expected || (expected == HSP_OK && status == HSP_E_RANGE), "hsp_topology_locate");
-    FUZZ_REQUIRE(status == HSP_OK || cell == 12345, "cell written on failure");
+    FUZZ_REQUIRE(status == HSP_OK || region == 12345, "region written on failure");
   }
 
  private:
@@ -148,17 +148,17 @@ class TopologyCalls {
     check_array<hsp_component>(bytes_, 8, expected, [&](hsp_component *out, uint32_t capacity, uint32_t *count) {
       return hsp_topology_get_components(topology, out, capacity, count);
     });
-    check_array<hsp_cell>(bytes_, 4, expected, [&](hsp_cell *out, uint32_t capacity, uint32_t *count) {
-      return hsp_topology_get_cells(topology, out, capacity, count);
+    check_array<hsp_region>(bytes_, 4, expected, [&](hsp_region *out, uint32_t capacity, uint32_t *count) {
+      return hsp_topology_get_regions(topology, out, capacity, count);
     });
-    const uint32_t cell = bytes_.below(4), shell = bytes_.below(6);
-    check_array<uint32_t>(bytes_, 8, with_id(expected, cell, counts.cells),
+    const uint32_t region = bytes_.below(4), shell = bytes_.below(6);
+    check_array<uint32_t>(bytes_, 8, with_id(expected, region, counts.regions),
                           [&](uint32_t *out, uint32_t capacity, uint32_t *count) {
-                            return hsp_topology_get_cell_shells(topology, cell, out, capacity, count);
+                            return hsp_topology_get_region_shells(topology, region, out, capacity, count);
                           });
-    check_array<uint32_t>(bytes_, 20, with_id(expected, cell, counts.cells),
+    check_array<uint32_t>(bytes_, 20, with_id(expected, region, counts.regions),
                           [&](uint32_t *out, uint32_t capacity, uint32_t *count) {
-                            return hsp_topology_get_cell_balls(topology, cell, out, capacity, count);
+                            return hsp_topology_get_region_balls(topology, region, out, capacity, count);
                           });
     check_array<uint32_t>(bytes_, 60, with_id(expected, shell, counts.shells),
                           [&](uint32_t *out, uint32_t capacity, uint32_t *count) {

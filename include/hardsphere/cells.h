@@ -13,7 +13,7 @@
  *                  balls, which reaches to infinity
  *   neighbours     two cells with a piece of a facet or of a side of cubes in common, from where to where a point can
  *                  move through free space
- *   region         what neighbours make up: a connected component of free space, a cell of the complement in topology.h
+ *   region         what neighbours make up: a connected component of free space, a region of topology.h
  *                  in another order. Region 0 is the outside
  *
  * All of this is decided in integers, as the boundary is; balls that touch count as meeting, so that nothing passes
@@ -101,7 +101,7 @@ typedef struct hsp_cells_counts {
 } hsp_cells_counts;
 
 /** How many cells, neighbours and regions there are.
- *  - Property 1: regions is the number of cells of the complement that hsp_topology_get_counts reports.
+ *  - Property 1: regions is the number that hsp_topology_get_counts reports.
  *
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */

@@ -5,13 +5,13 @@
  * Stable: from version 1.0 on this stays as it is, and is only added to.
  *
  * With the power |x - c_i|^2 - r_i^2 of a point x to ball i, radii with the probe:
- *   cell      of a ball: the points of the union with no less power to another ball; convex, inside the ball
- *   contact   of two balls: where their cells meet; the disk of their circle, cut off straight by other balls
- *   simplex   one to four balls whose cells have a common point: ball, edge (a contact), triangle, tetrahedron. All
+ *   share     of a ball: the points of the union with no less power to another ball; convex, inside the ball
+ *   contact   of two balls: where their shares meet; the disk of their circle, cut off straight by other balls
+ *   simplex   one to four balls whose shares have a common point: ball, edge (a contact), triangle, tetrahedron. All
  *             simplices are the dual complex (Edelsbrunner 1995), which has the holes of the union
  * All of it is decided exactly, as if ties were broken by infinitesimally inflated balls (hardsphere/boundary.h): balls
  * that touch have a contact of area 0. Where three spheres share a circle the area of the disk in it counts for two of
- * the three balls; cells and all sums are continuous there too. */
+ * the three balls; shares and all sums are continuous there too. */
 #ifndef HARDSPHERE_CONTACTS_H
 #define HARDSPHERE_CONTACTS_H
 
@@ -25,7 +25,7 @@
 extern "C" {
 #endif
 
-/** The contacts and cells of the balls of a boundary. */
+/** The contacts and shares of the balls of a boundary. */
 typedef struct hsp_contacts hsp_contacts;
 
 /** The limits that fix the memory of contacts. */
@@ -69,7 +69,7 @@ HSP_API int32_t hsp_contacts_bytes(const hsp_contacts_limits *limits, size_t *by
 HSP_API int32_t hsp_contacts_init(void *memory, size_t bytes, const hsp_contacts_limits *limits,
                                   hsp_contacts **contacts);
 
-/** Compute contacts, cells and dual complex of the balls of a computed boundary. Boundary and model must outlive the
+/** Compute contacts, shares and dual complex of the balls of a computed boundary. Boundary and model must outlive the
  *  contacts, which can be read while these hold the same (RESULTS in hardsphere.h). On failure they hold no results.
  *  limits: see LIMITS in hardsphere.h; at most three retries.
  *  - Property 1: the order of the balls has no effect but on ids and on their order.
@@ -91,7 +91,7 @@ HSP_API int32_t hsp_contacts_compute(hsp_contacts *contacts, const hsp_boundary 
 /** A contact of two balls. Frozen. */
 typedef struct hsp_contact {
   double area;          /**< length^2 */
-  double edge;          /**< length of the part of its border that is on the surface of the union */
+  double rim;           /**< length of the part of its border that is on the surface of the union */
   double distance;      /**< of the two centres */
   uint32_t ball[2];     /**< its two balls a < b */
   uint32_t chords;      /**< straight sides */
@@ -105,10 +105,11 @@ typedef struct hsp_contact {
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
-HSP_API int32_t hsp_contacts_get(const hsp_contacts *contacts, hsp_contact *out, uint32_t capacity, uint32_t *needed);
+HSP_API int32_t hsp_contacts_get_pairs(const hsp_contacts *contacts, hsp_contact *out, uint32_t capacity,
+                                       uint32_t *needed);
 
 /** The contacts of one ball, ascending in the other one.
- *  - Property 1: the records are those of hsp_contacts_get, bit for bit.
+ *  - Property 1: the records are those of hsp_contacts_get_pairs, bit for bit.
  *
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
@@ -117,22 +118,22 @@ HSP_API int32_t hsp_contacts_get(const hsp_contacts *contacts, hsp_contact *out,
 HSP_API int32_t hsp_contacts_get_row(const hsp_contacts *contacts, uint32_t ball, hsp_contact *out, uint32_t capacity,
                                      uint32_t *needed);
 
-/** Volume of the cell and area of all contacts of each ball; cell_volume [n] and contact_area [n] may each be NULL and
- *  else hold capacity >= n entries. totals, if not NULL, become the area of all contacts, each once, and the volume of
- *  all cells. needed may be NULL and else becomes n.
- *  - Property 1: the cells sum to the volume of the union.
- *  - Property 2: cell_volume and contact_area do not depend on the order of the balls, bit for bit.
+/** Volume of the share and area of all contacts of each ball; share_volume [n] and contact_area [n] may each be NULL
+ *  and else hold capacity >= n entries. totals, if not NULL, become the area of all contacts, each once, and the volume
+ *  of all shares. needed may be NULL and else becomes n.
+ *  - Property 1: the shares sum to the volume of the union.
+ *  - Property 2: share_volume and contact_area do not depend on the order of the balls, bit for bit.
  *
  *  @retval HSP_E_ARGUMENT  contacts is NULL
  *  @retval HSP_E_CAPACITY  an array is given and capacity < n
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
-HSP_API int32_t hsp_contacts_measure(const hsp_contacts *contacts, hsp_totals *totals, double *cell_volume,
+HSP_API int32_t hsp_contacts_measure(const hsp_contacts *contacts, hsp_totals *totals, double *share_volume,
                                      double *contact_area, uint32_t capacity, uint32_t *needed);
 
 /** The contact of two groups of balls. Frozen. */
 typedef struct hsp_group_contact {
   double area;       /**< of all contacts between them */
-  double edge;       /**< length of their borders on the surface of the union */
+  double rim;        /**< length of their borders on the surface of the union */
   uint32_t group[2]; /**< the groups g < h */
   uint32_t contacts; /**< how many */
   uint32_t reserved; /**< 0 */
@@ -190,12 +191,12 @@ HSP_API int32_t hsp_contacts_get_simplices(const hsp_contacts *contacts, uint32_
 
 /* ---- self-check -------------------------------------------------------------------------------------------------- */
 
-/** Check contacts and cells against laws that hold for every set of balls: two ways to compute that have little in
+/** Check contacts and shares against laws that hold for every set of balls: two ways to compute that have little in
  *  common. *invariant becomes 0 or the number of the first that is violated, *id the contact or ball concerned.
  *    1  each contact stands with both of its balls, with numbers that it may have
  *    2  the Euler characteristic of the dual complex is half of that of the boundary
- *    3  faces and contacts of each ball close its cell: their vector areas sum to 0
- *    4  the cells sum to the volume of the union
+ *    3  faces and contacts of each ball close its share: their vector areas sum to 0
+ *    4  the shares sum to the volume of the union
  *  Cost: O(size).
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since

@@ -8,18 +8,21 @@
 #ifndef HARDSPHERE_DEPRECATED_H
 #define HARDSPHERE_DEPRECATED_H
 
+#include "contacts.h"
 #include "curvature.h"
 #include "gradient.h"
+#include "paths.h" /* hardsphere/paths.h, which a build may lack */
 #include "periodic.h"
 #include "status.h"
 #include "surface.h" /* hardsphere/surface.h, which a build may lack */
+#include "topology.h"
 
 #include <stddef.h>
 #include <stdint.h>
 
 #if defined(__GNUC__) && !defined(HSP_NO_DEPRECATION_WARNINGS)
 /** Before an old name: what compilers say of its use. */
-#define HSP_REPLACED_BY(name) __attribute__((deprecated("call " #name)))
+#define HSP_REPLACED_BY(name) __attribute__((deprecated("use " #name)))
 #else
 /** Nothing. */
 #define HSP_REPLACED_BY(name)
@@ -114,6 +117,38 @@ static inline int32_t hsp_periodic_morphometry(const hsp_periodic *periodic, con
   return hsp_deprecated_result(status, out.needed, out.first_bad, needed, first_bad);
 }
 
+/** hsp_region by its old name. */
+HSP_REPLACED_BY(hsp_region)
+typedef hsp_region hsp_cell;
+
+/** hsp_topology_get_regions by its old name. */
+HSP_REPLACED_BY(hsp_topology_get_regions)
+static inline int32_t hsp_topology_get_cells(hsp_topology *topology, hsp_region *out, uint32_t capacity,
+                                             uint32_t *needed) {
+  return hsp_topology_get_regions(topology, out, capacity, needed);
+}
+
+/** hsp_topology_get_region_shells by its old name. */
+HSP_REPLACED_BY(hsp_topology_get_region_shells)
+static inline int32_t hsp_topology_get_cell_shells(const hsp_topology *topology, uint32_t region, uint32_t *shells,
+                                                   uint32_t capacity, uint32_t *needed) {
+  return hsp_topology_get_region_shells(topology, region, shells, capacity, needed);
+}
+
+/** hsp_topology_get_region_balls by its old name. */
+HSP_REPLACED_BY(hsp_topology_get_region_balls)
+static inline int32_t hsp_topology_get_cell_balls(hsp_topology *topology, uint32_t region, uint32_t *balls,
+                                                  uint32_t capacity, uint32_t *needed) {
+  return hsp_topology_get_region_balls(topology, region, balls, capacity, needed);
+}
+
+/** hsp_contacts_get_pairs by its old name. */
+HSP_REPLACED_BY(hsp_contacts_get_pairs)
+static inline int32_t hsp_contacts_get(const hsp_contacts *contacts, hsp_contact *out, uint32_t capacity,
+                                       uint32_t *needed) {
+  return hsp_contacts_get_pairs(contacts, out, capacity, needed);
+}
+
 /* ---- surface.h */
 
 /** hsp_surface_get_gradient with the fields of its request and outputs as arguments. */
@@ -139,6 +174,24 @@ static inline int32_t hsp_surface_gradient(const hsp_surface *surface, double te
   hsp_gradient_outputs out = {sizeof(hsp_gradient_outputs), capacity, 0, 0, energy, d_centre, d_radius, flags};
   const int32_t status = hsp_surface_get_gradient(surface, &request, &out);
   return hsp_deprecated_result(status, out.needed, out.first_bad, needed, NULL);
+}
+
+/** hsp_surface_part_counts by its old name. */
+HSP_REPLACED_BY(hsp_surface_part_counts)
+typedef hsp_surface_part_counts hsp_surface_map_counts;
+
+/** hsp_surface_get_part_counts by its old name. */
+HSP_REPLACED_BY(hsp_surface_get_part_counts)
+static inline int32_t hsp_surface_get_map_counts(const hsp_surface *surface, hsp_surface_part_counts *counts) {
+  return hsp_surface_get_part_counts(surface, counts);
+}
+
+/* ---- paths.h */
+
+/** hsp_gate_get_widest by its old name. */
+HSP_REPLACED_BY(hsp_gate_get_widest)
+static inline int32_t hsp_gate_get(const hsp_gate *gate, hsp_widest_probe *widest) {
+  return hsp_gate_get_widest(gate, widest);
 }
 
 #endif

@@ -52,13 +52,14 @@ HSP_API int32_t hsp_areas(uint32_t n, const double *xyz, const double *radius, d
 
 /** Area and volume of the union, and of each ball, or those of some balls while the others only block.
  *  selected [n] holds one byte per ball, 0 or not 0; NULL selects all. Other balls count 0, and the rest is
- *  the same bit for bit. totals may be NULL; area [n] and volume [n] may each be NULL, else capacity >= n; they are
- *  in the caller's order and do not overlap; needed may be NULL and else becomes n.
- *  area[i] is the free area of ball i. volume[i] is ball i's term of the divergence theorem,
+ *  the same bit for bit. totals may be NULL; area [n] and volume_term [n] may each be NULL, else capacity >= n; they
+ *  are in the caller's order and do not overlap; needed may be NULL and else becomes n.
+ *  area[i] is the free area of ball i. volume_term[i] is ball i's term of the divergence theorem,
  *  (r_i area[i] + (c_i - o) . N_i) / 3 with N_i the vector area of its faces and o a centre of its component that does
- *  not depend on the order of the balls: the terms sum to the volume, single terms may be negative.
+ *  not depend on the order of the balls: the terms sum to the volume, single terms may be negative. The volume of an
+ *  atom is that of its share of the union: hsp_contacts_measure.
  *  Totals are summed over the balls in the caller's order by a fixed binary tree.
- *  - Property 1: area[i] and volume[i] do not depend on the order of the balls, bit for bit.
+ *  - Property 1: area[i] and volume_term[i] do not depend on the order of the balls, bit for bit.
  *
  *  Accuracy: about 1e-14 of the total for molecules.
  *  Cost: O(n + what the selected balls' faces have of arcs and circles).
@@ -66,7 +67,7 @@ HSP_API int32_t hsp_areas(uint32_t n, const double *xyz, const double *radius, d
  *  @retval HSP_E_CAPACITY  an array is given and capacity < n; nothing but *needed is written
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_boundary_measure(const hsp_boundary *boundary, const uint8_t *selected, hsp_totals *totals,
-                                     double *area, double *volume, uint32_t capacity, uint32_t *needed);
+                                     double *area, double *volume_term, uint32_t capacity, uint32_t *needed);
 
 /** The question. Zero means default in every field but the first. */
 typedef struct hsp_measure_request {
@@ -84,11 +85,12 @@ typedef struct hsp_measure_outputs {
   uint32_t reserved;    /**< 0 */
   hsp_totals *totals;   /**< or NULL */
   double *area;         /**< [n], or NULL: free area of each ball */
-  double *volume;       /**< [n], or NULL: each ball's term of the volume */
+  double *volume_term;  /**< [n], or NULL: each ball's term of the volume, which is no volume of an atom */
 } hsp_measure_outputs;
 
 /** The same as a request says; request may be NULL: all defaults.
- *  - Property 1: totals, area and volume are those of hsp_boundary_measure for every number of workers, bit for bit.
+ *  - Property 1: totals, area and volume_term are those of hsp_boundary_measure for every number of workers, bit for
+ *    bit.
  *
  *  Cost: O(n + what the selected balls' faces have of arcs and circles).
  *  @retval HSP_E_ARGUMENT  boundary or outputs is NULL; an executor with several workers and without run
@@ -99,7 +101,7 @@ typedef struct hsp_measure_outputs {
 HSP_API int32_t hsp_boundary_get_measures(const hsp_boundary *boundary, const hsp_measure_request *request,
                                           hsp_measure_outputs *outputs);
 
-/** Area, and term of the volume, of each face: area [faces] and volume [faces], each may be NULL, face ids as in
+/** Area, and term of the volume, of each face: area [faces] and volume_term [faces], each may be NULL, face ids as in
  *  hsp_boundary_get_faces. A face's volume term is that of the divergence theorem about its ball's origin o (see
  *  hsp_boundary_measure). needed may be NULL and else becomes the number of faces.
  *  - Property 1: the faces of a ball sum to that ball's area and volume, up to rounding.
@@ -108,7 +110,7 @@ HSP_API int32_t hsp_boundary_get_measures(const hsp_boundary *boundary, const hs
  *  @retval HSP_E_CAPACITY  an array is given and capacity is less than the number of faces; nothing but *needed is
  *                          written
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_boundary_measure_faces(const hsp_boundary *boundary, double *area, double *volume,
+HSP_API int32_t hsp_boundary_measure_faces(const hsp_boundary *boundary, double *area, double *volume_term,
                                            uint32_t capacity, uint32_t *needed);
 
 #ifdef __cplusplus

@@ -45,23 +45,23 @@ typedef struct hsp_mesh_limits {
 } hsp_mesh_limits;
 
 /** Limits for a computed boundary and edges of about the given length that nearly always suffice.
- *  @retval HSP_E_ARGUMENT    limits or boundary is NULL; edge is not above 0
+ *  @retval HSP_E_ARGUMENT    limits or boundary is NULL; edge_length is not above 0
  *  @retval HSP_E_VERSION     struct_size is bad
- *  @retval HSP_E_NOT_FINITE  edge is NaN or infinite
+ *  @retval HSP_E_NOT_FINITE  edge_length is NaN or infinite
  *  @retval HSP_E_RANGE       there would be more than HSP_MAX_BALLS of something
  *  @retval HSP_E_STATE       the boundary holds no results, or its model has changed since */
 HSP_API int32_t hsp_mesh_limits_init(hsp_mesh_limits *limits, uint32_t struct_size, const hsp_boundary *boundary,
-                                     double edge);
+                                     double edge_length);
 
 /** The same for a computed smooth surface.
- *  @retval HSP_E_ARGUMENT      limits or surface is NULL; edge is not above 0
+ *  @retval HSP_E_ARGUMENT      limits or surface is NULL; edge_length is not above 0
  *  @retval HSP_E_VERSION       struct_size is bad
- *  @retval HSP_E_NOT_FINITE    edge is NaN or infinite
+ *  @retval HSP_E_NOT_FINITE    edge_length is NaN or infinite
  *  @retval HSP_E_RANGE         there would be more than HSP_MAX_BALLS of something
  *  @retval HSP_E_STATE         the surface holds no results, or its model or boundary has changed since
  *  @retval HSP_E_OPEN_SURFACE  the surface has open joints: hsp_surface_counts */
 HSP_API int32_t hsp_mesh_limits_init_surface(hsp_mesh_limits *limits, uint32_t struct_size, const hsp_surface *surface,
-                                             double edge);
+                                             double edge_length);
 
 /** Bytes that hsp_mesh_init needs.
  *  - Property 1: at most HSP_MESH_BYTES of the five limits.
@@ -91,36 +91,38 @@ HSP_API int32_t hsp_mesh_init(void *memory, size_t bytes, const hsp_mesh_limits 
  *  LIMITS in hardsphere.h; at most twenty retries, hardly ever any.
  *  - Property 1: the triangles are closed surfaces as described above, and the number of vertices less half that of
  *    triangles is the Euler characteristic of hsp_boundary_get_counts, or the status says that there are none.
- *  - Property 2: the same model, boundary and edge yield the same bytes on every machine.
+ *  - Property 2: the same model, boundary and edge_length yield the same bytes on every machine.
  *
- *  Cost: O(m + p log p) for m vertices, some 1.2 for each area of edge^2, and p on the sphere that has most of them.
- *  @retval HSP_E_ARGUMENT    mesh or boundary is NULL; edge is not above 0
+ *  Cost: O(m + p log p) for m vertices, some 1.2 for each area of edge_length^2, and p on the sphere that has most of
+ *  them.
+ *  @retval HSP_E_ARGUMENT    mesh or boundary is NULL; edge_length is not above 0
  *  @retval HSP_E_VERSION     bad struct_size of limits
- *  @retval HSP_E_NOT_FINITE  edge is NaN or infinite
+ *  @retval HSP_E_NOT_FINITE  edge_length is NaN or infinite
  *  @retval HSP_E_RANGE       there would be more than HSP_MAX_BALLS of something
  *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_STATE       the boundary holds no results, or its model has changed since
  *  @retval HSP_E_CHECK       borders on one sphere lie on each other along a curve, up to rounding, so that nothing
  *                            tells which is on which side: more than two of them, or with different points. Among
  *                            thousands of degenerate sets there is none */
-HSP_API int32_t hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *boundary, double edge, hsp_mesh_limits *limits);
+HSP_API int32_t hsp_mesh_compute(hsp_mesh *mesh, const hsp_boundary *boundary, double edge_length,
+                                 hsp_mesh_limits *limits);
 
 /** Triangles for a computed smooth surface, with edges of about the given length. Everything else is as for a
  *  boundary, which must outlive the mesh with its model; the surface need not. Without a probe the smooth surface is
  *  the boundary, and so are its triangles. After hsp_surface_compute_shells they are those of the chosen part alone.
  *  - Property 1: the triangles are closed surfaces, and the number of vertices less half that of triangles is the sum
  *    of hsp_surface_shell.euler over the chosen shells, or the status says that there are none.
- *  - Property 2: the same model, boundary and edge yield the same bytes on every machine.
+ *  - Property 2: the same model, boundary and edge_length yield the same bytes on every machine.
  *
- *  @retval HSP_E_ARGUMENT      mesh or surface is NULL; edge is not above 0
+ *  @retval HSP_E_ARGUMENT      mesh or surface is NULL; edge_length is not above 0
  *  @retval HSP_E_VERSION       bad struct_size of limits
- *  @retval HSP_E_NOT_FINITE    edge is NaN or infinite
+ *  @retval HSP_E_NOT_FINITE    edge_length is NaN or infinite
  *  @retval HSP_E_RANGE         there would be more than HSP_MAX_BALLS of something
  *  @retval HSP_E_CAPACITY      a limit is too small; limits, if not NULL, become limits to retry with
  *  @retval HSP_E_STATE         the surface holds no results, or its model or boundary has changed since
  *  @retval HSP_E_OPEN_SURFACE  the surface has open joints: hsp_surface_counts
  *  @retval HSP_E_CHECK         as for a boundary */
-HSP_API int32_t hsp_mesh_compute_surface(hsp_mesh *mesh, const hsp_surface *surface, double edge,
+HSP_API int32_t hsp_mesh_compute_surface(hsp_mesh *mesh, const hsp_surface *surface, double edge_length,
                                          hsp_mesh_limits *limits);
 
 /** How many of everything. Frozen. */

@@ -150,7 +150,7 @@ HSP_API int32_t hsp_moving_get_info(const hsp_moving *moving, hsp_moving_info *i
  *  @retval HSP_E_ARGUMENT  moving is NULL
  *  @retval HSP_E_CAPACITY  an array is given and capacity < n; nothing but *needed is written
  *  @retval HSP_E_STATE     no balls: no hsp_moving_set before, or it failed */
-HSP_API int32_t hsp_moving_measure(const hsp_moving *moving, hsp_totals *totals, double *area, double *volume,
+HSP_API int32_t hsp_moving_measure(const hsp_moving *moving, hsp_totals *totals, double *area, double *volume_term,
                                    uint32_t capacity, uint32_t *needed);
 
 /** The energy that hsp_moving_set was given, and its derivatives as of hsp_boundary_get_gradient: d_centre [n][3],
@@ -167,7 +167,7 @@ typedef struct hsp_moving_ball {
   double centre[3];        /**< as rounded to the lattice, length */
   double radius;           /**< likewise, probe included */
   double area;             /**< its free area, length^2 */
-  double volume;           /**< its term of the volume, see hsp_boundary_measure */
+  double volume_term;      /**< its term of the volume, see hsp_boundary_measure */
   double d_centre[3];      /**< derivative of the energy by its centre */
   double d_radius;         /**< and by its radius */
   uint32_t faces;          /**< number of its faces; 0: the ball is buried */

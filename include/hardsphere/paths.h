@@ -205,7 +205,7 @@ typedef struct hsp_widest_probe {
  *
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
-HSP_API int32_t hsp_gate_get(const hsp_gate *gate, hsp_widest_probe *widest);
+HSP_API int32_t hsp_gate_get_widest(const hsp_gate *gate, hsp_widest_probe *widest);
 
 #ifdef __cplusplus
 }

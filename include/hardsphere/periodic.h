@@ -88,7 +88,7 @@ HSP_API int32_t hsp_periodic_init(void *memory, size_t bytes, const hsp_periodic
  *    are the same bit for bit.
  *  - Property 2: a box of m x m x m copies has m^3 times everything that is counted or measured, up to rounding.
  *
- *  Source: contacts and cells as hardsphere/contacts.h, boundary as hardsphere/boundary.h, of the balls in the box and
+ *  Source: contacts and shares as hardsphere/contacts.h, boundary as hardsphere/boundary.h, of the balls in the box and
  *  the images that are within the two largest radii of it.
  *  Cost: O(balls + images) for sets as in Theorem 2.1; as many images as such a margin of the box has room for.
  *  @retval HSP_E_ARGUMENT    a null pointer, but xyz and radius with n = 0; box [1], [2] or [5] is not 0
@@ -133,7 +133,7 @@ typedef struct hsp_periodic_totals {
   double contact_area; /**< of all contacts, each once */
 } hsp_periodic_totals;
 
-/** Area and volume of the union, and of each ball: area [n] is its free area, cell_volume [n] the volume of its cell,
+/** Area and volume of the union, and of each ball: area [n] is its free area, share_volume [n] the volume of its share,
  *  which sum to the volume; each may be NULL and else holds capacity >= n entries. totals may be NULL. needed may be
  *  NULL and else becomes n.
  *  Accuracy: about 1e-14 of the totals for molecules.
@@ -141,7 +141,7 @@ typedef struct hsp_periodic_totals {
  *  @retval HSP_E_CAPACITY  an array is given and capacity < n; nothing but *needed is written
  *  @retval HSP_E_STATE     nothing computed */
 HSP_API int32_t hsp_periodic_measure(const hsp_periodic *periodic, hsp_periodic_totals *totals, double *area,
-                                     double *cell_volume, uint32_t capacity, uint32_t *needed);
+                                     double *share_volume, uint32_t capacity, uint32_t *needed);
 
 /** Integrated curvatures of the boundary in the box, in all and by ball: as hsp_boundary_curvature. Parts across the
  *  faces of the box count as if they were inside: edges are shared by their two balls, vertices by their three.
@@ -170,7 +170,7 @@ typedef struct hsp_periodic_morphometry_outputs {
 
 /** A morphometric energy, its gradient by the balls, and its derivatives by the box, in one call: as
  *  hsp_boundary_get_morphometry. request may be NULL: all defaults. When a ball moves or grows all of its images do.
- *  The volume is the sum of the cells. On failure nothing but outputs->needed and outputs->first_bad is written.
+ *  The volume is the sum of the shares. On failure nothing but outputs->needed and outputs->first_bad is written.
  *  - Property 1: the sum of d_centre is zero up to rounding.
  *  - Property 2: with only bending not 0, the trace of d_strain + sum_i r_i d_radius_i is M(sigma), up to rounding.
  *  - Property 3: d_strain is symmetric up to rounding, where no ball has a flag.
@@ -188,7 +188,7 @@ HSP_API int32_t hsp_periodic_get_morphometry(const hsp_periodic *periodic, const
 /** A contact of a ball and an image. Frozen. */
 typedef struct hsp_periodic_contact {
   double area;       /**< length^2 */
-  double edge;       /**< length of the part of its border that is on the surface of the union */
+  double rim;        /**< length of the part of its border that is on the surface of the union */
   double distance;   /**< of the two centres */
   uint32_t ball[2];  /**< its two balls a <= b */
   uint32_t chords;   /**< straight sides */
@@ -344,9 +344,9 @@ HSP_API int32_t hsp_periodic_query_pairs(const hsp_periodic *periodic, uint32_t 
 /** Check the results against laws that hold for every set of balls in a box: two ways to compute that have little in
  *  common. *invariant becomes 0 or the number of the first that is violated, *id the ball concerned, or HSP_NONE.
  *    1  each contact of a ball is there from the other ball's side
- *    2  faces and contacts of each ball close its cell: their vector areas sum to 0
+ *    2  faces and contacts of each ball close its share: their vector areas sum to 0
  *    3  the vector areas of all faces sum to 0
- *    4  the cells sum to the volume that faces and contacts across the faces of the box have by the divergence theorem
+ *    4  the shares sum to the volume that faces and contacts across the faces of the box have by the divergence theorem
  *  Cost: O(size).
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed

@@ -226,7 +226,8 @@ typedef struct hsp_pore_passage {
 
 /** The widest probe that gets from one point to another, from [3] and to [3], or to the outside if `to` is NULL. The
  *  points are rounded to the lattice.
- *  - Property 1: its radius is that of hsp_gate_get up to a lattice step, which looks at one pair of points alone.
+ *  - Property 1: its radius is that of hsp_gate_get_widest up to a lattice step, which looks at one pair of points
+ *    alone.
  *
  *  Cost: that of hsp_pores_locate, twice.
  *  @retval HSP_E_ARGUMENT    pores, from or passage is NULL

@@ -6,10 +6,10 @@
  *
  *   hsp_body_bytes(n, &bytes);                    hsp_body *body;
  *   hsp_body_init(memory, bytes, n, &body);       hsp_body_set(body, model);
- *   hsp_body_hits(fixed, moving, poses, pose, hit, NULL);
+ *   hsp_body_hits(fixed, posed, poses, pose, hit, NULL);
  *
  * A body is a molecule prepared as a tree of spheres around its balls. Its balls are those of the model, on the same
- * lattice; it does not need the model any more. A pose puts the point x of the moving body at R x + t, where R is the
+ * lattice; it does not need the model any more. A pose puts the point x of the posed body at R x + t, where R is the
  * rotation of a quaternion about the origin, and each ball on the lattice again: on the lattice point nearest to where
  * it is moved, as doubles find it. As long as coordinates are below 2^40 steps that is within 0.87 steps of the ideal
  * place. So answers are exact for the balls that are compared, the same on every machine, and right for the ideal ones
@@ -73,7 +73,7 @@ typedef struct hsp_pose {
  *  @retval HSP_E_RANGE       the matrix is no rotation: not orthonormal, or a reflection */
 HSP_API int32_t hsp_pose_from_matrix(const double *matrix, const double *translation, hsp_pose *pose);
 
-/** Whether any ball of the moving body meets one of the body at rest, for each pose [poses]: hit [poses] becomes 1 or
+/** Whether any ball of the posed body meets one of the body at rest, for each pose [poses]: hit [poses] becomes 1 or
  *  0. first_bad may be NULL, else it becomes the first pose that is refused, or HSP_NONE; nothing else is written then.
  *
  *  Cost: some two microseconds for free poses of a hundred atoms at contact, nearly independent of the size of the body
@@ -82,7 +82,7 @@ HSP_API int32_t hsp_pose_from_matrix(const double *matrix, const double *transla
  *  @retval HSP_E_NOT_FINITE  a number of a pose is NaN or infinite
  *  @retval HSP_E_RANGE       a quaternion has length 0, or its largest component is not within 2^-300 and 2^300; a
  *                            pose moves balls by more than 2^50 steps, or may move one farther than 2^51 steps */
-HSP_API int32_t hsp_body_hits(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const hsp_pose *pose,
+HSP_API int32_t hsp_body_hits(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose,
                               uint32_t *hit, uint32_t *first_bad);
 
 /** The same answers, sooner for the frames of a motion, of which each is near the one before. About a free pose this
@@ -95,22 +95,22 @@ HSP_API int32_t hsp_body_hits(const hsp_body *fixed, const hsp_body *moving, uin
  *  @retval HSP_E_ARGUMENT    as for hsp_body_hits
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_hits, or the margin is NaN or infinite
  *  @retval HSP_E_RANGE       as for hsp_body_hits, or the margin is negative */
-HSP_API int32_t hsp_body_hits_along(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const hsp_pose *pose,
+HSP_API int32_t hsp_body_hits_along(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose,
                                     double margin, uint32_t *hit, uint32_t *first_bad);
 
 /** The pair of balls that are nearest. Frozen. */
 typedef struct hsp_body_gap {
-  double gap;      /**< length: |c - c'| - r - r', least of all pairs; negative for the pair that overlaps deepest */
-  uint32_t fixed;  /**< ball of the body at rest; HSP_NONE if a body has no balls: the gap is infinite then */
-  uint32_t moving; /**< ball of the moving body, likewise */
+  double gap;     /**< length: |c - c'| - r - r', least of all pairs; negative for the pair that overlaps deepest */
+  uint32_t fixed; /**< ball of the body at rest; HSP_NONE if a body has no balls: the gap is infinite then */
+  uint32_t posed; /**< ball of the posed body, likewise */
 } hsp_body_gap;
 
 /** The least gap for each pose [poses]: gap [poses]. Of equal gaps that of the first ball at rest, then of the first
- *  moving one. Otherwise as hsp_body_hits; a gap is off by at most 2^-51 of the distance of the two centres.
+ *  posed one. Otherwise as hsp_body_hits; a gap is off by at most 2^-51 of the distance of the two centres.
  *  @retval HSP_E_ARGUMENT    as for hsp_body_hits; gap is NULL with poses > 0
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_hits
  *  @retval HSP_E_RANGE       as for hsp_body_hits */
-HSP_API int32_t hsp_body_gaps(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const hsp_pose *pose,
+HSP_API int32_t hsp_body_gaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose,
                               hsp_body_gap *gap, uint32_t *first_bad);
 
 /** How much two bodies overlap. Frozen. */
@@ -124,7 +124,7 @@ typedef struct hsp_body_overlap {
  *  @retval HSP_E_ARGUMENT    as for hsp_body_hits; overlap is NULL with poses > 0
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_hits
  *  @retval HSP_E_RANGE       as for hsp_body_hits */
-HSP_API int32_t hsp_body_overlaps(const hsp_body *fixed, const hsp_body *moving, uint32_t poses, const hsp_pose *pose,
+HSP_API int32_t hsp_body_overlaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const hsp_pose *pose,
                                   hsp_body_overlap *overlap, uint32_t *first_bad);
 
 /** All pairs of balls that meet in one pose: pair [needed][2], the ball at rest first, ascending.
@@ -132,7 +132,7 @@ HSP_API int32_t hsp_body_overlaps(const hsp_body *fixed, const hsp_body *moving,
  *  @retval HSP_E_CAPACITY    capacity < *needed; nothing is written to pair
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_hits
  *  @retval HSP_E_RANGE       as for hsp_body_hits, or more than 2^32 - 2 pairs */
-HSP_API int32_t hsp_body_pairs(const hsp_body *fixed, const hsp_body *moving, const hsp_pose *pose, uint32_t *pair,
+HSP_API int32_t hsp_body_pairs(const hsp_body *fixed, const hsp_body *posed, const hsp_pose *pose, uint32_t *pair,
                                uint32_t capacity, uint32_t *needed);
 
 /** Where a body is, without any rounding: x goes to R x + t with a rotation R of fractions, (the integer matrix of the
@@ -152,7 +152,7 @@ typedef struct hsp_rational_pose {
  *  @retval HSP_E_NOT_FINITE  a number of a translation is NaN or infinite
  *  @retval HSP_E_RANGE       a quaternion is 0; a pose moves balls by more than 2^50 steps, or may move one farther
  *                            than 2^51 steps */
-HSP_API int32_t hsp_body_rational_hits(const hsp_body *fixed, const hsp_body *moving, uint32_t poses,
+HSP_API int32_t hsp_body_rational_hits(const hsp_body *fixed, const hsp_body *posed, uint32_t poses,
                                        const hsp_rational_pose *pose, uint32_t *hit, uint32_t *first_bad);
 
 /** As hsp_body_hits_along, for each rational pose [poses]: the answers of hsp_body_rational_hits.
@@ -161,7 +161,7 @@ HSP_API int32_t hsp_body_rational_hits(const hsp_body *fixed, const hsp_body *mo
  *  @retval HSP_E_ARGUMENT    as for hsp_body_hits
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_rational_hits, or the margin is NaN or infinite
  *  @retval HSP_E_RANGE       as for hsp_body_rational_hits, or the margin is negative */
-HSP_API int32_t hsp_body_rational_hits_along(const hsp_body *fixed, const hsp_body *moving, uint32_t poses,
+HSP_API int32_t hsp_body_rational_hits_along(const hsp_body *fixed, const hsp_body *posed, uint32_t poses,
                                              const hsp_rational_pose *pose, double margin, uint32_t *hit,
                                              uint32_t *first_bad);
 
@@ -169,7 +169,7 @@ HSP_API int32_t hsp_body_rational_hits_along(const hsp_body *fixed, const hsp_bo
  *  @retval HSP_E_ARGUMENT    as for hsp_body_hits; gap is NULL with poses > 0
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_rational_hits
  *  @retval HSP_E_RANGE       as for hsp_body_rational_hits */
-HSP_API int32_t hsp_body_rational_gaps(const hsp_body *fixed, const hsp_body *moving, uint32_t poses,
+HSP_API int32_t hsp_body_rational_gaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses,
                                        const hsp_rational_pose *pose, hsp_body_gap *gap, uint32_t *first_bad);
 
 /** As hsp_body_pairs, for a rational pose.
@@ -177,7 +177,7 @@ HSP_API int32_t hsp_body_rational_gaps(const hsp_body *fixed, const hsp_body *mo
  *  @retval HSP_E_CAPACITY    capacity < *needed; nothing is written to pair
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_rational_hits
  *  @retval HSP_E_RANGE       as for hsp_body_rational_hits, or more than 2^32 - 2 pairs */
-HSP_API int32_t hsp_body_rational_pairs(const hsp_body *fixed, const hsp_body *moving, const hsp_rational_pose *pose,
+HSP_API int32_t hsp_body_rational_pairs(const hsp_body *fixed, const hsp_body *posed, const hsp_rational_pose *pose,
                                         uint32_t *pair, uint32_t capacity, uint32_t *needed);
 
 #ifdef __cplusplus

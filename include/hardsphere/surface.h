@@ -143,8 +143,8 @@ HSP_API int32_t hsp_surface_init(void *memory, size_t bytes, const hsp_surface_l
 HSP_API int32_t hsp_surface_compute(hsp_surface *surface, const hsp_boundary *boundary, hsp_surface_limits *limits);
 
 /** The same for a chosen part of the boundary: shells [count] of it, numbered as in hsp_face.shell, in any order. With
- *  the shells of one cell of the complement (hsp_topology_get_cell_shells) the probe stays in that cell. With those of
- *  cell 0 it comes from outside: voids are filled, and everything in them is gone.
+ *  the shells of one region of the complement (hsp_topology_get_region_shells) the probe stays in that region. With
+ *  those of region 0 it comes from outside: voids are filled, and everything in them is gone.
  *
  *  The part that is chosen and the rest of the boundary have a surface each. hsp_surface_measure and
  *  hsp_surface_get_gradient are of the chosen one alone; patches, edges, corners, shells and hsp_surface_counts are of
@@ -247,8 +247,8 @@ HSP_API int32_t hsp_surface_get_gradient(const hsp_surface *surface, const hsp_g
 
 /* ---- patches, edges, corners ------------------------------------------------------------------------------------- */
 
-/** How many parts the surface has as a map. Frozen. */
-typedef struct hsp_surface_map_counts {
+/** How many parts the surface has. Frozen. */
+typedef struct hsp_surface_part_counts {
   uint32_t patches;   /**< of all kinds */
   uint32_t edges;     /**< of all kinds */
   uint32_t corners;   /**< of all kinds */
@@ -257,13 +257,13 @@ typedef struct hsp_surface_map_counts {
   uint32_t junctions; /**< of the corners, those where three creases meet */
   uint32_t creases;   /**< of the edges, creases */
   uint32_t reserved;  /**< 0 */
-} hsp_surface_map_counts;
+} hsp_surface_part_counts;
 
 /** How many patches, edges, corners and shells there are.
  *  @retval HSP_E_ARGUMENT      a null pointer
  *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
  *  @retval HSP_E_OPEN_SURFACE  joints are open: hsp_surface_counts */
-HSP_API int32_t hsp_surface_get_map_counts(const hsp_surface *surface, hsp_surface_map_counts *counts);
+HSP_API int32_t hsp_surface_get_part_counts(const hsp_surface *surface, hsp_surface_part_counts *counts);
 
 /** The directed edge h, a uint32_t, the other way. h may be evaluated several times. HSP_NONE yields HSP_NONE. */
 #define HSP_SURFACE_TWIN(h) ((h) == HSP_NONE ? HSP_NONE : ((h) ^ UINT32_C(1)))
@@ -349,7 +349,7 @@ typedef struct hsp_surface_shell {
   uint32_t chosen;  /**< 1; of the rest that hsp_surface_compute_shells left out, 0 */
 } hsp_surface_shell;
 
-/** The patches first .. first + count - 1, exactly count records, of hsp_surface_map_counts.patches in all; out may be
+/** The patches first .. first + count - 1, exactly count records, of hsp_surface_part_counts.patches in all; out may be
  *  NULL with count 0.
  *  - Property 1: areas of all patches, in chosen shells, sum to the area of hsp_surface_measure, up to rounding.
  *
@@ -360,8 +360,8 @@ typedef struct hsp_surface_shell {
 HSP_API int32_t hsp_surface_get_patches(const hsp_surface *surface, uint32_t first, uint32_t count,
                                         hsp_surface_patch *out);
 
-/** The edges first .. first + count - 1, exactly count records, of hsp_surface_map_counts.edges in all; out may be NULL
- *  with count 0.
+/** The edges first .. first + count - 1, exactly count records, of hsp_surface_part_counts.edges in all; out may be
+ *  NULL with count 0.
  *  @retval HSP_E_ARGUMENT      surface is NULL; out is NULL with a count above 0
  *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
  *  @retval HSP_E_OPEN_SURFACE  joints are open: hsp_surface_counts
@@ -369,7 +369,7 @@ HSP_API int32_t hsp_surface_get_patches(const hsp_surface *surface, uint32_t fir
 HSP_API int32_t hsp_surface_get_edges(const hsp_surface *surface, uint32_t first, uint32_t count,
                                       hsp_surface_edge *out);
 
-/** The corners first .. first + count - 1, exactly count records, of hsp_surface_map_counts.corners in all; out may be
+/** The corners first .. first + count - 1, exactly count records, of hsp_surface_part_counts.corners in all; out may be
  *  NULL with count 0.
  *  @retval HSP_E_ARGUMENT      surface is NULL; out is NULL with a count above 0
  *  @retval HSP_E_STATE         nothing computed, or model or boundary changed since
@@ -378,7 +378,7 @@ HSP_API int32_t hsp_surface_get_edges(const hsp_surface *surface, uint32_t first
 HSP_API int32_t hsp_surface_get_corners(const hsp_surface *surface, uint32_t first, uint32_t count,
                                         hsp_surface_corner *out);
 
-/** The shells: hsp_surface_map_counts.shells records.
+/** The shells: hsp_surface_part_counts.shells records.
  *  - Property 1: areas and volumes of the chosen ones sum to those of hsp_surface_measure, up to rounding.
  *
  *  Cost: O(size of the surface).

@@ -1,4 +1,4 @@
-/* hardsphere/topology.h: the boundary as quad-edges with simple faces, shells, cells (Section 4.2, Step 3).
+/* hardsphere/topology.h: the boundary as quad-edges with simple faces, shells, regions (Section 4.2, Step 3).
  *
  * Guide: tutorial.md.
  *
@@ -18,9 +18,9 @@
  *   quarter-edge   q = 4 edge + k: the edge's four directed forms. k = 0 is the edge, k = 2 the edge the other way
  *                  (sym), k = 1 and 3 the dual edges from its right to its left face and back (rot, inverse rot)
  *   simple face    0 .. simple_faces - 1
- *   cell           a connected component of the complement of the union: cell 0 is the outer one, the others are the
+ *   region         a connected component of the complement of the union: region 0 is the outer one, the others are the
  *                  voids, in the order of their shells
- *   shell          as in hsp_face: each shell separates one component of the union from one cell
+ *   shell          as in hsp_face: each shell separates one component of the union from one region
  *
  *              destination(q)                   rot(q)        runs from the right face to the left one
  *                 \   |                         sym(q)        the same edge the other way
@@ -44,7 +44,7 @@
 extern "C" {
 #endif
 
-/** The boundary as quad-edges, with shells and cells. */
+/** The boundary as quad-edges, with shells and regions. */
 typedef struct hsp_topology hsp_topology;
 
 /** The limits that fix a topology's memory. */
@@ -111,11 +111,11 @@ typedef struct hsp_topology_counts {
   uint32_t cut_edges;    /**< of the edges, the ones that cut a face or a whole sphere */
   uint32_t shells;       /**< connected components of the boundary */
   uint32_t components;   /**< of the union */
-  uint32_t cells;        /**< of the complement: 1 + voids */
+  uint32_t regions;      /**< of the complement: 1 + voids */
   uint32_t start_face;   /**< the simple face that holds the highest point of all; HSP_NONE if there are no balls */
 } hsp_topology_counts;
 
-/** How many vertices, edges, faces, shells, components and cells there are.
+/** How many vertices, edges, faces, shells, components and regions there are.
  *  - Property 1: vertices - edges + simple_faces is the Euler characteristic of the boundary.
  *
  *  @retval HSP_E_ARGUMENT  a null pointer
@@ -239,7 +239,7 @@ HSP_API int32_t hsp_topology_get_edges(const hsp_topology *topology, uint32_t fi
 HSP_API int32_t hsp_topology_get_simple_faces(const hsp_topology *topology, uint32_t first, uint32_t count,
                                               hsp_simple_face *out);
 
-/* ---- shells, components, cells ----------------------------------------------------------------------------------- */
+/* ---- shells, components, regions --------------------------------------------------------------------------------- */
 
 #define HSP_SHELL_OUTER UINT32_C(0) /**< bounds its component from outside */
 #define HSP_SHELL_VOID UINT32_C(1)  /**< bounds a void inside its component */
@@ -253,7 +253,7 @@ typedef struct hsp_shell {
   uint32_t genus;        /**< 1 - euler/2: number of handles */
   uint32_t kind;         /**< HSP_SHELL_* */
   uint32_t component;    /**< of the union, as in hsp_ball */
-  uint32_t cell;         /**< of the complement, on its other side */
+  uint32_t region;       /**< of the complement, on its other side */
   uint32_t faces;        /**< maximal faces */
   uint32_t simple_faces; /**< and what they are cut into */
   uint32_t edges;        /**< edges of its simple faces */
@@ -266,7 +266,7 @@ typedef struct hsp_shell {
  *  - Property 1: areas sum to the area of the union; volumes of outer shells less those of voids to its volume, up to
  *    rounding.
  *
- *  Not const, like hsp_topology_get_cells, hsp_topology_get_cell_balls and hsp_topology_get_traversal: after
+ *  Not const, like hsp_topology_get_regions, hsp_topology_get_region_balls and hsp_topology_get_traversal: after
  *  hsp_topology_compute the first of them that succeeds scans the shells. From then on any number of threads may call
  *  them at a time.
  *  Cost: O(size of the boundary).
@@ -281,7 +281,7 @@ typedef struct hsp_component {
   uint32_t top_ball;    /**< the ball with its highest point */
   uint32_t outer_shell; /**< the one shell of kind HSP_SHELL_OUTER */
   uint32_t shells;      /**< outer shell and voids */
-  uint32_t cell;        /**< the cell it lies in: 0 or a void of another component */
+  uint32_t region;      /**< the region it lies in: 0 or a void of another component */
   uint32_t reserved;    /**< 0 */
 } hsp_component;
 
@@ -292,42 +292,42 @@ typedef struct hsp_component {
 HSP_API int32_t hsp_topology_get_components(const hsp_topology *topology, hsp_component *out, uint32_t capacity,
                                             uint32_t *needed);
 
-/** A cell: a connected component of the complement of the union. Frozen. */
-typedef struct hsp_cell {
+/** A region: a connected component of the complement of the union. Frozen. */
+typedef struct hsp_region {
   double area;              /**< of all its shells, length^2 */
-  double volume;            /**< of the cell itself, what lies in it left out, length^3; of cell 0: 0 */
-  uint32_t enclosing_shell; /**< the shell of kind HSP_SHELL_VOID around it; HSP_NONE for cell 0 */
+  double volume;            /**< of the region itself, what lies in it left out, length^3; of region 0: 0 */
+  uint32_t enclosing_shell; /**< the shell of kind HSP_SHELL_VOID around it; HSP_NONE for region 0 */
   uint32_t components;      /**< components of the union that lie in it */
   uint32_t shells;          /**< shells that bound it */
   uint32_t reserved;        /**< 0 */
-} hsp_cell;
+} hsp_region;
 
-/** The cells of the complement: hsp_topology_counts.cells records. Not const, as hsp_topology_get_shells.
+/** The regions of the complement: hsp_topology_counts.regions records. Not const, as hsp_topology_get_shells.
  *  @retval HSP_E_ARGUMENT  topology is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
-HSP_API int32_t hsp_topology_get_cells(hsp_topology *topology, hsp_cell *out, uint32_t capacity, uint32_t *needed);
+HSP_API int32_t hsp_topology_get_regions(hsp_topology *topology, hsp_region *out, uint32_t capacity, uint32_t *needed);
 
-/** The shells that bound a cell, ascending: its enclosing shell, and the outer shell of every component in it. Cost:
+/** The shells that bound a region, ascending: its enclosing shell, and the outer shell of every component in it. Cost:
  *  O(shells).
  *  @retval HSP_E_ARGUMENT  topology is NULL; shells is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
- *  @retval HSP_E_ID        there is no such cell */
-HSP_API int32_t hsp_topology_get_cell_shells(const hsp_topology *topology, uint32_t cell, uint32_t *shells,
-                                             uint32_t capacity, uint32_t *needed);
+ *  @retval HSP_E_ID        there is no such region */
+HSP_API int32_t hsp_topology_get_region_shells(const hsp_topology *topology, uint32_t region, uint32_t *shells,
+                                               uint32_t capacity, uint32_t *needed);
 
-/** The balls that line a cell, ascending: those with a face on one of its shells. Of a cavity these are the balls
+/** The balls that line a region, ascending: those with a face on one of its shells. Of a cavity these are the balls
  *  around it and the exposed ones of what lies in it. Not const, as hsp_topology_get_shells.
- *  - Property 1: an exposed ball lines one cell at least, a buried one none.
+ *  - Property 1: an exposed ball lines one region at least, a buried one none.
  *
- *  Cost: O(shells + k log k) for k simple faces on the cell, for sets as in Theorem 2.1.
+ *  Cost: O(shells + k log k) for k simple faces on the region, for sets as in Theorem 2.1.
  *  @retval HSP_E_ARGUMENT  topology is NULL; balls is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
- *  @retval HSP_E_ID        there is no such cell */
-HSP_API int32_t hsp_topology_get_cell_balls(hsp_topology *topology, uint32_t cell, uint32_t *balls, uint32_t capacity,
-                                            uint32_t *needed);
+ *  @retval HSP_E_ID        there is no such region */
+HSP_API int32_t hsp_topology_get_region_balls(hsp_topology *topology, uint32_t region, uint32_t *balls,
+                                              uint32_t capacity, uint32_t *needed);
 
 /** The paper's scan of one shell: its simple faces in the order in which its recursion from start_face visits them,
  *  around each face counter-clockwise from the edge by which it was entered (hsp_simple_face.q for start_face) and
@@ -342,15 +342,15 @@ HSP_API int32_t hsp_topology_get_traversal(hsp_topology *topology, uint32_t shel
 
 /* ---- point location ---------------------------------------------------------------------------------------------- */
 
-/** Where the point xyz [3] lies: *cell becomes its cell, or HSP_NONE if it lies in a ball. Exact; the point is rounded
- *  to the lattice. A point can move from one place to another without entering a ball if both lie in one cell; with a
- *  model grown by a probe, so can the probe. hsp_query_point tells which balls a point lies in.
+/** Where the point xyz [3] lies: *region becomes its region, or HSP_NONE if it lies in a ball. Exact; the point is
+ *  rounded to the lattice. A point can move from one place to another without entering a ball if both lie in one
+ *  region; with a model grown by a probe, so can the probe. hsp_query_point tells which balls a point lies in.
  *  Cost: one vertical ray: O(1) expected for each cube it passes, at most O(n).
  *  @retval HSP_E_ARGUMENT    a null pointer
  *  @retval HSP_E_STATE       nothing computed, or model or boundary changed since
  *  @retval HSP_E_NOT_FINITE  xyz holds a NaN or an infinity
  *  @retval HSP_E_RANGE       xyz lies beyond 2^50 lattice steps */
-HSP_API int32_t hsp_topology_locate(const hsp_topology *topology, const double *xyz, uint32_t *cell);
+HSP_API int32_t hsp_topology_locate(const hsp_topology *topology, const double *xyz, uint32_t *region);
 
 /* ---- self-check -------------------------------------------------------------------------------------------------- */
 
@@ -363,7 +363,7 @@ HSP_API int32_t hsp_topology_locate(const hsp_topology *topology, const double *
  *  4. sides of arcs and circles lie on their balls, sides of cut edges on one
  *  5. vertices - edges + simple faces of each shell is the Euler characteristic that its maximal faces give
  *  6. the scan visits every simple face of a shell once and no other
- *  7. every component has one outer shell, every other shell encloses one void, and the cells nest without cycles
+ *  7. every component has one outer shell, every other shell encloses one void, and the regions nest without cycles
  *  8. outer shells enclose a positive volume, voids' shells a negative one, up to rounding
  *
  *  Uses the topology's scratch memory, hence not const; results stay valid. Cost: O(size of the topology).

@@ -130,7 +130,7 @@ static void refusals(void) {
   /* What fails leaves no balls, whose gaps are infinite. */
   CHECK_EQUAL(hsp_body_set(moving, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_body_gaps(fixed, moving, 1, pose + 3, &gap, NULL), HSP_OK);
-  CHECK(isinf(gap.gap) && gap.gap > 0 && gap.fixed == HSP_NONE && gap.moving == HSP_NONE);
+  CHECK(isinf(gap.gap) && gap.gap > 0 && gap.fixed == HSP_NONE && gap.posed == HSP_NONE);
   CHECK_EQUAL(hsp_body_overlaps(fixed, moving, 1, pose + 3, &overlap, NULL), HSP_OK);
   CHECK(overlap.pairs == 0 && overlap.volume == 0 && overlap.reserved == 0);
   CHECK_EQUAL(hsp_body_hits(moving, fixed, 1, pose + 3, hit, NULL), HSP_OK);
@@ -159,7 +159,7 @@ static void answers(void) {
   for (k = 0; k < POSES; ++k) {
     CHECK_EQUAL(hit[k], hits[k]);
     CHECK_NEAR(gap[k].gap, gaps[k], 1e-12);
-    CHECK(gap[k].fixed == nearest[k][0] && gap[k].moving == nearest[k][1]);
+    CHECK(gap[k].fixed == nearest[k][0] && gap[k].posed == nearest[k][1]);
     CHECK_EQUAL(hsp_body_pairs(fixed, moving, pose + k, pair, 64, &needed), HSP_OK);
     CHECK_EQUAL(overlap[k].pairs, needed);
     CHECK_EQUAL(needed > 0, hit[k]);
@@ -260,7 +260,7 @@ static void rational_poses(void) {
   CHECK_EQUAL(hsp_body_gaps(fixed, moving, POSES, pose, other_gap, NULL), HSP_OK);
   for (k = 0; k < POSES; ++k) {
     CHECK_NEAR(gap[k].gap, other_gap[k].gap, 1e-12);
-    CHECK(gap[k].fixed == other_gap[k].fixed && gap[k].moving == other_gap[k].moving);
+    CHECK(gap[k].fixed == other_gap[k].fixed && gap[k].posed == other_gap[k].posed);
   }
   CHECK_EQUAL(hsp_body_rational_pairs(fixed, moving, rational + 2, pair, 4, &needed), HSP_E_CAPACITY);
   CHECK_EQUAL(needed, 5);

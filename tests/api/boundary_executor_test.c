@@ -98,7 +98,7 @@ static hsp_measure_outputs outputs_into(measures *m, uint32_t n, int which) {
   outputs.capacity = n;
   if ((which & 1) == 0) outputs.totals = &m->totals;
   if ((which & 2) == 0) outputs.area = m->area;
-  if ((which & 4) == 0) outputs.volume = m->volume;
+  if ((which & 4) == 0) outputs.volume_term = m->volume;
   return outputs;
 }
 
@@ -124,8 +124,8 @@ static void every_measure(const ball_set *set) {
                       which);
           request.selected = (number + way) % 2 == 0 ? selected : NULL;
           request.executor = &executor;
-          CHECK_EQUAL(hsp_boundary_measure(c->boundary, request.selected, outputs.totals, outputs.area, outputs.volume,
-                                           n, NULL),
+          CHECK_EQUAL(hsp_boundary_measure(c->boundary, request.selected, outputs.totals, outputs.area,
+                                           outputs.volume_term, n, NULL),
                       HSP_OK);
           outputs = outputs_into(&shared, n, which);
           CHECK_EQUAL(hsp_boundary_get_measures(c->boundary, &request, &outputs), HSP_OK);

@@ -44,7 +44,7 @@ static void default_limits(void) {
 static void check_reading(hsp_contacts *which, int32_t status) {
   hsp_contact contact;
   uint32_t needed;
-  CHECK_EQUAL(hsp_contacts_get(which, &contact, 1, &needed), status);
+  CHECK_EQUAL(hsp_contacts_get_pairs(which, &contact, 1, &needed), status);
 }
 
 static void check_has_results(void) {
@@ -110,10 +110,10 @@ static void reading(void) {
   hsp_contacts_limits limits = good_limits();
   CHECK_EQUAL(hsp_contacts_init(contacts_memory, sizeof contacts_memory, &limits, &contacts), HSP_OK);
   check_has_results();
-  CHECK_EQUAL(hsp_contacts_get(contacts, NULL, 0, &needed), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_contacts_get_pairs(contacts, NULL, 0, &needed), HSP_E_CAPACITY);
   CHECK_EQUAL(needed, 7);
-  CHECK_EQUAL(hsp_contacts_get(contacts, contact, 6, &needed), HSP_E_CAPACITY);
-  CHECK_EQUAL(hsp_contacts_get(contacts, contact, 7, &needed), HSP_OK);
+  CHECK_EQUAL(hsp_contacts_get_pairs(contacts, contact, 6, &needed), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_contacts_get_pairs(contacts, contact, 7, &needed), HSP_OK);
   for (k = 0; k < 7; ++k) {
     CHECK(contact[k].ball[0] == pairs[k][0] && contact[k].ball[1] == pairs[k][1]);
     CHECK_NEAR(contact[k].area, areas[k], 1e-11);
@@ -261,7 +261,7 @@ static void no_balls(void) {
   CHECK_EQUAL(hsp_model_set(model, 0, NULL, NULL, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_boundary_compute(boundary, model, NULL), HSP_OK);
   check_has_results();
-  CHECK_EQUAL(hsp_contacts_get(contacts, NULL, 0, &needed), HSP_OK);
+  CHECK_EQUAL(hsp_contacts_get_pairs(contacts, NULL, 0, &needed), HSP_OK);
   CHECK_EQUAL(needed, 0);
   CHECK_EQUAL(hsp_contacts_get_complex(contacts, &counts), HSP_OK);
   CHECK(counts.euler == 0 && counts.betti[0] == 0 && counts.betti[1] == 0);

@@ -316,7 +316,8 @@ contains
     end do
     call check(balls(1)%component == balls(3)%component .and. balls(1)%component /= balls(4)%component, 'components')
 
-    call expect(hsp_boundary_measure(boundary, totals=totals, area=area, volume=volume, capacity=n), HSP_OK, 'hsp_boundary_measure')
+    call expect(hsp_boundary_measure(boundary, totals=totals, area=area, volume_term=volume, capacity=n), HSP_OK, &
+        'hsp_boundary_measure')
     call check(abs(area(4) - pi) < 1e-14_c_double .and. abs(volume(4) - pi/6) < 1e-14_c_double, 'the ball apart')
     call check(abs(sum(area) - totals%area) < 1e-12_c_double .and. abs(sum(volume) - totals%volume) < 1e-12_c_double, 'totals')
     totals%area = 0
@@ -371,7 +372,7 @@ contains
     integer(c_int8_t), target :: selected(n)
     selected = [0_c_int8_t, 1_c_int8_t, 0_c_int8_t, -1_c_int8_t]
     call compute_all()
-    call expect(hsp_boundary_measure(boundary, area=all_area, volume=all_volume, capacity=n), HSP_OK, 'all balls')
+    call expect(hsp_boundary_measure(boundary, area=all_area, volume_term=all_volume, capacity=n), HSP_OK, 'all balls')
     call expect(hsp_boundary_measure(boundary, selected, totals, area, volume, n), HSP_OK, &
                 'hsp_boundary_measure')
     call check(all(area == merge(all_area, 0.0_c_double, selected /= 0)), 'areas of selected balls')
@@ -400,7 +401,7 @@ contains
       call check(abs(face_area(f) - all_area(hsp_index(faces(f)%ball))) < 1e-13_c_double, 'area of a ball''s only face')
       call check(abs(face_volume(f) - all_volume(hsp_index(faces(f)%ball))) < 1e-13_c_double, 'volume of a face')
     end do
-    call expect(hsp_boundary_measure_faces(boundary, volume=face_volume, capacity=3_c_int32_t), HSP_E_CAPACITY, 'faces')
+    call expect(hsp_boundary_measure_faces(boundary, volume_term=face_volume, capacity=3_c_int32_t), HSP_E_CAPACITY, 'faces')
   end subroutine
 
   subroutine gradient_functions()
@@ -615,7 +616,7 @@ contains
     call expect(hsp_body_hits_along(body, body, 2_c_int32_t, pose, 0.5_c_double, hit, first_bad), HSP_OK, 'hits along')
     call check(all(hit == [1, 0]) .and. first_bad == HSP_NONE, 'hits along a motion')
     call expect(hsp_body_gaps(body, body, 2_c_int32_t, pose, gap), HSP_OK, 'hsp_body_gaps')
-    call check(gap(1)%gap == -2*maxval(radius) .and. gap(1)%fixed == gap(1)%moving, 'the gap of a body in its place')
+    call check(gap(1)%gap == -2*maxval(radius) .and. gap(1)%fixed == gap(1)%posed, 'the gap of a body in its place')
     call check(gap(2)%gap > 900.0_c_double, 'the gap of a body far away')
     call expect(hsp_body_overlaps(body, body, 2_c_int32_t, pose, overlap), HSP_OK, 'hsp_body_overlaps')
     call check(overlap(2)%pairs == 0 .and. overlap(2)%volume == 0.0_c_double, 'no overlap')
@@ -660,10 +661,10 @@ contains
                                                  limits%tetrahedra), 'hsp_contacts_bytes_bound')
     allocate (memory(bytes))
     call expect(hsp_contacts_init(c_loc(memory), bytes, limits, contacts), HSP_OK, 'hsp_contacts_init')
-    call expect(hsp_contacts_get(contacts, capacity=0_c_int32_t, needed=needed), HSP_E_STATE, 'contacts of nothing')
+    call expect(hsp_contacts_get_pairs(contacts, capacity=0_c_int32_t, needed=needed), HSP_E_STATE, 'contacts of nothing')
     call expect(hsp_contacts_compute(contacts, boundary, limits), HSP_OK, 'hsp_contacts_compute')
     call check(limits%contacts == 3 .and. limits%triangles == 1 .and. limits%tetrahedra == 0, 'limits that were needed')
-    call expect(hsp_contacts_get(contacts, contact, 3_c_int32_t, needed), HSP_OK, 'hsp_contacts_get')
+    call expect(hsp_contacts_get_pairs(contacts, contact, 3_c_int32_t, needed), HSP_OK, 'hsp_contacts_get_pairs')
     call check(needed == 3 .and. all(contact(1)%ball == [0, 1]) .and. all(contact(3)%ball == [1, 2]), 'balls of contacts')
     call check(all(contact%chords == 1) .and. all(contact%flags == 0), 'contacts with one side')
     call check(abs(contact(1)%distance - 2) < 1e-15_c_double, 'distance of a contact')

@@ -37,7 +37,7 @@ program fortran_periodic_test
   type(hsp_energy) :: energy
   type(hsp_morphometric_energy) :: morphometric
   type(hsp_group_contact) :: between(2)
-  real(c_double) :: area(n), cell_volume(n), d_centre(3, n), d_radius(n), d_strain(9), d_box(9), rod, mean(n)
+  real(c_double) :: area(n), share_volume(n), d_centre(3, n), d_radius(n), d_strain(9), d_box(9), rod, mean(n)
   integer(c_int32_t) :: thirds(n), component(n), flags(n), first(n + 1), needed, invariant, id, bad
   integer(c_size_t) :: bytes
 
@@ -60,11 +60,11 @@ program fortran_periodic_test
   call check(counts%balls == 3 .and. counts%circles == 2 .and. counts%contacts == 2 .and. counts%components == 2, 'counts')
   call check(counts%faces == 3 .and. counts%shells == 2 .and. counts%euler == 2 .and. counts%reserved == 0, 'more counts')
 
-  call expect(hsp_periodic_measure(periodic, totals, area, cell_volume, n, needed), HSP_OK, 'hsp_periodic_measure')
+  call expect(hsp_periodic_measure(periodic, totals, area, share_volume, n, needed), HSP_OK, 'hsp_periodic_measure')
   rod = 10*pi
   call check(abs(totals%area - rod - 4*pi) < 1e-11_c_double .and. needed == n, 'area')
   call check(abs(area(1) - rod/2) < 1e-11_c_double .and. abs(area(3) - 4*pi) < 1e-11_c_double, 'areas')
-  call check(abs(sum(cell_volume) - totals%volume) < 1e-11_c_double, 'cells')
+  call check(abs(sum(share_volume) - totals%volume) < 1e-11_c_double, 'cells')
   call check(totals%box_volume == 256 .and. totals%free_volume == 256 - totals%volume, 'volumes')
   call check(abs(totals%contact_area - 1.125_c_double*pi) < 1e-11_c_double, 'contact area')
 
@@ -79,7 +79,7 @@ program fortran_periodic_test
   call check(all(contacts(1)%shift == [-4, 0, 0]) .and. all(contacts(2)%shift == [-3, 0, 0]), 'shifts')
   call check(contacts(1)%distance == 2 .and. contacts(1)%chords == 0, 'its distance')
   call check(abs(contacts(2)%area - 0.5625_c_double*pi) < 1e-12_c_double, 'its area')
-  call check(abs(contacts(2)%edge - 1.5_c_double*pi) < 1e-12_c_double, 'its edge')
+  call check(abs(contacts(2)%rim - 1.5_c_double*pi) < 1e-12_c_double, 'its edge')
   call expect(hsp_periodic_group_contacts(periodic, [7_c_int32_t, 3_c_int32_t, 3_c_int32_t], between, 2_c_int32_t, needed), &
               HSP_OK, 'hsp_periodic_group_contacts')
   call check(needed == 1 .and. all(between(1)%group == [3, 7]) .and. between(1)%contacts == 2, 'two groups')

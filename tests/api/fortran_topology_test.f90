@@ -21,7 +21,7 @@ program fortran_topology_test
   call compute_topology()
   call steps_and_arrays()
   call records()
-  call shells_and_cells()
+  call shells_and_regions()
   call scan_and_places()
   call check_and_errors()
   call report_checks()
@@ -55,7 +55,7 @@ contains
     type(hsp_simple_face) :: face
     type(hsp_shell) :: shell
     type(hsp_component) :: component
-    type(hsp_cell) :: cell
+    type(hsp_region) :: region
     integer(c_int32_t) :: q
     call check(c_sizeof(limits) == 24, 'size of hsp_topology_limits')
     call check(c_sizeof(counts) == 32, 'size of hsp_topology_counts')
@@ -64,7 +64,7 @@ contains
     call check(c_sizeof(face) == 24, 'size of hsp_simple_face')
     call check(c_sizeof(shell) == 80, 'size of hsp_shell')
     call check(c_sizeof(component) == 24, 'size of hsp_component')
-    call check(c_sizeof(cell) == 32, 'size of hsp_cell')
+    call check(c_sizeof(region) == 32, 'size of hsp_region')
     do q = 0, 11
       call check(hsp_quad_sym(q) == 4*(q/4) + mod(q + 2, 4), 'hsp_quad_sym')
       call check(hsp_quad_rot(hsp_quad_rot(q)) == hsp_quad_sym(q), 'hsp_quad_rot')
@@ -97,7 +97,7 @@ contains
     call check(needed%edges <= limits%edges .and. needed%cut_arcs <= limits%cut_arcs, 'what was needed')
     call expect(hsp_topology_get_counts(topology, counts), HSP_OK, 'hsp_topology_get_counts')
     call check(counts%edges == needed%edges, 'edges are what limits count')
-    call check(counts%shells == 3 .and. counts%components == 2 .and. counts%cells == 2, 'counts of shells and cells')
+    call check(counts%shells == 3 .and. counts%components == 2 .and. counts%regions == 2, 'counts of shells and regions')
     call expect(hsp_boundary_get_counts(boundary, boundary_counts), HSP_OK, 'hsp_boundary_get_counts')
     call check(counts%vertices - counts%edges + counts%simple_faces == boundary_counts%euler, 'Euler characteristic')
     call check(counts%cut_edges >= 2, 'the ball apart is cut in two')
@@ -178,10 +178,10 @@ contains
     on_sphere = abs(norm2(place - xyz(:, hsp_index(ball))) - radius(hsp_index(ball))) < 1e-13_c_double
   end function
 
-  subroutine shells_and_cells()
+  subroutine shells_and_regions()
     type(hsp_shell) :: shells(3)
     type(hsp_component) :: components(2)
-    type(hsp_cell) :: cells(2)
+    type(hsp_region) :: regions(2)
     type(hsp_totals) :: totals
     integer(c_int32_t) :: needed, around(3), enclosing
     integer :: i
@@ -206,24 +206,25 @@ contains
     call check(needed == 2, 'number of components')
     call check(components(1)%balls == 8 .and. components(2)%balls == 1, 'balls of components')
     call check(components(1)%top_ball >= 4 .and. components(2)%top_ball == 8, 'top balls')
-    call check(components(1)%shells == 2 .and. components(2)%shells == 1 .and. all(components%cell == 0), 'shells, cells')
+    call check(components(1)%shells == 2 .and. components(2)%shells == 1 .and. all(components%region == 0), 'shells, regions')
     call check(all(shells(hsp_index(components%outer_shell))%kind == HSP_SHELL_OUTER), 'outer shells')
-    call expect(hsp_topology_get_cells(topology, cells, 2_c_int32_t, needed), HSP_OK, 'hsp_topology_get_cells')
-    call check(needed == 2 .and. cells(1)%enclosing_shell == HSP_NONE .and. cells(1)%components == 2, 'the outer cell')
-    call check(cells(1)%shells == 2 .and. cells(2)%shells == 1 .and. cells(2)%components == 0, 'shells of cells')
-    enclosing = cells(2)%enclosing_shell
-    call check(shells(hsp_index(enclosing))%kind == HSP_SHELL_VOID .and. shells(hsp_index(enclosing))%cell == 1, 'around the void')
-    call check(abs(cells(2)%area - shells(hsp_index(enclosing))%area) < 1e-13_c_double, 'area of the void')
-    call check(cells(2)%volume > 0 .and. cells(2)%volume < 0.1_c_double, 'volume of the void')
-    call expect(hsp_topology_get_cell_shells(topology, 1_c_int32_t, around, 3_c_int32_t, needed), HSP_OK, &
-                'hsp_topology_get_cell_shells')
+    call expect(hsp_topology_get_regions(topology, regions, 2_c_int32_t, needed), HSP_OK, 'hsp_topology_get_regions')
+    call check(needed == 2 .and. regions(1)%enclosing_shell == HSP_NONE .and. regions(1)%components == 2, 'the outer region')
+    call check(regions(1)%shells == 2 .and. regions(2)%shells == 1 .and. regions(2)%components == 0, 'shells of regions')
+    enclosing = regions(2)%enclosing_shell
+    call check(shells(hsp_index(enclosing))%kind == HSP_SHELL_VOID .and. shells(hsp_index(enclosing))%region == 1, &
+        'around the void')
+    call check(abs(regions(2)%area - shells(hsp_index(enclosing))%area) < 1e-13_c_double, 'area of the void')
+    call check(regions(2)%volume > 0 .and. regions(2)%volume < 0.1_c_double, 'volume of the void')
+    call expect(hsp_topology_get_region_shells(topology, 1_c_int32_t, around, 3_c_int32_t, needed), HSP_OK, &
+                'hsp_topology_get_region_shells')
     call check(needed == 1 .and. around(1) == enclosing, 'shells around the void')
-    call expect(hsp_topology_get_cell_shells(topology, 2_c_int32_t, around, 3_c_int32_t, needed), HSP_E_ID, 'no such cell')
+    call expect(hsp_topology_get_region_shells(topology, 2_c_int32_t, around, 3_c_int32_t, needed), HSP_E_ID, 'no such region')
   end subroutine
 
   subroutine scan_and_places()
     type(hsp_shell) :: shells(3)
-    integer(c_int32_t) :: faces(counts%simple_faces), needed, shell, cell
+    integer(c_int32_t) :: faces(counts%simple_faces), needed, shell, region
     logical :: seen(0:counts%simple_faces - 1)
     integer :: i
     call expect(hsp_topology_get_shells(topology, shells, 3_c_int32_t, needed), HSP_OK, 'hsp_topology_get_shells')
@@ -239,13 +240,13 @@ contains
       end do
     end do
     call check(all(seen), 'scans visit every face')
-    cell = 7
-    call expect(hsp_topology_locate(topology, middle, cell), HSP_OK, 'hsp_topology_locate')
-    call check(cell == 1, 'the middle lies in the void')
-    call expect(hsp_topology_locate(topology, outside, cell), HSP_OK, 'locate outside')
-    call check(cell == 0, 'outside')
-    call expect(hsp_topology_locate(topology, apart, cell), HSP_OK, 'locate in a ball')
-    call check(cell == HSP_NONE, 'in a ball')
+    region = 7
+    call expect(hsp_topology_locate(topology, middle, region), HSP_OK, 'hsp_topology_locate')
+    call check(region == 1, 'the middle lies in the void')
+    call expect(hsp_topology_locate(topology, outside, region), HSP_OK, 'locate outside')
+    call check(region == 0, 'outside')
+    call expect(hsp_topology_locate(topology, apart, region), HSP_OK, 'locate in a ball')
+    call check(region == HSP_NONE, 'in a ball')
   end subroutine
 
   subroutine check_and_errors()

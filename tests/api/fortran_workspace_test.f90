@@ -92,7 +92,7 @@ contains
     type(hsp_map_info) :: seen
     type(hsp_surface_totals) :: surface, shares(n)
     type(hsp_surface_counts) :: patches
-    type(hsp_surface_map_counts) :: map
+    type(hsp_surface_part_counts) :: map
     type(hsp_surface_patch) :: patch(1)
     type(hsp_mesh_counts) :: coarse, fine, smooth
     real(c_double) :: sigma(n)
@@ -139,7 +139,7 @@ contains
     call expect(hsp_surface_compute_shells(work%surface, work%boundary, [0], 1), HSP_OK, 'of its only shell')
     call expect(hsp_surface_measure(work%surface, surface, capacity=0), HSP_OK, 'its areas again')
     call check(near(surface%area, totals%area), 'which is all')
-    call expect(hsp_surface_get_map_counts(work%surface, map), HSP_OK, 'its parts')
+    call expect(hsp_surface_get_part_counts(work%surface, map), HSP_OK, 'its parts')
     call check(map%shells == 1 .and. map%patches == 2*n - 1 .and. map%edges == 2*n - 2, 'balls and saddles')
     call expect(hsp_surface_get_patches(work%surface, 0, 1, patch), HSP_OK, 'its first patch')
     call check(patch(1)%kind == HSP_PATCH_CONVEX .and. (n == 1 .or. &
@@ -162,7 +162,7 @@ contains
     call check(seen%balls == n .and. seen%faces == n + 1 .and. seen%components == 1, 'each in one face')
     call check(near(seen%area, pi + (n - 1)*(pi/3 + sqrt(0.75_c_double))), 'discs at distance 1')
     call expect(work%compute_contacts(), HSP_OK, 'contacts')
-    call expect(hsp_contacts_get(work%contacts, capacity=0, needed=needed), merge(HSP_OK, HSP_E_CAPACITY, n == 1), &
+    call expect(hsp_contacts_get_pairs(work%contacts, capacity=0, needed=needed), merge(HSP_OK, HSP_E_CAPACITY, n == 1), &
                 'how many')
     call check(needed == n - 1, 'each touches the next')
     call expect(work%compute_cells(), HSP_OK, 'cells')
@@ -171,7 +171,7 @@ contains
     call check(path%ends == HSP_PATH_CONNECTED .and. path%certified == 1, 'past all balls')
     call expect(work%compute_gate(away), HSP_OK, 'the widest probe')
     call expect(work%compute_gate(away, -away), HSP_OK, 'the widest probe on that way')
-    call expect(hsp_gate_get(work%gate, widest), HSP_OK, 'how wide it is')
+    call expect(hsp_gate_get_widest(work%gate, widest), HSP_OK, 'how wide it is')
     call check(widest%passes == 1 .and. widest%radius > 0, 'some probe passes')
     call expect(work%compute_pores(), HSP_OK, 'pores')
     call expect(work%find_tunnel(from=away, to=-away, count=0_c_int32_t, tunnel=tunnel), HSP_OK, 'a tunnel')

@@ -113,8 +113,8 @@ static void refused_of_topology(void) {
   CHECK_EQUAL(hsp_topology_get_simple_faces(h.topology, 1, HSP_NONE, &face), HSP_E_ID);
   CHECK_EQUAL(hsp_topology_get_shells(h.topology, NULL, 0, &count), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_topology_get_components(h.topology, NULL, 1, &count), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_topology_get_cells(h.topology, NULL, 0, &count), HSP_E_CAPACITY);
-  CHECK_EQUAL(hsp_topology_get_cell_shells(h.topology, HSP_NONE, ids, 2, &count), HSP_E_ID);
+  CHECK_EQUAL(hsp_topology_get_regions(h.topology, NULL, 0, &count), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_topology_get_region_shells(h.topology, HSP_NONE, ids, 2, &count), HSP_E_ID);
   CHECK_EQUAL(hsp_topology_get_traversal(h.topology, 0, ids, 1, &count), HSP_E_CAPACITY);
   CHECK_EQUAL(hsp_topology_locate(h.topology, nowhere, &cell), HSP_E_NOT_FINITE);
   CHECK_EQUAL(hsp_topology_check(h.topology, NULL, &id), HSP_E_ARGUMENT);
@@ -189,7 +189,7 @@ static void refused_of_surface(void) {
   CHECK_EQUAL(hsp_surface_get_gradient(f.surface, SIZED(hsp_gradient_request, .sigma = weights, .tension = 1),
                                        SIZED(hsp_gradient_outputs, .d_centre = number, .capacity = BALLS)),
               HSP_E_NOT_FINITE);
-  CHECK_EQUAL(hsp_surface_get_map_counts(f.surface, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_surface_get_part_counts(f.surface, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_surface_get_patches(f.surface, HSP_NONE, 1, &patch), HSP_E_ID);
   CHECK_EQUAL(hsp_surface_get_edges(f.surface, 0, HSP_NONE, &edge), HSP_E_ID);
   CHECK_EQUAL(hsp_surface_get_corners(f.surface, HSP_NONE, 2, &corner), HSP_E_ID);

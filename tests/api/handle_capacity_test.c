@@ -284,11 +284,11 @@ static void contacts_results(const void *contacts, const void *source) {
   guarded_memory area = guarded_take(sizeof(double) * n, 0, GUARDED_PATTERN);
   CHECK_EQUAL(hsp_contacts_get_complex(contacts, &counts), HSP_OK);
   CHECK_BYTES(&counts, &all->counts, sizeof counts);
-  CHECK_EQUAL(hsp_contacts_get(contacts, (void *)list.block, all->count, &count), HSP_OK);
+  CHECK_EQUAL(hsp_contacts_get_pairs(contacts, (void *)list.block, all->count, &count), HSP_OK);
   CHECK_BYTES(list.block, all->list, list.bytes);
   CHECK_EQUAL(hsp_contacts_measure(contacts, &totals, (void *)volume.block, (void *)area.block, n, NULL), HSP_OK);
   CHECK_BYTES(&totals, &all->totals, sizeof totals);
-  CHECK_BYTES(volume.block, all->cell_volume, volume.bytes);
+  CHECK_BYTES(volume.block, all->share_volume, volume.bytes);
   CHECK_BYTES(area.block, all->contact_area, area.bytes);
   CHECK(guarded_clean(&list) && guarded_clean(&volume) && guarded_clean(&area));
   guarded_give_back(&list);
@@ -300,7 +300,7 @@ static void no_contacts_results(const void *contacts) {
   hsp_complex counts;
   uint32_t count = 12345;
   CHECK_EQUAL(hsp_contacts_get_complex(contacts, &counts), HSP_E_STATE);
-  CHECK_EQUAL(hsp_contacts_get(contacts, NULL, 0, &count), HSP_E_STATE);
+  CHECK_EQUAL(hsp_contacts_get_pairs(contacts, NULL, 0, &count), HSP_E_STATE);
   CHECK_EQUAL(count, 12345);
 }
 
@@ -422,13 +422,13 @@ static void sweep_paths(const computed *c, const char *name) {
 static void gate_results(const void *gate, const void *source) {
   const gate_result *all = source;
   hsp_widest_probe widest;
-  CHECK_EQUAL(hsp_gate_get(gate, &widest), HSP_OK);
+  CHECK_EQUAL(hsp_gate_get_widest(gate, &widest), HSP_OK);
   CHECK_BYTES(&widest, &all->widest, sizeof widest);
 }
 
 static void no_gate_results(const void *gate) {
   hsp_widest_probe widest;
-  CHECK_EQUAL(hsp_gate_get(gate, &widest), HSP_E_STATE);
+  CHECK_EQUAL(hsp_gate_get_widest(gate, &widest), HSP_E_STATE);
 }
 
 /* Of pores all records and the points of the tunnel, of which there are none after a failure. */
@@ -546,7 +546,7 @@ static void periodic_results(const void *periodic, const void *source) {
   CHECK_EQUAL(hsp_periodic_measure(periodic, &totals, (void *)area.block, (void *)volume.block, n, NULL), HSP_OK);
   CHECK_BYTES(&totals, &all->totals, sizeof totals);
   CHECK_BYTES(area.block, all->area, area.bytes);
-  CHECK_BYTES(volume.block, all->cell_volume, volume.bytes);
+  CHECK_BYTES(volume.block, all->share_volume, volume.bytes);
   CHECK(guarded_clean(&list) && guarded_clean(&windings) && guarded_clean(&area) && guarded_clean(&volume));
   CHECK(guarded_clean(&vertices) && guarded_clean(&arcs) && guarded_clean(&circles));
   guarded_give_back(&list);

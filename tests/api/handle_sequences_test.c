@@ -173,7 +173,7 @@ static int32_t first_reading(int kind, const void *handle) {
       return status == HSP_E_CAPACITY ? HSP_OK : status;
     }
     case GATE:
-      return hsp_gate_get(handle, &out.gate);
+      return hsp_gate_get_widest(handle, &out.gate);
     default:
       return hsp_pores_get_counts(handle, &out.pores);
   }

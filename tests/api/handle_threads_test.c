@@ -98,7 +98,7 @@ enum { LINES = 26, PLACES_ON_A_LINE = 40, PLACES = LINES * PLACES_ON_A_LINE };
 
 typedef struct search {
   const hsp_topology *topology;
-  uint32_t cells[PLACES];
+  uint32_t regions[PLACES];
   int failed;
 } search;
 
@@ -116,7 +116,7 @@ static void *locate_places(void *argument) {
       at[0] = (line % 3 - 1) * distance;
       at[1] = (line / 3 % 3 - 1) * distance * 0.9375;
       at[2] = (line / 9 - 1) * distance * 0.875;
-      mine->failed |= hsp_topology_locate(mine->topology, at, &mine->cells[found++]) != HSP_OK;
+      mine->failed |= hsp_topology_locate(mine->topology, at, &mine->regions[found++]) != HSP_OK;
       distance *= 1.25992104989487;
     }
   }
@@ -128,7 +128,7 @@ static void located_in_threads(void) {
   static search searches[THREADS + 1];
   computed c;
   topology_result topology;
-  uint32_t cells_seen = 0, k;
+  uint32_t regions_seen = 0, k;
   int t;
   memset(&topology, 0, sizeof topology);
   topology_set_nested(&set);
@@ -138,14 +138,14 @@ static void located_in_threads(void) {
     for (t = 0; t <= THREADS; ++t) searches[t].topology = topology.topology;
     locate_places(&searches[THREADS]);
     for (k = 0; k < PLACES; ++k) {
-      const uint32_t cell = searches[THREADS].cells[k];
-      if (cell != HSP_NONE) cells_seen |= UINT32_C(1) << cell;
+      const uint32_t region = searches[THREADS].regions[k];
+      if (region != HSP_NONE) regions_seen |= UINT32_C(1) << region;
     }
-    CHECK_EQUAL(cells_seen, 15);
+    CHECK_EQUAL(regions_seen, 15);
     run_in_threads(locate_places, searches, sizeof searches[0]);
     for (t = 0; t < THREADS; ++t) {
       CHECK(!searches[t].failed);
-      CHECK_BYTES(searches[t].cells, searches[THREADS].cells, sizeof searches[t].cells);
+      CHECK_BYTES(searches[t].regions, searches[THREADS].regions, sizeof searches[t].regions);
     }
   }
   topology_result_release(&topology);
@@ -198,7 +198,7 @@ static void measured_in_threads(const computed *c, const hsp_executor *executor)
     outputs.capacity = derivatives.capacity = c->n;
     outputs.totals = &totals[which];
     outputs.area = area[which];
-    outputs.volume = volume[which];
+    outputs.volume_term = volume[which];
     derivatives.energy = &into->energy;
     derivatives.d_centre = into->centre;
     derivatives.d_radius = into->radius;

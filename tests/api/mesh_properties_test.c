@@ -155,11 +155,11 @@ static void check_boundary(const ball_set *set, const computed *c, double edge) 
 }
 
 static int64_t euler_of_shells(const hsp_surface *surface) {
-  hsp_surface_map_counts map;
+  hsp_surface_part_counts map;
   int64_t sum = 0;
   uint32_t shells = 0, s;
   hsp_surface_shell *shell;
-  CHECK_EQUAL(hsp_surface_get_map_counts(surface, &map), HSP_OK);
+  CHECK_EQUAL(hsp_surface_get_part_counts(surface, &map), HSP_OK);
   shell = test_zeros(map.shells, sizeof *shell);
   CHECK_EQUAL(hsp_surface_get_shells(surface, shell, map.shells, &shells), HSP_OK);
   for (s = 0; s < shells; ++s) sum += shell[s].euler;
@@ -170,10 +170,10 @@ static int64_t euler_of_shells(const hsp_surface *surface) {
 /* The triangles of every patch are one range, of its kind and of the balls that its probes touch, and together they
  * come near its area. */
 static void check_patches(const surface_result *s, const mesh_result *m) {
-  hsp_surface_map_counts map;
+  hsp_surface_part_counts map;
   double *area;
   uint32_t p, t, next = 0;
-  CHECK_EQUAL(hsp_surface_get_map_counts(s->surface, &map), HSP_OK);
+  CHECK_EQUAL(hsp_surface_get_part_counts(s->surface, &map), HSP_OK);
   area = test_zeros(map.patches, sizeof *area);
   for (p = 0; p < map.patches; ++p) {
     hsp_surface_patch patch;
@@ -243,7 +243,7 @@ static void open_surface(void) {
   surface_result s;
   mesh_result m;
   hsp_mesh_limits limits;
-  hsp_surface_map_counts map;
+  hsp_surface_part_counts map;
   hsp_surface_patch patch;
   hsp_surface_edge edge;
   hsp_surface_corner corner;
@@ -255,7 +255,7 @@ static void open_surface(void) {
   CHECK_EQUAL(hsp_surface_check(s.surface, &invariant, &joints), HSP_E_OPEN_SURFACE);
   CHECK_EQUAL(invariant, 1);
   CHECK_EQUAL(joints, s.counts.open_joints);
-  CHECK_EQUAL(hsp_surface_get_map_counts(s.surface, &map), HSP_E_OPEN_SURFACE);
+  CHECK_EQUAL(hsp_surface_get_part_counts(s.surface, &map), HSP_E_OPEN_SURFACE);
   CHECK_EQUAL(hsp_surface_get_patches(s.surface, 0, 1, &patch), HSP_E_OPEN_SURFACE);
   CHECK_EQUAL(hsp_surface_get_edges(s.surface, 0, 1, &edge), HSP_E_OPEN_SURFACE);
   CHECK_EQUAL(hsp_surface_get_corners(s.surface, 0, 1, &corner), HSP_E_OPEN_SURFACE);

@@ -120,7 +120,7 @@ static void check_balls(const everything *all, double probe) {
     CHECK_NEAR(ball[k].centre[2], xyz[3 * i + 2], 1e-14);
     CHECK_NEAR(ball[k].radius, radius[i] + probe, 1e-14);
     CHECK_BYTES(&ball[k].area, &all->area[i], sizeof(double));
-    CHECK_BYTES(&ball[k].volume, &all->volume[i], sizeof(double));
+    CHECK_BYTES(&ball[k].volume_term, &all->volume[i], sizeof(double));
     CHECK_BYTES(ball[k].d_centre, &all->d_centre[3 * i], 3 * sizeof(double));
     CHECK_BYTES(&ball[k].d_radius, &all->d_radius[i], sizeof(double));
     CHECK_EQUAL(ball[k].faces, of_boundary[i].faces);

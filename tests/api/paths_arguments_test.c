@@ -74,7 +74,7 @@ static void check_no_path(hsp_paths *which, int32_t status) {
 
 static void check_no_probe(const hsp_gate *which, int32_t status) {
   FILL(widest);
-  CHECK_EQUAL(hsp_gate_get(which, &widest), status);
+  CHECK_EQUAL(hsp_gate_get_widest(which, &widest), status);
   CHECK_UNTOUCHED(widest);
 }
 
@@ -176,24 +176,24 @@ static void finding_probes(void) {
   CHECK_EQUAL(hsp_gate_init(gate_memory, sizeof gate_memory, &asked, &gate), HSP_OK);
   set_one();
   CHECK_EQUAL(hsp_gate_compute(gate, model, under, above, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_gate_get(gate, &widest), HSP_OK);
+  CHECK_EQUAL(hsp_gate_get_widest(gate, &widest), HSP_OK);
   CHECK(widest.passes == 1 && fabs(widest.radius - 4) < 1e-9 && widest.gate[0] == 0 && widest.reserved == 0);
   CHECK(widest.gate[1] == HSP_NONE && widest.gate[2] == HSP_NONE);
   CHECK_EQUAL(hsp_gate_compute(gate, model, under, NULL, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_gate_get(gate, &widest), HSP_OK);
+  CHECK_EQUAL(hsp_gate_get_widest(gate, &widest), HSP_OK);
   CHECK(widest.passes == 1 && fabs(widest.radius - 8) < 1e-9);
   CHECK_EQUAL(hsp_gate_compute(gate, model, under, inside, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_gate_get(gate, &widest), HSP_OK);
+  CHECK_EQUAL(hsp_gate_get_widest(gate, &widest), HSP_OK);
   CHECK(widest.passes == 0 && widest.radius == 0 && widest.gate[0] == HSP_NONE && widest.builds == 0);
 
   CHECK_EQUAL(hsp_gate_compute(gate, model, under, above, NULL), HSP_OK);
   CHECK_EQUAL(hsp_model_set(model, 0, NULL, NULL, NULL, NULL), HSP_OK);
   check_no_probe(gate, HSP_E_STATE);
   set_one();
-  CHECK_EQUAL(hsp_gate_get(gate, &widest), HSP_OK);
+  CHECK_EQUAL(hsp_gate_get_widest(gate, &widest), HSP_OK);
   CHECK_EQUAL(hsp_model_set(model, 0, NULL, NULL, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_gate_compute(gate, model, under, NULL, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_gate_get(gate, &widest), HSP_OK);
+  CHECK_EQUAL(hsp_gate_get_widest(gate, &widest), HSP_OK);
   CHECK(widest.passes == 1 && isinf(widest.radius) && widest.gate[0] == HSP_NONE);
 }
 
@@ -208,7 +208,7 @@ static void cage(void) {
   CHECK(path.clearance <= sqrt(50.0) - 6 + 1e-7);
   for (k = 0; k < 2; ++k) {
     CHECK_EQUAL(hsp_gate_compute(gate, model, middle, k == 0 ? NULL : outside, NULL), HSP_OK);
-    CHECK_EQUAL(hsp_gate_get(gate, &widest), HSP_OK);
+    CHECK_EQUAL(hsp_gate_get_widest(gate, &widest), HSP_OK);
     CHECK(widest.passes == 1 && widest.builds > 10 && widest.builds <= 40);
     CHECK_NEAR(widest.radius, sqrt(50.0) - 6, 2e-8);
     CHECK(widest.gate[0] < widest.gate[1] && widest.gate[1] < widest.gate[2] && widest.gate[2] < CAGE);
@@ -218,7 +218,7 @@ static void cage(void) {
   find(middle, outside);
   CHECK_EQUAL(path.ends, HSP_PATH_APART);
   CHECK_EQUAL(hsp_gate_compute(gate, model, middle, NULL, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_gate_get(gate, &widest), HSP_OK);
+  CHECK_EQUAL(hsp_gate_get_widest(gate, &widest), HSP_OK);
   CHECK(widest.passes == 0 && widest.radius == 0 && widest.builds == 1);
 }
 

@@ -279,7 +279,7 @@ static void known_values(void) {
     CHECK(contact[i].shift[0] == (int32_t)i - 4 && contact[i].shift[1] == 0 && contact[i].shift[2] == 0);
     CHECK_EQUAL(contact[i].flags, HSP_CONTACT_CIRCLE);
     CHECK_NEAR(contact[i].area, pi * 0.5625, 1e-12);
-    CHECK_NEAR(contact[i].edge, 2 * pi * 0.75, 1e-12);
+    CHECK_NEAR(contact[i].rim, 2 * pi * 0.75, 1e-12);
     CHECK_NEAR(contact[i].distance, 2, 1e-15);
   }
   CHECK_EQUAL(hsp_periodic_query_neighbours(periodic, 1, image, OUT, &number), HSP_OK);
@@ -372,7 +372,7 @@ static void known_energies(void) {
   CHECK_EQUAL(hsp_periodic_group_contacts(periodic, halves, between, OUT, &number), HSP_OK);
   CHECK(number == 1 && between[0].group[0] == 4 && between[0].group[1] == 9 && between[0].contacts == 2);
   CHECK_NEAR(between[0].area, totals.contact_area, 1e-13);
-  CHECK_NEAR(between[0].edge, 3 * pi, 1e-12);
+  CHECK_NEAR(between[0].rim, 3 * pi, 1e-12);
   CHECK_EQUAL(between[0].reserved, 0);
   CHECK_EQUAL(hsp_periodic_group_contacts(periodic, rod_and_rest, between, OUT, &number), HSP_OK);
   CHECK_EQUAL(number, 0);

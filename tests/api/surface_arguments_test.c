@@ -20,7 +20,7 @@ static hsp_surface_totals totals, balls[BALLS];
 static hsp_energy energy;
 static double d_centre[3 * BALLS], d_radius[BALLS];
 static uint32_t flags[BALLS];
-static hsp_surface_map_counts map;
+static hsp_surface_part_counts map;
 static hsp_surface_patch patches[4];
 static hsp_surface_edge edges[4];
 static hsp_surface_corner corners[4];
@@ -72,7 +72,7 @@ static void check_has_results(void) {
       hsp_surface_get_gradient(surface, SIZED(hsp_gradient_request, .sigma = sigma, .tension = 1, .pressure = 1),
                                SIZED(hsp_gradient_outputs, .capacity = 0)),
       HSP_OK);
-  CHECK_EQUAL(hsp_surface_get_map_counts(surface, &map), HSP_OK);
+  CHECK_EQUAL(hsp_surface_get_part_counts(surface, &map), HSP_OK);
   CHECK_EQUAL(map.shells, 1);
   CHECK_EQUAL(hsp_surface_check(surface, &invariant, &id), HSP_OK);
   CHECK(invariant == 0 && id == HSP_NONE);
@@ -81,8 +81,8 @@ static void check_has_results(void) {
 /* Ranges up to the last record, and beyond it. */
 static void ranges(void) {
   check_scene("ranges");
-  CHECK_EQUAL(hsp_surface_get_map_counts(surface, &map), HSP_OK);
-  CHECK_EQUAL(hsp_surface_get_map_counts(surface, &map), HSP_OK);
+  CHECK_EQUAL(hsp_surface_get_part_counts(surface, &map), HSP_OK);
+  CHECK_EQUAL(hsp_surface_get_part_counts(surface, &map), HSP_OK);
   CHECK_EQUAL(hsp_surface_get_patches(surface, map.patches - 1, 2, patches), HSP_E_ID);
   CHECK_EQUAL(hsp_surface_get_edges(surface, map.edges + 1, 0, NULL), HSP_E_ID);
   CHECK_EQUAL(hsp_surface_next(surface, 2 * map.edges), HSP_NONE);

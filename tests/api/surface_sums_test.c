@@ -82,13 +82,13 @@ static void check_triangles(const surface_result *s, int64_t euler) {
 }
 
 static void check_closed(const surface_result *s, double probe, int with_triangles) {
-  hsp_surface_map_counts counts;
+  hsp_surface_part_counts counts;
   hsp_surface_patch *patches;
   hsp_surface_shell *shells;
   double of_patches = 0, of_shells = 0, volume = 0;
   int64_t euler = 0;
   uint32_t needed, k;
-  if (!CHECK_EQUAL(hsp_surface_get_map_counts(s->surface, &counts), HSP_OK)) return;
+  if (!CHECK_EQUAL(hsp_surface_get_part_counts(s->surface, &counts), HSP_OK)) return;
   patches = test_zeros(counts.patches, sizeof *patches);
   shells = test_zeros(counts.shells, sizeof *shells);
   CHECK_EQUAL(hsp_surface_get_patches(s->surface, 0, counts.patches, patches), HSP_OK);
@@ -113,7 +113,7 @@ static void check_closed(const surface_result *s, double probe, int with_triangl
 /* All or nothing. Whether it was all. */
 static int check_set(uint32_t n, const double *xyz, const double *radius, double probe, int with_triangles) {
   const hsp_model_options options = options_with_probe(probe);
-  hsp_surface_map_counts counts;
+  hsp_surface_part_counts counts;
   uint32_t invariant = HSP_NONE, id = HSP_NONE;
   int closed = 0;
   computed c;
@@ -130,7 +130,7 @@ static int check_set(uint32_t n, const double *xyz, const double *radius, double
       check_closed(&s, probe, with_triangles);
     } else {
       CHECK_EQUAL(id, s.counts.open_joints);
-      CHECK(hsp_surface_get_map_counts(s.surface, &counts) != HSP_OK);
+      CHECK(hsp_surface_get_part_counts(s.surface, &counts) != HSP_OK);
       CHECK(hsp_surface_get_patches(s.surface, 0, 0, NULL) != HSP_OK);
       CHECK(hsp_surface_get_shells(s.surface, NULL, 0, &id) != HSP_OK);
       CHECK(mesh_result_make_surface(&s, probe, &m) != HSP_OK);

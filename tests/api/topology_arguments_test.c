@@ -55,7 +55,7 @@ static void bad_ids(void) {
   CHECK_EQUAL(hsp_topology_get_vertices(topology, counts.vertices, 1, vertices), HSP_E_ID);
   CHECK_EQUAL(hsp_topology_get_edges(topology, counts.edges, 1, edges), HSP_E_ID);
   CHECK_EQUAL(hsp_topology_get_simple_faces(topology, counts.simple_faces, 1, faces), HSP_E_ID);
-  CHECK_EQUAL(hsp_topology_get_cell_shells(topology, counts.cells, ids, EDGES, &needed), HSP_E_ID);
+  CHECK_EQUAL(hsp_topology_get_region_shells(topology, counts.regions, ids, EDGES, &needed), HSP_E_ID);
   CHECK_EQUAL(hsp_topology_get_traversal(topology, counts.shells, ids, EDGES, &needed), HSP_E_ID);
   CHECK_EQUAL(HSP_QUAD_ROT(HSP_NONE), HSP_NONE);
   CHECK_EQUAL(HSP_QUAD_INVERSE_ROT(HSP_NONE), HSP_NONE);

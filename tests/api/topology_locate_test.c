@@ -1,6 +1,6 @@
-/* hsp_topology_locate: points whose cell is known, statuses, and for every set of topology_sets.h a box of points
- * against the balls themselves: a point is in no cell exactly if it is in a ball, points joined by a line that misses
- * all balls are in one cell, and a cell holds as many of them as its volume says. */
+/* hsp_topology_locate: points whose region is known, statuses, and for every set of topology_sets.h a box of points
+ * against the balls themselves: a point is in no region exactly if it is in a ball, points joined by a line that misses
+ * all balls are in one region, and a region holds as many of them as its volume says. */
 #include <hardsphere.h>
 #include <math.h>
 #include <stdlib.h>
@@ -11,20 +11,20 @@
 #include "topology_sets.h"
 #include "untouched.h"
 
-static uint32_t cell_of(const topology_result *t, double x, double y, double z) {
+static uint32_t region_of(const topology_result *t, double x, double y, double z) {
   double place[3];
-  uint32_t cell = 77;
+  uint32_t region = 77;
   place[0] = x;
   place[1] = y;
   place[2] = z;
-  CHECK_EQUAL(hsp_topology_locate(t->topology, place, &cell), HSP_OK);
-  return cell;
+  CHECK_EQUAL(hsp_topology_locate(t->topology, place, &region), HSP_OK);
+  return region;
 }
 
 /* Whether a point can move from one place to the other. */
-static int same_cell(const topology_result *t, double x, double y, double z, double to_x, double to_y, double to_z) {
-  const uint32_t cell = cell_of(t, x, y, z);
-  return cell != HSP_NONE && cell == cell_of(t, to_x, to_y, to_z);
+static int same_region(const topology_result *t, double x, double y, double z, double to_x, double to_y, double to_z) {
+  const uint32_t region = region_of(t, x, y, z);
+  return region != HSP_NONE && region == region_of(t, to_x, to_y, to_z);
 }
 
 /* ---- known points ---- */
@@ -52,40 +52,40 @@ static void nested(void) {
   int i, j, axis, side;
   topology_set_nested(&set);
   if (made(&set, &c, &t)) {
-    uint32_t within[4]; /* the cells from the middle to the outside */
-    within[0] = t.components[c.balls[78].component].cell;
-    within[1] = t.components[c.balls[52].component].cell;
-    within[2] = t.components[c.balls[26].component].cell;
+    uint32_t within[4]; /* the regions from the middle to the outside */
+    within[0] = t.components[c.balls[78].component].region;
+    within[1] = t.components[c.balls[52].component].region;
+    within[2] = t.components[c.balls[26].component].region;
     within[3] = 0;
     for (axis = 0; axis < 3; ++axis) {
       for (side = -1; side <= 1; side += 2) {
         for (i = 0; i < 4; ++i) {
           double at[3] = {0, 0, 0}, other[3] = {0, 0, 0};
           at[axis] = side * free_places[i];
-          CHECK_EQUAL(cell_of(&t, at[0], at[1], at[2]), within[i]);
+          CHECK_EQUAL(region_of(&t, at[0], at[1], at[2]), within[i]);
           for (j = 0; j < 4; ++j) {
             other[(axis + 1) % 3] = free_places[j];
-            CHECK_EQUAL(same_cell(&t, at[0], at[1], at[2], other[0], other[1], other[2]), i == j);
+            CHECK_EQUAL(same_region(&t, at[0], at[1], at[2], other[0], other[1], other[2]), i == j);
           }
-          CHECK_EQUAL(same_cell(&t, at[0], at[1], at[2], 0, 0, 0), 0);
+          CHECK_EQUAL(same_region(&t, at[0], at[1], at[2], 0, 0, 0), 0);
         }
         for (i = 0; i < 12; ++i) {
           double at[3] = {0, 0, 0};
           at[axis] = side * walls[i];
-          CHECK_EQUAL(cell_of(&t, at[0], at[1], at[2]), HSP_NONE);
-          CHECK_EQUAL(same_cell(&t, at[0], at[1], at[2], at[0], at[1], at[2]), 0);
+          CHECK_EQUAL(region_of(&t, at[0], at[1], at[2]), HSP_NONE);
+          CHECK_EQUAL(same_region(&t, at[0], at[1], at[2], at[0], at[1], at[2]), 0);
         }
       }
     }
     /* one lattice step beside a wall */
-    CHECK_EQUAL(cell_of(&t, 112 + c.info.step, 0, 0), 0);
-    CHECK_EQUAL(cell_of(&t, 16 - c.info.step, 0, 0), within[2]);
-    CHECK_EQUAL(cell_of(&t, 0, 14 + c.info.step, 0), within[2]);
-    CHECK_EQUAL(cell_of(&t, 0, 0, 0.125 + c.info.step), within[0]);
-    CHECK_EQUAL(cell_of(&t, 0, 0, -0.25 + c.info.step), within[0]);
+    CHECK_EQUAL(region_of(&t, 112 + c.info.step, 0, 0), 0);
+    CHECK_EQUAL(region_of(&t, 16 - c.info.step, 0, 0), within[2]);
+    CHECK_EQUAL(region_of(&t, 0, 14 + c.info.step, 0), within[2]);
+    CHECK_EQUAL(region_of(&t, 0, 0, 0.125 + c.info.step), within[0]);
+    CHECK_EQUAL(region_of(&t, 0, 0, -0.25 + c.info.step), within[0]);
     /* points are rounded to the lattice */
-    CHECK_EQUAL(cell_of(&t, 112 + 0.25 * c.info.step, 0, 0), HSP_NONE);
-    CHECK_EQUAL(cell_of(&t, 112 + 0.75 * c.info.step, 0, 0), 0);
+    CHECK_EQUAL(region_of(&t, 112 + 0.25 * c.info.step, 0, 0), HSP_NONE);
+    CHECK_EQUAL(region_of(&t, 112 + 0.75 * c.info.step, 0, 0), 0);
   }
   release(&c, &t);
 }
@@ -97,17 +97,17 @@ static void two_in_a_void(void) {
   topology_result t;
   topology_set_two_in_a_void(&set);
   if (made(&set, &c, &t)) {
-    CHECK_EQUAL(cell_of(&t, 0, 0, 0), 1);
-    CHECK_EQUAL(cell_of(&t, 1, 0, 1), 1);
-    CHECK_EQUAL(cell_of(&t, 1, 0, -1), 1);
-    CHECK_EQUAL(cell_of(&t, 1, 0, 0.5), HSP_NONE);
-    CHECK_EQUAL(cell_of(&t, -1, 0, 0), HSP_NONE);
-    CHECK_EQUAL(cell_of(&t, 1.75, 0, 0), 1);
-    CHECK_EQUAL(cell_of(&t, 0, 0, 20), 0);
-    CHECK_EQUAL(cell_of(&t, 0, 0, -20), 0);
-    CHECK_EQUAL(same_cell(&t, 1, 0, 1, -1, 0, -1), 1);
-    CHECK_EQUAL(same_cell(&t, 1, 0, 1, 0, 0, 20), 0);
-    CHECK_EQUAL(same_cell(&t, 0, 0, -20, 0, 0, 20), 1);
+    CHECK_EQUAL(region_of(&t, 0, 0, 0), 1);
+    CHECK_EQUAL(region_of(&t, 1, 0, 1), 1);
+    CHECK_EQUAL(region_of(&t, 1, 0, -1), 1);
+    CHECK_EQUAL(region_of(&t, 1, 0, 0.5), HSP_NONE);
+    CHECK_EQUAL(region_of(&t, -1, 0, 0), HSP_NONE);
+    CHECK_EQUAL(region_of(&t, 1.75, 0, 0), 1);
+    CHECK_EQUAL(region_of(&t, 0, 0, 20), 0);
+    CHECK_EQUAL(region_of(&t, 0, 0, -20), 0);
+    CHECK_EQUAL(same_region(&t, 1, 0, 1, -1, 0, -1), 1);
+    CHECK_EQUAL(same_region(&t, 1, 0, 1, 0, 0, 20), 0);
+    CHECK_EQUAL(same_region(&t, 0, 0, -20, 0, 0, 20), 1);
   }
   release(&c, &t);
 }
@@ -119,14 +119,14 @@ static void ring_and_cage(void) {
   topology_result t;
   topology_set_ring_cavity(&set);
   if (made(&set, &c, &t)) {
-    CHECK_EQUAL(cell_of(&t, 1, 1, 1), 1);
-    CHECK_EQUAL(cell_of(&t, 2, 2, 1), HSP_NONE);
-    CHECK_EQUAL(same_cell(&t, 1, 2, 1, 3, 2, 1), 1);
-    CHECK_EQUAL(same_cell(&t, 1, 2, 1, 3, 2, 5), 0);
+    CHECK_EQUAL(region_of(&t, 1, 1, 1), 1);
+    CHECK_EQUAL(region_of(&t, 2, 2, 1), HSP_NONE);
+    CHECK_EQUAL(same_region(&t, 1, 2, 1, 3, 2, 1), 1);
+    CHECK_EQUAL(same_region(&t, 1, 2, 1, 3, 2, 5), 0);
   }
   release(&c, &t);
   topology_set_cage(&set);
-  if (made(&set, &c, &t)) CHECK_EQUAL(same_cell(&t, 1, 1, 1, 1, 1, 100), 1);
+  if (made(&set, &c, &t)) CHECK_EQUAL(same_region(&t, 1, 1, 1, 1, 1, 100), 1);
   release(&c, &t);
 }
 
@@ -136,13 +136,13 @@ static void no_balls(void) {
   topology_result t;
   ball_set_start(&set, "no balls", 1e-8);
   if (made(&set, &c, &t)) {
-    CHECK_EQUAL(cell_of(&t, 0, 0, 0), 0);
-    CHECK_EQUAL(same_cell(&t, 1, 2, 3, -4, -5, -6), 1);
+    CHECK_EQUAL(region_of(&t, 0, 0, 0), 0);
+    CHECK_EQUAL(same_region(&t, 1, 2, 3, -4, -5, -6), 1);
   }
   release(&c, &t);
 }
 
-/* In no cell exactly where hsp_query_point finds a ball: in four of them, in three, in none. */
+/* In no region exactly where hsp_query_point finds a ball: in four of them, in three, in none. */
 static void in_several_balls(void) {
   static const double places[3][3] = {{1, 0, 0}, {-1.5, 0, 0}, {9, 9, 9}};
   static ball_set set;
@@ -155,7 +155,7 @@ static void in_several_balls(void) {
       uint32_t ids[8], inside = 0;
       CHECK_EQUAL(hsp_query_point(c.model, places[which], ids, 8, &inside), HSP_OK);
       CHECK_EQUAL(inside, which == 0 ? 4 : which == 1 ? 3 : 0);
-      CHECK_EQUAL(cell_of(&t, places[which][0], places[which][1], places[which][2]), inside > 0 ? HSP_NONE : 0);
+      CHECK_EQUAL(region_of(&t, places[which][0], places[which][1], places[which][2]), inside > 0 ? HSP_NONE : 0);
     }
   }
   release(&c, &t);
@@ -170,20 +170,20 @@ static void statuses(void) {
     const double step = c.info.step;
     const double within = 1125899906842624.0 * step, beyond = 1125899906842626.0 * step;
     const double odd[6] = {NAN, INFINITY, -INFINITY, 1e300, -1e300, beyond};
-    uint32_t cell;
+    uint32_t region;
     int i, axis;
-    FILL(cell);
+    FILL(region);
     for (i = 0; i < 6; ++i) {
       const int32_t expected = i < 3 ? HSP_E_NOT_FINITE : HSP_E_RANGE;
       for (axis = 0; axis < 3; ++axis) {
         double place[3] = {1, 2, 3};
         place[axis] = odd[i];
-        CHECK_EQUAL(hsp_topology_locate(t.topology, place, &cell), expected);
-        CHECK_UNTOUCHED(cell);
+        CHECK_EQUAL(hsp_topology_locate(t.topology, place, &region), expected);
+        CHECK_UNTOUCHED(region);
         place[axis] = i % 2 == 0 ? within : -within;
-        CHECK_EQUAL(hsp_topology_locate(t.topology, place, &cell), HSP_OK);
-        CHECK_EQUAL(cell, 0);
-        FILL(cell);
+        CHECK_EQUAL(hsp_topology_locate(t.topology, place, &region), HSP_OK);
+        CHECK_EQUAL(region, 0);
+        FILL(region);
       }
     }
   }
@@ -233,10 +233,10 @@ static uint32_t place_number(int i, int j, int k) {
 }
 
 static void box_of_places(const topology_result *t) {
-  static uint32_t cell[PLACES];
+  static uint32_t region[PLACES];
   const computed *c = t->base;
   double low[3], spacing[3], coordinates[3][SIDE], largest = 0;
-  uint32_t p, *held = calloc(t->counts.cells, sizeof *held);
+  uint32_t p, *held = calloc(t->counts.regions, sizeof *held);
   int i, j, k, axis;
   if (held == NULL) exit(2);
   for (axis = 0; axis < 3; ++axis) {
@@ -263,33 +263,33 @@ static void box_of_places(const topology_result *t) {
         const int step[3] = {i, j, k};
         uint32_t here = 77;
         CHECK_EQUAL(hsp_topology_locate(t->topology, at, &here), HSP_OK);
-        cell[place_number(i, j, k)] = here;
+        region[place_number(i, j, k)] = here;
         if (known != UNSURE) CHECK_EQUAL(here == HSP_NONE, known == IN_A_BALL);
         if (outermost) CHECK_EQUAL(here, 0);
         if (here == HSP_NONE) continue;
-        if (!CHECK(here < t->counts.cells)) continue;
+        if (!CHECK(here < t->counts.regions)) continue;
         ++held[here];
         for (axis = 0; axis < 3; ++axis) {
           double before[3] = {coordinates[0][i], coordinates[1][j], coordinates[2][k]};
           if (step[axis] == 0) continue;
           before[axis] = coordinates[axis][step[axis] - 1];
           if (misses_all(c, before, at, axis)) {
-            CHECK_EQUAL(cell[place_number(i - (axis == 0), j - (axis == 1), k - (axis == 2))], here);
+            CHECK_EQUAL(region[place_number(i - (axis == 0), j - (axis == 1), k - (axis == 2))], here);
           }
         }
       }
     }
   }
-  /* each point stands for a box around it; the boxes that the cell's surface cuts lie within a spacing's diagonal of
-   * it, and few fit around a small cell */
-  for (p = 1; p < t->counts.cells; ++p) {
+  /* each point stands for a box around it; the boxes that the region's surface cuts lie within a spacing's diagonal of
+   * it, and few fit around a small region */
+  for (p = 1; p < t->counts.regions; ++p) {
     const double volume = held[p] * spacing[0] * spacing[1] * spacing[2];
-    CHECK_NEAR(volume, t->cells[p].volume, 2 * t->cells[p].area * largest + 8 * largest * largest * largest);
+    CHECK_NEAR(volume, t->regions[p].volume, 2 * t->regions[p].area * largest + 8 * largest * largest * largest);
   }
   free(held);
 }
 
-/* Just outside the middle of every edge lies the cell on the other side of its shell. */
+/* Just outside the middle of every edge lies the region on the other side of its shell. */
 static uint32_t beside_edges(const topology_result *t) {
   const computed *c = t->base;
   uint32_t e, j, looked_at = 0;
@@ -322,7 +322,7 @@ static uint32_t beside_edges(const topology_result *t) {
     }
     if (!alone) continue;
     ++looked_at;
-    CHECK_EQUAL(cell_of(t, at[0], at[1], at[2]), t->shells[shell].cell);
+    CHECK_EQUAL(region_of(t, at[0], at[1], at[2]), t->shells[shell].region);
   }
   return looked_at;
 }

@@ -23,13 +23,13 @@ static int32_t ask_components(const void *asked, void *out, uint32_t capacity, u
   const question *q = asked;
   return hsp_topology_get_components(q->all->topology, out, capacity, needed);
 }
-static int32_t ask_cells(const void *asked, void *out, uint32_t capacity, uint32_t *needed) {
+static int32_t ask_regions(const void *asked, void *out, uint32_t capacity, uint32_t *needed) {
   const question *q = asked;
-  return hsp_topology_get_cells(q->all->topology, out, capacity, needed);
+  return hsp_topology_get_regions(q->all->topology, out, capacity, needed);
 }
-static int32_t ask_cell_shells(const void *asked, void *out, uint32_t capacity, uint32_t *needed) {
+static int32_t ask_region_shells(const void *asked, void *out, uint32_t capacity, uint32_t *needed) {
   const question *q = asked;
-  return hsp_topology_get_cell_shells(q->all->topology, q->id, out, capacity, needed);
+  return hsp_topology_get_region_shells(q->all->topology, q->id, out, capacity, needed);
 }
 static int32_t ask_scan(const void *asked, void *out, uint32_t capacity, uint32_t *needed) {
   const question *q = asked;
@@ -95,9 +95,9 @@ static void sweep_outputs(const topology_result *all) {
   sweep_range(read_faces, all, all->faces, sizeof(hsp_simple_face), k->simple_faces);
   sweep_output(ask_shells, &q, sizeof(hsp_shell), k->shells);
   sweep_output(ask_components, &q, sizeof(hsp_component), k->components);
-  sweep_output(ask_cells, &q, sizeof(hsp_cell), k->cells);
-  for (q.id = 0; q.id < k->cells; q.id += 1 + k->cells / 4) {
-    sweep_output(ask_cell_shells, &q, sizeof(uint32_t), all->cells[q.id].shells);
+  sweep_output(ask_regions, &q, sizeof(hsp_region), k->regions);
+  for (q.id = 0; q.id < k->regions; q.id += 1 + k->regions / 4) {
+    sweep_output(ask_region_shells, &q, sizeof(uint32_t), all->regions[q.id].shells);
   }
   for (q.id = 0; q.id < k->shells; q.id += 1 + k->shells / 4) {
     sweep_output(ask_scan, &q, sizeof(uint32_t), all->shells[q.id].simple_faces);

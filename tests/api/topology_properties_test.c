@@ -54,10 +54,10 @@ static uint64_t shells_alike(const topology_result *t) {
   uint32_t i;
   for (i = 0; i < t->counts.shells; ++i) {
     const hsp_shell *s = t->shells + i;
-    uint64_t hash = (uint64_t)(s->euler + 100000) * 8 + s->kind * 2 + (s->cell == 0);
+    uint64_t hash = (uint64_t)(s->euler + 100000) * 8 + s->kind * 2 + (s->region == 0);
     hash = (hash ^ t->components[s->component].balls) * UINT64_C(0x9E3779B97F4A7C15);
     hash = (hash ^ hash >> 30 ^ t->components[s->component].shells) * UINT64_C(0xBF58476D1CE4E5B9);
-    hash = (hash ^ hash >> 27 ^ t->cells[s->cell].shells) * UINT64_C(0x94D049BB133111EB);
+    hash = (hash ^ hash >> 27 ^ t->regions[s->region].shells) * UINT64_C(0x94D049BB133111EB);
     sum += hash ^ hash >> 31;
   }
   return sum;
@@ -88,7 +88,7 @@ static void any_place(const ball_set *set, const topology_result *reference) {
   }
 }
 
-/* Cut arcs depend on which axis is called z, and ties may be broken otherwise, but shells, components and cells are
+/* Cut arcs depend on which axis is called z, and ties may be broken otherwise, but shells, components and regions are
  * those of the closed balls. */
 static void any_axes(const ball_set *set, const topology_result *reference) {
   static const int axes[5][3] = {{1, 2, 0}, {2, 0, 1}, {1, 0, 2}, {0, 2, 1}, {2, 1, 0}};
@@ -107,7 +107,7 @@ static void any_axes(const ball_set *set, const topology_result *reference) {
     }
     if (made(&turned, &c, &t)) {
       check_sound(&t);
-      CHECK_EQUAL(t.counts.cells, reference->counts.cells);
+      CHECK_EQUAL(t.counts.regions, reference->counts.regions);
       CHECK(shells_alike(&t) == shells_alike(reference));
     }
     release(&c, &t);
@@ -172,7 +172,7 @@ static void every_set(void) {
 
 typedef struct known {
   void (*make)(ball_set *);
-  uint32_t components, cells, shells;
+  uint32_t components, regions, shells;
   uint32_t genus_outside, genus_inside; /* sums over shells */
 } known;
 
@@ -203,7 +203,7 @@ static void known_sets(void) {
     check_scene("%s", set.name);
     if (made(&set, &c, &t)) {
       CHECK_EQUAL(t.counts.components, sets[k].components);
-      CHECK_EQUAL(t.counts.cells, sets[k].cells);
+      CHECK_EQUAL(t.counts.regions, sets[k].regions);
       CHECK_EQUAL(t.counts.shells, sets[k].shells);
       for (i = 0; i < t.counts.shells; ++i) {
         if (t.shells[i].kind == HSP_SHELL_OUTER) outside += t.shells[i].genus;
@@ -228,23 +228,23 @@ static void nesting(void) {
     uint32_t component[4], within[4];
     for (i = 0; i < 4; ++i) {
       component[i] = c.balls[26 * i].component;
-      within[i] = t.components[component[i]].cell;
+      within[i] = t.components[component[i]].region;
       CHECK_EQUAL(t.components[component[i]].shells, i < 3 ? 2 : 1);
       CHECK_EQUAL(t.components[component[i]].balls, i < 3 ? 26 : 1);
     }
     CHECK_EQUAL(within[0], 0);
     for (i = 1; i < 4; ++i) {
-      const hsp_cell *cell = t.cells + within[i];
-      if (!CHECK(within[i] != 0 && within[i] < t.counts.cells)) continue;
-      CHECK_EQUAL(t.shells[cell->enclosing_shell].component, component[i - 1]);
-      CHECK_EQUAL(cell->components, 1);
-      CHECK_EQUAL(cell->shells, 2);
+      const hsp_region *region = t.regions + within[i];
+      if (!CHECK(within[i] != 0 && within[i] < t.counts.regions)) continue;
+      CHECK_EQUAL(t.shells[region->enclosing_shell].component, component[i - 1]);
+      CHECK_EQUAL(region->components, 1);
+      CHECK_EQUAL(region->shells, 2);
       /* the walls are the same but for their size */
-      CHECK_NEAR(t.shells[cell->enclosing_shell].volume * (i == 1   ? 1.0 / 512
-                                                           : i == 2 ? 1
-                                                                    : 512),
-                 t.shells[t.cells[within[2]].enclosing_shell].volume,
-                 1e-9 * t.shells[t.cells[within[2]].enclosing_shell].volume);
+      CHECK_NEAR(t.shells[region->enclosing_shell].volume * (i == 1   ? 1.0 / 512
+                                                             : i == 2 ? 1
+                                                                      : 512),
+                 t.shells[t.regions[within[2]].enclosing_shell].volume,
+                 1e-9 * t.shells[t.regions[within[2]].enclosing_shell].volume);
     }
     CHECK_EQUAL(t.counts.start_face, t.shells[t.components[component[0]].outer_shell].start_face);
   }
@@ -278,7 +278,7 @@ static void one_ball(void) {
   release(&c, &t);
 }
 
-/* No balls: nothing but the outer cell. */
+/* No balls: nothing but the outer region. */
 static void no_balls(void) {
   static ball_set set;
   computed c;
@@ -291,11 +291,11 @@ static void no_balls(void) {
     CHECK_EQUAL(t.counts.simple_faces, 0);
     CHECK_EQUAL(t.counts.shells, 0);
     CHECK_EQUAL(t.counts.components, 0);
-    CHECK_EQUAL(t.counts.cells, 1);
+    CHECK_EQUAL(t.counts.regions, 1);
     CHECK_EQUAL(t.counts.start_face, HSP_NONE);
-    CHECK_EQUAL(t.cells[0].enclosing_shell, HSP_NONE);
-    CHECK_EQUAL(t.cells[0].shells, 0);
-    CHECK_NEAR(t.cells[0].area, 0, 0);
+    CHECK_EQUAL(t.regions[0].enclosing_shell, HSP_NONE);
+    CHECK_EQUAL(t.regions[0].shells, 0);
+    CHECK_NEAR(t.regions[0].area, 0, 0);
   }
   release(&c, &t);
 }

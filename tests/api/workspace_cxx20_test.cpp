@@ -55,7 +55,7 @@ void test_all_and_range() {
   hardsphere::workspace work(lens, ones);
   EXPECT(hardsphere::all(hsp_boundary_get_circles, work.boundary()).size() == 1);
   EXPECT(hardsphere::all(hsp_boundary_get_vertices, work.boundary()).empty());
-  EXPECT(near(hardsphere::all(hsp_contacts_get, work.contacts())[0].area, pi * 3 / 4));
+  EXPECT(near(hardsphere::all(hsp_contacts_get_pairs, work.contacts())[0].area, pi * 3 / 4));
   EXPECT(hardsphere::all(hsp_query_neighbours, work.model(), 1U)[0] == 0);
   hsp_topology_counts counts{};
   hardsphere::check(hsp_topology_get_counts(work.topology(), &counts));
@@ -94,10 +94,10 @@ void test_lives() {
   for (int i = 0; i < 500; ++i) row.insert(row.end(), {1.0 * i, 0, 0});
   work.set(row, radius);
   EXPECT(near(work.measure().total.area, 4 * pi + 499 * 2 * pi, 1e-9));
-  EXPECT(hardsphere::all(hsp_contacts_get, work.contacts()).size() == 499);
+  EXPECT(hardsphere::all(hsp_contacts_get_pairs, work.contacts()).size() == 499);
   work.set(lens, ones);
   EXPECT(near(work.measure().total.area, 6 * pi));
-  EXPECT(hardsphere::all(hsp_contacts_get, work.contacts()).size() == 1);
+  EXPECT(hardsphere::all(hsp_contacts_get_pairs, work.contacts()).size() == 1);
   work.run(hsp_workspace_topology);
   work.set({}, {});
   EXPECT(work.measure().total.area == 0 && work.pairs().ids.empty());

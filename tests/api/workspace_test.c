@@ -103,9 +103,9 @@ static void check_results(hsp_workspace *work, const ball_set *set) {
   CHECK_EQUAL(hsp_view_get_info(work->view, &view), HSP_OK);
   CHECK_EQUAL(view.kind, HSP_PIECES_OUTSIDE_FARTHER);
   CHECK_EQUAL(hsp_cells_get_counts(work->cells, &free_space), HSP_OK);
-  CHECK_EQUAL(free_space.regions, topology.cells);
+  CHECK_EQUAL(free_space.regions, topology.regions);
   CHECK(path.ends == HSP_PATH_CONNECTED && path.certified == 1);
-  CHECK_EQUAL(hsp_gate_get(work->gate, &widest), HSP_OK);
+  CHECK_EQUAL(hsp_gate_get_widest(work->gate, &widest), HSP_OK);
   CHECK(widest.passes == 1 && widest.radius > 0);
   if (set->n <= 30) {
     CHECK(tunnel.there == 1 && tunnel.points >= 2 && tunnel.points <= work->pores_limits.points);
@@ -201,7 +201,7 @@ static void out_of_date(void) {
     CHECK_EQUAL(hsp_contacts_get_complex(work.contacts, &complex), HSP_E_STATE);
     CHECK_EQUAL(hsp_workspace_contacts(&work), HSP_E_STATE);
     CHECK_EQUAL(hsp_cells_get_counts(work.cells, &cells), HSP_E_STATE);
-    CHECK_EQUAL(hsp_gate_get(work.gate, &widest), HSP_E_STATE);
+    CHECK_EQUAL(hsp_gate_get_widest(work.gate, &widest), HSP_E_STATE);
     CHECK_EQUAL(hsp_workspace_topology(&work), HSP_E_STATE);
   }
   check_scene("a refused set");
@@ -234,7 +234,7 @@ static void check_readings(hsp_workspace *work, int32_t expected) {
   CHECK_EQUAL(hsp_map_get_info(work->map, &map), expected);
   CHECK_EQUAL(hsp_contacts_get_complex(work->contacts, &complex), expected);
   CHECK_EQUAL(hsp_cells_get_counts(work->cells, &cells), expected);
-  CHECK_EQUAL(hsp_gate_get(work->gate, &widest), expected);
+  CHECK_EQUAL(hsp_gate_get_widest(work->gate, &widest), expected);
 }
 
 /* As many balls as before that meet more: the boundary moves into larger memory, and what was computed from it does not

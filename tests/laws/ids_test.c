@@ -5,9 +5,9 @@
 #include "law.h"
 
 static int is_id(const argument *a) {
-  static const char *const ids[] = {"ball",          "vertex", "edge",    "face",  "cell",   "patch",
-                                    "shell",         "h",      "q",       "first", "stage",  "worker",
-                                    "atomic_number", "shells", "maximum", "gate",  "pocket", "avoided"};
+  static const char *const ids[] = {"ball",   "vertex",  "edge", "face",   "cell",   "region", "patch",
+                                    "shell",  "h",       "q",    "first",  "stage",  "worker", "atomic_number",
+                                    "shells", "maximum", "gate", "pocket", "avoided"};
   size_t k;
   if (strcmp(a->base, "uint32_t") != 0 || (a->kind != KIND_value && a->kind != KIND_array_in)) return 0;
   for (k = 0; k < sizeof ids / sizeof ids[0]; ++k) {

@@ -266,7 +266,7 @@ void print_set(const std::string &name, const support::BallList &balls, double p
     return hsp_topology_compute(handle, boundary, limits);
   });
   print_all(set, "shells", topology.get(), hsp_topology_get_shells);
-  print_all(set, "cells", topology.get(), hsp_topology_get_cells);
+  print_all(set, "cells", topology.get(), hsp_topology_get_regions);
   print_views(set, model.get(), boundary, n);
   print_maps(set, model.get(), n);
 }

@@ -135,7 +135,7 @@ static void print_moving(const computed *c) {
     print_status("ball", hsp_moving_get_balls(moving, 1, &other, &record));
     printf(" %" PRIu32 " %" PRIu32 " %" PRIu32, record.faces, record.flags, record.gradient_flags);
     print_doubles(record.d_centre, 3);
-    print_doubles(&record.volume, 1);
+    print_doubles(&record.volume_term, 1);
     end_line();
   }
   free(memory);

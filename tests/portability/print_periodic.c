@@ -72,7 +72,7 @@ static void print_periodic_results(const periodic_result *p) {
   print_doubles(&p->totals.volume, 1);
   print_doubles(&p->totals.free_volume, 1);
   print_doubles(p->area, p->base->n);
-  print_doubles(p->cell_volume, p->base->n);
+  print_doubles(p->share_volume, p->base->n);
   end_line();
   for (i = 0; i < n->contacts; ++i) {
     const hsp_periodic_contact *contact = &p->contacts[i];
@@ -82,7 +82,7 @@ static void print_periodic_results(const periodic_result *p) {
     print_numbers(&contact->chords, 1);
     print_numbers(&contact->flags, 1);
     print_doubles(&contact->area, 1);
-    print_doubles(&contact->edge, 1);
+    print_doubles(&contact->rim, 1);
     print_doubles(&contact->distance, 1);
     end_line();
   }

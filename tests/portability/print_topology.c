@@ -42,7 +42,7 @@ static void print_shells(const topology_result *t) {
   for (i = 0; i < t->counts.shells; ++i) {
     const hsp_shell *shell = &t->shells[i];
     printf("shell %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRId32 " %" PRIu32 " %" PRIu32, shell->kind, shell->component,
-           shell->cell, shell->euler, shell->genus, shell->start_face);
+           shell->region, shell->euler, shell->genus, shell->start_face);
     print_doubles(&shell->area, 1);
     print_doubles(&shell->volume, 1);
     print_doubles(shell->point, 3);
@@ -51,18 +51,18 @@ static void print_shells(const topology_result *t) {
   for (i = 0; i < t->counts.components; ++i) {
     const hsp_component *component = &t->components[i];
     printf("component %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 "\n", component->balls,
-           component->top_ball, component->outer_shell, component->shells, component->cell);
+           component->top_ball, component->outer_shell, component->shells, component->region);
   }
-  for (i = 0; i < t->counts.cells; ++i) {
-    const hsp_cell *cell = &t->cells[i];
-    printf("cell %" PRIu32 " %" PRIu32 " %" PRIu32, cell->enclosing_shell, cell->components, cell->shells);
-    print_doubles(&cell->area, 1);
-    print_doubles(&cell->volume, 1);
+  for (i = 0; i < t->counts.regions; ++i) {
+    const hsp_region *region = &t->regions[i];
+    printf("region %" PRIu32 " %" PRIu32 " %" PRIu32, region->enclosing_shell, region->components, region->shells);
+    print_doubles(&region->area, 1);
+    print_doubles(&region->volume, 1);
     end_line();
   }
 }
 
-/* The scan of every shell, and the cell of a point beside every ball's centre. */
+/* The scan of every shell, and the region of a point beside every ball's centre. */
 static void print_answers(const topology_result *t) {
   uint32_t *faces = malloc((t->counts.simple_faces + 1) * sizeof *faces);
   uint32_t i, needed = 0;
@@ -76,9 +76,9 @@ static void print_answers(const topology_result *t) {
   for (i = 0; i < t->base->n; ++i) {
     const double *ball = &t->base->xyz[3 * i];
     const double point[3] = {ball[0] + 0.5, ball[1] + 0.5, ball[2] + 0.5};
-    uint32_t cell = 0;
-    print_status("located", hsp_topology_locate(t->topology, point, &cell));
-    print_numbers(&cell, 1);
+    uint32_t region = 0;
+    print_status("located", hsp_topology_locate(t->topology, point, &region));
+    print_numbers(&region, 1);
     end_line();
   }
 }

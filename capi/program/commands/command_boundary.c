@@ -17,7 +17,7 @@ struct counted {
 };
 
 static uint32_t voids_of(const struct counted *counted) {
-  return counted->topology.cells - 1;
+  return counted->topology.regions - 1;
 }
 
 static bool shell_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
@@ -27,7 +27,7 @@ static bool shell_row(const void *of, size_t row, union cell cells[MOST_COLUMNS]
   cells[0].count = (int64_t)row;
   cells[1].text = shell->kind == HSP_SHELL_VOID ? "void" : "outer";
   cells[2].count = shell->component;
-  cells[3].count = shell->cell;
+  cells[3].count = shell->region;
   cells[4].count = shell->faces;
   cells[5].count = shell->euler;
   cells[6].count = shell->genus;

@@ -121,7 +121,7 @@ static void add_input(struct record *record, const char *key, const struct molec
 /* Both nearest balls in the columns that either file has something for. */
 static void print_nearest(const struct molecule_request *const both[2], const struct clash *clash,
                           struct text_buffer *out) {
-  const uint32_t nearest[2] = {clash->gap.fixed, clash->gap.moving};
+  const uint32_t nearest[2] = {clash->gap.fixed, clash->gap.posed};
   struct ball_columns columns = {false, false};
   for (int k = 0; k < 2; ++k) {
     const struct ball_columns own = ball_columns_of(both[k]->molecule);
@@ -139,7 +139,7 @@ static void print_nearest(const struct molecule_request *const both[2], const st
 
 static void print(const struct molecule_request *const both[2], const struct clash *clash, struct text_buffer *out) {
   const bool json = both[0]->request->json;
-  const uint32_t pairs = clash->overlap.pairs, nearest[2] = {clash->gap.fixed, clash->gap.moving};
+  const uint32_t pairs = clash->overlap.pairs, nearest[2] = {clash->gap.fixed, clash->gap.posed};
   struct record record = {json ? AS_JSON : FOR_PERSONS, both[0]->molecule, NULL, VALUE_WIDTH, false, out};
   if (json) text_buffer_add_text(out, "{");
   for (int k = 0; k < 2 && !json; ++k) report_heading(out, both[k]->request, both[k]->molecule);

@@ -40,11 +40,12 @@ static void findings_free(struct findings *found) {
 }
 
 static bool find_contacts(const struct geometry *geometry, struct findings *found, struct failure *failure) {
-  int32_t status = hsp_contacts_get(geometry->work.contacts, NULL, 0, &found->contact_count);
+  int32_t status = hsp_contacts_get_pairs(geometry->work.contacts, NULL, 0, &found->contact_count);
   if (status != HSP_OK && status != HSP_E_CAPACITY) return failure_in_library(failure, status);
   found->contacts = calloc((size_t)found->contact_count + 1, sizeof *found->contacts);
   if (found->contacts == NULL) return failure_of_memory(failure);
-  status = hsp_contacts_get(geometry->work.contacts, found->contacts, found->contact_count, &found->contact_count);
+  status =
+      hsp_contacts_get_pairs(geometry->work.contacts, found->contacts, found->contact_count, &found->contact_count);
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
@@ -85,7 +86,7 @@ static bool find_contacts_in_box(struct findings *found, struct failure *failure
   for (uint32_t k = 0; status == HSP_OK && k < count; ++k) {
     hsp_contact *contact = &found->contacts[k];
     contact->area = list[k].area;
-    contact->edge = list[k].edge;
+    contact->rim = list[k].rim;
     contact->distance = list[k].distance;
     memcpy(contact->ball, list[k].ball, sizeof contact->ball);
     memcpy(found->shift + 3 * (size_t)k, list[k].shift, sizeof list[k].shift);
@@ -175,7 +176,7 @@ static bool pair_row(const void *of, size_t row, union cell cells[MOST_COLUMNS],
   const hsp_contact *contact = &listed->found->contacts[row];
   (void)text;
   cells[0].quantity = contact->area;
-  cells[1].quantity = contact->edge;
+  cells[1].quantity = contact->rim;
   cells[2].quantity = contact->distance;
   cells[3].shift = listed->found->shift == NULL ? NULL : listed->found->shift + 3 * row;
   return contact->area >= listed->request->least;
@@ -217,7 +218,7 @@ static bool between_row(const void *of, size_t row, union cell cells[MOST_COLUMN
   const hsp_group_contact *sum = &listed->found->between[row];
   (void)text;
   cells[0].quantity = sum->area;
-  cells[1].quantity = sum->edge;
+  cells[1].quantity = sum->rim;
   cells[2].count = sum->contacts;
   return sum->area >= listed->request->least;
 }

@@ -89,7 +89,7 @@ bool command_gate(const struct request *request, const struct molecule *molecule
   struct ends *const ends = &found.ends;
   if (!find_ends(request, molecule, geometry, ends, failure)) return false;
   if (!geometry_find_gate(geometry, molecule, ends->from, ends->inside ? ends->to : NULL, failure)) return false;
-  const int32_t status = hsp_gate_get(geometry->work.gate, &found.widest);
+  const int32_t status = hsp_gate_get_widest(geometry->work.gate, &found.widest);
   if (status != HSP_OK) return failure_in_library(failure, status);
   report(request, molecule, print, &found, out);
   return true;

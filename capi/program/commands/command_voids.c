@@ -18,7 +18,7 @@ static bool void_row(const void *of, size_t row, union cell cells[MOST_COLUMNS],
   const struct void_room *room = &cell->room;
   (void)text;
   cells[0].count = (int64_t)row + 1;
-  cells[1].count = cell->cell;
+  cells[1].count = cell->region;
   cells[2].quantity = cells[4].quantity = cell->figures.volume;
   cells[3].quantity = cell->figures.area;
   cells[5].count = cells[12].count = cell->figures.components;

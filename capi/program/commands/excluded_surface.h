@@ -20,8 +20,8 @@ struct excluded_surface {
   double convex_area, saddle_area, concave_area;
 };
 
-/* Measure it over the boundary, which is computed, or its outer cell alone. share [atoms] gets each ball's part of the
- * area; NULL: nobody asks. */
+/* Measure it over the boundary, which is computed, or its outer region alone. share [atoms] gets each ball's part of
+ * the area; NULL: nobody asks. */
 bool excluded_surface_measure(bool outer, uint32_t atoms, struct geometry *geometry, struct excluded_surface *surface,
                               double *share, struct failure *failure);
 

@@ -18,7 +18,7 @@ bool geometry_compute_outer_surface(struct geometry *geometry, struct failure *f
   if (status != HSP_OK) return failure_in_library(failure, status);
   uint32_t *shells = calloc((size_t)counts.shells + 1, sizeof *shells);
   if (shells == NULL) return failure_of_memory(failure);
-  status = hsp_topology_get_cell_shells(geometry->work.topology, 0, shells, counts.shells, &needed);
+  status = hsp_topology_get_region_shells(geometry->work.topology, 0, shells, counts.shells, &needed);
   progress_show(&geometry->progress, "computing the surface");
   if (status == HSP_OK) status = hsp_workspace_surface_of(&geometry->work, shells, needed);
   free(shells);
@@ -60,9 +60,9 @@ static void set_patch(const hsp_surface_patch *from, const struct parts *parts, 
 }
 
 bool geometry_list_patches(const struct geometry *geometry, struct mesh_patch **patches, struct failure *failure) {
-  hsp_surface_map_counts counts;
+  hsp_surface_part_counts counts;
   struct parts parts = {NULL, NULL, NULL};
-  int32_t status = hsp_surface_get_map_counts(geometry->work.surface, &counts);
+  int32_t status = hsp_surface_get_part_counts(geometry->work.surface, &counts);
   if (status != HSP_OK) return failure_in_library(failure, status);
   hsp_surface_patch *from = calloc((size_t)counts.patches + 1, sizeof *from);
   *patches = calloc((size_t)counts.patches + 1, sizeof **patches);

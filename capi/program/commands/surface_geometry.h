@@ -11,7 +11,7 @@
 /* Compute the solvent-excluded surface over the boundary, which is computed. */
 bool geometry_compute_surface(struct geometry *geometry, struct failure *failure);
 
-/* The same of the outer cell alone, as if voids were filled. */
+/* The same of the outer region alone, as if voids were filled. */
 bool geometry_compute_outer_surface(struct geometry *geometry, struct failure *failure);
 
 /* Of a computed surface, what each of its patches comes from: of convex ones nothing. To be freed on true. */

@@ -14,25 +14,25 @@ static int order_of_voids(const void *left, const void *right) {
   const struct void_cell *b = right;
   const double more = b->figures.volume - a->figures.volume;
   if (more != 0.0) return more > 0.0 ? 1 : -1;
-  return order_of_numbers(a->cell, b->cell);
+  return order_of_numbers(a->region, b->region);
 }
 
-static bool take_cells(const struct geometry *geometry, struct void_list *list, struct failure *failure) {
-  uint32_t cells = 0;
-  int32_t status = hsp_topology_get_cells(geometry->work.topology, NULL, 0, &cells);
+static bool take_regions(const struct geometry *geometry, struct void_list *list, struct failure *failure) {
+  uint32_t regions = 0;
+  int32_t status = hsp_topology_get_regions(geometry->work.topology, NULL, 0, &regions);
   if (status != HSP_OK && status != HSP_E_CAPACITY) return failure_in_library(failure, status);
-  hsp_cell *all = calloc((size_t)cells + 1, sizeof *all);
-  list->voids = calloc((size_t)cells + 1, sizeof *list->voids);
+  hsp_region *all = calloc((size_t)regions + 1, sizeof *all);
+  list->voids = calloc((size_t)regions + 1, sizeof *list->voids);
   bool done = all != NULL && list->voids != NULL;
   if (!done) {
     failure_of_memory(failure);
   } else {
-    status = hsp_topology_get_cells(geometry->work.topology, all, cells, &cells);
+    status = hsp_topology_get_regions(geometry->work.topology, all, regions, &regions);
     done = status == HSP_OK || failure_in_library(failure, status);
   }
-  for (uint32_t cell = 1; done && cell < cells; ++cell) {
-    list->voids[list->count++] = (struct void_cell){.cell = cell,
-                                                    .figures = all[cell],
+  for (uint32_t region = 1; done && region < regions; ++region) {
+    list->voids[list->count++] = (struct void_cell){.region = region,
+                                                    .figures = all[region],
                                                     .low = {HUGE_VAL, HUGE_VAL, HUGE_VAL},
                                                     .high = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
   }
@@ -68,9 +68,9 @@ static bool take_pieces(const struct geometry *geometry, struct pieces *pieces, 
 static void find_boxes(const struct pieces *pieces, const hsp_shell *shells, struct void_list *list) {
   for (uint32_t i = 0; i < pieces->counts.arcs; ++i) {
     const hsp_arc *arc = &pieces->arcs[i];
-    const uint32_t cell = shells[pieces->faces[arc->face[0]].shell].cell;
-    if (cell == 0) continue;
-    struct void_cell *of = &list->voids[cell - 1];
+    const uint32_t region = shells[pieces->faces[arc->face[0]].shell].region;
+    if (region == 0) continue;
+    struct void_cell *of = &list->voids[region - 1];
     for (int axis = 0; axis < 3; ++axis) {
       for (int end = 0; end < 2; ++end) {
         const double coordinate = pieces->vertices[arc->vertex[end]].xyz[axis];
@@ -90,8 +90,8 @@ static bool take_balls(const struct geometry *geometry, uint32_t face_count, str
   for (uint32_t i = 0; i < list->count; ++i) {
     struct void_cell *of = &list->voids[i];
     of->balls = &list->balls[taken];
-    const int32_t status = hsp_topology_get_cell_balls(geometry->work.topology, of->cell, &list->balls[taken],
-                                                       face_count - taken, &of->ball_count);
+    const int32_t status = hsp_topology_get_region_balls(geometry->work.topology, of->region, &list->balls[taken],
+                                                         face_count - taken, &of->ball_count);
     if (status != HSP_OK) return failure_in_library(failure, status);
     taken += of->ball_count;
   }
@@ -132,7 +132,7 @@ static bool find_rooms(const struct geometry *geometry, const struct molecule *m
                        struct void_list *list, struct failure *failure) {
   for (uint32_t i = 0; i < list->count; ++i) {
     struct void_cell *of = &list->voids[i];
-    const struct void_wall wall = {.cell = of->cell,
+    const struct void_wall wall = {.region = of->region,
                                    .balls = of->balls,
                                    .ball_count = of->ball_count,
                                    .xyz = molecule->xyz,
@@ -151,7 +151,7 @@ bool void_list_make(const struct geometry *geometry, const struct molecule *mole
   hsp_shell *shells = NULL;
   uint32_t shell_count = 0;
   if (!geometry_list_shells(geometry, &shells, &shell_count, failure)) return false;
-  const bool done = take_cells(geometry, list, failure) && take_walls(geometry, shells, list, failure);
+  const bool done = take_regions(geometry, list, failure) && take_walls(geometry, shells, list, failure);
   free(shells);
   if (!done) return false;
   if (list->count > 1) qsort(list->voids, list->count, sizeof *list->voids, order_of_voids);

@@ -1,4 +1,4 @@
-/* The voids of a molecule: the bounded cells of the complement, with the balls around them. */
+/* The voids of a molecule: the bounded regions of the complement, with the balls around them. */
 #ifndef HARDSPHERE_TOOL_VOID_LIST_H
 #define HARDSPHERE_TOOL_VOID_LIST_H
 
@@ -11,8 +11,8 @@
 #include "read/molecule.h"
 
 struct void_cell {
-  uint32_t cell; /* its number in the library, from 1 on */
-  hsp_cell figures;
+  uint32_t region; /* its number in the library, from 1 on */
+  hsp_region figures;
   const uint32_t *balls; /* those with a face on it, ascending; in void_list.balls */
   uint32_t ball_count;
   double middle[3]; /* mean of the centres of these balls; it may lie in one */

@@ -57,9 +57,9 @@ static double clearance_of(const struct void_wall *wall, const double point[3], 
 
 /* Whether the point lies in the void, by the library's integers. */
 static bool lies_inside(const struct search *search, const double point[3], bool *inside, struct failure *failure) {
-  uint32_t cell = HSP_NONE;
-  const int32_t status = hsp_topology_locate(search->geometry->work.topology, point, &cell);
-  *inside = status == HSP_OK && cell == search->wall->cell;
+  uint32_t region = HSP_NONE;
+  const int32_t status = hsp_topology_locate(search->geometry->work.topology, point, &region);
+  *inside = status == HSP_OK && region == search->wall->region;
   return status == HSP_OK || failure_in_library(failure, status);
 }
 

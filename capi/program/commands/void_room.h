@@ -10,7 +10,7 @@
 
 /* The balls with a face on a void, as they are in the model, and a box that the void lies in. */
 struct void_wall {
-  uint32_t cell;
+  uint32_t region;
   const uint32_t *balls;
   uint32_t ball_count;
   const double *xyz;    /* [3] of every ball of the molecule */

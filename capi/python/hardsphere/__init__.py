@@ -261,7 +261,7 @@ class Box(_Set):
         if selected is not None:
             raise ValueError("in a box all balls are measured")
         found = self.handle.measure()
-        return Measure(found.totals.area, found.totals.volume, found.area, found.cell_volume)
+        return Measure(found.totals.area, found.totals.volume, found.area, found.share_volume)
 
     def gradient(self, tension: float = 1.0, pressure: float = 0.0, sigma: Any = None, tangency: int = 0) -> Gradient:
         """As that of Balls, and by the strain and the vectors of the box."""

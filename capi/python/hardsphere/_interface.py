@@ -163,7 +163,7 @@ class Pose(Record):
 
 class BodyGap(Record):
     """The pair of balls that are nearest."""
-    _fields_ = [("gap", C.c_double), ("fixed", C.c_uint32), ("moving", C.c_uint32)]
+    _fields_ = [("gap", C.c_double), ("fixed", C.c_uint32), ("posed", C.c_uint32)]
 
 
 class BodyOverlap(Record):
@@ -249,7 +249,7 @@ class MeasureRequest(Record):
 class MeasureOutputs(Record):
     """The results that are wanted, and where they go."""
     _fields_ = [("struct_size", C.c_uint32), ("capacity", C.c_uint32), ("needed", C.c_uint32), ("reserved", C.c_uint32),
-                ("totals", C.c_void_p), ("area", C.c_void_p), ("volume", C.c_void_p)]
+                ("totals", C.c_void_p), ("area", C.c_void_p), ("volume_term", C.c_void_p)]
 
 
 class Energy(Record):
@@ -303,7 +303,7 @@ class MovingInfo(Record):
 
 class MovingBall(Record):
     """All that is known of a ball."""
-    _fields_ = [("centre", C.c_double * 3), ("radius", C.c_double), ("area", C.c_double), ("volume", C.c_double),
+    _fields_ = [("centre", C.c_double * 3), ("radius", C.c_double), ("area", C.c_double), ("volume_term", C.c_double),
                 ("d_centre", C.c_double * 3), ("d_radius", C.c_double), ("faces", C.c_uint32), ("flags", C.c_uint32),
                 ("gradient_flags", C.c_uint32), ("reserved", C.c_uint32)]
 
@@ -341,13 +341,13 @@ class ContactsLimits(Record):
 
 class Contact(Record):
     """A contact of two balls."""
-    _fields_ = [("area", C.c_double), ("edge", C.c_double), ("distance", C.c_double), ("ball", C.c_uint32 * 2),
+    _fields_ = [("area", C.c_double), ("rim", C.c_double), ("distance", C.c_double), ("ball", C.c_uint32 * 2),
                 ("chords", C.c_uint32), ("flags", C.c_uint32), ("reserved", C.c_uint32 * 2)]
 
 
 class GroupContact(Record):
     """The contact of two groups of balls."""
-    _fields_ = [("area", C.c_double), ("edge", C.c_double), ("group", C.c_uint32 * 2), ("contacts", C.c_uint32),
+    _fields_ = [("area", C.c_double), ("rim", C.c_double), ("group", C.c_uint32 * 2), ("contacts", C.c_uint32),
                 ("reserved", C.c_uint32)]
 
 
@@ -390,7 +390,7 @@ class PeriodicMorphometryOutputs(Record):
 
 class PeriodicContact(Record):
     """A contact of a ball and an image."""
-    _fields_ = [("area", C.c_double), ("edge", C.c_double), ("distance", C.c_double), ("ball", C.c_uint32 * 2),
+    _fields_ = [("area", C.c_double), ("rim", C.c_double), ("distance", C.c_double), ("ball", C.c_uint32 * 2),
                 ("chords", C.c_uint32), ("flags", C.c_uint32), ("shift", C.c_int32 * 3), ("reserved", C.c_uint32)]
 
 
@@ -471,8 +471,8 @@ class SurfaceTotals(Record):
                 ("concave_area", C.c_double)]
 
 
-class SurfaceMapCounts(Record):
-    """How many parts the surface has as a map."""
+class SurfacePartCounts(Record):
+    """How many parts the surface has."""
     _fields_ = [("patches", C.c_uint32), ("edges", C.c_uint32), ("corners", C.c_uint32), ("shells", C.c_uint32),
                 ("cusps", C.c_uint32), ("junctions", C.c_uint32), ("creases", C.c_uint32), ("reserved", C.c_uint32)]
 
@@ -523,7 +523,7 @@ class TopologyLimits(Record):
 class TopologyCounts(Record):
     """How many of everything."""
     _fields_ = [("vertices", C.c_uint32), ("edges", C.c_uint32), ("simple_faces", C.c_uint32),
-                ("cut_edges", C.c_uint32), ("shells", C.c_uint32), ("components", C.c_uint32), ("cells", C.c_uint32),
+                ("cut_edges", C.c_uint32), ("shells", C.c_uint32), ("components", C.c_uint32), ("regions", C.c_uint32),
                 ("start_face", C.c_uint32)]
 
 
@@ -549,7 +549,7 @@ class SimpleFace(Record):
 class Shell(Record):
     """A shell:"""
     _fields_ = [("area", C.c_double), ("volume", C.c_double), ("point", C.c_double * 3), ("euler", C.c_int32),
-                ("genus", C.c_uint32), ("kind", C.c_uint32), ("component", C.c_uint32), ("cell", C.c_uint32),
+                ("genus", C.c_uint32), ("kind", C.c_uint32), ("component", C.c_uint32), ("region", C.c_uint32),
                 ("faces", C.c_uint32), ("simple_faces", C.c_uint32), ("edges", C.c_uint32), ("vertices", C.c_uint32),
                 ("start_face", C.c_uint32)]
 
@@ -557,11 +557,11 @@ class Shell(Record):
 class Component(Record):
     """A connected component of the union."""
     _fields_ = [("balls", C.c_uint32), ("top_ball", C.c_uint32), ("outer_shell", C.c_uint32), ("shells", C.c_uint32),
-                ("cell", C.c_uint32), ("reserved", C.c_uint32)]
+                ("region", C.c_uint32), ("reserved", C.c_uint32)]
 
 
-class Cell(Record):
-    """A cell:"""
+class Region(Record):
+    """A region:"""
     _fields_ = [("area", C.c_double), ("volume", C.c_double), ("enclosing_shell", C.c_uint32),
                 ("components", C.c_uint32), ("shells", C.c_uint32), ("reserved", C.c_uint32)]
 
@@ -861,44 +861,44 @@ class Body(Handle):
         """Take the balls of a model."""
         return call("hsp_body_set", self, model=model)
 
-    def hits(self, moving: Body, pose: Any) -> Any:
-        """Whether any ball of the moving body meets one of the body at rest, for each pose [poses]: hit [poses] becomes
+    def hits(self, posed: Body, pose: Any) -> Any:
+        """Whether any ball of the posed body meets one of the body at rest, for each pose [poses]: hit [poses] becomes
         1 or 0."""
-        return call("hsp_body_hits", self, moving=moving, pose=pose)
+        return call("hsp_body_hits", self, posed=posed, pose=pose)
 
-    def hits_along(self, moving: Body, pose: Any, margin: float) -> Any:
+    def hits_along(self, posed: Body, pose: Any, margin: float) -> Any:
         """The same answers, sooner for the frames of a motion, of which each is near the one before."""
-        return call("hsp_body_hits_along", self, moving=moving, pose=pose, margin=margin)
+        return call("hsp_body_hits_along", self, posed=posed, pose=pose, margin=margin)
 
-    def gaps(self, moving: Body, pose: Any) -> Any:
+    def gaps(self, posed: Body, pose: Any) -> Any:
         """The least gap for each pose [poses]: gap [poses]."""
-        return call("hsp_body_gaps", self, moving=moving, pose=pose)
+        return call("hsp_body_gaps", self, posed=posed, pose=pose)
 
-    def overlaps(self, moving: Body, pose: Any) -> Any:
+    def overlaps(self, posed: Body, pose: Any) -> Any:
         """The penalty that docking codes want, for each pose [poses]: overlap [poses]."""
-        return call("hsp_body_overlaps", self, moving=moving, pose=pose)
+        return call("hsp_body_overlaps", self, posed=posed, pose=pose)
 
-    def pairs(self, moving: Body, pose: Pose) -> Any:
+    def pairs(self, posed: Body, pose: Pose) -> Any:
         """All pairs of balls that meet in one pose: pair [needed][2], the ball at rest first, ascending."""
-        return call("hsp_body_pairs", self, moving=moving, pose=pose)
+        return call("hsp_body_pairs", self, posed=posed, pose=pose)
 
-    def rational_hits(self, moving: Body, pose: Any) -> Any:
+    def rational_hits(self, posed: Body, pose: Any) -> Any:
         """As hsp_body_hits, for each rational pose [poses], which moves a body as truly rigid: no ball is put on the
         lattice again, and whether two balls meet is decided about the ideal ones, in integers of 256 bits where doubles
         leave a doubt."""
-        return call("hsp_body_rational_hits", self, moving=moving, pose=pose)
+        return call("hsp_body_rational_hits", self, posed=posed, pose=pose)
 
-    def rational_hits_along(self, moving: Body, pose: Any, margin: float) -> Any:
+    def rational_hits_along(self, posed: Body, pose: Any, margin: float) -> Any:
         """As hsp_body_hits_along, for each rational pose [poses]: the answers of hsp_body_rational_hits."""
-        return call("hsp_body_rational_hits_along", self, moving=moving, pose=pose, margin=margin)
+        return call("hsp_body_rational_hits_along", self, posed=posed, pose=pose, margin=margin)
 
-    def rational_gaps(self, moving: Body, pose: Any) -> Any:
+    def rational_gaps(self, posed: Body, pose: Any) -> Any:
         """As hsp_body_gaps, for each rational pose [poses]: of the ideal balls."""
-        return call("hsp_body_rational_gaps", self, moving=moving, pose=pose)
+        return call("hsp_body_rational_gaps", self, posed=posed, pose=pose)
 
-    def rational_pairs(self, moving: Body, pose: RationalPose) -> Any:
+    def rational_pairs(self, posed: Body, pose: RationalPose) -> Any:
         """As hsp_body_pairs, for a rational pose."""
-        return call("hsp_body_rational_pairs", self, moving=moving, pose=pose)
+        return call("hsp_body_rational_pairs", self, posed=posed, pose=pose)
 
 
 class Boundary(Handle):
@@ -950,16 +950,16 @@ class Boundary(Handle):
 
     def measure(self, selected: Any | None = None, *, only: Any | None = None) -> Any:
         """Area and volume of the union, and of each ball, or those of some balls while the others only block. Gives
-        .totals, .area, .volume."""
+        .totals, .area, .volume_term."""
         return call("hsp_boundary_measure", self, selected=selected, only=only)
 
     def get_measures(self, *, selected: Any | None = None, only: Any | None = None) -> Any:
-        """The same as a request says; request may be NULL: all defaults. Gives .totals, .area, .volume."""
+        """The same as a request says; request may be NULL: all defaults. Gives .totals, .area, .volume_term."""
         return call("hsp_boundary_get_measures", self, selected=selected, only=only)
 
     def measure_faces(self, *, only: Any | None = None) -> Any:
-        """Area, and term of the volume, of each face: area [faces] and volume [faces], each may be NULL, face ids as in
-        hsp_boundary_get_faces. Gives .area, .volume."""
+        """Area, and term of the volume, of each face: area [faces] and volume_term [faces], each may be NULL, face ids
+        as in hsp_boundary_get_faces. Gives .area, .volume_term."""
         return call("hsp_boundary_measure_faces", self, only=only)
 
     def get_gradient(self, *, tangency: int | None = None, tension: float | None = None, pressure: float | None = None,
@@ -1016,7 +1016,7 @@ class Moving(Handle):
 
     def measure(self, *, only: Any | None = None) -> Any:
         """Area and volume of the union, and of each ball, always of all balls; other arguments as of
-        hsp_boundary_measure. Gives .totals, .area, .volume."""
+        hsp_boundary_measure. Gives .totals, .area, .volume_term."""
         return call("hsp_moving_measure", self, only=only)
 
     def gradient(self, *, only: Any | None = None) -> Any:
@@ -1045,20 +1045,20 @@ class Contacts(Handle):
     noun = "contacts"
 
     def compute(self, boundary: Boundary) -> Contacts:
-        """Compute contacts, cells and dual complex of the balls of a computed boundary."""
+        """Compute contacts, shares and dual complex of the balls of a computed boundary."""
         return call("hsp_contacts_compute", self, boundary=boundary)
 
-    def get(self) -> Any:
+    def get_pairs(self) -> Any:
         """All contacts, ascending in their balls."""
-        return call("hsp_contacts_get", self)
+        return call("hsp_contacts_get_pairs", self)
 
     def get_row(self, ball: int) -> Any:
         """The contacts of one ball, ascending in the other one."""
         return call("hsp_contacts_get_row", self, ball=ball)
 
     def measure(self, *, only: Any | None = None) -> Any:
-        """Volume of the cell and area of all contacts of each ball; cell_volume [n] and contact_area [n] may each be
-        NULL and else hold capacity >= n entries. Gives .totals, .cell_volume, .contact_area."""
+        """Volume of the share and area of all contacts of each ball; share_volume [n] and contact_area [n] may each be
+        NULL and else hold capacity >= n entries. Gives .totals, .share_volume, .contact_area."""
         return call("hsp_contacts_measure", self, only=only)
 
     def group(self, group: Any) -> Any:
@@ -1075,7 +1075,7 @@ class Contacts(Handle):
         return call("hsp_contacts_get_simplices", self, dimension=dimension)
 
     def check(self) -> Any:
-        """Check contacts and cells against laws that hold for every set of balls: two ways to compute that have little
+        """Check contacts and shares against laws that hold for every set of balls: two ways to compute that have little
         in common. Gives .invariant, .id."""
         return call("hsp_contacts_check", self)
 
@@ -1094,9 +1094,9 @@ class Periodic(Handle):
         return call("hsp_periodic_get_counts", self)
 
     def measure(self, *, only: Any | None = None) -> Any:
-        """Area and volume of the union, and of each ball: area [n] is its free area, cell_volume [n] the volume of its
-        cell, which sum to the volume; each may be NULL and else holds capacity >= n entries. Gives .totals, .area,
-        .cell_volume."""
+        """Area and volume of the union, and of each ball: area [n] is its free area, share_volume [n] the volume of its
+        share, which sum to the volume; each may be NULL and else holds capacity >= n entries. Gives .totals, .area,
+        .share_volume."""
         return call("hsp_periodic_measure", self, only=only)
 
     def curvature(self, *, only: Any | None = None) -> Any:
@@ -1216,9 +1216,9 @@ class Surface(Handle):
         return call("hsp_surface_get_gradient", self, tangency=tangency, tension=tension, pressure=pressure,
                     sigma=sigma, only=only)
 
-    def get_map_counts(self) -> SurfaceMapCounts:
+    def get_part_counts(self) -> SurfacePartCounts:
         """How many patches, edges, corners and shells there are."""
-        return call("hsp_surface_get_map_counts", self)
+        return call("hsp_surface_get_part_counts", self)
 
     def next(self, h: int) -> int:
         """The next directed edge around the patch on the left of h, from where h ends; h itself if it is a whole
@@ -1254,7 +1254,7 @@ class Surface(Handle):
         return call("hsp_surface_get_corners", self, first=first, count=count)
 
     def get_shells(self) -> Any:
-        """The shells: hsp_surface_map_counts.shells records."""
+        """The shells: hsp_surface_part_counts.shells records."""
         return call("hsp_surface_get_shells", self)
 
     def check(self) -> Any:
@@ -1265,14 +1265,14 @@ class Surface(Handle):
 class Mesh(Handle):
     noun = "mesh"
 
-    def compute(self, boundary: Boundary, edge: float) -> Mesh:
+    def compute(self, boundary: Boundary, edge_length: float) -> Mesh:
         """Triangles for a computed boundary, with edges of about the given length: the van der Waals surface, or with a
         probe the solvent-accessible one."""
-        return call("hsp_mesh_compute", self, boundary=boundary, edge=edge)
+        return call("hsp_mesh_compute", self, boundary=boundary, edge_length=edge_length)
 
-    def compute_surface(self, surface: Surface, edge: float) -> Mesh:
+    def compute_surface(self, surface: Surface, edge_length: float) -> Mesh:
         """Triangles for a computed smooth surface, with edges of about the given length."""
-        return call("hsp_mesh_compute_surface", self, surface=surface, edge=edge)
+        return call("hsp_mesh_compute_surface", self, surface=surface, edge_length=edge_length)
 
     def get_counts(self) -> MeshCounts:
         """How many vertices and triangles there are."""
@@ -1306,7 +1306,7 @@ class Topology(Handle):
         return call("hsp_topology_compute", self, boundary=boundary)
 
     def get_counts(self) -> TopologyCounts:
-        """How many vertices, edges, faces, shells, components and cells there are."""
+        """How many vertices, edges, faces, shells, components and regions there are."""
         return call("hsp_topology_get_counts", self)
 
     def onext(self, q: int) -> int:
@@ -1353,18 +1353,18 @@ class Topology(Handle):
         """The connected components of the union, as numbered in hsp_ball: hsp_topology_counts.components records."""
         return call("hsp_topology_get_components", self)
 
-    def get_cells(self) -> Any:
-        """The cells of the complement: hsp_topology_counts.cells records."""
-        return call("hsp_topology_get_cells", self)
+    def get_regions(self) -> Any:
+        """The regions of the complement: hsp_topology_counts.regions records."""
+        return call("hsp_topology_get_regions", self)
 
-    def get_cell_shells(self, cell: int) -> Any:
-        """The shells that bound a cell, ascending: its enclosing shell, and the outer shell of every component in
+    def get_region_shells(self, region: int) -> Any:
+        """The shells that bound a region, ascending: its enclosing shell, and the outer shell of every component in
         it."""
-        return call("hsp_topology_get_cell_shells", self, cell=cell)
+        return call("hsp_topology_get_region_shells", self, region=region)
 
-    def get_cell_balls(self, cell: int) -> Any:
-        """The balls that line a cell, ascending: those with a face on one of its shells."""
-        return call("hsp_topology_get_cell_balls", self, cell=cell)
+    def get_region_balls(self, region: int) -> Any:
+        """The balls that line a region, ascending: those with a face on one of its shells."""
+        return call("hsp_topology_get_region_balls", self, region=region)
 
     def get_traversal(self, shell: int) -> Any:
         """The paper's scan of one shell: its simple faces in the order in which its recursion from start_face visits
@@ -1373,7 +1373,7 @@ class Topology(Handle):
         return call("hsp_topology_get_traversal", self, shell=shell)
 
     def locate(self, xyz: Any) -> int:
-        """Where the point xyz [3] lies: *cell becomes its cell, or HSP_NONE if it lies in a ball."""
+        """Where the point xyz [3] lies: *region becomes its region, or HSP_NONE if it lies in a ball."""
         return call("hsp_topology_locate", self, xyz=xyz)
 
     def check(self) -> Any:
@@ -1437,9 +1437,9 @@ class Gate(Handle):
         """Find the widest probe between two points, from [3] and to [3], or to the outside if `to` is NULL."""
         return call("hsp_gate_compute", self, model=model, from_=from_, to=to)
 
-    def get(self) -> WidestProbe:
+    def get_widest(self) -> WidestProbe:
         """The widest probe that was found."""
-        return call("hsp_gate_get", self)
+        return call("hsp_gate_get_widest", self)
 
 
 class Pores(Handle):
@@ -1852,30 +1852,30 @@ FUNCTIONS = {
     "hsp_body_set": "int32_t body:handle:hsp_body::never model:handle:hsp_model::never",
     "hsp_pose_from_matrix": "int32_t matrix:array_in:double:9:never translation:array_in:double:3:never "
         "pose:struct_out:hsp_pose::never",
-    "hsp_body_hits": "int32_t fixed:handle:hsp_body::never moving:handle:hsp_body::never poses:value:uint32_t::never "
+    "hsp_body_hits": "int32_t fixed:handle:hsp_body::never posed:handle:hsp_body::never poses:value:uint32_t::never "
         "pose:array_in:hsp_pose:poses:empty hit:array_out:uint32_t:poses:empty first_bad:value_out:uint32_t::always",
-    "hsp_body_hits_along": "int32_t fixed:handle:hsp_body::never moving:handle:hsp_body::never "
+    "hsp_body_hits_along": "int32_t fixed:handle:hsp_body::never posed:handle:hsp_body::never "
         "poses:value:uint32_t::never pose:array_in:hsp_pose:poses:empty margin:value:double::never "
         "hit:array_out:uint32_t:poses:empty first_bad:value_out:uint32_t::always",
-    "hsp_body_gaps": "int32_t fixed:handle:hsp_body::never moving:handle:hsp_body::never poses:value:uint32_t::never "
+    "hsp_body_gaps": "int32_t fixed:handle:hsp_body::never posed:handle:hsp_body::never poses:value:uint32_t::never "
         "pose:array_in:hsp_pose:poses:empty gap:array_out:hsp_body_gap:poses:empty "
         "first_bad:value_out:uint32_t::always",
-    "hsp_body_overlaps": "int32_t fixed:handle:hsp_body::never moving:handle:hsp_body::never "
+    "hsp_body_overlaps": "int32_t fixed:handle:hsp_body::never posed:handle:hsp_body::never "
         "poses:value:uint32_t::never pose:array_in:hsp_pose:poses:empty "
         "overlap:array_out:hsp_body_overlap:poses:empty first_bad:value_out:uint32_t::always",
-    "hsp_body_pairs": "int32_t fixed:handle:hsp_body::never moving:handle:hsp_body::never "
+    "hsp_body_pairs": "int32_t fixed:handle:hsp_body::never posed:handle:hsp_body::never "
         "pose:struct_in:hsp_pose::never pair:array_out:uint32_t:needed;2:empty capacity:capacity:uint32_t::never "
         "needed:needed:uint32_t::always",
-    "hsp_body_rational_hits": "int32_t fixed:handle:hsp_body::never moving:handle:hsp_body::never "
+    "hsp_body_rational_hits": "int32_t fixed:handle:hsp_body::never posed:handle:hsp_body::never "
         "poses:value:uint32_t::never pose:array_in:hsp_rational_pose:poses:empty hit:array_out:uint32_t:poses:empty "
         "first_bad:value_out:uint32_t::always",
-    "hsp_body_rational_hits_along": "int32_t fixed:handle:hsp_body::never moving:handle:hsp_body::never "
+    "hsp_body_rational_hits_along": "int32_t fixed:handle:hsp_body::never posed:handle:hsp_body::never "
         "poses:value:uint32_t::never pose:array_in:hsp_rational_pose:poses:empty margin:value:double::never "
         "hit:array_out:uint32_t:poses:empty first_bad:value_out:uint32_t::always",
-    "hsp_body_rational_gaps": "int32_t fixed:handle:hsp_body::never moving:handle:hsp_body::never "
+    "hsp_body_rational_gaps": "int32_t fixed:handle:hsp_body::never posed:handle:hsp_body::never "
         "poses:value:uint32_t::never pose:array_in:hsp_rational_pose:poses:empty "
         "gap:array_out:hsp_body_gap:poses:empty first_bad:value_out:uint32_t::always",
-    "hsp_body_rational_pairs": "int32_t fixed:handle:hsp_body::never moving:handle:hsp_body::never "
+    "hsp_body_rational_pairs": "int32_t fixed:handle:hsp_body::never posed:handle:hsp_body::never "
         "pose:struct_in:hsp_rational_pose::never pair:array_out:uint32_t:needed;2:empty "
         "capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_boundary_limits_init": "int32_t limits:sized:hsp_boundary_limits::never struct_size:value:uint32_t::never "
@@ -1910,12 +1910,12 @@ FUNCTIONS = {
         "probe:value:double::never memory:memory:void::never bytes:value_out:size_t::never "
         "area:array_out:double:n:always totals:struct_out:hsp_totals::always",
     "hsp_boundary_measure": "int32_t boundary:handle:hsp_boundary::never selected:array_in:uint8_t:n:always "
-        "totals:struct_out:hsp_totals::always area:array_out:double:n:always volume:array_out:double:n:always "
+        "totals:struct_out:hsp_totals::always area:array_out:double:n:always volume_term:array_out:double:n:always "
         "capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_boundary_get_measures": "int32_t boundary:handle:hsp_boundary::never "
         "request:sized_in:hsp_measure_request::always outputs:outputs:hsp_measure_outputs::never",
     "hsp_boundary_measure_faces": "int32_t boundary:handle:hsp_boundary::never area:array_out:double:faces:always "
-        "volume:array_out:double:faces:always capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
+        "volume_term:array_out:double:faces:always capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_gradient_request_init": "int32_t request:sized:hsp_gradient_request::never struct_size:value:uint32_t::never",
     "hsp_boundary_get_gradient": "int32_t boundary:handle:hsp_boundary::never "
         "request:sized_in:hsp_gradient_request::always outputs:outputs:hsp_gradient_outputs::never",
@@ -1938,7 +1938,7 @@ FUNCTIONS = {
     "hsp_moving_undo": "int32_t moving:handle:hsp_moving::never",
     "hsp_moving_get_info": "int32_t moving:handle:hsp_moving::never info:struct_out:hsp_moving_info::never",
     "hsp_moving_measure": "int32_t moving:handle:hsp_moving::never totals:struct_out:hsp_totals::always "
-        "area:array_out:double:n:always volume:array_out:double:n:always capacity:capacity:uint32_t::never "
+        "area:array_out:double:n:always volume_term:array_out:double:n:always capacity:capacity:uint32_t::never "
         "needed:needed:uint32_t::always",
     "hsp_moving_gradient": "int32_t moving:handle:hsp_moving::never energy:struct_out:hsp_energy::always "
         "d_centre:array_out:double:n;3:always d_radius:array_out:double:n:always flags:array_out:uint32_t:n:always "
@@ -1960,12 +1960,12 @@ FUNCTIONS = {
         "limits:sized_in:hsp_contacts_limits::never contacts:handle_out:hsp_contacts::never",
     "hsp_contacts_compute": "int32_t contacts:handle:hsp_contacts::never boundary:handle:hsp_boundary::never "
         "limits:sized:hsp_contacts_limits::always",
-    "hsp_contacts_get": "int32_t contacts:handle:hsp_contacts::never out:array_out:hsp_contact:needed:empty "
+    "hsp_contacts_get_pairs": "int32_t contacts:handle:hsp_contacts::never out:array_out:hsp_contact:needed:empty "
         "capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_contacts_get_row": "int32_t contacts:handle:hsp_contacts::never ball:value:uint32_t::never "
         "out:array_out:hsp_contact:needed:empty capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_contacts_measure": "int32_t contacts:handle:hsp_contacts::never totals:struct_out:hsp_totals::always "
-        "cell_volume:array_out:double:n:always contact_area:array_out:double:n:always "
+        "share_volume:array_out:double:n:always contact_area:array_out:double:n:always "
         "capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_contacts_group": "int32_t contacts:handle:hsp_contacts::never group:array_in:uint32_t:n:never "
         "out:array_out:hsp_group_contact:needed:empty capacity:capacity:uint32_t::never "
@@ -1987,7 +1987,7 @@ FUNCTIONS = {
         "counts:struct_out:hsp_periodic_counts::never",
     "hsp_periodic_measure": "int32_t periodic:handle:hsp_periodic::never "
         "totals:struct_out:hsp_periodic_totals::always area:array_out:double:n:always "
-        "cell_volume:array_out:double:n:always capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
+        "share_volume:array_out:double:n:always capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_periodic_curvature": "int32_t periodic:handle:hsp_periodic::never totals:struct_out:hsp_curvatures::always "
         "mean:array_out:double:n:always gauss_thirds:array_out:int32_t:n:always capacity:capacity:uint32_t::never "
         "needed:needed:uint32_t::always",
@@ -2051,8 +2051,8 @@ FUNCTIONS = {
         "needed:needed:uint32_t::always",
     "hsp_surface_get_gradient": "int32_t surface:handle:hsp_surface::never "
         "request:sized_in:hsp_gradient_request::always outputs:outputs:hsp_gradient_outputs::never",
-    "hsp_surface_get_map_counts": "int32_t surface:handle:hsp_surface::never "
-        "counts:struct_out:hsp_surface_map_counts::never",
+    "hsp_surface_get_part_counts": "int32_t surface:handle:hsp_surface::never "
+        "counts:struct_out:hsp_surface_part_counts::never",
     "hsp_surface_next": "uint32_t surface:handle:hsp_surface::never h:value:uint32_t::never",
     "hsp_surface_previous": "uint32_t surface:handle:hsp_surface::never h:value:uint32_t::never",
     "hsp_surface_next_loop": "uint32_t surface:handle:hsp_surface::never h:value:uint32_t::never",
@@ -2069,16 +2069,16 @@ FUNCTIONS = {
     "hsp_surface_check": "int32_t surface:handle:hsp_surface::never invariant:value_out:uint32_t::never "
         "id:value_out:uint32_t::never",
     "hsp_mesh_limits_init": "int32_t limits:sized:hsp_mesh_limits::never struct_size:value:uint32_t::never "
-        "boundary:handle:hsp_boundary::never edge:value:double::never",
+        "boundary:handle:hsp_boundary::never edge_length:value:double::never",
     "hsp_mesh_limits_init_surface": "int32_t limits:sized:hsp_mesh_limits::never struct_size:value:uint32_t::never "
-        "surface:handle:hsp_surface::never edge:value:double::never",
+        "surface:handle:hsp_surface::never edge_length:value:double::never",
     "hsp_mesh_bytes": "int32_t limits:sized_in:hsp_mesh_limits::never bytes:value_out:size_t::never",
     "hsp_mesh_init": "int32_t memory:memory:void::never bytes:value:size_t::never "
         "limits:sized_in:hsp_mesh_limits::never mesh:handle_out:hsp_mesh::never",
     "hsp_mesh_compute": "int32_t mesh:handle:hsp_mesh::never boundary:handle:hsp_boundary::never "
-        "edge:value:double::never limits:sized:hsp_mesh_limits::always",
+        "edge_length:value:double::never limits:sized:hsp_mesh_limits::always",
     "hsp_mesh_compute_surface": "int32_t mesh:handle:hsp_mesh::never surface:handle:hsp_surface::never "
-        "edge:value:double::never limits:sized:hsp_mesh_limits::always",
+        "edge_length:value:double::never limits:sized:hsp_mesh_limits::always",
     "hsp_mesh_get_counts": "int32_t mesh:handle:hsp_mesh::never counts:struct_out:hsp_mesh_counts::never",
     "hsp_mesh_get_vertices": "int32_t mesh:handle:hsp_mesh::never xyz:array_out:double:vertices;3:always "
         "normals:array_out:double:vertices;3:always areas:array_out:double:vertices:always "
@@ -2116,16 +2116,16 @@ FUNCTIONS = {
         "capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_topology_get_components": "int32_t topology:handle:hsp_topology::never "
         "out:array_out:hsp_component:needed:empty capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
-    "hsp_topology_get_cells": "int32_t topology:handle:hsp_topology::never out:array_out:hsp_cell:needed:empty "
+    "hsp_topology_get_regions": "int32_t topology:handle:hsp_topology::never out:array_out:hsp_region:needed:empty "
         "capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
-    "hsp_topology_get_cell_shells": "int32_t topology:handle:hsp_topology::never cell:value:uint32_t::never "
+    "hsp_topology_get_region_shells": "int32_t topology:handle:hsp_topology::never region:value:uint32_t::never "
         "shells:array_out:uint32_t:needed:empty capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
-    "hsp_topology_get_cell_balls": "int32_t topology:handle:hsp_topology::never cell:value:uint32_t::never "
+    "hsp_topology_get_region_balls": "int32_t topology:handle:hsp_topology::never region:value:uint32_t::never "
         "balls:array_out:uint32_t:needed:empty capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_topology_get_traversal": "int32_t topology:handle:hsp_topology::never shell:value:uint32_t::never "
         "faces:array_out:uint32_t:needed:empty capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_topology_locate": "int32_t topology:handle:hsp_topology::never xyz:array_in:double:3:never "
-        "cell:value_out:uint32_t::never",
+        "region:value_out:uint32_t::never",
     "hsp_topology_check": "int32_t topology:handle:hsp_topology::never invariant:value_out:uint32_t::never "
         "id:value_out:uint32_t::never",
     "hsp_cells_limits_init": "int32_t limits:sized:hsp_cells_limits::never struct_size:value:uint32_t::never "
@@ -2167,7 +2167,7 @@ FUNCTIONS = {
         "limits:sized_in:hsp_gate_limits::never gate:handle_out:hsp_gate::never",
     "hsp_gate_compute": "int32_t gate:handle:hsp_gate::never model:handle:hsp_model::never "
         "from:array_in:double:3:never to:array_in:double:3:always limits:sized:hsp_gate_limits::always",
-    "hsp_gate_get": "int32_t gate:handle:hsp_gate::never widest:struct_out:hsp_widest_probe::never",
+    "hsp_gate_get_widest": "int32_t gate:handle:hsp_gate::never widest:struct_out:hsp_widest_probe::never",
     "hsp_pores_limits_init": "int32_t limits:sized:hsp_pores_limits::never struct_size:value:uint32_t::never "
         "balls:value:uint32_t::never",
     "hsp_pores_bytes": "int32_t limits:sized_in:hsp_pores_limits::never bytes:value_out:size_t::never",
@@ -2309,7 +2309,7 @@ FIELDS = {
     "hsp_boundary_request": "executor:sized_in:hsp_executor::always selected:array_in:uint8_t:n:always",
     "hsp_measure_request": "selected:array_in:uint8_t:n:always executor:sized_in:hsp_executor::always",
     "hsp_measure_outputs": "capacity:capacity:uint32_t::never needed:needed:uint32_t::never "
-        "totals:struct_out:hsp_totals::always area:array_out:double:n:always volume:array_out:double:n:always",
+        "totals:struct_out:hsp_totals::always area:array_out:double:n:always volume_term:array_out:double:n:always",
     "hsp_gradient_request": "tangency:value:uint32_t::never tension:value:double::never pressure:value:double::never "
         "sigma:array_in:double:n:always executor:sized_in:hsp_executor::always",
     "hsp_gradient_outputs": "capacity:capacity:uint32_t::never needed:needed:uint32_t::never "
@@ -2364,12 +2364,12 @@ describe(FUNCTIONS, FIELDS, {'hsp_executor': Executor, 'hsp_residue_atom': Resid
          'hsp_periodic_id': PeriodicId, 'hsp_periodic_vertex': PeriodicVertex, 'hsp_periodic_arc': PeriodicArc,
          'hsp_periodic_circle': PeriodicCircle, 'hsp_periodic_face': PeriodicFace, 'hsp_periodic_loop': PeriodicLoop,
          'hsp_periodic_loop_arc': PeriodicLoopArc, 'hsp_surface_limits': SurfaceLimits, 'hsp_surface_counts':
-         SurfaceCounts, 'hsp_surface_totals': SurfaceTotals, 'hsp_surface_map_counts': SurfaceMapCounts,
+         SurfaceCounts, 'hsp_surface_totals': SurfaceTotals, 'hsp_surface_part_counts': SurfacePartCounts,
          'hsp_surface_patch': SurfacePatch, 'hsp_surface_edge': SurfaceEdge, 'hsp_surface_corner': SurfaceCorner,
          'hsp_surface_shell': SurfaceShell, 'hsp_mesh_limits': MeshLimits, 'hsp_mesh_counts': MeshCounts,
          'hsp_topology_limits': TopologyLimits, 'hsp_topology_counts': TopologyCounts, 'hsp_topology_vertex':
          TopologyVertex, 'hsp_topology_edge': TopologyEdge, 'hsp_simple_face': SimpleFace, 'hsp_shell': Shell,
-         'hsp_component': Component, 'hsp_cell': Cell, 'hsp_cells_limits': CellsLimits, 'hsp_cells_counts':
+         'hsp_component': Component, 'hsp_region': Region, 'hsp_cells_limits': CellsLimits, 'hsp_cells_counts':
          CellsCounts, 'hsp_free_cell': FreeCell, 'hsp_cell_pair': CellPair, 'hsp_arrangement': Arrangement,
          'hsp_paths_limits': PathsLimits, 'hsp_path': Path, 'hsp_gate_limits': GateLimits, 'hsp_widest_probe':
          WidestProbe, 'hsp_pores_limits': PoresLimits, 'hsp_pores_options': PoresOptions, 'hsp_pores_counts':

@@ -1,4 +1,4 @@
-// The part of a boundary whose smooth surface is asked for: all of it, or some of its shells, as those of one cell of
+// The part of a boundary whose smooth surface is asked for: all of it, or some of its shells, as those of one region of
 // the complement, which is then all the room that a probe has. The rest has its own surface, as if it were alone: no
 // probe of one part cuts a patch of the other.
 #pragma once

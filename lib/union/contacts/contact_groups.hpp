@@ -11,7 +11,7 @@ struct GroupContact {
   uint32_t group[2];      // ascending
   uint32_t contacts = 0;  // of a ball of the one and a ball of the other
   double area = 0.0;      // lattice steps
-  double edge = 0.0;
+  double rim = 0.0;
 };
 
 // The group of each ball.
@@ -57,7 +57,7 @@ class ContactGroups {
         const ContactRecord &contact = contacts_.contact(order_[k]);
         ++sum.contacts;
         sum.area += contact.area;
-        sum.edge += contact.edge;
+        sum.rim += contact.rim;
       }
       sink(sum);
     }

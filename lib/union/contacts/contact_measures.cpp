@@ -12,9 +12,9 @@ bool measure_contact_in_integers(const BallSet &balls, ContactMeasures &contacts
   const int64_t U = dot(P.v, P.v);
   const double square = exact::circle_discriminant(exact::sphere_of(own), P, U) / (4 * static_cast<double>(U));
   const double distance = std::sqrt(static_cast<double>(U));
-  const double area = contacts.area[s] / distance + 0.5 * square * contacts.edge[s];
+  const double area = contacts.area[s] / distance + 0.5 * square * contacts.rim[s];
   contacts.area[s] = area > 0.0 && square > 0.0 ? area : 0.0;
-  contacts.edge[s] *= std::sqrt(square);
+  contacts.rim[s] *= std::sqrt(square);
   // Twice the heights of the contact's plane over both centres are h and 2 |v|^2 - h over |v|.
   const int64_t other_h = U + (other.radius - own.radius) * (other.radius + own.radius);
   contacts.cone[0][s] = static_cast<double>(P.h) / (2 * distance) * contacts.area[s];

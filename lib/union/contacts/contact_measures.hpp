@@ -1,4 +1,4 @@
-// Areas and lengths of contacts, and what they add to cells, from what their chords and arcs add up to: from exact
+// Areas and lengths of contacts, and what they add to shares, from what their chords and arcs add up to: from exact
 // polynomials rounded once, in integers, or four at a time with numbers of two doubles (contact_measures_avx2.cpp),
 // which gives the same bits, or none where that is not certain.
 //
@@ -19,7 +19,7 @@ struct ContactMeasures {
   // Half the sum of distance times length over the chords, times the distance of the balls; then the area.
   double area[capacity];
   // The angle of the free part of the circle; then its length.
-  double edge[capacity];
+  double rim[capacity];
   // Three times the volumes of the cones over the contact, with their tips in the two centres.
   double cone[2][capacity];
 };

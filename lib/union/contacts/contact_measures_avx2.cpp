@@ -19,10 +19,10 @@ bool measure_contacts_in_lanes(const BallArrays &balls, ContactMeasures &contact
   const Doubles rho_2 = Delta.high / (Doubles::all(4.0) * U.high);
   const Doubles distance = square_root(U.high);
   const Doubles twice = distance + distance;
-  const Doubles angle = Doubles::load(contacts.edge);
+  const Doubles angle = Doubles::load(contacts.rim);
   const Doubles area = larger(Doubles::load(contacts.area) / distance + Doubles::all(0.5) * rho_2 * angle, none);
   area.store(contacts.area);
-  (angle * square_root(rho_2)).store(contacts.edge);
+  (angle * square_root(rho_2)).store(contacts.rim);
   (h.high / twice * area).store(contacts.cone[0]);
   (to_doubles(P.U + P.U - P.h) / twice * area).store(contacts.cone[1]);
   return true;

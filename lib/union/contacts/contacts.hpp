@@ -1,7 +1,7 @@
 // Who touches whom, and how the union is shared out among its balls, by power distance.
 //
-// With pi_i(x) = |x - c_i|^2 - r_i^2 the cell of ball i is the part of the union where pi_i is least: convex, inside
-// the ball. The contact of two balls is the plane piece where their cells meet: the disk of their circle, cut off by
+// With pi_i(x) = |x - c_i|^2 - r_i^2 the share of ball i is the part of the union where pi_i is least: convex, inside
+// the ball. The contact of two balls is the plane piece where their shares meet: the disk of their circle, cut off by
 // the other balls. It is empty unless an arc or all of their circle is free, or a chord that they share with a third
 // ball survives (chord_clipper.hpp). A surviving chord is a triangle of the dual complex, its inner ends are tetrahedra
 // (Edelsbrunner 1995). What the symbolic perturbation makes of touching balls are contacts of area 0.
@@ -28,7 +28,7 @@ struct ContactRecord {
   uint32_t chords;   // that bound it
   uint32_t code;
   double area;
-  double edge;  // length of the free part of the circle
+  double rim;  // length of the free part of the circle
 
   static constexpr uint32_t arc_bit = 1;       // a part of the circle is free
   static constexpr uint32_t circle_bit = 2;    // all of it
@@ -73,7 +73,7 @@ struct ContactArrays {
   Span<uint32_t> links;         // [contacts] while they are found: the next one with the same first ball; then scratch
   Span<uint32_t> row;           // [2 contacts] the contacts of each ball, by the caller's index of the other ball
   Span<uint32_t> first_in_row;  // [balls + 1]
-  Span<double> cell_volume;     // [balls]
+  Span<double> share_volume;    // [balls]
   Span<double> contact_area;    // [balls] of all contacts of a ball
   SimplexCounts simplices;
   uint32_t balls = 0;
@@ -90,7 +90,7 @@ class Contacts {
   Span<const uint32_t> row(uint32_t ball) const {
     return a_.row.part(a_.first_in_row[ball], a_.first_in_row[ball + 1]);
   }
-  double cell_volume(uint32_t ball) const { return a_.cell_volume[ball]; }
+  double share_volume(uint32_t ball) const { return a_.share_volume[ball]; }
   double contact_area(uint32_t ball) const { return a_.contact_area[ball]; }
 
   const SimplexCounts &simplices() const { return a_.simplices; }

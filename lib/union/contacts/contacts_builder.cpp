@@ -35,7 +35,7 @@ void ContactArrays::carve(Workspace &workspace, const ContactLimits &limits) {
   links = workspace.take<uint32_t>(most_contacts);
   row = workspace.take<uint32_t>(2 * most_contacts);
   first_in_row = workspace.take<uint32_t>(most_balls + 1);
-  cell_volume = workspace.take<double>(most_balls);
+  share_volume = workspace.take<double>(most_balls);
   contact_area = workspace.take<double>(most_balls);
 }
 
@@ -71,7 +71,7 @@ void ContactsBuilder::clear(uint32_t balls) {
   if (balls > limits_.balls) return;
   // While contacts are found, the first one of each ball with later balls.
   for (uint32_t i = 0; i <= balls; ++i) a.first_in_row[i] = no_id;
-  for (uint32_t i = 0; i < balls; ++i) a.cell_volume[i] = a.contact_area[i] = 0.0;
+  for (uint32_t i = 0; i < balls; ++i) a.share_volume[i] = a.contact_area[i] = 0.0;
 }
 
 uint32_t ContactsBuilder::find_contact(uint32_t a, uint32_t b) {
@@ -236,7 +236,7 @@ void ContactsBuilder::measure_chords(const BallSet &balls, const Boundary &bound
   }
 }
 
-// Arcs and circles of the ball at hand: its part of its cell, and the free borders of its contacts with later balls.
+// Arcs and circles of the ball at hand: its part of its share, and the free borders of its contacts with later balls.
 void ContactsBuilder::add_free_edges(const BallSet &balls, const Boundary &boundary) {
   const uint32_t i = caps_.origin;
   const uint32_t faces = boundary.faces(i).size();
@@ -252,13 +252,13 @@ void ContactsBuilder::add_free_edges(const BallSet &balls, const Boundary &bound
       const uint32_t id = contact_of_cap(walk_.cap_of(batch.other[s]));
       if (id == no_room) continue;
       ContactRecord &contact = contacts_.a_.contacts[id];
-      contact.edge += batch.angle[s];  // not yet a length
+      contact.rim += batch.angle[s];  // not yet a length
       contact.code |= batch.arc[s] != 0 ? ContactRecord::arc_bit : ContactRecord::circle_bit;
     }
   }
   // r A, the part of three times the volume about the centre.
   const double steradians = surface.steradians(faces, boundary.loops(i).size());
-  contacts_.a_.cell_volume[i] = radius * radius * radius * steradians;
+  contacts_.a_.share_volume[i] = radius * radius * radius * steradians;
 }
 
 Status ContactsBuilder::check_capacity() {
@@ -271,7 +271,7 @@ Status ContactsBuilder::check_capacity() {
   return fits ? Status::ok : Status::capacity;
 }
 
-// Areas, and cells as cones over their faces and contacts. The order of the sums is that in which contacts are found,
+// Areas, and shares as cones over their faces and contacts. The order of the sums is that in which contacts are found,
 // which does not depend on the order of the input.
 void ContactsBuilder::measure_contacts(const BallSet &balls, [[maybe_unused]] const Boundary &boundary) {
   ContactArrays &a = contacts_.a_;
@@ -284,7 +284,7 @@ void ContactsBuilder::measure_contacts(const BallSet &balls, [[maybe_unused]] co
       measures.ball[0][s] = contact.ball[0];
       measures.ball[1][s] = contact.ball[1];
       measures.area[s] = contact.area;
-      measures.edge[s] = contact.edge;
+      measures.rim[s] = contact.rim;
     }
     bool certain = false;
 #if HSP_AVX2
@@ -294,20 +294,20 @@ void ContactsBuilder::measure_contacts(const BallSet &balls, [[maybe_unused]] co
       ContactRecord &contact = a.contacts[first + s];
       if (!certain && measure_contact_in_integers(balls, measures, s)) contact.code |= ContactRecord::touching_bit;
       contact.area = measures.area[s];
-      contact.edge = measures.edge[s];
+      contact.rim = measures.rim[s];
       for (uint32_t side = 0; side < 2; ++side) {
         a.contact_area[contact.ball[side]] += measures.area[s];
-        a.cell_volume[contact.ball[side]] += measures.cone[side][s];
+        a.share_volume[contact.ball[side]] += measures.cone[side][s];
       }
     }
   }
 }
 
-void ContactsBuilder::close_cells() {
+void ContactsBuilder::close_shares() {
   ContactArrays &a = contacts_.a_;
   for (uint32_t i = 0; i < a.balls; ++i) {
-    const double volume = a.cell_volume[i] / 3;
-    a.cell_volume[i] = volume > 0.0 ? volume : 0.0;
+    const double volume = a.share_volume[i] / 3;
+    a.share_volume[i] = volume > 0.0 ? volume : 0.0;
   }
 }
 

@@ -81,7 +81,7 @@ class ContactsBuilder {
     measure_contacts(grid.balls(), boundary);
     if (!add_other_sides(images)) return Status::check;
     if (const Status status = check_capacity(); status != Status::ok) return status;
-    close_cells();
+    close_shares();
     make_rows(grid);
     count_simplices(boundary);
     return Status::ok;
@@ -118,7 +118,7 @@ class ContactsBuilder {
   uint32_t add_contact(uint32_t a, uint32_t b);
   Status check_capacity();
   void measure_contacts(const BallSet &balls, const Boundary &boundary);
-  void close_cells();
+  void close_shares();
   void make_rows(const CubeGrid &grid);
   void count_simplices(const Boundary &boundary);
 
@@ -153,7 +153,7 @@ class ContactsBuilder {
     }
     if (lost_across_ > 0) a.contacts.set_count(a.contacts.required() + lost_across_);
     for (uint32_t image = own_balls_; image < a.balls; ++image) {
-      a.cell_volume[images.ball_of(image)] += a.cell_volume[image];
+      a.share_volume[images.ball_of(image)] += a.share_volume[image];
       a.contact_area[images.ball_of(image)] += a.contact_area[image];
     }
     return true;

@@ -28,7 +28,7 @@ class ContactsCheck {
       if (!is_possible(id)) return {ContactInvariant::records, id};
     }
     if (2 * contacts_.simplices().euler() != boundary_.euler()) return {ContactInvariant::euler, 0};
-    return check_cells();
+    return check_shares();
   }
 
  private:
@@ -39,12 +39,12 @@ class ContactsCheck {
     const double r = balls_.r[a] < balls_.r[b] ? balls_.r[a] : balls_.r[b];
     const double slack = 1.0 + tolerance * (4.0 + contact.chords);
     // Written so that a value that is not a number fails.
-    return contact.area >= 0.0 && contact.area <= pi * r * r * slack && contact.edge >= 0.0 &&
-           contact.edge <= 2 * pi * r * slack;
+    return contact.area >= 0.0 && contact.area <= pi * r * r * slack && contact.rim >= 0.0 &&
+           contact.rim <= 2 * pi * r * slack;
   }
 
-  ContactViolation check_cells() const {
-    TreeSum cells, union_volume;
+  ContactViolation check_shares() const {
+    TreeSum shares, union_volume;
     double scale = 0.0;
     for (uint32_t i = 0; i < balls_.n; ++i) {
       const double r = balls_.r[i];
@@ -61,10 +61,10 @@ class ContactsCheck {
       const double error = tolerance * terms * r * r;
       if (!(dot(sum, sum) <= error * error)) return {ContactInvariant::closure, i};
       const Vec3 arm = offset_from_origin(balls_, boundary_, i);
-      cells.add(contacts_.cell_volume(i));
+      shares.add(contacts_.share_volume(i));
       scale += error * (r + std::sqrt(dot(arm, arm)));
     }
-    const double difference = cells.total() - union_volume.total();
+    const double difference = shares.total() - union_volume.total();
     return std::fabs(difference) <= scale ? ContactViolation{} : ContactViolation{ContactInvariant::volume, 0};
   }
 

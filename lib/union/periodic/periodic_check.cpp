@@ -13,8 +13,8 @@ class PeriodicCheck {
   explicit PeriodicCheck(const PeriodicUnion &periodic)
       : periodic_(periodic), balls_(periodic.balls()), images_(periodic.images()) {}
 
-  // With c_i the places in the box and N_i the vector areas of faces, the divergence theorem in the cell of each ball
-  // leaves 3 V = sum of r_i A_i + c_i.N_i and what the contacts of its cell say. Those of two balls in the box cancel;
+  // With c_i the places in the box and N_i the vector areas of faces, the divergence theorem in the share of each ball
+  // leaves 3 V = sum of r_i A_i + c_i.N_i and what the contacts of its share say. Those of two balls in the box cancel;
   // of one with an image, t away from its ball, t.u times its area is left, half of it at each of its two places.
   PeriodicViolation run() {
     for (uint32_t i = 0; i < images_.balls(); ++i) {
@@ -24,7 +24,7 @@ class PeriodicCheck {
     for (const double sum : total) {
       if (!(std::fabs(sum) <= error_.total())) return {PeriodicInvariant::outside, no_id};
     }
-    const double difference = cells_.total() - divergence_.total() / 3;
+    const double difference = shares_.total() - divergence_.total() / 3;
     if (!(std::fabs(difference) <= volume_error_.total())) return {PeriodicInvariant::volume, no_id};
     return {};
   }
@@ -59,7 +59,7 @@ class PeriodicCheck {
     outside_[1].add(faces.vector_area.y);
     outside_[2].add(faces.vector_area.z);
     error_.add(error);
-    cells_.add(periodic_.contacts().cell_volume(own));
+    shares_.add(periodic_.contacts().share_volume(own));
     divergence_.add(divergence);
     volume_error_.add(error * arm);
     return {};
@@ -81,7 +81,7 @@ class PeriodicCheck {
   const BallSet &balls_;
   const PeriodicImages &images_;
   TreeSum outside_[3];
-  TreeSum error_, cells_, divergence_, volume_error_;
+  TreeSum error_, shares_, divergence_, volume_error_;
 };
 
 }  // namespace

@@ -9,9 +9,9 @@ namespace hsp {
 enum class PeriodicInvariant : uint32_t {
   none = 0,
   records,  // a contact across a face is there from both sides, with the same flags
-  closure,  // faces and contacts of each ball close its cell: their vector areas sum to 0
+  closure,  // faces and contacts of each ball close its share: their vector areas sum to 0
   outside,  // the vector areas of all faces sum to 0
-  volume,   // the cells sum to what faces, and contacts across the faces of the box, say of the volume
+  volume,   // the shares sum to what faces, and contacts across the faces of the box, say of the volume
 };
 
 // Where: the caller's number of a ball.

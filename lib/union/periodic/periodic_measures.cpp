@@ -4,7 +4,7 @@ namespace hsp {
 
 BallMeasure measure_in_box(const PeriodicUnion &periodic, uint32_t i) {
   const uint32_t ball = periodic.grid().grid_index(i);
-  return {measure_ball(periodic.balls(), periodic.boundary(), ball).area, periodic.contacts().cell_volume(ball)};
+  return {measure_ball(periodic.balls(), periodic.boundary(), ball).area, periodic.contacts().share_volume(ball)};
 }
 
 Strain volume_by_strain(const PeriodicUnion &periodic) {

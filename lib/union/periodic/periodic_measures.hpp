@@ -4,7 +4,7 @@
 // Under a strain x -> x + eps x of everything, box and centres but not radii,
 //   dV/d eps = sum over contacts of C d u (x) u,  C its area, d the distance of the two centres, u the unit vector
 //   dS/d eps = sum over balls i and free arcs of (w_i dA_i/dc_j) (x) (c_j - c_i)
-// (the divergence theorem in each ball's cell; only relative positions count). With the box's vectors as columns of h
+// (the divergence theorem in each ball's share; only relative positions count). With the box's vectors as columns of h
 // and positions as multiples of them held fixed, the derivative by h is X h^-T for X that by the strain.
 #pragma once
 
@@ -22,10 +22,10 @@ struct PeriodicTotals {
   double contact_area = 0.0;
 };
 
-// Area of ball i of the input, and the volume of its cell.
+// Area of ball i of the input, and the volume of its share.
 BallMeasure measure_in_box(const PeriodicUnion &periodic, uint32_t i);
 
-// In the caller's unit. Calls sink(i, measure) for every ball of the input with its area and the volume of its cell.
+// In the caller's unit. Calls sink(i, measure) for every ball of the input with its area and the volume of its share.
 template <class Sink>
 PeriodicTotals measure_periodic(const PeriodicUnion &periodic, Sink sink) {
   const exact::Lattice &lattice = periodic.images().lattice();
@@ -72,7 +72,7 @@ inline BallGradient gradient_in_box(const PeriodicUnion &periodic, const AreaWei
 }
 
 // Calls sink(i, gradient) for every ball i of the input, from the tasks of the executor, all in the caller's unit. The
-// volume is the sum of the cells. terms: with weights_in_box. False if the executor fails.
+// volume is the sum of the shares. terms: with weights_in_box. False if the executor fails.
 template <class Sink>
 bool differentiate_in_box(const Executor &executor, const PeriodicUnion &periodic, const EnergyTerms &terms,
                           Energy &energy, Sink sink) {
@@ -82,7 +82,7 @@ bool differentiate_in_box(const Executor &executor, const PeriodicUnion &periodi
       const uint32_t ball = periodic.grid().grid_index(i);
       const BallGradient own = gradient_in_box(periodic, terms.weights, i);
       const EnergyGradient gradient = gradient_of_energy(lattice, terms, own);
-      sum.add({terms.weights.of(periodic.balls(), ball) * own.measure.area, periodic.contacts().cell_volume(ball),
+      sum.add({terms.weights.of(periodic.balls(), ball) * own.measure.area, periodic.contacts().share_volume(ball),
                gradient.radius});
       sink(i, gradient);
     }

@@ -7,7 +7,7 @@
 namespace hsp {
 
 // Calls sink(i, gradient) for every ball i of the input, whose images move and grow with it, from the tasks of the
-// executor, all in the caller's unit. The volume is the sum of the cells. weights: weights_in_box. False if the
+// executor, all in the caller's unit. The volume is the sum of the shares. weights: weights_in_box. False if the
 // executor fails.
 template <class Sink>
 bool differentiate_morphometry_in_box(const Executor &executor, const PeriodicUnion &periodic,
@@ -20,7 +20,7 @@ bool differentiate_morphometry_in_box(const Executor &executor, const PeriodicUn
     for (uint32_t i = range.first; i < range.last; ++i) {
       const uint32_t ball = periodic.grid().grid_index(i);
       CurvedBallGradient own = curved_gradient_of_ball(periodic.balls(), boundary, weights, ball, any_tied);
-      own.measures.measure.volume = periodic.contacts().cell_volume(ball);
+      own.measures.measure.volume = periodic.contacts().share_volume(ball);
       sink(i, terms.add(periodic.balls(), ball, own, sum));
     }
   };

@@ -2,7 +2,7 @@
 //
 // The ordinary boundary and the ordinary contacts are computed, of the balls in the box alone, with all images near
 // them as their halo. They are those of endless copies of the box: only balls that meet cut a ball's sphere, its
-// contacts and its cell, and the symbolic perturbation depends on relative positions and on an order that all copies
+// contacts and its share, and the symbolic perturbation depends on relative positions and on an order that all copies
 // share (periodic_images.hpp). Vertices, arcs and contacts across a face of the box are found once from each side.
 //
 // Numbers without "grid" are the caller's balls, or images behind them. Lengths are in steps.

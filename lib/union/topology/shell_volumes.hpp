@@ -1,4 +1,4 @@
-// Area and enclosed volume of the shells of a boundary, and of the cells between them.
+// Area and enclosed volume of the shells of a boundary, and of the regions between them.
 #pragma once
 
 #include "measure/areas.hpp"
@@ -10,30 +10,30 @@ namespace hsp {
 // a void, whose faces look into it. Summed in the order of the shell's scan, which does not depend on ids.
 BallMeasure measure_shell(const BallSet &balls, const Boundary &boundary, const Topology &topology, uint32_t shell);
 
-// Fills for each cell of the complement its area, its volume, its enclosing shell and the numbers of shells and
-// components that border on it and lie in it, in the caller's unit. Cell 0 has no end: its volume is 0 and its
-// enclosing shell no_id. cells [cell_count]. Cell has area, volume, enclosing_shell, shells and components.
-template <class Cell>
-void measure_cells(const BallSet &balls, const Boundary &boundary, const Topology &topology, Span<Cell> cells) {
-  for (Cell &cell : cells) {
-    cell = {};
-    cell.enclosing_shell = no_id;
+// Fills for each region of the complement its area, its volume, its enclosing shell and the numbers of shells and
+// components that border on it and lie in it, in the caller's unit. Region 0 has no end: its volume is 0 and its
+// enclosing shell no_id. regions [region_count]. Region has area, volume, enclosing_shell, shells and components.
+template <class Region>
+void measure_regions(const BallSet &balls, const Boundary &boundary, const Topology &topology, Span<Region> regions) {
+  for (Region &region : regions) {
+    region = {};
+    region.enclosing_shell = no_id;
   }
   for (uint32_t s = 0; s < topology.shell_count; ++s) {
     const ShellRecord &shell = topology.shells[s];
-    Cell &cell = cells[shell.cell];
-    ++cell.shells;
-    if (shell.is_void) cell.enclosing_shell = s;
-    // Outward from the union is into the cell, for its enclosing shell and for what lies in it alike.
+    Region &region = regions[shell.region];
+    ++region.shells;
+    if (shell.is_void) region.enclosing_shell = s;
+    // Outward from the union is into the region, for its enclosing shell and for what lies in it alike.
     const BallMeasure measure = measure_shell(balls, boundary, topology, s);
-    cell.area += measure.area;
-    cell.volume -= measure.volume;
+    region.area += measure.area;
+    region.volume -= measure.volume;
   }
-  for (uint32_t c = 0; c < topology.component_count; ++c) ++cells[topology.components[c].cell].components;
-  cells[0].volume = 0.0;
-  for (Cell &cell : cells) {
-    cell.area = balls.lattice.area(cell.area);
-    cell.volume = balls.lattice.volume(cell.volume);
+  for (uint32_t c = 0; c < topology.component_count; ++c) ++regions[topology.components[c].region].components;
+  regions[0].volume = 0.0;
+  for (Region &region : regions) {
+    region.area = balls.lattice.area(region.area);
+    region.volume = balls.lattice.volume(region.volume);
   }
 }
 

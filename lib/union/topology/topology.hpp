@@ -1,5 +1,5 @@
-// The boundary with simple faces, its shells, and the cells of the complement, as they are built. All ids of balls are
-// the grid's; the memory is carved once for given limits.
+// The boundary with simple faces, its shells, and the regions of the complement, as they are built. All ids of balls
+// are the grid's; the memory is carved once for given limits.
 //
 //   vertices   the boundary's | subdivision vertices | poles
 //   edges      arcs, in the order of the half-edges on their first ball | circles | cut arcs | whole
@@ -74,7 +74,7 @@ struct SimpleFace {
 
 struct ShellRecord {
   uint32_t component;
-  uint32_t cell;
+  uint32_t region;
   bool is_void;
   uint32_t faces, simple_faces, edges, vertices;
   uint32_t start_face;       // simple face
@@ -89,7 +89,7 @@ struct ComponentRecord {
   uint32_t top_ball;
   uint32_t outer_shell;
   uint32_t shells;
-  uint32_t cell;
+  uint32_t region;
   uint32_t above;  // the component that a ray from its highest point enters from outside, or no_id
 };
 
@@ -121,7 +121,7 @@ struct Topology {
   Span<ComponentRecord> components;  // each has an outer shell
   uint32_t shell_count = 0;
   uint32_t component_count = 0;
-  uint32_t cell_count = 0;
+  uint32_t region_count = 0;
   int64_t highest_centre = 0;   // largest z of all balls
   uint32_t start_face = no_id;  // the simple face that holds the highest point of all
 

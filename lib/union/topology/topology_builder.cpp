@@ -67,7 +67,7 @@ Status TopologyBuilder::build(const CubeGrid &grid, const Boundary &boundary, ui
 
   assemble_simple_faces(balls, boundary, structure_);
   gather_components(grid, boundary, structure_);
-  gather_cells(grid, boundary, structure_);
+  gather_regions(grid, boundary, structure_);
   return Status::ok;
 }
 

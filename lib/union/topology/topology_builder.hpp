@@ -1,7 +1,7 @@
 // Step 3 of Section 4.2 over a computed boundary.
 #pragma once
 
-#include "topology/cells.hpp"
+#include "topology/regions.hpp"
 #include "topology/topology.hpp"
 
 namespace hsp {

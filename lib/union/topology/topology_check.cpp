@@ -11,7 +11,7 @@ class TopologyCheck : FirstViolation<TopologyInvariant> {
       : boundary_(boundary), topology_(topology), quads_(topology.quads), marks_(marks) {}
 
   TopologyViolation run() {
-    if (algebra() && vertices() && faces() && sides() && euler() && traversal()) cells();
+    if (algebra() && vertices() && faces() && sides() && euler() && traversal()) regions();
     return violation_;
   }
 
@@ -123,32 +123,33 @@ class TopologyCheck : FirstViolation<TopologyInvariant> {
     return true;
   }
 
-  // Every component has one outer shell, all its other shells are voids with cells of their own; and going outward from
-  // any component, to the one around its cell, ends in cell 0.
-  bool cells() {
+  // Every component has one outer shell, all its other shells are voids with regions of their own; and going outward
+  // from any component, to the one around its region, ends in region 0.
+  bool regions() {
     uint32_t voids = 0;
     for (uint32_t s = 0; s < topology_.shell_count; ++s) {
       const ShellRecord &shell = topology_.shells[s];
-      if (shell.component >= topology_.component_count || shell.cell >= topology_.cell_count) {
-        return fail(TopologyInvariant::cells, s);
+      if (shell.component >= topology_.component_count || shell.region >= topology_.region_count) {
+        return fail(TopologyInvariant::regions, s);
       }
       const ComponentRecord &component = topology_.components[shell.component];
       const bool good =
-          shell.is_void ? shell.cell == ++voids : component.outer_shell == s && component.cell == shell.cell;
-      if (!good) return fail(TopologyInvariant::cells, s);
+          shell.is_void ? shell.region == ++voids : component.outer_shell == s && component.region == shell.region;
+      if (!good) return fail(TopologyInvariant::regions, s);
     }
-    if (voids + 1 != topology_.cell_count || voids + topology_.component_count != topology_.shell_count) {
-      return fail(TopologyInvariant::cells, topology_.shell_count);
+    if (voids + 1 != topology_.region_count || voids + topology_.component_count != topology_.shell_count) {
+      return fail(TopologyInvariant::regions, topology_.shell_count);
     }
     // The component around each void.
     for (uint32_t s = 0; s < topology_.shell_count; ++s) {
-      if (topology_.shells[s].is_void) marks_[topology_.shells[s].cell] = topology_.shells[s].component;
+      if (topology_.shells[s].is_void) marks_[topology_.shells[s].region] = topology_.shells[s].component;
     }
     for (uint32_t c = 0; c < topology_.component_count; ++c) {
-      uint32_t cell = topology_.components[c].cell;
+      uint32_t region = topology_.components[c].region;
       uint32_t steps = 0;
-      for (; cell != 0 && steps < topology_.cell_count; ++steps) cell = topology_.components[marks_[cell]].cell;
-      if (cell != 0) return fail(TopologyInvariant::cells, c);
+      for (; region != 0 && steps < topology_.region_count; ++steps)
+        region = topology_.components[marks_[region]].region;
+      if (region != 0) return fail(TopologyInvariant::regions, c);
     }
     return true;
   }

@@ -15,7 +15,7 @@ enum class TopologyInvariant : uint32_t {
   sides = 4,
   euler = 5,
   traversal = 6,
-  cells = 7,
+  regions = 7,
   volumes = 8,
 };
 

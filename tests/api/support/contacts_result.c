@@ -52,17 +52,17 @@ int32_t contacts_result_make(const computed *base, contacts_result *c) {
   if (status != HSP_OK) return status;
   c->count = simplices(&c->counts, 1);
   c->list = test_zeros(c->count, sizeof *c->list);
-  c->cell_volume = test_zeros(base->n, sizeof *c->cell_volume);
+  c->share_volume = test_zeros(base->n, sizeof *c->share_volume);
   c->contact_area = test_zeros(base->n, sizeof *c->contact_area);
-  status = hsp_contacts_get(c->contacts, c->list, c->count, &needed);
+  status = hsp_contacts_get_pairs(c->contacts, c->list, c->count, &needed);
   if (status != HSP_OK) return status;
-  return hsp_contacts_measure(c->contacts, &c->totals, c->cell_volume, c->contact_area, base->n, NULL);
+  return hsp_contacts_measure(c->contacts, &c->totals, c->share_volume, c->contact_area, base->n, NULL);
 }
 
 void contacts_result_release(contacts_result *c) {
   free(c->memory);
   free(c->list);
-  free(c->cell_volume);
+  free(c->share_volume);
   free(c->contact_area);
   memset(c, 0, sizeof *c);
 }

@@ -17,7 +17,7 @@ typedef struct contacts_result {
   uint32_t count; /* of contacts */
   hsp_contact *list;
   hsp_totals totals;
-  double *cell_volume, *contact_area; /* [n] */
+  double *share_volume, *contact_area; /* [n] */
 } contacts_result;
 
 /* Computes and reads everything. The first status that is not HSP_OK, or HSP_OK. To be followed by

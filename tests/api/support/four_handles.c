@@ -131,7 +131,7 @@ contents contents_of_view(const hsp_view *view) {
 contents contents_of_surface(const hsp_surface *surface) {
   contents read;
   memset(&read, 0, sizeof read);
-  read.status = hsp_surface_get_map_counts(surface, &read.counts.surface);
+  read.status = hsp_surface_get_part_counts(surface, &read.counts.surface);
   CHECK_EQUAL(hsp_surface_get_edges(surface, 0, read.counts.surface.edges, read.records.surface_edges), read.status);
   return read;
 }

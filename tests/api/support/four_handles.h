@@ -63,7 +63,7 @@ typedef struct contents {
     hsp_topology_counts topology;
     hsp_view_info view;
     hsp_map_info map;
-    hsp_surface_map_counts surface;
+    hsp_surface_part_counts surface;
     hsp_mesh_counts mesh;
   } counts;
   union {

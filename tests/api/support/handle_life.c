@@ -93,10 +93,10 @@ static uint64_t topology_hash(const void *handle, const void *source, unsigned c
   hash = mixed_hash(hash, buffer, needed * sizeof(hsp_shell));
   bad |= hsp_topology_get_components(topology, (void *)buffer, room, &needed) != HSP_OK;
   hash = mixed_hash(hash, buffer, needed * sizeof(hsp_component));
-  bad |= hsp_topology_get_cells(topology, (void *)buffer, room, &needed) != HSP_OK;
-  hash = mixed_hash(hash, buffer, needed * sizeof(hsp_cell));
-  for (id = 0; id < counts.cells; ++id) {
-    bad |= hsp_topology_get_cell_shells(topology, id, (void *)buffer, room, &needed) != HSP_OK;
+  bad |= hsp_topology_get_regions(topology, (void *)buffer, room, &needed) != HSP_OK;
+  hash = mixed_hash(hash, buffer, needed * sizeof(hsp_region));
+  for (id = 0; id < counts.regions; ++id) {
+    bad |= hsp_topology_get_region_shells(topology, id, (void *)buffer, room, &needed) != HSP_OK;
     hash = mixed_hash(hash, buffer, needed * sizeof(uint32_t));
   }
   for (id = 0; id < counts.shells; ++id) {
@@ -139,7 +139,7 @@ static uint64_t surface_hash(const void *surface, const void *source, unsigned c
   uint32_t *flags = (void *)(numbers + 4 * (size_t)n);
   uint64_t hash = UINT64_C(0xCBF29CE484222325);
   hsp_surface_counts counts;
-  hsp_surface_map_counts map;
+  hsp_surface_part_counts map;
   hsp_surface_totals totals;
   hsp_energy energy;
   uint32_t needed = 0, h;
@@ -157,7 +157,7 @@ static uint64_t surface_hash(const void *surface, const void *source, unsigned c
                                   SIZED(hsp_gradient_outputs, .energy = &energy, .d_centre = numbers,
                                         .d_radius = numbers + 3 * (size_t)n, .flags = flags, .capacity = n)) != HSP_OK;
   hash = mixed_hash(mixed_hash(hash, &energy, sizeof energy), numbers, 4 * (size_t)n * sizeof *numbers);
-  if (hsp_surface_get_map_counts(surface, &map) != HSP_OK) return bad || counts.open_joints == 0 ? 0 : hash;
+  if (hsp_surface_get_part_counts(surface, &map) != HSP_OK) return bad || counts.open_joints == 0 ? 0 : hash;
   hash = mixed_hash(hash, &map, sizeof map);
   bad |= map.patches > room || map.edges > room || map.corners > room || map.shells > room;
   if (bad) return 0;
@@ -301,7 +301,7 @@ static uint64_t contacts_hash(const void *contacts, const void *source, unsigned
   int bad = 0;
   if (hsp_contacts_get_complex(contacts, &counts) != HSP_OK) return 0;
   hash = mixed_hash(hash, &counts, sizeof counts);
-  bad |= hsp_contacts_get(contacts, (void *)buffer, room, &needed) != HSP_OK;
+  bad |= hsp_contacts_get_pairs(contacts, (void *)buffer, room, &needed) != HSP_OK;
   hash = mixed_hash(hash, buffer, needed * sizeof(hsp_contact));
   for (i = 0; i < n; ++i) {
     bad |= hsp_contacts_get_row(contacts, i, (void *)buffer, room, &needed) != HSP_OK;
@@ -355,7 +355,7 @@ static uint64_t gate_hash(const void *gate, const void *source, unsigned char *b
   (void)source;
   (void)buffer;
   (void)room;
-  if (hsp_gate_get(gate, &widest) != HSP_OK) return 0;
+  if (hsp_gate_get_widest(gate, &widest) != HSP_OK) return 0;
   return mixed_hash(UINT64_C(0xCBF29CE484222325), &widest, sizeof widest);
 }
 
@@ -567,7 +567,7 @@ static int use_paths(void *paths) {
 
 static int use_gate(void *gate) {
   hsp_widest_probe widest;
-  return hsp_gate_get(gate, &widest) == HSP_OK && widest.builds <= 40;
+  return hsp_gate_get_widest(gate, &widest) == HSP_OK && widest.builds <= 40;
 }
 
 static int use_pores(void *pores) {
@@ -702,7 +702,7 @@ int computations_make(const ball_set *set, const hsp_view_options *options, comp
       c->n + c->counts.vertices + 2 * c->counts.arcs + c->counts.circles + c->counts.faces + c->counts.loops + 1;
   if (options == NULL) return 1;
   if (!CHECK_EQUAL(topology_result_make(c, &all->topology), HSP_OK)) return 0;
-  all->room += all->topology.counts.edges + all->topology.counts.shells + all->topology.counts.cells;
+  all->room += all->topology.counts.edges + all->topology.counts.shells + all->topology.counts.regions;
   if (!CHECK_EQUAL(view_result_make(c, options, 1, &all->view), HSP_OK)) return 0;
   all->room += all->view.info.arcs;
   if (!CHECK_EQUAL(map_result_make(c, options, &all->map), HSP_OK)) return 0;

@@ -157,7 +157,7 @@ int32_t gate_result_make(const computed *base, gate_result *g) {
     status = grow_until_computed(&gate_handle, g, base->n, &g->memory, &gate, &g->needed, &g->enlargements);
   }
   g->gate = gate;
-  return status == HSP_OK ? hsp_gate_get(g->gate, &g->widest) : status;
+  return status == HSP_OK ? hsp_gate_get_widest(g->gate, &g->widest) : status;
 }
 
 void gate_result_release(gate_result *g) {

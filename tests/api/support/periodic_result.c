@@ -59,13 +59,13 @@ int32_t periodic_result_make(const computed *base, periodic_result *p) {
   if (status == HSP_OK) status = hsp_periodic_get_counts(p->periodic, &p->counts);
   if (status != HSP_OK) return status;
   p->area = test_zeros(base->n, sizeof *p->area);
-  p->cell_volume = test_zeros(base->n, sizeof *p->cell_volume);
+  p->share_volume = test_zeros(base->n, sizeof *p->share_volume);
   p->contacts = test_zeros(p->counts.contacts, sizeof *p->contacts);
   p->windings = test_zeros(p->counts.components, sizeof *p->windings);
   p->vertices = test_zeros(p->counts.vertices, sizeof *p->vertices);
   p->arcs = test_zeros(p->counts.arcs, sizeof *p->arcs);
   p->circles = test_zeros(p->counts.circles, sizeof *p->circles);
-  status = hsp_periodic_measure(p->periodic, &p->totals, p->area, p->cell_volume, base->n, NULL);
+  status = hsp_periodic_measure(p->periodic, &p->totals, p->area, p->share_volume, base->n, NULL);
   if (status == HSP_OK) status = hsp_periodic_get_contacts(p->periodic, p->contacts, p->counts.contacts, &needed);
   if (status == HSP_OK) status = hsp_periodic_get_vertices(p->periodic, p->vertices, p->counts.vertices, &needed);
   if (status == HSP_OK) status = hsp_periodic_get_arcs(p->periodic, p->arcs, p->counts.arcs, &needed);
@@ -77,7 +77,7 @@ int32_t periodic_result_make(const computed *base, periodic_result *p) {
 void periodic_result_release(periodic_result *p) {
   free(p->memory);
   free(p->area);
-  free(p->cell_volume);
+  free(p->share_volume);
   free(p->contacts);
   free(p->windings);
   free(p->vertices);

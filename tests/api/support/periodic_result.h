@@ -16,7 +16,7 @@ typedef struct periodic_result {
   uint32_t enlargements;      /* how often limits had to be raised, starting from none of anything but balls */
   hsp_periodic_counts counts;
   hsp_periodic_totals totals;
-  double *area, *cell_volume; /* [n] */
+  double *area, *share_volume; /* [n] */
   hsp_periodic_contact *contacts;
   hsp_periodic_vertex *vertices;
   hsp_periodic_arc *arcs;

@@ -13,8 +13,8 @@ static const char *broken_counts(const topology_result *t) {
     return "hsp_topology_get_counts, property 1: vertices - edges + simple_faces is the Euler characteristic";
   }
   if (k->vertices > k->edges || k->simple_faces > k->edges) return "more vertices or simple faces than edges";
-  if (k->shells != b->shells || k->components != b->components || k->cells != 1 + b->voids) {
-    return "shells, components or cells are not those of the boundary";
+  if (k->shells != b->shells || k->components != b->components || k->regions != 1 + b->voids) {
+    return "shells, components or regions are not those of the boundary";
   }
   if ((k->start_face == HSP_NONE) != (t->base->n == 0)) return "start_face is HSP_NONE exactly without balls";
   if (k->start_face != HSP_NONE && k->start_face >= k->simple_faces) return "start_face: no such simple face";

@@ -17,7 +17,7 @@ const char *broken_topology_quad_edges(const topology_result *t);
 /* Records of vertices, edges and simple faces, and how they cut the boundary's arcs, circles and faces. */
 const char *broken_topology_cuts(const topology_result *t);
 
-/* Shells, components and cells, scans, and the library's own check. Time is quadratic in the number of shells. */
+/* Shells, components and regions, scans, and the library's own check. Time is quadratic in the number of shells. */
 const char *broken_topology_shells(const topology_result *t);
 
 /* Positions, axes and angles within rounding errors. Time is edges times balls. */

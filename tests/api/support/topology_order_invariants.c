@@ -97,14 +97,14 @@ static void plain_edge(const computed *c, const hsp_topology_edge *edge, const u
 static void plain_shell(const topology_result *t, uint32_t id, const uint64_t *face_names, plain_record *plain) {
   const hsp_shell *s = t->shells + id;
   const hsp_component *component = t->components + s->component;
-  const uint32_t enclosing = t->cells[s->cell].enclosing_shell;
+  const uint32_t enclosing = t->regions[s->region].enclosing_shell;
   plain->word[0] = s->kind;
   plain->word[1] = (uint64_t)(int64_t)s->euler;
   plain->word[2] = s->faces;
   plain->word[3] = s->simple_faces;
   plain->word[4] = s->edges;
   plain->word[5] = s->vertices;
-  plain->word[6] = s->cell == 0;
+  plain->word[6] = s->region == 0;
   plain->word[7] = component->shells;
   plain->word[8] = scan_name(t, id, face_names);
   plain->word[9] = ball_name(t->base, component->top_ball);
@@ -175,7 +175,7 @@ const char *topology_difference_after_permutation(const topology_result *a, cons
   uint32_t i;
   if (k->vertices != l->vertices || k->edges != l->edges || k->simple_faces != l->simple_faces ||
       k->cut_edges != l->cut_edges || k->shells != l->shells || k->components != l->components ||
-      k->cells != l->cells) {
+      k->regions != l->regions) {
     return "the topology's counts differ";
   }
   if (memcmp(&a->needed, &b->needed, sizeof a->needed) != 0) return "the topology's needed limits differ";

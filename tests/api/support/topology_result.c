@@ -39,14 +39,14 @@ static int32_t read_topology(topology_result *t) {
   t->faces = test_zeros(k->simple_faces, sizeof *t->faces);
   t->shells = test_zeros(k->shells, sizeof *t->shells);
   t->components = test_zeros(k->components, sizeof *t->components);
-  t->cells = test_zeros(k->cells, sizeof *t->cells);
+  t->regions = test_zeros(k->regions, sizeof *t->regions);
   status = hsp_topology_get_quad_edges(t->topology, 0, k->edges, t->onext, t->origin);
   if (status == HSP_OK) status = hsp_topology_get_vertices(t->topology, 0, k->vertices, t->vertices);
   if (status == HSP_OK) status = hsp_topology_get_edges(t->topology, 0, k->edges, t->edges);
   if (status == HSP_OK) status = hsp_topology_get_simple_faces(t->topology, 0, k->simple_faces, t->faces);
   if (status == HSP_OK) status = hsp_topology_get_shells(t->topology, t->shells, k->shells, &needed);
   if (status == HSP_OK) status = hsp_topology_get_components(t->topology, t->components, k->components, &needed);
-  if (status == HSP_OK) status = hsp_topology_get_cells(t->topology, t->cells, k->cells, &needed);
+  if (status == HSP_OK) status = hsp_topology_get_regions(t->topology, t->regions, k->regions, &needed);
   return status;
 }
 
@@ -68,6 +68,6 @@ void topology_result_release(topology_result *t) {
   free(t->faces);
   free(t->shells);
   free(t->components);
-  free(t->cells);
+  free(t->regions);
   memset(t, 0, sizeof *t);
 }

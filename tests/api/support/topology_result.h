@@ -21,7 +21,7 @@ typedef struct topology_result {
   hsp_simple_face *faces;
   hsp_shell *shells;
   hsp_component *components;
-  hsp_cell *cells;
+  hsp_region *regions;
 } topology_result;
 
 /* Computes and reads everything. The first status that is not HSP_OK, or HSP_OK. To be followed by

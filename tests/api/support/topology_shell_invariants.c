@@ -1,4 +1,4 @@
-/* Shells, components and cells against tallies over the arrays, the scans against their definition, and the library's
+/* Shells, components and regions against tallies over the arrays, the scans against their definition, and the library's
  * check of itself. */
 #include <math.h>
 #include <stdlib.h>
@@ -86,11 +86,12 @@ static const char *broken_shell(const topology_result *t, uint32_t id, const tal
     return "shell: genus is not 1 - euler/2";
   }
   if (s->kind > HSP_SHELL_VOID) return "shell: unknown kind";
-  if (s->component >= t->counts.components || s->cell >= t->counts.cells) return "shell: no such component or cell";
+  if (s->component >= t->counts.components || s->region >= t->counts.regions)
+    return "shell: no such component or region";
   if (s->kind == HSP_SHELL_OUTER && t->components[s->component].outer_shell != id) {
     return "shell: outer, but not the outer shell of its component";
   }
-  if (s->kind == HSP_SHELL_VOID && t->cells[s->cell].enclosing_shell != id)
+  if (s->kind == HSP_SHELL_VOID && t->regions[s->region].enclosing_shell != id)
     return "shell: of a void that it does not enclose";
   if (s->start_face >= t->counts.simple_faces || t->faces[s->start_face].shell != id) {
     return "shell: start_face is none of its simple faces";
@@ -176,7 +177,7 @@ static const char *broken_components(const topology_result *t) {
     if (t->shells[k->outer_shell].component != i || t->shells[k->outer_shell].kind != HSP_SHELL_OUTER) {
       broken = "component: its outer shell is none";
     }
-    if (k->cell != t->shells[k->outer_shell].cell) broken = "component: not in the cell of its outer shell";
+    if (k->region != t->shells[k->outer_shell].region) broken = "component: not in the region of its outer shell";
     if (c->balls[k->top_ball].component != i) broken = "component: its top ball belongs to another";
     if (!(top_of_ball(c, k->top_ball) >= top[i] - top_rounding(c, top[i]))) {
       broken = "component: another ball reaches higher than its top ball";
@@ -191,8 +192,8 @@ static const char *broken_components(const topology_result *t) {
   if (broken == NULL && t->counts.start_face != HSP_NONE) {
     const hsp_simple_face *start = t->faces + t->counts.start_face;
     const hsp_shell *shell = t->shells + start->shell;
-    if (shell->start_face != t->counts.start_face || shell->kind != HSP_SHELL_OUTER || shell->cell != 0) {
-      broken = "start_face is not where an outer shell of cell 0 starts";
+    if (shell->start_face != t->counts.start_face || shell->kind != HSP_SHELL_OUTER || shell->region != 0) {
+      broken = "start_face is not where an outer shell of region 0 starts";
     }
     if (!(top[shell->component] >= top_of_all - top_rounding(c, top_of_all))) {
       broken = "start_face is not in the highest component";
@@ -204,17 +205,17 @@ static const char *broken_components(const topology_result *t) {
   return broken;
 }
 
-static const char *broken_cell(const topology_result *t, uint32_t id) {
-  const hsp_cell *cell = t->cells + id;
+static const char *broken_region(const topology_result *t, uint32_t id) {
+  const hsp_region *region = t->regions + id;
   const double rounding = area_rounding(t, t->base->counts.faces), r = t->base->info.largest_radius;
   double area = 0, volume = 0, sizes = 0;
   uint32_t i, components = 0, shells = 0, needed = HSP_NONE;
   int good = 1;
   uint32_t *ids = test_zeros(t->counts.shells, sizeof(uint32_t));
-  if (hsp_topology_get_cell_shells(t->topology, id, ids, t->counts.shells, &needed) != HSP_OK) good = 0;
+  if (hsp_topology_get_region_shells(t->topology, id, ids, t->counts.shells, &needed) != HSP_OK) good = 0;
   for (i = 0; i < t->counts.shells; ++i) {
     const hsp_shell *s = t->shells + i;
-    if (s->cell != id) continue;
+    if (s->region != id) continue;
     if (!(shells < needed && ids[shells] == i)) good = 0;
     ++shells;
     area += s->area;
@@ -224,47 +225,48 @@ static const char *broken_cell(const topology_result *t, uint32_t id) {
   }
   free(ids);
   if (!good || shells != needed)
-    return "hsp_topology_get_cell_shells: not its enclosing shell and outer shells, ascending";
-  if (cell->reserved != 0) return "cell: reserved is not 0";
-  if (cell->components != components || cell->shells != shells) return "cell: wrong numbers of components or shells";
-  if ((cell->enclosing_shell == HSP_NONE) != (id == 0)) return "cell: cell 0 alone has no enclosing shell";
+    return "hsp_topology_get_region_shells: not its enclosing shell and outer shells, ascending";
+  if (region->reserved != 0) return "region: reserved is not 0";
+  if (region->components != components || region->shells != shells)
+    return "region: wrong numbers of components or shells";
+  if ((region->enclosing_shell == HSP_NONE) != (id == 0)) return "region: region 0 alone has no enclosing shell";
   if (id > 0) {
-    if (cell->enclosing_shell >= t->counts.shells || t->shells[cell->enclosing_shell].kind != HSP_SHELL_VOID ||
-        t->shells[cell->enclosing_shell].cell != id) {
-      return "cell: its enclosing shell is not that of a void around it";
+    if (region->enclosing_shell >= t->counts.shells || t->shells[region->enclosing_shell].kind != HSP_SHELL_VOID ||
+        t->shells[region->enclosing_shell].region != id) {
+      return "region: its enclosing shell is not that of a void around it";
     }
-    if (id > 1 && t->cells[id - 1].enclosing_shell >= cell->enclosing_shell)
-      return "cells are not in the order of their shells";
+    if (id > 1 && t->regions[id - 1].enclosing_shell >= region->enclosing_shell)
+      return "regions are not in the order of their shells";
   }
-  if (!(fabs(cell->area - area) <= 1e-12 * area + rounding)) return "cell: area is not that of its shells";
-  if (id == 0 ? cell->volume != 0 : !(fabs(cell->volume - volume) <= 1e-12 * sizes + rounding * r)) {
-    return "cell: volume is not that of its enclosing shell less what lies in it";
+  if (!(fabs(region->area - area) <= 1e-12 * area + rounding)) return "region: area is not that of its shells";
+  if (id == 0 ? region->volume != 0 : !(fabs(region->volume - volume) <= 1e-12 * sizes + rounding * r)) {
+    return "region: volume is not that of its enclosing shell less what lies in it";
   }
-  if (!(cell->volume >= -1e-12 * sizes - rounding * r)) return "cell: negative volume";
+  if (!(region->volume >= -1e-12 * sizes - rounding * r)) return "region: negative volume";
   return NULL;
 }
 
-/* The balls of a cell against the simple faces. A ball on no cell is one without faces: property 1. */
-static const char *broken_cell_balls(const topology_result *t) {
+/* The balls of a region against the simple faces. A ball on no region is one without faces: property 1. */
+static const char *broken_region_balls(const topology_result *t) {
   const uint32_t n = t->base->n;
   uint32_t *ids = test_zeros(n, sizeof(uint32_t));
   unsigned char *lines = test_zeros(n, 1), *exposed = test_zeros(n, 1);
   const char *broken = NULL;
   uint32_t id, i, k, needed = 0;
-  for (id = 0; id < t->counts.cells && broken == NULL; ++id) {
+  for (id = 0; id < t->counts.regions && broken == NULL; ++id) {
     for (i = 0; i < n; ++i) lines[i] = 0;
     for (i = 0; i < t->counts.simple_faces; ++i) {
-      if (t->shells[t->faces[i].shell].cell == id) lines[t->faces[i].ball] = exposed[t->faces[i].ball] = 1;
+      if (t->shells[t->faces[i].shell].region == id) lines[t->faces[i].ball] = exposed[t->faces[i].ball] = 1;
     }
-    if (hsp_topology_get_cell_balls(t->topology, id, ids, n, &needed) != HSP_OK) needed = HSP_NONE;
+    if (hsp_topology_get_region_balls(t->topology, id, ids, n, &needed) != HSP_OK) needed = HSP_NONE;
     for (i = 0, k = 0; i < n; ++i) {
       if (lines[i] && (k >= needed || ids[k++] != i)) needed = HSP_NONE;
     }
-    if (k != needed) broken = "hsp_topology_get_cell_balls: not the balls with faces on the cell, ascending";
+    if (k != needed) broken = "hsp_topology_get_region_balls: not the balls with faces on the region, ascending";
   }
   for (i = 0; i < n && broken == NULL; ++i) {
     if (exposed[i] != (t->base->balls[i].faces > 0))
-      broken = "hsp_topology_get_cell_balls, property 1: an exposed ball lines a cell";
+      broken = "hsp_topology_get_region_balls, property 1: an exposed ball lines a region";
   }
   free(ids);
   free(lines);
@@ -272,30 +274,31 @@ static const char *broken_cell_balls(const topology_result *t) {
   return broken;
 }
 
-/* From any cell, outwards over the component that walls it to the cell that this one lies in, one comes to cell 0. */
+/* From any region, outwards over the component that walls it to the region that this one lies in, one comes to region
+ * 0. */
 static const char *broken_nesting(const topology_result *t) {
   uint32_t i;
-  for (i = 0; i < t->counts.cells; ++i) {
+  for (i = 0; i < t->counts.regions; ++i) {
     uint32_t at = i, steps = 0;
     while (at != 0) {
-      const hsp_component *around = t->components + t->shells[t->cells[at].enclosing_shell].component;
-      if (around->cell >= t->counts.cells) return "component: no such cell";
-      at = around->cell;
-      if (++steps > t->counts.components) return "cells lie in each other in a circle";
+      const hsp_component *around = t->components + t->shells[t->regions[at].enclosing_shell].component;
+      if (around->region >= t->counts.regions) return "component: no such region";
+      at = around->region;
+      if (++steps > t->counts.components) return "regions lie in each other in a circle";
     }
   }
   return NULL;
 }
 
-static const char *broken_cells(const topology_result *t) {
+static const char *broken_regions(const topology_result *t) {
   const char *broken = NULL;
   uint32_t i, needed = 12345;
-  for (i = 0; i < t->counts.cells && broken == NULL; ++i) broken = broken_cell(t, i);
-  if (broken == NULL) broken = broken_cell_balls(t);
+  for (i = 0; i < t->counts.regions && broken == NULL; ++i) broken = broken_region(t, i);
+  if (broken == NULL) broken = broken_region_balls(t);
   if (broken == NULL) broken = broken_nesting(t);
-  if (broken == NULL && (hsp_topology_get_cell_shells(t->topology, t->counts.cells, NULL, 0, &needed) != HSP_E_ID ||
+  if (broken == NULL && (hsp_topology_get_region_shells(t->topology, t->counts.regions, NULL, 0, &needed) != HSP_E_ID ||
                          hsp_topology_get_traversal(t->topology, t->counts.shells, NULL, 0, &needed) != HSP_E_ID)) {
-    broken = "a cell or shell that there is not";
+    broken = "a region or shell that there is not";
   }
   return broken;
 }
@@ -352,7 +355,7 @@ static const char *broken_own_check(const topology_result *t) {
 const char *broken_topology_shells(const topology_result *t) {
   const char *broken = broken_shells(t);
   if (broken == NULL) broken = broken_components(t);
-  if (broken == NULL) broken = broken_cells(t);
+  if (broken == NULL) broken = broken_regions(t);
   if (broken == NULL) broken = broken_scans(t);
   if (broken == NULL) broken = broken_own_check(t);
   return broken;

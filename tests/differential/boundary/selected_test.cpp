@@ -196,9 +196,9 @@ TEST(Selected, AnswersNothingElse) {
   hsp_measure_outputs measured{};
   measured.struct_size = sizeof measured;
   measured.capacity = 3;
-  measured.volume = volume;
+  measured.volume_term = volume;
   EXPECT_EQ(hsp_boundary_get_measures(boundary, nullptr, &measured), HSP_E_STATE);
-  measured.volume = nullptr;
+  measured.volume_term = nullptr;
   measured.totals = &totals;
   EXPECT_EQ(hsp_boundary_get_measures(boundary, nullptr, &measured), HSP_OK);
   EXPECT_GT(totals.area, 0);

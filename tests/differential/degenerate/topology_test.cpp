@@ -73,7 +73,7 @@ TEST(DegenerateTopology, HasTheShellsThatAreKnown) {
     for (const hsp_shell &shell : topology.shells()) euler += 2 - 2 * int64_t{shell.genus};
     EXPECT_EQ(euler, set.expected->euler) << set.name;
     EXPECT_EQ(topology.counts().components, set.expected->components) << set.name;
-    EXPECT_EQ(topology.counts().cells, 1 + set.expected->voids) << set.name;
+    EXPECT_EQ(topology.counts().regions, 1 + set.expected->voids) << set.name;
   }
 }
 

@@ -41,7 +41,7 @@ void compare_dual(const DualRow &row, const std::filesystem::path &file, support
   uint32_t invariant = 0, id = 0;
   expect_ok(hsp_contacts_check(contacts.get(), &invariant, &id), "hsp_contacts_check");
   const auto list = support::all_records<hsp_contact>(
-      [&](auto... out) { return hsp_contacts_get(contacts.get(), out...); }, "hsp_contacts_get");
+      [&](auto... out) { return hsp_contacts_get_pairs(contacts.get(), out...); }, "hsp_contacts_get_pairs");
   double area = 0.0;
   for (const hsp_contact &contact : list) area += contact.area / units / units;
   EXPECT_NEAR(area, row.contact_area, 1e-13 * row.contact_area);

@@ -19,7 +19,7 @@ namespace {
 using oracle::Point;
 using oracle::ProbedBall;
 
-std::vector<uint32_t> shells_of_cell(const hsp_boundary *boundary, uint32_t cell) {
+std::vector<uint32_t> shells_of_region(const hsp_boundary *boundary, uint32_t region) {
   support::OwnedTopology topology;
   topology.take(support::topology_limits_for(boundary));
   topology.compute([&](hsp_topology *handle, hsp_topology_limits *limits) {
@@ -27,18 +27,18 @@ std::vector<uint32_t> shells_of_cell(const hsp_boundary *boundary, uint32_t cell
   });
   hsp_topology_counts counts;
   support::expect_ok(hsp_topology_get_counts(topology.get(), &counts), "hsp_topology_get_counts");
-  EXPECT_EQ(counts.cells, 2U);
+  EXPECT_EQ(counts.regions, 2U);
   std::vector<uint32_t> shells(counts.shells);
   uint32_t needed = 0;
-  support::expect_ok(hsp_topology_get_cell_shells(topology.get(), cell, shells.data(), counts.shells, &needed),
-                     "hsp_topology_get_cell_shells");
+  support::expect_ok(hsp_topology_get_region_shells(topology.get(), region, shells.data(), counts.shells, &needed),
+                     "hsp_topology_get_region_shells");
   shells.resize(needed);
   return shells;
 }
 
-// Of the whole complement, or of one of its cells.
+// Of the whole complement, or of one of its regions.
 hsp_surface_totals library_surface(const std::vector<ProbedBall> &balls, double probe, hsp_surface_counts &counts,
-                                   uint32_t cell = HSP_NONE) {
+                                   uint32_t region = HSP_NONE) {
   support::BallList list;
   for (const ProbedBall &ball : balls) {
     list.add(ball.centre[0], ball.centre[1], ball.centre[2], ball.radius - probe);
@@ -56,11 +56,11 @@ hsp_surface_totals library_surface(const std::vector<ProbedBall> &balls, double 
   support::OwnedSurface surface;
   surface.take(support::surface_limits_for(boundary.get()));
   const std::vector<uint32_t> shells =
-      cell == HSP_NONE ? std::vector<uint32_t>{} : shells_of_cell(boundary.get(), cell);
+      region == HSP_NONE ? std::vector<uint32_t>{} : shells_of_region(boundary.get(), region);
   surface.compute([&](hsp_surface *handle, hsp_surface_limits *limits) {
-    return cell == HSP_NONE ? hsp_surface_compute(handle, boundary.get(), limits)
-                            : hsp_surface_compute_shells(handle, boundary.get(), shells.data(),
-                                                         static_cast<uint32_t>(shells.size()), limits);
+    return region == HSP_NONE ? hsp_surface_compute(handle, boundary.get(), limits)
+                              : hsp_surface_compute_shells(handle, boundary.get(), shells.data(),
+                                                           static_cast<uint32_t>(shells.size()), limits);
   });
   hsp_surface_totals totals;
   support::expect_ok(hsp_surface_measure(surface.get(), &totals, nullptr, 0, nullptr), "hsp_surface_measure");
@@ -69,9 +69,9 @@ hsp_surface_totals library_surface(const std::vector<ProbedBall> &balls, double 
 }
 
 void expect_as_by_lines(const std::vector<ProbedBall> &balls, double probe, int lines, double tolerance,
-                        hsp_surface_counts &counts, uint32_t cell = HSP_NONE,
+                        hsp_surface_counts &counts, uint32_t region = HSP_NONE,
                         const oracle::Room &room = oracle::everywhere) {
-  const hsp_surface_totals found = library_surface(balls, probe, counts, cell);
+  const hsp_surface_totals found = library_surface(balls, probe, counts, region);
   const oracle::AreaAndVolume expected = oracle::excluded_surface_by_lines(balls, probe, lines, room);
   EXPECT_NEAR(found.volume, expected.volume, tolerance * std::abs(found.volume));
   EXPECT_NEAR(found.area, expected.area, tolerance * found.area);
@@ -166,8 +166,8 @@ class Cage {
   std::vector<Facet> facets_;
 };
 
-// The outer cell alone, the void alone, both: where probes of the two overlap they cut each other only in the last.
-TEST(ExcludedSurface, OfOneCell) {
+// The outer region alone, the void alone, both: where probes of the two overlap they cut each other only in the last.
+TEST(ExcludedSurface, OfOneRegion) {
   const double a = 1.79555934;
   const std::vector<ProbedBall> four = {{{a, a, a}, 3.1}, {{a, -a, -a}, 3.1}, {{-a, a, -a}, 3.1}, {{-a, -a, a}, 3.1}};
   const auto is_near = [](const Point &y) { return y[0] * y[0] + y[1] * y[1] + y[2] * y[2] < 1; };

@@ -141,8 +141,8 @@ MeshDefects mesh_defects(const mesh_result &mesh, const hsp_surface *surface, do
 }
 
 std::set<std::array<double, 3>> surface_cusps(const hsp_surface *surface) {
-  hsp_surface_map_counts counts{};
-  expect_ok(hsp_surface_get_map_counts(surface, &counts), "hsp_surface_get_map_counts");
+  hsp_surface_part_counts counts{};
+  expect_ok(hsp_surface_get_part_counts(surface, &counts), "hsp_surface_get_part_counts");
   std::vector<hsp_surface_corner> corners(counts.corners);
   expect_ok(hsp_surface_get_corners(surface, 0, counts.corners, corners.data()), "hsp_surface_get_corners");
   std::set<std::array<double, 3>> cusps;

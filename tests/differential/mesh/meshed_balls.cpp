@@ -20,8 +20,8 @@ MeshedBalls::~MeshedBalls() {
 }
 
 std::vector<hsp_surface_shell> MeshedBalls::surface_shells() const {
-  hsp_surface_map_counts map{};
-  expect_ok(hsp_surface_get_map_counts(surface_.surface, &map), "hsp_surface_get_map_counts");
+  hsp_surface_part_counts map{};
+  expect_ok(hsp_surface_get_part_counts(surface_.surface, &map), "hsp_surface_get_part_counts");
   std::vector<hsp_surface_shell> shells(map.shells);
   uint32_t needed = 0;
   expect_ok(hsp_surface_get_shells(surface_.surface, shells.data(), map.shells, &needed), "hsp_surface_get_shells");
@@ -29,8 +29,8 @@ std::vector<hsp_surface_shell> MeshedBalls::surface_shells() const {
 }
 
 std::vector<uint32_t> MeshedBalls::shells_of_patches() const {
-  hsp_surface_map_counts map{};
-  expect_ok(hsp_surface_get_map_counts(surface_.surface, &map), "hsp_surface_get_map_counts");
+  hsp_surface_part_counts map{};
+  expect_ok(hsp_surface_get_part_counts(surface_.surface, &map), "hsp_surface_get_part_counts");
   std::vector<hsp_surface_patch> patches(map.patches);
   expect_ok(hsp_surface_get_patches(surface_.surface, 0, map.patches, patches.data()), "hsp_surface_get_patches");
   std::vector<uint32_t> shells;

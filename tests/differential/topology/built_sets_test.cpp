@@ -45,10 +45,11 @@ void expect_as_built(const BuiltSet &set, const Balls &balls) {
     EXPECT_EQ(genus, built.genus) << set.name << ", component " << k;
     voids += built.voids;
     const uint32_t expected = built.around ? found[*built.around] : HSP_NONE;
-    const uint32_t around = component.cell == 0 ? HSP_NONE : shells[cells[component.cell].enclosing_shell].component;
+    const uint32_t around =
+        component.region == 0 ? HSP_NONE : shells[cells[component.region].enclosing_shell].component;
     EXPECT_EQ(around, expected) << set.name << ", component " << k << " lies in the void of another";
   }
-  EXPECT_EQ(topology.counts().cells, 1 + voids) << set.name;
+  EXPECT_EQ(topology.counts().regions, 1 + voids) << set.name;
 }
 
 TEST(BuiltSets, AreAsBuilt) {
@@ -109,7 +110,7 @@ TEST(BuiltSets, CellsFromTheInsideOut) {
   EXPECT_EQ(topology.cell_of({0, 0, 3000}), 0U);
   ASSERT_EQ(walls.size(), 4U);
   for (size_t k = 0; k + 1 < walls.size(); ++k)
-    EXPECT_EQ(components[shells[walls[k]].component].cell, shells[walls[k + 1]].cell);
+    EXPECT_EQ(components[shells[walls[k]].component].region, shells[walls[k + 1]].region);
 }
 
 TEST(AwkwardSets, KeepTheInvariantsInAnyOrderAndAlongAnyAxes) {

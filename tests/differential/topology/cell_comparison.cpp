@@ -54,10 +54,10 @@ std::set<uint32_t> components_around(const LibraryTopology &topology, uint32_t c
   const auto cells = topology.cells();
   const auto shells = topology.shells();
   std::set<uint32_t> around;
-  for (uint32_t cell = components[component].cell; cell != 0;) {
+  for (uint32_t cell = components[component].region; cell != 0;) {
     const uint32_t outer = shells[cells[cell].enclosing_shell].component;
     if (!around.insert(outer).second) break;
-    cell = components[outer].cell;
+    cell = components[outer].region;
   }
   return around;
 }
@@ -110,17 +110,17 @@ std::string nesting_disagrees(const Balls &small) {
   const auto shells = topology.shells();
   const DualComplex all(balls);
   Finding finding;
-  finding.require(topology.counts().cells == all.cells(), topology.counts().cells, "cells instead of", all.cells());
+  finding.require(topology.counts().regions == all.cells(), topology.counts().regions, "cells instead of", all.cells());
 
   CellPairs pairs;
   for (uint32_t c = 0; c < members.size(); ++c) {
     const LatticePoint top = above_top(members[c]);
     const uint32_t expected = cell_of(all, top);
-    finding.require(pairs.pair(components[c].cell, expected), "component", c, "lies in the wrong cell,",
-                    components[c].cell);
+    finding.require(pairs.pair(components[c].region, expected), "component", c, "lies in the wrong cell,",
+                    components[c].region);
     const uint32_t located = topology.cell_of(top);
-    finding.require(located == components[c].cell, "the point", text_of(top), "above component", c, "lies in cell",
-                    located, "not in", components[c].cell);
+    finding.require(located == components[c].region, "the point", text_of(top), "above component", c, "lies in cell",
+                    located, "not in", components[c].region);
   }
   for (uint32_t outer = 0; outer < members.size(); ++outer) {
     const DualComplex alone(members[outer]);
@@ -145,7 +145,7 @@ std::string cell_balls_disagree(const LibraryTopology &topology, const DualCompl
     std::sort(lists.begin() + 1, lists.end());  // cell 0 is the outer one for both
     return lists;
   };
-  const auto found = lists_of(topology.counts().cells, [&](uint32_t cell) { return topology.cell_balls(cell); });
+  const auto found = lists_of(topology.counts().regions, [&](uint32_t cell) { return topology.cell_balls(cell); });
   const auto expected = lists_of(complex.cells(), [&](uint32_t cell) {
     std::vector<uint32_t> around = complex.balls_around(cell);
     std::erase_if(around, [&](uint32_t ball) { return records[ball].faces == 0; });
@@ -185,7 +185,7 @@ std::string locations_disagree(const Balls &small, int points, uint64_t seed) {
                     containing.size(), "balls");
     if (!containing.empty()) continue;
     const uint32_t expected = cell_of(complex, point);
-    finding.require(cell < topology.counts().cells && pairs.pair(cell, expected), "the free point", text_of(point),
+    finding.require(cell < topology.counts().regions && pairs.pair(cell, expected), "the free point", text_of(point),
                     "is located in cell", cell);
   }
   return finding.text();

@@ -37,9 +37,9 @@ TEST(Nesting, OfShellsInShells) {
     const auto shells = topology.shells();
     const auto components = topology.components();
     for (const hsp_component &component : components) {
-      if (component.cell == 0) continue;
+      if (component.region == 0) continue;
       ++components_in_voids;
-      deep += components[shells[cells[component.cell].enclosing_shell].component].cell != 0 ? 1 : 0;
+      deep += components[shells[cells[component.region].enclosing_shell].component].region != 0 ? 1 : 0;
     }
   }
   // The sets are what they are meant to be.

@@ -39,17 +39,17 @@ std::vector<hsp_component> LibraryTopology::components() const {
   return all_records<hsp_component>([&](auto... out) { return hsp_topology_get_components(handle(), out...); },
                                     "hsp_topology_get_components");
 }
-std::vector<hsp_cell> LibraryTopology::cells() const {
-  return all_records<hsp_cell>([&](auto... out) { return hsp_topology_get_cells(handle(), out...); },
-                               "hsp_topology_get_cells");
+std::vector<hsp_region> LibraryTopology::cells() const {
+  return all_records<hsp_region>([&](auto... out) { return hsp_topology_get_regions(handle(), out...); },
+                                 "hsp_topology_get_regions");
 }
 std::vector<uint32_t> LibraryTopology::cell_shells(uint32_t cell) const {
-  return all_records<uint32_t>([&](auto... out) { return hsp_topology_get_cell_shells(handle(), cell, out...); },
-                               "hsp_topology_get_cell_shells");
+  return all_records<uint32_t>([&](auto... out) { return hsp_topology_get_region_shells(handle(), cell, out...); },
+                               "hsp_topology_get_region_shells");
 }
 std::vector<uint32_t> LibraryTopology::cell_balls(uint32_t cell) const {
-  return all_records<uint32_t>([&](auto... out) { return hsp_topology_get_cell_balls(handle(), cell, out...); },
-                               "hsp_topology_get_cell_balls");
+  return all_records<uint32_t>([&](auto... out) { return hsp_topology_get_region_balls(handle(), cell, out...); },
+                               "hsp_topology_get_region_balls");
 }
 std::vector<uint32_t> LibraryTopology::scan(uint32_t shell) const {
   return all_records<uint32_t>([&](auto... out) { return hsp_topology_get_traversal(handle(), shell, out...); },

@@ -23,7 +23,7 @@ class LibraryTopology {
   [[nodiscard]] std::vector<hsp_simple_face> faces() const;
   [[nodiscard]] std::vector<hsp_shell> shells() const;
   [[nodiscard]] std::vector<hsp_component> components() const;
-  [[nodiscard]] std::vector<hsp_cell> cells() const;
+  [[nodiscard]] std::vector<hsp_region> cells() const;
   [[nodiscard]] std::vector<uint32_t> cell_shells(uint32_t cell) const;
   [[nodiscard]] std::vector<uint32_t> cell_balls(uint32_t cell) const;
   [[nodiscard]] std::vector<uint32_t> scan(uint32_t shell) const;

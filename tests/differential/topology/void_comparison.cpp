@@ -69,7 +69,7 @@ class Comparison {
     for (uint32_t cell = 1; cell < cells_.size() && !finding_.any(); ++cell) bound_void(cell);
     findings_.regions = coarse_.certain().size();
     findings_.voids = cells_.size() - 1;
-    for (const hsp_cell &cell : cells_) findings_.volume += static_cast<long double>(cell.volume);
+    for (const hsp_region &cell : cells_) findings_.volume += static_cast<long double>(cell.volume);
     findings_.wrong = finding_.text();
     return findings_;
   }
@@ -174,7 +174,7 @@ class Comparison {
   const Balls &balls_;
   const VoidSettings &settings_;
   LibraryTopology topology_;
-  std::vector<hsp_cell> cells_;
+  std::vector<hsp_region> cells_;
   std::vector<hsp_shell> shells_;
   oracle::DualComplex complex_;
   CellPairs pairs_;

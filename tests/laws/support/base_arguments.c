@@ -16,7 +16,7 @@ static const struct {
 static double number_named(const argument *a) {
   size_t k;
   if (strcmp(a->name, "n") == 0 || strcmp(a->name, "balls") == 0) return given.balls;
-  if (strcmp(a->name, "edge") == 0) return strcmp(a->base, "double") == 0 ? fixture_edge : 0;
+  if (strcmp(a->name, "edge_length") == 0) return fixture_edge;
   for (k = 0; k < sizeof numbers / sizeof numbers[0]; ++k) {
     if (strcmp(numbers[k].name, a->name) == 0) return numbers[k].value;
   }

@@ -71,7 +71,7 @@ void call_put_null(call *c, int i) {
 }
 
 static void *base_handle(const argument *a, int i) {
-  if (a->noun == NOUN_body && strcmp(a->name, "moving") == 0) return given.moving_body;
+  if (a->noun == NOUN_body && strcmp(a->name, "posed") == 0) return given.moving_body;
   if (a->noun == NOUN_model && !a->is_const && i > 0) return given.spare_model;
   return given.handle[a->noun];
 }

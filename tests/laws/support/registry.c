@@ -250,7 +250,7 @@ static int64_t call_hsp_pose_from_matrix(const value *v) {
 
 static const argument of_hsp_body_hits[] = {
   {"fixed", "hsp_body", .kind = KIND_handle, .noun = NOUN_body, .is_const = 1},
-  {"moving", "hsp_body", .kind = KIND_handle, .noun = NOUN_body, .is_const = 1},
+  {"posed", "hsp_body", .kind = KIND_handle, .noun = NOUN_body, .is_const = 1},
   {"poses", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
   {"pose", "hsp_pose", .kind = KIND_array_in, .size = sizeof(hsp_pose), .extent = "poses", .null = NULL_empty, .is_const
       = 1},
@@ -263,7 +263,7 @@ static int64_t call_hsp_body_hits(const value *v) {
 
 static const argument of_hsp_body_hits_along[] = {
   {"fixed", "hsp_body", .kind = KIND_handle, .noun = NOUN_body, .is_const = 1},
-  {"moving", "hsp_body", .kind = KIND_handle, .noun = NOUN_body, .is_const = 1},
+  {"posed", "hsp_body", .kind = KIND_handle, .noun = NOUN_body, .is_const = 1},
   {"poses", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
   {"pose", "hsp_pose", .kind = KIND_array_in, .size = sizeof(hsp_pose), .extent = "poses", .null = NULL_empty, .is_const
       = 1},
@@ -277,7 +277,7 @@ static int64_t call_hsp_body_hits_along(const value *v) {
 
 static const argument of_hsp_body_gaps[] = {
   {"fixed", "hsp_body", .kind = KIND_handle, .noun = NOUN_body, .is_const = 1},
-  {"moving", "hsp_body", .kind = KIND_handle, .noun = NOUN_body, .is_const = 1},
+  {"posed", "hsp_body", .kind = KIND_handle, .noun = NOUN_body, .is_const = 1},
   {"poses", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
   {"pose", "hsp_pose", .kind = KIND_array_in, .size = sizeof(hsp_pose), .extent = "poses", .null = NULL_empty, .is_const
       = 1},
@@ -290,7 +290,7 @@ static int64_t call_hsp_body_gaps(const value *v) {
 
 static const argument of_hsp_body_overlaps[] = {
   {"fixed", "hsp_body", .kind = KIND_handle, .noun = NOUN_body, .is_const = 1},
-  {"moving", "hsp_body", .kind = KIND_handle, .noun = NOUN_body, .is_const = 1},
+  {"posed", "hsp_body", .kind = KIND_handle, .noun = NOUN_body, .is_const = 1},
   {"poses", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
   {"pose", "hsp_pose", .kind = KIND_array_in, .size = sizeof(hsp_pose), .extent = "poses", .null = NULL_empty, .is_const
       = 1},
@@ -304,7 +304,7 @@ static int64_t call_hsp_body_overlaps(const value *v) {
 
 static const argument of_hsp_body_pairs[] = {
   {"fixed", "hsp_body", .kind = KIND_handle, .noun = NOUN_body, .is_const = 1},
-  {"moving", "hsp_body", .kind = KIND_handle, .noun = NOUN_body, .is_const = 1},
+  {"posed", "hsp_body", .kind = KIND_handle, .noun = NOUN_body, .is_const = 1},
   {"pose", "hsp_pose", .kind = KIND_struct_in, .size = sizeof(hsp_pose), .is_const = 1},
   {"pair", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .row = 2, .null =
       NULL_empty, .held = 1},
@@ -317,7 +317,7 @@ static int64_t call_hsp_body_pairs(const value *v) {
 
 static const argument of_hsp_body_rational_hits[] = {
   {"fixed", "hsp_body", .kind = KIND_handle, .noun = NOUN_body, .is_const = 1},
-  {"moving", "hsp_body", .kind = KIND_handle, .noun = NOUN_body, .is_const = 1},
+  {"posed", "hsp_body", .kind = KIND_handle, .noun = NOUN_body, .is_const = 1},
   {"poses", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
   {"pose", "hsp_rational_pose", .kind = KIND_array_in, .size = sizeof(hsp_rational_pose), .extent = "poses", .null =
       NULL_empty, .is_const = 1},
@@ -330,7 +330,7 @@ static int64_t call_hsp_body_rational_hits(const value *v) {
 
 static const argument of_hsp_body_rational_hits_along[] = {
   {"fixed", "hsp_body", .kind = KIND_handle, .noun = NOUN_body, .is_const = 1},
-  {"moving", "hsp_body", .kind = KIND_handle, .noun = NOUN_body, .is_const = 1},
+  {"posed", "hsp_body", .kind = KIND_handle, .noun = NOUN_body, .is_const = 1},
   {"poses", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
   {"pose", "hsp_rational_pose", .kind = KIND_array_in, .size = sizeof(hsp_rational_pose), .extent = "poses", .null =
       NULL_empty, .is_const = 1},
@@ -344,7 +344,7 @@ static int64_t call_hsp_body_rational_hits_along(const value *v) {
 
 static const argument of_hsp_body_rational_gaps[] = {
   {"fixed", "hsp_body", .kind = KIND_handle, .noun = NOUN_body, .is_const = 1},
-  {"moving", "hsp_body", .kind = KIND_handle, .noun = NOUN_body, .is_const = 1},
+  {"posed", "hsp_body", .kind = KIND_handle, .noun = NOUN_body, .is_const = 1},
   {"poses", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
   {"pose", "hsp_rational_pose", .kind = KIND_array_in, .size = sizeof(hsp_rational_pose), .extent = "poses", .null =
       NULL_empty, .is_const = 1},
@@ -357,7 +357,7 @@ static int64_t call_hsp_body_rational_gaps(const value *v) {
 
 static const argument of_hsp_body_rational_pairs[] = {
   {"fixed", "hsp_body", .kind = KIND_handle, .noun = NOUN_body, .is_const = 1},
-  {"moving", "hsp_body", .kind = KIND_handle, .noun = NOUN_body, .is_const = 1},
+  {"posed", "hsp_body", .kind = KIND_handle, .noun = NOUN_body, .is_const = 1},
   {"pose", "hsp_rational_pose", .kind = KIND_struct_in, .size = sizeof(hsp_rational_pose), .is_const = 1},
   {"pair", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .row = 2, .null =
       NULL_empty, .held = 1},
@@ -542,7 +542,8 @@ static const argument of_hsp_boundary_measure[] = {
       = 1},
   {"totals", "hsp_totals", .kind = KIND_struct_out, .size = sizeof(hsp_totals), .null = NULL_always},
   {"area", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .held = 1},
-  {"volume", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .held = 1},
+  {"volume_term", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .held =
+      1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
   {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
@@ -567,8 +568,8 @@ static const argument of_hsp_boundary_get_measures[] = {
       offsetof(hsp_measure_outputs, totals)},
   {"area", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .of = 4,
       .offset = offsetof(hsp_measure_outputs, area), .held = 1},
-  {"volume", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .of = 4,
-      .offset = offsetof(hsp_measure_outputs, volume), .held = 1},
+  {"volume_term", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .of = 4,
+      .offset = offsetof(hsp_measure_outputs, volume_term), .held = 1},
 };
 static int64_t call_hsp_boundary_get_measures(const value *v) {
   return (int64_t)hsp_boundary_get_measures(v[0].p, v[1].p, v[4].p);
@@ -577,8 +578,8 @@ static int64_t call_hsp_boundary_get_measures(const value *v) {
 static const argument of_hsp_boundary_measure_faces[] = {
   {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
   {"area", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "faces", .null = NULL_always, .held = 1},
-  {"volume", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "faces", .null = NULL_always, .held =
-      1},
+  {"volume_term", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "faces", .null = NULL_always,
+      .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
   {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
@@ -749,7 +750,8 @@ static const argument of_hsp_moving_measure[] = {
   {"moving", "hsp_moving", .kind = KIND_handle, .noun = NOUN_moving, .is_const = 1},
   {"totals", "hsp_totals", .kind = KIND_struct_out, .size = sizeof(hsp_totals), .null = NULL_always},
   {"area", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .held = 1},
-  {"volume", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .held = 1},
+  {"volume_term", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .held =
+      1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
   {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
@@ -888,15 +890,15 @@ static int64_t call_hsp_contacts_compute(const value *v) {
   return (int64_t)hsp_contacts_compute(v[0].p, v[1].p, v[2].p);
 }
 
-static const argument of_hsp_contacts_get[] = {
+static const argument of_hsp_contacts_get_pairs[] = {
   {"contacts", "hsp_contacts", .kind = KIND_handle, .noun = NOUN_contacts, .is_const = 1},
   {"out", "hsp_contact", .kind = KIND_array_out, .size = sizeof(hsp_contact), .extent = "needed", .null = NULL_empty,
       .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
   {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
-static int64_t call_hsp_contacts_get(const value *v) {
-  return (int64_t)hsp_contacts_get(v[0].p, v[1].p, v[2].u, v[3].p);
+static int64_t call_hsp_contacts_get_pairs(const value *v) {
+  return (int64_t)hsp_contacts_get_pairs(v[0].p, v[1].p, v[2].u, v[3].p);
 }
 
 static const argument of_hsp_contacts_get_row[] = {
@@ -914,7 +916,7 @@ static int64_t call_hsp_contacts_get_row(const value *v) {
 static const argument of_hsp_contacts_measure[] = {
   {"contacts", "hsp_contacts", .kind = KIND_handle, .noun = NOUN_contacts, .is_const = 1},
   {"totals", "hsp_totals", .kind = KIND_struct_out, .size = sizeof(hsp_totals), .null = NULL_always},
-  {"cell_volume", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .held =
+  {"share_volume", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .held =
       1},
   {"contact_area", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .held =
       1},
@@ -1021,7 +1023,7 @@ static const argument of_hsp_periodic_measure[] = {
   {"periodic", "hsp_periodic", .kind = KIND_handle, .noun = NOUN_periodic, .is_const = 1},
   {"totals", "hsp_periodic_totals", .kind = KIND_struct_out, .size = sizeof(hsp_periodic_totals), .null = NULL_always},
   {"area", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .held = 1},
-  {"cell_volume", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .held =
+  {"share_volume", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .held =
       1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
   {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
@@ -1405,12 +1407,12 @@ static int64_t call_hsp_surface_get_gradient(const value *v) {
   return (int64_t)hsp_surface_get_gradient(v[0].p, v[1].p, v[7].p);
 }
 
-static const argument of_hsp_surface_get_map_counts[] = {
+static const argument of_hsp_surface_get_part_counts[] = {
   {"surface", "hsp_surface", .kind = KIND_handle, .noun = NOUN_surface, .is_const = 1},
-  {"counts", "hsp_surface_map_counts", .kind = KIND_struct_out, .size = sizeof(hsp_surface_map_counts)},
+  {"counts", "hsp_surface_part_counts", .kind = KIND_struct_out, .size = sizeof(hsp_surface_part_counts)},
 };
-static int64_t call_hsp_surface_get_map_counts(const value *v) {
-  return (int64_t)hsp_surface_get_map_counts(v[0].p, v[1].p);
+static int64_t call_hsp_surface_get_part_counts(const value *v) {
+  return (int64_t)hsp_surface_get_part_counts(v[0].p, v[1].p);
 }
 
 static const argument of_hsp_surface_next[] = {
@@ -1510,7 +1512,7 @@ static const argument of_hsp_mesh_limits_init[] = {
   {"limits", "hsp_mesh_limits", .kind = KIND_sized, .size = sizeof(hsp_mesh_limits)},
   {"struct_size", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
   {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
-  {"edge", "double", .kind = KIND_value, .size = sizeof(double)},
+  {"edge_length", "double", .kind = KIND_value, .size = sizeof(double)},
 };
 static int64_t call_hsp_mesh_limits_init(const value *v) {
   return (int64_t)hsp_mesh_limits_init(v[0].p, v[1].u, v[2].p, v[3].d);
@@ -1520,7 +1522,7 @@ static const argument of_hsp_mesh_limits_init_surface[] = {
   {"limits", "hsp_mesh_limits", .kind = KIND_sized, .size = sizeof(hsp_mesh_limits)},
   {"struct_size", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
   {"surface", "hsp_surface", .kind = KIND_handle, .noun = NOUN_surface, .is_const = 1},
-  {"edge", "double", .kind = KIND_value, .size = sizeof(double)},
+  {"edge_length", "double", .kind = KIND_value, .size = sizeof(double)},
 };
 static int64_t call_hsp_mesh_limits_init_surface(const value *v) {
   return (int64_t)hsp_mesh_limits_init_surface(v[0].p, v[1].u, v[2].p, v[3].d);
@@ -1547,7 +1549,7 @@ static int64_t call_hsp_mesh_init(const value *v) {
 static const argument of_hsp_mesh_compute[] = {
   {"mesh", "hsp_mesh", .kind = KIND_handle, .noun = NOUN_mesh},
   {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
-  {"edge", "double", .kind = KIND_value, .size = sizeof(double)},
+  {"edge_length", "double", .kind = KIND_value, .size = sizeof(double)},
   {"limits", "hsp_mesh_limits", .kind = KIND_sized, .size = sizeof(hsp_mesh_limits), .null = NULL_always},
 };
 static int64_t call_hsp_mesh_compute(const value *v) {
@@ -1557,7 +1559,7 @@ static int64_t call_hsp_mesh_compute(const value *v) {
 static const argument of_hsp_mesh_compute_surface[] = {
   {"mesh", "hsp_mesh", .kind = KIND_handle, .noun = NOUN_mesh},
   {"surface", "hsp_surface", .kind = KIND_handle, .noun = NOUN_surface, .is_const = 1},
-  {"edge", "double", .kind = KIND_value, .size = sizeof(double)},
+  {"edge_length", "double", .kind = KIND_value, .size = sizeof(double)},
   {"limits", "hsp_mesh_limits", .kind = KIND_sized, .size = sizeof(hsp_mesh_limits), .null = NULL_always},
 };
 static int64_t call_hsp_mesh_compute_surface(const value *v) {
@@ -1773,39 +1775,39 @@ static int64_t call_hsp_topology_get_components(const value *v) {
   return (int64_t)hsp_topology_get_components(v[0].p, v[1].p, v[2].u, v[3].p);
 }
 
-static const argument of_hsp_topology_get_cells[] = {
+static const argument of_hsp_topology_get_regions[] = {
   {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology},
-  {"out", "hsp_cell", .kind = KIND_array_out, .size = sizeof(hsp_cell), .extent = "needed", .null = NULL_empty, .held =
-      1},
+  {"out", "hsp_region", .kind = KIND_array_out, .size = sizeof(hsp_region), .extent = "needed", .null = NULL_empty,
+      .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
   {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
-static int64_t call_hsp_topology_get_cells(const value *v) {
-  return (int64_t)hsp_topology_get_cells(v[0].p, v[1].p, v[2].u, v[3].p);
+static int64_t call_hsp_topology_get_regions(const value *v) {
+  return (int64_t)hsp_topology_get_regions(v[0].p, v[1].p, v[2].u, v[3].p);
 }
 
-static const argument of_hsp_topology_get_cell_shells[] = {
+static const argument of_hsp_topology_get_region_shells[] = {
   {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology, .is_const = 1},
-  {"cell", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"region", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
   {"shells", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held
       = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
   {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
-static int64_t call_hsp_topology_get_cell_shells(const value *v) {
-  return (int64_t)hsp_topology_get_cell_shells(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
+static int64_t call_hsp_topology_get_region_shells(const value *v) {
+  return (int64_t)hsp_topology_get_region_shells(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
 }
 
-static const argument of_hsp_topology_get_cell_balls[] = {
+static const argument of_hsp_topology_get_region_balls[] = {
   {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology},
-  {"cell", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"region", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
   {"balls", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held
       = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
   {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
-static int64_t call_hsp_topology_get_cell_balls(const value *v) {
-  return (int64_t)hsp_topology_get_cell_balls(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
+static int64_t call_hsp_topology_get_region_balls(const value *v) {
+  return (int64_t)hsp_topology_get_region_balls(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
 }
 
 static const argument of_hsp_topology_get_traversal[] = {
@@ -1823,7 +1825,7 @@ static int64_t call_hsp_topology_get_traversal(const value *v) {
 static const argument of_hsp_topology_locate[] = {
   {"topology", "hsp_topology", .kind = KIND_handle, .noun = NOUN_topology, .is_const = 1},
   {"xyz", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .is_const = 1},
-  {"cell", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t)},
+  {"region", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t)},
 };
 static int64_t call_hsp_topology_locate(const value *v) {
   return (int64_t)hsp_topology_locate(v[0].p, v[1].p, v[2].p);
@@ -2045,12 +2047,12 @@ static int64_t call_hsp_gate_compute(const value *v) {
   return (int64_t)hsp_gate_compute(v[0].p, v[1].p, v[2].p, v[3].p, v[4].p);
 }
 
-static const argument of_hsp_gate_get[] = {
+static const argument of_hsp_gate_get_widest[] = {
   {"gate", "hsp_gate", .kind = KIND_handle, .noun = NOUN_gate, .is_const = 1},
   {"widest", "hsp_widest_probe", .kind = KIND_struct_out, .size = sizeof(hsp_widest_probe)},
 };
-static int64_t call_hsp_gate_get(const value *v) {
-  return (int64_t)hsp_gate_get(v[0].p, v[1].p);
+static int64_t call_hsp_gate_get_widest(const value *v) {
+  return (int64_t)hsp_gate_get_widest(v[0].p, v[1].p);
 }
 
 static const argument of_hsp_pores_limits_init[] = {
@@ -2944,8 +2946,8 @@ const function registry[] = {
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_MEMORY) | BIT(HSP_E_RANGE)},
   {"hsp_contacts_compute", "contacts", RESULT_status, 3, of_hsp_contacts_compute, call_hsp_contacts_compute, BIT(HSP_OK)
       | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
-  {"hsp_contacts_get", "contacts", RESULT_status, 4, of_hsp_contacts_get, call_hsp_contacts_get, BIT(HSP_OK) |
-      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
+  {"hsp_contacts_get_pairs", "contacts", RESULT_status, 4, of_hsp_contacts_get_pairs, call_hsp_contacts_get_pairs,
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
   {"hsp_contacts_get_row", "contacts", RESULT_status, 5, of_hsp_contacts_get_row, call_hsp_contacts_get_row, BIT(HSP_OK)
       | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
   {"hsp_contacts_measure", "contacts", RESULT_status, 6, of_hsp_contacts_measure, call_hsp_contacts_measure, BIT(HSP_OK)
@@ -3045,8 +3047,8 @@ const function registry[] = {
   {"hsp_surface_get_gradient", "surface", RESULT_status, 15, of_hsp_surface_get_gradient, call_hsp_surface_get_gradient,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) |
       BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR)},
-  {"hsp_surface_get_map_counts", "surface", RESULT_status, 2, of_hsp_surface_get_map_counts,
-      call_hsp_surface_get_map_counts, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) |
+  {"hsp_surface_get_part_counts", "surface", RESULT_status, 2, of_hsp_surface_get_part_counts,
+      call_hsp_surface_get_part_counts, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) |
       BIT(HSP_E_OPEN_SURFACE)},
   {"hsp_surface_next", "surface", RESULT_id, 2, of_hsp_surface_next, call_hsp_surface_next, 0},
   {"hsp_surface_previous", "surface", RESULT_id, 2, of_hsp_surface_previous, call_hsp_surface_previous, 0},
@@ -3124,13 +3126,13 @@ const function registry[] = {
   {"hsp_topology_get_components", "topology", RESULT_status, 4, of_hsp_topology_get_components,
       call_hsp_topology_get_components, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
       BIT(HSP_E_STATE)},
-  {"hsp_topology_get_cells", "topology", RESULT_status, 4, of_hsp_topology_get_cells, call_hsp_topology_get_cells,
+  {"hsp_topology_get_regions", "topology", RESULT_status, 4, of_hsp_topology_get_regions, call_hsp_topology_get_regions,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
-  {"hsp_topology_get_cell_shells", "topology", RESULT_status, 5, of_hsp_topology_get_cell_shells,
-      call_hsp_topology_get_cell_shells, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
+  {"hsp_topology_get_region_shells", "topology", RESULT_status, 5, of_hsp_topology_get_region_shells,
+      call_hsp_topology_get_region_shells, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
       BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
-  {"hsp_topology_get_cell_balls", "topology", RESULT_status, 5, of_hsp_topology_get_cell_balls,
-      call_hsp_topology_get_cell_balls, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
+  {"hsp_topology_get_region_balls", "topology", RESULT_status, 5, of_hsp_topology_get_region_balls,
+      call_hsp_topology_get_region_balls, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
       BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
   {"hsp_topology_get_traversal", "topology", RESULT_status, 5, of_hsp_topology_get_traversal,
       call_hsp_topology_get_traversal, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
@@ -3183,8 +3185,8 @@ const function registry[] = {
   {"hsp_gate_compute", "paths", RESULT_status, 5, of_hsp_gate_compute, call_hsp_gate_compute, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_CHECK) |
       BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
-  {"hsp_gate_get", "paths", RESULT_status, 2, of_hsp_gate_get, call_hsp_gate_get, BIT(HSP_OK) | BIT(HSP_E_HANDLE) |
-      BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
+  {"hsp_gate_get_widest", "paths", RESULT_status, 2, of_hsp_gate_get_widest, call_hsp_gate_get_widest, BIT(HSP_OK) |
+      BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_pores_limits_init", "pores", RESULT_status, 3, of_hsp_pores_limits_init, call_hsp_pores_limits_init, BIT(HSP_OK)
       | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_RANGE)},
   {"hsp_pores_bytes", "pores", RESULT_status, 2, of_hsp_pores_bytes, call_hsp_pores_bytes, BIT(HSP_OK) |
@@ -3377,7 +3379,7 @@ const field registry_fields[] = {
   {"hsp_pose", "translation", "double", offsetof(hsp_pose, translation), 3},
   {"hsp_body_gap", "gap", "double", offsetof(hsp_body_gap, gap), 1},
   {"hsp_body_gap", "fixed", "uint32_t", offsetof(hsp_body_gap, fixed), 1},
-  {"hsp_body_gap", "moving", "uint32_t", offsetof(hsp_body_gap, moving), 1},
+  {"hsp_body_gap", "posed", "uint32_t", offsetof(hsp_body_gap, posed), 1},
   {"hsp_body_overlap", "volume", "double", offsetof(hsp_body_overlap, volume), 1},
   {"hsp_body_overlap", "pairs", "uint32_t", offsetof(hsp_body_overlap, pairs), 1},
   {"hsp_body_overlap", "reserved", "uint32_t", offsetof(hsp_body_overlap, reserved), 1},
@@ -3451,7 +3453,7 @@ const field registry_fields[] = {
   {"hsp_measure_outputs", "reserved", "uint32_t", offsetof(hsp_measure_outputs, reserved), 1},
   {"hsp_measure_outputs", "totals", "hsp_totals *", offsetof(hsp_measure_outputs, totals), 1},
   {"hsp_measure_outputs", "area", "double *", offsetof(hsp_measure_outputs, area), 1},
-  {"hsp_measure_outputs", "volume", "double *", offsetof(hsp_measure_outputs, volume), 1},
+  {"hsp_measure_outputs", "volume_term", "double *", offsetof(hsp_measure_outputs, volume_term), 1},
   {"hsp_energy", "value", "double", offsetof(hsp_energy, value), 1},
   {"hsp_energy", "area", "double", offsetof(hsp_energy, area), 1},
   {"hsp_energy", "volume", "double", offsetof(hsp_energy, volume), 1},
@@ -3508,7 +3510,7 @@ const field registry_fields[] = {
   {"hsp_moving_ball", "centre", "double", offsetof(hsp_moving_ball, centre), 3},
   {"hsp_moving_ball", "radius", "double", offsetof(hsp_moving_ball, radius), 1},
   {"hsp_moving_ball", "area", "double", offsetof(hsp_moving_ball, area), 1},
-  {"hsp_moving_ball", "volume", "double", offsetof(hsp_moving_ball, volume), 1},
+  {"hsp_moving_ball", "volume_term", "double", offsetof(hsp_moving_ball, volume_term), 1},
   {"hsp_moving_ball", "d_centre", "double", offsetof(hsp_moving_ball, d_centre), 3},
   {"hsp_moving_ball", "d_radius", "double", offsetof(hsp_moving_ball, d_radius), 1},
   {"hsp_moving_ball", "faces", "uint32_t", offsetof(hsp_moving_ball, faces), 1},
@@ -3546,14 +3548,14 @@ const field registry_fields[] = {
   {"hsp_contacts_limits", "triangles", "uint32_t", offsetof(hsp_contacts_limits, triangles), 1},
   {"hsp_contacts_limits", "tetrahedra", "uint32_t", offsetof(hsp_contacts_limits, tetrahedra), 1},
   {"hsp_contact", "area", "double", offsetof(hsp_contact, area), 1},
-  {"hsp_contact", "edge", "double", offsetof(hsp_contact, edge), 1},
+  {"hsp_contact", "rim", "double", offsetof(hsp_contact, rim), 1},
   {"hsp_contact", "distance", "double", offsetof(hsp_contact, distance), 1},
   {"hsp_contact", "ball", "uint32_t", offsetof(hsp_contact, ball), 2},
   {"hsp_contact", "chords", "uint32_t", offsetof(hsp_contact, chords), 1},
   {"hsp_contact", "flags", "uint32_t", offsetof(hsp_contact, flags), 1},
   {"hsp_contact", "reserved", "uint32_t", offsetof(hsp_contact, reserved), 2},
   {"hsp_group_contact", "area", "double", offsetof(hsp_group_contact, area), 1},
-  {"hsp_group_contact", "edge", "double", offsetof(hsp_group_contact, edge), 1},
+  {"hsp_group_contact", "rim", "double", offsetof(hsp_group_contact, rim), 1},
   {"hsp_group_contact", "group", "uint32_t", offsetof(hsp_group_contact, group), 2},
   {"hsp_group_contact", "contacts", "uint32_t", offsetof(hsp_group_contact, contacts), 1},
   {"hsp_group_contact", "reserved", "uint32_t", offsetof(hsp_group_contact, reserved), 1},
@@ -3603,7 +3605,7 @@ const field registry_fields[] = {
   {"hsp_periodic_morphometry_outputs", "d_strain", "double *", offsetof(hsp_periodic_morphometry_outputs, d_strain), 1},
   {"hsp_periodic_morphometry_outputs", "d_box", "double *", offsetof(hsp_periodic_morphometry_outputs, d_box), 1},
   {"hsp_periodic_contact", "area", "double", offsetof(hsp_periodic_contact, area), 1},
-  {"hsp_periodic_contact", "edge", "double", offsetof(hsp_periodic_contact, edge), 1},
+  {"hsp_periodic_contact", "rim", "double", offsetof(hsp_periodic_contact, rim), 1},
   {"hsp_periodic_contact", "distance", "double", offsetof(hsp_periodic_contact, distance), 1},
   {"hsp_periodic_contact", "ball", "uint32_t", offsetof(hsp_periodic_contact, ball), 2},
   {"hsp_periodic_contact", "chords", "uint32_t", offsetof(hsp_periodic_contact, chords), 1},
@@ -3679,14 +3681,14 @@ const field registry_fields[] = {
   {"hsp_surface_totals", "convex_area", "double", offsetof(hsp_surface_totals, convex_area), 1},
   {"hsp_surface_totals", "saddle_area", "double", offsetof(hsp_surface_totals, saddle_area), 1},
   {"hsp_surface_totals", "concave_area", "double", offsetof(hsp_surface_totals, concave_area), 1},
-  {"hsp_surface_map_counts", "patches", "uint32_t", offsetof(hsp_surface_map_counts, patches), 1},
-  {"hsp_surface_map_counts", "edges", "uint32_t", offsetof(hsp_surface_map_counts, edges), 1},
-  {"hsp_surface_map_counts", "corners", "uint32_t", offsetof(hsp_surface_map_counts, corners), 1},
-  {"hsp_surface_map_counts", "shells", "uint32_t", offsetof(hsp_surface_map_counts, shells), 1},
-  {"hsp_surface_map_counts", "cusps", "uint32_t", offsetof(hsp_surface_map_counts, cusps), 1},
-  {"hsp_surface_map_counts", "junctions", "uint32_t", offsetof(hsp_surface_map_counts, junctions), 1},
-  {"hsp_surface_map_counts", "creases", "uint32_t", offsetof(hsp_surface_map_counts, creases), 1},
-  {"hsp_surface_map_counts", "reserved", "uint32_t", offsetof(hsp_surface_map_counts, reserved), 1},
+  {"hsp_surface_part_counts", "patches", "uint32_t", offsetof(hsp_surface_part_counts, patches), 1},
+  {"hsp_surface_part_counts", "edges", "uint32_t", offsetof(hsp_surface_part_counts, edges), 1},
+  {"hsp_surface_part_counts", "corners", "uint32_t", offsetof(hsp_surface_part_counts, corners), 1},
+  {"hsp_surface_part_counts", "shells", "uint32_t", offsetof(hsp_surface_part_counts, shells), 1},
+  {"hsp_surface_part_counts", "cusps", "uint32_t", offsetof(hsp_surface_part_counts, cusps), 1},
+  {"hsp_surface_part_counts", "junctions", "uint32_t", offsetof(hsp_surface_part_counts, junctions), 1},
+  {"hsp_surface_part_counts", "creases", "uint32_t", offsetof(hsp_surface_part_counts, creases), 1},
+  {"hsp_surface_part_counts", "reserved", "uint32_t", offsetof(hsp_surface_part_counts, reserved), 1},
   {"hsp_surface_patch", "area", "double", offsetof(hsp_surface_patch, area), 1},
   {"hsp_surface_patch", "kind", "uint32_t", offsetof(hsp_surface_patch, kind), 1},
   {"hsp_surface_patch", "source", "uint32_t", offsetof(hsp_surface_patch, source), 1},
@@ -3740,7 +3742,7 @@ const field registry_fields[] = {
   {"hsp_topology_counts", "cut_edges", "uint32_t", offsetof(hsp_topology_counts, cut_edges), 1},
   {"hsp_topology_counts", "shells", "uint32_t", offsetof(hsp_topology_counts, shells), 1},
   {"hsp_topology_counts", "components", "uint32_t", offsetof(hsp_topology_counts, components), 1},
-  {"hsp_topology_counts", "cells", "uint32_t", offsetof(hsp_topology_counts, cells), 1},
+  {"hsp_topology_counts", "regions", "uint32_t", offsetof(hsp_topology_counts, regions), 1},
   {"hsp_topology_counts", "start_face", "uint32_t", offsetof(hsp_topology_counts, start_face), 1},
   {"hsp_topology_vertex", "xyz", "double", offsetof(hsp_topology_vertex, xyz), 3},
   {"hsp_topology_vertex", "ball", "uint32_t", offsetof(hsp_topology_vertex, ball), 3},
@@ -3769,7 +3771,7 @@ const field registry_fields[] = {
   {"hsp_shell", "genus", "uint32_t", offsetof(hsp_shell, genus), 1},
   {"hsp_shell", "kind", "uint32_t", offsetof(hsp_shell, kind), 1},
   {"hsp_shell", "component", "uint32_t", offsetof(hsp_shell, component), 1},
-  {"hsp_shell", "cell", "uint32_t", offsetof(hsp_shell, cell), 1},
+  {"hsp_shell", "region", "uint32_t", offsetof(hsp_shell, region), 1},
   {"hsp_shell", "faces", "uint32_t", offsetof(hsp_shell, faces), 1},
   {"hsp_shell", "simple_faces", "uint32_t", offsetof(hsp_shell, simple_faces), 1},
   {"hsp_shell", "edges", "uint32_t", offsetof(hsp_shell, edges), 1},
@@ -3779,14 +3781,14 @@ const field registry_fields[] = {
   {"hsp_component", "top_ball", "uint32_t", offsetof(hsp_component, top_ball), 1},
   {"hsp_component", "outer_shell", "uint32_t", offsetof(hsp_component, outer_shell), 1},
   {"hsp_component", "shells", "uint32_t", offsetof(hsp_component, shells), 1},
-  {"hsp_component", "cell", "uint32_t", offsetof(hsp_component, cell), 1},
+  {"hsp_component", "region", "uint32_t", offsetof(hsp_component, region), 1},
   {"hsp_component", "reserved", "uint32_t", offsetof(hsp_component, reserved), 1},
-  {"hsp_cell", "area", "double", offsetof(hsp_cell, area), 1},
-  {"hsp_cell", "volume", "double", offsetof(hsp_cell, volume), 1},
-  {"hsp_cell", "enclosing_shell", "uint32_t", offsetof(hsp_cell, enclosing_shell), 1},
-  {"hsp_cell", "components", "uint32_t", offsetof(hsp_cell, components), 1},
-  {"hsp_cell", "shells", "uint32_t", offsetof(hsp_cell, shells), 1},
-  {"hsp_cell", "reserved", "uint32_t", offsetof(hsp_cell, reserved), 1},
+  {"hsp_region", "area", "double", offsetof(hsp_region, area), 1},
+  {"hsp_region", "volume", "double", offsetof(hsp_region, volume), 1},
+  {"hsp_region", "enclosing_shell", "uint32_t", offsetof(hsp_region, enclosing_shell), 1},
+  {"hsp_region", "components", "uint32_t", offsetof(hsp_region, components), 1},
+  {"hsp_region", "shells", "uint32_t", offsetof(hsp_region, shells), 1},
+  {"hsp_region", "reserved", "uint32_t", offsetof(hsp_region, reserved), 1},
   {"hsp_cells_limits", "struct_size", "uint32_t", offsetof(hsp_cells_limits, struct_size), 1},
   {"hsp_cells_limits", "cubes", "uint32_t", offsetof(hsp_cells_limits, cubes), 1},
   {"hsp_cells_limits", "entries", "uint32_t", offsetof(hsp_cells_limits, entries), 1},

@@ -23,7 +23,7 @@ program digits
 
   status = work%set(n, xyz, radius)
   if (status == HSP_OK) status = work%compute_boundary()
-  if (status == HSP_OK) status = hsp_boundary_measure(work%boundary, totals=totals, area=area, volume=volume, capacity=n)
+  if (status == HSP_OK) status = hsp_boundary_measure(work%boundary, totals=totals, area=area, volume_term=volume, capacity=n)
   if (status == HSP_OK) status = hsp_boundary_get_gradient(work%boundary, tension=1.0_c_double, &
     pressure=1.0_c_double, d_centre=gradient, capacity=n)
   if (status /= HSP_OK) error stop

@@ -91,10 +91,10 @@ static void compute_topology(void) {
   result |= hsp_topology_compute(topology, boundary, NULL);
   result |= hsp_topology_locate(topology, xyz, &cell);
   static hsp_shell shells[8];
-  static hsp_cell cells[8];
+  static hsp_region regions[8];
   uint32_t needed;
   result |= hsp_topology_get_shells(topology, shells, 8, &needed);
-  result |= hsp_topology_get_cells(topology, cells, 8, &needed);
+  result |= hsp_topology_get_regions(topology, regions, 8, &needed);
 }
 #endif
 

@@ -111,7 +111,7 @@ void check(const Balls &balls, oracle::RandomSource &random, int points, Seen &s
   ASSERT_NO_FATAL_FAILURE(check_structure(built, seen)) << oracle::to_text(balls);
   const hsp::FreeSpaceViolation violation = hsp::check_free_space(built.balls(), space, built.builder().scratch());
   ASSERT_EQ(violation.invariant, hsp::FreeSpaceInvariant::none) << oracle::to_text(balls) << violation.id;
-  ASSERT_EQ(space.region_count(), topology.structure().cell_count) << oracle::to_text(balls);
+  ASSERT_EQ(space.region_count(), topology.structure().region_count) << oracle::to_text(balls);
   seen.regions += space.region_count();
 
   std::map<uint32_t, uint32_t> cell_of_region;
@@ -137,7 +137,7 @@ void check(const Balls &balls, oracle::RandomSource &random, int points, Seen &s
     ++seen.free_points;
     const uint32_t region = space.cell(cell).region;
     const uint32_t expected =
-        hsp::cell_of_point(topology.grid(), topology.boundary(), topology.structure(), {p[0], p[1], p[2]});
+        hsp::region_of_point(topology.grid(), topology.boundary(), topology.structure(), {p[0], p[1], p[2]});
     const auto [entry, is_new] = cell_of_region.insert({region, expected});
     ASSERT_EQ(entry->second, expected) << oracle::to_text(balls) << p[0] << ' ' << p[1] << ' ' << p[2];
     ASSERT_EQ(region == 0, expected == 0) << oracle::to_text(balls);

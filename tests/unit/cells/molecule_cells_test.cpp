@@ -35,7 +35,7 @@ TEST(FreeSpace, OfMolecules) {
     EXPECT_NEAR(space.adjacency_count(), expected.adjacencies, 0.002 * expected.adjacencies) << expected.file;
     BuiltTopology topology(balls);
     ASSERT_EQ(topology.status(), hsp::Status::ok);
-    EXPECT_EQ(topology.structure().cell_count, expected.regions) << expected.file;
+    EXPECT_EQ(topology.structure().region_count, expected.regions) << expected.file;
   }
 }
 

@@ -36,7 +36,7 @@ TEST(ContactGroups, SumUpTheContactsBetweenThem) {
       Sum &sum = expected[pair];
       ++sum.contacts;
       sum.area += contact.area;
-      sum.edge += contact.edge;
+      sum.edge += contact.rim;
     }
     auto next = expected.begin();
     const hsp::ContactGroups groups(built.balls(), built.contacts(), built.contacts().contact_count(), {group.data()},
@@ -47,7 +47,7 @@ TEST(ContactGroups, SumUpTheContactsBetweenThem) {
       EXPECT_EQ(found.group[1], next->first[1]);
       EXPECT_EQ(found.contacts, next->second.contacts);
       EXPECT_EQ(found.area, next->second.area);
-      EXPECT_EQ(found.edge, next->second.edge);
+      EXPECT_EQ(found.rim, next->second.edge);
       ++next;
     });
     EXPECT_EQ(next, expected.end());

@@ -30,7 +30,7 @@ class Pairs {
     for (uint32_t side = 0; side < 2; ++side) contacts_.ball[side][count_] = 2 * count_ + side;
     const double r = static_cast<double>(a.radius);
     contacts_.area[count_] = r * r * r * static_cast<double>(random.in(-1000, 1000));
-    contacts_.edge[count_] = static_cast<double>(random.in(0, 6000)) / 1000;
+    contacts_.rim[count_] = static_cast<double>(random.in(0, 6000)) / 1000;
     if (++count_ == 4) compare();
   }
   uint32_t groups() const { return groups_; }
@@ -49,7 +49,7 @@ class Pairs {
       const bool touches = U == sum * sum || U == difference * difference;
       touching_ += touches ? 1U : 0U;
       EXPECT_EQ(hsp::measure_contact_in_integers(balls_, exact, s), touches);
-      EXPECT_TRUE(!touches || (exact.area[s] == 0.0 && exact.edge[s] == 0.0));
+      EXPECT_TRUE(!touches || (exact.area[s] == 0.0 && exact.rim[s] == 0.0));
     }
 #if HSP_AVX2
     if (hsp::best_target() != hsp::Target::avx2) return;
@@ -59,7 +59,7 @@ class Pairs {
     const hsp::ContactMeasures &expected = certain ? exact : before;
     for (uint32_t s = 0; s < 4; ++s) {
       EXPECT_EQ(contacts_.area[s], expected.area[s]);
-      EXPECT_EQ(contacts_.edge[s], expected.edge[s]);
+      EXPECT_EQ(contacts_.rim[s], expected.rim[s]);
       for (uint32_t side = 0; certain && side < 2; ++side) EXPECT_EQ(contacts_.cone[side][s], exact.cone[side][s]);
     }
 #else

@@ -130,10 +130,10 @@ TEST(Contacts, AreTheSameBitsForEveryOrderOfTheInput) {
     ASSERT_EQ(mixed.contacts().contact_count(), built.contacts().contact_count());
     for (uint32_t id = 0; id < built.contacts().contact_count(); ++id) {
       EXPECT_EQ(mixed.contacts().contact(id).area, built.contacts().contact(id).area);
-      EXPECT_EQ(mixed.contacts().contact(id).edge, built.contacts().contact(id).edge);
+      EXPECT_EQ(mixed.contacts().contact(id).rim, built.contacts().contact(id).rim);
     }
     for (uint32_t i = 0; i < balls.size(); ++i) {
-      EXPECT_EQ(mixed.contacts().cell_volume(i), built.contacts().cell_volume(i));
+      EXPECT_EQ(mixed.contacts().share_volume(i), built.contacts().share_volume(i));
       EXPECT_EQ(mixed.contacts().contact_area(i), built.contacts().contact_area(i));
       uint32_t before = 0;
       for (const uint32_t id : built.contacts().row(i)) {
@@ -271,7 +271,7 @@ TEST(Contacts, OfCrambinHaveTheReferenceValues) {
     constexpr uint32_t chosen[] = {0, 100, 326};
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(built.cell(chosen[k]), expected.cell[k], 1e-12);
     EXPECT_NEAR(built.area(0, 1), expected.contact, 2e-14 * expected.contact);
-    EXPECT_NEAR(lattice.length(built.between(0, 1)->edge), expected.edge, 1e-13);
+    EXPECT_NEAR(lattice.length(built.between(0, 1)->rim), expected.edge, 1e-13);
     for (uint32_t d = 0; d < 4; ++d) {
       EXPECT_EQ(built.contacts().simplices().dimension(d), expected.simplices[d]);
     }
@@ -314,11 +314,11 @@ TEST(Contacts, FlagWhatTouchesAndWhatIsWhole) {
   EXPECT_TRUE(built.between(0, 1)->is_circle());
   EXPECT_FALSE(built.between(0, 1)->is_touching());
   EXPECT_NEAR(built.between(0, 1)->area, 9 * hsp::pi, 1e-13);
-  EXPECT_NEAR(built.between(0, 1)->edge, 6 * hsp::pi, 1e-13);
+  EXPECT_NEAR(built.between(0, 1)->rim, 6 * hsp::pi, 1e-13);
   ASSERT_NE(built.between(1, 2), nullptr);
   EXPECT_TRUE(built.between(1, 2)->is_touching());
   EXPECT_EQ(built.between(1, 2)->area, 0.0);
-  EXPECT_EQ(built.between(1, 2)->edge, 0.0);
+  EXPECT_EQ(built.between(1, 2)->rim, 0.0);
   EXPECT_EQ(built.between(0, 3), nullptr);
   EXPECT_EQ(built.cell(3), 0.0);
   EXPECT_NEAR(built.cell(4), 500 * hsp::pi / 3, 1e-12);

@@ -57,7 +57,7 @@ TEST_F(ContactsCheckTest, SeesAnAreaThatIsALittleOff) {
 }
 
 TEST_F(ContactsCheckTest, SeesAVolumeThatIsALittleOff) {
-  arrays().cell_volume[7] *= 1.0 + 1e-8;
+  arrays().share_volume[7] *= 1.0 + 1e-8;
   EXPECT_EQ(check().invariant, ContactInvariant::volume);
 }
 
@@ -67,7 +67,7 @@ TEST_F(ContactsCheckTest, SeesEveryContactThatIsImpossible) {
   ASSERT_GT(count, 20U);
   for (uint32_t id = 0; id < count; ++id) {
     const hsp::ContactRecord right = arrays().contacts[id];
-    for (double hsp::ContactRecord::*number : {&hsp::ContactRecord::area, &hsp::ContactRecord::edge}) {
+    for (double hsp::ContactRecord::*number : {&hsp::ContactRecord::area, &hsp::ContactRecord::rim}) {
       for (const double wrong : {-1.0, 1e300}) {
         arrays().contacts[id].*number = wrong;
         EXPECT_EQ(check().invariant, ContactInvariant::records);

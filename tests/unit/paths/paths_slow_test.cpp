@@ -78,7 +78,7 @@ TEST(SlowWidestProbe, OutOfCrambin) {
   const Balls accessible = grown(balls, 140000000);
   BuiltTopology topology(accessible);
   ASSERT_EQ(topology.status(), hsp::Status::ok);
-  ASSERT_EQ(topology.structure().cell_count, 2U);
+  ASSERT_EQ(topology.structure().region_count, 2U);
   const Vector from{980000000, 1220000000, 610000000};
   ASSERT_GT(room(accessible, from), 0.0);
   ASSERT_NE(cell_of(topology, from), 0U);

@@ -498,7 +498,7 @@ TEST(PeriodicUnion, SumsContactsBetweenGroups) {
         std::array<double, 3> &sum = expected[{a < b ? a : b, a < b ? b : a}];
         sum[0] += 1.0;
         sum[1] += contact.record->area;
-        sum[2] += contact.record->edge;
+        sum[2] += contact.record->rim;
       });
     }
     pairs += expected.size();
@@ -509,7 +509,7 @@ TEST(PeriodicUnion, SumsContactsBetweenGroups) {
       EXPECT_EQ(found.group[1], next->first[1]);
       EXPECT_EQ(found.contacts, next->second[0]);
       EXPECT_NEAR(found.area, next->second[1], 1e-12 * (1.0 + next->second[1]));
-      EXPECT_NEAR(found.edge, next->second[2], 1e-12 * (1.0 + next->second[2]));
+      EXPECT_NEAR(found.rim, next->second[2], 1e-12 * (1.0 + next->second[2]));
       ++next;
     });
     EXPECT_EQ(next, expected.end());

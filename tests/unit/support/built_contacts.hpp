@@ -39,7 +39,7 @@ class BuiltContacts {
     const hsp::ContactRecord *const contact = between(a, b);
     return contact == nullptr ? -1.0 : balls().lattice.area(contact->area);
   }
-  double cell(uint32_t i) const { return balls().lattice.volume(contacts().cell_volume(grid().grid_index(i))); }
+  double cell(uint32_t i) const { return balls().lattice.volume(contacts().share_volume(grid().grid_index(i))); }
   double total_area() const {
     double sum = 0.0;
     for (uint32_t id = 0; id < contacts().contact_count(); ++id) sum += contacts().contact(id).area;

@@ -14,7 +14,7 @@
 #include "named_balls.hpp"
 #include "point_lattices.hpp"
 #include "random_balls.hpp"
-#include "topology/cells.hpp"
+#include "topology/regions.hpp"
 
 namespace checked_paths {
 
@@ -158,7 +158,7 @@ inline void check(const Balls &balls, oracle::RandomSource &random, int pairs, S
       continue;
     }
     const auto cell_of = [&](const Vector &point) {
-      return hsp::cell_of_point(topology.grid(), topology.boundary(), topology.structure(), point);
+      return hsp::region_of_point(topology.grid(), topology.boundary(), topology.structure(), point);
     };
     if (cell_of(from) != cell_of(to)) {
       ASSERT_EQ(summary.ends, hsp::PathEnds::apart);

@@ -13,7 +13,7 @@
 #include "lattice_lengths.hpp"
 #include "paths/widest_probe.hpp"
 #include "random_balls.hpp"
-#include "topology/cells.hpp"
+#include "topology/regions.hpp"
 
 namespace checked_probe {
 
@@ -71,7 +71,7 @@ inline Balls grown(Balls balls, int64_t by) {
 }
 
 inline uint32_t cell_of(BuiltTopology &topology, const Vector &point) {
-  return hsp::cell_of_point(topology.grid(), topology.boundary(), topology.structure(), point);
+  return hsp::region_of_point(topology.grid(), topology.boundary(), topology.structure(), point);
 }
 
 // Of free points; null is the outside.

@@ -85,7 +85,7 @@ inline void expect_one_contact_from_both_sides(const BuiltPeriodic &built) {
         if (seen.other != back) return;
         ++found;
         EXPECT_EQ(seen.record->area, contact.record->area);
-        EXPECT_EQ(seen.record->edge, contact.record->edge);
+        EXPECT_EQ(seen.record->rim, contact.record->rim);
         EXPECT_EQ(seen.record->chords, contact.record->chords);
         EXPECT_EQ(seen.record->code, contact.record->code);
       });
@@ -119,7 +119,7 @@ inline void expect_as_in_copies(const Crystal &crystal, int range = 4) {
     EXPECT_EQ(built->boundary().is_contained(here), copies.boundary().is_contained(there));
     const double r = inside.radius[i];
     EXPECT_NEAR(built.of_ball(i).area, hsp::measure_ball(copies.balls(), copies.boundary(), there).area, 1e-10 * r * r);
-    EXPECT_NEAR(built.of_ball(i).volume, copies.contacts().cell_volume(there), 1e-10 * r * r * r);
+    EXPECT_NEAR(built.of_ball(i).volume, copies.contacts().share_volume(there), 1e-10 * r * r * r);
     const hsp::BallCurvature curved = hsp::curvature_of_ball(built->balls(), built->boundary(), here);
     const hsp::BallCurvature as_there = hsp::curvature_of_ball(copies.balls(), copies.boundary(), there);
     EXPECT_NEAR(curved.mean, as_there.mean, 1e-10 * r);
@@ -140,7 +140,7 @@ inline void expect_as_in_copies(const Crystal &crystal, int range = 4) {
     for (auto p = mine.begin(), q = theirs.begin(); p != mine.end(); ++p, ++q) {
       EXPECT_EQ(p->first, q->first);
       EXPECT_NEAR(p->second->area, q->second->area, 1e-10 * r * r);
-      EXPECT_NEAR(p->second->edge, q->second->edge, 1e-10 * r);
+      EXPECT_NEAR(p->second->rim, q->second->rim, 1e-10 * r);
       EXPECT_EQ(p->second->chords, q->second->chords);
       EXPECT_EQ(p->second->code, q->second->code);
     }

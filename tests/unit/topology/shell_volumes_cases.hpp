@@ -109,38 +109,38 @@ inline uint32_t shells_in_closed_form() {
   });
 }
 
-struct CellMeasure {
+struct RegionMeasure {
   double area, volume;
   uint32_t enclosing_shell, components, shells;
 };
 
-// The cage's void holds a ball; all that is outside is one cell without a volume.
-inline uint32_t cells_of_a_cage() {
+// The cage's void holds a ball; all that is outside is one region without a volume.
+inline uint32_t regions_of_a_cage() {
   const Shells &c = shell_sets[6];
   SmallTopology &built = small_topology();
-  if (!built.build(c.ball, c.n) || built.topology().cell_count != 2) return 0;
-  CellMeasure cells[2] = {{9, 9, 9, 9, 9}, {9, 9, 9, 9, 9}};
-  hsp::measure_cells(built.balls(), built.boundary(), built.topology(), hsp::Span<CellMeasure>(cells, 2));
-  const uint32_t enclosing = cells[1].enclosing_shell;
+  if (!built.build(c.ball, c.n) || built.topology().region_count != 2) return 0;
+  RegionMeasure regions[2] = {{9, 9, 9, 9, 9}, {9, 9, 9, 9, 9}};
+  hsp::measure_regions(built.balls(), built.boundary(), built.topology(), hsp::Span<RegionMeasure>(regions, 2));
+  const uint32_t enclosing = regions[1].enclosing_shell;
   if (enclosing >= c.shells || !built.topology().shells[enclosing].is_void) return 1;
   const hsp::BallMeasure around = shell_of(enclosing);
   double area = 0.0;
   for (uint32_t s = 0; s < c.shells; ++s) area += shell_of(s).area;
-  const bool conditions[] = {cells[0].volume == 0.0,
-                             cells[0].enclosing_shell == hsp::no_id,
-                             cells[0].components == 2,
-                             cells[0].shells == 2,
-                             cells[1].components == 1,
-                             cells[1].shells == 2,
-                             near(cells[1].area, around.area + 4e4 * hsp::pi, 1e-12 * around.area),
-                             near(cells[1].volume, -around.volume - 4e6 / 3 * hsp::pi, -1e-12 * around.volume),
-                             near(cells[0].area + cells[1].area, area, 1e-12 * area)};
+  const bool conditions[] = {regions[0].volume == 0.0,
+                             regions[0].enclosing_shell == hsp::no_id,
+                             regions[0].components == 2,
+                             regions[0].shells == 2,
+                             regions[1].components == 1,
+                             regions[1].shells == 2,
+                             near(regions[1].area, around.area + 4e4 * hsp::pi, 1e-12 * around.area),
+                             near(regions[1].volume, -around.volume - 4e6 / 3 * hsp::pi, -1e-12 * around.volume),
+                             near(regions[0].area + regions[1].area, area, 1e-12 * area)};
   return first_false(conditions);
 }
 
 inline constexpr Check topology_shell_volumes[] = {{"shells_sum_to_balls", shells_sum_to_balls},
                                                    {"signs_that_are_wrong", signs_that_are_wrong},
                                                    {"shells_in_closed_form", shells_in_closed_form},
-                                                   {"cells_of_a_cage", cells_of_a_cage}};
+                                                   {"regions_of_a_cage", regions_of_a_cage}};
 
 }  // namespace cases

@@ -70,7 +70,7 @@ void expect_within_arrays(BuiltTopology &built) {
   // In proportion: with few shells there is less room.
   EXPECT_EQ(structure.shell_count, structure.shells.size());
   EXPECT_LE(structure.subdivision.size() - structure.subdivision.first_inner(), 2 * structure.cut_arcs.size());
-  EXPECT_LE(structure.cell_count, built.marks().size() + 1);
+  EXPECT_LE(structure.region_count, built.marks().size() + 1);
   EXPECT_LE(structure.vertex_count, built.marks().size());
 }
 

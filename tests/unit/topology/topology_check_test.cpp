@@ -61,7 +61,7 @@ uint32_t lonely_shell(BuiltTopology &built) {
 // The component in the first void.
 uint32_t inner_component(BuiltTopology &built) {
   uint32_t c = 0;
-  while (built.structure().components[c].cell == 0) ++c;
+  while (built.structure().components[c].region == 0) ++c;
   return c;
 }
 
@@ -278,56 +278,56 @@ const std::vector<Flaw> flaws = {
        ++b.structure().shells[last].first_traversed;
        return last;
      }},
-    {"a shell of no component", TopologyInvariant::cells,
+    {"a shell of no component", TopologyInvariant::regions,
      [](BuiltTopology &b) {
        b.structure().shells[1].component = b.structure().component_count;
        return 1U;
      }},
-    {"a shell of another component", TopologyInvariant::cells,
+    {"a shell of another component", TopologyInvariant::regions,
      [](BuiltTopology &b) {
        const uint32_t lonely = lonely_shell(b);
        uint32_t &component = b.structure().shells[lonely].component;
        component = component == 0 ? 1 : 0;
        return lonely;
      }},
-    {"a shell beside no cell", TopologyInvariant::cells,
+    {"a shell beside no region", TopologyInvariant::regions,
      [](BuiltTopology &b) {
-       b.structure().shells[1].cell = b.structure().cell_count;
+       b.structure().shells[1].region = b.structure().region_count;
        return 1U;
      }},
-    {"a void's shell beside another cell", TopologyInvariant::cells,
+    {"a void's shell beside another region", TopologyInvariant::regions,
      [](BuiltTopology &b) {
-       b.structure().shells[void_shell(b)].cell = 0;
+       b.structure().shells[void_shell(b)].region = 0;
        return void_shell(b);
      }},
-    {"an outer shell beside another cell than its component", TopologyInvariant::cells,
+    {"an outer shell beside another region than its component", TopologyInvariant::regions,
      [](BuiltTopology &b) {
        const uint32_t shell = b.structure().components[0].outer_shell;
-       b.structure().shells[shell].cell = b.structure().shells[shell].cell == 0 ? 1 : 0;
+       b.structure().shells[shell].region = b.structure().shells[shell].region == 0 ? 1 : 0;
        return shell;
      }},
-    {"a component with two outer shells", TopologyInvariant::cells,
+    {"a component with two outer shells", TopologyInvariant::regions,
      [](BuiltTopology &b) {
        const uint32_t shell = void_shell(b);
        b.structure().shells[shell].is_void = false;
        return shell;
      }},
-    {"a cell without an enclosing shell", TopologyInvariant::cells,
+    {"a region without an enclosing shell", TopologyInvariant::regions,
      [](BuiltTopology &b) {
-       ++b.structure().cell_count;
+       ++b.structure().region_count;
        return b.structure().shell_count;
      }},
-    {"a component without a shell", TopologyInvariant::cells,
+    {"a component without a shell", TopologyInvariant::regions,
      [](BuiltTopology &b) {
        ++b.structure().component_count;
        return b.structure().shell_count;
      }},
-    {"a component in its own void", TopologyInvariant::cells,
+    {"a component in its own void", TopologyInvariant::regions,
      [](BuiltTopology &b) {
        const uint32_t component = b.structure().shells[void_shell(b)].component;
-       const uint32_t cell = b.structure().shells[void_shell(b)].cell;
-       b.structure().components[component].cell = cell;
-       b.structure().shells[b.structure().components[component].outer_shell].cell = cell;
+       const uint32_t region = b.structure().shells[void_shell(b)].region;
+       b.structure().components[component].region = region;
+       b.structure().shells[b.structure().components[component].outer_shell].region = region;
        // The component inside hangs on the same ring; the first of the two is named.
        return std::min(component, inner_component(b));
      }},
@@ -338,7 +338,7 @@ TEST(TopologyCheck, FindsNothingInACorrectTopology) {
   ASSERT_EQ(built.status(), hsp::Status::ok);
   const Topology &topology = built.structure();
   ASSERT_EQ(topology.component_count, 5U);
-  ASSERT_EQ(topology.cell_count, 3U);
+  ASSERT_EQ(topology.region_count, 3U);
   ASSERT_EQ(topology.shell_count, 7U);
   ASSERT_GT(topology.cut_arcs.size(), 2U);
   ASSERT_GT(topology.first_circle_edge, 100U);
@@ -404,7 +404,7 @@ TEST(TopologyCheck, FindsEveryWrongShell) {
   for (uint32_t s = 0; s < topology.shell_count; ++s) {
     hsp::ShellRecord &shell = topology.shells[s];
     expect_flaw(built, shell.vertices, shell.vertices + 1, TopologyInvariant::euler, s);
-    expect_flaw(built, shell.component, topology.component_count, TopologyInvariant::cells, s);
+    expect_flaw(built, shell.component, topology.component_count, TopologyInvariant::regions, s);
     for (uint32_t k = 0; k < shell.simple_faces; ++k) {
       expect_flaw(built, topology.traversal[shell.first_traversed + k], topology.face_count,
                   TopologyInvariant::traversal, s);
@@ -416,15 +416,16 @@ TEST(TopologyCheck, FindsEveryComponentInItsOwnVoid) {
   const oracle::Balls cage = oracle::balls_on_sphere(1, 1000, 850);
   BuiltTopology built(joined(joined(cage, oracle::moved(cage, {0, 0, 20000})), oracle::moved(cage, {0, 0, 40000})));
   Topology &topology = built.structure();
-  ASSERT_EQ(topology.cell_count, 4U);
+  ASSERT_EQ(topology.region_count, 4U);
   uint32_t voids = 0;
   for (uint32_t s = 0; s < topology.shell_count; ++s) {
     if (!topology.shells[s].is_void) continue;
     ++voids;
-    const uint32_t c = topology.shells[s].component, cell = topology.shells[s].cell;
-    topology.components[c].cell = cell;
-    expect_flaw(built, topology.shells[topology.components[c].outer_shell].cell, cell, TopologyInvariant::cells, c);
-    topology.components[c].cell = 0;
+    const uint32_t c = topology.shells[s].component, region = topology.shells[s].region;
+    topology.components[c].region = region;
+    expect_flaw(built, topology.shells[topology.components[c].outer_shell].region, region, TopologyInvariant::regions,
+                c);
+    topology.components[c].region = 0;
   }
   EXPECT_EQ(voids, 3U);
 }

@@ -1,4 +1,4 @@
-#include "topology/cells.hpp"
+#include "topology/regions.hpp"
 
 #include "core/first_index.hpp"
 #include "core/sorting.hpp"
@@ -46,22 +46,22 @@ void start_void_scans(const BallSet &balls, const Boundary &boundary, Topology &
   }
 }
 
-// Whether a simple face is the first of its ball on its cell. The simple faces of a ball are consecutive.
+// Whether a simple face is the first of its ball on its region. The simple faces of a ball are consecutive.
 bool is_first_on_ball(const Boundary &boundary, const Topology &topology, uint32_t simple) {
   const uint32_t ball = topology.ball_of(boundary, simple);
-  const uint32_t cell = topology.shells[topology.shell_of(boundary, simple)].cell;
+  const uint32_t region = topology.shells[topology.shell_of(boundary, simple)].region;
   while (simple > 0 && topology.ball_of(boundary, --simple) == ball) {
-    if (topology.shells[topology.shell_of(boundary, simple)].cell == cell) return false;
+    if (topology.shells[topology.shell_of(boundary, simple)].region == region) return false;
   }
   return true;
 }
 
-// Calls visit(ball) once for every ball with a face on a cell.
+// Calls visit(ball) once for every ball with a face on a region.
 template <class Visit>
-void visit_balls_of_cell(const Boundary &boundary, const Topology &topology, uint32_t cell, Visit visit) {
+void visit_balls_of_region(const Boundary &boundary, const Topology &topology, uint32_t region, Visit visit) {
   for (uint32_t s = 0; s < topology.shell_count; ++s) {
     const ShellRecord &shell = topology.shells[s];
-    if (shell.cell != cell) continue;
+    if (shell.region != region) continue;
     for (const uint32_t simple :
          topology.traversal.part(shell.first_traversed, shell.first_traversed + shell.simple_faces)) {
       if (is_first_on_ball(boundary, topology, simple)) visit(topology.ball_of(boundary, simple));
@@ -77,10 +77,10 @@ uint32_t shell_above(const CubeGrid &grid, const Boundary &boundary, const Topol
   return boundary.face(face_of_entry(grid.balls(), boundary, ball, point.x, point.y)).shell;
 }
 
-// Finds the cell that contains each component. One ray per component finds the shell above it; a chain of components,
+// Finds the region that contains each component. One ray per component finds the shell above it; a chain of components,
 // each under the next, then ends in a void or outside.
 void nest_components(const CubeGrid &grid, const Boundary &boundary, Topology &topology) {
-  for (uint32_t c = 0; c < topology.component_count; ++c) topology.components[c].cell = no_id;
+  for (uint32_t c = 0; c < topology.component_count; ++c) topology.components[c].region = no_id;
   for (uint32_t c = 0; c < topology.component_count; ++c) {
     ComponentRecord &component = topology.components[c];
     const exact::LatticeBall top = grid.balls().ball(component.top_ball);
@@ -88,19 +88,19 @@ void nest_components(const CubeGrid &grid, const Boundary &boundary, Topology &t
         shell_above(grid, boundary, topology, {top.centre.x, top.centre.y, top.centre.z + top.radius});
     component.above = no_id;
     if (shell == no_id) {
-      component.cell = 0;
+      component.region = 0;
     } else if (topology.shells[shell].is_void) {
-      component.cell = topology.shells[shell].cell;
+      component.region = topology.shells[shell].region;
     } else {
       component.above = topology.shells[shell].component;
     }
   }
   for (uint32_t c = 0; c < topology.component_count; ++c) {
     uint32_t end = c;
-    while (topology.components[end].cell == no_id) end = topology.components[end].above;
-    const uint32_t cell = topology.components[end].cell;
-    for (uint32_t along = c; topology.components[along].cell == no_id; along = topology.components[along].above) {
-      topology.components[along].cell = cell;
+    while (topology.components[end].region == no_id) end = topology.components[end].above;
+    const uint32_t region = topology.components[end].region;
+    for (uint32_t along = c; topology.components[along].region == no_id; along = topology.components[along].above) {
+      topology.components[along].region = region;
     }
   }
 }
@@ -121,7 +121,7 @@ void gather_components(const CubeGrid &grid, const Boundary &boundary, Topology 
   }
 }
 
-void gather_cells(const CubeGrid &grid, const Boundary &boundary, Topology &topology) {
+void gather_regions(const CubeGrid &grid, const Boundary &boundary, Topology &topology) {
   topology.shell_count = boundary.shell_count();
   for (uint32_t s = 0; s < topology.shell_count; ++s) {
     topology.shells[s] = {no_id, 0, true, 0, 0, 0, 0, no_id, 0};
@@ -147,37 +147,37 @@ void gather_cells(const CubeGrid &grid, const Boundary &boundary, Topology &topo
     highest = component.top_ball;
     topology.start_face = topology.shells[component.outer_shell].start_face;
   }
-  topology.cell_count = 1;
+  topology.region_count = 1;
   for (uint32_t s = 0; s < topology.shell_count; ++s) {
     ShellRecord &shell = topology.shells[s];
     ++topology.components[shell.component].shells;
-    if (shell.is_void) shell.cell = topology.cell_count++;
+    if (shell.is_void) shell.region = topology.region_count++;
   }
-  // Without voids there is but one cell.
-  if (topology.cell_count > 1) nest_components(grid, boundary, topology);
+  // Without voids there is but one region.
+  if (topology.region_count > 1) nest_components(grid, boundary, topology);
   for (uint32_t c = 0; c < topology.component_count; ++c) {
-    topology.shells[topology.components[c].outer_shell].cell = topology.components[c].cell;
+    topology.shells[topology.components[c].outer_shell].region = topology.components[c].region;
   }
 }
 
-uint32_t count_balls_of_cell(const Boundary &boundary, const Topology &topology, uint32_t cell) {
+uint32_t count_balls_of_region(const Boundary &boundary, const Topology &topology, uint32_t region) {
   uint32_t count = 0;
-  visit_balls_of_cell(boundary, topology, cell, [&count](uint32_t) { ++count; });
+  visit_balls_of_region(boundary, topology, region, [&count](uint32_t) { ++count; });
   return count;
 }
 
-void list_balls_of_cell(const BallSet &balls, const Boundary &boundary, const Topology &topology, uint32_t cell,
-                        Span<uint32_t> ids) {
+void list_balls_of_region(const BallSet &balls, const Boundary &boundary, const Topology &topology, uint32_t region,
+                          Span<uint32_t> ids) {
   uint32_t listed = 0;
-  visit_balls_of_cell(boundary, topology, cell, [&](uint32_t ball) { ids[listed++] = balls.caller[ball]; });
+  visit_balls_of_region(boundary, topology, region, [&](uint32_t ball) { ids[listed++] = balls.caller[ball]; });
   sort_in_place(ids, [](uint32_t a, uint32_t b) { return a < b; });
 }
 
-uint32_t cell_of_point(const CubeGrid &grid, const Boundary &boundary, const Topology &topology,
-                       const exact::Vector &point) {
-  if (topology.cell_count == 1) return 0;
+uint32_t region_of_point(const CubeGrid &grid, const Boundary &boundary, const Topology &topology,
+                         const exact::Vector &point) {
+  if (topology.region_count == 1) return 0;
   const uint32_t shell = shell_above(grid, boundary, topology, point);
-  return shell == no_id ? 0 : topology.shells[shell].cell;
+  return shell == no_id ? 0 : topology.shells[shell].region;
 }
 
 }  // namespace hsp

@@ -1,5 +1,5 @@
 // The simple face where the scan of an outer shell starts holds the highest point of its component; which balls line a
-// cell.
+// region.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -110,18 +110,18 @@ TEST(StartFaces, HoldTheHighestPointOfBallsWithBumps) {
   EXPECT_GT(seen.inside, 50);
 }
 
-std::vector<uint32_t> balls_of_cell(BuiltTopology &built, uint32_t cell) {
-  const uint32_t count = hsp::count_balls_of_cell(built.boundary(), built.structure(), cell);
+std::vector<uint32_t> balls_of_region(BuiltTopology &built, uint32_t region) {
+  const uint32_t count = hsp::count_balls_of_region(built.boundary(), built.structure(), region);
   std::vector<uint32_t> ids(count + 1, 12345);
-  hsp::list_balls_of_cell(built.balls(), built.boundary(), built.structure(), cell, {ids.data(), count});
+  hsp::list_balls_of_region(built.balls(), built.boundary(), built.structure(), region, {ids.data(), count});
   EXPECT_EQ(ids.back(), 12345U);
   ids.pop_back();
   return ids;
 }
 
-// Two cages of six balls that share one, which has faces on three cells and several on the outer one; a ball in the
+// Two cages of six balls that share one, which has faces on three regions and several on the outer one; a ball in the
 // first, one buried in the wall, one far away.
-TEST(CellBalls, OfTwoCages) {
+TEST(RegionBalls, OfTwoCages) {
   const Balls balls = {{1000, 0, 0, 850},    {0, 1000, 0, 850},     {0, -1000, 0, 850},   {0, 0, 1000, 850},
                        {0, 0, -1000, 850},   {-1000, 0, 0, 850},    {0, 0, 0, 50},        {3000, 0, 0, 850},
                        {2000, 1000, 0, 850}, {2000, -1000, 0, 850}, {2000, 0, 1000, 850}, {2000, 0, -1000, 850},
@@ -131,34 +131,35 @@ TEST(CellBalls, OfTwoCages) {
     const std::vector<uint32_t> order = random.permutation(balls.size());
     BuiltTopology built(oracle::permuted(balls, order));
     ASSERT_EQ(built.status(), hsp::Status::ok);
-    ASSERT_EQ(built.structure().cell_count, 3U);
+    ASSERT_EQ(built.structure().region_count, 3U);
     const auto named = [&](const std::vector<uint32_t> &members) {
       std::vector<uint32_t> ids;
       for (uint32_t place = 0; place < balls.size(); ++place)
         if (std::find(members.begin(), members.end(), order[place]) != members.end()) ids.push_back(place);
       return ids;
     };
-    EXPECT_EQ(balls_of_cell(built, 0), named({0, 1, 2, 3, 4, 5, 7, 8, 9, 10, 11, 13}));
+    EXPECT_EQ(balls_of_region(built, 0), named({0, 1, 2, 3, 4, 5, 7, 8, 9, 10, 11, 13}));
     const std::vector<uint32_t> first = named({0, 1, 2, 3, 4, 5, 6}), second = named({0, 7, 8, 9, 10, 11});
-    const bool in_order = balls_of_cell(built, 1) == first;
-    EXPECT_EQ(balls_of_cell(built, 1), in_order ? first : second);
-    EXPECT_EQ(balls_of_cell(built, 2), in_order ? second : first);
+    const bool in_order = balls_of_region(built, 1) == first;
+    EXPECT_EQ(balls_of_region(built, 1), in_order ? first : second);
+    EXPECT_EQ(balls_of_region(built, 2), in_order ? second : first);
   }
 }
 
-// A ball is listed once for every cell that any of its faces is on.
-TEST(CellBalls, OfSetsOfAllKinds) {
+// A ball is listed once for every region that any of its faces is on.
+TEST(RegionBalls, OfSetsOfAllKinds) {
   oracle::RandomSource random(4);
   for (int k = 0; k < 300; ++k) {
     BuiltTopology built(oracle::any_balls(random, static_cast<std::size_t>(random.in(0, 25))));
     ASSERT_EQ(built.status(), hsp::Status::ok);
-    std::vector<std::set<uint32_t>> expected(built.structure().cell_count);
+    std::vector<std::set<uint32_t>> expected(built.structure().region_count);
     for (uint32_t f = 0; f < built.boundary().face_count(); ++f) {
       const hsp::FaceRecord &face = built.boundary().face(f);
-      expected[built.structure().shells[face.shell].cell].insert(built.balls().caller[face.ball]);
+      expected[built.structure().shells[face.shell].region].insert(built.balls().caller[face.ball]);
     }
-    for (uint32_t cell = 0; cell < expected.size(); ++cell)
-      ASSERT_EQ(balls_of_cell(built, cell), std::vector<uint32_t>(expected[cell].begin(), expected[cell].end()));
+    for (uint32_t region = 0; region < expected.size(); ++region)
+      ASSERT_EQ(balls_of_region(built, region),
+                std::vector<uint32_t>(expected[region].begin(), expected[region].end()));
   }
 }
 

@@ -10,7 +10,7 @@ namespace {
 using hsp::capi::check_output;
 using hsp::capi::check_request;
 
-// What every list of what belongs to one cell or shell, number `id`, checks before it counts.
+// What every list of what belongs to one region or shell, number `id`, checks before it counts.
 int32_t check_list(const hsp_topology *topology, uint32_t id, uint32_t hsp::Topology::*number, const uint32_t *out,
                    uint32_t capacity) {
   const int32_t status = check_results(topology, out == nullptr && capacity > 0);
@@ -38,7 +38,7 @@ int32_t hsp_topology_get_shells(hsp_topology *topology, hsp_shell *out, uint32_t
     record.genus = shell.genus();
     record.kind = shell.is_void ? HSP_SHELL_VOID : HSP_SHELL_OUTER;
     record.component = shell.component;
-    record.cell = shell.cell;
+    record.region = shell.region;
     record.faces = shell.faces;
     record.simple_faces = shell.simple_faces;
     record.edges = shell.edges;
@@ -57,46 +57,47 @@ int32_t hsp_topology_get_components(const hsp_topology *topology, hsp_component 
   const hsp::Topology &structure = topology->structure();
   for (uint32_t c = 0; c < structure.component_count; ++c) {
     const hsp::ComponentRecord &component = structure.components[c];
-    out[c] = {
-        component.balls, balls.caller[component.top_ball], component.outer_shell, component.shells, component.cell, 0};
+    out[c] = {component.balls,       balls.caller[component.top_ball],
+              component.outer_shell, component.shells,
+              component.region,      0};
   }
   return HSP_OK;
 }
 
-int32_t hsp_topology_get_cells(hsp_topology *topology, hsp_cell *out, uint32_t capacity, uint32_t *needed) {
+int32_t hsp_topology_get_regions(hsp_topology *topology, hsp_region *out, uint32_t capacity, uint32_t *needed) {
   const int32_t status = check_request(topology, out, capacity, needed,
-                                       [](const hsp_topology &handle) { return handle.structure().cell_count; });
+                                       [](const hsp_topology &handle) { return handle.structure().region_count; });
   if (status != HSP_OK) return status;
   const hsp::Topology &structure = topology->scanned();
-  hsp::measure_cells(topology->balls(), topology->boundary->structure(), structure,
-                     hsp::Span<hsp_cell>(out, structure.cell_count));
+  hsp::measure_regions(topology->balls(), topology->boundary->structure(), structure,
+                       hsp::Span<hsp_region>(out, structure.region_count));
   return HSP_OK;
 }
 
-int32_t hsp_topology_get_cell_shells(const hsp_topology *topology, uint32_t cell, uint32_t *shells, uint32_t capacity,
-                                     uint32_t *needed) {
-  const int32_t status = check_list(topology, cell, &hsp::Topology::cell_count, shells, capacity);
+int32_t hsp_topology_get_region_shells(const hsp_topology *topology, uint32_t region, uint32_t *shells,
+                                       uint32_t capacity, uint32_t *needed) {
+  const int32_t status = check_list(topology, region, &hsp::Topology::region_count, shells, capacity);
   if (status != HSP_OK) return status;
   const hsp::Topology &structure = topology->structure();
   uint32_t count = 0;
-  for (uint32_t s = 0; s < structure.shell_count; ++s) count += structure.shells[s].cell == cell ? 1U : 0U;
+  for (uint32_t s = 0; s < structure.shell_count; ++s) count += structure.shells[s].region == region ? 1U : 0U;
   if (check_output(shells, capacity, count, needed) != HSP_OK) return HSP_E_CAPACITY;
   uint32_t written = 0;
   for (uint32_t s = 0; s < structure.shell_count; ++s) {
-    if (structure.shells[s].cell == cell) shells[written++] = s;
+    if (structure.shells[s].region == region) shells[written++] = s;
   }
   return HSP_OK;
 }
 
-int32_t hsp_topology_get_cell_balls(hsp_topology *topology, uint32_t cell, uint32_t *balls, uint32_t capacity,
-                                    uint32_t *needed) {
-  const int32_t status = check_list(topology, cell, &hsp::Topology::cell_count, balls, capacity);
+int32_t hsp_topology_get_region_balls(hsp_topology *topology, uint32_t region, uint32_t *balls, uint32_t capacity,
+                                      uint32_t *needed) {
+  const int32_t status = check_list(topology, region, &hsp::Topology::region_count, balls, capacity);
   if (status != HSP_OK) return status;
   const hsp::Topology &structure = topology->scanned();
   const hsp::Boundary &boundary = topology->boundary->structure();
-  const uint32_t count = hsp::count_balls_of_cell(boundary, structure, cell);
+  const uint32_t count = hsp::count_balls_of_region(boundary, structure, region);
   if (check_output(balls, capacity, count, needed) != HSP_OK) return HSP_E_CAPACITY;
-  hsp::list_balls_of_cell(topology->balls(), boundary, structure, cell, hsp::Span<uint32_t>(balls, count));
+  hsp::list_balls_of_region(topology->balls(), boundary, structure, region, hsp::Span<uint32_t>(balls, count));
   return HSP_OK;
 }
 
@@ -111,15 +112,15 @@ int32_t hsp_topology_get_traversal(hsp_topology *topology, uint32_t shell, uint3
   return HSP_OK;
 }
 
-int32_t hsp_topology_locate(const hsp_topology *topology, const double *xyz, uint32_t *cell) {
-  if (const int32_t status = check_results(topology, xyz == nullptr || cell == nullptr); status != HSP_OK)
+int32_t hsp_topology_locate(const hsp_topology *topology, const double *xyz, uint32_t *region) {
+  if (const int32_t status = check_results(topology, xyz == nullptr || region == nullptr); status != HSP_OK)
     return status;
   const hsp::CubeGrid &grid = topology->boundary->model->grid;
   hsp::LatticeQuery point;
   const hsp::Status status = hsp::round_query(grid.balls(), xyz, 0.0, point);
   if (status != hsp::Status::ok) return hsp::capi::to_c(status);
-  *cell = hsp::any_ball_meets(grid, point)
-              ? HSP_NONE
-              : hsp::cell_of_point(grid, topology->boundary->structure(), topology->structure(), point.centre);
+  *region = hsp::any_ball_meets(grid, point)
+                ? HSP_NONE
+                : hsp::region_of_point(grid, topology->boundary->structure(), topology->structure(), point.centre);
   return HSP_OK;
 }
