@@ -5,7 +5,7 @@
 set(HSP_LIBRARY_SOURCES
   lib/ground/core/elementary.cpp
   lib/ground/core/executor.cpp
-  lib/ground/core/key_places.kernel.cpp
+  lib/ground/core/key_ranks.kernel.cpp
   lib/ground/exact/exact_predicates.cpp
   lib/balls/model/ball_set.cpp
   lib/balls/model/block_sweep.cpp

@@ -56,7 +56,7 @@ int32_t for_each_pose(const hsp_body *fixed, const hsp_body *posed, uint32_t pos
 template <class Numbers>
 int32_t find_hits(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const Numbers *pose, uint32_t *hit,
                   uint32_t *first_bad) {
-  hsp::PairPlace witness;
+  hsp::PairRanks witness;
   return for_each_pose(fixed, posed, poses, pose, hit, first_bad, [&](uint32_t k, const auto &at) {
     hit[k] = hsp::any_balls_meet(fixed->tree, posed->tree, at, witness) ? 1 : 0;
   });
@@ -78,7 +78,7 @@ int32_t find_hits_along(const hsp_body *fixed, const hsp_body *posed, uint32_t p
 template <class Numbers>
 int32_t find_gaps(const hsp_body *fixed, const hsp_body *posed, uint32_t poses, const Numbers *pose, hsp_body_gap *gap,
                   uint32_t *first_bad) {
-  hsp::PairPlace witness;
+  hsp::PairRanks witness;
   return for_each_pose(fixed, posed, poses, pose, gap, first_bad, [&](uint32_t k, const auto &at) {
     const hsp::PairGap found = hsp::least_gap(fixed->tree, posed->tree, at, witness);
     gap[k] = {fixed->tree.lattice().length(found.gap), found.fixed, found.moving};

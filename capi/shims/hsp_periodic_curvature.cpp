@@ -36,7 +36,6 @@ int32_t hsp_periodic_get_morphometry(const hsp_periodic *periodic, const hsp_mor
   if (out.flags != nullptr) hsp::flag_free_inner_contacts_in_box(structure, HSP_CURVATURE_ONE_SIDED, out.flags);
   if (out.energy != nullptr) *out.energy = hsp::capi::to_c(found);
   if (out.d_strain == nullptr && out.d_box == nullptr) return HSP_OK;
-  hsp::capi::put_box_gradient(hsp::differentiate_morphometry_by_box(structure, weights, factors), out.d_strain,
-                              out.d_box);
+  hsp::capi::put_box_gradient(hsp::box_gradient_of_morphometry(structure, weights, factors), out.d_strain, out.d_box);
   return HSP_OK;
 }

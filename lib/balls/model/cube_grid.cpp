@@ -33,10 +33,10 @@ struct GivenBalls {
 };
 struct PlacedBalls {
   const BallSet &balls;
-  Span<const uint32_t> place;
+  Span<const uint32_t> slot;
 
   static void fetch(uint32_t) {}
-  exact::LatticeBall ball(uint32_t i) const { return balls.ball(place[i]); }
+  exact::LatticeBall ball(uint32_t i) const { return balls.ball(slot[i]); }
   exact::Vector centre(uint32_t i) const { return ball(i).centre; }
 };
 
@@ -271,10 +271,10 @@ void CubeGrid::build(const BallSet &given, uint32_t own) {
   sort(source, given, box_around(source, {0, own}), own);
 }
 
-void CubeGrid::build(const BallSet &balls, Span<const uint32_t> place, int64_t side) {
+void CubeGrid::build(const BallSet &balls, Span<const uint32_t> slot, int64_t side) {
   clear();
-  const PlacedBalls placed{balls, place};
-  const uint32_t n = place.size();
+  const PlacedBalls placed{balls, slot};
+  const uint32_t n = slot.size();
   for (uint32_t i = 0; i < n; ++i) {
     const exact::LatticeBall ball = placed.ball(i);
     balls_.largest_radius = ball.radius > balls_.largest_radius ? ball.radius : balls_.largest_radius;

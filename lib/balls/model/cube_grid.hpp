@@ -35,9 +35,9 @@ class CubeGrid {
   Status build(const BallInput &input, uint32_t &first_bad);
   // The same from balls that are on a lattice, in the caller's order. Those from number `own` on are images.
   void build(const BallSet &given, uint32_t own);
-  // The same from balls that are on a lattice: the caller's ball i is balls.ball(place[i]). Cubes get the given side,
+  // The same from balls that are on a lattice: the caller's ball i is balls.ball(slot[i]). Cubes get the given side,
   // twice the largest radius or more. There is room for so many balls.
-  void build(const BallSet &balls, Span<const uint32_t> place, int64_t side);
+  void build(const BallSet &balls, Span<const uint32_t> slot, int64_t side);
 
   const BallSet &balls() const { return balls_; }
   uint32_t capacity() const { return capacity_; }

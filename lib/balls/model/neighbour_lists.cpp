@@ -250,11 +250,11 @@ constexpr uint32_t last_of_row = UINT32_C(1) << 31;
 static_assert(max_count < last_of_row);
 
 // Instead of a place in ids, for a row without entries.
-constexpr uint32_t no_place = no_id;
+constexpr uint32_t no_entry = no_id;
 
 // From where rows begin to where they end.
 void begins_to_ends(Span<uint32_t> first, uint32_t n) {
-  for (uint32_t i = 0; i < n; ++i) first[i] = first[i + 1] > first[i] ? first[i + 1] : no_place;
+  for (uint32_t i = 0; i < n; ++i) first[i] = first[i + 1] > first[i] ? first[i + 1] : no_entry;
 }
 
 // Both rows of each pair, in ascending order without sorting. First the larger neighbours of each ball, in any order,
@@ -266,17 +266,17 @@ void list_in_both_rows(const CubeGrid &grid, Span<uint32_t> first, Span<uint32_t
   const uint32_t n = grid.balls().n;
   begins_to_ends(first, n);
   for (uint32_t i = 0; i < n; ++i) {
-    if (first[i] != no_place) ids[first[i] - 1] = last_of_row;
+    if (first[i] != no_entry) ids[first[i] - 1] = last_of_row;
   }
   PairWalk(grid, PairRows::both, first, ids).run();
   for (uint32_t i = 0, place = 0; i < n; ++i) {
-    if (first[i] == no_place) continue;
+    if (first[i] == no_entry) continue;
     first[i] = place;
     while ((ids[place++] & last_of_row) == 0) {
     }
   }
   for (uint32_t i = 0, place = 0; i < n; ++i) {
-    if (first[i] == no_place) continue;
+    if (first[i] == no_entry) continue;
     uint32_t entry;
     do {
       entry = ids[place++];
@@ -286,7 +286,7 @@ void list_in_both_rows(const CubeGrid &grid, Span<uint32_t> first, Span<uint32_t
   }
   uint32_t begin = 0;
   for (uint32_t i = 0; i < n; ++i) {
-    const uint32_t end = first[i] == no_place ? begin : first[i];
+    const uint32_t end = first[i] == no_entry ? begin : first[i];
     if (end > begin) ids[end - 1] &= ~last_of_row;
     first[i] = begin;
     begin = end;

@@ -24,7 +24,7 @@ struct PairBlock {
   static constexpr double margin_of_squared_side = 0x1p-19;
 
   float x[room + lanes], y[room + lanes], z[room + lanes], r[room + lanes];
-  uint32_t caller[room + lanes], place[room + lanes];
+  uint32_t caller[room + lanes], rank[room + lanes];
   uint32_t count;
   float margin;
   double centre[3];

@@ -16,7 +16,7 @@ inline Floats relative(const double *p, double origin) {
                                    LaneBits doubtful) {
   LaneBits meet = 0;
   for (; doubtful != 0; doubtful &= doubtful - 1) {
-    const uint32_t lane = lowest(doubtful), j = block.place[from + lane];
+    const uint32_t lane = lowest(doubtful), j = block.rank[from + lane];
     const bool hit = meet_exactly(balls.x[j] - balls.x[i], balls.y[j] - balls.y[i], balls.z[j] - balls.z[i],
                                   balls.r[j] + balls.r[i]);
     meet |= static_cast<LaneBits>(hit) << lane;
@@ -36,7 +36,7 @@ uint32_t add_to_block_avx2(PairBlock &block, const QueryArrays &balls, const Bal
     relative(balls.z + j, block.centre[2]).store(block.z + to);
     to_floats(Doubles::load(balls.r + j), Doubles::load(balls.r + j + 4)).store(block.r + to);
     Integers::load(balls.caller + j).store(block.caller + to);
-    (Integers::ascending() + Integers::all(j)).store(block.place + to);
+    (Integers::ascending() + Integers::all(j)).store(block.rank + to);
   }
   block.count += last - range.first;
   // Lanes after the last one meet nothing.

@@ -197,14 +197,14 @@ bool any_ball_meets(const CubeGrid &grid, const LatticeQuery &query) {
   return found;
 }
 
-void find_neighbours(const CubeGrid &grid, uint32_t place, QueryResult &result) {
+void find_neighbours(const CubeGrid &grid, uint32_t rank, QueryResult &result) {
 #if HSP_AVX2
-  if (grid.wide() && find_neighbours_avx2(grid.query_grid(), query_arrays(grid.balls()), place, result.ids,
+  if (grid.wide() && find_neighbours_avx2(grid.query_grid(), query_arrays(grid.balls()), rank, result.ids,
                                           result.capacity, result.hits)) {
     return;
   }
 #endif
-  const exact::LatticeBall ball = grid.balls().ball(place);
+  const exact::LatticeBall ball = grid.balls().ball(rank);
   const LatticeQuery query{ball.centre, ball.radius};
   collect(grid, query, ball.index, cubes_at_ball(grid, query), result);
 }

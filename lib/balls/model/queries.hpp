@@ -39,7 +39,7 @@ Status find_balls(const CubeGrid &grid, const double *xyz, double radius, QueryR
 // Whether any ball meets the query ball.
 bool any_ball_meets(const CubeGrid &grid, const LatticeQuery &query);
 
-// The balls other than itself that meet ball `place` of the grid's order.
-void find_neighbours(const CubeGrid &grid, uint32_t place, QueryResult &result);
+// The balls other than itself that meet ball `rank` of the grid's order.
+void find_neighbours(const CubeGrid &grid, uint32_t rank, QueryResult &result);
 
 }  // namespace hsp

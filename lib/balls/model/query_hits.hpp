@@ -80,7 +80,7 @@ void add_hits_avx2(const QueryArrays &balls, const QueryBall &query, const BallR
 bool find_balls_avx2(const QueryGrid &grid, const QueryArrays &balls, const double *xyz, double radius, uint32_t *ids,
                      uint32_t capacity, uint32_t &hits);
 // The same for find_neighbours().
-bool find_neighbours_avx2(const QueryGrid &grid, const QueryArrays &balls, uint32_t place, uint32_t *ids,
+bool find_neighbours_avx2(const QueryGrid &grid, const QueryArrays &balls, uint32_t rank, uint32_t *ids,
                           uint32_t capacity, uint32_t &hits);
 
 void sort_ascending(uint32_t *ids, uint32_t count);

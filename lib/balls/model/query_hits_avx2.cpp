@@ -79,7 +79,7 @@ inline void add_hits_by(const QueryArrays &balls, const BallRange *ranges, uint3
   hits.count = found;
 }
 
-// Compares each lane with that at the place given by `partners`; the lanes of `takes_larger` keep the larger one.
+// Compares each lane with that at the rank given by `partners`; the lanes of `takes_larger` keep the larger one.
 template <int takes_larger>
 inline Integers exchange(Integers a, Integers partners) {
   return {_mm256_blend_epi32(_mm256_min_epu32(a.v, partners.v), _mm256_max_epu32(a.v, partners.v), takes_larger)};
@@ -309,11 +309,11 @@ bool find_balls_avx2(const QueryGrid &grid, const QueryArrays &balls, const doub
       grid, balls, ball, [](Integers) { return LaneBits{0}; }, ids, capacity, hits);
 }
 
-bool find_neighbours_avx2(const QueryGrid &grid, const QueryArrays &balls, uint32_t place, uint32_t *ids,
+bool find_neighbours_avx2(const QueryGrid &grid, const QueryArrays &balls, uint32_t rank, uint32_t *ids,
                           uint32_t capacity, uint32_t &hits) {
   if (grid.cells == nullptr) return false;
-  const Doubles ball = Doubles::of(balls.x[place], balls.y[place], balls.z[place], balls.r[place]);
-  const Integers own = Integers::all(balls.caller[place]);
+  const Doubles ball = Doubles::of(balls.x[rank], balls.y[rank], balls.z[rank], balls.r[rank]);
+  const Integers own = Integers::all(balls.caller[rank]);
   return find_around(
       grid, balls, ball, [own](Integers others) { return equal(others, own); }, ids, capacity, hits);
 }

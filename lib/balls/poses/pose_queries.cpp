@@ -120,14 +120,14 @@ bool visit_meeting_pairs(const SphereTree &fixed, const SphereTree &moving, cons
 }
 
 template <class Balls>
-bool still_meet(const SphereTree &fixed, const SphereTree &moving, const Balls &balls, const PairPlace &witness) {
+bool still_meet(const SphereTree &fixed, const SphereTree &moving, const Balls &balls, const PairRanks &witness) {
   if (witness.fixed >= fixed.ball_count() || witness.moving >= moving.ball_count()) return false;
   const Vec3 c = fixed.centre(witness.fixed), p = moving.centre(witness.moving);
   return balls.meet(c, p, balls.place(balls.image(p)) - c, fixed.radius(witness.fixed) + moving.radius(witness.moving));
 }
 
 template <class Balls>
-bool any_meet(const SphereTree &fixed, const SphereTree &moving, const Balls &balls, PairPlace &witness) {
+bool any_meet(const SphereTree &fixed, const SphereTree &moving, const Balls &balls, PairRanks &witness) {
   return still_meet(fixed, moving, balls, witness) ||
          visit_meeting_pairs(fixed, moving, balls, [&](uint32_t i, uint32_t j, const Vec3 &) {
            witness = {i, j};
@@ -216,7 +216,7 @@ double lens_volume(double d, double r, double s) {
 }
 
 template <class Balls>
-PairGap find_least_gap(const SphereTree &fixed, const SphereTree &moving, const Balls &balls, PairPlace &witness) {
+PairGap find_least_gap(const SphereTree &fixed, const SphereTree &moving, const Balls &balls, PairRanks &witness) {
   PairGap best;
   if (fixed.empty() || moving.empty()) return best;
   const double slack = balls.slack();
@@ -298,11 +298,11 @@ Status make_pose(const SphereTree &fixed, const SphereTree &moving, const int32_
   return pose.has_room_for(moving.reach()) ? Status::ok : Status::range;
 }
 
-bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const Pose &pose, PairPlace &witness) {
+bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const Pose &pose, PairRanks &witness) {
   return any_meet(fixed, moving, SnappedBalls(fixed, moving, pose), witness);
 }
 
-bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose, PairPlace &witness) {
+bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose, PairRanks &witness) {
   return any_meet(fixed, moving, RationalBalls(fixed, moving, pose), witness);
 }
 
@@ -335,11 +335,11 @@ Overlap sum_overlaps(const SphereTree &fixed, const SphereTree &moving, const Po
   return sum;
 }
 
-PairGap least_gap(const SphereTree &fixed, const SphereTree &moving, const Pose &pose, PairPlace &witness) {
+PairGap least_gap(const SphereTree &fixed, const SphereTree &moving, const Pose &pose, PairRanks &witness) {
   return find_least_gap(fixed, moving, SnappedBalls(fixed, moving, pose), witness);
 }
 
-PairGap least_gap(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose, PairPlace &witness) {
+PairGap least_gap(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose, PairRanks &witness) {
   return find_least_gap(fixed, moving, RationalBalls(fixed, moving, pose), witness);
 }
 

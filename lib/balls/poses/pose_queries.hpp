@@ -22,15 +22,15 @@ Status make_pose(const SphereTree &fixed, const SphereTree &moving, const int32_
 // Two balls, by their ranks in the trees: those that decided the last answer. A caller that asks about one pose after
 // the other hands them on; they are tried first, and where poses change little nothing else may be needed. Answers do
 // not depend on them, and any numbers will do.
-struct PairPlace {
+struct PairRanks {
   uint32_t fixed = no_id, moving = no_id;
 };
 
 // Whether any two balls meet. If so the witness becomes a pair that does, else it stays as it is.
-bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const Pose &pose, PairPlace &witness);
-bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose, PairPlace &witness);
+bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const Pose &pose, PairRanks &witness);
+bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose, PairRanks &witness);
 inline bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, const Pose &pose) {
-  PairPlace none;
+  PairRanks none;
   return any_balls_meet(fixed, moving, pose, none);
 }
 
@@ -41,7 +41,7 @@ struct GapBudget {
   explicit GapBudget(double steps) : margin(steps) {}
 
   double margin;
-  PairPlace witness;
+  PairRanks witness;
   Pose from;           // a pose that is free,
   double budget = -1;  // and stays free while no ball goes as far as this, in steps; below 0 if there is none
 };
@@ -78,10 +78,10 @@ struct PairGap {
 // The least distance between two balls, less than 0 for the pair that overlaps deepest; its error is at most 2^-51 of
 // the distance of the centres. Of equal ones the first, by the ball at rest. Infinite if one molecule has no balls. The
 // witness becomes the pair.
-PairGap least_gap(const SphereTree &fixed, const SphereTree &moving, const Pose &pose, PairPlace &witness);
-PairGap least_gap(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose, PairPlace &witness);
+PairGap least_gap(const SphereTree &fixed, const SphereTree &moving, const Pose &pose, PairRanks &witness);
+PairGap least_gap(const SphereTree &fixed, const SphereTree &moving, const RationalPose &pose, PairRanks &witness);
 inline PairGap least_gap(const SphereTree &fixed, const SphereTree &moving, const Pose &pose) {
-  PairPlace none;
+  PairRanks none;
   return least_gap(fixed, moving, pose, none);
 }
 

@@ -12,9 +12,9 @@ void sort_in_place(Span<T> items, Less less) {
   if (n < 24) {
     for (uint32_t k = 1; k < n; ++k) {
       const T item = items[k];
-      uint32_t place = k;
-      for (; place > 0 && less(item, items[place - 1]); --place) items[place] = items[place - 1];
-      items[place] = item;
+      uint32_t slot = k;
+      for (; slot > 0 && less(item, items[slot - 1]); --slot) items[slot] = items[slot - 1];
+      items[slot] = item;
     }
     return;
   }
@@ -37,25 +37,25 @@ void sort_in_place(Span<T> items, Less less) {
   }
 }
 
-// The same for items that are spread evenly over their range: place_of(item, places) < places says about where in
-// order an item is. O(n) then; else, or where place_of is mistaken at all, as above. scratch: as many as items.
-template <class T, class PlaceOf, class Less>
-void sort_by_place(Span<T> items, Span<uint32_t> scratch, PlaceOf place_of, Less less) {
+// The same for items that are spread evenly over their range: slot_of(item, slots) < slots says about where in
+// order an item is. O(n) then; else, or where slot_of is mistaken at all, as above. scratch: as many as items.
+template <class T, class SlotOf, class Less>
+void sort_by_slot(Span<T> items, Span<uint32_t> scratch, SlotOf slot_of, Less less) {
   const uint32_t n = items.size();
   if (n < 24) return sort_in_place(items, less);
-  const uint32_t places = (n - 1) / 2;
-  const Span<uint32_t> first = scratch.part(0, places + 1);
-  const Span<uint32_t> next = scratch.part(places + 1, 2 * places + 1);
+  const uint32_t slots = (n - 1) / 2;
+  const Span<uint32_t> first = scratch.part(0, slots + 1);
+  const Span<uint32_t> next = scratch.part(slots + 1, 2 * slots + 1);
   for (uint32_t &each : first) each = 0;
-  for (const T &item : items) ++first[place_of(item, places) + 1];
-  for (uint32_t p = 0; p < places; ++p) {
+  for (const T &item : items) ++first[slot_of(item, slots) + 1];
+  for (uint32_t p = 0; p < slots; ++p) {
     first[p + 1] += first[p];
     next[p] = first[p];
   }
-  for (uint32_t p = 0; p < places; ++p) {
+  for (uint32_t p = 0; p < slots; ++p) {
     while (next[p] < first[p + 1]) {
       T item = items[next[p]];
-      for (uint32_t q = place_of(item, places); q != p; q = place_of(item, places)) {
+      for (uint32_t q = slot_of(item, slots); q != p; q = slot_of(item, slots)) {
         const T displaced = items[next[q]];
         items[next[q]++] = item;
         item = displaced;
@@ -64,7 +64,7 @@ void sort_by_place(Span<T> items, Span<uint32_t> scratch, PlaceOf place_of, Less
     }
   }
   bool in_order = true;
-  for (uint32_t p = 0; p < places; ++p) {
+  for (uint32_t p = 0; p < slots; ++p) {
     if (first[p] == first[p + 1]) continue;
     sort_in_place(items.part(first[p], first[p + 1]), less);
     if (first[p] > 0 && less(items[first[p]], items[first[p] - 1])) in_order = false;

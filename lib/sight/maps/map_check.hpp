@@ -36,9 +36,9 @@ enum class MapInvariant : uint32_t {
 using MapViolation = Violation<MapInvariant>;
 
 template <class Map>
-class MapLaws : FirstViolation<MapInvariant> {
+class MapChecker : FirstViolation<MapInvariant> {
  public:
-  MapLaws(const Map &map, Span<uint32_t> scratch)
+  MapChecker(const Map &map, Span<uint32_t> scratch)
       : map_(map), largest_(map.scene.largest()), bodies_(map.scene.bodies()), count_(scratch) {}
 
   MapViolation run() {
@@ -246,7 +246,7 @@ class MapLaws : FirstViolation<MapInvariant> {
 // scratch [2 edges + 1]. O(size).
 template <class Map>
 MapViolation check_map(const Map &map, Span<uint32_t> scratch) {
-  return MapLaws<Map>(map, scratch).run();
+  return MapChecker<Map>(map, scratch).run();
 }
 
 }  // namespace hsp

@@ -202,7 +202,7 @@ class BallInk {
     if (end.crossed == no_id || input_.balls.r[end.crossed] == 0.0) return 0.0;
     const Vec3 at = input_.paths.frame().centre_of(input_.balls, end.crossed);
     const double point[2] = {at.x, at.y};
-    const PagePoint other = page_.place(point);
+    const PagePoint other = page_.to_page(point);
     const SinCos normal = sin_cos(angle);
     const PagePoint crossing = along(centre_, normal, radius_);
     const double r = input_.balls.r[end.crossed] * page_.scale;

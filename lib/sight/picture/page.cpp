@@ -89,18 +89,18 @@ PagePoint PageArc::at(double t) const {
   return {centre.x + d.cosine * major.x + d.sine * minor.x, centre.y + d.cosine * major.y + d.sine * minor.y};
 }
 
-PageArc Page::place(const ProjectedArc &arc) const {
+PageArc Page::to_page(const ProjectedArc &arc) const {
   const ProjectedEllipse &e = arc.ellipse;
   const PagePoint major{e.major[0] * scale, e.major[1] * scale};
   const PagePoint minor{e.minor[0] * scale, e.minor[1] * scale};
-  return {place(e.centre),
+  return {to_page(e.centre),
           major,
           minor,
           {std::sqrt(major.x * major.x + major.y * major.y), std::sqrt(minor.x * minor.x + minor.y * minor.y)},
           arc.from,
           arc.to,
-          place(arc.start),
-          place(arc.end),
+          to_page(arc.start),
+          to_page(arc.end),
           arc.other_ball == no_id};
 }
 

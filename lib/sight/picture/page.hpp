@@ -41,17 +41,17 @@ struct Page {
   bool possible;             // nothing lies farther from the middle than numbers in files can say
   bool cut;                  // balls lie beyond the edges
 
-  PagePoint place(const double point[2]) const {
+  PagePoint to_page(const double point[2]) const {
     return {(point[0] - middle[0]) * scale + width / 2, (point[1] - middle[1]) * scale + height / 2};
   }
-  PageArc place(const ProjectedArc &arc) const;
+  PageArc to_page(const ProjectedArc &arc) const;
   // Whether an arc is drawn as a line, see visit_line: many a renderer breaks the stroke of a flatter ellipse, or loses
   // half of its width.
   bool is_line(const PageArc &arc) const { return arc.semi_axis[1] < narrowest_ellipse; }
   PagePoint centre_of(const PictureInput &input, uint32_t path) const {
     const Vec3 centre = input.paths.frame().centre_of(input.balls, input.paths.ball_of(path));
     const double point[2] = {centre.x, centre.y};
-    return place(point);
+    return to_page(point);
   }
 };
 

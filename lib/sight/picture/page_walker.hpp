@@ -48,7 +48,7 @@ class PageWalker {
   template <class Pen>
   void put_arcs(uint32_t path, PathPart part, Pen &&pen) const {
     input_.paths.visit(input_.balls, path, part, [&](const ProjectedArc &plane_arc, bool first, bool closes) {
-      const PageArc arc = page_.place(plane_arc);
+      const PageArc arc = page_.to_page(plane_arc);
       if (first) pen.begin(arc.start);
       if (page_.is_line(arc)) {
         visit_line(arc, [&](const PagePoint &point) { pen.line_to(point); });

@@ -105,7 +105,7 @@ class SvgWriter : private PageWalker<SvgWriter> {
       add_rounded(disc.radius);
       if (paint_.flat(p)) continue;
       input_.paths.visit(input_.balls, p, PathPart::outline, [&](const ProjectedArc &arc, bool, bool) {
-        const PagePoint start = page_.place(arc.start);
+        const PagePoint start = page_.to_page(arc.start);
         add_rounded(start.x);
         add_rounded(start.y);
         add_rounded(arc.ellipse.centre[0] * page_.scale);
@@ -313,7 +313,7 @@ class SvgWriter : private PageWalker<SvgWriter> {
   int decimals_of(uint32_t path, PathPart part, const SvgFrame &frame) const {
     int decimals = decimals_in(frame);
     input_.paths.visit(input_.balls, path, part, [&](const ProjectedArc &plane_arc, bool, bool) {
-      const PageArc arc = page_.place(plane_arc);
+      const PageArc arc = page_.to_page(plane_arc);
       if (page_.is_line(arc)) return;
       const double flatness = arc.semi_axis[1] / arc.semi_axis[0];
       decimals = decimals_for((flatness < 1.0 ? flatness : 1.0) / (10 * frame.unit), decimals, finest_svg_decimals);
@@ -333,7 +333,7 @@ class SvgWriter : private PageWalker<SvgWriter> {
     uint32_t arcs = 0;
     input_.paths.visit(input_.balls, path, PathPart::outline,
                        [&](const ProjectedArc &plane_arc, bool first, bool closes) {
-                         const PageArc arc = page_.place(plane_arc);
+                         const PageArc arc = page_.to_page(plane_arc);
                          shape.disc = ++arcs == 1 && first && closes && arc.circle;
                          shape.centre = arc.centre;
                          shape.radius = arc.semi_axis[0];

@@ -56,7 +56,7 @@ void sort_by_depth(const BallSet &balls, const ViewFrame &frame, Span<DepthKey> 
   }
   const double uncertain = 16 * unit_roundoff * largest;
   const double part_of_spread = nearest > farthest ? 1.0 / (nearest - farthest) : 0.0;
-  sort_by_place(
+  sort_by_slot(
       keys, scratch,
       [&](const DepthKey &key, uint32_t places) {
         const uint32_t place =

@@ -19,7 +19,7 @@ constexpr int64_t W = twice_smaller_probe * twice_smaller_probe;
 // Nearer to the border of a patch than this, in units of p, a corner is on it.
 constexpr double border = 1e-6;
 // Nearer to each other than this places are the same up to rounding: the smaller probe keeps others farther apart.
-constexpr double same_place = 0x1p-28;
+constexpr double same_position = 0x1p-28;
 
 // The triangle that a vertex sees, as the numbers of its balls in the record of the vertex have it.
 struct SeenTriangle {
@@ -168,7 +168,7 @@ Answer SettledCircles::contains(const Crossing &crossing, int sign, uint32_t r) 
     if (has_cusps(crossing.first, crossing.second)) return Answer::no;
     if (mate_[crossing.first] == no_id || !is_beyond_axis(crossing.first, point)) return Answer::yes;
     const double above = dot(caps_.axis(r), point) - height(r);
-    const bool tied = !is_side(r) && !is_point(r) && std::fabs(above) < same_place;
+    const bool tied = !is_side(r) && !is_point(r) && std::fabs(above) < same_position;
     const bool covered = tied ? is_covered_beside_mate(crossing.first, crossing.second, r, point) : above > 0.0;
     return covered ? Answer::yes : Answer::no;
   }
@@ -196,7 +196,7 @@ bool SettledCircles::is_in_patches(const Crossing &crossing, int sign) const {
   const Vec3 from_own = p * point;
   double deepest = 0.0;
   bool at_border = false;
-  uint32_t mate = no_id;
+  uint32_t opposite_probe = no_id;
   int answer = -1;
   for (int t = 0; t < 3; ++t) {
     const SeenTriangle triangle(balls_, boundary_, grid_.position(vertex[t]), vertex[t]);
@@ -210,7 +210,7 @@ bool SettledCircles::is_in_patches(const Crossing &crossing, int sign) const {
       const uint32_t across = across_cusps(balls_, boundary_, chosen_, cusped_, vertex[t], slot);
       const uint32_t b = vertex[(t + 1) % 3];
       const uint32_t c = vertex[(t + 2) % 3];
-      if (vertex[t] == own && is_mate(across)) mate = across;
+      if (vertex[t] == own && is_mate(across)) opposite_probe = across;
       if (across != b && across != c) continue;
       // Two sides have their cusps here, and a crease between these: no third probe contains either of them.
       if (across == met) return false;
@@ -225,16 +225,16 @@ bool SettledCircles::is_in_patches(const Crossing &crossing, int sign) const {
     if (std::fabs(least) > std::fabs(deepest)) deepest = least;
   }
   if (!at_border) return true;
-  if (answer < 0 && mate != no_id) {
-    return owner_of_corner(own, mate, caps_.ball[crossing.first], caps_.ball[crossing.second], point) == own;
+  if (answer < 0 && opposite_probe != no_id) {
+    return owner_of_corner(own, opposite_probe, caps_.ball[crossing.first], caps_.ball[crossing.second], point) == own;
   }
   return answer >= 0 ? answer > 0 : deepest > 0.0;
 }
 
 // The inward normal of the side between two vertices in one place, seen from the first; 0 if there is none.
-Vec3 SettledCircles::normal_towards_mate(uint32_t vertex, uint32_t mate) const {
+Vec3 SettledCircles::normal_towards_mate(uint32_t vertex, uint32_t opposite_probe) const {
   for (uint32_t slot = 0; slot < 3; ++slot) {
-    if (across_cusps(balls_, boundary_, chosen_, cusped_, vertex, slot) != mate) continue;
+    if (across_cusps(balls_, boundary_, chosen_, cusped_, vertex, slot) != opposite_probe) continue;
     return SeenTriangle(balls_, boundary_, grid_.position(vertex), vertex).inward[slot];
   }
   return {0.0, 0.0, 0.0};
@@ -248,10 +248,10 @@ Vec3 SettledCircles::way(uint32_t from, uint32_t to) const {
 // Let two vertices be in one place, with a side between them, and two more probes meet them in a point of this side: of
 // which of the two the corner of these two probes is. Seen from the lower one, with the others in their order: all four
 // have the same bits.
-uint32_t SettledCircles::owner_of_corner(uint32_t vertex, uint32_t mate, uint32_t a, uint32_t b,
+uint32_t SettledCircles::owner_of_corner(uint32_t vertex, uint32_t opposite_probe, uint32_t a, uint32_t b,
                                          const Vec3 &point) const {
-  const uint32_t lower = vertex < mate ? vertex : mate;
-  const uint32_t upper = vertex < mate ? mate : vertex;
+  const uint32_t lower = vertex < opposite_probe ? vertex : opposite_probe;
+  const uint32_t upper = vertex < opposite_probe ? opposite_probe : vertex;
   const Vec3 first = way(lower, a < b ? a : b);
   const Vec3 second = way(lower, a < b ? b : a);
   const CircleCrossing<Vec3, double> pair(first, 0.5 * dot(first, first), second, 0.5 * dot(second, second));
@@ -268,13 +268,13 @@ Vec3 SettledCircles::crossing_near(const CircleCrossing<Vec3, double> &pair, con
 // Let two pairs of vertices each be in one place, and two of their sides pass through a point where their spheres meet.
 // Which one of the second pair has the corner with both of the first. Along the circle in which the two spheres meet
 // one of the sides comes first: seen from the pair with the lowest vertex, all four have the same bits.
-uint32_t SettledCircles::owner_on_side(uint32_t vertex, uint32_t mate, uint32_t first, uint32_t second,
+uint32_t SettledCircles::owner_on_side(uint32_t vertex, uint32_t opposite_probe, uint32_t first, uint32_t second,
                                        const Vec3 &point) const {
-  const bool own_is_lower = (vertex < mate ? vertex : mate) < (first < second ? first : second);
+  const bool own_is_lower = (vertex < opposite_probe ? vertex : opposite_probe) < (first < second ? first : second);
   const uint32_t a = own_is_lower ? vertex : first;
-  const uint32_t b = own_is_lower ? mate : second;
+  const uint32_t b = own_is_lower ? opposite_probe : second;
   const uint32_t c = own_is_lower ? first : vertex;
-  const uint32_t d = own_is_lower ? second : mate;
+  const uint32_t d = own_is_lower ? second : opposite_probe;
   const uint32_t lower = a < b ? a : b;
   const uint32_t upper = a < b ? b : a;
   const uint32_t other_lower = c < d ? c : d;
@@ -403,8 +403,8 @@ uint32_t SettledCircles::parts_of(const RegionArc &arc, Span<const RegionCorner>
         double turn = middle + sign * off;
         while (turn < 0.0) turn += 2 * pi;
         while (turn >= 2 * pi) turn -= 2 * pi;
-        const bool at_first = first != no_id && (turn < same_place || turn > 2 * pi - same_place);
-        if (at_first || (last != no_id && std::fabs(turn - arc.angle) < same_place)) continue;
+        const bool at_first = first != no_id && (turn < same_position || turn > 2 * pi - same_position);
+        if (at_first || (last != no_id && std::fabs(turn - arc.angle) < same_position)) continue;
         if (!(turn < arc.angle) || cuts == most_parts - 3) continue;
         if (depth_in(u, at(turn), slot) > 0.0) cut[cuts++] = turn;
       }
@@ -455,8 +455,9 @@ uint32_t SettledCircles::owner_of_end(uint32_t cap, const RegionCorner &end) con
     for (uint32_t slot = 0; slot < 3; ++slot) {
       const uint32_t across = across_cusps(balls_, boundary_, chosen_, cusped_, u, slot);
       bool is_here = false;
-      probe_.for_each_in_place(cap, [&](uint32_t mate) { is_here = is_here || (mate == across && mate < u); });
-      if (!is_here || !(std::fabs(dot(triangle.inward[slot], seen)) < same_place)) continue;
+      probe_.for_each_in_place(
+          cap, [&](uint32_t opposite_probe) { is_here = is_here || (opposite_probe == across && opposite_probe < u); });
+      if (!is_here || !(std::fabs(dot(triangle.inward[slot], seen)) < same_position)) continue;
       if (!(depth_in(u, end.point, slot) > 0.0)) continue;
       owner = is_side(other) ? owner_on_side(own, mate_[other], u, across, end.point)
                              : owner_of_corner(u, across, own, caps_.ball[other], end.point);

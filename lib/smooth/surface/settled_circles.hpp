@@ -78,11 +78,12 @@ class SettledCircles {
     return circle_[side].radius + dot(point, circle_[side].outward) < 0.0;
   }
   uint32_t parts_of_side(const RegionArc &arc, Span<const RegionCorner> corners, Part (&parts)[most_parts]) const;
-  Vec3 normal_towards_mate(uint32_t vertex, uint32_t mate) const;
+  Vec3 normal_towards_mate(uint32_t vertex, uint32_t opposite_probe) const;
   Vec3 way(uint32_t from, uint32_t to) const;
   static Vec3 crossing_near(const CircleCrossing<Vec3, double> &pair, const Vec3 &point);
-  uint32_t owner_of_corner(uint32_t vertex, uint32_t mate, uint32_t a, uint32_t b, const Vec3 &point) const;
-  uint32_t owner_on_side(uint32_t vertex, uint32_t mate, uint32_t first, uint32_t second, const Vec3 &point) const;
+  uint32_t owner_of_corner(uint32_t vertex, uint32_t opposite_probe, uint32_t a, uint32_t b, const Vec3 &point) const;
+  uint32_t owner_on_side(uint32_t vertex, uint32_t opposite_probe, uint32_t first, uint32_t second,
+                         const Vec3 &point) const;
   uint32_t owner_of_end(uint32_t cap, const RegionCorner &end) const;
   bool is_covered_beside_mate(uint32_t side, uint32_t cap, uint32_t other, const Vec3 &point) const;
   uint32_t vertex_at(uint32_t cap, const Vec3 &point) const;

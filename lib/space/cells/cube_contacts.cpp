@@ -47,7 +47,7 @@ Status CubeContacts::add(const BallSet &balls, const PowerCell &cell, uint32_t k
   const exact::Vector centre = balls.ball(cell.ball()).centre;
   const uint64_t first_contact = contacts.required();
   // A known pair was added at an earlier corner, or only counted if there was no room.
-  const auto add_once = [&](const AdjacentCells &pair, const PlacedPoint &at, bool is_known) {
+  const auto add_once = [&](const AdjacentCells &pair, const BoundedPoint &at, bool is_known) {
     const uint64_t stored = contacts.size();
     for (uint64_t c = first_contact; c < stored; ++c) {
       const uint32_t number = static_cast<uint32_t>(c);

@@ -43,7 +43,7 @@ struct UnitPlane {
 };
 
 // A position and a bound for its error, which is huge where the planes are too close to each other.
-struct PlacedPoint {
+struct BoundedPoint {
   Vec3 y;
   double doubt;
 };
@@ -95,7 +95,7 @@ class CubeFrame {
   }
 
   // Where three planes meet.
-  PlacedPoint common_point(const UnitPlane &P, const UnitPlane &Q, const UnitPlane &R) const {
+  BoundedPoint common_point(const UnitPlane &P, const UnitPlane &Q, const UnitPlane &R) const {
     const Vec3 qr = cross(Q.v, R.v);
     const Vec3 rp = cross(R.v, P.v);
     const Vec3 n = cross(P.v, Q.v);
@@ -108,7 +108,7 @@ class CubeFrame {
   }
 
   // On which side of a plane a point lies: +1 the near one, -1 the far one, 0 is not certain.
-  int side_of(const PlacedPoint &point, const UnitPlane &S) const {
+  int side_of(const BoundedPoint &point, const UnitPlane &S) const {
     const double beyond = dot(S.v, point.y) - S.h;
     const double doubt = point.doubt + plane_doubt();
     return beyond < -doubt ? 1 : beyond > doubt ? -1 : 0;
@@ -124,7 +124,7 @@ class CubeFrame {
   double sphere_doubt(double doubt) const { return side_ * (16 * doubt + 1024 * unit_roundoff * side_); }
   // The same for the segment between two points outside, at these squared distances: it is off by no more than its ends
   // are. The square of its distance is `from` less the square of what leads from there to the middle of the line.
-  int segment_outside(const PlacedPoint &from, double from_squared, const PlacedPoint &to, double to_squared,
+  int segment_outside(const BoundedPoint &from, double from_squared, const BoundedPoint &to, double to_squared,
                       const Vec3 &centre, double W) const {
     const double doubt = from.doubt > to.doubt ? from.doubt : to.doubt;
     const Vec3 edge = to.y - from.y;

@@ -14,7 +14,7 @@ namespace hsp {
 // for a ball that is discarded. After the last ball there is room for a multiple of eight, and what is there is
 // discarded.
 struct MemberArrays {
-  const double *x, *y, *z, *radius, *power, *in_game;
+  const double *x, *y, *z, *radius, *power, *not_discarded;
   uint32_t count;
 };
 // The planes v.y = h between a ball and all others; the square of the distance of each from the ball's centre, with the
@@ -86,7 +86,7 @@ inline void find_planes_in_lanes(const MemberArrays &members, uint32_t own, doub
     const Real own_h = length - powers;
     const Real distance = own_h * L::absolute(own_h) / length;
     // That of the ball itself is not a number, and of balls with its centre only one may be in the game.
-    const typename L::Mask near = L::both(distance <= most, L::load(members.in_game + first) > zero);
+    const typename L::Mask near = L::both(distance <= most, L::load(members.not_discarded + first) > zero);
     L::store(planes.distance + first, L::select(near, distance, never));
     const Real scale = one / L::square_root(length);
     const Real h = (vx * (x + far_x) + vy * (y + far_y) + vz * (z + far_z)) - powers;

@@ -113,7 +113,7 @@ bool FacetOverlay::add_parts_of_equals(uint32_t below, uint32_t above) {
 }
 
 // A corner of the facet below, in the frame of the cube above.
-PlacedPoint FacetOverlay::place_below(uint32_t corner) const {
+BoundedPoint FacetOverlay::place_below(uint32_t corner) const {
   return polygon_[0].facets->place(*polygon_[0].facet, corner, axes_along(side_.side() / 2), -frame_.side());
 }
 
@@ -230,7 +230,7 @@ bool FacetOverlay::edge_is_free(uint32_t k) const {
   }
   const uint32_t ball = polygon_[0].facet->ball;
   const Vec3 centre = frame_.centre_of(*balls_, ball);
-  const PlacedPoint &from = corners_[k].at, &to = corners_[next(k)].at;
+  const BoundedPoint &from = corners_[k].at, &to = corners_[next(k)].at;
   const double r = balls_->r[ball];
   const int outside = frame_.segment_outside(from, dot(from.y - centre, from.y - centre), to,
                                              dot(to.y - centre, to.y - centre), centre, 4 * r * r);
@@ -275,7 +275,7 @@ Vec3 FacetOverlay::portal_of(uint32_t first, uint32_t count) const {
   Vec3 sum{0, 0, 0}, best = corners_[first].at.y;
   double farthest = 0.0, known = 0.0;
   for (uint32_t n = 0, k = first; n < count; ++n, k = next(k)) {
-    const PlacedPoint &at = corners_[k].at;
+    const BoundedPoint &at = corners_[k].at;
     if (at.doubt >= no_certainty) continue;
     sum = sum + at.y;
     known += 1.0;

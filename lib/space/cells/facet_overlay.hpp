@@ -53,7 +53,7 @@ class FacetOverlay {
     uint32_t of[2];  // the edges of the two facets on which it lies, or no_id
   };
   struct Corner {
-    PlacedPoint at;
+    BoundedPoint at;
     uint32_t corner_of[2];  // the corners of the two facets that it is, or no_id
     uint32_t edge_of[2];    // edges of the two facets on which it lies, or no_id
     uint32_t outside;
@@ -96,7 +96,7 @@ class FacetOverlay {
   Meeting compare() const;
   FacetSides compare(const Polygon &corners, const Polygon &lines) const;
   bool add_parts_of_equals(uint32_t below, uint32_t above);
-  PlacedPoint place_below(uint32_t corner) const;
+  BoundedPoint place_below(uint32_t corner) const;
   void start();
   bool cut(uint32_t edge);
   int side_of(uint32_t corner, const PowerPlane &line, const UnitPlane &plane) const;

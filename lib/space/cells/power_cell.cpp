@@ -314,7 +314,7 @@ bool PowerCell::contains_disc(uint32_t number) const {
   const double distance = disc.h - dot(disc.v, centre_);
   const int outside = frame_.outside(distance * distance, 8 * frame_.plane_doubt(), 4 * r * r);
   if (outside > 0 || (outside == 0 && !exact.meets_plane(plane(number)))) return false;
-  const PlacedPoint middle{centre_ + distance * disc.v, 16 * frame_.plane_doubt()};
+  const BoundedPoint middle{centre_ + distance * disc.v, 16 * frame_.plane_doubt()};
   for (uint32_t v = 0; v < polytope_.size(); ++v) {
     const PolytopeVertex &vertex = polytope_[v];
     if (!vertex.has(number)) continue;

@@ -164,7 +164,7 @@ void PowerPolytope::solve_uncertain(uint32_t count, const UnitPlane *planes, con
   for (const uint32_t v : made_.part(0, count)) {
     if (to_cut_.at.doubt[v] >= no_certainty) {
       const uint32_t *const plane = vertices_[v].plane;
-      const PlacedPoint at = frame.common_point(planes[plane[0]], planes[plane[1]], planes[plane[2]]);
+      const BoundedPoint at = frame.common_point(planes[plane[0]], planes[plane[1]], planes[plane[2]]);
       const Vec3 from_centre = at.y - bounds_.centre;
       to_cut_.at.x[v] = at.y.x;
       to_cut_.at.y[v] = at.y.y;

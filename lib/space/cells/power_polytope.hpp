@@ -62,7 +62,7 @@ class PowerPolytope {
   uint32_t size() const { return count_; }
   const PolytopeVertex &operator[](uint32_t v) const { return vertices_[v]; }
   Vec3 position(uint32_t v) const { return {to_cut_.at.x[v], to_cut_.at.y[v], to_cut_.at.z[v]}; }
-  PlacedPoint at(uint32_t v) const { return {position(v), to_cut_.at.doubt[v]}; }
+  BoundedPoint at(uint32_t v) const { return {position(v), to_cut_.at.doubt[v]}; }
   // Of the distance of a vertex from the centre of the ball.
   double squared(uint32_t v) const { return to_cut_.at.squared[v]; }
   const VertexArrays &arrays() const { return to_cut_.at; }

@@ -1,6 +1,6 @@
 #include "boundary/half_edge_links.hpp"
 
-#include "core/key_places.hpp"
+#include "core/key_ranks.hpp"
 #include "core/small_code.hpp"
 #include "core/sorting.hpp"
 
@@ -46,7 +46,7 @@ uint32_t arriving_circle(const HalfEdge &half_edge) {
   return half_edge.loop;
 }
 
-// Sums over what lies on a ball run in the order of the ranks of the balls around it, so that neither ids nor the place
+// Sums over what lies on a ball run in the order of the ranks of the balls around it, so that neither ids nor the rank
 // of the set, on which the walls of cubes depend, have an effect on any bit.
 class BallLinker {
  public:
@@ -79,7 +79,7 @@ class BallLinker {
     static_assert(most_counted_keys <= HalfEdgeChain::most);
     HalfEdge given[most_counted_keys];
     int64_t key[most_counted_keys], sorted_key[most_counted_keys];
-    uint32_t place[most_counted_keys];
+    uint32_t rank[most_counted_keys];
     const uint32_t count = half_edges.size();
     if (count == 0 || count > most_counted_keys) return false;
     const double *const x = balls_.x.data();
@@ -89,18 +89,18 @@ class BallLinker {
       key[k] = static_cast<int64_t>(x[given[k].circle] - own) * (INT64_C(1) << 32) +
                (static_cast<int64_t>(x[arriving_circle(given[k])] - own) + (INT64_C(1) << 31));
     }
-    count_places_of(key, count, place);
+    count_ranks_of(key, count, rank);
     const uint32_t first = a_.first[i].half_edge;
     uint32_t circles = 0, sum = 0;
     for (uint32_t k = 0; k < count; ++k) {
-      const uint32_t to = place[k];
+      const uint32_t to = rank[k];
       half_edges[to] = given[k];
       sorted_key[to] = key[k];
       a_.half_edge_at[given[k].next] = first + to;
       circles += chain_.mark(arriving_circle(given[k]), given[k].circle, to);
       sum += to;
     }
-    // Equal keys have the same place. And there are as many x as circles.
+    // Equal keys have the same rank. And there are as many x as circles.
     uint32_t different = 1;
     if (2 * sum == count * (count - 1)) {
       for (uint32_t k = 1; k < count; ++k) {
@@ -113,8 +113,8 @@ class BallLinker {
     return false;
   }
 
-  void count_places_of(const int64_t *key, uint32_t count, uint32_t *place) const {
-    count_places(a_.target, key, count, place);
+  void count_ranks_of(const int64_t *key, uint32_t count, uint32_t *rank) const {
+    count_ranks(a_.target, key, count, rank);
   }
 
   // One half-edge after the other. Where loops end cannot be predicted, so no branch depends on it.

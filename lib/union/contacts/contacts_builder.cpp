@@ -144,7 +144,7 @@ uint32_t ContactsBuilder::contact_of_cap(uint32_t cap) {
 }
 
 void ContactsBuilder::add_chord(const BallSet &balls, const Boundary &boundary, const FoundChord &chord,
-                                const ContactPlace &last) {
+                                const ContactPair &last) {
   const auto [j, k] = chord.cap;
   const uint32_t s = chords_.count++;
   chords_.ball[0][s] = caps_.origin;

@@ -19,7 +19,7 @@ constexpr Status default_contact_limits(uint32_t balls, uint32_t neighbours, Con
 }
 
 // Two balls in the grid's order; no_id for none.
-struct ContactPlace {
+struct ContactPair {
   uint32_t ball[2];
 };
 
@@ -109,7 +109,7 @@ class ContactsBuilder {
   void start_ball(const BallSet &balls, const Boundary &boundary, const CubeBlock &block, uint32_t i, bool in_lanes);
   void find_chords(const Boundary &boundary);
   // `last`: where the contact of the chord's two last balls is kept.
-  void add_chord(const BallSet &balls, const Boundary &boundary, const FoundChord &chord, const ContactPlace &last);
+  void add_chord(const BallSet &balls, const Boundary &boundary, const FoundChord &chord, const ContactPair &last);
   void complete_chords(const BallSet &balls, const Boundary &boundary);
   void measure_chords(const BallSet &balls, const Boundary &boundary);
   void add_free_edges(const BallSet &balls, const Boundary &boundary);
@@ -124,7 +124,7 @@ class ContactsBuilder {
 
   // Where the contact of two balls is kept, of which no image comes before its ball.
   template <class Images>
-  ContactPlace place_in_box(const ContactPlace &place, const Images &images) const {
+  ContactPair place_in_box(const ContactPair &place, const Images &images) const {
     const auto [first, second] = place.ball;
     if (first < own_balls_) return place;
     if constexpr (!Images::there) return {{no_id, no_id}};

@@ -27,7 +27,7 @@ void MovingBalls::carve(Workspace &workspace, const MovingLimits &limits) {
   cells_.carve(workspace, limits.balls);
   components_.carve(workspace, limits.balls);
   sums_.carve(workspace, limits.balls);
-  workspace.take_each(limits.balls, place_, new_ball_, weight_);
+  workspace.take_each(limits.balls, slot_, new_ball_, weight_);
   group_.carve(workspace, limits.balls, limits.neighbours);
   records_.balls.n = 0;
   may_undo_ = false;
@@ -60,7 +60,7 @@ Status MovingBalls::set(const CubeGrid &grid, const EnergyTerms &terms) {
   for (uint32_t i = 0; i < n; ++i) {
     const exact::LatticeBall ball = given.ball(i);
     balls.store(i, ball);
-    place_[ball.index] = i;
+    slot_[ball.index] = i;
     if (weighted_) weight_[ball.index] = terms.weights.weight[ball.index];
     cells_.insert(i, ball.centre);
     MovingBall own{};
@@ -90,7 +90,7 @@ Status MovingBalls::move(const BallMoves &moves, uint32_t &first_bad) {
   records_.begin();
   counts_before_ = counts_;
   for (uint32_t k = 0; k < moves.count; ++k) {
-    const uint32_t i = place_[moves.ball[k]];
+    const uint32_t i = slot_[moves.ball[k]];
     if (!stays_put(records_.balls.ball(i), new_ball_[k])) records_.note_moved(i);
   }
   const uint32_t former = moves.count == 1 ? place_one(moves.ball[0]) : place_all(moves);
@@ -124,7 +124,7 @@ Status MovingBalls::stage(const BallMoves &moves, uint32_t &first_bad) {
   uint32_t staged = 0;
   for (uint32_t k = 0; k < moves.count && status == Status::ok; ++k) {
     const uint32_t caller = moves.ball[k];
-    if (caller >= size() || group_.mark(place_[caller]) != 0) {
+    if (caller >= size() || group_.mark(slot_[caller]) != 0) {
       status = Status::id;
     } else {
       status = round_move(moves, k);
@@ -132,17 +132,17 @@ Status MovingBalls::stage(const BallMoves &moves, uint32_t &first_bad) {
     if (status != Status::ok) {
       first_bad = k;
     } else {
-      group_.mark(place_[caller]) = 1;
+      group_.mark(slot_[caller]) = 1;
       staged = k + 1;
     }
   }
-  for (uint32_t k = 0; k < staged; ++k) group_.mark(place_[moves.ball[k]]) = 0;
+  for (uint32_t k = 0; k < staged; ++k) group_.mark(slot_[moves.ball[k]]) = 0;
   return status;
 }
 
 Status MovingBalls::round_move(const BallMoves &moves, uint32_t k) {
   const BallSet &balls = records_.balls;
-  const exact::LatticeBall before = balls.ball(place_[moves.ball[k]]);
+  const exact::LatticeBall before = balls.ball(slot_[moves.ball[k]]);
   exact::LatticeBall &ball = new_ball_[k];
   ball = before;
   const double here[3] = {0.0, 0.0, 0.0};
@@ -169,7 +169,7 @@ uint32_t MovingBalls::place_all(const BallMoves &moves) {
   const uint32_t moved = records_.noted();
   for (uint32_t k = 0; k < moved; ++k) note_meeting(records_.entry(k).placed);
   const uint32_t former = records_.noted();
-  for (uint32_t k = 0; k < moves.count; ++k) place_again(place_[moves.ball[k]], new_ball_[k]);
+  for (uint32_t k = 0; k < moves.count; ++k) place_again(slot_[moves.ball[k]], new_ball_[k]);
   components_.begin(records_, former);
   for (uint32_t k = 0; k < moved; ++k) note_what_meets(records_.entry(k).ball);
   return former;
@@ -177,7 +177,7 @@ uint32_t MovingBalls::place_all(const BallMoves &moves) {
 
 // The same for the only ball that moves, whose neighbours are looked up once if it does not go far.
 uint32_t MovingBalls::place_one(uint32_t caller) {
-  const uint32_t i = place_[caller];
+  const uint32_t i = slot_[caller];
   const exact::LatticeBall before = records_.balls.ball(i);
   const exact::Vector &p = before.centre, &q = new_ball_[0].centre;
   const auto is_near = [this](int64_t a, int64_t b) { return a - b < cells_.side() && b - a < cells_.side(); };
@@ -272,7 +272,7 @@ MovingBalls::Sums::Term MovingBalls::term_of(uint32_t i) const {
 
 Status MovingBalls::write(CubeGrid &grid) const {
   if (size() > grid.capacity()) return Status::capacity;
-  grid.build(records_.balls, place_.part(0, size()), cells_.side());
+  grid.build(records_.balls, slot_.part(0, size()), cells_.side());
   return Status::ok;
 }
 

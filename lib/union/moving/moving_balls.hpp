@@ -67,8 +67,8 @@ class MovingBalls {
   Energy energy() const;
   const MovingCounts &counts() const { return counts_; }
   // Of one ball of the caller's.
-  exact::LatticeBall placed(uint32_t caller) const { return records_.balls.ball(place_[caller]); }
-  const MovingBall &record(uint32_t caller) const { return records_.ball[place_[caller]]; }
+  exact::LatticeBall placed(uint32_t caller) const { return records_.balls.ball(slot_[caller]); }
+  const MovingBall &record(uint32_t caller) const { return records_.ball[slot_[caller]]; }
   BallMeasure measure(uint32_t caller) const;
   EnergyGradient gradient(uint32_t caller) const;
   // The balls of which anything may have changed by the last move: those that moved, those that they met or meet, and
@@ -115,7 +115,7 @@ class MovingBalls {
   bool may_undo_ = false;
   uint32_t changed_count_ = 0;
 
-  Span<uint32_t> place_;               // [balls] of the caller's balls
+  Span<uint32_t> slot_;                // [balls] of the caller's balls
   Span<exact::LatticeBall> new_ball_;  // [moves]
   Span<double> weight_;                // [balls] of the caller's balls
   bool weighted_ = false;

@@ -10,8 +10,8 @@ Strain curvature_by_strain(const PeriodicUnion &periodic, const AreaWeights &wei
   return sum.total();
 }
 
-BoxGradient differentiate_morphometry_by_box(const PeriodicUnion &periodic, const AreaWeights &weights,
-                                             const MorphometricFactors &factors) {
+BoxGradient box_gradient_of_morphometry(const PeriodicUnion &periodic, const AreaWeights &weights,
+                                        const MorphometricFactors &factors) {
   const exact::Lattice &lattice = periodic.images().lattice();
   BoxGradient result = differentiate_by_box(periodic, {weights, factors.tension, factors.pressure});
   const Strain curvature = curvature_by_strain(periodic, weights);

@@ -31,7 +31,7 @@ bool differentiate_morphometry_in_box(const Executor &executor, const PeriodicUn
 Strain curvature_by_strain(const PeriodicUnion &periodic, const AreaWeights &weights);
 
 // Of the energy, in the caller's unit. The Gaussian curvature does not change.
-BoxGradient differentiate_morphometry_by_box(const PeriodicUnion &periodic, const AreaWeights &weights,
-                                             const MorphometricFactors &factors);
+BoxGradient box_gradient_of_morphometry(const PeriodicUnion &periodic, const AreaWeights &weights,
+                                        const MorphometricFactors &factors);
 
 }  // namespace hsp

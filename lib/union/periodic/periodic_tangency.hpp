@@ -9,7 +9,7 @@ namespace hsp {
 // Calls visit(i, j) for every ball i of the input inside others and every ball j that it, or an image of it, touches
 // freely from inside, if moving one of them would bare a part of it. What is seen of a ball is seen of its images.
 template <class Visit>
-void visit_free_inner_contacts_in_box(const PeriodicUnion &periodic, Visit visit) {
+void for_each_inner_tangency_in_box(const PeriodicUnion &periodic, Visit visit) {
   const BallSet &balls = periodic.balls();
   const PeriodicImages &images = periodic.images();
   for (uint32_t inner = 0; inner < images.balls(); ++inner) {
@@ -23,7 +23,7 @@ void visit_free_inner_contacts_in_box(const PeriodicUnion &periodic, Visit visit
 
 // Sets a flag of both balls of each such pair. flags [n].
 inline void flag_free_inner_contacts_in_box(const PeriodicUnion &periodic, uint32_t flag, uint32_t *flags) {
-  visit_free_inner_contacts_in_box(periodic, [&](uint32_t inner, uint32_t outer) {
+  for_each_inner_tangency_in_box(periodic, [&](uint32_t inner, uint32_t outer) {
     flags[inner] |= flag;
     flags[outer] |= flag;
   });

@@ -33,7 +33,7 @@ bool CubeCandidates::start_block(const BallSet &balls, const CubeBlock &block, u
   const BallArrays arrays = arrays_of(balls);
   for (uint32_t k = 0; k < block.ranges; ++k) {
     const BallRange range = block.range[k];
-    if (range.first <= first_own && first_own < range.last) own_place_ = block_.count + (first_own - range.first);
+    if (range.first <= first_own && first_own < range.last) own_rank_ = block_.count + (first_own - range.first);
     add_candidates(target_, block_, arrays, range.first, range.last, centre);
   }
   end_candidates(target_, block_);

@@ -33,12 +33,12 @@ class CubeCandidates {
   }
 
  private:
-  uint32_t place(uint32_t i) const { return own_place_ + (i - first_own_); }
+  uint32_t place(uint32_t i) const { return own_rank_ + (i - first_own_); }
 
   Target target_ = Target::baseline;
   CandidateBlock block_;
   uint32_t first_own_ = 0;  // ball of the cube
-  uint32_t own_place_ = 0;  // and its number among the candidates
+  uint32_t own_rank_ = 0;   // and its number among the candidates
 };
 
 #else

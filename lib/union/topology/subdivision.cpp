@@ -53,12 +53,12 @@ class PointTest {
 
 // A subdivision vertex, its plane oriented such that the start of the host edge, the exit of the reference plane, lies
 // outside.
-struct PlacedPoint {
+struct BoundedPoint {
   Plane plane;
   int sign;
   bool leaves_host;  // the plane's other point with the circle is covered by the reference
 
-  PlacedPoint(const PointTest &test, const Plane &reference, const Plane &own, int own_sign)
+  BoundedPoint(const PointTest &test, const Plane &reference, const Plane &own, int own_sign)
       : plane(own), sign(own_sign) {
     if (test.inside(reference, +1, plane)) {
       plane = complement(plane);
@@ -70,7 +70,7 @@ struct PlacedPoint {
 
 // Whether subdivision vertex X comes before Y, of another plane, counter-clockwise from the exit of the reference. Cut
 // open there, the circle is a line and what a plane covers is an interval [l, r] of it; X is l if its sign is negative.
-bool comes_before(const HostCircle &host, const PointTest &test, const PlacedPoint &X, const PlacedPoint &Y) {
+bool comes_before(const HostCircle &host, const PointTest &test, const BoundedPoint &X, const BoundedPoint &Y) {
   // The other end of X's interval lies in the reference: on the host it covers all after X.
   if (X.leaves_host) return test.inside(Y.plane, Y.sign, X.plane);
   if (Y.leaves_host) return !test.inside(X.plane, X.sign, Y.plane);
@@ -184,8 +184,8 @@ CutArcEnd Subdivision::insert_end(const BallSet &balls, const Boundary &boundary
         return {*link, side};
       }
       const PointTest test(host, plane, other);
-      const PlacedPoint placed(test, host.reference, plane, sign);
-      const PlacedPoint there(test, host.reference, other, point.sign);
+      const BoundedPoint placed(test, host.reference, plane, sign);
+      const BoundedPoint there(test, host.reference, other, point.sign);
       // Of two ends of one interval the entry comes first.
       if (one_plane ? there.sign < 0 : comes_before(host, test, there, placed)) break;
     }

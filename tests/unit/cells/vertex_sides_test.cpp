@@ -378,9 +378,9 @@ TEST(WideCells, FindPlanesAndDominance) {
     const uint32_t count = static_cast<uint32_t>(random.in(1, random.one_in(2) ? 12 : 150));
     const Numbers x(random, count, 9), y(random, count, 9), z(random, count, 9);
     const Numbers radius(random, count, 30), power(random, count, 400);
-    Numbers in_game(random, count, 0);
-    for (uint32_t k = 0; k < count + 7; ++k) in_game.data()[k] = k < count && !random.one_in(4) ? 1 : 0;
-    const MemberArrays members{x.data(), y.data(), z.data(), radius.data(), power.data(), in_game.data(), count};
+    Numbers not_discarded(random, count, 0);
+    for (uint32_t k = 0; k < count + 7; ++k) not_discarded.data()[k] = k < count && !random.one_in(4) ? 1 : 0;
+    const MemberArrays members{x.data(), y.data(), z.data(), radius.data(), power.data(), not_discarded.data(), count};
     const uint32_t own = static_cast<uint32_t>(random.in(0, count - 1));
     const double limit = static_cast<double>(random.in(-4, 60)) / 8;
     const auto centre = [&](uint32_t k) { return hsp::Vec3{x[k], y[k], z[k]}; };
@@ -390,7 +390,7 @@ TEST(WideCells, FindPlanesAndDominance) {
       const hsp::Vec3 v = centre(k) - centre(own);
       const double h = dot(v, v) - (radius[k] - radius[own]) * (radius[k] + radius[own]);
       const double distance = h * std::fabs(h) / dot(v, v);
-      const bool counts = k != own && in_game[k] > 0 && distance <= limit;
+      const bool counts = k != own && not_discarded[k] > 0 && distance <= limit;
       near += counts ? 1 : 0;
       expected.push_back({counts ? distance : hsp::done_with,
                           hsp::CubeFrame::between(centre(own), radius[own], centre(k), radius[k])});

@@ -47,19 +47,19 @@ inline uint32_t sorted_in_place() {
       [](hsp::Span<uint32_t> items, hsp::Span<uint32_t>) { hsp::sort_in_place(items, ascending); });
 }
 
-// Whatever is said about the places: the truth, nothing, nearly the truth, the opposite.
-inline uint32_t sorted_by_place() {
+// Whatever is said about the slots: the truth, nothing, nearly the truth, the opposite.
+inline uint32_t sorted_by_slot() {
   struct Guess {
-    uint32_t (*place)(uint32_t item, uint32_t places);
+    uint32_t (*place)(uint32_t item, uint32_t slots);
   };
-  constexpr Guess guesses[] = {{[](uint32_t item, uint32_t places) { return item * places / 200; }},
+  constexpr Guess guesses[] = {{[](uint32_t item, uint32_t slots) { return item * slots / 200; }},
                                {[](uint32_t, uint32_t) { return UINT32_C(0); }},
-                               {[](uint32_t, uint32_t places) { return places - 1; }},
-                               {[](uint32_t item, uint32_t places) { return (item ^ 8U) * places / 210; }},
-                               {[](uint32_t item, uint32_t places) { return places - 1 - item * places / 200; }}};
+                               {[](uint32_t, uint32_t slots) { return slots - 1; }},
+                               {[](uint32_t item, uint32_t slots) { return (item ^ 8U) * slots / 210; }},
+                               {[](uint32_t item, uint32_t slots) { return slots - 1 - item * slots / 200; }}};
   return first_failing(guesses, [](const Guess &guess) {
     return sorted_whatever_the_length([&guess](hsp::Span<uint32_t> items, hsp::Span<uint32_t> scratch) {
-             hsp::sort_by_place(items, scratch, guess.place, ascending);
+             hsp::sort_by_slot(items, scratch, guess.place, ascending);
            }) == all_hold;
   });
 }
@@ -94,7 +94,7 @@ inline uint32_t three_sorted() {
 }
 
 inline constexpr Check core_sorting[] = {{"sorted_in_place", sorted_in_place},
-                                         {"sorted_by_place", sorted_by_place},
+                                         {"sorted_by_slot", sorted_by_slot},
                                          {"sorted_by_the_given_order", sorted_by_the_given_order},
                                          {"three_sorted", three_sorted}};
 

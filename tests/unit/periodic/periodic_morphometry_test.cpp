@@ -80,7 +80,7 @@ TEST(PeriodicMorphometry, DerivesByTheStrainAndTheBox) {
         EXPECT_NEAR(strain.by[3 * p + q], strain.by[3 * q + p], 1e-9 / fine_step);
       }
     }
-    const hsp::BoxGradient all = hsp::differentiate_morphometry_by_box(built.get(), weights, everything);
+    const hsp::BoxGradient all = hsp::box_gradient_of_morphometry(built.get(), weights, everything);
     derivatives.expect(all.strain[4], quotient(set, everything, [](WeightedBox &s, double e) { s.strain(1, 1, e); }));
     for (const size_t k : {0U, 3U, 4U, 6U, 7U, 8U}) {
       derivatives.expect(all.box[k], quotient(set, everything, [&](WeightedBox &s, double e) { s.change_box(k, e); }));

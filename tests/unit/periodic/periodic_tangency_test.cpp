@@ -15,7 +15,7 @@ Pairs pairs_of(const support::BallList &balls) {
   const BuiltPeriodic built(balls, {16, 0, 0, 4, 16, 0, 0, -4, 16});
   EXPECT_EQ(built.status(), hsp::Status::ok);
   Pairs pairs;
-  hsp::visit_free_inner_contacts_in_box(built.get(), [&](uint32_t inner, uint32_t outer) {
+  hsp::for_each_inner_tangency_in_box(built.get(), [&](uint32_t inner, uint32_t outer) {
     EXPECT_TRUE(pairs.insert({inner, outer}).second);
   });
   return pairs;

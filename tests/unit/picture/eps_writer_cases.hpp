@@ -118,7 +118,7 @@ inline uint32_t arcs_join() {
                           holds = holds && arc.read(reader) && close(at, arc.at(arc.from, 0), arc.at(arc.from, 1));
                           at[0] = arc.at(arc.to, 0);
                           at[1] = arc.at(arc.to, 1);
-                          const hsp::PagePoint end = page.place(seen.end);
+                          const hsp::PagePoint end = page.to_page(seen.end);
                           holds = holds && close(at, end.x, end.y) &&
                                   near((arc.to - arc.from) * hsp::pi / 180, seen.to - seen.from, 1e-6);
                           if (last) holds = holds && close(at, start[0], start[1]) && reader.take("Z\n");

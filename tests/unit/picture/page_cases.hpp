@@ -52,7 +52,7 @@ inline uint32_t sizes_of_pages() {
     options.outline = 0;  // lines would want room
     const hsp::PictureInput input = picture_input();
     const hsp::Page page = hsp::lay_out(input, options);
-    const hsp::PagePoint middle = page.place(c.middle);
+    const hsp::PagePoint middle = page.to_page(c.middle);
     const auto equal = [](double a, double b) { return near(a, b, 1e-12 * (1 + b)); };
     double farthest = 1e9, nearest = -1e9;
     for (uint32_t p = 0; p < input.paths.size(); ++p) {
@@ -126,7 +126,7 @@ inline uint32_t pages_of_fixed_frames() {
     const hsp::Page page = hsp::lay_out(input, options);
     const hsp::Vec3 centre = input.paths.frame().centre_of(input.balls, small_union().grid().grid_index(1));
     const double point[2] = {centre.x, centre.y};
-    const hsp::PagePoint at = page.place(point);
+    const hsp::PagePoint at = page.to_page(point);
     const auto equal = [](double a, double b) { return near(a, b, 1e-12 * (1 + (b < 0 ? -b : b))); };
     uint64_t bytes = 0;
     const auto take = [](void *, const char *, size_t) -> int32_t { return 0; };
@@ -259,7 +259,7 @@ inline uint32_t arcs_on_pages() {
     page.scale = 2;
     page.middle[0] = 5;
     page.middle[1] = 7;
-    const hsp::PageArc arc = page.place(c.arc);
+    const hsp::PageArc arc = page.to_page(c.arc);
     const auto lies_at = [](const hsp::PagePoint &point, const double(&expected)[2]) {
       return near(point.x, expected[0], 1e-13 * 100) && near(point.y, expected[1], 1e-13 * 100);
     };

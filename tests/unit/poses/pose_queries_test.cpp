@@ -52,13 +52,13 @@ struct BruteForce {
 template <class AnyPose>
 std::string witness_complaint(const hsp::SphereTree &fixed, const hsp::SphereTree &moving, const AnyPose &pose,
                               const hsp::PairGap &least) {
-  hsp::PairPlace none;
+  hsp::PairRanks none;
   const bool hit = hsp::any_balls_meet(fixed, moving, pose, none);
   if (hit != (none.fixed != hsp::no_id)) return "witness of a hit";
   const uint32_t f = fixed.ball_count(), m = moving.ball_count();
-  for (const hsp::PairPlace &start :
-       {hsp::PairPlace{0, 0}, {f / 2, m / 2}, {f - 1, m - 1}, {f, 0}, {0, m}, {hsp::no_id, 0}, none}) {
-    hsp::PairPlace witness = start;
+  for (const hsp::PairRanks &start :
+       {hsp::PairRanks{0, 0}, {f / 2, m / 2}, {f - 1, m - 1}, {f, 0}, {0, m}, {hsp::no_id, 0}, none}) {
+    hsp::PairRanks witness = start;
     if (hsp::any_balls_meet(fixed, moving, pose, witness) != hit) return "hit from a witness";
     if (!hit && (witness.fixed != start.fixed || witness.moving != start.moving)) return "witness without a hit";
     witness = start;
@@ -111,7 +111,7 @@ std::string complaint(const Balls &fixed, const Balls &moving, const hsp::Pose &
   BuiltTree rest(fixed);
   const BuiltTree other(moving);
   const auto order_of_pairs = [&] {
-    hsp::PairPlace witness;
+    hsp::PairRanks witness;
     hsp::any_balls_meet(rest.tree(), other.tree(), pose, witness);
     return std::tuple(witness.fixed, witness.moving, hsp::sum_overlaps(rest.tree(), other.tree(), pose).volume);
   };
@@ -214,7 +214,7 @@ std::string rational_complaint(const Balls &fixed, const Balls &moving, const Ra
   Pairs pairs;
   for (uint64_t k = 0; k < count && k < room.size(); ++k) pairs.emplace_back(room[k].fixed, room[k].moving);
   if (pairs != expected) return "pairs";
-  hsp::PairPlace witness;
+  hsp::PairRanks witness;
   if (hsp::any_balls_meet(rest.tree(), other.tree(), pose, witness) == expected.empty()) return "hit";
   witness = {};
   const hsp::PairGap least = hsp::least_gap(rest.tree(), other.tree(), pose, witness);
@@ -307,7 +307,7 @@ TEST(PoseQueries, AgreeAlongRationalMotionsWithinTheGap) {
       ASSERT_EQ(make_pose(rest, other, numbers, pose), hsp::Status::ok);
       const double budget = known.budget;
       const bool hit = hsp::any_balls_meet(rest.tree(), other.tree(), pose, known);
-      hsp::PairPlace none;
+      hsp::PairRanks none;
       ASSERT_EQ(hit, hsp::any_balls_meet(rest.tree(), other.tree(), pose, none)) << k << ' ' << time;
       free += hit ? 0 : 1;
       without_walk += !hit && known.budget == budget && budget > 0 ? 1 : 0;

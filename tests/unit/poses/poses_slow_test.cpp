@@ -64,7 +64,7 @@ struct Meeting {
 
   Balls fixed, moving;
   BuiltTree fixed_tree, moving_tree;
-  hsp::PairPlace witness, nearest;
+  hsp::PairRanks witness, nearest;
   hsp::GapBudget known{300};
   int hits = 0, touching = 0;
 };

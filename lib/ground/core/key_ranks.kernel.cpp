@@ -1,15 +1,15 @@
-#include "core/key_places.hpp"
+#include "core/key_ranks.hpp"
 
 #include "lanes/wide.hpp"
 
 namespace hsp::HSP_TARGET {
 
-void count_places(const int64_t *key, uint32_t count, uint32_t *place) {
+void count_ranks(const int64_t *key, uint32_t count, uint32_t *rank) {
   if constexpr (register_lanes < 4) {  // few of these compare integers of 64 bits
     for (uint32_t k = 0; k < count; ++k) {
       uint32_t smaller = 0;
       for (uint32_t j = 0; j < count; ++j) smaller += static_cast<uint32_t>(key[j] < key[k]);
-      place[k] = smaller;
+      rank[k] = smaller;
     }
   } else {
     using L = Wide<double, register_lanes>;
@@ -22,8 +22,8 @@ void count_places(const int64_t *key, uint32_t count, uint32_t *place) {
         low_count -= low > other;
         high_count -= high > other;
       }
-      L::store_integers(place + k, low_count);
-      L::store_integers(place + k + 4, high_count);
+      L::store_integers(rank + k, low_count);
+      L::store_integers(rank + k + 4, high_count);
     }
   }
 }

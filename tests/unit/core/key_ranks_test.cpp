@@ -1,5 +1,5 @@
 // Places of few keys against a sort.
-#include "core/key_places.hpp"
+#include "core/key_ranks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,17 +21,17 @@ void check(hsp::Target target) {
     int64_t key[hsp::most_counted_keys];
     for (int64_t &k : key) k = 2 * random.in(-largest, largest);
     if (count > 2) key[1] = std::numeric_limits<int64_t>::min();
-    uint32_t place[hsp::most_counted_keys];
-    hsp::count_places(target, key, count, place);
+    uint32_t rank[hsp::most_counted_keys];
+    hsp::count_ranks(target, key, count, rank);
     std::vector<int64_t> sorted(key, key + count);
     std::sort(sorted.begin(), sorted.end());
     for (uint32_t k = 0; k < count; ++k) {
-      ASSERT_EQ(place[k], std::lower_bound(sorted.begin(), sorted.end(), key[k]) - sorted.begin());
+      ASSERT_EQ(rank[k], std::lower_bound(sorted.begin(), sorted.end(), key[k]) - sorted.begin());
     }
   }
 }
 
-TEST(KeyPlaces, AreThoseOfASort) {
+TEST(KeyRanks, AreThoseOfASort) {
   for (const hsp::Target target : runnable_targets()) check(target);
 }
 

@@ -10,8 +10,8 @@ namespace hsp {
 
 inline constexpr uint32_t most_counted_keys = 32;
 
-// place[k] of key[k], for up to that many keys. Equal keys get the same place. Both arrays have room for
+// rank[k] of key[k], for up to that many keys. Equal keys get the same rank. Both arrays have room for
 // most_counted_keys.
-HSP_KERNEL(void, count_places, (const int64_t *key, uint32_t count, uint32_t *place), (key, count, place))
+HSP_KERNEL(void, count_ranks, (const int64_t *key, uint32_t count, uint32_t *rank), (key, count, rank))
 
 }  // namespace hsp
