@@ -60,13 +60,13 @@
  *   as well tested in either.
  *
  * ARRAYS
- *   name     shape    type      unit             meaning
- *   xyz      [n][3]   double    length           centres, x y z of ball 0, then of ball 1, ...
- *   radius   [n]      double    length           radii, 0 allowed
- *   ids      [m]      uint32_t  -                ball indices, always 0-based, always the caller's own order
- *   area     [n]      double    length^2         free area of each ball
- *   volume_term  [n]  double    length^3         each ball's term of the volume: no volume of an atom
- *   share_volume [n]  double    length^3         volume of each ball's share, of an atom
+ *   name          shape   type      unit      meaning
+ *   xyz           [n][3]  double    length    centres, x y z of ball 0, then of ball 1, ...
+ *   radius        [n]     double    length    radii, 0 allowed
+ *   ids           [m]     uint32_t  -         ball indices, always 0-based, always the caller's own order
+ *   area          [n]     double    length^2  free area of each ball
+ *   volume_term   [n]     double    length^3  each ball's term of the volume: no volume of an atom
+ *   share_volume  [n]     double    length^3  volume of each ball's share: the volume of an atom
  * Lengths are in whatever unit the caller uses, and results are in the same unit. Angles are in radians.
  *
  * EXACTNESS
@@ -81,9 +81,9 @@
  *   model       -                                  coordinates and radii, once, to  -
  *                                                  the lattice
  *   query       which balls, which first on a ray  a ray's direction, distances     -
- *   pose        hits and pairs                     places in a pose, once, to the   -
- *                                                  lattice, rational ones not at
- *                                                  all; gaps, overlaps
+ *   pose        hits and pairs                     positions of posed balls, once,  -
+ *                                                  to the lattice, rational ones
+ *                                                  not at all; gaps, overlaps
  *   boundary    vertices, arcs, circles, faces,    positions, radii, angles         -
  *               loops, shells, components
  *   measure     -                                  areas, volumes                   -
@@ -123,8 +123,8 @@
  *   memory again resets it. Distinct handles may be used by distinct threads, and a handle that is passed as const may
  *   be read by any number of threads at a time. Besides what makes, moves or drops results, these take a handle that is
  *   not const, as they work in its own memory: hsp_model_get_packing, hsp_X_check of boundary, topology, cells, map and
- *   sticks, hsp_topology_get_shells, _get_regions, _get_region_balls and _get_traversal, and hsp_picture_write,
- *   _write_map and _write_sticks. They leave results as they are.
+ *   sticks, hsp_topology_get_shells, _get_regions, _get_region_balls and _get_traversal, hsp_contacts_group,
+ *   hsp_periodic_group_contacts, and hsp_picture_write, _write_map and _write_sticks. They leave results as they are.
  *   A handle stays where it is made. A copy of one at another address, a handle of another kind and memory that holds
  *   no handle any more are refused with HSP_E_HANDLE, also where a language has one type for all pointers.
  *
@@ -189,14 +189,14 @@
  *   function's comment names is written. Treat an unknown negative number as a general failure.
  *   Every function that takes a handle may return HSP_E_HANDLE, which is not said again at each of them: the pointer is
  *   not NULL, and there is no live handle of that kind. Nothing is written then, not even what comments name, such as
- *   *first_bad. A handle that is NULL is HSP_E_ARGUMENT, like every pointer
- *   that must not be NULL. Where more than one status fits, one of them comes back.
+ *   *first_bad. A handle that is NULL is HSP_E_ARGUMENT, like every pointer that must not be NULL. Where more than one
+ *   status fits, one of them comes back.
  *
  * HANDLES AFTER A FAILURE
- *   hsp_model_set, hsp_moving_set and hsp_X_compute replace what the handle held, whether they succeed or not. One that
+ *   hsp_X_set and hsp_X_compute replace what the handle held, whether they succeed or not. One that
  *   fails, for whatever reason, leaves the handle as hsp_X_init makes it: a model is empty (hsp_model_get_info says so:
- *   0 balls, step 1e-8); a boundary, surface, mesh, topology, view, map, contacts, cells, paths, a gate, pores, a
- *   periodic union or balls that move hold no results, and reading them yields HSP_E_STATE.
+ *   0 balls, step 1e-8), and so is a body; a boundary, surface, mesh, topology, view, map, contacts, cells, paths, a
+ *   gate, pores, sticks, a periodic union or balls that move hold no results, and reading them yields HSP_E_STATE.
  *   All other functions leave what a handle holds as it is, whatever they return.
  */
 #ifndef HARDSPHERE_H

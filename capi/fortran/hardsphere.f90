@@ -201,7 +201,7 @@ module hardsphere
 
   ! ---- pores.h: free space for every probe at once: pockets, mouths, tunnels, cavities -------------------------------
 
-  ! the class of the outside, where a maximum may stand
+  ! the outside, where the number of a maximum may stand
   integer(c_int32_t), parameter :: HSP_PORE_OUTSIDE = -2_c_int32_t
 
   ! ---- view.h: pieces in painter's order as true arcs (Section 5.1) --------------------------------------------------
@@ -840,7 +840,7 @@ module hardsphere
 
   type, bind(C) :: hsp_surface_totals
     real(c_double) :: area          ! of all patches, length^2
-    real(c_double) :: volume        ! inside the surface, voids not included, length^3
+    real(c_double) :: volume        ! inside the surface, voids not included, length^3; of a ball, a term of it
     real(c_double) :: convex_area   ! length^2
     real(c_double) :: saddle_area   ! length^2
     real(c_double) :: concave_area  ! length^2
@@ -1042,7 +1042,7 @@ module hardsphere
     real(c_double) :: low(3)
     real(c_double) :: high(3)         ! likewise
     integer(c_int32_t) :: ball        ! whose power cell it is a part of; HSP_NONE for a run
-    ! 0 .. cubes - 1, those with the lowest z first, of these with the lowest y; HSP_NONE
+    ! 0 .. cubes - 1, those with the lowest z first, of these with the lowest y; HSP_NONE for a run
     integer(c_int32_t) :: cube
     integer(c_int32_t) :: kind        ! HSP_CELL_*
     integer(c_int32_t) :: region      ! what it belongs to

@@ -116,7 +116,7 @@ typedef struct hsp_free_cell {
   double low[3];       /**< the box that holds it: of a run itself, else its cube; length, infinite without an end */
   double high[3];      /**< likewise */
   uint32_t ball;       /**< whose power cell it is a part of; HSP_NONE for a run */
-  uint32_t cube;       /**< 0 .. cubes - 1, those with the lowest z first, of these with the lowest y; HSP_NONE */
+  uint32_t cube;       /**< 0 .. cubes - 1, those with the lowest z first, of these with the lowest y; HSP_NONE for a run */
   uint32_t kind;       /**< HSP_CELL_* */
   uint32_t region;     /**< what it belongs to */
   uint32_t neighbours; /**< how many it has */
@@ -169,7 +169,7 @@ HSP_API int32_t hsp_cells_locate(const hsp_cells *cells, const double *xyz, uint
  *  4. every power cell, cut once more, is a polytope of which three planes meet in each vertex, with vertices - edges +
  *     facets = 2, and has as many free parts as there are cells of it
  *  5. what a cell has a facet on, outside its ball, has a neighbour of it on the other side; and there are no others
- *  6. regions are as many as cells of the complement in `topology`; not checked if that is NULL
+ *  6. regions are as many as those of the complement in `topology`; not checked if that is NULL
  *
  *  Uses the cells' scratch memory, hence not const; results stay valid. Cost: about that of hsp_cells_compute.
  *  @retval HSP_OK          all hold
@@ -190,7 +190,7 @@ typedef struct hsp_arrangement {
  *  of_ball [n] what lies on each sphere; either may be NULL. scratch is memory of `words` numbers, of which
  *  *words_needed becomes what suffices: twice the most balls that meet one.
  *  - Property 1: of all spheres together, vertices are 3 and edges 2 times those of *totals, and faces the same.
- *  - Property 2: the order of the balls has no effect but on the places in of_ball, unless balls are equal.
+ *  - Property 2: the order of the balls has no effect but on that of the entries of of_ball, unless balls are equal.
  *
  *  Cost: O(n) for sets as in Theorem 2.1; O(m^2) for a sphere that meets m others.
  *  @retval HSP_E_ARGUMENT  model is NULL; scratch is NULL with words above 0

@@ -193,14 +193,14 @@ HSP_API int32_t hsp_contacts_get_simplices(const hsp_contacts *contacts, uint32_
 
 /** Check contacts and shares against laws that hold for every set of balls: two ways to compute that have little in
  *  common. *invariant becomes 0 or the number of the first that is violated, *id the contact or ball concerned.
- *    1  each contact stands with both of its balls, with numbers that it may have
+ *    1  each contact is listed at both of its balls, with numbers that it may have
  *    2  the Euler characteristic of the dual complex is half of that of the boundary
  *    3  faces and contacts of each ball close its share: their vector areas sum to 0
  *    4  the shares sum to the volume of the union
  *  Cost: O(size).
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
- *  @retval HSP_E_CHECK     an invariant is violated: a bug of the library */
+ *  @retval HSP_E_CHECK     an invariant is violated: please report it */
 HSP_API int32_t hsp_contacts_check(const hsp_contacts *contacts, uint32_t *invariant, uint32_t *id);
 
 #ifdef __cplusplus

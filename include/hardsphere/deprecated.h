@@ -1,8 +1,8 @@
-/* hardsphere/deprecated.h: old names of functions, in terms of those that replace them.
+/* hardsphere/deprecated.h: old names of functions and types, in terms of those that replace them.
  *
  * Deprecated: this goes with the next minor version. capi/guide/migration.md has each old call beside the new one.
  *
- * They are functions of this header, and none of the library. Each gives the same bits as the new call with the same
+ * The functions are this header's own, and none of the library. Each gives the same bits as the new call with the same
  * numbers. Compilers warn of their use, unless HSP_NO_DEPRECATION_WARNINGS is defined. With HSP_NO_DEPRECATED defined
  * hardsphere.h leaves this header out. */
 #ifndef HARDSPHERE_DEPRECATED_H

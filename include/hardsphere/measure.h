@@ -104,7 +104,7 @@ HSP_API int32_t hsp_boundary_get_measures(const hsp_boundary *boundary, const hs
 /** Area, and term of the volume, of each face: area [faces] and volume_term [faces], each may be NULL, face ids as in
  *  hsp_boundary_get_faces. A face's volume term is that of the divergence theorem about its ball's origin o (see
  *  hsp_boundary_measure). needed may be NULL and else becomes the number of faces.
- *  - Property 1: the faces of a ball sum to that ball's area and volume, up to rounding.
+ *  - Property 1: the faces of a ball sum to that ball's area and volume_term, up to rounding.
  *
  *  @retval HSP_E_ARGUMENT  boundary is NULL
  *  @retval HSP_E_CAPACITY  an array is given and capacity is less than the number of faces; nothing but *needed is

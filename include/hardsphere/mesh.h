@@ -11,8 +11,8 @@
  * more points. Where no number of points tells borders apart, because they touch or run along each other, there are
  * triangles without area between them; vertices may lie in one place.
  *
- * Areas and volumes of a mesh are those of its triangles. They approach those of the surface with the square of the
- * edge's length; hsp_boundary_measure and hsp_surface_measure have the exact ones.
+ * Areas and volumes of a mesh are those of its triangles. They approach those of the surface with the square of
+ * edge_length; hsp_boundary_measure and hsp_surface_measure have the exact ones.
  *
  * How flat triangles lie: on the smooth surface of crambin, probe 1.4, neighbours of one tangent plane differ by 80, 35
  * and 11 degrees at most with edges of 0.6, 0.3 and 0.15, by 18, 10 and 5 in the mean; the worst are next to cusps.
@@ -139,9 +139,8 @@ typedef struct hsp_mesh_counts {
 HSP_API int32_t hsp_mesh_get_counts(const hsp_mesh *mesh, hsp_mesh_counts *counts);
 
 /** The vertices, which also serve as points all over the surface (but see hsp_mesh_get_weights for what they are not
- *  fit for): positions, normals, areas and balls. Each of
- *  xyz [vertices][3], normals [vertices][3], areas [vertices] and balls [vertices] may be NULL, else capacity >=
- *  vertices; needed may be NULL and else becomes their number.
+ *  fit for): positions, normals, areas and balls. Each of xyz [vertices][3], normals [vertices][3], areas [vertices]
+ *  and balls [vertices] may be NULL, else capacity >= vertices; needed may be NULL and else becomes their number.
  *  normals have length 1 and point outward; on a border, where the patches that meet have one each, it is the direction
  *  of their sum. areas: a third of all triangles around a vertex. balls: in the caller's order, the ball that the
  *  vertex lies on, on a border of a boundary the first of them; of a smooth surface, as those of triangles.

@@ -78,7 +78,7 @@ HSP_API int32_t hsp_model_options_init(hsp_model_options *options, uint32_t stru
  *
  *  Cost: O(n) for sets as in Theorem 2.1, wherever the balls are; O(n log n) at worst, with many centres in one cube.
  *  The hash table's load is at most 1/2. The hash is known and has no key, so that coordinates can be chosen to
- *  collide: where a search would look at more than 64 slots, these become a tree, where it looks at 194 places at most
+ *  collide: where a search would look at more than 64 slots, these become a tree, where it looks at 194 of them at most
  *  (not in a library that is compiled for size: there it looks at all that collide).
  *  @retval HSP_E_ARGUMENT    model is NULL; xyz or radius is NULL with n > 0
  *  @retval HSP_E_VERSION     bad struct_size of options, or its reserved field is not 0

@@ -9,12 +9,12 @@
  * of another one, and of itself. Everything combinatorial is decided exactly, and ties alike in all copies of the box.
  *
  * The box is given by its vectors a, b, c: box [9] holds a_x 0 0, b_x b_y 0, c_x c_y c_z, as GROMACS has it. They are
- * rounded to the lattice of the balls once: components must have no more decimals than that for images to be images to
- * the last bit. Angles may be any: b and c are reduced by whole multiples of the vectors before them inside.
+ * rounded to the lattice of the balls once: images are exact to the last bit only if components have no more decimals
+ * than that. Angles may be any: b and c are reduced by whole multiples of the vectors before them inside.
  *
- * Vertices, arcs and faces as records are in hardsphere/periodic_boundary.h. Notions that need an outside are
- * not there: voids, the outer shell, views and meshes; nor are rays, which would never leave the box. Components
- * instead tell in how many directions they go on for ever. */
+ * Vertices, arcs and faces as records are in hardsphere/periodic_boundary.h. Notions that need an outside are not
+ * there: voids, the outer shell, views and meshes; nor are rays, which would never leave the box. Components tell in
+ * how many directions they go on for ever instead. */
 #ifndef HARDSPHERE_PERIODIC_H
 #define HARDSPHERE_PERIODIC_H
 
@@ -350,7 +350,7 @@ HSP_API int32_t hsp_periodic_query_pairs(const hsp_periodic *periodic, uint32_t 
  *  Cost: O(size).
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_STATE     nothing computed
- *  @retval HSP_E_CHECK     an invariant is violated: a bug of the library */
+ *  @retval HSP_E_CHECK     an invariant is violated: please report it */
 HSP_API int32_t hsp_periodic_check(const hsp_periodic *periodic, uint32_t *invariant, uint32_t *id);
 
 #ifdef __cplusplus

@@ -117,7 +117,7 @@ typedef struct hsp_pores_counts {
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_pores_get_counts(const hsp_pores *pores, hsp_pores_counts *counts);
 
-#define HSP_PORE_OUTSIDE UINT32_C(0xFFFFFFFE) /**< the class of the outside, where a maximum may stand */
+#define HSP_PORE_OUTSIDE UINT32_C(0xFFFFFFFE) /**< the outside, where the number of a maximum may stand */
 
 /** A maximum and its class. Frozen. */
 typedef struct hsp_pore_maximum {
@@ -252,8 +252,8 @@ typedef struct hsp_pore_pocket {
 
 /** Find pockets: where a probe of the radius `narrow` fits, and one of the radius `wide` does not get to from the
  *  outside. A pocket is made up of maxima wider than `narrow`, joined by gates wider than that; its mouths are such
- *  gates to where the wide probe gets. one wider than everything gets nowhere. *pockets becomes how many
- *  there are; they stay until the next call.
+ *  gates to where the wide probe gets. A wide probe that fits nowhere gets nowhere. *pockets becomes how many there
+ *  are; they stay until the next call.
  *  - Property 1: with narrow = wide pockets are the cavities of that probe: the regions of hsp_cells of balls that are
  *    grown by it, without the outside.
  *

@@ -34,7 +34,7 @@ extern "C" {
  *
  *  Cost: O(1), some hundred comparisons of names.
  *  @retval HSP_E_ARGUMENT  residue, atom or radius is NULL; a set without residues
- *  @retval HSP_E_ID        the set has no such atom in no such residue */
+ *  @retval HSP_E_ID        the set has no such residue, or no such atom in it */
 HSP_API int32_t hsp_residue_radius(uint32_t set, const char *residue, const char *atom, double *radius);
 
 /** An atom of a set. Frozen. */

@@ -179,10 +179,10 @@ typedef struct hsp_surface_counts {
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
 HSP_API int32_t hsp_surface_get_counts(const hsp_surface *surface, hsp_surface_counts *counts);
 
-/** Areas by kind of patch, and volume, of the whole or of one ball's share. Frozen. */
+/** Areas by kind of patch, and volume, of the whole or of what belongs to one ball. Frozen. */
 typedef struct hsp_surface_totals {
   double area;         /**< of all patches, length^2 */
-  double volume;       /**< inside the surface, voids not included, length^3 */
+  double volume;       /**< inside the surface, voids not included, length^3; of a ball, a term of it */
   double convex_area;  /**< length^2 */
   double saddle_area;  /**< length^2 */
   double concave_area; /**< length^2 */
@@ -190,7 +190,7 @@ typedef struct hsp_surface_totals {
 
 /** Area and volume of the surface, and each ball's share of them. totals may be NULL; balls may be NULL, else it holds
  *  capacity >= n entries, in the caller's order; needed may be NULL and else becomes n.
- *  A ball's share are its convex patches; of every saddle patch the part on its side of the narrowest place, where the
+ *  A ball's share of the surface is its convex patches; of every saddle patch the part on its side of the narrowest place, where the
  *  probe's profile turns, which may be all or nothing of it; and a third of every concave patch of its vertices.
  *  Its volume is the term of the divergence theorem that belongs to these, about the same centre as in
  *  hsp_boundary_measure: the terms sum to the volume, single ones may be negative.

@@ -466,7 +466,7 @@ class SurfaceCounts(Record):
 
 
 class SurfaceTotals(Record):
-    """Areas by kind of patch, and volume, of the whole or of one ball's share."""
+    """Areas by kind of patch, and volume, of the whole or of what belongs to one ball."""
     _fields_ = [("area", C.c_double), ("volume", C.c_double), ("convex_area", C.c_double), ("saddle_area", C.c_double),
                 ("concave_area", C.c_double)]
 
