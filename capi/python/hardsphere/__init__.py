@@ -169,26 +169,26 @@ class Balls(_Set):
     def measure(self, selected: Any = None) -> Measure:
         """Area and volume. selected: n truth values; other balls only block, and have 0."""
         found = self.boundary.get_measures(selected=selected)
-        return Measure(found.totals.area, found.totals.volume, found.area, found.volume)
+        return Measure(found.totals.area, found.totals.volume, found.area, found.volume_term)
 
     def gradient(self, tension: float = 1.0, pressure: float = 0.0, sigma: Any = None, tangency: int = 0) -> Gradient:
         """Of tension * sum_i sigma_i A_i + pressure * V. sigma: n weights, 1 if not given."""
         return _energy(self.boundary.get_gradient(tension=tension, pressure=pressure, sigma=sigma, tangency=tangency))
 
     def contacts(self, groups: Any = None) -> Any:
-        """Records of the balls whose cells touch: area, edge, distance, ball. groups: a number for each ball, as of
-        residues or chains; then records of groups: area, edge, group, contacts."""
+        """Records of the balls whose shares touch: area, rim, distance, ball. groups: a number for each ball, as of
+        residues or chains; then records of groups: area, rim, group, contacts."""
         handle = self._handle(Contacts, self.boundary)
-        return handle.get() if groups is None else handle.group(groups)
+        return handle.get_pairs() if groups is None else handle.group(groups)
 
     def cavities(self) -> list[Cavity]:
         """The hollows, largest first. The probe fits into each."""
         if self.counts.voids == 0:
             return []
         topology = self.topology
-        found = [Cavity(float(cell["volume"]), float(cell["area"]), topology.get_cell_balls(k)) if numpy is not None else
-                 Cavity(cell.volume, cell.area, topology.get_cell_balls(k))
-                 for k, cell in enumerate(topology.get_cells()) if k > 0]
+        found = [Cavity(float(region["volume"]), float(region["area"]), topology.get_region_balls(k))
+                 if numpy is not None else Cavity(region.volume, region.area, topology.get_region_balls(k))
+                 for k, region in enumerate(topology.get_regions()) if k > 0]
         return sorted(found, key=lambda cavity: -cavity.volume)
 
     def surface(self) -> Result:
@@ -257,7 +257,7 @@ class Box(_Set):
         return self.handle.measure(only="totals")
 
     def measure(self, selected: Any = None) -> Measure:
-        """Area and volume, and those of each ball's cell."""
+        """Area and volume, and those of each ball's share."""
         if selected is not None:
             raise ValueError("in a box all balls are measured")
         found = self.handle.measure()
@@ -265,7 +265,7 @@ class Box(_Set):
 
     def gradient(self, tension: float = 1.0, pressure: float = 0.0, sigma: Any = None, tangency: int = 0) -> Gradient:
         """As that of Balls, and by the strain and the vectors of the box."""
-        found = self.handle.gradient(tension, pressure, tangency, sigma)
+        found = self.handle.get_gradient(tension=tension, pressure=pressure, tangency=tangency, sigma=sigma)
         return _energy(found, d_strain=_matrix(found.d_strain), d_box=_matrix(found.d_box))
 
     def contacts(self, groups: Any = None) -> Any:

@@ -202,8 +202,14 @@ int sign_at_falling_root(const Long &A, const Long &b, const Long &c, const Long
   return before ? slope.sign() : -slope.sign();
 }
 
-// The line of rows whose third v is a combination of the others, so that they have a z of their own, zeta / delta. By
-// call: what it has on the stack is not added to that of other lines.
+// |P|^2 - p^2. By call: what it has on the stack is not added to that of the rest.
+[[gnu::noinline]] Long constant_of(const TangentLines::Line &line) {
+  const Long x(line.P.x), y(line.P.y), z(line.P.z), p(line.p);
+  return x * x + y * y + z * z - p * p;
+}
+
+// The line of rows whose third v is a combination of the others, so that they have a z of their own, zeta / delta; but
+// for its c.
 [[gnu::noinline]] void fill_flat(const CurveRows<Integer> &rows, const Row<Integer> &third, TangentLines::Line &line) {
   const Row<Integer> &first = rows.first, &second = rows.second;
   const Triple<Integer> to_first = cross(second.v, rows.normal), to_second = cross(rows.normal, first.v);
@@ -216,8 +222,6 @@ int sign_at_falling_root(const Long &A, const Long &b, const Long &c, const Long
   line.q = Integer();
   line.A = G;
   line.b = Long();
-  const Long x(line.P.x), y(line.P.y), z(line.P.z), p(line.p);
-  line.c = x * x + y * y + z * z - p * p;
   line.there = line.D.sign() != 0;
 }
 
@@ -326,6 +330,7 @@ void TangentPoint::fill(Line &line) const {
     line.c = steep.c();
   } else {
     fill_flat(rows, third, line);
+    line.c = constant_of(line);
   }
   if (rising_) {
     line.A = -line.A;
