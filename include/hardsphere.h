@@ -193,10 +193,10 @@
  *   status fits, one of them comes back.
  *
  * HANDLES AFTER A FAILURE
- *   hsp_X_set and hsp_X_compute replace what the handle held, whether they succeed or not. One that
- *   fails, for whatever reason, leaves the handle as hsp_X_init makes it: a model is empty (hsp_model_get_info says so:
- *   0 balls, step 1e-8), and so is a body; a boundary, surface, mesh, topology, view, map, contacts, cells, paths, a
- *   gate, pores, sticks, a periodic union or balls that move hold no results, and reading them yields HSP_E_STATE.
+ *   hsp_X_set and hsp_X_compute replace what the handle held, whether they succeed or not. One that fails, for whatever
+ *   reason, leaves the handle as hsp_X_init makes it. A model is empty (hsp_model_get_info says so: 0 balls, step
+ *   1e-8), and so is a body. A boundary, surface, mesh, topology, view, map, contacts, cells, paths, a gate, pores,
+ *   sticks, a periodic union or balls that move hold no results, and reading them yields HSP_E_STATE.
  *   All other functions leave what a handle holds as it is, whatever they return.
  */
 #ifndef HARDSPHERE_H

@@ -81,7 +81,7 @@ struct options {
 
 struct measures {
   hsp_totals total{};
-  std::vector<double> area, volume;  // of each ball
+  std::vector<double> area, volume_term;  // of each ball: its free area, and its term of the volume
 };
 
 // E = tension * sum_i sigma_i A_i + pressure * V.
@@ -164,7 +164,7 @@ class workspace {
     request.struct_size = sizeof request, request.selected = selected.data();
     hsp_measure_outputs outputs{};
     outputs.struct_size = sizeof outputs, outputs.capacity = size_, outputs.totals = &found.total;
-    outputs.area = found.area.data(), outputs.volume_term = found.volume.data();
+    outputs.area = found.area.data(), outputs.volume_term = found.volume_term.data();
     check(hsp_boundary_get_measures(boundary(), &request, &outputs));
     return found;
   }
@@ -210,7 +210,7 @@ class workspace {
   uint32_t size_ = 0;
 };
 
-// Area and volume of a union of balls, and of each ball.
+// Area and volume of a union of balls, and each ball's part of them.
 inline measures measure(std::span<const double> xyz, std::span<const double> radius, const options &how = {}) {
   return workspace(xyz, radius, how).measure();
 }

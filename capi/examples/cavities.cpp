@@ -14,27 +14,26 @@ Balls cage() {
 }
 
 void print_cavities(hardsphere::workspace &work) {
-  const auto cells = hardsphere::all(hsp_topology_get_regions, work.topology());
-  std::printf("cavities: %zu\n", cells.size() - 1);
-  for (uint32_t cell = 1; cell < cells.size(); ++cell) {  // cell 0 is the outside
-    std::printf("cavity %u: volume %.6f, area %.6f, pieces inside %u, balls around:", cell, cells[cell].volume,
-                cells[cell].area, cells[cell].components);
-    for (uint32_t ball : hardsphere::all(hsp_topology_get_region_balls, work.topology(), cell))
-      std::printf(" %u", ball);
+  const auto regions = hardsphere::all(hsp_topology_get_regions, work.topology());
+  std::printf("cavities: %zu\n", regions.size() - 1);
+  for (uint32_t k = 1; k < regions.size(); ++k) {  // region 0 is the outside
+    std::printf("cavity %u: volume %.6f, area %.6f, pieces inside %u, balls around:", k, regions[k].volume,
+                regions[k].area, regions[k].components);
+    for (uint32_t ball : hardsphere::all(hsp_topology_get_region_balls, work.topology(), k)) std::printf(" %u", ball);
     std::printf("\n");
   }
 }
 
 void print_way_out(hardsphere::workspace &work, const double *point) {
-  uint32_t cell = HSP_NONE;
-  hardsphere::check(hsp_topology_locate(work.topology(), point, &cell));
+  uint32_t region = HSP_NONE;
+  hardsphere::check(hsp_topology_locate(work.topology(), point, &region));
   std::printf("the point %g %g %g lies ", point[0], point[1], point[2]);
-  if (cell == HSP_NONE) {
+  if (region == HSP_NONE) {
     std::printf("in a ball\n");
-  } else if (cell == 0) {  // a point, and a probe's centre, moves freely within its cell
+  } else if (region == 0) {  // a point, and a probe's centre, moves freely within its region
     std::printf("outside\n");
   } else {
-    std::printf("in cavity %u and cannot get out\n", cell);
+    std::printf("in cavity %u and cannot get out\n", region);
   }
 }
 

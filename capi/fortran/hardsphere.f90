@@ -1042,8 +1042,7 @@ module hardsphere
     real(c_double) :: low(3)
     real(c_double) :: high(3)         ! likewise
     integer(c_int32_t) :: ball        ! whose power cell it is a part of; HSP_NONE for a run
-    ! 0 .. cubes - 1, those with the lowest z first, of these with the lowest y; HSP_NONE for a run
-    integer(c_int32_t) :: cube
+    integer(c_int32_t) :: cube        ! 0 .. cubes - 1, lowest z first, of these lowest y; HSP_NONE for a run
     integer(c_int32_t) :: kind        ! HSP_CELL_*
     integer(c_int32_t) :: region      ! what it belongs to
     integer(c_int32_t) :: neighbours  ! how many it has

@@ -116,7 +116,7 @@ typedef struct hsp_free_cell {
   double low[3];       /**< the box that holds it: of a run itself, else its cube; length, infinite without an end */
   double high[3];      /**< likewise */
   uint32_t ball;       /**< whose power cell it is a part of; HSP_NONE for a run */
-  uint32_t cube;       /**< 0 .. cubes - 1, those with the lowest z first, of these with the lowest y; HSP_NONE for a run */
+  uint32_t cube;       /**< 0 .. cubes - 1, lowest z first, of these lowest y; HSP_NONE for a run */
   uint32_t kind;       /**< HSP_CELL_* */
   uint32_t region;     /**< what it belongs to */
   uint32_t neighbours; /**< how many it has */

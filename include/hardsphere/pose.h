@@ -12,9 +12,9 @@
  * lattice; it does not need the model any more. A pose puts the point x of the posed body at R x + t, where R is the
  * rotation of a quaternion about the origin, and each ball on the lattice again: on the lattice point nearest to where
  * it is moved, as doubles find it. As long as coordinates are below 2^40 steps that is within 0.87 steps of the ideal
- * position. So answers are exact for the balls that are compared, the same on every machine, and right for the ideal ones
- * wherever no gap is within a step of 0. Balls that touch meet. Rational poses round nothing: their answers are exact
- * for the ideal balls.
+ * position. So answers are exact for the balls that are compared, the same on every machine, and right for the ideal
+ * ones wherever no gap is within a step of 0. Balls that touch meet. Rational poses round nothing: their answers are
+ * exact for the ideal balls.
  *
  * Both bodies need lattices of the same step: set hsp_model_options.step where radii differ much. Bodies are only read
  * by the functions that ask, so that any number of threads may ask at once, and a list of poses may be split over

@@ -190,8 +190,9 @@ typedef struct hsp_surface_totals {
 
 /** Area and volume of the surface, and each ball's share of them. totals may be NULL; balls may be NULL, else it holds
  *  capacity >= n entries, in the caller's order; needed may be NULL and else becomes n.
- *  A ball's share of the surface is its convex patches; of every saddle patch the part on its side of the narrowest place, where the
- *  probe's profile turns, which may be all or nothing of it; and a third of every concave patch of its vertices.
+ *  A ball's share of the surface is its convex patches; of every saddle patch the part on its side of the narrowest
+ *  place, where the probe's profile turns, which may be all or nothing of it; and a third of every concave patch of its
+ *  vertices.
  *  Its volume is the term of the divergence theorem that belongs to these, about the same centre as in
  *  hsp_boundary_measure: the terms sum to the volume, single ones may be negative.
  *  Voids of the boundary are outside like everything else that a probe finds room in, reached or not. Totals are summed

@@ -111,15 +111,15 @@ const struct command_row command_table[COMMANDS] = {
     [COMMAND_CONTACTS] =
         {.name = "contacts",
          .arguments = "FILE [options]",
-         .summary = "which balls, residues or chains touch and by how much, each ball's cell",
+         .summary = "which balls, residues or chains touch and by how much, each ball's share",
          .run = command_contacts,
          .text = "hardsphere contacts FILE [--by residue|chain] [--cells] [--least A] [--map OUT.svg] [options]\n"
                  "\n"
-                 "Shares the union out among its balls: a point belongs to the cell of the ball from which it has the "
-                 "least power,\n"
-                 "distance^2 - radius^2. Two balls are in contact where their cells meet, in a plane piece; its edge "
-                 "is the length\n"
-                 "of its border on the surface. The cells sum to the volume of the union.\n",
+                 "Shares the union out among its balls: a point belongs to the share of the ball from which it has "
+                 "the least\n"
+                 "power, distance^2 - radius^2. Two balls are in contact where their shares meet, in a plane piece; its "
+                 "edge is the\n"
+                 "length of its border on the surface. The shares sum to the volume of the union.\n",
          .closing = "Example: hardsphere contacts 1crn.pdb --probe 1.4 --by residue --least 5\n"
                     "JSON: n, contacts, area, pairs: [{balls: [i, j], area, edge, distance}, ...], with --by pairs: "
                     "[{residues:\n"
@@ -138,7 +138,7 @@ const struct command_row command_table[COMMANDS] = {
              "hardsphere complex FILE [options]\n"
              "\n"
              "Counts the simplices of the dual complex (Edelsbrunner 1995), exactly, ties and all: one to four balls "
-             "whose cells\n"
+             "whose shares\n"
              "have a common point. It has the holes of the union. A simplex is interior if it shows nothing on the "
              "boundary;\n"
              "else it is singular if it is part of no larger one, triangles if both sides show, and regular if not.\n",

@@ -7,7 +7,7 @@ if (( CURRENT == 2 )); then
     'boundary:the boundary of the union'
     'measure:area and volume, in total, by ball, residue or chain, and their gradients'
     'voids:the cavities in the union and the balls around them'
-    'contacts:which balls, residues or chains touch and by how much, each ball'\''s cell'
+    'contacts:which balls, residues or chains touch and by how much, each ball'\''s share'
     'complex:the dual complex'
     'cells:free space as simple cells'
     'path:how a probe gets from one point to another'
@@ -72,7 +72,7 @@ case $words[2] in
   ) ;;
   contacts) own=(
     '*--by=[sums over the contacts between residues or chains, instead of those between balls]:residue|chain:(residue chain)'
-    '*--cells[also volume, free area and contact area of every ball'\''s cell]'
+    '*--cells[also volume, free area and contact area of every ball'\''s share]'
     '*--least=[list only contacts, or sums, of area A or more]:A:'
     '*--csv[print the list as comma-separated values and nothing else]'
     '*--map=[also a picture of the list]:OUT:_files'

@@ -99,7 +99,7 @@ const struct option *option_at(size_t i) {
       {"--by", "residue|chain", take_choice, OF(CONTACTS), .target = IN(by), .words = "residue|chain", .first = 1,
        .help = "sums over the contacts between residues or chains, instead of those between balls"},
       {"--cells", NULL, take_flag, OF(CONTACTS), .target = IN(cells),
-       .help = "also volume, free area and contact area of every ball's cell"},
+       .help = "also volume, free area and contact area of every ball's share"},
       {"--least", "A", take_length, OF(CONTACTS), .target = IN(least), .what = "an area",
        .help = "list only contacts, or sums, of area A or more"},
       {"--csv", NULL, take_flag, OF(CONTACTS), .target = IN(csv),

@@ -1,4 +1,4 @@
-/* hardsphere contacts: which balls touch and by how much, what residues or chains have in contact, and each ball's cell
+/* hardsphere contacts: which balls touch and by how much, what residues or chains have in contact, and each ball's share
  * of the union. */
 #include <inttypes.h>
 #include <stdio.h>
@@ -256,7 +256,7 @@ static struct table table_of_pairs(const struct listed *listed) {
 
 static struct table table_of_cells(const struct listed *listed) {
   static const struct column columns[] = {
-      {"volume", NULL, "cell, @^3", 16, COLUMN_QUANTITY, 4},
+      {"volume", NULL, "share, @^3", 16, COLUMN_QUANTITY, 4},
       {"area", NULL, "free area, @^2", 21, COLUMN_QUANTITY, 4},
       {"contact", NULL, "contact area, @^2", 24, COLUMN_QUANTITY, 4},
   };
@@ -272,10 +272,10 @@ static void print(struct record *record, const void *of) {
   const struct table pairs = table_of_pairs(listed), cells = table_of_cells(listed);
   const bool json = record->form == AS_JSON;
   record_atoms(record);
-  record_count(record, "contacts", "contacts", found->contact_count, "pairs of balls whose cells of the union meet");
+  record_count(record, "contacts", "contacts", found->contact_count, "pairs of balls whose shares of the union meet");
   record->width = 0;
   record_number(record, "area", "area", found->totals.area, 10, "@^2, of all contacts, each once");
-  record_number(record, json ? NULL : "volume", "volume", found->totals.volume, 10, "@^3, of all cells");
+  record_number(record, json ? NULL : "volume", "volume", found->totals.volume, 10, "@^3, of all shares");
   if (box != NULL && !json) periodic_result_record(record, box);
   if (json || found->contact_count > 0) record_table(record, "pairs", &pairs);
   if (request->cells) record_table(record, "cells", &cells);

@@ -79,7 +79,7 @@ inline void add_hits_by(const QueryArrays &balls, const BallRange *ranges, uint3
   hits.count = found;
 }
 
-// Compares each lane with that at the rank given by `partners`; the lanes of `takes_larger` keep the larger one.
+// The smaller one of each lane and that of `partners`; in the lanes of `takes_larger` the larger one.
 template <int takes_larger>
 inline Integers exchange(Integers a, Integers partners) {
   return {_mm256_blend_epi32(_mm256_min_epu32(a.v, partners.v), _mm256_max_epu32(a.v, partners.v), takes_larger)};
