@@ -46,8 +46,8 @@ uint32_t arriving_circle(const HalfEdge &half_edge) {
   return half_edge.loop;
 }
 
-// Sums over what lies on a ball run in the order of the ranks of the balls around it. So neither ids nor the position of
-// the set, on which the walls of cubes depend, have an effect on any bit.
+// Sums over what lies on a ball run in the order of the ranks of the balls around it. So neither ids nor the position
+// of the set, on which the walls of cubes depend, have an effect on any bit.
 class BallLinker {
  public:
   BallLinker(const BallSet &balls, BoundaryArrays &a, const HalfEdgeChain &chain)
