@@ -228,7 +228,7 @@ typedef struct hsp_map_sight {
   uint32_t face; /**< HSP_NONE if the point is so close to an edge that roundings decide */
 } hsp_map_sight;
 
-/** The ball that is seen at (x, y), in view coordinates.
+/** The ball that is seen at (x, y), in view coordinates: *sight becomes its record.
  *
  *  Cost: O(balls whose discs are near), and O(edges around the ball's faces) for the face.
  *  @retval HSP_E_ARGUMENT    a null pointer

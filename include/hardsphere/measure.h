@@ -50,7 +50,7 @@ HSP_API int32_t hsp_areas_bytes(uint32_t n, size_t *bytes);
 HSP_API int32_t hsp_areas(uint32_t n, const double *xyz, const double *radius, double probe, void *memory,
                           size_t *bytes, double *area, hsp_totals *totals);
 
-/** Area and volume of the union, and of each ball, or those of some balls while the others only block.
+/** Area and volume of the union, and each ball's terms of both, or those of some balls while the others only block.
  *  selected [n] holds one byte per ball, 0 or not 0; NULL selects all. Other balls count 0, and the rest is
  *  the same bit for bit. totals may be NULL; area [n] and volume_term [n] may each be NULL, else capacity >= n; they
  *  are in the caller's order and do not overlap; needed may be NULL and else becomes n.

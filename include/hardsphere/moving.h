@@ -145,7 +145,8 @@ typedef struct hsp_moving_info {
  *  @retval HSP_E_STATE     no balls: no hsp_moving_set before, or it failed */
 HSP_API int32_t hsp_moving_get_info(const hsp_moving *moving, hsp_moving_info *info);
 
-/** Area and volume of the union, and of each ball, always of all balls; other arguments as of hsp_boundary_measure.
+/** Area and volume of the union, and each ball's terms of both, always of all balls: arguments as of
+ *  hsp_boundary_measure.
  *  Cost: O(log n) for the totals, O(n) for the arrays.
  *  @retval HSP_E_ARGUMENT  moving is NULL
  *  @retval HSP_E_CAPACITY  an array is given and capacity < n; nothing but *needed is written

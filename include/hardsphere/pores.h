@@ -202,7 +202,8 @@ typedef struct hsp_pore_place {
   uint32_t maximum; /**< that a way up leads to, or HSP_PORE_OUTSIDE; HSP_NONE if the radius is not above the floor */
 } hsp_pore_place;
 
-/** Where the point xyz [3] is, which is rounded to the lattice. With the floor 0 whether it is in a ball is exact.
+/** Where the point xyz [3] is, rounded to the lattice: *place becomes its record. With the floor 0 whether it is
+ *  in a ball is exact.
  *  - Property 1: for any probe that is narrower than radius by a lattice step, the point is in the same part of free
  *    space as the maximum. Which maximum of that part it is, is one of several answers.
  *

@@ -120,7 +120,8 @@ typedef struct hsp_body_overlap {
   uint32_t reserved; /**< 0 */
 } hsp_body_overlap;
 
-/** The penalty that docking codes want, for each pose [poses]: overlap [poses]. Otherwise as hsp_body_hits.
+/** How much the bodies overlap, the penalty that docking codes want, for each pose [poses]: overlap [poses].
+ *  Otherwise as hsp_body_hits.
  *  @retval HSP_E_ARGUMENT    as for hsp_body_hits; overlap is NULL with poses > 0
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_hits
  *  @retval HSP_E_RANGE       as for hsp_body_hits */

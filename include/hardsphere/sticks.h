@@ -219,7 +219,8 @@ HSP_API int32_t hsp_sticks_get_faces(const hsp_sticks *sticks, uint32_t first, u
  *  @retval HSP_E_STATE     nothing computed, or an order to paint and no map, or the model has changed since */
 HSP_API int32_t hsp_sticks_get_areas(const hsp_sticks *sticks, double *area, uint32_t capacity, uint32_t *needed);
 
-/** The ball or half of a stick that is seen at (x, y), in view coordinates, its depth and the face.
+/** The ball or half of a stick that is seen at (x, y), in view coordinates, its depth and the face:
+ *  *sight becomes that record.
  *
  *  Cost: O(balls and sticks), and O(edges around the faces of what is seen) for the face.
  *  @retval HSP_E_ARGUMENT    a null pointer

@@ -875,7 +875,7 @@ class Body(Handle):
         return call("hsp_body_gaps", self, posed=posed, pose=pose)
 
     def overlaps(self, posed: Body, pose: Any) -> Any:
-        """The penalty that docking codes want, for each pose [poses]: overlap [poses]."""
+        """How much the bodies overlap, the penalty that docking codes want, for each pose [poses]: overlap [poses]."""
         return call("hsp_body_overlaps", self, posed=posed, pose=pose)
 
     def pairs(self, posed: Body, pose: Pose) -> Any:
@@ -949,8 +949,8 @@ class Boundary(Handle):
         return call("hsp_boundary_check", self)
 
     def measure(self, selected: Any | None = None, *, only: Any | None = None) -> Any:
-        """Area and volume of the union, and of each ball, or those of some balls while the others only block. Gives
-        .totals, .area, .volume_term."""
+        """Area and volume of the union, and each ball's terms of both, or those of some balls while the others only
+        block. Gives .totals, .area, .volume_term."""
         return call("hsp_boundary_measure", self, selected=selected, only=only)
 
     def get_measures(self, *, selected: Any | None = None, only: Any | None = None) -> Any:
@@ -1015,7 +1015,7 @@ class Moving(Handle):
         return call("hsp_moving_get_info", self)
 
     def measure(self, *, only: Any | None = None) -> Any:
-        """Area and volume of the union, and of each ball, always of all balls; other arguments as of
+        """Area and volume of the union, and each ball's terms of both, always of all balls: arguments as of
         hsp_boundary_measure. Gives .totals, .area, .volume_term."""
         return call("hsp_moving_measure", self, only=only)
 
@@ -1480,7 +1480,7 @@ class Pores(Handle):
         return call("hsp_pores_gate_between", self, maximum=maximum, other=other)
 
     def locate(self, xyz: Any) -> PorePlace:
-        """Where the point xyz [3] is, which is rounded to the lattice."""
+        """Where the point xyz [3] is, rounded to the lattice: *place becomes its record."""
         return call("hsp_pores_locate", self, xyz=xyz)
 
     def widest(self, from_: Any, to: Any | None = None) -> PorePassage:
@@ -1616,7 +1616,7 @@ class Map(Handle):
         return call("hsp_map_get_outline", self, ball=ball)
 
     def pick(self, x: float, y: float) -> MapSight:
-        """The ball that is seen at (x, y), in view coordinates."""
+        """The ball that is seen at (x, y), in view coordinates: *sight becomes its record."""
         return call("hsp_map_pick", self, x=x, y=y)
 
     def get_point(self, edge: int, t: float) -> MapPoint:
@@ -1690,7 +1690,8 @@ class Sticks(Handle):
         return call("hsp_sticks_get_areas", self)
 
     def pick(self, x: float, y: float) -> MapSight:
-        """The ball or half of a stick that is seen at (x, y), in view coordinates, its depth and the face."""
+        """The ball or half of a stick that is seen at (x, y), in view coordinates, its depth and the face: *sight
+        becomes that record."""
         return call("hsp_sticks_pick", self, x=x, y=y)
 
     def get_outline(self, ball: int) -> Any:

@@ -19,7 +19,7 @@ constexpr Limits each_limit(const Limits &limits, const Limits &others, Choose c
   return std::bit_cast<Limits>(x);
 }
 
-// The smallest limits that are no smaller than some and others.
+// The larger one of each two: the smallest limits that suffice where either do.
 template <class Limits>
 constexpr Limits covering(const Limits &limits, const Limits &others) {
   return each_limit(limits, others, larger_count);

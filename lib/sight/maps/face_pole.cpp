@@ -198,7 +198,7 @@ class PoleFinder {
     return square;
   }
 
-  // At edges of the outer loop, spread over it if there are many.
+  // Lays circles at edges of the outer loop, spread over it if there are many.
   void lay_circles(double largest) {
     uint32_t edges = 0;
     map_.visit_loop(map_.faces[face_].first_loop, [&edges](uint32_t) { ++edges; });

@@ -40,7 +40,7 @@ namespace {
 // 64 u s, the last term for the roundings, as d < 2^-27 s and f(q) - f(p) > 2^-12 s. Doubts add up from cut to cut;
 // where they are larger, three planes have to be solved: `doubt` is no_certainty there.
 //
-// Edge k makes vertex to[k]; no edge that follows has one of these as its end.
+// Edge k makes vertex to[k], which is no end of any later edge.
 template <uint32_t n>
 inline void cross_edges_in_lanes(const VertexArrays &of, const CrossedEdge *edges, const uint32_t *to, uint32_t count,
                                  const CrossingBounds &bounds) {

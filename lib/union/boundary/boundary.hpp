@@ -52,7 +52,7 @@ class ClosedHalfEdge {
   uint32_t id_;
 };
 
-// What a loop consists of at one of its points: a half-edge, or a whole circle.
+// A part of a loop: a half-edge, or a whole circle.
 class LoopElement {
  public:
   LoopElement() = default;
@@ -226,7 +226,7 @@ class Boundary {
           __builtin_prefetch(&a_.root_discriminant[e.vertex]);
         });
   }
-  // What starts at a vertex.
+  // Those that start at a vertex.
   [[gnu::always_inline]] void prefetch_half_edges_at(uint32_t v) const {
     for (uint32_t t = 0; t < 3; ++t) __builtin_prefetch(&a_.half_edges[half_edge_at(v, t)]);
   }

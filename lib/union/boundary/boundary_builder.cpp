@@ -6,7 +6,7 @@
 namespace hsp {
 namespace {
 
-// What follows the search. Each stage reads what all workers have done in those before.
+// The stages after the search. Each reads what all workers have done in those before.
 enum Stage : uint32_t { placing, counting, distributing, linking, settling, joining, numbering };
 
 }  // namespace

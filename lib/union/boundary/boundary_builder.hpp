@@ -21,7 +21,7 @@ class BoundaryBuilder {
 
   const Boundary &boundary() const { return boundary_; }
   const BoundaryLimits &needed() const { return needed_; }
-  // What to try again with after Status::capacity.
+  // The limits to try again with after Status::capacity.
   BoundaryLimits retry_limits() const { return covering(limits_, needed_); }
 
   // The arrays behind the boundary, for tests that break them.
@@ -42,7 +42,7 @@ class BoundaryBuilder {
 
  private:
   Span<BoundaryWorker> at_work() const { return workers_.part(0, count_); }
-  // What all workers together have found.
+  // The totals of all workers.
   struct Found {
     uint32_t neighbours = 0;
     uint64_t vertices = 0, circles = 0;

@@ -1,4 +1,4 @@
-// What lies on some balls of a set alone: their half-edges, loops and faces, as class Boundary shows them. The balls
+// The boundary on some balls of a set alone: half-edges, loops and faces, as class Boundary shows them. The balls
 // are the first of the set, and those that meet them are behind them; so each of their vertices is found at one of
 // them. Ball by ball there is the same as in the boundary of the whole, whatever the ids are. Nothing is known of the
 // others, of shells and components.

@@ -51,7 +51,7 @@ void BoundaryWorker::carve(Workspace &workspace, const BoundaryLimits &limits, B
     vertices_ = arrays.vertices;
     circles_ = arrays.circles;
     parent_ = arrays.component_origin;
-    // What is behind the loops. The numbers of components are not known yet.
+    // Memory behind the loops, where the numbers of components will be.
     if (!scratch.empty()) arriving_ = scratch.part(scratch.size() - limits.balls, scratch.size());
     leaving_ = arrays.component;
     return;

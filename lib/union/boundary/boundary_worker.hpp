@@ -8,7 +8,7 @@
 
 namespace hsp {
 
-// What fell to a worker: whole cubes, so consecutive balls.
+// A worker's part of the balls: whole cubes, so consecutive balls.
 struct BallShare {
   uint32_t first_cube = 0, last_cube = 0;  // last is one past the end
   BallRange balls{0, 0};

@@ -28,8 +28,8 @@ struct ChordBatch {
   uint32_t vertex[capacity];      // the caller's, of the boundary, at a free end
   uint32_t contact[3][capacity];  // the caller's, of the balls 0 1, 0 2 and 1 2
 
-  // What the chord adds to half the sum of distance times length over the chords of each contact, times the distance of
-  // the two balls.
+  // Terms that the chord adds to half the sum of distance times length over the chords of each contact, times the
+  // distance of the two balls.
   double part[3][capacity];
 
   // Makes chord `to` the same as another one, but for its contacts.

@@ -1,4 +1,4 @@
-// Who touches whom, and how the union is shared out among its balls, by power distance.
+// The balls that touch, and how the union is shared out among its balls, by power distance.
 //
 // With pi_i(x) = |x - c_i|^2 - r_i^2 the share of ball i is the part of the union where pi_i is least: convex, inside
 // the ball. The contact of two balls is the plane piece where their shares meet: the disk of their circle, cut off by

@@ -28,7 +28,7 @@ struct CheckCircle {
   }
 };
 
-// What the second way gives for one ball, and how far rounding may move it.
+// The result of the second way for one ball, and how far rounding may move it.
 struct SecondMeasure {
   double steradians = 0.0;
   Vec3 vector_area{0.0, 0.0, 0.0};

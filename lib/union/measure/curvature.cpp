@@ -18,7 +18,7 @@ bool has_tied_vertex(const Boundary &boundary, uint32_t k) {
   return tied;
 }
 
-// What the edges and vertices of ball k say of a weighted M.
+// The part of a weighted M that the edges and vertices of ball k have.
 class MeanCurvature {
  public:
   MeanCurvature(const BallSet &balls, const Boundary &boundary, const AreaWeights &weights, uint32_t k, bool any_tied)

@@ -23,7 +23,7 @@ constexpr bool counts(Touching touching, TouchingBalls touching_balls) {
   return touching == Touching::no || (touching == Touching::from_outside && touching_balls == TouchingBalls::meet);
 }
 
-// What is differentiated: S = sum over the balls of weight * area.
+// The sum that is differentiated: S = sum over the balls of weight * area.
 struct AreaWeights {
   const double *weight = nullptr;  // in the caller's order; null for all ones
   TouchingBalls touching_balls = TouchingBalls::meet;

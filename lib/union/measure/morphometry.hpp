@@ -43,7 +43,7 @@ struct MorphometricEnergy {
   double value = 0.0, volume = 0.0, area = 0.0, mean = 0.0, gauss = 0.0, by_probe = 0.0;
 };
 
-// What one ball contributes.
+// The terms of one ball in a morphometric energy.
 struct MorphometryShare {
   EnergyShare measures;  // by_probe: with that of the mean curvature
   double mean;           // in lattice steps

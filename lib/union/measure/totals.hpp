@@ -152,8 +152,8 @@ struct EnergyGradient {
 // converted each on its own.
 inline EnergyGradient gradient_of_energy(const exact::Lattice &lattice, const EnergyTerms &terms,
                                          const BallGradient &ball) {
-  // Two at a time, as there are many divisions. No two that are neighbours in memory: a register loaded from where two
-  // numbers have just been stored waits for them.
+  // Two numbers at a time, as there are many divisions. No two that are neighbours in memory: a register loaded from
+  // where two numbers have just been stored waits for them.
   using Pair = Wide<double, 2>::Real;
   const auto combined = [&](const Pair &of_area, const Pair &of_volume) {
     return terms.tension * lattice.lengths(of_area) + terms.pressure * lattice.lengths(lattice.lengths(of_volume));
@@ -191,7 +191,7 @@ void differentiate_measures(const CubeGrid &grid, const Boundary &boundary, cons
   });
 }
 
-// What one ball contributes to an energy.
+// The terms of one ball in an energy.
 struct EnergyShare {
   double area;      // weighted, in lattice steps
   double volume;    // in lattice steps

@@ -215,7 +215,7 @@ void MovingBalls::note_what_meets(uint32_t i) {
   });
 }
 
-// What is in the journal is to be computed again. The first `former` balls of it are as for ComponentUpdate.
+// Computes the balls in the journal again. The first `former` of them are as for ComponentUpdate.
 Status MovingBalls::update(uint32_t former) {
   const uint32_t affected = records_.noted();
   needed_.neighbours = group_.compute(records_, cells_, affected, weights());

@@ -55,7 +55,7 @@ class MovingBalls {
 
   uint32_t size() const { return records_.balls.n; }
   const MovingLimits &needed() const { return needed_; }
-  // What to try again with after Status::capacity.
+  // The limits to try again with after Status::capacity.
   MovingLimits retry_limits() const { return covering(limits_, needed_); }
   // The largest radius that a ball may have, probe included, in lattice steps.
   int64_t largest_radius() const { return cells_.side() / 2; }

@@ -1,6 +1,6 @@
 // Vertices, arcs and circles of a union in a box, each as it is listed, and how far from there it is seen elsewhere.
 //
-// What balls have in common is listed once, with the first of its balls at its place in the box
+// A vertex, arc or circle is listed once, with the first of its balls at its place in the box
 // (PeriodicUnion::comes_first). From another ball at its own place it is seen so many boxes away.
 #pragma once
 

@@ -35,7 +35,7 @@ constexpr Status default_limits(uint32_t balls, PeriodicLimits &limits) {
   return Status::ok;
 }
 
-// What the boundary in the box is made of. Each vertex, arc and circle counts once, whatever images it is seen on.
+// How many parts the boundary in the box has. Each vertex, arc and circle counts once, whatever images it is seen on.
 struct PeriodicCounts {
   uint32_t vertices = 0;
   uint32_t arcs = 0;

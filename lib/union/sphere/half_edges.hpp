@@ -1,4 +1,4 @@
-// What bounds the free part of one sphere: vertices, half-edges between them, and whole circles.
+// The border of the free part of one sphere: vertices, half-edges between them, and whole circles.
 //
 // A half-edge is a directed arc. Its loop keeps the free part on its left, so it runs clockwise about the axis towards
 // the ball whose sphere cuts out its circle.

@@ -22,7 +22,7 @@ class TopologyBuilder {
   // The same with its shells counted and traversed (traversal.hpp), which is done when it is first asked for.
   const Topology &scanned(const Boundary &boundary);
   const TopologyLimits &needed() const { return needed_; }
-  // What to try again with after Status::capacity.
+  // The limits to try again with after Status::capacity.
   TopologyLimits retry_limits() const { return covering(limits_, needed_); }
 
   // Scratch memory for checks; [edges].
