@@ -158,7 +158,7 @@ typedef struct hsp_vertex {
 /** The vertices; index in the array = vertex id used by hsp_arc.
  *  - Property 1: each vertex ends exactly three arcs.
  *
- *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_ARGUMENT  boundary is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_boundary_get_vertices(const hsp_boundary *boundary, hsp_vertex *out, uint32_t capacity,
@@ -177,7 +177,7 @@ typedef struct hsp_arc {
 } hsp_arc;
 
 /** The arcs, each once; index in the array = arc id used by hsp_loop_arc.
- *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_ARGUMENT  boundary is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_boundary_get_arcs(const hsp_boundary *boundary, hsp_arc *out, uint32_t capacity, uint32_t *needed);
@@ -193,7 +193,7 @@ typedef struct hsp_circle {
 } hsp_circle;
 
 /** The free circles; index in the array = circle id used by hsp_loop.
- *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_ARGUMENT  boundary is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_boundary_get_circles(const hsp_boundary *boundary, hsp_circle *out, uint32_t capacity,
@@ -208,7 +208,7 @@ typedef struct hsp_face {
 } hsp_face;
 
 /** The faces; index in the array = face id; faces of one ball are consecutive.
- *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_ARGUMENT  boundary is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_boundary_get_faces(const hsp_boundary *boundary, hsp_face *out, uint32_t capacity,
@@ -225,7 +225,7 @@ typedef struct hsp_loop {
 } hsp_loop;
 
 /** The loops, face after face: counts.loops records.
- *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_ARGUMENT  boundary is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_boundary_get_loops(const hsp_boundary *boundary, hsp_loop *out, uint32_t capacity,
@@ -243,7 +243,7 @@ typedef struct hsp_loop_arc {
  *  - Property 2: every arc occurs once with side 0 and once with side 1.
  *
  *  Cost: O(vertices).
- *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_ARGUMENT  boundary is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_boundary_get_loop_arcs(const hsp_boundary *boundary, hsp_loop_arc *out, uint32_t capacity,
@@ -260,7 +260,7 @@ typedef struct hsp_ball {
 } hsp_ball;
 
 /** One record per ball, in the caller's order.
- *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_ARGUMENT  boundary is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_boundary_get_balls(const hsp_boundary *boundary, hsp_ball *out, uint32_t capacity,

@@ -102,7 +102,7 @@ typedef struct hsp_contact {
 /** All contacts, ascending in their balls.
  *  - Property 1: 3 V = sum_i r_i A_i + the sum of distance times area over all contacts, up to rounding.
  *
- *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_ARGUMENT  contacts is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
 HSP_API int32_t hsp_contacts_get_pairs(const hsp_contacts *contacts, hsp_contact *out, uint32_t capacity,
@@ -111,7 +111,7 @@ HSP_API int32_t hsp_contacts_get_pairs(const hsp_contacts *contacts, hsp_contact
 /** The contacts of one ball, ascending in the other one.
  *  - Property 1: the records are those of hsp_contacts_get_pairs, bit for bit.
  *
- *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_ARGUMENT  contacts is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since
  *  @retval HSP_E_ID        no such ball */
@@ -141,7 +141,7 @@ typedef struct hsp_group_contact {
 
 /** Sums over the contacts between groups of balls, as residues or chains: for every two different groups that have any,
  *  ascending. group [n] tells each ball's; balls with HSP_NONE belong to none. Uses memory of the handle.
- *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_ARGUMENT  contacts or group is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since */
 HSP_API int32_t hsp_contacts_group(hsp_contacts *contacts, const uint32_t *group, hsp_group_contact *out,
@@ -182,7 +182,7 @@ typedef struct hsp_simplex {
 
 /** The triangles (dimension 2) or tetrahedra (3), in no particular order. Those of dimension 0 and 1 are balls and
  *  contacts.
- *  @retval HSP_E_ARGUMENT  a null pointer; another dimension
+ *  @retval HSP_E_ARGUMENT  contacts is NULL; out is NULL with a capacity above 0; another dimension
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or model or boundary changed since; or those of this dimension were only
  *                          counted, as hsp_contacts_limits said, and there are some */

@@ -187,7 +187,7 @@ HSP_API int32_t hsp_moving_get_balls(const hsp_moving *moving, uint32_t count, c
 /** The balls of which anything may have changed by the last move, or by taking it back, ascending: those that moved,
  *  those that they met or meet, and those whose terms of the volume are about another origin now. None after
  *  hsp_moving_set, and after a move that failed with HSP_E_CAPACITY.
- *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_ARGUMENT  moving is NULL; balls is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     no balls: no hsp_moving_set before, or it failed */
 HSP_API int32_t hsp_moving_get_changed(const hsp_moving *moving, uint32_t *balls, uint32_t capacity, uint32_t *needed);

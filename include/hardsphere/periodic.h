@@ -201,7 +201,7 @@ typedef struct hsp_periodic_contact {
  *  opposite shifts once.
  *  - Property 1: 3 V = sum_i r_i A_i + the sum of distance times area over all contacts, up to rounding.
  *
- *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_ARGUMENT  periodic is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed */
 HSP_API int32_t hsp_periodic_get_contacts(const hsp_periodic *periodic, hsp_periodic_contact *out, uint32_t capacity,
@@ -210,7 +210,7 @@ HSP_API int32_t hsp_periodic_get_contacts(const hsp_periodic *periodic, hsp_peri
 /** Sums over the contacts between groups of balls, as hsp_contacts_group; images belong to the groups of their balls.
  *  So what a group has in contact with its own images is left out, and what two groups have across several faces is one
  *  sum. Uses memory of the handle.
- *  @retval HSP_E_ARGUMENT  a null pointer (out may be NULL with capacity 0)
+ *  @retval HSP_E_ARGUMENT  periodic or group is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed */
 HSP_API int32_t hsp_periodic_group_contacts(hsp_periodic *periodic, const uint32_t *group, hsp_group_contact *out,
@@ -230,14 +230,14 @@ typedef struct hsp_winding {
 } hsp_winding;
 
 /** The components, in the order of their first balls.
- *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_ARGUMENT  periodic is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed */
 HSP_API int32_t hsp_periodic_get_windings(const hsp_periodic *periodic, hsp_winding *out, uint32_t capacity,
                                           uint32_t *needed);
 
 /** The component of each ball: component [n].
- *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_ARGUMENT  periodic is NULL; component is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed */
 HSP_API int32_t hsp_periodic_get_components(const hsp_periodic *periodic, uint32_t *component, uint32_t capacity,
@@ -285,7 +285,7 @@ typedef struct hsp_image {
 /** The balls and images that contain the point xyz [3], wherever it is, ascending in balls and shifts. Touching counts.
  *  - Property 1: at a point moved by vectors of the box the balls are the same and the shifts so much larger.
  *
- *  @retval HSP_E_ARGUMENT    a null pointer (out may be NULL with capacity 0)
+ *  @retval HSP_E_ARGUMENT    periodic or xyz is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY    capacity is smaller than *needed
  *  @retval HSP_E_STATE       nothing computed
  *  @retval HSP_E_NOT_FINITE  a coordinate is NaN or infinite
@@ -299,7 +299,7 @@ HSP_API int32_t hsp_periodic_query_point(const hsp_periodic *periodic, const dou
  *
  *  Cost: O(1) expected for radius <= r_max; for larger radii proportional to the cubes within reach, in all copies of
  *  the box.
- *  @retval HSP_E_ARGUMENT    a null pointer (out may be NULL with capacity 0)
+ *  @retval HSP_E_ARGUMENT    periodic or xyz is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY    capacity is smaller than *needed
  *  @retval HSP_E_STATE       nothing computed
  *  @retval HSP_E_NOT_FINITE  a coordinate or the radius is NaN or infinite
@@ -313,7 +313,7 @@ HSP_API int32_t hsp_periodic_query_ball(const hsp_periodic *periodic, const doub
  *  them, but its images may be.
  *  - Property 1: (j, s) is listed for i exactly if (i, -s) is listed for j.
  *
- *  @retval HSP_E_ARGUMENT  a null pointer (out may be NULL with capacity 0)
+ *  @retval HSP_E_ARGUMENT  periodic is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed
  *  @retval HSP_E_ID        no such ball */
@@ -334,7 +334,7 @@ HSP_API int32_t hsp_periodic_query_neighbours(const hsp_periodic *periodic, uint
  *
  *  Cost: O(n) expected for sets as in Theorem 2.1, and proportional to the number of pairs if that is larger.
  *  @retval HSP_OK          out holds all rows; or there is no pair, also with capacity 0
- *  @retval HSP_E_ARGUMENT  a null pointer (out may be NULL with capacity 0); unknown flag
+ *  @retval HSP_E_ARGUMENT  periodic or first is NULL; out is NULL with a capacity above 0; unknown flag
  *  @retval HSP_E_CAPACITY  more pairs than capacity: first and *needed are set, and nothing is written to out
  *  @retval HSP_E_STATE     nothing computed
  *  @retval HSP_E_RANGE     more than 2^32 - 1 entries; first becomes 0 everywhere */

@@ -44,7 +44,7 @@ typedef struct hsp_periodic_vertex {
  *  - Property 1: each vertex ends exactly three arcs.
  *
  *  Cost: O(vertices).
- *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_ARGUMENT  periodic is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed */
 HSP_API int32_t hsp_periodic_get_vertices(const hsp_periodic *periodic, hsp_periodic_vertex *out, uint32_t capacity,
@@ -65,7 +65,7 @@ typedef struct hsp_periodic_arc {
 /** The arcs: counts.arcs records.
  *
  *  Cost: O(arcs); for those across the faces of the box times the arcs of a ball.
- *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_ARGUMENT  periodic is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed */
 HSP_API int32_t hsp_periodic_get_arcs(const hsp_periodic *periodic, hsp_periodic_arc *out, uint32_t capacity,
@@ -84,7 +84,7 @@ typedef struct hsp_periodic_circle {
 /** The free circles: counts.circles records.
  *
  *  Cost: O(circles); for those across the faces of the box times the circles of a ball.
- *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_ARGUMENT  periodic is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed */
 HSP_API int32_t hsp_periodic_get_circles(const hsp_periodic *periodic, hsp_periodic_circle *out, uint32_t capacity,
@@ -100,7 +100,7 @@ typedef struct hsp_periodic_face {
 } hsp_periodic_face;
 
 /** The faces: counts.faces records; faces of one ball are consecutive.
- *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_ARGUMENT  periodic is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed */
 HSP_API int32_t hsp_periodic_get_faces(const hsp_periodic *periodic, hsp_periodic_face *out, uint32_t capacity,
@@ -119,7 +119,7 @@ typedef struct hsp_periodic_loop {
 /** The loops, face after face: counts.loops records.
  *
  *  Cost: O(loops); for circles across the faces of the box times the circles of a ball.
- *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_ARGUMENT  periodic is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed */
 HSP_API int32_t hsp_periodic_get_loops(const hsp_periodic *periodic, hsp_periodic_loop *out, uint32_t capacity,
@@ -139,7 +139,7 @@ typedef struct hsp_periodic_loop_arc {
  *  - Property 2: every arc occurs once with side 0 and once with side 1.
  *
  *  Cost: O(arcs); for those across the faces of the box times the arcs of a ball.
- *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_ARGUMENT  periodic is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed */
 HSP_API int32_t hsp_periodic_get_loop_arcs(const hsp_periodic *periodic, hsp_periodic_loop_arc *out, uint32_t capacity,
@@ -147,7 +147,7 @@ HSP_API int32_t hsp_periodic_get_loop_arcs(const hsp_periodic *periodic, hsp_per
 
 /** Each ball as the boundary has it, as hsp_boundary_get_balls: one record per ball, in the caller's order. A ball
  *  may be inside an image of another one; component is that of hsp_periodic_get_components.
- *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_ARGUMENT  periodic is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed */
 HSP_API int32_t hsp_periodic_get_balls(const hsp_periodic *periodic, hsp_ball *out, uint32_t capacity,

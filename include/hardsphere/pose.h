@@ -129,7 +129,8 @@ HSP_API int32_t hsp_body_overlaps(const hsp_body *fixed, const hsp_body *posed, 
                                   hsp_body_overlap *overlap, uint32_t *first_bad);
 
 /** All pairs of balls that meet in one pose: pair [needed][2], the ball at rest first, ascending.
- *  @retval HSP_E_ARGUMENT    a null pointer, or lattices of different steps
+ *  @retval HSP_E_ARGUMENT    fixed, posed or pose is NULL; pair is NULL with a capacity above 0; lattices of different
+ *                            steps
  *  @retval HSP_E_CAPACITY    capacity < *needed; nothing is written to pair
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_hits
  *  @retval HSP_E_RANGE       as for hsp_body_hits, or more than 2^32 - 2 pairs */
@@ -174,7 +175,8 @@ HSP_API int32_t hsp_body_rational_gaps(const hsp_body *fixed, const hsp_body *po
                                        const hsp_rational_pose *pose, hsp_body_gap *gap, uint32_t *first_bad);
 
 /** As hsp_body_pairs, for a rational pose.
- *  @retval HSP_E_ARGUMENT    a null pointer, or lattices of different steps
+ *  @retval HSP_E_ARGUMENT    fixed, posed or pose is NULL; pair is NULL with a capacity above 0; lattices of different
+ *                            steps
  *  @retval HSP_E_CAPACITY    capacity < *needed; nothing is written to pair
  *  @retval HSP_E_NOT_FINITE  as for hsp_body_rational_hits
  *  @retval HSP_E_RANGE       as for hsp_body_rational_hits, or more than 2^32 - 2 pairs */

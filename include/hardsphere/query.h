@@ -22,7 +22,7 @@ extern "C" {
  *
  *  Cost: O(1) expected for sets as in Theorem 2.1.
  *  @retval HSP_OK            ids holds the hits; or there are none, also with capacity 0
- *  @retval HSP_E_ARGUMENT    a null pointer (ids may be NULL with capacity 0)
+ *  @retval HSP_E_ARGUMENT    model or xyz is NULL; ids is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY    more hits than capacity: *needed is their number, and nothing is written to ids
  *  @retval HSP_E_NOT_FINITE  a coordinate is NaN or infinite
  *  @retval HSP_E_RANGE       a coordinate is beyond 2^50 lattice steps */
@@ -33,7 +33,7 @@ HSP_API int32_t hsp_query_point(const hsp_model *model, const double *xyz, uint3
  *
  *  Cost: O(1) expected for radius <= r_max; for larger radii proportional to the cubes within reach, at most to n.
  *  @retval HSP_OK            ids holds the hits; or there are none, also with capacity 0
- *  @retval HSP_E_ARGUMENT    a null pointer (ids may be NULL with capacity 0)
+ *  @retval HSP_E_ARGUMENT    model or xyz is NULL; ids is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY    more hits than capacity: *needed is their number, and nothing is written to ids
  *  @retval HSP_E_NOT_FINITE  a coordinate or the radius is NaN or infinite
  *  @retval HSP_E_NEGATIVE    the radius is negative
@@ -56,7 +56,7 @@ HSP_API int32_t hsp_query_meets(const hsp_model *model, const double *xyz, doubl
  *
  *  Cost: O(1) expected for sets as in Theorem 2.1.
  *  @retval HSP_OK          ids holds the neighbours; or there are none, also with capacity 0
- *  @retval HSP_E_ARGUMENT  a null pointer (ids may be NULL with capacity 0)
+ *  @retval HSP_E_ARGUMENT  model is NULL; ids is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  more neighbours than capacity: *needed is their number, and nothing is written to ids
  *  @retval HSP_E_ID        the model has no ball `ball` */
 HSP_API int32_t hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint32_t *ids, uint32_t capacity,
@@ -78,7 +78,7 @@ HSP_API int32_t hsp_query_neighbours(const hsp_model *model, uint32_t ball, uint
  *  Cost: O(n) expected for sets as in Theorem 2.1, and proportional to the number of ids if that is larger; less than
  *  to ask for the neighbours of each ball.
  *  @retval HSP_OK          ids holds all rows; or there is no pair, also with capacity 0
- *  @retval HSP_E_ARGUMENT  a null pointer (ids may be NULL with capacity 0); unknown flag
+ *  @retval HSP_E_ARGUMENT  model or first is NULL; ids is NULL with a capacity above 0; unknown flag
  *  @retval HSP_E_CAPACITY  more ids than capacity: first and *needed are set, and nothing is written to ids
  *  @retval HSP_E_RANGE     more than 2^32 - 1 ids; first becomes 0 everywhere */
 HSP_API int32_t hsp_query_pairs(const hsp_model *model, uint32_t flags, uint32_t *first, uint32_t *ids,

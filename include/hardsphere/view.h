@@ -157,7 +157,7 @@ typedef struct hsp_view_piece {
 } hsp_view_piece;
 
 /** The pieces in drawing order, farthest first; pieces without arcs (nothing to draw) are left out.
- *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_ARGUMENT  view is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_view_get_pieces(const hsp_view *view, hsp_view_piece *out, uint32_t capacity, uint32_t *needed);
@@ -171,7 +171,7 @@ typedef struct hsp_view_loop {
 } hsp_view_loop;
 
 /** The loops, piece after piece.
- *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_ARGUMENT  view is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_view_get_loops(const hsp_view *view, hsp_view_loop *out, uint32_t capacity, uint32_t *needed);
@@ -195,7 +195,7 @@ typedef struct hsp_view_arc {
  *  - Property 1: the arcs of a loop are closed: the end of each is the start of the next.
  *  - Property 2: start and end agree with centre, semi-axes, rotation and parameters up to rounding.
  *
- *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_ARGUMENT  view is NULL; out is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_view_get_arcs(const hsp_view *view, hsp_view_arc *out, uint32_t capacity, uint32_t *needed);

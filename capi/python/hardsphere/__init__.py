@@ -30,11 +30,19 @@ __version__ = _interface.VERSION_STRING
 
 
 class Measure(NamedTuple):
-    """Of the union, and of each ball: its free area, and its term of the volume."""
+    """Of the union, and of each ball: its free area, and its term of the volume, which may be negative."""
     area: float
     volume: float
     areas: Any
-    volumes: Any
+    volume_terms: Any
+
+
+class BoxMeasure(NamedTuple):
+    """Of the union in a box, and of each ball: its free area, and the volume of its share."""
+    area: float
+    volume: float
+    areas: Any
+    share_volumes: Any
 
 
 class Gradient(NamedTuple):
@@ -256,12 +264,12 @@ class Box(_Set):
         """Area, volume, the box's volume, what is free of it, and the area of contacts."""
         return self.handle.measure(only="totals")
 
-    def measure(self, selected: Any = None) -> Measure:
+    def measure(self, selected: Any = None) -> BoxMeasure:
         """Area and volume, and those of each ball's share."""
         if selected is not None:
             raise ValueError("in a box all balls are measured")
         found = self.handle.measure()
-        return Measure(found.totals.area, found.totals.volume, found.area, found.share_volume)
+        return BoxMeasure(found.totals.area, found.totals.volume, found.area, found.share_volume)
 
     def gradient(self, tension: float = 1.0, pressure: float = 0.0, sigma: Any = None, tangency: int = 0) -> Gradient:
         """As that of Balls, and by the strain and the vectors of the box."""
