@@ -117,8 +117,8 @@ const struct command_row command_table[COMMANDS] = {
                  "\n"
                  "Shares the union out among its balls: a point belongs to the share of the ball from which it has "
                  "the least\n"
-                 "power, distance^2 - radius^2. Two balls are in contact where their shares meet, in a plane piece; its "
-                 "edge is the\n"
+                 "power, distance^2 - radius^2. Two balls are in contact where their shares meet, in a plane piece; "
+                 "its edge is the\n"
                  "length of its border on the surface. The shares sum to the volume of the union.\n",
          .closing = "Example: hardsphere contacts 1crn.pdb --probe 1.4 --by residue --least 5\n"
                     "JSON: n, contacts, area, pairs: [{balls: [i, j], area, edge, distance}, ...], with --by pairs: "

@@ -1,5 +1,5 @@
-/* hardsphere contacts: which balls touch and by how much, what residues or chains have in contact, and each ball's share
- * of the union. */
+/* hardsphere contacts: which balls touch and by how much, what residues or chains have in contact, and each ball's
+ * share of the union. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>

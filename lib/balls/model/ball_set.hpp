@@ -61,7 +61,7 @@ class BallRounding {
 
   const exact::Lattice &lattice() const { return lattice_; }
   int64_t probe_steps() const { return probe_steps_; }
-  // What the input says of the largest radius, probe included; the probe if it says nothing.
+  // The largest radius as the input has it, probe included; the probe if it has none.
   int64_t expected_radius() const { return expected_radius_; }
 
  private:

@@ -13,7 +13,7 @@ class Halo {
   // The table has those around them too, from number `first` on.
   void end(const CubeTable &table, uint32_t first);
 
-  // What is added to z of a cube around the own ones.
+  // The number that is added to z of a cube around the own ones.
   int64_t lift() const { return lift_; }
   // z of the own cubes is at most this.
   int64_t last_own_layer() const { return last_own_layer_; }

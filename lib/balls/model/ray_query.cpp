@@ -35,7 +35,7 @@ bool round_direction(const double *given, exact::Vector &direction) {
   return true;
 }
 
-// What is first among the balls that have been looked at. Doubles decide what they can decide for certain: the unit
+// The first of the balls that have been looked at. Doubles decide what they can decide for certain: the unit
 // vector has a relative error below 5 units of 2^-53 in each component, so that the distance of a centre from the line,
 // and how far along the line it lies, have absolute errors below 13 units of the distance from the origin.
 class FirstHit {

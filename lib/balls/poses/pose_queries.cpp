@@ -205,7 +205,7 @@ uint64_t list_pairs(const SphereTree &fixed, const SphereTree &moving, const Bal
   return count;
 }
 
-// What two balls have in common, by the distance of their centres.
+// The intersection of two balls, by the distance of their centres.
 double lens_volume(double d, double r, double s) {
   const double smaller = r < s ? r : s;
   if (d <= std::fabs(r - s)) return 4.0 / 3.0 * pi * (smaller * smaller * smaller);

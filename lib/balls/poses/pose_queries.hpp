@@ -34,7 +34,7 @@ inline bool any_balls_meet(const SphereTree &fixed, const SphereTree &moving, co
   return any_balls_meet(fixed, moving, pose, none);
 }
 
-// What earlier poses tell about the next one, besides the witness. Only `margin` is the caller's. The walk about a free
+// Bounds from earlier poses for the next one, besides the witness. Only `margin` is the caller's. The walk about a free
 // pose looks farther by `margin`, in steps, and so learns how far apart the molecules are. Until a ball may have come
 // that far, poses are free without a walk. Answers do not depend on it.
 struct GapBudget {

@@ -24,7 +24,7 @@ struct PointStatus {
   bool tied[2];
 };
 
-// What the parts of contacts by a chord are made of (lib/union/contacts), each rounded once.
+// The terms of a chord in its contacts (lib/union/contacts), each rounded once.
 struct ChordFactors {
   double alpha, beta, third, N;  // third = 2 N - alpha - beta
 };

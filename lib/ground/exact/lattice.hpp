@@ -51,7 +51,7 @@ class Lattice {
   double step() const { return length(1.0); }
   // A length in steps, not yet an integer: one rounding.
   double steps(double length) const { return divisor_ == 1.0 ? length * factor_ : length / divisor_; }
-  // What lengths are multiplied by, bit for bit; 0 if they are divided.
+  // The factor of lengths, bit for bit; 0 if they are divided.
   double factor() const { return divisor_ == 1.0 ? factor_ : 0.0; }
   // The lattice point nearest to a position. False if there is none: a coordinate is not finite, or too large. One
   // branch for all of them; which it is may be asked then.

@@ -32,7 +32,7 @@ class MapBuilder {
 
   const VisibilityMap &structure() const { return map_; }
   const MapLimits &needed() const { return needed_; }
-  // What to try again with after Status::capacity.
+  // The limits to try again with after Status::capacity.
   MapLimits retry_limits() const { return covering(limits_, needed_); }
   const DiscGrid &discs() const { return discs_; }
 

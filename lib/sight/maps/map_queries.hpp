@@ -7,7 +7,7 @@
 
 namespace hsp {
 
-// What is seen at a point of the view plane.
+// The body that is seen at a point of the view plane.
 struct MapSight {
   uint32_t ball;  // no_id for the background
   double depth;   // view coordinate z of its front there

@@ -50,7 +50,7 @@ class StickViewBuilder {
   PaintedPaths paths() const { return map().exist ? paths_of(map()) : paths_of(view_); }
   const StickViolation &violation() const { return violation_; }
   const StickLimits &needed() const { return needed_; }
-  // What to try again with after Status::capacity.
+  // The limits to try again with after Status::capacity.
   StickLimits retry_limits() const { return covering(limits_, needed_); }
   // What the map shows at a point.
   BodySight sight() const { return map_.sight(sweep_.boxes()); }

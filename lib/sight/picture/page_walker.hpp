@@ -1,4 +1,4 @@
-// What the writers of all formats do alike: they walk over the page in the order in which it is painted, every path
+// The common part of all writers of formats: they walk over the page in the order in which it is painted, every path
 // with the contours along its silhouette, then the lines of all paths where these are drawn apart.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What is seen as a vector picture. Ranges of the options are checked at the C interface.
+// Views and maps as vector pictures. Ranges of the options are checked at the C interface.
 #pragma once
 
 #include "picture/byte_sink.hpp"

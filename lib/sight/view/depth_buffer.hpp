@@ -16,7 +16,7 @@ struct ProjectedBall {
   double x, y, z, r;
 };
 
-// What some balls take of the view plane.
+// A box around the discs of some balls in the view plane.
 struct BoundingBox {
   double left = 0.0, right = 0.0, bottom = 0.0, top = 0.0;
 

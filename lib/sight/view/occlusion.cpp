@@ -26,7 +26,7 @@ float rounded_up(double a) {
   return static_cast<float>(a + 0x1p-23 * std::fabs(a));
 }
 
-// What some balls take of the space of a view.
+// The box of some balls in the space of a view.
 struct Extent {
   BoundingBox box{infinite, -infinite, infinite, -infinite};
   double lowest_top = infinite, highest_top = -infinite;

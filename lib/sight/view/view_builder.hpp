@@ -33,7 +33,7 @@ class ViewBuilder {
 
   const View &structure() const { return structure_; }
   const ViewLimits &needed() const { return needed_; }
-  // What to try again with after Status::capacity.
+  // The limits to try again with after Status::capacity.
   ViewLimits retry_limits() const { return covering(limits_, needed_); }
   PieceKind kind() const { return kind_; }
   // Scratch memory for writers of pictures; [balls].

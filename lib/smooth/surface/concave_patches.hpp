@@ -1,4 +1,4 @@
-// What is left of the concave patches of all vertices.
+// The rest of the concave patches of all vertices, after other probes have cut them.
 #pragma once
 
 #include "measure/areas.hpp"

@@ -27,7 +27,7 @@ struct CreaseSums {
   double angle = 0.0;              // of c phi
 };
 
-// What is left of the concave patch of a vertex.
+// The rest of the concave patch of a vertex.
 struct ConcavePatch {
   double area = 0.0;                // square steps
   double volume = 0.0;              // its term of the divergence theorem about the origin of the component, cubic steps

@@ -1,4 +1,4 @@
-// What is summed over the saddle patches around one ball, for kernels for registers of several widths
+// Sums over the saddle patches around one ball, for kernels for registers of several widths
 // (saddle_kernel.hpp): over the arcs of a batch (measure/arc_sums.hpp), with lane k % 4 for term k in every kernel.
 #pragma once
 

@@ -13,7 +13,7 @@ struct Arrangement {
   uint64_t vertices = 0, edges = 0, faces = 0;
 };
 
-// What lies on the sphere of ball `place` of the grid's order. A neighbour takes two words of scratch memory; `words`
+// All parts of the sphere of ball `place` of the grid's order. A neighbour takes two words of scratch memory; `words`
 // becomes how many are needed, and with fewer nothing is counted.
 Arrangement arrangement_on_sphere(const CubeGrid &grid, uint32_t place, Span<uint32_t> scratch, uint64_t &words);
 

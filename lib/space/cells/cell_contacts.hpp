@@ -1,4 +1,4 @@
-// Which cells of free space are adjacent, each two of them once. Who looks for paths also gets a portal for each: a
+// Which cells of free space are adjacent, each two of them once. A search for paths also gets a portal for each: a
 // point of the lattice near one that both cells have, outside all balls but for its rounding.
 #pragma once
 

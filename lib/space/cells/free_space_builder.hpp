@@ -21,7 +21,7 @@ class FreeSpaceBuilder {
   FreeSpace &structure() { return structure_; }
   FreeSpaceScratch scratch() { return {cell_, structure_.region_sets, touched_}; }
   const FreeSpaceLimits &needed() const { return needed_; }
-  // What to try again with after Status::capacity.
+  // The limits to try again with after Status::capacity.
   FreeSpaceLimits retry_limits() const { return covering(limits_, needed_); }
 
  private:

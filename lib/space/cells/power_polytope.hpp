@@ -1,5 +1,5 @@
 // A convex polytope that planes cut out of a cube, as a graph: vertices of three planes each, joined by edges of two.
-// Who cuts says which vertices lie beyond a plane; everything else is combinatorial. Under the symbolic perturbation no
+// A cutter says which vertices lie beyond a plane; everything else is combinatorial. Under the symbolic perturbation no
 // four planes have a common point, so every polytope stays simple. Coordinates serve the filter stage of predicates
 // alone.
 #pragma once

@@ -28,7 +28,7 @@ struct CutMargins {
   double reach;    // of the square of the distance of the farthest vertex from the centre
   double covered;  // find_cut() ends if that square is smaller
 };
-// What find_cut() returns for no plane.
+// The result of find_cut() for no plane.
 inline constexpr uint32_t none_cuts = no_id, is_covered = no_id - 1;
 
 // A line in the plane of a facet, u a + w b = h; the near side has less. In floats, as facets are many.

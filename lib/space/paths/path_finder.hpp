@@ -51,9 +51,9 @@ class PathFinder {
   // Of the last path, from its start to its end; none if there is no path.
   Span<const exact::Vector> points() const { return points_.items(); }
   uint32_t needed_points() const { return needed_points_; }
-  // What suffices for the cells and for the last path.
+  // The limits that suffice for the cells and for the last path.
   PathLimits needed() const { return {builder_.needed(), needed_points_}; }
-  // What to try again with after Status::capacity.
+  // The limits to try again with after Status::capacity.
   PathLimits retry_limits() const {
     return {builder_.retry_limits(), larger_count(points_.capacity(), needed_points_)};
   }

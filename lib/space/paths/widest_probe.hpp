@@ -36,9 +36,9 @@ class WidestProbeFinder {
   // with which the largest ball lies beyond the lattice.
   Status find(const BallSet &balls, const exact::Vector &from, const exact::Vector *to, WidestProbe &widest);
 
-  // What suffices, after Status::ok.
+  // The limits that suffice, after Status::ok.
   const ProbeLimits &needed() const { return needed_; }
-  // What to try again with after Status::capacity. Wider probes may need more, so that each step is a large one.
+  // The limits to try again with after Status::capacity. Wider probes may need more, so that each step is a large one.
   ProbeLimits retry_limits() const;
   uint32_t builds() const { return builds_; }
 

@@ -1,4 +1,4 @@
-// What the tree of merges answers: which class a maximum is in at a probe, where two classes meet, and which maximum a
+// Answers from the tree of merges: which class a maximum is in at a probe, where two classes meet, and which maximum a
 // point is below.
 #pragma once
 

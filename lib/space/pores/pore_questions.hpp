@@ -49,9 +49,9 @@ class PoreQuestions {
   ClassTree tree() const { return ClassTree(builder_); }
   int64_t floor() const { return floor_; }
 
-  // What suffices for the pores and for the last tunnel.
+  // The limits that suffice for the pores and for the last tunnel.
   PoreQuestionLimits needed() const { return {builder_.needed(), tunnel_.needed_points()}; }
-  // What to try again with after Status::capacity.
+  // The limits to try again with after Status::capacity.
   PoreQuestionLimits retry_limits() const {
     return {builder_.retry_limits(), larger_count(tunnel_.capacity(), tunnel_.needed_points())};
   }

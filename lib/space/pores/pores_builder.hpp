@@ -68,7 +68,7 @@ class PoresBuilder {
   // After a success the limits that suffice, with one less of any of which it would not have been one; else as far as
   // they are known.
   const PoreLimits &needed() const { return needed_; }
-  // What to try again with after Status::capacity.
+  // The limits to try again with after Status::capacity.
   PoreLimits retry_limits() const;
   // Work that was done, for measurements.
   const CriticalPoints::Work &work() const { return critical_.work(); }

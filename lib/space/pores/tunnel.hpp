@@ -17,7 +17,7 @@ struct TunnelPoint {
   uint32_t maximum;  // likewise
 };
 
-// What is asked for.
+// The question.
 struct TunnelEnds {
   exact::Vector from;
   const exact::Vector *to;  // null: the outside

@@ -1,4 +1,4 @@
-// What is left of a chord: the radical line of three balls, inside all of them, is cut by every other ball at the plane
+// The rest of a chord: the radical line of three balls, inside all of them, is cut by every other ball at the plane
 // of equal power. The rest lies nearer to the three balls than to any other, in power distance.
 //
 // A chord is asked for at one of its balls, between the points p- and p+ where the circles of the two other ones cross.

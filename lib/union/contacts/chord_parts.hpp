@@ -1,4 +1,4 @@
-// What chords add to the areas of their three contacts, from exact polynomials that are rounded once (chord_line.hpp):
+// The terms of chords in areas of their three contacts, from exact polynomials that are rounded once (chord_line.hpp):
 // in integers, or four at a time with numbers of two doubles (chord_parts_avx2.cpp), which gives the same bits, or none
 // where that is not certain.
 //

@@ -159,7 +159,7 @@ void ContactsBuilder::add_chord(const BallSet &balls, const Boundary &boundary, 
   if (chords_.count == ChordBatch::capacity) measure_chords(balls, boundary);
 }
 
-// What is known of chords once they are found: the ends of their parts, and simplices. Which ends are free cannot be
+// Chords once they are found: the ends of their parts, and simplices. Which ends are free cannot be
 // predicted, so there are tables instead of branches.
 void ContactsBuilder::complete_chords(const BallSet &balls, const Boundary &boundary) {
   ContactArrays &a = contacts_.a_;

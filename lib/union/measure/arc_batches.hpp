@@ -75,7 +75,7 @@ class ArcBatches {
   const Boundary &boundary_;
   const uint32_t ball_, face_;
 
-  // What is left to be gathered.
+  // The arcs that are left to be gathered.
   IdRange half_edges_;  // of the ball
   Span<const ClosedHalfEdge> circles_;
   IdRange loops_;  // of the face

@@ -233,7 +233,7 @@ struct ArcKernel {
   }
 
  private:
-  // What both kinds of sums read.
+  // The input of both kinds of sums.
   struct Slots {
     Real height, angle;
     Vector X, u;

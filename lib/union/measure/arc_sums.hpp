@@ -1,4 +1,4 @@
-// What is summed over the arcs of one ball, as plain arrays that kernels for registers of several widths fill: a batch
+// Sums over the arcs of one ball, as plain arrays that kernels for registers of several widths fill: a batch
 // of arcs, and the sums. Term k of a sum goes to lane k % 4 in every kernel, so that all give the same bits.
 //
 // A slot of a batch holds a circle, and if it has an arc the arc of a half-edge on this circle and the vertex where the

@@ -1,4 +1,4 @@
-// What curvature sums over the edges and vertices of one ball, beside the arcs of arc_sums.hpp: edges are where spheres
+// Sums of curvature over the edges and vertices of one ball, beside the arcs of arc_sums.hpp: edges are where spheres
 // meet at an angle. Term k of a sum goes to lane k % 4 in every kernel, so that all give the same bits.
 #pragma once
 

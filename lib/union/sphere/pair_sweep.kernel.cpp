@@ -102,7 +102,7 @@ class AmongLargeCaps {
   Fractions outside_, crossing_;
 };
 
-// What follows the last exposed circle crosses nothing.
+// Circles after the last exposed one cross nothing.
 void end_exposed(PairSweep &sweep, uint32_t count) {
   const Floats zero = Floats::all(0.0F);
   zero.store(sweep.exposed.x + count);
