@@ -217,7 +217,7 @@ const struct command_row command_table[COMMANDS] = {
                  "of free space\n"
                  "around them meet as the probe gets narrower. At a gate one class of free space merges into an older "
                  "one, of a\n"
-                 "wider maximum: its parent. What is as wide as a gate does not pass. Pockets and tunnels are read "
+                 "wider maximum: its parent. A probe as wide as a gate does not pass it. Pockets and tunnels are read "
                  "from these.\n"
                  "It is of the molecule alone, not of a crystal.\n",
          .closing =
@@ -234,7 +234,8 @@ const struct command_row command_table[COMMANDS] = {
              "gates by\n"
              "their numbers, counted from 0, or \"outside\" or \"none\"; mouths are gates; balls are indices in "
              "the order of the\n"
-             "file, counted from 0, of all balls that are nearest or line a pocket. --json has all gates.\n"
+             "file, counted from 0, of all balls that are nearest, of points of tunnels up to four, or that line a "
+             "pocket.\n"
              "\n"},
     [COMMAND_CLASH] =
         {.name = "clash",

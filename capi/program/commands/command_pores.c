@@ -358,7 +358,7 @@ static void print(struct record *record, const void *of) {
   record_count(record, "maxima", "maxima", counts->maxima, "where a probe fits best, each the birth of a class");
   record_count(record, "gates", "gates", counts->gates, "where parts of free space meet");
   record_count(record, "merges", "merges", counts->merges, "gates where a class ends in an older one");
-  record_count(record, "cavities", "cavities", counts->cavities, "classes that no such probe gets into");
+  record_count(record, "cavities", "cavities", counts->cavities, "classes that no such probe gets into or out of");
   if (!persons) {
     record_table(record, "maximum_list", &maxima);
     record_table(record, "gate_list", &gates);
