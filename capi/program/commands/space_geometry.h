@@ -20,7 +20,7 @@ bool geometry_find_path(struct geometry *geometry, const double from[3], const d
 bool geometry_find_gate(struct geometry *geometry, const struct molecule *molecule, const double from[3],
                         const double *to, struct failure *failure);
 
-/* Find maxima and gates that are wider than the narrowest probe, of a molecule whose radii are as they are; likewise. */
+/* Find maxima and gates that are wider than the narrowest probe; likewise. */
 bool geometry_find_pores(struct geometry *geometry, const struct molecule *molecule, double narrowest,
                          struct failure *failure);
 
