@@ -203,17 +203,27 @@ TEST(Pores, PocketsOfOneProbeAreItsVoids) {
   }
 }
 
-TEST(Pores, ClassesThatLiveLong) {
-  const std::vector<Json> all = run_json({"pores", crambin()})["maximum_list"].items;
-  const std::vector<Json> few = run_json({"pores", crambin(), "--least", "0.2"})["maximum_list"].items;
-  std::vector<double> expected, found;
-  for (const Json &each : all) {
-    if (each["radius"].number - each["death"].number >= 0.2) expected.push_back(each["maximum"].number);
+TEST(Pores, ThoseThatLastLong) {
+  const Json all = run_json({"pores", crambin(), "--probe", "0.9", "--pockets", "1.5"});
+  const Json few = run_json({"pores", crambin(), "--probe", "0.9", "--pockets", "1.5", "--least", "0.1"});
+  struct Case {
+    std::string list, number, narrow;
+  };
+  for (const Case &each : {Case{"maximum_list", "maximum", "death"}, Case{"pocket_list", "pocket", "mouth_radius"}}) {
+    std::vector<double> expected, found;
+    for (const Json &one : all[each.list].items) {
+      if (one["radius"].number - one[each.narrow].number >= 0.1) expected.push_back(one[each.number].number);
+    }
+    for (const Json &one : few[each.list].items) found.push_back(one[each.number].number);
+    EXPECT_EQ(found, expected);
+    EXPECT_GT(found.size(), 1u);
+    EXPECT_LT(found.size(), all[each.list].items.size());
   }
-  for (const Json &each : few) found.push_back(each["maximum"].number);
-  EXPECT_EQ(found, expected);
-  EXPECT_GT(found.size(), 1u);
-  EXPECT_LT(found.size(), all.size());
+  const Outcome rows =
+      run_program({"pores", crambin(), "--probe", "0.9", "--pockets", "1.5", "--least", "0.1", "--balls"});
+  size_t lists = 0;
+  for (size_t at = 0; (at = rows.out.find("balls around pocket", at)) != std::string::npos; ++at) ++lists;
+  EXPECT_EQ(lists, few["pocket_list"].items.size());
 }
 
 // Each table of --csv holds the numbers of JSON.

@@ -95,7 +95,7 @@ case $words[2] in
   ) ;;
   pores) own=(
     '*--probe=[only what is wider than a probe of radius P]:P:'
-    '*--least=[list only maxima whose class lives for D or more]:D:'
+    '*--least=[list only maxima whose class lives for D or more, radius less death, and pockets that]:D:'
     '*--gates[list gates instead]'
     '*--pockets=[list pockets]:W:'
     '*--balls[also the balls around each pocket]'

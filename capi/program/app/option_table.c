@@ -121,7 +121,8 @@ const struct option *option_at(size_t i) {
       {"--probe", "P", take_probe, OF(PORES), .target = IN(probe), .what = "a length",
        .help = "only what is wider than a probe of radius P; radii are not grown by it. Default 0"},
       {"--least", "D", take_length, OF(PORES), .target = IN(persistence), .what = "a length",
-       .help = "list only maxima whose class lives for D or more: radius less death"},
+       .help = "list only maxima whose class lives for D or more, radius less death, and pockets that\n"
+               "are as much wider than their widest mouth"},
       {"--gates", NULL, take_flag, OF(PORES), .target = IN(gates), .help = "list gates instead"},
       {"--pockets", "W", take_number, OF(PORES), .target = IN(pockets), .what = "a length", .most = 1e6,
        .help = "list pockets: where a probe of radius P fits, and one of radius W does not get to from\n"

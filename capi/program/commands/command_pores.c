@@ -243,9 +243,14 @@ static struct table table_of_gates(const struct molecule *molecule, const struct
       columns, sizeof columns / sizeof columns[0], molecule->format, found->counts.gates, found, gate_row, NULL};
 }
 
+static bool is_deep(const struct found *found, size_t pocket) {
+  return found->pockets[pocket].radius - found->pockets[pocket].mouth >= found->request->persistence;
+}
+
 static bool pocket_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
   const struct found *const found = of;
   const hsp_pore_pocket *const pocket = &found->pockets[row];
+  if (!is_deep(found, row)) return false;
   cells[0].count = (int64_t)row + 1;
   cells[1].vector = found->maxima[pocket->maximum].xyz;
   cells[2].quantity = pocket->radius;
@@ -335,6 +340,7 @@ static void print_pockets(struct record *record, const struct found *found, cons
   print_table(record, table, "  x y z: where the widest probe fits; its radius and that of the widest mouth, in @");
   for (uint32_t i = 0; found->request->void_balls && i < found->pocket_count; ++i) {
     union cell lining;
+    if (!is_deep(found, i)) continue;
     set_list(&lining, &found->lining, i);
     text_buffer_add(record->out, "\nballs around pocket %" PRIu32 "\n", i + 1);
     ball_rows_print(record->molecule, lining.counts.list, lining.counts.length, record->out);

@@ -91,7 +91,7 @@ struct request {
   struct given_vector at;        /* of `pick`: x and y */
   struct place from, to;         /* of `path` and `gate` */
   bool gates;                    /* of `pores` */
-  double persistence;            /* likewise, of a class that is listed */
+  double persistence;            /* likewise, of what is listed, at least */
   double pockets;                /* likewise, radius of a probe that does not get there; negative: none are asked for */
   struct place tunnels_from;     /* likewise */
   uint32_t tunnels;              /* how many from there; 0: it is not said */
