@@ -16,7 +16,7 @@ bool geometry_find_path(struct geometry *geometry, const double from[3], const d
 
 typedef int32_t attempt(hsp_workspace *work, const void *of);
 
-/* On the lattice of the model, then on coarser ones while what is looked for is too wide; the status of the last one. */
+/* On the lattice of the model, then on coarser ones while what is looked for is too wide. */
 static bool try_coarser(struct geometry *geometry, const struct molecule *molecule, attempt *find, const void *of,
                         int32_t *status, struct failure *failure) {
   enum { COARSER = 6 };
