@@ -98,7 +98,7 @@ case $words[2] in
     '*--least=[list only maxima whose class lives for D or more, radius less death, and pockets that]:D:'
     '*--gates[list gates instead]'
     '*--pockets=[list pockets]:W:'
-    '*--balls[also the balls around each pocket]'
+    '*--balls[also the balls around each pocket, and each bottleneck of a tunnel]'
     '*--tunnels-from=[list tunnels from a point to the outside, the widest first, with the radius along each]:X Y Z|atom:'
     '*--tunnels=[so many, each without the bottlenecks of those before it]:N:'
     '*--csv[print maxima, gates, pockets or the points of tunnels as comma-separated values and]'

@@ -127,7 +127,8 @@ const struct option *option_at(size_t i) {
       {"--pockets", "W", take_number, OF(PORES), .target = IN(pockets), .what = "a length", .most = 1e6,
        .help = "list pockets: where a probe of radius P fits, and one of radius W does not get to from\n"
                "outside"},
-      {"--balls", NULL, take_flag, OF(PORES), .target = IN(void_balls), .help = "also the balls around each pocket"},
+      {"--balls", NULL, take_flag, OF(PORES), .target = IN(void_balls),
+       .help = "also the balls around each pocket, and each bottleneck of a tunnel"},
       {"--tunnels-from", "X Y Z|atom:N", take_place, OF(PORES), .target = IN(tunnels_from),
        .help = "list tunnels from a point to the outside, the widest first, with the radius along each.\n"
                "atom:N is the widest maximum at the atom N of the file, counted from 0"},

@@ -336,15 +336,16 @@ static void print_table(struct record *record, const struct table *table, const 
 }
 
 /* For persons. */
-static void print_pockets(struct record *record, const struct found *found, const struct table *table) {
-  print_table(record, table, "  x y z: where the widest probe fits; its radius and that of the widest mouth, in @");
-  for (uint32_t i = 0; found->request->void_balls && i < found->pocket_count; ++i) {
-    union cell lining;
-    if (!is_deep(found, i)) continue;
-    set_list(&lining, &found->lining, i);
-    text_buffer_add(record->out, "\nballs around pocket %" PRIu32 "\n", i + 1);
-    ball_rows_print(record->molecule, lining.counts.list, lining.counts.length, record->out);
-  }
+static void print_balls(struct record *record, const char *what, uint32_t number, const struct lists *lists,
+                        size_t row) {
+  union cell balls;
+  set_list(&balls, lists, row);
+  text_buffer_add(record->out, "\nballs around %s %" PRIu32 "\n", what, number);
+  ball_rows_print(record->molecule, balls.counts.list, balls.counts.length, record->out);
+}
+
+static bool lists_balls(const struct record *record, const struct found *found) {
+  return record->form == FOR_PERSONS && found->request->void_balls;
 }
 
 static void print(struct record *record, const void *of) {
@@ -375,7 +376,11 @@ static void print(struct record *record, const void *of) {
   if (pockets) {
     record_count(record, "pockets", "pockets", found->pocket_count, "where the probe fits that --pockets keeps out");
     if (!persons) record_table(record, "pocket_list", &pocket_table);
-    print_pockets(record, found, &pocket_table);
+    print_table(record, &pocket_table,
+                "  x y z: where the widest probe fits; its radius and that of the widest mouth, in @");
+    for (uint32_t i = 0; lists_balls(record, found) && i < found->pocket_count; ++i) {
+      if (is_deep(found, i)) print_balls(record, "pocket", i + 1, &found->lining, i);
+    }
   }
   if (!tunnels) return;
   if (persons && (request->gates || pockets)) record_line(record, "");
@@ -385,6 +390,10 @@ static void print(struct record *record, const void *of) {
   if (!persons) record_table(record, "tunnel_list", &tunnel_table);
   if (!persons) record_table(record, "tunnel_points", &steps);
   print_table(record, &tunnel_table, "  the widest probe that gets through, and how far it goes, in @");
+  for (uint32_t i = 0; lists_balls(record, found) && i < found->tunnel_count; ++i) {
+    const uint32_t gate = found->tunnels[i].gate;
+    if (gate != HSP_NONE) print_balls(record, "the bottleneck of tunnel", i + 1, &found->of_gates, gate);
+  }
   print_table(record, &steps, "  along the tunnels: the way so far, and the largest probe there, in @");
 }
 
@@ -402,7 +411,9 @@ bool check_pores(struct request *request, struct failure *failure) {
   if (pockets && request->pockets < request->probe) {
     return failure_in_usage(failure, "--pockets: W must not be less than --probe");
   }
-  if (request->void_balls && !pockets) return failure_in_usage(failure, "--balls needs --pockets");
+  if (request->void_balls && !pockets && !from) {
+    return failure_in_usage(failure, "--balls needs --pockets or --tunnels-from");
+  }
   if (!request->csv || (int)request->gates + (int)pockets + (int)from < 2) return true;
   return failure_in_usage(failure, "--csv prints one table: either --gates, --pockets or --tunnels-from");
 }
