@@ -41,7 +41,7 @@ pages=("$source/README.md" "$source"/capi/guide/*.md)
   -e 's/\<OUT\.svg/out.svg/' | sort -u >"$work/lines"
 # Fewer would mean that they are written in another way now, and not found.
 [ "$(wc -l <"$work/lines")" -ge 25 ] || { cat "$work/lines" && echo "are all the lines that were found" && exit 1; }
-for command in model boundary measure voids query clash mesh map pick draw; do
+for command in model boundary measure voids pores query clash mesh map pick draw; do
   grep -q "hardsphere $command 1crn" "$work/lines" || { echo "no page shows hardsphere $command" && exit 1; }
 done
 

@@ -61,6 +61,7 @@ succeed crambin.table "$program" measure --per-ball bench/molecules/crambin.pdb
 succeed crambin.csv "$program" measure --gradient --csv bench/molecules/crambin.pdb
 succeed crambin.residues "$program" measure --by residue --json bench/molecules/crambin.pdb
 succeed crambin.voids "$program" voids --json bench/molecules/crambin.pdb --probe 1.4
+succeed crambin.pores "$program" pores --json bench/molecules/crambin.pdb --pockets 3 --tunnels-from 9.6,12.8,5.7
 succeed crambin.output "$program" measure bench/molecules/crambin.pdb --pdb-out "$outputs/crambin.pdb"
 succeed formats "$program" measure --csv tests/program/inputs/good/water.{pdb,cif,gro}
 succeed crambin.box "$program" measure --json --probe 1.4 --box 25,0,0,7,18,0,-9,5,20 --per-ball bench/molecules/crambin.pdb
@@ -76,6 +77,7 @@ degenerate=tests/portability/inputs/degenerate.xyzr
 both_commands succeed degenerate $degenerate
 both_commands succeed degenerate.probe $degenerate --probe 0.5
 succeed degenerate.voids "$program" voids --json $degenerate
+succeed degenerate.pores "$program" pores --json $degenerate --pockets 1
 succeed degenerate.query "$program" query --json $degenerate --point 4 0 0
 
 for style in flat headlight soft; do

@@ -13,7 +13,7 @@ needs() {
     printf '%s: status %d\n%s\nnot: %s\n' "$*" $status "$said" "$expected" && failed=1
   fi
 }
-for command in cells path gate; do needs $command space $command "$water"; done
+for command in cells path gate pores; do needs $command space $command "$water"; done
 for command in clash map pick draw; do needs $command sight $command "$water"; done
 needs mesh smooth mesh "$water" -o -
 needs "measure --surface" smooth measure "$water" --probe 1.4 --surface ses

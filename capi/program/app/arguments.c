@@ -134,6 +134,7 @@ bool request_parse(struct request *request, enum command command, int file, int 
   request->highlight = (struct selection)SELECTION_EVERYTHING;
   request->set = &radii_bondi;
   request->surface = -1;
+  request->pockets = -1.0;
   request->meshing = (struct meshing)MESHING_DEFAULT;
   request->drawing = (struct drawing)DRAWING_DEFAULT;
   request->names = malloc(((size_t)count + 1) * sizeof *request->names);

@@ -204,6 +204,39 @@ const struct command_row command_table[COMMANDS] = {
                                  "of the balls in the order of the\n"
                                  "file, counted from 0, ascending; to is null where it is the outside.\n"
                                  "\n"},
+    [COMMAND_PORES] =
+        {.name = "pores",
+         .arguments = "FILE [options]",
+         .summary = "pores for every probe at once: cavities, gates, pockets, tunnels",
+         .component = "space",
+         .run = SPACE(command_pores),
+         .check = SPACE(check_pores),
+         .text = "hardsphere pores FILE [--gates] [--pockets W] [--tunnels-from X Y Z|atom:N] [options]\n"
+                 "\n"
+                 "Finds all maxima, where a probe between the balls is largest nearby, and all gates, where the parts "
+                 "of free space\n"
+                 "around them meet as the probe gets narrower. At a gate one class of free space merges into an older "
+                 "one, of a\n"
+                 "wider maximum: its parent. A probe as wide as a gate does not pass it. Pockets and tunnels are read "
+                 "from these.\n"
+                 "It is of the molecule alone, not of a crystal.\n",
+         .closing =
+             "Example: hardsphere pores 1crn.pdb --probe 1.4 --pockets 3\n"
+             "JSON: n, largest_cavity_diameter, null where nothing is enclosed, maxima, gates, merges, cavities, "
+             "maximum_list:\n"
+             "[{maximum, xyz, radius, death, gate, parent, balls}, ...], gate_list: [{gate, xyz, radius, end, "
+             "other_end, merges,\n"
+             "balls}, ...], with --pockets pockets, pocket_list: [{pocket, xyz, radius, mouth_radius, maximum, gate, "
+             "maxima, mouths,\n"
+             "balls}, ...], with --tunnels-from from, from_radius, tunnels, tunnel_list: [{tunnel, radius, length, "
+             "gate, gates,\n"
+             "points}, ...], tunnel_points: [{tunnel, length, xyz, radius, gate, maximum, balls}, ...]; maxima and "
+             "gates by\n"
+             "their numbers, counted from 0, or \"outside\" or \"none\"; mouths are gates; balls are indices in "
+             "the order of the\n"
+             "file, counted from 0, of all balls that are nearest, of points of tunnels up to four, or that line a "
+             "pocket.\n"
+             "\n"},
     [COMMAND_CLASH] =
         {.name = "clash",
          .arguments = "FILE FILE",

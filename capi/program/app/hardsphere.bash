@@ -2,7 +2,7 @@
 _hardsphere() {
   local command=${COMP_WORDS[1]} word=${COMP_WORDS[COMP_CWORD]} words=
   if [ "$COMP_CWORD" -eq 1 ]; then
-    words="model boundary measure voids contacts complex cells path gate clash query mesh map pick draw completion help --help --version"
+    words="model boundary measure voids contacts complex cells path gate pores clash query mesh map pick draw completion help --help --version"
   elif [[ $word == -* ]]; then
     words="--help --format --radii --radius --probe --json --no-water --no-hetatm --no-hydrogens --only --hide --model --threads"
     case $command in
@@ -15,6 +15,7 @@ _hardsphere() {
       cells) words+="" ;;
       path) words+=" --from --to" ;;
       gate) words+=" --from --to" ;;
+      pores) words+=" --probe --least --gates --pockets --balls --tunnels-from --tunnels --csv" ;;
       clash) words+=" --rotate --translate" ;;
       query) words+=" --point --ball" ;;
       mesh) words+=" -o --output --edge --surface --triangles --view --up --rotate --cut" ;;
@@ -24,7 +25,7 @@ _hardsphere() {
     esac
   else
     case "$command ${COMP_WORDS[COMP_CWORD - 1]}" in
-      "help help") words="model boundary measure voids contacts complex cells path gate clash query mesh map pick draw " ;;
+      "help help") words="model boundary measure voids contacts complex cells path gate pores clash query mesh map pick draw " ;;
       "completion completion") words="bash zsh" ;;
       *" --format") words="xyzr pdb pqr xyz cif gro" ;;
       *" --radii") words="bondi chem3d protor naccess list" ;;

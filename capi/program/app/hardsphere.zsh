@@ -12,6 +12,7 @@ if (( CURRENT == 2 )); then
     'cells:free space as simple cells'
     'path:how a probe gets from one point to another'
     'gate:the widest probe that gets to a point or to the outside, and what stops it'
+    'pores:pores for every probe at once'
     'clash:a molecule against another one, turned and moved'
     'query:which balls contain a point or meet a ball'
     'mesh:the surface as triangles'
@@ -92,6 +93,16 @@ case $words[2] in
     '*--from=[begin where the void K of hardsphere voids has most room, with the same --probe P,]:void:'
     '*--to=[]:X Y Z|void:'
   ) ;;
+  pores) own=(
+    '*--probe=[only what is wider than a probe of radius P]:P:'
+    '*--least=[list only maxima whose class lives for D or more, radius less death, and pockets that]:D:'
+    '*--gates[list gates instead]'
+    '*--pockets=[list pockets]:W:'
+    '*--balls[also the balls around each pocket, and each bottleneck of a tunnel]'
+    '*--tunnels-from=[list tunnels from a point to the outside, the widest first, with the radius along each]:X Y Z|atom:'
+    '*--tunnels=[so many, each without the bottlenecks of those before it]:N:'
+    '*--csv[print maxima, gates, pockets or the points of tunnels as comma-separated values and]'
+  ) ;;
   clash) own=(
     '*--rotate=[turn the second one by X, then Y, then Z degrees about axes through the mean of its]:X,Y,Z:'
     '*--translate=[then move it]:X,Y,Z:'
@@ -167,7 +178,7 @@ case $words[2] in
     '*--stick=[the radius of the sticks]:R:'
   ) ;;
   completion) _values shell bash zsh; return ;;
-  help) _values command model boundary measure voids contacts complex cells path gate clash query mesh map pick draw ; return ;;
+  help) _values command model boundary measure voids contacts complex cells path gate pores clash query mesh map pick draw ; return ;;
 esac
 (( CURRENT-- ))
 shift words

@@ -52,7 +52,9 @@ static bool run_command(const struct request *request, uint32_t threads, struct 
     done = done && unit_cell_fill(request, &molecule, failure);
     geometry_share_work(&geometry, threads, molecule.atoms);
     out->threads = threads;
-    done = done && geometry_set_model(&geometry, &molecule, request->probe, 0.0, failure) &&
+    /* Pores are those of every probe. */
+    const double grown = request->command == COMMAND_PORES ? 0.0 : request->probe;
+    done = done && geometry_set_model(&geometry, &molecule, grown, 0.0, failure) &&
            command(request, &molecule, &geometry, out, failure);
     geometry_free(&geometry);
   }

@@ -118,6 +118,26 @@ const struct option *option_at(size_t i) {
                "which finds the voids and has no other use here; --to void:K likewise"},
       {"--to", "X Y Z|void:K", take_place, OF(GATE), .target = IN(to), .help = ""},
 
+      {"--probe", "P", take_probe, OF(PORES), .target = IN(probe), .what = "a length",
+       .help = "only what is wider than a probe of radius P; radii are not grown by it. Default 0"},
+      {"--least", "D", take_length, OF(PORES), .target = IN(persistence), .what = "a length",
+       .help = "list only maxima whose class lives for D or more, radius less death, and pockets that\n"
+               "are as much wider than their widest mouth"},
+      {"--gates", NULL, take_flag, OF(PORES), .target = IN(gates), .help = "list gates instead"},
+      {"--pockets", "W", take_number, OF(PORES), .target = IN(pockets), .what = "a length", .most = 1e6,
+       .help = "list pockets: where a probe of radius P fits, and one of radius W does not get to from\n"
+               "outside"},
+      {"--balls", NULL, take_flag, OF(PORES), .target = IN(void_balls),
+       .help = "also the balls around each pocket, and each bottleneck of a tunnel"},
+      {"--tunnels-from", "X Y Z|atom:N", take_place, OF(PORES), .target = IN(tunnels_from),
+       .help = "list tunnels from a point to the outside, the widest first, with the radius along each.\n"
+               "atom:N is the widest maximum at the atom N of the file, counted from 0"},
+      {"--tunnels", "N", take_tunnels, OF(PORES), .what = "how many tunnels",
+       .help = "so many, each without the bottlenecks of those before it; default 3"},
+      {"--csv", NULL, take_flag, OF(PORES), .target = IN(csv),
+       .help = "print maxima, gates, pockets or the points of tunnels as comma-separated values and\n"
+               "nothing else"},
+
       {"--rotate", "X,Y,Z", take_vector, OF(CLASH), .target = IN(viewing.rotate),
        .help = "turn the second one by X, then Y, then Z degrees about axes through the mean of its\n"
                "centres"},

@@ -175,24 +175,45 @@ bool take_box(struct reading *reading, const struct option *option, const char *
 
 /* ---- points ---- */
 
-/* X Y Z, or of `gate` void:K. */
+/* X Y Z, or of `gate` void:K, of `pores` atom:N. */
 bool take_place(struct reading *reading, const struct option *option, const char *value) {
-  static const char word[] = "void:";
+  const enum command command = reading->request->command;
+  const bool atoms = command == COMMAND_PORES;
+  const char *const word = atoms ? "atom:" : "void:";
   struct place *place = (void *)((char *)reading->request + option->target);
   const char *text = value != NULL ? value : reading->left > 0 ? reading->rest[0] : "";
-  const bool of_void = reading->request->command == COMMAND_GATE && strncmp(text, word, strlen(word)) == 0;
-  if (of_void && value == NULL) option_next(reading);
+  const bool named = (atoms || command == COMMAND_GATE) && strncmp(text, word, strlen(word)) == 0;
+  if (named && value == NULL) option_next(reading);
   if (place->point.given) return option_given_twice(reading, option);
-  if (!of_void) {
+  if (!named) {
     place->point.given = option_numbers(reading, option, value, "XYZ", place->point.xyz);
     return place->point.given;
   }
+  uint64_t number = 0;
+  const char *digits = text + strlen(word);
   place->point.given = true;
-  const char *rank = text + strlen(word);
-  if (number_parse_count(rank, strlen(rank), &place->of_void) == NUMBER_OK && place->of_void > 0) return true;
+  if (number_parse_count(digits, strlen(digits), &number) == NUMBER_OK && (atoms ? number < UINT32_MAX : number > 0)) {
+    *(atoms ? &place->of_atom : &place->of_void) = atoms ? number + 1 : number;
+    return true;
+  }
   char shown[EXCERPT_BYTES];
-  return failure_in_usage(reading->failure, "%s: '%s' is not the number of a void, from 1 on", option->name,
-                          excerpt(shown, rank, strlen(rank)));
+  return failure_in_usage(reading->failure, "%s: '%s' is not the number of %s", option->name,
+                          excerpt(shown, digits, strlen(digits)), atoms ? "an atom, from 0 on" : "a void, from 1 on");
+}
+
+/* More than that is a slip of the finger. */
+enum { MOST_TUNNELS = 1000 };
+
+bool take_tunnels(struct reading *reading, const struct option *option, const char *value) {
+  uint32_t *const tunnels = &reading->request->tunnels;
+  uint64_t count = 0;
+  if (!option_value(reading, option, &value)) return false;
+  if (*tunnels > 0) return option_given_twice(reading, option);
+  if (number_parse_count(value, strlen(value), &count) != NUMBER_OK || count < 1 || count > MOST_TUNNELS) {
+    return failure_in_usage(reading->failure, "--tunnels must be how many, from 1 to %d", (int)MOST_TUNNELS);
+  }
+  *tunnels = (uint32_t)count;
+  return true;
 }
 
 bool take_query(struct reading *reading, const struct option *option, const char *value) {

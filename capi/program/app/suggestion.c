@@ -52,7 +52,8 @@ const char *suggest_command(const char *unknown) {
                                          {"area", "measure"},
                                          {"volume", "measure"},
                                          {"cavities", "voids"},
-                                         {"pockets", "voids"},
+                                         {"pockets", "pores"},
+                                         {"tunnels", "pores"},
                                          {"render", "draw"},
                                          {"interface", "measure"}};
   const size_t length = strlen(unknown);

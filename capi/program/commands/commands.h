@@ -14,8 +14,8 @@ typedef bool command_function(const struct request *request, const struct molecu
                               struct text_buffer *out, struct failure *failure);
 
 command_function command_model, command_boundary, command_measure, command_voids, command_contacts, command_complex;
-command_function command_cells, command_path, command_gate, command_query, command_mesh, command_map, command_pick;
-command_function command_draw;
+command_function command_cells, command_path, command_gate, command_pores, command_query, command_mesh, command_map;
+command_function command_pick, command_draw;
 
 /* One of two molecules, as it was asked for. */
 struct molecule_request {
@@ -32,6 +32,6 @@ command_of_two command_clash;
 /* Whether options of the command go together, and with the file that is named. Adds what follows from others. */
 typedef bool command_check(struct request *request, struct failure *failure);
 
-command_check check_mesh, check_draw;
+command_check check_pores, check_mesh, check_draw;
 
 #endif

@@ -189,10 +189,11 @@ static void report_probe(struct text_buffer *out, const struct request *request)
   }
   char value[160];
   snprintf(value, sizeof value, "%.10g %s, %s", request->probe, request->format->unit,
-           request->command == COMMAND_GATE ? "added to every radius to find voids, and then no more"
-           : request->outer                 ? "rolling over the atoms from outside: the outer solvent-excluded surface"
-           : request->excluded_surface      ? "rolling over the atoms: the solvent-excluded surface"
-                                            : "added to every radius: the solvent-accessible surface");
+           request->command == COMMAND_GATE    ? "added to every radius to find voids, and then no more"
+           : request->command == COMMAND_PORES ? "the narrowest one of interest; radii are as they are"
+           : request->outer            ? "rolling over the atoms from outside: the outer solvent-excluded surface"
+           : request->excluded_surface ? "rolling over the atoms: the solvent-excluded surface"
+                                       : "added to every radius: the solvent-accessible surface");
   report_row(out, "probe", value, "");
 }
 

@@ -28,6 +28,7 @@ enum command {
   COMMAND_CELLS,
   COMMAND_PATH,
   COMMAND_GATE,
+  COMMAND_PORES,
   COMMAND_CLASH,
   COMMAND_QUERY,
   COMMAND_MESH,
@@ -37,10 +38,11 @@ enum command {
   COMMANDS
 };
 
-/* A point, or where a void has most room. */
+/* A point, or where a void or an atom has most room. */
 struct place {
-  struct given_vector point; /* given in both cases */
-  uint64_t of_void;          /* its rank among those that `voids` lists, from 1 on; 0: the point is meant */
+  struct given_vector point; /* given in all cases */
+  uint64_t of_void;          /* its rank among those that `voids` lists, from 1 on; 0: it is none */
+  uint64_t of_atom;          /* its index among the balls plus 1; 0: it is none */
 };
 
 enum query_kind { QUERY_NONE, QUERY_POINT, QUERY_BALL };
@@ -65,7 +67,7 @@ struct request {
   bool outer;            /* of the outer cell alone */
   const char *interface; /* two groups of chains, or NULL */
   bool shells;
-  bool void_balls;   /* of `voids` */
+  bool void_balls;   /* of `voids` and of pockets */
   double min_volume; /* of `voids` */
   bool cells;        /* of `contacts` */
   double least;      /* area of a contact that is listed */
@@ -88,6 +90,11 @@ struct request {
   struct given_vector translate; /* of `clash` */
   struct given_vector at;        /* of `pick`: x and y */
   struct place from, to;         /* of `path` and `gate` */
+  bool gates;                    /* of `pores` */
+  double persistence;            /* likewise, of what is listed, at least */
+  double pockets;                /* likewise, radius of a probe that does not get there; negative: none are asked for */
+  struct place tunnels_from;     /* likewise */
+  uint32_t tunnels;              /* how many from there; 0: it is not said */
   struct drawing drawing;        /* of `draw` */
   struct selection highlight;    /* likewise */
   const struct radii_set *set;

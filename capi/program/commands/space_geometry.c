@@ -14,18 +14,63 @@ bool geometry_find_path(struct geometry *geometry, const double from[3], const d
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
-bool geometry_find_gate(struct geometry *geometry, const struct molecule *molecule, const double from[3],
-                        const double *to, struct failure *failure) {
+typedef int32_t attempt(hsp_workspace *work, const void *of);
+
+/* On the lattice of the model, then on coarser ones while what is looked for is too wide. */
+static bool try_coarser(struct geometry *geometry, const struct molecule *molecule, attempt *find, const void *of,
+                        int32_t *status, struct failure *failure) {
   enum { COARSER = 6 };
   hsp_model_info info;
-  progress_show(&geometry->progress, "looking for the widest probe");
-  int32_t status = hsp_workspace_gate(&geometry->work, from, to);
-  for (int time = 0; time < COARSER && status == HSP_E_RANGE; ++time) {
-    status = hsp_model_get_info(geometry->work.model, &info);
-    if (status != HSP_OK) return failure_in_library(failure, status);
+  *status = find(&geometry->work, of);
+  for (int time = 0; time < COARSER && *status == HSP_E_RANGE; ++time) {
+    *status = hsp_model_get_info(geometry->work.model, &info);
+    if (*status != HSP_OK) return failure_in_library(failure, *status);
     if (!geometry_set_model(geometry, molecule, 0.0, 10.0 * info.step, failure)) return false;
-    status = hsp_workspace_gate(&geometry->work, from, to);
+    *status = find(&geometry->work, of);
   }
+  return true;
+}
+
+struct ends {
+  const double *from, *to;
+};
+
+static int32_t find_gate(hsp_workspace *work, const void *of) {
+  const struct ends *const ends = of;
+  return hsp_workspace_gate(work, ends->from, ends->to);
+}
+
+bool geometry_find_gate(struct geometry *geometry, const struct molecule *molecule, const double from[3],
+                        const double *to, struct failure *failure) {
+  const struct ends ends = {from, to};
+  int32_t status = HSP_OK;
+  progress_show(&geometry->progress, "looking for the widest probe");
+  if (!try_coarser(geometry, molecule, find_gate, &ends, &status, failure)) return false;
   if (status == HSP_E_RANGE) return failure_in_input(failure, 0, "--from or --to: %s", geometry_reason(status));
+  return status == HSP_OK || failure_in_library(failure, status);
+}
+
+static hsp_pores_options pores_of(double narrowest) {
+  return (hsp_pores_options){.struct_size = (uint32_t)sizeof(hsp_pores_options), .reserved = 0, .floor = narrowest};
+}
+
+static int32_t find_pores(hsp_workspace *work, const void *of) {
+  return hsp_workspace_pores(work, of);
+}
+
+bool geometry_find_pores(struct geometry *geometry, const struct molecule *molecule, double narrowest,
+                         struct failure *failure) {
+  const hsp_pores_options options = pores_of(narrowest);
+  int32_t status = HSP_OK;
+  progress_show(&geometry->progress, "looking for pores");
+  return try_coarser(geometry, molecule, find_pores, &options, &status, failure) &&
+         (status == HSP_OK || failure_in_library(failure, status));
+}
+
+bool geometry_find_tunnel(struct geometry *geometry, double narrowest, const double from[3], const uint32_t *avoided,
+                          uint32_t count, hsp_tunnel *tunnel, struct failure *failure) {
+  const hsp_pores_options options = pores_of(narrowest);
+  progress_show(&geometry->progress, "looking for tunnels");
+  const int32_t status = hsp_workspace_tunnel(&geometry->work, &options, from, NULL, avoided, count, tunnel);
   return status == HSP_OK || failure_in_library(failure, status);
 }

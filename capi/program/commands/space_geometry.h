@@ -20,4 +20,12 @@ bool geometry_find_path(struct geometry *geometry, const double from[3], const d
 bool geometry_find_gate(struct geometry *geometry, const struct molecule *molecule, const double from[3],
                         const double *to, struct failure *failure);
 
+/* Find maxima and gates that are wider than the narrowest probe; likewise. */
+bool geometry_find_pores(struct geometry *geometry, const struct molecule *molecule, double narrowest,
+                         struct failure *failure);
+
+/* Find a tunnel to the outside that avoids gates, [count], in the pores of the same narrowest probe. */
+bool geometry_find_tunnel(struct geometry *geometry, double narrowest, const double from[3], const uint32_t *avoided,
+                          uint32_t count, hsp_tunnel *tunnel, struct failure *failure);
+
 #endif

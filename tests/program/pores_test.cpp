@@ -1,0 +1,278 @@
+// Pores as the program lists them: closed forms, distances from all balls, and the answers of voids and gate.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "json_outcome.hpp"
+#include "program_runner.hpp"
+#include "temporary_file.hpp"
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+// Six balls of radius 0.7 at distance 1 from the origin: a room with eight windows, each between three of them.
+const std::string cage_with_windows = "1 0 0 0.7\n-1 0 0 0.7\n0 1 0 0.7\n0 -1 0 0.7\n0 0 1 0.7\n0 0 -1 0.7\n";
+
+std::string crambin() {
+  return molecules_folder() + "/crambin.pdb";
+}
+
+struct Ball {
+  double xyz[3];
+  double radius;
+};
+
+std::vector<Ball> balls_of_crambin() {
+  std::vector<Ball> balls;
+  const Json json = run_json({"measure", crambin(), "--per-ball"});
+  for (const Json &ball : json["balls"].items) {
+    const std::vector<Json> &xyz = ball["xyz"].items;
+    balls.push_back({{xyz.at(0).number, xyz.at(1).number, xyz.at(2).number}, ball["radius"].number});
+  }
+  return balls;
+}
+
+double room(const Ball &ball, const Json &xyz) {
+  double square = 0;
+  for (size_t axis = 0; axis < 3; ++axis) square += std::pow(xyz.items.at(axis).number - ball.xyz[axis], 2);
+  return std::sqrt(square) - ball.radius;
+}
+
+// No ball is nearer than the radius says, those that are listed are as near, and if it is all of them no others.
+void expect_largest_probe(const std::vector<Ball> &balls, const Json &place, bool all) {
+  constexpr double rounding = 1e-7;
+  const double radius = place["radius"].number;
+  std::set<double> listed;
+  for (const Json &ball : place["balls"].items) listed.insert(ball.number);
+  for (size_t i = 0; i < balls.size(); ++i) {
+    const double more = room(balls[i], place["xyz"]) - radius;
+    EXPECT_GE(more, -rounding);
+    const bool among = listed.contains(static_cast<double>(i));
+    if (among || all) {
+      EXPECT_EQ(among, more <= rounding);
+    }
+  }
+}
+
+TEST(Pores, ARoomWithEightWindows) {
+  const TemporaryFile file("open.xyzr", cage_with_windows);
+  const double window = std::sqrt(2.0 / 3) - 0.7;
+  const Json json = run_json({"pores", file.path(), "--pockets", "0.2", "--tunnels-from", "atom:4", "--tunnels", "9"});
+  EXPECT_EQ(json.keys, (Words{"n", "largest_cavity_diameter", "maxima", "gates", "merges", "cavities", "maximum_list",
+                              "gate_list", "pockets", "pocket_list", "from", "from_radius", "tunnels", "tunnel_list",
+                              "tunnel_points", "input"}));
+  EXPECT_NEAR(json["largest_cavity_diameter"].number, 0.6, 1e-8);
+  EXPECT_EQ(json["maxima"].number, 1);
+  EXPECT_EQ(json["gates"].number, 8);
+  EXPECT_EQ(json["merges"].number, 1);
+  EXPECT_EQ(json["cavities"].number, 0);
+  const Json &maximum = json["maximum_list"].items.at(0);
+  EXPECT_NEAR(maximum["death"].number, window, 1e-8);
+  EXPECT_EQ(maximum["parent"].text, "outside");
+  EXPECT_EQ(maximum["balls"].items.size(), 6u);
+  std::set<std::vector<bool>> sides;
+  for (const Json &gate : json["gate_list"].items) {
+    EXPECT_NEAR(gate["radius"].number, window, 1e-8);
+    std::vector<bool> side;
+    for (const Json &coordinate : gate["xyz"].items) {
+      EXPECT_NEAR(std::abs(coordinate.number), 1.0 / 3, 1e-8);
+      side.push_back(coordinate.number > 0);
+    }
+    sides.insert(side);
+    ASSERT_EQ(gate["balls"].items.size(), 3u);
+  }
+  EXPECT_EQ(sides.size(), 8u);
+  const Json &pocket = json["pocket_list"].items.at(0);
+  EXPECT_EQ(json["pockets"].number, 1);
+  EXPECT_NEAR(pocket["radius"].number, 0.3, 1e-8);
+  EXPECT_NEAR(pocket["mouth_radius"].number, window, 1e-8);
+  EXPECT_EQ(pocket["mouths"].items.size(), 8u);
+  EXPECT_EQ(pocket["balls"].items.size(), 6u);
+  EXPECT_NEAR(json["from_radius"].number, 0.3, 1e-8);
+  EXPECT_EQ(json["tunnels"].number, 8);  // there is no ninth window
+  for (const Json &tunnel : json["tunnel_list"].items) {
+    EXPECT_NEAR(tunnel["radius"].number, window, 1e-8);
+    EXPECT_NEAR(tunnel["length"].number, std::sqrt(1.0 / 3), 1e-7);
+  }
+}
+
+// The probe that asks does not grow the balls: it leaves out what is narrower.
+TEST(Pores, TheNarrowestProbe) {
+  const TemporaryFile file("open.xyzr", cage_with_windows);
+  const Json open = run_json({"pores", file.path(), "--probe", "0.1"});
+  EXPECT_EQ(open["gates"].number, 8);
+  EXPECT_NEAR(open["largest_cavity_diameter"].number, 0.6, 1e-8);
+  const Json closed = run_json({"pores", file.path(), "--probe", "0.2", "--tunnels-from", "0,0,0"});
+  EXPECT_NEAR(closed["largest_cavity_diameter"].number, 0.6, 1e-8);
+  EXPECT_EQ(closed["gates"].number, 0);
+  EXPECT_EQ(closed["cavities"].number, 1);
+  EXPECT_EQ(closed["maximum_list"].items.at(0)["gate"].text, "none");
+  EXPECT_EQ(closed["tunnels"].number, 0);
+  const Json wide = run_json({"pores", file.path(), "--probe", "0.31"});
+  EXPECT_EQ(wide["maxima"].number, 0);
+  EXPECT_EQ(wide["largest_cavity_diameter"].kind, Json::Kind::null);
+}
+
+// Probes that touch balls so far apart have no place on the usual lattice.
+TEST(Pores, BallsFarApart) {
+  for (const std::string away : {"50", "500000"}) {
+    std::string balls;
+    for (const std::string sign : {"", "-"}) {
+      for (const std::string &place : {sign + away + " 0 0", "0 " + sign + away + " 0", "0 0 " + sign + away}) {
+        balls += place + " 1\n";
+      }
+    }
+    const TemporaryFile far("far.xyzr", balls);
+    const double distance = std::stod(away);
+    EXPECT_NEAR(run_json({"pores", far.path()})["largest_cavity_diameter"].number, 2 * (distance - 1), 2e-7 * distance);
+  }
+}
+
+TEST(Pores, AllOfCrambinAreAsFarFromTheBallsAsTheySay) {
+  const std::vector<Ball> balls = balls_of_crambin();
+  const Json json = run_json({"pores", crambin(), "--tunnels-from", "9.5887,12.7803,5.7178"});
+  const std::vector<Json> &maxima = json["maximum_list"].items, &gates = json["gate_list"].items;
+  ASSERT_EQ(static_cast<double>(maxima.size()), json["maxima"].number);
+  ASSERT_EQ(static_cast<double>(gates.size()), json["gates"].number);
+  ASSERT_GT(maxima.size(), 100u);
+  for (const Json &maximum : maxima) {
+    expect_largest_probe(balls, maximum, true);
+    const auto gate = static_cast<size_t>(maximum["gate"].number);
+    EXPECT_EQ(gates.at(gate)["radius"].number, maximum["death"].number);
+    EXPECT_GT(maximum["radius"].number, maximum["death"].number);
+  }
+  for (const Json &gate : gates) expect_largest_probe(balls, gate, true);
+  const std::vector<Json> &tunnels = json["tunnel_list"].items;
+  ASSERT_EQ(tunnels.size(), 3u);
+  std::vector<double> narrowest(3, std::numeric_limits<double>::infinity()), length(3, 0);
+  std::set<double> bottlenecks;
+  for (const Json &point : json["tunnel_points"].items) {
+    expect_largest_probe(balls, point, false);
+    const auto tunnel = static_cast<size_t>(point["tunnel"].number) - 1;
+    narrowest.at(tunnel) = std::min(narrowest.at(tunnel), point["radius"].number);
+    EXPECT_GE(point["length"].number, length.at(tunnel));
+    length.at(tunnel) = point["length"].number;
+  }
+  for (size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(tunnels[k]["radius"].number, narrowest[k]);
+    EXPECT_NEAR(tunnels[k]["length"].number, length[k], 1e-9);
+    bottlenecks.insert(tunnels[k]["gate"].number);
+    if (k > 0) {
+      EXPECT_LE(narrowest[k], narrowest[k - 1]);
+    }
+  }
+  EXPECT_EQ(bottlenecks.size(), 3u);
+}
+
+// The widest tunnel has the bottleneck that gate finds from one pair of points alone.
+TEST(Pores, TheWidestTunnelIsThatOfGate) {
+  for (const std::string from : {"9.5887,12.7803,5.7178", "14.3991,14.5115,8.4161"}) {
+    const Json gate = run_json({"gate", crambin(), "--from", from});
+    const Json json = run_json({"pores", crambin(), "--tunnels-from", from, "--tunnels", "1"});
+    ASSERT_EQ(json["tunnels"].number, 1);
+    const Json &tunnel = json["tunnel_list"].items.at(0);
+    EXPECT_NEAR(tunnel["radius"].number, gate["widest_probe"].number, 2e-8);
+    const Json &narrow = json["gate_list"].items.at(static_cast<size_t>(tunnel["gate"].number));
+    ASSERT_EQ(narrow["balls"].items.size(), gate["gate"].items.size());
+    for (size_t k = 0; k < 3; ++k) EXPECT_EQ(narrow["balls"].items[k].number, gate["gate"].items[k].number);
+  }
+}
+
+// Pockets of one probe that no wider one is asked about are the voids of balls grown by it.
+TEST(Pores, PocketsOfOneProbeAreItsVoids) {
+  for (const std::string probe : {"0.7", "0.9", "1.1", "1.4"}) {
+    const Json json = run_json({"pores", crambin(), "--probe", probe, "--pockets", probe});
+    const std::vector<Json> voids = run_json({"voids", crambin(), "--probe", probe})["voids"].items;
+    const std::vector<Json> &pockets = json["pocket_list"].items;
+    ASSERT_EQ(pockets.size(), voids.size()) << probe;
+    EXPECT_GT(pockets.size(), 0u) << probe;
+    std::vector<double> clearance;
+    for (const Json &each : voids) clearance.push_back(each["clearance"].number);
+    std::sort(clearance.rbegin(), clearance.rend());
+    for (size_t k = 0; k < pockets.size(); ++k) {
+      EXPECT_EQ(pockets[k]["gate"].text, "none");
+      EXPECT_NEAR(pockets[k]["radius"].number - std::stod(probe), clearance[k], 1e-4) << probe;
+    }
+  }
+}
+
+TEST(Pores, ThoseThatLastLong) {
+  const Json all = run_json({"pores", crambin(), "--probe", "0.9", "--pockets", "1.5"});
+  const Json few = run_json({"pores", crambin(), "--probe", "0.9", "--pockets", "1.5", "--least", "0.1"});
+  struct Case {
+    std::string list, number, narrow;
+  };
+  for (const Case &each : {Case{"maximum_list", "maximum", "death"}, Case{"pocket_list", "pocket", "mouth_radius"}}) {
+    std::vector<double> expected, found;
+    for (const Json &one : all[each.list].items) {
+      if (one["radius"].number - one[each.narrow].number >= 0.1) expected.push_back(one[each.number].number);
+    }
+    for (const Json &one : few[each.list].items) found.push_back(one[each.number].number);
+    EXPECT_EQ(found, expected);
+    EXPECT_GT(found.size(), 1u);
+    EXPECT_LT(found.size(), all[each.list].items.size());
+  }
+  const Outcome rows =
+      run_program({"pores", crambin(), "--probe", "0.9", "--pockets", "1.5", "--least", "0.1", "--balls"});
+  size_t lists = 0;
+  for (size_t at = 0; (at = rows.out.find("balls around pocket", at)) != std::string::npos; ++at) ++lists;
+  EXPECT_EQ(lists, few["pocket_list"].items.size());
+}
+
+// Each table of --csv holds the numbers of JSON.
+TEST(Pores, TablesOfCommaSeparatedValues) {
+  struct Case {
+    Words options;
+    std::string list;
+    Words titles;
+  };
+  const std::vector<Case> cases = {
+      {{}, "maximum_list", {"maximum", "x", "y", "z", "radius", "death", "gate", "parent"}},
+      {{"--gates"}, "gate_list", {"gate", "x", "y", "z", "radius", "end", "other_end", "merges"}},
+      {{"--pockets", "3"},
+       "pocket_list",
+       {"pocket", "x", "y", "z", "radius", "mouth_radius", "maximum", "gate", "maxima", "mouths", "balls"}},
+      {{"--tunnels-from", "9.5,12.7,5.7"},
+       "tunnel_points",
+       {"tunnel", "length", "x", "y", "z", "radius", "gate", "maximum"}}};
+  for (const Case &each : cases) {
+    Words arguments = {"pores", crambin(), "--probe", "0.5"};
+    arguments.insert(arguments.end(), each.options.begin(), each.options.end());
+    const std::vector<Json> rows = run_json(arguments)[each.list].items;
+    arguments.push_back("--csv");
+    std::istringstream table(run_program(arguments).out);
+    size_t row = 0;
+    std::string line, cell;
+    Words titles;
+    std::getline(table, line);
+    for (std::istringstream cells(line); std::getline(cells, cell, ',');) titles.push_back(cell);
+    EXPECT_EQ(titles, each.titles);
+    for (; std::getline(table, line); ++row) {
+      size_t column = 0;
+      ASSERT_LT(row, rows.size());
+      for (std::istringstream cells(line); std::getline(cells, cell, ','); ++column) {
+        const std::string &title = titles.at(column);
+        if (title.size() == 1) {
+          const size_t axis = static_cast<size_t>(title[0] - 'x');
+          EXPECT_EQ(rows[row]["xyz"].items.at(axis).text, cell);
+        } else if (rows[row][title].kind == Json::Kind::array) {
+          EXPECT_EQ(std::to_string(rows[row][title].items.size()), cell);
+        } else {
+          EXPECT_EQ(rows[row][title].text, cell);
+        }
+      }
+      EXPECT_EQ(column, titles.size());
+    }
+    EXPECT_EQ(row, rows.size());
+    EXPECT_GT(row, 0u);
+  }
+}
+
+}  // namespace
