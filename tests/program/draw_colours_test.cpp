@@ -469,21 +469,25 @@ TEST(DrawColours, LooksArePresets) {
       {"goodsell",
        {"--palette", "chain", "--ink", "--style", "flat", "--occlusion", "0.5", "--outline", "0", "--fog", "0.4"}},
       {"slide",
-       {"--ink", "--occlusion", "0.5", "--outline", "0", "--fog", "0.15", "--background", "14171E", "--outline-colour",
-        "ECE9E2", "--ink-colour", "14171E", "--width", "1600", "--height", "900"}},
+       {"--ink-width", "0,2,3", "--occlusion", "0.5", "--outline", "0", "--fog", "0.15", "--background", "14171E",
+        "--outline-colour", "14171E", "--ink-colour", "14171E", "--width", "1600", "--height", "900"}},
       {"print",
        {"--ink", "--style", "flat", "--occlusion", "0", "--fog", "0", "--outline-colour", "000000", "--ink-colour",
         "000000"}}};
   for (const auto &[look, same] : looks) {
-    EXPECT_EQ(drawn(crambin(), {"--look", look}), drawn(crambin(), same)) << look;
+    // No option leaves out one kind of contours and the widths of the others as they are.
+    std::vector<std::string> by_look = {"--look", look};
+    if (look == "slide") by_look.insert(by_look.end(), {"--ink-width", "0,2,3"});
+    EXPECT_EQ(drawn(crambin(), by_look), drawn(crambin(), same)) << look;
     // The last of its options that has a value says something else now.
     std::vector<std::string> other = same;
     other.back() = look == "slide" ? "800" : look == "print" ? "0000ff" : "0.1";
     const std::string option = other[other.size() - 2];
-    EXPECT_EQ(drawn(crambin(), {"--look", look, option, other.back()}),
-              look == "slide" ? drawn(crambin(), {"--ink", "--occlusion", "0.5", "--outline", "0", "--fog", "0.15",
-                                                  "--background", "14171E", "--outline-colour", "ECE9E2",
-                                                  "--ink-colour", "14171E", "--height", "800"})
+    by_look.insert(by_look.end(), {option, other.back()});
+    EXPECT_EQ(drawn(crambin(), by_look),
+              look == "slide" ? drawn(crambin(), {"--ink-width", "0,2,3", "--occlusion", "0.5", "--outline", "0",
+                                                  "--fog", "0.15", "--background", "14171E", "--outline-colour",
+                                                  "14171E", "--ink-colour", "14171E", "--height", "800"})
                               : drawn(crambin(), other))
         << look;
     // Balls and sticks have no contours, nor are they darkened.
@@ -495,6 +499,15 @@ TEST(DrawColours, LooksArePresets) {
     }
   }
   EXPECT_LT(drawn(crambin(), {"--look", "goodsell", "--style", "soft", "--classes"}).size(), 170000u);
+  // Contours of the background's colour are within the molecule alone, and what is written there is light.
+  const TemporaryFile pair("pair.xyz", "2\n\nC 0 0 0\nO 1.2 0 0\n");
+  const std::string slide = drawn(pair.path(), {"--look", "slide", "--scale-bar", "--view", "0,0,1"});
+  EXPECT_EQ(slide.find("class=\"border\""), std::string::npos);
+  EXPECT_NE(drawn(pair.path(), {"--look", "paper", "--view", "0,0,1"}).find("class=\"border\""), std::string::npos);
+  EXPECT_NE(drawn(crambin(), {"--look", "slide"}).find("class=\"depth\""), std::string::npos);
+  EXPECT_NE(slide.find("fill=\"#ece9e2\">"), std::string::npos);
+  const std::string own = drawn(crambin(), {"--look", "slide", "--scale-bar", "--outline-colour", "0000FF"});
+  EXPECT_NE(own.find("fill=\"#0000ff\">"), std::string::npos);
   // By chain where there are two, unless colours are asked for.
   const TemporaryFile two("two.pdb",
                           "ATOM      1  CA  ALA A   1       0.000   0.000   0.000  1.00  0.00           C\n"

@@ -291,6 +291,31 @@ TEST(DrawOcclusion, PairsInClosedForm) {
   }
 }
 
+// No line parts bonded carbons, so their shades should be near each other: in the mean by 1.1 of sixteen steps.
+TEST(DrawOcclusion, ChangesLittleAlongBonds) {
+  const std::map<int, std::string> full = fills(crambin(), {"--occlusion", "1", "--all-balls"});
+  const std::vector<std::string> atoms = atoms_of(crambin());
+  ASSERT_EQ(full.size(), atoms.size());
+  const double step = (brightness("D2CDC3") - brightness(shaded(16))) / 16;
+  double sum = 0;
+  int bonds = 0;
+  for (size_t i = 0; i < atoms.size(); ++i) {
+    for (size_t k = 0; k < i; ++k) {
+      if (atoms[i].substr(76, 2) != " C" || atoms[k].substr(76, 2) != " C") continue;
+      double squares = 0;
+      for (const size_t column : {30, 38, 46}) {
+        const double apart = std::stod(atoms[i].substr(column, 8)) - std::stod(atoms[k].substr(column, 8));
+        squares += apart * apart;
+      }
+      if (squares > 1.9 * 1.9) continue;
+      sum += std::fabs(brightness(full.at(static_cast<int>(i))) - brightness(full.at(static_cast<int>(k)))) / step;
+      ++bonds;
+    }
+  }
+  ASSERT_GT(bonds, 150);
+  EXPECT_LT(sum / bonds, 1.1);
+}
+
 // No edges: another ball far away changes no shade by more than one.
 TEST(DrawOcclusion, OneBallMoreMakesNoDifference) {
   std::map<std::string, int> shade_of_colour;

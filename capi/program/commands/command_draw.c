@@ -58,9 +58,13 @@ static bool view_options_of(const struct drawing *drawing, const struct molecule
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
-/* Among more balls and sticks the eye needs more than lines to tell what is near. */
-enum { MOST_STICKS_AT_A_GLANCE = 60 };
-static const double fog_of_many_sticks = 0.7;
+/* Among more balls and sticks the eye needs more than lines to tell what is near; but in a chain that leads away from
+ * it the far end should be read, too. */
+enum { MOST_STICKS_AT_A_GLANCE = 60, MANY_STICKS = 200 };
+
+static double fog_of_sticks(uint32_t balls) {
+  return balls > MANY_STICKS ? 0.7 : 0.5;
+}
 
 static bool picture_options_of(const struct drawing *drawing, uint32_t balls, const hsp_view_info *view,
                                hsp_picture_options *options, struct picture_frame *frame, struct failure *failure) {
@@ -76,7 +80,7 @@ static bool picture_options_of(const struct drawing *drawing, uint32_t balls, co
   }
   if (drawing->width >= 0.0) options->width = drawing->width;
   if (drawing->outline >= 0.0) options->outline = drawing->outline;
-  if (drawing_is_of_sticks(drawing) && balls > MOST_STICKS_AT_A_GLANCE) options->fog = fog_of_many_sticks;
+  if (drawing_is_of_sticks(drawing) && balls > MOST_STICKS_AT_A_GLANCE) options->fog = fog_of_sticks(balls);
   if (drawing->fog >= 0.0) options->fog = drawing->fog;
   if (drawing->margin >= 0.0) options->margin = drawing->margin;
   if (drawing->scale > 0.0) {

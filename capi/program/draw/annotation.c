@@ -13,6 +13,7 @@ enum { MOST_ENTRIES = 200, RAMP_PARTS = 65, TEXT_BYTES = 48, MOST_POWERS = 300 }
 
 static const double letter_height = 0.72;         /* of capitals, in sizes */
 static const double line_height = 1.3;            /* from label to label */
+static const double clear_of_edge = 0.12;         /* a name within a ball, in sizes */
 static const double smallest_share = 1.0 / 110.0; /* of the width of the page: letters below that are not read */
 
 struct writer {
@@ -124,7 +125,7 @@ static void write_side(const struct writer *writer, struct placed_label *label, 
     for (size_t i = 0; i < count; ++i) {
       const double from[2] = {left ? x + 0.25 * size : x - 0.25 * size, label[i].y};
       const uint32_t colour = seam == 1 ? writer->seam : writer->colour;
-      pen_line(&writer->pen, from, label[i].at, size * (seam == 1 ? 0.2 : 0.06), colour);
+      pen_line(&writer->pen, from, label[i].at, size * (seam == 1 ? 0.16 : 0.06), colour);
       const double wide = label[i].hidden ? ring : dot;
       pen_line(&writer->pen, label[i].at, label[i].at, size * (seam == 1 ? wide + 0.15 : wide), colour);
       if (seam == 0 && label[i].hidden) {
@@ -150,7 +151,8 @@ static bool write_labels(const struct writer *writer, struct failure *failure) {
         0.0,
         frame->scale * label->radius < dot / 2.0 * writer->size};
     const double across = text_width(label->text, writer->size);
-    if (hypot(across, letter_height * writer->size) / 2.0 <= frame->scale * label->radius) {
+    const double reach = hypot(across, letter_height * writer->size) / 2.0 + clear_of_edge * writer->size;
+    if (reach <= frame->scale * label->radius) {
       write_within(writer, label, placed.at);
     } else {
       const int right = placed.at[0] > writer->width / 2.0 ? 1 : 0;
@@ -273,7 +275,8 @@ static double entry_width(const struct entry *entry, double size) {
   return 1.5 * size + text_width(entry->text, size);
 }
 
-/* From right to left. Where there are more than have room, letters are smaller, and then the last entries are dots. */
+/* From right to left. Where there are more than have room, they stand closer, then letters are smaller, and then the
+ * last entries are dots. */
 static void write_entries(const struct writer *writer, double y) {
   static const double smallest = 0.6;
   static const char more[] = "..";
@@ -283,6 +286,7 @@ static void write_entries(const struct writer *writer, double y) {
   const double room = (writer->annotation->drawing->scale_bar ? 0.66 : 1.0) * writer->width - writer->size;
   double wide = quantity == NULL ? 0.0 : text_width(quantity, writer->size) + 0.6 * writer->size;
   for (size_t i = 0; i < legend.entries; ++i) wide += entry_width(&legend.entry[i], writer->size);
+  const double air = wide + 0.3 * writer->size * (double)legend.entries <= room ? 0.15 * writer->size : 0.0;
   const double size = writer->size * (wide <= room ? 1.0 : wide * smallest >= room ? smallest : room / wide);
   double left = (quantity == NULL ? 0.4 * size : text_width(quantity, size) + size) +
                 (wide * smallest > room || legend.cut ? text_width(more, size) : 0.0);
@@ -296,9 +300,9 @@ static void write_entries(const struct writer *writer, double y) {
     write_text(writer, more, x, y, size, 0.0);
   }
   for (size_t i = shown; i-- > 0;) {
-    x -= 0.45 * size + text_width(legend.entry[i].text, size);
+    x -= air + 0.45 * size + text_width(legend.entry[i].text, size);
     write_text(writer, legend.entry[i].text, x, y, size, 0.0);
-    x -= 1.05 * size;
+    x -= air + 1.05 * size;
     const double corner[2] = {x, y - 0.45 * size};
     const double behind[2] = {corner[0] - 0.06 * size, corner[1] - 0.06 * size};
     pen_rectangle(&writer->pen, behind, 1.02 * size, 1.02 * size, writer->colour);
@@ -337,13 +341,14 @@ static void write_ramp(const struct writer *writer, double y) {
 bool annotation_write(const struct annotation *annotation, struct text_buffer *out, struct failure *failure) {
   const struct drawing *drawing = annotation->drawing;
   const hsp_picture_options *options = annotation->options;
-  const struct writer writer = {.annotation = annotation,
-                                .pen = {out, options->format, annotation->frame.height},
-                                .width = annotation->frame.width,
-                                .height = annotation->frame.height,
-                                .size = annotation->frame.letter,
-                                .colour = options->outline_colour,
-                                .seam = options->background};
+  const struct writer writer = {
+      .annotation = annotation,
+      .pen = {out, options->format, annotation->frame.height},
+      .width = annotation->frame.width,
+      .height = annotation->frame.height,
+      .size = annotation->frame.letter,
+      .colour = drawing->text_colour >= 0 ? (uint32_t)drawing->text_colour : options->outline_colour,
+      .seam = options->background};
   const double y = writer.height - (annotation->frame.strip > 0.0 ? annotation->frame.strip / 2.0 : writer.size);
   bool done = true;
   pen_begin(&writer.pen);

@@ -5,7 +5,8 @@
 
 /* Lengths in angstrom where a typical large ball has the radius of carbon. */
 static const double carbon_radius = 1.7;
-static const double reach = 5.0; /* of the smoothing */
+static const double reach = 4.0; /* of the smoothing */
+static const double bond = 1.9;  /* nearer balls are one body: there is no line between them */
 static const double largest_probe = 7.0;
 
 /* The larger the probe, the more neighbours a ball has: 7 costs about five times as much as 2.8, and that as 1.4. So
@@ -121,7 +122,7 @@ static bool find_neighbourhood(const struct geometry *geometry, const double xyz
   }
 }
 
-/* (1 - (d/reach)^2)^3 falls off as exp(-d^2/8) does, and reaches 0. */
+/* (1 - (d/reach)^2)^3 falls off as exp(-3 (d/reach)^2) does, and reaches 0. */
 static double weight_at(const double a[3], const double b[3], double radius) {
   double part = 1.0;
   for (int axis = 0; axis < 3; ++axis) part -= (a[axis] - b[axis]) / radius * ((a[axis] - b[axis]) / radius);
@@ -133,15 +134,16 @@ static int64_t whole(double part) {
   return (int64_t)(part * 1099511627776.0 + 0.5); /* 2^40: room for millions of neighbours */
 }
 
-static bool smooth(const struct molecule *molecule, const struct geometry *geometry, double radius, const double *from,
-                   double *to, struct neighbourhood *near, struct failure *failure) {
+/* The mean of all balls that near, with weights that fall off, or even ones. */
+static bool smooth(const struct molecule *molecule, const struct geometry *geometry, double radius, bool even,
+                   const double *from, double *to, struct neighbourhood *near, struct failure *failure) {
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     const double *centre = molecule->xyz + 3 * (size_t)i;
     if (!find_neighbourhood(geometry, centre, radius, near, failure)) return false;
     int64_t sum = 0;
     int64_t weights = 0;
     for (uint32_t k = 0; k < near->count; ++k) {
-      const double weight = weight_at(centre, molecule->xyz + 3 * (size_t)near->ids[k], radius);
+      const double weight = even ? 1.0 : weight_at(centre, molecule->xyz + 3 * (size_t)near->ids[k], radius);
       sum += whole(weight * from[near->ids[k]]);
       weights += whole(weight);
     }
@@ -189,10 +191,13 @@ static bool find_exposure(const struct molecule *molecule, const struct geometry
     if (*crowded) return true;
   }
   struct neighbourhood near = {NULL, 0, 0};
-  const double radius = reach * scale;
-  const bool done = smooth(molecule, geometry, radius, exposure, scratch, &near, failure) &&
-                    smooth(molecule, geometry, radius, scratch, exposure, &near, failure) &&
-                    normalise(exposure, molecule->atoms, failure);
+  bool done = true;
+  for (int even = 0; even <= 1; ++even) {
+    const double radius = (even == 1 ? bond : reach) * scale;
+    done = done && smooth(molecule, geometry, radius, even == 1, exposure, scratch, &near, failure) &&
+           smooth(molecule, geometry, radius, even == 1, scratch, exposure, &near, failure);
+  }
+  done = done && normalise(exposure, molecule->atoms, failure);
   free(near.ids);
   return done;
 }
