@@ -242,7 +242,7 @@ static void check_readings(hsp_workspace *work, int32_t expected) {
 static void boundary_grows(void) {
   static ball_set apart, crowd;
   hsp_workspace work = {0};
-  uint32_t vertices;
+  uint32_t neighbours;
   hsp_topology_counts topology;
   hsp_surface_counts surface;
   hsp_mesh_counts mesh;
@@ -257,10 +257,10 @@ static void boundary_grows(void) {
   check_scene("a boundary that grows");
   CHECK_EQUAL(compute_all(&work, &apart), HSP_OK);
   CHECK_EQUAL(hsp_workspace_mesh(&work, 0, 2), HSP_OK);
-  vertices = work.boundary_limits.vertices;
+  neighbours = work.boundary_limits.neighbours;
   CHECK_EQUAL(hsp_workspace_set(&work, crowd.n, crowd.xyz, crowd.radius, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_workspace_boundary(&work), HSP_OK);
-  CHECK(work.boundary_limits.vertices > vertices);
+  CHECK(work.boundary_limits.neighbours > neighbours);
   CHECK_EQUAL(hsp_topology_get_counts(work.topology, &topology), HSP_E_STATE);
   CHECK_EQUAL(hsp_surface_get_counts(work.surface, &surface), HSP_E_STATE);
   CHECK_EQUAL(hsp_mesh_get_counts(work.mesh, &mesh), HSP_E_STATE);
