@@ -202,7 +202,23 @@ int sign_at_falling_root(const Long &A, const Long &b, const Long &c, const Long
   return before ? slope.sign() : -slope.sign();
 }
 
-// |P|^2 - p^2. By call: what it has on the stack is not added to that of the rest.
+// Parts of a line are computed by call: what one has on the stack is not added to that of the others.
+
+// The line of rows that leave its z free; false if they do not.
+[[gnu::noinline]] bool fill_steep(const CurveRows<Integer> &rows, const Row<Integer> &third, TangentLines::Line &line) {
+  const SteepLine<Integer> steep(rows, third);
+  if (steep.D.sign() == 0) return false;
+  line.P = steep.P;
+  line.Q = steep.Q;
+  line.D = line.q = steep.D;
+  line.p = Integer();
+  line.A = steep.A();
+  line.b = steep.b();
+  line.c = steep.c();
+  return true;
+}
+
+// |P|^2 - p^2.
 [[gnu::noinline]] Long constant_of(const TangentLines::Line &line) {
   const Long x(line.P.x), y(line.P.y), z(line.P.z), p(line.p);
   return x * x + y * y + z * z - p * p;
@@ -317,18 +333,9 @@ const TangentPoint::Line &TangentPoint::exact_line() const {
 void TangentPoint::fill(Line &line) const {
   const CurveRows<Integer> rows(*balls_, curve_);
   const Row<Integer> third = last_row(*balls_, curve_, rows, last_);
-  const SteepLine<Integer> steep(rows, third);
-  line.flat = steep.D.sign() == 0;
   line.there = true;
-  if (!line.flat) {
-    line.P = steep.P;
-    line.Q = steep.Q;
-    line.D = line.q = steep.D;
-    line.p = Integer();
-    line.A = steep.A();
-    line.b = steep.b();
-    line.c = steep.c();
-  } else {
+  line.flat = !fill_steep(rows, third, line);
+  if (line.flat) {
     fill_flat(rows, third, line);
     line.c = constant_of(line);
   }
