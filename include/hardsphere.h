@@ -115,7 +115,7 @@
  *   sticks      -                                  as map                           what covers what, and as map:
  *                                                                                   HSP_E_CONFLICT, HSP_E_CHECK
  *   picture     -                                  coordinates on the page          -
- *   What is rounded has an error of a few last bits of the result, or is said at the function.
+ *   A rounded number has an error of a few last bits of the result, or the function says how large it is.
  *
  * MEMORY
  *   The library never allocates. For a handle X: hsp_X_bytes tells the size, hsp_X_init carves the handle out of memory

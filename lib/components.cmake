@@ -2,7 +2,7 @@
 # package. Ground, balls and union, on which they stand, are always there.
 set(HSP_ALL_COMPONENTS smooth space sight)
 set(HSP_COMPONENTS ${HSP_ALL_COMPONENTS} CACHE STRING "Parts of the library besides models, queries, unions and boxes")
-# What of include/hardsphere is theirs.
+# Their parts of include/hardsphere.
 set(HSP_smooth_HEADERS surface mesh)
 set(HSP_space_HEADERS cells paths pores)
 set(HSP_sight_HEADERS view map sticks picture)

@@ -241,8 +241,8 @@ set(HSP_LIBRARY_SOURCES
   capi/shims/hsp_sticks.cpp
   capi/shims/hsp_sticks_map.cpp)
 
-# The wings: which sources are theirs, the interface's among them, and whose headers those of lib/ find. What no other
-# pattern takes of the interface is union's.
+# The wings: which sources are theirs, the interface's among them, and whose headers those of lib/ find. The part of
+# the interface that no other pattern takes is union's.
 set(ground_pattern "lib/ground/")
 set(balls_pattern "lib/balls/|capi/shims/(element_(radii|symbols)|residue_radii|hsp_(status|element|residue|model|query|body))\\.cpp")
 set(union_pattern "lib/union/|capi/shims/")

@@ -30,7 +30,7 @@ constexpr int32_t first_failure(int32_t first, int32_t second, int32_t third = H
   return second != HSP_OK ? second : third;
 }
 
-// What every function checks of a handle that it is given: null is an argument as bad as others, anything else that is
+// The check of a handle in every function: null is an argument as bad as others, anything else that is
 // no live handle of this kind has a status of its own. `bad`: whether other arguments are.
 template <class Handle>
 int32_t check_handle(const Handle *handle, bool bad = false) {
@@ -89,7 +89,7 @@ inline int32_t check_weights(const double *sigma, IdRange range, uint32_t *first
   return HSP_OK;
 }
 
-// What every copying function of a computed handle checks: arguments, state, and that exactly count(*handle) records
+// The checks of every copying function of a computed handle: arguments, state, and that exactly count(*handle) records
 // fit.
 template <class Handle, class Count>
 int32_t check_request(const Handle *handle, const void *out, uint32_t capacity, uint32_t *needed, Count count) {
@@ -107,7 +107,7 @@ int32_t check_range(const Handle *handle, uint32_t first, uint32_t count, const 
   return first > there || count > there - first ? HSP_E_ID : HSP_OK;
 }
 
-// What every check of a computed handle ends with: the first violated invariant and where it fails.
+// The end of every check of a computed handle: the first violated invariant and where it fails.
 template <class Invariant>
 int32_t report(const Violation<Invariant> &violation, uint32_t *invariant, uint32_t *id) {
   *invariant = static_cast<uint32_t>(violation.invariant);

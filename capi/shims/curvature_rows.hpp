@@ -26,7 +26,7 @@ struct CurvatureArrays {
   }
 };
 
-// What is asked of a morphometric energy.
+// The questions about a morphometric energy.
 struct MorphometryRequest {
   hsp_morphometry_request given{};
   Executor executor{};

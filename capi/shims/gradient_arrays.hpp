@@ -51,7 +51,7 @@ struct TangentRequest {
 };
 using DerivativesRequest = TangentRequest<hsp_derivatives_request>;
 
-// What is asked of an energy of areas and volume.
+// The questions about an energy of areas and volume.
 struct GradientRequest : TangentRequest<hsp_gradient_request> {
   template <class Outputs>
   int32_t check(uint32_t n, bool wanted, Outputs &outputs) const {

@@ -15,7 +15,7 @@ struct LimitFields {
   static_assert(sizeof(Limits) == sizeof...(field) * sizeof(uint32_t));
   static_assert(sizeof(Given) == sizeof(uint32_t) + sizeof(Limits));
 
-  // What a program gives. HSP_E_RANGE if one is larger than any count.
+  // Reads a program's limits. HSP_E_RANGE if one is larger than any count.
   static int32_t read(const Given *given, Limits &limits) {
     Given complete;
     if (const int32_t status = read_struct(given, {}, complete); status != HSP_OK) return status;

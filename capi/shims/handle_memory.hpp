@@ -1,4 +1,4 @@
-// What all handles have in common: they lie at the start of the caller's memory, with what their builder carves behind
+// Common to all handles: they lie at the start of the caller's memory, with what their builder carves behind
 // them, and they hold results or none.
 //
 // A handle is a struct with a tag (handle_tag.hpp), then its builder, named by its member type Builder, and default
@@ -37,7 +37,7 @@ int32_t init_limits(typename Handle::Limits::InHeader *limits, uint32_t struct_s
   return status == Status::ok ? Handle::Limits::write(defaults, limits, struct_size) : to_c(status);
 }
 
-// What every hsp_X_bytes ends with.
+// The end of every hsp_X_bytes.
 template <class Handle, class Limits>
 int32_t get_bytes(const Limits &limits, size_t *bytes) {
   const size_t required = bytes_of<Handle>(limits);
@@ -87,7 +87,7 @@ int32_t hand_back_limits(const Handle &handle, Status status, typename Handle::L
   return to_c(status);
 }
 
-// What every hsp_X_compute ends with.
+// The end of every hsp_X_compute.
 template <class Handle>
 int32_t finish(Handle &handle, Status status, typename Handle::Limits::InHeader *limits) {
   handle.complete = status == Status::ok;

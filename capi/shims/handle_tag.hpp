@@ -27,7 +27,7 @@ enum class HandleKind : uint8_t {
   view,
 };
 
-// What the first word of a live handle says: what it is and where. Memory that holds something else, another kind of
+// The first word of a live handle: what it is and where. Memory that holds something else, another kind of
 // handle or one that was copied from elsewhere does not say that.
 template <class Handle>
 uintptr_t tag_of(const Handle *handle) {

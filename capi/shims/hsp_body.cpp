@@ -17,7 +17,7 @@ int32_t make_pose(const hsp_body *fixed, const hsp_body *posed, const hsp_ration
   return hsp::capi::to_c(hsp::make_pose(fixed->tree, posed->tree, numbers.quaternion, numbers.translation, pose));
 }
 
-// What the numbers of a pose make.
+// The poses that numbers make.
 template <class Numbers>
 struct PoseOf;
 template <>

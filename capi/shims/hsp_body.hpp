@@ -1,4 +1,4 @@
-// What is behind the handle hsp_body.
+// The inside of the handle hsp_body.
 #pragma once
 
 #include "handle_memory.hpp"

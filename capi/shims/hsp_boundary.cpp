@@ -43,7 +43,7 @@ uint32_t side_of(const hsp::BallSet &balls, uint32_t ball, uint32_t other) {
   return balls.given_before(ball, other) ? 0 : 1;
 }
 
-// What arcs and circles have in common: the circle of balls a and b.
+// Common to arcs and circles: the circle of balls a and b.
 template <class Record>
 void write_circle(const hsp::BallSet &balls, uint32_t a, uint32_t b, Record &record) {
   const hsp::CirclePosition position = hsp::position_of_circle(balls, a, b);

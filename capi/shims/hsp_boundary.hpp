@@ -1,4 +1,4 @@
-// What is behind the handle hsp_boundary.
+// The inside of the handle hsp_boundary.
 #pragma once
 
 #include "boundary/boundary_builder.hpp"

@@ -1,4 +1,4 @@
-// What is behind the handle hsp_cells.
+// The inside of the handle hsp_cells.
 #pragma once
 
 #include "cells/free_space_builder.hpp"

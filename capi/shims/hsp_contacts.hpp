@@ -1,4 +1,4 @@
-// What is behind the handle hsp_contacts.
+// The inside of the handle hsp_contacts.
 #pragma once
 
 #include "contacts/contacts_builder.hpp"

@@ -1,4 +1,4 @@
-// What is behind the handle hsp_map.
+// The inside of the handle hsp_map.
 #pragma once
 
 #include "hsp_model.hpp"

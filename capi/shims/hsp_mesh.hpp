@@ -1,4 +1,4 @@
-// What is behind the handle hsp_mesh.
+// The inside of the handle hsp_mesh.
 #pragma once
 
 #include "hsp_surface.hpp"

@@ -1,4 +1,4 @@
-// What is behind the handle hsp_model.
+// The inside of the handle hsp_model.
 #pragma once
 
 #include "handle_memory.hpp"

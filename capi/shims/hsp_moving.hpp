@@ -1,4 +1,4 @@
-// What is behind the handle hsp_moving.
+// The inside of the handle hsp_moving.
 #pragma once
 
 #include "handle_memory.hpp"

@@ -1,4 +1,4 @@
-// What is behind the handles hsp_paths and hsp_gate.
+// The inside of the handles hsp_paths and hsp_gate.
 #pragma once
 
 #include "hsp_model.hpp"

@@ -1,4 +1,4 @@
-// What is behind the handle hsp_periodic.
+// The inside of the handle hsp_periodic.
 #pragma once
 
 #include "handle_memory.hpp"

@@ -32,7 +32,7 @@ void put_position(const hsp::PeriodicUnion &periodic, const hsp::Position &posit
   for (double &x : xyz) x = periodic.images().lattice().length(x);
 }
 
-// What arcs and circles have in common: the circle of balls a and b of the grid.
+// Common to arcs and circles: the circle of balls a and b of the grid.
 template <class Record>
 void put_circle(const hsp::PeriodicUnion &periodic, uint32_t a, uint32_t b, Record &record) {
   const hsp::CirclePosition position = hsp::position_of_circle(periodic.balls(), a, b);

@@ -61,7 +61,7 @@ int32_t put_images(const hsp::PeriodicImages &images, const hsp::BoxShift &from,
   return HSP_OK;
 }
 
-// What meets a ball around a place of the box, but for ball `excluded`.
+// The balls that meet one around a point of the box, but for ball `excluded`.
 int32_t put_meeting(const hsp::PeriodicUnion &periodic, const hsp::exact::Vector &centre, int64_t radius,
                     uint32_t excluded, const hsp::BoxShift &from, hsp_image *out, uint32_t capacity, uint32_t *needed) {
   const hsp::PeriodicImages &images = periodic.images();

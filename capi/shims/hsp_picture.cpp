@@ -142,7 +142,7 @@ int32_t check_ink(const hsp_sticks &, const hsp_map *map) {
   return map == nullptr ? HSP_OK : HSP_E_ARGUMENT;
 }
 
-// What a picture shows but its paths.
+// The content of a picture but its paths.
 struct Contents {
   const hsp::BallSet &balls;
   const Call &call;

@@ -1,4 +1,4 @@
-// What is behind the handle hsp_pores.
+// The inside of the handle hsp_pores.
 #pragma once
 
 #include "hsp_model.hpp"

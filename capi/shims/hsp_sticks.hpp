@@ -1,4 +1,4 @@
-// What is behind the handle hsp_sticks.
+// The inside of the handle hsp_sticks.
 #pragma once
 
 #include "hsp_model.hpp"

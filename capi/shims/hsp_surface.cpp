@@ -29,8 +29,8 @@ int32_t finish(hsp_surface &surface, const hsp_boundary &boundary, hsp::Status s
   return hsp::capi::finish(surface, status, limits);
 }
 
-// What no ball's own faces show. Of equal balls all but one have no vertices. Without a probe all balls that touch from
-// inside count, with one those of different weights: their shares have a kink, the sum has not.
+// Cases that no ball's own faces show. Of equal balls all but one have no vertices. Without a probe all balls that
+// touch from inside count, with one those of different weights: their shares have a kink, the sum has not.
 void flag_degenerate_balls(const hsp::CubeGrid &grid, const hsp::Boundary &boundary, const hsp::Surface &surface,
                            const hsp::AreaWeights &weights, bool any_tied, uint32_t *flags) {
   const hsp::BallSet &balls = grid.balls();

@@ -1,4 +1,4 @@
-// What is behind the handle hsp_surface.
+// The inside of the handle hsp_surface.
 #pragma once
 
 #include "hsp_boundary.hpp"

@@ -8,7 +8,7 @@ using hsp::capi::is_live;
 
 namespace {
 
-// What can be read of a surface with results.
+// Records of a surface with results.
 struct SurfaceResults {
   const hsp::BallSet &balls;
   const hsp::Boundary &boundary;

@@ -1,4 +1,4 @@
-// What is behind the handle hsp_topology.
+// The inside of the handle hsp_topology.
 #pragma once
 
 #include "hsp_boundary.hpp"

@@ -5,7 +5,7 @@ namespace {
 
 using hsp::capi::check_range;
 
-// What can be read of a topology with results.
+// Records of a topology with results.
 struct TopologyResults {
   const hsp::BallSet &balls;
   const hsp::Boundary &boundary;

@@ -10,7 +10,7 @@ namespace {
 using hsp::capi::check_output;
 using hsp::capi::check_request;
 
-// What every list of what belongs to one region or shell, number `id`, checks before it counts.
+// The checks of every list of one region or shell, number `id`, before it counts.
 int32_t check_list(const hsp_topology *topology, uint32_t id, uint32_t hsp::Topology::*number, const uint32_t *out,
                    uint32_t capacity) {
   const int32_t status = check_results(topology, out == nullptr && capacity > 0);

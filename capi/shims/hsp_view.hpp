@@ -1,4 +1,4 @@
-// What is behind the handle hsp_view.
+// The inside of the handle hsp_view.
 #pragma once
 
 #include "hsp_model.hpp"

@@ -116,7 +116,7 @@ int32_t get_pole(const Handle &handle, const Map &map, uint32_t face, hsp_map_po
   return HSP_OK;
 }
 
-// What is seen at a point, in lengths of the caller.
+// The body seen at a point, in lengths of the caller.
 template <class Handle, class Map, class Sight>
 void put_sight(const Handle &handle, const Map &map, const Sight &sight, double x, double y, hsp_map_sight &out) {
   const exact::Lattice &lattice = handle.balls().lattice;

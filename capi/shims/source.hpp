@@ -1,10 +1,10 @@
-// What the results of a handle were computed from, and whether that is still as it was: the same handle at the same
+// The source of a handle's results, and whether that is still as it was: the same handle at the same
 // place, which holds the same.
 //
 // A count of computations would not tell, as a handle that is made anew in the same memory begins to count anew. So a
 // version stands for what a handle holds: that of a model is a digest of 64 bits (model/set_digest.hpp, which says why
 // these are enough), that of a boundary the one of its model, from which all of a boundary follows, whatever its limits
-// and workers. What is computed again from the same balls is therefore as it was.
+// and workers. Results computed again from the same balls are therefore as they were.
 #pragma once
 
 #include <cstdint>

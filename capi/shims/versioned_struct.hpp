@@ -41,7 +41,7 @@ size_t common_bytes(uint32_t size) {
   return true;
 }
 
-// What a program gives, completed from `defaults`. HSP_E_VERSION if it asks for what is not known here.
+// A program's struct, completed from `defaults`. HSP_E_VERSION if it asks for anything that is not known here.
 template <class Struct>
 int32_t read_struct(const Struct *given, const Struct &defaults, Struct &complete) {
   if (given == nullptr) return HSP_E_ARGUMENT;

@@ -1,4 +1,4 @@
-// What views and maps share: where to look from, and how their coordinates come back in the caller's unit.
+// Common to views and maps: where to look from, and how their coordinates come back in the caller's unit.
 #pragma once
 
 #include "conversion.hpp"

@@ -151,7 +151,7 @@ class CubeSlots {
     const uint32_t used = used_;  // in a register: slots are numbers like it
     for (uint32_t k = 0; k < used; ++k) slots_[k] = value;
   }
-  // What is rare gets numbers, so that what is not keeps its cubes in registers.
+  // The rare path gets numbers, so that the common one keeps its cubes in registers.
   template <class CubeOf>
   [[gnu::noinline, gnu::cold]] uint32_t find_in_tree(int64_t x, int64_t y, int64_t z, CubeOf cube_of) const {
     const CubeCoordinates cube{x, y, z};

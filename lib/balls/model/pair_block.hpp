@@ -1,5 +1,5 @@
 // The balls that may meet those of one cube, side by side as floats relative to the cube's centre, for lists of all
-// pairs: pair_block_avx2.cpp tests eight of them at a time. What floats do not decide is left to integers, so that the
+// pairs: pair_block_avx2.cpp tests eight of them at a time. Doubtful pairs are left to integers, so that the
 // pairs are exact.
 //
 // With s the side of the cubes and e = 2^-24, coordinates are at most 1.5 s, those of the cube's own balls at most s/2,

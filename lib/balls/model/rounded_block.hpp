@@ -1,5 +1,5 @@
 // All balls around one cube side by side, as the floats that a set with a directory of rows has them rounded to
-// (query_hits.hpp): for the rows of neighbour lists, eight balls at a time. What floats do not decide is left to
+// (query_hits.hpp): for the rows of neighbour lists, eight balls at a time. Doubtful pairs are left to
 // integers, so that the rows are exact.
 #pragma once
 

@@ -1,6 +1,6 @@
 // A moving molecule against one at rest: does any ball of the one meet one of the other, which pairs meet, and how far
 // apart are they. Both are prepared as trees on lattices of the same step; the pose must have room for the reach of the
-// moving one. What is decided is decided in integers, as brute force would, about the snapped balls of a pose
+// moving one. All decisions are made in integers, as brute force would, about the snapped balls of a pose
 // (pose.hpp) or about the ideal ones of a rational pose (rational_pose.hpp); trees only leave out what is certainly
 // apart. Balls that touch meet. Nothing is written to, so that many threads may ask at once.
 #pragma once

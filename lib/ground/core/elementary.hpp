@@ -31,7 +31,7 @@ inline constexpr double arc_tangent_max_ulp = 2.0;
 double arc_tangent(double y, double x);
 
 // An angle closer than this to 0 or 2 pi is taken from exact integers: rounding must not turn a point into a
-// whole circle or back. What is computed in doubles has a far smaller error.
+// whole circle or back. Numbers computed in doubles have a far smaller error.
 inline constexpr double branch_cut_margin = 0x1p-20;
 
 // Largest absolute error of each component of sin_cos, in units of 2^-53. Derivation beside the definition.

@@ -31,8 +31,8 @@ class Executor {
   // Whether work that could be done by one is worth code for several.
   bool is_parallel() const { return !small_code && workers_ > 1; }
 
-  // Does work(0) .. work(tasks - 1), side by side; false unless each was done once. What is called a second time, or is
-  // none of them, is not done. tasks <= max_tasks.
+  // Does work(0) .. work(tasks - 1), side by side; false unless each was done once. A task that is called a second
+  // time, or is none of them, is not done. tasks <= max_tasks.
   template <class Work>
   bool for_each(uint32_t tasks, const Work &work) const {
     if (workers_ > 1 && tasks > 1) {

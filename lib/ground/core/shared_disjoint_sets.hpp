@@ -1,4 +1,4 @@
-// Disjoint sets that several threads may join at once, over caller memory. Whatever the order of joins, the smallest
+// Disjoint sets that several threads may join at once, over caller memory. For every order of joins, the smallest
 // number represents a set and no number has a larger parent, as in DisjointSets, which reads them once all joins are
 // done.
 //

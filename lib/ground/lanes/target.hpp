@@ -8,8 +8,8 @@
 // headers of plain structs, constants and of what has internal linkage only. packaging/target_symbols.sh looks at
 // their symbols. Sources that end in _avx2.cpp are compiled for avx2 alone; what holds for kernels holds for them.
 //
-// What kernels decide or discard has proven error bounds, hence fused operations are welcome there. Numbers that become
-// results are computed without them, or rounded once from an exact value.
+// All that kernels decide or discard has proven error bounds, hence fused operations are welcome there. Numbers that
+// become results are computed without them, or rounded once from an exact value.
 #pragma once
 
 #include <cstdint>

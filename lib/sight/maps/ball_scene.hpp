@@ -1,4 +1,4 @@
-// What a map of balls knows of them: their curves, how these are named where they meet, and where a ball may be seen.
+// The balls of a map: their curves, how these are named where they meet, and where a ball may be seen.
 #pragma once
 
 #include "core/sorting.hpp"
@@ -32,7 +32,7 @@ inline CornerName name_of_tangency(const MapArc &arc, uint32_t end) {
   return {far < nearer ? far : nearer, far < nearer ? nearer : far, no_id, point};
 }
 
-// What a ball takes of the view plane, grown by a margin.
+// A ball's extent in the view plane, grown by a margin.
 inline double silhouette_area(const SeenBall &ball, double margin) {
   return pi * (ball.r + margin) * (ball.r + margin);
 }

@@ -25,7 +25,7 @@ class CreaseOcclusion {
     open_window(-crease.end, crease.end);
   }
 
-  // What the part that may be seen takes of the view plane.
+  // The extent in the view plane of the part that may be seen.
   BoundingBox box() const {
     const SinCos end = sin_cos(crease_.end);
     BoundingBox box;

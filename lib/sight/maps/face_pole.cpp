@@ -209,7 +209,8 @@ class PoleFinder {
     });
   }
 
-  // A circle that touches the middle of a half-edge from its left. Whatever reaches into it is where the next one ends.
+  // A circle that touches the middle of a half-edge from its left. Any half-edge that reaches into it is where the next
+  // one ends.
   void lay_circle(uint32_t h, double radius) {
     const EdgeCurve curve = curve_of(map_, h / 2);
     const EdgeEllipse &ellipse = curve.ellipse;

@@ -16,7 +16,7 @@ inline constexpr double shallow_depth = 0x1p-36;
 // sphere and the cylinder below.
 inline constexpr double level_height = 0x1p-36;
 
-// What ends an arc: nothing (plain), or the ball that begins to hide the curve there. At the natural end of a crease,
+// The end of an arc: nothing (plain), or the ball that begins to hide the curve there. At the natural end of a crease,
 // a tangency, there is no such ball.
 struct ArcEnd {
   MapVertexKind kind = MapVertexKind::plain;

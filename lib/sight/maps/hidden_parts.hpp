@@ -25,8 +25,8 @@ class HiddenParts {
   // False if the curve lies on the front or contour of some body, or enters it between these, so that roundings decide.
   bool certain() const { return certain_; }
 
-  // What a ball hides; true if that is all. At its contour the end of a part is a T on `id`, at its surface it is as
-  // `at_surface` says.
+  // Hides the parts that a ball covers; true if that is all. At its contour the end of a part is a T on `id`, at its
+  // surface it is as `at_surface` says.
   bool add_ball(const SeenBall &ball, uint32_t id, const ArcEnd &at_surface) {
     count_ = 0;
     add_distance(ball, true);
@@ -58,7 +58,7 @@ class HiddenParts {
     return cut([&](const Vec3 &q) { return depth_behind(q, ball) / ball.r; }, ball.r);
   }
 
-  // What a stick hides, by the bodies of its parts.
+  // Hides the parts that a stick covers, by the bodies of its parts.
   bool add_stick(const Stick &stick, uint32_t first_part) {
     const Vec3 along{stick.e[0], stick.e[1], 0.0};
     const Vec3 across{-stick.e[1], stick.e[0], 0.0};

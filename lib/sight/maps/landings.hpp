@@ -16,7 +16,8 @@ struct Landing {
 };
 
 // Sorts landings on one contour, of which these arcs are seen, in ascending order, each at the turn that fits the arcs.
-// What lies in a gap between arcs belongs to the nearer side of it, also in the gap where the contour begins and ends.
+// All that lies in a gap between arcs belongs to the nearer side of it, also in the gap where the contour begins and
+// ends.
 inline void sort_landings(Span<const MapArc> contour, Span<Landing> landings) {
   const MapArc &first = contour[0];
   const MapArc &last = contour[contour.size() - 1];

@@ -189,7 +189,7 @@ class MapChecker : FirstViolation<MapInvariant> {
     return agree(inside, outline, outline > 0.0 ? outline : 1.0) || fail(MapInvariant::areas, no_id);
   }
 
-  // What may be missing of the areas of some loops, as above.
+  // Areas that may be missing from some loops, as above.
   struct Slack {
     double missing = 0.0, terms = 0.0, farthest = 0.0, count = 0.0;
 

@@ -80,7 +80,7 @@ class MapLinker {
   }
 
  private:
-  // Ends of arcs: 2 arc where it begins and 2 arc + 1 where it ends. What the group says of their names is left out.
+  // Ends of arcs: 2 arc where it begins and 2 arc + 1 where it ends. Names that the group gives them are left out.
   struct NamedEnd {
     uint32_t middle, last, point;
     uint32_t end;
@@ -223,7 +223,7 @@ class MapLinker {
         add_whole_edge(a, map);
         continue;
       }
-      // What lies in the gap behind the arc belongs to the nearer side of it.
+      // All that lies in the gap behind the arc belongs to the nearer side of it.
       const double reach = a + 1 < last ? 0.5 * (arc.to + arcs_[a + 1].from) : arc.to + 2 * pi;
       double from = arc.from;
       uint32_t v = vertex_at_[2 * a];
@@ -264,7 +264,7 @@ class MapLinker {
 
   uint32_t leaving(uint32_t end) const { return end % 2 == 0 ? 2 * first_edge_[end / 2] : 2 * last_edge_[end / 2] + 1; }
 
-  // What leaves a vertex of three ends next has the same body on its left.
+  // The next one to leave a vertex of three ends has the same body on its left.
   bool link_three(uint32_t v, Map &map) {
     for (uint32_t k = 0; k < 3; ++k) {
       const uint32_t arriving = leaving(end_at_[3 * v + k]) ^ 1U;

@@ -1,4 +1,4 @@
-// What is seen as paths to be painted: all faces of a body are one, and no two overlap.
+// Visible parts as paths to be painted: all faces of a body are one, and no two overlap.
 #pragma once
 
 #include "core/sorting.hpp"

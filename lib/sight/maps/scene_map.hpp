@@ -1,4 +1,4 @@
-// What is seen of a union of balls along a direction, as a subdivision of the view plane (Section 5.2): every face
+// The visible part of a union of balls along a direction, as a subdivision of the view plane (Section 5.2): every face
 // shows one ball or the background. The bodies may be others, if they are convex: all that depends on what they are is
 // in the scene of a map, BallScene for balls and StickScene for balls and sticks.
 //
@@ -12,7 +12,7 @@
 //   plain    somewhere on a closed curve that has no other vertex
 //   halves   the halves of a stick and what is behind them; not of balls
 //
-// Unlike everything below this room the map rests on floating-point roots. What holds them together is checked while
+// Unlike everything below this room the map rests on floating-point roots. Its connections are checked while
 // it is built (map_builder.hpp). The same input gives the same bits on every machine.
 #pragma once
 
@@ -71,7 +71,7 @@ struct MapFace {
   double area;          // 0 for the unbounded face
 };
 
-// What the makers of a map need room for at most: its bodies and their places, groups of corners, and edges.
+// The most that the makers of a map need room for: its bodies and their places, groups of corners, and edges.
 struct MapSizes {
   uint64_t bodies, groups, edges;
 };

@@ -1,4 +1,4 @@
-// What is seen behind edges on contours, and whether loops say the same where they may be linked wrongly. For maps of
+// The body seen behind edges on contours, and whether loops say the same where they may be linked wrongly. For maps of
 // whatever bodies; sight.highest_at(x, y, except) is the body with the highest front there but one, and whether that is
 // certain.
 #pragma once

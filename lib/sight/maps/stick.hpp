@@ -1,5 +1,5 @@
 // A stick: a solid cylinder around the line from the centre of one ball to that of another one, of the length of that
-// line. What is seen of it is a part of its side between the two junction circles, where it leaves the balls.
+// line. Seen of it is a part of its side between the two junction circles, where it leaves the balls.
 //
 // Coordinates of a point of the view plane beside a stick: a along the axis as it is seen and w across it, to the left.
 // With v = sqrt(radius^2 - w^2) the front of the stick is there at the height (a u_z + v) / h above the foot and

@@ -44,7 +44,7 @@ bool StickArcs::hide_by_stick(Parts &parts, uint32_t body, uint32_t except_stick
   return parts.add_stick(scene_.sticks[k], scene_.body_of(k, 0));
 }
 
-// What the bodies above another one hide of a curve of that; true if that is all.
+// Hides the parts of a body's curve that the bodies above cover; true if that is all.
 template <class Parts>
 bool StickArcs::hide(Parts &parts, uint32_t body, uint32_t except_ball, uint32_t except_stick,
                      const ArcEnd &at_surface) {

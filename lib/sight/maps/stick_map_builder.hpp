@@ -1,5 +1,5 @@
-// What is seen of balls and sticks without a drawing order, exactly: from the pairs of which one may cover the other to
-// the faces that show each.
+// The visible part of balls and sticks without a drawing order, exactly: from the pairs of which one may cover the
+// other to the faces that show each.
 //
 // Balls and sticks are convex, so that what the visibility map rests on holds for them as well: the surface that is
 // seen is the upper envelope of their fronts, only contours hide something, and the circles where two of them meet hide
@@ -7,7 +7,7 @@
 // each stick, and the half circles where it leaves its balls. Under the conditions of stick_sweep.hpp these are all:
 // nothing else of sticks meets anything.
 //
-// What holds it together is checked as of a map of balls, with the difference that labels are not trusted. Where that
+// Its connections are checked as of a map of balls, with the difference that labels are not trusted. Where that
 // fails the caller moves all centres a little.
 #pragma once
 

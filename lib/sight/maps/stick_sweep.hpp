@@ -1,6 +1,6 @@
 // All pairs of balls and parts of sticks of which one may cover the other: what has to be painted first, and whether
-// they meet, or do so where they must not. What meets in space overlaps in the view plane, so that one sweep from left
-// to right finds both.
+// they meet, or do so where they must not. Bodies that meet in space overlap in the view plane, so that one sweep from
+// left to right finds both.
 //
 // Which one is over the other: two disjoint convex bodies that appear over each other do so in one way, wherever they
 // overlap. A part of a stick is contained in the balls of the stick's radius around its axis, which are disjoint from

@@ -24,7 +24,7 @@ constexpr Status default_limits(uint32_t balls, StickLimits &limits) {
   return Status::ok;
 }
 
-// What cannot be drawn, or has no drawing order, with the numbers that the caller gave.
+// Bodies that cannot be drawn, or have no drawing order, with the numbers that the caller gave.
 enum class StickConflict : uint32_t {
   none = 0,
   balls_meet = 1,     // two balls: no order
@@ -42,7 +42,7 @@ struct StickViolation {
   uint32_t first = no_id, second = no_id;
 };
 
-// What a stick from behind leaves of the disc of the ball at its nearer end: the silhouette between the angles
+// The part that a stick from behind leaves of the disc of the ball at its nearer end: the silhouette between the angles
 // middle - half and middle + half is not seen, but the junction circle from t = from to pi - from.
 struct StickBite {
   double middle, half;

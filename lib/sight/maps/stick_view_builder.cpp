@@ -179,7 +179,7 @@ Status StickViewBuilder::finish(const BallSet &balls, bool as_map) {
   return Status::ok;
 }
 
-// What was inside its balls stays out: nothing has been asked of it.
+// All that was inside its balls stays out: nothing has been asked of it.
 void StickViewBuilder::move(const BallSet &balls, double perturbation) {
   for (uint32_t i = 0; i < balls_; ++i) {
     view_.balls[i].centre = moved_centre(balls, i, view_.frame.centre_of(balls, i), perturbation);

@@ -1,7 +1,7 @@
 // Hidden surface removal for balls and sticks by a drawing order that is known to be right: from the balls, the ends of
 // sticks and a direction to paths in the view plane.
 //
-// What is painted: of a ball its front hemisphere without the caps inside sticks that go away from the viewer; of a
+// Painted are: of a ball its front hemisphere without the caps inside sticks that go away from the viewer; of a
 // part of a stick its front between the junction circles, a little longer where what covers it is painted later, so
 // that no background shows through the seams of anti-aliased pictures (stick_outlines.hpp). The order is one in which
 // whatever covers something comes later (stick_sweep.hpp). Then what is seen is what is painted last:
@@ -52,7 +52,7 @@ class StickViewBuilder {
   const StickLimits &needed() const { return needed_; }
   // The limits to try again with after Status::capacity.
   StickLimits retry_limits() const { return covering(limits_, needed_); }
-  // What the map shows at a point.
+  // The body that the map shows at a point.
   BodySight sight() const { return map_.sight(sweep_.boxes()); }
   // Scratch memory for writers of pictures, [balls + 2 sticks], and for checks of the map, [2 edges + 1].
   Span<uint32_t> scratch() { return order_; }

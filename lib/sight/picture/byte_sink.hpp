@@ -1,5 +1,5 @@
-// A buffer in front of the caller's sink. What does not fit goes out in blocks of at most 1024 bytes. In between it may
-// be compressed.
+// A buffer in front of the caller's sink. Bytes that do not fit go out in blocks of at most 1024 bytes. In between it
+// may be compressed.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ class ByteSink {
     for (; *text != '\0'; ++text) put(*text);
   }
 
-  // What is put from here to finish_compressed() goes out as a zlib stream.
+  // Bytes from here to finish_compressed() go out as a zlib stream.
   void start_compressed(Deflater &deflater) {
     flush();
     deflater_ = &deflater;

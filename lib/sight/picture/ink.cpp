@@ -20,7 +20,7 @@ constexpr double most_skew = 2.0;
 constexpr double full_depth = 3.0;
 constexpr double full_group = 0.5;
 
-// px. What is nowhere wider is left out.
+// px. A line that is nowhere wider is left out.
 constexpr double thinnest_ink = 0.02;
 
 // How far a contour may be from what its width asks for: px, or parts of the largest width if that is more.
@@ -30,7 +30,7 @@ constexpr double most_off_of_width = 0.04;
 // px. A lune that is no longer need not follow its width.
 constexpr double shortest_lune = 2.0;
 
-// What lies closer to each other around a ball is in one place.
+// Points that lie closer to each other around a ball are one.
 constexpr double least_angle = 1e-12;
 
 // A lune is at most so long, an angle at the ball's centre.
@@ -75,7 +75,7 @@ class BallInk {
         at_(input.paths.frame().centre_of(input.balls, ball_)),
         centre_(page.centre_of(input, path)),
         radius_(input.balls.r[ball_] * page.scale) {
-    // What is wider than the ball is no contour of it.
+    // A line wider than the ball is no contour of it.
     for (int k = 0; k < 3; ++k) width_[k] = smaller(page.ink[k] * clear, radius_);
     largest_ = larger(larger(width_[0], width_[1]), width_[2]);
   }
@@ -136,7 +136,7 @@ class BallInk {
            (from_start > 0.0 ? stretch.at_start * from_start * from_start : 0.0) +
            (from_end > 0.0 ? stretch.at_end * from_end * from_end : 0.0);
   }
-  // What has to be added at one end to meet the width of the arc that goes on there.
+  // The width to be added at one end to meet that of the arc that goes on there.
   double missing(const SilhouetteArc &arc, const SilhouetteArc::End &end, double angle) const {
     if (!end.goes_on) return 0.0;
     const SinCos direction = sin_cos(angle);
@@ -222,7 +222,7 @@ class BallInk {
     return most > 0.0 ? tangential / along_normal : 0.0;  // circles around one centre have no direction
   }
 
-  // What goes on where the last knot is takes its place.
+  // A knot where the last one is takes its place.
   void put_knot(const Knot &knot) {
     if (knots_ > 0 && !(knot_[knots_ - 1].angle < knot.angle - least_angle)) --knots_;
     knot_[knots_++] = knot;

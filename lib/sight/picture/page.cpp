@@ -28,7 +28,7 @@ double given_side(double side) {
 // px from the middle. Coordinates with ten decimals are integers below 2^62.
 constexpr double farthest_from_middle = 1e7;
 
-// px. What is flatter is nothing but a line. Where lines are drawn along it, so is what is flatter than an eighth of
+// px. Anything flatter is nothing but a line. Where lines are drawn along it, so is anything flatter than an eighth of
 // their width, up to a fifth of a px: that is not seen, and strokes along it break.
 constexpr double flattest_ellipse = 1e-4;
 constexpr double flattest_with_lines = 0.2;

@@ -1,4 +1,4 @@
-// What a picture paints, whatever has found it: a path of arcs in the view plane for each of some balls. A room that
+// Painted paths, by whatever room they are found: a path of arcs in the view plane for each of some balls. A room that
 // knows what is seen hands out such paths; the room of pictures knows no more of it than this.
 #pragma once
 
@@ -15,7 +15,7 @@ struct ArcVisitor {
   void operator()(const ProjectedArc &arc, bool first, bool closes) const { take(context, arc, first, closes); }
 };
 
-// What is filled of a path, or what is drawn with the colour of its lines after all paths are filled.
+// The filled part of a path, or the part drawn with the colour of its lines after all paths are filled.
 enum class PathPart : uint32_t { outline, lines };
 
 class PaintedPaths {
@@ -64,7 +64,7 @@ PaintedPaths paths_of(const View &view);
 // The silhouette of a ball between two angles around its centre, counter-clockwise, in front of one ball or of the
 // background. Balls are in grid order, no_id is the background.
 struct SilhouetteArc {
-  // What lies beyond one end of an arc.
+  // The side beyond one end of an arc.
   struct End {
     bool goes_on;     // on the same silhouette, in front of the ball `other`
     bool goes_under;  // unseen, under the nearer ball `other`; neither: into a crease, where it meets `behind`
@@ -103,8 +103,8 @@ class SeenSilhouettes {
   void (*visit_)(const void *, uint32_t, const SilhouetteVisitor &) = nullptr;
 };
 
-// What the silhouettes of the balls of all paths take of the view plane, and the depths of their centres; zeros without
-// paths.
+// The extent in the view plane of the silhouettes of the balls of all paths, and the depths of their centres; zeros
+// without paths.
 struct ViewBox {
   double low[2];
   double high[2];

@@ -5,7 +5,7 @@
 namespace hsp {
 namespace {
 
-// What Jmol gives to the elements 1 to 109, and at 0 to what it does not know (its documentation, "Jmol colors").
+// Jmol's colours of the elements 1 to 109, and at 0 of those that it does not know (its documentation, "Jmol colors").
 constexpr uint32_t by_element[] = {
     0xFF1493, 0xFFFFFF, 0xD9FFFF, 0xCC80FF, 0xC2FF00, 0xFFB5B5, 0x909090, 0x3050F8, 0xFF0D0D, 0x90E050, 0xB3E3F5,
     0xAB5CF2, 0x8AFF00, 0xBFA6A6, 0xF0C8A0, 0xFF8000, 0xFFFF30, 0x1FF01F, 0x80D1E3, 0x8F40D4, 0x3DFF00, 0xE6E6E6,

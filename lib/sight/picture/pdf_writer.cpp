@@ -161,7 +161,7 @@ class PdfWriter : private PageWalker<PdfWriter> {
   }
 
   // The unit of all that follows is that of the last decimal, so that numbers are integers: short, and no reader has
-  // to be exact. What belongs to a ball is written from its centre on, since what is alike is then written alike.
+  // to be exact. All of a ball is written from its centre on, since equal shapes are then written alike.
   void put_contents() {
     const int fine = decimals_ + 4;
     sink_.put("q\n");

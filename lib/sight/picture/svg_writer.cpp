@@ -77,7 +77,7 @@ class SvgWriter : private PageWalker<SvgWriter> {
     sink_.put("/>\n");
   }
 
-  // What names in the file depend on, all of it as it is rounded there. Pictures beside each other in one page share
+  // All that names in the file depend on, as it is rounded there. Pictures beside each other in one page share
   // names only if they share what is named: light, paths and balls.
   uint32_t key_of_names() const {
     constexpr uint64_t offset_basis = 0xCBF29CE484222325u;  // Fowler, Noll and Vo: FNV-1a
@@ -203,7 +203,7 @@ class SvgWriter : private PageWalker<SvgWriter> {
     put_xml_text(sink_, input_.class_of(ball));
     sink_.put('"');
   }
-  // What browsers show beside the pointer.
+  // Text that browsers show beside the pointer.
   void put_title(uint32_t path) {
     const char *title = input_.title_of(input_.paths.ball_of(path));
     if (is_blank(title)) return;
@@ -321,7 +321,7 @@ class SvgWriter : private PageWalker<SvgWriter> {
     return decimals;
   }
 
-  // What a path's outline is in some frame: a whole circle, or anything else.
+  // The kind of a path's outline in some frame: a whole circle, or anything else.
   struct Shape {
     SvgFrame frame;
     bool disc;

@@ -2,7 +2,7 @@
 // cell above it. A ball whose front lies below that depth wherever it appears is hidden. All comparisons carry a margin
 // for rounding, so what is found hidden is hidden; not everything hidden is found. Coarse cells of 4 x 4 cells hold the
 // lowest floor among them, and tiles of 4 x 4 coarse cells the lowest of these, which suffices for whatever lies deep
-// inside. What they hold may be out of date, hence too low; it is looked after when it does not suffice.
+// inside. Their values may be out of date, hence too low; it is looked after when it does not suffice.
 #pragma once
 
 #include "core/workspace.hpp"

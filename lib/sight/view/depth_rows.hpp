@@ -38,7 +38,7 @@ class EdgeDistances {
     for (uint32_t k = 0; k < cells.columns; k += n) {
       L::store(cells.squared + k, square(disc_.x, disc_.left, cells.first_column + k));
     }
-    // What four lanes read behind the last column.
+    // Read by four lanes behind the last column.
     for (uint32_t k = cells.columns; k % 4 != 0; ++k) cells.squared[k] = infinite;
     for (uint32_t k = 0; k < cells.rows; k += n) {
       L::store(cells.in_row + k, disc_.squared - square(disc_.y, disc_.bottom, cells.first_row + k));

@@ -15,14 +15,14 @@ class OcclusionCuller {
  public:
   void carve(Workspace &workspace, uint32_t balls);
 
-  // Sets visible[i] to 0 for the balls that are found hidden. Balls with visible[i] = 0 before are left out. What is
-  // found does not depend on the order of the balls.
+  // Sets visible[i] to 0 for the balls that are found hidden. Balls with visible[i] = 0 before are left out. The
+  // result does not depend on the order of the balls.
   void hide(const CubeGrid &grid, const ViewFrame &frame, Span<uint8_t> visible);
-  // What the balls that are left cover.
+  // The part covered by the balls that are left.
   DepthBuffer &floor() { return floor_; }
 
  private:
-  // What the balls in question of a cube take, rounded outwards. Without such a ball the height is minus infinity.
+  // The extent of the balls in question of a cube, rounded outwards. Without such a ball the height is minus infinity.
   struct CubeExtent {
     float left, right, bottom, top;  // in the view plane
     float height;                    // of the highest front

@@ -1,4 +1,4 @@
-// What a view holds once it is computed: pieces in drawing order, their loops, and arcs in the view plane. All ids of
+// A computed view: pieces in drawing order, their loops, and arcs in the view plane. All ids of
 // balls are the grid's, all lengths are in lattice steps, all positions relative to the frame's origin.
 #pragma once
 

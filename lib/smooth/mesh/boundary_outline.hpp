@@ -1,5 +1,5 @@
-// What a mesh asks of a boundary, the van der Waals or the solvent-accessible surface: on which spheres patches lie,
-// which curves bound these, and where the points of those are.
+// The questions of a mesh to a boundary, the van der Waals or the solvent-accessible surface: on which spheres patches
+// lie, which curves bound these, and where the points of those are.
 //
 // MeshBuilder asks the same of the smooth surface (surface_outline.hpp): corners, curves with points between their
 // ends, spheres with patches, and bands that are no part of any sphere.

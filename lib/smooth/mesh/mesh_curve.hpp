@@ -1,4 +1,4 @@
-// What the borders of patches have in common, whatever surface they bound: a curve has its points once, so that all
+// Borders of patches of any surface: a curve has its points once, so that all
 // patches that share it share them.
 #pragma once
 

@@ -24,7 +24,7 @@ void SphericalPatch::add_cell(uint32_t face, const uint32_t *corner, uint32_t co
   for (uint32_t k = 0; k < count; ++k) ears_.push({face, {centre, corner[k], corner[(k + 1) % count]}});
 }
 
-// What divides an edge from b to a, if the border leads from b to a as well, or another patch may have it, too.
+// The divider of an edge from b to a, if the border leads from b to a as well, or another patch may have it, too.
 uint32_t SphericalPatch::middle_of(uint32_t a, uint32_t b) {
   if (a == b) return no_id;
   if (links_[b].next != a && !samples_[a].may_be_joined_elsewhere(samples_[b])) return no_id;

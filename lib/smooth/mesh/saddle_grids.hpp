@@ -11,7 +11,7 @@ class SaddleGrids {
  public:
   explicit SaddleGrids(const SurfaceCurves &curves) : curves_(curves) {}
 
-  // What they are expected to need. The curves need not be divided yet.
+  // The room that they are expected to need. The curves need not be divided yet.
   void add_sizes(double length, MeshSizes &sizes) const;
   // Whether the chosen patches have no more triangles than any limit allows. Makes none.
   bool fit(double length) const;

@@ -4,7 +4,7 @@
 
 namespace hsp {
 
-// Points inside keep so much of the distance between points away from borders. What lies deeper in a cap than the
+// Points inside keep so much of the distance between points away from borders. A point deeper in a cap than the
 // second share cannot come to lie in the patch where a chord runs beside its arc.
 constexpr double share_kept_off = 0.6;
 constexpr double share_well_inside = 0.25;
@@ -198,7 +198,7 @@ bool SphericalPatch::cut_ears(uint32_t loop) {
     links_[previous].next = next;
     links_[next].previous = previous;
     links_[k].next = no_id;
-    // What now begins at `previous` may have no length either; it has been looked at before.
+    // The edge that now begins at `previous` may have no length either; it has been looked at before.
     if (previous < k && links_[previous].point == links_[next].point) return false;
   }
   return true;

@@ -61,7 +61,7 @@ class SphericalPatch {
   // pinched: what runs along something else on the way to the next point may take the same way.
   PatchState triangulate(bool pinched = false);
 
-  // What has been added.
+  // The records that have been added.
   uint32_t loop_count() const { return loops_.size(); }
   uint32_t face_of_loop(uint32_t loop) const { return loops_[loop].face; }
   IdRange samples_of_loop(uint32_t loop) const { return {loops_[loop].first, last_sample(loop)}; }
@@ -93,7 +93,7 @@ class SphericalPatch {
     double cosine;
     double inside, near;  // the cosines of what lies well inside and of what lies near
   };
-  // What a sample has as long as it is part of its loop.
+  // Links of a sample as long as it is part of its loop.
   struct Link {
     uint32_t next, previous;  // samples; no_id if it is cut off
     uint32_t point;
@@ -109,7 +109,7 @@ class SphericalPatch {
     uint32_t face;
     uint32_t sample[3];
   };
-  // What belongs to a triangle of the sphere.
+  // Data of a triangle of the sphere.
   struct Part {
     uint32_t face = no_id;                       // no_id: not of the patch
     uint32_t corner[3] = {no_id, no_id, no_id};  // samples, and for points inside vertices of the mesh

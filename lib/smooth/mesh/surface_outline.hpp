@@ -1,6 +1,6 @@
-// What a mesh asks of the smooth surface, of the part of it that is measured (boundary_outline.hpp). Corners and curves
-// are those of SurfaceMap. Convex patches lie on balls, concave ones on the probe's sphere at a vertex; saddles are
-// bands between them.
+// The questions of a mesh to the smooth surface, to the part of it that is measured (boundary_outline.hpp). Corners and
+// curves are those of SurfaceMap. Convex patches lie on balls, concave ones on the probe's sphere at a vertex; saddles
+// are bands between them.
 //
 // No two patches join the same points twice but along a shared edge: bands join neighbours alone, patches on balls
 // share no two points of theirs with others but along an edge, and pieces at vertices share their creases' points.

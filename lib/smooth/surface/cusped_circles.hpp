@@ -7,7 +7,7 @@
 
 namespace hsp {
 
-// What patches decide together is asked for a probe that is smaller by a share of 2^-24, at the same vertices: with r =
+// Joint decisions of patches are made for a probe that is smaller by a share of 2^-24, at the same vertices: with r =
 // 0 all probes around a ball meet in its centre, where their cusps and corners lie, too. Smaller ones keep apart. This
 // is how much larger lengths are in units of it.
 inline constexpr double growth_of_lengths = 1.0 / (1.0 - 0x1p-24);

@@ -63,7 +63,7 @@ class CutPatches {
   // All vertices are added in the order of their ids; a hidden patch as one piece without arcs.
   void clear();
   void begin_vertex(uint32_t vertex) { first_piece_[vertex] = pieces_.size(); }
-  // What its pieces are together, before any of them.
+  // The sum of its pieces, before any of them.
   void begin_patch(const ConcavePatch &patch) {
     if (pieces_.required() < patch_.size()) patch_[pieces_.size()] = patch;
   }

@@ -127,7 +127,7 @@ bool FlatPatches::add_crease(uint32_t across, double angle) {
   return true;
 }
 
-// What of a chain lies between two directions, in its order or backwards.
+// The part of a chain between two directions, in its order or backwards.
 bool FlatPatches::add_between(const Chain &chain, double first, double last, bool backwards) {
   for (uint32_t step = 0; step < chain.count; ++step) {
     const Item &item = chain.item[backwards ? chain.count - 1 - step : step];

@@ -30,7 +30,7 @@ class FlatPatches {
 
   // False if the vertex is not in the plane of its balls, or which strips there are is not known.
   bool find(uint32_t vertex);
-  // What was found, as pieces without area.
+  // The findings, as pieces without area.
   void store(CutPatches &cut) const;
 
  private:

@@ -1,7 +1,7 @@
 // The part of a unit sphere outside all of its caps, for any source of decisions: its area up to multiples of 2 pi, and
 // its vector area.
 //
-// Every pair of circles is asked for its crossing points once, every point whether any cap contains it. What remains
+// Every pair of circles is asked for its crossing points once, every point whether any cap contains it. The rest
 // are the corners of the region. Along a circle they are, counter-clockwise, where another cap ends and where the next
 // one begins, by turns; between such two the circle bounds the region. An answer may be "unknown"; then there is no
 // result, unless some other cap contains the point for certain.

@@ -69,7 +69,7 @@ ProbeState ProbeCaps::gather(const BallSet &balls, const Boundary &boundary, con
   return ProbeState::crossed;
 }
 
-// What a search has found is decided here, whatever the search made sure of.
+// The findings of a search are decided here, whatever it made sure of.
 void ProbeCaps::take(const BallSet &balls, const Boundary &boundary, const ProbeGrid &grid, uint32_t other) {
   const double diameter = 2 * static_cast<double>(balls.probe_steps);
   const double coincident = 0.5 * diameter * coincident_distance;

@@ -1,4 +1,4 @@
-// What bounds the concave patch of a vertex on the sphere of the probe that stands there, as caps of the unit sphere:
+// The borders of the concave patch of a vertex on the sphere of the probe there, as caps of the unit sphere:
 // the great circles through the directions of its three balls, and the bisector planes towards probes at other vertices
 // that overlap this one. No other probe ever cuts the patch, neither on an arc nor on a face (PROOFS.md, section 5).
 #pragma once

@@ -14,7 +14,7 @@ constexpr uint32_t spare_probes = 7;
 constexpr uint32_t least_buckets = 128;
 // Probes in one bucket whose cubes are not that of the first of them.
 constexpr uint32_t most_of_others = 64;
-// What a probe sees beside a point where two of its balls touch (probe_positions.hpp).
+// The view of a probe beside a point where two of its balls touch (probe_positions.hpp).
 constexpr double lune_of_touching = pi;
 
 // B and C above: in steps of 1 the rows are far enough apart within 128 buckets, and high bits spread them.

@@ -55,7 +55,7 @@ class ProbeGrid {
 
   bool has_buckets() const { return buckets_ != 0; }
 
-  // What a search around this vertex needs, but for the triangle. It finds the vertex itself, too.
+  // The input of a search around this vertex, but for the triangle. It finds the vertex itself, too.
   void start_search(const BallSet &balls, uint32_t vertex, ProbeSearch &search) const;
 
  private:

@@ -13,7 +13,7 @@ namespace hsp {
 struct ProbeTriangles {
   static constexpr uint32_t lanes = 4;
 
-  // What is given: the balls by rank, 1 or -1 for p+ or p- of the circles of balls 1 and 2 on ball 0, sqrt(D).
+  // Given: the balls by rank, 1 or -1 for p+ or p- of the circles of balls 1 and 2 on ball 0, sqrt(D).
   uint32_t ball[3][lanes];
   double sign[lanes];
   double root_discriminant[lanes];

@@ -58,7 +58,7 @@ class SettledCircles {
   bool is_mate(uint32_t vertex) const {
     return vertex != no_id && (mate_[0] == vertex || mate_[1] == vertex || mate_[2] == vertex);
   }
-  // What a free arc consists of: parts of the side, creases with several vertices in one place.
+  // The parts of a free arc: parts of the side, creases with several vertices in one place.
   struct Part {
     uint32_t across;  // as PatchArc has it
     double angle;

@@ -4,8 +4,8 @@
 //   face    a convex patch: the face, shrunk to the ball without the probe
 //   arc     a saddle patch, which only its own axis cuts (saddle.hpp)
 //   vertex  a concave patch on the probe's sphere, which only probes at other vertices cut (probe_caps.hpp)
-// Convex and saddle patches are closed forms of what the boundary holds; only concave patches are kept here. What cuts
-// what, and why, is proved in PROOFS.md.
+// Convex and saddle patches are closed forms of what the boundary holds; only concave patches are kept here. PROOFS.md
+// proves which of them are cut by which, and why.
 #pragma once
 
 #include "core/fixed_vector.hpp"

@@ -98,7 +98,7 @@ class SurfaceChecker : FirstViolation<SurfaceInvariant> {
     }
   }
 
-  // What is left of a concave patch are its pieces: their sums are those of the same terms, a few for each of their
+  // The rest of a concave patch are its pieces: their sums are those of the same terms, a few for each of their
   // arcs, in another order, so they differ by rounding alone.
   void check_areas_at(uint32_t v) {
     const CutPatches &cut = surface_.cut_patches();

@@ -1,4 +1,4 @@
-// What unequal weights add to the derivatives of the smooth surface's area: S = sum over the balls of weight * area
+// The part of unequal weights in the derivatives of the smooth surface's area: S = sum over the balls of weight * area
 // instead of their plain sum (surface_gradients.hpp). Gathered ball by ball, from its arcs and the vertices on it.
 //
 // A patch counts as the balls that share it (surface_areas.hpp): a convex patch with the weight w of its ball, the two

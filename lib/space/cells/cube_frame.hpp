@@ -17,7 +17,7 @@
 
 namespace hsp {
 
-// What bounds a power cell: the points with equal powers to two balls, or a side of the cube. On the near side the
+// The faces of a power cell: the points with equal powers to two balls, or a side of the cube. On the near side the
 // power to ball `near` is the smaller one. Side 2 k is the lower one in direction k, side 2 k + 1 the upper one.
 struct PowerPlane {
   uint32_t near, far;

@@ -17,7 +17,7 @@ class FreeSpaceCheck : FirstViolation<FreeSpaceInvariant> {
   }
 
  private:
-  // What a cell says of itself must be what its place says.
+  // The record of a cell must be that of its position.
   bool records() {
     const uint32_t cells = space_.cell_count(), runs = space_.run_count(), entries = space_.cover.entries();
     if (runs == 0 || space_.first_part[0] != runs || space_.first_part[entries] != cells)
@@ -174,7 +174,7 @@ class FreeSpaceCheck : FirstViolation<FreeSpaceInvariant> {
     return true;
   }
 
-  // What a free part has a vertex on has a neighbour of it on the other side, and there are no other neighbours.
+  // Each plane with a vertex of a free part has a neighbour of it on the other side, and there are no other neighbours.
   bool has_neighbours_across(uint32_t c, uint32_t part) {
     const PowerPolytope &polytope = cell_.polytope();
     constexpr uint8_t none = 0, facet = 1, crossed = 2;

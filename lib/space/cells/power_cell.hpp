@@ -1,5 +1,5 @@
 // The power cell of one ball in one cube: the points of the cube whose power to no other ball that meets the cube is
-// smaller. What it has outside its ball falls into free parts.
+// smaller. Its part outside its ball falls into free parts.
 //
 // Theorem. The components of a convex polytope K without a ball B correspond to the components of the graph of the
 // vertices of K outside B, joined by the edges of K that lie outside B as a whole. Proof: from a common point q of K

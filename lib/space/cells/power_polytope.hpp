@@ -55,7 +55,7 @@ class PowerPolytope {
   template <class ExactSide>
   CutOff settle(const UnitPlane &S, const CubeFrame &frame, ExactSide exact_side);
   // Cuts off the vertices that are beyond plane number `plane`, that of the last settle(), which are some of them;
-  // `planes` are all planes. What is beyond a plane is connected, and so is the rest.
+  // `planes` are all planes. The part beyond a plane is connected, and so is the rest.
   void cut(uint32_t plane, const UnitPlane *planes, const CubeFrame &frame);
   void make_empty() { count_ = 0; }
 

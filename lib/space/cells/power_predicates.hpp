@@ -7,8 +7,8 @@
 //
 // The balls need not meet each other, only one cube or two with a common side, so that |v| and |y| are below 2^34 and
 // |h| below 2^67. In the notation of exact/PROOFS.md, with vertices inside the cubes: |n| < 2^68, |B| < 2^102,
-// |H| < 2^137, |s.H| and |h B| < 2^171, W B^2 and H.H < 2^274, |q| < 2^102, D < 2^206, |A| < 2^206. What holds for the
-// answers there holds here: each is the sign of a polynomial at weights in general position.
+// |H| < 2^137, |s.H| and |h B| < 2^171, W B^2 and H.H < 2^274, |q| < 2^102, D < 2^206, |A| < 2^206. All that holds for
+// the answers there holds here: each is the sign of a polynomial at weights in general position.
 #pragma once
 
 #include "cells/cube_frame.hpp"

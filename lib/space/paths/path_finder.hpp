@@ -1,7 +1,7 @@
 // Paths for a point through free space: for a ball-shaped probe that is a part of the radii, those of its centre.
 //
 // Whether there is one is decided by regions, exactly. The path itself is a polyline on the lattice: cells from portal
-// to portal, shortened. It is certified if no segment meets a ball, which integers decide. What rounds off by a lattice
+// to portal, shortened. It is certified if no segment meets a ball, which integers decide. A rounding by a lattice
 // step can leave a passage that is narrower than this without a certificate.
 #pragma once
 

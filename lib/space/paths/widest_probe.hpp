@@ -2,8 +2,8 @@
 // one.
 //
 // A probe of radius p can if both points lie in one region of the balls grown by p, which is decided exactly; so p is
-// bisected to one lattice step. What closes there is a passage between three balls, the gate, with the centre of the
-// probe in their plane. With y from the first centre, y.v_k = (|v_k|^2 + r_1^2 - r_k^2) / 2 + p (r_1 - r_k) for the
+// bisected to one lattice step. The passage that closes there is one between three balls, the gate, with the centre of
+// the probe in their plane. With y from the first centre, y.v_k = (|v_k|^2 + r_1^2 - r_k^2) / 2 + p (r_1 - r_k) for the
 // other two, so that y = y_0 + p y_1 in their plane, and |y| = r_1 + p is quadratic in p: D(p) = 0. Or nothing closes
 // before the probe touches a ball at one of the points: then that ball is the gate.
 #pragma once

@@ -379,8 +379,8 @@ bool CriticalPoints::is_settled(const Cube &cube) const {
   return cube.settled_half != 0 && contains(cube.settled_centre, cube.settled_half, cube.centre, cube.half);
 }
 
-// What may be nearest in a cube, of candidates first .. last - 1, is put behind these; where it ends. Nothing is put if
-// no critical point is there.
+// Puts the candidates of first .. last - 1 that may be nearest in a cube behind these; returns where they end. Nothing
+// is put if no critical point is there.
 uint32_t CriticalPoints::enter(const Cube &cube, uint32_t first, uint32_t last) {
   ++work_.cubes;
   unsure_ = false;

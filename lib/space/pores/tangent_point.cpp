@@ -78,7 +78,7 @@ struct CurveRows {
   Triple<Number> normal;  // of the plane or line through the centres
 };
 
-// What three rows leave, unless they fix z.
+// The line that three rows leave, unless they fix z.
 template <class Number>
 struct SteepLine {
   SteepLine(const CurveRows<Number> &rows, const Row<Number> &third) {

@@ -1,5 +1,5 @@
-// What a point is from which all nearest balls are known. With a_i the directions from their centres to the point, and
-// K all d with a_i.d >= 0, only directions of K lead up, and
+// The kind of a point all of whose nearest balls are known. With a_i the directions from their centres to the point,
+// and K all d with a_i.d >= 0, only directions of K lead up, and
 //   K = {0}     a maximum;
 //   a line      a gate, which has two sides however many balls tie;
 //   else        neither: a way up begins there.

@@ -4,7 +4,7 @@
 // the ball. The contact of two balls is the plane piece where their shares meet: the disk of their circle, cut off by
 // the other balls. It is empty unless an arc or all of their circle is free, or a chord that they share with a third
 // ball survives (chord_clipper.hpp). A surviving chord is a triangle of the dual complex, its inner ends are tetrahedra
-// (Edelsbrunner 1995). What the symbolic perturbation makes of touching balls are contacts of area 0.
+// (Edelsbrunner 1995). Touching balls become contacts of area 0 by the symbolic perturbation.
 //
 // Ids of balls are the grid's. Readers use the accessors of class Contacts.
 #pragma once

@@ -1,5 +1,5 @@
-// The chord of two caps that certainly cross, on the unit sphere as m + s w, with s from -1 at p- to 1 at p+. What
-// error bounds for a test u_l.p - b_l of p+ and p- (cap_pair.hpp) adds up the errors of both parts, so that it bounds
+// The chord of two caps that certainly cross, on the unit sphere as m + s w, with s from -1 at p- to 1 at p+. The
+// error bound of a test u_l.p - b_l of p+ and p- (cap_pair.hpp) adds up the errors of both parts, so that it bounds
 // f = u_l.m - b_l and g = u_l.w together, and f + g and f - g; two more additions are within its slack.
 #pragma once
 

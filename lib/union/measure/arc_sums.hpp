@@ -36,7 +36,7 @@ struct ArcBatch {
   int64_t arc[room];               // -1 if there is an arc
   double root_discriminant[room];  // of the vertex
 
-  // What a kernel fills in: the sum of the exterior angles, less whole turns, and the number of these; the vector v
+  // Filled in by a kernel: the sum of the exterior angles, less whole turns, and the number of these; the vector v
   // from the ball's centre to the other ball's, its square and 2 h d, with its length d and the height h of the
   // circle's plane along it; its unit vector u, 1/d and 2 h; twice the vertex, from the ball's centre; the arc's angle,
   // and X = 2 (q - p) x u, with its ends p and q such that it runs from p to q counter-clockwise about u. Slots without

@@ -54,9 +54,9 @@ struct CurvedBallGradient {
 CurvedBallGradient curved_gradient_of_ball(const BallSet &balls, const Boundary &boundary, const AreaWeights &weights,
                                            uint32_t k, bool any_tied);
 
-// Ball k's part of the derivatives of a weighted M by the strain, in steps: all balls' parts sum to them. What M takes
-// from the vector between two balls counts half at each of them. What a vertex adds to the derivatives by its balls'
-// centres counts with their positions as seen from the vertex.
+// Ball k's part of the derivatives of a weighted M by the strain, in steps: all balls' parts sum to them. The part of M
+// from the vector between two balls counts half at each of them. All that a vertex adds to the derivatives by its
+// balls' centres counts with their positions as seen from the vertex.
 void add_curvature_strain_of_ball(const BallSet &balls, const Boundary &boundary, const AreaWeights &weights,
                                   uint32_t k, StrainSum &sum);
 

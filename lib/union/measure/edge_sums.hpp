@@ -11,7 +11,7 @@ struct EdgeBatch {
   double weight[ArcBatch::room];  // w_j of the other ball, finite up to the last whole register
   double radius[ArcBatch::room];  // r_j, likewise
 
-  // What a kernel fills in: r_k r_j cos(beta); s beta/(rho d), with s the mean of the two balls' weights, or 0 where
+  // Filled in by a kernel: r_k r_j cos(beta); s beta/(rho d), with s the mean of the two balls' weights, or 0 where
   // the spheres touch; and of the edge of the two other balls of the vertex where the arc starts, their r_a r_b
   // cos(beta) and s beta rho d.
   double cosine[ArcBatch::room], pull[ArcBatch::room];

@@ -60,7 +60,7 @@ Status PeriodicImages::fill(const BallInput &input, const double vector[9], uint
       static_cast<void>(rounding.round(i, ball));
       static_cast<void>(box_.wrap(ball.centre, home));
     }
-    // Whatever meets a ball in the box is that near to it.
+    // All that meets a ball in the box is that near to it.
     box_.visit_images(ball.centre, ball.radius + largest_radius, [&](const BoxShift &shift) {
       if (input.n <= room && counted_ < shift_.size()) {
         const uint32_t image = static_cast<uint32_t>(counted_);

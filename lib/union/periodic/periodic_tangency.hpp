@@ -7,7 +7,7 @@
 namespace hsp {
 
 // Calls visit(i, j) for every ball i of the input inside others and every ball j that it, or an image of it, touches
-// freely from inside, if moving one of them would bare a part of it. What is seen of a ball is seen of its images.
+// freely from inside, if moving one of them would bare a part of it. All that is seen of a ball is seen of its images.
 template <class Visit>
 void for_each_inner_tangency_in_box(const PeriodicUnion &periodic, Visit visit) {
   const BallSet &balls = periodic.balls();

@@ -39,8 +39,9 @@ struct PairLanes {
                 minus_fused(others.b, others.b, minus_fused(g, g, minus_fused(cap.b, cap.b, Lanes::all(1)))))) {}
 };
 
-// Pairs that wait until there are enough of them. The numbers of the caps are small integers. Who adds pairs keeps how
-// many there are, in a register: for the compiler, a vector that is stored may change any object, so a count here too.
+// Pairs that wait until there are enough of them. The numbers of the caps are small integers. The caller that adds
+// pairs keeps how many there are, in a register: for the compiler, a vector that is stored may change any object, so a
+// count here too.
 template <class Lanes, uint32_t room>
 struct alignas(32) CrossingPairs {
   using Real = typename Lanes::Real;

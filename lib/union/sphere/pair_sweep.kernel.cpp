@@ -329,7 +329,7 @@ struct CirclePair {
   uint32_t j, k;
 };
 
-// What is left of a batch, of whose open points so many are known. circles_of(p) are the numbers of the exposed circles
+// The rest of a batch, of whose open points so many are known. circles_of(p) are the numbers of the exposed circles
 // of pair p.
 template <class CirclesOf>
 uint32_t answer(const PairSweep &sweep, OpenPoints &open, uint32_t points, CirclesOf circles_of, OpenPair *answers) {
