@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-/* What needs a component of the library, and nothing if the build leaves that out. */
+/* Commands that need a component of the library, and nothing if the build leaves that out. */
 #ifdef HSP_WITHOUT_SMOOTH
 #define SMOOTH(function) NULL
 #else

@@ -18,7 +18,7 @@ printf '.SH DESCRIPTION\n.nf\n'
 printf '.fi\n'
 for command in $commands; do
   printf '.SH HARDSPHERE %s\n.nf\n' "${command^^}"
-  # What all commands have in common stands above.
+  # The common part of all commands stands above.
   "$program" "$command" --help | sed '/^FILE is /,$d' | sed -e :a -e '/^\n*$/{$d;N;ba' -e '}' | text
   printf '.fi\n'
 done

@@ -1,4 +1,4 @@
-/* What a user should know of a run that went well and shows it nowhere else: lines on stderr. */
+/* Notes that a user should read of a run that went well and shows it nowhere else: lines on stderr. */
 #ifndef HARDSPHERE_TOOL_NOTES_H
 #define HARDSPHERE_TOOL_NOTES_H
 

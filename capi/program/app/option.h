@@ -1,4 +1,4 @@
-/* What an option is: one table, option_table.c, from which the parser, the help and the completion of shells come. */
+/* The options: one table, option_table.c, from which the parser, the help and the completion of shells come. */
 #ifndef HARDSPHERE_TOOL_OPTION_H
 #define HARDSPHERE_TOOL_OPTION_H
 

@@ -6,7 +6,7 @@
 #include "read/read_molecule.h"
 #include "write/output_file.h"
 
-/* What goes with a trajectory, of which each frame has one line. */
+/* Checks the options of a trajectory, of which each frame has one line. */
 static bool check_trajectory(struct request *request, struct failure *failure) {
   char list[FORMAT_LIST_BYTES];
   const char *path = request->trajectory;
@@ -101,7 +101,7 @@ static bool check_measure(const struct request *request, struct failure *failure
   return true;
 }
 
-/* What is of the outside, or not computed in a box. */
+/* Checks for results of the outside, or not computed in a box. */
 static bool check_box(const struct request *request, struct failure *failure) {
   if (request->box.source == BOX_NONE) return true;
   const char *other = request->excluded_surface    ? "--surface ses"

@@ -17,7 +17,7 @@ enum {
   MEMORY_OF_BYTE = 5   /* what takes a byte in a file takes about so many in memory */
 };
 
-/* What files take in memory that are worked on at the same time; a larger one is alone. */
+/* The memory of files that are worked on at the same time; a larger one is alone. */
 #define MOST_MEMORY ((uint64_t)1 << 30)
 
 /* A file between reading and printing. */

@@ -1,4 +1,4 @@
-/* What a user may have meant: the known word that is nearest to an unknown one. */
+/* The word that a user may have meant: the known word that is nearest to an unknown one. */
 #ifndef HARDSPHERE_TOOL_SUGGESTION_H
 #define HARDSPHERE_TOOL_SUGGESTION_H
 

@@ -1,4 +1,4 @@
-/* What the program says about itself. */
+/* The program's texts about itself. */
 #ifndef HARDSPHERE_TOOL_USAGE_H
 #define HARDSPHERE_TOOL_USAGE_H
 

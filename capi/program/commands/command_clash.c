@@ -8,7 +8,7 @@
 #include "read/geometry.h"
 #include "write/ball_label.h"
 
-/* What is found, and the bodies that it is found with. */
+/* The findings, and the bodies that they are found with. */
 struct clash {
   struct geometry geometry[2];
   void *memory[2];

@@ -147,7 +147,7 @@ static const char *group_name(char out[GROUP_NAME_BYTES], const struct molecule 
   return out;
 }
 
-/* What tables are about. */
+/* The subject of tables. */
 struct listed {
   struct ball_rows rows;
   const struct request *request;
@@ -232,7 +232,7 @@ static bool cell_row(const void *of, size_t row, union cell cells[MOST_COLUMNS],
   return true;
 }
 
-/* What is listed: pairs of balls, of residues or of chains. */
+/* The table that is listed: pairs of balls, of residues or of chains. */
 static struct table table_of_pairs(const struct listed *listed) {
   static const struct column columns[] = {
       {"area", NULL, "area, @^2", 16, COLUMN_QUANTITY, 4},
@@ -285,7 +285,7 @@ static void print(struct record *record, const void *of) {
   if (box != NULL && json) periodic_result_record(record, box);
 }
 
-/* What is listed, as a picture. */
+/* Writes the listed contacts as a picture. */
 static bool write_map(const struct request *request, const struct molecule *molecule, const struct findings *found,
                       struct failure *failure) {
   const bool grouped = request->by != GROUPING_NONE;

@@ -24,7 +24,7 @@
 #include "write/output_file.h"
 #include "write/report.h"
 
-/* What was drawn: of several pictures the first, with pieces, arcs and bytes of all. */
+/* The result of drawing: of several pictures the first, with pieces, arcs and bytes of all. */
 struct drawn {
   hsp_view_info view; /* or as much of it as a map has, or balls and sticks have */
   uint32_t sticks;
@@ -165,7 +165,7 @@ static int32_t get_info(const struct request *request, const struct molecule *mo
   return HSP_OK;
 }
 
-/* What is written over the picture. Labels are where a map of the balls says that there is room: sticks hide little. */
+/* Adds the text over the picture. Labels are where a map of the balls says that there is room: sticks hide little. */
 static bool annotate(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                      const struct drawn *drawn, struct text_buffer *over, struct failure *failure) {
   const struct drawing *drawing = &request->drawing;
@@ -234,7 +234,7 @@ static bool write_picture(const struct request *request, const struct molecule *
   return done;
 }
 
-/* What the picture is made of. */
+/* Computes the parts of the picture. */
 static bool compute(const struct request *request, const struct molecule *molecule, const uint32_t *colour,
                     struct geometry *geometry, struct failure *failure) {
   hsp_view_options options;
@@ -288,7 +288,7 @@ static bool draw(const struct request *request, const struct molecule *molecule,
   return done;
 }
 
-/* What is printed. */
+/* The values that are printed. */
 struct found {
   const struct request *request;
   struct drawn drawn;

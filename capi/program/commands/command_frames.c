@@ -48,7 +48,7 @@ static void take_coordinates(const struct trajectory *trajectory, struct molecul
   }
 }
 
-/* What a person who watches sees: nothing of short trajectories. */
+/* Shows progress to a person who watches: nothing of short trajectories. */
 static void show_frame(struct frames *frames, uint64_t number) {
   char text[40];
   const uint64_t amount = number * frames->molecule->atoms;

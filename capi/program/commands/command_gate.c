@@ -33,7 +33,7 @@ static void print_end(struct record *record, const char *name, const struct plac
   record_text(record, NULL, name, value, "");
 }
 
-/* What is printed. */
+/* The values that are printed. */
 struct found {
   const struct request *request;
   struct ends ends;

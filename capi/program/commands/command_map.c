@@ -7,7 +7,7 @@
 #include "draw/view_geometry.h"
 #include "write/ball_label.h"
 
-/* What is seen, by balls. */
+/* The visible parts, by balls. */
 struct seen {
   struct ball_rows rows;
   bool per_ball; /* for persons, too */

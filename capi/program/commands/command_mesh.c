@@ -23,7 +23,7 @@ static double area_of(const struct triangle_mesh *mesh) {
   return sum;
 }
 
-/* What is printed. */
+/* The values that are printed. */
 struct found {
   const struct meshing *meshing;
   uint32_t vertices, triangles;

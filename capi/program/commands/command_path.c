@@ -7,7 +7,7 @@
 #include "commands/space_geometry.h"
 #include "write/report.h"
 
-/* What is printed. */
+/* The values that are printed. */
 struct found {
   hsp_path path;
   double *points;

@@ -20,7 +20,7 @@ static int32_t pick(const hsp_map *map, const double at[2], hsp_map_sight *sight
   return status;
 }
 
-/* What is printed. */
+/* The values that are printed. */
 struct found {
   const struct request *request;
   hsp_map_sight sight;

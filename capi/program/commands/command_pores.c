@@ -18,14 +18,14 @@ struct lists {
   uint32_t *number;
 };
 
-/* What the tunnels consist of, one after another. */
+/* The steps of the tunnels, one after another. */
 struct step {
   uint32_t tunnel; /* from 1 on */
   double length;   /* of the way from its start */
   hsp_tunnel_point point;
 };
 
-/* What is printed. */
+/* The values that are printed. */
 struct found {
   const struct request *request;
   hsp_pores_counts counts;

@@ -19,7 +19,7 @@ static double distance(const double *a, const double *b) {
   return sqrt(x * x + y * y + z * z); /* hypot differs from one mathematics library to the next; sqrt does not */
 }
 
-/* What is printed: the balls, and how far away they are. */
+/* The values that are printed: the balls, and how far away they are. */
 struct found {
   struct ball_rows rows;
   const struct request *request;

@@ -7,7 +7,7 @@
 #include "commands/void_list.h"
 #include "write/ball_label.h"
 
-/* What is printed. */
+/* The values that are printed. */
 struct found {
   const struct request *request;
   struct void_list list;

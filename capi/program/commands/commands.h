@@ -1,4 +1,4 @@
-/* What each command does with a molecule: write its results into out, or say in failure why it cannot. */
+/* The work of each command on a molecule: write its results into out, or say in failure why it cannot. */
 #ifndef HARDSPHERE_TOOL_COMMANDS_H
 #define HARDSPHERE_TOOL_COMMANDS_H
 

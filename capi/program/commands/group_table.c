@@ -13,7 +13,7 @@ static double relative_area(const struct molecule *molecule, const struct atom_g
   return group->area / largest_residue_area(label_of(molecule, group)->name);
 }
 
-/* What a row is about. */
+/* The subject of a row. */
 struct listed {
   const struct molecule *molecule;
   const struct atom_groups *groups;

@@ -8,7 +8,7 @@
 #include "read/residues.h"
 #include "write/report.h"
 
-/* What the balls are. */
+/* The kinds of the balls. */
 struct among {
   uint64_t waters; /* molecules */
   uint64_t water_atoms;
@@ -252,7 +252,7 @@ void input_report_json(struct text_buffer *out, const struct request *request, c
   text_buffer_add(out, "}}");
 }
 
-/* What of a frame stands before its results. */
+/* Records the part of a frame that stands before its results. */
 static void record_frame(struct record *record, const struct frame_stamp *frame) {
   if (frame->number == 0) return;
   record_count(record, "frame", NULL, (int64_t)frame->number, "");

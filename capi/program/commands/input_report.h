@@ -1,4 +1,4 @@
-/* What became of a file: what was read, what was left out, and how the rest became balls. */
+/* The report on a file: what was read, what was left out, and how the rest became balls. */
 #ifndef HARDSPHERE_TOOL_INPUT_REPORT_H
 #define HARDSPHERE_TOOL_INPUT_REPORT_H
 
@@ -7,7 +7,7 @@
 #include "read/text_buffer.h"
 #include "write/record.h"
 
-/* What was read and how: file, balls, what was left out, radii, probe. Every table begins with it. */
+/* The heading says what was read and how: file, balls, what was left out, radii, probe. Every table begins with it. */
 void report_heading(struct text_buffer *out, const struct request *request, const struct molecule *molecule);
 
 /* The last key of every command's JSON: , "input": {...} */

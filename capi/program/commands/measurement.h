@@ -1,4 +1,4 @@
-/* What `hardsphere measure` found out about a molecule: the numbers, before anybody prints them. */
+/* The findings of `hardsphere measure` about a molecule: the numbers, before anybody prints them. */
 #ifndef HARDSPHERE_TOOL_MEASUREMENT_H
 #define HARDSPHERE_TOOL_MEASUREMENT_H
 

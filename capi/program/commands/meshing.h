@@ -1,4 +1,4 @@
-/* What a user of `mesh` asks for. */
+/* The request of a user of `mesh`. */
 #ifndef HARDSPHERE_TOOL_MESHING_H
 #define HARDSPHERE_TOOL_MESHING_H
 
@@ -21,7 +21,7 @@ struct meshing {
 #define MESHING_DEFAULT \
   { .out = NULL, .format = -1, .surface = -1, .edge = -1.0 }
 
-/* What the user calls the surface. */
+/* The user's name of the surface. */
 const char *meshing_surface_name(const struct meshing *meshing);
 
 /* Whether all options go together, with this probe, and with options of viewing; sets what follows from them. */

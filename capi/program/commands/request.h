@@ -1,4 +1,4 @@
-/* What a user asks for. */
+/* The request of a user. */
 #ifndef HARDSPHERE_TOOL_REQUEST_H
 #define HARDSPHERE_TOOL_REQUEST_H
 
@@ -47,7 +47,7 @@ struct place {
 
 enum query_kind { QUERY_NONE, QUERY_POINT, QUERY_BALL };
 
-/* What a user asks for. */
+/* The request of a user. */
 struct request {
   enum command command;
   int files;          /* how many are named */

@@ -1,4 +1,4 @@
-/* What the library's component space computes of a molecule: free space and ways through it. */
+/* The results of the library's component space for a molecule: free space and ways through it. */
 #ifndef HARDSPHERE_TOOL_SPACE_GEOMETRY_H
 #define HARDSPHERE_TOOL_SPACE_GEOMETRY_H
 

@@ -1,4 +1,4 @@
-/* What the library's component smooth computes of a molecule: the solvent-excluded surface and meshes. */
+/* The results of the library's component smooth for a molecule: the solvent-excluded surface and meshes. */
 #ifndef HARDSPHERE_TOOL_SURFACE_GEOMETRY_H
 #define HARDSPHERE_TOOL_SURFACE_GEOMETRY_H
 

@@ -40,7 +40,7 @@ static bool take_regions(const struct geometry *geometry, struct void_list *list
   return done;
 }
 
-/* What the boundary consists of, as far as boxes of voids are made of it. */
+/* The pieces of the boundary, as far as boxes of voids are made of it. */
 struct pieces {
   hsp_boundary_counts counts;
   hsp_face *faces;

@@ -115,7 +115,7 @@ static void write_within(const struct writer *writer, const struct page_label *l
   pen_write(&writer->pen, &written);
 }
 
-/* What is less seen than the dot has a ring instead. All lines first, so that none crosses a letter. */
+/* An atom that shows less than the dot has a ring instead. All lines first, so that none crosses a letter. */
 static void write_side(const struct writer *writer, struct placed_label *label, size_t count, double size, bool left) {
   const double column = writer->annotation->frame.column;
   const double away = column > 0.0 ? column - 0.4 * size : widest_of(label, count, size) + 0.6 * size;

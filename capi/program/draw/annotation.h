@@ -1,4 +1,4 @@
-/* What is written over a picture: labels with lines to what they name, a scale bar, and what colours stand for. */
+/* The text over a picture: labels with lines to what they name, a scale bar, and what colours stand for. */
 #ifndef HARDSPHERE_TOOL_ANNOTATION_H
 #define HARDSPHERE_TOOL_ANNOTATION_H
 

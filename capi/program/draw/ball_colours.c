@@ -30,7 +30,7 @@ enum { PLDDT_BANDS = sizeof plddt / sizeof plddt[0] };
 /* Carbon of ligands, among tints and muted elements. */
 static const uint32_t ligand_carbon = 0x7E8A93;
 
-/* What is not highlighted keeps so much of its own colour. Highlighted carbon must not be grey among grey. */
+/* A ball that is not highlighted keeps so much of its own colour. Highlighted carbon must not be grey among grey. */
 static const uint32_t plain = 0xDEDBD4;
 static const double kept = 0.25;
 static const uint32_t highlighted_carbon = 0x66B8A6;

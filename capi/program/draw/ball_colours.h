@@ -11,7 +11,7 @@
 #include "read/molecule.h"
 #include "read/selection.h"
 
-/* What colours stand for, in the end. */
+/* The meaning of colours, in the end. */
 struct ball_palette {
   const char *name;               /* "soft", "jmol", "chain", "residue", "plddt" or "ramp" */
   const char *remark;             /* how a person reads that; NULL for a ramp: */
@@ -34,8 +34,8 @@ uint32_t ball_palette_colour(const struct ball_palette *palette, double value);
 
 /* The colour of every ball, 0xRRGGBB, to be freed on true, and what it stands for: what the user says; else the
  * chain in large molecules with several, and the element in all others. Where colours stand for chains or residues,
- * ligands and ions have colours by element, with carbon of its own, so that they are found at a glance. What is not
- * highlighted, if anything is, is nearly grey; among elements highlighted carbon is green. */
+ * ligands and ions have colours by element, with carbon of its own, so that they are found at a glance. The rest,
+ * if anything is highlighted, is nearly grey; among elements highlighted carbon is green. */
 bool ball_colours_make(const struct drawing *drawing, const struct selection *highlight,
                        const struct molecule *molecule, uint32_t **colour, struct ball_palette *palette,
                        struct failure *failure);

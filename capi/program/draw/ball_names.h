@@ -1,4 +1,4 @@
-/* What balls of a picture are called in its file: classes that style sheets can name, and texts beside the pointer. */
+/* The names of a picture's balls in its file: classes that style sheets can name, and texts beside the pointer. */
 #ifndef HARDSPHERE_TOOL_BALL_NAMES_H
 #define HARDSPHERE_TOOL_BALL_NAMES_H
 
@@ -17,7 +17,7 @@ struct ball_names {
 #define BALL_NAMES_NONE \
   { NULL, NULL, NULL }
 
-/* What is asked for of `classes` and `titles`, to be freed whatever is returned. False: memory is short. */
+/* Makes those asked for of `classes` and `titles`, to be freed whatever is returned. False: memory is short. */
 bool ball_names_make(const struct molecule *molecule, bool classes, bool titles, struct ball_names *names,
                      struct failure *failure);
 

@@ -8,8 +8,8 @@
 #include "read/failure.h"
 #include "read/molecule.h"
 
-/* What the drawing's colours stand for: the temperature factor of each atom; its charge; its free area for a water
- * molecule; or the numbers of the user's file. *value [atoms] is to be freed on true. */
+/* The values that the drawing's colours stand for: the temperature factor of each atom; its charge; its free area for a
+ * water molecule; or the numbers of the user's file. *value [atoms] is to be freed on true. */
 bool ball_values_make(const struct drawing *drawing, const struct molecule *molecule, double **value,
                       struct failure *failure);
 

@@ -8,7 +8,7 @@
 
 enum { FORMATS = 3, STYLES = 3, PALETTES = 3 };
 
-/* What is visible, behind the kinds of pieces that the library numbers. */
+/* All that is visible, after the kinds of pieces that the library numbers. */
 enum { PIECES_VISIBLE = 2 };
 
 /* In the order of their numbers in hardsphere.h. */
@@ -18,8 +18,8 @@ static const char *const colour_names[COLOUR_FILE] = {"element", "chain",  "resi
                                                       "bfactor", "charge", "plddt"};
 static const char *const format_names[FORMATS] = {"SVG", "EPS", "PDF"};
 
-/* Above MOST_SOFT_BALLS shading of single balls tells less than it costs in bytes. What tells something about molecules
- * of that size is how deep their balls lie. */
+/* Above MOST_SOFT_BALLS shading of single balls tells less than it costs in bytes. For molecules of that size the depth
+ * of their balls tells more. */
 enum { MOST_SOFT_BALLS = 2000 };
 
 /* As wide as the text of a page, which .eps and .pdf are for. */

@@ -1,4 +1,4 @@
-/* What a user of `draw` asks for. */
+/* The request of a user of `draw`. */
 #ifndef HARDSPHERE_TOOL_DRAWING_H
 #define HARDSPHERE_TOOL_DRAWING_H
 
@@ -8,7 +8,7 @@
 #include "draw/viewing.h"
 #include "read/failure.h"
 
-/* What colours stand for. */
+/* The meaning of colours. */
 enum {
   COLOUR_ELEMENT,
   COLOUR_CHAIN,
@@ -20,7 +20,7 @@ enum {
   COLOUR_FILE
 };
 
-/* What labels name. */
+/* The things that labels name. */
 enum { LABEL_ATOM, LABEL_RESIDUE, LABEL_CHAIN };
 
 /* HSP_INK_BORDER and so on. */
@@ -110,7 +110,7 @@ double drawing_occlusion(const struct drawing *drawing, uint32_t balls);
 /* How wide the picture is where the user gives no side, in its unit. */
 double drawing_default_width(const struct drawing *drawing);
 
-/* What people call the formats, styles and palettes. */
+/* The names of formats, styles and palettes for people. */
 const char *drawing_format_name(uint32_t format);
 const char *drawing_style_name(uint32_t style);
 const char *drawing_palette_name(uint32_t palette);

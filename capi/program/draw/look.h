@@ -1,10 +1,10 @@
-/* Presets of `draw`: several of its options by one name. What the user says by itself wins. */
+/* Presets of `draw`: several of its options by one name. An option that the user gives by itself wins. */
 #ifndef HARDSPHERE_TOOL_LOOK_H
 #define HARDSPHERE_TOOL_LOOK_H
 
 struct drawing;
 
-/* What the user has left open, by the look that was asked for, if there is one. */
+/* Sets the options that the user has left open, by the look that was asked for, if there is one. */
 void look_apply(struct drawing *drawing);
 
 #endif

@@ -34,7 +34,7 @@ static const uint32_t grey = 0xD2CDC3;
 
 enum { CARBON = 6, MOST_COLOURS = 128, FEWEST_BANDS = 16, MOST_BANDS = 64, MOST_CORNERS = 12 };
 
-/* What is seen of a surface. */
+/* The visible sides of a surface. */
 enum { OUTSIDE, INSIDE, OF_VOID, SIDES };
 
 /* Paints of a layer are numbered: for each sphere those of its sides, for each colour its bands of light, then
@@ -139,7 +139,7 @@ static struct corner between(const struct corner *a, const struct corner *b, dou
   return corner;
 }
 
-/* What lies where the values at the corners are 0 or less. */
+/* The part where the values at the corners are 0 or less. */
 static struct polygon cut_off(const struct polygon *polygon, const double value[MOST_CORNERS]) {
   struct polygon left = {.corners = 0};
   for (int k = 0; k < polygon->corners; ++k) {
@@ -453,7 +453,7 @@ static void add_sphere(struct mesh_picture *picture, struct text_buffer *out, ui
                   rounded(at[1] - surface_light_focus[1] * size), sphere_colour(picture, paint));
 }
 
-/* What light makes of each colour, and for each sphere that is seen where its light is. */
+/* Adds what light makes of each colour, and for each sphere that is seen where its light is. */
 static bool add_gradients(struct mesh_picture *picture, struct text_buffer *out) {
   const struct painted_edges *areas = &picture->areas;
   uint32_t *paints = calloc(areas->count + 1, sizeof *paints);

@@ -36,7 +36,7 @@ static bool put(struct sink *sink, const char *bytes, size_t count) {
   return true;
 }
 
-/* What is written over the picture comes before the end of the file, and in .pdf behind it. */
+/* The text over the picture comes before the end of the file, and in .pdf behind it. */
 static bool end(struct sink *sink, const struct picture *picture, uint64_t *bytes, struct failure *failure) {
   if (picture->options.format == HSP_FORMAT_PDF && picture->over != NULL) {
     struct text_buffer update = TEXT_BUFFER_EMPTY;

@@ -13,9 +13,9 @@ struct picture_frame {
   double column, strip; /* of the room for annotations: how wide it is on each side, how high below; 0: none */
 };
 
-/* Sets both sides of a picture of which one or both are given, with its margin and scale. What follows in px is whole:
- * a last row of which a part is covered is a pale line. A picture that is cropped or annotated becomes one with a fixed
- * frame, with room for annotations unless the user has fixed it. */
+/* Sets both sides of a picture of which one or both are given, with its margin and scale. All numbers that follow in px
+ * are whole: a last row of which a part is covered is a pale line. A picture that is cropped or annotated becomes one
+ * with a fixed frame, with room for annotations unless the user has fixed it. */
 void picture_frame_set(const struct drawing *drawing, const hsp_view_info *view, hsp_picture_options *options,
                        struct picture_frame *frame);
 

@@ -130,7 +130,7 @@ static void take_side(const double v[3], int main, int next, int last, double ou
   for (int k = 0; k < 3; ++k) out[k] = side < 0.0 ? -v[k] : v[k];
 }
 
-/* What is upwards across a unit vector if nothing but the file says so: y, or z where y is nearly along it. */
+/* The direction upwards across a unit vector if nothing but the file says so: y, or z where y is nearly along it. */
 static void find_upright(const double across[3], double up[3]) {
   const int main = fabs(across[1]) > too_near ? 2 : 1;
   double squares = 0.0;

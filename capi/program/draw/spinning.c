@@ -12,7 +12,7 @@
 /* Pictures as the library makes them without a scale. */
 static const double default_margin = 0.03;
 
-/* What the balls reach along an axis: centres, each with its radius on both sides. */
+/* The extent of the balls along an axis: centres, each with its radius on both sides. */
 struct extent {
   double low, high;
 };

@@ -8,7 +8,7 @@
 #include "hardsphere.h"
 #include "read/molecule.h"
 
-/* What a user says, defaults included, for looking at a molecule. The status of the library. */
+/* Sets the options that a user gives, defaults included, for looking at a molecule. The status of the library. */
 int32_t viewing_options(const struct viewing *viewing, const struct molecule *molecule, hsp_view_options *options);
 
 /* Axes to the right, upwards and towards the viewer: unit vectors. The status of the library. */

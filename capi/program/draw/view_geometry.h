@@ -1,4 +1,4 @@
-/* What the library's component sight computes of a molecule: views and maps. */
+/* The results of the library's component sight for a molecule: views and maps. */
 #ifndef HARDSPHERE_TOOL_VIEW_GEOMETRY_H
 #define HARDSPHERE_TOOL_VIEW_GEOMETRY_H
 

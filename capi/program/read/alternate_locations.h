@@ -34,8 +34,8 @@ struct alternate_locations {
 #define ALTERNATE_LOCATIONS_NONE \
   { .seen = NULL }
 
-/* Whether an atom record belongs to the molecule; records must be shown in the order of the file. What tells atoms and
- * residues from each other is the label and, where a format has it, the segment.
+/* Whether an atom record belongs to the molecule; records must be shown in the order of the file. Atoms and residues
+ * are distinguished by the label and, where a format has it, the segment.
  *   1. A record without a letter (' ') for its location always does.
  *   2. A record with a letter does if its atom (chain, residue number, atom name) appeared first with that letter.
  *   3. If a residue has two names (a mixture), only the name of its first lettered record does.

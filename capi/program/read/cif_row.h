@@ -1,4 +1,4 @@
-/* What a CIF file says that matters here, by its tags, and the values of one atom. */
+/* The items of a CIF file that matter here, by its tags, and the values of one atom. */
 #ifndef HARDSPHERE_TOOL_CIF_ROW_H
 #define HARDSPHERE_TOOL_CIF_ROW_H
 
@@ -85,7 +85,7 @@ void cif_row_clear(struct cif_row *row, uint64_t line);
 void cif_row_put(struct cif_row *row, enum cif_item item, const struct cif_tokens *tokens);
 struct field cif_row_get(const struct cif_row *row, enum cif_item item);
 
-/* What the authors say, or else the label. */
+/* The authors' value, or else the label's. */
 struct field cif_row_either(const struct cif_row *row, enum cif_item author, enum cif_item label);
 
 /* A number without the uncertainty that may follow in parentheses: 12.345(6). */

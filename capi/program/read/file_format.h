@@ -11,7 +11,7 @@
 
 struct molecule;
 
-/* What the files of a format say. */
+/* The contents of the files of a format. */
 enum file_feature {
   FILE_RADII = 1,
   FILE_ELEMENTS = 2,

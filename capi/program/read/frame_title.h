@@ -1,4 +1,4 @@
-/* What the title of a frame in a text file says beside the name of the molecule. */
+/* The data in the title of a frame in a text file beside the name of the molecule. */
 #ifndef HARDSPHERE_TOOL_FRAME_TITLE_H
 #define HARDSPHERE_TOOL_FRAME_TITLE_H
 

@@ -87,7 +87,7 @@ static void show_progress(struct line_reader *reader, size_t got) {
   progress_show_bytes(&reader->progress, "reading", reader->bytes);
 }
 
-/* What is behind the block: a line's end, which every search finds, and room for words. */
+/* The bytes after the block: a line's end, which every search finds, and room for words. */
 enum { BEHIND_BLOCK = 64 };
 
 /* More bytes behind those from `next` on, which move to the front of the block; it grows if they fill it. LINE_END: the

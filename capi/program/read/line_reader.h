@@ -31,7 +31,7 @@ struct line_reader {
 /* Whether the name of an input stands for standard input: "-". */
 bool input_is_standard(const char *path);
 
-/* What a person calls an input: its name, or "standard input". */
+/* An input as a person calls it: by its name, or "standard input". */
 const char *input_name(const char *path);
 
 /* The same without folders. */
@@ -54,7 +54,7 @@ enum line_status { LINE_READ, LINE_END, LINE_FAILED };
  * has (NUL and other control characters). A byte-order mark at the start of the file is dropped. */
 enum line_status line_reader_next(struct line_reader *reader, struct failure *failure);
 
-/* What has been shown of the progress is taken away. */
+/* The line that shows the progress is taken away. */
 void line_reader_close(struct line_reader *reader);
 
 #endif

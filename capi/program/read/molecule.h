@@ -14,7 +14,7 @@
 #include "read/radii_table.h"
 #include "read/symmetry.h"
 
-/* What a person calls a residue; empty where the file does not say. */
+/* The name of a residue for a person; empty where the file does not say. */
 struct residue_label {
   char chain[12];
   char name[8];
@@ -45,7 +45,7 @@ struct stated_bond {
   struct serial_label serial[2];
 };
 
-/* What a person calls an atom; empty where the file does not say. Files have many: it is kept small. */
+/* The name of an atom for a person; empty where the file does not say. Files have many: it is kept small. */
 struct atom_label {
   const struct residue_label *residue; /* in a molecule one for all neighbours of the residue */
   char name[8];
@@ -61,7 +61,7 @@ struct atom_label {
 #define ATOM_LABEL_NONE \
   { &residue_nameless, "", {""}, false, false, false, false, false }
 
-/* What else a file says of an atom, which only pictures show. */
+/* Further data of an atom in a file, which only pictures show. */
 struct atom_extra {
   struct serial_label serial;
   bool has_value;
@@ -71,7 +71,7 @@ struct atom_extra {
 #define ATOM_EXTRA_NONE \
   { {""}, false, 0.0 }
 
-/* What a file holds beside the atoms that became balls, in atoms unless it says otherwise. */
+/* The contents of a file beside the atoms that became balls, in atoms unless it says otherwise. */
 struct left_out {
   uint64_t other_models;
   uint64_t alternate_locations;
@@ -85,7 +85,7 @@ struct left_out {
   uint64_t others;
 };
 
-/* What is known of a molecule or of a frame of a trajectory beside its atoms. */
+/* The data of a molecule or of a frame of a trajectory beside its atoms. */
 struct frame_stamp {
   uint64_t number; /* counted from 1; 0: it is no frame of a trajectory */
   bool first;      /* of those that are looked at */
@@ -134,7 +134,7 @@ void molecule_empty(struct molecule *molecule);
 bool molecule_add(struct molecule *molecule, const double xyz[3], double radius, const struct atom_label *label,
                   uint64_t line, struct failure *failure);
 
-/* What is kept of the atom that was appended last beside its label; NULL: nothing. */
+/* The data kept of the atom that was appended last beside its label; NULL: nothing. */
 struct atom_extra *molecule_last_extra(const struct molecule *molecule);
 
 /* Append a bond that the file states. False when memory is short. */

@@ -24,7 +24,7 @@ enum number_status number_parse_times(const char *text, size_t length, int power
 /* The same for a plain count: digits only, optionally after a '+'. NUMBER_TOO_LARGE if it exceeds a uint64_t. */
 enum number_status number_parse_count(const char *text, size_t length, uint64_t *value);
 
-/* What is wrong, to be put after the quoted text: "is not a number", ... */
+/* The complaint, to be put after the quoted text: "is not a number", ... */
 const char *number_complaint(enum number_status status);
 
 /* Not NaN, nor infinite. */

@@ -1,4 +1,4 @@
-/* What .pdb and .pqr files have in common: lines that begin with the name of a record. */
+/* The common part of .pdb and .pqr files: lines that begin with the name of a record. */
 #ifndef HARDSPHERE_TOOL_PDB_RECORDS_H
 #define HARDSPHERE_TOOL_PDB_RECORDS_H
 
@@ -21,7 +21,7 @@ enum pdb_record {
   PDB_ALIEN  /* no record of the format */
 };
 
-/* What the line of a reader is, by its first columns. */
+/* The kind of a reader's line, by its first columns. */
 enum pdb_record pdb_record_of(const char *line, size_t length);
 
 /* Whether it begins with "ATOM  " or "HETATM", as atom records do in nearly all files. `line` is a reader's. */

@@ -1,4 +1,4 @@
-/* What takes long, for a person who watches: one line on a terminal's stderr that vanishes at the end. */
+/* The progress of long work, for a person who watches: one line on a terminal's stderr that vanishes at the end. */
 #ifndef HARDSPHERE_TOOL_PROGRESS_H
 #define HARDSPHERE_TOOL_PROGRESS_H
 

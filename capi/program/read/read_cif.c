@@ -1,5 +1,5 @@
 /* CIF: of each block the atoms, in a loop or as single items, in any order; cell, space group and operators.
- *   mmCIF, as the wwPDB keeps its entries: _atom_site with Cartesian coordinates. What the authors call a chain, a
+ *   mmCIF, as the wwPDB keeps its entries: _atom_site with Cartesian coordinates. The authors' name of a chain, a
  *     residue or an atom counts, and where they are silent, the label does. A model is a run of rows with the same
  *     pdbx_PDB_model_num.
  *   Small molecules and frameworks: _atom_site with fractions of the cell. Atoms without coordinates, and all groups of
@@ -81,7 +81,7 @@ static bool take_element(const struct cif_row *row, struct field symbol, struct 
   return true;
 }
 
-/* What the file calls the atom, with the label where the authors are silent. */
+/* The file's name of the atom, with the label where the authors are silent. */
 static struct field name_of(const struct cif_row *row) {
   const struct field name = cif_row_either(row, CIF_AUTH_ATOM, CIF_LABEL_ATOM);
   return name.length > 0 ? name : cif_row_get(row, CIF_SITE_LABEL);
@@ -206,7 +206,7 @@ static bool take_row(struct cif_reading *reading) {
   return reading->table == CIF_COMPONENT ? take_component_atom(reading) : take_atom(reading);
 }
 
-/* What was read of components, if anything: the file has a structure, and they are but its dictionary. */
+/* Drops what was read of components, if anything: the file has a structure, and they are but its dictionary. */
 static void drop_component(struct cif_reading *reading) {
   struct molecule *molecule = reading->molecule;
   if (reading->source != CIF_COMPONENT) return;

@@ -14,7 +14,7 @@
 
 enum { HEADER_BYTES = 84, CELL_BYTES = 48, CHUNK_FLOATS = 2048 };
 
-/* What other programs that write angles or their cosines call themselves. */
+/* Other programs, which write angles or their cosines, give themselves versions up to this. */
 enum { LAST_VERSION_OF_ANGLES = 24 };
 
 /* CHARMM's unit of time, sqrt(u angstrom^2 / (kcal/mol)), in picoseconds. */

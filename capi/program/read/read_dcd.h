@@ -6,7 +6,7 @@
 #include "read/line_reader.h"
 #include "read/molecule.h"
 
-/* What the file says before its frames. Zeros at first. */
+/* The data of the file before its frames. Zeros at first. */
 struct dcd {
   bool highest_first; /* of the bytes of its numbers */
   bool has_cell;

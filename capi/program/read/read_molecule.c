@@ -30,7 +30,7 @@ bool read_announced_model(struct line_reader *reader, uint64_t count, announced_
   uint64_t read = 0;
   if (read_atoms(reader, count, wanted, molecule, &read, failure) == LINE_FAILED) return false;
   if (!wanted) molecule->left_out.other_models += read;
-  /* What breaks off behind the model that is wanted, as in a run that was stopped, does not concern it. */
+  /* A break after the model that is wanted, as in a run that was stopped, does not concern it. */
   if (read == count || molecule->models > molecule->model) return true;
   return failure_in_input(failure, count_line, "%" PRIu64 " atoms announced, the file ends after %" PRIu64, count,
                           read);

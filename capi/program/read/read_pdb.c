@@ -121,7 +121,7 @@ static bool read_atom(const struct line_reader *reader, struct alternate_locatio
   return true;
 }
 
-/* What is kept from one plain record to the next: columns 18-25 and 20-27, and the residue in them. */
+/* The data kept from one plain record to the next: columns 18-25 and 20-27, and the residue in them. */
 struct plain_records {
   uint64_t columns[2];
   struct residue_label residue;

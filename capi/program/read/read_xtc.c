@@ -102,7 +102,7 @@ static struct packing small_packing(int index) {
   return (struct packing){(unsigned)index, {radix, radix, radix}};
 }
 
-/* What stands before the packed bytes. */
+/* The header before the packed bytes. */
 struct header {
   double precision;
   int64_t least[3];
@@ -238,7 +238,7 @@ static double as_written(float value) {
   return read;
 }
 
-/* What a frame begins with. */
+/* Takes the beginning of a frame. */
 static bool take_start(struct byte_reader *reader, uint32_t atoms, bool *large, struct frame_stamp *stamp,
                        struct failure *failure) {
   unsigned char bytes[56];

@@ -6,7 +6,7 @@
 #include "read/line_reader.h"
 #include "read/molecule.h"
 
-/* What a frame is unpacked from. Zeros at first. */
+/* The data that a frame is unpacked from. Zeros at first. */
 struct xtc {
   unsigned char *packed;
   size_t capacity;

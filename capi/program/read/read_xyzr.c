@@ -1,4 +1,4 @@
-/* .xyzr, the input of MSMS and its relatives: one ball per line, "x y z r", in any unit. What follows the fourth
+/* .xyzr, the input of MSMS and its relatives: one ball per line, "x y z r", in any unit. Text after the fourth
  * column is somebody's note, what follows a '#' is a comment. */
 #include <string.h>
 

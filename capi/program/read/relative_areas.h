@@ -1,4 +1,4 @@
-/* What a residue's area is compared with: what it can have at most. */
+/* The area that a residue's is compared with: the largest that it can have. */
 #ifndef HARDSPHERE_TOOL_RELATIVE_AREAS_H
 #define HARDSPHERE_TOOL_RELATIVE_AREAS_H
 

@@ -1,4 +1,4 @@
-/* What the names of residues and atoms tell: which residues are known, and which element an atom is where no column
+/* The meaning of names of residues and atoms: which residues are known, and which element an atom is where no column
  * says so. */
 #ifndef HARDSPHERE_TOOL_RESIDUE_KINDS_H
 #define HARDSPHERE_TOOL_RESIDUE_KINDS_H
@@ -23,7 +23,7 @@ enum atom_kind {
   ATOM_VIRTUAL  /* no atom: a charge or a lone pair beside one, a Drude particle, a pseudo-atom */
 };
 
-/* What an atom is, by its name and its residue's:
+/* The kind of an atom, by its name and its residue's:
  *   1. an ion, if both names have the same letters, those of an element or one of CHARMM's: SOD, CLA, POT, CAL, CES ..;
  *   2. in a known residue the element is the first letter of the name, which may follow digits; SE is selenium in MSE,
  *      SEC and CSE. Amino acids and nucleotides have no boron, and sulfur only in CYS, MET and their kin; else B and S
@@ -39,7 +39,7 @@ enum atom_kind {
  * Deuterium is hydrogen. */
 enum atom_kind atom_kind_of(struct field name, bool in_columns, const char *residue, struct element_symbol *element);
 
-/* What was found last for names and residues, by both: the same few come again and again. Zeros at first. */
+/* The last findings for names and residues, by both: the same few come again and again. Zeros at first. */
 struct kinds_seen {
   struct kind_seen {
     uint64_t name, residue; /* eight characters each, with zeros behind */

@@ -12,7 +12,7 @@
 /* Whether the file says anything. */
 bool residue_label_says(const struct residue_label *label);
 
-/* What a person calls the residue: "THR A 1", as far as the file says. */
+/* The name of the residue for a person: "THR A 1", as far as the file says. */
 #define RESIDUE_TEXT_BYTES 40
 const char *residue_text(char out[RESIDUE_TEXT_BYTES], const struct residue_label *label);
 

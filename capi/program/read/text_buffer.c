@@ -50,8 +50,8 @@ static const char *take_count(const char *format, va_list *arguments, int *count
   return format;
 }
 
-/* What nearly all formats consist of: texts, characters, whole numbers, and numbers with so many decimals. False: there
- * is something else in it. */
+/* The items that nearly all formats consist of: texts, characters, whole numbers, and numbers with so many decimals.
+ * False: there is something else in it. */
 static bool add_plainly(struct text_buffer *buffer, const char *format, va_list *arguments) {
   for (;;) {
     const size_t plain = strcspn(format, "%");

@@ -30,8 +30,8 @@ struct trajectory {
   struct dcd dcd;
 };
 
-/* What the file is, by its extension; of standard input what the molecule is. False: no trajectory, and the failure
- * says what would be one. */
+/* The format of the file, by its extension; of standard input that of the molecule. False: no trajectory, and the
+ * failure says what would be one. */
 bool trajectory_format_of(const char *path, const struct file_format *molecule, struct trajectory *trajectory,
                           struct failure *failure);
 

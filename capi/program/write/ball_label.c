@@ -5,7 +5,7 @@
 #include "write/csv.h"
 #include "write/report.h"
 
-/* What a ball is called, in the order of the keys and columns. */
+/* The names of a ball, in the order of the keys and columns. */
 enum { MOST_NAMES = 6 };
 
 struct ball_name {

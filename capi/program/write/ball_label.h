@@ -1,4 +1,4 @@
-/* What balls are called: their index, and the names that their file's format has. */
+/* The names of balls: their index, and the names that their file's format has. */
 #ifndef HARDSPHERE_TOOL_BALL_LABEL_H
 #define HARDSPHERE_TOOL_BALL_LABEL_H
 
@@ -9,7 +9,7 @@
 #include "write/report.h"
 #include "write/table.h"
 
-/* What a table about balls is of, at the beginning of its `of`. */
+/* The balls that a table is about, at the beginning of its `of`. */
 struct ball_rows {
   const struct molecule *molecule;
   struct ball_columns columns;

@@ -7,7 +7,7 @@
 
 #include "read/failure.h"
 
-/* What a file is; mesh_picture.h writes the last one. */
+/* The format of a file; mesh_picture.h writes the last one. */
 enum mesh_format { MESH_PLY, MESH_OBJ, MESH_STL, MESH_MSMS, MESH_SVG };
 
 /* A mesh in arrays of the program's. */

@@ -36,7 +36,8 @@ static void block_signals(sigset_t *before) {
   sigprocmask(SIG_BLOCK, &ending, before);
 }
 
-/* What a user ignores stays ignored. A file beyond the size limit is an error like a full disk, not a signal. */
+/* A signal that a user ignores stays ignored. A file beyond the size limit is an error like a full disk, not a
+ * signal. */
 static void catch_signals(const char *temporary) {
   struct sigaction action;
   memset(&action, 0, sizeof action);

@@ -19,7 +19,7 @@ struct output_file {
   bool no_room;    /* that was to make a new file in the folder */
 };
 
-/* Begin to write. What path stands for decides where the bytes go:
+/* Begin to write. The thing that path stands for decides where the bytes go:
  *   1. standard output: there;
  *   2. a device, a pipe or the like: there;
  *   3. a file, or no file yet: a new file in the same folder. A symbolic link is followed, so that it stays a link.

@@ -1,4 +1,4 @@
-/* What is painted over a PDF file of the library: an incremental update, which changes nothing in the file. */
+/* The paint over a PDF file of the library: an incremental update, which changes nothing in the file. */
 #ifndef HARDSPHERE_TOOL_PDF_UPDATE_H
 #define HARDSPHERE_TOOL_PDF_UPDATE_H
 

@@ -10,7 +10,7 @@ static void add_with_unit(struct record *record, const char *text) {
   }
 }
 
-/* What stands before a value. False: the value is not to follow. */
+/* Writes the text before a value. False: the value is not to follow. */
 static bool begin(struct record *record, const char *key) {
   if (key == NULL || record->form == FOR_PERSONS) return false;
   const bool json = record->form == AS_JSON;

@@ -35,7 +35,7 @@ struct column {
   int decimals; /* for persons */
 };
 
-/* What stands in one row of it, by its kind. */
+/* The content of one row of it, by its kind. */
 union cell {
   int64_t count;
   double quantity; /* or derivative */
@@ -60,7 +60,7 @@ struct table {
   const void *of; /* what `row` is about */
   /* The cells of a row; `text` is room for one of them. False: it is left out. */
   bool (*row)(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]);
-  /* What stands before them in each form, as what a row is about is called, or its titles; NULL: nothing. */
+  /* Writes the text before them in each form, as what a row is about is called, or its titles; NULL: nothing. */
   void (*lead)(const void *of, size_t row, enum form form, struct text_buffer *out);
 };
 
