@@ -1,5 +1,5 @@
-# The prose of files, paragraph by paragraph: comments of sources, text of pages. Prints phrases of the list, and sentences of
-# pages, headers and the library that begin with What or Who and ask nothing.
+# The prose of files, paragraph by paragraph: comments of sources, text of pages. Prints phrases of the list, and
+# sentences of pages, public headers, lib, capi/shims and capi/program that begin with What or Who and ask nothing.
 #   awk -f plain_words.awk plain_words.txt FILES
 FNR == NR {
   if ($0 !~ /^#/ && split($0, part, /  +/) == 2) { phrase[++phrases] = part[1]; cure[phrases] = part[2] }
@@ -25,7 +25,7 @@ function begin_file() {
   file = FILENAME
   page = file ~ /\.md$/
   hash = file ~ /\.(sh|cmake|awk|py)$|CMakeLists\.txt$|\/run$/
-  spoken = page || file ~ /^(include|lib|capi\/shims)\//
+  spoken = page || file ~ /^(lib|include|capi\/(shims|program))\//
   code = comment = 0
 }
 
