@@ -25,7 +25,7 @@ def exactness_page(interface):
 
 def table(text):
     """The rows of the table, each cell as one text. Columns begin where their names do."""
-    block = text.split(" * HOW EXACT\n")[1].split("\n *   What is rounded")[0].split("\n")
+    block = text.split(" * HOW EXACT\n")[1].split("\n *   A rounded number")[0].split("\n")
     begins = [place.start() for place in re.finditer(r"(?<=  )\S", block[0])]
     rows = []
     for line in block:
