@@ -148,18 +148,7 @@ void Caps::take_given(uint32_t n, Joining &joining) {
 }
 
 void Caps::put_selected_first(const uint32_t *selected) {
-  const auto exchange_in = [](auto &array, uint32_t p, uint32_t q) {
-    const auto moved = array[p];
-    array[p] = array[q];
-    array[q] = moved;
-  };
-  first_later = hsp::put_selected_first(ball, first_later, selected, [&](uint32_t p, uint32_t q) {
-    exchange_in(ux, p, q);
-    exchange_in(uy, p, q);
-    exchange_in(uz, p, q);
-    exchange_in(b, p, q);
-    exchange_in(ball, p, q);
-  });
+  first_later = hsp::put_selected_first(first_later, selected, ball, ux, uy, uz, b);
   planes_made_ = false;
 }
 

@@ -18,13 +18,21 @@ inline BallArrays arrays_of(const BallSet &balls) {
   return {balls.x.data(), balls.y.data(), balls.z.data(), balls.r.data()};
 }
 
-// Moves those of the first `earlier` balls that are selected before the others; returns how many these are.
-// exchange(a, b) exchanges what belongs to two positions.
-template <class Exchange>
-uint32_t put_selected_first(Span<const uint32_t> ball, uint32_t earlier, const uint32_t *selected, Exchange exchange) {
+// Moves those of the first `earlier` balls that are selected before the others, with what further arrays have of them;
+// returns how many these are.
+template <class... Rest>
+uint32_t put_selected_first(uint32_t earlier, const uint32_t *selected, Span<uint32_t> ball, Rest... rest) {
   uint32_t first = 0;
+  const auto exchange = [&](auto array, uint32_t k) {
+    const auto moved = array[first];
+    array[first] = array[k];
+    array[k] = moved;
+  };
   for (uint32_t k = 0; k < earlier; ++k) {
-    if (selected[ball[k]] != 0) exchange(first++, k);
+    if (selected[ball[k]] == 0) continue;
+    exchange(ball, k);
+    (exchange(rest, k), ...);
+    ++first;
   }
   return first;
 }

@@ -79,13 +79,7 @@ bool LaneSearch::gather(const BallSet &balls, uint32_t i, Caps &caps, DisjointSe
   uint32_t earlier = 0;
   const uint32_t found = candidates_.near(i, near, caps.capacity(), earlier);
   if (found > caps.capacity()) return false;
-  if (selected != nullptr) {
-    earlier = put_selected_first(caps.ball, earlier, selected, [near](uint32_t p, uint32_t q) {
-      const uint32_t moved = near[p];
-      near[p] = near[q];
-      near[q] = moved;
-    });
-  }
+  if (selected != nullptr) earlier = put_selected_first(earlier, selected, caps.ball);
   if (!make_float_caps(target_, arrays_of(balls), i, near, found, sweep_.caps)) return false;
   caps.take_circles(balls, i, found, earlier, components);
   return true;
