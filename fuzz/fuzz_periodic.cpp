@@ -124,7 +124,8 @@ Result result_of(support::OwnedPeriodic &periodic, const Crystal &crystal) {
                                          result.radius.data(),
                                          nullptr,
                                          result.strain.data(),
-                                         result.box.data()};
+                                         result.box.data(),
+                                         nullptr};
   FUZZ_REQUIRE(hsp_periodic_get_gradient(p, &energy, &gradient) == HSP_OK, "gradient");
   result.curved_radius.resize(n);
   result.curved_centre.resize(3 * size_t{n});

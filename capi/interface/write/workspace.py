@@ -1,5 +1,6 @@
 """The header of workspaces: what is the same for every handle, into workspace_template.h. The facts are those of the
 module of workspaces, too."""
+import re
 from pathlib import Path
 
 from .template import filled
@@ -47,7 +48,7 @@ def passed_on(compute):
 def workspace_header(interface):
     def part(name):
         if name.startswith("compute "):
-            noun, how, _ = name.removeprefix("compute ").partition("_with")
+            noun, how = re.fullmatch(r"compute (.*?)(_with|)", name).groups()
             return compute_rows(interface.function(f"hsp_{noun}_compute{how}"), noun, how)
         return {"fields": field_rows, "drop": drop_rows, "make": make_rows}[name](interface)
 
