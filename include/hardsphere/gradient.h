@@ -69,9 +69,9 @@ typedef struct hsp_gradient_outputs {
 } hsp_gradient_outputs;
 
 /** An energy and its gradient, in one pass. request may be NULL: all defaults.
- *  Areas come with it, in the same call. For the area alone: tension 1. For the volume alone: pressure 1. With neither E is 0, while the parts of energy are
- *  there. For molecular dynamics take HSP_TANGENT_OVERLAP, the default. On failure nothing but outputs->needed and
- *  outputs->first_bad is written.
+ *  For the area alone: tension 1. For the volume alone: pressure 1. With neither E is 0, while the parts of energy are
+ *  there, and areas. For molecular dynamics take HSP_TANGENT_OVERLAP, the default. On failure nothing but
+ *  outputs->needed and outputs->first_bad is written.
  *  - Property 1: the sums of d_centre and of c_i x d_centre are zero up to rounding (E does not change under motions).
  *  - Property 2: with all sigma equal, sum_i (r_i d_radius_i + c_i . d_centre_i) is 2 A for the area, 3 V for the
  *    volume.

@@ -124,8 +124,8 @@ typedef struct hsp_periodic_request {
  *  - Property 1: all that can be read afterwards is the same for every number of workers and parts, bit for bit.
  *  - Property 2: areas and derivatives with areas_alone are those without it, bit for bit.
  *
- *  @retval HSP_E_ARGUMENT    a null pointer, but xyz and radius with n = 0; box [1], [2] or [5] is not 0; areas_alone is
- *                            not 0 or 1; an executor with several workers and without run
+ *  @retval HSP_E_ARGUMENT    a null pointer, but xyz and radius with n = 0; box [1], [2] or [5] is not 0; areas_alone
+ *                            is not 0 or 1; an executor with several workers and without run
  *  @retval HSP_E_VERSION     bad struct_size of request, options, executor or limits, or reserved of the options is
  *                            not 0
  *  @retval HSP_E_CAPACITY    as hsp_periodic_compute, or the limit of workers is too small
