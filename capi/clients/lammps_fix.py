@@ -69,7 +69,7 @@ class Surface:
             self._compute(own, x, forces)
         except Exception:
             traceback.print_exc()
-            os._exit(1)  # LAMMPS cannot be told
+            os._exit(1)  # a callback of C has no other way to end a run
 
     def _compute(self, own: int, x: int, forces: int) -> None:
         sums = numpy.zeros(7)  # energy, and virial as LAMMPS has it: xx yy zz xy xz yz

@@ -28,6 +28,7 @@ def _load() -> C.CDLL:
     if chosen:
         return C.CDLL(chosen)
     for name in (os.path.join(here, f"libhardsphere.so.{_ABI}"), os.path.join(here, "libhardsphere.so"),
+                 os.path.join(here, "../../..", f"libhardsphere.so.{_ABI}"),  # as it is installed
                  f"libhardsphere.so.{_ABI}", ctypes.util.find_library("hardsphere")):
         try:
             return C.CDLL(name) if name else None
