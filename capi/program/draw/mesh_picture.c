@@ -32,7 +32,15 @@ static const uint32_t line_colour = 0x23202B;
 static const double element_share = 0.7; /* the rest is grey */
 static const uint32_t grey = 0xD2CDC3;
 
-enum { CARBON = 6, MOST_COLOURS = 128, FEWEST_BANDS = 16, MOST_BANDS = 64, MOST_CORNERS = 12 };
+enum {
+  HYDROGEN = 1,
+  CARBON = 6,
+  ELEMENTS = 119,
+  MOST_COLOURS = 128,
+  FEWEST_BANDS = 16,
+  MOST_BANDS = 64,
+  MOST_CORNERS = 12
+};
 
 /* The visible sides of a surface. */
 enum { OUTSIDE, INSIDE, OF_VOID, SIDES };
@@ -71,7 +79,7 @@ static int32_t rounded(double value) {
   return (int32_t)floor(value + 0.5);
 }
 
-static void find_frame(const struct mesh_parts *parts, bool cut, struct frame *frame) {
+static void find_frame(const struct mesh_parts *parts, struct frame *frame) {
   const double wide = parts->high[0] - parts->low[0];
   const double high = parts->high[1] - parts->low[1];
   const double around = margin * (wide > high ? wide : high);
@@ -82,7 +90,7 @@ static void find_frame(const struct mesh_parts *parts, bool cut, struct frame *f
   frame->left = parts->low[0] - around;
   frame->top = parts->high[1] + around;
   frame->height = rounded(frame->scale * (high + 2.0 * around));
-  if (cut) frame->strip = rounded(2.0 * letter);
+  frame->strip = rounded(2.0 * letter);
 }
 
 static void place(const struct frame *frame, const double *at, int32_t page[2]) {
@@ -104,12 +112,19 @@ static uint32_t colour_number(struct mesh_picture *picture, uint32_t colour) {
   return k;
 }
 
+static uint32_t number_of(const struct mesh_picture *picture, uint32_t ball) {
+  const struct atom_label *label = &picture->molecule->label[ball];
+  return label->element.text[0] == '\0' ? CARBON : element_atomic_number(label->element);
+}
+
+static uint32_t element_colour(uint32_t number) {
+  return colour_mixed(grey, hsp_palette_colour(HSP_PALETTE_SOFT, number, 0), element_share);
+}
+
 static uint32_t colour_of(struct mesh_picture *picture, uint32_t ball, int side) {
   if (side == OF_VOID) return colour_number(picture, void_colour);
   if (side == INSIDE) return colour_number(picture, inside_colour);
-  const struct atom_label *label = &picture->molecule->label[ball];
-  const uint32_t number = label->element.text[0] == '\0' ? CARBON : element_atomic_number(label->element);
-  return colour_number(picture, colour_mixed(grey, hsp_palette_colour(HSP_PALETTE_SOFT, number, 0), element_share));
+  return colour_number(picture, element_colour(number_of(picture, ball)));
 }
 
 /* ---- polygons, cut along where a linear function is 0 ---- */
@@ -529,7 +544,25 @@ static void add_entry(const struct pen *pen, double *x, double y, uint32_t colou
   *x += 1.9 * letter + text_width(text, letter);
 }
 
-static void add_legend(const struct mesh_picture *picture, struct text_buffer *out) {
+/* Elements whose outside is seen, C and H first, then by their numbers. */
+static void add_elements(struct mesh_picture *picture, const struct pen *pen, double *x, double y) {
+  bool seen[ELEMENTS] = {false};
+  for (uint32_t t = 0; t < picture->mesh->triangles; ++t) {
+    if (picture->layer[t] == UINT32_MAX || side_of(picture, t, seen_area(picture, t)) != OUTSIDE) continue;
+    const uint32_t number = number_of(picture, picture->mesh->balls[t]);
+    if (number < ELEMENTS) seen[number] = true;
+  }
+  for (uint32_t k = 0; k < ELEMENTS + 2; ++k) {
+    const uint32_t number = k == 0 ? CARBON : k == 1 ? HYDROGEN : k - 2;
+    if (!seen[number]) continue;
+    seen[number] = false;
+    struct element_symbol symbol;
+    if (!element_symbol_of_number(number, &symbol)) continue;
+    add_entry(pen, x, y, surface_light_on(element_colour(number), 0.4), symbol.text);
+  }
+}
+
+static void add_legend(struct mesh_picture *picture, struct text_buffer *out) {
   const struct pen pen = {out, HSP_FORMAT_SVG, (double)picture->frame.height};
   const double y = picture->frame.height + picture->frame.strip / 2.0 - 0.3 * letter;
   double x = margin * 10.0 * picture_width;
@@ -538,7 +571,8 @@ static void add_legend(const struct mesh_picture *picture, struct text_buffer *o
     any = any || picture->layer[t] != UINT32_MAX;
   }
   pen_begin(&pen);
-  add_entry(&pen, &x, y, surface_light_on(inside_colour, 0.4), "inside of the surface, cut open");
+  add_elements(picture, &pen, &x, y);
+  if (picture->view->cut) add_entry(&pen, &x, y, surface_light_on(inside_colour, 0.4), "inside, cut open");
   if (any) add_entry(&pen, &x, y, surface_light_on(void_colour, 0.4), "voids");
   pen_end(&pen);
 }
@@ -561,7 +595,7 @@ static bool add_picture(struct mesh_picture *picture, const char *title, struct 
                   "stroke-linejoin=\"round\" stroke-linecap=\"round\">\n");
   const bool enough = add_areas(picture, out) && add_section_line(picture, out);
   text_buffer_add(out, "</g>\n");
-  if (frame->strip > 0) add_legend(picture, out);
+  if (picture->mesh->triangles > 0) add_legend(picture, out);
   text_buffer_add(out, "</svg>\n");
   return enough;
 }
@@ -606,7 +640,7 @@ static bool make(struct mesh_picture *picture) {
   }
   if (!mesh_parts_find(mesh, picture->view->axis, &picture->parts)) return false;
   if (cut && !mesh_parts_cut(mesh, picture->view->of_outside, &picture->parts)) return false;
-  find_frame(&picture->parts, cut, &picture->frame);
+  find_frame(&picture->parts, &picture->frame);
   const double bands = bands_per_unit * picture->frame.scale;
   picture->bands = bands < FEWEST_BANDS ? FEWEST_BANDS : bands > MOST_BANDS ? MOST_BANDS : (int)bands;
   for (int k = 0; k <= picture->bands + 1; ++k) picture->border[k] = surface_light_border((double)k / picture->bands);
