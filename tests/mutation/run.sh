@@ -24,7 +24,7 @@ fail() {
 
 mkdir -p "$folder"
 folder=$(cd "$folder" && pwd)
-names_of() { awk '/^[a-z][0-9][0-9] [^ ]+$/ { print $1 }' "$mutations"; }
+names_of() { awk '/^[a-z][0-9][0-9]+ [^ ]+$/ { print $1 }' "$mutations"; }
 if [ $# -gt 0 ]; then names=("$@"); else mapfile -t names < <(names_of); fi
 for name in "${names[@]}"; do names_of | grep -qx "$name" || fail "no mutation is called $name"; done
 awk -v root="$source" -f "$here/mutations.awk" "$mutations" || fail "mutations.txt does not fit the code"

@@ -118,7 +118,7 @@ static bool check_measure(const struct request *request, struct failure *failure
   return true;
 }
 
-/* What there is of all atoms alone, and not of a part that others block. */
+/* Results of all atoms alone, which a part that others block has not. */
 static bool check_part(const struct request *request, struct failure *failure) {
   if (!request_wants_part(request)) return true;
   const char *other = request->excluded_surface         ? "--surface ses"

@@ -10,7 +10,7 @@
 #include "read/molecule.h"
 #include "read/text_buffer.h"
 
-/* What is done with a frame: a command prints it, or numbers are found that are taken in the order of frames. */
+/* The work on a frame: a command prints it, or numbers are found that are taken in the order of frames. */
 struct frame_work {
   command_function *command; /* NULL: there are numbers */
   size_t count;              /* of the numbers */
@@ -21,8 +21,8 @@ struct frame_work {
 };
 
 /* Put each frame that the request asks for into the molecule, which is prepared, and print what the command writes for
- * it, or take its numbers, as soon as that is done with those before it. Memory is that of a few frames for each thread, one without any. A failure
- * stops all; what was printed stays. */
+ * it, or take its numbers, as soon as that is done with those before it. Memory is that of a few frames for each
+ * thread, one without any. A failure stops all; what was printed stays. */
 bool command_frames(const struct request *request, const struct molecule *molecule, const struct frame_work *work,
                     struct failure *failure);
 

@@ -1,8 +1,8 @@
 /* Numbers have their highest byte first. A frame begins with 1993, the length of a name and its end, the name, which is
- * GMX_trn_file, and 13 numbers: the bytes of ten blocks, number of atoms, step, and one that is not used. Then come time
- * and another parameter, and the blocks: inputs and energies, which are empty, box, virial, pressure, topology and
- * symbols, which are empty, coordinates, velocities and forces. Numbers of all blocks are floats or doubles, which the
- * size of the first block tells that is there. */
+ * GMX_trn_file, and 13 numbers: the bytes of ten blocks, number of atoms, step, and one that is not used. Then come
+ * time and another parameter, and the blocks: inputs and energies, which are empty, box, virial, pressure, topology and
+ * symbols, which are empty, coordinates, velocities and forces. Numbers of all blocks are floats or doubles, as the
+ * size of the first block with numbers tells. */
 #include "read/read_trr.h"
 
 #include <inttypes.h>

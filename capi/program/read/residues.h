@@ -49,8 +49,8 @@ struct atom_groups {
 #define ATOM_GROUPS_NONE \
   { GROUPING_NONE, 0, NULL }
 
-/* Group the atoms and sum area [atoms] over each group; of atoms whose `part` [atoms] is 0 nothing is counted, and groups
- * of none but such are left out. part: NULL for all. False: memory is short. */
+/* Group the atoms and sum area [atoms] over each group. Atoms whose `part` [atoms] is 0 do not count, and residues and
+ * chains of none but such are left out. part: NULL for all. False: memory is short. */
 bool atom_groups_make(const struct molecule *molecule, enum grouping grouping, const struct index_file *index,
                       const double *area, const uint8_t *part, struct atom_groups *groups, struct failure *failure);
 
