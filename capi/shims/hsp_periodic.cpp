@@ -43,15 +43,9 @@ hsp_periodic_contact to_c(const hsp::PeriodicUnion &periodic, const hsp::Periodi
 }
 
 hsp_winding to_winding(const hsp::Windings &windings, uint32_t component) {
-  const hsp::WindingLattice &lattice = windings.lattice(component);
-  const uint64_t copies = lattice.copies();
   hsp_winding result{};
   result.first = windings.first_ball(component);
-  result.directions = lattice.rank;
-  result.copies = copies == 0 || copies >= HSP_NONE ? HSP_NONE : static_cast<uint32_t>(copies);
-  for (uint32_t r = 0; r < lattice.rank; ++r) {
-    for (int k = 0; k < 3; ++k) result.row[3 * r + static_cast<uint32_t>(k)] = lattice.row[r][k];
-  }
+  hsp::capi::put_lattice(windings.lattice(component), result);
   return result;
 }
 
@@ -83,7 +77,9 @@ int32_t hsp_periodic_compute(hsp_periodic *periodic, uint32_t n, const double *x
       status != HSP_OK)
     return status;
   if (n > HSP_MAX_BALLS) return HSP_E_RANGE;
-  return hsp::capi::finish(*periodic, periodic->builder.build(input, box, bad), limits);
+  const hsp::Status status = periodic->builder.build(input, box, bad);
+  if (status == hsp::Status::ok) periodic->digest = hsp::digest_of(periodic->builder);
+  return hsp::capi::finish(*periodic, status, limits);
 }
 
 int32_t hsp_periodic_get_counts(const hsp_periodic *periodic, hsp_periodic_counts *counts) {

@@ -19,7 +19,9 @@ struct hsp_periodic {
   uintptr_t tag;
   Builder builder;
   bool complete = false;
+  uint64_t digest = 0;  // of balls and box
 
+  uint64_t version() const { return digest; }
   bool has_results() const { return complete; }
   uint32_t balls() const { return builder.images().balls(); }
   const hsp::exact::Lattice &lattice() const { return builder.images().lattice(); }

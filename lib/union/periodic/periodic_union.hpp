@@ -164,4 +164,7 @@ class PeriodicUnion {
   PeriodicCounts counts_;
 };
 
+// As that of a grid (model/set_digest.hpp), of the box and of where the caller has put the balls, too.
+uint64_t digest_of(const PeriodicUnion &periodic);
+
 }  // namespace hsp
