@@ -13,8 +13,8 @@ STATUS = "    integer(c_int32_t) :: status"
 def workspace_module(interface):
     def part(name):
         if name.startswith("compute "):
-            noun, how, _ = name.removeprefix("compute ").partition("_with")
-            return compute_rows(interface.function(f"hsp_{noun}_compute{how}"), noun)
+            noun, join, how = name.removeprefix("compute ").partition("_")
+            return compute_rows(interface.function(f"hsp_{noun}_compute{join}{how}"), noun, how)
         return {"fields": field_rows, "private": private_rows, "drop": drop_rows, "make": make_rows}[name](interface)
 
     return filled(TEMPLATE, r" *! <(.*)>", part)
@@ -94,13 +94,14 @@ def make_rows(interface):
     return rows[:-1]
 
 
-def compute_rows(compute, noun):
+def compute_rows(compute, noun, how):
     """A function that computes a handle, and makes it larger until it suffices."""
     own = {a.name: f"self%{a.name}" for a in compute.arguments if a.kind == "handle"}
     call = f"{compute.name}({', '.join(own.get(a.name, a.name) for a in compute.arguments)})"
+    name = noun if how in ("", "with") else f"{noun}_{how}"
     names = ", ".join(["self", *(a.name for a in passed_on(compute))])
     n = ", n" if compute.argument("n") else ""
-    return [*wrapped(f"function compute_{noun}({names}) result(status)", 2, mark=" &"), SELF,
+    return [*wrapped(f"function compute_{name}({names}) result(status)", 2, mark=" &"), SELF,
             *(f"    {declaration(a)[0]}" for a in passed_on(compute)),
             f"    type(hsp_{noun}_limits) :: limits", STATUS,
             f"    status = ready_{noun}(self{n})",
