@@ -371,14 +371,14 @@ HSP_API int32_t hsp_pores_find_pockets(hsp_pores *pores, double narrow, double w
 /** The pockets first .. first + count - 1 of the last hsp_pores_find_pockets, exactly count records, that with the
  *  widest maximum first; out may be NULL with count 0.
  *  @retval HSP_E_ARGUMENT  pores is NULL; out is NULL with a count above 0
- *  @retval HSP_E_STATE     nothing computed, the model has changed since, or pores in a box
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        not all of these pockets are there */
 HSP_API int32_t hsp_pores_get_pockets(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_pocket *out);
 
 /** The maxima of a pocket, the widest first.
  *  @retval HSP_E_ARGUMENT  pores is NULL; maxima is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, which may be NULL
- *  @retval HSP_E_STATE     nothing computed, the model has changed since, or pores in a box
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        there is no such pocket */
 HSP_API int32_t hsp_pores_get_pocket_maxima(const hsp_pores *pores, uint32_t pocket, uint32_t *maxima,
                                             uint32_t capacity, uint32_t *needed);
@@ -386,7 +386,7 @@ HSP_API int32_t hsp_pores_get_pocket_maxima(const hsp_pores *pores, uint32_t poc
 /** The mouths of a pocket, the widest first: numbers of gates.
  *  @retval HSP_E_ARGUMENT  pores is NULL; gates is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, which may be NULL
- *  @retval HSP_E_STATE     nothing computed, the model has changed since, or pores in a box
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        there is no such pocket */
 HSP_API int32_t hsp_pores_get_pocket_mouths(const hsp_pores *pores, uint32_t pocket, uint32_t *gates, uint32_t capacity,
                                             uint32_t *needed);
@@ -395,7 +395,7 @@ HSP_API int32_t hsp_pores_get_pocket_mouths(const hsp_pores *pores, uint32_t poc
  *  mouths.
  *  @retval HSP_E_ARGUMENT  pores is NULL; balls is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, which may be NULL
- *  @retval HSP_E_STATE     nothing computed, the model has changed since, or pores in a box
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        there is no such pocket */
 HSP_API int32_t hsp_pores_get_pocket_balls(const hsp_pores *pores, uint32_t pocket, uint32_t *balls, uint32_t capacity,
                                            uint32_t *needed);
@@ -453,7 +453,7 @@ typedef struct hsp_tunnel_point {
  *  way is a curve of points equally far from two or three balls, or a straight line away from one.
  *  @retval HSP_E_ARGUMENT  pores is NULL; points is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, which may be NULL
- *  @retval HSP_E_STATE     nothing computed, the model has changed since, or pores in a box */
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_pores_get_tunnel_points(const hsp_pores *pores, hsp_tunnel_point *points, uint32_t capacity,
                                             uint32_t *needed);
 
