@@ -914,9 +914,9 @@ class Boundary(Handle):
         """Compute the boundary of the union of the model's balls."""
         return call("hsp_boundary_compute", self, model=model)
 
-    def compute_with(self, model: Model, *, selected: Any | None = None) -> Boundary:
+    def compute_with(self, model: Model, *, threads: int | None = None, selected: Any | None = None) -> Boundary:
         """The same as hsp_boundary_compute, as a request says; request may be NULL: all defaults."""
-        return call("hsp_boundary_compute_with", self, model=model, selected=selected)
+        return call("hsp_boundary_compute_with", self, model=model, threads=threads, selected=selected)
 
     def get_counts(self) -> BoundaryCounts:
         """How many of everything the boundary has."""
@@ -959,9 +959,9 @@ class Boundary(Handle):
         block. Gives .totals, .area, .volume_term."""
         return call("hsp_boundary_measure", self, selected=selected, only=only)
 
-    def get_measures(self, *, selected: Any | None = None, only: Any | None = None) -> Any:
+    def get_measures(self, *, selected: Any | None = None, threads: int | None = None, only: Any | None = None) -> Any:
         """The same as a request says; request may be NULL: all defaults. Gives .totals, .area, .volume_term."""
-        return call("hsp_boundary_get_measures", self, selected=selected, only=only)
+        return call("hsp_boundary_get_measures", self, selected=selected, threads=threads, only=only)
 
     def measure_faces(self, *, only: Any | None = None) -> Any:
         """Area, and term of the volume, of each face: area [faces] and volume_term [faces], each may be NULL, face ids
@@ -969,26 +969,28 @@ class Boundary(Handle):
         return call("hsp_boundary_measure_faces", self, only=only)
 
     def get_gradient(self, *, tangency: int | None = None, tension: float | None = None, pressure: float | None = None,
-                     sigma: Any | None = None, only: Any | None = None) -> Any:
+                     sigma: Any | None = None, threads: int | None = None, only: Any | None = None) -> Any:
         """An energy and its gradient, in one pass. Gives .energy, .d_centre, .d_radius, .flags, .area."""
         return call("hsp_boundary_get_gradient", self, tangency=tangency, tension=tension, pressure=pressure,
-                    sigma=sigma, only=only)
+                    sigma=sigma, threads=threads, only=only)
 
-    def get_derivatives(self, *, tangency: int | None = None, sigma: Any | None = None, only: Any | None = None) -> Any:
+    def get_derivatives(self, *, tangency: int | None = None, sigma: Any | None = None, threads: int | None = None,
+                        only: Any | None = None) -> Any:
         """The two parts of that gradient, each on its own. Gives .area_centre, .area_radius, .volume_centre,
         .volume_radius, .flags."""
-        return call("hsp_boundary_get_derivatives", self, tangency=tangency, sigma=sigma, only=only)
+        return call("hsp_boundary_get_derivatives", self, tangency=tangency, sigma=sigma, threads=threads, only=only)
 
     def get_area_row(self, ball: int, tangency: int) -> Any:
         """The derivatives of A_i, i = ball: an entry for i itself and one for every j whose circle on i has a free
         piece, ascending in j; all others are 0."""
         return call("hsp_boundary_get_area_row", self, ball=ball, tangency=tangency)
 
-    def get_area_rows(self, *, tangency: int | None = None, sigma: Any | None = None, only: Any | None = None) -> Any:
+    def get_area_rows(self, *, tangency: int | None = None, sigma: Any | None = None, threads: int | None = None,
+                      only: Any | None = None) -> Any:
         """The whole Jacobian of the areas as compressed rows: those of ball i are entries first[i] to first[i + 1] - 1,
         with ball [needed] the columns j, ascending, d_centre [needed][3] sigma_i dA_i/dc_j and d_radius [needed], which
         may be NULL, sigma_i dA_i/dr_j. Gives .first, .ball, .d_centre, .d_radius."""
-        return call("hsp_boundary_get_area_rows", self, tangency=tangency, sigma=sigma, only=only)
+        return call("hsp_boundary_get_area_rows", self, tangency=tangency, sigma=sigma, threads=threads, only=only)
 
     def curvature(self, *, only: Any | None = None) -> Any:
         """Integrated curvatures, in all and by ball: mean [n] and gauss_thirds [n] may each be NULL and else hold
@@ -997,11 +999,11 @@ class Boundary(Handle):
 
     def get_morphometry(self, *, pressure: float | None = None, tension: float | None = None,
                         bending: float | None = None, gaussian: float | None = None, sigma: Any | None = None,
-                        only: Any | None = None) -> Any:
+                        threads: int | None = None, only: Any | None = None) -> Any:
         """A morphometric energy and its gradient in one pass; balls that touch count as overlapping. Gives .energy,
         .d_centre, .d_radius, .flags."""
         return call("hsp_boundary_get_morphometry", self, pressure=pressure, tension=tension, bending=bending,
-                    gaussian=gaussian, sigma=sigma, only=only)
+                    gaussian=gaussian, sigma=sigma, threads=threads, only=only)
 
 
 class Moving(Handle):
@@ -1102,10 +1104,11 @@ class Periodic(Handle):
                     largest_radius=largest_radius)
 
     def compute_with(self, xyz: Any, radius: Any, box: Any, *, areas_alone: int | None = None,
-                     options: Any | None = None) -> Periodic:
+                     probe: float | None = None, step: float | None = None, largest_radius: float | None = None,
+                     threads: int | None = None) -> Periodic:
         """The same as hsp_periodic_compute, as a request says."""
         return call("hsp_periodic_compute_with", self, xyz=xyz, radius=radius, box=box, areas_alone=areas_alone,
-                    options=options)
+                    probe=probe, step=step, largest_radius=largest_radius, threads=threads)
 
     def get_counts(self) -> PeriodicCounts:
         """Count."""
@@ -1124,11 +1127,11 @@ class Periodic(Handle):
 
     def get_morphometry(self, *, pressure: float | None = None, tension: float | None = None,
                         bending: float | None = None, gaussian: float | None = None, sigma: Any | None = None,
-                        only: Any | None = None) -> Any:
+                        threads: int | None = None, only: Any | None = None) -> Any:
         """A morphometric energy, its gradient by the balls, and its derivatives by the box, in one call: as
         hsp_boundary_get_morphometry. Gives .energy, .d_centre, .d_radius, .flags, .d_strain, .d_box."""
         return call("hsp_periodic_get_morphometry", self, pressure=pressure, tension=tension, bending=bending,
-                    gaussian=gaussian, sigma=sigma, only=only)
+                    gaussian=gaussian, sigma=sigma, threads=threads, only=only)
 
     def get_contacts(self) -> Any:
         """All contacts, each once, ascending in their balls and shifts."""
@@ -1148,11 +1151,11 @@ class Periodic(Handle):
         return call("hsp_periodic_get_components", self)
 
     def get_gradient(self, *, tangency: int | None = None, tension: float | None = None, pressure: float | None = None,
-                     sigma: Any | None = None, only: Any | None = None) -> Any:
+                     sigma: Any | None = None, threads: int | None = None, only: Any | None = None) -> Any:
         """An energy and its derivatives by the balls and by the box, as hsp_boundary_get_gradient. Gives .energy,
         .d_centre, .d_radius, .flags, .d_strain, .d_box, .area."""
         return call("hsp_periodic_get_gradient", self, tangency=tangency, tension=tension, pressure=pressure,
-                    sigma=sigma, only=only)
+                    sigma=sigma, threads=threads, only=only)
 
     def query_point(self, xyz: Any) -> Any:
         """The balls and images that contain the point xyz [3], wherever it is, ascending in balls and shifts."""
@@ -1228,11 +1231,11 @@ class Surface(Handle):
         return call("hsp_surface_measure", self, only=only)
 
     def get_gradient(self, *, tangency: int | None = None, tension: float | None = None, pressure: float | None = None,
-                     sigma: Any | None = None, only: Any | None = None) -> Any:
+                     sigma: Any | None = None, threads: int | None = None, only: Any | None = None) -> Any:
         """E = tension * sum_i sigma_i A_i + pressure * V of the smooth surface and its gradient, in one pass, with A_i
         ball i's share of the area as hsp_surface_measure has it. Gives .energy, .d_centre, .d_radius, .flags, .area."""
         return call("hsp_surface_get_gradient", self, tangency=tangency, tension=tension, pressure=pressure,
-                    sigma=sigma, only=only)
+                    sigma=sigma, threads=threads, only=only)
 
     def get_part_counts(self) -> SurfacePartCounts:
         """How many patches, edges, corners and shells there are."""
