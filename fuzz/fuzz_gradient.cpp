@@ -1,6 +1,7 @@
 // Derivatives and parts of areas: the invariants of gradients and of rows of the Jacobian, no effect of the order,
 // faces against balls, and selected balls against all.
 #include <gradient_invariants.h>
+#include <loops.h>
 
 #include "computed_set.hpp"
 #include "guarded_output.hpp"
@@ -36,6 +37,38 @@ void require_short_rows(const computed &c, uint32_t tangency, fuzz::Bytes &bytes
     const int32_t status = hsp_boundary_get_area_row(c.boundary, i, tangency, out.data(), out.capacity(), &needed);
     FUZZ_REQUIRE(status == HSP_E_CAPACITY && needed == length, "a row in too short an array");
     FUZZ_REQUIRE(out.untouched_from(0), "a row half written");
+  }
+}
+
+// hsp_boundary_get_area_rows, property 1 without weights, by several threads.
+void require_all_rows(const computed &c, uint32_t tangency, fuzz::Bytes &bytes) {
+  loop own = loop_of(LOOP_REVERSED);
+  const hsp_executor executor = executor_of(&own, bytes.below(4));
+  const hsp_derivatives_request request{sizeof request, tangency, nullptr, &executor};
+  std::vector<uint32_t> first(c.n + 1);
+  uint32_t entries = 0;
+  const int32_t counted =
+      hsp_boundary_get_area_rows(c.boundary, &request, first.data(), nullptr, nullptr, nullptr, 0, &entries);
+  FUZZ_REQUIRE(counted == (entries > 0 ? HSP_E_CAPACITY : HSP_OK), "the number of all entries");
+  fuzz::Output<uint32_t> ball(entries, false);
+  fuzz::Output<double> centre(3 * entries, false), radius(entries, bytes.one_in(2));
+  FUZZ_REQUIRE(hsp_boundary_get_area_rows(c.boundary, &request, first.data(), ball.data(), centre.data(), radius.data(),
+                                          entries, nullptr) == HSP_OK,
+               "all rows");
+  for (uint32_t i = 0; i < c.n; ++i) {
+    std::vector<hsp_area_derivative> row(first[i + 1] - first[i] + 1);
+    uint32_t length = 0;
+    const auto room = static_cast<uint32_t>(row.size());
+    FUZZ_REQUIRE(hsp_boundary_get_area_row(c.boundary, i, tangency, row.data(), room, &length) == HSP_OK, "a row");
+    FUZZ_REQUIRE(length == first[i + 1] - first[i], "the length of a row among all");
+    for (uint32_t k = 0; k < length; ++k) {
+      const uint32_t e = first[i] + k;
+      FUZZ_REQUIRE(ball.data()[e] == row[k].ball, "the balls of a row among all");
+      FUZZ_REQUIRE(std::memcmp(centre.data() + 3 * size_t{e}, row[k].centre, sizeof row[k].centre) == 0,
+                   "a row among all");
+      FUZZ_REQUIRE(radius.data() == nullptr || std::memcmp(radius.data() + e, &row[k].radius, sizeof(double)) == 0,
+                   "a row among all by radii");
+    }
   }
 }
 
@@ -105,5 +138,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   require_short_rows(c, tangency, bytes);
   require_faces(c);
   require_selected(c, bytes);
+  require_all_rows(c, tangency, bytes);
   return 0;
 }

@@ -83,8 +83,9 @@ Numbers fresh_numbers(const hsp_model *model, const hsp_moving *moving, const Ba
       "measures of a new model");
   const hsp_gradient_request request{sizeof request, HSP_TANGENT_OVERLAP, tension,
                                      pressure,       balls.sigma.data(),  nullptr};
-  hsp_gradient_outputs outputs{sizeof outputs,     n, 0, 0, &result.energy, result.centre.data(), result.radius.data(),
-                               result.flags.data()};
+  hsp_gradient_outputs outputs{
+      sizeof outputs,      n,      0, 0, &result.energy, result.centre.data(), result.radius.data(),
+      result.flags.data(), nullptr};
   FUZZ_REQUIRE(hsp_boundary_get_gradient(b, &request, &outputs) == HSP_OK, "gradients of a new model");
   hsp_boundary_counts counts{};
   hsp_moving_info info{};

@@ -2,6 +2,8 @@
 // groups that add up, morphometric energies, the same bytes from other images of the balls and other vectors of the
 // box, twice the box along one of them, records that fit together, points and query balls against all images, and
 // limits that are too small.
+#include <loops.h>
+
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -85,6 +87,36 @@ int32_t compute(hsp_periodic *handle, const Crystal &crystal, hsp_periodic_limit
   return status;
 }
 
+// Areas and derivatives alone, by some threads, have the same bits.
+void require_areas_alone(const Crystal &crystal, const Result &whole, uint32_t workers) {
+  loop own = loop_of(LOOP_REVERSED);
+  const hsp_executor executor = executor_of(&own, workers);
+  const hsp_periodic_request request{sizeof request, 1, &crystal.options, &executor};
+  const hsp_gradient_request energy{sizeof energy, HSP_TANGENT_OVERLAP, 1, 0, nullptr, nullptr};
+  const uint32_t n = crystal.n();
+  support::OwnedPeriodic periodic;
+  hsp_periodic_limits limits{};
+  limits.struct_size = sizeof limits;
+  periodic.take(limits);
+  periodic.compute([&](hsp_periodic *handle, hsp_periodic_limits *asked) {
+    return hsp_periodic_compute_with(handle, n, crystal.balls.xyz.data(), crystal.balls.radius.data(),
+                                     crystal.box.data(), &request, asked, nullptr);
+  });
+  std::vector<double> area(n), centre(3 * size_t{n});
+  hsp_periodic_totals totals{};
+  hsp_energy found{};
+  hsp_periodic_gradient_outputs outputs{};
+  outputs.struct_size = sizeof outputs;
+  outputs.capacity = n;
+  outputs.energy = &found;
+  outputs.d_centre = centre.data();
+  outputs.area = area.data();
+  FUZZ_REQUIRE(hsp_periodic_measure(periodic.get(), &totals, nullptr, nullptr, 0, nullptr) == HSP_OK, "areas alone");
+  FUZZ_REQUIRE(hsp_periodic_get_gradient(periodic.get(), &energy, &outputs) == HSP_OK, "gradient of areas alone");
+  FUZZ_REQUIRE(totals.area == whole.totals.area && found.area == whole.energy.area, "the area alone");
+  FUZZ_REQUIRE(std::memcmp(area.data(), whole.area.data(), n * sizeof(double)) == 0, "the bits of areas alone");
+}
+
 Result result_of(support::OwnedPeriodic &periodic, const Crystal &crystal) {
   hsp_periodic_limits limits{};
   FUZZ_REQUIRE(hsp_periodic_limits_init(&limits, sizeof limits, crystal.n()) == HSP_OK, "limits");
@@ -124,7 +156,8 @@ Result result_of(support::OwnedPeriodic &periodic, const Crystal &crystal) {
                                          result.radius.data(),
                                          nullptr,
                                          result.strain.data(),
-                                         result.box.data()};
+                                         result.box.data(),
+                                         nullptr};
   FUZZ_REQUIRE(hsp_periodic_get_gradient(p, &energy, &gradient) == HSP_OK, "gradient");
   result.curved_radius.resize(n);
   result.curved_centre.resize(3 * size_t{n});
@@ -417,5 +450,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
           FUZZ_REQUIRE(std::memcmp(&totals, &reference.totals, sizeof totals) == 0, "totals with more room");
         return status;
       });
+  require_areas_alone(crystal, reference, bytes.below(4));
   return 0;
 }

@@ -69,7 +69,8 @@ Gradient gradient_of(const surface_result &s, const double *sigma, double tensio
   const uint32_t n = s.base->n;
   Gradient g{{}, std::vector<double>(3 * size_t{n}), std::vector<double>(n), std::vector<uint32_t>(n)};
   const hsp_gradient_request request{sizeof request, HSP_TANGENT_OVERLAP, tension, pressure, sigma, nullptr};
-  hsp_gradient_outputs outputs{sizeof outputs, n, 0, 0, &g.energy, g.centre.data(), g.radius.data(), g.flags.data()};
+  hsp_gradient_outputs outputs{sizeof outputs, n,      0, 0, &g.energy, g.centre.data(), g.radius.data(),
+                               g.flags.data(), nullptr};
   const int32_t status = hsp_surface_get_gradient(s.surface, &request, &outputs);
   FUZZ_REQUIRE(status == HSP_OK, hsp_status_text(status));
   return g;

@@ -662,6 +662,20 @@ static inline int32_t hsp_workspace_periodic(hsp_workspace *work, uint32_t n, co
   return status;
 }
 
+/** The same as a request says; arguments and statuses as hsp_periodic_compute_with. */
+static inline int32_t hsp_workspace_periodic_with(hsp_workspace *work, uint32_t n, const double *xyz,
+                                                  const double *radius, const double *box,
+                                                  const hsp_periodic_request *request, uint32_t *first_bad) {
+  int32_t status = hsp_workspace_ready_periodic(work, n);
+  hsp_periodic_limits limits = work->periodic_limits;
+  while (status == HSP_OK) {
+    status = hsp_periodic_compute_with(work->periodic, n, xyz, radius, box, request, &limits, first_bad);
+    if (status != HSP_E_CAPACITY) return status;
+    status = hsp_workspace_grow_periodic(work, &limits);
+  }
+  return status;
+}
+
 /* ---- surface.h */
 
 /** Compute the solvent-excluded surface of shells [count] of the boundary that hsp_workspace_boundary has computed; of

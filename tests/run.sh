@@ -65,14 +65,14 @@ step() { # preset, what is done, command
 for preset in "${presets[@]}"; do
   echo "== $preset"
   : >"build/logs/$preset.log"
-  case $preset in slow | long) build=dev ;; *) build=$preset ;; esac
-  if ! step "$preset" configuration cmake --preset "$build"; then
+  case $preset in slow | long) configuration=dev ;; *) configuration=$preset ;; esac
+  if ! step "$preset" configuration cmake --preset "$configuration"; then
     failed+=("$preset")
     continue
   fi
   # What reads sources alone fails before anything is built.
   if [ "$preset" = dev ]; then step "$preset" "tests of the text" ctest --preset text || failed+=("$preset"); fi
-  if step "$preset" build cmake --build --preset "$build"; then
+  if step "$preset" build cmake --build --preset "$preset"; then
     step "$preset" tests ctest --preset "$preset" || failed+=("$preset")
   else
     failed+=("$preset")

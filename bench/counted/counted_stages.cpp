@@ -88,6 +88,11 @@ void count_stages(const bench::Balls &balls, const Surface &surface) {
   count("cell_locate", balls, surface, [&] { space.locate(box); });
   bench::Periodic periodic(model, bench::tiling_period(balls));
   count("periodic", balls, surface, [&] { periodic.compute(); });
+  bench::Periodic periodic_areas(model, bench::tiling_period(balls), true);
+  count("periodic_areas", balls, surface, [&] {
+    periodic_areas.compute();
+    periodic_areas.differentiate();
+  });
   if (surface.probe != 0) return;  // what is drawn are van der Waals balls
   bench::View farther(model, nullptr, HSP_PIECES_OUTSIDE_FARTHER, {towards});
   count("view_farther", balls, surface, [&] { farther.compute(towards); });

@@ -56,9 +56,15 @@ hsp_totals Boundary::measure() {
 hsp_energy Boundary::gradient() {
   hsp_energy energy{};
   const hsp_gradient_request request{sizeof request, HSP_TANGENT_OVERLAP, 1.0, 1.0, weight_.data(), nullptr};
-  hsp_gradient_outputs outputs{
-      sizeof outputs, static_cast<uint32_t>(by_radius_.size()), 0, 0, &energy, by_centre_.data(), by_radius_.data(),
-      nullptr};
+  hsp_gradient_outputs outputs{sizeof outputs,
+                               static_cast<uint32_t>(by_radius_.size()),
+                               0,
+                               0,
+                               &energy,
+                               by_centre_.data(),
+                               by_radius_.data(),
+                               nullptr,
+                               nullptr};
   expect_ok(hsp_boundary_get_gradient(boundary_.get(), &request, &outputs), "hsp_boundary_get_gradient");
   return energy;
 }
@@ -108,10 +114,16 @@ uint32_t Contacts::count() const {
   return needed;
 }
 
-Periodic::Periodic(const Model &model, const std::array<double, 3> &side)
-    : model_(&model), box_{side[0], 0, 0, 0, side[1], 0, 0, 0, side[2]} {
+Periodic::Periodic(const Model &model, const std::array<double, 3> &side, bool areas_alone)
+    : model_(&model),
+      box_{side[0], 0, 0, 0, side[1], 0, 0, 0, side[2]},
+      area_(model.size()),
+      by_centre_(3 * size_t{model.size()}) {
   expect_ok(hsp_model_options_init(&options_, sizeof options_), "hsp_model_options_init");
   options_.probe = model.probe();
+  request_.struct_size = sizeof request_;
+  request_.areas_alone = areas_alone ? 1 : 0;
+  request_.options = &options_;
   hsp_periodic_limits limits{};
   expect_ok(hsp_periodic_limits_init(&limits, sizeof limits, model.size()), "hsp_periodic_limits_init");
   periodic_.take(limits);
@@ -123,9 +135,21 @@ Periodic::Periodic(const Model &model, const std::array<double, 3> &side)
 void Periodic::compute() {
   const Balls &balls = model_->balls();
   periodic_.compute([&](hsp_periodic *periodic, hsp_periodic_limits *limits) {
-    return hsp_periodic_compute(periodic, model_->size(), balls.xyz.data(), balls.radius.data(), &options_, box_.data(),
-                                limits, nullptr);
+    return hsp_periodic_compute_with(periodic, model_->size(), balls.xyz.data(), balls.radius.data(), box_.data(),
+                                     &request_, limits, nullptr);
   });
+}
+
+void Periodic::differentiate() {
+  hsp_gradient_request request{};
+  expect_ok(hsp_gradient_request_init(&request, sizeof request), "hsp_gradient_request_init");
+  request.tension = 1;
+  hsp_periodic_gradient_outputs outputs{};
+  outputs.struct_size = sizeof outputs;
+  outputs.capacity = static_cast<uint32_t>(area_.size());
+  outputs.d_centre = by_centre_.data();
+  outputs.area = area_.data();
+  expect_ok(hsp_periodic_get_gradient(periodic_.get(), &request, &outputs), "hsp_periodic_get_gradient");
 }
 
 hsp_periodic_counts Periodic::counts() const {

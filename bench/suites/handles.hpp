@@ -110,15 +110,19 @@ class Contacts {
 class Periodic {
  public:
   // Makes room for as much as it takes, and computes them.
-  Periodic(const Model &model, const std::array<double, 3> &side);
+  Periodic(const Model &model, const std::array<double, 3> &side, bool areas_alone = false);
 
   void compute();
   hsp_periodic_counts counts() const;
+  // Areas and their gradient.
+  void differentiate();
 
  private:
   const Model *model_;
   hsp_model_options options_{};
+  hsp_periodic_request request_{};
   std::array<double, 9> box_{};
+  std::vector<double> area_, by_centre_;
   support::OwnedPeriodic periodic_;
 };
 

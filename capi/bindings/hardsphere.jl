@@ -333,6 +333,7 @@ struct hsp_gradient_outputs
     d_centre::Ptr{Cdouble}
     d_radius::Ptr{Cdouble}
     flags::Ptr{UInt32}
+    area::Ptr{Cdouble}
 end
 
 struct hsp_derivatives_request
@@ -483,6 +484,14 @@ struct hsp_periodic_limits
     vertices::UInt32
     circles::UInt32
     contacts::UInt32
+    workers::UInt32
+end
+
+struct hsp_periodic_request
+    struct_size::UInt32
+    areas_alone::UInt32
+    options::Ptr{hsp_model_options}
+    executor::Ptr{hsp_executor}
 end
 
 struct hsp_periodic_counts
@@ -551,6 +560,7 @@ struct hsp_periodic_gradient_outputs
     flags::Ptr{UInt32}
     d_strain::Ptr{Cdouble}
     d_box::Ptr{Cdouble}
+    area::Ptr{Cdouble}
 end
 
 struct hsp_image
@@ -1466,6 +1476,12 @@ function hsp_boundary_get_area_row(boundary, ball, tangency, out, capacity, need
           Ptr{hsp_area_derivative}, UInt32, Ptr{UInt32}), boundary, ball, tangency, out, capacity, needed)
 end
 
+function hsp_boundary_get_area_rows(boundary, request, first, ball, d_centre, d_radius, capacity, needed)
+    ccall((:hsp_boundary_get_area_rows, libhardsphere), Int32, (Ptr{hsp_boundary}, Ptr{hsp_derivatives_request},
+          Ptr{UInt32}, Ptr{UInt32}, Ptr{Cdouble}, Ptr{Cdouble}, UInt32, Ptr{UInt32}), boundary, request, first, ball,
+          d_centre, d_radius, capacity, needed)
+end
+
 function hsp_moving_limits_init(limits, struct_size, balls)
     ccall((:hsp_moving_limits_init, libhardsphere), Int32, (Ptr{hsp_moving_limits}, UInt32, UInt32), limits,
           struct_size, balls)
@@ -1604,6 +1620,12 @@ function hsp_periodic_compute(periodic, n, xyz, radius, options, box, limits, fi
     ccall((:hsp_periodic_compute, libhardsphere), Int32, (Ptr{hsp_periodic}, UInt32, Ptr{Cdouble}, Ptr{Cdouble},
           Ptr{hsp_model_options}, Ptr{Cdouble}, Ptr{hsp_periodic_limits}, Ptr{UInt32}), periodic, n, xyz, radius,
           options, box, limits, first_bad)
+end
+
+function hsp_periodic_compute_with(periodic, n, xyz, radius, box, request, limits, first_bad)
+    ccall((:hsp_periodic_compute_with, libhardsphere), Int32, (Ptr{hsp_periodic}, UInt32, Ptr{Cdouble}, Ptr{Cdouble},
+          Ptr{Cdouble}, Ptr{hsp_periodic_request}, Ptr{hsp_periodic_limits}, Ptr{UInt32}), periodic, n, xyz, radius,
+          box, request, limits, first_bad)
 end
 
 function hsp_periodic_get_counts(periodic, counts)

@@ -449,6 +449,7 @@ pub struct hsp_gradient_outputs {
     pub d_centre: *mut f64,
     pub d_radius: *mut f64,
     pub flags: *mut u32,
+    pub area: *mut f64,
 }
 
 #[repr(C)]
@@ -631,6 +632,16 @@ pub struct hsp_periodic_limits {
     pub vertices: u32,
     pub circles: u32,
     pub contacts: u32,
+    pub workers: u32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct hsp_periodic_request {
+    pub struct_size: u32,
+    pub areas_alone: u32,
+    pub options: *const hsp_model_options,
+    pub executor: *const hsp_executor,
 }
 
 #[repr(C)]
@@ -711,6 +722,7 @@ pub struct hsp_periodic_gradient_outputs {
     pub flags: *mut u32,
     pub d_strain: *mut f64,
     pub d_box: *mut f64,
+    pub area: *mut f64,
 }
 
 #[repr(C)]
@@ -1741,6 +1753,16 @@ extern "C" {
         capacity: u32,
         needed: *mut u32,
     ) -> i32;
+    pub fn hsp_boundary_get_area_rows(
+        boundary: *const hsp_boundary,
+        request: *const hsp_derivatives_request,
+        first: *mut u32,
+        ball: *mut u32,
+        d_centre: *mut f64,
+        d_radius: *mut f64,
+        capacity: u32,
+        needed: *mut u32,
+    ) -> i32;
     pub fn hsp_moving_limits_init(limits: *mut hsp_moving_limits, struct_size: u32, balls: u32) -> i32;
     pub fn hsp_moving_bytes(limits: *const hsp_moving_limits, bytes: *mut usize) -> i32;
     pub fn hsp_moving_init(
@@ -1877,6 +1899,16 @@ extern "C" {
         radius: *const f64,
         options: *const hsp_model_options,
         r#box: *const f64,
+        limits: *mut hsp_periodic_limits,
+        first_bad: *mut u32,
+    ) -> i32;
+    pub fn hsp_periodic_compute_with(
+        periodic: *mut hsp_periodic,
+        n: u32,
+        xyz: *const f64,
+        radius: *const f64,
+        r#box: *const f64,
+        request: *const hsp_periodic_request,
         limits: *mut hsp_periodic_limits,
         first_bad: *mut u32,
     ) -> i32;

@@ -497,7 +497,7 @@ module hardsphere
   end type
 
   type, bind(C) :: hsp_gradient_outputs
-    integer(c_int32_t) :: struct_size = 16_c_int32_t + 4 * pointer_bytes  ! sizeof(hsp_gradient_outputs)
+    integer(c_int32_t) :: struct_size = 16_c_int32_t + 5 * pointer_bytes  ! sizeof(hsp_gradient_outputs)
     integer(c_int32_t) :: capacity = 0_c_int32_t                          ! entries that each array [n] has room for
     integer(c_int32_t) :: needed = 0_c_int32_t                            ! becomes n
     ! becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is none
@@ -506,6 +506,8 @@ module hardsphere
     type(c_ptr) :: d_centre = c_null_ptr                                  ! [n][3], or NULL: dE/dc_i
     type(c_ptr) :: d_radius = c_null_ptr                                  ! [n], or NULL: dE/dr_i
     type(c_ptr) :: flags = c_null_ptr                                     ! [n], or NULL: HSP_GRADIENT_*
+    ! [n], or NULL: free area of each ball; of a smooth surface what of it is on the ball
+    type(c_ptr) :: area = c_null_ptr
   end type
 
   type, bind(C) :: hsp_derivatives_request
@@ -664,13 +666,24 @@ module hardsphere
   ! ---- periodic.h: all of that in a box whose copies fill space: areas, volume, contacts, windings, strain -----------
 
   type, bind(C) :: hsp_periodic_limits
-    integer(c_int32_t) :: struct_size = 28_c_int32_t  ! sizeof(hsp_periodic_limits)
+    integer(c_int32_t) :: struct_size = 32_c_int32_t  ! sizeof(hsp_periodic_limits)
     integer(c_int32_t) :: balls                       ! most balls
     integer(c_int32_t) :: images                      ! images of them that are near the box
     integer(c_int32_t) :: neighbours                  ! as in hsp_boundary_limits
     integer(c_int32_t) :: vertices                    ! of balls in the box; those across its faces once from each side
     integer(c_int32_t) :: circles                     ! the same
     integer(c_int32_t) :: contacts                    ! the same
+    ! parts that threads of an executor share; 0 is 1. Comes back as it is if it suffices
+    integer(c_int32_t) :: workers
+  end type
+
+  type, bind(C) :: hsp_periodic_request
+    integer(c_int32_t) :: struct_size = 8_c_int32_t + 2 * pointer_bytes  ! sizeof(hsp_periodic_request)
+    ! 1: areas and their gradient alone will be asked for; 0: everything
+    integer(c_int32_t) :: areas_alone = 0_c_int32_t
+    ! or NULL: how balls are rounded, as of hsp_model_set
+    type(c_ptr) :: options = c_null_ptr
+    type(c_ptr) :: executor = c_null_ptr                                 ! or NULL: the threads that share the work
   end type
 
   type, bind(C) :: hsp_periodic_counts
@@ -738,7 +751,7 @@ module hardsphere
   end type
 
   type, bind(C) :: hsp_periodic_gradient_outputs
-    integer(c_int32_t) :: struct_size = 16_c_int32_t + 6 * pointer_bytes  ! sizeof(hsp_periodic_gradient_outputs)
+    integer(c_int32_t) :: struct_size = 16_c_int32_t + 7 * pointer_bytes  ! sizeof(hsp_periodic_gradient_outputs)
     integer(c_int32_t) :: capacity = 0_c_int32_t                          ! entries that each array [n] has room for
     integer(c_int32_t) :: needed = 0_c_int32_t                            ! becomes n
     ! becomes the first ball whose sigma is NaN or infinite, HSP_NONE if there is none
@@ -751,6 +764,8 @@ module hardsphere
     type(c_ptr) :: d_strain = c_null_ptr
     ! [9], or NULL: [3 k + p] is by component p of vector k, if all centres keep their multiples of the vectors
     type(c_ptr) :: d_box = c_null_ptr
+    ! [n], or NULL: free area of each ball, as of hsp_periodic_measure
+    type(c_ptr) :: area = c_null_ptr
   end type
 
   type, bind(C) :: hsp_image
@@ -2066,6 +2081,20 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_boundary_get_area_rows(boundary, request, first, ball, d_centre, d_radius, capacity, needed) &
+      result(status) bind(C, name="hsp_boundary_get_area_rows")
+      import :: c_double, c_int32_t, c_ptr, hsp_derivatives_request
+      type(c_ptr), value :: boundary
+      type(hsp_derivatives_request), intent(in), optional :: request
+      integer(c_int32_t), intent(inout) :: first(*)  ! n + 1
+      integer(c_int32_t), intent(inout), optional :: ball(*)  ! needed
+      real(c_double), intent(inout), optional :: d_centre(3, *)  ! 3, needed
+      real(c_double), intent(inout), optional :: d_radius(*)  ! needed
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
     ! ---- moving.h: all of that while a few balls move at a time ------------------------------------------------------
 
     function hsp_moving_limits_init(limits, struct_size, balls) result(status) bind(C, name="hsp_moving_limits_init")
@@ -2347,6 +2376,20 @@ module hardsphere
       real(c_double), intent(in), optional :: radius(*)  ! n
       type(hsp_model_options), intent(in), optional :: options
       real(c_double), intent(in) :: box(9)
+      type(hsp_periodic_limits), intent(inout), optional :: limits
+      integer(c_int32_t), intent(inout), optional :: first_bad
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_periodic_compute_with(periodic, n, xyz, radius, box, request, limits, first_bad) result(status) &
+      bind(C, name="hsp_periodic_compute_with")
+      import :: c_double, c_int32_t, c_ptr, hsp_periodic_limits, hsp_periodic_request
+      type(c_ptr), value :: periodic
+      integer(c_int32_t), value :: n
+      real(c_double), intent(in), optional :: xyz(3, *)  ! 3, n
+      real(c_double), intent(in), optional :: radius(*)  ! n
+      real(c_double), intent(in) :: box(9)
+      type(hsp_periodic_request), intent(in), optional :: request
       type(hsp_periodic_limits), intent(inout), optional :: limits
       integer(c_int32_t), intent(inout), optional :: first_bad
       integer(c_int32_t) :: status
@@ -4113,7 +4156,7 @@ contains
 
   !> hsp_boundary_get_gradient with the fields of its request and outputs as arguments.
   function hsp_boundary_get_gradient_named(boundary, tangency, tension, pressure, sigma, executor, energy, d_centre, &
-    d_radius, flags, capacity, needed, first_bad) result(status)
+    d_radius, flags, area, capacity, needed, first_bad) result(status)
     type(c_ptr), intent(in) :: boundary
     integer(c_int32_t), intent(in), optional :: tangency
     real(c_double), intent(in), optional :: tension
@@ -4124,6 +4167,7 @@ contains
     real(c_double), intent(inout), optional, target :: d_centre(3, *)  ! 3, n
     real(c_double), intent(inout), optional, target :: d_radius(*)  ! n
     integer(c_int32_t), intent(inout), optional, target :: flags(*)  ! n
+    real(c_double), intent(inout), optional, target :: area(*)  ! n
     integer(c_int32_t), intent(in), optional :: capacity
     integer(c_int32_t), intent(inout), optional :: needed
     integer(c_int32_t), intent(inout), optional :: first_bad
@@ -4139,6 +4183,7 @@ contains
     if (present(d_centre)) outputs%d_centre = c_loc(d_centre)
     if (present(d_radius)) outputs%d_radius = c_loc(d_radius)
     if (present(flags)) outputs%flags = c_loc(flags)
+    if (present(area)) outputs%area = c_loc(area)
     if (present(capacity)) outputs%capacity = capacity
     if (present(needed)) outputs%needed = needed
     if (present(first_bad)) outputs%first_bad = first_bad
@@ -4267,7 +4312,7 @@ contains
 
   !> hsp_periodic_get_gradient with the fields of its request and outputs as arguments.
   function hsp_periodic_get_gradient_named(periodic, tangency, tension, pressure, sigma, executor, energy, d_centre, &
-    d_radius, flags, d_strain, d_box, capacity, needed, first_bad) result(status)
+    d_radius, flags, d_strain, d_box, area, capacity, needed, first_bad) result(status)
     type(c_ptr), intent(in) :: periodic
     integer(c_int32_t), intent(in), optional :: tangency
     real(c_double), intent(in), optional :: tension
@@ -4280,6 +4325,7 @@ contains
     integer(c_int32_t), intent(inout), optional, target :: flags(*)  ! n
     real(c_double), intent(inout), optional, target :: d_strain(9)
     real(c_double), intent(inout), optional, target :: d_box(9)
+    real(c_double), intent(inout), optional, target :: area(*)  ! n
     integer(c_int32_t), intent(in), optional :: capacity
     integer(c_int32_t), intent(inout), optional :: needed
     integer(c_int32_t), intent(inout), optional :: first_bad
@@ -4297,6 +4343,7 @@ contains
     if (present(flags)) outputs%flags = c_loc(flags)
     if (present(d_strain)) outputs%d_strain = c_loc(d_strain)
     if (present(d_box)) outputs%d_box = c_loc(d_box)
+    if (present(area)) outputs%area = c_loc(area)
     if (present(capacity)) outputs%capacity = capacity
     if (present(needed)) outputs%needed = needed
     if (present(first_bad)) outputs%first_bad = first_bad
@@ -4309,7 +4356,7 @@ contains
 
   !> hsp_surface_get_gradient with the fields of its request and outputs as arguments.
   function hsp_surface_get_gradient_named(surface, tangency, tension, pressure, sigma, executor, energy, d_centre, &
-    d_radius, flags, capacity, needed, first_bad) result(status)
+    d_radius, flags, area, capacity, needed, first_bad) result(status)
     type(c_ptr), intent(in) :: surface
     integer(c_int32_t), intent(in), optional :: tangency
     real(c_double), intent(in), optional :: tension
@@ -4320,6 +4367,7 @@ contains
     real(c_double), intent(inout), optional, target :: d_centre(3, *)  ! 3, n
     real(c_double), intent(inout), optional, target :: d_radius(*)  ! n
     integer(c_int32_t), intent(inout), optional, target :: flags(*)  ! n
+    real(c_double), intent(inout), optional, target :: area(*)  ! n
     integer(c_int32_t), intent(in), optional :: capacity
     integer(c_int32_t), intent(inout), optional :: needed
     integer(c_int32_t), intent(inout), optional :: first_bad
@@ -4335,6 +4383,7 @@ contains
     if (present(d_centre)) outputs%d_centre = c_loc(d_centre)
     if (present(d_radius)) outputs%d_radius = c_loc(d_radius)
     if (present(flags)) outputs%flags = c_loc(flags)
+    if (present(area)) outputs%area = c_loc(area)
     if (present(capacity)) outputs%capacity = capacity
     if (present(needed)) outputs%needed = needed
     if (present(first_bad)) outputs%first_bad = first_bad

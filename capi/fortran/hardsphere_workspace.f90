@@ -75,9 +75,11 @@ module hardsphere_workspace
     procedure :: find_tunnel ! hardsphere/pores.h
     procedure :: set_moving
     procedure :: compute_periodic
+    procedure :: compute_periodic_with
   end type
 
-  private :: set_balls, compute_boundary, compute_topology, compute_contacts, set_moving, compute_periodic, allocated_to
+  private :: set_balls, compute_boundary, compute_topology, compute_contacts, set_moving, compute_periodic, &
+             compute_periodic_with, allocated_to
   private :: compute_view ! hardsphere/view.h
   private :: compute_surface ! hardsphere/surface.h
   private :: compute_mesh, raise_mesh_limits ! hardsphere/mesh.h
@@ -442,6 +444,26 @@ contains
     limits = self%periodic_limits
     do while (status == HSP_OK)
       status = hsp_periodic_compute(self%periodic, n, xyz, radius, options, box, limits, first_bad)
+      if (status /= HSP_E_CAPACITY) return
+      status = grow_periodic(self, limits)
+    end do
+  end function
+
+  ! The same as a request says; arguments and statuses as hsp_periodic_compute_with.
+  function compute_periodic_with(self, n, xyz, radius, box, request, first_bad) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    integer(c_int32_t), value :: n
+    real(c_double), intent(in), optional :: xyz(3, *)
+    real(c_double), intent(in), optional :: radius(*)
+    real(c_double), intent(in) :: box(9)
+    type(hsp_periodic_request), intent(in), optional :: request
+    integer(c_int32_t), intent(inout), optional :: first_bad
+    type(hsp_periodic_limits) :: limits
+    integer(c_int32_t) :: status
+    status = ready_periodic(self, n)
+    limits = self%periodic_limits
+    do while (status == HSP_OK)
+      status = hsp_periodic_compute_with(self%periodic, n, xyz, radius, box, request, limits, first_bad)
       if (status /= HSP_E_CAPACITY) return
       status = grow_periodic(self, limits)
     end do

@@ -67,8 +67,13 @@ struct GradientRequest : TangentRequest<hsp_gradient_request> {
 struct GradientArrays {
   double *d_centre, *d_radius;
   uint32_t *flags;
+  double *area = nullptr;
 
-  bool any() const { return d_centre != nullptr || d_radius != nullptr || flags != nullptr; }
+  bool any() const { return d_centre != nullptr || d_radius != nullptr || flags != nullptr || area != nullptr; }
+  void put(uint32_t i, const EnergyGradient &gradient, const exact::Lattice &lattice) const {
+    if (area != nullptr) area[i] = lattice.area(gradient.area);
+    put(i, gradient);
+  }
   void put(uint32_t i, const EnergyGradient &gradient) const {
     put_vector(gradient.centre, d_centre, i);
     if (d_radius != nullptr) d_radius[i] = gradient.radius;

@@ -3,13 +3,51 @@
 #include "measure/tangency.hpp"
 #include "measure/totals.hpp"
 
-using hsp::capi::check_results;
 using hsp::capi::GradientArrays;
 using hsp::capi::is_tangency;
 using hsp::capi::put_vector;
 using hsp::capi::read_parts;
-using hsp::capi::read_question;
 using hsp::capi::to_touching_balls;
+
+namespace {
+
+// A row of the Jacobian; the array of radii may be null.
+struct ArraysOfRow {
+  uint32_t *balls;
+  double *d_centre, *d_radius;
+  uint32_t length;
+  double weight;
+
+  uint32_t &ball(uint32_t k) const { return balls[k]; }
+  void clear(uint32_t k) const {
+    for (uint32_t axis = 0; axis < 3; ++axis) d_centre[3 * k + axis] = 0.0;
+    if (d_radius != nullptr) d_radius[k] = 0.0;
+  }
+  void sort() const {
+    hsp::sort_in_place(hsp::Span<uint32_t>(balls, length), [](uint32_t a, uint32_t b) { return a < b; });
+  }
+  void add(uint32_t k, const hsp::AreaDerivative &part) const {
+    d_centre[3 * k] += part.centre.x;
+    d_centre[3 * k + 1] += part.centre.y;
+    d_centre[3 * k + 2] += part.centre.z;
+    if (d_radius != nullptr) d_radius[k] += part.radius;
+  }
+  void weigh() const {
+    for (uint32_t k = 0; k < 3 * length; ++k) d_centre[k] *= weight;
+    for (uint32_t k = 0; d_radius != nullptr && k < length; ++k) d_radius[k] *= weight;
+  }
+};
+
+// Flags that were set of pairs. flags may be null.
+void clear_flags_of_left_out(const hsp_boundary &boundary, uint32_t *flags) {
+  if (!boundary.of_some || flags == nullptr) return;
+  const hsp::BallSet &balls = boundary.balls();
+  for (uint32_t i = 0; i < balls.n; ++i) {
+    if (boundary.structure().is_left_out(i)) flags[balls.caller[i]] = 0;
+  }
+}
+
+}  // namespace
 
 int32_t hsp_gradient_request_init(hsp_gradient_request *request, uint32_t struct_size) {
   return hsp::capi::write_struct(hsp_gradient_request{}, request, struct_size);
@@ -22,20 +60,20 @@ int32_t hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradie
   if (const int32_t status = read_parts(boundary, request, asked, outputs, out); status != HSP_OK) return status;
   if (!boundary->has_areas() || (boundary->of_some && asked.given.pressure != 0.0)) return HSP_E_STATE;
   const hsp::CubeGrid &grid = boundary->model->grid;
-  const GradientArrays arrays{out.d_centre, out.d_radius, out.flags};
+  const GradientArrays arrays{out.d_centre, out.d_radius, out.flags, out.area};
   if (const int32_t status = asked.check(grid.balls().n, arrays.any(), *outputs); status != HSP_OK) return status;
 
   const hsp::Boundary &structure = boundary->structure();
   const hsp::EnergyTerms terms = asked.terms();
-  const auto put = [&](uint32_t i, const hsp::EnergyGradient &gradient) { arrays.put(i, gradient); };
+  const auto put = [&](uint32_t i, const hsp::EnergyGradient &gradient) {
+    arrays.put(i, gradient, grid.balls().lattice);
+  };
   hsp::Energy found;
   if (!hsp::differentiate_energy(asked.executor, grid, structure, terms, found, put)) return HSP_E_EXECUTOR;
   if (out.flags != nullptr) hsp::flag_free_inner_contacts(grid, structure, HSP_GRADIENT_ONE_SIDED, out.flags);
   if (boundary->of_some) {
     found.volume = 0.0;
-    for (uint32_t i = 0; out.flags != nullptr && i < grid.balls().n; ++i) {
-      if (structure.is_left_out(i)) out.flags[grid.balls().caller[i]] = 0;
-    }
+    clear_flags_of_left_out(*boundary, out.flags);
   }
   if (out.energy != nullptr) *out.energy = hsp::capi::to_c(found);
   return HSP_OK;
@@ -45,11 +83,12 @@ int32_t hsp_boundary_get_derivatives(const hsp_boundary *boundary, const hsp_der
                                      hsp_derivatives_outputs *outputs) {
   hsp::capi::DerivativesRequest asked;
   hsp_derivatives_outputs out;
-  if (const int32_t status = read_question(boundary, request, asked, outputs, out); status != HSP_OK) return status;
+  if (const int32_t status = read_parts(boundary, request, asked, outputs, out); status != HSP_OK) return status;
+  const bool of_volume = out.volume_centre != nullptr || out.volume_radius != nullptr;
+  if (!boundary->has_areas() || (boundary->of_some && of_volume)) return HSP_E_STATE;
   const hsp::CubeGrid &grid = boundary->model->grid;
   const uint32_t n = grid.balls().n;
-  const bool wanted = out.area_centre != nullptr || out.area_radius != nullptr || out.volume_centre != nullptr ||
-                      out.volume_radius != nullptr || out.flags != nullptr;
+  const bool wanted = out.area_centre != nullptr || out.area_radius != nullptr || of_volume || out.flags != nullptr;
   if (const int32_t status = hsp::capi::check_outputs(n, asked.given.sigma, wanted, *outputs); status != HSP_OK)
     return status;
   const hsp::Boundary &structure = boundary->structure();
@@ -65,14 +104,15 @@ int32_t hsp_boundary_get_derivatives(const hsp_boundary *boundary, const hsp_der
   });
   if (!each) return HSP_E_EXECUTOR;
   if (out.flags != nullptr) hsp::flag_free_inner_contacts(grid, structure, HSP_GRADIENT_ONE_SIDED, out.flags);
+  clear_flags_of_left_out(*boundary, out.flags);
   return HSP_OK;
 }
 
 int32_t hsp_boundary_get_area_row(const hsp_boundary *boundary, uint32_t ball, uint32_t tangency,
                                   hsp_area_derivative *out, uint32_t capacity, uint32_t *needed) {
-  if (const int32_t status = check_results(boundary, (out == nullptr && capacity > 0) || !is_tangency(tangency));
-      status != HSP_OK)
-    return status;
+  if (const int32_t status = hsp::capi::check_handle(boundary); status != HSP_OK) return status;
+  if ((out == nullptr && capacity > 0) || !is_tangency(tangency)) return HSP_E_ARGUMENT;
+  if (!boundary->has_areas()) return HSP_E_STATE;
   const hsp::CubeGrid &grid = boundary->model->grid;
   const hsp::BallSet &balls = grid.balls();
   if (ball >= balls.n) return HSP_E_ID;
@@ -83,4 +123,35 @@ int32_t hsp_boundary_get_area_row(const hsp_boundary *boundary, uint32_t ball, u
   hsp::gather_area_row(balls, structure, place, to_touching_balls(tangency),
                        hsp::Span<hsp_area_derivative>(out, length));
   return HSP_OK;
+}
+
+int32_t hsp_boundary_get_area_rows(const hsp_boundary *boundary, const hsp_derivatives_request *request,
+                                   uint32_t *first, uint32_t *ball, double *d_centre, double *d_radius,
+                                   uint32_t capacity, uint32_t *needed) {
+  hsp::capi::DerivativesRequest asked;
+  if (const int32_t status = hsp::capi::check_handle(boundary); status != HSP_OK) return status;
+  if (first == nullptr || (capacity > 0 && (ball == nullptr || d_centre == nullptr))) return HSP_E_ARGUMENT;
+  if (const int32_t status = asked.read(request); status != HSP_OK) return status;
+  if (!boundary->has_areas()) return HSP_E_STATE;
+  const hsp::CubeGrid &grid = boundary->model->grid;
+  const uint32_t n = grid.balls().n;
+  uint32_t bad = HSP_NONE;
+  if (const int32_t status = hsp::capi::check_weights(asked.given.sigma, {0, n}, &bad); status != HSP_OK) return status;
+  const hsp::Boundary &structure = boundary->structure();
+  first[0] = 0;
+  for (uint32_t i = 0; i < n; ++i) first[i + 1] = first[i] + hsp::area_row_length(structure, grid.grid_index(i));
+  if (needed != nullptr) *needed = first[n];
+  if (capacity < first[n]) return HSP_E_CAPACITY;
+  const bool each = hsp::for_each_range(asked.executor, n, [&](hsp::IdRange range) {
+    hsp::visit_in_input_order(grid, structure, range, [&](uint32_t i, uint32_t place) {
+      const uint32_t length = first[i + 1] - first[i];
+      if (length == 0) return;
+      const double weight = asked.given.sigma == nullptr ? 1.0 : asked.given.sigma[i];
+      const ArraysOfRow row{ball + first[i], d_centre + 3 * size_t{first[i]},
+                            d_radius == nullptr ? nullptr : d_radius + first[i], length, weight};
+      hsp::gather_area_row(grid.balls(), structure, place, to_touching_balls(asked.given.tangency), length, row);
+      row.weigh();
+    });
+  });
+  return each ? HSP_OK : HSP_E_EXECUTOR;
 }

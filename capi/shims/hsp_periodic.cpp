@@ -66,18 +66,34 @@ int32_t hsp_periodic_init(void *memory, size_t bytes, const hsp_periodic_limits 
 int32_t hsp_periodic_compute(hsp_periodic *periodic, uint32_t n, const double *xyz, const double *radius,
                              const hsp_model_options *options, const double *box, hsp_periodic_limits *limits,
                              uint32_t *first_bad) {
+  hsp_periodic_request request{};
+  request.struct_size = sizeof request;
+  request.options = options;
+  return hsp_periodic_compute_with(periodic, n, xyz, radius, box, &request, limits, first_bad);
+}
+
+int32_t hsp_periodic_compute_with(hsp_periodic *periodic, uint32_t n, const double *xyz, const double *radius,
+                                  const double *box, const hsp_periodic_request *request, hsp_periodic_limits *limits,
+                                  uint32_t *first_bad) {
   if (const int32_t status = check_handle(periodic); status != HSP_OK) return status;
   periodic->complete = false;
   uint32_t ignored = 0;
   uint32_t &bad = first_bad != nullptr ? *first_bad : ignored;
   bad = HSP_NONE;
   hsp::BallInput input;
+  hsp_periodic_request asked;
+  hsp::capi::Executor executor;
   if (box == nullptr) return HSP_E_ARGUMENT;
-  if (const int32_t status = first_failure(check_struct(limits), hsp::capi::get_input(n, xyz, radius, options, input));
+  if (const int32_t status = first_failure(hsp::capi::read_request(request, asked), check_struct(limits));
+      status != HSP_OK)
+    return status;
+  if (asked.areas_alone > 1) return HSP_E_ARGUMENT;
+  if (const int32_t status =
+          first_failure(executor.read(asked.executor), hsp::capi::get_input(n, xyz, radius, asked.options, input));
       status != HSP_OK)
     return status;
   if (n > HSP_MAX_BALLS) return HSP_E_RANGE;
-  const hsp::Status status = periodic->builder.build(input, box, bad);
+  const hsp::Status status = periodic->builder.build(input, box, executor, asked.areas_alone != 0, bad);
   if (status == hsp::Status::ok) periodic->digest = hsp::digest_of(periodic->builder);
   return hsp::capi::finish(*periodic, status, limits);
 }
@@ -103,7 +119,8 @@ int32_t hsp_periodic_get_counts(const hsp_periodic *periodic, hsp_periodic_count
 
 int32_t hsp_periodic_measure(const hsp_periodic *periodic, hsp_periodic_totals *totals, double *area,
                              double *share_volume, uint32_t capacity, uint32_t *needed) {
-  if (const int32_t status = check_results(periodic); status != HSP_OK) return status;
+  if (const int32_t status = check_handle(periodic); status != HSP_OK) return status;
+  if (!periodic->has_areas() || (share_volume != nullptr && !periodic->has_results())) return HSP_E_STATE;
   const bool wanted = area != nullptr || share_volume != nullptr;
   if (!hsp::capi::fits(wanted, capacity, periodic->balls(), needed)) return HSP_E_CAPACITY;
   const hsp::PeriodicTotals found =
@@ -169,9 +186,10 @@ int32_t hsp_periodic_get_gradient(const hsp_periodic *periodic, const hsp_gradie
                                   hsp_periodic_gradient_outputs *outputs) {
   hsp::capi::GradientRequest asked;
   hsp_periodic_gradient_outputs out;
-  if (const int32_t status = hsp::capi::read_question(periodic, request, asked, outputs, out); status != HSP_OK)
+  if (const int32_t status = hsp::capi::read_parts(periodic, request, asked, outputs, out); status != HSP_OK)
     return status;
-  const hsp::capi::GradientArrays arrays{out.d_centre, out.d_radius, out.flags};
+  if (!periodic->has_areas() || (asked.given.pressure != 0.0 && !periodic->has_results())) return HSP_E_STATE;
+  const hsp::capi::GradientArrays arrays{out.d_centre, out.d_radius, out.flags, out.area};
   if (const int32_t status = asked.check(periodic->balls(), arrays.any(), *outputs); status != HSP_OK) return status;
 
   const hsp::PeriodicUnion &structure = periodic->builder;
@@ -179,7 +197,9 @@ int32_t hsp_periodic_get_gradient(const hsp_periodic *periodic, const hsp_gradie
   terms.weights = hsp::weights_in_box(structure, asked.given.sigma, terms.weights.touching_balls);
   hsp::Energy found;
   if (!hsp::differentiate_in_box(asked.executor, structure, terms, found,
-                                 [&](uint32_t i, const hsp::EnergyGradient &gradient) { arrays.put(i, gradient); }))
+                                 [&](uint32_t i, const hsp::EnergyGradient &gradient) {
+                                   arrays.put(i, gradient, structure.images().lattice());
+                                 }))
     return HSP_E_EXECUTOR;
   if (out.flags != nullptr) hsp::flag_free_inner_contacts_in_box(structure, HSP_GRADIENT_ONE_SIDED, out.flags);
   if (out.energy != nullptr) *out.energy = hsp::capi::to_c(found);

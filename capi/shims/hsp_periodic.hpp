@@ -9,10 +9,11 @@ struct hsp_periodic {
   static constexpr auto kind = hsp::capi::HandleKind::periodic;
   using Given = hsp_periodic_limits;
   struct Limits : hsp::capi::LimitFields<hsp::PeriodicLimits, Given, &Given::balls, &Given::images, &Given::neighbours,
-                                         &Given::vertices, &Given::circles, &Given::contacts> {
+                                         &Given::vertices, &Given::circles, &Given::contacts, &Given::workers> {
     static int32_t read(const Given *given, hsp::PeriodicLimits &limits) {
       const int32_t status = LimitFields::read(given, limits);
-      return status == HSP_OK && limits.balls + limits.images > HSP_MAX_BALLS ? HSP_E_RANGE : status;
+      const bool fits = limits.balls + limits.images <= HSP_MAX_BALLS && limits.workers <= HSP_MAX_WORKERS;
+      return status == HSP_OK && !fits ? HSP_E_RANGE : status;
     }
   };
 
@@ -22,7 +23,9 @@ struct hsp_periodic {
   uint64_t digest = 0;  // of balls and box
 
   uint64_t version() const { return digest; }
-  bool has_results() const { return complete; }
+  bool has_results() const { return has_areas() && !builder.has_areas_alone(); }
+  // Whether areas may be read.
+  bool has_areas() const { return complete; }
   uint32_t balls() const { return builder.images().balls(); }
   const hsp::exact::Lattice &lattice() const { return builder.images().lattice(); }
 };

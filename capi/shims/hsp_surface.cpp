@@ -115,16 +115,17 @@ int32_t hsp_surface_get_gradient(const hsp_surface *surface, const hsp_gradient_
   if (asked.given.tangency != HSP_TANGENT_OVERLAP) return HSP_E_ARGUMENT;
   const hsp::CubeGrid &grid = surface->boundary->model->grid;
   const uint32_t n = grid.balls().n;
-  const bool wanted = out.d_centre != nullptr || out.d_radius != nullptr || out.flags != nullptr;
+  const bool wanted = out.d_centre != nullptr || out.d_radius != nullptr || out.flags != nullptr || out.area != nullptr;
   if (const int32_t status = asked.check(n, wanted, *outputs); status != HSP_OK) return status;
 
   const hsp::Boundary &boundary = surface->boundary->structure();
   const hsp::Surface &smooth = surface->builder.surface();
   const hsp::EnergyTerms terms = asked.terms();
-  const auto put = [&out](uint32_t i, const hsp::SurfaceEnergyGradient &gradient) {
+  const auto put = [&](uint32_t i, const hsp::SurfaceEnergyGradient &gradient) {
     hsp::capi::put_vector(gradient.centre, out.d_centre, i);
     if (out.d_radius != nullptr) out.d_radius[i] = gradient.radius;
     if (out.flags != nullptr) out.flags[i] = gradient.degenerate ? HSP_SURFACE_DEGENERATE : 0;
+    if (out.area != nullptr) out.area[i] = grid.balls().lattice.area(gradient.area);
   };
   hsp::Energy found;
   if (!hsp::differentiate_surface(asked.executor, grid, boundary, smooth, terms, found, put)) return HSP_E_EXECUTOR;

@@ -77,8 +77,8 @@ inline void call_gradient(Bytes &bytes, const hsp_boundary *boundary, int32_t re
   const hsp_executor executor = executor_of(&own, bytes.below(4));
   const hsp_executor *const workers = null(bytes) ? nullptr : &executor;
   const hsp_gradient_request request{sizeof request, tangency, tension, pressure, weights, workers};
-  hsp_gradient_outputs outputs{sizeof outputs, capacity,      12345,         12345,
-                               energy.data(),  centre.data(), radius.data(), flags.data()};
+  hsp_gradient_outputs outputs{sizeof outputs, capacity,      12345,        12345,  energy.data(),
+                               centre.data(),  radius.data(), flags.data(), nullptr};
   const int32_t status = hsp_boundary_get_gradient(boundary, &request, &outputs);
   // The two parts of the gradient have the same arguments but for the factors, which are finite numbers there.
   Output<double> area_centre(3 * capacity, null(bytes)), area_radius(capacity, null(bytes));

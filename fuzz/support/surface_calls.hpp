@@ -125,7 +125,7 @@ class SurfaceCalls {
                           : expected == HSP_OK && tangency == HSP_TANGENT_DISJOINT ? HSP_E_ARGUMENT
                                                                                    : expected;
     const hsp_gradient_request request{sizeof request, tangency, 1, tension, sigma.data(), nullptr};
-    hsp_gradient_outputs outputs{sizeof outputs, 0, 12345, 12345, &energy, nullptr, nullptr, nullptr};
+    hsp_gradient_outputs outputs{sizeof outputs, 0, 12345, 12345, &energy, nullptr, nullptr, nullptr, nullptr};
     const int32_t gradient = hsp_surface_get_gradient(surface, &request, &outputs);
     FUZZ_REQUIRE(gradient == (asked == HSP_OK && !finite ? HSP_E_NOT_FINITE : asked), "hsp_surface_get_gradient");
     FUZZ_REQUIRE(outputs.first_bad == (asked == HSP_OK ? bad : 12345), "the first weight that is no number");

@@ -101,8 +101,9 @@ typedef struct hsp_boundary_request {
  *  for each. If there are fewer parts than workers the status is HSP_E_CAPACITY, and limits are some with one for each
  *  worker, HSP_MAX_WORKERS at most. The executor runs a few times, one after the other.
  *  With selected only what lies on the selected balls is found, in the time that these take: for codes with ghosts. The
- *  boundary then answers hsp_boundary_get_measures and hsp_boundary_get_gradient alone, for these balls; all else is
- *  HSP_E_STATE, and so are volumes and a pressure, since they take the whole.
+ *  boundary then answers hsp_boundary_get_measures, hsp_boundary_get_gradient, hsp_boundary_get_derivatives,
+ *  hsp_boundary_get_area_row and hsp_boundary_get_area_rows alone, for these balls; all else is HSP_E_STATE, and so are
+ *  volumes, their derivatives and a pressure, since they take the whole.
  *  - Property 1: all that can be read afterwards is the same for every number of workers and parts, bit for bit.
  *  - Property 2: areas, derivatives and flags of selected balls are those of the whole boundary, bit for bit; but of a
  *    selected ball and an equal one that is not the flag may be set without need.

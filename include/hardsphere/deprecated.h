@@ -44,7 +44,7 @@ static inline int32_t hsp_boundary_gradient(const hsp_boundary *boundary, const 
                                             double *d_radius, uint32_t *flags, uint32_t capacity, uint32_t *needed,
                                             uint32_t *first_bad) {
   const hsp_gradient_request request = {sizeof(hsp_gradient_request), tangency, tension, pressure, sigma, NULL};
-  hsp_gradient_outputs out = {sizeof(hsp_gradient_outputs), capacity, 0, 0, energy, d_centre, d_radius, flags};
+  hsp_gradient_outputs out = {sizeof(hsp_gradient_outputs), capacity, 0, 0, energy, d_centre, d_radius, flags, NULL};
   const int32_t status = hsp_boundary_get_gradient(boundary, &request, &out);
   return hsp_deprecated_result(status, out.needed, out.first_bad, needed, first_bad);
 }
@@ -98,7 +98,7 @@ static inline int32_t hsp_periodic_gradient(const hsp_periodic *periodic, const 
                                             uint32_t capacity, uint32_t *needed, uint32_t *first_bad) {
   const hsp_gradient_request request = {sizeof(hsp_gradient_request), tangency, tension, pressure, sigma, NULL};
   hsp_periodic_gradient_outputs out = {
-      sizeof(hsp_periodic_gradient_outputs), capacity, 0, 0, energy, d_centre, d_radius, flags, d_strain, d_box};
+      sizeof(hsp_periodic_gradient_outputs), capacity, 0, 0, energy, d_centre, d_radius, flags, d_strain, d_box, NULL};
   const int32_t status = hsp_periodic_get_gradient(periodic, &request, &out);
   return hsp_deprecated_result(status, out.needed, out.first_bad, needed, first_bad);
 }
@@ -159,7 +159,7 @@ static inline int32_t hsp_surface_weighted_gradient(const hsp_surface *surface, 
                                                     uint32_t *needed, uint32_t *first_bad) {
   const hsp_gradient_request request = {
       sizeof(hsp_gradient_request), HSP_TANGENT_OVERLAP, tension, pressure, sigma, NULL};
-  hsp_gradient_outputs out = {sizeof(hsp_gradient_outputs), capacity, 0, 0, energy, d_centre, d_radius, flags};
+  hsp_gradient_outputs out = {sizeof(hsp_gradient_outputs), capacity, 0, 0, energy, d_centre, d_radius, flags, NULL};
   const int32_t status = hsp_surface_get_gradient(surface, &request, &out);
   return hsp_deprecated_result(status, out.needed, out.first_bad, needed, first_bad);
 }
@@ -171,7 +171,7 @@ static inline int32_t hsp_surface_gradient(const hsp_surface *surface, double te
                                            uint32_t capacity, uint32_t *needed) {
   const hsp_gradient_request request = {
       sizeof(hsp_gradient_request), HSP_TANGENT_OVERLAP, tension, pressure, NULL, NULL};
-  hsp_gradient_outputs out = {sizeof(hsp_gradient_outputs), capacity, 0, 0, energy, d_centre, d_radius, flags};
+  hsp_gradient_outputs out = {sizeof(hsp_gradient_outputs), capacity, 0, 0, energy, d_centre, d_radius, flags, NULL};
   const int32_t status = hsp_surface_get_gradient(surface, &request, &out);
   return hsp_deprecated_result(status, out.needed, out.first_bad, needed, NULL);
 }

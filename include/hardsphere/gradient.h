@@ -65,23 +65,25 @@ typedef struct hsp_gradient_outputs {
   double *d_centre;     /**< [n][3], or NULL: dE/dc_i */
   double *d_radius;     /**< [n], or NULL: dE/dr_i */
   uint32_t *flags;      /**< [n], or NULL: HSP_GRADIENT_* */
+  double *area;         /**< [n], or NULL: free area of each ball; of a smooth surface what of it is on the ball */
 } hsp_gradient_outputs;
 
 /** An energy and its gradient, in one pass. request may be NULL: all defaults.
  *  For the area alone: tension 1. For the volume alone: pressure 1. With neither E is 0, while the parts of energy are
- *  there. For molecular dynamics take HSP_TANGENT_OVERLAP, the default. On failure nothing but outputs->needed and
- *  outputs->first_bad is written.
+ *  there, and areas. For molecular dynamics take HSP_TANGENT_OVERLAP, the default. On failure nothing but
+ *  outputs->needed and outputs->first_bad is written.
  *  - Property 1: the sums of d_centre and of c_i x d_centre are zero up to rounding (E does not change under motions).
  *  - Property 2: with all sigma equal, sum_i (r_i d_radius_i + c_i . d_centre_i) is 2 A for the area, 3 V for the
  *    volume.
  *  - Property 3: d_centre, d_radius and flags do not depend on the order of the balls, bit for bit.
+ *  - Property 4: area is that of hsp_boundary_measure, bit for bit.
  *
  *  Source: M. L. Connolly 1983, T. J. Richmond 1984 for the area; dV/dc_i is the vector area of ball i's faces.
  *  Cost: O(n + vertices + circles).
  *  @retval HSP_E_ARGUMENT    boundary or outputs is NULL; unknown tangency; an executor with workers and without run
  *  @retval HSP_E_VERSION     bad struct_size, or an unknown part is not 0
  *  @retval HSP_E_CAPACITY    an array is given and capacity < n
- *  @retval HSP_E_STATE       nothing computed, or the model has changed since
+ *  @retval HSP_E_STATE       nothing computed, or the model has changed since; of selected balls, and pressure is not 0
  *  @retval HSP_E_NOT_FINITE  a sigma, tension or pressure is NaN or infinite
  *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written */
 HSP_API int32_t hsp_boundary_get_gradient(const hsp_boundary *boundary, const hsp_gradient_request *request,
@@ -117,7 +119,8 @@ typedef struct hsp_derivatives_outputs {
  *  @retval HSP_E_ARGUMENT    boundary or outputs is NULL; unknown tangency; an executor with workers and without run
  *  @retval HSP_E_VERSION     bad struct_size, or an unknown part is not 0
  *  @retval HSP_E_CAPACITY    an array is given and capacity < n
- *  @retval HSP_E_STATE       nothing computed, or the model has changed since
+ *  @retval HSP_E_STATE       nothing computed, or the model has changed since; of selected balls, and an array of the
+ *                            volume is given
  *  @retval HSP_E_NOT_FINITE  a sigma is NaN or infinite
  *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written */
 HSP_API int32_t hsp_boundary_get_derivatives(const hsp_boundary *boundary, const hsp_derivatives_request *request,
@@ -137,13 +140,35 @@ typedef struct hsp_area_derivative {
  *  - Property 1: the centre entries of a row sum to 0 up to rounding.
  *  - Property 2: dA_i/dr_j = dA_j/dr_i up to rounding.
  *
- *  Cost: O(m^2) for m arcs on the ball.
+ *  Cost: O(m log m) for m arcs on the ball.
  *  @retval HSP_E_ARGUMENT  boundary is NULL, or out with a capacity above 0; unknown tangency
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        no such ball */
 HSP_API int32_t hsp_boundary_get_area_row(const hsp_boundary *boundary, uint32_t ball, uint32_t tangency,
                                           hsp_area_derivative *out, uint32_t capacity, uint32_t *needed);
+
+/** The whole Jacobian of the areas as compressed rows: those of ball i are entries first[i] to first[i + 1] - 1, with
+ *  ball [needed] the columns j, ascending, d_centre [needed][3] sigma_i dA_i/dc_j and d_radius [needed], which may be
+ *  NULL, sigma_i dA_i/dr_j. first [n + 1] begins with 0 and ends with the number of all, which *needed becomes too, and
+ *  is written on HSP_OK and on HSP_E_CAPACITY: with capacity 0 this function counts, which takes little. There are at
+ *  most exposed_balls + 2 (arcs + circles) entries of hsp_boundary_counts. request may be NULL: all defaults; a sigma
+ *  weighs the row of its ball.
+ *  - Property 1: row i has the bits of hsp_boundary_get_area_row, times sigma_i.
+ *  - Property 2: the sums of columns are area_centre and area_radius of hsp_boundary_get_derivatives, up to rounding.
+ *
+ *  Cost: O(n + vertices + circles), times the logarithm of the arcs on a ball.
+ *  @retval HSP_OK            all rows are there; or there is no entry, also with capacity 0
+ *  @retval HSP_E_ARGUMENT    boundary or first is NULL; ball or d_centre is NULL with a capacity above 0; unknown
+ *                            tangency; an executor with workers and without run
+ *  @retval HSP_E_VERSION     bad struct_size, or an unknown part is not 0
+ *  @retval HSP_E_CAPACITY    capacity is smaller than the number of entries: first and *needed are set, nothing else
+ *  @retval HSP_E_STATE       nothing computed, or the model has changed since
+ *  @retval HSP_E_NOT_FINITE  a sigma is NaN or infinite
+ *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written */
+HSP_API int32_t hsp_boundary_get_area_rows(const hsp_boundary *boundary, const hsp_derivatives_request *request,
+                                           uint32_t *first, uint32_t *ball, double *d_centre, double *d_radius,
+                                           uint32_t capacity, uint32_t *needed);
 
 #ifdef __cplusplus
 }

@@ -20,6 +20,7 @@
 
 #include "contacts.h"
 #include "curvature.h"
+#include "executor.h"
 #include "gradient.h"
 #include "model.h"
 #include "query.h"
@@ -43,24 +44,26 @@ typedef struct hsp_periodic_limits {
   uint32_t vertices;    /**< of balls in the box; those across its faces once from each side */
   uint32_t circles;     /**< the same */
   uint32_t contacts;    /**< the same */
+  uint32_t workers;     /**< parts that threads of an executor share; 0 is 1. Comes back as it is if it suffices */
 } hsp_periodic_limits;
 
 /** Limits that suffice for most boxes of at least `balls` atoms that are no thinner than four of the largest radii:
- *  images 2 balls + 128, neighbours 256, and as many vertices, circles and contacts as hsp_boundary_limits_init and
- *  hsp_contacts_limits_init have for balls and images together.
+ *  images 2 balls + 128, neighbours 256, workers 0, and as many vertices, circles and contacts as
+ *  hsp_boundary_limits_init and hsp_contacts_limits_init have for balls and images together.
  *  @retval HSP_E_ARGUMENT  limits is NULL
  *  @retval HSP_E_VERSION   struct_size is bad
  *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 2048) / 36 balls; set the limits by hand then */
 HSP_API int32_t hsp_periodic_limits_init(hsp_periodic_limits *limits, uint32_t struct_size, uint32_t balls);
 
 /** Bytes that hsp_periodic_init needs.
- *  - Property 1: at most HSP_PERIODIC_BYTES of the limits.
+ *  - Property 1: at most HSP_PERIODIC_BYTES of the limits but the last, and for each worker but the first
+ *    HSP_WORKER_BYTES of balls + images, neighbours, vertices and circles.
  *  - Property 2: grows with each limit.
  *
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_VERSION   bad struct_size
- *  @retval HSP_E_RANGE     a limit, or balls and images together, is larger than HSP_MAX_BALLS, or the size does not
- *                          fit a size_t */
+ *  @retval HSP_E_RANGE     a limit, or balls and images together, is larger than HSP_MAX_BALLS, or workers than
+ *                          HSP_MAX_WORKERS, or the size does not fit a size_t */
 HSP_API int32_t hsp_periodic_bytes(const hsp_periodic_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
@@ -73,8 +76,8 @@ HSP_API int32_t hsp_periodic_bytes(const hsp_periodic_limits *limits, size_t *by
  *  @retval HSP_E_ARGUMENT  a null pointer
  *  @retval HSP_E_VERSION   bad struct_size
  *  @retval HSP_E_MEMORY    bytes is less than hsp_periodic_bytes says; nothing is written
- *  @retval HSP_E_RANGE     a limit, or balls and images together, is larger than HSP_MAX_BALLS, or the size does not
- *                          fit a size_t */
+ *  @retval HSP_E_RANGE     a limit, or balls and images together, is larger than HSP_MAX_BALLS, or workers than
+ *                          HSP_MAX_WORKERS, or the size does not fit a size_t */
 HSP_API int32_t hsp_periodic_init(void *memory, size_t bytes, const hsp_periodic_limits *limits,
                                   hsp_periodic **periodic);
 
@@ -102,6 +105,37 @@ HSP_API int32_t hsp_periodic_init(void *memory, size_t bytes, const hsp_periodic
 HSP_API int32_t hsp_periodic_compute(hsp_periodic *periodic, uint32_t n, const double *xyz, const double *radius,
                                      const hsp_model_options *options, const double *box, hsp_periodic_limits *limits,
                                      uint32_t *first_bad);
+
+/** How a box is computed. Zero means default in every field but the first. */
+typedef struct hsp_periodic_request {
+  uint32_t struct_size;             /**< sizeof(hsp_periodic_request) */
+  uint32_t areas_alone;             /**< 1: areas and their gradient alone will be asked for; 0: everything */
+  const hsp_model_options *options; /**< or NULL: how balls are rounded, as of hsp_model_set */
+  const hsp_executor *executor;     /**< or NULL: the threads that share the work */
+} hsp_periodic_request;
+
+/** The same as hsp_periodic_compute, as a request says. request, limits and first_bad may be NULL.
+ *  With areas_alone there are neither contacts nor components, which take most of the time: the results then answer
+ *  hsp_periodic_measure and hsp_periodic_get_gradient alone, with derivatives by the box; all else is HSP_E_STATE, and
+ *  so are shares and a pressure, and totals have 0 for volume, free_volume and contact_area. The limit of contacts may
+ *  be 0 then.
+ *  With an executor of more than one worker the search for the boundary falls into limits.workers parts, as that of
+ *  hsp_boundary_compute_with. limits: see LIMITS in hardsphere.h; at most six retries.
+ *  - Property 1: all that can be read afterwards is the same for every number of workers and parts, bit for bit.
+ *  - Property 2: areas and derivatives with areas_alone are those without it, bit for bit.
+ *
+ *  @retval HSP_E_ARGUMENT    a null pointer, but xyz and radius with n = 0; box [1], [2] or [5] is not 0; areas_alone
+ *                            is not 0 or 1; an executor with several workers and without run
+ *  @retval HSP_E_VERSION     bad struct_size of request, options, executor or limits, or reserved of the options is
+ *                            not 0
+ *  @retval HSP_E_CAPACITY    as hsp_periodic_compute, or the limit of workers is too small
+ *  @retval HSP_E_NOT_FINITE  as hsp_periodic_compute
+ *  @retval HSP_E_NEGATIVE    as hsp_periodic_compute
+ *  @retval HSP_E_RANGE       as hsp_periodic_compute
+ *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once */
+HSP_API int32_t hsp_periodic_compute_with(hsp_periodic *periodic, uint32_t n, const double *xyz, const double *radius,
+                                          const double *box, const hsp_periodic_request *request,
+                                          hsp_periodic_limits *limits, uint32_t *first_bad);
 
 /** The number of each kind in the box, each once, whatever faces it lies across. Frozen. */
 typedef struct hsp_periodic_counts {
@@ -139,7 +173,7 @@ typedef struct hsp_periodic_totals {
  *  Accuracy: about 1e-14 of the totals for molecules.
  *  @retval HSP_E_ARGUMENT  periodic is NULL
  *  @retval HSP_E_CAPACITY  an array is given and capacity < n; nothing but *needed is written
- *  @retval HSP_E_STATE     nothing computed */
+ *  @retval HSP_E_STATE     nothing computed; share_volume is given and areas alone were */
 HSP_API int32_t hsp_periodic_measure(const hsp_periodic *periodic, hsp_periodic_totals *totals, double *area,
                                      double *share_volume, uint32_t capacity, uint32_t *needed);
 
@@ -257,6 +291,7 @@ typedef struct hsp_periodic_gradient_outputs {
                              radii stay */
   double *d_box; /**< [9], or NULL: [3 k + p] is by component p of vector k, if all centres keep their multiples of the
                       vectors */
+  double *area;  /**< [n], or NULL: free area of each ball, as of hsp_periodic_measure */
 } hsp_periodic_gradient_outputs;
 
 /** An energy and its derivatives by the balls and by the box, as hsp_boundary_get_gradient. request may be NULL: all
@@ -270,7 +305,7 @@ typedef struct hsp_periodic_gradient_outputs {
  *  @retval HSP_E_ARGUMENT    periodic or outputs is NULL; unknown tangency; an executor with workers and without run
  *  @retval HSP_E_VERSION     bad struct_size, or an unknown part is not 0
  *  @retval HSP_E_CAPACITY    an array for balls is given and capacity < n
- *  @retval HSP_E_STATE       nothing computed
+ *  @retval HSP_E_STATE       nothing computed; areas alone were, and pressure is not 0
  *  @retval HSP_E_NOT_FINITE  a sigma, tension or pressure is NaN or infinite
  *  @retval HSP_E_EXECUTOR    the executor did not call every task exactly once; the arrays may have been written */
 HSP_API int32_t hsp_periodic_get_gradient(const hsp_periodic *periodic, const hsp_gradient_request *request,

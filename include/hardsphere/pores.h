@@ -117,7 +117,7 @@ HSP_API int32_t hsp_pores_compute(hsp_pores *pores, const hsp_model *model, cons
  *  @retval HSP_E_ARGUMENT    pores or periodic is NULL
  *  @retval HSP_E_VERSION     bad struct_size of options or limits, or options->reserved is not 0
  *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
- *  @retval HSP_E_STATE       the box holds no results
+ *  @retval HSP_E_STATE       the box holds no results, or areas alone
  *  @retval HSP_E_NOT_FINITE  options->floor is a NaN or an infinity
  *  @retval HSP_E_RANGE       balls that touch one probe are more than 2^35 lattice steps apart; the box is more than a
  *                            hundred times longer than wide, or a way leads farther than 511 boxes

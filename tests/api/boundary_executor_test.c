@@ -284,7 +284,7 @@ static void broken_loops(const computations *all, const ball_set *set) {
   guarded_memory memory;
   hsp_boundary *const boundary = make(&c->needed, 5, &memory);
   hsp_measure_outputs outputs = outputs_into(&alone, n, 0);
-  hsp_gradient_outputs derivatives = {sizeof derivatives, 0, 0, 0, NULL, NULL, NULL, NULL};
+  hsp_gradient_outputs derivatives = {sizeof derivatives, 0, 0, 0, NULL, NULL, NULL, NULL, NULL};
   loop right = loop_of(LOOP_IN_ORDER);
   int way;
   uint32_t stages, stage;

@@ -494,8 +494,8 @@ contains
   subroutine area_rows()
     type(hsp_area_derivative) :: row(3)
     type(hsp_arc) :: arcs(3)
-    real(c_double) :: centre(3, n), sigma(n)
-    integer(c_int32_t) :: needed
+    real(c_double) :: centre(3, n), sigma(n), entry(3, 10)
+    integer(c_int32_t) :: needed, first(n + 1), ball(10)
     call compute_all()
     call expect(hsp_boundary_get_area_row(boundary, 1_c_int32_t, HSP_TANGENT_OVERLAP, capacity=0_c_int32_t, &
                                           needed=needed), HSP_E_CAPACITY, 'length of a row')
@@ -514,6 +514,10 @@ contains
     call check(all(abs(centre(:, 2) - row(2)%centre) < 1e-13_c_double), 'second entry is the gradient')
     call check(all(abs(centre(:, 3) - row(3)%centre) < 1e-13_c_double), 'third entry is the gradient')
     call check(row(1)%radius < 0 .and. row(2)%radius > 0 .and. row(3)%radius < 0, 'neighbours take area away')
+    call expect(hsp_boundary_get_area_rows(boundary, first=first, ball=ball, d_centre=entry, capacity=10_c_int32_t, &
+                                           needed=needed), HSP_OK, 'hsp_boundary_get_area_rows')
+    call check(needed == 10 .and. all(first == [0, 3, 6, 9, 10]) .and. all(ball(4:6) == [0, 1, 2]), 'rows')
+    call check(all(entry(:, 4) == row(1)%centre) .and. all(entry(:, 6) == row(3)%centre), 'entries of a row among all')
     call expect(hsp_boundary_get_area_row(boundary, n, HSP_TANGENT_DISJOINT, row, 3_c_int32_t, needed), HSP_E_ID, 'no ball')
     call expect(hsp_boundary_get_area_row(boundary, 3_c_int32_t, HSP_TANGENT_DISJOINT, row, 3_c_int32_t, needed), HSP_OK, &
                 'row of the ball apart')

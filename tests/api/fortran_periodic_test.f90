@@ -22,6 +22,7 @@ program fortran_periodic_test
   type(hsp_model_options) :: options
   type(hsp_periodic_limits) :: limits
   type(hsp_periodic_counts) :: counts
+  type(hsp_periodic_request) :: request
   type(hsp_periodic_totals) :: totals
   type(hsp_curvatures) :: curvatures
   type(hsp_periodic_contact) :: contacts(10)
@@ -41,7 +42,7 @@ program fortran_periodic_test
   integer(c_int32_t) :: thirds(n), component(n), flags(n), first(n + 1), needed, invariant, id, bad
   integer(c_size_t) :: bytes
 
-  call check(c_sizeof(limits) == 28 .and. c_sizeof(counts) == 48 .and. c_sizeof(totals) == 40, 'sizes of records')
+  call check(c_sizeof(limits) == 32 .and. c_sizeof(counts) == 48 .and. c_sizeof(totals) == 40, 'sizes of records')
   call check(c_sizeof(contacts(1)) == 56 .and. c_sizeof(windings(1)) == 52 .and. c_sizeof(images(1)) == 16, &
              'sizes of lists')
   call expect(hsp_periodic_limits_init(limits, int(c_sizeof(limits), c_int32_t), n), HSP_OK, 'hsp_periodic_limits_init')
@@ -56,6 +57,15 @@ program fortran_periodic_test
   call expect(hsp_model_options_init(options, int(c_sizeof(options), c_int32_t)), HSP_OK, 'hsp_model_options_init')
   call expect(hsp_periodic_compute(periodic, n, xyz, radius, options, box, limits, bad), HSP_OK, 'hsp_periodic_compute')
   call check(bad == HSP_NONE .and. limits%vertices == 0 .and. limits%images > 0, 'needed limits')
+  request%struct_size = int(c_sizeof(request), c_int32_t)
+  request%areas_alone = 1
+  call expect(hsp_periodic_compute_with(periodic, n, xyz, radius, box, request, limits, bad), HSP_OK, &
+              'hsp_periodic_compute_with')
+  call expect(hsp_periodic_get_counts(periodic, counts), HSP_E_STATE, 'counts of areas alone')
+  call expect(hsp_periodic_get_gradient(periodic, tension=1.0_c_double, energy=energy, area=area, capacity=n), HSP_OK, &
+              'areas with their gradient')
+  call check(abs(energy%area - 14*pi) < 1e-11_c_double .and. abs(sum(area) - energy%area) < 1e-11_c_double, 'areas alone')
+  call expect(hsp_periodic_compute(periodic, n, xyz, radius, options, box, limits, bad), HSP_OK, 'hsp_periodic_compute')
   call expect(hsp_periodic_get_counts(periodic, counts), HSP_OK, 'hsp_periodic_get_counts')
   call check(counts%balls == 3 .and. counts%circles == 2 .and. counts%contacts == 2 .and. counts%components == 2, 'counts')
   call check(counts%faces == 3 .and. counts%shells == 2 .and. counts%euler == 2 .and. counts%reserved == 0, 'more counts')

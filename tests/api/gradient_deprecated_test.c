@@ -56,7 +56,7 @@ static void same(int32_t was, int32_t is, const char *name) {
 
 static void of_boundary(const hsp_boundary *b, const question *q) {
   const question x = *q;
-  hsp_gradient_outputs g = {sizeof g, x.capacity, 12345, 12345, &new.energy, new.centre, new.radius, new.flags};
+  hsp_gradient_outputs g = {sizeof g, x.capacity, 12345, 12345, &new.energy, new.centre, new.radius, new.flags, NULL};
   hsp_derivatives_outputs d = {sizeof d,   x.capacity,      12345,           12345,    new.centre,
                                new.radius, new.more_centre, new.more_radius, new.flags};
   hsp_morphometry_outputs m = {sizeof m,          x.capacity, 12345,      12345,
@@ -86,8 +86,8 @@ static void of_boundary(const hsp_boundary *b, const question *q) {
 
 static void of_box(const hsp_periodic *p, const question *q) {
   const question x = *q;
-  hsp_periodic_gradient_outputs g = {sizeof g,   x.capacity, 12345,     12345,      &new.energy,
-                                     new.centre, new.radius, new.flags, new.strain, new.box};
+  hsp_periodic_gradient_outputs g = {sizeof g,   x.capacity, 12345,      12345,   &new.energy, new.centre,
+                                     new.radius, new.flags,  new.strain, new.box, NULL};
   hsp_periodic_morphometry_outputs m = {sizeof m,   x.capacity, 12345,     12345,      &new.morphometric,
                                         new.centre, new.radius, new.flags, new.strain, new.box};
   const hsp_morphometry factors = {-0.5, 1.5, 0.75, 2};

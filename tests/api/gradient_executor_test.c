@@ -9,7 +9,7 @@
 #include "loops.h"
 
 static hsp_gradient_outputs outputs_into(uint32_t n, gradients *g) {
-  hsp_gradient_outputs outputs = {sizeof(hsp_gradient_outputs), 0, 0, 0, NULL, NULL, NULL, NULL};
+  hsp_gradient_outputs outputs = {sizeof(hsp_gradient_outputs), 0, 0, 0, NULL, NULL, NULL, NULL, NULL};
   memset(g, 0x5A, sizeof *g);
   outputs.capacity = n;
   outputs.energy = &g->energy;

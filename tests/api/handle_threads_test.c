@@ -191,7 +191,7 @@ static void measured_in_threads(const computed *c, const hsp_executor *executor)
   hsp_measure_request request = {sizeof request, 0, NULL, NULL};
   hsp_measure_outputs outputs = {sizeof outputs, 0, 0, 0, NULL, NULL, NULL};
   hsp_gradient_request differentiating = {sizeof differentiating, HSP_TANGENT_OVERLAP, 1, 2, NULL, NULL};
-  hsp_gradient_outputs derivatives = {sizeof derivatives, 0, 0, 0, NULL, NULL, NULL, NULL};
+  hsp_gradient_outputs derivatives = {sizeof derivatives, 0, 0, 0, NULL, NULL, NULL, NULL, NULL};
   int which;
   for (which = 0; which < 2; ++which) {
     gradients *const into = which == 0 ? &alone : &shared;

@@ -38,7 +38,8 @@ static int32_t thirds[BALLS];
 static uint32_t component[BALLS], flags[BALLS], begins[BALLS + 1], number, invariant, id;
 
 static hsp_periodic_limits good_limits(void) {
-  const hsp_periodic_limits limits = {(uint32_t)sizeof limits, BALLS, IMAGES, NEIGHBOURS, VERTICES, CIRCLES, CONTACTS};
+  const hsp_periodic_limits limits = {
+      (uint32_t)sizeof limits, BALLS, IMAGES, NEIGHBOURS, VERTICES, CIRCLES, CONTACTS, 0};
   return limits;
 }
 

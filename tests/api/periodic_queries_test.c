@@ -57,7 +57,7 @@ static void choose_many(uint64_t *random, int flat, crystal *c) {
 }
 
 static void compute(const crystal *c) {
-  const hsp_periodic_limits limits = {(uint32_t)sizeof limits, BALLS, 4000, 200, 9000, 4000, 9000};
+  const hsp_periodic_limits limits = {(uint32_t)sizeof limits, BALLS, 4000, 200, 9000, 4000, 9000, 0};
   hsp_model_options options;
   CHECK_EQUAL(hsp_model_options_init(&options, (uint32_t)sizeof options), HSP_OK);
   options.step = 0.25;
@@ -206,7 +206,7 @@ static void contacts_are_pairs(const crystal *c) {
 /* A list by a cutoff, as simulations ask for it: atoms of a simple cubic crystal, 6 and 12 neighbours. */
 static void by_cutoff(void) {
   static const double at[3] = {1, 2, 3}, none = 0, box[9] = {3, 0, 0, 0, 3, 0, 0, 0, 3};
-  const hsp_periodic_limits limits = {(uint32_t)sizeof limits, BALLS, 4000, 200, 9000, 4000, 9000};
+  const hsp_periodic_limits limits = {(uint32_t)sizeof limits, BALLS, 4000, 200, 9000, 4000, 9000, 0};
   static const struct {
     double cutoff;
     uint32_t pairs;

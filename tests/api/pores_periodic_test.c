@@ -221,7 +221,7 @@ static void copies_and_stale_results(void) {
   CHECK_EQUAL(counts.maxima, 2);
   CHECK_EQUAL(counts.gates, 6);
   for (d = 0; d < 3; ++d) CHECK(wide.through[d] == one.through[d] && wide.along[d] == one.along[d]);
-  /* Other balls: their pores are not there. The same again: they are. A copy elsewhere has other shifts: they are not. */
+  /* Pores of other balls are not there, of the same again they are, of a copy elsewhere they are not: other shifts. */
   xyz[0] = 3.5;
   CHECK_EQUAL(hsp_workspace_periodic(&work, n, xyz, radii, NULL, box, NULL), HSP_OK);
   CHECK_EQUAL(hsp_pores_get_percolation(work.pores, &wide), HSP_E_STATE);

@@ -90,7 +90,7 @@ void print_measures(const std::string &set, const hsp_boundary *boundary, uint32
   const hsp_gradient_request request{sizeof request, HSP_TANGENT_OVERLAP, 0.75, 0.25, nullptr, nullptr};
   hsp_energy energy;
   std::vector<double> centre(3 * size_t{n}), radius(n);
-  hsp_gradient_outputs outputs{sizeof outputs, n, 0, 0, &energy, centre.data(), radius.data(), nullptr};
+  hsp_gradient_outputs outputs{sizeof outputs, n, 0, 0, &energy, centre.data(), radius.data(), nullptr, nullptr};
   expect_ok(hsp_boundary_get_gradient(boundary, &request, &outputs), "hsp_boundary_get_gradient");
   print_one(set, "energy", energy);
   print(set, "gradient_centres", centre);
@@ -254,7 +254,7 @@ void print_set(const std::string &name, const support::BallList &balls, double p
   const hsp_gradient_request request{sizeof request, HSP_TANGENT_OVERLAP, 0.75, 0.25, nullptr, nullptr};
   hsp_energy energy;
   std::vector<double> centre(3 * size_t{n}), radius(n);
-  hsp_gradient_outputs outputs{sizeof outputs, n, 0, 0, &energy, centre.data(), radius.data(), nullptr};
+  hsp_gradient_outputs outputs{sizeof outputs, n, 0, 0, &energy, centre.data(), radius.data(), nullptr, nullptr};
   expect_ok(hsp_surface_get_gradient(surface.get(), &request, &outputs), "hsp_surface_get_gradient");
   print_one(set, "surface_energy", energy);
   print(set, "surface_gradient_centres", centre);

@@ -14,7 +14,10 @@ def workspace_module(interface):
     def part(name):
         if name.startswith("compute "):
             noun, join, how = name.removeprefix("compute ").partition("_")
-            return compute_rows(interface.function(f"hsp_{noun}_compute{join}{how}"), noun, how)
+            compute = interface.function(f"hsp_{noun}_compute{join}{how}")
+            # A request alone is an argument that need not be there.
+            alone = how == "with" and len(passed_on(compute)) == 1
+            return compute_rows(compute, noun, f"compute_{noun}" if alone else f"compute_{noun}{join}{how}")
         return {"fields": field_rows, "private": private_rows, "drop": drop_rows, "make": make_rows}[name](interface)
 
     return filled(TEMPLATE, r" *! <(.*)>", part)
@@ -94,14 +97,13 @@ def make_rows(interface):
     return rows[:-1]
 
 
-def compute_rows(compute, noun, how):
+def compute_rows(compute, noun, name):
     """A function that computes a handle, and makes it larger until it suffices."""
     own = {a.name: f"self%{a.name}" for a in compute.arguments if a.kind == "handle"}
     call = f"{compute.name}({', '.join(own.get(a.name, a.name) for a in compute.arguments)})"
-    name = noun if how in ("", "with") else f"{noun}_{how}"
     names = ", ".join(["self", *(a.name for a in passed_on(compute))])
     n = ", n" if compute.argument("n") else ""
-    return [*wrapped(f"function compute_{name}({names}) result(status)", 2, mark=" &"), SELF,
+    return [*wrapped(f"function {name}({names}) result(status)", 2, mark=" &"), SELF,
             *(f"    {declaration(a)[0]}" for a in passed_on(compute)),
             f"    type(hsp_{noun}_limits) :: limits", STATUS,
             f"    status = ready_{noun}(self{n})",

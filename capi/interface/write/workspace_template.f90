@@ -47,9 +47,11 @@ module hardsphere_workspace
     procedure :: find_tunnel ! hardsphere/pores.h
     procedure :: set_moving
     procedure :: compute_periodic
+    procedure :: compute_periodic_with
   end type
 
-  private :: set_balls, compute_boundary, compute_topology, compute_contacts, set_moving, compute_periodic, allocated_to
+  private :: set_balls, compute_boundary, compute_topology, compute_contacts, set_moving, compute_periodic, &
+             compute_periodic_with, allocated_to
   private :: compute_view ! hardsphere/view.h
   private :: compute_surface ! hardsphere/surface.h
   private :: compute_mesh, raise_mesh_limits ! hardsphere/mesh.h
@@ -283,6 +285,9 @@ contains
   ! Computes the union of n balls in a periodic box; arguments and statuses as hsp_periodic_compute. The model is not
   ! used.
   ! <compute periodic>
+
+  ! The same as a request says; arguments and statuses as hsp_periodic_compute_with.
+  ! <compute periodic_with>
 
   ! Drops what was computed from a handle, before the memory of that handle is given back.
 

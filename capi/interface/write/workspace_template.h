@@ -201,6 +201,9 @@ static inline int32_t hsp_workspace_moving(hsp_workspace *work, const double *si
  *  used. */
 /* <compute periodic> */
 
+/** The same as a request says; arguments and statuses as hsp_periodic_compute_with. */
+/* <compute periodic_with> */
+
 /* ---- surface.h */
 
 /** Compute the solvent-excluded surface of shells [count] of the boundary that hsp_workspace_boundary has computed; of

@@ -267,7 +267,7 @@ class GradientOutputs(Record):
     """The results that are wanted, and where they go."""
     _fields_ = [("struct_size", C.c_uint32), ("capacity", C.c_uint32), ("needed", C.c_uint32),
                 ("first_bad", C.c_uint32), ("energy", C.c_void_p), ("d_centre", C.c_void_p), ("d_radius", C.c_void_p),
-                ("flags", C.c_void_p)]
+                ("flags", C.c_void_p), ("area", C.c_void_p)]
 
 
 class DerivativesRequest(Record):
@@ -365,7 +365,13 @@ class Simplex(Record):
 class PeriodicLimits(Record):
     """The limits that fix the memory."""
     _fields_ = [("struct_size", C.c_uint32), ("balls", C.c_uint32), ("images", C.c_uint32), ("neighbours", C.c_uint32),
-                ("vertices", C.c_uint32), ("circles", C.c_uint32), ("contacts", C.c_uint32)]
+                ("vertices", C.c_uint32), ("circles", C.c_uint32), ("contacts", C.c_uint32), ("workers", C.c_uint32)]
+
+
+class PeriodicRequest(Record):
+    """How a box is computed."""
+    _fields_ = [("struct_size", C.c_uint32), ("areas_alone", C.c_uint32), ("options", C.c_void_p),
+                ("executor", C.c_void_p)]
 
 
 class PeriodicCounts(Record):
@@ -404,7 +410,7 @@ class PeriodicGradientOutputs(Record):
     """The results that are wanted, and where they go."""
     _fields_ = [("struct_size", C.c_uint32), ("capacity", C.c_uint32), ("needed", C.c_uint32),
                 ("first_bad", C.c_uint32), ("energy", C.c_void_p), ("d_centre", C.c_void_p), ("d_radius", C.c_void_p),
-                ("flags", C.c_void_p), ("d_strain", C.c_void_p), ("d_box", C.c_void_p)]
+                ("flags", C.c_void_p), ("d_strain", C.c_void_p), ("d_box", C.c_void_p), ("area", C.c_void_p)]
 
 
 class Image(Record):
@@ -926,9 +932,9 @@ class Boundary(Handle):
         """Compute the boundary of the union of the model's balls."""
         return call("hsp_boundary_compute", self, model=model)
 
-    def compute_with(self, model: Model, *, selected: Any | None = None) -> Boundary:
+    def compute_with(self, model: Model, *, threads: int | None = None, selected: Any | None = None) -> Boundary:
         """The same as hsp_boundary_compute, as a request says; request may be NULL: all defaults."""
-        return call("hsp_boundary_compute_with", self, model=model, selected=selected)
+        return call("hsp_boundary_compute_with", self, model=model, threads=threads, selected=selected)
 
     def get_counts(self) -> BoundaryCounts:
         """How many of everything the boundary has."""
@@ -971,9 +977,9 @@ class Boundary(Handle):
         block. Gives .totals, .area, .volume_term."""
         return call("hsp_boundary_measure", self, selected=selected, only=only)
 
-    def get_measures(self, *, selected: Any | None = None, only: Any | None = None) -> Any:
+    def get_measures(self, *, selected: Any | None = None, threads: int | None = None, only: Any | None = None) -> Any:
         """The same as a request says; request may be NULL: all defaults. Gives .totals, .area, .volume_term."""
-        return call("hsp_boundary_get_measures", self, selected=selected, only=only)
+        return call("hsp_boundary_get_measures", self, selected=selected, threads=threads, only=only)
 
     def measure_faces(self, *, only: Any | None = None) -> Any:
         """Area, and term of the volume, of each face: area [faces] and volume_term [faces], each may be NULL, face ids
@@ -981,20 +987,28 @@ class Boundary(Handle):
         return call("hsp_boundary_measure_faces", self, only=only)
 
     def get_gradient(self, *, tangency: int | None = None, tension: float | None = None, pressure: float | None = None,
-                     sigma: Any | None = None, only: Any | None = None) -> Any:
-        """An energy and its gradient, in one pass. Gives .energy, .d_centre, .d_radius, .flags."""
+                     sigma: Any | None = None, threads: int | None = None, only: Any | None = None) -> Any:
+        """An energy and its gradient, in one pass. Gives .energy, .d_centre, .d_radius, .flags, .area."""
         return call("hsp_boundary_get_gradient", self, tangency=tangency, tension=tension, pressure=pressure,
-                    sigma=sigma, only=only)
+                    sigma=sigma, threads=threads, only=only)
 
-    def get_derivatives(self, *, tangency: int | None = None, sigma: Any | None = None, only: Any | None = None) -> Any:
+    def get_derivatives(self, *, tangency: int | None = None, sigma: Any | None = None, threads: int | None = None,
+                        only: Any | None = None) -> Any:
         """The two parts of that gradient, each on its own. Gives .area_centre, .area_radius, .volume_centre,
         .volume_radius, .flags."""
-        return call("hsp_boundary_get_derivatives", self, tangency=tangency, sigma=sigma, only=only)
+        return call("hsp_boundary_get_derivatives", self, tangency=tangency, sigma=sigma, threads=threads, only=only)
 
     def get_area_row(self, ball: int, tangency: int) -> Any:
         """The derivatives of A_i, i = ball: an entry for i itself and one for every j whose circle on i has a free
         piece, ascending in j; all others are 0."""
         return call("hsp_boundary_get_area_row", self, ball=ball, tangency=tangency)
+
+    def get_area_rows(self, *, tangency: int | None = None, sigma: Any | None = None, threads: int | None = None,
+                      only: Any | None = None) -> Any:
+        """The whole Jacobian of the areas as compressed rows: those of ball i are entries first[i] to first[i + 1] - 1,
+        with ball [needed] the columns j, ascending, d_centre [needed][3] sigma_i dA_i/dc_j and d_radius [needed], which
+        may be NULL, sigma_i dA_i/dr_j. Gives .first, .ball, .d_centre, .d_radius."""
+        return call("hsp_boundary_get_area_rows", self, tangency=tangency, sigma=sigma, threads=threads, only=only)
 
     def curvature(self, *, only: Any | None = None) -> Any:
         """Integrated curvatures, in all and by ball: mean [n] and gauss_thirds [n] may each be NULL and else hold
@@ -1003,11 +1017,11 @@ class Boundary(Handle):
 
     def get_morphometry(self, *, pressure: float | None = None, tension: float | None = None,
                         bending: float | None = None, gaussian: float | None = None, sigma: Any | None = None,
-                        only: Any | None = None) -> Any:
+                        threads: int | None = None, only: Any | None = None) -> Any:
         """A morphometric energy and its gradient in one pass; balls that touch count as overlapping. Gives .energy,
         .d_centre, .d_radius, .flags."""
         return call("hsp_boundary_get_morphometry", self, pressure=pressure, tension=tension, bending=bending,
-                    gaussian=gaussian, sigma=sigma, only=only)
+                    gaussian=gaussian, sigma=sigma, threads=threads, only=only)
 
 
 class Moving(Handle):
@@ -1107,6 +1121,13 @@ class Periodic(Handle):
         return call("hsp_periodic_compute", self, xyz=xyz, radius=radius, box=box, probe=probe, step=step,
                     largest_radius=largest_radius)
 
+    def compute_with(self, xyz: Any, radius: Any, box: Any, *, areas_alone: int | None = None,
+                     probe: float | None = None, step: float | None = None, largest_radius: float | None = None,
+                     threads: int | None = None) -> Periodic:
+        """The same as hsp_periodic_compute, as a request says."""
+        return call("hsp_periodic_compute_with", self, xyz=xyz, radius=radius, box=box, areas_alone=areas_alone,
+                    probe=probe, step=step, largest_radius=largest_radius, threads=threads)
+
     def get_counts(self) -> PeriodicCounts:
         """Count."""
         return call("hsp_periodic_get_counts", self)
@@ -1124,11 +1145,11 @@ class Periodic(Handle):
 
     def get_morphometry(self, *, pressure: float | None = None, tension: float | None = None,
                         bending: float | None = None, gaussian: float | None = None, sigma: Any | None = None,
-                        only: Any | None = None) -> Any:
+                        threads: int | None = None, only: Any | None = None) -> Any:
         """A morphometric energy, its gradient by the balls, and its derivatives by the box, in one call: as
         hsp_boundary_get_morphometry. Gives .energy, .d_centre, .d_radius, .flags, .d_strain, .d_box."""
         return call("hsp_periodic_get_morphometry", self, pressure=pressure, tension=tension, bending=bending,
-                    gaussian=gaussian, sigma=sigma, only=only)
+                    gaussian=gaussian, sigma=sigma, threads=threads, only=only)
 
     def get_contacts(self) -> Any:
         """All contacts, each once, ascending in their balls and shifts."""
@@ -1148,11 +1169,11 @@ class Periodic(Handle):
         return call("hsp_periodic_get_components", self)
 
     def get_gradient(self, *, tangency: int | None = None, tension: float | None = None, pressure: float | None = None,
-                     sigma: Any | None = None, only: Any | None = None) -> Any:
+                     sigma: Any | None = None, threads: int | None = None, only: Any | None = None) -> Any:
         """An energy and its derivatives by the balls and by the box, as hsp_boundary_get_gradient. Gives .energy,
-        .d_centre, .d_radius, .flags, .d_strain, .d_box."""
+        .d_centre, .d_radius, .flags, .d_strain, .d_box, .area."""
         return call("hsp_periodic_get_gradient", self, tangency=tangency, tension=tension, pressure=pressure,
-                    sigma=sigma, only=only)
+                    sigma=sigma, threads=threads, only=only)
 
     def query_point(self, xyz: Any) -> Any:
         """The balls and images that contain the point xyz [3], wherever it is, ascending in balls and shifts."""
@@ -1228,11 +1249,11 @@ class Surface(Handle):
         return call("hsp_surface_measure", self, only=only)
 
     def get_gradient(self, *, tangency: int | None = None, tension: float | None = None, pressure: float | None = None,
-                     sigma: Any | None = None, only: Any | None = None) -> Any:
+                     sigma: Any | None = None, threads: int | None = None, only: Any | None = None) -> Any:
         """E = tension * sum_i sigma_i A_i + pressure * V of the smooth surface and its gradient, in one pass, with A_i
-        ball i's share of the area as hsp_surface_measure has it. Gives .energy, .d_centre, .d_radius, .flags."""
+        ball i's share of the area as hsp_surface_measure has it. Gives .energy, .d_centre, .d_radius, .flags, .area."""
         return call("hsp_surface_get_gradient", self, tangency=tangency, tension=tension, pressure=pressure,
-                    sigma=sigma, only=only)
+                    sigma=sigma, threads=threads, only=only)
 
     def get_part_counts(self) -> SurfacePartCounts:
         """How many patches, edges, corners and shells there are."""
@@ -1969,6 +1990,10 @@ FUNCTIONS = {
     "hsp_boundary_get_area_row": "int32_t boundary:handle:hsp_boundary::never ball:value:uint32_t::never "
         "tangency:value:uint32_t::never out:array_out:hsp_area_derivative:needed:empty "
         "capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
+    "hsp_boundary_get_area_rows": "int32_t boundary:handle:hsp_boundary::never "
+        "request:sized_in:hsp_derivatives_request::always first:array_out:uint32_t:n+1:never "
+        "ball:array_out:uint32_t:needed:empty d_centre:array_out:double:needed;3:empty "
+        "d_radius:array_out:double:needed:always capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_moving_limits_init": "int32_t limits:sized:hsp_moving_limits::never struct_size:value:uint32_t::never "
         "balls:value:uint32_t::never",
     "hsp_moving_bytes": "int32_t limits:sized_in:hsp_moving_limits::never bytes:value_out:size_t::never",
@@ -2028,6 +2053,10 @@ FUNCTIONS = {
     "hsp_periodic_compute": "int32_t periodic:handle:hsp_periodic::never n:value:uint32_t::never "
         "xyz:array_in:double:n;3:empty radius:array_in:double:n:empty options:sized_in:hsp_model_options::always "
         "box:array_in:double:9:never limits:sized:hsp_periodic_limits::always first_bad:value_out:uint32_t::always",
+    "hsp_periodic_compute_with": "int32_t periodic:handle:hsp_periodic::never n:value:uint32_t::never "
+        "xyz:array_in:double:n;3:empty radius:array_in:double:n:empty box:array_in:double:9:never "
+        "request:sized_in:hsp_periodic_request::always limits:sized:hsp_periodic_limits::always "
+        "first_bad:value_out:uint32_t::always",
     "hsp_periodic_get_counts": "int32_t periodic:handle:hsp_periodic::never "
         "counts:struct_out:hsp_periodic_counts::never",
     "hsp_periodic_measure": "int32_t periodic:handle:hsp_periodic::never "
@@ -2371,7 +2400,8 @@ FIELDS = {
         "sigma:array_in:double:n:always executor:sized_in:hsp_executor::always",
     "hsp_gradient_outputs": "capacity:capacity:uint32_t::never needed:needed:uint32_t::never "
         "first_bad:value_out:uint32_t::never energy:struct_out:hsp_energy::always "
-        "d_centre:array_out:double:n;3:always d_radius:array_out:double:n:always flags:array_out:uint32_t:n:always",
+        "d_centre:array_out:double:n;3:always d_radius:array_out:double:n:always flags:array_out:uint32_t:n:always "
+        "area:array_out:double:n:always",
     "hsp_derivatives_request": "tangency:value:uint32_t::never sigma:array_in:double:n:always "
         "executor:sized_in:hsp_executor::always",
     "hsp_derivatives_outputs": "capacity:capacity:uint32_t::never needed:needed:uint32_t::never "
@@ -2383,6 +2413,8 @@ FIELDS = {
     "hsp_morphometry_outputs": "capacity:capacity:uint32_t::never needed:needed:uint32_t::never "
         "first_bad:value_out:uint32_t::never energy:struct_out:hsp_morphometric_energy::always "
         "d_centre:array_out:double:n;3:always d_radius:array_out:double:n:always flags:array_out:uint32_t:n:always",
+    "hsp_periodic_request": "areas_alone:value:uint32_t::never options:sized_in:hsp_model_options::always "
+        "executor:sized_in:hsp_executor::always",
     "hsp_periodic_morphometry_outputs": "capacity:capacity:uint32_t::never needed:needed:uint32_t::never "
         "first_bad:value_out:uint32_t::never energy:struct_out:hsp_morphometric_energy::always "
         "d_centre:array_out:double:n;3:always d_radius:array_out:double:n:always flags:array_out:uint32_t:n:always "
@@ -2390,7 +2422,7 @@ FIELDS = {
     "hsp_periodic_gradient_outputs": "capacity:capacity:uint32_t::never needed:needed:uint32_t::never "
         "first_bad:value_out:uint32_t::never energy:struct_out:hsp_energy::always "
         "d_centre:array_out:double:n;3:always d_radius:array_out:double:n:always flags:array_out:uint32_t:n:always "
-        "d_strain:array_out:double:9:always d_box:array_out:double:9:always",
+        "d_strain:array_out:double:9:always d_box:array_out:double:9:always area:array_out:double:n:always",
     "hsp_pores_options": "floor:value:double::always",
     "hsp_view_options": "pieces:value:uint32_t::always flags:value:uint32_t::always towards:value:double:3:always "
         "up:value:double:3:always",
@@ -2415,27 +2447,27 @@ describe(FUNCTIONS, FIELDS, {'hsp_executor': Executor, 'hsp_residue_atom': Resid
          'hsp_morphometry_request': MorphometryRequest, 'hsp_morphometric_energy': MorphometricEnergy,
          'hsp_morphometry_outputs': MorphometryOutputs, 'hsp_contacts_limits': ContactsLimits, 'hsp_contact': Contact,
          'hsp_group_contact': GroupContact, 'hsp_complex': Complex, 'hsp_simplex': Simplex, 'hsp_periodic_limits':
-         PeriodicLimits, 'hsp_periodic_counts': PeriodicCounts, 'hsp_periodic_totals': PeriodicTotals,
-         'hsp_periodic_morphometry_outputs': PeriodicMorphometryOutputs, 'hsp_periodic_contact': PeriodicContact,
-         'hsp_winding': Winding, 'hsp_periodic_gradient_outputs': PeriodicGradientOutputs, 'hsp_image': Image,
-         'hsp_periodic_id': PeriodicId, 'hsp_periodic_vertex': PeriodicVertex, 'hsp_periodic_arc': PeriodicArc,
-         'hsp_periodic_circle': PeriodicCircle, 'hsp_periodic_face': PeriodicFace, 'hsp_periodic_loop': PeriodicLoop,
-         'hsp_periodic_loop_arc': PeriodicLoopArc, 'hsp_surface_limits': SurfaceLimits, 'hsp_surface_counts':
-         SurfaceCounts, 'hsp_surface_totals': SurfaceTotals, 'hsp_surface_part_counts': SurfacePartCounts,
-         'hsp_surface_patch': SurfacePatch, 'hsp_surface_edge': SurfaceEdge, 'hsp_surface_corner': SurfaceCorner,
-         'hsp_surface_shell': SurfaceShell, 'hsp_mesh_limits': MeshLimits, 'hsp_mesh_counts': MeshCounts,
-         'hsp_topology_limits': TopologyLimits, 'hsp_topology_counts': TopologyCounts, 'hsp_topology_vertex':
-         TopologyVertex, 'hsp_topology_edge': TopologyEdge, 'hsp_simple_face': SimpleFace, 'hsp_shell': Shell,
-         'hsp_component': Component, 'hsp_region': Region, 'hsp_cells_limits': CellsLimits, 'hsp_cells_counts':
-         CellsCounts, 'hsp_free_cell': FreeCell, 'hsp_cell_pair': CellPair, 'hsp_arrangement': Arrangement,
-         'hsp_paths_limits': PathsLimits, 'hsp_path': Path, 'hsp_gate_limits': GateLimits, 'hsp_widest_probe':
-         WidestProbe, 'hsp_pores_limits': PoresLimits, 'hsp_pores_options': PoresOptions, 'hsp_pores_counts':
-         PoresCounts, 'hsp_pore_maximum': PoreMaximum, 'hsp_pore_gate': PoreGate, 'hsp_pore_gate_shifts':
-         PoreGateShifts, 'hsp_pore_percolation': PorePercolation, 'hsp_pore_channel': PoreChannel, 'hsp_pore_place':
-         PorePlace, 'hsp_pore_passage': PorePassage, 'hsp_pore_pocket': PorePocket, 'hsp_tunnel': Tunnel,
-         'hsp_tunnel_point': TunnelPoint, 'hsp_view_limits': ViewLimits, 'hsp_view_options': ViewOptions,
-         'hsp_view_info': ViewInfo, 'hsp_view_piece': ViewPiece, 'hsp_view_loop': ViewLoop, 'hsp_view_arc': ViewArc,
-         'hsp_map_limits': MapLimits, 'hsp_map_info': MapInfo, 'hsp_map_vertex': MapVertex, 'hsp_map_edge': MapEdge,
-         'hsp_map_face': MapFace, 'hsp_map_sight': MapSight, 'hsp_map_point': MapPoint, 'hsp_map_pole': MapPole,
-         'hsp_sticks_limits': SticksLimits, 'hsp_stick': Stick, 'hsp_sticks_conflict': SticksConflict,
-         'hsp_sticks_info': SticksInfo, 'hsp_picture_options': PictureOptions})
+         PeriodicLimits, 'hsp_periodic_request': PeriodicRequest, 'hsp_periodic_counts': PeriodicCounts,
+         'hsp_periodic_totals': PeriodicTotals, 'hsp_periodic_morphometry_outputs': PeriodicMorphometryOutputs,
+         'hsp_periodic_contact': PeriodicContact, 'hsp_winding': Winding, 'hsp_periodic_gradient_outputs':
+         PeriodicGradientOutputs, 'hsp_image': Image, 'hsp_periodic_id': PeriodicId, 'hsp_periodic_vertex':
+         PeriodicVertex, 'hsp_periodic_arc': PeriodicArc, 'hsp_periodic_circle': PeriodicCircle, 'hsp_periodic_face':
+         PeriodicFace, 'hsp_periodic_loop': PeriodicLoop, 'hsp_periodic_loop_arc': PeriodicLoopArc,
+         'hsp_surface_limits': SurfaceLimits, 'hsp_surface_counts': SurfaceCounts, 'hsp_surface_totals': SurfaceTotals,
+         'hsp_surface_part_counts': SurfacePartCounts, 'hsp_surface_patch': SurfacePatch, 'hsp_surface_edge':
+         SurfaceEdge, 'hsp_surface_corner': SurfaceCorner, 'hsp_surface_shell': SurfaceShell, 'hsp_mesh_limits':
+         MeshLimits, 'hsp_mesh_counts': MeshCounts, 'hsp_topology_limits': TopologyLimits, 'hsp_topology_counts':
+         TopologyCounts, 'hsp_topology_vertex': TopologyVertex, 'hsp_topology_edge': TopologyEdge, 'hsp_simple_face':
+         SimpleFace, 'hsp_shell': Shell, 'hsp_component': Component, 'hsp_region': Region, 'hsp_cells_limits':
+         CellsLimits, 'hsp_cells_counts': CellsCounts, 'hsp_free_cell': FreeCell, 'hsp_cell_pair': CellPair,
+         'hsp_arrangement': Arrangement, 'hsp_paths_limits': PathsLimits, 'hsp_path': Path, 'hsp_gate_limits':
+         GateLimits, 'hsp_widest_probe': WidestProbe, 'hsp_pores_limits': PoresLimits, 'hsp_pores_options':
+         PoresOptions, 'hsp_pores_counts': PoresCounts, 'hsp_pore_maximum': PoreMaximum, 'hsp_pore_gate': PoreGate,
+         'hsp_pore_gate_shifts': PoreGateShifts, 'hsp_pore_percolation': PorePercolation, 'hsp_pore_channel':
+         PoreChannel, 'hsp_pore_place': PorePlace, 'hsp_pore_passage': PorePassage, 'hsp_pore_pocket': PorePocket,
+         'hsp_tunnel': Tunnel, 'hsp_tunnel_point': TunnelPoint, 'hsp_view_limits': ViewLimits, 'hsp_view_options':
+         ViewOptions, 'hsp_view_info': ViewInfo, 'hsp_view_piece': ViewPiece, 'hsp_view_loop': ViewLoop,
+         'hsp_view_arc': ViewArc, 'hsp_map_limits': MapLimits, 'hsp_map_info': MapInfo, 'hsp_map_vertex': MapVertex,
+         'hsp_map_edge': MapEdge, 'hsp_map_face': MapFace, 'hsp_map_sight': MapSight, 'hsp_map_point': MapPoint,
+         'hsp_map_pole': MapPole, 'hsp_sticks_limits': SticksLimits, 'hsp_stick': Stick, 'hsp_sticks_conflict':
+         SticksConflict, 'hsp_sticks_info': SticksInfo, 'hsp_picture_options': PictureOptions})

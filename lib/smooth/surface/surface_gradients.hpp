@@ -61,6 +61,7 @@ struct SurfaceEnergyGradient {
   double centre[3];
   double radius;
   bool degenerate;
+  double area;  // of the surface's parts on the ball, in lattice steps
 };
 
 // Calls sink(i, gradient) for every ball i of the input, from the tasks of the executor. Sums run over the balls in the
@@ -81,7 +82,8 @@ bool differentiate_surface(const Executor &executor, const CubeGrid &grid, const
           {combined(own.area_centre.x, own.volume_centre.x), combined(own.area_centre.y, own.volume_centre.y),
            combined(own.area_centre.z, own.volume_centre.z)},
           combined(own.area_radius, own.volume_radius),
-          own.degenerate};
+          own.degenerate,
+          own.measure.area()};
       sum.add({terms.weights.of(balls, ball) * own.measure.area(), own.measure.volume,
                gradient.radius + combined(own.area_offset, -own.measure.area())});
       sink(i, gradient);

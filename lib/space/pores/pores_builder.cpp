@@ -160,7 +160,7 @@ Status PoresBuilder::merge_in_box() {
     const WindingLattice &lattice = windings_.lattice_of_set(older);
     const uint32_t rank = lattice.rank;
     const uint64_t copies = lattice.copies();
-    if (!windings_.join(gate.end[0], gate.end[1], gate.end_shift[1].shift() - gate.end_shift[0].shift())) {
+    if (!windings_.join(gate.end[0], gate.end[1], gate.way())) {
       return Status::range;
     }
     gate.directions = lattice.rank;
@@ -193,8 +193,7 @@ uint32_t PoresBuilder::join_above(double level) {
   windings_.reset(fitting + 1);
   for (uint32_t k = 0; k < gate_count_ && gates_[k].point.level > level; ++k) {
     const PoreGate &gate = gates_[k];
-    static_cast<void>(windings_.join(node_of(gate.end[0]), node_of(gate.end[1]),
-                                     gate.end_shift[1].shift() - gate.end_shift[0].shift()));
+    static_cast<void>(windings_.join(node_of(gate.end[0]), node_of(gate.end[1]), gate.way()));
   }
   return windings_.number();
 }

@@ -1,7 +1,6 @@
 #include "boundary/boundary_builder.hpp"
 
 #include "boundary/components.hpp"
-#include "boundary/shells.hpp"
 
 namespace hsp {
 namespace {
@@ -43,7 +42,8 @@ void BoundaryBuilder::carve(Workspace &workspace, const BoundaryLimits &limits) 
   }
 }
 
-Status BoundaryBuilder::build(const CubeGrid &grid, const Executor &executor, const uint8_t *selected) {
+Status BoundaryBuilder::build(const CubeGrid &grid, const Executor &executor, const uint8_t *selected, bool joins,
+                              bool whole) {
   needed_ = {};
   needed_.balls = grid.balls().n;
   needed_.workers = limits_.workers;
@@ -52,14 +52,15 @@ Status BoundaryBuilder::build(const CubeGrid &grid, const Executor &executor, co
   if (needed_.balls > limits_.balls || needed_.workers > limits_.workers) return Status::capacity;
   grid_ = &grid;
   count_ = alone ? 1 : workers_.size();
-  of_some_ = selected != nullptr;
+  joins_ = joins;
+  whole_ = whole;
   const uint32_t *chosen = nullptr;
-  if (of_some_) {  // in memory that nothing needs while balls are searched
+  if (selected != nullptr) {  // in memory that nothing needs while balls are searched
     const BallSet &balls = grid.balls();
     for (uint32_t i = 0; i < balls.n; ++i) arrays().component[i] = selected[balls.caller[i]];
     chosen = arrays().component.data();
   }
-  for (uint32_t w = 0; w < count_; ++w) workers_[w].start(share_of(grid, w, count_), chosen);
+  for (uint32_t w = 0; w < count_; ++w) workers_[w].start(share_of(grid, w, count_), chosen, joins);
   const auto search = [this](uint32_t worker) { workers_[worker].search(*grid_, arrays().ball_state.data()); };
   if (!executor.for_each(count_, search)) return Status::executor;
 
@@ -71,7 +72,7 @@ Status BoundaryBuilder::build(const CubeGrid &grid, const Executor &executor, co
   needed_.circles = clamped_count(all.circles);
   if (all.vertices > limits_.vertices || all.circles > limits_.circles) return Status::capacity;
 
-  arrays().balls = needed_.balls;
+  arrays().balls = grid.own_balls();
   arrays().vertices.set_count(all.vertices);
   arrays().circles.set_count(all.circles);
   for (uint32_t stage = placing; stage <= numbering; ++stage) {
@@ -97,7 +98,7 @@ void BoundaryBuilder::assemble(uint32_t stage, uint32_t worker) {
   switch (stage) {
     case placing:
       place(worker);
-      if (worker == 0 && !of_some_) join_components();
+      if (worker == 0 && joins_) join_components();
       break;
     case counting:
       own.count(a);
@@ -112,14 +113,14 @@ void BoundaryBuilder::assemble(uint32_t stage, uint32_t worker) {
       settle(worker);
       break;
     case joining:
-      if (shares_shells() && !of_some_) {
+      if (shares_shells() && whole_) {
         SharedDisjointSets shells(scratch_.part(0, a.face_count));
         join_faces(boundary_, own.placed_vertices, own.placed_circles, shells);
       }
       break;
     default:
-      if (of_some_) {
-        if (worker == 0) leave_out_components();
+      if (!whole_) {
+        if (worker == 0 && !joins_) leave_out_components();
         return;
       }
       // Neither knows of the other.
@@ -151,7 +152,6 @@ void BoundaryBuilder::place(uint32_t worker) {
 
 // The sets of worker 0 are those of all. They do not know the balls behind its share and those around it.
 void BoundaryBuilder::join_components() {
-  if (count_ == 1) return;
   const uint32_t n = grid_->balls().n;
   const Span<uint32_t> parent = arrays().component_origin.part(0, n);
   for (uint32_t i = workers_[0].met().last; i < n; ++i) parent[i] = i;

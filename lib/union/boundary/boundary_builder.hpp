@@ -4,6 +4,7 @@
 #pragma once
 
 #include "boundary/boundary_worker.hpp"
+#include "boundary/shells.hpp"
 #include "core/executor.hpp"
 #include "core/shared_disjoint_sets.hpp"
 
@@ -17,7 +18,25 @@ class BoundaryBuilder {
   // is too small, or allows for fewer than it has; needed() then reports what suffices. Status::executor if it fails.
   // selected: null, or in the caller's order whether a ball is not left out. Those left out only block: nothing of them
   // is there, nor are twins, shells and components.
-  Status build(const CubeGrid &grid, const Executor &executor = {}, const uint8_t *selected = nullptr);
+  Status build(const CubeGrid &grid, const Executor &executor = {}, const uint8_t *selected = nullptr) {
+    return build(grid, executor, selected, selected == nullptr, selected == nullptr);
+  }
+  // Of the balls of a grid with images alone, ball by ball as in the boundary of the whole; shells are left to the
+  // caller. joins: whether joined_balls() are there.
+  Status build_in_box(const CubeGrid &grid, const Executor &executor, bool joins) {
+    return build(grid, executor, nullptr, joins, false);
+  }
+  // An image is inside others if its ball is.
+  void take_state(uint32_t image, uint32_t ball) { arrays().ball_state[image] = arrays().ball_state[ball]; }
+  // Balls and images, where each ball is joined to all that meet it. One inside others is joined to one of these, which
+  // whatever meets it meets, too. Each has its representative as parent.
+  Span<const uint32_t> joined_balls() {
+    const Span<uint32_t> parent = arrays().component_origin.part(0, needed_.balls);
+    DisjointSets(parent).flatten();
+    return parent;
+  }
+  // Numbers the shells, from the faces that have been joined.
+  void take_shells(DisjointSets shells) { number_shells(shells, arrays()); }
 
   const Boundary &boundary() const { return boundary_; }
   const BoundaryLimits &needed() const { return needed_; }
@@ -41,6 +60,7 @@ class BoundaryBuilder {
   }
 
  private:
+  Status build(const CubeGrid &grid, const Executor &executor, const uint8_t *selected, bool joins, bool whole);
   Span<BoundaryWorker> at_work() const { return workers_.part(0, count_); }
   // The totals of all workers.
   struct Found {
@@ -65,7 +85,8 @@ class BoundaryBuilder {
   Span<uint32_t> scratch_;
   const CubeGrid *grid_ = nullptr;  // while it is built
   uint32_t count_ = 0;              // of workers that build it
-  bool of_some_ = false;            // balls alone
+  bool joins_ = false;              // whether components are looked for
+  bool whole_ = false;              // whether shells are, too
 };
 
 }  // namespace hsp

@@ -13,29 +13,10 @@ void BoundaryPart::carve(Workspace &workspace, const BoundaryLimits &limits) {
 }
 
 Status BoundaryPart::build(const BallSet &balls, uint32_t own, const double (&centre)[3], double side) {
-  worker_[0].start({0, 0, {0, own}});
-  worker_[0].search(balls, centre, side, arrays().ball_state.data());
-  return finish(balls, own, BlockSweep(CubeBlock{{{0, balls.n}}, 1}));
-}
-
-Status BoundaryPart::build(const CubeGrid &grid) {
-  worker_[0].start({0, grid.own_cubes(), {0, grid.own_balls()}});
-  worker_[0].search(grid, arrays().ball_state.data());
-  return finish(grid.balls(), grid.own_balls(), BlockSweep(grid));
-}
-
-Span<const uint32_t> BoundaryPart::join_components(const CubeGrid &grid) {
-  const Span<uint32_t> parent = arrays().component_origin.part(0, grid.balls().n);
-  // The search knows nothing of balls behind all that are around cubes.
-  for (uint32_t i = worker_[0].met().last; i < parent.size(); ++i) parent[i] = i;
-  DisjointSets(parent).flatten();
-  return parent;
-}
-
-// After the search.
-Status BoundaryPart::finish(const BallSet &balls, uint32_t own, BlockSweep sweep) {
   BoundaryArrays &a = arrays();
   BoundaryWorker &worker = worker_[0];
+  worker.start({0, 0, {0, own}}, nullptr, false);
+  worker.search(balls, centre, side, a.ball_state.data());
   const uint64_t vertices = worker.vertices().required(), circles = worker.circles().required();
   needed_ = {};
   needed_.neighbours = worker.neighbours();
@@ -55,6 +36,7 @@ Status BoundaryPart::finish(const BallSet &balls, uint32_t own, BlockSweep sweep
   distribute_half_edges(worker.touching, {}, a);
   a.first[own].half_edge = worker.counts.half_edges;
   a.first[own].closed_half_edge = worker.counts.closed;
+  BlockSweep sweep(CubeBlock{{{0, balls.n}}, 1});
   worker.link(balls, sweep, boundary_, scratch_, a);
   a.first[own].loop = a.loop_count = worker.loops.last;
   a.first[own].face = a.face_count = worker.faces.last;

@@ -10,7 +10,7 @@ namespace {
 
 // The first cube that begins at or behind a ball.
 uint32_t cube_from(const CubeGrid &grid, uint32_t ball) {
-  return first_index(0, grid.cubes(), [&grid, ball](uint32_t cube) { return grid.balls_in(cube).first >= ball; });
+  return first_index(0, grid.own_cubes(), [&grid, ball](uint32_t cube) { return grid.balls_in(cube).first >= ball; });
 }
 
 // Memory that nothing needs while balls are searched: the scratch memory, or that of the half-edges if it is more.
@@ -27,11 +27,11 @@ Span<uint32_t> idle_while_searching(const BoundaryArrays &arrays, Span<uint32_t>
 BallShare share_of(const CubeGrid &grid, uint32_t worker, uint32_t workers) {
   // n w / workers, in 32 bits.
   const auto first_cube = [&grid, workers](uint32_t w) {
-    const uint32_t n = grid.balls().n;
+    const uint32_t n = grid.own_balls();
     return cube_from(grid, n / workers * w + n % workers * w / workers);
   };
   const auto first_ball = [&grid](uint32_t cube) {
-    return cube < grid.cubes() ? grid.balls_in(cube).first : grid.balls().n;
+    return cube < grid.own_cubes() ? grid.balls_in(cube).first : grid.own_balls();
   };
   const uint32_t first = first_cube(worker);
   const uint32_t last = first_cube(worker + 1);
@@ -64,9 +64,10 @@ void BoundaryWorker::carve(Workspace &workspace, const BoundaryLimits &limits, B
   lanes.take_candidates(workspace, limits.neighbours);
 }
 
-void BoundaryWorker::start(const BallShare &share, const uint32_t *selected) {
+void BoundaryWorker::start(const BallShare &share, const uint32_t *selected, bool joins) {
   share_ = share;
   selected_ = selected;
+  joins_ = joins;
   vertices_.clear();
   circles_.clear();
   met_ = {share.balls.first, share.balls.first};
@@ -88,7 +89,7 @@ void BoundaryWorker::cover(const CubeBlock &block) {
 void BoundaryWorker::search(const CubeGrid &grid, uint8_t *ball_state) {
   const BallSet &balls = grid.balls();
   DisjointSets components(parent_.part(0, balls.n));
-  DisjointSets *const joined = selected_ == nullptr ? &components : nullptr;
+  DisjointSets *const joined = joins_ ? &components : nullptr;
   BlockSweep sweep(grid);
   for (uint32_t cube = share_.first_cube; cube < share_.last_cube; ++cube) {
     const BallRange own = grid.balls_in(cube);

@@ -14,7 +14,7 @@ struct BallShare {
   BallRange balls{0, 0};
 };
 
-// Shares of about as many balls each, ascending; some are empty if there are few cubes.
+// Shares of about as many balls each, ascending; some are empty if there are few cubes. Images are in none.
 BallShare share_of(const CubeGrid &grid, uint32_t worker, uint32_t workers);
 
 // Aligned to cache lines, since each is written by a thread of its own.
@@ -26,11 +26,12 @@ class alignas(64) BoundaryWorker {
   void carve(Workspace &workspace, const BoundaryLimits &limits, BoundaryArrays &arrays, uint32_t worker,
              Span<uint32_t> scratch);
 
-  // Takes a share. Nothing is found. selected: null, or in the grid's order whether a ball is not left out.
-  void start(const BallShare &share, const uint32_t *selected = nullptr);
+  // Takes a share. Nothing is found. selected: null, or in the grid's order whether a ball is not left out. joins:
+  // whether components are looked for.
+  void start(const BallShare &share, const uint32_t *selected, bool joins);
 
   // Vertices and circles of the share's balls, and which balls meet. Of some balls alone: what lies on one of them,
-  // found at the first of those. Components are not looked for then.
+  // found at the first of those.
   void search(const CubeGrid &grid, uint8_t *ball_state);
   // The same for the first balls of a set without a grid, the share's, that are at most 1.5 sides from a centre along
   // each axis; no radius is larger than half a side. Components are not looked for.
@@ -75,6 +76,7 @@ class alignas(64) BoundaryWorker {
 
   BallShare share_;
   const uint32_t *selected_ = nullptr;
+  bool joins_ = false;
   VertexFinder finder_;
   FaceFinder face_finder_;
   FixedVector<VertexRecord> vertices_;

@@ -25,13 +25,8 @@ BallGradient gradient_of_ball(const BallSet &balls, const Boundary &boundary, co
 }
 
 uint32_t area_row_length(const Boundary &boundary, uint32_t i) {
-  if (!boundary.is_exposed(i)) return 0;
-  uint32_t length = 1 + boundary.circles(i).size();
-  const IdRange half_edges = boundary.half_edges(i);
-  for (const uint32_t u : half_edges) {
-    // Half-edges are sorted by the circle that they leave along.
-    length += u == half_edges.first || boundary.half_edge(u).circle != boundary.half_edge(u - 1).circle ? 1U : 0U;
-  }
+  uint32_t length = 0;
+  visit_balls_of_area_row(boundary, i, [&](uint32_t, uint32_t) { ++length; });
   return length;
 }
 

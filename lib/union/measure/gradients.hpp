@@ -9,6 +9,7 @@
 // and dV/dc_k is the vector area of ball k's faces, dV/dR_k = A_k.
 #pragma once
 
+#include "core/first_index.hpp"
 #include "core/sorting.hpp"
 #include "measure/areas.hpp"
 
@@ -163,33 +164,68 @@ AreaDerivative visit_area_row(const BallSet &balls, const Boundary &boundary, ui
   return own;
 }
 
+// Calls sink(k, j) for the entries k = 0, 1, .. of ball i's row, in no order of the balls j.
+template <class Sink>
+void visit_balls_of_area_row(const Boundary &boundary, uint32_t i, Sink sink) {
+  if (!boundary.is_exposed(i)) return;
+  uint32_t k = 0;
+  sink(k++, i);
+  for (const ClosedHalfEdge e : boundary.circles(i)) sink(k++, boundary.neighbour(e));
+  const IdRange half_edges = boundary.half_edges(i);
+  for (const uint32_t u : half_edges) {
+    // Half-edges are sorted by the circle that they leave along.
+    const uint32_t circle = boundary.half_edge(u).circle;
+    if (u == half_edges.first || circle != boundary.half_edge(u - 1).circle) sink(k++, circle);
+  }
+}
+
+// Fills ball i's row, one entry for each ball, sorted by the caller's indices, with lengths in the caller's unit. Of
+// its area_row_length entries ball(k) is where the ball of entry k stands, clear(k) makes an entry 0, sort() sorts them
+// by ball, and add(k, derivative) adds to one.
+template <class Row>
+void gather_area_row(const BallSet &balls, const Boundary &boundary, uint32_t i, TouchingBalls touching_balls,
+                     uint32_t length, Row row) {
+  if (length == 0) return;
+  visit_balls_of_area_row(boundary, i, [&](uint32_t k, uint32_t j) {
+    row.clear(k);
+    row.ball(k) = balls.caller[j];
+  });
+  row.sort();
+  const auto add = [&](uint32_t j, AreaDerivative part) {
+    const uint32_t ball = balls.caller[j];
+    const exact::Lattice &lattice = balls.lattice;
+    part.centre = {lattice.length(part.centre.x), lattice.length(part.centre.y), lattice.length(part.centre.z)};
+    part.radius = lattice.length(part.radius);
+    row.add(first_index(0, length, [&](uint32_t k) { return row.ball(k) >= ball; }), part);
+  };
+  add(i, visit_area_row(balls, boundary, i, touching_balls, add));
+}
+
 // The flag of an entry whose balls touch, so that its derivatives hold on one side only.
 inline constexpr uint32_t one_sided_flag = 1;
 
-// Fills ball i's row, one entry for each ball, sorted by the caller's indices, with lengths in the caller's unit.
-// row [area_row_length]. Entry has centre[3], radius, angle, ball and flags.
+// The same as records. row [area_row_length]. Entry has centre[3], radius, angle, ball and flags.
 template <class Entry>
 void gather_area_row(const BallSet &balls, const Boundary &boundary, uint32_t i, TouchingBalls touching_balls,
                      Span<Entry> row) {
-  if (row.empty()) return;
-  uint32_t written = 0;
-  const auto add = [&](uint32_t j, const AreaDerivative &part) {
-    uint32_t k = 0;
-    while (k < written && row[k].ball != balls.caller[j]) ++k;
-    if (k == written) {
-      row[written++] = {};
-      row[k].ball = balls.caller[j];
+  struct Records {
+    Span<Entry> row;
+    uint32_t &ball(uint32_t k) const { return row[k].ball; }
+    void clear(uint32_t k) const { row[k] = {}; }
+    void sort() const {
+      sort_in_place(row, [](const Entry &a, const Entry &b) { return a.ball < b.ball; });
     }
-    Entry &entry = row[k];
-    entry.centre[0] += balls.lattice.length(part.centre.x);
-    entry.centre[1] += balls.lattice.length(part.centre.y);
-    entry.centre[2] += balls.lattice.length(part.centre.z);
-    entry.radius += balls.lattice.length(part.radius);
-    entry.angle += part.angle;
-    entry.flags |= part.one_sided ? one_sided_flag : 0;
+    void add(uint32_t k, const AreaDerivative &part) const {
+      Entry &entry = row[k];
+      entry.centre[0] += part.centre.x;
+      entry.centre[1] += part.centre.y;
+      entry.centre[2] += part.centre.z;
+      entry.radius += part.radius;
+      entry.angle += part.angle;
+      entry.flags |= part.one_sided ? one_sided_flag : 0;
+    }
   };
-  add(i, visit_area_row(balls, boundary, i, touching_balls, add));
-  sort_in_place(row, [](const Entry &a, const Entry &b) { return a.ball < b.ball; });
+  gather_area_row(balls, boundary, i, touching_balls, row.size(), Records{row});
 }
 
 }  // namespace hsp

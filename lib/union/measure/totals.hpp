@@ -146,6 +146,7 @@ struct EnergyGradient {
   double centre[3];
   double radius;
   bool one_sided;
+  double area;  // of the ball, in lattice steps: few want it in the caller's unit
 };
 
 // One ball's part. A step of the lattice may be any power of ten, so derivatives of an area and of a volume are
@@ -160,7 +161,7 @@ inline EnergyGradient gradient_of_energy(const exact::Lattice &lattice, const En
   };
   const Pair xz = combined(Pair{ball.centre.x, ball.centre.z}, Pair{ball.vector_area.x, ball.vector_area.z});
   const Pair yr = combined(Pair{ball.centre.y, ball.radius}, Pair{ball.vector_area.y, ball.measure.area});
-  return {{xz[0], yr[0], xz[1]}, yr[1], ball.one_sided};
+  return {{xz[0], yr[0], xz[1]}, yr[1], ball.one_sided, ball.measure.area};
 }
 
 // Derivatives of the weighted area and of the volume, each on its own.

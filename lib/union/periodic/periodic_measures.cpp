@@ -4,7 +4,7 @@ namespace hsp {
 
 BallMeasure measure_in_box(const PeriodicUnion &periodic, uint32_t i) {
   const uint32_t ball = periodic.grid().grid_index(i);
-  return {measure_ball(periodic.balls(), periodic.boundary(), ball).area, periodic.contacts().share_volume(ball)};
+  return {measure_ball(periodic.balls(), periodic.boundary(), ball).area, periodic.share_volume(ball)};
 }
 
 Strain volume_by_strain(const PeriodicUnion &periodic) {
@@ -58,7 +58,7 @@ BoxGradient differentiate_by_box(const PeriodicUnion &periodic, const EnergyTerm
   const exact::Lattice &lattice = periodic.images().lattice();
   const PeriodicBox &box = periodic.images().box();
   const Strain area = area_by_strain(periodic, terms.weights);
-  const Strain volume = volume_by_strain(periodic);
+  const Strain volume = periodic.has_areas_alone() ? Strain{} : volume_by_strain(periodic);
   const Strain area_by_box = by_box(box, area);
   const Strain volume_by_box = by_box(box, volume);
   BoxGradient result;

@@ -26,6 +26,7 @@ struct PeriodicTotals {
 BallMeasure measure_in_box(const PeriodicUnion &periodic, uint32_t i);
 
 // In the caller's unit. Calls sink(i, measure) for every ball of the input with its area and the volume of its share.
+// Without contacts there is nothing of volumes.
 template <class Sink>
 PeriodicTotals measure_periodic(const PeriodicUnion &periodic, Sink sink) {
   const exact::Lattice &lattice = periodic.images().lattice();
@@ -35,6 +36,7 @@ PeriodicTotals measure_periodic(const PeriodicUnion &periodic, Sink sink) {
     const BallMeasure own = measure_in_box(periodic, i);
     sum.add(own);
     sink(i, in_caller_units(lattice, own));
+    if (periodic.has_areas_alone()) continue;
     periodic.visit_contacts_of(i, [&](const PeriodicContact &contact) {
       if (periodic.is_listed(contact)) contact_area.add(contact.record->area);
     });
@@ -43,6 +45,7 @@ PeriodicTotals measure_periodic(const PeriodicUnion &periodic, Sink sink) {
   PeriodicTotals totals;
   totals.area = total.area;
   totals.box_volume = lattice.volume(periodic.images().box().volume());
+  if (periodic.has_areas_alone()) return totals;
   // Where nothing bounds the union, it is everything or nothing.
   const bool is_filled = periodic.images().balls() > 0 && periodic.counts().faces == 0;
   totals.volume = is_filled ? totals.box_volume : total.volume;
@@ -82,8 +85,8 @@ bool differentiate_in_box(const Executor &executor, const PeriodicUnion &periodi
       const uint32_t ball = periodic.grid().grid_index(i);
       const BallGradient own = gradient_in_box(periodic, terms.weights, i);
       const EnergyGradient gradient = gradient_of_energy(lattice, terms, own);
-      sum.add({terms.weights.of(periodic.balls(), ball) * own.measure.area, periodic.contacts().share_volume(ball),
-               gradient.radius});
+      sum.add(
+          {terms.weights.of(periodic.balls(), ball) * own.measure.area, periodic.share_volume(ball), gradient.radius});
       sink(i, gradient);
     }
   };

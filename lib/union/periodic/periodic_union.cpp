@@ -11,7 +11,7 @@ void PeriodicUnion::carve(Workspace &workspace, const PeriodicLimits &limits) {
   const uint32_t all = limits.balls + limits.images;
   images_.carve(workspace, limits.balls, limits.images);
   grid_.carve(workspace, all);
-  boundary_.carve(workspace, {all, limits.neighbours, limits.vertices, limits.circles, 1});
+  boundary_.carve(workspace, {all, limits.neighbours, limits.vertices, limits.circles, limits.workers});
   contacts_.carve(workspace, {all, limits.neighbours, limits.contacts, 0, 0});
   windings_.carve(workspace, limits.balls);
   listed_vertices_.carve(workspace, limits.vertices);
@@ -19,23 +19,27 @@ void PeriodicUnion::carve(Workspace &workspace, const PeriodicLimits &limits) {
   listed_circles_.carve(workspace, limits.circles);
 }
 
-Status PeriodicUnion::build(const BallInput &input, const double vector[9], uint32_t &first_bad) {
+Status PeriodicUnion::build(const BallInput &input, const double vector[9], const Executor &executor, bool areas_alone,
+                            uint32_t &first_bad) {
   needed_ = {};
   counts_ = {};
+  areas_alone_ = areas_alone;
   Status status = images_.build(input, vector, first_bad);
   if (status != Status::ok && status != Status::capacity) return status;
   needed_.balls = input.n;
   needed_.images = clamped_count(images_.counted_images());
   if (status != Status::ok) return status;
   grid_.build(images_.in_steps(), images_.balls());
-  status = boundary_.build(grid_);
+  status = boundary_.build_in_box(grid_, executor, !areas_alone);
   needed_.neighbours = boundary_.needed().neighbours;
   needed_.vertices = boundary_.needed().vertices;
   needed_.circles = boundary_.needed().circles;
+  needed_.workers = boundary_.needed().workers;
   if (status != Status::ok) return status;
   for (uint32_t k = images_.balls(); k < images_.size(); ++k) {
     boundary_.take_state(grid_.grid_index(k), grid_.grid_index(images_.ball_of(k)));
   }
+  if (areas_alone) return Status::ok;
   status = contacts_.build(grid_, boundary(), boundary_.needed().neighbours, ImagesInGrid(grid_, images_));
   needed_.contacts = contacts_.needed().contacts;
   if (status != Status::ok) return status;
@@ -46,7 +50,7 @@ Status PeriodicUnion::build(const BallInput &input, const double vector[9], uint
 // The boundary has joined each ball in the box to those that meet it, the images as balls of their own. So an image
 // leads from the set that it is in to that of its ball, as many boxes away.
 Status PeriodicUnion::join_balls() {
-  const Span<const uint32_t> root = boundary_.join_components(grid_);
+  const Span<const uint32_t> root = boundary_.joined_balls();
   windings_.reset(root.part(0, images_.balls()), balls().caller.part(0, images_.balls()));
   bool fits = true;
   for (uint32_t image = images_.balls(); image < images_.size(); ++image) {

@@ -8,7 +8,7 @@
 // Numbers without "grid" are the caller's balls, or images behind them. Lengths are in steps.
 #pragma once
 
-#include "boundary/boundary_part.hpp"
+#include "boundary/boundary_builder.hpp"
 #include "contacts/contact_groups.hpp"
 #include "contacts/contacts_builder.hpp"
 #include "core/limits.hpp"
@@ -25,13 +25,14 @@ struct PeriodicLimits {
   uint32_t vertices = 0;  // once for each side of the box that their balls are on
   uint32_t circles = 0;
   uint32_t contacts = 0;
+  uint32_t workers = 0;  // of the boundary; 0 is 1
 };
 
 // Limits that suffice for most boxes of molecules. Status::range if one would be larger than max_count.
 constexpr Status default_limits(uint32_t balls, PeriodicLimits &limits) {
   if (balls > (max_count - 2048) / 36) return Status::range;
   const uint32_t all = 3 * balls + 128;
-  limits = {balls, all - balls, 256, 8 * all + 64, 2 * all + 16, 12 * all + 64};
+  limits = {balls, all - balls, 256, 8 * all + 64, 2 * all + 16, 12 * all + 64, 0};
   return Status::ok;
 }
 
@@ -84,10 +85,12 @@ class PeriodicUnion {
  public:
   void carve(Workspace &workspace, const PeriodicLimits &limits);
 
-  // Rounds balls and box to the lattice and computes everything. vector: a, b, c. first_bad names a ball that is to
-  // blame, or is no_id. Status::capacity if a limit is too small; needed() then reports what suffices of what was
-  // reached.
-  Status build(const BallInput &input, const double vector[9], uint32_t &first_bad);
+  // Rounds balls and box to the lattice and computes everything, or with areas_alone no more than areas and their
+  // derivatives take. vector: a, b, c. The executor shares the search for the boundary. first_bad names a ball that is
+  // to blame, or is no_id. Status::capacity if a limit is too small; needed() then reports what suffices of what was
+  // reached. Status::executor if that fails.
+  Status build(const BallInput &input, const double vector[9], const Executor &executor, bool areas_alone,
+               uint32_t &first_bad);
 
   const PeriodicLimits &needed() const { return needed_; }
   PeriodicLimits retry_limits() const { return covering(limits_, needed_); }
@@ -99,6 +102,10 @@ class PeriodicUnion {
   const BallSet &balls() const { return grid_.balls(); }
   const Boundary &boundary() const { return boundary_.boundary(); }
   const Contacts &contacts() const { return contacts_.contacts(); }
+  // Whether there are no contacts, components and counts.
+  bool has_areas_alone() const { return areas_alone_; }
+  // Of the grid's ball in the box; 0 without contacts.
+  double share_volume(uint32_t ball) const { return areas_alone_ ? 0.0 : contacts().share_volume(ball); }
   // Whether the grid's ball is in the box, and not an image.
   bool is_in_box(uint32_t grid_ball) const { return grid_ball < images_.balls(); }
   // Of the grid's ball or image.
@@ -157,11 +164,12 @@ class PeriodicUnion {
   PeriodicLimits limits_, needed_;
   PeriodicImages images_;
   CubeGrid grid_;
-  BoundaryPart boundary_;
+  BoundaryBuilder boundary_;
   ContactsBuilder contacts_;
   Windings windings_;
   RankedBits listed_vertices_, listed_half_edges_, listed_circles_;
   PeriodicCounts counts_;
+  bool areas_alone_ = false;
 };
 
 // As that of a grid (model/set_digest.hpp), of the box and of where the caller has put the balls, too.

@@ -14,15 +14,22 @@ using oracle::Balls;
 using oracle::RandomSource;
 
 struct Answers {
-  std::vector<double> area, d_centre, d_radius;
-  std::vector<uint32_t> flags;
+  std::vector<double> area, d_centre, d_radius, area_centre, area_radius;
+  std::vector<uint32_t> flags, first, ball;  // rows of the Jacobian
+  std::vector<double> row;
   double total = 0, energy = 0;
 };
 
 Answers answers_of(const hsp_boundary *boundary, const std::vector<uint8_t> &selected,
                    const std::vector<double> &sigma) {
   const size_t n = selected.size();
-  Answers found{std::vector<double>(n), std::vector<double>(3 * n), std::vector<double>(n), std::vector<uint32_t>(n)};
+  Answers found;
+  found.area.resize(n);
+  found.d_centre.resize(3 * n);
+  found.d_radius.resize(n);
+  found.area_centre.resize(3 * n);
+  found.area_radius.resize(n);
+  found.flags.resize(n);
   hsp_totals totals{};
   hsp_measure_request measuring{};
   measuring.struct_size = sizeof measuring;
@@ -46,6 +53,27 @@ Answers answers_of(const hsp_boundary *boundary, const std::vector<uint8_t> &sel
   gradient.d_radius = found.d_radius.data();
   gradient.flags = found.flags.data();
   expect_ok(hsp_boundary_get_gradient(boundary, &asked, &gradient), "hsp_boundary_get_gradient");
+  hsp_derivatives_request parts_asked{};
+  parts_asked.struct_size = sizeof parts_asked;
+  parts_asked.sigma = sigma.data();
+  std::vector<uint32_t> flags(n);
+  hsp_derivatives_outputs parts{};
+  parts.struct_size = sizeof parts;
+  parts.capacity = static_cast<uint32_t>(n);
+  parts.area_centre = found.area_centre.data();
+  parts.area_radius = found.area_radius.data();
+  parts.flags = flags.data();
+  expect_ok(hsp_boundary_get_derivatives(boundary, &parts_asked, &parts), "hsp_boundary_get_derivatives");
+  EXPECT_EQ(flags, found.flags);
+  found.first.resize(n + 1);
+  uint32_t entries = 0;
+  static_cast<void>(
+      hsp_boundary_get_area_rows(boundary, &parts_asked, found.first.data(), nullptr, nullptr, nullptr, 0, &entries));
+  found.ball.resize(entries);
+  found.row.resize(3 * size_t{entries});
+  expect_ok(hsp_boundary_get_area_rows(boundary, &parts_asked, found.first.data(), found.ball.data(), found.row.data(),
+                                       nullptr, entries, &entries),
+            "hsp_boundary_get_area_rows");
   found.total = totals.area;
   found.energy = energy.value;
   return found;
@@ -103,11 +131,21 @@ void expect_the_same(const Balls &balls, const std::vector<uint8_t> &selected, R
         EXPECT_EQ(found.d_radius[i], 0);
         for (size_t k = 0; k < 3; ++k) EXPECT_EQ(found.d_centre[3 * i + k], 0);
         EXPECT_EQ(found.flags[i], 0U);
+        EXPECT_EQ(found.first[i], found.first[i + 1]);
         continue;
       }
       ASSERT_EQ(std::memcmp(&found.area[i], &expected.area[i], sizeof(double)), 0) << "ball " << i;
       ASSERT_EQ(std::memcmp(&found.d_centre[3 * i], &expected.d_centre[3 * i], 3 * sizeof(double)), 0) << "ball " << i;
       ASSERT_EQ(std::memcmp(&found.d_radius[i], &expected.d_radius[i], sizeof(double)), 0) << "ball " << i;
+      ASSERT_EQ(std::memcmp(&found.area_centre[3 * i], &expected.area_centre[3 * i], 3 * sizeof(double)), 0);
+      ASSERT_EQ(std::memcmp(&found.area_radius[i], &expected.area_radius[i], sizeof(double)), 0);
+      const uint32_t entries = expected.first[i + 1] - expected.first[i];
+      ASSERT_EQ(found.first[i + 1] - found.first[i], entries);
+      for (uint32_t k = 0; k < entries; ++k) {
+        const size_t own = found.first[i] + k, whole_entry = expected.first[i] + k;
+        ASSERT_EQ(found.ball[own], expected.ball[whole_entry]);
+        ASSERT_EQ(std::memcmp(&found.row[3 * own], &expected.row[3 * whole_entry], 3 * sizeof(double)), 0);
+      }
       if (!has_equal_left_out(balls, selected, i)) {
         ASSERT_EQ(found.flags[i], expected.flags[i]) << "ball " << i;
       }

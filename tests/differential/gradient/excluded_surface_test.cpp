@@ -71,7 +71,8 @@ class SmoothSurface {
   [[nodiscard]] Gradient gradient(const double *sigma, double tension, double pressure) const {
     Gradient g = empty_gradient();
     const hsp_gradient_request request{sizeof request, HSP_TANGENT_OVERLAP, tension, pressure, sigma, nullptr};
-    hsp_gradient_outputs outputs{sizeof outputs, n_, 0, 0, &g.energy, g.centre.data(), g.radius.data(), g.flags.data()};
+    hsp_gradient_outputs outputs{sizeof outputs, n_,     0, 0, &g.energy, g.centre.data(), g.radius.data(),
+                                 g.flags.data(), nullptr};
     support::expect_ok(hsp_surface_get_gradient(surface_.get(), &request, &outputs), "hsp_surface_get_gradient");
     return g;
   }

@@ -8,8 +8,8 @@ LibraryGradient gradient(const LibraryBoundary &boundary, const EnergyTerms &ter
   result.flags.resize(n);
   const double *const sigma = terms.sigma.empty() ? nullptr : terms.sigma.data();
   const hsp_gradient_request request{sizeof request, terms.tangency, terms.tension, terms.pressure, sigma, nullptr};
-  hsp_gradient_outputs outputs{sizeof outputs,     n, 0, 0, &result.energy, centre.data(), radius.data(),
-                               result.flags.data()};
+  hsp_gradient_outputs outputs{sizeof outputs,      n,      0, 0, &result.energy, centre.data(), radius.data(),
+                               result.flags.data(), nullptr};
   expect_ok(hsp_boundary_get_gradient(boundary.handle(), &request, &outputs), "hsp_boundary_get_gradient");
   for (size_t i = 0; i < n; ++i)
     result.by_ball.push_back({centre[3 * i], centre[3 * i + 1], centre[3 * i + 2], radius[i]});

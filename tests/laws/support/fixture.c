@@ -116,8 +116,13 @@ static int32_t start_limits(int noun, void *limits) {
       memcpy(limits, &of_contacts, sizeof of_contacts);
       return status;
     }
-    case NOUN_periodic:
-      return hsp_periodic_limits_init(limits, sizeof(hsp_periodic_limits), n);
+    case NOUN_periodic: {
+      hsp_periodic_limits of_periodic;
+      const int32_t status = hsp_periodic_limits_init(&of_periodic, sizeof of_periodic, n);
+      of_periodic.workers = 2;
+      memcpy(limits, &of_periodic, sizeof of_periodic);
+      return status;
+    }
     case NOUN_surface:
       return hsp_surface_limits_init(limits, sizeof(hsp_surface_limits), boundary);
     case NOUN_mesh:

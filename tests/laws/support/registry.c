@@ -624,6 +624,8 @@ static const argument of_hsp_boundary_get_gradient[] = {
       .offset = offsetof(hsp_gradient_outputs, d_radius), .held = 1},
   {"flags", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "n", .null = NULL_always, .of = 7,
       .offset = offsetof(hsp_gradient_outputs, flags), .held = 1},
+  {"area", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .of = 7,
+      .offset = offsetof(hsp_gradient_outputs, area), .held = 1},
 };
 static int64_t call_hsp_boundary_get_gradient(const value *v) {
   return (int64_t)hsp_boundary_get_gradient(v[0].p, v[1].p, v[7].p);
@@ -672,6 +674,30 @@ static const argument of_hsp_boundary_get_area_row[] = {
 };
 static int64_t call_hsp_boundary_get_area_row(const value *v) {
   return (int64_t)hsp_boundary_get_area_row(v[0].p, v[1].u, v[2].u, v[3].p, v[4].u, v[5].p);
+}
+
+static const argument of_hsp_boundary_get_area_rows[] = {
+  {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
+  {"request", "hsp_derivatives_request", .kind = KIND_sized_in, .size = sizeof(hsp_derivatives_request), .null =
+      NULL_always, .is_const = 1},
+  {"tangency", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t), .of = 1, .offset =
+      offsetof(hsp_derivatives_request, tangency)},
+  {"sigma", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "n", .null = NULL_always, .of = 1,
+      .offset = offsetof(hsp_derivatives_request, sigma), .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 1,
+      .offset = offsetof(hsp_derivatives_request, executor), .is_const = 1},
+  {"first", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "n + 1"},
+  {"ball", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "needed", .null = NULL_empty, .held =
+      1},
+  {"d_centre", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "needed", .row = 3, .null =
+      NULL_empty, .held = 1},
+  {"d_radius", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "needed", .null = NULL_always, .held
+      = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_boundary_get_area_rows(const value *v) {
+  return (int64_t)hsp_boundary_get_area_rows(v[0].p, v[1].p, v[5].p, v[6].p, v[7].p, v[8].p, v[9].u, v[10].p);
 }
 
 static const argument of_hsp_moving_limits_init[] = {
@@ -1011,6 +1037,28 @@ static int64_t call_hsp_periodic_compute(const value *v) {
   return (int64_t)hsp_periodic_compute(v[0].p, v[1].u, v[2].p, v[3].p, v[4].p, v[5].p, v[6].p, v[7].p);
 }
 
+static const argument of_hsp_periodic_compute_with[] = {
+  {"periodic", "hsp_periodic", .kind = KIND_handle, .noun = NOUN_periodic},
+  {"n", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"xyz", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "n", .row = 3, .null = NULL_empty,
+      .is_const = 1},
+  {"radius", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "n", .null = NULL_empty, .is_const = 1},
+  {"box", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "9", .is_const = 1},
+  {"request", "hsp_periodic_request", .kind = KIND_sized_in, .size = sizeof(hsp_periodic_request), .null = NULL_always,
+      .is_const = 1},
+  {"areas_alone", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t), .of = 5, .offset =
+      offsetof(hsp_periodic_request, areas_alone)},
+  {"options", "hsp_model_options", .kind = KIND_sized_in, .size = sizeof(hsp_model_options), .null = NULL_always, .of =
+      5, .offset = offsetof(hsp_periodic_request, options), .is_const = 1},
+  {"executor", "hsp_executor", .kind = KIND_sized_in, .size = sizeof(hsp_executor), .null = NULL_always, .of = 5,
+      .offset = offsetof(hsp_periodic_request, executor), .is_const = 1},
+  {"limits", "hsp_periodic_limits", .kind = KIND_sized, .size = sizeof(hsp_periodic_limits), .null = NULL_always},
+  {"first_bad", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_periodic_compute_with(const value *v) {
+  return (int64_t)hsp_periodic_compute_with(v[0].p, v[1].u, v[2].p, v[3].p, v[4].p, v[5].p, v[9].p, v[10].p);
+}
+
 static const argument of_hsp_periodic_get_counts[] = {
   {"periodic", "hsp_periodic", .kind = KIND_handle, .noun = NOUN_periodic, .is_const = 1},
   {"counts", "hsp_periodic_counts", .kind = KIND_struct_out, .size = sizeof(hsp_periodic_counts)},
@@ -1164,6 +1212,8 @@ static const argument of_hsp_periodic_get_gradient[] = {
       .offset = offsetof(hsp_periodic_gradient_outputs, d_strain)},
   {"d_box", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "9", .null = NULL_always, .of = 7,
       .offset = offsetof(hsp_periodic_gradient_outputs, d_box)},
+  {"area", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .of = 7,
+      .offset = offsetof(hsp_periodic_gradient_outputs, area), .held = 1},
 };
 static int64_t call_hsp_periodic_get_gradient(const value *v) {
   return (int64_t)hsp_periodic_get_gradient(v[0].p, v[1].p, v[7].p);
@@ -1402,6 +1452,8 @@ static const argument of_hsp_surface_get_gradient[] = {
       .offset = offsetof(hsp_gradient_outputs, d_radius), .held = 1},
   {"flags", "uint32_t", .kind = KIND_array_out, .size = sizeof(uint32_t), .extent = "n", .null = NULL_always, .of = 7,
       .offset = offsetof(hsp_gradient_outputs, flags), .held = 1},
+  {"area", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "n", .null = NULL_always, .of = 7,
+      .offset = offsetof(hsp_gradient_outputs, area), .held = 1},
 };
 static int64_t call_hsp_surface_get_gradient(const value *v) {
   return (int64_t)hsp_surface_get_gradient(v[0].p, v[1].p, v[7].p);
@@ -2965,7 +3017,7 @@ const function registry[] = {
       BIT(HSP_E_STATE)},
   {"hsp_gradient_request_init", "gradient", RESULT_status, 2, of_hsp_gradient_request_init,
       call_hsp_gradient_request_init, BIT(HSP_OK) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION)},
-  {"hsp_boundary_get_gradient", "gradient", RESULT_status, 15, of_hsp_boundary_get_gradient,
+  {"hsp_boundary_get_gradient", "gradient", RESULT_status, 16, of_hsp_boundary_get_gradient,
       call_hsp_boundary_get_gradient, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
       BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR)},
   {"hsp_boundary_get_derivatives", "gradient", RESULT_status, 14, of_hsp_boundary_get_derivatives,
@@ -2974,6 +3026,9 @@ const function registry[] = {
   {"hsp_boundary_get_area_row", "gradient", RESULT_status, 6, of_hsp_boundary_get_area_row,
       call_hsp_boundary_get_area_row, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
       BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
+  {"hsp_boundary_get_area_rows", "gradient", RESULT_status, 11, of_hsp_boundary_get_area_rows,
+      call_hsp_boundary_get_area_rows, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR)},
   {"hsp_moving_limits_init", "moving", RESULT_status, 3, of_hsp_moving_limits_init, call_hsp_moving_limits_init,
       BIT(HSP_OK) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_RANGE)},
   {"hsp_moving_bytes", "moving", RESULT_status, 2, of_hsp_moving_bytes, call_hsp_moving_bytes, BIT(HSP_OK) |
@@ -3036,6 +3091,9 @@ const function registry[] = {
   {"hsp_periodic_compute", "periodic", RESULT_status, 8, of_hsp_periodic_compute, call_hsp_periodic_compute, BIT(HSP_OK)
       | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_NOT_FINITE) |
       BIT(HSP_E_NEGATIVE) | BIT(HSP_E_RANGE)},
+  {"hsp_periodic_compute_with", "periodic", RESULT_status, 11, of_hsp_periodic_compute_with,
+      call_hsp_periodic_compute_with, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_NEGATIVE) | BIT(HSP_E_RANGE) | BIT(HSP_E_EXECUTOR)},
   {"hsp_periodic_get_counts", "periodic", RESULT_status, 2, of_hsp_periodic_get_counts, call_hsp_periodic_get_counts,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_periodic_measure", "periodic", RESULT_status, 6, of_hsp_periodic_measure, call_hsp_periodic_measure, BIT(HSP_OK)
@@ -3057,7 +3115,7 @@ const function registry[] = {
   {"hsp_periodic_get_components", "periodic", RESULT_status, 4, of_hsp_periodic_get_components,
       call_hsp_periodic_get_components, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
       BIT(HSP_E_STATE)},
-  {"hsp_periodic_get_gradient", "periodic", RESULT_status, 17, of_hsp_periodic_get_gradient,
+  {"hsp_periodic_get_gradient", "periodic", RESULT_status, 18, of_hsp_periodic_get_gradient,
       call_hsp_periodic_get_gradient, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
       BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR)},
   {"hsp_periodic_query_point", "periodic", RESULT_status, 5, of_hsp_periodic_query_point, call_hsp_periodic_query_point,
@@ -3110,7 +3168,7 @@ const function registry[] = {
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_surface_measure", "surface", RESULT_status, 5, of_hsp_surface_measure, call_hsp_surface_measure, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
-  {"hsp_surface_get_gradient", "surface", RESULT_status, 15, of_hsp_surface_get_gradient, call_hsp_surface_get_gradient,
+  {"hsp_surface_get_gradient", "surface", RESULT_status, 16, of_hsp_surface_get_gradient, call_hsp_surface_get_gradient,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) |
       BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_EXECUTOR)},
   {"hsp_surface_get_part_counts", "surface", RESULT_status, 2, of_hsp_surface_get_part_counts,
@@ -3553,6 +3611,7 @@ const field registry_fields[] = {
   {"hsp_gradient_outputs", "d_centre", "double *", offsetof(hsp_gradient_outputs, d_centre), 1},
   {"hsp_gradient_outputs", "d_radius", "double *", offsetof(hsp_gradient_outputs, d_radius), 1},
   {"hsp_gradient_outputs", "flags", "uint32_t *", offsetof(hsp_gradient_outputs, flags), 1},
+  {"hsp_gradient_outputs", "area", "double *", offsetof(hsp_gradient_outputs, area), 1},
   {"hsp_derivatives_request", "struct_size", "uint32_t", offsetof(hsp_derivatives_request, struct_size), 1},
   {"hsp_derivatives_request", "tangency", "uint32_t", offsetof(hsp_derivatives_request, tangency), 1},
   {"hsp_derivatives_request", "sigma", "double *", offsetof(hsp_derivatives_request, sigma), 1},
@@ -3655,6 +3714,11 @@ const field registry_fields[] = {
   {"hsp_periodic_limits", "vertices", "uint32_t", offsetof(hsp_periodic_limits, vertices), 1},
   {"hsp_periodic_limits", "circles", "uint32_t", offsetof(hsp_periodic_limits, circles), 1},
   {"hsp_periodic_limits", "contacts", "uint32_t", offsetof(hsp_periodic_limits, contacts), 1},
+  {"hsp_periodic_limits", "workers", "uint32_t", offsetof(hsp_periodic_limits, workers), 1},
+  {"hsp_periodic_request", "struct_size", "uint32_t", offsetof(hsp_periodic_request, struct_size), 1},
+  {"hsp_periodic_request", "areas_alone", "uint32_t", offsetof(hsp_periodic_request, areas_alone), 1},
+  {"hsp_periodic_request", "options", "hsp_model_options *", offsetof(hsp_periodic_request, options), 1},
+  {"hsp_periodic_request", "executor", "hsp_executor *", offsetof(hsp_periodic_request, executor), 1},
   {"hsp_periodic_counts", "balls", "uint32_t", offsetof(hsp_periodic_counts, balls), 1},
   {"hsp_periodic_counts", "images", "uint32_t", offsetof(hsp_periodic_counts, images), 1},
   {"hsp_periodic_counts", "vertices", "uint32_t", offsetof(hsp_periodic_counts, vertices), 1},
@@ -3708,6 +3772,7 @@ const field registry_fields[] = {
   {"hsp_periodic_gradient_outputs", "flags", "uint32_t *", offsetof(hsp_periodic_gradient_outputs, flags), 1},
   {"hsp_periodic_gradient_outputs", "d_strain", "double *", offsetof(hsp_periodic_gradient_outputs, d_strain), 1},
   {"hsp_periodic_gradient_outputs", "d_box", "double *", offsetof(hsp_periodic_gradient_outputs, d_box), 1},
+  {"hsp_periodic_gradient_outputs", "area", "double *", offsetof(hsp_periodic_gradient_outputs, area), 1},
   {"hsp_image", "ball", "uint32_t", offsetof(hsp_image, ball), 1},
   {"hsp_image", "shift", "int32_t", offsetof(hsp_image, shift), 3},
   {"hsp_periodic_id", "id", "uint32_t", offsetof(hsp_periodic_id, id), 1},

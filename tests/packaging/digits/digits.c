@@ -32,7 +32,7 @@ int main(int argc, char **argv) {
   if (status == HSP_OK) status = hsp_boundary_measure(work.boundary, NULL, &totals, area, volume, n, NULL);
   if (status == HSP_OK) {
     const hsp_gradient_request request = {sizeof request, HSP_TANGENT_OVERLAP, 1.0, 1.0, NULL, NULL};
-    hsp_gradient_outputs outputs = {sizeof outputs, n, 0, 0, NULL, gradient, NULL, NULL};
+    hsp_gradient_outputs outputs = {sizeof outputs, n, 0, 0, NULL, gradient, NULL, NULL, NULL};
     status = hsp_boundary_get_gradient(work.boundary, &request, &outputs);
   }
   hsp_workspace_free(&work);

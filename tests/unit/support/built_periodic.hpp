@@ -20,10 +20,10 @@ class BuiltPeriodic {
     input.radius = balls.radius.data();
     input.probe = probe;
     input.step = step;
-    hsp::PeriodicLimits limits{input.n, 8, 8, 8, 8, 8};
+    hsp::PeriodicLimits limits{input.n, 8, 8, 8, 8, 8, 0};
     for (;;) {
       memory_.carve(periodic_, limits);
-      status_ = periodic_.build(input, box.data(), first_bad_);
+      status_ = periodic_.build(input, box.data(), {}, false, first_bad_);
       if (status_ != hsp::Status::capacity) return;
       limits = periodic_.retry_limits();
       ++retries_;
