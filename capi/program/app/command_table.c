@@ -219,7 +219,7 @@ const struct command_row command_table[COMMANDS] = {
                  "one, of a\n"
                  "wider maximum: its parent. A probe as wide as a gate does not pass it. Pockets and tunnels are read "
                  "from these.\n"
-                 "It is of the molecule alone, not of a crystal.\n",
+                 "It is of the molecule alone or, with --box, of a crystal.\n",
          .closing =
              "Example: hardsphere pores 1crn.pdb --probe 1.4 --pockets 3\n"
              "JSON: n, largest_cavity_diameter, null where nothing is enclosed, maxima, gates, merges, cavities, "
@@ -236,6 +236,14 @@ const struct command_row command_table[COMMANDS] = {
              "the order of the\n"
              "file, counted from 0, of all balls that are nearest, of points of tunnels up to four, or that line a "
              "pocket.\n"
+             "With --box box, box_turned, symmetry, pore_limiting_diameter: [a, b, c] for one, two and three "
+             "directions, null where\n"
+             "no probe gets through, included_cavity_diameter: [a, b, c] of the channels that do, "
+             "pore_limiting_diameter_along: [a,\n"
+             "b, c] the three vectors, channel_list: [{radius, maximum, maxima, directions, copies, rows}, ...] for "
+             "--probe; gates\n"
+             "have end_shift and other_end_shift, by which the maxima are to be moved, and directions, in which their "
+             "class goes on.\n"
              "\n"},
     [COMMAND_CLASH] =
         {.name = "clash",

@@ -15,7 +15,7 @@ _hardsphere() {
       cells) words+="" ;;
       path) words+=" --from --to" ;;
       gate) words+=" --from --to" ;;
-      pores) words+=" --probe --least --gates --pockets --balls --tunnels-from --tunnels --csv" ;;
+      pores) words+=" --probe --least --gates --pockets --balls --tunnels-from --tunnels --csv --box" ;;
       clash) words+=" --rotate --translate" ;;
       query) words+=" --point --ball" ;;
       mesh) words+=" -o --output --edge --surface --triangles --view --up --rotate --cut" ;;
@@ -44,7 +44,7 @@ _hardsphere() {
       "draw --label") words="atom residue chain" ;;
       "draw --pieces") words="g h visible" ;;
       "draw --as") words="balls ball-and-stick" ;;
-      "boundary --box" | "measure --box" | "contacts --box") words="file p1" ;;
+      "boundary --box" | "measure --box" | "contacts --box" | "pores --box") words="file p1" ;;
     esac
   fi
   COMPREPLY=($(compgen -W "$words" -- "$word"))

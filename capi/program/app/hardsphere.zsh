@@ -102,6 +102,7 @@ case $words[2] in
     '*--tunnels-from=[list tunnels from a point to the outside, the widest first, with the radius along each]:X Y Z|atom:'
     '*--tunnels=[so many, each without the bottlenecks of those before it]:N:'
     '*--csv[print maxima, gates, pockets or the points of tunnels as comma-separated values and]'
+    '*--box=[the box, or AX,0,0,BX,BY,0,CX,CY,CZ if it is skew]:AX,BY,CZ:(file p1)'
   ) ;;
   clash) own=(
     '*--rotate=[turn the second one by X, then Y, then Z degrees about axes through the mean of its]:X,Y,Z:'

@@ -295,9 +295,9 @@ const struct option *option_at(size_t i) {
       {"--stick", "R", take_number, OF(DRAW), .target = IN(drawing.stick), .most = 1e6, .positive = true,
        .help = "the radius of the sticks; default 0.12"},
 
-      {"--box", "AX,BY,CZ", take_box, OF(BOUNDARY) | OF(MEASURE) | OF(CONTACTS), .words = "file|p1",
+      {"--box", "AX,BY,CZ", take_box, OF(BOUNDARY) | OF(MEASURE) | OF(CONTACTS) | OF(PORES), .words = "file|p1",
        .what = "AX,BY,CZ, nine numbers, 'file' or 'p1'", .help = "the box, or AX,0,0,BX,BY,0,CX,CY,CZ if it is skew"},
-      {"--box", "file", take_box, OF(BOUNDARY) | OF(MEASURE) | OF(CONTACTS),
+      {"--box", "file", take_box, OF(BOUNDARY) | OF(MEASURE) | OF(CONTACTS) | OF(PORES),
        .help = "that of FILE or of the frame: CRYST1 of .pdb, the cell of .cif, of .gro, .xtc and .dcd,\n"
                "Lattice of .xyz; 1 1 1 stands for none. That of FILE is filled by copies: those by the\n"
                "operators in REMARK 290 of .pdb or in .cif; without operators the table says that none are\n"
@@ -305,7 +305,7 @@ const struct option *option_at(size_t i) {
                "a mirror, is left out, whatever its occupancy is. Frames get no copies; one without a\n"
                "box is refused, but if no frame before it has one, that of FILE serves.\n"
                "A copy's balls are like others: --weights has numbers for them, too"},
-      {"--box", "p1", take_box, OF(BOUNDARY) | OF(MEASURE) | OF(CONTACTS),
+      {"--box", "p1", take_box, OF(BOUNDARY) | OF(MEASURE) | OF(CONTACTS) | OF(PORES),
        .help = "the same without copies: the atoms as they stand"},
   };
   return i < sizeof table / sizeof table[0] ? &table[i] : NULL;

@@ -76,7 +76,7 @@ struct request {
   const char *weights;    /* a file, or NULL */
   const char *pdb_out;    /* a file, or NULL */
   double probe;           /* 0 if none was given */
-  struct box_choice box;  /* of `boundary`, `measure` and `contacts` */
+  struct box_choice box;  /* of `boundary`, `measure`, `contacts` and `pores` */
   uint64_t model;         /* counted from 1 */
   const char *trajectory; /* a file with frames of the molecule, or NULL; of `measure` and `contacts` */
   bool frames_given;
