@@ -264,7 +264,7 @@ static void find_others(const struct annotation *annotation, struct legend *lege
   uint32_t found = UINT32_MAX;
   for (uint32_t atom = 0; atom < annotation->molecule->atoms; ++atom) {
     const struct atom_label *label = &annotation->molecule->label[atom];
-    if (selection_takes(annotation->selected, label)) continue;
+    if (selection_takes(annotation->selected, annotation->molecule, atom)) continue;
     if (found == UINT32_MAX) found = atom;
     if (strcmp(label->element.text, "C") != 0) continue;
     found = atom;
@@ -283,7 +283,7 @@ static void find_entries(const struct annotation *annotation, struct legend *leg
   }
   for (uint32_t atom = 0; atom < annotation->molecule->atoms && annotation->palette->bands == 0; ++atom) {
     struct entry entry;
-    if (!selection_takes(annotation->selected, &annotation->molecule->label[atom])) continue;
+    if (!selection_takes(annotation->selected, annotation->molecule, atom)) continue;
     if (!find_entry(annotation, atom, &entry) || entry.text[0] == '\0') continue;
     size_t at = 0;
     while (at < legend->entries &&
