@@ -226,8 +226,8 @@ struct legend {
   const char *quantity; /* NULL: what they are is seen */
 };
 
-/* Of colours by chain, atoms of chains stand for these, by their carbon, which has the tint itself; of those by residue,
- * for their kinds; all others stand for their elements. False: for nothing. */
+/* Of colours by chain, atoms of chains stand for these, by their carbon, which has the tint itself; of those by
+ * residue, for their kinds; all others stand for their elements. False: for nothing. */
 static bool find_entry(const struct annotation *annotation, uint32_t atom, struct entry *entry) {
   const struct atom_label *label = &annotation->molecule->label[atom];
   const bool by_chain = strcmp(annotation->palette->name, "chain") == 0;
@@ -259,7 +259,7 @@ static int compare_entries(const void *left, const void *right) {
   return strcmp(a->text, b->text);
 }
 
-/* What is not highlighted has one entry, by its carbon if there is any. */
+/* All that is not highlighted has one entry, by its carbon if there is any. */
 static void find_others(const struct annotation *annotation, struct legend *legend) {
   uint32_t found = UINT32_MAX;
   for (uint32_t atom = 0; atom < annotation->molecule->atoms; ++atom) {
@@ -309,13 +309,13 @@ static void find_entries(const struct annotation *annotation, struct legend *leg
 }
 
 static double entry_width(const struct entry *entry, double size) {
-  return 1.65 * size + text_width(entry->text, size);
+  return 1.55 * size + text_width(entry->text, size);
 }
 
 /* From right to left. Where there are more than have room, they stand closer, then letters are smaller, and then the
  * last entries are dots. */
 static void write_entries(const struct writer *writer, double y) {
-  static const double smallest = 0.6;
+  static const double smallest = 0.55;
   static const char more[] = "..";
   struct legend legend;
   find_entries(writer->annotation, &legend);
@@ -337,9 +337,9 @@ static void write_entries(const struct writer *writer, double y) {
     write_text(writer, more, x, y, size, 0.0);
   }
   for (size_t i = shown; i-- > 0;) {
-    x -= air + 0.45 * size + text_width(legend.entry[i].text, size);
+    x -= air + 0.4 * size + text_width(legend.entry[i].text, size);
     write_text(writer, legend.entry[i].text, x, y, size, 0.0);
-    x -= air + 1.2 * size;
+    x -= air + 1.15 * size;
     const double corner[2] = {x, y - 0.45 * size};
     const double behind[2] = {corner[0] - 0.06 * size, corner[1] - 0.06 * size};
     pen_rectangle(&writer->pen, behind, 1.02 * size, 1.02 * size, writer->colour);

@@ -348,7 +348,8 @@ static bool take_way(const struct painted_edges *edges, size_t edge, size_t firs
   return count > 1;
 }
 
-/* Whether a loop is so thin that only its line would be seen, over neighbours whose own lines close what it leaves open. */
+/* Whether a loop is so thin that only its line would be seen, over neighbours whose own lines close what it leaves
+ * open. */
 static bool is_sliver(const struct way *way) {
   double area = 0.0, around = 0.0;
   for (size_t k = 0; k < way->points; ++k) {

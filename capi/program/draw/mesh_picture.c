@@ -549,8 +549,8 @@ static void add_elements(struct mesh_picture *picture, const struct pen *pen, do
   bool seen[ELEMENTS] = {false};
   for (uint32_t t = 0; t < picture->mesh->triangles; ++t) {
     if (picture->layer[t] == UINT32_MAX || side_of(picture, t, seen_area(picture, t)) != OUTSIDE) continue;
-    const uint32_t number = number_of(picture, picture->mesh->balls[t]);
-    if (number < ELEMENTS) seen[number] = true;
+    const uint32_t ball = picture->mesh->balls[t], number = number_of(picture, ball);
+    if (number < ELEMENTS && picture->molecule->label[ball].element.text[0] != '\0') seen[number] = true;
   }
   for (uint32_t k = 0; k < ELEMENTS + 2; ++k) {
     const uint32_t number = k == 0 ? CARBON : k == 1 ? HYDROGEN : k - 2;
@@ -572,7 +572,8 @@ static void add_legend(struct mesh_picture *picture, struct text_buffer *out) {
   }
   pen_begin(&pen);
   add_elements(picture, &pen, &x, y);
-  if (picture->view->cut) add_entry(&pen, &x, y, surface_light_on(inside_colour, 0.4), "inside, cut open");
+  if (picture->view->cut)
+    add_entry(&pen, &x, y, surface_light_on(inside_colour, 0.4), "inside of the surface, cut open");
   if (any) add_entry(&pen, &x, y, surface_light_on(void_colour, 0.4), "voids");
   pen_end(&pen);
 }
