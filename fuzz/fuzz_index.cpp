@@ -92,9 +92,11 @@ Reading read(const std::string &text) {
   return reading;
 }
 
-// The groups of a file that was taken.
-std::vector<Places> groups_of(const std::string &text) {
+// The groups of a file that was taken. A CR ends a line, too, and a byte-order mark may stand before the first.
+std::vector<Places> groups_of(std::string text) {
   std::vector<Places> groups;
+  std::replace(text.begin(), text.end(), '\r', '\n');
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line.substr(0, line.find(';')));
