@@ -185,50 +185,6 @@ struct CriticalPoints::Directions {
   bool is_nearly_flat(const Face &face, uint32_t fourth) const {
     return std::fabs(face.offset - dot(face.n, y[fourth])) <= 4.0 * face.tiny * size(y[fourth]);
   }
-  // A lower bound of how far 0 is inside the hull; not positive if it is outside or nearly.
-  double depth_of_hull(uint32_t count) const {
-    constexpr uint32_t most = 16;  // the hull of some of them is inside that of all
-    uint32_t chosen[most] = {0};
-    uint32_t size = 1;
-    for (; size < most && size < count; ++size) {
-      double best = -1.0;
-      uint32_t which = 0;
-      for (uint32_t k = 0; k < count; ++k) {
-        double nearest_chosen = 8.0;
-        for (uint32_t c = 0; c < size; ++c) {
-          const Vec3 d = a[k] - a[chosen[c]];
-          nearest_chosen = smaller(nearest_chosen, dot(d, d));
-        }
-        if (nearest_chosen > best) {
-          best = nearest_chosen;
-          which = k;
-        }
-      }
-      chosen[size] = which;
-    }
-    double depth = 1.0;
-    for (uint32_t i = 0; i < size; ++i) {
-      for (uint32_t j = i + 1; j < size; ++j) {
-        for (uint32_t k = j + 1; k < size; ++k) {
-          const Vec3 &p = a[chosen[i]];
-          const Vec3 n = cross(a[chosen[j]] - p, a[chosen[k]] - p);
-          const double length = std::sqrt(dot(n, n));
-          if (length < 1e-6) continue;
-          // A plane counts if all are on one side of it, or nearly: one too many only makes the bound less.
-          bool above = false, below = false;
-          for (uint32_t l = 0; l < size; ++l) {
-            const double height = dot(n, a[chosen[l]] - p);
-            above = above || height > 1e-9 * length;
-            below = below || height < -1e-9 * length;
-          }
-          if (above && below) continue;
-          const double offset = dot(n, p) / length;
-          depth = smaller(depth, above ? -offset : offset);
-        }
-      }
-    }
-    return depth - 1e-8;
-  }
   static double size(const Vec3 &v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
   static double larger(double x, double y) { return x > y ? x : y; }
   static double smaller(double x, double y) { return x < y ? x : y; }
@@ -488,7 +444,7 @@ void CriticalPoints::settle_ties(Cube &cube) {
     const Span<uint32_t> tied = cluster_.part(0, size);
     for (const uint32_t ball : tied) nearest_centre = Directions::smaller(nearest_centre, distance(balls, ball, x));
     directions_[0].set(balls, tied, x, 0.0);
-    const double depth = directions_[0].depth_of_hull(size);
+    const double depth = depth_of_hull({directions_[0].a, size});
     if (!(depth > 0.0)) continue;
     const double delta = Directions::smaller(0.5 * next, 0.49 * depth * nearest_centre / (1.5 + depth));
     const double settled = delta / root_of_three - 4.0;
