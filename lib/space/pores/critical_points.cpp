@@ -504,6 +504,7 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, con
   const auto face = [&](uint32_t i, uint32_t j, uint32_t k) {
     return kept ? faces[place(i, j, k)] : directions.face(i, j, k);
   };
+  KnownTies known;
   for (uint32_t i = 0; i < n; ++i) {
     for (uint32_t j = i + 1; j < n; ++j) {
       if (!tie(i, j)) continue;
@@ -513,7 +514,7 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, con
         const uint32_t three[4] = {near[i], near[j], near[k], no_id};
         if (!directed || !directions.is_outside(own, i, j, k)) {
           ++work_.triples;
-          try_point(three, 3, near, block, other);
+          try_point(three, 3, near, block, other, known);
         }
         for (uint32_t l = k + 1; l < n; ++l) {
           if (!tie(i, l) || !tie(j, l) || !tie(k, l)) continue;
@@ -527,7 +528,7 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, con
           }
           ++work_.quadruples;
           const uint32_t four[4] = {near[i], near[j], near[k], near[l]};
-          if (try_point(four, 4, near, block, other) && alone) return;
+          if (try_point(four, 4, near, block, other, known) && alone) return;
         }
       }
     }
@@ -536,7 +537,7 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, con
 
 // Whether the point of a set is a critical one where all balls that are near tie.
 bool CriticalPoints::try_point(const uint32_t *ids, uint32_t count, Span<const uint32_t> near, const Block &block,
-                               const Block &other) {
+                               const Block &other, KnownTies &known) {
   const BallSet &balls = *balls_;
   TangentPoint point(lines());
   const bool found = point.find(balls, {ids[0], ids[1], ids[2]}, count == 3 ? no_id : ids[3], false);
@@ -551,17 +552,28 @@ bool CriticalPoints::try_point(const uint32_t *ids, uint32_t count, Span<const u
   bool kept = point.level_against(floor_) > 0 && !(count == 3 ? are_collinear(balls, ids[0], ids[1], ids[2])
                                                               : are_coplanar(balls, ids[0], ids[1], ids[2], ids[3]));
   kept = kept && is_in(point, block) && is_in(point, other);
-  uint32_t tied = 0;
-  for (uint32_t k = 0; kept && k < near.size(); ++k) {
-    const int sign = point.nearness(near[k]);
-    kept = sign >= 0;
-    if (sign == 0) at_point_[tied++] = near[k];
-  }
   bool on_side = false;
   kept = kept && (count == 3 ? is_in_triangle(point, ids[0], ids[1], ids[2], on_side)
                              : is_in_tetrahedron(balls, point, ids, on_side));
+  uint32_t tied = 0;
+  uint64_t ties = 0;
+  for (uint32_t k = 0; kept && k < near.size(); ++k) {
+    const int sign = point.nearness(near[k]);
+    kept = sign >= 0;
+    if (sign != 0) continue;
+    at_point_[tied++] = near[k];
+    ties |= k < 64 ? UINT64_C(1) << k : 0;
+  }
+  // Where 0 is in the hull of the directions from some balls the largest of their distances is least, so that such a
+  // point of the same balls is the same one.
+  if (kept && near.size() <= 64 && tied > count) {
+    for (uint32_t k = 0; k < known.size; ++k) {
+      if (known.set[k] == ties) return tied == near.size();
+    }
+  }
   const PointKind kind = count == 3 ? PointKind::gate : PointKind::maximum;
   if (kept) kept = (tied == count && !on_side) || kind_of(balls, point, at_point_.part(0, tied)) == kind;
+  if (kept && near.size() <= 64 && known.size < KnownTies::room) known.set[known.size++] = ties;
   if (kept) add(point, ids, kind, at_point_.part(0, tied));
   beyond_reach_ = beyond_reach_ || point.beyond_reach();
   return kept && tied == near.size();

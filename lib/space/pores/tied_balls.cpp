@@ -116,6 +116,11 @@ bool TiedDirections::is_off_plane(uint32_t i, uint32_t j, uint32_t k) const {
   return count_ > 0 && std::fabs(dot(cross(a_[i], a_[j]), a_[k])) > clear_of_rounding;
 }
 
+bool TiedDirections::are_apart(uint32_t i, uint32_t j) const {
+  const Vec3 n = cross(a_[i], a_[j]);
+  return count_ > 0 && dot(n, n) > clear_of_rounding;
+}
+
 bool TiedDirections::are_on_both_sides(uint32_t i, uint32_t j) const {
   const Vec3 n = cross(a_[i], a_[j]);
   bool above = false, below = false;
@@ -144,9 +149,9 @@ PointKind kind_of(const BallSet &balls, const TangentPoint &point, Span<const ui
   const TiedDirections directions(balls, point, tied);
   if (directions.surround()) return PointKind::maximum;
   // The extreme rays of K are orthogonal to two directions that are not parallel.
-  bool solid = false;
-  for (uint32_t a = 0; a < tied.size(); ++a) {
-    for (uint32_t b = a + 1; b < tied.size(); ++b) {
+  bool solid = false, flat = false;
+  for (uint32_t a = 0; a < tied.size() && !flat; ++a) {
+    for (uint32_t b = a + 1; b < tied.size() && !flat; ++b) {
       if (directions.are_on_both_sides(a, b)) {
         solid = true;
         continue;
@@ -157,6 +162,7 @@ PointKind kind_of(const BallSet &balls, const TangentPoint &point, Span<const ui
       }
       if (signs.any() && !signs.both()) return PointKind::passing;
       solid = solid || signs.any();
+      flat = !signs.any() && directions.are_apart(a, b);
     }
   }
   if (solid) return PointKind::maximum;

@@ -22,6 +22,8 @@ class TiedDirections {
   bool is_closed(uint32_t i, uint32_t j, uint32_t k) const;
   // Whether the point is certainly not in the plane of three of the centres.
   bool is_off_plane(uint32_t i, uint32_t j, uint32_t k) const;
+  // Whether two of them certainly make a plane with the point.
+  bool are_apart(uint32_t i, uint32_t j) const;
   // Whether some centres are certainly on both sides of the plane through the point and two of them.
   bool are_on_both_sides(uint32_t i, uint32_t j) const;
   // Whether 0 is certainly inside their hull: the point is a maximum.
