@@ -522,9 +522,9 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, con
                            directions.separates(face(i, k, l), j) || directions.separates(face(j, k, l), i))) {
             continue;
           }
-          if (directed && directions.is_nearly_flat(own, l) &&
-              are_coplanar(*balls_, near[i], near[j], near[k], near[l])) {
-            continue;
+          if (directed && directions.is_nearly_flat(own, l)) {
+            const uint64_t some = UINT64_C(1) << i | UINT64_C(1) << j | UINT64_C(1) << k | UINT64_C(1) << l;
+            if (known.are_in_plane(some) || are_coplanar(*balls_, near[i], near[j], near[k], near[l])) continue;
           }
           ++work_.quadruples;
           const uint32_t four[4] = {near[i], near[j], near[k], near[l]};
@@ -573,7 +573,10 @@ bool CriticalPoints::try_point(const uint32_t *ids, uint32_t count, Span<const u
   }
   const PointKind kind = count == 3 ? PointKind::gate : PointKind::maximum;
   if (kept) kept = (tied == count && !on_side) || kind_of(balls, point, at_point_.part(0, tied)) == kind;
-  if (kept && near.size() <= 64 && known.size < KnownTies::room) known.set[known.size++] = ties;
+  if (kept && near.size() <= 64 && known.size < KnownTies::room) {
+    known.in_plane[known.size] = kind == PointKind::gate;
+    known.set[known.size++] = ties;
+  }
   if (kept) add(point, ids, kind, at_point_.part(0, tied));
   beyond_reach_ = beyond_reach_ || point.beyond_reach();
   return kept && tied == near.size();

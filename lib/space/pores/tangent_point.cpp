@@ -573,10 +573,8 @@ bool are_collinear(const BallSet &balls, uint32_t i, uint32_t j, uint32_t k) {
   return zero(normal.template operator()<Bounded>()) && zero(normal.template operator()<Integer>());
 }
 
-// By integers of a fixed length, as it is asked of many sets: differences are below 2^53.
+// By integers of a fixed length, as it is asked where doubles have no answer: differences are below 2^53.
 bool are_coplanar(const BallSet &balls, uint32_t i, uint32_t j, uint32_t k, uint32_t l) {
-  const auto normal = cross(difference<Bounded>(balls, i, j), difference<Bounded>(balls, i, k));
-  if (dot(normal, difference<Bounded>(balls, i, l)).sign() != 0) return false;
   using Short = exact::WideInteger<exact::FastLimb, 64>;
   struct Difference {
     Short x, y, z;
