@@ -78,9 +78,13 @@ const struct command_row command_table[COMMANDS] = {
              "weighted_gradient,\n"
              "weighted_dr}, ...] in the order of the file and as far as it names them; with --by residues: [{chain, "
              "name,\n"
-             "number, insertion, atoms, area, relative}, ...] or chains: [{chain, atoms, area}, ...]; with "
-             "--trajectory first\n"
-             "frame, time (in ps, or as .xyz says) and step, null where the file does not tell, and no input.\n"
+             "number, insertion, atoms, area, relative}, ...], chains: [{chain, atoms, area}, ...] or groups: [{name, "
+             "atoms, area},\n"
+             "...]; with --of measured, how many atoms, and no volume; with --trajectory first frame, time (in ps, or "
+             "as .xyz\n"
+             "says) and step, null where the file does not tell, and no input; with --mean n, frames, means: "
+             "[{quantity, mean,\n"
+             "deviation, least, most}, ...], and in lists area is the mean, with deviation behind it.\n"
              "\n"},
     [COMMAND_VOIDS] = {.name = "voids",
                        .arguments = "FILE [options]",
