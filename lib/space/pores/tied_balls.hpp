@@ -13,8 +13,8 @@ namespace hsp {
 
 enum class PointKind : uint32_t { passing, gate, maximum };
 
-// Unit vectors from the centres of many tied balls to their point, in doubles: what is certain by them need not be asked
-// of the exact stage.
+// Unit vectors from the centres of tied balls to their point, in doubles: what is certain by them need not be asked of
+// the exact stage.
 class TiedDirections {
  public:
   TiedDirections(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied);
