@@ -97,6 +97,8 @@ std::optional<bool> holds(const std::string &term, const Atom &atom) {
     } else if (key == "element") {
       if (!is_symbol(item)) return std::nullopt;
       any |= capitals(item) == capitals(atom.element) || (capitals(item) == "D" && *atom.element == 'H');
+    } else if (key == "group") {
+      // There is no index file: no atom is in its groups.
     } else if (key == "atom") {
       any |= capitals(item) == capitals(atom.name);
     } else if (key == "residue") {
@@ -115,7 +117,16 @@ std::optional<bool> holds(const std::string &term, const Atom &atom) {
 
 std::optional<bool> selects(const std::string &text, const Atom &atom) {
   bool all = true;
-  for (const std::string &term : split(text, '&')) {
+  std::vector<std::string> terms;
+  for (const std::string &part : split(text, '&')) {
+    const bool goes_on = !terms.empty() && terms.back().starts_with("group:") && terms.back().ends_with('_');
+    if (goes_on && part.starts_with('_')) {
+      terms.back() += '&' + part;  // as in the names that gmx make_ndx gives
+    } else {
+      terms.push_back(part);
+    }
+  }
+  for (const std::string &term : terms) {
     const auto one = holds(term, atom);
     if (!one) return std::nullopt;
     all = all && *one;
@@ -149,8 +160,11 @@ void check(const std::string &text, bool hide) {
     const auto expected = selects(text, atom);
     FUZZ_REQUIRE(expected.has_value() == taken, "taken or refused, against the grammar");
     residue_label residue;
-    const atom_label label = label_of(atom, residue);
-    if (taken) FUZZ_REQUIRE(selection_takes(&made, &label) == (*expected != hide), "another answer");
+    atom_label label = label_of(atom, residue);
+    molecule alone;
+    std::memset(&alone, 0, sizeof alone);
+    alone.label = &label;
+    if (taken) FUZZ_REQUIRE(selection_takes(&made, &alone, 0) == (*expected != hide), "another answer");
   }
   selection_free(&made);
 }
@@ -159,13 +173,13 @@ void check(const std::string &text, bool hide) {
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   // Bytes that are no text make keys and items that are.
-  static constexpr const char *words[] = {"chain:",   "residue:", "element:", "atom:", "water", "hetatm",
-                                          "hydrogen", ",",        "&",        "-",     "A",     "HOH",
-                                          "17",       "H",        "52A",      "."};
+  static constexpr const char *words[] = {"chain:",   "residue:", "element:", "atom:", "water",  "hetatm",
+                                          "hydrogen", ",",        "&",        "-",     "A",      "HOH",
+                                          "17",       "H",        "52A",      ".",     "group:", "_&_"};
   std::string text;
   for (size_t i = 0; i < size && data[i] != 0; ++i) {
     if (data[i] >= 0x80) {
-      text += words[data[i] % 16];
+      text += words[data[i] % 18];
     } else {
       text += static_cast<char>(data[i]);
     }

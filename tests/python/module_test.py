@@ -179,6 +179,9 @@ class Values(unittest.TestCase):
         whole = hardsphere.Box(centers, radii, [12, 12, 12], probe=0.5)
         alone = hardsphere.Periodic().compute_with(centers, radii, [12, 0, 0, 0, 12, 0, 0, 0, 12], areas_alone=1, probe=0.5)
         self.assertEqual(plain(alone.get_gradient(tension=1.0, only="area")), plain(whole.areas))
+        box = hardsphere.Box(centers, radii, [12, 12, 12], probe=0.5, areas_alone=True)
+        self.assertEqual((box.area, plain(box.areas), box.volume), (whole.area, plain(whole.areas), None))
+        self.assertEqual(plain(box.gradient().d_centre), plain(whole.gradient().d_centre))
         with self.assertRaises(hardsphere.Error):
             alone.get_counts()
 

@@ -13,6 +13,10 @@ bool request_wants_areas(const struct request *request) {
          (request->excluded_surface && request->weights != NULL);
 }
 
+bool request_wants_part(const struct request *request) {
+  return request->part.count > 0;
+}
+
 uint32_t request_threads(const struct request *request) {
   return request->threads > 0 ? request->threads : threads_of_machine();
 }
@@ -22,5 +26,7 @@ void request_free(struct request *request) {
   text_buffer_free(&request->overrides);
   selection_free(&request->selection);
   selection_free(&request->highlight);
+  selection_free(&request->part);
+  index_file_free(&request->index);
   radii_table_free(&request->table);
 }

@@ -40,7 +40,7 @@ class Measure(NamedTuple):
 class BoxMeasure(NamedTuple):
     """Of the union in a box, and of each ball: its free area, and the volume of its share."""
     area: float
-    volume: float
+    volume: float | None
     areas: Any
     share_volumes: Any
 
@@ -241,10 +241,12 @@ class Balls(_Set):
 
 
 class Box(_Set):
-    """Balls in a periodic box. vectors: three lengths, or [3][3] with the first along x, the second in the x-y plane."""
+    """Balls in a periodic box. vectors: three lengths, or [3][3] with the first along x, the second in the x-y plane.
+    areas_alone: areas and their gradient are all that is asked for, in a third of the time; volumes are None."""
 
-    def __init__(self, centers: Any, radii: Any, vectors: Any, probe: float = 0.0, threads: int = 1, **options: float):
-        super().__init__(radii, probe, threads, options)
+    def __init__(self, centers: Any, radii: Any, vectors: Any, probe: float = 0.0, threads: int = 1,
+                 areas_alone: bool = False, **options: float):
+        super().__init__(radii, probe, threads, {**options, "areas_alone": int(areas_alone)})
         self.handle = Periodic()
         self.set(centers, radii, vectors)
 
@@ -270,6 +272,9 @@ class Box(_Set):
         """Area and volume, and those of each ball's share."""
         if selected is not None:
             raise ValueError("in a box all balls are measured")
+        if self._options["areas_alone"]:
+            found = self.handle.measure(only=["totals", "area"])
+            return BoxMeasure(found.totals.area, None, found.area, None)
         found = self.handle.measure()
         return BoxMeasure(found.totals.area, found.totals.volume, found.area, found.share_volume)
 
