@@ -7,7 +7,7 @@
 
 namespace hsp {
 
-// The map has to outlive this. Of a map of balls and sticks the parameters of SilhouetteArc are those of stick_scene.hpp.
+// The map has to outlive this. Of balls and sticks the parameters of SilhouetteArc are those of stick_scene.hpp.
 SeenSilhouettes silhouettes_of(const VisibilityMap &map);
 SeenSilhouettes silhouettes_of(const StickMap &map);
 
