@@ -51,8 +51,8 @@ struct StickModel {
 };
 StickModel sticks_between_close(oracle::Balls atoms, double part);
 
-// The scene of a z-buffer, in view coordinates: balls by the caller's numbers, then two names for each stick, that of its
-// first ball first.
+// The scene of a z-buffer, in view coordinates: balls by the caller's numbers, then two names for each stick,
+// that of its first ball first.
 struct PlainSticks {
   std::vector<oracle::PlainBall> balls;
   std::vector<oracle::PlainCylinder> cylinders;
