@@ -401,7 +401,7 @@ TEST(DrawColours, AtomsWithoutElementsAreGrey) {
   }
 }
 
-// Contours: in all formats, of the chosen kinds; not of balls and sticks.
+// Contours: in all formats, of the chosen kinds; of balls and sticks, too, which have no outlines else.
 TEST(DrawColours, InkFollowsDepth) {
   const std::string plain = drawn(crambin(), {"--style", "flat"}), ink = drawn(crambin(), {"--style", "flat", "--ink"});
   EXPECT_EQ(plain.find("class="), std::string::npos);
@@ -414,10 +414,13 @@ TEST(DrawColours, InkFollowsDepth) {
     EXPECT_GT(drawn(crambin(), {"--ink"}, extension).size(), drawn(crambin(), {}, extension).size() + 20000);
   }
   EXPECT_NE(drawn(crambin(), {"--ink", "--pieces", "visible"}).find("class=\"depth\""), std::string::npos);
-  const TemporaryFile out("inked.svg");
-  const Outcome refused = run_program({"draw", crambin(), "-o", out.path(), "--ink", "--as", "ball-and-stick"});
-  EXPECT_EQ(refused.status, 2);
-  EXPECT_NE(refused.err.find("--ink is not for --as ball-and-stick"), std::string::npos);
+  for (const std::string &pieces : {std::string("all"), std::string("--pieces=visible")}) {
+    std::vector<std::string> options = {"--as", "ball-and-stick", "--style", "flat", "--ink"};
+    if (pieces != "all") options.push_back(pieces);
+    const std::string sticks = drawn(crambin(), options);
+    EXPECT_NE(sticks.find("class=\"border\""), std::string::npos);
+    EXPECT_NE(sticks.find("class=\"depth\""), std::string::npos);
+  }
 }
 
 // Widths and colours of contours: one for all kinds, or three. Widths that are 0 are no contours.
@@ -450,8 +453,7 @@ TEST(DrawColours, InkWidthsAndColours) {
       {{"--ink-colour", "010203,,040506"}, "--ink-colour: '' is not RRGGBB"},
       {{"--ink-colour", "010203,040506,070809,0"}, "is not RRGGBB"},
       {{"--ink-colour", "0102030405060708,040506,070809"}, "is not RRGGBB"},
-      {{"--ink-colour", "010203", "--ink-colour", "010203"}, "--ink-colour is given twice"},
-      {{"--ink-colour", "010203", "--as", "ball-and-stick"}, "--ink is not for --as ball-and-stick"}};
+      {{"--ink-colour", "010203", "--ink-colour", "010203"}, "--ink-colour is given twice"}};
   for (const auto &[options, complaint] : wrong) {
     const TemporaryFile out("inked.svg");
     std::vector<std::string> line = {"draw", crambin(), "-o", out.path()};
@@ -469,15 +471,17 @@ TEST(DrawColours, LooksArePresets) {
       {"goodsell",
        {"--palette", "chain", "--ink", "--style", "flat", "--occlusion", "0.5", "--outline", "0", "--fog", "0.4"}},
       {"slide",
-       {"--ink-width", "0,2,3", "--occlusion", "0.5", "--outline", "0", "--fog", "0.15", "--background", "14171E",
-        "--outline-colour", "14171E", "--ink-colour", "14171E", "--width", "1600", "--height", "900"}},
+       {"--colour", "bfactor", "--ink-width",  "0,2,3",  "--occlusion",      "0.25",   "--outline",    "1",
+        "--fog",    "0.15",    "--background", "14171E", "--outline-colour", "14171E", "--ink-colour", "14171E",
+        "--width",  "1600",    "--height",     "900"}},
       {"print",
        {"--ink", "--style", "flat", "--occlusion", "0", "--fog", "0", "--outline-colour", "000000", "--ink-colour",
         "000000"}}};
   for (const auto &[look, same] : looks) {
     // No option leaves out one kind of contours and the widths of the others as they are.
     std::vector<std::string> by_look = {"--look", look};
-    if (look == "slide") by_look.insert(by_look.end(), {"--ink-width", "0,2,3"});
+    // Colours of numbers are not lightened.
+    if (look == "slide") by_look.insert(by_look.end(), {"--ink-width", "0,2,3", "--colour", "bfactor"});
     EXPECT_EQ(drawn(crambin(), by_look), drawn(crambin(), same)) << look;
     // The last of its options that has a value says something else now.
     std::vector<std::string> other = same;
@@ -485,10 +489,11 @@ TEST(DrawColours, LooksArePresets) {
     const std::string option = other[other.size() - 2];
     by_look.insert(by_look.end(), {option, other.back()});
     EXPECT_EQ(drawn(crambin(), by_look),
-              look == "slide" ? drawn(crambin(), {"--ink-width", "0,2,3", "--occlusion", "0.5", "--outline", "0",
-                                                  "--fog", "0.15", "--background", "14171E", "--outline-colour",
-                                                  "14171E", "--ink-colour", "14171E", "--height", "800"})
-                              : drawn(crambin(), other))
+              look == "slide"
+                  ? drawn(crambin(), {"--colour", "bfactor", "--ink-width", "0,2,3", "--occlusion", "0.25", "--outline",
+                                      "1", "--fog", "0.15", "--background", "14171E", "--outline-colour", "14171E",
+                                      "--ink-colour", "14171E", "--height", "800"})
+                  : drawn(crambin(), other))
         << look;
     // Balls and sticks have no contours, nor are they darkened.
     const std::string sticks = drawn(molecules_folder() + "/caffeine.pdb", {"--look", look, "--as", "ball-and-stick"});

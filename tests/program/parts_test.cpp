@@ -94,6 +94,10 @@ TEST_F(Parts, GroupsOfAnIndexFile) {
     EXPECT_NEAR(group["area"].number, sum, 1e-10) << k;
   }
   EXPECT_EQ(json_of({"measure", crambin, "--only", "group:Begin", "--index", index.path()})["n"].number, 3);
+  const Json shifted = json_of(
+      {"measure", crambin, "--hide", "atom:N", "--of", "group:2", "--per-ball", "--index", index.path()})["balls"];
+  ASSERT_EQ(shifted.items.size(), 2U);
+  EXPECT_EQ(shifted.items[0]["atom"].text, "CG2");
   EXPECT_EQ(json_of({"measure", crambin, "--hide", "group:2", "--index", index.path()})["n"].number, 324);
   EXPECT_EQ(json_of({"contacts", crambin, "--only", "group:2&atom:CG2", "--index", index.path()})["n"].number, 1);
 }
