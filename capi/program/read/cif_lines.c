@@ -5,19 +5,20 @@
 #include "read/characters.h"
 #include "read/words.h"
 
-/* The blanks of a line as bits, with ones behind its end. False: there may be a comment, a tag or a keyword in it.
- * *quotes: there may be quotes. */
-static bool find_blanks(const char *text, size_t length, uint64_t blank[CIF_LINE_WORDS + 1], bool *quotes) {
-  uint32_t found = 0, quoted = 0;
+/* The blanks of a line as bits, with ones behind its end, and its quotes. False: there may be a comment, a tag or a
+ * keyword in it. */
+static bool find_blanks(const char *text, size_t length, uint64_t blank[CIF_LINE_WORDS + 1],
+                        uint64_t quote[CIF_LINE_WORDS]) {
+  uint32_t found = 0;
   memset(blank, 0xFF, (CIF_LINE_WORDS + 1) * sizeof *blank);
+  memset(quote, 0, CIF_LINE_WORDS * sizeof *quote);
   for (size_t at = 0; at < length; at += 16) {
     const uint32_t within = length - at < 16 ? (UINT32_C(1) << (length - at)) - 1 : UINT32_C(0xFFFF);
     /* No character of a line but blanks and tabs is below '!'. */
     blank[at / 64] ^= (uint64_t)(~below_in_16(text + at, '!') & within) << at % 64;
-    found |= (equal_in_16(text + at, '_') | equal_in_16(text + at, '#')) & within;
-    quoted |= (equal_in_16(text + at, '"') | equal_in_16(text + at, '\'')) & within;
+    found |= either_in_16(text + at, '_', '#') & within;
+    quote[at / 64] |= (uint64_t)(either_in_16(text + at, '"', '\'') & within) << at % 64;
   }
-  *quotes = quoted != 0;
   return found == 0;
 }
 
@@ -50,24 +51,22 @@ static size_t length_from(const uint64_t blank[CIF_LINE_WORDS + 1], size_t from)
 
 /* Whether every value that begins with a quote ends with it, and not a later one behind a blank. */
 static bool quotes_are_plain(const uint64_t blank[CIF_LINE_WORDS + 1], const uint64_t begins[CIF_LINE_WORDS],
-                             const char *text) {
+                             const uint64_t quote[CIF_LINE_WORDS], const char *text) {
   for (size_t k = 0; k < CIF_LINE_WORDS; ++k) {
-    for (uint64_t left = begins[k]; left != 0; left &= left - 1) {
+    for (uint64_t left = begins[k] & quote[k]; left != 0; left &= left - 1) {
       const size_t from = 64 * k + lowest_bit(left), size = length_from(blank, from);
-      const bool quoted = text[from] == '"' || text[from] == '\'';
-      if (quoted && (size < 2 || text[from + size - 1] != text[from])) return false;
+      if (size < 2 || text[from + size - 1] != text[from]) return false;
     }
   }
   return true;
 }
 
 bool cif_lines_take(struct cif_lines *lines, const struct line_reader *reader, struct cif_row *row) {
-  uint64_t blank[CIF_LINE_WORDS + 1], begins[CIF_LINE_WORDS];
+  uint64_t blank[CIF_LINE_WORDS + 1], quote[CIF_LINE_WORDS], begins[CIF_LINE_WORDS];
   const char *const text = reader->text;
   const size_t length = reader->length;
-  bool quotes;
   if (length == 0 || length > CIF_LINE_BYTES || text[0] == ';') return false;
-  if (!find_blanks(text, length, blank, &quotes)) return false;
+  if (!find_blanks(text, length, blank, quote)) return false;
   uint64_t before = 1, different = lines->known ? 0 : 1;
   for (size_t k = 0; k < CIF_LINE_WORDS; ++k) {
     begins[k] = ~blank[k] & (blank[k] << 1 | before);
@@ -75,7 +74,7 @@ bool cif_lines_take(struct cif_lines *lines, const struct line_reader *reader, s
     different |= begins[k] ^ lines->begins[k];
   }
   if (different != 0 && !find_columns(lines, begins)) return false;
-  if (quotes && !quotes_are_plain(blank, begins, text)) return false;
+  if (!quotes_are_plain(blank, begins, quote, text)) return false;
   row->line = reader->number;
   row->values = text;
   for (size_t i = 0; i < lines->wanted; ++i) {
@@ -83,7 +82,7 @@ bool cif_lines_take(struct cif_lines *lines, const struct line_reader *reader, s
     size_t from = lines->begin[i], size = length_from(blank, from);
     if (size == 1 && (text[from] == '?' || text[from] == '.')) {
       size = 0;
-    } else if (quotes && (text[from] == '"' || text[from] == '\'')) {
+    } else if ((quote[from / 64] >> from % 64 & 1) != 0) {
       from += 1;
       size -= 2;
     }

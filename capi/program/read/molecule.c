@@ -38,7 +38,7 @@ static const struct residue_label *keep_residue(struct residue_list *list, const
   struct residue_block *block = list->last;
   if (list->used > 0) {
     const struct residue_label *const before = &block->label[list->used - 1];
-    if (memcmp(before, residue, sizeof *residue) == 0) return before;
+    if (residue == before || memcmp(before, residue, sizeof *residue) == 0) return before;
   }
   if (block == NULL || list->used == RESIDUES_OF_BLOCK) {
     struct residue_block *next = block == NULL ? NULL : block->next;

@@ -126,7 +126,7 @@ static bool take_cartesian(struct cif_reading *reading, double xyz[3]) {
   static const char *const names[3] = {"Cartn_x", "Cartn_y", "Cartn_z"};
   for (int axis = 0; axis < 3; ++axis) {
     const struct field value = cif_row_get(&reading->row, (enum cif_item)(CIF_X + axis));
-    if (reading->row.values != NULL && word_token(value.text, value.length, &xyz[axis])) continue;
+    if (reading->row.values != NULL && word_decimal(value.text, value.length, 0, &xyz[axis])) continue;
     const struct field number = cif_without_uncertainty(value);
     if (!field_number(number, names[axis], &xyz[axis], reading->row.line, reading->failure)) return false;
   }
@@ -169,7 +169,7 @@ static bool take_atom(struct cif_reading *reading) {
   struct atom_label label = ATOM_LABEL_NONE;
   take_label(row, &residue, &label);
   const struct field alternate = cif_row_get(row, CIF_ALTERNATE);
-  if (!alternate_locations_keep(&reading->seen, &label, cif_row_get(row, CIF_LABEL_CHAIN),
+  if (!alternate_locations_keep(&reading->seen, molecule, &label, cif_row_get(row, CIF_LABEL_CHAIN),
                                 alternate.length == 0 ? ' ' : alternate.text[0], &keep)) {
     return failure_of_memory(failure);
   }

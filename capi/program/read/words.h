@@ -166,7 +166,8 @@ static inline uint64_t word_label(uint64_t word, unsigned width) {
   return word_first(word >> first, (last - first) / 8 + 1);
 }
 
-/* A bit for each of sixteen characters: those below `limit`, 1 to 128, and those that equal `byte`. */
+/* A bit for each of sixteen characters: those below `limit`, 1 to 128, those that equal `byte`, and those that equal one
+ * of two. */
 #ifdef __SSE2__
 static inline uint32_t below_in_16(const char *text, char limit) {
   const __m128i bytes = _mm_loadu_si128((const __m128i *)(const void *)text), most = _mm_set1_epi8((char)(limit - 1));
@@ -176,6 +177,12 @@ static inline uint32_t below_in_16(const char *text, char limit) {
 static inline uint32_t equal_in_16(const char *text, char byte) {
   const __m128i bytes = _mm_loadu_si128((const __m128i *)(const void *)text);
   return (uint32_t)_mm_movemask_epi8(_mm_cmpeq_epi8(bytes, _mm_set1_epi8(byte)));
+}
+
+static inline uint32_t either_in_16(const char *text, char one, char other) {
+  const __m128i bytes = _mm_loadu_si128((const __m128i *)(const void *)text);
+  const __m128i same = _mm_cmpeq_epi8(bytes, _mm_set1_epi8(one)), also = _mm_cmpeq_epi8(bytes, _mm_set1_epi8(other));
+  return (uint32_t)_mm_movemask_epi8(_mm_or_si128(same, also));
 }
 #else
 static inline uint32_t below_in_8(uint64_t word, char limit) {
@@ -191,6 +198,10 @@ static inline uint32_t below_in_16(const char *text, char limit) {
 static inline uint32_t equal_in_16(const char *text, char byte) {
   const uint64_t same = WORD_OF((unsigned char)byte);
   return below_in_8(word_at(text) ^ same, 1) | below_in_8(word_at(text + 8) ^ same, 1) << 8;
+}
+
+static inline uint32_t either_in_16(const char *text, char one, char other) {
+  return equal_in_16(text, one) | equal_in_16(text, other);
 }
 #endif
 
