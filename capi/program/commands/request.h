@@ -112,6 +112,9 @@ bool request_wants_balls(const struct request *request);
 /* Whether the area of each ball is asked for, in whatever form. */
 bool request_wants_areas(const struct request *request);
 
+/* Whether places or radii of the balls are asked for once the library has them. */
+bool request_wants_places(const struct request *request);
+
 /* How many threads may be at work. */
 uint32_t request_threads(const struct request *request);
 

@@ -265,6 +265,23 @@ bool atom_is_hydrogen(const struct atom_label *label) {
   return strcmp(label->element.text, "H") == 0;
 }
 
+uint32_t molecule_points(const struct molecule *molecule) {
+  uint32_t points = molecule->points;
+  for (uint32_t i = 0; molecule->radius != NULL && i < molecule->atoms; ++i) {
+    if (molecule->radius[i] == 0.0) ++points;
+  }
+  return points;
+}
+
+void molecule_drop_balls(struct molecule *molecule) {
+  molecule->points = molecule_points(molecule);
+  free(molecule->xyz);
+  free(molecule->radius);
+  free(molecule->line);
+  molecule->xyz = molecule->radius = NULL;
+  molecule->line = NULL;
+}
+
 void molecule_free(struct molecule *molecule) {
   free(molecule->xyz);
   free(molecule->radius);
