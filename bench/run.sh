@@ -2,9 +2,9 @@
 # Runs every benchmark and writes build/bench/report/report.md, with the paper's figures beside ours.
 # Usage: bash bench/run.sh [--quick] [--peers]
 #   --quick  one repetition of each benchmark, as short as it gets: for trying out, not for quoting
-#   --peers  time other programs by turns with the library: FreeSASA, CGAL, nanoflann, gemmi, FCL. What of them is
-#            missing is installed from Debian's packages if it can be, and left out otherwise. Then version 0.1.0 of the
-#            library, if it is in the repository's history
+#   --peers  time other programs by turns with the library: FreeSASA, CGAL, nanoflann, gemmi, FCL, and on a trajectory
+#            gmx sasa and mdtraj. What of them is missing is installed from Debian's packages if it can be, and left out
+#            otherwise. Then version 0.1.0 of the library, if it is in the repository's history
 # Missing packages are installed with apt-get (as root, or through sudo). The environment variable BENCH_BUILD names
 # another folder to build in. Takes ten to twenty-five minutes, once the machine has come to rest after building.
 # What is committed of it are bench/report.md and bench/plots/*.svg.
@@ -31,12 +31,12 @@ install_optional_packages gnuplot-nox
 if [ "$peers" = yes ]; then install_optional_packages "${packages_of_peers[@]}"; fi
 
 cmake -S "$source_folder" -B "$build_folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DHSP_BENCH=ON \
-  -DHSP_TESTS=OFF -DHSP_TOOL=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF -DHSP_BENCH_PEERS=$peers
+  -DHSP_TESTS=OFF -DHSP_TOOL=$peers -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF -DHSP_BENCH_PEERS=$peers
 suites=(bench_paper_section_2 bench_paper_section_3 bench_section_3_alternatives bench_paper_section_4_2
   bench_paper_section_5_1 bench_visibility bench_topology bench_gradients bench_contacts bench_surface bench_scaling
   bench_queries bench_poses bench_periodic bench_updates bench_split_work bench_degenerate)
 if [ "$peers" = yes ]; then
-  suites+=(bench_peers_surfaces bench_peers_queries bench_peers_visibility bench_peers_poses)
+  suites+=(bench_peers_surfaces bench_peers_queries bench_peers_visibility bench_peers_poses hardsphere_tool)
 fi
 cmake --build "$build_folder" --target "${suites[@]}" write_report
 
@@ -119,6 +119,11 @@ if [ "$peers" = yes ]; then
   run_suite bench_peers_queries 1 0.02
   run_suite bench_peers_visibility 1 0.02  # half a minute, once
   run_suite bench_peers_poses 1 0.02
+  quickly=()
+  if [ "$quick" = yes ]; then quickly=(--quick); fi
+  printf '== %s\n' bench/peers/trajectories.py
+  python3 "$source_folder/bench/peers/trajectories.py" "$build_folder/capi/hardsphere" \
+    "$source_folder/bench/molecules/ubiquitin.pdb" "$report_folder/peers_trajectories.json" "${quickly[@]}"
 fi
 # What else a machine does comes and goes in minutes, and would make a set look smaller or larger than it is. So suites
 # that compare sizes or threads run twice more.

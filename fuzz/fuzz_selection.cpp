@@ -97,6 +97,8 @@ std::optional<bool> holds(const std::string &term, const Atom &atom) {
     } else if (key == "element") {
       if (!is_symbol(item)) return std::nullopt;
       any |= capitals(item) == capitals(atom.element) || (capitals(item) == "D" && *atom.element == 'H');
+    } else if (key == "group") {
+      // There is no index file: no atom is in its groups.
     } else if (key == "atom") {
       any |= capitals(item) == capitals(atom.name);
     } else if (key == "residue") {
@@ -149,8 +151,11 @@ void check(const std::string &text, bool hide) {
     const auto expected = selects(text, atom);
     FUZZ_REQUIRE(expected.has_value() == taken, "taken or refused, against the grammar");
     residue_label residue;
-    const atom_label label = label_of(atom, residue);
-    if (taken) FUZZ_REQUIRE(selection_takes(&made, &label) == (*expected != hide), "another answer");
+    atom_label label = label_of(atom, residue);
+    molecule alone;
+    std::memset(&alone, 0, sizeof alone);
+    alone.label = &label;
+    if (taken) FUZZ_REQUIRE(selection_takes(&made, &alone, 0) == (*expected != hide), "another answer");
   }
   selection_free(&made);
 }

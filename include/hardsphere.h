@@ -140,8 +140,10 @@
  *   more: the library cannot know. hsp_X_compute with NULL for the model or boundary drops results.
  *
  * LIMITS
- *   All handles but models take in what some numbers allow, which fix their memory. hsp_X_compute hands such limits
- *   back, if its argument of that name is not NULL. Their struct_size has to be set, which hsp_X_limits_init does.
+ *   All handles but models take in what some numbers allow, which fix their memory. Every hsp_X_limits is an array of
+ *   uint32_t, of which struct_size is the first, and grows at its end: so programs in any language may take it.
+ *   hsp_X_compute hands such limits back, if its argument of that name is not NULL. Their struct_size has to be set,
+ *   which hsp_X_limits_init does.
  *   On HSP_E_CAPACITY they are limits to retry with: none is smaller than the handle's own, and one at least is larger.
  *   A limit not known yet stays as it was, so that a few retries may be necessary. On HSP_OK they are what was needed,
  *   exactly. On any other status they stay as they are. So memory grows until it suffices in three lines:

@@ -5,6 +5,8 @@
 //   hardsphere::workspace work(xyz, radius, {.probe = 1.4});                         more than one question
 //   std::vector<double> areas = work.measure().area;
 //   std::vector<double> forces = work.gradient({.tension = -0.0072}).d_centre;
+//   hardsphere::threads four(4);                                                     threads that share the work
+//   work.use(four);                                                                  with the same bits
 //   for (const hsp_contact &contact : hardsphere::all(hsp_contacts_get_pairs, work.contacts())) ..
 //   work.set(next_xyz, radius);                                                      the next frame, in the same memory
 //
@@ -17,10 +19,12 @@
 
 #include <hardsphere_workspace.h>
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <stdexcept>
+#include <thread>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -74,6 +78,30 @@ auto range(int32_t (*function)(Arguments...), Handle *handle, uint32_t first, ui
   return out;
 }
 
+// An executor with so many threads, which live as long as each loop. Any other hsp_executor serves as well.
+class threads {
+ public:
+  explicit threads(uint32_t number) noexcept
+      : executor_{sizeof executor_, number, reinterpret_cast<void *>(uintptr_t{number}), run} {}
+  operator const hsp_executor &() const noexcept { return executor_; }
+
+ private:
+  static void run(void *number, uint32_t tasks, hsp_task *task, void *data) {
+    std::atomic<uint32_t> next = 0;
+    const auto work = [&] {
+      for (uint32_t k = next++; k < tasks; k = next++) task(data, k);
+    };
+    std::vector<std::jthread> others;  // joined at the end
+    try {
+      while (others.size() + 1 < reinterpret_cast<uintptr_t>(number)) others.emplace_back(work);
+    } catch (const std::exception &) {  // fewer will do
+    }
+    work();
+  }
+
+  hsp_executor executor_;
+};
+
 // As hsp_model_options: 0 for the default.
 struct options {
   double probe = 0, step = 0, largest_radius = 0;
@@ -93,8 +121,8 @@ struct energy_terms {
 
 struct gradients {
   hsp_energy energy{};
-  std::vector<double> d_centre, d_radius;  // [n][3], [n]
-  std::vector<uint32_t> flags;             // [n]
+  std::vector<double> d_centre, d_radius, area;  // [n][3], [n], [n]: free areas come with it
+  std::vector<uint32_t> flags;                   // [n]
 };
 
 // Which balls meet: a row for each ball.
@@ -120,6 +148,7 @@ class workspace {
   void swap(workspace &other) noexcept {
     std::swap(work_, other.work_);
     std::swap(computed_, other.computed_);
+    std::swap(executor_, other.executor_);
     std::swap(size_, other.size_);
   }
 
@@ -141,6 +170,9 @@ class workspace {
     return *this;
   }
 
+  // Whose threads share boundaries, measures and gradients from now on.
+  workspace &use(const hsp_executor &executor) noexcept { return executor_ = executor, *this; }
+
   // A function of hardsphere_workspace.h, with its arguments behind the workspace.
   template <class... Arguments, class... Given>
   void run(int32_t (*function)(hsp_workspace *, Arguments...), Given &&...given) {
@@ -149,7 +181,14 @@ class workspace {
 
   // Handles, computed when they are first asked for after set().
   const hsp_model *model() const noexcept { return work_.model; }
-  hsp_boundary *boundary() { return once(1, hsp_workspace_boundary), work_.boundary; }
+  hsp_boundary *boundary() {
+    const auto compute = [this](hsp_workspace *work) {
+      hsp_boundary_request request{};
+      request.struct_size = sizeof request, request.executor = &executor_;
+      return hsp_workspace_boundary_with(work, &request);
+    };
+    return once(1, compute), work_.boundary;
+  }
   hsp_topology *topology() { return boundary(), once(2, hsp_workspace_topology), work_.topology; }
   hsp_contacts *contacts() { return boundary(), once(4, hsp_workspace_contacts), work_.contacts; }
   // ---- surface.h
@@ -161,7 +200,7 @@ class workspace {
     held(selected.size());
     hardsphere::measures found{{}, std::vector<double>(size_), std::vector<double>(size_)};
     hsp_measure_request request{};
-    request.struct_size = sizeof request, request.selected = selected.data();
+    request.struct_size = sizeof request, request.selected = selected.data(), request.executor = &executor_;
     hsp_measure_outputs outputs{};
     outputs.struct_size = sizeof outputs, outputs.capacity = size_, outputs.totals = &found.total;
     outputs.area = found.area.data(), outputs.volume_term = found.volume_term.data();
@@ -171,16 +210,19 @@ class workspace {
 
   gradients gradient(const energy_terms &terms) {
     held(terms.sigma.size());
-    gradients found{
-        {}, std::vector<double>(3 * size_t{size_}), std::vector<double>(size_), std::vector<uint32_t>(size_)};
+    gradients found{{},
+                    std::vector<double>(3 * size_t{size_}),
+                    std::vector<double>(size_),
+                    std::vector<double>(size_),
+                    std::vector<uint32_t>(size_)};
     hsp_gradient_request request{};
     check(hsp_gradient_request_init(&request, sizeof request));
     request.tension = terms.tension, request.pressure = terms.pressure, request.tangency = terms.tangency;
-    request.sigma = terms.sigma.data();
+    request.sigma = terms.sigma.data(), request.executor = &executor_;
     hsp_gradient_outputs outputs{};
     outputs.struct_size = sizeof outputs, outputs.capacity = size_, outputs.energy = &found.energy;
     outputs.d_centre = found.d_centre.data(), outputs.d_radius = found.d_radius.data(),
-    outputs.flags = found.flags.data();
+    outputs.flags = found.flags.data(), outputs.area = found.area.data();
     outputs.first_bad = HSP_NONE;
     const int32_t status = hsp_boundary_get_gradient(boundary(), &request, &outputs);
     check(status, outputs.first_bad);
@@ -198,7 +240,8 @@ class workspace {
   void held(size_t given) const {
     if (given != 0 && given != size_) throw error(HSP_E_ARGUMENT);
   }
-  void once(unsigned bit, int32_t (*compute)(hsp_workspace *)) {
+  template <class Compute>
+  void once(unsigned bit, Compute compute) {
     if ((computed_ & bit) != 0) return;
     computed_ &= ~bit;
     check(compute(&work_));
@@ -206,6 +249,7 @@ class workspace {
   }
 
   hsp_workspace work_{};
+  hsp_executor executor_{sizeof executor_, 1, nullptr, nullptr};
   unsigned computed_ = 0;
   uint32_t size_ = 0;
 };

@@ -95,6 +95,11 @@ static inline void hsp_workspace_drop_of_boundary(hsp_workspace *work) {
   if (work->contacts != NULL) (void)hsp_contacts_compute(work->contacts, NULL, NULL); /* hardsphere/contacts.h */
 }
 
+/* ---- periodic.h */
+static inline void hsp_workspace_drop_of_periodic(hsp_workspace *work) {
+  if (work->pores != NULL) (void)hsp_pores_compute(work->pores, NULL, NULL, NULL); /* hardsphere/pores.h */
+}
+
 /* ---- model.h */
 
 /* make: a handle of the current limits, without results. ready: the same, if there is none yet. grow: one of larger
@@ -421,6 +426,7 @@ static inline int32_t hsp_workspace_ready_periodic(hsp_workspace *work, uint32_t
 
 static inline int32_t hsp_workspace_grow_periodic(hsp_workspace *work, const hsp_periodic_limits *limits) {
   work->periodic_limits = *limits;
+  hsp_workspace_drop_of_periodic(work);
   return hsp_workspace_make_periodic(work);
 }
 
@@ -590,6 +596,19 @@ static inline int32_t hsp_workspace_pores(hsp_workspace *work, const hsp_pores_o
   hsp_pores_limits limits = work->pores_limits;
   while (status == HSP_OK) {
     status = hsp_pores_compute(work->pores, work->model, options, &limits);
+    if (status != HSP_E_CAPACITY) return status;
+    status = hsp_workspace_grow_pores(work, &limits);
+  }
+  return status;
+}
+
+/** The same in the box that hsp_workspace_periodic has computed; arguments and statuses as hsp_pores_compute_periodic.
+ *  HSP_E_ARGUMENT: no hsp_workspace_periodic before, too. */
+static inline int32_t hsp_workspace_pores_periodic(hsp_workspace *work, const hsp_pores_options *options) {
+  int32_t status = hsp_workspace_ready_pores(work);
+  hsp_pores_limits limits = work->pores_limits;
+  while (status == HSP_OK) {
+    status = hsp_pores_compute_periodic(work->pores, work->periodic, options, &limits);
     if (status != HSP_E_CAPACITY) return status;
     status = hsp_workspace_grow_pores(work, &limits);
   }

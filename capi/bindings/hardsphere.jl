@@ -934,6 +934,34 @@ struct hsp_pore_gate
     merges::UInt32
 end
 
+struct hsp_pore_gate_shifts
+    ball::NTuple{9, Int32}
+    var"end"::NTuple{6, Int32}
+    winds::UInt32
+    directions::UInt32
+end
+
+struct hsp_pore_percolation
+    largest::Cdouble
+    through::NTuple{3, Cdouble}
+    included::NTuple{3, Cdouble}
+    along::NTuple{3, Cdouble}
+    gate::NTuple{3, UInt32}
+    maximum::NTuple{3, UInt32}
+    gate_along::NTuple{3, UInt32}
+    reserved::UInt32
+end
+
+struct hsp_pore_channel
+    radius::Cdouble
+    maximum::UInt32
+    maxima::UInt32
+    directions::UInt32
+    copies::UInt32
+    row::NTuple{9, Int32}
+    reserved::UInt32
+end
+
 struct hsp_pore_place
     radius::Cdouble
     ball::UInt32
@@ -2073,6 +2101,11 @@ function hsp_pores_compute(pores, model, options, limits)
           Ptr{hsp_pores_limits}), pores, model, options, limits)
 end
 
+function hsp_pores_compute_periodic(pores, periodic, options, limits)
+    ccall((:hsp_pores_compute_periodic, libhardsphere), Int32, (Ptr{hsp_pores}, Ptr{hsp_periodic},
+          Ptr{hsp_pores_options}, Ptr{hsp_pores_limits}), pores, periodic, options, limits)
+end
+
 function hsp_pores_get_counts(pores, counts)
     ccall((:hsp_pores_get_counts, libhardsphere), Int32, (Ptr{hsp_pores}, Ptr{hsp_pores_counts}), pores, counts)
 end
@@ -2087,6 +2120,11 @@ function hsp_pores_get_gates(pores, first, count, out)
           first, count, out)
 end
 
+function hsp_pores_get_gate_shifts(pores, first, count, out)
+    ccall((:hsp_pores_get_gate_shifts, libhardsphere), Int32, (Ptr{hsp_pores}, UInt32, UInt32,
+          Ptr{hsp_pore_gate_shifts}), pores, first, count, out)
+end
+
 function hsp_pores_get_maximum_balls(pores, maximum, balls, capacity, needed)
     ccall((:hsp_pores_get_maximum_balls, libhardsphere), Int32, (Ptr{hsp_pores}, UInt32, Ptr{UInt32}, UInt32,
           Ptr{UInt32}), pores, maximum, balls, capacity, needed)
@@ -2095,6 +2133,26 @@ end
 function hsp_pores_get_gate_balls(pores, gate, balls, capacity, needed)
     ccall((:hsp_pores_get_gate_balls, libhardsphere), Int32, (Ptr{hsp_pores}, UInt32, Ptr{UInt32}, UInt32,
           Ptr{UInt32}), pores, gate, balls, capacity, needed)
+end
+
+function hsp_pores_get_maximum_images(pores, maximum, images, capacity, needed)
+    ccall((:hsp_pores_get_maximum_images, libhardsphere), Int32, (Ptr{hsp_pores}, UInt32, Ptr{hsp_image}, UInt32,
+          Ptr{UInt32}), pores, maximum, images, capacity, needed)
+end
+
+function hsp_pores_get_gate_images(pores, gate, images, capacity, needed)
+    ccall((:hsp_pores_get_gate_images, libhardsphere), Int32, (Ptr{hsp_pores}, UInt32, Ptr{hsp_image}, UInt32,
+          Ptr{UInt32}), pores, gate, images, capacity, needed)
+end
+
+function hsp_pores_get_percolation(pores, percolation)
+    ccall((:hsp_pores_get_percolation, libhardsphere), Int32, (Ptr{hsp_pores}, Ptr{hsp_pore_percolation}), pores,
+          percolation)
+end
+
+function hsp_pores_get_channels(pores, radius, out, capacity, needed)
+    ccall((:hsp_pores_get_channels, libhardsphere), Int32, (Ptr{hsp_pores}, Cdouble, Ptr{hsp_pore_channel}, UInt32,
+          Ptr{UInt32}), pores, radius, out, capacity, needed)
 end
 
 function hsp_pores_class_at(pores, maximum, radius, member)

@@ -1178,6 +1178,40 @@ pub struct hsp_pore_gate {
 
 #[repr(C)]
 #[derive(Clone, Copy)]
+pub struct hsp_pore_gate_shifts {
+    pub ball: [i32; 9],
+    pub end: [i32; 6],
+    pub winds: u32,
+    pub directions: u32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct hsp_pore_percolation {
+    pub largest: f64,
+    pub through: [f64; 3],
+    pub included: [f64; 3],
+    pub along: [f64; 3],
+    pub gate: [u32; 3],
+    pub maximum: [u32; 3],
+    pub gate_along: [u32; 3],
+    pub reserved: u32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct hsp_pore_channel {
+    pub radius: f64,
+    pub maximum: u32,
+    pub maxima: u32,
+    pub directions: u32,
+    pub copies: u32,
+    pub row: [i32; 9],
+    pub reserved: u32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
 pub struct hsp_pore_place {
     pub radius: f64,
     pub ball: u32,
@@ -2300,9 +2334,21 @@ extern "C" {
         options: *const hsp_pores_options,
         limits: *mut hsp_pores_limits,
     ) -> i32;
+    pub fn hsp_pores_compute_periodic(
+        pores: *mut hsp_pores,
+        periodic: *const hsp_periodic,
+        options: *const hsp_pores_options,
+        limits: *mut hsp_pores_limits,
+    ) -> i32;
     pub fn hsp_pores_get_counts(pores: *const hsp_pores, counts: *mut hsp_pores_counts) -> i32;
     pub fn hsp_pores_get_maxima(pores: *const hsp_pores, first: u32, count: u32, out: *mut hsp_pore_maximum) -> i32;
     pub fn hsp_pores_get_gates(pores: *const hsp_pores, first: u32, count: u32, out: *mut hsp_pore_gate) -> i32;
+    pub fn hsp_pores_get_gate_shifts(
+        pores: *const hsp_pores,
+        first: u32,
+        count: u32,
+        out: *mut hsp_pore_gate_shifts,
+    ) -> i32;
     pub fn hsp_pores_get_maximum_balls(
         pores: *const hsp_pores,
         maximum: u32,
@@ -2314,6 +2360,28 @@ extern "C" {
         pores: *const hsp_pores,
         gate: u32,
         balls: *mut u32,
+        capacity: u32,
+        needed: *mut u32,
+    ) -> i32;
+    pub fn hsp_pores_get_maximum_images(
+        pores: *const hsp_pores,
+        maximum: u32,
+        images: *mut hsp_image,
+        capacity: u32,
+        needed: *mut u32,
+    ) -> i32;
+    pub fn hsp_pores_get_gate_images(
+        pores: *const hsp_pores,
+        gate: u32,
+        images: *mut hsp_image,
+        capacity: u32,
+        needed: *mut u32,
+    ) -> i32;
+    pub fn hsp_pores_get_percolation(pores: *const hsp_pores, percolation: *mut hsp_pore_percolation) -> i32;
+    pub fn hsp_pores_get_channels(
+        pores: *mut hsp_pores,
+        radius: f64,
+        out: *mut hsp_pore_channel,
         capacity: u32,
         needed: *mut u32,
     ) -> i32;

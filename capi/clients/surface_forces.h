@@ -19,10 +19,9 @@ static inline int32_t surface_forces_compute(surface_forces *s, uint32_t own, ui
                                              const double *radius, double *energy) {
   hsp_model_options options;
   hsp_boundary_request of_own;
-  hsp_totals totals = {0, 0};
-  hsp_measure_outputs measures;
   hsp_gradient_request asked;
-  hsp_gradient_outputs derivatives;
+  hsp_gradient_outputs outputs;
+  hsp_energy found;
   int32_t status;
   *energy = 0;
   if (own == 0) return HSP_OK;
@@ -40,16 +39,15 @@ static inline int32_t surface_forces_compute(surface_forces *s, uint32_t own, ui
   memset(s->selected, 1, own);
   memset(s->selected + own, 0, all - own);
   memset(&of_own, 0, sizeof of_own);
-  memset(&measures, 0, sizeof measures);
-  memset(&derivatives, 0, sizeof derivatives);
+  memset(&outputs, 0, sizeof outputs);
+  memset(&found, 0, sizeof found);
   of_own.struct_size = sizeof of_own;
   of_own.selected = s->selected;
-  measures.struct_size = sizeof measures;
-  measures.capacity = derivatives.capacity = all;
-  measures.totals = &totals;
-  measures.area = s->area;
-  derivatives.struct_size = sizeof derivatives;
-  derivatives.d_centre = s->gradient;
+  outputs.struct_size = sizeof outputs;
+  outputs.capacity = all;
+  outputs.energy = &found;
+  outputs.area = s->area;
+  outputs.d_centre = s->gradient;
   status = hsp_model_options_init(&options, sizeof options);
   if (status == HSP_OK) status = hsp_gradient_request_init(&asked, sizeof asked);
   if (status != HSP_OK) return status;
@@ -58,9 +56,8 @@ static inline int32_t surface_forces_compute(surface_forces *s, uint32_t own, ui
   asked.tension = s->tension;
   status = hsp_workspace_set(&s->work, all, x, radius, &options, NULL);
   if (status == HSP_OK) status = hsp_workspace_boundary_with(&s->work, &of_own);
-  if (status == HSP_OK) status = hsp_boundary_get_measures(s->work.boundary, NULL, &measures);
-  if (status == HSP_OK) status = hsp_boundary_get_gradient(s->work.boundary, &asked, &derivatives);
-  *energy = s->tension * totals.area;
+  if (status == HSP_OK) status = hsp_boundary_get_gradient(s->work.boundary, &asked, &outputs);
+  *energy = found.value;
   return status;
 }
 

@@ -1127,7 +1127,7 @@ module hardsphere
 
   type, bind(C) :: hsp_pores_limits
     integer(c_int32_t) :: struct_size = 32_c_int32_t  ! sizeof(hsp_pores_limits)
-    integer(c_int32_t) :: balls                       ! of the model
+    integer(c_int32_t) :: balls                       ! of the model; in a box, with images of them that are near it
     integer(c_int32_t) :: maxima                      ! above the floor
     integer(c_int32_t) :: gates                       ! above the floor
     ! balls of maxima with more than four nearest balls, and of gates with more than three
@@ -1149,7 +1149,7 @@ module hardsphere
     integer(c_int32_t) :: maxima       ! above the floor: as many as classes without the outside
     integer(c_int32_t) :: gates        ! above the floor
     integer(c_int32_t) :: merges       ! gates where two classes meet; the others close a ring of free space
-    integer(c_int32_t) :: cavities     ! classes that nothing reaches: maxima - merges
+    integer(c_int32_t) :: cavities     ! classes that no other reaches: maxima - merges; in a box channels, too
     integer(c_int32_t) :: outer_balls  ! balls that are not inside another one
     integer(c_int32_t) :: reserved     ! 0
   end type
@@ -1173,6 +1173,43 @@ module hardsphere
     ! counter-clockwise
     integer(c_int32_t) :: end(2)
     integer(c_int32_t) :: merges   ! whether two classes meet, rather than two ends of one: 1 or 0
+  end type
+
+  type, bind(C) :: hsp_pore_gate_shifts
+    ! three for each of its balls: by that the ball is to be moved from where it was given
+    integer(c_int32_t) :: ball(9)
+    integer(c_int32_t) :: end(6)      ! three for each of its ends: by that the maximum is to be moved from its point
+    ! whether its class can go on in a direction, or to a copy, as it could not before: 1 or 0
+    integer(c_int32_t) :: winds
+    ! 0 to 3: in how many independent directions its class goes on for ever, from here on
+    integer(c_int32_t) :: directions
+  end type
+
+  type, bind(C) :: hsp_pore_percolation
+    ! radius of the widest probe that fits anywhere; the floor if none above it does
+    real(c_double) :: largest
+    ! of the widest one that goes on for ever in one, two and three independent directions: narrower ones do; the floor
+    ! if none above it does
+    real(c_double) :: through(3)
+    real(c_double) :: included(3)        ! of the widest one that fits in the channel that does so; the floor likewise
+    ! of the widest one that comes to a copy which lies other than 0 times the first, the second and the third vector
+    ! of the box away; the floor likewise
+    real(c_double) :: along(3)
+    ! that stops wider ones than `through`; HSP_NONE if none above the floor gets through
+    integer(c_int32_t) :: gate(3)
+    integer(c_int32_t) :: maximum(3)     ! the widest one of that channel, HSP_NONE likewise
+    integer(c_int32_t) :: gate_along(3)  ! that stops wider ones than `along`, HSP_NONE likewise
+    integer(c_int32_t) :: reserved       ! 0
+  end type
+
+  type, bind(C) :: hsp_pore_channel
+    real(c_double) :: radius          ! of the widest probe that fits in it
+    integer(c_int32_t) :: maximum     ! where that is: its oldest maximum
+    integer(c_int32_t) :: maxima      ! how many are in it
+    integer(c_int32_t) :: directions  ! as in hsp_winding: 0 to 3; 0: a cavity that ends on all sides
+    integer(c_int32_t) :: copies      ! as in hsp_winding
+    integer(c_int32_t) :: row(9)      ! as in hsp_winding
+    integer(c_int32_t) :: reserved    ! 0
   end type
 
   type, bind(C) :: hsp_pore_place
@@ -3268,6 +3305,16 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_pores_compute_periodic(pores, periodic, options, limits) result(status) &
+      bind(C, name="hsp_pores_compute_periodic")
+      import :: c_int32_t, c_ptr, hsp_pores_limits, hsp_pores_options
+      type(c_ptr), value :: pores
+      type(c_ptr), value :: periodic
+      type(hsp_pores_options), intent(in), optional :: options
+      type(hsp_pores_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_pores_get_counts(pores, counts) result(status) bind(C, name="hsp_pores_get_counts")
       import :: c_int32_t, c_ptr, hsp_pores_counts
       type(c_ptr), value :: pores
@@ -3293,6 +3340,16 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_pores_get_gate_shifts(pores, first, count, out) result(status) &
+      bind(C, name="hsp_pores_get_gate_shifts")
+      import :: c_int32_t, c_ptr, hsp_pore_gate_shifts
+      type(c_ptr), value :: pores
+      integer(c_int32_t), value :: first
+      integer(c_int32_t), value :: count
+      type(hsp_pore_gate_shifts), intent(inout), optional :: out(*)  ! count
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_pores_get_maximum_balls(pores, maximum, balls, capacity, needed) result(status) &
       bind(C, name="hsp_pores_get_maximum_balls")
       import :: c_int32_t, c_ptr
@@ -3310,6 +3367,46 @@ module hardsphere
       type(c_ptr), value :: pores
       integer(c_int32_t), value :: gate
       integer(c_int32_t), intent(inout), optional :: balls(*)  ! needed
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_get_maximum_images(pores, maximum, images, capacity, needed) result(status) &
+      bind(C, name="hsp_pores_get_maximum_images")
+      import :: c_int32_t, c_ptr, hsp_image
+      type(c_ptr), value :: pores
+      integer(c_int32_t), value :: maximum
+      type(hsp_image), intent(inout), optional :: images(*)  ! needed
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_get_gate_images(pores, gate, images, capacity, needed) result(status) &
+      bind(C, name="hsp_pores_get_gate_images")
+      import :: c_int32_t, c_ptr, hsp_image
+      type(c_ptr), value :: pores
+      integer(c_int32_t), value :: gate
+      type(hsp_image), intent(inout), optional :: images(*)  ! needed
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_get_percolation(pores, percolation) result(status) bind(C, name="hsp_pores_get_percolation")
+      import :: c_int32_t, c_ptr, hsp_pore_percolation
+      type(c_ptr), value :: pores
+      type(hsp_pore_percolation), intent(inout) :: percolation
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_get_channels(pores, radius, out, capacity, needed) result(status) &
+      bind(C, name="hsp_pores_get_channels")
+      import :: c_double, c_int32_t, c_ptr, hsp_pore_channel
+      type(c_ptr), value :: pores
+      real(c_double), value :: radius
+      type(hsp_pore_channel), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
@@ -4451,7 +4548,7 @@ contains
   pure function hsp_pores_bytes_bound(balls, maxima, gates, tied, candidates, neighbours, points) result(bytes)
     integer(c_int32_t), intent(in) :: balls, maxima, gates, tied, candidates, neighbours, points
     integer(c_size_t) :: bytes
-    bytes = 32768_c_size_t + 176_c_size_t*int(balls, c_size_t) + 192_c_size_t*int(maxima, c_size_t) &
+    bytes = 32768_c_size_t + 176_c_size_t*int(balls, c_size_t) + 276_c_size_t*int(maxima, c_size_t) &
       + 136_c_size_t*int(gates, c_size_t) + 16_c_size_t*int(tied, c_size_t) + 16_c_size_t*int(candidates, c_size_t) &
       + 80_c_size_t*int(neighbours, c_size_t) + 112_c_size_t*int(points, c_size_t)
   end function

@@ -71,6 +71,7 @@ module hardsphere_workspace
     procedure :: find_path ! hardsphere/paths.h
     procedure :: compute_gate ! hardsphere/paths.h
     procedure :: compute_pores ! hardsphere/pores.h
+    procedure :: compute_pores_periodic ! hardsphere/pores.h
     procedure :: find_tunnel ! hardsphere/pores.h
     procedure :: set_moving
     procedure :: compute_periodic
@@ -85,7 +86,7 @@ module hardsphere_workspace
   private :: compute_map ! hardsphere/map.h
   private :: compute_cells ! hardsphere/cells.h
   private :: find_path, compute_gate ! hardsphere/paths.h
-  private :: compute_pores, find_tunnel ! hardsphere/pores.h
+  private :: compute_pores, compute_pores_periodic, find_tunnel ! hardsphere/pores.h
   private :: drop_of_model ! hardsphere/model.h
   private :: drop_of_boundary, make_boundary, ready_boundary, grow_boundary ! hardsphere/boundary.h
   private :: make_topology, ready_topology, grow_topology ! hardsphere/topology.h
@@ -99,7 +100,7 @@ module hardsphere_workspace
   private :: make_gate, ready_gate, grow_gate ! hardsphere/paths.h
   private :: make_pores, ready_pores, grow_pores ! hardsphere/pores.h
   private :: make_moving, ready_moving, grow_moving ! hardsphere/moving.h
-  private :: make_periodic, ready_periodic, grow_periodic ! hardsphere/periodic.h
+  private :: drop_of_periodic, make_periodic, ready_periodic, grow_periodic ! hardsphere/periodic.h
 
 contains
 
@@ -345,6 +346,21 @@ contains
     end do
   end function
 
+  ! The same in the box that compute_periodic has computed; arguments and statuses as hsp_pores_compute_periodic.
+  function compute_pores_periodic(self, options) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    type(hsp_pores_options), intent(in), optional :: options
+    type(hsp_pores_limits) :: limits
+    integer(c_int32_t) :: status
+    status = ready_pores(self)
+    limits = self%pores_limits
+    do while (status == HSP_OK)
+      status = hsp_pores_compute_periodic(self%pores, self%periodic, options, limits)
+      if (status /= HSP_E_CAPACITY) return
+      status = grow_pores(self, limits)
+    end do
+  end function
+
   ! Finds a tunnel after compute_pores with the same options, to the outside without `to`; arguments and statuses as
   ! hsp_pores_find_tunnel.
   function find_tunnel(self, options, from, to, avoided, count, tunnel) result(status)
@@ -481,6 +497,13 @@ contains
     if (c_associated(self%surface)) ignored = hsp_surface_compute(self%surface, boundary=c_null_ptr) ! hardsphere/surface.h
     if (c_associated(self%mesh)) ignored = hsp_mesh_compute(self%mesh, boundary=c_null_ptr, edge_length=0.0_c_double) ! hardsphere/mesh.h
     if (c_associated(self%contacts)) ignored = hsp_contacts_compute(self%contacts, boundary=c_null_ptr) ! hardsphere/contacts.h
+  end subroutine
+
+  ! ---- periodic.h
+  subroutine drop_of_periodic(self)
+    class(hsp_workspace), intent(inout), target :: self
+    integer(c_int32_t) :: ignored
+    if (c_associated(self%pores)) ignored = hsp_pores_compute_periodic(self%pores, periodic=c_null_ptr) ! hardsphere/pores.h
   end subroutine
 
   ! ---- model.h
@@ -847,6 +870,7 @@ contains
     type(hsp_periodic_limits), intent(in) :: limits
     integer(c_int32_t) :: status
     self%periodic_limits = limits
+    call drop_of_periodic(self)
     status = make_periodic(self)
   end function
 

@@ -1,6 +1,6 @@
-# What is installed, as three components: hardsphere_runtime (the program, its manual page, completion for shells, a shared library),
+# What is installed, as four components: hardsphere_runtime (the program, its manual page, completion for shells, a shared library),
 # hardsphere_development (archive, headers, CMake package, pkg-config file, Fortran module) and
-# hardsphere_documentation.
+# hardsphere_documentation. With a shared library hardsphere_python too: the module, from where it finds that library.
 
 install(TARGETS hardsphere EXPORT hardsphere-targets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT hardsphere_development
@@ -34,6 +34,14 @@ install(FILES ${PROJECT_SOURCE_DIR}/capi/interface/hardsphere.cdef ${PROJECT_SOU
   COMPONENT hardsphere_development)
 install(FILES ${PROJECT_SOURCE_DIR}/capi/fortran/hardsphere-fortran.cmake DESTINATION ${HSP_PACKAGE_FOLDER}
   COMPONENT hardsphere_development)
+
+if(BUILD_SHARED_LIBS)
+  set(HSP_PYTHON_FOLDER ${CMAKE_INSTALL_LIBDIR}/python3/dist-packages CACHE STRING "Where the Python module goes")
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/capi/python/hardsphere DESTINATION ${HSP_PYTHON_FOLDER}
+    COMPONENT hardsphere_python FILES_MATCHING PATTERN "*.py")
+  install(FILES ${PROJECT_SOURCE_DIR}/capi/clients/lammps_fix.py DESTINATION ${HSP_PYTHON_FOLDER}/hardsphere
+    COMPONENT hardsphere_python)
+endif()
 
 if(HSP_TOOL)
   install(TARGETS hardsphere_tool RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT hardsphere_runtime)

@@ -22,6 +22,7 @@ def wheel(library, folder):
     tag = f"py3-none-{re.sub('[-.]', '_', sysconfig.get_platform())}"
     info = f"hardsphere-{version}.dist-info"
     files = {f"hardsphere/{path.name}": path.read_bytes() for path in sorted((HERE / "hardsphere").glob("*.py"))}
+    files["hardsphere/lammps_fix.py"] = (ROOT / "capi/clients/lammps_fix.py").read_bytes()
     files["hardsphere/py.typed"] = b""
     files["hardsphere/libhardsphere.so.1"] = Path(library).read_bytes()
     files[f"{info}/LICENSE"] = (ROOT / "LICENSE").read_bytes()

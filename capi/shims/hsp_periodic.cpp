@@ -43,15 +43,9 @@ hsp_periodic_contact to_c(const hsp::PeriodicUnion &periodic, const hsp::Periodi
 }
 
 hsp_winding to_winding(const hsp::Windings &windings, uint32_t component) {
-  const hsp::WindingLattice &lattice = windings.lattice(component);
-  const uint64_t copies = lattice.copies();
   hsp_winding result{};
   result.first = windings.first_ball(component);
-  result.directions = lattice.rank;
-  result.copies = copies == 0 || copies >= HSP_NONE ? HSP_NONE : static_cast<uint32_t>(copies);
-  for (uint32_t r = 0; r < lattice.rank; ++r) {
-    for (int k = 0; k < 3; ++k) result.row[3 * r + static_cast<uint32_t>(k)] = lattice.row[r][k];
-  }
+  hsp::capi::put_lattice(windings.lattice(component), result);
   return result;
 }
 
@@ -100,6 +94,7 @@ int32_t hsp_periodic_compute_with(hsp_periodic *periodic, uint32_t n, const doub
     return status;
   if (n > HSP_MAX_BALLS) return HSP_E_RANGE;
   const hsp::Status status = periodic->builder.build(input, box, executor, asked.areas_alone != 0, bad);
+  if (status == hsp::Status::ok) periodic->digest = hsp::digest_of(periodic->builder);
   return hsp::capi::finish(*periodic, status, limits);
 }
 

@@ -20,7 +20,9 @@ struct hsp_periodic {
   uintptr_t tag;
   Builder builder;
   bool complete = false;
+  uint64_t digest = 0;  // of balls and box
 
+  uint64_t version() const { return digest; }
   bool has_results() const { return has_areas() && !builder.has_areas_alone(); }
   // Whether areas may be read.
   bool has_areas() const { return complete; }

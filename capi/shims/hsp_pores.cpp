@@ -6,6 +6,7 @@
 #include "core/sorting.hpp"
 #include "handle_memory.hpp"
 #include "model/queries.hpp"
+#include "periodic_shifts.hpp"
 #include "rounded_point.hpp"
 
 using hsp::capi::check_handle;
@@ -13,6 +14,7 @@ using hsp::capi::check_range;
 using hsp::capi::check_results;
 using hsp::capi::check_struct;
 using hsp::capi::first_failure;
+using hsp::capi::put_shift;
 
 namespace {
 
@@ -33,9 +35,9 @@ int32_t read_options(const hsp_pores_options *given, hsp_pores_options &complete
 }
 
 // In steps, rounded down, and no farther than points can be.
-int64_t floor_in_steps(const hsp::BallSet &balls, double floor) {
+int64_t floor_in_steps(const hsp::exact::Lattice &lattice, double floor) {
   constexpr double limit = hsp::exact::query_radius_limit;
-  const double steps = balls.lattice.steps(floor);
+  const double steps = lattice.steps(floor);
   const double near = steps < -limit ? -limit : steps > limit ? limit : steps;
   const int64_t truncated = static_cast<int64_t>(near);
   return truncated - static_cast<int64_t>(static_cast<double>(truncated) > near);
@@ -55,7 +57,6 @@ bool is_class(const hsp_pores &pores, uint32_t maximum) {
   return maximum == HSP_PORE_OUTSIDE || maximum < pores.maxima().size();
 }
 
-// Whether pores know of probes of this level, and it is on the lattice.
 // Of levels that are radii of `radius` or less to the caller the highest: a probe that is as wide as a gate to the last
 // bit does not pass it. level: about that.
 double highest_level(const hsp_pores &pores, double level, double radius) {
@@ -66,6 +67,7 @@ double highest_level(const hsp_pores &pores, double level, double radius) {
   while (pores.lattice().length(above(level)) <= radius) level = above(level);
   return level;
 }
+// Whether pores know of probes of this level, and it is on the lattice.
 bool is_level(const hsp_pores &pores, double level) {
   return level >= static_cast<double>(pores.builder.floor()) && level <= hsp::exact::query_radius_limit;
 }
@@ -100,6 +102,19 @@ int32_t get_pocket_list(const hsp_pores *pores, uint32_t pocket, uint32_t *out, 
       as_it_is);
 }
 
+// Nearest balls as records.
+struct TiedImages {
+  const hsp_pores &pores;
+  const hsp::CriticalPoint &point;
+
+  uint32_t size() const { return pores.builder.pores().tied(point).size(); }
+  hsp_image operator[](uint32_t k) const {
+    hsp_image image{pores.builder.pores().tied(point)[k], {}};
+    hsp::capi::put_shift(pores.image_shift(image.ball, pores.builder.pores().tied_shifts(point)[k]), image.shift);
+    return image;
+  }
+};
+
 // The nearest balls of maxima or gates, which are in the order of positions, ascending.
 template <class Records>
 int32_t get_tied(const hsp_pores *pores, uint32_t record, uint32_t *balls, uint32_t capacity, uint32_t *needed,
@@ -117,6 +132,66 @@ int32_t get_tied(const hsp_pores *pores, uint32_t record, uint32_t *balls, uint3
     hsp::sort_in_place(hsp::Span<uint32_t>(balls, count), [](uint32_t a, uint32_t b) { return a < b; });
   }
   return status;
+}
+
+// The same as images.
+template <class Records>
+int32_t get_images(const hsp_pores *pores, uint32_t record, hsp_image *images, uint32_t capacity, uint32_t *needed,
+                   Records records) {
+  uint32_t count = 0;
+  const int32_t status = get_list(
+      pores, record, images, capacity, needed, [&](const hsp_pores &handle) { return records(handle).size(); },
+      [&](const hsp_pores &handle) {
+        const hsp::CriticalPoint &point = records(handle)[record].point;
+        count = handle.builder.pores().tied(point).size();
+        return TiedImages{handle, point};
+      },
+      [](const hsp_image &image) { return image; });
+  if (status == HSP_OK) {
+    hsp::sort_in_place(hsp::Span<hsp_image>(images, count),
+                       [](const hsp_image &p, const hsp_image &q) { return hsp::capi::image_comes_before(p, q); });
+  }
+  return status;
+}
+
+// Of pores that were not computed in a box.
+int32_t check_unboxed(const hsp_pores *pores, bool null) {
+  const int32_t status = check_results(pores, null);
+  return status == HSP_OK && pores->in_box ? HSP_E_STATE : status;
+}
+
+// Reads what is asked, computes, and notes the source.
+template <class Handle, class Compute>
+int32_t compute_from(hsp_pores *pores, const Handle *source, const hsp_pores_options *options, hsp_pores_limits *limits,
+                     Compute compute) {
+  if (const int32_t status = check_handle(pores); status != HSP_OK) return status;
+  pores->complete = false;
+  hsp_pores_options asked;
+  const int32_t refused = first_failure(check_handle(source), check_struct(limits), read_options(options, asked));
+  if (refused != HSP_OK) return refused;
+  if (!source->has_results()) return HSP_E_STATE;
+  return hsp::capi::finish(*pores, compute(asked.floor), limits);
+}
+
+hsp_pore_channel to_channel(const hsp_pores &pores, const hsp::Windings &joined, uint32_t component) {
+  hsp::WindingLattice lattice;
+  for (uint32_t r = 0; r < joined.lattice(component).rank; ++r) {
+    const auto &row = joined.lattice(component).row[r];
+    const hsp::BoxShift given = pores.given({{row[0], row[1], row[2]}});
+    static_cast<void>(lattice.add({given.k[0], given.k[1], given.k[2]}));
+  }
+  hsp_winding winding{};
+  hsp::capi::put_lattice(lattice, winding);
+  const uint32_t maximum = joined.first_ball(component) - 1;
+  hsp_pore_channel channel{pores.lattice().length(pores.maxima()[maximum].point.level),
+                           maximum,
+                           0,
+                           winding.directions,
+                           winding.copies,
+                           {},
+                           0};
+  for (int k = 0; k < 9; ++k) channel.row[k] = winding.row[k];
+  return channel;
 }
 
 // Where a point is; of a handle with results.
@@ -146,14 +221,20 @@ int32_t hsp_pores_options_init(hsp_pores_options *options, uint32_t struct_size)
 
 int32_t hsp_pores_compute(hsp_pores *pores, const hsp_model *model, const hsp_pores_options *options,
                           hsp_pores_limits *limits) {
-  if (const int32_t status = check_handle(pores); status != HSP_OK) return status;
-  pores->complete = false;
-  hsp_pores_options asked;
-  const int32_t refused = first_failure(check_handle(model), check_struct(limits), read_options(options, asked));
-  if (refused != HSP_OK) return refused;
-  const hsp::Status status = pores->builder.build(model->grid, floor_in_steps(model->balls(), asked.floor));
-  pores->model.set(model);
-  return hsp::capi::finish(*pores, status, limits);
+  return compute_from(pores, model, options, limits, [&](double floor) {
+    pores->in_box = false;
+    pores->model.set(model);
+    return pores->builder.build(model->grid, floor_in_steps(model->balls().lattice, floor));
+  });
+}
+
+int32_t hsp_pores_compute_periodic(hsp_pores *pores, const hsp_periodic *periodic, const hsp_pores_options *options,
+                                   hsp_pores_limits *limits) {
+  return compute_from(pores, periodic, options, limits, [&](double floor) {
+    pores->in_box = true;
+    pores->periodic.set(periodic);
+    return pores->builder.build(periodic->builder.images(), floor_in_steps(periodic->lattice(), floor));
+  });
 }
 
 int32_t hsp_pores_get_counts(const hsp_pores *pores, hsp_pores_counts *counts) {
@@ -199,6 +280,25 @@ int32_t hsp_pores_get_gates(const hsp_pores *pores, uint32_t first, uint32_t cou
   return HSP_OK;
 }
 
+int32_t hsp_pores_get_gate_shifts(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_gate_shifts *out) {
+  const int32_t status =
+      check_range(pores, first, count, out, [](const hsp_pores &handle) { return handle.gates().size(); });
+  if (status != HSP_OK) return status;
+  for (uint32_t k = 0; k < count; ++k) {
+    const hsp::PoreGate &gate = pores->gates()[first + k];
+    hsp_pore_gate_shifts &record = out[k];
+    for (int b = 0; b < 3; ++b) {
+      put_shift(pores->image_shift(gate.point.ball[b], gate.point.shift[b]), record.ball + 3 * b);
+    }
+    for (int side = 0; side < 2; ++side) {
+      put_shift(pores->given(gate.end_shift[side].shift()), record.end + 3 * side);
+    }
+    record.winds = gate.winds ? 1 : 0;
+    record.directions = gate.directions;
+  }
+  return HSP_OK;
+}
+
 int32_t hsp_pores_get_maximum_balls(const hsp_pores *pores, uint32_t maximum, uint32_t *balls, uint32_t capacity,
                                     uint32_t *needed) {
   return get_tied(pores, maximum, balls, capacity, needed, [](const hsp_pores &handle) { return handle.maxima(); });
@@ -207,6 +307,53 @@ int32_t hsp_pores_get_maximum_balls(const hsp_pores *pores, uint32_t maximum, ui
 int32_t hsp_pores_get_gate_balls(const hsp_pores *pores, uint32_t gate, uint32_t *balls, uint32_t capacity,
                                  uint32_t *needed) {
   return get_tied(pores, gate, balls, capacity, needed, [](const hsp_pores &handle) { return handle.gates(); });
+}
+
+int32_t hsp_pores_get_maximum_images(const hsp_pores *pores, uint32_t maximum, hsp_image *images, uint32_t capacity,
+                                     uint32_t *needed) {
+  return get_images(pores, maximum, images, capacity, needed, [](const hsp_pores &handle) { return handle.maxima(); });
+}
+
+int32_t hsp_pores_get_gate_images(const hsp_pores *pores, uint32_t gate, hsp_image *images, uint32_t capacity,
+                                  uint32_t *needed) {
+  return get_images(pores, gate, images, capacity, needed, [](const hsp_pores &handle) { return handle.gates(); });
+}
+
+int32_t hsp_pores_get_percolation(const hsp_pores *pores, hsp_pore_percolation *percolation) {
+  if (const int32_t status = check_results(pores, percolation == nullptr); status != HSP_OK) return status;
+  const hsp::PorePassages &passages = pores->builder.pores().passages();
+  const auto radius_at = [&](const auto &points, uint32_t k) {
+    return k == hsp::no_id ? floor_of(*pores) : pores->lattice().length(points[k].point.level);
+  };
+  percolation->largest = radius_at(pores->maxima(), pores->maxima().size() > 0 ? 0 : hsp::no_id);
+  percolation->reserved = 0;
+  for (int d = 0; d < 3; ++d) {
+    percolation->gate[d] = passages.gate[d];
+    percolation->maximum[d] = passages.maximum[d];
+    percolation->gate_along[d] = passages.gate_along[d];
+    percolation->through[d] = radius_at(pores->gates(), passages.gate[d]);
+    percolation->included[d] = radius_at(pores->maxima(), passages.maximum[d]);
+    percolation->along[d] = radius_at(pores->gates(), passages.gate_along[d]);
+  }
+  return HSP_OK;
+}
+
+int32_t hsp_pores_get_channels(hsp_pores *pores, double radius, hsp_pore_channel *out, uint32_t capacity,
+                               uint32_t *needed) {
+  if (const int32_t status = check_results(pores, out == nullptr && capacity > 0); status != HSP_OK) return status;
+  if (!hsp::is_finite(radius)) return HSP_E_NOT_FINITE;
+  const double level = pores->lattice().steps(radius);
+  if (!is_level(*pores, level)) return HSP_E_RANGE;
+  const uint32_t parts = pores->builder.join_above(highest_level(*pores, level, radius)) - 1;
+  uint32_t count = 0;
+  const int32_t fits = hsp::capi::check_output(out, capacity, parts, needed != nullptr ? needed : &count);
+  if (fits != HSP_OK) return fits;
+  const hsp::Windings &joined = pores->builder.pores().joined();
+  for (uint32_t k = 0; k < parts; ++k) out[k] = to_channel(*pores, joined, k + 1);
+  for (uint32_t node = 1; node < joined.size(); ++node) {
+    if (joined.component(node) > 0) ++out[joined.component(node) - 1].maxima;
+  }
+  return HSP_OK;
 }
 
 int32_t hsp_pores_class_at(const hsp_pores *pores, uint32_t maximum, double radius, uint32_t *member) {
@@ -227,7 +374,7 @@ int32_t hsp_pores_gate_between(const hsp_pores *pores, uint32_t maximum, uint32_
 }
 
 int32_t hsp_pores_locate(const hsp_pores *pores, const double *xyz, hsp_pore_place *place) {
-  if (const int32_t status = check_results(pores, xyz == nullptr || place == nullptr); status != HSP_OK) return status;
+  if (const int32_t status = check_unboxed(pores, xyz == nullptr || place == nullptr); status != HSP_OK) return status;
   hsp::PorePlace found;
   if (const int32_t status = locate(*pores, xyz, found); status != HSP_OK) return status;
   *place = {pores->lattice().length(found.level), found.ball, found.maximum};
@@ -235,7 +382,7 @@ int32_t hsp_pores_locate(const hsp_pores *pores, const double *xyz, hsp_pore_pla
 }
 
 int32_t hsp_pores_widest(const hsp_pores *pores, const double *from, const double *to, hsp_pore_passage *passage) {
-  const int32_t refused = check_results(pores, from == nullptr || passage == nullptr);
+  const int32_t refused = check_unboxed(pores, from == nullptr || passage == nullptr);
   if (refused != HSP_OK) return refused;
   hsp::PorePlace ends[2];
   ends[1] = {std::numeric_limits<double>::infinity(), hsp::no_id, hsp::pore_outside};
@@ -263,7 +410,7 @@ int32_t hsp_pores_find_pockets(hsp_pores *pores, double narrow, double wide, uin
   if (const int32_t status = check_handle(pores); status != HSP_OK) return status;
   pores->builder.forget_pockets();
   if (pockets == nullptr) return HSP_E_ARGUMENT;
-  if (!pores->has_results()) return HSP_E_STATE;
+  if (!pores->has_results() || pores->in_box) return HSP_E_STATE;
   if (!hsp::is_finite(narrow) || !hsp::is_finite(wide)) return HSP_E_NOT_FINITE;
   if (wide < narrow) return HSP_E_ARGUMENT;
   const double narrow_level = pores->lattice().steps(narrow), wide_level = pores->lattice().steps(wide);
@@ -314,7 +461,7 @@ int32_t hsp_pores_find_tunnel(hsp_pores *pores, const double *from, const double
   pores->builder.forget_tunnel();
   if (from == nullptr || tunnel == nullptr || (avoided == nullptr && count > 0)) return HSP_E_ARGUMENT;
   if (const int32_t refused = check_struct(limits); refused != HSP_OK) return refused;
-  if (!pores->has_results()) return HSP_E_STATE;
+  if (!pores->has_results() || pores->in_box) return HSP_E_STATE;
   for (uint32_t k = 0; k < count; ++k) {
     if (avoided[k] >= pores->gates().size()) return HSP_E_ID;
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "hsp_model.hpp"
+#include "hsp_periodic.hpp"
 #include "pores/pore_questions.hpp"
 #include "source.hpp"
 
@@ -15,11 +16,21 @@ struct hsp_pores {
   uintptr_t tag;
   Builder builder;
   hsp::capi::Source<hsp_model> model{};
+  hsp::capi::Source<hsp_periodic> periodic{};
   bool complete = false;
+  bool in_box = false;  // of a periodic box, not a model
 
-  // Whether results may be read: computed, and the model unchanged since.
-  bool has_results() const { return complete && model.is_unchanged(); }
+  // Whether results may be read: computed, and the model or box unchanged since.
+  bool has_results() const { return complete && (in_box ? periodic.is_unchanged() : model.is_unchanged()); }
   hsp::Span<const hsp::PoreMaximum> maxima() const { return builder.pores().maxima(); }
   hsp::Span<const hsp::PoreGate> gates() const { return builder.pores().gates(); }
-  const hsp::exact::Lattice &lattice() const { return model->balls().lattice; }
+  const hsp::exact::Lattice &lattice() const { return in_box ? periodic->lattice() : model->balls().lattice; }
+  // In multiples of the vectors of the box as they were given; 0 without one.
+  hsp::BoxShift given(const hsp::BoxShift &shift) const {
+    return in_box ? periodic->builder.images().box().in_given_vectors(shift) : shift;
+  }
+  // Of an image: how far the caller's ball is to be moved.
+  hsp::BoxShift image_shift(uint32_t ball, const hsp::SmallShift &shift) const {
+    return in_box ? given(shift.shift() - periodic->builder.images().home(ball)) : hsp::BoxShift{};
+  }
 };

@@ -2,12 +2,20 @@
 #pragma once
 
 #include "hardsphere.h"
-#include "periodic/periodic_box.hpp"
+#include "periodic/windings.hpp"
 
 namespace hsp::capi {
 
-inline void put_shift(const BoxShift &shift, int32_t (&out)[3]) {
+inline void put_shift(const BoxShift &shift, int32_t *out) {
   for (int k = 0; k < 3; ++k) out[k] = shift.k[k];
+}
+
+inline void put_lattice(const WindingLattice &lattice, hsp_winding &winding) {
+  const uint64_t copies = lattice.copies();
+  winding.directions = lattice.rank;
+  winding.copies = copies == 0 || copies >= HSP_NONE ? HSP_NONE : static_cast<uint32_t>(copies);
+  for (uint32_t r = 0; r < lattice.rank; ++r)
+    put_shift({{lattice.row[r][0], lattice.row[r][1], lattice.row[r][2]}}, winding.row + 3 * r);
 }
 
 // Lexicographic.

@@ -1,4 +1,4 @@
-/* hardsphere/pores.h: free space for every probe at once: pockets, mouths, tunnels, cavities.
+/* hardsphere/pores.h: free space for every probe at once: pockets, mouths, tunnels, cavities, channels of crystals.
  *
  * Guide: questions.md, exactness.md.
  *
@@ -16,11 +16,15 @@
  *             the floor is a cavity that nothing reaches
  *
  * Which balls have a maximum or a gate, what its two sides lead up to, and the order of levels are decided in integers,
- * ties included; points and radii are doubles of that. Maxima and gates are numbered from the widest on. */
+ * ties included; points and radii are doubles of that. Maxima and gates are numbered from the widest on.
+ *
+ * In a periodic box each maximum and gate is there once for all of its copies, and nothing is outside. Two ends of one
+ * part of free space may be of two copies: then it goes on for ever, in one, two or three directions: a channel. */
 #ifndef HARDSPHERE_PORES_H
 #define HARDSPHERE_PORES_H
 
 #include "model.h"
+#include "periodic.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -35,7 +39,7 @@ typedef struct hsp_pores hsp_pores;
 /** The limits that fix the memory of pores. */
 typedef struct hsp_pores_limits {
   uint32_t struct_size; /**< sizeof(hsp_pores_limits) */
-  uint32_t balls;       /**< of the model */
+  uint32_t balls;       /**< of the model; in a box, with images of them that are near it */
   uint32_t maxima;      /**< above the floor */
   uint32_t gates;       /**< above the floor */
   uint32_t tied;        /**< balls of maxima with more than four nearest balls, and of gates with more than three */
@@ -44,7 +48,7 @@ typedef struct hsp_pores_limits {
   uint32_t points;      /**< of a tunnel */
 } hsp_pores_limits;
 
-/** Limits that suffice for most molecules of `balls` atoms, about 1.3 kB for each: maxima 2 balls + 64, gates 4 balls +
+/** Limits that suffice for most molecules of `balls` atoms, about 1.5 kB for each: maxima 2 balls + 64, gates 4 balls +
  *  128, tied balls + 256, candidates 4 balls + 2048, neighbours balls + 16, points balls + 4096.
  *  @retval HSP_E_ARGUMENT  limits is NULL
  *  @retval HSP_E_VERSION   struct_size is bad
@@ -62,7 +66,7 @@ HSP_API int32_t hsp_pores_bytes(const hsp_pores_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_PORES_BYTES(balls, maxima, gates, tied, candidates, neighbours, points)                                 \
-  ((size_t)32768 + (size_t)176 * (size_t)(balls) + (size_t)192 * (size_t)(maxima) + (size_t)136 * (size_t)(gates) + \
+  ((size_t)32768 + (size_t)176 * (size_t)(balls) + (size_t)276 * (size_t)(maxima) + (size_t)136 * (size_t)(gates) + \
    (size_t)16 * (size_t)(tied) + (size_t)16 * (size_t)(candidates) + (size_t)80 * (size_t)(neighbours) +            \
    (size_t)112 * (size_t)(points))
 
@@ -102,12 +106,31 @@ HSP_API int32_t hsp_pores_options_init(hsp_pores_options *options, uint32_t stru
 HSP_API int32_t hsp_pores_compute(hsp_pores *pores, const hsp_model *model, const hsp_pores_options *options,
                                   hsp_pores_limits *limits);
 
+/** The same of the balls in a periodic box, which must outlive the pores; they can be read until it computes other
+ *  balls or another box. Limits for the model's balls suffice for boxes that are much larger than their pores; else
+ *  images need more. hsp_pores_locate, hsp_pores_widest, pockets and tunnels are not there in a box: HSP_E_STATE.
+ *  - Property 1: which image of a ball is given, which vectors for the same box, and the order of the balls have no
+ *    effect but on numbers of balls, points and shifts, and on the numbers of what is equally wide.
+ *  - Property 2: a box of m copies has m times each maximum and gate, of the same radii bit for bit.
+ *
+ *  Cost: that of hsp_pores_compute for balls and images.
+ *  @retval HSP_E_ARGUMENT    pores or periodic is NULL
+ *  @retval HSP_E_VERSION     bad struct_size of options or limits, or options->reserved is not 0
+ *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
+ *  @retval HSP_E_STATE       the box holds no results, or areas alone
+ *  @retval HSP_E_NOT_FINITE  options->floor is a NaN or an infinity
+ *  @retval HSP_E_RANGE       balls that touch one probe are more than 2^35 lattice steps apart; the box is more than a
+ *                            hundred times longer than wide, or a way leads farther than 511 boxes
+ *  @retval HSP_E_CHECK       a way up ends nowhere, which cannot happen: please report it */
+HSP_API int32_t hsp_pores_compute_periodic(hsp_pores *pores, const hsp_periodic *periodic,
+                                           const hsp_pores_options *options, hsp_pores_limits *limits);
+
 /** How many of everything. Frozen. */
 typedef struct hsp_pores_counts {
   uint32_t maxima;      /**< above the floor: as many as classes without the outside */
   uint32_t gates;       /**< above the floor */
   uint32_t merges;      /**< gates where two classes meet; the others close a ring of free space */
-  uint32_t cavities;    /**< classes that nothing reaches: maxima - merges */
+  uint32_t cavities;    /**< classes that no other reaches: maxima - merges; in a box channels, too */
   uint32_t outer_balls; /**< balls that are not inside another one */
   uint32_t reserved;    /**< 0 */
 } hsp_pores_counts;
@@ -155,7 +178,23 @@ typedef struct hsp_pore_gate {
  *  @retval HSP_E_ID        not all of these gates are there */
 HSP_API int32_t hsp_pores_get_gates(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_gate *out);
 
-/** All balls that are nearest at a maximum, in ascending order.
+/** How the sides of a gate lie in a periodic box, and what opens there. Shifts are multiples of the vectors of the box;
+ *  without a box all is 0. Frozen. */
+typedef struct hsp_pore_gate_shifts {
+  int32_t ball[9];     /**< three for each of its balls: by that the ball is to be moved from where it was given */
+  int32_t end[6];      /**< three for each of its ends: by that the maximum is to be moved from its point */
+  uint32_t winds;      /**< whether its class can go on in a direction, or to a copy, as it could not before: 1 or 0 */
+  uint32_t directions; /**< 0 to 3: in how many independent directions its class goes on for ever, from here on */
+} hsp_pore_gate_shifts;
+
+/** The shifts of the gates first .. first + count - 1, exactly count records; out may be NULL with count 0.
+ *  @retval HSP_E_ARGUMENT  pores is NULL; out is NULL with a count above 0
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since
+ *  @retval HSP_E_ID        not all of these gates are there */
+HSP_API int32_t hsp_pores_get_gate_shifts(const hsp_pores *pores, uint32_t first, uint32_t count,
+                                          hsp_pore_gate_shifts *out);
+
+/** All balls that are nearest at a maximum, in ascending order; in a box once for each image that is.
  *  - Property 1: exact: all of these touch the largest probe, and no others.
  *
  *  @retval HSP_E_ARGUMENT  pores is NULL; balls is NULL with a capacity above 0
@@ -165,13 +204,77 @@ HSP_API int32_t hsp_pores_get_gates(const hsp_pores *pores, uint32_t first, uint
 HSP_API int32_t hsp_pores_get_maximum_balls(const hsp_pores *pores, uint32_t maximum, uint32_t *balls,
                                             uint32_t capacity, uint32_t *needed);
 
-/** All balls that are nearest at a gate, in ascending order.
+/** All balls that are nearest at a gate, in ascending order; in a box once for each image that is.
  *  @retval HSP_E_ARGUMENT  pores is NULL; balls is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, which may be NULL
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        there is no such gate */
 HSP_API int32_t hsp_pores_get_gate_balls(const hsp_pores *pores, uint32_t gate, uint32_t *balls, uint32_t capacity,
                                          uint32_t *needed);
+
+/** All images of balls that are nearest at a maximum, ascending in balls and shifts; without a box shifts are 0.
+ *  @retval HSP_E_ARGUMENT  pores is NULL; images is NULL with a capacity above 0
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, which may be NULL
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since
+ *  @retval HSP_E_ID        there is no such maximum */
+HSP_API int32_t hsp_pores_get_maximum_images(const hsp_pores *pores, uint32_t maximum, hsp_image *images,
+                                             uint32_t capacity, uint32_t *needed);
+
+/** All images of balls that are nearest at a gate, ascending in balls and shifts; without a box shifts are 0.
+ *  @retval HSP_E_ARGUMENT  pores is NULL; images is NULL with a capacity above 0
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, which may be NULL
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since
+ *  @retval HSP_E_ID        there is no such gate */
+HSP_API int32_t hsp_pores_get_gate_images(const hsp_pores *pores, uint32_t gate, hsp_image *images, uint32_t capacity,
+                                          uint32_t *needed);
+
+/** How wide a probe gets through a periodic box for ever. Without a box no probe does. Frozen. */
+typedef struct hsp_pore_percolation {
+  double largest;    /**< radius of the widest probe that fits anywhere; the floor if none above it does */
+  double through[3]; /**< of the widest one that goes on for ever in one, two and three independent directions: narrower
+                           ones do; the floor if none above it does */
+  double included[3];  /**< of the widest one that fits in the channel that does so; the floor likewise */
+  double along[3];     /**< of the widest one that comes to a copy which lies other than 0 times the first, the second
+                           and the third vector of the box away; the floor likewise */
+  uint32_t gate[3];    /**< that stops wider ones than `through`; HSP_NONE if none above the floor gets through */
+  uint32_t maximum[3]; /**< the widest one of that channel, HSP_NONE likewise */
+  uint32_t gate_along[3]; /**< that stops wider ones than `along`, HSP_NONE likewise */
+  uint32_t reserved;      /**< 0 */
+} hsp_pore_percolation;
+
+/** The widest probes that get through a box; *percolation becomes the record. Twice `largest` is the largest cavity
+ *  diameter of frameworks, twice through[0] their pore-limiting diameter, twice included[0] that of the largest cavity
+ *  on the way.
+ *  - Property 1: through[0] >= through[1] >= through[2], and through[0] is the largest of `along`.
+ *
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
+HSP_API int32_t hsp_pores_get_percolation(const hsp_pores *pores, hsp_pore_percolation *percolation);
+
+/** A part of free space for one probe, and where it leads. Frozen. */
+typedef struct hsp_pore_channel {
+  double radius;       /**< of the widest probe that fits in it */
+  uint32_t maximum;    /**< where that is: its oldest maximum */
+  uint32_t maxima;     /**< how many are in it */
+  uint32_t directions; /**< as in hsp_winding: 0 to 3; 0: a cavity that ends on all sides */
+  uint32_t copies;     /**< as in hsp_winding */
+  int32_t row[9];      /**< as in hsp_winding */
+  uint32_t reserved;   /**< 0 */
+} hsp_pore_channel;
+
+/** All parts of free space for a probe of this radius but the outside, that of the widest maximum first. Uses memory of
+ *  the handle.
+ *  - Property 1: in a box, for a radius below through[k] of hsp_pore_percolation one of them at least has more than k
+ *    directions, for others none.
+ *
+ *  Cost: O(maxima + gates), up to a factor that hardly grows.
+ *  @retval HSP_E_ARGUMENT    pores is NULL; out is NULL with a capacity above 0
+ *  @retval HSP_E_CAPACITY    capacity is smaller than *needed, which may be NULL
+ *  @retval HSP_E_STATE       nothing computed, or the model has changed since
+ *  @retval HSP_E_NOT_FINITE  radius is a NaN or an infinity
+ *  @retval HSP_E_RANGE       radius is below the floor, or above 2^51 lattice steps */
+HSP_API int32_t hsp_pores_get_channels(hsp_pores *pores, double radius, hsp_pore_channel *out, uint32_t capacity,
+                                       uint32_t *needed);
 
 /** The part of free space that a maximum is in for a probe: *member becomes the oldest maximum of that part, or
  *  HSP_PORE_OUTSIDE; HSP_NONE if the probe does not fit at the maximum. `maximum` may be HSP_PORE_OUTSIDE. Two maxima
@@ -209,7 +312,7 @@ typedef struct hsp_pore_place {
  *
  *  Cost: O(n + maxima + gates), most of it for comparing places.
  *  @retval HSP_E_ARGUMENT    a null pointer
- *  @retval HSP_E_STATE       nothing computed, or the model has changed since
+ *  @retval HSP_E_STATE       nothing computed, the model has changed since, or pores in a box
  *  @retval HSP_E_NOT_FINITE  xyz holds a NaN or an infinity
  *  @retval HSP_E_RANGE       xyz lies beyond 2^50 lattice steps
  *  @retval HSP_E_CHECK       a way up ends nowhere, which cannot happen: please report it */
@@ -232,7 +335,7 @@ typedef struct hsp_pore_passage {
  *
  *  Cost: that of hsp_pores_locate, twice.
  *  @retval HSP_E_ARGUMENT    pores, from or passage is NULL
- *  @retval HSP_E_STATE       nothing computed, or the model has changed since
+ *  @retval HSP_E_STATE       nothing computed, the model has changed since, or pores in a box
  *  @retval HSP_E_NOT_FINITE  a point holds a NaN or an infinity
  *  @retval HSP_E_RANGE       a point lies beyond 2^50 lattice steps
  *  @retval HSP_E_CHECK       a way up ends nowhere, which cannot happen: please report it */
@@ -260,7 +363,7 @@ typedef struct hsp_pore_pocket {
  *
  *  Cost: O(maxima + gates), and sorting the balls of each pocket.
  *  @retval HSP_E_ARGUMENT    pores or pockets is NULL; wide is less than narrow
- *  @retval HSP_E_STATE       nothing computed, or the model has changed since
+ *  @retval HSP_E_STATE       nothing computed, the model has changed since, or pores in a box
  *  @retval HSP_E_NOT_FINITE  narrow or wide is a NaN or an infinity
  *  @retval HSP_E_RANGE       narrow is below the floor, or one of them above 2^51 lattice steps */
 HSP_API int32_t hsp_pores_find_pockets(hsp_pores *pores, double narrow, double wide, uint32_t *pockets);
@@ -329,7 +432,7 @@ typedef struct hsp_tunnel {
  *  @retval HSP_E_ARGUMENT    pores, from or tunnel is NULL; avoided is NULL with a count above 0
  *  @retval HSP_E_VERSION     bad struct_size of limits
  *  @retval HSP_E_CAPACITY    limits.points is too small; the pores keep their results
- *  @retval HSP_E_STATE       nothing computed, or the model has changed since
+ *  @retval HSP_E_STATE       nothing computed, the model has changed since, or pores in a box
  *  @retval HSP_E_ID          an avoided gate is not there
  *  @retval HSP_E_NOT_FINITE  a point holds a NaN or an infinity
  *  @retval HSP_E_RANGE       a point lies beyond 2^50 lattice steps

@@ -2,6 +2,7 @@
 program fortran_pores_test
   use, intrinsic :: iso_c_binding
   use hardsphere
+  use hardsphere_workspace
   use fortran_checks
   implicit none
   integer(c_int32_t), parameter :: n = 4
@@ -83,5 +84,39 @@ program fortran_pores_test
   call expect(hsp_pores_find_tunnel(pores, middle, away, [0_c_int32_t], 1_c_int32_t, tunnel, limits), HSP_OK, &
               'hsp_pores_find_tunnel that avoids a gate')
   call check(tunnel%gate > 0 .and. limits%points == tunnel%points, 'another way')
+  call in_a_box()
   call report_checks()
+
+contains
+
+  ! One ball in a box: a simple cubic packing.
+  subroutine in_a_box()
+    real(c_double), parameter :: edge = 8, box(9) = [edge, 0.0_c_double, 0.0_c_double, 0.0_c_double, edge, 0.0_c_double, &
+                                                     0.0_c_double, 0.0_c_double, edge]
+    type(hsp_workspace) :: work
+    type(hsp_pore_percolation) :: wide
+    type(hsp_pore_channel) :: channel(1)
+    type(hsp_pore_gate_shifts) :: shifts(3)
+    type(hsp_image) :: images(8)
+    call check(c_sizeof(wide) == 120 .and. c_sizeof(channel(1)) == 64 .and. c_sizeof(shifts(1)) == 68, 'sizes in a box')
+    call expect(work%compute_periodic(1_c_int32_t, xyz(:, 1:1), radius, box=box), HSP_OK, 'compute_periodic')
+    call expect(work%compute_pores_periodic(), HSP_OK, 'hsp_pores_compute_periodic')
+    call expect(hsp_pores_get_percolation(work%pores, wide), HSP_OK, 'hsp_pores_get_percolation')
+    call check(abs(wide%largest - (edge*sqrt(3.0_c_double)/2 - 1)) < 1e-8, 'the largest cavity')
+    call check(all(abs(wide%through - (edge*sqrt(2.0_c_double)/2 - 1)) < 1e-8), 'pore-limiting')
+    call check(all(abs(wide%along - wide%through(1)) < 1e-8) .and. all(wide%maximum == 0), 'along the vectors')
+    call expect(hsp_pores_get_channels(work%pores, 1.0_c_double, channel, 1_c_int32_t, needed), HSP_OK, &
+                'hsp_pores_get_channels')
+    call check(needed == 1 .and. channel(1)%directions == 3 .and. all(channel(1)%row == [1, 0, 0, 0, 1, 0, 0, 0, 1]), &
+               'the channel')
+    call expect(hsp_pores_get_gate_shifts(work%pores, 0_c_int32_t, 3_c_int32_t, shifts), HSP_OK, &
+                'hsp_pores_get_gate_shifts')
+    call check(sum(abs(shifts(1)%end(4:6) - shifts(1)%end(1:3))) == 1 .and. shifts(3)%directions == 3, 'one box away')
+    call expect(hsp_pores_get_maximum_images(work%pores, 0_c_int32_t, images, 8_c_int32_t, needed), HSP_OK, &
+                'hsp_pores_get_maximum_images')
+    call check(needed == 8 .and. all(images%ball == 0), 'eight images of the ball')
+    call expect(hsp_pores_get_gate_images(work%pores, 0_c_int32_t, images, 8_c_int32_t, needed), HSP_OK, &
+                'hsp_pores_get_gate_images')
+    call check(needed == 4, 'four of them around a gate')
+  end subroutine
 end program

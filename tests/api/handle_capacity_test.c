@@ -474,6 +474,19 @@ static void sweep_pores(const computed *c, const char *name) {
   pores_result_release(&all);
 }
 
+static void sweep_pores_in_box(const computed *c, const char *name) {
+  periodic_result periodic;
+  pores_result all;
+  memset(&all, 0, sizeof all);
+  if (CHECK_EQUAL(periodic_result_make(c, &periodic), HSP_OK) &&
+      CHECK_EQUAL(pores_result_make_in_box(c, periodic.periodic, &all), HSP_OK)) {
+    const known_handle known = {&pores_handle, &all, &all.needed, pores_results, no_pores_results, NULL};
+    sweep_limits(&known, name);
+  }
+  pores_result_release(&all);
+  periodic_result_release(&periodic);
+}
+
 /* In few steps, so that cells are not cut thirty times: a tetrahedron of balls that leaves its middle open. */
 static void sweep_gate(void) {
   static const double xyz[12] = {1, 1, 1, 1, -1, -1, -1, 1, -1, -1, -1, 1}, radius[4] = {1.5, 1.5, 1.5, 1.375};
@@ -636,6 +649,7 @@ int main(void) {
       if (which % 3 == 1 && set.n <= 12) sweep_cells(&all, set.name);
       if (which % 3 == 2 && set.n <= 5) sweep_paths(&all, set.name);
       if (which % 3 == 0 && set.n <= 12) sweep_pores(&all, set.name);
+      if (which % 3 == 1 && set.n <= 12) sweep_pores_in_box(&all, set.name);
     }
     computed_release(&all);
   }

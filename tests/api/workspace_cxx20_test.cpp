@@ -52,6 +52,24 @@ void test_values() {
   EXPECT(work.pairs(0).ids.size() == 2);
 }
 
+void test_threads() {
+  std::vector<double> xyz, radius;
+  for (int i = 0; i < 900; ++i) {
+    xyz.insert(xyz.end(), {0.1 * i, 0.09 * (i * 37 % 101), 0.09 * (i * 61 % 103)});
+    radius.push_back(1.5);
+  }
+  hardsphere::workspace alone(xyz, radius), shared(xyz, radius);
+  shared.use(hardsphere::threads(3));
+  EXPECT(alone.measure().area == shared.measure().area);
+  EXPECT(shared->boundary_limits.workers >= 3);
+  const hardsphere::gradients one = alone.gradient({.tension = 1}), other = shared.gradient({.tension = 1});
+  EXPECT(one.d_centre == other.d_centre && one.energy.value == other.energy.value);
+  EXPECT(one.area == alone.measure().area);
+  hardsphere::workspace moved = std::move(shared);
+  moved.set(lens, ones);
+  EXPECT(near(moved.measure().total.area, 6 * pi));
+}
+
 void test_all_and_range() {
   hardsphere::workspace work(lens, ones);
   EXPECT(hardsphere::all(hsp_boundary_get_circles, work.boundary()).size() == 1);
@@ -108,6 +126,7 @@ void test_lives() {
 
 int main() {
   test_values();
+  test_threads();
   test_all_and_range();
   test_refusals();
   test_lives();

@@ -15,8 +15,8 @@ differ() { # what, expected, found
   if diff <(echo "$2") <(echo "$3") | sed -n "s/^</$1 lacks/p; s/^>/$1 has too much:/p" | grep .; then status=1; fi
 }
 differ survivors.txt "$(sed -n 's/,survived,$//p' "$here/results.csv" | sort)" \
-  "$(sed -nE 's/^([a-z][0-9]{2}) .*/\1/p' "$here/survivors.txt" | sort)"
-if grep -nvE '^(name,verdict,test|[a-z][0-9]{2},(killed,[a-z0-9_]+|survived,))$' "$here/results.csv"; then
+  "$(sed -nE 's/^([a-z][0-9]{2,3}) .*/\1/p' "$here/survivors.txt" | sort)"
+if grep -nvE '^(name,verdict,test|[a-z][0-9]{2,3},(killed,[a-z0-9_]+|survived,))$' "$here/results.csv"; then
   echo "results.csv: neither killed nor survived"
   status=1
 fi

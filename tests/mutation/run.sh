@@ -24,7 +24,7 @@ fail() {
 
 mkdir -p "$folder"
 folder=$(cd "$folder" && pwd)
-names_of() { awk '/^[a-z][0-9][0-9] [^ ]+$/ { print $1 }' "$mutations"; }
+names_of() { awk '/^[a-z][0-9][0-9]+ [^ ]+$/ { print $1 }' "$mutations"; }
 if [ $# -gt 0 ]; then names=("$@"); else mapfile -t names < <(names_of); fi
 for name in "${names[@]}"; do names_of | grep -qx "$name" || fail "no mutation is called $name"; done
 awk -v root="$source" -f "$here/mutations.awk" "$mutations" || fail "mutations.txt does not fit the code"
@@ -97,7 +97,7 @@ keep_results() {
   awk -F, -v OFS=, '
     FNR == 1 { ++number }
     number == 1 || FILENAME ~ /verdicts$/ { row[$1] = $0; next }
-    split($0, word, " ") == 2 && word[1] ~ /^[a-z][0-9][0-9]$/ && word[1] in row { print row[word[1]] }
+    split($0, word, " ") == 2 && word[1] ~ /^[a-z][0-9][0-9]+$/ && word[1] in row { print row[word[1]] }
   ' <(echo name,verdict,test; grep -v '^name,' "$results") "$folder/verdicts" "$mutations" >"$folder/results.csv"
   { echo name,verdict,test; cat "$folder/results.csv"; } >"$results"
 }
@@ -115,6 +115,6 @@ awk -F, 'NR == FNR { before[$1] = $2; next }
 awk -F, '{ ++verdicts[$2] } END { printf "%d mutants: %d killed, %d survived, %d did not compile\n", NR,
   verdicts["killed"], verdicts["survived"], verdicts["did not compile"] }' "$folder/verdicts"
 [ "$(wc -l <"$folder/verdicts")" -eq ${#names[@]} ] || fail "not all of ${#names[@]} were tried"
-unexplained=$(comm -23 <(sed -n 's/,survived,$//p' "$folder/verdicts" | sort) <(grep -oE '^[a-z][0-9]{2} ' "$here/survivors.txt" | tr -d ' ' | sort))
+unexplained=$(comm -23 <(sed -n 's/,survived,$//p' "$folder/verdicts" | sort) <(grep -oE '^[a-z][0-9]{2,3} ' "$here/survivors.txt" | tr -d ' ' | sort))
 [ -z "$unexplained" ] || fail "survivors that survivors.txt does not explain: ${unexplained//$'\n'/ }"
 ! grep -q 'did not compile' "$folder/verdicts" || fail "some did not compile"

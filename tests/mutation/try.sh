@@ -53,7 +53,7 @@ ordered_tests() {
   awk -F '[,\t]' -v name="$name" -v file="$file" -v mutations="$mutations" -v affected="$work/affected" '
     function folder_of(path) { sub("/[^/]*$", "", path); return path }
     BEGIN {
-      while ((getline line < mutations) > 0) if (split(line, word, " ") == 2 && word[1] ~ /^[a-z][0-9][0-9]$/) file_of[word[1]] = word[2]
+      while ((getline line < mutations) > 0) if (split(line, word, " ") == 2 && word[1] ~ /^[a-z][0-9][0-9]+$/) file_of[word[1]] = word[2]
       while ((getline line < affected) > 0) executables[++count] = line
     }
     FILENAME == ARGV[1] {

@@ -69,7 +69,9 @@ case $variant in
     # The Python module's own tests have a library made of the archive.
     if command -v python3 >/dev/null; then
       shot='import hardsphere; print(f"{hardsphere.measure([[0, 0, 0], [1, 0, 0]], [1, 1]).area:.6f}")'
-      [ "$(HARDSPHERE_LIBRARY=$library PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$source/capi/python python3 -c "$shot")" = 18.849556 ]
+      export PYTHONDONTWRITEBYTECODE=1
+      [ "$(HARDSPHERE_LIBRARY=$library PYTHONPATH=$source/capi/python python3 -c "$shot")" = 18.849556 ]
+      [ "$(PYTHONPATH=$prefix/lib/python3/dist-packages python3 -c "$shot")" = 18.849556 ]
     fi
     ;;
   lto*)

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "json_outcome.hpp"
+#include "molecule_file.hpp"
 #include "program_runner.hpp"
 #include "temporary_file.hpp"
 
@@ -272,6 +273,75 @@ TEST(Pores, TablesOfCommaSeparatedValues) {
     }
     EXPECT_EQ(row, rows.size());
     EXPECT_GT(row, 0u);
+  }
+}
+
+void expect_diameters(const Json &found, const std::vector<double> &known) {
+  ASSERT_EQ(found.items.size(), known.size());
+  for (size_t k = 0; k < known.size(); ++k) {
+    EXPECT_EQ(found.items[k].kind == Json::Kind::null, std::isnan(known[k]));
+    if (!std::isnan(known[k])) {
+      EXPECT_NEAR(found.items[k].number, known[k], 1e-6);
+    }
+  }
+}
+
+// Rods along z in a box of 8 x 10 x 3: closed in the other directions as soon as their balls are large enough.
+TEST(Pores, ABox) {
+  const double closed = std::nan("");
+  for (const double radius : {1.6, 4.5, 6.5}) {
+    const TemporaryFile file("rod.xyzr", "3 2 1 " + std::to_string(radius) + "\n");
+    const auto diameter = [&](double square) {
+      return std::sqrt(square) > radius ? 2 * (std::sqrt(square) - radius) : closed;
+    };
+    const Json json = run_json({"pores", file.path(), "--box", "8,10,3"});
+    EXPECT_EQ(json.keys, (Words{"n", "box", "box_turned", "largest_cavity_diameter", "pore_limiting_diameter",
+                                "included_cavity_diameter", "pore_limiting_diameter_along", "channel_list", "maxima",
+                                "gates", "merges", "cavities", "maximum_list", "gate_list", "input"}));
+    EXPECT_NEAR(json["largest_cavity_diameter"].number, diameter(43.25), 1e-7);
+    expect_diameters(json["pore_limiting_diameter"], {diameter(41), diameter(27.25), diameter(18.25)});
+    expect_diameters(json["pore_limiting_diameter_along"], {diameter(27.25), diameter(18.25), diameter(41)});
+    const Json &channel = json["channel_list"].items.at(0);
+    EXPECT_EQ(json["channel_list"].items.size(), 1u);
+    EXPECT_EQ(channel["directions"].number, radius == 1.6 ? 3 : radius == 4.5 ? 2 : 0);
+    EXPECT_EQ(channel["rows"].items.size(), channel["directions"].number);
+    for (const Json &gate : json["gate_list"].items) {
+      int apart = 0;
+      for (size_t axis = 0; axis < 3; ++axis) {
+        apart += std::abs(
+            static_cast<int>(gate["end_shift"].items.at(axis).number - gate["other_end_shift"].items.at(axis).number));
+      }
+      EXPECT_EQ(apart, 1);
+    }
+  }
+  const TemporaryFile file("rod.xyzr", "3 2 1 1.6\n");
+  for (const Words &words : {Words{"--pockets", "3"}, Words{"--tunnels-from", "0,0,0"}}) {
+    Words arguments = {"pores", file.path(), "--box", "8,10,3"};
+    arguments.insert(arguments.end(), words.begin(), words.end());
+    EXPECT_EQ(run_program(arguments).status, 2);
+  }
+  const std::string table = run_program({"pores", file.path(), "--box", "8,10,3", "--gates", "--csv"}).out;
+  EXPECT_NE(table.find("end_shift_x"), std::string::npos);
+}
+
+// Radii are half of UFF's sigma; what other codes print differs in the third or second digit.
+TEST(Pores, Frameworks) {
+  struct Framework {
+    const char *name;
+    const char *box;
+    double largest;
+    std::vector<double> through;
+  };
+  const Framework frameworks[] = {{"irmof1", "25.832,25.832,25.832", 15.044817, {7.770973, 7.770973, 7.770973}},
+                                  {"hkust1", "26.28791,26.28791,26.28791", 13.004338, {6.337657, 6.337657, 6.337657}},
+                                  {"mil47", "27.272,32.286,27.878", 7.617532, {7.150077, 1.450825, 1.450825}}};
+  for (const Framework &framework : frameworks) {
+    const auto file = support::further_molecule("frameworks/" + std::string(framework.name) + ".xyzr");
+    if (!file.has_value()) GTEST_SKIP() << framework.name;
+    const Json json = run_json({"pores", file->string(), "--box", framework.box});
+    EXPECT_NEAR(json["largest_cavity_diameter"].number, framework.largest, 1e-6);
+    expect_diameters(json["pore_limiting_diameter"], framework.through);
+    EXPECT_NEAR(json["included_cavity_diameter"].items.at(0).number, framework.largest, 1e-6);
   }
 }
 

@@ -163,6 +163,87 @@ TEST(Trajectory, RecordsOfFloats) {
   }
 }
 
+// Floats and doubles, with and without other blocks beside the coordinates; frames without coordinates are none.
+TEST(Trajectory, FramesInFullPrecision) {
+  std::mt19937 random(9);
+  std::uniform_real_distribution<float> anywhere(-9.0F, 9.0F);
+  for (int kind = 0; kind < 32; ++kind) {
+    trajectories::TrrOptions options;
+    options.wide = (kind & 1) != 0;
+    options.box = (kind & 2) != 0;
+    options.virial = (kind & 4) != 0;
+    options.velocities = (kind & 8) != 0;
+    options.forces = (kind & 16) != 0;
+    std::vector<Floats> written;
+    Bytes file;
+    for (int k = 0; k < 4; ++k) {
+      Floats atoms(700);
+      for (auto &atom : atoms) {
+        for (float &coordinate : atom) coordinate = anywhere(random);
+      }
+      options.step = 7 * k;
+      options.time = 0.1F * static_cast<float>(k);
+      written.push_back(atoms);
+      file += trajectories::trr_frame(atoms, options);
+      trajectories::TrrOptions others = options;
+      others.coordinates = false;
+      others.velocities = true;
+      if (k == 1) file += trajectories::trr_frame(atoms, others);
+    }
+    const TemporaryFile stored("run.trr", file);
+    for (const uint64_t every : {uint64_t{1}, uint64_t{2}}) {
+      const Reading reading = read_all(stored.path(), 700, every);
+      ASSERT_EQ(reading.reason, "") << kind;
+      ASSERT_EQ(reading.frames.size(), 4 / every);
+      for (const Frame &frame : reading.frames) {
+        const size_t k = frame.number - 1;
+        EXPECT_EQ(frame.stamp.step, static_cast<int64_t>(7 * k));
+        EXPECT_NEAR(frame.stamp.time, 0.1 * static_cast<double>(k), 1e-7);
+        EXPECT_EQ(frame.stamp.box.given, options.box);
+        if (options.box) {
+          EXPECT_EQ(frame.stamp.box.vector[0], 30);
+          EXPECT_EQ(frame.stamp.box.vector[8], 110);
+        }
+        for (size_t i = 0; i < 2100; ++i) {
+          ASSERT_EQ(frame.xyz[i], 10.0 * static_cast<double>(written[k][i / 3][i % 3])) << kind;
+        }
+      }
+    }
+  }
+}
+
+TEST(Trajectory, DamagedFramesInFullPrecision) {
+  const Floats atoms(5, {1, 2, 3});
+  const Bytes good = trajectories::trr_frame(atoms, {});
+  const auto reason = [&](const Bytes &file) {
+    const TemporaryFile stored("run.trr", file);
+    return read_all(stored.path(), 5).reason;
+  };
+  EXPECT_EQ(reason(good + good), "");
+  for (size_t length = 1; length < good.size(); ++length) {
+    EXPECT_NE(reason(good + good.substr(0, length)).find("frame 2: "), std::string::npos) << length;
+  }
+  // Magic number, name, one size, another number of atoms, a time that is none.
+  const struct {
+    size_t at;
+    Bytes bytes;
+    const char *reason;
+  } damages[] = {{3, "x", "no frame of a .trr file"},
+                 {14, "Y", "no frame of a .trr file"},
+                 {24 + 4 * 2 + 3, "\x25", "sizes of its blocks"},
+                 {24 + 4 * 7 + 3, "\x3d", "sizes of its blocks"},
+                 {24 + 3, "\x08", "sizes of its blocks"},
+                 {24 + 4 * 10 + 3, "\x06", "6 in place of 5 atoms"},
+                 {76, "\x7f\xc0", "its time is not finite"},
+                 {84, "\x7f\xc0", "its box is not finite"},
+                 {120, "\x7f\xc0", "is not finite"}};
+  for (const auto &damage : damages) {
+    Bytes file = good;
+    file.replace(damage.at, damage.bytes.size(), damage.bytes);
+    EXPECT_NE(reason(file).find(damage.reason), std::string::npos) << damage.at << " " << reason(file);
+  }
+}
+
 // Three frames of six atoms on a lattice of 0.01 angstrom.
 std::vector<std::vector<Place>> some_frames() {
   std::vector<std::vector<Place>> frames;
@@ -404,8 +485,8 @@ TEST(Trajectory, UsageThatIsRefused) {
     EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
   }
   EXPECT_EQ(run_program({"voids", "good/water.pdb", "--trajectory", "run.xtc"}).status, 2);
-  EXPECT_EQ(run_program({"measure", "good/water.pdb", "--trajectory", "run.trr"}).err,
-            "hardsphere: run.trr: no trajectory by its extension; expected .xtc, .dcd, .pdb, .xyz or .gro\n");
+  EXPECT_EQ(run_program({"measure", "good/water.pdb", "--trajectory", "run.nc"}).err,
+            "hardsphere: run.nc: no trajectory by its extension; expected .xtc, .trr, .dcd, .pdb, .xyz or .gro\n");
 }
 
 struct Broken {

@@ -246,4 +246,32 @@ Bytes dcd_frame(const Floats &atoms, bool first, const DcdOptions &options) {
   return frame;
 }
 
+Bytes trr_frame(const Floats &atoms, const TrrOptions &options) {
+  const uint64_t width = options.wide ? 8 : 4, all = 3 * atoms.size() * width;
+  const auto number = [&](double value) {
+    uint64_t bits = 0;
+    if (options.wide) {
+      std::memcpy(&bits, &value, 8);
+      return bytes_of(bits, 8, true);
+    }
+    return bytes_of(bits_of(static_cast<float>(value)), 4, true);
+  };
+  const auto block = [&](bool there, uint64_t bytes) { return bytes_of(there ? bytes : 0, 4, true); };
+  const Bytes nothing = bytes_of(0, 4, true);
+  Bytes frame = bytes_of(1993, 4, true) + bytes_of(13, 4, true) + bytes_of(12, 4, true) + "GMX_trn_file";
+  frame += nothing + nothing + block(options.box, 9 * width) + block(options.virial, 9 * width) + nothing + nothing +
+           nothing + block(options.coordinates, all) + block(options.velocities, all) + block(options.forces, all);
+  frame += bytes_of(atoms.size(), 4, true) + bytes_of(static_cast<uint32_t>(options.step), 4, true) + nothing;
+  frame += number(static_cast<double>(options.time)) + number(0.5);
+  for (int k = 0; options.box && k < 9; ++k) frame += number(k % 4 == 0 ? 3 + k : 0);
+  for (int k = 0; options.virial && k < 9; ++k) frame += number(-k);
+  for (const bool there : {options.coordinates, options.velocities, options.forces}) {
+    if (!there) continue;
+    for (const auto &atom : atoms) {
+      for (const float coordinate : atom) frame += number(static_cast<double>(coordinate));
+    }
+  }
+  return frame;
+}
+
 }  // namespace trajectories

@@ -49,4 +49,14 @@ using Floats = std::vector<std::array<float, 3>>;
 Bytes dcd_header(uint32_t atoms, const DcdOptions &options);
 Bytes dcd_frame(const Floats &atoms, bool first, const DcdOptions &options);
 
+struct TrrOptions {
+  bool wide = false;  // doubles
+  bool box = true, virial = false, coordinates = true, velocities = false, forces = false;
+  int32_t step = 0;
+  float time = 0;
+};
+
+// One frame, of nanometres.
+Bytes trr_frame(const Floats &atoms, const TrrOptions &options);
+
 }  // namespace trajectories

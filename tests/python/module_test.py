@@ -166,6 +166,38 @@ class Values(unittest.TestCase):
         higher = hardsphere.Balls(corners, [1.0] * 8).pores(floor=2.6)
         self.assertEqual(len(higher.maxima), 0)
 
+    def test_threads_give_the_same_bits(self):
+        centers, radii = random_balls(1500, 20)
+        for kind, more in ((hardsphere.Balls, {}), (hardsphere.Box, {"vectors": [20, 21, 22]})):
+            alone, shared = (kind(centers, radii, probe=0.2, threads=threads, **more) for threads in (1, 3))
+            self.assertEqual(plain(alone.areas), plain(shared.areas))
+            self.assertEqual(plain(alone.gradient().d_centre), plain(shared.gradient().d_centre))
+            self.assertEqual(alone.area, shared.area)
+
+    def test_areas_alone_in_a_box(self):
+        centers, radii = random_balls(200, 12)
+        whole = hardsphere.Box(centers, radii, [12, 12, 12], probe=0.5)
+        alone = hardsphere.Periodic().compute_with(centers, radii, [12, 0, 0, 0, 12, 0, 0, 0, 12], areas_alone=1, probe=0.5)
+        self.assertEqual(plain(alone.get_gradient(tension=1.0, only="area")), plain(whole.areas))
+        box = hardsphere.Box(centers, radii, [12, 12, 12], probe=0.5, areas_alone=True)
+        self.assertEqual((box.area, plain(box.areas), box.volume), (whole.area, plain(whole.areas), None))
+        self.assertEqual(plain(box.gradient().d_centre), plain(whole.gradient().d_centre))
+        with self.assertRaises(hardsphere.Error):
+            alone.get_counts()
+
+    def test_rows_of_the_jacobian(self):
+        centers, radii = random_balls(100, 8)
+        balls = hardsphere.Balls(centers, radii)
+        rows, whole = balls.boundary.get_area_rows(), balls.gradient()
+        sums = [[0.0] * 3 for _ in range(balls.n)]
+        for j, d in zip(plain(rows.ball), plain(rows.d_centre)):
+            for k in range(3):
+                sums[j][k] += d[k]
+        self.assertEqual((rows.first[0], rows.first[balls.n]), (0, len(rows.ball)))
+        for got, known in zip(sums, plain(whole.d_centre)):
+            for k in range(3):
+                self.assertAlmostEqual(got[k], known[k], 10)
+
     def test_pairs(self):
         centers, radii = random_balls(60, 8)
         near = [(i, j) for i in range(60) for j in range(i + 1, 60)

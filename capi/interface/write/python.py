@@ -123,6 +123,8 @@ def flattened(interface):
         for argument in function.arguments:
             if argument.kind in ("sized_in", "outputs") and not argument.base.endswith(("_limits", "_executor")):
                 found[argument.base] = fields_of(interface, argument)
+                inner = [f for f in found[argument.base] if f.kind == "sized_in" and not f.base.endswith("_executor")]
+                found.update({f.base: fields_of(interface, f) for f in inner})
     return found
 
 
@@ -180,14 +182,24 @@ def parameters_of(interface, function, owner):
         elif a.kind == "sized" and not a.base.endswith("_limits"):
             found.append((a.name, class_name(a.base), False))
         elif a.kind == "sized_in" and not a.base.endswith(("_limits", "_executor")):
-            for f in fields_of(interface, a):
-                if f.base != "hsp_executor":
-                    hint = HINTS.get(f.base, "int") if f.kind == "value" and not f.extents else "Any"
-                    after.append((f.name, hint, True))
+            after += named_fields(interface, a)
     outputs = [f for a in function.arguments for f in (a.fields if a.kind == "outputs" else [a])]
     if any(f.kind == "array_out" and f.null == "always" for f in outputs):
         after.append(("only", "Any", True))
     return sorted(found, key=lambda parameter: parameter[2]), after
+
+
+def named_fields(interface, argument):
+    """The fields of a request or of options, and of options in these, as a caller passes them."""
+    found = []
+    for f in fields_of(interface, argument):
+        if f.base == "hsp_executor":
+            found.append(("threads", "int", True))
+        elif f.kind == "sized_in":
+            found += named_fields(interface, f)
+        else:
+            found.append((f.name, HINTS.get(f.base, "int") if f.kind == "value" and not f.extents else "Any", True))
+    return found
 
 
 def outputs_of(function):

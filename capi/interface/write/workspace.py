@@ -1,6 +1,5 @@
 """The header of workspaces: what is the same for every handle, into workspace_template.h. The facts are those of the
 module of workspaces, too."""
-import re
 from pathlib import Path
 
 from .template import filled
@@ -12,6 +11,8 @@ HANDLES = ("boundary", "topology", "view", "surface", "mesh", "map", "contacts",
 WIDTH = 120
 # The functions of a workspace that make a handle, where they are not called as it.
 MADE_BY = {"model": "set", "paths": "path"}
+# Of a handle those that a second function, hsp_X_compute_, computes from it.
+COMPUTED_FROM = {"periodic": ("pores",)}
 
 
 def header_of(interface, noun):
@@ -27,7 +28,7 @@ def dependents(interface, source):
         sources = [a.base for a in compute.arguments[1:] if a.kind == "handle" and a.null == "never"] if compute else []
         if sources and source == "model" or f"hsp_{source}" in sources:
             found.append((noun, compute))
-    return found
+    return found + [(noun, interface.function(f"hsp_{noun}_compute_{source}")) for noun in COMPUTED_FROM.get(source, ())]
 
 
 def first_limits_from(interface, noun):
@@ -48,8 +49,8 @@ def passed_on(compute):
 def workspace_header(interface):
     def part(name):
         if name.startswith("compute "):
-            noun, how = re.fullmatch(r"compute (.*?)(_with|)", name).groups()
-            return compute_rows(interface.function(f"hsp_{noun}_compute{how}"), noun, how)
+            noun, join, how = name.removeprefix("compute ").partition("_")
+            return compute_rows(interface.function(f"hsp_{noun}_compute{join}{how}"), noun, join + how)
         return {"fields": field_rows, "drop": drop_rows, "make": make_rows}[name](interface)
 
     return filled(TEMPLATE, r" */\* <(.*)> \*/", part)
@@ -118,7 +119,7 @@ def make_rows(interface):
 
 
 def compute_rows(compute, noun, how):
-    """A function that computes a handle, and makes it larger until it suffices; how: "_with" a request, or "" """
+    """A function that computes a handle, and makes it larger until it suffices; how: "_with" a request, "_periodic" or "" """
     own = {"limits": "&limits"} | {a.name: f"work->{a.name}" for a in compute.arguments if a.kind == "handle"}
     call = f"{compute.name}({', '.join(own.get(a.name, a.name) for a in compute.arguments)})"
     begin, arguments = f"static inline int32_t hsp_workspace_{noun}{how}(", ["hsp_workspace *work"]

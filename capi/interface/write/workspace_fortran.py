@@ -1,5 +1,4 @@
 """The Fortran module of workspaces: what is the same for every handle, into workspace_template.f90."""
-import re
 from pathlib import Path
 
 from .fortran import declaration, wrapped
@@ -14,11 +13,11 @@ STATUS = "    integer(c_int32_t) :: status"
 def workspace_module(interface):
     def part(name):
         if name.startswith("compute "):
-            noun, how = re.fullmatch(r"compute (.*?)(_with|)", name).groups()
-            compute = interface.function(f"hsp_{noun}_compute{how}")
+            noun, join, how = name.removeprefix("compute ").partition("_")
+            compute = interface.function(f"hsp_{noun}_compute{join}{how}")
             # A request alone is an argument that need not be there.
-            name = f"compute_{noun}" if how and len(passed_on(compute)) == 1 else f"compute_{noun}{how}"
-            return compute_rows(compute, noun, name)
+            alone = how == "with" and len(passed_on(compute)) == 1
+            return compute_rows(compute, noun, f"compute_{noun}" if alone else f"compute_{noun}{join}{how}")
         return {"fields": field_rows, "private": private_rows, "drop": drop_rows, "make": make_rows}[name](interface)
 
     return filled(TEMPLATE, r" *! <(.*)>", part)

@@ -43,6 +43,7 @@ module hardsphere_workspace
     procedure :: find_path ! hardsphere/paths.h
     procedure :: compute_gate ! hardsphere/paths.h
     procedure :: compute_pores ! hardsphere/pores.h
+    procedure :: compute_pores_periodic ! hardsphere/pores.h
     procedure :: find_tunnel ! hardsphere/pores.h
     procedure :: set_moving
     procedure :: compute_periodic
@@ -57,7 +58,7 @@ module hardsphere_workspace
   private :: compute_map ! hardsphere/map.h
   private :: compute_cells ! hardsphere/cells.h
   private :: find_path, compute_gate ! hardsphere/paths.h
-  private :: compute_pores, find_tunnel ! hardsphere/pores.h
+  private :: compute_pores, compute_pores_periodic, find_tunnel ! hardsphere/pores.h
   ! <private>
 
 contains
@@ -210,6 +211,9 @@ contains
 
   ! Finds maxima, gates and classes of the free space of the model; arguments and statuses as hsp_pores_compute.
   ! <compute pores>
+
+  ! The same in the box that compute_periodic has computed; arguments and statuses as hsp_pores_compute_periodic.
+  ! <compute pores_periodic>
 
   ! Finds a tunnel after compute_pores with the same options, to the outside without `to`; arguments and statuses as
   ! hsp_pores_find_tunnel.

@@ -160,6 +160,10 @@ static inline int32_t hsp_workspace_path(hsp_workspace *work, const double *from
 /** Find maxima, gates and classes of the free space of the model; arguments and statuses as hsp_pores_compute. */
 /* <compute pores> */
 
+/** The same in the box that hsp_workspace_periodic has computed; arguments and statuses as hsp_pores_compute_periodic.
+ *  HSP_E_ARGUMENT: no hsp_workspace_periodic before, too. */
+/* <compute pores_periodic> */
+
 /** Find a tunnel after hsp_workspace_pores with the same options; arguments and statuses as hsp_pores_find_tunnel. */
 static inline int32_t hsp_workspace_tunnel(hsp_workspace *work, const hsp_pores_options *options, const double *from,
                                            const double *to, const uint32_t *avoided, uint32_t count,

@@ -120,6 +120,9 @@ static bool check(struct reading *reading) {
                             reading->radii_seen ? "--radii" : "--radius",
                             file_format_list(list, ".", "and", FILE_RADII, true));
   }
+  if (request->index_file != NULL && !index_file_read(&request->index, request->index_file, reading->failure)) {
+    return false;
+  }
   if (!request_check(request, reading->failure)) return false;
   return apply_overrides(reading) && load_table(reading);
 }
@@ -132,6 +135,7 @@ bool request_parse(struct request *request, enum command command, int file, int 
   request->frames = (struct frame_range)FRAME_RANGE_ALL;
   request->selection = (struct selection)SELECTION_EVERYTHING;
   request->highlight = (struct selection)SELECTION_EVERYTHING;
+  request->part = (struct selection)SELECTION_EVERYTHING;
   request->set = &radii_bondi;
   request->surface = -1;
   request->pockets = -1.0;

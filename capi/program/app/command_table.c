@@ -78,9 +78,13 @@ const struct command_row command_table[COMMANDS] = {
              "weighted_gradient,\n"
              "weighted_dr}, ...] in the order of the file and as far as it names them; with --by residues: [{chain, "
              "name,\n"
-             "number, insertion, atoms, area, relative}, ...] or chains: [{chain, atoms, area}, ...]; with "
-             "--trajectory first\n"
-             "frame, time (in ps, or as .xyz says) and step, null where the file does not tell, and no input.\n"
+             "number, insertion, atoms, area, relative}, ...], chains: [{chain, atoms, area}, ...] or groups: [{name, "
+             "atoms, area},\n"
+             "...]; with --of measured, how many atoms, and no volume; with --trajectory first frame, time (in ps, or "
+             "as .xyz\n"
+             "says) and step, null where the file does not tell, and no input; with --mean n, frames, means: "
+             "[{quantity, mean,\n"
+             "deviation, least, most}, ...], and in lists area is the mean, with deviation behind it.\n"
              "\n"},
     [COMMAND_VOIDS] = {.name = "voids",
                        .arguments = "FILE [options]",
@@ -219,7 +223,7 @@ const struct command_row command_table[COMMANDS] = {
                  "one, of a\n"
                  "wider maximum: its parent. A probe as wide as a gate does not pass it. Pockets and tunnels are read "
                  "from these.\n"
-                 "It is of the molecule alone, not of a crystal.\n",
+                 "It is of the molecule alone or, with --box, of a crystal.\n",
          .closing =
              "Example: hardsphere pores 1crn.pdb --probe 1.4 --pockets 3\n"
              "JSON: n, largest_cavity_diameter, null where nothing is enclosed, maxima, gates, merges, cavities, "
@@ -236,6 +240,14 @@ const struct command_row command_table[COMMANDS] = {
              "the order of the\n"
              "file, counted from 0, of all balls that are nearest, of points of tunnels up to four, or that line a "
              "pocket.\n"
+             "With --box box, box_turned, symmetry, pore_limiting_diameter: [a, b, c] for one, two and three "
+             "directions, null where\n"
+             "no probe gets through, included_cavity_diameter: [a, b, c] of the channels that do, "
+             "pore_limiting_diameter_along: [a,\n"
+             "b, c] the three vectors, channel_list: [{radius, maximum, maxima, directions, copies, rows}, ...] for "
+             "--probe; gates\n"
+             "have end_shift and other_end_shift, by which the maxima are to be moved, and directions, in which their "
+             "class goes on.\n"
              "\n"},
     [COMMAND_CLASH] =
         {.name = "clash",

@@ -4,18 +4,18 @@ _hardsphere() {
   if [ "$COMP_CWORD" -eq 1 ]; then
     words="model boundary measure voids contacts complex cells path gate pores clash query mesh map pick draw completion help --help --version"
   elif [[ $word == -* ]]; then
-    words="--help --format --radii --radius --probe --json --no-water --no-hetatm --no-hydrogens --only --hide --model --threads"
+    words="--help --format --radii --radius --probe --json --no-water --no-hetatm --no-hydrogens --only --hide --index --model --threads"
     case $command in
       model) words+="" ;;
       boundary) words+=" --shells --csv --box" ;;
-      measure) words+=" --surface --outer --per-ball --gradient --curvature --weights --polar --by --relative --interface --csv --pdb-out --trajectory --frames --box" ;;
+      measure) words+=" --surface --outer --per-ball --gradient --curvature --weights --polar --by --of --relative --interface --csv --pdb-out --trajectory --frames --begin --end --interval --mean --box" ;;
       voids) words+=" --min-volume --balls --csv" ;;
-      contacts) words+=" --by --cells --least --csv --map --trajectory --frames --box" ;;
+      contacts) words+=" --by --cells --least --csv --map --trajectory --frames --begin --end --interval --box" ;;
       complex) words+="" ;;
       cells) words+="" ;;
       path) words+=" --from --to" ;;
       gate) words+=" --from --to" ;;
-      pores) words+=" --probe --least --gates --pockets --balls --tunnels-from --tunnels --csv" ;;
+      pores) words+=" --probe --least --gates --pockets --balls --tunnels-from --tunnels --csv --box" ;;
       clash) words+=" --rotate --translate" ;;
       query) words+=" --point --ball" ;;
       mesh) words+=" -o --output --edge --surface --triangles --view --up --rotate --cut" ;;
@@ -30,7 +30,7 @@ _hardsphere() {
       *" --format") words="xyzr pdb pqr xyz cif gro" ;;
       *" --radii") words="bondi chem3d protor naccess list" ;;
       "measure --surface") words="sas ses" ;;
-      "measure --by") words="residue chain" ;;
+      "measure --by") words="residue chain group" ;;
       "contacts --by") words="residue chain" ;;
       "mesh --surface") words="vdw sas ses" ;;
       "mesh --triangles") words="ply obj stl vert svg" ;;
@@ -44,7 +44,7 @@ _hardsphere() {
       "draw --label") words="atom residue chain" ;;
       "draw --pieces") words="g h visible" ;;
       "draw --as") words="balls ball-and-stick" ;;
-      "boundary --box" | "measure --box" | "contacts --box") words="file p1" ;;
+      "boundary --box" | "measure --box" | "contacts --box" | "pores --box") words="file p1" ;;
     esac
   fi
   COMPREPLY=($(compgen -W "$words" -- "$word"))

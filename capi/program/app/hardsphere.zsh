@@ -36,6 +36,7 @@ common=(
     '*--no-hydrogens[leave out such atoms]'
     '*--only=[read only the atoms that S names, or all but them]:S:'
     '*--hide=[read only the atoms that S names, or all but them]:S:'
+    '*--index=[groups of atoms, as in GROMACS'\''s index files (]:FILE:_files'
     '*--model=[read model N of the file, counted from 1]:N:'
     '*--threads=[let N threads work on files, on frames of a trajectory or on a large molecule]:N:'
     '--help[more about the command]'
@@ -57,13 +58,18 @@ case $words[2] in
     '*--curvature[also the integrated mean and Gaussian curvature of the boundary]'
     '*--weights=[also the sum of weight x free area]:FILE:_files'
     '*--polar[also the areas of nitrogen and oxygen, of carbon, sulfur and selenium, and of all others]'
-    '*--by=[also sums over residues or chains, except for ]:residue|chain:(residue chain)'
+    '*--by=[also sums over residues or chains, except for ]:residue|chain|group:(residue chain group)'
+    '*--of=[measure only the atoms that S names, as for --only]:S:'
     '*--relative[with --by residue and a probe]'
     '*--interface=[also what chain A and chain B bury between them]:A,B:'
     '*--csv[print the balls, or with --by the sums, as comma-separated values and nothing else]'
     '*--pdb-out=[write the ]:FILE:_files'
-    '*--trajectory=[go through the frames of a ]:RUN:_files'
+    '*--trajectory=[go through the frames of a {frames} file instead, each with the]:RUN:_files'
     '*--frames=[only the frames A to B, counted from 1, in steps of S]:A:'
+    '*--begin=[only the frames from time T, or up to it, as the trajectory has times]:T:'
+    '*--end=[only the frames from time T, or up to it, as the trajectory has times]:T:'
+    '*--interval=[of these the first one, and from its time on the first one in each interval of DT]:DT:'
+    '*--mean[with --trajectory]'
     '*--box=[the box, or AX,0,0,BX,BY,0,CX,CY,CZ if it is skew]:AX,BY,CZ:(file p1)'
   ) ;;
   voids) own=(
@@ -79,6 +85,9 @@ case $words[2] in
     '*--map=[also a picture of the list]:OUT:_files'
     '*--trajectory=[for every frame a row of numbers, or with --json a line with the list]:RUN:_files'
     '*--frames=[for every frame a row of numbers, or with --json a line with the list]:A:'
+    '*--begin=[for every frame a row of numbers, or with --json a line with the list]:T:'
+    '*--end=[for every frame a row of numbers, or with --json a line with the list]:T:'
+    '*--interval=[for every frame a row of numbers, or with --json a line with the list]:DT:'
     '*--box=[the box, or AX,0,0,BX,BY,0,CX,CY,CZ if it is skew]:AX,BY,CZ:(file p1)'
   ) ;;
   complex) own=(
@@ -102,6 +111,7 @@ case $words[2] in
     '*--tunnels-from=[list tunnels from a point to the outside, the widest first, with the radius along each]:X Y Z|atom:'
     '*--tunnels=[so many, each without the bottlenecks of those before it]:N:'
     '*--csv[print maxima, gates, pockets or the points of tunnels as comma-separated values and]'
+    '*--box=[the box, or AX,0,0,BX,BY,0,CX,CY,CZ if it is skew]:AX,BY,CZ:(file p1)'
   ) ;;
   clash) own=(
     '*--rotate=[turn the second one by X, then Y, then Z degrees about axes through the mean of its]:X,Y,Z:'

@@ -12,6 +12,7 @@
 #include "app/usage.h"
 #include "commands/command_frames.h"
 #include "commands/commands.h"
+#include "commands/measure_mean.h"
 #include "commands/unit_cell.h"
 #include "read/failure.h"
 #include "read/geometry.h"
@@ -23,6 +24,7 @@
 /* Choose among the atoms of a file, and give them radii. */
 static bool prepare(const struct request *request, struct molecule *molecule, struct notes *notes,
                     struct failure *failure) {
+  if (!index_file_suits(&request->index, request->index_file, molecule->read, failure)) return false;
   notes_look_among_all(notes, request, molecule);
   if (!selection_apply(&request->selection, molecule, failure)) return false;
   if (request->command == COMMAND_DRAW && !request->drawing.water) selection_hide_water(molecule);
@@ -31,7 +33,7 @@ static bool prepare(const struct request *request, struct molecule *molecule, st
 }
 
 static unsigned keeping_of(const struct request *request) {
-  return (request->trajectory != NULL ? KEEP_PLACES : KEEP_NO_MORE) |
+  return (request->trajectory != NULL || request->index.count > 0 ? KEEP_PLACES : KEEP_NO_MORE) |
          (request->command == COMMAND_DRAW ? KEEP_EXTRAS : KEEP_NO_MORE);
 }
 
@@ -46,7 +48,8 @@ static bool run_command(const struct request *request, uint32_t threads, struct 
   bool done = read_molecule(request->file, request->format, request->model, keeping_of(request), &molecule, failure) &&
               prepare(request, &molecule, notes, failure);
   if (done && request->trajectory != NULL) {
-    done = command_frames(request, &molecule, command, failure);
+    done = request->mean ? measure_mean(request, &molecule, out, failure)
+                         : command_frames(request, &molecule, &(struct frame_work){.command = command}, failure);
   } else {
     geometry.progress = progress_begin(molecule.atoms, PROGRESS_LEAST_BALLS);
     done = done && unit_cell_fill(request, &molecule, failure);
@@ -89,7 +92,8 @@ static bool run_two(enum command command, int count, char **arguments, struct te
     done = radii_list_print(out, failure);
   } else {
     for (int k = 0; k < 2 && done; ++k) {
-      done = read_molecule(request[k].file, request[k].format, request[k].model, KEEP_NO_MORE, &molecule[k], failure) &&
+      done = read_molecule(request[k].file, request[k].format, request[k].model, keeping_of(&request[k]), &molecule[k],
+                           failure) &&
              prepare(&request[k], &molecule[k], &notes[k], failure);
     }
     const struct molecule_request fixed = {&request[0], &molecule[0]}, moving = {&request[1], &molecule[1]};

@@ -33,6 +33,7 @@ void notes_look_among_all(struct notes *notes, const struct request *request, co
 
 void notes_look_among_chosen(struct notes *notes, const struct request *request, const struct molecule *molecule) {
   selection_list_unmatched(&request->highlight, molecule, &notes->unmatched);
+  selection_list_unmatched(&request->part, molecule, &notes->unmatched);
 }
 
 static void print(const struct request *request, const struct failure *note) {
@@ -42,7 +43,7 @@ static void print(const struct request *request, const struct failure *note) {
 }
 
 void notes_count_water(struct notes *notes, const struct request *request, const struct molecule *molecule) {
-  const bool rows = request->csv || (request->trajectory != NULL && !request->json);
+  const bool rows = request->csv || (request->trajectory != NULL && !request->json && !request->mean);
   notes->waters = rows ? input_report_waters(molecule) : 0;
 }
 

@@ -37,8 +37,10 @@ const struct option *option_at(size_t i) {
        .help = "read only the atoms that S names, or all but them. S is chain:A,B, element:H, atom:CA,\n"
                "residue:HOH,7,1-40,52A, water, hetatm or hydrogen, or several of these that must all\n"
                "hold: \"chain:A&residue:1-40\"; chain:. has no name. Several --only are a union,\n"
-               "and so are several --hide. What is left out blocks nothing; let balls block that do not\n"
-               "count by --weights"},
+               "and so are several --hide. What is left out blocks nothing; measure --of S lets it block"},
+      {"--index", "FILE", take_path, EVERY, .target = IN(index_file),
+       .help = "groups of atoms, as in GROMACS's index files (.ndx), numbered as in FILE: S may also be\n"
+               "group:NAME, or group:N for the one that is N, counted from 0"},
       {"--model", "N", take_model, EVERY, .what = "the number of a model, from 1 on",
        .help = "read model N of the file, counted from 1; default 1"},
 
@@ -67,10 +69,14 @@ const struct option *option_at(size_t i) {
                "comments"},
       {"--polar", NULL, take_flag, OF(MEASURE), .target = IN(polar),
        .help = "also the areas of nitrogen and oxygen, of carbon, sulfur and selenium, and of all others"},
-      {"--by", "residue|chain", take_choice, OF(MEASURE), .target = IN(by), .words = "residue|chain", .first = 1,
-       .help = "also sums over residues or chains, except for .xyz and .xyzr. A residue is a run of atoms\n"
-               "with the same chain, name, number and insertion code; a chain is all atoms with its name,\n"
-               "or in .pdb files without chains with their segment"},
+      {"--by", "residue|chain|group", take_choice, OF(MEASURE), .target = IN(by), .words = "residue|chain|group",
+       .first = 1,
+       .help = "also sums over residues or chains, except for .xyz and .xyzr, or over the groups of\n"
+               "--index. A residue is a run of atoms with the same chain, name, number and insertion code;\n"
+               "a chain is all atoms with its name, or in .pdb files without chains with their segment"},
+      {"--of", "S", take_atoms, OF(MEASURE), .target = IN(part), .what = "atoms, for instance chain:A,B or residue:HOH",
+       .help = "measure only the atoms that S names, as for --only; all others that are read block. Of\n"
+               "these the free area is found, and no volume. Several are a union"},
       {"--relative", NULL, take_flag, OF(MEASURE), .target = IN(relative),
        .help = "with --by residue and a probe: also the part of the largest area that a residue of that\n"
                "name can have in a chain"},
@@ -82,13 +88,22 @@ const struct option *option_at(size_t i) {
        .help = "write the .pdb file again with the free area of each atom in columns 61-66. Decimals\n"
                "that do not fit are left off; atoms that are not read are left out"},
       {"--trajectory", "RUN", take_path, OF(MEASURE), .target = IN(trajectory),
-       .help = "go through the frames of a .xtc, .dcd, {frames} file instead, each with the\n"
+       .help = "go through the frames of a {frames} file instead, each with the\n"
                "atoms that are read of FILE, which has their names and radii, in its order. A frame is\n"
                "a row of comma-separated values, or with --json a line, printed as soon as those before\n"
                "it are. Boxes are not used without --box: the molecule is taken as it stands in the\n"
                "frame. A frame at fault ends the run with status 1; the rows before it stay"},
       {"--frames", "A:B:S", take_frames, OF(MEASURE), .what = "frames, A:B:S",
        .help = "only the frames A to B, counted from 1, in steps of S; or A alone, A:, :B, ::S"},
+      {"--begin", "T", take_time, OF(MEASURE), .target = IN(frames.begin), .what = "a time"},
+      {"--end", "T", take_time, OF(MEASURE), .target = IN(frames.end), .what = "a time",
+       .help = "only the frames from time T, or up to it, as the trajectory has times"},
+      {"--interval", "DT", take_time, OF(MEASURE), .target = IN(frames.interval), .what = "a time", .positive = true,
+       .help = "of these the first one, and from its time on the first one in each interval of DT"},
+      {"--mean", NULL, take_flag, OF(MEASURE), .target = IN(mean),
+       .help = "with --trajectory: in place of a row for each frame the mean of all, with the standard\n"
+               "deviation, the least and the most; with --per-ball or --csv also of every ball, with --by\n"
+               "of every residue, chain or group"},
 
       {"--min-volume", "V", take_length, OF(VOIDS), .target = IN(min_volume), .what = "a volume",
        .help = "only those of volume V or more"},
@@ -107,7 +122,10 @@ const struct option *option_at(size_t i) {
       {"--map", "OUT.svg", take_path, OF(CONTACTS), .target = IN(map),
        .help = "also a picture of the list: a square for each pair, darker the larger its area"},
       {"--trajectory", "RUN", take_path, OF(CONTACTS), .target = IN(trajectory)},
-      {"--frames", "A:B:S", take_frames, OF(CONTACTS), .what = "frames, A:B:S",
+      {"--frames", "A:B:S", take_frames, OF(CONTACTS), .what = "frames, A:B:S"},
+      {"--begin", "T", take_time, OF(CONTACTS), .target = IN(frames.begin), .what = "a time"},
+      {"--end", "T", take_time, OF(CONTACTS), .target = IN(frames.end), .what = "a time"},
+      {"--interval", "DT", take_time, OF(CONTACTS), .target = IN(frames.interval), .what = "a time", .positive = true,
        .help = "for every frame a row of numbers, or with --json a line with the list: see measure"},
 
       {"--from", "X Y Z", take_place, OF(PATH), .target = IN(from), .help = ""},
@@ -295,17 +313,17 @@ const struct option *option_at(size_t i) {
       {"--stick", "R", take_number, OF(DRAW), .target = IN(drawing.stick), .most = 1e6, .positive = true,
        .help = "the radius of the sticks; default 0.12"},
 
-      {"--box", "AX,BY,CZ", take_box, OF(BOUNDARY) | OF(MEASURE) | OF(CONTACTS), .words = "file|p1",
+      {"--box", "AX,BY,CZ", take_box, OF(BOUNDARY) | OF(MEASURE) | OF(CONTACTS) | OF(PORES), .words = "file|p1",
        .what = "AX,BY,CZ, nine numbers, 'file' or 'p1'", .help = "the box, or AX,0,0,BX,BY,0,CX,CY,CZ if it is skew"},
-      {"--box", "file", take_box, OF(BOUNDARY) | OF(MEASURE) | OF(CONTACTS),
-       .help = "that of FILE or of the frame: CRYST1 of .pdb, the cell of .cif, of .gro, .xtc and .dcd,\n"
+      {"--box", "file", take_box, OF(BOUNDARY) | OF(MEASURE) | OF(CONTACTS) | OF(PORES),
+       .help = "that of FILE or of the frame: CRYST1 of .pdb, the cell of .cif, of .gro, .xtc, .trr and .dcd,\n"
                "Lattice of .xyz; 1 1 1 stands for none. That of FILE is filled by copies: those by the\n"
                "operators in REMARK 290 of .pdb or in .cif; without operators the table says that none are\n"
                "made. An image that falls on an atom, within the digits of the file, as on an axis or\n"
                "a mirror, is left out, whatever its occupancy is. Frames get no copies; one without a\n"
                "box is refused, but if no frame before it has one, that of FILE serves.\n"
                "A copy's balls are like others: --weights has numbers for them, too"},
-      {"--box", "p1", take_box, OF(BOUNDARY) | OF(MEASURE) | OF(CONTACTS),
+      {"--box", "p1", take_box, OF(BOUNDARY) | OF(MEASURE) | OF(CONTACTS) | OF(PORES),
        .help = "the same without copies: the atoms as they stand"},
   };
   return i < sizeof table / sizeof table[0] ? &table[i] : NULL;

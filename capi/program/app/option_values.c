@@ -110,6 +110,15 @@ bool take_frames(struct reading *reading, const struct option *option, const cha
   return frame_range_parse(&request->frames, value, reading->failure);
 }
 
+/* A time, or a positive one between frames; the request has no finite time, or no interval, where none is given. */
+bool take_time(struct reading *reading, const struct option *option, const char *value) {
+  double *const time = (void *)((char *)reading->request + option->target);
+  if (!option_value(reading, option, &value)) return false;
+  if (option->positive ? *time > 0.0 : is_finite(*time)) return option_given_twice(reading, option);
+  if (!option_number(reading, option, value, time)) return false;
+  return !option->positive || *time > 0.0 || failure_in_usage(reading->failure, "%s must be above 0", option->name);
+}
+
 /* ---- the periodic box ---- */
 
 enum { MOST_NUMBERS = 9 };

@@ -1,5 +1,6 @@
 #include "app/request_check.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "app/command_table.h"
@@ -11,21 +12,31 @@ static bool check_trajectory(struct request *request, struct failure *failure) {
   char list[FORMAT_LIST_BYTES];
   const char *path = request->trajectory;
   if (path == NULL) {
-    return !request->frames_given || failure_in_usage(failure, "--frames needs --trajectory");
+    const char *const lone = request->frames_given               ? "--frames"
+                             : request->mean                     ? "--mean"
+                             : request->frames.begin > -HUGE_VAL ? "--begin"
+                             : request->frames.end < HUGE_VAL    ? "--end"
+                             : request->frames.interval > 0.0    ? "--interval"
+                                                                 : NULL;
+    return lone == NULL || failure_in_usage(failure, "%s needs --trajectory", lone);
   }
   if (request->files > 1) return failure_in_usage(failure, "--trajectory takes one file at a time");
   if (request->pdb_out != NULL) return failure_in_usage(failure, "--pdb-out is not for a --trajectory");
   if (request->map != NULL) return failure_in_usage(failure, "--map is not for a --trajectory");
   if (request->csv && request->json) return true; /* refused with the options of measure */
+  if (request->mean && (request->gradient || request->interface != NULL)) {
+    return failure_in_usage(failure, "%s has no mean: not with --mean",
+                            request->gradient ? "--gradient" : "--interface");
+  }
   const char *longer = request->per_ball              ? "--per-ball"
                        : request->gradient            ? "--gradient"
                        : request->by != GROUPING_NONE ? "--by"
                        : request->cells               ? "--cells"
                                                       : NULL;
-  if (longer != NULL && !request->json) {
+  if (longer != NULL && !request->json && !request->mean) {
     return failure_in_usage(failure, "%s has no place in the one row of a frame: it needs --json", longer);
   }
-  request->csv = false; /* it is the table of frames anyway */
+  if (!request->mean) request->csv = false; /* it is the table of frames anyway */
   if (!input_is_standard(path)) return true;
   if (input_is_standard(request->file) || (request->weights != NULL && input_is_standard(request->weights))) {
     return failure_in_usage(failure, "standard input is one file, not two");
@@ -50,9 +61,15 @@ static bool check_measure(const struct request *request, struct failure *failure
   }
   if (request->csv && request->by != GROUPING_NONE && (request->per_ball || request->gradient)) {
     return failure_in_usage(failure, "--csv prints one table: either of balls or --by %s",
-                            request->by == GROUPING_RESIDUE ? "residue" : "chain");
+                            request->by == GROUPING_RESIDUE ? "residue"
+                            : request->by == GROUPING_CHAIN ? "chain"
+                                                            : "group");
   }
-  if (request->by != GROUPING_NONE && !file_format_has(request->format, FILE_RESIDUES)) {
+  if (request->by == GROUPING_GROUP && request->index.count == 0) {
+    return failure_in_usage(failure, "--by group is of an index file: it needs --index");
+  }
+  if (request->by != GROUPING_NONE && request->by != GROUPING_GROUP &&
+      !file_format_has(request->format, FILE_RESIDUES)) {
     return failure_in_usage(failure, "--by has no use here: %s files have no residues",
                             file_format_list(list, ".", "and", FILE_RESIDUES, false));
   }
@@ -99,6 +116,20 @@ static bool check_measure(const struct request *request, struct failure *failure
     return failure_in_usage(failure, "--pdb-out has no use here: it writes a .pdb file again");
   }
   return true;
+}
+
+/* Results of all atoms alone, which a part that others block has not. */
+static bool check_part(const struct request *request, struct failure *failure) {
+  if (!request_wants_part(request)) return true;
+  const char *other = request->excluded_surface         ? "--surface ses"
+                      : request->interface != NULL      ? "--interface"
+                      : request->gradient               ? "--gradient"
+                      : request->curvature              ? "--curvature"
+                      : request->weights != NULL        ? "--weights"
+                      : request->pdb_out != NULL        ? "--pdb-out"
+                      : request->box.source != BOX_NONE ? "--box"
+                                                        : NULL;
+  return other == NULL || failure_in_usage(failure, "%s is of all atoms: not with --of", other);
 }
 
 /* Checks for results of the outside, or not computed in a box. */
@@ -160,9 +191,11 @@ static bool check_files(const struct request *request, struct failure *failure) 
 
 bool request_check(struct request *request, struct failure *failure) {
   request->excluded_surface = request->surface == 1;
-  if (!selection_suits(&request->selection, request->format, failure)) return false;
-  if (!selection_suits(&request->highlight, request->format, failure)) return false;
-  if (!check_trajectory(request, failure) || !check_measure(request, failure) || !check_box(request, failure)) {
+  if (!selection_suits(&request->selection, request->format, &request->index, failure)) return false;
+  if (!selection_suits(&request->part, request->format, &request->index, failure)) return false;
+  if (!selection_suits(&request->highlight, request->format, &request->index, failure)) return false;
+  if (!check_trajectory(request, failure) || !check_measure(request, failure) || !check_part(request, failure) ||
+      !check_box(request, failure)) {
     return false;
   }
   command_check *const check = command_table[request->command].check;

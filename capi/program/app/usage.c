@@ -6,6 +6,7 @@
 #include "app/command_table.h"
 #include "app/option.h"
 #include "hardsphere.h"
+#include "read/trajectory.h"
 
 static const char files[] =
     "FILE is .pdb, .ent, .pdb1 or the like, .cif (mmCIF), .gro, .pqr or .xyz, in angstrom once read, or .xyzr\n"
@@ -75,7 +76,7 @@ static void add_help(struct text_buffer *out, const char *help) {
       ++help;
     } else if (help[0] == '{') {
       const bool frames = strncmp(help, "{frames}", strlen("{frames}")) == 0;
-      text_buffer_add(out, "%s", file_format_list(list, frames ? "." : "", "or", frames ? FILE_FRAMES : 0, true));
+      text_buffer_add(out, "%s", frames ? trajectory_format_list(list) : file_format_list(list, "", "or", 0, true));
       help = strchr(help, '}') + 1;
     }
   }

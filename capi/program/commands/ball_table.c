@@ -64,6 +64,7 @@ static double free_share(const struct ball_table *made, size_t ball) {
 static bool row_of(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
   const struct ball_table *const made = of;
   (void)text;
+  if (made->part != NULL && made->part[row] == 0) return false;
   for (int k = 0; k < made->table.count; ++k) {
     const enum column_kind kind = made->columns[k].kind;
     if (kind == COLUMN_POINT || kind == COLUMN_GRADIENT) {
@@ -80,6 +81,7 @@ void ball_table_make(const struct molecule *molecule, const struct measurement *
   memset(made, 0, sizeof *made);
   made->rows = ball_rows_of(molecule, NULL);
   made->area = measurement->area;
+  made->part = measurement->part;
   made->probe = probe;
   made->table = (struct table){made->columns, 0, molecule->format, molecule->atoms, made, row_of, ball_rows_lead};
   /* In JSON they are of the ball. */

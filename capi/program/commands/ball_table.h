@@ -11,6 +11,7 @@
 struct ball_table {
   struct ball_rows rows;
   const double *area;
+  const uint8_t *part; /* 0 of balls that are left out; NULL: none are */
   double probe;
   struct column columns[MOST_COLUMNS];
   const double *values[MOST_COLUMNS]; /* of the columns, a number or a vector a ball; NULL: the free part of its area */

@@ -122,7 +122,7 @@ static bool find_groups(const struct request *request, const struct molecule *mo
                         struct findings *found, struct failure *failure) {
   double *const nothing = calloc((size_t)molecule->atoms + 1, sizeof *nothing);
   if (nothing == NULL) return failure_of_memory(failure);
-  const bool done = atom_groups_make(molecule, request->by, nothing, &found->groups, failure) &&
+  const bool done = atom_groups_make(molecule, request->by, &request->index, nothing, NULL, &found->groups, failure) &&
                     number_groups(molecule, found, failure);
   free(nothing);
   if (!done) return false;

@@ -21,15 +21,17 @@ struct frame {
   bool done;                /* it was read, and the command has its results */
   struct failure failure;   /* if not */
   struct text_buffer out;
+  double *numbers; /* [work->count] */
 };
 
 struct frames {
   const struct request *request;
-  command_function *command;
+  const struct frame_work *work;
   const struct molecule *molecule;
   struct trajectory trajectory;
   struct box_record own; /* of the file of the molecule, which serves frames of a file that has none at all */
   struct in_order loop;
+  struct frame_clock clock;
   struct geometry *geometry; /* [workers] */
   struct frame *frame;       /* [slots] */
   uint64_t taken;            /* frames that were asked for and are there */
@@ -71,6 +73,15 @@ static bool take_frame(void *of, uint32_t slot, uint64_t *weight) {
     frames->broken = status == LINE_FAILED;
     if (frames->loop.workers == 1 && !frames->broken) show_frame(frames, trajectory->frames);
     if (!wanted && !frames->broken) continue;
+    if (!frames->broken && frame_range_has_times(&frames->request->frames)) {
+      if (!trajectory->stamp.timed) {
+        failure_in_input(&frame->failure, 0, "it has no time, which --begin, --end and --interval are about");
+        failure_in_frame(&frame->failure, trajectory->stamp.number);
+        frames->broken = true;
+      } else if (!frame_clock_takes(&frames->clock, &frames->request->frames, trajectory->stamp.time)) {
+        continue;
+      }
+    }
     frame->done = !frames->broken;
     if (frames->broken) return true;
     take_coordinates(trajectory, &frame->molecule);
@@ -92,8 +103,11 @@ static void work_on_frame(void *of, uint32_t worker, uint32_t slot) {
   if (!frame->done) return;
   frame->out.length = 0;
   unit_cell_turn(request, &frame->molecule);
-  frame->done = geometry_set_model(geometry, &frame->molecule, request->probe, 0.0, failure) &&
-                frames->command(request, &frame->molecule, geometry, &frame->out, failure);
+  const struct frame_work *const to_do = frames->work;
+  frame->done =
+      geometry_set_model(geometry, &frame->molecule, request->probe, 0.0, failure) &&
+      (to_do->command != NULL ? to_do->command(request, &frame->molecule, geometry, &frame->out, failure)
+                              : to_do->evaluate(to_do->of, &frame->molecule, geometry, frame->numbers, failure));
   if (!frame->done && failure->file == file) failure_in_frame(failure, frame->molecule.frame.number);
   progress_end(&geometry->progress);
 }
@@ -106,6 +120,7 @@ static bool print_frame(void *of, uint32_t slot) {
     *frames->failure = frame->failure;
     return false;
   }
+  if (frames->work->command == NULL) frames->work->take(frames->work->of, frame->numbers);
   if (!text_buffer_print(&frame->out, frames->failure)) return false;
   if (frames->loop.workers > 1) show_frame(frames, frame->molecule.frame.number);
   return true;
@@ -115,6 +130,9 @@ static bool check_number(const struct frames *frames, struct failure *failure) {
   if (failure->exit_status != 0) return false;
   failure->file = frames->begin.file;
   if (frames->taken > 0) return true;
+  if (frames->trajectory.frames > 0 && frame_range_has_times(&frames->request->frames)) {
+    return failure_in_input(failure, 0, "no frame at such a time: the file has %" PRIu64, frames->trajectory.frames);
+  }
   if (frames->trajectory.frames == 0) return failure_in_input(failure, 0, "no frames in the file");
   return failure_in_input(failure, 0, "no frame %" PRIu64 ": the file has %" PRIu64, frames->request->frames.first,
                           frames->trajectory.frames);
@@ -132,7 +150,8 @@ static bool allocate(struct frames *frames, struct failure *failure) {
     *molecule = *frames->molecule;
     molecule->xyz = malloc((atoms + 1) * 3 * sizeof *molecule->xyz);
     molecule->line = malloc((atoms + 1) * sizeof *molecule->line);
-    done = molecule->xyz != NULL && molecule->line != NULL;
+    frames->frame[k].numbers = malloc((frames->work->count + 1) * sizeof *frames->frame[k].numbers);
+    done = molecule->xyz != NULL && molecule->line != NULL && frames->frame[k].numbers != NULL;
   }
   return done || failure_of_memory(failure);
 }
@@ -142,6 +161,7 @@ static void release(struct frames *frames) {
   for (uint32_t k = 0; frames->frame != NULL && k < frames->loop.slots; ++k) {
     free(frames->frame[k].molecule.xyz);
     free(frames->frame[k].molecule.line);
+    free(frames->frame[k].numbers);
     text_buffer_free(&frames->frame[k].out);
   }
   free(frames->geometry);
@@ -157,10 +177,10 @@ static void share_out(struct frames *frames) {
   loop->slots = loop->workers == 1 ? 1 : SLOTS_OF_WORKER * loop->workers;
 }
 
-bool command_frames(const struct request *request, const struct molecule *molecule, command_function *command,
+bool command_frames(const struct request *request, const struct molecule *molecule, const struct frame_work *work,
                     struct failure *failure) {
   struct frames frames = {.request = request,
-                          .command = command,
+                          .work = work,
                           .molecule = molecule,
                           .own = molecule->frame.box,
                           .loop = {.of = &frames, .take = take_frame, .work = work_on_frame, .give = print_frame},

@@ -57,36 +57,19 @@ static void record_interface(struct record *record, const char *text, const stru
 }
 
 static void record_totals(struct record *record, const struct request *request, const struct measurement *of) {
-  record_number(record, "area", "area", of->totals.area, TOTAL_DECIMALS, "@^2");
-  record_number(record, "volume", "volume", of->totals.volume, TOTAL_DECIMALS, "@^3");
-  if (of->box.periodic != NULL) periodic_result_record(record, &of->box);
-  if (request->curvature) {
-    record_number(record, "mean_curvature", "mean curvature", of->curvatures.mean, TOTAL_DECIMALS,
-                  "@, integrated over the boundary");
-    record_number(record, "gauss_curvature", "gauss curvature", of->curvatures.gauss, TOTAL_DECIMALS,
-                  ", 2 pi times its Euler characteristic");
+  struct quantity quantities[MOST_QUANTITIES];
+  const size_t count = measurement_quantities(request, of, quantities);
+  for (size_t k = 0; k < count; ++k) {
+    const struct quantity *const row = &quantities[k];
+    /* Behind area and volume. */
+    if (k == 2 && of->box.periodic != NULL) periodic_result_record(record, &of->box);
+    if (k == 2 && request->excluded_surface && record->form == AS_JSON) {
+      record_text(record, "surface", NULL, "ses", "");
+      if (request->outer) record_whether(record, "outer", NULL, true, "");
+    }
+    record_number(record, row->key, row->title, row->value, TOTAL_DECIMALS, row->remark);
   }
-  if (request->excluded_surface) {
-    if (record->form == AS_JSON) record_text(record, "surface", NULL, "ses", "");
-    if (record->form == AS_JSON && request->outer) record_whether(record, "outer", NULL, true, "");
-    record_number(record, "convex_area", "convex area", of->surface.convex_area, TOTAL_DECIMALS,
-                  "@^2, where the probe touches one atom");
-    record_number(record, "saddle_area", "saddle area", of->surface.saddle_area, TOTAL_DECIMALS,
-                  "@^2, where it touches two");
-    record_number(record, "concave_area", "concave area", of->surface.concave_area, TOTAL_DECIMALS,
-                  "@^2, where it touches three");
-  }
-  if (of->weights != NULL) {
-    record_number(
-        record, "weighted_area", "weighted area", of->weighted_area, TOTAL_DECIMALS,
-        request->excluded_surface ? ", the sum of weight x share of the area" : ", the sum of weight x free area");
-  }
-  if (request->polar) {
-    record_number(record, "polar_area", "polar area", of->polar_area, TOTAL_DECIMALS, "@^2, of nitrogen and oxygen");
-    record_number(record, "apolar_area", "apolar area", of->apolar_area, TOTAL_DECIMALS,
-                  "@^2, of carbon, sulfur and selenium");
-    record_number(record, "other_area", "other area", of->other_area, TOTAL_DECIMALS, "@^2, of all others");
-  }
+  if (count == 2 && of->box.periodic != NULL) periodic_result_record(record, &of->box);
 }
 
 static void print(struct record *record, const void *of) {
@@ -95,6 +78,9 @@ static void print(struct record *record, const void *of) {
   const struct measurement *const measurement = &found->measurement;
   const bool line = record->form == AS_CSV || record->form == AS_CSV_TITLES;
   record_atoms(record);
+  if (measurement->part != NULL) {
+    record_count(record, "measured", "measured", measurement->part_atoms, "of them; all others only block");
+  }
   record->width = 0;
   record_totals(record, request, measurement);
   record->width = VALUE_WIDTH;
@@ -111,7 +97,7 @@ static void print(struct record *record, const void *of) {
     ball_table_make(record->molecule, measurement, request->probe, &balls);
     record_table(record, "balls", &balls.table);
   }
-  if (request->by != GROUPING_NONE && !line) group_table_record(record, &found->groups, request->relative);
+  if (request->by != GROUPING_NONE && !line) group_table_record(record, &found->groups, NULL, request->relative);
 }
 
 static void print_all(const struct request *request, const struct molecule *molecule, const struct findings *found,
@@ -123,7 +109,7 @@ static void print_all(const struct request *request, const struct molecule *mole
     ball_table_make(molecule, &found->measurement, request->probe, &balls);
     table_csv(&balls.table, out);
   } else {
-    group_table_csv(molecule, &found->groups, request->relative, out);
+    group_table_csv(molecule, &found->groups, NULL, request->relative, out);
   }
 }
 
@@ -135,7 +121,8 @@ bool command_measure(const struct request *request, const struct molecule *molec
   bool done = measurement_make(request, molecule, geometry, &found.measurement, failure);
   const double *area = found.measurement.area;
   if (done && request->by != GROUPING_NONE) {
-    done = atom_groups_make(molecule, request->by, area, &found.groups, failure);
+    done =
+        atom_groups_make(molecule, request->by, &request->index, area, found.measurement.part, &found.groups, failure);
   }
   if (done && request->interface != NULL) {
     done = interface_measure(request->interface, molecule, request->probe, geometry, &found.interface, failure);

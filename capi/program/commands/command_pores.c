@@ -7,6 +7,7 @@
 
 #include "commands/commands.h"
 #include "commands/input_report.h"
+#include "commands/periodic_result.h"
 #include "commands/space_geometry.h"
 #include "write/ball_label.h"
 
@@ -43,7 +44,16 @@ struct found {
   hsp_tunnel *tunnels;
   struct step *steps;
   size_t step_count;
+  struct periodic_result box; /* with --box, and what follows */
+  hsp_pore_percolation wide;
+  hsp_pore_gate_shifts *shifts; /* [gates] */
+  uint32_t channel_count;
+  hsp_pore_channel *channels;
 };
+
+static bool is_boxed(const struct request *request) {
+  return request->box.source != BOX_NONE;
+}
 
 /* ---- what is found ---- */
 
@@ -86,6 +96,22 @@ static bool take_tree(const hsp_pores *pores, struct found *found, struct failur
   if (status != HSP_OK) return failure_in_library(failure, status);
   return take_lists(pores, counts->maxima, hsp_pores_get_maximum_balls, &found->of_maxima, failure) &&
          take_lists(pores, counts->gates, hsp_pores_get_gate_balls, &found->of_gates, failure);
+}
+
+static bool take_channels(hsp_pores *pores, struct found *found, struct failure *failure) {
+  const uint32_t gates = found->counts.gates;
+  const double probe = found->request->probe;
+  found->shifts = calloc((size_t)gates + 1, sizeof *found->shifts);
+  if (found->shifts == NULL) return failure_of_memory(failure);
+  int32_t status = hsp_pores_get_gate_shifts(pores, 0, gates, found->shifts);
+  if (status == HSP_OK) status = hsp_pores_get_percolation(pores, &found->wide);
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  status = hsp_pores_get_channels(pores, probe, NULL, 0, &found->channel_count);
+  if (status != HSP_OK && status != HSP_E_CAPACITY) return failure_in_library(failure, status);
+  found->channels = calloc((size_t)found->channel_count + 1, sizeof *found->channels);
+  if (found->channels == NULL) return failure_of_memory(failure);
+  status = hsp_pores_get_channels(pores, probe, found->channels, found->channel_count, &found->channel_count);
+  return status == HSP_OK || failure_in_library(failure, status);
 }
 
 static bool take_pockets(hsp_pores *pores, struct found *found, struct failure *failure) {
@@ -226,6 +252,10 @@ static bool gate_row(const void *of, size_t row, union cell cells[MOST_COLUMNS],
   cells[4].text = number_text(text + CELL_BYTES / 2, CELL_BYTES / 2, gate->end[1]);
   cells[5].count = gate->merges;
   set_list(&cells[6], &found->of_gates, row);
+  if (found->shifts == NULL) return true;
+  cells[7].shift = found->shifts[row].end;
+  cells[8].shift = found->shifts[row].end + 3;
+  cells[9].count = found->shifts[row].directions;
   return true;
 }
 
@@ -238,9 +268,43 @@ static struct table table_of_gates(const struct molecule *molecule, const struct
       {"other_end", NULL, "other", 7, COLUMN_RESIDUE_NUMBER, 0},
       {"merges", NULL, "merges", 7, COLUMN_COUNT, 0},
       {"balls", "", NULL, 0, COLUMN_COUNTS, 0},
+      {"end_shift", NULL, "shift of end", 14, COLUMN_SHIFT, 0}, /* in a box */
+      {"other_end_shift", NULL, "shift of other", 14, COLUMN_SHIFT, 0},
+      {"directions", NULL, "directions", 10, COLUMN_COUNT, 0},
+  };
+  const int count = sizeof columns / sizeof columns[0];
+  return (struct table){
+      columns, found->shifts == NULL ? count - 3 : count, molecule->format, found->counts.gates, found, gate_row, NULL};
+}
+
+static bool channel_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
+  const struct found *const found = of;
+  const hsp_pore_channel *const channel = &found->channels[row];
+  size_t length = 0;
+  cells[0].count = (int64_t)row + 1;
+  cells[1].vector = found->maxima[channel->maximum].xyz;
+  cells[2].quantity = channel->radius;
+  cells[3].count = channel->maxima;
+  cells[4].count = channel->directions;
+  cells[5].text = text;
+  snprintf(text, CELL_BYTES, "-");
+  for (uint32_t r = 0; r < channel->directions && length < CELL_BYTES; ++r) {
+    const int32_t *const way = channel->row + 3 * r;
+    length += (size_t)snprintf(text + length, CELL_BYTES - length, "%s%" PRId32 " %" PRId32 " %" PRId32,
+                               r == 0 ? "" : ", ", way[0], way[1], way[2]);
+  }
+  return true;
+}
+
+/* For persons. */
+static struct table table_of_channels(const struct molecule *molecule, const struct found *found) {
+  static const struct column columns[] = {
+      {NULL, "", "channel", 7, COLUMN_COUNT, 0},     {NULL, "", "x y z", 9, COLUMN_POINT, 0},
+      {NULL, "", "radius", 9, COLUMN_QUANTITY, 4},   {NULL, "", "maxima", 7, COLUMN_COUNT, 0},
+      {NULL, "", "directions", 10, COLUMN_COUNT, 0}, {NULL, "", "along", 8, COLUMN_TEXT, 0},
   };
   return (struct table){
-      columns, sizeof columns / sizeof columns[0], molecule->format, found->counts.gates, found, gate_row, NULL};
+      columns, sizeof columns / sizeof columns[0], molecule->format, found->channel_count, found, channel_row, NULL};
 }
 
 static bool is_deep(const struct found *found, size_t pocket) {
@@ -344,6 +408,48 @@ static void print_balls(struct record *record, const char *what, uint32_t number
   ball_rows_print(record->molecule, balls.counts.list, balls.counts.length, record->out);
 }
 
+/* Of three diameters of JSON, null where no probe gets through. */
+static void set_diameters(double out[3], const double radius[3], const uint32_t gate[3]) {
+  for (int d = 0; d < 3; ++d) out[d] = gate[d] == HSP_NONE ? (double)NAN : 2.0 * radius[d];
+}
+
+static void print_box(struct record *record, const struct found *found) {
+  static const char *const titles[2][3] = {{"pore limit, 1-d", "pore limit, 2-d", "pore limit, 3-d"},
+                                           {"along the first", "along the second", "along the third"}};
+  static const char *const remarks[2][3] = {
+      {"@, the diameter up to which probes go on for ever in one direction", "@, in two directions",
+       "@, in three directions"},
+      {"@, and so along the first vector of the box", "@, along the second one", "@, along the third one"}};
+  const hsp_pore_percolation *const wide = &found->wide;
+  const bool persons = record->form == FOR_PERSONS;
+  double through[3], included[3], along[3];
+  set_diameters(through, wide->through, wide->gate);
+  set_diameters(included, wide->included, wide->gate);
+  set_diameters(along, wide->along, wide->gate_along);
+  record_numbers(record, "pore_limiting_diameter", through, 3);
+  record_numbers(record, "included_cavity_diameter", included, 3);
+  record_numbers(record, "pore_limiting_diameter_along", along, 3);
+  for (int k = 0; persons && k < 6; ++k) {
+    record_number(record, NULL, titles[k / 3][k % 3], k < 3 ? through[k] : along[k - 3], 8, remarks[k / 3][k % 3]);
+  }
+  if (persons) {
+    record_number(record, NULL, "included cavity", included[0], 8,
+                  "@, the diameter of the widest probe in the 1-d channel");
+  }
+  if (!record_key(record, "channel_list")) return;
+  text_buffer_add_text(record->out, "[");
+  for (uint32_t c = 0; c < found->channel_count; ++c) {
+    const hsp_pore_channel *const channel = &found->channels[c];
+    text_buffer_add(record->out, "%s{\"radius\": ", c == 0 ? "" : ", ");
+    json_number(record->out, channel->radius);
+    text_buffer_add(record->out, ", \"maximum\": %" PRIu32 ", \"maxima\": %" PRIu32 ", ", channel->maximum,
+                    channel->maxima);
+    directions_json(record->out, channel->directions, channel->copies, channel->row);
+    text_buffer_add_text(record->out, "}");
+  }
+  text_buffer_add_text(record->out, "]");
+}
+
 static bool lists_balls(const struct record *record, const struct found *found) {
   return record->form == FOR_PERSONS && found->request->void_balls;
 }
@@ -358,17 +464,24 @@ static void print(struct record *record, const void *of) {
   const struct table maxima = table_of_maxima(molecule, found), gates = table_of_gates(molecule, found);
   const struct table pocket_table = table_of_pockets(molecule, found);
   const struct table tunnel_table = table_of_tunnels(molecule, found), steps = table_of_steps(molecule, found);
+  const struct table channels = table_of_channels(molecule, found);
   record_atoms(record);
+  if (is_boxed(request)) periodic_result_record_box(record, &found->box);
   record_number(record, "largest_cavity_diameter", "largest cavity",
                 counts->maxima > 0 ? 2.0 * found->maxima[0].radius : (double)NAN, 8,
                 "@, the diameter of the widest probe in it");
+  if (is_boxed(request)) print_box(record, found);
   record_count(record, "maxima", "maxima", counts->maxima, "where a probe fits best, each the birth of a class");
   record_count(record, "gates", "gates", counts->gates, "where parts of free space meet");
   record_count(record, "merges", "merges", counts->merges, "gates where a class ends in an older one");
-  record_count(record, "cavities", "cavities", counts->cavities, "classes that no such probe gets into or out of");
+  record_count(record, "cavities", "cavities", counts->cavities,
+               is_boxed(request) ? "classes that meet no other one, channels too"
+                                 : "classes that no such probe gets into or out of");
   if (!persons) {
     record_table(record, "maximum_list", &maxima);
     record_table(record, "gate_list", &gates);
+  } else if (is_boxed(request) && !request->gates) {
+    print_table(record, &channels, "  a channel: its widest probe, in @, and where it goes on for ever, by vectors");
   } else if (!request->gates && !pockets && !tunnels) {
     print_table(record, &maxima, "  a class: the radius of the widest probe in it, and of that which merges it, in @");
   }
@@ -407,6 +520,9 @@ static struct table table_of(const struct molecule *molecule, const struct found
 
 bool check_pores(struct request *request, struct failure *failure) {
   const bool pockets = request->pockets >= 0.0, from = request->tunnels_from.point.given;
+  if (is_boxed(request) && (pockets || from)) {
+    return failure_in_usage(failure, "%s is not for a --box", pockets ? "--pockets" : "--tunnels-from");
+  }
   if (request->tunnels > 0 && !from) return failure_in_usage(failure, "--tunnels needs --tunnels-from");
   if (pockets && request->pockets < request->probe) {
     return failure_in_usage(failure, "--pockets: W must not be less than --probe");
@@ -421,8 +537,12 @@ bool check_pores(struct request *request, struct failure *failure) {
 bool command_pores(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                    struct text_buffer *out, struct failure *failure) {
   struct found found = {.request = request};
-  const bool done = geometry_find_pores(geometry, molecule, request->probe, failure) &&
+  const bool boxed = is_boxed(request);
+  const bool done = (!boxed || periodic_result_find_box(request, molecule, &found.box, failure)) &&
+                    (boxed ? geometry_find_pores_in_box(geometry, molecule, found.box.box, request->probe, failure)
+                           : geometry_find_pores(geometry, molecule, request->probe, failure)) &&
                     take_tree(geometry->work.pores, &found, failure) &&
+                    (!boxed || take_channels(geometry->work.pores, &found, failure)) &&
                     (request->pockets < 0.0 || take_pockets(geometry->work.pores, &found, failure)) &&
                     (!request->tunnels_from.point.given || find_tunnels(geometry, molecule, &found, failure));
   if (done && request->csv) {
@@ -440,5 +560,7 @@ bool command_pores(const struct request *request, const struct molecule *molecul
   free(found.pockets);
   free(found.tunnels);
   free(found.steps);
+  free(found.shifts);
+  free(found.channels);
   return done;
 }

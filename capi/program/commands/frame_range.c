@@ -6,7 +6,6 @@
 
 bool frame_range_parse(struct frame_range *range, const char *text, struct failure *failure) {
   uint64_t *const parts[] = {&range->first, &range->last, &range->step};
-  *range = (struct frame_range)FRAME_RANGE_ALL;
   const char *at = text;
   bool good = text[0] != '\0';
   int part = 0;
@@ -26,4 +25,23 @@ bool frame_range_parse(struct frame_range *range, const char *text, struct failu
 
 bool frame_range_has(const struct frame_range *range, uint64_t number) {
   return number >= range->first && number <= range->last && (number - range->first) % range->step == 0;
+}
+
+bool frame_range_has_times(const struct frame_range *range) {
+  return range->begin > -HUGE_VAL || range->end < HUGE_VAL || range->interval > 0.0;
+}
+
+bool frame_clock_takes(struct frame_clock *clock, const struct frame_range *range, double time) {
+  /* Times are decimals: of the quotient of two so much may be lost in rounding. */
+  const double rounding = 1e-6;
+  if (time < range->begin || time > range->end) return false;
+  if (!clock->begun) {
+    *clock = (struct frame_clock){true, time, 1.0};
+    return true;
+  }
+  if (range->interval == 0.0) return true;
+  const double number = floor((time - clock->first) / range->interval + rounding);
+  if (number < clock->due) return false;
+  clock->due = number + 1.0;
+  return true;
 }

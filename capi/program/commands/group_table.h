@@ -1,4 +1,5 @@
-/* Residues and chains with their areas; with `relative` also as parts of the largest area that a residue of its name
+/* Residues, chains and groups of an index file with their areas; with `deviation` [groups], unless it is NULL, also the
+ * standard deviation of each; with `relative` also as parts of the largest area that a residue of its name
  * can have. */
 #ifndef HARDSPHERE_TOOL_GROUP_TABLE_H
 #define HARDSPHERE_TOOL_GROUP_TABLE_H
@@ -8,10 +9,11 @@
 #include "read/text_buffer.h"
 #include "write/record.h"
 
-/* As a table, or as an array of JSON under "residues" or "chains". */
-void group_table_record(struct record *record, const struct atom_groups *groups, bool relative);
+/* As a table, or as an array of JSON under "residues", "chains" or "groups". */
+void group_table_record(struct record *record, const struct atom_groups *groups, const double *deviation,
+                        bool relative);
 
-void group_table_csv(const struct molecule *molecule, const struct atom_groups *groups, bool relative,
-                     struct text_buffer *out);
+void group_table_csv(const struct molecule *molecule, const struct atom_groups *groups, const double *deviation,
+                     bool relative, struct text_buffer *out);
 
 #endif

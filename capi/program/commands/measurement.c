@@ -126,7 +126,20 @@ static bool measure_areas(const struct request *request, const struct molecule *
     const int32_t status = hsp_periodic_measure(box->periodic, NULL, measurement->area, NULL, molecule->atoms, NULL);
     return status == HSP_OK || failure_in_library(failure, status);
   }
-  return geometry_measure(geometry, molecule->atoms, &measurement->totals, measurement->area, failure);
+  return geometry_measure(geometry, molecule->atoms, measurement->part, &measurement->totals, measurement->area,
+                          failure);
+}
+
+bool measurement_find_part(const struct request *request, const struct molecule *molecule,
+                           struct measurement *measurement, struct failure *failure) {
+  if (!request_wants_part(request)) return true;
+  measurement->part = malloc((size_t)molecule->atoms + 1);
+  if (measurement->part == NULL) return failure_of_memory(failure);
+  for (uint32_t i = 0; i < molecule->atoms; ++i) {
+    measurement->part[i] = selection_takes(&request->part, molecule, i) ? 1 : 0;
+    measurement->part_atoms += measurement->part[i];
+  }
+  return measurement->part_atoms > 0 || failure_in_input(failure, 0, "--of names no atom that is read");
 }
 
 /* Which of the three sums an atom counts for. */
@@ -150,7 +163,8 @@ bool measurement_make(const struct request *request, const struct molecule *mole
     return false;
   const bool boxed = request->box.source != BOX_NONE;
   if (boxed && !periodic_result_make(request, molecule, geometry, &measurement->box, failure)) return false;
-  if (!boxed && !geometry_compute_boundary(geometry, failure)) return false;
+  if (!measurement_find_part(request, molecule, measurement, failure)) return false;
+  if (!boxed && !geometry_compute_boundary_of(geometry, measurement->part, failure)) return false;
   if (!measure_areas(request, molecule, geometry, measurement, failure)) return false;
   for (uint32_t i = 0; request->polar && i < molecule->atoms; ++i) {
     *polarity_sum(measurement, molecule->label[i].element) += measurement->area[i];
@@ -170,7 +184,40 @@ bool measurement_make(const struct request *request, const struct molecule *mole
          (!weighted || measure_weighted_gradient(molecule, geometry, measurement, failure));
 }
 
+size_t measurement_quantities(const struct request *request, const struct measurement *measurement,
+                              struct quantity quantities[MOST_QUANTITIES]) {
+  const struct excluded_surface *const surface = &measurement->surface;
+  const bool smooth = request->excluded_surface;
+  const struct {
+    bool asked;
+    struct quantity quantity;
+  } rows[MOST_QUANTITIES] = {
+      {true, {"area", "area", "@^2", measurement->totals.area}},
+      {!request_wants_part(request), {"volume", "volume", "@^3", measurement->totals.volume}},
+      {request->curvature,
+       {"mean_curvature", "mean curvature", "@, integrated over the boundary", measurement->curvatures.mean}},
+      {request->curvature,
+       {"gauss_curvature", "gauss curvature", ", 2 pi times its Euler characteristic", measurement->curvatures.gauss}},
+      {smooth, {"convex_area", "convex area", "@^2, where the probe touches one atom", surface->convex_area}},
+      {smooth, {"saddle_area", "saddle area", "@^2, where it touches two", surface->saddle_area}},
+      {smooth, {"concave_area", "concave area", "@^2, where it touches three", surface->concave_area}},
+      {request->weights != NULL,
+       {"weighted_area", "weighted area",
+        smooth ? ", the sum of weight x share of the area" : ", the sum of weight x free area",
+        measurement->weighted_area}},
+      {request->polar, {"polar_area", "polar area", "@^2, of nitrogen and oxygen", measurement->polar_area}},
+      {request->polar, {"apolar_area", "apolar area", "@^2, of carbon, sulfur and selenium", measurement->apolar_area}},
+      {request->polar, {"other_area", "other area", "@^2, of all others", measurement->other_area}},
+  };
+  size_t count = 0;
+  for (size_t k = 0; k < MOST_QUANTITIES; ++k) {
+    if (rows[k].asked) quantities[count++] = rows[k].quantity;
+  }
+  return count;
+}
+
 void measurement_free(struct measurement *measurement) {
+  free(measurement->part);
   periodic_result_free(&measurement->box);
   free(measurement->area);
   free(measurement->weights);

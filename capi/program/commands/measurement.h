@@ -3,6 +3,7 @@
 #define HARDSPHERE_TOOL_MEASUREMENT_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 #include "commands/excluded_surface.h"
@@ -24,12 +25,32 @@ struct measurement {
   hsp_curvatures curvatures;                  /* if they were asked for */
   double polar_area, apolar_area, other_area; /* if they were asked for */
   struct periodic_result box;                 /* if there is one; then all of this is of what is in it */
+  uint8_t *part;                              /* [atoms], 0 of those that only block; NULL: all are measured */
+  uint32_t part_atoms;                        /* how many are measured, if there is such a part */
   uint32_t one_sided;                         /* balls whose derivatives are one-sided because they touch another */
 };
 
 /* Compute the boundary and measure it as far as the request asks for it. Free the measurement on true and on false. */
 bool measurement_make(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                       struct measurement *measurement, struct failure *failure);
+
+/* Find `part` and how many atoms it has; NULL if the request has none. False: it is of no atom, or memory is short. */
+bool measurement_find_part(const struct request *request, const struct molecule *molecule,
+                           struct measurement *measurement, struct failure *failure);
+
+/* A number about the molecule as a whole. */
+struct quantity {
+  const char *key;    /* of JSON and CSV */
+  const char *title;  /* for persons */
+  const char *remark; /* for persons, with its unit */
+  double value;
+};
+
+enum { MOST_QUANTITIES = 12 };
+
+/* All that the request asks for, always as many and in the same order; returns how many. */
+size_t measurement_quantities(const struct request *request, const struct measurement *measurement,
+                              struct quantity quantities[MOST_QUANTITIES]);
 
 void measurement_free(struct measurement *measurement);
 

@@ -8,8 +8,8 @@
 #include "commands/unit_cell.h"
 #include "write/report.h"
 
-static bool find_box(const struct request *request, const struct molecule *molecule, struct periodic_result *result,
-                     struct failure *failure) {
+bool periodic_result_find_box(const struct request *request, const struct molecule *molecule,
+                              struct periodic_result *result, struct failure *failure) {
   double *const box = result->box;
   if (request->box.source == BOX_GIVEN) {
     memcpy(box, request->box.vector, sizeof request->box.vector);
@@ -29,7 +29,7 @@ static bool find_box(const struct request *request, const struct molecule *molec
 bool periodic_result_make(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                           struct periodic_result *result, struct failure *failure) {
   memset(result, 0, sizeof *result);
-  if (!find_box(request, molecule, result, failure)) return false;
+  if (!periodic_result_find_box(request, molecule, result, failure)) return false;
   if (!geometry_compute_periodic(geometry, molecule, request->probe, result->box, failure)) return false;
   const hsp_periodic *const periodic = result->periodic = geometry->periodic;
   uint32_t needed = 0;
@@ -53,23 +53,37 @@ void periodic_result_free(struct periodic_result *result) {
   memset(result, 0, sizeof *result);
 }
 
+void directions_json(struct text_buffer *out, uint32_t directions, uint32_t copies, const int32_t row[9]) {
+  text_buffer_add(out, "\"directions\": %" PRIu32 ", \"copies\": ", directions);
+  json_number(out, copies == HSP_NONE ? (double)NAN : copies);
+  text_buffer_add_text(out, ", \"rows\": [");
+  for (uint32_t r = 0; r < directions; ++r) {
+    text_buffer_add(out, "%s[%" PRId32 ", %" PRId32 ", %" PRId32 "]", r == 0 ? "" : ", ", row[3 * r], row[3 * r + 1],
+                    row[3 * r + 2]);
+  }
+  text_buffer_add_text(out, "]");
+}
+
 static void record_windings(struct record *record, const struct periodic_result *result) {
   struct text_buffer *const out = record->out;
   if (!record_key(record, "windings")) return;
   text_buffer_add_text(out, "[");
   for (uint32_t c = 0; c < result->counts.components; ++c) {
     const hsp_winding *winding = &result->windings[c];
-    text_buffer_add(out, "%s{\"balls\": %" PRIu32 ", \"directions\": %" PRIu32 ", \"copies\": ", c == 0 ? "" : ", ",
-                    winding->balls, winding->directions);
-    json_number(out, winding->copies == HSP_NONE ? (double)NAN : winding->copies);
-    text_buffer_add_text(out, ", \"rows\": [");
-    for (uint32_t r = 0; r < winding->directions; ++r) {
-      const int32_t *row = winding->row + 3 * r;
-      text_buffer_add(out, "%s[%" PRId32 ", %" PRId32 ", %" PRId32 "]", r == 0 ? "" : ", ", row[0], row[1], row[2]);
-    }
-    text_buffer_add_text(out, "]}");
+    text_buffer_add(out, "%s{\"balls\": %" PRIu32 ", ", c == 0 ? "" : ", ", winding->balls);
+    directions_json(out, winding->directions, winding->copies, winding->row);
+    text_buffer_add_text(out, "}");
   }
   text_buffer_add_text(out, "]");
+}
+
+void periodic_result_record_box(struct record *record, const struct periodic_result *result) {
+  record_numbers(record, "box", result->box, 9);
+  if (record->form == AS_JSON) record_whether(record, "box_turned", NULL, result->turned, "");
+  if (result->symmetry != NULL) unit_cell_record(record, result->symmetry);
+  if (result->turned) {
+    record_text(record, NULL, "box", "turned, and the atoms with it, so that its first vector is along x", "");
+  }
 }
 
 void periodic_result_record(struct record *record, const struct periodic_result *result) {
@@ -80,12 +94,7 @@ void periodic_result_record(struct record *record, const struct periodic_result 
   const int width = record->width;
   uint32_t endless[4] = {0};
   for (uint32_t c = 0; c < result->counts.components; ++c) ++endless[result->windings[c].directions];
-  record_numbers(record, "box", result->box, 9);
-  if (record->form == AS_JSON) record_whether(record, "box_turned", NULL, result->turned, "");
-  if (result->symmetry != NULL) unit_cell_record(record, result->symmetry);
-  if (result->turned) {
-    record_text(record, NULL, "box", "turned, and the atoms with it, so that its first vector is along x", "");
-  }
+  periodic_result_record_box(record, result);
   record->width = 0;
   record_number(record, "box_volume", "box volume", result->totals.box_volume, DECIMALS, "@^3");
   record_number(record, "free_volume", "free volume", result->totals.free_volume, DECIMALS,

@@ -76,11 +76,15 @@ struct request {
   const char *weights;    /* a file, or NULL */
   const char *pdb_out;    /* a file, or NULL */
   double probe;           /* 0 if none was given */
-  struct box_choice box;  /* of `boundary`, `measure` and `contacts` */
+  struct box_choice box;  /* of `boundary`, `measure`, `contacts` and `pores` */
   uint64_t model;         /* counted from 1 */
   const char *trajectory; /* a file with frames of the molecule, or NULL; of `measure` and `contacts` */
   bool frames_given;
   struct frame_range frames;
+  bool mean;               /* over the frames, in place of a row of each; of `measure` */
+  const char *index_file;  /* with groups of atoms, or NULL */
+  struct index_file index; /* of that file; empty if there is none */
+  struct selection part;   /* the atoms that are measured, while all others only block; of `measure` */
   struct selection selection;
   enum query_kind query;
   double position[3];
@@ -114,6 +118,8 @@ bool request_wants_areas(const struct request *request);
 
 /* Whether places or radii of the balls are asked for once the library has them. */
 bool request_wants_places(const struct request *request);
+/* Whether there is such a part of the molecule. */
+bool request_wants_part(const struct request *request);
 
 /* How many threads may be at work. */
 uint32_t request_threads(const struct request *request);

@@ -67,6 +67,25 @@ bool geometry_find_pores(struct geometry *geometry, const struct molecule *molec
          (status == HSP_OK || failure_in_library(failure, status));
 }
 
+bool geometry_find_pores_in_box(struct geometry *geometry, const struct molecule *molecule, const double *box,
+                                double narrowest, struct failure *failure) {
+  const hsp_pores_options options = pores_of(narrowest);
+  hsp_workspace *const work = &geometry->work;
+  if (!geometry_compute_periodic(geometry, molecule, 0.0, box, failure)) return false;
+  progress_show(&geometry->progress, "looking for pores");
+  int32_t status = hsp_workspace_ready_pores(work);
+  hsp_pores_limits limits = work->pores_limits;
+  while (status == HSP_OK) {
+    status = hsp_pores_compute_periodic(work->pores, geometry->periodic, &options, &limits);
+    if (status != HSP_E_CAPACITY) break;
+    status = hsp_workspace_grow_pores(work, &limits);
+  }
+  if (status == HSP_E_RANGE) {
+    return failure_in_input(failure, 0, "the box is too long for its width, or a probe in it is too wide");
+  }
+  return status == HSP_OK || failure_in_library(failure, status);
+}
+
 bool geometry_find_tunnel(struct geometry *geometry, double narrowest, const double from[3], const uint32_t *avoided,
                           uint32_t count, hsp_tunnel *tunnel, struct failure *failure) {
   const hsp_pores_options options = pores_of(narrowest);

@@ -24,6 +24,10 @@ bool geometry_find_gate(struct geometry *geometry, const struct molecule *molecu
 bool geometry_find_pores(struct geometry *geometry, const struct molecule *molecule, double narrowest,
                          struct failure *failure);
 
+/* The same in a periodic box, [9]. */
+bool geometry_find_pores_in_box(struct geometry *geometry, const struct molecule *molecule, const double *box,
+                                double narrowest, struct failure *failure);
+
 /* Find a tunnel to the outside that avoids gates, [count], in the pores of the same narrowest probe. */
 bool geometry_find_tunnel(struct geometry *geometry, double narrowest, const double from[3], const uint32_t *avoided,
                           uint32_t count, hsp_tunnel *tunnel, struct failure *failure);

@@ -250,7 +250,7 @@ static void find_entries(const struct annotation *annotation, struct legend *leg
     const struct atom_label *label = &annotation->molecule->label[atom];
     const bool of_chain = stands_for_chain(annotation, label);
     const char *const text = of_chain ? label->residue->chain : label->element.text;
-    if (text[0] == '\0' || !selection_takes(annotation->selected, label)) continue;
+    if (text[0] == '\0' || !selection_takes(annotation->selected, annotation->molecule, atom)) continue;
     if (of_chain && strcmp(label->element.text, "C") != 0) continue;
     size_t at = 0;
     while (at < legend->entries &&

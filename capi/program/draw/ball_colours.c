@@ -163,7 +163,7 @@ static bool mute_others(const struct selection *highlight, const struct molecule
   bool any = false;
   if (highlight->count == 0) return true;
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
-    if (selection_takes(highlight, &molecule->label[i])) {
+    if (selection_takes(highlight, molecule, i)) {
       any = true;
       if (by_element && number_of(&molecule->label[i]) == CARBON) colour[i] = highlighted_carbon;
     } else {

@@ -70,7 +70,7 @@ bool page_labels_find(const hsp_map *map, const struct molecule *molecule, const
   for (uint32_t atom = 0; status == HSP_OK && atom < molecule->atoms; ++atom) {
     bool seen = false;
     hsp_map_pole pole = {{0.0, 0.0}, 0.0, 0.0};
-    if (!selection_takes(selected, &molecule->label[atom])) continue;
+    if (!selection_takes(selected, molecule, atom)) continue;
     status = find_widest(map, atom, &seen, &pole);
     if (status != HSP_OK || !seen) continue;
     /* Few chains, and residues whose last atom is near: most labels are found at the end. */

@@ -1,6 +1,7 @@
 #include "read/byte_reader.h"
 
 #include <errno.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "read/line_reader.h"
@@ -57,4 +58,15 @@ double bits_to_double(uint64_t bits) {
   double value;
   memcpy(&value, &bits, sizeof value);
   return value;
+}
+
+double float_as_written(float value) {
+  char text[32];
+  double read = (double)value;
+  for (int digits = 6; digits <= 9; ++digits) {
+    snprintf(text, sizeof text, "%.*g", digits, (double)value);
+    read = strtod(text, NULL);
+    if ((float)read == value) break;
+  }
+  return read;
 }

@@ -42,4 +42,7 @@ int32_t bits_to_i32(uint32_t bits);
 float bits_to_float(uint32_t bits);
 double bits_to_double(uint64_t bits);
 
+/* The number with fewest digits that is this float: 0.1, where the float's own value has 17 digits. */
+double float_as_written(float value);
+
 #endif

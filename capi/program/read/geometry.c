@@ -62,21 +62,26 @@ bool geometry_set_model(struct geometry *geometry, const struct molecule *molecu
 }
 
 bool geometry_compute_boundary(struct geometry *geometry, struct failure *failure) {
+  return geometry_compute_boundary_of(geometry, NULL, failure);
+}
+
+bool geometry_compute_boundary_of(struct geometry *geometry, const uint8_t *selected, struct failure *failure) {
   progress_show(&geometry->progress, "computing the boundary");
   const hsp_boundary_request request = {
-      .struct_size = sizeof request, .reserved = 0, .executor = executor_of(geometry), .selected = NULL};
+      .struct_size = sizeof request, .reserved = 0, .executor = executor_of(geometry), .selected = selected};
   int32_t status = hsp_workspace_boundary_with(&geometry->work, &request);
   if (status == HSP_E_MEMORY && request.executor != NULL) { /* each thread needs some of its own */
     geometry->executor.workers = 1;
     geometry->work.boundary_limits.workers = 0;
-    status = hsp_workspace_boundary(&geometry->work);
+    status = hsp_workspace_boundary_with(&geometry->work,
+                                         &(hsp_boundary_request){.struct_size = sizeof request, .selected = selected});
   }
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
-bool geometry_measure(const struct geometry *geometry, uint32_t balls, hsp_totals *totals, double *area,
-                      struct failure *failure) {
-  const hsp_measure_request request = {(uint32_t)sizeof request, 0, NULL, executor_of(geometry)};
+bool geometry_measure(const struct geometry *geometry, uint32_t balls, const uint8_t *selected, hsp_totals *totals,
+                      double *area, struct failure *failure) {
+  const hsp_measure_request request = {(uint32_t)sizeof request, 0, selected, executor_of(geometry)};
   hsp_measure_outputs outputs = {(uint32_t)sizeof outputs, area == NULL ? 0 : balls, 0, 0, totals, area, NULL};
   const int32_t status = hsp_boundary_get_measures(geometry->work.boundary, &request, &outputs);
   return status == HSP_OK || failure_in_library(failure, status);

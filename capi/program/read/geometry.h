@@ -24,8 +24,8 @@ struct geometry {
 void geometry_share_work(struct geometry *geometry, uint32_t threads, uint32_t balls);
 
 /* Area and volume of all, and of each ball unless `area` is NULL, from the boundary. */
-bool geometry_measure(const struct geometry *geometry, uint32_t balls, hsp_totals *totals, double *area,
-                      struct failure *failure);
+bool geometry_measure(const struct geometry *geometry, uint32_t balls, const uint8_t *selected, hsp_totals *totals,
+                      double *area, struct failure *failure);
 
 /* Make the model. A ball that the library refuses is named by its line. step: of the lattice, 0 for the library's
  * choice. */
@@ -34,6 +34,9 @@ bool geometry_set_model(struct geometry *geometry, const struct molecule *molecu
 
 /* Compute the boundary of the model, with as much memory as it turns out to need. */
 bool geometry_compute_boundary(struct geometry *geometry, struct failure *failure);
+
+/* The same of selected balls [balls] alone, while all others only block; NULL: of all. */
+bool geometry_compute_boundary_of(struct geometry *geometry, const uint8_t *selected, struct failure *failure);
 
 /* Compute the boundary and its topology. */
 bool geometry_compute_topology(struct geometry *geometry, struct failure *failure);

@@ -226,18 +226,6 @@ static bool take_floats(struct byte_reader *reader, uint32_t atoms, double *xyz,
   return true;
 }
 
-/* The number with fewest digits that is this float: 0.1, where the float's own value has 17 digits. */
-static double as_written(float value) {
-  char text[32];
-  double read = (double)value;
-  for (int digits = 6; digits <= 9; ++digits) {
-    snprintf(text, sizeof text, "%.*g", digits, (double)value);
-    read = strtod(text, NULL);
-    if ((float)read == value) break;
-  }
-  return read;
-}
-
 /* Takes the beginning of a frame. */
 static bool take_start(struct byte_reader *reader, uint32_t atoms, bool *large, struct frame_stamp *stamp,
                        struct failure *failure) {
@@ -259,9 +247,10 @@ static bool take_start(struct byte_reader *reader, uint32_t atoms, bool *large, 
   }
   stamp->stepped = stamp->timed = true;
   stamp->step = bits_to_i32(bytes_to_u32(bytes + 8, true));
-  stamp->time = as_written(bits_to_float(bytes_to_u32(bytes + 12, true)));
+  stamp->time = float_as_written(bits_to_float(bytes_to_u32(bytes + 12, true)));
   double vector[9];
-  for (size_t k = 0; k < 9; ++k) vector[k] = 10.0 * as_written(bits_to_float(bytes_to_u32(bytes + 16 + 4 * k, true)));
+  for (size_t k = 0; k < 9; ++k)
+    vector[k] = 10.0 * float_as_written(bits_to_float(bytes_to_u32(bytes + 16 + 4 * k, true)));
   box_from_vectors(vector, &stamp->box);
   return true;
 }

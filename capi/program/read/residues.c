@@ -27,20 +27,23 @@ bool residue_label_same(const struct residue_label *a, const struct residue_labe
 }
 
 static void begin_group(struct atom_groups *groups, uint32_t first) {
-  groups->group[groups->count++] = (struct atom_group){first, 0, 0.0};
+  groups->group[groups->count++] = (struct atom_group){first, 0, 0.0, NULL};
 }
 
-static void add_atom(struct atom_groups *groups, double area) {
+/* Adds the atom to the last group, if it counts. */
+static void add_atom(struct atom_groups *groups, const double *area, const uint8_t *part, uint32_t atom) {
   struct atom_group *last = &groups->group[groups->count - 1];
+  if (part != NULL && part[atom] == 0) return;
   ++last->atoms;
-  last->area += area;
+  last->area += area[atom];
 }
 
-static void group_residues(const struct molecule *molecule, const double *area, struct atom_groups *groups) {
+static void group_residues(const struct molecule *molecule, const double *area, const uint8_t *part,
+                           struct atom_groups *groups) {
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     const bool begins = i == 0 || !residue_label_same(molecule->label[i - 1].residue, molecule->label[i].residue);
     if (begins) begin_group(groups, i);
-    add_atom(groups, area[i]);
+    add_atom(groups, area, part, i);
   }
 }
 
@@ -80,12 +83,13 @@ static bool begins_chain(const struct chain_member *members, uint32_t i) {
   return i == 0 || strcmp(members[i - 1].chain, members[i].chain) != 0;
 }
 
-static bool group_chains(const struct molecule *molecule, const double *area, struct atom_groups *groups) {
+static bool group_chains(const struct molecule *molecule, const double *area, const uint8_t *part,
+                         struct atom_groups *groups) {
   struct chain_member *members = sorted_members(molecule);
   if (members == NULL) return false;
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     if (begins_chain(members, i)) begin_group(groups, members[i].atom);
-    add_atom(groups, area[members[i].atom]);
+    add_atom(groups, area, part, members[i].atom);
   }
   qsort(groups->group, groups->count, sizeof *groups->group, order_of_groups);
   free(members);
@@ -114,15 +118,46 @@ bool chain_numbers_make(const struct molecule *molecule, uint32_t **number, stru
   return true;
 }
 
-bool atom_groups_make(const struct molecule *molecule, enum grouping grouping, const double *area,
-                      struct atom_groups *groups, struct failure *failure) {
+/* The groups of the file, empty ones too; atoms that became no balls are in none. */
+static void group_by_index(const struct molecule *molecule, const struct index_file *index, const double *area,
+                           const uint8_t *part, struct atom_groups *groups) {
+  for (size_t k = 0; k < index->count; ++k) {
+    begin_group(groups, UINT32_MAX);
+    struct atom_group *const group = &groups->group[k];
+    group->name = index->group[k].name;
+    for (uint32_t i = 0; i < molecule->atoms; ++i) {
+      if (!index_group_has(&index->group[k], molecule->place[i])) continue;
+      if (group->first == UINT32_MAX) group->first = i;
+      add_atom(groups, area, part, i);
+    }
+  }
+}
+
+static void leave_out_empty(struct atom_groups *groups) {
+  uint32_t kept = 0;
+  for (uint32_t k = 0; k < groups->count; ++k) {
+    if (groups->group[k].atoms > 0) groups->group[kept++] = groups->group[k];
+  }
+  groups->count = kept;
+}
+
+bool atom_groups_make(const struct molecule *molecule, enum grouping grouping, const struct index_file *index,
+                      const double *area, const uint8_t *part, struct atom_groups *groups, struct failure *failure) {
+  const bool indexed = grouping == GROUPING_GROUP;
+  bool done = true;
   groups->grouping = grouping;
   groups->count = 0;
-  groups->group = malloc(((size_t)molecule->atoms + 1) * sizeof *groups->group);
+  groups->group = malloc(((indexed ? index->count : (size_t)molecule->atoms) + 1) * sizeof *groups->group);
   if (groups->group == NULL) return failure_of_memory(failure);
-  if (grouping == GROUPING_CHAIN) return group_chains(molecule, area, groups) || failure_of_memory(failure);
-  group_residues(molecule, area, groups);
-  return true;
+  if (indexed) {
+    group_by_index(molecule, index, area, part, groups);
+  } else if (grouping == GROUPING_CHAIN) {
+    done = group_chains(molecule, area, part, groups);
+  } else {
+    group_residues(molecule, area, part, groups);
+  }
+  if (part != NULL && !indexed) leave_out_empty(groups);
+  return done || failure_of_memory(failure);
 }
 
 void atom_groups_free(struct atom_groups *groups) {

@@ -7,6 +7,7 @@
 #include <stdint.h>
 
 #include "read/failure.h"
+#include "read/index_file.h"
 #include "read/molecule.h"
 
 /* Whether the file says anything. */
@@ -25,17 +26,20 @@ enum grouping {
    * the same chain, as those of water do after 9999; so residues of one name that lie apart are two. */
   GROUPING_RESIDUE,
   /* A chain: all atoms with its letter, wherever they stand: ligands and water often follow all the chains. */
-  GROUPING_CHAIN
+  GROUPING_CHAIN,
+  /* A group of an index file, which may share atoms with others. */
+  GROUPING_GROUP
 };
 
 /* Atoms that belong together. */
 struct atom_group {
-  uint32_t first; /* the first of them in the file; its label names the group */
+  uint32_t first; /* the first of them in the file; its label names the group; UINT32_MAX: there is none */
   uint32_t atoms;
-  double area; /* sum over them, in the order of the file */
+  double area;      /* sum over them, in the order of the file */
+  const char *name; /* of a group of an index file */
 };
 
-/* The groups of a molecule, in the order of their first atoms. */
+/* The groups of a molecule, in the order of their first atoms, or of the index file. */
 struct atom_groups {
   enum grouping grouping;
   uint32_t count;
@@ -45,9 +49,10 @@ struct atom_groups {
 #define ATOM_GROUPS_NONE \
   { GROUPING_NONE, 0, NULL }
 
-/* Group the atoms, by residue or by chain, and sum area [atoms] over each group. False: memory is short. */
-bool atom_groups_make(const struct molecule *molecule, enum grouping grouping, const double *area,
-                      struct atom_groups *groups, struct failure *failure);
+/* Group the atoms and sum area [atoms] over each group. Atoms whose `part` [atoms] is 0 do not count, and residues and
+ * chains of none but such are left out. part: NULL for all. False: memory is short. */
+bool atom_groups_make(const struct molecule *molecule, enum grouping grouping, const struct index_file *index,
+                      const double *area, const uint8_t *part, struct atom_groups *groups, struct failure *failure);
 
 /* The chain of each atom as a number, 0, 1, ..: chains count in the order of their first atoms. *number [atoms] is to
  * be freed on true. False: memory is short. */

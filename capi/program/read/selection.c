@@ -8,9 +8,9 @@
 #include "read/characters.h"
 #include "read/number.h"
 
-enum key { KEY_CHAIN, KEY_RESIDUE, KEY_ELEMENT, KEY_ATOM, KEY_WATER, KEY_HETATM, KEY_HYDROGEN };
+enum key { KEY_CHAIN, KEY_RESIDUE, KEY_ELEMENT, KEY_ATOM, KEY_GROUP, KEY_WATER, KEY_HETATM, KEY_HYDROGEN };
 
-static const char *const key_names[] = {"chain", "residue", "element", "atom", "water", "hetatm", "hydrogen"};
+static const char *const key_names[] = {"chain", "residue", "element", "atom", "group", "water", "hetatm", "hydrogen"};
 
 struct selection_item {
   enum key key;
@@ -19,6 +19,7 @@ struct selection_item {
   bool numbers;                 /* of residues: low .. high */
   int64_t low;
   int64_t high;
+  const struct index_group *group; /* of groups, as soon as it is found */
   bool ends_term;
   bool ends_selection;
   bool hides;         /* of the last item of a selection: its atoms are left out */
@@ -86,7 +87,7 @@ static bool parse_item(struct selection_item *item, const char *option, struct f
   return true;
 }
 
-/* The key of a term; behind it stand items if it is one of the first four. False: the failure says what it should
+/* The key of a term; behind it stand items unless it is one of the last three. False: the failure says what it should
  * be. */
 static bool parse_key(struct field *term, enum key *key, const char *option, struct failure *failure) {
   char shown[EXCERPT_BYTES];
@@ -102,10 +103,11 @@ static bool parse_key(struct field *term, enum key *key, const char *option, str
       return true;
     }
   }
-  return failure_in_usage(failure,
-                          "%s: '%s' is none of chain:A, residue:HOH, residue:1-40, element:H, atom:CA, water, hetatm, "
-                          "hydrogen",
-                          option, excerpt(shown, term->text, term->length));
+  return failure_in_usage(
+      failure,
+      "%s: '%s' is none of chain:A, residue:HOH, residue:1-40, element:H, atom:CA, group:NAME, water, "
+      "hetatm, hydrogen",
+      option, excerpt(shown, term->text, term->length));
 }
 
 static bool parse_term(struct selection *selection, struct field term, const char *option, struct failure *failure) {
@@ -146,9 +148,22 @@ bool selection_add(struct selection *selection, const char *option, const char *
   return true;
 }
 
-bool selection_suits(const struct selection *selection, const struct file_format *format, struct failure *failure) {
+static bool find_group(struct selection_item *item, const struct index_file *index, struct failure *failure) {
+  char shown[EXCERPT_BYTES];
+  excerpt(shown, item->text.text, item->text.length);
+  if (index->count == 0) return failure_in_usage(failure, "group:%s is of an index file: it needs --index", shown);
+  item->group = index_file_find(index, item->text);
+  return item->group != NULL || failure_in_usage(failure, "the index file has no group '%s'", shown);
+}
+
+bool selection_suits(struct selection *selection, const struct file_format *format, const struct index_file *index,
+                     struct failure *failure) {
   for (size_t i = 0; i < selection->count; ++i) {
     const enum key key = selection->items[i].key;
+    if (key == KEY_GROUP) {
+      if (!find_group(&selection->items[i], index, failure)) return false;
+      continue;
+    }
     const bool element = key == KEY_ELEMENT || key == KEY_HYDROGEN;
     if (key == KEY_HETATM && file_format_has(format, FILE_RESIDUES) && !file_format_has(format, FILE_HETATM)) {
       return failure_in_usage(failure, "a selection by hetatm has no use here: the file does not tell such atoms");
@@ -179,7 +194,8 @@ static bool holds_of_residue(const struct selection_item *item, const struct res
   return same_text(item->text, number);
 }
 
-static bool holds(const struct selection_item *item, const struct atom_label *label) {
+static bool holds(const struct selection_item *item, const struct molecule *molecule, uint32_t atom) {
+  const struct atom_label *const label = &molecule->label[atom];
   const char *chain = label->residue->chain;
   switch (item->key) {
     case KEY_CHAIN:
@@ -191,6 +207,9 @@ static bool holds(const struct selection_item *item, const struct atom_label *la
       return strcmp(item->symbol.text, label->element.text) == 0;
     case KEY_ATOM:
       return same_text(item->text, label->name);
+    case KEY_GROUP:
+      return item->group != NULL &&
+             index_group_has(item->group, molecule->place == NULL ? atom : molecule->place[atom]);
     case KEY_WATER:
       return atom_is_water(label);
     case KEY_HETATM:
@@ -201,13 +220,13 @@ static bool holds(const struct selection_item *item, const struct atom_label *la
   return false;
 }
 
-bool selection_takes(const struct selection *selection, const struct atom_label *label) {
+bool selection_takes(const struct selection *selection, const struct molecule *molecule, uint32_t atom) {
   bool term = false;
   bool all_terms = true;
   bool named = !selection->only;
   for (size_t i = 0; i < selection->count; ++i) {
     const struct selection_item *item = &selection->items[i];
-    term = term || holds(item, label);
+    term = term || holds(item, molecule, atom);
     if (!item->ends_term) continue;
     all_terms = all_terms && term;
     term = false;
@@ -221,7 +240,7 @@ bool selection_takes(const struct selection *selection, const struct atom_label 
 
 static bool any_holds(const struct selection_item *item, const struct molecule *molecule) {
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
-    if (holds(item, &molecule->label[i])) return true;
+    if (holds(item, molecule, i)) return true;
   }
   return false;
 }
@@ -232,7 +251,7 @@ static bool any_named(const struct selection_item *first, size_t count, const st
     bool term = false;
     bool all_terms = true;
     for (size_t k = 0; k < count; ++k) {
-      term = term || holds(&first[k], &molecule->label[i]);
+      term = term || holds(&first[k], molecule, i);
       if (!first[k].ends_term) continue;
       all_terms = all_terms && term;
       term = false;
@@ -288,7 +307,7 @@ static void take_or_leave(struct molecule *molecule, uint32_t *taken, uint32_t i
 bool selection_apply(const struct selection *selection, struct molecule *molecule, struct failure *failure) {
   uint32_t taken = 0;
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
-    take_or_leave(molecule, &taken, i, selection_takes(selection, &molecule->label[i]));
+    take_or_leave(molecule, &taken, i, selection_takes(selection, molecule, i));
   }
   const uint32_t before = molecule->atoms;
   molecule->atoms = taken;

@@ -7,6 +7,7 @@
 #include <stdint.h>
 
 #include "read/failure.h"
+#include "read/index_file.h"
 #include "read/molecule.h"
 #include "read/text_buffer.h"
 
@@ -14,10 +15,11 @@
  *   selection = term {"&" term}              all of the terms hold
  *   term      = key ":" item {"," item}      one of the items holds
  *             | "water" | "hetatm" | "hydrogen"
- *   key       = "chain" | "residue" | "element" | "atom"
+ *   key       = "chain" | "residue" | "element" | "atom" | "group"
  * An item of `chain` is a chain's name as it stands, "." for the chain without one; of `element` a symbol; of `atom` an
  * atom's name. An item of `residue` is a residue's name, its number with the insertion code, or a number or a range of
- * numbers, A-B, whatever the insertion code. Chains are case-sensitive, all other items are not. */
+ * numbers, A-B, whatever the insertion code; of `group` a group of an index file, by its name or, from 0 on, its
+ * number. Chains and groups are case-sensitive, all other items are not. */
 struct selection_item;
 
 /* The selections of a command line. They point to its texts. */
@@ -36,12 +38,14 @@ struct selection {
 bool selection_add(struct selection *selection, const char *option, const char *text, bool hide,
                    struct failure *failure);
 
-/* Whether files of the format say what a selection asks for. */
-bool selection_suits(const struct selection *selection, const struct file_format *format, struct failure *failure);
+/* Whether files of the format say what a selection asks for, and the index file has its groups, which must stay where
+ * it is. */
+bool selection_suits(struct selection *selection, const struct file_format *format, const struct index_file *index,
+                     struct failure *failure);
 
 /* Whether an atom becomes a ball: it is named by one of the selections of atoms to be read, if there is any, and by
  * none of those to be left out. */
-bool selection_takes(const struct selection *selection, const struct atom_label *label);
+bool selection_takes(const struct selection *selection, const struct molecule *molecule, uint32_t atom);
 
 /* Add "--only chain:Z, --hide residue:UNK": the items that no atom of the molecule has, and selections that it has all
  * items of but no atom with all of them. */

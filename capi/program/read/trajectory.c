@@ -8,6 +8,41 @@
 #include "read/fields.h"
 #include "read/number.h"
 #include "read/read_molecule.h"
+#include "read/read_trr.h"
+
+static enum line_status next_of_xtc(struct trajectory *of, bool wanted, struct failure *failure) {
+  return xtc_next(&of->xtc, &of->bytes, wanted, of->atoms, of->xyz, &of->stamp, failure);
+}
+
+static enum line_status next_of_trr(struct trajectory *of, bool wanted, struct failure *failure) {
+  return trr_next(&of->bytes, wanted, of->atoms, of->xyz, &of->stamp, failure);
+}
+
+static bool begin_dcd(struct trajectory *of, struct failure *failure) {
+  return dcd_begin(&of->dcd, &of->bytes, of->atoms, failure);
+}
+
+static enum line_status next_of_dcd(struct trajectory *of, bool wanted, struct failure *failure) {
+  return dcd_next(&of->dcd, &of->bytes, wanted, of->atoms, of->xyz, &of->stamp, failure);
+}
+
+static const struct binary_frames binary_formats[] = {
+    {"xtc", "XTC", NULL, next_of_xtc},
+    {"trr", "TRR", NULL, next_of_trr},
+    {"dcd", "DCD", begin_dcd, next_of_dcd},
+};
+
+enum { BINARY_FORMATS = sizeof binary_formats / sizeof binary_formats[0] };
+
+const char *trajectory_format_list(char out[FORMAT_LIST_BYTES]) {
+  char models[FORMAT_LIST_BYTES];
+  size_t at = 0;
+  for (size_t i = 0; i < BINARY_FORMATS; ++i) {
+    at += (size_t)snprintf(out + at, FORMAT_LIST_BYTES - at, ".%s, ", binary_formats[i].name);
+  }
+  snprintf(out + at, FORMAT_LIST_BYTES - at, "%s", file_format_list(models, ".", "or", FILE_FRAMES, true));
+  return out;
+}
 
 bool trajectory_format_of(const char *path, const struct file_format *molecule, struct trajectory *trajectory,
                           struct failure *failure) {
@@ -15,20 +50,15 @@ bool trajectory_format_of(const char *path, const struct file_format *molecule, 
   const char *dot = strrchr(slash == NULL ? path : slash + 1, '.');
   const struct field extension = {dot == NULL ? "" : dot + 1, dot == NULL ? 0 : strlen(dot + 1)};
   memset(trajectory, 0, sizeof *trajectory);
-  if (field_is(extension, "XTC")) {
-    trajectory->format = TRAJECTORY_XTC;
-    return true;
+  for (size_t i = 0; i < BINARY_FORMATS; ++i) {
+    if (field_is(extension, binary_formats[i].extension)) trajectory->binary = &binary_formats[i];
   }
-  if (field_is(extension, "DCD")) {
-    trajectory->format = TRAJECTORY_DCD;
-    return true;
-  }
+  if (trajectory->binary != NULL) return true;
   trajectory->models = input_is_standard(path) ? molecule : file_format_named(extension.text);
   if (trajectory->models != NULL && file_format_has(trajectory->models, FILE_FRAMES)) return true;
   char list[FORMAT_LIST_BYTES];
   failure->file = path;
-  return failure_in_input(failure, 0, "no trajectory by its extension; expected .xtc, .dcd, %s",
-                          file_format_list(list, ".", "or", FILE_FRAMES, true));
+  return failure_in_input(failure, 0, "no trajectory by its extension; expected %s", trajectory_format_list(list));
 }
 
 bool trajectory_open(struct trajectory *trajectory, const char *path, uint32_t atoms, struct failure *failure) {
@@ -36,7 +66,7 @@ bool trajectory_open(struct trajectory *trajectory, const char *path, uint32_t a
   trajectory->atoms = atoms;
   failure->file = input_name(path);
   molecule_init(&trajectory->model, trajectory->models, 1, KEEP_NO_MORE);
-  if (trajectory->format == TRAJECTORY_MODELS) {
+  if (trajectory->binary == NULL) {
     trajectory->lines = malloc(sizeof *trajectory->lines);
     if (trajectory->lines == NULL) return failure_of_memory(failure);
     if (line_reader_open(trajectory->lines, path, failure)) return true;
@@ -47,7 +77,7 @@ bool trajectory_open(struct trajectory *trajectory, const char *path, uint32_t a
   trajectory->xyz = calloc((size_t)atoms + 1, 3 * sizeof *trajectory->xyz);
   if (trajectory->xyz == NULL) return failure_of_memory(failure);
   if (!byte_reader_open(&trajectory->bytes, path, failure)) return false;
-  return trajectory->format == TRAJECTORY_XTC || dcd_begin(&trajectory->dcd, &trajectory->bytes, atoms, failure);
+  return trajectory->binary->begin == NULL || trajectory->binary->begin(trajectory, failure);
 }
 
 bool failure_in_frame(struct failure *failure, uint64_t number) {
@@ -89,24 +119,11 @@ static bool check_coordinates(const struct trajectory *trajectory, struct failur
 }
 
 enum line_status trajectory_next(struct trajectory *trajectory, bool wanted, struct failure *failure) {
-  const uint32_t atoms = trajectory->atoms;
-  enum line_status status = LINE_END;
+  const struct binary_frames *const binary = trajectory->binary;
   trajectory->stamp = (struct frame_stamp){.number = trajectory->frames + 1};
-  switch (trajectory->format) {
-    case TRAJECTORY_MODELS:
-      status = next_model(trajectory, wanted, failure);
-      break;
-    case TRAJECTORY_XTC:
-      status =
-          xtc_next(&trajectory->xtc, &trajectory->bytes, wanted, atoms, trajectory->xyz, &trajectory->stamp, failure);
-      break;
-    case TRAJECTORY_DCD:
-      status =
-          dcd_next(&trajectory->dcd, &trajectory->bytes, wanted, atoms, trajectory->xyz, &trajectory->stamp, failure);
-      break;
-  }
-  if (status == LINE_READ && wanted && trajectory->format != TRAJECTORY_MODELS &&
-      !check_coordinates(trajectory, failure)) {
+  enum line_status status =
+      binary == NULL ? next_model(trajectory, wanted, failure) : binary->next(trajectory, wanted, failure);
+  if (status == LINE_READ && wanted && binary != NULL && !check_coordinates(trajectory, failure)) {
     status = LINE_FAILED;
   }
   if (status == LINE_READ) ++trajectory->frames;
@@ -118,7 +135,7 @@ enum line_status trajectory_next(struct trajectory *trajectory, bool wanted, str
 void trajectory_close(struct trajectory *trajectory) {
   if (trajectory->lines != NULL) line_reader_close(trajectory->lines);
   free(trajectory->lines);
-  if (trajectory->format != TRAJECTORY_MODELS) free(trajectory->xyz);
+  if (trajectory->binary != NULL) free(trajectory->xyz);
   molecule_free(&trajectory->model);
   byte_reader_close(&trajectory->bytes);
   xtc_free(&trajectory->xtc);

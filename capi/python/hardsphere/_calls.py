@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes as C
 import ctypes.util
 import os
+from concurrent.futures import ThreadPoolExecutor
 from types import SimpleNamespace
 from typing import Any, Iterable, NamedTuple
 
@@ -17,6 +18,8 @@ _NONE, _CAPACITY, _ABI = 0xFFFFFFFF, -2, 1
 _SCALARS = {"double": C.c_double, "int32_t": C.c_int32, "uint32_t": C.c_uint32, "uint8_t": C.c_uint8,
             "int64_t": C.c_int64, "uint64_t": C.c_uint64, "size_t": C.c_size_t}
 _SINK = C.CFUNCTYPE(C.c_int32, C.c_void_p, C.POINTER(C.c_char), C.c_size_t)
+_TASK = C.CFUNCTYPE(None, C.c_void_p, C.c_uint32)
+_LOOP = C.CFUNCTYPE(None, C.c_void_p, C.c_uint32, _TASK, C.c_void_p)
 
 
 def _load() -> C.CDLL:
@@ -25,6 +28,7 @@ def _load() -> C.CDLL:
     if chosen:
         return C.CDLL(chosen)
     for name in (os.path.join(here, f"libhardsphere.so.{_ABI}"), os.path.join(here, "libhardsphere.so"),
+                 os.path.join(here, "../../..", f"libhardsphere.so.{_ABI}"),  # as it is installed
                  f"libhardsphere.so.{_ABI}", ctypes.util.find_library("hardsphere")):
         try:
             return C.CDLL(name) if name else None
@@ -241,9 +245,16 @@ def _options(argument: Argument, fields: list[Argument], values: dict[str, Any],
     kept = []
     for field in fields:
         value = values.get(field.name)
+        if field.base == "hsp_executor" and (values.get("threads") or 1) > 1:
+            value = _executor(values["threads"])
+        elif field.kind == "sized_in" and field.base in _fields:
+            value = _options(field, _fields[field.base], values, sizes)
         if value is None:
             continue
-        if field.kind == "handle":
+        if field.kind == "sized_in":
+            kept.append(value)
+            value = C.addressof(value)
+        elif field.kind == "handle":
             value = value._pointer.value
         elif field.kind == "array_in":
             kept.append(array_in(value, field, sizes))
@@ -252,6 +263,18 @@ def _options(argument: Argument, fields: list[Argument], values: dict[str, Any],
             value = (_SCALARS[field.base] * int(field.extents[0]))(*value)
         setattr(made, field.name, value)
     made.kept = kept
+    return made
+
+
+def _executor(threads: int) -> Any:
+    """A loop whose tasks so many threads share; none of them holds Python's lock while it works."""
+    def run(_: Any, tasks: int, task: Any, data: Any) -> None:
+        with ThreadPoolExecutor(min(threads, tasks)) as pool:
+            list(pool.map(lambda k: task(data, k), range(tasks)))
+
+    made = _records["hsp_executor"]()
+    made.struct_size, made.workers, made.kept = C.sizeof(made), threads, _LOOP(run)
+    made.run = C.cast(made.kept, C.c_void_p).value
     return made
 
 

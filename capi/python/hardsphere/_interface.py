@@ -656,6 +656,24 @@ class PoreGate(Record):
                 ("merges", C.c_uint32)]
 
 
+class PoreGateShifts(Record):
+    """How the sides of a gate lie in a periodic box, and what opens there."""
+    _fields_ = [("ball", C.c_int32 * 9), ("end", C.c_int32 * 6), ("winds", C.c_uint32), ("directions", C.c_uint32)]
+
+
+class PorePercolation(Record):
+    """How wide a probe gets through a periodic box for ever."""
+    _fields_ = [("largest", C.c_double), ("through", C.c_double * 3), ("included", C.c_double * 3),
+                ("along", C.c_double * 3), ("gate", C.c_uint32 * 3), ("maximum", C.c_uint32 * 3),
+                ("gate_along", C.c_uint32 * 3), ("reserved", C.c_uint32)]
+
+
+class PoreChannel(Record):
+    """A part of free space for one probe, and where it leads."""
+    _fields_ = [("radius", C.c_double), ("maximum", C.c_uint32), ("maxima", C.c_uint32), ("directions", C.c_uint32),
+                ("copies", C.c_uint32), ("row", C.c_int32 * 9), ("reserved", C.c_uint32)]
+
+
 class PorePlace(Record):
     """Where a point is."""
     _fields_ = [("radius", C.c_double), ("ball", C.c_uint32), ("maximum", C.c_uint32)]
@@ -914,9 +932,9 @@ class Boundary(Handle):
         """Compute the boundary of the union of the model's balls."""
         return call("hsp_boundary_compute", self, model=model)
 
-    def compute_with(self, model: Model, *, selected: Any | None = None) -> Boundary:
+    def compute_with(self, model: Model, *, threads: int | None = None, selected: Any | None = None) -> Boundary:
         """The same as hsp_boundary_compute, as a request says; request may be NULL: all defaults."""
-        return call("hsp_boundary_compute_with", self, model=model, selected=selected)
+        return call("hsp_boundary_compute_with", self, model=model, threads=threads, selected=selected)
 
     def get_counts(self) -> BoundaryCounts:
         """How many of everything the boundary has."""
@@ -959,9 +977,9 @@ class Boundary(Handle):
         block. Gives .totals, .area, .volume_term."""
         return call("hsp_boundary_measure", self, selected=selected, only=only)
 
-    def get_measures(self, *, selected: Any | None = None, only: Any | None = None) -> Any:
+    def get_measures(self, *, selected: Any | None = None, threads: int | None = None, only: Any | None = None) -> Any:
         """The same as a request says; request may be NULL: all defaults. Gives .totals, .area, .volume_term."""
-        return call("hsp_boundary_get_measures", self, selected=selected, only=only)
+        return call("hsp_boundary_get_measures", self, selected=selected, threads=threads, only=only)
 
     def measure_faces(self, *, only: Any | None = None) -> Any:
         """Area, and term of the volume, of each face: area [faces] and volume_term [faces], each may be NULL, face ids
@@ -969,26 +987,28 @@ class Boundary(Handle):
         return call("hsp_boundary_measure_faces", self, only=only)
 
     def get_gradient(self, *, tangency: int | None = None, tension: float | None = None, pressure: float | None = None,
-                     sigma: Any | None = None, only: Any | None = None) -> Any:
+                     sigma: Any | None = None, threads: int | None = None, only: Any | None = None) -> Any:
         """An energy and its gradient, in one pass. Gives .energy, .d_centre, .d_radius, .flags, .area."""
         return call("hsp_boundary_get_gradient", self, tangency=tangency, tension=tension, pressure=pressure,
-                    sigma=sigma, only=only)
+                    sigma=sigma, threads=threads, only=only)
 
-    def get_derivatives(self, *, tangency: int | None = None, sigma: Any | None = None, only: Any | None = None) -> Any:
+    def get_derivatives(self, *, tangency: int | None = None, sigma: Any | None = None, threads: int | None = None,
+                        only: Any | None = None) -> Any:
         """The two parts of that gradient, each on its own. Gives .area_centre, .area_radius, .volume_centre,
         .volume_radius, .flags."""
-        return call("hsp_boundary_get_derivatives", self, tangency=tangency, sigma=sigma, only=only)
+        return call("hsp_boundary_get_derivatives", self, tangency=tangency, sigma=sigma, threads=threads, only=only)
 
     def get_area_row(self, ball: int, tangency: int) -> Any:
         """The derivatives of A_i, i = ball: an entry for i itself and one for every j whose circle on i has a free
         piece, ascending in j; all others are 0."""
         return call("hsp_boundary_get_area_row", self, ball=ball, tangency=tangency)
 
-    def get_area_rows(self, *, tangency: int | None = None, sigma: Any | None = None, only: Any | None = None) -> Any:
+    def get_area_rows(self, *, tangency: int | None = None, sigma: Any | None = None, threads: int | None = None,
+                      only: Any | None = None) -> Any:
         """The whole Jacobian of the areas as compressed rows: those of ball i are entries first[i] to first[i + 1] - 1,
         with ball [needed] the columns j, ascending, d_centre [needed][3] sigma_i dA_i/dc_j and d_radius [needed], which
         may be NULL, sigma_i dA_i/dr_j. Gives .first, .ball, .d_centre, .d_radius."""
-        return call("hsp_boundary_get_area_rows", self, tangency=tangency, sigma=sigma, only=only)
+        return call("hsp_boundary_get_area_rows", self, tangency=tangency, sigma=sigma, threads=threads, only=only)
 
     def curvature(self, *, only: Any | None = None) -> Any:
         """Integrated curvatures, in all and by ball: mean [n] and gauss_thirds [n] may each be NULL and else hold
@@ -997,11 +1017,11 @@ class Boundary(Handle):
 
     def get_morphometry(self, *, pressure: float | None = None, tension: float | None = None,
                         bending: float | None = None, gaussian: float | None = None, sigma: Any | None = None,
-                        only: Any | None = None) -> Any:
+                        threads: int | None = None, only: Any | None = None) -> Any:
         """A morphometric energy and its gradient in one pass; balls that touch count as overlapping. Gives .energy,
         .d_centre, .d_radius, .flags."""
         return call("hsp_boundary_get_morphometry", self, pressure=pressure, tension=tension, bending=bending,
-                    gaussian=gaussian, sigma=sigma, only=only)
+                    gaussian=gaussian, sigma=sigma, threads=threads, only=only)
 
 
 class Moving(Handle):
@@ -1102,10 +1122,11 @@ class Periodic(Handle):
                     largest_radius=largest_radius)
 
     def compute_with(self, xyz: Any, radius: Any, box: Any, *, areas_alone: int | None = None,
-                     options: Any | None = None) -> Periodic:
+                     probe: float | None = None, step: float | None = None, largest_radius: float | None = None,
+                     threads: int | None = None) -> Periodic:
         """The same as hsp_periodic_compute, as a request says."""
         return call("hsp_periodic_compute_with", self, xyz=xyz, radius=radius, box=box, areas_alone=areas_alone,
-                    options=options)
+                    probe=probe, step=step, largest_radius=largest_radius, threads=threads)
 
     def get_counts(self) -> PeriodicCounts:
         """Count."""
@@ -1124,11 +1145,11 @@ class Periodic(Handle):
 
     def get_morphometry(self, *, pressure: float | None = None, tension: float | None = None,
                         bending: float | None = None, gaussian: float | None = None, sigma: Any | None = None,
-                        only: Any | None = None) -> Any:
+                        threads: int | None = None, only: Any | None = None) -> Any:
         """A morphometric energy, its gradient by the balls, and its derivatives by the box, in one call: as
         hsp_boundary_get_morphometry. Gives .energy, .d_centre, .d_radius, .flags, .d_strain, .d_box."""
         return call("hsp_periodic_get_morphometry", self, pressure=pressure, tension=tension, bending=bending,
-                    gaussian=gaussian, sigma=sigma, only=only)
+                    gaussian=gaussian, sigma=sigma, threads=threads, only=only)
 
     def get_contacts(self) -> Any:
         """All contacts, each once, ascending in their balls and shifts."""
@@ -1148,11 +1169,11 @@ class Periodic(Handle):
         return call("hsp_periodic_get_components", self)
 
     def get_gradient(self, *, tangency: int | None = None, tension: float | None = None, pressure: float | None = None,
-                     sigma: Any | None = None, only: Any | None = None) -> Any:
+                     sigma: Any | None = None, threads: int | None = None, only: Any | None = None) -> Any:
         """An energy and its derivatives by the balls and by the box, as hsp_boundary_get_gradient. Gives .energy,
         .d_centre, .d_radius, .flags, .d_strain, .d_box, .area."""
         return call("hsp_periodic_get_gradient", self, tangency=tangency, tension=tension, pressure=pressure,
-                    sigma=sigma, only=only)
+                    sigma=sigma, threads=threads, only=only)
 
     def query_point(self, xyz: Any) -> Any:
         """The balls and images that contain the point xyz [3], wherever it is, ascending in balls and shifts."""
@@ -1228,11 +1249,11 @@ class Surface(Handle):
         return call("hsp_surface_measure", self, only=only)
 
     def get_gradient(self, *, tangency: int | None = None, tension: float | None = None, pressure: float | None = None,
-                     sigma: Any | None = None, only: Any | None = None) -> Any:
+                     sigma: Any | None = None, threads: int | None = None, only: Any | None = None) -> Any:
         """E = tension * sum_i sigma_i A_i + pressure * V of the smooth surface and its gradient, in one pass, with A_i
         ball i's share of the area as hsp_surface_measure has it. Gives .energy, .d_centre, .d_radius, .flags, .area."""
         return call("hsp_surface_get_gradient", self, tangency=tangency, tension=tension, pressure=pressure,
-                    sigma=sigma, only=only)
+                    sigma=sigma, threads=threads, only=only)
 
     def get_part_counts(self) -> SurfacePartCounts:
         """How many patches, edges, corners and shells there are."""
@@ -1467,6 +1488,11 @@ class Pores(Handle):
         """Find all maxima and gates of a model above the floor, and the tree of their classes; options may be NULL."""
         return call("hsp_pores_compute", self, model=model, floor=floor)
 
+    def compute_periodic(self, periodic: Periodic, *, floor: float | None = None) -> Pores:
+        """The same of the balls in a periodic box, which must outlive the pores; they can be read until it computes
+        other balls or another box."""
+        return call("hsp_pores_compute_periodic", self, periodic=periodic, floor=floor)
+
     def get_counts(self) -> PoresCounts:
         """How many maxima, gates and cavities there are."""
         return call("hsp_pores_get_counts", self)
@@ -1479,13 +1505,34 @@ class Pores(Handle):
         """The gates first .."""
         return call("hsp_pores_get_gates", self, first=first, count=count)
 
+    def get_gate_shifts(self, first: int, count: int) -> Any:
+        """The shifts of the gates first .."""
+        return call("hsp_pores_get_gate_shifts", self, first=first, count=count)
+
     def get_maximum_balls(self, maximum: int) -> Any:
-        """All balls that are nearest at a maximum, in ascending order."""
+        """All balls that are nearest at a maximum, in ascending order; in a box once for each image that is."""
         return call("hsp_pores_get_maximum_balls", self, maximum=maximum)
 
     def get_gate_balls(self, gate: int) -> Any:
-        """All balls that are nearest at a gate, in ascending order."""
+        """All balls that are nearest at a gate, in ascending order; in a box once for each image that is."""
         return call("hsp_pores_get_gate_balls", self, gate=gate)
+
+    def get_maximum_images(self, maximum: int) -> Any:
+        """All images of balls that are nearest at a maximum, ascending in balls and shifts; without a box shifts are
+        0."""
+        return call("hsp_pores_get_maximum_images", self, maximum=maximum)
+
+    def get_gate_images(self, gate: int) -> Any:
+        """All images of balls that are nearest at a gate, ascending in balls and shifts; without a box shifts are 0."""
+        return call("hsp_pores_get_gate_images", self, gate=gate)
+
+    def get_percolation(self) -> PorePercolation:
+        """The widest probes that get through a box; *percolation becomes the record."""
+        return call("hsp_pores_get_percolation", self)
+
+    def get_channels(self, radius: float) -> Any:
+        """All parts of free space for a probe of this radius but the outside, that of the widest maximum first."""
+        return call("hsp_pores_get_channels", self, radius=radius)
 
     def class_at(self, maximum: int, radius: float) -> int:
         """The part of free space that a maximum is in for a probe: *member becomes the oldest maximum of that part, or
@@ -2203,15 +2250,27 @@ FUNCTIONS = {
     "hsp_pores_options_init": "int32_t options:sized:hsp_pores_options::never struct_size:value:uint32_t::never",
     "hsp_pores_compute": "int32_t pores:handle:hsp_pores::never model:handle:hsp_model::never "
         "options:sized_in:hsp_pores_options::always limits:sized:hsp_pores_limits::always",
+    "hsp_pores_compute_periodic": "int32_t pores:handle:hsp_pores::never periodic:handle:hsp_periodic::never "
+        "options:sized_in:hsp_pores_options::always limits:sized:hsp_pores_limits::always",
     "hsp_pores_get_counts": "int32_t pores:handle:hsp_pores::never counts:struct_out:hsp_pores_counts::never",
     "hsp_pores_get_maxima": "int32_t pores:handle:hsp_pores::never first:value:uint32_t::never "
         "count:value:uint32_t::never out:array_out:hsp_pore_maximum:count:empty",
     "hsp_pores_get_gates": "int32_t pores:handle:hsp_pores::never first:value:uint32_t::never "
         "count:value:uint32_t::never out:array_out:hsp_pore_gate:count:empty",
+    "hsp_pores_get_gate_shifts": "int32_t pores:handle:hsp_pores::never first:value:uint32_t::never "
+        "count:value:uint32_t::never out:array_out:hsp_pore_gate_shifts:count:empty",
     "hsp_pores_get_maximum_balls": "int32_t pores:handle:hsp_pores::never maximum:value:uint32_t::never "
         "balls:array_out:uint32_t:needed:empty capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_pores_get_gate_balls": "int32_t pores:handle:hsp_pores::never gate:value:uint32_t::never "
         "balls:array_out:uint32_t:needed:empty capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
+    "hsp_pores_get_maximum_images": "int32_t pores:handle:hsp_pores::never maximum:value:uint32_t::never "
+        "images:array_out:hsp_image:needed:empty capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
+    "hsp_pores_get_gate_images": "int32_t pores:handle:hsp_pores::never gate:value:uint32_t::never "
+        "images:array_out:hsp_image:needed:empty capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
+    "hsp_pores_get_percolation": "int32_t pores:handle:hsp_pores::never "
+        "percolation:struct_out:hsp_pore_percolation::never",
+    "hsp_pores_get_channels": "int32_t pores:handle:hsp_pores::never radius:value:double::never "
+        "out:array_out:hsp_pore_channel:needed:empty capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_pores_class_at": "int32_t pores:handle:hsp_pores::never maximum:value:uint32_t::never "
         "radius:value:double::never member:value_out:uint32_t::never",
     "hsp_pores_gate_between": "int32_t pores:handle:hsp_pores::never maximum:value:uint32_t::never "
@@ -2404,10 +2463,11 @@ describe(FUNCTIONS, FIELDS, {'hsp_executor': Executor, 'hsp_residue_atom': Resid
          'hsp_arrangement': Arrangement, 'hsp_paths_limits': PathsLimits, 'hsp_path': Path, 'hsp_gate_limits':
          GateLimits, 'hsp_widest_probe': WidestProbe, 'hsp_pores_limits': PoresLimits, 'hsp_pores_options':
          PoresOptions, 'hsp_pores_counts': PoresCounts, 'hsp_pore_maximum': PoreMaximum, 'hsp_pore_gate': PoreGate,
-         'hsp_pore_place': PorePlace, 'hsp_pore_passage': PorePassage, 'hsp_pore_pocket': PorePocket, 'hsp_tunnel':
-         Tunnel, 'hsp_tunnel_point': TunnelPoint, 'hsp_view_limits': ViewLimits, 'hsp_view_options': ViewOptions,
-         'hsp_view_info': ViewInfo, 'hsp_view_piece': ViewPiece, 'hsp_view_loop': ViewLoop, 'hsp_view_arc': ViewArc,
-         'hsp_map_limits': MapLimits, 'hsp_map_info': MapInfo, 'hsp_map_vertex': MapVertex, 'hsp_map_edge': MapEdge,
-         'hsp_map_face': MapFace, 'hsp_map_sight': MapSight, 'hsp_map_point': MapPoint, 'hsp_map_pole': MapPole,
-         'hsp_sticks_limits': SticksLimits, 'hsp_stick': Stick, 'hsp_sticks_conflict': SticksConflict,
-         'hsp_sticks_info': SticksInfo, 'hsp_picture_options': PictureOptions})
+         'hsp_pore_gate_shifts': PoreGateShifts, 'hsp_pore_percolation': PorePercolation, 'hsp_pore_channel':
+         PoreChannel, 'hsp_pore_place': PorePlace, 'hsp_pore_passage': PorePassage, 'hsp_pore_pocket': PorePocket,
+         'hsp_tunnel': Tunnel, 'hsp_tunnel_point': TunnelPoint, 'hsp_view_limits': ViewLimits, 'hsp_view_options':
+         ViewOptions, 'hsp_view_info': ViewInfo, 'hsp_view_piece': ViewPiece, 'hsp_view_loop': ViewLoop,
+         'hsp_view_arc': ViewArc, 'hsp_map_limits': MapLimits, 'hsp_map_info': MapInfo, 'hsp_map_vertex': MapVertex,
+         'hsp_map_edge': MapEdge, 'hsp_map_face': MapFace, 'hsp_map_sight': MapSight, 'hsp_map_point': MapPoint,
+         'hsp_map_pole': MapPole, 'hsp_sticks_limits': SticksLimits, 'hsp_stick': Stick, 'hsp_sticks_conflict':
+         SticksConflict, 'hsp_sticks_info': SticksInfo, 'hsp_picture_options': PictureOptions})

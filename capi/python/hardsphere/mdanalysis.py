@@ -51,8 +51,8 @@ class SASA(AnalysisBase):
     def _single_frame(self) -> None:
         more = {"vectors": self._ts.triclinic_dimensions} if self.box else {}
         if self.balls is None:
-            kind = hardsphere.Box if self.box else hardsphere.Balls
-            self.balls = kind(self.environment.positions, self.radii, probe=self.probe, **more)
+            kind, alone = (hardsphere.Box, {"areas_alone": True}) if self.box else (hardsphere.Balls, {})
+            self.balls = kind(self.environment.positions, self.radii, probe=self.probe, **more, **alone)
         else:
             self.balls.set(self.environment.positions, **more)
         self.results.areas[self._frame_index] = self.balls.areas[self.own]

@@ -29,4 +29,7 @@ constexpr uint64_t folded_product(uint64_t a, uint64_t b) {
 
 uint64_t digest_of(const CubeGrid &grid);
 
+// Of four numbers, the first two of which are small integers or such as doubles.
+uint64_t mixed(uint64_t a, uint64_t b, uint64_t c, uint64_t d);
+
 }  // namespace hsp

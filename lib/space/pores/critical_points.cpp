@@ -654,7 +654,9 @@ void CriticalPoints::add(TangentPoint &point, const uint32_t *ids, PointKind kin
     maxima_.push({record, no_id, no_id});
     maximum_names_.add(name, clamped_count(maxima_.required() - 1), maxima_);
   }
-  if (tied.size() == count) return;
+  // One that there was no room for may be found again.
+  const bool stored = kind == PointKind::gate ? !gates_.overflowed() : !maxima_.overflowed();
+  if (tied.size() == count || !stored) return;
   const BoxShift home = all_->shift_of(set[0]);
   for (const uint32_t ball : tied) {
     tied_.push(all_->ball_of(ball));

@@ -26,13 +26,9 @@ class PoreQuestions {
     tunnel_.carve(workspace, limits.pores.maxima, limits.points);
   }
   // As PoresBuilder::build. There is nothing where the largest ball has no radius left.
-  Status build(const CubeGrid &grid, int64_t floor) {
-    pockets_.forget();
-    tunnel_.forget();
-    floor_ = floor;
-    const int64_t lowest = -grid.balls().largest_radius - 1;
-    return builder_.build(grid, floor < lowest ? lowest : floor);
-  }
+  Status build(const CubeGrid &grid, int64_t floor) { return build(grid, grid.balls().largest_radius, floor); }
+  // In a periodic box, where nothing is asked of pockets and tunnels.
+  Status build(const PeriodicImages &images, int64_t floor) { return build(images, images.largest_radius(), floor); }
   // As TunnelFinder::find.
   Status find_tunnel(const CubeGrid &grid, const exact::Vector &from, const exact::Vector *to,
                      Span<const uint32_t> avoided, TunnelSummary &summary) {
@@ -40,6 +36,8 @@ class PoreQuestions {
   }
   // As PocketFinder::find.
   void find_pockets(double narrow, double wide) { pockets_.find(builder_, narrow, wide); }
+  // As PoresBuilder::join_above.
+  uint32_t join_above(double level) { return builder_.join_above(level); }
   void forget_pockets() { pockets_.forget(); }
   void forget_tunnel() { tunnel_.forget(); }
 
@@ -57,6 +55,15 @@ class PoreQuestions {
   }
 
  private:
+  template <class Balls>
+  Status build(const Balls &balls, int64_t largest_radius, int64_t floor) {
+    pockets_.forget();
+    tunnel_.forget();
+    floor_ = floor;
+    const int64_t lowest = -largest_radius - 1;
+    return builder_.build(balls, floor < lowest ? lowest : floor);
+  }
+
   PoresBuilder builder_;
   PocketFinder pockets_;
   TunnelFinder tunnel_;

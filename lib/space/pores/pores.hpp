@@ -74,6 +74,9 @@ struct PoreGate {
   bool merges;              // two classes, rather than two ends of one
   bool winds;           // in a box: its class can be gone along in a direction, or to a copy, that it could not before
   uint32_t directions;  // in which its class goes on for ever, from here on
+
+  // From the copy of its first end to that of the second.
+  BoxShift way() const { return end_shift[1].shift() - end_shift[0].shift(); }
 };
 
 // Of a way up from a gate: a point of the curve on which three balls, or two, are nearest.

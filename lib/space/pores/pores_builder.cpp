@@ -6,7 +6,7 @@
 
 namespace hsp {
 
-void PoresBuilder::carve(Workspace &workspace, const PoreLimits &limits, bool in_box) {
+void PoresBuilder::carve(Workspace &workspace, const PoreLimits &limits) {
   limits_ = limits;
   balls_.carve(workspace, limits.balls, limits.near);
   critical_.carve(workspace, {limits.balls, limits.maxima, limits.gates, limits.tied, limits.candidates, limits.near});
@@ -16,7 +16,7 @@ void PoresBuilder::carve(Workspace &workspace, const PoreLimits &limits, bool in
   gates_ = critical_.gates().room();
   tied_ = critical_.tied().room();
   parents_ = workspace.take<uint32_t>(static_cast<uint64_t>(limits.maxima) + 1);
-  windings_.carve(workspace, in_box ? limits.maxima : 0);
+  windings_.carve(workspace, clamped_count(static_cast<uint64_t>(limits.maxima) + 1));
 }
 
 PoreLimits PoresBuilder::retry_limits() const {
@@ -160,7 +160,7 @@ Status PoresBuilder::merge_in_box() {
     const WindingLattice &lattice = windings_.lattice_of_set(older);
     const uint32_t rank = lattice.rank;
     const uint64_t copies = lattice.copies();
-    if (!windings_.join(gate.end[0], gate.end[1], gate.end_shift[1].shift() - gate.end_shift[0].shift())) {
+    if (!windings_.join(gate.end[0], gate.end[1], gate.way())) {
       return Status::range;
     }
     gate.directions = lattice.rank;
@@ -177,6 +177,25 @@ void PoresBuilder::note_passages(uint32_t gate, uint32_t maximum, const WindingL
     passages_.maximum[d] = maximum;
     passages_.lattice[d] = lattice;
   }
+  for (uint32_t d = 0; d < lattice.rank; ++d) {
+    const auto &row = lattice.row[d];
+    const BoxShift given = balls_.box()->in_given_vectors({{row[0], row[1], row[2]}});
+    for (int k = 0; k < 3; ++k) {
+      if (given.k[k] != 0 && passages_.gate_along[k] == no_id) passages_.gate_along[k] = gate;
+    }
+  }
+}
+
+// Of the widest maxima and gates, as they are in order. Numbers fit: they did for all gates.
+uint32_t PoresBuilder::join_above(double level) {
+  uint32_t fitting = 0;
+  while (fitting < maximum_count_ && maxima_[fitting].point.level > level) ++fitting;
+  windings_.reset(fitting + 1);
+  for (uint32_t k = 0; k < gate_count_ && gates_[k].point.level > level; ++k) {
+    const PoreGate &gate = gates_[k];
+    static_cast<void>(windings_.join(node_of(gate.end[0]), node_of(gate.end[1]), gate.way()));
+  }
+  return windings_.number();
 }
 
 void PoresBuilder::name_callers_balls() {

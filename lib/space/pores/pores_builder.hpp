@@ -30,12 +30,13 @@ struct PorePassages {
   uint32_t gate[3] = {no_id, no_id, no_id};
   uint32_t maximum[3] = {no_id, no_id, no_id};  // of the class there, its largest cavity
   WindingLattice lattice[3];                    // of its ways there
+  // The same for a way that comes back with other than 0 times one of the given vectors of the box.
+  uint32_t gate_along[3] = {no_id, no_id, no_id};
 };
 
 class PoresBuilder {
  public:
-  // in_box: for periodic boxes, too.
-  void carve(Workspace &workspace, const PoreLimits &limits, bool in_box = false);
+  void carve(Workspace &workspace, const PoreLimits &limits);
 
   // Of all maxima and gates above a floor, in steps. Status::capacity: a limit is too small, retry_limits().
   // Status::range: balls that touch one probe are more than 2^35 steps apart. Status::check cannot happen.
@@ -60,6 +61,10 @@ class PoresBuilder {
   }
   // In a box.
   const PorePassages &passages() const { return passages_; }
+  // Joins maxima by all gates above a level, and returns how many components joined() has: the classes there of what
+  // node_of() numbers, that of the outside first, which is alone in a box, the others as their oldest maxima are.
+  uint32_t join_above(double level);
+  const Windings &joined() const { return windings_; }
   // Adds the points of the way up from a gate to its end, without the gate.
   Status trace(uint32_t gate, uint32_t end, FixedVector<WayPoint> &points);
   // Balls that are not inside another one.

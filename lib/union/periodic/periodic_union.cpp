@@ -1,5 +1,7 @@
 #include "periodic/periodic_union.hpp"
 
+#include "model/set_digest.hpp"
+
 namespace hsp {
 
 void PeriodicUnion::carve(Workspace &workspace, const PeriodicLimits &limits) {
@@ -180,6 +182,21 @@ Status PeriodicUnion::join_faces() {
   const bool each_once = listed_vertices_.size() == counts_.vertices && listed_half_edges_.size() == counts_.arcs &&
                          listed_circles_.size() == counts_.circles;
   return each_once ? Status::ok : Status::check;
+}
+
+uint64_t digest_of(const PeriodicUnion &periodic) {
+  const PeriodicImages &images = periodic.images();
+  const auto bits = [](int64_t number) { return static_cast<uint64_t>(number); };
+  uint64_t sum = digest_of(periodic.grid());
+  for (uint32_t k = 0; k < 3; ++k) {
+    const exact::Vector &vector = images.box().given(k);
+    sum += mixed(k, bits(vector.x), bits(vector.y), bits(vector.z));
+  }
+  for (uint32_t i = 0; i < images.balls(); ++i) {
+    const BoxShift &home = images.home(i);
+    sum += mixed(i, bits(home.k[0]), bits(home.k[1]), bits(home.k[2]));
+  }
+  return sum;
 }
 
 }  // namespace hsp

@@ -172,4 +172,7 @@ class PeriodicUnion {
   bool areas_alone_ = false;
 };
 
+// As that of a grid (model/set_digest.hpp), of the box and of where the caller has put the balls, too.
+uint64_t digest_of(const PeriodicUnion &periodic);
+
 }  // namespace hsp

@@ -43,6 +43,7 @@ class Windings {
   // Numbers the sets in the order of their first balls. Returns how many.
   uint32_t number();
 
+  uint32_t size() const { return n_; }
   uint32_t component(uint32_t ball) const { return component_[ball]; }
   uint32_t first_ball(uint32_t component) const { return first_[component]; }
   // In multiples of the vectors that shifts were given in.

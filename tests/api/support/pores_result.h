@@ -10,7 +10,8 @@ extern "C" {
 /* Down to where the largest ball has no radius left, with the tunnel from the widest maximum, if there is one, to the
  * outside. */
 typedef struct pores_result {
-  const computed *base; /* what it was computed from; must outlive it */
+  const computed *base;         /* what it was computed from; must outlive it */
+  const hsp_periodic *periodic; /* or NULL: instead of that, above the floor 0 and without a tunnel; likewise */
   void *memory;
   hsp_pores *pores;
   hsp_pores_limits needed; /* exactly */
@@ -21,6 +22,7 @@ typedef struct pores_result {
 
 /* Compute everything. The first status that is not HSP_OK, or HSP_OK. To be followed by the release in either case. */
 int32_t pores_result_make(const computed *base, pores_result *result);
+int32_t pores_result_make_in_box(const computed *base, const hsp_periodic *periodic, pores_result *result);
 void pores_result_release(pores_result *result);
 
 /* Find that tunnel of pores that were computed. */

@@ -194,7 +194,8 @@ static int32_t compute(int noun, void *handle, void *limits) {
     case NOUN_pores: /* down to where there are gates of the void, with a tunnel and pockets */
       need(hsp_pores_options_init(&below, sizeof below), "options");
       below.floor = fixture_floor;
-      status = hsp_pores_compute(handle, model, &below, limits);
+      status = hsp_pores_compute_periodic(handle, given.handle[NOUN_periodic], &below, limits);
+      status = larger_status(status, hsp_pores_compute(handle, model, &below, status == HSP_OK ? limits : NULL));
       if (status == HSP_OK) status = hsp_pores_find_pockets(handle, fixture_floor, 5, &pockets);
       return status != HSP_OK ? status : hsp_pores_find_tunnel(handle, fixture_outside, NULL, NULL, 0, &tunnel, limits);
     case NOUN_view:

@@ -2153,6 +2153,17 @@ static int64_t call_hsp_pores_compute(const value *v) {
   return (int64_t)hsp_pores_compute(v[0].p, v[1].p, v[2].p, v[3].p);
 }
 
+static const argument of_hsp_pores_compute_periodic[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores},
+  {"periodic", "hsp_periodic", .kind = KIND_handle, .noun = NOUN_periodic, .is_const = 1},
+  {"options", "hsp_pores_options", .kind = KIND_sized_in, .size = sizeof(hsp_pores_options), .null = NULL_always,
+      .is_const = 1},
+  {"limits", "hsp_pores_limits", .kind = KIND_sized, .size = sizeof(hsp_pores_limits), .null = NULL_always},
+};
+static int64_t call_hsp_pores_compute_periodic(const value *v) {
+  return (int64_t)hsp_pores_compute_periodic(v[0].p, v[1].p, v[2].p, v[3].p);
+}
+
 static const argument of_hsp_pores_get_counts[] = {
   {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
   {"counts", "hsp_pores_counts", .kind = KIND_struct_out, .size = sizeof(hsp_pores_counts)},
@@ -2183,6 +2194,17 @@ static int64_t call_hsp_pores_get_gates(const value *v) {
   return (int64_t)hsp_pores_get_gates(v[0].p, v[1].u, v[2].u, v[3].p);
 }
 
+static const argument of_hsp_pores_get_gate_shifts[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
+  {"first", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"count", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"out", "hsp_pore_gate_shifts", .kind = KIND_array_out, .size = sizeof(hsp_pore_gate_shifts), .extent = "count", .null
+      = NULL_empty},
+};
+static int64_t call_hsp_pores_get_gate_shifts(const value *v) {
+  return (int64_t)hsp_pores_get_gate_shifts(v[0].p, v[1].u, v[2].u, v[3].p);
+}
+
 static const argument of_hsp_pores_get_maximum_balls[] = {
   {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
   {"maximum", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
@@ -2205,6 +2227,50 @@ static const argument of_hsp_pores_get_gate_balls[] = {
 };
 static int64_t call_hsp_pores_get_gate_balls(const value *v) {
   return (int64_t)hsp_pores_get_gate_balls(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
+}
+
+static const argument of_hsp_pores_get_maximum_images[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
+  {"maximum", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"images", "hsp_image", .kind = KIND_array_out, .size = sizeof(hsp_image), .extent = "needed", .null = NULL_empty,
+      .held = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_pores_get_maximum_images(const value *v) {
+  return (int64_t)hsp_pores_get_maximum_images(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
+}
+
+static const argument of_hsp_pores_get_gate_images[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
+  {"gate", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"images", "hsp_image", .kind = KIND_array_out, .size = sizeof(hsp_image), .extent = "needed", .null = NULL_empty,
+      .held = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_pores_get_gate_images(const value *v) {
+  return (int64_t)hsp_pores_get_gate_images(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
+}
+
+static const argument of_hsp_pores_get_percolation[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
+  {"percolation", "hsp_pore_percolation", .kind = KIND_struct_out, .size = sizeof(hsp_pore_percolation)},
+};
+static int64_t call_hsp_pores_get_percolation(const value *v) {
+  return (int64_t)hsp_pores_get_percolation(v[0].p, v[1].p);
+}
+
+static const argument of_hsp_pores_get_channels[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores},
+  {"radius", "double", .kind = KIND_value, .size = sizeof(double)},
+  {"out", "hsp_pore_channel", .kind = KIND_array_out, .size = sizeof(hsp_pore_channel), .extent = "needed", .null =
+      NULL_empty, .held = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_pores_get_channels(const value *v) {
+  return (int64_t)hsp_pores_get_channels(v[0].p, v[1].d, v[2].p, v[3].u, v[4].p);
 }
 
 static const argument of_hsp_pores_class_at[] = {
@@ -3256,17 +3322,32 @@ const function registry[] = {
   {"hsp_pores_compute", "pores", RESULT_status, 4, of_hsp_pores_compute, call_hsp_pores_compute, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_NOT_FINITE) |
       BIT(HSP_E_RANGE) | BIT(HSP_E_CHECK)},
+  {"hsp_pores_compute_periodic", "pores", RESULT_status, 4, of_hsp_pores_compute_periodic,
+      call_hsp_pores_compute_periodic, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CHECK)},
   {"hsp_pores_get_counts", "pores", RESULT_status, 2, of_hsp_pores_get_counts, call_hsp_pores_get_counts, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_pores_get_maxima", "pores", RESULT_status, 4, of_hsp_pores_get_maxima, call_hsp_pores_get_maxima, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
   {"hsp_pores_get_gates", "pores", RESULT_status, 4, of_hsp_pores_get_gates, call_hsp_pores_get_gates, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
+  {"hsp_pores_get_gate_shifts", "pores", RESULT_status, 4, of_hsp_pores_get_gate_shifts, call_hsp_pores_get_gate_shifts,
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
   {"hsp_pores_get_maximum_balls", "pores", RESULT_status, 5, of_hsp_pores_get_maximum_balls,
       call_hsp_pores_get_maximum_balls, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
       BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
   {"hsp_pores_get_gate_balls", "pores", RESULT_status, 5, of_hsp_pores_get_gate_balls, call_hsp_pores_get_gate_balls,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
+  {"hsp_pores_get_maximum_images", "pores", RESULT_status, 5, of_hsp_pores_get_maximum_images,
+      call_hsp_pores_get_maximum_images, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
+      BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
+  {"hsp_pores_get_gate_images", "pores", RESULT_status, 5, of_hsp_pores_get_gate_images, call_hsp_pores_get_gate_images,
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
+  {"hsp_pores_get_percolation", "pores", RESULT_status, 2, of_hsp_pores_get_percolation, call_hsp_pores_get_percolation,
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
+  {"hsp_pores_get_channels", "pores", RESULT_status, 5, of_hsp_pores_get_channels, call_hsp_pores_get_channels,
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
+      BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
   {"hsp_pores_class_at", "pores", RESULT_status, 4, of_hsp_pores_class_at, call_hsp_pores_class_at, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_ID) | BIT(HSP_E_NOT_FINITE) |
       BIT(HSP_E_RANGE)},
@@ -3943,6 +4024,25 @@ const field registry_fields[] = {
   {"hsp_pore_gate", "ball", "uint32_t", offsetof(hsp_pore_gate, ball), 3},
   {"hsp_pore_gate", "end", "uint32_t", offsetof(hsp_pore_gate, end), 2},
   {"hsp_pore_gate", "merges", "uint32_t", offsetof(hsp_pore_gate, merges), 1},
+  {"hsp_pore_gate_shifts", "ball", "int32_t", offsetof(hsp_pore_gate_shifts, ball), 9},
+  {"hsp_pore_gate_shifts", "end", "int32_t", offsetof(hsp_pore_gate_shifts, end), 6},
+  {"hsp_pore_gate_shifts", "winds", "uint32_t", offsetof(hsp_pore_gate_shifts, winds), 1},
+  {"hsp_pore_gate_shifts", "directions", "uint32_t", offsetof(hsp_pore_gate_shifts, directions), 1},
+  {"hsp_pore_percolation", "largest", "double", offsetof(hsp_pore_percolation, largest), 1},
+  {"hsp_pore_percolation", "through", "double", offsetof(hsp_pore_percolation, through), 3},
+  {"hsp_pore_percolation", "included", "double", offsetof(hsp_pore_percolation, included), 3},
+  {"hsp_pore_percolation", "along", "double", offsetof(hsp_pore_percolation, along), 3},
+  {"hsp_pore_percolation", "gate", "uint32_t", offsetof(hsp_pore_percolation, gate), 3},
+  {"hsp_pore_percolation", "maximum", "uint32_t", offsetof(hsp_pore_percolation, maximum), 3},
+  {"hsp_pore_percolation", "gate_along", "uint32_t", offsetof(hsp_pore_percolation, gate_along), 3},
+  {"hsp_pore_percolation", "reserved", "uint32_t", offsetof(hsp_pore_percolation, reserved), 1},
+  {"hsp_pore_channel", "radius", "double", offsetof(hsp_pore_channel, radius), 1},
+  {"hsp_pore_channel", "maximum", "uint32_t", offsetof(hsp_pore_channel, maximum), 1},
+  {"hsp_pore_channel", "maxima", "uint32_t", offsetof(hsp_pore_channel, maxima), 1},
+  {"hsp_pore_channel", "directions", "uint32_t", offsetof(hsp_pore_channel, directions), 1},
+  {"hsp_pore_channel", "copies", "uint32_t", offsetof(hsp_pore_channel, copies), 1},
+  {"hsp_pore_channel", "row", "int32_t", offsetof(hsp_pore_channel, row), 9},
+  {"hsp_pore_channel", "reserved", "uint32_t", offsetof(hsp_pore_channel, reserved), 1},
   {"hsp_pore_place", "radius", "double", offsetof(hsp_pore_place, radius), 1},
   {"hsp_pore_place", "ball", "uint32_t", offsetof(hsp_pore_place, ball), 1},
   {"hsp_pore_place", "maximum", "uint32_t", offsetof(hsp_pore_place, maximum), 1},

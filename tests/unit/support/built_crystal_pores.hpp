@@ -32,7 +32,7 @@ class BuiltCrystalPores {
   }
 
   hsp::Status build(const hsp::PoreLimits &limits) {
-    memory_.carve(builder_, limits, true);
+    memory_.carve(builder_, limits);
     return builder_.build(images_, floor_);
   }
   hsp::Status status() const { return status_; }

@@ -1,0 +1,163 @@
+#include "commands/measure_mean.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "commands/command_frames.h"
+#include "commands/group_table.h"
+#include "commands/input_report.h"
+#include "commands/measurement.h"
+#include "commands/running_mean.h"
+#include "write/ball_label.h"
+
+/* The numbers of a frame are its quantities, and behind them the areas of balls or of groups. */
+struct findings {
+  const struct request *request;
+  const struct molecule *molecule;
+  struct atom_groups groups; /* their areas are those of the means in the end */
+  struct running_mean running;
+  struct quantity quantities[MOST_QUANTITIES]; /* without values */
+  size_t totals;                               /* how many of those there are */
+};
+
+static bool has_groups(const struct request *request) {
+  return request->by != GROUPING_NONE;
+}
+
+static bool evaluate(const void *of, const struct molecule *molecule, struct geometry *geometry, double *numbers,
+                     struct failure *failure) {
+  const struct findings *const found = of;
+  const struct request *const request = found->request;
+  struct quantity quantities[MOST_QUANTITIES];
+  struct measurement measurement;
+  struct atom_groups groups = ATOM_GROUPS_NONE;
+  bool done = measurement_make(request, molecule, geometry, &measurement, failure);
+  if (done && has_groups(request)) {
+    done =
+        atom_groups_make(molecule, request->by, &request->index, measurement.area, measurement.part, &groups, failure);
+  }
+  if (done) {
+    const size_t count = measurement_quantities(request, &measurement, quantities);
+    for (size_t k = 0; k < count; ++k) *numbers++ = quantities[k].value;
+    for (uint32_t k = 0; k < groups.count; ++k) *numbers++ = groups.group[k].area;
+    if (request_wants_balls(request)) memcpy(numbers, measurement.area, molecule->atoms * sizeof *numbers);
+  }
+  atom_groups_free(&groups);
+  measurement_free(&measurement);
+  return done;
+}
+
+static void take(void *of, const double *numbers) {
+  struct findings *const found = of;
+  running_mean_add(&found->running, numbers);
+}
+
+static bool quantity_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
+  const struct findings *const found = of;
+  const struct running_mean *const running = &found->running;
+  (void)text;
+  cells[0].text = found->quantities[row].key;
+  cells[1].text = found->quantities[row].title;
+  cells[2].quantity = running->mean[row];
+  cells[3].quantity = running->deviation[row];
+  cells[4].quantity = running->least[row];
+  cells[5].quantity = running->most[row];
+  return true;
+}
+
+/* Beside it the balls that are measured, in the frame of ball_rows, which is its first member. */
+struct ball_means {
+  struct ball_rows rows;
+  const double *mean, *deviation; /* [balls] */
+  const struct selection *part;
+};
+
+static bool ball_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
+  const struct ball_means *const means = of;
+  (void)text;
+  if (means->part->count > 0 && !selection_takes(means->part, means->rows.molecule, (uint32_t)row)) return false;
+  cells[0].quantity = means->mean[row];
+  cells[1].quantity = means->deviation[row];
+  return true;
+}
+
+static struct table ball_table(const struct findings *found, struct ball_means *means) {
+  static const struct column columns[] = {{"area", NULL, "free area", 14, COLUMN_QUANTITY, 4},
+                                          {"deviation", NULL, "deviation", 12, COLUMN_QUANTITY, 4}};
+  *means = (struct ball_means){
+      ball_rows_of(found->molecule, NULL), found->running.mean + found->running.count - found->molecule->atoms,
+      found->running.deviation + found->running.count - found->molecule->atoms, &found->request->part};
+  return (struct table){columns, 2, found->molecule->format, found->molecule->atoms, means, ball_row, ball_rows_lead};
+}
+
+static const double *group_deviations(const struct findings *found) {
+  return found->running.deviation + found->totals;
+}
+
+static void print(struct record *record, const void *of) {
+  static const struct column columns[] = {
+      {"quantity", NULL, NULL, 0, COLUMN_TEXT, 0},      {NULL, "", "quantity", -16, COLUMN_TEXT, 0},
+      {"mean", NULL, "mean", 18, COLUMN_QUANTITY, 4},   {"deviation", NULL, "deviation", 14, COLUMN_QUANTITY, 4},
+      {"least", NULL, "least", 18, COLUMN_QUANTITY, 4}, {"most", NULL, "most", 18, COLUMN_QUANTITY, 4}};
+  const struct findings *const found = of;
+  const struct request *const request = found->request;
+  const struct table table = {columns, 6, record->molecule->format, found->totals, found, quantity_row, NULL};
+  record_atoms(record);
+  record_count(record, "frames", "frames", (int64_t)found->running.times, "");
+  record_table(record, "means", &table);
+  if (has_groups(request)) {
+    group_table_record(record, &found->groups, group_deviations(found), request->relative);
+  }
+  if (!request_wants_balls(request)) return;
+  struct ball_means means;
+  const struct table balls = ball_table(found, &means);
+  record_table(record, "balls", &balls);
+}
+
+/* Groups are the same in all frames: found once, with areas of nothing. */
+static bool make(struct findings *found, struct failure *failure) {
+  const struct request *const request = found->request;
+  const struct molecule *const molecule = found->molecule;
+  const struct measurement nothing = {.totals = {0}};
+  found->totals = measurement_quantities(request, &nothing, found->quantities);
+  size_t rows = request_wants_balls(request) ? molecule->atoms : 0;
+  if (has_groups(request)) {
+    struct measurement one = nothing;
+    if (!measurement_find_part(request, molecule, &one, failure)) return false;
+    double *const areas = calloc((size_t)molecule->atoms + 1, sizeof *areas);
+    const bool done = areas != NULL ? atom_groups_make(molecule, request->by, &request->index, areas, one.part,
+                                                       &found->groups, failure)
+                                    : failure_of_memory(failure);
+    free(areas);
+    measurement_free(&one);
+    if (!done) return false;
+    rows += found->groups.count;
+  }
+  return running_mean_make(&found->running, found->totals + rows) || failure_of_memory(failure);
+}
+
+bool measure_mean(const struct request *request, const struct molecule *molecule, struct text_buffer *out,
+                  struct failure *failure) {
+  struct findings found = {.request = request, .molecule = molecule, .groups = ATOM_GROUPS_NONE};
+  bool done = make(&found, failure);
+  if (done) {
+    const struct frame_work work = {.count = found.running.count, .evaluate = evaluate, .take = take, .of = &found};
+    done = command_frames(request, molecule, &work, failure);
+  }
+  if (done) {
+    running_mean_finish(&found.running);
+    for (uint32_t k = 0; k < found.groups.count; ++k) found.groups.group[k].area = found.running.mean[found.totals + k];
+    if (!request->csv) {
+      report(request, molecule, print, &found, out);
+    } else if (has_groups(request)) {
+      group_table_csv(molecule, &found.groups, group_deviations(&found), request->relative, out);
+    } else {
+      struct ball_means means;
+      const struct table balls = ball_table(&found, &means);
+      table_csv(&balls, out);
+    }
+  }
+  atom_groups_free(&found.groups);
+  running_mean_free(&found.running);
+  return done;
+}

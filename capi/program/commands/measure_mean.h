@@ -1,0 +1,17 @@
+/* hardsphere measure --trajectory RUN --mean: what the frames have in common. */
+#ifndef HARDSPHERE_TOOL_MEASURE_MEAN_H
+#define HARDSPHERE_TOOL_MEASURE_MEAN_H
+
+#include <stdbool.h>
+
+#include "commands/request.h"
+#include "read/failure.h"
+#include "read/molecule.h"
+#include "read/text_buffer.h"
+
+/* The mean over the frames of all that `measure` finds of each, with its standard deviation, the least and the most;
+ * of balls, residues, chains and groups the mean area and its deviation. The same bytes for any number of threads. */
+bool measure_mean(const struct request *request, const struct molecule *molecule, struct text_buffer *out,
+                  struct failure *failure);
+
+#endif

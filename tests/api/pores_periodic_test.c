@@ -1,0 +1,311 @@
+/* Pores in periodic boxes through the C interface: closed forms of packings, directions and vectors of channels in
+ * upright and skew boxes, images and shifts that fit the points, and everything that is refused in a box. */
+#include <hardsphere.h>
+#include <hardsphere_workspace.h>
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+
+enum { MOST = 64, POINTS = 512 };
+static hsp_workspace work;
+static hsp_pores_counts counts;
+static hsp_pore_percolation wide;
+static double xyz[3 * MOST], radii[MOST], box[9];
+static uint32_t n;
+
+static void set_box(double ax, double bx, double by, double cx, double cy, double cz) {
+  const double vectors[9] = {ax, 0, 0, bx, by, 0, cx, cy, cz};
+  memcpy(box, vectors, sizeof box);
+}
+
+static void add(double x, double y, double z, double radius) {
+  xyz[3 * n] = x;
+  xyz[3 * n + 1] = y;
+  xyz[3 * n + 2] = z;
+  radii[n++] = radius;
+}
+
+static void compute(double floor) {
+  hsp_pores_options options;
+  CHECK_EQUAL(hsp_pores_options_init(&options, sizeof options), HSP_OK);
+  options.floor = floor;
+  CHECK_EQUAL(hsp_workspace_periodic(&work, n, xyz, radii, NULL, box, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_pores_periodic(&work, &options), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_counts(work.pores, &counts), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_percolation(work.pores, &wide), HSP_OK);
+  CHECK_EQUAL(wide.reserved, 0);
+}
+
+static double distance(const double *at, const double *from, const int32_t *shift) {
+  double square = 0;
+  int axis;
+  for (axis = 0; axis < 3; ++axis) {
+    const double x = from[axis] + shift[0] * box[axis] + shift[1] * box[3 + axis] + shift[2] * box[6 + axis] - at[axis];
+    square += x * x;
+  }
+  return sqrt(square);
+}
+
+/* Balls of every point touch the probe there, where their shifts put them. */
+static void images_fit(void) {
+  hsp_image images[POINTS];
+  uint32_t balls[POINTS], k, i, needed = 0, number = 0;
+  for (k = 0; k < counts.maxima + counts.gates; ++k) {
+    const uint32_t gate = k - counts.maxima;
+    const int at_gate = k >= counts.maxima;
+    double at[3], radius;
+    hsp_pore_maximum top;
+    hsp_pore_gate pass;
+    hsp_pore_gate_shifts shifts;
+    if (at_gate) {
+      CHECK_EQUAL(hsp_pores_get_gates(work.pores, gate, 1, &pass), HSP_OK);
+      CHECK_EQUAL(hsp_pores_get_gate_shifts(work.pores, gate, 1, &shifts), HSP_OK);
+      CHECK_EQUAL(hsp_pores_get_gate_images(work.pores, gate, images, POINTS, &needed), HSP_OK);
+      CHECK_EQUAL(hsp_pores_get_gate_balls(work.pores, gate, balls, POINTS, &number), HSP_OK);
+      memcpy(at, pass.xyz, sizeof at);
+      radius = pass.radius;
+      CHECK(needed >= 3 && shifts.directions <= 3);
+      for (i = 0; i < 3; ++i) {
+        const uint32_t ball = pass.ball[i];
+        CHECK_NEAR(distance(at, xyz + 3 * (size_t)ball, shifts.ball + 3 * i) - radii[ball], radius, 1e-7);
+      }
+    } else {
+      CHECK_EQUAL(hsp_pores_get_maxima(work.pores, k, 1, &top), HSP_OK);
+      CHECK_EQUAL(hsp_pores_get_maximum_images(work.pores, k, images, POINTS, &needed), HSP_OK);
+      CHECK_EQUAL(hsp_pores_get_maximum_balls(work.pores, k, balls, POINTS, &number), HSP_OK);
+      memcpy(at, top.xyz, sizeof at);
+      radius = top.radius;
+      CHECK(needed >= 4 && top.parent != HSP_PORE_OUTSIDE);
+    }
+    CHECK_EQUAL(number, needed);
+    for (i = 0; i < needed; ++i) {
+      const uint32_t ball = images[i].ball;
+      CHECK_EQUAL(ball, balls[i]);
+      CHECK_NEAR(distance(at, xyz + 3 * (size_t)ball, images[i].shift) - radii[ball], radius, 1e-7);
+    }
+  }
+}
+
+/* Fractions of an edge of 8: where balls of radius 1 are. */
+static void packings(void) {
+  static const double quarters[8][3] = {{0, 0, 0}, {0, 2, 2}, {2, 0, 2}, {2, 2, 0},
+                                        {1, 1, 1}, {1, 3, 3}, {3, 1, 3}, {3, 3, 1}};
+  const double edge = 8;
+  const double largest[4] = {sqrt(3) / 2, sqrt(5) / 4, 0.5, sqrt(3) / 4};
+  const double through[4] = {sqrt(2) / 2, 3 / (4 * sqrt(2)), 1 / sqrt(6), 1 / sqrt(6)};
+  static const uint32_t balls[4] = {1, 2, 4, 8}, maxima[4] = {1, 12, 12, 24}, gates[4] = {3, 24, 32, 32};
+  uint32_t kind, k;
+  for (kind = 0; kind < 4; ++kind) {
+    hsp_pore_channel channel;
+    uint32_t needed = 0;
+    n = 0;
+    for (k = 0; k < balls[kind]; ++k) {
+      const double *q = quarters[k];
+      if (kind == 1 && k == 1) {
+        add(edge / 2 - 3 * edge, edge / 2, edge / 2, 1); /* anywhere, three boxes away */
+      } else {
+        add(q[0] * edge / 4, q[1] * edge / 4, q[2] * edge / 4, 1);
+      }
+    }
+    set_box(edge, 0, edge, 0, 0, edge);
+    compute(0);
+    CHECK_EQUAL(counts.maxima, maxima[kind]);
+    CHECK_EQUAL(counts.gates, gates[kind]);
+    CHECK_NEAR(wide.largest, largest[kind] * edge - 1, 1e-7);
+    for (k = 0; k < 3; ++k) {
+      CHECK_NEAR(wide.through[k], through[kind] * edge - 1, 1e-7);
+      CHECK_NEAR(wide.along[k], through[kind] * edge - 1, 1e-7);
+      CHECK_NEAR(wide.included[k], largest[kind] * edge - 1, 1e-7);
+      CHECK(wide.gate[k] < counts.gates && wide.maximum[k] < counts.maxima && wide.gate_along[k] < counts.gates);
+    }
+    images_fit();
+    CHECK_EQUAL(hsp_pores_get_channels(work.pores, 0, &channel, 1, &needed), HSP_OK);
+    CHECK_EQUAL(needed, 1);
+    CHECK(channel.maximum == 0 && channel.maxima == counts.maxima && channel.radius == wide.largest);
+    CHECK(channel.directions == 3 && channel.copies == 1 && channel.reserved == 0);
+    for (k = 0; k < 9; ++k) CHECK_EQUAL(channel.row[k], k % 4 == 0 ? 1 : 0);
+    CHECK_EQUAL(hsp_pores_get_channels(work.pores, wide.largest, NULL, 0, &needed), HSP_OK);
+    CHECK_EQUAL(needed, 0);
+  }
+}
+
+/* One ball in an upright box of 8 x 10 x 3: rods, between which a probe goes along them first, then between them by
+ * the wider side, then by the other. vectors: of the same lattice; ways are given in these. */
+static void rods(const double *vectors, const int32_t (*ways)[3], int first, int second, int third) {
+  const double radius = 1.6;
+  const double levels[3] = {sqrt(41) - radius, sqrt(25 + 2.25) - radius, sqrt(16 + 2.25) - radius};
+  uint32_t d, needed = 0, k;
+  int32_t sign;
+  n = 0;
+  add(3, 2, 1, radius);
+  memcpy(box, vectors, sizeof box);
+  compute(0);
+  CHECK(counts.maxima == 1 && counts.gates == 3 && counts.merges == 0 && counts.cavities == 1);
+  CHECK_NEAR(wide.largest, sqrt(41 + 2.25) - radius, 1e-8);
+  images_fit();
+  for (d = 0; d < 3; ++d) {
+    hsp_pore_channel channel;
+    hsp_pore_gate gate;
+    hsp_pore_gate_shifts shifts;
+    hsp_pore_maximum top;
+    CHECK_NEAR(wide.through[d], levels[d], 1e-8);
+    CHECK(wide.gate[d] == d && wide.maximum[d] == 0 && wide.included[d] == wide.largest);
+    CHECK_EQUAL(hsp_pores_get_channels(work.pores, wide.through[d], &channel, 1, &needed), HSP_OK);
+    CHECK(needed == 1 && channel.directions == d);
+    CHECK_EQUAL(hsp_pores_get_channels(work.pores, nextafter(wide.through[d], 0), &channel, 1, &needed), HSP_OK);
+    CHECK(needed == 1 && channel.directions == d + 1 && channel.copies == 1 && channel.maxima == 1);
+    CHECK_EQUAL(hsp_pores_get_gates(work.pores, d, 1, &gate), HSP_OK);
+    CHECK_EQUAL(hsp_pores_get_gate_shifts(work.pores, d, 1, &shifts), HSP_OK);
+    CHECK_EQUAL(hsp_pores_get_maxima(work.pores, 0, 1, &top), HSP_OK);
+    CHECK(gate.end[0] == 0 && gate.end[1] == 0 && gate.merges == 0 && shifts.winds == 1 && shifts.directions == d + 1);
+    /* Its two ends are on both sides, and one way apart. */
+    CHECK_NEAR(distance(gate.xyz, top.xyz, shifts.end), d == 0 ? 1.5 : d == 1 ? 4 : 5, 1e-7);
+    CHECK_NEAR(distance(gate.xyz, top.xyz, shifts.end + 3), d == 0 ? 1.5 : d == 1 ? 4 : 5, 1e-7);
+    sign = 0;
+    for (k = 0; k < 3; ++k) sign += (shifts.end[3 + k] - shifts.end[k]) * ways[d][k];
+    for (k = 0; k < 3; ++k) CHECK_EQUAL(shifts.end[3 + k] - shifts.end[k], (sign > 0 ? 1 : -1) * ways[d][k]);
+    if (d == 0) {
+      for (k = 0; k < 3; ++k) CHECK_EQUAL(channel.row[k], ways[0][k]);
+    }
+  }
+  CHECK_NEAR(wide.along[0], levels[first], 1e-8);
+  CHECK_NEAR(wide.along[1], levels[second], 1e-8);
+  CHECK_NEAR(wide.along[2], levels[third], 1e-8);
+}
+
+/* Walls that leave closed cavities, and a floor above everything. */
+static void closed(void) {
+  hsp_pore_channel channel;
+  hsp_pore_maximum top;
+  uint32_t needed = 0, member = 0;
+  int d;
+  n = 0;
+  add(0, 0, 0, 2.9); /* an edge of 4: 2 sqrt(2) < 2.9 < 2 sqrt(3) */
+  set_box(4, 0, 4, 0, 0, 4);
+  compute(0);
+  CHECK(counts.maxima == 1 && counts.gates == 0 && counts.cavities == 1);
+  CHECK_NEAR(wide.largest, 2 * sqrt(3) - 2.9, 1e-8);
+  for (d = 0; d < 3; ++d) {
+    CHECK(wide.through[d] == 0 && wide.along[d] == 0 && wide.included[d] == 0);
+    CHECK(wide.gate[d] == HSP_NONE && wide.maximum[d] == HSP_NONE && wide.gate_along[d] == HSP_NONE);
+  }
+  CHECK_EQUAL(hsp_pores_get_channels(work.pores, 0.5, &channel, 1, &needed), HSP_OK);
+  CHECK(needed == 1 && channel.directions == 0 && channel.copies == 1 && channel.maxima == 1);
+  CHECK_EQUAL(hsp_pores_get_maxima(work.pores, 0, 1, &top), HSP_OK);
+  CHECK(top.gate == HSP_NONE && top.parent == HSP_NONE && top.death == 0);
+  CHECK_EQUAL(hsp_pores_class_at(work.pores, 0, 0.5, &member), HSP_OK);
+  CHECK_EQUAL(member, 0);
+  compute(1);
+  CHECK(counts.maxima == 0 && wide.largest == 1);
+  CHECK_EQUAL(hsp_pores_get_channels(work.pores, 1, &channel, 1, &needed), HSP_OK);
+  CHECK_EQUAL(needed, 0);
+  CHECK_EQUAL(hsp_pores_get_channels(work.pores, 0.5, &channel, 1, &needed), HSP_E_RANGE);
+  compute(-2.9); /* everything is one class then */
+  CHECK(counts.maxima == 1 && counts.gates == 3 && wide.through[2] < 0);
+}
+
+/* Two balls of one place in a box twice as long give the same levels; the same balls elsewhere give the same bits. */
+static void copies_and_stale_results(void) {
+  static const double upright[9] = {8, 0, 0, 0, 10, 0, 0, 0, 3};
+  hsp_pore_percolation one;
+  int d;
+  n = 0;
+  add(3, 2, 1, 1.6);
+  memcpy(box, upright, sizeof box);
+  compute(0);
+  one = wide;
+  add(3, 2, 4, 1.6);
+  box[8] = 6;
+  compute(0);
+  CHECK_EQUAL(counts.maxima, 2);
+  CHECK_EQUAL(counts.gates, 6);
+  for (d = 0; d < 3; ++d) CHECK(wide.through[d] == one.through[d] && wide.along[d] == one.along[d]);
+  /* Pores of other balls are not there, of the same again they are, of a copy elsewhere they are not: other shifts. */
+  xyz[0] = 3.5;
+  CHECK_EQUAL(hsp_workspace_periodic(&work, n, xyz, radii, NULL, box, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_percolation(work.pores, &wide), HSP_E_STATE);
+  xyz[0] = 3;
+  CHECK_EQUAL(hsp_workspace_periodic(&work, n, xyz, radii, NULL, box, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_percolation(work.pores, &wide), HSP_OK);
+  xyz[0] = 11;
+  CHECK_EQUAL(hsp_workspace_periodic(&work, n, xyz, radii, NULL, box, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_percolation(work.pores, &wide), HSP_E_STATE);
+  compute(0);
+  for (d = 0; d < 3; ++d) CHECK(wide.through[d] == one.through[d]);
+  box[3] = 8; /* other vectors of the same lattice */
+  CHECK_EQUAL(hsp_workspace_periodic(&work, n, xyz, radii, NULL, box, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_counts(work.pores, &counts), HSP_E_STATE);
+  compute(0);
+  for (d = 0; d < 3; ++d) CHECK(wide.through[d] == one.through[d]);
+}
+
+static void refused_in_a_box(void) {
+  static const double at[3] = {0, 0, 0};
+  hsp_pore_place place;
+  hsp_pore_passage passage;
+  hsp_tunnel tunnel;
+  uint32_t pockets = 0, gate = 0;
+  CHECK_EQUAL(hsp_pores_locate(work.pores, at, &place), HSP_E_STATE);
+  CHECK_EQUAL(hsp_pores_widest(work.pores, at, NULL, &passage), HSP_E_STATE);
+  CHECK_EQUAL(hsp_pores_find_pockets(work.pores, 0, 1, &pockets), HSP_E_STATE);
+  CHECK_EQUAL(hsp_pores_find_tunnel(work.pores, at, NULL, NULL, 0, &tunnel, NULL), HSP_E_STATE);
+  CHECK_EQUAL(hsp_pores_gate_between(work.pores, 0, HSP_PORE_OUTSIDE, &gate), HSP_OK);
+  CHECK_EQUAL(gate, HSP_NONE);
+  CHECK_EQUAL(hsp_pores_compute_periodic(work.pores, NULL, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_pores_get_counts(work.pores, &counts), HSP_E_STATE);
+  set_box(100000, 0, 400, 0, 0, 400);
+  n = 0;
+  add(0, 0, 0, 100);
+  CHECK_EQUAL(hsp_workspace_periodic(&work, n, xyz, radii, NULL, box, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_pores_periodic(&work, NULL), HSP_E_RANGE); /* too long for its width */
+  CHECK_EQUAL(hsp_pores_get_counts(work.pores, &counts), HSP_E_STATE);
+}
+
+/* Of a model nothing winds, and shifts are 0. */
+static void without_a_box(void) {
+  hsp_pore_channel channels[4];
+  hsp_pore_gate_shifts shifts;
+  hsp_image images[4];
+  uint32_t needed = 0, k;
+  n = 0;
+  add(1, 1, 1, 1);
+  add(1, -1, -1, 1);
+  add(-1, 1, -1, 1);
+  add(-1, -1, 1, 1);
+  CHECK_EQUAL(hsp_workspace_set(&work, n, xyz, radii, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_pores(&work, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_percolation(work.pores, &wide), HSP_OK);
+  CHECK_NEAR(wide.largest, sqrt(3) - 1, 1e-8);
+  for (k = 0; k < 3; ++k) CHECK(wide.gate[k] == HSP_NONE && wide.through[k] == 0);
+  CHECK_EQUAL(hsp_pores_get_gate_shifts(work.pores, 0, 1, &shifts), HSP_OK);
+  CHECK(shifts.winds == 0 && shifts.directions == 0);
+  for (k = 0; k < 9; ++k) CHECK_EQUAL(shifts.ball[k], 0);
+  for (k = 0; k < 6; ++k) CHECK_EQUAL(shifts.end[k], 0);
+  CHECK_EQUAL(hsp_pores_get_maximum_images(work.pores, 0, images, 4, &needed), HSP_OK);
+  CHECK(needed == 4 && images[3].ball == 3 && images[3].shift[0] == 0);
+  CHECK_EQUAL(hsp_pores_get_channels(work.pores, 0, channels, 4, &needed), HSP_OK);
+  CHECK_EQUAL(needed, 0); /* it is a part of the outside */
+  CHECK_EQUAL(hsp_pores_get_channels(work.pores, 0.7, channels, 4, &needed), HSP_OK);
+  CHECK(needed == 1 && channels[0].directions == 0 && channels[0].maximum == 0 && channels[0].maxima == 1);
+  CHECK_EQUAL(hsp_pores_get_channels(work.pores, 0.7, NULL, 0, &needed), HSP_E_CAPACITY);
+  CHECK_EQUAL(needed, 1);
+  CHECK_EQUAL(hsp_pores_get_channels(work.pores, NAN, channels, 4, &needed), HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_pores_get_channels(work.pores, -1, channels, 4, &needed), HSP_E_RANGE);
+}
+
+int main(void) {
+  static const double upright[9] = {8, 0, 0, 0, 10, 0, 0, 0, 3}, skew[9] = {8, 0, 0, 8, 10, 0, -8, 0, 3};
+  static const int32_t along_axes[3][3] = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
+  static const int32_t in_skew[3][3] = {{1, 0, 1}, {1, 0, 0}, {-1, 1, 0}};
+  memset(&work, 0, sizeof work);
+  packings();
+  rods(upright, along_axes, 1, 2, 0);
+  rods(skew, in_skew, 0, 2, 0);
+  closed();
+  copies_and_stale_results();
+  refused_in_a_box();
+  without_a_box();
+  hsp_workspace_free(&work);
+  return check_report();
+}
