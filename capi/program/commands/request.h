@@ -118,6 +118,7 @@ bool request_wants_areas(const struct request *request);
 
 /* Whether places or radii of the balls are asked for once the library has them. */
 bool request_wants_places(const struct request *request);
+
 /* Whether there is such a part of the molecule. */
 bool request_wants_part(const struct request *request);
 
