@@ -117,7 +117,16 @@ std::optional<bool> holds(const std::string &term, const Atom &atom) {
 
 std::optional<bool> selects(const std::string &text, const Atom &atom) {
   bool all = true;
-  for (const std::string &term : split(text, '&')) {
+  std::vector<std::string> terms;
+  for (const std::string &part : split(text, '&')) {
+    const bool goes_on = !terms.empty() && terms.back().starts_with("group:") && terms.back().ends_with('_');
+    if (goes_on && part.starts_with('_')) {
+      terms.back() += '&' + part;  // as in the names that gmx make_ndx gives
+    } else {
+      terms.push_back(part);
+    }
+  }
+  for (const std::string &term : terms) {
     const auto one = holds(term, atom);
     if (!one) return std::nullopt;
     all = all && *one;
@@ -164,13 +173,13 @@ void check(const std::string &text, bool hide) {
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   // Bytes that are no text make keys and items that are.
-  static constexpr const char *words[] = {"chain:",   "residue:", "element:", "atom:", "water", "hetatm",
-                                          "hydrogen", ",",        "&",        "-",     "A",     "HOH",
-                                          "17",       "H",        "52A",      "."};
+  static constexpr const char *words[] = {"chain:",   "residue:", "element:", "atom:", "water",  "hetatm",
+                                          "hydrogen", ",",        "&",        "-",     "A",      "HOH",
+                                          "17",       "H",        "52A",      ".",     "group:", "_&_"};
   std::string text;
   for (size_t i = 0; i < size && data[i] != 0; ++i) {
     if (data[i] >= 0x80) {
-      text += words[data[i] % 16];
+      text += words[data[i] % 18];
     } else {
       text += static_cast<char>(data[i]);
     }

@@ -221,6 +221,15 @@ TEST(Annotations, LegendsOfNumbersAndChains) {
   std::vector<std::string> names;
   for (auto chain = chains.rbegin(); chain != chains.rend(); ++chain) names.push_back(chain->text);
   EXPECT_EQ(names, (std::vector<std::string>{"chains", "A", "B", "C", "D", "Cu", "Zn"}));
+  // Kinds of residues of which anything is seen: there is one methionine, in the middle.
+  names.clear();
+  for (const Text &kind : texts_of(drawn(molecules_folder() + "/ubiquitin.pdb", {"--legend", "--colour", "residue"}))) {
+    names.insert(names.begin(), kind.text);
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"positive", "negative", "polar", "aromatic", "aliphatic", "glycine"}));
+  const std::vector<Text> muted = texts_of(drawn(crambin(), {"--legend", "--highlight", "residue:CYS"}));
+  ASSERT_EQ(muted.size(), 5u);
+  EXPECT_EQ(muted.front().text, "others");
   const std::vector<Text> bands = texts_of(drawn(crambin(), {"--legend", "--colour", "plddt"}));
   ASSERT_EQ(bands.size(), 5u);
   EXPECT_EQ(bands[3].text, "&gt; 90");
@@ -382,7 +391,6 @@ TEST(Annotations, Refusals) {
   const std::string caffeine = molecules_folder() + "/caffeine.pdb";
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
       {{"draw", caffeine, "-o", "none/x.svg", "--label", "name"}, "atom, residue or chain"},
-      {{"draw", crambin(), "-o", "none/x.svg", "--legend", "--colour", "residue"}, "--legend is for colours"},
       {{"draw", "good/water.xyz", "-o", "none/x.svg", "--label", "chain"}, "the file names no residues"},
       {{"draw", caffeine, "-o", "none/x.svg", "--colour", "charge"}, "--colour charge is for .pqr files"}};
   for (const auto &[arguments, complaint] : cases) {

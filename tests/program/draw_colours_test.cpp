@@ -469,15 +469,17 @@ TEST(DrawColours, LooksArePresets) {
       {"goodsell",
        {"--palette", "chain", "--ink", "--style", "flat", "--occlusion", "0.5", "--outline", "0", "--fog", "0.4"}},
       {"slide",
-       {"--ink-width", "0,2,3", "--occlusion", "0.5", "--outline", "0", "--fog", "0.15", "--background", "14171E",
-        "--outline-colour", "14171E", "--ink-colour", "14171E", "--width", "1600", "--height", "900"}},
+       {"--colour", "bfactor", "--ink-width",  "0,2,3",  "--occlusion",      "0.25",   "--outline",    "1",
+        "--fog",    "0.15",    "--background", "14171E", "--outline-colour", "14171E", "--ink-colour", "14171E",
+        "--width",  "1600",    "--height",     "900"}},
       {"print",
        {"--ink", "--style", "flat", "--occlusion", "0", "--fog", "0", "--outline-colour", "000000", "--ink-colour",
         "000000"}}};
   for (const auto &[look, same] : looks) {
     // No option leaves out one kind of contours and the widths of the others as they are.
     std::vector<std::string> by_look = {"--look", look};
-    if (look == "slide") by_look.insert(by_look.end(), {"--ink-width", "0,2,3"});
+    // Colours of numbers are not lightened.
+    if (look == "slide") by_look.insert(by_look.end(), {"--ink-width", "0,2,3", "--colour", "bfactor"});
     EXPECT_EQ(drawn(crambin(), by_look), drawn(crambin(), same)) << look;
     // The last of its options that has a value says something else now.
     std::vector<std::string> other = same;
@@ -485,10 +487,11 @@ TEST(DrawColours, LooksArePresets) {
     const std::string option = other[other.size() - 2];
     by_look.insert(by_look.end(), {option, other.back()});
     EXPECT_EQ(drawn(crambin(), by_look),
-              look == "slide" ? drawn(crambin(), {"--ink-width", "0,2,3", "--occlusion", "0.5", "--outline", "0",
-                                                  "--fog", "0.15", "--background", "14171E", "--outline-colour",
-                                                  "14171E", "--ink-colour", "14171E", "--height", "800"})
-                              : drawn(crambin(), other))
+              look == "slide"
+                  ? drawn(crambin(), {"--colour", "bfactor", "--ink-width", "0,2,3", "--occlusion", "0.25", "--outline",
+                                      "1", "--fog", "0.15", "--background", "14171E", "--outline-colour", "14171E",
+                                      "--ink-colour", "14171E", "--height", "800"})
+                  : drawn(crambin(), other))
         << look;
     // Balls and sticks have no contours, nor are they darkened.
     const std::string sticks = drawn(molecules_folder() + "/caffeine.pdb", {"--look", look, "--as", "ball-and-stick"});

@@ -51,8 +51,8 @@ std::string element_of(const std::string &svg, const std::string &id) {
 
 // A colour itself, or what the gradient of a sphere makes of it in the middle.
 std::array<int, 3> colour_of(const std::string &svg, const std::string &path) {
-  std::string colour = attribute(path, "color");
   const std::string fill = attribute(path, "fill");
+  std::string colour = fill;
   if (fill.rfind("url(#", 0) == 0) {
     const std::string sphere = element_of(svg, fill.substr(5, fill.size() - 6));
     const std::string stops = element_of(svg, attribute(sphere, "xlink:href").substr(1));
@@ -192,8 +192,11 @@ TEST(MeshPicture, ACutLeavesNoCrumbs) {
 // probe's centres are, x = (3.1^2 - 2.92^2 + 3^2) / 6; in a picture of 6.22 and a margin.
 TEST(MeshPicture, ColoursMeetWhereTheSurfaceIsNarrowest) {
   const TemporaryFile pair("pair.xyz", "2\n\nN 0 0 0\nO 3 0 0\n");
-  const std::vector<Part> parts = drawn(pair.path(), {"--radius", "N=1.7", "--radius", "O=1.52", "--probe", "1.4",
-                                                      "--surface", "ses", "--edge", "0.4", "--view", "0,0,1"});
+  const std::string svg = drawn_text(pair.path(), {"--radius", "N=1.7", "--radius", "O=1.52", "--probe", "1.4",
+                                                   "--surface", "ses", "--edge", "0.4", "--view", "0,0,1"});
+  const std::vector<Part> parts = parts_of(svg);
+  EXPECT_LT(svg.find(">N<"), svg.find(">O<"));
+  EXPECT_EQ(svg.find(">C<"), std::string::npos);
   const double border = (3.1 * 3.1 - 2.92 * 2.92 + 9) / 6;
   const double scale = 1000 / (6.22 * 1.06);
   const double px = (border + 1.7 + 0.03 * 6.22) * scale;

@@ -26,14 +26,16 @@ Json json_of(const Lines &arguments) {
 class Parts : public testing::Test {
  protected:
   const std::string crambin = molecules_folder() + "/crambin.pdb";
-  const TemporaryFile index{"parts.ndx",
-                            "; comment\n[ Begin ]\n   3 1 2\n2 1 ; again\n\n[Empty]\n[ A & B ]\n9 8 7\n[ Begin ]\n5\n"};
+  const TemporaryFile index{
+      "parts.ndx",
+      "; comment\n[ Begin ]\n   3 1 2\n2 1 ; again\n\n[Empty]\n[ A & B ]\n9 8 7\n[ Begin ]\n5\n[ A_&_CA ]\n2 9\n"};
   const std::vector<Json> whole = json_of({"measure", crambin, "--probe", "1.4", "--per-ball"})["balls"].items;
 };
 
 // Areas of a part are those of the whole molecule, bit for bit.
 TEST_F(Parts, ArePartsOfTheWhole) {
-  for (const char *part : {"residue:7-9", "element:S", "atom:CA&residue:1-20", "group:Begin", "group:2"}) {
+  for (const char *part : {"residue:7-9", "element:S", "atom:CA&residue:1-20", "group:Begin", "group:2", "group:A_&_CA",
+                           "group:A_&_CA&residue:1"}) {
     const Json found =
         json_of({"measure", crambin, "--probe", "1.4", "--per-ball", "--of", part, "--index", index.path()});
     double sum = 0;
@@ -75,7 +77,7 @@ TEST_F(Parts, GroupsOfAnIndexFile) {
   const struct {
     const char *name;
     std::set<size_t> balls;
-  } groups[] = {{"Begin", {0, 2}}, {"Empty", {}}, {"A & B", {6, 7}}, {"Begin", {4}}};
+  } groups[] = {{"Begin", {0, 2}}, {"Empty", {}}, {"A & B", {6, 7}}, {"Begin", {4}}, {"A_&_CA", {}}};
   // Atoms by their place in the file: 1 is a CA, which is left out, as is another CA, 8.
   const std::vector<Json> balls =
       json_of({"measure", crambin, "--probe", "1.4", "--per-ball", "--hide", "atom:CA"})["balls"].items;
@@ -92,6 +94,10 @@ TEST_F(Parts, GroupsOfAnIndexFile) {
     EXPECT_NEAR(group["area"].number, sum, 1e-10) << k;
   }
   EXPECT_EQ(json_of({"measure", crambin, "--only", "group:Begin", "--index", index.path()})["n"].number, 3);
+  const Json shifted = json_of(
+      {"measure", crambin, "--hide", "atom:N", "--of", "group:2", "--per-ball", "--index", index.path()})["balls"];
+  ASSERT_EQ(shifted.items.size(), 2U);
+  EXPECT_EQ(shifted.items[0]["atom"].text, "CG2");
   EXPECT_EQ(json_of({"measure", crambin, "--hide", "group:2", "--index", index.path()})["n"].number, 324);
   EXPECT_EQ(json_of({"contacts", crambin, "--only", "group:2&atom:CG2", "--index", index.path()})["n"].number, 1);
 }
@@ -107,7 +113,7 @@ TEST_F(Parts, Refused) {
   } cases[] = {{{"--of", "group:Begin"}, 2, "it needs --index"},
                {{"--by", "group"}, 2, "it needs --index"},
                {{"--only", "group:Tail", "--index", index.path()}, 2, "no group 'Tail'"},
-               {{"--only", "group:4", "--index", index.path()}, 2, "no group '4'"},
+               {{"--only", "group:5", "--index", index.path()}, 2, "no group '5'"},
                {{"--of", "group:Empty", "--index", index.path()}, 1, "--of names no atom"},
                {{"--of", "residue:3", "--surface", "ses"}, 2, "--surface ses is of all atoms"},
                {{"--of", "residue:3", "--gradient"}, 2, "--gradient is of all atoms"},

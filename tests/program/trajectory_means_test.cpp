@@ -169,6 +169,20 @@ TEST_F(Means, FramesByTime) {
   }
 }
 
+// Behind a gap the intervals go on where the first frame's time puts them.
+TEST_F(Means, IntervalsBehindGaps) {
+  std::string text;
+  for (const char *time : {"0", "10", "10.5", "11.2", "30", "30.9"}) {
+    text += std::string("1\nt= ") + time + "\nC 0 0 0\n";
+  }
+  const TemporaryFile gaps("gaps.xyz", text);
+  std::vector<double> found;
+  for (const Json &frame : frames_of({"measure", gaps.path(), "--trajectory", gaps.path(), "--interval", "1"})) {
+    found.push_back(frame["frame"].number);
+  }
+  EXPECT_EQ(found, (std::vector<double>{1, 2, 4, 5}));
+}
+
 TEST_F(Means, AreTheSameForAnyNumberOfThreads) {
   const Outcome one = run_program(call({"--mean", "--by", "residue", "--threads", "1"}));
   EXPECT_EQ(one.status, 0);

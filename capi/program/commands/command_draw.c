@@ -173,19 +173,25 @@ static bool annotate(const struct request *request, const struct molecule *molec
   struct page_label *labels = NULL;
   uint32_t *colour = NULL;
   uint32_t count = 0;
+  double *room = NULL;
   bool done = ball_colours_make(drawing, &request->highlight, molecule, &colour, &palette, failure);
   if (!done) return false;
-  if (drawing->label >= 0) {
-    const bool has_map = drawing_is_of_map(drawing) && !drawing_is_of_sticks(drawing);
-    done =
-        (has_map || geometry_compute_map(geometry, &drawing->viewing, molecule, failure)) &&
-        page_labels_find(geometry->work.map, molecule, &request->highlight, drawing->label, &labels, &count, failure);
+  const bool of_kinds = drawing->legend && drawing->colour == COLOUR_RESIDUE;
+  const bool has_map = drawing_is_of_map(drawing) && !drawing_is_of_sticks(drawing);
+  if ((drawing->label >= 0 || of_kinds) && !has_map) {
+    done = geometry_compute_map(geometry, &drawing->viewing, molecule, failure);
   }
-  const struct annotation annotation = {drawing, molecule, &drawn->options, drawn->frame,       labels,
-                                        count,   &palette, colour,          &request->highlight};
+  if (drawing->label >= 0) {
+    done = done && page_labels_find(geometry->work.map, molecule, &request->highlight, drawing->label, &labels, &count,
+                                    failure);
+  }
+  if (of_kinds) done = done && page_labels_find_room(geometry->work.map, molecule->atoms, &room, failure);
+  const struct annotation annotation = {drawing, molecule, &drawn->options, drawn->frame,        labels,
+                                        count,   &palette, colour,          &request->highlight, room};
   done = done && annotation_write(&annotation, over, failure);
   free(labels);
   free(colour);
+  free(room);
   return done;
 }
 

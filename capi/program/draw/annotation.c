@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "draw/pen.h"
+#include "draw/residue_colours.h"
 #include "draw/text_width.h"
 #include "read/residues.h"
 
@@ -38,6 +39,11 @@ struct placed_label {
 };
 
 static const double dot = 0.3, ring = 0.55; /* wide, in sizes */
+
+/* Whether a circle in what is seen of a ball is smaller than a dot. */
+static bool is_hidden(const struct annotation *annotation, double radius) {
+  return annotation->frame.scale * radius < dot / 2.0 * annotation->frame.letter;
+}
 
 static int compare_heights(const void *a, const void *b) {
   const struct placed_label *p = a;
@@ -125,7 +131,7 @@ static void write_side(const struct writer *writer, struct placed_label *label, 
     for (size_t i = 0; i < count; ++i) {
       const double from[2] = {left ? x + 0.25 * size : x - 0.25 * size, label[i].y};
       const uint32_t colour = seam == 1 ? writer->seam : writer->colour;
-      pen_line(&writer->pen, from, label[i].at, size * (seam == 1 ? 0.16 : 0.06), colour);
+      pen_line(&writer->pen, from, label[i].at, size * (seam == 1 ? 0.12 : 0.06), colour);
       const double wide = label[i].hidden ? ring : dot;
       pen_line(&writer->pen, label[i].at, label[i].at, size * (seam == 1 ? wide + 0.15 : wide), colour);
       if (seam == 0 && label[i].hidden) {
@@ -149,7 +155,7 @@ static bool write_labels(const struct writer *writer, struct failure *failure) {
         label->text,
         {frame->x + frame->scale * label->at[0], frame->y - frame->scale * label->at[1]},
         0.0,
-        frame->scale * label->radius < dot / 2.0 * writer->size};
+        is_hidden(annotation, label->radius)};
     const double across = text_width(label->text, writer->size);
     const double reach = hypot(across, letter_height * writer->size) / 2.0 + clear_of_edge * writer->size;
     if (reach <= frame->scale * label->radius) {
@@ -210,6 +216,7 @@ struct entry {
   const char *text;
   uint32_t colour;
   bool of_element;
+  int rank;
 };
 
 struct legend {
@@ -219,17 +226,30 @@ struct legend {
   const char *quantity; /* NULL: what they are is seen */
 };
 
-/* Of colours by chain, atoms of chains stand for these, by their carbon, which has the tint itself; all others stand
- * for their elements. */
-static bool stands_for_chain(const struct annotation *annotation, const struct atom_label *label) {
-  return strcmp(annotation->palette->name, "chain") == 0 && (atom_is_of_chain(label) || atom_is_water(label));
+/* Of colours by chain, atoms of chains stand for these, by their carbon, which has the tint itself; of those by
+ * residue, for their kinds; all others stand for their elements. False: for nothing. */
+static bool find_entry(const struct annotation *annotation, uint32_t atom, struct entry *entry) {
+  const struct atom_label *label = &annotation->molecule->label[atom];
+  const bool by_chain = strcmp(annotation->palette->name, "chain") == 0;
+  struct residue_colour kind;
+  *entry = (struct entry){label->element.text, annotation->colour[atom], true, 0};
+  if (annotation->room != NULL && is_hidden(annotation, annotation->room[atom])) return false;
+  if (by_chain && (atom_is_of_chain(label) || atom_is_water(label))) {
+    *entry = (struct entry){label->residue->chain, annotation->colour[atom], false, 0};
+    return strcmp(label->element.text, "C") == 0;
+  }
+  if (strcmp(annotation->palette->name, "residue") == 0 && residue_colour_find(label->residue->name, &kind)) {
+    *entry = (struct entry){kind.kind, annotation->colour[atom], false, kind.rank};
+  }
+  return true;
 }
 
-/* Chains before elements, shorter names first; of elements C and H, as formulas have them. */
+/* Chains and kinds before elements, shorter names first; of elements C and H, as formulas have them. */
 static int compare_entries(const void *left, const void *right) {
   const struct entry *a = left;
   const struct entry *b = right;
   if (a->of_element != b->of_element) return a->of_element ? 1 : -1;
+  if (a->rank != b->rank) return a->rank < b->rank ? -1 : 1;
   for (const char *first = a->of_element ? "CH" : ""; *first != '\0'; ++first) {
     const bool is[2] = {a->text[0] == *first && a->text[1] == '\0', b->text[0] == *first && b->text[1] == '\0'};
     if (is[0] != is[1]) return is[0] ? -1 : 1;
@@ -239,22 +259,35 @@ static int compare_entries(const void *left, const void *right) {
   return strcmp(a->text, b->text);
 }
 
+/* All that is not highlighted has one entry, by its carbon if there is any. */
+static void find_others(const struct annotation *annotation, struct legend *legend) {
+  uint32_t found = UINT32_MAX;
+  for (uint32_t atom = 0; atom < annotation->molecule->atoms; ++atom) {
+    const struct atom_label *label = &annotation->molecule->label[atom];
+    if (selection_takes(annotation->selected, annotation->molecule, atom)) continue;
+    if (found == UINT32_MAX) found = atom;
+    if (strcmp(label->element.text, "C") != 0) continue;
+    found = atom;
+    break;
+  }
+  if (found == UINT32_MAX || legend->entries == MOST_ENTRIES) return;
+  legend->entry[legend->entries++] = (struct entry){"others", annotation->colour[found], false, 0};
+}
+
 static void find_entries(const struct annotation *annotation, struct legend *legend) {
   legend->entries = 0;
   legend->cut = false;
   for (size_t k = 0; k < annotation->palette->bands; ++k) {
     legend->entry[legend->entries++] =
-        (struct entry){annotation->palette->band[k].name, annotation->palette->band[k].colour, false};
+        (struct entry){annotation->palette->band[k].name, annotation->palette->band[k].colour, false, 0};
   }
   for (uint32_t atom = 0; atom < annotation->molecule->atoms && annotation->palette->bands == 0; ++atom) {
-    const struct atom_label *label = &annotation->molecule->label[atom];
-    const bool of_chain = stands_for_chain(annotation, label);
-    const char *const text = of_chain ? label->residue->chain : label->element.text;
-    if (text[0] == '\0' || !selection_takes(annotation->selected, annotation->molecule, atom)) continue;
-    if (of_chain && strcmp(label->element.text, "C") != 0) continue;
+    struct entry entry;
+    if (!selection_takes(annotation->selected, annotation->molecule, atom)) continue;
+    if (!find_entry(annotation, atom, &entry) || entry.text[0] == '\0') continue;
     size_t at = 0;
     while (at < legend->entries &&
-           (strcmp(legend->entry[at].text, text) != 0 || legend->entry[at].of_element == of_chain)) {
+           (strcmp(legend->entry[at].text, entry.text) != 0 || legend->entry[at].of_element != entry.of_element)) {
       ++at;
     }
     if (at < legend->entries) continue;
@@ -262,23 +295,27 @@ static void find_entries(const struct annotation *annotation, struct legend *leg
       legend->cut = true;
       break;
     }
-    legend->entry[legend->entries++] = (struct entry){text, annotation->colour[atom], !of_chain};
+    legend->entry[legend->entries++] = entry;
   }
   legend->quantity = annotation->palette->quantity;
   if (annotation->palette->bands > 0 || legend->entries == 0) return;
   qsort(legend->entry, legend->entries, sizeof legend->entry[0], compare_entries);
   /* There are chains C and N, too. */
-  if (!legend->entry[0].of_element && legend->entry[legend->entries - 1].of_element) legend->quantity = "chains";
+  const bool by_chain = strcmp(annotation->palette->name, "chain") == 0;
+  if (by_chain && !legend->entry[0].of_element && legend->entry[legend->entries - 1].of_element) {
+    legend->quantity = "chains";
+  }
+  find_others(annotation, legend);
 }
 
 static double entry_width(const struct entry *entry, double size) {
-  return 1.5 * size + text_width(entry->text, size);
+  return 1.55 * size + text_width(entry->text, size);
 }
 
 /* From right to left. Where there are more than have room, they stand closer, then letters are smaller, and then the
  * last entries are dots. */
 static void write_entries(const struct writer *writer, double y) {
-  static const double smallest = 0.6;
+  static const double smallest = 0.55;
   static const char more[] = "..";
   struct legend legend;
   find_entries(writer->annotation, &legend);
@@ -300,9 +337,9 @@ static void write_entries(const struct writer *writer, double y) {
     write_text(writer, more, x, y, size, 0.0);
   }
   for (size_t i = shown; i-- > 0;) {
-    x -= air + 0.45 * size + text_width(legend.entry[i].text, size);
+    x -= air + 0.4 * size + text_width(legend.entry[i].text, size);
     write_text(writer, legend.entry[i].text, x, y, size, 0.0);
-    x -= air + 1.05 * size;
+    x -= air + 1.15 * size;
     const double corner[2] = {x, y - 0.45 * size};
     const double behind[2] = {corner[0] - 0.06 * size, corner[1] - 0.06 * size};
     pen_rectangle(&writer->pen, behind, 1.02 * size, 1.02 * size, writer->colour);

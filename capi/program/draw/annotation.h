@@ -23,6 +23,7 @@ struct annotation {
   const struct ball_palette *palette; /* what colours stand for, before occlusion: */
   const uint32_t *colour;             /* [atoms] */
   const struct selection *selected;   /* of these atoms */
+  const double *room; /* [atoms], the largest circle in what is seen of each; NULL: a legend asks not for it */
 };
 
 /* Append it to `out`, in the language of the picture. A label stands within what it names if it has room there, else

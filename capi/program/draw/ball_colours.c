@@ -30,6 +30,9 @@ enum { PLDDT_BANDS = sizeof plddt / sizeof plddt[0] };
 /* Carbon of ligands, among tints and muted elements. */
 static const uint32_t ligand_carbon = 0x7E8A93;
 
+/* So much of white is added before a dark page. */
+static const double lighter = 0.15;
+
 /* A ball that is not highlighted keeps so much of its own colour. Highlighted carbon must not be grey among grey. */
 static const uint32_t plain = 0xDEDBD4;
 static const double kept = 0.25;
@@ -96,7 +99,11 @@ static void colour_by_residue(const struct molecule *molecule, uint32_t *colour,
   said->remark = "by kind of residue, ligands and ions by element";
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     const struct atom_label *label = &molecule->label[i];
-    if (residue_colour_find(label->residue->name, &colour[i])) continue;
+    struct residue_colour own;
+    if (residue_colour_find(label->residue->name, &own)) {
+      colour[i] = own.colour;
+      continue;
+    }
     const bool alone = !atom_is_of_chain(label) && !atom_is_water(label);
     colour[i] = alone ? colour_of(label, HSP_PALETTE_CHAIN, 0) : hsp_palette_colour(HSP_PALETTE_SOFT, CARBON, 0);
   }
@@ -191,6 +198,9 @@ bool ball_colours_make(const struct drawing *drawing, const struct selection *hi
     const uint32_t chosen = drawing->palette >= 0 ? (uint32_t)drawing->palette : usual;
     by_element = chosen != HSP_PALETTE_CHAIN;
     colour_by_palette(molecule, chosen, *colour, palette);
+  }
+  for (uint32_t i = 0; done && drawing->lightens && !drawing_is_of_values(drawing) && i < molecule->atoms; ++i) {
+    (*colour)[i] = colour_mixed((*colour)[i], 0xFFFFFF, lighter);
   }
   if (done && mute_others(highlight, molecule, by_element, *colour, failure)) return true;
   free(*colour);

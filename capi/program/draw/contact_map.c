@@ -56,10 +56,13 @@ static uint32_t tick_step(uint32_t rows) {
   return step;
 }
 
-/* Residues have ticks where their own number is round. */
+/* Residues have ticks where their own number is round; of those with insertion codes the first. */
 static bool has_tick(const struct contact_map *map, uint32_t row, uint32_t step) {
   if (map->groups->grouping != GROUPING_RESIDUE) return row % step == 0;
-  return strtol(label_of(map, row)->number, NULL, 10) % (long)step == 0;
+  const struct residue_label *label = label_of(map, row), *before = row == 0 ? NULL : label_of(map, row - 1);
+  const bool again =
+      before != NULL && strcmp(label->number, before->number) == 0 && strcmp(label->chain, before->chain) == 0;
+  return !again && strtol(label->number, NULL, 10) % (long)step == 0;
 }
 
 static void name_row(char text[LABEL_BYTES], const struct contact_map *map, uint32_t row) {
@@ -68,7 +71,7 @@ static void name_row(char text[LABEL_BYTES], const struct contact_map *map, uint
   } else if (map->groups->grouping == GROUPING_CHAIN) {
     snprintf(text, LABEL_BYTES, "%s", label_of(map, row)->chain);
   } else {
-    snprintf(text, LABEL_BYTES, "%s%s", label_of(map, row)->number, label_of(map, row)->insertion);
+    snprintf(text, LABEL_BYTES, "%s", label_of(map, row)->number);
   }
 }
 
@@ -180,12 +183,13 @@ static void add_squares(struct text_buffer *out, const struct contact_map *map, 
 static void add_scale(struct text_buffer *out, const struct contact_map *map, const double end[SHADES]) {
   const int y = TOP + SIDE + TICK + 3 * LETTER + 16, width = SIDE / (SHADES + 3);
   const char *sign = map->molecule->format->sign;
-  text_buffer_add(out, "<text x=\"%d\" y=\"%d\">contact area%s%s%s up to</text>\n", LEFT, y + 12,
-                  sign[0] == '\0' ? "" : " in ", sign, sign[0] == '\0' ? "" : "²");
+  text_buffer_add(out, "<text x=\"%d\" y=\"%d\">contact area%s%s%s</text>\n", LEFT, y + 12, sign[0] == '\0' ? "" : ", ",
+                  sign, sign[0] == '\0' ? "" : "²");
   for (int shade = 0; shade < SHADES; ++shade) {
     const int x = LEFT + (shade + 3) * width;
     text_buffer_add(out, "<rect x=\"%d\" y=\"%d\" width=\"14\" height=\"14\" fill=\"%s\"/>\n", x, y, shades[shade]);
-    text_buffer_add(out, "<text x=\"%d\" y=\"%d\">%.3g</text>\n", x + 19, y + 12, end[shade]);
+    text_buffer_add(out, "<text x=\"%d\" y=\"%d\">%.3g – %.3g</text>\n", x + 19, y + 12,
+                    shade == 0 ? 0.0 : end[shade - 1], end[shade]);
   }
 }
 

@@ -68,6 +68,7 @@ struct drawing {
   double ink_width[INK_LEVELS];
   int ink_colour[INK_LEVELS];
   int look;       /* see look.h */
+  bool lightens;  /* colours, which dark pages make look darker: looks do */
   bool darkens;   /* buried balls, where the user says nothing of occlusion: looks do */
   bool by_chain;  /* colours of molecules with two chains or more: likewise, of palettes */
   bool tints_one; /* of one chain, too: likewise */

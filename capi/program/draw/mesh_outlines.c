@@ -1,8 +1,14 @@
 #include "draw/mesh_outlines.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+static const double thinnest = 3.0; /* of areas, in units */
+
+/* Of points that are dropped, squares of units: on outlines, and where a tone goes over into one hardly different. */
+static const double slack_squared[2] = {1.0, 30.0};
 
 void painted_edges_add(struct painted_edges *edges, const struct painted_edge *edge) {
   if (memcmp(edge->from, edge->to, sizeof edge->from) == 0 || edges->out_of_memory) return;
@@ -139,12 +145,17 @@ static int compare_joints(const void *left, const void *right) {
   return compare_points(left, right);
 }
 
+static bool is_joint(const struct painted_edges *edges, const int32_t at[2]) {
+  return edges->joints > 0 && bsearch(at, edges->joint, edges->joints, sizeof *edges->joint, compare_joints) != NULL;
+}
+
 /* ---- paths ---- */
 
 /* A way along edges: the points that it turns at. */
 struct way {
   const struct painted_edges *edges;
   const int32_t (*point)[2];
+  const bool *inner; /* [points], of the edge that begins there */
   size_t points;
   bool closed, curved;
 };
@@ -161,9 +172,7 @@ static bool is_smooth(const struct way *way, size_t k) {
   const double along = a[0] * b[0] + a[1] * b[1];
   const double squares[2] = {a[0] * a[0] + a[1] * a[1], b[0] * b[0] + b[1] * b[1]};
   const bool even = squares[0] <= 9.0 * squares[1] && squares[1] <= 9.0 * squares[0];
-  return even && along > 0.0 && along * along > 0.64 * squares[0] * squares[1] &&
-         (way->edges->joints == 0 ||
-          bsearch(at, way->edges->joint, way->edges->joints, sizeof *way->edges->joint, compare_joints) == NULL);
+  return even && along > 0.0 && along * along > 0.64 * squares[0] * squares[1] && !is_joint(way->edges, at);
 }
 
 /* Halves of units, in which middles of edges are whole. */
@@ -235,15 +244,93 @@ static void put_way(struct text_buffer *out, const struct way *way) {
   if (way->closed) text_buffer_add(out, "z");
 }
 
+/* ---- fewer points ---- */
+
+/* The square of a point's distance from the way between two others. */
+static double off_the_chord(const int32_t *at, const int32_t *from, const int32_t *to) {
+  const double d[2] = {(double)to[0] - from[0], (double)to[1] - from[1]};
+  const double a[2] = {(double)at[0] - from[0], (double)at[1] - from[1]};
+  const double b[2] = {(double)at[0] - to[0], (double)at[1] - to[1]};
+  if (d[0] * a[0] + d[1] * a[1] <= 0.0) return a[0] * a[0] + a[1] * a[1];
+  if (d[0] * b[0] + d[1] * b[1] >= 0.0) return b[0] * b[0] + b[1] * b[1];
+  const double across = d[0] * a[1] - d[1] * a[0];
+  return across * across / (d[0] * d[0] + d[1] * d[1]);
+}
+
+/* Of the points between two, the one farthest from the chord; of several the first by coordinates, so that both
+ * neighbours of an outline drop the same points. */
+static size_t find_farthest(const struct way *way, size_t from, size_t to, double *square) {
+  const size_t n = way->points;
+  size_t farthest = from;
+  *square = -1.0;
+  for (size_t k = from + 1; k < to; ++k) {
+    const double own = off_the_chord(way->point[k % n], way->point[from % n], way->point[to % n]);
+    if (own < *square || (own == *square && compare_points(way->point[k % n], way->point[farthest % n]) > 0)) {
+      continue;
+    }
+    *square = own;
+    farthest = k;
+  }
+  return farthest;
+}
+
+/* Where a third outline comes to a way, or another kind of edge begins. */
+static bool is_kept(const struct way *way, size_t k) {
+  return way->inner[k] != way->inner[(k + way->points - 1) % way->points] || is_joint(way->edges, way->point[k]);
+}
+
+/* The point of a loop that it may begin with: the first one by coordinates of those that are kept, if there are any. */
+static size_t find_first(const struct way *way) {
+  size_t first = 0;
+  bool kept = is_kept(way, 0);
+  for (size_t k = 1; k < way->points; ++k) {
+    const bool own = is_kept(way, k);
+    if (own == kept ? compare_points(way->point[k], way->point[first]) > 0 : kept) continue;
+    first = k;
+    kept = own;
+  }
+  return first;
+}
+
+/* Drops points that are no joints, while no dropped one is farther from the chord than the slack (Douglas and Peucker).
+ * A loop of joints begins at one of them, as both neighbours of an outline have to drop the same. */
+static bool drop_points(const struct way *way, int32_t (*left)[2], size_t *count) {
+  const size_t n = way->points, first = way->closed ? find_first(way) : 0, last = way->closed ? n : n - 1;
+  size_t *ends = calloc(n + 2, sizeof *ends); /* of pieces that are not yet done, the last piece first */
+  size_t open = 0, from = 0;
+  *count = 0;
+  if (ends == NULL) return false;
+  ends[open++] = last;
+  for (size_t k = last; k-- > 1;) {
+    if (is_kept(way, (first + k) % n)) ends[open++] = k;
+  }
+  while (open > 0) {
+    const size_t to = ends[open - 1];
+    double square;
+    const size_t farthest = find_farthest(way, first + from, first + to, &square);
+    if (square > slack_squared[way->inner[(first + from) % n]]) {
+      ends[open++] = farthest - first;
+      continue;
+    }
+    memcpy(left[(*count)++], way->point[(first + from) % n], sizeof *left);
+    from = to;
+    --open;
+  }
+  if (!way->closed) memcpy(left[(*count)++], way->point[from], sizeof *left);
+  free(ends);
+  return true;
+}
+
 /* From an edge along those that begin where it ends, to where it began or where none is left. */
 static bool take_way(const struct painted_edges *edges, size_t edge, size_t first, size_t end, int32_t (*point)[2],
-                     struct way *way) {
+                     bool *inner, struct way *way) {
   size_t count = 0;
   size_t next = edge;
   bool round = false;
   memcpy(point[count++], edges->edge[edge].from, sizeof *point);
   while (next < end && !round) {
     memcpy(point[count], edges->edge[next].to, sizeof *point);
+    inner[count - 1] = edges->edge[next].inner;
     mark(&edges->edge[next]);
     round = compare_points(point[count], point[0]) == 0;
     if (!round) ++count;
@@ -253,22 +340,45 @@ static bool take_way(const struct painted_edges *edges, size_t edge, size_t firs
       if (next < end && compare_points(edges->edge[next].from, point[count - 1]) != 0) next = end;
     }
   }
+  if (!round) inner[count - 1] = false;
   way->point = (const int32_t(*)[2])point;
+  way->inner = inner;
   way->points = count;
   way->closed = way->closed || round;
   return count > 1;
 }
 
+/* Whether a loop is so thin that only its line would be seen, over neighbours whose own lines close what it leaves
+ * open. */
+static bool is_sliver(const struct way *way) {
+  double area = 0.0, around = 0.0;
+  for (size_t k = 0; k < way->points; ++k) {
+    const int32_t *at = way->point[k], *next = way->point[(k + 1) % way->points], *start = way->point[0];
+    const double d[2] = {(double)next[0] - at[0], (double)next[1] - at[1]};
+    area += ((double)at[0] - start[0]) * d[1] - ((double)at[1] - start[1]) * d[0];
+    around += sqrt(d[0] * d[0] + d[1] * d[1]);
+  }
+  return fabs(area) <= thinnest * around;
+}
+
 bool painted_edges_write(const struct painted_edges *edges, size_t first, size_t end, bool closed, bool curved,
                          struct text_buffer *out) {
-  int32_t(*point)[2] = calloc(end - first + 2, sizeof *point);
-  if (point == NULL) return false;
-  for (size_t i = first; i < end; ++i) {
+  int32_t(*point)[2] = calloc(2 * (end - first + 2), sizeof *point);
+  int32_t(*const left)[2] = point + (end - first + 2);
+  bool *inner = calloc(end - first + 2, sizeof *inner);
+  bool enough = point != NULL && inner != NULL;
+  for (size_t i = first; enough && i < end; ++i) {
     struct way way = {.edges = edges, .closed = closed, .curved = curved};
-    if (!is_marked(&edges->edge[i]) && take_way(edges, i, first, end, point, &way)) put_way(out, &way);
+    if (is_marked(&edges->edge[i]) || !take_way(edges, i, first, end, point, inner, &way)) continue;
+    size_t count;
+    enough = drop_points(&way, left, &count);
+    way.point = (const int32_t(*)[2])left;
+    way.points = count;
+    if (enough && count > 1 && !(closed && is_sliver(&way))) put_way(out, &way);
   }
   free(point);
-  return true;
+  free(inner);
+  return enough;
 }
 
 void painted_edges_free(struct painted_edges *edges) {

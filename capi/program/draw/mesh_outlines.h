@@ -12,6 +12,7 @@ struct painted_edge {
   uint32_t layer;
   uint32_t paint; /* anything of the caller's: areas of a layer are painted in their order */
   int32_t from[2], to[2];
+  bool inner; /* no outline, but where one tone goes over into the next */
 };
 
 struct painted_edges {
@@ -38,9 +39,9 @@ bool painted_edges_find_joints(struct painted_edges *edges, uint32_t end_of_pain
 /* The end of the edges that have layer and paint of the first one. */
 size_t painted_edges_end(const struct painted_edges *edges, size_t first);
 
-/* The edges first .. end - 1 as data of an SVG path, in halves of units, curved if so asked where they turn
- * gently. Each loop is
- * closed; or they are lines, which may end. False for want of memory. */
+/* The edges first .. end - 1 as data of an SVG path, in halves of units, with the fewest points that keep within a unit
+ * of outlines and three and a half of others, curved if so asked where they turn gently. Each loop is closed; or they
+ * are lines, which may end. False for want of memory. */
 bool painted_edges_write(const struct painted_edges *edges, size_t first, size_t end, bool closed, bool curved,
                          struct text_buffer *out);
 

@@ -32,7 +32,15 @@ static const uint32_t line_colour = 0x23202B;
 static const double element_share = 0.7; /* the rest is grey */
 static const uint32_t grey = 0xD2CDC3;
 
-enum { CARBON = 6, MOST_COLOURS = 128, FEWEST_BANDS = 16, MOST_BANDS = 64, MOST_CORNERS = 12 };
+enum {
+  HYDROGEN = 1,
+  CARBON = 6,
+  ELEMENTS = 119,
+  MOST_COLOURS = 128,
+  FEWEST_BANDS = 16,
+  MOST_BANDS = 64,
+  MOST_CORNERS = 12
+};
 
 /* The visible sides of a surface. */
 enum { OUTSIDE, INSIDE, OF_VOID, SIDES };
@@ -60,7 +68,8 @@ struct mesh_picture {
   double *ball;                  /* [atoms][3], along the axes of the view */
   uint32_t colour[MOST_COLOURS]; /* [colours], each once */
   uint32_t colours;
-  int bands; /* of light, on saddles */
+  int bands;                     /* of light, on saddles */
+  double border[MOST_BANDS + 2]; /* where they begin, of the light's circles */
   struct painted_edges areas, section;
 };
 
@@ -70,7 +79,7 @@ static int32_t rounded(double value) {
   return (int32_t)floor(value + 0.5);
 }
 
-static void find_frame(const struct mesh_parts *parts, bool cut, struct frame *frame) {
+static void find_frame(const struct mesh_parts *parts, struct frame *frame) {
   const double wide = parts->high[0] - parts->low[0];
   const double high = parts->high[1] - parts->low[1];
   const double around = margin * (wide > high ? wide : high);
@@ -81,7 +90,7 @@ static void find_frame(const struct mesh_parts *parts, bool cut, struct frame *f
   frame->left = parts->low[0] - around;
   frame->top = parts->high[1] + around;
   frame->height = rounded(frame->scale * (high + 2.0 * around));
-  if (cut) frame->strip = rounded(2.0 * letter);
+  frame->strip = rounded(2.0 * letter);
 }
 
 static void place(const struct frame *frame, const double *at, int32_t page[2]) {
@@ -103,12 +112,19 @@ static uint32_t colour_number(struct mesh_picture *picture, uint32_t colour) {
   return k;
 }
 
+static uint32_t number_of(const struct mesh_picture *picture, uint32_t ball) {
+  const struct atom_label *label = &picture->molecule->label[ball];
+  return label->element.text[0] == '\0' ? CARBON : element_atomic_number(label->element);
+}
+
+static uint32_t element_colour(uint32_t number) {
+  return colour_mixed(grey, hsp_palette_colour(HSP_PALETTE_SOFT, number, 0), element_share);
+}
+
 static uint32_t colour_of(struct mesh_picture *picture, uint32_t ball, int side) {
   if (side == OF_VOID) return colour_number(picture, void_colour);
   if (side == INSIDE) return colour_number(picture, inside_colour);
-  const struct atom_label *label = &picture->molecule->label[ball];
-  const uint32_t number = label->element.text[0] == '\0' ? CARBON : element_atomic_number(label->element);
-  return colour_number(picture, colour_mixed(grey, hsp_palette_colour(HSP_PALETTE_SOFT, number, 0), element_share));
+  return colour_number(picture, element_colour(number_of(picture, ball)));
 }
 
 /* ---- polygons, cut along where a linear function is 0 ---- */
@@ -116,6 +132,7 @@ static uint32_t colour_of(struct mesh_picture *picture, uint32_t ball, int side)
 struct corner {
   double at[3];  /* along the axes of the view */
   double circle; /* of the light: surface_light.h */
+  int on;        /* borders of a band of light: bits */
 };
 
 struct polygon {
@@ -139,15 +156,17 @@ static struct corner between(const struct corner *a, const struct corner *b, dou
   return corner;
 }
 
-/* The part where the values at the corners are 0 or less. */
-static struct polygon cut_off(const struct polygon *polygon, const double value[MOST_CORNERS]) {
+/* The part where the values at the corners are 0 or less; new corners are on the border `on`. */
+static struct polygon cut_off(const struct polygon *polygon, const double value[MOST_CORNERS], int on) {
   struct polygon left = {.corners = 0};
   for (int k = 0; k < polygon->corners; ++k) {
     const int next = (k + 1) % polygon->corners;
     if (value[k] <= 0.0 && left.corners < MOST_CORNERS) left.corner[left.corners++] = polygon->corner[k];
     if ((value[k] < 0.0 && value[next] > 0.0) || (value[k] > 0.0 && value[next] < 0.0)) {
       if (left.corners == MOST_CORNERS) continue;
-      left.corner[left.corners++] = between(&polygon->corner[k], &polygon->corner[next], value[k], value[next]);
+      struct corner *const made = &left.corner[left.corners++];
+      *made = between(&polygon->corner[k], &polygon->corner[next], value[k], value[next]);
+      made->on = on | (polygon->corner[k].on & polygon->corner[next].on);
     }
   }
   return left;
@@ -155,9 +174,11 @@ static struct polygon cut_off(const struct polygon *polygon, const double value[
 
 static void add_polygon(struct mesh_picture *picture, const struct polygon *polygon, uint32_t layer, uint32_t paint) {
   for (int k = 0; k < polygon->corners; ++k) {
-    struct painted_edge edge = {.layer = layer, .paint = paint};
-    place(&picture->frame, polygon->corner[k].at, edge.from);
-    place(&picture->frame, polygon->corner[(k + 1) % polygon->corners].at, edge.to);
+    const struct corner *const from = &polygon->corner[k];
+    const struct corner *const to = &polygon->corner[(k + 1) % polygon->corners];
+    struct painted_edge edge = {.layer = layer, .paint = paint, .inner = (from->on & to->on) != 0};
+    place(&picture->frame, from->at, edge.from);
+    place(&picture->frame, to->at, edge.to);
     painted_edges_add(&picture->areas, &edge);
   }
 }
@@ -169,12 +190,13 @@ static void add_bands(struct mesh_picture *picture, const struct polygon *polygo
     if (polygon->corner[k].circle < least) least = polygon->corner[k].circle;
     if (polygon->corner[k].circle > most) most = polygon->corner[k].circle;
   }
-  for (int band = (int)(least * picture->bands); band < picture->bands && band <= most * picture->bands; ++band) {
+  for (int band = 0; band < picture->bands && picture->border[band] <= most; ++band) {
     double below[MOST_CORNERS], above[MOST_CORNERS];
-    for (int k = 0; k < polygon->corners; ++k) below[k] = (double)band / picture->bands - polygon->corner[k].circle;
-    const struct polygon outer = cut_off(polygon, below);
-    for (int k = 0; k < outer.corners; ++k) above[k] = outer.corner[k].circle - (double)(band + 2) / picture->bands;
-    const struct polygon part = cut_off(&outer, above);
+    if (picture->border[band + 2] < least) continue;
+    for (int k = 0; k < polygon->corners; ++k) below[k] = picture->border[band] - polygon->corner[k].circle;
+    const struct polygon outer = cut_off(polygon, below, 1);
+    for (int k = 0; k < outer.corners; ++k) above[k] = outer.corner[k].circle - picture->border[band + 2];
+    const struct polygon part = cut_off(&outer, above, 2);
     add_polygon(picture, &part, layer, first_band + colour * MOST_BANDS + (uint32_t)band);
   }
 }
@@ -201,7 +223,7 @@ static struct polygon part_of_ball(const struct mesh_picture *picture, const str
       const double *at = part.corner[k].at;
       value[k] = power(picture, balls[slot], at) - power(picture, balls[other], at);
     }
-    part = cut_off(&part, value);
+    part = cut_off(&part, value, 0);
   }
   return part;
 }
@@ -247,6 +269,7 @@ static struct polygon polygon_of(const struct mesh_picture *picture, uint32_t tr
     for (int axis = 0; axis < 3 && side != OUTSIDE; ++axis) normal[axis] = -normal[axis];
     memcpy(polygon.corner[k].at, picture->parts.seen + 3 * (size_t)vertex, sizeof polygon.corner[k].at);
     polygon.corner[k].circle = surface_light_circle(normal);
+    polygon.corner[k].on = 0;
   }
   return polygon;
 }
@@ -276,7 +299,7 @@ static void add_triangle(struct mesh_picture *picture, uint32_t triangle) {
   if (side != OF_VOID && picture->parts.cut < INFINITY) {
     double value[MOST_CORNERS];
     for (int k = 0; k < 3; ++k) value[k] = polygon.corner[k].at[2] - picture->parts.cut;
-    polygon = cut_off(&polygon, value);
+    polygon = cut_off(&polygon, value, 0);
   }
   bool one = true;
   for (int slot = 1; slot < 3 && balls[slot] != UINT32_MAX; ++slot) {
@@ -446,9 +469,8 @@ static void add_sphere(struct mesh_picture *picture, struct text_buffer *out, ui
   for (int axis = 0; axis < 2; ++axis) at[axis] *= 2; /* see add_picture */
   const double size = 2.0 * radius * picture->frame.scale * (turned ? -1.0 : 1.0);
   text_buffer_add(out,
-                  "<radialGradient id=\"s%" PRIu32 "\" gradientUnits=\"userSpaceOnUse\" cx=\"%" PRId32
-                  "\" cy=\"%" PRId32 "\" r=\"%" PRId32 "\" fx=\"%" PRId32 "\" fy=\"%" PRId32
-                  "\" xlink:href=\"#c%" PRIu32 "\"/>\n",
+                  "<radialGradient id=\"s%" PRIu32 "\" cx=\"%" PRId32 "\" cy=\"%" PRId32 "\" r=\"%" PRId32
+                  "\" fx=\"%" PRId32 "\" fy=\"%" PRId32 "\" xlink:href=\"#c%" PRIu32 "\"/>\n",
                   paint, at[0], at[1], rounded(fabs(size)), rounded(at[0] + surface_light_focus[0] * size),
                   rounded(at[1] - surface_light_focus[1] * size), sphere_colour(picture, paint));
 }
@@ -465,7 +487,7 @@ static bool add_gradients(struct mesh_picture *picture, struct text_buffer *out)
   qsort(paints, count, sizeof *paints, compare_paints);
   for (size_t i = 0; i < count; ++i) (void)sphere_colour(picture, paints[i]);
   for (uint32_t c = 0; c < picture->colours; ++c) {
-    text_buffer_add(out, "<linearGradient id=\"c%" PRIu32 "\">", c);
+    text_buffer_add(out, "<linearGradient id=\"c%" PRIu32 "\" gradientUnits=\"userSpaceOnUse\">", c);
     for (int stop = 0; stop < SURFACE_STOPS; ++stop) {
       text_buffer_add(out, "<stop offset=\"%.4g\" stop-color=\"#%06" PRIx32 "\"/>", surface_light_offset(stop),
                       surface_light_stop(picture->colour[c], stop));
@@ -494,8 +516,9 @@ static bool add_areas(const struct mesh_picture *picture, struct text_buffer *ou
       text_buffer_add(out, "<path fill=\"url(#s%" PRIu32 ")\" stroke=\"url(#s%" PRIu32 ")\" d=\"", paint, paint);
     } else {
       const uint32_t band = (paint - first_band) % MOST_BANDS, colour = (paint - first_band) / MOST_BANDS;
-      text_buffer_add(out, "<path color=\"#%06" PRIx32 "\" d=\"",
-                      surface_light_on(picture->colour[colour], ((double)band + 0.5) / picture->bands));
+      const uint32_t tone =
+          surface_light_on(picture->colour[colour], picture->border[band] / 2.0 + picture->border[band + 1] / 2.0);
+      text_buffer_add(out, "<path fill=\"#%06" PRIx32 "\" stroke=\"#%06" PRIx32 "\" d=\"", tone, tone);
     }
     enough =
         enough && painted_edges_write(areas, i, end, paint != hairlines, paint < first_band || paint == hairlines, out);
@@ -521,7 +544,25 @@ static void add_entry(const struct pen *pen, double *x, double y, uint32_t colou
   *x += 1.9 * letter + text_width(text, letter);
 }
 
-static void add_legend(const struct mesh_picture *picture, struct text_buffer *out) {
+/* Elements whose outside is seen, C and H first, then by their numbers. */
+static void add_elements(struct mesh_picture *picture, const struct pen *pen, double *x, double y) {
+  bool seen[ELEMENTS] = {false};
+  for (uint32_t t = 0; t < picture->mesh->triangles; ++t) {
+    if (picture->layer[t] == UINT32_MAX || side_of(picture, t, seen_area(picture, t)) != OUTSIDE) continue;
+    const uint32_t ball = picture->mesh->balls[t], number = number_of(picture, ball);
+    if (number < ELEMENTS && picture->molecule->label[ball].element.text[0] != '\0') seen[number] = true;
+  }
+  for (uint32_t k = 0; k < ELEMENTS + 2; ++k) {
+    const uint32_t number = k == 0 ? CARBON : k == 1 ? HYDROGEN : k - 2;
+    if (!seen[number]) continue;
+    seen[number] = false;
+    struct element_symbol symbol;
+    if (!element_symbol_of_number(number, &symbol)) continue;
+    add_entry(pen, x, y, surface_light_on(element_colour(number), 0.4), symbol.text);
+  }
+}
+
+static void add_legend(struct mesh_picture *picture, struct text_buffer *out) {
   const struct pen pen = {out, HSP_FORMAT_SVG, (double)picture->frame.height};
   const double y = picture->frame.height + picture->frame.strip / 2.0 - 0.3 * letter;
   double x = margin * 10.0 * picture_width;
@@ -530,7 +571,9 @@ static void add_legend(const struct mesh_picture *picture, struct text_buffer *o
     any = any || picture->layer[t] != UINT32_MAX;
   }
   pen_begin(&pen);
-  add_entry(&pen, &x, y, surface_light_on(inside_colour, 0.4), "inside of the surface, cut open");
+  add_elements(picture, &pen, &x, y);
+  if (picture->view->cut)
+    add_entry(&pen, &x, y, surface_light_on(inside_colour, 0.4), "inside of the surface, cut open");
   if (any) add_entry(&pen, &x, y, surface_light_on(void_colour, 0.4), "voids");
   pen_end(&pen);
 }
@@ -548,13 +591,12 @@ static bool add_picture(struct mesh_picture *picture, const char *title, struct 
                   frame->width, height);
   if (!add_gradients(picture, out)) return false;
   /* Outlines are in halves of units. */
-  text_buffer_add(
-      out,
-      "</defs>\n<g transform=\"scale(.5)\" fill=\"currentColor\" stroke=\"currentColor\" stroke-width=\"12\" "
-      "stroke-linejoin=\"round\" stroke-linecap=\"round\">\n");
+  text_buffer_add(out,
+                  "</defs>\n<g transform=\"scale(.5)\" stroke-width=\"12\" "
+                  "stroke-linejoin=\"round\" stroke-linecap=\"round\">\n");
   const bool enough = add_areas(picture, out) && add_section_line(picture, out);
   text_buffer_add(out, "</g>\n");
-  if (frame->strip > 0) add_legend(picture, out);
+  if (picture->mesh->triangles > 0) add_legend(picture, out);
   text_buffer_add(out, "</svg>\n");
   return enough;
 }
@@ -599,9 +641,10 @@ static bool make(struct mesh_picture *picture) {
   }
   if (!mesh_parts_find(mesh, picture->view->axis, &picture->parts)) return false;
   if (cut && !mesh_parts_cut(mesh, picture->view->of_outside, &picture->parts)) return false;
-  find_frame(&picture->parts, cut, &picture->frame);
+  find_frame(&picture->parts, &picture->frame);
   const double bands = bands_per_unit * picture->frame.scale;
   picture->bands = bands < FEWEST_BANDS ? FEWEST_BANDS : bands > MOST_BANDS ? MOST_BANDS : (int)bands;
+  for (int k = 0; k <= picture->bands + 1; ++k) picture->border[k] = surface_light_border((double)k / picture->bands);
   if (!paint_triangles(picture) || !paint_lines(picture)) return false;
   if (cut) find_section(picture);
   painted_edges_cancel(&picture->areas);

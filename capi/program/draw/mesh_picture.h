@@ -18,7 +18,7 @@ struct mesh_view {
 };
 
 /* Write what is seen of a closed mesh to the file `path` (output_file.h), 1000 px wide, with light from the upper left
- * and colours by element.
+ * and colours by element, with a legend.
  *
  * Patches of spheres are areas with one radial gradient each: as it is known which circles of it are where, no triangle
  * is seen. Saddles are cut into bands of equal light. Colours of atoms meet where the surface is nearest to neither: on
@@ -26,7 +26,7 @@ struct mesh_view {
  * hairlines. Farther triangles are painted first (mesh_layers.h).
  *
  * With a cut the inside of the surface is seen, too, and the section by the plane as a line, and voids as bodies in
- * red, which a legend says; crumbs are dropped (mesh_parts.h). *bytes becomes how many were written. False, with the
+ * red, which the legend says; crumbs are dropped (mesh_parts.h). *bytes becomes how many were written. False, with the
  * file named, if it cannot be written in full. */
 bool mesh_picture_write(const struct triangle_mesh *mesh, const struct mesh_view *view, const struct molecule *molecule,
                         const char *title, const char *path, uint64_t *bytes, struct failure *failure);

@@ -4,27 +4,16 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "draw/text_width.h"
 #include "hardsphere.h"
 
 /* Characters beyond ASCII: in UTF-8, and in a string of PostScript or PDF, where ISO Latin 1 and Windows agree. */
 struct letter {
   const char *utf8; /* two bytes */
   const char *in_string;
-  int width;
 };
-static const struct letter letters[] = {{"\xC3\x85", "\\305", 667}, {"\xC2\xB2", "\\262", 333}};
+static const struct letter letters[] = {{"\xC3\x85", "\\305"}, {"\xC2\xB2", "\\262"}};
 enum { LETTERS = sizeof letters / sizeof letters[0] };
-
-/* Widths of the characters from ' ' to '~', and of those, in thousandths of the size: of Helvetica, by Adobe's font
- * metrics, in the encoding of Windows. */
-enum { FIRST = ' ', LAST = '~' };
-static const uint16_t widths[LAST - FIRST + 1] = {
-    278,  278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333, 278, 278, /* to '/' */
-    556,  556, 556, 556, 556, 556, 556, 556, 556, 556, 278, 278, 584, 584, 584, 556, /* to '?' */
-    1015, 667, 667, 722, 722, 667, 611, 778, 722, 278, 500, 667, 556, 833, 722, 778, /* to 'O' */
-    667,  778, 722, 667, 611, 722, 667, 944, 667, 667, 611, 278, 278, 278, 469, 556, /* to '_' */
-    333,  556, 556, 500, 556, 556, 278, 556, 556, 222, 222, 500, 222, 833, 556, 556, /* to 'o' */
-    556,  556, 333, 500, 278, 556, 500, 722, 500, 500, 500, 334, 260, 334, 584};     /* to '~' */
 
 static void put_colour(const struct pen *pen, uint32_t colour, const char *command) {
   for (int shift = 16; shift >= 0; shift -= 8) {
@@ -89,7 +78,7 @@ static const struct letter *find_letter(const char *c) {
 }
 
 static bool is_shown(char c) {
-  return FIRST <= c && c <= LAST;
+  return ' ' <= c && c <= '~';
 }
 
 static void put_string(const struct pen *pen, const char *text) {
@@ -125,24 +114,9 @@ static void write_postscript(const struct pen *pen, const struct pen_text *text)
   text_buffer_add(pen->out, "show\n");
 }
 
-/* In Helvetica. */
-static double exact_width(const char *text, double size) {
-  double width = 0.0;
-  for (const char *c = text; *c != '\0'; ++c) {
-    const struct letter *const letter = find_letter(c);
-    if (letter != NULL) {
-      width += letter->width;
-      ++c;
-    } else if (is_shown(*c)) {
-      width += widths[*c - FIRST];
-    }
-  }
-  return width / 1000.0 * size;
-}
-
 /* The outlines of the letters, then the letters. */
 static void write_pdf(const struct pen *pen, const struct pen_text *text) {
-  const double x = text->x - text->anchor * exact_width(text->text, text->size);
+  const double x = text->x - text->anchor * text_width_exact(text->text, text->size);
   put_colour(pen, text->seam, "RG");
   put_colour(pen, text->colour, "rg");
   for (int seam = has_seam(text) ? 1 : 0; seam >= 0; --seam) {

@@ -42,3 +42,17 @@ uint32_t surface_light_on(uint32_t colour, double circle) {
                       : part > 1.0 ? 1.0
                                    : part);
 }
+
+/* How dark it is by a stop; of light tones a step is seen twice as well. */
+static double darkness(int stop) {
+  return bright[stop] < 1.0 ? 1.0 - bright[stop] : 2.0 * (1.0 - bright[stop]);
+}
+
+double surface_light_border(double share) {
+  const double lightest = darkness(0), wanted = lightest + share * (darkness(SURFACE_STOPS - 1) - lightest);
+  int stop = 1;
+  if (share > 1.0) return 2.0;
+  while (stop + 1 < SURFACE_STOPS && wanted > darkness(stop)) ++stop;
+  const double part = (wanted - darkness(stop - 1)) / (darkness(stop) - darkness(stop - 1));
+  return offset[stop - 1] + part * (offset[stop] - offset[stop - 1]);
+}

@@ -18,4 +18,8 @@ double surface_light_offset(int stop);
 uint32_t surface_light_stop(uint32_t colour, int stop);
 uint32_t surface_light_on(uint32_t colour, double circle);
 
+/* The circle by which so large a share of the way from the brightest tone to the darkest is done; above a share of 1
+ * one beyond all circles. Of equal steps of it no border is seen more than the others. */
+double surface_light_border(double share);
+
 #endif

@@ -2,8 +2,9 @@
 #ifndef HARDSPHERE_TOOL_TEXT_WIDTH_H
 #define HARDSPHERE_TOOL_TEXT_WIDTH_H
 
-/* About how wide a text, in UTF-8, becomes in letters of a size: so wide is a letter of Helvetica at most, but for a
- * few capitals. */
+/* How wide a text, in UTF-8, becomes in Helvetica of a size, without kerning; and in fonts that stand in for it, about.
+ */
+double text_width_exact(const char *text, double size);
 double text_width(const char *text, double size);
 
 #endif

@@ -39,13 +39,7 @@ static int order_of_places(const void *left, const void *right) {
 }
 
 static void sort_places(struct index_group *group) {
-  if (group->count == 0) return;
-  qsort(group->place, group->count, sizeof *group->place, order_of_places);
-  size_t kept = 1;
-  for (size_t k = 1; k < group->count; ++k) {
-    if (group->place[k] != group->place[kept - 1]) group->place[kept++] = group->place[k];
-  }
-  group->count = kept;
+  if (group->count > 0) qsort(group->place, group->count, sizeof *group->place, order_of_places);
 }
 
 /* The name between brackets, without the blanks around. */

@@ -13,7 +13,7 @@
 
 struct index_group {
   char name[INDEX_NAME_BYTES]; /* what does not fit is cut off */
-  uint32_t *place;             /* [count], of its atoms among those read, from 0 on, ascending, each once */
+  uint32_t *place;             /* [count], of its atoms among those read, from 0 on, ascending; some may come twice */
   size_t count;
   size_t capacity;
 };

@@ -130,11 +130,21 @@ static bool parse_term(struct selection *selection, struct field term, const cha
   }
 }
 
+/* How long the first term is: up to a '&', but not to one in the name of a group. */
+static size_t term_length(const char *text) {
+  const bool names = strncmp(text, "group:", strlen("group:")) == 0;
+  size_t length = strcspn(text, "&");
+  while (names && text[length] == '&' && text[length - 1] == '_' && text[length + 1] == '_') {
+    length += 1 + strcspn(text + length + 1, "&");
+  }
+  return length;
+}
+
 bool selection_add(struct selection *selection, const char *option, const char *text, bool hide,
                    struct failure *failure) {
   const char *const whole = text;
   for (;;) {
-    const struct field term = {text, strcspn(text, "&")};
+    const struct field term = {text, term_length(text)};
     if (!parse_term(selection, term, option, failure)) return false;
     if (text[term.length] == '\0') break;
     text += term.length + 1;
