@@ -1195,6 +1195,7 @@ struct hsp_picture_options
     reserved_for_ink::UInt32
     atom_class::Ptr{Ptr{Cchar}}
     atom_title::Ptr{Ptr{Cchar}}
+    ink_of_sticks::Ptr{hsp_sticks}
 end
 
 function hsp_version()

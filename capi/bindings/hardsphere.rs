@@ -1491,6 +1491,7 @@ pub struct hsp_picture_options {
     pub reserved_for_ink: u32,
     pub atom_class: *const *const c_char,
     pub atom_title: *const *const c_char,
+    pub ink_of_sticks: *const hsp_sticks,
 }
 
 extern "C" {

@@ -1447,7 +1447,7 @@ module hardsphere
   ! ---- picture.h: a view, a map, or balls and sticks as SVG, EPS or PDF ----------------------------------------------
 
   type, bind(C) :: hsp_picture_options
-    integer(c_int32_t) :: struct_size = 144_c_int32_t + 6 * pointer_bytes  ! sizeof(hsp_picture_options)
+    integer(c_int32_t) :: struct_size = 144_c_int32_t + 7 * pointer_bytes  ! sizeof(hsp_picture_options)
     integer(c_int32_t) :: format                                           ! HSP_FORMAT_*; default SVG
     integer(c_int32_t) :: style                                            ! HSP_STYLE_*; default flat
     ! HSP_UNIT_* of width, height, outline and ink_width; default px
@@ -1477,7 +1477,7 @@ module hardsphere
     ! of memory, HSP_PICTURE_MEMORY or more; default 0, as it has to be without memory
     integer(c_size_t) :: memory_bytes
     ! a computed map of the same model from the same direction, with which contours are drawn: see HSP_INK_BORDER;
-    ! default NULL: none. Of balls and sticks there are none
+    ! default NULL: none. Of balls and sticks see ink_of_sticks
     type(c_ptr) :: ink
     ! of each ball of the model: numbers of groups, such as chains, residues or ligands, for HSP_INK_GROUP; default
     ! NULL: all balls are of one
@@ -1493,6 +1493,9 @@ module hardsphere
     type(c_ptr) :: atom_class
     ! SVG: likewise texts that browsers show beside the pointer; default NULL: none
     type(c_ptr) :: atom_title
+    ! as ink, for a picture of balls and sticks: a computed map of the same balls and sticks from the same direction
+    ! (hsp_sticks_compute_map); default NULL: no contours
+    type(c_ptr) :: ink_of_sticks
   end type
 
   ! ----

@@ -49,6 +49,7 @@ hsp_picture_options defaults() {
           {select.ink_colour[0], select.ink_colour[1], select.ink_colour[2]},
           0,
           nullptr,
+          nullptr,
           nullptr};
 }
 
@@ -129,17 +130,24 @@ struct Call {
   uint64_t *bytes;
 };
 
-// Ink, if there is any, is a map that shows what a handle with results shows.
-template <class Handle>
-int32_t check_ink(const Handle &handle, const hsp_map *map) {
+// Ink, if there is any, is of a map that shows what a handle with results shows.
+template <class Handle, class Map>
+int32_t check_map_of_ink(const Handle &handle, const Map *map) {
   if (map == nullptr) return HSP_OK;
   if (const int32_t status = check_handle(map); status != HSP_OK) return status;
   const bool same =
       map->has_results() && map->model.is(&*handle.model) && map->structure().frame.is_same(handle.structure().frame);
   return same ? HSP_OK : HSP_E_ARGUMENT;
 }
-int32_t check_ink(const hsp_sticks &, const hsp_map *map) {
-  return map == nullptr ? HSP_OK : HSP_E_ARGUMENT;
+template <class Handle>
+int32_t check_ink(const Handle &handle, const hsp_picture_options &options) {
+  return options.ink_of_sticks != nullptr ? HSP_E_ARGUMENT : check_map_of_ink(handle, options.ink);
+}
+int32_t check_ink(const hsp_sticks &sticks, const hsp_picture_options &options) {
+  const hsp_sticks *const map = options.ink_of_sticks;
+  if (options.ink != nullptr) return HSP_E_ARGUMENT;
+  if (const int32_t status = check_map_of_ink(sticks, map); status != HSP_OK || map == nullptr) return status;
+  return map->map().exist && map->has_same_sticks(sticks) ? HSP_OK : HSP_E_ARGUMENT;
 }
 
 // The content of a picture but its paths.
@@ -151,6 +159,7 @@ struct Contents {
   hsp::PictureInput with(const hsp::PaintedPaths &paths) const {
     hsp::PictureInput input{balls, paths, call.colour, call.title, call.description};
     if (options.ink != nullptr) input.silhouettes = hsp::silhouettes_of(options.ink->structure());
+    if (options.ink_of_sticks != nullptr) input.silhouettes = hsp::silhouettes_of(options.ink_of_sticks->map());
     input.group = options.group;
     input.atom_class = options.atom_class;
     input.atom_title = options.atom_title;
@@ -167,7 +176,7 @@ int32_t write_if_valid(const Handle *handle, const Call &call, uint64_t &taken, 
   const bool ready = handle->has_results();
   if (ready && call.colour != nullptr && !are_colours(call.colour, handle->balls().n)) return HSP_E_ARGUMENT;
   if (ready) {
-    if (const int32_t status = check_ink(*handle, wanted.ink); status != HSP_OK) return status;
+    if (const int32_t status = check_ink(*handle, wanted); status != HSP_OK) return status;
   }
   if (!is_finite(wanted)) return HSP_E_NOT_FINITE;
   if (!is_in_range(wanted)) return HSP_E_RANGE;

@@ -31,6 +31,19 @@ struct hsp_sticks {
     const hsp::Stick &stick = structure().sticks[(body - n) / 2];
     return n + 2 * stick.caller + stick.half_of((body - n) % 2);
   }
+  // Whether another handle has the same sticks, which may be moved a little.
+  bool has_same_sticks(const hsp_sticks &other) const {
+    const hsp::Span<const hsp::Stick> mine = structure().sticks.items(), others = other.structure().sticks.items();
+    if (mine.size() != others.size()) return false;
+    for (uint32_t k = 0; k < mine.size(); ++k) {
+      const hsp::Stick &a = mine[k], &b = others[k];
+      const bool same = a.radius == b.radius && a.ball[a.turned] == b.ball[b.turned] &&
+                        a.ball[1 - a.turned] == b.ball[1 - b.turned] &&
+                        (a.owner[0] == a.owner[1]) == (b.owner[0] == b.owner[1]);
+      if (!same) return false;
+    }
+    return true;
+  }
   // The other way. Of a whole stick the second half is nothing that is seen.
   uint32_t body(uint32_t number) const {
     const uint32_t n = balls().n;

@@ -90,17 +90,19 @@ typedef struct hsp_picture_options {
                                 of its size; default NULL: it is not. Of no effect on other formats */
   size_t memory_bytes;    /**< of memory, HSP_PICTURE_MEMORY or more; default 0, as it has to be without memory */
   const hsp_map *ink;     /**< a computed map of the same model from the same direction, with which contours are drawn:
-                                see HSP_INK_BORDER; default NULL: none. Of balls and sticks there are none */
+                                see HSP_INK_BORDER; default NULL: none. Of balls and sticks see ink_of_sticks */
   const uint32_t *group;  /**< of each ball of the model: numbers of groups, such as chains, residues or ligands, for
                                 HSP_INK_GROUP; default NULL: all balls are of one */
   double ink_width[3];    /**< HSP_INK_*: of contours where they are widest; 0: none; < 0: chosen; default -1 */
   uint32_t ink_colour[3]; /**< HSP_INK_*: 0xRRGGBB, fades like lines; default 0x23202B */
-  uint32_t reserved_for_ink;     /**< 0 */
-  const char *const *atom_class; /**< SVG: of each ball of the model, each NULL, empty or names of classes with blanks
+  uint32_t reserved_for_ink;       /**< 0 */
+  const char *const *atom_class;   /**< SVG: of each ball of the model, each NULL, empty or names of classes with blanks
                                 between them, NUL-terminated UTF-8. Such balls have their index in an id, "a", four
                                 digits or letters, "-" and the index, and not in data-ball; halves of sticks have
                                 classes and data-ball. Default NULL: none; of no effect on other formats */
-  const char *const *atom_title; /**< SVG: likewise texts that browsers show beside the pointer; default NULL: none */
+  const char *const *atom_title;   /**< SVG: likewise texts that browsers show beside the pointer; default NULL: none */
+  const hsp_sticks *ink_of_sticks; /**< as ink, for a picture of balls and sticks: a computed map of the same balls and
+                                sticks from the same direction (hsp_sticks_compute_map); default NULL: no contours */
 } hsp_picture_options;
 
 /** Contours along silhouettes, areas of a width that depends on the gap g between the silhouette and what lies behind
@@ -109,8 +111,9 @@ typedef struct hsp_picture_options {
  *  thinner part widens to the thicker one, so that widths are continuous along a silhouette. Fog f takes its share f of
  *  a width. Contours are painted directly after their ball, and go on under nearer ones. SVG: paths of class border,
  *  group or depth, without data-ball.
- *  No contour is wider than the radius of its ball. Chosen widths are 3.1, 2.2 and 2.9 px where the mean radius of
- *  what is seen is 34 px; lines are then thinner, where they are chosen, too: .5 px, and none between more than 1000
+ *  Sticks have them along both sides, as parts of their balls.
+ *  No contour is wider than the radius of its ball or stick. Chosen widths are 3.1, 2.2 and 2.9 px where the mean
+ *  radius of what is seen is 34 px; lines are then thinner, where they are chosen, too: .5 px, and none between more than 1000
  *  balls. */
 #define HSP_INK_BORDER UINT32_C(0) /**< before the background */
 #define HSP_INK_GROUP UINT32_C(1)  /**< before a ball of another group: at least width min(1, 2 g) */
@@ -144,7 +147,7 @@ HSP_API uint32_t hsp_palette_colour(uint32_t palette, uint32_t atomic_number, ui
  *  Cost: O(pieces log pieces + arcs); bytes proportional to arcs.
  *  @retval HSP_E_ARGUMENT    view or sink is NULL; unknown format, style, unit or flag; width and height are both 0; a
  *                            centre without a scale; a colour above 0xFFFFFF; memory_bytes without memory; ink is no
- *                            computed map of the same model from the same direction
+ *                            computed map of the same model from the same direction; ink_of_sticks is not NULL
  *  @retval HSP_E_HANDLE      view is no live view, or ink no live map
  *  @retval HSP_E_VERSION     bad struct_size, or a reserved field is not 0
  *  @retval HSP_E_MEMORY      memory_bytes is less than HSP_PICTURE_MEMORY, and there is memory
@@ -175,7 +178,7 @@ HSP_API int32_t hsp_picture_write(hsp_view *view, const uint32_t *colour, const 
  *  Cost: O(edges log edges); bytes proportional to edges.
  *  @retval HSP_E_ARGUMENT    map or sink is NULL; unknown format, style, unit or flag; width and height are both 0; a
  *                            centre without a scale; a colour above 0xFFFFFF; memory_bytes without memory; ink is no
- *                            computed map of the same model from the same direction
+ *                            computed map of the same model from the same direction; ink_of_sticks is not NULL
  *  @retval HSP_E_HANDLE      map is no live map, or ink no live map
  *  @retval HSP_E_VERSION     bad struct_size, or a reserved field is not 0
  *  @retval HSP_E_MEMORY      memory_bytes is less than HSP_PICTURE_MEMORY, and there is memory
@@ -197,7 +200,8 @@ HSP_API int32_t hsp_picture_write_map(hsp_map *map, const uint32_t *colour, cons
  *  Cost: O(paths log paths); bytes proportional to paths.
  *  @retval HSP_E_ARGUMENT    sticks or sink is NULL; unknown format, style, unit or flag; width and height are both 0;
  *                            a centre without a scale; a colour above 0xFFFFFF; memory_bytes without memory; ink is not
- *                            NULL
+ *                            NULL; ink_of_sticks has no map of the same balls and sticks from the same direction
+ *  @retval HSP_E_HANDLE      sticks is no live handle, or ink_of_sticks none
  *  @retval HSP_E_VERSION     bad struct_size, or a reserved field is not 0
  *  @retval HSP_E_MEMORY      memory_bytes is less than HSP_PICTURE_MEMORY, and there is memory
  *  @retval HSP_E_STATE       nothing computed, or the model has changed since

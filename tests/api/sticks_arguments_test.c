@@ -175,6 +175,59 @@ static void without_order(void) {
   CHECK_EQUAL(hsp_model_set(model, BALLS, xyz, radius, NULL, NULL), HSP_OK);
 }
 
+/* Contours need a live handle with a map of the same sticks from the same direction, and no map of balls. */
+static void bad_ink(void) {
+  static unsigned char ink_memory[HSP_STICKS_BYTES(BALLS, STICKS, PAIRS, EDGES)];
+  static unsigned char balls_memory[HSP_MAP_BYTES(BALLS, BALLS, EDGES)];
+  const hsp_sticks_limits limits = good_limits();
+  const hsp_map_limits of_balls = {.struct_size = sizeof of_balls, .balls = BALLS, .neighbours = BALLS, .edges = EDGES};
+  const hsp_stick others[STICKS] = {{{0, 1}, 0, 0}, {{2, 0}, 0, 0}, {{3, 1}, 0, 0}};
+  hsp_picture_options options;
+  hsp_view_options sideways;
+  picture_sink plain, inked;
+  hsp_sticks *ink;
+  hsp_map *map;
+  CHECK_EQUAL(hsp_picture_options_init(&options, (uint32_t)sizeof options), HSP_OK);
+  CHECK(options.ink_of_sticks == NULL);
+  CHECK_EQUAL(hsp_view_options_init(&sideways, (uint32_t)sizeof sideways), HSP_OK);
+  sideways.towards[0] = 1;
+  CHECK_EQUAL(hsp_sticks_init(ink_memory, sizeof ink_memory, &limits, &ink), HSP_OK);
+  CHECK_EQUAL(hsp_map_init(balls_memory, sizeof balls_memory, &of_balls, &map), HSP_OK);
+  CHECK_EQUAL(hsp_map_compute(map, model, NULL, NULL), HSP_OK);
+  check_has_results();
+  CHECK_EQUAL(write_picture(sticks, NULL, &options, &plain), HSP_OK);
+  options.ink_of_sticks = ink;
+  CHECK_EQUAL(write_picture(sticks, NULL, &options, &inked), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_compute(ink, model, NULL, good, STICKS, 0.5, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(write_picture(sticks, NULL, &options, &inked), HSP_E_ARGUMENT); /* an order, and no map */
+  CHECK_EQUAL(hsp_sticks_compute_map(ink, model, NULL, good, 2, 0.5, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(write_picture(sticks, NULL, &options, &inked), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_compute_map(ink, model, NULL, others, STICKS, 0.5, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(write_picture(sticks, NULL, &options, &inked), HSP_E_ARGUMENT); /* one is in halves */
+  CHECK_EQUAL(hsp_sticks_compute_map(ink, model, NULL, good, STICKS, 0.4, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(write_picture(sticks, NULL, &options, &inked), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_compute_map(ink, model, &sideways, good, STICKS, 0.5, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(write_picture(sticks, NULL, &options, &inked), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_sticks_compute_map(ink, model, NULL, good, STICKS, 0.5, NULL, NULL), HSP_OK);
+  options.ink = map;
+  CHECK_EQUAL(write_picture(sticks, NULL, &options, &inked), HSP_E_ARGUMENT);
+  picture_sink_start(&inked, SIZE_MAX);
+  CHECK_EQUAL(hsp_picture_write_map(map, NULL, &options, NULL, NULL, picture_sink_take, &inked, NULL), HSP_E_ARGUMENT);
+  options.ink = NULL;
+  options.ink_of_sticks = (const hsp_sticks *)(const void *)map; /* what a compiler refuses without a cast */
+  CHECK_EQUAL(hsp_picture_write_sticks(sticks, NULL, &options, NULL, NULL, picture_sink_take, &inked, NULL),
+              HSP_E_HANDLE);
+  options.ink_of_sticks = ink;
+  if (CHECK_EQUAL(write_picture(sticks, NULL, &options, &inked), HSP_OK)) {
+    CHECK(strstr(plain.bytes, "class=") == NULL && strstr(inked.bytes, "class=\"border\"") != NULL);
+    CHECK(strstr(inked.bytes, "class=\"depth\"") != NULL);
+  }
+  picture_sink_release(&plain);
+  picture_sink_release(&inked);
+  CHECK_EQUAL(write_picture(ink, NULL, &options, &inked), HSP_OK); /* of the map itself */
+  picture_sink_release(&inked);
+}
+
 static void check_no_map(hsp_sticks *which, int32_t status) {
   CHECK_EQUAL(hsp_sticks_get_map_info(which, &map_info), status);
 }
@@ -347,6 +400,7 @@ int main(void) {
   computing();
   conflicts();
   without_order();
+  bad_ink();
   maps();
   pictures();
   order_of_calls();

@@ -401,7 +401,7 @@ TEST(DrawColours, AtomsWithoutElementsAreGrey) {
   }
 }
 
-// Contours: in all formats, of the chosen kinds; not of balls and sticks.
+// Contours: in all formats, of the chosen kinds; of balls and sticks, too, which have no outlines else.
 TEST(DrawColours, InkFollowsDepth) {
   const std::string plain = drawn(crambin(), {"--style", "flat"}), ink = drawn(crambin(), {"--style", "flat", "--ink"});
   EXPECT_EQ(plain.find("class="), std::string::npos);
@@ -414,10 +414,13 @@ TEST(DrawColours, InkFollowsDepth) {
     EXPECT_GT(drawn(crambin(), {"--ink"}, extension).size(), drawn(crambin(), {}, extension).size() + 20000);
   }
   EXPECT_NE(drawn(crambin(), {"--ink", "--pieces", "visible"}).find("class=\"depth\""), std::string::npos);
-  const TemporaryFile out("inked.svg");
-  const Outcome refused = run_program({"draw", crambin(), "-o", out.path(), "--ink", "--as", "ball-and-stick"});
-  EXPECT_EQ(refused.status, 2);
-  EXPECT_NE(refused.err.find("--ink is not for --as ball-and-stick"), std::string::npos);
+  for (const std::string &pieces : {std::string("all"), std::string("--pieces=visible")}) {
+    std::vector<std::string> options = {"--as", "ball-and-stick", "--style", "flat", "--ink"};
+    if (pieces != "all") options.push_back(pieces);
+    const std::string sticks = drawn(crambin(), options);
+    EXPECT_NE(sticks.find("class=\"border\""), std::string::npos);
+    EXPECT_NE(sticks.find("class=\"depth\""), std::string::npos);
+  }
 }
 
 // Widths and colours of contours: one for all kinds, or three. Widths that are 0 are no contours.
@@ -450,8 +453,7 @@ TEST(DrawColours, InkWidthsAndColours) {
       {{"--ink-colour", "010203,,040506"}, "--ink-colour: '' is not RRGGBB"},
       {{"--ink-colour", "010203,040506,070809,0"}, "is not RRGGBB"},
       {{"--ink-colour", "0102030405060708,040506,070809"}, "is not RRGGBB"},
-      {{"--ink-colour", "010203", "--ink-colour", "010203"}, "--ink-colour is given twice"},
-      {{"--ink-colour", "010203", "--as", "ball-and-stick"}, "--ink is not for --as ball-and-stick"}};
+      {{"--ink-colour", "010203", "--ink-colour", "010203"}, "--ink-colour is given twice"}};
   for (const auto &[options, complaint] : wrong) {
     const TemporaryFile out("inked.svg");
     std::vector<std::string> line = {"draw", crambin(), "-o", out.path()};

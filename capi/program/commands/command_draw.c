@@ -221,6 +221,7 @@ static bool write_picture(const struct request *request, const struct molecule *
       return false;
     }
     drawn->options.ink = geometry->work.map;
+    drawn->options.ink_of_sticks = geometry->ink_of_sticks;
     drawn->options.group = group;
   }
   struct ball_names names = BALL_NAMES_NONE;

@@ -42,8 +42,10 @@ static bool failure_of_conflict(const struct molecule *molecule, const hsp_stick
   }
 }
 
+/* Into a handle in memory of its own; as a map also where they have an order. */
 static bool compute(const struct molecule *molecule, const struct drawing *drawing, const hsp_stick *stick,
-                    uint32_t count, struct geometry *geometry, struct failure *failure) {
+                    uint32_t count, bool as_map, struct geometry *geometry, hsp_sticks **sticks, void **memory,
+                    struct failure *failure) {
   const double radius = drawing->stick > 0.0 ? drawing->stick : default_stick;
   const hsp_model *model = geometry->work.model;
   hsp_view_options options;
@@ -51,7 +53,7 @@ static bool compute(const struct molecule *molecule, const struct drawing *drawi
   hsp_sticks_conflict conflict;
   int32_t (*const find)(hsp_sticks *, const hsp_model *, const hsp_view_options *, const hsp_stick *, uint32_t, double,
                         hsp_sticks_conflict *, hsp_sticks_limits *) =
-      drawing_is_of_map(drawing) ? hsp_sticks_compute_map : hsp_sticks_compute;
+      as_map ? hsp_sticks_compute_map : hsp_sticks_compute;
   progress_show(&geometry->progress, "ordering balls and sticks");
   int32_t status = viewing_options(&drawing->viewing, molecule, &options);
   if (status == HSP_OK) status = hsp_sticks_limits_init(&limits, (uint32_t)sizeof limits, molecule->atoms);
@@ -60,11 +62,9 @@ static bool compute(const struct molecule *molecule, const struct drawing *drawi
   do {
     size_t bytes = 0;
     status = hsp_sticks_bytes(&limits, &bytes);
-    if (status == HSP_OK) status = hsp_workspace_allocate(&geometry->sticks_memory, bytes);
-    if (status == HSP_OK) status = hsp_sticks_init(geometry->sticks_memory, bytes, &limits, &geometry->sticks);
-    if (status == HSP_OK) {
-      status = find(geometry->sticks, model, &options, stick, count, radius, &conflict, &limits);
-    }
+    if (status == HSP_OK) status = hsp_workspace_allocate(memory, bytes);
+    if (status == HSP_OK) status = hsp_sticks_init(*memory, bytes, &limits, sticks);
+    if (status == HSP_OK) status = find(*sticks, model, &options, stick, count, radius, &conflict, &limits);
   } while (status == HSP_E_CAPACITY);
   if (status == HSP_E_CONFLICT) return failure_of_conflict(molecule, stick, &conflict, failure);
   return status == HSP_OK || failure_in_library(failure, status);
@@ -90,8 +90,15 @@ bool ball_and_stick_compute(const struct molecule *molecule, const struct drawin
   hsp_stick *stick = sticks_of(bonds, count, colour);
   free(bonds);
   if (stick == NULL) return failure_of_memory(failure);
-  const bool done = set_balls(molecule, ball_and_stick_size(drawing), geometry, failure) &&
-                    compute(molecule, drawing, stick, count, geometry, failure);
+  const bool as_map = drawing_is_of_map(drawing), inked = drawing_has_ink(drawing);
+  bool done =
+      set_balls(molecule, ball_and_stick_size(drawing), geometry, failure) &&
+      compute(molecule, drawing, stick, count, as_map, geometry, &geometry->sticks, &geometry->sticks_memory, failure);
+  geometry->ink_of_sticks = geometry->sticks;
+  if (done && inked && !as_map) {
+    done = compute(molecule, drawing, stick, count, true, geometry, &geometry->ink_of_sticks,
+                   &geometry->ink_of_sticks_memory, failure);
+  }
   free(stick);
   return done;
 }

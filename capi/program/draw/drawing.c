@@ -89,9 +89,6 @@ bool drawing_check(struct drawing *drawing, struct failure *failure) {
   if (drawing_is_of_sticks(drawing) && (drawing->all_balls || drawing->occlusion > 0.0)) {
     return failure_in_usage(failure, "--all-balls and --occlusion are not for --as ball-and-stick");
   }
-  if (drawing_is_of_sticks(drawing) && drawing->ink) {
-    return failure_in_usage(failure, "--ink is not for --as ball-and-stick");
-  }
   if (!drawing_is_of_sticks(drawing) && (drawing->ball_size >= 0.0 || drawing->stick >= 0.0)) {
     return failure_in_usage(failure, "--ball-size and --stick are for --as ball-and-stick");
   }

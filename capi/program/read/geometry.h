@@ -15,6 +15,8 @@ struct geometry {
   hsp_executor executor;     /* geometry_share_work; zeros: the calling thread alone */
   struct hsp_sticks *sticks; /* NULL at first; ball_and_stick.h computes them */
   void *sticks_memory;
+  struct hsp_sticks *ink_of_sticks; /* their map, for contours; the same where that is drawn */
+  void *ink_of_sticks_memory;
   hsp_periodic *periodic; /* NULL at first */
   void *periodic_memory;
   hsp_periodic_limits periodic_limits;

@@ -819,7 +819,7 @@ class PictureOptions(Record):
                 ("reserved", C.c_uint32), ("scale", C.c_double), ("centre", C.c_double * 3), ("memory", C.c_void_p),
                 ("memory_bytes", C.c_size_t), ("ink", C.c_void_p), ("group", C.c_void_p), ("ink_width", C.c_double * 3),
                 ("ink_colour", C.c_uint32 * 3), ("reserved_for_ink", C.c_uint32), ("atom_class", C.c_void_p),
-                ("atom_title", C.c_void_p)]
+                ("atom_title", C.c_void_p), ("ink_of_sticks", C.c_void_p)]
 
 # ---- handles
 
@@ -1617,13 +1617,13 @@ class View(Handle):
                       background: int | None = None, flags: int | None = None, scale: float | None = None,
                       centre: Any | None = None, ink: Any | None = None, group: Any | None = None,
                       ink_width: Any | None = None, ink_colour: Any | None = None, atom_class: Any | None = None,
-                      atom_title: Any | None = None) -> bytes:
+                      atom_title: Any | None = None, ink_of_sticks: Any | None = None) -> bytes:
         """Write a picture of a computed view."""
         return call("hsp_picture_write", self, colour=colour, title=title, description=description, format=format,
                     style=style, unit=unit, width=width, height=height, margin=margin, outline=outline, fog=fog,
                     outline_colour=outline_colour, background=background, flags=flags, scale=scale, centre=centre,
                     ink=ink, group=group, ink_width=ink_width, ink_colour=ink_colour, atom_class=atom_class,
-                    atom_title=atom_title)
+                    atom_title=atom_title, ink_of_sticks=ink_of_sticks)
 
 
 class Map(Handle):
@@ -1704,14 +1704,14 @@ class Map(Handle):
                           background: int | None = None, flags: int | None = None, scale: float | None = None,
                           centre: Any | None = None, ink: Any | None = None, group: Any | None = None,
                           ink_width: Any | None = None, ink_colour: Any | None = None, atom_class: Any | None = None,
-                          atom_title: Any | None = None) -> bytes:
+                          atom_title: Any | None = None, ink_of_sticks: Any | None = None) -> bytes:
         """Write a picture of what is seen, from a computed map: for each ball that is seen one path around all of its
         faces, farthest ball first."""
         return call("hsp_picture_write_map", self, colour=colour, title=title, description=description, format=format,
                     style=style, unit=unit, width=width, height=height, margin=margin, outline=outline, fog=fog,
                     outline_colour=outline_colour, background=background, flags=flags, scale=scale, centre=centre,
                     ink=ink, group=group, ink_width=ink_width, ink_colour=ink_colour, atom_class=atom_class,
-                    atom_title=atom_title)
+                    atom_title=atom_title, ink_of_sticks=ink_of_sticks)
 
 
 class Sticks(Handle):
@@ -1784,13 +1784,13 @@ class Sticks(Handle):
                              background: int | None = None, flags: int | None = None, scale: float | None = None,
                              centre: Any | None = None, ink: Any | None = None, group: Any | None = None,
                              ink_width: Any | None = None, ink_colour: Any | None = None, atom_class: Any | None = None,
-                             atom_title: Any | None = None) -> bytes:
+                             atom_title: Any | None = None, ink_of_sticks: Any | None = None) -> bytes:
         """Write a picture of computed balls and sticks."""
         return call("hsp_picture_write_sticks", self, colour=colour, title=title, description=description,
                     format=format, style=style, unit=unit, width=width, height=height, margin=margin, outline=outline,
                     fog=fog, outline_colour=outline_colour, background=background, flags=flags, scale=scale,
                     centre=centre, ink=ink, group=group, ink_width=ink_width, ink_colour=ink_colour,
-                    atom_class=atom_class, atom_title=atom_title)
+                    atom_class=atom_class, atom_title=atom_title, ink_of_sticks=ink_of_sticks)
 
 
 # ---- functions without a handle
@@ -2432,7 +2432,7 @@ FIELDS = {
         "background:value:uint32_t::always flags:value:uint32_t::always scale:value:double::always "
         "centre:value:double:3:always ink:handle:hsp_map:n:always group:array_in:uint32_t:n:always "
         "ink_width:value:double:3:always ink_colour:value:uint32_t:3:always atom_class:array_in:char:n:always "
-        "atom_title:array_in:char:n:always",
+        "atom_title:array_in:char:n:always ink_of_sticks:handle:hsp_sticks:n:always",
 }
 describe(FUNCTIONS, FIELDS, {'hsp_executor': Executor, 'hsp_residue_atom': ResidueAtom, 'hsp_model_options':
          ModelOptions, 'hsp_model_info': ModelInfo, 'hsp_packing': Packing, 'hsp_ray_hit': RayHit, 'hsp_pose': Pose,

@@ -52,6 +52,9 @@ struct MapPathFunctions {
   static uint32_t ball_of(const void *source, uint32_t path) {
     return source_at(source).map().scene.ball_of(source_at(source).owner_of(path));
   }
+  static uint32_t body_of(const void *source, const BallSet &, uint32_t path) {
+    return source_at(source).map().scene.place_of(source_at(source).owner_of(path));
+  }
   static void visit_outline(const void *source, const BallSet &, uint32_t path, const ArcVisitor &visitor) {
     source_at(source).visit_path(path, [&](uint32_t first) {
       visit_loop(first, successor(source), [&](uint32_t h, bool begins, bool closes) {
@@ -69,7 +72,7 @@ struct MapPathFunctions {
     });
   }
 
-  static constexpr PaintedPaths::Functions functions{ball_of, visit_outline, visit_lines, Source::is_plain};
+  static constexpr PaintedPaths::Functions functions{ball_of, visit_outline, visit_lines, Source::is_plain, body_of};
 };
 
 // The balls that are seen, farthest first, with their faces.

@@ -8,11 +8,12 @@ namespace {
 
 constexpr double whole_turn = 2 * pi;
 
+template <class Map>
 class SilhouetteWalk {
  public:
-  SilhouetteWalk(const VisibilityMap &map, const SilhouetteVisitor &visitor) : map_(map), visitor_(visitor) {}
+  SilhouetteWalk(const Map &map, const SilhouetteVisitor &visitor) : map_(map), visitor_(visitor) {}
 
-  // Around a loop of a ball: what lies on the other side of its silhouette is another ball's or the background.
+  // Around a loop of a body: what lies on the other side of its silhouette is another body's or the background.
   void walk(uint32_t first) {
     visit_runs(
         first, [this](uint32_t h) { return map_.half_edges[h].next; }, [this](uint32_t h) { return is_silhouette(h); },
@@ -21,21 +22,23 @@ class SilhouetteWalk {
 
  private:
   bool is_silhouette(uint32_t h) const { return h % 2 == 0 && map_.edges[h / 2].is_silhouette(); }
-  // The ball behind a silhouette.
+  // The body behind a silhouette.
   uint32_t behind(uint32_t h) const {
     const uint32_t owner = map_.faces[map_.face_of(h ^ 1U)].owner;
-    return owner == no_id ? no_id : map_.scene.ball_of(owner);
+    return owner == no_id ? no_id : map_.scene.place_of(owner);
   }
-  SilhouetteArc::End end_of(uint32_t neighbour, uint32_t vertex) const {
+  SilhouetteArc::End end_of(uint32_t h, uint32_t neighbour, uint32_t vertex) const {
     const MapVertex &at = map_.vertices[vertex];
     const bool is_t = at.kind == MapVertexKind::t;
     if (is_silhouette(neighbour)) {
       // The stem is a silhouette or a crease.
       const bool crosses = is_t && at.ball[1] == no_id;
-      return {true, false, behind(neighbour), crosses ? map_.scene.ball_of(at.ball[0]) : no_id};
+      return {true, false, behind(neighbour), crosses ? map_.scene.place_of(at.ball[0]) : no_id};
     }
+    // The contour of a half of a stick goes on as that of the other one, before the same body.
+    if (at.kind == MapVertexKind::halves) return {true, false, behind(h), no_id};
     if (!is_t) return {false, false, no_id, no_id};
-    const uint32_t nearer = map_.scene.ball_of(at.ball[2]);
+    const uint32_t nearer = map_.scene.place_of(at.ball[2]);
     return {false, true, nearer, nearer};
   }
 
@@ -45,27 +48,55 @@ class SilhouetteWalk {
     while (!begins && edge.from + shift < last_ - pi) shift += whole_turn;
     while (!begins && edge.from + shift > last_ + pi) shift -= whole_turn;
     last_ = edge.to + shift;
-    visitor_({edge.from + shift, last_, behind(h), end_of(before, edge.vertex[0]), end_of(after, edge.vertex[1])},
+    visitor_({edge.from + shift, last_, behind(h), end_of(h, before, edge.vertex[0]), end_of(h, after, edge.vertex[1])},
              begins);
   }
 
-  const VisibilityMap &map_;
+  const Map &map_;
   const SilhouetteVisitor &visitor_;
   double last_ = 0.0;  // where the arc before ends
 };
 
-void visit_silhouettes(const void *source, uint32_t ball, const SilhouetteVisitor &visitor) {
-  const VisibilityMap &map = *static_cast<const VisibilityMap *>(source);
-  SilhouetteWalk walk(map, visitor);
-  for (uint32_t f = map.first_face[ball]; f != no_id; f = map.next_face_of(f)) {
+template <class Map>
+void visit_silhouettes(const void *source, uint32_t body, const SilhouetteVisitor &visitor) {
+  const Map &map = *static_cast<const Map *>(source);
+  SilhouetteWalk<Map> walk(map, visitor);
+  for (uint32_t f = map.first_face[body]; f != no_id; f = map.next_face_of(f)) {
     map.visit_loops(f, [&](uint32_t l) { walk.walk(map.loops[l].first_half_edge); });
   }
 }
 
+const StickScene &scene_of(const void *source) {
+  return static_cast<const StickMap *>(source)->scene;
+}
+StraightSilhouette side_of(const Stick &stick, bool left) {
+  const StraightCurve line = StickScene::line_of(stick, left);
+  const double out = left ? 1.0 : -1.0;
+  return {line.start, line.step, {-out * stick.e[1], out * stick.e[0]}, stick.radius};
+}
+uint32_t ball_of_body(const void *source, uint32_t body) {
+  return scene_of(source).ball_of(body);
+}
+StraightSilhouette side_with(const void *source, uint32_t body, double t) {
+  return side_of(scene_of(source).stick_at(body), t < 0.0);
+}
+StraightSilhouette side_near(const void *source, uint32_t body, double x, double y) {
+  return side_of(scene_of(source).stick_at(body), scene_of(source).landing(body, x, y) < 0.0);
+}
+double front_of_body(const void *source, uint32_t body, double x, double y) {
+  return scene_of(source).front_at(body, x, y);
+}
+
+constexpr SeenSilhouettes::OtherBodies parts_of_sticks{ball_of_body, side_with, side_near, front_of_body};
+
 }  // namespace
 
 SeenSilhouettes silhouettes_of(const VisibilityMap &map) {
-  return {&map, visit_silhouettes};
+  return {&map, visit_silhouettes<VisibilityMap>};
+}
+
+SeenSilhouettes silhouettes_of(const StickMap &map) {
+  return {&map, visit_silhouettes<StickMap>, &parts_of_sticks};
 }
 
 }  // namespace hsp

@@ -12,11 +12,15 @@ uint32_t ball_of_path(const void *view, uint32_t path) {
 void visit_path(const void *view, const BallSet &, uint32_t path, const ArcVisitor &visitor) {
   visit_outline(as_view(view), path, visitor);
 }
+uint32_t body_of_path(const void *view, const BallSet &balls, uint32_t path) {
+  const StickPath &record = as_view(view).paths[path];
+  return record.stick == no_id ? record.ball : balls.n + 2 * record.stick + record.part;
+}
 bool is_stick(const void *view, uint32_t path) {
   return as_view(view).paths[path].stick != no_id;
 }
 
-constexpr PaintedPaths::Functions of_sticks{ball_of_path, visit_path, nullptr, is_stick};
+constexpr PaintedPaths::Functions of_sticks{ball_of_path, visit_path, nullptr, is_stick, body_of_path};
 
 }  // namespace
 

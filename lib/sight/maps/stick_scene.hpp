@@ -102,7 +102,7 @@ struct StickScene {
             stick.radius * Vec3{stick.e[1], -stick.e[0], 0.0}};
   }
 
-  StraightCurve line_of(const Stick &stick, bool left) const {
+  static StraightCurve line_of(const Stick &stick, bool left) {
     const double side = left ? stick.radius : -stick.radius;
     return {stick.foot + side * Vec3{-stick.e[1], stick.e[0], 0.0}, (left ? -stick.length : stick.length) * stick.axis};
   }

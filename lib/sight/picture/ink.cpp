@@ -62,27 +62,30 @@ struct Knot {
   double skew;  // how far the inner corner lies aside, clockwise, for one px inwards
 };
 
-// The contours of one ball that have one level.
-class BallInk {
+// The contours of one body that have one level: of a ball along its circle, of others along their straight sides.
+class BodyInk {
  public:
-  BallInk(const PictureInput &input, const Page &page, double clear, uint32_t path, InkLevel level,
+  BodyInk(const PictureInput &input, const Page &page, double clear, uint32_t path, InkLevel level,
           const InkVisitor &visitor)
       : input_(input),
         page_(page),
         visitor_(visitor),
+        clear_(clear),
+        body_(input.paths.body_of(input.balls, path)),
         ball_(input.paths.ball_of(path)),
         level_(level),
         at_(input.paths.frame().centre_of(input.balls, ball_)),
         centre_(page.centre_of(input, path)),
-        radius_(input.balls.r[ball_] * page.scale) {
-    // A line wider than the ball is no contour of it.
-    for (int k = 0; k < 3; ++k) width_[k] = smaller(page.ink[k] * clear, radius_);
-    largest_ = larger(larger(width_[0], width_[1]), width_[2]);
+        radius_(input.balls.r[ball_] * page.scale),
+        unit_(radius_),
+        straight_(!SeenSilhouettes::is_ball(input.balls, body_)) {
+    if (!straight_) set_widths();
   }
 
   void take(const SilhouetteArc &arc, bool first) {
     if (first || level_of(arc.behind) != level_) finish();
-    if (level_of(arc.behind) == level_ && radius_ > 0.0 && largest_ > 0.0) put_knots(arc);
+    if (first && straight_) set_side(input_.silhouettes.side_with(body_, arc.from));
+    if (level_of(arc.behind) == level_ && unit_ > 0.0 && largest_ > 0.0) put_knots(arc);
   }
 
   // Hands on what has been taken, as one loop: on the outer side there, on the inner side back.
@@ -99,19 +102,46 @@ class BallInk {
  private:
   static constexpr uint32_t most_lunes = 64, most_knots = most_lunes + 32;
 
-  InkLevel level_of(uint32_t behind) const {
-    if (behind == no_id) return InkLevel::border;
-    return input_.group_of(behind) == input_.group_of(ball_) ? InkLevel::depth : InkLevel::group;
+  // A line wider than its body is no contour of it.
+  void set_widths() {
+    for (int k = 0; k < 3; ++k) width_[k] = smaller(page_.ink[k] * clear_, radius_);
+    largest_ = larger(larger(width_[0], width_[1]), width_[2]);
+  }
+  void set_side(const StraightSilhouette &side) {
+    side_ = side;
+    const double start[2] = {side.start.x, side.start.y};
+    centre_ = page_.to_page(start);
+    radius_ = side.radius * page_.scale;
+    unit_ = std::sqrt(side.step.x * side.step.x + side.step.y * side.step.y) * page_.scale;
+    set_widths();
   }
 
-  // In front of a ball or the background, at a direction from the centre.
-  double width_before(uint32_t behind, const SinCos &direction) const {
-    if (behind == no_id) return width_[0];
+  InkLevel level_of(uint32_t behind) const {
+    if (behind == no_id) return InkLevel::border;
+    const uint32_t other = input_.silhouettes.ball_of(input_.balls, behind);
+    return input_.group_of(other) == input_.group_of(ball_) ? InkLevel::depth : InkLevel::group;
+  }
+
+  // From the silhouette at a parameter to the body behind it, lattice steps.
+  double gap_before(uint32_t behind, double angle) const {
+    const double r = input_.balls.r[ball_];
+    const SinCos direction = straight_ ? SinCos{} : sin_cos(angle);
+    const Vec3 at = straight_ ? combine(1.0, side_.start, angle, side_.step)
+                              : Vec3{at_.x + r * direction.cosine, at_.y + r * direction.sine, at_.z};
+    if (!SeenSilhouettes::is_ball(input_.balls, behind)) {
+      return at.z - input_.silhouettes.front_at(behind, at.x, at.y);
+    }
     const Vec3 other = input_.paths.frame().centre_of(input_.balls, behind);
-    const double r = input_.balls.r[ball_], s = input_.balls.r[behind];
-    const double x = at_.x + r * direction.cosine - other.x, y = at_.y + r * direction.sine - other.y;
+    const double s = input_.balls.r[behind];
+    const double x = at.x - other.x, y = at.y - other.y;
     const double squared = s * s - x * x - y * y;
-    const double gap = (at_.z - other.z - std::sqrt(larger(squared, 0.0))) / page_.mean_radius;
+    return at.z - other.z - std::sqrt(larger(squared, 0.0));
+  }
+
+  // In front of a body or the background.
+  double width_before(uint32_t behind, double angle) const {
+    if (behind == no_id) return width_[0];
+    const double gap = gap_before(behind, angle) / page_.mean_radius;
     if (!(gap > 0.0)) return 0.0;
     const double share = smaller(gap / full_depth, 1.0);
     const double root = std::sqrt(share);
@@ -132,22 +162,21 @@ class BallInk {
     const bool creases = arc.behind != no_id && (start_creases || end_creases);
     const double from_start = 1.0 - (angle - arc.from) / stretch.near;
     const double from_end = 1.0 - (arc.to - angle) / stretch.near;
-    return (creases ? 0.0 : width_before(arc.behind, sin_cos(angle))) +
+    return (creases ? 0.0 : width_before(arc.behind, angle)) +
            (from_start > 0.0 ? stretch.at_start * from_start * from_start : 0.0) +
            (from_end > 0.0 ? stretch.at_end * from_end * from_end : 0.0);
   }
   // The width to be added at one end to meet that of the arc that goes on there.
   double missing(const SilhouetteArc &arc, const SilhouetteArc::End &end, double angle) const {
     if (!end.goes_on) return 0.0;
-    const SinCos direction = sin_cos(angle);
-    return larger(width_before(end.other, direction) - width_before(arc.behind, direction), 0.0);
+    return larger(width_before(end.other, angle) - width_before(arc.behind, angle), 0.0);
   }
 
   void put_knots(const SilhouetteArc &arc) {
     const double span = arc.to - arc.from;
     if (!(span > 0.0)) return;
     if (knots_ + most_lunes + 2 > most_knots) finish();
-    const double near = smaller(2 * largest_ / radius_, span);
+    const double near = smaller(2 * largest_ / unit_, span);
     const Stretch stretch{arc, missing(arc, arc.start, arc.from), missing(arc, arc.end, arc.to), near};
     // Where what is added begins or ends.
     const double ends[2] = {stretch.at_start > 0.0 ? arc.from + near : arc.from,
@@ -161,7 +190,7 @@ class BallInk {
     double from = stretch.arc.from;
     if (knots_ == 0 && stretch.arc.start.goes_on) {
       const double width = width_at(stretch, from);
-      put_knot({from - smaller(overlap / radius_, most_overlap), width, width, skew(stretch.arc.start, from)});
+      put_knot({from - smaller(overlap / unit_, most_overlap), width, width, skew(stretch.arc.start, from)});
     }
     for (uint32_t k = 0; from < to && k < most_lunes; ++k) {
       double end = to;
@@ -179,15 +208,15 @@ class BallInk {
   bool follow(const Stretch &stretch, double from, double to) const {
     const double length = to - from;
     const double off = larger(most_off, most_off_of_width * largest_);
-    if (length * radius_ <= shortest_lune) return true;
-    if (length > longest_lune) return false;
+    if (length * unit_ <= shortest_lune) return true;
+    if (!straight_ && length > longest_lune) return false;
     const double width[3] = {width_at(stretch, from), width_at(stretch, from + length / 2), width_at(stretch, to)};
     for (const double share : shares_of_sides) {
       const InkCurve curve = curve_through(place(from, share * width[0]), place(from + length / 2, share * width[1]),
                                            place(to, share * width[2]));
       for (int eighth = 1; eighth < 8; eighth += 2) {
         const double wanted = share * width_at(stretch, from + length * eighth / 8);
-        const double drawn = px_between(curve.at(eighth / 8.0), centre_) - radius_;
+        const double drawn = beyond(curve.at(eighth / 8.0));
         if (std::fabs(wanted - drawn) > off) return false;
       }
     }
@@ -197,18 +226,27 @@ class BallInk {
   // How far the inner corner of a contour lies aside, clockwise, for one px inwards: where silhouettes cross, a contour
   // is cut where the inner sides of both contours meet, or along the line through both crossings of the circles,
   // whichever leaves less of it. That is in both balls, so under the nearer one; and as no contour passes that line,
-  // beyond which it might be hidden, the two look the same whichever ball is the nearer one.
+  // beyond which it might be hidden, the two look the same whichever ball is the nearer one. A straight side has no
+  // such line: there the inner sides decide.
   double skew(const SilhouetteArc::End &end, double angle) const {
-    if (end.crossed == no_id || input_.balls.r[end.crossed] == 0.0) return 0.0;
+    if (end.crossed == no_id) return 0.0;
+    const SinCos normal = normal_at(angle);
+    const PagePoint crossing = place(angle, 0.0);
+    if (!SeenSilhouettes::is_ball(input_.balls, end.crossed)) {
+      const double x = (crossing.x - page_.width / 2) / page_.scale + page_.middle[0];
+      const double y = (crossing.y - page_.height / 2) / page_.scale + page_.middle[1];
+      const StraightSilhouette side = input_.silhouettes.side_near(end.crossed, x, y);
+      return aside({side.outward[0], side.outward[1]}, normal, 1.0);
+    }
+    if (input_.balls.r[end.crossed] == 0.0) return 0.0;
     const Vec3 at = input_.paths.frame().centre_of(input_.balls, end.crossed);
     const double point[2] = {at.x, at.y};
     const PagePoint other = page_.to_page(point);
-    const SinCos normal = sin_cos(angle);
-    const PagePoint crossing = along(centre_, normal, radius_);
     const double r = input_.balls.r[end.crossed] * page_.scale;
     const PagePoint other_normal{(crossing.x - other.x) / r, (crossing.y - other.y) / r};
     const PagePoint line{centre_.y - other.y, other.x - centre_.x};
     const double meet = aside(other_normal, normal, 1.0);
+    if (straight_) return meet;
     const double cut = aside(line, normal, 0.0);
     return meet > 0.0 ? smaller(meet, cut) : larger(meet, cut);
   }
@@ -228,10 +266,23 @@ class BallInk {
     knot_[knots_++] = knot;
   }
 
-  PagePoint place(double angle, double beyond) const { return along(centre_, sin_cos(angle), radius_ + beyond); }
+  SinCos normal_at(double angle) const {
+    return straight_ ? SinCos{side_.outward[0], side_.outward[1]} : sin_cos(angle);
+  }
+  PagePoint place(double angle, double beyond) const {
+    const SinCos normal = normal_at(angle);
+    if (!straight_) return along(centre_, normal, radius_ + beyond);
+    const double step = angle * page_.scale;
+    return along({centre_.x + step * side_.step.x, centre_.y + step * side_.step.y}, normal, beyond);
+  }
+  // How far a point of the page is outside the body.
+  double beyond(const PagePoint &point) const {
+    if (!straight_) return px_between(point, centre_) - radius_;
+    return (point.x - centre_.x) * side_.outward[0] + (point.y - centre_.y) * side_.outward[1];
+  }
   PagePoint corner(const Knot &knot, double share) const {
     const double beyond = share * knot.width;
-    return place(beyond < 0.0 ? knot.angle + knot.skew * beyond / radius_ : knot.angle, beyond);
+    return place(beyond < 0.0 ? knot.angle + knot.skew * beyond / unit_ : knot.angle, beyond);
   }
   // From a knot to the next one on the outer side, or back on the inner side.
   InkCurve side(uint32_t knots, uint32_t k, bool outer) const {
@@ -247,12 +298,16 @@ class BallInk {
   const PictureInput &input_;
   const Page &page_;
   const InkVisitor &visitor_;
-  uint32_t ball_;
+  double clear_;
+  uint32_t body_, ball_;
   InkLevel level_;
-  Vec3 at_;  // view coordinates
-  PagePoint centre_;
-  double radius_;  // px
-  double width_[3], largest_;
+  Vec3 at_;           // view coordinates
+  PagePoint centre_;  // of a straight side its start
+  double radius_;     // px
+  double unit_;       // px along the silhouette for a step of 1 of its parameter
+  bool straight_;
+  StraightSilhouette side_{};
+  double width_[3] = {}, largest_ = 0.0;
   Knot knot_[most_knots];
   uint32_t knots_ = 0;
 };
@@ -260,11 +315,11 @@ class BallInk {
 }  // namespace
 
 void Ink::visit_contours(uint32_t path, InkLevel level, const InkVisitor &visitor) const {
-  BallInk ink(input_, page_, 1.0 - paint_.fog(path), path, level, visitor);
+  BodyInk ink(input_, page_, 1.0 - paint_.fog(path), path, level, visitor);
   const SilhouetteVisitor taker{&ink, [](void *context, const SilhouetteArc &arc, bool first) {
-                                  static_cast<BallInk *>(context)->take(arc, first);
+                                  static_cast<BodyInk *>(context)->take(arc, first);
                                 }};
-  input_.silhouettes.visit(input_.paths.ball_of(path), taker);
+  input_.silhouettes.visit(input_.paths.body_of(input_.balls, path), taker);
   ink.finish();
 }
 

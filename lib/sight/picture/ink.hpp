@@ -56,7 +56,7 @@ class Ink {
     return paint_.faded_line(options_.ink_colour[static_cast<uint32_t>(level)], fog_level);
   }
 
-  // Calls visit(curve, first, closes) around the contours of a path's ball that have a level.
+  // Calls visit(curve, first, closes) around the contours of a path's body that have a level.
   template <class Visit>
   void visit(uint32_t path, InkLevel level, Visit visit) const {
     const InkVisitor visitor{&visit, [](void *context, const InkCurve &curve, bool first, bool closes) {

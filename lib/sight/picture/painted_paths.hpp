@@ -21,6 +21,8 @@ enum class PathPart : uint32_t { outline, lines };
 class PaintedPaths {
  public:
   // How a room answers for its paths. `source` is what it has found, as it was given below; balls are in grid order.
+  // A path shows one body, a ball or what belongs to one and is painted as it is; bodies have numbers as in
+  // SeenSilhouettes, and balls are their own bodies.
   struct Functions {
     uint32_t (*ball_of)(const void *source, uint32_t path);
     // The loops around a path, all of them closed.
@@ -29,6 +31,8 @@ class PaintedPaths {
     void (*visit_lines)(const void *source, const BallSet &balls, uint32_t path, const ArcVisitor &visitor);
     // Whether a path has one colour where balls are shaded. Null where all paths are of balls.
     bool (*is_plain)(const void *source, uint32_t path) = nullptr;
+    // Null likewise.
+    uint32_t (*body_of)(const void *source, const BallSet &balls, uint32_t path) = nullptr;
   };
 
   // All but the count have to outlive this. The functions are a named constant, which linkers can leave out.
@@ -39,6 +43,9 @@ class PaintedPaths {
   const ViewFrame &frame() const { return *frame_; }
   uint32_t size() const { return count_; }
   uint32_t ball_of(uint32_t path) const { return functions_->ball_of(source_, path); }
+  uint32_t body_of(const BallSet &balls, uint32_t path) const {
+    return functions_->body_of != nullptr ? functions_->body_of(source_, balls, path) : ball_of(path);
+  }
   bool is_plain(uint32_t path) const { return functions_->is_plain != nullptr && functions_->is_plain(source_, path); }
   bool have_own_lines() const { return functions_->visit_lines != nullptr; }
 
@@ -61,15 +68,16 @@ class PaintedPaths {
 // The pieces of a view, painted one over the other.
 PaintedPaths paths_of(const View &view);
 
-// The silhouette of a ball between two angles around its centre, counter-clockwise, in front of one ball or of the
-// background. Balls are in grid order, no_id is the background.
+// The silhouette of a body between two parameters, with the body on the left, in front of one body or of the
+// background. Of a ball they are angles around its centre. Bodies that are balls have their numbers in grid order,
+// no_id is the background.
 struct SilhouetteArc {
   // The side beyond one end of an arc.
   struct End {
-    bool goes_on;     // on the same silhouette, in front of the ball `other`
-    bool goes_under;  // unseen, under the nearer ball `other`; neither: into a crease, where it meets `behind`
+    bool goes_on;     // on the same silhouette, in front of the body `other`
+    bool goes_under;  // unseen, under the nearer body `other`; neither: into a crease, where it meets `behind`
     uint32_t other;
-    uint32_t crossed;  // the ball whose silhouette it crosses there; no_id if there is none
+    uint32_t crossed;  // the body whose silhouette it crosses there; no_id if there is none
   };
 
   double from, to;
@@ -77,8 +85,8 @@ struct SilhouetteArc {
   End start, end;
 };
 
-// Takes the arcs of a ball one after the other; `first` begins a run of arcs, each of which goes on where the one
-// before it ends, with angles that go on, too.
+// Takes the arcs of a body one after the other; `first` begins a run of arcs, each of which goes on where the one
+// before it ends, with parameters that go on, too.
 struct SilhouetteVisitor {
   void *context;
   void (*take)(void *context, const SilhouetteArc &arc, bool first);
@@ -86,21 +94,49 @@ struct SilhouetteVisitor {
   void operator()(const SilhouetteArc &arc, bool first) const { take(context, arc, first); }
 };
 
+// One side of a body that is no ball: in view coordinates its silhouette is the points start + t step.
+struct StraightSilhouette {
+  Vec3 start, step;
+  double outward[2];  // of length 1, across
+  double radius;      // of the body; no contour is wider
+};
+
 class SeenSilhouettes {
  public:
+  // How a room answers for its bodies. Of a body that is no ball:
+  struct OtherBodies {
+    uint32_t (*ball_of)(const void *source, uint32_t body);
+    // The side that has the point of the parameter t, or is nearer to a point of the view plane.
+    StraightSilhouette (*side_with)(const void *source, uint32_t body, double t);
+    StraightSilhouette (*side_near)(const void *source, uint32_t body, double x, double y);
+    double (*front_at)(const void *source, uint32_t body, double x, double y);
+  };
+
   // No silhouettes.
   SeenSilhouettes() = default;
-  // source has to outlive this. hand_out(source, ball, visitor) as below.
-  SeenSilhouettes(const void *source, void (*hand_out)(const void *, uint32_t, const SilhouetteVisitor &))
-      : source_(source), visit_(hand_out) {}
+  // source has to outlive this. hand_out(source, body, visitor) as below. others: null where all bodies are balls.
+  SeenSilhouettes(const void *source, void (*hand_out)(const void *, uint32_t, const SilhouetteVisitor &),
+                  const OtherBodies *others = nullptr)
+      : source_(source), visit_(hand_out), others_(others) {}
 
   bool exist() const { return visit_ != nullptr; }
-  // Calls visitor(arc, first) for what is seen of the silhouette of a ball.
-  void visit(uint32_t ball, const SilhouetteVisitor &visitor) const { visit_(source_, ball, visitor); }
+  // Calls visitor(arc, first) for what is seen of the silhouette of a body.
+  void visit(uint32_t body, const SilhouetteVisitor &visitor) const { visit_(source_, body, visitor); }
+
+  static bool is_ball(const BallSet &balls, uint32_t body) { return body < balls.n; }
+  uint32_t ball_of(const BallSet &balls, uint32_t body) const {
+    return is_ball(balls, body) ? body : others_->ball_of(source_, body);
+  }
+  StraightSilhouette side_with(uint32_t body, double t) const { return others_->side_with(source_, body, t); }
+  StraightSilhouette side_near(uint32_t body, double x, double y) const {
+    return others_->side_near(source_, body, x, y);
+  }
+  double front_at(uint32_t body, double x, double y) const { return others_->front_at(source_, body, x, y); }
 
  private:
   const void *source_ = nullptr;
   void (*visit_)(const void *, uint32_t, const SilhouetteVisitor &) = nullptr;
+  const OtherBodies *others_ = nullptr;
 };
 
 // The extent in the view plane of the silhouettes of the balls of all paths, and the depths of their centres; zeros

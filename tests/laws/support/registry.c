@@ -3479,8 +3479,8 @@ const function registry[] = {
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_HANDLE) | BIT(HSP_E_VERSION) | BIT(HSP_E_MEMORY)
       | BIT(HSP_E_STATE) | BIT(HSP_E_SINK) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
   {"hsp_picture_write_sticks", "picture", RESULT_status, 8, of_hsp_picture_write_sticks, call_hsp_picture_write_sticks,
-      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_MEMORY) | BIT(HSP_E_STATE)
-      | BIT(HSP_E_SINK) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_HANDLE) | BIT(HSP_E_VERSION) | BIT(HSP_E_MEMORY)
+      | BIT(HSP_E_STATE) | BIT(HSP_E_SINK) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE)},
 };
 const size_t registry_size = sizeof registry / sizeof registry[0];
 
@@ -4206,5 +4206,6 @@ const field registry_fields[] = {
   {"hsp_picture_options", "reserved_for_ink", "uint32_t", offsetof(hsp_picture_options, reserved_for_ink), 1},
   {"hsp_picture_options", "atom_class", "char *", offsetof(hsp_picture_options, atom_class), 1},
   {"hsp_picture_options", "atom_title", "char *", offsetof(hsp_picture_options, atom_title), 1},
+  {"hsp_picture_options", "ink_of_sticks", "hsp_sticks *", offsetof(hsp_picture_options, ink_of_sticks), 1},
 };
 const size_t registry_fields_size = sizeof registry_fields / sizeof registry_fields[0];

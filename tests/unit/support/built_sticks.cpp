@@ -10,7 +10,6 @@
 #include "maps/map_queries.hpp"
 #include "maps/stick_outlines.hpp"
 #include "path_painter.hpp"
-#include "seen_cylinders.hpp"
 
 BuiltSticks::BuiltSticks(const oracle::Balls &balls, std::vector<Ends> ends, double radius,
                          const std::array<double, 3> &towards, bool whole, bool as_map)
@@ -55,14 +54,42 @@ std::string BuiltSticks::violation() const {
          std::to_string(violation.second);
 }
 
+uint32_t plain_name(const BuiltSticks &built, uint32_t ball, uint32_t stick) {
+  const hsp::BallSet &balls = built.balls();
+  if (stick == hsp::no_id) return balls.caller[ball];
+  const uint32_t k = built.view().sticks[stick].caller;
+  return balls.n + 2 * k + (balls.caller[ball] == built.ends()[k][0] ? 0 : 1);
+}
+
+PlainSticks::PlainSticks(const BuiltSticks &built) : balls(built.balls().n) {
+  const hsp::BallSet &given = built.balls();
+  for (uint32_t i = 0; i < given.n; ++i) {
+    const hsp::Vec3 centre = built.view().frame.centre_of(given, i);
+    balls[given.caller[i]] = {{centre.x, centre.y, centre.z}, given.r[i]};
+    largest = std::max(largest, given.r[i]);
+  }
+  for (const BuiltSticks::Ends &ends : built.ends()) {
+    const oracle::PlainBall &one = balls[ends[0]], &two = balls[ends[1]];
+    const double length =
+        std::hypot(two.centre[0] - one.centre[0], two.centre[1] - one.centre[1], two.centre[2] - one.centre[2]);
+    // In the middle between the planes in which it leaves the balls.
+    const double out = std::sqrt(one.radius * one.radius - built.radius() * built.radius());
+    const double in = std::sqrt(two.radius * two.radius - built.radius() * built.radius());
+    cylinders.push_back(
+        {one.centre, two.centre, built.radius(), built.whole() ? 2 : (out + length - in) / (2 * length)});
+  }
+}
+
+std::vector<oracle::SeenPixel> PlainSticks::image(const oracle::PixelGrid &grid) const {
+  std::vector<oracle::SeenPixel> image = oracle::z_buffer(balls, grid);
+  oracle::add_cylinders(cylinders, static_cast<uint32_t>(balls.size()), grid, image);
+  return image;
+}
+
 namespace {
 
-// The names of the z-buffer: balls by their numbers, then two for each stick, that of its first ball first.
 uint32_t name_of(const BuiltSticks &built, const hsp::StickPath &path) {
-  const hsp::BallSet &balls = built.balls();
-  if (path.stick == hsp::no_id) return balls.caller[path.ball];
-  const uint32_t k = built.view().sticks[path.stick].caller;
-  return balls.n + 2 * k + (balls.caller[path.ball] == built.ends()[k][0] ? 0 : 1);
+  return plain_name(built, path.ball, path.stick);
 }
 
 struct DrawnPath {
@@ -182,27 +209,10 @@ std::string sticks_disagree(const BuiltSticks &built, size_t pixels) {
   }
   const hsp::StickView &view = built.view();
   const hsp::BallSet &balls = built.balls();
-  std::vector<oracle::PlainBall> seen(balls.n);
-  double largest = 0;
-  for (uint32_t i = 0; i < balls.n; ++i) {
-    const hsp::Vec3 centre = view.frame.centre_of(balls, i);
-    seen[balls.caller[i]] = {{centre.x, centre.y, centre.z}, balls.r[i]};
-    largest = std::max(largest, balls.r[i]);
-  }
-  std::vector<oracle::PlainCylinder> cylinders;
-  for (const BuiltSticks::Ends &ends : built.ends()) {
-    const oracle::PlainBall &one = seen[ends[0]], &two = seen[ends[1]];
-    const double length =
-        std::hypot(two.centre[0] - one.centre[0], two.centre[1] - one.centre[1], two.centre[2] - one.centre[2]);
-    // In the middle between the planes in which it leaves the balls.
-    const double out = std::sqrt(one.radius * one.radius - built.radius() * built.radius());
-    const double in = std::sqrt(two.radius * two.radius - built.radius() * built.radius());
-    cylinders.push_back(
-        {one.centre, two.centre, built.radius(), built.whole() ? 2 : (out + length - in) / (2 * length)});
-  }
-  const oracle::PixelGrid grid = oracle::grid_around(seen, pixels);
-  std::vector<oracle::SeenPixel> image = oracle::z_buffer(seen, grid);
-  oracle::add_cylinders(cylinders, balls.n, grid, image);
+  const PlainSticks plain(built);
+  const double largest = plain.largest;
+  const oracle::PixelGrid grid = oracle::grid_around(plain.balls, pixels);
+  const std::vector<oracle::SeenPixel> image = plain.image(grid);
 
   const double moved = built.builder().map().perturbation;
   const double tolerance = built.builder().map().exist ? 1e-6 * largest : 1e-9 * largest + 1e-7;

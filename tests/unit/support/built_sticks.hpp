@@ -9,6 +9,7 @@
 #include "built_grid.hpp"
 #include "lattice_ball.hpp"
 #include "maps/stick_view_builder.hpp"
+#include "seen_cylinders.hpp"
 
 class BuiltSticks {
  public:
@@ -49,6 +50,19 @@ struct StickModel {
   std::vector<BuiltSticks::Ends> ends;
 };
 StickModel sticks_between_close(oracle::Balls atoms, double part);
+
+// The scene of a z-buffer, in view coordinates: balls by the caller's numbers, then two names for each stick,
+// that of its first ball first.
+struct PlainSticks {
+  std::vector<oracle::PlainBall> balls;
+  std::vector<oracle::PlainCylinder> cylinders;
+  double largest = 0;  // radius of a ball
+
+  explicit PlainSticks(const BuiltSticks &built);
+  [[nodiscard]] std::vector<oracle::SeenPixel> image(const oracle::PixelGrid &grid) const;
+};
+// The name of a ball of grid order or of a part of a stick.
+uint32_t plain_name(const BuiltSticks &built, uint32_t ball, uint32_t stick);
 
 // Empty, or how what is painted differs from the z-buffer of balls and cylinders, and what the map says from both.
 std::string sticks_disagree(const BuiltSticks &built, size_t pixels);
