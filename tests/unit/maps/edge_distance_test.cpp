@@ -1,5 +1,5 @@
 // How near edges come, against many points of them.
-#include "maps/edge_distance.hpp"
+#include "maps/face_pole.hpp"
 
 #include <gtest/gtest.h>
 

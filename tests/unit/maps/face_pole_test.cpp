@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "built_map.hpp"
-#include "maps/face_nesting.hpp"
+#include "maps/edge_geometry.hpp"
 #include "maps/map_queries.hpp"
 #include "random_balls.hpp"
 
