@@ -101,26 +101,16 @@ inline CornerName name_of_tangency(const MapArc &arc, uint32_t end) {
   return {far < nearer ? far : nearer, far < nearer ? nearer : far, no_id, point};
 }
 
-// A ball's extent in the view plane, grown by a margin.
-inline double silhouette_area(const SeenBall &ball, double margin) {
-  return pi * (ball.r + margin) * (ball.r + margin);
-}
+// The points middle + cos t first + sin t second.
+struct RoundCurve {
+  Vec3 middle, first, second;
 
-// Whether a point is no farther than a margin outside the disc of a ball, and behind its front.
-inline bool may_be_seen(const SeenBall &ball, const Vec3 &p, double margin) {
-  const double dx = p.x - ball.x;
-  const double dy = p.y - ball.y;
-  const double outer = ball.r + margin;
-  return dx * dx + dy * dy <= outer * outer && depth_behind(p, ball) <= outer * outer - ball.r * ball.r;
-}
-
-// The height of a ball's front at a point at or near its disc; of the silhouette beside it.
-inline double front_at(const SeenBall &ball, double x, double y) {
-  const double dx = x - ball.x;
-  const double dy = y - ball.y;
-  const double squared = ball.r * ball.r - dx * dx - dy * dy;
-  return squared > 0.0 ? ball.z + std::sqrt(squared) : ball.z;
-}
+  Vec3 at(double t) const {
+    const SinCos at = sin_cos(t);
+    return combine(1.0, middle, 1.0, combine(at.cosine, first, at.sine, second));
+  }
+  EdgeCurve part(const MapEdge &edge) const { return {EdgeEllipse(middle, first, second), edge.from, edge.to}; }
+};
 
 struct BallScene {
   Span<const SeenBall> balls;  // nearest top first; their ids are those of bodies
@@ -158,14 +148,14 @@ struct BallScene {
   static constexpr bool is_straight(const MapEdge &) { return false; }
   // Of a parameter of an edge's curve below.
   static constexpr double edge_parameter(const MapEdge &, double t) { return t; }
-  EdgeEllipse ellipse_of(const MapEdge &edge) const {
-    const SeenBall &ball = balls[edge.ball];
-    if (edge.is_silhouette()) return {{ball.x, ball.y, ball.z}, {ball.r, 0.0, 0.0}, {0.0, ball.r, 0.0}};
-    const Crease crease(ball, balls[edge.nearer]);
+  RoundCurve round_curve(uint32_t far, uint32_t nearer) const {
+    const SeenBall &ball = balls[far];
+    if (nearer == no_id) return {{ball.x, ball.y, ball.z}, {ball.r, 0.0, 0.0}, {0.0, ball.r, 0.0}};
+    const Crease crease(ball, balls[nearer]);
     return {crease.m, crease.rho * crease.a, crease.rho * crease.b};
   }
   EdgeCurve curve(const MapEdge &edge, const MapVertex &, const MapVertex &) const {
-    return {ellipse_of(edge), edge.from, edge.to};
+    return round_curve(edge.ball, edge.nearer).part(edge);
   }
   // The middle of an edge on a silhouette, from its vertices where that is well conditioned, as it is sooner found so.
   Vec3 middle_of(const MapEdge &edge, const MapVertex &v, const MapVertex &w) const {
@@ -178,11 +168,26 @@ struct BallScene {
     return {ball.x + part * x, ball.y + part * y, ball.z};
   }
 
-  double silhouette_area(uint32_t ball, double margin) const { return hsp::silhouette_area(balls[ball], margin); }
-  bool may_be_seen(uint32_t ball, const Vec3 &p, double margin) const {
-    return hsp::may_be_seen(balls[ball], p, margin);
+  // The extent in the view plane, grown by a margin.
+  double silhouette_area(uint32_t ball, double margin) const {
+    return pi * (balls[ball].r + margin) * (balls[ball].r + margin);
   }
-  double front_at(uint32_t ball, double x, double y) const { return hsp::front_at(balls[ball], x, y); }
+  // Whether a point is no farther than a margin outside the silhouette of a body, and behind its front.
+  bool may_be_seen(uint32_t body, const Vec3 &p, double margin) const {
+    const SeenBall &ball = balls[body];
+    const double dx = p.x - ball.x;
+    const double dy = p.y - ball.y;
+    const double outer = ball.r + margin;
+    return dx * dx + dy * dy <= outer * outer && depth_behind(p, ball) <= outer * outer - ball.r * ball.r;
+  }
+  // The height of a body's front at a point where it is seen or near that; of the silhouette beside it.
+  double front_at(uint32_t body, double x, double y) const {
+    const SeenBall &ball = balls[body];
+    const double dx = x - ball.x;
+    const double dy = y - ball.y;
+    const double squared = ball.r * ball.r - dx * dx - dy * dy;
+    return squared > 0.0 ? ball.z + std::sqrt(squared) : ball.z;
+  }
   // No edge that names the ball first is nearer to a point of the view plane.
   double least_distance(uint32_t ball, double x, double y) const {
     const double dx = x - balls[ball].x;

@@ -168,7 +168,7 @@ BodySight::BodySight(const StickScene &scene, Span<const SweptBox> items) : scen
     const double width = item.right - item.left;
     widest_ = width > widest_ ? width : widest_;
   }
-  largest_ = BallScene{scene.balls}.largest();
+  largest_ = scene.BallScene::largest();
 }
 
 BodySight::Front BodySight::front_at(uint32_t body, double x, double y) const {
