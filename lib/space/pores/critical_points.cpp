@@ -185,50 +185,6 @@ struct CriticalPoints::Directions {
   bool is_nearly_flat(const Face &face, uint32_t fourth) const {
     return std::fabs(face.offset - dot(face.n, y[fourth])) <= 4.0 * face.tiny * size(y[fourth]);
   }
-  // A lower bound of how far 0 is inside the hull; not positive if it is outside or nearly.
-  double depth_of_hull(uint32_t count) const {
-    constexpr uint32_t most = 16;  // the hull of some of them is inside that of all
-    uint32_t chosen[most] = {0};
-    uint32_t size = 1;
-    for (; size < most && size < count; ++size) {
-      double best = -1.0;
-      uint32_t which = 0;
-      for (uint32_t k = 0; k < count; ++k) {
-        double nearest_chosen = 8.0;
-        for (uint32_t c = 0; c < size; ++c) {
-          const Vec3 d = a[k] - a[chosen[c]];
-          nearest_chosen = smaller(nearest_chosen, dot(d, d));
-        }
-        if (nearest_chosen > best) {
-          best = nearest_chosen;
-          which = k;
-        }
-      }
-      chosen[size] = which;
-    }
-    double depth = 1.0;
-    for (uint32_t i = 0; i < size; ++i) {
-      for (uint32_t j = i + 1; j < size; ++j) {
-        for (uint32_t k = j + 1; k < size; ++k) {
-          const Vec3 &p = a[chosen[i]];
-          const Vec3 n = cross(a[chosen[j]] - p, a[chosen[k]] - p);
-          const double length = std::sqrt(dot(n, n));
-          if (length < 1e-6) continue;
-          // A plane counts if all are on one side of it, or nearly: one too many only makes the bound less.
-          bool above = false, below = false;
-          for (uint32_t l = 0; l < size; ++l) {
-            const double height = dot(n, a[chosen[l]] - p);
-            above = above || height > 1e-9 * length;
-            below = below || height < -1e-9 * length;
-          }
-          if (above && below) continue;
-          const double offset = dot(n, p) / length;
-          depth = smaller(depth, above ? -offset : offset);
-        }
-      }
-    }
-    return depth - 1e-8;
-  }
   static double size(const Vec3 &v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
   static double larger(double x, double y) { return x > y ? x : y; }
   static double smaller(double x, double y) { return x < y ? x : y; }
@@ -488,7 +444,7 @@ void CriticalPoints::settle_ties(Cube &cube) {
     const Span<uint32_t> tied = cluster_.part(0, size);
     for (const uint32_t ball : tied) nearest_centre = Directions::smaller(nearest_centre, distance(balls, ball, x));
     directions_[0].set(balls, tied, x, 0.0);
-    const double depth = directions_[0].depth_of_hull(size);
+    const double depth = depth_of_hull({directions_[0].a, size});
     if (!(depth > 0.0)) continue;
     const double delta = Directions::smaller(0.5 * next, 0.49 * depth * nearest_centre / (1.5 + depth));
     const double settled = delta / root_of_three - 4.0;
@@ -548,6 +504,7 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, con
   const auto face = [&](uint32_t i, uint32_t j, uint32_t k) {
     return kept ? faces[place(i, j, k)] : directions.face(i, j, k);
   };
+  KnownTies known;
   for (uint32_t i = 0; i < n; ++i) {
     for (uint32_t j = i + 1; j < n; ++j) {
       if (!tie(i, j)) continue;
@@ -557,7 +514,7 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, con
         const uint32_t three[4] = {near[i], near[j], near[k], no_id};
         if (!directed || !directions.is_outside(own, i, j, k)) {
           ++work_.triples;
-          try_point(three, 3, near, block, other);
+          try_point(three, 3, near, block, other, known);
         }
         for (uint32_t l = k + 1; l < n; ++l) {
           if (!tie(i, l) || !tie(j, l) || !tie(k, l)) continue;
@@ -565,13 +522,13 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, con
                            directions.separates(face(i, k, l), j) || directions.separates(face(j, k, l), i))) {
             continue;
           }
-          if (directed && directions.is_nearly_flat(own, l) &&
-              are_coplanar(*balls_, near[i], near[j], near[k], near[l])) {
-            continue;
+          if (directed && directions.is_nearly_flat(own, l)) {
+            const uint64_t some = UINT64_C(1) << i | UINT64_C(1) << j | UINT64_C(1) << k | UINT64_C(1) << l;
+            if (known.are_in_plane(some) || are_coplanar(*balls_, near[i], near[j], near[k], near[l])) continue;
           }
           ++work_.quadruples;
           const uint32_t four[4] = {near[i], near[j], near[k], near[l]};
-          if (try_point(four, 4, near, block, other) && alone) return;
+          if (try_point(four, 4, near, block, other, known) && alone) return;
         }
       }
     }
@@ -580,7 +537,7 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, con
 
 // Whether the point of a set is a critical one where all balls that are near tie.
 bool CriticalPoints::try_point(const uint32_t *ids, uint32_t count, Span<const uint32_t> near, const Block &block,
-                               const Block &other) {
+                               const Block &other, KnownTies &known) {
   const BallSet &balls = *balls_;
   TangentPoint point(lines());
   const bool found = point.find(balls, {ids[0], ids[1], ids[2]}, count == 3 ? no_id : ids[3], false);
@@ -595,17 +552,31 @@ bool CriticalPoints::try_point(const uint32_t *ids, uint32_t count, Span<const u
   bool kept = point.level_against(floor_) > 0 && !(count == 3 ? are_collinear(balls, ids[0], ids[1], ids[2])
                                                               : are_coplanar(balls, ids[0], ids[1], ids[2], ids[3]));
   kept = kept && is_in(point, block) && is_in(point, other);
-  uint32_t tied = 0;
-  for (uint32_t k = 0; kept && k < near.size(); ++k) {
-    const int sign = point.nearness(near[k]);
-    kept = sign >= 0;
-    if (sign == 0) at_point_[tied++] = near[k];
-  }
   bool on_side = false;
   kept = kept && (count == 3 ? is_in_triangle(point, ids[0], ids[1], ids[2], on_side)
                              : is_in_tetrahedron(balls, point, ids, on_side));
+  uint32_t tied = 0;
+  uint64_t ties = 0;
+  for (uint32_t k = 0; kept && k < near.size(); ++k) {
+    const int sign = point.nearness(near[k]);
+    kept = sign >= 0;
+    if (sign != 0) continue;
+    at_point_[tied++] = near[k];
+    ties |= k < 64 ? UINT64_C(1) << k : 0;
+  }
+  // Where 0 is in the hull of the directions from some balls the largest of their distances is least, so that such a
+  // point of the same balls is the same one.
+  if (kept && near.size() <= 64 && tied > count) {
+    for (uint32_t k = 0; k < known.size; ++k) {
+      if (known.set[k] == ties) return tied == near.size();
+    }
+  }
   const PointKind kind = count == 3 ? PointKind::gate : PointKind::maximum;
   if (kept) kept = (tied == count && !on_side) || kind_of(balls, point, at_point_.part(0, tied)) == kind;
+  if (kept && near.size() <= 64 && known.size < KnownTies::room) {
+    known.in_plane[known.size] = kind == PointKind::gate;
+    known.set[known.size++] = ties;
+  }
   if (kept) add(point, ids, kind, at_point_.part(0, tied));
   beyond_reach_ = beyond_reach_ || point.beyond_reach();
   return kept && tied == near.size();

@@ -77,8 +77,22 @@ class CriticalPoints {
   void settle_ties(Cube &cube);
   uint32_t drop_farther(uint32_t first, uint32_t count);
   void try_sets(Span<const uint32_t> near, const Block &block, const Block &other, bool alone);
-  bool try_point(const uint32_t *ids, uint32_t count, Span<const uint32_t> near, const Block &block,
-                 const Block &other);
+  // Sets of balls that tie at points which were found in one cube: bits of places among those that are near.
+  struct KnownTies {
+    static constexpr uint32_t room = 8;
+    uint64_t set[room];
+    bool in_plane[room];  // of gates all centres are in one
+    uint32_t size = 0;
+
+    // Whether some of them are certainly in one plane.
+    bool are_in_plane(uint64_t some) const {
+      bool are = false;
+      for (uint32_t k = 0; k < size; ++k) are = are || (in_plane[k] && (some & ~set[k]) == 0);
+      return are;
+    }
+  };
+  bool try_point(const uint32_t *ids, uint32_t count, Span<const uint32_t> near, const Block &block, const Block &other,
+                 KnownTies &known);
   void add(TangentPoint &point, const uint32_t *ids, PointKind kind, Span<uint32_t> tied);
   PointName name_of_ids(const uint32_t *ids, uint32_t count);
 

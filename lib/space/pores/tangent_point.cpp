@@ -573,11 +573,22 @@ bool are_collinear(const BallSet &balls, uint32_t i, uint32_t j, uint32_t k) {
   return zero(normal.template operator()<Bounded>()) && zero(normal.template operator()<Integer>());
 }
 
+// By integers of a fixed length, as it is asked where doubles have no answer: differences are below 2^53.
 bool are_coplanar(const BallSet &balls, uint32_t i, uint32_t j, uint32_t k, uint32_t l) {
-  return sign_of_number([&]<class Number>() {
-           return dot(cross(difference<Number>(balls, i, j), difference<Number>(balls, i, k)),
-                      difference<Number>(balls, i, l));
-         }) == 0;
+  using Short = exact::WideInteger<exact::FastLimb, 64>;
+  struct Difference {
+    Short x, y, z;
+  };
+  const auto from_first = [&](uint32_t to) {
+    const Vec3 d = balls.difference(i, to);
+    const auto whole = [](double x) { return Short::from(static_cast<int64_t>(x)); };
+    return Difference{whole(d.x), whole(d.y), whole(d.z)};
+  };
+  const Difference u = from_first(j), v = from_first(k), w = from_first(l);
+  const auto part = [](const Short &a, const Short &b, const Short &c, const Short &d, const Short &along) {
+    return exact::product<192>(exact::product<128>(a, b) - exact::product<128>(c, d), along);
+  };
+  return (part(u.y, v.z, u.z, v.y, w.x) + part(u.z, v.x, u.x, v.z, w.y) + part(u.x, v.y, u.y, v.x, w.z)).sign() == 0;
 }
 
 CurveShape::CurveShape(const BallSet &balls, const TangentCurve &curve) {

@@ -28,29 +28,104 @@ PointKind kind_in_plane(const TangentPoint &point, Span<const uint32_t> tied, co
   return apart ? PointKind::gate : PointKind::passing;
 }
 
-constexpr double clear_of_rounding = 1e-9;
+constexpr double clear_of_rounding = 1e-9, clear_of_slivers = 1e-5;
 
 }  // namespace
 
+double depth_of_hull(Span<const Vec3> a) {
+  const uint32_t count = a.size();
+  constexpr uint32_t most = 16;  // the hull of some of them is inside that of all
+  uint32_t chosen[most] = {0};
+  uint32_t size = 1;
+  for (; size < most && size < count; ++size) {
+    double best = -1.0;
+    uint32_t which = 0;
+    for (uint32_t k = 0; k < count; ++k) {
+      double nearest_chosen = 8.0;
+      for (uint32_t c = 0; c < size; ++c) {
+        const Vec3 d = a[k] - a[chosen[c]];
+        if (dot(d, d) < nearest_chosen) nearest_chosen = dot(d, d);
+      }
+      if (nearest_chosen > best) {
+        best = nearest_chosen;
+        which = k;
+      }
+    }
+    chosen[size] = which;
+  }
+  double depth = 1.0;
+  bool any = false;
+  for (uint32_t i = 0; i < size; ++i) {
+    for (uint32_t j = i + 1; j < size; ++j) {
+      for (uint32_t k = j + 1; k < size; ++k) {
+        const Vec3 &p = a[chosen[i]];
+        const Vec3 n = cross(a[chosen[j]] - p, a[chosen[k]] - p);
+        const double length = std::sqrt(dot(n, n));
+        if (length < 1e-6) continue;
+        // A plane counts if all are on one side of it, or nearly: one too many only makes the bound less.
+        bool above = false, below = false;
+        for (uint32_t l = 0; l < size; ++l) {
+          const double height = dot(n, a[chosen[l]] - p);
+          above = above || height > 1e-9 * length;
+          below = below || height < -1e-9 * length;
+        }
+        if (above && below) continue;
+        const double offset = dot(n, p) / length;
+        // All in one plane have no inside.
+        const double inside = above ? -offset : below ? offset : -std::fabs(offset);
+        if (inside < depth) depth = inside;
+        any = true;
+      }
+    }
+  }
+  return any ? depth - 1e-8 : -1.0;
+}
+
 TiedDirections::TiedDirections(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied) {
-  if (tied.size() <= 4 || tied.size() > room) return;
+  if (tied.size() < 4 || tied.size() > room) return;
   const Vec3 at = point.place_estimate();
   const double error = point.place_error();
   for (uint32_t k = 0; k < tied.size(); ++k) {
     const Vec3 y = at - Vec3{balls.x[tied[k]], balls.y[tied[k]], balls.z[tied[k]]};
     const double length = std::sqrt(dot(y, y));
-    if (!(error < 1e-12 * length)) return;
+    if (!(error < 1e-11 * length)) return;
     a_[k] = (1.0 / length) * y;
   }
   count_ = tied.size();
 }
 
-bool TiedDirections::are_on_both_sides(uint32_t i, uint32_t j, uint32_t k) const {
+bool TiedDirections::surround() const {
+  return count_ > 0 && depth_of_hull({a_, count_}) > clear_of_slivers;
+}
+
+// The way along which all three distances grow alike is across their plane, and up where 0 is below it.
+bool TiedDirections::is_closed(uint32_t i, uint32_t j, uint32_t k) const {
   const Vec3 n = cross(a_[j] - a_[i], a_[k] - a_[i]);
   const double offset = dot(n, a_[i]);
   bool above = false, below = false;
-  for (uint32_t l = 0; l < count_ && !(above && below); ++l) {
+  for (uint32_t l = 0; l < count_; ++l) {
     const double height = dot(n, a_[l]) - offset;
+    above = above || height > clear_of_rounding;
+    below = below || height < -clear_of_rounding;
+    if ((above && (below || offset < -clear_of_rounding)) || (below && offset > clear_of_rounding)) return true;
+  }
+  return false;
+}
+
+bool TiedDirections::is_off_plane(uint32_t i, uint32_t j, uint32_t k) const {
+  return count_ > 0 && std::fabs(dot(cross(a_[i], a_[j]), a_[k])) > clear_of_rounding;
+}
+
+bool TiedDirections::are_apart(uint32_t i, uint32_t j) const {
+  const Vec3 n = cross(a_[i], a_[j]);
+  return count_ > 0 && dot(n, n) > clear_of_rounding;
+}
+
+bool TiedDirections::are_on_both_sides(uint32_t i, uint32_t j) const {
+  const Vec3 n = cross(a_[i], a_[j]);
+  bool above = false, below = false;
+  for (uint32_t l = 0; l < count_ && !(above && below); ++l) {
+    const double height = dot(n, a_[l]);
     above = above || height > clear_of_rounding;
     below = below || height < -clear_of_rounding;
   }
@@ -72,25 +147,22 @@ int TiedDirections::surround(uint32_t i, uint32_t j, uint32_t k, uint32_t l) con
 
 PointKind kind_of(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied) {
   const TiedDirections directions(balls, point, tied);
-  for (uint32_t a = 0; a < tied.size(); ++a) {
-    for (uint32_t b = a + 1; b < tied.size(); ++b) {
-      for (uint32_t c = b + 1; c < tied.size(); ++c) {
-        for (uint32_t d = c + 1; d < tied.size(); ++d) {
-          if (directions.surround(a, b, c, d) > 0) return PointKind::maximum;
-        }
-      }
-    }
-  }
+  if (directions.surround()) return PointKind::maximum;
   // The extreme rays of K are orthogonal to two directions that are not parallel.
-  bool solid = false;
-  for (uint32_t a = 0; a < tied.size(); ++a) {
-    for (uint32_t b = a + 1; b < tied.size(); ++b) {
+  bool solid = false, flat = false;
+  for (uint32_t a = 0; a < tied.size() && !flat; ++a) {
+    for (uint32_t b = a + 1; b < tied.size() && !flat; ++b) {
+      if (directions.are_on_both_sides(a, b)) {
+        solid = true;
+        continue;
+      }
       Signs signs;
       for (uint32_t c = 0; c < tied.size() && !signs.both(); ++c) {
         if (c != a && c != b) signs.add(point.side_of_plane(tied[a], tied[b], tied[c]));
       }
       if (signs.any() && !signs.both()) return PointKind::passing;
       solid = solid || signs.any();
+      flat = !signs.any() && directions.are_apart(a, b);
     }
   }
   if (solid) return PointKind::maximum;

@@ -13,14 +13,21 @@ namespace hsp {
 
 enum class PointKind : uint32_t { passing, gate, maximum };
 
-// Of a point and all balls that are nearest to it.
-// Unit vectors from the centres of many tied balls to their point, in doubles: what is certain by them need not be
-// asked of the exact stage.
+// Unit vectors from the centres of tied balls to their point, in doubles: what is certain by them need not be asked of
+// the exact stage.
 class TiedDirections {
  public:
   TiedDirections(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied);
-  // Whether some are certainly on both sides of the plane through three of them: no curve of these leads up.
-  bool are_on_both_sides(uint32_t i, uint32_t j, uint32_t k) const;
+  // Whether on the curve of three of them, upwards, another one certainly gets nearer at once.
+  bool is_closed(uint32_t i, uint32_t j, uint32_t k) const;
+  // Whether the point is certainly not in the plane of three of the centres.
+  bool is_off_plane(uint32_t i, uint32_t j, uint32_t k) const;
+  // Whether two of them certainly make a plane with the point.
+  bool are_apart(uint32_t i, uint32_t j) const;
+  // Whether some centres are certainly on both sides of the plane through the point and two of them.
+  bool are_on_both_sides(uint32_t i, uint32_t j) const;
+  // Whether 0 is certainly inside their hull: the point is a maximum.
+  bool surround() const;
   // Whether 0 is in the tetrahedron of four: +1 and -1 if that is certain.
   int surround(uint32_t i, uint32_t j, uint32_t k, uint32_t l) const;
 
@@ -30,6 +37,10 @@ class TiedDirections {
   uint32_t count_ = 0;  // 0: nothing is certain
 };
 
+// A lower bound of how far 0 is inside the hull of unit vectors; not positive if it is outside or nearly.
+double depth_of_hull(Span<const Vec3> a);
+
+// Of a point and all balls that are nearest to it.
 PointKind kind_of(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied);
 
 // Whether a point is in the triangle of three centres, in whose plane it lies, or in the tetrahedron of four that are

@@ -94,11 +94,12 @@ bool WayUp::leave(Way &way) {
   const TangentCurve before = way.curve;
   const Span<const uint32_t> tied = tied_.items();
   const TiedDirections directions(*balls_, point_, tied);
+  if (directions.surround()) return false;
   bool in_one_plane = true;
   for (uint32_t a = 0; a < tied.size(); ++a) {
     for (uint32_t b = a + 1; b < tied.size(); ++b) {
       for (uint32_t c = b + 1; c < tied.size(); ++c) {
-        if (directions.are_on_both_sides(a, b, c)) {
+        if (directions.is_closed(a, b, c)) {
           in_one_plane = false;
           continue;
         }
@@ -116,7 +117,7 @@ bool WayUp::leave(Way &way) {
       for (uint32_t c = b + 1; c < tied.size(); ++c) {
         way.curve = {tied[a], tied[b], tied[c]};
         bool on_side = false;
-        if (directions.are_on_both_sides(a, b, c) || point_.side_of_curve(way.curve) != 0 ||
+        if (directions.is_closed(a, b, c) || directions.is_off_plane(a, b, c) || point_.side_of_curve(way.curve) != 0 ||
             are_collinear(*balls_, tied[a], tied[b], tied[c]) ||
             !is_in_triangle(point_, tied[a], tied[b], tied[c], on_side)) {
           continue;
