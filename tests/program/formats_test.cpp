@@ -2,6 +2,7 @@
 // the PDB file by its columns, so that nothing of the program's readers has a part in them.
 #include <gtest/gtest.h>
 
+#include <random>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -314,6 +315,50 @@ TEST(Cif, RowsAndLines) {
   const TemporaryFile broken("broken.cif", head + "C1 C 0 0 0\nC2 C 9 0\n");
   EXPECT_NE(run_program({"measure", broken.path()}).err.find("a row of _atom_site has 4 of 5 values"),
             std::string::npos);
+}
+
+// Rows in the columns of the row before, of which only values that differ are looked at, are read like rows of two
+// lines, which are taken value by value.
+TEST(Cif, RowsInColumnsOfTheRowBefore) {
+  std::mt19937 random(5);
+  const auto one_of = [&](const std::vector<std::string> &texts) { return texts[random() % texts.size()]; };
+  const std::string head = cif_loop({"group_PDB", "type_symbol", "auth_atom_id", "label_alt_id", "auth_comp_id",
+                                     "label_asym_id", "auth_asym_id", "auth_seq_id", "pdbx_PDB_ins_code", "Cartn_x",
+                                     "Cartn_y", "Cartn_z", "pdbx_PDB_model_num"});
+  double left_out = 0.0;
+  for (int round = 0; round < 40; ++round) {
+    std::string in_columns = head, on_two_lines = head;
+    std::string group = "ATOM  ", comp = "ALA", label = "A", chain = "A", number = "9 ", insertion = "?", model = "1";
+    for (int i = 0; i < 60; ++i) {
+      if (random() % 9 == 0) group = one_of({"ATOM  ", "HETATM"});
+      if (random() % 9 == 0) comp = one_of({"ALA", "SER", "'S'"});
+      if (random() % 9 == 0) label = one_of({"A", "B", "?"});
+      if (random() % 9 == 0) chain = one_of({"A", "B", "."});
+      if (random() % 5 == 0) number = one_of({"9 ", "10", "? "});
+      if (random() % 9 == 0) insertion = one_of({"?", "A"});
+      if (random() % 20 == 0) model = one_of({"1", "2"});
+      const std::string front = group + " C " + one_of({"CA   ", "CB   ", "N    ", "\"C1'\"", "'C'' "}) + " " +
+                                one_of({".", ".", ".", ".", "A", "B"}) + " " + comp + " " + label + " " + chain + " " +
+                                number + " " + insertion;
+      const std::string behind =
+          one_of({"1.5     ", "-2.25000", "300     "}) + " 1 2 " + model + (random() % 30 == 0 ? "\n" : " \n");
+      in_columns.append(front).append(" ").append(behind);
+      on_two_lines.append(front).append("\n").append(behind);
+    }
+    const TemporaryFile file("columns.cif", in_columns), other("lines.cif", on_two_lines);
+    for (const char *number_of_model : {"1", "2"}) {
+      const Outcome outcome = run_program({"measure", file.path(), "--csv", "--model", number_of_model});
+      ASSERT_EQ(outcome.out, run_program({"measure", other.path(), "--csv", "--model", number_of_model}).out) << round;
+      if (outcome.status != 0) continue;  // there is one model
+      const Json one = run_json({"measure", file.path(), "--model", number_of_model})["input"];
+      const Json two = run_json({"measure", other.path(), "--model", number_of_model})["input"];
+      for (const char *what : {"other_models", "alternate_locations"}) {
+        ASSERT_EQ(one["left_out"][what].number, two["left_out"][what].number) << round;
+        left_out += one["left_out"][what].number;
+      }
+    }
+  }
+  EXPECT_GT(left_out, 1000.0);
 }
 
 // Symbols with a charge, and deuterium.

@@ -57,8 +57,9 @@ static bool run_command(const struct request *request, uint32_t threads, struct 
     out->threads = threads;
     /* Pores are those of every probe. */
     const double grown = request->command == COMMAND_PORES ? 0.0 : request->probe;
-    done = done && geometry_set_model(&geometry, &molecule, grown, 0.0, failure) &&
-           command(request, &molecule, &geometry, out, failure);
+    done = done && geometry_set_model(&geometry, &molecule, grown, 0.0, failure);
+    if (done && !request_wants_places(request)) molecule_drop_balls(&molecule);
+    done = done && command(request, &molecule, &geometry, out, failure);
     geometry_free(&geometry);
   }
   if (done) notes_count_water(notes, request, &molecule);

@@ -14,13 +14,12 @@ struct among {
   uint64_t water_atoms;
   uint64_t hetatm; /* other than water */
   uint64_t hydrogens;
-  uint64_t points;     /* balls of radius 0 */
   uint64_t by_element; /* balls whose radii are */
   uint64_t by_number;  /* balls whose element is a number in the file */
 };
 
 static struct among count_among(const struct molecule *molecule) {
-  struct among among = {0, 0, 0, 0, 0, 0, 0};
+  struct among among = {0, 0, 0, 0, 0, 0};
   bool water = false; /* the residue of the atom before */
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     const struct atom_label *label = &molecule->label[i];
@@ -32,7 +31,6 @@ static struct among count_among(const struct molecule *molecule) {
     if (water) ++among.water_atoms;
     if (label->hetatm && !water) ++among.hetatm;
     if (atom_is_hydrogen(label)) ++among.hydrogens;
-    if (molecule->radius[i] == 0.0) ++among.points;
     if (!label->by_name) ++among.by_element;
     if (label->by_number) ++among.by_number;
   }
@@ -175,7 +173,7 @@ static void rows(struct text_buffer *out, const struct request *request, const s
   rows_left_out(out, &molecule->left_out);
   if (!file_format_has(request->format, FILE_RADII)) {
     rows_radii(out, request, molecule, &among);
-  } else if (among.points == molecule->atoms) {
+  } else if (molecule_points(molecule) == molecule->atoms) {
     report_row(out, "radii", "from the file; all of them are 0", "");
   } else {
     report_row(out, "radii", "from the file", "");
@@ -231,7 +229,7 @@ void input_report_json(struct text_buffer *out, const struct request *request, c
   json_count(out, "water_atoms", among.water_atoms);
   json_count(out, "hetatm", among.hetatm);
   json_count(out, "hydrogens", among.hydrogens);
-  json_count(out, "radius_zero", among.points);
+  json_count(out, "radius_zero", molecule_points(molecule));
   json_count(out, "radius_by_element", file_format_has(molecule->format, FILE_RADII) ? 0 : among.by_element);
   if (file_format_has(molecule->format, FILE_ATOMIC_NUMBERS)) json_count(out, "atomic_numbers", among.by_number);
   if (file_format_has(molecule->format, FILE_COORDINATE_ITEMS)) {

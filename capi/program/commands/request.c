@@ -13,6 +13,11 @@ bool request_wants_areas(const struct request *request) {
          (request->excluded_surface && request->weights != NULL);
 }
 
+bool request_wants_places(const struct request *request) {
+  return request->command != COMMAND_MEASURE || request_wants_balls(request) || request->interface != NULL ||
+         request->pdb_out != NULL || request->box.source != BOX_NONE || request->trajectory != NULL;
+}
+
 bool request_wants_part(const struct request *request) {
   return request->part.count > 0;
 }

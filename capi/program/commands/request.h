@@ -116,6 +116,9 @@ bool request_wants_balls(const struct request *request);
 /* Whether the area of each ball is asked for, in whatever form. */
 bool request_wants_areas(const struct request *request);
 
+/* Whether places or radii of the balls are asked for once the library has them. */
+bool request_wants_places(const struct request *request);
+
 /* Whether there is such a part of the molecule. */
 bool request_wants_part(const struct request *request);
 

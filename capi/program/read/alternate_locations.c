@@ -26,15 +26,11 @@ struct location_slot {
   uint32_t place; /* in `seen`, plus 1; 0: empty */
 };
 
-struct waiting_name {
-  char text[8];
-};
-
 /* Neighbours in the file without letters, of one residue. */
 struct residue_visit {
   struct residue_place place;
   char residue[8];  /* its name */
-  size_t first;     /* of the names that wait */
+  uint32_t first;   /* of the atoms that wait, in the molecule */
   uint32_t count;   /* of them; 0: none waits any more */
   uint32_t next;    /* of the same residue, counted from 1; 0: none */
   uint32_t last;    /* of the first visit of a residue: the last one, counted from 1 */
@@ -124,17 +120,9 @@ static bool goes_on(const struct residue_visit *visit, const struct residue_plac
 }
 
 /* Note an atom without a letter. False: memory is short. */
-static bool note_waiting(struct alternate_locations *locations, const char *name, const struct residue_place *place,
+static bool note_waiting(struct alternate_locations *locations, uint32_t atom, const struct residue_place *place,
                          const char *residue) {
   struct residue_visit *visit = locations->visits > 0 ? &locations->visit[locations->visits - 1] : NULL;
-  if (locations->waits == locations->wait_room) {
-    const size_t room = locations->wait_room == 0 ? 512 : 2 * locations->wait_room;
-    struct waiting_name *waiting =
-        room > SIZE_MAX / sizeof *waiting ? NULL : realloc(locations->waiting, room * sizeof *waiting);
-    if (waiting == NULL) return false;
-    locations->waiting = waiting;
-    locations->wait_room = room;
-  }
   /* One that is in the table may have been shown. */
   if (visit == NULL || locations->numbered == locations->visits || !goes_on(visit, place, residue)) {
     if (locations->visits == locations->visit_room) {
@@ -146,11 +134,10 @@ static bool note_waiting(struct alternate_locations *locations, const char *name
       locations->visit_room = (uint32_t)room;
     }
     visit = &locations->visit[locations->visits++];
-    *visit = (struct residue_visit){.place = *place, .first = locations->waits};
+    *visit = (struct residue_visit){.place = *place, .first = atom};
     memcpy(visit->residue, residue, sizeof visit->residue);
   }
   ++visit->count;
-  memcpy(locations->waiting[locations->waits++].text, name, sizeof locations->waiting->text);
   return true;
 }
 
@@ -194,8 +181,9 @@ static bool number_visits(struct alternate_locations *locations) {
   return true;
 }
 
-/* Show the atoms that wait of a residue. */
-static bool show_waiting(struct alternate_locations *locations, const struct residue_place *place) {
+/* Show the atoms that wait of a residue; label: of all atoms. */
+static bool show_waiting(struct alternate_locations *locations, const struct atom_label *label,
+                         const struct residue_place *place) {
   if (locations->visits == 0) return true;
   if (!number_visits(locations)) return false;
   const uint32_t first = *residue_at(locations, place);
@@ -204,8 +192,7 @@ static bool show_waiting(struct alternate_locations *locations, const struct res
   for (;;) {
     struct residue_visit *const visit = &locations->visit[*waiting - 1];
     for (uint32_t k = 0; k < visit->count; ++k) {
-      const struct seen_location atom =
-          location_of(locations->waiting[visit->first + k].text, place, visit->residue, ' ');
+      const struct seen_location atom = location_of(label[visit->first + k].name, place, visit->residue, ' ');
       if (first_of(locations, &atom) == NULL) return false;
     }
     visit->count = 0;
@@ -214,13 +201,13 @@ static bool show_waiting(struct alternate_locations *locations, const struct res
   }
 }
 
-bool alternate_locations_keep(struct alternate_locations *locations, const struct atom_label *label,
-                              struct field segment, char letter, bool *keep) {
+bool alternate_locations_keep(struct alternate_locations *locations, const struct molecule *molecule,
+                              const struct atom_label *label, struct field segment, char letter, bool *keep) {
   static const char nobody[sizeof label->name] = "";
   const struct residue_place place = place_of(label->residue, segment);
   *keep = true;
-  if (letter == ' ') return note_waiting(locations, label->name, &place, label->residue->name);
-  if (!show_waiting(locations, &place)) return false;
+  if (letter == ' ') return note_waiting(locations, molecule->atoms, &place, label->residue->name);
+  if (!show_waiting(locations, molecule->label, &place)) return false;
   const struct seen_location atom = location_of(label->name, &place, label->residue->name, letter);
   const struct seen_location *first_atom = first_of(locations, &atom);
   if (first_atom == NULL) return false;
@@ -234,11 +221,14 @@ bool alternate_locations_keep(struct alternate_locations *locations, const struc
   return true;
 }
 
+void alternate_locations_go_on(struct alternate_locations *locations) {
+  ++locations->visit[locations->visits - 1].count;
+}
+
 void alternate_locations_free(struct alternate_locations *locations) {
   free(locations->seen);
   free(locations->slots);
   free(locations->visit);
-  free(locations->waiting);
   free(locations->residue);
   *locations = (struct alternate_locations)ALTERNATE_LOCATIONS_NONE;
 }

@@ -17,8 +17,13 @@ struct cif_lines {
   const enum cif_item *items; /* [count] */
   size_t count;
   bool known;
-  uint64_t begins[CIF_LINE_WORDS]; /* a bit for each column; of all values */
-  size_t wanted;                   /* items with a meaning, in the order of their columns */
+  uint64_t begins[CIF_LINE_WORDS];    /* a bit for each column; of all values */
+  size_t wanted;                      /* items with a meaning: first those that atoms of a residue share */
+  size_t shared;                      /* how many */
+  uint64_t of_shared[CIF_LINE_WORDS]; /* the columns of their values, if `compares` */
+  bool compares;                      /* rows begin in the same columns, so that they are compared */
+  size_t length;                      /* of the last row */
+  char before[CIF_LINE_BYTES];        /* the last row */
   unsigned char item[CIF_ITEMS];
   unsigned char begin[CIF_ITEMS];
 };

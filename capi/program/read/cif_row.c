@@ -86,6 +86,7 @@ void cif_row_clear(struct cif_row *row, uint64_t line) {
   memset(row->length, 0, sizeof row->length);
   row->text.length = 0;
   row->values = NULL;
+  row->goes_on = false;
   row->line = line;
 }
 

@@ -78,6 +78,7 @@ struct cif_row {
   size_t length[CIF_ITEMS]; /* 0 where the file says nothing */
   uint64_t line;
   const char *values; /* what they are in; NULL: the text below */
+  bool goes_on;       /* model, residue and letter of the location are those of the row before, which was a line, too */
   struct text_buffer text;
 };
 

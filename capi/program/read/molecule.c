@@ -38,7 +38,7 @@ static const struct residue_label *keep_residue(struct residue_list *list, const
   struct residue_block *block = list->last;
   if (list->used > 0) {
     const struct residue_label *const before = &block->label[list->used - 1];
-    if (memcmp(before, residue, sizeof *residue) == 0) return before;
+    if (residue == before || memcmp(before, residue, sizeof *residue) == 0) return before;
   }
   if (block == NULL || list->used == RESIDUES_OF_BLOCK) {
     struct residue_block *next = block == NULL ? NULL : block->next;
@@ -263,6 +263,23 @@ bool atom_is_of_chain(const struct atom_label *label) {
 
 bool atom_is_hydrogen(const struct atom_label *label) {
   return strcmp(label->element.text, "H") == 0;
+}
+
+uint32_t molecule_points(const struct molecule *molecule) {
+  uint32_t points = molecule->points;
+  for (uint32_t i = 0; molecule->radius != NULL && i < molecule->atoms; ++i) {
+    if (molecule->radius[i] == 0.0) ++points;
+  }
+  return points;
+}
+
+void molecule_drop_balls(struct molecule *molecule) {
+  molecule->points = molecule_points(molecule);
+  free(molecule->xyz);
+  free(molecule->radius);
+  free(molecule->line);
+  molecule->xyz = molecule->radius = NULL;
+  molecule->line = NULL;
 }
 
 void molecule_free(struct molecule *molecule) {

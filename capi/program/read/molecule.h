@@ -102,9 +102,10 @@ struct molecule {
   uint32_t capacity;
   uint32_t read;            /* atoms that were read, whatever became of them */
   uint32_t most;            /* that may be read */
-  double *xyz;              /* [atoms][3] */
+  double *xyz;              /* [atoms][3]; NULL, as the next two, after molecule_drop_balls */
   double *radius;           /* [atoms] */
   uint32_t *line;           /* [atoms], the line that an atom was read from; 0: none, or beyond 4 billion */
+  uint32_t points;          /* atoms whose radius was 0 then */
   struct atom_label *label; /* [atoms] */
   struct residue_list residues;
   unsigned keeps;           /* what else: molecule_keeping */
@@ -150,6 +151,12 @@ void molecule_move_atom(struct molecule *molecule, uint32_t to, uint32_t from);
  * atoms whose names do not tell the element. */
 bool molecule_take_radii(struct molecule *molecule, const struct radii *radii, const struct radii_table *table,
                          struct failure *failure);
+
+/* Give back the memory of balls that the library has. Only what is about labels may be called then. */
+void molecule_drop_balls(struct molecule *molecule);
+
+/* How many balls of radius 0 there are. */
+uint32_t molecule_points(const struct molecule *molecule);
 
 /* Whether the atom belongs to a water molecule, by the name of its residue. */
 bool atom_is_water(const struct atom_label *label);

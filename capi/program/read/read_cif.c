@@ -27,7 +27,8 @@ struct cif_reading {
   struct molecule *molecule;
   struct failure *failure;
   struct cif_row row;
-  struct cif_crystal crystal; /* of this block */
+  const struct residue_label *residue; /* of the atom of the row before, which had no letter; NULL: of none */
+  struct cif_crystal crystal;          /* of this block */
   struct cif_component component;
   enum cif_table table;    /* that is read */
   enum cif_table source;   /* that atoms come from: what is no component comes first */
@@ -87,14 +88,11 @@ static struct field name_of(const struct cif_row *row) {
   return name.length > 0 ? name : cif_row_get(row, CIF_SITE_LABEL);
 }
 
-static void take_label(const struct cif_row *row, struct residue_label *residue, struct atom_label *label) {
-  label->residue = residue;
-  label_copy(label->name, sizeof label->name, name_of(row));
+static void take_residue(const struct cif_row *row, struct residue_label *residue) {
   label_copy(residue->name, sizeof residue->name, cif_row_either(row, CIF_AUTH_RESIDUE, CIF_LABEL_RESIDUE));
   label_copy(residue->chain, sizeof residue->chain, cif_row_either(row, CIF_AUTH_CHAIN, CIF_LABEL_CHAIN));
   label_copy(residue->number, sizeof residue->number, cif_row_either(row, CIF_AUTH_NUMBER, CIF_LABEL_NUMBER));
   label_copy(residue->insertion, sizeof residue->insertion, cif_row_get(row, CIF_INSERTION));
-  label->hetatm = field_is(cif_row_get(row, CIF_GROUP), "HETATM");
 }
 
 /* The temperature factor, if it is kept. */
@@ -126,7 +124,7 @@ static bool take_cartesian(struct cif_reading *reading, double xyz[3]) {
   static const char *const names[3] = {"Cartn_x", "Cartn_y", "Cartn_z"};
   for (int axis = 0; axis < 3; ++axis) {
     const struct field value = cif_row_get(&reading->row, (enum cif_item)(CIF_X + axis));
-    if (reading->row.values != NULL && word_token(value.text, value.length, &xyz[axis])) continue;
+    if (reading->row.values != NULL && word_decimal(value.text, value.length, 0, &xyz[axis])) continue;
     const struct field number = cif_without_uncertainty(value);
     if (!field_number(number, names[axis], &xyz[axis], reading->row.line, reading->failure)) return false;
   }
@@ -157,7 +155,8 @@ static bool take_fractions(struct cif_reading *reading, double xyz[3], bool *kee
   return true;
 }
 
-static bool take_atom(struct cif_reading *reading) {
+/* before: the residue of the row before, if this row goes on with it. */
+static bool take_atom(struct cif_reading *reading, const struct residue_label *before) {
   const struct cif_row *row = &reading->row;
   struct molecule *molecule = reading->molecule;
   struct failure *failure = reading->failure;
@@ -167,11 +166,18 @@ static bool take_atom(struct cif_reading *reading) {
   if (!keep) return true;
   struct residue_label residue = RESIDUE_LABEL_NONE;
   struct atom_label label = ATOM_LABEL_NONE;
-  take_label(row, &residue, &label);
+  label_copy(label.name, sizeof label.name, name_of(row));
+  label.hetatm = field_is(cif_row_get(row, CIF_GROUP), "HETATM");
+  label.residue = before != NULL ? before : &residue;
   const struct field alternate = cif_row_get(row, CIF_ALTERNATE);
-  if (!alternate_locations_keep(&reading->seen, &label, cif_row_get(row, CIF_LABEL_CHAIN),
-                                alternate.length == 0 ? ' ' : alternate.text[0], &keep)) {
-    return failure_of_memory(failure);
+  const char letter = alternate.length == 0 ? ' ' : alternate.text[0];
+  if (before != NULL) {
+    alternate_locations_go_on(&reading->seen);
+  } else {
+    take_residue(row, &residue);
+    if (!alternate_locations_keep(&reading->seen, molecule, &label, cif_row_get(row, CIF_LABEL_CHAIN), letter, &keep)) {
+      return failure_of_memory(failure);
+    }
   }
   if (!keep) {
     ++molecule->left_out.alternate_locations;
@@ -181,6 +187,7 @@ static bool take_atom(struct cif_reading *reading) {
       !molecule_add(molecule, xyz, 0.0, &label, row->line, failure)) {
     return false;
   }
+  if (letter == ' ') reading->residue = molecule->label[molecule->atoms - 1].residue;
   take_extra(row, molecule_last_extra(molecule));
   return true;
 }
@@ -201,9 +208,12 @@ static bool take_component_atom(struct cif_reading *reading) {
 }
 
 static bool take_row(struct cif_reading *reading) {
+  const struct residue_label *const before = reading->row.goes_on ? reading->residue : NULL;
+  reading->residue = NULL;
+  reading->row.goes_on = false;
   if (reading->row.text.out_of_memory) return failure_of_memory(reading->failure);
-  if (!in_model(reading)) return true;
-  return reading->table == CIF_COMPONENT ? take_component_atom(reading) : take_atom(reading);
+  if (before == NULL && !in_model(reading)) return true;
+  return reading->table == CIF_COMPONENT ? take_component_atom(reading) : take_atom(reading, before);
 }
 
 /* Drops what was read of components, if anything: the file has a structure, and they are but its dictionary. */

@@ -110,7 +110,8 @@ static bool read_atom(const struct line_reader *reader, struct alternate_locatio
   label.hetatm = pdb_record_is_hetatm(reader->text);
   const struct field segment = field_in_columns(reader->text, reader->length, 73, 76);
   bool keep;
-  if (!alternate_locations_keep(seen, &label, segment, column(reader, 17), &keep)) return failure_of_memory(failure);
+  if (!alternate_locations_keep(seen, molecule, &label, segment, column(reader, 17), &keep))
+    return failure_of_memory(failure);
   if (!keep) {
     ++molecule->left_out.alternate_locations;
     return true;
@@ -121,35 +122,43 @@ static bool read_atom(const struct line_reader *reader, struct alternate_locatio
   return true;
 }
 
-/* The data kept from one plain record to the next: columns 18-25 and 20-27, and the residue in them. */
+/* The data kept from one plain record to the next: columns 18-25, 20-27 and 69-76, zeros after other records, and the
+ * residue in them, here and in the molecule. */
 struct plain_records {
-  uint64_t columns[2];
+  uint64_t columns[3];
   struct residue_label residue;
+  const struct residue_label *kept;
 };
+
+/* Whether there is a tab among 72 characters. */
+static bool has_tab(const char *text) {
+  uint32_t found = 0;
+  for (size_t at = 0; at < 64; at += 16) found |= equal_in_16(text + at, '\t');
+  return (found | equal_in_16(text + 56, '\t')) != 0;
+}
 
 /* An element's symbol of one or two letters, right-justified in columns 77-78. */
 static bool plain_element(const char *columns, struct element_symbol *element) {
   if (columns[0] == ' ') {
-    if (columns[1] == '\0' || strchr("HCNOSP", columns[1]) == NULL) return false;
-    element->text[0] = columns[1];
-    return true;
+    const char one = columns[1];
+    element->text[0] = one;
+    return one == 'C' || one == 'N' || one == 'O' || one == 'H' || one == 'S' || one == 'P';
   }
   return is_letter(columns[0]) && is_letter(columns[1]) && element_symbol_parse(columns, 2, element) &&
          element_symbol_exists(*element);
 }
 
-/* False: it may be the segment's name that tells the chain. */
-static bool plain_residue(const char *text, struct plain_records *plain) {
-  const uint64_t columns[2] = {word_at(text + 17), word_at(text + 19)};
-  if (columns[0] == plain->columns[0] && columns[1] == plain->columns[1]) return true;
-  if (text[21] == ' ') return false;
+static bool goes_on(const struct plain_records *plain, const uint64_t columns[3]) {
+  const uint64_t segment = (columns[2] ^ plain->columns[2]) >> 32;
+  return columns[0] == plain->columns[0] && columns[1] == plain->columns[1] && segment == 0;
+}
+
+static void plain_residue(const char *text, const uint64_t columns[3], struct plain_records *plain) {
   memset(&plain->residue, 0, sizeof plain->residue);
   word_put(plain->residue.name, word_label(columns[0], 3));
   plain->residue.chain[0] = text[21];
   word_put(plain->residue.number, word_label(columns[1] >> 24, 4));
   if (text[26] != ' ') plain->residue.insertion[0] = text[26];
-  memcpy(plain->columns, columns, sizeof columns);
-  return true;
 }
 
 /* Most records, eight columns at a time: one with all columns, a chain, a usual element, decimals that end in the last
@@ -162,22 +171,30 @@ static enum line_status read_plain_atom(const struct line_reader *reader, struct
   struct atom_label label = ATOM_LABEL_NONE;
   double xyz[3];
   if (reader->length < 78 || text[16] != ' ' || !pdb_record_is_plain_atom(text, reader->length)) return LINE_END;
-  uint64_t tabs = 0;
-  for (size_t at = 6; at < 78; at += 8) tabs |= word_find(word_at(text + at), '\t');
+  if (has_tab(text + 6)) return LINE_END;
   for (size_t axis = 0; axis < 3; ++axis) {
     if (!word_number(word_at(text + 30 + 8 * axis), &xyz[axis])) return LINE_END;
   }
-  if (tabs != 0 || !plain_element(text + 76, &label.element) || !plain_residue(text, plain)) return LINE_END;
-  label.residue = &plain->residue;
+  if (!plain_element(text + 76, &label.element)) return LINE_END;
+  const uint64_t columns[3] = {word_at(text + 17), word_at(text + 19), word_at(text + 68)};
+  const bool on = goes_on(plain, columns);
+  if (!on && text[21] == ' ') return LINE_END; /* it may be the segment's name that tells the chain */
+  if (!on) plain_residue(text, columns, plain);
+  label.residue = on ? plain->kept : &plain->residue;
   label.hetatm = text[0] == 'H';
   word_put(label.name, word_label(word_at(text + 12), 4));
   label_check_bead(&label);
   bool keep;
-  if (!alternate_locations_keep(seen, &label, field_in_columns(text, reader->length, 73, 76), ' ', &keep)) {
+  if (on) {
+    alternate_locations_go_on(seen);
+  } else if (!alternate_locations_keep(seen, molecule, &label, field_in_columns(text, reader->length, 73, 76), ' ',
+                                       &keep)) {
     failure_of_memory(failure);
     return LINE_FAILED;
   }
   if (!molecule_add(molecule, xyz, 0.0, &label, reader->number, failure)) return LINE_FAILED;
+  memcpy(plain->columns, columns, sizeof columns);
+  plain->kept = molecule->label[molecule->atoms - 1].residue;
   take_extra(reader, molecule_last_extra(molecule));
   return LINE_READ;
 }
@@ -185,13 +202,14 @@ static enum line_status read_plain_atom(const struct line_reader *reader, struct
 static bool read_any_atom(struct line_reader *reader, struct plain_records *plain, struct alternate_locations *seen,
                           struct molecule *molecule, struct failure *failure) {
   const enum line_status status = read_plain_atom(reader, plain, seen, molecule, failure);
+  if (status == LINE_END) plain->columns[0] = 0;
   return status == LINE_END ? read_atom(reader, seen, molecule, failure) : status == LINE_READ;
 }
 
 static bool read_pdb(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
   struct alternate_locations seen = ALTERNATE_LOCATIONS_NONE;
   struct pdb_models models = {0, false};
-  struct plain_records plain = {{0, 0}, {"", "", "", ""}};
+  struct plain_records plain = {{0, 0, 0}, RESIDUE_LABEL_NONE, NULL};
   bool record_seen = false;
   enum line_status status;
   for (;;) {
@@ -207,7 +225,7 @@ static bool read_pdb(struct line_reader *reader, struct molecule *molecule, stru
 static enum line_status read_records(struct line_reader *reader, bool *begun, bool wanted,
                                      struct alternate_locations *seen, struct molecule *molecule,
                                      struct failure *failure) {
-  struct plain_records plain = {{0, 0}, {"", "", "", ""}};
+  struct plain_records plain = {{0, 0, 0}, RESIDUE_LABEL_NONE, NULL};
   for (;;) {
     const enum line_status status = line_reader_next(reader, failure);
     const bool within = *begun;

@@ -107,14 +107,6 @@ static inline bool word_number(uint64_t word, double *value) {
   return true;
 }
 
-/* The same of `length` characters without blanks. */
-static inline bool word_token(const char *text, size_t length, double *value) {
-  if (length == 0 || length > 8) return false;
-  const unsigned unused = 64 - 8 * (unsigned)length;
-  const uint64_t word = word_at(text) << unused | word_first(WORD_OF(' '), unused / 8);
-  return text[0] != ' ' && word_number(word, value);
-}
-
 /* Digits, at most 8 and before others perhaps, as a number. False: one of them is none. */
 static inline bool word_whole(uint64_t word, unsigned count, uint64_t *number) {
   *number = 0;
@@ -166,7 +158,8 @@ static inline uint64_t word_label(uint64_t word, unsigned width) {
   return word_first(word >> first, (last - first) / 8 + 1);
 }
 
-/* A bit for each of sixteen characters: those below `limit`, 1 to 128, and those that equal `byte`. */
+/* A bit for each of sixteen characters: those below `limit`, 1 to 128, those that equal `byte`, those that equal one of
+ * two, and those that differ from other ones. */
 #ifdef __SSE2__
 static inline uint32_t below_in_16(const char *text, char limit) {
   const __m128i bytes = _mm_loadu_si128((const __m128i *)(const void *)text), most = _mm_set1_epi8((char)(limit - 1));
@@ -176,6 +169,18 @@ static inline uint32_t below_in_16(const char *text, char limit) {
 static inline uint32_t equal_in_16(const char *text, char byte) {
   const __m128i bytes = _mm_loadu_si128((const __m128i *)(const void *)text);
   return (uint32_t)_mm_movemask_epi8(_mm_cmpeq_epi8(bytes, _mm_set1_epi8(byte)));
+}
+
+static inline uint32_t either_in_16(const char *text, char one, char other) {
+  const __m128i bytes = _mm_loadu_si128((const __m128i *)(const void *)text);
+  const __m128i same = _mm_cmpeq_epi8(bytes, _mm_set1_epi8(one)), also = _mm_cmpeq_epi8(bytes, _mm_set1_epi8(other));
+  return (uint32_t)_mm_movemask_epi8(_mm_or_si128(same, also));
+}
+
+static inline uint32_t differ_in_16(const char *text, const char *other) {
+  const __m128i bytes = _mm_loadu_si128((const __m128i *)(const void *)text);
+  const __m128i others = _mm_loadu_si128((const __m128i *)(const void *)other);
+  return (uint32_t)_mm_movemask_epi8(_mm_cmpeq_epi8(bytes, others)) ^ UINT32_C(0xFFFF);
 }
 #else
 static inline uint32_t below_in_8(uint64_t word, char limit) {
@@ -191,6 +196,15 @@ static inline uint32_t below_in_16(const char *text, char limit) {
 static inline uint32_t equal_in_16(const char *text, char byte) {
   const uint64_t same = WORD_OF((unsigned char)byte);
   return below_in_8(word_at(text) ^ same, 1) | below_in_8(word_at(text + 8) ^ same, 1) << 8;
+}
+
+static inline uint32_t either_in_16(const char *text, char one, char other) {
+  return equal_in_16(text, one) | equal_in_16(text, other);
+}
+
+static inline uint32_t differ_in_16(const char *text, const char *other) {
+  const uint32_t low = below_in_8(word_at(text) ^ word_at(other), 1);
+  return (low | below_in_8(word_at(text + 8) ^ word_at(other + 8), 1) << 8) ^ UINT32_C(0xFFFF);
 }
 #endif
 

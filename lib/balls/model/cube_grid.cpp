@@ -152,7 +152,8 @@ void CubeGrid::round_balls() {
 template <class Source>
 GridOrder CubeGrid::order_of(const Source &source, const BallSet &given, const LatticeBox &box, const CubeAxis &axis,
                              BallRange part) {
-  const Span<uint32_t> entries = scratch_slots_.part(2 * part.first, 2 * part.last);
+  const auto of_part = [part](Span<uint32_t> two_for_each) { return two_for_each.part(2 * part.first, 2 * part.last); };
+  Span<uint32_t> entries = of_part(scratch_slots_);
   if (small_code) {
     BallSet some;
     some.x = given.x.part(part.first, part.last);
@@ -163,9 +164,16 @@ GridOrder CubeGrid::order_of(const Source &source, const BallSet &given, const L
     some.n = part.last - part.first;
     return grid_order_by_comparing(some, axis, entries);
   }
-  const Span<uint32_t> other_entries(grid_index_.data(), 2 * grid_index_.size());
-  return grid_order(BallsFrom<Source>{source, part.first}, box, axis,
-                    {entries, other_entries.part(2 * part.first, 2 * part.last), first_ball_});
+  Span<uint32_t> other_entries = of_part({grid_index_.data(), 2 * grid_index_.size()});
+#if HSP_AVX2
+  // Memory that is written to later anyway: of the other arrays less is touched, if the set has few cubes.
+  if (!rounded_.empty()) {
+    auto *const four_for_each = reinterpret_cast<uint32_t *>(rounded_.data());
+    entries = of_part({four_for_each, 2 * capacity_});
+    other_entries = of_part({four_for_each + 2 * static_cast<size_t>(capacity_), 2 * capacity_});
+  }
+#endif
+  return grid_order(BallsFrom<Source>{source, part.first}, box, axis, {entries, other_entries, first_ball_});
 }
 
 // A part of the balls, in its order, to the same slots, as new cubes. Where a cube begins is not foreseen by the

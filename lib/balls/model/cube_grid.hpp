@@ -100,7 +100,7 @@ class CubeGrid {
   RowDirectory rows_;
 #if HSP_AVX2
   QueryGrid query_grid_;
-  Span<float> rounded_;  // [4 n and behind] for the directory of rows
+  Span<float> rounded_;  // [4 n and behind] for the directory of rows; before, the order of balls is found in it
 #endif
   Span<uint32_t> first_ball_;  // [cubes + 1, and at least 4]
   Span<uint32_t> grid_index_;  // [n] caller -> grid order
