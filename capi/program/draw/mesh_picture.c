@@ -611,8 +611,8 @@ static bool add_areas(const struct mesh_picture *picture, struct text_buffer *ou
   return enough;
 }
 
-/* Within the section the inside is seen everywhere: in its darkest tone below all areas, so that no page shows where one
- * of them is too thin to be painted; over them its line. */
+/* Within the section the inside is seen everywhere: in its darkest tone below all areas, so that no page shows where
+ * one of them is too thin to be painted; over them its line. */
 static bool add_section_area(const struct mesh_picture *picture, struct text_buffer *out) {
   if (picture->section.count == 0) return true;
   text_buffer_add(out, "<defs><path id=\"section\" d=\"");
