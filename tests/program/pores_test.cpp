@@ -354,8 +354,8 @@ TEST(Pores, Frameworks) {
 }
 
 // A path at one probe, certified in integers, gets out of the middle of 27 cells if the probe is a little narrower, and
-// none does if it is a little wider. The channels of MIL-47 along x are walled up at their ends where two directions are
-// asked of.
+// no path if it is a little wider. The channels of MIL-47 along x are walled up at both ends where two directions are
+// asked for.
 TEST(Pores, FrameworksFromBothSides) {
   for (const Framework &framework : frameworks) {
     const auto file = support::further_molecule("frameworks/" + std::string(framework.name) + ".xyzr");
