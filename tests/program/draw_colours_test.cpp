@@ -471,7 +471,7 @@ TEST(DrawColours, LooksArePresets) {
       {"goodsell",
        {"--palette", "chain", "--ink", "--style", "flat", "--occlusion", "0.5", "--outline", "0", "--fog", "0.4"}},
       {"slide",
-       {"--colour", "bfactor", "--ink-width",  "0,2,3",  "--occlusion",      "0.25",   "--outline",    "1",
+       {"--colour", "bfactor", "--ink-width",  "0,2,3",  "--occlusion",      "0.1",    "--outline",    "1",
         "--fog",    "0.15",    "--background", "14171E", "--outline-colour", "14171E", "--ink-colour", "14171E",
         "--width",  "1600",    "--height",     "900"}},
       {"print",
@@ -490,7 +490,7 @@ TEST(DrawColours, LooksArePresets) {
     by_look.insert(by_look.end(), {option, other.back()});
     EXPECT_EQ(drawn(crambin(), by_look),
               look == "slide"
-                  ? drawn(crambin(), {"--colour", "bfactor", "--ink-width", "0,2,3", "--occlusion", "0.25", "--outline",
+                  ? drawn(crambin(), {"--colour", "bfactor", "--ink-width", "0,2,3", "--occlusion", "0.1", "--outline",
                                       "1", "--fog", "0.15", "--background", "14171E", "--outline-colour", "14171E",
                                       "--ink-colour", "14171E", "--height", "800"})
                   : drawn(crambin(), other))
