@@ -2,10 +2,10 @@
 # Runs every benchmark and writes build/bench/report/report.md, with the paper's figures beside ours.
 # Usage: bash bench/run.sh [--quick] [--peers]
 #   --quick  one repetition of each benchmark, as short as it gets: for trying out, not for quoting
-#   --peers  time other programs by turns with the library: FreeSASA, CGAL, nanoflann, gemmi, FCL, and on a trajectory
-#            gmx sasa and mdtraj; these and FreeSASA as whole programs, from files to areas. What of them is missing is installed from Debian's packages if it can be, and left out
-#            otherwise. Then version 0.1.0 of the library, if it is in the repository's history
-# Missing packages are installed with apt-get (as root, or through sudo). The environment variable BENCH_BUILD names
+#   --peers  time other programs by turns with the library: FreeSASA, CGAL, nanoflann, gemmi, FCL, on a trajectory gmx
+#            sasa and mdtraj, and these and FreeSASA from files to areas. What of them is missing is installed from
+#            Debian's packages if it can be, and left out otherwise. Then version 0.1.0 of the library, if it is in the
+#            repository's history
 # another folder to build in. Takes ten to twenty-five minutes, once the machine has come to rest after building.
 # What is committed of it are bench/report.md and bench/plots/*.svg.
 set -euo pipefail
