@@ -172,16 +172,12 @@ set(HSP_LIBRARY_SOURCES
   lib/sight/view/view_rotation.cpp
   lib/sight/view/visible_piece.cpp
   lib/sight/maps/arc_finder.cpp
-  lib/sight/maps/body_sight.cpp
-  lib/sight/maps/crease_arcs.cpp
   lib/sight/maps/disc_grid.cpp
   lib/sight/maps/drawing_order.cpp
-  lib/sight/maps/edge_distance.cpp
   lib/sight/maps/face_pole.cpp
   lib/sight/maps/map_builder.cpp
-  lib/sight/maps/map_silhouettes.cpp
+  lib/sight/maps/map_paths.cpp
   lib/sight/maps/seen_balls.cpp
-  lib/sight/maps/silhouette_arcs.cpp
   lib/sight/maps/stick_arcs.cpp
   lib/sight/maps/stick_map_builder.cpp
   lib/sight/maps/stick_outlines.cpp

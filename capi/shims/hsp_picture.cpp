@@ -2,7 +2,6 @@
 #include "hsp_sticks.hpp"
 #include "hsp_view.hpp"
 #include "maps/map_paths.hpp"
-#include "maps/map_silhouettes.hpp"
 #include "picture/palettes.hpp"
 #include "picture/picture.hpp"
 

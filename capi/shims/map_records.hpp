@@ -3,7 +3,6 @@
 #pragma once
 
 #include "maps/edge_geometry.hpp"
-#include "maps/face_nesting.hpp"
 #include "maps/face_pole.hpp"
 #include "maps/map_queries.hpp"
 #include "view_options.hpp"

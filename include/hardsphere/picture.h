@@ -113,8 +113,8 @@ typedef struct hsp_picture_options {
  *  group or depth, without data-ball.
  *  Sticks have them along both sides, as parts of their balls.
  *  No contour is wider than the radius of its ball or stick. Chosen widths are 3.1, 2.2 and 2.9 px where the mean
- *  radius of what is seen is 34 px; lines are then thinner, where they are chosen, too: .5 px, and none between more than 1000
- *  balls. */
+ *  radius of what is seen is 34 px; lines are then thinner, where they are chosen, too: .5 px, and none between more
+ *  than 1000 balls. */
 #define HSP_INK_BORDER UINT32_C(0) /**< before the background */
 #define HSP_INK_GROUP UINT32_C(1)  /**< before a ball of another group: at least width min(1, 2 g) */
 #define HSP_INK_DEPTH UINT32_C(2)  /**< before a ball of the same group */

@@ -105,7 +105,7 @@ std::vector<Part> parts_of(const std::string &svg) {
   for (size_t at = svg.find("<path "); at != std::string::npos; at = svg.find("<path ", at + 1)) {
     const std::string path = svg.substr(at, svg.find('\n', at) - at);
     if (!attribute(path, "stroke-opacity").empty()) continue;
-    const bool line = attribute(path, "fill") == "none";
+    const bool line = attribute(path, "id") == "section";
     for (Part part : loops_of(attribute(path, "d"))) {
       if (line) {
         part.closed = false;
@@ -210,6 +210,51 @@ TEST(MeshPicture, ColoursMeetWhereTheSurfaceIsNarrowest) {
   }
   EXPECT_NEAR(red, px, 1);
   EXPECT_NEAR(blue, px, 1);
+}
+
+bool covers(const std::vector<Part> &parts, const Point &at) {
+  for (const Part &part : parts) {
+    bool within = false;
+    for (size_t k = 0; part.closed && k < part.points.size(); ++k) {
+      const Point &a = part.points[k], &b = part.points[(k + 1) % part.points.size()];
+      if ((a[1] > at[1]) == (b[1] > at[1])) continue;
+      within ^= a[0] + (at[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]) > at[0];
+    }
+    if (within) return true;
+  }
+  return false;
+}
+
+// Parts of three colours leave nothing of a patch open, also where a small ball has nothing of a side between it and a
+// large one. Of one colour all is covered.
+TEST(MeshPicture, PartsOfColoursLeaveNoGaps) {
+  for (const char *small : {"1.2 0.9 0.5", "0.3 2.1 0.8", "1.2 1.0 1.3", "-0.9 1.4 0.2"}) {
+    std::vector<std::vector<Part>> found;
+    for (const char *names : {"CCC", "NOH", "CCH", "HCC", "CHC"}) {
+      std::string text = "3\n\n";
+      const char *const places[] = {"0 0 0", "2.6 0 0", small};
+      for (size_t k = 0; k < 3; ++k) text += std::string(1, names[k]) + ' ' + places[k] + '\n';
+      const TemporaryFile file("three.xyz", text);
+      found.push_back(
+          drawn(file.path(), {"--radius", "C=1.6", "--radius", "N=1.6", "--radius", "O=1.6", "--radius", "H=1.6",
+                              "--probe", "1.4", "--surface", "ses", "--edge", "0.3", "--view", "0.2,0.1,1"}));
+    }
+    size_t inside = 0;
+    for (double x = 0; x < 1000; x += 23) {
+      for (double y = 0; y > -1000; y -= 23) {
+        if (!covers(found[0], {x, y})) continue;
+        ++inside;
+        for (size_t k = 1; k < found.size(); ++k) {
+          bool any = false;
+          for (const Point &step : {Point{0, 0}, {2, 0}, {-2, 0}, {0, 2}, {0, -2}}) {
+            any = any || covers(found[k], {x + step[0], y + step[1]});
+          }
+          EXPECT_TRUE(any) << small << ' ' << k << ": " << x << ' ' << y;
+        }
+      }
+    }
+    EXPECT_GT(inside, 500u);
+  }
 }
 
 // Six balls around a void: as a body it has the shape that they leave, and is seen only if they are cut open.

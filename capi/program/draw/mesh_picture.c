@@ -212,20 +212,85 @@ static double power(const struct mesh_picture *picture, uint32_t ball, const dou
   return sum;
 }
 
-/* Of a polygon, what belongs to one of the balls of its patch. */
-static struct polygon part_of_ball(const struct mesh_picture *picture, const struct polygon *polygon,
-                                   const uint32_t balls[3], int slot) {
+static double dot(const double *a, const double *b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const double *a, const double *b, double *product) {
+  for (int k = 0; k < 3; ++k) {
+    product[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+  }
+}
+
+/* Where the parts of two balls of a concave patch meet on the side between them, from the probe's centre: as on the
+ * saddle there. One of them may have nothing of it. */
+static void find_middle(const double from[3], const double to[3], double middle[3]) {
+  double apart[3];
+  for (int k = 0; k < 3; ++k) apart[k] = to[k] - from[k];
+  const double share[2] = {dot(apart, to), -dot(apart, from)};
+  for (int k = 0; k < 3; ++k) {
+    middle[k] = share[0] <= 0.0 ? to[k] : share[1] <= 0.0 ? from[k] : share[0] * from[k] + share[1] * to[k];
+  }
+}
+
+static void add_unit(const double *vector, double *sum) {
+  const double length = sqrt(dot(vector, vector));
+  for (int k = 0; k < 3 && length > 0.0; ++k) sum[k] += vector[k] / length;
+}
+
+/* The normal of the plane through the probe's centre and two points, towards where one more is ahead. */
+static void find_plane(const double a[3], const double b[3], const double ahead[3], double normal[3]) {
+  cross(a, b, normal);
+  const double sign = dot(normal, ahead) < 0.0 ? -1.0 : 1.0;
+  for (int k = 0; k < 3; ++k) normal[k] *= sign;
+}
+
+/* The three kinds of parts of a concave patch. */
+enum part_kind { CORNER_OF_THREE, CORNER, WITHOUT_CORNER };
+
+/* Of a polygon of a concave patch, what belongs to one of its balls, or to the two others: on either side of the line
+ * between the points where it meets these on the sides, if they look alike; else there is one more point in the middle,
+ * in which all three meet. So colours go on from patch to patch. */
+static struct polygon part_of_corner(const struct mesh_picture *picture, const struct polygon *polygon, uint32_t patch,
+                                     int slot, enum part_kind kind) {
+  double probe[3], to[3][3], side[3][3], within[3] = {0.0, 0.0, 0.0}, normal[2][3];
+  turn(picture->view->axis, picture->view->patches[patch].probe, probe);
+  for (int i = 0; i < 3; ++i) {
+    const double *const centre = picture->ball + 3 * (size_t)picture->patch_ball[patch][(slot + i) % 3];
+    for (int k = 0; k < 3; ++k) to[i][k] = centre[k] - probe[k];
+  }
+  for (int i = 0; i < 3; ++i) find_middle(to[i], to[(i + 1) % 3], side[i]);
+  for (int i = 0; i < 3; ++i) add_unit(side[i], within);
+  double ahead[2][3];
+  for (int k = 0; k < 3; ++k) {
+    for (int i = 0; i < 2; ++i) ahead[i][k] = to[i + 1][k] - to[0][k];
+    if (kind != CORNER_OF_THREE) ahead[0][k] = to[1][k] + to[2][k] - to[0][k];
+  }
+  find_plane(side[0], kind == CORNER_OF_THREE ? within : side[2], ahead[0], normal[0]);
+  find_plane(side[2], within, ahead[1], normal[1]);
   struct polygon part = *polygon;
-  for (int other = 0; other < 3; ++other) {
+  if (kind == CORNER && !(dot(normal[0], normal[0]) > 0.0)) part.corners = 0; /* it has nothing of both sides */
+  for (int plane = 0; plane < (kind == CORNER_OF_THREE ? 2 : 1); ++plane) {
     double value[MOST_CORNERS];
-    if (other == slot || balls[other] == UINT32_MAX) continue;
     for (int k = 0; k < part.corners; ++k) {
-      const double *at = part.corner[k].at;
-      value[k] = power(picture, balls[slot], at) - power(picture, balls[other], at);
+      double from[3];
+      for (int axis = 0; axis < 3; ++axis) from[axis] = part.corner[k].at[axis] - probe[axis];
+      value[k] = kind == WITHOUT_CORNER ? -dot(normal[plane], from) : dot(normal[plane], from);
     }
     part = cut_off(&part, value, 0);
   }
   return part;
+}
+
+/* Of a polygon of a saddle, what belongs to one of its two balls. */
+static struct polygon part_of_saddle(const struct mesh_picture *picture, const struct polygon *polygon,
+                                     const uint32_t balls[3], int slot) {
+  double value[MOST_CORNERS];
+  for (int k = 0; k < polygon->corners; ++k) {
+    const double *at = polygon->corner[k].at;
+    value[k] = power(picture, balls[slot], at) - power(picture, balls[1 - slot], at);
+  }
+  return cut_off(polygon, value, 0);
 }
 
 /* The sphere of a convex patch is that of its ball; of a concave one, each ball has its own part. */
@@ -242,6 +307,34 @@ static void add_part(struct mesh_picture *picture, const struct polygon *polygon
     add_polygon(picture, polygon, layer, SIDES * sphere + (uint32_t)side);
   } else {
     add_bands(picture, polygon, layer, colour_of(picture, ball, side));
+  }
+}
+
+/* Where colours differ, each has its part. */
+static void add_parts(struct mesh_picture *picture, const struct polygon *polygon, uint32_t triangle, int side) {
+  const uint32_t patch = picture->mesh->patches[triangle];
+  const uint32_t *const balls = picture->patch_ball[patch];
+  const int count = balls[1] == UINT32_MAX ? 1 : balls[2] == UINT32_MAX ? 2 : 3;
+  uint32_t colour[3];
+  for (int slot = 0; slot < count; ++slot) colour[slot] = colour_of(picture, balls[slot], side);
+  int alike = count == 1 ? 1 : 0, alone = 0; /* pairs of equal colours, and the slot that is in none */
+  for (int slot = 0; slot < count && count > 1; ++slot) {
+    if (colour[slot] != colour[(slot + 1) % count]) continue;
+    ++alike;
+    alone = (slot + 2) % 3;
+  }
+  const bool one = alike == count;
+  const bool pair = count == 3 && alike == 1;
+  for (int k = 0; k < (one ? 1 : pair ? 2 : count); ++k) {
+    struct polygon part = *polygon;
+    const int slot = pair ? (alone + k) % 3 : k;
+    if (pair) {
+      part = part_of_corner(picture, polygon, patch, alone, k == 0 ? CORNER : WITHOUT_CORNER);
+    } else if (!one) {
+      part = count == 2 ? part_of_saddle(picture, polygon, balls, slot)
+                        : part_of_corner(picture, polygon, patch, slot, CORNER_OF_THREE);
+    }
+    if (part.corners >= 3) add_part(picture, &part, triangle, slot, balls[slot], side);
   }
 }
 
@@ -294,22 +387,13 @@ static void add_section(struct mesh_picture *picture, const struct polygon *poly
 
 static void add_triangle(struct mesh_picture *picture, uint32_t triangle) {
   const int side = side_of(picture, triangle, seen_area(picture, triangle));
-  const uint32_t *const balls = picture->patch_ball[picture->mesh->patches[triangle]];
   struct polygon polygon = polygon_of(picture, triangle, side);
   if (side != OF_VOID && picture->parts.cut < INFINITY) {
     double value[MOST_CORNERS];
     for (int k = 0; k < 3; ++k) value[k] = polygon.corner[k].at[2] - picture->parts.cut;
     polygon = cut_off(&polygon, value, 0);
   }
-  bool one = true;
-  for (int slot = 1; slot < 3 && balls[slot] != UINT32_MAX; ++slot) {
-    one = one && colour_of(picture, balls[slot], side) == colour_of(picture, balls[0], side);
-  }
-  for (int slot = 0; slot < (one ? 1 : 3); ++slot) {
-    if (balls[slot] == UINT32_MAX) continue;
-    const struct polygon part = one ? polygon : part_of_ball(picture, &polygon, balls, slot);
-    if (part.corners >= 3) add_part(picture, &part, triangle, slot, balls[slot], side);
-  }
+  add_parts(picture, &polygon, triangle, side);
 }
 
 /* Nobody looks through a closed surface. Of a void, as a body, what faces the viewer is what turns away from him as a
@@ -527,13 +611,21 @@ static bool add_areas(const struct mesh_picture *picture, struct text_buffer *ou
   return enough;
 }
 
-static bool add_section_line(const struct mesh_picture *picture, struct text_buffer *out) {
+/* Within the section the inside is seen everywhere: in its darkest tone below all areas, so that no page shows where
+ * one of them is too thin to be painted; over them its line. */
+static bool add_section_area(const struct mesh_picture *picture, struct text_buffer *out) {
   if (picture->section.count == 0) return true;
-  text_buffer_add(out, "<path fill=\"none\" stroke=\"#%06" PRIx32 "\" stroke-width=\"%.0f\" d=\"", line_colour,
-                  2.0 * section_line);
+  text_buffer_add(out, "<defs><path id=\"section\" d=\"");
   const bool enough = painted_edges_write(&picture->section, 0, picture->section.count, false, true, out);
-  text_buffer_add(out, "\"/>\n");
+  text_buffer_add(out, "\"/></defs>\n<use xlink:href=\"#section\" fill=\"#%06" PRIx32 "\" fill-rule=\"evenodd\"/>\n",
+                  surface_light_on(inside_colour, 1.0));
   return enough;
+}
+
+static void add_section_line(const struct mesh_picture *picture, struct text_buffer *out) {
+  if (picture->section.count == 0) return;
+  text_buffer_add(out, "<use xlink:href=\"#section\" fill=\"none\" stroke=\"#%06" PRIx32 "\" stroke-width=\"%.0f\"/>\n",
+                  line_colour, 2.0 * section_line);
 }
 
 static void add_entry(const struct pen *pen, double *x, double y, uint32_t colour, const char *text) {
@@ -594,7 +686,8 @@ static bool add_picture(struct mesh_picture *picture, const char *title, struct 
   text_buffer_add(out,
                   "</defs>\n<g transform=\"scale(.5)\" stroke-width=\"12\" "
                   "stroke-linejoin=\"round\" stroke-linecap=\"round\">\n");
-  const bool enough = add_areas(picture, out) && add_section_line(picture, out);
+  const bool enough = add_section_area(picture, out) && add_areas(picture, out);
+  add_section_line(picture, out);
   text_buffer_add(out, "</g>\n");
   if (picture->mesh->triangles > 0) add_legend(picture, out);
   text_buffer_add(out, "</svg>\n");

@@ -22,7 +22,8 @@ struct mesh_view {
  *
  * Patches of spheres are areas with one radial gradient each: as it is known which circles of it are where, no triangle
  * is seen. Saddles are cut into bands of equal light. Colours of atoms meet where the surface is nearest to neither: on
- * the narrowest circle of a saddle, and on the planes through the probe that go on from there. Borders of patches are
+ * the narrowest circle of a saddle, and on concave patches on lines between the points where these circles end, so that
+ * they go on from patch to patch. Borders of patches are
  * hairlines. Farther triangles are painted first (mesh_layers.h).
  *
  * With a cut the inside of the surface is seen, too, and the section by the plane as a line, and voids as bodies in

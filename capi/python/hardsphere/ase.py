@@ -42,7 +42,8 @@ class Solvation(Calculator):
             if radii is None:
                 radii = [hardsphere.radius_of(int(number)) for number in atoms.numbers]
             kind = hardsphere.Box if periodic else hardsphere.Balls
-            self.balls = kind(centers, radii, probe=self.probe, **more)
+            alone = {"areas_alone": self.pressure == 0} if periodic else {}
+            self.balls = kind(centers, radii, probe=self.probe, **more, **alone)
         else:
             self.balls.set(centers, **more)
         found = self.balls.gradient(self.tension, self.pressure, self.sigma)

@@ -1,9 +1,266 @@
 #include "maps/arc_finder.hpp"
 
-#include "maps/crease_arcs.hpp"
-#include "maps/silhouette_arcs.hpp"
+#include <initializer_list>
+
+#include "maps/ball_scene.hpp"
+#include "maps/trigonometric_roots.hpp"
 
 namespace hsp {
+namespace {
+
+// A crease rises by less than this part of its radius if the balls are one before the other, up to rounding.
+constexpr double level_slope = 0x1p-30;
+
+struct Breakpoint {
+  double t;
+  MapVertexKind kind;
+};
+
+// The part of a crease that is not known to be hidden shrinks from both ends while occluders are looked at, the highest
+// first. Only in that window roots are looked for.
+class CreaseOcclusion {
+ public:
+  CreaseOcclusion(const Crease &crease, FixedVector<HiddenInterval> &hidden) : crease_(crease), hidden_(hidden) {
+    hidden_.clear();
+    open_window(-crease.end, crease.end);
+  }
+
+  // The extent in the view plane of the part that may be seen.
+  BoundingBox box() const {
+    const SinCos end = sin_cos(crease_.end);
+    BoundingBox box;
+    extent(crease_.m.x, crease_.a.x, crease_.b.x, end, box.left, box.right);
+    extent(crease_.m.y, crease_.a.y, crease_.b.y, end, box.bottom, box.top);
+    return box;
+  }
+
+  // False if the crease lies on the front of some ball or on the cylinder below it, or enters it where these meet, so
+  // that roundings decide.
+  bool certain() const { return certain_; }
+
+  // Adds what a ball hides. True if nothing is left.
+  bool add(const SeenBall &ball, uint32_t id) {
+    const uint32_t count = find_breakpoints(ball);
+    bool hides = false;
+    double since = 0.0;
+    MapVertexKind begins = MapVertexKind::plain;
+    double left = left_, right = right_;
+    for (uint32_t k = 0; k <= count; ++k) {
+      const double from = k == 0 ? left_ : at_[k - 1].t;
+      const double to = k == count ? right_ : at_[k].t;
+      // The roots only cut; this decides.
+      const double depth = depth_behind(count == 0 ? middle_ : crease_.at(0.5 * (from + to)), ball);
+      const bool here = depth > 0.0;
+      if (to - from > long_interval && std::fabs(depth) < shallow_depth * ball.r * ball.r) certain_ = false;
+      if (here && !hides) {
+        since = from;
+        begins = k == 0 ? MapVertexKind::plain : at_[k - 1].kind;
+      }
+      if (!here && hides) {
+        hidden_.push({since, from, {{begins, id}, {at_[k - 1].kind, id}}});
+        if (since == left_) left = from;
+      }
+      hides = here;
+    }
+    if (hides) {
+      if (since == left_) return true;
+      hidden_.push({since, right_, {{begins, id}, {}}});
+      right = since;
+    }
+    if (left != left_ || right != right_) open_window(left, right);
+    return left_ >= right_;
+  }
+
+ private:
+  void open_window(double left, double right) {
+    left_ = left;
+    right_ = right;
+    middle_ = crease_.at(0.5 * (left + right));
+  }
+
+  // Of m + rho (a cos t + b sin t) over |t| <= end, a little widened.
+  void extent(double m, double a, double b, const SinCos &end, double &low, double &high) const {
+    const double rho = crease_.rho * (1.0 + 0x1p-40);
+    const double first = a * end.cosine - b * end.sine;
+    const double last = a * end.cosine + b * end.sine;
+    const double amplitude = std::sqrt(a * a + b * b);
+    // The extreme points are at the angle of (a, b) and opposite it.
+    const bool top_within = a >= amplitude * end.cosine;
+    const bool bottom_within = -a >= amplitude * end.cosine;
+    high = m + rho * (top_within ? amplitude : first > last ? first : last);
+    low = m - rho * (bottom_within ? amplitude : first < last ? -first : -last);
+    const double margin = 0x1p-40 * rho;
+    high += margin;
+    low -= margin;
+  }
+
+  void add_breakpoint(double t, MapVertexKind kind) {
+    if (t > left_ && t < right_) at_[found_++] = {t, kind};
+  }
+
+  // Where the crease enters or leaves what is behind the ball: through its sphere above its centre, below through the
+  // cylinder under its silhouette. Both sides meet at the height of the centre, |t| = level.
+  uint32_t find_breakpoints(const SeenBall &ball) {
+    found_ = 0;
+    const Crease &c = crease_;
+    const Vec3 w{c.m.x - ball.x, c.m.y - ball.y, c.m.z - ball.z};
+    double level = pi;
+    if (w.z + c.rise <= 0.0) {
+      level = 0.0;
+    } else if (w.z - c.rise < 0.0) {
+      level = arc_tangent(std::sqrt((c.rise - w.z) * (c.rise + w.z)), -w.z);
+    }
+    if (level > 0.0) {
+      const double A = 2 * c.rho * dot(w, c.a);
+      const double B = 2 * c.rho * dot(w, c.b);
+      const double K = ball.r * ball.r - dot(w, w) - c.rho * c.rho;
+      const double M_squared = A * A + B * B;
+      if (K * K < M_squared) {
+        const double middle = arc_tangent(B, A);
+        const double half = arc_tangent(std::sqrt(M_squared - K * K), K);
+        for (double t : {middle - half, middle + half}) {
+          if (t > pi) t -= 2 * pi;
+          if (t < -pi) t += 2 * pi;
+          const double above = level - std::fabs(t);
+          if (above >= 0.0) add_breakpoint(t, MapVertexKind::triple);
+          if (std::fabs(above) < level_height && t > left_ && t < right_) certain_ = false;
+        }
+      }
+    }
+    if (level < right_ || -level > left_) {
+      const double wa = w.x * c.a.x + w.y * c.a.y;
+      const double wb = w.x * c.b.x + w.y * c.b.y;
+      const TrigonometricPolynomial beside{w.x * w.x + w.y * w.y - ball.r * ball.r + c.rho * c.rho, 2 * c.rho * wa,
+                                           2 * c.rho * wb, -c.rise * c.rise};
+      if (level == 0.0) {
+        add_roots(beside, left_, right_);
+      } else {
+        add_roots(beside, left_, right_ < -level ? right_ : -level);
+        add_roots(beside, left_ > level ? left_ : level, right_);
+      }
+    }
+    sort_in_place(Span<Breakpoint>(at_, found_), [](const Breakpoint &a, const Breakpoint &b) { return a.t < b.t; });
+    return found_;
+  }
+
+  void add_roots(const TrigonometricPolynomial &f, double from, double to) {
+    double root[most_trigonometric_roots];
+    const uint32_t count = find_roots(f, from, to, root);
+    for (uint32_t k = 0; k < count; ++k) add_breakpoint(root[k], MapVertexKind::t);
+  }
+
+  const Crease &crease_;
+  FixedVector<HiddenInterval> &hidden_;
+  double left_ = 0.0, right_ = 0.0;
+  Vec3 middle_{};
+  Breakpoint at_[2 + 2 * most_trigonometric_roots];
+  uint32_t found_ = 0;
+  bool certain_ = true;
+};
+
+bool may_hide(const SeenBall &ball, const BoundingBox &box) {
+  const double right = box.left - ball.x;
+  const double left = ball.x - box.right;
+  const double above = box.bottom - ball.y;
+  const double below = ball.y - box.top;
+  const double dx = right > left ? right : left;
+  const double dy = above > below ? above : below;
+  const double x = dx > 0.0 ? dx : 0.0;
+  const double y = dy > 0.0 ? dy : 0.0;
+  return x * x + y * y < ball.r * ball.r;
+}
+
+}  // namespace
+
+bool find_crease_arcs(SeenBalls &seen, uint32_t far, uint32_t nearer, Span<const uint32_t> near,
+                      FixedVector<HiddenInterval> &hidden, FixedVector<MapArc> &arcs) {
+  const Span<const SeenBall> balls = seen.balls();
+  const Crease crease(balls[far], balls[nearer]);
+  if (!crease.exists) return true;
+  // Level with the silhouette of the nearer ball, so that roundings decide where they touch.
+  if (!crease.is_whole() && crease.rise < level_slope * crease.rho) return false;
+  CreaseOcclusion occlusion(crease, hidden);
+  const BoundingBox box = occlusion.box();
+  if (seen.hides(box, crease.m.z + crease.rise)) return true;
+  const double lowest = crease.is_whole() ? crease.m.z - crease.rise : balls[nearer].z;
+  for (const uint32_t k : near) {
+    if (balls[k].top() <= lowest) break;
+    if (k != nearer && may_hide(balls[k], box) && occlusion.add(balls[k], k)) return occlusion.certain();
+  }
+  const ArcEnd natural{crease.is_whole() ? MapVertexKind::plain : MapVertexKind::tangency, no_id};
+  push_visible(hidden.items(), -crease.end, crease.end, natural, far, nearer, arcs);
+  return occlusion.certain();
+}
+
+namespace {
+
+// Whether depth cells hide the whole circle, asked for each eighth of it.
+bool is_buried(SeenBalls &seen, const SeenBall &ball) {
+  constexpr double diagonal = 0x1.6a09e667f3bcdp-1;  // sqrt(1/2), rounded up
+  const double r = ball.r;
+  const double inner = diagonal * (1.0 - 0x1p-50) * r;
+  const double outer = r * (1.0 + 0x1p-50);
+  for (uint32_t eighth = 0; eighth < 8; ++eighth) {
+    const double right = (eighth & 1U) != 0 ? -1.0 : 1.0;
+    const double up = (eighth & 2U) != 0 ? -1.0 : 1.0;
+    const bool steep = (eighth & 4U) != 0;
+    // From 0 to the diagonal along one axis, from the diagonal to the radius along the other.
+    const double x[2] = {steep ? 0.0 : right * inner, right * (steep ? diagonal * r : outer)};
+    const double y[2] = {steep ? up * inner : 0.0, up * (steep ? outer : diagonal * r)};
+    BoundingBox box;
+    box.left = ball.x + (x[0] < x[1] ? x[0] : x[1]);
+    box.right = ball.x + (x[0] < x[1] ? x[1] : x[0]);
+    box.bottom = ball.y + (y[0] < y[1] ? y[0] : y[1]);
+    box.top = ball.y + (y[0] < y[1] ? y[1] : y[0]);
+    if (!seen.hides(box, ball.z)) return false;
+  }
+  return true;
+}
+
+// Adds what another ball hides of the circle. A nearer one hides what is in its disc, a farther one what is inside it,
+// which is a smaller disc at this height. True if that is everything.
+//
+// Whether a farther ball hides nothing, a part or everything is the question whether their crease does not exist, ends
+// at this silhouette or is a whole circle above it. Crease answers both, so that roundings cannot make them differ.
+bool add_hidden(const SeenBall &own, const SeenBall &other, uint32_t id, bool nearer,
+                FixedVector<HiddenInterval> &hidden) {
+  const double dz = other.z - own.z;
+  const double R_squared = nearer ? other.r * other.r : (other.r - dz) * (other.r + dz);
+  const double dx = other.x - own.x;
+  const double dy = other.y - own.y;
+  const double d_squared = dx * dx + dy * dy;
+  const double longest = 2 * std::sqrt(d_squared) * own.r;
+  const double along = d_squared + own.r * own.r - R_squared;
+  if (nearer) {
+    if (d_squared == 0.0) return R_squared >= own.r * own.r;
+    if (along >= longest) return false;
+    if (along <= -longest) return true;
+  } else {
+    if (along > longest + 0x1p-30 * own.r * own.r) return false;  // for certain
+    const Crease crease(other, own);
+    if (!crease.exists) return false;
+    if (crease.is_whole()) return true;
+  }
+  const double product = (longest - along) * (longest + along);
+  const double half = arc_tangent(std::sqrt(product > 0.0 ? product : 0.0), along);
+  const double middle = arc_tangent(dy, dx);
+  const ArcEnd end{nearer ? MapVertexKind::t : MapVertexKind::tangency, id};
+  hide_angles(hidden, middle, half, end);
+  return false;
+}
+
+}  // namespace
+
+bool find_silhouette_arcs(SeenBalls &seen, uint32_t ball, Span<const uint32_t> near,
+                          FixedVector<HiddenInterval> &hidden, FixedVector<MapArc> &arcs) {
+  const Span<const SeenBall> balls = seen.balls();
+  if (is_buried(seen, balls[ball])) return true;
+  hidden.clear();
+  for (const uint32_t k : near) {
+    if (add_hidden(balls[ball], balls[k], k, seen.is_nearer(k, ball), hidden)) return true;
+  }
+  return push_visible(hidden.items(), -pi, pi, {}, ball, no_id, arcs);
+}
 
 void ArcFinder::carve(Workspace &workspace, const MapLimits &limits) {
   arcs_ = FixedVector<MapArc>(workspace.take<MapArc>(limits.edges));

@@ -2,10 +2,25 @@
 // parameters, then those of its creases with nearer balls, ball after ball.
 #pragma once
 
+#include "maps/ball_scene.hpp"
 #include "maps/disc_grid.hpp"
-#include "maps/visibility_map.hpp"
+#include "maps/hidden_intervals.hpp"
 
 namespace hsp {
+
+inline constexpr uint32_t most_hidden_per_occluder = 6;
+
+// The visible arcs of the crease of two balls. near: as DiscGrid::gather finds them for ball `far`, `nearer` among them.
+// Uses `hidden` [6 near]. False if the crease coincides with a front or silhouette, so that roundings decide what is
+// seen.
+bool find_crease_arcs(SeenBalls &seen, uint32_t far, uint32_t nearer, Span<const uint32_t> near,
+                      FixedVector<HiddenInterval> &hidden, FixedVector<MapArc> &arcs);
+
+// The visible arcs of one ball's silhouette. near: as DiscGrid::gather finds them. Uses `hidden` [2 near]. False if
+// where one ball ceases to hide it another one begins to, so that roundings decide whether something is seen between
+// them.
+bool find_silhouette_arcs(SeenBalls &seen, uint32_t ball, Span<const uint32_t> near,
+                          FixedVector<HiddenInterval> &hidden, FixedVector<MapArc> &arcs);
 
 class ArcFinder {
  public:

@@ -1,12 +1,81 @@
 // The balls of a map: their curves, how these are named where they meet, and where a ball may be seen.
+//
+// The two kinds of curves that a map of balls consists of, with their parameters:
+//
+// Silhouette of a ball: its points at the height of the centre, at the angle t, counter-clockwise in the view plane
+// with the ball on the left.
+//
+// Crease of two balls, `far` and `near`: the points m + rho (a cos t + b sin t), where a is the steepest direction in
+// the plane of the circle and b a horizontal one, so that the height m_z + rise cos t is largest at 0 and falls to
+// either side. The nearer ball is on the left. Seen is at most what is above the centre of the nearer ball: below, the
+// nearer ball covers it. At the height of that centre the crease goes over into the silhouette of the nearer ball.
+// Balls that only touch have none: roundings would decide where it ends.
 #pragma once
 
+#include "core/elementary.hpp"
+#include "core/limits.hpp"
 #include "core/sorting.hpp"
-#include "maps/curves.hpp"
+#include "core/vec3.hpp"
 #include "maps/edge_geometry.hpp"
 #include "maps/hidden_intervals.hpp"
+#include "maps/scene_map.hpp"
+#include "maps/seen_balls.hpp"
 
 namespace hsp {
+
+// How deep a point is behind the front of a ball, inside it or below its centre in its disc: the square of the radius
+// less that of the distance, negative if it is not behind.
+inline double depth_behind(const Vec3 &point, const SeenBall &ball) {
+  const double dx = point.x - ball.x;
+  const double dy = point.y - ball.y;
+  const double dz = point.z - ball.z;
+  const double squared = ball.r * ball.r - dx * dx - dy * dy;
+  return dz > 0.0 ? squared - dz * dz : squared;
+}
+inline bool is_behind(const Vec3 &point, const SeenBall &ball) {
+  return depth_behind(point, ball) > 0.0;
+}
+
+inline Vec3 silhouette_point(const SeenBall &ball, double t) {
+  const SinCos at = sin_cos(t);
+  return {ball.x + ball.r * at.cosine, ball.y + ball.r * at.sine, ball.z};
+}
+
+struct Crease {
+  Vec3 m{}, a{}, b{};  // a and b of length 1
+  double rho = 0.0;
+  double rise = 0.0;
+  double end = 0.0;  // what may be seen is |t| <= end; pi for the whole circle
+  bool exists = false;
+
+  Crease(const SeenBall &far, const SeenBall &near) {
+    const Vec3 d{near.x - far.x, near.y - far.y, near.z - far.z};
+    const double squared = dot(d, d);
+    const double sum = far.r + near.r;
+    const double difference = far.r - near.r;
+    if (squared >= sum * sum * (1.0 - touching) || squared <= difference * difference) return;
+    const double distance = std::sqrt(squared);
+    const double height = 0.5 * (distance + difference * sum / distance);
+    const double rho_squared = (far.r - height) * (far.r + height);
+    if (!(rho_squared > 0.0)) return;
+    rho = std::sqrt(rho_squared);
+    const Vec3 n{d.x / distance, d.y / distance, d.z / distance};
+    m = combine(1.0, {far.x, far.y, far.z}, height, n);
+    const double slope = std::sqrt(n.x * n.x + n.y * n.y);
+    a = slope > 0.0 ? Vec3{-n.z * (n.x / slope), -n.z * (n.y / slope), slope} : Vec3{1.0, 0.0, 0.0};
+    b = slope > 0.0 ? Vec3{n.y / slope, -n.x / slope, 0.0} : Vec3{0.0, 1.0, 0.0};
+    rise = rho * slope;
+    const double needed = near.z - m.z;
+    const double reach = rise * (1.0 - touching);
+    if (needed >= reach) return;
+    end = needed <= -reach ? pi : arc_tangent(std::sqrt((rise - needed) * (rise + needed)), needed);
+    exists = true;
+  }
+
+  bool is_whole() const { return end == pi; }
+  Vec3 at(const SinCos &t) const { return combine(1.0, m, 1.0, combine(rho * t.cosine, a, rho * t.sine, b)); }
+  Vec3 at(double t) const { return at(sin_cos(t)); }
+};
 
 // A point where arcs of several curves meet, by its bodies. group: one of the scene's; middle and last: further bodies,
 // no_id if there are fewer; point: which of the two points with these bodies it is.
@@ -32,26 +101,16 @@ inline CornerName name_of_tangency(const MapArc &arc, uint32_t end) {
   return {far < nearer ? far : nearer, far < nearer ? nearer : far, no_id, point};
 }
 
-// A ball's extent in the view plane, grown by a margin.
-inline double silhouette_area(const SeenBall &ball, double margin) {
-  return pi * (ball.r + margin) * (ball.r + margin);
-}
+// The points middle + cos t first + sin t second.
+struct RoundCurve {
+  Vec3 middle, first, second;
 
-// Whether a point is no farther than a margin outside the disc of a ball, and behind its front.
-inline bool may_be_seen(const SeenBall &ball, const Vec3 &p, double margin) {
-  const double dx = p.x - ball.x;
-  const double dy = p.y - ball.y;
-  const double outer = ball.r + margin;
-  return dx * dx + dy * dy <= outer * outer && depth_behind(p, ball) <= outer * outer - ball.r * ball.r;
-}
-
-// The height of a ball's front at a point at or near its disc; of the silhouette beside it.
-inline double front_at(const SeenBall &ball, double x, double y) {
-  const double dx = x - ball.x;
-  const double dy = y - ball.y;
-  const double squared = ball.r * ball.r - dx * dx - dy * dy;
-  return squared > 0.0 ? ball.z + std::sqrt(squared) : ball.z;
-}
+  Vec3 at(double t) const {
+    const SinCos at = sin_cos(t);
+    return combine(1.0, middle, 1.0, combine(at.cosine, first, at.sine, second));
+  }
+  EdgeCurve part(const MapEdge &edge) const { return {EdgeEllipse(middle, first, second), edge.from, edge.to}; }
+};
 
 struct BallScene {
   Span<const SeenBall> balls;  // nearest top first; their ids are those of bodies
@@ -89,14 +148,14 @@ struct BallScene {
   static constexpr bool is_straight(const MapEdge &) { return false; }
   // Of a parameter of an edge's curve below.
   static constexpr double edge_parameter(const MapEdge &, double t) { return t; }
-  EdgeEllipse ellipse_of(const MapEdge &edge) const {
-    const SeenBall &ball = balls[edge.ball];
-    if (edge.is_silhouette()) return {{ball.x, ball.y, ball.z}, {ball.r, 0.0, 0.0}, {0.0, ball.r, 0.0}};
-    const Crease crease(ball, balls[edge.nearer]);
+  RoundCurve round_curve(uint32_t far, uint32_t nearer) const {
+    const SeenBall &ball = balls[far];
+    if (nearer == no_id) return {{ball.x, ball.y, ball.z}, {ball.r, 0.0, 0.0}, {0.0, ball.r, 0.0}};
+    const Crease crease(ball, balls[nearer]);
     return {crease.m, crease.rho * crease.a, crease.rho * crease.b};
   }
   EdgeCurve curve(const MapEdge &edge, const MapVertex &, const MapVertex &) const {
-    return {ellipse_of(edge), edge.from, edge.to};
+    return round_curve(edge.ball, edge.nearer).part(edge);
   }
   // The middle of an edge on a silhouette, from its vertices where that is well conditioned, as it is sooner found so.
   Vec3 middle_of(const MapEdge &edge, const MapVertex &v, const MapVertex &w) const {
@@ -109,11 +168,26 @@ struct BallScene {
     return {ball.x + part * x, ball.y + part * y, ball.z};
   }
 
-  double silhouette_area(uint32_t ball, double margin) const { return hsp::silhouette_area(balls[ball], margin); }
-  bool may_be_seen(uint32_t ball, const Vec3 &p, double margin) const {
-    return hsp::may_be_seen(balls[ball], p, margin);
+  // The extent in the view plane, grown by a margin.
+  double silhouette_area(uint32_t ball, double margin) const {
+    return pi * (balls[ball].r + margin) * (balls[ball].r + margin);
   }
-  double front_at(uint32_t ball, double x, double y) const { return hsp::front_at(balls[ball], x, y); }
+  // Whether a point is no farther than a margin outside the silhouette of a body, and behind its front.
+  bool may_be_seen(uint32_t body, const Vec3 &p, double margin) const {
+    const SeenBall &ball = balls[body];
+    const double dx = p.x - ball.x;
+    const double dy = p.y - ball.y;
+    const double outer = ball.r + margin;
+    return dx * dx + dy * dy <= outer * outer && depth_behind(p, ball) <= outer * outer - ball.r * ball.r;
+  }
+  // The height of a body's front at a point where it is seen or near that; of the silhouette beside it.
+  double front_at(uint32_t body, double x, double y) const {
+    const SeenBall &ball = balls[body];
+    const double dx = x - ball.x;
+    const double dy = y - ball.y;
+    const double squared = ball.r * ball.r - dx * dx - dy * dy;
+    return squared > 0.0 ? ball.z + std::sqrt(squared) : ball.z;
+  }
   // No edge that names the ball first is nearer to a point of the view plane.
   double least_distance(uint32_t ball, double x, double y) const {
     const double dx = x - balls[ball].x;
@@ -129,5 +203,21 @@ struct BallScene {
     return true;
   }
 };
+
+struct MapLimits {
+  uint32_t balls = 0;       // of the model
+  uint32_t neighbours = 0;  // most balls of which discs meet any one disc and that reach higher than its centre
+  uint32_t edges = 0;       // of the map
+};
+
+// Limits that suffice for most molecules. Status::range if one would be larger than max_count.
+constexpr Status default_limits(uint32_t balls, MapLimits &limits) {
+  if (balls > (max_count - 64) / 12) return Status::range;
+  limits = {balls, balls < 256 ? balls : 256, 12 * balls + 64};
+  return Status::ok;
+}
+
+// The visibility map of balls (Section 5.2). Faces in the order of SeenBalls; places of balls are those of grid order.
+using VisibilityMap = SceneMap<BallScene>;
 
 }  // namespace hsp

@@ -1,6 +1,7 @@
 // Edges of a map in the view plane: points of an ellipse.
 #pragma once
 
+#include <cmath>
 #include <initializer_list>
 
 #include "core/elementary.hpp"
@@ -81,6 +82,83 @@ inline uint32_t crossings(const EdgeCurve &curve, double x, double y) {
     if (ray_x * (ellipse.x(at) - x) + ray_y * (ellipse.y(at) - y) > 0.0) ++count;
   }
   return count;
+}
+
+// Which loops of a map lie within which: the face at a point, and the holes of faces. For maps of whatever bodies, with
+// records like those of a VisibilityMap.
+
+// Whether a loop runs around a point, by the parity of its crossings with a ray.
+template <class Map>
+bool surrounds(const Map &map, uint32_t loop, double x, double y) {
+  uint32_t count = 0;
+  map.visit_loop(loop, [&](uint32_t h) { count += crossings(curve_of(map, h / 2), x, y); });
+  return count % 2 == 1;
+}
+
+// The face at a point where `owner` is seen, among the faces of that: O(edges of their outer loops and holes). no_id
+// where edges are so close that roundings decide. A point lies in a face if it is within its outer loop and within none
+// of its holes: of all these an odd number surrounds it from the face's side.
+template <class Map>
+uint32_t face_at(const Map &map, uint32_t owner, double x, double y) {
+  // Beyond all balls there is one face, and differences to such points may overflow.
+  constexpr double beyond = 0x1p53;
+  if (!(std::fabs(x) < beyond && std::fabs(y) < beyond)) return map.first_face_of(no_id);
+  uint32_t found = no_id;
+  for (uint32_t f = map.first_face_of(owner); f != no_id; f = map.next_face_of(f)) {
+    uint32_t count = f == 0 ? 1 : 0;  // around the unbounded face is nothing
+    map.visit_loops(f, [&](uint32_t l) { count += surrounds(map, l, x, y) ? 1U : 0U; });
+    if (count % 2 == 0) continue;
+    if (found != no_id) return no_id;
+    found = f;
+  }
+  return found;
+}
+
+// The innermost face of the hole's owner with the hole within its outer loop, the unbounded face if there is none.
+template <class Map>
+uint32_t face_around(const Map &map, const MapLoop &hole) {
+  const bool background = hole.owner == no_id;
+  const uint32_t first = map.first_face_of(hole.owner);
+  if (first == no_id || map.next_face_of(first) == no_id) return first;
+  // Some point that is not likely to be in the direction of a vertex.
+  const EdgeCurve curve = curve_of(map, hole.first_half_edge / 2);
+  const SinCos t = sin_cos(curve.from + 0.3819660112501051 * (curve.to - curve.from));
+  uint32_t best = background ? 0 : no_id;
+  double smallest = 0.0;
+  for (uint32_t f = background ? map.next_face_of(0) : first; f != no_id; f = map.next_face_of(f)) {
+    const double area = map.loops[map.faces[f].first_loop].area;
+    if (area <= -hole.area || (smallest > 0.0 && area >= smallest)) continue;
+    if (!surrounds(map, map.faces[f].first_loop, curve.ellipse.x(t), curve.ellipse.y(t))) continue;
+    best = f;
+    smallest = area;
+  }
+  return best;
+}
+
+// Gives the holes to faces, once outer loops have theirs. False if there is none for one of them, or if there are more
+// or fewer holes than connected parts of the edges: around each there is one.
+template <class Map>
+bool add_holes(Map &map) {
+  uint32_t holes = 0;
+  for (uint32_t l = 0; l < map.loops.size(); ++l) {
+    MapLoop &loop = map.loops[l];
+    if (loop.area > 0.0) continue;
+    ++holes;
+    loop.face = face_around(map, loop);
+    if (loop.face == no_id) return false;
+    // Behind the outer loop, before the holes that are there.
+    MapFace &face = map.faces[loop.face];
+    if (face.first_loop == no_id || loop.face == 0) {
+      loop.next_of_face = face.first_loop;
+      face.first_loop = l;
+    } else {
+      MapLoop &outer = map.loops[face.first_loop];
+      loop.next_of_face = outer.next_of_face;
+      outer.next_of_face = l;
+    }
+    if (loop.face != 0) face.area += loop.area;
+  }
+  return holes == map.components;
 }
 
 }  // namespace hsp

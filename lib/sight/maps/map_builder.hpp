@@ -16,9 +16,9 @@
 #pragma once
 
 #include "maps/arc_finder.hpp"
+#include "maps/ball_scene.hpp"
 #include "maps/map_faces.hpp"
 #include "maps/map_linker.hpp"
-#include "maps/visibility_map.hpp"
 
 namespace hsp {
 

@@ -40,7 +40,7 @@ struct MapVertex {
 };
 
 // A part of the silhouette of `ball`, or with another ball of the crease of `ball` and `nearer`, with parameters of
-// curves.hpp that increase from the first vertex to the second. Half-edge 2e runs along edge e, 2e + 1 against it.
+// ball_scene.hpp that increase from the first vertex to the second. Half-edge 2e runs along edge e, 2e + 1 against it.
 struct MapEdge {
   double from, to;
   uint32_t ball;

@@ -26,7 +26,7 @@ Status StickMapBuilder::build(const StickView &view, Span<const StickPair> pairs
   const Span<uint32_t> order = order_.part(0, depth.size());
   for (uint32_t k = 0; k < order.size(); ++k) order[k] = k;
   sort_in_place(order, [depth](uint32_t a, uint32_t b) { return depth[a] != depth[b] ? depth[a] < depth[b] : a < b; });
-  map_.scene = {balls, view.sticks.items(), order};
+  map_.scene = {{balls}, view.sticks.items(), order};
   arcs_.find(map_.scene, view, pairs, balls);
   if (arcs_.overflowed() || arcs_.needed_edges() > edges_) return Status::capacity;
   if (!arcs_.certain()) return Status::check;

@@ -11,11 +11,11 @@
 // fails the caller moves all centres a little.
 #pragma once
 
-#include "maps/body_sight.hpp"
 #include "maps/map_faces.hpp"
 #include "maps/map_linker.hpp"
 #include "maps/stick_arcs.hpp"
-#include "maps/stick_map.hpp"
+#include "maps/stick_scene.hpp"
+#include "maps/stick_sweep.hpp"
 
 namespace hsp {
 

@@ -34,7 +34,7 @@ bool StickScene::name(const MapArc &arc, uint32_t end, CornerName &name) const {
 }
 
 bool StickScene::may_be_seen(uint32_t body, const Vec3 &p, double margin) const {
-  if (is_ball(body)) return hsp::may_be_seen(balls[body], p, margin);
+  if (is_ball(body)) return BallScene::may_be_seen(body, p, margin);
   const Stick &stick = stick_at(body);
   const double half = stick.radius + margin;
   const double dx = p.x - stick.foot.x;
@@ -48,7 +48,7 @@ bool StickScene::may_be_seen(uint32_t body, const Vec3 &p, double margin) const 
 
 // Beside a stick that of its contour.
 double StickScene::front_at(uint32_t body, double x, double y) const {
-  if (is_ball(body)) return hsp::front_at(balls[body], x, y);
+  if (is_ball(body)) return BallScene::front_at(body, x, y);
   const Stick &stick = stick_at(body);
   const StickFront front = front_of(stick, x, y);
   if (front.beside > 0.0) return front.z;

@@ -14,19 +14,10 @@
 #pragma once
 
 #include "maps/ball_scene.hpp"
+#include "maps/map_paths.hpp"
 #include "maps/stick_view.hpp"
 
 namespace hsp {
-
-// The points middle + cos t first + sin t second.
-struct RoundCurve {
-  Vec3 middle, first, second;
-
-  Vec3 at(double t) const {
-    const SinCos at = sin_cos(t);
-    return combine(1.0, middle, 1.0, combine(at.cosine, first, at.sine, second));
-  }
-};
 
 // The points start + t step.
 struct StraightCurve {
@@ -56,8 +47,8 @@ inline StickFront front_of(const Stick &stick, double x, double y) {
 
 enum class StickRing : uint32_t { foot = 0, middle = 1, top = 2 };
 
-struct StickScene {
-  Span<const SeenBall> balls;  // grid order
+// A scene of balls, in grid order, and more.
+struct StickScene : BallScene {
   Span<const Stick> sticks;
   Span<const uint32_t> order;  // of faces: bodies by their depths
 
@@ -67,7 +58,7 @@ struct StickScene {
   uint32_t ball_of(uint32_t body) const { return is_ball(body) ? body : stick_at(body).owner[part_of(body)]; }
   uint32_t body_in_order(uint32_t k) const { return order[k]; }
   double largest() const {
-    double largest = BallScene{balls}.largest();
+    double largest = BallScene::largest();
     for (const Stick &stick : sticks) largest = stick.length > largest ? stick.length : largest;
     return largest;
   }
@@ -86,14 +77,7 @@ struct StickScene {
 
   // All but contours of sticks.
   RoundCurve round_curve(uint32_t body, uint32_t nearer) const {
-    if (nearer == no_id) {
-      const SeenBall &ball = balls[body];
-      return {{ball.x, ball.y, ball.z}, {ball.r, 0.0, 0.0}, {0.0, ball.r, 0.0}};
-    }
-    if (is_ball(body) && is_ball(nearer)) {
-      const Crease crease(balls[body], balls[nearer]);
-      return {crease.m, crease.rho * crease.a, crease.rho * crease.b};
-    }
+    if (nearer == no_id || (is_ball(body) && is_ball(nearer))) return BallScene::round_curve(body, nearer);
     const Stick &stick = stick_at(is_ball(body) ? nearer : body);
     const StickRing ring = ring_of(body, nearer);
     const double s = ring == StickRing::foot ? stick.first : ring == StickRing::top ? stick.last : stick.middle();
@@ -112,10 +96,7 @@ struct StickScene {
   }
 
   EdgeCurve curve(const MapEdge &edge, const MapVertex &v, const MapVertex &w) const {
-    if (!is_straight(edge)) {
-      const RoundCurve round = round_curve(edge.ball, edge.nearer);
-      return {EdgeEllipse(round.middle, round.first, round.second), edge.from, edge.to};
-    }
+    if (!is_straight(edge)) return round_curve(edge.ball, edge.nearer).part(edge);
     const Vec3 from{v.x, v.y, 0.0};
     const Vec3 to{w.x, w.y, 0.0};
     return {EdgeEllipse(combine(0.5, from, 0.5, to), 0.5 * (to - from), Vec3{}), -pi, 0.0};
@@ -144,34 +125,35 @@ struct StickScene {
 
   // The parameter of a point of the view plane on the contour of a body, and how long the contour is per unit.
   double landing(uint32_t body, double x, double y) const {
-    if (is_ball(body)) return arc_tangent(y - balls[body].y, x - balls[body].x);
+    if (is_ball(body)) return BallScene::landing(body, x, y);
     const Stick &stick = stick_at(body);
     const double dx = x - stick.foot.x;
     const double dy = y - stick.foot.y;
     const double part = (dx * stick.e[0] + dy * stick.e[1]) / (stick.seen * stick.length);
     return dy * stick.e[0] - dx * stick.e[1] > 0.0 ? -part : part;
   }
-  double contour_length(uint32_t body) const { return is_ball(body) ? balls[body].r : stick_at(body).length; }
+  double contour_length(uint32_t body) const {
+    return is_ball(body) ? BallScene::contour_length(body) : stick_at(body).length;
+  }
 
   // Of a half of a stick the rectangle around the whole stick.
   double silhouette_area(uint32_t body, double margin) const {
-    if (is_ball(body)) return hsp::silhouette_area(balls[body], margin);
+    if (is_ball(body)) return BallScene::silhouette_area(body, margin);
     const Stick &stick = stick_at(body);
     const double half = stick.radius + margin;
     return 2 * half * (stick.length * stick.seen + 2 * half);
   }
   bool may_be_seen(uint32_t body, const Vec3 &p, double margin) const;
-  // The height of a body's front at or near a point where it is seen.
   double front_at(uint32_t body, double x, double y) const;
   // No edge that names the body first is nearer to a point of the view plane.
   double least_distance(uint32_t body, double x, double y) const {
-    if (is_ball(body)) return BallScene{balls}.least_distance(body, x, y);
+    if (is_ball(body)) return BallScene::least_distance(body, x, y);
     return -front_of(stick_at(body), x, y).beside;
   }
   // Calls visit(body, x, y) for a point of each that is seen if nothing else is before it there, until it is false.
   template <class Visit>
   bool all_middles(Visit visit) const {
-    if (!BallScene{balls}.all_middles(visit)) return false;
+    if (!BallScene::all_middles(visit)) return false;
     for (uint32_t k = 0; k < sticks.size(); ++k) {
       const Stick &stick = sticks[k];
       for (uint32_t part = 0; part < stick.parts; ++part) {
@@ -183,5 +165,44 @@ struct StickScene {
     return true;
   }
 };
+
+// Faces farthest body first, and each body at its own rank.
+struct StickMap : SceneMap<StickScene> {
+  bool exist = false;
+  Span<uint32_t> first_loop;  // [owners] indices in the order of loops
+
+  // As a source of paths (map_paths.hpp): one for each body that is seen, of its loops in their order.
+  const StickMap &map() const { return *this; }
+  uint32_t owner_of(uint32_t path) const { return loops[loop_order[first_loop[path]]].owner; }
+  template <class Visit>
+  void visit_path(uint32_t path, Visit visit) const {
+    const uint32_t owner = owner_of(path);
+    for (uint32_t k = first_loop[path]; k < loops.size() && loops[loop_order[k]].owner == owner; ++k) {
+      visit(loops[loop_order[k]].first_half_edge);
+    }
+  }
+  static bool is_plain(const void *source, uint32_t path) {
+    const StickMap &map = *static_cast<const StickMap *>(source);
+    return !map.scene.is_ball(map.owner_of(path));
+  }
+  void carve(Workspace &workspace, const StickLimits &limits) {
+    MapRecords::carve(workspace, limits.edges);
+    first_loop = workspace.take<uint32_t>(limits.balls + 2 * static_cast<uint64_t>(limits.sticks));
+  }
+  void clear() {
+    MapRecords::clear();
+    exist = false;
+    perturbation = 0.0;
+  }
+};
+
+// Each edge is drawn once: a contour by its body, a crease or half circle by the nearer body. The map has to outlive
+// them.
+inline PaintedPaths paths_of(const StickMap &map) {
+  return {map.frame, map.owners, &map, MapPathFunctions<StickMap>::functions};
+}
+
+// With the parameters of stick_scene.hpp; likewise.
+SeenSilhouettes silhouettes_of(const StickMap &map);
 
 }  // namespace hsp

@@ -4,10 +4,125 @@
 
 #include "core/fixed_vector.hpp"
 #include "core/limits.hpp"
+#include "core/status.hpp"
+#include "core/vec3.hpp"
 #include "core/workspace.hpp"
-#include "maps/stick.hpp"
+#include "lanes/floating_point.hpp"
+#include "view/projected_arcs.hpp"
 
 namespace hsp {
+
+// A stick: a solid cylinder around the line from the centre of one ball to that of another one, of the length of that
+// line. Seen of it is a part of its side between the two junction circles, where it leaves the balls.
+//
+// Coordinates of a point of the view plane beside a stick: a along the axis as it is seen and w across it, to the left.
+// With v = sqrt(radius^2 - w^2) the front of the stick is there at the height (a u_z + v) / h above the foot and
+// (a + u_z v) / h along the axis, where h is the length at which a unit of the axis u is seen.
+//
+// The points of the front at one position s along the axis are the half circle t in [0, pi] of
+//   s u + radius (cos t across + sin t rise),   across = (-e_y, e_x, 0), rise = (-u_z e, h), e = (u_x, u_y)/h
+// The contour, t = 0 and t = pi, appears as two lines. As u_z is not negative, half circles bulge towards the foot.
+
+// The points from + t (to - from), t in [0, 1].
+struct Segment {
+  Vec3 from, to;
+
+  Vec3 at(double t) const { return combine(1.0 - t, from, t, to); }
+  // Its shadow in the view plane.
+  Segment flat() const { return {{from.x, from.y, 0.0}, {to.x, to.y, 0.0}}; }
+};
+
+// Parameters of closest points, and the square of their distance.
+struct ClosestPoints {
+  double first, second;
+  double squared;
+};
+
+// A point is a segment with equal ends. Of parallel segments one of the closest pairs.
+inline ClosestPoints closest_points(const Segment &a, const Segment &b) {
+  const auto clamped = [](double t) { return t > 0.0 ? (t < 1.0 ? t : 1.0) : 0.0; };
+  const Vec3 u = a.to - a.from;
+  const Vec3 v = b.to - b.from;
+  const Vec3 r = b.from - a.from;
+  const double uu = dot(u, u);
+  const double vv = dot(v, v);
+  const double uv = dot(u, v);
+  const double ur = dot(u, r);
+  const double vr = dot(v, r);
+  // Closest on the lines: s uu - t uv = ur and s uv - t vv = vr. Then each is moved into its segment, the other one
+  // after it; a second time, as the first may have left its own.
+  const double determinant = uu * vv - uv * uv;
+  double s = determinant > 0.0 ? clamped((ur * vv - uv * vr) / determinant) : 0.0;
+  const double t = vv > 0.0 ? clamped((s * uv - vr) / vv) : 0.0;
+  s = uu > 0.0 ? clamped((ur + t * uv) / uu) : 0.0;
+  const Vec3 gap = b.at(t) - a.at(s);
+  return {s, t, dot(gap, gap)};
+}
+
+// A ball in view coordinates.
+struct PlacedBall {
+  Vec3 centre;
+  double r;
+};
+
+struct Stick {
+  Vec3 foot;           // the centre of the farther ball
+  Vec3 axis;           // of length 1, towards the nearer ball
+  double e[2];         // of length 1, the axis as it is seen
+  double seen;         // h
+  double radius;       // of the cylinder
+  double length;       // between the centres
+  double first, last;  // the planes of the junction circles along the axis, from the foot
+  uint32_t ball[2];    // the farther and the nearer one
+  uint32_t caller;     // the caller's number
+  uint32_t parts;      // 2: each half belongs to its ball. 1: all of it belongs to the ball that was named first. 0:
+                       // it is inside its balls, which meet
+  uint32_t owner[2];   // of the parts
+  uint32_t turned;     // 1 if the caller named the nearer ball first, else 0
+  bool inside;         // its balls, before they were moved
+
+  // Where the halves meet: in the middle of what is outside both balls.
+  double middle() const { return 0.5 * (first + last); }
+  // The caller's number of a part: 0 or 1 as that of its ball, 0 of a whole stick.
+  uint32_t half_of(uint32_t part) const { return parts == 2 ? part ^ turned : 0; }
+  double begin_of(uint32_t part) const { return part == 0 ? first : middle(); }
+  double end_of(uint32_t part) const { return part + 1 == parts ? last : middle(); }
+
+  Vec3 on_axis(double s) const { return combine(1.0, foot, s, axis); }
+  Segment axis_between(double from, double to) const { return {on_axis(from), on_axis(to)}; }
+  Segment axis_of(uint32_t part) const { return axis_between(begin_of(part), end_of(part)); }
+
+  // The circle at s along the axis in the view plane. The front half is t in [0, pi].
+  ProjectedEllipse circle_at(double s) const {
+    const Vec3 centre = on_axis(s);
+    const double rise = radius * axis.z;
+    return {{centre.x, centre.y}, {-radius * e[1], radius * e[0]}, {-rise * e[0], -rise * e[1]}};
+  }
+};
+
+// From the farther ball, `foot`, to the nearer one, `top`. The balls shall be thicker than the stick, and have
+// different centres. Where first >= last all of it is inside them.
+inline Stick stick_between(const PlacedBall &foot, const PlacedBall &top, double radius) {
+  Stick stick{};
+  const Vec3 d = top.centre - foot.centre;
+  stick.foot = foot.centre;
+  stick.radius = radius;
+  stick.length = std::sqrt(dot(d, d));
+  stick.axis = 1.0 / stick.length * d;
+  if (stick.axis.z < 0.0) stick.axis.z = 0.0;  // of equal depths, up to rounding
+  stick.seen = std::sqrt(stick.axis.x * stick.axis.x + stick.axis.y * stick.axis.y);
+  stick.e[0] = stick.seen > 0.0 ? stick.axis.x / stick.seen : 1.0;
+  stick.e[1] = stick.seen > 0.0 ? stick.axis.y / stick.seen : 0.0;
+  stick.first = std::sqrt((foot.r - radius) * (foot.r + radius));
+  stick.last = stick.length - std::sqrt((top.r - radius) * (top.r + radius));
+  return stick;
+}
+
+// Whether the nearer ball hides all of a part: what is seen from farther away than the ball's edge is never within it.
+// The ball then has no bite either. Holds for sticks that point at the viewer, whose e means nothing.
+inline bool hidden_by_top(const Stick &stick, uint32_t part, double top_radius) {
+  return (stick.length - stick.begin_of(part)) * stick.seen + stick.radius <= top_radius;
+}
 
 struct StickLimits {
   uint32_t balls = 0;  // of the model

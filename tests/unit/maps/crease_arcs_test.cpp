@@ -1,6 +1,6 @@
-#include "maps/crease_arcs.hpp"
+#include "maps/arc_finder.hpp"
 
-#include "maps/curves.hpp"
+#include "maps/ball_scene.hpp"
 #include "set_arrangements.hpp"
 #include "visible_samples.hpp"
 

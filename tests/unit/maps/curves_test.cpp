@@ -1,4 +1,4 @@
-#include "maps/curves.hpp"
+#include "maps/ball_scene.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // How near edges come, against many points of them.
-#include "maps/edge_distance.hpp"
+#include "maps/face_pole.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 double sampled(const hsp::VisibilityMap &map, uint32_t e, double x, double y) {
   const hsp::MapEdge &edge = map.edges[e];
-  const hsp::EdgeEllipse ellipse = map.scene.ellipse_of(edge);
+  const hsp::EdgeEllipse ellipse = map.scene.curve(edge, {}, {}).ellipse;
   const auto distance = [&](double t) {
     return std::hypot(ellipse.centre[0] + std::cos(t) * ellipse.first[0] + std::sin(t) * ellipse.second[0] - x,
                       ellipse.centre[1] + std::cos(t) * ellipse.first[1] + std::sin(t) * ellipse.second[1] - y);

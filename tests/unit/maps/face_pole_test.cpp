@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "built_map.hpp"
-#include "maps/face_nesting.hpp"
+#include "maps/edge_geometry.hpp"
 #include "maps/map_queries.hpp"
 #include "random_balls.hpp"
 
@@ -24,7 +24,7 @@ std::vector<Point> outline(const hsp::VisibilityMap &map, uint32_t face, int cou
   for (uint32_t h = 0; h < map.half_edges.size(); ++h) {
     if (map.face_of(h) != face) continue;
     const hsp::MapEdge &edge = map.edges[h / 2];
-    const hsp::EdgeEllipse ellipse = map.scene.ellipse_of(edge);
+    const hsp::EdgeEllipse ellipse = map.scene.curve(edge, {}, {}).ellipse;
     for (int k = 0; k <= count; ++k) {
       const double t = edge.from + (edge.to - edge.from) * k / count;
       points.push_back({ellipse.centre[0] + std::cos(t) * ellipse.first[0] + std::sin(t) * ellipse.second[0],
@@ -152,7 +152,7 @@ double distance(const Point &p, const Point &q) {
 // Half the width of a narrow strip between two edges where it is widest: from many points of one edge to the nearest of
 // the other one, whose parameter is about the same.
 double half_of_widest(const hsp::VisibilityMap &map, const hsp::MapEdge &edge, const hsp::MapEdge &other) {
-  const hsp::EdgeEllipse own = map.scene.ellipse_of(edge), across = map.scene.ellipse_of(other);
+  const hsp::EdgeEllipse own = map.scene.curve(edge, {}, {}).ellipse, across = map.scene.curve(other, {}, {}).ellipse;
   double widest = 0;
   const double from = std::max(edge.from, other.from), to = std::min(edge.to, other.to);
   for (int k = 1; k < 1000; ++k) {

@@ -1,4 +1,4 @@
-#include "maps/landings.hpp"
+#include "maps/map_linker.hpp"
 
 #include <gtest/gtest.h>
 

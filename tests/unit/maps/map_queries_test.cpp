@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "built_map.hpp"
-#include "maps/face_nesting.hpp"
+#include "maps/edge_geometry.hpp"
 #include "random_balls.hpp"
 
 namespace {

@@ -1,6 +1,6 @@
 // Silhouettes of maps in runs: each edge that is one appears once, angles go on, and the ends say what the map says. Of
 // balls and sticks they are where a z-buffer shows them, before what it shows there.
-#include "maps/map_silhouettes.hpp"
+#include "maps/map_paths.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "maps/silhouette_arcs.hpp"
+#include "maps/arc_finder.hpp"
 
-#include "maps/curves.hpp"
+#include "maps/ball_scene.hpp"
 #include "visible_samples.hpp"
 
 namespace {

@@ -1,5 +1,5 @@
 // Points of cylinders in space against the formulas for what is seen of them, and closest points against samples.
-#include "maps/stick.hpp"
+#include "maps/stick_view.hpp"
 
 #include <gtest/gtest.h>
 

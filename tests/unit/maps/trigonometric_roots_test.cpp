@@ -82,7 +82,7 @@ TEST(TrigonometricRoots, AreNotLostWhenTheIntervalEndsAtAnother) {
 }
 
 // Along a crease seen edge-on the distance to a point has extrema at both ends, rounded to 0 or next to it, and may
-// have one between: the derivative is sin t (A + K cos t), here at an angle of pi / 4 less, as edge_distance.cpp asks.
+// have one between: the derivative is sin t (A + K cos t), here at an angle of pi / 4 less, as face_pole.cpp asks.
 TEST(TrigonometricRoots, AreNotLostBetweenTwoOthersAtBothEnds) {
   oracle::RandomSource random(8);
   constexpr double eighth = std::numbers::pi / 4, root_half = 0.5 * std::numbers::sqrt2;

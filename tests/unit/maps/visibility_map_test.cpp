@@ -1,4 +1,4 @@
-#include "maps/visibility_map.hpp"
+#include "maps/ball_scene.hpp"
 
 #include <gtest/gtest.h>
 

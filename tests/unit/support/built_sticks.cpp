@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "lattice_lengths.hpp"
-#include "maps/face_nesting.hpp"
+#include "maps/edge_geometry.hpp"
 #include "maps/map_check.hpp"
 #include "maps/map_queries.hpp"
 #include "maps/stick_outlines.hpp"

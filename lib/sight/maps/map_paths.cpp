@@ -1,7 +1,6 @@
-#include "maps/map_silhouettes.hpp"
+#include "maps/map_paths.hpp"
 
 #include "lanes/floating_point.hpp"
-#include "maps/loop_runs.hpp"
 
 namespace hsp {
 namespace {
