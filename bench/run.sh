@@ -6,6 +6,7 @@
 #            sasa and mdtraj, and these and FreeSASA from files to areas. What of them is missing is installed from
 #            Debian's packages if it can be, and left out otherwise. Then version 0.1.0 of the library, if it is in the
 #            repository's history
+# Missing packages are installed with apt-get (as root, or through sudo). The environment variable BENCH_BUILD names
 # another folder to build in. Takes ten to twenty-five minutes, once the machine has come to rest after building.
 # What is committed of it are bench/report.md and bench/plots/*.svg.
 set -euo pipefail
