@@ -93,7 +93,11 @@ void count_stages(const bench::Balls &balls, const Surface &surface) {
     periodic_areas.compute();
     periodic_areas.differentiate();
   });
-  if (surface.probe != 0) return;  // what is drawn are van der Waals balls
+  if (surface.probe != 0) return;  // what is drawn are van der Waals balls, and pores have every probe
+  if (balls.size() < 1000) {       // of the others they take minutes in a simulated processor
+    bench::Pores pores(model);
+    count("pores", balls, surface, [&] { pores.compute(); });
+  }
   bench::View farther(model, nullptr, HSP_PIECES_OUTSIDE_FARTHER, {towards});
   count("view_farther", balls, surface, [&] { farther.compute(towards); });
   bench::View all(model, &boundary, HSP_PIECES_OUTSIDE_ALL, {towards});

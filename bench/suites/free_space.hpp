@@ -26,4 +26,24 @@ class FreeSpace {
   support::OwnedHandle<support::CellsKind> cells_;
 };
 
+// All maxima and gates above the floor 0, and the tree of their classes.
+class Pores {
+ public:
+  explicit Pores(const Model &model) : model_(model) {
+    hsp_pores_limits limits;
+    support::expect_ok(hsp_pores_limits_init(&limits, sizeof limits, model.size()), "hsp_pores_limits_init");
+    pores_.take(limits);
+    pores_.compute([&](hsp_pores *pores, hsp_pores_limits *asked) {
+      return hsp_pores_compute(pores, model_.get(), nullptr, asked);
+    });
+  }
+  void compute() {
+    support::expect_ok(hsp_pores_compute(pores_.get(), model_.get(), nullptr, nullptr), "hsp_pores_compute");
+  }
+
+ private:
+  const Model &model_;
+  support::OwnedHandle<support::PoresKind> pores_;
+};
+
 }  // namespace bench

@@ -111,7 +111,8 @@ HSP_API int32_t hsp_pores_compute(hsp_pores *pores, const hsp_model *model, cons
  *  images need more. hsp_pores_locate, hsp_pores_widest, pockets and tunnels are not there in a box: HSP_E_STATE.
  *  - Property 1: which image of a ball is given, which vectors for the same box, and the order of the balls have no
  *    effect but on numbers of balls, points and shifts, and on the numbers of what is equally wide.
- *  - Property 2: a box of m copies has m times each maximum and gate, of the same radii bit for bit.
+ *  - Property 2: a box of m copies has m times each maximum and gate, of the same radii bit for bit, if these are not a
+ *    hundred times the largest ball's.
  *
  *  Cost: that of hsp_pores_compute for balls and images.
  *  @retval HSP_E_ARGUMENT    pores or periodic is NULL

@@ -298,10 +298,13 @@ int main(void) {
   static const double upright[9] = {8, 0, 0, 0, 10, 0, 0, 0, 3}, skew[9] = {8, 0, 0, 8, 10, 0, -8, 0, 3};
   static const int32_t along_axes[3][3] = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
   static const int32_t in_skew[3][3] = {{1, 0, 1}, {1, 0, 0}, {-1, 1, 0}};
+  static const double other_skew[9] = {8, 0, 0, 8, 10, 0, 8, 0, 3};
+  static const int32_t in_other_skew[3][3] = {{1, 0, -1}, {1, 0, 0}, {-1, 1, 0}};
   memset(&work, 0, sizeof work);
   packings();
   rods(upright, along_axes, 1, 2, 0);
   rods(skew, in_skew, 0, 2, 0);
+  rods(other_skew, in_other_skew, 0, 2, 0);
   closed();
   copies_and_stale_results();
   refused_in_a_box();

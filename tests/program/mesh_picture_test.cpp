@@ -105,7 +105,7 @@ std::vector<Part> parts_of(const std::string &svg) {
   for (size_t at = svg.find("<path "); at != std::string::npos; at = svg.find("<path ", at + 1)) {
     const std::string path = svg.substr(at, svg.find('\n', at) - at);
     if (!attribute(path, "stroke-opacity").empty()) continue;
-    const bool line = attribute(path, "fill") == "none";
+    const bool line = attribute(path, "id") == "section";
     for (Part part : loops_of(attribute(path, "d"))) {
       if (line) {
         part.closed = false;

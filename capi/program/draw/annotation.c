@@ -14,7 +14,7 @@ enum { MOST_ENTRIES = 200, RAMP_PARTS = 65, TEXT_BYTES = 48, MOST_POWERS = 300 }
 
 static const double letter_height = 0.72;         /* of capitals, in sizes */
 static const double line_height = 1.3;            /* from label to label */
-static const double clear_of_edge = 0.12;         /* a name within a ball, in sizes */
+static const double clear_of_edge = 0.23;         /* a name within a ball, in sizes */
 static const double smallest_share = 1.0 / 110.0; /* of the width of the page: letters below that are not read */
 
 struct writer {

@@ -611,13 +611,21 @@ static bool add_areas(const struct mesh_picture *picture, struct text_buffer *ou
   return enough;
 }
 
-static bool add_section_line(const struct mesh_picture *picture, struct text_buffer *out) {
+/* Within the section the inside is seen everywhere: in its darkest tone below all areas, so that no page shows where
+ * one of them is too thin to be painted; over them its line. */
+static bool add_section_area(const struct mesh_picture *picture, struct text_buffer *out) {
   if (picture->section.count == 0) return true;
-  text_buffer_add(out, "<path fill=\"none\" stroke=\"#%06" PRIx32 "\" stroke-width=\"%.0f\" d=\"", line_colour,
-                  2.0 * section_line);
+  text_buffer_add(out, "<defs><path id=\"section\" d=\"");
   const bool enough = painted_edges_write(&picture->section, 0, picture->section.count, false, true, out);
-  text_buffer_add(out, "\"/>\n");
+  text_buffer_add(out, "\"/></defs>\n<use xlink:href=\"#section\" fill=\"#%06" PRIx32 "\" fill-rule=\"evenodd\"/>\n",
+                  surface_light_on(inside_colour, 1.0));
   return enough;
+}
+
+static void add_section_line(const struct mesh_picture *picture, struct text_buffer *out) {
+  if (picture->section.count == 0) return;
+  text_buffer_add(out, "<use xlink:href=\"#section\" fill=\"none\" stroke=\"#%06" PRIx32 "\" stroke-width=\"%.0f\"/>\n",
+                  line_colour, 2.0 * section_line);
 }
 
 static void add_entry(const struct pen *pen, double *x, double y, uint32_t colour, const char *text) {
@@ -678,7 +686,8 @@ static bool add_picture(struct mesh_picture *picture, const char *title, struct 
   text_buffer_add(out,
                   "</defs>\n<g transform=\"scale(.5)\" stroke-width=\"12\" "
                   "stroke-linejoin=\"round\" stroke-linecap=\"round\">\n");
-  const bool enough = add_areas(picture, out) && add_section_line(picture, out);
+  const bool enough = add_section_area(picture, out) && add_areas(picture, out);
+  add_section_line(picture, out);
   text_buffer_add(out, "</g>\n");
   if (picture->mesh->triangles > 0) add_legend(picture, out);
   text_buffer_add(out, "</svg>\n");

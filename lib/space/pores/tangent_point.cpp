@@ -541,11 +541,14 @@ int TangentPoint::level_against_half(double halves, double unit) const {
   });
 }
 
+// How many units integers may move a level by: twice what it may be off.
+constexpr int most_units = 64;
+
 double TangentPoint::rounded_level(double level, double doubt, double unit) const {
   double multiple = static_cast<double>(nearest(level / unit));
   if (std::fabs(level / unit - multiple) + doubt / unit < 0.499) return multiple * unit;
-  for (int turn = 0; turn < 4 && level_against_half(2.0 * multiple + 1.0, unit) >= 0; ++turn) multiple += 1.0;
-  for (int turn = 0; turn < 4 && level_against_half(2.0 * multiple - 1.0, unit) < 0; ++turn) multiple -= 1.0;
+  for (int turn = 0; turn < most_units && level_against_half(2.0 * multiple + 1.0, unit) >= 0; ++turn) multiple += 1.0;
+  for (int turn = 0; turn < most_units && level_against_half(2.0 * multiple - 1.0, unit) < 0; ++turn) multiple -= 1.0;
   return multiple * unit;
 }
 
@@ -554,7 +557,7 @@ double TangentPoint::settle_from_base(Vec3 &off, double &level) {
   // 2^-40 of the largest radius, or 2^-20 of a step.
   double unit = 0x1p-20;
   while (unit < 0x1p-41 * static_cast<double>(balls_->largest_radius)) unit *= 2.0;
-  if (!(doubt <= 2.0 * unit) || !(std::fabs(level) < 0x1p50 * unit)) return doubt;
+  if (!(doubt <= 0.5 * most_units * unit) || !(std::fabs(level) < 0x1p50 * unit)) return doubt;
   level = rounded_level(level, doubt, unit);
   return doubt + unit;
 }

@@ -1,0 +1,251 @@
+// Pores in a periodic box: points and their balls against all images, ends of gates, widest probes through against the
+// channels beside their levels, the same levels from other images of the balls, other vectors of the box, another order
+// and twice the box, and limits that are too small.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include "ball_list.hpp"
+#include "fuzz_input.hpp"
+#include "owned_spaces.hpp"
+#include "required_limits.hpp"
+
+namespace {
+
+using Vectors = std::array<double, 9>;
+
+struct Crystal {
+  uint32_t n() const { return balls.size(); }
+  support::BallList balls;
+  Vectors box{};
+};
+
+// Lengths of whole steps, from few values.
+Crystal crystal_from(fuzz::Bytes &bytes) {
+  Crystal crystal;
+  const bool fine = bytes.one_in(3);
+  const auto length = [&](int64_t least, int64_t most) {
+    const int64_t whole = least + bytes.below(static_cast<uint32_t>(most - least + 1));
+    return static_cast<double>(fine ? 100 * whole + bytes.below(100) : 2 * whole);
+  };
+  crystal.box = {length(3, 6), 0, 0, length(-2, 2), length(3, 6), 0, length(-2, 2), length(-2, 2), length(3, 6)};
+  if (bytes.one_in(2)) crystal.box[3] = crystal.box[6] = crystal.box[7] = 0;
+  for (uint32_t n = bytes.below(4); n > 0; --n) {
+    const double x = length(-4, 4), y = length(-4, 4), z = length(-4, 4);
+    crystal.balls.add(x, y, z, length(1, 3));
+  }
+  return crystal;
+}
+
+std::array<double, 3> moved(const Crystal &crystal, const double *from, const int32_t *times) {
+  std::array<double, 3> at{from[0], from[1], from[2]};
+  for (size_t axis = 0; axis < 3; ++axis) {
+    for (size_t row = 0; row < 3; ++row) at[axis] += times[row] * crystal.box[3 * row + axis];
+  }
+  return at;
+}
+
+double gap(const Crystal &crystal, const double *xyz, uint32_t ball, const int32_t *times) {
+  const auto at = moved(crystal, &crystal.balls.xyz[3 * size_t{ball}], times);
+  return std::hypot(at[0] - xyz[0], at[1] - xyz[1], at[2] - xyz[2]) - crystal.balls.radius[ball];
+}
+
+struct Pores {
+  explicit Pores(const Crystal &given, double floor) : crystal(given), options(with_floor(floor)) {
+    hsp_periodic_limits limits{};
+    FUZZ_REQUIRE(hsp_periodic_limits_init(&limits, sizeof limits, crystal.n()) == HSP_OK, "limits of the box");
+    periodic.take(limits);
+    hsp_model_options lattice{};
+    FUZZ_REQUIRE(hsp_model_options_init(&lattice, sizeof lattice) == HSP_OK, "options");
+    lattice.step = 1e-6;  // of few steps every set of four is tried
+    periodic.compute([&](hsp_periodic *handle, hsp_periodic_limits *asked) {
+      return hsp_periodic_compute(handle, crystal.n(), crystal.balls.xyz.data(), crystal.balls.radius.data(), &lattice,
+                                  crystal.box.data(), asked, nullptr);
+    });
+    hsp_pores_limits first{};
+    FUZZ_REQUIRE(hsp_pores_limits_init(&first, sizeof first, crystal.n()) == HSP_OK, "limits of pores");
+    pores.take(first);
+    pores.compute([&](hsp_pores *handle, hsp_pores_limits *asked) { return compute(handle, asked); });
+    FUZZ_REQUIRE(read(pores.get()) == HSP_OK, "results");
+  }
+
+  static hsp_pores_options with_floor(double floor) {
+    hsp_pores_options options;
+    FUZZ_REQUIRE(hsp_pores_options_init(&options, sizeof options) == HSP_OK, "hsp_pores_options_init");
+    options.floor = floor;
+    return options;
+  }
+  int32_t compute(hsp_pores *handle, hsp_pores_limits *limits) const {
+    return hsp_pores_compute_periodic(handle, periodic.get(), &options, limits);
+  }
+  int32_t read(const hsp_pores *handle) {
+    const int32_t status = hsp_pores_get_counts(handle, &counts);
+    if (status != HSP_OK) return status;
+    maxima.resize(counts.maxima);
+    gates.resize(counts.gates);
+    shifts.resize(counts.gates);
+    FUZZ_REQUIRE(hsp_pores_get_maxima(handle, 0, counts.maxima, maxima.data()) == HSP_OK, "maxima");
+    FUZZ_REQUIRE(hsp_pores_get_gates(handle, 0, counts.gates, gates.data()) == HSP_OK, "gates");
+    FUZZ_REQUIRE(hsp_pores_get_gate_shifts(handle, 0, counts.gates, shifts.data()) == HSP_OK, "shifts");
+    FUZZ_REQUIRE(hsp_pores_get_percolation(handle, &wide) == HSP_OK, "percolation");
+    return HSP_OK;
+  }
+
+  // Each so often, in ascending order.
+  std::vector<double> levels(int times) const {
+    std::vector<double> all;
+    for (int k = 0; k < times; ++k) {
+      for (const auto &maximum : maxima) all.push_back(maximum.radius);
+      for (const auto &gate : gates) all.push_back(gate.radius);
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+
+  Crystal crystal;
+  hsp_pores_options options;
+  support::OwnedPeriodic periodic;
+  support::OwnedHandle<support::PoresKind> pores;
+  hsp_pores_counts counts{};
+  hsp_pore_percolation wide{};
+  std::vector<hsp_pore_maximum> maxima;
+  std::vector<hsp_pore_gate> gates;
+  std::vector<hsp_pore_gate_shifts> shifts;
+};
+
+void require_same(const Pores &one, const Pores &other, int times, const char *what) {
+  FUZZ_REQUIRE(one.levels(times) == other.levels(1), what);
+  for (int d = 0; d < 3; ++d) FUZZ_REQUIRE(one.wide.through[d] == other.wide.through[d], what);
+}
+
+// All images of the point's balls touch the probe there, and none is nearer.
+template <class Get>
+void require_point(const Pores &found, const double *xyz, double radius, uint32_t point, uint32_t least, Get get) {
+  constexpr double doubt = 1e-6;
+  std::vector<hsp_image> images(256);
+  uint32_t needed = 0;
+  FUZZ_REQUIRE(get(found.pores.get(), point, images.data(), 256, &needed) == HSP_OK, "images");
+  FUZZ_REQUIRE(needed >= least, "enough balls");
+  for (uint32_t k = 0; k < needed; ++k) {
+    FUZZ_REQUIRE(std::fabs(gap(found.crystal, xyz, images[k].ball, images[k].shift) - radius) < doubt, "its balls");
+  }
+  uint32_t touching = 0;
+  constexpr int32_t far = 7;
+  for (uint32_t ball = 0; ball < found.crystal.n(); ++ball) {
+    for (int32_t a = -far; a <= far; ++a) {
+      for (int32_t b = -far; b <= far; ++b) {
+        for (int32_t c = -far; c <= far; ++c) {
+          const int32_t times[3] = {a, b, c};
+          const double more = gap(found.crystal, xyz, ball, times) - radius;
+          FUZZ_REQUIRE(more > -doubt, "a ball is nearer");
+          touching += more < doubt ? 1U : 0U;
+        }
+      }
+    }
+  }
+  FUZZ_REQUIRE(touching >= needed, "all of them are seen");
+}
+
+std::vector<hsp_pore_channel> channels_of(const Pores &found, double radius) {
+  uint32_t needed = 0;
+  const int32_t status = hsp_pores_get_channels(found.pores.get(), radius, nullptr, 0, &needed);
+  FUZZ_REQUIRE(status == (needed > 0 ? HSP_E_CAPACITY : HSP_OK), "how many channels");
+  std::vector<hsp_pore_channel> channels(needed);
+  FUZZ_REQUIRE(hsp_pores_get_channels(found.pores.get(), radius, channels.data(), needed, &needed) == HSP_OK,
+               "channels");
+  uint32_t maxima = 0, fitting = 0;
+  for (const auto &channel : channels) maxima += channel.maxima;
+  for (const auto &maximum : found.maxima) fitting += maximum.radius > radius ? 1U : 0U;
+  FUZZ_REQUIRE(maxima == fitting, "every maximum is in one channel");
+  return channels;
+}
+
+uint32_t most_directions(const Pores &found, double radius) {
+  uint32_t most = 0;
+  for (const auto &channel : channels_of(found, radius)) most = std::max(most, channel.directions);
+  return most;
+}
+
+void require_sound(const Pores &found) {
+  for (uint32_t k = 0; k < found.counts.maxima; ++k) {
+    const auto &maximum = found.maxima[k];
+    require_point(found, maximum.xyz, maximum.radius, k, 4, hsp_pores_get_maximum_images);
+    FUZZ_REQUIRE(maximum.parent == HSP_NONE || maximum.parent < k, "a parent is older");
+  }
+  for (uint32_t k = 0; k < found.counts.gates; ++k) {
+    const auto &gate = found.gates[k];
+    require_point(found, gate.xyz, gate.radius, k, 3, hsp_pores_get_gate_images);
+    for (const uint32_t end : gate.end) {
+      FUZZ_REQUIRE(end < found.counts.maxima && found.maxima[end].radius >= gate.radius, "an end of a gate");
+    }
+    for (int b = 0; b < 3; ++b) {
+      FUZZ_REQUIRE(
+          std::fabs(gap(found.crystal, gate.xyz, gate.ball[b], found.shifts[k].ball + 3 * b) - gate.radius) < 1e-6,
+          "shifts of its balls");
+    }
+  }
+  for (uint32_t d = 0; d < 3; ++d) {
+    if (found.wide.gate[d] == HSP_NONE) {
+      FUZZ_REQUIRE(most_directions(found, found.options.floor) <= d, "nothing gets through");
+      continue;
+    }
+    const double radius = found.wide.through[d];
+    FUZZ_REQUIRE(most_directions(found, radius) <= d, "a probe as wide does not get through");
+    const double narrower = std::nextafter(radius, -1e9);
+    if (narrower >= found.options.floor) {
+      FUZZ_REQUIRE(most_directions(found, narrower) > d, "a narrower one does");
+    }
+    FUZZ_REQUIRE(d == 0 || radius <= found.wide.through[d - 1], "more directions are no wider");
+  }
+  double along = -INFINITY;
+  for (int axis = 0; axis < 3; ++axis) along = std::max(along, found.wide.along[axis]);
+  FUZZ_REQUIRE(along == found.wide.through[0], "the widest of the three vectors");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  fuzz::Bytes bytes(data, size);
+  const Crystal crystal = crystal_from(bytes);
+  const double floor = bytes.one_in(2) ? 0.0 : -static_cast<double>(bytes.below(8));
+  Pores found(crystal, floor);
+  require_sound(found);
+
+  Crystal other = crystal;
+  for (uint32_t i = 0; i < other.n(); ++i) {
+    const int32_t times[3] = {static_cast<int32_t>(bytes.below(5)) - 2, static_cast<int32_t>(bytes.below(5)) - 2,
+                              static_cast<int32_t>(bytes.below(5)) - 2};
+    const auto at = moved(crystal, &crystal.balls.xyz[3 * size_t{i}], times);
+    std::copy(at.begin(), at.end(), other.balls.xyz.begin() + 3 * static_cast<ptrdiff_t>(i));
+  }
+  require_same(found, Pores(other, floor), 1, "other images");
+  Crystal skew = crystal;
+  for (size_t axis = 0; axis < 3; ++axis) {
+    skew.box[6 + axis] += skew.box[3 + axis];
+    skew.box[3 + axis] -= skew.box[axis];
+  }
+  require_same(found, Pores(skew, floor), 1, "other vectors");
+  Crystal twice = crystal;
+  const size_t row = bytes.below(3);
+  for (uint32_t i = 0; i < crystal.n(); ++i) {
+    int32_t times[3] = {0, 0, 0};
+    times[row] = 1;
+    const auto at = moved(crystal, &crystal.balls.xyz[3 * size_t{i}], times);
+    twice.balls.add(at[0], at[1], at[2], crystal.balls.radius[i]);
+  }
+  for (size_t axis = 0; axis < 3; ++axis) twice.box[3 * row + axis] *= 2;
+  require_same(found, Pores(twice, floor), 2, "twice the box");
+
+  const auto before = found.levels(1);
+  fuzz::require_limits<support::PoresKind>(
+      found.pores.needed(), bytes,
+      [&](hsp_pores *handle, hsp_pores_limits *limits) { return found.compute(handle, limits); },
+      [&](const hsp_pores *handle) {
+        const int32_t status = found.read(handle);
+        if (status == HSP_OK) FUZZ_REQUIRE(found.levels(1) == before, "pores the second time");
+        return status;
+      });
+  return 0;
+}
