@@ -2,9 +2,10 @@
 # Runs every benchmark and writes build/bench/report/report.md, with the paper's figures beside ours.
 # Usage: bash bench/run.sh [--quick] [--peers]
 #   --quick  one repetition of each benchmark, as short as it gets: for trying out, not for quoting
-#   --peers  time other programs by turns with the library: FreeSASA, CGAL, nanoflann, gemmi, FCL, and on a trajectory
-#            gmx sasa and mdtraj. What of them is missing is installed from Debian's packages if it can be, and left out
-#            otherwise. Then version 0.1.0 of the library, if it is in the repository's history
+#   --peers  time other programs by turns with the library: FreeSASA, CGAL, nanoflann, gemmi, FCL, on a trajectory gmx
+#            sasa and mdtraj, and these and FreeSASA from files to areas. What of them is missing is installed from
+#            Debian's packages if it can be, and left out otherwise. Then version 0.1.0 of the library, if it is in the
+#            repository's history
 # Missing packages are installed with apt-get (as root, or through sudo). The environment variable BENCH_BUILD names
 # another folder to build in. Takes ten to twenty-five minutes, once the machine has come to rest after building.
 # What is committed of it are bench/report.md and bench/plots/*.svg.
@@ -124,6 +125,9 @@ if [ "$peers" = yes ]; then
   printf '== %s\n' bench/peers/trajectories.py
   python3 "$source_folder/bench/peers/trajectories.py" "$build_folder/capi/hardsphere" \
     "$source_folder/bench/molecules/ubiquitin.pdb" "$report_folder/peers_trajectories.json" "${quickly[@]}"
+  printf '== %s\n' bench/peers/programs.py
+  python3 "$source_folder/bench/peers/programs.py" "$build_folder/capi/hardsphere" \
+    "$source_folder/bench/molecules/ubiquitin.pdb" "$build_folder/programs.json" "${quickly[@]}"
 fi
 # What else a machine does comes and goes in minutes, and would make a set look smaller or larger than it is. So suites
 # that compare sizes or threads run twice more.

@@ -178,7 +178,7 @@ case $words[2] in
     '*--fog-colour=[with --background none]:RRGGBB:'
     '*--label=[names, each where most room is in what is seen of it, or beside the molecule with a line]:atom|residue|chain:(atom residue chain)'
     '*--scale-bar[a length to compare with]'
-    '*--legend[which colour stands for which element or chain, or number]'
+    '*--legend[which colour stands for which element, chain, kind of residue or number]'
     '*--title=[the title in the file]:TEXT:_files'
     '*--water[draw water too]'
     '*--pieces=[cut balls by farther ones, or by all others, which leaves seams]:g|h|visible:(g h visible)'

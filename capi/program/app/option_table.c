@@ -291,7 +291,7 @@ const struct option *option_at(size_t i) {
                "to there; with --highlight only of the atoms that it names."},
       {"--scale-bar", NULL, take_flag, OF(DRAW), .target = IN(drawing.scale_bar), .help = "a length to compare with"},
       {"--legend", NULL, take_flag, OF(DRAW), .target = IN(drawing.legend),
-       .help = "which colour stands for which element or chain, or number\n"
+       .help = "which colour stands for which element, chain, kind of residue or number\n"
                "These three make the molecule smaller, so that they have room, but not in a picture\n"
                "with --scale or --crop"},
       {"--title", "TEXT", take_text, OF(DRAW), .target = IN(drawing.title), .what = "a text",
