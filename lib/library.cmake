@@ -173,7 +173,6 @@ set(HSP_LIBRARY_SOURCES
   lib/sight/view/visible_piece.cpp
   lib/sight/maps/arc_finder.cpp
   lib/sight/maps/disc_grid.cpp
-  lib/sight/maps/drawing_order.cpp
   lib/sight/maps/face_pole.cpp
   lib/sight/maps/map_builder.cpp
   lib/sight/maps/map_paths.cpp

@@ -104,6 +104,15 @@ void count_stages(const bench::Balls &balls, const Surface &surface) {
   count("view_all", balls, surface, [&] { all.compute(towards); });
   bench::VisibleMap map(model, {towards});
   count("map", balls, surface, [&] { map.compute(towards); });
+  if (balls.name == "crambin") {  // in random sets sticks would run into balls
+    bench::Sticks sticks(balls);
+    for (const bool as_map : {true, false}) {
+      sticks.compute(towards, as_map);
+      count(as_map ? "sticks_map" : "sticks", balls, surface, [&] { sticks.compute(towards, as_map); });
+      count(as_map ? "sticks_contours" : "sticks_picture", balls, surface,
+            [&] { sticks.write_picture(as_map ? &sticks : nullptr); });
+    }
+  }
   // What frames and maps are measured against: both start with the centres and a direction.
   bench::Placement placement(balls.xyz, balls.radius);
   bench::AnalyticZBuffer z_buffer;

@@ -79,4 +79,51 @@ hsp_map_info VisibleMap::info() const {
   return read(hsp_map_get_info, map_.get(), "hsp_map_get_info");
 }
 
+namespace {
+
+Balls smaller_balls(Balls balls) {
+  for (double &radius : balls.radius) radius *= 0.25;
+  return balls;
+}
+
+}  // namespace
+
+Sticks::Sticks(const Balls &balls) : model_(smaller_balls(balls), 0) {
+  for (uint32_t i = 0; i < balls.size(); ++i) {
+    for (uint32_t j = 0; j < i; ++j) {
+      double squared = 0;
+      for (size_t axis = 0; axis < 3; ++axis) {
+        const double d = balls.xyz[3 * size_t{i} + axis] - balls.xyz[3 * size_t{j} + axis];
+        squared += d * d;
+      }
+      const double reach = 0.6 * (balls.radius[i] + balls.radius[j]);
+      if (squared < reach * reach) sticks_.push_back({{i, j}, 0, 0});
+    }
+  }
+  hsp_sticks_limits limits{};
+  expect_ok(hsp_sticks_limits_init(&limits, sizeof limits, balls.size()), "hsp_sticks_limits_init");
+  handle_.take(limits);
+}
+
+void Sticks::compute(const Direction &towards, bool as_map) {
+  hsp_view_options options{};
+  expect_ok(hsp_view_options_init(&options, sizeof options), "hsp_view_options_init");
+  std::copy(towards.begin(), towards.end(), options.towards);
+  handle_.compute([&](hsp_sticks *sticks, hsp_sticks_limits *limits) {
+    return (as_map ? hsp_sticks_compute_map : hsp_sticks_compute)(
+        sticks, model_.get(), &options, sticks_.data(), static_cast<uint32_t>(sticks_.size()), 0.12, nullptr, limits);
+  });
+}
+
+uint64_t Sticks::write_picture(const Sticks *ink) {
+  hsp_picture_options options{};
+  expect_ok(hsp_picture_options_init(&options, sizeof options), "hsp_picture_options_init");
+  if (ink != nullptr) options.ink_of_sticks = ink->handle_.get();
+  uint64_t counted = 0;
+  expect_ok(
+      hsp_picture_write_sticks(handle_.get(), nullptr, &options, nullptr, nullptr, count_bytes, &counted, nullptr),
+      "hsp_picture_write_sticks");
+  return counted;
+}
+
 }  // namespace bench

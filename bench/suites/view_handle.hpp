@@ -1,4 +1,4 @@
-// hsp_view and hsp_map in memory of their own, for the benchmarks; see handles.hpp.
+// hsp_view, hsp_map and hsp_sticks in memory of their own, for the benchmarks; see handles.hpp.
 #pragma once
 
 #include <array>
@@ -49,6 +49,23 @@ class VisibleMap {
   const Model *model_;
   hsp_view_options options_{};
   support::OwnedMap map_;
+};
+
+// Small balls, and sticks between those whose full radii overlap as those of bonded atoms do.
+class Sticks {
+ public:
+  explicit Sticks(const Balls &balls);
+
+  // In an order, or as a map.
+  void compute(const Direction &towards, bool as_map);
+  // Writes the SVG of what was computed last, with the contours of a map that is computed before, if one is given, to a
+  // sink that only counts. Returns the bytes.
+  uint64_t write_picture(const Sticks *ink);
+
+ private:
+  Model model_;
+  std::vector<hsp_stick> sticks_;
+  support::OwnedHandle<support::SticksKind> handle_;
 };
 
 }  // namespace bench

@@ -56,7 +56,7 @@ static const struct residue_label *keep_residue(struct residue_list *list, const
 }
 
 static bool grow(struct molecule *molecule) {
-  const size_t capacity = molecule->capacity == 0 ? 256 : 2 * (size_t)molecule->capacity;
+  const size_t capacity = molecule->capacity == 0 ? 4096 : 2 * (size_t)molecule->capacity;
   if (capacity > SIZE_MAX / (4 * sizeof(struct atom_label))) return false;
   double *xyz = realloc(molecule->xyz, capacity * sizeof *xyz * 3);
   if (xyz != NULL) molecule->xyz = xyz;

@@ -5,6 +5,25 @@
 
 namespace hsp {
 
+// Moves an item of a heap down, or up, to where no item is less than one below it.
+template <class T, class Less>
+void sift_down(Span<T> heap, uint32_t hole, Less less) {
+  const T item = heap[hole];
+  for (uint32_t child = 2 * hole + 1; child < heap.size(); child = 2 * hole + 1) {
+    if (child + 1 < heap.size() && less(heap[child], heap[child + 1])) ++child;
+    if (!less(item, heap[child])) break;
+    heap[hole] = heap[child];
+    hole = child;
+  }
+  heap[hole] = item;
+}
+template <class T, class Less>
+void sift_up(Span<T> heap, uint32_t hole, Less less) {
+  const T item = heap[hole];
+  for (; hole > 0 && less(heap[(hole - 1) / 2], item); hole = (hole - 1) / 2) heap[hole] = heap[(hole - 1) / 2];
+  heap[hole] = item;
+}
+
 // Insertion sort below 24 items, heap sort above: O(n log n) at worst, constant stack.
 template <class T, class Less>
 void sort_in_place(Span<T> items, Less less) {
@@ -18,22 +37,12 @@ void sort_in_place(Span<T> items, Less less) {
     }
     return;
   }
-  const auto sift_down = [&](uint32_t hole, uint32_t size) {
-    const T item = items[hole];
-    for (uint32_t child = 2 * hole + 1; child < size; child = 2 * hole + 1) {
-      if (child + 1 < size && less(items[child], items[child + 1])) ++child;
-      if (!less(item, items[child])) break;
-      items[hole] = items[child];
-      hole = child;
-    }
-    items[hole] = item;
-  };
-  for (uint32_t k = n / 2; k-- > 0;) sift_down(k, n);
+  for (uint32_t k = n / 2; k-- > 0;) sift_down(items, k, less);
   for (uint32_t size = n - 1; size > 0; --size) {
     const T largest = items[0];
     items[0] = items[size];
     items[size] = largest;
-    sift_down(0, size);
+    sift_down(items.part(0, size), 0, less);
   }
 }
 

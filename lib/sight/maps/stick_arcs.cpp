@@ -1,12 +1,220 @@
 #include "maps/stick_arcs.hpp"
 
+#include <initializer_list>
+
 #include "core/elementary.hpp"
-#include "maps/hidden_parts.hpp"
+#include "maps/hidden_intervals.hpp"
+#include "maps/trigonometric_roots.hpp"
 
 namespace hsp {
 namespace {
 
 constexpr ArcEnd natural_end{MapVertexKind::tangency, no_id};
+
+// A curve between two parameters, and the parts of it that bodies hide: those behind their fronts.
+//
+// Where a curve may change between hidden and not are the roots of polynomials: it passes the contour of what hides it,
+// its surface, or the planes across a stick through the centres of its balls. On circles these are trigonometric
+// polynomials of degree 2, on lines quadratic ones. The roots only cut; whether a part is hidden is asked at its
+// middle. Only on a contour something may come to be seen: elsewhere other bodies hide it or what follows finds no
+// partner.
+template <class Curve>
+class HiddenParts {
+ public:
+  HiddenParts(const Curve &curve, double from, double to, FixedVector<HiddenInterval> &hidden)
+      : curve_(curve), from_(from), to_(to), hidden_(hidden) {}
+
+  // False if the curve lies on the front or contour of some body, or enters it between these, so that roundings decide.
+  bool certain() const { return certain_; }
+
+  // Hides the parts that a ball covers; true if that is all. At its contour the end of a part is a T on `id`, at its
+  // surface it is as `at_surface` says.
+  bool add_ball(const SeenBall &ball, uint32_t id, const ArcEnd &at_surface) {
+    count_ = 0;
+    add_distance(ball, true);
+    for (uint32_t k = 0; k < count_; ++k) at_[k].end = at_surface;
+    // At the height of the centre a curve goes through both the front and the contour, and roundings may let it miss
+    // both.
+    uint32_t at_centre = 0, kept = 0;
+    const auto counted = [&](const Vec3 &q, bool good) {
+      if (std::fabs(q.z - ball.z) >= level_height * ball.r) return good;
+      ++at_centre;
+      kept += good ? 1 : 0;
+      return good;
+    };
+    keep([&](const Vec3 &q) { return counted(q, q.z >= ball.z); }, 0);
+    const uint32_t first = count_;
+    add_distance(ball, false);
+    for (uint32_t k = first; k < count_; ++k) at_[k].end = {MapVertexKind::t, id};
+    keep([&](const Vec3 &q) { return counted(q, q.z < ball.z); }, first);
+    if (at_centre > 0 && kept == 0) certain_ = false;
+    return cut([&](const Vec3 &q) { return depth_behind(q, ball) / ball.r; }, ball.r);
+  }
+
+  // The silhouette of a ball at the height of its centre, by another ball. A nearer one hides what is in its disc, a
+  // farther one what is inside it.
+  bool add_ball_at_silhouette(const SeenBall &ball, uint32_t id, bool nearer) {
+    count_ = 0;
+    add_distance(ball, !nearer);
+    for (uint32_t k = 0; k < count_; ++k) at_[k].end = {nearer ? MapVertexKind::t : MapVertexKind::tangency, id};
+    return cut([&](const Vec3 &q) { return depth_behind(q, ball) / ball.r; }, ball.r);
+  }
+
+  // Hides the parts that a stick covers, by the bodies of its parts.
+  bool add_stick(const Stick &stick, uint32_t first_part) {
+    const Vec3 along{stick.e[0], stick.e[1], 0.0};
+    const Vec3 across{-stick.e[1], stick.e[0], 0.0};
+    const double squared = stick.radius * stick.radius;
+    count_ = 0;
+    for (const double side : {stick.radius, -stick.radius}) add_level(stick.foot, across, side);
+    for (uint32_t k = 0; k < count_; ++k) {
+      const Vec3 q = curve_.at(at_[k].t);
+      const double s = dot(q - stick.foot, along) / stick.seen;
+      at_[k].end = {MapVertexKind::t, first_part + (stick.parts == 2 && s >= stick.middle() ? 1U : 0U)};
+    }
+    const uint32_t first = count_;
+    const double up = stick.axis.z;
+    for (const double s : {0.0, stick.length}) {
+      // The half circle of the front there appears as a half ellipse, seen edge on as a line.
+      const Vec3 end = stick.on_axis(s);
+      add_level(end, along, 0.0);
+      add_squares(end, along, up * across, {}, up * up * squared);
+    }
+    add_squares(stick.foot, across, {up * -stick.e[0], up * -stick.e[1], stick.seen}, {}, squared);
+    for (uint32_t k = first; k < count_; ++k) at_[k].end = {};
+    return cut(
+        [&](const Vec3 &q) {
+          const StickFront front = front_of(stick, q.x, q.y);
+          if (front.beside <= 0.0) return front.beside;
+          if (!front.exists) return -stick.radius;
+          const double above = front.z - q.z;
+          return above < front.beside ? above : front.beside;
+        },
+        stick.radius);
+  }
+
+ private:
+  struct Breakpoint {
+    double t;
+    ArcEnd end;
+  };
+  static constexpr uint32_t most = 48;
+
+  void add(double t) {
+    if (t > from_ && t < to_ && count_ < most) at_[count_++].t = t;
+  }
+
+  // Drops breakpoints from `first` on where `good` does not hold.
+  template <class Good>
+  void keep(Good good, uint32_t first) {
+    uint32_t kept = first;
+    for (uint32_t k = first; k < count_; ++k) {
+      if (good(curve_.at(at_[k].t))) at_[kept++] = at_[k];
+    }
+    count_ = kept;
+  }
+
+  // Where n . (q - c) = value.
+  void add_level(const Vec3 &c, const Vec3 &n, double value) { add_level_on(curve_, c, n, value); }
+  void add_level_on(const RoundCurve &curve, const Vec3 &c, const Vec3 &n, double value) {
+    const double A = dot(n, curve.first);
+    const double B = dot(n, curve.second);
+    const double K = value - dot(n, curve.middle - c);
+    const double squared = A * A + B * B;
+    if (!(K * K < squared)) return;
+    const double middle = arc_tangent(B, A);
+    const double half = arc_tangent(std::sqrt(squared - K * K), K);
+    for (double t : {middle - half, middle + half}) add(t > pi ? t - 2 * pi : t < -pi ? t + 2 * pi : t);
+  }
+  void add_level_on(const StraightCurve &curve, const Vec3 &c, const Vec3 &n, double value) {
+    const double slope = dot(n, curve.step);
+    if (slope != 0.0) add((value - dot(n, curve.start - c)) / slope);
+  }
+
+  // Where the distance from the centre of a ball, in space or as it is seen, is its radius.
+  void add_distance(const SeenBall &ball, bool in_space) {
+    const Vec3 towards{0.0, 0.0, in_space ? 1.0 : 0.0};
+    add_squares({ball.x, ball.y, ball.z}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, towards, ball.r * ball.r);
+  }
+  // Where (n1 . (q - c))^2 + (n2 . (q - c))^2 + (n3 . (q - c))^2 = sum.
+  void add_squares(const Vec3 &c, const Vec3 &n1, const Vec3 &n2, const Vec3 &n3, double sum) {
+    const Vec3 normals[3] = {n1, n2, n3};
+    add_squares_on(curve_, c, normals, sum);
+  }
+  // Angles counted from the maximum of the terms of twice the angle leave no product of cosine and sine.
+  void add_squares_on(const RoundCurve &curve, const Vec3 &c, const Vec3 normals[3], double sum) {
+    const Vec3 d = curve.middle - c;
+    double constant = -sum, cosine = 0.0, sine = 0.0, twice_cosine = 0.0, twice_sine = 0.0;
+    for (int k = 0; k < 3; ++k) {
+      const double p = dot(normals[k], d);
+      const double a = dot(normals[k], curve.first);
+      const double b = dot(normals[k], curve.second);
+      constant += p * p + 0.5 * (a * a + b * b);
+      cosine += 2 * p * a;
+      sine += 2 * p * b;
+      twice_cosine += 0.5 * (a - b) * (a + b);
+      twice_sine += a * b;
+    }
+    const double turn = 0.5 * arc_tangent(twice_sine, twice_cosine);
+    const double amplitude = std::sqrt(twice_cosine * twice_cosine + twice_sine * twice_sine);
+    const SinCos at = sin_cos(turn);
+    const TrigonometricPolynomial f{constant - amplitude, cosine * at.cosine + sine * at.sine,
+                                    sine * at.cosine - cosine * at.sine, 2 * amplitude};
+    double root[most_trigonometric_roots];
+    const uint32_t count = find_roots(f, from_ - turn, to_ - turn, root);
+    for (uint32_t k = 0; k < count; ++k) add(root[k] + turn);
+  }
+  void add_squares_on(const StraightCurve &curve, const Vec3 &c, const Vec3 normals[3], double sum) {
+    const Vec3 d = curve.start - c;
+    double constant = -sum, half_slope = 0.0, square = 0.0;
+    for (int k = 0; k < 3; ++k) {
+      const double p = dot(normals[k], d);
+      const double a = dot(normals[k], curve.step);
+      constant += p * p;
+      half_slope += p * a;
+      square += a * a;
+    }
+    const double discriminant = half_slope * half_slope - square * constant;
+    if (!(discriminant > 0.0) || !(square > 0.0)) return;
+    // Of the two roots one without cancellation, the other one by their product.
+    const double root = std::sqrt(discriminant);
+    const double sum_of = half_slope > 0.0 ? -half_slope - root : root - half_slope;
+    add(sum_of / square);
+    if (sum_of != 0.0) add(constant / sum_of);
+  }
+
+  // depth(q): how far q is behind the body, negative where it is not behind.
+  template <class Depth>
+  bool cut(Depth depth, double radius) {
+    sort_in_place(Span<Breakpoint>(at_, count_), [](const Breakpoint &a, const Breakpoint &b) { return a.t < b.t; });
+    bool hides = false;
+    double since = from_;
+    ArcEnd begins;
+    for (uint32_t k = 0; k <= count_; ++k) {
+      const double from = k == 0 ? from_ : at_[k - 1].t;
+      const double to = k == count_ ? to_ : at_[k].t;
+      const double behind = depth(curve_.at(0.5 * (from + to)));
+      if (to - from > long_interval && std::fabs(behind) < shallow_depth * radius) certain_ = false;
+      const ArcEnd end = k == 0 ? ArcEnd{} : at_[k - 1].end;
+      if (behind > 0.0 && !hides) {
+        since = from;
+        begins = end;
+      }
+      if (!(behind > 0.0) && hides) hidden_.push({since, from, {begins, end}});
+      hides = behind > 0.0;
+    }
+    if (hides && since == from_) return true;
+    if (hides) hidden_.push({since, to_, {begins, {}}});
+    return false;
+  }
+
+  const Curve &curve_;
+  double from_, to_;
+  FixedVector<HiddenInterval> &hidden_;
+  Breakpoint at_[most];
+  uint32_t count_ = 0;
+  bool certain_ = true;
+};
 
 }  // namespace
 

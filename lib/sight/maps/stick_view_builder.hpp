@@ -14,9 +14,9 @@
 // is found instead, from the same pairs (stick_map_builder.hpp); also where somebody wants to know that as a map.
 #pragma once
 
-#include "maps/drawing_order.hpp"
 #include "maps/stick_map_builder.hpp"
 #include "maps/stick_outlines.hpp"
+#include "maps/stick_sweep.hpp"
 #include "model/ball_set.hpp"
 
 namespace hsp {

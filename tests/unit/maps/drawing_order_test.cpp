@@ -1,5 +1,5 @@
 // Orders against all pairs, and cycles.
-#include "maps/drawing_order.hpp"
+#include "maps/stick_sweep.hpp"
 
 #include <gtest/gtest.h>
 
