@@ -1196,6 +1196,7 @@ struct hsp_picture_options
     atom_class::Ptr{Ptr{Cchar}}
     atom_title::Ptr{Ptr{Cchar}}
     ink_of_sticks::Ptr{hsp_sticks}
+    reserved_for_sticks::Csize_t
 end
 
 function hsp_version()

@@ -1492,6 +1492,7 @@ pub struct hsp_picture_options {
     pub atom_class: *const *const c_char,
     pub atom_title: *const *const c_char,
     pub ink_of_sticks: *const hsp_sticks,
+    pub reserved_for_sticks: usize,
 }
 
 extern "C" {

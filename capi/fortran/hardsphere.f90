@@ -1447,7 +1447,7 @@ module hardsphere
   ! ---- picture.h: a view, a map, or balls and sticks as SVG, EPS or PDF ----------------------------------------------
 
   type, bind(C) :: hsp_picture_options
-    integer(c_int32_t) :: struct_size = 144_c_int32_t + 7 * pointer_bytes  ! sizeof(hsp_picture_options)
+    integer(c_int32_t) :: struct_size = 144_c_int32_t + 8 * pointer_bytes  ! sizeof(hsp_picture_options)
     integer(c_int32_t) :: format                                           ! HSP_FORMAT_*; default SVG
     integer(c_int32_t) :: style                                            ! HSP_STYLE_*; default flat
     ! HSP_UNIT_* of width, height, outline and ink_width; default px
@@ -1496,6 +1496,7 @@ module hardsphere
     ! as ink, for a picture of balls and sticks: a computed map of the same balls and sticks from the same direction
     ! (hsp_sticks_compute_map); default NULL: no contours
     type(c_ptr) :: ink_of_sticks
+    integer(c_size_t) :: reserved_for_sticks                               ! 0
   end type
 
   ! ----

@@ -49,7 +49,8 @@ hsp_picture_options defaults() {
           0,
           nullptr,
           nullptr,
-          nullptr};
+          nullptr,
+          0};
 }
 
 bool has_centre(const hsp_picture_options &options) {
@@ -70,7 +71,9 @@ int32_t read_options(const hsp_picture_options *given, hsp_picture_options &comp
   complete = defaults();
   if (given == nullptr) return HSP_OK;
   if (const int32_t status = hsp::capi::read_struct(given, defaults(), complete); status != HSP_OK) return status;
-  if (complete.reserved != 0 || complete.reserved_for_ink != 0) return HSP_E_VERSION;
+  if (complete.reserved != 0 || complete.reserved_for_ink != 0 || complete.reserved_for_sticks != 0) {
+    return HSP_E_VERSION;
+  }
   return is_valid(complete) ? HSP_OK : HSP_E_ARGUMENT;
 }
 

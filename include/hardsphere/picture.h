@@ -103,6 +103,7 @@ typedef struct hsp_picture_options {
   const char *const *atom_title;   /**< SVG: likewise texts that browsers show beside the pointer; default NULL: none */
   const hsp_sticks *ink_of_sticks; /**< as ink, for a picture of balls and sticks: a computed map of the same balls and
                                 sticks from the same direction (hsp_sticks_compute_map); default NULL: no contours */
+  size_t reserved_for_sticks;      /**< 0 */
 } hsp_picture_options;
 
 /** Contours along silhouettes, areas of a width that depends on the gap g between the silhouette and what lies behind

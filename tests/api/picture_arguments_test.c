@@ -46,6 +46,7 @@ static void options_init(void) {
     CHECK_EQUAL(options.ink_colour[k], 0x23202B);
   }
   CHECK_EQUAL(options.reserved_for_ink, 0);
+  CHECK_EQUAL(options.reserved_for_sticks, 0);
   CHECK(options.atom_class == NULL);
   CHECK(options.atom_title == NULL);
   CHECK(options.scale == 0 && options.centre[0] == 0 && options.centre[1] == 0 && options.centre[2] == 0);
@@ -125,6 +126,9 @@ static void bad_choices(void) {
   check_refused(colours, &options, HSP_E_ARGUMENT);
   options = good_options();
   options.reserved_for_ink = 1;
+  check_refused(colours, &options, HSP_E_VERSION);
+  options = good_options();
+  options.reserved_for_sticks = 1;
   check_refused(colours, &options, HSP_E_VERSION);
   for (k = 0; k < 3; ++k) {
     options = good_options();

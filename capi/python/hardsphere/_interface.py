@@ -819,7 +819,7 @@ class PictureOptions(Record):
                 ("reserved", C.c_uint32), ("scale", C.c_double), ("centre", C.c_double * 3), ("memory", C.c_void_p),
                 ("memory_bytes", C.c_size_t), ("ink", C.c_void_p), ("group", C.c_void_p), ("ink_width", C.c_double * 3),
                 ("ink_colour", C.c_uint32 * 3), ("reserved_for_ink", C.c_uint32), ("atom_class", C.c_void_p),
-                ("atom_title", C.c_void_p), ("ink_of_sticks", C.c_void_p)]
+                ("atom_title", C.c_void_p), ("ink_of_sticks", C.c_void_p), ("reserved_for_sticks", C.c_size_t)]
 
 # ---- handles
 

@@ -4207,5 +4207,6 @@ const field registry_fields[] = {
   {"hsp_picture_options", "atom_class", "char *", offsetof(hsp_picture_options, atom_class), 1},
   {"hsp_picture_options", "atom_title", "char *", offsetof(hsp_picture_options, atom_title), 1},
   {"hsp_picture_options", "ink_of_sticks", "hsp_sticks *", offsetof(hsp_picture_options, ink_of_sticks), 1},
+  {"hsp_picture_options", "reserved_for_sticks", "size_t", offsetof(hsp_picture_options, reserved_for_sticks), 1},
 };
 const size_t registry_fields_size = sizeof registry_fields / sizeof registry_fields[0];
