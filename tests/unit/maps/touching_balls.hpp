@@ -119,12 +119,17 @@ std::string areas_differ(const std::vector<double> &areas, const Areas &expected
   return "";
 }
 
-// Empty, or what is wrong with the map of two balls that touch.
+// Empty, or what is wrong with the maps of two balls that touch, as balls alone and as balls and no sticks.
 inline std::string pair_complaint(const SeenSet &set) {
   BuiltMap built(set.balls, set.towards);
   const std::string violation = violation_of(built);
   if (!violation.empty()) return violation;
-  return areas_differ(seen_areas(built, 2), areas_of_pair(set), built.map().perturbation, largest_radius(set.balls));
+  const auto areas = areas_of_pair(set);
+  const std::string complaint =
+      areas_differ(seen_areas(built, 2), areas, built.map().perturbation, largest_radius(set.balls));
+  const BuiltSticks sticks(set.balls, {}, 0.25, set.towards, false, true);
+  if (!complaint.empty() || sticks.status() != hsp::Status::ok) return complaint;
+  return areas_differ(seen_areas(sticks, 2), areas, sticks.builder().map().perturbation, largest_radius(set.balls));
 }
 
 // Empty, or what is wrong with the map of some balls, against that of sticks and the z-buffer.
