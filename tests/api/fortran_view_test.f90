@@ -80,7 +80,7 @@ contains
     call check(c_sizeof(piece) == 56, 'size of hsp_view_piece')
     call check(c_sizeof(loop) == 16, 'size of hsp_view_loop')
     call check(c_sizeof(arc) == 96, 'size of hsp_view_arc')
-    call check(c_sizeof(picture) == 192, 'size of hsp_picture_options')
+    call check(c_sizeof(picture) == 208, 'size of hsp_picture_options')
     call check(picture%struct_size == c_sizeof(picture), 'struct_size of hsp_picture_options, which has pointers')
   end subroutine
 

@@ -284,6 +284,12 @@ int sign_of_number(const Make &make) {
   return certain != 0 ? certain : make.template operator()<Integer>().sign();
 }
 
+// By call, for the same reason as the parts of a line.
+template <class Make>
+[[gnu::noinline]] void make_exactly(const Make &make, AffineForm<Integer> &form) {
+  form = make.template operator()<Integer>();
+}
+
 }  // namespace
 
 bool TangentPoint::find(const BallSet &balls, const TangentCurve &curve, uint32_t last, bool rising) {
@@ -351,7 +357,8 @@ int TangentPoint::sign_of(const Make &make) const {
   const AffineForm<Bounded> rough = moved(*balls_, make.template operator()<Bounded>(), curve_.base);
   const int certain = (dot(rough.a, y_) + rough.c * z_ + rough.k).sign();
   if (certain != 0) return certain;
-  const AffineForm<Integer> form = make.template operator()<Integer>();
+  AffineForm<Integer> form;
+  make_exactly(make, form);
   if (beyond_reach_ || is_beyond_reach(*balls_, curve_, last_) || is_beyond_reach(*balls_, curve_.base, form.origin)) {
     beyond_reach_ = true;
     return 0;
