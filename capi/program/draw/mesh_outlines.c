@@ -37,7 +37,8 @@ static bool runs_back(const struct painted_edge *edge) {
   return compare_points(edge->from, edge->to) > 0;
 }
 
-/* Edges that run back stand beside those that they cancel. */
+/* Edges that run back stand beside those that they cancel; of the same way, outlines come first, so that no two orders
+ * are as good. */
 static int compare_lines(const void *left, const void *right) {
   const struct painted_edge *a = left;
   const struct painted_edge *b = right;
@@ -45,7 +46,8 @@ static int compare_lines(const void *left, const void *right) {
   int order = compare_groups(a, b);
   if (order == 0) order = compare_points(back[0] ? a->to : a->from, back[1] ? b->to : b->from);
   if (order == 0) order = compare_points(back[0] ? a->from : a->to, back[1] ? b->from : b->to);
-  return order != 0 ? order : (int)back[0] - (int)back[1];
+  if (order == 0) order = (int)back[0] - (int)back[1];
+  return order != 0 ? order : (int)a->inner - (int)b->inner;
 }
 
 static int compare_starts(const void *left, const void *right) {
@@ -53,7 +55,8 @@ static int compare_starts(const void *left, const void *right) {
   const struct painted_edge *b = right;
   int order = compare_groups(a, b);
   if (order == 0) order = compare_points(a->from, b->from);
-  return order != 0 ? order : compare_points(a->to, b->to);
+  if (order == 0) order = compare_points(a->to, b->to);
+  return order != 0 ? order : (int)a->inner - (int)b->inner;
 }
 
 static bool same_line(const struct painted_edge *a, const struct painted_edge *b) {
@@ -70,7 +73,7 @@ void painted_edges_cancel(struct painted_edges *edges) {
     size_t end = i, back = 0;
     while (end < edges->count && same_line(&edges->edge[i], &edges->edge[end])) back += runs_back(&edges->edge[end++]);
     const size_t along = end - i - back;
-    const struct painted_edge left = edges->edge[along >= back ? i : end - 1];
+    const struct painted_edge left = edges->edge[along >= back ? i : i + along];
     const size_t more = along >= back ? along - back : back - along;
     for (size_t k = 0; k < more; ++k) edges->edge[kept++] = left;
     i = end;

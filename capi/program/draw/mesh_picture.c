@@ -271,7 +271,7 @@ static struct polygon part_of_corner(const struct mesh_picture *picture, const s
   struct polygon part = *polygon;
   if (kind == CORNER && !(dot(normal[0], normal[0]) > 0.0)) part.corners = 0; /* it has nothing of both sides */
   for (int plane = 0; plane < (kind == CORNER_OF_THREE ? 2 : 1); ++plane) {
-    double value[MOST_CORNERS];
+    double value[MOST_CORNERS] = {0.0};
     for (int k = 0; k < part.corners; ++k) {
       double from[3];
       for (int axis = 0; axis < 3; ++axis) from[axis] = part.corner[k].at[axis] - probe[axis];
