@@ -218,6 +218,7 @@ static void too_little_room(void) {
       if (which == k) words[k] -= 1;
       if (which == 6 + k || which == 13) words[k] = 0;
     }
+    limits = needed;
     memcpy(&limits, words, sizeof words);
     for (attempt = 0; attempt < 6; ++attempt) {
       const hsp_periodic_limits given = limits;
