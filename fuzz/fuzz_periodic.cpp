@@ -114,7 +114,8 @@ void require_areas_alone(const Crystal &crystal, const Result &whole, uint32_t w
   FUZZ_REQUIRE(hsp_periodic_measure(periodic.get(), &totals, nullptr, nullptr, 0, nullptr) == HSP_OK, "areas alone");
   FUZZ_REQUIRE(hsp_periodic_get_gradient(periodic.get(), &energy, &outputs) == HSP_OK, "gradient of areas alone");
   FUZZ_REQUIRE(totals.area == whole.totals.area && found.area == whole.energy.area, "the area alone");
-  FUZZ_REQUIRE(std::memcmp(area.data(), whole.area.data(), n * sizeof(double)) == 0, "the bits of areas alone");
+  FUZZ_REQUIRE(n == 0 || std::memcmp(area.data(), whole.area.data(), n * sizeof(double)) == 0,
+               "the bits of areas alone");
 }
 
 Result result_of(support::OwnedPeriodic &periodic, const Crystal &crystal) {

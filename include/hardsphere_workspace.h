@@ -74,6 +74,7 @@ static inline int32_t hsp_workspace_allocate(void **memory, size_t bytes) {
 /* Drops what was computed from a handle, before the memory of that handle is given back. */
 /* ---- model.h */
 static inline void hsp_workspace_drop_of_model(hsp_workspace *work) {
+  (void)work; /* where an installed copy leaves out all of it */
   if (work->boundary != NULL) (void)hsp_boundary_compute(work->boundary, NULL, NULL); /* hardsphere/boundary.h */
   if (work->topology != NULL) (void)hsp_topology_compute(work->topology, NULL, NULL); /* hardsphere/topology.h */
   if (work->view != NULL) (void)hsp_view_compute(work->view, NULL, NULL, NULL, NULL); /* hardsphere/view.h */
@@ -89,6 +90,7 @@ static inline void hsp_workspace_drop_of_model(hsp_workspace *work) {
 
 /* ---- boundary.h */
 static inline void hsp_workspace_drop_of_boundary(hsp_workspace *work) {
+  (void)work; /* where an installed copy leaves out all of it */
   if (work->topology != NULL) (void)hsp_topology_compute(work->topology, NULL, NULL); /* hardsphere/topology.h */
   if (work->surface != NULL) (void)hsp_surface_compute(work->surface, NULL, NULL);    /* hardsphere/surface.h */
   if (work->mesh != NULL) (void)hsp_mesh_compute(work->mesh, NULL, 0, NULL);          /* hardsphere/mesh.h */
@@ -97,6 +99,7 @@ static inline void hsp_workspace_drop_of_boundary(hsp_workspace *work) {
 
 /* ---- periodic.h */
 static inline void hsp_workspace_drop_of_periodic(hsp_workspace *work) {
+  (void)work; /* where an installed copy leaves out all of it */
   if (work->pores != NULL) (void)hsp_pores_compute(work->pores, NULL, NULL, NULL); /* hardsphere/pores.h */
 }
 
