@@ -475,6 +475,8 @@ contains
   subroutine drop_of_model(self)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t) :: ignored
+    ! Where an installed copy leaves out all others, this line keeps both names in use.
+    if (.not. c_associated(self%model)) ignored = HSP_OK
     if (c_associated(self%boundary)) ignored = hsp_boundary_compute(self%boundary, model=c_null_ptr) ! hardsphere/boundary.h
     if (c_associated(self%topology)) ignored = hsp_topology_compute(self%topology, boundary=c_null_ptr) ! hardsphere/topology.h
     if (c_associated(self%view)) ignored = hsp_view_compute(self%view, model=c_null_ptr, boundary=c_null_ptr) ! hardsphere/view.h
@@ -493,6 +495,8 @@ contains
   subroutine drop_of_boundary(self)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t) :: ignored
+    ! Where an installed copy leaves out all others, this line keeps both names in use.
+    if (.not. c_associated(self%model)) ignored = HSP_OK
     if (c_associated(self%topology)) ignored = hsp_topology_compute(self%topology, boundary=c_null_ptr) ! hardsphere/topology.h
     if (c_associated(self%surface)) ignored = hsp_surface_compute(self%surface, boundary=c_null_ptr) ! hardsphere/surface.h
     if (c_associated(self%mesh)) ignored = hsp_mesh_compute(self%mesh, boundary=c_null_ptr, edge_length=0.0_c_double) ! hardsphere/mesh.h
@@ -503,6 +507,8 @@ contains
   subroutine drop_of_periodic(self)
     class(hsp_workspace), intent(inout), target :: self
     integer(c_int32_t) :: ignored
+    ! Where an installed copy leaves out all others, this line keeps both names in use.
+    if (.not. c_associated(self%model)) ignored = HSP_OK
     if (c_associated(self%pores)) ignored = hsp_pores_compute_periodic(self%pores, periodic=c_null_ptr) ! hardsphere/pores.h
   end subroutine
 

@@ -45,7 +45,9 @@ def drop_rows(interface):
     for source in ("model", *HANDLES):
         if dependents(interface, source):
             rows += [f"  ! ---- {header_of(interface, source)}", f"  subroutine drop_of_{source}(self)", SELF,
-                     "    integer(c_int32_t) :: ignored"]
+                     "    integer(c_int32_t) :: ignored",
+                     "    ! Where an installed copy leaves out all others, this line keeps both names in use.",
+                     "    if (.not. c_associated(self%model)) ignored = HSP_OK"]
             for noun, compute in dependents(interface, source):
                 nothing = ", ".join(nothing_for(a) for a in compute.arguments[1:]
                                     if a.kind == "handle" or a.null == "never")
