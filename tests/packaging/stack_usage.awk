@@ -13,11 +13,12 @@ function quoted(key,    from, rest) {
 
 # The types say what calls through pointers reach: those of class PaintedPaths (lib/sight/picture/painted_paths.hpp) its
 # functions, those of an ArcVisitor the lambdas that take arcs. Contours (lib/sight/picture/ink.hpp) ask for silhouettes and
-# for paths, their source hands arcs to the lambda that takes them, and that curves to those of the writers.
+# for paths, their source hands arcs to the lambda that takes them, and that curves to those of the writers: it and
+# BodyInk, its state, may call both.
 function reached_by(from) {
   if (from ~ /^_ZNK3hsp3Ink14visit_contours/) return "a function of silhouettes"
   if (from ~ /17SilhouetteVisitorE$/) return "a taker of silhouettes"
-  if (from ~ /17BallInk6finish/) return "a taker of contours"
+  if (from ~ /17BodyInk|3Ink14visit_contours.*13SilhouetteArc.*_FUN/) return "a call by contours"
   if (from ~ /10ArcVisitor/) return "a visitor"
   if (from ~ /8Executor7run_all/) return "a loop over tasks"
   if (from ~ /10run_marked/) return "a task"
@@ -27,6 +28,11 @@ function reached_by(from) {
 
 function add_callee(from, to) {
   callee[from, ++callees[from]] = to
+}
+
+BEGIN {
+  add_callee("a call by contours", "a taker of contours")
+  add_callee("a call by contours", "a function of paths")
 }
 
 /^node:/ {
