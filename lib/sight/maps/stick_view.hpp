@@ -65,6 +65,27 @@ struct PlacedBall {
   double r;
 };
 
+// What a stick is painted as: strands, parts of its front side by side that run along it. A stick of several is thicker.
+enum class StickStrands : uint32_t {
+  one = 0,    // all of it
+  two = 1,    //
+  three = 2,  //
+  dashed = 3  // two, of which the right one, from the ball that was named first to the other, is dashed
+};
+inline constexpr double radius_of_several = 1.5;  // of that of others
+
+// From side to side of a stick, in radii to its left, from the foot on.
+struct Strand {
+  double left, right;
+  bool dashed;
+};
+struct StrandList {
+  Strand strand[3];
+  uint32_t count;
+};
+// Dashes have between them what a dash has; none is in both halves of a stick. Nor does one meet a ball.
+inline constexpr uint32_t dashes = 4;
+
 struct Stick {
   Vec3 foot;           // the centre of the farther ball
   Vec3 axis;           // of length 1, towards the nearer ball
@@ -79,7 +100,8 @@ struct Stick {
                        // it is inside its balls, which meet
   uint32_t owner[2];   // of the parts
   uint32_t turned;     // 1 if the caller named the nearer ball first, else 0
-  bool inside;         // its balls, before they were moved
+  StickStrands strands;
+  bool inside;  // its balls, before they were moved
 
   // Where the halves meet: in the middle of what is outside both balls.
   double middle() const { return 0.5 * (first + last); }
@@ -88,6 +110,18 @@ struct Stick {
   double begin_of(uint32_t part) const { return part == 0 ? first : middle(); }
   double end_of(uint32_t part) const { return part + 1 == parts ? last : middle(); }
 
+  StrandList strand_list() const {
+    switch (strands) {
+      case StickStrands::two:
+        return {{{1.0, 0.28, false}, {-0.28, -1.0, false}}, 2};
+      case StickStrands::three:
+        return {{{1.0, 0.58, false}, {0.21, -0.21, false}, {-0.58, -1.0, false}}, 3};
+      case StickStrands::dashed:
+        return {{{1.0, 0.28, turned != 0}, {-0.28, -1.0, turned == 0}}, 2};
+      default:
+        return {{{1.0, -1.0, false}}, 1};
+    }
+  }
   Vec3 on_axis(double s) const { return combine(1.0, foot, s, axis); }
   Segment axis_between(double from, double to) const { return {on_axis(from), on_axis(to)}; }
   Segment axis_of(uint32_t part) const { return axis_between(begin_of(part), end_of(part)); }
