@@ -151,27 +151,37 @@ void visit_outline(const StickView &view, uint32_t path, Visit visit) {
     return;
   }
   const Stick &stick = view.sticks[record.stick];
-  const auto visit_strand = [&](const Strand &strand, double begin, double end) {
-    const ProjectedEllipse low = stick.circle_at(begin);
-    const ProjectedEllipse high = stick.circle_at(end);
-    const StrandEdge low_left = strand_edge(low, strand.left), low_right = strand_edge(low, strand.right);
-    const StrandEdge high_left = strand_edge(high, strand.left), high_right = strand_edge(high, strand.right);
+  const double end = stick.end_of(record.part);
+  const auto visit_strand = [&](const ProjectedEllipse &low, const ProjectedEllipse &high, double left, double right) {
+    const StrandEdge low_left = strand_edge(low, 1.0), low_right = strand_edge(low, -1.0);
+    const StrandEdge high_left = strand_edge(high, left), high_right = strand_edge(high, right);
     visit(line_between(low_right.at, high_right.at, record.ball), true, false);
     visit(strand_end(high, high_right, high_left, record.ball), false, false);
     visit(line_between(high_left.at, low_left.at, record.ball), false, false);
     visit(strand_end(low, low_left, low_right, record.ball), false, true);
   };
-  const double begin = stick.begin_of(record.part), end = stick.end_of(record.part);
   const StrandList list = stick.strand_list();
   for (uint32_t k = 0; k < list.count; ++k) {
-    if (!list.strand[k].dashed) {
-      visit_strand(list.strand[k], begin, end + overlap_of(view, stick, record.part));
+    const Strand &strand = list.strand[k];
+    double begin = stick.begin_of(record.part);
+    if (strand.dashed) {
+      const uint32_t count = dashes / stick.parts;
+      const double step = (end - begin) / count;
+      for (uint32_t dash = 0; dash < count; ++dash) {
+        const double from = begin + (dash + 0.25) * step;
+        visit_strand(stick.circle_of(strand, from), stick.circle_of(strand, from + 0.5 * step), 1.0, -1.0);
+      }
       continue;
     }
-    const uint32_t count = dashes / stick.parts;
-    const double step = (end - begin) / count;
-    for (uint32_t dash = 0; dash < count; ++dash) {
-      visit_strand(list.strand[k], begin + (dash + 0.25) * step, begin + (dash + 0.75) * step);
+    if (record.part == 0 && list.count > 1) begin = stick.begin_of(strand, view.balls[stick.ball[0]].r);
+    if (begin >= end) continue;
+    const ProjectedEllipse low = stick.circle_of(strand, begin);
+    const double overlap = overlap_of(view, stick, record.part);
+    if (overlap > 0.0) {
+      visit_strand(low, stick.circle_of(strand, end + overlap), 1.0, -1.0);
+    } else if ((end - begin) * stick.seen > stick.radius * stick.axis.z || list.count == 1) {
+      // No farther than the junction circle of the whole stick.
+      visit_strand(low, stick.circle_at(end), strand.left, strand.right);
     }
   }
 }

@@ -78,12 +78,15 @@ inline constexpr double radius_of_several = 1.5;  // of that of others
 struct Strand {
   double left, right;
   bool dashed;
+
+  double middle() const { return 0.5 * (left + right); }
+  double half() const { return 0.5 * (left - right); }
 };
 struct StrandList {
   Strand strand[3];
   uint32_t count;
 };
-// Dashes have between them what a dash has; none is in both halves of a stick. Nor does one meet a ball.
+// Dashes have between them what a dash has; none is in both halves of a stick. The disc of the nearer ball is over them.
 inline constexpr uint32_t dashes = 4;
 
 struct Stick {
@@ -121,6 +124,21 @@ struct Stick {
       default:
         return {{{1.0, -1.0, false}}, 1};
     }
+  }
+  // The circle of a strand as a stick of its own, beside the axis in the view plane.
+  ProjectedEllipse circle_of(const Strand &strand, double s) const {
+    ProjectedEllipse circle = circle_at(s);
+    for (int k = 0; k < 2; ++k) {
+      circle.centre[k] += strand.middle() * circle.major[k];
+      circle.major[k] *= strand.half();
+      circle.minor[k] *= strand.half();
+    }
+    return circle;
+  }
+  // Where it leaves the ball at its foot, in the mean of its circle.
+  double begin_of(const Strand &strand, double foot_radius) const {
+    const double squared = strand.middle() * strand.middle() + strand.half() * strand.half();
+    return std::sqrt(foot_radius * foot_radius - squared * radius * radius);
   }
   Vec3 on_axis(double s) const { return combine(1.0, foot, s, axis); }
   Segment axis_between(double from, double to) const { return {on_axis(from), on_axis(to)}; }
