@@ -32,7 +32,7 @@ SettledCircles::SettledCircles(const BallSet &balls, const Boundary &boundary, c
   probe.caps().set_planes([&](uint32_t k) -> exact::Plane {
     if (is_side(k)) return exact::virtual_plane({1, 0, 0}, 0);
     const exact::Vector other = on_lattice(caps_.ball[k]);
-    const exact::Vector v{other.x - own.x, other.y - own.y, other.z - own.z};
+    const exact::Vector v = other - own;
     return {v, dot(v, v), 1, caps_.ball[k]};
   });
   for (uint32_t side = 0; side < ProbeCaps::sides; ++side) find_cusps(side);
