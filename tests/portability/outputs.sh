@@ -62,6 +62,8 @@ succeed crambin.csv "$program" measure --gradient --csv bench/molecules/crambin.
 succeed crambin.residues "$program" measure --by residue --json bench/molecules/crambin.pdb
 succeed crambin.voids "$program" voids --json bench/molecules/crambin.pdb --probe 1.4
 succeed crambin.pores "$program" pores --json bench/molecules/crambin.pdb --pockets 3 --tunnels-from 9.6,12.8,5.7
+succeed crambin.points "$program" pores bench/molecules/crambin.pdb --probe 0.8 --pockets 3 --points -
+succeed crambin.tunnels "$program" pores bench/molecules/crambin.pdb --tunnels-from 9.6,12.8,5.7 --tunnels-out -
 succeed crambin.output "$program" measure bench/molecules/crambin.pdb --pdb-out "$outputs/crambin.pdb"
 succeed formats "$program" measure --csv tests/program/inputs/good/water.{pdb,cif,gro}
 succeed crambin.box "$program" measure --json --probe 1.4 --box 25,0,0,7,18,0,-9,5,20 --per-ball bench/molecules/crambin.pdb

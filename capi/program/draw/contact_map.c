@@ -214,14 +214,7 @@ bool contact_map_write(const struct contact_map *map, const char *path, struct f
   }
   if (largest > 0.0) add_scale(&out, map, end);
   text_buffer_add(&out, "</svg>\n");
-  bool done = !out.out_of_memory || failure_of_memory(failure);
-  struct output_file file;
-  if (done && output_file_open(&file, path, failure)) {
-    output_file_write(&file, out.text, out.length);
-    done = output_file_finish(&file, failure);
-  } else {
-    done = false;
-  }
+  const bool done = output_file_write_text(path, &out, failure);
   text_buffer_free(&out);
   return done;
 }
