@@ -11,7 +11,7 @@ mkdir -p "$work/bin" "$work/files"
 ln -s "$program" "$work/bin/hardsphere"
 PATH=$work/bin:$PATH
 
-# What the lines read.
+# The contents of the lines.
 molecules=$source/bench/molecules inputs=$source/tests/program/inputs/good
 cp "$molecules"/{crambin,caffeine,acetyl_coa,ubiquitin}.pdb "$work/files"
 cp "$molecules/crambin.pdb" "$work/files/1crn.pdb"
