@@ -334,6 +334,7 @@ bool check_pores(struct request *request, struct failure *failure) {
     return failure_in_usage(failure, "--pockets: W must not be less than --probe");
   }
   if (request->tunnels_out != NULL && !from) return failure_in_usage(failure, "--tunnels-out needs --tunnels-from");
+  if (request->profile != NULL && !from) return failure_in_usage(failure, "--profile needs --tunnels-from");
   if (request->void_balls && !pockets && !from) {
     return failure_in_usage(failure, "--balls needs --pockets or --tunnels-from");
   }

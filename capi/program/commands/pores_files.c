@@ -78,5 +78,7 @@ static bool write_points(const struct pores_found *found, struct failure *failur
 bool pores_write_files(const struct pores_found *found, const struct molecule *molecule, struct failure *failure) {
   const struct request *const request = found->request;
   return (request->points == NULL || write_points(found, failure)) &&
-         (request->tunnels_out == NULL || tunnel_exchange_write(found, molecule, request->tunnels_out, failure));
+         (request->tunnels_out == NULL || tunnel_exchange_write(found, molecule, request->tunnels_out, failure)) &&
+         (request->profile == NULL || pores_write_profile(found, molecule, request->profile, failure)) &&
+         (request->tree == NULL || pores_write_tree(found, molecule, request->tree, failure));
 }

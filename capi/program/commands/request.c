@@ -30,6 +30,8 @@ int request_outputs(const struct request *request, struct output_choice outputs[
       {"--map", request->map, "an .svg"},
       {"--points", request->points, "a .pdb or .cif"},
       {"--tunnels-out", request->tunnels_out, "a .cif"},
+      {"--profile", request->profile, "an .svg"},
+      {"--tree", request->tree, "an .svg"},
   };
   int count = 0;
   for (size_t k = 0; k < sizeof all / sizeof all[0]; ++k) {

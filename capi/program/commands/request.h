@@ -101,8 +101,10 @@ struct request {
   uint32_t tunnels;              /* how many from there; 0: it is not said */
   const char *points;            /* a file of their points for viewers, or NULL */
   const char *tunnels_out;       /* a file with the tunnels as programs exchange them, or NULL */
-  struct drawing drawing;        /* of `draw` */
-  struct selection highlight;    /* likewise */
+  const char *profile;           /* files for charts of the tunnels and of the classes, or NULL */
+  const char *tree;
+  struct drawing drawing;     /* of `draw` */
+  struct selection highlight; /* likewise */
   const struct radii_set *set;
   const char *radii_file;   /* with radii by residue and atom, or NULL */
   struct radii_table table; /* of that file, or of the set; empty if there is none */
