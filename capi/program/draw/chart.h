@@ -45,7 +45,7 @@ void chart_axes(struct text_buffer *out, const struct chart_frame *frame, const 
 double chart_x(const struct chart_frame *frame, const struct chart_scale *across, double number);
 double chart_y(const struct chart_frame *frame, const struct chart_scale *up, double number);
 
-/* Colours that are told apart, the same again after them all. */
+/* Distinct colours, which begin anew after the last one. */
 const char *chart_colour(uint32_t number);
 
 #endif
