@@ -64,7 +64,7 @@ struct CrossingPoints {
   }
 };
 
-// Their chord as m + s w, with s from -1 at p- to 1 at p+. The bound adds up the errors of both parts, so that it bounds
+// Their chord as m + s w, with s from -1 at p- to 1 at p+. The bound adds up the errors of both parts, so it bounds
 // f = u_l.m - b_l and g = u_l.w together, and f + g and f - g; two more additions are within its slack.
 struct UnitChord {
   Vec3 m, w;
