@@ -100,7 +100,7 @@ TEST_F(Parts, AreasInABox) {
   EXPECT_EQ(found["free_volume"].number, all["free_volume"].number);
 }
 
-// What a molecule falls into has its curvatures, gradients and weighted areas in all.
+// Two parts that make up a molecule have its curvatures, gradients and weighted areas in all.
 TEST_F(Parts, AddUp) {
   const TemporaryFile weights("weights.txt", [] {
     std::string text;
