@@ -80,11 +80,11 @@ HSP_API int32_t hsp_sticks_init(void *memory, size_t bytes, const hsp_sticks_lim
  *  between them. */
 #define HSP_STICK_WHOLE UINT32_C(1)
 
-/** What kind of bond a stick is, one of these at most. Pictures that are painted in an order show it as strands, parts
- *  of the stick side by side that face the viewer, with what is behind it seen between them: two of them, three, or
- *  two of which the right one, on the way from ball[0] to ball[1], is dashed. Such a stick is 3/2 as thick as others.
- *  In all else, rules, order and map, it is one stick of that thickness; pictures of what is seen of each, side by
- *  side, have no strands. */
+/** The kind of bond that a stick is, one of these at most. Pictures that are painted in an order show it as strands,
+ *  parts of the stick side by side that face the viewer, with what is behind it seen between them: two of them, three,
+ *  or two of which the right one, on the way from ball[0] to ball[1], is dashed. Such a stick is half as thick again as
+ *  others. In all else, rules, order and map, it is one stick of that thickness; pictures of what is seen of each, side
+ *  by side, have no strands. */
 #define HSP_STICK_DOUBLE UINT32_C(2)
 #define HSP_STICK_TRIPLE UINT32_C(4)   /**< three strands */
 #define HSP_STICK_AROMATIC UINT32_C(8) /**< two, one of them dashed */
@@ -119,11 +119,11 @@ typedef struct hsp_sticks_conflict {
 
 /** Find what is painted from one direction; any number of times. options: where to look from, as for hsp_view_compute,
  *  NULL for the defaults; pieces and flags have to be good there and have no effect here. stick [count]: may be NULL
- *  if count is 0. radius: of all sticks but those of several strands. The model must outlive the handle, which can be read while the model holds
- *  the same balls (RESULTS in hardsphere.h). conflict may be NULL; it is written on HSP_OK and HSP_E_CONFLICT: on
- *  HSP_OK it tells whether there is an order to paint, or why none. Which one of several conflicts it is depends on the
- *  direction. limits: see LIMITS in hardsphere.h; at most twelve retries, hardly ever more than three. On failure the
- *  handle holds no results.
+ *  if count is 0. radius: of all sticks that are no bonds of several strands. The model must outlive the handle, which
+ *  can be read while the model holds the same balls (RESULTS in hardsphere.h). conflict may be NULL; it is written on
+ *  HSP_OK and HSP_E_CONFLICT: on HSP_OK it tells whether there is an order to paint, or why none. Which one of several
+ *  conflicts it is depends on the direction. limits: see LIMITS in hardsphere.h; at most twelve retries, hardly ever
+ *  more than three. On failure the handle holds no results.
  *
  *  Cost: O(m log m) for m balls and halves of sticks, and for each those that share a vertical line of the view plane
  *  with it; without an order also for each those that may cover a part of it, sorted.

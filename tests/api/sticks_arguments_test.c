@@ -99,7 +99,8 @@ static void computing(void) {
   check_refused(&bad, 1, 0.5, HSP_E_ARGUMENT);
   bad.flags = HSP_STICK_TRIPLE | HSP_STICK_WHOLE;
   CHECK_EQUAL(compute(&bad, 1, 1.2), HSP_OK);
-  check_refused(&bad, 1, 1.4, HSP_E_CONFLICT);
+  CHECK_EQUAL(compute(&bad, 1, 1.4), HSP_E_CONFLICT);
+  CHECK_EQUAL(conflict.kind, HSP_STICKS_THIN_BALL);
   check_refused(good, STICKS, 0, HSP_E_RANGE);
   CHECK_EQUAL(compute(NULL, 0, 0.5), HSP_OK);
   CHECK_EQUAL(hsp_view_options_init(&options, (uint32_t)sizeof options), HSP_OK);

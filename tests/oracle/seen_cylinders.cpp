@@ -33,7 +33,7 @@ CylinderFront front_of(const PlainCylinder &cylinder, double x, double y) {
 
 namespace {
 
-// Of a cylinder with strands the depth of the whole, where the line of sight meets a strand, and its part of the length.
+// Of a cylinder with strands the depth of the whole, where a line of sight meets a strand, and its part of the length.
 CylinderFront front_of_strands(const PlainCylinder &cylinder, double x, double y) {
   CylinderFront whole = front_of(cylinder, x, y);
   if (cylinder.strands.empty() || !(whole.depth > -std::numeric_limits<double>::infinity())) return whole;

@@ -103,7 +103,7 @@ TEST(Bonds, OfNumbersThatAreNotUnique) {
       sticks_of("MODEL        1\n" + five + "ENDMDL\nMODEL        2\n" + five + "ENDMDL\nCONECT    1    2    4\n"), 2);
 }
 
-// What the program says of manifold bonds, empty where there is none, and how many strands are drawn more than with one
+// The program's words on manifold bonds, empty where there is none, and how many strands are drawn more than with one
 // for each bond.
 struct Multiple {
   std::string said;

@@ -11,9 +11,9 @@
 
 /* The bonds of a molecule, by their smaller atoms; *bonds is to be freed on true.
  *
- * Records of bonds tell which of the atoms that they name are bonded to each other, and may tell how. Files of the Protein Data Bank have
- * them for ligands and for links of residues, but not within residues: for all other pairs distances decide. A record
- * does not count that names an atom that is not there, or several, or one atom twice.
+ * Records of bonds tell which of the atoms that they name are bonded to each other, and may tell how. Files of the
+ * Protein Data Bank have them for ligands and for links of residues, but not within residues: for all other pairs
+ * distances decide. A record does not count that names an atom that is not there, or several, or one atom twice.
  *
  * By distances two atoms are not bonded if a third one that is close enough to both lies between them, where the
  * angle is more than 80 degrees. An atom of no known element counts as carbon; noble gases, alkali and alkaline earth

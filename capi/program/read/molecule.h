@@ -41,7 +41,7 @@ struct serial_label {
   char text[6];
 };
 
-/* What kind of bond it is, where the file says. */
+/* The kind of a bond, where the file says. */
 enum bond_order { BOND_UNKNOWN, BOND_SINGLE, BOND_DOUBLE, BOND_TRIPLE, BOND_AROMATIC };
 
 /* A bond that the file states. There may be no such atoms, or several. */

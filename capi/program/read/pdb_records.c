@@ -48,8 +48,8 @@ enum pdb_record pdb_record_of(const char *line, size_t length) {
   return PDB_ALIEN;
 }
 
-/* Bonds in a CONECT record: of the atom in columns 7-11 with those in 12-16, 17-21, 22-26 and 27-31, twice with the same
- * one for a double bond. Columns after them, in old versions of the format, hold no bonds. */
+/* Bonds in a CONECT record: of the atom in columns 7-11 with those in 12-16, 17-21, 22-26 and 27-31; a double bond is
+ * there twice. Columns after them, in old versions of the format, hold no bonds. */
 static bool take_bonds(const struct line_reader *reader, uint64_t model, struct molecule *molecule,
                        struct failure *failure) {
   struct stated_bond bond = {.order = BOND_UNKNOWN, .model = (uint32_t)model};

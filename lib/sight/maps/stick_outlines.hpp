@@ -11,7 +11,7 @@ namespace hsp {
 // the ball, unless another stick's bite of the ball is so close that it might show there.
 double overlap_of(const StickView &view, const Stick &stick, uint32_t part);
 
-// A point of the circle of a stick at some place along it, by the cosine of its parameter: how far left it is, in radii.
+// A point of the circle of a stick at some place along it, by the cosine of its parameter: how far left it is.
 struct StrandEdge {
   double t;
   double at[2];

@@ -65,7 +65,7 @@ struct PlacedBall {
   double r;
 };
 
-// What a stick is painted as: strands, parts of its front side by side that run along it. A stick of several is thicker.
+// A stick is painted as strands, parts of its front side by side that run along it. One of several strands is thicker.
 enum class StickStrands : uint32_t {
   one = 0,    // all of it
   two = 1,    //
@@ -86,7 +86,8 @@ struct StrandList {
   Strand strand[3];
   uint32_t count;
 };
-// Dashes have between them what a dash has; none is in both halves of a stick. The disc of the nearer ball is over them.
+// Dashes are as long as what is between them, and none is in both halves of a stick. The nearer ball's disc is over
+// them.
 inline constexpr uint32_t dashes = 4;
 
 struct Stick {
