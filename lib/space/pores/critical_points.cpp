@@ -30,6 +30,11 @@ double reach_of(int64_t half) {
 double doubt_of(double distance) {
   return 0x1p-50 * distance;
 }
+// How far a coordinate is beyond an edge, of which side all the same.
+double beyond_edge(double coordinate, double edge) {
+  const double beyond = std::fabs(coordinate) - edge;
+  return beyond > 0.0 ? beyond : 0.0;
+}
 bool contains(const Vector &centre, int64_t half, const Vector &other, int64_t other_half) {
   const int64_t room = half - other_half;
   const auto within = [&](int64_t a, int64_t b) { return a - b <= room && b - a <= room; };
@@ -199,7 +204,6 @@ void CriticalPoints::carve(Workspace &workspace, const CriticalLimits &limits) {
   maximum_names_.carve(workspace, limits.maxima);
   gate_names_.carve(workspace, limits.gates);
   candidates_ = workspace.take<uint32_t>(limits.candidates);
-  distance_ = workspace.take<double>(limits.candidates);
   cubes_ = workspace.take<Cube>(most_cubes);
   at_point_ = workspace.take<uint32_t>(limits.near);
   cluster_ = workspace.take<uint32_t>(limits.near);
@@ -349,29 +353,38 @@ uint32_t CriticalPoints::enter(const Cube &cube, uint32_t first, uint32_t last) 
   const uint32_t most = last - first;
   needed_.candidates = larger_count(needed_.candidates, clamped_count(static_cast<uint64_t>(last) + most));
   if (most > limits_.candidates - last) return last;
-  const double reach = reach_of(cube.half);
-  double least = std::numeric_limits<double>::infinity();
+  const double reach = reach_of(cube.half), edge = static_cast<double>(cube.half + 2);
   const BallSet &balls = *balls_;
-  for (uint32_t k = 0; k < most; ++k) {
-    const uint32_t ball = candidates_[first + k];
-    const double dx = balls.x[ball] - x, dy = balls.y[ball] - y, dz = balls.z[ball] - z;
-    const double d = std::sqrt(dx * dx + dy * dy + dz * dz);
-    distance_[last + k] = d;
-    least = Directions::smaller(least, d + doubt_of(d) - balls.r[ball]);
+  // f is at most the distance of the farthest corner from any one ball, of which one is near the centre; no ball that
+  // is farther from all of the cube is nearest in it.
+  double least = std::numeric_limits<double>::infinity();
+  Vec3 off{};
+  double radius = 0.0;
+  for (uint32_t k = first; k < last; ++k) {
+    const uint32_t ball = candidates_[k];
+    const Vec3 d{balls.x[ball] - x, balls.y[ball] - y, balls.z[ball] - z};
+    const double gap = std::sqrt(dot(d, d)) - balls.r[ball];
+    if (gap >= least) continue;
+    least = gap;
+    off = d;
+    radius = balls.r[ball];
   }
-  if (least + reach < static_cast<double>(floor_)) return last;
-  // A ball that is left out is no candidate: at the centre its distance is more than least + 2 reach.
-  unsure_ = least + 3.0 * reach > ceiling_;
+  const Vec3 corner{std::fabs(off.x) + edge, std::fabs(off.y) + edge, std::fabs(off.z) + edge};
+  const double farthest = std::sqrt(dot(corner, corner)), most_level = farthest + doubt_of(farthest + radius) - radius;
+  if (most_level < static_cast<double>(floor_)) return last;
+  unsure_ = most_level + 2.0 * reach > ceiling_;
   if (unsure_ && (16.0 * reach < ceiling_ + static_cast<double>(balls_->largest_radius) || cube.half <= least_half)) {
-    beyond_ceiling_ = least + 3.0 * reach;
+    beyond_ceiling_ = most_level + 2.0 * reach;
     return last;
   }
   uint32_t count = 0;
-  for (uint32_t k = 0; k < most; ++k) {
-    const uint32_t ball = candidates_[first + k];
-    const double d = distance_[last + k];
+  for (uint32_t k = first; k < last; ++k) {
+    const uint32_t ball = candidates_[k];
+    const Vec3 beyond{beyond_edge(balls.x[ball] - x, edge), beyond_edge(balls.y[ball] - y, edge),
+                      beyond_edge(balls.z[ball] - z, edge)};
+    const double within = most_level + balls.r[ball];
     candidates_[last + count] = ball;
-    count += d - doubt_of(d) - balls_->r[ball] <= least + 2.0 * reach ? 1U : 0U;
+    count += within >= 0.0 && dot(beyond, beyond) * (1.0 - 0x1p-48) <= within * within ? 1U : 0U;
   }
   if (unsure_) return last + count;
   if (count < 3) return last;

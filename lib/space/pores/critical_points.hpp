@@ -109,7 +109,6 @@ class CriticalPoints {
   FixedVector<SmallShift> tied_shifts_;
   NameTable maximum_names_, gate_names_;
   Span<uint32_t> candidates_;
-  Span<double> distance_;  // [candidates]
   Span<Cube> cubes_;       // that are being halved
   Span<uint32_t> at_point_, cluster_;
   Span<TangentLines> lines_;     // [1]

@@ -59,8 +59,8 @@ Status PoresBuilder::build_from(int64_t floor) {
   needed_.candidates = needed.candidates;
   needed_.near = larger_count(needed_.near, needed.near);
   if (status != Status::ok) return status;
-  sort_points();
   status = climb_from_gates();
+  if (status == Status::ok) sort_points();
   if (status == Status::ok) status = balls_.box() != nullptr ? merge_in_box() : merge();
   if (status != Status::ok) {
     maximum_count_ = gate_count_ = 0;
@@ -99,17 +99,21 @@ bool PoresBuilder::is_higher(const CriticalPoint &a, const CriticalPoint &b) {
 void PoresBuilder::sort_points() {
   const auto higher = [&](const auto &a, const auto &b) { return is_higher(a.point, b.point); };
   compared_.reset(balls_);
+  for (uint32_t k = 0; k < maximum_count_; ++k) maxima_[k].gate = k;
   sort_in_place(critical_.maxima().items(), higher);
   sort_in_place(critical_.gates().items(), higher);
+  for (uint32_t k = 0; k < maximum_count_; ++k) maxima_[maxima_[k].gate].into = k;
+  for (uint32_t k = 0; k < gate_count_; ++k) {
+    for (uint32_t &end : gates_[k].end) end = end == pore_outside ? end : maxima_[end].into;
+  }
+  for (uint32_t k = 0; k < maximum_count_; ++k) maxima_[k].gate = maxima_[k].into = no_id;
+}
+
+// In the order in which gates are found, which is that of places: what is near one is near the next one.
+Status PoresBuilder::climb_from_gates() {
   tied_shifts_ = critical_.tied_shifts().items();
   maximum_count_ = critical_.maxima().size();
   gate_count_ = critical_.gates().size();
-  NameTable &names = critical_.maximum_names();
-  names.clear();
-  for (uint32_t k = 0; k < maximum_count_; ++k) names.add(name_of(maxima_[k].point), k, critical_.maxima());
-}
-
-Status PoresBuilder::climb_from_gates() {
   ways_.prepare(balls_);
   for (uint32_t k = 0; k < gate_count_; ++k) {
     PoreGate &gate = gates_[k];

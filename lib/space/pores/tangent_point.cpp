@@ -292,16 +292,34 @@ template <class Make>
 
 }  // namespace
 
-bool TangentPoint::find(const BallSet &balls, const TangentCurve &curve, uint32_t last, bool rising) {
+void TangentPoint::begin(const BallSet &balls, const TangentCurve &curve, uint32_t last, bool rising) {
   balls_ = &balls;
   curve_ = curve;
   last_ = last;
   rising_ = rising;
   number_ = lines_->next_point();
   beyond_reach_ = false;
-  const int known = estimate(RoughLine(balls, curve, last));
+}
+
+bool TangentPoint::find(const BallSet &balls, const TangentCurve &curve, uint32_t last, bool rising) {
+  begin(balls, curve, last, rising);
+  return is_there(estimate(RoughLine(balls, curve, last)));
+}
+
+void TangentPoint::find_both(const BallSet &balls, const TangentCurve &curve, uint32_t last, TangentPoint (&points)[2],
+                             bool (&there)[2]) {
+  const RoughLine line(balls, curve, last);
+  for (const bool rising : {false, true}) {
+    TangentPoint &point = points[rising ? 1 : 0];
+    point.begin(balls, curve, last, rising);
+    there[rising ? 1 : 0] = point.is_there(point.estimate(line));
+  }
+}
+
+// known: by doubles.
+bool TangentPoint::is_there(int known) {
   if (known != 0) return known > 0;
-  if (is_beyond_reach(balls, curve, last)) {
+  if (is_beyond_reach(*balls_, curve_, last_)) {
     beyond_reach_ = true;
     return false;
   }
@@ -314,7 +332,8 @@ template <class RoughLines>
 int TangentPoint::estimate(const RoughLines &line) {
   z_ = {0.0, std::numeric_limits<double>::infinity()};
   y_ = {z_, z_, z_};
-  if (line.D.sign() == 0) return 0;
+  is_steep_ = line.D.sign() != 0;
+  if (!is_steep_) return 0;
   const Bounded A = rising_ ? -line.A() : line.A(), b = rising_ ? -line.b() : line.b(),
                 c = rising_ ? -line.c() : line.c();
   const Bounded discriminant = b * b - A * c;
@@ -621,16 +640,16 @@ CurveShape::CurveShape(const BallSet &balls, const TangentCurve &curve) {
 }
 
 CurvePiece::CurvePiece(const CurveShape &curve, double lower, double upper)
-    : shape(curve), from(lower), to(upper), error(curve.error_at(upper)) {
-  const double h0 = shape.height(from), h1 = shape.height(to);
+    : shape(&curve), from(lower), to(upper), error(curve.error_at(upper)) {
+  const double h0 = curve.height(from), h1 = curve.height(to);
   low = h0 < h1 ? h0 : h1;
   high = h0 < h1 ? h1 : h0;
-  const double peak = shape.A > 0.0 ? -shape.b / shape.A : 0.0;
+  const double peak = curve.A > 0.0 ? -curve.b / curve.A : 0.0;
   if (peak > from && peak < to) {
-    const double top = shape.height(peak);
+    const double top = curve.height(peak);
     high = top > high ? top : high;
   }
-  span = 4.0 * (std::sqrt(dot(shape.p, shape.p)) + std::sqrt(dot(shape.q, shape.q)) * to + high + to);
+  span = 4.0 * (std::sqrt(dot(curve.p, curve.p)) + std::sqrt(dot(curve.q, curve.q)) * to + high + to);
 }
 
 int side_of_centre(const BallSet &balls, const TangentCurve &curve, uint32_t ball, bool &beyond_reach) {
