@@ -290,6 +290,17 @@ template <class Make>
   form = make.template operator()<Integer>();
 }
 
+// The root of a line; false if there certainly is none.
+template <class RoughLines>
+bool find_z(const RoughLines &line, bool rising, Bounded &z) {
+  const Bounded A = rising ? -line.A() : line.A(), b = rising ? -line.b() : line.b(), c = rising ? -line.c() : line.c();
+  const Bounded discriminant = b * b - A * c;
+  if (discriminant.sign() < 0) return false;
+  const Bounded root = square_root(discriminant);
+  z = b.value < 0.0 ? c / (root - b) : (-b - root) / A;
+  return true;
+}
+
 }  // namespace
 
 void TangentPoint::begin(const BallSet &balls, const TangentCurve &curve, uint32_t last, bool rising) {
@@ -334,12 +345,7 @@ int TangentPoint::estimate(const RoughLines &line) {
   y_ = {z_, z_, z_};
   is_steep_ = line.D.sign() != 0;
   if (!is_steep_) return 0;
-  const Bounded A = rising_ ? -line.A() : line.A(), b = rising_ ? -line.b() : line.b(),
-                c = rising_ ? -line.c() : line.c();
-  const Bounded discriminant = b * b - A * c;
-  if (discriminant.sign() < 0) return -1;
-  const Bounded root = square_root(discriminant);
-  z_ = b.value < 0.0 ? c / (root - b) : (-b - root) / A;
+  if (!find_z(line, rising_, z_)) return -1;
   if (z_.sign() <= 0) return z_.sign();
   y_ = line.place(z_);
   return 1;
@@ -571,8 +577,21 @@ int TangentPoint::level_against_half(double halves, double unit) const {
 constexpr int most_units = 64;
 
 double TangentPoint::rounded_level(double level, double doubt, double unit) const {
-  double multiple = static_cast<double>(nearest(level / unit));
-  if (std::fabs(level / unit - multiple) + doubt / unit < 0.499) return multiple * unit;
+  double multiple = 0.0;
+  const auto is_certain = [&](double estimate, double error) {
+    multiple = static_cast<double>(nearest(estimate / unit));
+    return std::fabs(estimate / unit - multiple) + error / unit < 0.499;
+  };
+  if (is_certain(level, doubt)) return multiple * unit;
+  // By sharper bounds.
+  const CurveRows<Bounded> rows(*balls_, curve_);
+  const SteepLine<Bounded> line(rows, last_row(*balls_, curve_, rows, last_));
+  Bounded z;
+  if (line.D.sign() != 0 && find_z(line, rising_, z)) {
+    const Bounded sharper = Bounded(0.5) * z - Bounded(balls_->r[curve_.base]);
+    if (sharper.error < unit && is_certain(sharper.value, sharper.error)) return multiple * unit;
+  }
+  static_cast<void>(is_certain(level, doubt));
   for (int turn = 0; turn < most_units && level_against_half(2.0 * multiple + 1.0, unit) >= 0; ++turn) multiple += 1.0;
   for (int turn = 0; turn < most_units && level_against_half(2.0 * multiple - 1.0, unit) < 0; ++turn) multiple -= 1.0;
   return multiple * unit;
