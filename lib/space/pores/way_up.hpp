@@ -71,9 +71,7 @@ class WayUp {
   // Without a box balls have their own numbers.
   uint32_t number_of(uint32_t ball, const BoxShift &shift);
   uint32_t ball_of(uint32_t number) const { return all_->box() == nullptr ? number : near_balls_.ball(number); }
-  BoxShift shift_of(uint32_t number) const {
-    return all_->box() == nullptr ? BoxShift{} : near_balls_.shift(number);
-  }
+  BoxShift shift_of(uint32_t number) const { return all_->box() == nullptr ? BoxShift{} : near_balls_.shift(number); }
   void trace(const Way &way, const CurveShape &shape, double from, double to) const;
 
   PoreBalls *all_ = nullptr;
