@@ -575,7 +575,7 @@ bool CriticalPoints::try_point(const uint32_t *ids, uint32_t count, Span<const u
                                                               : are_coplanar(balls, ids[0], ids[1], ids[2], ids[3]));
   kept = kept && is_in(point, block) && is_in(point, other);
   bool on_side = false;
-  kept = kept && (count == 3 ? is_in_triangle(point, ids[0], ids[1], ids[2], on_side)
+  kept = kept && (count == 3 ? is_in_triangle(balls, point, ids[0], ids[1], ids[2], on_side)
                              : is_in_tetrahedron(balls, point, ids, on_side));
   uint32_t tied = 0;
   uint64_t ties = 0;

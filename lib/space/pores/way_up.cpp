@@ -10,7 +10,7 @@ namespace {
 constexpr uint32_t most_steps = 100000;
 constexpr int most_windows = 400;
 constexpr uint32_t most_passed = 16;
-constexpr uint32_t known_ends = 512;  // a power of two
+constexpr uint32_t known_ends = 256;  // a power of two
 
 bool is_of_curve(const TangentCurve &curve, uint32_t ball) {
   return ball == curve.base || ball == curve.second || (!curve.in_plane && ball == curve.third);
@@ -86,7 +86,7 @@ bool WayUp::leave_gate(const TangentCurve &named, int side, Way &way) {
         way.curve = {tied[a], tied[b], tied[c]};
         bool on_side = false;
         if (tied.size() > 3 && (are_collinear(*balls_, tied[a], tied[b], tied[c]) ||
-                                !is_in_triangle(point_, tied[a], tied[b], tied[c], on_side))) {
+                                !is_in_triangle(*balls_, point_, tied[a], tied[b], tied[c], on_side))) {
           continue;
         }
         way.side = tied.size() == 3 || turn_alike(*balls_, named, way.curve) ? side : -side;
@@ -127,7 +127,7 @@ bool WayUp::leave(Way &way) {
         bool on_side = false;
         if (directions.is_closed(a, b, c) || directions.is_off_plane(a, b, c) || point_.side_of_curve(way.curve) != 0 ||
             are_collinear(*balls_, tied[a], tied[b], tied[c]) ||
-            !is_in_triangle(point_, tied[a], tied[b], tied[c], on_side)) {
+            !is_in_triangle(*balls_, point_, tied[a], tied[b], tied[c], on_side)) {
           continue;
         }
         for (const int side : {1, -1}) {
@@ -222,7 +222,7 @@ bool WayUp::first_event(const Way &way, const CurvePiece &whole, TangentPoint &e
       if (any && at[root].compare_levels(event) >= 0) continue;
       event = at[root];
       any = true;
-      // What is met only later does not matter any more.
+      // Balls that are met later do not matter any more.
       const double to = 2.0 * (balls_->r[way.curve.base] + event.level_estimate() + event.level_error() + 1.0);
       if (to > piece.from && to < piece.to) piece = CurvePiece(*piece.shape, piece.from, to);
     }
