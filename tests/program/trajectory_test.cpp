@@ -45,7 +45,7 @@ Reading read_all(const std::string &path, uint32_t atoms, uint64_t every = 1) {
   trajectory frames;
   failure why;
   std::memset(&why, 0, sizeof why);
-  bool good = trajectory_format_of(path.c_str(), file_format_named("xyz"), &frames, &why) &&
+  bool good = trajectory_format_of(path.c_str(), file_format_named("xyz", FILE_ATOMS), &frames, &why) &&
               trajectory_open(&frames, path.c_str(), atoms, &why);
   while (good) {
     const bool wanted = (frames.frames + 1) % every == 0;
@@ -501,7 +501,7 @@ std::string replaced(Bytes bytes, size_t at, const Bytes &by) {
   return bytes;
 }
 
-// What is wrong is said with the frame's number, and the lines before are there.
+// Faults are said with the frame's number, and the lines before are there.
 TEST(Trajectory, BrokenFilesKeepTheLinesBefore) {
   const std::vector<std::vector<Place>> frames = some_frames();
   std::mt19937 random(5);

@@ -76,7 +76,8 @@ const struct option *option_at(size_t i) {
                "a chain is all atoms with its name, or in .pdb files without chains with their segment"},
       {"--of", "S", take_atoms, OF(MEASURE), .target = IN(part), .what = "atoms, for instance chain:A,B or residue:HOH",
        .help = "measure only the atoms that S names, as for --only; all others that are read block. Of\n"
-               "these the free area is found, and no volume. Several are a union"},
+               "these the free area is found, and no volume; with --gradient its derivatives by all\n"
+               "atoms. Several are a union"},
       {"--relative", NULL, take_flag, OF(MEASURE), .target = IN(relative),
        .help = "with --by residue and a probe: also the part of the largest area that a residue of that\n"
                "name can have in a chain"},
@@ -152,6 +153,17 @@ const struct option *option_at(size_t i) {
                "atom:N is the widest maximum at the atom N of the file, counted from 0"},
       {"--tunnels", "N", take_tunnels, OF(PORES), .what = "how many tunnels",
        .help = "so many, each without the bottlenecks of those before it; default 3"},
+      {"--points", "OUT", take_path, OF(PORES), .target = IN(points), .what = "a file",
+       .help = "also a .pdb or .cif file for viewers with what is listed: a point each, with its radius in\n"
+               "the column of temperature factors, of pockets their maxima and mouths, of tunnels the way"},
+      {"--tunnels-out", "OUT.cif", take_path, OF(PORES), .target = IN(tunnels_out), .what = "a file",
+       .help = "also the tunnels as mmcif_tunnels.dic, of ChannelsDB, has them: radius along the length,\n"
+               "layers and the residues that line them, with the atoms of the molecule"},
+      {"--profile", "OUT.svg", take_path, OF(PORES), .target = IN(profile), .what = "a file",
+       .help = "also a chart of the tunnels: the radius along the length, with a ring at the bottleneck"},
+      {"--tree", "OUT.svg", take_path, OF(PORES), .target = IN(tree), .what = "a file",
+       .help = "also a chart of the classes: a line from birth to death for each, down to that which it\n"
+               "merges into; with --pockets in the colours of the six widest pockets"},
       {"--csv", NULL, take_flag, OF(PORES), .target = IN(csv),
        .help = "print maxima, gates, pockets or the points of tunnels as comma-separated values and\n"
                "nothing else"},
