@@ -3,13 +3,13 @@
 # Usage: bash bench/run.sh [--quick] [--peers | --programs]
 #   --quick  one repetition of each benchmark, as short as it gets: for trying out, not for quoting
 #   --peers  time other programs by turns with the library: FreeSASA, CGAL, nanoflann, gemmi, FCL, on a trajectory gmx
-#            sasa and mdtraj, and these and FreeSASA from files to areas. What of them is missing is installed from
-#            Debian's packages if it can be, and left out otherwise. Then version 0.1.0 of the library, if it is in the
+#            sasa and mdtraj, and these and FreeSASA from files to areas. Missing ones are installed from Debian's
+#            packages if they can be, and left out otherwise. Then version 0.1.0 of the library, if it is in the
 #            repository's history
 #   --programs  nothing but these programs, from files to areas: their part of bench/report.md is put in place
 # Missing packages are installed with apt-get (as root, or through sudo). The environment variable BENCH_BUILD names
 # another folder to build in. Takes ten to twenty-five minutes, once the machine has come to rest after building.
-# What is committed of it are bench/report.md and bench/plots/*.svg.
+# Committed of it are bench/report.md and bench/plots/*.svg.
 set -euo pipefail
 
 quick=no
@@ -159,7 +159,7 @@ if [ "$peers" = yes ]; then
     "$source_folder/bench/molecules/ubiquitin.pdb" "$report_folder/peers_trajectories.json" "${quickly[@]}"
   run_programs
 fi
-# What else a machine does comes and goes in minutes, and would make a set look smaller or larger than it is. So suites
+# Other work of a machine comes and goes in minutes, and would make a set look smaller or larger than it is. So suites
 # that compare sizes or threads run twice more.
 if [ "$quick" = no ]; then
   for again in .second .third; do

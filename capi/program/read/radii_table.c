@@ -64,7 +64,7 @@ static bool make_room(void **items, size_t count, size_t *capacity, size_t size,
   return true;
 }
 
-/* An entry that has neither type nor radius yet; NULL: the reason is told. */
+/* An entry that has neither type nor radius yet; NULL: it cannot be added. */
 static struct radii_entry *add_entry(struct reading *reading, struct field residue, struct field atom) {
   struct radii_table *table = reading->table;
   void *entries = table->entries;
