@@ -5,14 +5,15 @@
 #include <gemmi/cif.hpp>
 #include <gemmi/mmcif.hpp>
 #include <gemmi/pdb.hpp>
-#include <string_view>
+#include <string>
 
 int main(int argc, char **argv) {
   if (argc != 2) return 2;
   try {
-    const bool is_cif = std::string_view(argv[1]).ends_with(".cif");
+    const std::string path = argv[1];
+    const bool is_cif = path.rfind(".cif") == path.size() - 4;
     const gemmi::Structure all =
-        is_cif ? gemmi::make_structure(gemmi::cif::read_file(argv[1])) : gemmi::read_pdb_file(argv[1]);
+        is_cif ? gemmi::make_structure(gemmi::cif::read_file(path)) : gemmi::read_pdb_file(path);
     size_t atoms = 0;
     for (const gemmi::Chain &chain : all.models.at(0).chains) {
       for (const gemmi::Residue &residue : chain.residues) atoms += residue.atoms.size();

@@ -169,7 +169,7 @@ def peers_of_frames(program):
 
 
 def readers_of(build, path):
-    programs = {"library": os.path.join(build, "bench", "read_alone"), "gemmi": os.path.join(build, "bench", "gemmi_read")}
+    programs = {"library": f"{build}/bench/read_alone", "gemmi": f"{build}/bench/gemmi_read"}
     return {key: (None if key == "library" else "library", [program, path], nothing)
             for key, program in programs.items() if os.path.exists(program)}
 
