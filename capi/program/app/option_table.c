@@ -76,7 +76,8 @@ const struct option *option_at(size_t i) {
                "a chain is all atoms with its name, or in .pdb files without chains with their segment"},
       {"--of", "S", take_atoms, OF(MEASURE), .target = IN(part), .what = "atoms, for instance chain:A,B or residue:HOH",
        .help = "measure only the atoms that S names, as for --only; all others that are read block. Of\n"
-               "these the free area is found, and no volume. Several are a union"},
+               "these the free area is found, and no volume; with --gradient its derivatives by all\n"
+               "atoms. Several are a union"},
       {"--relative", NULL, take_flag, OF(MEASURE), .target = IN(relative),
        .help = "with --by residue and a probe: also the part of the largest area that a residue of that\n"
                "name can have in a chain"},
