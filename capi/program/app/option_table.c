@@ -195,6 +195,13 @@ const struct option *option_at(size_t i) {
        .help = "in .svg leave out what lies before the middle of the largest void, or else of all: the\n"
                "inside is seen, and voids as red bodies"},
 
+      {"--pockets", "W", take_number, OF(MESH), .target = IN(pockets), .what = "a length", .most = 1e6,
+       .component = "space",
+       .help = "in .svg show pockets instead, as pores has them: where the probe fits, and one of radius W\n"
+               "does not get to from outside. The widest six have colours; --cut goes through the first"},
+      {"--least", "D", take_length, OF(MESH), .target = IN(persistence), .what = "a length", .component = "space",
+       .help = "only pockets that are wider than their widest mouth by D"},
+
       {"--at", "X,Y", take_at, OF(PICK), .help = "the point"},
 
       {"--view", "X,Y,Z", take_view, OF(MAP) | OF(PICK), .target = IN(viewing)},
