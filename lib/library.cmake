@@ -162,8 +162,7 @@ set(HSP_LIBRARY_SOURCES
   lib/smooth/mesh/surface_vertices.cpp
   lib/sight/view/depth_buffer.cpp
   lib/sight/view/depth_order.cpp
-  lib/sight/view/depth_rows.cpp
-  lib/sight/view/depth_rows_avx2.cpp
+  lib/sight/view/depth_rows.kernel.cpp
   lib/sight/view/occlusion.cpp
   lib/sight/view/piece_arcs.cpp
   lib/sight/view/projected_arcs.cpp
