@@ -132,6 +132,9 @@ struct Wide {
 #if defined(__AVX2__)
     if constexpr (n == 4 && sizeof(T) == 8) return Real(_mm256_sqrt_pd(__m256d(a)));
 #endif
+#if defined(__SSE2__)
+    if constexpr (n == 2 && sizeof(T) == 8) return Real(_mm_sqrt_pd(__m128d(a)));
+#endif
     Real root = a;  // GCC -O1 does not see that every lane is written
     for (uint32_t k = 0; k < n; ++k) root[k] = std::sqrt(a[k]);
     return root;

@@ -38,7 +38,7 @@ struct RowCells {
   }
   // Whether the disc meets some of them where this is so, too.
   bool any_met(const CellLanes::Mask &mask) const {
-    return CellLanes::set_lanes(CellLanes::both(left_over > 0.0, mask)) != 0;
+    return (CellLanes::set_lanes(left_over > 0.0) & CellLanes::set_lanes(mask)) != 0;
   }
 };
 
