@@ -5,11 +5,11 @@
 #   install_optional_packages PACKAGE...   says which cannot be had, and goes on
 # As root, or as a user who may use sudo. Where there is no dpkg, people install what is missing themselves.
 
-# What tests/run.sh needs: compilers, GoogleTest, the programs that read pictures and look at the format, and a parser of C
-# for capi/interface.
+# Needed by tests/run.sh: compilers, GoogleTest, the programs that read pictures and look at the format, and a parser of
+# C for capi/interface.
 packages_for_tests=(cmake ninja-build gcc g++ libc6-dev binutils gfortran pkg-config libgtest-dev libbenchmark-dev
   clang-format-14 libxml2-utils ghostscript poppler-utils librsvg2-bin zlib1g-dev python3-pycparser)
-# What `tests/run.sh --all` needs besides: sanitizers of clang, other linkers, C libraries and processors, documentation,
+# Needed besides by `tests/run.sh --all`: sanitizers of clang, other linkers, C libraries and processors, documentation,
 # a count of instructions.
 packages_for_all_tests=(clang clang-14 lld musl-tools libclang-rt-14-dev g++-arm-linux-gnueabihf g++-s390x-linux-gnu qemu-user
   doxygen python3-cffi python3-setuptools python3-dev gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-dev
@@ -18,10 +18,11 @@ packages_for_all_tests=(clang clang-14 lld musl-tools libclang-rt-14-dev g++-arm
 optional_packages_for_all_tests=(wasi-libc libclang-rt-14-dev-wasm32 libc++-14-dev-wasm32 libc++abi-14-dev-wasm32 nodejs
   chromium openmpi-bin libopenmpi-dev qemu-system-arm python3-mdanalysis python3-ase rustc
   lammps liblammps-dev libopenmm-dev)
-# What the preset long tests besides: other processors, packages, and programs that draw pictures.
+# Needed besides by the preset long: other processors, packages, and programs that draw pictures.
 packages_for_long_tests=(g++-aarch64-linux-gnu g++-riscv64-linux-gnu g++-i686-linux-gnu googletest debootstrap dpkg-dev
   debhelper lintian cairosvg inkscape mupdf-tools)
-# What `bench/run.sh --peers` times beside the library. FreeSASA's archive needs two libraries that it reads files with.
+# Programs that `bench/run.sh --peers` times beside the library. FreeSASA's archive needs two libraries that it reads
+# files with.
 packages_of_peers=(freesasa libxml2-dev libjson-c-dev libcgal-dev libnanoflann-dev gemmi-dev libfcl-dev python3 gromacs
   python3-mdtraj)
 
@@ -51,7 +52,8 @@ is_there() {
   command -v "$program" >/dev/null || [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
 }
 
-# Installs what is missing of the packages named. What could not be installed is left in `missing`, the reason in `reason`.
+# Installs what is missing of the packages named. Packages that could not be installed are left in `missing`, the reason
+# in `reason`.
 try_to_install() {
   missing=() reason=
   command -v dpkg-query >/dev/null || return 0

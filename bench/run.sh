@@ -3,12 +3,12 @@
 # Usage: bash bench/run.sh [--quick] [--peers]
 #   --quick  one repetition of each benchmark, as short as it gets: for trying out, not for quoting
 #   --peers  time other programs by turns with the library: FreeSASA, CGAL, nanoflann, gemmi, FCL, on a trajectory gmx
-#            sasa and mdtraj, and these and FreeSASA from files to areas. What of them is missing is installed from
-#            Debian's packages if it can be, and left out otherwise. Then version 0.1.0 of the library, if it is in the
+#            sasa and mdtraj, and these and FreeSASA from files to areas. Missing ones are installed from Debian's
+#            packages if they can be, and left out otherwise. Then version 0.1.0 of the library, if it is in the
 #            repository's history
 # Missing packages are installed with apt-get (as root, or through sudo). The environment variable BENCH_BUILD names
 # another folder to build in. Takes ten to twenty-five minutes, once the machine has come to rest after building.
-# What is committed of it are bench/report.md and bench/plots/*.svg.
+# Committed of it are bench/report.md and bench/plots/*.svg.
 set -euo pipefail
 
 quick=no
@@ -129,7 +129,7 @@ if [ "$peers" = yes ]; then
   python3 "$source_folder/bench/peers/programs.py" "$build_folder/capi/hardsphere" \
     "$source_folder/bench/molecules/ubiquitin.pdb" "$build_folder/programs.json" "${quickly[@]}"
 fi
-# What else a machine does comes and goes in minutes, and would make a set look smaller or larger than it is. So suites
+# Other work of a machine comes and goes in minutes, and would make a set look smaller or larger than it is. So suites
 # that compare sizes or threads run twice more.
 if [ "$quick" = no ]; then
   for again in .second .third; do

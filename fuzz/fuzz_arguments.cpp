@@ -62,7 +62,7 @@ class ChangedCall {
     FUZZ_REQUIRE(false, text);
   }
 
-  // What comments let a function write when it fails.
+  // Arguments that a function may write when it fails, by the comments.
   const char *may_be_written() const {
     switch (call_.result) {
       case HSP_E_HANDLE:

@@ -135,7 +135,7 @@ uint32_t expected_ends(const Result &reference, uint32_t here, uint32_t there) {
   return reference.cells[here].region == reference.cells[there].region ? HSP_PATH_CONNECTED : HSP_PATH_APART;
 }
 
-// What a path says of itself, from end to end.
+// The path's own numbers, from end to end.
 void require_sound(const FoundPath &found, const Point &from, const Point &to) {
   const hsp_path &path = found.path;
   FUZZ_REQUIRE((path.ends == HSP_PATH_CONNECTED) == (path.points > 0) && path.reserved == 0, "points of a path");

@@ -216,7 +216,7 @@ class Session {
     const size_t given = missing < bytes ? bytes - missing : 0;
     const bool in_place = take_block(model_memory_, model_ != nullptr, given);
     if (!in_place) {
-      // What refers to the old memory goes with it.
+      // Handles that refer to the old memory go with it.
       drop_boundary();
       model_ = nullptr;
     }
@@ -432,7 +432,7 @@ class Session {
       FUZZ_REQUIRE(status == HSP_E_ARGUMENT, "hsp_boundary_compute, arguments");
       return;
     }
-    // Whatever comes of it, earlier results are gone.
+    // Earlier results are gone in any case.
     complete_ = status == HSP_OK;
     of_ = contents_;
     if (model == nullptr) {

@@ -117,7 +117,7 @@ void require_pole(const map_result &m, fuzz::Bytes &bytes) {
   if (pole.radius > 1e-4 * largest) FUZZ_REQUIRE(sight.face == face, "a pole in another face");
 }
 
-// What has been read can be read again, also after a check, which uses scratch memory.
+// Results that have been read can be read again, also after a check, which uses scratch memory.
 void require_unchanged(const map_result &m) {
   uint32_t invariant = 0, id = 0;
   FUZZ_REQUIRE(hsp_map_check(m.map, &invariant, &id) == HSP_OK, "hsp_map_check a second time");

@@ -183,7 +183,7 @@ void require_listed(const hsp_moving *moving, const Numbers &before, const Numbe
   }
 }
 
-// Whatever is refused changes nothing.
+// A refused call changes nothing.
 void require_refusals(hsp_moving *moving, const Balls &balls, fuzz::Bytes &bytes) {
   const uint32_t n = balls.n();
   const Numbers before = numbers_of(moving, n);

@@ -75,7 +75,7 @@ double nearest(const fuzz::ScaledBalls &set, const double *xyz) {
   return least;
 }
 
-// What doubles of this size may be off, and a step.
+// The error of doubles of this size, and a step.
 double doubt_of(const fuzz::ScaledBalls &set, double size) {
   return 2.0 * set.step() + 1e-12 * std::fabs(size);
 }

@@ -155,7 +155,7 @@ PlainScene scene_of(const fuzz::ScaledBalls &set, const std::vector<hsp_stick> &
   return scene;
 }
 
-// What is seen at some points where it is the same all around.
+// The owners seen at some points where they are the same all around.
 void require_sights(const hsp_sticks *sticks, const hsp_map_info &info, const hsp_sticks_info &box,
                     const PlainScene &scene, const std::vector<hsp_map_face> &faces, fuzz::Bytes &bytes) {
   const double close = 1e-6 * scene.largest + 8 * info.perturbation;

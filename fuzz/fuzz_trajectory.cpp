@@ -70,7 +70,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   const Reading all = read(path, atoms, 1), again = read(path, atoms, 1), some = read(path, atoms, 2);
   std::remove(path.c_str());
   FUZZ_REQUIRE(all.frames == again.frames && all.reason == again.reason && all.line == again.line, "the second time");
-  // What is stepped over may be damaged where only reading tells.
+  // Frames that are stepped over may be damaged where only reading tells.
   FUZZ_REQUIRE(some.frames.size() >= all.frames.size(), "fewer frames where some are stepped over");
   for (size_t k = 1; k < all.frames.size(); k += 2) FUZZ_REQUIRE(some.frames[k] == all.frames[k], "stepped over");
   return 0;

@@ -81,7 +81,7 @@ void require_capacities(const view_result &reference, fuzz::Bytes &bytes) {
   fuzz::require_limits<support::ViewKind>(reference.needed, bytes, compute, read);
 }
 
-// What has been read can be read again.
+// Results that have been read can be read again.
 void require_unchanged(const view_result &v) {
   view_result again = v;
   std::vector<hsp_view_piece> pieces(v.info.pieces + 1);

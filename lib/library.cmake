@@ -35,6 +35,7 @@ set(HSP_LIBRARY_SOURCES
   lib/space/cells/cube_cover.cpp
   lib/space/cells/empty_runs.cpp
   lib/space/cells/facet_overlay.cpp
+  lib/space/cells/facet_parts.cpp
   lib/space/cells/free_space_builder.cpp
   lib/space/cells/free_space_check.cpp
   lib/space/cells/power_cell.cpp
@@ -119,6 +120,8 @@ set(HSP_LIBRARY_SOURCES
   lib/space/pores/tied_balls.cpp
   lib/space/pores/tunnel.cpp
   lib/space/pores/way_up.cpp
+  lib/smooth/surface/arc_parts.cpp
+  lib/smooth/surface/coincident_patches.cpp
   lib/smooth/surface/concave_patches.cpp
   lib/smooth/surface/covered_gaps.cpp
   lib/smooth/surface/crease_lengths.cpp

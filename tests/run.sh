@@ -70,7 +70,7 @@ for preset in "${presets[@]}"; do
     failed+=("$preset")
     continue
   fi
-  # What reads sources alone fails before anything is built.
+  # Tests that read sources alone fail before anything is built.
   if [ "$preset" = dev ]; then step "$preset" "tests of the text" ctest --preset text || failed+=("$preset"); fi
   if step "$preset" build cmake --build --preset "$preset"; then
     step "$preset" tests ctest --preset "$preset" || failed+=("$preset")

@@ -4,8 +4,8 @@
 // `counted_stages --build` prints how it and the library were built, --code what runs on this processor: `wide` for
 // code for AVX2 where there is some, or `scalar`.
 //
-// Each handle has computed before the stage that is counted, so memory and limits are those of a repeated call. What is
-// asked of the library comes from files and integers alone, so that every run does the same instructions.
+// Each handle has computed before the stage that is counted, so memory and limits are those of a repeated call. The
+// library's input comes from files and integers alone, so that every run does the same instructions.
 #include <array>
 #include <cstdint>
 #include <cstdio>
@@ -113,7 +113,7 @@ void count_stages(const bench::Balls &balls, const Surface &surface) {
             [&] { sticks.write_picture(as_map ? &sticks : nullptr); });
     }
   }
-  // What frames and maps are measured against: both start with the centres and a direction.
+  // The base that frames and maps are measured against: both start with the centres and a direction.
   bench::Placement placement(balls.xyz, balls.radius);
   bench::AnalyticZBuffer z_buffer;
   count("z_buffer", balls, surface, [&] { z_buffer.draw(placement.place(bench::axes_towards(towards))); });

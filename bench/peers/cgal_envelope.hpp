@@ -1,5 +1,5 @@
-// What is seen of balls along the z axis by CGAL's envelopes of surfaces (Debian's package libcgal-dev): exact, with
-// algebraic numbers.
+// Balls seen along the z axis by CGAL's envelopes of surfaces (Debian's package libcgal-dev): exact, with algebraic
+// numbers.
 #pragma once
 
 #include <cstddef>

@@ -18,7 +18,7 @@ struct Centres {
   }
 };
 
-// What nanoflann hands the points within reach to: tests each with its own radius.
+// The sink of nanoflann for points within reach: it tests each with its own radius.
 class Meeting {
  public:
   Meeting(const support::BallList &balls, double radius, double reach, Hits &hits)

@@ -104,7 +104,7 @@ class Expression {
     return accept('(') ? call(name, arguments()) : counter(name, false);
   }
 
-  // What stands before a bracket that closes.
+  // The text before a bracket that closes.
   std::string bracketed() {
     const size_t end = rest_.find(']');
     if (end == std::string_view::npos) fail();

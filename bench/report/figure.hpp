@@ -30,7 +30,7 @@ struct Scope {
   std::string benchmark = "";  // of the row
 };
 
-// What is computed, in the unit; NaN if a part of it was not measured.
+// The computed value, in the unit; NaN if a part of it was not measured.
 double amount(std::string_view figure, const Scope &scope);
 // Without the unit.
 double plain_amount(std::string_view figure, const Scope &scope);

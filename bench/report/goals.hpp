@@ -1,4 +1,4 @@
-// What the library is meant to cost, beside what it does.
+// The costs that the library aims at, beside those that it has.
 #pragma once
 
 #include <ostream>

@@ -21,7 +21,7 @@ std::string with_names(std::string text, const Names &names);
 
 std::string without_blanks(std::string_view text);  // at either end
 
-// What stands between separators, without blanks around it.
+// The text between separators, without blanks around it.
 std::vector<std::string> split(std::string_view text, std::string_view separator);
 
 }  // namespace report

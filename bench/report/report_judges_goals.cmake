@@ -85,7 +85,7 @@ add_results(visibility/random/1000 atoms=1000 map_seconds=0.001)
 add_results(visibility/random/10000 atoms=10000 map_seconds=0.0125893)
 add_results(visibility/random/100000 atoms=100000 map_seconds=0.158489)
 add_results(peers/visibility/crambin atoms=327 cgal_envelope_ratio=20000.0)
-# What did not run says why; a set smaller than 300 is no row of searches.
+# A case that did not run says why; a set smaller than 300 is no row of searches.
 string(APPEND entries ",{\"run_type\": \"iteration\", \"run_name\": \"frames/sod_stand_in_x216\","
   " \"error_occurred\": true, \"error_message\": \"needs 5 GB\"}")
 add_results(peers/queries/build/small atoms=299 library_seconds=0.000001 gemmi_seconds=0.000002 gemmi_ratio=2.0)

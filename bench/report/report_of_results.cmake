@@ -1,4 +1,5 @@
-# What the tests of the report share. Results are in a folder of the script's own, ${folder}, which is empty at first.
+# Steps that the tests of the report share. Results are in a folder of the script's own, ${folder}, which is empty at
+# first.
 get_filename_component(name ${CMAKE_SCRIPT_MODE_FILE} NAME_WE)
 set(folder ${CMAKE_CURRENT_BINARY_DIR}/${name})
 file(REMOVE_RECURSE ${folder})

@@ -26,7 +26,7 @@ std::vector<std::string> read_text(const std::filesystem::path &folder) {
   return lines;
 }
 
-// What this version and version 0.1.0 measured by turns, if they did.
+// Measurements of this version and version 0.1.0 by turns, if there are any.
 std::optional<report::Turns> read_turns(const std::filesystem::path &folder) {
   if (!std::filesystem::is_directory(folder)) return std::nullopt;
   return report::Turns{report::read_run(folder / "now"), report::read_run(folder / "0.1.0")};

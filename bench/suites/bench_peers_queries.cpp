@@ -22,7 +22,7 @@ constexpr int turns = 7;
 constexpr size_t queries = 20000;
 constexpr uint32_t most_hits = 4096;
 
-// What is asked: balls of this radius around these centres; a point is a ball of radius 0.
+// The questions: balls of this radius around these centres; a point is a ball of radius 0.
 struct Workload {
   std::vector<double> centres;
   double largest_radius = 0;

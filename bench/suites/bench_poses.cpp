@@ -17,7 +17,7 @@ struct Place {
 };
 constexpr Place places[] = {{"free", 0.2}, {"overlap", -0.5}, {"away", 5}};
 
-// What the cases of one moving molecule share, one at a time.
+// The data that all cases of one moving molecule share, one at a time.
 struct Meeting {
   PreparedBody fixed{resting_molecule()};
   PreparedBody moving;

@@ -49,7 +49,7 @@ void triangles(benchmark::State &state, Subject &subject) {
   state.counters["bytes"] = static_cast<double>(mesh.bytes());
 }
 
-// What the report holds against known values.
+// Surfaces that the report holds against known values.
 void area_and_volume(benchmark::State &state, Subject &subject) {
   SmoothSurface surface(*subject.boundary);
   hsp_surface_totals totals{};

@@ -178,7 +178,7 @@ hsp_topology_limits Topology::needed() const {
 }
 
 size_t Topology::bytes_by_default() const {
-  // What the header says suffices for molecules.
+  // The limits that suffice for molecules, as the header says.
   const uint32_t n = boundary_->model().size();
   const hsp_topology_limits limits{sizeof limits, n, std::min(n, 256U), 16 * n + 96, 2 * n + 16, 0};
   size_t bytes = 0;

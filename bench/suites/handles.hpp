@@ -44,7 +44,7 @@ class Model {
 // Weights of balls, not all the same.
 std::vector<double> unequal_weights(uint32_t balls);
 
-// What a call such as hsp_boundary_get_counts says of a handle.
+// The answer of a call such as hsp_boundary_get_counts about a handle.
 template <class Handle, class Record>
 Record read(int32_t (*get)(const Handle *, Record *), const Handle *handle, const char *call) {
   Record record{};
@@ -137,7 +137,7 @@ class Topology {
   hsp_topology *get() { return topology_.get(); }
   size_t bytes() const { return topology_.bytes(); }
 
-  // What hsp_topology_bytes says for the default limits; no such memory is taken.
+  // The bytes by hsp_topology_bytes for the default limits; no such memory is taken.
   size_t bytes_by_default() const;
 
  private:

@@ -1,4 +1,4 @@
-// What the benchmark programs share: their main function, how a case is registered.
+// Parts that all benchmark programs share: their main function, how a case is registered.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -18,7 +18,7 @@ namespace bench {
 // Every program defines this; main calls it once.
 void register_suite();
 
-// What is computed of a set of balls, one thing after the other.
+// Everything that is computed of a set of balls, one thing after the other.
 enum class Stage { model, boundary, topology };
 
 // A model and, as far as it was asked for, boundary and topology of one set of balls.
@@ -43,7 +43,7 @@ using Body = std::function<void(benchmark::State &, Subject &)>;
 // the subject, with all repetitions; only one subject is alive at a time. Exceptions become the benchmark's error.
 benchmark::internal::Benchmark *register_case(const std::string &name, const SubjectRecipe &recipe, Body body);
 
-// What is timed, once for each iteration.
+// The work that is timed, once for each iteration.
 template <class Timed>
 void iterate(benchmark::State &state, Timed timed) {
   for (auto iteration : state) {

@@ -11,7 +11,7 @@ int32_t count_bytes(void *context, const char *bytes, size_t count) {
   return 0;
 }
 
-// What most directions need, without arcs and edges; what is missing is taken as it is asked for.
+// Memory for most directions, without arcs and edges; if it is too small, more is taken on demand.
 template <class Limits>
 Limits small_limits(uint32_t balls) {
   Limits limits{};

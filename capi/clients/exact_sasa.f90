@@ -49,7 +49,7 @@ contains
     end do
   end subroutine
 
-  ! What those codes make of dsdr: gradients += sum over i of tension(i) d sasa(i) / d xyz, in memory for 3 nat numbers
+  ! Those codes make this of dsdr: gradients += sum over i of tension(i) d sasa(i) / d xyz, in memory for 3 nat numbers
   ! instead of 3 nat^2, and in the time of the areas. After compute_exact_sasa.
   subroutine add_exact_gradients(work, nat, tension, gradients, status)
     type(hsp_workspace), intent(inout), target :: work

@@ -1,4 +1,4 @@
-// What cavities.c does, by hardsphere.hpp: cavities of a molecule, and whether something inside can get out.
+// The work of cavities.c by hardsphere.hpp: cavities of a molecule, and whether something inside can get out.
 //   cavities                               six balls that close a cage, and a seventh inside
 //   cavities FILE.xyzr [PROBE [X Y Z]]     where the point lies, and whether it is shut in
 #include <cstdio>

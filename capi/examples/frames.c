@@ -35,7 +35,7 @@ static int make_room(struct frame *frame) {
   return 1;
 }
 
-/* The element stands in columns 77-78, or begins the atom's name. What is none of these counts as carbon. */
+/* The element stands in columns 77-78, or begins the atom's name. An atom that is none of these counts as carbon. */
 static double radius_of(const char *line, size_t length) {
   const char *name = line + 12 + strspn(line + 12, " 0123456789");
   const char first[] = {*name, '\0'};

@@ -1,4 +1,4 @@
-// What interface.c does, by hardsphere.hpp: what two chains lose of their surfaces, and which atoms touch most.
+// The work of interface.c by hardsphere.hpp: what two chains lose of their surfaces, and which atoms touch most.
 //   interface FIRST.xyzr SECOND.xyzr [PROBE]
 #include <algorithm>
 #include <cstdio>

@@ -1,4 +1,4 @@
-/* What is seen of balls from a direction, and where a label fits.
+/* Balls as they are seen from a direction, and where a label fits.
  *   labels FILE.xyzr [X Y Z]       x y z r on each line; X Y Z points to the viewer, 0 0 1 if left out
  * One line for each ball that is seen: how much of it is seen in the view plane, and of its widest face how large a
  * circle fits where. Then the outline of the ball of which most is seen, as points. */

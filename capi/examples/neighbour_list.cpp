@@ -1,4 +1,4 @@
-// What neighbour_list.c does, by hardsphere.hpp: all pairs of atoms at most a cutoff apart, each once.
+// The work of neighbour_list.c by hardsphere.hpp: all pairs of atoms at most a cutoff apart, each once.
 //   neighbour_list FILE.xyzr CUTOFF [PRINT]
 #include <cstdio>
 #include <cstdlib>

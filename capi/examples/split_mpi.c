@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What all ranks know: layers of the file, and how many balls are in each. */
+/* Facts that all ranks know: layers of the file, and how many balls are in each. */
 struct layers {
   double first_x, thickness, largest_radius, origin[3]; /* the origin of volumes: the file's first ball */
   uint32_t count;

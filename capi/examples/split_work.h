@@ -1,5 +1,5 @@
-/* What the examples of split work have in common: boundary, areas, volume and the area's gradient of a file's balls, by
- * an executor and by one thread, who have to find the same bits. */
+/* Functions that the examples of split work share: boundary, areas, volume and the area's gradient of a file's balls,
+ * by an executor and by one thread, which must find the same bits. */
 #ifndef SPLIT_WORK_H
 #define SPLIT_WORK_H
 

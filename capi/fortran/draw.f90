@@ -6,7 +6,7 @@ module file_sink
 
 contains
 
-  ! The context is the address of the file's unit. Whatever is not 0 stops the picture.
+  ! The context is the address of the file's unit. Any value but 0 stops the picture.
   function write_bytes(context, bytes, count) result(stop) bind(C)
     type(c_ptr), value :: context
     integer(c_size_t), value :: count

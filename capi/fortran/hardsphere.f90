@@ -6,7 +6,7 @@
 ! QUARTER-EDGES, SIMPLE FACES, CELLS, PIECES AND LOOPS.
 ! THE FORTRAN ARRAY ELEMENT OF ID i IS THEREFORE i + 1; hsp_index(i) COMPUTES THAT.
 !
-! What each function does, its statuses and its costs are documented in hardsphere.h; nothing of that changes here.
+! The purpose, statuses and costs of each function are documented in hardsphere.h; nothing of that changes here.
 ! A row such as `---- model.h` begins what include/hardsphere/model.h declares, and the next row with `----` ends it, so
 ! that headers can be left out.
 ! How C maps to Fortran:
@@ -3980,7 +3980,7 @@ module hardsphere
 
   end interface
 
-  ! What is asked and what is wanted as named arguments instead of a request and outputs.
+  ! A request and its outputs as named arguments.
     ! ---- measure.h: areas and volumes --------------------------------------------------------------------------------
 
     private :: hsp_boundary_get_measures_named

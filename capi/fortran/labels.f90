@@ -1,4 +1,4 @@
-! What is seen of a ring of balls from the side, from Fortran: how much of each, and where a label fits.
+! A ring of balls seen from the side, from Fortran: how much of each, and where a label fits.
 program labels
   use, intrinsic :: iso_fortran_env, only: error_unit
   use hardsphere_workspace

@@ -1,5 +1,5 @@
-# What is installed, as four components: hardsphere_runtime (the program, its manual page, completion for shells, a shared library),
-# hardsphere_development (archive, headers, CMake package, pkg-config file, Fortran module) and
+# Installed files, as four components: hardsphere_runtime (the program, its manual page, completion for shells, a shared
+# library), hardsphere_development (archive, headers, CMake package, pkg-config file, Fortran module) and
 # hardsphere_documentation. With a shared library hardsphere_python too: the module, from where it finds that library.
 
 install(TARGETS hardsphere EXPORT hardsphere-targets

@@ -3,7 +3,7 @@
 #   SOURCE, FOLDER           the sources, and where to write
 #   DOCUMENTATION, HEADERS   where the documentation and the headers are installed
 
-# What is installed, and where. The first row that fits counts.
+# Installed folders and files, and where they go. The first row that fits counts.
 set(installed
   "README.md" "${DOCUMENTATION}/README.md"
   "LICENSE" "${DOCUMENTATION}/LICENSE"

@@ -4,7 +4,7 @@
 #include "group_rows.hpp"
 #include "model_options.hpp"
 #include "periodic/periodic_check.hpp"
-#include "periodic/periodic_tangency.hpp"
+#include "periodic/periodic_measures.hpp"
 #include "periodic_shifts.hpp"
 
 using hsp::capi::check_handle;

@@ -1,7 +1,6 @@
 #include "curvature_rows.hpp"
 #include "hsp_periodic.hpp"
 #include "periodic/periodic_morphometry.hpp"
-#include "periodic/periodic_tangency.hpp"
 
 using hsp::capi::check_results;
 

@@ -1,4 +1,4 @@
-// What calls of the interface have in common when their arguments may be anything.
+// Helpers for calls of the interface whose arguments may be anything.
 #pragma once
 
 #include <hardsphere.h>

@@ -14,7 +14,7 @@
 #include "point_lattices.hpp"
 #include "set_arrangements.hpp"
 
-// What a harness holds true. Ends the program in every build, so that engine and driver see it.
+// A fact that a harness holds true. Ends the program in every build, so that engine and driver see it.
 #define FUZZ_REQUIRE(condition, text)                                                \
   do {                                                                               \
     if (!(condition)) {                                                              \

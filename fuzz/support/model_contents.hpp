@@ -1,5 +1,5 @@
-// What a model has held, by numbers that are equal if and only if it was the same. That is known of what was set from
-// the same arrays and options, and of what differs by more than rounding can hide; not of anything in between.
+// The contents of models, by numbers that are equal if and only if the balls were the same. That is known of what was
+// set from the same arrays and options, and of what differs by more than rounding can hide; not of anything in between.
 #pragma once
 
 #include <hardsphere.h>

@@ -76,7 +76,7 @@ class SurfaceCalls {
       FUZZ_REQUIRE(status == HSP_E_ARGUMENT, "hsp_surface_compute, arguments");
       return;
     }
-    // Whatever comes of it, earlier results are gone.
+    // Earlier results are gone in any case.
     complete_ = status == HSP_OK;
     if (boundary == nullptr || (no_shells && count > 0) || !boundary_complete) {
       const bool bad = boundary == nullptr || (no_shells && count > 0);

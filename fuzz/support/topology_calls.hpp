@@ -79,7 +79,7 @@ class TopologyCalls {
       FUZZ_REQUIRE(status == HSP_E_ARGUMENT, "hsp_topology_compute, arguments");
       return;
     }
-    // Whatever comes of it, earlier results are gone.
+    // Earlier results are gone in any case.
     complete_ = status == HSP_OK;
     if (boundary == nullptr || !boundary_complete) {
       FUZZ_REQUIRE(status == (boundary == nullptr ? HSP_E_ARGUMENT : HSP_E_STATE), "hsp_topology_compute, refused");

@@ -127,7 +127,7 @@ static void refusals(void) {
   CHECK_EQUAL(hsp_model_set(model, 5, xyz, radius, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_body_set(moving, model), HSP_OK);
 
-  /* What fails leaves no balls, whose gaps are infinite. */
+  /* A failed call leaves no balls, whose gaps are infinite. */
   CHECK_EQUAL(hsp_body_set(moving, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_body_gaps(fixed, moving, 1, pose + 3, &gap, NULL), HSP_OK);
   CHECK(isinf(gap.gap) && gap.gap > 0 && gap.fixed == HSP_NONE && gap.posed == HSP_NONE);

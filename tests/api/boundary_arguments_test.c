@@ -1,5 +1,5 @@
-/* Outputs of the boundary that are left out, and models that change behind it. What holds of the arguments of every
- * function is said in tests/laws. */
+/* Outputs of the boundary that are left out, and models that change behind it. Rules for the arguments of every
+ * function are in tests/laws. */
 #include <hardsphere.h>
 
 #include "ball_sets.h"

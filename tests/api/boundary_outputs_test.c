@@ -10,7 +10,7 @@
 #include "guarded_memory.h"
 #include "output_sweep.h"
 
-/* What is being asked, so that one sweep serves all functions. */
+/* The call that is tried, so that one sweep serves all functions. */
 typedef struct question {
   const computed *all;
   uint32_t ball;

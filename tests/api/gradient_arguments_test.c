@@ -209,7 +209,7 @@ static void too_small(void) {
   CHECK_UNTOUCHED(row);
 }
 
-/* Whatever is left out, the rest is the same. */
+/* Everything else is the same if one output is left out. */
 static void left_out(void) {
   hsp_energy all_energy;
   double all_centre[BALLS][3], all_radius[BALLS], all_volume_centre[BALLS][3], all_volume_radius[BALLS];

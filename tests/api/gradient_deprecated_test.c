@@ -10,7 +10,7 @@
 #include "gradients.h"
 #include "periodic_result.h"
 
-/* What an old call and a new one write. */
+/* Outputs of an old call and of the new one. */
 typedef struct outputs {
   hsp_energy energy;
   hsp_morphometric_energy morphometric;
@@ -42,7 +42,7 @@ static question question_of(int way, uint32_t n) {
   return q;
 }
 
-/* What an old function hands back where it comes to it. */
+/* Status of an old function, and the outputs that it reached. */
 static void hand_back(int32_t status, uint32_t needed, uint32_t first_bad) {
   new.needed = needed;
   if (status != HSP_E_CAPACITY) new.first_bad = first_bad;

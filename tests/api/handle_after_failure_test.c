@@ -1,6 +1,5 @@
-/* What a handle holds after a failed set or compute, as the header's section of that name says: what it held when it
- * was made. The tests of arguments go through all arguments that are refused;
- * here are the sequences of calls. */
+/* The contents of a handle after a failed set or compute, as the header's section of that name says: those it had when
+ * it was made. The tests of arguments go through all arguments that are refused; here are the sequences of calls. */
 #include <hardsphere.h>
 #include <math.h>
 

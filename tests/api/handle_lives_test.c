@@ -72,7 +72,7 @@ static void one_after_another(void) {
   }
 }
 
-/* What the model's memory held before makes no difference, nor does another set in between; init again resets. */
+/* Earlier contents of the model's memory make no difference, nor does another set in between; init again resets. */
 static void same_model(const ball_set *set, const ball_set *other) {
   static const int fills[3] = {0x00, 0xFF, GUARDED_RANDOM};
   const uint32_t room = set->n > other->n ? set->n : other->n;

@@ -346,7 +346,7 @@ static void compute(int kind, slot *s, uint64_t *seed) {
     s->complete = s->of_surface = 1;
     return;
   }
-  /* What is no handle any more is refused. */
+  /* Memory that is no handle any more is refused. */
   take_sources(source->content, models[copy].handle, slots[BOUNDARY][copy].handle, &own);
   if (kind == BOUNDARY && random_below(seed, 2) == 0) {
     status = compute_in_parts(s->handle, source->handle);

@@ -139,7 +139,7 @@ static void check_results(const void *handle, const void *source) {
 static void check_no_results(const void *handle) {
   CHECK(hash_of(handle) == 0);
 }
-/* What uses scratch memory. */
+/* A call that uses scratch memory. */
 static void use(void *handle, const void *source) {
   (void)source;
   CHECK(kinds_of_life[known_kind].use(handle));

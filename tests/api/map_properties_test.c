@@ -1,4 +1,4 @@
-/* What the header promises of every map, for every set of topology_sets.h from several directions: its invariants, what
+/* The header's promises for every map, for every set of topology_sets.h from several directions: its invariants, what
  * is seen, no effect of the order of the balls, every limit. And maps that are known. */
 #include <hardsphere.h>
 #include <math.h>

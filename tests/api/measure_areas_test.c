@@ -16,7 +16,7 @@ typedef struct areas {
   hsp_totals totals;
 } areas;
 
-/* What the functions for each step say. */
+/* Answers of the functions for each step. */
 static void expected_of(const ball_set *set, double probe, areas *expected) {
   hsp_model_options options;
   computed c;

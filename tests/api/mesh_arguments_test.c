@@ -106,7 +106,7 @@ static void computing(void) {
   check_has_results();
 }
 
-/* What lies behind a mesh changes: it must not be read. */
+/* The handles behind a mesh change: it must not be read. */
 static void changes(void) {
   CHECK_EQUAL(hsp_boundary_compute(boundary, NULL, NULL), HSP_E_ARGUMENT);
   check_reading(mesh, HSP_E_STATE);

@@ -1,4 +1,4 @@
-/* What the header promises of every mesh, of boundaries and of smooth surfaces, on all sets of the interface tests with
+/* The header's promises for every mesh, of boundaries and of smooth surfaces, on all sets of the interface tests with
  * several probes: a closed surface with the Euler characteristic of what it is made from, vertices on their balls,
  * areas and volumes that approach the exact ones. */
 #include <hardsphere.h>

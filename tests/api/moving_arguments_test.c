@@ -276,7 +276,7 @@ static void refused_moves(void) {
     CHECK_BYTES(&after, &before, sizeof before);
     check_fresh(0);
   }
-  /* What was refused before anything was computed leaves the move before it to be taken back. */
+  /* A call that was refused before anything was computed leaves the move before it to be taken back. */
   CHECK_EQUAL(hsp_moving_undo(moving), HSP_OK);
   xyz[0] = 0;
   check_fresh(0);
@@ -323,7 +323,7 @@ static void too_many_neighbours(void) {
   check_fresh(0);
 }
 
-/* What hsp_moving_set refuses; afterwards nothing can be read. */
+/* Calls that hsp_moving_set refuses; afterwards nothing can be read. */
 static void refused_sets(void) {
   double weights[BALLS];
   hsp_moving_limits limits = {8, 9, 9};

@@ -145,7 +145,7 @@ static void finding_paths(void) {
   find(under, inside);
   CHECK_EQUAL(path.ends, HSP_PATH_COVERED);
 
-  // Who is refused has no path of an earlier call.
+  // A refused caller has no path of an earlier call.
   find(under, above);
   FILL(path);
   CHECK_EQUAL(hsp_paths_find(paths, NULL, above, &path, NULL), HSP_E_ARGUMENT);

@@ -185,7 +185,7 @@ static void all_pairs(const crystal *c) {
   }
 }
 
-/* Whatever is in contact is a pair that meets, with the same shift. */
+/* Every contact is a pair that meets, with the same shift. */
 static void contacts_are_pairs(const crystal *c) {
   static hsp_periodic_contact contact[9000];
   uint32_t number = 0, k, q, i;

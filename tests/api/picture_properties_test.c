@@ -26,7 +26,7 @@ static uint32_t occurrences(const picture_sink *sink, const char *text) {
   return count;
 }
 
-/* What is drawn: a view, or a map if there is no view. */
+/* The object that is drawn: a view, or a map if there is no view. */
 typedef struct subject {
   hsp_view *view;
   hsp_map *map;

@@ -72,7 +72,7 @@ static void defaults(void) {
   CHECK_EQUAL(hsp_pores_limits_init(&limits, (uint32_t)sizeof limits, 10), HSP_OK);
   CHECK(limits.balls == 10 && limits.maxima == 84 && limits.gates == 168 && limits.tied == 266);
   CHECK(limits.candidates == 2088 && limits.neighbours == 26 && limits.points == 4106);
-  /* What the header says of a large set. */
+  /* The header's words on a large set. */
   CHECK_EQUAL(hsp_pores_limits_init(&limits, (uint32_t)sizeof limits, 1000000), HSP_OK);
   CHECK_EQUAL(hsp_pores_bytes(&limits, &bytes), HSP_OK);
   CHECK((double)bytes < 1.52e9);

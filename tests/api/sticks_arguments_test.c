@@ -258,7 +258,7 @@ static void refused_records(void) {
   CHECK_EQUAL(hsp_sticks_get_point(sticks, 0, 7, &point), HSP_E_RANGE);
 }
 
-/* What is seen at a point of the file's coordinates, which are those of the view but for the origin. */
+/* The body seen at a point of the file's coordinates, which are those of the view but for the origin. */
 static uint32_t seen_at(double x, double y, double depth) {
   hsp_map_sight sight;
   CHECK_EQUAL(hsp_sticks_pick(sticks, x - map_info.origin[0], y - map_info.origin[1], &sight), HSP_OK);

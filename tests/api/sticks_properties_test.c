@@ -1,4 +1,4 @@
-/* What the header promises of every map of balls and sticks, for every set of topology_sets.h as it is and with smaller
+/* The header's promises for every map of balls and sticks, for every set of topology_sets.h as it is and with smaller
  * balls that show their sticks: its records, no effect of the order of the balls, every limit and alignment. */
 #include <hardsphere.h>
 #include <math.h>
@@ -41,7 +41,7 @@ static void no_results(const void *handle) {
   CHECK_EQUAL(hsp_sticks_get_map_info(handle, &map), HSP_E_STATE);
 }
 
-/* What uses scratch memory. */
+/* A call that uses scratch memory. */
 static void check_map(void *handle, const void *source) {
   uint32_t invariant = 1, id = 1;
   (void)source;

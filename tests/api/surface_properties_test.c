@@ -1,4 +1,4 @@
-/* What the header promises of every surface, on all sets of the interface tests with several probes; known values. */
+/* The header's promises for every surface, on all sets of the interface tests with several probes; known values. */
 #include <hardsphere.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
-/* What is read of the smooth surface by patches, shells and triangles agrees with its totals, or none of it is read:
- * sets full of near-ties, of balls that are points or tiny against the probe. */
+/* Values read of the smooth surface by patches, shells and triangles agree with its totals, or none of it is read: sets
+ * full of near-ties, of balls that are points or tiny against the probe. */
 #include <hardsphere.h>
 #include <math.h>
 #include <stdlib.h>

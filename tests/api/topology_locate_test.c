@@ -194,7 +194,7 @@ static void statuses(void) {
 
 enum { SIDE = 19, PLACES = SIDE * SIDE * SIDE };
 
-/* What is known of a point from the balls alone. */
+/* The facts about a point that follow from the balls alone. */
 enum { UNSURE, IN_A_BALL, FREE };
 
 static int known_place(const computed *c, const double at[3]) {

@@ -9,7 +9,7 @@
 #include "topology_result.h"
 #include "topology_sets.h"
 
-/* What is being asked, so that one sweep serves all functions. */
+/* The call that is tried, so that one sweep serves all functions. */
 typedef struct question {
   const topology_result *all;
   uint32_t id;

@@ -15,7 +15,7 @@ enum { DIRECTIONS = 8, WAYS = 6 };
 static const double directions[DIRECTIONS][3] = {{0, 0, 0},  {0, 0, 1}, {0, 0, -5},  {1, 0, 0},
                                                  {0, -1, 1}, {1, 1, 1}, {3, -4, 12}, {0.3, 0.7, -0.2}};
 
-/* What is cut, with which flags, and whether the boundary is handed in. */
+/* The cuts, their flags, and whether the boundary is handed in. */
 static const struct {
   uint32_t pieces, flags;
   int with_boundary;

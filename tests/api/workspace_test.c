@@ -69,7 +69,7 @@ static void check_mesh(hsp_workspace *work, const computed *c) {
   mesh_result_release(&own);
 }
 
-/* What the workspace holds is what the same balls give by themselves. */
+/* The workspace's contents are those that the same balls give by themselves. */
 static void check_results(hsp_workspace *work, const ball_set *set) {
   computed c;
   hsp_boundary_counts counts;
@@ -215,7 +215,7 @@ static void out_of_date(void) {
   hsp_workspace_free(&work);
 }
 
-/* What reading each handle yields. */
+/* The answers of reading each handle. */
 static void check_readings(hsp_workspace *work, int32_t expected) {
   hsp_boundary_counts counts;
   hsp_topology_counts topology;

@@ -1,5 +1,5 @@
-/* Base arguments succeed, with as much room as is needed and with more. What is written is written to its end, and
- * nothing behind it. */
+/* Base arguments succeed, with as much room as is needed and with more. Outputs are written to their end, and nothing
+ * behind it. */
 #include <string.h>
 
 #include "fenced_memory.h"

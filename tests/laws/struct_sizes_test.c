@@ -56,7 +56,7 @@ static void good_size(const function *f, uint32_t capacity, int i, uint32_t size
   if (a->kind == KIND_sized) CHECK_BYTES(data, known, size);
 }
 
-/* What this library does not know is not 0. */
+/* A field that this library does not know is not 0. */
 static void unknown_part(const function *f, uint32_t capacity, int i, uint32_t size, size_t at) {
   const argument *const a = &f->arguments[i];
   size_t k;

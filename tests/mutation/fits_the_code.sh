@@ -10,7 +10,7 @@ export LC_ALL=C
 status=0
 awk -v root="$source" -f "$here/mutations.awk" "$here/mutations.txt" || status=1
 
-# What survived is explained, and nothing else is.
+# Every survivor is explained, and nothing else is.
 differ() { # what, expected, found
   if diff <(echo "$2") <(echo "$3") | sed -n "s/^</$1 lacks/p; s/^>/$1 has too much:/p" | grep .; then status=1; fi
 }

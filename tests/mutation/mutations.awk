@@ -28,7 +28,7 @@ function complain(why) {
   failed = 1
 }
 
-# What is wrong with the mutation just read, or nothing. Sets `place`, where its text begins without spaces.
+# The fault of the mutation just read, or nothing. Sets `place`, where its text begins without spaces.
 function judge(  rest) {
   if (!(file in stripped)) stripped[file] = without_spaces(content(root "/" file))
   if (stripped[file] == "") return "there is no " file

@@ -25,11 +25,13 @@ fail() {
 mkdir -p "$folder"
 folder=$(cd "$folder" && pwd)
 names_of() { awk '/^[a-z][0-9][0-9]+ [^ ]+$/ { print $1 }' "$mutations"; }
-if [ $# -gt 0 ]; then names=("$@"); else mapfile -t names < <(names_of); fi
-for name in "${names[@]}"; do names_of | grep -qx "$name" || fail "no mutation is called $name"; done
+all_names=$(names_of)
+if [ $# -gt 0 ]; then names=("$@"); else mapfile -t names <<<"$all_names"; fi
+for name in "${names[@]}"; do grep -qx "$name" <<<"$all_names" || fail "no mutation is called $name"; done
 awk -v root="$source" -f "$here/mutations.awk" "$mutations" || fail "mutations.txt does not fit the code"
 
-# What is built and tested. Files that have not changed keep their times, so that only what has changed is built again.
+# The targets that are built and tested. Files that have not changed keep their times, so that only what has changed is
+# built again.
 checksums() { # of a tree: sum, size and name
   (
     cd "$1"
@@ -108,7 +110,7 @@ printf '%s\n' "${names[@]}" | xargs -P "$jobs" -n 1 --process-slot-var=HSP_MUTAT
 keep_results
 trap - EXIT
 
-# What is new: verdicts that have changed, survivors without an explanation.
+# News: verdicts that have changed, survivors without an explanation.
 awk -F, 'NR == FNR { before[$1] = $2; next }
   $1 in before && before[$1] != $2 { print $1 ": " $2 ", before: " before[$1] }' "$folder/results_before.csv" \
   <(sort "$folder/verdicts")

@@ -13,8 +13,8 @@ export LC_ALL=C
 # No object of a mutant is worth keeping.
 export CCACHE_DISABLE=1
 
-# What is overwritten for a mutant is put back afterwards as it was, with its time, so that the next mutant need not
-# build it again. The source comes last: should this be interrupted, run.sh sees that it differs.
+# Files that are overwritten for a mutant are put back afterwards as they were, with their time, so that the next mutant
+# need not build them again. The source comes last: should this be interrupted, run.sh sees that it differs.
 saved=$work/saved
 put_back() {
   if [ -d "$saved/build" ]; then cp -a "$saved/build/." "$build/"; fi
@@ -22,7 +22,7 @@ put_back() {
   rm -rf "$saved"
 }
 
-# What building these targets would write.
+# The files that building these targets would write.
 outputs_of() {
   ninja -C "$build" -n "$@" | awk '/^\[.*\] (Building|Linking) / { print $NF }'
 }

@@ -131,7 +131,7 @@ TEST(FloodFill, Cages) {
   EXPECT_TRUE(fill.certain()[*fill.certain_at({0, 0, 0})].reaches_border);
 }
 
-// What flood fill is certain of is what the dual complex says.
+// Flood fill, where it is certain, agrees with the dual complex.
 TEST(FloodFill, AgreesWithTheDualComplex) {
   oracle::RandomSource random(33);
   std::map<bool, int> same;

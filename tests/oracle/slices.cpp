@@ -139,7 +139,7 @@ bool find_covered(const std::vector<Disc> &discs, const Disc &disc, std::vector<
   return true;
 }
 
-// What the sorted intervals leave of a circle.
+// The rest of a circle beside the sorted intervals.
 std::vector<FreeSliceArc> free_arcs(const std::vector<Covered> &covered) {
   std::vector<FreeSliceArc> arcs;
   if (covered.empty()) return {{FreeSliceArc::none, 0, 2 * pi}};

@@ -1,4 +1,4 @@
-// What is seen of balls from infinitely far away: for every pixel centre the ball whose front is nearest there.
+// Balls as seen from infinitely far away: for every pixel centre the ball whose front is nearest there.
 #pragma once
 
 #include <array>
@@ -49,7 +49,7 @@ struct PixelGrid {
 // 3 %. It is shifted by a part of a pixel that no lattice knows, so that aligned balls have no edges on centres.
 PixelGrid grid_around(const std::vector<PlainBall> &seen, size_t pixels);
 
-// What is seen at a pixel centre.
+// The owner seen at a pixel centre.
 struct SeenPixel {
   uint32_t ball = no_ball;                                      // the first of those that are equally near
   double depth = -std::numeric_limits<double>::infinity();      // z of its front there

@@ -3,7 +3,8 @@
 # declarations, values of constants, sizes of structs and offsets of fields, which are those of every target. clang,
 # where it is there, compiles them as assertions for a list of targets.
 #   abi.sh SOURCE-FOLDER WORK-FOLDER C-COMPILER
-# `bash capi/interface/generate.sh` makes the record anew. What that may change in a release: capi/abi/README.md.
+# `bash capi/interface/generate.sh` makes the record anew. Changes that a release may make to that are in
+# capi/abi/README.md.
 set -euo pipefail
 source=$(cd "$1" && pwd) work=$2 cc=$3
 targets="x86_64-linux-gnu i386-linux-gnu x86_64-windows-msvc aarch64-linux-gnu arm64-apple-macos thumbv6m-none-eabi

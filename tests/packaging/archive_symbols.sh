@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What the archive asks of a link, what it offers to it, and that it has no state.
+# The archive's demands on a link, its offers to it, and that it has no state.
 #   archive_symbols.sh ARCHIVE SOURCE-FOLDER [FUNCTIONS]
 # It may ask for memory copies, sqrt and the compiler's own arithmetic only: no heap, no exceptions, no C++ run time. It
 # must offer the header's functions and nothing else that a user's program could clash with: what its objects need of each

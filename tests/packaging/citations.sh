@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What comments and pages cite is there: the files of the repository that they name, and the sections of PROOFS.md (of the
-# citing file's room if it has one, else lib/ground/exact).
+# Everything that comments and pages cite is there: the files of the repository that they name, and the sections of
+# PROOFS.md (of the citing file's room if it has one, else lib/ground/exact).
 #   citations.sh SOURCE-FOLDER
 set -euo pipefail
 cd "$1"

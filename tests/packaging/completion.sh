@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What shells complete: the scripts that are installed are those that the program writes, and bash finds commands, options
-# and the words behind them by its own.
+# Completion in shells: the scripts that are installed are those that the program writes, and bash finds commands,
+# options and the words behind them by its own.
 #   completion.sh SOURCE-FOLDER PROGRAM
 set -euo pipefail
 app=$1/capi/program/app program=$2

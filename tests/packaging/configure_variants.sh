@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What is built where nothing is asked for: on a machine with nothing but compilers, and in somebody else's project.
+# The default build where nothing is asked for: on a machine with nothing but compilers, and in somebody else's project.
 #   configure_variants.sh SOURCE-FOLDER WORK-FOLDER C-COMPILER C++-COMPILER
 set -euo pipefail
 source=$1 work=$2 cc=$3 cxx=$4

@@ -2,8 +2,8 @@
 # How much flash the library takes on a microcontroller: text and initialized data of whole images, newlib included,
 # compiled with -Os and linked with --gc-sections. An image larger than its budget fails.
 #   firmware_size.sh CORTEX SOURCE-FOLDER WORK-FOLDER
-# CORTEX: m3, m4 or m7. What others run on it is left in WORK-FOLDER: the library, an archive of its objects with their
-# inner symbols, and the flags for the processor. Exit status 77: there is no compiler for it here.
+# CORTEX: m3, m4 or m7. Files for others to run on it are left in WORK-FOLDER: the library, an archive of its objects
+# with their inner symbols, and the flags for the processor. Exit status 77: there is no compiler for it here.
 set -euo pipefail
 cortex=$1 source=$2 work=$3
 here=$(cd "$(dirname "$0")/firmware" && pwd)

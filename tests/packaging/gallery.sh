@@ -32,7 +32,7 @@ grep -oE -- '-o [^ ]+$' "$digests" | cut -d ' ' -f 2 >"$work/digested"
 failed=0
 # draw NAME: into $work/run, by `line`, the one command line that writes it.
 draw() {
-  grep -E -- "(-o|--map) ${1//./\\.}( |\$)" "$work/lines" >"$work/line" || true
+  grep -E -- "(-o|--map|--profile|--tree) ${1//./\\.}( |\$)" "$work/lines" >"$work/line" || true
   if [ "$(wc -l <"$work/line")" -ne 1 ]; then
     echo "$1: the pages and digests.txt have $(wc -l <"$work/line") command lines that write it"
     failed=1

@@ -6,9 +6,9 @@ set -euo pipefail
 cd "$1"
 readme=lib/README.md
 
-# What each room stands on. It may include itself, these rooms, and what these stand on. The wings smooth and sight both
-# stand on the boundary, and neither knows the other. Cells of free space, paths through them and poses need no
-# boundary; pores know periodic boxes.
+# The rooms that each room stands on. It may include itself, these rooms, and what these stand on. The wings smooth and
+# sight both stand on the boundary, and neither knows the other. Cells of free space, paths through them and poses need
+# no boundary; pores know periodic boxes.
 rooms="lanes core exact model cells paths poses sphere boundary measure topology moving contacts periodic pores surface mesh"
 rooms+=" view picture maps capi"
 declare -A stands_on=([lanes]="" [core]="lanes" [exact]="core" [model]="exact" [cells]="model" [paths]="cells" [poses]="model" [sphere]="model"

@@ -75,7 +75,7 @@ case $variant in
     fi
     ;;
   lto*)
-    # What the symbol table of the archive has besides is the library's own C++ code, in a namespace.
+    # Every other entry in the symbol table of the archive is the library's own C++ code, in a namespace.
     nm -g --defined-only "$libraries/libhardsphere.a" 2>/dev/null | awk 'NF == 3 {print $3}' | sort -u >"$work/symbols"
     diff -u --label header --label archive <(echo "$functions") <(grep '^hsp_' "$work/symbols")
     if grep -vE '^hsp_|^_Z' "$work/symbols"; then echo "other symbols than the library's own" && exit 1; fi

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What a program links that asks for the balls around a point and nothing else: bytes of its whole text.
+# The text of a program that asks for the balls around a point and nothing else: all bytes that it links.
 #   link_size.sh INSTALL-PREFIX WORK-FOLDER C-COMPILER
 # By pkg-config the linker leaves out all functions that are not called; by hand, without its option, all objects.
 set -euo pipefail

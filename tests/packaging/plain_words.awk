@@ -1,5 +1,5 @@
 # The prose of files, paragraph by paragraph: comments of sources, text of pages. Prints phrases of the list, and
-# sentences of pages, public headers, lib, capi/shims and capi/program that begin with What or Who and ask nothing.
+# sentences that begin with What or Who and ask nothing.
 #   awk -f plain_words.awk plain_words.txt FILES
 FNR == NR {
   if ($0 !~ /^#/ && split($0, part, /  +/) == 2) { phrase[++phrases] = part[1]; cure[phrases] = part[2] }
@@ -25,7 +25,6 @@ function begin_file() {
   file = FILENAME
   page = file ~ /\.md$/
   hash = file ~ /\.(sh|cmake|awk|py)$|CMakeLists\.txt$|\/run$/
-  spoken = page || file ~ /^(lib|include|capi\/(shims|program))\//
   code = comment = 0
 }
 
@@ -66,16 +65,14 @@ function finish(   k, low, rest, from, begin, end) {
   gsub(/\n/, " ", low)
   for (k = 1; k <= phrases; ++k)
     if (match(low, "[^a-z](" phrase[k] ")[^a-z]")) complain(RSTART, "\"" substr(low, RSTART + 1, RLENGTH - 2) "\": " cure[k])
-  if (spoken) {
-    rest = paragraph
-    gsub(/\n/, " ", rest)
-    from = 1
-    while (match(substr(rest, from), /(^|[.:!?|*)`>] |^[0-9]+\. )[*|]*(What|Who|Whoever|Whatever|Whichever) /)) {
-      begin = from + RSTART - 1
-      end = match(substr(rest, begin + 2), /[.?!|]( |$)/) ? begin + 1 + RSTART : length(rest)
-      if (substr(rest, end, 1) != "?") complain(begin, "a sentence that begins so: " substr(rest, begin, 50))
-      from = begin + RLENGTH + 5
-    }
+  rest = paragraph
+  gsub(/\n/, " ", rest)
+  from = 1
+  while (match(substr(rest, from), /(^|[.:!?|*)`>] |^[0-9]+\. )[*|]*(What|Who|Whoever|Whatever|Whichever) /)) {
+    begin = from + RSTART - 1
+    end = match(substr(rest, begin + 2), /[.?!|]( |$)/) ? begin + 1 + RSTART : length(rest)
+    if (substr(rest, end, 1) != "?") complain(begin, "a sentence that begins so: " substr(rest, begin, 50))
+    from = begin + RLENGTH + 5
   }
   paragraph = ""
 }

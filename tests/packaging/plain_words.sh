@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Comments and pages are in plain words: none of the phrases of plain_words.txt, and no sentence of a page, a public
-# header, lib, capi/shims or capi/program that begins with What or Who and asks nothing.
+# Comments and pages are in plain words: none of the phrases of plain_words.txt, and no sentence begins with What
+# or Who and asks nothing.
 #   plain_words.sh SOURCE-FOLDER
 set -euo pipefail
 here=$(realpath "$(dirname "$0")")

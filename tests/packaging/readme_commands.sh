@@ -11,7 +11,7 @@ mkdir -p "$work/bin" "$work/files"
 ln -s "$program" "$work/bin/hardsphere"
 PATH=$work/bin:$PATH
 
-# What the lines read.
+# The contents of the lines.
 molecules=$source/bench/molecules inputs=$source/tests/program/inputs/good
 cp "$molecules"/{crambin,caffeine,acetyl_coa,ubiquitin}.pdb "$work/files"
 cp "$molecules/crambin.pdb" "$work/files/1crn.pdb"
@@ -63,7 +63,7 @@ written() {
     seq -f "${out%.*}-%03g.${out##*.}" 0 $((pictures - 1))
     return
   fi
-  grep -oE '(> |-o |--output[ =]|--pdb-out[ =]|--map[ =])[^ ]+' <<<"$1" | sed 's/.*[ =]//' | grep -vx -e - |
+  grep -oE '(> |-o |--output[ =]|--pdb-out[ =]|--map[ =]|--points[ =]|--tunnels-out[ =]|--profile[ =]|--tree[ =])[^ ]+' <<<"$1" | sed 's/.*[ =]//' | grep -vx -e - |
     sed -E 's/(.*)\.vert$/&\n\1.face/' | sort -u || true
 }
 

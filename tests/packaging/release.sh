@@ -45,7 +45,7 @@ run in_user sh -c 'cd /release && gcc -std=c99 minimal.c $(pkg-config --cflags -
   gcc -std=c99 -static minimal.c $(pkg-config --cflags --libs hardsphere) -o static'
 in_user /release/shared | grep -F 117.41
 in_user /release/static | grep -F 117.41
-# What was installed can be taken away again.
+# Installed files can be taken away again.
 run in_user apt-get purge -y -qq hardsphere libhardsphere-dev "libhardsphere*"
 [ -z "$(find "$work/user/usr" -name '*hardsphere*')" ] || { find "$work/user/usr" -name '*hardsphere*' && exit 1; }
 cat "$work/release/SHA256SUMS"

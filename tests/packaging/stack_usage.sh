@@ -3,7 +3,7 @@
 # on frames whose size is known at run time only, on calls through pointers but those of known types, and beyond the limit.
 #   stack_usage.sh SOURCE-FOLDER WORK-FOLDER G++ LIMIT-IN-BYTES [OBJECT-FOLDER]
 # g++ alone writes the call graph (-fcallgraph-info=su). OBJECT-FOLDER: where a build has left it beside its objects; else
-# all is compiled here. What memcpy, memset, sqrt and a caller's sink take is not counted.
+# all is compiled here. The stack of memcpy, memset, sqrt and a caller's sink is not counted.
 set -euo pipefail
 export LC_ALL=C
 source=$1 work=$2 cxx=$3 limit=$4 objects=${5:-}

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# What a status means stands in the header, in hsp_status_text and in the table of the guide: word for word the same.
+# The meaning of a status stands in the header, in hsp_status_text and in the table of the guide: word for word the
+# same.
 #   status_texts.sh SOURCE-FOLDER
 set -euo pipefail
 source=$1

@@ -30,7 +30,7 @@ class DrawnView {
   std::vector<uint32_t> colours_;
 };
 
-// What drawings have in common: the lattice's step, colours, and a sink that appends to a std::string.
+// The common part of drawings: the lattice's step, colours, and a sink that appends to a std::string.
 constexpr double drawn_step = 0x1p-10;
 std::vector<uint32_t> colours_of(const oracle::Balls &balls);
 int32_t append_bytes(void *context, const char *bytes, size_t count);

@@ -91,12 +91,12 @@ class Placed {
   std::vector<PageBall> balls_;
 };
 
-// What cuts a contour off: from its outer side to its inner side, or back.
+// A line that cuts a contour off: from its outer side to its inner side, or back.
 struct Cap {
   PagePoint a, b;
 };
 
-// Lines across the ball's circle. What is shorter than some roundings is not seen.
+// Lines across the ball's circle. A piece shorter than some roundings is not seen.
 std::vector<Cap> caps_of(const PaintedPath &path, const PageBall &own) {
   std::vector<Cap> caps;
   const auto add = [&](const PagePoint &a, const PagePoint &b) {
@@ -341,7 +341,7 @@ InkPixels paint(const DrawnInk &drawn, double side) {
     const double own = placed.balls()[inked[pixel]].depth;
     const auto is_nearer = [&](size_t top) { return top < placed.balls().size() && placed.balls()[top].depth > own; };
     bool wrong = is_nearer(seen[pixel]);
-    // What is seen within a hair: numbers in files are rounded.
+    // Everything seen within a hair: numbers in files are rounded.
     for (int k = 0; k < 8 && wrong; ++k) {
       const double away = 0.06;
       const PagePoint at = {
@@ -400,8 +400,8 @@ std::vector<double> darkness(const DrawnInk &drawn, const hsp_picture_options &o
   return dark;
 }
 
-// What lies in a plane but for noise of a thousandth of an angstrom looks the same whatever the noise is. At the
-// corners, where contours are cut, parts of some pixels differ. Samples are 64 for a pixel: one of them is four levels.
+// Atoms that lie in a plane but for noise of a thousandth of an angstrom look the same with any noise. At the corners,
+// where contours are cut, parts of some pixels differ. Samples are 64 for a pixel: one of them is four levels.
 TEST(Ink, OfPlanarMoleculesDoesNotDependOnNoise) {
   hsp_picture_options options = picture_options(HSP_FORMAT_SVG, HSP_STYLE_FLAT);
   options.width = options.height = 240;

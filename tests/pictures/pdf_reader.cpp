@@ -8,7 +8,7 @@
 
 namespace {
 
-// What stands between "n 0 obj" and "endobj", looked up as a reader of PDF does it.
+// The text between "n 0 obj" and "endobj", looked up as a reader of PDF does it.
 std::string object(const std::string &text, unsigned number) {
   const size_t last = text.rfind("startxref\n");
   if (last == std::string::npos) throw std::runtime_error("pdf: no startxref");

@@ -1,4 +1,4 @@
-// What the readers of pictures hand back: painted paths, on a page with y up.
+// The results of the readers of pictures: painted paths, on a page with y up.
 #pragma once
 
 #include <array>
@@ -45,7 +45,7 @@ struct PaintedPath {
   size_t behind = 0;  // how many paths of balls come before a contour
 };
 
-// A file with all its paths in drawing order. Whatever is not understood throws std::runtime_error.
+// A file with all its paths in drawing order. Anything that is not understood throws std::runtime_error.
 struct PictureFile {
   double width = 0;  // px
   double height = 0;

@@ -1,5 +1,5 @@
-// What other programs draw: all the same, whatever the format. The reference is the PDF file, drawn by poppler four
-// times as large and averaged. Each test is skipped where one of its programs is missing.
+// Drawings by other programs: all the same in every format. The reference is the PDF file, drawn by poppler four times
+// as large and averaged. Each test is skipped where one of its programs is missing.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -103,7 +103,7 @@ TEST_P(RendererMatrix, DrawsWhatTheReferenceShows) {
   if (!has_program("pdftoppm")) GTEST_SKIP() << "pdftoppm is missing";
   if (!has_program(renderer.program)) GTEST_SKIP() << renderer.program << " is missing";
   for (const Subject subject : {Subject::crambin, Subject::caffeine, Subject::map}) {
-    // What differs between styles is the paint. Paths of all three are the same.
+    // Styles differ in the paint. Paths of all three are the same.
     if (subject != Subject::crambin && style != HSP_STYLE_SOFT) continue;
     const std::string file = picture_of(subject, renderer.format, style);
     Raster raster;
@@ -181,7 +181,7 @@ TEST(InlinePictures, LookLikeImages) {
   EXPECT_GT(difference(expected, screenshot(page_of(""))).mean, 10);
 }
 
-// What style sheets recolour keeps its light. With librsvg and Chromium, in front of the elements of the file.
+// Colours that style sheets change keep their light. With librsvg and Chromium, in front of the elements of the file.
 std::string restyled(std::string file, const std::string &rules) {
   return file.insert(file.find('>') + 1, "<style>" + rules + "</style>");
 }

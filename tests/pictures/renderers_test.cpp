@@ -1,5 +1,5 @@
-// What other programs make of the files: they accept them without a word, and find what stands there. Each test is
-// skipped where one of its programs is missing.
+// Other programs and the files: they accept them without a word, and find what stands there. Each test is skipped where
+// one of its programs is missing.
 #include <gtest/gtest.h>
 
 #include "drawn_map.hpp"
@@ -13,7 +13,7 @@ const DrawnView &crambin() {
   static const DrawnView view(read_molecule(support::own_molecule("crambin.pdb")));
   return view;
 }
-// What is seen of each ball, side by side, and lines of their own.
+// The visible part of each ball, side by side, and lines of their own.
 const DrawnMap &crambin_map() {
   static const DrawnMap map(read_molecule(support::own_molecule("crambin.pdb")));
   return map;

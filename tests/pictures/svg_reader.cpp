@@ -19,7 +19,7 @@ std::string attribute(const std::string &element, const std::string &name) {
   return element.substr(first, element.find('"', first) - first);
 }
 
-// What a path's own coordinates count from, y down, and how long 1 is.
+// The origin of a path's own coordinates, y down, and how long 1 is.
 struct Frame {
   PagePoint origin{0, 0};
   double unit = 1;

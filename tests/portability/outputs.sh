@@ -62,6 +62,8 @@ succeed crambin.csv "$program" measure --gradient --csv bench/molecules/crambin.
 succeed crambin.residues "$program" measure --by residue --json bench/molecules/crambin.pdb
 succeed crambin.voids "$program" voids --json bench/molecules/crambin.pdb --probe 1.4
 succeed crambin.pores "$program" pores --json bench/molecules/crambin.pdb --pockets 3 --tunnels-from 9.6,12.8,5.7
+succeed crambin.points "$program" pores bench/molecules/crambin.pdb --probe 0.8 --pockets 3 --points -
+succeed crambin.tunnels "$program" pores bench/molecules/crambin.pdb --tunnels-from 9.6,12.8,5.7 --tunnels-out -
 succeed crambin.output "$program" measure bench/molecules/crambin.pdb --pdb-out "$outputs/crambin.pdb"
 succeed formats "$program" measure --csv tests/program/inputs/good/water.{pdb,cif,gro}
 succeed crambin.box "$program" measure --json --probe 1.4 --box 25,0,0,7,18,0,-9,5,20 --per-ball bench/molecules/crambin.pdb
@@ -100,6 +102,8 @@ done
 caffeine=bench/molecules/caffeine.pdb crambin=bench/molecules/crambin.pdb
 succeed picture.surface "$program" mesh --json --probe 1.4 --surface ses $caffeine -o "$outputs/picture.surface.svg"
 succeed picture.cut "$program" mesh --json --probe 1.4 --cut --edge 0.8 $crambin -o "$outputs/picture.cut.svg"
+succeed picture.tunnels "$program" pores $crambin --tunnels-from 9.6,12.8,5.7 --profile -
+succeed picture.tree "$program" pores $crambin --probe 0.5 --pockets 2 --tree -
 succeed picture.contacts "$program" contacts --json --by residue $crambin --map "$outputs/picture.contacts.svg"
 succeed picture.labels "$program" draw --json --as ball-and-stick --label atom --legend $caffeine \
   -o "$outputs/picture.labels.svg"

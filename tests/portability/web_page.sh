@@ -16,7 +16,7 @@ bash "$source/capi/examples/web/make_page.sh" "$wasm" >"$work/page.html"
 echo "the page has $(stat -c %s "$work/page.html") bytes"
 timeout 110 node --no-warnings "$here/web_page.mjs" "$work/page.html" "$work/profile" "$program" \
   "$source"/bench/molecules/{caffeine,crambin}.pdb "$source/tests/program/inputs/good/cage.xyzr"
-# What the browser started may outlive it by a moment, and write.
+# Processes that the browser started may outlive it by a moment, and write.
 for _ in {1..50}; do
   rm -rf "$work/profile" 2>/dev/null && break
   sleep 0.1

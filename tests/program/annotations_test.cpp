@@ -108,8 +108,8 @@ TEST(Annotations, LabelsOfBallsAndSticks) {
   }
 }
 
-// What has no room is named beside the molecule, at the end of a line that begins on one of its atoms; no label lies
-// over another one.
+// A label without room is named beside the molecule, at the end of a line that begins on one of its atoms; no label
+// lies over another one.
 TEST(Annotations, LinesLeadToWhatIsNamed) {
   const double scale = 20;
   const std::vector<std::string> options = {"--view",   "0,0,1",  "--style", "flat", "--scale", "20",
@@ -259,7 +259,7 @@ TEST(Annotations, LegendsOfManyChains) {
   }
 }
 
-// What less is seen of than the dot would cover has a ring: a dot of the seam's colour in the dot.
+// An atom of which less is seen than the dot would cover has a ring: a dot of the seam's colour in the dot.
 TEST(Annotations, RingsWhereLittleIsSeen) {
   const TemporaryFile hidden("hidden.xyz", "2\n\nC 0 0 0\nO 0.7 0 -4\n");
   const std::vector<std::string> options = {"--label", "atom", "--style", "flat", "--view", "0,0,1", "--radius"};

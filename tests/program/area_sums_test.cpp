@@ -1,4 +1,4 @@
-// What `measure` sums areas to: polar and apolar atoms, parts of what residues can have, what an interface buries.
+// Sums of areas by `measure`: polar and apolar atoms, parts of what residues can have, what an interface buries.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -82,7 +82,7 @@ TEST(AreaSums, SolventExcludedSurface) {
   EXPECT_NE(table.out.find("saddle area"), std::string::npos) << table.out;
 }
 
-// Balls that leave room for a probe between them. What it reaches there is no part of the outer surface.
+// Balls that leave room for a probe between them. The part that it reaches there does not belong to the outer surface.
 TEST(AreaSums, OuterSurface) {
   const std::vector<std::string> whole = {"measure", "good/cage.xyzr", "--probe", "0.09", "--surface", "ses"};
   std::vector<std::string> outer = whole;

@@ -1,5 +1,5 @@
-// What names of atoms and residues tell: the element, that an atom is an ion, or that it is none. The cases are from
-// the nomenclature of the Protein Data Bank, CHARMM, GROMACS and Amber.
+// Names of atoms and residues and what they tell: the element, that an atom is an ion, or that it is none. The cases
+// are from the nomenclature of the Protein Data Bank, CHARMM, GROMACS and Amber.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -177,7 +177,7 @@ TEST(AtomNames, KindsOfResidues) {
   all({"", "HEM", "LIG", "CLA", "NAG", "ALAX", "AL", "ZZZ", "0AA", "NLIG", "XALA", "NALAA"}, RESIDUE_OTHER);
 }
 
-// What was found before is found again, whatever came between.
+// Names that were found before are found again after any others.
 TEST(AtomNames, FoundAgain) {
   static const char *const residues[] = {"ALA", "GLY", "HOH", "SOL",  "MSE", "CYS",  "DA",  "NAG",
                                          "",    "SOD", "CLA", "NALA", "LIG", "TIP3", "ala", "ALAX"};

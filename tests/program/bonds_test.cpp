@@ -52,7 +52,7 @@ TEST(Bonds, PastNoAtom) {
   EXPECT_EQ(sticks_of(carbon("1", 0) + carbon("2", 1.5) + carbon("3", 0.75, 1.3)), 3);
 }
 
-// What they name they decide about: 1-2 and 3-4 are said, 2-3 is not; 5 is not named, and close to 4.
+// Atoms that are named are decided by the records: 1-2 and 3-4 are said, 2-3 is not; 5 is not named, and close to 4.
 TEST(Bonds, ByRecords) {
   const std::string records = "CONECT    1    2\nCONECT    2    1\nCONECT    3    4\n";
   EXPECT_EQ(sticks_of(chain(four) + records), 2);

@@ -1,4 +1,4 @@
-// What the program says of molecules in periodic boxes: values of another program, boxes of every kind of file, what
+// Molecules in periodic boxes as the program has them: values of another program, boxes of every kind of file, what
 // adds up, and what is refused.
 #include <gtest/gtest.h>
 

@@ -240,7 +240,8 @@ TEST(Tables, HaveFixedDecimals) {
   }
 }
 
-// What four decimals would show as nothing is not 0: two balls that hardly meet. Without a unit it has an exponent.
+// Values that four decimals would show as nothing are not 0: two balls that hardly meet. Without a unit it has an
+// exponent.
 TEST(Tables, SayWhatIsNearlyNothing) {
   const TemporaryFile pair("pair.xyz", "2\n\nC 0 0 0\nC 0 0 3.4\n");
   const TemporaryFile plain("pair.xyzr", "0 0 0 1.700001\n0 0 3.4 1.700001\n");

@@ -359,7 +359,7 @@ TEST(DrawColours, BandsOfAlphaFold) {
   EXPECT_EQ(run_program({"draw", "good/one.xyzr", "-o", "x.svg", "--colour", "plddt"}).status, 2);
 }
 
-// What is named keeps its colours, but for carbon among elements; all else keeps a quarter of them.
+// Named atoms keep their colours, but for carbon among elements; all else keeps a quarter of them.
 TEST(DrawColours, Highlight) {
   const std::vector<std::string> atoms = atoms_of(crambin());
   const auto muted = [](const std::string &colour) {

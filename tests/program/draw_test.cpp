@@ -245,7 +245,7 @@ TEST(Draw, Pieces) {
   EXPECT_EQ(h["pieces"].number, 2);
 }
 
-// What is visible, from a map: a path for each ball that is seen, and the page of other pieces.
+// The visible pieces, from a map: a path for each ball that is seen, and the page of other pieces.
 TEST(Draw, VisiblePieces) {
   const TemporaryFile out("visible.svg");
   for (const std::vector<std::string> &options :
@@ -403,7 +403,7 @@ TEST(Draw, BallsAndSticks) {
   EXPECT_NE(refusal(with({"--probe", "1"})).find("--probe is not for"), std::string::npos);
   EXPECT_NE(refusal(with({"--pieces", "h"})).find("no --pieces but visible"), std::string::npos);
   EXPECT_NE(refusal(with({"--all-balls"})).find("are not for --as"), std::string::npos);
-  // What is seen side by side: the same pieces, but for what is hidden.
+  // Pieces side by side: the same ones, but for what is hidden.
   const Outcome seen = draw_to(out.path(), caffeine, with({"--json", "--pieces", "visible"}));
   EXPECT_NE(seen.out.find("\"n\": 24, \"pieces\": 49,"), std::string::npos) << seen.out << seen.err;
   EXPECT_NE(refusal({"--stick", "0.1"}).find("are for --as"), std::string::npos);

@@ -83,7 +83,8 @@ void write_spread(const std::string &path, const Spread &spread, double noise = 
 }
 
 // The longest axis goes across, the next one upwards; the viewer is where z is, else x, else y, and upwards is where y
-// is, else z, else x. What spreads alike in two directions stands upright, what does so in all is seen along z.
+// is, else z, else x. A molecule that spreads alike in two directions stands upright, one that does so in all is seen
+// along z.
 TEST(DrawViews, AlongPrincipalAxes) {
   struct Case {
     Spread spread;
@@ -269,7 +270,7 @@ TEST(DrawViews, ATurnNeverWritesOverItsInput) {
   EXPECT_EQ(failed.err, "hardsphere: " + folder.path("none/a-000.svg") + ": No such file or directory\n");
 }
 
-// What follows from the other side is whole, so that no row is covered in part; what is given is as it is given.
+// The size that follows from the other side is whole, so that no row is covered in part; a given size is kept.
 TEST(DrawViews, SidesThatFollowAreWhole) {
   const TemporaryFile pair("pair.xyzr", "0 0 0 1\n7 0 0 2\n");  // 10 by 4 and a margin of .3
   const auto size_of = [&](std::vector<std::string> options) {

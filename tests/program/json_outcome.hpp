@@ -9,7 +9,7 @@
 // Run the program with these arguments and --json. Anything amiss fails the test; then the result is null.
 Json run_json(std::vector<std::string> arguments);
 
-// What a command prints of the balls: its JSON up to the last key, which tells what was read.
+// The output of a command about the balls: its JSON up to the last key, which tells what was read.
 std::string without_input(const std::string &json);
 
 // The same without the names of atoms and residues: what files of different formats agree on.

@@ -18,7 +18,7 @@ const std::vector<std::string> files = {"good/one.xyzr",  "good/point.xyzr", "go
                                         "good/same.xyzr", "good/two.xyzr",   "good/cage.xyzr",
                                         "good/water.pdb", "good/water.pqr",  "good/water.xyz"};
 
-// What a ball is comes first, as far as the file's format says it.
+// The identity of a ball comes first, as far as the file's format says it.
 Keys ball_keys(const std::string &file, const Keys &values) {
   const std::string extension = file.substr(file.rfind('.'));
   Keys keys = {"ball"};
@@ -261,7 +261,7 @@ TEST(JsonOutput, InputHasItsKeys) {
   EXPECT_EQ(run_json({"model", "good/two.xyzr"})["input"]["unit"].text, "unit");
 }
 
-// What has no value is null, never a number that stands for it.
+// A missing value is null, never a number that stands for it.
 TEST(JsonOutput, MissingValuesAreNull) {
   EXPECT_EQ(run_json({"model", "good/one.xyzr"})["k"].number, 1.0);
   EXPECT_EQ(run_json({"model", "good/one.xyzr"})["rho"].kind, Json::Kind::null);

@@ -115,7 +115,7 @@ class Reader {
     return take('"');
   }
 
-  // What follows a backslash. Pairs of surrogates are refused: this program has no use for them.
+  // The character after a backslash. Pairs of surrogates are refused: this program has no use for them.
   bool read_escape(std::string &string) {
     static constexpr std::string_view letters = "\"\\/bfnrt";
     static constexpr std::string_view meanings = "\"\\/\b\f\n\r\t";

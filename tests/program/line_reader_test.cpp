@@ -24,7 +24,7 @@ bool operator==(const Line &a, const Line &b) {
   return a.text == b.text && a.ending == b.ending;
 }
 
-// What is read; `why` is set if it ends before the file does.
+// The text that is read; `why` is set if it ends before the file does.
 std::vector<Line> lines_of(const std::string &text, failure *why) {
   const TemporaryFile file("lines.txt", text);
   line_reader reader;

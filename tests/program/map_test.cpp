@@ -64,7 +64,7 @@ TEST(Map, AreasOfBallsSumUp) {
   }
 }
 
-// What covers the view plane does so from behind too, though other balls show there.
+// A ball that covers the view plane does so from behind too, though other balls show there.
 TEST(Map, CoversTheSameFromBehind) {
   const Json front = run_json({"map", molecule("caffeine.pdb"), "--probe", "1.4"});
   const Json back = run_json({"map", molecule("caffeine.pdb"), "--probe", "1.4", "--rotate", "0,180,0"});

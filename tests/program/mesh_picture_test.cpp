@@ -176,7 +176,8 @@ TEST(MeshPicture, ACutShowsTheInside) {
   EXPECT_NE(svg.find(">inside of the surface, cut open<"), std::string::npos);
 }
 
-// What a cut leaves of a ball of a 200th of the area floats behind the plane: it is dropped. One of a 20th is not.
+// The piece that a cut leaves of a ball of a 200th of the area floats behind the plane: it is dropped. One of a 20th is
+// not.
 TEST(MeshPicture, ACutLeavesNoCrumbs) {
   for (const auto &[small, sections] : {std::pair<const char *, size_t>{"0.28", 1}, {"0.9", 2}}) {
     const TemporaryFile balls("balls.xyzr", "0 0 0 4\n9 0 0.1 " + std::string(small) + "\n");

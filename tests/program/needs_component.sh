@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What a program says whose library has none of its components: commands and options that need one are refused with
+# The answers of a program whose library has none of its components: commands and options that need one are refused with
 # status 2, one line tells why, and the rest works.
 #   needs_component.sh PROGRAM INPUTS
 set -euo pipefail

@@ -1,5 +1,5 @@
-// Whatever goes wrong while a file is written, the old one stays as it was, and nothing else is left. All commands
-// that write files are tried.
+// The old file stays as it was if anything goes wrong while a new one is written, and nothing else is left. All
+// commands that write files are tried.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/stat.h>
@@ -42,7 +42,7 @@ class OutputFiles : public testing::TestWithParam<Writer> {
 
   Outcome write(const std::string &out) const { return run_program(call(GetParam(), water, out)); }
 
-  // What is written where nothing is in the way.
+  // The output where nothing is in the way.
   std::string right() const {
     const TemporaryFile out("right");
     EXPECT_EQ(run_program(call(GetParam(), water, out.path())).status, 0);

@@ -12,7 +12,7 @@
 
 namespace {
 
-// What --pdb-out writes for a file; the rest of the output must not depend on it.
+// The file that --pdb-out writes; the rest of the output must not depend on it.
 std::string written(const std::string &file, std::vector<std::string> options = {}) {
   const TemporaryFile out("out.pdb");
   options.insert(options.begin(), {"measure", file, "--json"});
@@ -69,7 +69,7 @@ TEST(PdbOutput, CrambinByteForByte) {
   }
 }
 
-// What was written is the same molecule again.
+// The written file is the same molecule again.
 TEST(PdbOutput, IsReadAsTheSameMolecule) {
   for (const char *name :
        {"good/water.pdb", "good/water_alternates.pdb", "good/water_mixed_residue.pdb", "good/water_two_models.pdb",

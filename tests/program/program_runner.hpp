@@ -16,7 +16,7 @@ struct Outcome {
 // there instead of into Outcome::out.
 Outcome run_program(const std::vector<std::string> &arguments, const std::string &out_path = "");
 
-// What a run finds around it, beside its arguments.
+// The surroundings of a run, beside its arguments.
 struct Surroundings {
   std::string in_path;           // standard input; none of its own if empty
   bool in_is_pipe = false;       // whether that is given to it as a pipe
@@ -29,7 +29,7 @@ struct Surroundings {
 
 Outcome run_program_in(const Surroundings &surroundings, const std::vector<std::string> &arguments);
 
-// Begin to run the program; its process, whose end is somebody else's to wait for. What it prints is lost.
+// Begin to run the program; its process, whose end is somebody else's to wait for. The program's output is lost.
 int start_program(const std::vector<std::string> &arguments);
 
 // The same as run_program with a terminal for its stderr; nothing if the system has none to give.

@@ -1,4 +1,4 @@
-// What takes long says on a terminal what it is at, in one line that is gone at the end. Nobody else sees it.
+// Long work says on a terminal what it is at, in one line that is gone at the end. Nobody else sees it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -70,7 +70,7 @@ TEST(Progress, OnTerminalsOnly) {
     EXPECT_EQ(watched->status, 0);
     EXPECT_EQ(watched->out, quiet.out);
     Words texts = shown(watched->err);
-    // What is written is counted as it grows.
+    // Output is counted as it grows.
     std::erase_if(texts, [](const std::string &text) { return text.rfind("writing: ", 0) == 0; });
     run.texts.insert(run.texts.end(), {"", ""});  // covered, and back at the beginning of the line
     EXPECT_EQ(texts, run.texts);
@@ -93,7 +93,7 @@ TEST(Progress, OfReading) {
   EXPECT_EQ(texts[2] + texts[3], "");
 }
 
-// What goes wrong has a line to itself.
+// An error has a line to itself.
 TEST(Progress, IsGoneBeforeAFailureIsReported) {
   const TemporaryFile large("large.xyzr", balls(20001)), weights("few.txt", "1\n");
   const TemporaryFile long_one("long.xyzr", balls(1100, std::string(2000, ' ')) + "x\n");

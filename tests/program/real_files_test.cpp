@@ -64,7 +64,7 @@ TEST(RealFiles, VirtualSitesAreLeftOut) {
                                             record("ATOM", " O", "HOH", "A", 4, 30));
   EXPECT_EQ(column(file.path(), "element"), (Words{"O", "O"}));
   EXPECT_EQ(run_json({"measure", file.path()})["input"]["left_out"]["virtual_sites"].number, 3);
-  // Who gives them a radius wants them.
+  // Callers that give them a radius want them.
   EXPECT_EQ(column(file.path(), "element", {"--radius", "EP=0.5"}), (Words{"O", "Ep", "Ep", "O"}));
   EXPECT_EQ(column(file.path(), "element", {"--radius", "M=0.5"}), (Words{"O", "M", "O"}));
   const TemporaryFile alone("sites.pdb", record("ATOM", " MW", "SOL", "A", 1, 0));
@@ -92,7 +92,7 @@ TEST(RealFiles, UnknownElementsAreNamedAtOnce) {
       run_json({"measure", file.path(), "--radius=Xx=1,Qq=1,Fe=1.3,Mo=1.5"})["input"]["substitutes"].items.empty());
 }
 
-// What input.substitutes has: "X 2 (3)" for three atoms.
+// The value of input.substitutes: "X 2 (3)" for three atoms.
 std::string substitutes(const Json &input) {
   std::string list;
   for (const Json &one : input["substitutes"].items) {

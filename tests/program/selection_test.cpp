@@ -60,7 +60,7 @@ TEST(Selection, BySeveral) {
   EXPECT_EQ(taken({"--no-water"}), (Numbers{0, 1, 2, 3, 4, 5, 6, 7, 11, 12}));
 }
 
-// What is said of names that nothing has; the status stays 0, and stdout what it is without them.
+// The warning about names that nothing has; the status stays 0, and stdout what it is without them.
 std::string note(const std::vector<std::string> &options) {
   std::vector<std::string> arguments = {"model", "good/residues.pdb"};
   arguments.insert(arguments.end(), options.begin(), options.end());
@@ -109,7 +109,7 @@ TEST(Selection, Hydrogens) {
   EXPECT_EQ(run_json({"measure", "good/water_deuterium.pdb", "--only", "hydrogen"})["n"].number, 2);
 }
 
-// What is left out takes no area from what is read: carbon alone has its whole sphere.
+// Atoms that are left out take no area from those that are read: carbon alone has its whole sphere.
 TEST(Selection, WhatIsLeftOutBlocksNothing) {
   const double pi = 3.141592653589793;
   const TemporaryFile file("pair.xyz", "2\n\nC 0 0 0\nO 1 0 0\n");

@@ -38,7 +38,7 @@ void expect_same(const std::string &text, const std::string &expected) {
       << "other bytes from " << at - text.begin() << " on, of " << text.size() << " and " << expected.size();
 }
 
-// What one thread gives; several give the same, each stream alone and both together.
+// The output of one thread; several give the same, each stream alone and both together.
 Outcome run_by_threads(const Words &arguments) {
   const Outcome one = run_program(arguments + Words{"--threads", "1"});
   const Outcome together = run_as_one(arguments + Words{"--threads", "1"});
@@ -151,7 +151,7 @@ TEST(Threads, FramesOfATrajectory) {
   EXPECT_EQ(rows(whole), frames + 1);
   EXPECT_EQ(rows(on(run.path(), {"--frames", "5:90:7", "--json", "--per-ball"})), 13);
   EXPECT_EQ(on(run.path(), {"--frames", "101:"}).status, 1);
-  // What stands before the place where the file is cut off is measured.
+  // Frames before the position where the file is cut off are measured.
   const Outcome broken = on(cut.path(), {});
   EXPECT_EQ(broken.status, 1);
   EXPECT_GT(rows(broken), 60);

@@ -501,7 +501,7 @@ std::string replaced(Bytes bytes, size_t at, const Bytes &by) {
   return bytes;
 }
 
-// What is wrong is said with the frame's number, and the lines before are there.
+// Faults are said with the frame's number, and the lines before are there.
 TEST(Trajectory, BrokenFilesKeepTheLinesBefore) {
   const std::vector<std::vector<Place>> frames = some_frames();
   std::mt19937 random(5);

@@ -107,7 +107,7 @@ std::string test_name(const testing::TestParamInfo<Call> &parameter) {
 
 INSTANTIATE_TEST_SUITE_P(Program, Transcript, testing::ValuesIn(all_calls()), test_name);
 
-// Whatever the transcripts expect, a refused call must keep to the rules for errors.
+// A refused call must keep to the rules for errors, also where the transcripts expect something else.
 TEST(TranscriptRules, ErrorsAreOneLineOnStderrAndNothingOnStdout) {
   int refused = 0;
   for (const Call &call : all_calls()) {

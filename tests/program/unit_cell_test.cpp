@@ -24,7 +24,7 @@ double ball(double r) {
   return 4.0 / 3.0 * pi * r * r * r;
 }
 
-// What two balls at a distance share.
+// The common volume of two balls at a distance.
 double lens(double r, double s, double d) {
   const double sum = r + s - d;
   return pi * sum * sum * (d * d + 2 * d * (r + s) - 3 * (r - s) * (r - s)) / (12 * d);

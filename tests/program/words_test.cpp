@@ -68,7 +68,7 @@ TEST(Words, LabelsAreColumnsWithoutBlanks) {
   }
 }
 
-// What is taken is right, and what files write is taken.
+// Accepted words are right, and words that files write are accepted.
 TEST(Words, NumbersInEightColumns) {
   static const char alphabet[] = "0123456789.. -+eE d1.9x\t";
   std::mt19937_64 random(9);

@@ -101,7 +101,7 @@ struct PlacedFace {
   auto operator<=>(const PlacedFace &) const = default;
 };
 
-// What is compared: vertices with their flags and faces, of the balls in their places, ascending.
+// The compared records: vertices with their flags and faces, of the balls in their cells, ascending.
 struct PlacedBoundary {
   std::vector<std::pair<PlacedVertex, bool>> vertices;
   std::vector<PlacedFace> faces;

@@ -81,7 +81,7 @@ class OwnedHandle {
   using Limits = typename Kind::Limits;
   using Handle = typename Kind::Handle;
 
-  // Memory for these limits. What was computed is lost.
+  // Memory for these limits. Earlier results are lost.
   void take(const Limits &limits) {
     size_t bytes = 0;
     expect(Kind::bytes(&limits, &bytes), "_bytes");

@@ -37,7 +37,7 @@ constexpr bool is_upper(Arc arc) {
   return (arc & 1) != 0;
 }
 
-// What stands for a wall: the end of a circle, or which of the crossings of two arcs.
+// The source of a wall: the end of a circle, or which of the crossings of two arcs.
 struct Wall {
   enum Kind : uint32_t { region_begins, region_ends, circle_begins, circle_ends, crossing } kind;
   uint32_t first, second, which;

@@ -10,7 +10,7 @@
 
 namespace bench {
 
-// What no ball covers has this owner.
+// Pixels that no ball covers have this owner.
 constexpr uint32_t no_owner = 0xFFFFFFFF;
 
 class AnalyticZBuffer {

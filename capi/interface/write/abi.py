@@ -6,7 +6,7 @@ from read.interface import SCALARS
 
 RECORD = Path(__file__).resolve().parents[3] / "capi" / "abi"
 POINTER = (8, 4)  # bytes on targets of 64 and 32 bits
-# What changes with every release by itself is no part of the record.
+# Numbers that change with every release by themselves are no part of the record.
 OF_RELEASES = re.compile(r".*_VERSION_|HSP_(ABI|PROVISIONAL|NUMERICS)_NUMBER")
 
 

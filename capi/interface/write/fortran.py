@@ -10,7 +10,7 @@ WIDTH = 120
 KINDS = {"double": "real(c_double)", "int32_t": "integer(c_int32_t)", "uint32_t": "integer(c_int32_t)",
          "uint8_t": "integer(c_int8_t)", "uint64_t": "integer(c_int64_t)", "int64_t": "integer(c_int64_t)",
          "size_t": "integer(c_size_t)", "char": "character(kind=c_char)"}
-# What differs for Fortran from what the header says.
+# Differences of Fortran from the header.
 NOTES = {
     "hsp_status_text": "A pointer to C characters; hsp_status_message below returns the same as a Fortran string.",
     "hsp_query_pairs": "Row i, from 0 on, is ids(first(i + 1) + 1 : first(i + 2)).",

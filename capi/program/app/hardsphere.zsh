@@ -110,6 +110,10 @@ case $words[2] in
     '*--balls[also the balls around each pocket, and each bottleneck of a tunnel]'
     '*--tunnels-from=[list tunnels from a point to the outside, the widest first, with the radius along each]:X Y Z|atom:'
     '*--tunnels=[so many, each without the bottlenecks of those before it]:N:'
+    '*--points=[also a ]:OUT:_files'
+    '*--tunnels-out=[also the tunnels as mmcif_tunnels]:OUT:_files'
+    '*--profile=[also a chart of the tunnels]:OUT:_files'
+    '*--tree=[also a chart of the classes]:OUT:_files'
     '*--csv[print maxima, gates, pockets or the points of tunnels as comma-separated values and]'
     '*--box=[the box, or AX,0,0,BX,BY,0,CX,CY,CZ if it is skew]:AX,BY,CZ:(file p1)'
   ) ;;

@@ -152,6 +152,17 @@ const struct option *option_at(size_t i) {
                "atom:N is the widest maximum at the atom N of the file, counted from 0"},
       {"--tunnels", "N", take_tunnels, OF(PORES), .what = "how many tunnels",
        .help = "so many, each without the bottlenecks of those before it; default 3"},
+      {"--points", "OUT", take_path, OF(PORES), .target = IN(points), .what = "a file",
+       .help = "also a .pdb or .cif file for viewers with what is listed: a point each, with its radius in\n"
+               "the column of temperature factors, of pockets their maxima and mouths, of tunnels the way"},
+      {"--tunnels-out", "OUT.cif", take_path, OF(PORES), .target = IN(tunnels_out), .what = "a file",
+       .help = "also the tunnels as mmcif_tunnels.dic, of ChannelsDB, has them: radius along the length,\n"
+               "layers and the residues that line them, with the atoms of the molecule"},
+      {"--profile", "OUT.svg", take_path, OF(PORES), .target = IN(profile), .what = "a file",
+       .help = "also a chart of the tunnels: the radius along the length, with a ring at the bottleneck"},
+      {"--tree", "OUT.svg", take_path, OF(PORES), .target = IN(tree), .what = "a file",
+       .help = "also a chart of the classes: a line from birth to death for each, down to that which it\n"
+               "merges into; with --pockets in the colours of the six widest pockets"},
       {"--csv", NULL, take_flag, OF(PORES), .target = IN(csv),
        .help = "print maxima, gates, pockets or the points of tunnels as comma-separated values and\n"
                "nothing else"},

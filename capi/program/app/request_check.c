@@ -151,40 +151,57 @@ bool request_check_several(const struct request *request, struct failure *failur
   if (request->files < 2) return true;
   if (request->command == COMMAND_DRAW) return failure_in_usage(failure, "draw takes one file at a time");
   if (request->command == COMMAND_MESH) return failure_in_usage(failure, "mesh takes one file at a time");
-  if (request->pdb_out != NULL) return failure_in_usage(failure, "--pdb-out takes one file at a time");
-  if (request->map != NULL) return failure_in_usage(failure, "--map takes one file at a time");
+  struct output_choice outputs[MOST_OUTPUTS];
+  if (request_outputs(request, outputs) > 0) {
+    return failure_in_usage(failure, "%s takes one file at a time", outputs[0].option);
+  }
   if (request->weights != NULL && input_is_standard(request->weights)) {
     return failure_in_usage(failure, "weights from standard input serve for one file");
   }
   return true;
 }
 
+/* Whether the name ends in an extension that the kind names: "a .pdb or .cif". */
+static bool is_of_kind(const char *path, const char *kind) {
+  const char *const slash = strrchr(path, '/');
+  const char *const dot = strrchr(slash == NULL ? path : slash + 1, '.');
+  const char *const named = dot == NULL || dot == path || dot[-1] == '/' ? NULL : strstr(kind, dot);
+  return named != NULL && (named[strlen(dot)] == ' ' || named[strlen(dot)] == '\0');
+}
+
+static bool check_output(const struct request *request, const struct output_choice *output, struct failure *failure) {
+  const bool standard = output_is_standard(output->path);
+  if (output->kind != NULL && !standard && !is_of_kind(output->path, output->kind)) {
+    return failure_in_usage(failure, "%s writes %s file, and its name says so", output->option, output->kind);
+  }
+  if (output_is_input(output->path, request->file) ||
+      (request->weights != NULL && output_is_input(output->path, request->weights)) ||
+      (request->radii_file != NULL && output_is_input(output->path, request->radii_file)) ||
+      (request->drawing.colour_file != NULL && output_is_input(output->path, request->drawing.colour_file))) {
+    return failure_in_usage(failure, "%s would write over the file that is read", output->option);
+  }
+  if (standard && (request->json || request->csv)) {
+    return failure_in_usage(failure, "%s and %s would both go to standard output", output->option,
+                            request->json ? "--json" : "--csv");
+  }
+  return true;
+}
+
 /* Nothing that is read is written over, and standard streams serve for one thing. */
 static bool check_files(const struct request *request, struct failure *failure) {
-  const bool draws = request->command == COMMAND_DRAW;
-  const bool meshes = request->command == COMMAND_MESH;
-  const bool maps = request->map != NULL;
-  const char *option = draws || meshes ? "-o" : maps ? "--map" : "--pdb-out";
-  const char *out = draws    ? request->drawing.out
-                    : meshes ? request->meshing.out
-                    : maps   ? request->map
-                             : request->pdb_out;
+  struct output_choice outputs[MOST_OUTPUTS];
+  const int count = request_outputs(request, outputs);
   if (request->weights != NULL && input_is_standard(request->file) && input_is_standard(request->weights)) {
     return failure_in_usage(failure, "standard input is either the molecule or its weights");
   }
-  if (out == NULL) return true;
-  const size_t length = strlen(out);
-  if (maps && !output_is_standard(out) && (length < 5 || strcmp(out + length - 4, ".svg") != 0)) {
-    return failure_in_usage(failure, "--map writes an .svg file, and its name says so");
-  }
-  if (output_is_input(out, request->file) || (request->weights != NULL && output_is_input(out, request->weights)) ||
-      (request->radii_file != NULL && output_is_input(out, request->radii_file)) ||
-      (draws && request->drawing.colour_file != NULL && output_is_input(out, request->drawing.colour_file))) {
-    return failure_in_usage(failure, "%s would write over the file that is read", option);
-  }
-  if (output_is_standard(out) && (request->json || request->csv)) {
-    return failure_in_usage(failure, "%s and %s would both go to standard output", option,
-                            request->json ? "--json" : "--csv");
+  for (int k = 0; k < count; ++k) {
+    if (!check_output(request, &outputs[k], failure)) return false;
+    for (int other = 0; other < k; ++other) {
+      const char *const path = outputs[k].path, *const before = outputs[other].path;
+      const bool standard = output_is_standard(path) && output_is_standard(before);
+      if (!standard && strcmp(path, before) != 0) continue;
+      return failure_in_usage(failure, "%s and %s would write the same file", outputs[other].option, outputs[k].option);
+    }
   }
   return true;
 }

@@ -322,7 +322,7 @@ bool command_contacts(const struct request *request, const struct molecule *mole
   if (done && request->by != GROUPING_NONE) done = find_groups(request, molecule, geometry, &found, failure);
   if (done && request->cells) done = find_cells(molecule, geometry, &found, failure);
   if (done && request->map != NULL) done = write_map(request, molecule, &found, failure);
-  if (request->map != NULL && output_is_standard(request->map)) {
+  if (request_prints_file(request)) {
     findings_free(&found);
     return done;
   }

@@ -7,7 +7,6 @@
 #include "commands/input_report.h"
 #include "commands/interface.h"
 #include "commands/measurement.h"
-#include "write/output_file.h"
 #include "write/pdb_output.h"
 
 /* Of totals, which are accurate to 1e-13 of their size for molecules; single balls are shown with four. */
@@ -127,9 +126,8 @@ bool command_measure(const struct request *request, const struct molecule *molec
   if (done && request->interface != NULL) {
     done = interface_measure(request->interface, molecule, request->probe, geometry, &found.interface, failure);
   }
-  const bool written_only = request->pdb_out != NULL && output_is_standard(request->pdb_out);
   if (done && request_wants_balls(request)) progress_show(&geometry->progress, "making the table");
-  if (done && !written_only) print_all(request, molecule, &found, out);
+  if (done && !request_prints_file(request)) print_all(request, molecule, &found, out);
   if (done && request->pdb_out != NULL) {
     progress_show(&geometry->progress, "writing");
     done = pdb_output_write(request->file, molecule, area, request->pdb_out, failure);

@@ -2,205 +2,15 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "commands/commands.h"
 #include "commands/input_report.h"
-#include "commands/periodic_result.h"
-#include "commands/space_geometry.h"
+#include "commands/pores_found.h"
 #include "write/ball_label.h"
-
-enum { TUNNELS = 3 };
-
-/* Lists of numbers, one for each of several things. */
-struct lists {
-  size_t *first; /* [things + 1] */
-  uint32_t *number;
-};
-
-/* The steps of the tunnels, one after another. */
-struct step {
-  uint32_t tunnel; /* from 1 on */
-  double length;   /* of the way from its start */
-  hsp_tunnel_point point;
-};
-
-/* The values that are printed. */
-struct found {
-  const struct request *request;
-  hsp_pores_counts counts;
-  hsp_pore_maximum *maxima;
-  hsp_pore_gate *gates;
-  struct lists of_maxima; /* balls */
-  struct lists of_gates;
-  uint32_t pocket_count;
-  hsp_pore_pocket *pockets;
-  struct lists mouths;
-  struct lists lining;
-  double from[3];
-  double room; /* of the largest probe there */
-  uint32_t tunnel_count;
-  hsp_tunnel *tunnels;
-  struct step *steps;
-  size_t step_count;
-  struct periodic_result box; /* with --box, and what follows */
-  hsp_pore_percolation wide;
-  hsp_pore_gate_shifts *shifts; /* [gates] */
-  uint32_t channel_count;
-  hsp_pore_channel *channels;
-};
 
 static bool is_boxed(const struct request *request) {
   return request->box.source != BOX_NONE;
 }
-
-/* ---- what is found ---- */
-
-typedef int32_t get_list(const hsp_pores *pores, uint32_t of, uint32_t *numbers, uint32_t capacity, uint32_t *needed);
-
-static bool take_lists(const hsp_pores *pores, uint32_t things, get_list *get, struct lists *lists,
-                       struct failure *failure) {
-  lists->first = calloc((size_t)things + 1, sizeof *lists->first);
-  if (lists->first == NULL) return failure_of_memory(failure);
-  for (uint32_t i = 0; i < things; ++i) {
-    uint32_t needed = 0;
-    const int32_t status = get(pores, i, NULL, 0, &needed);
-    if (status != HSP_OK && status != HSP_E_CAPACITY) return failure_in_library(failure, status);
-    lists->first[i + 1] = lists->first[i] + needed;
-  }
-  lists->number = calloc(lists->first[things] + 1, sizeof *lists->number);
-  if (lists->number == NULL) return failure_of_memory(failure);
-  for (uint32_t i = 0; i < things; ++i) {
-    uint32_t needed = (uint32_t)(lists->first[i + 1] - lists->first[i]);
-    const int32_t status = get(pores, i, lists->number + lists->first[i], needed, &needed);
-    if (status != HSP_OK) return failure_in_library(failure, status);
-  }
-  return true;
-}
-
-static void free_lists(struct lists *lists) {
-  free(lists->first);
-  free(lists->number);
-}
-
-static bool take_tree(const hsp_pores *pores, struct found *found, struct failure *failure) {
-  hsp_pores_counts *const counts = &found->counts;
-  int32_t status = hsp_pores_get_counts(pores, counts);
-  if (status != HSP_OK) return failure_in_library(failure, status);
-  found->maxima = calloc((size_t)counts->maxima + 1, sizeof *found->maxima);
-  found->gates = calloc((size_t)counts->gates + 1, sizeof *found->gates);
-  if (found->maxima == NULL || found->gates == NULL) return failure_of_memory(failure);
-  status = hsp_pores_get_maxima(pores, 0, counts->maxima, found->maxima);
-  if (status == HSP_OK) status = hsp_pores_get_gates(pores, 0, counts->gates, found->gates);
-  if (status != HSP_OK) return failure_in_library(failure, status);
-  return take_lists(pores, counts->maxima, hsp_pores_get_maximum_balls, &found->of_maxima, failure) &&
-         take_lists(pores, counts->gates, hsp_pores_get_gate_balls, &found->of_gates, failure);
-}
-
-static bool take_channels(hsp_pores *pores, struct found *found, struct failure *failure) {
-  const uint32_t gates = found->counts.gates;
-  const double probe = found->request->probe;
-  found->shifts = calloc((size_t)gates + 1, sizeof *found->shifts);
-  if (found->shifts == NULL) return failure_of_memory(failure);
-  int32_t status = hsp_pores_get_gate_shifts(pores, 0, gates, found->shifts);
-  if (status == HSP_OK) status = hsp_pores_get_percolation(pores, &found->wide);
-  if (status != HSP_OK) return failure_in_library(failure, status);
-  status = hsp_pores_get_channels(pores, probe, NULL, 0, &found->channel_count);
-  if (status != HSP_OK && status != HSP_E_CAPACITY) return failure_in_library(failure, status);
-  found->channels = calloc((size_t)found->channel_count + 1, sizeof *found->channels);
-  if (found->channels == NULL) return failure_of_memory(failure);
-  status = hsp_pores_get_channels(pores, probe, found->channels, found->channel_count, &found->channel_count);
-  return status == HSP_OK || failure_in_library(failure, status);
-}
-
-static bool take_pockets(hsp_pores *pores, struct found *found, struct failure *failure) {
-  const struct request *const request = found->request;
-  uint32_t *const count = &found->pocket_count;
-  int32_t status = hsp_pores_find_pockets(pores, request->probe, request->pockets, count);
-  if (status == HSP_E_RANGE) return failure_in_input(failure, 0, "--pockets: %s", geometry_reason(status));
-  if (status != HSP_OK) return failure_in_library(failure, status);
-  found->pockets = calloc((size_t)*count + 1, sizeof *found->pockets);
-  if (found->pockets == NULL) return failure_of_memory(failure);
-  status = hsp_pores_get_pockets(pores, 0, *count, found->pockets);
-  if (status != HSP_OK) return failure_in_library(failure, status);
-  return take_lists(pores, *count, hsp_pores_get_pocket_mouths, &found->mouths, failure) &&
-         take_lists(pores, *count, hsp_pores_get_pocket_balls, &found->lining, failure);
-}
-
-/* The point that was named, or the widest maximum at an atom. */
-static bool find_start(const struct molecule *molecule, struct found *found, struct failure *failure) {
-  const struct place *const place = &found->request->tunnels_from;
-  memcpy(found->from, place->point.xyz, sizeof found->from);
-  if (place->of_atom == 0) return true;
-  const uint64_t atom = place->of_atom - 1;
-  if (atom >= molecule->atoms) {
-    return failure_in_input(failure, 0, "--tunnels-from: there is no atom %" PRIu64 " among %" PRIu32 ", from 0 on",
-                            atom, molecule->atoms);
-  }
-  const size_t *const first = found->of_maxima.first;
-  for (uint32_t i = 0; i < found->counts.maxima; ++i) {
-    for (size_t k = first[i]; k < first[i + 1]; ++k) {
-      if (found->of_maxima.number[k] != atom) continue;
-      memcpy(found->from, found->maxima[i].xyz, sizeof found->from);
-      return true;
-    }
-  }
-  return failure_in_input(failure, 0, "--tunnels-from: atom %" PRIu64 " touches no largest probe", atom);
-}
-
-static bool add_steps(const hsp_pores *pores, struct found *found, struct failure *failure) {
-  const uint32_t count = found->tunnels[found->tunnel_count].points;
-  uint32_t needed = 0;
-  struct step *const steps = realloc(found->steps, (found->step_count + count + 1) * sizeof *steps);
-  if (steps != NULL) found->steps = steps;
-  hsp_tunnel_point *const points = calloc((size_t)count + 1, sizeof *points);
-  if (steps == NULL || points == NULL) {
-    free(points);
-    return failure_of_memory(failure);
-  }
-  const int32_t status = hsp_pores_get_tunnel_points(pores, points, count, &needed);
-  double length = 0.0;
-  for (uint32_t i = 0; status == HSP_OK && i < count; ++i) {
-    double square = 0.0;
-    for (int axis = 0; axis < 3 && i > 0; ++axis) {
-      const double way = points[i].xyz[axis] - points[i - 1].xyz[axis];
-      square += way * way;
-    }
-    length += sqrt(square);
-    steps[found->step_count++] = (struct step){found->tunnel_count + 1, length, points[i]};
-  }
-  free(points);
-  return status == HSP_OK || failure_in_library(failure, status);
-}
-
-/* The best ones, each without the bottlenecks of those before. */
-static bool find_tunnels(struct geometry *geometry, const struct molecule *molecule, struct found *found,
-                         struct failure *failure) {
-  const uint32_t most = found->request->tunnels > 0 ? found->request->tunnels : TUNNELS;
-  hsp_pore_place start;
-  if (!find_start(molecule, found, failure)) return false;
-  const int32_t located = hsp_pores_locate(geometry->work.pores, found->from, &start);
-  if (located == HSP_E_RANGE) return failure_in_input(failure, 0, "--tunnels-from: %s", geometry_reason(located));
-  if (located != HSP_OK) return failure_in_library(failure, located);
-  found->room = start.radius;
-  found->tunnels = calloc((size_t)most, sizeof *found->tunnels);
-  uint32_t *const avoided = calloc((size_t)most, sizeof *avoided);
-  bool done = (found->tunnels != NULL && avoided != NULL) || failure_of_memory(failure);
-  for (uint32_t i = 0; done && i < most; ++i) {
-    hsp_tunnel *const tunnel = &found->tunnels[i];
-    done = geometry_find_tunnel(geometry, found->request->probe, found->from, avoided, i, tunnel, failure);
-    if (!done || tunnel->there == 0) break;
-    done = add_steps(geometry->work.pores, found, failure);
-    found->tunnel_count = i + 1;
-    if (tunnel->gate == HSP_NONE) break; /* no gate is its bottleneck: none is to be avoided */
-    avoided[i] = tunnel->gate;
-  }
-  free(avoided);
-  return done;
-}
-
-/* ---- what is printed ---- */
 
 static const char *number_text(char *text, size_t bytes, uint32_t number) {
   if (number == HSP_NONE) return "none";
@@ -209,15 +19,15 @@ static const char *number_text(char *text, size_t bytes, uint32_t number) {
   return text;
 }
 
-static void set_list(union cell *cell, const struct lists *lists, size_t row) {
+static void set_list(union cell *cell, const struct number_lists *lists, size_t row) {
   cell->counts.list = lists->number + lists->first[row];
   cell->counts.length = (uint32_t)(lists->first[row + 1] - lists->first[row]);
 }
 
 static bool maximum_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
-  const struct found *const found = of;
+  const struct pores_found *const found = of;
   const hsp_pore_maximum *const maximum = &found->maxima[row];
-  if (maximum->radius - maximum->death < found->request->persistence) return false;
+  if (!pores_lists_maximum(found, row)) return false;
   cells[0].count = (int64_t)row;
   cells[1].vector = maximum->xyz;
   cells[2].quantity = maximum->radius;
@@ -228,7 +38,7 @@ static bool maximum_row(const void *of, size_t row, union cell cells[MOST_COLUMN
   return true;
 }
 
-static struct table table_of_maxima(const struct molecule *molecule, const struct found *found) {
+static struct table table_of_maxima(const struct molecule *molecule, const struct pores_found *found) {
   static const struct column columns[] = {
       {"maximum", NULL, "maximum", 7, COLUMN_COUNT, 0},
       {"xyz", "x,y,z", "x y z", 9, COLUMN_POINT, 0},
@@ -243,7 +53,7 @@ static struct table table_of_maxima(const struct molecule *molecule, const struc
 }
 
 static bool gate_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
-  const struct found *const found = of;
+  const struct pores_found *const found = of;
   const hsp_pore_gate *const gate = &found->gates[row];
   cells[0].count = (int64_t)row;
   cells[1].vector = gate->xyz;
@@ -259,7 +69,7 @@ static bool gate_row(const void *of, size_t row, union cell cells[MOST_COLUMNS],
   return true;
 }
 
-static struct table table_of_gates(const struct molecule *molecule, const struct found *found) {
+static struct table table_of_gates(const struct molecule *molecule, const struct pores_found *found) {
   static const struct column columns[] = {
       {"gate", NULL, "gate", 7, COLUMN_COUNT, 0},
       {"xyz", "x,y,z", "x y z", 9, COLUMN_POINT, 0},
@@ -278,7 +88,7 @@ static struct table table_of_gates(const struct molecule *molecule, const struct
 }
 
 static bool channel_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
-  const struct found *const found = of;
+  const struct pores_found *const found = of;
   const hsp_pore_channel *const channel = &found->channels[row];
   size_t length = 0;
   cells[0].count = (int64_t)row + 1;
@@ -297,7 +107,7 @@ static bool channel_row(const void *of, size_t row, union cell cells[MOST_COLUMN
 }
 
 /* For persons. */
-static struct table table_of_channels(const struct molecule *molecule, const struct found *found) {
+static struct table table_of_channels(const struct molecule *molecule, const struct pores_found *found) {
   static const struct column columns[] = {
       {NULL, "", "channel", 7, COLUMN_COUNT, 0},     {NULL, "", "x y z", 9, COLUMN_POINT, 0},
       {NULL, "", "radius", 9, COLUMN_QUANTITY, 4},   {NULL, "", "maxima", 7, COLUMN_COUNT, 0},
@@ -307,14 +117,10 @@ static struct table table_of_channels(const struct molecule *molecule, const str
       columns, sizeof columns / sizeof columns[0], molecule->format, found->channel_count, found, channel_row, NULL};
 }
 
-static bool is_deep(const struct found *found, size_t pocket) {
-  return found->pockets[pocket].radius - found->pockets[pocket].mouth >= found->request->persistence;
-}
-
 static bool pocket_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
-  const struct found *const found = of;
+  const struct pores_found *const found = of;
   const hsp_pore_pocket *const pocket = &found->pockets[row];
-  if (!is_deep(found, row)) return false;
+  if (!pores_lists_pocket(found, row)) return false;
   cells[0].count = (int64_t)row + 1;
   cells[1].vector = found->maxima[pocket->maximum].xyz;
   cells[2].quantity = pocket->radius;
@@ -329,7 +135,7 @@ static bool pocket_row(const void *of, size_t row, union cell cells[MOST_COLUMNS
   return true;
 }
 
-static struct table table_of_pockets(const struct molecule *molecule, const struct found *found) {
+static struct table table_of_pockets(const struct molecule *molecule, const struct pores_found *found) {
   static const struct column columns[] = {
       {"pocket", NULL, "pocket", 6, COLUMN_COUNT, 0},    {"xyz", "x,y,z", "x y z", 9, COLUMN_POINT, 0},
       {"radius", NULL, "radius", 9, COLUMN_QUANTITY, 4}, {"mouth_radius", NULL, "mouth", 9, COLUMN_QUANTITY, 4},
@@ -343,7 +149,7 @@ static struct table table_of_pockets(const struct molecule *molecule, const stru
 }
 
 static bool tunnel_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
-  const hsp_tunnel *const tunnel = &((const struct found *)of)->tunnels[row];
+  const hsp_tunnel *const tunnel = &((const struct pores_found *)of)->tunnels[row];
   cells[0].count = (int64_t)row + 1;
   cells[1].quantity = tunnel->radius;
   cells[2].quantity = tunnel->length;
@@ -353,7 +159,7 @@ static bool tunnel_row(const void *of, size_t row, union cell cells[MOST_COLUMNS
   return true;
 }
 
-static struct table table_of_tunnels(const struct molecule *molecule, const struct found *found) {
+static struct table table_of_tunnels(const struct molecule *molecule, const struct pores_found *found) {
   static const struct column columns[] = {
       {"tunnel", NULL, "tunnel", 6, COLUMN_COUNT, 0},     {"radius", NULL, "radius", 9, COLUMN_QUANTITY, 4},
       {"length", NULL, "length", 10, COLUMN_QUANTITY, 4}, {"gate", NULL, "gate", 7, COLUMN_RESIDUE_NUMBER, 0},
@@ -364,7 +170,7 @@ static struct table table_of_tunnels(const struct molecule *molecule, const stru
 }
 
 static bool step_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
-  const struct step *const step = &((const struct found *)of)->steps[row];
+  const struct tunnel_step *const step = &((const struct pores_found *)of)->steps[row];
   const hsp_tunnel_point *const point = &step->point;
   cells[0].count = step->tunnel;
   cells[1].quantity = step->length;
@@ -378,7 +184,7 @@ static bool step_row(const void *of, size_t row, union cell cells[MOST_COLUMNS],
   return true;
 }
 
-static struct table table_of_steps(const struct molecule *molecule, const struct found *found) {
+static struct table table_of_steps(const struct molecule *molecule, const struct pores_found *found) {
   static const struct column columns[] = {
       {"tunnel", NULL, "tunnel", 6, COLUMN_COUNT, 0},
       {"length", NULL, "length", 10, COLUMN_QUANTITY, 4},
@@ -400,7 +206,7 @@ static void print_table(struct record *record, const struct table *table, const 
 }
 
 /* For persons. */
-static void print_balls(struct record *record, const char *what, uint32_t number, const struct lists *lists,
+static void print_balls(struct record *record, const char *what, uint32_t number, const struct number_lists *lists,
                         size_t row) {
   union cell balls;
   set_list(&balls, lists, row);
@@ -413,7 +219,7 @@ static void set_diameters(double out[3], const double radius[3], const uint32_t 
   for (int d = 0; d < 3; ++d) out[d] = gate[d] == HSP_NONE ? (double)NAN : 2.0 * radius[d];
 }
 
-static void print_box(struct record *record, const struct found *found) {
+static void print_box(struct record *record, const struct pores_found *found) {
   static const char *const titles[2][3] = {{"pore limit, 1-d", "pore limit, 2-d", "pore limit, 3-d"},
                                            {"along the first", "along the second", "along the third"}};
   static const char *const remarks[2][3] = {
@@ -450,12 +256,12 @@ static void print_box(struct record *record, const struct found *found) {
   text_buffer_add_text(record->out, "]");
 }
 
-static bool lists_balls(const struct record *record, const struct found *found) {
+static bool lists_balls(const struct record *record, const struct pores_found *found) {
   return record->form == FOR_PERSONS && found->request->void_balls;
 }
 
 static void print(struct record *record, const void *of) {
-  const struct found *const found = of;
+  const struct pores_found *const found = of;
   const struct request *const request = found->request;
   const struct molecule *const molecule = record->molecule;
   const hsp_pores_counts *const counts = &found->counts;
@@ -492,7 +298,7 @@ static void print(struct record *record, const void *of) {
     print_table(record, &pocket_table,
                 "  x y z: where the widest probe fits; its radius and that of the widest mouth, in @");
     for (uint32_t i = 0; lists_balls(record, found) && i < found->pocket_count; ++i) {
-      if (is_deep(found, i)) print_balls(record, "pocket", i + 1, &found->lining, i);
+      if (pores_lists_pocket(found, i)) print_balls(record, "pocket", i + 1, &found->lining, i);
     }
   }
   if (!tunnels) return;
@@ -510,7 +316,7 @@ static void print(struct record *record, const void *of) {
   print_table(record, &steps, "  along the tunnels: the way so far, and the largest probe there, in @");
 }
 
-static struct table table_of(const struct molecule *molecule, const struct found *found) {
+static struct table table_of(const struct molecule *molecule, const struct pores_found *found) {
   const struct request *const request = found->request;
   return request->gates                      ? table_of_gates(molecule, found)
          : request->pockets >= 0.0           ? table_of_pockets(molecule, found)
@@ -527,6 +333,8 @@ bool check_pores(struct request *request, struct failure *failure) {
   if (pockets && request->pockets < request->probe) {
     return failure_in_usage(failure, "--pockets: W must not be less than --probe");
   }
+  if (request->tunnels_out != NULL && !from) return failure_in_usage(failure, "--tunnels-out needs --tunnels-from");
+  if (request->profile != NULL && !from) return failure_in_usage(failure, "--profile needs --tunnels-from");
   if (request->void_balls && !pockets && !from) {
     return failure_in_usage(failure, "--balls needs --pockets or --tunnels-from");
   }
@@ -536,31 +344,14 @@ bool check_pores(struct request *request, struct failure *failure) {
 
 bool command_pores(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                    struct text_buffer *out, struct failure *failure) {
-  struct found found = {.request = request};
-  const bool boxed = is_boxed(request);
-  const bool done = (!boxed || periodic_result_find_box(request, molecule, &found.box, failure)) &&
-                    (boxed ? geometry_find_pores_in_box(geometry, molecule, found.box.box, request->probe, failure)
-                           : geometry_find_pores(geometry, molecule, request->probe, failure)) &&
-                    take_tree(geometry->work.pores, &found, failure) &&
-                    (!boxed || take_channels(geometry->work.pores, &found, failure)) &&
-                    (request->pockets < 0.0 || take_pockets(geometry->work.pores, &found, failure)) &&
-                    (!request->tunnels_from.point.given || find_tunnels(geometry, molecule, &found, failure));
+  struct pores_found found = {.request = request};
+  const bool done = pores_find(molecule, geometry, &found, failure) && pores_write_files(&found, molecule, failure);
   if (done && request->csv) {
     const struct table table = table_of(molecule, &found);
     table_csv(&table, out);
-  } else if (done) {
+  } else if (done && !request_prints_file(request)) {
     report(request, molecule, print, &found, out);
   }
-  free_lists(&found.of_maxima);
-  free_lists(&found.of_gates);
-  free_lists(&found.mouths);
-  free_lists(&found.lining);
-  free(found.maxima);
-  free(found.gates);
-  free(found.pockets);
-  free(found.tunnels);
-  free(found.steps);
-  free(found.shifts);
-  free(found.channels);
+  pores_free(&found);
   return done;
 }

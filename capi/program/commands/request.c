@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "read/threads.h"
+#include "write/same_file.h"
 
 bool request_wants_balls(const struct request *request) {
   return request->per_ball || request->gradient || (request->csv && request->by == GROUPING_NONE);
@@ -20,6 +21,32 @@ bool request_wants_places(const struct request *request) {
 
 bool request_wants_part(const struct request *request) {
   return request->part.count > 0;
+}
+
+int request_outputs(const struct request *request, struct output_choice outputs[MOST_OUTPUTS]) {
+  const struct output_choice all[] = {
+      {"-o", request->command == COMMAND_DRAW ? request->drawing.out : request->meshing.out, NULL},
+      {"--pdb-out", request->pdb_out, NULL},
+      {"--map", request->map, "an .svg"},
+      {"--points", request->points, "a .pdb or .cif"},
+      {"--tunnels-out", request->tunnels_out, "a .cif"},
+      {"--profile", request->profile, "an .svg"},
+      {"--tree", request->tree, "an .svg"},
+  };
+  int count = 0;
+  for (size_t k = 0; k < sizeof all / sizeof all[0]; ++k) {
+    if (all[k].path != NULL) outputs[count++] = all[k];
+  }
+  return count;
+}
+
+bool request_prints_file(const struct request *request) {
+  struct output_choice outputs[MOST_OUTPUTS];
+  const int count = request_outputs(request, outputs);
+  for (int k = 0; k < count; ++k) {
+    if (output_is_standard(outputs[k].path)) return true;
+  }
+  return false;
 }
 
 uint32_t request_threads(const struct request *request) {

@@ -99,8 +99,12 @@ struct request {
   double pockets;                /* likewise, radius of a probe that does not get there; negative: none are asked for */
   struct place tunnels_from;     /* likewise */
   uint32_t tunnels;              /* how many from there; 0: it is not said */
-  struct drawing drawing;        /* of `draw` */
-  struct selection highlight;    /* likewise */
+  const char *points;            /* a file of their points for viewers, or NULL */
+  const char *tunnels_out;       /* a file with the tunnels as programs exchange them, or NULL */
+  const char *profile;           /* files for charts of the tunnels and of the classes, or NULL */
+  const char *tree;
+  struct drawing drawing;     /* of `draw` */
+  struct selection highlight; /* likewise */
   const struct radii_set *set;
   const char *radii_file;   /* with radii by residue and atom, or NULL */
   struct radii_table table; /* of that file, or of the set; empty if there is none */
@@ -121,6 +125,21 @@ bool request_wants_places(const struct request *request);
 
 /* Whether there is such a part of the molecule. */
 bool request_wants_part(const struct request *request);
+
+/* A file that is written, and the option that says so. */
+struct output_choice {
+  const char *option;
+  const char *path;
+  const char *kind; /* of file, as its name says: "an .svg"; NULL: others check it */
+};
+
+enum { MOST_OUTPUTS = 8 };
+
+/* The files that are written; how many. */
+int request_outputs(const struct request *request, struct output_choice outputs[MOST_OUTPUTS]);
+
+/* Whether one of them goes to standard output, where nothing else does then. */
+bool request_prints_file(const struct request *request);
 
 /* How many threads may be at work. */
 uint32_t request_threads(const struct request *request);

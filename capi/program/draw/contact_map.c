@@ -6,12 +6,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "draw/chart.h"
 #include "draw/text_width.h"
 #include "read/text_buffer.h"
 #include "write/output_file.h"
 
 /* Pixels. Within the frame a row is a unit, so that squares have small coordinates. */
-enum { LEFT = 72, TOP = 40, SIDE = 640, RIGHT = 40, BOTTOM = 92, SHADES = 6, MOST_TICKS = 16, TICK = 4, LETTER = 12 };
+enum { LEFT = 72, TOP = 40, SIDE = 640, RIGHT = 40, BOTTOM = 92, SHADES = 6, MOST_TICKS = 16 };
 enum { LABEL_BYTES = 64 };
 
 /* Even steps of lightness. */
@@ -75,18 +76,10 @@ static void name_row(char text[LABEL_BYTES], const struct contact_map *map, uint
   }
 }
 
-static void add_text(struct text_buffer *out, double x, double y, const char *anchor, const char *text) {
-  text_buffer_add(out, "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">", x, y, anchor);
-  text_buffer_add_xml(out, text);
-  text_buffer_add(out, "</text>\n");
-}
-
 /* On both axes, with ticks. */
 static void add_label(struct text_buffer *out, const char *text, double at) {
-  text_buffer_add(out, "<path stroke=\"#9a9a9a\" d=\"M%d %.1fh-%dM%.1f %dv%d\"/>\n", LEFT, TOP + at, TICK, LEFT + at,
-                  TOP + SIDE, TICK);
-  add_text(out, LEFT - TICK - 3, TOP + at + 4.0, "end", text);
-  add_text(out, LEFT + at, TOP + SIDE + TICK + LETTER + 1, "middle", text);
+  chart_tick_left(out, LEFT, TOP + at, text);
+  chart_tick_below(out, LEFT + at, TOP + SIDE, text);
 }
 
 /* Those of rows with ticks, but for labels that would touch the one before. */
@@ -98,8 +91,8 @@ static void add_labels(struct text_buffer *out, const struct contact_map *map) {
     char text[LABEL_BYTES];
     name_row(text, map, row);
     const double at = (row + 0.5) * SIDE / map->rows;
-    const double width = text_width(text, LETTER);
-    const double half = (width > LETTER ? width : LETTER) / 2.0 + 2.0;
+    const double width = text_width(text, CHART_LETTER);
+    const double half = (width > CHART_LETTER ? width : CHART_LETTER) / 2.0 + 2.0;
     if (at - half < free_from) continue;
     add_label(out, text, at);
     free_from = at + half;
@@ -120,9 +113,9 @@ static void add_chains(struct text_buffer *out, const struct contact_map *map) {
     const double room = (double)(row - first) * SIDE / map->rows;
     const double middle = (double)(first + row) / 2.0 * SIDE / map->rows;
     first = row;
-    if (room < text_width(chain, LETTER) + 4.0 || room < LETTER + 4.0) continue;
-    add_text(out, LEFT + middle, TOP - 7, "middle", chain);
-    add_text(out, LEFT + SIDE + 7, TOP + middle + 4.0, "start", chain);
+    if (room < text_width(chain, CHART_LETTER) + 4.0 || room < CHART_LETTER + 4.0) continue;
+    chart_text(out, LEFT + middle, TOP - 7, "middle", chain);
+    chart_text(out, LEFT + SIDE + 7, TOP + middle + 4.0, "start", chain);
   }
 }
 
@@ -134,16 +127,15 @@ static void add_axis_names(struct text_buffer *out, const struct contact_map *ma
   const bool of_chain = map->groups->grouping == GROUPING_RESIDUE && !several && label_of(map, 0)->chain[0] != '\0';
   snprintf(text, sizeof text, "%s%s%s", names[map->groups->grouping], of_chain ? ", chain " : "",
            of_chain ? label_of(map, 0)->chain : "");
-  add_text(out, LEFT + SIDE / 2, TOP + SIDE + TICK + 2 * LETTER + 8, "middle", text);
-  text_buffer_add(out, "<g transform=\"translate(%d %d) rotate(-90)\">", 2 * LETTER, TOP + SIDE / 2);
-  add_text(out, 0.0, 0.0, "middle", text);
-  text_buffer_add(out, "</g>\n");
+  const struct chart_frame frame = {LEFT, TOP, SIDE, SIDE};
+  chart_name_across(out, &frame, text, "");
+  chart_name_up(out, &frame, text, "");
 }
 
 static void add_axes(struct text_buffer *out, const struct contact_map *map) {
   bool several = false;
-  text_buffer_add(out, "<path fill=\"none\" stroke=\"#9a9a9a\" d=\"M%d %dh%dv%dh-%dzl%d %d", LEFT, TOP, SIDE, SIDE,
-                  SIDE, SIDE, SIDE);
+  text_buffer_add(out, "<path fill=\"none\" stroke=\"" CHART_GREY "\" d=\"M%d %dh%dv%dh-%dzl%d %d", LEFT, TOP, SIDE,
+                  SIDE, SIDE, SIDE, SIDE);
   for (uint32_t row = 1; row < map->rows; ++row) {
     if (!begins_chain(map, row)) continue;
     const double at = (double)row * SIDE / map->rows;
@@ -181,7 +173,7 @@ static void add_squares(struct text_buffer *out, const struct contact_map *map, 
 }
 
 static void add_scale(struct text_buffer *out, const struct contact_map *map, const double end[SHADES]) {
-  const int y = TOP + SIDE + TICK + 3 * LETTER + 16, width = SIDE / (SHADES + 3);
+  const int y = TOP + SIDE + CHART_TICK + 3 * CHART_LETTER + 16, width = SIDE / (SHADES + 3);
   const char *sign = map->molecule->format->sign;
   text_buffer_add(out, "<text x=\"%d\" y=\"%d\">contact area%s%s%s</text>\n", LEFT, y + 12, sign[0] == '\0' ? "" : ", ",
                   sign, sign[0] == '\0' ? "" : "²");
@@ -202,26 +194,14 @@ bool contact_map_write(const struct contact_map *map, const char *path, struct f
   double end[SHADES] = {0.0};
   if (largest > 0.0) find_shade_ends(largest, end);
   const int width = LEFT + SIDE + RIGHT, height = TOP + SIDE + BOTTOM;
-  text_buffer_add(&out,
-                  "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\" "
-                  "font-family=\"Helvetica,Arial,sans-serif\" font-size=\"%d\" fill=\"#333333\" "
-                  "role=\"img\">\n<title>Contacts</title>\n"
-                  "<rect width=\"%d\" height=\"%d\" fill=\"#ffffff\"/>\n",
-                  width, height, width, height, LETTER, width, height);
+  chart_begin(&out, width, height, "Contacts");
   if (map->rows > 0) {
     add_squares(&out, map, end);
     add_axes(&out, map);
   }
   if (largest > 0.0) add_scale(&out, map, end);
   text_buffer_add(&out, "</svg>\n");
-  bool done = !out.out_of_memory || failure_of_memory(failure);
-  struct output_file file;
-  if (done && output_file_open(&file, path, failure)) {
-    output_file_write(&file, out.text, out.length);
-    done = output_file_finish(&file, failure);
-  } else {
-    done = false;
-  }
+  const bool done = output_file_write_text(path, &out, failure);
   text_buffer_free(&out);
   return done;
 }

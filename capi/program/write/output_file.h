@@ -8,6 +8,7 @@
 #include <stdio.h>
 
 #include "read/failure.h"
+#include "read/text_buffer.h"
 #include "write/same_file.h"
 
 struct output_file {
@@ -35,5 +36,8 @@ bool output_file_finish(struct output_file *file, struct failure *failure);
 
 /* Instead of the end: the new file is taken away. Signals that end the program do the same. */
 void output_file_abandon(struct output_file *file);
+
+/* A file of this text and nothing else: all of the above. False for a text that memory was short for, too. */
+bool output_file_write_text(const char *path, const struct text_buffer *text, struct failure *failure);
 
 #endif

@@ -1,6 +1,5 @@
 #include "write/pdb_output.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,20 +8,9 @@
 #include "read/pdb_records.h"
 #include "read/text_buffer.h"
 #include "write/output_file.h"
+#include "write/pdb_number.h"
 
 enum { AREA_BEGIN = 60, AREA_WIDTH = 6, AREA_END = AREA_BEGIN + AREA_WIDTH };
-
-/* The area in as many columns as there are; false if not even its whole part fits. */
-static bool area_in_columns(char out[AREA_WIDTH + 1], double area) {
-  char wide[400]; /* a double has at most 309 digits before its point */
-  for (int decimals = 2; decimals >= 0; --decimals) {
-    const int length = snprintf(wide, sizeof wide, "%*.*f", (int)AREA_WIDTH, decimals, area + 0.0);
-    if (length != AREA_WIDTH) continue;
-    memcpy(out, wide, AREA_WIDTH + 1);
-    return true;
-  }
-  return false;
-}
 
 struct copying {
   struct line_reader *reader;
@@ -43,8 +31,8 @@ static void copy_line(struct copying *copying) {
 
 static bool write_atom(struct copying *copying) {
   const struct line_reader *reader = copying->reader;
-  char area[AREA_WIDTH + 1];
-  if (!area_in_columns(area, copying->area[copying->next])) {
+  char area[PDB_NUMBER_BYTES];
+  if (!pdb_number(area, AREA_WIDTH, 2, copying->area[copying->next])) {
     return failure_in_input(copying->failure, reader->number,
                             "its area, %.3g, is too large for columns 61-66 of --pdb-out",
                             copying->area[copying->next]);
@@ -114,13 +102,6 @@ static bool copy(struct copying *copying, const char *from) {
   return !copying->out.out_of_memory || failure_of_memory(copying->failure);
 }
 
-static bool write_file(const struct text_buffer *text, const char *path, struct failure *failure) {
-  struct output_file file;
-  if (!output_file_open(&file, path, failure)) return false;
-  output_file_write(&file, text->text, text->length);
-  return output_file_finish(&file, failure);
-}
-
 bool pdb_output_write(const char *from, const struct molecule *molecule, const double *area, const char *to,
                       struct failure *failure) {
   struct line_reader *reader = malloc(sizeof *reader);
@@ -128,7 +109,7 @@ bool pdb_output_write(const char *from, const struct molecule *molecule, const d
   const char *file_before = failure->file;
   struct copying copying = {reader, molecule, area, 0, {0, false}, false, false, TEXT_BUFFER_EMPTY, failure};
   failure->file = input_name(from);
-  const bool done = copy(&copying, from) && write_file(&copying.out, to, failure);
+  const bool done = copy(&copying, from) && output_file_write_text(to, &copying.out, failure);
   if (done) failure->file = file_before;
   text_buffer_free(&copying.out);
   free(reader);

@@ -375,7 +375,8 @@ def call(name: str, handle: Handle | None, only: Iterable[str] | None = None, **
 
     limits: list[Any] = []
     scratch = C.create_string_buffer(0)
-    # What the handle's balls are many of is held to that many; what only the function knows is asked for first.
+    # Arrays of one element for each of the handle's balls are held to that number; sizes that only the function knows
+    # are asked for first.
     capacity = 0 if open_ones else sizes.get("n", 0)
     status, needed = attempt(capacity)
     while status == _CAPACITY and computes and handle is not None:

@@ -33,7 +33,7 @@ bool overlap(const BallSet &balls, uint32_t i, uint32_t j) {
   const exact::LatticeBall a = balls.ball(i);
   const exact::LatticeBall b = balls.ball(j);
   const int64_t sum = a.radius + b.radius;
-  const exact::Vector d{b.centre.x - a.centre.x, b.centre.y - a.centre.y, b.centre.z - a.centre.z};
+  const exact::Vector d = b.centre - a.centre;
   if (d.x >= sum || d.y >= sum || d.z >= sum || -d.x >= sum || -d.y >= sum || -d.z >= sum) return false;
   const uint64_t squared =
       static_cast<uint64_t>(d.x * d.x) + static_cast<uint64_t>(d.y * d.y) + static_cast<uint64_t>(d.z * d.z);

@@ -23,7 +23,7 @@ enum class PairRelation { disjoint, circle, first_in_second, second_in_first };
 constexpr PairRelation pair_relation(const LatticeBall &a, const LatticeBall &b) {
   const int64_t sum = a.radius + b.radius;
   const int64_t difference = a.radius - b.radius;
-  const Vector u{b.centre.x - a.centre.x, b.centre.y - a.centre.y, b.centre.z - a.centre.z};
+  const Vector u = b.centre - a.centre;
   if (u.x > sum || u.y > sum || u.z > sum || -u.x > sum || -u.y > sum || -u.z > sum) return PairRelation::disjoint;
   const uint64_t U =
       static_cast<uint64_t>(u.x * u.x) + static_cast<uint64_t>(u.y * u.y) + static_cast<uint64_t>(u.z * u.z);
@@ -46,7 +46,7 @@ constexpr PairRelation pair_relation(const LatticeBall &a, const LatticeBall &b)
 
 // Ball b as a plane seen from ball a, for two balls that meet in a circle.
 constexpr Plane plane_of(const LatticeBall &a, const LatticeBall &b) {
-  const Vector v{b.centre.x - a.centre.x, b.centre.y - a.centre.y, b.centre.z - a.centre.z};
+  const Vector v = b.centre - a.centre;
   // Factored, so that no term exceeds 2^62.
   return {v, dot(v, v) + (a.radius - b.radius) * (a.radius + b.radius), 1, b.index};
 }

@@ -23,6 +23,8 @@ namespace hsp::exact {
 
 struct Vector {
   int64_t x, y, z;
+
+  friend constexpr Vector operator-(const Vector &a, const Vector &b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 };
 
 constexpr int64_t dot(const Vector &a, const Vector &b) {

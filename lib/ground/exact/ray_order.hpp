@@ -36,7 +36,7 @@ struct RayCut {
   Integer256 discriminant;  // B^2 - D C; the line misses the closed ball if it is negative
 
   RayCut(const LatticeRay &ray, const LatticeBall &ball) {
-    const Vector u{ball.centre.x - ray.origin.x, ball.centre.y - ray.origin.y, ball.centre.z - ray.origin.z};
+    const Vector u = ball.centre - ray.origin;
     along = wide_dot(u, ray.direction);
     power = wide_dot(u, u) - Integer128::from(ball.radius * ball.radius);
     discriminant = product<256>(along, along) - product<256>(wide_dot(ray.direction, ray.direction), power);

@@ -19,10 +19,8 @@
 #pragma once
 
 #include "exact/circle_crossing.hpp"
-#include "surface/cusped_circles.hpp"
-#include "surface/cut_patches.hpp"
+#include "surface/coincident_patches.hpp"
 #include "surface/free_region.hpp"
-#include "surface/probe_caps.hpp"
 
 namespace hsp {
 
@@ -53,18 +51,22 @@ class SettledCircles {
   double arc_angle(uint32_t k, const RegionCorner &exit, const RegionCorner &entry) const;
   double exterior_angle(const RegionCorner &corner) const;
 
-  // Whether a side lies beyond its cusps against a vertex in the same place.
-  bool has_mates() const { return mate_[0] != no_id || mate_[1] != no_id || mate_[2] != no_id; }
-  bool is_mate(uint32_t vertex) const {
-    return vertex != no_id && (mate_[0] == vertex || mate_[1] == vertex || mate_[2] == vertex);
+  static bool is_side(uint32_t k) { return k < ProbeCaps::sides; }
+  // The vertex in the same place beyond the cusps of a side; no_id if there is none.
+  uint32_t opposite_probe(uint32_t side) const { return opposite_probe_[side]; }
+  bool has_opposite_probes() const {
+    return opposite_probe_[0] != no_id || opposite_probe_[1] != no_id || opposite_probe_[2] != no_id;
   }
-  // The parts of a free arc: parts of the side, creases with several vertices in one place.
-  struct Part {
-    uint32_t across;  // as PatchArc has it
-    double angle;
-  };
-  static constexpr uint32_t most_parts = 8;
-  uint32_t parts_of(const RegionArc &arc, Span<const RegionCorner> corners, Part (&parts)[most_parts]) const;
+  // Whether a point of a side belongs to the vertex in the same place, if there is one.
+  bool is_beyond_opposite_probe(uint32_t side, const Vec3 &point) const {
+    const SideCircle &circle = circle_[side];
+    return opposite_probe_[side] != no_id && circle.radius + dot(point, circle.outward) < 0.0;
+  }
+  Vec3 cusp_near(uint32_t side, const Vec3 &point) const {
+    const SideCircle &circle = circle_[side];
+    return dot(point, circle.cusp[0]) > dot(point, circle.cusp[1]) ? circle.cusp[0] : circle.cusp[1];
+  }
+  const CoincidentPatches &patches() const { return patches_; }
 
  private:
   // The circle of a side, seen from the vertex, in units of the smaller probe.
@@ -74,25 +76,15 @@ class SettledCircles {
     double radius;
   };
 
-  bool is_beyond_axis(uint32_t side, const Vec3 &point) const {
-    return circle_[side].radius + dot(point, circle_[side].outward) < 0.0;
+  bool is_opposite_probe(uint32_t vertex) const {
+    return vertex != no_id &&
+           (opposite_probe_[0] == vertex || opposite_probe_[1] == vertex || opposite_probe_[2] == vertex);
   }
-  uint32_t parts_of_side(const RegionArc &arc, Span<const RegionCorner> corners, Part (&parts)[most_parts]) const;
-  Vec3 normal_towards_mate(uint32_t vertex, uint32_t opposite_probe) const;
-  Vec3 way(uint32_t from, uint32_t to) const;
-  static Vec3 crossing_near(const CircleCrossing<Vec3, double> &pair, const Vec3 &point);
-  uint32_t owner_of_corner(uint32_t vertex, uint32_t opposite_probe, uint32_t a, uint32_t b, const Vec3 &point) const;
-  uint32_t owner_on_side(uint32_t vertex, uint32_t opposite_probe, uint32_t first, uint32_t second,
-                         const Vec3 &point) const;
-  uint32_t owner_of_end(uint32_t cap, const RegionCorner &end) const;
-  bool is_covered_beside_mate(uint32_t side, uint32_t cap, uint32_t other, const Vec3 &point) const;
-  uint32_t vertex_at(uint32_t cap, const Vec3 &point) const;
-  double depth_in(uint32_t vertex, const Vec3 &point, uint32_t besides = no_id) const;
+  bool is_covered_beside(uint32_t side, uint32_t cap, uint32_t other, const Vec3 &point) const;
 
   void find_cusps(uint32_t side);
   // Of a probe that touches this one, up to rounding: seen so from both, it cuts nothing.
   bool is_point(uint32_t k) const { return height(k) > 1.0 - 0x1p-40; }
-  static bool is_side(uint32_t k) { return k < ProbeCaps::sides; }
   bool has_cusps(uint32_t side, uint32_t cap) const { return cusp_cap_[side] == cap; }
   Answer crossing_of_probes(uint32_t j, uint32_t k, Crossing &crossing) const;
   bool is_in_patches(const Crossing &crossing, int sign) const;
@@ -102,16 +94,13 @@ class SettledCircles {
   exact::Vector on_lattice(uint32_t vertex) const;
 
   const BallSet &balls_;
-  const Boundary &boundary_;
-  const ChosenFaces &chosen_;
-  const ProbeGrid &grid_;
-  const CuspedCircles &cusped_;
   const ProbeCaps &probe_;
   const Caps &caps_;
+  CoincidentPatches patches_;
   exact::Predicates predicates_;
   double error_;
   uint32_t cusp_cap_[ProbeCaps::sides];  // the cap that meets a side in its cusps
-  uint32_t mate_[ProbeCaps::sides];      // or the vertex in the same place
+  uint32_t opposite_probe_[ProbeCaps::sides];
   SideCircle circle_[ProbeCaps::sides];  // of sides with cusps
 };
 

@@ -1,5 +1,6 @@
 #include "surface/surface_builder.hpp"
 
+#include "surface/arc_parts.hpp"
 #include "surface/circles_in_doubles.hpp"
 #include "surface/circles_in_integers.hpp"
 #include "surface/crease_lengths.hpp"
@@ -129,7 +130,7 @@ Status SurfaceBuilder::cut_patches(const BallSet &balls, const Boundary &boundar
                (state == ProbeState::hidden || probe_.whole_steradians() < least_steradians) &&
                store_flat_patch(flat, v)) {
       ++surface_.counts_.cut_patches;
-    } else if (decisions == Decisions::shared && state == ProbeState::whole && has_mates(balls, boundary)) {
+    } else if (decisions == Decisions::shared && state == ProbeState::whole && has_opposite_probes(balls, boundary)) {
       const SurfaceCounts before = surface_.counts_;
       const SettledCircles settled(balls, boundary, chosen, grid_, cusped, probe_);
       if (!settle(settled, probe_.whole_steradians(), probe_.whole_vector_area(), before)) continue;
@@ -163,9 +164,10 @@ Status SurfaceBuilder::cut_patches(const BallSet &balls, const Boundary &boundar
 }
 
 // Of a whole patch: whether some side has a crease with a vertex in the same place.
-bool SurfaceBuilder::has_mates(const BallSet &balls, const Boundary &boundary) {
+bool SurfaceBuilder::has_opposite_probes(const BallSet &balls, const Boundary &boundary) {
   probe_.keep_sides();
-  return SettledCircles(balls, boundary, surface_.chosen_, grid_, surface_.cusped_circles_, probe_).has_mates();
+  return SettledCircles(balls, boundary, surface_.chosen_, grid_, surface_.cusped_circles_, probe_)
+      .has_opposite_probes();
 }
 
 bool SurfaceBuilder::store_flat_patch(FlatPatches &flat, uint32_t vertex) {
@@ -186,7 +188,8 @@ bool SurfaceBuilder::settle(const SettledCircles &circles, double steradians, co
   if (!(off < least_steradians && -off < least_steradians)) return false;
   const Vec3 aside = region.vector_area - vector_area;
   if (!(dot(aside, aside) < least_steradians * least_steradians)) return false;
-  surface_.counts_.cut_patches = before.cut_patches + (region.cutting_arcs > 0 || circles.has_mates() ? 1 : 0);
+  surface_.counts_.cut_patches =
+      before.cut_patches + (region.cutting_arcs > 0 || circles.has_opposite_probes() ? 1 : 0);
   surface_.counts_.hidden_patches = before.hidden_patches;
   return true;
 }
@@ -239,8 +242,8 @@ void SurfaceBuilder::store_pieces(const Boundary &boundary, uint32_t vertex, con
         const uint32_t circle = arcs[a].circle;
         const bool last = arcs[a].next == loop;
         if (settled != nullptr) {
-          SettledCircles::Part parts[SettledCircles::most_parts];
-          const uint32_t count = settled->parts_of(arcs[a], corners_.items(), parts);
+          ArcParts::Part parts[ArcParts::most];
+          const uint32_t count = ArcParts(*settled).find(arcs[a], corners_.items(), parts);
           for (uint32_t k = 0; k < count; ++k) cut.add_arc(parts[k].across, parts[k].angle, last && k + 1 == count);
         } else {
           const uint32_t across = circle < ProbeCaps::sides

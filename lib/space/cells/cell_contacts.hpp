@@ -50,7 +50,7 @@ class CellContacts {
 
  private:
   static exact::WideInteger<exact::FastLimb, 128> squared_distance(const exact::Vector &a, const exact::Vector &b) {
-    return exact::squared_length({a.x - b.x, a.y - b.y, a.z - b.z});
+    return exact::squared_length(a - b);
   }
 
   FixedVector<AdjacentCells> pairs_;

@@ -12,7 +12,7 @@ namespace {
 using I128 = exact::WideInteger<exact::FastLimb, 128>;
 
 I128 exact_power(const exact::LatticeBall &ball, const exact::Vector &point) {
-  const exact::Vector d{point.x - ball.centre.x, point.y - ball.centre.y, point.z - ball.centre.z};
+  const exact::Vector d = point - ball.centre;
   return exact::power(d, ball.radius);
 }
 

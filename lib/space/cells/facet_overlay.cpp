@@ -5,8 +5,6 @@
 namespace hsp {
 namespace {
 
-constexpr uint32_t parts_per_plane = 4, names_per_plane = 16;
-
 bool same_pair(const PowerPlane &a, const PowerPlane &b) {
   return (a.near == b.near && a.far == b.far) || (a.near == b.far && a.far == b.near);
 }
@@ -40,8 +38,7 @@ void FacetOverlay::carve(Workspace &workspace, uint32_t balls) {
   above_planes_ = workspace.take<UnitPlane>(planes);
   sides_ = workspace.take<int8_t>(2 * planes);
   workspace.take_each(static_cast<uint64_t>(balls) + 1, below_, above_, near_);
-  parts_ = FixedVector<Part>(workspace.take<Part>(parts_per_plane * planes));
-  names_ = FixedVector<Name>(workspace.take<Name>(names_per_plane * planes));
+  parts_.carve(workspace, planes);
   target_ = workspace.target();
 }
 
@@ -101,13 +98,12 @@ bool FacetOverlay::add_parts_of_equals(uint32_t below, uint32_t above) {
     const FacetCorner &corner = lower.corner(k);
     // A part begins where the edge before it is not free.
     if (corner.cell != no_id && !from_free) {
-      parts_.push({{below, above}, {corner.cell, upper.corner(same).cell}, clamped_count(names_.required()), {}});
+      parts_.add(below, above, corner.cell, upper.corner(same).cell);
     }
     from_free = corner.edge_free != 0;
   }
   if (parts_.required() == known) {  // all edges are free
-    const uint32_t cells[2] = {lower.corner(0).cell, upper.corner(upper.next(at)).cell};
-    parts_.push({{below, above}, {cells[0], cells[1]}, clamped_count(names_.required()), {}});
+    parts_.add(below, above, lower.corner(0).cell, upper.corner(upper.next(at)).cell);
   }
   return true;
 }
@@ -260,7 +256,7 @@ uint32_t FacetOverlay::cell_of(uint32_t which, uint32_t corner) const {
 }
 
 // Three balls make a corner that is the same in all pieces around it.
-bool FacetOverlay::name_of(uint32_t corner, Name &name) const {
+bool FacetOverlay::name_of(uint32_t corner, FacetParts::Name &name) const {
   if (!three_balls(edges_[previous(corner)].line, edges_[corner].line, name.ball)) return false;
   sort_three(name.ball[0], name.ball[1], name.ball[2]);
   return true;
@@ -302,10 +298,10 @@ void FacetOverlay::add_part(uint32_t below, uint32_t above, uint32_t first, uint
     }
     return;
   }
-  parts_.push({{below, above}, {cell[0], cell[1]}, clamped_count(names_.required()), portal});
+  parts_.add(below, above, cell[0], cell[1], portal);
   for (uint32_t n = 0, k = first; n < count; ++n, k = next(k)) {
-    Name name;
-    if (name_of(k, name)) names_.push(name);
+    FacetParts::Name name;
+    if (name_of(k, name)) parts_.add_name(name);
   }
 }
 
@@ -333,50 +329,6 @@ void FacetOverlay::overlay(uint32_t below, uint32_t above, CellContacts &contact
     for (uint32_t at = k; sides_[at] != 0; at = next(at)) ++count;
     add_part(below, above, k, count, contacts, first_contact);
   }
-}
-
-// Hands cells on from part to part of a facet, and then writes the contacts of all parts.
-Status FacetOverlay::resolve(CellContacts &contacts) {
-  const uint32_t count = parts_.size();
-  const auto names_of = [&](uint32_t part) {
-    return IdRange{parts_[part].first_name, part + 1 < count ? parts_[part + 1].first_name : names_.size()};
-  };
-  const auto touch = [&](uint32_t a, uint32_t b) {
-    for (const uint32_t k : names_of(a)) {
-      for (const uint32_t l : names_of(b)) {
-        if (names_[k] == names_[l]) return true;
-      }
-    }
-    return false;
-  };
-  bool unknown = false;
-  for (bool progress = true; progress;) {
-    progress = unknown = false;
-    for (uint32_t a = 0; a < count; ++a) {
-      for (uint32_t which = 0; which < 2; ++which) {
-        if (parts_[a].cell[which] != no_id) continue;
-        unknown = true;
-        for (uint32_t b = 0; b < count; ++b) {
-          if (parts_[b].facet[which] != parts_[a].facet[which] || parts_[b].cell[which] == no_id || !touch(a, b)) {
-            continue;
-          }
-          parts_[a].cell[which] = parts_[b].cell[which];
-          progress = true;
-          break;
-        }
-      }
-    }
-  }
-  if (unknown) return Status::check;
-  for (uint32_t a = 0; a < count; ++a) {
-    const Part &part = parts_[a];
-    bool is_new = true;
-    for (uint32_t b = a; b-- > 0 && parts_[b].facet[0] == part.facet[0] && parts_[b].facet[1] == part.facet[1];) {
-      if (parts_[b].cell[0] == part.cell[0] && parts_[b].cell[1] == part.cell[1]) is_new = false;
-    }
-    if (is_new) contacts.push({{part.cell[0], part.cell[1]}}, frame_, part.portal);
-  }
-  return Status::ok;
 }
 
 // The facets of a cube on a side that are not covered.
@@ -418,7 +370,6 @@ Status FacetOverlay::find(const BallSet &balls, const CubeFrame &frame, uint32_t
   side_ = side_plane(2 * axis);
   side_plane_ = CubeFrame::side_in_doubles(2 * axis, frame.side());
   parts_.clear();
-  names_.clear();
   const uint32_t lower_count = list(below_, below, 2 * axis + 1);
   const uint32_t upper_count = list(above_, above, 2 * axis);
   const Listed *const lowers = below_.data();
@@ -458,13 +409,7 @@ Status FacetOverlay::find(const BallSet &balls, const CubeFrame &frame, uint32_t
       overlay(under.facet, over.facet, contacts);
     }
   }
-  const auto balls_for = [](uint64_t required, uint64_t per_plane) {
-    const uint64_t planes = (required + per_plane - 1) / per_plane;
-    return clamped_count(planes > cube_sides ? planes - cube_sides : 0);
-  };
-  needed_balls_ =
-      larger_count(balls_for(parts_.required(), parts_per_plane), balls_for(names_.required(), names_per_plane));
-  return parts_.overflowed() || names_.overflowed() ? Status::capacity : resolve(contacts);
+  return parts_.overflowed() ? Status::capacity : parts_.resolve(frame_, contacts);
 }
 
 }  // namespace hsp

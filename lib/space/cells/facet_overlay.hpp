@@ -26,6 +26,7 @@
 // beyond, or that there is none.
 #pragma once
 
+#include "cells/facet_parts.hpp"
 #include "cells/free_space.hpp"
 #include "cells/side_facets.hpp"
 
@@ -45,7 +46,7 @@ class FacetOverlay {
   // happen.
   Status find(const BallSet &balls, const CubeFrame &frame, uint32_t axis, const Side &below, const Side &above,
               CellContacts &contacts);
-  uint32_t needed_balls() const { return needed_balls_; }
+  uint32_t needed_balls() const { return parts_.needed_balls(); }
 
  private:
   struct Edge {
@@ -58,18 +59,6 @@ class FacetOverlay {
     uint32_t edge_of[2];    // edges of the two facets on which it lies, or no_id
     uint32_t outside;
   };
-  // A connected part of a piece whose cell on one of the sides is not known, or that may tell others theirs.
-  struct Part {
-    uint32_t facet[2];
-    uint32_t cell[2];
-    uint32_t first_name;  // those of a part are consecutive, and those of the next one follow
-    Vec3 portal;
-  };
-  struct Name {
-    uint32_t ball[3];
-    friend constexpr bool operator==(const Name &, const Name &) = default;
-  };
-
   // A facet of one of the two cubes, as lines.
   struct Polygon {
     const SideFacets *facets;
@@ -108,8 +97,7 @@ class FacetOverlay {
                 uint64_t first_contact);
   Vec3 portal_of(uint32_t first, uint32_t count) const;
   uint32_t cell_of(uint32_t which, uint32_t corner) const;
-  bool name_of(uint32_t corner, Name &name) const;
-  Status resolve(CellContacts &contacts);
+  bool name_of(uint32_t corner, FacetParts::Name &name) const;
 
   uint32_t previous(uint32_t k) const { return (k > 0 ? k : size_) - 1; }
   uint32_t next(uint32_t k) const { return k + 1 < size_ ? k + 1 : 0; }
@@ -128,9 +116,7 @@ class FacetOverlay {
   Span<uint32_t> near_;  // of those below, the ones that one above may have a piece with
   Target target_ = Target::baseline;
   uint32_t size_ = 0;
-  FixedVector<Part> parts_;
-  FixedVector<Name> names_;
-  uint32_t needed_balls_ = 0;
+  FacetParts parts_;  // whose cell on one of the sides is not known, or that may tell others theirs
 };
 
 }  // namespace hsp

@@ -1,7 +1,6 @@
 #include "paths/cell_crossing.hpp"
 
 #include "paths/free_segments.hpp"
-#include "paths/lattice_points.hpp"
 
 namespace hsp {
 namespace {

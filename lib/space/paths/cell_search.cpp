@@ -1,6 +1,6 @@
 #include "paths/cell_search.hpp"
 
-#include "paths/lattice_points.hpp"
+#include "paths/free_segments.hpp"
 
 namespace hsp {
 namespace {

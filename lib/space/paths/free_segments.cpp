@@ -2,7 +2,6 @@
 
 #include "exact/wide_integer.hpp"
 #include "model/grid_order.hpp"
-#include "paths/lattice_points.hpp"
 
 namespace hsp {
 namespace {
@@ -23,12 +22,12 @@ Integer<256> exact_dot(const Vector &a, const Vector &b) {
 }
 
 bool is_outside_exactly(const exact::LatticeBall &ball, const Vector &a, const Vector &b) {
-  const Vector d = difference(b, a), p = difference(ball.centre, a);
+  const Vector d = b - a, p = ball.centre - a;
   const auto along = exact_dot(d, p), length = exact_dot(d, d);
   const auto squared_radius = exact::product<256>(Integer<64>::from(ball.radius), Integer<64>::from(ball.radius));
   if (along.sign() <= 0) return (exact_dot(p, p) - squared_radius).sign() > 0;
   if ((along - length).sign() >= 0) {
-    const Vector q = difference(ball.centre, b);
+    const Vector q = ball.centre - b;
     return (exact_dot(q, q) - squared_radius).sign() > 0;
   }
   const auto excess = exact_dot(p, p) - squared_radius;
@@ -83,7 +82,7 @@ CubeBox box_of(const CubeAxis &axis, const Vec3 &a, const Vec3 &b) {
 }  // namespace
 
 bool is_outside_ball(const BallSet &balls, uint32_t ball, const Vector &a, const Vector &b) {
-  const Vec3 d = to_double(difference(b, a)), p = to_double(difference(centre_of(balls, ball), a));
+  const Vec3 d = to_double(b - a), p = to_double(centre_of(balls, ball) - a);
   const double length = dot(d, d), squared = dot(p, p), along = dot(d, p);
   const double r = balls.r[ball], w = r * r;
   double excess = 0.0, doubt = 0.0;
@@ -108,7 +107,7 @@ bool is_free_segment(const BallSet &balls, const FreeSpace &space, const Vector 
   const CubeCover &cover = space.cover;
   if (cover.cubes() == 0) return true;
   const double side = static_cast<double>(space.side);
-  const Vec3 from = to_double(a), d = to_double(difference(b, a));
+  const Vec3 from = to_double(a), d = to_double(b - a);
   const Stretch part = clip(cover, side, a, d);
   if (part.last < part.first) return true;
   const double length = std::sqrt(dot(d, d)) * (part.last - part.first);
@@ -146,11 +145,11 @@ bool is_free_segment(const BallSet &balls, const FreeSpace &space, const Vector 
 }
 
 double segment_clearance(const BallSet &balls, const Vector &a, const Vector &b) {
-  const Vec3 d = to_double(difference(b, a));
+  const Vec3 d = to_double(b - a);
   const double length = dot(d, d);
   double least = std::numeric_limits<double>::infinity();
   for (uint32_t ball = 0; ball < balls.n; ++ball) {
-    const Vec3 p = to_double(difference(centre_of(balls, ball), a));
+    const Vec3 p = to_double(centre_of(balls, ball) - a);
     const double along = dot(d, p);
     const double part = along <= 0.0 ? 0.0 : along >= length ? 1.0 : along / length;
     const Vec3 nearest_way = p - part * d;

@@ -10,6 +10,11 @@
 
 namespace hsp {
 
+inline double distance(const exact::Vector &a, const exact::Vector &b) {
+  const Vec3 d = to_double(a - b);
+  return std::sqrt(dot(d, d));
+}
+
 // Whether the segment has no point of the ball, not even on its sphere.
 bool is_outside_ball(const BallSet &balls, uint32_t ball, const exact::Vector &a, const exact::Vector &b);
 // Whether it has none of any ball. Looks at the cubes along it.

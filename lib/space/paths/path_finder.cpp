@@ -2,7 +2,6 @@
 
 #include "cells/cell_location.hpp"
 #include "paths/free_segments.hpp"
-#include "paths/lattice_points.hpp"
 
 namespace hsp {
 

@@ -2,7 +2,7 @@
 
 #include "cells/cell_location.hpp"
 #include "core/sorting.hpp"
-#include "paths/lattice_points.hpp"
+#include "paths/free_segments.hpp"
 
 namespace hsp {
 namespace {

@@ -1,7 +1,7 @@
 #include "contacts/chord_clipper.hpp"
 
-#include "contacts/unit_chord.hpp"
 #include "lanes/wide.hpp"
+#include "sphere/cap_pair.hpp"
 
 namespace hsp {
 namespace {

@@ -1,7 +1,7 @@
 #include "contacts/chord_walk.hpp"
 
 #include "contacts/chord_cuts.hpp"
-#include "contacts/unit_chord.hpp"
+#include "sphere/cap_pair.hpp"
 
 namespace hsp {
 namespace {

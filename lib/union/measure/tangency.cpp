@@ -3,10 +3,6 @@
 namespace hsp {
 namespace {
 
-exact::Vector between(const exact::LatticeBall &from, const exact::LatticeBall &to) {
-  return {to.centre.x - from.centre.x, to.centre.y - from.centre.y, to.centre.z - from.centre.z};
-}
-
 // Whether no component of v is beyond s: keeps the squares within their bits.
 bool within(const exact::Vector &v, int64_t s) {
   return v.x <= s && v.y <= s && v.z <= s && -v.x <= s && -v.y <= s && -v.z <= s;
@@ -30,7 +26,7 @@ bool touches_freely_from_inside(const BallSet &balls, const CubeBlock &block, ui
   const exact::LatticeBall own = balls.ball(inner);
   const exact::LatticeBall container = balls.ball(outer);
   const int64_t D = container.radius - own.radius;
-  const exact::Vector v = between(container, own);
+  const exact::Vector v = own.centre - container.centre;
   if (D < 0 || !within(v, D) || dot(v, v) != D * D) return false;
   if (D == 0) return true;  // equal balls
 
@@ -39,7 +35,7 @@ bool touches_freely_from_inside(const BallSet &balls, const CubeBlock &block, ui
   for (uint32_t r = 0; r < block.ranges; ++r) {
     for (uint32_t k = block.range[r].first; k < block.range[r].last; ++k) {
       const exact::LatticeBall third = balls.ball(k);
-      const exact::Vector w = between(third, container);
+      const exact::Vector w = container.centre - third.centre;
       if (!within(w, third.radius + container.radius)) continue;
       const exact::Vector point{D * w.x + container.radius * v.x, D * w.y + container.radius * v.y,
                                 D * w.z + container.radius * v.z};

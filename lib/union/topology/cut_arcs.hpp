@@ -13,7 +13,7 @@
 #pragma once
 
 #include "boundary/point_location.hpp"
-#include "sphere/gathered_ball.hpp"
+#include "sphere/great_circles.hpp"
 
 namespace hsp {
 

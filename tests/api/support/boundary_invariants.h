@@ -17,7 +17,7 @@ const char *broken_boundary_records(const computed *c);
 /* Positions, angles, areas and volumes, within rounding errors. The records must be sound. */
 const char *broken_boundary_measures(const computed *c);
 
-/* What hsp_boundary_check or hsp_topology_check has found, by its status and outputs. */
+/* The findings of hsp_boundary_check or hsp_topology_check, by its status and outputs. */
 const char *broken_by_own_check(int32_t status, uint32_t invariant, uint32_t id);
 
 /* The order of the balls has no effect but on ids: ball i of `other` is ball order[i] of c. Positions and areas agree

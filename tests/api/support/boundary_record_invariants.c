@@ -1,5 +1,5 @@
-/* What the header promises about the records of a boundary and how they hang together. Numbers of properties are those
- * of hardsphere.h. */
+/* The header's promises about the records of a boundary and how they hang together. Numbers of properties are those of
+ * hardsphere.h. */
 #include <stdlib.h>
 #include <string.h>
 

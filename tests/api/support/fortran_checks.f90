@@ -1,4 +1,4 @@
-! What the Fortran tests check with: conditions and statuses are counted, those that do not hold are printed.
+! Checks of the Fortran tests: conditions and statuses are counted, those that do not hold are printed.
 module fortran_checks
   use, intrinsic :: iso_c_binding, only: c_double, c_int32_t
   use hardsphere, only: hsp_status_message

@@ -35,7 +35,7 @@ void four_handles_set(const four_handles *h, uint32_t balls);
 /* Sets the model to all balls and computes everything, which must succeed. */
 void four_handles_compute(const four_handles *h);
 
-/* What a model holds. */
+/* The contents of a model. */
 typedef struct model_contents {
   hsp_model_info info;
   uint32_t hits[BALLS], neighbours[BALLS], hit_count;
@@ -56,7 +56,7 @@ hsp_surface_limits four_surface_limits(uint32_t balls);
 hsp_mesh_limits four_mesh_limits(void);
 fifth_handles fifth_handles_make(uint32_t balls);
 
-/* What another handle holds, as its functions tell: the status of reading it, and what that wrote. */
+/* The contents of another handle, as its functions tell: the status of reading it, and what that wrote. */
 typedef struct contents {
   union {
     hsp_boundary_counts boundary;

@@ -62,7 +62,7 @@ double slope_of_arcs(const computed *c, uint32_t i, uint32_t j) {
   return c->radius[i] * c->radius[j] / length(off);
 }
 
-/* What terms may be as large as before they cancel: at least what one sphere makes of them. */
+/* Terms may be as large as this before they cancel: at least what one sphere makes of them. */
 static double largest_term(const computed *c, const double *sigma, double tension, double pressure) {
   const double r = c->info.largest_radius;
   double weight = 1, slope = r;

@@ -1,4 +1,4 @@
-/* What the interface tells about derivatives of one set of balls. */
+/* The derivatives of one set of balls, as the interface has them. */
 #pragma once
 
 #include "ball_sets.h"

@@ -11,7 +11,7 @@ typedef struct guarded_memory {
   size_t front;         /* length of the strip before it */
 } guarded_memory;
 
-/* What a block is filled with; GUARDED_RANDOM differs from byte to byte. */
+/* The bytes that fill a block; GUARDED_RANDOM differs from byte to byte. */
 enum { GUARDED_PATTERN = 0xA5, GUARDED_RANDOM = 256 };
 
 /* A block of exactly `bytes` bytes whose address is `misalignment` (0..63) more than a multiple of 64. fill is a byte

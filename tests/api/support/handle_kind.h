@@ -1,5 +1,5 @@
-/* What boundaries, topologies, views and others have in common: limits, of which each is a number, memory of a size
- * that follows from them, and a computation that tells what it needed. */
+/* The common side of boundaries, topologies, views and others: limits, of which each is a number, memory of a size that
+ * follows from them, and a computation that tells what it needed. */
 #pragma once
 
 #include <hardsphere.h>
@@ -48,8 +48,8 @@ typedef struct handle_kind {
 /* Zeros, to be freed by the caller; at least one byte. Ends the program if there is no memory. */
 void *test_zeros(size_t count, size_t size);
 
-/* From no room for anything but the balls, with the limits that come back, until the computation succeeds. What was
- * needed goes to `needed`, which has struct_size bytes; memory was allocated and is the caller's in any case. The first
- * status that is neither HSP_OK nor an HSP_E_CAPACITY that may be, or HSP_OK. */
+/* From no room for anything but the balls, with the limits that come back, until the computation succeeds. The limits
+ * that were needed go to `needed`, which has struct_size bytes; memory was allocated and is the caller's in any case.
+ * The first status that is neither HSP_OK nor an HSP_E_CAPACITY that may be, or HSP_OK. */
 int32_t grow_until_computed(const handle_kind *kind, const void *source, uint32_t balls, void **memory, void **handle,
                             void *needed, uint32_t *enlargements);

@@ -15,7 +15,7 @@ uint64_t mixed_hash(uint64_t hash, const void *bytes, size_t size) {
   return hash;
 }
 
-/* What is computed on request: areas of faces, a gradient, and rows of derivatives of areas. */
+/* Results that are computed on request: areas of faces, a gradient, and rows of derivatives of areas. */
 static uint64_t derived_hash(const hsp_boundary *boundary, const hsp_boundary_counts *counts, unsigned char *buffer,
                              uint64_t hash) {
   const uint32_t n = counts->balls;
@@ -474,7 +474,7 @@ static uint64_t moving_hash(const void *moving, const void *source, unsigned cha
   (void)source;
   if (hsp_moving_get_info(moving, &info) != HSP_OK || info.balls > room) return 0;
   flags = (void *)(numbers + 4 * (size_t)info.balls);
-  /* What the last call changed is no part of what there is. */
+  /* Changes of the last call are no part of the contents. */
   info.changed = 0;
   hash = mixed_hash(hash, &info, sizeof info);
   bad |= hsp_moving_measure(moving, &totals, numbers, numbers + info.balls, info.balls, NULL) != HSP_OK;

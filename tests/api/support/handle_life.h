@@ -1,5 +1,5 @@
-/* What tests of the life of handles need: all that is computed of one set of balls, and a hash over everything that can
- * be read of a handle, whatever its kind. */
+/* Parts for tests of the life of handles: all that is computed of one set of balls, and a hash over everything that can
+ * be read of a handle of any kind. */
 #pragma once
 
 #include "ball_sets.h"

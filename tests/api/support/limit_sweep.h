@@ -29,7 +29,7 @@ void try_limits(const known_handle *known, const limit_numbers *from, size_t mis
  * called with each computed handle, NULL for nothing. */
 void sweep_alignments(const known_handle *known, void (*more)(void *handle, const void *source));
 
-/* What a kind's macro bounds the size of its memory by, and the macro's factors: of 1, and of every limit. */
+/* The bound by a kind's macro on the size of its memory, and the macro's factors: of 1, and of every limit. */
 typedef struct size_bound {
   size_t (*macro)(const limit_numbers *limits);
   double factors[LIMIT_NUMBERS];

@@ -34,7 +34,7 @@ static const char *broken_steps(const map_result *m) {
   return NULL;
 }
 
-/* What hsp_map_get_point says at the ends of edges. */
+/* The answers of hsp_map_get_point at the ends of edges. */
 static const char *broken_points(const map_result *m) {
   const double tolerance = 1e-5 * largest_radius(m->base) + 1e-12 * m->base->extent;
   uint32_t e;
@@ -95,7 +95,7 @@ static const char *broken_outlines(const map_result *m) {
   return broken;
 }
 
-/* What is seen of a ball is a part of its disc, and something is seen where there are balls. */
+/* The visible area of a ball is a part of its disc, and something is seen where there are balls. */
 static const char *broken_areas(const map_result *m) {
   const double largest = largest_radius(m->base), slack = 1e-6 * largest * largest;
   uint32_t i;

@@ -11,8 +11,8 @@ extern "C" {
 /* Steps, records and areas, and what hsp_map_check says. */
 const char *broken_map(const map_result *m);
 
-/* What hsp_map_pick says, and what edges have on either side, is what is seen: looks at `samples` points of every ball,
- * chosen by seed, and at one of every edge. */
+/* The answers of hsp_map_pick, and what edges have on either side, are what is seen: looks at `samples` points of every
+ * ball, chosen by seed, and at one of every edge. */
 const char *broken_map_regions(const map_result *m, uint32_t samples, uint64_t seed);
 
 /* The order of the balls has no effect but on ids: those of `other` are those of m in another order. Doubles agree bit

@@ -1,4 +1,4 @@
-/* What the header promises of the records of a map, of balls alone or of balls and halves of sticks. */
+/* The header's promises for the records of a map, of balls alone or of balls and halves of sticks. */
 #pragma once
 
 #include <hardsphere.h>

@@ -1,4 +1,4 @@
-/* What is seen at points of the view plane, on faces and on both sides of edges, against the fronts of all balls. */
+/* The owners seen at points of the view plane, on faces and on both sides of edges, against the fronts of all balls. */
 #include <math.h>
 #include <stdlib.h>
 

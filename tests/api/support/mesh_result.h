@@ -31,8 +31,8 @@ void mesh_result_release(mesh_result *result);
 /* How such handles are made; they are computed from a `mesh_result`, which needs but its base, surface and edge. */
 extern const handle_kind mesh_handle;
 
-/* What is wrong with a closed, oriented surface of these triangles: an edge that is not in two of them in opposite
- * directions, a vertex without a ring, a number out of range. NULL if nothing is. */
+/* The first fault of a surface of these triangles that should be closed and oriented: an edge that is not in two of
+ * them in opposite directions, a vertex without a ring, a number out of range. NULL if nothing is. */
 const char *mesh_fault(const mesh_result *mesh);
 
 /* The volume that the triangles enclose, about a point. */

@@ -94,7 +94,7 @@ static const char *broken_rings(const topology_result *t) {
   return broken;
 }
 
-/* What is not a quarter-edge leads to HSP_NONE. */
+/* A number that is no quarter-edge leads to HSP_NONE. */
 static const char *broken_ends(const topology_result *t) {
   const uint32_t beyond[5] = {4 * t->counts.edges, 4 * t->counts.edges + 1, UINT32_C(0x7FFFFFFE), HSP_NONE - 1,
                               HSP_NONE};

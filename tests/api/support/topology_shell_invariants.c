@@ -14,7 +14,7 @@ static double area_rounding(const topology_result *t, uint32_t faces) {
   return 1e-12 * r * r * (1 + faces);
 }
 
-/* What is counted per shell. */
+/* Numbers that are counted per shell. */
 typedef struct tally {
   uint32_t vertices, edges, simple_faces, faces;
   int64_t euler; /* of the boundary: vertices - arcs + sum over maximal faces of 2 - loops */

@@ -1,5 +1,5 @@
-/* What the header promises about the arcs of a view: each against its own numbers and against the spheres that meet in
- * it, and the areas that arcs enclose together. */
+/* The header's promises about the arcs of a view: each against its own numbers and against the spheres that meet in it,
+ * and the areas that arcs enclose together. */
 #include <math.h>
 #include <stdlib.h>
 

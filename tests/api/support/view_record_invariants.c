@@ -1,5 +1,5 @@
-/* What the header promises about the records of a view: the frame, how pieces, loops and arcs are numbered and joined,
- * and their order. */
+/* The header's promises about the records of a view: the frame, how pieces, loops and arcs are numbered and joined, and
+ * their order. */
 #include <math.h>
 #include <string.h>
 

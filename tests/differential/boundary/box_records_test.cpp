@@ -67,7 +67,7 @@ struct Patch {
   }
 };
 
-// What the oracle says of the first n balls.
+// The oracle's records of the first n balls.
 PlacedBoundary brute_force(const Patch &patch, uint32_t n) {
   const oracle::BoundaryRecord record = oracle::brute_boundary(patch.balls);
   PlacedBoundary result;

@@ -214,7 +214,7 @@ TEST(Selected, TakesNoMoreRoomThanTheWhole) {
   EXPECT_EQ(some.needed().circles, circles);
 }
 
-// Whatever else asks for the whole is refused, until the whole is computed again.
+// Every other call for the whole is refused, until the whole is computed again.
 TEST(Selected, AnswersNothingElse) {
   const Balls balls = {{0, 0, 0, 3}, {4, 0, 0, 3}, {2, 3, 0, 3}};
   const LibraryBoundary whole(balls);

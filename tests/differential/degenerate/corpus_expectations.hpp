@@ -24,7 +24,7 @@ inline std::vector<DegenerateSet> corpus() {
 
 using Check = std::string (*)(const oracle::Balls &);
 
-// What is wrong, for a set small enough to be tried many times with balls left out.
+// The fault of a result, for a set small enough to be tried many times with balls left out.
 inline std::string complaint_about(const oracle::Balls &balls, Check check) {
   if (balls.size() <= 40) return complaint_about_smallest(balls, check);
   try {

@@ -1,4 +1,4 @@
-// What the rows of crambin in the degenerate list rest on: its boundary by brute force, its measures by slices.
+// The ground of crambin's rows in the degenerate list: its boundary by brute force, its measures by slices.
 #include <gtest/gtest.h>
 
 #include <cmath>

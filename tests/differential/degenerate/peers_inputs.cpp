@@ -30,7 +30,7 @@ Amount ball(Real radius) {
   return {4 * pi * radius * radius, 4 * pi / 3 * radius * radius * radius};
 }
 
-// What a plane at a distance from the centre cuts off.
+// The cap that a plane at a distance from the centre cuts off.
 Amount cap(Real radius, Real distance) {
   const Real height = radius - distance;
   return {2 * pi * radius * height, pi * height * height * (3 * radius - height) / 3};

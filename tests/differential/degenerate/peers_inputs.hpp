@@ -13,7 +13,7 @@ namespace degenerate {
 
 using support::BallList;
 
-// What decides whether a result is right.
+// The test that decides whether a result is right.
 enum class Arbiter {
   formula,    // area and volume of `right`
   slices,     // quadrature over slices of the balls as rounded to the lattice
@@ -34,7 +34,7 @@ struct PeersRow {
   BallList balls;
   Right right;
   Topology topology;  // components, voids, shells, Euler characteristic of the union
-  // What others return, as measured in the versions that the test prints; "ok" is right to 1e-9.
+  // The results of others, as measured in the versions that the test prints; "ok" is right to 1e-9.
   std::string voronota_lt;
   std::string alpha_mol;
   std::string libarvo;

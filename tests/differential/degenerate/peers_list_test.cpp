@@ -90,7 +90,7 @@ const char *name_of(Arbiter arbiter) {
   return "";
 }
 
-// What the library does, for the table.
+// The library's result, for the table.
 std::string check_finite(const PeersRow &row, const Session &session) {
   EXPECT_EQ(session.set_status, HSP_OK);
   EXPECT_EQ(session.first_bad, HSP_NONE);

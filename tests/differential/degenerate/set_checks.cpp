@@ -17,8 +17,8 @@ namespace {
 using oracle::Balls;
 using oracle::LatticeBall;
 
-// What is compared to the last bit: the boundary and the measures of single balls, by their rank in the perturbation
-// order.
+// Everything that is compared to the last bit: the boundary and the measures of single balls, by their rank in the
+// perturbation order.
 struct Outcome {
   oracle::CanonicalBoundary boundary;
   std::vector<double> area;

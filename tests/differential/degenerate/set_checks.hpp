@@ -1,4 +1,4 @@
-// What must hold of the library's boundary of any set of balls.
+// Rules for the library's boundary of any set of balls.
 #pragma once
 
 #include <string>

@@ -49,7 +49,7 @@ TEST(Gradients, OfMolecules) {
   expect_nearly_all_known(tally);
 }
 
-// What the comparison with slices rests on: turned, they say the same.
+// The comparison with slices rests on this: turned, they say the same.
 TEST(Gradients, SlicesAreAsExactAsAssumed) {
   if (!oracle::has_long_reals) GTEST_SKIP() << "long doubles are doubles here";
   for (const oracle::NamedBalls &set : sets_of_every_kind(85)) {

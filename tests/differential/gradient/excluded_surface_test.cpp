@@ -110,7 +110,7 @@ std::ostream &operator<<(std::ostream &out, const Tally &tally) {
              << tally.weighted_uncertain;
 }
 
-// What the balls have in common is not smooth where arcs and vertices are born: its quotients converge less often.
+// The common part of the balls is not smooth where arcs and vertices are born: its quotients converge less often.
 struct Gradients {
   SmoothSurface::Gradient area, volume, weighted;
   std::vector<double> sigma;

@@ -32,7 +32,7 @@ struct Circle {
   Real d, h;
 };
 
-// What Gauss-Bonnet and Stokes add up on each sphere.
+// The sums of Gauss-Bonnet and Stokes on each sphere.
 struct Sums {
   Real steradians = 0, by_radius = 0;
   Vector vector_area{0, 0, 0}, by_centre{0, 0, 0};
@@ -166,7 +166,7 @@ Errors errors_of(const char *file, int64_t probe) {
   return errors;
 }
 
-// What version 0.1.0 had: no error may be larger.
+// The errors of version 0.1.0: none may be larger.
 struct Limits {
   const char *file;
   int64_t probe;

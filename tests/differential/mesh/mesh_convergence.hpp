@@ -7,7 +7,7 @@
 #include "mesh_expectations.hpp"
 #include "random_numbers.hpp"
 
-// What was seen, over all sets.
+// The counts of what was seen, over all sets.
 struct ConvergenceTally {
   uint32_t sets = 0, cut = 0, cusped = 0, several_shells = 0;
   double area_ratio = 0.0, volume_ratio = 0.0;  // largest, of errors with half the edge and with the whole one

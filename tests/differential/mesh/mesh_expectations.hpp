@@ -1,4 +1,4 @@
-// What every mesh has to be: closed, oriented, with the Euler characteristic of what it is a mesh of, and on it.
+// Rules for every mesh: closed, oriented, with the Euler characteristic of what it is a mesh of, and on it.
 #pragma once
 
 #include <gtest/gtest.h>

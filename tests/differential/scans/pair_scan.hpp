@@ -26,7 +26,7 @@ struct PairOfBalls {
 // Oxygen 1.52 and hydrogen 1.10 angstrom: the bonds O-O and O-H, without a probe and with one of 1.4 angstrom.
 std::vector<PairOfBalls> scanned_pairs();
 
-// What the library says of a pair, in units and their powers. The first ball stays at the origin.
+// The library's answers about a pair, in units and their powers. The first ball stays at the origin.
 struct PairResults {
   std::array<double, 2> area;
   double volume;

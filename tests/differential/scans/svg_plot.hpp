@@ -38,7 +38,7 @@ class PlotPanel {
   void curve(const std::vector<PlotPoint> &points, const std::string &colour, PlotStroke stroke);
   // A value that belongs to the curve, or one that does not (an open dot).
   void dot(PlotPoint point, const std::string &colour, bool filled);
-  // What a stroke means; rows count from the top, from a place in the panel's own numbers on.
+  // The meaning of a stroke; rows count from the top, from a position in the panel's own numbers on.
   void legend(PlotPoint place, int row, const std::string &text, const std::string &colour, PlotStroke stroke);
 
   [[nodiscard]] const std::string &svg() const { return svg_; }

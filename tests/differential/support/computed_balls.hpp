@@ -27,7 +27,7 @@ class ComputedBalls {
   computed computed_{};
 };
 
-// What an invariant says is broken, as a complaint.
+// A broken invariant as a complaint.
 inline std::string complaint_of(const char *broken) {
   return broken == nullptr ? "" : std::string(broken) + "; ";
 }

@@ -5,6 +5,6 @@
 
 #include "lattice_ball.hpp"
 
-// What differs by more than 1e-12 of a ball's sphere (areas), or of that times the set's extent (volumes); empty if
-// nothing does. For balls in general position.
+// Differences of more than 1e-12 of a ball's sphere (areas), or of that times the set's extent (volumes); empty if
+// there are none. For balls in general position.
 std::string faces_differ(const oracle::Balls &balls);

@@ -7,7 +7,7 @@
 
 #include "measure_differences.hpp"
 
-// What a number of comparisons came to. Derivatives of areas are relative to the largest radius, those of volumes to
+// The outcome of a number of comparisons. Derivatives of areas are relative to the largest radius, those of volumes to
 // its square.
 struct GradientTally {
   size_t compared = 0;

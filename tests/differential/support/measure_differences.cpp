@@ -49,7 +49,7 @@ std::vector<Value> differences_of(const std::vector<Value> &above, const std::ve
   std::vector<Value> result;
   for (size_t i = 0; i < above.size(); ++i) {
     const Real difference = above[i].value - below[i].value;
-    // What does not change to the bit does not depend on the variable: there is no noise either.
+    // A value that does not change to the bit does not depend on the variable: there is no noise either.
     result.push_back({difference, difference == 0 ? 0 : above[i].noise + below[i].noise});
   }
   return result;
@@ -117,8 +117,8 @@ MeasuredValues measured_by_library(const Balls &balls) {
 }
 
 MeasuredValues measured_by_slices(const Balls &balls) {
-  // Finer than usual: a ball's end close to the end of a circle costs digits. What is left is seen by turning the set,
-  // see tests/differential/gradient/differences_test.cpp.
+  // Finer than usual: a ball's end close to the end of a circle costs digits. The rest is seen by turning the set, see
+  // tests/differential/gradient/differences_test.cpp.
   const oracle::SliceMeasures measures = oracle::measure_by_slices(oracle::real_balls(balls), 0.07L);
   constexpr Real relative = 2e-15L;
   const Real radius = largest_radius(balls);

@@ -6,7 +6,7 @@
 
 #include "lattice_ball.hpp"
 
-// What is wrong with a set of balls; empty if nothing is.
+// The fault of a set of balls; empty if it has none.
 using Complaint = std::function<std::string(const oracle::Balls &)>;
 
 // The complaint about the balls (exceptions count as complaints), and if there is one, a set from which no ball can be

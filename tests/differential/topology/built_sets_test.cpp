@@ -73,7 +73,7 @@ TEST(BuiltSets, KeepTheInvariants) {
   }
 }
 
-// What was built is what the oracle finds; without it a shell that does not close would go unnoticed here.
+// The built topology is the oracle's; without it a shell that does not close would go unnoticed here.
 TEST(BuiltSets, AreNestedAsTheDualComplexHasIt) {
   int compared = 0;
   for (const BuiltSet &set : built_sets()) {

@@ -92,8 +92,8 @@ void add_rings_and_cages(std::vector<BuiltSet> &sets) {
                    {moved(balls_on_circle(25, 1, 5, 0, 1), 0, 25, 0), 1, 0, 0}}});
   sets.push_back(
       {"a ring in a void", {hollow(balls_on_sphere(7, 20, 100)), {balls_on_circle(25, 1, 5, 0, 2), 1, 0, 0}}});
-  // Six of the 54 points at distance 7 are on the axes. What is left has windows there: a ball with n holes in its
-  // shell is a solid of genus n - 1.
+  // Six of the 54 points at distance 7 are on the axes. The rest has windows there: a ball with n holes in its shell is
+  // a solid of genus n - 1.
   const Balls shell = balls_on_sphere(7, 10, 36);
   const Integer far = 70;
   const std::vector<LatticePoint> poles = {{far, 0, 0},  {0, far, 0},  {0, 0, far},

@@ -13,7 +13,7 @@
 
 using Direction = std::array<double, 3>;
 
-// What hsp_view_compute is asked for; directions of zeros mean the defaults.
+// The input of hsp_view_compute; directions of zeros mean the defaults.
 struct ViewChoice {
   uint32_t pieces = HSP_PIECES_OUTSIDE_FARTHER;
   uint32_t flags = 0;

@@ -175,7 +175,7 @@ static void put_fields(const call *c) {
   }
 }
 
-/* What is written in outputs themselves is taken out of them, so that nothing in them may change. */
+/* Arrays that are written in outputs themselves are taken out of them, so that nothing in them may change. */
 static void take_fields(const call *c) {
   int i;
   for (i = 0; i < c->f->count; ++i) {

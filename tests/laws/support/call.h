@@ -19,7 +19,8 @@ typedef struct call {
   int outside; /* whether memory outside of the arguments was touched */
 } call;
 
-/* What is made anew before the next call: all of the fixture, of so many balls; a handle of it that is spoilt. */
+/* The handles that are made anew before the next call: all of the fixture, of so many balls; a handle of it that is
+/* spoilt. */
 void call_with_balls(uint32_t balls);
 void call_spoils(const void *handle);
 
@@ -34,12 +35,12 @@ void call_prepare_next(call *c, const function *f, uint32_t capacity);
 void *call_put(call *c, int i, size_t bytes);
 void call_put_null(call *c, int i);
 
-/* What base arguments hold: the number i of a function; `count` numbers or structs of an array, or one struct. */
+/* The contents of base arguments: the number i of a function; `count` numbers or structs of an array, or one struct. */
 value base_number(const function *f, int i);
 void fill_base(const argument *a, void *out, size_t count);
 const char *base_text(const argument *a);
 
-/* Calls. What holds of every call is seen to: `outside`, and call_finds. */
+/* Calls. The rules for every call are seen to: `outside`, and call_finds. */
 void call_run(call *c);
 
 /* NULL, or what is wrong whatever the arguments are: an undocumented status, an input that was written, memory outside
@@ -52,7 +53,7 @@ int call_is_refused(const call *c, int32_t status);
 /* NULL, or the name of an output that was written although its name is not in `but`: "|name|name|". */
 const char *call_wrote(const call *c, const char *but);
 
-/* What a number of `needed` became; 0 if the function has none. */
+/* The value of `needed` afterwards; 0 if the function has none. */
 uint32_t call_needed(const call *c);
 
 #ifdef __cplusplus

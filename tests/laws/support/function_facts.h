@@ -1,4 +1,4 @@
-/* What is known of a function of the registry by the kinds of its arguments, and by names that always mean the same. */
+/* Facts about a function of the registry by the kinds of its arguments, and by names that always mean the same. */
 #pragma once
 
 #include "registry.h"
@@ -7,7 +7,8 @@
 extern "C" {
 #endif
 
-/* What the header lets a function write when it fails, but for handles that are refused: why there are no results. */
+/* Arguments that the header lets a function write when it fails, but for refused handles: the reason why there are no
+/* results. */
 int names_reason(const function *f, const argument *a);
 
 /* The place of an argument, -1 if there is none. */

@@ -1,4 +1,4 @@
-! What digits.c prints, by the Fortran modules.
+! The output of digits.c, by the Fortran modules.
 program digits
   use, intrinsic :: iso_c_binding, only: c_int64_t
   use hardsphere_workspace

@@ -1,4 +1,4 @@
-/* What the image needs of a machine: memory, a way out for text, and what its instructions and stack cost. */
+/* The image's demands on a machine: memory, a way out for text, and what its instructions and stack cost. */
 #ifndef HARDSPHERE_FIRMWARE_MACHINE_H
 #define HARDSPHERE_FIRMWARE_MACHINE_H
 

@@ -1,5 +1,5 @@
-// What class Boundary says of small unions, of balls without a free part too: ids of one ball are consecutive, all
-// parts of a ball know it, and the state of every ball is that found by hand.
+// Small unions in class Boundary, of balls without a free part too: ids of one ball are consecutive, all parts of a
+// ball know it, and the state of every ball is that found by hand.
 #pragma once
 
 #include <initializer_list>

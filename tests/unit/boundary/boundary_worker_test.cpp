@@ -1,5 +1,5 @@
-// The shares of workers are all cubes, each once and in order, and about equally many balls. What they find together is
-// what one finds: also with hardly any room, where it shows how many there are.
+// The shares of workers are all cubes, each once and in order, and about equally many balls. Several together find what
+// one finds: also with hardly any room, where it shows how many there are.
 #include "boundary/boundary_worker.hpp"
 
 #include <gtest/gtest.h>

@@ -16,7 +16,7 @@ struct Seen {
   int half_edges = 0, same_x = 0, many = 0;
 };
 
-// What lies on a ball is sorted by the ranks of the balls around it.
+// Half-edges on a ball are sorted by the ranks of the balls around it.
 void expect_order_of_ranks(const oracle::Balls &balls, Seen &seen) {
   const BuiltBoundary built(balls);
   ASSERT_EQ(built.status(), hsp::Status::ok);

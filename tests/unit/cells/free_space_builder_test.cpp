@@ -325,7 +325,7 @@ TEST(FreeSpace, OfTheLargestNumbers) {
   }
 }
 
-// Whatever the limits are, retrying with what was needed ends well, and soon.
+// A retry with the needed limits ends well, and soon, for any first limits.
 TEST(FreeSpace, GrowsToWhatItNeeds) {
   oracle::RandomSource random(7);
   for (int k = 0; k < 60; ++k) {

@@ -1,5 +1,5 @@
 // Power cells of the balls of one cube: their vertices are all points of three planes that are beyond no other plane,
-// each joined to three others, and they are polyhedra by Euler. What doubles say of them is what integers say.
+// each joined to three others, and they are polyhedra by Euler. Doubles say of them what integers say.
 #include "cells/power_cell.hpp"
 
 #include <gtest/gtest.h>

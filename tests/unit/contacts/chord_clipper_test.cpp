@@ -1,4 +1,4 @@
-// What is left of single chords, in doubles and exactly, against clipping in long doubles.
+// The rest of single chords, in doubles and exactly, against clipping in long doubles.
 #include "contacts/chord_clipper.hpp"
 
 #include <gtest/gtest.h>

@@ -46,7 +46,7 @@ TEST(Poison, IsTakenBack) {
   }
 }
 
-// What carves poisons every pad, also those of no bytes.
+// Carving poisons every pad, also those of no bytes.
 TEST(Poison, OfNothing) {
   Block block;
   hsp::poison(block.bytes + 16, 0);

@@ -47,7 +47,7 @@ inline uint32_t sorted_in_place() {
       [](hsp::Span<uint32_t> items, hsp::Span<uint32_t>) { hsp::sort_in_place(items, ascending); });
 }
 
-// Whatever is said about the slots: the truth, nothing, nearly the truth, the opposite.
+// Hints about the slots of every kind: the truth, nothing, nearly the truth, the opposite.
 inline uint32_t sorted_by_slot() {
   struct Guess {
     uint32_t (*place)(uint32_t item, uint32_t slots);

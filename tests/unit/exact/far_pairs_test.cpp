@@ -1,5 +1,5 @@
-// Pairs of balls so far apart that the squares of the differences leave 64 bits. What stops them before anything is
-// squared is asked for each axis and direction on its own.
+// Pairs of balls so far apart that the squares of the differences leave 64 bits. The test that stops them before
+// anything is squared is asked for each axis and direction on its own.
 #include <gtest/gtest.h>
 
 #include <vector>

@@ -122,7 +122,7 @@ void shift_and_append(Balls &balls, double shift) {
   }
 }
 
-// What must hold whatever the set.
+// Rules that hold for every set.
 void expect_consistent(const Balls &balls, double probe, const Answers &first) {
   const StageCounters &counters = first.counters;
   // A pair that is passed on asks once whether it crosses, and has no symbolic perturbation of its own.

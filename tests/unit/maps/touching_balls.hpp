@@ -53,8 +53,8 @@ inline SeenSet touching_pair(oracle::RandomSource &random) {
   return set;
 }
 
-// What is seen of two balls that touch: the nearer disc, and the other one without what both have in common; but of a
-// ball inside the other one nothing.
+// The visible part of two balls that touch: the nearer disc, and the other one without what both have in common; but of
+// a ball inside the other one nothing.
 inline std::array<double, 2> areas_of_pair(const SeenSet &set) {
   const oracle::LatticeBall &a = set.balls[0], &b = set.balls[1];
   const double r[2] = {static_cast<double>(a.radius), static_cast<double>(b.radius)};

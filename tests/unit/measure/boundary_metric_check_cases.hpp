@@ -1,5 +1,5 @@
-// What only lengths and areas can find: vertices off their spheres, a face taken for two, a surface that does not
-// close. No invariant of the structure knows better.
+// Faults that only lengths and areas can find: vertices off their spheres, a face taken for two, a surface that does
+// not close. No invariant of the structure knows better.
 #pragma once
 
 #include <initializer_list>

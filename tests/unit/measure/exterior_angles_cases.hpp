@@ -73,7 +73,7 @@ inline uint32_t sums_next_to_half_turns() {
   return all_hold;
 }
 
-// What a lane without directions adds is nothing, and directions (1, 0) change nothing.
+// A lane without directions adds nothing, and directions (1, 0) change nothing.
 inline uint32_t sums_of_nothing() {
   hsp::ExteriorAngleSum<2> none, lower, with_nothing;
   for (hsp::ExteriorAngleSum<2> *sum : {&lower, &with_nothing}) {

@@ -117,7 +117,7 @@ void expect_patch(const Pinched &pinched, int64_t loops, double area, double tol
   EXPECT_EQ(pinched.between_others, 0);
 }
 
-// What is not pinched comes out as usual.
+// A patch that is not pinched comes out as usual.
 TEST(PinchedPatch, OfBordersApart) {
   const Pinched cap({circle(0.5, 24, true)}, 0.3);
   EXPECT_EQ(cap.unpinched, PatchState::complete);

@@ -21,7 +21,7 @@ struct LatticeBalls {
   double x[most + 7], y[most + 7], z[most + 7], r[most + 7];
   uint32_t caller[most + 7];
 
-  // Multiples of the scale, moved by a constant along x. What stands behind the balls would be hits.
+  // Multiples of the scale, moved by a constant along x. The numbers after the balls would be hits.
   void fill(Random &random, int64_t extent, int64_t scale, int64_t moved) {
     for (uint32_t j = 0; j < most + 7; ++j) {
       const bool behind = j >= most;

@@ -1,5 +1,5 @@
 // After any sequence of moves every number of every ball is, bit for bit, what a new model of the same balls has: on
-// random and degenerate sets and on a molecule, with moves taken back in between. What is refused changes nothing.
+// random and degenerate sets and on a molecule, with moves taken back in between. A refused call changes nothing.
 #include "moving/moving_balls.hpp"
 
 #include <gtest/gtest.h>

@@ -41,7 +41,7 @@ size_t number_object(const std::string &text, const std::string &number) {
   return std::stoul(between(text, '\n' + number + " 0 obj\n", "\nendobj"));
 }
 
-// What the stream of object `number`, whose length is object `length`, was before it was compressed.
+// The stream of object `number`, whose length is object `length`, before it was compressed.
 std::string inflated(const std::string &text, const std::string &number, const std::string &length) {
   const size_t from = text.find("stream\n", text.find('\n' + number + " 0 obj\n")) + 7;
   const size_t bytes = number_object(text, length);

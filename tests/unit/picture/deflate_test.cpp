@@ -1,4 +1,4 @@
-// What is compressed is what zlib makes of it again.
+// Compressed bytes are read by zlib as they were.
 #include "picture/deflate.hpp"
 
 #include <gtest/gtest.h>

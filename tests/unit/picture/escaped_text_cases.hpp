@@ -30,7 +30,7 @@ inline uint32_t texts_for_xml() {
   });
 }
 
-// What is left over stands behind the parenthesis.
+// The rest stands behind the parenthesis.
 struct Parenthesized {
   const char *text;
   uint32_t most;

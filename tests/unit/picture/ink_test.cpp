@@ -13,7 +13,7 @@ namespace {
 
 using hsp::InkLevel;
 
-// What lies on both sides of a ball in front: caller 0 far behind, caller 1 in front.
+// A label on both sides of a ball in front: caller 0 far behind, caller 1 in front.
 constexpr cases::SmallBall balls[] = {{0, 0, 0, 100}, {0, 0, 400, 40}};
 
 struct Given {

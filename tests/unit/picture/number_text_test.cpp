@@ -10,7 +10,7 @@
 
 namespace {
 
-// What printf writes, without zeros that say nothing.
+// The text that printf writes, without zeros that say nothing.
 std::string by_printf(double value, int decimals) {
   char buffer[400];
   std::snprintf(buffer, sizeof buffer, "%.*f", decimals, value);

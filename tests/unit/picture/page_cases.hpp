@@ -162,7 +162,7 @@ constexpr PageLine page_lines[] = {{100, false, 0, 0},
                                    {100, false, 2, 2},
                                    {100, true, 25.4, inch},
                                    {100, false, 6e-5, 6e-5},
-                                   // What would be written as 0.
+                                   // Numbers that would be written as 0.
                                    {100, false, 4e-5, 0},
                                    // By the mean radius: .9 px where it is 34 px, with its square root, within bounds.
                                    {68, false, -1, .9},

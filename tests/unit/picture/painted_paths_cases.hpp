@@ -1,4 +1,4 @@
-// What a view hands out to be painted: its pieces with their arcs, and the box around them.
+// A view handed out to be painted: its pieces with their arcs, and the box around them.
 #pragma once
 
 #include "picture/painted_paths.hpp"
@@ -17,7 +17,7 @@ constexpr Seen seen_boxes[] = {
     {1, {{70, -80, 90, 10}}, {{-10, -10}, {10, 10}, 0, 0}},
     {2, {{0, 0, 0, 10}, {100, 40, 60, 30}}, {{-60, -30}, {80, 50}, -30, 30}},
     {3, {{60, 0, 0, 10}, {-20, 0, 100, 50}, {0, 200, 40, 5}}, {{-90, -150}, {50, 105}, -50, 50}},
-    // What is hidden takes no room, nor does a ball without a radius.
+    // Hidden balls take no room, nor does a ball without a radius.
     {2, {{0, 0, 0, 10}, {100, 60, -40, 0}}, {{-60, -40}, {-40, -20}, 20, 20}},
     {2, {{0, 0, 0, 10}, {-100, -60, 40, 0}}, {{40, 20}, {60, 40}, -20, -20}},
     {2, {{0, 0, 0, 10}, {0, 0, 40, 20}}, {{-20, -20}, {20, 20}, 20, 20}}};

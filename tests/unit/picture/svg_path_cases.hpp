@@ -21,7 +21,7 @@ PathText path_text(const hsp::SvgFrame &frame, int decimals, Put put) {
 }
 constexpr hsp::SvgFrame page_of_height_10{{0, 10}, 1};
 
-// What goes on behind M1.5 2 by lines to some points, y up.
+// The path after M1.5 2 by lines to some points, y up.
 struct LineText {
   uint32_t points;
   hsp::PagePoint to[3];
@@ -123,7 +123,7 @@ inline uint32_t svg_arcs_are_well_conditioned() {
             if (!next_arc(reader, at, read) || read[0] != 10 || read[1] != minor) return false;
             if ((read[3] != 0) != c.large[k] || read[4] != (turn > 0 ? 0 : 1)) return false;
             if (!near(read[2], arc.circle ? 0 : -.3 * 180 / hsp::pi, .05)) return false;
-            // What is short tells little of its centre, and needs not to.
+            // A short arc says little of its centre, and needs not to.
             if (c.turns < .1) continue;
             if (!centre_of_arc(start, read, centre) || !near(std::hypot(centre[0], centre[1]), 0, .08)) return false;
           }

@@ -14,7 +14,7 @@ inline const PictureText &svg(const hsp::PictureOptions &options, const hsp::Pic
   return written(hsp::write_svg, input, options);
 }
 
-// What the loops of a path run along, in px, y down. turn: +1 clockwise as it is seen.
+// The course of a path's loops, in px, y down. turn: +1 clockwise as it is seen.
 struct Loop {
   double centre[2], semi_axis[2], rotation;
   int turn;
@@ -319,7 +319,7 @@ inline uint32_t svg_lit_paths_run_along_circles() {
   return reader.take("\"/><use ") ? all_hold : 3;
 }
 
-// What names a file has: numbers of balls, or ids in their place where there are classes, and tooltips.
+// The names in a file: numbers of balls, or ids instead where there are classes, and tooltips.
 inline uint32_t svg_names_balls() {
   constexpr const char *classes[] = {"el-C res-A&B", nullptr, "", "chain-1"};
   constexpr const char *titles[] = {nullptr, "a<b", "", "CYS 16 SG"};

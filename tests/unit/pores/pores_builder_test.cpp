@@ -189,7 +189,7 @@ TEST(PoresBuilder, EveryLimitIsReportedAndTakenBack) {
   }
 }
 
-// What was needed suffices, and one less of any of it does not.
+// The needed limits suffice, and one less of any of them does not.
 TEST(PoresBuilder, WhatWasNeededIsNoMoreThanThat) {
   oracle::RandomSource random(8);
   for (int turn = 0; turn < 6; ++turn) {

@@ -48,7 +48,7 @@ struct BruteForce {
   long double gap = INFINITY;
 };
 
-// Empty, or what is answered otherwise from any witness. What comes back is a pair of the answer.
+// Empty, or what is answered otherwise from any witness. The pair that comes back is one of the answer.
 template <class AnyPose>
 std::string witness_complaint(const hsp::SphereTree &fixed, const hsp::SphereTree &moving, const AnyPose &pose,
                               const hsp::PairGap &least) {

@@ -63,7 +63,7 @@ long double length(const HalfSpace &P) {
   return std::sqrt(squared);
 }
 
-// What an arithmetic says of the caps of ball 0 of four: the caps, pairs of them, and their points.
+// The caps of ball 0 of four in some arithmetic: the caps, pairs of them, and their points.
 struct CapNumbers {
   double u[3], b;
 };

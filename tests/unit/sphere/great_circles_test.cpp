@@ -11,7 +11,6 @@
 #include "built_topology.hpp"
 #include "circle_order.hpp"
 #include "random_balls.hpp"
-#include "sphere/gathered_ball.hpp"
 
 namespace {
 

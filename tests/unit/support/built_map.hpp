@@ -37,8 +37,8 @@ class BuiltMap {
   hsp::Status status_ = hsp::Status::ok;
 };
 
-// What the edges of a map say about the owner of every pixel centre, row by row. Curves are computed from the balls of
-// the edges alone, not as the library does.
+// The owner of every pixel centre by the edges of a map, row by row. Curves are computed from the balls of the edges
+// alone, not as the library does.
 struct MapImage {
   std::vector<uint32_t> ball;    // the caller's number
   std::vector<uint8_t> on_edge;  // whether an edge passes within 1e-6 pixels in the row

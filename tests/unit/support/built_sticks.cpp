@@ -115,7 +115,7 @@ DrawnPath path_of(const BuiltSticks &built, uint32_t path, hsp::PathPart part) {
   return result;
 }
 
-// What is wrong with the arcs of a path by themselves.
+// The fault of the arcs of a path by themselves.
 std::string broken(const DrawnPath &path, double tolerance) {
   size_t first = 0;
   if (path.turned) return "a minor axis on the wrong side";
@@ -162,7 +162,7 @@ double length_of(const oracle::Path &path) {
   return length;
 }
 
-// What is wrong with the records of a map: its invariants, and the areas of the faces of each body against pixels.
+// The fault of the records of a map: its invariants, and the areas of the faces of each body against pixels.
 std::string broken_records(const BuiltSticks &built, const std::vector<oracle::Path> &paths,
                            const std::vector<uint32_t> &name, const oracle::PixelGrid &grid,
                            const std::vector<oracle::SeenPixel> &image) {
@@ -185,7 +185,7 @@ std::string broken_records(const BuiltSticks &built, const std::vector<oracle::P
   return "";
 }
 
-// What is seen at a point: the body as the z-buffer has it, and a face that shows it.
+// The answer at a point: the body as the z-buffer has it, and a face that shows it.
 std::string broken_sight(const BuiltSticks &built, double x, double y, const oracle::SeenPixel &pixel,
                          double tolerance) {
   const hsp::StickMap &map = built.builder().map();

@@ -14,7 +14,7 @@ class CarvedMemory {
   CarvedMemory(const CarvedMemory &) = delete;
   CarvedMemory &operator=(const CarvedMemory &) = delete;
 
-  // What was carved before loses its memory.
+  // Earlier carvings lose their memory.
   template <class Carved, class... Limits>
   void carve(Carved &carved, const Limits &...limits) {
     hsp::unpoison(memory_.data(), memory_.size());

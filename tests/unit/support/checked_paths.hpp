@@ -22,7 +22,7 @@ using hsp::exact::Vector;
 using oracle::Balls;
 using oracle::BigInteger;
 
-// What a test has met, so that it can tell that it has met enough.
+// The cases that a test has met, so that it can tell that it has met enough.
 struct Seen {
   uint32_t found = 0, certified = 0, apart = 0, covered = 0, bent = 0, of_many = 0;
 };

@@ -80,7 +80,7 @@ inline bool joined(const Balls &balls, const Vector &from, const Vector *to) {
   return cell_of(topology, from) == (to == nullptr ? 0 : cell_of(topology, *to));
 }
 
-// What a test has met: passages between three balls, and points that are tighter than all of them.
+// The cases that a test has met: passages between three balls, and points that are tighter than all of them.
 struct Seen {
   uint32_t gates = 0, touches = 0;
 };

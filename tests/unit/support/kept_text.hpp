@@ -40,7 +40,7 @@ struct KeptText {
   }
 };
 
-// What `put` writes into the sink it is called with.
+// The text that `put` writes into the sink it is called with.
 template <size_t most = 100, class Put>
 KeptText<most> text_of(Put put) {
   KeptText<most> kept;

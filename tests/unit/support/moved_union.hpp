@@ -12,7 +12,7 @@
 #include "measure/tangency.hpp"
 #include "moving/moving_balls.hpp"
 
-// What is known of balls: of all, and of each.
+// Facts about balls: about all, and about each.
 struct UnionNumbers {
   hsp::BallMeasure totals;
   hsp::Energy energy;

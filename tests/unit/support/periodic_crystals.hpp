@@ -94,7 +94,7 @@ inline void expect_one_contact_from_both_sides(const BuiltPeriodic &built) {
   }
 }
 
-// What is known of each ball: everything that is counted there, and numbers.
+// Facts about each ball: everything that is counted there, and numbers.
 inline void expect_as_in_copies(const Crystal &crystal, int range = 4) {
   const BuiltPeriodic built(crystal.balls, crystal.box);
   ASSERT_EQ(built.status(), hsp::Status::ok);

@@ -8,7 +8,7 @@
 
 namespace cases {
 
-// What a picture of small_view() is made of.
+// The inputs of a picture of small_view().
 inline hsp::PictureInput picture_input(const uint32_t *colour = nullptr, const char *title = nullptr,
                                        const char *description = nullptr) {
   return {small_view().balls(), hsp::paths_of(small_view().view()), colour, title, description};
@@ -40,7 +40,7 @@ inline hsp::PictureOptions two_px_per_step(double width) {
   return options;
 }
 
-// What is asked of a picture of one ball.
+// The request for a picture of one ball.
 struct FileOptions {
   double width;
   bool millimetres, ids, backdrop;
@@ -52,7 +52,7 @@ constexpr FileOptions broken_points{300.4, false, true, true, 1.5, nullptr, null
 constexpr FileOptions an_inch{25.4, true, false, true, 25.4, "", ""};
 constexpr FileOptions escaped_texts{40, false, false, false, 0, "a(b)\\c\xC3\xA9", "1 (2)\n3"};
 
-// What stands in such a file exactly once, and what stands nowhere in it.
+// The texts that stand in such a file exactly once, and those that stand nowhere in it.
 struct FileParts {
   FileOptions options;
   const char *present[4];

@@ -4,7 +4,7 @@
 #include "boundary/boundary_builder.hpp"
 #include "cases.hpp"
 #include "sphere/cap_clusters.hpp"
-#include "sphere/gathered_ball.hpp"
+#include "sphere/great_circles.hpp"
 
 namespace cases {
 

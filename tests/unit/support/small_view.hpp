@@ -1,5 +1,5 @@
-// What is seen of a few balls, in memory of fixed size, for cases that run without a heap; and brute force to compare
-// it with.
+// A view of a few balls, in memory of fixed size, for cases that run without a heap; and brute force to compare it
+// with.
 #pragma once
 
 #include "small_union.hpp"

@@ -14,7 +14,7 @@ bool same_bits(T a, T b) {
 constexpr double lane_values[] = {0.0, -0.0, 1.5, -3.0, 2.0, 0x1p-1074, -0x1p1000, 9.0, -1e300, 0.25, 16.0, -1.0};
 constexpr uint32_t lane_value_count = sizeof lane_values / sizeof *lane_values;
 
-// What is wrong, or null. Every pair of values meets in every lane, beside others.
+// The fault, or null. Every pair of values meets in every lane, beside others.
 template <class T, uint32_t n>
 const char *check_lanes() {
   using L = hsp::Wide<T, n>;

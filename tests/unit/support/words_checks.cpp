@@ -176,7 +176,7 @@ const char *check_fractions() {
         return "twice";
     }
   }
-  // What is too large stops, and halves are rounded to even.
+  // A number that is too large stops, and halves are rounded to even.
   const float far[2 * n] = {4.0F, -4.0F, 0x1.8p-15F, 0x2.8p-15F};
   const float near[2 * n] = {0x7FFFp-15F, -1.0F, 0x2p-15F, 0x2p-15F};
   const Fractions x = Fractions::of(Floats::load(far), Floats::load(far + n), 1.0F);

@@ -1,4 +1,4 @@
-// What covers the circle of two balls: the free arcs and the gaps between them are a whole turn, and lead around it.
+// The cover of the circle of two balls: the free arcs and the gaps between them are a whole turn, and lead around it.
 #pragma once
 
 #include "measure/boundary_positions.hpp"

@@ -6,8 +6,8 @@
 
 namespace cases {
 
-// The two probes of a throat share a whole circle; a crease between cusps has ends. What one of
-// the two patches has is spoilt by more than is allowed, and by less.
+// The two probes of a throat share a whole circle; a crease between cusps has ends. The length of one of the two
+// patches is spoilt by more than is allowed, and by less.
 inline uint32_t lengths_of_creases() {
   uint32_t whole = 0;
   uint32_t with_ends = 0;

@@ -52,7 +52,8 @@ inline uint32_t too_many_are_counted_too() {
   return all_hold;
 }
 
-// What pieces lack of their patch is added in proportion to their areas; to the first if none of them has any.
+// The missing area of a patch is added to its pieces in proportion to their areas; to the first if none of them has
+// any.
 inline uint32_t pieces_are_fitted() {
   alignas(64) unsigned char memory[2048];
   hsp::Workspace workspace(memory, sizeof memory);

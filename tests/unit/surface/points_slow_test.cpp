@@ -21,7 +21,7 @@ namespace {
 
 using hsp::Vec3;
 
-// What lies nearer to a border is not asked about: lengths are about 1.
+// Points nearer to a border are not asked about: lengths are about 1.
 constexpr double border = 1e-6;
 constexpr double same = 1e-9;
 constexpr double step = 0x1p-24;  // all numbers are multiples of it
@@ -75,7 +75,7 @@ class RandomPoints {
   }
   const hsp::BallSet &balls() const { return built_.balls(); }
 
-  // What the definition says of the point in this direction from where the probe stands.
+  // The definition's answer at the point in this direction from where the probe stands.
   void expect_on_surface(const hsp::Position &centre, const Vec3 &w, bool on_surface) {
     oracle::Point x;
     hsp::to_coordinates(balls(), {centre.ball, centre.offset + p_ * w}, x.data());

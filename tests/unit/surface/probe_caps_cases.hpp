@@ -1,4 +1,4 @@
-// What cuts concave patches: octants, whose sides are known, and which vertices count.
+// The probes that cut concave patches: octants, whose sides are known, and which vertices count.
 #pragma once
 
 #include "measure/areas.hpp"

@@ -32,7 +32,7 @@ inline uint32_t positions_and_differences() {
   return all_hold;
 }
 
-// What is kept of one build does not outlive the next.
+// Contents of one build do not outlive the next.
 inline uint32_t builds_are_told_apart() {
   Random random(1);
   if (!searched_probes().build(random, 0)) return 0;

@@ -66,7 +66,7 @@ struct Kernel {
     Results results;
     const ArcBatch &batch = saddles.batch;
     results.served = find_radii(batch, saddles.ball.radius, results.circle_radius);
-    // What doubles did not serve is found elsewhere, slots behind the last included.
+    // Patches that doubles did not serve are found elsewhere, slots after the last included.
     for (uint32_t s = 0; s < batch.count + hsp::sum_lanes - 1; ++s) {
       double &rho = results.circle_radius[s];
       if (s >= batch.count || rho != rho) rho = 50;

@@ -80,7 +80,7 @@ inline uint32_t derivatives_by_differences() {
   });
 }
 
-// What a gradient says of a translation, of a rotation about the origin and of a magnification.
+// A gradient under a translation, a rotation about the origin and a magnification.
 struct Motion {
   double force[3] = {}, torque[3] = {}, growth, scale = 1.0;
   bool degenerate = false;

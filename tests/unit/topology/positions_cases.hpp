@@ -104,7 +104,7 @@ inline uint32_t faces_lie_on_the_left() {
   });
 }
 
-// What lies between two balls is computed from that of lower rank.
+// The position between two balls is computed from that of lower rank.
 inline uint32_t lower_ranks_are_the_frames() {
   return first_failing_either_way([](const Scene &) {
     const hsp::BallSet &balls = small_topology().balls();

@@ -134,7 +134,7 @@ inline uint32_t floors_by_hand() {
     if (small.floor().hides(c.asked)) return false;
     small.floor().raise(c.disc);
     if (small.floor().hides(c.asked) != c.hidden) return false;
-    // What is hidden stays so, whatever raises the floor.
+    // A hidden ball stays so, whatever raises the floor.
     small.floor().raise({c.disc.x, c.disc.y, c.disc.z - 30, c.disc.r});
     return small.floor().hides(c.asked) == c.hidden;
   });
@@ -161,8 +161,8 @@ inline uint32_t floors_of_boxes() {
   });
 }
 
-// What is_above() says of a box is what hides() says of balls all over it, after every ball that raises the floor: what
-// is kept about coarse cells and tiles is never too high, and is looked after when it is too low.
+// is_above() says of a box what hides() says of balls all over it, after every ball that raises the floor: the floors
+// of coarse cells and tiles are never too high, and are looked after when too low.
 inline uint32_t boxes_know_what_has_been_raised() {
   Random random(11);
   SmallFloor small({0, 1200, 0, 1200}, 2000, 100);

@@ -117,7 +117,7 @@ inline uint32_t painted_balls() {
   });
 }
 
-// What is needed suffices, and a limit below it does not; what was counted before the failure is reported.
+// The needed limits suffice, and a limit below them does not; the counts before the failure are reported.
 inline uint32_t needed_limits_suffice() {
   return first_failing(scenes, [](const Scene &c) {
     const hsp::ViewRequest request = seen_from(3, 1, 2);

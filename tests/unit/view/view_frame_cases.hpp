@@ -25,7 +25,7 @@ constexpr Axes axes[] = {{{{0, 0, 3}, {0, 2, 0}}, {0, 0, unit_step}, {1, 0, 0}, 
                          {{{-1e-300, 0, 0}, {0, 0, 1e300}}, {-unit_step, 0, 0}, {0, -1, 0}, {0, 0, 1}, {-1, 0, 0}},
                          // Zero means the default.
                          {{{0, 0, 0}, {0, 0, 0}}, {0, 0, unit_step}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
-                         // What is up and parallel to the view is replaced.
+                         // An up vector parallel to the view is replaced.
                          {{{0, 5, 0}, {0, 1, 0}}, {0, unit_step, 0}, {-1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
                          {{{0, -5, 0}, {0, 0, 0}}, {0, -unit_step, 0}, {1, 0, 0}, {0, 0, 1}, {0, -1, 0}},
                          {{{1, 0, 0}, {-2, 0, 0}}, {unit_step, 0, 0}, {0, 0, -1}, {0, 1, 0}, {1, 0, 0}}};

@@ -1,0 +1,84 @@
+/* The files that `pores` writes beside what it prints. */
+#include <stdlib.h>
+
+#include "commands/pores_found.h"
+#include "commands/tunnel_exchange.h"
+#include "write/point_file.h"
+
+static const char at_maximum[] = "MAX", at_gate[] = "GAT", on_the_way[] = "WAY";
+
+static void add_maximum(const struct pores_found *found, uint32_t maximum, struct point *point) {
+  point->atom = at_maximum;
+  point->xyz = found->maxima[maximum].xyz;
+  point->radius = found->maxima[maximum].radius;
+}
+
+static void add_gate(const struct pores_found *found, uint32_t gate, struct point *point) {
+  point->atom = at_gate;
+  point->xyz = found->gates[gate].xyz;
+  point->radius = found->gates[gate].radius;
+}
+
+static size_t add_pocket(const struct pores_found *found, uint32_t pocket, struct point *points) {
+  const struct number_lists *const maxima = &found->of_pockets, *const mouths = &found->mouths;
+  const struct point of_pocket = {.residue = "PKT", .chain = 'P', .number = pocket + 1};
+  size_t count = 0;
+  for (size_t k = maxima->first[pocket]; k < maxima->first[pocket + 1]; ++k) {
+    points[count] = of_pocket;
+    add_maximum(found, maxima->number[k], &points[count++]);
+  }
+  for (size_t k = mouths->first[pocket]; k < mouths->first[pocket + 1]; ++k) {
+    points[count] = of_pocket;
+    add_gate(found, mouths->number[k], &points[count++]);
+  }
+  return count;
+}
+
+/* Of the lists for persons. */
+static bool write_points(const struct pores_found *found, struct failure *failure) {
+  const struct request *const request = found->request;
+  const uint32_t maxima = found->counts.maxima, gates = found->counts.gates, pockets = found->pocket_count;
+  const bool others = request->gates || request->pockets >= 0.0 || request->tunnels_from.point.given;
+  const size_t of_pockets = pockets == 0 ? 0 : found->of_pockets.first[pockets] + found->mouths.first[pockets];
+  struct point *const points = calloc((size_t)maxima + gates + of_pockets + found->step_count + 1, sizeof *points);
+  if (points == NULL) return failure_of_memory(failure);
+  size_t count = 0;
+  for (uint32_t i = 0; i < maxima && !others; ++i) {
+    if (!pores_lists_maximum(found, i)) continue;
+    points[count] = (struct point){.residue = at_maximum, .chain = 'M', .number = i};
+    add_maximum(found, i, &points[count++]);
+  }
+  for (uint32_t i = 0; i < gates && request->gates; ++i) {
+    points[count] = (struct point){.residue = at_gate, .chain = 'G', .number = i};
+    add_gate(found, i, &points[count++]);
+  }
+  for (uint32_t i = 0; i < pockets; ++i) {
+    if (pores_lists_pocket(found, i)) count += add_pocket(found, i, points + count);
+  }
+  for (size_t i = 0; i < found->step_count; ++i) {
+    const struct tunnel_step *const step = &found->steps[i];
+    const hsp_tunnel_point *const at = &step->point;
+    points[count++] = (struct point){
+        .atom = at->maximum != HSP_NONE ? at_maximum
+                : at->gate != HSP_NONE  ? at_gate
+                                        : on_the_way,
+        .residue = "TUN",
+        .chain = 'T',
+        .number = step->tunnel,
+        .xyz = at->xyz,
+        .radius = at->radius,
+        .joined = i > 0 && found->steps[i - 1].tunnel == step->tunnel,
+    };
+  }
+  const bool done = point_file_write(points, count, request->points, failure);
+  free(points);
+  return done;
+}
+
+bool pores_write_files(const struct pores_found *found, const struct molecule *molecule, struct failure *failure) {
+  const struct request *const request = found->request;
+  return (request->points == NULL || write_points(found, failure)) &&
+         (request->tunnels_out == NULL || tunnel_exchange_write(found, molecule, request->tunnels_out, failure)) &&
+         (request->profile == NULL || pores_write_profile(found, molecule, request->profile, failure)) &&
+         (request->tree == NULL || pores_write_tree(found, molecule, request->tree, failure));
+}

@@ -1,0 +1,190 @@
+#include "commands/pores_found.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "commands/space_geometry.h"
+
+enum { TUNNELS = 3 };
+
+typedef int32_t get_list(const hsp_pores *pores, uint32_t of, uint32_t *numbers, uint32_t capacity, uint32_t *needed);
+
+static bool take_lists(const hsp_pores *pores, uint32_t things, get_list *get, struct number_lists *lists,
+                       struct failure *failure) {
+  lists->first = calloc((size_t)things + 1, sizeof *lists->first);
+  if (lists->first == NULL) return failure_of_memory(failure);
+  for (uint32_t i = 0; i < things; ++i) {
+    uint32_t needed = 0;
+    const int32_t status = get(pores, i, NULL, 0, &needed);
+    if (status != HSP_OK && status != HSP_E_CAPACITY) return failure_in_library(failure, status);
+    lists->first[i + 1] = lists->first[i] + needed;
+  }
+  lists->number = calloc(lists->first[things] + 1, sizeof *lists->number);
+  if (lists->number == NULL) return failure_of_memory(failure);
+  for (uint32_t i = 0; i < things; ++i) {
+    uint32_t needed = (uint32_t)(lists->first[i + 1] - lists->first[i]);
+    const int32_t status = get(pores, i, lists->number + lists->first[i], needed, &needed);
+    if (status != HSP_OK) return failure_in_library(failure, status);
+  }
+  return true;
+}
+
+static void free_lists(struct number_lists *lists) {
+  free(lists->first);
+  free(lists->number);
+}
+
+static bool take_tree(const hsp_pores *pores, struct pores_found *found, struct failure *failure) {
+  hsp_pores_counts *const counts = &found->counts;
+  int32_t status = hsp_pores_get_counts(pores, counts);
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  found->maxima = calloc((size_t)counts->maxima + 1, sizeof *found->maxima);
+  found->gates = calloc((size_t)counts->gates + 1, sizeof *found->gates);
+  if (found->maxima == NULL || found->gates == NULL) return failure_of_memory(failure);
+  status = hsp_pores_get_maxima(pores, 0, counts->maxima, found->maxima);
+  if (status == HSP_OK) status = hsp_pores_get_gates(pores, 0, counts->gates, found->gates);
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  return take_lists(pores, counts->maxima, hsp_pores_get_maximum_balls, &found->of_maxima, failure) &&
+         take_lists(pores, counts->gates, hsp_pores_get_gate_balls, &found->of_gates, failure);
+}
+
+static bool take_channels(hsp_pores *pores, struct pores_found *found, struct failure *failure) {
+  const uint32_t gates = found->counts.gates;
+  const double probe = found->request->probe;
+  found->shifts = calloc((size_t)gates + 1, sizeof *found->shifts);
+  if (found->shifts == NULL) return failure_of_memory(failure);
+  int32_t status = hsp_pores_get_gate_shifts(pores, 0, gates, found->shifts);
+  if (status == HSP_OK) status = hsp_pores_get_percolation(pores, &found->wide);
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  status = hsp_pores_get_channels(pores, probe, NULL, 0, &found->channel_count);
+  if (status != HSP_OK && status != HSP_E_CAPACITY) return failure_in_library(failure, status);
+  found->channels = calloc((size_t)found->channel_count + 1, sizeof *found->channels);
+  if (found->channels == NULL) return failure_of_memory(failure);
+  status = hsp_pores_get_channels(pores, probe, found->channels, found->channel_count, &found->channel_count);
+  return status == HSP_OK || failure_in_library(failure, status);
+}
+
+static bool take_pockets(hsp_pores *pores, struct pores_found *found, struct failure *failure) {
+  const struct request *const request = found->request;
+  uint32_t *const count = &found->pocket_count;
+  int32_t status = hsp_pores_find_pockets(pores, request->probe, request->pockets, count);
+  if (status == HSP_E_RANGE) return failure_in_input(failure, 0, "--pockets: %s", geometry_reason(status));
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  found->pockets = calloc((size_t)*count + 1, sizeof *found->pockets);
+  if (found->pockets == NULL) return failure_of_memory(failure);
+  status = hsp_pores_get_pockets(pores, 0, *count, found->pockets);
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  return take_lists(pores, *count, hsp_pores_get_pocket_mouths, &found->mouths, failure) &&
+         take_lists(pores, *count, hsp_pores_get_pocket_balls, &found->lining, failure) &&
+         take_lists(pores, *count, hsp_pores_get_pocket_maxima, &found->of_pockets, failure);
+}
+
+/* The point that was named, or the widest maximum at an atom. */
+static bool find_start(const struct molecule *molecule, struct pores_found *found, struct failure *failure) {
+  const struct place *const place = &found->request->tunnels_from;
+  memcpy(found->from, place->point.xyz, sizeof found->from);
+  if (place->of_atom == 0) return true;
+  const uint64_t atom = place->of_atom - 1;
+  if (atom >= molecule->atoms) {
+    return failure_in_input(failure, 0, "--tunnels-from: there is no atom %" PRIu64 " among %" PRIu32 ", from 0 on",
+                            atom, molecule->atoms);
+  }
+  const size_t *const first = found->of_maxima.first;
+  for (uint32_t i = 0; i < found->counts.maxima; ++i) {
+    for (size_t k = first[i]; k < first[i + 1]; ++k) {
+      if (found->of_maxima.number[k] != atom) continue;
+      memcpy(found->from, found->maxima[i].xyz, sizeof found->from);
+      return true;
+    }
+  }
+  return failure_in_input(failure, 0, "--tunnels-from: atom %" PRIu64 " touches no largest probe", atom);
+}
+
+static bool add_steps(const hsp_pores *pores, struct pores_found *found, struct failure *failure) {
+  const uint32_t count = found->tunnels[found->tunnel_count].points;
+  uint32_t needed = 0;
+  struct tunnel_step *const steps = realloc(found->steps, (found->step_count + count + 1) * sizeof *steps);
+  if (steps != NULL) found->steps = steps;
+  hsp_tunnel_point *const points = calloc((size_t)count + 1, sizeof *points);
+  if (steps == NULL || points == NULL) {
+    free(points);
+    return failure_of_memory(failure);
+  }
+  const int32_t status = hsp_pores_get_tunnel_points(pores, points, count, &needed);
+  double length = 0.0;
+  for (uint32_t i = 0; status == HSP_OK && i < count; ++i) {
+    double square = 0.0;
+    for (int axis = 0; axis < 3 && i > 0; ++axis) {
+      const double way = points[i].xyz[axis] - points[i - 1].xyz[axis];
+      square += way * way;
+    }
+    length += sqrt(square);
+    steps[found->step_count++] = (struct tunnel_step){found->tunnel_count + 1, length, points[i]};
+  }
+  free(points);
+  return status == HSP_OK || failure_in_library(failure, status);
+}
+
+/* The best ones, each without the bottlenecks of those before. */
+static bool find_tunnels(struct geometry *geometry, const struct molecule *molecule, struct pores_found *found,
+                         struct failure *failure) {
+  const uint32_t most = found->request->tunnels > 0 ? found->request->tunnels : TUNNELS;
+  hsp_pore_place start;
+  if (!find_start(molecule, found, failure)) return false;
+  const int32_t located = hsp_pores_locate(geometry->work.pores, found->from, &start);
+  if (located == HSP_E_RANGE) return failure_in_input(failure, 0, "--tunnels-from: %s", geometry_reason(located));
+  if (located != HSP_OK) return failure_in_library(failure, located);
+  found->room = start.radius;
+  found->tunnels = calloc((size_t)most, sizeof *found->tunnels);
+  uint32_t *const avoided = calloc((size_t)most, sizeof *avoided);
+  bool done = (found->tunnels != NULL && avoided != NULL) || failure_of_memory(failure);
+  for (uint32_t i = 0; done && i < most; ++i) {
+    hsp_tunnel *const tunnel = &found->tunnels[i];
+    done = geometry_find_tunnel(geometry, found->request->probe, found->from, avoided, i, tunnel, failure);
+    if (!done || tunnel->there == 0) break;
+    done = add_steps(geometry->work.pores, found, failure);
+    found->tunnel_count = i + 1;
+    if (tunnel->gate == HSP_NONE) break; /* no gate is its bottleneck: none is to be avoided */
+    avoided[i] = tunnel->gate;
+  }
+  free(avoided);
+  return done;
+}
+
+bool pores_find(const struct molecule *molecule, struct geometry *geometry, struct pores_found *found,
+                struct failure *failure) {
+  const struct request *const request = found->request;
+  const bool boxed = request->box.source != BOX_NONE;
+  return (!boxed || periodic_result_find_box(request, molecule, &found->box, failure)) &&
+         (boxed ? geometry_find_pores_in_box(geometry, molecule, found->box.box, request->probe, failure)
+                : geometry_find_pores(geometry, molecule, request->probe, failure)) &&
+         take_tree(geometry->work.pores, found, failure) &&
+         (!boxed || take_channels(geometry->work.pores, found, failure)) &&
+         (request->pockets < 0.0 || take_pockets(geometry->work.pores, found, failure)) &&
+         (!request->tunnels_from.point.given || find_tunnels(geometry, molecule, found, failure));
+}
+
+void pores_free(struct pores_found *found) {
+  free_lists(&found->of_maxima);
+  free_lists(&found->of_gates);
+  free_lists(&found->mouths);
+  free_lists(&found->lining);
+  free_lists(&found->of_pockets);
+  free(found->maxima);
+  free(found->gates);
+  free(found->pockets);
+  free(found->tunnels);
+  free(found->steps);
+  free(found->shifts);
+  free(found->channels);
+}
+
+bool pores_lists_maximum(const struct pores_found *found, size_t maximum) {
+  return found->maxima[maximum].radius - found->maxima[maximum].death >= found->request->persistence;
+}
+
+bool pores_lists_pocket(const struct pores_found *found, size_t pocket) {
+  return found->pockets[pocket].radius - found->pockets[pocket].mouth >= found->request->persistence;
+}

@@ -1,0 +1,74 @@
+/* The pores of a molecule as `pores` lists them, prints them and writes them to files. */
+#ifndef HARDSPHERE_TOOL_PORES_FOUND_H
+#define HARDSPHERE_TOOL_PORES_FOUND_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "commands/periodic_result.h"
+#include "commands/request.h"
+#include "hardsphere.h"
+#include "read/failure.h"
+#include "read/geometry.h"
+#include "read/molecule.h"
+
+/* Lists of numbers, one for each of several things. */
+struct number_lists {
+  size_t *first; /* [things + 1] */
+  uint32_t *number;
+};
+
+/* The steps of the tunnels, one after another. */
+struct tunnel_step {
+  uint32_t tunnel; /* from 1 on */
+  double length;   /* of the way from its start */
+  hsp_tunnel_point point;
+};
+
+/* The pores that were asked for. */
+struct pores_found {
+  const struct request *request;
+  hsp_pores_counts counts;
+  hsp_pore_maximum *maxima;
+  hsp_pore_gate *gates;
+  struct number_lists of_maxima; /* balls */
+  struct number_lists of_gates;
+  uint32_t pocket_count;
+  hsp_pore_pocket *pockets;
+  struct number_lists mouths;
+  struct number_lists lining;
+  struct number_lists of_pockets; /* maxima */
+  double from[3];
+  double room; /* of the largest probe there */
+  uint32_t tunnel_count;
+  hsp_tunnel *tunnels;
+  struct tunnel_step *steps;
+  size_t step_count;
+  struct periodic_result box; /* with --box, and what follows */
+  hsp_pore_percolation wide;
+  hsp_pore_gate_shifts *shifts; /* [gates] */
+  uint32_t channel_count;
+  hsp_pore_channel *channels;
+};
+
+/* Find all that found->request asks for; the rest of it is 0. To be freed on true and on false. */
+bool pores_find(const struct molecule *molecule, struct geometry *geometry, struct pores_found *found,
+                struct failure *failure);
+void pores_free(struct pores_found *found);
+
+/* Whether the class of a maximum, or a pocket, lives long enough to be listed. */
+bool pores_lists_maximum(const struct pores_found *found, size_t maximum);
+bool pores_lists_pocket(const struct pores_found *found, size_t pocket);
+
+/* Write charts as .svg: the radius along each tunnel; and the tree of the classes that are listed, each a line from the
+ * radius of its birth to that of its death, in the colours of the first pockets. */
+bool pores_write_profile(const struct pores_found *found, const struct molecule *molecule, const char *path,
+                         struct failure *failure);
+bool pores_write_tree(const struct pores_found *found, const struct molecule *molecule, const char *path,
+                      struct failure *failure);
+
+/* Write all files that the request names. */
+bool pores_write_files(const struct pores_found *found, const struct molecule *molecule, struct failure *failure);
+
+#endif

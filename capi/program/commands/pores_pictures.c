@@ -1,0 +1,281 @@
+/* Charts of pores: the radius along tunnels, and the tree of classes. */
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "commands/pores_found.h"
+#include "draw/chart.h"
+#include "read/text_buffer.h"
+#include "write/output_file.h"
+
+/* Pixels. */
+enum { LEFT = 72, TOP = 20, WIDTH = 640, RIGHT = 40, PROFILE_HEIGHT = 320, BELOW = 60, LEGEND_ROW = 18 };
+enum { NAME_BYTES = 96 };
+
+/* ---- the radius along tunnels ---- */
+
+static void path_begin(struct text_buffer *out, const char *colour, double width) {
+  text_buffer_add(out, "<path fill=\"none\" stroke=\"%s\" stroke-width=\"%.1f\" stroke-linejoin=\"round\" d=\"", colour,
+                  width);
+}
+
+static void add_dashed(struct text_buffer *out, double x0, double y0, double x1, double y1) {
+  text_buffer_add(out, "<path stroke=\"" CHART_GREY "\" stroke-dasharray=\"4 3\" d=\"M%.2f %.2fL%.2f %.2f\"/>\n", x0,
+                  y0, x1, y1);
+}
+
+/* Steps of the tunnel, and a ring at its bottleneck. */
+static void add_profile(struct text_buffer *out, const struct pores_found *found, uint32_t tunnel,
+                        const struct chart_frame *frame, const struct chart_scale *across,
+                        const struct chart_scale *up) {
+  const char *const colour = chart_colour(tunnel);
+  const char *letter = "M";
+  const struct tunnel_step *tightest = NULL;
+  path_begin(out, colour, 1.5);
+  for (size_t i = 0; i < found->step_count; ++i) {
+    const struct tunnel_step *const step = &found->steps[i];
+    if (step->tunnel != tunnel + 1) continue;
+    text_buffer_add(out, "%s%.2f %.2f", letter, chart_x(frame, across, step->length),
+                    chart_y(frame, up, step->point.radius));
+    letter = "L";
+    if (tightest == NULL || step->point.radius < tightest->point.radius) tightest = step;
+  }
+  text_buffer_add_text(out, "\"/>\n");
+  if (tightest == NULL) return;
+  text_buffer_add(out,
+                  "<circle cx=\"%.2f\" cy=\"%.2f\" r=\"4\" fill=\"#ffffff\" stroke=\"%s\" stroke-width=\"1.5\"/>\n",
+                  chart_x(frame, across, tightest->length), chart_y(frame, up, tightest->point.radius), colour);
+}
+
+bool pores_write_profile(const struct pores_found *found, const struct molecule *molecule, const char *path,
+                         struct failure *failure) {
+  struct text_buffer out = TEXT_BUFFER_EMPTY;
+  const struct chart_frame frame = {LEFT, TOP, WIDTH, PROFILE_HEIGHT};
+  const double bottom = TOP + PROFILE_HEIGHT;
+  const int height = TOP + PROFILE_HEIGHT + BELOW + LEGEND_ROW * (int)found->tunnel_count;
+  double longest = 0.0, widest = 0.0;
+  char name[NAME_BYTES];
+  for (size_t i = 0; i < found->step_count; ++i) {
+    longest = fmax(longest, found->steps[i].length);
+    widest = fmax(widest, found->steps[i].point.radius);
+  }
+  const struct chart_scale across = chart_scale_of(0.0, longest > 0.0 ? longest : 1.0);
+  const struct chart_scale up = chart_scale_of(0.0, widest > 0.0 ? widest : 1.0);
+  const double probe = found->request->probe;
+  chart_begin(&out, LEFT + WIDTH + RIGHT, height, "Tunnels");
+  chart_axes(&out, &frame, &across, &up);
+  chart_name_across(&out, &frame, "way from the start", molecule->format->sign);
+  chart_name_up(&out, &frame, "radius of the largest probe", molecule->format->sign);
+  if (probe > 0.0 && probe < up.high) {
+    add_dashed(&out, LEFT, chart_y(&frame, &up, probe), LEFT + WIDTH, chart_y(&frame, &up, probe));
+  }
+  for (uint32_t t = found->tunnel_count; t-- > 0;) add_profile(&out, found, t, &frame, &across, &up);
+  for (uint32_t t = 0; t < found->tunnel_count; ++t) {
+    const hsp_tunnel *const tunnel = &found->tunnels[t];
+    const double y = bottom + BELOW + LEGEND_ROW * t - 6;
+    text_buffer_add(&out, "<path stroke=\"%s\" stroke-width=\"1.5\" d=\"M%d %.1fh24\"/>\n", chart_colour(t), LEFT,
+                    y - 4.0);
+    snprintf(name, sizeof name, "tunnel %" PRIu32 ": bottleneck %.3f, length %.2f", t + 1, tunnel->radius,
+             tunnel->length);
+    chart_text(&out, LEFT + 32, y, "start", name);
+  }
+  text_buffer_add_text(&out, "</svg>\n");
+  const bool done = output_file_write_text(path, &out, failure);
+  text_buffer_free(&out);
+  return done;
+}
+
+/* ---- the tree of classes ---- */
+
+/* Rows of the tree, each a class that is listed, from the outside or a class that meets no other on. Those that merge
+ * into a class are below it, the widest gate first: so no line crosses another. */
+struct tree {
+  uint32_t *row;   /* [maxima], from 1 on; 0: it is not listed */
+  uint32_t *class; /* [rows], in the order of rows */
+  uint32_t rows;
+};
+
+/* A stack of classes, where *links has the next one below each of them. */
+static void push(uint32_t *top, uint32_t *links, uint32_t maximum) {
+  links[maximum] = *top;
+  *top = maximum;
+}
+
+static bool order_tree(const struct pores_found *found, struct tree *tree) {
+  const uint32_t maxima = found->counts.maxima, gates = found->counts.gates;
+  uint32_t *const of_gate = malloc(((size_t)gates + 1) * sizeof *of_gate);
+  uint32_t *const first =
+      malloc(((size_t)maxima + 1) * sizeof *first); /* the last one that merges; [maxima]: outside */
+  uint32_t *const next = malloc(((size_t)maxima + 1) * sizeof *next);
+  tree->row = calloc((size_t)maxima + 1, sizeof *tree->row);
+  tree->class = calloc((size_t)maxima + 1, sizeof *tree->class);
+  const bool done = of_gate != NULL && first != NULL && next != NULL && tree->row != NULL && tree->class != NULL;
+  if (done) {
+    uint32_t stack = HSP_NONE;
+    for (uint32_t g = 0; g < gates; ++g) of_gate[g] = HSP_NONE;
+    for (uint32_t m = 0; m <= maxima; ++m) first[m] = HSP_NONE;
+    for (uint32_t m = maxima; m-- > 0;) {
+      if (!pores_lists_maximum(found, m)) continue;
+      if (found->maxima[m].gate == HSP_NONE) push(&stack, next, m);
+      if (found->maxima[m].gate != HSP_NONE) of_gate[found->maxima[m].gate] = m;
+    }
+    for (uint32_t g = 0; g < gates; ++g) {
+      if (of_gate[g] == HSP_NONE) continue;
+      const uint32_t parent = found->maxima[of_gate[g]].parent;
+      push(&first[parent == HSP_PORE_OUTSIDE ? maxima : parent], next, of_gate[g]);
+    }
+    /* Onto the stack go the narrowest gates first, so that the widest come off first. */
+    for (uint32_t at = maxima; at != HSP_NONE;) {
+      while (first[at] != HSP_NONE) {
+        const uint32_t child = first[at];
+        first[at] = next[child];
+        push(&stack, next, child);
+      }
+      at = stack;
+      if (at == HSP_NONE) break;
+      stack = next[at];
+      tree->class[tree->rows++] = at;
+      tree->row[at] = tree->rows;
+    }
+  }
+  free(of_gate);
+  free(first);
+  free(next);
+  return done;
+}
+
+enum { MOST_NAMED_ROWS = 60, NAMED_ROW = 14, TREE_HEIGHT = 840, OTHERS = 6 };
+
+/* Which colour a class has: that of the pocket that its maximum is in, or OTHERS. */
+static bool find_colours(const struct pores_found *found, uint8_t **colour) {
+  const uint32_t maxima = found->counts.maxima;
+  *colour = malloc((size_t)maxima + 1);
+  if (*colour == NULL) return false;
+  for (uint32_t m = 0; m < maxima; ++m) (*colour)[m] = OTHERS;
+  uint32_t rank = 0;
+  for (uint32_t p = 0; p < found->pocket_count && rank < OTHERS; ++p) {
+    if (!pores_lists_pocket(found, p)) continue;
+    for (size_t k = found->of_pockets.first[p]; k < found->of_pockets.first[p + 1]; ++k) {
+      (*colour)[found->of_pockets.number[k]] = (uint8_t)rank;
+    }
+    ++rank;
+  }
+  return true;
+}
+
+struct tree_page {
+  struct chart_frame frame;
+  struct chart_scale across;
+  double row; /* height */
+  bool outside;
+};
+
+static double row_y(const struct tree_page *page, uint32_t row) {
+  return page->frame.top + page->row * (row + (page->outside ? 0.5 : -0.5));
+}
+
+/* A line from birth to death, and on to the class that it merges into. */
+static void add_classes(struct text_buffer *out, const struct pores_found *found, const struct tree *tree,
+                        const struct tree_page *page, const uint8_t *colour) {
+  for (uint8_t c = 0; c <= OTHERS; ++c) {
+    bool any = false;
+    for (uint32_t k = 0; k < tree->rows; ++k) {
+      const hsp_pore_maximum *const maximum = &found->maxima[tree->class[k]];
+      if (colour[tree->class[k]] != c) continue;
+      if (!any) path_begin(out, c == OTHERS ? "#8c9196" : chart_colour(c), page->row < NAMED_ROW ? 0.8 : 1.5);
+      any = true;
+      text_buffer_add(out, "M%.2f %.2fH%.2f", chart_x(&page->frame, &page->across, maximum->radius), row_y(page, k + 1),
+                      chart_x(&page->frame, &page->across, maximum->death));
+      if (maximum->parent == HSP_NONE) continue;
+      text_buffer_add(out, "V%.2f", row_y(page, maximum->parent == HSP_PORE_OUTSIDE ? 0 : tree->row[maximum->parent]));
+    }
+    if (any) text_buffer_add_text(out, "\"/>\n");
+  }
+}
+
+static void add_names(struct text_buffer *out, const struct pores_found *found, const struct tree *tree,
+                      const struct tree_page *page) {
+  for (uint32_t k = 0; k < tree->rows && page->row >= NAMED_ROW; ++k) {
+    char name[NAME_BYTES];
+    snprintf(name, sizeof name, "%" PRIu32, tree->class[k]);
+    chart_text(out, chart_x(&page->frame, &page->across, found->maxima[tree->class[k]].radius) + 4.0,
+               row_y(page, k + 1) + 4.0, "start", name);
+  }
+}
+
+/* The probes of --pockets, and its pockets that have colours, as many as there are. */
+static void add_pockets(struct text_buffer *out, const struct pores_found *found, const struct tree_page *page) {
+  const double bottom = page->frame.top + page->frame.height, wide = found->request->pockets;
+  uint32_t rank = 0;
+  if (wide > page->across.low && wide < page->across.high) {
+    const double x = chart_x(&page->frame, &page->across, wide);
+    add_dashed(out, x, page->frame.top, x, bottom);
+  }
+  for (uint32_t p = 0; p < found->pocket_count && rank < OTHERS; ++p) {
+    if (!pores_lists_pocket(found, p)) continue;
+    const double x = LEFT + (double)(WIDTH / OTHERS) * rank, y = bottom + BELOW - 6;
+    char name[NAME_BYTES];
+    snprintf(name, sizeof name, "pocket %" PRIu32, p + 1);
+    text_buffer_add(out, "<path stroke=\"%s\" stroke-width=\"3\" d=\"M%.1f %.1fh18\"/>\n", chart_colour(rank++), x,
+                    y - 4.0);
+    chart_text(out, x + 24.0, y, "start", name);
+  }
+}
+
+/* In how many directions a narrower probe goes on for ever. */
+static void add_limits(struct text_buffer *out, const struct pores_found *found, const struct tree_page *page) {
+  const double bottom = page->frame.top + page->frame.height;
+  double before = -HUGE_VAL;
+  for (int d = 3; d > 0; --d) {
+    const double radius = found->wide.through[d - 1];
+    if (found->wide.gate[d - 1] == HSP_NONE || radius == before) continue;
+    const double x = chart_x(&page->frame, &page->across, radius);
+    char name[NAME_BYTES];
+    snprintf(name, sizeof name, "%d-d", d);
+    add_dashed(out, x, page->frame.top, x, bottom);
+    chart_text(out, x, page->frame.top - 5.0, "middle", name);
+    before = radius;
+  }
+}
+
+static void add_tree(struct text_buffer *out, const struct pores_found *found, const struct molecule *molecule,
+                     const struct tree *tree, const uint8_t *colour) {
+  const double low = found->request->probe, high = found->counts.maxima > 0 ? found->maxima[0].radius : low;
+  const bool outside = found->request->box.source == BOX_NONE;
+  const uint32_t rows = tree->rows + (outside ? 1 : 0);
+  const double row = rows <= MOST_NAMED_ROWS ? NAMED_ROW : fmax((double)TREE_HEIGHT / rows, 0.5);
+  struct tree_page page = {
+      {LEFT, TOP, WIDTH, row * fmax(rows, 1.0)}, chart_scale_of(low, high > low ? high : low + 1.0), row, outside};
+  const double bottom = page.frame.top + page.frame.height;
+  chart_begin(out, LEFT + WIDTH + RIGHT, (int)ceil(bottom) + BELOW + LEGEND_ROW, "Classes of pores");
+  chart_axes(out, &page.frame, &page.across, NULL);
+  chart_name_across(out, &page.frame, "radius of the probe", molecule->format->sign);
+  if (found->request->pockets >= 0.0) add_pockets(out, found, &page);
+  if (!outside) add_limits(out, found, &page);
+  if (outside) {
+    text_buffer_add(out, "<path stroke=\"#333333\" stroke-width=\"1.5\" d=\"M%.2f %.2fH%.2f\"/>\n",
+                    chart_x(&page.frame, &page.across, low), row_y(&page, 0), page.frame.left + page.frame.width);
+    chart_text(out, LEFT - CHART_TICK - 3, row_y(&page, 0) + 4.0, "end", "outside");
+  }
+  add_classes(out, found, tree, &page, colour);
+  add_names(out, found, tree, &page);
+  text_buffer_add_text(out, "</svg>\n");
+}
+
+bool pores_write_tree(const struct pores_found *found, const struct molecule *molecule, const char *path,
+                      struct failure *failure) {
+  struct text_buffer out = TEXT_BUFFER_EMPTY;
+  struct tree tree = {NULL, NULL, 0};
+  uint8_t *colour = NULL;
+  bool done = (order_tree(found, &tree) && find_colours(found, &colour)) || failure_of_memory(failure);
+  if (done) {
+    add_tree(&out, found, molecule, &tree, colour);
+    done = output_file_write_text(path, &out, failure);
+  }
+  text_buffer_free(&out);
+  free(tree.row);
+  free(tree.class);
+  free(colour);
+  return done;
+}

@@ -1,0 +1,98 @@
+#include "draw/chart.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+
+enum { MOST_STEPS = 10, NUMBER_BYTES = 32 };
+
+void chart_begin(struct text_buffer *out, int width, int height, const char *title) {
+  text_buffer_add(out,
+                  "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\" "
+                  "font-family=\"Helvetica,Arial,sans-serif\" font-size=\"%d\" fill=\"#333333\" "
+                  "role=\"img\">\n<title>",
+                  width, height, width, height, CHART_LETTER);
+  text_buffer_add_xml(out, title);
+  text_buffer_add(out, "</title>\n<rect width=\"%d\" height=\"%d\" fill=\"#ffffff\"/>\n", width, height);
+}
+
+static void add_text(struct text_buffer *out, double x, double y, const char *anchor, const char *text,
+                     const char *sign) {
+  text_buffer_add(out, "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">", x, y, anchor);
+  text_buffer_add_xml(out, text);
+  text_buffer_add(out, "%s%s</text>\n", sign[0] == '\0' ? "" : ", ", sign);
+}
+
+void chart_text(struct text_buffer *out, double x, double y, const char *anchor, const char *text) {
+  add_text(out, x, y, anchor, text, "");
+}
+
+void chart_tick_below(struct text_buffer *out, double x, double bottom, const char *text) {
+  text_buffer_add(out, "<path stroke=\"" CHART_GREY "\" d=\"M%.1f %.1fv%d\"/>\n", x, bottom, CHART_TICK);
+  chart_text(out, x, bottom + CHART_TICK + CHART_LETTER + 1, "middle", text);
+}
+
+void chart_tick_left(struct text_buffer *out, double left, double y, const char *text) {
+  text_buffer_add(out, "<path stroke=\"" CHART_GREY "\" d=\"M%.1f %.1fh-%d\"/>\n", left, y, CHART_TICK);
+  chart_text(out, left - CHART_TICK - 3, y + 4.0, "end", text);
+}
+
+void chart_name_across(struct text_buffer *out, const struct chart_frame *frame, const char *name, const char *sign) {
+  add_text(out, frame->left + frame->width / 2, frame->top + frame->height + CHART_TICK + 2 * CHART_LETTER + 8,
+           "middle", name, sign);
+}
+
+void chart_name_up(struct text_buffer *out, const struct chart_frame *frame, const char *name, const char *sign) {
+  text_buffer_add(out, "<g transform=\"translate(%d %.6g) rotate(-90)\">", 2 * CHART_LETTER,
+                  frame->top + frame->height / 2);
+  add_text(out, 0.0, 0.0, "middle", name, sign);
+  text_buffer_add(out, "</g>\n");
+}
+
+struct chart_scale chart_scale_of(double low, double high) {
+  struct chart_scale scale = {low, high, 1.0};
+  const double least = fmax((high - low) / MOST_STEPS, 1e-9 * fmax(fabs(low), fabs(high)));
+  while (scale.step > least) scale.step /= 10.0;
+  for (int k = 0; scale.step < least; ++k) scale.step *= k % 3 == 1 ? 2.5 : 2.0; /* 1, 2, 5, 10, .. */
+  scale.low = floor(low / scale.step) * scale.step;
+  scale.high = ceil(high / scale.step) * scale.step;
+  return scale;
+}
+
+double chart_x(const struct chart_frame *frame, const struct chart_scale *across, double number) {
+  return frame->left + (number - across->low) / (across->high - across->low) * frame->width;
+}
+
+double chart_y(const struct chart_frame *frame, const struct chart_scale *up, double number) {
+  return frame->top + (up->high - number) / (up->high - up->low) * frame->height;
+}
+
+static void add_ticks(struct text_buffer *out, const struct chart_frame *frame, const struct chart_scale *scale,
+                      bool below) {
+  if (scale == NULL) return;
+  const long steps = lround((scale->high - scale->low) / scale->step);
+  for (long k = 0; k <= steps; ++k) {
+    const double sum = scale->low + scale->step * (double)k;
+    const double number = fabs(sum) < scale->step / 2.0 ? 0.0 : sum;
+    char text[NUMBER_BYTES];
+    snprintf(text, sizeof text, "%.6g", number);
+    if (below) {
+      chart_tick_below(out, chart_x(frame, scale, number), frame->top + frame->height, text);
+    } else {
+      chart_tick_left(out, frame->left, chart_y(frame, scale, number), text);
+    }
+  }
+}
+
+void chart_axes(struct text_buffer *out, const struct chart_frame *frame, const struct chart_scale *across,
+                const struct chart_scale *up) {
+  text_buffer_add(out, "<path fill=\"none\" stroke=\"" CHART_GREY "\" d=\"M%.6g %.6gh%.6gv%.6gh-%.6gz\"/>\n",
+                  frame->left, frame->top, frame->width, frame->height, frame->width);
+  add_ticks(out, frame, across, true);
+  add_ticks(out, frame, up, false);
+}
+
+const char *chart_colour(uint32_t number) {
+  static const char *const colours[] = {"#174e87", "#c2452f", "#2f8f5b", "#8a5aa8", "#b8862b", "#2c9aa8"};
+  return colours[number % (sizeof colours / sizeof colours[0])];
+}

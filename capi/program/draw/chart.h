@@ -1,0 +1,51 @@
+/* Charts as .svg: a frame, axes with ticks, lines, a legend. */
+#ifndef HARDSPHERE_TOOL_CHART_H
+#define HARDSPHERE_TOOL_CHART_H
+
+#include <stdint.h>
+
+#include "read/text_buffer.h"
+
+/* Pixels. */
+enum { CHART_LETTER = 12, CHART_TICK = 4 };
+
+/* Lines of the frame and of ticks. */
+#define CHART_GREY "#9a9a9a"
+
+/* The beginning of the file; its end is "</svg>\n". */
+void chart_begin(struct text_buffer *out, int width, int height, const char *title);
+
+/* anchor: "start", "middle" or "end". */
+void chart_text(struct text_buffer *out, double x, double y, const char *anchor, const char *text);
+
+/* A tick and its label below a frame at x, or to the left of it at y. */
+void chart_tick_below(struct text_buffer *out, double x, double bottom, const char *text);
+void chart_tick_left(struct text_buffer *out, double left, double y, const char *text);
+
+struct chart_frame {
+  double left, top, width, height;
+};
+
+/* The name of an axis, and the sign of its unit, in UTF-8; of an empty one nothing. */
+void chart_name_across(struct text_buffer *out, const struct chart_frame *frame, const char *name, const char *sign);
+void chart_name_up(struct text_buffer *out, const struct chart_frame *frame, const char *name, const char *sign);
+
+/* The numbers along a side of a frame: ticks at multiples of 1, 2 or 5 times a power of ten, at most a dozen, at two of
+ * which it begins and ends, around all from low to high, which is more than low. */
+struct chart_scale {
+  double low, high, step;
+};
+struct chart_scale chart_scale_of(double low, double high);
+
+/* The frame, with ticks along its lower and its left side; scale NULL: none. */
+void chart_axes(struct text_buffer *out, const struct chart_frame *frame, const struct chart_scale *across,
+                const struct chart_scale *up);
+
+/* Where a number is along a side. */
+double chart_x(const struct chart_frame *frame, const struct chart_scale *across, double number);
+double chart_y(const struct chart_frame *frame, const struct chart_scale *up, double number);
+
+/* Distinct colours, which begin anew after the last one. */
+const char *chart_colour(uint32_t number);
+
+#endif

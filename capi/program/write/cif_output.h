@@ -1,0 +1,28 @@
+/* Pieces of .cif files. */
+#ifndef HARDSPHERE_TOOL_CIF_OUTPUT_H
+#define HARDSPHERE_TOOL_CIF_OUTPUT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "read/text_buffer.h"
+
+/* A value, in quotes if it needs them, and a blank; of an empty text ".", which is none. */
+void cif_text(struct text_buffer *out, const char *text);
+
+/* "loop_" and its items, [count] of a category. */
+void cif_loop(struct text_buffer *out, const char *category, const char *const *items, size_t count);
+
+/* An atom, or what viewers are to take for one; texts may be empty. */
+struct site {
+  const char *group; /* ATOM or HETATM */
+  const char *element, *atom, *residue, *chain, *number, *insertion;
+  const double *xyz; /* [3] */
+  double value;      /* of the temperature factor */
+};
+
+/* Before all atoms, and each of them, counted from 1. */
+void cif_sites_begin(struct text_buffer *out);
+void cif_site(struct text_buffer *out, uint32_t serial, const struct site *site);
+
+#endif

@@ -1,0 +1,258 @@
+// The charts of `pores`: the radius along tunnels and the tree of classes show what is listed.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <regex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "json_outcome.hpp"
+#include "program_runner.hpp"
+#include "temporary_file.hpp"
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+std::string crambin() {
+  return molecules_folder() + "/crambin.pdb";
+}
+
+struct Written {
+  Json json;
+  std::string svg;
+};
+
+Written written(const std::string &option, const Words &words) {
+  const TemporaryFile picture("chart.svg");
+  Words call = {"pores"};
+  call.insert(call.end(), words.begin(), words.end());
+  call.insert(call.end(), {option, picture.path()});
+  Json json = run_json(call);
+  return {json, read_file(picture.path())};
+}
+
+// The numbers in a text, in their order.
+std::vector<double> numbers_of(const std::string &text) {
+  std::vector<double> numbers;
+  static const std::regex number("-?[0-9]+(\\.[0-9]+)?");
+  for (std::sregex_iterator n(text.begin(), text.end(), number), end; n != end; ++n)
+    numbers.push_back(std::stod(n->str()));
+  return numbers;
+}
+
+// Where labels of ticks say that a number is: x by its number below the frame, or y to the left of it.
+struct Scale {
+  double at, per_unit;
+
+  double operator()(double number) const { return at + per_unit * number; }
+};
+
+Scale scale_of(const std::string &svg, bool below) {
+  static const std::regex label(
+      "<text x=\"([0-9.]+)\" y=\"([0-9.]+)\" text-anchor=\"(end|middle)\">(-?[0-9.]+)</text>");
+  std::vector<std::pair<double, double>> ticks;  // number and place
+  for (std::sregex_iterator l(svg.begin(), svg.end(), label), end; l != end; ++l) {
+    if (((*l)[3] == "middle") != below) continue;
+    ticks.emplace_back(std::stod((*l)[4]), below ? std::stod((*l)[1]) : std::stod((*l)[2]) - 4.0);
+  }
+  EXPECT_GE(ticks.size(), 4u);
+  EXPECT_LE(ticks.size(), 14u);
+  const auto &[first, from] = ticks.front();
+  const auto &[last, to] = ticks.back();
+  const double per_unit = (to - from) / (last - first);
+  return {from - per_unit * first, per_unit};
+}
+
+constexpr double tenth_of_px = 0.06;  // labels have one decimal
+
+TEST(PoreCharts, ProfileOfEachTunnel) {
+  for (const char *probe : {"0", "0.6"}) {
+    const auto &[json, svg] =
+        written("--profile", {crambin(), "--tunnels-from", "9.6,12.8,5.7", "--tunnels", "8", "--probe", probe});
+    const Scale x = scale_of(svg, true), y = scale_of(svg, false);
+    static const std::regex line(
+        "<path fill=\"none\" stroke=\"#[0-9a-f]{6}\" stroke-width=\"1.5\"[^>]* d=\"([^\"]*)\"/>"),
+        ring("<circle cx=\"([0-9.]+)\" cy=\"([0-9.]+)\"");
+    std::vector<std::vector<double>> lines;
+    for (std::sregex_iterator l(svg.begin(), svg.end(), line), end; l != end; ++l) lines.push_back(numbers_of((*l)[1]));
+    std::vector<std::pair<double, double>> rings;
+    for (std::sregex_iterator r(svg.begin(), svg.end(), ring), end; r != end; ++r) {
+      rings.emplace_back(std::stod((*r)[1]), std::stod((*r)[2]));
+    }
+    std::reverse(lines.begin(), lines.end());  // the first tunnel lies over the others
+    std::reverse(rings.begin(), rings.end());
+    const std::vector<Json> &tunnels = json["tunnel_list"].items;
+    ASSERT_EQ(lines.size(), tunnels.size());
+    ASSERT_EQ(rings.size(), tunnels.size());
+    ASSERT_GE(tunnels.size(), 4u);
+    std::vector<size_t> at(tunnels.size(), 0);
+    for (const Json &step : json["tunnel_points"].items) {
+      const auto tunnel = static_cast<size_t>(step["tunnel"].number) - 1;
+      const std::vector<double> &points = lines.at(tunnel);
+      size_t &k = at.at(tunnel);
+      ASSERT_LT(k + 1, points.size());
+      EXPECT_NEAR(points[k], x(step["length"].number), tenth_of_px);
+      EXPECT_NEAR(points[k + 1], y(step["radius"].number), tenth_of_px);
+      k += 2;
+    }
+    for (size_t t = 0; t < tunnels.size(); ++t) {
+      EXPECT_EQ(at[t], lines[t].size());
+      EXPECT_NEAR(rings[t].second, y(tunnels[t]["radius"].number), tenth_of_px);
+      EXPECT_NE(svg.find(">tunnel " + std::to_string(t + 1) + ": bottleneck "), std::string::npos);
+    }
+    EXPECT_EQ(svg.find("stroke-dasharray") != std::string::npos, std::stod(probe) > 0);
+  }
+}
+
+struct Bar {
+  double birth, death, y, parent;  // in px; parent as y where the line ends, negative: none
+};
+
+std::vector<Bar> bars_of(const std::string &svg) {
+  std::vector<Bar> bars;
+  static const std::regex path(
+      "<path fill=\"none\" stroke=\"#[0-9a-f]{6}\" stroke-width=\"(0.8|1.5)\"[^>]* d=\"([^\"]*)\"/>"),
+      bar("M([0-9.]+) ([0-9.]+)H([0-9.]+)(V([0-9.]+))?");
+  for (std::sregex_iterator p(svg.begin(), svg.end(), path), end; p != end; ++p) {
+    const std::string points = (*p)[2];
+    for (std::sregex_iterator b(points.begin(), points.end(), bar); b != end; ++b) {
+      bars.push_back(
+          {std::stod((*b)[1]), std::stod((*b)[3]), std::stod((*b)[2]), (*b)[5].matched ? std::stod((*b)[5]) : -1.0});
+    }
+  }
+  return bars;
+}
+
+// Each class that is listed is a line of its own, whose end is on that of its parent; lines do not cross.
+void expect_tree(const Json &json, const std::string &svg, double persistence, bool outside) {
+  const Scale x = scale_of(svg, true);
+  std::vector<Bar> bars = bars_of(svg);
+  std::map<std::string, double> row;  // by the name of the class
+  constexpr double rounding = 0.02;
+  size_t listed = 0;
+  std::vector<const Json *> classes;
+  for (const Json &maximum : json["maximum_list"].items) {
+    if (maximum["radius"].number - maximum["death"].number < persistence) continue;
+    ++listed;
+    classes.push_back(&maximum);
+  }
+  ASSERT_EQ(bars.size(), listed);
+  // Equal classes in any order: find a bar with the same birth and death whose parent's row is right, once known.
+  std::vector<bool> used(bars.size(), false);
+  for (const Json *maximum : classes) {
+    const std::string parent = (*maximum)["parent"].text;
+    double parent_y = -1;
+    if (parent == "outside") {
+      parent_y = -2;  // the first row
+    } else if (parent != "none") {
+      ASSERT_TRUE(row.contains(parent)) << parent;  // wider classes have lower numbers
+      parent_y = row[parent];
+    }
+    bool found = false;
+    for (size_t k = 0; k < bars.size() && !found; ++k) {
+      if (used[k] || std::abs(bars[k].birth - x((*maximum)["radius"].number)) > tenth_of_px ||
+          std::abs(bars[k].death - x((*maximum)["death"].number)) > tenth_of_px) {
+        continue;
+      }
+      if (parent_y == -2 ? bars[k].parent < 0 || bars[k].parent > bars[k].y
+                         : std::abs(bars[k].parent - parent_y) > rounding) {
+        continue;
+      }
+      used[k] = found = true;
+      row[std::to_string(static_cast<int>((*maximum)["maximum"].number))] = bars[k].y;
+    }
+    EXPECT_TRUE(found) << (*maximum)["maximum"].number;
+  }
+  double before = outside ? 20.2 : 19.8;
+  std::sort(bars.begin(), bars.end(), [](const Bar &a, const Bar &b) { return a.y < b.y; });
+  for (const Bar &bar : bars) {
+    EXPECT_GT(bar.y, before + 0.2);
+    before = bar.y;
+  }
+  for (const Bar &bar : bars) {
+    for (const Bar &other : bars) {
+      const bool between = other.y < bar.y - rounding && other.y > bar.parent + rounding && bar.parent >= 0;
+      EXPECT_FALSE(between && other.birth > bar.death + rounding && other.death < bar.death - rounding);
+    }
+  }
+}
+
+TEST(PoreCharts, TreeOfCrambin) {
+  for (const auto &[words, persistence] :
+       std::vector<std::pair<Words, double>>{{{"--probe", "0.4"}, 0},
+                                             {{"--probe", "0.8", "--least", "0.1"}, 0.1},
+                                             {{"--probe", "0.8", "--pockets", "1.3"}, 0}}) {
+    Words call = {crambin()};
+    call.insert(call.end(), words.begin(), words.end());
+    const auto &[json, svg] = written("--tree", call);
+    expect_tree(json, svg, persistence, true);
+    EXPECT_NE(svg.find(">outside<"), std::string::npos);
+    EXPECT_EQ(svg.find("stroke-dasharray") != std::string::npos, words.back() == "1.3");
+  }
+}
+
+// Pockets have colours of their own, which the legend names.
+TEST(PoreCharts, TreeWithPockets) {
+  const auto &[json, svg] = written("--tree", {crambin(), "--probe", "0.8", "--pockets", "3", "--least", "0.1"});
+  const Scale x = scale_of(svg, true);
+  static const std::regex named("stroke=\"(#[0-9a-f]{6})\" stroke-width=\"3\"[^>]*/>\n<text[^>]*>pocket ([0-9]+)<");
+  size_t names = 0;
+  for (std::sregex_iterator n(svg.begin(), svg.end(), named), end; n != end; ++n, ++names) {
+    const Json &pocket = json["pocket_list"].items.at(names);
+    EXPECT_EQ(std::stod((*n)[2]), pocket["pocket"].number);
+    // The line of its widest maximum has that colour.
+    const std::string colour = (*n)[1];
+    const std::regex path("<path fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"1.5\"[^>]* d=\"([^\"]*)\"/>");
+    std::smatch match;
+    ASSERT_TRUE(std::regex_search(svg, match, path)) << colour;
+    const std::string points = match[1];
+    static const std::regex birth("M([0-9.]+) ");
+    double widest = 0;
+    for (std::sregex_iterator b(points.begin(), points.end(), birth); b != end; ++b) {
+      widest = std::max(widest, std::stod((*b)[1]));
+    }
+    EXPECT_NEAR(widest, x(pocket["radius"].number), tenth_of_px);
+  }
+  EXPECT_EQ(names, 6u);
+}
+
+// A row of rooms, each between six balls, with windows to the next ones: channels along one vector.
+TEST(PoreCharts, TreeInABox) {
+  const TemporaryFile file("room.xyzr", "1 0 0 0.7\n0 1 0 0.7\n0 0 1 0.7\n1.3 1.2 1.1 0.4\n");
+  const auto &[json, svg] = written("--tree", {file.path(), "--box", "2,2,2.4"});
+  expect_tree(json, svg, 0, false);
+  const Scale x = scale_of(svg, true);
+  static const std::regex limit("<text x=\"([0-9.]+)\" y=\"15.0\" text-anchor=\"middle\">([123])-d<");
+  size_t limits = 0;
+  for (std::sregex_iterator l(svg.begin(), svg.end(), limit), end; l != end; ++l, ++limits) {
+    const size_t d = std::stoul((*l)[2]) - 1;
+    EXPECT_NEAR(std::stod((*l)[1]), x(json["pore_limiting_diameter"].items.at(d).number / 2), tenth_of_px);
+  }
+  EXPECT_GE(limits, 1u);
+  EXPECT_EQ(svg.find(">outside<"), std::string::npos);
+}
+
+TEST(PoreCharts, OfNothing) {
+  const Written tree = written("--tree", {"good/one.xyzr"});
+  EXPECT_TRUE(bars_of(tree.svg).empty());
+  EXPECT_EQ(tree.svg.substr(tree.svg.size() - 7), "</svg>\n");
+  const auto &[json, svg] = written("--profile", {"good/cage.xyzr", "--tunnels-from", "0,0,0", "--probe", "5"});
+  EXPECT_EQ(json["tunnels"].number, 0);
+  EXPECT_EQ(svg.find("<circle"), std::string::npos);
+}
+
+TEST(PoreCharts, AreRefusedWhereTheyHaveNoPlace) {
+  EXPECT_EQ(run_program({"pores", "good/cage.xyzr", "--profile", "chart.svg"}).err,
+            "hardsphere: --profile needs --tunnels-from\n");
+  EXPECT_EQ(run_program({"pores", "good/cage.xyzr", "--tree", "chart.png"}).err,
+            "hardsphere: --tree writes an .svg file, and its name says so\n");
+  const Outcome printed = run_program({"pores", "good/cage.xyzr", "--tree", "-"});
+  EXPECT_EQ(printed.status, 0);
+  EXPECT_EQ(printed.out.rfind("<svg", 0), 0u);
+}
+
+}  // namespace
