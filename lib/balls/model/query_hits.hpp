@@ -47,11 +47,11 @@ struct QueryGrid {
 // Sets whose extent is more than so many largest radii are not rounded (RoundedQuery of query_hits.kernel.cpp).
 constexpr double most_extent_of_rounded = 0x1p18;
 
-// How far the difference of squares can be wrong between a query of radius q and rounded balls. Let the reach be
-// q + r_max, the extent H, u = 2^-24. A ball's coordinates are wrong by u H, those of a query that has rows to look at
-// by u (H + reach), their difference by u of itself, and the sum of radii by 3 u reach. Up to a distance of 2 reach
-// that comes to no more than u (14 H + 44 reach) reach, whether sums of products are fused or not. Further away the difference is above 3/5 of the distance
-// squared, and that above the doubt, as long as H is no more than 2^18 reach.
+// How far the difference of squares can be wrong between a query of radius q and rounded balls. Let the reach be q +
+// r_max, the extent H, u = 2^-24. A ball's coordinates are wrong by u H, those of a query that has rows to look at by u
+// (H + reach), their difference by u of itself, and the sum of radii by 3 u reach. Up to a distance of 2 reach that
+// comes to no more than u (14 H + 44 reach) reach, whether sums of products are fused or not. Further away the
+// difference is above 3/5 of the distance squared, and that above the doubt, as long as H is no more than 2^18 reach.
 static inline double rounded_doubt(double extent, double reach) {
   return 0x1p-24 * (16.0 * extent + 64.0 * reach) * reach;
 }

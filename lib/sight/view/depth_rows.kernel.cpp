@@ -48,8 +48,8 @@ void measure_cells(const DiscOnCells &disc, DiscCells &cells) {
   for (uint32_t k = 0; k < cells.columns; k += register_lanes) {
     CellLanes::store(cells.squared + k, edge_distances(disc, disc.x, disc.left, cells.first_column + k));
   }
-  // Read by further lanes behind the last column. A constant, since without optimisation a call would be code that other
-  // files have as well.
+  // Read by further lanes behind the last column. A constant, since without optimisation a call would be code that
+  // other files have as well.
   constexpr double infinite = std::numeric_limits<double>::infinity();
   for (uint32_t k = cells.columns; k % register_lanes != 0; ++k) cells.squared[k] = infinite;
   for (uint32_t k = 0; k < cells.rows; k += register_lanes) {
