@@ -99,14 +99,15 @@ void CubeGrid::clear() {
   side_ = 1;
   table_.clear(0);
   rows_.clear();
-  query_grid_ = {};
+  if (has_lanes) query_grid_ = {};
   first_ball_[0] = 0;
 }
 
 void CubeGrid::make_row_directory() {
   if (has_row_directories) rows_.build(table_, first_ball_, scratch_slots_);
+  if (!has_lanes) return;
   query_grid_ = {};
-  if (!has_lanes || !rows_.is_there()) return;
+  if (!rows_.is_there()) return;
   const double side = static_cast<double>(side_);
   rows_.describe(query_grid_);
   query_grid_.side = side;
