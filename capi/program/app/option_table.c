@@ -145,7 +145,7 @@ const struct option *option_at(size_t i) {
       {"--gates", NULL, take_flag, OF(PORES), .target = IN(gates), .help = "list gates instead"},
       {"--pockets", "W", take_number, OF(PORES), .target = IN(pockets), .what = "a length", .most = 1e6,
        .help = "list pockets: where a probe of radius P fits, and one of radius W does not get to from\n"
-               "outside"},
+               "outside, or with --box from where it goes on for ever"},
       {"--balls", NULL, take_flag, OF(PORES), .target = IN(void_balls),
        .help = "also the balls around each pocket, and each bottleneck of a tunnel"},
       {"--tunnels-from", "X Y Z|atom:N", take_place, OF(PORES), .target = IN(tunnels_from),
