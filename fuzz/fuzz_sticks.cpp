@@ -293,7 +293,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
                                                nullptr, nullptr) == HSP_OK;
     const auto write = [&](const uint32_t *colour, const hsp_picture_options *asked, auto... arguments) {
       hsp_picture_options chosen = *asked;
-      if (mapped && asked->width == 1000) chosen.ink_of_sticks = map.get();
+      if (mapped && asked->width >= 1) chosen.ink_of_sticks = map.get();
       return hsp_picture_write_sticks(sticks.get(), colour, &chosen, arguments...);
     };
     fuzz::require_pictures(base.get(), write, base.get(), write, bytes);
