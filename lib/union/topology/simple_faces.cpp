@@ -215,6 +215,7 @@ class SimpleFaceBuilder {
 
   // Whole spheres: the great circle across x, from the highest point to the lowest and back, counter-clockwise about x.
   void link_spheres() {
+    if (topology_.first_sphere_edge == quads_.edges) return;
     uint32_t q = quarter_edge(topology_.first_sphere_edge);
     for (uint32_t i = 0; i < balls_.n; ++i) {
       if (!boundary_.is_whole_sphere(i)) continue;
