@@ -136,6 +136,13 @@ class SphericalPatch {
   bool has_coarse_borders() const;
   bool name_triangles(bool pinched);
   bool spread_faces();
+  // Gives triangle t, which had none, a face to hand on. False if it has another one.
+  bool take(uint32_t t, uint32_t none, uint32_t face) {
+    if (parts_[t].face != none) return parts_[t].face == face;
+    parts_[t].face = face;
+    queue_[waiting_++] = t;
+    return true;
+  }
   bool name_corners();
   bool has_right_numbers();
   // Takes the triangles off the balances of their faces and adds twice the points inside: whether all are 0 then.
@@ -177,6 +184,7 @@ class SphericalPatch {
   uint32_t border_samples_ = 0;  // if pinched; those behind belong to no border
   uint32_t linked_samples_ = 0;  // of these, those behind are linked to nothing
   uint64_t needed_points_ = 0;
+  uint32_t waiting_ = 0;      // in the queue
   uint32_t border_caps_ = 0;  // those behind are about corners of the octahedron
   uint32_t latest_cap_ = 0;
   SphereTriangulation sphere_;
@@ -188,7 +196,7 @@ class SphericalPatch {
   FixedVector<RoundedDirection> inputs_;  // the samples, then points inside
   Span<uint32_t> sample_at_;              // [points] a sample that lies there, or no_id
   Span<Part> parts_;                      // [triangles]
-  Span<uint32_t> queue_;                  // [triangles]
+  Span<uint32_t> queue_;                  // [triangles] of those that wait to hand their face on
   Span<int64_t> balance_;                 // [points] for each face, of Euler's formula
 };
 
