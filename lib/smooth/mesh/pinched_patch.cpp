@@ -111,7 +111,7 @@ bool SphericalPatch::add_detour(uint32_t sample, uint32_t obstacle) {
   if (best == no_id) return false;
   const uint32_t there = sample_at_[best];
   const uint32_t added =
-      add_extra(links_[sample].face, there == no_id ? to_double(sphere_.point(best)) : place_of(there));
+      add_extra(links_[sample].face, there == no_id ? to_double(sphere_.point(best)) : direction_of(there));
   if (samples_.overflowed()) return false;
   links_[added].next = next;
   links_[added].previous = sample;

@@ -380,8 +380,8 @@ bool SphereTriangulation::fix_edge(uint32_t a, uint32_t b, uint32_t &obstacle) {
         crosses = !at_end && side(a, b, next.a) * side(a, b, next.b) < 0;
       }
       if (!crosses) continue;
-      const uint32_t place = head + waiting;
-      crossing_[place < ring ? place : place - ring] = next;
+      const uint32_t slot = head + waiting;
+      crossing_[slot < ring ? slot : slot - ring] = next;
       ++waiting;
     }
     if (!find_edge(a, b, found)) {

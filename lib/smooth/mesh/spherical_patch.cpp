@@ -76,7 +76,7 @@ bool SphericalPatch::is_covered(const Vec3 &direction) const {
 }
 
 // On the way between samples, half of it or nearer to an end, where it is free; at the end if it is nowhere.
-Vec3 SphericalPatch::place_between(uint32_t a, uint32_t b) const {
+Vec3 SphericalPatch::direction_between(uint32_t a, uint32_t b) const {
   constexpr double most_weight = 31.0;
   const Vec3 from = to_double(sphere_.point(links_[a].point));
   const Vec3 to = to_double(sphere_.point(links_[b].point));
@@ -86,7 +86,7 @@ Vec3 SphericalPatch::place_between(uint32_t a, uint32_t b) const {
     const Vec3 nearer_to = combine(1.0, from, weight, to);
     if (!is_covered(nearer_to)) return nearer_to;
   }
-  return place_of(a);
+  return direction_of(a);
 }
 
 // The orientation with the fewest corners near a border.

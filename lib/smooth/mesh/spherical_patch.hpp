@@ -101,7 +101,7 @@ class SphericalPatch {
     // Where borders are pinched:
     bool closed;
     uint32_t face;
-    uint32_t closing;  // the sample in the same place where the next border ends, counter-clockwise from the way to the
+    uint32_t closing;  // the sample at the same point where the next border ends, counter-clockwise from the way to the
                        // next one on; no_id if there is no such way
     uint32_t middle;   // a sample between this one and that, if there has to be one, else no_id
   };
@@ -123,8 +123,8 @@ class SphericalPatch {
   }
   bool is_near_cap(const Vec3 &direction);
   bool is_covered(const Vec3 &direction) const;
-  Vec3 place_of(uint32_t sample) const { return unit(samples_[sample].direction, {0.0, 0.0, 1.0}); }
-  Vec3 place_between(uint32_t a, uint32_t b) const;
+  Vec3 direction_of(uint32_t sample) const { return unit(samples_[sample].direction, {0.0, 0.0, 1.0}); }
+  Vec3 direction_between(uint32_t a, uint32_t b) const;
   uint32_t choose_octahedron() const;
   void add_inner_points();
   void insert_points();
@@ -238,7 +238,7 @@ void SphericalPatch::emit(NewVertex new_vertex, NewTriangle triangle) {
       const uint32_t one = parts_[t].corner[next_corner(e)];
       const uint32_t other = parts_[t].corner[previous_corner(e)];
       if (!samples_[one].may_be_joined_elsewhere(samples_[other])) continue;
-      const uint32_t middle = new_vertex(place_between(one, other));
+      const uint32_t middle = new_vertex(direction_between(one, other));
       parts_[t].middle[e] = middle;
       parts_[u].middle[sphere_.triangle(u).edge_towards(t)] = middle;
     }
