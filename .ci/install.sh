@@ -23,8 +23,8 @@ packages_for_long_tests=(g++-aarch64-linux-gnu g++-riscv64-linux-gnu g++-i686-li
   debhelper lintian cairosvg inkscape mupdf-tools)
 # Programs that `bench/run.sh --peers` times beside the library. FreeSASA's archive needs two libraries that it reads
 # files with.
-packages_of_peers=(freesasa libxml2-dev libjson-c-dev libcgal-dev libnanoflann-dev gemmi-dev libfcl-dev python3 gromacs
-  python3-mdtraj)
+packages_of_peers=(freesasa libxml2-dev libjson-c-dev libcgal-dev libnanoflann-dev gemmi-dev tao-pegtl-dev libfcl-dev
+  python3 gromacs python3-mdtraj)
 
 as_root() {
   if [ "$(id -u)" -eq 0 ]; then

@@ -1,11 +1,12 @@
 #!/bin/bash
 # Runs every benchmark and writes build/bench/report/report.md, with the paper's figures beside ours.
-# Usage: bash bench/run.sh [--quick] [--peers]
+# Usage: bash bench/run.sh [--quick] [--peers | --programs]
 #   --quick  one repetition of each benchmark, as short as it gets: for trying out, not for quoting
 #   --peers  time other programs by turns with the library: FreeSASA, CGAL, nanoflann, gemmi, FCL, on a trajectory gmx
 #            sasa and mdtraj, and these and FreeSASA from files to areas. Missing ones are installed from Debian's
 #            packages if they can be, and left out otherwise. Then version 0.1.0 of the library, if it is in the
 #            repository's history
+#   --programs  nothing but these programs, from files to areas: their part of bench/report.md is put in place
 # Missing packages are installed with apt-get (as root, or through sudo). The environment variable BENCH_BUILD names
 # another folder to build in. Takes ten to twenty-five minutes, once the machine has come to rest after building.
 # Committed of it are bench/report.md and bench/plots/*.svg.
@@ -13,11 +14,13 @@ set -euo pipefail
 
 quick=no
 peers=no
+programs=no
 for argument in "$@"; do
   case "$argument" in
     --quick) quick=yes ;;
     --peers) peers=yes ;;
-    *) sed -n '2,11s/^# //p' "$0" >&2; exit 2 ;;
+    --programs) peers=yes programs=yes ;;
+    *) sed -n '2,12s/^# //p' "$0" >&2; exit 2 ;;
   esac
 done
 
@@ -39,6 +42,11 @@ suites=(bench_paper_section_2 bench_paper_section_3 bench_section_3_alternatives
 if [ "$peers" = yes ]; then
   suites+=(bench_peers_surfaces bench_peers_queries bench_peers_visibility bench_peers_poses hardsphere_tool)
 fi
+if [ "$programs" = yes ]; then suites=(hardsphere_tool); fi
+if [ "$peers" = yes ]; then
+  suites+=(read_alone)
+  if ninja -C "$build_folder" -t query gemmi_read >/dev/null 2>&1; then suites+=(gemmi_read); fi
+fi
 cmake --build "$build_folder" --target "${suites[@]}" write_report
 
 # Version 0.1.0, with its own benchmarks and the one for lattices, which it had not.
@@ -55,7 +63,7 @@ build_old_version() {
   cmake --build "$old_folder/build" --target "${old_suites[@]}"
 }
 old=no
-if [ "$peers" = yes ]; then
+if [ "$peers" = yes ] && [ "$programs" = no ]; then
   if ! git -C "$source_folder" cat-file -e "$old_version^{commit}" 2>/dev/null; then
     printf 'version 0.1.0: skipped: commit %s is not in this repository\n' "$old_version"
   elif [ -x "$old_folder/build/bench/bench_degenerate" ] || build_old_version; then
@@ -81,6 +89,32 @@ if [ "$quick" = no ] && [ -r /proc/loadavg ]; then wait_for_rest; fi
 
 rm -rf "$report_folder"
 mkdir -p "$report_folder"
+
+quickly=()
+if [ "$quick" = yes ]; then quickly=(--quick); fi
+text=$source_folder/bench/report/text
+run_programs() {
+  printf '== %s\n' bench/peers/programs.py
+  python3 "$source_folder/bench/peers/programs.py" "$build_folder" "$source_folder/bench/molecules/ubiquitin.pdb" \
+    "$report_folder/peers_programs.json" "${quickly[@]}"
+}
+if [ "$programs" = yes ]; then
+  run_programs
+  mkdir "$report_folder/text"
+  cp "$text/2_programs.txt" "$report_folder/text/"
+  "$build_folder/bench/write_report" "$report_folder/text" "$report_folder" >"$report_folder/programs.md"
+  printf 'This part was measured by itself on %s, with a load average of %s.\n\n' \
+    "$(date +%F)" "$(cut -d ' ' -f 1 /proc/loadavg)" >>"$report_folder/programs.md"
+  # In place of the part that is there, or at the end of the chapter.
+  awk -v part="$report_folder/programs.md" '
+    function put() { while ((getline line < part) > 0) if (line != "" || ++lines > 1) print line; done = 1 }
+    /^##/ { ours = $0 == "### Programs, from files to areas" }
+    ours && !done || /^## Section 2/ && !done { put() }
+    !ours { print }' "$source_folder/bench/report.md" >"$report_folder/report.md"
+  if [ "$quick" = no ]; then cp "$report_folder/report.md" "$source_folder/bench/report.md"; fi
+  printf 'The part is %s\n' "$report_folder/programs.md"
+  exit
+fi
 
 # run_suite NAME REPETITIONS SECONDS [SUFFIX]: a repetition iterates for at least so long. The suites that go up to a
 # million balls take one iteration of those in a repetition, so the repetitions are what their medians and ratios come
@@ -120,14 +154,10 @@ if [ "$peers" = yes ]; then
   run_suite bench_peers_queries 1 0.02
   run_suite bench_peers_visibility 1 0.02  # half a minute, once
   run_suite bench_peers_poses 1 0.02
-  quickly=()
-  if [ "$quick" = yes ]; then quickly=(--quick); fi
   printf '== %s\n' bench/peers/trajectories.py
   python3 "$source_folder/bench/peers/trajectories.py" "$build_folder/capi/hardsphere" \
     "$source_folder/bench/molecules/ubiquitin.pdb" "$report_folder/peers_trajectories.json" "${quickly[@]}"
-  printf '== %s\n' bench/peers/programs.py
-  python3 "$source_folder/bench/peers/programs.py" "$build_folder/capi/hardsphere" \
-    "$source_folder/bench/molecules/ubiquitin.pdb" "$build_folder/programs.json" "${quickly[@]}"
+  run_programs
 fi
 # Other work of a machine comes and goes in minutes, and would make a set look smaller or larger than it is. So suites
 # that compare sizes or threads run twice more.
@@ -167,7 +197,6 @@ if [ "$old" = yes ]; then
 fi
 
 mkdir -p "$report_folder/plots"
-text=$source_folder/bench/report/text
 "$build_folder/bench/write_report" --plots "$text" "$report_folder"
 if ! command -v gnuplot >/dev/null; then
   printf 'no plots: gnuplot is not installed\n'

@@ -42,7 +42,7 @@ Reading read(const std::string &text, const std::string &extension, uint64_t mod
 
   radii table;
   radii_take_set(&table, &radii_bondi);
-  const radii_table no_table = {nullptr, 0, 0, false};
+  const radii_table no_table = RADII_TABLE_NONE;
   molecule atoms;
   failure why;
   std::memset(&why, 0, sizeof why);

@@ -30,7 +30,7 @@ Reading read(const std::string &path, uint32_t atoms, uint64_t every) {
   failure why;
   std::memset(&why, 0, sizeof why);
   Reading reading;
-  FUZZ_REQUIRE(trajectory_format_of(path.c_str(), file_format_named("xyz"), &run, &why), "extension");
+  FUZZ_REQUIRE(trajectory_format_of(path.c_str(), file_format_named("xyz", FILE_ATOMS), &run, &why), "extension");
   line_status status = LINE_FAILED;
   if (trajectory_open(&run, path.c_str(), atoms, &why)) {
     do {

@@ -57,6 +57,22 @@ else()
   message(STATUS "peer gemmi: skipped: the package is gemmi-dev")
 endif()
 
+# Processes that read a file and do nothing else, for programs.py. gemmi's headers for mmCIF need PEGTL's.
+if(TARGET hardsphere_readers)
+  add_executable(read_alone peers/read_alone.c)
+  set_target_properties(read_alone PROPERTIES C_STANDARD 99 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF)
+  target_link_libraries(read_alone PRIVATE hardsphere_readers hardsphere hardsphere_warnings hardsphere_sanitizers)
+endif()
+find_path(PEGTL_INCLUDE tao/pegtl.hpp)
+if(GEMMI_INCLUDE AND PEGTL_INCLUDE)
+  add_executable(gemmi_read peers/gemmi_read.cpp)
+  set_target_properties(gemmi_read PROPERTIES CXX_STANDARD 17) # by C++20 its own headers do not compile with clang
+  target_compile_options(gemmi_read PRIVATE -O3)
+  target_link_libraries(gemmi_read PRIVATE hardsphere_warnings)
+else()
+  message(STATUS "peer gemmi's reader: skipped: the packages are gemmi-dev, tao-pegtl-dev")
+endif()
+
 # FCL's targets name Eigen's and do not look for them. CGAL's way of finding Eigen makes no target.
 find_package(Eigen3 QUIET CONFIG)
 if(Eigen3_FOUND)

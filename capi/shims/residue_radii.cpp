@@ -172,7 +172,7 @@ char upper(char letter) {
 
 // Calls visit(word, length) for each word of a text.
 template <class Visit>
-void visit_words(const char *text, Visit visit) {
+constexpr void visit_words(const char *text, Visit visit) {
   while (*text != '\0') {
     if (*text == ' ') {
       ++text;
@@ -184,6 +184,22 @@ void visit_words(const char *text, Visit visit) {
     text += length;
   }
 }
+
+constexpr uint32_t count_words(const char *text) {
+  uint32_t count = 0;
+  visit_words(text, [&count](const char *, uint32_t) { ++count; });
+  return count;
+}
+
+template <size_t n>
+constexpr uint32_t count_atoms(const Rule (&rules)[n]) {
+  uint32_t count = 0;
+  for (const Rule &rule : rules) count += count_words(rule.residues) * count_words(rule.atoms);
+  return count;
+}
+
+constexpr uint32_t protor_atoms = count_atoms(protor);
+constexpr uint32_t naccess_atoms = count_atoms(naccess);
 
 // Whether a name, in any case of its letters and with blanks around it, is one of some words.
 bool is_one_of(const char *name, const char *words) {
@@ -216,15 +232,15 @@ bool find_residue_radius(ResidueSet set, const char *residue, const char *atom, 
 
 uint32_t list_residue_radii(ResidueSet set, hsp_residue_atom *out) {
   uint32_t count = 0;
+  if (out == nullptr) return set == ResidueSet::protor ? protor_atoms : naccess_atoms;
   for (const Rule &rule : rules_of(set)) {
     visit_words(rule.residues, [&](const char *residue, uint32_t residue_length) {
+      hsp_residue_atom listed;
+      put_name(residue, residue_length, listed.residue);
+      listed.radius = rule.radius;
       visit_words(rule.atoms, [&](const char *atom, uint32_t atom_length) {
-        if (out != nullptr) {
-          put_name(residue, residue_length, out[count].residue);
-          put_name(atom, atom_length, out[count].atom);
-          out[count].radius = rule.radius;
-        }
-        ++count;
+        put_name(atom, atom_length, listed.atom);
+        out[count++] = listed;
       });
     });
   }

@@ -12,7 +12,7 @@ export PATH=/usr/bin:$PATH OMP_NUM_THREADS=1 # the Python that lmp has in it loo
 rm -rf "$work"
 mkdir -p "$work/hardsphere"
 cd "$work"
-command -v lmp >/dev/null && lmp -h | grep -q python/invoke || { echo "skipped: there is no lmp with Python here" && exit 77; }
+command -v lmp >/dev/null && grep -q python/invoke <<<"$(lmp -h)" || { echo "skipped: there is no lmp with Python here" && exit 77; }
 python3 -c "import numpy" 2>/dev/null || { echo "skipped: there is no numpy here" && exit 77; }
 mpirun -n 1 true >log 2>&1 || { echo "skipped: $(grep -m 1 . log)" && exit 77; }
 cp "$source"/capi/python/hardsphere/*.py "$source/capi/clients/lammps_fix.py" hardsphere

@@ -25,8 +25,9 @@ fail() {
 mkdir -p "$folder"
 folder=$(cd "$folder" && pwd)
 names_of() { awk '/^[a-z][0-9][0-9]+ [^ ]+$/ { print $1 }' "$mutations"; }
-if [ $# -gt 0 ]; then names=("$@"); else mapfile -t names < <(names_of); fi
-for name in "${names[@]}"; do names_of | grep -qx "$name" || fail "no mutation is called $name"; done
+all_names=$(names_of)
+if [ $# -gt 0 ]; then names=("$@"); else mapfile -t names <<<"$all_names"; fi
+for name in "${names[@]}"; do grep -qx "$name" <<<"$all_names" || fail "no mutation is called $name"; done
 awk -v root="$source" -f "$here/mutations.awk" "$mutations" || fail "mutations.txt does not fit the code"
 
 # The targets that are built and tested. Files that have not changed keep their times, so that only what has changed is

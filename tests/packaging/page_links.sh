@@ -42,7 +42,7 @@ for page in "$readme" "$changes" "${pages[@]}"; do
     [ -z "$file" ] || target=$(dirname "$page")/$file
     if [ ! -e "$target" ]; then
       fail "${page#"$root"/}: no file $link"
-    elif [ -n "$anchor" ] && ! headings "$target" | grep -qxF -- "$anchor"; then
+    elif [ -n "$anchor" ] && ! grep -qxF -- "$anchor" <<<"$(headings "$target")"; then
       fail "${page#"$root"/}: no heading $link"
     fi
   done < <(awk '/^```/ { code = !code } !code' "$page" | grep -oE '\]\([^()]+\)' | sed -E 's/^\]\((.*)\)$/\1/')

@@ -1,6 +1,8 @@
 // Groups of an index file, and parts of a molecule that the rest blocks, against the table of all its balls.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdio>
 #include <set>
 #include <sstream>
 #include <string>
@@ -71,6 +73,102 @@ TEST_F(Parts, OfWhatIsRead) {
   EXPECT_NEAR(polar["polar_area"].number, polar["area"].number, 1e-10);
 }
 
+// In a box that cuts through the molecule, too, as areas of balls there are those of a molecule in one piece.
+TEST_F(Parts, AreasInABox) {
+  const Lines boxed = {"measure", crambin, "--probe", "1.4", "--box", "22,21,20", "--per-ball", "--polar"};
+  const auto with = [&boxed](const Lines &more) {
+    Lines call = boxed;
+    call.insert(call.end(), more.begin(), more.end());
+    return json_of(call);
+  };
+  const Json all = with({}), found = with({"--of", "residue:7-20"});
+  double sum = 0, by_residue = 0;
+  ASSERT_EQ(found["measured"].number, static_cast<double>(found["balls"].items.size()));
+  for (const Json &ball : found["balls"].items) {
+    EXPECT_EQ(ball["area"].number, all["balls"].items[static_cast<size_t>(ball["ball"].number)]["area"].number);
+    sum += ball["area"].number;
+  }
+  const Json residues = with({"--of", "residue:7-20", "--by", "residue"})["residues"];
+  EXPECT_EQ(residues.items.size(), 14U);
+  for (const Json &residue : residues.items) by_residue += residue["area"].number;
+  EXPECT_GT(sum, 10);
+  EXPECT_LT(sum, all["area"].number - 10);
+  EXPECT_NEAR(found["area"].number, sum, 1e-9);
+  EXPECT_NEAR(by_residue, sum, 1e-9);
+  EXPECT_NEAR(found["polar_area"].number + found["apolar_area"].number + found["other_area"].number, sum, 1e-9);
+  EXPECT_EQ(found["volume"].kind, Json::Kind::null);
+  EXPECT_EQ(found["free_volume"].number, all["free_volume"].number);
+}
+
+// Two parts that make up a molecule have its curvatures, gradients and weighted areas in all.
+TEST_F(Parts, AddUp) {
+  const TemporaryFile weights("weights.txt", [] {
+    std::string text;
+    for (int k = 0; k < 327; ++k) text += std::to_string(k % 7 - 3) + "\n";
+    return text;
+  }());
+  for (const Lines &box : {Lines{}, Lines{"--box", "22,21,20"}}) {
+    const auto with = [&](const Lines &more) {
+      Lines call = {"measure", crambin, "--probe", "1.4", "--curvature", "--gradient", "--weights", weights.path()};
+      call.insert(call.end(), box.begin(), box.end());
+      call.insert(call.end(), more.begin(), more.end());
+      return json_of(call);
+    };
+    const Json all = with({}), one = with({"--of", "residue:1-21"}), other = with({"--of", "residue:22-46"});
+    for (const char *of : {"area", "mean_curvature", "gauss_curvature", "weighted_area"}) {
+      EXPECT_GT(std::abs(one[of].number), 1) << of;
+      EXPECT_NEAR(one[of].number + other[of].number, all[of].number, 1e-9) << of;
+    }
+    ASSERT_EQ(one["balls"].items.size(), 327U);
+    EXPECT_EQ(one["balls"].items[0]["volume_gradient"].kind, Json::Kind::null);
+    EXPECT_EQ(one["balls"].items[0]["volume_dr"].kind, Json::Kind::null);
+    for (size_t i = 0; i < 327; ++i) {
+      const Json &a = one["balls"].items[i], &b = other["balls"].items[i], &both = all["balls"].items[i];
+      for (const char *of : {"area", "area_dr", "weighted_dr"}) {
+        EXPECT_NEAR(a[of].number + b[of].number, both[of].number, 1e-9) << of << i;
+      }
+      for (const char *of : {"area_gradient", "weighted_gradient"}) {
+        for (size_t k = 0; k < 3; ++k) {
+          EXPECT_NEAR(a[of].items[k].number + b[of].items[k].number, both[of].items[k].number, 1e-9) << of << i;
+        }
+      }
+      EXPECT_EQ((i < 154 ? b : a)["area"].number, 0) << i;
+    }
+    for (size_t k = 0; k < 9 && !box.empty(); ++k) {
+      EXPECT_NEAR(one["strain_area"].items[k].number + other["strain_area"].items[k].number,
+                  all["strain_area"].items[k].number, 1e-8);
+    }
+  }
+}
+
+// The derivatives of a part's area by an atom of it and by one that only blocks, as difference quotients.
+TEST_F(Parts, GradientOfAPart) {
+  const auto atom_at = [](double x) {
+    char line[400];
+    std::snprintf(line, sizeof line, "ATOM      2  C   GLY B   2    %8.3f%8.3f%8.3f  1.00  0.00           C  \n", x,
+                  0.5, 0.25);
+    return std::string("ATOM      1  C   GLY A   1       0.000   0.000   0.000  1.00  0.00           C  \n") + line;
+  };
+  const struct {
+    Lines box;
+    double x;
+  } cases[] = {{{}, 2}, {{"--box", "8,9,9"}, 6}};  // the second one across a face of the box
+  for (const auto &[box, at] : cases) {
+    const auto measured = [&, &box = box](double x) {
+      const TemporaryFile file("two.pdb", atom_at(x));
+      Lines call = {"measure", file.path(), "--of", "chain:A", "--gradient"};
+      call.insert(call.end(), box.begin(), box.end());
+      return json_of(call);
+    };
+    const Json here = measured(at);
+    const double quotient = (measured(at + 0.001)["area"].number - measured(at - 0.001)["area"].number) / 0.002;
+    const double by_blocking = here["balls"].items[1]["area_gradient"].items[0].number;
+    EXPECT_GT(std::abs(quotient), 1);
+    EXPECT_NEAR(by_blocking, quotient, 1e-4);
+    EXPECT_NEAR(here["balls"].items[0]["area_gradient"].items[0].number, -by_blocking, 1e-10);
+  }
+}
+
 TEST_F(Parts, GroupsOfAnIndexFile) {
   const Json found =
       json_of({"measure", crambin, "--probe", "1.4", "--by", "group", "--index", index.path(), "--hide", "atom:CA"});
@@ -116,10 +214,7 @@ TEST_F(Parts, Refused) {
                {{"--only", "group:5", "--index", index.path()}, 2, "no group '5'"},
                {{"--of", "group:Empty", "--index", index.path()}, 1, "--of names no atom"},
                {{"--of", "residue:3", "--surface", "ses"}, 2, "--surface ses is of all atoms"},
-               {{"--of", "residue:3", "--gradient"}, 2, "--gradient is of all atoms"},
-               {{"--of", "residue:3", "--curvature"}, 2, "--curvature is of all atoms"},
                {{"--of", "residue:3", "--interface", "A,B"}, 2, "--interface is of all atoms"},
-               {{"--of", "residue:3", "--box", "60,60,60"}, 2, "--box is of all atoms"},
                {{"--of", "residue:3", "--pdb-out", "x.pdb"}, 2, "--pdb-out is of all atoms"},
                {{"--index", beyond.path()}, 1, "group far has atom 328, and the molecule has 327"},
                {{"--index", zero.path()}, 1, "'0' is not the number of an atom"},

@@ -45,7 +45,7 @@ Reading read_all(const std::string &path, uint32_t atoms, uint64_t every = 1) {
   trajectory frames;
   failure why;
   std::memset(&why, 0, sizeof why);
-  bool good = trajectory_format_of(path.c_str(), file_format_named("xyz"), &frames, &why) &&
+  bool good = trajectory_format_of(path.c_str(), file_format_named("xyz", FILE_ATOMS), &frames, &why) &&
               trajectory_open(&frames, path.c_str(), atoms, &why);
   while (good) {
     const bool wanted = (frames.frames + 1) % every == 0;

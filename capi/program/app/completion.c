@@ -9,8 +9,11 @@
 static bool add_words(struct text_buffer *out, const struct option *option) {
   if (option->take == take_format) {
     const struct file_format *format;
+    const char *blank = "";
     for (size_t i = 0; (format = file_format_at(i)) != NULL; ++i) {
-      text_buffer_add(out, "%s%s", i == 0 ? "" : " ", format->name);
+      if (!file_format_has(format, FILE_ATOMS)) continue;
+      text_buffer_add(out, "%s%s", blank, format->name);
+      blank = " ";
     }
     return true;
   }

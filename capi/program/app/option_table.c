@@ -76,7 +76,8 @@ const struct option *option_at(size_t i) {
                "a chain is all atoms with its name, or in .pdb files without chains with their segment"},
       {"--of", "S", take_atoms, OF(MEASURE), .target = IN(part), .what = "atoms, for instance chain:A,B or residue:HOH",
        .help = "measure only the atoms that S names, as for --only; all others that are read block. Of\n"
-               "these the free area is found, and no volume. Several are a union"},
+               "these the free area is found, and no volume; with --gradient its derivatives by all\n"
+               "atoms. Several are a union"},
       {"--relative", NULL, take_flag, OF(MEASURE), .target = IN(relative),
        .help = "with --by residue and a probe: also the part of the largest area that a residue of that\n"
                "name can have in a chain"},
@@ -193,6 +194,13 @@ const struct option *option_at(size_t i) {
       {"--cut", NULL, take_flag, OF(MESH), .target = IN(meshing.cut),
        .help = "in .svg leave out what lies before the middle of the largest void, or else of all: the\n"
                "inside is seen, and voids as red bodies"},
+
+      {"--pockets", "W", take_number, OF(MESH), .target = IN(pockets), .what = "a length", .most = 1e6,
+       .component = "space",
+       .help = "in .svg show pockets instead, as pores has them: where the probe fits, and one of radius W\n"
+               "does not get to from outside. The widest six have colours; --cut goes through the first"},
+      {"--least", "D", take_length, OF(MESH), .target = IN(persistence), .what = "a length", .component = "space",
+       .help = "only pockets that are wider than their widest mouth by D"},
 
       {"--at", "X,Y", take_at, OF(PICK), .help = "the point"},
 

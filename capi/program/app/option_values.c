@@ -11,11 +11,11 @@
 bool take_format(struct reading *reading, const struct option *option, const char *value) {
   struct request *request = reading->request;
   char list[FORMAT_LIST_BYTES];
-  file_format_list(list, "", "or", 0, true);
+  file_format_list(list, "", "or", FILE_ATOMS, true);
   if (value == NULL) value = option_next(reading);
   if (value == NULL) return failure_in_usage(reading->failure, "--format needs %s", list);
   if (request->format != NULL) return option_given_twice(reading, option);
-  request->format = file_format_named(value);
+  request->format = file_format_named(value, FILE_ATOMS);
   request->format_given = true;
   char shown[EXCERPT_BYTES];
   return request->format != NULL ||

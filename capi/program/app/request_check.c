@@ -43,7 +43,7 @@ static bool check_trajectory(struct request *request, struct failure *failure) {
   }
   if (file_format_has(request->format, FILE_FRAMES)) return true;
   return failure_in_usage(failure, "--trajectory from standard input is %s, as FILE is",
-                          file_format_list(list, ".", "or", FILE_FRAMES, true));
+                          file_format_list(list, ".", "or", FILE_FRAMES | FILE_ATOMS, true));
 }
 
 /* Which options of `measure` go together, and with the format of the file. */
@@ -121,14 +121,10 @@ static bool check_measure(const struct request *request, struct failure *failure
 /* Results of all atoms alone, which a part that others block has not. */
 static bool check_part(const struct request *request, struct failure *failure) {
   if (!request_wants_part(request)) return true;
-  const char *other = request->excluded_surface         ? "--surface ses"
-                      : request->interface != NULL      ? "--interface"
-                      : request->gradient               ? "--gradient"
-                      : request->curvature              ? "--curvature"
-                      : request->weights != NULL        ? "--weights"
-                      : request->pdb_out != NULL        ? "--pdb-out"
-                      : request->box.source != BOX_NONE ? "--box"
-                                                        : NULL;
+  const char *other = request->excluded_surface    ? "--surface ses"
+                      : request->interface != NULL ? "--interface"
+                      : request->pdb_out != NULL   ? "--pdb-out"
+                                                   : NULL;
   return other == NULL || failure_in_usage(failure, "%s is of all atoms: not with --of", other);
 }
 

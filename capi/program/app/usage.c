@@ -6,7 +6,6 @@
 #include "app/command_table.h"
 #include "app/option.h"
 #include "hardsphere.h"
-#include "read/trajectory.h"
 
 static const char files[] =
     "FILE is .pdb, .ent, .pdb1 or the like, .cif (mmCIF), .gro, .pqr or .xyz, in angstrom once read, or .xyzr\n"
@@ -76,7 +75,8 @@ static void add_help(struct text_buffer *out, const char *help) {
       ++help;
     } else if (help[0] == '{') {
       const bool frames = strncmp(help, "{frames}", strlen("{frames}")) == 0;
-      text_buffer_add(out, "%s", frames ? trajectory_format_list(list) : file_format_list(list, "", "or", 0, true));
+      text_buffer_add(out, "%s",
+                      file_format_list(list, frames ? "." : "", "or", frames ? FILE_FRAMES : FILE_ATOMS, true));
       help = strchr(help, '}') + 1;
     }
   }
@@ -132,7 +132,7 @@ void usage_of_command(struct text_buffer *out, enum command command) {
     add_options(out, OF_BOX, command);
     text_buffer_add(out, "%s", box_closing);
   }
-  text_buffer_add(out, FOR_ALL_COMMANDS, file_format_list(list, ".", "or", 0, true));
+  text_buffer_add(out, FOR_ALL_COMMANDS, file_format_list(list, ".", "or", FILE_ATOMS, true));
 }
 
 void usage_version(struct text_buffer *out) {

@@ -81,7 +81,8 @@ void ball_table_make(const struct molecule *molecule, const struct measurement *
   memset(made, 0, sizeof *made);
   made->rows = ball_rows_of(molecule, NULL);
   made->area = measurement->area;
-  made->part = measurement->part;
+  /* All others change the area of a part, too, if they move. */
+  made->part = measurement->of_area.centre == NULL ? measurement->part : NULL;
   made->probe = probe;
   made->table = (struct table){made->columns, 0, molecule->format, molecule->atoms, made, row_of, ball_rows_lead};
   /* In JSON they are of the ball. */

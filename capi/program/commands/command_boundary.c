@@ -100,7 +100,7 @@ static void print_all(const struct request *request, const struct molecule *mole
 static bool count_in_box(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                          struct text_buffer *out, struct failure *failure) {
   struct periodic_result result;
-  const bool done = periodic_result_make(request, molecule, geometry, &result, failure);
+  const bool done = periodic_result_make(request, molecule, NULL, geometry, &result, failure);
   const hsp_periodic_counts *counts = &result.counts;
   struct counted counted = {.box = &result, .listed = request->shells, .euler = counts->euler};
   counted.boundary.balls = counts->balls;

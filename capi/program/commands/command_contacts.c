@@ -99,12 +99,11 @@ static bool find_contacts_in_box(struct findings *found, struct failure *failure
 
 /* The number of each atom's residue or chain. */
 static bool number_groups(const struct molecule *molecule, struct findings *found, struct failure *failure) {
-  if (found->groups.grouping == GROUPING_CHAIN) return chain_numbers_make(molecule, &found->group_of, failure);
   found->group_of = calloc((size_t)molecule->atoms + 1, sizeof *found->group_of);
   if (found->group_of == NULL) return failure_of_memory(failure);
-  uint32_t atom = 0;
   for (uint32_t g = 0; g < found->groups.count; ++g) {
-    for (uint32_t k = 0; k < found->groups.group[g].atoms; ++k) found->group_of[atom++] = g;
+    const struct atom_group *const group = &found->groups.group[g];
+    for (uint32_t k = 0; k < group->atoms; ++k) found->group_of[found->groups.member[group->member + k]] = g;
   }
   return true;
 }
@@ -120,12 +119,10 @@ static int32_t between_groups(const struct geometry *geometry, struct findings *
 
 static bool find_groups(const struct request *request, const struct molecule *molecule, const struct geometry *geometry,
                         struct findings *found, struct failure *failure) {
-  double *const nothing = calloc((size_t)molecule->atoms + 1, sizeof *nothing);
-  if (nothing == NULL) return failure_of_memory(failure);
-  const bool done = atom_groups_make(molecule, request->by, &request->index, nothing, NULL, &found->groups, failure) &&
-                    number_groups(molecule, found, failure);
-  free(nothing);
-  if (!done) return false;
+  if (!atom_groups_make(molecule, request->by, &request->index, NULL, &found->groups, failure) ||
+      !number_groups(molecule, found, failure)) {
+    return false;
+  }
   int32_t status = between_groups(geometry, found, 0);
   if (status != HSP_OK && status != HSP_E_CAPACITY) return failure_in_library(failure, status);
   found->between = calloc((size_t)found->between_count + 1, sizeof *found->between);
@@ -306,7 +303,7 @@ static bool write_map(const struct request *request, const struct molecule *mole
 static bool find_all(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                      struct findings *found, struct failure *failure) {
   if (request->box.source != BOX_NONE) {
-    return periodic_result_make(request, molecule, geometry, &found->box, failure) &&
+    return periodic_result_make(request, molecule, NULL, geometry, &found->box, failure) &&
            find_contacts_in_box(found, failure);
   }
   if (!geometry_compute_contacts(geometry, failure) || !find_contacts(geometry, found, failure)) return false;

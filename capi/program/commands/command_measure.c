@@ -55,20 +55,23 @@ static void record_interface(struct record *record, const char *text, const stru
   if (json) text_buffer_add_text(record->out, "}");
 }
 
-static void record_totals(struct record *record, const struct request *request, const struct measurement *of) {
-  struct quantity quantities[MOST_QUANTITIES];
-  const size_t count = measurement_quantities(request, of, quantities);
-  for (size_t k = 0; k < count; ++k) {
-    const struct quantity *const row = &quantities[k];
-    /* Behind area and volume. */
-    if (k == 2 && of->box.periodic != NULL) periodic_result_record(record, &of->box);
-    if (k == 2 && request->excluded_surface && record->form == AS_JSON) {
-      record_text(record, "surface", NULL, "ses", "");
-      if (request->outer) record_whether(record, "outer", NULL, true, "");
-    }
-    record_number(record, row->key, row->title, row->value, TOTAL_DECIMALS, row->remark);
+/* The surface and the box, behind the totals of the union. */
+static void record_subject(struct record *record, const struct request *request, const struct measurement *of) {
+  if (of->box.periodic != NULL) periodic_result_record(record, &of->box);
+  if (request->excluded_surface && record->form == AS_JSON) {
+    record_text(record, "surface", NULL, "ses", "");
+    if (request->outer) record_whether(record, "outer", NULL, true, "");
   }
-  if (count == 2 && of->box.periodic != NULL) periodic_result_record(record, &of->box);
+}
+
+static void record_totals(struct record *record, const struct request *request, const struct measurement *of) {
+  struct quantities quantities;
+  measurement_quantities(request, of, &quantities);
+  for (size_t k = 0; k < quantities.count; ++k) {
+    const struct quantity *const row = &quantities.of[k];
+    record_number(record, row->key, row->title, row->value, TOTAL_DECIMALS, row->remark);
+    if (k + 1 == quantities.totals) record_subject(record, request, of);
+  }
 }
 
 static void print(struct record *record, const void *of) {
@@ -120,8 +123,8 @@ bool command_measure(const struct request *request, const struct molecule *molec
   bool done = measurement_make(request, molecule, geometry, &found.measurement, failure);
   const double *area = found.measurement.area;
   if (done && request->by != GROUPING_NONE) {
-    done =
-        atom_groups_make(molecule, request->by, &request->index, area, found.measurement.part, &found.groups, failure);
+    done = atom_groups_make(molecule, request->by, &request->index, found.measurement.part, &found.groups, failure);
+    if (done) atom_groups_sum(&found.groups, area);
   }
   if (done && request->interface != NULL) {
     done = interface_measure(request->interface, molecule, request->probe, geometry, &found.interface, failure);

@@ -1,6 +1,5 @@
 #include "commands/measure_mean.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #include "commands/command_frames.h"
@@ -16,8 +15,7 @@ struct findings {
   const struct molecule *molecule;
   struct atom_groups groups; /* their areas are those of the means in the end */
   struct running_mean running;
-  struct quantity quantities[MOST_QUANTITIES]; /* without values */
-  size_t totals;                               /* how many of those there are */
+  struct quantities quantities; /* without values */
 };
 
 static bool has_groups(const struct request *request) {
@@ -27,22 +25,19 @@ static bool has_groups(const struct request *request) {
 static bool evaluate(const void *of, const struct molecule *molecule, struct geometry *geometry, double *numbers,
                      struct failure *failure) {
   const struct findings *const found = of;
+  const struct atom_groups *const groups = &found->groups;
   const struct request *const request = found->request;
-  struct quantity quantities[MOST_QUANTITIES];
   struct measurement measurement;
-  struct atom_groups groups = ATOM_GROUPS_NONE;
-  bool done = measurement_make(request, molecule, geometry, &measurement, failure);
-  if (done && has_groups(request)) {
-    done =
-        atom_groups_make(molecule, request->by, &request->index, measurement.area, measurement.part, &groups, failure);
-  }
+  const bool done = measurement_make(request, molecule, geometry, &measurement, failure);
   if (done) {
-    const size_t count = measurement_quantities(request, &measurement, quantities);
-    for (size_t k = 0; k < count; ++k) *numbers++ = quantities[k].value;
-    for (uint32_t k = 0; k < groups.count; ++k) *numbers++ = groups.group[k].area;
+    struct quantities quantities;
+    measurement_quantities(request, &measurement, &quantities);
+    for (size_t k = 0; k < quantities.count; ++k) *numbers++ = quantities.of[k].value;
+    for (uint32_t k = 0; k < groups->count; ++k) {
+      *numbers++ = atom_group_sum(groups, &groups->group[k], measurement.area);
+    }
     if (request_wants_balls(request)) memcpy(numbers, measurement.area, molecule->atoms * sizeof *numbers);
   }
-  atom_groups_free(&groups);
   measurement_free(&measurement);
   return done;
 }
@@ -56,8 +51,8 @@ static bool quantity_row(const void *of, size_t row, union cell cells[MOST_COLUM
   const struct findings *const found = of;
   const struct running_mean *const running = &found->running;
   (void)text;
-  cells[0].text = found->quantities[row].key;
-  cells[1].text = found->quantities[row].title;
+  cells[0].text = found->quantities.of[row].key;
+  cells[1].text = found->quantities.of[row].title;
   cells[2].quantity = running->mean[row];
   cells[3].quantity = running->deviation[row];
   cells[4].quantity = running->least[row];
@@ -91,7 +86,7 @@ static struct table ball_table(const struct findings *found, struct ball_means *
 }
 
 static const double *group_deviations(const struct findings *found) {
-  return found->running.deviation + found->totals;
+  return found->running.deviation + found->quantities.count;
 }
 
 static void print(struct record *record, const void *of) {
@@ -101,7 +96,7 @@ static void print(struct record *record, const void *of) {
       {"least", NULL, "least", 18, COLUMN_QUANTITY, 4}, {"most", NULL, "most", 18, COLUMN_QUANTITY, 4}};
   const struct findings *const found = of;
   const struct request *const request = found->request;
-  const struct table table = {columns, 6, record->molecule->format, found->totals, found, quantity_row, NULL};
+  const struct table table = {columns, 6, record->molecule->format, found->quantities.count, found, quantity_row, NULL};
   record_atoms(record);
   record_count(record, "frames", "frames", (int64_t)found->running.times, "");
   record_table(record, "means", &table);
@@ -114,26 +109,21 @@ static void print(struct record *record, const void *of) {
   record_table(record, "balls", &balls);
 }
 
-/* Groups are the same in all frames: found once, with areas of nothing. */
+/* Groups are the same in all frames. */
 static bool make(struct findings *found, struct failure *failure) {
   const struct request *const request = found->request;
   const struct molecule *const molecule = found->molecule;
-  const struct measurement nothing = {.totals = {0}};
-  found->totals = measurement_quantities(request, &nothing, found->quantities);
+  struct measurement nothing = {.totals = {0}};
+  measurement_quantities(request, &nothing, &found->quantities);
   size_t rows = request_wants_balls(request) ? molecule->atoms : 0;
   if (has_groups(request)) {
-    struct measurement one = nothing;
-    if (!measurement_find_part(request, molecule, &one, failure)) return false;
-    double *const areas = calloc((size_t)molecule->atoms + 1, sizeof *areas);
-    const bool done = areas != NULL ? atom_groups_make(molecule, request->by, &request->index, areas, one.part,
-                                                       &found->groups, failure)
-                                    : failure_of_memory(failure);
-    free(areas);
-    measurement_free(&one);
+    const bool done = measurement_find_part(request, molecule, &nothing, failure) &&
+                      atom_groups_make(molecule, request->by, &request->index, nothing.part, &found->groups, failure);
+    measurement_free(&nothing);
     if (!done) return false;
     rows += found->groups.count;
   }
-  return running_mean_make(&found->running, found->totals + rows) || failure_of_memory(failure);
+  return running_mean_make(&found->running, found->quantities.count + rows) || failure_of_memory(failure);
 }
 
 bool measure_mean(const struct request *request, const struct molecule *molecule, struct text_buffer *out,
@@ -146,7 +136,8 @@ bool measure_mean(const struct request *request, const struct molecule *molecule
   }
   if (done) {
     running_mean_finish(&found.running);
-    for (uint32_t k = 0; k < found.groups.count; ++k) found.groups.group[k].area = found.running.mean[found.totals + k];
+    const double *const of_groups = found.running.mean + found.quantities.count;
+    for (uint32_t k = 0; k < found.groups.count; ++k) found.groups.group[k].area = of_groups[k];
     if (!request->csv) {
       report(request, molecule, print, &found, out);
     } else if (has_groups(request)) {

@@ -19,36 +19,53 @@ static bool allocate_gradient(const struct molecule *molecule, struct gradient *
   return gradient->centre != NULL && gradient->radius != NULL;
 }
 
-static int32_t periodic_gradients(const hsp_periodic *periodic, uint32_t atoms, const struct gradient *of_area,
-                                  const struct gradient *of_volume, uint32_t *flags) {
-  const hsp_gradient_request area = {.struct_size = sizeof area, .tension = 1.0};
-  const hsp_gradient_request volume = {.struct_size = sizeof volume, .pressure = 1.0};
-  hsp_periodic_gradient_outputs outputs = {.struct_size = sizeof outputs,
-                                           .capacity = atoms,
-                                           .d_centre = of_area->centre,
-                                           .d_radius = of_area->radius,
-                                           .flags = flags};
-  const int32_t status = hsp_periodic_get_gradient(periodic, &area, &outputs);
-  if (status != HSP_OK) return status;
-  outputs.d_centre = of_volume->centre;
-  outputs.d_radius = of_volume->radius;
-  outputs.flags = NULL;
-  return hsp_periodic_get_gradient(periodic, &volume, &outputs);
+/* tension A + pressure V with weights of areas, or NULL, of the union or of that in the box, and its derivatives;
+ * energy, gradient and flags may be NULL. */
+static int32_t get_gradient(const struct geometry *geometry, const struct measurement *measurement, uint32_t atoms,
+                            const hsp_gradient_request *request, hsp_energy *energy, const struct gradient *gradient,
+                            uint32_t *flags) {
+  double *const centre = gradient != NULL ? gradient->centre : NULL;
+  double *const radius = gradient != NULL ? gradient->radius : NULL;
+  if (measurement->box.periodic != NULL) {
+    hsp_periodic_gradient_outputs outputs = {.struct_size = sizeof outputs,
+                                             .capacity = atoms,
+                                             .energy = energy,
+                                             .d_centre = centre,
+                                             .d_radius = radius,
+                                             .flags = flags};
+    return hsp_periodic_get_gradient(measurement->box.periodic, request, &outputs);
+  }
+  hsp_gradient_outputs outputs = {.struct_size = sizeof outputs,
+                                  .capacity = atoms,
+                                  .energy = energy,
+                                  .d_centre = centre,
+                                  .d_radius = radius,
+                                  .flags = flags};
+  return hsp_boundary_get_gradient(geometry->work.boundary, request, &outputs);
 }
 
-/* Derivatives of area and volume by all centres and radii, and how many balls have one-sided ones. */
+/* Derivatives of area and volume by all centres and radii, of a part's area alone, and how many balls have one-sided
+ * ones. */
 static bool measure_gradients(const struct molecule *molecule, const struct geometry *geometry, bool excluded_surface,
                               struct measurement *measurement, struct failure *failure) {
   struct gradient *of_area = &measurement->of_area, *of_volume = &measurement->of_volume;
-  if (!allocate_gradient(molecule, of_area, failure) || !allocate_gradient(molecule, of_volume, failure)) return false;
+  const bool with_volume = measurement->part == NULL;
+  if (!allocate_gradient(molecule, of_area, failure)) return false;
+  if (with_volume && !allocate_gradient(molecule, of_volume, failure)) return false;
   uint32_t *flags = calloc((size_t)molecule->atoms + 1, sizeof *flags);
   if (flags == NULL) return failure_of_memory(failure);
   int32_t status;
-  if (measurement->box.periodic != NULL) {
-    status = periodic_gradients(measurement->box.periodic, molecule->atoms, of_area, of_volume, flags);
-  } else if (excluded_surface) {
+  if (excluded_surface) {
     status = excluded_surface_gradients(geometry, molecule->atoms, of_area, of_volume, flags);
+  } else if (measurement->box.periodic != NULL) {
+    const hsp_gradient_request area = {.struct_size = sizeof area, .tension = 1.0, .sigma = measurement->part_weights};
+    const hsp_gradient_request volume = {.struct_size = sizeof volume, .pressure = 1.0};
+    status = get_gradient(geometry, measurement, molecule->atoms, &area, NULL, of_area, flags);
+    if (status == HSP_OK && with_volume) {
+      status = get_gradient(geometry, measurement, molecule->atoms, &volume, NULL, of_volume, NULL);
+    }
   } else {
+    const hsp_derivatives_request asked = {.struct_size = sizeof asked, .sigma = measurement->part_weights};
     hsp_derivatives_outputs outputs = {.struct_size = sizeof outputs,
                                        .capacity = molecule->atoms,
                                        .area_centre = of_area->centre,
@@ -56,7 +73,7 @@ static bool measure_gradients(const struct molecule *molecule, const struct geom
                                        .volume_centre = of_volume->centre,
                                        .volume_radius = of_volume->radius,
                                        .flags = flags};
-    status = hsp_boundary_get_derivatives(geometry->work.boundary, NULL, &outputs);
+    status = hsp_boundary_get_derivatives(geometry->work.boundary, &asked, &outputs);
   }
   for (uint32_t i = 0; status == HSP_OK && i < molecule->atoms; ++i) {
     if (flags[i] != 0) ++measurement->one_sided;
@@ -65,20 +82,11 @@ static bool measure_gradients(const struct molecule *molecule, const struct geom
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
-/* The weighted area and its gradient, of the union or of that in the box; either may be NULL. */
+/* The weighted area and its gradient; either may be NULL. */
 static int32_t get_weighted_area(const struct geometry *geometry, const struct measurement *measurement, uint32_t atoms,
                                  hsp_energy *energy, const struct gradient *gradient) {
   const hsp_gradient_request request = {.struct_size = sizeof request, .tension = 1.0, .sigma = measurement->weights};
-  double *const centre = gradient != NULL ? gradient->centre : NULL;
-  double *const radius = gradient != NULL ? gradient->radius : NULL;
-  if (measurement->box.periodic != NULL) {
-    hsp_periodic_gradient_outputs outputs = {
-        .struct_size = sizeof outputs, .capacity = atoms, .energy = energy, .d_centre = centre, .d_radius = radius};
-    return hsp_periodic_get_gradient(measurement->box.periodic, &request, &outputs);
-  }
-  hsp_gradient_outputs outputs = {
-      .struct_size = sizeof outputs, .capacity = atoms, .energy = energy, .d_centre = centre, .d_radius = radius};
-  return hsp_boundary_get_gradient(geometry->work.boundary, &request, &outputs);
+  return get_gradient(geometry, measurement, atoms, &request, energy, gradient, NULL);
 }
 
 static bool measure_weighted_gradient(const struct molecule *molecule, const struct geometry *geometry,
@@ -124,6 +132,9 @@ static bool measure_areas(const struct request *request, const struct molecule *
     measurement->totals.area = box->totals.area;
     measurement->totals.volume = box->totals.volume;
     const int32_t status = hsp_periodic_measure(box->periodic, NULL, measurement->area, NULL, molecule->atoms, NULL);
+    for (uint32_t i = 0; measurement->area != NULL && measurement->part != NULL && i < molecule->atoms; ++i) {
+      measurement->area[i] *= measurement->part_weights[i];
+    }
     return status == HSP_OK || failure_in_library(failure, status);
   }
   return geometry_measure(geometry, molecule->atoms, measurement->part, &measurement->totals, measurement->area,
@@ -134,10 +145,13 @@ bool measurement_find_part(const struct request *request, const struct molecule 
                            struct measurement *measurement, struct failure *failure) {
   if (!request_wants_part(request)) return true;
   measurement->part = malloc((size_t)molecule->atoms + 1);
-  if (measurement->part == NULL) return failure_of_memory(failure);
+  measurement->part_weights = allocate(molecule, 1, failure);
+  if (measurement->part == NULL || measurement->part_weights == NULL) return failure_of_memory(failure);
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     measurement->part[i] = selection_takes(&request->part, molecule, i) ? 1 : 0;
+    measurement->part_weights[i] = measurement->part[i];
     measurement->part_atoms += measurement->part[i];
+    if (measurement->weights != NULL) measurement->weights[i] *= measurement->part[i];
   }
   return measurement->part_atoms > 0 || failure_in_input(failure, 0, "--of names no atom that is read");
 }
@@ -155,49 +169,79 @@ static double *polarity_sum(struct measurement *measurement, struct element_symb
   return &measurement->other_area;
 }
 
+/* Of a part they are what its balls have of them. */
+static bool measure_curvatures(const struct molecule *molecule, const struct geometry *geometry,
+                               struct measurement *measurement, struct failure *failure) {
+  const double third_of_pi = 1.0471975511965977;
+  const hsp_periodic *const periodic = measurement->box.periodic;
+  const uint32_t atoms = molecule->atoms;
+  hsp_curvatures *const totals = &measurement->curvatures;
+  double *const mean = allocate(molecule, 1, failure);
+  int32_t *const thirds = malloc(((size_t)atoms + 1) * sizeof *thirds);
+  int32_t status = HSP_E_MEMORY;
+  if (mean != NULL && thirds != NULL) {
+    status = periodic != NULL ? hsp_periodic_curvature(periodic, totals, mean, thirds, atoms, NULL)
+                              : hsp_boundary_curvature(geometry->work.boundary, totals, mean, thirds, atoms, NULL);
+  }
+  if (status == HSP_OK && measurement->part != NULL) {
+    int64_t sum = 0;
+    totals->mean = 0.0;
+    for (uint32_t i = 0; i < atoms; ++i) {
+      totals->mean += measurement->part_weights[i] * mean[i];
+      sum += measurement->part[i] != 0 ? thirds[i] : 0;
+    }
+    totals->gauss = third_of_pi * (double)sum;
+  }
+  free(mean);
+  free(thirds);
+  return status == HSP_OK || failure_in_library(failure, status);
+}
+
 bool measurement_make(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                       struct measurement *measurement, struct failure *failure) {
   memset(measurement, 0, sizeof *measurement);
   const bool weighted = request->weights != NULL;
   if (weighted && !weights_read(request->weights, "weight", molecule->atoms, &measurement->weights, failure))
     return false;
-  const bool boxed = request->box.source != BOX_NONE;
-  if (boxed && !periodic_result_make(request, molecule, geometry, &measurement->box, failure)) return false;
   if (!measurement_find_part(request, molecule, measurement, failure)) return false;
-  if (!boxed && !geometry_compute_boundary_of(geometry, measurement->part, failure)) return false;
+  /* Edges curve between two balls, and derivatives are by the others, too. */
+  const uint8_t *const selected = request->curvature || request->gradient ? NULL : measurement->part;
+  if (request->box.source != BOX_NONE
+          ? !periodic_result_make(request, molecule, measurement->part_weights, geometry, &measurement->box, failure)
+          : !geometry_compute_boundary_of(geometry, selected, failure)) {
+    return false;
+  }
   if (!measure_areas(request, molecule, geometry, measurement, failure)) return false;
   for (uint32_t i = 0; request->polar && i < molecule->atoms; ++i) {
     *polarity_sum(measurement, molecule->label[i].element) += measurement->area[i];
   }
   if (weighted && !measure_weighted_area(request, molecule->atoms, geometry, measurement, failure)) return false;
-  if (request->curvature) {
-    const hsp_periodic *const periodic = measurement->box.periodic;
-    const int32_t status =
-        periodic != NULL
-            ? hsp_periodic_curvature(periodic, &measurement->curvatures, NULL, NULL, 0, NULL)
-            : hsp_boundary_curvature(geometry->work.boundary, &measurement->curvatures, NULL, NULL, 0, NULL);
-    if (status != HSP_OK) return failure_in_library(failure, status);
-  }
+  if (request->curvature && !measure_curvatures(molecule, geometry, measurement, failure)) return false;
   if (!request->gradient) return true;
   progress_show(&geometry->progress, "computing derivatives");
   return measure_gradients(molecule, geometry, request->excluded_surface, measurement, failure) &&
          (!weighted || measure_weighted_gradient(molecule, geometry, measurement, failure));
 }
 
-size_t measurement_quantities(const struct request *request, const struct measurement *measurement,
-                              struct quantity quantities[MOST_QUANTITIES]) {
+void measurement_quantities(const struct request *request, const struct measurement *measurement,
+                            struct quantities *quantities) {
   const struct excluded_surface *const surface = &measurement->surface;
-  const bool smooth = request->excluded_surface;
+  const bool smooth = request->excluded_surface, whole = !request_wants_part(request);
+  enum { TOTALS = 2 };
   const struct {
     bool asked;
     struct quantity quantity;
   } rows[MOST_QUANTITIES] = {
       {true, {"area", "area", "@^2", measurement->totals.area}},
-      {!request_wants_part(request), {"volume", "volume", "@^3", measurement->totals.volume}},
+      {whole, {"volume", "volume", "@^3", measurement->totals.volume}},
       {request->curvature,
-       {"mean_curvature", "mean curvature", "@, integrated over the boundary", measurement->curvatures.mean}},
+       {"mean_curvature", "mean curvature",
+        whole ? "@, integrated over the boundary" : "@, integrated over what is measured",
+        measurement->curvatures.mean}},
       {request->curvature,
-       {"gauss_curvature", "gauss curvature", ", 2 pi times its Euler characteristic", measurement->curvatures.gauss}},
+       {"gauss_curvature", "gauss curvature",
+        whole ? ", 2 pi times its Euler characteristic" : ", likewise; corners belong to three balls",
+        measurement->curvatures.gauss}},
       {smooth, {"convex_area", "convex area", "@^2, where the probe touches one atom", surface->convex_area}},
       {smooth, {"saddle_area", "saddle area", "@^2, where it touches two", surface->saddle_area}},
       {smooth, {"concave_area", "concave area", "@^2, where it touches three", surface->concave_area}},
@@ -209,15 +253,16 @@ size_t measurement_quantities(const struct request *request, const struct measur
       {request->polar, {"apolar_area", "apolar area", "@^2, of carbon, sulfur and selenium", measurement->apolar_area}},
       {request->polar, {"other_area", "other area", "@^2, of all others", measurement->other_area}},
   };
-  size_t count = 0;
+  quantities->count = quantities->totals = 0;
   for (size_t k = 0; k < MOST_QUANTITIES; ++k) {
-    if (rows[k].asked) quantities[count++] = rows[k].quantity;
+    if (rows[k].asked) quantities->of[quantities->count++] = rows[k].quantity;
+    if (k < TOTALS) quantities->totals = quantities->count;
   }
-  return count;
 }
 
 void measurement_free(struct measurement *measurement) {
   free(measurement->part);
+  free(measurement->part_weights);
   periodic_result_free(&measurement->box);
   free(measurement->area);
   free(measurement->weights);

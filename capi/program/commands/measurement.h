@@ -17,7 +17,7 @@ struct measurement {
   hsp_totals totals;
   struct excluded_surface surface; /* if the solvent-excluded surface was asked for; then totals are of that, too */
   double *area;                    /* [atoms], free area of each ball, or its share of the surface */
-  double *weights;                 /* [atoms], as the user gave them */
+  double *weights;                 /* [atoms], as the user gave them; 0 of those that only block */
   double weighted_area;            /* sum of weight x free area */
   struct gradient of_area;
   struct gradient of_volume;
@@ -26,6 +26,7 @@ struct measurement {
   double polar_area, apolar_area, other_area; /* if they were asked for */
   struct periodic_result box;                 /* if there is one; then all of this is of what is in it */
   uint8_t *part;                              /* [atoms], 0 of those that only block; NULL: all are measured */
+  double *part_weights;                       /* the same as weights of areas */
   uint32_t part_atoms;                        /* how many are measured, if there is such a part */
   uint32_t one_sided;                         /* balls whose derivatives are one-sided because they touch another */
 };
@@ -34,7 +35,8 @@ struct measurement {
 bool measurement_make(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                       struct measurement *measurement, struct failure *failure);
 
-/* Find `part` and how many atoms it has; NULL if the request has none. False: it is of no atom, or memory is short. */
+/* Find the part and how many atoms it has; NULL if the request has none. False: it is of no atom, or memory is short.
+ */
 bool measurement_find_part(const struct request *request, const struct molecule *molecule,
                            struct measurement *measurement, struct failure *failure);
 
@@ -48,9 +50,15 @@ struct quantity {
 
 enum { MOST_QUANTITIES = 12 };
 
-/* All that the request asks for, always as many and in the same order; returns how many. */
-size_t measurement_quantities(const struct request *request, const struct measurement *measurement,
-                              struct quantity quantities[MOST_QUANTITIES]);
+struct quantities {
+  struct quantity of[MOST_QUANTITIES];
+  size_t count;
+  size_t totals; /* of the union itself, which come first: area and volume */
+};
+
+/* All that the request asks for, always as many and in the same order. */
+void measurement_quantities(const struct request *request, const struct measurement *measurement,
+                            struct quantities *quantities);
 
 void measurement_free(struct measurement *measurement);
 

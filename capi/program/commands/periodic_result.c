@@ -26,8 +26,8 @@ bool periodic_result_find_box(const struct request *request, const struct molecu
   return true;
 }
 
-bool periodic_result_make(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
-                          struct periodic_result *result, struct failure *failure) {
+bool periodic_result_make(const struct request *request, const struct molecule *molecule, const double *weights,
+                          struct geometry *geometry, struct periodic_result *result, struct failure *failure) {
   memset(result, 0, sizeof *result);
   if (!periodic_result_find_box(request, molecule, result, failure)) return false;
   if (!geometry_compute_periodic(geometry, molecule, request->probe, result->box, failure)) return false;
@@ -39,10 +39,13 @@ bool periodic_result_make(const struct request *request, const struct molecule *
   result->windings = calloc((size_t)result->counts.components + 1, sizeof *result->windings);
   if (result->windings == NULL) return failure_of_memory(failure);
   status = hsp_periodic_get_windings(periodic, result->windings, result->counts.components, &needed);
-  const hsp_gradient_request area = {.struct_size = sizeof area, .tension = 1.0};
+  const hsp_gradient_request area = {.struct_size = sizeof area, .tension = 1.0, .sigma = weights};
   const hsp_gradient_request volume = {.struct_size = sizeof volume, .pressure = 1.0};
-  hsp_periodic_gradient_outputs outputs = {.struct_size = sizeof outputs, .d_strain = result->strain_area};
+  hsp_energy energy;
+  hsp_periodic_gradient_outputs outputs = {
+      .struct_size = sizeof outputs, .energy = &energy, .d_strain = result->strain_area};
   if (status == HSP_OK) status = hsp_periodic_get_gradient(periodic, &area, &outputs);
+  if (status == HSP_OK && weights != NULL) result->totals.area = energy.area;
   outputs.d_strain = result->strain_volume;
   if (status == HSP_OK) status = hsp_periodic_get_gradient(periodic, &volume, &outputs);
   return status == HSP_OK || failure_in_library(failure, status);

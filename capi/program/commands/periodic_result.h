@@ -25,9 +25,10 @@ struct periodic_result {
 bool periodic_result_find_box(const struct request *request, const struct molecule *molecule,
                               struct periodic_result *result, struct failure *failure);
 
-/* Compute everything in the box that the request or the file names. Free the result on true and on false. */
-bool periodic_result_make(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
-                          struct periodic_result *result, struct failure *failure);
+/* Compute everything in the box that the request or the file names. weights [atoms]: of areas, for totals.area and
+ * strain_area; NULL: all are 1. Free the result on true and on false. */
+bool periodic_result_make(const struct request *request, const struct molecule *molecule, const double *weights,
+                          struct geometry *geometry, struct periodic_result *result, struct failure *failure);
 
 void periodic_result_free(struct periodic_result *result);
 

@@ -7,6 +7,9 @@
 #include "read/fields.h"
 
 #define FORMATS(FORMAT) \
+  FORMAT(xtc)           \
+  FORMAT(trr)           \
+  FORMAT(dcd)           \
   FORMAT(xyzr)          \
   FORMAT(pdb)           \
   FORMAT(pqr)           \
@@ -27,13 +30,19 @@ bool file_format_has(const struct file_format *format, enum file_feature feature
   return (format->features & (unsigned)feature) != 0;
 }
 
+static bool has_all(const struct file_format *format, unsigned features) {
+  return (format->features & features) == features;
+}
+
 const char *file_format_list(char out[FORMAT_LIST_BYTES], const char *prefix, const char *word, unsigned features,
                              bool has) {
   const char *name[FORMAT_LIST_BYTES / 2];
   size_t count = 0, at = 0;
   const struct file_format *format;
   for (size_t i = 0; (format = file_format_at(i)) != NULL; ++i) {
-    if (((format->features & features) == features) == has) name[count++] = format->name;
+    const bool listed =
+        has ? has_all(format, features) : file_format_has(format, FILE_ATOMS) && !has_all(format, features);
+    if (listed) name[count++] = format->name;
   }
   out[0] = '\0';
   for (size_t i = 0; i < count && at < FORMAT_LIST_BYTES; ++i) {
@@ -62,20 +71,24 @@ static bool is_extension(struct field name, const char *extensions) {
   return false;
 }
 
-const struct file_format *file_format_named(const char *name) {
+const struct file_format *file_format_named(const char *name, unsigned features) {
   const struct field written = {name, strlen(name)};
   const struct file_format *format;
   for (size_t i = 0; (format = file_format_at(i)) != NULL; ++i) {
-    if (is_extension(written, format->extensions)) return format;
+    if (has_all(format, features) && is_extension(written, format->extensions)) return format;
   }
   return NULL;
 }
 
-const struct file_format *file_format_of(const char *path, struct failure *failure) {
+const char *file_extension(const char *path) {
   const char *slash = strrchr(path, '/');
   const char *dot = strrchr(slash == NULL ? path : slash + 1, '.');
-  const char *extension = dot == NULL ? "" : dot + 1;
-  const struct file_format *format = file_format_named(extension);
+  return dot == NULL ? "" : dot + 1;
+}
+
+const struct file_format *file_format_of(const char *path, struct failure *failure) {
+  const char *const extension = file_extension(path);
+  const struct file_format *format = file_format_named(extension, FILE_ATOMS);
   if (format != NULL) return format;
   failure->file = path;
   if (is_extension((struct field){extension, strlen(extension)}, "GZ Z BZ2 XZ ZST")) {
@@ -83,6 +96,6 @@ const struct file_format *file_format_of(const char *path, struct failure *failu
     return NULL;
   }
   char list[FORMAT_LIST_BYTES];
-  failure_in_input(failure, 0, "unknown extension; expected %s", file_format_list(list, ".", "or", 0, true));
+  failure_in_input(failure, 0, "unknown extension; expected %s", file_format_list(list, ".", "or", FILE_ATOMS, true));
   return NULL;
 }

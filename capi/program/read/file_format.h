@@ -1,5 +1,5 @@
-/* The formats of molecule files: what each is called and has, its unit of length, and its reader. A format is a file
- * read_<name>.c with one of these, and a line in the table of file_format.c. */
+/* The formats of files of molecules and of frames: what each is called and has, its unit of length, and its readers. A
+ * format is a file read_<name>.c with one of these, and a line in the table of file_format.c. */
 #ifndef HARDSPHERE_TOOL_FILE_FORMAT_H
 #define HARDSPHERE_TOOL_FILE_FORMAT_H
 
@@ -10,6 +10,7 @@
 #include "read/line_reader.h"
 
 struct molecule;
+struct trajectory;
 
 /* The contents of the files of a format. */
 enum file_feature {
@@ -24,7 +25,8 @@ enum file_feature {
   FILE_COORDINATE_ITEMS = 256, /* coordinates of several kinds, of which one is read, or none of some atoms */
   FILE_AREA_COLUMNS = 512,     /* columns that areas of atoms are written to: --pdb-out */
   FILE_ONE_BOX = 1024,         /* a record of the box that is of all models behind it */
-  FILE_FRAMES = 2048           /* models that are read one after the other, as frames of a trajectory */
+  FILE_FRAMES = 2048,          /* models that are read one after the other, as frames of a trajectory */
+  FILE_ATOMS = 4096            /* molecules; else coordinates alone */
 };
 
 struct file_format {
@@ -34,12 +36,16 @@ struct file_format {
   const char *sign;       /* of the unit, UTF-8; "" where there is none */
   unsigned features;      /* file_feature */
   const char *nameless;   /* what an atom lacks whose element is not known, "no element" */
-  /* Read the model of the file that the molecule asks for, from the first line on. */
+  /* Read the model of the file that the molecule asks for, from the first line on; of FILE_ATOMS. */
   bool (*read)(struct line_reader *reader, struct molecule *molecule, struct failure *failure);
-  /* Read the next model of a file, one after the other from the first line on, or step over it; of FILE_FRAMES. *begun,
-   * false before the first model, is the reader's. LINE_END: there is none left. */
+  /* Read the next model of a file, one after the other from the first line on, or step over it; of FILE_ATOMS
+   * with FILE_FRAMES. *begun, false before the first model, is the reader's. LINE_END: there is none left. */
   enum line_status (*next)(struct line_reader *reader, bool *begun, bool wanted, struct molecule *molecule,
                            struct failure *failure);
+  /* Of coordinates alone: read what stands before the frames; NULL: nothing does. Read the next frame, or step over it.
+   */
+  bool (*begin)(struct trajectory *trajectory, struct failure *failure);
+  enum line_status (*next_frame)(struct trajectory *trajectory, bool wanted, struct failure *failure);
 };
 
 #define ANGSTROM .unit = "angstrom", .sign = "\xC3\x85"
@@ -49,16 +55,19 @@ const struct file_format *file_format_at(size_t i);
 
 bool file_format_has(const struct file_format *format, enum file_feature feature);
 
-/* The formats whose files have all of these features, or lack them, as a person lists them: "a, b or c", with another
- * word for the last one, and the prefix before each. */
+/* The formats whose files have all of these features, or those of molecules that lack them, as a person lists them: "a,
+ * b or c", with another word for the last one, and the prefix before each. */
 #define FORMAT_LIST_BYTES 120
 const char *file_format_list(char out[FORMAT_LIST_BYTES], const char *prefix, const char *word, unsigned features,
                              bool has);
 
-/* The format of that name or extension, in any case of its letters; NULL if there is none. */
-const struct file_format *file_format_named(const char *name);
+/* The format with these features of that name or extension, in any case of its letters; NULL if there is none. */
+const struct file_format *file_format_named(const char *name, unsigned features);
 
-/* The format that a file name's extension asks for; NULL if there is none. */
+/* The part of a file's name after the last dot; "" if there is none. */
+const char *file_extension(const char *path);
+
+/* The format of molecules that a file name's extension asks for; NULL if there is none. */
 const struct file_format *file_format_of(const char *path, struct failure *failure);
 
 #endif

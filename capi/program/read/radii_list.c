@@ -40,6 +40,7 @@ static void print_elements(struct text_buffer *out) {
 static bool print_residues(const struct radii_set *set, struct text_buffer *out, struct failure *failure) {
   struct radii_table table = RADII_TABLE_NONE;
   const bool made = radii_table_make(&table, radii_set_residues(set), failure);
+  radii_table_sort(&table);
   const char *residue, *atom;
   const char *before = "";
   double radius;

@@ -8,20 +8,24 @@
 #include "read/characters.h"
 #include "read/fields.h"
 #include "read/line_reader.h"
+#include "read/words.h"
 
-enum { NAME_BYTES = 8 };
+enum { NAME_BYTES = RADII_NAME_BYTES };
 
 struct radii_entry {
   char residue[NAME_BYTES];
   char atom[NAME_BYTES];
-  char type[24]; /* while a file is read: the radius follows when all types are known */
   double radius;
   uint64_t line;
 };
 
-/* A type of FreeSASA's files. */
+/* Of a type in FreeSASA's files. */
+struct type_name {
+  char text[24];
+};
+
 struct radii_type {
-  char name[24];
+  struct type_name name;
   double radius;
 };
 
@@ -31,6 +35,8 @@ struct reading {
   struct radii_type *types;
   size_t type_count;
   size_t type_capacity;
+  struct type_name *type_of; /* [table->count], empty for entries that have a radius: it follows when types are known */
+  size_t type_of_capacity;
   struct failure *failure;
 };
 
@@ -58,24 +64,62 @@ static bool make_room(void **items, size_t count, size_t *capacity, size_t size,
   return true;
 }
 
-static struct radii_entry *add_entry(struct radii_table *table, struct field residue, struct field atom, uint64_t line,
-                                     struct failure *failure) {
+/* An entry that has neither type nor radius yet; NULL: it cannot be added. */
+static struct radii_entry *add_entry(struct reading *reading, struct field residue, struct field atom) {
+  struct radii_table *table = reading->table;
   void *entries = table->entries;
-  const bool room = make_room(&entries, table->count, &table->capacity, sizeof *table->entries, failure);
+  void *type_of = reading->type_of;
+  const bool room =
+      make_room(&entries, table->count, &table->capacity, sizeof *table->entries, reading->failure) &&
+      make_room(&type_of, table->count, &reading->type_of_capacity, sizeof *reading->type_of, reading->failure);
   table->entries = entries;
+  reading->type_of = type_of;
   if (!room) return NULL;
   struct radii_entry *entry = &table->entries[table->count];
-  memset(entry, 0, sizeof *entry);
-  entry->line = line;
+  *entry = (struct radii_entry){"", "", 0.0, reading->reader->number};
   const struct field any = {"ANY", 3};
   if (field_is(residue, "*")) residue = any;
   if (!copy_name(entry->residue, sizeof entry->residue, residue) || !copy_name(entry->atom, sizeof entry->atom, atom)) {
-    failure_in_input(failure, line, "a name of more than %d characters", NAME_BYTES - 1);
+    failure_in_input(reading->failure, entry->line, "a name of more than %d characters", NAME_BYTES - 1);
     return NULL;
   }
-  ++table->count;
+  reading->type_of[table->count++].text[0] = '\0';
   if (names_hydrogen(entry->atom)) table->hydrogens = true;
   return entry;
+}
+
+/* The slot of a residue and an atom, or of a residue alone if `atom` is 0: empty, or twice the number of an entry with
+ * these names, plus 1 for an atom and 2 for a residue. */
+static uint32_t *slot_of(const struct radii_table *table, uint64_t residue, uint64_t atom) {
+  const uint64_t spread = UINT64_C(0x9E3779B97F4A7C15);
+  uint64_t at = (residue * spread ^ atom) * spread >> 32;
+  for (;; ++at) {
+    uint32_t *const slot = &table->slots[at & (table->slot_count - 1)];
+    if (*slot == 0) return slot;
+    const struct radii_entry *entry = &table->entries[(*slot - 1) / 2];
+    if (word_at(entry->residue) == residue && (*slot % 2 == 0 ? 0 : word_at(entry->atom)) == atom) return slot;
+  }
+}
+
+/* The first of several entries with the same names counts. */
+static void fill_slots(struct radii_table *table) {
+  memset(table->slots, 0, table->slot_count * sizeof *table->slots);
+  for (uint32_t i = 0; i < table->count; ++i) {
+    const uint64_t residue = word_at(table->entries[i].residue);
+    uint32_t *const alone = slot_of(table, residue, 0);
+    if (*alone == 0) *alone = 2 * i + 2;
+    uint32_t *const slot = slot_of(table, residue, word_at(table->entries[i].atom));
+    if (*slot == 0) *slot = 2 * i + 1;
+  }
+}
+
+static bool add_slots(struct radii_table *table, struct failure *failure) {
+  table->slot_count = 1;
+  while (table->slot_count <= 2 * table->count) table->slot_count *= 2;
+  table->slots = table->count > UINT32_MAX / 4 ? NULL : malloc(table->slot_count * sizeof *table->slots);
+  if (table->slots == NULL) return failure_of_memory(failure);
+  fill_slots(table);
+  return true;
 }
 
 static int order_of_entries(const void *left, const void *right) {
@@ -85,9 +129,14 @@ static int order_of_entries(const void *left, const void *right) {
   return by_residue != 0 ? by_residue : strcmp(a->atom, b->atom);
 }
 
-/* Put the entries in order. An atom may stand there twice, but not with two radii. */
-static bool sort_entries(struct radii_table *table, struct failure *failure) {
-  if (table->count > 0) qsort(table->entries, table->count, sizeof *table->entries, order_of_entries);
+void radii_table_sort(struct radii_table *table) {
+  if (table->count == 0) return;
+  qsort(table->entries, table->count, sizeof *table->entries, order_of_entries);
+  fill_slots(table);
+}
+
+/* An atom may stand there twice, but not with two radii. */
+static bool check_entries(const struct radii_table *table, struct failure *failure) {
   for (size_t i = 1; i < table->count; ++i) {
     const struct radii_entry *before = &table->entries[i - 1];
     const struct radii_entry *entry = &table->entries[i];
@@ -98,23 +147,27 @@ static bool sort_entries(struct radii_table *table, struct failure *failure) {
   return true;
 }
 
-static struct field whole(const char *name) {
-  return (struct field){name, strlen(name)};
-}
-
 bool radii_table_make(struct radii_table *table, uint32_t set, struct failure *failure) {
   uint32_t count = 0;
   hsp_residue_get_atoms(set, NULL, 0, &count);
   hsp_residue_atom *atoms = malloc(count * sizeof *atoms);
-  if (atoms == NULL) return failure_of_memory(failure);
-  bool done = hsp_residue_get_atoms(set, atoms, count, NULL) == HSP_OK;
+  table->entries = calloc(count, sizeof *table->entries);
+  bool done = atoms != NULL && table->entries != NULL;
+  if (done) {
+    table->count = table->capacity = count;
+    hsp_residue_get_atoms(set, atoms, count, NULL);
+  } else {
+    failure_of_memory(failure);
+  }
   for (uint32_t i = 0; done && i < count; ++i) {
-    struct radii_entry *entry = add_entry(table, whole(atoms[i].residue), whole(atoms[i].atom), 0, failure);
-    done = entry != NULL;
-    if (done) entry->radius = atoms[i].radius;
+    struct radii_entry *entry = &table->entries[i];
+    memcpy(entry->residue, atoms[i].residue, sizeof entry->residue);
+    memcpy(entry->atom, atoms[i].atom, sizeof entry->atom);
+    entry->radius = atoms[i].radius;
+    table->hydrogens = table->hydrogens || names_hydrogen(entry->atom);
   }
   free(atoms);
-  return done && sort_entries(table, failure);
+  return done && add_slots(table, failure);
 }
 
 static bool read_type(struct reading *reading, const struct field *part, size_t count) {
@@ -126,8 +179,9 @@ static bool read_type(struct reading *reading, const struct field *part, size_t 
   reading->types = types;
   if (!room) return false;
   struct radii_type *type = &reading->types[reading->type_count];
-  if (!copy_name(type->name, sizeof type->name, part[0])) {
-    return failure_in_input(reading->failure, line, "a name of more than %d characters", (int)sizeof type->name - 1);
+  if (!copy_name(type->name.text, sizeof type->name.text, part[0])) {
+    return failure_in_input(reading->failure, line, "a name of more than %d characters",
+                            (int)sizeof type->name.text - 1);
   }
   ++reading->type_count;
   return field_radius(part[1], &type->radius, line, reading->failure);
@@ -139,11 +193,12 @@ static bool read_entry(struct reading *reading, const struct field *part, size_t
     return failure_in_input(reading->failure, line, "expected a residue, an atom and its %s",
                             typed ? "type" : "radius");
   }
-  struct radii_entry *entry = add_entry(reading->table, part[0], part[1], line, reading->failure);
+  struct radii_entry *entry = add_entry(reading, part[0], part[1]);
   if (entry == NULL) return false;
   if (!typed) return field_radius(part[2], &entry->radius, line, reading->failure);
-  if (copy_name(entry->type, sizeof entry->type, part[2])) return true;
-  return failure_in_input(reading->failure, line, "a name of more than %d characters", (int)sizeof entry->type - 1);
+  struct type_name *type = &reading->type_of[reading->table->count - 1];
+  if (copy_name(type->text, sizeof type->text, part[2])) return true;
+  return failure_in_input(reading->failure, line, "a name of more than %d characters", (int)sizeof type->text - 1);
 }
 
 static bool read_lines(struct reading *reading) {
@@ -176,11 +231,12 @@ static bool read_lines(struct reading *reading) {
 static bool resolve_types(struct reading *reading) {
   for (size_t i = 0; i < reading->table->count; ++i) {
     struct radii_entry *entry = &reading->table->entries[i];
-    if (entry->type[0] == '\0') continue;
+    const char *type = reading->type_of[i].text;
+    if (type[0] == '\0') continue;
     size_t at = 0;
-    while (at < reading->type_count && strcmp(reading->types[at].name, entry->type) != 0) ++at;
+    while (at < reading->type_count && strcmp(reading->types[at].name.text, type) != 0) ++at;
     if (at == reading->type_count) {
-      return failure_in_input(reading->failure, entry->line, "there is no type '%s'", entry->type);
+      return failure_in_input(reading->failure, entry->line, "there is no type '%s'", type);
     }
     entry->radius = reading->types[at].radius;
   }
@@ -190,52 +246,46 @@ static bool resolve_types(struct reading *reading) {
 bool radii_table_read(struct radii_table *table, const char *path, struct failure *failure) {
   const char *file_before = failure->file;
   failure->file = input_name(path);
-  struct reading reading = {malloc(sizeof *reading.reader), table, NULL, 0, 0, failure};
+  struct reading reading = {malloc(sizeof *reading.reader), table, NULL, 0, 0, NULL, 0, failure};
   if (reading.reader == NULL) return failure_of_memory(failure);
   bool done = line_reader_open(reading.reader, path, failure);
   if (done) {
-    done = read_lines(&reading) && resolve_types(&reading) && sort_entries(table, failure);
+    done = read_lines(&reading) && resolve_types(&reading) && add_slots(table, failure);
+    if (done) radii_table_sort(table);
+    done = done && check_entries(table, failure);
     line_reader_close(reading.reader);
   }
   if (done && table->count == 0) done = failure_in_input(failure, 0, "no radii in the file");
   free(reading.types);
+  free(reading.type_of);
   free(reading.reader);
   if (done) failure->file = file_before;
   return done;
 }
 
-static const struct radii_entry *find(const struct radii_table *table, const struct radii_entry *key) {
-  if (table->count == 0) return NULL;
-  return bsearch(key, table->entries, table->count, sizeof *table->entries, order_of_entries);
+/* A name of at most 7 characters, in capitals, with zeros behind it. */
+static uint64_t capitals_of(const char name[NAME_BYTES]) {
+  const uint64_t word = word_at(name);
+  const uint64_t text = word_first(word, lowest_bit(word_find(word, '\0')) / 8);
+  const uint64_t low = text & WORD_OF(0x7F);
+  const uint64_t lower = ((low + WORD_OF(0x80 - 'a')) & ~(low + WORD_OF(0x7F - 'z'))) & ~text & WORD_OF(0x80);
+  return text ^ lower >> 2;
 }
 
-bool radii_table_find(const struct radii_table *table, const char *residue, const char *atom, double *radius) {
-  struct radii_entry key;
+bool radii_table_find(const struct radii_table *table, const char residue[NAME_BYTES], const char atom[NAME_BYTES],
+                      double *radius) {
   if (table->count == 0) return false;
-  if (!copy_name(key.residue, sizeof key.residue, whole(residue)) ||
-      !copy_name(key.atom, sizeof key.atom, whole(atom))) {
-    return false;
-  }
-  const struct radii_entry *found = find(table, &key);
-  if (found == NULL) {
-    memcpy(key.residue, "ANY", 4);
-    found = find(table, &key);
-  }
-  if (found == NULL) return false;
-  *radius = found->radius;
+  const uint64_t name = capitals_of(atom);
+  if (name == 0) return false;
+  uint32_t slot = *slot_of(table, capitals_of(residue), name);
+  if (slot == 0) slot = *slot_of(table, word_at("ANY\0\0\0\0"), name);
+  if (slot == 0) return false;
+  *radius = table->entries[(slot - 1) / 2].radius;
   return true;
 }
 
-static int order_of_residues(const void *left, const void *right) {
-  return strcmp(((const struct radii_entry *)left)->residue, ((const struct radii_entry *)right)->residue);
-}
-
-bool radii_table_names(const struct radii_table *table, const char *residue) {
-  struct radii_entry key;
-  if (table->count == 0 || !copy_name(key.residue, sizeof key.residue, whole(residue))) {
-    return false;
-  }
-  return bsearch(&key, table->entries, table->count, sizeof *table->entries, order_of_residues) != NULL;
+bool radii_table_names(const struct radii_table *table, const char residue[NAME_BYTES]) {
+  return table->count > 0 && *slot_of(table, capitals_of(residue), 0) != 0;
 }
 
 bool radii_table_get(const struct radii_table *table, size_t i, const char **residue, const char **atom,
@@ -249,5 +299,6 @@ bool radii_table_get(const struct radii_table *table, size_t i, const char **res
 
 void radii_table_free(struct radii_table *table) {
   free(table->entries);
+  free(table->slots);
   *table = (struct radii_table)RADII_TABLE_NONE;
 }

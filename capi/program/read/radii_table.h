@@ -8,17 +8,22 @@
 
 #include "read/failure.h"
 
+/* Of names, with the NUL behind them. */
+enum { RADII_NAME_BYTES = 8 };
+
 struct radii_entry;
 
 struct radii_table {
   struct radii_entry *entries;
   size_t count;
   size_t capacity;
-  bool hydrogens; /* there are radii for them; if not, heavy atoms stand for them */
+  bool hydrogens;  /* there are radii for them; if not, heavy atoms stand for them */
+  uint32_t *slots; /* by names */
+  size_t slot_count;
 };
 
 #define RADII_TABLE_NONE \
-  { NULL, 0, 0, false }
+  { NULL, 0, 0, false, NULL, 0 }
 
 /* Make a table of a set of the library, HSP_RADII_*. Free the table on true and on false. */
 bool radii_table_make(struct radii_table *table, uint32_t set, struct failure *failure);
@@ -31,12 +36,16 @@ bool radii_table_make(struct radii_table *table, uint32_t set, struct failure *f
 bool radii_table_read(struct radii_table *table, const char *path, struct failure *failure);
 
 /* The radius of an atom by both names, in any case of their letters; false: the table has none. */
-bool radii_table_find(const struct radii_table *table, const char *residue, const char *atom, double *radius);
+bool radii_table_find(const struct radii_table *table, const char residue[RADII_NAME_BYTES],
+                      const char atom[RADII_NAME_BYTES], double *radius);
 
 /* Whether the table has radii of a residue by its own name. */
-bool radii_table_names(const struct radii_table *table, const char *residue);
+bool radii_table_names(const struct radii_table *table, const char residue[RADII_NAME_BYTES]);
 
-/* The entries in alphabetical order; false beyond the last. */
+/* Put the entries in alphabetical order, as those of a file are. */
+void radii_table_sort(struct radii_table *table);
+
+/* An entry; false beyond the last. */
 bool radii_table_get(const struct radii_table *table, size_t i, const char **residue, const char **atom,
                      double *radius);
 

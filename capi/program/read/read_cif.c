@@ -440,10 +440,10 @@ static bool read_cif(struct line_reader *reader, struct molecule *molecule, stru
   return done;
 }
 
-const struct file_format cif_format = {
-    .name = "cif",
-    .extensions = "CIF MMCIF",
-    ANGSTROM,
-    .features = FILE_ELEMENTS | FILE_RESIDUES | FILE_HETATM | FILE_TEMPERATURE_FACTORS | FILE_COORDINATE_ITEMS,
-    .nameless = "no type_symbol, and no element",
-    .read = read_cif};
+const struct file_format cif_format = {.name = "cif",
+                                       .extensions = "CIF MMCIF",
+                                       ANGSTROM,
+                                       .features = FILE_ATOMS | FILE_ELEMENTS | FILE_RESIDUES | FILE_HETATM |
+                                                   FILE_TEMPERATURE_FACTORS | FILE_COORDINATE_ITEMS,
+                                       .nameless = "no type_symbol, and no element",
+                                       .read = read_cif};

@@ -3,14 +3,13 @@
  * 19 CHARMM's version. X-PLOR has 0 there, a double in 9 and 10, and no cells. Then come titles, the number of atoms
  * and, if some are fixed, the places of the others. A frame is its cell (6 doubles), if the file has those, and all x,
  * all y and all z as floats. */
-#include "read/read_dcd.h"
-
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "read/number.h"
+#include "read/trajectory.h"
 
 enum { HEADER_BYTES = 84, CELL_BYTES = 48, CHUNK_FLOATS = 2048 };
 
@@ -99,7 +98,11 @@ static bool take_free_atoms(struct dcd *dcd, struct byte_reader *reader, uint32_
   return take_end(dcd, reader, length, failure);
 }
 
-bool dcd_begin(struct dcd *dcd, struct byte_reader *reader, uint32_t atoms, struct failure *failure) {
+/* Files of another number of atoms fail. */
+static bool begin(struct trajectory *of, struct failure *failure) {
+  struct dcd *const dcd = &of->dcd;
+  struct byte_reader *const reader = &of->bytes;
+  const uint32_t atoms = of->atoms;
   unsigned char bytes[4];
   uint32_t fixed = 0;
   if (!take_header(dcd, reader, &fixed, failure) || !skip_titles(dcd, reader, failure) ||
@@ -193,15 +196,18 @@ static bool take_frame(struct dcd *dcd, struct byte_reader *reader, bool wanted,
   return !dcd->has_fourth || take_axis(dcd, reader, false, count, NULL, xyz, failure);
 }
 
-enum line_status dcd_next(struct dcd *dcd, struct byte_reader *reader, bool wanted, uint32_t atoms, double *xyz,
-                          struct frame_stamp *stamp, struct failure *failure) {
+/* Its coordinates are still those of the frame before: atoms that are fixed stand in the first one alone. */
+static enum line_status next_frame(struct trajectory *of, bool wanted, struct failure *failure) {
+  struct dcd *const dcd = &of->dcd;
+  struct byte_reader *const reader = &of->bytes;
+  struct frame_stamp *const stamp = &of->stamp;
   if (byte_reader_at_end(reader)) return LINE_END;
   unsigned char cell[CELL_BYTES];
   if (dcd->has_cell && (!take_record(dcd, reader, cell, CELL_BYTES, failure) || !check_cell(dcd, cell, failure))) {
     return LINE_FAILED;
   }
   wanted = wanted || (dcd->frames == 0 && dcd->free_place != NULL);
-  if (!take_frame(dcd, reader, wanted, atoms, xyz, failure)) return LINE_FAILED;
+  if (!take_frame(dcd, reader, wanted, of->atoms, of->xyz, failure)) return LINE_FAILED;
   const int64_t step = dcd->first_step + (int64_t)dcd->frames * dcd->interval;
   stamp->stepped = dcd->interval > 0;
   stamp->step = step;
@@ -216,3 +222,6 @@ void dcd_free(struct dcd *dcd) {
   free(dcd->free_place);
   dcd->free_place = NULL;
 }
+
+const struct file_format dcd_format = {
+    .name = "dcd", .extensions = "DCD", ANGSTROM, .features = FILE_FRAMES, .begin = begin, .next_frame = next_frame};

@@ -19,14 +19,6 @@ struct dcd {
   uint64_t frames;      /* read or stepped over */
 };
 
-/* Read what stands before the frames. Files of another number of atoms fail. */
-bool dcd_begin(struct dcd *dcd, struct byte_reader *reader, uint32_t atoms, struct failure *failure);
-
-/* Read the next frame into xyz [atoms][3], or step over it. xyz has the frame that was read before: atoms that are
- * fixed stand in the first one alone. */
-enum line_status dcd_next(struct dcd *dcd, struct byte_reader *reader, bool wanted, uint32_t atoms, double *xyz,
-                          struct frame_stamp *stamp, struct failure *failure);
-
 void dcd_free(struct dcd *dcd);
 
 #endif

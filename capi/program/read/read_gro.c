@@ -174,7 +174,7 @@ static enum line_status next_gro(struct line_reader *reader, bool *begun, bool w
 const struct file_format gro_format = {.name = "gro",
                                        .extensions = "GRO",
                                        ANGSTROM,
-                                       .features = FILE_ELEMENTS | FILE_RESIDUES | FILE_FRAMES,
+                                       .features = FILE_ATOMS | FILE_ELEMENTS | FILE_RESIDUES | FILE_FRAMES,
                                        .nameless = "no element",
                                        .read = read_gro,
                                        .next = next_gro};

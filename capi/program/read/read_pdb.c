@@ -252,7 +252,7 @@ static enum line_status next_pdb(struct line_reader *reader, bool *begun, bool w
 const struct file_format pdb_format = {.name = "pdb",
                                        .extensions = "PDB# ENT",
                                        ANGSTROM,
-                                       .features = FILE_ELEMENTS | FILE_RESIDUES | FILE_HETATM |
+                                       .features = FILE_ATOMS | FILE_ELEMENTS | FILE_RESIDUES | FILE_HETATM |
                                                    FILE_TEMPERATURE_FACTORS | FILE_BONDS | FILE_AREA_COLUMNS |
                                                    FILE_ONE_BOX | FILE_FRAMES,
                                        .nameless = "no element in columns 77-78, and none",

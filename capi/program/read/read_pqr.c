@@ -154,6 +154,6 @@ const struct file_format pqr_format = {
     .name = "pqr",
     .extensions = "PQR",
     ANGSTROM,
-    .features = FILE_RADII | FILE_ELEMENTS | FILE_RESIDUES | FILE_HETATM | FILE_CHARGES,
+    .features = FILE_ATOMS | FILE_RADII | FILE_ELEMENTS | FILE_RESIDUES | FILE_HETATM | FILE_CHARGES,
     .nameless = "no element",
     .read = read_pqr};

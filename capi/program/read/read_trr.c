@@ -3,12 +3,11 @@
  * time and another parameter, and the blocks: inputs and energies, which are empty, box, virial, pressure, topology and
  * symbols, which are empty, coordinates, velocities and forces. Numbers of all blocks are floats or doubles, as the
  * size of the first block with numbers tells. */
-#include "read/read_trr.h"
-
 #include <inttypes.h>
 #include <string.h>
 
 #include "read/number.h"
+#include "read/trajectory.h"
 
 enum block {
   BLOCK_INPUT,
@@ -128,14 +127,17 @@ static bool take_frame(struct byte_reader *reader, bool wanted, uint32_t atoms, 
                           failure);
 }
 
-enum line_status trr_next(struct byte_reader *reader, bool wanted, uint32_t atoms, double *xyz,
-                          struct frame_stamp *stamp, struct failure *failure) {
-  const struct frame_stamp begun = *stamp;
+/* The next frame that has coordinates; frames of velocities or forces alone are none. */
+static enum line_status next_frame(struct trajectory *of, bool wanted, struct failure *failure) {
+  const struct frame_stamp begun = of->stamp;
   bool has_coordinates = false;
   while (!has_coordinates) {
-    if (byte_reader_at_end(reader)) return LINE_END;
-    *stamp = begun;
-    if (!take_frame(reader, wanted, atoms, xyz, stamp, &has_coordinates, failure)) return LINE_FAILED;
+    if (byte_reader_at_end(&of->bytes)) return LINE_END;
+    of->stamp = begun;
+    if (!take_frame(&of->bytes, wanted, of->atoms, of->xyz, &of->stamp, &has_coordinates, failure)) return LINE_FAILED;
   }
   return LINE_READ;
 }
+
+const struct file_format trr_format = {
+    .name = "trr", .extensions = "TRR", ANGSTROM, .features = FILE_FRAMES, .next_frame = next_frame};

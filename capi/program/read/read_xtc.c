@@ -9,14 +9,13 @@
  * there follow as many as last time. A small difference is to the atom before, three coordinates in one number, whose
  * radix is about 2^(index/3), half of it added to each. The first small one and the atom before it have changed places,
  * since the oxygen of water is nearer to both of its hydrogens than they are to each other. */
-#include "read/read_xtc.h"
-
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "read/number.h"
+#include "read/trajectory.h"
 
 enum {
   MAGIC = 1995,
@@ -255,13 +254,14 @@ static bool take_start(struct byte_reader *reader, uint32_t atoms, bool *large, 
   return true;
 }
 
-enum line_status xtc_next(struct xtc *xtc, struct byte_reader *reader, bool wanted, uint32_t atoms, double *xyz,
-                          struct frame_stamp *stamp, struct failure *failure) {
+static enum line_status next_frame(struct trajectory *of, bool wanted, struct failure *failure) {
+  struct byte_reader *const reader = &of->bytes;
   bool large = false;
   if (byte_reader_at_end(reader)) return LINE_END;
-  if (!take_start(reader, atoms, &large, stamp, failure)) return LINE_FAILED;
-  const bool done = atoms <= MOST_UNPACKED ? take_floats(reader, atoms, xyz, failure)
-                                           : take_packed_frame(xtc, reader, large, wanted, atoms, xyz, failure);
+  if (!take_start(reader, of->atoms, &large, &of->stamp, failure)) return LINE_FAILED;
+  const bool done = of->atoms <= MOST_UNPACKED
+                        ? take_floats(reader, of->atoms, of->xyz, failure)
+                        : take_packed_frame(&of->xtc, reader, large, wanted, of->atoms, of->xyz, failure);
   return done ? LINE_READ : LINE_FAILED;
 }
 
@@ -270,3 +270,6 @@ void xtc_free(struct xtc *xtc) {
   xtc->packed = NULL;
   xtc->capacity = 0;
 }
+
+const struct file_format xtc_format = {
+    .name = "xtc", .extensions = "XTC", ANGSTROM, .features = FILE_FRAMES, .next_frame = next_frame};

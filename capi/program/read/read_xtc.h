@@ -12,10 +12,6 @@ struct xtc {
   size_t capacity;
 };
 
-/* Read the next frame into xyz [atoms][3], in angstrom, or step over it. Frames of another number of atoms fail. */
-enum line_status xtc_next(struct xtc *xtc, struct byte_reader *reader, bool wanted, uint32_t atoms, double *xyz,
-                          struct frame_stamp *stamp, struct failure *failure);
-
 void xtc_free(struct xtc *xtc);
 
 #endif

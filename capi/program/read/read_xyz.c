@@ -184,7 +184,7 @@ static enum line_status next_xyz(struct line_reader *reader, bool *begun, bool w
 const struct file_format xyz_format = {.name = "xyz",
                                        .extensions = "XYZ EXTXYZ",
                                        ANGSTROM,
-                                       .features = FILE_ELEMENTS | FILE_ATOMIC_NUMBERS | FILE_FRAMES,
+                                       .features = FILE_ATOMS | FILE_ELEMENTS | FILE_ATOMIC_NUMBERS | FILE_FRAMES,
                                        .nameless = "no element",
                                        .read = read_xyz,
                                        .next = next_xyz};

@@ -33,6 +33,6 @@ const struct file_format xyzr_format = {.name = "xyzr",
                                         .extensions = "XYZR",
                                         .unit = "unit",
                                         .sign = "",
-                                        .features = FILE_RADII,
+                                        .features = FILE_ATOMS | FILE_RADII,
                                         .nameless = "no element",
                                         .read = read_xyzr};

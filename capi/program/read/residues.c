@@ -27,23 +27,22 @@ bool residue_label_same(const struct residue_label *a, const struct residue_labe
 }
 
 static void begin_group(struct atom_groups *groups, uint32_t first) {
-  groups->group[groups->count++] = (struct atom_group){first, 0, 0.0, NULL};
+  groups->group[groups->count++] = (struct atom_group){first, 0, groups->members, 0.0, NULL};
 }
 
-/* Adds the atom to the last group, if it counts. */
-static void add_atom(struct atom_groups *groups, const double *area, const uint8_t *part, uint32_t atom) {
-  struct atom_group *last = &groups->group[groups->count - 1];
+/* Adds the atom to the last group, if it counts; without memory for members they are only counted. */
+static void add_atom(struct atom_groups *groups, const uint8_t *part, uint32_t atom) {
   if (part != NULL && part[atom] == 0) return;
-  ++last->atoms;
-  last->area += area[atom];
+  ++groups->group[groups->count - 1].atoms;
+  if (groups->member != NULL) groups->member[groups->members] = atom;
+  ++groups->members;
 }
 
-static void group_residues(const struct molecule *molecule, const double *area, const uint8_t *part,
-                           struct atom_groups *groups) {
+static void group_residues(const struct molecule *molecule, const uint8_t *part, struct atom_groups *groups) {
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     const bool begins = i == 0 || !residue_label_same(molecule->label[i - 1].residue, molecule->label[i].residue);
     if (begins) begin_group(groups, i);
-    add_atom(groups, area, part, i);
+    add_atom(groups, part, i);
   }
 }
 
@@ -83,13 +82,12 @@ static bool begins_chain(const struct chain_member *members, uint32_t i) {
   return i == 0 || strcmp(members[i - 1].chain, members[i].chain) != 0;
 }
 
-static bool group_chains(const struct molecule *molecule, const double *area, const uint8_t *part,
-                         struct atom_groups *groups) {
+static bool group_chains(const struct molecule *molecule, const uint8_t *part, struct atom_groups *groups) {
   struct chain_member *members = sorted_members(molecule);
   if (members == NULL) return false;
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     if (begins_chain(members, i)) begin_group(groups, members[i].atom);
-    add_atom(groups, area, part, members[i].atom);
+    add_atom(groups, part, members[i].atom);
   }
   qsort(groups->group, groups->count, sizeof *groups->group, order_of_groups);
   free(members);
@@ -119,8 +117,8 @@ bool chain_numbers_make(const struct molecule *molecule, uint32_t **number, stru
 }
 
 /* The groups of the file, empty ones too; atoms that became no balls are in none. */
-static void group_by_index(const struct molecule *molecule, const struct index_file *index, const double *area,
-                           const uint8_t *part, struct atom_groups *groups) {
+static void group_by_index(const struct molecule *molecule, const struct index_file *index, const uint8_t *part,
+                           struct atom_groups *groups) {
   for (size_t k = 0; k < index->count; ++k) {
     begin_group(groups, UINT32_MAX);
     struct atom_group *const group = &groups->group[k];
@@ -128,7 +126,7 @@ static void group_by_index(const struct molecule *molecule, const struct index_f
     for (uint32_t i = 0; i < molecule->atoms; ++i) {
       if (!index_group_has(&index->group[k], molecule->place[i])) continue;
       if (group->first == UINT32_MAX) group->first = i;
-      add_atom(groups, area, part, i);
+      add_atom(groups, part, i);
     }
   }
 }
@@ -142,26 +140,43 @@ static void leave_out_empty(struct atom_groups *groups) {
 }
 
 bool atom_groups_make(const struct molecule *molecule, enum grouping grouping, const struct index_file *index,
-                      const double *area, const uint8_t *part, struct atom_groups *groups, struct failure *failure) {
+                      const uint8_t *part, struct atom_groups *groups, struct failure *failure) {
   const bool indexed = grouping == GROUPING_GROUP;
   bool done = true;
+  *groups = (struct atom_groups)ATOM_GROUPS_NONE;
   groups->grouping = grouping;
-  groups->count = 0;
   groups->group = malloc(((indexed ? index->count : (size_t)molecule->atoms) + 1) * sizeof *groups->group);
   if (groups->group == NULL) return failure_of_memory(failure);
+  if (indexed) group_by_index(molecule, index, part, groups);
+  groups->member = malloc(((indexed ? groups->members : (size_t)molecule->atoms) + 1) * sizeof *groups->member);
+  if (groups->member == NULL) return failure_of_memory(failure);
+  groups->count = 0;
+  groups->members = 0;
   if (indexed) {
-    group_by_index(molecule, index, area, part, groups);
+    group_by_index(molecule, index, part, groups);
   } else if (grouping == GROUPING_CHAIN) {
-    done = group_chains(molecule, area, part, groups);
+    done = group_chains(molecule, part, groups);
   } else {
-    group_residues(molecule, area, part, groups);
+    group_residues(molecule, part, groups);
   }
   if (part != NULL && !indexed) leave_out_empty(groups);
   return done || failure_of_memory(failure);
 }
 
+double atom_group_sum(const struct atom_groups *groups, const struct atom_group *group, const double *area) {
+  double sum = 0.0;
+  for (uint32_t k = 0; k < group->atoms; ++k) sum += area[groups->member[group->member + k]];
+  return sum;
+}
+
+void atom_groups_sum(struct atom_groups *groups, const double *area) {
+  for (uint32_t k = 0; k < groups->count; ++k) {
+    groups->group[k].area = atom_group_sum(groups, &groups->group[k], area);
+  }
+}
+
 void atom_groups_free(struct atom_groups *groups) {
   free(groups->group);
-  groups->group = NULL;
-  groups->count = 0;
+  free(groups->member);
+  *groups = (struct atom_groups)ATOM_GROUPS_NONE;
 }

@@ -35,6 +35,7 @@ enum grouping {
 struct atom_group {
   uint32_t first; /* the first of them in the file; its label names the group; UINT32_MAX: there is none */
   uint32_t atoms;
+  size_t member;    /* where they begin among the members of all groups */
   double area;      /* sum over them, in the order of the file */
   const char *name; /* of a group of an index file */
 };
@@ -44,15 +45,23 @@ struct atom_groups {
   enum grouping grouping;
   uint32_t count;
   struct atom_group *group; /* [count] */
+  uint32_t *member;         /* atoms, those of a group in a row */
+  size_t members;
 };
 
 #define ATOM_GROUPS_NONE \
-  { GROUPING_NONE, 0, NULL }
+  { GROUPING_NONE, 0, NULL, NULL, 0 }
 
-/* Group the atoms and sum area [atoms] over each group. Atoms whose `part` [atoms] is 0 do not count, and residues and
- * chains of none but such are left out. part: NULL for all. False: memory is short. */
+/* Group the atoms; areas are 0. Atoms whose `part` [atoms] is 0 do not count, and residues and chains of none but such
+ * are left out. part: NULL for all. False: memory is short. Free the groups on true and on false. */
 bool atom_groups_make(const struct molecule *molecule, enum grouping grouping, const struct index_file *index,
-                      const double *area, const uint8_t *part, struct atom_groups *groups, struct failure *failure);
+                      const uint8_t *part, struct atom_groups *groups, struct failure *failure);
+
+/* The sum of area [atoms] over a group. */
+double atom_group_sum(const struct atom_groups *groups, const struct atom_group *group, const double *area);
+
+/* The same of every group becomes its area. */
+void atom_groups_sum(struct atom_groups *groups, const double *area);
 
 /* The chain of each atom as a number, 0, 1, ..: chains count in the order of their first atoms. *number [atoms] is to
  * be freed on true. False: memory is short. */
