@@ -1,6 +1,7 @@
 #include "maps/map_paths.hpp"
 
 #include "lanes/floating_point.hpp"
+#include "maps/stick_scene.hpp"
 
 namespace hsp {
 namespace {

@@ -1,5 +1,5 @@
-// Vertices at one position, up to rounding, on the sphere of a probe: the triangles that they see, the sides between them,
-// and which of their patches has a point.
+// Vertices at one position, up to rounding, on the sphere of a probe: the triangles that they see, the sides between
+// them, and which of their patches has a point.
 //
 // Patches share the answers: they are asked in the order of the vertices, from the lowest one, so that all of them have
 // the same bits. Lengths in units of the smaller probe of cusped_circles.hpp, points on the unit sphere around the
@@ -59,8 +59,8 @@ class CoincidentPatches {
     });
   }
 
-  // Let two vertices be at one position, with a side between them, and two more probes meet them in a point of this side:
-  // the one of the two that has the corner of these two probes.
+  // Let two vertices be at one position, with a side between them, and two more probes meet them in a point of this
+  // side: the one of the two that has the corner of these two probes.
   uint32_t owner_of_corner(uint32_t vertex, uint32_t opposite_probe, uint32_t a, uint32_t b, const Vec3 &point) const;
   // Let two pairs of vertices each be at one position, and two of their sides pass through a point where their spheres
   // meet: the one of the second pair that has the corner with both of the first.

@@ -20,8 +20,8 @@ struct ConcaveScale {
   }
 };
 
-// They are stored where the grid of probes was, once nobody searches any more: there is memory for one of both. So whole
-// patches, which the search has measured already, are measured once more.
+// They are stored where the grid of probes was, once nobody searches any more: there is memory for one of both. So
+// whole patches, which the search has measured already, are measured once more.
 class ConcavePatches {
  public:
   void use(const ProbeGrid &grid) {

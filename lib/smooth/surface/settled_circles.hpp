@@ -7,13 +7,13 @@
 //     one set of probes in general position, whichever of its spheres asks;
 //   a side of the patch: no cap cuts one, but on a circle with cusps that of the vertex across the covered gap, in the
 //     two cusps, which no other cap contains (PROOFS.md, sections 4 to 6);
-//     But where the vertex across is at the same position, and the gap a whole turn, the side itself is the crease between
-//     the cusps;
+//     But where the vertex across is at the same position, and the gap a whole turn, the side itself is the crease
+//     between the cusps;
 //   whether a corner of three creases lies in the patches: if it is clearly outside of one, in none of them. If it is
 //     at a cusp, where a crease starts, it is there iff that crease enters the third cap. A crease that joins two cusps
 //     at one position enters none.
-//   two vertices at one position and two more probes that meet them in a point of the side between them: the corner of the
-//     two probes is on that side of it where the lower vertex sees it, for all four.
+//   two vertices at one position and two more probes that meet them in a point of the side between them: the corner of
+//     the two probes is on that side of it where the lower vertex sees it, for all four.
 //
 // All of this is asked for the smaller probe of cusped_circles.hpp.
 #pragma once
