@@ -4552,7 +4552,7 @@ contains
   pure function hsp_pores_bytes_bound(balls, maxima, gates, tied, candidates, neighbours, points) result(bytes)
     integer(c_int32_t), intent(in) :: balls, maxima, gates, tied, candidates, neighbours, points
     integer(c_size_t) :: bytes
-    bytes = 32768_c_size_t + 176_c_size_t*int(balls, c_size_t) + 276_c_size_t*int(maxima, c_size_t) &
+    bytes = 57344_c_size_t + 176_c_size_t*int(balls, c_size_t) + 276_c_size_t*int(maxima, c_size_t) &
       + 136_c_size_t*int(gates, c_size_t) + 16_c_size_t*int(tied, c_size_t) + 16_c_size_t*int(candidates, c_size_t) &
       + 80_c_size_t*int(neighbours, c_size_t) + 112_c_size_t*int(points, c_size_t)
   end function

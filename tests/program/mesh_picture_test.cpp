@@ -311,8 +311,8 @@ bool is_blue(const Part &part) {
   return part.closed && part.colour[2] > part.colour[0] + 60;
 }
 
-// Six balls of radius 0.7 at distance 1 around a room. Probes narrower than sqrt(2/3) - 0.7 = 0.1165 pass its windows:
-// it is a pocket between such ones and wider ones.
+// Six balls of radius 0.7 at distance 1 around a room. Probes below sqrt(2/3) - 0.7 = 0.1165 pass its windows: it
+// is a pocket between such ones and wider ones.
 TEST(MeshPicture, PocketsHaveColours) {
   const TemporaryFile room("room.xyzr", "1 0 0 0.7\n-1 0 0 0.7\n0 1 0 0.7\n0 -1 0 0.7\n0 0 1 0.7\n0 0 -1 0.7\n");
   for (const char *surface : {"ses", "sas"}) {
