@@ -228,6 +228,14 @@ module hardsphere
   ! A stick that is not cut in two: all of it belongs to ball[0]. For halves of the same colour, which else have a line
   ! between them.
   integer(c_int32_t), parameter :: HSP_STICK_WHOLE = 1_c_int32_t
+  ! The kind of bond that a stick is, one of these at most. Pictures that are painted in an order show it as strands,
+  ! parts of the stick side by side that face the viewer, with what is behind it seen between them: two of them, three,
+  ! or two of which the right one, on the way from ball[0] to ball[1], is dashed. Such a stick is half as thick again
+  ! as others. In all else, rules, order and map, it is one stick of that thickness; pictures of what is seen of each,
+  ! side by side, have no strands.
+  integer(c_int32_t), parameter :: HSP_STICK_DOUBLE = 2_c_int32_t
+  integer(c_int32_t), parameter :: HSP_STICK_TRIPLE = 4_c_int32_t  ! three strands
+  integer(c_int32_t), parameter :: HSP_STICK_AROMATIC = 8_c_int32_t  ! two, one of them dashed
   integer(c_int32_t), parameter :: HSP_STICKS_NO_CONFLICT = 0_c_int32_t  ! there is none
   integer(c_int32_t), parameter :: HSP_STICKS_BALLS_MEET = 1_c_int32_t  ! two balls that meet: no order, but HSP_OK
   integer(c_int32_t), parameter :: HSP_STICKS_NO_BALL = 2_c_int32_t  ! a stick, and its end, which is no ball
@@ -4552,7 +4560,7 @@ contains
   pure function hsp_pores_bytes_bound(balls, maxima, gates, tied, candidates, neighbours, points) result(bytes)
     integer(c_int32_t), intent(in) :: balls, maxima, gates, tied, candidates, neighbours, points
     integer(c_size_t) :: bytes
-    bytes = 32768_c_size_t + 176_c_size_t*int(balls, c_size_t) + 276_c_size_t*int(maxima, c_size_t) &
+    bytes = 57344_c_size_t + 176_c_size_t*int(balls, c_size_t) + 276_c_size_t*int(maxima, c_size_t) &
       + 136_c_size_t*int(gates, c_size_t) + 16_c_size_t*int(tied, c_size_t) + 16_c_size_t*int(candidates, c_size_t) &
       + 80_c_size_t*int(neighbours, c_size_t) + 112_c_size_t*int(points, c_size_t)
   end function

@@ -55,8 +55,7 @@ std::array<int, 3> colour_of(const std::string &svg, const std::string &path) {
   std::string colour = fill;
   if (fill.rfind("url(#", 0) == 0) {
     const std::string sphere = element_of(svg, fill.substr(5, fill.size() - 6));
-    const std::string stops = element_of(svg, attribute(sphere, "xlink:href").substr(1));
-    colour = stops.substr(stops.find("offset=\"0.4\" stop-color=\"") + 25, 7);
+    colour = sphere.substr(sphere.find("offset=\"0.4\" stop-color=\"") + 25, 7);
   }
   const unsigned long number = std::stoul(colour.substr(1), nullptr, 16);
   return {static_cast<int>(number >> 16 & 0xFF), static_cast<int>(number >> 8 & 0xFF), static_cast<int>(number & 0xFF)};
@@ -305,6 +304,73 @@ TEST(MeshPicture, NearerOnesComeLast) {
   EXPECT_GT(front[0], front[2] + 20);  // oxygen
   const auto behind = drawn(pair.path(), {"--view", "0,0,-1"}).back().colour;
   EXPECT_GT(behind[2], behind[0] + 20);  // nitrogen
+}
+
+bool is_blue(const Part &part) {
+  return part.closed && part.colour[2] > part.colour[0] + 60;
+}
+
+// Six balls of radius 0.7 at distance 1 around a room. Probes below sqrt(2/3) - 0.7 = 0.1165 pass its windows: it
+// is a pocket between such ones and wider ones.
+TEST(MeshPicture, PocketsHaveColours) {
+  const TemporaryFile room("room.xyzr", "1 0 0 0.7\n-1 0 0 0.7\n0 1 0 0.7\n0 -1 0 0.7\n0 0 1 0.7\n0 0 -1 0.7\n");
+  for (const char *surface : {"ses", "sas"}) {
+    for (const auto &[wide, pockets] : {std::pair<const char *, bool>{"0.115", false}, {"0.118", true}}) {
+      const std::vector<std::string> options = {"--probe",   "0.1", "--surface", surface, "--edge", "0.1",
+                                                "--pockets", wide,  "--view",    "1,2,3", "--cut"};
+      const std::string svg = drawn_text(room.path(), options);
+      EXPECT_EQ(svg.find(">pocket 1<") != std::string::npos, pockets) << surface << wide;
+      double blue = 0, other = 0;
+      for (const Part &part : parts_of(svg)) (is_blue(part) ? blue : other) += std::abs(part.area());
+      EXPECT_EQ(blue > 0, pockets);
+      EXPECT_GT(other, 0);
+      // The wall of the room behind the cut, which is 0.3 to 0.7 from its middle, in a picture of about 3.3.
+      if (pockets) {
+        EXPECT_GT(blue, 0.2 * std::pow(1000 / 3.3, 2)) << surface;
+        EXPECT_LT(blue, 1.6 * std::pow(1000 / 3.3, 2)) << surface;
+      }
+    }
+  }
+  EXPECT_EQ(run_program({"mesh", room.path(), "-o", "x.svg", "--probe", "0.1", "--pockets", "0.05"}).err,
+            "hardsphere: --pockets: W must not be less than --probe\n");
+  EXPECT_EQ(run_program({"mesh", room.path(), "-o", "x.ply", "--probe", "0.1", "--pockets", "0.5"}).err,
+            "hardsphere: --pockets is for a picture, -o OUT.svg\n");
+  EXPECT_EQ(run_program({"mesh", room.path(), "-o", "x.svg", "--least", "0.5"}).err,
+            "hardsphere: --least needs --pockets\n");
+}
+
+// A cavity is a pocket without a mouth: its body has the colour, and no void is red.
+TEST(MeshPicture, PocketsWithoutMouths) {
+  const std::string svg = drawn_text("good/cage.xyzr", {"--edge", "0.2", "--cut", "--pockets", "1"});
+  size_t blue = 0;
+  for (const Part &part : parts_of(svg)) {
+    blue += is_blue(part) ? 1 : 0;
+    EXPECT_FALSE(part.closed && part.is_red());
+  }
+  EXPECT_GT(blue, 0u);
+  EXPECT_NE(svg.find(">pocket 1<"), std::string::npos);
+  EXPECT_EQ(svg.find(">voids<"), std::string::npos);
+}
+
+// The names are the numbers that pores prints, of those that last.
+TEST(MeshPicture, PocketsHaveTheirNumbers) {
+  const std::string crambin = molecules_folder() + "/crambin.pdb";
+  const std::string svg = drawn_text(
+      crambin, {"--edge", "0.8", "--probe", "0.8", "--surface", "ses", "--pockets", "3", "--least", "0.1", "--cut"});
+  const Outcome listed = run_program({"pores", crambin, "--probe", "0.8", "--pockets", "3", "--least", "0.1", "--csv"});
+  std::istringstream lines(listed.out);
+  std::vector<std::string> numbers;
+  for (std::string line; std::getline(lines, line);) numbers.push_back(line.substr(0, line.find(',')));
+  size_t named = 0;
+  for (size_t k = 1; k < numbers.size(); ++k) {
+    const bool shown = svg.find('>' + (named == 0 ? "pocket " : std::string()) + numbers[k] + '<') != std::string::npos;
+    named += shown ? 1 : 0;
+    EXPECT_FALSE(shown && k > 6);
+    if (k == 1) {
+      EXPECT_TRUE(shown);  // the cut goes through it
+    }
+  }
+  EXPECT_GE(named, 3u);
 }
 
 TEST(MeshPicture, OptionsOfPicturesAreForPictures) {

@@ -135,6 +135,8 @@ case $words[2] in
     '*--up=[from where ]:X,Y,Z:'
     '*--rotate=[from where ]:X,Y,Z:'
     '*--cut[in ]'
+    '*--pockets=[in ]:W:'
+    '*--least=[only pockets that are wider than their widest mouth by D]:D:'
   ) ;;
   map) own=(
     '*--view=[from where to look]:X,Y,Z:'

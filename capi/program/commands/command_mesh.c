@@ -7,6 +7,7 @@
 #include "write/mesh_file.h"
 #include "write/output_file.h"
 #ifndef HSP_WITHOUT_SIGHT
+#include "commands/mesh_pockets.h"
 #include "draw/mesh_picture.h"
 #include "draw/view_axes.h"
 #endif
@@ -70,6 +71,20 @@ static bool add_finer_voids(const struct request *request, struct geometry *geom
   return done;
 }
 
+static bool find_pockets(const struct request *request, struct geometry *geometry, const struct triangle_mesh *mesh,
+                         struct mesh_pockets *pockets, struct failure *failure) {
+#ifdef HSP_WITHOUT_SPACE
+  (void)request;
+  (void)geometry;
+  (void)mesh;
+  (void)pockets;
+  return failure_in_usage(failure, "--pockets needs the component space, which this build leaves out");
+#else
+  const bool smooth = request->meshing.surface == MESH_SOLVENT_EXCLUDED;
+  return mesh_pockets_find(geometry, mesh, smooth, request->pockets, request->persistence, pockets, failure);
+#endif
+}
+
 static bool write_picture(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                           struct triangle_mesh *mesh, uint64_t *bytes, struct failure *failure) {
   const struct meshing *meshing = &request->meshing;
@@ -78,12 +93,17 @@ static bool write_picture(const struct request *request, const struct molecule *
   const int32_t status = viewing_axes(&request->viewing, molecule, view.axis);
   if (status != HSP_OK) return failure_in_library(failure, status);
   const bool smooth = meshing->surface == MESH_SOLVENT_EXCLUDED;
-  const bool done = (!smooth || geometry_list_patches(geometry, &patches, failure)) &&
+  struct mesh_pockets pockets = {.count = 0};
+  if (request->pockets >= 0.0) view.pockets = &pockets;
+  const bool done = (view.pockets == NULL || find_pockets(request, geometry, mesh, &pockets, failure)) &&
+                    (!smooth || geometry_list_patches(geometry, &patches, failure)) &&
                     (!view.cut || add_finer_voids(request, geometry, mesh, failure));
   view.patches = patches;
   const bool written =
       done && mesh_picture_write(mesh, &view, molecule, input_base_name(request->file), meshing->out, bytes, failure);
   free(patches);
+  free(pockets.of_triangle);
+  free(pockets.of_patch);
   return written;
 }
 #endif
@@ -134,5 +154,11 @@ bool check_mesh(struct request *request, struct failure *failure) {
   }
 #endif
   request->excluded_surface = request->meshing.surface == MESH_SOLVENT_EXCLUDED;
-  return true;
+  if (request->pockets < 0.0 && request->persistence > 0.0) {
+    return failure_in_usage(failure, "--least needs --pockets");
+  }
+  if (request->pockets < 0.0) return true;
+  if (request->meshing.format != MESH_SVG) return failure_in_usage(failure, "--pockets is for a picture, -o OUT.svg");
+  if (request->pockets >= request->probe) return true;
+  return failure_in_usage(failure, "--pockets: W must not be less than --probe");
 }

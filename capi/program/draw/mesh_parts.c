@@ -123,12 +123,13 @@ static void drop_crumbs(const struct triangle_mesh *mesh, uint32_t of_outside, s
   }
 }
 
-bool mesh_parts_cut(const struct triangle_mesh *mesh, uint32_t of_outside, struct mesh_parts *parts) {
+bool mesh_parts_cut(const struct triangle_mesh *mesh, uint32_t of_outside, const double *depth,
+                    struct mesh_parts *parts) {
   const size_t v = (size_t)mesh->vertices + 1;
   const struct pieces pieces = {calloc(v, sizeof(uint32_t)), calloc(v, sizeof(uint32_t)), calloc(v, sizeof(bool))};
   const bool enough = pieces.root != NULL && pieces.triangles != NULL && pieces.is_cut != NULL;
   if (enough) {
-    parts->cut = find_plane(mesh, parts);
+    parts->cut = depth != NULL ? *depth : find_plane(mesh, parts);
     drop_crumbs(mesh, of_outside, parts, &pieces);
   }
   free(pieces.root);

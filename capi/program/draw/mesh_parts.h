@@ -22,9 +22,10 @@ void mesh_parts_free(struct mesh_parts *parts);
 
 bool mesh_parts_is_of_void(const struct mesh_parts *parts, uint32_t vertex);
 
-/* Set the plane through the middle of the largest void, or else of everything, and drop crumbs: what it cuts off behind
- * it with less than a hundredth of the
- * triangles, of which only the first so many count. False for want of memory. */
-bool mesh_parts_cut(const struct triangle_mesh *mesh, uint32_t of_outside, struct mesh_parts *parts);
+/* Set the plane at a depth, or if that is NULL through the middle of the largest void, or else of everything, and drop
+ * crumbs: what it cuts off behind it with less than a hundredth of the triangles, of which only the first so many
+ * count. False for want of memory. */
+bool mesh_parts_cut(const struct triangle_mesh *mesh, uint32_t of_outside, const double *depth,
+                    struct mesh_parts *parts);
 
 #endif

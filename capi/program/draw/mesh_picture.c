@@ -2,6 +2,7 @@
 
 #include <inttypes.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -42,8 +43,21 @@ enum {
   MOST_CORNERS = 12
 };
 
-/* The visible sides of a surface. */
+/* The visible sides of a surface; with pockets two more of each, their outsides and their voids. */
 enum { OUTSIDE, INSIDE, OF_VOID, SIDES };
+
+static int pocket_side(uint8_t pocket, int side) {
+  return SIDES + 2 * (pocket - 1) + (side == OF_VOID ? 1 : 0);
+}
+
+/* From 1 on; 0: none. */
+static int pocket_of(int side) {
+  return side < SIDES ? 0 : (side - SIDES) / 2 + 1;
+}
+
+static int plain_side(int side) {
+  return side < SIDES ? side : (side - SIDES) % 2 == 1 ? OF_VOID : OUTSIDE;
+}
 
 /* Paints of a layer are numbered: for each sphere those of its sides, for each colour its bands of light, then
  * lines. */
@@ -68,6 +82,7 @@ struct mesh_picture {
   double *ball;                  /* [atoms][3], along the axes of the view */
   uint32_t colour[MOST_COLOURS]; /* [colours], each once */
   uint32_t colours;
+  uint32_t sides;                /* of spheres, with those of pockets */
   int bands;                     /* of light, on saddles */
   double border[MOST_BANDS + 2]; /* where they begin, of the light's circles */
   struct painted_edges areas, section;
@@ -121,9 +136,13 @@ static uint32_t element_colour(uint32_t number) {
   return colour_mixed(grey, hsp_palette_colour(HSP_PALETTE_SOFT, number, 0), element_share);
 }
 
+static const uint32_t pocket_colours[MESH_POCKETS] = {0x2F6DB5, 0xE0862B, 0x3E9B62, 0x8F5FB0, 0xB9A62A, 0x35A3B3};
+
 static uint32_t colour_of(struct mesh_picture *picture, uint32_t ball, int side) {
-  if (side == OF_VOID) return colour_number(picture, void_colour);
+  if (pocket_of(side) > 0) return colour_number(picture, pocket_colours[pocket_of(side) - 1]);
   if (side == INSIDE) return colour_number(picture, inside_colour);
+  if (picture->view->pockets != NULL) return colour_number(picture, grey);
+  if (side == OF_VOID) return colour_number(picture, void_colour);
   return colour_number(picture, element_colour(number_of(picture, ball)));
 }
 
@@ -304,7 +323,7 @@ static void add_part(struct mesh_picture *picture, const struct polygon *polygon
   if (of_sphere && radius * picture->frame.scale < largest_sphere) {
     const uint32_t sphere =
         kind == HSP_PATCH_CONVEX ? ball : mesh->atoms + 3 * mesh->patches[triangle] + (uint32_t)slot;
-    add_polygon(picture, polygon, layer, SIDES * sphere + (uint32_t)side);
+    add_polygon(picture, polygon, layer, picture->sides * sphere + (uint32_t)side);
   } else {
     add_bands(picture, polygon, layer, colour_of(picture, ball, side));
   }
@@ -339,8 +358,13 @@ static void add_parts(struct mesh_picture *picture, const struct polygon *polygo
 }
 
 static int side_of(const struct mesh_picture *picture, uint32_t triangle, double area) {
-  if (mesh_parts_is_of_void(&picture->parts, picture->mesh->corners[3 * (size_t)triangle])) return OF_VOID;
-  return area < 0.0 ? INSIDE : OUTSIDE;
+  const struct mesh_pockets *const pockets = picture->view->pockets;
+  const uint8_t pocket = pockets == NULL                        ? 0
+                         : triangle < picture->view->of_outside ? pockets->of_triangle[triangle]
+                                                                : pockets->of_patch[picture->mesh->patches[triangle]];
+  const bool of_void = mesh_parts_is_of_void(&picture->parts, picture->mesh->corners[3 * (size_t)triangle]);
+  const int side = of_void ? OF_VOID : area < 0.0 ? INSIDE : OUTSIDE;
+  return pocket > 0 && side != INSIDE ? pocket_side(pocket, side) : side;
 }
 
 /* Twice the area on the page, above 0 if it is counter-clockwise. */
@@ -359,7 +383,7 @@ static struct polygon polygon_of(const struct mesh_picture *picture, uint32_t tr
     const uint32_t vertex = picture->mesh->corners[3 * (size_t)triangle + (size_t)k];
     double normal[3];
     turn(picture->view->axis, picture->mesh->normals + 3 * (size_t)vertex, normal);
-    for (int axis = 0; axis < 3 && side != OUTSIDE; ++axis) normal[axis] = -normal[axis];
+    for (int axis = 0; axis < 3 && plain_side(side) != OUTSIDE; ++axis) normal[axis] = -normal[axis];
     memcpy(polygon.corner[k].at, picture->parts.seen + 3 * (size_t)vertex, sizeof polygon.corner[k].at);
     polygon.corner[k].circle = surface_light_circle(normal);
     polygon.corner[k].on = 0;
@@ -388,7 +412,7 @@ static void add_section(struct mesh_picture *picture, const struct polygon *poly
 static void add_triangle(struct mesh_picture *picture, uint32_t triangle) {
   const int side = side_of(picture, triangle, seen_area(picture, triangle));
   struct polygon polygon = polygon_of(picture, triangle, side);
-  if (side != OF_VOID && picture->parts.cut < INFINITY) {
+  if (plain_side(side) != OF_VOID && picture->parts.cut < INFINITY) {
     double value[MOST_CORNERS];
     for (int k = 0; k < 3; ++k) value[k] = polygon.corner[k].at[2] - picture->parts.cut;
     polygon = cut_off(&polygon, value, 0);
@@ -528,17 +552,17 @@ static int compare_paints(const void *left, const void *right) {
 }
 
 static uint32_t sphere_colour(struct mesh_picture *picture, uint32_t paint) {
-  const uint32_t sphere = paint / SIDES, atoms = picture->mesh->atoms;
+  const uint32_t sphere = paint / picture->sides, atoms = picture->mesh->atoms;
   const uint32_t ball = sphere < atoms ? sphere : picture->patch_ball[(sphere - atoms) / 3][(sphere - atoms) % 3];
-  return colour_of(picture, ball, (int)(paint % SIDES));
+  return colour_of(picture, ball, (int)(paint % picture->sides));
 }
 
 /* Normals point to the centre of the probe's sphere, and away from that of a ball, but on the inside. */
 static void add_sphere(struct mesh_picture *picture, struct text_buffer *out, uint32_t paint) {
   const struct triangle_mesh *mesh = picture->mesh;
-  const uint32_t sphere = paint / SIDES;
+  const uint32_t sphere = paint / picture->sides;
   const bool of_ball = sphere < mesh->atoms;
-  const bool turned = of_ball == (paint % SIDES != OUTSIDE);
+  const bool turned = of_ball == (plain_side((int)(paint % picture->sides)) != OUTSIDE);
   const bool smooth = picture->view->patches != NULL;
   double centre[3];
   double radius = mesh->probe;
@@ -553,50 +577,33 @@ static void add_sphere(struct mesh_picture *picture, struct text_buffer *out, ui
   for (int axis = 0; axis < 2; ++axis) at[axis] *= 2; /* see add_picture */
   const double size = 2.0 * radius * picture->frame.scale * (turned ? -1.0 : 1.0);
   text_buffer_add(out,
-                  "<radialGradient id=\"s%" PRIu32 "\" cx=\"%" PRId32 "\" cy=\"%" PRId32 "\" r=\"%" PRId32
-                  "\" fx=\"%" PRId32 "\" fy=\"%" PRId32 "\" xlink:href=\"#c%" PRIu32 "\"/>\n",
+                  "<radialGradient id=\"s%" PRIu32 "\" gradientUnits=\"userSpaceOnUse\" cx=\"%" PRId32
+                  "\" cy=\"%" PRId32 "\" r=\"%" PRId32 "\" fx=\"%" PRId32 "\" fy=\"%" PRId32 "\">",
                   paint, at[0], at[1], rounded(fabs(size)), rounded(at[0] + surface_light_focus[0] * size),
-                  rounded(at[1] - surface_light_focus[1] * size), sphere_colour(picture, paint));
+                  rounded(at[1] - surface_light_focus[1] * size));
+  const uint32_t colour = picture->colour[sphere_colour(picture, paint)];
+  for (int stop = 0; stop < SURFACE_STOPS; ++stop) {
+    text_buffer_add(out, "<stop offset=\"%.2g\" stop-color=\"#%06" PRIx32 "\"/>", surface_light_offset(stop),
+                    surface_light_stop(colour, stop));
+  }
+  text_buffer_add_text(out, "</radialGradient>\n");
 }
 
-/* Adds what light makes of each colour, and for each sphere that is seen where its light is. */
-static bool add_gradients(struct mesh_picture *picture, struct text_buffer *out) {
-  const struct painted_edges *areas = &picture->areas;
-  uint32_t *paints = calloc(areas->count + 1, sizeof *paints);
-  size_t count = 0;
-  if (paints == NULL) return false;
-  for (size_t i = 0; i < areas->count; i = painted_edges_end(areas, i)) {
-    if (is_of_sphere(areas->edge[i].paint)) paints[count++] = areas->edge[i].paint;
-  }
-  qsort(paints, count, sizeof *paints, compare_paints);
-  for (size_t i = 0; i < count; ++i) (void)sphere_colour(picture, paints[i]);
-  for (uint32_t c = 0; c < picture->colours; ++c) {
-    text_buffer_add(out, "<linearGradient id=\"c%" PRIu32 "\" gradientUnits=\"userSpaceOnUse\">", c);
-    for (int stop = 0; stop < SURFACE_STOPS; ++stop) {
-      text_buffer_add(out, "<stop offset=\"%.4g\" stop-color=\"#%06" PRIx32 "\"/>", surface_light_offset(stop),
-                      surface_light_stop(picture->colour[c], stop));
-    }
-    text_buffer_add(out, "</linearGradient>\n");
-  }
-  for (size_t i = 0; i < count; ++i) {
-    if (i == 0 || paints[i] != paints[i - 1]) add_sphere(picture, out, paints[i]);
-  }
-  free(paints);
-  return true;
-}
-
-/* Lines in an area's own colour cover what anti-aliasing leaves open between neighbours. */
-static bool add_areas(const struct mesh_picture *picture, struct text_buffer *out) {
+/* Lines in an area's own colour cover what anti-aliasing leaves open between neighbours. An area of which nothing is
+ * left is not written: some readers paint the next one wrongly then. Lists the spheres that are seen, each once. */
+static bool add_areas(const struct mesh_picture *picture, struct text_buffer *out, uint32_t *paints, size_t *spheres) {
   const struct painted_edges *areas = &picture->areas;
   bool enough = true;
-  for (size_t i = 0, end = 0; i < areas->count; i = end) {
+  for (size_t i = 0, end = 0; enough && i < areas->count; i = end) {
     const uint32_t paint = areas->edge[i].paint;
+    const bool line = paint == hairlines, sphere = is_of_sphere(paint);
+    const size_t before = out->length;
     end = painted_edges_end(areas, i);
-    if (paint == hairlines) {
+    if (line) {
       text_buffer_add(out,
                       "<path fill=\"none\" stroke=\"#%06" PRIx32 "\" stroke-opacity=\".4\" stroke-width=\"%.2f\" d=\"",
                       line_colour, 2.0 * hairline_width(picture));
-    } else if (is_of_sphere(paint)) {
+    } else if (sphere) {
       text_buffer_add(out, "<path fill=\"url(#s%" PRIu32 ")\" stroke=\"url(#s%" PRIu32 ")\" d=\"", paint, paint);
     } else {
       const uint32_t band = (paint - first_band) % MOST_BANDS, colour = (paint - first_band) / MOST_BANDS;
@@ -604,10 +611,21 @@ static bool add_areas(const struct mesh_picture *picture, struct text_buffer *ou
           surface_light_on(picture->colour[colour], picture->border[band] / 2.0 + picture->border[band + 1] / 2.0);
       text_buffer_add(out, "<path fill=\"#%06" PRIx32 "\" stroke=\"#%06" PRIx32 "\" d=\"", tone, tone);
     }
-    enough =
-        enough && painted_edges_write(areas, i, end, paint != hairlines, paint < first_band || paint == hairlines, out);
+    const size_t begun = out->length;
+    enough = painted_edges_write(areas, i, end, !line, sphere || line, out) && !out->out_of_memory;
+    if (out->length == begun) {
+      out->length = before;
+      continue;
+    }
     text_buffer_add(out, "\"/>\n");
+    if (sphere) paints[(*spheres)++] = paint;
   }
+  qsort(paints, *spheres, sizeof *paints, compare_paints);
+  size_t kept = 0;
+  for (size_t i = 0; i < *spheres; ++i) {
+    if (i == 0 || paints[i] != paints[i - 1]) paints[kept++] = paints[i];
+  }
+  *spheres = kept;
   return enough;
 }
 
@@ -634,6 +652,20 @@ static void add_entry(const struct pen *pen, double *x, double y, uint32_t colou
   const struct pen_text written = {text, *x + 1.3 * letter, y + 0.36 * letter, letter, 0.0, line_colour, 0xFFFFFF};
   pen_write(pen, &written);
   *x += 1.9 * letter + text_width(text, letter);
+}
+
+static void add_pockets(struct mesh_picture *picture, const struct pen *pen, double *x, double y) {
+  bool seen[MESH_POCKETS + 1] = {false}, any = false;
+  for (uint32_t t = 0; t < picture->mesh->triangles; ++t) {
+    if (picture->layer[t] != UINT32_MAX) seen[pocket_of(side_of(picture, t, seen_area(picture, t)))] = true;
+  }
+  for (int pocket = 1; pocket <= MESH_POCKETS; ++pocket) {
+    char name[sizeof "pocket 4294967295"];
+    if (!seen[pocket]) continue;
+    snprintf(name, sizeof name, "%s%" PRIu32, any ? "" : "pocket ", picture->view->pockets->number[pocket - 1]);
+    any = true;
+    add_entry(pen, x, y, surface_light_on(pocket_colours[pocket - 1], 0.4), name);
+  }
 }
 
 /* Elements whose outside is seen, C and H first, then by their numbers. */
@@ -663,16 +695,26 @@ static void add_legend(struct mesh_picture *picture, struct text_buffer *out) {
     any = any || picture->layer[t] != UINT32_MAX;
   }
   pen_begin(&pen);
-  add_elements(picture, &pen, &x, y);
+  if (picture->view->pockets != NULL) {
+    add_pockets(picture, &pen, &x, y);
+  } else {
+    add_elements(picture, &pen, &x, y);
+  }
   if (picture->view->cut)
     add_entry(&pen, &x, y, surface_light_on(inside_colour, 0.4), "inside of the surface, cut open");
-  if (any) add_entry(&pen, &x, y, surface_light_on(void_colour, 0.4), "voids");
+  if (any && picture->view->pockets == NULL) {
+    add_entry(&pen, &x, y, surface_light_on(void_colour, 0.4), "voids");
+  }
   pen_end(&pen);
 }
 
 static bool add_picture(struct mesh_picture *picture, const char *title, struct text_buffer *out) {
   const struct frame *const frame = &picture->frame;
   const int32_t height = frame->height + frame->strip;
+  struct text_buffer areas = TEXT_BUFFER_EMPTY;
+  uint32_t *paints = calloc(picture->areas.count + 1, sizeof *paints); /* spheres */
+  size_t spheres = 0;
+  bool enough = paints != NULL && add_areas(picture, &areas, paints, &spheres);
   text_buffer_add(out,
                   "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
                   "width=\"%" PRId32 ".%" PRId32 "px\" height=\"%" PRId32 ".%" PRId32 "px\" viewBox=\"0 0 %" PRId32
@@ -681,25 +723,20 @@ static bool add_picture(struct mesh_picture *picture, const char *title, struct 
   text_buffer_add_xml(out, title);
   text_buffer_add(out, "</title>\n<rect width=\"%" PRId32 "\" height=\"%" PRId32 "\" fill=\"#ffffff\"/>\n<defs>\n",
                   frame->width, height);
-  if (!add_gradients(picture, out)) return false;
+  for (size_t i = 0; i < spheres; ++i) add_sphere(picture, out, paints[i]);
   /* Outlines are in halves of units. */
   text_buffer_add(out,
                   "</defs>\n<g transform=\"scale(.5)\" stroke-width=\"12\" "
                   "stroke-linejoin=\"round\" stroke-linecap=\"round\">\n");
-  const bool enough = add_section_area(picture, out) && add_areas(picture, out);
+  enough = enough && add_section_area(picture, out);
+  text_buffer_append(out, areas.text, areas.length);
   add_section_line(picture, out);
   text_buffer_add(out, "</g>\n");
   if (picture->mesh->triangles > 0) add_legend(picture, out);
   text_buffer_add(out, "</svg>\n");
+  text_buffer_free(&areas);
+  free(paints);
   return enough;
-}
-
-static bool write_text(const struct text_buffer *text, const char *path, struct failure *failure) {
-  struct output_file file;
-  if (text->out_of_memory) return failure_of_memory(failure);
-  if (!output_file_open(&file, path, failure)) return false;
-  output_file_write(&file, text->text, text->length);
-  return output_file_finish(&file, failure);
 }
 
 /* ---- all of it ---- */
@@ -733,7 +770,10 @@ static bool make(struct mesh_picture *picture) {
     turn(picture->view->axis, picture->molecule->xyz + 3 * i, picture->ball + 3 * i);
   }
   if (!mesh_parts_find(mesh, picture->view->axis, &picture->parts)) return false;
-  if (cut && !mesh_parts_cut(mesh, picture->view->of_outside, &picture->parts)) return false;
+  const struct mesh_pockets *const pockets = picture->view->pockets;
+  const bool through = pockets != NULL && pockets->count > 0;
+  const double depth = through ? dot(picture->view->axis[2], pockets->through) : 0.0;
+  if (cut && !mesh_parts_cut(mesh, picture->view->of_outside, through ? &depth : NULL, &picture->parts)) return false;
   find_frame(&picture->parts, &picture->frame);
   const double bands = bands_per_unit * picture->frame.scale;
   picture->bands = bands < FEWEST_BANDS ? FEWEST_BANDS : bands > MOST_BANDS ? MOST_BANDS : (int)bands;
@@ -748,10 +788,11 @@ static bool make(struct mesh_picture *picture) {
 
 bool mesh_picture_write(const struct triangle_mesh *mesh, const struct mesh_view *view, const struct molecule *molecule,
                         const char *title, const char *path, uint64_t *bytes, struct failure *failure) {
-  struct mesh_picture picture = {.mesh = mesh, .view = view, .molecule = molecule};
+  struct mesh_picture picture = {.mesh = mesh, .view = view, .molecule = molecule, .sides = SIDES};
+  if (view->pockets != NULL) picture.sides += 2 * view->pockets->count;
   struct text_buffer text = TEXT_BUFFER_EMPTY;
   const bool made = make(&picture) && add_picture(&picture, title, &text);
-  const bool done = made ? write_text(&text, path, failure) : failure_of_memory(failure);
+  const bool done = made ? output_file_write_text(path, &text, failure) : failure_of_memory(failure);
   if (done) *bytes = text.length;
   text_buffer_free(&text);
   mesh_parts_free(&picture.parts);

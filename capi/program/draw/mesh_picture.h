@@ -9,12 +9,24 @@
 #include "read/molecule.h"
 #include "write/mesh_file.h"
 
+enum { MESH_POCKETS = 6 };
+
+/* Pockets, each of a colour. */
+struct mesh_pockets {
+  uint32_t count;                /* up to MESH_POCKETS */
+  uint32_t number[MESH_POCKETS]; /* their names */
+  uint8_t *of_triangle;          /* [of_outside], which of them, from 1 on; 0: none */
+  uint8_t *of_patch;             /* [patches of the mesh], the same of patches around voids, which have one answer */
+  double through[3];             /* the middle of the first, where a cut goes through */
+};
+
 /* How a mesh is looked at. */
 struct mesh_view {
   double axis[3][3]; /* to the right, upwards and towards the viewer: unit vectors */
   bool cut;          /* what lies before the middle of the largest void, or else of everything, is left out */
-  const struct mesh_patch *patches; /* of the smooth surface; else NULL */
-  uint32_t of_outside;              /* triangles: only the first so many show what is no void, only the others voids */
+  const struct mesh_patch *patches;   /* of the smooth surface; else NULL */
+  const struct mesh_pockets *pockets; /* or NULL */
+  uint32_t of_outside; /* triangles: only the first so many show what is no void, only the others voids */
 };
 
 /* Write what is seen of a closed mesh to the file `path` (output_file.h), 1000 px wide, with light from the upper left
@@ -27,7 +39,8 @@ struct mesh_view {
  * hairlines. Farther triangles are painted first (mesh_layers.h).
  *
  * With a cut the inside of the surface is seen, too, and the section by the plane as a line, and voids as bodies in
- * red, which the legend says; crumbs are dropped (mesh_parts.h). *bytes becomes how many were written. False, with the
+ * red, which the legend says; crumbs are dropped (mesh_parts.h). With pockets these alone have colours, voids
+ * or not. *bytes becomes how many were written. False, with the
  * file named, if it cannot be written in full. */
 bool mesh_picture_write(const struct triangle_mesh *mesh, const struct mesh_view *view, const struct molecule *molecule,
                         const char *title, const char *path, uint64_t *bytes, struct failure *failure);

@@ -4,6 +4,7 @@
 
 #include "core/sorting.hpp"
 #include "exact/lattice.hpp"
+#include "pores/cube_halves.hpp"
 
 namespace hsp {
 namespace {
@@ -199,8 +200,9 @@ void CriticalPoints::carve(Workspace &workspace, const CriticalLimits &limits) {
   maximum_names_.carve(workspace, limits.maxima);
   gate_names_.carve(workspace, limits.gates);
   candidates_ = workspace.take<uint32_t>(limits.candidates);
-  distance_ = workspace.take<double>(limits.candidates);
+  in_parts_ = workspace.take<uint8_t>(limits.candidates);
   cubes_ = workspace.take<Cube>(most_cubes);
+  target_ = workspace.target();
   at_point_ = workspace.take<uint32_t>(limits.near);
   cluster_ = workspace.take<uint32_t>(limits.near);
   lines_ = workspace.take<TangentLines>(1);
@@ -288,6 +290,7 @@ Status CriticalPoints::search(const Vec3 &low, const Vec3 &high) {
                      balls.n,
                      0,
                      {},
+                     {},
                      0};
   while (depth > 0) {
     Cube &cube = cubes_[depth - 1];
@@ -295,6 +298,7 @@ Status CriticalPoints::search(const Vec3 &low, const Vec3 &high) {
       --depth;
       continue;
     }
+    if (cube.next_part == 0) halve(cube);
     const uint32_t part = cube.next_part++;
     const int64_t step = cube.half / 2;
     Cube child = cube;
@@ -304,7 +308,7 @@ Status CriticalPoints::search(const Vec3 &low, const Vec3 &high) {
     child.half = step;
     child.next_part = 0;
     child.first = cube.last;
-    child.last = enter(child, cube.first, cube.last);
+    child.last = enter(child, cube, part);
     if (needed_.candidates > limits_.candidates) return Status::capacity;
     if (beyond_ceiling_ != 0.0) return Status::ok;
     if (child.last == child.first) continue;
@@ -335,11 +339,41 @@ bool CriticalPoints::is_settled(const Cube &cube) const {
   return cube.settled_half != 0 && contains(cube.settled_centre, cube.settled_half, cube.centre, cube.half);
 }
 
-// Puts the candidates of first .. last - 1 that may be nearest in a cube behind these; returns where they end. Nothing
-// is put if no critical point is there.
-uint32_t CriticalPoints::enter(const Cube &cube, uint32_t first, uint32_t last) {
+// Which candidates of a cube may be nearest in each of its parts. f is at most the distance of the farthest corner of a
+// part from any one ball, of which one is near its middle; a ball that is farther from all of the part is nowhere
+// nearest in it.
+void CriticalPoints::halve(Cube &cube) {
+  CubeParts parts;
+  const int64_t step = cube.half / 2;
+  const auto side = [&](uint32_t part, uint32_t axis) { return (part >> axis & 1) != 0 ? step : -step; };
+  for (uint32_t part = 0; part < 8; ++part) {
+    parts.x[part] = static_cast<double>(cube.centre.x + side(part, 0));
+    parts.y[part] = static_cast<double>(cube.centre.y + side(part, 1));
+    parts.z[part] = static_cast<double>(cube.centre.z + side(part, 2));
+  }
+  parts.edge = static_cast<double>(step + 2);
+  const BallSet &balls = *balls_;
+  const NearArrays near{balls.x.data(), balls.y.data(),           balls.z.data(),
+                        balls.r.data(), &candidates_[cube.first], cube.last - cube.first};
+  find_nearest(target_, near, parts);
+  for (uint32_t part = 0; part < 8; ++part) {
+    const uint32_t ball = parts.nearest[part];
+    const Vec3 corner{std::fabs(balls.x[ball] - parts.x[part]) + parts.edge,
+                      std::fabs(balls.y[ball] - parts.y[part]) + parts.edge,
+                      std::fabs(balls.z[ball] - parts.z[part]) + parts.edge};
+    const double farthest = std::sqrt(dot(corner, corner)), radius = balls.r[ball];
+    parts.most_level[part] = cube.most_level[part] = farthest + doubt_of(farthest + radius) - radius;
+  }
+  find_near(target_, near, parts, &in_parts_[cube.first]);
+}
+
+// Puts the candidates of a cube that may be nearest in a part of it behind these; returns where they end. Nothing is
+// put if no critical point is there.
+uint32_t CriticalPoints::enter(const Cube &cube, const Cube &whole, uint32_t part) {
   ++work_.cubes;
   unsure_ = false;
+  const uint32_t first = whole.first, last = whole.last;
+  const double most_level = whole.most_level[part];
   const double x = static_cast<double>(cube.centre.x), y = static_cast<double>(cube.centre.y),
                z = static_cast<double>(cube.centre.z), side = static_cast<double>(cube.half + 1);
   if (x - side > high_.x || x + side < low_.x || y - side > high_.y || y + side < low_.y || z - side > high_.z ||
@@ -350,28 +384,16 @@ uint32_t CriticalPoints::enter(const Cube &cube, uint32_t first, uint32_t last) 
   needed_.candidates = larger_count(needed_.candidates, clamped_count(static_cast<uint64_t>(last) + most));
   if (most > limits_.candidates - last) return last;
   const double reach = reach_of(cube.half);
-  double least = std::numeric_limits<double>::infinity();
-  const BallSet &balls = *balls_;
-  for (uint32_t k = 0; k < most; ++k) {
-    const uint32_t ball = candidates_[first + k];
-    const double dx = balls.x[ball] - x, dy = balls.y[ball] - y, dz = balls.z[ball] - z;
-    const double d = std::sqrt(dx * dx + dy * dy + dz * dz);
-    distance_[last + k] = d;
-    least = Directions::smaller(least, d + doubt_of(d) - balls.r[ball]);
-  }
-  if (least + reach < static_cast<double>(floor_)) return last;
-  // A ball that is left out is no candidate: at the centre its distance is more than least + 2 reach.
-  unsure_ = least + 3.0 * reach > ceiling_;
+  if (most_level < static_cast<double>(floor_)) return last;
+  unsure_ = most_level + 2.0 * reach > ceiling_;
   if (unsure_ && (16.0 * reach < ceiling_ + static_cast<double>(balls_->largest_radius) || cube.half <= least_half)) {
-    beyond_ceiling_ = least + 3.0 * reach;
+    beyond_ceiling_ = most_level + 2.0 * reach;
     return last;
   }
   uint32_t count = 0;
-  for (uint32_t k = 0; k < most; ++k) {
-    const uint32_t ball = candidates_[first + k];
-    const double d = distance_[last + k];
-    candidates_[last + count] = ball;
-    count += d - doubt_of(d) - balls_->r[ball] <= least + 2.0 * reach ? 1U : 0U;
+  for (uint32_t k = first; k < last; ++k) {
+    candidates_[last + count] = candidates_[k];
+    count += in_parts_[k] >> part & 1U;
   }
   if (unsure_) return last + count;
   if (count < 3) return last;
@@ -553,7 +575,7 @@ bool CriticalPoints::try_point(const uint32_t *ids, uint32_t count, Span<const u
                                                               : are_coplanar(balls, ids[0], ids[1], ids[2], ids[3]));
   kept = kept && is_in(point, block) && is_in(point, other);
   bool on_side = false;
-  kept = kept && (count == 3 ? is_in_triangle(point, ids[0], ids[1], ids[2], on_side)
+  kept = kept && (count == 3 ? is_in_triangle(balls, point, ids[0], ids[1], ids[2], on_side)
                              : is_in_tetrahedron(balls, point, ids, on_side));
   uint32_t tied = 0;
   uint64_t ties = 0;

@@ -13,6 +13,7 @@
 #pragma once
 
 #include "core/fixed_vector.hpp"
+#include "lanes/target.hpp"
 #include "pores/name_table.hpp"
 #include "pores/pore_balls.hpp"
 #include "pores/tied_balls.hpp"
@@ -65,6 +66,7 @@ class CriticalPoints {
     int64_t half;
     uint32_t first, last;  // of candidates_
     uint32_t next_part;
+    double most_level[8];          // of its parts
     exact::Vector settled_centre;  // of a cube in which all sets have been tried
     int64_t settled_half;          // 0: there is none
   };
@@ -72,7 +74,8 @@ class CriticalPoints {
 
   void forget();
   Status search(const Vec3 &low, const Vec3 &high);
-  uint32_t enter(const Cube &cube, uint32_t first, uint32_t last);
+  void halve(Cube &cube);
+  uint32_t enter(const Cube &cube, const Cube &whole, uint32_t part);
   bool is_settled(const Cube &cube) const;
   void settle_ties(Cube &cube);
   uint32_t drop_farther(uint32_t first, uint32_t count);
@@ -109,8 +112,9 @@ class CriticalPoints {
   FixedVector<SmallShift> tied_shifts_;
   NameTable maximum_names_, gate_names_;
   Span<uint32_t> candidates_;
-  Span<double> distance_;  // [candidates]
-  Span<Cube> cubes_;       // that are being halved
+  Span<uint8_t> in_parts_;  // [candidates]: a bit for each part of their cube
+  Target target_ = Target::baseline;
+  Span<Cube> cubes_;  // that are being halved
   Span<uint32_t> at_point_, cluster_;
   Span<TangentLines> lines_;     // [1]
   Span<Directions> directions_;  // [1]

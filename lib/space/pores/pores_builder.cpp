@@ -59,8 +59,8 @@ Status PoresBuilder::build_from(int64_t floor) {
   needed_.candidates = needed.candidates;
   needed_.near = larger_count(needed_.near, needed.near);
   if (status != Status::ok) return status;
-  sort_points();
   status = climb_from_gates();
+  if (status == Status::ok) sort_points();
   if (status == Status::ok) status = balls_.box() != nullptr ? merge_in_box() : merge();
   if (status != Status::ok) {
     maximum_count_ = gate_count_ = 0;
@@ -70,25 +70,63 @@ Status PoresBuilder::build_from(int64_t floor) {
   return Status::ok;
 }
 
+namespace {
+
+// Whether two sets of three or four balls are certainly congruent: one is the other moved, turned by right angles or
+// mirrored. Their points have one level then.
+bool are_congruent(const BallSet &balls, const uint32_t *a, const uint32_t *b, uint32_t count) {
+  const auto alike = [&](uint32_t i, uint32_t j, uint32_t k, uint32_t l) {
+    Vec3 d[2] = {balls.difference(a[i], a[j]), balls.difference(b[k], b[l])};
+    for (Vec3 &v : d) {
+      v = {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)};
+      if (v.x > v.y) v = {v.y, v.x, v.z};
+      if (v.y > v.z) v = {v.x, v.z, v.y};
+      if (v.x > v.y) v = {v.y, v.x, v.z};
+    }
+    return d[0].x == d[1].x && d[0].y == d[1].y && d[0].z == d[1].z;
+  };
+  // turned[k]: which of b is a[k]; the next one after all before it have one.
+  uint32_t turned[4] = {0, 0, 0, 0};
+  for (uint32_t k = 0;;) {
+    bool fits = balls.r[a[k]] == balls.r[b[turned[k]]];
+    for (uint32_t m = 0; fits && m < k; ++m) fits = turned[m] != turned[k] && alike(m, k, turned[m], turned[k]);
+    if (fits && k + 1 == count) return true;
+    if (fits) {
+      turned[++k] = 0;
+      continue;
+    }
+    while (++turned[k] == count) {
+      if (k-- == 0) return false;
+    }
+  }
+}
+
+}  // namespace
+
 // In doubles, where they are certain; by integers, and by names.
 bool PoresBuilder::is_higher(const CriticalPoint &a, const CriticalPoint &b) {
   const double difference = a.level - b.level;
   if (std::fabs(difference) > a.doubt + b.doubt) return difference > 0.0;
   compared_.begin();
-  TangentPoint point[2] = {TangentPoint(critical_.lines()), TangentPoint(critical_.lines())};
-  uint32_t first[2];
+  uint32_t ball[2][4];
   for (const uint32_t which : {0U, 1U}) {
     const CriticalPoint &record = which == 0 ? a : b;
-    uint32_t k[4] = {no_id, no_id, no_id, no_id};
-    for (uint32_t c = 0; c < 4 && record.ball[c] != no_id; ++c) {
-      k[c] = compared_.add(record.ball[c], record.shift[c].shift());
+    for (uint32_t c = 0; c < 4; ++c) {
+      ball[which][c] = record.ball[c] == no_id ? no_id : compared_.add(record.ball[c], record.shift[c].shift());
     }
-    first[which] = k[0];
-    point[which].find(compared_.set(), {k[0], k[1], k[2]}, k[3], false);
   }
-  const int sign = point[0].compare_levels(point[1]);
-  if (sign != 0) return sign > 0;
-  if (first[0] != first[1]) return compared_.set().ranks_before(first[0], first[1]);
+  const BallSet &set = compared_.set();
+  const uint32_t first[2] = {ball[0][0], ball[1][0]};
+  if (!are_congruent(set, ball[0], ball[1], ball[0][3] == no_id ? 3 : 4)) {
+    TangentPoint point[2] = {TangentPoint(critical_.lines()), TangentPoint(critical_.lines())};
+    for (const uint32_t which : {0U, 1U}) {
+      const uint32_t *const k = ball[which];
+      point[which].find(set, {k[0], k[1], k[2]}, k[3], false);
+    }
+    const int sign = point[0].compare_levels(point[1]);
+    if (sign != 0) return sign > 0;
+  }
+  if (first[0] != first[1]) return set.ranks_before(first[0], first[1]);
   for (uint32_t k = 0; k < 4; ++k) {
     if (a.ball[k] != b.ball[k]) return a.ball[k] < b.ball[k];
     if (!(a.shift[k] == b.shift[k])) return visited_before(a.shift[k].shift(), b.shift[k].shift());
@@ -99,17 +137,21 @@ bool PoresBuilder::is_higher(const CriticalPoint &a, const CriticalPoint &b) {
 void PoresBuilder::sort_points() {
   const auto higher = [&](const auto &a, const auto &b) { return is_higher(a.point, b.point); };
   compared_.reset(balls_);
+  for (uint32_t k = 0; k < maximum_count_; ++k) maxima_[k].gate = k;
   sort_in_place(critical_.maxima().items(), higher);
   sort_in_place(critical_.gates().items(), higher);
+  for (uint32_t k = 0; k < maximum_count_; ++k) maxima_[maxima_[k].gate].into = k;
+  for (uint32_t k = 0; k < gate_count_; ++k) {
+    for (uint32_t &end : gates_[k].end) end = end == pore_outside ? end : maxima_[end].into;
+  }
+  for (uint32_t k = 0; k < maximum_count_; ++k) maxima_[k].gate = maxima_[k].into = no_id;
+}
+
+// In the order in which gates are found, which is that of places: what is near one is near the next one.
+Status PoresBuilder::climb_from_gates() {
   tied_shifts_ = critical_.tied_shifts().items();
   maximum_count_ = critical_.maxima().size();
   gate_count_ = critical_.gates().size();
-  NameTable &names = critical_.maximum_names();
-  names.clear();
-  for (uint32_t k = 0; k < maximum_count_; ++k) names.add(name_of(maxima_[k].point), k, critical_.maxima());
-}
-
-Status PoresBuilder::climb_from_gates() {
   ways_.prepare(balls_);
   for (uint32_t k = 0; k < gate_count_; ++k) {
     PoreGate &gate = gates_[k];

@@ -290,18 +290,47 @@ template <class Make>
   form = make.template operator()<Integer>();
 }
 
+// The root of a line; false if there certainly is none.
+template <class RoughLines>
+bool find_z(const RoughLines &line, bool rising, Bounded &z) {
+  const Bounded A = rising ? -line.A() : line.A(), b = rising ? -line.b() : line.b(), c = rising ? -line.c() : line.c();
+  const Bounded discriminant = b * b - A * c;
+  if (discriminant.sign() < 0) return false;
+  const Bounded root = square_root(discriminant);
+  z = b.value < 0.0 ? c / (root - b) : (-b - root) / A;
+  return true;
+}
+
 }  // namespace
 
-bool TangentPoint::find(const BallSet &balls, const TangentCurve &curve, uint32_t last, bool rising) {
+void TangentPoint::begin(const BallSet &balls, const TangentCurve &curve, uint32_t last, bool rising) {
   balls_ = &balls;
   curve_ = curve;
   last_ = last;
   rising_ = rising;
   number_ = lines_->next_point();
   beyond_reach_ = false;
-  const int known = estimate(RoughLine(balls, curve, last));
+}
+
+bool TangentPoint::find(const BallSet &balls, const TangentCurve &curve, uint32_t last, bool rising) {
+  begin(balls, curve, last, rising);
+  return is_there(estimate(RoughLine(balls, curve, last)));
+}
+
+void TangentPoint::find_both(const BallSet &balls, const TangentCurve &curve, uint32_t last, TangentPoint (&points)[2],
+                             bool (&there)[2]) {
+  const RoughLine line(balls, curve, last);
+  for (const bool rising : {false, true}) {
+    TangentPoint &point = points[rising ? 1 : 0];
+    point.begin(balls, curve, last, rising);
+    there[rising ? 1 : 0] = point.is_there(point.estimate(line));
+  }
+}
+
+// known: by doubles.
+bool TangentPoint::is_there(int known) {
   if (known != 0) return known > 0;
-  if (is_beyond_reach(balls, curve, last)) {
+  if (is_beyond_reach(*balls_, curve_, last_)) {
     beyond_reach_ = true;
     return false;
   }
@@ -314,13 +343,9 @@ template <class RoughLines>
 int TangentPoint::estimate(const RoughLines &line) {
   z_ = {0.0, std::numeric_limits<double>::infinity()};
   y_ = {z_, z_, z_};
-  if (line.D.sign() == 0) return 0;
-  const Bounded A = rising_ ? -line.A() : line.A(), b = rising_ ? -line.b() : line.b(),
-                c = rising_ ? -line.c() : line.c();
-  const Bounded discriminant = b * b - A * c;
-  if (discriminant.sign() < 0) return -1;
-  const Bounded root = square_root(discriminant);
-  z_ = b.value < 0.0 ? c / (root - b) : (-b - root) / A;
+  is_steep_ = line.D.sign() != 0;
+  if (!is_steep_) return 0;
+  if (!find_z(line, rising_, z_)) return -1;
   if (z_.sign() <= 0) return z_.sign();
   y_ = line.place(z_);
   return 1;
@@ -552,8 +577,21 @@ int TangentPoint::level_against_half(double halves, double unit) const {
 constexpr int most_units = 64;
 
 double TangentPoint::rounded_level(double level, double doubt, double unit) const {
-  double multiple = static_cast<double>(nearest(level / unit));
-  if (std::fabs(level / unit - multiple) + doubt / unit < 0.499) return multiple * unit;
+  double multiple = 0.0;
+  const auto is_certain = [&](double estimate, double error) {
+    multiple = static_cast<double>(nearest(estimate / unit));
+    return std::fabs(estimate / unit - multiple) + error / unit < 0.499;
+  };
+  if (is_certain(level, doubt)) return multiple * unit;
+  // By sharper bounds.
+  const CurveRows<Bounded> rows(*balls_, curve_);
+  const SteepLine<Bounded> line(rows, last_row(*balls_, curve_, rows, last_));
+  Bounded z;
+  if (line.D.sign() != 0 && find_z(line, rising_, z)) {
+    const Bounded sharper = Bounded(0.5) * z - Bounded(balls_->r[curve_.base]);
+    if (sharper.error < unit && is_certain(sharper.value, sharper.error)) return multiple * unit;
+  }
+  static_cast<void>(is_certain(level, doubt));
   for (int turn = 0; turn < most_units && level_against_half(2.0 * multiple + 1.0, unit) >= 0; ++turn) multiple += 1.0;
   for (int turn = 0; turn < most_units && level_against_half(2.0 * multiple - 1.0, unit) < 0; ++turn) multiple -= 1.0;
   return multiple * unit;
@@ -621,16 +659,16 @@ CurveShape::CurveShape(const BallSet &balls, const TangentCurve &curve) {
 }
 
 CurvePiece::CurvePiece(const CurveShape &curve, double lower, double upper)
-    : shape(curve), from(lower), to(upper), error(curve.error_at(upper)) {
-  const double h0 = shape.height(from), h1 = shape.height(to);
+    : shape(&curve), from(lower), to(upper), error(curve.error_at(upper)) {
+  const double h0 = curve.height(from), h1 = curve.height(to);
   low = h0 < h1 ? h0 : h1;
   high = h0 < h1 ? h1 : h0;
-  const double peak = shape.A > 0.0 ? -shape.b / shape.A : 0.0;
+  const double peak = curve.A > 0.0 ? -curve.b / curve.A : 0.0;
   if (peak > from && peak < to) {
-    const double top = shape.height(peak);
+    const double top = curve.height(peak);
     high = top > high ? top : high;
   }
-  span = 4.0 * (std::sqrt(dot(shape.p, shape.p)) + std::sqrt(dot(shape.q, shape.q)) * to + high + to);
+  span = 4.0 * (std::sqrt(dot(curve.p, curve.p)) + std::sqrt(dot(curve.q, curve.q)) * to + high + to);
 }
 
 int side_of_centre(const BallSet &balls, const TangentCurve &curve, uint32_t ball, bool &beyond_reach) {

@@ -86,6 +86,9 @@ class TangentPoint {
   // On a curve and as near to one more ball; or in the plane of the curve's three centres, without one (no_id), which
   // is for curves of three balls. rising: with W' > 0. False if there is no such point, or if it has no z > 0.
   bool find(const BallSet &balls, const TangentCurve &curve, uint32_t last, bool rising);
+  // Both of them, the one with W' > 0 second.
+  static void find_both(const BallSet &balls, const TangentCurve &curve, uint32_t last, TangentPoint (&points)[2],
+                        bool (&there)[2]);
 
   // Sign of the distance of a ball less that of the point's balls: -1 nearer, 0 tied, +1 farther.
   int nearness(uint32_t ball) const;
@@ -116,6 +119,10 @@ class TangentPoint {
   // The same with the place as seen from the first ball of the curve.
   double settle_from_base(Vec3 &off, double &level);
 
+  // Whether it is certainly one of four balls whose centres are in no plane, and then which of their two.
+  bool is_of_four() const { return is_steep_ && last_ != no_id && !curve_.in_plane; }
+  bool is_rising() const { return rising_; }
+
   // Whether a question was asked of balls that are too far apart for the exact stage; its answer means nothing then.
   bool beyond_reach() const { return beyond_reach_; }
 
@@ -124,6 +131,8 @@ class TangentPoint {
   double estimate_closely(Vec3 &off, double &level);
   double rounded_level(double level, double doubt, double unit) const;
   int level_against_half(double halves, double unit) const;
+  void begin(const BallSet &balls, const TangentCurve &curve, uint32_t last, bool rising);
+  bool is_there(int known);
   template <class RoughLines>
   int estimate(const RoughLines &line);
   template <class Make>
@@ -135,7 +144,7 @@ class TangentPoint {
   const BallSet *balls_ = nullptr;
   TangentCurve curve_;
   uint32_t last_ = no_id;
-  bool rising_ = false;
+  bool rising_ = false, is_steep_ = false;
   NumberTriple<BoundedDouble> y_;
   BoundedDouble z_;
   uint64_t number_ = 0;  // of its line
@@ -175,12 +184,12 @@ struct CurvePiece {
   bool is_far_from(const BallSet &balls, uint32_t base, uint32_t ball) const {
     const Vec3 C = balls.difference(base, ball);
     const double e = balls.r[ball] - balls.r[base], size = std::fabs(C.x) + std::fabs(C.y) + std::fabs(C.z);
-    const double w = dot(C, C) - e * e, slope = dot(C, shape.q) + e, across = dot(C, shape.e);
-    const double most = dot(C, shape.p) + slope * (slope > 0.0 ? to : from) + across * (across > 0.0 ? high : low);
+    const double w = dot(C, C) - e * e, slope = dot(C, shape->q) + e, across = dot(C, shape->e);
+    const double most = dot(C, shape->p) + slope * (slope > 0.0 ? to : from) + across * (across > 0.0 ? high : low);
     return w - most > size * error + 1e-13 * size * (size + span);
   }
 
-  const CurveShape &shape;
+  const CurveShape *shape;
   double from, to, low, high, error;
   double span;  // of all lengths there
 };

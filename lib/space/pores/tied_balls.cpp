@@ -28,6 +28,32 @@ PointKind kind_in_plane(const TangentPoint &point, Span<const uint32_t> tied, co
   return apart ? PointKind::gate : PointKind::passing;
 }
 
+double longest_part(const Vec3 &v) {
+  const double x = std::fabs(v.x), y = std::fabs(v.y), z = std::fabs(v.z);
+  return x > y ? (x > z ? x : z) : y > z ? y : z;
+}
+
+// On which side of planes a point is, in doubles. Normals are products of differences, which are exact: of three of
+// them that are at most 1 along each axis a component is below 8 and wrong by less than 2^-48.
+class PlainSides {
+ public:
+  PlainSides(const BallSet &balls, const TangentPoint &point, double scale)
+      : balls_(balls), at_(point.place_estimate()), error_(point.place_error()), scale_(scale) {}
+  // Of a plane through a centre; 0 if that is not certain. length: the product of the lengths that the normal is of,
+  // but for the common ones.
+  int side(const Vec3 &normal, double length, uint32_t centre) const {
+    const Vec3 off = at_ - Vec3{balls_.x[centre], balls_.y[centre], balls_.z[centre]};
+    const double height = dot(normal, off), most = scale_ * length;
+    const double doubt = most * (24.0 * error_ + 0x1p-44 * (longest_part(off) + error_));
+    return height > doubt ? 1 : height < -doubt ? -1 : 0;
+  }
+
+ private:
+  const BallSet &balls_;
+  Vec3 at_;
+  double error_, scale_;
+};
+
 constexpr double clear_of_rounding = 1e-9, clear_of_slivers = 1e-5;
 
 }  // namespace
@@ -174,12 +200,18 @@ PointKind kind_of(const BallSet &balls, const TangentPoint &point, Span<const ui
   return PointKind::passing;
 }
 
-bool is_in_triangle(const TangentPoint &point, uint32_t i, uint32_t j, uint32_t k, bool &on_side) {
+bool is_in_triangle(const BallSet &balls, const TangentPoint &point, uint32_t i, uint32_t j, uint32_t k,
+                    bool &on_side) {
   const TangentCurve plane{i, j, k};
   const uint32_t corner[3] = {i, j, k};
+  const Vec3 u = balls.difference(i, j), v = balls.difference(i, k), normal = cross(u, v);
+  const PlainSides sides(balls, point, longest_part(u) * longest_part(v));
   on_side = false;
   for (uint32_t c = 0; c < 3; ++c) {
-    const int side = point.side_of_edge(plane, corner[c], corner[(c + 1) % 3]);
+    const uint32_t from = corner[c], to = corner[(c + 1) % 3];
+    const Vec3 edge = balls.difference(from, to);
+    int side = sides.side(cross(normal, edge), longest_part(edge), from);
+    if (side == 0) side = point.side_of_edge(plane, from, to);
     if (side < 0) return false;
     on_side = on_side || side == 0;
   }
@@ -187,6 +219,7 @@ bool is_in_triangle(const TangentPoint &point, uint32_t i, uint32_t j, uint32_t 
 }
 
 bool is_in_tetrahedron(const BallSet &balls, const TangentPoint &point, const uint32_t *ids, bool &on_side) {
+  const PlainSides sides(balls, point, 1.0);
   on_side = false;
   bool beyond_reach = false;
   int turn = side_of_centre(balls, {ids[0], ids[1], ids[2]}, ids[3], beyond_reach);
@@ -197,7 +230,9 @@ bool is_in_tetrahedron(const BallSet &balls, const TangentPoint &point, const ui
     for (uint32_t k = 0; k < 4; ++k) {
       if (k != left_out) face[count++] = ids[k];
     }
-    const int side = turn * point.side_of_plane(face[0], face[1], face[2]);
+    const Vec3 u = balls.difference(face[0], face[1]), v = balls.difference(face[0], face[2]);
+    const int certain = sides.side(cross(u, v), longest_part(u) * longest_part(v), face[0]);
+    const int side = turn * (certain != 0 ? certain : point.side_of_plane(face[0], face[1], face[2]));
     if (side < 0) return false;
     on_side = on_side || side == 0;
     turn = -turn;
@@ -219,7 +254,7 @@ void name_of(const BallSet &balls, const TangentPoint &point, Span<const uint32_
         if (kind == PointKind::gate) {
           name[3] = no_id;
           if (n == 3 || (!are_collinear(balls, name[0], name[1], name[2]) &&
-                         is_in_triangle(point, name[0], name[1], name[2], on_side))) {
+                         is_in_triangle(balls, point, name[0], name[1], name[2], on_side))) {
             return;
           }
           continue;

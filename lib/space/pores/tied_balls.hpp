@@ -45,7 +45,7 @@ PointKind kind_of(const BallSet &balls, const TangentPoint &point, Span<const ui
 
 // Whether a point is in the triangle of three centres, in whose plane it lies, or in the tetrahedron of four that are
 // not in one plane; sides included. on_side: whether it lies on one.
-bool is_in_triangle(const TangentPoint &point, uint32_t i, uint32_t j, uint32_t k, bool &on_side);
+bool is_in_triangle(const BallSet &balls, const TangentPoint &point, uint32_t i, uint32_t j, uint32_t k, bool &on_side);
 bool is_in_tetrahedron(const BallSet &balls, const TangentPoint &point, const uint32_t *ids, bool &on_side);
 
 // The name of a gate or a maximum: of its balls the first three whose triangle has the point in it, or the first four

@@ -9,6 +9,8 @@ namespace {
 
 constexpr uint32_t most_steps = 100000;
 constexpr int most_windows = 400;
+constexpr uint32_t most_passed = 16;
+constexpr uint32_t known_ends = 256;  // a power of two
 
 bool is_of_curve(const TangentCurve &curve, uint32_t ball) {
   return ball == curve.base || ball == curve.second || (!curve.in_plane && ball == curve.third);
@@ -19,13 +21,15 @@ bool is_of_curve(const TangentCurve &curve, uint32_t ball) {
 void WayUp::carve(Workspace &workspace, uint32_t near, uint32_t balls) {
   near_balls_.carve(workspace, near, balls);
   near_ = FixedVector<uint32_t>(workspace.take<uint32_t>(near));
+  known_ = workspace.take<KnownEnd>(known_ends);
   tied_ = FixedVector<uint32_t>(workspace.take<uint32_t>(near));
   lines_ = workspace.take<TangentLines>(1);
 }
 
 void WayUp::prepare(PoreBalls &all) {
   all_ = &all;
-  balls_ = &near_balls_.set();
+  balls_ = all.box() == nullptr ? &all.set() : &near_balls_.set();
+  for (KnownEnd &known : known_) known.vertex.name.ball[0] = no_id;
   steps_ = 0;
   needed_near_ = 0;
   near_balls_.reset(all);
@@ -44,6 +48,10 @@ void WayUp::prepare(PoreBalls &all) {
   }
   const Vec3 size = high_ - low_;
   extent_ = std::sqrt(dot(size, size)) * (1.0 + 0x1p-50) + 4.0;
+}
+
+uint32_t WayUp::number_of(uint32_t ball, const BoxShift &shift) {
+  return all_->box() == nullptr ? ball : near_balls_.add(ball, shift);
 }
 
 bool WayUp::is_tied(uint32_t ball) const {
@@ -78,7 +86,7 @@ bool WayUp::leave_gate(const TangentCurve &named, int side, Way &way) {
         way.curve = {tied[a], tied[b], tied[c]};
         bool on_side = false;
         if (tied.size() > 3 && (are_collinear(*balls_, tied[a], tied[b], tied[c]) ||
-                                !is_in_triangle(point_, tied[a], tied[b], tied[c], on_side))) {
+                                !is_in_triangle(*balls_, point_, tied[a], tied[b], tied[c], on_side))) {
           continue;
         }
         way.side = tied.size() == 3 || turn_alike(*balls_, named, way.curve) ? side : -side;
@@ -119,7 +127,7 @@ bool WayUp::leave(Way &way) {
         bool on_side = false;
         if (directions.is_closed(a, b, c) || directions.is_off_plane(a, b, c) || point_.side_of_curve(way.curve) != 0 ||
             are_collinear(*balls_, tied[a], tied[b], tied[c]) ||
-            !is_in_triangle(point_, tied[a], tied[b], tied[c], on_side)) {
+            !is_in_triangle(*balls_, point_, tied[a], tied[b], tied[c], on_side)) {
           continue;
         }
         for (const int side : {1, -1}) {
@@ -179,7 +187,7 @@ Status WayUp::gather(const CurveShape &shape, const TangentCurve &curve, double 
   near_.clear();
   bool room = true;
   room = all_->visit_near(query, [&](uint32_t ball, const BoxShift &shift) {
-    const uint32_t k = near_balls_.add(ball, shift);
+    const uint32_t k = number_of(ball, shift);
     room = room && k != no_id;
     if (k != no_id) near_.push(k);
   }) && room;
@@ -188,15 +196,15 @@ Status WayUp::gather(const CurveShape &shape, const TangentCurve &curve, double 
 }
 
 // Of the balls that were gathered the first one that a curve meets above the point.
-bool WayUp::first_event(const Way &way, const CurvePiece &piece, TangentPoint &event) {
+bool WayUp::first_event(const Way &way, const CurvePiece &whole, TangentPoint &event) {
   bool any = false;
-  for (uint32_t k = 0; k < near_.size(); ++k) {
-    const uint32_t ball = near_[k];
+  CurvePiece piece = whole;
+  for (const uint32_t ball : near_.items()) {
     if (is_of_curve(way.curve, ball) || piece.is_far_from(*balls_, way.curve.base, ball)) continue;
     TangentPoint at[2] = {TangentPoint(lines_[0]), TangentPoint(lines_[0])};
     bool there[2], above[2], certain[2];
+    TangentPoint::find_both(*balls_, way.curve, ball, at, there);
     for (const uint32_t root : {0U, 1U}) {
-      there[root] = at[root].find(*balls_, way.curve, ball, root == 1);
       beyond_reach_ = beyond_reach_ || at[root].beyond_reach();
       const double difference = at[root].level_estimate() - point_.level_estimate();
       const double doubt = at[root].level_error() + point_.level_error();
@@ -214,6 +222,9 @@ bool WayUp::first_event(const Way &way, const CurvePiece &piece, TangentPoint &e
       if (any && at[root].compare_levels(event) >= 0) continue;
       event = at[root];
       any = true;
+      // Balls that are met later do not matter any more.
+      const double to = 2.0 * (balls_->r[way.curve.base] + event.level_estimate() + event.level_error() + 1.0);
+      if (to > piece.from && to < piece.to) piece = CurvePiece(*piece.shape, piece.from, to);
     }
   }
   return any;
@@ -294,8 +305,7 @@ void WayUp::trace(const Way &way, const CurveShape &shape, double from, double t
     const Vec3 y = combine(1.0, shape.p + z * shape.q, shape.height(z), shape.e);
     trace_->push({centre + 0.5 * y,
                   level,
-                  {near_balls_.ball(curve.base), near_balls_.ball(curve.second),
-                   curve.in_plane ? no_id : near_balls_.ball(curve.third)}});
+                  {ball_of(curve.base), ball_of(curve.second), curve.in_plane ? no_id : ball_of(curve.third)}});
   }
 }
 
@@ -306,30 +316,75 @@ Status WayUp::climb(const CriticalPoint &gate, Span<const uint32_t> tied, Span<c
   if (tied.size() > near_.capacity()) return Status::capacity;
   near_balls_.begin();
   tied_.clear();
-  for (uint32_t k = 0; k < tied.size(); ++k) tied_.push(near_balls_.add(tied[k], shifts[k].shift()));
-  const auto number = [&](uint32_t k) { return near_balls_.add(gate.ball[k], gate.shift[k].shift()); };
+  for (uint32_t k = 0; k < tied.size(); ++k) tied_.push(number_of(tied[k], shifts[k].shift()));
+  const auto number = [&](uint32_t k) { return number_of(gate.ball[k], gate.shift[k].shift()); };
   const TangentCurve named{number(0), number(1), number(2)};
   point_ = TangentPoint(lines_[0]);
   if (!point_.find(*balls_, named, no_id, false)) return Status::check;
   Way way;
   if (!leave_gate(named, other_side ? -1 : 1, way)) return beyond_reach_ ? Status::range : Status::check;
+  Vertex passed[most_passed];
+  BoxShift place[most_passed];
+  uint32_t count = 0;
+  Status status = Status::check;
   for (uint32_t step = 0; step < most_steps; ++step) {
     ++steps_;
-    if (const Status status = follow(way, end.outside); status != Status::ok || end.outside) return status;
-    if (leave(way)) continue;
-    if (beyond_reach_ || point_.beyond_reach()) return Status::range;
-    uint32_t four[4];
-    name_of(*balls_, point_, tied_.items(), PointKind::maximum, four);
-    end.shift = near_balls_.shift(four[0]);
-    for (uint32_t k = 0; k < 4; ++k) {
-      const BoxShift shift = near_balls_.shift(four[k]) - end.shift;
-      if (!SmallShift::fits(shift)) return Status::range;
-      end.name.ball[k] = near_balls_.ball(four[k]);
-      end.name.shift[k] = SmallShift::of(shift);
+    status = follow(way, end.outside);
+    if (status != Status::ok || end.outside) break;
+    if (trace_ == nullptr && count < most_passed && name_vertex(passed[count])) {
+      place[count] = shift_of(tied_[0]);
+      const KnownEnd &known = known_end(passed[count]);
+      if (known.vertex == passed[count]) {
+        end = known.end;
+        end.shift = end.shift + place[count];
+        break;
+      }
+      ++count;
     }
-    return Status::ok;
+    if (leave(way)) continue;
+    status = name_end(end);
+    break;
   }
-  return Status::check;
+  for (uint32_t k = 0; status == Status::ok && k < count; ++k) {
+    KnownEnd &known = known_end(passed[k]);
+    known = {passed[k], end};
+    known.end.shift = end.shift - place[k];
+  }
+  return status;
+}
+
+// Where a way is, if that is a point of four balls alone. False if it is not known to be one.
+bool WayUp::name_vertex(Vertex &vertex) const {
+  if (tied_.size() != 4 || !point_.is_of_four()) return false;
+  const BoxShift first = shift_of(tied_[0]);
+  for (uint32_t k = 0; k < 4; ++k) {
+    const BoxShift shift = shift_of(tied_[k]) - first;
+    if (!SmallShift::fits(shift)) return false;
+    vertex.name.ball[k] = ball_of(tied_[k]);
+    vertex.name.shift[k] = SmallShift::of(shift);
+  }
+  vertex.rising = point_.is_rising();
+  return true;
+}
+
+WayUp::KnownEnd &WayUp::known_end(const Vertex &vertex) {
+  uint32_t hash = vertex.rising ? 1 : 0;
+  for (const uint32_t ball : vertex.name.ball) hash = hash * 31 + ball;
+  return known_[hash % known_.size()];
+}
+
+Status WayUp::name_end(End &end) {
+  if (beyond_reach_ || point_.beyond_reach()) return Status::range;
+  uint32_t four[4];
+  name_of(*balls_, point_, tied_.items(), PointKind::maximum, four);
+  end.shift = shift_of(four[0]);
+  for (uint32_t k = 0; k < 4; ++k) {
+    const BoxShift shift = shift_of(four[k]) - end.shift;
+    if (!SmallShift::fits(shift)) return Status::range;
+    end.name.ball[k] = ball_of(four[k]);
+    end.name.shift[k] = SmallShift::of(shift);
+  }
+  return Status::ok;
 }
 
 }  // namespace hsp

@@ -44,6 +44,17 @@ class WayUp {
     TangentCurve curve;
     int side = 0;
   };
+  // Where four balls tie; of the two such points that with W' < 0 or the other one.
+  struct Vertex {
+    PointName name;
+    bool rising;
+    bool operator==(const Vertex &other) const = default;
+  };
+  // Ways that have met go on alike: where some of those before have ended.
+  struct KnownEnd {
+    Vertex vertex;
+    End end;  // for the vertex whose first ball is in its place
+  };
   bool leave_gate(const TangentCurve &named, int side, Way &way);
   bool leave(Way &way);
   bool leave_in_plane(const TangentCurve &before, Way &way);
@@ -53,17 +64,25 @@ class WayUp {
   Status gather(const CurveShape &shape, const TangentCurve &curve, double from, int64_t to);
   bool first_event(const Way &way, const CurvePiece &piece, TangentPoint &event);
   bool is_beyond_box(const CurveShape &shape, uint32_t base, double z) const;
+  bool name_vertex(Vertex &vertex) const;
+  KnownEnd &known_end(const Vertex &vertex);
+  Status name_end(End &end);
   bool is_tied(uint32_t ball) const;
+  // Without a box balls have their own numbers.
+  uint32_t number_of(uint32_t ball, const BoxShift &shift);
+  uint32_t ball_of(uint32_t number) const { return all_->box() == nullptr ? number : near_balls_.ball(number); }
+  BoxShift shift_of(uint32_t number) const { return all_->box() == nullptr ? BoxShift{} : near_balls_.shift(number); }
   void trace(const Way &way, const CurveShape &shape, double from, double to) const;
 
   PoreBalls *all_ = nullptr;
-  NearBalls near_balls_;  // whose numbers are used here
+  NearBalls near_balls_;  // whose numbers are used here in a box
   const BallSet *balls_ = nullptr;
   Vec3 low_{}, high_{};
   double extent_ = 0.0;
   Span<TangentLines> lines_;  // [1]
   TangentPoint point_;
   FixedVector<uint32_t> tied_, near_;
+  Span<KnownEnd> known_;
   FixedVector<WayPoint> *trace_ = nullptr;
   uint32_t needed_near_ = 0;
   uint64_t steps_ = 0;

@@ -48,7 +48,7 @@ class MeanCurvature {
     result.radius += weight_ * steradians;
   }
 
-  // The terms of add(), each with the place that it counts from (edge_kernel.hpp has their formulas).
+  // The terms of add(), each times the offset that it acts at (edge_kernel.hpp has their formulas).
   void add_strain(const ArcBatch &batch, StrainSum &sum) {
     EdgeBatch edges;
     fill(batch, edges);

@@ -156,7 +156,7 @@ TEST(TiedBalls, CornersAndSidesBelongToSimplices) {
   TangentPoint point(lines);
   ASSERT_TRUE(point.find(plain.set(), {0, 1, 2}, 5, false));
   bool on_side = false;
-  EXPECT_TRUE(hsp::is_in_triangle(point, 0, 1, 5, on_side));
+  EXPECT_TRUE(hsp::is_in_triangle(plain.set(), point, 0, 1, 5, on_side));
   EXPECT_TRUE(on_side);
   const uint32_t around[4] = {0, 1, 2, 5}, beside[4] = {0, 1, 2, 3};
   EXPECT_TRUE(hsp::is_in_tetrahedron(plain.set(), point, around, on_side));

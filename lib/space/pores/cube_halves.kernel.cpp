@@ -1,0 +1,14 @@
+// The kernels of critical_points.
+#include "pores/cube_halves.hpp"
+
+namespace hsp::HSP_TARGET {
+
+void find_nearest(const NearArrays &near, CubeParts &parts) {
+  find_nearest_in_lanes<register_lanes>(near, parts);
+}
+
+void find_near(const NearArrays &near, const CubeParts &parts, uint8_t *in) {
+  find_near_in_lanes<register_lanes>(near, parts, in);
+}
+
+}  // namespace hsp::HSP_TARGET
