@@ -38,8 +38,8 @@ class ContactsBuilder : public Limited<ContactLimits> {
 
   // Of the contacts of all balls that are not in the grid's halo; the boundary says at least which balls of the halo
   // are inside others. neighbours: what it needed of them. Status::capacity if a limit is too small; needed() then
-  // reports what suffices, once `neighbours` does; of triangles and tetrahedra if they have limits. Of contacts that may
-  // be more than there are, by no more than the triangles.
+  // reports what suffices, once `neighbours` does; of triangles and tetrahedra if they have limits. Of contacts that
+  // may be more than there are, by no more than the triangles.
   Status build(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours) {
     return build(grid, boundary, neighbours, NoImages{});
   }
