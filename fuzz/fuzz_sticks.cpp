@@ -1,5 +1,5 @@
-// Balls and sticks of any set: pictures, some with contours, or conflicts, the same twice, no effect of the order of the
-// balls, and limits that are too small. Maps of them: their invariants, what is seen at points, and limits.
+// Balls and sticks of any set: pictures, some with contours, or conflicts, the same twice, no effect of the order of
+// the balls, and limits that are too small. Maps of them: their invariants, what is seen at points, and limits.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
