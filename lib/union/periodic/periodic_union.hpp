@@ -19,9 +19,7 @@
 namespace hsp {
 
 struct PeriodicLimits {
-  uint32_t balls = 0;
-  uint32_t images = 0;
-  uint32_t neighbours = 0;
+  uint32_t balls = 0, images = 0, neighbours = 0;
   uint32_t vertices = 0;  // once for each side of the box that their balls are on
   uint32_t circles = 0;
   uint32_t contacts = 0;
@@ -81,7 +79,7 @@ class ImagesInGrid {
   const PeriodicImages &images_;
 };
 
-class PeriodicUnion {
+class PeriodicUnion : public Limited<PeriodicLimits> {
  public:
   void carve(Workspace &workspace, const PeriodicLimits &limits);
 
@@ -91,9 +89,6 @@ class PeriodicUnion {
   // reached. Status::executor if that fails.
   Status build(const BallInput &input, const double vector[9], const Executor &executor, bool areas_alone,
                uint32_t &first_bad);
-
-  const PeriodicLimits &needed() const { return needed_; }
-  PeriodicLimits retry_limits() const { return covering(limits_, needed_); }
 
   const PeriodicImages &images() const { return images_; }
   const PeriodicCounts &counts() const { return counts_; }
@@ -161,7 +156,6 @@ class PeriodicUnion {
   Status count();
   void list_vertices();
   Status join_faces();
-  PeriodicLimits limits_, needed_;
   PeriodicImages images_;
   CubeGrid grid_;
   BoundaryBuilder boundary_;
