@@ -55,7 +55,7 @@ class BoundaryBuilder {
     for (BoundaryWorker &worker : workers_) {
       worker.lanes.use(target, use_lanes);
       worker.caps.lanes = use_lanes;
-      worker.caps.wide = target == Target::avx2;
+      worker.caps.target = target;
     }
   }
 
