@@ -145,18 +145,16 @@ const char *check_integers() {
     }
   }
   const double d[8] = {1.0, -1.0, 0.0, 2.0, -0.0, 0x1.8p0, 0x1.00001p0, -4.0};
-  const uint32_t upper[8] = {0x3FF00000,  0xBFF00000U, 0,          0x40000000,
-                             0x80000000U, 0x3FF80000,  0x3FF00001, 0xC0100000U};
+  const uint32_t upper[8] = {0x3FF00000, 0xBFF00000U, 0, 0x40000000, 0x80000000U, 0x3FF80000, 0x3FF00001, 0xC0100000U};
   if (!integers_are(upper_halves(Doubles::load(d), Doubles::load(d + Doubles::lanes)),
                     [&](uint32_t k) { return upper[k]; }))
     return "upper_halves";
   float things[32];
   for (uint32_t k = 0; k < 32; ++k) things[k] = static_cast<float>(k);
   const FourOfEach each = FourOfEach::load(things);
-  uint32_t number = 0;
-  for (const Floats &one : {each.a, each.b, each.c, each.d}) {
-    if (!lanes_are(one, [&](uint32_t k) { return things[4 * k + number]; })) return "four of each";
-    ++number;
+  const Floats numbers[4] = {each.a, each.b, each.c, each.d};
+  for (uint32_t number = 0; number < 4; ++number) {
+    if (!lanes_are(numbers[number], [&](uint32_t k) { return things[4 * k + number]; })) return "four of each";
   }
   return lowest(0x50) == 4 ? nullptr : "lowest";
 }
@@ -324,8 +322,9 @@ const char *check_fractions() {
 }  // namespace
 
 void check_words(const char *&wrong) {
-  const char *(*const checks[])() = {check_floats, check_comparisons, check_doubles, check_front_orders,
-                                     check_fractions, check_integers, check_sorting, check_four_doubles, check_wide};
+  const char *(*const checks[])() = {check_floats,       check_comparisons,  check_doubles,
+                                     check_front_orders, check_fractions,    check_integers,
+                                     check_sorting,      check_four_doubles, check_wide};
   for (const auto check : checks) {
     wrong = check();
     if (wrong != nullptr) return;
