@@ -141,11 +141,11 @@ class PairWalk {
     if (counting && both_rows_) first_[own] += count;
     for (uint32_t k = 0; k < count; ++k) {
       const uint32_t other = others[k];
-      uint32_t &place = first_[both_rows_ && counting ? other : other < own ? other : own];
+      uint32_t &slot = first_[both_rows_ && counting ? other : other < own ? other : own];
       if (counting) {
-        ++place;
+        ++slot;
       } else {
-        ids_[--place] |= other < own ? own : other;
+        ids_[--slot] |= other < own ? own : other;
       }
     }
   }
@@ -161,7 +161,7 @@ class PairWalk {
   uint32_t hits_ = 0;
 };
 
-// Each ball against all balls around it, so that its row is its own: twice as many tests as PairWalk, and no places to
+// Each ball against all balls around it, so that its row is its own: twice as many tests as PairWalk, and no slots to
 // find for them. That is faster where cubes hold few balls, and where rows do not stay in the processor's caches, as
 // each is written once.
 class RowWalk {
@@ -245,7 +245,7 @@ class RowWalk {
 constexpr uint32_t last_of_row = UINT32_C(1) << 31;
 static_assert(max_count < last_of_row);
 
-// Instead of a place in ids, for a row without entries.
+// Instead of an index of ids, for a row without entries.
 constexpr uint32_t no_entry = no_id;
 
 // From where rows begin to where they end.
@@ -265,17 +265,17 @@ void list_in_both_rows(const CubeGrid &grid, Span<uint32_t> first, Span<uint32_t
     if (first[i] != no_entry) ids[first[i] - 1] = last_of_row;
   }
   PairWalk(grid, PairRows::both, first, ids).run();
-  for (uint32_t i = 0, place = 0; i < n; ++i) {
+  for (uint32_t i = 0, slot = 0; i < n; ++i) {
     if (first[i] == no_entry) continue;
-    first[i] = place;
-    while ((ids[place++] & last_of_row) == 0) {
+    first[i] = slot;
+    while ((ids[slot++] & last_of_row) == 0) {
     }
   }
-  for (uint32_t i = 0, place = 0; i < n; ++i) {
+  for (uint32_t i = 0, slot = 0; i < n; ++i) {
     if (first[i] == no_entry) continue;
     uint32_t entry;
     do {
-      entry = ids[place++];
+      entry = ids[slot++];
       uint32_t &other = ids[first[entry & ~last_of_row]++];
       other = i | (other & last_of_row);
     } while ((entry & last_of_row) == 0);

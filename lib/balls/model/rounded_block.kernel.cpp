@@ -11,9 +11,9 @@ namespace {
   for (; doubtful != 0; doubtful &= doubtful - 1) {
     const uint32_t lane = lowest(doubtful);
     const BallRange *range = block.range;
-    uint32_t place = from + lane;
-    for (; place >= range->last - range->first; ++range) place -= range->last - range->first;
-    const uint32_t j = range->first + place;
+    uint32_t offset = from + lane;
+    for (; offset >= range->last - range->first; ++range) offset -= range->last - range->first;
+    const uint32_t j = range->first + offset;
     const bool meets = meet_exactly(balls.x[j] - balls.x[i], balls.y[j] - balls.y[i], balls.z[j] - balls.z[i],
                                     balls.r[j] + balls.r[i]);
     meet = (meet & ~(1U << lane)) | static_cast<LaneBits>(meets) << lane;
