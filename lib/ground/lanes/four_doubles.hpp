@@ -32,8 +32,8 @@ inline LongIntegers product(LongIntegers a, LongIntegers b) {
 }
 // Rounded to nearest, for integers below 2^62 in size: the upper half plus 2^84 + 2^63 and the lower plus 2^52, whose
 // bits can be put together, are exact doubles; so is the first difference, and the last sum is rounded once. The part
-// left out by that is exact too: either the difference has no smaller exponent than the lower half plus 2^52, or the sum
-// is exact.
+// left out by that is exact too: either the difference has no smaller exponent than the lower half plus 2^52, or the
+// sum is exact.
 inline FourDoubles to_doubles(LongIntegers a, FourDoubles &left_out) {
   const __m256i low = _mm256_blend_epi32(_mm256_set1_epi64x(0x4330000000000000), a.v, 0x55);
   const __m256i high = _mm256_xor_si256(_mm256_srli_epi64(a.v, 32), _mm256_set1_epi64x(0x4530000080000000));
