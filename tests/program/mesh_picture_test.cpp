@@ -126,6 +126,7 @@ std::string drawn_text(const std::string &file, std::vector<std::string> options
   const std::string svg = read_file(out.path());
   EXPECT_EQ(svg.substr(0, 38), "<svg xmlns=\"http://www.w3.org/2000/svg");
   EXPECT_EQ(svg.substr(svg.size() - 7), "</svg>\n");
+  EXPECT_EQ(svg.find(" d=\"\""), std::string::npos);
   return svg;
 }
 
