@@ -176,6 +176,7 @@ void expect_tree(const Json &json, const std::string &svg, double persistence, b
     before = bar.y;
   }
   for (const Bar &bar : bars) {
+    EXPECT_LT(bar.parent, bar.y);
     for (const Bar &other : bars) {
       const bool between = other.y < bar.y - rounding && other.y > bar.parent + rounding && bar.parent >= 0;
       EXPECT_FALSE(between && other.birth > bar.death + rounding && other.death < bar.death - rounding);
@@ -239,6 +240,10 @@ TEST(PoreCharts, TreeInABox) {
   }
   EXPECT_GE(limits, 1u);
   EXPECT_EQ(svg.find(">outside<"), std::string::npos);
+  const TemporaryFile ball("ball.xyzr", "0 0 0 1\n");
+  const std::string cubic = written("--tree", {ball.path(), "--box", "4,4,4"}).svg;
+  EXPECT_NE(cubic.find(">3-d<"), std::string::npos);
+  EXPECT_EQ(cubic.find(">1-d<"), std::string::npos);  // all three at once
 }
 
 TEST(PoreCharts, OfNothing) {
