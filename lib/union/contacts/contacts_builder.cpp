@@ -40,7 +40,7 @@ void ContactArrays::carve(Workspace &workspace, const ContactLimits &limits) {
 }
 
 void ContactsBuilder::carve(Workspace &workspace, const ContactLimits &limits) {
-  limits_ = limits;
+  limit(limits);
   contacts_.a_.carve(workspace, limits);
   caps_.carve(workspace, limits.neighbours);
   walk_.carve(workspace, limits);
