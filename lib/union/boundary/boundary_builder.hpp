@@ -52,7 +52,7 @@ class BoundaryBuilder : public Limited<BoundaryLimits> {
     for (BoundaryWorker &worker : workers_) {
       worker.lanes.use(target, use_lanes);
       worker.caps.lanes = use_lanes;
-      worker.caps.wide = target == Target::avx2;
+      worker.caps.target = target;
     }
   }
 
