@@ -157,6 +157,37 @@ struct CriticalPoints::Directions {
     }
     return false;
   }
+  // Of a middle that is nearly in one plane with the first of their centres: a lower bound of how far it is inside the
+  // hull of their directions there, and how far it is from planes through centres at most. Not positive if it is not
+  // inside.
+  double depth_in_plane(uint32_t count, double &off_plane) const {
+    Vec3 n{0.0, 0.0, 0.0};
+    for (uint32_t k = 1; k < count; ++k) {
+      const Vec3 other = cross(a[0], a[k]);
+      if (dot(other, other) > dot(n, n)) n = other;
+    }
+    const double length = std::sqrt(dot(n, n));
+    if (!(length > 1e-3)) return -1.0;
+    n = (1.0 / length) * n;
+    off_plane = 0.0;
+    for (uint32_t k = 0; k < count; ++k) off_plane = larger(off_plane, std::fabs(dot(n, y[k])) + 4.0);
+    double depth = 1.0;
+    bool any = false;
+    for (uint32_t i = 0; i < count; ++i) {
+      for (uint32_t j = 0; j < count; ++j) {
+        const Vec3 inward = cross(n, a[j] - a[i]);
+        const double size = std::sqrt(dot(inward, inward));
+        if (size < 1e-6) continue;
+        // Lines through two of them with all others on the left, or nearly.
+        bool right = false;
+        for (uint32_t k = 0; k < count; ++k) right = right || dot(inward, a[k] - a[i]) < -1e-9 * size;
+        if (right) continue;
+        depth = smaller(depth, -dot(inward, a[i]) / size);
+        any = true;
+      }
+    }
+    return any ? depth - 1e-8 : -1.0;
+  }
   // The plane through the centres of three of them: n.(x - c) from offset - span to offset + span in the cube. tiny:
   // what rounding may do to it.
   struct Face {
@@ -318,7 +349,7 @@ Status CriticalPoints::search(const Vec3 &low, const Vec3 &high) {
     }
     const Span<const uint32_t> near = candidates_.part(child.first, child.last);
     if (near.size() <= few || child.half <= least_half) {
-      try_sets(near, {child.centre, child.half + 1}, {child.centre, child.half + 1}, false);
+      try_sets(near, {child.centre, child.half + 1}, {child.centre, child.half + 1}, PointKind::passing);
       if (needed_.near > limits_.near) return Status::capacity;
       continue;
     }
@@ -437,10 +468,13 @@ void CriticalPoints::settle_ties(Cube &cube) {
     if (distance(balls, ball, cube.centre) < 4.0 * static_cast<double>(cube.half)) return;
   }
   uint32_t set[4];
-  if (!find_far_apart(balls, near, set)) return;
-  for (const bool rising : {false, true}) {
+  const bool solid = find_far_apart(balls, near, set);
+  if (set[2] == set[0]) return;
+  // Both points of four balls, and that of three in their plane.
+  for (const int attempt : {0, 1, 2}) {
+    const bool rising = attempt == 1, flat = attempt == 2;
     TangentPoint point(lines());
-    if (!point.find(balls, {set[0], set[1], set[2]}, set[3], rising)) continue;
+    if ((!solid && !flat) || !point.find(balls, {set[0], set[1], set[2]}, flat ? no_id : set[3], rising)) continue;
     const Vec3 at = point.place_estimate();
     if (!(std::fabs(at.x) + std::fabs(at.y) + std::fabs(at.z) < 0x1p52)) continue;
     const Vector x{nearest(at.x), nearest(at.y), nearest(at.z)};
@@ -452,7 +486,7 @@ void CriticalPoints::settle_ties(Cube &cube) {
     const double lowest = gap_of(cluster_[0]);
     uint32_t size = 0;
     double ratio = 0.0, next = 0.0, spread = 0.0, nearest_centre = std::numeric_limits<double>::infinity();
-    for (uint32_t k = 4; k <= count; ++k) {
+    for (uint32_t k = flat ? 3 : 4; k <= count; ++k) {
       const double here = gap_of(cluster_[k - 1]) - lowest + 1.0;
       const double behind = k < count ? gap_of(cluster_[k]) - lowest - 1.0 : 4.0 * reach_of(cube.half);
       if (behind > ratio * here) {
@@ -466,8 +500,11 @@ void CriticalPoints::settle_ties(Cube &cube) {
     const Span<uint32_t> tied = cluster_.part(0, size);
     for (const uint32_t ball : tied) nearest_centre = Directions::smaller(nearest_centre, distance(balls, ball, x));
     directions_[0].set(balls, tied, x, 0.0);
-    const double depth = depth_of_hull({directions_[0].a, size});
+    const Directions &directions = directions_[0];
+    double off_plane = 0.0;
+    const double depth = flat ? directions.depth_in_plane(size, off_plane) : depth_of_hull({directions.a, size});
     if (!(depth > 0.0)) continue;
+    spread += 4.0 * off_plane;
     const double delta = Directions::smaller(0.5 * next, 0.49 * depth * nearest_centre / (1.5 + depth));
     const double settled = delta / root_of_three - 4.0;
     const double around = spread / (0.45 * depth) + 4.0;  // beyond which no point is critical
@@ -480,12 +517,12 @@ void CriticalPoints::settle_ties(Cube &cube) {
     // Where all of them tie exactly, that is the one point.
     uint32_t four[4];
     TangentPoint all(lines());
-    bool tie = find_far_apart(balls, tied, four) && all.find(balls, {four[0], four[1], four[2]}, four[3], rising) &&
+    bool tie = !flat && find_far_apart(balls, tied, four) && all.find(balls, {four[0], four[1], four[2]}, four[3], rising) &&
                all.level_against(floor_) > 0;
     for (uint32_t k = 0; tie && k < size; ++k) tie = all.nearness(tied[k]) == 0;
     beyond_reach_ = beyond_reach_ || all.beyond_reach();
     if (!tie) {
-      try_sets(tied, left, own, true);
+      try_sets(tied, left, own, flat ? PointKind::gate : PointKind::maximum);
     } else if (is_in(all, own)) {
       add(all, four, PointKind::maximum, tied);
     }
@@ -493,9 +530,9 @@ void CriticalPoints::settle_ties(Cube &cube) {
   }
 }
 
-// All sets of three and four with points in both of two cubes; alone: a point where all of them tie is the only
-// critical one in the first.
-void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, const Block &other, bool alone) {
+// All sets of three and four with points in both of two cubes; alone: of which kind a point where all of them tie is the
+// only critical one in the first.
+void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, const Block &other, PointKind alone) {
   ++work_.leaves;
   const uint32_t n = near.size();
   needed_.near = larger_count(needed_.near, n);
@@ -536,7 +573,7 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, con
         const uint32_t three[4] = {near[i], near[j], near[k], no_id};
         if (!directed || !directions.is_outside(own, i, j, k)) {
           ++work_.triples;
-          try_point(three, 3, near, block, other, known);
+          if (try_point(three, 3, near, block, other, known) && alone == PointKind::gate) return;
         }
         for (uint32_t l = k + 1; l < n; ++l) {
           if (!tie(i, l) || !tie(j, l) || !tie(k, l)) continue;
@@ -550,7 +587,7 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, con
           }
           ++work_.quadruples;
           const uint32_t four[4] = {near[i], near[j], near[k], near[l]};
-          if (try_point(four, 4, near, block, other, known) && alone) return;
+          if (try_point(four, 4, near, block, other, known) && alone == PointKind::maximum) return;
         }
       }
     }

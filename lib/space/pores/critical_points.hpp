@@ -79,7 +79,7 @@ class CriticalPoints {
   bool is_settled(const Cube &cube) const;
   void settle_ties(Cube &cube);
   uint32_t drop_farther(uint32_t first, uint32_t count);
-  void try_sets(Span<const uint32_t> near, const Block &block, const Block &other, bool alone);
+  void try_sets(Span<const uint32_t> near, const Block &block, const Block &other, PointKind alone);
   // Sets of balls that tie at points which were found in one cube: bits of places among those that are near.
   struct KnownTies {
     static constexpr uint32_t room = 8;
