@@ -90,7 +90,7 @@ double depth_of_hull(Span<const Vec3> a) {
         if (length < 1e-6) continue;
         // A plane counts if all are on one side of it, or nearly: one too many only makes the bound less.
         bool above = false, below = false;
-        for (uint32_t l = 0; l < size; ++l) {
+        for (uint32_t l = 0; l < size && !(above && below); ++l) {
           const double height = dot(n, a[chosen[l]] - p);
           above = above || height > 1e-9 * length;
           below = below || height < -1e-9 * length;
