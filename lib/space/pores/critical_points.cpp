@@ -267,8 +267,6 @@ Status CriticalPoints::find(PoreBalls &balls, int64_t floor) {
     return search(low, high);
   }
   // Images as far from the box as balls can be nearest: as is guessed, until it is sure to suffice.
-  const Vec3 a = to_double(box->translation({{1, 0, 0}})), b = to_double(box->translation({{0, 1, 0}})),
-             c = to_double(box->translation({{0, 0, 1}}));
   const double largest = static_cast<double>(balls.set().largest_radius);
   double reach = 4.0 * largest + 0.25 * static_cast<double>(box->shortest_side());
   for (;;) {
@@ -279,7 +277,7 @@ Status CriticalPoints::find(PoreBalls &balls, int64_t floor) {
     if (status != Status::ok) return status;
     needed_.balls = larger_count(needed_.balls, balls.set().n);
     ceiling_ = static_cast<double>(steps) - largest - 2.0;
-    const Status found = search({0.0, 0.0, 0.0}, {a.x, b.y, c.z});
+    const Status found = search({0.0, 0.0, 0.0}, to_double(balls.brick()));
     if (found != Status::ok || beyond_ceiling_ == 0.0) return found;
     if (longest) return Status::check;
     reach = Directions::larger(1.25 * reach, beyond_ceiling_ + largest + 4.0);
@@ -517,8 +515,8 @@ void CriticalPoints::settle_ties(Cube &cube) {
     // Where all of them tie exactly, that is the one point.
     uint32_t four[4];
     TangentPoint all(lines());
-    bool tie = !flat && find_far_apart(balls, tied, four) && all.find(balls, {four[0], four[1], four[2]}, four[3], rising) &&
-               all.level_against(floor_) > 0;
+    bool tie = !flat && find_far_apart(balls, tied, four) &&
+               all.find(balls, {four[0], four[1], four[2]}, four[3], rising) && all.level_against(floor_) > 0;
     for (uint32_t k = 0; tie && k < size; ++k) tie = all.nearness(tied[k]) == 0;
     beyond_reach_ = beyond_reach_ || all.beyond_reach();
     if (!tie) {
@@ -668,30 +666,59 @@ void CriticalPoints::add(TangentPoint &point, const uint32_t *ids, PointKind kin
   if (!same) static_cast<void>(point.find(balls, {set[0], set[1], set[2]}, count == 3 ? no_id : set[3], false));
   CriticalPoint record{};
   record.tied = tied.size();
-  record.first_tied = clamped_count(tied_.required());
-  for (uint32_t k = 0; k < 4; ++k) {
-    record.ball[k] = name.ball[k];
-    record.shift[k] = name.shift[k];
-  }
   Vec3 off{};
   record.doubt = point.settle_from_base(off, record.level);
-  const uint32_t first = name.ball[0];
+  const BoxShift home = all_->shift_of(set[0]);
+  for (uint32_t k = 0; k < all_->translations(); ++k) add_moved(record, off, name, kind, tied, home, k);
+}
+
+// A point where a translation takes it.
+void CriticalPoints::add_moved(CriticalPoint record, const Vec3 &off, const PointName &name, PointKind kind,
+                               Span<const uint32_t> tied, const BoxShift &from, uint32_t translation) {
+  const BallSet &balls = *balls_;
+  const uint32_t count = kind == PointKind::gate ? 3 : 4;
+  const PointName own = translation == 0 ? name : moved_name(name, translation);
+  if (translation != 0 &&
+      (kind == PointKind::gate ? gate_names_.find(own, gates_) : maximum_names_.find(own, maxima_)) != no_id) {
+    return;
+  }
+  record.first_tied = clamped_count(tied_.required());
+  for (uint32_t k = 0; k < 4; ++k) {
+    record.ball[k] = own.ball[k];
+    record.shift[k] = own.shift[k];
+  }
+  const uint32_t first = own.ball[0];
   record.place = Vec3{balls.x[first], balls.y[first], balls.z[first]} + off;
   if (kind == PointKind::gate) {
-    gates_.push({record, {no_id, no_id}, {}, false, false, 0});
-    gate_names_.add(name, clamped_count(gates_.required() - 1), gates_);
+    gates_.push({record, {no_id, no_id}, {}, false, false, translation});
+    gate_names_.add(own, clamped_count(gates_.required() - 1), gates_);
   } else {
     maxima_.push({record, no_id, no_id});
-    maximum_names_.add(name, clamped_count(maxima_.required() - 1), maxima_);
+    maximum_names_.add(own, clamped_count(maxima_.required() - 1), maxima_);
   }
   // One that there was no room for may be found again.
   const bool stored = kind == PointKind::gate ? !gates_.overflowed() : !maxima_.overflowed();
   if (tied.size() == count || !stored) return;
-  const BoxShift home = all_->shift_of(set[0]);
+  const BoxShift home = translation == 0 ? BoxShift{} : all_->moved_image(name.ball[0], BoxShift{}, translation).shift;
   for (const uint32_t ball : tied) {
-    tied_.push(all_->ball_of(ball));
-    tied_shifts_.push(SmallShift::of(all_->shift_of(ball) - home));
+    PoreBalls::Image image{all_->ball_of(ball), all_->shift_of(ball) - from};
+    if (translation != 0) image = all_->moved_image(image.ball, image.shift, translation);
+    tied_.push(image.ball);
+    tied_shifts_.push(SmallShift::of(image.shift - home));
   }
+}
+
+PointName CriticalPoints::moved_name(const PointName &name, uint32_t translation) {
+  PointName moved{{no_id, no_id, no_id, no_id}, {}};
+  BoxShift home;
+  for (uint32_t k = 0; k < 4 && name.ball[k] != no_id; ++k) {
+    const PoreBalls::Image image = all_->moved_image(name.ball[k], name.shift[k].shift(), translation);
+    if (k == 0) home = image.shift;
+    beyond_reach_ = beyond_reach_ || !SmallShift::fits(image.shift - home);
+    moved.ball[k] = image.ball;
+    moved.shift[k] = SmallShift::of(image.shift - home);
+  }
+  return moved;
 }
 
 }  // namespace hsp

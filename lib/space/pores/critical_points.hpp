@@ -45,7 +45,8 @@ class CriticalPoints {
   // small, needed() tells what suffices as far as it is known. Status::range: balls of one question are too far apart.
   Status find(PoreBalls &balls, int64_t floor);
 
-  // Room for records, whose points alone are set. To be brought into order.
+  // Room for records, whose points alone are set. To be brought into order. Of a gate `directions` is the translation
+  // by which it comes from the last one before it for which that is 0.
   FixedVector<PoreMaximum> &maxima() { return maxima_; }
   FixedVector<PoreGate> &gates() { return gates_; }
   const FixedVector<PoreMaximum> &maxima() const { return maxima_; }
@@ -57,6 +58,8 @@ class CriticalPoints {
   NameTable &maximum_names() { return maximum_names_; }
   const CriticalLimits &needed() const { return needed_; }
   const Work &work() const { return work_; }
+  // Where a translation takes a point.
+  PointName moved_name(const PointName &name, uint32_t translation);
   // For further points of the same balls.
   TangentLines &lines() const { return lines_[0]; }
 
@@ -97,6 +100,8 @@ class CriticalPoints {
   bool try_point(const uint32_t *ids, uint32_t count, Span<const uint32_t> near, const Block &block, const Block &other,
                  KnownTies &known);
   void add(TangentPoint &point, const uint32_t *ids, PointKind kind, Span<uint32_t> tied);
+  void add_moved(CriticalPoint record, const Vec3 &off, const PointName &name, PointKind kind,
+                 Span<const uint32_t> tied, const BoxShift &from, uint32_t translation);
   PointName name_of_ids(const uint32_t *ids, uint32_t count);
 
   const PoreBalls *all_ = nullptr;

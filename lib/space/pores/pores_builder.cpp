@@ -153,20 +153,36 @@ Status PoresBuilder::climb_from_gates() {
   maximum_count_ = critical_.maxima().size();
   gate_count_ = critical_.gates().size();
   ways_.prepare(balls_);
+  WayUp::End end[2];
+  uint32_t first = 0;
   for (uint32_t k = 0; k < gate_count_; ++k) {
     PoreGate &gate = gates_[k];
+    const uint32_t moved = gate.directions;
+    gate.directions = 0;
+    if (moved == 0) first = k;
     for (const uint32_t side : {0U, 1U}) {
-      WayUp::End end;
-      const Status status = ways_.climb(gate.point, tied(gate.point), tied_shifts(gate.point), side == 1, end);
-      needed_.near = larger_count(needed_.near, ways_.needed_near());
-      if (status != Status::ok) return status;
-      gate.end[side] = end.outside ? pore_outside : critical_.maximum_names().find(end.name, critical_.maxima());
+      if (moved == 0) {
+        const Status status = ways_.climb(gate.point, tied(gate.point), tied_shifts(gate.point), side == 1, end[side]);
+        needed_.near = larger_count(needed_.near, ways_.needed_near());
+        if (status != Status::ok) return status;
+      }
+      const WayUp::End here = moved == 0 ? end[side] : moved_end(end[side], gates_[first].point.ball[0], moved);
+      gate.end[side] = here.outside ? pore_outside : critical_.maximum_names().find(here.name, critical_.maxima());
       if (gate.end[side] == no_id) return Status::check;
-      if (!SmallShift::fits(end.shift)) return Status::range;
-      gate.end_shift[side] = SmallShift::of(end.shift);
+      if (!SmallShift::fits(here.shift)) return Status::range;
+      gate.end_shift[side] = SmallShift::of(here.shift);
     }
   }
   return Status::ok;
+}
+
+// Where a way from a gate ends, after a translation; as seen from the place of the gate's first ball.
+WayUp::End PoresBuilder::moved_end(const WayUp::End &end, uint32_t gates_ball, uint32_t translation) {
+  WayUp::End moved = end;
+  moved.name = critical_.moved_name(end.name, translation);
+  moved.shift = balls_.moved_image(end.name.ball[0], end.shift, translation).shift -
+                balls_.moved_image(gates_ball, BoxShift{}, translation).shift;
+  return moved;
 }
 
 // The younger of two classes becomes a part of the older one. Numbers of classes are ages, the maxima's from `first`
