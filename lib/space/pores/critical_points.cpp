@@ -94,14 +94,17 @@ struct CriticalPoints::Directions {
   double rounding[room];
   Vec3 a[room];       // unit vector from the centre; 0 in it
   double side = 0.0;  // half an edge of the cube, and a little more
+  double extent = 0.0;  // of all y, the sum of their components
 
   void set(const BallSet &balls, Span<const uint32_t> ids, const Vector &at, double half) {
     side = half;
+    extent = 0.0;
     const double reach = root_of_three * half, sagitta = 0.5001 * reach * reach;
     for (uint32_t k = 0; k < ids.size(); ++k) {
       const uint32_t ball = ids[k];
       y[k] = {static_cast<double>(at.x) - balls.x[ball], static_cast<double>(at.y) - balls.y[ball],
               static_cast<double>(at.z) - balls.z[ball]};
+      extent = larger(extent, size(y[k]));
       const double length = std::sqrt(dot(y[k], y[k]));
       inverse[k] = length > 0.0 ? 1.0 / length : 0.0;
       a[k] = inverse[k] * y[k];
@@ -192,16 +195,17 @@ struct CriticalPoints::Directions {
   // what rounding may do to it.
   struct Face {
     Vec3 n;
-    double offset, span, tiny;
+    double offset, tiny;
+    int where;  // on which side of it the cube certainly is, 0 for none
   };
   Face face(uint32_t i, uint32_t j, uint32_t k) const {
     const Vec3 u = y[i] - y[j], v = y[i] - y[k], n = cross(u, v);
-    const double tiny = 1e-13 * size(u) * size(v);
-    return {n, dot(n, y[i]), side * size(n), tiny};
+    const double tiny = 1e-13 * size(u) * size(v), offset = dot(n, y[i]), span = side * size(n) + 4.0 * tiny * extent;
+    return {n, offset, tiny, offset > span ? 1 : offset < -span ? -1 : 0};
   }
   // Whether the cube is certainly outside the triangle of three of them.
   bool is_outside(const Face &face, uint32_t i, uint32_t j, uint32_t k) const {
-    if (std::fabs(face.offset) > face.span + face.tiny * size(y[i])) return true;
+    if (face.where != 0) return true;
     const auto beyond = [&](uint32_t from, uint32_t to) {
       const Vec3 edge = y[from] - y[to], inward = cross(face.n, edge);
       return dot(inward, y[from]) + side * size(inward) < -face.tiny * size(edge) * (size(y[from]) + side);
@@ -210,9 +214,9 @@ struct CriticalPoints::Directions {
   }
   // Whether the cube and the fourth corner of a tetrahedron are certainly on different sides of a face.
   bool separates(const Face &face, uint32_t opposite) const {
-    const double height = face.offset - dot(face.n, y[opposite]), off = face.tiny * size(y[opposite]);
-    const double most = face.span + 4.0 * off;
-    return height > 4.0 * off ? face.offset < -most : height < -4.0 * off && face.offset > most;
+    if (face.where == 0) return false;
+    const double height = face.offset - dot(face.n, y[opposite]), off = 4.0 * face.tiny * extent;
+    return face.where > 0 ? height < -off : height > off;
   }
   bool is_nearly_flat(const Face &face, uint32_t fourth) const {
     return std::fabs(face.offset - dot(face.n, y[fourth])) <= 4.0 * face.tiny * size(y[fourth]);
@@ -428,7 +432,7 @@ uint32_t CriticalPoints::enter(const Cube &cube, const Cube &whole, uint32_t par
   if (count < 3) return last;
   if (count <= Directions::room) {
     Directions &directions = directions_[0];
-    directions.set(*balls_, candidates_.part(last, last + count), cube.centre, static_cast<double>(cube.half + 2));
+    directions.set(*balls_, candidates_.part(last, last + count), cube.centre, static_cast<double>(cube.half + 3));
     count = drop_farther(last, count);
     if (count < 3 || directions.lead_up(count)) return last;
   }
@@ -520,6 +524,7 @@ void CriticalPoints::settle_ties(Cube &cube) {
     for (uint32_t k = 0; tie && k < size; ++k) tie = all.nearness(tied[k]) == 0;
     beyond_reach_ = beyond_reach_ || all.beyond_reach();
     if (!tie) {
+      directions_[0].set(balls, tied, left.centre, static_cast<double>(left.half + 2));
       try_sets(tied, left, own, flat ? PointKind::gate : PointKind::maximum);
     } else if (is_in(all, own)) {
       add(all, four, PointKind::maximum, tied);
@@ -528,7 +533,7 @@ void CriticalPoints::settle_ties(Cube &cube) {
   }
 }
 
-// All sets of three and four with points in both of two cubes; alone: of which kind a point where all of them tie is the
+// All sets of three and four with points in both of two cubes, as seen from the first one; alone: of which kind a point where all of them tie is the
 // only critical one in the first.
 void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, const Block &other, PointKind alone) {
   ++work_.leaves;
@@ -536,8 +541,7 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, con
   needed_.near = larger_count(needed_.near, n);
   if (n > limits_.near) return;
   const bool directed = n <= Directions::room;
-  Directions &directions = directions_[0];
-  directions.set(*balls_, near.part(0, directed ? n : 0), block.centre, static_cast<double>(block.half + 2));
+  const Directions &directions = directions_[0];
   // Which of them can be as near in the cube, by bits.
   uint64_t ties[Directions::room];
   for (uint32_t i = 0; i < n && directed; ++i) ties[i] = 0;
@@ -558,8 +562,11 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, con
       }
     }
   }
-  const auto face = [&](uint32_t i, uint32_t j, uint32_t k) {
-    return kept ? faces[place(i, j, k)] : directions.face(i, j, k);
+  Directions::Face made[4];
+  const auto face = [&](uint32_t i, uint32_t j, uint32_t k, uint32_t corner) -> const Directions::Face & {
+    if (kept) return faces[place(i, j, k)];
+    made[corner] = directions.face(i, j, k);
+    return made[corner];
   };
   KnownTies known;
   for (uint32_t i = 0; i < n; ++i) {
@@ -567,7 +574,7 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, con
       if (!tie(i, j)) continue;
       for (uint32_t k = j + 1; k < n; ++k) {
         if (!tie(i, k) || !tie(j, k)) continue;
-        const Directions::Face own = directed ? face(i, j, k) : Directions::Face{};
+        const Directions::Face &own = directed ? face(i, j, k, 3) : made[3];
         const uint32_t three[4] = {near[i], near[j], near[k], no_id};
         if (!directed || !directions.is_outside(own, i, j, k)) {
           ++work_.triples;
@@ -575,8 +582,8 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, con
         }
         for (uint32_t l = k + 1; l < n; ++l) {
           if (!tie(i, l) || !tie(j, l) || !tie(k, l)) continue;
-          if (directed && (directions.separates(own, l) || directions.separates(face(i, j, l), k) ||
-                           directions.separates(face(i, k, l), j) || directions.separates(face(j, k, l), i))) {
+          if (directed && (directions.separates(own, l) || directions.separates(face(i, j, l, 2), k) ||
+                           directions.separates(face(i, k, l, 1), j) || directions.separates(face(j, k, l, 0), i))) {
             continue;
           }
           if (directed && directions.is_nearly_flat(own, l)) {
