@@ -1,5 +1,6 @@
 #include "pores/critical_points.hpp"
 
+#include <bit>
 #include <initializer_list>
 
 #include "core/sorting.hpp"
@@ -11,7 +12,7 @@ namespace {
 
 using exact::Vector;
 
-constexpr uint32_t few = 6;          // balls all sets of which are tried
+constexpr uint32_t few = 5;          // balls all sets of which are tried
 constexpr uint32_t most_cubes = 64;  // that are being halved: from 2^52 steps down to the least
 constexpr int64_t least_half = 4;
 constexpr double root_of_three = 1.7320508075688774;
@@ -30,6 +31,12 @@ double reach_of(int64_t half) {
 // Bound of what is wrong with a computed distance: its differences are integers, its relative error below 3 2^-53.
 double doubt_of(double distance) {
   return 0x1p-50 * distance;
+}
+// The first one lowest.
+uint64_t eight_bytes(const uint8_t *p) {
+  uint64_t bytes = 0;
+  for (uint32_t k = 0; k < 8; ++k) bytes |= static_cast<uint64_t>(p[k]) << 8 * k;
+  return bytes;
 }
 bool contains(const Vector &centre, int64_t half, const Vector &other, int64_t other_half) {
   const int64_t room = half - other_half;
@@ -235,7 +242,7 @@ void CriticalPoints::carve(Workspace &workspace, const CriticalLimits &limits) {
   maximum_names_.carve(workspace, limits.maxima);
   gate_names_.carve(workspace, limits.gates);
   candidates_ = workspace.take<uint32_t>(limits.candidates);
-  in_parts_ = workspace.take<uint8_t>(limits.candidates);
+  in_parts_ = workspace.take<uint8_t>(static_cast<uint64_t>(limits.candidates) + 8);
   cubes_ = workspace.take<Cube>(most_cubes);
   target_ = workspace.target();
   at_point_ = workspace.take<uint32_t>(limits.near);
@@ -424,9 +431,12 @@ uint32_t CriticalPoints::enter(const Cube &cube, const Cube &whole, uint32_t par
     return last;
   }
   uint32_t count = 0;
-  for (uint32_t k = first; k < last; ++k) {
-    candidates_[last + count] = candidates_[k];
-    count += in_parts_[k] >> part & 1U;
+  for (uint32_t k = first; k < last; k += 8) {
+    uint64_t here = eight_bytes(&in_parts_[k]) >> part & UINT64_C(0x0101010101010101);
+    if (last - k < 8) here &= (UINT64_C(1) << 8 * (last - k)) - 1;
+    for (; here != 0; here &= here - 1) {
+      candidates_[last + count++] = candidates_[k + static_cast<uint32_t>(std::countr_zero(here)) / 8];
+    }
   }
   if (unsure_) return last + count;
   if (count < 3) return last;
@@ -451,7 +461,7 @@ uint32_t CriticalPoints::drop_farther(uint32_t first, uint32_t count) {
   uint32_t left = 0;
   for (uint32_t k = 0; k < count; ++k) {
     if (dropped[k]) continue;
-    directions.move(k, left);
+    if (k != left) directions.move(k, left);
     candidates_[first + left++] = candidates_[first + k];
   }
   return left;

@@ -62,7 +62,8 @@ double depth_of_hull(Span<const Vec3> a) {
   const uint32_t count = a.size();
   constexpr uint32_t most = 16;  // the hull of some of them is inside that of all
   uint32_t chosen[most] = {0};
-  uint32_t size = 1;
+  uint32_t size = count <= most ? count : 1;
+  for (uint32_t k = 0; k < size; ++k) chosen[k] = k;
   for (; size < most && size < count; ++size) {
     double best = -1.0;
     uint32_t which = 0;
