@@ -15,9 +15,6 @@ using exact::Vector;
 constexpr uint32_t few = 5;          // balls all sets of which are tried
 constexpr uint32_t most_cubes = 64;  // that are being halved: from 2^52 steps down to the least
 constexpr int64_t least_half = 4;
-constexpr double root_of_three = 1.7320508075688774;
-// Of a unit vector in doubles, and of what is made of a few of them.
-constexpr double slack = 1e-12;
 
 double distance(const BallSet &balls, uint32_t ball, const Vector &from) {
   const double x = balls.x[ball] - static_cast<double>(from.x), y = balls.y[ball] - static_cast<double>(from.y),
@@ -93,44 +90,28 @@ bool meet(const CriticalPoints::Block &a, const CriticalPoints::Block &b) {
 // there: a plane between these and the cube excludes all of them. So only linear forms are asked, at the corners of the
 // cube. Of |x - c| the linear part is a lower bound.
 struct CriticalPoints::Directions {
-  static constexpr uint32_t room = 64;
-  Vec3 y[room];          // from the centres
-  double inverse[room];  // of its length
-  double gap[room];      // distance of the ball
-  double curve[room];    // how far that can be above its linear part in the cube
-  double rounding[room];
-  Vec3 a[room];       // unit vector from the centre; 0 in it
-  double side = 0.0;  // half an edge of the cube, and a little more
-  double extent = 0.0;  // of all y, the sum of their components
+  SeenBalls seen;
+  static constexpr uint32_t room = SeenBalls::room;
+  static constexpr double slack = slack_of_seen;
+  static_assert(room <= 64 && room % 4 == 0);
 
-  void set(const BallSet &balls, Span<const uint32_t> ids, const Vector &at, double half) {
-    side = half;
-    extent = 0.0;
-    const double reach = root_of_three * half, sagitta = 0.5001 * reach * reach;
-    for (uint32_t k = 0; k < ids.size(); ++k) {
-      const uint32_t ball = ids[k];
-      y[k] = {static_cast<double>(at.x) - balls.x[ball], static_cast<double>(at.y) - balls.y[ball],
-              static_cast<double>(at.z) - balls.z[ball]};
-      extent = larger(extent, size(y[k]));
-      const double length = std::sqrt(dot(y[k], y[k]));
-      inverse[k] = length > 0.0 ? 1.0 / length : 0.0;
-      a[k] = inverse[k] * y[k];
-      gap[k] = length - balls.r[ball];
-      rounding[k] = slack * (length + balls.r[ball]);
-      curve[k] = (length > 1.001 * reach ? sagitta / (length - reach) : 2.0 * reach) + rounding[k];
-    }
+  Vec3 y(uint32_t k) const { return {seen.x[k], seen.y[k], seen.z[k]}; }
+  Vec3 a(uint32_t k) const { return {seen.ax[k], seen.ay[k], seen.az[k]}; }
+  void set(Target target, const NearArrays &near, const Vector &at, double half) {
+    const Vec3 middle = to_double(at);
+    const double place[3] = {middle.x, middle.y, middle.z};
+    seen.side = half;
+    see(target, near, place, seen);
   }
   // Whether ball k is farther than ball m in all of the cube.
   bool is_farther(uint32_t k, uint32_t m) const {
-    return gap[k] - gap[m] > side * (1.0 + slack) * size(a[k] - a[m]) + curve[m] + rounding[k];
+    return seen.gap[k] - seen.gap[m] > seen.side * (1.0 + slack) * size(a(k) - a(m)) + seen.curve[m] + seen.rounding[k];
   }
   void move(uint32_t from, uint32_t to) {
-    y[to] = y[from];
-    inverse[to] = inverse[from];
-    gap[to] = gap[from];
-    curve[to] = curve[from];
-    rounding[to] = rounding[from];
-    a[to] = a[from];
+    for (double *const numbers :
+         {seen.x, seen.y, seen.z, seen.ax, seen.ay, seen.az, seen.inverse, seen.gap, seen.curve, seen.rounding}) {
+      numbers[to] = numbers[from];
+    }
   }
 
   // Whether one direction leads up from all balls in all of the cube: some steps towards the point of the hull of the
@@ -139,31 +120,31 @@ struct CriticalPoints::Directions {
     Vec3 d{0.0, 0.0, 0.0};
     double least = 0.0;  // of the length of d if there is such a direction
     for (uint32_t k = 0; k < count; ++k) {
-      d = d + a[k];
-      least += inverse[k];
+      d = d + a(k);
+      least += seen.inverse[k];
     }
     d = (1.0 / count) * d;
-    least *= side / count;
+    least *= seen.side / count;
     for (int turn = 0; turn < 6; ++turn) {
       const double squared = dot(d, d);
       if (!(squared > 1e-12) || squared <= least * least) return false;
-      const double across = side * size(d);
+      const double across = seen.side * size(d);
       double worst = 2.0;
       uint32_t which = 0;
       for (uint32_t k = 0; k < count; ++k) {
-        const double lead = dot(a[k], d) - across * inverse[k];
+        const double lead = dot(a(k), d) - across * seen.inverse[k];
         if (lead < worst) {
           worst = lead;
           which = k;
         }
       }
       if (worst > slack) return true;
-      const Vec3 v = a[which] - d;
+      const Vec3 v = a(which) - d;
       const double along = -dot(d, v) / dot(v, v);
       if (!(along > 0.0)) return false;
       const double part = along < 1.0 ? along : 1.0;
       d = d + part * v;
-      least += part * (side * inverse[which] - least);
+      least += part * (seen.side * seen.inverse[which] - least);
     }
     return false;
   }
@@ -173,26 +154,26 @@ struct CriticalPoints::Directions {
   double depth_in_plane(uint32_t count, double &off_plane) const {
     Vec3 n{0.0, 0.0, 0.0};
     for (uint32_t k = 1; k < count; ++k) {
-      const Vec3 other = cross(a[0], a[k]);
+      const Vec3 other = cross(a(0), a(k));
       if (dot(other, other) > dot(n, n)) n = other;
     }
     const double length = std::sqrt(dot(n, n));
     if (!(length > 1e-3)) return -1.0;
     n = (1.0 / length) * n;
     off_plane = 0.0;
-    for (uint32_t k = 0; k < count; ++k) off_plane = larger(off_plane, std::fabs(dot(n, y[k])) + 4.0);
+    for (uint32_t k = 0; k < count; ++k) off_plane = larger(off_plane, std::fabs(dot(n, y(k))) + 4.0);
     double depth = 1.0;
     bool any = false;
     for (uint32_t i = 0; i < count; ++i) {
       for (uint32_t j = 0; j < count; ++j) {
-        const Vec3 inward = cross(n, a[j] - a[i]);
+        const Vec3 inward = cross(n, a(j) - a(i));
         const double size = std::sqrt(dot(inward, inward));
         if (size < 1e-6) continue;
         // Lines through two of them with all others on the left, or nearly.
         bool right = false;
-        for (uint32_t k = 0; k < count; ++k) right = right || dot(inward, a[k] - a[i]) < -1e-9 * size;
+        for (uint32_t k = 0; k < count; ++k) right = right || dot(inward, a(k) - a(i)) < -1e-9 * size;
         if (right) continue;
-        depth = smaller(depth, -dot(inward, a[i]) / size);
+        depth = smaller(depth, -dot(inward, a(i)) / size);
         any = true;
       }
     }
@@ -203,30 +184,31 @@ struct CriticalPoints::Directions {
   struct Face {
     Vec3 n;
     double offset, tiny;
-    int where;  // on which side of it the cube certainly is, 0 for none
+    int where;  // on which seen.side of it the cube certainly is, 0 for none
   };
   Face face(uint32_t i, uint32_t j, uint32_t k) const {
-    const Vec3 u = y[i] - y[j], v = y[i] - y[k], n = cross(u, v);
-    const double tiny = 1e-13 * size(u) * size(v), offset = dot(n, y[i]), span = side * size(n) + 4.0 * tiny * extent;
+    const Vec3 u = y(i) - y(j), v = y(i) - y(k), n = cross(u, v);
+    const double tiny = 1e-13 * size(u) * size(v), offset = dot(n, y(i)),
+                 span = seen.side * size(n) + 4.0 * tiny * seen.extent;
     return {n, offset, tiny, offset > span ? 1 : offset < -span ? -1 : 0};
   }
   // Whether the cube is certainly outside the triangle of three of them.
   bool is_outside(const Face &face, uint32_t i, uint32_t j, uint32_t k) const {
     if (face.where != 0) return true;
     const auto beyond = [&](uint32_t from, uint32_t to) {
-      const Vec3 edge = y[from] - y[to], inward = cross(face.n, edge);
-      return dot(inward, y[from]) + side * size(inward) < -face.tiny * size(edge) * (size(y[from]) + side);
+      const Vec3 edge = y(from) - y(to), inward = cross(face.n, edge);
+      return dot(inward, y(from)) + seen.side * size(inward) < -face.tiny * size(edge) * (size(y(from)) + seen.side);
     };
     return beyond(i, j) || beyond(j, k) || beyond(k, i);
   }
   // Whether the cube and the fourth corner of a tetrahedron are certainly on different sides of a face.
   bool separates(const Face &face, uint32_t opposite) const {
     if (face.where == 0) return false;
-    const double height = face.offset - dot(face.n, y[opposite]), off = 4.0 * face.tiny * extent;
+    const double height = face.offset - dot(face.n, y(opposite)), off = 4.0 * face.tiny * seen.extent;
     return face.where > 0 ? height < -off : height > off;
   }
   bool is_nearly_flat(const Face &face, uint32_t fourth) const {
-    return std::fabs(face.offset - dot(face.n, y[fourth])) <= 4.0 * face.tiny * size(y[fourth]);
+    return std::fabs(face.offset - dot(face.n, y(fourth))) <= 4.0 * face.tiny * size(y(fourth));
   }
   static double size(const Vec3 &v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
   static double larger(double x, double y) { return x > y ? x : y; }
@@ -249,6 +231,7 @@ void CriticalPoints::carve(Workspace &workspace, const CriticalLimits &limits) {
   cluster_ = workspace.take<uint32_t>(limits.near);
   lines_ = workspace.take<TangentLines>(1);
   directions_ = workspace.take<Directions>(1);
+  hull_ = workspace.take<Vec3>(Directions::room);
 }
 
 Status CriticalPoints::find(PoreBalls &balls, int64_t floor) {
@@ -379,6 +362,11 @@ bool CriticalPoints::is_settled(const Cube &cube) const {
   return cube.settled_half != 0 && contains(cube.settled_centre, cube.settled_half, cube.centre, cube.half);
 }
 
+NearArrays CriticalPoints::near_arrays(Span<const uint32_t> ids) const {
+  const BallSet &balls = *balls_;
+  return {balls.x.data(), balls.y.data(), balls.z.data(), balls.r.data(), ids.data(), ids.size()};
+}
+
 // Which candidates of a cube may be nearest in each of its parts. f is at most the distance of the farthest corner of a
 // part from any one ball, of which one is near its middle; a ball that is farther from all of the part is nowhere
 // nearest in it.
@@ -442,7 +430,8 @@ uint32_t CriticalPoints::enter(const Cube &cube, const Cube &whole, uint32_t par
   if (count < 3) return last;
   if (count <= Directions::room) {
     Directions &directions = directions_[0];
-    directions.set(*balls_, candidates_.part(last, last + count), cube.centre, static_cast<double>(cube.half + 3));
+    directions.set(target_, near_arrays(candidates_.part(last, last + count)), cube.centre,
+                   static_cast<double>(cube.half + 3));
     count = drop_farther(last, count);
     if (count < 3 || directions.lead_up(count)) return last;
   }
@@ -454,13 +443,13 @@ uint32_t CriticalPoints::drop_farther(uint32_t first, uint32_t count) {
   Directions &directions = directions_[0];
   uint32_t nearest_one = 0;
   for (uint32_t k = 1; k < count; ++k) {
-    if (directions.gap[k] < directions.gap[nearest_one]) nearest_one = k;
+    if (directions.seen.gap[k] < directions.seen.gap[nearest_one]) nearest_one = k;
   }
-  bool dropped[Directions::room];
-  for (uint32_t k = 0; k < count; ++k) dropped[k] = k != nearest_one && directions.is_farther(k, nearest_one);
+  const uint64_t dropped = find_farther(target_, directions.seen, count, nearest_one);
+  if (dropped == 0) return count;
   uint32_t left = 0;
   for (uint32_t k = 0; k < count; ++k) {
-    if (dropped[k]) continue;
+    if ((dropped >> k & 1) != 0) continue;
     if (k != left) directions.move(k, left);
     candidates_[first + left++] = candidates_[first + k];
   }
@@ -511,10 +500,11 @@ void CriticalPoints::settle_ties(Cube &cube) {
     if (size == 0) continue;
     const Span<uint32_t> tied = cluster_.part(0, size);
     for (const uint32_t ball : tied) nearest_centre = Directions::smaller(nearest_centre, distance(balls, ball, x));
-    directions_[0].set(balls, tied, x, 0.0);
+    directions_[0].set(target_, near_arrays(tied), x, 0.0);
     const Directions &directions = directions_[0];
     double off_plane = 0.0;
-    const double depth = flat ? directions.depth_in_plane(size, off_plane) : depth_of_hull({directions.a, size});
+    for (uint32_t k = 0; k < size; ++k) hull_[k] = directions.a(k);
+    const double depth = flat ? directions.depth_in_plane(size, off_plane) : depth_of_hull(hull_.part(0, size));
     if (!(depth > 0.0)) continue;
     spread += 4.0 * off_plane;
     const double delta = Directions::smaller(0.5 * next, 0.49 * depth * nearest_centre / (1.5 + depth));
@@ -534,7 +524,7 @@ void CriticalPoints::settle_ties(Cube &cube) {
     for (uint32_t k = 0; tie && k < size; ++k) tie = all.nearness(tied[k]) == 0;
     beyond_reach_ = beyond_reach_ || all.beyond_reach();
     if (!tie) {
-      directions_[0].set(balls, tied, left.centre, static_cast<double>(left.half + 2));
+      directions_[0].set(target_, near_arrays(tied), left.centre, static_cast<double>(left.half + 2));
       try_sets(tied, left, own, flat ? PointKind::gate : PointKind::maximum);
     } else if (is_in(all, own)) {
       add(all, four, PointKind::maximum, tied);

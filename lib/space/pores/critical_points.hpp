@@ -14,6 +14,7 @@
 
 #include "core/fixed_vector.hpp"
 #include "lanes/target.hpp"
+#include "pores/cube_halves.hpp"
 #include "pores/name_table.hpp"
 #include "pores/pore_balls.hpp"
 #include "pores/tied_balls.hpp"
@@ -77,6 +78,7 @@ class CriticalPoints {
 
   void forget();
   Status search(const Vec3 &low, const Vec3 &high);
+  NearArrays near_arrays(Span<const uint32_t> ids) const;
   void halve(Cube &cube);
   uint32_t enter(const Cube &cube, const Cube &whole, uint32_t part);
   bool is_settled(const Cube &cube) const;
@@ -123,6 +125,7 @@ class CriticalPoints {
   Span<uint32_t> at_point_, cluster_;
   Span<TangentLines> lines_;     // [1]
   Span<Directions> directions_;  // [1]
+  Span<Vec3> hull_;
   CriticalLimits limits_, needed_;
   Work work_;
   bool beyond_reach_ = false;
