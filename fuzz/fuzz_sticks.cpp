@@ -30,9 +30,11 @@ fuzz::ScaledBalls stick_set(fuzz::Bytes &bytes) {
 }
 
 std::vector<hsp_stick> sticks_between(uint32_t n, fuzz::Bytes &bytes) {
+  static constexpr uint32_t kinds[] = {0, 0, 0, HSP_STICK_DOUBLE, HSP_STICK_TRIPLE, HSP_STICK_AROMATIC};
   std::vector<hsp_stick> sticks(bytes.below(12));
   for (hsp_stick &stick : sticks) {
     stick = {{bytes.below(n + (bytes.one_in(16) ? 1 : 0) + (n == 0 ? 1 : 0)), 0}, bytes.below(2), 0};
+    stick.flags |= kinds[bytes.below(6)];
     stick.ball[1] = n == 0 ? 0 : bytes.below(n);
   }
   return sticks;
@@ -129,7 +131,7 @@ struct PlainScene {
   }
 };
 
-PlainScene scene_of(const fuzz::ScaledBalls &set, const std::vector<hsp_stick> &sticks, double radius,
+PlainScene scene_of(const fuzz::ScaledBalls &set, const std::vector<hsp_stick> &sticks, double of_one,
                     const hsp_map_info &info) {
   PlainScene scene;
   const support::BallList list = set.in_lengths();
@@ -145,6 +147,7 @@ PlainScene scene_of(const fuzz::ScaledBalls &set, const std::vector<hsp_stick> &
   }
   for (const hsp_stick &stick : sticks) {
     const oracle::PlainBall &one = scene.balls[stick.ball[0]], &two = scene.balls[stick.ball[1]];
+    const double radius = (stick.flags & ~HSP_STICK_WHOLE) == 0 ? of_one : 1.5 * of_one;
     const double length =
         std::hypot(two.centre[0] - one.centre[0], two.centre[1] - one.centre[1], two.centre[2] - one.centre[2]);
     const double out = std::sqrt((one.radius - radius) * (one.radius + radius));

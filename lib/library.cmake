@@ -15,11 +15,11 @@ set(HSP_LIBRARY_SOURCES
   lib/balls/model/halo.cpp
   lib/balls/model/neighbour_lists.cpp
   lib/balls/model/packing_statistics.cpp
-  lib/balls/model/pair_block_avx2.cpp
+  lib/balls/model/pair_block.kernel.cpp
   lib/balls/model/queries.cpp
   lib/balls/model/query_hits.cpp
-  lib/balls/model/query_hits_avx2.cpp
-  lib/balls/model/rounded_block_avx2.cpp
+  lib/balls/model/query_hits.kernel.cpp
+  lib/balls/model/rounded_block.kernel.cpp
   lib/balls/model/row_directory.cpp
   lib/balls/model/ray_query.cpp
   lib/balls/model/set_digest.cpp
@@ -166,8 +166,7 @@ set(HSP_LIBRARY_SOURCES
   lib/smooth/mesh/surface_vertices.cpp
   lib/sight/view/depth_buffer.cpp
   lib/sight/view/depth_order.cpp
-  lib/sight/view/depth_rows.cpp
-  lib/sight/view/depth_rows_avx2.cpp
+  lib/sight/view/depth_rows.kernel.cpp
   lib/sight/view/occlusion.cpp
   lib/sight/view/piece_arcs.cpp
   lib/sight/view/projected_arcs.cpp
@@ -332,6 +331,9 @@ if(NOT DEFINED CACHE{HSP_TARGETS_AARCH64})
 endif()
 
 set(HSP_SOURCES_OF_LANES
+  lib/balls/model/pair_block.kernel.cpp
+  lib/balls/model/query_hits.kernel.cpp
+  lib/balls/model/rounded_block.kernel.cpp
   lib/union/sphere/candidate_block.kernel.cpp
   lib/union/sphere/cube_candidates.cpp
   lib/union/sphere/few_caps.kernel.cpp

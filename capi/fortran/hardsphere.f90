@@ -228,6 +228,14 @@ module hardsphere
   ! A stick that is not cut in two: all of it belongs to ball[0]. For halves of the same colour, which else have a line
   ! between them.
   integer(c_int32_t), parameter :: HSP_STICK_WHOLE = 1_c_int32_t
+  ! The kind of bond that a stick is, one of these at most. Pictures that are painted in an order show it as strands,
+  ! parts of the stick side by side that face the viewer, with what is behind it seen between them: two of them, three,
+  ! or two of which the right one, on the way from ball[0] to ball[1], is dashed. Such a stick is half as thick again
+  ! as others. In all else, rules, order and map, it is one stick of that thickness; pictures of what is seen of each,
+  ! side by side, have no strands.
+  integer(c_int32_t), parameter :: HSP_STICK_DOUBLE = 2_c_int32_t
+  integer(c_int32_t), parameter :: HSP_STICK_TRIPLE = 4_c_int32_t  ! three strands
+  integer(c_int32_t), parameter :: HSP_STICK_AROMATIC = 8_c_int32_t  ! two, one of them dashed
   integer(c_int32_t), parameter :: HSP_STICKS_NO_CONFLICT = 0_c_int32_t  ! there is none
   integer(c_int32_t), parameter :: HSP_STICKS_BALLS_MEET = 1_c_int32_t  ! two balls that meet: no order, but HSP_OK
   integer(c_int32_t), parameter :: HSP_STICKS_NO_BALL = 2_c_int32_t  ! a stick, and its end, which is no ball

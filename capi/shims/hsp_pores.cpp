@@ -410,7 +410,7 @@ int32_t hsp_pores_find_pockets(hsp_pores *pores, double narrow, double wide, uin
   if (const int32_t status = check_handle(pores); status != HSP_OK) return status;
   pores->builder.forget_pockets();
   if (pockets == nullptr) return HSP_E_ARGUMENT;
-  if (!pores->has_results() || pores->in_box) return HSP_E_STATE;
+  if (!pores->has_results()) return HSP_E_STATE;
   if (!hsp::is_finite(narrow) || !hsp::is_finite(wide)) return HSP_E_NOT_FINITE;
   if (wide < narrow) return HSP_E_ARGUMENT;
   const double narrow_level = pores->lattice().steps(narrow), wide_level = pores->lattice().steps(wide);

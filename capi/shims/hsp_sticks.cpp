@@ -24,9 +24,31 @@ static_assert(static_cast<uint32_t>(hsp::StickConflict::none) == HSP_STICKS_NO_C
 bool are_valid(const hsp_stick *stick, uint32_t count) {
   if (stick == nullptr) return count == 0;
   for (uint32_t k = 0; k < count; ++k) {
-    if ((stick[k].flags & ~HSP_STICK_WHOLE) != 0 || stick[k].reserved != 0) return false;
+    if (stick[k].reserved != 0) return false;
+    switch (stick[k].flags & ~HSP_STICK_WHOLE) {
+      case 0:
+      case HSP_STICK_DOUBLE:
+      case HSP_STICK_TRIPLE:
+      case HSP_STICK_AROMATIC:
+        break;
+      default:
+        return false;
+    }
   }
   return true;
+}
+
+hsp::StickStrands strands_of(uint32_t flags) {
+  switch (flags & ~HSP_STICK_WHOLE) {
+    case HSP_STICK_DOUBLE:
+      return hsp::StickStrands::two;
+    case HSP_STICK_TRIPLE:
+      return hsp::StickStrands::three;
+    case HSP_STICK_AROMATIC:
+      return hsp::StickStrands::dashed;
+    default:
+      return hsp::StickStrands::one;
+  }
 }
 
 // The sticks of one call, and whether a map is wanted also where there is an order.
@@ -54,7 +76,8 @@ int32_t compute(hsp_sticks *sticks, const hsp_model *model, const hsp_view_optio
       sticks->builder.build(model->balls(), hsp::capi::direction_of(wanted), given.count,
                             model->balls().lattice.steps(given.radius), given.as_map, [&given](uint32_t k) {
                               const hsp_stick &stick = given.stick[k];
-                              return hsp::StickEnds{stick.ball[0], stick.ball[1], (stick.flags & HSP_STICK_WHOLE) != 0};
+                              return hsp::StickEnds{stick.ball[0], stick.ball[1], (stick.flags & HSP_STICK_WHOLE) != 0,
+                                                    strands_of(stick.flags)};
                             });
   sticks->model.set(model);
   if (conflict != nullptr && (status == hsp::Status::ok || status == hsp::Status::conflict)) {

@@ -108,7 +108,7 @@ HSP_API int32_t hsp_pores_compute(hsp_pores *pores, const hsp_model *model, cons
 
 /** The same of the balls in a periodic box, which must outlive the pores; they can be read until it computes other
  *  balls or another box. Limits for the model's balls suffice for boxes that are much larger than their pores; else
- *  images need more. hsp_pores_locate, hsp_pores_widest, pockets and tunnels are not there in a box: HSP_E_STATE.
+ *  images need more. hsp_pores_locate, hsp_pores_widest and tunnels are not there in a box: HSP_E_STATE.
  *  - Property 1: which image of a ball is given, which vectors for the same box, and the order of the balls have no
  *    effect but on numbers of balls, points and shifts, and on the numbers of what is equally wide.
  *  - Property 2: a box of m copies has m times each maximum and gate, of the same radii bit for bit, if these are not a
@@ -357,14 +357,14 @@ typedef struct hsp_pore_pocket {
 
 /** Find pockets: where a probe of the radius `narrow` fits, and one of the radius `wide` does not get to from the
  *  outside. A pocket is made up of maxima wider than `narrow`, joined by gates wider than that; its mouths are such
- *  gates to where the wide probe gets. A wide probe that fits nowhere gets nowhere. *pockets becomes how many there
- *  are; they stay until the next call.
+ *  gates to where the wide probe gets. A wide probe that fits nowhere gets nowhere. In a periodic box it gets to where
+ *  it goes on for ever, instead of the outside. *pockets becomes how many there are; they stay until the next call.
  *  - Property 1: with narrow = wide pockets are the cavities of that probe: the regions of hsp_cells of balls that are
- *    grown by it, without the outside.
+ *    grown by it, without the outside; in a box the channels of hsp_pores_get_channels without directions.
  *
  *  Cost: O(maxima + gates), and sorting the balls of each pocket.
  *  @retval HSP_E_ARGUMENT    pores or pockets is NULL; wide is less than narrow
- *  @retval HSP_E_STATE       nothing computed, the model has changed since, or pores in a box
+ *  @retval HSP_E_STATE       nothing computed, or the model has changed since
  *  @retval HSP_E_NOT_FINITE  narrow or wide is a NaN or an infinity
  *  @retval HSP_E_RANGE       narrow is below the floor, or one of them above 2^51 lattice steps */
 HSP_API int32_t hsp_pores_find_pockets(hsp_pores *pores, double narrow, double wide, uint32_t *pockets);

@@ -18,8 +18,8 @@
  *
  * Sticks meet nothing outside the balls at their ends:
  *   a stick         is thinner than both its balls, and meets no other ball and no other stick
- *   two sticks      that end in one ball do not meet outside of it: its radius is at least that of the sticks divided
- *                   by the sine of half the angle between them; at 60 degrees twice that of the sticks
+ *   two sticks      that end in one ball do not meet outside of it: its radius is at least that of either one divided
+ *                   by the sine of half the angle between them; at 60 degrees twice that of the thicker
  * All of this is checked. A rule that fails is named, and there is no picture then, rather than a wrong one. A stick
  * between balls that meet may be inside them; then nothing is asked of it. Roundings of about 2^-50 of all lengths
  * decide where it holds or fails by less than that. */
@@ -80,6 +80,15 @@ HSP_API int32_t hsp_sticks_init(void *memory, size_t bytes, const hsp_sticks_lim
  *  between them. */
 #define HSP_STICK_WHOLE UINT32_C(1)
 
+/** The kind of bond that a stick is, one of these at most. Pictures that are painted in an order show it as strands,
+ *  parts of the stick side by side that face the viewer, with what is behind it seen between them: two of them, three,
+ *  or two of which the right one, on the way from ball[0] to ball[1], is dashed. Such a stick is half as thick again as
+ *  others. In all else, rules, order and map, it is one stick of that thickness; pictures of what is seen of each, side
+ *  by side, have no strands. */
+#define HSP_STICK_DOUBLE UINT32_C(2)
+#define HSP_STICK_TRIPLE UINT32_C(4)   /**< three strands */
+#define HSP_STICK_AROMATIC UINT32_C(8) /**< two, one of them dashed */
+
 /** A stick. Frozen. */
 typedef struct hsp_stick {
   uint32_t ball[2];  /**< its ends, the caller's indices */
@@ -110,16 +119,16 @@ typedef struct hsp_sticks_conflict {
 
 /** Find what is painted from one direction; any number of times. options: where to look from, as for hsp_view_compute,
  *  NULL for the defaults; pieces and flags have to be good there and have no effect here. stick [count]: may be NULL
- *  if count is 0. radius: of all sticks. The model must outlive the handle, which can be read while the model holds
- *  the same balls (RESULTS in hardsphere.h). conflict may be NULL; it is written on HSP_OK and HSP_E_CONFLICT: on
- *  HSP_OK it tells whether there is an order to paint, or why none. Which one of several conflicts it is depends on the
- *  direction. limits: see LIMITS in hardsphere.h; at most twelve retries, hardly ever more than three. On failure the
- *  handle holds no results.
+ *  if count is 0. radius: of all sticks that are no bonds of several strands. The model must outlive the handle, which
+ *  can be read while the model holds the same balls (RESULTS in hardsphere.h). conflict may be NULL; it is written on
+ *  HSP_OK and HSP_E_CONFLICT: on HSP_OK it tells whether there is an order to paint, or why none. Which one of several
+ *  conflicts it is depends on the direction. limits: see LIMITS in hardsphere.h; at most twelve retries, hardly ever
+ *  more than three. On failure the handle holds no results.
  *
  *  Cost: O(m log m) for m balls and halves of sticks, and for each those that share a vertical line of the view plane
  *  with it; without an order also for each those that may cover a part of it, sorted.
  *  @retval HSP_E_ARGUMENT    sticks or model is NULL; unknown pieces or flags; stick is NULL and count is not 0; an
- *                            unknown flag or a reserved field of a stick that is not 0
+ *                            unknown flag, two kinds of bond or a reserved field of a stick that is not 0
  *  @retval HSP_E_VERSION     bad struct_size of options or limits, or reserved of the options is not 0
  *  @retval HSP_E_CAPACITY    a limit is too small
  *  @retval HSP_E_NOT_FINITE  radius or a component of towards or up is NaN or infinite
@@ -137,7 +146,7 @@ HSP_API int32_t hsp_sticks_compute(hsp_sticks *sticks, const hsp_model *model, c
  *
  *  Cost: as for hsp_sticks_compute without an order.
  *  @retval HSP_E_ARGUMENT    sticks or model is NULL; unknown pieces or flags; stick is NULL and count is not 0; an
- *                            unknown flag or a reserved field of a stick that is not 0
+ *                            unknown flag, two kinds of bond or a reserved field of a stick that is not 0
  *  @retval HSP_E_VERSION     bad struct_size of options or limits, or reserved of the options is not 0
  *  @retval HSP_E_CAPACITY    a limit is too small
  *  @retval HSP_E_NOT_FINITE  radius or a component of towards or up is NaN or infinite

@@ -240,15 +240,115 @@ static void copies_and_stale_results(void) {
   for (d = 0; d < 3; ++d) CHECK(wide.through[d] == one.through[d]);
 }
 
+static uint32_t checked_pockets, checked_mouths;
+
+/* Where the maximum of a gate is in a pocket and the other one is not, that is where the wide probe gets. */
+static void pockets_against_channels(double narrow, double wider) {
+  static hsp_pore_gate gates[POINTS];
+  static hsp_pore_channel channels[POINTS];
+  static uint32_t part[POINTS], listed[POINTS];
+  static int reached[POINTS];
+  uint32_t pockets = 0, needed = 0, k, p, found = 0, closed_channels = 0;
+  int changed = 1;
+  CHECK(counts.maxima <= POINTS && counts.gates <= POINTS);
+  CHECK_EQUAL(hsp_pores_get_gates(work.pores, 0, counts.gates, gates), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_channels(work.pores, wider, channels, POINTS, &needed), HSP_OK);
+  for (p = 0; p < needed; ++p) closed_channels += channels[p].directions == 0 ? 1 : 0;
+  for (k = 0; k < counts.maxima; ++k) {
+    uint32_t member = 0;
+    CHECK_EQUAL(hsp_pores_class_at(work.pores, k, wider, &member), HSP_OK);
+    reached[k] = 0;
+    for (p = 0; p < needed; ++p)
+      reached[k] = reached[k] || (channels[p].maximum == member && channels[p].directions > 0);
+    part[k] = k;
+  }
+  while (changed) { /* the least number of each part */
+    changed = 0;
+    for (k = 0; k < counts.gates && gates[k].radius > narrow; ++k) {
+      const uint32_t a = gates[k].end[0], b = gates[k].end[1];
+      if (reached[a] || reached[b] || part[a] == part[b]) continue;
+      part[a] = part[b] = part[a] < part[b] ? part[a] : part[b];
+      changed = 1;
+    }
+  }
+  CHECK_EQUAL(hsp_pores_find_pockets(work.pores, narrow, wider, &pockets), HSP_OK);
+  if (narrow == wider) CHECK_EQUAL(pockets, closed_channels);
+  for (k = 0; k < counts.maxima; ++k) {
+    hsp_pore_maximum top;
+    CHECK_EQUAL(hsp_pores_get_maxima(work.pores, k, 1, &top), HSP_OK);
+    if (reached[k] || part[k] != k || !(top.radius > narrow)) continue;
+    if (found < pockets) { /* the widest one comes first, as in the list */
+      hsp_pore_pocket pocket;
+      uint32_t mouths = 0, members = 0, i;
+      CHECK_EQUAL(hsp_pores_get_pockets(work.pores, found, 1, &pocket), HSP_OK);
+      CHECK(pocket.maximum == k && pocket.radius == top.radius);
+      CHECK_EQUAL(hsp_pores_get_pocket_maxima(work.pores, found, listed, POINTS, &needed), HSP_OK);
+      CHECK_EQUAL(needed, pocket.maxima);
+      for (i = 0; i < needed; ++i) CHECK(part[listed[i]] == k && !reached[listed[i]]);
+      for (i = 0; i < counts.maxima; ++i) members += part[i] == k ? 1 : 0;
+      CHECK_EQUAL(members, pocket.maxima);
+      for (i = 0; i < counts.gates && gates[i].radius > narrow; ++i) {
+        const uint32_t a = gates[i].end[0], b = gates[i].end[1];
+        const int first = !reached[a] && part[a] == k, second = !reached[b] && part[b] == k;
+        if (first == second) continue;
+        CHECK(reached[first ? b : a]);
+        if (mouths == 0) CHECK(pocket.gate == i && pocket.mouth == gates[i].radius);
+        ++mouths;
+      }
+      CHECK_EQUAL(mouths, pocket.mouths);
+      ++checked_pockets;
+      checked_mouths += mouths;
+      if (mouths == 0) CHECK_EQUAL(pocket.gate, HSP_NONE);
+    }
+    ++found;
+  }
+  CHECK_EQUAL(found, pockets);
+}
+
+/* A room in each box of 4 with a window of 2 sqrt(2) - 2.5 to the next ones; and balls anywhere. */
+static void pockets_in_a_box(void) {
+  const double window = 2 * sqrt(2) - 2.5;
+  uint32_t pockets = 0, state = 12345, turn, k;
+  n = 0;
+  add(0, 0, 0, 2.5);
+  set_box(4, 0, 4, 0, 0, 4);
+  compute(0);
+  CHECK_EQUAL(hsp_pores_find_pockets(work.pores, 0, 0.99 * window, &pockets), HSP_OK);
+  CHECK_EQUAL(pockets, 0); /* the wide probe goes on for ever */
+  CHECK_EQUAL(hsp_pores_find_pockets(work.pores, 0, 1.01 * window, &pockets), HSP_OK);
+  CHECK_EQUAL(pockets, 1);
+  for (turn = 0; turn < 40; ++turn) {
+    const double floor = turn % 2 == 0 ? 0 : -0.3;
+    n = 0;
+    set_box(6, turn % 3, 5, 0, turn % 4, 7);
+    for (k = 0; k < 10; ++k) {
+      double at[4];
+      int axis;
+      for (axis = 0; axis < 4; ++axis) {
+        state = state * 1664525U + 1013904223U;
+        at[axis] = 7.0 * (double)(state >> 8) / 16777216.0;
+      }
+      add(at[0], at[1], at[2], 1 + at[3] / 7);
+    }
+    compute(floor);
+    for (k = 0; k < 4; ++k) {
+      pockets_against_channels(0.1 * k, 0.1 * k);
+      pockets_against_channels(0.1 * k, 0.1 * k + 0.2);
+    }
+    pockets_against_channels(0, wide.through[0] > 0 ? wide.through[0] : 0);
+    pockets_against_channels(0, wide.through[2] > 0 ? 0.999 * wide.through[2] : 0);
+  }
+  CHECK(checked_pockets > 100 && checked_mouths > 100);
+}
+
 static void refused_in_a_box(void) {
   static const double at[3] = {0, 0, 0};
   hsp_pore_place place;
   hsp_pore_passage passage;
   hsp_tunnel tunnel;
-  uint32_t pockets = 0, gate = 0;
+  uint32_t gate = 0;
   CHECK_EQUAL(hsp_pores_locate(work.pores, at, &place), HSP_E_STATE);
   CHECK_EQUAL(hsp_pores_widest(work.pores, at, NULL, &passage), HSP_E_STATE);
-  CHECK_EQUAL(hsp_pores_find_pockets(work.pores, 0, 1, &pockets), HSP_E_STATE);
   CHECK_EQUAL(hsp_pores_find_tunnel(work.pores, at, NULL, NULL, 0, &tunnel, NULL), HSP_E_STATE);
   CHECK_EQUAL(hsp_pores_gate_between(work.pores, 0, HSP_PORE_OUTSIDE, &gate), HSP_OK);
   CHECK_EQUAL(gate, HSP_NONE);
@@ -307,6 +407,7 @@ int main(void) {
   rods(other_skew, in_other_skew, 0, 2, 0);
   closed();
   copies_and_stale_results();
+  pockets_in_a_box();
   refused_in_a_box();
   without_a_box();
   hsp_workspace_free(&work);

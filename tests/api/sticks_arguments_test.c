@@ -93,8 +93,14 @@ static void computing(void) {
   hsp_stick bad = good[0];
   CHECK_EQUAL(hsp_sticks_init(sticks_memory, sizeof sticks_memory, &asked, &sticks), HSP_OK);
   check_has_results();
-  bad.flags = 2;
+  bad.flags = 16;
   check_refused(&bad, 1, 0.5, HSP_E_ARGUMENT);
+  bad.flags = HSP_STICK_DOUBLE | HSP_STICK_AROMATIC;
+  check_refused(&bad, 1, 0.5, HSP_E_ARGUMENT);
+  bad.flags = HSP_STICK_TRIPLE | HSP_STICK_WHOLE;
+  CHECK_EQUAL(compute(&bad, 1, 1.2), HSP_OK);
+  CHECK_EQUAL(compute(&bad, 1, 1.4), HSP_E_CONFLICT);
+  CHECK_EQUAL(conflict.kind, HSP_STICKS_THIN_BALL);
   check_refused(good, STICKS, 0, HSP_E_RANGE);
   CHECK_EQUAL(compute(NULL, 0, 0.5), HSP_OK);
   CHECK_EQUAL(hsp_view_options_init(&options, (uint32_t)sizeof options), HSP_OK);

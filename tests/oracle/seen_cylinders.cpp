@@ -31,6 +31,31 @@ CylinderFront front_of(const PlainCylinder &cylinder, double x, double y) {
   return part < 0 || part > 1 ? none : CylinderFront{z, part};
 }
 
+namespace {
+
+// Of a cylinder with strands the depth of the whole, where a line of sight meets a strand, and its part of the length.
+CylinderFront front_of_strands(const PlainCylinder &cylinder, double x, double y) {
+  CylinderFront whole = front_of(cylinder, x, y);
+  if (cylinder.strands.empty() || !(whole.depth > -std::numeric_limits<double>::infinity())) return whole;
+  const double dx = cylinder.to[0] - cylinder.from[0], dy = cylinder.to[1] - cylinder.from[1];
+  const double seen = std::hypot(dx, dy);
+  for (const PlainCylinder::Strand &strand : cylinder.strands) {
+    const double aside[2] = {-dy / seen * strand.left, dx / seen * strand.left};
+    PlainCylinder own{cylinder.from, cylinder.to, strand.radius};
+    for (size_t k = 0; k < 2; ++k) {
+      own.from[k] += aside[k];
+      own.to[k] += aside[k];
+    }
+    const CylinderFront front = front_of(own, x, y);
+    if (front.depth > -std::numeric_limits<double>::infinity() && front.part >= strand.begin &&
+        front.part <= strand.end && std::hypot(x - strand.under[0], y - strand.under[1]) >= strand.under[2])
+      return {whole.depth, front.part};
+  }
+  return {-std::numeric_limits<double>::infinity(), 0};
+}
+
+}  // namespace
+
 void add_cylinders(const std::vector<PlainCylinder> &cylinders, uint32_t first, const PixelGrid &grid,
                    std::vector<SeenPixel> &image) {
   for (size_t k = 0; k < cylinders.size(); ++k) {
@@ -47,7 +72,7 @@ void add_cylinders(const std::vector<PlainCylinder> &cylinders, uint32_t first, 
     const auto rows = range(1, grid.bottom, grid.rows);
     for (size_t row = rows[0]; row < rows[1]; ++row)
       for (size_t column = columns[0]; column < columns[1]; ++column) {
-        const CylinderFront front = front_of(cylinder, grid.x(column), grid.y(row));
+        const CylinderFront front = front_of_strands(cylinder, grid.x(column), grid.y(row));
         SeenPixel &pixel = image[row * grid.columns + column];
         const auto name = static_cast<uint32_t>(first + 2 * k + (front.part < cylinder.change ? 0 : 1));
         if (front.depth > pixel.depth)

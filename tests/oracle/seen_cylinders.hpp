@@ -16,6 +16,14 @@ struct PlainCylinder {
   std::array<double, 3> to{};
   double radius = 0;
   double change = 0.5;
+  // All of it, or thinner cylinders beside each other in the view plane, each in one part of the length.
+  struct Strand {
+    double left = 0;  // of its axis, seen from `from` to `to`
+    double radius = 0;
+    double begin = 0, end = 1;
+    std::array<double, 3> under{};  // the disc of a ball that covers all of it: x, y and radius
+  };
+  std::vector<Strand> strands{};
 };
 
 // Where a line of sight first meets the side: z, minus infinity if it does not, and the part of the length.

@@ -13,9 +13,10 @@ find $folders ./*.* -type f | sed 's,^\./,,' | awk '
     for (wing in wings) if (("lib/" wing "/" name) in path) return 1
     return 0
   }
-  function exists(name, from) {
+  function exists(name, from,   page) {
     if (from == "README.md" && name == "water.c") return 1
-    if (from ~ /^capi\/guide\// && from == "capi/guide/" substr(name, 1, length(name) - 1) "md") return 1
+    page = "capi/guide/" name
+    if (sub(/\.(c|f90)$/, ".md", page) && from == page) return 1
     sub(/[^\/]*$/, "", from)
     while (name ~ /^\.\.\//) { sub(/^\.\.\//, "", name); sub(/[^\/]*\/$/, "", from) }
     return name in path || ("lib/" name) in path || in_wing(name) || ("capi/" name) in path || ("include/" name) in path || ("tests/" name) in path ||

@@ -73,6 +73,11 @@ program check
 end program
 MAIN
   } >"$work/surface.f90"
-  (cd "$work" && "$fortran" -std=f2018 -Wall -I"$modules" -o surface_fortran surface.f90 "$fortran_archive" "$archive" -lm)
+  # As the page has it, and with its own program.
+  cat "$work"/languages/*.fortran >"$work/page.f90"
+  for name in surface page; do
+    (cd "$work" && "$fortran" -std=f2018 -Wall -I"$modules" -o "$name"_fortran $name.f90 "$fortran_archive" "$archive" -lm)
+  done
   "$work/surface_fortran"
+  cmp <("$work/page_fortran") "$work"/languages/*.text
 fi

@@ -1,7 +1,12 @@
 // Bonds of ball-and-stick pictures: by CONECT records, by distances, and of records that make no sense.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -96,6 +101,124 @@ TEST(Bonds, OfNumbersThatAreNotUnique) {
   const std::string five = star({"1", "2", "3", "4", "5"});
   EXPECT_EQ(
       sticks_of("MODEL        1\n" + five + "ENDMDL\nMODEL        2\n" + five + "ENDMDL\nCONECT    1    2    4\n"), 2);
+}
+
+// The program's words on manifold bonds, empty where there is none, and how many strands are drawn more than with one
+// for each bond.
+struct Multiple {
+  std::string said;
+  int more = 0;
+};
+bool operator==(const Multiple &a, const Multiple &b) {
+  return a.said == b.said && a.more == b.more;
+}
+std::ostream &operator<<(std::ostream &out, const Multiple &multiple) {
+  return out << multiple.said << ", " << multiple.more;
+}
+
+Multiple multiple_in(const std::string &text, const std::string &extension,
+                     const std::vector<std::string> &options = {}) {
+  const TemporaryFile file("bonds." + extension, text), out("bonds.svg");
+  std::vector<std::string> arguments = {"draw", file.path(), "-o", out.path(), "--as", "ball-and-stick"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const Outcome outcome = run_program(arguments);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  Multiple multiple;
+  const size_t at = outcome.out.find("radii; ");
+  if (at != std::string::npos) multiple.said = outcome.out.substr(at + 7, outcome.out.find('\n', at) - at - 7);
+  // Each half of a stick is a path; its strands are loops of it.
+  std::ifstream stream(out.path());
+  const std::string svg{std::istreambuf_iterator<char>(stream), {}};
+  for (size_t path = svg.find(" d=\""); path != std::string::npos; path = svg.find(" d=\"", path + 1)) {
+    const size_t end = svg.find('"', path + 4);
+    for (size_t k = path + 5; k < end; ++k) multiple.more += svg[k] == 'M' || svg[k] == 'm' ? 1 : 0;
+  }
+  return multiple;
+}
+
+TEST(Bonds, AreAsManifoldAsTheyAreSaid) {
+  // Halves of one colour are one path.
+  const std::string three = chain({"1", "2", "3"});
+  const auto said = [&](const std::string &records) { return multiple_in(three + records, "pdb"); };
+  EXPECT_EQ(said("CONECT    1    2\nCONECT    2    1    3\nCONECT    3    2\n"), (Multiple{"", 0}));
+  EXPECT_EQ(said("CONECT    1    2    2\nCONECT    2    1    1    3\nCONECT    3    2\n"),
+            (Multiple{"1 multiple ones", 1}));
+  // By one end alone, in any order, in several records.
+  EXPECT_EQ(said("CONECT    3    2\nCONECT    1    2\nCONECT    3    2\nCONECT    3    2\n"),
+            (Multiple{"1 multiple ones", 2}));
+  // Bonds with more than three lines say nothing, nor do models that say all of it again.
+  EXPECT_EQ(said("CONECT    1    2    2    2    2\nCONECT    2    1    1    1    1\n"), (Multiple{"", 0}));
+  const std::string again = three + "CONECT    1    2\nCONECT    2    3    3\nENDMDL\n";
+  EXPECT_EQ(multiple_in("MODEL        1\n" + again + "MODEL        2\n" + again, "pdb"),
+            (Multiple{"1 multiple ones", 1}));
+}
+
+TEST(Bonds, AreDrawnAsSingleWhereManifoldOnesDoNotFit) {
+  const std::string text = chain({"1", "2"}) + "CONECT    1    2    2\n";
+  EXPECT_EQ(multiple_in(text, "pdb", {"--stick", "0.28"}), (Multiple{"1 multiple ones", 1}));
+  EXPECT_EQ(multiple_in(text, "pdb", {"--stick", "0.29"}), (Multiple{"1 multiple ones, drawn as single", 0}));
+  EXPECT_EQ(multiple_in(text, "pdb", {"--pieces", "visible"}).said, "1 multiple ones, drawn as single");
+}
+
+// A ring and what is bonded to it, as a component or in the words of a library of monomers.
+TEST(Bonds, OfComponents) {
+  const std::string atoms =
+      "data_BNZ\nloop_\n_chem_comp_atom.comp_id\n_chem_comp_atom.atom_id\n_chem_comp_atom.type_symbol\n"
+      "_chem_comp_atom.x\n_chem_comp_atom.y\n_chem_comp_atom.z\n"
+      "BNZ C1 C 0.000 1.39 0\nBNZ C2 C 1.204 0.695 0\nBNZ C3 C 1.204 -0.695 0\nBNZ C4 C 0 -1.39 0\n"
+      "BNZ C5 C -1.204 -0.695 0\nBNZ C6 C -1.204 0.695 0\nBNZ C7 C 0 2.82 0\nBNZ N1 N 0 3.98 0\n";
+  const auto bonds = [](const std::string &name, const std::string &single, const std::string &twice,
+                        const std::string &ring, const std::string &triple) {
+    return "loop_\n_chem_comp_bond.comp_id\n_chem_comp_bond.atom_id_1\n_chem_comp_bond.atom_id_2\n_chem_comp_bond." +
+           name + "\nBNZ C1 C2 " + twice + "\nBNZ C2 C3 " + ring + "\nBNZ C3 C4 " + twice + "\nBNZ C4 C5 " + single +
+           "\nBNZ C5 C6 " + twice + "\nBNZ C6 C1 " + single + "\nBNZ C1 C7 " + single + "\nBNZ C7 N1 " + triple +
+           "\nXYZ C1 C4 DOUB\n";
+  };
+  // A double bond has a strand more, an aromatic one four dashes more, a triple one in two halves two each.
+  EXPECT_EQ(multiple_in(atoms + bonds("value_order", "SING", "DOUB", "SING", "TRIP"), "cif"),
+            (Multiple{"4 multiple ones", 7}));
+  EXPECT_EQ(multiple_in(atoms + bonds("type", "single", "double", "aromatic", "triple"), "cif"),
+            (Multiple{"5 multiple ones", 11}));
+  EXPECT_EQ(multiple_in(atoms + bonds("type", "single", "double", "deloc", "metalc"), "cif"),
+            (Multiple{"4 multiple ones", 7}));
+}
+
+// Dashes are nearer to the middle of the ring than the strand beside them, from wherever it is seen.
+TEST(Bonds, HaveTheirDashesWithinTheRing) {
+  const std::string ring =
+      "data_BNZ\nloop_\n_chem_comp_atom.comp_id\n_chem_comp_atom.atom_id\n_chem_comp_atom.type_symbol\n"
+      "_chem_comp_atom.x\n_chem_comp_atom.y\n_chem_comp_atom.z\n"
+      "BNZ C1 C 0.000 1.39 0\nBNZ C2 C 1.204 0.695 0\nBNZ C3 C 1.204 -0.695 0\nBNZ C4 C 0 -1.39 0\n"
+      "BNZ C5 C -1.204 -0.695 0\nBNZ C6 C -1.204 0.695 0\n"
+      "loop_\n_chem_comp_bond.comp_id\n_chem_comp_bond.atom_id_1\n_chem_comp_bond.atom_id_2\n"
+      "_chem_comp_bond.value_order\nBNZ C1 C2 AROM\nBNZ C3 C2 AROM\nBNZ C3 C4 AROM\nBNZ C5 C4 AROM\n"
+      "BNZ C5 C6 AROM\nBNZ C6 C1 AROM\n";
+  const TemporaryFile file("ring.cif", ring), out("ring.svg");
+  for (const char *view : {"0,0,1", "0,0,-1"}) {
+    ASSERT_EQ(run_program(
+                  {"draw", file.path(), "-o", out.path(), "--as", "ball-and-stick", "--style", "flat", "--view", view})
+                  .status,
+              0);
+    std::ifstream stream(out.path());
+    const std::string svg{std::istreambuf_iterator<char>(stream), {}};
+    double width = 0, height = 0;
+    ASSERT_EQ(std::sscanf(svg.c_str() + svg.find("viewBox=\"0 0 "), "viewBox=\"0 0 %lf %lf", &width, &height), 2);
+    int sticks = 0;
+    for (size_t at = svg.find(" d=\"M"); at != std::string::npos; at = svg.find(" d=\"M", at + 1)) {
+      std::vector<double> middles;  // how far out loops begin
+      for (size_t k = at + 4; svg[k] != '"'; ++k) {
+        double x = 0, y = 0;
+        if (svg[k] == 'M' && std::sscanf(svg.c_str() + k, "M%lf %lf", &x, &y) == 2)
+          middles.push_back(std::hypot(x - width / 2, y - height / 2));
+      }
+      if (middles.size() == 1) continue;  // a ball
+      ++sticks;
+      ASSERT_EQ(middles.size(), 5U);
+      const auto farthest = std::max_element(middles.begin(), middles.end()) - middles.begin();
+      EXPECT_TRUE(farthest == 0 || farthest == 4) << view;  // the whole strand, first or last
+    }
+    EXPECT_EQ(sticks, 6);
+  }
 }
 
 }  // namespace

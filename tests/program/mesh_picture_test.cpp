@@ -55,8 +55,7 @@ std::array<int, 3> colour_of(const std::string &svg, const std::string &path) {
   std::string colour = fill;
   if (fill.rfind("url(#", 0) == 0) {
     const std::string sphere = element_of(svg, fill.substr(5, fill.size() - 6));
-    const std::string stops = element_of(svg, attribute(sphere, "xlink:href").substr(1));
-    colour = stops.substr(stops.find("offset=\"0.4\" stop-color=\"") + 25, 7);
+    colour = sphere.substr(sphere.find("offset=\"0.4\" stop-color=\"") + 25, 7);
   }
   const unsigned long number = std::stoul(colour.substr(1), nullptr, 16);
   return {static_cast<int>(number >> 16 & 0xFF), static_cast<int>(number >> 8 & 0xFF), static_cast<int>(number & 0xFF)};

@@ -212,6 +212,20 @@ TEST(PoreFiles, PocketsHaveAllTheirMaxima) {
   }
 }
 
+// A room in each box, with windows of 2 sqrt(2) - 2.5 to the next ones: a pocket for what does not pass them.
+TEST(PoreFiles, PocketsOfACrystal) {
+  const TemporaryFile ball("ball.xyzr", "0 0 0 2.5\n"), file("points.pdb");
+  for (const auto &[wide, pockets] : std::vector<std::pair<std::string, double>>{{"0.32", 0}, {"0.33", 1}}) {
+    const Json json = run_json({"pores", ball.path(), "--box", "4,4,4", "--pockets", wide, "--points", file.path()});
+    EXPECT_EQ(json["pockets"].number, pockets);
+    const std::vector<Point> points = points_of_pdb(read_file(file.path()));
+    ASSERT_EQ(points.size(), static_cast<size_t>(pockets));
+    if (pockets == 0) continue;
+    EXPECT_NEAR(points[0].radius, 2 * std::sqrt(3.0) - 2.5, 0.006);
+    EXPECT_EQ(json["pocket_list"].items.at(0)["gate"].text, "none");
+  }
+}
+
 TEST(PoreFiles, LeastLeavesOutPoints) {
   const TemporaryFile file("points.pdb");
   const Words words = {"pores", crambin(), "--probe", "1", "--least", "0.1"};

@@ -145,7 +145,7 @@ const struct option *option_at(size_t i) {
       {"--gates", NULL, take_flag, OF(PORES), .target = IN(gates), .help = "list gates instead"},
       {"--pockets", "W", take_number, OF(PORES), .target = IN(pockets), .what = "a length", .most = 1e6,
        .help = "list pockets: where a probe of radius P fits, and one of radius W does not get to from\n"
-               "outside"},
+               "outside, or with --box from where it goes on for ever"},
       {"--balls", NULL, take_flag, OF(PORES), .target = IN(void_balls),
        .help = "also the balls around each pocket, and each bottleneck of a tunnel"},
       {"--tunnels-from", "X Y Z|atom:N", take_place, OF(PORES), .target = IN(tunnels_from),
@@ -324,13 +324,17 @@ const struct option *option_at(size_t i) {
       {"--all-balls", NULL, take_flag, OF(DRAW), .target = IN(drawing.all_balls), .help = "paint hidden balls too"},
       {"--as", "ball-and-stick", take_choice, OF(DRAW), .target = IN(drawing.as), .words = "balls|ball-and-stick",
        .help = "small balls, and sticks for bonds, in halves of the balls' colours; default balls. Bonds\n"
-               "are those of CONECT records in .pdb files; between atoms that these do not name, those\n"
-               "shorter than the covalent radii and 0.4 A together, in A. Where a stick runs into a third\n"
-               "ball or another stick nothing is drawn. Has no --pieces but visible"},
+               "are those of CONECT records in .pdb files and of _chem_comp_bond in .cif files of components;\n"
+               "between atoms that these do not name, those shorter than the covalent radii and 0.4 A\n"
+               "together, in A. Double and triple bonds are two and three sticks side by side, aromatic ones\n"
+               "a whole and a dashed one: by value_order, or where a CONECT record names an atom twice or\n"
+               "three times. Where a stick runs into a third ball or another stick nothing is drawn. Has no\n"
+               "--pieces but visible, which has one stick for each bond"},
       {"--ball-size", "S", take_number, OF(DRAW), .target = IN(drawing.ball_size), .most = 1, .positive = true,
        .help = "radii of these balls, as a part of those of the atoms; default 0.25"},
       {"--stick", "R", take_number, OF(DRAW), .target = IN(drawing.stick), .most = 1e6, .positive = true,
-       .help = "the radius of the sticks; default 0.12"},
+       .help = "the radius of the sticks; default 0.12. A multiple bond has one and a half in all, or one\n"
+               "where there is no room for it"},
 
       {"--box", "AX,BY,CZ", take_box, OF(BOUNDARY) | OF(MEASURE) | OF(CONTACTS) | OF(PORES), .words = "file|p1",
        .what = "AX,BY,CZ, nine numbers, 'file' or 'p1'", .help = "the box, or AX,0,0,BX,BY,0,CX,CY,CZ if it is skew"},

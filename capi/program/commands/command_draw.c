@@ -26,8 +26,9 @@
 
 /* The result of drawing: of several pictures the first, with pieces, arcs and bytes of all. */
 struct drawn {
-  hsp_view_info view; /* or as much of it as a map has, or balls and sticks have */
-  uint32_t sticks;
+  hsp_view_info view;        /* or as much of it as a map has, or balls and sticks have */
+  uint32_t sticks, multiple; /* the latter where the file says so */
+  bool multiple_shown;
   hsp_picture_options options;
   uint64_t bytes;
   double occlusion; /* as it was done */
@@ -151,6 +152,8 @@ static int32_t get_info(const struct request *request, const struct molecule *mo
                         struct drawn *drawn) {
   hsp_map_info map;
   hsp_view_info *const view = &drawn->view;
+  drawn->multiple = geometry->multiple_bonds;
+  drawn->multiple_shown = geometry->multiple_shown;
   if (drawing_is_of_sticks(&request->drawing)) return get_sticks_info(geometry->sticks, drawn);
   if (!drawing_is_of_map(&request->drawing)) return hsp_view_get_info(geometry->work.view, view);
   const int32_t status = hsp_map_get_info(geometry->work.map, &map);
@@ -325,9 +328,17 @@ static void print(struct record *record, const void *of) {
   record_text(record, NULL, "occlusion", occlusion,
               drawn->occlusion > 0.0 ? "buried balls are darker" : "no ball is darkened");
   if (of_sticks) {
-    record_count(
-        record, NULL, "sticks", drawn->sticks,
-        record->molecule->bonds > 0 ? "bonds by CONECT records, else by covalent radii" : "bonds by covalent radii");
+    char multiple[60] = "";
+    if (drawn->multiple > 0) {
+      snprintf(multiple, sizeof multiple, "; %" PRIu32 " multiple ones%s", drawn->multiple,
+               drawn->multiple_shown ? "" : ", drawn as single");
+    }
+    snprintf(value, sizeof value, "bonds by %scovalent radii%s",
+             record->molecule->bonds == 0                            ? ""
+             : file_format_has(record->molecule->format, FILE_BONDS) ? "CONECT records, else by "
+                                                                     : "_chem_comp_bond, else by ",
+             multiple);
+    record_count(record, NULL, "sticks", drawn->sticks, value);
   }
   record_atoms(record);
   record_count(record, "pieces", "pieces", drawn->view.pieces,

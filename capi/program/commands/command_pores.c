@@ -286,7 +286,7 @@ static void print(struct record *record, const void *of) {
   if (!persons) {
     record_table(record, "maximum_list", &maxima);
     record_table(record, "gate_list", &gates);
-  } else if (is_boxed(request) && !request->gates) {
+  } else if (is_boxed(request) && !request->gates && !pockets) {
     print_table(record, &channels, "  a channel: its widest probe, in @, and where it goes on for ever, by vectors");
   } else if (!request->gates && !pockets && !tunnels) {
     print_table(record, &maxima, "  a class: the radius of the widest probe in it, and of that which merges it, in @");
@@ -326,9 +326,7 @@ static struct table table_of(const struct molecule *molecule, const struct pores
 
 bool check_pores(struct request *request, struct failure *failure) {
   const bool pockets = request->pockets >= 0.0, from = request->tunnels_from.point.given;
-  if (is_boxed(request) && (pockets || from)) {
-    return failure_in_usage(failure, "%s is not for a --box", pockets ? "--pockets" : "--tunnels-from");
-  }
+  if (is_boxed(request) && from) return failure_in_usage(failure, "--tunnels-from is not for a --box");
   if (request->tunnels > 0 && !from) return failure_in_usage(failure, "--tunnels needs --tunnels-from");
   if (pockets && request->pockets < request->probe) {
     return failure_in_usage(failure, "--pockets: W must not be less than --probe");

@@ -1,6 +1,7 @@
 #include "draw/ball_and_stick.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "draw/bonds.h"
 #include "draw/view_axes.h"
@@ -70,35 +71,92 @@ static bool compute(const struct molecule *molecule, const struct drawing *drawi
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
+/* Turned so that what else is bonded to the ends of an aromatic bond is on the right of the way along it. */
+static void turn_to_ring(const struct molecule *molecule, double axis[3][3], const struct bond *bonds, uint32_t count,
+                         hsp_stick *stick) {
+  const double *const from = molecule->xyz + 3 * (size_t)stick->ball[0];
+  const double *const to = molecule->xyz + 3 * (size_t)stick->ball[1];
+  double left = 0.0;
+  for (uint32_t k = 0; k < count; ++k) {
+    for (int end = 0; end < 2; ++end) {
+      const uint32_t inner = bonds[k].atom[end], outer = bonds[k].atom[1 - end];
+      if (bonds[k].order != BOND_AROMATIC || (inner != stick->ball[0] && inner != stick->ball[1])) continue;
+      const double *const at = molecule->xyz + 3 * (size_t)outer;
+      double along[2] = {0.0, 0.0}, away[2] = {0.0, 0.0};
+      for (int i = 0; i < 2; ++i) {
+        for (int k3 = 0; k3 < 3; ++k3) {
+          along[i] += axis[i][k3] * (to[k3] - from[k3]);
+          away[i] += axis[i][k3] * (at[k3] - from[k3]);
+        }
+      }
+      left += along[0] * away[1] - along[1] * away[0];
+    }
+  }
+  if (left <= 0.0) return;
+  const uint32_t first = stick->ball[0];
+  stick->ball[0] = stick->ball[1];
+  stick->ball[1] = first;
+}
+
 /* A stick for each bond, to be freed; NULL where memory is short. */
-static hsp_stick *sticks_of(uint32_t (*bonds)[2], uint32_t count, const uint32_t *colour) {
+static hsp_stick *sticks_of(const struct molecule *molecule, double axis[3][3], const struct bond *bonds,
+                            uint32_t count, const uint32_t *colour, bool with_orders) {
+  static const uint32_t flags[] = {
+      [BOND_DOUBLE] = HSP_STICK_DOUBLE, [BOND_TRIPLE] = HSP_STICK_TRIPLE, [BOND_AROMATIC] = HSP_STICK_AROMATIC};
   hsp_stick *stick = calloc((size_t)count + 1, sizeof *stick);
   for (uint32_t k = 0; stick != NULL && k < count; ++k) {
-    const uint32_t *bond = bonds[k];
-    stick[k].ball[0] = bond[0];
-    stick[k].ball[1] = bond[1];
+    const uint32_t *bond = bonds[k].atom;
+    memcpy(stick[k].ball, bond, sizeof stick[k].ball);
     if (colour[bond[0]] == colour[bond[1]]) stick[k].flags = HSP_STICK_WHOLE;
+    if (with_orders) stick[k].flags |= flags[bonds[k].order];
+    if (stick[k].flags & HSP_STICK_AROMATIC) turn_to_ring(molecule, axis, bonds, count, &stick[k]);
   }
   return stick;
 }
 
-bool ball_and_stick_compute(const struct molecule *molecule, const struct drawing *drawing, const uint32_t *colour,
-                            struct geometry *geometry, struct failure *failure) {
-  uint32_t(*bonds)[2] = NULL;
-  uint32_t count = 0;
-  if (!bonds_find(molecule, geometry, &bonds, &count, failure)) return false;
-  hsp_stick *stick = sticks_of(bonds, count, colour);
-  free(bonds);
-  if (stick == NULL) return failure_of_memory(failure);
+static bool compute_sticks(const struct molecule *molecule, const struct drawing *drawing, const hsp_stick *stick,
+                           uint32_t count, struct geometry *geometry, struct failure *failure) {
   const bool as_map = drawing_is_of_map(drawing), inked = drawing_has_ink(drawing);
+  if (stick == NULL) return failure_of_memory(failure);
   bool done =
-      set_balls(molecule, ball_and_stick_size(drawing), geometry, failure) &&
       compute(molecule, drawing, stick, count, as_map, geometry, &geometry->sticks, &geometry->sticks_memory, failure);
   geometry->ink_of_sticks = geometry->sticks;
   if (done && inked && !as_map) {
     done = compute(molecule, drawing, stick, count, true, geometry, &geometry->ink_of_sticks,
                    &geometry->ink_of_sticks_memory, failure);
   }
+  return done;
+}
+
+/* Multiple bonds are thicker. Where they do not fit they are drawn as single ones, which may. */
+static bool compute_bonds(const struct molecule *molecule, const struct drawing *drawing, const struct bond *bonds,
+                          uint32_t count, const uint32_t *colour, struct geometry *geometry, struct failure *failure) {
+  double axis[3][3];
+  const int32_t status = viewing_axes(&drawing->viewing, molecule, axis);
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  geometry->multiple_bonds = 0;
+  for (uint32_t k = 0; k < count; ++k) geometry->multiple_bonds += bonds[k].order > BOND_SINGLE ? 1U : 0U;
+  geometry->multiple_shown = false;
+  if (geometry->multiple_bonds > 0 && !drawing_is_of_map(drawing)) {
+    struct failure unfit = *failure;
+    hsp_stick *stick = sticks_of(molecule, axis, bonds, count, colour, true);
+    geometry->multiple_shown = compute_sticks(molecule, drawing, stick, count, geometry, &unfit);
+    free(stick);
+    if (geometry->multiple_shown) return true;
+  }
+  hsp_stick *stick = sticks_of(molecule, axis, bonds, count, colour, false);
+  const bool done = compute_sticks(molecule, drawing, stick, count, geometry, failure);
   free(stick);
+  return done;
+}
+
+bool ball_and_stick_compute(const struct molecule *molecule, const struct drawing *drawing, const uint32_t *colour,
+                            struct geometry *geometry, struct failure *failure) {
+  struct bond *bonds = NULL;
+  uint32_t count = 0;
+  if (!bonds_find(molecule, geometry, &bonds, &count, failure)) return false;
+  const bool done = set_balls(molecule, ball_and_stick_size(drawing), geometry, failure) &&
+                    compute_bonds(molecule, drawing, bonds, count, colour, geometry, failure);
+  free(bonds);
   return done;
 }

@@ -2,9 +2,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
-
-#include "read/stated_bonds.h"
 
 enum { CARBON = 6, ELEMENTS = 96 };
 
@@ -78,7 +75,7 @@ static bool has_atom_between(const struct molecule *molecule, const uint32_t *fi
 
 /* Pairs that are close enough, but for those that records decide about, and those of the records, in order. */
 static bool join_pairs(const struct molecule *molecule, const uint32_t *first, const uint32_t *ids,
-                       uint32_t (**bonds)[2], uint32_t *count) {
+                       struct bond **bonds, uint32_t *count) {
   struct stated_bonds stated;
   bool enough = stated_bonds_find(molecule, &stated);
   const size_t most = (size_t)first[molecule->atoms] + stated.count;
@@ -87,23 +84,22 @@ static bool join_pairs(const struct molecule *molecule, const uint32_t *first, c
   enough = *bonds != NULL;
   size_t next = 0;
   for (uint32_t i = 0; enough && i < molecule->atoms; ++i) {
-    for (; next < stated.count && stated.pair[next][0] == i; ++next) {
-      memcpy((*bonds)[(*count)++], stated.pair[next], sizeof **bonds);
+    for (; next < stated.count && stated.bond[next].atom[0] == i; ++next) {
+      (*bonds)[(*count)++] = stated.bond[next];
     }
     for (uint32_t k = first[i]; k < first[i + 1]; ++k) {
       const uint32_t j = ids[k];
       if (j < i || (stated.named[i] && stated.named[j])) continue;
       if (radius_of(&molecule->label[i]) <= 0.0 || radius_of(&molecule->label[j]) <= 0.0) continue;
       if (has_atom_between(molecule, first, ids, i, j)) continue;
-      (*bonds)[*count][0] = i;
-      (*bonds)[(*count)++][1] = j;
+      (*bonds)[(*count)++] = (struct bond){{i, j}, BOND_UNKNOWN};
     }
   }
   stated_bonds_free(&stated);
   return enough;
 }
 
-bool bonds_find(const struct molecule *molecule, struct geometry *geometry, uint32_t (**bonds)[2], uint32_t *count,
+bool bonds_find(const struct molecule *molecule, struct geometry *geometry, struct bond **bonds, uint32_t *count,
                 struct failure *failure) {
   uint32_t *ids = NULL;
   uint32_t *first = calloc((size_t)molecule->atoms + 1, sizeof *first);

@@ -577,50 +577,33 @@ static void add_sphere(struct mesh_picture *picture, struct text_buffer *out, ui
   for (int axis = 0; axis < 2; ++axis) at[axis] *= 2; /* see add_picture */
   const double size = 2.0 * radius * picture->frame.scale * (turned ? -1.0 : 1.0);
   text_buffer_add(out,
-                  "<radialGradient id=\"s%" PRIu32 "\" cx=\"%" PRId32 "\" cy=\"%" PRId32 "\" r=\"%" PRId32
-                  "\" fx=\"%" PRId32 "\" fy=\"%" PRId32 "\" xlink:href=\"#c%" PRIu32 "\"/>\n",
+                  "<radialGradient id=\"s%" PRIu32 "\" gradientUnits=\"userSpaceOnUse\" cx=\"%" PRId32
+                  "\" cy=\"%" PRId32 "\" r=\"%" PRId32 "\" fx=\"%" PRId32 "\" fy=\"%" PRId32 "\">",
                   paint, at[0], at[1], rounded(fabs(size)), rounded(at[0] + surface_light_focus[0] * size),
-                  rounded(at[1] - surface_light_focus[1] * size), sphere_colour(picture, paint));
+                  rounded(at[1] - surface_light_focus[1] * size));
+  const uint32_t colour = picture->colour[sphere_colour(picture, paint)];
+  for (int stop = 0; stop < SURFACE_STOPS; ++stop) {
+    text_buffer_add(out, "<stop offset=\"%.2g\" stop-color=\"#%06" PRIx32 "\"/>", surface_light_offset(stop),
+                    surface_light_stop(colour, stop));
+  }
+  text_buffer_add_text(out, "</radialGradient>\n");
 }
 
-/* Adds what light makes of each colour, and for each sphere that is seen where its light is. */
-static bool add_gradients(struct mesh_picture *picture, struct text_buffer *out) {
-  const struct painted_edges *areas = &picture->areas;
-  uint32_t *paints = calloc(areas->count + 1, sizeof *paints);
-  size_t count = 0;
-  if (paints == NULL) return false;
-  for (size_t i = 0; i < areas->count; i = painted_edges_end(areas, i)) {
-    if (is_of_sphere(areas->edge[i].paint)) paints[count++] = areas->edge[i].paint;
-  }
-  qsort(paints, count, sizeof *paints, compare_paints);
-  for (size_t i = 0; i < count; ++i) (void)sphere_colour(picture, paints[i]);
-  for (uint32_t c = 0; c < picture->colours; ++c) {
-    text_buffer_add(out, "<linearGradient id=\"c%" PRIu32 "\" gradientUnits=\"userSpaceOnUse\">", c);
-    for (int stop = 0; stop < SURFACE_STOPS; ++stop) {
-      text_buffer_add(out, "<stop offset=\"%.4g\" stop-color=\"#%06" PRIx32 "\"/>", surface_light_offset(stop),
-                      surface_light_stop(picture->colour[c], stop));
-    }
-    text_buffer_add(out, "</linearGradient>\n");
-  }
-  for (size_t i = 0; i < count; ++i) {
-    if (i == 0 || paints[i] != paints[i - 1]) add_sphere(picture, out, paints[i]);
-  }
-  free(paints);
-  return true;
-}
-
-/* Lines in an area's own colour cover what anti-aliasing leaves open between neighbours. */
-static bool add_areas(const struct mesh_picture *picture, struct text_buffer *out) {
+/* Lines in an area's own colour cover what anti-aliasing leaves open between neighbours. An area of which nothing is
+ * left is not written: some readers paint the next one wrongly then. Lists the spheres that are seen, each once. */
+static bool add_areas(const struct mesh_picture *picture, struct text_buffer *out, uint32_t *paints, size_t *spheres) {
   const struct painted_edges *areas = &picture->areas;
   bool enough = true;
-  for (size_t i = 0, end = 0; i < areas->count; i = end) {
+  for (size_t i = 0, end = 0; enough && i < areas->count; i = end) {
     const uint32_t paint = areas->edge[i].paint;
+    const bool line = paint == hairlines, sphere = is_of_sphere(paint);
+    const size_t before = out->length;
     end = painted_edges_end(areas, i);
-    if (paint == hairlines) {
+    if (line) {
       text_buffer_add(out,
                       "<path fill=\"none\" stroke=\"#%06" PRIx32 "\" stroke-opacity=\".4\" stroke-width=\"%.2f\" d=\"",
                       line_colour, 2.0 * hairline_width(picture));
-    } else if (is_of_sphere(paint)) {
+    } else if (sphere) {
       text_buffer_add(out, "<path fill=\"url(#s%" PRIu32 ")\" stroke=\"url(#s%" PRIu32 ")\" d=\"", paint, paint);
     } else {
       const uint32_t band = (paint - first_band) % MOST_BANDS, colour = (paint - first_band) / MOST_BANDS;
@@ -628,10 +611,21 @@ static bool add_areas(const struct mesh_picture *picture, struct text_buffer *ou
           surface_light_on(picture->colour[colour], picture->border[band] / 2.0 + picture->border[band + 1] / 2.0);
       text_buffer_add(out, "<path fill=\"#%06" PRIx32 "\" stroke=\"#%06" PRIx32 "\" d=\"", tone, tone);
     }
-    enough =
-        enough && painted_edges_write(areas, i, end, paint != hairlines, paint < first_band || paint == hairlines, out);
+    const size_t begun = out->length;
+    enough = painted_edges_write(areas, i, end, !line, sphere || line, out) && !out->out_of_memory;
+    if (out->length == begun) {
+      out->length = before;
+      continue;
+    }
     text_buffer_add(out, "\"/>\n");
+    if (sphere) paints[(*spheres)++] = paint;
   }
+  qsort(paints, *spheres, sizeof *paints, compare_paints);
+  size_t kept = 0;
+  for (size_t i = 0; i < *spheres; ++i) {
+    if (i == 0 || paints[i] != paints[i - 1]) paints[kept++] = paints[i];
+  }
+  *spheres = kept;
   return enough;
 }
 
@@ -717,6 +711,10 @@ static void add_legend(struct mesh_picture *picture, struct text_buffer *out) {
 static bool add_picture(struct mesh_picture *picture, const char *title, struct text_buffer *out) {
   const struct frame *const frame = &picture->frame;
   const int32_t height = frame->height + frame->strip;
+  struct text_buffer areas = TEXT_BUFFER_EMPTY;
+  uint32_t *paints = calloc(picture->areas.count + 1, sizeof *paints); /* spheres */
+  size_t spheres = 0;
+  bool enough = paints != NULL && add_areas(picture, &areas, paints, &spheres);
   text_buffer_add(out,
                   "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
                   "width=\"%" PRId32 ".%" PRId32 "px\" height=\"%" PRId32 ".%" PRId32 "px\" viewBox=\"0 0 %" PRId32
@@ -725,16 +723,19 @@ static bool add_picture(struct mesh_picture *picture, const char *title, struct 
   text_buffer_add_xml(out, title);
   text_buffer_add(out, "</title>\n<rect width=\"%" PRId32 "\" height=\"%" PRId32 "\" fill=\"#ffffff\"/>\n<defs>\n",
                   frame->width, height);
-  if (!add_gradients(picture, out)) return false;
+  for (size_t i = 0; i < spheres; ++i) add_sphere(picture, out, paints[i]);
   /* Outlines are in halves of units. */
   text_buffer_add(out,
                   "</defs>\n<g transform=\"scale(.5)\" stroke-width=\"12\" "
                   "stroke-linejoin=\"round\" stroke-linecap=\"round\">\n");
-  const bool enough = add_section_area(picture, out) && add_areas(picture, out);
+  enough = enough && add_section_area(picture, out);
+  text_buffer_append(out, areas.text, areas.length);
   add_section_line(picture, out);
   text_buffer_add(out, "</g>\n");
   if (picture->mesh->triangles > 0) add_legend(picture, out);
   text_buffer_add(out, "</svg>\n");
+  text_buffer_free(&areas);
+  free(paints);
   return enough;
 }
 

@@ -10,6 +10,36 @@ static const struct {
                     {{"model_Cartn_x", "model_Cartn_y", "model_Cartn_z"}, CIF_MODEL_X},
                     {{"x", "y", "z"}, CIF_PLAIN_X}};
 
+/* SING, DOUB, as the Protein Data Bank has them; single, double, aromatic, deloc in libraries of monomers. */
+static enum bond_order order_of(struct field word) {
+  static const struct {
+    const char *begin;
+    enum bond_order order;
+  } orders[] = {{"SING", BOND_SINGLE},
+                {"DOUB", BOND_DOUBLE},
+                {"TRIP", BOND_TRIPLE},
+                {"AROM", BOND_AROMATIC},
+                {"DELO", BOND_AROMATIC}};
+  for (size_t k = 0; word.length >= 4 && k < sizeof orders / sizeof orders[0]; ++k) {
+    if (field_is((struct field){word.text, 4}, orders[k].begin)) return orders[k].order;
+  }
+  return BOND_SINGLE;
+}
+
+bool cif_component_take_bond(const struct cif_row *row, struct molecule *molecule, struct failure *failure) {
+  struct residue_label residue = RESIDUE_LABEL_NONE;
+  struct stated_bond bond = {.order = order_of(cif_row_get(row, CIF_BOND_ORDER)), .model = 0};
+  if (molecule->atoms == 0 || molecule->extra == NULL) return true;
+  label_copy(residue.name, sizeof residue.name, cif_row_get(row, CIF_BOND_COMPONENT));
+  if (residue.name[0] != '\0' && strcmp(residue.name, molecule->label[0].residue->name) != 0) return true;
+  for (int end = 0; end < 2; ++end) {
+    label_copy(bond.serial[end].text, sizeof bond.serial[end].text,
+               cif_row_get(row, (enum cif_item)(CIF_BOND_FIRST + end)));
+    if (bond.serial[end].text[0] == '\0') return true;
+  }
+  return molecule_add_bond(molecule, &bond, failure);
+}
+
 static bool grow(struct cif_component *component, struct failure *failure) {
   const size_t capacity = component->capacity == 0 ? 64 : 2 * component->capacity;
   for (int set = 0; set < CIF_SETS; ++set) {

@@ -24,6 +24,9 @@ bool cif_component_take(struct cif_component *component, const struct cif_row *r
  * molecule gets its name. False: there is none. */
 bool cif_component_finish(const struct cif_component *component, struct molecule *molecule, struct failure *failure);
 
+/* Take a bond of the component that the molecule is, if the row is one. False when memory is short. */
+bool cif_component_take_bond(const struct cif_row *row, struct molecule *molecule, struct failure *failure);
+
 void cif_component_free(struct cif_component *component);
 
 #endif

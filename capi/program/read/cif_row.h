@@ -13,6 +13,7 @@
 enum cif_table {
   CIF_ATOMS,      /* _atom_site */
   CIF_COMPONENT,  /* _chem_comp_atom, the atoms of a chemical component or monomer */
+  CIF_BONDS,      /* _chem_comp_bond, the bonds of a component */
   CIF_CRYSTAL,    /* the cell, its space group and operators */
   CIF_OTHER_TABLE /* without a meaning here */
 };
@@ -54,6 +55,10 @@ enum cif_item {
   CIF_PLAIN_X,
   CIF_PLAIN_Y,
   CIF_PLAIN_Z,
+  CIF_BOND_COMPONENT,
+  CIF_BOND_FIRST,
+  CIF_BOND_SECOND,
+  CIF_BOND_ORDER,
   CIF_CELL_A,
   CIF_CELL_B,
   CIF_CELL_C,

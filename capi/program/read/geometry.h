@@ -17,7 +17,9 @@ struct geometry {
   void *sticks_memory;
   struct hsp_sticks *ink_of_sticks; /* their map, for contours; the same where that is drawn */
   void *ink_of_sticks_memory;
-  hsp_periodic *periodic; /* NULL at first */
+  uint32_t multiple_bonds; /* among the sticks, where the file says so */
+  bool multiple_shown;     /* as such */
+  hsp_periodic *periodic;  /* NULL at first */
   void *periodic_memory;
   hsp_periodic_limits periodic_limits;
 };

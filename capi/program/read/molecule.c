@@ -30,6 +30,7 @@ void molecule_empty(struct molecule *molecule) {
   molecule->atoms = molecule->read = 0;
   molecule->residues.last = molecule->residues.first;
   molecule->residues.used = 0;
+  molecule->bonds = 0;
 }
 
 /* NULL: memory is short. */

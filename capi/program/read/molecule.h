@@ -35,14 +35,20 @@ struct residue_list {
   size_t used; /* of the last block */
 };
 
-/* The serial number of an atom as written, which in large files is none; empty where no bonds are stated by it. */
+/* The serial number of an atom as written, which in large files is none, or in a component its name; empty where no
+ * bonds are stated by it. */
 struct serial_label {
   char text[6];
 };
 
+/* The kind of a bond, where the file says. */
+enum bond_order { BOND_UNKNOWN, BOND_SINGLE, BOND_DOUBLE, BOND_TRIPLE, BOND_AROMATIC };
+
 /* A bond that the file states. There may be no such atoms, or several. */
 struct stated_bond {
   struct serial_label serial[2];
+  enum bond_order order; /* unknown: it is stated as often as it is manifold */
+  uint32_t model;        /* that it is stated in, which may say again what others do */
 };
 
 /* The name of an atom for a person; empty where the file does not say. Files have many: it is kept small. */

@@ -48,10 +48,11 @@ enum pdb_record pdb_record_of(const char *line, size_t length) {
   return PDB_ALIEN;
 }
 
-/* Bonds in a CONECT record: of the atom in columns 7-11 with those in 12-16, 17-21, 22-26 and 27-31. Columns after
- * them, in old versions of the format, hold no bonds. */
-static bool take_bonds(const struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
-  struct stated_bond bond;
+/* Bonds in a CONECT record: of the atom in columns 7-11 with those in 12-16, 17-21, 22-26 and 27-31; a double bond is
+ * there twice. Columns after them, in old versions of the format, hold no bonds. */
+static bool take_bonds(const struct line_reader *reader, uint64_t model, struct molecule *molecule,
+                       struct failure *failure) {
+  struct stated_bond bond = {.order = BOND_UNKNOWN, .model = (uint32_t)model};
   const size_t length = reader->length;
   label_copy(bond.serial[0].text, sizeof bond.serial[0].text, field_in_columns(reader->text, length, 7, 11));
   if (bond.serial[0].text[0] == '\0') return true;
@@ -101,7 +102,8 @@ enum line_status pdb_next_atom(struct line_reader *reader, struct molecule *mole
     alien_seen = alien_seen || record == PDB_ALIEN;
     *record_seen = *record_seen || record == PDB_ATOM || record == PDB_MODEL || record == PDB_OTHER;
     if (record == PDB_OTHER && file_format_has(molecule->format, FILE_BONDS) &&
-        begins_with_word(reader->text, reader->length, "CONECT") && !take_bonds(reader, molecule, failure)) {
+        begins_with_word(reader->text, reader->length, "CONECT") &&
+        !take_bonds(reader, models->count, molecule, failure)) {
       return LINE_FAILED;
     }
     if (record != PDB_ATOM) continue;

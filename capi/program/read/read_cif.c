@@ -202,9 +202,14 @@ static bool take_component_atom(struct cif_reading *reading) {
   label.residue = &residue;
   label_copy(label.name, sizeof label.name, name);
   label_copy(residue.name, sizeof residue.name, cif_row_get(row, CIF_COMPONENT_NAME));
-  return cif_component_take(&reading->component, row, reading->failure) &&
-         take_element(row, cif_row_get(row, CIF_COMPONENT_SYMBOL), name, false, &label, reading->failure) &&
-         molecule_add(reading->molecule, nowhere, 0.0, &label, row->line, reading->failure);
+  if (!cif_component_take(&reading->component, row, reading->failure) ||
+      !take_element(row, cif_row_get(row, CIF_COMPONENT_SYMBOL), name, false, &label, reading->failure) ||
+      !molecule_add(reading->molecule, nowhere, 0.0, &label, row->line, reading->failure)) {
+    return false;
+  }
+  struct atom_extra *const extra = molecule_last_extra(reading->molecule);
+  if (extra != NULL) label_copy(extra->serial.text, sizeof extra->serial.text, name);
+  return true;
 }
 
 static bool take_row(struct cif_reading *reading) {
@@ -331,11 +336,17 @@ static bool read_rows(struct cif_reading *reading, const enum cif_item *items, s
                           (unsigned)count);
 }
 
-/* The values of any other loop, of which operators count. */
+/* The values of any other loop, of which operators count, and the bonds of the component that is read. */
 static bool skip_rows(struct cif_reading *reading, const enum cif_item *items, size_t count) {
   struct cif_tokens *tokens = &reading->tokens;
   for (size_t at = 0; tokens->kind == CIF_VALUE; at = (at + 1) % count, cif_tokens_next(tokens)) {
     const enum cif_item item = at < MOST_ITEMS ? items[at] : CIF_OTHER_ITEM;
+    if (at == 0) cif_row_clear(&reading->row, tokens->line);
+    if (item >= CIF_BOND_COMPONENT && item <= CIF_BOND_ORDER) cif_row_put(&reading->row, item, tokens);
+    if (at + 1 == count && reading->source == CIF_COMPONENT && !reading->done &&
+        !cif_component_take_bond(&reading->row, reading->molecule, reading->failure)) {
+      return false;
+    }
     if (item >= CIF_CELL_A && item <= CIF_OPERATOR && !take_crystal(reading, item)) return false;
   }
   return tokens->kind != CIF_FAILED;

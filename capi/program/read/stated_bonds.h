@@ -4,8 +4,13 @@
 
 #include "read/molecule.h"
 
+struct bond {
+  uint32_t atom[2]; /* the smaller number first */
+  enum bond_order order;
+};
+
 struct stated_bonds {
-  uint32_t (*pair)[2]; /* the smaller number first; ascending, none twice */
+  struct bond *bond; /* [count] ascending, none twice */
   size_t count;
   bool *named; /* [atoms] whether an atom is in one of them */
 };

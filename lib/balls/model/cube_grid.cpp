@@ -72,7 +72,7 @@ CubeCoordinates CubeGrid::cube_at(const exact::Vector &point, int64_t side) {
 
 void CubeGrid::carve(Workspace &workspace, uint32_t n) {
   capacity_ = n;
-  wide_ = workspace.target() == Target::avx2;
+  target_ = workspace.target();
   const auto slots = workspace.take<uint32_t>(CubeTable::slots_for(n));
   const auto cubes = workspace.take<CubeCoordinates>(n);
   table_ = CubeTable(slots, cubes);
@@ -84,11 +84,9 @@ void CubeGrid::carve(Workspace &workspace, uint32_t n) {
   }
   balls_.carve(workspace, n);
   scratch_slots_ = workspace.take<uint32_t>(CubeTable::slots_for(n));
-#if HSP_AVX2
-  if (has_row_directories) {
+  if (has_lanes && has_row_directories) {
     rounded_ = workspace.take<float>(4 * (static_cast<uint64_t>(n) + BallSet::read_behind));
   }
-#endif
 }
 
 void CubeGrid::clear() {
@@ -101,15 +99,13 @@ void CubeGrid::clear() {
   side_ = 1;
   table_.clear(0);
   rows_.clear();
-#if HSP_AVX2
-  query_grid_ = {};
-#endif
+  if (has_lanes) query_grid_ = {};
   first_ball_[0] = 0;
 }
 
 void CubeGrid::make_row_directory() {
   if (has_row_directories) rows_.build(table_, first_ball_, scratch_slots_);
-#if HSP_AVX2
+  if (!has_lanes) return;
   query_grid_ = {};
   if (!rows_.is_there()) return;
   const double side = static_cast<double>(side_);
@@ -118,11 +114,9 @@ void CubeGrid::make_row_directory() {
   query_grid_.inverse_side = 1.0 / side;
   query_grid_.largest_radius = static_cast<double>(balls_.largest_radius);
   query_grid_.factor = balls_.lattice.factor();
-  if (wide_) round_balls();
-#endif
+  if (in_lanes()) round_balls();
 }
 
-#if HSP_AVX2
 void CubeGrid::round_balls() {
   double extent = 0.0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -146,7 +140,6 @@ void CubeGrid::round_balls() {
   for (uint32_t k = 0; k < 4 * BallSet::read_behind; ++k) to[k] = 0.0F;
   query_grid_.rounded = rounded_.data();
 }
-#endif
 
 // In small code by the balls that are given, else by the source's in the box.
 template <class Source>
@@ -165,14 +158,12 @@ GridOrder CubeGrid::order_of(const Source &source, const BallSet &given, const L
     return grid_order_by_comparing(some, axis, entries);
   }
   Span<uint32_t> other_entries = of_part({grid_index_.data(), 2 * grid_index_.size()});
-#if HSP_AVX2
   // Memory that is written to later anyway: of the other arrays less is touched, if the set has few cubes.
   if (!rounded_.empty()) {
     auto *const four_for_each = reinterpret_cast<uint32_t *>(rounded_.data());
     entries = of_part({four_for_each, 2 * capacity_});
     other_entries = of_part({four_for_each + 2 * static_cast<size_t>(capacity_), 2 * capacity_});
   }
-#endif
   return grid_order(BallsFrom<Source>{source, part.first}, box, axis, {entries, other_entries, first_ball_});
 }
 

@@ -62,10 +62,14 @@ class CubeGrid {
   const RowDirectory &rows() const { return rows_; }
   CubeBlock block_around(const CubeCoordinates &centre) const;
 
-  // Whether this processor runs code for AVX2.
-  bool wide() const { return wide_; }
-  // For tests: as on a processor without.
-  void do_without_wide_code() { wide_ = false; }
+  // Of the kernels, and whether queries are in lanes.
+  Target target() const { return target_; }
+  bool in_lanes() const { return has_lanes && in_lanes_; }
+  // For tests.
+  void use(Target target, bool lanes) {
+    target_ = target;
+    in_lanes_ = lanes;
+  }
 
   // Memory of O(n) slots and links for other groupings of the same balls (packing_statistics.cpp). The slots hold the
   // directory of rows, which is to be made again after that.
@@ -73,18 +77,12 @@ class CubeGrid {
   Span<uint32_t> scratch_links() { return scratch_links_; }
   void make_row_directory();
 
-#if HSP_AVX2
-  // The directory for whole queries.
-  const QueryGrid &query_grid() const {
-    return query_grid_;
-  }
-#endif
+  // The directory for whole queries in lanes.
+  const QueryGrid &query_grid() const { return query_grid_; }
 
  private:
   void clear();
-#if HSP_AVX2
   void round_balls();
-#endif
   Status store_all(const BallRounding &rounding, uint32_t n, uint32_t &first_bad, int64_t &largest);
   template <class Source>
   void sort(const Source &source, const BallSet &given, const LatticeBox &box, uint32_t own);
@@ -98,10 +96,8 @@ class CubeGrid {
   BallSet balls_;
   CubeTable table_;
   RowDirectory rows_;
-#if HSP_AVX2
   QueryGrid query_grid_;
-  Span<float> rounded_;  // [4 n and behind] for the directory of rows; before, the order of balls is found in it
-#endif
+  Span<float> rounded_;        // [4 n and behind] for the directory of rows; before, the order of balls is found in it
   Span<uint32_t> first_ball_;  // [cubes + 1, and at least 4]
   Span<uint32_t> grid_index_;  // [n] caller -> grid order
   Span<uint32_t> scratch_slots_, scratch_links_;
@@ -109,7 +105,8 @@ class CubeGrid {
   uint32_t own_balls_ = 0, own_cubes_ = 0;
   Halo halo_;
   int64_t side_ = 1;
-  bool wide_ = false;
+  Target target_ = Target::baseline;
+  bool in_lanes_ = has_lanes;
 };
 
 }  // namespace hsp

@@ -11,20 +11,20 @@ constexpr uint32_t more_than_near = UINT32_C(1) << 18;  // entries
 
 // From the number of entries for each digit to the slot of the first of them.
 void add_up(const Span<uint32_t> &counts) {
-  uint32_t place = 0;
+  uint32_t slot = 0;
   for (uint32_t &count : counts) {
     const uint32_t here = count;
-    count = place;
-    place += here;
+    count = slot;
+    slot += here;
   }
 }
 
 // One pass over n entries, by the digit at `shift`.
-void move_entries(const uint32_t *from, uint32_t n, uint32_t shift, uint32_t mask, uint32_t *places, uint32_t *to) {
+void move_entries(const uint32_t *from, uint32_t n, uint32_t shift, uint32_t mask, uint32_t *slots, uint32_t *to) {
   for (uint32_t k = 0; k < n; ++k, from += 2) {
     uint64_t entry;
     std::memcpy(&entry, from, sizeof entry);
-    const uint32_t at = places[(*from >> shift) & mask]++;
+    const uint32_t at = slots[(*from >> shift) & mask]++;
     std::memcpy(to + 2 * static_cast<size_t>(at), &entry, sizeof entry);
   }
 }
@@ -62,12 +62,12 @@ void DigitSort::sort() {
 }
 
 void DigitSort::sort_highest_first() {
-  const Span<uint32_t> places = key_counts();
-  add_up(places);
-  move_entries(entries_.data(), entries_.size() / 2, first_shift(), mask(), places.data(), other_entries_.data());
+  const Span<uint32_t> slots = key_counts();
+  add_up(slots);
+  move_entries(entries_.data(), entries_.size() / 2, first_shift(), mask(), slots.data(), other_entries_.data());
   exchange();
   uint32_t first = 0;
-  for (const uint32_t last : places) {
+  for (const uint32_t last : slots) {
     if (first < last) {
       if (passes_.count == 2) {
         sort_by_lowest_digit(first, last);
@@ -82,12 +82,12 @@ void DigitSort::sort_highest_first() {
 
 // Entries first .. last - 1, to the same slots of the other array.
 void DigitSort::sort_by_lowest_digit(uint32_t first, uint32_t last) {
-  const Span<uint32_t> places = counters_.part(mask() + 1, 2 * (mask() + 1));
-  for (uint32_t &count : places) count = 0;
+  const Span<uint32_t> slots = counters_.part(mask() + 1, 2 * (mask() + 1));
+  for (uint32_t &count : slots) count = 0;
   const uint32_t *const entries = entries_.part(2 * first, 2 * last).data();
-  for (uint32_t k = 0; k < last - first; ++k) ++places[(entries[2 * static_cast<size_t>(k)] >> lowest_) & mask()];
-  add_up(places);
-  move_entries(entries, last - first, lowest_, mask(), places.data(), other_entries_.part(2 * first, 2 * last).data());
+  for (uint32_t k = 0; k < last - first; ++k) ++slots[(entries[2 * static_cast<size_t>(k)] >> lowest_) & mask()];
+  add_up(slots);
+  move_entries(entries, last - first, lowest_, mask(), slots.data(), other_entries_.part(2 * first, 2 * last).data());
 }
 
 // Entries first .. last - 1, to the front of the other array and back: always the same memory, which stays near.
@@ -111,10 +111,10 @@ void DigitSort::sort_by_two_digits(uint32_t first, uint32_t last) {
 void DigitSort::sort_lowest_first() {
   const uint32_t n = entries_.size() / 2;
   const uint32_t mask = this->mask();
-  Span<uint32_t> places = counters_.part(0, mask + 1);
+  Span<uint32_t> slots = counters_.part(0, mask + 1);
   Span<uint32_t> next = counters_.part(mask + 1, 2 * (mask + 1));
   for (uint32_t p = 0; p < passes_.count; ++p) {
-    add_up(places);
+    add_up(slots);
     for (uint32_t &count : next) count = 0;
     const uint32_t shift = lowest_ + p * passes_.bits;
     // Those of the last pass are counted in vain: one more way through here would cost more.
@@ -125,13 +125,13 @@ void DigitSort::sort_lowest_first() {
       const uint32_t key = *from;
       uint64_t entry;
       std::memcpy(&entry, from, sizeof entry);
-      const uint32_t at = places[(key >> shift) & mask]++;
+      const uint32_t at = slots[(key >> shift) & mask]++;
       std::memcpy(to + 2 * static_cast<size_t>(at), &entry, sizeof entry);
       ++next[(key >> next_shift) & mask];
     }
     const Span<uint32_t> counted = next;
-    next = places;
-    places = counted;
+    next = slots;
+    slots = counted;
     exchange();
   }
 }

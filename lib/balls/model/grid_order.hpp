@@ -64,9 +64,9 @@ struct GridOrder {
 
 // Numbers of the cubes of a box, in the order of the grid, each cut into slices of equal width along x; and of the
 // cubes along each axis, from 0 on.
-class PlacesInBox {
+class CubeNumbers {
  public:
-  PlacesInBox(const LatticeBox &box, const CubeAxis &axis) : axis_(axis), first_(axis.cube_at(box.low)) {
+  CubeNumbers(const LatticeBox &box, const CubeAxis &axis) : axis_(axis), first_(axis.cube_at(box.low)) {
     const CubeCoordinates last = axis.cube_at(box.high);
     count_x_ = static_cast<uint64_t>(last.x - first_.x) + 1;
     count_y_ = static_cast<uint64_t>(last.y - first_.y) + 1;
@@ -194,9 +194,9 @@ BallRange run_around(uint32_t k, uint32_t n, const Alike &alike) {
 
 // Where keys do not tell cubes: balls of one cube that are not in order.
 template <class Source>
-void sort_cubes_by_rank(const Source &source, const PlacesInBox &places, const GridOrder &order) {
+void sort_cubes_by_rank(const Source &source, const CubeNumbers &numbers, const GridOrder &order) {
   const auto same_cube = [&](uint32_t k, uint32_t l) {
-    return order.same_slice(k, l) && places.same_cube(source.centre(order.ball(k)), source.centre(order.ball(l)));
+    return order.same_slice(k, l) && numbers.same_cube(source.centre(order.ball(k)), source.centre(order.ball(l)));
   };
   for (uint32_t k = 1; k < order.size(); ++k) {
     if (!same_cube(k - 1, k) || source.centre(order.ball(k - 1)).x < source.centre(order.ball(k)).x) continue;
@@ -226,26 +226,26 @@ GridOrder grid_order(const Source &source, const LatticeBox &box, const CubeAxis
   DigitSort sort(scratch.entries, scratch.other_entries, scratch.counters);
   GridOrder order{scratch.entries, false, 0, 0};
   if (order.size() == 0) return order;
-  PlacesInBox places(box, axis);
-  if (places.cubes() < 0x1p40) {
-    const uint32_t bits = places.bits();
+  CubeNumbers numbers(box, axis);
+  if (numbers.cubes() < 0x1p40) {
+    const uint32_t bits = numbers.bits();
     const uint32_t sorted = sort.passes_for(bits + enough_slice_bits).all_bits();
     order.keys_tell_cubes = sorted <= 32;
     order.bits_in_slice = order.keys_tell_cubes ? 32 - sorted : 0;
     order.slice_bits = sorted + order.bits_in_slice - bits;
-    places.slice(order.slice_bits);
+    numbers.slice(order.slice_bits);
     if (passes_for(sort, sorted) % 2 != 0) sort.exchange();
-    sort_by(sort, source, true, sorted, places, order.bits_in_slice);
+    sort_by(sort, source, true, sorted, numbers, order.bits_in_slice);
     if (order.keys_tell_cubes) sort_in_slices(order.entries);
   } else {
     const uint32_t passes =
-        passes_for(sort, places.bits_x()) + passes_for(sort, places.bits_y()) + passes_for(sort, places.bits_z());
+        passes_for(sort, numbers.bits_x()) + passes_for(sort, numbers.bits_y()) + passes_for(sort, numbers.bits_z());
     if (passes % 2 != 0) sort.exchange();
-    sort_by(sort, source, true, places.bits_x(), [&](const exact::Vector &centre) { return places.x(centre); });
-    sort_by(sort, source, false, places.bits_y(), [&](const exact::Vector &centre) { return places.y(centre); });
-    sort_by(sort, source, false, places.bits_z(), [&](const exact::Vector &centre) { return places.z(centre); });
+    sort_by(sort, source, true, numbers.bits_x(), [&](const exact::Vector &centre) { return numbers.x(centre); });
+    sort_by(sort, source, false, numbers.bits_y(), [&](const exact::Vector &centre) { return numbers.y(centre); });
+    sort_by(sort, source, false, numbers.bits_z(), [&](const exact::Vector &centre) { return numbers.z(centre); });
   }
-  if (!order.keys_tell_cubes) sort_cubes_by_rank(source, places, order);
+  if (!order.keys_tell_cubes) sort_cubes_by_rank(source, numbers, order);
   return order;
 }
 

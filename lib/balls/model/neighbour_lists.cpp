@@ -35,12 +35,12 @@ class PairWalk {
         largest_(static_cast<double>(grid.balls().largest_radius)) {}
 
   void run() {
-#if HSP_AVX2
-    if (grid_.wide()) {
-      for (uint32_t cube = 0; cube < grid_.cubes(); ++cube) walk_cube_in_blocks(cube);
-      return;
+    if constexpr (has_lanes) {
+      if (grid_.in_lanes()) {
+        for (uint32_t cube = 0; cube < grid_.cubes(); ++cube) walk_cube_in_blocks(cube);
+        return;
+      }
     }
-#endif
     for (uint32_t cube = 0; cube < grid_.cubes(); ++cube) walk_cube(cube);
   }
 
@@ -76,7 +76,6 @@ class PairWalk {
     }
   }
 
-#if HSP_AVX2
   // The same, with the balls of the cube and all later ones around it side by side, in as many blocks as that takes.
   void walk_cube_in_blocks(uint32_t cube) {
     const CubeCoordinates &at = grid_.table().coordinates(cube);
@@ -95,7 +94,7 @@ class PairWalk {
       BallRange range = around.range[k];
       if (range.first < own.first) range.first = own.first;
       while (range.first < range.last) {
-        range.first = add_to_block_avx2(block, balls, range);
+        range.first = add_to_block(grid_.target(), block, balls, range);
         if (block.count < PairBlock::room) break;
         look_into(block, balls, own, in_earlier_blocks);
         in_earlier_blocks += block.count;
@@ -111,10 +110,9 @@ class PairWalk {
     for (uint32_t i = own.first; i < own.last; ++i) {
       const uint32_t later = i + 1 - own.first;
       const uint32_t from = later > in_earlier_blocks ? later - in_earlier_blocks : 0;
-      if (from < block.count) visit(i, met, met_in_block_avx2(block, balls, i, from, met));
+      if (from < block.count) visit(i, met, met_in_block(grid_.target(), block, balls, i, from, met));
     }
   }
-#endif
 
   void look_at(uint32_t i, const BallRange &range) {
     const double x = balls_.x[i], y = balls_.y[i], z = balls_.z[i], r = balls_.r[i];
@@ -143,11 +141,11 @@ class PairWalk {
     if (counting && both_rows_) first_[own] += count;
     for (uint32_t k = 0; k < count; ++k) {
       const uint32_t other = others[k];
-      uint32_t &place = first_[both_rows_ && counting ? other : other < own ? other : own];
+      uint32_t &slot = first_[both_rows_ && counting ? other : other < own ? other : own];
       if (counting) {
-        ++place;
+        ++slot;
       } else {
-        ids_[--place] |= other < own ? own : other;
+        ids_[--slot] |= other < own ? own : other;
       }
     }
   }
@@ -163,8 +161,7 @@ class PairWalk {
   uint32_t hits_ = 0;
 };
 
-#if HSP_AVX2
-// Each ball against all balls around it, so that its row is its own: twice as many tests as PairWalk, and no places to
+// Each ball against all balls around it, so that its row is its own: twice as many tests as PairWalk, and no slots to
 // find for them. That is faster where cubes hold few balls, and where rows do not stay in the processor's caches, as
 // each is written once.
 class RowWalk {
@@ -181,7 +178,7 @@ class RowWalk {
   void count(Span<uint32_t> first) {
     for_each_ball([&](uint32_t i, const RoundedBlock *around) {
       first[balls_.caller[i]] =
-          around != nullptr ? count_in_block_avx2(*around, balls_, i) - 1 : ask_grid(i, nullptr, 0);
+          around != nullptr ? count_in_block(grid_.target(), *around, balls_, i) - 1 : ask_grid(i, nullptr, 0);
     });
   }
 
@@ -196,8 +193,8 @@ class RowWalk {
       if (length == 0) return;
       uint32_t *const row = ids.data() + first[own];
       if (around != nullptr && length <= QueryHits::room) {
-        find_others_in_block_avx2(*around, balls_, i, hits);
-        write_ascending_avx2(hits, row, ids.size() - first[own]);
+        find_others_in_block(grid_.target(), *around, balls_, i, hits);
+        write_ascending_in_lanes(grid_.target(), hits, row, ids.size() - first[own]);
       } else {
         ask_grid(i, row, length);
       }
@@ -215,7 +212,7 @@ class RowWalk {
       BallRange rows[RoundedBlock::most_ranges];
       const uint32_t count = grid_.rows().find({at.x - 1, at.y - 1, at.z - 1}, {at.x + 1, at.y + 1, at.z + 1},
                                                {rows, RoundedBlock::most_ranges});
-      const bool has_room = fill_block_avx2(block, grid_.query_grid(), balls_, rows, count);
+      const bool has_room = fill_block(grid_.target(), block, grid_.query_grid(), balls_, rows, count);
       const BallRange own = grid_.balls_in(cube);
       for (uint32_t i = own.first; i < own.last; ++i) use(i, has_room ? &block : nullptr);
     }
@@ -236,20 +233,19 @@ class RowWalk {
     return result.hits;
   }
 
-  static bool is_possible(const CubeGrid &grid) { return grid.wide() && grid.query_grid().rounded != nullptr; }
+  static bool is_possible(const CubeGrid &grid) { return grid.in_lanes() && grid.query_grid().rounded != nullptr; }
 
   static constexpr uint32_t most_balls_in_a_cube = 4;
 
   const CubeGrid &grid_;
   const QueryArrays balls_;
 };
-#endif
 
 // Marks the last entry of a row while rows are filled. No ball has an index as large.
 constexpr uint32_t last_of_row = UINT32_C(1) << 31;
 static_assert(max_count < last_of_row);
 
-// Instead of a place in ids, for a row without entries.
+// Instead of an index of ids, for a row without entries.
 constexpr uint32_t no_entry = no_id;
 
 // From where rows begin to where they end.
@@ -269,17 +265,17 @@ void list_in_both_rows(const CubeGrid &grid, Span<uint32_t> first, Span<uint32_t
     if (first[i] != no_entry) ids[first[i] - 1] = last_of_row;
   }
   PairWalk(grid, PairRows::both, first, ids).run();
-  for (uint32_t i = 0, place = 0; i < n; ++i) {
+  for (uint32_t i = 0, slot = 0; i < n; ++i) {
     if (first[i] == no_entry) continue;
-    first[i] = place;
-    while ((ids[place++] & last_of_row) == 0) {
+    first[i] = slot;
+    while ((ids[slot++] & last_of_row) == 0) {
     }
   }
-  for (uint32_t i = 0, place = 0; i < n; ++i) {
+  for (uint32_t i = 0, slot = 0; i < n; ++i) {
     if (first[i] == no_entry) continue;
     uint32_t entry;
     do {
-      entry = ids[place++];
+      entry = ids[slot++];
       uint32_t &other = ids[first[entry & ~last_of_row]++];
       other = i | (other & last_of_row);
     } while ((entry & last_of_row) == 0);
@@ -319,12 +315,12 @@ bool sum_up(Span<uint32_t> first) {
 
 bool count_neighbours(const CubeGrid &grid, PairRows rows, Span<uint32_t> first) {
   for (uint32_t &length : first) length = 0;
-#if HSP_AVX2
-  if (rows == PairRows::both && RowWalk::suits_counting(grid)) {
-    RowWalk(grid).count(first);
-    return sum_up(first);
+  if constexpr (has_lanes) {
+    if (rows == PairRows::both && RowWalk::suits_counting(grid)) {
+      RowWalk(grid).count(first);
+      return sum_up(first);
+    }
   }
-#endif
   PairWalk(grid, rows, first, {}).run();
   return sum_up(first);
 }
@@ -332,10 +328,10 @@ bool count_neighbours(const CubeGrid &grid, PairRows rows, Span<uint32_t> first)
 void list_neighbours(const CubeGrid &grid, PairRows rows, Span<uint32_t> first, Span<uint32_t> ids,
                      [[maybe_unused]] uint32_t most_cached) {
   if (ids.empty()) return;
-#if HSP_AVX2
-  const bool in_cache = ids.size() <= most_cached;
-  if (rows == PairRows::both && RowWalk::suits_listing(grid, in_cache)) return RowWalk(grid).list(first, ids);
-#endif
+  if constexpr (has_lanes) {
+    const bool in_cache = ids.size() <= most_cached;
+    if (rows == PairRows::both && RowWalk::suits_listing(grid, in_cache)) return RowWalk(grid).list(first, ids);
+  }
   for (uint32_t &id : ids) id = 0;
   if (rows == PairRows::both) {
     list_in_both_rows(grid, first, ids);

@@ -99,17 +99,17 @@ class HitFinder {
   }
   // If none are missing.
   void write_ascending(uint32_t *ids, [[maybe_unused]] uint32_t room) const {
-#if HSP_AVX2
-    if (grid_.wide()) return write_ascending_avx2(hits_, ids, room);
-#endif
+    if constexpr (has_lanes) {
+      if (grid_.in_lanes()) return write_ascending_in_lanes(grid_.target(), hits_, ids, room);
+    }
     hsp::write_ascending(hits_, ids);
   }
 
  private:
   void find(const BallRange *ranges, uint32_t count) {
-#if HSP_AVX2
-    if (grid_.wide()) return add_hits_avx2(balls_, query_, ranges, count, hits_);
-#endif
+    if constexpr (has_lanes) {
+      if (grid_.in_lanes()) return add_hits_in_lanes(grid_.target(), balls_, query_, ranges, count, hits_);
+    }
     add_hits(balls_, query_, ranges, count, hits_);
   }
 
@@ -171,12 +171,12 @@ void find_balls_at_ball(const CubeGrid &grid, const LatticeQuery &query, QueryRe
 }
 
 Status find_balls(const CubeGrid &grid, const double *xyz, double radius, QueryResult &result) {
-#if HSP_AVX2
-  if (grid.wide() && find_balls_avx2(grid.query_grid(), query_arrays(grid.balls()), xyz, radius, result.ids,
-                                     result.capacity, result.hits)) {
-    return Status::ok;
+  if constexpr (has_lanes) {
+    if (grid.in_lanes() && find_balls_in_lanes(grid.target(), grid.query_grid(), query_arrays(grid.balls()), xyz,
+                                               radius, result.ids, result.capacity, result.hits)) {
+      return Status::ok;
+    }
   }
-#endif
   LatticeQuery query;
   if (const Status status = round_query(grid.balls(), xyz, radius, query); status != Status::ok) return status;
   if (!small_code && query.radius == 0) {
@@ -198,12 +198,12 @@ bool any_ball_meets(const CubeGrid &grid, const LatticeQuery &query) {
 }
 
 void find_neighbours(const CubeGrid &grid, uint32_t rank, QueryResult &result) {
-#if HSP_AVX2
-  if (grid.wide() && find_neighbours_avx2(grid.query_grid(), query_arrays(grid.balls()), rank, result.ids,
-                                          result.capacity, result.hits)) {
-    return;
+  if constexpr (has_lanes) {
+    if (grid.in_lanes() && find_neighbours_in_lanes(grid.target(), grid.query_grid(), query_arrays(grid.balls()), rank,
+                                                    result.ids, result.capacity, result.hits)) {
+      return;
+    }
   }
-#endif
   const exact::LatticeBall ball = grid.balls().ball(rank);
   const LatticeQuery query{ball.centre, ball.radius};
   collect(grid, query, ball.index, cubes_at_ball(grid, query), result);

@@ -1,9 +1,11 @@
-// The balls of some ranges that meet a query ball: one at a time, or eight at a time with AVX2. Both decide alike.
+// The balls of some ranges that meet a query ball: one at a time, or where registers hold several numbers as many as
+// there are floats in one (lanes/words.hpp). Both decide alike.
 #pragma once
 
 #include <cmath>
 #include <cstdint>
 
+#include "lanes/target.hpp"
 #include "model/ball_range.hpp"
 
 namespace hsp {
@@ -27,7 +29,7 @@ struct QueryHits {
   uint32_t count;
 };
 
-// A set with a directory of rows (row_directory.hpp), for whole queries by the code for wide registers. Lengths in
+// A set with a directory of rows (row_directory.hpp), for whole queries in lanes. Lengths in
 // steps and numbers of cubes, as doubles; x, y, z and 0.
 struct QueryGrid {
   const uint32_t *cells = nullptr;  // of the directory; null: there is none
@@ -42,14 +44,14 @@ struct QueryGrid {
   double extent;                   // from the middle along any axis no centre is further
 };
 
-// Sets whose extent is more than so many largest radii are not rounded (query_hits_avx2.cpp).
+// Sets whose extent is more than so many largest radii are not rounded (RoundedQuery of query_hits.kernel.cpp).
 constexpr double most_extent_of_rounded = 0x1p18;
 
-// How far the difference of squares can be wrong between a query of radius q and rounded balls. Let the reach be
-// q + r_max, the extent H, u = 2^-24. A ball's coordinates are wrong by u H, those of a query that has rows to look at
-// by u (H + reach), their difference by u of itself, and the sum of radii by 3 u reach. Up to a distance of 2 reach
-// that comes to no more than u (14 H + 44 reach) reach. Further away the difference is above 3/5 of the distance
-// squared, and that above the doubt, as long as H is no more than 2^18 reach.
+// How far the difference of squares can be wrong between a query of radius q and rounded balls. Let the reach be q +
+// r_max, the extent H, u = 2^-24. A ball's coordinates are wrong by u H, those of a query that has rows to look at by u
+// (H + reach), their difference by u of itself, and the sum of radii by 3 u reach. Up to a distance of 2 reach that
+// comes to no more than u (14 H + 44 reach) reach, whether sums of products are fused or not. Further away the
+// difference is above 3/5 of the distance squared, and that above the doubt, as long as H is no more than 2^18 reach.
 static inline double rounded_doubt(double extent, double reach) {
   return 0x1p-24 * (16.0 * extent + 64.0 * reach) * reach;
 }
@@ -73,20 +75,25 @@ inline bool meet(double dx, double dy, double dz, double sum) {
 // Adds the hits among the balls of the ranges.
 void add_hits(const QueryArrays &balls, const QueryBall &query, const BallRange *ranges, uint32_t count,
               QueryHits &hits);
-void add_hits_avx2(const QueryArrays &balls, const QueryBall &query, const BallRange *ranges, uint32_t count,
-                   QueryHits &hits);
+HSP_KERNEL(void, add_hits_in_lanes,
+           (const QueryArrays &balls, const QueryBall &query, const BallRange *ranges, uint32_t count, QueryHits &hits),
+           (balls, query, ranges, count, hits))
 // The balls that meet a ball in the caller's unit, as find_balls() of queries.hpp. False, and nothing is written, if
 // the query is to be refused, or meets many rows of cubes or balls.
-bool find_balls_avx2(const QueryGrid &grid, const QueryArrays &balls, const double *xyz, double radius, uint32_t *ids,
-                     uint32_t capacity, uint32_t &hits);
+HSP_KERNEL(bool, find_balls_in_lanes,
+           (const QueryGrid &grid, const QueryArrays &balls, const double *xyz, double radius, uint32_t *ids,
+            uint32_t capacity, uint32_t &hits),
+           (grid, balls, xyz, radius, ids, capacity, hits))
 // The same for find_neighbours().
-bool find_neighbours_avx2(const QueryGrid &grid, const QueryArrays &balls, uint32_t rank, uint32_t *ids,
-                          uint32_t capacity, uint32_t &hits);
+HSP_KERNEL(bool, find_neighbours_in_lanes,
+           (const QueryGrid &grid, const QueryArrays &balls, uint32_t rank, uint32_t *ids, uint32_t capacity,
+            uint32_t &hits),
+           (grid, balls, rank, ids, capacity, hits))
 
 void sort_ascending(uint32_t *ids, uint32_t count);
 // Writes the hits, if there are no more than the room, in ascending order.
 void write_ascending(const QueryHits &hits, uint32_t *ids);
 // At ids[count ..] there may be more that is the caller's, `room` ids in all: it is read and written as it was.
-void write_ascending_avx2(const QueryHits &hits, uint32_t *ids, uint32_t room);
+HSP_KERNEL(void, write_ascending_in_lanes, (const QueryHits &hits, uint32_t *ids, uint32_t room), (hits, ids, room))
 
 }  // namespace hsp

@@ -1,5 +1,5 @@
 // All balls around one cube side by side, as the floats that a set with a directory of rows has them rounded to
-// (query_hits.hpp): for the rows of neighbour lists, eight balls at a time. Doubtful pairs are left to
+// (query_hits.hpp): for the rows of neighbour lists, as many at a time as a register holds. Doubtful pairs are left to
 // integers, so that the rows are exact.
 #pragma once
 
@@ -23,11 +23,15 @@ struct RoundedBlock {
 };
 
 // The balls of the ranges, and no others. False, and the block is not to be used, if there is no room for them.
-bool fill_block_avx2(RoundedBlock &block, const QueryGrid &grid, const QueryArrays &balls, const BallRange *ranges,
-                     uint32_t range_count);
+HSP_KERNEL(bool, fill_block,
+           (RoundedBlock & block, const QueryGrid &grid, const QueryArrays &balls, const BallRange *ranges,
+            uint32_t range_count),
+           (block, grid, balls, ranges, range_count))
 
 // How many balls of the block meet ball i, which is one of them and meets itself; and the others as hits.
-uint32_t count_in_block_avx2(const RoundedBlock &block, const QueryArrays &balls, uint32_t i);
-void find_others_in_block_avx2(const RoundedBlock &block, const QueryArrays &balls, uint32_t i, QueryHits &hits);
+HSP_KERNEL(uint32_t, count_in_block, (const RoundedBlock &block, const QueryArrays &balls, uint32_t i),
+           (block, balls, i))
+HSP_KERNEL(void, find_others_in_block,
+           (const RoundedBlock &block, const QueryArrays &balls, uint32_t i, QueryHits &hits), (block, balls, i, hits))
 
 }  // namespace hsp

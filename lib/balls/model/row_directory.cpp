@@ -20,13 +20,13 @@ void RowDirectory::build(const CubeTable &cubes, Span<const uint32_t> first_ball
   for (uint32_t cube = 0; cube < cubes.count();) {
     const CubeCoordinates &row = cubes.coordinates(cube);
     const uint32_t begin = static_cast<uint32_t>(((row.z - low.z) * rows_y_ + row.y - low.y) * (width_ + 1));
-    uint32_t place = 0;
+    uint32_t column = 0;
     for (; cube < cubes.count(); ++cube) {
       const CubeCoordinates &at = cubes.coordinates(cube);
       if (at.y != row.y || at.z != row.z) break;
-      for (; place <= static_cast<uint32_t>(at.x - low.x); ++place) cells_[begin + place] = first_ball[cube];
+      for (; column <= static_cast<uint32_t>(at.x - low.x); ++column) cells_[begin + column] = first_ball[cube];
     }
-    for (; place <= static_cast<uint32_t>(width_); ++place) cells_[begin + place] = first_ball[cube];
+    for (; column <= static_cast<uint32_t>(width_); ++column) cells_[begin + column] = first_ball[cube];
   }
 }
 

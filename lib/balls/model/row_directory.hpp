@@ -43,8 +43,8 @@ class RowDirectory {
   }
 
  private:
-  static int64_t clipped(int64_t place, int64_t end) {
-    const int64_t not_before = place < 0 ? 0 : place;
+  static int64_t clipped(int64_t at, int64_t end) {
+    const int64_t not_before = at < 0 ? 0 : at;
     return not_before > end ? end : not_before;
   }
 

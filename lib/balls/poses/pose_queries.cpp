@@ -105,13 +105,13 @@ bool visit_meeting_pairs(const SphereTree &fixed, const SphereTree &moving, cons
   if (!start_walk(fixed, moving, balls, 0, floats, walk)) return false;
   while (const uint32_t found = go_on(fixed, moving, floats, walk)) {
     uint32_t placed = no_id;
-    Vec3 place{};
+    Vec3 position{};
     for (uint32_t k = 0; k < found; ++k) {
       const auto [i, j] = walk.found[k];
-      if (j != placed) place = balls.place(balls.image(moving.centre(j)));
+      if (j != placed) position = balls.place(balls.image(moving.centre(j)));
       placed = j;
       const Vec3 c = fixed.centre(i);
-      const Vec3 between = place - c;
+      const Vec3 between = position - c;
       if (balls.meet(c, moving.centre(j), between, fixed.radius(i) + moving.radius(j)) && visit(i, j, between))
         return true;
     }
@@ -259,8 +259,8 @@ PairGap find_least_gap(const SphereTree &fixed, const SphereTree &moving, const 
         const Vec3 from_node = image - a.centre;
         const double enough = best.gap + (a.radius + moving.radius(j)) + slack;
         if (enough < 0 || dot(from_node, from_node) > enough * enough * (1 + meeting_doubt)) continue;
-        const Vec3 place = balls.place(image);
-        for (uint32_t i = a.first; i < a.last; ++i) compare(i, j, place - fixed.centre(i));
+        const Vec3 position = balls.place(image);
+        for (uint32_t i = a.first; i < a.last; ++i) compare(i, j, position - fixed.centre(i));
       }
       continue;
     }

@@ -28,13 +28,13 @@ class FixedVector {
     if (required_ < storage_.size()) storage_[static_cast<uint32_t>(required_)] = value;
     ++required_;
   }
-  // As if so many had been pushed; they are written afterwards, each into its place.
+  // As if so many had been pushed; they are written afterwards, each into its slot.
   constexpr void set_count(uint64_t count) { required_ = count; }
   // Records pushed since clear(), stored or not.
   constexpr uint64_t required() const { return required_; }
   constexpr bool overflowed() const { return required_ > storage_.size(); }
   constexpr uint32_t capacity() const { return storage_.size(); }
-  // Places for records, whether or not there are some in them.
+  // Slots for records, whether or not there are some in them.
   constexpr Span<T> room() { return storage_; }
   // The stored records.
   constexpr uint32_t size() const { return overflowed() ? storage_.size() : static_cast<uint32_t>(required_); }

@@ -39,9 +39,9 @@ class Workspace {
   // An array of `count` default-initialised T, or an empty span while measuring.
   template <class T>
   Span<T> take(uint64_t count) {
-    void *place = reserve(count, sizeof(T));
-    if (place == nullptr) return {};
-    T *first = static_cast<T *>(place);
+    void *memory = reserve(count, sizeof(T));
+    if (memory == nullptr) return {};
+    T *first = static_cast<T *>(memory);
     for (uint64_t k = 0; k < count; ++k) ::new (static_cast<void *>(first + k)) T;
     return {first, static_cast<uint32_t>(count)};
   }
@@ -61,13 +61,13 @@ class Workspace {
       overflow_ = true;
       return nullptr;
     }
-    const size_t place = used_;
+    const size_t begin = used_;
     used_ += static_cast<size_t>(count) * size;
     const size_t end = used_;
     if (poisons && count > 0) ++used_;
     used_ += padding();
     if (base_ != nullptr && end < bytes_) poison(base_ + end, (used_ < bytes_ ? used_ : bytes_) - end);
-    return base_ == nullptr || end > bytes_ ? nullptr : base_ + place;
+    return base_ == nullptr || end > bytes_ ? nullptr : base_ + begin;
   }
   // Bytes to the next aligned address. While measuring the block is taken to be aligned; bytes() adds the slack.
   size_t padding() const { return (alignment - (reinterpret_cast<uintptr_t>(base_) + used_) % alignment) % alignment; }

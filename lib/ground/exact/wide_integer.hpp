@@ -95,14 +95,14 @@ struct WideInteger {
       for (int k = 0; k < top - 1; ++k) lost |= absolute.limb[k];
     } else {
       for (int k = 0; k <= top; ++k) {
-        const int place = k * limb_bits - shift;
-        if (place <= -limb_bits) {
+        const int left = k * limb_bits - shift;
+        if (left <= -limb_bits) {
           lost |= absolute.limb[k];
-        } else if (place < 0) {
-          leading |= static_cast<uint64_t>(absolute.limb[k]) >> -place;
-          lost |= static_cast<Limb>(absolute.limb[k] << (limb_bits + place));
+        } else if (left < 0) {
+          leading |= static_cast<uint64_t>(absolute.limb[k]) >> -left;
+          lost |= static_cast<Limb>(absolute.limb[k] << (limb_bits + left));
         } else {
-          leading |= static_cast<uint64_t>(absolute.limb[k]) << place;
+          leading |= static_cast<uint64_t>(absolute.limb[k]) << left;
         }
       }
     }
@@ -159,10 +159,10 @@ constexpr WideInteger<Limb, out> product(const WideInteger<Limb, a_bits> &a, con
     }
     if (i + j < n) result.limb[i + j] = static_cast<Limb>(carry);
   }
-  const auto subtract_at = [&result](int place, const auto &value, int value_limbs) {
+  const auto subtract_at = [&result](int first, const auto &value, int value_limbs) {
     Wide carry = 1;
-    for (int k = place; k < n; ++k) {
-      const Limb limb = k - place < value_limbs ? value.limb[k - place] : Limb{0};
+    for (int k = first; k < n; ++k) {
+      const Limb limb = k - first < value_limbs ? value.limb[k - first] : Limb{0};
       carry += static_cast<Wide>(result.limb[k]) + static_cast<Limb>(~limb);
       result.limb[k] = static_cast<Limb>(carry);
       carry >>= w;

@@ -54,10 +54,10 @@ struct Doubles {
 };
 
 // Four numbers a, b, c, d of eight things, of each side by side in memory.
-struct FourOfEight {
+struct FourOfEach {
   Floats a, b, c, d;
 
-  static FourOfEight load(const float *p) {
+  static FourOfEach load(const float *p) {
     const auto things = [p](int k) {  // k in the lower half, k + 4 in the upper one
       return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(p + 4 * k)), _mm_loadu_ps(p + 4 * k + 16), 1);
     };
@@ -82,10 +82,13 @@ struct Integers {
 
   // All bits of the lowest `count` lanes.
   static Integers first_set(uint32_t count) { return {_mm256_cmpgt_epi32(all(count).v, ascending().v)}; }
+  // And of those behind them.
+  static Integers all_set_from(uint32_t count) { return {_mm256_cmpgt_epi32(ascending().v, all(count - 1).v)}; }
 
   friend Integers operator+(Integers a, Integers b) { return {_mm256_add_epi32(a.v, b.v)}; }
   friend Integers operator-(Integers a, Integers b) { return {_mm256_sub_epi32(a.v, b.v)}; }
   friend Integers operator&(Integers a, Integers b) { return {_mm256_and_si256(a.v, b.v)}; }
+  friend Integers operator|(Integers a, Integers b) { return {_mm256_or_si256(a.v, b.v)}; }
 };
 // a in lanes whose bits are all set, b in those where none is.
 inline Integers chosen(Integers all_or_none, Integers a, Integers b) {
@@ -192,6 +195,9 @@ inline LaneBits equal(Integers a, Integers b) {
 inline Integers larger_signed(Integers a, Integers b) {
   return {_mm256_max_epi32(a.v, b.v)};
 }
+inline Integers smaller_signed(Integers a, Integers b) {
+  return {_mm256_min_epi32(a.v, b.v)};
+}
 inline LaneBits sign_bits(Integers a) {
   return static_cast<LaneBits>(_mm256_movemask_ps(_mm256_castsi256_ps(a.v)));
 }
@@ -201,6 +207,46 @@ inline LaneBits greater_signed(Integers a, Integers b) {
 // Whether a > b in all lanes that are set.
 inline bool all_greater(Integers a, Integers b, Integers set) {
   return _mm256_testc_si256(_mm256_cmpgt_epi32(a.v, b.v), set.v) != 0;
+}
+// The smaller one of each lane and that of `partners`; in the lanes of `takes_larger` the larger one.
+template <int takes_larger>
+Integers exchange(Integers a, Integers partners) {
+  return {_mm256_blend_epi32(smaller_signed(a, partners).v, larger_signed(a, partners).v, takes_larger)};
+}
+inline Integers with_next(Integers a) {  // 1 0 3 2 5 4 7 6
+  return {_mm256_shuffle_epi32(a.v, 0xB1)};
+}
+inline Integers with_second_next(Integers a) {  // 2 3 0 1 6 7 4 5
+  return {_mm256_shuffle_epi32(a.v, 0x4E)};
+}
+inline Integers with_fourth_next(Integers a) {  // 4 5 6 7 0 1 2 3
+  return {_mm256_permute4x64_epi64(a.v, 0x4E)};
+}
+inline Integers reversed_fours(Integers a) {  // 3 2 1 0 7 6 5 4
+  return {_mm256_shuffle_epi32(a.v, 0x1B)};
+}
+inline Integers reversed(Integers a) {
+  return reversed_fours(with_fourth_next(a));
+}
+
+// Batcher's bitonic sorter (Knuth, TAOCP 3, section 5.3.4).
+inline Integers sorted_halves(Integers a) {  // of eight lanes whose halves of four are bitonic
+  a = exchange<0xCC>(a, with_second_next(a));
+  return exchange<0xAA>(a, with_next(a));
+}
+inline Integers sorted_bitonic(Integers a) {
+  return sorted_halves(exchange<0xF0>(a, with_fourth_next(a)));
+}
+inline Integers sorted(Integers a) {
+  a = exchange<0xAA>(a, with_next(a));
+  a = exchange<0xCC>(a, reversed_fours(a));
+  a = exchange<0xAA>(a, with_next(a));
+  return sorted_halves(exchange<0xF0>(a, reversed(a)));
+}
+
+// The first `count` lanes alone.
+inline void store_first(uint32_t *p, Integers a, uint32_t count) {
+  _mm256_maskstore_epi32(reinterpret_cast<int *>(p), Integers::first_set(count).v, a.v);
 }
 // The upper 32 bits of eight doubles: sign, exponent and the first bits behind the point.
 inline Integers upper_halves(Doubles low, Doubles high) {

@@ -68,6 +68,7 @@ struct Wide {
       return Real{x};
     }
   }
+  static Real of(T a, T b, T c, T d) { return Real{a, b, c, d}; }
   // p[index[0]], p[index[1]] and so on.
   static Real gather(const T *p, const uint32_t *index) {
     if constexpr (n == 8) {
@@ -131,6 +132,9 @@ struct Wide {
 #if defined(__AVX2__)
     if constexpr (n == 4 && sizeof(T) == 8) return Real(_mm256_sqrt_pd(__m256d(a)));
 #endif
+#if defined(__SSE2__)
+    if constexpr (n == 2 && sizeof(T) == 8) return Real(_mm_sqrt_pd(__m128d(a)));
+#endif
     Real root = a;  // GCC -O1 does not see that every lane is written
     for (uint32_t k = 0; k < n; ++k) root[k] = std::sqrt(a[k]);
     return root;
@@ -153,6 +157,31 @@ struct Wide {
     if constexpr (n == 2 && sizeof(T) == 8) return Real(_mm_min_pd(__m128d(a), __m128d(b)));
 #endif
     return select(a < b, a, b);
+  }
+
+  // Without what is behind the point, for numbers below 2^63 in size.
+  static Real truncated(const Real &a) {
+#if defined(__AVX2__)
+    if constexpr (n == 4 && sizeof(T) == 8) {
+      return Real(_mm256_round_pd(__m256d(a), _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC));
+    }
+#endif
+    Real whole = a;
+    for (uint32_t k = 0; k < n; ++k) whole[k] = static_cast<T>(static_cast<int64_t>(a[k]));
+    return whole;
+  }
+  // The same as integers, for numbers from 0 on and below 2^31.
+  static void store_truncated(uint32_t *p, const Real &a) {
+#if defined(__AVX2__)
+    if constexpr (n == 4 && sizeof(T) == 8) {
+      _mm_storeu_si128(reinterpret_cast<__m128i *>(p), _mm256_cvttpd_epi32(__m256d(a)));
+      return;
+    }
+#endif
+    for (uint32_t k = 0; k < n; ++k) p[k] = static_cast<uint32_t>(static_cast<int64_t>(a[k]));
+  }
+  static void store_as_floats(float *p, const Real &a) {
+    Wide<float, n>::store(p, __builtin_convertvector(a, typename Wide<float, n>::Real));
   }
 
   // Integers below 2^32.

@@ -41,6 +41,16 @@ struct WidePairs {
     L::store(p + n, a.second);
   }
   static Real all(T x) { return {L::all(x), L::all(x)}; }
+  static Real of(T a, T b, T c, T d) { return {typename L::Real{a, b}, typename L::Real{c, d}}; }
+  static Real truncated(const Real &a) { return {L::truncated(a.first), L::truncated(a.second)}; }
+  static void store_truncated(uint32_t *p, const Real &a) {
+    L::store_truncated(p, a.first);
+    L::store_truncated(p + n, a.second);
+  }
+  static void store_as_floats(float *p, const Real &a) {
+    L::store_as_floats(p, a.first);
+    L::store_as_floats(p + n, a.second);
+  }
   static Real kept(const Mask &mask, const Real &a) {
     return {L::kept(mask.first, a.first), L::kept(mask.second, a.second)};
   }

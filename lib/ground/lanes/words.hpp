@@ -35,6 +35,8 @@ struct LaneCounts;
 namespace hsp {
 namespace {
 
+constexpr LaneBits all_lanes = (1U << Floats::lanes) - 1U;
+
 // How many lanes of one Floats are chosen.
 inline uint32_t ones(LaneBits bits) {
 #if defined(__POPCNT__)

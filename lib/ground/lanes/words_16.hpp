@@ -56,11 +56,40 @@ struct Doubles {
 
   friend Doubles operator+(Doubles a, Doubles b) { return {a.v + b.v}; }
   friend Doubles operator-(Doubles a, Doubles b) { return {a.v - b.v}; }
+  friend Doubles operator*(Doubles a, Doubles b) { return {a.v * b.v}; }
+};
+inline double first(Doubles a) {
+  return a.v[0];
+}
+
+// Four numbers a, b, c, d of four things, of each side by side in memory.
+struct FourOfEach {
+  Floats a, b, c, d;
+
+  static FourOfEach load(const float *p) {
+#if defined(__aarch64__)
+    const float32x4x4_t apart = vld4q_f32(p);
+    using Real = Floats::Word::Real;
+    return {{Real(apart.val[0])}, {Real(apart.val[1])}, {Real(apart.val[2])}, {Real(apart.val[3])}};
+#else
+    const auto first = Floats::load(p).v, second = Floats::load(p + 4).v, third = Floats::load(p + 8).v,
+               fourth = Floats::load(p + 12).v;
+    const auto ab01 = __builtin_shufflevector(first, second, 0, 4, 1, 5);
+    const auto cd01 = __builtin_shufflevector(first, second, 2, 6, 3, 7);
+    const auto ab23 = __builtin_shufflevector(third, fourth, 0, 4, 1, 5);
+    const auto cd23 = __builtin_shufflevector(third, fourth, 2, 6, 3, 7);
+    return {{__builtin_shufflevector(ab01, ab23, 0, 1, 4, 5)},
+            {__builtin_shufflevector(ab01, ab23, 2, 3, 6, 7)},
+            {__builtin_shufflevector(cd01, cd23, 0, 1, 4, 5)},
+            {__builtin_shufflevector(cd01, cd23, 2, 3, 6, 7)}};
+#endif
+  }
 };
 
 struct Integers {
   static constexpr uint32_t lanes = 4;
   using Bits = Wide<float, 4>::Bits;
+  using Signed = Wide<float, 4>::Mask;
   Bits v;
 
   static Integers load(const uint32_t *p) {
@@ -71,9 +100,23 @@ struct Integers {
   static Integers all(uint32_t x) { return {Bits{x, x, x, x}}; }
   static Integers ascending() { return {Bits{0, 1, 2, 3}}; }
   void store(uint32_t *p) const { std::memcpy(p, &v, sizeof v); }
+  Signed with_sign() const { return reinterpret_cast<Signed>(v); }
+
+  // All bits of the lowest `count` lanes.
+  static Integers first_set(uint32_t count) { return of(all(count).with_sign() > ascending().with_sign()); }
+  // And of those behind them.
+  static Integers all_set_from(uint32_t count) { return of(ascending().with_sign() > all(count - 1).with_sign()); }
+  static Integers of(const Signed &a) { return {reinterpret_cast<Bits>(a)}; }
 
   friend Integers operator+(Integers a, Integers b) { return {a.v + b.v}; }
+  friend Integers operator-(Integers a, Integers b) { return {a.v - b.v}; }
+  friend Integers operator&(Integers a, Integers b) { return {a.v & b.v}; }
+  friend Integers operator|(Integers a, Integers b) { return {a.v | b.v}; }
 };
+// a in lanes whose bits are all set, b in those where none is.
+inline Integers chosen(Integers all_or_none, Integers a, Integers b) {
+  return {b.v ^ ((a.v ^ b.v) & all_or_none.v)};
+}
 
 inline LaneBits lane_bits(const Floats::Word::Mask &mask) {
 #if defined(__aarch64__)
@@ -105,6 +148,16 @@ inline Floats minus_fused(Floats a, Floats b, Floats c) {
 #else
   return {c.v - a.v * b.v};
 #endif
+}
+inline Doubles fused(Doubles a, Doubles b, Doubles c) {
+#if defined(__aarch64__)
+  return {Doubles::Word::Real(vfmaq_f64(float64x2_t(c.v), float64x2_t(a.v), float64x2_t(b.v)))};
+#else
+  return {a.v * b.v + c.v};
+#endif
+}
+inline Doubles fused_minus(Doubles a, Doubles b, Doubles c) {
+  return fused(a, b, {-c.v});
 }
 inline Floats square_root(Floats a) {
 #if defined(__SSE2__)
@@ -166,13 +219,68 @@ inline LaneBits not_greater(Floats a, Floats b) {  // but true for NaN
 inline LaneBits not_less(Floats a, Floats b) {
   return lane_bits(a.v >= b.v);
 }
+inline LaneBits equal(Integers a, Integers b) {
+  return lane_bits(a.v == b.v);
+}
+
+// Of integers with a sign.
+inline Integers larger_signed(Integers a, Integers b) {
+  return Integers::of(a.with_sign() > b.with_sign() ? a.with_sign() : b.with_sign());
+}
+inline Integers smaller_signed(Integers a, Integers b) {
+  return Integers::of(a.with_sign() < b.with_sign() ? a.with_sign() : b.with_sign());
+}
+inline LaneBits sign_bits(Integers a) {
+#if defined(__SSE2__)
+  return lane_bits(a.with_sign());
+#else
+  return lane_bits(a.with_sign() < 0);
+#endif
+}
+inline LaneBits greater_signed(Integers a, Integers b) {
+  return lane_bits(a.with_sign() > b.with_sign());
+}
+// Whether a > b in all lanes that are set.
+inline bool all_greater(Integers a, Integers b, Integers set) {
+  return lane_bits(set.with_sign() & ~(a.with_sign() > b.with_sign())) == 0;
+}
 // By the sign bit: true for -0.
 inline LaneBits negative(Floats a) {
-#if defined(__SSE2__)
-  return lane_bits(Floats::Word::bits(a.v));
-#else
-  return lane_bits(Floats::Word::bits(a.v) < 0);
-#endif
+  return sign_bits({reinterpret_cast<Integers::Bits>(a.v)});
+}
+inline Floats magnitude(Floats a) {
+  return {Floats::Word::absolute(a.v)};
+}
+
+// The smaller one of each lane and that of `partners`; in the lanes of `takes_larger`, -1 there, the larger one.
+inline Integers exchange(Integers a, Integers partners, const Integers::Signed &takes_larger) {
+  return chosen(Integers::of((a.with_sign() > partners.with_sign()) ^ takes_larger), partners, a);
+}
+inline Integers with_next(Integers a) {
+  return {__builtin_shufflevector(a.v, a.v, 1, 0, 3, 2)};
+}
+inline Integers reversed(Integers a) {
+  return {__builtin_shufflevector(a.v, a.v, 3, 2, 1, 0)};
+}
+// Batcher's bitonic sorter (Knuth, TAOCP 3, section 5.3.4).
+inline Integers sorted_bitonic(Integers a) {
+  a = exchange(a, {__builtin_shufflevector(a.v, a.v, 2, 3, 0, 1)}, Integers::Signed{0, 0, -1, -1});
+  return exchange(a, with_next(a), Integers::Signed{0, -1, 0, -1});
+}
+inline Integers sorted(Integers a) {
+  a = exchange(a, with_next(a), Integers::Signed{0, -1, 0, -1});
+  a = exchange(a, reversed(a), Integers::Signed{0, 0, -1, -1});
+  return exchange(a, with_next(a), Integers::Signed{0, -1, 0, -1});
+}
+
+// The first `count` lanes alone.
+inline void store_first(uint32_t *p, Integers a, uint32_t count) {
+  for (uint32_t k = 0; k < count && k < Integers::lanes; ++k) p[k] = a.v[k];
+}
+// The upper 32 bits of four doubles: sign, exponent and the first bits behind the point.
+inline Integers upper_halves(Doubles low, Doubles high) {
+  return {__builtin_shufflevector(reinterpret_cast<Integers::Bits>(low.v), reinterpret_cast<Integers::Bits>(high.v), 1,
+                                  3, 5, 7)};
 }
 
 template <>
@@ -382,6 +490,11 @@ inline void store_front(float *p, Floats a, FrontOrder order) {
   vst1q_f32(p, vreinterpretq_f32_u8(vqtbl1q_u8(vreinterpretq_u8_f32(float32x4_t(a.v)), vld1q_u8(order.bytes))));
 #endif
 }
+inline void store_front(uint32_t *p, Integers a, FrontOrder order) {
+  float in_order[4];
+  store_front(in_order, {reinterpret_cast<Floats::Word::Real>(a.v)}, order);
+  std::memcpy(p, in_order, sizeof in_order);
+}
 #else
 struct FrontOrder {
   uint32_t to[4];
@@ -394,15 +507,13 @@ struct FrontOrder {
 inline void store_front(float *p, Floats a, const FrontOrder &order) {
   for (uint32_t k = 0; k < 4; ++k) p[order.to[k]] = a.v[k];
 }
+inline void store_front(uint32_t *p, Integers a, const FrontOrder &order) {
+  for (uint32_t k = 0; k < 4; ++k) p[order.to[k]] = a.v[k];
+}
 #endif
 template <class>
 FrontOrder front_order(LaneBits chosen) {
   return FrontOrder::of(chosen);
-}
-inline void store_front(uint32_t *p, Integers a, const FrontOrder &order) {
-  float in_order[4];
-  store_front(in_order, {reinterpret_cast<Floats::Word::Real>(a.v)}, order);
-  std::memcpy(p, in_order, sizeof in_order);
 }
 
 // Up to eight numbers, of which any four are wanted.

@@ -116,7 +116,7 @@ struct BallScene {
   Span<const SeenBall> balls;  // nearest top first; their ids are those of bodies
 
   uint32_t bodies() const { return balls.size(); }
-  uint32_t place_of(uint32_t ball) const { return balls[ball].ball; }
+  uint32_t slot_of(uint32_t ball) const { return balls[ball].ball; }
   uint32_t ball_of(uint32_t ball) const { return balls[ball].ball; }
   // The order of faces.
   uint32_t body_in_order(uint32_t k) const { return k; }
@@ -217,7 +217,7 @@ constexpr Status default_limits(uint32_t balls, MapLimits &limits) {
   return Status::ok;
 }
 
-// The visibility map of balls (Section 5.2). Faces in the order of SeenBalls; places of balls are those of grid order.
+// The visibility map of balls (Section 5.2). Faces in the order of SeenBalls; slots of balls are those of grid order.
 using VisibilityMap = SceneMap<BallScene>;
 
 }  // namespace hsp

@@ -98,7 +98,7 @@ inline bool push_visible(Span<HiddenInterval> hidden, double from, double to, co
         } else if (at_first) {
           opening = arc;
           opens = true;
-          arcs.push(arc);  // its place; the last arc may be put before it
+          arcs.push(arc);  // its slot; the last arc may be put before it
         } else if (at_last) {
           waiting = arc;
           waits = true;

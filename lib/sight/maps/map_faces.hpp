@@ -188,18 +188,18 @@ class MapFaceFinder {
     const Scene &scene = map.scene;
     for (uint32_t &count : first_face_) count = 0;
     for (const MapLoop &loop : map.loops.items()) {
-      if (loop.owner != no_id) ++first_face_[scene.place_of(loop.owner)];
+      if (loop.owner != no_id) ++first_face_[scene.slot_of(loop.owner)];
     }
     uint32_t owned = 0;
     for (uint32_t k = 0; k < scene.bodies(); ++k) {
-      uint32_t &begin = first_face_[scene.place_of(scene.body_in_order(k))];
+      uint32_t &begin = first_face_[scene.slot_of(scene.body_in_order(k))];
       const uint32_t count = begin;
       begin = owned;
       owned += count;
     }
     for (uint32_t l = 0; l < map.loops.size(); ++l) {
       const uint32_t owner = map.loops[l].owner;
-      order_[owner == no_id ? owned++ : first_face_[scene.place_of(owner)]++] = l;
+      order_[owner == no_id ? owned++ : first_face_[scene.slot_of(owner)]++] = l;
     }
     map.loop_order = order_.part(0, map.loops.size());
   }
@@ -227,7 +227,7 @@ class MapFaceFinder {
         loop.face = map.faces.size();
         map.faces.push({loop.owner, l, loop.area});
         if (background) continue;
-        uint32_t &first = first_face_[map.scene.place_of(loop.owner)];
+        uint32_t &first = first_face_[map.scene.slot_of(loop.owner)];
         if (first != no_id) continue;
         first = loop.face;
         ++map.owners;

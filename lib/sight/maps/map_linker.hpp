@@ -3,7 +3,7 @@
 // Arc ends are identified by labels, never by their positions: the three ends at a triple vertex by its balls and the
 // side of their plane on which it lies, the two at a tangency by its balls and which end of the crease it is, those of
 // a half circle by the stick and the side of it. An end on a contour is a vertex of its own, the stem of a T, which is
-// put in its place among the visible arcs of that contour. Then no angles need to be sorted: what follows a half-edge
+// put in order among the visible arcs of that contour. Then no angles need to be sorted: what follows a half-edge
 // is known from labels too.
 //
 // A triple that is not three, a tangency that is not two, a T that misses all arcs or an end without a label shows that

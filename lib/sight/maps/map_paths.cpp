@@ -1,6 +1,7 @@
 #include "maps/map_paths.hpp"
 
 #include "lanes/floating_point.hpp"
+#include "maps/stick_scene.hpp"
 
 namespace hsp {
 namespace {
@@ -24,7 +25,7 @@ class SilhouetteWalk {
   // The body behind a silhouette.
   uint32_t behind(uint32_t h) const {
     const uint32_t owner = map_.faces[map_.face_of(h ^ 1U)].owner;
-    return owner == no_id ? no_id : map_.scene.place_of(owner);
+    return owner == no_id ? no_id : map_.scene.slot_of(owner);
   }
   SilhouetteArc::End end_of(uint32_t h, uint32_t neighbour, uint32_t vertex) const {
     const MapVertex &at = map_.vertices[vertex];
@@ -32,12 +33,12 @@ class SilhouetteWalk {
     if (is_silhouette(neighbour)) {
       // The stem is a silhouette or a crease.
       const bool crosses = is_t && at.ball[1] == no_id;
-      return {true, false, behind(neighbour), crosses ? map_.scene.place_of(at.ball[0]) : no_id};
+      return {true, false, behind(neighbour), crosses ? map_.scene.slot_of(at.ball[0]) : no_id};
     }
     // The contour of a half of a stick goes on as that of the other one, before the same body.
     if (at.kind == MapVertexKind::halves) return {true, false, behind(h), no_id};
     if (!is_t) return {false, false, no_id, no_id};
-    const uint32_t nearer = map_.scene.place_of(at.ball[2]);
+    const uint32_t nearer = map_.scene.slot_of(at.ball[2]);
     return {false, true, nearer, nearer};
   }
 

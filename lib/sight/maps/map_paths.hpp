@@ -95,7 +95,7 @@ struct MapPathFunctions {
     return source_at(source).map().scene.ball_of(source_at(source).owner_of(path));
   }
   static uint32_t body_of(const void *source, const BallSet &, uint32_t path) {
-    return source_at(source).map().scene.place_of(source_at(source).owner_of(path));
+    return source_at(source).map().scene.slot_of(source_at(source).owner_of(path));
   }
   static void visit_outline(const void *source, const BallSet &, uint32_t path, const ArcVisitor &visitor) {
     source_at(source).visit_path(path, [&](uint32_t first) {

@@ -71,7 +71,7 @@ struct MapFace {
   double area;          // 0 for the unbounded face
 };
 
-// The most that the makers of a map need room for: its bodies and their places, groups of corners, and edges.
+// The most that the makers of a map need room for: its bodies and their slots, groups of corners, and edges.
 struct MapSizes {
   uint64_t bodies, groups, edges;
 };
@@ -144,7 +144,7 @@ struct SceneMap : MapRecords {
   Span<const uint32_t> first_face;  // by the ranks of bodies; no_id of those without faces
 
   // The first face that shows a body or, for no_id, the background; no_id if there is none.
-  uint32_t first_face_of(uint32_t owner) const { return owner == no_id ? 0 : first_face[scene.place_of(owner)]; }
+  uint32_t first_face_of(uint32_t owner) const { return owner == no_id ? 0 : first_face[scene.slot_of(owner)]; }
 };
 
 }  // namespace hsp

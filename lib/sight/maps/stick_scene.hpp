@@ -53,7 +53,7 @@ struct StickScene : BallScene {
   Span<const uint32_t> order;  // of faces: bodies by their depths
 
   uint32_t bodies() const { return balls.size() + 2 * sticks.size(); }
-  uint32_t place_of(uint32_t body) const { return body; }
+  uint32_t slot_of(uint32_t body) const { return body; }
   // The ball that a body is painted as.
   uint32_t ball_of(uint32_t body) const { return is_ball(body) ? body : stick_at(body).owner[part_of(body)]; }
   uint32_t body_in_order(uint32_t k) const { return order[k]; }

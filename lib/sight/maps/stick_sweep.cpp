@@ -85,7 +85,8 @@ void StickSweep::compare_parts(uint32_t a, uint32_t b) {
   const double sum = one.radius + two.radius;
   if (shared == 1) {
     // sin^2(angle / 2) is a quarter of |u - v|^2.
-    if (r * r * squared_distance(u, v) < sum * sum) {
+    const double twice = 2.0 * (one.radius > two.radius ? one.radius : two.radius);
+    if (r * r * squared_distance(u, v) < twice * twice) {
       return refuse(StickConflict::sharp_angle, one.caller, two.caller);
     }
   } else if (closest_points(first, second).squared < sum * sum) {

@@ -9,8 +9,8 @@
 // Only sticks that end in one ball, with axes u and v from there, may be closer to each other than that near the ball.
 // They lie on either side of the plane through its centre across u - v, provided that the ball is at least
 //   radius / sin(angle / 2)
-// thick; then the one whose axis rises more is over the other one, if either is. Two balls that are disjoint have the
-// order of their centres, too.
+// thick, with the radius of the thicker one; then the one whose axis rises more is over the other one, if either is.
+// Two balls that are disjoint have the order of their centres, too.
 #pragma once
 
 #include "core/rows.hpp"

@@ -65,6 +65,31 @@ struct PlacedBall {
   double r;
 };
 
+// A stick is painted as strands, parts of its front side by side that run along it. One of several strands is thicker.
+enum class StickStrands : uint32_t {
+  one = 0,    // all of it
+  two = 1,    //
+  three = 2,  //
+  dashed = 3  // two, of which the right one, from the ball that was named first to the other, is dashed
+};
+inline constexpr double radius_of_several = 1.5;  // of that of others
+
+// From side to side of a stick, in radii to its left, from the foot on.
+struct Strand {
+  double left, right;
+  bool dashed;
+
+  double middle() const { return 0.5 * (left + right); }
+  double half() const { return 0.5 * (left - right); }
+};
+struct StrandList {
+  Strand strand[3];
+  uint32_t count;
+};
+// Dashes are as long as what is between them, and none is in both halves of a stick. The nearer ball's disc is over
+// them.
+inline constexpr uint32_t dashes = 4;
+
 struct Stick {
   Vec3 foot;           // the centre of the farther ball
   Vec3 axis;           // of length 1, towards the nearer ball
@@ -79,7 +104,8 @@ struct Stick {
                        // it is inside its balls, which meet
   uint32_t owner[2];   // of the parts
   uint32_t turned;     // 1 if the caller named the nearer ball first, else 0
-  bool inside;         // its balls, before they were moved
+  StickStrands strands;
+  bool inside;  // its balls, before they were moved
 
   // Where the halves meet: in the middle of what is outside both balls.
   double middle() const { return 0.5 * (first + last); }
@@ -88,6 +114,33 @@ struct Stick {
   double begin_of(uint32_t part) const { return part == 0 ? first : middle(); }
   double end_of(uint32_t part) const { return part + 1 == parts ? last : middle(); }
 
+  StrandList strand_list() const {
+    switch (strands) {
+      case StickStrands::two:
+        return {{{1.0, 0.28, false}, {-0.28, -1.0, false}}, 2};
+      case StickStrands::three:
+        return {{{1.0, 0.58, false}, {0.21, -0.21, false}, {-0.58, -1.0, false}}, 3};
+      case StickStrands::dashed:
+        return {{{1.0, 0.28, turned != 0}, {-0.28, -1.0, turned == 0}}, 2};
+      default:
+        return {{{1.0, -1.0, false}}, 1};
+    }
+  }
+  // The circle of a strand as a stick of its own, beside the axis in the view plane.
+  ProjectedEllipse circle_of(const Strand &strand, double s) const {
+    ProjectedEllipse circle = circle_at(s);
+    for (int k = 0; k < 2; ++k) {
+      circle.centre[k] += strand.middle() * circle.major[k];
+      circle.major[k] *= strand.half();
+      circle.minor[k] *= strand.half();
+    }
+    return circle;
+  }
+  // Where it leaves the ball at its foot, in the mean of its circle.
+  double begin_of(const Strand &strand, double foot_radius) const {
+    const double squared = strand.middle() * strand.middle() + strand.half() * strand.half();
+    return std::sqrt(foot_radius * foot_radius - squared * radius * radius);
+  }
   Vec3 on_axis(double s) const { return combine(1.0, foot, s, axis); }
   Segment axis_between(double from, double to) const { return {on_axis(from), on_axis(to)}; }
   Segment axis_of(uint32_t part) const { return axis_between(begin_of(part), end_of(part)); }

@@ -73,10 +73,13 @@ Status StickViewBuilder::add_stick(const BallSet &balls, uint32_t k, const Stick
   if (ends.first == ends.second) return refuse(StickConflict::same_ends, k, k);
   const uint32_t one = grid_of_[ends.first];
   const uint32_t other = grid_of_[ends.second];
+  if (ends.strands != StickStrands::one) radius *= radius_of_several;
   for (const uint32_t ball : {one, other}) {
     if (!(view_.balls[ball].r > radius)) return refuse(StickConflict::thin_ball, k, balls.caller[ball]);
   }
-  view_.sticks.push(make_stick(one, other, radius, k, ends.whole));
+  Stick stick = make_stick(one, other, radius, k, ends.whole);
+  stick.strands = ends.strands;
+  view_.sticks.push(stick);
   return Status::ok;
 }
 

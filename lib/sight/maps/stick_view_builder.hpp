@@ -25,13 +25,14 @@ namespace hsp {
 struct StickEnds {
   uint32_t first, second;
   bool whole;
+  StickStrands strands = StickStrands::one;
 };
 
 class StickViewBuilder {
  public:
   void carve(Workspace &workspace, const StickLimits &limits);
 
-  // radius: of all sticks, in lattice steps, positive. as_map: a map also where there is an order.
+  // radius: of all sticks of one strand, in lattice steps, positive. as_map: a map also where there is an order.
   // Status::capacity if a limit is too small; needed() then tells what suffices, with 0 for what is not known yet.
   // Status::conflict if it cannot be drawn; violation() tells why. It also tells why there is no drawing order where
   // there is a result without. Status::check if there is none because roundings cannot be overcome, Status::not_finite

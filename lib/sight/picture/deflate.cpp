@@ -5,7 +5,7 @@
 namespace hsp {
 namespace {
 
-// Places looked at for a repeat.
+// Positions looked at for a repeat.
 constexpr uint32_t most_tries = 48;
 
 // Of Adler's checksum, a sum below twice this prime modulo the prime.
@@ -58,7 +58,7 @@ void Deflater::carve(Workspace &workspace) {
   count_ = workspace.take<uint32_t>(lengths);
   header_ = workspace.take<uint32_t>(lengths + 32);
   // Nothing is in reach of the first byte.
-  for (uint32_t &place : last_) place = 0U - 2 * window;
+  for (uint32_t &position : last_) position = 0U - 2 * window;
   // Deflate with this window; a check that makes it a multiple of 31; no more than that.
   const uint32_t method = (window_bits - 8) << 4 | 8U;
   const uint32_t level = 2U << 6;
@@ -94,14 +94,14 @@ Deflater::Repeat Deflater::longest_repeat(uint32_t at) const {
   Repeat best{0, 0};
   const uint32_t ahead = received_ - at, most = ahead < most_repeated ? ahead : most_repeated;
   if (most < least_repeated) return best;
-  uint32_t place = last_[hash(at)];
-  for (uint32_t tries = 0; tries < most_tries && at - place <= window; ++tries) {
+  uint32_t position = last_[hash(at)];
+  for (uint32_t tries = 0; tries < most_tries && at - position <= window; ++tries) {
     uint32_t length = 0;
-    while (length < most && byte(place + length) == byte(at + length)) ++length;
-    if (length > best.length) best = {length, at - place};
-    const uint32_t step = back_[place % window];
+    while (length < most && byte(position + length) == byte(at + length)) ++length;
+    if (length > best.length) best = {length, at - position};
+    const uint32_t step = back_[position % window];
     if (length == most || step == 0) break;
-    place -= step;
+    position -= step;
   }
   return best;
 }

@@ -132,8 +132,8 @@ class Deflater {
   void put_header(Bits bits) { header_[header_size_++] = bits.value << 8 | bits.count; }
 
   Span<uint8_t> ring_;
-  Span<uint16_t> back_;    // [window] from a place to the last one before with the same hash; 0: none in reach
-  Span<uint32_t> last_;    // [hashes] the last place with this hash
+  Span<uint16_t> back_;    // [window] from a position to the last one before with the same hash; 0: none in reach
+  Span<uint32_t> last_;    // [hashes] the last position with this hash
   Span<uint32_t> item_;    // [block]
   Span<char> out_;         // [out_bytes]
   Span<uint32_t> count_;   // [literals + distances]

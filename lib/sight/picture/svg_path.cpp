@@ -26,12 +26,12 @@ int64_t magnitude(int64_t n) {
 void SvgPath::begin(const PagePoint &point) {
   put_command('M');
   pen_ = {0, 0};
-  move_to(place_of(point));
+  move_to(written(point));
 }
 
 void SvgPath::line_to(const PagePoint &point) {
   put_command('l');
-  move_to(place_of(point));
+  move_to(written(point));
 }
 
 // Counter-clockwise with y up is sweep 0 with y down.
@@ -52,12 +52,12 @@ void SvgPath::follow(const PageArc &arc, int circle_decimals) {
     put_number(scaled(rotation, rotation_decimals), rotation_decimals);
     put_number((to - from) * arc.span() > pi ? 1 : 0, 0);
     put_number(arc.to > arc.from ? 0 : 1, 0);
-    move_to(place_of(to < 1.0 ? arc.at(arc.from + (arc.to - arc.from) * to) : arc.end));
+    move_to(written(to < 1.0 ? arc.at(arc.from + (arc.to - arc.from) * to) : arc.end));
   }
 }
 
 void SvgPath::follow(const InkCurve &curve) {
-  const Place control = place_of(curve.control), end = place_of(curve.end);
+  const WrittenPoint control = written(curve.control), end = written(curve.end);
   // The curve's middle is halfway between the line's middle and the control point.
   const bool straight =
       magnitude(2 * control.x - pen_.x - end.x) <= 4 && magnitude(2 * control.y - pen_.y - end.y) <= 4;
@@ -87,14 +87,14 @@ void SvgPath::put_number(int64_t n, int decimals) {
   fraction_ = n % one != 0;
 }
 
-void SvgPath::put_step_to(const Place &place) {
-  put_number(place.x - pen_.x, decimals_);
-  put_number(place.y - pen_.y, decimals_);
+void SvgPath::put_step_to(const WrittenPoint &to) {
+  put_number(to.x - pen_.x, decimals_);
+  put_number(to.y - pen_.y, decimals_);
 }
 
-void SvgPath::move_to(const Place &place) {
-  put_step_to(place);
-  pen_ = place;
+void SvgPath::move_to(const WrittenPoint &to) {
+  put_step_to(to);
+  pen_ = to;
 }
 
 }  // namespace hsp

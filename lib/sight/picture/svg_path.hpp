@@ -34,22 +34,22 @@ class SvgPath {
 
  private:
   // In units of the last decimal.
-  struct Place {
+  struct WrittenPoint {
     int64_t x, y;
   };
-  Place place_of(const PagePoint &point) const {
+  WrittenPoint written(const PagePoint &point) const {
     return {scaled((point.x - frame_.origin.x) / frame_.unit, decimals_),
             scaled((frame_.origin.y - point.y) / frame_.unit, decimals_)};
   }
   void put_command(char command);
   void put_number(int64_t n, int decimals);
-  void put_step_to(const Place &place);
-  void move_to(const Place &place);
+  void put_step_to(const WrittenPoint &to);
+  void move_to(const WrittenPoint &to);
 
   ByteSink &sink_;
   SvgFrame frame_;
   int decimals_;
-  Place pen_{0, 0};
+  WrittenPoint pen_{0, 0};
   char last_ = '\0';       // the last command
   bool apart_ = true;      // whether a number can follow as it is
   bool fraction_ = false;  // whether the last number has a decimal point

@@ -72,16 +72,12 @@ DiscCells DepthBuffer::cells_of(double x, double y, double radius, double square
   cells.first_row = rows.first;
   cells.rows = fewer(rows);
   const DiscOnCells disc{x, y, squared, left_, bottom_, cell_, edge};
-  if (wide_) {
-    measure_cells_avx2(disc, cells);
-  } else {
-    measure_cells(disc, cells);
-  }
+  measure_cells(target_, disc, cells);
   return cells;
 }
 
 void DepthBuffer::carve(Workspace &workspace, uint32_t balls) {
-  wide_ = workspace.target() == Target::avx2;
+  target_ = workspace.target();
   const uint64_t wanted = cells_per_ball * balls + further_cells;
   const uint64_t cells = wanted < most_cells ? wanted : most_cells;
   floor_ = workspace.take<float>(cells);
@@ -105,6 +101,7 @@ void DepthBuffer::lay_out(const BoundingBox &box, double extent, double largest)
   const double cells = static_cast<double>(floor_.size());
   const double width = box.right - box.left;
   const double height = box.top - box.bottom;
+  // More floats than cells, by a row and a column.
   while ((width / cell_ + 2.0) * (height / cell_ + 2.0) > cells) cell_ *= 1.25;
   cells_per_length_ = 1.0 / cell_;
   columns_ = static_cast<uint32_t>(width / cell_) + 1;
@@ -174,7 +171,7 @@ bool DepthBuffer::hides(const ProjectedBall &disc) const {
   const double R = disc.r + 4 * margin_;
   const DiscCells cells = cells_of(disc.x, disc.y, R, R * R * (1.0 + 0x1p-40), CellEdge::nearest);
   const double base = disc.z + 4 * margin_;
-  return wide_ ? hides_avx2(floor_cells(), cells, base) : hides_one_by_one(floor_cells(), cells, base);
+  return hsp::hides(target_, floor_cells(), cells, base);
 }
 
 // The ball made smaller by the margin raises the floor of the cells that it fills, to the height above their farthest
@@ -186,11 +183,7 @@ void DepthBuffer::raise(const ProjectedBall &disc) {
   if (R <= 0.0) return;
   const DiscCells cells = cells_of(disc.x, disc.y, R, R * R * (1.0 - 0x1p-40), CellEdge::farthest);
   const double base = disc.z - 4 * margin_;
-  if (wide_) {
-    raise_avx2(floor_cells(), cells, base, margin_);
-  } else {
-    raise_one_by_one(floor_cells(), cells, base, margin_);
-  }
+  hsp::raise(target_, floor_cells(), cells, base, margin_);
 }
 
 }  // namespace hsp

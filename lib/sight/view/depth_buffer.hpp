@@ -44,9 +44,6 @@ class DepthBuffer {
   // Takes the ball's front into account.
   void raise(const ProjectedBall &disc);
 
-  // For tests.
-  void do_without_wide_code() { wide_ = false; }
-
  private:
   DiscCells cells_of(double x, double y, double radius, double squared, CellEdge edge) const;
   FloorCells floor_cells() const { return {floor_.data(), columns_, stale_.data(), coarse_columns_}; }
@@ -64,7 +61,7 @@ class DepthBuffer {
   uint32_t columns_ = 0, rows_ = 0;
   uint32_t coarse_columns_ = 0, coarse_rows_ = 0;
   uint32_t tile_columns_ = 0;
-  bool wide_ = false;
+  Target target_ = Target::baseline;
 };
 
 }  // namespace hsp

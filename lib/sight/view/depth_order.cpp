@@ -58,10 +58,10 @@ void sort_by_depth(const BallSet &balls, const ViewFrame &frame, Span<DepthKey> 
   const double part_of_spread = nearest > farthest ? 1.0 / (nearest - farthest) : 0.0;
   sort_by_slot(
       keys, scratch,
-      [&](const DepthKey &key, uint32_t places) {
-        const uint32_t place =
-            static_cast<uint32_t>((key.depth - farthest) * part_of_spread * static_cast<double>(places));
-        return place < places ? place : places - 1;
+      [&](const DepthKey &key, uint32_t slots) {
+        const uint32_t slot =
+            static_cast<uint32_t>((key.depth - farthest) * part_of_spread * static_cast<double>(slots));
+        return slot < slots ? slot : slots - 1;
       },
       [&](const DepthKey &a, const DepthKey &b) {
         const double difference = a.depth - b.depth;

@@ -103,9 +103,9 @@ void OcclusionCuller::order_cubes(uint32_t cubes) {
   const auto bucket_of = [&](uint32_t cube) {
     const double top = static_cast<double>(extent_[cube].height);
     if (top < lowest_top_) return most_buckets;
-    const double place = (highest_top_ - top) * scale;
-    if (place >= most_buckets - 1) return most_buckets - 1;
-    return place > 0.0 ? static_cast<uint32_t>(place) : 0U;
+    const double bucket = (highest_top_ - top) * scale;
+    if (bucket >= most_buckets - 1) return most_buckets - 1;
+    return bucket > 0.0 ? static_cast<uint32_t>(bucket) : 0U;
   };
   ordered_ =
       sort_to_rows(bucket_, most_buckets, cubes, bucket_of, [this](uint32_t at, uint32_t cube) { order_[at] = cube; });

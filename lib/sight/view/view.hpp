@@ -11,9 +11,7 @@
 namespace hsp {
 
 struct ViewLimits {
-  uint32_t balls = 0;
-  uint32_t neighbours = 0;
-  uint32_t arcs = 0;
+  uint32_t balls = 0, neighbours = 0, arcs = 0;
 };
 
 // Limits that suffice for most molecules. Status::range if one would be larger than max_count.

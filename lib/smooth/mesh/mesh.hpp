@@ -27,7 +27,7 @@ struct MeshVertex {
 struct MeshTriangle {
   uint32_t vertex[3];  // counter-clockwise, seen from outside
   uint32_t patch;
-  uint32_t ball;  // of a saddle the one on whose side of the narrowest place it lies, of a concave patch the one that
+  uint32_t ball;  // of a saddle the one on whose side of the waist it lies, of a concave patch the one that
                   // the probe touches nearest to it
   PatchKind kind;
 };

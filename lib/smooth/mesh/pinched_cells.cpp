@@ -20,7 +20,7 @@ void SphericalPatch::add_cell(uint32_t face, const uint32_t *corner, uint32_t co
     }
     return;
   }
-  const uint32_t centre = add_extra(face, place_of(corner[0]));
+  const uint32_t centre = add_extra(face, direction_of(corner[0]));
   for (uint32_t k = 0; k < count; ++k) ears_.push({face, {centre, corner[k], corner[(k + 1) % count]}});
 }
 
@@ -28,7 +28,7 @@ void SphericalPatch::add_cell(uint32_t face, const uint32_t *corner, uint32_t co
 uint32_t SphericalPatch::middle_of(uint32_t a, uint32_t b) {
   if (a == b) return no_id;
   if (links_[b].next != a && !samples_[a].may_be_joined_elsewhere(samples_[b])) return no_id;
-  return add_extra(links_[a].face, place_between(a, b));
+  return add_extra(links_[a].face, direction_between(a, b));
 }
 
 // A wedge may end where the border without length begins that leads to its own begin.
@@ -140,7 +140,7 @@ bool SphericalPatch::add_necks() {
       add_cell(links_[k].face, corner, 3);
       continue;
     }
-    const uint32_t centre = add_extra(links_[k].face, place_of(k));
+    const uint32_t centre = add_extra(links_[k].face, direction_of(k));
     if (samples_.overflowed()) return false;
     uint32_t before = k;
     for_each_of_neck(k, [&](uint32_t sample) {
@@ -151,7 +151,7 @@ bool SphericalPatch::add_necks() {
   return true;
 }
 
-// Faces that are there and have no extent, as those of a ball that is a point: all of the border is in one place. One
+// Faces that are there and have no extent, as those of a ball that is a point: all of the border is at one point. One
 // way leads around all loops, from the first one to every other one and back. Beside it runs another one, with a point
 // of its own for every step, and that one closes around a point.
 bool SphericalPatch::add_faces_without_extent() {
@@ -178,13 +178,13 @@ bool SphericalPatch::add_faces_without_extent() {
 void SphericalPatch::add_face_without_extent(uint32_t first_loop, uint32_t last_loop) {
   const uint32_t start = loops_[first_loop].first;
   const uint32_t face = loops_[first_loop].face;
-  const Vec3 place = place_of(start);
-  const uint32_t centre = add_extra(face, place);
-  const uint32_t inner_start = add_extra(face, place);
+  const Vec3 direction = direction_of(start);
+  const uint32_t centre = add_extra(face, direction);
+  const uint32_t inner_start = add_extra(face, direction);
   uint32_t at = start;
   uint32_t inner = inner_start;
   const auto step = [&](uint32_t to, bool closes) {
-    const uint32_t inner_to = closes ? inner_start : add_extra(face, place);
+    const uint32_t inner_to = closes ? inner_start : add_extra(face, direction);
     ears_.push({face, {at, to, inner_to}});
     ears_.push({face, {at, inner_to, inner}});
     ears_.push({face, {centre, inner, inner_to}});
@@ -194,7 +194,7 @@ void SphericalPatch::add_face_without_extent(uint32_t first_loop, uint32_t last_
   for (uint32_t loop = first_loop; loop < last_loop; ++loop) {
     uint32_t bridge = no_id;
     if (loop > first_loop) {
-      bridge = add_extra(face, place);
+      bridge = add_extra(face, direction);
       step(bridge, false);
       step(loops_[loop].first, false);
     }

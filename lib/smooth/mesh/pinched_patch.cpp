@@ -111,7 +111,7 @@ bool SphericalPatch::add_detour(uint32_t sample, uint32_t obstacle) {
   if (best == no_id) return false;
   const uint32_t there = sample_at_[best];
   const uint32_t added =
-      add_extra(links_[sample].face, there == no_id ? to_double(sphere_.point(best)) : place_of(there));
+      add_extra(links_[sample].face, there == no_id ? to_double(sphere_.point(best)) : direction_of(there));
   if (samples_.overflowed()) return false;
   links_[added].next = next;
   links_[added].previous = sample;
@@ -147,25 +147,19 @@ bool SphericalPatch::find_covered() {
   bool any = false;
   for (uint32_t k = 0; k < linked_samples_ && !any; ++k) any = has_length(k);
   for (uint32_t t = 0; t < triangles; ++t) parts_[t].face = unknown;
-  uint32_t waiting = 0;
-  const auto take = [&](uint32_t t, uint32_t state) {
-    if (parts_[t].face != unknown) return parts_[t].face == state;
-    parts_[t].face = state;
-    queue_[waiting++] = t;
-    return true;
-  };
+  waiting_ = 0;
   for (uint32_t t = 0; t < triangles; ++t) {
     for (uint32_t e = 0; e < 3; ++e) {
       if (parts_[t].strand[e] == no_id || strand_back({t, e}) != no_id) continue;
-      if (!take(t, uncovered) || !take(sphere_.triangle(t).neighbour[e], no_id)) return false;
+      if (!take(t, unknown, uncovered) || !take(sphere_.triangle(t).neighbour[e], unknown, no_id)) return false;
     }
   }
-  if (waiting == 0) take(0, !any || has_covered_point() ? no_id : uncovered);
-  while (waiting > 0) {
-    const uint32_t t = queue_[--waiting];
+  if (waiting_ == 0) take(0, unknown, !any || has_covered_point() ? no_id : uncovered);
+  while (waiting_ > 0) {
+    const uint32_t t = queue_[--waiting_];
     for (uint32_t e = 0; e < 3; ++e) {
       const bool balanced = (parts_[t].strand[e] == no_id) == (strand_back({t, e}) == no_id);
-      if (balanced && !take(sphere_.triangle(t).neighbour[e], parts_[t].face)) return false;
+      if (balanced && !take(sphere_.triangle(t).neighbour[e], unknown, parts_[t].face)) return false;
     }
   }
   return true;
@@ -185,22 +179,16 @@ bool SphericalPatch::has_covered_point() const {
 }
 
 bool SphericalPatch::name_faces() {
-  uint32_t waiting = 0;
-  const auto take = [&](uint32_t t, uint32_t face) {
-    if (parts_[t].face != uncovered) return parts_[t].face == face;
-    parts_[t].face = face;
-    queue_[waiting++] = t;
-    return true;
-  };
+  waiting_ = 0;
   for (uint32_t first = 0; first < sphere_.triangle_count(); ++first) {
     for (const uint32_t strand : parts_[first].strand) {
-      if (strand != no_id && parts_[first].face != no_id && !take(first, links_[strand].face)) return false;
+      if (strand != no_id && parts_[first].face != no_id && !take(first, uncovered, links_[strand].face)) return false;
     }
-    while (waiting > 0) {
-      const uint32_t t = queue_[--waiting];
+    while (waiting_ > 0) {
+      const uint32_t t = queue_[--waiting_];
       for (uint32_t e = 0; e < 3; ++e) {
         const bool is_open = parts_[t].strand[e] == no_id && strand_back({t, e}) == no_id;
-        if (is_open && !take(sphere_.triangle(t).neighbour[e], parts_[t].face)) return false;
+        if (is_open && !take(sphere_.triangle(t).neighbour[e], uncovered, parts_[t].face)) return false;
       }
     }
   }

@@ -40,7 +40,7 @@ class SaddleBand {
     uint32_t ball;
   };
   Point on_ball(uint32_t side, const Vec3 &outward) const;
-  // The ball on whose side of the narrowest place the middle of a row of `rows` lies.
+  // The ball on whose side of the waist the middle of a row of `rows` lies.
   uint32_t ball_of_row(uint32_t part, uint32_t row, uint32_t rows) const {
     return ball_[has_cusps_ ? part : profile(part, (row + 0.5) / rows) > 0.0 ? 1U : 0U];
   }

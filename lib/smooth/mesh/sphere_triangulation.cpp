@@ -1,6 +1,28 @@
 #include "mesh/sphere_triangulation.hpp"
 
 namespace hsp {
+namespace {
+
+// The triangles a q r and b r q at an edge of the first; u is the second.
+struct EdgeTriangles {
+  SphereTriangle first, second;
+  uint32_t u, a, b, q, r;
+};
+
+EdgeTriangles triangles_at(Span<const SphereTriangle> triangles, uint32_t t, uint32_t edge) {
+  const SphereTriangle &first = triangles[t];
+  const uint32_t u = first.neighbour[edge];
+  const SphereTriangle &second = triangles[u];
+  return {first,
+          second,
+          u,
+          first.point[edge],
+          second.point[second.edge_towards(t)],
+          first.point[next_corner(edge)],
+          first.point[previous_corner(edge)]};
+}
+
+}  // namespace
 
 void SphereTriangulation::carve(Workspace &workspace, uint32_t points) {
   const uint64_t triangles = 2 * uint64_t{points};  // 2 n - 4
@@ -127,14 +149,7 @@ void SphereTriangulation::split_triangle(uint32_t t, uint32_t p) {
 //     t     b    ->     t1 | t2
 //    q ----- r         q - p - r      below likewise
 void SphereTriangulation::split_edge(uint32_t t, uint32_t edge, uint32_t p) {
-  const SphereTriangle above = triangle_[t];
-  const uint32_t u = above.neighbour[edge];
-  const SphereTriangle below = triangle_[u];
-  const uint32_t below_edge = below.edge_towards(t);
-  const uint32_t a = above.point[edge];
-  const uint32_t q = above.point[next_corner(edge)];
-  const uint32_t r = above.point[previous_corner(edge)];
-  const uint32_t b = below.point[below_edge];
+  const auto [above, below, u, a, b, q, r] = triangles_at(triangle_, t, edge);
   const uint32_t t2 = triangle_count_;
   const uint32_t u2 = triangle_count_ + 1;
   triangle_count_ += 2;
@@ -175,18 +190,11 @@ bool SphereTriangulation::wants_flip(uint32_t t, uint32_t edge) const {
 
 // The edge q r of the triangles a q r and b r q gives way to a b: afterwards they are a q b and a b r.
 void SphereTriangulation::flip(uint32_t t, uint32_t edge) {
-  const SphereTriangle one = triangle_[t];
-  const uint32_t u = one.neighbour[edge];
-  const SphereTriangle other = triangle_[u];
-  const uint32_t other_edge = other.edge_towards(t);
-  const uint32_t a = one.point[edge];
-  const uint32_t q = one.point[next_corner(edge)];
-  const uint32_t r = one.point[previous_corner(edge)];
-  const uint32_t b = other.point[other_edge];
+  const auto [one, other, u, a, b, q, r] = triangles_at(triangle_, t, edge);
   const uint32_t opposite_q = next_corner(edge);  // edge r a
   const uint32_t opposite_r = previous_corner(edge);
-  const uint32_t opposite_r_below = next_corner(other_edge);  // edge q b
-  const uint32_t opposite_q_below = previous_corner(other_edge);
+  const uint32_t opposite_r_below = other.corner_of(r);  // edge q b
+  const uint32_t opposite_q_below = other.corner_of(q);
   set_triangle(t, {{a, q, b},
                    {other.neighbour[opposite_r_below], u, one.neighbour[opposite_r]},
                    {other.fixed[opposite_r_below], false, one.fixed[opposite_r]}});
@@ -372,8 +380,8 @@ bool SphereTriangulation::fix_edge(uint32_t a, uint32_t b, uint32_t &obstacle) {
         crosses = !at_end && side(a, b, next.a) * side(a, b, next.b) < 0;
       }
       if (!crosses) continue;
-      const uint32_t place = head + waiting;
-      crossing_[place < ring ? place : place - ring] = next;
+      const uint32_t slot = head + waiting;
+      crossing_[slot < ring ? slot : slot - ring] = next;
       ++waiting;
     }
     if (!find_edge(a, b, found)) {

@@ -76,7 +76,7 @@ bool SphericalPatch::is_covered(const Vec3 &direction) const {
 }
 
 // On the way between samples, half of it or nearer to an end, where it is free; at the end if it is nowhere.
-Vec3 SphericalPatch::place_between(uint32_t a, uint32_t b) const {
+Vec3 SphericalPatch::direction_between(uint32_t a, uint32_t b) const {
   constexpr double most_weight = 31.0;
   const Vec3 from = to_double(sphere_.point(links_[a].point));
   const Vec3 to = to_double(sphere_.point(links_[b].point));
@@ -86,7 +86,7 @@ Vec3 SphericalPatch::place_between(uint32_t a, uint32_t b) const {
     const Vec3 nearer_to = combine(1.0, from, weight, to);
     if (!is_covered(nearer_to)) return nearer_to;
   }
-  return place_of(a);
+  return direction_of(a);
 }
 
 // The orientation with the fewest corners near a border.
@@ -269,30 +269,24 @@ bool SphericalPatch::name_triangles(bool pinched) {
 bool SphericalPatch::spread_faces() {
   const uint32_t triangles = sphere_.triangle_count();
   for (uint32_t t = 0; t < triangles; ++t) parts_[t] = Part{};
-  uint32_t waiting = 0;
-  const auto take = [&](uint32_t t, uint32_t face) {
-    if (parts_[t].face != no_id) return parts_[t].face == face;
-    parts_[t].face = face;
-    queue_[waiting++] = t;
-    return true;
-  };
-  if (loops_.size() == 0) take(0, 0);
+  waiting_ = 0;
+  if (loops_.size() == 0) take(0, no_id, 0);
   for (uint32_t loop = 0; loop < loops_.size(); ++loop) {
     for (uint32_t k = loops_[loop].first; k < last_sample(loop); ++k) {
       if (links_[k].next == no_id) continue;
       TriangleEdge left;
       if (!sphere_.find_edge(links_[k].point, links_[links_[k].next].point, left)) return false;
       uint32_t &strand = parts_[left.triangle].strand[left.edge];
-      if (strand != no_id || !take(left.triangle, loops_[loop].face)) return false;
+      if (strand != no_id || !take(left.triangle, no_id, loops_[loop].face)) return false;
       strand = k;
     }
   }
-  while (waiting > 0) {
-    const uint32_t t = queue_[--waiting];
+  while (waiting_ > 0) {
+    const uint32_t t = queue_[--waiting_];
     for (uint32_t e = 0; e < 3; ++e) {
       if (sphere_.triangle(t).fixed[e]) {
         if (parts_[t].strand[e] == no_id) return false;  // a border from behind
-      } else if (!take(sphere_.triangle(t).neighbour[e], parts_[t].face)) {
+      } else if (!take(sphere_.triangle(t).neighbour[e], no_id, parts_[t].face)) {
         return false;
       }
     }

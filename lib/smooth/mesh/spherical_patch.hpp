@@ -101,7 +101,7 @@ class SphericalPatch {
     // Where borders are pinched:
     bool closed;
     uint32_t face;
-    uint32_t closing;  // the sample in the same place where the next border ends, counter-clockwise from the way to the
+    uint32_t closing;  // the sample at the same point where the next border ends, counter-clockwise from the way to the
                        // next one on; no_id if there is no such way
     uint32_t middle;   // a sample between this one and that, if there has to be one, else no_id
   };
@@ -123,8 +123,8 @@ class SphericalPatch {
   }
   bool is_near_cap(const Vec3 &direction);
   bool is_covered(const Vec3 &direction) const;
-  Vec3 place_of(uint32_t sample) const { return unit(samples_[sample].direction, {0.0, 0.0, 1.0}); }
-  Vec3 place_between(uint32_t a, uint32_t b) const;
+  Vec3 direction_of(uint32_t sample) const { return unit(samples_[sample].direction, {0.0, 0.0, 1.0}); }
+  Vec3 direction_between(uint32_t a, uint32_t b) const;
   uint32_t choose_octahedron() const;
   void add_inner_points();
   void insert_points();
@@ -136,6 +136,13 @@ class SphericalPatch {
   bool has_coarse_borders() const;
   bool name_triangles(bool pinched);
   bool spread_faces();
+  // Gives triangle t, which had none, a face to hand on. False if it has another one.
+  bool take(uint32_t t, uint32_t none, uint32_t face) {
+    if (parts_[t].face != none) return parts_[t].face == face;
+    parts_[t].face = face;
+    queue_[waiting_++] = t;
+    return true;
+  }
   bool name_corners();
   bool has_right_numbers();
   // Takes the triangles off the balances of their faces and adds twice the points inside: whether all are 0 then.
@@ -177,6 +184,7 @@ class SphericalPatch {
   uint32_t border_samples_ = 0;  // if pinched; those behind belong to no border
   uint32_t linked_samples_ = 0;  // of these, those behind are linked to nothing
   uint64_t needed_points_ = 0;
+  uint32_t waiting_ = 0;      // in the queue
   uint32_t border_caps_ = 0;  // those behind are about corners of the octahedron
   uint32_t latest_cap_ = 0;
   SphereTriangulation sphere_;
@@ -188,7 +196,7 @@ class SphericalPatch {
   FixedVector<RoundedDirection> inputs_;  // the samples, then points inside
   Span<uint32_t> sample_at_;              // [points] a sample that lies there, or no_id
   Span<Part> parts_;                      // [triangles]
-  Span<uint32_t> queue_;                  // [triangles]
+  Span<uint32_t> queue_;                  // [triangles] of those that wait to hand their face on
   Span<int64_t> balance_;                 // [points] for each face, of Euler's formula
 };
 
@@ -230,7 +238,7 @@ void SphericalPatch::emit(NewVertex new_vertex, NewTriangle triangle) {
       const uint32_t one = parts_[t].corner[next_corner(e)];
       const uint32_t other = parts_[t].corner[previous_corner(e)];
       if (!samples_[one].may_be_joined_elsewhere(samples_[other])) continue;
-      const uint32_t middle = new_vertex(place_between(one, other));
+      const uint32_t middle = new_vertex(direction_between(one, other));
       parts_[t].middle[e] = middle;
       parts_[u].middle[sphere_.triangle(u).edge_towards(t)] = middle;
     }

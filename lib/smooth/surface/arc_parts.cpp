@@ -17,13 +17,13 @@ double angle_between(const Vec3 &a, const Vec3 &b) {
 uint32_t ArcParts::find(const RegionArc &arc, Span<const RegionCorner> corners, Part (&parts)[most]) const {
   const uint32_t k = arc.circle;
   if (SettledCircles::is_side(k)) return find_on_side(arc, corners, parts);
-  uint32_t in_place = 0;
-  probe_.for_each_in_place(k, [&in_place](uint32_t) { ++in_place; });
-  if (in_place == 1) {
+  uint32_t coincident = 0;
+  probe_.for_each_at_position(k, [&coincident](uint32_t) { ++coincident; });
+  if (coincident == 1) {
     parts[0] = {probe_.caps().ball[k], arc.angle};
     return 1;
   }
-  // The sides between vertices in one place, where their patches meet in a crease.
+  // The sides between vertices at one position, where their patches meet in a crease.
   const double height = circles_.height(k);
   const Vec3 axis = circles_.axis(k);
   const Vec3 centre = height * axis;
@@ -86,8 +86,8 @@ uint32_t ArcParts::find(const RegionArc &arc, Span<const RegionCorner> corners, 
   return count;
 }
 
-// Of an arc of a cap with several vertices in its place, that ends on the side between two of them, at a corner with
-// another probe or on a side with a vertex in the same place behind it: which of the two has this corner. no_id if
+// Of an arc of a cap with several vertices at its position, that ends on the side between two of them, at a corner with
+// another probe or on a side with a vertex at the same position behind it: which of the two has this corner. no_id if
 // there is no such side.
 uint32_t ArcParts::owner_of_end(uint32_t cap, const RegionCorner &end) const {
   const uint32_t other = end.other(cap);

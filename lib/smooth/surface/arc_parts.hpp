@@ -1,5 +1,5 @@
-// The parts of a free arc as settled_circles.hpp decides it: parts of the side, or creases with several vertices in one
-// place.
+// The parts of a free arc as settled_circles.hpp decides it: parts of the side, or creases with several vertices at one
+// position.
 #pragma once
 
 #include "surface/settled_circles.hpp"

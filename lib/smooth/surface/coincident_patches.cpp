@@ -56,7 +56,7 @@ double CoincidentPatches::depth_in(uint32_t vertex, const Vec3 &point, uint32_t 
 uint32_t CoincidentPatches::vertex_at(uint32_t cap, const Vec3 &point) const {
   uint32_t best = probe_.caps().ball[cap];
   double deepest = -2.0;
-  probe_.for_each_in_place(cap, [&](uint32_t vertex) {
+  probe_.for_each_at_position(cap, [&](uint32_t vertex) {
     const double depth = depth_in(vertex, point);
     if (depth > deepest || (depth == deepest && vertex < best)) {
       deepest = depth;
@@ -66,7 +66,7 @@ uint32_t CoincidentPatches::vertex_at(uint32_t cap, const Vec3 &point) const {
   return best;
 }
 
-// The inward normal of the side between two vertices in one place, seen from the first; 0 if there is none.
+// The inward normal of the side between two vertices at one position, seen from the first; 0 if there is none.
 Vec3 CoincidentPatches::normal_towards(uint32_t vertex, uint32_t opposite_probe) const {
   for (uint32_t slot = 0; slot < 3; ++slot) {
     if (across_cusps(vertex, slot) == opposite_probe) return triangle(vertex).inward[slot];

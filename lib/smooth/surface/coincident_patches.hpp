@@ -1,5 +1,5 @@
-// Vertices in one place, up to rounding, on the sphere of a probe: the triangles that they see, the sides between them,
-// and which of their patches has a point.
+// Vertices at one position, up to rounding, on the sphere of a probe: the triangles that they see, the sides between
+// them, and which of their patches has a point.
 //
 // Patches share the answers: they are asked in the order of the vertices, from the lowest one, so that all of them have
 // the same bits. Lengths in units of the smaller probe of cusped_circles.hpp, points on the unit sphere around the
@@ -42,27 +42,27 @@ class CoincidentPatches {
 
   // How far within the triangle that a vertex sees a point lies; of the sides besides one.
   double depth_in(uint32_t vertex, const Vec3 &point, uint32_t besides = no_id) const;
-  // Of the vertices in the place of a cap, the one whose patch has a point.
+  // Of the vertices at the position of a cap, the one whose patch has a point.
   uint32_t vertex_at(uint32_t cap, const Vec3 &point) const;
-  // Calls visit(vertex, across, slot, inward) for each side between two vertices in the place of a cap, once: of the
+  // Calls visit(vertex, across, slot, inward) for each side between two vertices at the position of a cap, once: of the
   // upper one, to the lower one across.
   template <class Visit>
   void for_each_side_between(uint32_t cap, Visit visit) const {
-    probe_.for_each_in_place(cap, [&](uint32_t vertex) {
+    probe_.for_each_at_position(cap, [&](uint32_t vertex) {
       const SeenTriangle seen = triangle(vertex);
       for (uint32_t slot = 0; slot < 3; ++slot) {
         const uint32_t across = across_cusps(vertex, slot);
         bool is_here = false;
-        probe_.for_each_in_place(cap, [&](uint32_t other) { is_here |= other == across && other < vertex; });
+        probe_.for_each_at_position(cap, [&](uint32_t other) { is_here |= other == across && other < vertex; });
         if (is_here) visit(vertex, across, slot, seen.inward[slot]);
       }
     });
   }
 
-  // Let two vertices be in one place, with a side between them, and two more probes meet them in a point of this side:
-  // the one of the two that has the corner of these two probes.
+  // Let two vertices be at one position, with a side between them, and two more probes meet them in a point of this
+  // side: the one of the two that has the corner of these two probes.
   uint32_t owner_of_corner(uint32_t vertex, uint32_t opposite_probe, uint32_t a, uint32_t b, const Vec3 &point) const;
-  // Let two pairs of vertices each be in one place, and two of their sides pass through a point where their spheres
+  // Let two pairs of vertices each be at one position, and two of their sides pass through a point where their spheres
   // meet: the one of the second pair that has the corner with both of the first.
   uint32_t owner_on_side(uint32_t vertex, uint32_t opposite_probe, uint32_t first, uint32_t second,
                          const Vec3 &point) const;

@@ -13,8 +13,8 @@ void ConcavePatches::clear(uint32_t vertices) {
   for (uint32_t v = 0; v < vertices; ++v) put(v, {});
 }
 
-// A vector area takes the place of the offset that it is computed from, after the last of its four has been read.
-void ConcavePatches::measure(const BallSet &balls, const Boundary &boundary, const ProbePlaces &places,
+// A vector area is stored over the offset that it is computed from, after the last of its four has been read.
+void ConcavePatches::measure(const BallSet &balls, const Boundary &boundary, const ProbePositions &positions,
                              const CutPatches &cut) {
   constexpr uint32_t lanes = ProbeTriangles::lanes;
   const uint32_t vertices = boundary.vertex_count();
@@ -23,7 +23,7 @@ void ConcavePatches::measure(const BallSet &balls, const Boundary &boundary, con
     const uint32_t count = vertices - first < lanes ? vertices - first : lanes;
     FourVertices four;
     for (uint32_t lane = 0; lane < lanes; ++lane) four[lane] = first + (lane < count ? lane : 0);
-    measure_triangles(balls, boundary, places, four, triangles);
+    measure_triangles(balls, boundary, positions, four, triangles);
     for (uint32_t lane = 0; lane < count; ++lane) {
       const uint32_t v = first + lane;
       if (cut.is_cut(v)) {
@@ -32,7 +32,7 @@ void ConcavePatches::measure(const BallSet &balls, const Boundary &boundary, con
       }
       const Vec3 vector_area{triangles.vector_area[0][lane], triangles.vector_area[1][lane],
                              triangles.vector_area[2][lane]};
-      put(v, ConcaveScale(balls, boundary, places[v]).patch(triangles.steradians[lane], vector_area));
+      put(v, ConcaveScale(balls, boundary, positions[v]).patch(triangles.steradians[lane], vector_area));
     }
   }
 }

@@ -20,16 +20,16 @@ struct ConcaveScale {
   }
 };
 
-// They take the place of the grid of probes, once nobody searches any more: there is memory for one of both. So whole
-// patches, which the search has measured already, are measured once more.
+// They are stored where the grid of probes was, once nobody searches any more: there is memory for one of both. So
+// whole patches, which the search has measured already, are measured once more.
 class ConcavePatches {
  public:
   void use(const ProbeGrid &grid) {
     vector_area_ = grid.shared_vectors();
     area_and_volume_ = grid.shared_doubles();
   }
-  // The probes must stand at their places; they do not any more thereafter.
-  void measure(const BallSet &balls, const Boundary &boundary, const ProbePlaces &places, const CutPatches &cut);
+  // The probes must stand at their positions; they do not any more thereafter.
+  void measure(const BallSet &balls, const Boundary &boundary, const ProbePositions &positions, const CutPatches &cut);
   // Without a probe.
   void clear(uint32_t vertices);
 

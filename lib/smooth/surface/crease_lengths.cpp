@@ -26,9 +26,9 @@ bool CreaseLengths::agree(uint32_t arc) const {
 
 CreaseLengths::ArcCircle CreaseLengths::circle_of(uint32_t vertex, const PatchArc &arc) const {
   const double error = vertex_error * length_;
-  const Vec3 at = place_of(vertex);
+  const Vec3 at = offset_of(vertex);
   if (!arc.is_side()) {
-    const Vec3 to = place_of(arc.across) - at;
+    const Vec3 to = offset_of(arc.across) - at;
     const double distance = std::sqrt(dot(to, to));
     if (!(distance > 0.0)) return {{0.0, 0.0, 0.0}, 0.0, 1.0};
     return {(1.0 / distance) * to, distance / (2 * probe_), 14 * error / distance + rounding_of_planes};
@@ -68,7 +68,7 @@ Vec3 CreaseLengths::centre_of(uint32_t ball) const {
   return offset_from_origin(balls_, boundary_, ball);
 }
 
-Vec3 CreaseLengths::place_of(uint32_t vertex) const {
+Vec3 CreaseLengths::offset_of(uint32_t vertex) const {
   const Position position = position_of_probe(balls_, boundary_, vertex);
   return centre_of(position.ball) + position.offset;
 }

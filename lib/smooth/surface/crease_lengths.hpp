@@ -41,7 +41,7 @@ class CreaseLengths {
   ArcCircle circle_of(uint32_t vertex, const PatchArc &arc) const;
   double uncertainty_of_ends(uint32_t arc) const;
   Vec3 centre_of(uint32_t ball) const;
-  Vec3 place_of(uint32_t vertex) const;
+  Vec3 offset_of(uint32_t vertex) const;
 
   const BallSet &balls_;
   const Boundary &boundary_;

@@ -114,7 +114,7 @@ uint32_t FlatPatches::across_side(uint32_t slot) const {
   return gap_behind(balls_, boundary_, chosen_, boundary_.ball_of(e), e).vertex;
 }
 
-// The vertex across must be in the same place on the other side of the plane.
+// The vertex across must be at the same position on the other side of the plane.
 bool FlatPatches::add_crease(uint32_t across, double angle) {
   if (across == no_id || across == vertex_) return false;
   const Vec3 to = grid_.difference(balls_, vertex_, across);

@@ -143,7 +143,7 @@ void ProbeCaps::measure_sides(const BallSet &balls, const Boundary &boundary, co
     const uint32_t last = boundary.vertex_count() - 1;
     FourVertices four;
     for (uint32_t k = 0; k < ProbeTriangles::lanes; ++k) four[k] = first + k < last ? first + k : last;
-    measure_triangles(balls, boundary, grid.places(), four, triangles_);
+    measure_triangles(balls, boundary, grid.positions(), four, triangles_);
     measured_ = first;
     grid_ = &grid;
     build_ = grid.builds();
@@ -185,7 +185,7 @@ void ProbeCaps::find_gap(const BallSet &balls, const Boundary &boundary, uint32_
   gap_known_[slot] = true;
 }
 
-// By position, so that ids have no effect; of several vertices in one place the first stays, the others come last.
+// By position, so that ids have no effect; of several vertices at one position the first stays, the others come last.
 void ProbeCaps::sort_and_merge() {
   sort_in_place(others_.items(), [](const Other &a, const Other &b) {
     if (a.height != b.height) return a.height < b.height;

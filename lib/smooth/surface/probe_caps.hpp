@@ -50,10 +50,10 @@ class ProbeCaps {
     store_caps();
     amplification_ = 1.0 + side_error_ / (3 * unit_roundoff);
   }
-  // Calls visit(vertex) for the vertex of a cap of another probe, and for those in the same place that were left out
+  // Calls visit(vertex) for the vertex of a cap of another probe, and for those at the same position that were left out
   // for it.
   template <class Visit>
-  void for_each_in_place(uint32_t cap, Visit visit) const {
+  void for_each_at_position(uint32_t cap, Visit visit) const {
     const Other &own = others_[cap - sides];
     visit(own.vertex);
     for (uint32_t k = kept_; k < others_.size(); ++k) {

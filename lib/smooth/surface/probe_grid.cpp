@@ -58,8 +58,8 @@ int64_t floor_of(double x) {
   const int64_t truncated = static_cast<int64_t>(x);
   return truncated - static_cast<int64_t>(static_cast<double>(truncated) > x);
 }
-CubeCoordinates cube_at(const Vec3 &place) {
-  return {floor_of(place.x), floor_of(place.y), floor_of(place.z)};
+CubeCoordinates cube_at(const Vec3 &at) {
+  return {floor_of(at.x), floor_of(at.y), floor_of(at.z)};
 }
 
 void widen(double x, double &low, double &high) {
@@ -67,12 +67,12 @@ void widen(double x, double &low, double &high) {
   high = x > high ? x : high;
 }
 
-// The places of a vertex's balls in its record, by rank, in two bits each; and a bit for the sign that it has then.
+// The slots of a vertex's balls in its record, by rank, in two bits each; and a bit for the sign that it has then.
 // Mostly without branches: which of three balls comes first cannot be predicted.
 uint8_t order_of_rank(const BallSet &balls, const VertexRecord &vertex) {
   double x[3] = {balls.x[vertex.ball[0]], balls.x[vertex.ball[1]], balls.x[vertex.ball[2]]};
   const auto code = [](uint32_t first, uint32_t second, uint32_t third, bool negative) {
-    return static_cast<uint8_t>(first | second << 2 | third << 4 | (negative ? ProbePlaces::negative_bit : 0));
+    return static_cast<uint8_t>(first | second << 2 | third << 4 | (negative ? ProbePositions::negative_bit : 0));
   };
   if (x[0] == x[1] || x[1] == x[2] || x[0] == x[2]) [[unlikely]] {
     const OrderedVertex ordered =
@@ -80,14 +80,14 @@ uint8_t order_of_rank(const BallSet &balls, const VertexRecord &vertex) {
     const uint32_t *const ball = ordered.ball;
     return code(vertex.slot_of(ball[0]), vertex.slot_of(ball[1]), vertex.slot_of(ball[2]), ordered.sign < 0);
   }
-  uint32_t place[3] = {0, 1, 2};
+  uint32_t slot[3] = {0, 1, 2};
   uint32_t exchanges = vertex.positive() ? 0 : 1;
   const auto order = [&](int a, int b) {
     const bool exchange = x[b] < x[a];
     const uint32_t mask = 0U - static_cast<uint32_t>(exchange);
-    const uint32_t difference = (place[a] ^ place[b]) & mask;
-    place[a] ^= difference;
-    place[b] ^= difference;
+    const uint32_t difference = (slot[a] ^ slot[b]) & mask;
+    slot[a] ^= difference;
+    slot[b] ^= difference;
     const double smaller = exchange ? x[b] : x[a];
     x[b] = exchange ? x[a] : x[b];
     x[a] = smaller;
@@ -96,43 +96,44 @@ uint8_t order_of_rank(const BallSet &balls, const VertexRecord &vertex) {
   order(0, 1);
   order(1, 2);
   order(0, 1);
-  return code(place[0], place[1], place[2], (exchanges & 1U) != 0);
+  return code(slot[0], slot[1], slot[2], (exchanges & 1U) != 0);
 }
 
 }  // namespace
 
-void gather_triangles(const Boundary &boundary, const ProbePlaces &places, const FourVertices &vertices,
+void gather_triangles(const Boundary &boundary, const ProbePositions &positions, const FourVertices &vertices,
                       ProbeTriangles &triangles) {
   for (uint32_t lane = 0; lane < ProbeTriangles::lanes; ++lane) {
     const uint32_t v = vertices[lane];
     const VertexRecord &vertex = boundary.vertex(v);
-    const uint32_t order = places.order[v];
+    const uint32_t order = positions.order[v];
     for (int k = 0; k < 3; ++k) triangles.ball[k][lane] = vertex.ball[order >> 2 * k & 3U];
-    triangles.sign[lane] = (order & ProbePlaces::negative_bit) != 0 ? -1.0 : 1.0;
+    triangles.sign[lane] = (order & ProbePositions::negative_bit) != 0 ? -1.0 : 1.0;
     triangles.root_discriminant[lane] = boundary.root_discriminant(v);
   }
 }
 
-void measure_triangles(const BallSet &balls, const Boundary &boundary, const ProbePlaces &places,
+void measure_triangles(const BallSet &balls, const Boundary &boundary, const ProbePositions &positions,
                        const FourVertices &vertices, ProbeTriangles &triangles) {
-  gather_triangles(boundary, places, vertices, triangles);
+  gather_triangles(boundary, positions, vertices, triangles);
   for (uint32_t lane = 0; lane < ProbeTriangles::lanes; ++lane) {
-    const Vec3 &offset = places.offset[vertices[lane]];
+    const Vec3 &offset = positions.offset[vertices[lane]];
     triangles.offset[0][lane] = offset.x;
     triangles.offset[1][lane] = offset.y;
     triangles.offset[2][lane] = offset.z;
   }
   measure_triangles(boundary.target(), arrays_of(balls), triangles);
   for (uint32_t lane = 0; lane < ProbeTriangles::lanes; ++lane) {
-    if ((places.order[vertices[lane]] & ProbePlaces::touching_bit) != 0) triangles.steradians[lane] = lune_of_touching;
+    if ((positions.order[vertices[lane]] & ProbePositions::touching_bit) != 0)
+      triangles.steradians[lane] = lune_of_touching;
   }
 }
 
 void ProbeGrid::carve(Workspace &workspace, uint32_t vertices, uint64_t shared) {
   const auto at_least = [shared](uint64_t count) { return count > shared ? count : shared; };
-  place_.offset = workspace.take<Vec3>(vertices);
-  place_.ball = workspace.take<uint32_t>(at_least(vertices));
-  place_.order = workspace.take<uint8_t>(vertices);
+  position_.offset = workspace.take<Vec3>(vertices);
+  position_.ball = workspace.take<uint32_t>(at_least(vertices));
+  position_.order = workspace.take<uint8_t>(vertices);
   first_ = workspace.take<uint32_t>(at_least(uint64_t{buckets_for(vertices)} + 1));
   doubles_ = workspace.take<double>(4 * doubles_for(vertices));
 }
@@ -167,7 +168,7 @@ void ProbeGrid::choose_units(const BallSet &balls) {
   const double side = diameter * (1.0 + 0x1p-12) + 4.0;
   inverse_side_ = 1.0 / side;
   extent = (extent + static_cast<double>(balls.largest_radius)) * inverse_side_;
-  // Of a difference's coordinate: both places, and its own rounding.
+  // Of a difference's coordinate: both positions, and its own rounding.
   const double error = 2 * 0x1.001p-24 * extent + 0x1p-23;
   const double reach = diameter * inverse_side_;
   const double longest = reach + 2 * error;
@@ -184,11 +185,11 @@ Vec3 ProbeGrid::in_units(const BallSet &balls, const Position &position) const {
 }
 
 CubeCoordinates ProbeGrid::cube_of(const BallSet &balls, uint32_t vertex) const {
-  return cube_at(in_units(balls, place_[vertex]));
+  return cube_at(in_units(balls, position_[vertex]));
 }
 
-uint32_t ProbeGrid::bucket_of(const Vec3 &place) const {
-  const CubeCoordinates cube = cube_at(place);
+uint32_t ProbeGrid::bucket_of(const Vec3 &at) const {
+  const CubeCoordinates cube = cube_at(at);
   const uint64_t bucket =
       static_cast<uint64_t>(cube.x) + static_cast<uint64_t>(cube.y) * step_y + static_cast<uint64_t>(cube.z) * step_z;
   return static_cast<uint32_t>(bucket) & (buckets_ - 1);
@@ -213,13 +214,13 @@ void ProbeGrid::sort_by_cubes(const BallSet &balls) {
     const CubeCoordinates a = cube_of(balls, v), b = cube_of(balls, w);
     return a == b ? v < w : comes_before(a, b);
   });
-  for (uint32_t k = 0; k < probes_; ++k) store(k, in_units(balls, place_[vertex_[k]]), vertex_[k]);
+  for (uint32_t k = 0; k < probes_; ++k) store(k, in_units(balls, position_[vertex_[k]]), vertex_[k]);
 }
 
-void ProbeGrid::store(uint32_t to, const Vec3 &place, uint32_t vertex) {
-  x_[to] = static_cast<float>(place.x);
-  y_[to] = static_cast<float>(place.y);
-  z_[to] = static_cast<float>(place.z);
+void ProbeGrid::store(uint32_t to, const Vec3 &at, uint32_t vertex) {
+  x_[to] = static_cast<float>(at.x);
+  y_[to] = static_cast<float>(at.y);
+  z_[to] = static_cast<float>(at.z);
   vertex_[to] = vertex;
 }
 
@@ -230,12 +231,12 @@ uint32_t ProbeGrid::first_from(const BallSet &balls, const CubeCoordinates &cube
 
 void ProbeGrid::place_all(const BallSet &balls, const Boundary &boundary) {
   const uint32_t n = boundary.vertex_count();
-  for (uint32_t v = 0; v < n; ++v) place_.order[v] = order_of_rank(balls, boundary.vertex(v));
+  for (uint32_t v = 0; v < n; ++v) position_.order[v] = order_of_rank(balls, boundary.vertex(v));
   ProbeTriangles triangles;
   for (uint32_t first = 0; first < n; first += ProbeTriangles::lanes) {
     FourVertices four;
     for (uint32_t lane = 0; lane < ProbeTriangles::lanes; ++lane) four[lane] = first + lane < n ? first + lane : n - 1;
-    gather_triangles(boundary, place_, four, triangles);
+    gather_triangles(boundary, position_, four, triangles);
     place_probes(boundary.target(), arrays_of(balls), triangles);
     for (uint32_t lane = 0; lane < ProbeTriangles::lanes && first + lane < n; ++lane) {
       const uint32_t v = first + lane;
@@ -247,8 +248,8 @@ void ProbeGrid::place_all(const BallSet &balls, const Boundary &boundary) {
         place_touching(balls, boundary, v);
         continue;
       }
-      place_.ball[v] = position.ball;
-      place_.offset[v] = position.offset;
+      position_.ball[v] = position.ball;
+      position_.offset[v] = position.offset;
     }
   }
 }
@@ -256,9 +257,9 @@ void ProbeGrid::place_all(const BallSet &balls, const Boundary &boundary) {
 void ProbeGrid::place_touching(const BallSet &balls, const Boundary &boundary, uint32_t v) {
   const Position position = position_of_probe(balls, boundary, v);
   const Vec3 way = way_off_touching_point(balls, boundary, v);
-  if (dot(way, way) > 0.0) place_.order[v] = static_cast<uint8_t>(place_.order[v] | ProbePlaces::touching_bit);
-  place_.ball[v] = position.ball;
-  place_.offset[v] = position.offset;
+  if (dot(way, way) > 0.0) position_.order[v] = static_cast<uint8_t>(position_.order[v] | ProbePositions::touching_bit);
+  position_.ball[v] = position.ball;
+  position_.offset[v] = position.offset;
 }
 
 void ProbeGrid::build(const BallSet &balls, const Boundary &boundary) {
@@ -269,14 +270,14 @@ void ProbeGrid::build(const BallSet &balls, const Boundary &boundary) {
   lay_out(n);
   probes_ = n;
   buckets_ = buckets_for(n);
-  Vec3 place{0.0, 0.0, 0.0};
+  Vec3 at{0.0, 0.0, 0.0};
   sort_to_rows(
       first_, buckets_, n,
       [&](uint32_t v) {
-        place = in_units(balls, place_[v]);
-        return bucket_of(place);
+        at = in_units(balls, position_[v]);
+        return bucket_of(at);
       },
-      [&](uint32_t at, uint32_t v) { store(at, place, v); });
+      [&](uint32_t to, uint32_t v) { store(to, at, v); });
   if (mixes_cubes(balls)) sort_by_cubes(balls);
   for (uint32_t k = n; k < n + spare_probes; ++k) x_[k] = y_[k] = z_[k] = 0.0F;
 }
@@ -286,10 +287,10 @@ void ProbeGrid::start_search(const BallSet &balls, uint32_t vertex, ProbeSearch 
   search.y = y_.data();
   search.z = z_.data();
   search.vertex = vertex_.data();
-  const Vec3 place = in_units(balls, place_[vertex]);
-  search.own[0] = static_cast<float>(place.x);
-  search.own[1] = static_cast<float>(place.y);
-  search.own[2] = static_cast<float>(place.z);
+  const Vec3 at = in_units(balls, position_[vertex]);
+  search.own[0] = static_cast<float>(at.x);
+  search.own[1] = static_cast<float>(at.y);
+  search.own[2] = static_cast<float>(at.z);
   search.square_of_reach = square_of_reach_;
   search.inverse_square_of_reach = inverse_square_of_reach_;
   search.margin = margin_;
@@ -300,7 +301,7 @@ void ProbeGrid::start_search(const BallSet &balls, uint32_t vertex, ProbeSearch 
     ranges += static_cast<uint32_t>(first != last);
   };
   if (buckets_ == 0) {
-    const CubeCoordinates cube = cube_at(place);
+    const CubeCoordinates cube = cube_at(at);
     for (int64_t z = cube.z - 1; z <= cube.z + 1; ++z) {
       for (int64_t y = cube.y - 1; y <= cube.y + 1; ++y) {
         add_range(first_from(balls, {cube.x - 1, y, z}), first_from(balls, {cube.x + 2, y, z}));
@@ -311,7 +312,7 @@ void ProbeGrid::start_search(const BallSet &balls, uint32_t vertex, ProbeSearch 
   }
   const auto add = [&](uint32_t first, uint32_t last) { add_range(first_[first], first_[last]); };
   const uint32_t mask = buckets_ - 1;
-  const uint32_t bucket = bucket_of(place);
+  const uint32_t bucket = bucket_of(at);
   for (uint32_t z = 0; z < 3; ++z) {
     for (uint32_t y = 0; y < 3; ++y) {
       const uint64_t step = (uint64_t{y} - 1) * step_y + (uint64_t{z} - 1) * step_z - 1;

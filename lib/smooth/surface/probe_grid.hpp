@@ -16,10 +16,10 @@
 namespace hsp {
 
 // Where the probes stand: each relative to the ball of lowest rank that it touches.
-struct ProbePlaces {
+struct ProbePositions {
   Span<uint32_t> ball;
   Span<Vec3> offset;
-  // The places of the three balls in the record of the vertex, by rank, in two bits each, and above them whether the
+  // The slots of the three balls in the record of the vertex, by rank, in two bits each, and above them whether the
   // vertex is p- of the circles of balls 1 and 2 on ball 0, and whether it stands off the point where two balls touch
   // (probe_positions.hpp).
   Span<uint8_t> order;
@@ -37,8 +37,8 @@ class ProbeGrid {
   // every vertex.
   void carve(Workspace &workspace, uint32_t vertices, uint64_t shared = 0);
   Span<uint32_t> first_shared() const { return first_; }
-  Span<uint32_t> second_shared() const { return place_.ball; }
-  Span<Vec3> shared_vectors() const { return place_.offset; }
+  Span<uint32_t> second_shared() const { return position_.ball; }
+  Span<Vec3> shared_vectors() const { return position_.offset; }
   Span<double> shared_doubles() const { return doubles_; }
   // The boundary must not have more vertices, the probe must not be 0.
   void build(const BallSet &balls, const Boundary &boundary);
@@ -46,11 +46,11 @@ class ProbeGrid {
   // Changes with every build.
   uint32_t builds() const { return builds_; }
 
-  const ProbePlaces &places() const { return place_; }
-  Position position(uint32_t vertex) const { return place_[vertex]; }
+  const ProbePositions &positions() const { return position_; }
+  Position position(uint32_t vertex) const { return position_[vertex]; }
   // From one vertex to another. The reverse is the negative, bit for bit.
   Vec3 difference(const BallSet &balls, uint32_t from, uint32_t to) const {
-    return balls.difference(place_.ball[from], place_.ball[to]) + (place_.offset[to] - place_.offset[from]);
+    return balls.difference(position_.ball[from], position_.ball[to]) + (position_.offset[to] - position_.offset[from]);
   }
 
   bool has_buckets() const { return buckets_ != 0; }
@@ -64,14 +64,14 @@ class ProbeGrid {
   void place_all(const BallSet &balls, const Boundary &boundary);
   void place_touching(const BallSet &balls, const Boundary &boundary, uint32_t vertex);
   Vec3 in_units(const BallSet &balls, const Position &position) const;
-  uint32_t bucket_of(const Vec3 &place) const;
+  uint32_t bucket_of(const Vec3 &at) const;
   CubeCoordinates cube_of(const BallSet &balls, uint32_t vertex) const;
   bool mixes_cubes(const BallSet &balls) const;
   void sort_by_cubes(const BallSet &balls);
-  void store(uint32_t to, const Vec3 &place, uint32_t vertex);
+  void store(uint32_t to, const Vec3 &at, uint32_t vertex);
   uint32_t first_from(const BallSet &balls, const CubeCoordinates &cube) const;
 
-  ProbePlaces place_;
+  ProbePositions position_;
   Span<uint32_t> first_;   // [buckets + 1]
   Span<double> doubles_;   // the memory of the next four; twice as many as vertices, and more
   Span<float> x_, y_, z_;  // by buckets; seven spare ones may be read behind the last
@@ -86,9 +86,9 @@ class ProbeGrid {
 
 // The balls of four vertices, by rank, with signs and discriminants; then everything about their triangles.
 using FourVertices = uint32_t[ProbeTriangles::lanes];
-void gather_triangles(const Boundary &boundary, const ProbePlaces &places, const FourVertices &vertices,
+void gather_triangles(const Boundary &boundary, const ProbePositions &positions, const FourVertices &vertices,
                       ProbeTriangles &triangles);
-void measure_triangles(const BallSet &balls, const Boundary &boundary, const ProbePlaces &places,
+void measure_triangles(const BallSet &balls, const Boundary &boundary, const ProbePositions &positions,
                        const FourVertices &vertices, ProbeTriangles &triangles);
 
 }  // namespace hsp

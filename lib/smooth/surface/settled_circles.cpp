@@ -63,7 +63,7 @@ void SettledCircles::find_cusps(uint32_t side) {
     return;
   }
   for (uint32_t k = ProbeCaps::sides; k < caps_.count; ++k) {
-    probe_.for_each_in_place(k, [&](uint32_t other) {
+    probe_.for_each_at_position(k, [&](uint32_t other) {
       if (other == across) cusp_cap_[side] = k;
     });
   }
@@ -143,8 +143,8 @@ Answer SettledCircles::contains(const Crossing &crossing, int sign, uint32_t r) 
   return predicates_.inside(P, Q, sign, caps_.plane(r)) > 0 ? Answer::yes : Answer::no;
 }
 
-// All three patches ask the same questions, in the order of the vertices. Of several vertices in one place that counts
-// whose patch the corner is deepest in.
+// All three patches ask the same questions, in the order of the vertices. Of several vertices at one position that
+// counts whose patch the corner is deepest in.
 bool SettledCircles::is_in_patches(const Crossing &crossing, int sign) const {
   const double p = smaller_probe(balls_);
   const ProbeGrid &grid = patches_.grid();
@@ -191,8 +191,9 @@ bool SettledCircles::is_in_patches(const Crossing &crossing, int sign) const {
   return answer >= 0 ? answer > 0 : deepest > 0.0;
 }
 
-// Where a cap cuts a side with a vertex in the same place behind it: whether another cap that passes through the same
-// point, up to rounding, contains it. To first order, in the plane that touches the sphere there, all three are lines.
+// Where a cap cuts a side with a vertex at the same position behind it: whether another cap that passes through the
+// same point, up to rounding, contains it. To first order, in the plane that touches the sphere there, all three are
+// lines.
 bool SettledCircles::is_covered_beside(uint32_t side, uint32_t cap, uint32_t other, const Vec3 &point) const {
   const uint32_t own = probe_.vertex();
   const Vec3 border_of_cap = cross(axis(cap), point);

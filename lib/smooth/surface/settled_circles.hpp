@@ -7,13 +7,13 @@
 //     one set of probes in general position, whichever of its spheres asks;
 //   a side of the patch: no cap cuts one, but on a circle with cusps that of the vertex across the covered gap, in the
 //     two cusps, which no other cap contains (PROOFS.md, sections 4 to 6);
-//     But where the vertex across is in the same place, and the gap a whole turn, the side itself is the crease between
-//     the cusps;
+//     But where the vertex across is at the same position, and the gap a whole turn, the side itself is the crease
+//     between the cusps;
 //   whether a corner of three creases lies in the patches: if it is clearly outside of one, in none of them. If it is
 //     at a cusp, where a crease starts, it is there iff that crease enters the third cap. A crease that joins two cusps
-//     in one place enters none.
-//   two vertices in one place and two more probes that meet them in a point of the side between them: the corner of the
-//     two probes is on that side of it where the lower vertex sees it, for all four.
+//     at one position enters none.
+//   two vertices at one position and two more probes that meet them in a point of the side between them: the corner of
+//     the two probes is on that side of it where the lower vertex sees it, for all four.
 //
 // All of this is asked for the smaller probe of cusped_circles.hpp.
 #pragma once
@@ -52,12 +52,12 @@ class SettledCircles {
   double exterior_angle(const RegionCorner &corner) const;
 
   static bool is_side(uint32_t k) { return k < ProbeCaps::sides; }
-  // The vertex in the same place beyond the cusps of a side; no_id if there is none.
+  // The vertex at the same position beyond the cusps of a side; no_id if there is none.
   uint32_t opposite_probe(uint32_t side) const { return opposite_probe_[side]; }
   bool has_opposite_probes() const {
     return opposite_probe_[0] != no_id || opposite_probe_[1] != no_id || opposite_probe_[2] != no_id;
   }
-  // Whether a point of a side belongs to the vertex in the same place, if there is one.
+  // Whether a point of a side belongs to the vertex at the same position, if there is one.
   bool is_beyond_opposite_probe(uint32_t side, const Vec3 &point) const {
     const SideCircle &circle = circle_[side];
     return opposite_probe_[side] != no_id && circle.radius + dot(point, circle.outward) < 0.0;

@@ -1,7 +1,7 @@
 // Areas and volume of the solvent-excluded surface, ball by ball.
 //
-// A ball's share of the surface is its convex patches; of every saddle patch the part on its side of the narrowest
-// place, where the probe's profile turns (saddle.hpp); and a third of every concave patch at one of its vertices.
+// A ball's share of the surface is its convex patches; of every saddle patch the part on its side of its
+// waist, where the probe's profile turns (saddle.hpp); and a third of every concave patch at one of its vertices.
 #pragma once
 
 #include "core/summation.hpp"

@@ -79,7 +79,7 @@ Status SurfaceBuilder::build(const BallSet &balls, const Boundary &boundary, con
     if (status != Status::ok) return status;
   }
   surface_.touching_.count();
-  surface_.concave_.measure(balls, boundary, grid_.places(), cut);
+  surface_.concave_.measure(balls, boundary, grid_.positions(), cut);
   surface_.counts_.cusped_arcs = cusped.arcs() + cusped.whole_circles();
   surface_.shells_.find(boundary, cusped, cut);
   return Status::ok;
@@ -163,7 +163,7 @@ Status SurfaceBuilder::cut_patches(const BallSet &balls, const Boundary &boundar
   return Status::ok;
 }
 
-// Of a whole patch: whether some side has a crease with a vertex in the same place.
+// Of a whole patch: whether some side has a crease with a vertex at the same position.
 bool SurfaceBuilder::has_opposite_probes(const BallSet &balls, const Boundary &boundary) {
   probe_.keep_sides();
   return SettledCircles(balls, boundary, surface_.chosen_, grid_, surface_.cusped_circles_, probe_)

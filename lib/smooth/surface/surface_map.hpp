@@ -98,7 +98,7 @@ class SurfaceMap {
 
   // Half-edges of arcs.
   uint32_t arc_of(uint32_t half_edge) const;
-  uint32_t side_of(uint32_t half_edge) const;  // the place of its ball among the two of the arc
+  uint32_t side_of(uint32_t half_edge) const;  // the slot of its ball among the two of the arc
   uint32_t half_edge_of(uint32_t arc, uint32_t side) const;
   uint32_t cusped_circle_of(uint32_t half_edge) const;  // no_id if there are no cusps
 

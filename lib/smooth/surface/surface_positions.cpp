@@ -89,8 +89,8 @@ Position position_of_cusp(const BallSet &balls, const CuspedCircles &cusped, uin
 }
 
 // Where an arc of a cut patch begins, seen from the vertex on the unit sphere: there its circle leaves the cap of the
-// arc before it. If both are creases with vertices in one place they have one circle; then it leaves what lies beyond
-// the side between these two.
+// arc before it. If both are creases with vertices at one position they have one circle; then it leaves what lies
+// beyond the side between these two.
 Vec3 start_of_arc(const BallSet &balls, const Boundary &boundary, const CutPatches &cut, const Position &centre,
                   uint32_t vertex, uint32_t arc) {
   const PatchArc &own = cut.arc(arc);

@@ -13,8 +13,8 @@ static_assert(max_count < crosses_another);
 
 class CircleCount {
  public:
-  CircleCount(const CubeGrid &grid, uint32_t place, Span<uint32_t> ids, Span<uint32_t> parents)
-      : grid_(grid), own_(grid.balls().ball(place)), ids_(ids), parents_(parents) {}
+  CircleCount(const CubeGrid &grid, uint32_t i, Span<uint32_t> ids, Span<uint32_t> parents)
+      : grid_(grid), own_(grid.balls().ball(i)), ids_(ids), parents_(parents) {}
 
   // Of these balls, by the caller's indices, only those whose spheres meet this one in a circle matter.
   Arrangement run(uint32_t neighbours) {
@@ -22,13 +22,13 @@ class CircleCount {
     uint32_t circles = 0;
     double length_squared = static_cast<double>(exact::sphere_of(own_).W);
     for (uint32_t k = 0; k < neighbours; ++k) {
-      const uint32_t place = grid_.grid_index(ids_[k]);
-      const exact::LatticeBall other = balls.ball(place);
+      const uint32_t i = grid_.grid_index(ids_[k]);
+      const exact::LatticeBall other = balls.ball(i);
       if (exact::pair_relation(own_, other) != exact::PairRelation::circle) continue;
       const exact::Plane plane = exact::plane_of(own_, other);
       const double squared = static_cast<double>(dot(plane.v, plane.v));
       length_squared = squared > length_squared ? squared : length_squared;
-      ids_[circles++] = place;
+      ids_[circles++] = i;
     }
     DisjointSets sets(parents_.part(0, circles));
     sets.reset();
@@ -65,14 +65,14 @@ class CircleCount {
 
 }  // namespace
 
-Arrangement arrangement_on_sphere(const CubeGrid &grid, uint32_t place, Span<uint32_t> scratch, uint64_t &words) {
+Arrangement arrangement_on_sphere(const CubeGrid &grid, uint32_t i, Span<uint32_t> scratch, uint64_t &words) {
   const uint32_t room = scratch.size() / 2;
   const Span<uint32_t> ids = scratch.part(0, room);
   QueryResult result{ids.data(), room, 0};
-  find_neighbours(grid, place, result);
+  find_neighbours(grid, i, result);
   words = 2 * uint64_t{result.hits};
   if (result.hits > room) return {};
-  return CircleCount(grid, place, ids, scratch.part(room, 2 * room)).run(result.hits);
+  return CircleCount(grid, i, ids, scratch.part(room, 2 * room)).run(result.hits);
 }
 
 }  // namespace hsp

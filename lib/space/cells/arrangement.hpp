@@ -13,8 +13,8 @@ struct Arrangement {
   uint64_t vertices = 0, edges = 0, faces = 0;
 };
 
-// All parts of the sphere of ball `place` of the grid's order. A neighbour takes two words of scratch memory; `words`
+// All parts of the sphere of ball `i` of the grid's order. A neighbour takes two words of scratch memory; `words`
 // becomes how many are needed, and with fewer nothing is counted.
-Arrangement arrangement_on_sphere(const CubeGrid &grid, uint32_t place, Span<uint32_t> scratch, uint64_t &words);
+Arrangement arrangement_on_sphere(const CubeGrid &grid, uint32_t i, Span<uint32_t> scratch, uint64_t &words);
 
 }  // namespace hsp

@@ -73,7 +73,7 @@ Status CubeContacts::add(const BallSet &balls, const PowerCell &cell, uint32_t k
       continue;
     }
     // Around the facet. A free edge joins vertices of the same parts, on both sides of the facet.
-    uint32_t v = first, back = previous_of_three(polytope[first].place_of(plane));
+    uint32_t v = first, back = previous_of_three(polytope[first].slot_of(plane));
     AdjacentCells pair{};
     bool is_joined = false;
     do {

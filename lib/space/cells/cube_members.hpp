@@ -56,15 +56,15 @@ inline void order_planes(const double *distance, uint32_t count, PlaneOrder &ord
   order.count = count <= most_ordered ? count : 0;
   for (uint32_t first = 0; first < order.count; first += n) {
     const Real own = L::load(distance + first);
-    Mask places = L::bits(L::all(0.0));
-    for (uint32_t k = 0; k < first; ++k) places -= L::all(distance[k]) <= own;
+    Mask ranks = L::bits(L::all(0.0));
+    for (uint32_t k = 0; k < first; ++k) ranks -= L::all(distance[k]) <= own;
     for (uint32_t k = 0; k < n; ++k) {
       const Real other = L::all(distance[first + k]);
       const Mask later = lanes > L::all(static_cast<double>(k));
-      places -= (other < own) | L::both(other == own, later);
+      ranks -= (other < own) | L::both(other == own, later);
     }
-    for (uint32_t k = first + n; k < count; ++k) places -= L::all(distance[k]) < own;
-    for (uint32_t k = 0; k < n && first + k < count; ++k) order.plane[places[k]] = first + k;
+    for (uint32_t k = first + n; k < count; ++k) ranks -= L::all(distance[k]) < own;
+    for (uint32_t k = 0; k < n && first + k < count; ++k) order.plane[ranks[k]] = first + k;
   }
 }
 

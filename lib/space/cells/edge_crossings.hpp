@@ -13,7 +13,7 @@ namespace hsp {
 struct CrossedEdge {
   uint32_t gone, near, a, b;
 };
-// How many records are read behind the last one; their vertices must be there, and their places have to be others.
+// How many records are read behind the last one; their vertices must be there, and their positions have to be others.
 inline constexpr uint32_t crossings_behind = 3;
 
 // With the centre that squares of distances are measured from.

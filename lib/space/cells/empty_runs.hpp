@@ -49,7 +49,7 @@ class EmptyRuns {
   void for_each_in_row(const CubeCover &cover, uint32_t row, Visit visit) const;
   template <class Visit>
   void for_each_in_layer(uint32_t layer, Visit visit) const;
-  // A place on another line, among the cubes or rows that its runs end at, and where the run before it begins.
+  // A position on another line, among the cubes or rows that its runs end at, and where the run before it begins.
   struct OtherLine {
     uint32_t at, end;
     int64_t low;

@@ -109,8 +109,8 @@ bool FacetOverlay::add_parts_of_equals(uint32_t below, uint32_t above) {
 }
 
 // A corner of the facet below, in the frame of the cube above.
-BoundedPoint FacetOverlay::place_below(uint32_t corner) const {
-  return polygon_[0].facets->place(*polygon_[0].facet, corner, axes_along(side_.side() / 2), -frame_.side());
+BoundedPoint FacetOverlay::corner_below(uint32_t corner) const {
+  return polygon_[0].facets->point(*polygon_[0].facet, corner, axes_along(side_.side() / 2), -frame_.side());
 }
 
 // The piece is the whole facet below, in the frame of the cube above.
@@ -118,7 +118,7 @@ void FacetOverlay::start() {
   const Polygon &below = polygon_[0], &above = polygon_[1];
   size_ = below.size();
   for (uint32_t k = 0; k < size_; ++k) {
-    corners_[k] = {place_below(k), {k, no_id}, {k, no_id}, 0};
+    corners_[k] = {corner_below(k), {k, no_id}, {k, no_id}, 0};
     const PowerPlane line = below.line(k);
     edges_[k] = {line, {k, no_id}};
   }

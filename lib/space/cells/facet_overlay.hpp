@@ -85,7 +85,7 @@ class FacetOverlay {
   Meeting compare() const;
   FacetSides compare(const Polygon &corners, const Polygon &lines) const;
   bool add_parts_of_equals(uint32_t below, uint32_t above);
-  BoundedPoint place_below(uint32_t corner) const;
+  BoundedPoint corner_below(uint32_t corner) const;
   void start();
   bool cut(uint32_t edge);
   int side_of(uint32_t corner, const PowerPlane &line, const UnitPlane &plane) const;
@@ -107,7 +107,7 @@ class FacetOverlay {
   PowerPlane side_{};
   UnitPlane side_plane_{};
   Polygon polygon_[2]{};
-  // The piece: corner k and the edge from it to the next one. The others are where it is cut to.
+  // The piece: corner k and the edge from it to the next one. The others take what is left while it is cut.
   Span<Corner> corners_, other_corners_;
   Span<Edge> edges_, other_edges_;
   Span<UnitPlane> above_planes_;  // of the edges of the facet above

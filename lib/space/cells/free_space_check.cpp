@@ -93,7 +93,7 @@ class FreeSpaceCheck : FirstViolation<FreeSpaceInvariant> {
     return found == space_.region_count() || fail(FreeSpaceInvariant::regions, cells);
   }
 
-  // Laws 4 and 5, with each power cell cut once; of law 5 the first violation, if law 4 has none.
+  // Invariants 4 and 5, with each power cell cut once; of 5 the first violation, if 4 has none.
   void power_cells() {
     FreeSpaceViolation across;
     uint32_t found = 0;

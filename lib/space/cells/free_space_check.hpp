@@ -1,4 +1,4 @@
-// The laws that cells of free space obey, checked from their tables and from power cells that are cut once more. A
+// The invariants of cells of free space, checked from their tables and from power cells that are cut once more. A
 // correct build violates none of them for any input.
 #pragma once
 
@@ -29,7 +29,7 @@ struct FreeSpaceScratch {
   Span<uint8_t> planes;  // [planes of one power cell]
 };
 
-// Laws 1 to 5. About as much work as the build.
+// Invariants 1 to 5. About as much work as the build.
 FreeSpaceViolation check_free_space(const BallSet &balls, const FreeSpace &space, FreeSpaceScratch scratch);
 
 }  // namespace hsp

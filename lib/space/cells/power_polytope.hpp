@@ -22,7 +22,7 @@ struct PolytopeVertex {
 
   uint32_t neighbour(uint32_t k) const { return link[k] / 4; }
   uint32_t back(uint32_t k) const { return link[k] % 4; }
-  uint32_t place_of(uint32_t wanted) const { return (plane[1] == wanted ? 1U : 0U) + (plane[2] == wanted ? 2U : 0U); }
+  uint32_t slot_of(uint32_t wanted) const { return (plane[1] == wanted ? 1U : 0U) + (plane[2] == wanted ? 2U : 0U); }
   bool has(uint32_t wanted) const { return plane[0] == wanted || plane[1] == wanted || plane[2] == wanted; }
 };
 constexpr uint32_t next_of_three(uint32_t k) {

@@ -32,7 +32,7 @@ void SideFacets::add(const PowerCell &cell, uint32_t side, uint32_t first, uint3
   uint32_t lowest = no_id, above_highest = 0;
   uint32_t count = 0, covered = 0;
   // Vertex v, to which the edge opposite to its plane number `back` leads: the border goes on along that plane.
-  uint32_t v = first, back = previous_of_three(vertices[first].place_of(side));
+  uint32_t v = first, back = previous_of_three(vertices[first].slot_of(side));
   do {
     const PolytopeVertex &vertex = vertices[v];
     const uint32_t line = vertex.plane[back], opposite = previous_of_three(back);

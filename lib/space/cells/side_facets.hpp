@@ -69,7 +69,7 @@ class SideFacets {
   const SideFacet &facet(uint32_t k) const { return facets_[k]; }
   const FacetCorner &corner(const SideFacet &facet, uint32_t k) const { return corners_[facet.first_corner + k]; }
   // Where a corner is, on a side that is there along its axis.
-  BoundedPoint place(const SideFacet &facet, uint32_t k, const SideAxes &axes, double there) const {
+  BoundedPoint point(const SideFacet &facet, uint32_t k, const SideAxes &axes, double there) const {
     const uint32_t corner = facet.first_corner + k;
     BoundedPoint at;
     at.y.*axes.u = u_[corner];

@@ -26,7 +26,7 @@ class CellSearch {
     double way;       // up to there
     double estimate;  // of the whole way
     uint32_t from;
-    uint32_t next;  // while searching: the place in the heap, not_seen or done
+    uint32_t next;  // while searching: the index in the heap, not_seen or done
   };
   // A run on the lattice; far beyond all points where it has no end.
   struct Box {

@@ -87,11 +87,11 @@ Status WidestProbeFinder::find(const BallSet &balls, const Vector &from, const V
   }
   int64_t most = INT64_MAX;
   for (uint32_t i = 0; i < n_; ++i) {
-    const uint32_t place = balls.caller[i];
-    xyz_[3 * place] = balls.x[i];
-    xyz_[3 * place + 1] = balls.y[i];
-    xyz_[3 * place + 2] = balls.z[i];
-    radius_[place] = balls.r[i];
+    const uint32_t caller = balls.caller[i];
+    xyz_[3 * caller] = balls.x[i];
+    xyz_[3 * caller + 1] = balls.y[i];
+    xyz_[3 * caller + 2] = balls.z[i];
+    radius_[caller] = balls.r[i];
     const int64_t here = most_growth(balls, i, from_), there = most_growth(balls, i, to_);
     most = here < most ? here : most;
     most = there < most ? there : most;

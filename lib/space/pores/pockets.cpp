@@ -18,17 +18,18 @@ uint32_t PocketFinder::pocket_at(uint32_t end) const {
   return end == pore_outside || end >= known_ ? no_id : label_[end];
 }
 
-void PocketFinder::find(const PoresBuilder &pores, double narrow, double wide) {
+void PocketFinder::find(PoresBuilder &pores, double narrow, double wide) {
   const uint32_t maxima = pores.maxima().size();
   pockets_.clear();
-  DisjointSets sets(parents_.part(0, maxima + 1));
-  sets.reset();
-  for (const PoreGate &gate : pores.gates()) {
-    if (!(gate.point.level > wide)) break;
-    sets.join(node_of(gate.end[0]), node_of(gate.end[1]));
+  pores.join_above(wide);
+  const Windings &joined = pores.joined();
+  for (uint32_t k = 0; k < maxima; ++k) {
+    const uint32_t node = node_of(k);
+    const bool fits = node < joined.size();
+    const uint32_t part = fits ? joined.component(node) : no_id;
+    label_[k] = fits && (part == joined.component(0) || joined.lattice(part).rank > 0) ? 0 : no_id;
   }
-  for (uint32_t k = 0; k < maxima; ++k)
-    label_[k] = sets.find(k + 1) == 0 ? 0 : no_id;  // whether the wide one gets there
+  DisjointSets sets(parents_.part(0, maxima + 1));
   sets.reset();
   for (const PoreGate &gate : pores.gates()) {
     if (!(gate.point.level > narrow)) break;

@@ -1,5 +1,6 @@
-// Pockets: where a narrow probe gets and a wide one does not get in from the outside. One is made up of maxima where
-// the narrow probe fits, joined by gates that it passes; its mouths are such gates to where the wide probe gets, too.
+// Pockets: where a narrow probe gets and a wide one does not get in from the outside, or in a periodic box from where
+// it goes on for ever. One is made up of maxima where the narrow probe fits, joined by gates that it passes; its mouths
+// are such gates to where the wide probe gets, too.
 #pragma once
 
 #include "core/disjoint_sets.hpp"
@@ -19,8 +20,9 @@ struct Pocket {
 class PocketFinder {
  public:
   void carve(Workspace &workspace, const PoreLimits &limits);
-  // The levels of the two probes, in steps. The memory suffices for pores of the limits.
-  void find(const PoresBuilder &pores, double narrow, double wide);
+  // The levels of the two probes, in steps. The memory suffices for pores of the limits. pores.joined() becomes that of
+  // the wide probe.
+  void find(PoresBuilder &pores, double narrow, double wide);
   void forget() { pockets_.clear(); }
 
   // The one with the highest maximum first.

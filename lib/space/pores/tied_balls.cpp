@@ -33,8 +33,8 @@ double longest_part(const Vec3 &v) {
   return x > y ? (x > z ? x : z) : y > z ? y : z;
 }
 
-// On which side of planes a point is, in doubles. Normals are products of differences, which are exact: of three of them
-// that are at most 1 along each axis a component is below 8 and wrong by less than 2^-48.
+// On which side of planes a point is, in doubles. Normals are products of differences, which are exact: of three of
+// them that are at most 1 along each axis a component is below 8 and wrong by less than 2^-48.
 class PlainSides {
  public:
   PlainSides(const BallSet &balls, const TangentPoint &point, double scale)

@@ -21,10 +21,7 @@
 namespace hsp {
 
 struct BoundaryLimits {
-  uint32_t balls = 0;
-  uint32_t neighbours = 0;
-  uint32_t vertices = 0;
-  uint32_t circles = 0;
+  uint32_t balls = 0, neighbours = 0, vertices = 0, circles = 0;
   uint32_t workers = 0;  // that may share the work; 0 is 1
   // Loops have at least two arcs or are circles.
   uint64_t most_loops() const { return 3 * static_cast<uint64_t>(vertices) / 2 + 2 * static_cast<uint64_t>(circles); }

@@ -47,12 +47,12 @@ class alignas(64) BoundaryWorker {
   // Joins what this worker found to be one component.
   void join_components(DisjointSets &components) const;
 
-  // sqrt(D) of vertices that are in their places.
+  // sqrt(D) of vertices that are in their slots.
   static void find_root_discriminants(const BallSet &balls, uint32_t first, uint32_t last, BoundaryArrays &arrays);
-  // Counts the half-edges on the share's balls, once all vertices and circles are in their places.
+  // Counts the half-edges on the share's balls, once all vertices and circles are in their slots.
   void count(BoundaryArrays &arrays);
   // Chains the half-edges of the share's balls to loops and gathers these to faces, once all half-edges are in their
-  // places. The numbers of loops and faces leave gaps behind those of the worker before.
+  // slots. The numbers of loops and faces leave gaps behind those of the worker before.
   void link(const BallSet &balls, BlockSweep &sweep, const Boundary &boundary, Span<uint32_t> scratch,
             BoundaryArrays &arrays);
   // Closes such gaps: in the records of loops and faces; in everything else that stores their numbers.

@@ -39,8 +39,8 @@ class MaskedChords {
     const uint32_t column = k - first_;
     uint64_t(&known)[2] = known_[row];
     const uint32_t is_old = static_cast<uint32_t>((known[0] | known[1]) >> column & 1);
-    const uint32_t at = (place_[row][column] & (0U - is_old)) | (count_ & (is_old - 1));
-    place_[row][column] = static_cast<uint8_t>(at);
+    const uint32_t at = (slot_[row][column] & (0U - is_old)) | (count_ & (is_old - 1));
+    slot_[row][column] = static_cast<uint8_t>(at);
     count_ += 1 - is_old;
     known[side] |= UINT64_C(1) << column;
     rows_ |= UINT64_C(1) << row;
@@ -66,19 +66,19 @@ class MaskedChords {
 
   uint32_t link() {
     uint32_t first = no_id;
-    uint32_t *place = &first;
+    uint32_t *link = &first;
     uint64_t rows = rows_;
     uint64_t left = 0;
     for (uint32_t n = 0; n < count_; ++n) {
       const uint32_t row = lowest_bit(rows);
       left = left == 0 ? known_[row][0] : left;
-      const uint32_t at = place_[row][lowest_bit(left)];
+      const uint32_t at = slot_[row][lowest_bit(left)];
       left &= left - 1;
       rows = left == 0 ? rows & (rows - 1) : rows;
-      *place = at;
-      place = &chords_[at].next;
+      *link = at;
+      link = &chords_[at].next;
     }
-    *place = no_id;
+    *link = no_id;
     return first;
   }
 
@@ -87,10 +87,10 @@ class MaskedChords {
 
   Span<FoundChord> chords_;
   uint32_t first_, count_ = 0;
-  uint32_t seen_ = 0;                    // chords of which both ends are known, from the first on
-  uint64_t rows_ = 0;                    // that have chords
-  uint64_t known_[most_caps][2];         // by first cap: a bit for each second one
-  uint8_t place_[most_caps][most_caps];  // of those with a bit; there are fewer than three for each cap
+  uint32_t seen_ = 0;                   // chords of which both ends are known, from the first on
+  uint64_t rows_ = 0;                   // that have chords
+  uint64_t known_[most_caps][2];        // by first cap: a bit for each second one
+  uint8_t slot_[most_caps][most_caps];  // of those with a bit; there are fewer than three for each cap
 };
 
 // For any number: lists by first caps, ascending in the second ones.
@@ -103,13 +103,13 @@ class ListedChords {
   }
 
   FoundChord &set_end(uint32_t j, uint32_t k, uint32_t side, uint32_t clipper) {
-    uint32_t *place = &heads_[j - first_];
-    while (*place != no_id && chords_[*place].cap[1] < k) place = &chords_[*place].next;
-    if (*place == no_id || chords_[*place].cap[1] != k) {
-      chords_[count_] = {{j, k}, {unknown, unknown}, no_id, *place};
-      *place = count_++;
+    uint32_t *link = &heads_[j - first_];
+    while (*link != no_id && chords_[*link].cap[1] < k) link = &chords_[*link].next;
+    if (*link == no_id || chords_[*link].cap[1] != k) {
+      chords_[count_] = {{j, k}, {unknown, unknown}, no_id, *link};
+      *link = count_++;
     }
-    FoundChord &chord = chords_[*place];
+    FoundChord &chord = chords_[*link];
     chord.clipper[side] = clipper;
     return chord;
   }
@@ -129,10 +129,10 @@ class ListedChords {
 
   uint32_t link() {
     uint32_t first = no_id;
-    uint32_t *place = &first;
+    uint32_t *link = &first;
     for (uint32_t row = 0; row < caps_; ++row) {
-      *place = heads_[row];
-      while (*place != no_id) place = &chords_[*place].next;
+      *link = heads_[row];
+      while (*link != no_id) link = &chords_[*link].next;
     }
     return first;
   }

@@ -15,9 +15,7 @@
 namespace hsp {
 
 struct ContactLimits {
-  uint32_t balls = 0;
-  uint32_t neighbours = 0;
-  uint32_t contacts = 0;
+  uint32_t balls = 0, neighbours = 0, contacts = 0;
   uint32_t triangles = 0;   // 0: they are only counted
   uint32_t tetrahedra = 0;  // the same
 };

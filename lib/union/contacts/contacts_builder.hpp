@@ -124,9 +124,9 @@ class ContactsBuilder {
 
   // Where the contact of two balls is kept, of which no image comes before its ball.
   template <class Images>
-  ContactPair place_in_box(const ContactPair &place, const Images &images) const {
-    const auto [first, second] = place.ball;
-    if (first < own_balls_) return place;
+  ContactPair place_in_box(const ContactPair &pair, const Images &images) const {
+    const auto [first, second] = pair.ball;
+    if (first < own_balls_) return pair;
     if constexpr (!Images::there) return {{no_id, no_id}};
     const uint32_t ball = images.ball_of(first);
     const uint32_t other = images.moved_back(second, first);

@@ -1,4 +1,4 @@
-// Laws that contacts and shares obey, checked from their records and the boundary: two ways to compute that have little
+// Invariants of contacts and shares, checked from their records and the boundary: two ways to compute that have little
 // in common. The tolerances are those of rounding.
 #pragma once
 

@@ -45,7 +45,7 @@ void ArcBatches::put(uint32_t other, double root_discriminant, uint32_t half_edg
   batch_.arc[s] = -static_cast<int64_t>(half_edge != no_id);
 }
 
-// All half-edges of the ball, each in the slot of its place among them.
+// All half-edges of the ball, each in the slot of its number among them.
 void ArcBatches::gather_whole_ball() {
   const HalfEdge *const half_edges = boundary_.half_edge_data() + half_edges_.first;
   const double *const roots = boundary_.root_discriminant_data();

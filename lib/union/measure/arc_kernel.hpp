@@ -110,6 +110,7 @@ struct ArcKernel {
       const Real cosine = twice_height * inverse_diameter;
       const Mask served = L::both((1.0 - cosine) * (1.0 + cosine) >= least_square_of_radius, U <= most_U);
       store(b.vx, b.vy, b.vz, s, v);
+      L::store(b.other_radius + s, other_radius);
       L::store(b.square_of_distance + s, L::valid(served, U));
       L::store(b.scaled_height + s, scaled_height);
       store(b.ux, b.uy, b.uz, s, inverse * v);
@@ -268,7 +269,8 @@ struct ArcKernel {
   [[gnu::always_inline]] static void add_weighted(const ArcBatch &b, const Slots &slots, uint32_t s, double radius,
                                                   double weight, Sums &sums) {
     const double own = weight * radius;
-    const Real half = 0.5 * (own - L::load(b.other_weight + s)) * L::load(b.inverse_distance + s);
+    const double *const other = b.has_weights ? b.other_weight : b.other_radius;
+    const Real half = 0.5 * (own - L::load(other + s)) * L::load(b.inverse_distance + s);
     const Vector centre = slots.angle * (half * slots.height - own) * slots.u + half * slots.X;
     sums.a += centre.x;
     sums.b += centre.y;

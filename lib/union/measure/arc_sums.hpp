@@ -36,19 +36,22 @@ struct ArcBatch {
   int64_t arc[room];               // -1 if there is an arc
   double root_discriminant[room];  // of the vertex
 
-  // Filled in by a kernel: the sum of the exterior angles, less whole turns, and the number of these; the vector v
-  // from the ball's centre to the other ball's, its square and 2 h d, with its length d and the height h of the
+  // Filled in by a kernel: the sum of the exterior angles, less whole turns, and the number of these; the radius of the
+  // other ball; the vector v from the ball's centre to that ball's, its square and 2 h d, with its length d and the height h of the
   // circle's plane along it; its unit vector u, 1/d and 2 h; twice the vertex, from the ball's centre; the arc's angle,
   // and X = 2 (q - p) x u, with its ends p and q such that it runs from p to q counter-clockwise about u. Slots without
   // an arc have angle 0 and X 0, so that sums may run over all of them.
   double exterior_angles, exterior_turns;
+  double other_radius[room];
   double vx[room], vy[room], vz[room], square_of_distance[room], scaled_height[room];
   double ux[room], uy[room], uz[room], inverse_distance[room], twice_height[room];
   double px[room], py[room], pz[room];
   double angle[room], Xx[room], Xy[room], Xz[room];
 
   Touching touching[room];
-  double other_weight[room];  // weight times radius of the other ball, for weighted sums
+  // For weighted sums, unless all weights are 1: weight times radius of the other ball.
+  bool has_weights = false;
+  double other_weight[room];
 
   // Whether a slot has an arc or is a whole circle.
   bool has_piece(uint32_t s) const { return arc[s] != 0 || angle[s] != 0.0; }

@@ -48,7 +48,7 @@ class MeanCurvature {
     result.radius += weight_ * steradians;
   }
 
-  // The terms of add(), each with the place that it counts from (edge_kernel.hpp has their formulas).
+  // The terms of add(), each times the offset that it acts at (edge_kernel.hpp has their formulas).
   void add_strain(const ArcBatch &batch, StrainSum &sum) {
     EdgeBatch edges;
     fill(batch, edges);
@@ -60,11 +60,10 @@ class MeanCurvature {
 
  private:
   void fill(const ArcBatch &batch, EdgeBatch &edges) const {
-    for (uint32_t s = 0; s < batch.count; ++s) {
-      edges.weight[s] = weights_.of(balls_, batch.other[s]);
-      edges.radius[s] = balls_.r[batch.other[s]];
-    }
-    for (uint32_t s = batch.count; s < batch.count + sum_lanes - 1; ++s) edges.weight[s] = edges.radius[s] = 0.0;
+    edges.has_weights = !weights_.are_ones();
+    if (!edges.has_weights) return;
+    for (uint32_t s = 0; s < batch.count; ++s) edges.weight[s] = weights_.of(balls_, batch.other[s]);
+    for (uint32_t s = batch.count; s < batch.count + sum_lanes - 1; ++s) edges.weight[s] = 0.0;
   }
 
   void add_strain_of_slot(const ArcBatch &batch, const EdgeBatch &edges, uint32_t s, StrainSum &sum) const {
@@ -75,13 +74,14 @@ class MeanCurvature {
     const double inverse = batch.inverse_distance[s];
     const double h = 0.5 * batch.twice_height[s];
     const double other_h = std::sqrt(dot(v, v)) - h;
-    const double shared = 0.5 * (weight_ + edges.weight[s]);
+    const double other_weight = edges.weight_of(s);
+    const double shared = 0.5 * (weight_ + other_weight);
     const double along =
-        batch.angle[s] * (0.5 * (shared - pull * h * other_h) - (weight_ * other_h + edges.weight[s] * h) * inverse);
+        batch.angle[s] * (0.5 * (shared - pull * h * other_h) - (weight_ * other_h + other_weight * h) * inverse);
     sum.add(-0.5 * along, u, v);
     if (batch.arc[s] == 0) return;
     const Vec3 X{batch.Xx[s], batch.Xy[s], batch.Xz[s]};
-    sum.add(-0.25 * (weight_ - edges.weight[s]) * inverse, X, v);
+    sum.add(-0.25 * (weight_ - other_weight) * inverse, X, v);
     const auto add_end = [&](uint32_t slot, double sign) {
       if (!(batch.root_discriminant[slot] > 0.0)) return;  // it counts as unmoved
       const Vec3 x{batch.px[slot], batch.py[slot], batch.pz[slot]};
@@ -92,9 +92,10 @@ class MeanCurvature {
     const double root = batch.root_discriminant[s];
     if (!(root > 0.0)) return;
     const uint32_t before = batch.previous[s];
-    const double along_a = edges.third_cosine[s] * edges.cosine[s] - edges.cosine[before] * square(edges.radius[s]);
+    const double along_a =
+        edges.third_cosine[s] * edges.cosine[s] - edges.cosine[before] * square(batch.other_radius[s]);
     const double along_b =
-        edges.third_cosine[s] * edges.cosine[before] - edges.cosine[s] * square(edges.radius[before]);
+        edges.third_cosine[s] * edges.cosine[before] - edges.cosine[s] * square(batch.other_radius[before]);
     const double lambda = (edges.third_force[s] + pull * along_a + edges.pull[before] * along_b) / root;
     const Vec3 x{batch.px[s], batch.py[s], batch.pz[s]};
     sum.add(-0.25 * lambda, x, x);

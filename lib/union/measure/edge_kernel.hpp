@@ -129,16 +129,17 @@ struct EdgeKernel {
       const uint32_t *const before = arcs.previous + s;
       const Vector v = load(arcs.vx, arcs.vy, arcs.vz, s);
       const Vector third = gather(arcs.vx, arcs.vy, arcs.vz, before) - v;
-      const Real other_radius = L::load(edges.radius + s);
-      const EdgeAngle<Pairs> both({L::all(radius), other_radius}, {other_radius, L::gather(edges.radius, before)},
+      const Real other_radius = L::load(arcs.other_radius + s);
+      const EdgeAngle<Pairs> both({L::all(radius), other_radius}, {other_radius, L::gather(arcs.other_radius, before)},
                                   {{v.x, third.x}, {v.y, third.y}, {v.z, third.z}});
       const Mask is_proper = both.is_proper.first;
       const Real distance = both.distance.first;
       const Real product = both.product.first;
       const Real beta = both.beta.first;
-      const Real other_weight = L::load(edges.weight + s);
+      const Real other_weight = edges.has_weights ? L::load(edges.weight + s) : L::all(1.0);
+      const Real before_weight = edges.has_weights ? L::gather(edges.weight, before) : L::all(1.0);
       const Real shared = 0.5 * (weight + other_weight);
-      const Real third_shared = 0.5 * (other_weight + L::gather(edges.weight, before));
+      const Real third_shared = 0.5 * (other_weight + before_weight);
       const Real pull = L::kept(is_proper, shared * beta / product);
       L::store(edges.cosine + s, both.cosine.first);
       L::store(edges.pull + s, pull);
@@ -166,8 +167,8 @@ struct EdgeKernel {
   static void add_vertices(double radius, const ArcBatch &arcs, uint32_t lane, const EdgeBatch &edges, Sums &sums) {
     for (uint32_t s = lane; s < arcs.count; s += sum_lanes) {
       const uint32_t *const before = arcs.previous + s;
-      const Real r_a = L::load(edges.radius + s);
-      const Real r_b = L::gather(edges.radius, before);
+      const Real r_a = L::load(arcs.other_radius + s);
+      const Real r_b = L::gather(arcs.other_radius, before);
       const Real g_a = L::load(edges.cosine + s);
       const Real g_b = L::gather(edges.cosine, before);
       const Real g_ab = L::load(edges.third_cosine + s);

@@ -8,8 +8,10 @@ namespace hsp {
 
 // The edges of a batch, slot by slot.
 struct EdgeBatch {
+  bool has_weights = false;       // else all are 1
   double weight[ArcBatch::room];  // w_j of the other ball, finite up to the last whole register
-  double radius[ArcBatch::room];  // r_j, likewise
+
+  double weight_of(uint32_t s) const { return has_weights ? weight[s] : 1.0; }
 
   // Filled in by a kernel: r_k r_j cos(beta); s beta/(rho d), with s the mean of the two balls' weights, or 0 where
   // the spheres touch; and of the edge of the two other balls of the vertex where the arc starts, their r_a r_b

@@ -2,7 +2,7 @@
 
 namespace hsp {
 
-void WeightedAreas::put_weights(ArcBatch &batch) const {
+void WeightedAreas::put_given_weights(ArcBatch &batch) const {
   for (uint32_t s = 0; s < batch.count; ++s) {
     const uint32_t j = batch.other[s];
     batch.other_weight[s] = weights_.of(balls_, j) * balls_.r[j];

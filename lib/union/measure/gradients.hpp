@@ -30,8 +30,9 @@ struct AreaWeights {
   TouchingBalls touching_balls = TouchingBalls::meet;
   const uint32_t *owner = nullptr;  // null, or whose weight each ball of the caller's order has
 
+  bool are_ones() const { return weight == nullptr; }
   double of(const BallSet &balls, uint32_t i) const {
-    if (weight == nullptr) return 1.0;
+    if (are_ones()) return 1.0;
     const uint32_t caller = balls.caller[i];
     return weight[owner == nullptr ? caller : owner[caller]];
   }
@@ -54,7 +55,10 @@ class WeightedAreas {
       : balls_(balls), boundary_(boundary), weights_(weights), R_(balls.r[k]), weight_(weights.of(balls, k)) {}
 
   // To be called before the batch is evaluated.
-  void put_weights(ArcBatch &batch) const;
+  void put_weights(ArcBatch &batch) const {
+    batch.has_weights = !weights_.are_ones();
+    if (batch.has_weights) put_given_weights(batch);
+  }
   // Adds an evaluated batch to these sums, and first to those of `surface`. Between the two it calls on_arcs(batch);
   // then what does not count is taken out of the batch.
   template <class OnArcs>
@@ -81,6 +85,7 @@ class WeightedAreas {
     radius_ += sums.radius;
   }
   GradientSums sums_of(const ArcBatch &batch) const { return sum_gradient(boundary_.target(), batch, R_, weight_); }
+  void put_given_weights(ArcBatch &batch) const;
   void take_out_uncounted(ArcBatch &batch) const;
 
   const BallSet &balls_;

@@ -36,7 +36,7 @@ void BallCells::insert(uint32_t ball, const exact::Vector &centre) {
   }
 }
 
-// In place of a first ball comes another one of its cube; of a cube that has none, one from below in the tree that has
+// Instead of a first ball comes another one of its cube; of a cube that has none, one from below in the tree that has
 // nothing below itself: what is below any ball shares the bits that lead to it.
 void BallCells::remove(uint32_t ball) {
   uint32_t &first = link_to(cube_[ball]);

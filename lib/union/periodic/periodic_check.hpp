@@ -1,4 +1,4 @@
-// Laws that hold for every union in a periodic box: two ways to compute that have little in common.
+// Invariants of every union in a periodic box: two ways to compute that have little in common.
 #pragma once
 
 #include "core/violation.hpp"

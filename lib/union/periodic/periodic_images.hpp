@@ -1,7 +1,7 @@
 // The balls of a periodic box, each moved into the box, and the images of them that may meet one of these: numbered as
-// one set, first the balls in the order of the input, then the images by ball and by shift. So of images in one place
-// those of the earlier ball come first in every copy of the box, and the symbolic perturbation, which compares places,
-// radii and numbers, is the same in all of them.
+// one set, first the balls in the order of the input, then the images by ball and by shift. So of images at one
+// position those of the earlier ball come first in every copy of the box, and the symbolic perturbation, which compares
+// places, radii and numbers, is the same in all of them.
 #pragma once
 
 #include "core/fixed_vector.hpp"

@@ -8,9 +8,9 @@ void find_in_block(const CubeGrid &grid, const CubeBlock &block, const exact::Ve
   const Vec3 p = to_double(point);
   const QueryBall query{p.x, p.y, p.z, static_cast<double>(radius), excluded};
   hits.count = 0;
-#if HSP_AVX2
-  if (grid.wide()) return add_hits_avx2(arrays, query, block.range, block.ranges, hits);
-#endif
+  if constexpr (has_lanes) {
+    if (grid.in_lanes()) return add_hits_in_lanes(grid.target(), arrays, query, block.range, block.ranges, hits);
+  }
   add_hits(arrays, query, block.range, block.ranges, hits);
 }
 
@@ -19,15 +19,12 @@ void find_in_block(const CubeGrid &grid, const CubeBlock &block, const exact::Ve
 void put_in_order(const PeriodicUnion &periodic, const QueryHits &hits, OrderedHits &ordered) {
   const PeriodicImages &images = periodic.images();
   uint32_t sorted[QueryHits::room + 8];
-#if HSP_AVX2
-  if (periodic.grid().wide()) {
-    write_ascending_avx2(hits, sorted, hits.count);
-  } else {
-    write_ascending(hits, sorted);
+  bool written = false;
+  if constexpr (has_lanes) {
+    written = periodic.grid().in_lanes();
+    if (written) write_ascending_in_lanes(periodic.grid().target(), hits, sorted, hits.count);
   }
-#else
-  write_ascending(hits, sorted);
-#endif
+  if (!written) write_ascending(hits, sorted);
   uint32_t image = 0;
   while (image < hits.count && !images.is_image(sorted[image])) ++image;
   const uint32_t first_image = image;

@@ -19,9 +19,7 @@
 namespace hsp {
 
 struct PeriodicLimits {
-  uint32_t balls = 0;
-  uint32_t images = 0;
-  uint32_t neighbours = 0;
+  uint32_t balls = 0, images = 0, neighbours = 0;
   uint32_t vertices = 0;  // once for each side of the box that their balls are on
   uint32_t circles = 0;
   uint32_t contacts = 0;

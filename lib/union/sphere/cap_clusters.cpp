@@ -20,7 +20,7 @@ bool caps_meet(const Caps &caps, const exact::Predicates &predicates, uint32_t j
 
 }  // namespace
 
-// The largest cap of taken_[first .. last - 1] changes places with the first one.
+// The largest cap of taken_[first .. last - 1] is exchanged with the first one.
 void CapClusters::bring_largest(const Caps &caps, uint32_t first, uint32_t last) {
   uint32_t largest = first;
   double least = caps.b[taken_[first]];

@@ -26,14 +26,14 @@ class CubeCandidates {
   // Those that are not certainly disjoint from ball i, in the order of the block, as near_candidates and
   // later_candidates say.
   uint32_t near(uint32_t i, uint32_t *ids, uint32_t most, uint32_t &earlier) const {
-    return near_candidates(target_, block_, place(i), ids, most, earlier);
+    return near_candidates(target_, block_, slot(i), ids, most, earlier);
   }
   uint32_t later(uint32_t i, uint32_t *ids, uint32_t most) const {
-    return later_candidates(target_, block_, place(i), ids, most);
+    return later_candidates(target_, block_, slot(i), ids, most);
   }
 
  private:
-  uint32_t place(uint32_t i) const { return own_rank_ + (i - first_own_); }
+  uint32_t slot(uint32_t i) const { return own_rank_ + (i - first_own_); }
 
   Target target_ = Target::baseline;
   CandidateBlock block_;

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "core/sorting.hpp"
+#include "lanes/wide.hpp"
 #include "sphere/cap_pair.hpp"
 
 namespace hsp {
@@ -38,8 +39,9 @@ struct MeridianAxis {
 
 // The end points of what a cap covers of a meridian.
 struct CoveredEnds {
-  double along[2], up[2];  // index 0: entry, index 1: exit
-  double error;            // of along_l x_w + up_l x_z - b_l for any cap l
+  using Lanes = Wide<double, 2>;
+  Lanes::Real along, up;  // lane 0: entry, lane 1: exit
+  double error;           // of along_l x_w + up_l x_z - b_l for any cap l
 
   explicit CoveredEnds(const MeridianCap &cap) {
     const double S = cap.along * cap.along + cap.up * cap.up;
@@ -48,11 +50,9 @@ struct CoveredEnds {
     const double s = 1.0 / S;
     const double middle = cap.b * s;
     const double half_chord = root * s;
-    for (int end = 0; end < 2; ++end) {
-      const double signed_chord = end == 0 ? -half_chord : half_chord;
-      along[end] = middle * cap.along + signed_chord * cap.up;
-      up[end] = middle * cap.up - signed_chord * cap.along;
-    }
+    const Lanes::Real chord{-half_chord, half_chord};
+    along = middle * cap.along + chord * cap.up;
+    up = middle * cap.up - chord * cap.along;
     // False for NaN, as everything below is.
     const bool certain = q > certain_discriminant;
     error = certain ? unit_roundoff * s * (256.0 * s + 80.0 / root) : std::numeric_limits<double>::infinity();
@@ -62,24 +62,23 @@ struct CoveredEnds {
 // Which ends of a cap on a meridian are free.
 uint32_t free_ends_of(const Caps &caps, const exact::Predicates &predicates, const Plane &meridian,
                       Span<const MeridianCap> crossing, const MeridianCap &own) {
+  using Lanes = CoveredEnds::Lanes;
   const CoveredEnds ends(own);
-  bool entry = true;
-  bool leave = true;
-  for (uint32_t k = 0; k < crossing.size() && (entry || leave); ++k) {
+  constexpr uint32_t both = MeridianCap::free_entry | MeridianCap::free_exit;  // as lanes have their bits
+  uint32_t free_ends = both;
+  for (uint32_t k = 0; k < crossing.size() && free_ends != 0; ++k) {
     const MeridianCap &other = crossing[k];
     if (&other == &own) continue;
-    const double at_entry = other.along * ends.along[0] + other.up * ends.up[0] - other.b;
-    const double at_exit = other.along * ends.along[1] + other.up * ends.up[1] - other.b;
-    if (std::fabs(at_entry) > ends.error && std::fabs(at_exit) > ends.error) {
-      entry = entry && at_entry < 0.0;
-      leave = leave && at_exit < 0.0;
+    const Lanes::Real at = other.along * ends.along + other.up * ends.up - other.b;
+    if (Lanes::set_lanes(Lanes::absolute(at) > ends.error) == both) {
+      free_ends &= static_cast<uint32_t>(Lanes::set_lanes(at < 0.0));
     } else {
       const exact::PointStatus status = predicates.point_status(meridian, caps.plane(own.cap), caps.plane(other.cap));
-      entry = entry && status.side[0] < 0;
-      leave = leave && status.side[1] < 0;
+      free_ends &=
+          (status.side[0] < 0 ? MeridianCap::free_entry : 0U) | (status.side[1] < 0 ? MeridianCap::free_exit : 0U);
     }
   }
-  return (entry ? MeridianCap::free_entry : 0U) | (leave ? MeridianCap::free_exit : 0U);
+  return free_ends;
 }
 
 // Whether cap a comes before cap b, counter-clockwise about the normal m of a meridian from the direction z: first the

@@ -77,17 +77,17 @@ void CapTests::fill(const Caps &caps) {
   for (uint32_t k = 0; k < caps.count; ++k) ++start[size_class(caps.b[k]) + 1];
   for (uint32_t c = 0; c < size_classes; ++c) start[c + 1] += start[c];
   for (uint32_t k = 0; k < caps.count; ++k) {
-    const uint32_t place = start[size_class(caps.b[k])]++;
-    ux[place] = caps.ux[k];
-    uy[place] = caps.uy[k];
-    uz[place] = caps.uz[k];
-    b[place] = caps.b[k];
-    cap[place] = k;
+    const uint32_t slot = start[size_class(caps.b[k])]++;
+    ux[slot] = caps.ux[k];
+    uy[slot] = caps.uy[k];
+    uz[slot] = caps.uz[k];
+    b[slot] = caps.b[k];
+    cap[slot] = k;
   }
   // Caps that nothing lies in, to fill the last group.
-  for (uint32_t place = count; place < count + group; ++place) {
-    ux[place] = uy[place] = uz[place] = 0.0;
-    b[place] = 4.0;
+  for (uint32_t slot = count; slot < count + group; ++slot) {
+    ux[slot] = uy[slot] = uz[slot] = 0.0;
+    b[slot] = 4.0;
   }
 }
 

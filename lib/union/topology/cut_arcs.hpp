@@ -36,8 +36,8 @@ struct CutArc {
   uint32_t cap;  // the ball whose circle's axis the plane goes through
   uint32_t face;
   LoopElement end[2];
-  uint32_t poles;      // passes_*, vertex_at_*
-  CutArcEnd place[2];  // of its ends, once their vertices are inserted
+  uint32_t poles;     // passes_*, vertex_at_*
+  CutArcEnd ends[2];  // once their vertices are inserted
 
   static constexpr uint32_t passes_north = 1;
   static constexpr uint32_t passes_south = 2;

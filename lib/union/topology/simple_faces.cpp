@@ -132,8 +132,8 @@ class SimpleFaceBuilder {
     const uint32_t first = topology_.cut_first_edge[cut_arc];
     const uint32_t leaving[2] = {quarter_edge(first), sym(quarter_edge(first + arc.pieces() - 1))};
     for (uint32_t end = 0; end < 2; ++end) {
-      const uint32_t along = topology_.vertex_edge[vertex_of_subdivision(arc.place[end].point())];
-      const uint32_t after = arc.place[end].side() == 0 ? along : quads_.next_on_face(sym(along));
+      const uint32_t along = topology_.vertex_edge[vertex_of_subdivision(arc.ends[end].point())];
+      const uint32_t after = arc.ends[end].side() == 0 ? along : quads_.next_on_face(sym(along));
       const uint32_t before = sym(quads_.next[after]);
       quads_.link_lnext(before, leaving[end]);
       quads_.link_lnext(sym(leaving[end]), after);
@@ -163,7 +163,7 @@ class SimpleFaceBuilder {
       if ((arc.poles & CutArc::vertex_at_north) != 0 && pole_vertex[0] == no_id) pole_vertex[0] = add_pole(ball, 0);
       if ((arc.poles & CutArc::vertex_at_south) != 0 && pole_vertex[1] == no_id) pole_vertex[1] = add_pole(ball, 1);
       uint32_t q = quarter_edge(topology_.cut_first_edge[last]);
-      uint32_t from = vertex_of_subdivision(arc.place[0].point());
+      uint32_t from = vertex_of_subdivision(arc.ends[0].point());
       const bool south_first = (arc.poles & CutArc::south_first) != 0;
       for (uint32_t turn = 0; turn < 2; ++turn) {
         const uint32_t lowest = (turn == 0) == south_first ? 1 : 0;
@@ -172,7 +172,7 @@ class SimpleFaceBuilder {
         from = pole_vertex[lowest];
         q += 4;
       }
-      set_ends(q, from, vertex_of_subdivision(arc.place[1].point()));
+      set_ends(q, from, vertex_of_subdivision(arc.ends[1].point()));
     }
     for (uint32_t lowest = 0; lowest < 2; ++lowest) {
       if (pole_vertex[lowest] != no_id) link_pole(arcs.items().part(first, last), first, lowest);
@@ -215,6 +215,7 @@ class SimpleFaceBuilder {
 
   // Whole spheres: the great circle across x, from the highest point to the lowest and back, counter-clockwise about x.
   void link_spheres() {
+    if (topology_.first_sphere_edge == quads_.edges) return;
     uint32_t q = quarter_edge(topology_.first_sphere_edge);
     for (uint32_t i = 0; i < balls_.n; ++i) {
       if (!boundary_.is_whole_sphere(i)) continue;

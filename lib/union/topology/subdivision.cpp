@@ -109,7 +109,7 @@ void Subdivision::insert(const BallSet &balls, const Boundary &boundary, Span<Cu
   points_.clear();
   first_inner_ = 2 * boundary.circle_count();
   for (CutArc &arc : arcs) {
-    for (uint32_t end = 0; end < 2; ++end) arc.place[end] = insert_end(balls, boundary, arc, end);
+    for (uint32_t end = 0; end < 2; ++end) arc.ends[end] = insert_end(balls, boundary, arc, end);
   }
 }
 

@@ -18,10 +18,7 @@
 namespace hsp {
 
 struct TopologyLimits {
-  uint32_t balls = 0;
-  uint32_t neighbours = 0;
-  uint32_t edges = 0;
-  uint32_t cut_arcs = 0;
+  uint32_t balls = 0, neighbours = 0, edges = 0, cut_arcs = 0;
   uint32_t shells = 0;  // 0 is as many as the edges allow
 
   // A shell is no less than two edges.

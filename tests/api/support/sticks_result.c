@@ -31,7 +31,8 @@ static void choose_sticks(sticks_result *s) {
   memory = test_zeros(bytes, 1);
   if (hsp_sticks_init(memory, bytes, &limits, &trial) == HSP_OK) {
     for (i = 0; i + 1 < s->base->n && i < STICKS_OF_RESULT; ++i) {
-      const hsp_stick next = {{i, i + 1}, i % 3 == 2 ? HSP_STICK_WHOLE : 0, 0};
+      static const uint32_t kinds[] = {0, HSP_STICK_DOUBLE, HSP_STICK_TRIPLE, HSP_STICK_AROMATIC};
+      const hsp_stick next = {{i, i + 1}, kinds[i % 4] | (i % 3 == 2 ? HSP_STICK_WHOLE : 0), 0};
       s->stick[s->count] = next;
       if (hsp_sticks_compute(trial, s->base->model, &s->options, s->stick, s->count + 1, s->radius, NULL, NULL) !=
           HSP_E_CONFLICT)

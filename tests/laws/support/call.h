@@ -20,7 +20,7 @@ typedef struct call {
 } call;
 
 /* The handles that are made anew before the next call: all of the fixture, of so many balls; a handle of it that is
-/* spoilt. */
+ * spoilt. */
 void call_with_balls(uint32_t balls);
 void call_spoils(const void *handle);
 

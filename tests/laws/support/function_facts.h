@@ -8,7 +8,7 @@ extern "C" {
 #endif
 
 /* Arguments that the header lets a function write when it fails, but for refused handles: the reason why there are no
-/* results. */
+ * results. */
 int names_reason(const function *f, const argument *a);
 
 /* The place of an argument, -1 if there is none. */

@@ -17,6 +17,9 @@ using Ends = std::vector<BuiltSticks::Ends>;
 using oracle::Balls;
 
 constexpr Direction along_z{0, 0, 1};
+const std::vector<hsp::StickStrands> kinds = {hsp::StickStrands::two, hsp::StickStrands::dashed, hsp::StickStrands::one,
+                                              hsp::StickStrands::three};
+
 constexpr Direction directions[] = {along_z, {0, 1, 0}, {1, 1, 1}, {0.37, -0.61, 0.83}};
 
 double distance(const oracle::LatticeBall &a, const oracle::LatticeBall &b) {
@@ -32,6 +35,9 @@ TEST_P(SticksOfMolecule, ShowWhatIsVisible) {
     for (const bool whole : {false, true}) {
       const BuiltSticks built(model.balls, model.ends, 120, towards, whole);
       EXPECT_EQ(sticks_disagree(built, 300), "") << towards[0];
+      const BuiltSticks several(model.balls, model.ends, 120, towards, whole, false, kinds);
+      EXPECT_FALSE(several.builder().map().exist);
+      EXPECT_EQ(sticks_disagree(several, 300), "") << towards[0];
     }
   const BuiltSticks as_map(model.balls, model.ends, 120, along_z, false, true);
   EXPECT_TRUE(as_map.builder().map().exist);
@@ -63,6 +69,10 @@ TEST(StickViewBuilder, ShowsStars) {
       ASSERT_EQ(sticks_disagree(built, 150), "") << time << oracle::to_text(model.balls);
       const BuiltSticks as_map(model.balls, model.ends, built.radius(), along_z, time % 2 == 0, true);
       ASSERT_EQ(sticks_disagree(as_map, 100), "") << time << oracle::to_text(model.balls);
+      for (const bool map : {false, true}) {
+        const BuiltSticks several(model.balls, model.ends, built.radius() / 1.5, along_z, time % 2 == 0, map, kinds);
+        ASSERT_EQ(sticks_disagree(several, 150), "") << time << oracle::to_text(model.balls);
+      }
     } else {
       ++refused;
       ASSERT_EQ(built.status(), hsp::Status::conflict);
@@ -85,7 +95,12 @@ TEST(StickViewBuilder, ShowsHeaps) {
       model.balls.push_back(oracle::ball_in_box(random, 4000, 150, 300));
       model.ends.push_back({2 * k, 2 * k + 1});
     }
-    const BuiltSticks built(model.balls, model.ends, 100, directions[random.below(4)]);
+    const Direction towards = directions[random.below(4)];
+    const BuiltSticks built(model.balls, model.ends, 100, towards);
+    const BuiltSticks several(model.balls, model.ends, 100 / 1.5, towards, false, false, kinds);
+    if (several.status() == hsp::Status::ok) {
+      ASSERT_EQ(sticks_disagree(several, 150), "") << time << oracle::to_text(model.balls);
+    }
     if (built.status() == hsp::Status::ok) {
       ++drawn;
       ASSERT_EQ(sticks_disagree(built, 150), "") << time << oracle::to_text(model.balls);
@@ -135,6 +150,13 @@ TEST(StickViewBuilder, NamesWhatItRefuses) {
   EXPECT_EQ(refusal({{0, 0, 0, 1999}, {10000, 0, 0, 1010}, {5000, 8660, 0, 1010}}, bent, 1000), "5 0 1");
   EXPECT_EQ(BuiltSticks({{0, 0, 0, 2001}, {10000, 0, 0, 1010}, {5000, 8660, 0, 1010}}, bent, 1000).status(),
             hsp::Status::ok);
+  // The thicker one of two decides.
+  const std::vector<hsp::StickStrands> unequal = {hsp::StickStrands::one, hsp::StickStrands::two};
+  for (const int64_t thick : {1999, 2001}) {
+    const BuiltSticks built({{0, 0, 0, thick}, {10000, 0, 0, 1010}, {5000, 8660, 0, 1010}}, bent, 2000.0 / 3, along_z,
+                            false, false, unequal);
+    EXPECT_EQ(built.violation(), thick < 2000 ? "5 0 1" : "0 4294967295 4294967295");
+  }
   EXPECT_EQ(refusal(far_apart, {{0, 3}, {1, 2}}, 3), "6 0 1");
   EXPECT_EQ(BuiltSticks(far_apart, {{0, 3}, {1, 2}}, 1.2).status(), hsp::Status::ok);
   EXPECT_EQ(refusal({{0, 0, 0, 10}, {100, 0, 0, 10}, {50, 0, 12, 10}}, {{0, 1}}, 3), "7 0 2");

@@ -27,6 +27,7 @@ class RandomArcs {
       rs_.push_back(std::floor(3000 * fraction(random)));
     }
     batch_.count = 1 + below(ArcBatch::capacity);
+    batch_.has_weights = below(2) == 0;
     for (uint32_t s = 0; s < ArcBatch::room; ++s) {
       // Slots behind the last are read, too.
       const uint32_t behind = s >= batch_.count ? batch_.count - 1 : s;

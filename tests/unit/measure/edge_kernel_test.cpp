@@ -115,10 +115,8 @@ TEST(EdgeKernel, GivesTheSameBitsForEveryWidth) {
       while (batches.next()) {
         const ArcBatch &arcs = batches.batch();
         EdgeBatch weights{};
-        for (uint32_t s = 0; s < arcs.count; ++s) {
-          weights.weight[s] = 0.25 + 0.125 * (arcs.other[s] % 8);
-          weights.radius[s] = built.balls().r[arcs.other[s]];
-        }
+        weights.has_weights = set % 4 < 2;
+        for (uint32_t s = 0; s < arcs.count; ++s) weights.weight[s] = 0.25 + 0.125 * (arcs.other[s] % 8);
         // Slots behind the last arc are filled for as many lanes as the target has.
         const Results own = kernel<hsp::register_lanes>().run(ball, arcs, weights);
         EXPECT_TRUE(std::isfinite(own.mean));

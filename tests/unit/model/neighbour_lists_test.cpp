@@ -8,10 +8,12 @@
 TEST(NeighbourLists, Cases) {
   expect_cases(cases::model_neighbour_lists);
 }
-TEST(NeighbourLists, CasesWithoutWideCode) {
-  cases::small_grid().set_wide(false);
-  expect_cases(cases::model_neighbour_lists);
-  cases::small_grid().set_wide(true);
+TEST(NeighbourLists, CasesForTheBaseline) {
+  for (const bool in_lanes : {hsp::has_lanes, false}) {
+    cases::small_grid().use(hsp::Target::baseline, in_lanes);
+    expect_cases(cases::model_neighbour_lists);
+  }
+  cases::small_grid().use_own_code();
 }
 
 namespace {
@@ -48,10 +50,12 @@ TEST(NeighbourLists, OfCrowdedCubes) {
     EXPECT_EQ(both.ids.size(), 2 * smaller.ids.size());
     EXPECT_TRUE(lists_of(grid, hsp::PairRows::both, 0) == both);
     EXPECT_TRUE(lists_of(grid, hsp::PairRows::smaller, 0) == smaller);
-    grid.do_without_wide_code();
-    EXPECT_TRUE(lists_of(grid, hsp::PairRows::both) == both);
-    EXPECT_TRUE(lists_of(grid, hsp::PairRows::both, 0) == both);
-    EXPECT_TRUE(lists_of(grid, hsp::PairRows::smaller) == smaller);
+    for (const bool in_lanes : {hsp::has_lanes, false}) {
+      grid.use(hsp::Target::baseline, in_lanes);
+      EXPECT_TRUE(lists_of(grid, hsp::PairRows::both) == both);
+      EXPECT_TRUE(lists_of(grid, hsp::PairRows::both, 0) == both);
+      EXPECT_TRUE(lists_of(grid, hsp::PairRows::smaller) == smaller);
+    }
   }
 }
 
@@ -73,8 +77,10 @@ TEST(NeighbourLists, OfOneCrowdedCubeAmongMany) {
     ASSERT_LT(grid.balls().n, 2 * grid.cubes());
     const Lists both = lists_of(grid, hsp::PairRows::both), smaller = lists_of(grid, hsp::PairRows::smaller);
     EXPECT_EQ(both.ids.size(), 2 * smaller.ids.size());
-    grid.do_without_wide_code();
-    EXPECT_TRUE(lists_of(grid, hsp::PairRows::both) == both);
+    for (const bool in_lanes : {hsp::has_lanes, false}) {
+      grid.use(hsp::Target::baseline, in_lanes);
+      EXPECT_TRUE(lists_of(grid, hsp::PairRows::both) == both);
+    }
   }
 }
 

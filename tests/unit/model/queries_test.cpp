@@ -5,8 +5,10 @@
 TEST(Queries, Cases) {
   expect_cases(cases::model_queries);
 }
-TEST(Queries, CasesWithoutWideCode) {
-  cases::small_grid().set_wide(false);
-  expect_cases(cases::model_queries);
-  cases::small_grid().set_wide(true);
+TEST(Queries, CasesForTheBaseline) {
+  for (const bool in_lanes : {hsp::has_lanes, false}) {
+    cases::small_grid().use(hsp::Target::baseline, in_lanes);
+    expect_cases(cases::model_queries);
+  }
+  cases::small_grid().use_own_code();
 }

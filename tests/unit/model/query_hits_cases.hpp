@@ -116,7 +116,7 @@ uint32_t hits_are_ordered() {
   for (uint32_t count = 0; count <= hsp::QueryHits::room; ++count) {
     for (uint32_t round = 0; round < 20; ++round) {
       // Distinct numbers in every order; also the largest one that a ball can have.
-      for (uint32_t &id : hits.ids) id = 7;
+      for (uint32_t &id : hits.ids) id = round % 3 == 0 ? UINT32_MAX : 7;
       for (uint32_t k = 0; k < count; ++k) hits.ids[k] = round % 2 == 0 ? UINT32_C(0x0FFFFFFF) - 3 * k : k;
       for (uint32_t k = count; k > 1; --k) {
         const uint32_t other = random.below(k), id = hits.ids[k - 1];

@@ -36,7 +36,7 @@ TEST(Pockets, AreWhatAWideProbeDoesNotReach) {
   for (int turn = 0; turn < oracle::sets(40); ++turn) {
     const oracle::Balls balls = turn % 2 == 0 ? pore_sets::general_set(random, 60, turn / 2 % pore_sets::general_kinds)
                                               : pore_sets::tied_set(random, 30, turn / 2 % pore_sets::tied_kinds);
-    const BuiltPores pores(balls);
+    BuiltPores pores(balls);
     ASSERT_EQ(pores.status(), hsp::Status::ok);
     if (pores.maxima().empty()) continue;
     hsp::PocketFinder finder;

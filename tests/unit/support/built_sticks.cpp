@@ -12,8 +12,14 @@
 #include "path_painter.hpp"
 
 BuiltSticks::BuiltSticks(const oracle::Balls &balls, std::vector<Ends> ends, double radius,
-                         const std::array<double, 3> &towards, bool whole, bool as_map)
-    : grid_(oracle::in_lengths(balls, 1)), ends_(std::move(ends)), radius_(radius), whole_(whole), as_map_(as_map) {
+                         const std::array<double, 3> &towards, bool whole, bool as_map,
+                         std::vector<hsp::StickStrands> strands)
+    : grid_(oracle::in_lengths(balls, 1)),
+      ends_(std::move(ends)),
+      radius_(radius),
+      whole_(whole),
+      as_map_(as_map),
+      strands_(std::move(strands)) {
   status_ = grid_.status();
   if (status_ != hsp::Status::ok) return;
   take({static_cast<uint32_t>(balls.size()), 0, 16});
@@ -23,7 +29,7 @@ BuiltSticks::BuiltSticks(const oracle::Balls &balls, std::vector<Ends> ends, dou
 hsp::Status BuiltSticks::build(const std::array<double, 3> &towards) {
   return builder_.build(balls(), {{towards[0], towards[1], towards[2]}, {0, 1, 0}}, static_cast<uint32_t>(ends_.size()),
                         radius_, as_map_, [this](uint32_t k) {
-                          return hsp::StickEnds{ends_[k][0], ends_[k][1], whole_};
+                          return hsp::StickEnds{ends_[k][0], ends_[k][1], whole_, strands_of(k)};
                         });
 }
 
@@ -61,6 +67,41 @@ uint32_t plain_name(const BuiltSticks &built, uint32_t ball, uint32_t stick) {
   return balls.n + 2 * k + (balls.caller[ball] == built.ends()[k][0] ? 0 : 1);
 }
 
+namespace {
+
+// Strands of a picture in an order, by shares of the radius as they are documented: the farther ball lets each begin
+// where its own cylinder, as far aside as it is, leaves it.
+void add_strands(hsp::StickStrands kind, const oracle::PlainBall &foot, const oracle::PlainBall &top, bool turned,
+                 double out, double in, oracle::PlainCylinder &cylinder) {
+  const double length = std::hypot(cylinder.to[0] - cylinder.from[0], cylinder.to[1] - cylinder.from[1],
+                                   cylinder.to[2] - cylinder.from[2]);
+  const auto add = [&](double left, double right, bool dashed) {
+    const double aside = (left + right) / 2 * cylinder.radius, own = (left - right) / 2 * cylinder.radius;
+    if (dashed) {
+      for (int dash = 0; dash < 4; ++dash) {
+        const double step = (length - in - out) / 4;
+        const double begin = out + (dash + 0.25) * step;
+        cylinder.strands.push_back(
+            {aside, own, begin / length, (begin + step / 2) / length, {top.centre[0], top.centre[1], top.radius}});
+      }
+      return;
+    }
+    const double leaves = std::sqrt(foot.radius * foot.radius - aside * aside - own * own) / length;
+    cylinder.strands.push_back({aside, own, turned ? 0 : leaves, turned ? 1 - leaves : 1});
+  };
+  switch (kind) {
+    case hsp::StickStrands::one:
+      return;
+    case hsp::StickStrands::three:
+      add(0.21, -0.21, false), add(1, 0.58, false), add(-0.58, -1, false);
+      return;
+    default:
+      add(1, 0.28, false), add(-0.28, -1, kind == hsp::StickStrands::dashed);
+  }
+}
+
+}  // namespace
+
 PlainSticks::PlainSticks(const BuiltSticks &built) : balls(built.balls().n) {
   const hsp::BallSet &given = built.balls();
   for (uint32_t i = 0; i < given.n; ++i) {
@@ -72,11 +113,19 @@ PlainSticks::PlainSticks(const BuiltSticks &built) : balls(built.balls().n) {
     const oracle::PlainBall &one = balls[ends[0]], &two = balls[ends[1]];
     const double length =
         std::hypot(two.centre[0] - one.centre[0], two.centre[1] - one.centre[1], two.centre[2] - one.centre[2]);
+    const hsp::StickStrands kind = built.strands_of(cylinders.size());
+    const double radius = (kind == hsp::StickStrands::one ? 1 : 1.5) * built.radius();
     // In the middle between the planes in which it leaves the balls.
-    const double out = std::sqrt(one.radius * one.radius - built.radius() * built.radius());
-    const double in = std::sqrt(two.radius * two.radius - built.radius() * built.radius());
-    cylinders.push_back(
-        {one.centre, two.centre, built.radius(), built.whole() ? 2 : (out + length - in) / (2 * length)});
+    const double out = std::sqrt(one.radius * one.radius - radius * radius);
+    const double in = std::sqrt(two.radius * two.radius - radius * radius);
+    cylinders.push_back({one.centre, two.centre, radius, built.whole() ? 2 : (out + length - in) / (2 * length)});
+    // Either one of balls as far away as each other may be the foot.
+    const bool level = std::abs(one.centre[2] - two.centre[2]) < 1e-9 * length;
+    const bool turned = level ? built.view().sticks[static_cast<uint32_t>(cylinders.size() - 1)].turned != 0
+                              : one.centre[2] > two.centre[2];
+    if (!built.builder().map().exist) {
+      add_strands(kind, turned ? two : one, turned ? one : two, turned, out, in, cylinders.back());
+    }
   }
 }
 

@@ -16,8 +16,10 @@ class BuiltSticks {
   using Ends = std::array<uint32_t, 2>;
 
   // Lattice step 1. Limits grow until they suffice, twelve times at most. as_map: also where there is an order.
+  // strands: of stick k the one at k modulo their number; one strand if there is none.
   BuiltSticks(const oracle::Balls &balls, std::vector<Ends> ends, double radius,
-              const std::array<double, 3> &towards = {0, 0, 1}, bool whole = false, bool as_map = false);
+              const std::array<double, 3> &towards = {0, 0, 1}, bool whole = false, bool as_map = false,
+              std::vector<hsp::StickStrands> strands = {});
 
   void look(const std::array<double, 3> &towards);
   void take(const hsp::StickLimits &limits) { memory_.carve(builder_, limits); }
@@ -30,6 +32,9 @@ class BuiltSticks {
   const std::vector<Ends> &ends() const { return ends_; }
   double radius() const { return radius_; }
   bool whole() const { return whole_; }
+  hsp::StickStrands strands_of(size_t k) const {
+    return strands_.empty() ? hsp::StickStrands::one : strands_[k % strands_.size()];
+  }
   // The conflict and its numbers as text.
   std::string violation() const;
 
@@ -41,6 +46,7 @@ class BuiltSticks {
   double radius_;
   bool whole_;
   bool as_map_;
+  std::vector<hsp::StickStrands> strands_;
   hsp::Status status_ = hsp::Status::ok;
 };
 

@@ -28,17 +28,24 @@ class SmallGrid {
     if (measured.bytes() > sizeof memory_) return false;
     hsp::Workspace workspace(memory_, sizeof memory_);
     grid_.carve(workspace, n);
-    if (!wide_) grid_.do_without_wide_code();
+    if (!has_own_code_) grid_.use(target_, in_lanes_);
     uint32_t first_bad = 0;
     return grid_.build({n, xyz_, radius_, 0.0, 1.0}, first_bad) == hsp::Status::ok;
   }
   hsp::CubeGrid &grid() { return grid_; }
-  // Whether the next grids run code for wide registers if the processor does.
-  void set_wide(bool wide) { wide_ = wide; }
+  // The code that the next grids run instead of what the processor has.
+  void use(hsp::Target target, bool in_lanes) {
+    has_own_code_ = false;
+    target_ = target;
+    in_lanes_ = in_lanes;
+  }
+  void use_own_code() { has_own_code_ = true; }
 
  private:
   hsp::CubeGrid grid_;
-  bool wide_ = true;
+  bool has_own_code_ = true;
+  hsp::Target target_ = hsp::Target::baseline;
+  bool in_lanes_ = false;
   double xyz_[3 * most_balls], radius_[most_balls];
   alignas(64) unsigned char memory_[32 * 1024];
 };

@@ -108,7 +108,7 @@ inline const hsp::ProbeTriangles *triangle_of(uint32_t vertex) {
   for (uint32_t k = 0; k < hsp::ProbeTriangles::lanes; ++k) {
     four[k] = first + k < SearchedProbes::vertices() ? first + k : SearchedProbes::vertices() - 1;
   }
-  hsp::gather_triangles(small_union().boundary(), searched_probes().grid().places(), four, triangles);
+  hsp::gather_triangles(small_union().boundary(), searched_probes().grid().positions(), four, triangles);
   for (uint32_t k = 0; k < hsp::ProbeTriangles::lanes; ++k) {
     const hsp::Vec3 offset = searched_probes().grid().position(four[k]).offset;
     triangles.offset[0][k] = offset.x;

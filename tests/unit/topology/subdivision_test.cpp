@@ -105,8 +105,8 @@ class Check {
     for (uint32_t k = 0; k < topology.cut_arcs.size(); ++k) {
       for (uint32_t end = 0; end < 2; ++end) {
         const hsp::CutArc &arc = topology.cut_arcs[k];
-        const uint32_t s = arc.place[end].point();
-        const uint32_t side = arc.place[end].side();
+        const uint32_t s = arc.ends[end].point();
+        const uint32_t side = arc.ends[end].side();
         ASSERT_LT(s, ends.size());
         ASSERT_EQ(++ends[s][side], 1) << oracle::to_text(set_);
         const hsp::HostBalls pair = hsp::balls_of_host(built_.boundary(), vertex(s).host);

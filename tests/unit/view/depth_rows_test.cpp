@@ -1,5 +1,5 @@
 // The rows of a depth buffer under discs of random places, sizes and heights: what is hidden and how far floors are
-// raised, one cell at a time and four at a time, against the definition.
+// raised, by the kernels of each target, against the definition.
 #include "view/depth_rows.hpp"
 
 #include <gtest/gtest.h>
@@ -10,14 +10,14 @@
 #include <limits>
 #include <random>
 
-#include "lanes/target.hpp"
+#include "runnable_targets.hpp"
 
 namespace {
 
 constexpr uint32_t columns = 18, rows = 14, coarse_columns = 5, coarse_rows = 4;
 
 struct Floor {
-  std::array<float, columns * rows> floor;
+  std::array<float, columns * rows + 3> floor;
   std::array<uint8_t, coarse_columns * coarse_rows> stale;
 
   hsp::FloorCells cells() { return {floor.data(), columns, stale.data(), coarse_columns}; }
@@ -89,10 +89,9 @@ void visit_cells(const hsp::DiscCells &disc, Visit visit) {
   }
 }
 
-using Hides = bool (*)(const hsp::FloorCells &, const hsp::DiscCells &, double);
-using Raise = void (*)(const hsp::FloorCells &, const hsp::DiscCells &, double, double);
+class DepthRows : public testing::TestWithParam<hsp::Target> {};
 
-void check_hides(Hides hides) {
+TEST_P(DepthRows, Hide) {
   Cases cases;
   int hidden = 0, seen = 0;
   for (int n = 0; n < 4000; ++n) {
@@ -101,14 +100,14 @@ void check_hides(Hides hides) {
     visit_cells(c.disc, [&](uint32_t column, uint32_t row, double height) {
       expected = expected && static_cast<double>(c.before.floor[row * columns + column]) > c.base + height;
     });
-    ASSERT_EQ(hides(c.before.cells(), c.disc, c.base), expected) << n;
+    ASSERT_EQ(hsp::hides(GetParam(), c.before.cells(), c.disc, c.base), expected) << n;
     ++(expected ? hidden : seen);
   }
   EXPECT_GT(hidden, 300);
   EXPECT_GT(seen, 300);
 }
 
-void check_raise(Raise raise) {
+TEST_P(DepthRows, Raise) {
   constexpr double margin = 1e-9;
   Cases cases;
   for (int n = 0; n < 4000; ++n) {
@@ -122,25 +121,12 @@ void check_raise(Raise raise) {
       floor = lowered;
       expected.stale[row / hsp::coarse_side * coarse_columns + column / hsp::coarse_side] = 1;
     });
-    raise(c.before.cells(), c.disc, c.base, margin);
+    hsp::raise(GetParam(), c.before.cells(), c.disc, c.base, margin);
     ASSERT_EQ(c.before.floor, expected.floor) << n;
     ASSERT_EQ(c.before.stale, expected.stale) << n;
   }
 }
 
-TEST(DepthRows, HidesOneByOne) {
-  check_hides(hsp::hides_one_by_one);
-}
-TEST(DepthRows, RaisesOneByOne) {
-  check_raise(hsp::raise_one_by_one);
-}
-TEST(DepthRows, HidesFourAtATime) {
-  if (hsp::best_target() != hsp::Target::avx2) GTEST_SKIP() << "this processor or this build has no AVX2";
-  check_hides(hsp::hides_avx2);
-}
-TEST(DepthRows, RaisesFourAtATime) {
-  if (hsp::best_target() != hsp::Target::avx2) GTEST_SKIP() << "this processor or this build has no AVX2";
-  check_raise(hsp::raise_avx2);
-}
+INSTANTIATE_TEST_SUITE_P(Targets, DepthRows, testing::ValuesIn(runnable_targets()));
 
 }  // namespace

@@ -1,9 +1,8 @@
-#if HSP_AVX2
 #include "model/rounded_block.hpp"
 
 #include "lanes/words.hpp"
 
-namespace hsp {
+namespace hsp::HSP_TARGET {
 namespace {
 
 // For what floats leave open, lane by lane. Apart, as it is rare.
@@ -12,9 +11,9 @@ namespace {
   for (; doubtful != 0; doubtful &= doubtful - 1) {
     const uint32_t lane = lowest(doubtful);
     const BallRange *range = block.range;
-    uint32_t place = from + lane;
-    for (; place >= range->last - range->first; ++range) place -= range->last - range->first;
-    const uint32_t j = range->first + place;
+    uint32_t offset = from + lane;
+    for (; offset >= range->last - range->first; ++range) offset -= range->last - range->first;
+    const uint32_t j = range->first + offset;
     const bool meets = meet_exactly(balls.x[j] - balls.x[i], balls.y[j] - balls.y[i], balls.z[j] - balls.z[i],
                                     balls.r[j] + balls.r[i]);
     meet = (meet & ~(1U << lane)) | static_cast<LaneBits>(meets) << lane;
@@ -34,7 +33,7 @@ class BlockQuery {
     r_ = Floats::all(own[3]);
   }
 
-  // Those of the eight from number c on that meet the ball.
+  // Those of the block from number c on, one for each lane, that meet the ball.
   LaneBits meeting(uint32_t c) const {
     const Floats dx = Floats::load(block_.x + c) - x_, dy = Floats::load(block_.y + c) - y_,
                  dz = Floats::load(block_.z + c) - z_, sum = Floats::load(block_.r + c) + r_;
@@ -55,8 +54,8 @@ class BlockQuery {
 
 }  // namespace
 
-bool fill_block_avx2(RoundedBlock &block, const QueryGrid &grid, const QueryArrays &balls, const BallRange *ranges,
-                     uint32_t range_count) {
+bool fill_block(RoundedBlock &block, const QueryGrid &grid, const QueryArrays &balls, const BallRange *ranges,
+                uint32_t range_count) {
   const float *const rounded = grid.rounded;
   uint32_t count = 0;
   for (uint32_t k = 0; k < range_count; ++k) {
@@ -64,12 +63,12 @@ bool fill_block_avx2(RoundedBlock &block, const QueryGrid &grid, const QueryArra
     if (last - first > RoundedBlock::room - count) return false;
     uint32_t to = count;
     // Nearly always once or twice.
-    for (uint32_t j = first; j < last; j += 8, to += 8) {
-      const FourOfEight eight = FourOfEight::load(rounded + 4 * size_t{j});
-      eight.a.store(block.x + to);
-      eight.b.store(block.y + to);
-      eight.c.store(block.z + to);
-      eight.d.store(block.r + to);
+    for (uint32_t j = first; j < last; j += Floats::lanes, to += Floats::lanes) {
+      const FourOfEach four = FourOfEach::load(rounded + 4 * size_t{j});
+      four.a.store(block.x + to);
+      four.b.store(block.y + to);
+      four.c.store(block.z + to);
+      four.d.store(block.r + to);
       Integers::load(balls.caller + j).store(block.caller + to);
     }
     block.range[k] = ranges[k];
@@ -86,27 +85,26 @@ bool fill_block_avx2(RoundedBlock &block, const QueryGrid &grid, const QueryArra
   return true;
 }
 
-uint32_t count_in_block_avx2(const RoundedBlock &block, const QueryArrays &balls, uint32_t i) {
+uint32_t count_in_block(const RoundedBlock &block, const QueryArrays &balls, uint32_t i) {
   const BlockQuery query(block, balls, i);
   const uint32_t count = block.count;
   uint32_t found = 0;
-  for (uint32_t c = 0; c < count; c += 8) found += ones(query.meeting(c));
+  for (uint32_t c = 0; c < count; c += Floats::lanes) found += ones(query.meeting(c));
   return found;
 }
 
-void find_others_in_block_avx2(const RoundedBlock &block, const QueryArrays &balls, uint32_t i, QueryHits &hits) {
+void find_others_in_block(const RoundedBlock &block, const QueryArrays &balls, uint32_t i, QueryHits &hits) {
   const BlockQuery query(block, balls, i);
   const Integers own = Integers::all(balls.caller[i]);
   const uint32_t count = block.count;
   uint32_t found = 0;
-  for (uint32_t c = 0; c < count; c += 8) {
+  for (uint32_t c = 0; c < count; c += Floats::lanes) {
     const Integers ids = Integers::load(block.caller + c);
     const LaneBits meet = query.meeting(c) & ~equal(ids, own);
-    store_front(hits.ids + (found < QueryHits::room ? found : QueryHits::room), ids, FrontOrder::of_eight(meet));
+    store_front(hits.ids + (found < QueryHits::room ? found : QueryHits::room), ids, FrontOrder::of(meet));
     found += ones(meet);
   }
   hits.count = found;
 }
 
-}  // namespace hsp
-#endif
+}  // namespace hsp::HSP_TARGET

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <vector>
 
-#include "lanes/target.hpp"
 #include "random_balls.hpp"
+#include "runnable_targets.hpp"
 
+#if HSP_LANES
 namespace {
 
-#if HSP_AVX2
 using oracle::LatticeBall;
 using oracle::RandomSource;
 
@@ -50,26 +50,23 @@ hsp::PairBlock empty_block(const LatticeBall &centre, double side) {
 }
 
 // Ball i against all of the block from each number on.
-void expect_met(const hsp::PairBlock &block, const Arrays &arrays, const std::vector<LatticeBall> &balls,
-                const std::vector<uint32_t> &numbers, uint32_t i) {
+void expect_met(hsp::Target target, const hsp::PairBlock &block, const Arrays &arrays,
+                const std::vector<LatticeBall> &balls, const std::vector<uint32_t> &numbers, uint32_t i) {
   for (uint32_t from = 0; from < block.count; from += 1 + from / 3) {
     std::vector<uint32_t> expected;
     for (uint32_t k = from; k < numbers.size(); ++k)
       if (meet_in_integers(balls[i], balls[numbers[k]])) expected.push_back(arrays.caller[numbers[k]]);
     std::vector<uint32_t> met(hsp::PairBlock::room + hsp::PairBlock::lanes);
-    met.resize(met_in_block_avx2(block, arrays.arrays(), i, from, met.data()));
+    met.resize(met_in_block(target, block, arrays.arrays(), i, from, met.data()));
     ASSERT_EQ(met, expected) << "ball " << i << ", from " << from << " of " << block.count;
   }
 }
 
-class PairBlockAvx2 : public testing::Test {
-  void SetUp() override {
-    if (hsp::best_target() != hsp::Target::avx2) GTEST_SKIP() << "this processor has no AVX2";
-  }
-};
+class PairBlockOf : public testing::TestWithParam<hsp::Target> {};
+INSTANTIATE_TEST_SUITE_P(Targets, PairBlockOf, testing::ValuesIn(runnable_targets()));
 
 // Few digits, so that many pairs touch, at every scale; a step beside touching at the largest; far from the origin.
-TEST_F(PairBlockAvx2, MeetsAsIntegersSay) {
+TEST_P(PairBlockOf, MeetsAsIntegersSay) {
   RandomSource random(51);
   for (int round = 0; round < 3000; ++round) {
     const int64_t largest = random.in(1, 6), unit = int64_t{1} << random.in(0, 25), r_max = largest * unit;
@@ -92,43 +89,43 @@ TEST_F(PairBlockAvx2, MeetsAsIntegersSay) {
     while (numbers.size() < 80) {
       const auto first = static_cast<uint32_t>(random.in(0, n - 1));
       const auto last = static_cast<uint32_t>(random.in(first, n));
-      ASSERT_EQ(add_to_block_avx2(block, arrays.arrays(), {first, last}), last);
+      ASSERT_EQ(add_to_block(GetParam(), block, arrays.arrays(), {first, last}), last);
       for (uint32_t j = first; j < last; ++j) numbers.push_back(j);
     }
     ASSERT_EQ(block.count, numbers.size());
-    for (uint32_t i = 0; i < 4 && i < n; ++i) expect_met(block, arrays, balls, numbers, i);
+    for (uint32_t i = 0; i < 4 && i < n; ++i) expect_met(GetParam(), block, arrays, balls, numbers, i);
   }
 }
 
 // All radii 0: the side of the cubes is 1, and only equal points meet.
-TEST_F(PairBlockAvx2, PointsMeetWhereTheyAreEqual) {
+TEST_P(PairBlockOf, PointsMeetWhereTheyAreEqual) {
   const std::vector<LatticeBall> balls = {{4, 5, 6, 0}, {4, 5, 6, 0}, {4, 5, 7, 0}, {3, 5, 6, 0}, {4, 5, 6, 0}};
   const Arrays arrays(balls);
   hsp::PairBlock block = empty_block({4, 5, 6, 0}, 1);
   for (double &coordinate : block.centre) coordinate += 0.5;
-  add_to_block_avx2(block, arrays.arrays(), {0, 5});
-  expect_met(block, arrays, balls, {0, 1, 2, 3, 4}, 0);
-  expect_met(block, arrays, balls, {0, 1, 2, 3, 4}, 2);
+  add_to_block(GetParam(), block, arrays.arrays(), {0, 5});
+  expect_met(GetParam(), block, arrays, balls, {0, 1, 2, 3, 4}, 0);
+  expect_met(GetParam(), block, arrays, balls, {0, 1, 2, 3, 4}, 2);
 }
 
 // Around the room: what fits is appended, and where the rest begins is reported.
-TEST_F(PairBlockAvx2, TakesWhatItHasRoomFor) {
+TEST_P(PairBlockOf, TakesWhatItHasRoomFor) {
   constexpr uint32_t room = hsp::PairBlock::room;
   const std::vector<LatticeBall> balls(room + 20, LatticeBall{0, 0, 0, 1});
   const Arrays arrays(balls);
   for (uint32_t already = room - 20; already <= room; ++already)
     for (uint32_t more = 0; more <= 20; ++more) {
       hsp::PairBlock block = empty_block({0, 0, 0, 0}, 2);
-      ASSERT_EQ(add_to_block_avx2(block, arrays.arrays(), {0, already}), already);
+      ASSERT_EQ(add_to_block(GetParam(), block, arrays.arrays(), {0, already}), already);
       const uint32_t taken = std::min(more, room - already);
-      ASSERT_EQ(add_to_block_avx2(block, arrays.arrays(), {7, 7 + more}), 7 + taken);
+      ASSERT_EQ(add_to_block(GetParam(), block, arrays.arrays(), {7, 7 + more}), 7 + taken);
       ASSERT_EQ(block.count, already + taken);
       uint32_t met[room + hsp::PairBlock::lanes];
-      EXPECT_EQ(met_in_block_avx2(block, arrays.arrays(), 3, 1, met), block.count - 1);
+      EXPECT_EQ(met_in_block(GetParam(), block, arrays.arrays(), 3, 1, met), block.count - 1);
     }
 }
-#else
-TEST(PairBlockAvx2, IsNotInThisBuild) {}
-#endif
 
 }  // namespace
+#else
+TEST(PairBlock, IsNotInThisBuild) {}
+#endif

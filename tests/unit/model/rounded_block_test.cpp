@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "built_grid.hpp"
-#include "lanes/target.hpp"
 #include "model/queries.hpp"
 #include "random_balls.hpp"
+#include "runnable_targets.hpp"
 
+#if HSP_LANES
 namespace {
 
-#if HSP_AVX2
 using hsp::RoundedBlock;
 using oracle::LatticeBall;
 using oracle::RandomSource;
@@ -35,11 +35,12 @@ support::BallList to_list(const std::vector<LatticeBall> &balls) {
 }
 
 // Each ball of the ranges against all of them.
-void expect_met(const hsp::CubeGrid &grid, const std::vector<hsp::BallRange> &ranges) {
+void expect_met(hsp::Target target, const hsp::CubeGrid &grid, const std::vector<hsp::BallRange> &ranges) {
   const hsp::BallSet &balls = grid.balls();
   const hsp::QueryArrays arrays = query_arrays(balls);
   RoundedBlock block;
-  ASSERT_TRUE(fill_block_avx2(block, grid.query_grid(), arrays, ranges.data(), static_cast<uint32_t>(ranges.size())));
+  ASSERT_TRUE(
+      fill_block(target, block, grid.query_grid(), arrays, ranges.data(), static_cast<uint32_t>(ranges.size())));
   std::vector<uint32_t> places;
   for (const hsp::BallRange &range : ranges) {
     for (uint32_t j = range.first; j < range.last; ++j) places.push_back(j);
@@ -50,23 +51,20 @@ void expect_met(const hsp::CubeGrid &grid, const std::vector<hsp::BallRange> &ra
     for (const uint32_t j : places) {
       if (j != i && meet_in_integers(balls, i, j)) expected.push_back(balls.caller[j]);
     }
-    ASSERT_EQ(count_in_block_avx2(block, arrays, i), expected.size() + 1) << "ball " << i;
+    ASSERT_EQ(count_in_block(target, block, arrays, i), expected.size() + 1) << "ball " << i;
     hsp::QueryHits hits;
-    find_others_in_block_avx2(block, arrays, i, hits);
+    find_others_in_block(target, block, arrays, i, hits);
     ASSERT_EQ(hits.count, expected.size()) << "ball " << i;
     const auto stored = static_cast<std::ptrdiff_t>(std::min(hits.count, hsp::QueryHits::room));
     ASSERT_TRUE(std::equal(expected.begin(), expected.begin() + stored, hits.ids)) << "ball " << i;
   }
 }
 
-class RoundedBlockAvx2 : public testing::Test {
-  void SetUp() override {
-    if (hsp::best_target() != hsp::Target::avx2) GTEST_SKIP() << "this processor has no AVX2";
-  }
-};
+class RoundedBlockOf : public testing::TestWithParam<hsp::Target> {};
+INSTANTIATE_TEST_SUITE_P(Targets, RoundedBlockOf, testing::ValuesIn(runnable_targets()));
 
 // Few digits, so that many pairs touch, at every scale; a step beside touching at the largest; far from the origin.
-TEST_F(RoundedBlockAvx2, MeetsAsIntegersSay) {
+TEST_P(RoundedBlockOf, MeetsAsIntegersSay) {
   RandomSource random(57);
   int with_floats = 0;
   for (int round = 0; round < 1500; ++round) {
@@ -92,36 +90,37 @@ TEST_F(RoundedBlockAvx2, MeetsAsIntegersSay) {
       ranges.push_back({from, last});
       from = last + static_cast<uint32_t>(random.in(0, 2));
     }
-    expect_met(built.grid(), ranges);
+    expect_met(GetParam(), built.grid(), ranges);
   }
   EXPECT_GT(with_floats, 500);
 }
 
 // As far from the middle as sets are rounded: floats cannot tell a distance of many radii from none.
-TEST_F(RoundedBlockAvx2, MeetsAtTheEndsOfALongRow) {
+TEST_P(RoundedBlockOf, MeetsAtTheEndsOfALongRow) {
   std::vector<LatticeBall> set;
   for (int64_t k = 0; k < 4000; ++k) set.push_back({1000 * k, k % 3, 0, 400 + k % 200});
   const BuiltGrid built(to_list(set));
   ASSERT_EQ(built.status(), hsp::Status::ok);
   ASSERT_NE(built.grid().query_grid().rounded, nullptr);
-  for (const uint32_t from : {0U, 2000U, 3900U}) expect_met(built.grid(), {{from, from + 100}});
+  for (const uint32_t from : {0U, 2000U, 3900U}) expect_met(GetParam(), built.grid(), {{from, from + 100}});
 }
 
-TEST_F(RoundedBlockAvx2, RefusesWhatItHasNoRoomFor) {
+TEST_P(RoundedBlockOf, RefusesWhatItHasNoRoomFor) {
   constexpr uint32_t room = RoundedBlock::room;
   const BuiltGrid built(to_list(std::vector<LatticeBall>(room + 20, LatticeBall{0, 0, 0, 1})));
   ASSERT_EQ(built.status(), hsp::Status::ok);
   ASSERT_NE(built.grid().query_grid().rounded, nullptr);
-  expect_met(built.grid(), {{0, room}});
-  expect_met(built.grid(), {{0, 3}, {20, room + 17}});
+  expect_met(GetParam(), built.grid(), {{0, room}});
+  expect_met(GetParam(), built.grid(), {{0, 3}, {20, room + 17}});
   RoundedBlock block;
   for (const hsp::BallRange &range : {hsp::BallRange{20, room + 18}, hsp::BallRange{4, room + 2}}) {
     const hsp::BallRange ranges[2] = {{0, 3}, range};
-    EXPECT_FALSE(fill_block_avx2(block, built.grid().query_grid(), query_arrays(built.grid().balls()), ranges, 2));
+    EXPECT_FALSE(
+        fill_block(GetParam(), block, built.grid().query_grid(), query_arrays(built.grid().balls()), ranges, 2));
   }
 }
-#else
-TEST(RoundedBlockAvx2, IsNotInThisBuild) {}
-#endif
 
 }  // namespace
+#else
+TEST(RoundedBlock, IsNotInThisBuild) {}
+#endif
