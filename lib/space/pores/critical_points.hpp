@@ -61,6 +61,8 @@ class CriticalPoints {
   const Work &work() const { return work_; }
   // Where a translation takes a point.
   PointName moved_name(const PointName &name, uint32_t translation);
+  // Memory of the search, free after it.
+  Span<uint32_t> scratch() { return candidates_; }
   // For further points of the same balls.
   TangentLines &lines() const { return lines_[0]; }
 

@@ -101,6 +101,22 @@ bool are_congruent(const BallSet &balls, const uint32_t *a, const uint32_t *b, u
   }
 }
 
+// In linear time where there is scratch memory, levels being spread.
+template <class Record, class Higher>
+void sort_by_level(Span<Record> records, Span<uint32_t> scratch, Higher higher) {
+  if (records.size() < 24 || scratch.size() < records.size()) return sort_in_place(records, higher);
+  double low = records[0].point.level, high = low;
+  for (const Record &record : records) {
+    low = record.point.level < low ? record.point.level : low;
+    high = record.point.level > high ? record.point.level : high;
+  }
+  const double scale = high > low ? 1.0 / (high - low) : 0.0;
+  const auto slot_of = [&](const Record &record, uint32_t slots) {
+    return static_cast<uint32_t>((high - record.point.level) * scale * (slots - 1));
+  };
+  sort_by_slot(records, scratch, slot_of, higher);
+}
+
 }  // namespace
 
 // In doubles, where they are certain; by integers, and by names.
@@ -138,8 +154,8 @@ void PoresBuilder::sort_points() {
   const auto higher = [&](const auto &a, const auto &b) { return is_higher(a.point, b.point); };
   compared_.reset(balls_);
   for (uint32_t k = 0; k < maximum_count_; ++k) maxima_[k].gate = k;
-  sort_in_place(critical_.maxima().items(), higher);
-  sort_in_place(critical_.gates().items(), higher);
+  sort_by_level(critical_.maxima().items(), critical_.scratch(), higher);
+  sort_by_level(critical_.gates().items(), critical_.scratch(), higher);
   for (uint32_t k = 0; k < maximum_count_; ++k) maxima_[maxima_[k].gate].into = k;
   for (uint32_t k = 0; k < gate_count_; ++k) {
     for (uint32_t &end : gates_[k].end) end = end == pore_outside ? end : maxima_[end].into;
