@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "box_records.hpp"
-#include "fuzz_input.hpp"
+#include "crystal_input.hpp"
 #include "required_limits.hpp"
 
 namespace {
 
-using Vectors = std::array<double, 9>;
+using Vectors = fuzz::BoxVectors;
 
 struct Crystal {
   uint32_t n() const { return balls.size(); }
@@ -25,18 +25,13 @@ struct Crystal {
   hsp_model_options options{};
 };
 
-// Lengths of whole steps, mostly from few values. The box is never thinner than a fifth of the largest radius, so that
+// The box is never thinner than a fifth of the largest radius, so that
 // a few balls do not have thousands of images.
 Crystal crystal_from(fuzz::Bytes &bytes) {
   Crystal crystal;
   const uint32_t n = bytes.below(5);
-  const bool fine = bytes.one_in(3);
-  const auto length = [&](int64_t least, int64_t most) {
-    const int64_t whole = least + bytes.below(static_cast<uint32_t>(most - least + 1));
-    return static_cast<double>(fine ? 100 * whole + bytes.below(100) : 2 * whole);
-  };
-  crystal.box = {length(3, 8), 0, 0, length(-4, 4), length(3, 8), 0, length(-4, 4), length(-4, 4), length(3, 8)};
-  if (bytes.one_in(2)) crystal.box[3] = crystal.box[6] = crystal.box[7] = 0;
+  fuzz::StepLengths length(bytes);
+  crystal.box = length.box(8, 4);
   for (uint32_t i = 0; i < n; ++i) {
     const double x = length(-8, 8);
     const double y = length(-8, 8);

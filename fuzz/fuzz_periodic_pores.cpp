@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "ball_list.hpp"
-#include "fuzz_input.hpp"
+#include "crystal_input.hpp"
 #include "owned_spaces.hpp"
 #include "required_limits.hpp"
 
 namespace {
 
-using Vectors = std::array<double, 9>;
+using Vectors = fuzz::BoxVectors;
 
 struct Crystal {
   uint32_t n() const { return balls.size(); }
@@ -22,16 +22,10 @@ struct Crystal {
   Vectors box{};
 };
 
-// Lengths of whole steps, from few values.
 Crystal crystal_from(fuzz::Bytes &bytes) {
   Crystal crystal;
-  const bool fine = bytes.one_in(3);
-  const auto length = [&](int64_t least, int64_t most) {
-    const int64_t whole = least + bytes.below(static_cast<uint32_t>(most - least + 1));
-    return static_cast<double>(fine ? 100 * whole + bytes.below(100) : 2 * whole);
-  };
-  crystal.box = {length(3, 6), 0, 0, length(-2, 2), length(3, 6), 0, length(-2, 2), length(-2, 2), length(3, 6)};
-  if (bytes.one_in(2)) crystal.box[3] = crystal.box[6] = crystal.box[7] = 0;
+  fuzz::StepLengths length(bytes);
+  crystal.box = length.box(6, 2);
   for (uint32_t n = bytes.below(4); n > 0; --n) {
     const double x = length(-4, 4), y = length(-4, 4), z = length(-4, 4);
     crystal.balls.add(x, y, z, length(1, 3));

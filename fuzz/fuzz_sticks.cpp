@@ -1,5 +1,5 @@
-// Balls and sticks of any set: pictures or conflicts, the same twice, no effect of the order of the balls, and limits
-// that are too small. Maps of them: their invariants, what is seen at points, and limits.
+// Balls and sticks of any set: pictures, some with contours, or conflicts, the same twice, no effect of the order of
+// the balls, and limits that are too small. Maps of them: their invariants, what is seen at points, and limits.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -289,7 +289,16 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     support::OwnedHandle<support::SticksKind> sticks;
     sticks.take(reference.needed);
     FUZZ_REQUIRE(compute(sticks.get(), nullptr) == HSP_OK, "with what is needed");
-    const auto write = [&sticks](auto... arguments) { return hsp_picture_write_sticks(sticks.get(), arguments...); };
+    // Some with contours, where there is a map of the same.
+    support::OwnedHandle<support::SticksKind> map;
+    map.take({sizeof(hsp_sticks_limits), 200, 200, 200 * 200, 4000});
+    const bool mapped = hsp_sticks_compute_map(map.get(), base.get().model, &options, stick.data(), count, radius,
+                                               nullptr, nullptr) == HSP_OK;
+    const auto write = [&](const uint32_t *colour, const hsp_picture_options *asked, auto... arguments) {
+      hsp_picture_options chosen = *asked;
+      if (mapped && asked->width >= 1) chosen.ink_of_sticks = map.get();
+      return hsp_picture_write_sticks(sticks.get(), colour, &chosen, arguments...);
+    };
     fuzz::require_pictures(base.get(), write, base.get(), write, bytes);
   }
 

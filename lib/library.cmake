@@ -57,9 +57,9 @@ set(HSP_LIBRARY_SOURCES
   lib/union/sphere/float_caps.kernel.cpp
   lib/union/sphere/great_circles.cpp
   lib/union/sphere/lane_search.cpp
-  lib/union/sphere/near_balls_avx2.cpp
+  lib/union/sphere/near_balls.kernel.cpp
   lib/union/sphere/pair_sweep.kernel.cpp
-  lib/union/sphere/root_discriminants_avx2.cpp
+  lib/union/sphere/root_discriminants.kernel.cpp
   lib/union/sphere/vertex_finder.cpp
   lib/union/boundary/boundary_builder.cpp
   lib/union/boundary/boundary_check.cpp
@@ -95,10 +95,10 @@ set(HSP_LIBRARY_SOURCES
   lib/union/contacts/chord_clipper.cpp
   lib/union/contacts/chord_cuts.kernel.cpp
   lib/union/contacts/chord_parts.cpp
-  lib/union/contacts/chord_parts_avx2.cpp
+  lib/union/contacts/chord_parts.kernel.cpp
   lib/union/contacts/chord_walk.cpp
   lib/union/contacts/contact_measures.cpp
-  lib/union/contacts/contact_measures_avx2.cpp
+  lib/union/contacts/contact_measures.kernel.cpp
   lib/union/contacts/contacts_builder.cpp
   lib/union/contacts/contacts_check.cpp
   lib/union/periodic/periodic_box.cpp
@@ -334,12 +334,16 @@ set(HSP_SOURCES_OF_LANES
   lib/balls/model/pair_block.kernel.cpp
   lib/balls/model/query_hits.kernel.cpp
   lib/balls/model/rounded_block.kernel.cpp
+  lib/union/contacts/chord_parts.kernel.cpp
+  lib/union/contacts/contact_measures.kernel.cpp
   lib/union/sphere/candidate_block.kernel.cpp
   lib/union/sphere/cube_candidates.cpp
   lib/union/sphere/few_caps.kernel.cpp
   lib/union/sphere/float_caps.kernel.cpp
   lib/union/sphere/lane_search.cpp
-  lib/union/sphere/pair_sweep.kernel.cpp)
+  lib/union/sphere/near_balls.kernel.cpp
+  lib/union/sphere/pair_sweep.kernel.cpp
+  lib/union/sphere/root_discriminants.kernel.cpp)
 list(TRANSFORM HSP_SOURCES_OF_LANES PREPEND ${PROJECT_SOURCE_DIR}/)
 
 # hsp_library_objects(name definition...): the library compiled as objects, with further definitions. The archive is made
@@ -349,8 +353,8 @@ list(TRANSFORM HSP_SOURCES_OF_LANES PREPEND ${PROJECT_SOURCE_DIR}/)
 # a test that of the rooms within one (tests/packaging/include_direction.sh). Sources of lib/ do not find the interface's.
 # Those of the interface to a component find union's as well, which are always there.
 #
-# Kernels, *.kernel.cpp, are compiled once more for each further target, in its namespace (lib/ground/lanes/target.hpp);
-# *_avx2.cpp for AVX2 alone. HSP_SOURCES_OF_LANES are there where registers of the baseline hold several numbers.
+# Kernels, *.kernel.cpp, are compiled once more for each further target, in its namespace (lib/ground/lanes/target.hpp).
+# HSP_SOURCES_OF_LANES are there where registers of the baseline hold several numbers.
 #
 # With HSP_UNITY_BUILD a room is one unit and the interface to a wing another: most of the time that a source takes alone
 # goes into its headers. The interface to balls is compiled file by file, and the kernels of a further target as two units,
@@ -381,10 +385,8 @@ function(hsp_library_objects name)
       foreach(target ${targets})
         set(roots ${HSP_${wing}_ROOTS})
         set(unit ${room})
-        if(target STREQUAL "baseline" AND source MATCHES "_avx2\\.cpp$")
-          continue()
-        elseif(NOT target STREQUAL "baseline")
-          if(NOT source MATCHES "(\\.kernel|_${target})\\.cpp$")
+        if(NOT target STREQUAL "baseline")
+          if(NOT source MATCHES "\\.kernel\\.cpp$")
             continue()
           endif()
           set(unit balls_${target})

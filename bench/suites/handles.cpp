@@ -54,19 +54,8 @@ hsp_totals Boundary::measure() {
 }
 
 hsp_energy Boundary::gradient() {
-  hsp_energy energy{};
-  const hsp_gradient_request request{sizeof request, HSP_TANGENT_OVERLAP, 1.0, 1.0, weight_.data(), nullptr};
-  hsp_gradient_outputs outputs{sizeof outputs,
-                               static_cast<uint32_t>(by_radius_.size()),
-                               0,
-                               0,
-                               &energy,
-                               by_centre_.data(),
-                               by_radius_.data(),
-                               nullptr,
-                               nullptr};
-  expect_ok(hsp_boundary_get_gradient(boundary_.get(), &request, &outputs), "hsp_boundary_get_gradient");
-  return energy;
+  return energy_of(hsp_boundary_get_gradient, boundary_.get(), weight_.data(), by_centre_, by_radius_,
+                   "hsp_boundary_get_gradient");
 }
 
 hsp_curvatures Boundary::curvature() {

@@ -52,6 +52,20 @@ Record read(int32_t (*get)(const Handle *, Record *), const Handle *handle, cons
   return record;
 }
 
+// A weighted sum of areas plus the volume, of a boundary or a surface by its function, with its derivatives by every
+// centre [n][3] and radius [n]. sigma: null for all ones.
+template <class Handle>
+hsp_energy energy_of(int32_t (*get)(const Handle *, const hsp_gradient_request *, hsp_gradient_outputs *),
+                     const Handle *handle, const double *sigma, std::vector<double> &by_centre,
+                     std::vector<double> &by_radius, const char *call) {
+  hsp_energy energy{};
+  const auto n = static_cast<uint32_t>(by_radius.size());
+  const hsp_gradient_request request{sizeof request, HSP_TANGENT_OVERLAP, 1.0, 1.0, sigma, nullptr};
+  hsp_gradient_outputs outputs{sizeof outputs, n, 0, 0, &energy, by_centre.data(), by_radius.data(), nullptr, nullptr};
+  expect_ok(get(handle, &request, &outputs), call);
+  return energy;
+}
+
 // How much room a handle gets: exactly what its contents need, which is found out by computing them, or what the
 // library's default limits say.
 enum class Room { exact, by_default };

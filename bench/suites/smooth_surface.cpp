@@ -28,19 +28,7 @@ hsp_surface_totals SmoothSurface::measure() {
 }
 
 hsp_energy SmoothSurface::gradient_with(const double *sigma) {
-  hsp_energy energy{};
-  const hsp_gradient_request request{sizeof request, HSP_TANGENT_OVERLAP, 1.0, 1.0, sigma, nullptr};
-  hsp_gradient_outputs outputs{sizeof outputs,
-                               static_cast<uint32_t>(by_radius_.size()),
-                               0,
-                               0,
-                               &energy,
-                               by_centre_.data(),
-                               by_radius_.data(),
-                               nullptr,
-                               nullptr};
-  expect_ok(hsp_surface_get_gradient(surface_.get(), &request, &outputs), "hsp_surface_get_gradient");
-  return energy;
+  return energy_of(hsp_surface_get_gradient, surface_.get(), sigma, by_centre_, by_radius_, "hsp_surface_get_gradient");
 }
 
 hsp_energy SmoothSurface::gradient() {

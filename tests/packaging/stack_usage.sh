@@ -20,7 +20,6 @@ if [ -z "$objects" ]; then
     [[ $lanes != *$file* ]] || continue
     case $file in
       *.kernel.cpp) units="$(basename "$(dirname "$file")") avx2" ;;
-      *_avx2.cpp) units=avx2 ;;
       *) units=$(basename "$(dirname "$file")") ;;
     esac
     for unit in $units; do echo "#include \"$source/$file\"" >>"$unit.cpp"; done

@@ -148,7 +148,7 @@ TEST(Bonds, AreAsManifoldAsTheyAreSaid) {
             (Multiple{"1 multiple ones", 2}));
   // Bonds with more than three lines say nothing, nor do models that say all of it again.
   EXPECT_EQ(said("CONECT    1    2    2    2    2\nCONECT    2    1    1    1    1\n"), (Multiple{"", 0}));
-  const std::string again = three + "CONECT    1    2\nCONECT    2    3    3\nENDMDL\n";
+  const std::string again = three + "CONECT    2    3    3\nENDMDL\n";
   EXPECT_EQ(multiple_in("MODEL        1\n" + again + "MODEL        2\n" + again, "pdb"),
             (Multiple{"1 multiple ones", 1}));
 }

@@ -306,6 +306,17 @@ TEST(MeshPicture, NearerOnesComeLast) {
   EXPECT_GT(behind[2], behind[0] + 20);  // nitrogen
 }
 
+// A small ball behind a large one is not painted, nor named; seen from the side it is.
+TEST(MeshPicture, HiddenOnesAreLeftOut) {
+  const TemporaryFile hidden("hidden.xyz", "3\n\nC 0 0 0\nN 0 0 -4\nO 9 0 -2\n");
+  const std::vector<std::string> options = {"--view", "0,0,1", "--edge", "0.2", "--radius", "C=3,N=0.8,O=1"};
+  const std::string svg = drawn_text(hidden.path(), options);
+  EXPECT_EQ(svg.find(">N<"), std::string::npos);
+  EXPECT_NE(svg.find(">O<"), std::string::npos);
+  EXPECT_NE(drawn_text(hidden.path(), {"--view", "1,0,0", "--edge", "0.2", "--radius", "C=3,N=0.8,O=1"}).find(">N<"),
+            std::string::npos);
+}
+
 bool is_blue(const Part &part) {
   return part.closed && part.colour[2] > part.colour[0] + 60;
 }

@@ -74,8 +74,8 @@ static bool has_atom_between(const struct molecule *molecule, const uint32_t *fi
 }
 
 /* Pairs that are close enough, but for those that records decide about, and those of the records, in order. */
-static bool join_pairs(const struct molecule *molecule, const uint32_t *first, const uint32_t *ids,
-                       struct bond **bonds, uint32_t *count) {
+static bool join_pairs(const struct molecule *molecule, const uint32_t *first, const uint32_t *ids, struct bond **bonds,
+                       uint32_t *count) {
   struct stated_bonds stated;
   bool enough = stated_bonds_find(molecule, &stated);
   const size_t most = (size_t)first[molecule->atoms] + stated.count;

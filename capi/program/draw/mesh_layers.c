@@ -308,3 +308,74 @@ bool mesh_layers_find(struct seen_triangle *triangle, uint32_t count, double sla
   free(order.done);
   return enough;
 }
+
+/* ---- hidden triangles ---- */
+
+/* Points of the page, numbered row by row, and which of them are covered. */
+struct points {
+  int32_t low[2], apart;
+  size_t across[2];
+  uint8_t *covered;
+};
+
+static void find_page(const struct seen_triangle *triangle, uint32_t count, struct points *points) {
+  int32_t high[2] = {0, 0};
+  for (uint32_t i = 0; i < count; ++i) {
+    int32_t own[2][2];
+    find_box(&triangle[i], own[0], own[1]);
+    for (int axis = 0; axis < 2; ++axis) {
+      if (i == 0 || own[0][axis] < points->low[axis]) points->low[axis] = own[0][axis];
+      if (i == 0 || own[1][axis] > high[axis]) high[axis] = own[1][axis];
+    }
+  }
+  for (int axis = 0; axis < 2; ++axis) {
+    points->across[axis] = (size_t)((high[axis] - points->low[axis]) / points->apart) + 1;
+  }
+}
+
+/* Whether a triangle, border included, has a point that is not covered; covers them. */
+static bool cover(const struct seen_triangle *triangle, struct points *points) {
+  const int64_t turn = area_of(triangle) < 0.0 ? -1 : 1;
+  int32_t low[2], high[2];
+  bool seen = false;
+  find_box(triangle, low, high);
+  const int32_t apart = points->apart;
+  const int32_t first[2] = {(low[0] - points->low[0] + apart - 1) / apart,
+                            (low[1] - points->low[1] + apart - 1) / apart};
+  for (int32_t row = first[1]; points->low[1] + row * apart <= high[1]; ++row) {
+    for (int32_t column = first[0]; points->low[0] + column * apart <= high[0]; ++column) {
+      const int64_t x = points->low[0] + column * apart, y = points->low[1] + row * apart;
+      bool inside = true;
+      for (int k = 0; k < 3 && inside; ++k) {
+        const int32_t *from = triangle->at[k], *to = triangle->at[(k + 1) % 3];
+        inside = turn * ((to[0] - (int64_t)from[0]) * (y - from[1]) - (to[1] - (int64_t)from[1]) * (x - from[0])) >= 0;
+      }
+      uint8_t *const covered = &points->covered[(size_t)row * points->across[0] + (size_t)column];
+      if (!inside || *covered) continue;
+      seen = true;
+      if (triangle->whole) *covered = 1;
+    }
+  }
+  return seen;
+}
+
+bool mesh_layers_find_seen(struct seen_triangle *triangle, uint32_t count, int32_t apart) {
+  struct points points = {.apart = apart};
+  uint32_t layers = 0;
+  if (count == 0) return true;
+  find_page(triangle, count, &points);
+  for (uint32_t i = 0; i < count; ++i) layers = triangle[i].layer >= layers ? triangle[i].layer + 1 : layers;
+  uint32_t *first = calloc((size_t)layers + 2, sizeof *first), *order = calloc(count, sizeof *order);
+  points.covered = calloc(points.across[0] * points.across[1], sizeof *points.covered);
+  const bool enough = first != NULL && order != NULL && points.covered != NULL;
+  if (enough) {
+    for (uint32_t i = 0; i < count; ++i) ++first[triangle[i].layer + 2];
+    for (size_t k = 2; k < (size_t)layers + 2; ++k) first[k] += first[k - 1];
+    for (uint32_t i = 0; i < count; ++i) order[first[triangle[i].layer + 1]++] = i;
+    for (uint32_t i = count; i-- > 0;) triangle[order[i]].seen = cover(&triangle[order[i]], &points);
+  }
+  free(first);
+  free(order);
+  free(points.covered);
+  return enough;
+}

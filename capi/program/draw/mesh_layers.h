@@ -11,6 +11,8 @@ struct seen_triangle {
   double depth[3];
   uint32_t number; /* anything of the caller's, each once */
   uint32_t layer;
+  bool whole; /* it is painted as a whole, not cut */
+  bool seen;
 };
 
 /* Sort them, the farthest first, and set their layers: none of a layer lies over another one of it, and what lies over
@@ -18,5 +20,9 @@ struct seen_triangle {
  * area. Of triangles that lie over each other in a ring the farthest comes first. Overlaps of less than `slack` units
  * are none. False for want of memory. */
 bool mesh_layers_find(struct seen_triangle *triangle, uint32_t count, double slack);
+
+/* Tell which are seen, of triangles with layers: those that do not lie under whole ones of later layers at every one of
+ * the points that are so many units apart. What is seen of the others is thinner than that. False for want of memory. */
+bool mesh_layers_find_seen(struct seen_triangle *triangle, uint32_t count, int32_t apart);
 
 #endif

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double thinnest = 3.0; /* of areas, in units */
+static const double thinnest = 1.0; /* of areas, in units */
 
 /* Of points that are dropped, squares of units: on outlines, and where a tone goes over into one hardly different. */
 static const double slack_squared[2] = {1.0, 30.0};

@@ -21,6 +21,7 @@ static const double picture_width = 1000.0; /* px */
 static const double margin = 0.03;          /* of the larger side */
 static const double letter = 220.0;         /* tenths of a px, as all that follows */
 static const double slack = 2.0;            /* of overlaps */
+static const int32_t step_of_points = 3;    /* at which triangles are seen or not */
 static const double hairline = 5.0;         /* at most */
 static const double hairline_per_unit = 0.0055, thinnest = 1.2;
 static const double section_line = 22.0;
@@ -450,15 +451,20 @@ static bool paint_triangles(struct mesh_picture *picture) {
     if (!is_shown(picture, t)) continue;
     struct seen_triangle *const one = &seen[count++];
     one->number = t;
+    one->whole = true;
     for (int k = 0; k < 3; ++k) {
       const double *at = picture->parts.seen + 3 * (size_t)mesh->corners[3 * (size_t)t + (size_t)k];
       place(&picture->frame, at, one->at[k]);
       one->depth[k] = at[2];
+      one->whole = one->whole && at[2] <= picture->parts.cut;
     }
   }
-  const bool enough = mesh_layers_find(seen, count, slack);
-  for (uint32_t i = 0; enough && i < count; ++i) picture->layer[seen[i].number] = seen[i].layer;
-  for (uint32_t i = 0; enough && i < count; ++i) add_triangle(picture, seen[i].number);
+  const bool enough = mesh_layers_find(seen, count, slack) && mesh_layers_find_seen(seen, count, step_of_points);
+  for (uint32_t i = 0; enough && i < count; ++i) {
+    if (!seen[i].seen) continue;
+    picture->layer[seen[i].number] = seen[i].layer;
+    add_triangle(picture, seen[i].number);
+  }
   free(seen);
   return enough;
 }

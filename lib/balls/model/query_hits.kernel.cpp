@@ -1,17 +1,11 @@
 // As many balls at a time as a register holds floats, and their indices in order without branches on them.
 #include "model/query_hits.hpp"
 
-#include <type_traits>
-
 #include "exact/lattice.hpp"
-#include "lanes/wide_pairs.hpp"
-#include "lanes/words.hpp"
+#include "lanes/four_doubles.hpp"
 
 namespace hsp::HSP_TARGET {
 namespace {
-
-// x, y, z and something of a ball or of its cube.
-using Four = std::conditional_t<register_lanes == 4, Wide<double, 4>, WidePairs<double, 2>>;
 
 // One query in all lanes.
 struct WideQuery {
@@ -157,15 +151,15 @@ void write_ascending_in_lanes(const QueryHits &hits, uint32_t *ids, uint32_t roo
 namespace {
 
 // 1 where a >= b, else 0.
-Four::Real one_where_not_less(const Four::Real &a, const Four::Real &b) {
+FourDoubles one_where_not_less(const FourDoubles &a, const FourDoubles &b) {
   return Four::kept(a >= b, Four::all(1.0));
 }
 
 // floor(value / side) for integers below 2^52 in size, as CubeAxis::cube_at of grid_order.hpp.
-Four::Real cubes_at(const QueryGrid &grid, const Four::Real &value) {
-  const Four::Real side = Four::all(grid.side), one = Four::all(1.0);
-  const Four::Real quotient = Four::truncated(value * Four::all(grid.inverse_side));
-  const Four::Real rest = value - quotient * side;
+FourDoubles cubes_at(const QueryGrid &grid, const FourDoubles &value) {
+  const FourDoubles side = Four::all(grid.side), one = Four::all(1.0);
+  const FourDoubles quotient = Four::truncated(value * Four::all(grid.inverse_side));
+  const FourDoubles rest = value - quotient * side;
   return quotient - (one - one_where_not_less(rest, Four::all(0.0))) + one_where_not_less(rest, side);
 }
 
@@ -218,9 +212,9 @@ struct Rows {
   uint32_t count = 0;
 
   // Those of the cubes from `low` to `high` in which there are balls. False if there are too many rows.
-  bool find(const QueryGrid &grid, const Four::Real &low, const Four::Real &high) {
-    const Four::Real origin = Four::load(grid.low), size = Four::load(grid.size);
-    const auto store_clipped = [&](uint32_t *cubes, const Four::Real &cube) {
+  bool find(const QueryGrid &grid, const FourDoubles &low, const FourDoubles &high) {
+    const FourDoubles origin = Four::load(grid.low), size = Four::load(grid.size);
+    const auto store_clipped = [&](uint32_t *cubes, const FourDoubles &cube) {
       Four::store_truncated(cubes, Four::smaller(Four::larger(cube - origin, Four::all(0.0)), size));
     };
     uint32_t from[4], to[4];
@@ -245,7 +239,7 @@ struct Rows {
 // The rest of a query for a ball on the lattice. Inlined: where a function with a wide argument is called last, GCC 12
 // leaves the upper halves of registers in use, which makes all code behind it slow.
 template <class Excluded>
-[[gnu::always_inline]] inline bool find_around(const QueryGrid &grid, const QueryArrays &balls, const Four::Real &at,
+[[gnu::always_inline]] inline bool find_around(const QueryGrid &grid, const QueryArrays &balls, const FourDoubles &at,
                                                Excluded excluded, uint32_t *ids, uint32_t capacity, uint32_t &hits) {
   if (grid.rounded == nullptr) return false;
   double ball[4];
@@ -277,11 +271,11 @@ bool find_balls_in_lanes(const QueryGrid &grid, const QueryArrays &balls, const 
   // The position and the radius on the lattice: Lattice::round() and nearest().
   constexpr double c = exact::coordinate_limit;
   constexpr double least[4] = {-c, -c, -c, 0.0}, most[4] = {c, c, c, exact::query_radius_limit};
-  const Four::Real steps = Four::of(xyz[0], xyz[1], xyz[2], radius) * Four::all(grid.factor);
+  const FourDoubles steps = Four::of(xyz[0], xyz[1], xyz[2], radius) * Four::all(grid.factor);
   const uint64_t good = Four::set_lanes(steps >= Four::load(least)) & Four::set_lanes(Four::load(most) >= steps);
   if (good != 15U || grid.factor == 0.0) return false;
-  const Four::Real whole = Four::truncated(steps), rest = steps - whole;
-  const Four::Real ball = whole + one_where_not_less(rest, Four::all(0.5)) - one_where_not_less(Four::all(-0.5), rest);
+  const FourDoubles whole = Four::truncated(steps), rest = steps - whole;
+  const FourDoubles ball = whole + one_where_not_less(rest, Four::all(0.5)) - one_where_not_less(Four::all(-0.5), rest);
   return find_around(
       grid, balls, ball, [](Integers) { return LaneBits{0}; }, ids, capacity, hits);
 }
@@ -289,7 +283,7 @@ bool find_balls_in_lanes(const QueryGrid &grid, const QueryArrays &balls, const 
 bool find_neighbours_in_lanes(const QueryGrid &grid, const QueryArrays &balls, uint32_t rank, uint32_t *ids,
                               uint32_t capacity, uint32_t &hits) {
   if (grid.cells == nullptr) return false;
-  const Four::Real ball = Four::of(balls.x[rank], balls.y[rank], balls.z[rank], balls.r[rank]);
+  const FourDoubles ball = Four::of(balls.x[rank], balls.y[rank], balls.z[rank], balls.r[rank]);
   const Integers own = Integers::all(balls.caller[rank]);
   return find_around(
       grid, balls, ball, [own](Integers others) { return equal(others, own); }, ids, capacity, hits);

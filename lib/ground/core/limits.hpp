@@ -1,4 +1,4 @@
-// Limits of structures, records of numbers that say how much there is room for, taken number by number.
+// Limits of structures: records of numbers that say how much there is room for.
 #pragma once
 
 #include <bit>
@@ -24,5 +24,23 @@ template <class Limits>
 constexpr Limits covering(const Limits &limits, const Limits &others) {
   return each_limit(limits, others, larger_count);
 }
+
+// Limits as a builder knows them.
+template <class Limits>
+class Limited {
+ public:
+  // The limits that suffice, as far as its last build has found out.
+  const Limits &needed() const { return needed_; }
+  // Those to try again with after Status::capacity.
+  Limits retry_limits() const { return covering(limits_, needed_); }
+
+ protected:
+  void limit(const Limits &limits) {
+    limits_ = limits;
+    needed_ = {};
+  }
+
+  Limits limits_, needed_;
+};
 
 }  // namespace hsp

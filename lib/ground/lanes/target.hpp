@@ -6,7 +6,7 @@
 // hsp::HSP_TARGET. They must not emit any function that other files emit as well: the linker keeps one copy of an
 // inline function, and this one would run on processors without its instructions. So they take raw pointers, include
 // headers of plain structs, constants and of what has internal linkage only. packaging/target_symbols.sh looks at
-// their symbols. Sources that end in _avx2.cpp are compiled for avx2 alone; what holds for kernels holds for them.
+// their symbols.
 //
 // All that kernels decide or discard has proven error bounds, hence fused operations are welcome there. Numbers that
 // become results are computed without them, or rounded once from an exact value.

@@ -119,6 +119,19 @@ struct Wide {
     std::memcpy(&a, p, sizeof a);
     return a;
   }
+  // The first `count` numbers and zeros, for the end of an array.
+  static Real load_first(const T *p, uint32_t count) {
+#if defined(__AVX2__)
+    if constexpr (n == 4 && sizeof(T) == 8) {
+      const __m256i chosen = _mm256_cmpgt_epi64(_mm256_set1_epi64x(count), _mm256_setr_epi64x(0, 1, 2, 3));
+      return Real(_mm256_maskload_pd(p, chosen));
+    }
+#endif
+    if (count >= n) return load(p);
+    Real a{};
+    for (uint32_t k = 0; k < count; ++k) a[k] = p[k];
+    return a;
+  }
   static void store(T *p, const Real &a) {
 #if defined(__AVX2__)
     if constexpr (n == 8) {
@@ -230,6 +243,7 @@ struct Wide {
   static Real fused(const Real &a, const Real &b, const Real &c) {
 #if defined(__FMA__)
     if constexpr (n == 8) return Real(_mm256_fmadd_ps(__m256(a), __m256(b), __m256(c)));
+    if constexpr (n == 4 && sizeof(T) == 8) return Real(_mm256_fmadd_pd(__m256d(a), __m256d(b), __m256d(c)));
 #endif
     return a * b + c;
   }

@@ -32,6 +32,8 @@ struct WidePairs {
     friend Mask operator>(const Real &a, const Real &b) { return {a.first > b.first, a.second > b.second}; }
     friend Mask operator>(const Real &a, T b) { return {a.first > b, a.second > b}; }
     friend Mask operator<(const Real &a, T b) { return {a.first < b, a.second < b}; }
+    friend Real operator-(const Real &a) { return {-a.first, -a.second}; }
+    friend Mask operator==(const Real &a, const Real &b) { return {a.first == b.first, a.second == b.second}; }
     friend Mask operator>=(const Real &a, const Real &b) { return {a.first >= b.first, a.second >= b.second}; }
   };
 
@@ -41,6 +43,10 @@ struct WidePairs {
     L::store(p + n, a.second);
   }
   static Real all(T x) { return {L::all(x), L::all(x)}; }
+  static Real load_first(const T *p, uint32_t count) {
+    return {L::load_first(p, count), count > n ? L::load_first(p + n, count - n) : L::all(T{0})};
+  }
+  static Real gather(const T *p, const uint32_t *index) { return {L::gather(p, index), L::gather(p, index + n)}; }
   static Real of(T a, T b, T c, T d) { return {typename L::Real{a, b}, typename L::Real{c, d}}; }
   static Real truncated(const Real &a) { return {L::truncated(a.first), L::truncated(a.second)}; }
   static void store_truncated(uint32_t *p, const Real &a) {
@@ -53,6 +59,9 @@ struct WidePairs {
   }
   static Real kept(const Mask &mask, const Real &a) {
     return {L::kept(mask.first, a.first), L::kept(mask.second, a.second)};
+  }
+  static Real select(const Mask &mask, const Real &a, const Real &b) {
+    return {L::select(mask.first, a.first, b.first), L::select(mask.second, a.second, b.second)};
   }
   static Mask both(const Mask &a, const Mask &b) { return {L::both(a.first, b.first), L::both(a.second, b.second)}; }
   static Real negate_if(const Mask &mask, const Real &a) {

@@ -1,6 +1,6 @@
 // Words for kernels that are written once and compiled for registers of several widths: Floats, Doubles, Integers and
 // Fractions, as many of each as a register of the target holds, and their signs and comparisons as bits. By
-// avx2_lanes.hpp for 32 bytes, by words_16.hpp for 16; a target without registers of several lanes has none. Everything
+// words_32.hpp for 32 bytes, by words_16.hpp for 16; a target without registers of several lanes has none. Everything
 // has internal linkage, so that kernels have their own copy for each target (target.hpp).
 //
 // fused() and its sisters are rounded once or twice, as the target has it: for what is decided or discarded within
@@ -27,7 +27,7 @@ struct LaneCounts;
 }  // namespace hsp
 
 #if defined(__AVX2__)
-#include "lanes/avx2_lanes.hpp"
+#include "lanes/words_32.hpp"
 #else
 #include "lanes/words_16.hpp"
 #endif

@@ -11,11 +11,6 @@ namespace {
 // A crease rises by less than this part of its radius if the balls are one before the other, up to rounding.
 constexpr double level_slope = 0x1p-30;
 
-struct Breakpoint {
-  double t;
-  MapVertexKind kind;
-};
-
 // The part of a crease that is not known to be hidden shrinks from both ends while occluders are looked at, the highest
 // first. Only in that window roots are looked for.
 class CreaseOcclusion {
@@ -40,33 +35,22 @@ class CreaseOcclusion {
 
   // Adds what a ball hides. True if nothing is left.
   bool add(const SeenBall &ball, uint32_t id) {
-    const uint32_t count = find_breakpoints(ball);
-    bool hides = false;
-    double since = 0.0;
-    MapVertexKind begins = MapVertexKind::plain;
+    id_ = id;
+    find_breakpoints(ball);
+    bool all = false;
     double left = left_, right = right_;
-    for (uint32_t k = 0; k <= count; ++k) {
-      const double from = k == 0 ? left_ : at_[k - 1].t;
-      const double to = k == count ? right_ : at_[k].t;
-      // The roots only cut; this decides.
-      const double depth = depth_behind(count == 0 ? middle_ : crease_.at(0.5 * (from + to)), ball);
-      const bool here = depth > 0.0;
-      if (to - from > long_interval && std::fabs(depth) < shallow_depth * ball.r * ball.r) certain_ = false;
-      if (here && !hides) {
-        since = from;
-        begins = k == 0 ? MapVertexKind::plain : at_[k - 1].kind;
-      }
-      if (!here && hides) {
-        hidden_.push({since, from, {{begins, id}, {at_[k - 1].kind, id}}});
-        if (since == left_) left = from;
-      }
-      hides = here;
-    }
-    if (hides) {
-      if (since == left_) return true;
-      hidden_.push({since, right_, {{begins, id}, {}}});
-      right = since;
-    }
+    const auto depth = [&](double from, double to) {
+      return depth_behind(found_ == 0 ? middle_ : crease_.at(0.5 * (from + to)), ball);
+    };
+    const auto hide = [&](const HiddenInterval &part) {
+      all = part.from == left_ && part.to == right_;
+      if (all) return;
+      hidden_.push(part);
+      if (part.from == left_) left = part.to;
+      if (part.to == right_) right = part.from;
+    };
+    if (!visit_hidden({at_, found_}, left_, right_, shallow_depth * ball.r * ball.r, depth, hide)) certain_ = false;
+    if (all) return true;
     if (left != left_ || right != right_) open_window(left, right);
     return left_ >= right_;
   }
@@ -95,12 +79,12 @@ class CreaseOcclusion {
   }
 
   void add_breakpoint(double t, MapVertexKind kind) {
-    if (t > left_ && t < right_) at_[found_++] = {t, kind};
+    if (t > left_ && t < right_) at_[found_++] = {t, {kind, id_}};
   }
 
   // Where the crease enters or leaves what is behind the ball: through its sphere above its centre, below through the
   // cylinder under its silhouette. Both sides meet at the height of the centre, |t| = level.
-  uint32_t find_breakpoints(const SeenBall &ball) {
+  void find_breakpoints(const SeenBall &ball) {
     found_ = 0;
     const Crease &c = crease_;
     const Vec3 w{c.m.x - ball.x, c.m.y - ball.y, c.m.z - ball.z};
@@ -139,8 +123,7 @@ class CreaseOcclusion {
         add_roots(beside, left_ > level ? left_ : level, right_);
       }
     }
-    sort_in_place(Span<Breakpoint>(at_, found_), [](const Breakpoint &a, const Breakpoint &b) { return a.t < b.t; });
-    return found_;
+    sort_breakpoints({at_, found_});
   }
 
   void add_roots(const TrigonometricPolynomial &f, double from, double to) {
@@ -155,6 +138,7 @@ class CreaseOcclusion {
   Vec3 middle_{};
   Breakpoint at_[2 + 2 * most_trigonometric_roots];
   uint32_t found_ = 0;
+  uint32_t id_ = no_id;  // of the ball at hand
   bool certain_ = true;
 };
 

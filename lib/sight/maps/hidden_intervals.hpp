@@ -37,6 +37,42 @@ struct HiddenInterval {
   ArcEnd end[2];
 };
 
+// Where a curve may begin or cease to be hidden, and how an arc ends if it does.
+struct Breakpoint {
+  double t;
+  ArcEnd end;
+};
+
+inline void sort_breakpoints(Span<Breakpoint> at) {
+  sort_in_place(at, [](const Breakpoint &a, const Breakpoint &b) { return a.t < b.t; });
+}
+
+// Calls hide(part) for each part of [from, to] that something hides, between breakpoints in ascending order. They only
+// cut: what decides is depth(a, b), how deep the curve is behind in the middle between a and b. False if it is not
+// clearly so anywhere: nearer to 0 than `shallow`.
+template <class Depth, class Hide>
+bool visit_hidden(Span<const Breakpoint> at, double from, double to, double shallow, Depth depth, Hide hide) {
+  bool certain = true, hides = false;
+  double since = from;
+  ArcEnd begins;
+  for (uint32_t k = 0; k <= at.size(); ++k) {
+    const double begin = k == 0 ? from : at[k - 1].t;
+    const double end = k == at.size() ? to : at[k].t;
+    const double behind = depth(begin, end);
+    if (end - begin > long_interval && std::fabs(behind) < shallow) certain = false;
+    if ((behind > 0.0) == hides) continue;
+    if (hides) {
+      hide(HiddenInterval{since, begin, {begins, at[k - 1].end}});
+    } else {
+      since = begin;
+      begins = k == 0 ? ArcEnd{} : at[k - 1].end;
+    }
+    hides = !hides;
+  }
+  if (hides) hide(HiddenInterval{since, to, {begins, {}}});
+  return certain;
+}
+
 // Of a silhouette, at most `half` from the angle `middle`.
 inline void hide_angles(FixedVector<HiddenInterval> &hidden, double middle, double half, const ArcEnd &end) {
   const double from = middle - half;

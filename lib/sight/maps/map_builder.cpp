@@ -3,8 +3,7 @@
 namespace hsp {
 
 void MapBuilder::carve(Workspace &workspace, const MapLimits &limits) {
-  limits_ = limits;
-  needed_ = {};
+  limit(limits);
   map_.carve(workspace, limits.edges);
   seen_.carve(workspace, limits.balls);
   discs_.carve(workspace, limits.balls);

@@ -22,7 +22,7 @@
 
 namespace hsp {
 
-class MapBuilder {
+class MapBuilder : public Limited<MapLimits> {
  public:
   void carve(Workspace &workspace, const MapLimits &limits);
 
@@ -31,9 +31,6 @@ class MapBuilder {
   Status build(const CubeGrid &grid, const ViewDirection &direction);
 
   const VisibilityMap &structure() const { return map_; }
-  const MapLimits &needed() const { return needed_; }
-  // The limits to try again with after Status::capacity.
-  MapLimits retry_limits() const { return covering(limits_, needed_); }
   const DiscGrid &discs() const { return discs_; }
 
   // For tests that break it.
@@ -45,8 +42,6 @@ class MapBuilder {
  private:
   Status build_moved(const BallSet &balls, double perturbation);
 
-  MapLimits limits_;
-  MapLimits needed_;
   VisibilityMap map_;
   SeenBalls seen_;
   DiscGrid discs_;

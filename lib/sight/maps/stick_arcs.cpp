@@ -94,10 +94,6 @@ class HiddenParts {
   }
 
  private:
-  struct Breakpoint {
-    double t;
-    ArcEnd end;
-  };
   static constexpr uint32_t most = 48;
 
   void add(double t) {
@@ -186,26 +182,15 @@ class HiddenParts {
   // depth(q): how far q is behind the body, negative where it is not behind.
   template <class Depth>
   bool cut(Depth depth, double radius) {
-    sort_in_place(Span<Breakpoint>(at_, count_), [](const Breakpoint &a, const Breakpoint &b) { return a.t < b.t; });
-    bool hides = false;
-    double since = from_;
-    ArcEnd begins;
-    for (uint32_t k = 0; k <= count_; ++k) {
-      const double from = k == 0 ? from_ : at_[k - 1].t;
-      const double to = k == count_ ? to_ : at_[k].t;
-      const double behind = depth(curve_.at(0.5 * (from + to)));
-      if (to - from > long_interval && std::fabs(behind) < shallow_depth * radius) certain_ = false;
-      const ArcEnd end = k == 0 ? ArcEnd{} : at_[k - 1].end;
-      if (behind > 0.0 && !hides) {
-        since = from;
-        begins = end;
-      }
-      if (!(behind > 0.0) && hides) hidden_.push({since, from, {begins, end}});
-      hides = behind > 0.0;
-    }
-    if (hides && since == from_) return true;
-    if (hides) hidden_.push({since, to_, {begins, {}}});
-    return false;
+    sort_breakpoints({at_, count_});
+    bool all = false;
+    const auto depth_between = [&](double from, double to) { return depth(curve_.at(0.5 * (from + to))); };
+    const auto hide = [&](const HiddenInterval &part) {
+      all = part.from == from_ && part.to == to_;
+      if (!all) hidden_.push(part);
+    };
+    if (!visit_hidden({at_, count_}, from_, to_, shallow_depth * radius, depth_between, hide)) certain_ = false;
+    return all;
   }
 
   const Curve &curve_;

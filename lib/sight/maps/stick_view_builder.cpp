@@ -31,8 +31,7 @@ bool has_bite(const Stick &stick, StickBite &bite) {
 }  // namespace
 
 void StickViewBuilder::carve(Workspace &workspace, const StickLimits &limits) {
-  limits_ = limits;
-  needed_ = {};
+  limit(limits);
   const uint64_t bodies = limits.balls + 2 * static_cast<uint64_t>(limits.sticks);
   view_.carve(workspace, limits);
   sweep_.carve(workspace, limits);

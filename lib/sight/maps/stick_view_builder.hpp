@@ -28,7 +28,7 @@ struct StickEnds {
   StickStrands strands = StickStrands::one;
 };
 
-class StickViewBuilder {
+class StickViewBuilder : public Limited<StickLimits> {
  public:
   void carve(Workspace &workspace, const StickLimits &limits);
 
@@ -50,9 +50,6 @@ class StickViewBuilder {
   const StickMap &map() const { return map_.structure(); }
   PaintedPaths paths() const { return map().exist ? paths_of(map()) : paths_of(view_); }
   const StickViolation &violation() const { return violation_; }
-  const StickLimits &needed() const { return needed_; }
-  // The limits to try again with after Status::capacity.
-  StickLimits retry_limits() const { return covering(limits_, needed_); }
   // The body that the map shows at a point.
   BodySight sight() const { return map_.sight(sweep_.boxes()); }
   // Scratch memory for writers of pictures, [balls + 2 sticks], and for checks of the map, [2 edges + 1].
@@ -74,8 +71,6 @@ class StickViewBuilder {
   void add_paths(uint32_t bodies);
   StickPath path_of(uint32_t body) const;
 
-  StickLimits limits_;
-  StickLimits needed_;
   StickViolation violation_;
   StickView view_;
   StickSweep sweep_;

@@ -6,8 +6,7 @@
 namespace hsp {
 
 void ViewBuilder::carve(Workspace &workspace, const ViewLimits &limits) {
-  limits_ = limits;
-  needed_ = {};
+  limit(limits);
   structure_.carve(workspace, limits);
   hidden_.carve(workspace, limits.balls);
   piece_.carve(workspace, limits.neighbours);

@@ -23,7 +23,7 @@ struct ViewRequest {
   bool all_balls = false;
 };
 
-class ViewBuilder {
+class ViewBuilder : public Limited<ViewLimits> {
  public:
   void carve(Workspace &workspace, const ViewLimits &limits);
 
@@ -32,9 +32,6 @@ class ViewBuilder {
   Status build(const CubeGrid &grid, const Boundary *boundary, const ViewRequest &request);
 
   const View &structure() const { return structure_; }
-  const ViewLimits &needed() const { return needed_; }
-  // The limits to try again with after Status::capacity.
-  ViewLimits retry_limits() const { return covering(limits_, needed_); }
   PieceKind kind() const { return kind_; }
   // Scratch memory for writers of pictures; [balls].
   Span<uint32_t> scratch() { return scratch_; }
@@ -45,8 +42,6 @@ class ViewBuilder {
   void add_piece(const BallSet &balls);
   void sort_pieces(const BallSet &balls);
 
-  ViewLimits limits_;
-  ViewLimits needed_;
   View structure_;
   PieceKind kind_ = PieceKind::outside_farther;
   OcclusionCuller hidden_;

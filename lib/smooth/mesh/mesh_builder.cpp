@@ -21,7 +21,7 @@ constexpr uint64_t growth_of_small_meshes = 20000;
 }  // namespace
 
 void MeshBuilder::carve(Workspace &workspace, const MeshLimits &limits) {
-  limits_ = limits;
+  limit(limits);
   mesh_.vertices_ = FixedVector(workspace.take<MeshVertex>(limits.vertices));
   mesh_.triangles_ = FixedVector(workspace.take<MeshTriangle>(limits.triangles));
   vertex_moves_ = workspace.take<uint32_t>(limits.vertices);

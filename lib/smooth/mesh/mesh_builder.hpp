@@ -5,7 +5,7 @@
 
 namespace hsp {
 
-class MeshBuilder {
+class MeshBuilder : public Limited<MeshLimits> {
  public:
   void carve(Workspace &workspace, const MeshLimits &limits);
 
@@ -18,8 +18,6 @@ class MeshBuilder {
   Status build(const BallSet &balls, const Boundary &boundary, const Surface &surface, double edge);
 
   const Mesh &mesh() const { return mesh_; }
-  const MeshLimits &needed() const { return needed_; }
-  MeshLimits retry_limits() const { return covering(limits_, needed_); }
 
  private:
   struct PatchRange {
@@ -47,8 +45,6 @@ class MeshBuilder {
   void name_balls(const Outline &outline);
   void sort_by_patches();
 
-  MeshLimits limits_;
-  MeshLimits needed_;
   Mesh mesh_;
   BoundaryCurves curves_;
   SphericalPatch patch_;

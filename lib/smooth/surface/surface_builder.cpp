@@ -17,7 +17,7 @@ constexpr double least_steradians = 1e-6;
 // The arcs around the union of m caps have at most 6m - 12 corners for m >= 3, as the edges of a planar graph; so many
 // arcs, and circles without corners.
 void SurfaceBuilder::carve(Workspace &workspace, const SurfaceLimits &limits) {
-  limits_ = limits;
+  limit(limits);
   const uint64_t nodes = uint64_t{limits.faces} + limits.pieces;
   grid_.carve(workspace, limits.vertices, nodes);
   surface_.concave_.use(grid_);

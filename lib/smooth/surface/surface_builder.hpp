@@ -8,7 +8,7 @@
 
 namespace hsp {
 
-class SurfaceBuilder {
+class SurfaceBuilder : public Limited<SurfaceLimits> {
  public:
   void carve(Workspace &workspace, const SurfaceLimits &limits);
 
@@ -19,8 +19,6 @@ class SurfaceBuilder {
   Status build(const BallSet &balls, const Boundary &boundary, Span<const uint32_t> shells);
 
   const Surface &surface() const { return surface_; }
-  const SurfaceLimits &needed() const { return needed_; }
-  SurfaceLimits retry_limits() const { return covering(limits_, needed_); }
 
  private:
   Status build(const BallSet &balls, const Boundary &boundary, const Span<const uint32_t> *shells);
@@ -37,8 +35,6 @@ class SurfaceBuilder {
                     const SettledCircles *settled);
   void add_crease(const RegionArc &arc, CreaseSums &creases) const;
 
-  SurfaceLimits limits_;
-  SurfaceLimits needed_;
   Surface surface_;
   ProbeGrid grid_;
   ProbeCaps probe_;

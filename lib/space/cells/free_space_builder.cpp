@@ -7,7 +7,7 @@
 namespace hsp {
 
 void FreeSpaceBuilder::carve(Workspace &workspace, const FreeSpaceLimits &limits, bool with_portals) {
-  limits_ = limits;
+  limit(limits);
   structure_.carve(workspace, limits, with_portals);
   cell_.carve(workspace, limits.cube_balls);
   contacts_.carve(workspace, limits.cube_balls, limits.cube_corners);

@@ -8,7 +8,7 @@
 
 namespace hsp {
 
-class FreeSpaceBuilder {
+class FreeSpaceBuilder : public Limited<FreeSpaceLimits> {
  public:
   void carve(Workspace &workspace, const FreeSpaceLimits &limits, bool with_portals = false);
 
@@ -20,9 +20,6 @@ class FreeSpaceBuilder {
   // To be broken by tests.
   FreeSpace &structure() { return structure_; }
   FreeSpaceScratch scratch() { return {cell_, structure_.region_sets, touched_}; }
-  const FreeSpaceLimits &needed() const { return needed_; }
-  // The limits to try again with after Status::capacity.
-  FreeSpaceLimits retry_limits() const { return covering(limits_, needed_); }
 
  private:
   // A cube and what is on its six sides.
@@ -44,7 +41,6 @@ class FreeSpaceBuilder {
   void link_cells();
   void find_regions();
 
-  FreeSpaceLimits limits_, needed_;
   FreeSpace structure_;
   PowerCell cell_;
   CubeContacts contacts_;

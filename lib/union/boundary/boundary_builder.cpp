@@ -29,8 +29,7 @@ void BoundaryArrays::carve(Workspace &workspace, const BoundaryLimits &limits) {
 }
 
 void BoundaryBuilder::carve(Workspace &workspace, const BoundaryLimits &limits) {
-  limits_ = limits;
-  needed_ = {};
+  limit(limits);
   arrays().carve(workspace, limits);
   scratch_ = workspace.take<uint32_t>(limits.most_loops() + limits.balls);
   const uint32_t count = larger_count(limits.workers, 1);

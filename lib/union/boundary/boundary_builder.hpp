@@ -10,7 +10,7 @@
 
 namespace hsp {
 
-class BoundaryBuilder {
+class BoundaryBuilder : public Limited<BoundaryLimits> {
  public:
   void carve(Workspace &workspace, const BoundaryLimits &limits);
 
@@ -39,9 +39,6 @@ class BoundaryBuilder {
   void take_shells(DisjointSets shells) { number_shells(shells, arrays()); }
 
   const Boundary &boundary() const { return boundary_; }
-  const BoundaryLimits &needed() const { return needed_; }
-  // The limits to try again with after Status::capacity.
-  BoundaryLimits retry_limits() const { return covering(limits_, needed_); }
 
   // The arrays behind the boundary, for tests that break them.
   BoundaryArrays &arrays() { return boundary_.a_; }
@@ -55,7 +52,7 @@ class BoundaryBuilder {
     for (BoundaryWorker &worker : workers_) {
       worker.lanes.use(target, use_lanes);
       worker.caps.lanes = use_lanes;
-      worker.caps.wide = target == Target::avx2;
+      worker.caps.target = target;
     }
   }
 
@@ -78,8 +75,6 @@ class BoundaryBuilder {
   // Whether all workers join faces to shells; else one of them does.
   bool shares_shells() const { return count_ > 1 && SharedDisjointSets::available; }
 
-  BoundaryLimits limits_;
-  BoundaryLimits needed_;
   Boundary boundary_;
   Span<BoundaryWorker> workers_;
   Span<uint32_t> scratch_;

@@ -3,8 +3,7 @@
 namespace hsp {
 
 void BoundaryPart::carve(Workspace &workspace, const BoundaryLimits &limits) {
-  limits_ = limits;
-  needed_ = {};
+  limit(limits);
   arrays().carve(workspace, limits);
   scratch_ = workspace.take<uint32_t>(limits.most_loops() + limits.balls);
   worker_ = workspace.take<BoundaryWorker>(1);

@@ -8,7 +8,7 @@
 
 namespace hsp {
 
-class BoundaryPart {
+class BoundaryPart : public Limited<BoundaryLimits> {
  public:
   // limits: balls of the set, neighbours, and what lies on the balls asked for.
   void carve(Workspace &workspace, const BoundaryLimits &limits);
@@ -16,7 +16,6 @@ class BoundaryPart {
   // For the first `own` balls, at most 1.5 sides from a centre along each axis; no radius is larger than half a side.
   // Status::capacity if a limit is too small: needed() then reports what suffices.
   Status build(const BallSet &balls, uint32_t own, const double (&centre)[3], double side);
-  const BoundaryLimits &needed() const { return needed_; }
 
   // Twins on other balls, shells and components are not there.
   const Boundary &boundary() const { return boundary_; }
@@ -24,7 +23,6 @@ class BoundaryPart {
  private:
   BoundaryArrays &arrays() { return boundary_.a_; }
 
-  BoundaryLimits limits_, needed_;
   Boundary boundary_;
   Span<BoundaryWorker> worker_;  // one, where its alignment is seen to
   Span<uint32_t> scratch_;

@@ -172,18 +172,16 @@ void BoundaryWorker::find_root_discriminants(const BallSet &balls, uint32_t firs
         std::sqrt(exact::discriminant(exact::sphere_of(origin), exact::plane_of(origin, balls.ball(vertex.ball[1])),
                                       exact::plane_of(origin, balls.ball(vertex.ball[2]))));
   };
-#if HSP_AVX2
-  if (a.target == Target::avx2 && first < last) {
+  if constexpr (has_lanes) {
     static_assert(sizeof(VertexRecord) == 4 * sizeof(uint32_t));
     uint32_t done = 0;
-    const bool certain =
-        find_roots_in_lanes(arrays_of(balls), vertices[first].ball, last - first, &a.root_discriminant[first], done);
+    const bool certain = first == last || find_roots_in_lanes(a.target, arrays_of(balls), vertices[first].ball,
+                                                              last - first, &a.root_discriminant[first], done);
     for (uint32_t v = first; !certain && v < first + done; ++v) {
       if (a.root_discriminant[v] == doubtful_root) find_exactly(v);
     }
     first += done;
   }
-#endif
   for (uint32_t v = first; v < last; ++v) find_exactly(v);
 }
 

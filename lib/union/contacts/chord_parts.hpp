@@ -1,5 +1,5 @@
 // The terms of chords in areas of their three contacts, from exact polynomials that are rounded once (chord_line.hpp):
-// in integers, or four at a time with numbers of two doubles (chord_parts_avx2.cpp), which gives the same bits, or none
+// in integers, or four at a time with numbers of two doubles (lanes/twofold.hpp), which gives the same bits, or none
 // where that is not certain.
 //
 // With the polynomials of chord_line.hpp, errors of the numbers of two doubles in units of u^2, where u = 2^-53. All h,
@@ -42,10 +42,9 @@ struct ChordBatch {
 
 // Chord s of a batch.
 void measure_in_integers(const BallSet &balls, ChordBatch &batch, uint32_t s);
-#if HSP_AVX2
 // The first `count` ones, a multiple of four, which may be more than there are but of balls that are there. A bit for
-// each that is not certain.
-uint32_t measure_in_lanes(const BallArrays &balls, ChordBatch &batch, uint32_t count);
-#endif
+// each that is not certain: for all where numbers of two doubles are not faster than integers.
+HSP_KERNEL(uint32_t, measure_in_lanes, (const BallArrays &balls, ChordBatch &batch, uint32_t count),
+           (balls, batch, count))
 
 }  // namespace hsp

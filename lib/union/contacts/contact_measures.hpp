@@ -1,5 +1,5 @@
 // Areas and lengths of contacts, and what they add to shares, from what their chords and arcs add up to: from exact
-// polynomials rounded once, in integers, or four at a time with numbers of two doubles (contact_measures_avx2.cpp),
+// polynomials rounded once, in integers, or four at a time with numbers of two doubles (lanes/twofold.hpp),
 // which gives the same bits, or none where that is not certain.
 //
 // Errors of the numbers of two doubles in units of u^2, where u = 2^-53, for Delta = W v.v - h^2 and S = W v.v + h^2:
@@ -26,9 +26,8 @@ struct ContactMeasures {
 
 // Contact s. Returns whether the two balls only touch.
 bool measure_contact_in_integers(const BallSet &balls, ContactMeasures &contacts, uint32_t s);
-#if HSP_AVX2
-// All four. False if one of them is not certain; then they are left as they were.
-bool measure_contacts_in_lanes(const BallArrays &balls, ContactMeasures &contacts);
-#endif
+// All four. False if one of them is not certain, or numbers of two doubles are not faster than integers; then they are
+// left as they were.
+HSP_KERNEL(bool, measure_contacts_in_lanes, (const BallArrays &balls, ContactMeasures &contacts), (balls, contacts))
 
 }  // namespace hsp

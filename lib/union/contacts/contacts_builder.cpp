@@ -40,7 +40,7 @@ void ContactArrays::carve(Workspace &workspace, const ContactLimits &limits) {
 }
 
 void ContactsBuilder::carve(Workspace &workspace, const ContactLimits &limits) {
-  limits_ = limits;
+  limit(limits);
   contacts_.a_.carve(workspace, limits);
   caps_.carve(workspace, limits.neighbours);
   walk_.carve(workspace, limits);
@@ -211,19 +211,14 @@ void ContactsBuilder::measure_chords(const BallSet &balls, const Boundary &bound
   if (count == 0) return;
   complete_chords(balls, boundary);
   chords_.count = 0;
-#if HSP_AVX2
-  if (boundary.target() == Target::avx2) {
-    const BallArrays arrays = arrays_of(balls);
+  uint32_t uncertain = (1U << count) - 1U;
+  if constexpr (has_lanes) {
     uint32_t padded = count;
     for (; padded % 4 != 0; ++padded) chords_.repeat(count - 1, padded);
-    uint32_t uncertain = measure_in_lanes(arrays, chords_, padded);
-    for (; uncertain != 0; uncertain &= uncertain - 1) {
-      measure_in_integers(balls, chords_, static_cast<uint32_t>(__builtin_ctz(uncertain)));
-    }
-  } else
-#endif
-  {
-    for (uint32_t s = 0; s < count; ++s) measure_in_integers(balls, chords_, s);
+    uncertain &= measure_in_lanes(boundary.target(), arrays_of(balls), chords_, padded);
+  }
+  for (; uncertain != 0; uncertain &= uncertain - 1) {
+    measure_in_integers(balls, chords_, static_cast<uint32_t>(__builtin_ctz(uncertain)));
   }
   for (uint32_t s = 0; s < count; ++s) {
     for (uint32_t pair = 0; pair < 3; ++pair) {
@@ -287,9 +282,7 @@ void ContactsBuilder::measure_contacts(const BallSet &balls, [[maybe_unused]] co
       measures.rim[s] = contact.rim;
     }
     bool certain = false;
-#if HSP_AVX2
-    certain = boundary.target() == Target::avx2 && measure_contacts_in_lanes(arrays_of(balls), measures);
-#endif
+    if constexpr (has_lanes) certain = measure_contacts_in_lanes(boundary.target(), arrays_of(balls), measures);
     for (uint32_t s = 0; s < count; ++s) {
       ContactRecord &contact = a.contacts[first + s];
       if (!certain && measure_contact_in_integers(balls, measures, s)) contact.code |= ContactRecord::touching_bit;

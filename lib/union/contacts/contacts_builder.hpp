@@ -32,14 +32,14 @@ struct NoImages {
   static constexpr uint32_t moved_back(uint32_t other, uint32_t) { return other; }
 };
 
-class ContactsBuilder {
+class ContactsBuilder : public Limited<ContactLimits> {
  public:
   void carve(Workspace &workspace, const ContactLimits &limits);
 
   // Of the contacts of all balls that are not in the grid's halo; the boundary says at least which balls of the halo
   // are inside others. neighbours: what it needed of them. Status::capacity if a limit is too small; needed() then
-  // reports what suffices, once `neighbours` does. Of contacts that may be more than there are, by no more than the
-  // triangles.
+  // reports what suffices, once `neighbours` does; of triangles and tetrahedra if they have limits. Of contacts that
+  // may be more than there are, by no more than the triangles.
   Status build(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours) {
     return build(grid, boundary, neighbours, NoImages{});
   }
@@ -88,9 +88,6 @@ class ContactsBuilder {
   }
 
   const Contacts &contacts() const { return contacts_; }
-  // Triangles and tetrahedra count if they have limits.
-  const ContactLimits &needed() const { return needed_; }
-  ContactLimits retry_limits() const { return covering(limits_, needed_); }
   // [contacts]
   Span<uint32_t> scratch() { return contacts_.a_.links; }
   // For tests, which break them.
@@ -159,8 +156,6 @@ class ContactsBuilder {
     return true;
   }
 
-  ContactLimits limits_;
-  ContactLimits needed_;
   uint32_t own_balls_ = 0;    // the first ones
   uint32_t lost_across_ = 0;  // contacts with others for which there was no room
   Contacts contacts_;

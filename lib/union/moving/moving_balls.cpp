@@ -21,8 +21,7 @@ void count_ball(const MovingBall &ball, bool is_origin, bool add, MovingCounts &
 }  // namespace
 
 void MovingBalls::carve(Workspace &workspace, const MovingLimits &limits) {
-  limits_ = limits;
-  needed_ = {};
+  limit(limits);
   records_.carve(workspace, limits.balls);
   cells_.carve(workspace, limits.balls);
   components_.carve(workspace, limits.balls);

@@ -38,7 +38,7 @@ struct MovingCounts {
   uint64_t half_edges = 0, circle_sides = 0, loops = 0, faces = 0;
 };
 
-class MovingBalls {
+class MovingBalls : public Limited<MovingLimits> {
  public:
   void carve(Workspace &workspace, const MovingLimits &limits);
 
@@ -54,9 +54,6 @@ class MovingBalls {
   Status undo();
 
   uint32_t size() const { return records_.balls.n; }
-  const MovingLimits &needed() const { return needed_; }
-  // The limits to try again with after Status::capacity.
-  MovingLimits retry_limits() const { return covering(limits_, needed_); }
   // The largest radius that a ball may have, probe included, in lattice steps.
   int64_t largest_radius() const { return cells_.side() / 2; }
   const exact::Lattice &lattice() const { return records_.balls.lattice; }
@@ -106,7 +103,6 @@ class MovingBalls {
   AreaWeights weights() const { return {weighted_ ? weight_.data() : nullptr, touching_balls_}; }
   EnergyTerms terms() const { return {weights(), tension_, pressure_}; }
 
-  MovingLimits limits_, needed_;
   MovingRecords records_;
   BallCells cells_;
   ComponentUpdate components_;

@@ -5,8 +5,7 @@
 namespace hsp {
 
 void PeriodicUnion::carve(Workspace &workspace, const PeriodicLimits &limits) {
-  limits_ = limits;
-  needed_ = {};
+  limit(limits);
   counts_ = {};
   const uint32_t all = limits.balls + limits.images;
   images_.carve(workspace, limits.balls, limits.images);

@@ -79,7 +79,7 @@ class ImagesInGrid {
   const PeriodicImages &images_;
 };
 
-class PeriodicUnion {
+class PeriodicUnion : public Limited<PeriodicLimits> {
  public:
   void carve(Workspace &workspace, const PeriodicLimits &limits);
 
@@ -89,9 +89,6 @@ class PeriodicUnion {
   // reached. Status::executor if that fails.
   Status build(const BallInput &input, const double vector[9], const Executor &executor, bool areas_alone,
                uint32_t &first_bad);
-
-  const PeriodicLimits &needed() const { return needed_; }
-  PeriodicLimits retry_limits() const { return covering(limits_, needed_); }
 
   const PeriodicImages &images() const { return images_; }
   const PeriodicCounts &counts() const { return counts_; }
@@ -159,7 +156,6 @@ class PeriodicUnion {
   Status count();
   void list_vertices();
   Status join_faces();
-  PeriodicLimits limits_, needed_;
   PeriodicImages images_;
   CubeGrid grid_;
   BoundaryBuilder boundary_;

@@ -14,7 +14,7 @@ void Caps::carve(Workspace &workspace, uint32_t capacity) {
   ball = workspace.take<uint32_t>(padded);
   planes_ = workspace.take<exact::Plane>(one_more);
   lanes = has_lanes;
-  wide = workspace.target() == Target::avx2;
+  target = workspace.target();
 }
 
 // One ball's component of the union. Most of its neighbours have its root as their parent already.
@@ -102,12 +102,9 @@ struct Caps::Distance {
 void Caps::gather(const BallSet &balls, const CubeBlock &block, uint32_t i, DisjointSets *components) {
   start(balls, i);
   Joining joining(i, components);
-#if HSP_AVX2
-  if (wide) {
-    gather_wide(block, joining);
-    return;
+  if constexpr (has_lanes) {
+    if (lanes) return gather_in_lanes(block, joining);
   }
-#endif
   const exact::LatticeBall own = balls.ball(i);
   const double x = balls.x[i];
   const double y = balls.y[i];
@@ -137,12 +134,12 @@ void Caps::gather_given(const BallSet &balls, uint32_t i, uint32_t n) {
 
 // No cap comes behind its ball.
 void Caps::take_given(uint32_t n, Joining &joining) {
-#if HSP_AVX2
-  if (wide) {
-    take_all(ball.data(), n, joining);
-    return;
+  if constexpr (has_lanes) {
+    if (lanes) {
+      take_all(ball.data(), n, joining);
+      return;
+    }
   }
-#endif
   const exact::LatticeBall own = balls_->ball(origin);
   for (uint32_t k = 0; k < n; ++k) take(own, ball[k], {*balls_, origin, ball[k]}, joining);
 }
@@ -171,16 +168,15 @@ void Caps::make_doubles() {
   first_later = later;
 }
 
-#if HSP_AVX2
 // The same, some balls at a time.
-void Caps::gather_wide(const CubeBlock &block, Joining &joining) {
+void Caps::gather_in_lanes(const CubeBlock &block, Joining &joining) {
   constexpr uint32_t room = 128;
   uint32_t near[room + spare_ids];
   const BallArrays arrays = arrays_of(*balls_);
   uint32_t found = 0;
   for (uint32_t k = 0; k < block.ranges; ++k) {
     for (uint32_t j = block.range[k].first; j < block.range[k].last;) {
-      found += near_balls(arrays, origin, j, block.range[k].last, near + found, room - found);
+      found += near_balls(target, arrays, origin, j, block.range[k].last, near + found, room - found);
       if (j == block.range[k].last) break;
       if (!take_near(Span<uint32_t>(near, found), joining)) return;
       found = 0;
@@ -207,7 +203,7 @@ bool Caps::take_all(uint32_t *near, uint32_t hits, Joining &joining) {
     if (met + (hits - k) <= capacity()) {
       const uint32_t c = count;
       const CapArrays to{&ux[c], &uy[c], &uz[c], &b[c], &ball[c]};
-      const uint32_t circles = caps_of_circles(arrays, origin, near + k, hits - k, to, length_squared);
+      const uint32_t circles = caps_of_circles(target, arrays, origin, near + k, hits - k, to, length_squared);
       for (const uint32_t end = k + circles; k < end; ++k) {
         if (near[k] > origin) {
           joining.join(near[k]);
@@ -224,8 +220,6 @@ bool Caps::take_all(uint32_t *near, uint32_t hits, Joining &joining) {
   }
   return true;
 }
-
-#endif
 
 const exact::Plane &Caps::plane(uint32_t cap) const {
   if (!planes_made_) {

@@ -53,8 +53,8 @@ struct Caps {
   double length_squared = 0.0;  // max(W, |v|^2), for the exact filter
   bool contained = false;       // the ball lies inside another one and has no caps that matter
   uint32_t met = 0;             // balls that meet this one, whether or not there was room for their caps
-  bool lanes = false;           // searched in lanes where that is possible: the same is found
-  bool wide = false;            // made four at a time: the same are made
+  bool lanes = false;           // made and searched in lanes where that is possible: the same is found
+  Target target = Target::baseline;
 
   void carve(Workspace &workspace, uint32_t capacity);
   uint32_t capacity() const { return planes_.size() - 1; }
@@ -118,11 +118,9 @@ struct Caps {
   void start(const BallSet &balls, uint32_t i);
   bool take(const exact::LatticeBall &own, uint32_t j, const Distance &distance, Joining &joining);
   void take_given(uint32_t n, Joining &joining);
-#if HSP_AVX2
-  void gather_wide(const CubeBlock &block, Joining &joining);
+  void gather_in_lanes(const CubeBlock &block, Joining &joining);
   bool take_near(Span<uint32_t> near, Joining &joining);
   bool take_all(uint32_t *near, uint32_t hits, Joining &joining);
-#endif
   const BallSet *balls_ = nullptr;  // of the last ball, whose planes may still be asked for
   Span<exact::Plane> planes_;
   exact::Plane half_sphere_{};  // the plane of ball no_id

@@ -1,4 +1,4 @@
-// sqrt(D) of vertices, four at a time with numbers of two doubles (root_discriminants_avx2.cpp): the same bits as from
+// sqrt(D) of vertices, four at a time with numbers of two doubles (lanes/twofold.hpp): the same bits as from
 // exact::discriminant(), whose D is rounded once, or none where that is not certain.
 //
 // With h, v of the planes 1 and 2, n = v1 x v2 and q = h1 v2 - h2 v1, D = W n.n - q.q. Errors in units of u^2 A, where
@@ -23,8 +23,10 @@ namespace hsp {
 inline constexpr double doubtful_root = -1.0;
 
 // For the first of `count` vertices, as many as are a multiple of four: sqrt(D), or doubtful_root. Of a vertex there
-// are four words, its balls first. Returns whether all are certain; `done` is how many have been looked at.
-bool find_roots_in_lanes(const BallArrays &balls, const uint32_t *vertices, uint32_t count, double *roots,
-                         uint32_t &done);
+// are four words, its balls first. Returns whether all are certain; `done` is how many have been looked at, none
+// where numbers of two doubles are not faster than integers.
+HSP_KERNEL(bool, find_roots_in_lanes,
+           (const BallArrays &balls, const uint32_t *vertices, uint32_t count, double *roots, uint32_t &done),
+           (balls, vertices, count, roots, done))
 
 }  // namespace hsp

@@ -39,8 +39,7 @@ void Topology::carve(Workspace &workspace, const TopologyLimits &limits) {
 }
 
 void TopologyBuilder::carve(Workspace &workspace, const TopologyLimits &limits) {
-  limits_ = limits;
-  needed_ = {};
+  limit(limits);
   structure_.carve(workspace, limits);
   finder_.carve(workspace, limits.neighbours);
   gathered_.carve(workspace, limits.neighbours);

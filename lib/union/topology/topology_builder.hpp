@@ -10,7 +10,7 @@ namespace hsp {
 // neighbours as in TopologyBuilder::build.
 TopologyLimits limits_for(const BallSet &balls, const Boundary &boundary, uint32_t neighbours);
 
-class TopologyBuilder {
+class TopologyBuilder : public Limited<TopologyLimits> {
  public:
   void carve(Workspace &workspace, const TopologyLimits &limits);
 
@@ -21,16 +21,11 @@ class TopologyBuilder {
   const Topology &structure() const { return structure_; }
   // The same with its shells counted and traversed (traversal.hpp), which is done when it is first asked for.
   const Topology &scanned(const Boundary &boundary);
-  const TopologyLimits &needed() const { return needed_; }
-  // The limits to try again with after Status::capacity.
-  TopologyLimits retry_limits() const { return covering(limits_, needed_); }
 
   // Scratch memory for checks; [edges].
   Span<uint32_t> marks() const { return structure_.marks; }
 
  private:
-  TopologyLimits limits_;
-  TopologyLimits needed_;
   Topology structure_;
   CutArcFinder finder_;
   GatheredBall gathered_;

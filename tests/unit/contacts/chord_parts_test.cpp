@@ -10,11 +10,11 @@
 #include "carved_memory.hpp"
 #include "exact/discriminant.hpp"
 #include "exact/lattice_ball.hpp"
-#include "lanes/target.hpp"
 #include "random_balls.hpp"
+#include "runnable_targets.hpp"
 #include "sphere/caps.hpp"
 
-#if HSP_AVX2
+#if HSP_LANES
 namespace {
 
 using hsp::exact::LatticeBall;
@@ -22,7 +22,7 @@ using hsp::exact::LatticeBall;
 // Five balls of each chord: its three ones, and those that clip it.
 class Chords {
  public:
-  Chords() {
+  explicit Chords(hsp::Target target) : target_(target) {
     memory_.carve(balls_, 5 * hsp::ChordBatch::capacity);
     balls_.n = 5 * hsp::ChordBatch::capacity;
   }
@@ -56,7 +56,7 @@ class Chords {
  private:
   void compare() {
     hsp::ChordBatch exact = batch_;
-    const uint32_t uncertain = hsp::measure_in_lanes(hsp::arrays_of(balls_), batch_, batch_.count);
+    const uint32_t uncertain = hsp::measure_in_lanes(target_, hsp::arrays_of(balls_), batch_, batch_.count);
     for (uint32_t s = 0; s < batch_.count; ++s) {
       ++all_;
       if ((uncertain >> s & 1U) != 0) continue;
@@ -67,21 +67,23 @@ class Chords {
     batch_.count = 0;
   }
 
+  const hsp::Target target_;
   CarvedMemory memory_;
   hsp::BallSet balls_;
   hsp::ChordBatch batch_;
   uint32_t all_ = 0, certain_ = 0;
 };
 
-class ChordParts : public testing::Test {
-  void SetUp() override {
-    if (hsp::best_target() != hsp::Target::avx2) GTEST_SKIP() << "no such processor";
-  }
+class ChordParts : public testing::TestWithParam<hsp::Target> {
+ protected:
+  // No lane is certain where this is left to integers.
+  static bool by_integers() { return GetParam() == hsp::Target::baseline; }
 };
+INSTANTIATE_TEST_SUITE_P(Targets, ChordParts, testing::ValuesIn(runnable_targets()));
 
-TEST_F(ChordParts, OfBallsOfEverySize) {
+TEST_P(ChordParts, OfBallsOfEverySize) {
   oracle::RandomSource random(51);
-  Chords chords;
+  Chords chords(GetParam());
   for (uint32_t k = 0; k < 60000; ++k) {
     const int64_t size = int64_t{1} << random.in(4, 30);
     LatticeBall ball[5];
@@ -92,13 +94,13 @@ TEST_F(ChordParts, OfBallsOfEverySize) {
     chords.add(ball, static_cast<int>(k % 4));
   }
   EXPECT_GT(chords.all(), 60000U / 8);
-  EXPECT_GT(chords.certain(), chords.all() / 10 * 9);
+  EXPECT_TRUE(by_integers() || chords.certain() > chords.all() / 10 * 9);
 }
 
 // Centres near one line or plane, so that polynomials lose most of their digits.
-TEST_F(ChordParts, OfNearlyParallelPlanes) {
+TEST_P(ChordParts, OfNearlyParallelPlanes) {
   oracle::RandomSource random(52);
-  Chords chords;
+  Chords chords(GetParam());
   for (uint32_t k = 0; k < 60000; ++k) {
     const int64_t size = (int64_t{1} << 30) - 1;
     LatticeBall ball[5];
@@ -111,12 +113,12 @@ TEST_F(ChordParts, OfNearlyParallelPlanes) {
     chords.add(ball, static_cast<int>(k % 4));
   }
   EXPECT_GT(chords.all(), 60000U / 8);
-  EXPECT_GT(chords.certain(), chords.all() / 4);
+  EXPECT_TRUE(by_integers() || chords.certain() > chords.all() / 4);
 }
 
-TEST_F(ChordParts, OfBallsOnASmallLattice) {
+TEST_P(ChordParts, OfBallsOnASmallLattice) {
   oracle::RandomSource random(53);
-  Chords chords;
+  Chords chords(GetParam());
   for (uint32_t k = 0; k < 60000; ++k) {
     const int64_t step = int64_t{1} << random.in(0, 25);
     LatticeBall ball[5];
@@ -126,7 +128,7 @@ TEST_F(ChordParts, OfBallsOnASmallLattice) {
     chords.add(ball, static_cast<int>(k % 4));
   }
   EXPECT_GT(chords.all(), 60000U / 16);
-  EXPECT_GT(chords.certain(), chords.all() / 10);
+  EXPECT_TRUE(by_integers() || chords.certain() > chords.all() / 10);
   EXPECT_LT(chords.certain(), chords.all());
 }
 

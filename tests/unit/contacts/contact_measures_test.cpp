@@ -6,8 +6,8 @@
 
 #include "carved_memory.hpp"
 #include "exact/lattice_ball.hpp"
-#include "lanes/target.hpp"
 #include "random_balls.hpp"
+#include "runnable_targets.hpp"
 #include "sphere/caps.hpp"
 
 namespace {
@@ -51,20 +51,19 @@ class Pairs {
       EXPECT_EQ(hsp::measure_contact_in_integers(balls_, exact, s), touches);
       EXPECT_TRUE(!touches || (exact.area[s] == 0.0 && exact.rim[s] == 0.0));
     }
-#if HSP_AVX2
-    if (hsp::best_target() != hsp::Target::avx2) return;
-    const hsp::ContactMeasures before = contacts_;
-    const bool certain = hsp::measure_contacts_in_lanes(hsp::arrays_of(balls_), contacts_);
-    certain_ += certain ? 1U : 0U;
-    const hsp::ContactMeasures &expected = certain ? exact : before;
-    for (uint32_t s = 0; s < 4; ++s) {
-      EXPECT_EQ(contacts_.area[s], expected.area[s]);
-      EXPECT_EQ(contacts_.rim[s], expected.rim[s]);
-      for (uint32_t side = 0; certain && side < 2; ++side) EXPECT_EQ(contacts_.cone[side][s], exact.cone[side][s]);
+    if constexpr (hsp::has_lanes) {
+      for (const hsp::Target target : runnable_targets()) {
+        hsp::ContactMeasures found = contacts_;
+        const bool certain = hsp::measure_contacts_in_lanes(target, hsp::arrays_of(balls_), found);
+        certain_ += certain ? 1U : 0U;
+        const hsp::ContactMeasures &expected = certain ? exact : contacts_;
+        for (uint32_t s = 0; s < 4; ++s) {
+          EXPECT_EQ(found.area[s], expected.area[s]);
+          EXPECT_EQ(found.rim[s], expected.rim[s]);
+          for (uint32_t side = 0; certain && side < 2; ++side) EXPECT_EQ(found.cone[side][s], exact.cone[side][s]);
+        }
+      }
     }
-#else
-    ++certain_;
-#endif
   }
 
   CarvedMemory memory_;

@@ -219,37 +219,46 @@ TEST(MapSilhouettes, OfSticksAreThoseOfAZBuffer) {
   EXPECT_LT(close, seen / 3);
 }
 
-// Of a stick between two balls before the background: from side to side, with the width that is asked for, and on
-// under the upper half where the contour of the lower one ends.
+// Of a stick between two balls before the background: from side to side, with the width that is asked for but no wider
+// than its radius, and on under the upper half where the contour of the lower one ends.
 TEST(MapSilhouettes, GiveSticksContoursAlongBothSides) {
   const BuiltSticks built({{-1000, 0, 0, 300}, {1000, 0, 200, 300}}, {{0, 1}}, 100, {0, 0, 1}, false, true);
   ASSERT_EQ(built.status(), hsp::Status::ok);
   hsp::PictureInput input{built.balls(), built.builder().paths(), nullptr, nullptr, nullptr};
   input.silhouettes = hsp::silhouettes_of(built.builder().map());
-  hsp::PictureOptions options;
-  options.fog = 0;
-  options.ink_width[0] = 5;
-  std::vector<uint32_t> scratch(input.paths.size());
-  const hsp::Page page = hsp::lay_out(input, options);
-  const hsp::Paint paint(input, options, page, {scratch.data(), input.paths.size()});
-  const hsp::Ink ink(input, options, page, paint);
-  const double half = 100 * page.scale, middle = page.height / 2;
-  int contours = 0;
-  double length = 0;
-  for (uint32_t path = 0; path < input.paths.size(); ++path) {
-    if (!input.paths.is_plain(path)) continue;
-    std::vector<double> beyond;
-    ink.visit(path, hsp::InkLevel::border, [&](const hsp::InkCurve &curve, bool first, bool) {
-      contours += first ? 1 : 0;
-      length += std::abs(curve.end.x - curve.start.x) / 2;
-      for (const double t : {0.0, 0.5, 1.0}) beyond.push_back(std::abs(curve.at(t).y - middle) - half);
-    });
-    EXPECT_FALSE(beyond.empty());
-    for (const double by : beyond) EXPECT_TRUE(std::abs(by - 3.1) < 0.01 || std::abs(by + 1.9) < 0.01) << by;
-    ink.visit(path, hsp::InkLevel::depth, [&](const hsp::InkCurve &, bool first, bool) { contours += first ? 1 : 0; });
+  for (const double asked : {5.0, 1e6}) {
+    hsp::PictureOptions options;
+    options.fog = 0;
+    options.ink_width[0] = asked;
+    std::vector<uint32_t> scratch(input.paths.size());
+    const hsp::Page page = hsp::lay_out(input, options);
+    const hsp::Paint paint(input, options, page, {scratch.data(), input.paths.size()});
+    const hsp::Ink ink(input, options, page, paint);
+    const double half = 100 * page.scale, middle = page.height / 2, width = std::min(asked, half);
+    int contours = 0;
+    double length = 0, first_end = 1e9, last_begin = -1e9;  // of both halves
+    for (uint32_t path = 0; path < input.paths.size(); ++path) {
+      if (!input.paths.is_plain(path)) continue;
+      std::vector<double> beyond;
+      double begin = 1e9, end = -1e9;
+      ink.visit(path, hsp::InkLevel::border, [&](const hsp::InkCurve &curve, bool first, bool) {
+        contours += first ? 1 : 0;
+        length += std::abs(curve.end.x - curve.start.x) / 2;
+        begin = std::min({begin, curve.start.x, curve.end.x});
+        end = std::max({end, curve.start.x, curve.end.x});
+        for (const double t : {0.0, 0.5, 1.0}) beyond.push_back((std::abs(curve.at(t).y - middle) - half) / width);
+      });
+      EXPECT_FALSE(beyond.empty());
+      first_end = std::min(first_end, end);
+      last_begin = std::max(last_begin, begin);
+      for (const double by : beyond) EXPECT_TRUE(std::abs(by - 0.62) < 0.002 || std::abs(by + 0.38) < 0.002) << by;
+      ink.visit(path, hsp::InkLevel::depth,
+                [&](const hsp::InkCurve &, bool first, bool) { contours += first ? 1 : 0; });
+    }
+    EXPECT_EQ(contours, 2 + 4);  // before the ball at the foot, and of both halves before the background
+    EXPECT_GT(length, 2 * 1300 * page.scale);
+    EXPECT_GT(first_end, last_begin + 0.1) << "the halves leave a gap";
   }
-  EXPECT_EQ(contours, 2 + 4);  // before the ball at the foot, and of both halves before the background
-  EXPECT_GT(length, 2 * 1300 * page.scale);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Caps by the code for wide registers against those by the code for every processor: the same bits.
+// Caps four at a time, by the kernels of each target, against those one at a time: the same bits.
 #include "sphere/near_balls.hpp"
 
 #include <gtest/gtest.h>
@@ -8,6 +8,7 @@
 
 #include "carved_memory.hpp"
 #include "random_balls.hpp"
+#include "runnable_targets.hpp"
 #include "sphere/caps.hpp"
 
 namespace {
@@ -15,7 +16,7 @@ namespace {
 // Balls with some caps of each, found both ways.
 class BothWays {
  public:
-  BothWays(const std::vector<hsp::exact::LatticeBall> &balls, uint32_t capacity)
+  BothWays(hsp::Target target, const std::vector<hsp::exact::LatticeBall> &balls, uint32_t capacity)
       : x_(balls.size()), y_(balls.size()), z_(balls.size()), r_(balls.size()), caller_(balls.size()) {
     const uint32_t n = static_cast<uint32_t>(balls.size());
     set_.x = {x_.data(), n};
@@ -31,8 +32,9 @@ class BothWays {
       components_[way] = hsp::DisjointSets({parent_[way].data(), n});
       components_[way].reset();
     }
-    caps_[0].wide = false;
-    caps_[1].wide = true;
+    caps_[0].lanes = false;
+    caps_[1].lanes = true;
+    caps_[1].target = target;
   }
 
   // The caps of all balls, with the balls in two ranges.
@@ -109,8 +111,11 @@ std::vector<hsp::exact::LatticeBall> random_balls(const Family &family, uint64_t
   return balls;
 }
 
-TEST(NearBalls, SameCapsBothWays) {
-  if (hsp::best_target() != hsp::Target::avx2) GTEST_SKIP() << "no such code, or no such processor";
+class NearBalls : public testing::TestWithParam<hsp::Target> {};
+INSTANTIATE_TEST_SUITE_P(Targets, NearBalls, testing::ValuesIn(runnable_targets()));
+
+TEST_P(NearBalls, SameCapsBothWays) {
+  if (!hsp::has_lanes) GTEST_SKIP() << "no such code";
   uint32_t contained = 0, overflowed = 0;
   uint64_t seed = 700;
   for (const Family &family : families) {
@@ -119,7 +124,7 @@ TEST(NearBalls, SameCapsBothWays) {
         const std::vector<hsp::exact::LatticeBall> balls = random_balls(family, ++seed, shift);
         for (const uint32_t split : {UINT32_C(0), family.n / 3, family.n}) {
           SCOPED_TRACE(family.name);
-          BothWays both(balls, capacity);
+          BothWays both(GetParam(), balls, capacity);
           both.expect_same(split);
           if (testing::Test::HasFatalFailure()) return;
           EXPECT_GT(both.caps + both.contained, 0U);

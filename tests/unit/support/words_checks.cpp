@@ -1,7 +1,8 @@
 #include "words_checks.hpp"
 
 #if HSP_LANES
-#include "lanes/words.hpp"
+#include "lanes/four_doubles.hpp"
+#include "wide_checks.hpp"
 
 namespace hsp::HSP_TARGET {
 namespace {
@@ -102,6 +103,138 @@ const char *check_doubles() {
   return nullptr;
 }
 
+template <class Expected>
+bool integers_are(Integers found, Expected expected) {
+  uint32_t lane[n];
+  found.store(lane);
+  for (uint32_t k = 0; k < n; ++k) {
+    if (lane[k] != expected(k)) return false;
+  }
+  return true;
+}
+
+const char *check_integers() {
+  const uint32_t u[8] = {0, UINT32_MAX, 3, 0x80000000U, 7, 3, 4, 5}, v[8] = {1, 0, 2, 0x7FFFFFFFU, 6, 3, 4, 6};
+  const Integers x = Integers::load(u), y = Integers::load(v);
+  const auto with_sign = [](uint32_t a) { return static_cast<int32_t>(a); };
+  const auto is_greater = [&](uint32_t k) { return with_sign(u[k]) > with_sign(v[k]); };
+  if (!integers_are(x + y, [&](uint32_t k) { return u[k] + v[k]; })) return "integers, +";
+  if (!integers_are(x - y, [&](uint32_t k) { return u[k] - v[k]; })) return "integers, -";
+  if (!integers_are(x & y, [&](uint32_t k) { return u[k] & v[k]; })) return "integers, &";
+  if (!integers_are(x | y, [&](uint32_t k) { return u[k] | v[k]; })) return "integers, |";
+  if (!integers_are(larger_signed(x, y), [&](uint32_t k) { return is_greater(k) ? u[k] : v[k]; })) return "larger";
+  if (!integers_are(smaller_signed(x, y), [&](uint32_t k) { return is_greater(k) ? v[k] : u[k]; })) return "smaller";
+  if (!bits_are(equal(x, y), [&](uint32_t k) { return u[k] == v[k]; })) return "equal";
+  if (!bits_are(greater_signed(x, y), is_greater)) return "greater_signed";
+  if (!bits_are(sign_bits(x), [&](uint32_t k) { return with_sign(u[k]) < 0; })) return "sign_bits";
+  for (uint32_t count = 0; count < n + 3; ++count) {
+    const auto is_first = [count](uint32_t k) { return k < count; };
+    if (!bits_are(first_lanes(count), is_first) || ones(first_lanes(count)) != (count < n ? count : n)) return "first";
+    const Integers first = Integers::first_set(count);
+    if (!integers_are(first, [&](uint32_t k) { return is_first(k) ? UINT32_MAX : 0U; })) return "first_set";
+    if (!integers_are(Integers::all_set_from(count) | first, [](uint32_t) { return UINT32_MAX; })) return "set behind";
+    if (!integers_are(Integers::all_set_from(count) & first, [](uint32_t) { return 0U; })) return "set in front";
+    if (!integers_are(chosen(first, x, y), [&](uint32_t k) { return is_first(k) ? u[k] : v[k]; })) return "chosen";
+    bool all = true;
+    for (uint32_t k = 0; k < n && k < count; ++k) all = all && is_greater(k);
+    if (all_greater(x, y, first) != all) return "all_greater";
+    uint32_t stored[8] = {9, 9, 9, 9, 9, 9, 9, 9};
+    store_first(stored, x, count);
+    for (uint32_t k = 0; k < 8; ++k) {
+      if (stored[k] != (k < count && k < n ? u[k] : 9)) return "store_first";
+    }
+  }
+  const double d[8] = {1.0, -1.0, 0.0, 2.0, -0.0, 0x1.8p0, 0x1.00001p0, -4.0};
+  const uint32_t upper[8] = {0x3FF00000, 0xBFF00000U, 0, 0x40000000, 0x80000000U, 0x3FF80000, 0x3FF00001, 0xC0100000U};
+  if (!integers_are(upper_halves(Doubles::load(d), Doubles::load(d + Doubles::lanes)),
+                    [&](uint32_t k) { return upper[k]; }))
+    return "upper_halves";
+  float things[32];
+  for (uint32_t k = 0; k < 32; ++k) things[k] = static_cast<float>(k);
+  const FourOfEach each = FourOfEach::load(things);
+  const Floats numbers[4] = {each.a, each.b, each.c, each.d};
+  for (uint32_t number = 0; number < 4; ++number) {
+    if (!lanes_are(numbers[number], [&](uint32_t k) { return things[4 * k + number]; })) return "four of each";
+  }
+  return lowest(0x50) == 4 ? nullptr : "lowest";
+}
+
+// Every order of distinct integers, and halves that ascend and descend.
+const char *check_sorting() {
+  uint32_t state = 12345;
+  for (uint32_t round = 0; round < 5000; ++round) {
+    uint32_t numbers[n], lane[n];
+    for (uint32_t k = 0; k < n; ++k) numbers[k] = (state = state * 1664525U + 1013904223U) >> 4;
+    sorted(Integers::load(numbers)).store(lane);
+    uint64_t before = 0, after = lane[0];
+    for (uint32_t k = 0; k < n; ++k) before += numbers[k];
+    for (uint32_t k = 1; k < n; ++k) {
+      if (lane[k] < lane[k - 1]) return "sorted";
+      after += lane[k];
+    }
+    if (before != after) return "sorted to others";
+    if (!integers_are(reversed(Integers::load(numbers)), [&](uint32_t k) { return numbers[n - 1 - k]; }))
+      return "reversed";
+    const uint32_t turn = round % n;
+    uint32_t bitonic[n];
+    for (uint32_t k = 0; k < n; ++k) bitonic[k] = lane[k < turn ? k : n - 1 - (k - turn)];
+    if (!integers_are(sorted_bitonic(Integers::load(bitonic)), [&](uint32_t k) { return lane[k]; })) return "bitonic";
+  }
+  return nullptr;
+}
+
+bool are(const FourDoubles &found, const double (&expected)[4]) {
+  double lane[4];
+  Four::store(lane, found);
+  for (uint32_t k = 0; k < 4; ++k) {
+    if (lane[k] != expected[k]) return false;
+  }
+  return true;
+}
+
+const char *check_four_doubles() {
+  const double fractions[4] = {2.75, -2.75, -0x1p51 - 0.5, 0.5}, whole[4] = {2.0, -2.0, -0x1p51, 0.0};
+  if (!are(Four::truncated(Four::load(fractions)), whole)) return "truncated";
+  if (!are(Four::of(2.75, -2.75, -0x1p51 - 0.5, 0.5), fractions)) return "of";
+  const uint32_t index[4] = {3, 0, 2, 2};
+  const double gathered[4] = {0.5, 2.75, -0x1p51 - 0.5, -0x1p51 - 0.5};
+  if (!are(Four::gather(fractions, index), gathered)) return "gather";
+  for (uint32_t count = 0; count <= 4; ++count) {
+    double first[4];
+    for (uint32_t k = 0; k < 4; ++k) first[k] = k < count ? fractions[k] : 0.0;
+    if (!are(Four::load_first(fractions, count), first)) return "load_first of four";
+  }
+  const double numbers[4] = {2147483647.0, 0.0, 7.5, 65536.0};
+  uint32_t integers[4];
+  Four::store_truncated(integers, Four::load(numbers));
+  if (integers[0] != 2147483647 || integers[1] != 0 || integers[2] != 7 || integers[3] != 65536) return "integers";
+  float rounded[4];
+  Four::store_as_floats(rounded, Four::load(numbers));
+  for (uint32_t k = 0; k < 4; ++k) {
+    if (rounded[k] != static_cast<float>(numbers[k])) return "as floats";
+  }
+  const double a4[4] = {2147483647.0, -2147483647.0, -1.0, 1073741827.0};
+  const double b4[4] = {1073741823.0, 1073741825.0, 0.0, 1073741823.0};
+  const LongIntegers x = LongIntegers::from(Four::load(a4)), y = LongIntegers::from(Four::load(b4));
+  double product_rounded[4], left_out[4], difference[4];
+  for (uint32_t k = 0; k < 4; ++k) {
+    const int64_t p = static_cast<int64_t>(a4[k]) * static_cast<int64_t>(b4[k]);
+    const int64_t q = static_cast<int64_t>(b4[k]) * static_cast<int64_t>(b4[k]);
+    product_rounded[k] = static_cast<double>(p);
+    left_out[k] = static_cast<double>(p - static_cast<int64_t>(product_rounded[k]));
+    difference[k] = static_cast<double>(p - q);
+  }
+  FourDoubles rest{};
+  if (!are(to_doubles(product(x, y), rest), product_rounded) || !are(rest, left_out)) return "product of integers";
+  return are(to_doubles(product(x, y) - product(y, y)), difference) ? nullptr : "difference of products";
+}
+
+const char *check_wide() {
+  if (const char *const wrong = check_lanes<float, Floats::lanes>(); wrong != nullptr) return wrong;
+  if (const char *const wrong = check_lanes<double, Doubles::lanes>(); wrong != nullptr) return wrong;
+  return check_lane_vectors<Doubles::lanes>();
+}
+
 const char *check_front_orders() {
   const uint32_t ids[8] = {10, 11, 12, 13, 14, 15, 16, 17};
   for (LaneBits chosen = 0; chosen < 1U << n; ++chosen) {
@@ -189,8 +322,9 @@ const char *check_fractions() {
 }  // namespace
 
 void check_words(const char *&wrong) {
-  const char *(*const checks[])() = {check_floats, check_comparisons, check_doubles, check_front_orders,
-                                     check_fractions};
+  const char *(*const checks[])() = {check_floats,       check_comparisons,  check_doubles,
+                                     check_front_orders, check_fractions,    check_integers,
+                                     check_sorting,      check_four_doubles, check_wide};
   for (const auto check : checks) {
     wrong = check();
     if (wrong != nullptr) return;

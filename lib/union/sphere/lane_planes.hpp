@@ -1,8 +1,8 @@
-// The planes of four pairs of balls, exactly: plane_of of exact/plane.hpp in lanes. For files *_avx2.cpp alone;
-// everything has internal linkage.
+// The planes of four pairs of balls, exactly: plane_of of exact/plane.hpp in lanes. Everything has
+// internal linkage.
 #pragma once
 
-#include "lanes/twofold_avx2.hpp"
+#include "lanes/twofold.hpp"
 #include "sphere/near_balls.hpp"
 
 namespace hsp {
@@ -19,20 +19,20 @@ struct LaneVectors {
 
 // Four balls.
 struct LaneBalls {
-  Doubles x, y, z, r;
+  FourDoubles x, y, z, r;
 
   LaneBalls(const BallArrays &balls, const uint32_t *ids)
-      : x(Doubles::at(balls.x, ids)),
-        y(Doubles::at(balls.y, ids)),
-        z(Doubles::at(balls.z, ids)),
-        r(Doubles::at(balls.r, ids)) {}
+      : x(Four::gather(balls.x, ids)),
+        y(Four::gather(balls.y, ids)),
+        z(Four::gather(balls.z, ids)),
+        r(Four::gather(balls.r, ids)) {}
 };
 
 // The planes of one other ball of each.
 struct LanePlanes {
-  Doubles x, y, z;  // the vector to the other centre
-  LaneVectors v;    // the same
-  LongIntegers U;   // its square
+  FourDoubles x, y, z;  // the vector to the other centre
+  LaneVectors v;        // the same
+  LongIntegers U;       // its square
   LongIntegers h;
 
   LanePlanes(const LaneBalls &own, const LaneBalls &other)

@@ -1,5 +1,4 @@
-// The words of words.hpp for registers of 32 bytes: eight floats, four doubles, eight integers, sixteen fractions; and
-// what files *_avx2.cpp alone need of them.
+// The words of words.hpp for registers of 32 bytes: eight floats, four doubles, eight integers, sixteen fractions.
 #pragma once
 
 #include <immintrin.h>
@@ -133,32 +132,8 @@ inline Floats smaller(Floats a, Floats b) {
 inline Doubles smaller(Doubles a, Doubles b) {
   return {_mm256_min_pd(a.v, b.v)};
 }
-// Without what is behind the point.
-inline Doubles truncated(Doubles a) {
-  return {_mm256_round_pd(a.v, _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC)};
-}
-// 1 in lanes where a >= b, 0 in the others, also where a or b is NaN.
-inline Doubles one_where_not_less(Doubles a, Doubles b) {
-  return {_mm256_and_pd(_mm256_cmp_pd(a.v, b.v, _CMP_GE_OQ), _mm256_set1_pd(1.0))};
-}
-// a where it is a number, else b.
-inline Doubles where_number(Doubles a, Doubles b) {
-  return {_mm256_blendv_pd(a.v, b.v, _mm256_cmp_pd(a.v, a.v, _CMP_UNORD_Q))};
-}
 inline double first(Doubles a) {
   return _mm256_cvtsd_f64(a.v);
-}
-template <int lane>
-Doubles in_all_lanes(Doubles a) {
-  return {_mm256_permute4x64_pd(a.v, lane * 0x55)};
-}
-template <int lane>
-Floats in_all_lanes(Floats a) {  // one of the first four
-  return {_mm256_permute_ps(_mm256_permute2f128_ps(a.v, a.v, 0), lane * 0x55)};
-}
-// Doubles that are integers below 2^31 in size, as such.
-inline void store_integers(uint32_t *p, Doubles a) {
-  _mm_storeu_si128(reinterpret_cast<__m128i *>(p), _mm256_cvttpd_epi32(a.v));
 }
 // c in lanes where a > b, d in the others, also where a or b is NaN.
 inline Floats where_greater(Floats a, Floats b, Floats c, Floats d) {
@@ -304,39 +279,6 @@ struct LaneCounts<Doubles> {
     return static_cast<LaneBits>(_mm256_movemask_pd(_mm256_castsi256_pd(same)));
   }
 };
-
-// Four 64-bit integers that come from doubles below 2^31 in size, and what is made of them.
-struct LongIntegers {
-  static constexpr uint32_t lanes = 4;
-  __m256i v;
-
-  static LongIntegers load(const int64_t *p) { return {_mm256_loadu_si256(reinterpret_cast<const __m256i *>(p))}; }
-  static LongIntegers all_of(const int64_t *p) { return {_mm256_set1_epi64x(*p)}; }
-  static LongIntegers from(Doubles a) { return {_mm256_cvtepi32_epi64(_mm256_cvttpd_epi32(a.v))}; }
-  friend LongIntegers operator+(LongIntegers a, LongIntegers b) { return {_mm256_add_epi64(a.v, b.v)}; }
-  friend LongIntegers operator-(LongIntegers a, LongIntegers b) { return {_mm256_sub_epi64(a.v, b.v)}; }
-};
-// Of factors below 2^31 in size.
-inline LongIntegers product(LongIntegers a, LongIntegers b) {
-  return {_mm256_mul_epi32(a.v, b.v)};
-}
-// Rounded to nearest, for all 64-bit integers: the upper half plus 2^84 + 2^63 and the lower plus 2^52, whose bits can
-// be put together, are exact doubles; so is the first difference, and the last sum is rounded once. The part left out
-// by that is exact too: either the difference has no smaller exponent than the lower half plus 2^52, or the sum is
-// exact.
-inline Doubles to_doubles(LongIntegers a, Doubles &left_out) {
-  const __m256i low = _mm256_blend_epi32(_mm256_set1_epi64x(0x4330000000000000), a.v, 0x55);
-  const __m256i high = _mm256_xor_si256(_mm256_srli_epi64(a.v, 32), _mm256_set1_epi64x(0x4530000080000000));
-  const __m256d both = _mm256_castsi256_pd(_mm256_set1_epi64x(0x4530000080100000));
-  const Doubles upper{_mm256_sub_pd(_mm256_castsi256_pd(high), both)}, lower{_mm256_castsi256_pd(low)};
-  const Doubles sum = upper + lower;
-  left_out = lower - (sum - upper);
-  return sum;
-}
-inline Doubles to_doubles(LongIntegers a) {
-  Doubles left_out{};
-  return to_doubles(a, left_out);
-}
 
 // Sixteen fractions from -1 to below 1, as multiples of 2^-15. Floats and sums beyond that stop at its ends; products
 // are rounded to the nearest. That of -1 and -1 is wrong.

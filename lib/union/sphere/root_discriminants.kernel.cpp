@@ -1,13 +1,12 @@
 #include "sphere/root_discriminants.hpp"
 
-#if HSP_AVX2
-#include "sphere/lane_planes_avx2.hpp"
+#include "sphere/lane_planes.hpp"
 
-namespace hsp {
+namespace hsp::HSP_TARGET {
 namespace {
 
 // |v|^2, rounded.
-Doubles squared(const LanePlanes &plane) {
+FourDoubles squared(const LanePlanes &plane) {
   return plane.x * plane.x + plane.y * plane.y + plane.z * plane.z;
 }
 
@@ -26,11 +25,11 @@ LaneBits find_roots(const BallArrays &balls, const uint32_t *vertices, double *r
                                     difference_of_products(ph, q.z, qh, p.z));
   const Twofold W = exact_square(own.r + own.r);
   const Twofold Wnn_high = product(nn, W.high);
-  const Twofold Wnn{Wnn_high.high, fused(nn.high, W.low, Wnn_high.low)};
-  const Doubles error = Doubles::all(0x1p-96) * W.high * (squared(p) * squared(q));
+  const Twofold Wnn{Wnn_high.high, Four::fused(nn.high, W.low, Wnn_high.low)};
+  const FourDoubles error = Four::all(0x1p-96) * W.high * (squared(p) * squared(q));
   Twofold D{};
-  const LaneBits certain = rounded_within(difference(Wnn, qq), error, D) & greater(D.high, Doubles::all(0.0));
-  square_root(D.high).store(roots);
+  const LaneBits certain = rounded_within(difference(Wnn, qq), error, D) & lanes_where(D.high > Four::all(0.0));
+  Four::store(roots, Four::square_root(D.high));
   return certain;
 }
 
@@ -38,6 +37,8 @@ LaneBits find_roots(const BallArrays &balls, const uint32_t *vertices, double *r
 
 bool find_roots_in_lanes(const BallArrays &balls, const uint32_t *vertices, uint32_t count, double *roots,
                          uint32_t &done) {
+  done = 0;
+  if constexpr (!has_twofold) return true;
   LaneBits all = 15U;
   uint32_t v = 0;
   for (; v + 4 <= count; v += 4) {
@@ -53,5 +54,4 @@ bool find_roots_in_lanes(const BallArrays &balls, const uint32_t *vertices, uint
   return all == 15U;
 }
 
-}  // namespace hsp
-#endif
+}  // namespace hsp::HSP_TARGET
