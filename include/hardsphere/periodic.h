@@ -120,7 +120,8 @@ typedef struct hsp_periodic_request {
  *  so are shares and a pressure, and totals have 0 for volume, free_volume and contact_area. The limit of contacts may
  *  be 0 then.
  *  With an executor of more than one worker the search for the boundary falls into limits.workers parts, as that of
- *  hsp_boundary_compute_with. limits: see LIMITS in hardsphere.h; at most six retries.
+ *  hsp_boundary_compute_with; contacts and components are the calling thread's, as what is found of a contact at one
+ *  ball leads to those of the next. limits: see LIMITS in hardsphere.h; at most six retries.
  *  - Property 1: all that can be read afterwards is the same for every number of workers and parts, bit for bit.
  *  - Property 2: areas and derivatives with areas_alone are those without it, bit for bit.
  *

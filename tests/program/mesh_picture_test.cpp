@@ -351,6 +351,19 @@ TEST(MeshPicture, PocketsHaveColours) {
             "hardsphere: --least needs --pockets\n");
 }
 
+// The room with a ball far before it: the cut opens the room, where the middle of everything is between the two.
+TEST(MeshPicture, TheCutGoesThroughThePocket) {
+  const TemporaryFile room("room.xyzr",
+                           "1 0 0 0.7\n-1 0 0 0.7\n0 1 0 0.7\n0 -1 0 0.7\n0 0 1 0.7\n0 0 -1 0.7\n0 0 7 0.7\n");
+  bool section = false, blue = false;
+  for (const Part &part : drawn(room.path(), {"--probe", "0.1", "--surface", "ses", "--edge", "0.2", "--pockets",
+                                              "0.13", "--view", "0,0,1", "--cut"})) {
+    section = section || !part.closed;
+    blue = blue || is_blue(part);
+  }
+  EXPECT_TRUE(section && blue);
+}
+
 // A cavity is a pocket without a mouth: its body has the colour, and no void is red.
 TEST(MeshPicture, PocketsWithoutMouths) {
   const std::string svg = drawn_text("good/cage.xyzr", {"--edge", "0.2", "--cut", "--pockets", "1"});
@@ -373,6 +386,12 @@ TEST(MeshPicture, PocketsHaveTheirNumbers) {
   std::istringstream lines(listed.out);
   std::vector<std::string> numbers;
   for (std::string line; std::getline(lines, line);) numbers.push_back(line.substr(0, line.find(',')));
+  for (size_t at = svg.find(">pocket "); at != std::string::npos; at = svg.find('>', at + 1)) {
+    const std::string text = svg.substr(at + 1, svg.find('<', at) - at - 1);
+    const std::string number = text.rfind("pocket ", 0) == 0 ? text.substr(7) : text;
+    if (number.empty() || number.find_first_not_of("0123456789") != std::string::npos) continue;
+    EXPECT_EQ(std::count(numbers.begin(), numbers.end(), number), 1) << number;
+  }
   size_t named = 0;
   for (size_t k = 1; k < numbers.size(); ++k) {
     const bool shown = svg.find('>' + (named == 0 ? "pocket " : std::string()) + numbers[k] + '<') != std::string::npos;

@@ -64,6 +64,8 @@ Scale scale_of(const std::string &svg, bool below) {
   const auto &[first, from] = ticks.front();
   const auto &[last, to] = ticks.back();
   const double per_unit = (to - from) / (last - first);
+  const double step = (last - first) / static_cast<double>(ticks.size() - 1);
+  EXPECT_NEAR(first / step, std::round(first / step), 1e-6) << first;
   return {from - per_unit * first, per_unit};
 }
 
@@ -174,6 +176,7 @@ void expect_tree(const Json &json, const std::string &svg, double persistence, b
     before = bar.y;
   }
   for (const Bar &bar : bars) {
+    EXPECT_LT(bar.parent, bar.y);
     for (const Bar &other : bars) {
       const bool between = other.y < bar.y - rounding && other.y > bar.parent + rounding && bar.parent >= 0;
       EXPECT_FALSE(between && other.birth > bar.death + rounding && other.death < bar.death - rounding);
@@ -183,7 +186,7 @@ void expect_tree(const Json &json, const std::string &svg, double persistence, b
 
 TEST(PoreCharts, TreeOfCrambin) {
   for (const auto &[words, persistence] :
-       std::vector<std::pair<Words, double>>{{{"--probe", "0.4"}, 0},
+       std::vector<std::pair<Words, double>>{{{"--probe", "0.37"}, 0},
                                              {{"--probe", "0.8", "--least", "0.1"}, 0.1},
                                              {{"--probe", "0.8", "--pockets", "1.3"}, 0}}) {
     Words call = {crambin()};
@@ -228,12 +231,19 @@ TEST(PoreCharts, TreeInABox) {
   const Scale x = scale_of(svg, true);
   static const std::regex limit("<text x=\"([0-9.]+)\" y=\"15.0\" text-anchor=\"middle\">([123])-d<");
   size_t limits = 0;
+  double before = -1;
   for (std::sregex_iterator l(svg.begin(), svg.end(), limit), end; l != end; ++l, ++limits) {
     const size_t d = std::stoul((*l)[2]) - 1;
     EXPECT_NEAR(std::stod((*l)[1]), x(json["pore_limiting_diameter"].items.at(d).number / 2), tenth_of_px);
+    EXPECT_GT(std::stod((*l)[1]), before);
+    before = std::stod((*l)[1]);
   }
   EXPECT_GE(limits, 1u);
   EXPECT_EQ(svg.find(">outside<"), std::string::npos);
+  const TemporaryFile ball("ball.xyzr", "0 0 0 1\n");
+  const std::string cubic = written("--tree", {ball.path(), "--box", "4,4,4"}).svg;
+  EXPECT_NE(cubic.find(">3-d<"), std::string::npos);
+  EXPECT_EQ(cubic.find(">1-d<"), std::string::npos);  // all three at once
 }
 
 TEST(PoreCharts, OfNothing) {

@@ -206,6 +206,17 @@ TEST(PoreFiles, PocketsHaveAllTheirMaxima) {
   const Json json = run_json({"pores", crambin(), "--probe", "0.8", "--pockets", "3", "--points", file.path()});
   std::map<double, double> maxima;
   for (const Point &point : points_of_cif(read_file(file.path()))) maxima[point.number] += point.atom == "MAX" ? 1 : 0;
+  EXPECT_EQ(
+      run_program({"pores", crambin(), "--probe", "0.8", "--pockets", "3", "--least", "0.1", "--points", file.path()})
+          .status,
+      0);
+  std::set<double> listed, deep;
+  for (const Point &point : points_of_cif(read_file(file.path()))) listed.insert(point.number);
+  for (const Json &pocket : json["pocket_list"].items) {
+    if (pocket["radius"].number - pocket["mouth_radius"].number >= 0.1) deep.insert(pocket["pocket"].number);
+  }
+  EXPECT_EQ(listed, deep);
+  EXPECT_LT(deep.size(), json["pocket_list"].items.size());
   ASSERT_GT(json["pocket_list"].items.size(), 5u);
   for (const Json &pocket : json["pocket_list"].items) {
     EXPECT_EQ(maxima[pocket["pocket"].number], pocket["maxima"].number);
@@ -316,6 +327,7 @@ TEST(PoreFiles, TunnelsAsProgramsExchangeThem) {
   const std::vector<Json> &tunnels = json["tunnel_list"].items;
   ASSERT_EQ(tunnels.size(), 3u);
   ASSERT_EQ(loops["sb_ncbr_channel"].size(), 3u);
+  int both = 0;  // residues that line a tunnel with their backbone and with other atoms
   for (const Json &tunnel : tunnels) {
     const std::string id = std::to_string(static_cast<int>(tunnel["tunnel"].number));
     const double length = tunnel["length"].number;
@@ -354,9 +366,11 @@ TEST(PoreFiles, TunnelsAsProgramsExchangeThem) {
       EXPECT_GE(std::stod(row["min_radius"]), tunnel["radius"].number - digits);
       EXPECT_EQ(std::stoi(row["charge"]), std::stoi(row["numPositives"]) - std::stoi(row["numNegatives"]));
       size_t lining = 0;
+      std::set<std::string> different;
       for (auto &near : loops["sb_ncbr_channel_layer_residue"]) {
         if (near["channel_id"] != id || near["layer_id"] != row["order"]) continue;
         ++lining;
+        EXPECT_TRUE(different.insert(near["residue_id"]).second);
         ASSERT_TRUE(residues.contains(near["residue_id"]));
         const auto &[residue, backbone] = residues[near["residue_id"]];
         for (auto &point : loops["sb_ncbr_channel_profile"]) {
@@ -376,8 +390,16 @@ TEST(PoreFiles, TunnelsAsProgramsExchangeThem) {
       EXPECT_LE(lining, 4u);
     }
     EXPECT_EQ(bottlenecks, 1);
+    const std::set<std::pair<std::string, bool>> all = [&] {
+      std::set<std::pair<std::string, bool>> rows;
+      for (const auto &[row, residue] : residues) rows.insert(residue);
+      return rows;
+    }();
+    EXPECT_EQ(all.size(), residues.size());
+    for (const auto &[residue, backbone] : all) both += !backbone && all.contains({residue, true}) ? 1 : 0;
     EXPECT_NEAR(end, length, digits);
   }
+  EXPECT_GT(both, 0);
   // The atoms are those of the molecule, for this program too.
   const TemporaryFile again("again.cif", read_file(file.path()));
   EXPECT_NEAR(run_json({"measure", again.path()})["area"].number, run_json({"measure", crambin()})["area"].number,
@@ -432,8 +454,9 @@ TEST(PoreFiles, ChargesOfLayers) {
 // Names that need quotes, or a line of their own.
 TEST(PoreFiles, NamesWithQuotes) {
   const TemporaryFile gro("names.gro",
-                          "names\n3\n    1A'B   O5'    1   0.000   0.000   0.000\n"
+                          "names\n4\n    1A'B   O5'    1   0.000   0.000   0.000\n"
                           "    1A'B  'C\"1    2   0.300   0.000   0.000\n    2_X     \"N    3   0.000   0.300   0.000\n"
+                          "    3LIG     'N    4   0.000   0.000   0.300\n"
                           "   1.00000   1.00000   1.00000\n");
   const TemporaryFile cif("names.cif");
   ASSERT_EQ(run_program({"pores", gro.path(), "--radius", "O=1,C=1,N=1", "--tunnels-from", "0,0,9", "--tunnels-out",
@@ -442,8 +465,8 @@ TEST(PoreFiles, NamesWithQuotes) {
             0);
   const Json written = run_json({"measure", cif.path(), "--per-ball"}),
              read = run_json({"measure", gro.path(), "--per-ball"});
-  ASSERT_EQ(written["balls"].items.size(), 3u);
-  for (size_t i = 0; i < 3; ++i) {
+  ASSERT_EQ(written["balls"].items.size(), 4u);
+  for (size_t i = 0; i < 4; ++i) {
     const Json &one = written["balls"].items[i], &other = read["balls"].items[i];
     for (const char *key : {"atom", "residue", "number"}) EXPECT_EQ(one[key].text, other[key].text) << key;
   }

@@ -22,7 +22,8 @@ struct seen_triangle {
 bool mesh_layers_find(struct seen_triangle *triangle, uint32_t count, double slack);
 
 /* Tell which are seen, of triangles with layers: those that do not lie under whole ones of later layers at every one of
- * the points that are so many units apart. What is seen of the others is thinner than that. False for want of memory. */
+ * the points that are so many units apart. Of the others less is seen than lies between such points. False for want of
+ * memory. */
 bool mesh_layers_find_seen(struct seen_triangle *triangle, uint32_t count, int32_t apart);
 
 #endif

@@ -5,23 +5,40 @@
 
 namespace hsp {
 
-// Moves an item of a heap down, or up, to where no item is less than one below it.
-template <class T, class Less>
-void sift_down(Span<T> heap, uint32_t hole, Less less) {
+// Moves an item of a heap down, or up, to where no item is less than one below it. placed(item, slot) hears where each
+// that moves is then.
+template <class T, class Less, class Placed>
+void sift_down(Span<T> heap, uint32_t hole, Less less, Placed placed) {
   const T item = heap[hole];
+  const auto put = [&](const T &moved) {
+    heap[hole] = moved;
+    placed(moved, hole);
+  };
   for (uint32_t child = 2 * hole + 1; child < heap.size(); child = 2 * hole + 1) {
     if (child + 1 < heap.size() && less(heap[child], heap[child + 1])) ++child;
     if (!less(item, heap[child])) break;
-    heap[hole] = heap[child];
+    put(heap[child]);
     hole = child;
   }
-  heap[hole] = item;
+  put(item);
+}
+template <class T, class Less, class Placed>
+void sift_up(Span<T> heap, uint32_t hole, Less less, Placed placed) {
+  const T item = heap[hole];
+  const auto put = [&](const T &moved) {
+    heap[hole] = moved;
+    placed(moved, hole);
+  };
+  for (; hole > 0 && less(heap[(hole - 1) / 2], item); hole = (hole - 1) / 2) put(heap[(hole - 1) / 2]);
+  put(item);
+}
+template <class T, class Less>
+void sift_down(Span<T> heap, uint32_t hole, Less less) {
+  sift_down(heap, hole, less, [](const T &, uint32_t) {});
 }
 template <class T, class Less>
 void sift_up(Span<T> heap, uint32_t hole, Less less) {
-  const T item = heap[hole];
-  for (; hole > 0 && less(heap[(hole - 1) / 2], item); hole = (hole - 1) / 2) heap[hole] = heap[(hole - 1) / 2];
-  heap[hole] = item;
+  sift_up(heap, hole, less, [](const T &, uint32_t) {});
 }
 
 // Insertion sort below 24 items, heap sort above: O(n log n) at worst, constant stack.

@@ -1,5 +1,6 @@
 #include "paths/cell_search.hpp"
 
+#include "core/sorting.hpp"
 #include "paths/free_segments.hpp"
 
 namespace hsp {
@@ -46,35 +47,6 @@ bool CellSearch::comes_first(uint32_t a, uint32_t b) const {
   return a < b;
 }
 
-void CellSearch::place(uint32_t at, uint32_t cell) {
-  heap_[at] = cell;
-  visits_[cell].next = at;
-}
-
-void CellSearch::rise(uint32_t at) {
-  const uint32_t cell = heap_[at];
-  for (; at > 0 && comes_first(cell, heap_[(at - 1) / 2]); at = (at - 1) / 2) place(at, heap_[(at - 1) / 2]);
-  place(at, cell);
-}
-
-uint32_t CellSearch::take_first() {
-  const uint32_t first = heap_[0];
-  visits_[first].next = done;
-  if (--waiting_ == 0) return first;
-  const uint32_t cell = heap_[waiting_];
-  uint32_t at = 0;
-  for (;;) {
-    uint32_t below = 2 * at + 1;
-    if (below >= waiting_) break;
-    if (below + 1 < waiting_ && comes_first(heap_[below + 1], heap_[below])) ++below;
-    if (!comes_first(heap_[below], cell)) break;
-    place(at, heap_[below]);
-    at = below;
-  }
-  place(at, cell);
-  return first;
-}
-
 // Between two runs the point of their common side that is nearest to where one comes from.
 exact::Vector CellSearch::portal(const FreeSpace &space, uint32_t contact, const exact::Vector &from) const {
   const uint32_t *const cell = space.contacts[contact].cell;
@@ -90,10 +62,15 @@ Status CellSearch::find(const FreeSpace &space, uint32_t from_cell, const exact:
   for (uint32_t c = 0; c < space.cell_count(); ++c) visits_[c].next = not_seen;
   visits_[from_cell] = {from, 0.0, distance(from, to), no_id, 0};
   heap_[0] = from_cell;
-  waiting_ = 1;
+  const auto later = [&](uint32_t a, uint32_t b) { return comes_first(b, a); };
+  const auto placed = [&](uint32_t cell, uint32_t at) { visits_[cell].next = at; };
+  uint32_t waiting = 1;
   bool found = false;
-  while (waiting_ > 0 && !found) {
-    const uint32_t cell = take_first();
+  while (waiting > 0 && !found) {
+    const uint32_t cell = heap_[0];
+    visits_[cell].next = done;
+    heap_[0] = heap_[--waiting];
+    if (waiting > 0) sift_down(heap_.part(0, waiting), 0, later, placed);
     found = cell == to_cell;
     if (found) break;
     const Visit here = visits_[cell];
@@ -106,14 +83,14 @@ Status CellSearch::find(const FreeSpace &space, uint32_t from_cell, const exact:
       const exact::Vector at = portal(space, contact, here.entry);
       const double way = here.way + distance(here.entry, at);
       if (there.next == not_seen) {
-        there.next = waiting_++;
+        there.next = waiting++;
         heap_[there.next] = other;
       } else if (!(way < there.way)) {
         continue;
       }
       const uint32_t in_heap = there.next;
       there = {at, way, way + distance(at, to), cell, in_heap};
-      rise(in_heap);
+      sift_up(heap_, in_heap, later, placed);
     }
   }
   if (!found) return Status::check;

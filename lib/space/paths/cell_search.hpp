@@ -34,9 +34,6 @@ class CellSearch {
   };
 
   bool comes_first(uint32_t a, uint32_t b) const;
-  void place(uint32_t at, uint32_t cell);
-  void rise(uint32_t at);
-  uint32_t take_first();
   exact::Vector portal(const FreeSpace &space, uint32_t contact, const exact::Vector &from) const;
 
   Span<Visit> visits_;         // [cells]
@@ -44,7 +41,6 @@ class CellSearch {
   Span<uint32_t> first_link_;  // [cells + 1]
   Span<uint32_t> links_;       // [2 adjacencies] contacts of each cell
   Span<Box> boxes_;            // [runs]
-  uint32_t waiting_ = 0;
 };
 
 }  // namespace hsp

@@ -1,5 +1,6 @@
 #include "pores/critical_points.hpp"
 
+#include <bit>
 #include <initializer_list>
 
 #include "core/sorting.hpp"
@@ -11,12 +12,9 @@ namespace {
 
 using exact::Vector;
 
-constexpr uint32_t few = 6;          // balls all sets of which are tried
+constexpr uint32_t few = 5;          // balls all sets of which are tried
 constexpr uint32_t most_cubes = 64;  // that are being halved: from 2^52 steps down to the least
 constexpr int64_t least_half = 4;
-constexpr double root_of_three = 1.7320508075688774;
-// Of a unit vector in doubles, and of what is made of a few of them.
-constexpr double slack = 1e-12;
 
 double distance(const BallSet &balls, uint32_t ball, const Vector &from) {
   const double x = balls.x[ball] - static_cast<double>(from.x), y = balls.y[ball] - static_cast<double>(from.y),
@@ -30,6 +28,12 @@ double reach_of(int64_t half) {
 // Bound of what is wrong with a computed distance: its differences are integers, its relative error below 3 2^-53.
 double doubt_of(double distance) {
   return 0x1p-50 * distance;
+}
+// The first one lowest.
+uint64_t eight_bytes(const uint8_t *p) {
+  uint64_t bytes = 0;
+  for (uint32_t k = 0; k < 8; ++k) bytes |= static_cast<uint64_t>(p[k]) << 8 * k;
+  return bytes;
 }
 bool contains(const Vector &centre, int64_t half, const Vector &other, int64_t other_half) {
   const int64_t room = half - other_half;
@@ -86,41 +90,28 @@ bool meet(const CriticalPoints::Block &a, const CriticalPoints::Block &b) {
 // there: a plane between these and the cube excludes all of them. So only linear forms are asked, at the corners of the
 // cube. Of |x - c| the linear part is a lower bound.
 struct CriticalPoints::Directions {
-  static constexpr uint32_t room = 64;
-  Vec3 y[room];          // from the centres
-  double inverse[room];  // of its length
-  double gap[room];      // distance of the ball
-  double curve[room];    // how far that can be above its linear part in the cube
-  double rounding[room];
-  Vec3 a[room];       // unit vector from the centre; 0 in it
-  double side = 0.0;  // half an edge of the cube, and a little more
+  SeenBalls seen;
+  static constexpr uint32_t room = SeenBalls::room;
+  static constexpr double slack = slack_of_seen;
+  static_assert(room <= 64 && room % 4 == 0);
 
-  void set(const BallSet &balls, Span<const uint32_t> ids, const Vector &at, double half) {
-    side = half;
-    const double reach = root_of_three * half, sagitta = 0.5001 * reach * reach;
-    for (uint32_t k = 0; k < ids.size(); ++k) {
-      const uint32_t ball = ids[k];
-      y[k] = {static_cast<double>(at.x) - balls.x[ball], static_cast<double>(at.y) - balls.y[ball],
-              static_cast<double>(at.z) - balls.z[ball]};
-      const double length = std::sqrt(dot(y[k], y[k]));
-      inverse[k] = length > 0.0 ? 1.0 / length : 0.0;
-      a[k] = inverse[k] * y[k];
-      gap[k] = length - balls.r[ball];
-      rounding[k] = slack * (length + balls.r[ball]);
-      curve[k] = (length > 1.001 * reach ? sagitta / (length - reach) : 2.0 * reach) + rounding[k];
-    }
+  Vec3 y(uint32_t k) const { return {seen.x[k], seen.y[k], seen.z[k]}; }
+  Vec3 a(uint32_t k) const { return {seen.ax[k], seen.ay[k], seen.az[k]}; }
+  void set(Target target, const NearArrays &near, const Vector &at, double half) {
+    const Vec3 middle = to_double(at);
+    const double place[3] = {middle.x, middle.y, middle.z};
+    seen.side = half;
+    see(target, near, place, seen);
   }
   // Whether ball k is farther than ball m in all of the cube.
   bool is_farther(uint32_t k, uint32_t m) const {
-    return gap[k] - gap[m] > side * (1.0 + slack) * size(a[k] - a[m]) + curve[m] + rounding[k];
+    return seen.gap[k] - seen.gap[m] > seen.side * (1.0 + slack) * size(a(k) - a(m)) + seen.curve[m] + seen.rounding[k];
   }
   void move(uint32_t from, uint32_t to) {
-    y[to] = y[from];
-    inverse[to] = inverse[from];
-    gap[to] = gap[from];
-    curve[to] = curve[from];
-    rounding[to] = rounding[from];
-    a[to] = a[from];
+    for (double *const numbers :
+         {seen.x, seen.y, seen.z, seen.ax, seen.ay, seen.az, seen.inverse, seen.gap, seen.curve, seen.rounding}) {
+      numbers[to] = numbers[from];
+    }
   }
 
   // Whether one direction leads up from all balls in all of the cube: some steps towards the point of the hull of the
@@ -129,62 +120,95 @@ struct CriticalPoints::Directions {
     Vec3 d{0.0, 0.0, 0.0};
     double least = 0.0;  // of the length of d if there is such a direction
     for (uint32_t k = 0; k < count; ++k) {
-      d = d + a[k];
-      least += inverse[k];
+      d = d + a(k);
+      least += seen.inverse[k];
     }
     d = (1.0 / count) * d;
-    least *= side / count;
+    least *= seen.side / count;
     for (int turn = 0; turn < 6; ++turn) {
       const double squared = dot(d, d);
       if (!(squared > 1e-12) || squared <= least * least) return false;
-      const double across = side * size(d);
+      const double across = seen.side * size(d);
       double worst = 2.0;
       uint32_t which = 0;
       for (uint32_t k = 0; k < count; ++k) {
-        const double lead = dot(a[k], d) - across * inverse[k];
+        const double lead = dot(a(k), d) - across * seen.inverse[k];
         if (lead < worst) {
           worst = lead;
           which = k;
         }
       }
       if (worst > slack) return true;
-      const Vec3 v = a[which] - d;
+      const Vec3 v = a(which) - d;
       const double along = -dot(d, v) / dot(v, v);
       if (!(along > 0.0)) return false;
       const double part = along < 1.0 ? along : 1.0;
       d = d + part * v;
-      least += part * (side * inverse[which] - least);
+      least += part * (seen.side * seen.inverse[which] - least);
     }
     return false;
+  }
+  // Of a middle that is nearly in one plane with the first of their centres: a lower bound of how far it is inside the
+  // hull of their directions there, and how far it is from planes through centres at most. Not positive if it is not
+  // inside.
+  double depth_in_plane(uint32_t count, double &off_plane) const {
+    Vec3 n{0.0, 0.0, 0.0};
+    for (uint32_t k = 1; k < count; ++k) {
+      const Vec3 other = cross(a(0), a(k));
+      if (dot(other, other) > dot(n, n)) n = other;
+    }
+    const double length = std::sqrt(dot(n, n));
+    if (!(length > 1e-3)) return -1.0;
+    n = (1.0 / length) * n;
+    off_plane = 0.0;
+    for (uint32_t k = 0; k < count; ++k) off_plane = larger(off_plane, std::fabs(dot(n, y(k))) + 4.0);
+    double depth = 1.0;
+    bool any = false;
+    for (uint32_t i = 0; i < count; ++i) {
+      for (uint32_t j = 0; j < count; ++j) {
+        const Vec3 inward = cross(n, a(j) - a(i));
+        const double size = std::sqrt(dot(inward, inward));
+        if (size < 1e-6) continue;
+        // Lines through two of them with all others on the left, or nearly.
+        bool right = false;
+        for (uint32_t k = 0; k < count; ++k) right = right || dot(inward, a(k) - a(i)) < -1e-9 * size;
+        if (right) continue;
+        depth = smaller(depth, -dot(inward, a(i)) / size);
+        any = true;
+      }
+    }
+    return any ? depth - 1e-8 : -1.0;
   }
   // The plane through the centres of three of them: n.(x - c) from offset - span to offset + span in the cube. tiny:
   // what rounding may do to it.
   struct Face {
     Vec3 n;
-    double offset, span, tiny;
+    double offset, tiny;
+    int where;  // on which seen.side of it the cube certainly is, 0 for none
   };
   Face face(uint32_t i, uint32_t j, uint32_t k) const {
-    const Vec3 u = y[i] - y[j], v = y[i] - y[k], n = cross(u, v);
-    const double tiny = 1e-13 * size(u) * size(v);
-    return {n, dot(n, y[i]), side * size(n), tiny};
+    const Vec3 u = y(i) - y(j), v = y(i) - y(k), n = cross(u, v);
+    const double tiny = 1e-13 * size(u) * size(v), offset = dot(n, y(i)),
+                 span = seen.side * size(n) + 4.0 * tiny * seen.extent;
+    return {n, offset, tiny, offset > span ? 1 : offset < -span ? -1 : 0};
   }
   // Whether the cube is certainly outside the triangle of three of them.
   bool is_outside(const Face &face, uint32_t i, uint32_t j, uint32_t k) const {
-    if (std::fabs(face.offset) > face.span + face.tiny * size(y[i])) return true;
+    if (face.where != 0) return true;
     const auto beyond = [&](uint32_t from, uint32_t to) {
-      const Vec3 edge = y[from] - y[to], inward = cross(face.n, edge);
-      return dot(inward, y[from]) + side * size(inward) < -face.tiny * size(edge) * (size(y[from]) + side);
+      const Vec3 edge = y(from) - y(to), inward = cross(face.n, edge);
+      return dot(inward, y(from)) + seen.side * size(inward) < -face.tiny * size(edge) * (size(y(from)) + seen.side);
     };
     return beyond(i, j) || beyond(j, k) || beyond(k, i);
   }
   // Whether the cube and the fourth corner of a tetrahedron are certainly on different sides of a face.
   bool separates(const Face &face, uint32_t opposite) const {
-    const double height = face.offset - dot(face.n, y[opposite]), off = face.tiny * size(y[opposite]);
-    const double most = face.span + 4.0 * off;
-    return height > 4.0 * off ? face.offset < -most : height < -4.0 * off && face.offset > most;
+    if (face.where == 0) return false;
+    const double height = face.offset - dot(face.n, y(opposite)), off = 4.0 * face.tiny * seen.extent;
+    return face.where > 0 ? height < -off : height > off;
   }
   bool is_nearly_flat(const Face &face, uint32_t fourth) const {
-    return std::fabs(face.offset - dot(face.n, y[fourth])) <= 4.0 * face.tiny * size(y[fourth]);
+    return std::fabs(face.offset - dot(face.n, y(fourth))) <= 4.0 * face.tiny * size(y(fourth));
   }
   static double size(const Vec3 &v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
   static double larger(double x, double y) { return x > y ? x : y; }
@@ -200,13 +224,14 @@ void CriticalPoints::carve(Workspace &workspace, const CriticalLimits &limits) {
   maximum_names_.carve(workspace, limits.maxima);
   gate_names_.carve(workspace, limits.gates);
   candidates_ = workspace.take<uint32_t>(limits.candidates);
-  in_parts_ = workspace.take<uint8_t>(limits.candidates);
+  in_parts_ = workspace.take<uint8_t>(static_cast<uint64_t>(limits.candidates) + 8);
   cubes_ = workspace.take<Cube>(most_cubes);
   target_ = workspace.target();
   at_point_ = workspace.take<uint32_t>(limits.near);
   cluster_ = workspace.take<uint32_t>(limits.near);
   lines_ = workspace.take<TangentLines>(1);
   directions_ = workspace.take<Directions>(1);
+  hull_ = workspace.take<Vec3>(Directions::room);
 }
 
 Status CriticalPoints::find(PoreBalls &balls, int64_t floor) {
@@ -236,8 +261,6 @@ Status CriticalPoints::find(PoreBalls &balls, int64_t floor) {
     return search(low, high);
   }
   // Images as far from the box as balls can be nearest: as is guessed, until it is sure to suffice.
-  const Vec3 a = to_double(box->translation({{1, 0, 0}})), b = to_double(box->translation({{0, 1, 0}})),
-             c = to_double(box->translation({{0, 0, 1}}));
   const double largest = static_cast<double>(balls.set().largest_radius);
   double reach = 4.0 * largest + 0.25 * static_cast<double>(box->shortest_side());
   for (;;) {
@@ -248,7 +271,7 @@ Status CriticalPoints::find(PoreBalls &balls, int64_t floor) {
     if (status != Status::ok) return status;
     needed_.balls = larger_count(needed_.balls, balls.set().n);
     ceiling_ = static_cast<double>(steps) - largest - 2.0;
-    const Status found = search({0.0, 0.0, 0.0}, {a.x, b.y, c.z});
+    const Status found = search({0.0, 0.0, 0.0}, to_double(balls.brick()));
     if (found != Status::ok || beyond_ceiling_ == 0.0) return found;
     if (longest) return Status::check;
     reach = Directions::larger(1.25 * reach, beyond_ceiling_ + largest + 4.0);
@@ -318,7 +341,7 @@ Status CriticalPoints::search(const Vec3 &low, const Vec3 &high) {
     }
     const Span<const uint32_t> near = candidates_.part(child.first, child.last);
     if (near.size() <= few || child.half <= least_half) {
-      try_sets(near, {child.centre, child.half + 1}, {child.centre, child.half + 1}, false);
+      try_sets(near, {child.centre, child.half + 1}, {child.centre, child.half + 1}, PointKind::passing);
       if (needed_.near > limits_.near) return Status::capacity;
       continue;
     }
@@ -337,6 +360,11 @@ Status CriticalPoints::search(const Vec3 &low, const Vec3 &high) {
 
 bool CriticalPoints::is_settled(const Cube &cube) const {
   return cube.settled_half != 0 && contains(cube.settled_centre, cube.settled_half, cube.centre, cube.half);
+}
+
+NearArrays CriticalPoints::near_arrays(Span<const uint32_t> ids) const {
+  const BallSet &balls = *balls_;
+  return {balls.x.data(), balls.y.data(), balls.z.data(), balls.r.data(), ids.data(), ids.size()};
 }
 
 // Which candidates of a cube may be nearest in each of its parts. f is at most the distance of the farthest corner of a
@@ -391,15 +419,19 @@ uint32_t CriticalPoints::enter(const Cube &cube, const Cube &whole, uint32_t par
     return last;
   }
   uint32_t count = 0;
-  for (uint32_t k = first; k < last; ++k) {
-    candidates_[last + count] = candidates_[k];
-    count += in_parts_[k] >> part & 1U;
+  for (uint32_t k = first; k < last; k += 8) {
+    uint64_t here = eight_bytes(&in_parts_[k]) >> part & UINT64_C(0x0101010101010101);
+    if (last - k < 8) here &= (UINT64_C(1) << 8 * (last - k)) - 1;
+    for (; here != 0; here &= here - 1) {
+      candidates_[last + count++] = candidates_[k + static_cast<uint32_t>(std::countr_zero(here)) / 8];
+    }
   }
   if (unsure_) return last + count;
   if (count < 3) return last;
   if (count <= Directions::room) {
     Directions &directions = directions_[0];
-    directions.set(*balls_, candidates_.part(last, last + count), cube.centre, static_cast<double>(cube.half + 2));
+    directions.set(target_, near_arrays(candidates_.part(last, last + count)), cube.centre,
+                   static_cast<double>(cube.half + 3));
     count = drop_farther(last, count);
     if (count < 3 || directions.lead_up(count)) return last;
   }
@@ -411,14 +443,14 @@ uint32_t CriticalPoints::drop_farther(uint32_t first, uint32_t count) {
   Directions &directions = directions_[0];
   uint32_t nearest_one = 0;
   for (uint32_t k = 1; k < count; ++k) {
-    if (directions.gap[k] < directions.gap[nearest_one]) nearest_one = k;
+    if (directions.seen.gap[k] < directions.seen.gap[nearest_one]) nearest_one = k;
   }
-  bool dropped[Directions::room];
-  for (uint32_t k = 0; k < count; ++k) dropped[k] = k != nearest_one && directions.is_farther(k, nearest_one);
+  const uint64_t dropped = find_farther(target_, directions.seen, count, nearest_one);
+  if (dropped == 0) return count;
   uint32_t left = 0;
   for (uint32_t k = 0; k < count; ++k) {
-    if (dropped[k]) continue;
-    directions.move(k, left);
+    if ((dropped >> k & 1) != 0) continue;
+    if (k != left) directions.move(k, left);
     candidates_[first + left++] = candidates_[first + k];
   }
   return left;
@@ -437,10 +469,13 @@ void CriticalPoints::settle_ties(Cube &cube) {
     if (distance(balls, ball, cube.centre) < 4.0 * static_cast<double>(cube.half)) return;
   }
   uint32_t set[4];
-  if (!find_far_apart(balls, near, set)) return;
-  for (const bool rising : {false, true}) {
+  const bool solid = find_far_apart(balls, near, set);
+  if (set[2] == set[0]) return;
+  // Both points of four balls, and that of three in their plane.
+  for (const int attempt : {0, 1, 2}) {
+    const bool rising = attempt == 1, flat = attempt == 2;
     TangentPoint point(lines());
-    if (!point.find(balls, {set[0], set[1], set[2]}, set[3], rising)) continue;
+    if ((!solid && !flat) || !point.find(balls, {set[0], set[1], set[2]}, flat ? no_id : set[3], rising)) continue;
     const Vec3 at = point.place_estimate();
     if (!(std::fabs(at.x) + std::fabs(at.y) + std::fabs(at.z) < 0x1p52)) continue;
     const Vector x{nearest(at.x), nearest(at.y), nearest(at.z)};
@@ -452,7 +487,7 @@ void CriticalPoints::settle_ties(Cube &cube) {
     const double lowest = gap_of(cluster_[0]);
     uint32_t size = 0;
     double ratio = 0.0, next = 0.0, spread = 0.0, nearest_centre = std::numeric_limits<double>::infinity();
-    for (uint32_t k = 4; k <= count; ++k) {
+    for (uint32_t k = flat ? 3 : 4; k <= count; ++k) {
       const double here = gap_of(cluster_[k - 1]) - lowest + 1.0;
       const double behind = k < count ? gap_of(cluster_[k]) - lowest - 1.0 : 4.0 * reach_of(cube.half);
       if (behind > ratio * here) {
@@ -465,9 +500,13 @@ void CriticalPoints::settle_ties(Cube &cube) {
     if (size == 0) continue;
     const Span<uint32_t> tied = cluster_.part(0, size);
     for (const uint32_t ball : tied) nearest_centre = Directions::smaller(nearest_centre, distance(balls, ball, x));
-    directions_[0].set(balls, tied, x, 0.0);
-    const double depth = depth_of_hull({directions_[0].a, size});
+    directions_[0].set(target_, near_arrays(tied), x, 0.0);
+    const Directions &directions = directions_[0];
+    double off_plane = 0.0;
+    for (uint32_t k = 0; k < size; ++k) hull_[k] = directions.a(k);
+    const double depth = flat ? directions.depth_in_plane(size, off_plane) : depth_of_hull(hull_.part(0, size));
     if (!(depth > 0.0)) continue;
+    spread += 4.0 * off_plane;
     const double delta = Directions::smaller(0.5 * next, 0.49 * depth * nearest_centre / (1.5 + depth));
     const double settled = delta / root_of_three - 4.0;
     const double around = spread / (0.45 * depth) + 4.0;  // beyond which no point is critical
@@ -480,12 +519,13 @@ void CriticalPoints::settle_ties(Cube &cube) {
     // Where all of them tie exactly, that is the one point.
     uint32_t four[4];
     TangentPoint all(lines());
-    bool tie = find_far_apart(balls, tied, four) && all.find(balls, {four[0], four[1], four[2]}, four[3], rising) &&
-               all.level_against(floor_) > 0;
+    bool tie = !flat && find_far_apart(balls, tied, four) &&
+               all.find(balls, {four[0], four[1], four[2]}, four[3], rising) && all.level_against(floor_) > 0;
     for (uint32_t k = 0; tie && k < size; ++k) tie = all.nearness(tied[k]) == 0;
     beyond_reach_ = beyond_reach_ || all.beyond_reach();
     if (!tie) {
-      try_sets(tied, left, own, true);
+      directions_[0].set(target_, near_arrays(tied), left.centre, static_cast<double>(left.half + 2));
+      try_sets(tied, left, own, flat ? PointKind::gate : PointKind::maximum);
     } else if (is_in(all, own)) {
       add(all, four, PointKind::maximum, tied);
     }
@@ -493,16 +533,15 @@ void CriticalPoints::settle_ties(Cube &cube) {
   }
 }
 
-// All sets of three and four with points in both of two cubes; alone: a point where all of them tie is the only
-// critical one in the first.
-void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, const Block &other, bool alone) {
+// All sets of three and four with points in both of two cubes, as seen from the first one; alone: of which kind a point
+// where all of them tie is the only critical one in the first.
+void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, const Block &other, PointKind alone) {
   ++work_.leaves;
   const uint32_t n = near.size();
   needed_.near = larger_count(needed_.near, n);
   if (n > limits_.near) return;
   const bool directed = n <= Directions::room;
-  Directions &directions = directions_[0];
-  directions.set(*balls_, near.part(0, directed ? n : 0), block.centre, static_cast<double>(block.half + 2));
+  const Directions &directions = directions_[0];
   // Which of them can be as near in the cube, by bits.
   uint64_t ties[Directions::room];
   for (uint32_t i = 0; i < n && directed; ++i) ties[i] = 0;
@@ -523,8 +562,11 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, con
       }
     }
   }
-  const auto face = [&](uint32_t i, uint32_t j, uint32_t k) {
-    return kept ? faces[place(i, j, k)] : directions.face(i, j, k);
+  Directions::Face made[4];
+  const auto face = [&](uint32_t i, uint32_t j, uint32_t k, uint32_t corner) -> const Directions::Face & {
+    if (kept) return faces[place(i, j, k)];
+    made[corner] = directions.face(i, j, k);
+    return made[corner];
   };
   KnownTies known;
   for (uint32_t i = 0; i < n; ++i) {
@@ -532,16 +574,16 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, con
       if (!tie(i, j)) continue;
       for (uint32_t k = j + 1; k < n; ++k) {
         if (!tie(i, k) || !tie(j, k)) continue;
-        const Directions::Face own = directed ? face(i, j, k) : Directions::Face{};
+        const Directions::Face &own = directed ? face(i, j, k, 3) : made[3];
         const uint32_t three[4] = {near[i], near[j], near[k], no_id};
         if (!directed || !directions.is_outside(own, i, j, k)) {
           ++work_.triples;
-          try_point(three, 3, near, block, other, known);
+          if (try_point(three, 3, near, block, other, known) && alone == PointKind::gate) return;
         }
         for (uint32_t l = k + 1; l < n; ++l) {
           if (!tie(i, l) || !tie(j, l) || !tie(k, l)) continue;
-          if (directed && (directions.separates(own, l) || directions.separates(face(i, j, l), k) ||
-                           directions.separates(face(i, k, l), j) || directions.separates(face(j, k, l), i))) {
+          if (directed && (directions.separates(own, l) || directions.separates(face(i, j, l, 2), k) ||
+                           directions.separates(face(i, k, l, 1), j) || directions.separates(face(j, k, l, 0), i))) {
             continue;
           }
           if (directed && directions.is_nearly_flat(own, l)) {
@@ -550,7 +592,7 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, con
           }
           ++work_.quadruples;
           const uint32_t four[4] = {near[i], near[j], near[k], near[l]};
-          if (try_point(four, 4, near, block, other, known) && alone) return;
+          if (try_point(four, 4, near, block, other, known) && alone == PointKind::maximum) return;
         }
       }
     }
@@ -631,30 +673,59 @@ void CriticalPoints::add(TangentPoint &point, const uint32_t *ids, PointKind kin
   if (!same) static_cast<void>(point.find(balls, {set[0], set[1], set[2]}, count == 3 ? no_id : set[3], false));
   CriticalPoint record{};
   record.tied = tied.size();
-  record.first_tied = clamped_count(tied_.required());
-  for (uint32_t k = 0; k < 4; ++k) {
-    record.ball[k] = name.ball[k];
-    record.shift[k] = name.shift[k];
-  }
   Vec3 off{};
   record.doubt = point.settle_from_base(off, record.level);
-  const uint32_t first = name.ball[0];
+  const BoxShift home = all_->shift_of(set[0]);
+  for (uint32_t k = 0; k < all_->translations(); ++k) add_moved(record, off, name, kind, tied, home, k);
+}
+
+// A point where a translation takes it.
+void CriticalPoints::add_moved(CriticalPoint record, const Vec3 &off, const PointName &name, PointKind kind,
+                               Span<const uint32_t> tied, const BoxShift &from, uint32_t translation) {
+  const BallSet &balls = *balls_;
+  const uint32_t count = kind == PointKind::gate ? 3 : 4;
+  const PointName own = translation == 0 ? name : moved_name(name, translation);
+  if (translation != 0 &&
+      (kind == PointKind::gate ? gate_names_.find(own, gates_) : maximum_names_.find(own, maxima_)) != no_id) {
+    return;
+  }
+  record.first_tied = clamped_count(tied_.required());
+  for (uint32_t k = 0; k < 4; ++k) {
+    record.ball[k] = own.ball[k];
+    record.shift[k] = own.shift[k];
+  }
+  const uint32_t first = own.ball[0];
   record.place = Vec3{balls.x[first], balls.y[first], balls.z[first]} + off;
   if (kind == PointKind::gate) {
-    gates_.push({record, {no_id, no_id}, {}, false, false, 0});
-    gate_names_.add(name, clamped_count(gates_.required() - 1), gates_);
+    gates_.push({record, {no_id, no_id}, {}, false, false, translation});
+    gate_names_.add(own, clamped_count(gates_.required() - 1), gates_);
   } else {
     maxima_.push({record, no_id, no_id});
-    maximum_names_.add(name, clamped_count(maxima_.required() - 1), maxima_);
+    maximum_names_.add(own, clamped_count(maxima_.required() - 1), maxima_);
   }
   // One that there was no room for may be found again.
   const bool stored = kind == PointKind::gate ? !gates_.overflowed() : !maxima_.overflowed();
   if (tied.size() == count || !stored) return;
-  const BoxShift home = all_->shift_of(set[0]);
+  const BoxShift home = translation == 0 ? BoxShift{} : all_->moved_image(name.ball[0], BoxShift{}, translation).shift;
   for (const uint32_t ball : tied) {
-    tied_.push(all_->ball_of(ball));
-    tied_shifts_.push(SmallShift::of(all_->shift_of(ball) - home));
+    PoreBalls::Image image{all_->ball_of(ball), all_->shift_of(ball) - from};
+    if (translation != 0) image = all_->moved_image(image.ball, image.shift, translation);
+    tied_.push(image.ball);
+    tied_shifts_.push(SmallShift::of(image.shift - home));
   }
+}
+
+PointName CriticalPoints::moved_name(const PointName &name, uint32_t translation) {
+  PointName moved{{no_id, no_id, no_id, no_id}, {}};
+  BoxShift home;
+  for (uint32_t k = 0; k < 4 && name.ball[k] != no_id; ++k) {
+    const PoreBalls::Image image = all_->moved_image(name.ball[k], name.shift[k].shift(), translation);
+    if (k == 0) home = image.shift;
+    beyond_reach_ = beyond_reach_ || !SmallShift::fits(image.shift - home);
+    moved.ball[k] = image.ball;
+    moved.shift[k] = SmallShift::of(image.shift - home);
+  }
+  return moved;
 }
 
 }  // namespace hsp

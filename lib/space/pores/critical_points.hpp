@@ -14,6 +14,7 @@
 
 #include "core/fixed_vector.hpp"
 #include "lanes/target.hpp"
+#include "pores/cube_halves.hpp"
 #include "pores/name_table.hpp"
 #include "pores/pore_balls.hpp"
 #include "pores/tied_balls.hpp"
@@ -45,7 +46,8 @@ class CriticalPoints {
   // small, needed() tells what suffices as far as it is known. Status::range: balls of one question are too far apart.
   Status find(PoreBalls &balls, int64_t floor);
 
-  // Room for records, whose points alone are set. To be brought into order.
+  // Room for records, whose points alone are set. To be brought into order. Of a gate `directions` is the translation
+  // by which it comes from the last one before it for which that is 0.
   FixedVector<PoreMaximum> &maxima() { return maxima_; }
   FixedVector<PoreGate> &gates() { return gates_; }
   const FixedVector<PoreMaximum> &maxima() const { return maxima_; }
@@ -57,6 +59,10 @@ class CriticalPoints {
   NameTable &maximum_names() { return maximum_names_; }
   const CriticalLimits &needed() const { return needed_; }
   const Work &work() const { return work_; }
+  // Where a translation takes a point.
+  PointName moved_name(const PointName &name, uint32_t translation);
+  // Memory of the search, free after it.
+  Span<uint32_t> scratch() { return candidates_; }
   // For further points of the same balls.
   TangentLines &lines() const { return lines_[0]; }
 
@@ -74,12 +80,13 @@ class CriticalPoints {
 
   void forget();
   Status search(const Vec3 &low, const Vec3 &high);
+  NearArrays near_arrays(Span<const uint32_t> ids) const;
   void halve(Cube &cube);
   uint32_t enter(const Cube &cube, const Cube &whole, uint32_t part);
   bool is_settled(const Cube &cube) const;
   void settle_ties(Cube &cube);
   uint32_t drop_farther(uint32_t first, uint32_t count);
-  void try_sets(Span<const uint32_t> near, const Block &block, const Block &other, bool alone);
+  void try_sets(Span<const uint32_t> near, const Block &block, const Block &other, PointKind alone);
   // Sets of balls that tie at points which were found in one cube: bits of places among those that are near.
   struct KnownTies {
     static constexpr uint32_t room = 8;
@@ -97,6 +104,8 @@ class CriticalPoints {
   bool try_point(const uint32_t *ids, uint32_t count, Span<const uint32_t> near, const Block &block, const Block &other,
                  KnownTies &known);
   void add(TangentPoint &point, const uint32_t *ids, PointKind kind, Span<uint32_t> tied);
+  void add_moved(CriticalPoint record, const Vec3 &off, const PointName &name, PointKind kind,
+                 Span<const uint32_t> tied, const BoxShift &from, uint32_t translation);
   PointName name_of_ids(const uint32_t *ids, uint32_t count);
 
   const PoreBalls *all_ = nullptr;
@@ -118,6 +127,7 @@ class CriticalPoints {
   Span<uint32_t> at_point_, cluster_;
   Span<TangentLines> lines_;     // [1]
   Span<Directions> directions_;  // [1]
+  Span<Vec3> hull_;
   CriticalLimits limits_, needed_;
   Work work_;
   bool beyond_reach_ = false;

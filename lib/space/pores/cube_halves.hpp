@@ -23,6 +23,27 @@ struct CubeParts {
   double most_level[8];  // which no distance of the nearest ball in the part is above
 };
 
+// A few balls as the middle of a cube sees them, from their centres.
+struct SeenBalls {
+  static constexpr uint32_t room = 64;
+  double x[room], y[room], z[room];     // from the centre to the middle
+  double ax[room], ay[room], az[room];  // the same as unit vectors; 0 in the centre
+  double inverse[room];                 // of the length
+  double gap[room];                     // distance of the ball
+  double curve[room];                   // how far that can be above its linear part in the cube
+  double rounding[room];
+  double side;    // half an edge of the cube, and a little more
+  double extent;  // of all x, y, z: the largest sum of the three
+};
+// Relative errors of unit vectors in doubles, and of what is made of a few of them.
+inline constexpr double slack_of_seen = 1e-12;
+inline constexpr double root_of_three = 1.7320508075688774;
+
+// Sets all numbers of balls around a place, for `side`.
+HSP_KERNEL(void, see, (const NearArrays &near, const double *at, SeenBalls &seen), (near, at, seen))
+// Of `count` balls a bit for each: whether it is farther than ball m in all of the cube.
+HSP_KERNEL(uint64_t, find_farther, (const SeenBalls &seen, uint32_t count, uint32_t m), (seen, count, m))
+
 // Sets `nearest`.
 HSP_KERNEL(void, find_nearest, (const NearArrays &near, CubeParts &parts), (near, parts))
 // Sets a bit for each part in which a ball may be at least as near as most_level.
@@ -84,6 +105,56 @@ inline void find_near_in_lanes(const NearArrays &near, const CubeParts &parts, u
     }
     in[i] = static_cast<uint8_t>(found);
   }
+}
+
+template <uint32_t n>
+inline void see_in_lanes(const NearArrays &near, const double *at, SeenBalls &seen) {
+  using L = Wide<double, n>;
+  using Real = typename L::Real;
+  const double reach = root_of_three * seen.side;
+  const Real at_x = L::all(at[0]), at_y = L::all(at[1]), at_z = L::all(at[2]), zero = L::all(0.0), one = L::all(1.0);
+  const Real sagitta = L::all(0.5001 * reach * reach), reaches = L::all(reach), clear = L::all(1.001 * reach);
+  const Real whole = L::all(2.0 * reach), slack = L::all(slack_of_seen);
+  Real extent = zero;
+  for (uint32_t first = 0; first < near.count; first += n) {
+    uint32_t ball[n];
+    for (uint32_t k = 0; k < n; ++k) ball[k] = near.ball[first + k < near.count ? first + k : near.count - 1];
+    const Real x = at_x - L::gather(near.x, ball), y = at_y - L::gather(near.y, ball);
+    const Real z = at_z - L::gather(near.z, ball), radius = L::gather(near.radius, ball);
+    const Real length = L::square_root(x * x + y * y + z * z);
+    const Real inverse = L::kept(length > zero, one / length);
+    const Real rounding = slack * (length + radius);
+    extent = L::larger(extent, L::absolute(x) + L::absolute(y) + L::absolute(z));
+    L::store(seen.x + first, x);
+    L::store(seen.y + first, y);
+    L::store(seen.z + first, z);
+    L::store(seen.ax + first, inverse * x);
+    L::store(seen.ay + first, inverse * y);
+    L::store(seen.az + first, inverse * z);
+    L::store(seen.inverse + first, inverse);
+    L::store(seen.gap + first, length - radius);
+    L::store(seen.rounding + first, rounding);
+    L::store(seen.curve + first, L::select(length > clear, sagitta / (length - reaches), whole) + rounding);
+  }
+  seen.extent = 0.0;
+  for (uint32_t k = 0; k < n; ++k) seen.extent = extent[k] > seen.extent ? extent[k] : seen.extent;
+}
+
+template <uint32_t n>
+inline uint64_t find_farther_in_lanes(const SeenBalls &seen, uint32_t count, uint32_t m) {
+  using L = Wide<double, n>;
+  using Real = typename L::Real;
+  const Real gap = L::all(seen.gap[m]), curve = L::all(seen.curve[m]);
+  const Real ax = L::all(seen.ax[m]), ay = L::all(seen.ay[m]), az = L::all(seen.az[m]);
+  const Real side = L::all(seen.side * (1.0 + slack_of_seen));
+  uint64_t found = 0;
+  for (uint32_t first = 0; first < count; first += n) {
+    const Real apart = L::absolute(L::load(seen.ax + first) - ax) + L::absolute(L::load(seen.ay + first) - ay) +
+                       L::absolute(L::load(seen.az + first) - az);
+    const Real most = side * apart + curve + L::load(seen.rounding + first);
+    found |= L::set_lanes(L::load(seen.gap + first) - gap > most) << first;
+  }
+  return found & ~UINT64_C(0) >> (64 - count) & ~(UINT64_C(1) << m);
 }
 
 }  // namespace

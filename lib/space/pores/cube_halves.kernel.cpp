@@ -11,4 +11,12 @@ void find_near(const NearArrays &near, const CubeParts &parts, uint8_t *in) {
   find_near_in_lanes<register_lanes>(near, parts, in);
 }
 
+void see(const NearArrays &near, const double *at, SeenBalls &seen) {
+  see_in_lanes<register_lanes>(near, at, seen);
+}
+
+uint64_t find_farther(const SeenBalls &seen, uint32_t count, uint32_t m) {
+  return find_farther_in_lanes<register_lanes>(seen, count, m);
+}
+
 }  // namespace hsp::HSP_TARGET

@@ -29,6 +29,7 @@ void PoreBalls::carve(Workspace &workspace, uint32_t balls, uint32_t near) {
 Status PoreBalls::take(const CubeGrid &grid) {
   const BallSet &all = grid.balls();
   box_ = nullptr;
+  translation_count_ = 1;
   needed_near_ = own_ = set_.n = 0;
   needed_balls_ = all.n;
   if (all.n > callers_.size()) return Status::capacity;
@@ -51,7 +52,81 @@ Status PoreBalls::take(const PeriodicImages &images) {
   const double diagonal = std::sqrt(a * a + b * b + c * c);
   longest_reach_ = static_cast<int64_t>(0.75 * diagonal) + 64;
   if (diagonal > 200.0 * static_cast<double>(box_->shortest_side())) return Status::range;
-  return keep_outer();
+  const Status status = keep_outer();
+  if (status == Status::ok) find_translations();
+  return status;
+}
+
+// The one whose centre is there; no_id for none. They are in the order of their centres.
+uint32_t PoreBalls::ball_at(const exact::Vector &place) const {
+  const Vec3 at = to_double(place);
+  uint32_t first = 0, last = own_;
+  while (first < last) {
+    const uint32_t k = first + (last - first) / 2;
+    const bool before = set_.x[k] != at.x ? set_.x[k] < at.x : set_.y[k] != at.y ? set_.y[k] < at.y : set_.z[k] < at.z;
+    if (before) {
+      first = k + 1;
+    } else {
+      last = k;
+    }
+  }
+  const bool there = first < own_ && set_.x[first] == at.x && set_.y[first] == at.y && set_.z[first] == at.z;
+  return there ? first : no_id;
+}
+
+// False after so many questions that it is not worth it.
+bool PoreBalls::note_translation(const exact::Vector &by, uint64_t &left) {
+  for (uint32_t i = 0; i < own_; ++i) {
+    if (left-- == 0) return false;
+    exact::Vector at = moved(set_.ball(i).centre, by);
+    BoxShift away;
+    if (box_->wrap(at, away) != Status::ok) return true;
+    const uint32_t other = ball_at(at);
+    if (other == no_id || set_.r[other] != set_.r[i]) return true;
+  }
+  if (translation_count_ == most_translations) return false;
+  exact::Vector place = by;
+  BoxShift away;
+  if (box_->wrap(place, away) == Status::ok) translation_[translation_count_++] = place;
+  return true;
+}
+
+void PoreBalls::find_translations() {
+  const exact::Vector sides{box_->translation({{1, 0, 0}}).x, box_->translation({{0, 1, 0}}).y,
+                            box_->translation({{0, 0, 1}}).z};
+  translation_[0] = {};
+  translation_count_ = 1;
+  brick_ = sides;
+  uint64_t left = uint64_t{64} * own_ + 4096;
+  bool all = own_ > 0;
+  for (uint32_t k = 1; all && k < own_; ++k) {
+    const exact::Vector from = set_.ball(0).centre, to = set_.ball(k).centre;
+    if (set_.r[k] == set_.r[0]) all = note_translation({to.x - from.x, to.y - from.y, to.z - from.z}, left);
+  }
+  // They are a group: the least length along z, of those that have none that along y, of the others that along x.
+  for (uint32_t k = 1; k < translation_count_; ++k) {
+    const exact::Vector &by = translation_[k];
+    const auto shorten = [](int64_t &side, int64_t length) { side = length < side ? length : side; };
+    if (by.z != 0) {
+      shorten(brick_.z, by.z);
+    } else if (by.y != 0) {
+      shorten(brick_.y, by.y);
+    } else {
+      shorten(brick_.x, by.x);
+    }
+  }
+  all = all && sides.x % brick_.x == 0 && sides.y % brick_.y == 0 && sides.z % brick_.z == 0 &&
+        (sides.x / brick_.x) * (sides.y / brick_.y) * (sides.z / brick_.z) == translation_count_;
+  if (all) return;
+  translation_count_ = 1;
+  brick_ = sides;
+}
+
+PoreBalls::Image PoreBalls::moved_image(uint32_t own_ball, const BoxShift &shift, uint32_t translation) const {
+  exact::Vector at = moved(set_.ball(own_ball).centre, translation_[translation]);
+  BoxShift away;
+  static_cast<void>(box_->wrap(at, away));
+  return {ball_at(at), shift + away};
 }
 
 // Balls inside another one are nowhere nearest. The others in order of positions, so that nothing depends on the order

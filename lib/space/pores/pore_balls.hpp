@@ -34,6 +34,16 @@ class PoreBalls {
     if (box_ != nullptr && !shift.is_zero()) ball.centre = moved(ball.centre, box_->translation(shift));
     return ball;
   }
+  // Ways to move all balls of a box together so that each comes to where an image is: symmetry of the crystal beyond
+  // that of the box. The first is none at all.
+  uint32_t translations() const { return translation_count_; }
+  struct Image {
+    uint32_t ball;
+    BoxShift shift;
+  };
+  Image moved_image(uint32_t own_ball, const BoxShift &shift, uint32_t translation) const;
+  // The sides of a brick at the origin whose copies by these and by the vectors of the box fill space.
+  const exact::Vector &brick() const { return brick_; }
   // From any point the nearest centre of an image of any one ball is no farther than two thirds of this: a half of the
   // diagonal of the box.
   int64_t longest_reach() const { return longest_reach_; }
@@ -68,6 +78,9 @@ class PoreBalls {
     return true;
   }
   Status keep_outer();
+  uint32_t ball_at(const exact::Vector &place) const;
+  void find_translations();
+  bool note_translation(const exact::Vector &by, uint64_t &left);
 
   BallSet set_;  // each knows its own number; images are behind the others
   CubeGrid grid_;
@@ -77,6 +90,10 @@ class PoreBalls {
   Span<uint32_t> near_;
   const PeriodicBox *box_ = nullptr;
   int64_t longest_reach_ = 0;
+  static constexpr uint32_t most_translations = 64;
+  exact::Vector translation_[most_translations];
+  exact::Vector brick_{};
+  uint32_t translation_count_ = 1;
   uint32_t own_ = 0, needed_near_ = 0, needed_balls_ = 0;
 };
 

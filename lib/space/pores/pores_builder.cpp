@@ -101,6 +101,22 @@ bool are_congruent(const BallSet &balls, const uint32_t *a, const uint32_t *b, u
   }
 }
 
+// In linear time where there is scratch memory, levels being spread.
+template <class Record, class Higher>
+void sort_by_level(Span<Record> records, Span<uint32_t> scratch, Higher higher) {
+  if (records.size() < 24 || scratch.size() < records.size()) return sort_in_place(records, higher);
+  double low = records[0].point.level, high = low;
+  for (const Record &record : records) {
+    low = record.point.level < low ? record.point.level : low;
+    high = record.point.level > high ? record.point.level : high;
+  }
+  const double scale = high > low ? 1.0 / (high - low) : 0.0;
+  const auto slot_of = [&](const Record &record, uint32_t slots) {
+    return static_cast<uint32_t>((high - record.point.level) * scale * (slots - 1));
+  };
+  sort_by_slot(records, scratch, slot_of, higher);
+}
+
 }  // namespace
 
 // In doubles, where they are certain; by integers, and by names.
@@ -138,8 +154,8 @@ void PoresBuilder::sort_points() {
   const auto higher = [&](const auto &a, const auto &b) { return is_higher(a.point, b.point); };
   compared_.reset(balls_);
   for (uint32_t k = 0; k < maximum_count_; ++k) maxima_[k].gate = k;
-  sort_in_place(critical_.maxima().items(), higher);
-  sort_in_place(critical_.gates().items(), higher);
+  sort_by_level(critical_.maxima().items(), critical_.scratch(), higher);
+  sort_by_level(critical_.gates().items(), critical_.scratch(), higher);
   for (uint32_t k = 0; k < maximum_count_; ++k) maxima_[maxima_[k].gate].into = k;
   for (uint32_t k = 0; k < gate_count_; ++k) {
     for (uint32_t &end : gates_[k].end) end = end == pore_outside ? end : maxima_[end].into;
@@ -153,20 +169,36 @@ Status PoresBuilder::climb_from_gates() {
   maximum_count_ = critical_.maxima().size();
   gate_count_ = critical_.gates().size();
   ways_.prepare(balls_);
+  WayUp::End end[2];
+  uint32_t first = 0;
   for (uint32_t k = 0; k < gate_count_; ++k) {
     PoreGate &gate = gates_[k];
+    const uint32_t moved = gate.directions;
+    gate.directions = 0;
+    if (moved == 0) first = k;
     for (const uint32_t side : {0U, 1U}) {
-      WayUp::End end;
-      const Status status = ways_.climb(gate.point, tied(gate.point), tied_shifts(gate.point), side == 1, end);
-      needed_.near = larger_count(needed_.near, ways_.needed_near());
-      if (status != Status::ok) return status;
-      gate.end[side] = end.outside ? pore_outside : critical_.maximum_names().find(end.name, critical_.maxima());
+      if (moved == 0) {
+        const Status status = ways_.climb(gate.point, tied(gate.point), tied_shifts(gate.point), side == 1, end[side]);
+        needed_.near = larger_count(needed_.near, ways_.needed_near());
+        if (status != Status::ok) return status;
+      }
+      const WayUp::End here = moved == 0 ? end[side] : moved_end(end[side], gates_[first].point.ball[0], moved);
+      gate.end[side] = here.outside ? pore_outside : critical_.maximum_names().find(here.name, critical_.maxima());
       if (gate.end[side] == no_id) return Status::check;
-      if (!SmallShift::fits(end.shift)) return Status::range;
-      gate.end_shift[side] = SmallShift::of(end.shift);
+      if (!SmallShift::fits(here.shift)) return Status::range;
+      gate.end_shift[side] = SmallShift::of(here.shift);
     }
   }
   return Status::ok;
+}
+
+// Where a way from a gate ends, after a translation; as seen from the place of the gate's first ball.
+WayUp::End PoresBuilder::moved_end(const WayUp::End &end, uint32_t gates_ball, uint32_t translation) {
+  WayUp::End moved = end;
+  moved.name = critical_.moved_name(end.name, translation);
+  moved.shift = balls_.moved_image(end.name.ball[0], end.shift, translation).shift -
+                balls_.moved_image(gates_ball, BoxShift{}, translation).shift;
+  return moved;
 }
 
 // The younger of two classes becomes a part of the older one. Numbers of classes are ages, the maxima's from `first`

@@ -85,6 +85,7 @@ class PoresBuilder {
   bool is_higher(const CriticalPoint &a, const CriticalPoint &b);
   void sort_points();
   Status climb_from_gates();
+  WayUp::End moved_end(const WayUp::End &end, uint32_t gates_ball, uint32_t translation);
   Status merge();
   Status merge_in_box();
   uint32_t note_merger(uint32_t gate, uint32_t a, uint32_t b, uint32_t first);

@@ -62,7 +62,8 @@ double depth_of_hull(Span<const Vec3> a) {
   const uint32_t count = a.size();
   constexpr uint32_t most = 16;  // the hull of some of them is inside that of all
   uint32_t chosen[most] = {0};
-  uint32_t size = 1;
+  uint32_t size = count <= most ? count : 1;
+  for (uint32_t k = 0; k < size; ++k) chosen[k] = k;
   for (; size < most && size < count; ++size) {
     double best = -1.0;
     uint32_t which = 0;
@@ -90,7 +91,7 @@ double depth_of_hull(Span<const Vec3> a) {
         if (length < 1e-6) continue;
         // A plane counts if all are on one side of it, or nearly: one too many only makes the bound less.
         bool above = false, below = false;
-        for (uint32_t l = 0; l < size; ++l) {
+        for (uint32_t l = 0; l < size && !(above && below); ++l) {
           const double height = dot(n, a[chosen[l]] - p);
           above = above || height > 1e-9 * length;
           below = below || height < -1e-9 * length;

@@ -219,6 +219,12 @@ bool WayUp::first_event(const Way &way, const CurvePiece &whole, TangentPoint &e
       if (any && at[root].level_estimate() - at[root].level_error() > event.level_estimate() + event.level_error())
         continue;
       if (at[root].side_of_curve(way.curve) != way.side) continue;
+      // A ball that is tied at the event meets the curve there, if it does not beside it.
+      const auto is_near_event = [&](uint32_t which) {
+        return there[which] && std::fabs(at[which].level_estimate() - event.level_estimate()) <=
+                                   at[which].level_error() + event.level_error();
+      };
+      if (any && is_near_event(root) && !is_near_event(1 - root) && event.nearness(ball) == 0) continue;
       if (any && at[root].compare_levels(event) >= 0) continue;
       event = at[root];
       any = true;

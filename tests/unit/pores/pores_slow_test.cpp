@@ -12,16 +12,16 @@ TEST(PoresSlow, AllSetsOfThreeAndFour) {
   if (!oracle::has_long_reals) GTEST_SKIP();
   oracle::RandomSource random(11);
   checked_pores::Seen seen;
-  for (int turn = 0; turn < oracle::rounds(600, 6000); ++turn) {
+  for (int turn = 0; turn < oracle::rounds(600, 10000); ++turn) {
     ASSERT_NO_FATAL_FAILURE(checked_pores::compare_with_all_sets(random, turn % pore_sets::general_kinds, seen));
   }
-  EXPECT_LT(seen.undecided, oracle::rounds(60, 600));
+  EXPECT_LT(seen.undecided, oracle::rounds(60, 1000));
 }
 
 TEST(PoresSlow, EulerSumsOfTiedSets) {
   oracle::RandomSource random(12);
   checked_pores::Seen seen;
-  for (int turn = 0; turn < oracle::rounds(600, 4000); ++turn) {
+  for (int turn = 0; turn < oracle::rounds(600, 10000); ++turn) {
     const oracle::Balls balls =
         pore_sets::tied_set(random, static_cast<size_t>(random.in(1, 16)), turn % pore_sets::tied_kinds);
     ASSERT_NO_FATAL_FAILURE(checked_pores::check_euler_sum(balls, seen));
@@ -56,7 +56,7 @@ TEST(PoresSlow, ComponentsAtAllLevels) {
 TEST(PoresSlow, WidestProbesBetweenPlaces) {
   oracle::RandomSource random(15);
   pore_widths::Seen seen;
-  for (int turn = 0; turn < oracle::rounds(120, 12000); ++turn) {
+  for (int turn = 0; turn < oracle::rounds(120, 12500); ++turn) {
     ASSERT_NO_FATAL_FAILURE(pore_widths::compare_with_gates(random, turn % pore_sets::general_kinds, 8, seen));
   }
 }

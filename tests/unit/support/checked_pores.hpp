@@ -67,7 +67,7 @@ inline void check_euler_sum(const oracle::Balls &balls, Seen &seen) {
 
 inline void compare_with_all_sets(oracle::RandomSource &random, int kind, Seen &seen) {
   const oracle::Balls outer =
-      oracle::outer_balls(pore_sets::general_set(random, static_cast<size_t>(random.in(3, 14)), kind));
+      oracle::outer_balls(pore_sets::general_set(random, static_cast<size_t>(random.in(3, 16)), kind));
   const oracle::CriticalSets expected = oracle::critical_sets(outer);
   if (!expected.decided) {
     ++seen.undecided;
