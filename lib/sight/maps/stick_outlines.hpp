@@ -18,7 +18,7 @@ struct StrandEdge {
 };
 inline StrandEdge strand_edge(const ProjectedEllipse &circle, double cosine) {
   const double sine = std::sqrt((1.0 - cosine) * (1.0 + cosine));
-  StrandEdge edge{arc_tangent(sine, cosine), {}};
+  StrandEdge edge{sine > 0.0 ? arc_tangent(sine, cosine) : cosine > 0.0 ? 0.0 : pi, {}};
   for (int k = 0; k < 2; ++k) {
     edge.at[k] = circle.centre[k] + cosine * circle.major[k] + sine * circle.minor[k];
   }
@@ -79,13 +79,14 @@ class BittenBall {
   }
 
   void add(const Stick &stick, const StickBite &bite, const Strand &strand) {
-    const double most = sin_cos(bite.from).cosine;
+    const SinCos at_bite = sin_cos(bite.from);
+    const double most = at_bite.cosine;
     const double left = strand.left, right = strand.right;
     if (left <= -most || right >= most) return;
     const ProjectedEllipse circle = stick.circle_at(stick.last);
     const bool whole[2] = {left >= most, right <= -most};
-    const StrandEdge from = edge_of(circle, bite, left, whole[0], false);
-    const StrandEdge to = edge_of(circle, bite, right, whole[1], true);
+    const StrandEdge from = edge_of(circle, bite, at_bite, left, whole[0], false);
+    const StrandEdge to = edge_of(circle, bite, at_bite, right, whole[1], true);
     Crossing out = crossing_of(bite, from, left, whole[0]);
     if (out.on_junction) out.angle = bite.middle - bite.half;
     if (junctions_++ == 0) {
@@ -109,10 +110,9 @@ class BittenBall {
     start_[1] = in.at[1];
   }
 
-  static StrandEdge edge_of(const ProjectedEllipse &circle, const StickBite &bite, double left, bool is_end,
-                            bool other) {
+  static StrandEdge edge_of(const ProjectedEllipse &circle, const StickBite &bite, const SinCos &at, double left,
+                            bool is_end, bool other) {
     if (!is_end) return strand_edge(circle, left);
-    const SinCos at = sin_cos(bite.from);
     StrandEdge edge{other ? pi - bite.from : bite.from, {}};
     for (int k = 0; k < 2; ++k) {
       const double middle = circle.centre[k] + at.sine * circle.minor[k];
