@@ -218,7 +218,7 @@ static void add_layers(struct text_buffer out[CATEGORIES], const struct tunnel_l
     int positive, negative;
     double hydropathy;
     const int charge = add_up(tunnel, near, &positive, &negative, &hydropathy);
-    text_buffer_add(&out[LAYER], "%" PRIu32 " %zu ", number, k + 1);
+    text_buffer_add(&out[LAYER], "%" PRIu32 " %" PRIu32 " ", number, (uint32_t)k + 1);
     add_number(&out[LAYER], layer[k].least);
     add_number(&out[LAYER], layer[k].least_free);
     add_number(&out[LAYER], steps[layer[k].first].length);
@@ -229,7 +229,8 @@ static void add_layers(struct text_buffer out[CATEGORIES], const struct tunnel_l
     add_number(&out[LAYER], hydropathy);
     text_buffer_add_text(&out[LAYER], "? ?\n");
     for (int n = 0; n < MOST_NEAREST && near[n] != UINT32_MAX; ++n) {
-      text_buffer_add(&out[LAYER_RESIDUE], "%" PRIu32 " %zu %d %" PRIu32 "\n", number, k + 1, n + 1, near[n] + 1);
+      text_buffer_add(&out[LAYER_RESIDUE], "%" PRIu32 " %" PRIu32 " %d %" PRIu32 "\n", number, (uint32_t)k + 1, n + 1,
+                      near[n] + 1);
     }
   }
 }

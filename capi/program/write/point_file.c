@@ -23,28 +23,28 @@ static void add_cif(const struct point *points, size_t count, struct text_buffer
   }
 }
 
-static bool add_pdb_atom(const struct point *point, size_t serial, struct text_buffer *out) {
+static bool add_pdb_atom(const struct point *point, uint32_t serial, struct text_buffer *out) {
   char number[4][PDB_NUMBER_BYTES];
   bool fits = serial <= MOST_SERIALS && point->number <= MOST_NUMBERS && pdb_number(number[3], 6, 2, point->radius);
   for (int axis = 0; axis < 3; ++axis) fits = fits && pdb_number(number[axis], 8, 3, point->xyz[axis]);
   if (!fits) return false;
-  text_buffer_add(out, "HETATM%5zu  %-3s %3s %c%4" PRIu32 "    %s%s%s  1.00%s           X\n", serial, point->atom,
-                  point->residue, point->chain, point->number, number[0], number[1], number[2], number[3]);
+  text_buffer_add(out, "HETATM%5" PRIu32 "  %-3s %3s %c%4" PRIu32 "    %s%s%s  1.00%s           X\n", serial,
+                  point->atom, point->residue, point->chain, point->number, number[0], number[1], number[2], number[3]);
   return true;
 }
 
 static bool add_pdb(const struct point *points, size_t count, struct text_buffer *out, struct failure *failure) {
   text_buffer_add_text(out, "REMARK   6 POINTS OF PORES; THEIR RADII ARE THE TEMPERATURE FACTORS\n");
   for (size_t i = 0; i < count; ++i) {
-    if (add_pdb_atom(&points[i], i + 1, out)) continue;
+    if (add_pdb_atom(&points[i], (uint32_t)i + 1, out)) continue;
     return failure_in_input(failure, 0, "its points do not fit into the columns of a .pdb file; a .cif file has room");
   }
   for (size_t i = 0; i < count; ++i) {
     const bool after = i + 1 < count && points[i + 1].joined;
     if (!points[i].joined && !after) continue;
-    text_buffer_add(out, "CONECT%5zu", i + 1);
-    if (points[i].joined) text_buffer_add(out, "%5zu", i);
-    if (after) text_buffer_add(out, "%5zu", i + 2);
+    text_buffer_add(out, "CONECT%5" PRIu32, (uint32_t)i + 1);
+    if (points[i].joined) text_buffer_add(out, "%5" PRIu32, (uint32_t)i);
+    if (after) text_buffer_add(out, "%5" PRIu32, (uint32_t)i + 2);
     text_buffer_add_text(out, "\n");
   }
   text_buffer_add_text(out, "END\n");

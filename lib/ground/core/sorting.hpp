@@ -5,7 +5,7 @@
 
 namespace hsp {
 
-// Moves an item of a heap down, or up, to where no item is less than one below it. placed(item, slot) is told where each
+// Moves an item of a heap down, or up, to where no item is less than one below it. placed(item, slot) hears where each
 // that moves is then.
 template <class T, class Less, class Placed>
 void sift_down(Span<T> heap, uint32_t hole, Less less, Placed placed) {

@@ -533,8 +533,8 @@ void CriticalPoints::settle_ties(Cube &cube) {
   }
 }
 
-// All sets of three and four with points in both of two cubes, as seen from the first one; alone: of which kind a point where all of them tie is the
-// only critical one in the first.
+// All sets of three and four with points in both of two cubes, as seen from the first one; alone: of which kind a point
+// where all of them tie is the only critical one in the first.
 void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, const Block &other, PointKind alone) {
   ++work_.leaves;
   const uint32_t n = near.size();
