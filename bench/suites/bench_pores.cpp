@@ -1,5 +1,5 @@
 // Free space for every probe at once over size: all maxima, gates and classes above the floor 0, by the room
-// lib/space/pores itself, which no function of the interface calls yet.
+// lib/space/pores itself.
 #include <stdexcept>
 #include <vector>
 

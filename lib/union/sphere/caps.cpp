@@ -168,6 +168,7 @@ void Caps::make_doubles() {
   first_later = later;
 }
 
+#if HSP_LANES
 // The same, some balls at a time.
 void Caps::gather_in_lanes(const CubeBlock &block, Joining &joining) {
   constexpr uint32_t room = 128;
@@ -220,6 +221,7 @@ bool Caps::take_all(uint32_t *near, uint32_t hits, Joining &joining) {
   }
   return true;
 }
+#endif
 
 const exact::Plane &Caps::plane(uint32_t cap) const {
   if (!planes_made_) {

@@ -167,6 +167,29 @@ TEST(CrystalPores, EulerSums) {
   EXPECT_GT(tied, 10);
 }
 
+// In the second crystal a half of the diagonal takes each ball to an equal one, in the first one to another.
+TEST(CrystalPores, BallsOfMovedPointsTouchThem) {
+  const BoxRows box{{{2 * unit, 0, 0}, {0, 2 * unit, 0}, {0, 0, 2 * unit}}};
+  for (const int64_t radius : {unit / 2, unit * 7 / 10}) {
+    const Balls balls{{0, 0, 0, unit * 7 / 10}, {unit, unit, unit, radius}};
+    const BuiltCrystalPores pores(balls, box);
+    ASSERT_EQ(pores.status(), hsp::Status::ok);
+    const auto check = [&](const hsp::CriticalPoint &point) {
+      for (size_t k = 0; k < 4 && point.ball[k] != hsp::no_id; ++k) {
+        const hsp::BoxShift shift = point.shift[k].shift();
+        const oracle::LatticeBall ball =
+            oracle::moved_by(balls[point.ball[k]], box, {shift.k[0], shift.k[1], shift.k[2]});
+        const double x = point.place.x - static_cast<double>(ball.x), y = point.place.y - static_cast<double>(ball.y),
+                     z = point.place.z - static_cast<double>(ball.z);
+        ASSERT_NEAR(std::hypot(x, y, z) - static_cast<double>(ball.radius), point.level, 1e-3);
+      }
+    };
+    for (const auto &maximum : pores.maxima()) check(maximum.point);
+    for (const auto &gate : pores.gates()) check(gate.point);
+    ASSERT_EQ(pores.maxima().size(), 12U);
+  }
+}
+
 TEST(CrystalPores, DirectionsBetweenBoundsOfAGrid) {
   oracle::RandomSource random(2);
   int decided[4] = {0, 0, 0, 0};
