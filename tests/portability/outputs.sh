@@ -104,7 +104,8 @@ succeed picture.surface "$program" mesh --json --probe 1.4 --surface ses $caffei
 succeed picture.cut "$program" mesh --json --probe 1.4 --cut --edge 0.8 $crambin -o "$outputs/picture.cut.svg"
 succeed picture.tunnels "$program" pores $crambin --tunnels-from 9.6,12.8,5.7 --profile -
 succeed picture.tree "$program" pores $crambin --probe 0.5 --pockets 2 --tree -
-succeed picture.pockets "$program" mesh $crambin --probe 0.8 --surface ses --edge 1 --pockets 3 --least 0.1 --cut -o -
+succeed picture.pockets "$program" mesh --json --probe 0.8 --surface ses --edge 1 --pockets 3 --least 0.1 --cut $crambin \
+  -o "$outputs/picture.pockets.svg"
 succeed picture.contacts "$program" contacts --json --by residue $crambin --map "$outputs/picture.contacts.svg"
 succeed picture.labels "$program" draw --json --as ball-and-stick --label atom --legend $caffeine \
   -o "$outputs/picture.labels.svg"
