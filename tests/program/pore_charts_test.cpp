@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <regex>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -106,8 +107,23 @@ TEST(PoreCharts, ProfileOfEachTunnel) {
       EXPECT_NEAR(rings[t].second, y(tunnels[t]["radius"].number), tenth_of_px);
       EXPECT_NE(svg.find(">tunnel " + std::to_string(t + 1) + ": bottleneck "), std::string::npos);
     }
-    EXPECT_EQ(svg.find("stroke-dasharray") != std::string::npos, std::stod(probe) > 0);
+    EXPECT_EQ(svg.find("stroke-dasharray=\"4 3\"") != std::string::npos, std::stod(probe) > 0);
   }
+}
+
+// From the seventh tunnel on colours come again, with dashes, which the legend has too.
+TEST(PoreCharts, TunnelsOfOneColourDifferByDashes) {
+  const std::string svg = written("--profile", {crambin(), "--tunnels-from", "9.6,12.8,5.7", "--tunnels", "14"}).svg;
+  static const std::regex line("<path( fill=\"none\")? (stroke=\"#[0-9a-f]{6}\" stroke-width=\"1.5\"[^>]*) d=");
+  std::map<std::string, int> drawn;  // by its look
+  for (std::sregex_iterator l(svg.begin(), svg.end(), line), end; l != end; ++l) {
+    std::string look = (*l)[2];
+    const size_t join = look.find(" stroke-linejoin=\"round\"");
+    if (join != std::string::npos) look.erase(join, std::string(" stroke-linejoin=\"round\"").size());
+    ++drawn[look];
+  }
+  EXPECT_GT(drawn.size(), 6u);
+  for (const auto &[look, times] : drawn) EXPECT_EQ(times, 2) << look;
 }
 
 struct Bar {
@@ -244,6 +260,40 @@ TEST(PoreCharts, TreeInABox) {
   const std::string cubic = written("--tree", {ball.path(), "--box", "4,4,4"}).svg;
   EXPECT_NE(cubic.find(">3-d<"), std::string::npos);
   EXPECT_EQ(cubic.find(">1-d<"), std::string::npos);  // all three at once
+}
+
+// Lines that are near each other have one label with both names, from left to right.
+TEST(PoreCharts, NamesOfNearLimitsDoNotOverlap) {
+  const TemporaryFile file("near.xyz", "3\nLattice=\"0 9 0 0 0 10 8 0 0\"\nC 1 2 3\nC 5 1 7\nO 4 6 2\n");
+  const auto &[json, svg] = written("--tree", {file.path(), "--box", "file", "--probe", "1"});
+  const Scale x = scale_of(svg, true);
+  const auto at = [&, &limits = json["pore_limiting_diameter"].items](size_t d) { return x(limits.at(d).number / 2); };
+  ASSERT_LT(at(1), at(2) + 24);
+  ASSERT_GE(at(0), at(2) + 48);
+  static const std::regex limit("<text x=\"([0-9.]+)\" y=\"15.0\" text-anchor=\"middle\">([^<]*-d)<");
+  std::map<std::string, double> names;
+  for (std::sregex_iterator l(svg.begin(), svg.end(), limit), end; l != end; ++l) names[(*l)[2]] = std::stod((*l)[1]);
+  ASSERT_EQ(names.size(), 2u);
+  EXPECT_NEAR(names["3-d, 2-d"], at(2) + 12, tenth_of_px);
+  EXPECT_NEAR(names["1-d"], at(0), tenth_of_px);
+}
+
+// Numbers of ticks have as many digits as tell them apart.
+TEST(PoreCharts, TicksOfALargeCageDiffer) {
+  std::string balls;
+  for (const char *place : {"2e6 0 0", "-2e6 0 0", "0 2e6 0", "0 -2e6 0", "0 0 2e6", "0 0 -2e6"}) {
+    balls += std::string(place) + " 1e6\n";
+  }
+  const TemporaryFile cage("cage.xyzr", balls);
+  const auto &[json, svg] = written("--tree", {cage.path(), "--probe", "999999"});
+  EXPECT_EQ(json["maxima"].number, 1);
+  static const std::regex label("text-anchor=\"middle\">([0-9.e+]+)</text>");
+  std::set<double> ticks;
+  size_t count = 0;
+  for (std::sregex_iterator l(svg.begin(), svg.end(), label), end; l != end; ++l, ++count)
+    ticks.insert(std::stod((*l)[1]));
+  EXPECT_GE(count, 4u);
+  EXPECT_EQ(ticks.size(), count);
 }
 
 TEST(PoreCharts, OfNothing) {

@@ -155,7 +155,8 @@ const struct option *option_at(size_t i) {
        .help = "so many, each without the bottlenecks of those before it; default 3"},
       {"--points", "OUT", take_path, OF(PORES), .target = IN(points), .what = "a file",
        .help = "also a .pdb or .cif file for viewers with what is listed: a point each, with its radius in\n"
-               "the column of temperature factors, of pockets their maxima and mouths, of tunnels the way"},
+               "the column of temperature factors, of pockets their maxima and mouths, of tunnels the way;\n"
+               "of a box that is turned where it was before, as in FILE"},
       {"--tunnels-out", "OUT.cif", take_path, OF(PORES), .target = IN(tunnels_out), .what = "a file",
        .help = "also the tunnels as mmcif_tunnels.dic, of ChannelsDB, has them: radius along the length,\n"
                "layers and the residues that line them, with the atoms of the molecule"},

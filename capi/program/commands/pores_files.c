@@ -1,5 +1,6 @@
 /* The files that `pores` writes beside what it prints. */
 #include <stdlib.h>
+#include <string.h>
 
 #include "commands/pores_found.h"
 #include "commands/tunnel_exchange.h"
@@ -9,13 +10,13 @@ static const char at_maximum[] = "MAX", at_gate[] = "GAT", on_the_way[] = "WAY";
 
 static void add_maximum(const struct pores_found *found, uint32_t maximum, struct point *point) {
   point->atom = at_maximum;
-  point->xyz = found->maxima[maximum].xyz;
+  memcpy(point->xyz, found->maxima[maximum].xyz, sizeof point->xyz);
   point->radius = found->maxima[maximum].radius;
 }
 
 static void add_gate(const struct pores_found *found, uint32_t gate, struct point *point) {
   point->atom = at_gate;
-  point->xyz = found->gates[gate].xyz;
+  memcpy(point->xyz, found->gates[gate].xyz, sizeof point->xyz);
   point->radius = found->gates[gate].radius;
 }
 
@@ -34,8 +35,8 @@ static size_t add_pocket(const struct pores_found *found, uint32_t pocket, struc
   return count;
 }
 
-/* Of the lists for persons. */
-static bool write_points(const struct pores_found *found, struct failure *failure) {
+/* Of the lists for persons, in the frame of the file. */
+static bool write_points(const struct pores_found *found, const struct molecule *molecule, struct failure *failure) {
   const struct request *const request = found->request;
   const uint32_t maxima = found->counts.maxima, gates = found->counts.gates, pockets = found->pocket_count;
   const bool others = request->gates || request->pockets >= 0.0 || request->tunnels_from.point.given;
@@ -58,18 +59,19 @@ static bool write_points(const struct pores_found *found, struct failure *failur
   for (size_t i = 0; i < found->step_count; ++i) {
     const struct tunnel_step *const step = &found->steps[i];
     const hsp_tunnel_point *const at = &step->point;
-    points[count++] = (struct point){
+    points[count] = (struct point){
         .atom = at->maximum != HSP_NONE ? at_maximum
                 : at->gate != HSP_NONE  ? at_gate
                                         : on_the_way,
         .residue = "TUN",
         .chain = 'T',
         .number = step->tunnel,
-        .xyz = at->xyz,
         .radius = at->radius,
         .joined = i > 0 && found->steps[i - 1].tunnel == step->tunnel,
     };
+    memcpy(points[count++].xyz, at->xyz, sizeof at->xyz);
   }
+  for (size_t i = 0; i < count; ++i) box_turn_back(&molecule->frame.box, points[i].xyz);
   const bool done = point_file_write(points, count, request->points, failure);
   free(points);
   return done;
@@ -77,7 +79,7 @@ static bool write_points(const struct pores_found *found, struct failure *failur
 
 bool pores_write_files(const struct pores_found *found, const struct molecule *molecule, struct failure *failure) {
   const struct request *const request = found->request;
-  return (request->points == NULL || write_points(found, failure)) &&
+  return (request->points == NULL || write_points(found, molecule, failure)) &&
          (request->tunnels_out == NULL || tunnel_exchange_write(found, molecule, request->tunnels_out, failure)) &&
          (request->profile == NULL || pores_write_profile(found, molecule, request->profile, failure)) &&
          (request->tree == NULL || pores_write_tree(found, molecule, request->tree, failure));

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "commands/pores_found.h"
 #include "draw/chart.h"
@@ -16,8 +17,12 @@ enum { NAME_BYTES = 96 };
 /* ---- the radius along tunnels ---- */
 
 static void path_begin(struct text_buffer *out, const char *colour, double width) {
-  text_buffer_add(out, "<path fill=\"none\" stroke=\"%s\" stroke-width=\"%.1f\" stroke-linejoin=\"round\" d=\"", colour,
+  text_buffer_add(out, "<path fill=\"none\" stroke=\"%s\" stroke-width=\"%.1f\" stroke-linejoin=\"round\"", colour,
                   width);
+}
+
+static void add_dash(struct text_buffer *out, uint32_t tunnel) {
+  if (chart_dash(tunnel) > 0) text_buffer_add(out, " stroke-dasharray=\"%d 2\"", chart_dash(tunnel));
 }
 
 static void add_dashed(struct text_buffer *out, double x0, double y0, double x1, double y1) {
@@ -33,6 +38,8 @@ static void add_profile(struct text_buffer *out, const struct pores_found *found
   const char *letter = "M";
   const struct tunnel_step *tightest = NULL;
   path_begin(out, colour, 1.5);
+  add_dash(out, tunnel);
+  text_buffer_add_text(out, " d=\"");
   for (size_t i = 0; i < found->step_count; ++i) {
     const struct tunnel_step *const step = &found->steps[i];
     if (step->tunnel != tunnel + 1) continue;
@@ -74,8 +81,9 @@ bool pores_write_profile(const struct pores_found *found, const struct molecule 
   for (uint32_t t = 0; t < found->tunnel_count; ++t) {
     const hsp_tunnel *const tunnel = &found->tunnels[t];
     const double y = bottom + BELOW + LEGEND_ROW * t - 6;
-    text_buffer_add(&out, "<path stroke=\"%s\" stroke-width=\"1.5\" d=\"M%d %.1fh24\"/>\n", chart_colour(t), LEFT,
-                    y - 4.0);
+    text_buffer_add(&out, "<path stroke=\"%s\" stroke-width=\"1.5\"", chart_colour(t));
+    add_dash(&out, t);
+    text_buffer_add(&out, " d=\"M%d %.1fh24\"/>\n", LEFT, y - 4.0);
     snprintf(name, sizeof name, "tunnel %" PRIu32 ": bottleneck %.3f, length %.2f", t + 1, tunnel->radius,
              tunnel->length);
     chart_text(&out, LEFT + 32, y, "start", name);
@@ -183,7 +191,10 @@ static void add_classes(struct text_buffer *out, const struct pores_found *found
     for (uint32_t k = 0; k < tree->rows; ++k) {
       const hsp_pore_maximum *const maximum = &found->maxima[tree->class[k]];
       if (colour[tree->class[k]] != c) continue;
-      if (!any) path_begin(out, c == OTHERS ? "#8c9196" : chart_colour(c), page->row < NAMED_ROW ? 0.8 : 1.5);
+      if (!any) {
+        path_begin(out, c == OTHERS ? "#8c9196" : chart_colour(c), page->row < NAMED_ROW ? 0.8 : 1.5);
+        text_buffer_add_text(out, " d=\"");
+      }
       any = true;
       text_buffer_add(out, "M%.2f %.2fH%.2f", chart_x(&page->frame, &page->across, maximum->radius), row_y(page, k + 1),
                       chart_x(&page->frame, &page->across, maximum->death));
@@ -223,19 +234,29 @@ static void add_pockets(struct text_buffer *out, const struct pores_found *found
   }
 }
 
-/* In how many directions a narrower probe goes on for ever. */
+/* In how many directions a narrower probe goes on for ever. Where lines are nearer than their names are wide, a label has
+ * several names, from left to right as the lines are, the first of them above its line. */
 static void add_limits(struct text_buffer *out, const struct pores_found *found, const struct tree_page *page) {
-  const double bottom = page->frame.top + page->frame.height;
-  double before = -HUGE_VAL;
-  for (int d = 3; d > 0; --d) {
-    const double radius = found->wide.through[d - 1];
-    if (found->wide.gate[d - 1] == HSP_NONE || radius == before) continue;
-    const double x = chart_x(&page->frame, &page->across, radius);
-    char name[NAME_BYTES];
-    snprintf(name, sizeof name, "%d-d", d);
-    add_dashed(out, x, page->frame.top, x, bottom);
-    chart_text(out, x, page->frame.top - 5.0, "middle", name);
-    before = radius;
+  enum { ROOM = 24 };
+  const double top = page->frame.top, bottom = top + page->frame.height;
+  double before = -HUGE_VAL, first = 0.0;
+  int names = 0;
+  char label[NAME_BYTES];
+  for (int d = 3; d >= 0; --d) {
+    const bool named = d > 0 && found->wide.gate[d - 1] != HSP_NONE && found->wide.through[d - 1] != before;
+    if (!named && d > 0) continue;
+    const double x = named ? chart_x(&page->frame, &page->across, found->wide.through[d - 1]) : HUGE_VAL;
+    if (names > 0 && x >= first + ROOM * names) {
+      chart_text(out, first + ROOM / 2 * (names - 1), top - 5.0, "middle", label);
+      names = 0;
+    }
+    if (!named) break;
+    before = found->wide.through[d - 1];
+    add_dashed(out, x, top, x, bottom);
+    if (names == 0) first = x;
+    const size_t length = names == 0 ? 0 : strlen(label);
+    snprintf(label + length, sizeof label - length, names == 0 ? "%d-d" : ", %d-d", d);
+    ++names;
   }
 }
 

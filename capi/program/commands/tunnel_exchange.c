@@ -9,7 +9,7 @@
 #include "write/cif_output.h"
 #include "write/output_file.h"
 
-enum { MOST_NEAREST = 4 };
+enum { MOST_NEAREST = 4, MILLION = 1000000 };
 
 /* A residue that lines a tunnel with its backbone, or with other atoms. */
 struct lining {
@@ -51,13 +51,16 @@ struct residue_scale {
   double hydropathy; /* Kyte and Doolittle 1982 */
 };
 
-/* NULL for residues that have none. */
+/* NULL for residues that have none. Behind the twenty come names of MD programs for states of protonation and bridges,
+ * and selenomethionine. */
 static const struct residue_scale *scale_of(const struct residue_label *residue) {
   static const struct residue_scale scales[] = {
-      {"ALA", 0, 1.8},  {"ARG", 1, -4.5},  {"ASN", 0, -3.5}, {"ASP", -1, -3.5}, {"CYS", 0, 2.5},
-      {"GLN", 0, -3.5}, {"GLU", -1, -3.5}, {"GLY", 0, -0.4}, {"HIS", 1, -3.2},  {"ILE", 0, 4.5},
-      {"LEU", 0, 3.8},  {"LYS", 1, -3.9},  {"MET", 0, 1.9},  {"PHE", 0, 2.8},   {"PRO", 0, -1.6},
-      {"SER", 0, -0.8}, {"THR", 0, -0.7},  {"TRP", 0, -0.9}, {"TYR", 0, -1.3},  {"VAL", 0, 4.2}};
+      {"ALA", 0, 1.8},   {"ARG", 1, -4.5}, {"ASN", 0, -3.5}, {"ASP", -1, -3.5}, {"CYS", 0, 2.5},  {"GLN", 0, -3.5},
+      {"GLU", -1, -3.5}, {"GLY", 0, -0.4}, {"HIS", 1, -3.2}, {"ILE", 0, 4.5},   {"LEU", 0, 3.8},  {"LYS", 1, -3.9},
+      {"MET", 0, 1.9},   {"PHE", 0, 2.8},  {"PRO", 0, -1.6}, {"SER", 0, -0.8},  {"THR", 0, -0.7}, {"TRP", 0, -0.9},
+      {"TYR", 0, -1.3},  {"VAL", 0, 4.2},  {"ARN", 0, -4.5}, {"ASH", 0, -3.5},  {"CYM", -1, 2.5}, {"CYX", 0, 2.5},
+      {"GLH", 0, -3.5},  {"HID", 0, -3.2}, {"HIE", 0, -3.2}, {"HIP", 1, -3.2},  {"HSD", 0, -3.2}, {"HSE", 0, -3.2},
+      {"HSP", 1, -3.2},  {"LYN", 0, -3.9}, {"MSE", 0, 1.9}};
   for (size_t k = 0; k < sizeof scales / sizeof scales[0]; ++k) {
     if (strcmp(residue->name, scales[k].name) == 0) return &scales[k];
   }
@@ -108,14 +111,27 @@ static double free_radius(const struct tunnel_lining *tunnel, const double xyz[3
   return least;
 }
 
+/* The share of a step in the length of its tunnel, as the file has it: a key of its rows, so that of steps with the
+ * same one the first alone counts. */
+static long millionths_at(const struct tunnel_lining *tunnel, size_t step, size_t end) {
+  const double length = tunnel->found->steps[end - 1].length;
+  return length > 0.0 ? lround((double)MILLION * tunnel->found->steps[step].length / length) : 0;
+}
+
 static void find_layers(struct tunnel_lining *tunnel, size_t first, size_t end) {
+  size_t before = first;
   tunnel->linings = 0;
   tunnel->layers = 0;
   for (size_t i = first; i < end; ++i) {
     const hsp_tunnel_point *const point = &tunnel->found->steps[i].point;
-    find_near(tunnel, i);
-    if (i == first || memcmp(tunnel->near[i], tunnel->near[i - 1], sizeof *tunnel->near) != 0) {
-      tunnel->layer[tunnel->layers++] = (struct layer){i, i, HUGE_VAL, HUGE_VAL};
+    const long millionths = millionths_at(tunnel, i, end);
+    if (i == first || millionths != millionths_at(tunnel, before, end)) {
+      find_near(tunnel, i);
+      const bool changes = memcmp(tunnel->near[i], tunnel->near[before], sizeof *tunnel->near) != 0;
+      if (i == first || (changes && millionths < MILLION)) { /* at the end one would have no length */
+        tunnel->layer[tunnel->layers++] = (struct layer){i, i, HUGE_VAL, HUGE_VAL};
+      }
+      before = i;
     }
     struct layer *const layer = &tunnel->layer[tunnel->layers - 1];
     layer->end = i + 1;
@@ -164,15 +180,19 @@ static void add_channels(struct text_buffer *out, const struct pores_found *foun
   }
 }
 
-/* The sum of their charges; *positive and *negative become how many have one, *hydropathy their mean. */
+/* The sum of the charges of the residues, each once; *positive and *negative become how many have one, *hydropathy
+ * their mean. */
 static int add_up(const struct tunnel_lining *tunnel, const uint32_t near[MOST_NEAREST], int *positive, int *negative,
                   double *hydropathy) {
   int known = 0;
   double sum = 0.0;
   *positive = *negative = 0;
   for (int k = 0; k < MOST_NEAREST && near[k] != UINT32_MAX; ++k) {
-    const struct residue_scale *const scale = scale_of(tunnel->lining[near[k]].residue);
-    if (scale == NULL) continue;
+    const struct residue_label *const residue = tunnel->lining[near[k]].residue;
+    const struct residue_scale *const scale = scale_of(residue);
+    bool again = false;
+    for (int j = 0; j < k; ++j) again = again || tunnel->lining[near[j]].residue == residue;
+    if (scale == NULL || again) continue;
     ++known;
     sum += scale->hydropathy;
     *positive += scale->charge > 0;
@@ -187,20 +207,19 @@ enum { PROFILE, LAYER, RESIDUE, LAYER_RESIDUE, CATEGORIES };
 
 static void add_profile(struct text_buffer *out, const struct tunnel_lining *tunnel, size_t first, size_t end) {
   const struct tunnel_step *const steps = tunnel->found->steps;
-  const double length = steps[end - 1].length;
   long before = -1;
   for (size_t i = first; i < end; ++i) {
     const hsp_tunnel_point *const point = &steps[i].point;
-    const long millionths = length > 0.0 ? lround(1e6 * steps[i].length / length) : 0;
+    const long millionths = millionths_at(tunnel, i, end);
     int positive, negative;
     double hydropathy;
-    if (millionths == before) continue; /* a key of the rows */
+    if (millionths == before) continue;
     before = millionths;
     text_buffer_add(out, "%" PRIu32 " ", steps[i].tunnel);
     add_number(out, point->radius);
     add_number(out, free_radius(tunnel, point->xyz));
     add_number(out, steps[i].length);
-    text_buffer_add(out, "%ld.%06ld ", millionths / 1000000, millionths % 1000000);
+    text_buffer_add(out, "%ld.%06ld ", millionths / MILLION, millionths % MILLION);
     for (int axis = 0; axis < 3; ++axis) add_number(out, point->xyz[axis]);
     text_buffer_add(out, "%d\n", add_up(tunnel, tunnel->near[i], &positive, &negative, &hydropathy));
   }

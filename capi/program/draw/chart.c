@@ -71,11 +71,13 @@ static void add_ticks(struct text_buffer *out, const struct chart_frame *frame, 
                       bool below) {
   if (scale == NULL) return;
   const long steps = lround((scale->high - scale->low) / scale->step);
+  int digits = 6; /* and as many more as tell ticks apart */
+  for (double unit = 1e-5 * fmax(fabs(scale->low), fabs(scale->high)); unit > scale->step; unit /= 10.0) ++digits;
   for (long k = 0; k <= steps; ++k) {
     const double sum = scale->low + scale->step * (double)k;
     const double number = fabs(sum) < scale->step / 2.0 ? 0.0 : sum;
     char text[NUMBER_BYTES];
-    snprintf(text, sizeof text, "%.6g", number);
+    snprintf(text, sizeof text, "%.*g", digits, number);
     if (below) {
       chart_tick_below(out, chart_x(frame, scale, number), frame->top + frame->height, text);
     } else {
@@ -92,7 +94,13 @@ void chart_axes(struct text_buffer *out, const struct chart_frame *frame, const 
   add_ticks(out, frame, up, false);
 }
 
+static const char *const colours[] = {"#174e87", "#c2452f", "#2f8f5b", "#8a5aa8", "#b8862b", "#2c9aa8"};
+enum { COLOURS = sizeof colours / sizeof colours[0], DASH = 4 };
+
 const char *chart_colour(uint32_t number) {
-  static const char *const colours[] = {"#174e87", "#c2452f", "#2f8f5b", "#8a5aa8", "#b8862b", "#2c9aa8"};
-  return colours[number % (sizeof colours / sizeof colours[0])];
+  return colours[number % COLOURS];
+}
+
+int chart_dash(uint32_t number) {
+  return DASH * (int)(number / COLOURS);
 }

@@ -48,4 +48,7 @@ double chart_y(const struct chart_frame *frame, const struct chart_scale *up, do
 /* Distinct colours, which begin anew after the last one. */
 const char *chart_colour(uint32_t number);
 
+/* In pixels, the dashes of a line that has the colour of another one, longer each time; 0: it has none. */
+int chart_dash(uint32_t number);
+
 #endif

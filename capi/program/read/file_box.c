@@ -82,11 +82,14 @@ void box_from_title(const char *title, struct box_record *box) {
   box_from_vectors(vector, box);
 }
 
-void box_point(const struct box_record *box, const double fraction[3], double out[3]) {
-  const double *v = box->vector;
+static void combine(const double v[9], const double factor[3], double out[3]) {
   for (int axis = 0; axis < 3; ++axis) {
-    out[axis] = fraction[0] * v[axis] + fraction[1] * v[3 + axis] + fraction[2] * v[6 + axis];
+    out[axis] = factor[0] * v[axis] + factor[1] * v[3 + axis] + factor[2] * v[6 + axis];
   }
+}
+
+void box_point(const struct box_record *box, const double fraction[3], double out[3]) {
+  combine(box->vector, fraction, out);
 }
 
 void box_fractions(const struct box_record *box, const double point[3], double out[3]) {
@@ -112,7 +115,7 @@ static double along(const double *v, const double *u) {
 void box_turn_upright(struct box_record *box, double *xyz, size_t count) {
   if (box_is_upright(box)) return;
   const double *v = box->vector;
-  double axis[9]; /* three unit vectors at right angles: a, what b has beside it, and their cross product */
+  double *const axis = box->axis; /* at right angles: a, what b has beside it, and their cross product */
   const double a = sqrt(along(v, v));
   for (int k = 0; k < 3; ++k) axis[k] = v[k] / a;
   const double shared = along(v + 3, axis);
@@ -132,4 +135,10 @@ void box_turn_upright(struct box_record *box, double *xyz, size_t count) {
     const double moved[3] = {along(point, axis), along(point, axis + 3), along(point, axis + 6)};
     memcpy(point, moved, sizeof moved);
   }
+}
+
+void box_turn_back(const struct box_record *box, double point[3]) {
+  if (!box->turned) return;
+  const double turned[3] = {point[0], point[1], point[2]};
+  combine(box->axis, turned, point);
 }

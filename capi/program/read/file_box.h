@@ -13,6 +13,7 @@ struct box_record {
   bool denied;      /* what the file has is none: lengths of 0, or 1 1 1 as a placeholder */
   bool turned;      /* it was not upright, and the atoms were turned with it */
   double vector[9]; /* a, b, c, in the frame of the atoms; c points to the other side where they are left-handed */
+  double axis[9];   /* if it was turned: what is now along x, y and z, three unit vectors in the frame of the file */
 };
 
 /* From the lengths of the vectors and the angles between them, b and c, c and a, a and b, in degrees, as
@@ -40,5 +41,8 @@ bool box_is_upright(const struct box_record *box);
 
 /* Turn the box so that it is upright, and the points [count][3] with it. */
 void box_turn_upright(struct box_record *box, double *xyz, size_t count);
+
+/* Turn a point back into the frame of the file; of a box that was not turned it stays where it is. */
+void box_turn_back(const struct box_record *box, double point[3]);
 
 #endif

@@ -12,10 +12,10 @@ struct point {
   const char *atom;    /* up to three letters, as the next one */
   const char *residue; /* which list it is of */
   char chain;
-  uint32_t number;   /* of what it belongs to in that list: of the residue */
-  const double *xyz; /* [3] */
-  double radius;     /* the temperature factor */
-  bool joined;       /* to the point before */
+  uint32_t number; /* of what it belongs to in that list: of the residue */
+  double xyz[3];
+  double radius; /* the temperature factor */
+  bool joined;   /* to the point before */
 };
 
 /* Write them to a .cif file if the path ends so, else to a .pdb file, which has no room for 100,000 of them. In that
