@@ -234,8 +234,8 @@ static void add_pockets(struct text_buffer *out, const struct pores_found *found
   }
 }
 
-/* In how many directions a narrower probe goes on for ever. Where lines are nearer than their names are wide, a label has
- * several names, from left to right as the lines are, the first of them above its line. */
+/* In how many directions a narrower probe goes on for ever. Where lines are nearer than their names are wide, a label
+ * has several names, from left to right as the lines are, the first of them above its line. */
 static void add_limits(struct text_buffer *out, const struct pores_found *found, const struct tree_page *page) {
   enum { ROOM = 24 };
   const double top = page->frame.top, bottom = top + page->frame.height;

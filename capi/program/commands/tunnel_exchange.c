@@ -124,11 +124,9 @@ static void find_layers(struct tunnel_lining *tunnel, size_t first, size_t end) 
   tunnel->layers = 0;
   for (size_t i = first; i < end; ++i) {
     const hsp_tunnel_point *const point = &tunnel->found->steps[i].point;
-    const long millionths = millionths_at(tunnel, i, end);
-    if (i == first || millionths != millionths_at(tunnel, before, end)) {
+    if (i == first || millionths_at(tunnel, i, end) != millionths_at(tunnel, before, end)) {
       find_near(tunnel, i);
-      const bool changes = memcmp(tunnel->near[i], tunnel->near[before], sizeof *tunnel->near) != 0;
-      if (i == first || (changes && millionths < MILLION)) { /* at the end one would have no length */
+      if (i == first || memcmp(tunnel->near[i], tunnel->near[before], sizeof *tunnel->near) != 0) {
         tunnel->layer[tunnel->layers++] = (struct layer){i, i, HUGE_VAL, HUGE_VAL};
       }
       before = i;
