@@ -183,8 +183,8 @@ TEST(Bonds, OfComponents) {
             (Multiple{"4 multiple ones", 7}));
 }
 
-// One bond needs no loop, and may be before the atoms, as a loop may; bonds of other components, also of those in blocks
-// before and after, are not this one's. Other components' atoms have the same names.
+// One bond needs no loop, and may be before the atoms, as a loop may. Bonds of other components, whose atoms have the
+// same names, are not this one's, in whatever block they are.
 TEST(Bonds, OfComponentsAreAnywhereInTheirBlock) {
   const auto atoms_of = [](const std::string &name) {
     return "loop_\n_chem_comp_atom.comp_id\n_chem_comp_atom.atom_id\n_chem_comp_atom.type_symbol\n_chem_comp_atom.x\n"

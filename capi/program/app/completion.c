@@ -84,7 +84,8 @@ static void bash_completion(struct text_buffer *out) {
                   "complete -o bashdefault -o default -F _hardsphere hardsphere\n");
 }
 
-/* The first words of a text, in which a point may stand within a name or a number, in what stands between brackets in an argument of _arguments. */
+/* The first words of a text in what stands between brackets in an argument of _arguments. A point within a name of a
+ * file or a number does not end them. */
 static void add_description(struct text_buffer *out, const char *text) {
   size_t length = 0;
   while (strchr(";:\n", text[length]) == NULL && (text[length] != '.' || strchr(" \n", text[length + 1]) == NULL)) {

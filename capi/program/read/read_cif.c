@@ -4,8 +4,8 @@
  *     pdbx_PDB_model_num.
  *   Small molecules and frameworks: _atom_site with fractions of the cell. Atoms without coordinates, and all groups of
  *     disordered atoms but the first, are left out. A block is a model.
- *   Components and monomers: _chem_comp_atom, if the file has no _atom_site; each is a model. Its bonds, too, are a loop
- *     or single items of its block, before its atoms or after them. */
+ *   Components and monomers: _chem_comp_atom, if the file has no _atom_site; each is a model. Its bonds are in the same
+ *     block, before or after the atoms. */
 #include <string.h>
 
 #include "read/alternate_locations.h"
