@@ -11,7 +11,7 @@ int main(int argc, char **argv) {
   if (argc != 2) return 2;
   try {
     const std::string path = argv[1];
-    const bool is_cif = path.rfind(".cif") == path.size() - 4;
+    const bool is_cif = path.size() >= 4 && path.compare(path.size() - 4, 4, ".cif") == 0;
     const gemmi::Structure all =
         is_cif ? gemmi::make_structure(gemmi::cif::read_file(path)) : gemmi::read_pdb_file(path);
     size_t atoms = 0;

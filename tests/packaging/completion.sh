@@ -35,4 +35,9 @@ expect "hardsphere model --radii p" "protor"
 expect "hardsphere path --format c" "cif"
 expect "hardsphere mesh x.pdb --surface s" "sas ses"
 expect "hardsphere measure x.p" "" # names of files: bash's own
+# Texts go on behind the point of a file's name, and end at a full stop.
+for text in '*--pdb-out=[write the .pdb file again with the free area of each atom in columns 61-66]:FILE:_files' \
+  '*--profile=[also a chart of the tunnels]:OUT.svg:_files' '*--cells[also volume, free area and contact area of every'; do
+  grep -qF -- "'$text" "$app/hardsphere.zsh" || { echo "hardsphere.zsh has no '$text'" && failed=1; }
+done
 exit $failed

@@ -183,6 +183,59 @@ TEST(Bonds, OfComponents) {
             (Multiple{"4 multiple ones", 7}));
 }
 
+// One bond needs no loop, and may be before the atoms, as a loop may. Bonds of other components, whose atoms have the
+// same names, are not this one's, in whatever block they are.
+TEST(Bonds, OfComponentsAreAnywhereInTheirBlock) {
+  const auto atoms_of = [](const std::string &name) {
+    return "loop_\n_chem_comp_atom.comp_id\n_chem_comp_atom.atom_id\n_chem_comp_atom.type_symbol\n_chem_comp_atom.x\n"
+           "_chem_comp_atom.y\n_chem_comp_atom.z\n" +
+           name + " C C 0 0 0\n" + name + " O O 1.128 0 0\n";
+  };
+  const std::vector<std::string> tags = {"comp_id", "atom_id_1", "atom_id_2", "pdbx_stereo_config", "value_order"};
+  const auto pairs_of = [&](const std::string &name, const std::string &order) {
+    const std::vector<std::string> values = {name, "C", "O", "N", order};
+    std::string text;
+    for (size_t k = 0; k < tags.size(); ++k) text += "_chem_comp_bond." + tags[k] + "   " + values[k] + "\n";
+    return text;
+  };
+  const auto loop_of = [&](const std::string &rows) {
+    std::string text = "loop_\n";
+    for (const std::string &tag : tags) text += "_chem_comp_bond." + tag + "\n";
+    return text + rows;
+  };
+  const std::string data = "data_CMO\n", atoms = atoms_of("CMO"), pairs = pairs_of("CMO", "TRIP");
+  const std::string loop = loop_of("CMO C O N TRIP\n"), other = loop_of("XYZ C O N DOUB\n");
+  const std::string of_other = pairs_of("XYZ", "DOUB"), block = "data_XYZ\n";
+  const Multiple triple = {"1 multiple ones", 4}, twice = {"1 multiple ones", 2};
+  const auto said = [](const std::string &text, const std::vector<std::string> &options = {}) {
+    return multiple_in(text, "cif", options);
+  };
+  EXPECT_EQ(said(data + atoms), (Multiple{"", 0}));
+  for (const std::string &bonds : {pairs, loop, "_chem_comp_bond.type ?\n" + pairs}) {
+    EXPECT_EQ(said(data + atoms + bonds), triple);
+    EXPECT_EQ(said(data + bonds + atoms), triple);
+    EXPECT_EQ(said(data + "_chem_comp.id CMO\n" + bonds + "_chem_comp.name CO\n" + atoms), triple);
+    EXPECT_EQ(said(data + other + bonds + atoms), triple);
+    EXPECT_EQ(said(data + bonds + atoms + block + of_other + atoms_of("XYZ")), triple);
+    EXPECT_EQ(said(data + bonds + atoms + block + of_other + atoms_of("XYZ"), {"--model", "2"}), twice);
+    EXPECT_EQ(said(block + of_other + atoms_of("XYZ") + other + data + atoms + bonds, {"--model", "2"}), triple);
+  }
+  for (const std::string &bonds : {other, of_other}) {
+    EXPECT_EQ(said(data + bonds + atoms), (Multiple{"", 0}));
+    EXPECT_EQ(said(data + atoms + bonds), (Multiple{"", 0}));
+    EXPECT_EQ(said(data + atoms + bonds + atoms_of("XYZ"), {"--model", "2"}), twice);
+  }
+  // A structure has bonds by distances, whatever its dictionary has, and says so.
+  const std::string site =
+      "loop_\n_atom_site.type_symbol\n_atom_site.label_atom_id\n_atom_site.label_comp_id\n_atom_site.Cartn_x\n"
+      "_atom_site.Cartn_y\n_atom_site.Cartn_z\nC C CMO 0 0 0\nO O CMO 1.128 0 0\n";
+  for (const std::string &text : {pairs + site, site + pairs, loop + site, pairs + atoms + site}) {
+    const TemporaryFile file("site.cif", data + text), out("site.svg");
+    const Outcome outcome = run_program({"draw", file.path(), "-o", out.path(), "--as", "ball-and-stick"});
+    EXPECT_NE(outcome.out.find("bonds by covalent radii\n"), std::string::npos) << outcome.out;
+  }
+}
+
 // Dashes are nearer to the middle of the ring than the strand beside them, from wherever it is seen.
 TEST(Bonds, HaveTheirDashesWithinTheRing) {
   const std::string ring =

@@ -414,6 +414,9 @@ TEST(DrawColours, InkFollowsDepth) {
     EXPECT_GT(drawn(crambin(), {"--ink"}, extension).size(), drawn(crambin(), {}, extension).size() + 20000);
   }
   EXPECT_NE(drawn(crambin(), {"--ink", "--pieces", "visible"}).find("class=\"depth\""), std::string::npos);
+  const std::string labelled = drawn(crambin(), {"--as", "ball-and-stick", "--ink", "--label", "residue"});
+  EXPECT_NE(labelled.find("class=\"depth\""), std::string::npos);
+  EXPECT_NE(labelled.find("<text"), std::string::npos);
   for (const std::string &pieces : {std::string("all"), std::string("--pieces=visible")}) {
     std::vector<std::string> options = {"--as", "ball-and-stick", "--style", "flat", "--ink"};
     if (pieces != "all") options.push_back(pieces);

@@ -525,6 +525,8 @@ TEST(PoreFiles, AreRefusedWhereTheyHaveNoPlace) {
       {{"--points", "-", "--json"}, "--points and --json would both go to standard output"},
       {{"--tunnels-from", "0,0,0", "--tunnels-out", "out.cif", "--points", "out.cif"},
        "--points and --tunnels-out would write the same file"},
+      {{"--tunnels-from", "0,0,0", "--tunnels-out", "out.cif", "--points", "./good/../out.cif"},
+       "--points and --tunnels-out would write the same file"},
       {{"--tunnels-from", "0,0,0", "--tunnels-out", "-", "--points", "/dev/stdout"},
        "--points and --tunnels-out would write the same file"},
       {{"good/two.xyzr", "--points", "points.pdb"}, "--points takes one file at a time"}};
@@ -536,6 +538,12 @@ TEST(PoreFiles, AreRefusedWhereTheyHaveNoPlace) {
     EXPECT_EQ(outcome.err, "hardsphere: " + reason + "\n");
   }
   EXPECT_EQ(run_program({"pores", "good/cage.xyzr", "--points", "nowhere/points.pdb"}).status, 1);
+  const TemporaryFolder folder("points");
+  for (const char *name : {"POINTS.PDB", "POINTS.CIF"}) {
+    EXPECT_EQ(run_program({"pores", "good/cage.xyzr", "--points", folder.path(name)}).status, 0) << name;
+  }
+  EXPECT_EQ(read_file(folder.path("POINTS.PDB")).rfind("REMARK", 0), 0u);
+  EXPECT_EQ(read_file(folder.path("POINTS.CIF")).rfind("data_", 0), 0u);
   const Outcome printed = run_program({"pores", "good/cage.xyzr", "--points", "-"});
   EXPECT_EQ(printed.status, 0);
   EXPECT_EQ(printed.out.rfind("REMARK", 0), 0u);

@@ -259,4 +259,13 @@ TEST(RadiiFiles, AreNotWrittenOver) {
   EXPECT_EQ(read_file(file.path()), "HOH O 1.9\n");
 }
 
+TEST(IndexFiles, AreNotWrittenOver) {
+  const TemporaryFile file("mine.cif", "[ all ]\n1 2 3\n");
+  EXPECT_EQ(
+      run_program({"pores", "good/water.pdb", "--index", file.path(), "--only", "group:all", "--points", file.path()})
+          .err,
+      "hardsphere: --points would write over the file that is read\n");
+  EXPECT_EQ(read_file(file.path()), "[ all ]\n1 2 3\n");
+}
+
 }  // namespace

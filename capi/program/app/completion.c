@@ -84,9 +84,13 @@ static void bash_completion(struct text_buffer *out) {
                   "complete -o bashdefault -o default -F _hardsphere hardsphere\n");
 }
 
-/* The first words of a text in what stands between brackets in an argument of _arguments. */
+/* The first words of a text in what stands between brackets in an argument of _arguments. A point within a name of a
+ * file or a number does not end them. */
 static void add_description(struct text_buffer *out, const char *text) {
-  const size_t length = strcspn(text, ";:.\n");
+  size_t length = 0;
+  while (strchr(";:\n", text[length]) == NULL && (text[length] != '.' || strchr(" \n", text[length + 1]) == NULL)) {
+    ++length;
+  }
   for (size_t i = 0; i < length; ++i) {
     const char *const safe = text[i] == '\'' ? "'\\''" : NULL;
     if (safe != NULL) text_buffer_add(out, "%s", safe);

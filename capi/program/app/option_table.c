@@ -280,10 +280,10 @@ const struct option *option_at(size_t i) {
       {"--ink-colour", "RRGGBB", take_ink_colour, OF(DRAW), .what = "RRGGBB or three of them",
        .help = "contours in another colour, or in three, likewise; default 23202B"},
       {"--classes", NULL, take_flag, OF(DRAW), .target = IN(drawing.classes),
-       .help = ".svg: an id for each atom, and classes for its element, residue and chain, such as el-C\n"
+       .help = "in .svg an id for each atom, and classes for its element, residue and chain, such as el-C\n"
                "res-CYS chain-A; a style sheet that sets their fill keeps the light, but not fog"},
       {"--tooltips", NULL, take_flag, OF(DRAW), .target = IN(drawing.tooltips),
-       .help = ".svg: names of atoms are shown beside the pointer"},
+       .help = "in .svg show names of atoms beside the pointer"},
       {"--width", "W", take_number, OF(DRAW), .target = IN(drawing.width), .most = 1e6, .positive = true},
       {"--height", "H", take_number, OF(DRAW), .target = IN(drawing.height), .most = 1e6, .positive = true,
        .help = "the size of the picture, one follows from the other; default width 1000 px, and 170 mm\n"

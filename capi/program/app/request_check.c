@@ -1,5 +1,6 @@
 #include "app/request_check.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <string.h>
 
@@ -157,12 +158,15 @@ bool request_check_several(const struct request *request, struct failure *failur
   return true;
 }
 
-/* Whether the name ends in an extension that the kind names: "a .pdb or .cif". */
+/* Whether the name ends in an extension that the kind names, "a .pdb or .cif", in any case of its letters. */
 static bool is_of_kind(const char *path, const char *kind) {
-  const char *const slash = strrchr(path, '/');
-  const char *const dot = strrchr(slash == NULL ? path : slash + 1, '.');
-  const char *const named = dot == NULL || dot == path || dot[-1] == '/' ? NULL : strstr(kind, dot);
-  return named != NULL && (named[strlen(dot)] == ' ' || named[strlen(dot)] == '\0');
+  const char *const extension = file_extension(path);
+  const size_t length = strlen(extension);
+  char dotted[8] = ".";
+  if (length == 0 || length + 2 > sizeof dotted || extension == path + 1 || extension[-2] == '/') return false;
+  for (size_t i = 0; i < length; ++i) dotted[i + 1] = (char)tolower((unsigned char)extension[i]);
+  const char *const named = strstr(kind, dotted);
+  return named != NULL && (named[length + 1] == ' ' || named[length + 1] == '\0');
 }
 
 static bool check_output(const struct request *request, const struct output_choice *output, struct failure *failure) {
@@ -170,10 +174,7 @@ static bool check_output(const struct request *request, const struct output_choi
   if (output->kind != NULL && !standard && !is_of_kind(output->path, output->kind)) {
     return failure_in_usage(failure, "%s writes %s file, and its name says so", output->option, output->kind);
   }
-  if (output_is_input(output->path, request->file) ||
-      (request->weights != NULL && output_is_input(output->path, request->weights)) ||
-      (request->radii_file != NULL && output_is_input(output->path, request->radii_file)) ||
-      (request->drawing.colour_file != NULL && output_is_input(output->path, request->drawing.colour_file))) {
+  if (request_reads(request, output->path)) {
     return failure_in_usage(failure, "%s would write over the file that is read", output->option);
   }
   if (standard && (request->json || request->csv)) {
@@ -194,8 +195,7 @@ static bool check_files(const struct request *request, struct failure *failure) 
     if (!check_output(request, &outputs[k], failure)) return false;
     for (int other = 0; other < k; ++other) {
       const char *const path = outputs[k].path, *const before = outputs[other].path;
-      const bool standard = output_is_standard(path) && output_is_standard(before);
-      if (!standard && strcmp(path, before) != 0) continue;
+      if (!outputs_are_one(path, before)) continue;
       return failure_in_usage(failure, "%s and %s would write the same file", outputs[other].option, outputs[k].option);
     }
   }

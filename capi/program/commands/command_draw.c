@@ -223,7 +223,7 @@ static bool write_picture(const struct request *request, const struct molecule *
       text_buffer_free(&over);
       return false;
     }
-    drawn->options.ink = geometry->work.map;
+    drawn->options.ink = drawing_is_of_sticks(&request->drawing) ? NULL : geometry->work.map; /* labels need one */
     drawn->options.ink_of_sticks = geometry->ink_of_sticks;
     drawn->options.group = group;
   }
@@ -273,7 +273,7 @@ static bool draw_turn(const struct request *request, const struct molecule *mole
     if (name == NULL) return failure_of_memory(failure);
     one.drawing.out = name;
     one.drawing.viewing.spin = 360.0 * picture / pictures;
-    if (output_is_input(name, request->file)) {
+    if (request_reads(request, name)) {
       return failure_in_usage(failure, "-o would write over the file that is read");
     }
     if (!compute(&one, molecule, colour, geometry, failure)) return false;

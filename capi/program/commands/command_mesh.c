@@ -50,7 +50,7 @@ static bool check_second_file(const struct request *request, struct failure *fai
   if (request->meshing.format != MESH_MSMS) return true;
   char *faces = mesh_file_faces_name(request->meshing.out);
   if (faces == NULL) return failure_of_memory(failure);
-  const bool over = output_is_input(faces, request->file);
+  const bool over = request_reads(request, faces);
   free(faces);
   return !over || failure_in_usage(failure, "-o would write over the file that is read");
 }

@@ -23,6 +23,15 @@ bool request_wants_part(const struct request *request) {
   return request->part.count > 0;
 }
 
+bool request_reads(const struct request *request, const char *path) {
+  const char *const inputs[] = {request->file,       request->trajectory, request->weights,
+                                request->radii_file, request->index_file, request->drawing.colour_file};
+  for (size_t i = 0; i < sizeof inputs / sizeof inputs[0]; ++i) {
+    if (inputs[i] != NULL && output_is_input(path, inputs[i])) return true;
+  }
+  return false;
+}
+
 int request_outputs(const struct request *request, struct output_choice outputs[MOST_OUTPUTS]) {
   const struct output_choice all[] = {
       {"-o", request->command == COMMAND_DRAW ? request->drawing.out : request->meshing.out, NULL},

@@ -138,6 +138,9 @@ enum { MOST_OUTPUTS = 8 };
 /* The files that are written; how many. */
 int request_outputs(const struct request *request, struct output_choice outputs[MOST_OUTPUTS]);
 
+/* Whether writing to a file of this name would write over one that the request names to be read. */
+bool request_reads(const struct request *request, const char *path);
+
 /* Whether one of them goes to standard output, where nothing else does then. */
 bool request_prints_file(const struct request *request);
 

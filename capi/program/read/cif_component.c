@@ -27,17 +27,26 @@ static enum bond_order order_of(struct field word) {
 }
 
 bool cif_component_take_bond(const struct cif_row *row, struct molecule *molecule, struct failure *failure) {
-  struct residue_label residue = RESIDUE_LABEL_NONE;
+  if ((molecule->keeps & KEEP_EXTRAS) == 0) return true;
+  if (row->text.out_of_memory) return failure_of_memory(failure);
   struct stated_bond bond = {.order = order_of(cif_row_get(row, CIF_BOND_ORDER)), .model = 0};
-  if (molecule->atoms == 0 || molecule->extra == NULL) return true;
-  label_copy(residue.name, sizeof residue.name, cif_row_get(row, CIF_BOND_COMPONENT));
-  if (residue.name[0] != '\0' && strcmp(residue.name, molecule->label[0].residue->name) != 0) return true;
+  label_copy(bond.component, sizeof bond.component, cif_row_get(row, CIF_BOND_COMPONENT));
   for (int end = 0; end < 2; ++end) {
     label_copy(bond.serial[end].text, sizeof bond.serial[end].text,
                cif_row_get(row, (enum cif_item)(CIF_BOND_FIRST + end)));
     if (bond.serial[end].text[0] == '\0') return true;
   }
   return molecule_add_bond(molecule, &bond, failure);
+}
+
+void cif_component_choose_bonds(struct molecule *molecule) {
+  size_t chosen = 0;
+  for (size_t k = 0; molecule->atoms > 0 && k < molecule->bonds; ++k) {
+    const struct stated_bond *const bond = &molecule->bond[k];
+    if (bond->component[0] != '\0' && strcmp(bond->component, molecule->label[0].residue->name) != 0) continue;
+    molecule->bond[chosen++] = *bond;
+  }
+  molecule->bonds = chosen;
 }
 
 static bool grow(struct cif_component *component, struct failure *failure) {

@@ -24,8 +24,11 @@ bool cif_component_take(struct cif_component *component, const struct cif_row *r
  * molecule gets its name. False: there is none. */
 bool cif_component_finish(const struct cif_component *component, struct molecule *molecule, struct failure *failure);
 
-/* Take a bond of the component that the molecule is, if the row is one. False when memory is short. */
+/* Take a bond of any component, as bonds may come before atoms, if the row is one. False when memory is short. */
 bool cif_component_take_bond(const struct cif_row *row, struct molecule *molecule, struct failure *failure);
+
+/* The end of a block: leave out bonds of other components than the molecule is. */
+void cif_component_choose_bonds(struct molecule *molecule);
 
 void cif_component_free(struct cif_component *component);
 

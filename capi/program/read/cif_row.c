@@ -83,6 +83,7 @@ enum cif_item cif_item_of(struct field tag, enum cif_table *table) {
   }
   *table = begins_with(tag, "_ATOM_SITE.", true)        ? CIF_ATOMS
            : begins_with(tag, "_CHEM_COMP_ATOM.", true) ? CIF_COMPONENT
+           : begins_with(tag, "_CHEM_COMP_BOND.", true) ? CIF_BONDS
                                                         : CIF_OTHER_TABLE;
   return CIF_OTHER_ITEM;
 }

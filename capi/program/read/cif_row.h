@@ -73,10 +73,10 @@ enum cif_item {
 };
 
 /* The item of a tag, in any case of its letters, and its table. Small molecules' files have an underscore where mmCIF
- * has a point: _cell_length_a, _cell.length_a. Of mmCIF's tables of atoms every tag has the table. */
+ * has a point: _cell_length_a, _cell.length_a. Of mmCIF's tables of atoms and bonds every tag has the table. */
 enum cif_item cif_item_of(struct field tag, enum cif_table *table);
 
-/* The values of one atom. Those of several lines are copied: lines are gone when the row is complete. Zeros at
+/* The values of one atom or bond. Those of several lines are copied: lines are gone when the row is complete. Zeros at
  * first. */
 struct cif_row {
   size_t begin[CIF_ITEMS];

@@ -49,6 +49,7 @@ struct stated_bond {
   struct serial_label serial[2];
   enum bond_order order; /* unknown: it is stated as often as it is manifold */
   uint32_t model;        /* that it is stated in, which may say again what others do */
+  char component[8];     /* in a file of components: its own, while other ones' are there too; empty: any */
 };
 
 /* The name of an atom for a person; empty where the file does not say. Files have many: it is kept small. */

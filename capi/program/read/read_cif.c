@@ -4,7 +4,8 @@
  *     pdbx_PDB_model_num.
  *   Small molecules and frameworks: _atom_site with fractions of the cell. Atoms without coordinates, and all groups of
  *     disordered atoms but the first, are left out. A block is a model.
- *   Components and monomers: _chem_comp_atom, if the file has no _atom_site; each is a model. */
+ *   Components and monomers: _chem_comp_atom, if the file has no _atom_site; each is a model. Its bonds are in the same
+ *     block, before or after the atoms. */
 #include <string.h>
 
 #include "read/alternate_locations.h"
@@ -274,11 +275,18 @@ static void begin_table(struct cif_reading *reading, enum cif_table table) {
   reading->single = false;
 }
 
-/* The end of single items: they are one atom. */
+/* A bond, of the component that is read or of another one. */
+static bool take_bond(struct cif_reading *reading) {
+  return reading->source == CIF_ATOMS || reading->done ||
+         cif_component_take_bond(&reading->row, reading->molecule, reading->failure);
+}
+
+/* The end of single items: they are one atom or bond. */
 static bool end_single(struct cif_reading *reading) {
   bool atoms = false;
   if (!reading->single) return true;
   reading->single = false;
+  if (reading->table == CIF_BONDS) return take_bond(reading);
   if (!check_items(reading, reading->row.line, true, &atoms)) return false;
   return !atoms || take_row(reading);
 }
@@ -288,6 +296,11 @@ static bool end_block(struct cif_reading *reading) {
   struct molecule *molecule = reading->molecule;
   if (reading->done) return true;
   reading->done = reading->taken;
+  if (reading->source == CIF_COMPONENT) {
+    cif_component_choose_bonds(molecule);
+  } else {
+    molecule->bonds = 0;
+  }
   if (!reading->taken) symmetry_free(&molecule->symmetry);
   if (!reading->taken || reading->source == CIF_COMPONENT) return true;
   if (reading->taken_fractional) molecule->coordinates = "fract_x";
@@ -336,17 +349,14 @@ static bool read_rows(struct cif_reading *reading, const enum cif_item *items, s
                           (unsigned)count);
 }
 
-/* The values of any other loop, of which operators count, and the bonds of the component that is read. */
+/* The values of any other loop, of which operators count, and bonds of components. */
 static bool skip_rows(struct cif_reading *reading, const enum cif_item *items, size_t count) {
   struct cif_tokens *tokens = &reading->tokens;
   for (size_t at = 0; tokens->kind == CIF_VALUE; at = (at + 1) % count, cif_tokens_next(tokens)) {
     const enum cif_item item = at < MOST_ITEMS ? items[at] : CIF_OTHER_ITEM;
     if (at == 0) cif_row_clear(&reading->row, tokens->line);
     if (item >= CIF_BOND_COMPONENT && item <= CIF_BOND_ORDER) cif_row_put(&reading->row, item, tokens);
-    if (at + 1 == count && reading->source == CIF_COMPONENT && !reading->done &&
-        !cif_component_take_bond(&reading->row, reading->molecule, reading->failure)) {
-      return false;
-    }
+    if (at + 1 == count && !take_bond(reading)) return false;
     if (item >= CIF_CELL_A && item <= CIF_OPERATOR && !take_crystal(reading, item)) return false;
   }
   return tokens->kind != CIF_FAILED;
@@ -385,21 +395,21 @@ static bool read_item(struct cif_reading *reading) {
   const uint64_t line = tokens->line;
   enum cif_table table;
   const enum cif_item item = cif_item_of(tokens->text, &table);
-  const bool of_atoms = table == CIF_ATOMS || table == CIF_COMPONENT;
-  if ((!of_atoms || table != reading->table) && !end_single(reading)) return false;
-  if (of_atoms) {
+  const bool of_row = table == CIF_ATOMS || table == CIF_COMPONENT || table == CIF_BONDS;
+  if ((!of_row || table != reading->table) && !end_single(reading)) return false;
+  if (of_row) {
     if (!reading->single) {
       begin_table(reading, table);
       cif_row_clear(&reading->row, line);
     }
     reading->single = true;
-    if (!note_item(reading, tokens->text, item)) return false;
+    if (table != CIF_BONDS && !note_item(reading, tokens->text, item)) return false;
   }
   char tag[EXCERPT_BYTES];
   excerpt(tag, tokens->text.text, tokens->text.length);
   if (cif_tokens_next(tokens) == CIF_FAILED) return false;
   if (tokens->kind != CIF_VALUE) return failure_in_input(reading->failure, line, "%s has no value", tag);
-  if (of_atoms && item != CIF_OTHER_ITEM) cif_row_put(&reading->row, item, tokens);
+  if (of_row && item != CIF_OTHER_ITEM) cif_row_put(&reading->row, item, tokens);
   if (table == CIF_CRYSTAL && !take_crystal(reading, item)) return false;
   return cif_tokens_next(tokens) != CIF_FAILED;
 }

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "read/file_format.h"
 #include "write/cif_output.h"
 #include "write/output_file.h"
 #include "write/pdb_number.h"
@@ -53,8 +54,8 @@ static bool add_pdb(const struct point *points, size_t count, struct text_buffer
 
 bool point_file_write(const struct point *points, size_t count, const char *path, struct failure *failure) {
   struct text_buffer out = TEXT_BUFFER_EMPTY;
-  const size_t length = strlen(path);
-  const bool cif = length >= 4 && strcmp(path + length - 4, ".cif") == 0;
+  const char first = *file_extension(path); /* of .pdb or .cif, as has been checked, or none */
+  const bool cif = first == 'c' || first == 'C';
   if (cif) add_cif(points, count, &out);
   const bool done = (cif || add_pdb(points, count, &out, failure)) && output_file_write_text(path, &out, failure);
   text_buffer_free(&out);

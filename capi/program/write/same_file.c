@@ -13,6 +13,30 @@ bool same_file(const struct stat *a, const struct stat *b) {
   return (S_ISREG(a->st_mode) || S_ISBLK(a->st_mode)) && a->st_dev == b->st_dev && a->st_ino == b->st_ino;
 }
 
+/* The folder of a file that is yet to be made. */
+static bool stat_folder(const char *path, const char *name, struct stat *folder) {
+  char text[4096] = ".";
+  const size_t length = (size_t)(name - path);
+  if (length >= sizeof text) return false;
+  if (length > 0) memcpy(text, path, length), text[length] = '\0';
+  return stat(text, folder) == 0;
+}
+
+static const char *name_in_folder(const char *path) {
+  const char *const slash = strrchr(path, '/');
+  return slash == NULL ? path : slash + 1;
+}
+
+bool outputs_are_one(const char *a, const char *b) {
+  struct stat of_a, of_b;
+  if (output_is_standard(a) || output_is_standard(b)) return output_is_standard(a) && output_is_standard(b);
+  if (strcmp(a, b) == 0) return true;
+  if (stat(a, &of_a) == 0 && stat(b, &of_b) == 0) return same_file(&of_a, &of_b);
+  const char *const name = name_in_folder(a), *const other = name_in_folder(b);
+  return strcmp(name, other) == 0 && stat_folder(a, name, &of_a) && stat_folder(b, other, &of_b) &&
+         of_a.st_dev == of_b.st_dev && of_a.st_ino == of_b.st_ino;
+}
+
 bool output_is_input(const char *out, const char *in) {
   struct stat written;
   struct stat read;

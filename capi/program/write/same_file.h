@@ -15,4 +15,8 @@ bool output_is_standard(const char *path);
  * the same file under another name, links included. Devices and pipes are nobody's file. */
 bool output_is_input(const char *out, const char *in);
 
+/* Whether two outputs would be written to the same place: one file, by links or the names of its folder, too, or
+ * standard output. */
+bool outputs_are_one(const char *a, const char *b);
+
 #endif

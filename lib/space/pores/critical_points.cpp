@@ -184,7 +184,7 @@ struct CriticalPoints::Directions {
   struct Face {
     Vec3 n;
     double offset, tiny;
-    int where;  // on which seen.side of it the cube certainly is, 0 for none
+    int where;  // on which side of it the cube certainly is, 0 for none
   };
   Face face(uint32_t i, uint32_t j, uint32_t k) const {
     const Vec3 u = y(i) - y(j), v = y(i) - y(k), n = cross(u, v);

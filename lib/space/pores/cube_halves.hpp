@@ -56,12 +56,13 @@ inline void find_nearest_in_lanes(const NearArrays &near, CubeParts &parts) {
   using L = Wide<double, n>;
   using Real = typename L::Real;
   constexpr uint32_t registers = 8 / n;
+  constexpr double infinite = std::numeric_limits<double>::infinity();  // a call would be compiled for the target
   Real x[registers], y[registers], z[registers], least[registers], which[registers];
   for (uint32_t k = 0; k < registers; ++k) {
     x[k] = L::load(parts.x + k * n);
     y[k] = L::load(parts.y + k * n);
     z[k] = L::load(parts.z + k * n);
-    least[k] = L::all(std::numeric_limits<double>::infinity());
+    least[k] = L::all(infinite);
     which[k] = L::all(0.0);
   }
   for (uint32_t i = 0; i < near.count; ++i) {

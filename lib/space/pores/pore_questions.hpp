@@ -27,7 +27,7 @@ class PoreQuestions {
   }
   // As PoresBuilder::build. There is nothing where the largest ball has no radius left.
   Status build(const CubeGrid &grid, int64_t floor) { return build(grid, grid.balls().largest_radius, floor); }
-  // In a periodic box, where nothing is asked of pockets and tunnels.
+  // In a periodic box, where nothing is asked of tunnels.
   Status build(const PeriodicImages &images, int64_t floor) { return build(images, images.largest_radius(), floor); }
   // As TunnelFinder::find.
   Status find_tunnel(const CubeGrid &grid, const exact::Vector &from, const exact::Vector *to,

@@ -298,6 +298,7 @@ Status PoresBuilder::trace(uint32_t gate, uint32_t end, FixedVector<WayPoint> &p
   ways_.trace_into(&points);
   const Status status = ways_.climb(point, nearest, tied_shifts(gates_[gate].point), end == 1, ended);
   ways_.trace_into(nullptr);
+  needed_.near = larger_count(needed_.near, ways_.needed_near());
   for (uint32_t &ball : list) ball = balls_.callers(ball);
   for (uint32_t k = first; k < points.size(); ++k) {
     for (uint32_t &ball : points[k].ball) ball = ball == no_id ? no_id : balls_.callers(ball);

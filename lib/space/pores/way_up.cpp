@@ -224,8 +224,11 @@ bool WayUp::first_event(const Way &way, const CurvePiece &whole, TangentPoint &e
         return there[which] && std::fabs(at[which].level_estimate() - event.level_estimate()) <=
                                    at[which].level_error() + event.level_error();
       };
-      if (any && is_near_event(root) && !is_near_event(1 - root) && event.nearness(ball) == 0) continue;
-      if (any && at[root].compare_levels(event) >= 0) continue;
+      const bool beside = any && is_near_event(root) && !is_near_event(1 - root);
+      const bool tied = beside && event.nearness(ball) == 0;
+      const bool later = any && !tied && at[root].compare_levels(event) >= 0;
+      beyond_reach_ = beyond_reach_ || event.beyond_reach() || at[root].beyond_reach();
+      if (tied || later) continue;
       event = at[root];
       any = true;
       // Balls that are met later do not matter any more.
@@ -347,6 +350,7 @@ Status WayUp::climb(const CriticalPoint &gate, Span<const uint32_t> tied, Span<c
       }
       ++count;
     }
+    status = Status::check;  // after the last step
     if (leave(way)) continue;
     status = name_end(end);
     break;

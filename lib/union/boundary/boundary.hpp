@@ -194,7 +194,7 @@ class Boundary {
     return {face(f).first_loop, f + 1 < a_.face_count ? face(f + 1).first_loop : a_.loop_count};
   }
 
-  // Whether readers may run code for AVX2.
+  // Whose kernels run.
   Target target() const { return a_.target; }
 
   // Components of the union, numbered in the order of their first ball in the input.
