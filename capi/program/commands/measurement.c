@@ -176,14 +176,16 @@ static bool measure_curvatures(const struct molecule *molecule, const struct geo
   const hsp_periodic *const periodic = measurement->box.periodic;
   const uint32_t atoms = molecule->atoms;
   hsp_curvatures *const totals = &measurement->curvatures;
-  double *const mean = allocate(molecule, 1, failure);
-  int32_t *const thirds = malloc(((size_t)atoms + 1) * sizeof *thirds);
+  const bool of_part = measurement->part != NULL;
+  const uint32_t listed = of_part ? atoms : 0;
+  double *const mean = of_part ? allocate(molecule, 1, failure) : NULL;
+  int32_t *const thirds = of_part ? malloc(((size_t)atoms + 1) * sizeof *thirds) : NULL;
   int32_t status = HSP_E_MEMORY;
-  if (mean != NULL && thirds != NULL) {
-    status = periodic != NULL ? hsp_periodic_curvature(periodic, totals, mean, thirds, atoms, NULL)
-                              : hsp_boundary_curvature(geometry->work.boundary, totals, mean, thirds, atoms, NULL);
+  if (!of_part || (mean != NULL && thirds != NULL)) {
+    status = periodic != NULL ? hsp_periodic_curvature(periodic, totals, mean, thirds, listed, NULL)
+                              : hsp_boundary_curvature(geometry->work.boundary, totals, mean, thirds, listed, NULL);
   }
-  if (status == HSP_OK && measurement->part != NULL) {
+  if (status == HSP_OK && of_part) {
     int64_t sum = 0;
     totals->mean = 0.0;
     for (uint32_t i = 0; i < atoms; ++i) {

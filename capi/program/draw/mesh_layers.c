@@ -125,6 +125,21 @@ static void find_box(const struct seen_triangle *triangle, int32_t low[2], int32
   }
 }
 
+/* The box of all triangles, left as it is without any; returns the sum of the sides of their own. */
+static int64_t find_page(const struct seen_triangle *triangle, uint32_t count, int32_t low[2], int32_t high[2]) {
+  int64_t sides = 0;
+  for (uint32_t i = 0; i < count; ++i) {
+    int32_t own[2][2];
+    find_box(&triangle[i], own[0], own[1]);
+    for (int axis = 0; axis < 2; ++axis) {
+      if (i == 0 || own[0][axis] < low[axis]) low[axis] = own[0][axis];
+      if (i == 0 || own[1][axis] > high[axis]) high[axis] = own[1][axis];
+      sides += own[1][axis] - (int64_t)own[0][axis];
+    }
+  }
+  return sides;
+}
+
 static struct range find_range(const struct squares *squares, const struct seen_triangle *triangle) {
   int32_t low[2], high[2];
   struct range range;
@@ -139,17 +154,7 @@ static struct range find_range(const struct squares *squares, const struct seen_
 /* Squares about as wide as a triangle is in the mean. */
 static void choose_squares(const struct seen_triangle *triangle, uint32_t count, struct squares *squares) {
   int32_t high[2] = {0, 0};
-  int64_t sides = 0;
-  for (uint32_t i = 0; i < count; ++i) {
-    int32_t own[2][2];
-    find_box(&triangle[i], own[0], own[1]);
-    for (int axis = 0; axis < 2; ++axis) {
-      if (i == 0 || own[0][axis] < squares->low[axis]) squares->low[axis] = own[0][axis];
-      if (i == 0 || own[1][axis] > high[axis]) high[axis] = own[1][axis];
-      sides += own[1][axis] - (int64_t)own[0][axis];
-    }
-  }
-  squares->side = sides / (2 * (int64_t)count) + 1;
+  squares->side = find_page(triangle, count, squares->low, high) / (2 * (int64_t)count) + 1;
   for (int axis = 0; axis < 2; ++axis) {
     const int64_t wide = high[axis] - (int64_t)squares->low[axis];
     if (wide / squares->side >= MOST_SIDES) squares->side = wide / MOST_SIDES + 1;
@@ -318,16 +323,9 @@ struct points {
   uint8_t *covered;
 };
 
-static void find_page(const struct seen_triangle *triangle, uint32_t count, struct points *points) {
+static void spread_points(const struct seen_triangle *triangle, uint32_t count, struct points *points) {
   int32_t high[2] = {0, 0};
-  for (uint32_t i = 0; i < count; ++i) {
-    int32_t own[2][2];
-    find_box(&triangle[i], own[0], own[1]);
-    for (int axis = 0; axis < 2; ++axis) {
-      if (i == 0 || own[0][axis] < points->low[axis]) points->low[axis] = own[0][axis];
-      if (i == 0 || own[1][axis] > high[axis]) high[axis] = own[1][axis];
-    }
-  }
+  (void)find_page(triangle, count, points->low, high);
   for (int axis = 0; axis < 2; ++axis) {
     points->across[axis] = (size_t)((high[axis] - points->low[axis]) / points->apart) + 1;
   }
@@ -363,7 +361,7 @@ bool mesh_layers_find_seen(struct seen_triangle *triangle, uint32_t count, int32
   struct points points = {.apart = apart};
   uint32_t layers = 0;
   if (count == 0) return true;
-  find_page(triangle, count, &points);
+  spread_points(triangle, count, &points);
   for (uint32_t i = 0; i < count; ++i) layers = triangle[i].layer >= layers ? triangle[i].layer + 1 : layers;
   uint32_t *first = calloc((size_t)layers + 2, sizeof *first), *order = calloc(count, sizeof *order);
   points.covered = calloc(points.across[0] * points.across[1], sizeof *points.covered);
