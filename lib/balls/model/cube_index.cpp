@@ -43,17 +43,17 @@ void CubeIndex::build(const OrderedBalls &order, bool rounds) {
 
 void CubeIndex::build_rows(const OrderedBalls &order, bool rounds) {
   if (has_row_directories) rows_.build(order.cube_list(), order.first_ball(), cells_);
-  for (QueryGrid &grid : queries_) {
-    grid = {};
-    if (!rows_.is_there()) continue;
-    const BallSet &balls = order.balls();
-    rows_.describe(grid);
-    grid.side = static_cast<double>(order.side());
-    grid.inverse_side = 1.0 / grid.side;
-    grid.largest_radius = static_cast<double>(balls.largest_radius);
-    grid.factor = balls.lattice.factor();
-    if (rounds) round_balls(balls, rounded_, grid);
-  }
+  QueryGrid *const grid = queries_.get();
+  if (grid == nullptr) return;
+  *grid = {};
+  if (!rows_.is_there()) return;
+  const BallSet &balls = order.balls();
+  rows_.describe(*grid);
+  grid->side = static_cast<double>(order.side());
+  grid->inverse_side = 1.0 / grid->side;
+  grid->largest_radius = static_cast<double>(balls.largest_radius);
+  grid->factor = balls.lattice.factor();
+  if (rounds) round_balls(balls, rounded_, *grid);
 }
 
 }  // namespace hsp

@@ -1,15 +1,29 @@
-// Cubes of a grid by their coordinates: a hash table, whose size depends on the number of cubes that hold balls alone, not
-// on the extent of the set; for sets that fill the box around them a directory of rows, too, and what whole queries in
-// lanes ask.
+// Cubes of a grid by their coordinates: a hash table, whose size depends on the number of cubes that hold balls alone,
+// not on the extent of the set; for sets that fill the box around them a directory of rows, too, and what whole queries
+// in lanes ask.
 #pragma once
-
-#include <array>
 
 #include "model/ordered_balls.hpp"
 #include "model/query_hits.hpp"
 #include "model/row_directory.hpp"
 
 namespace hsp {
+
+// No memory where there are no lanes.
+template <class T, bool lanes = has_lanes>
+class InLanes {
+ public:
+  T *get() { return &value_; }
+  const T *get() const { return &value_; }
+
+ private:
+  T value_;
+};
+template <class T>
+class InLanes<T, false> {
+ public:
+  static T *get() { return nullptr; }
+};
 
 class CubeIndex {
  public:
@@ -34,7 +48,7 @@ class CubeIndex {
   // The directory of rows, if this set has one.
   const RowDirectory &rows() const { return rows_; }
   // For whole queries in lanes; null without lanes.
-  const QueryGrid *queries() const { return queries_.data(); }
+  const QueryGrid *queries() const { return queries_.get(); }
 
  private:
   static constexpr bool rounds_balls = has_lanes && has_row_directories;
@@ -43,7 +57,7 @@ class CubeIndex {
   RowDirectory rows_;
   Span<uint32_t> cells_;  // [at least 2 n] of the directory
   Span<float> rounded_;   // [4 n and behind]
-  std::array<QueryGrid, has_lanes ? 1 : 0> queries_;
+  InLanes<QueryGrid> queries_;
 };
 
 }  // namespace hsp

@@ -112,8 +112,8 @@ class CubeSlots {
     if (is_tree() || !insert_in_table(number, cube_of)) [[unlikely]]
       insert_in_tree(number, cube_of);
   }
-  // Removes all, and inserts those below `count`, of different cubes, among as many slots as they need. Scratch memory: a
-  // bit for each of these.
+  // Removes all, and inserts those below `count`, of different cubes, among as many slots as they need. Scratch memory:
+  // a bit for each of these.
   template <class CubeOf>
   void insert_all(uint32_t count, const CubeOf &cube_of, Span<uint32_t> scratch) {
     clear(count);

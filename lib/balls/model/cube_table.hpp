@@ -1,5 +1,5 @@
-// Cubes that are numbered as they come, by their coordinates. The size of the table depends on the number of cubes alone,
-// not on their extent.
+// Cubes that are numbered as they come, by their coordinates. The size of the table depends on the number of cubes
+// alone, not on their extent.
 #pragma once
 
 #include "model/cube_list.hpp"

@@ -119,7 +119,8 @@ GridOrder OrderedBalls::order_of(const Source &source, const BallSet &given, con
 // A part of the balls, in its order, to the same slots, as new cubes. Where a cube begins is not foreseen by the
 // processor: first balls are written to where the next first ball belongs, and stay there if a cube begins.
 template <class Source>
-void OrderedBalls::put(const Source &given, const CubeAxis &axis, BallRange part, const GridOrder &order) {
+void OrderedBalls::put(const Source &given, const CubeAxis &axis, BallRange part, const GridOrder &order,
+                       int64_t lift) {
   const BallsFrom<Source> source{given, part.first};  // a copy: the compiler knows that it is not written to
   const uint32_t n = order.size();
   const auto store = [&](uint32_t k) {
@@ -164,7 +165,7 @@ void OrderedBalls::put(const Source &given, const CubeAxis &axis, BallRange part
     }
     while (cubes_.count() < cubes) {
       CubeCoordinates cube = axis.cube_at(balls_.ball(first_ball_[cubes_.count()]).centre);
-      cube.z += halo_.lift();
+      cube.z += lift;
       cubes_.push(cube);
     }
   }
@@ -250,12 +251,12 @@ void OrderedBalls::sort(const Source &source, const BallSet &given, const Lattic
     images = order_of(source, given, box_of_images, axis, {own, n}, idle);
     lowest = axis.cube_at(box_of_images.low.z);
   }
-  put(source, axis, {0, own}, order);
+  put(source, axis, {0, own}, order, 0);
   own_balls_ = own;
   own_cubes_ = cubes_.count();
   if (own < n) {
     halo_.begin(cubes_, lowest);
-    put(source, axis, {own, n}, images);
+    put(source, axis, {own, n}, images, halo_.lift());
     halo_.end(cubes_, own_cubes_);
   }
   first_ball_[cubes_.count()] = n;

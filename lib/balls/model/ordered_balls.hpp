@@ -1,6 +1,6 @@
-// The balls of a set in grid order (grid_order.hpp), and the cubes of side 2 r_max that hold them (Section 3). Each ball
-// is stored once, in the cube of its centre: the centres of two balls that meet are in the same cube or in neighbouring
-// ones, so 27 cubes hold all neighbours of a ball.
+// The balls of a set in grid order (grid_order.hpp), and the cubes of side 2 r_max that hold them (Section 3). Each
+// ball is stored once, in the cube of its centre: the centres of two balls that meet are in the same cube or in
+// neighbouring ones, so 27 cubes hold all neighbours of a ball.
 //
 // A set may end with images that only surround the others, as in a periodic box. They come behind all others in the
 // grid's order, in the cubes of a halo.
@@ -60,7 +60,7 @@ class OrderedBalls {
   GridOrder order_of(const Source &source, const BallSet &given, const LatticeBox &box, const CubeAxis &axis,
                      BallRange part, Span<uint32_t> idle);
   template <class Source>
-  void put(const Source &source, const CubeAxis &axis, BallRange part, const GridOrder &order);
+  void put(const Source &source, const CubeAxis &axis, BallRange part, const GridOrder &order, int64_t lift);
 
   BallSet balls_;
   CubeList cubes_;
