@@ -71,36 +71,38 @@ static bool add_finer_voids(const struct request *request, struct geometry *geom
   return done;
 }
 
-static bool find_pockets(const struct request *request, struct geometry *geometry, const struct triangle_mesh *mesh,
-                         struct mesh_pockets *pockets, struct failure *failure) {
+static bool find_pockets(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                         struct triangle_mesh *mesh, struct mesh_pockets *pockets, struct failure *failure) {
 #ifdef HSP_WITHOUT_SPACE
   (void)request;
+  (void)molecule;
   (void)geometry;
   (void)mesh;
   (void)pockets;
   return failure_in_usage(failure, "--pockets needs the component space, which this build leaves out");
 #else
   const bool smooth = request->meshing.surface == MESH_SOLVENT_EXCLUDED;
-  return mesh_pockets_find(geometry, mesh, smooth, request->pockets, request->persistence, pockets, failure);
+  return mesh_pockets_find(geometry, molecule, mesh, smooth, request->pockets, request->persistence, pockets, failure);
 #endif
 }
 
 static bool write_picture(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                           struct triangle_mesh *mesh, uint64_t *bytes, struct failure *failure) {
   const struct meshing *meshing = &request->meshing;
-  struct mesh_view view = {.cut = meshing->cut, .of_outside = mesh->triangles};
+  struct mesh_view view = {.cut = meshing->cut};
   struct mesh_patch *patches = NULL;
   const int32_t status = viewing_axes(&request->viewing, molecule, view.axis);
   if (status != HSP_OK) return failure_in_library(failure, status);
   const bool smooth = meshing->surface == MESH_SOLVENT_EXCLUDED;
   struct mesh_pockets pockets = {.count = 0};
   if (request->pockets >= 0.0) view.pockets = &pockets;
-  const bool done = (view.pockets == NULL || find_pockets(request, geometry, mesh, &pockets, failure)) &&
-                    (!smooth || geometry_list_patches(geometry, &patches, failure)) &&
-                    (!view.cut || add_finer_voids(request, geometry, mesh, failure));
+  const bool done = (view.pockets == NULL || find_pockets(request, molecule, geometry, mesh, &pockets, failure)) &&
+                    (!smooth || geometry_list_patches(geometry, &patches, failure));
+  view.of_outside = mesh->triangles;
   view.patches = patches;
   const bool written =
-      done && mesh_picture_write(mesh, &view, molecule, input_base_name(request->file), meshing->out, bytes, failure);
+      done && (!view.cut || add_finer_voids(request, geometry, mesh, failure)) &&
+      mesh_picture_write(mesh, &view, molecule, input_base_name(request->file), meshing->out, bytes, failure);
   free(patches);
   free(pockets.of_triangle);
   free(pockets.of_patch);

@@ -13,6 +13,7 @@ enum { MESH_POCKETS = 6 };
 
 /* Pockets, each of a colour. */
 struct mesh_pockets {
+  uint32_t all;                  /* with those that have none */
   uint32_t count;                /* up to MESH_POCKETS */
   uint32_t number[MESH_POCKETS]; /* their names */
   uint8_t *of_triangle;          /* [of_outside], which of them, from 1 on; 0: none */
