@@ -28,6 +28,7 @@ static double area_of(const struct triangle_mesh *mesh) {
 struct found {
   const struct meshing *meshing;
   uint32_t vertices, triangles;
+  uint32_t pockets, coloured; /* UINT32_MAX: without --pockets */
   uint64_t bytes;
   double edge, area;
 };
@@ -42,6 +43,11 @@ static void print(struct record *record, const void *of) {
   record_count(record, "triangles", "triangles", found->triangles, "closed: each edge in two of them");
   record_number(record, "edge", NULL, found->edge, 0, "");
   record_number(record, "triangle_area", "area", found->area, 3, "@^2, of the triangles; measure has the surface's");
+  if (found->pockets != UINT32_MAX) {
+    record_count(record, "pockets", "pockets", found->pockets, "where the probe fits that --pockets keeps out");
+    record_count(record, "coloured", "coloured_pockets", found->coloured,
+                 "of these, the widest ones that --least leaves");
+  }
   record_count(record, "bytes", "bytes", (int64_t)found->bytes, "");
 }
 
@@ -87,7 +93,7 @@ static bool find_pockets(const struct request *request, const struct molecule *m
 }
 
 static bool write_picture(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
-                          struct triangle_mesh *mesh, uint64_t *bytes, struct failure *failure) {
+                          struct triangle_mesh *mesh, struct found *found, struct failure *failure) {
   const struct meshing *meshing = &request->meshing;
   struct mesh_view view = {.cut = meshing->cut};
   struct mesh_patch *patches = NULL;
@@ -102,8 +108,12 @@ static bool write_picture(const struct request *request, const struct molecule *
   view.patches = patches;
   const bool written =
       done && (!view.cut || add_finer_voids(request, geometry, mesh, failure)) &&
-      mesh_picture_write(mesh, &view, molecule, input_base_name(request->file), meshing->out, bytes, failure);
+      mesh_picture_write(mesh, &view, molecule, input_base_name(request->file), meshing->out, &found->bytes, failure);
   free(patches);
+  if (view.pockets != NULL) {
+    found->pockets = pockets.all;
+    found->coloured = pockets.count;
+  }
   free(pockets.of_triangle);
   free(pockets.of_patch);
   return written;
@@ -111,22 +121,22 @@ static bool write_picture(const struct request *request, const struct molecule *
 #endif
 
 static bool write_file(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
-                       struct triangle_mesh *mesh, uint64_t *bytes, struct failure *failure) {
+                       struct triangle_mesh *mesh, struct found *found, struct failure *failure) {
   const struct meshing *meshing = &request->meshing;
 #ifdef HSP_WITHOUT_SIGHT
   (void)molecule;
   (void)geometry;
 #else
-  if (meshing->format == MESH_SVG) return write_picture(request, molecule, geometry, mesh, bytes, failure);
+  if (meshing->format == MESH_SVG) return write_picture(request, molecule, geometry, mesh, found, failure);
 #endif
-  return mesh_file_write(mesh, meshing->format, meshing->out, bytes, failure);
+  return mesh_file_write(mesh, meshing->format, meshing->out, &found->bytes, failure);
 }
 
 bool command_mesh(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                   struct text_buffer *out, struct failure *failure) {
   const struct meshing *meshing = &request->meshing;
   struct triangle_mesh mesh;
-  struct found found = {meshing, 0, 0, 0, 0.0, 0.0};
+  struct found found = {meshing, 0, 0, UINT32_MAX, UINT32_MAX, 0, 0.0, 0.0};
   memset(&mesh, 0, sizeof mesh);
   mesh.atoms = molecule->atoms;
   mesh.edge = edge_of(request);
@@ -141,7 +151,7 @@ bool command_mesh(const struct request *request, const struct molecule *molecule
   found.triangles = mesh.triangles;
   found.edge = mesh.edge;
   found.area = done ? area_of(&mesh) : 0.0;
-  done = done && write_file(request, molecule, geometry, &mesh, &found.bytes, failure);
+  done = done && write_file(request, molecule, geometry, &mesh, &found, failure);
   if (done && !output_is_standard(meshing->out)) report(request, molecule, print, &found, out);
   triangle_mesh_free(&mesh);
   return done;

@@ -3,10 +3,11 @@
 #include <math.h>
 
 #include "draw/colour_mixed.h"
+#include "draw/pocket_colours.h"
 #include "hardsphere.h"
 
 static const uint32_t inside_colour = 0xC9B79C;
-static const uint32_t void_colour = 0xC2452F;
+static const uint32_t void_colour = 0x14747A;
 static const double element_share = 0.7; /* the rest is grey */
 static const uint32_t grey = 0xD2CDC3;
 
@@ -93,8 +94,6 @@ uint32_t mesh_element_of(const struct mesh_picture *picture, uint32_t ball) {
 uint32_t mesh_element_colour(uint32_t number) {
   return colour_mixed(grey, hsp_palette_colour(HSP_PALETTE_SOFT, number, 0), element_share);
 }
-
-static const uint32_t pocket_colours[MESH_POCKETS] = {0x2F6DB5, 0xE0862B, 0x3E9B62, 0x8F5FB0, 0xB9A62A, 0x35A3B3};
 
 uint32_t mesh_plain_colour(int side) {
   return side == INSIDE ? inside_colour : side == OF_VOID ? void_colour : grey;

@@ -16,9 +16,9 @@ enum { MOST_COLOURS = 128, MOST_BANDS = 64 };
 /* The visible sides of a surface; with pockets two more of each, their outsides and their voids. */
 enum { OUTSIDE, INSIDE, OF_VOID, SIDES };
 
-/* Paints of a layer are numbered: for each sphere those of its sides, for each colour its bands of light, then
- * lines. */
-#define FIRST_BAND (UINT32_C(1) << 31)
+/* Paints of a layer are numbered: for each colour its bands of light, for each sphere those of its sides, then lines.
+ * The dark rim of a sphere so goes on over the ends of saddles behind it. */
+#define FIRST_SPHERE ((uint32_t)MOST_COLOURS * MOST_BANDS)
 #define HAIRLINES UINT32_MAX
 
 /* Pixels and, as all that follows, tenths of them. */
@@ -39,6 +39,7 @@ struct mesh_picture {
   struct mesh_parts parts;
   struct frame frame;
   uint32_t *layer;           /* [triangles], UINT32_MAX: not shown */
+  uint32_t *points;          /* [triangles], that are seen of what the plane leaves whole */
   uint32_t (*patch_ball)[3]; /* [patches], that it comes from; UINT32_MAX: no more */
   uint32_t patches;
   double *ball;                  /* [atoms][3], along the axes of the view */

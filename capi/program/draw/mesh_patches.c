@@ -32,7 +32,7 @@ static void add_bands(struct mesh_picture *picture, const struct polygon *polygo
     const struct polygon outer = polygon_cut_off(polygon, below, 1);
     for (int k = 0; k < outer.corners; ++k) above[k] = outer.corner[k].circle - picture->border[band + 2];
     const struct polygon part = polygon_cut_off(&outer, above, 2);
-    add_polygon(picture, &part, layer, FIRST_BAND + colour * MOST_BANDS + (uint32_t)band);
+    add_polygon(picture, &part, layer, colour * MOST_BANDS + (uint32_t)band);
   }
 }
 
@@ -135,7 +135,7 @@ static void add_part(struct mesh_picture *picture, const struct polygon *polygon
   if (of_sphere && radius * picture->frame.scale < largest_sphere) {
     const uint32_t sphere =
         kind == HSP_PATCH_CONVEX ? ball : mesh->atoms + 3 * mesh->patches[triangle] + (uint32_t)slot;
-    add_polygon(picture, polygon, layer, picture->sides * sphere + (uint32_t)side);
+    add_polygon(picture, polygon, layer, FIRST_SPHERE + picture->sides * sphere + (uint32_t)side);
   } else {
     add_bands(picture, polygon, layer, mesh_colour_of(picture, ball, side));
   }

@@ -10,7 +10,7 @@
 #include "hardsphere.h"
 #include "write/output_file.h"
 
-static const double slack = 2.0;         /* of overlaps */
+static const double slack = 0.3;         /* of overlaps */
 static const int32_t step_of_points = 3; /* at which triangles are seen or not */
 static const double hairline = 5.0;      /* at most */
 static const double hairline_per_unit = 0.0055, thinnest = 1.2;
@@ -104,8 +104,9 @@ static bool paint_triangles(struct mesh_picture *picture) {
   }
   const bool enough = mesh_layers_find(seen, count, slack) && mesh_layers_find_seen(seen, count, step_of_points);
   for (uint32_t i = 0; enough && i < count; ++i) {
-    if (!seen[i].seen) continue;
+    if (seen[i].points == 0) continue;
     picture->layer[seen[i].number] = seen[i].layer;
+    if (seen[i].whole) picture->points[seen[i].number] = seen[i].points;
     add_triangle(picture, seen[i].number);
   }
   free(seen);
@@ -215,7 +216,9 @@ static bool make(struct mesh_picture *picture) {
   const bool cut = picture->view->cut;
   picture->layer = calloc((size_t)mesh->triangles + 1, sizeof *picture->layer);
   picture->ball = calloc((size_t)mesh->atoms + 1, 3 * sizeof *picture->ball);
-  if (picture->layer == NULL || picture->ball == NULL || !find_patch_balls(picture)) return false;
+  picture->points = calloc((size_t)mesh->triangles + 1, sizeof *picture->points);
+  if (picture->layer == NULL || picture->points == NULL || picture->ball == NULL || !find_patch_balls(picture))
+    return false;
   for (size_t i = 0; i < mesh->atoms; ++i) {
     mesh_turn(picture->view->axis, picture->molecule->xyz + 3 * i, picture->ball + 3 * i);
   }
@@ -233,7 +236,7 @@ static bool make(struct mesh_picture *picture) {
   painted_edges_cancel(&picture->areas);
   painted_edges_cancel(&picture->section);
   return !picture->areas.out_of_memory && !picture->section.out_of_memory &&
-         painted_edges_find_joints(&picture->areas, FIRST_BAND);
+         painted_edges_find_joints(&picture->areas, FIRST_SPHERE, HAIRLINES);
 }
 
 bool mesh_picture_write(const struct triangle_mesh *mesh, const struct mesh_view *view, const struct molecule *molecule,
@@ -249,6 +252,7 @@ bool mesh_picture_write(const struct triangle_mesh *mesh, const struct mesh_view
   painted_edges_free(&picture.areas);
   painted_edges_free(&picture.section);
   free(picture.layer);
+  free(picture.points);
   free(picture.patch_ball);
   free(picture.ball);
   return done;

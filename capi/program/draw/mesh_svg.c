@@ -12,10 +12,12 @@
 
 static const double section_line = 22.0;
 
+#define LEGEND_CIRCLE 0.4 /* of the light, on which the colours of legends are */
+
 enum { HYDROGEN = 1, CARBON = 6, ELEMENTS = 119 };
 
 static bool is_of_sphere(uint32_t paint) {
-  return paint < FIRST_BAND;
+  return paint >= FIRST_SPHERE && paint < HAIRLINES;
 }
 
 static int compare_paints(const void *left, const void *right) {
@@ -76,9 +78,10 @@ static bool add_areas(const struct mesh_picture *picture, struct text_buffer *ou
                       "<path fill=\"none\" stroke=\"#%06" PRIx32 "\" stroke-opacity=\".4\" stroke-width=\"%.2f\" d=\"",
                       LINE_COLOUR, 2.0 * mesh_hairline_width(picture));
     } else if (sphere) {
-      text_buffer_add(out, "<path fill=\"url(#s%" PRIu32 ")\" stroke=\"url(#s%" PRIu32 ")\" d=\"", paint, paint);
+      text_buffer_add(out, "<path fill=\"url(#s%" PRIu32 ")\" stroke=\"url(#s%" PRIu32 ")\" d=\"", paint - FIRST_SPHERE,
+                      paint - FIRST_SPHERE);
     } else {
-      const uint32_t band = (paint - FIRST_BAND) % MOST_BANDS, colour = (paint - FIRST_BAND) / MOST_BANDS;
+      const uint32_t band = paint % MOST_BANDS, colour = paint / MOST_BANDS;
       const uint32_t tone =
           surface_light_on(picture->colour[colour], picture->border[band] / 2.0 + picture->border[band + 1] / 2.0);
       text_buffer_add(out, "<path fill=\"#%06" PRIx32 "\" stroke=\"#%06" PRIx32 "\" d=\"", tone, tone);
@@ -90,7 +93,7 @@ static bool add_areas(const struct mesh_picture *picture, struct text_buffer *ou
       continue;
     }
     text_buffer_add(out, "\"/>\n");
-    if (sphere) paints[(*spheres)++] = paint;
+    if (sphere) paints[(*spheres)++] = paint - FIRST_SPHERE;
   }
   qsort(paints, *spheres, sizeof *paints, compare_paints);
   size_t kept = 0;
@@ -127,57 +130,61 @@ static void add_entry(const struct pen *pen, double *x, double y, uint32_t colou
   *x += 1.9 * PAGE_LETTER + text_width(text, PAGE_LETTER);
 }
 
+/* Legends name what is seen at so many points, a patch of some 10 px. */
+enum { LEAST_POINTS = 1000 };
+
 static void add_pockets(struct mesh_picture *picture, const struct pen *pen, double *x, double y) {
-  bool seen[MESH_POCKETS + 1] = {false}, any = false;
+  uint64_t seen[MESH_POCKETS + 1] = {0};
+  bool any = false;
   for (uint32_t t = 0; t < picture->mesh->triangles; ++t) {
-    if (picture->layer[t] != UINT32_MAX)
-      seen[mesh_pocket_of(mesh_side_of(picture, t, mesh_seen_area(picture, t)))] = true;
+    const int side = mesh_side_of(picture, t, mesh_seen_area(picture, t));
+    if (side != INSIDE) seen[mesh_pocket_of(side)] += picture->points[t];
   }
   for (int pocket = 1; pocket <= MESH_POCKETS; ++pocket) {
     char name[sizeof "pocket 4294967295"];
-    if (!seen[pocket]) continue;
+    if (seen[pocket] < LEAST_POINTS) continue;
     snprintf(name, sizeof name, "%s%" PRIu32, any ? "" : "pocket ", picture->view->pockets->number[pocket - 1]);
     any = true;
-    add_entry(pen, x, y, surface_light_on(mesh_pocket_colour(pocket), 0.4), name);
+    add_entry(pen, x, y, surface_light_on(mesh_pocket_colour(pocket), LEGEND_CIRCLE), name);
   }
+  if (seen[0] < LEAST_POINTS) return;
+  add_entry(pen, x, y, surface_light_on(mesh_plain_colour(SIDES), LEGEND_CIRCLE),
+            any ? "rest of the surface" : "surface");
 }
 
 /* Elements whose outside is seen, C and H first, then by their numbers. */
 static void add_elements(struct mesh_picture *picture, const struct pen *pen, double *x, double y) {
-  bool seen[ELEMENTS] = {false};
+  uint64_t seen[ELEMENTS] = {0};
   for (uint32_t t = 0; t < picture->mesh->triangles; ++t) {
-    if (picture->layer[t] == UINT32_MAX || mesh_side_of(picture, t, mesh_seen_area(picture, t)) != OUTSIDE) continue;
+    if (picture->points[t] == 0 || mesh_side_of(picture, t, mesh_seen_area(picture, t)) != OUTSIDE) continue;
     const uint32_t ball = picture->mesh->balls[t], number = mesh_element_of(picture, ball);
-    if (number < ELEMENTS && picture->molecule->label[ball].element.text[0] != '\0') seen[number] = true;
+    if (number >= ELEMENTS || picture->molecule->label[ball].element.text[0] == '\0') continue;
+    seen[number] += picture->points[t];
   }
   for (uint32_t k = 0; k < ELEMENTS + 2; ++k) {
     const uint32_t number = k == 0 ? CARBON : k == 1 ? HYDROGEN : k - 2;
-    if (!seen[number]) continue;
-    seen[number] = false;
+    if (seen[number] < LEAST_POINTS) continue;
+    seen[number] = 0;
     struct element_symbol symbol;
     if (!element_symbol_of_number(number, &symbol)) continue;
-    add_entry(pen, x, y, surface_light_on(mesh_element_colour(number), 0.4), symbol.text);
+    add_entry(pen, x, y, surface_light_on(mesh_element_colour(number), LEGEND_CIRCLE), symbol.text);
   }
 }
 
 static void add_legend(struct mesh_picture *picture, struct text_buffer *out) {
   const struct pen pen = {out, HSP_FORMAT_SVG, (double)picture->frame.height};
   const double y = picture->frame.height + picture->frame.strip / 2.0 - 0.3 * PAGE_LETTER;
+  const bool pockets = picture->view->pockets != NULL;
   double x = PAGE_MARGIN * 10.0 * PICTURE_WIDTH;
-  bool any = false;
-  for (uint32_t t = picture->view->of_outside; t < picture->mesh->triangles; ++t) {
-    any = any || picture->layer[t] != UINT32_MAX;
-  }
+  uint64_t of_voids = 0;
+  for (uint32_t t = picture->view->of_outside; t < picture->mesh->triangles; ++t) of_voids += picture->points[t];
   pen_begin(&pen);
-  if (picture->view->pockets != NULL) {
-    add_pockets(picture, &pen, &x, y);
-  } else {
-    add_elements(picture, &pen, &x, y);
+  (pockets ? add_pockets : add_elements)(picture, &pen, &x, y);
+  if (picture->view->cut) {
+    add_entry(&pen, &x, y, surface_light_on(mesh_plain_colour(INSIDE), LEGEND_CIRCLE), "inside, cut open");
   }
-  if (picture->view->cut)
-    add_entry(&pen, &x, y, surface_light_on(mesh_plain_colour(INSIDE), 0.4), "inside of the surface, cut open");
-  if (any && picture->view->pockets == NULL) {
-    add_entry(&pen, &x, y, surface_light_on(mesh_plain_colour(OF_VOID), 0.4), "voids");
+  if (of_voids >= LEAST_POINTS && !pockets) {
+    add_entry(&pen, &x, y, surface_light_on(mesh_plain_colour(OF_VOID), LEGEND_CIRCLE), "voids");
   }
   pen_end(&pen);
 }
