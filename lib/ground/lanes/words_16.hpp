@@ -112,6 +112,7 @@ struct Integers {
   friend Integers operator-(Integers a, Integers b) { return {a.v - b.v}; }
   friend Integers operator&(Integers a, Integers b) { return {a.v & b.v}; }
   friend Integers operator|(Integers a, Integers b) { return {a.v | b.v}; }
+  friend Integers operator^(Integers a, Integers b) { return {a.v ^ b.v}; }
 };
 // a in lanes whose bits are all set, b in those where none is.
 inline Integers chosen(Integers all_or_none, Integers a, Integers b) {
