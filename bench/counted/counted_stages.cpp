@@ -149,7 +149,8 @@ void print_balls() {
   const std::vector<double> points = random_points_near_atoms(model, model.size());
   for (size_t i = 0; i < balls.size(); ++i) {
     const double *const centre = &balls.xyz[3 * i], *const point = &points[3 * i];
-    std::printf("%a %a %a %a %a %a %a\n", centre[0], centre[1], centre[2], balls.radius[i], point[0], point[1], point[2]);
+    std::printf("%a %a %a %a %a %a %a\n", centre[0], centre[1], centre[2], balls.radius[i], point[0], point[1],
+                point[2]);
   }
 }
 

@@ -110,7 +110,8 @@ inline bool write_as_bits(const QueryHits &hits, uint32_t *ids) {
   different.store(lane);
   for (const uint32_t each : lane) bits |= each;
   if (bits >= word_bits * most_words) return false;
-  const uint32_t first = any & ~(UINT32_MAX >> __builtin_clz(bits)), words = (any | bits) / word_bits - first / word_bits;
+  const uint32_t first = any & ~(UINT32_MAX >> __builtin_clz(bits));
+  const uint32_t words = (any | bits) / word_bits - first / word_bits;
   uint64_t set[most_words];
   for (uint32_t word = 0; word <= words; ++word) set[word] = 0;
   for (uint32_t k = 0; k < count; ++k) {
