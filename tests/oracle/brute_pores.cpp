@@ -280,9 +280,10 @@ Chain crossed_triangles(const Balls &balls, const HullPoint &point, size_t level
   std::abort();
 }
 
-// Two points are apart for a probe if a closed surface in the balls, grown by the probe, has one inside and one outside.
-// The nerve of the balls has the homology of their union, and the hulls of its sets lie in that: so it is enough to look
-// at the cycles of its triangles. Those with which new ones appear as balls grow, and their levels, the lowest first.
+// Two points are apart for a probe if a closed surface in the balls, grown by the probe, has one inside and one
+// outside. The nerve of the balls has the homology of their union, and the hulls of its sets lie in that: so it is
+// enough to look at the cycles of its triangles. Those with which new ones appear as balls grow, and their levels, the
+// lowest first.
 template <class Visit>
 void visit_cycles(const std::vector<Triangle> &triangles, const Visit &visit) {
   struct Column {

@@ -24,21 +24,21 @@ struct BrutePores {
   };
   // By all nearest balls, in ascending order.
   std::map<std::vector<uint32_t>, Point> gates, maxima;
-  // For two maxima, or one and the outside behind the last one, the level of the tightest gate on the widest path between
-  // them; never if that is not above the floor.
+  // For two maxima, or one and the outside behind the last one, the level of the tightest gate on the widest path
+  // between them; never if that is not above the floor.
   std::vector<std::vector<size_t>> meet;
 };
 
 // Of up to 16 balls, points above a floor.
 BrutePores brute_pores(const Balls &outer, int64_t floor);
 
-// What is to be held against that, the widest first.
+// Pores that are to be held against that, the widest first.
 struct ListedPores {
   std::vector<std::vector<uint32_t>> maxima, gates;      // the nearest balls of each, in ascending order
   std::vector<std::array<size_t, 2>> ends;               // of gates: maxima, or the outside behind the last one
   std::function<uint32_t(size_t, size_t)> gate_between;  // where the classes of two of these meet; no_ball for nowhere
 };
-// What is wrong, in words; empty for nothing.
+// The first thing that is wrong, in words; empty if there is none.
 std::string first_difference(const BrutePores &expected, const ListedPores &listed);
 
 // How many pairs have the middle of their gap nearer than any other ball: the third kind of critical points. In
