@@ -2,8 +2,8 @@
 // to count their instructions. After each it prints a line: stage, molecule, probe, number of balls, of moves or of
 // poses. instruction_budgets.sh runs it.
 // `counted_stages --build` prints how it and the library were built, --code what runs on this processor: `wide` for
-// code for AVX2 where there is some, or `scalar`; `--balls` prints crambin's balls for the programs of targets/: centre,
-// radius and a point near some ball, as hexadecimal numbers.
+// code for AVX2 where there is some, or `scalar`; `--balls` prints crambin's balls for the programs of targets/:
+// centre, radius and a point near some ball, as hexadecimal numbers.
 //
 // Each handle has computed before the stage that is counted, so memory and limits are those of a repeated call. The
 // library's input comes from files and integers alone, so that every run does the same instructions.

@@ -1,6 +1,6 @@
-/* A plugin of QEMU's: appends to the file given as counts=FILE the number of
- * instructions between each call of stage_begins and the next of stage_ends. Those of functions named mem... are left out: they are the C library's. Debian's
- * QEMU has no header for plugins, hence what is used of their interface, version 1, is declared here. */
+/* A plugin of QEMU's: appends to the file given as counts=FILE the number of instructions between each call of
+ * stage_begins and the next of stage_ends. Those of functions named mem... are left out: they are the C library's.
+ * Debian's QEMU has no header for plugins, hence what is used of their interface, version 1, is declared here. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>

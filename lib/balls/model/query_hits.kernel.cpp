@@ -97,8 +97,8 @@ inline void write_few_ascending(const QueryHits &hits, uint32_t *ids, uint32_t r
   store_ids(ids, sorted(load_ids(hits.ids, hits.count)), hits.count, room);
 }
 
-// By a bit for each number of a range of 2^11 that begins at a multiple of it. False if there is none that has all hits,
-// which are not fewer than lanes.
+// By a bit for each number of a range of 2^11 that begins at a multiple of it. False if there is none that has all
+// hits, which are not fewer than lanes.
 inline bool write_as_bits(const QueryHits &hits, uint32_t *ids) {
   constexpr uint32_t word_bits = 64, most_words = 32;
   const uint32_t count = hits.count, any = hits.ids[0], last_word = count - Integers::lanes;
