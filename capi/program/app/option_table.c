@@ -220,7 +220,8 @@ const struct option *option_at(size_t i) {
       {"--view", "X,Y,Z", take_view, OF(DRAW), .target = IN(drawing.viewing),
        .help = "the direction towards the viewer. Default auto: by principal axes, with the longest one\n"
                "across and the shortest towards the viewer, whether water is drawn or not; 0,0,1 looks\n"
-               "along the file's z axis"},
+               "along the file's z axis; highlight: from where most is seen of what --highlight\n"
+               "names, or of all"},
       {"--up", "X,Y,Z", take_direction, OF(DRAW), .target = IN(drawing.viewing.up),
        .help = "the direction that appears upwards; default that of auto, with --view X,Y,Z 0,1,0, or\n"
                "0,0,1 if the view is along that"},
