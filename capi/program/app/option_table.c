@@ -122,6 +122,8 @@ const struct option *option_at(size_t i) {
        .help = "print the list as comma-separated values and nothing else"},
       {"--map", "OUT.svg", take_path, OF(CONTACTS), .target = IN(map),
        .help = "also a picture of the list: a square for each pair, darker the larger its area"},
+      {"--dark", NULL, take_flag, OF(CONTACTS), .target = IN(dark),
+       .help = "that picture before a dark page, with lighter squares for larger areas"},
       {"--trajectory", "RUN", take_path, OF(CONTACTS), .target = IN(trajectory)},
       {"--frames", "A:B:S", take_frames, OF(CONTACTS), .what = "frames, A:B:S"},
       {"--begin", "T", take_time, OF(CONTACTS), .target = IN(frames.begin), .what = "a time"},

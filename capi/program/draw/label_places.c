@@ -7,11 +7,12 @@
 #include "draw/text_width.h"
 
 /* In sizes of letters. */
-static const double box_height = 0.8, clear = 0.2, beside = 0.25, alone = 0.4, step = 0.35, line_gap = 0.25;
+static const double box_height = 0.8, clear = 0.2, beside = 0.25, alone = 0.4, step = 0.35, line_gap = 0.25,
+                    shortest = 0.7;
 
 /* What a place costs, in lengths of a line. */
 static const double cost_of_line = 2.0, cost_of_knee = 1.0, cost_of_slope = 0.5;
-static const double cost_across[2] = {20.0, 14.0};    /* for a length across what is not selected, and what is */
+static const double cost_across[2] = {20.0, 14.0};   /* for a length across what is not selected, and what is */
 static const double cost_of_cover[2] = {100.0, 2e3}; /* for a label all over them */
 
 enum { PASSES = 4 };
@@ -163,6 +164,8 @@ static void offer(struct search *search, const struct placed_label *label, doubl
   const struct label_page *const page = search->taken->page;
   double cover[2];
   if (!(cost < search->cost) || !is_on_page(page, label->box)) return;
+  const double reach = hypot(label->from[0] - label->at[0], label->from[1] - label->at[1]);
+  if (label->has_line && reach < shortest * page->size) return;
   find_cover(search->taken, label->box, label->has_line ? clear * page->size : 0.0, cover);
   for (int k = 0; k < 2; ++k) cost += cost_of_cover[k] * cover[k];
   if (!(cost < search->cost)) return;

@@ -97,6 +97,11 @@ static void write_within(const struct writer *writer, const struct page_label *l
   pen_write(writer->pen, &written);
 }
 
+static void write_line(const struct writer *writer, const double from[2], const double to[2], double width,
+                       uint32_t colour) {
+  if (memcmp(from, to, 2 * sizeof *from) != 0) pen_line(writer->pen, from, to, width, colour);
+}
+
 /* An atom that shows less than the dot has a ring instead. All lines first, so that none crosses a letter. */
 static void write_beside(const struct writer *writer, const struct placed_label *label, const bool *hidden,
                          size_t count, double size) {
@@ -107,10 +112,8 @@ static void write_beside(const struct writer *writer, const struct placed_label 
       const struct placed_label *const one = &label[i];
       const double wide = hidden[i] ? ring : dot;
       if (!one->has_line) continue;
-      if (memcmp(one->from, one->knee, sizeof one->from) != 0) {
-        pen_line(writer->pen, one->from, one->knee, width, colour);
-      }
-      pen_line(writer->pen, one->knee, one->at, width, colour);
+      write_line(writer, one->from, one->knee, width, colour);
+      write_line(writer, one->knee, one->at, width, colour);
       pen_line(writer->pen, one->at, one->at, size * (seam == 1 ? wide + 0.15 : wide), colour);
       if (seam == 0 && hidden[i]) pen_line(writer->pen, one->at, one->at, size * (wide - 0.15), writer->seam);
     }
