@@ -199,8 +199,7 @@ TEST(Annotations, LinesLeadToWhatIsNamed) {
   }
 }
 
-// Hydrogens of caffeine stand beside their balls, without lines, and over no bond; oxygens within theirs, on a wide page,
-// too.
+// Hydrogens of caffeine stand beside their balls, without lines; oxygens within theirs, on a wide page, too.
 TEST(Annotations, NamesStandBesideSmallBalls) {
   for (const char *look : {"paper", "slide"}) {
     const std::string svg = drawn(molecules_folder() + "/caffeine.pdb",
@@ -335,7 +334,7 @@ TEST(Annotations, LegendsOfManyChains) {
   }
 }
 
-// An atom of which less is seen than the dot would cover has a ring: a dot of the seam's colour in the dot. Where enough
+// An atom of which less is seen than the dot would cover has a ring: a dot of the seam's colour in the dot. Where more
 // is seen no line is needed.
 TEST(Annotations, RingsWhereLittleIsSeen) {
   const TemporaryFile hidden("hidden.xyz", "2\n\nC 0 0 0\nO 0.7 0 -4\n");

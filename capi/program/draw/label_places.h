@@ -35,10 +35,10 @@ struct label_page {
   double size;                      /* of letters */
 };
 
-/* Sets the places of labels, none of which touches another one, its line or one of the boxes, and no two of whose lines
- * cross. A label stands beside its disc, where nothing else is near; else at the end of a line that is level, upright or
- * goes at 45 degrees, or at 45 degrees from what is named and on on the level: the shortest that crosses least. *placed
- * becomes whether all have places. False for want of memory. */
+/* Sets the places of labels: none touches another one, its line or one of the boxes, and no two lines cross. A label
+ * stands beside its disc, where nothing else is near; else at the end of a line that is level, upright or goes at 45
+ * degrees, or at 45 degrees from what is named and on on the level: the shortest that crosses least. *placed becomes
+ * whether all have places. False for want of memory. */
 bool label_places_find(const struct label_page *page, const double (*boxes)[4], size_t box_count,
                        struct placed_label *label, size_t count, bool *placed);
 

@@ -59,7 +59,8 @@ static void place_of(const struct writer *writer, const struct page_label *label
   at[1] = frame->y - frame->scale * label->at[1];
 }
 
-/* The nearest place to `at` for a name within what is seen of a ball: sticks hide some of that. False: there is none. */
+/* The nearest place to `at` for a name within what is seen of a ball, of which sticks hide some. False: there is none.
+ */
 static bool find_within(const struct front_grid *front, const struct page_label *label, double size, double at[2],
                         double box[4]) {
   const double half[2] = {text_width(label->text, size) / 2.0 + clear_of_stick * size, letter_height * size / 2.0};
@@ -127,7 +128,7 @@ static void write_beside(const struct writer *writer, const struct placed_label 
   }
 }
 
-/* The labels within balls are written, and where they stand goes to `box`. What is left goes to `label`. */
+/* The labels within balls are written, and where they stand goes to `box`. The others go to `label`. */
 static size_t write_all_within(const struct writer *writer, const struct front_grid *front,
                                const struct page_axes *axes, double (*box)[4], struct placed_label *label, bool *hidden,
                                size_t *count) {
