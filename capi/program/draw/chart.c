@@ -1,19 +1,27 @@
 #include "draw/chart.h"
 
+#include <inttypes.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 
+#include "draw/look.h"
+
 enum { MOST_STEPS = 10, NUMBER_BYTES = 32 };
 
 void chart_begin(struct text_buffer *out, int width, int height, const char *title) {
+  chart_begin_before(out, width, height, title, false);
+}
+
+void chart_begin_before(struct text_buffer *out, int width, int height, const char *title, bool dark) {
   text_buffer_add(out,
                   "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\" "
-                  "font-family=\"Helvetica,Arial,sans-serif\" font-size=\"%d\" fill=\"#333333\" "
-                  "role=\"img\">\n<title>",
-                  width, height, width, height, CHART_LETTER);
+                  "font-family=\"Helvetica,Arial,sans-serif\" font-size=\"%d\" fill=\"#%06" PRIx32
+                  "\" role=\"img\">\n<title>",
+                  width, height, width, height, CHART_LETTER, dark ? DARK_PAGE_TEXT : UINT32_C(0x333333));
   text_buffer_add_xml(out, title);
-  text_buffer_add(out, "</title>\n<rect width=\"%d\" height=\"%d\" fill=\"#ffffff\"/>\n", width, height);
+  text_buffer_add(out, "</title>\n<rect width=\"%d\" height=\"%d\" fill=\"#%06" PRIx32 "\"/>\n", width, height,
+                  dark ? DARK_PAGE : UINT32_C(0xffffff));
 }
 
 static void add_text(struct text_buffer *out, double x, double y, const char *anchor, const char *text,
