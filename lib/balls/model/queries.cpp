@@ -172,8 +172,8 @@ void find_balls_at_ball(const CubeGrid &grid, const LatticeQuery &query, QueryRe
 
 Status find_balls(const CubeGrid &grid, const double *xyz, double radius, QueryResult &result) {
   if constexpr (has_lanes) {
-    if (grid.in_lanes() && find_balls_in_lanes(grid.target(), *grid.queries(), query_arrays(grid.balls()), xyz,
-                                               radius, result.ids, result.capacity, result.hits)) {
+    if (grid.in_lanes() && find_balls_in_lanes(grid.target(), *grid.queries(), query_arrays(grid.balls()), xyz, radius,
+                                               result.ids, result.capacity, result.hits)) {
       return Status::ok;
     }
   }
