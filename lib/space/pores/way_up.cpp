@@ -22,6 +22,7 @@ void WayUp::carve(Workspace &workspace, uint32_t near, uint32_t balls) {
   near_balls_.carve(workspace, near, balls);
   near_ = FixedVector<uint32_t>(workspace.take<uint32_t>(near));
   known_ = workspace.take<KnownEnd>(known_ends);
+  passed_ = workspace.take<Passed>(most_passed);
   tied_ = FixedVector<uint32_t>(workspace.take<uint32_t>(near));
   lines_ = workspace.take<TangentLines>(1);
 }
@@ -332,20 +333,19 @@ Status WayUp::climb(const CriticalPoint &gate, Span<const uint32_t> tied, Span<c
   if (!point_.find(*balls_, named, no_id, false)) return Status::check;
   Way way;
   if (!leave_gate(named, other_side ? -1 : 1, way)) return beyond_reach_ ? Status::range : Status::check;
-  Vertex passed[most_passed];
-  BoxShift place[most_passed];
   uint32_t count = 0;
   Status status = Status::check;
   for (uint32_t step = 0; step < most_steps; ++step) {
     ++steps_;
     status = follow(way, end.outside);
     if (status != Status::ok || end.outside) break;
-    if (trace_ == nullptr && count < most_passed && name_vertex(passed[count])) {
-      place[count] = shift_of(tied_[0]);
-      const KnownEnd &known = known_end(passed[count]);
-      if (known.vertex == passed[count]) {
+    if (trace_ == nullptr && count < passed_.size() && name_vertex(passed_[count].vertex)) {
+      Passed &passed = passed_[count];
+      passed.shift = shift_of(tied_[0]);
+      const KnownEnd &known = known_end(passed.vertex);
+      if (known.vertex == passed.vertex) {
         end = known.end;
-        end.shift = end.shift + place[count];
+        end.shift = end.shift + passed.shift;
         break;
       }
       ++count;
@@ -356,9 +356,10 @@ Status WayUp::climb(const CriticalPoint &gate, Span<const uint32_t> tied, Span<c
     break;
   }
   for (uint32_t k = 0; status == Status::ok && k < count; ++k) {
-    KnownEnd &known = known_end(passed[k]);
-    known = {passed[k], end};
-    known.end.shift = end.shift - place[k];
+    const Passed &passed = passed_[k];
+    KnownEnd &known = known_end(passed.vertex);
+    known = {passed.vertex, end};
+    known.end.shift = end.shift - passed.shift;
   }
   return status;
 }

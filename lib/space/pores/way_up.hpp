@@ -55,6 +55,11 @@ class WayUp {
     Vertex vertex;
     End end;  // for the vertex whose first ball is in its place
   };
+  // One on the way, whose first ball is so many boxes from its place.
+  struct Passed {
+    Vertex vertex;
+    BoxShift shift;
+  };
   bool leave_gate(const TangentCurve &named, int side, Way &way);
   bool leave(Way &way);
   bool leave_in_plane(const TangentCurve &before, Way &way);
@@ -83,6 +88,7 @@ class WayUp {
   TangentPoint point_;
   FixedVector<uint32_t> tied_, near_;
   Span<KnownEnd> known_;
+  Span<Passed> passed_;
   FixedVector<WayPoint> *trace_ = nullptr;
   uint32_t needed_near_ = 0;
   uint64_t steps_ = 0;
