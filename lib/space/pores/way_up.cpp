@@ -303,7 +303,7 @@ Status WayUp::follow(const Way &way, bool &outside) {
 }
 
 // Near the lowest and the highest point of a curve a level changes with the square of the way.
-void WayUp::trace(const Way &way, const CurveShape &shape, double from, double to) const {
+void WayUp::trace(const Way &way, const CurveShape &shape, double from, double to) {
   constexpr int parts = 8;
   const BallSet &balls = *balls_;
   const TangentCurve &curve = way.curve;
@@ -313,9 +313,15 @@ void WayUp::trace(const Way &way, const CurveShape &shape, double from, double t
     const double z = 2.0 * (balls.r[curve.base] + level);
     if (!(shape.error_at(z) < 64.0)) continue;
     const Vec3 y = combine(1.0, shape.p + z * shape.q, shape.height(z), shape.e);
-    trace_->push({centre + 0.5 * y,
-                  level,
-                  {ball_of(curve.base), ball_of(curve.second), curve.in_plane ? no_id : ball_of(curve.third)}});
+    WayPoint point{centre + 0.5 * y, level, {no_id, no_id, no_id}, {}};
+    const uint32_t nearest[3] = {curve.base, curve.second, curve.third};
+    for (int b = 0; b < (curve.in_plane ? 2 : 3); ++b) {
+      const BoxShift shift = shift_of(nearest[b]);
+      beyond_reach_ = beyond_reach_ || !SmallShift::fits(shift);
+      point.ball[b] = ball_of(nearest[b]);
+      point.shift[b] = SmallShift::of(shift);
+    }
+    trace_->push(point);
   }
 }
 
