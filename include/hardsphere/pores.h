@@ -351,8 +351,8 @@ typedef struct hsp_pore_passage {
 } hsp_pore_passage;
 
 /** The widest probe that gets from one point to another, from [3] and to [3], or to the outside if `to` is NULL. The
- *  points are rounded to the lattice. In a periodic box it may get to any copy of `to`; and as nothing is outside there,
- *  `to` NULL is another copy of `from`: the probe goes on for ever. Without balls that is as without a box.
+ *  points are rounded to the lattice. In a periodic box it may get to any copy of `to`; and as nothing is outside
+ *  there, `to` NULL is another copy of `from`: the probe goes on for ever. Without balls that is as without a box.
  *  - Property 1: its radius is that of hsp_gate_get_widest up to a lattice step, which looks at one pair of points
  *    alone.
  *  - Property 2: in a box, with `to` NULL, it is at most through[0] of hsp_pore_percolation, and that at one of the
@@ -473,9 +473,9 @@ HSP_API int32_t hsp_pores_find_tunnel(hsp_pores *pores, const double *from, cons
                                       uint32_t count, hsp_tunnel *tunnel, hsp_pores_limits *limits);
 
 /** The same with the tunnel of the least cost, which weighs how wide a way is against how long. Between the maxima of
- *  its ends, a straight line from a maximum to a gate beside it, or back, costs its length over the product of the radii
- *  at both: the integral of 1/r^2 along it, if r changes evenly. The way from a gate to the outside costs nothing, and
- *  gates that are no wider than 0 are not passed. Of the same cost it is one of several.
+ *  its ends, a straight line from a maximum to a gate beside it, or back, costs its length over the product of the
+ *  radii at both: the integral of 1/r^2 along it, if r changes evenly. The way from a gate to the outside costs
+ *  nothing, and gates that are no wider than 0 are not passed. Of the same cost it is one of several.
  *  - Property 1: its cost is no higher than that of hsp_pores_find_tunnel with the same arguments.
  *
  *  Cost: that of hsp_pores_find_tunnel.
@@ -499,7 +499,7 @@ HSP_API int32_t hsp_pores_find_cheapest_tunnel(hsp_pores *pores, const double *f
                                                const uint32_t *avoided, uint32_t count, hsp_tunnel *tunnel,
                                                hsp_pores_limits *limits);
 
-/** What a tunnel costs, and where it leads. Frozen. */
+/** The cost of a tunnel, and where it leads. Frozen. */
 typedef struct hsp_tunnel_route {
   double cost;       /**< as of hsp_pores_find_cheapest_tunnel, for both kinds, in 1/length; 0 without gates, infinite
                           through a gate that is no wider than 0 */

@@ -384,7 +384,7 @@ static void compare(const double *from, uint32_t node, const double *to, uint32_
   CHECK_EQUAL(tunnel.there, passage.passes);
   CHECK(tunnel.radius == passage.radius);
   grid = widest_on_grid(node, other);
-  /* What gets along the grid does between its points, up to half of their distance; and a way goes by near points. */
+  /* A probe that gets along the grid does between its points, up to half of their distance; ways lead by near some. */
   if (grid > diagonal) CHECK(passage.passes == 1 && passage.radius > grid - diagonal / 2);
   if (passage.passes == 1) CHECK(grid > passage.radius - diagonal);
   moved(from, shift, far);

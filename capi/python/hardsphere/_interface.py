@@ -706,7 +706,7 @@ class Tunnel(Record):
 
 
 class TunnelRoute(Record):
-    """What a tunnel costs, and where it leads."""
+    """The cost of a tunnel, and where it leads."""
     _fields_ = [("cost", C.c_double), ("shift", C.c_int32 * 3), ("reserved", C.c_uint32)]
 
 

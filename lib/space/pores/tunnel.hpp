@@ -66,7 +66,7 @@ class TunnelFinder {
   uint32_t needed_points() const { return needed_; }
 
  private:
-  // A gate, gone through from one of its ends to the other one: twice its number, and which end it begins at.
+  // Through a gate from one of its ends to the other one: twice its number, and which end it begins at.
   struct Step {
     uint32_t gate_and_end;
     uint32_t gate() const { return gate_and_end / 2; }
