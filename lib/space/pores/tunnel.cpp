@@ -69,12 +69,13 @@ bool TunnelFinder::search(const PoresBuilder &pores, const TunnelEnds &ends, uin
   list_steps(pores);
   struct Rank {
     double level, cost;
+    uint32_t gate;
   };
   const auto rank_of = [&](Step by, double cost) {
-    return Rank{ends.by_cost ? 0.0 : pores.gates()[by.gate()].point.level, cost};
+    return Rank{ends.by_cost ? 0.0 : pores.gates()[by.gate()].point.level, cost, by.gate()};
   };
   const auto is_better = [](const Rank &a, const Rank &b) {
-    return a.level != b.level ? a.level > b.level : a.cost < b.cost;
+    return a.level != b.level ? a.level > b.level : a.cost != b.cost ? a.cost < b.cost : a.gate < b.gate;
   };
   const auto rank_of_node = [&](uint32_t node) { return rank_of(nodes_[node].by, nodes_[node].cost); };
   const auto later = [&](uint32_t a, uint32_t b) { return is_better(rank_of_node(b), rank_of_node(a)); };
@@ -87,7 +88,7 @@ bool TunnelFinder::search(const PoresBuilder &pores, const TunnelEnds &ends, uin
   };
   uint32_t waiting = 0, node = from;
   bool closes = false;
-  Rank best{0.0, 0.0};  // of the step that closes
+  Rank best{0.0, 0.0, no_id};  // of the step that closes
   nodes_[from] = {0.0, {no_id}, in_tree, {}};
   while (node != to) {
     for (uint32_t k = first_[node]; k < first_[node + 1]; ++k) {
