@@ -346,6 +346,7 @@ set(HSP_SOURCES_OF_LANES
   lib/union/sphere/pair_sweep.kernel.cpp
   lib/union/sphere/root_discriminants.kernel.cpp)
 list(TRANSFORM HSP_SOURCES_OF_LANES PREPEND ${PROJECT_SOURCE_DIR}/)
+set(HSP_SOURCES_OF_LANES ${HSP_SOURCES_OF_LANES} CACHE INTERNAL "Sources with lanes of registers alone")
 
 # hsp_library_objects(name definition...): the library compiled as objects, with further definitions. The archive is made
 # of hardsphere_objects. Tests of inner parts link to a library of objects and compile what its headers define alike.

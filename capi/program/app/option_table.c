@@ -77,7 +77,7 @@ const struct option *option_at(size_t i) {
       {"--of", "S", take_atoms, OF(MEASURE), .target = IN(part), .what = "atoms, for instance chain:A,B or residue:HOH",
        .help = "measure only the atoms that S names, as for --only; all others that are read block. Of\n"
                "these the free area is found, and no volume; with --gradient its derivatives by all\n"
-               "atoms. Several are a union"},
+               "atoms, of which those that block have neither area nor weight. Several are a union"},
       {"--relative", NULL, take_flag, OF(MEASURE), .target = IN(relative),
        .help = "with --by residue and a probe: also the part of the largest area that a residue of that\n"
                "name can have in a chain"},
