@@ -28,13 +28,18 @@ void TunnelFinder::carve(Workspace &workspace, uint32_t maxima, uint32_t gates, 
   first_ = workspace.take<uint32_t>(nodes + 1);
   heap_ = workspace.take<uint32_t>(nodes);
   steps_ = workspace.take<Step>(2 * static_cast<uint64_t>(gates));
+  first_alike_ = workspace.take<uint32_t>(gates);
   route_ = workspace.take<Step>(2 * nodes + 1);
   points_ = FixedVector<TunnelPoint>(workspace.take<TunnelPoint>(points));
   way_ = FixedVector<WayPoint>(workspace.take<WayPoint>(points));
 }
 
-// Of each node the steps that begin there.
+// Of each node the steps that begin there; and which gates are as wide.
 void TunnelFinder::list_steps(const PoresBuilder &pores) {
+  for (uint32_t k = 0; k < pores.gates().size(); ++k) {
+    const bool alike = k > 0 && pores.gates()[k].point.level == pores.gates()[k - 1].point.level;
+    first_alike_[k] = alike ? first_alike_[k - 1] : k;
+  }
   const uint32_t nodes = pores.maxima().size() + 1;
   for (uint32_t k = 0; k <= nodes; ++k) first_[k] = 0;
   for (const PoreGate &gate : pores.gates()) {
@@ -67,15 +72,17 @@ bool TunnelFinder::search(const PoresBuilder &pores, const TunnelEnds &ends, uin
   const uint32_t nodes = pores.maxima().size() + 1;
   for (uint32_t k = 0; k < nodes; ++k) nodes_[k].slot = no_id;
   list_steps(pores);
+  // Places in the list, not levels, which are rounded.
   struct Rank {
-    double level, cost;
+    uint32_t width;
+    double cost;
     uint32_t gate;
   };
   const auto rank_of = [&](Step by, double cost) {
-    return Rank{ends.by_cost ? 0.0 : pores.gates()[by.gate()].point.level, cost, by.gate()};
+    return Rank{ends.by_cost ? 0 : first_alike_[by.gate()], cost, by.gate()};
   };
   const auto is_better = [](const Rank &a, const Rank &b) {
-    return a.level != b.level ? a.level > b.level : a.cost != b.cost ? a.cost < b.cost : a.gate < b.gate;
+    return a.width != b.width ? a.width < b.width : a.cost != b.cost ? a.cost < b.cost : a.gate < b.gate;
   };
   const auto rank_of_node = [&](uint32_t node) { return rank_of(nodes_[node].by, nodes_[node].cost); };
   const auto later = [&](uint32_t a, uint32_t b) { return is_better(rank_of_node(b), rank_of_node(a)); };
@@ -88,7 +95,7 @@ bool TunnelFinder::search(const PoresBuilder &pores, const TunnelEnds &ends, uin
   };
   uint32_t waiting = 0, node = from;
   bool closes = false;
-  Rank best{0.0, 0.0, no_id};  // of the step that closes
+  Rank best{0, 0.0, no_id};  // of the step that closes
   nodes_[from] = {0.0, {no_id}, in_tree, {}};
   while (node != to) {
     for (uint32_t k = first_[node]; k < first_[node + 1]; ++k) {

@@ -95,6 +95,7 @@ class TunnelFinder {
 
   Span<Node> nodes_;             // [maxima + 1]
   Span<uint32_t> first_, heap_;  // [maxima + 2] of steps_; [maxima + 1]
+  Span<uint32_t> first_alike_;   // [gates] the first one with the level of each
   Span<Step> steps_, route_;     // [2 gates] by the node that they begin at; [2 maxima + 3]
   FixedVector<TunnelPoint> points_;
   FixedVector<WayPoint> way_;
