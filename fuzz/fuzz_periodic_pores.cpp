@@ -1,6 +1,6 @@
 // Pores in a periodic box: points and their balls against all images, ends of gates, widest probes through against the
-// channels beside their levels, places and tunnels against the distance to all images, the same levels from other images
-// of the balls, other vectors of the box, another order and twice the box, and limits that are too small.
+// channels beside their levels, places and tunnels against the distance to all images, the same levels from other
+// images of the balls, other vectors of the box, another order and twice the box, and limits that are too small.
 #include <algorithm>
 #include <array>
 #include <cmath>
