@@ -47,7 +47,7 @@ static int32_t find_pockets(hsp_pores *pores, double wide, double least, struct 
   return status;
 }
 
-/* What tells where a probe is that touches the surface. */
+/* Of a probe that touches the surface, all that tells where it is. */
 struct places {
   const hsp_pores *pores;
   const struct molecule *molecule;

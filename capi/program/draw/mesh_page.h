@@ -1,4 +1,4 @@
-/* What the units of mesh_picture.h share: a picture while it is made, where things are on its page, and colours. */
+/* A picture while it is made, for the units that make it: where things are on its page, and colours. */
 #ifndef HARDSPHERE_TOOL_MESH_PAGE_H
 #define HARDSPHERE_TOOL_MESH_PAGE_H
 
