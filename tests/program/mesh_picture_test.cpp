@@ -239,8 +239,7 @@ bool covers(const std::vector<Part> &parts, const Point &at) {
   return false;
 }
 
-// Whatever colours balls have, the same is covered, also where a small ball has nothing of a side between it and a large
-// one.
+// Balls of other colours cover the same, also where a small ball has nothing of a side between it and a large one.
 TEST(MeshPicture, ColoursLeaveNoGaps) {
   for (const char *small : {"1.2 0.9 0.5", "0.3 2.1 0.8", "1.2 1.0 1.3", "-0.9 1.4 0.2"}) {
     std::vector<std::vector<Part>> found;

@@ -36,9 +36,9 @@ struct mesh_view {
  * and colours by element, with a legend.
  *
  * Patches of spheres are areas with one radial gradient each: as it is known which circles of it are where, no triangle
- * is seen. Saddles are cut into bands of equal light. Convex patches, where the probe touches one atom, have its colour,
- * and all between them one of their own, so that colours meet at the borders of patches, which are hairlines. Farther
- * triangles are painted first (mesh_layers.h).
+ * is seen. Saddles are cut into bands of equal light. Convex patches, where the probe touches one atom, have its
+ * colour, and all between them one of their own, so that colours meet at the borders of patches, which are hairlines.
+ * Farther triangles are painted first (mesh_layers.h).
  *
  * With a cut the inside of the surface is seen, too, and the section by the plane as a line, and voids as bodies in
  * teal, which the legend says; crumbs are dropped (mesh_parts.h). With pockets these alone have colours, voids
