@@ -138,6 +138,7 @@ case $words[2] in
     '*--up=[from where .svg shows them, as for draw]:X,Y,Z:'
     '*--rotate=[from where .svg shows them, as for draw]:X,Y,Z:'
     '*--cut[in .svg leave out what lies before the middle of the largest void, or else of all]'
+    '*--dark[in .svg before a dark page]'
     '*--pockets=[in .svg show pockets instead, as pores has them]:W:'
     '*--least=[only pockets that are wider than their widest mouth by D]:D:'
   ) ;;

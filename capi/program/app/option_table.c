@@ -205,6 +205,8 @@ const struct option *option_at(size_t i) {
        .help = "in .svg leave out what lies before the middle of the largest void, or else of all: the\n"
                "inside is seen, and voids as teal bodies"},
 
+      {"--dark", NULL, take_flag, OF(MESH), .target = IN(dark), .help = "in .svg before a dark page"},
+
       {"--pockets", "W", take_number, OF(MESH), .target = IN(pockets), .what = "a length", .most = 1e6,
        .component = "space",
        .help = "in .svg show pockets instead, as pores has them: where the probe fits, and one of radius W\n"
