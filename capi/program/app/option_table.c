@@ -196,7 +196,7 @@ const struct option *option_at(size_t i) {
        .help = "from where .svg shows them, as for draw"},
       {"--cut", NULL, take_flag, OF(MESH), .target = IN(meshing.cut),
        .help = "in .svg leave out what lies before the middle of the largest void, or else of all: the\n"
-               "inside is seen, and voids as red bodies"},
+               "inside is seen, and voids as teal bodies"},
 
       {"--pockets", "W", take_number, OF(MESH), .target = IN(pockets), .what = "a length", .most = 1e6,
        .component = "space",

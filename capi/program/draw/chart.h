@@ -41,9 +41,11 @@ struct chart_scale {
 };
 struct chart_scale chart_scale_of(double low, double high);
 
-/* The frame, with ticks along its lower and its left side; scale NULL: none. */
+/* The frame, with ticks along its lower and its left side; or its lower side alone, where lines would be taken for
+ * others. */
 void chart_axes(struct text_buffer *out, const struct chart_frame *frame, const struct chart_scale *across,
                 const struct chart_scale *up);
+void chart_axis_below(struct text_buffer *out, const struct chart_frame *frame, const struct chart_scale *across);
 
 /* Where a number is along a side. */
 double chart_x(const struct chart_frame *frame, const struct chart_scale *across, double number);
