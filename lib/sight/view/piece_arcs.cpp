@@ -33,7 +33,7 @@ class CornerFinder {
 };
 
 CircleFrame frame_of(const Caps &caps, const ViewFrame &frame, uint32_t cap) {
-  return caps.ball[cap] == no_id ? CircleFrame() : CircleFrame(frame, caps.plane(cap).v);
+  return caps.ball[cap] == no_id ? CircleFrame() : CircleFrame(frame, caps.direction(cap));
 }
 
 double parameter(const CircleFrame &circle, const Vec3 &offset) {

@@ -49,6 +49,7 @@ exact::Vector opposite(const exact::Vector &v) {
 // The union of m caps of one sphere has at most 6 m - 12 vertices, for m >= 3.
 void VisiblePiece::carve(Workspace &workspace, uint32_t neighbours) {
   const uint64_t caps = static_cast<uint64_t>(neighbours) + 1;
+  planes_ = workspace.take<exact::Plane>(caps);
   caps_.carve(workspace, neighbours);
   finder_.carve(workspace, neighbours + 1);
   vertices_ = FixedVector<VertexRecord>(workspace.take<VertexRecord>(6 * caps));
@@ -110,7 +111,8 @@ void VisiblePiece::link() {
     half_edges_[half_edge_count_++] = {positive ? first : second, positive ? second : first, no_id, no_id};
   }
   for (const CircleRecord &circle : circles_.items()) whole_[circle_count_++] = caps_.cap_of(circle.ball[1]);
-  const auto by_rank = [this](uint32_t a, uint32_t b) { return exact::ranks_before(caps_.plane(a), caps_.plane(b)); };
+  for (uint32_t k = 0; k < caps_.count; ++k) planes_[k] = caps_.plane(k);
+  const auto by_rank = [this](uint32_t a, uint32_t b) { return exact::ranks_before(planes_[a], planes_[b]); };
   sort_in_place(whole_.part(0, circle_count_), by_rank);
   const Span<PieceHalfEdge> items = half_edges_.part(0, half_edge_count_);
   sort_in_place(items, [&by_rank](const PieceHalfEdge &a, const PieceHalfEdge &b) {
@@ -118,7 +120,7 @@ void VisiblePiece::link() {
   });
   chain_.link(
       items, 0, [](const PieceHalfEdge &half_edge) { return half_edge.previous_circle; },
-      [this](uint32_t cap) { return caps_.plane(cap).v; });
+      [this](uint32_t cap) { return planes_[cap].v; });
   uint32_t loops = 0;
   for (uint32_t start = 0; start < items.size(); ++start) {
     if (items[start].loop != no_id) continue;

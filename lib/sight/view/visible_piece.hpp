@@ -49,6 +49,7 @@ class VisiblePiece {
   void link();
 
   Caps caps_;
+  Span<exact::Plane> planes_;  // of the caps, once their half-edges are linked
   VertexFinder finder_;
   FixedVector<VertexRecord> vertices_;
   FixedVector<CircleRecord> circles_;

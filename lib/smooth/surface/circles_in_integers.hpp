@@ -17,15 +17,7 @@ class CirclesInIntegers {
   static constexpr int64_t normal_length = INT64_C(1) << 29;
   static constexpr int64_t W = INT64_C(1) << 60;
 
-  // Overwrites the planes of the caps.
-  explicit CirclesInIntegers(Caps &caps) : caps_(caps), predicates_({W, no_id}, 0x1p60) {
-    caps.set_planes([&caps](uint32_t k) -> exact::Plane {
-      constexpr double scale = static_cast<double>(normal_length);
-      const exact::Vector v{nearest(scale * caps.ux[k]), nearest(scale * caps.uy[k]), nearest(scale * caps.uz[k])};
-      const double length = std::sqrt(static_cast<double>(dot(v, v)));
-      return {v, nearest(caps.b[k] * length * 0x1p30), 1, k};
-    });
-  }
+  explicit CirclesInIntegers(const Caps &caps) : caps_(caps), predicates_({W, no_id}, 0x1p60) {}
 
   struct Crossing {
     uint32_t first, second;
@@ -43,8 +35,8 @@ class CirclesInIntegers {
     return answer(predicates_.inside(plane(crossing.first), plane(crossing.second), sign, plane(r)));
   }
   RegionCorner corner(const Crossing &crossing, int sign) const {
-    const exact::Plane &P = plane(crossing.first);
-    const exact::Plane &Q = plane(crossing.second);
+    const exact::Plane P = plane(crossing.first);
+    const exact::Plane Q = plane(crossing.second);
     const double D = exact::Exact::discriminant(predicates_.sphere(), P, Q);
     const double root = std::sqrt(D > 0.0 ? D : 0.0);
     return {crossing.first, crossing.second, sign, root, to_unit * crossing_point(P, Q, sign, root), 0.0, false};
@@ -69,7 +61,12 @@ class CirclesInIntegers {
   static constexpr double to_unit = 0x1p-29;
 
   static Answer answer(int sign) { return sign > 0 ? Answer::yes : Answer::no; }
-  const exact::Plane &plane(uint32_t k) const { return caps_.plane(k); }
+  exact::Plane plane(uint32_t k) const {
+    constexpr double scale = static_cast<double>(normal_length);
+    const exact::Vector v{nearest(scale * caps_.ux[k]), nearest(scale * caps_.uy[k]), nearest(scale * caps_.uz[k])};
+    const double length = std::sqrt(static_cast<double>(dot(v, v)));
+    return {v, nearest(caps_.b[k] * length * 0x1p30), 1, k};
+  }
   CircleGeometry geometry(uint32_t k) const { return {predicates_.sphere(), plane(k)}; }
 
   const Caps &caps_;

@@ -32,7 +32,6 @@ class ProbeCaps {
   // the other side, else up to rounding.
   bool touches() const { return touches_; }
   bool overflowed() const { return others_.overflowed(); }
-  Caps &caps() { return caps_; }
   const Caps &caps() const { return caps_; }
   static constexpr uint32_t sides = 3;  // caps 0, 1, 2
   uint32_t vertex() const { return vertex_; }

@@ -21,20 +21,14 @@ constexpr double border = 1e-6;
 }  // namespace
 
 SettledCircles::SettledCircles(const BallSet &balls, const Boundary &boundary, const ChosenFaces &chosen,
-                               const ProbeGrid &grid, const CuspedCircles &cusped, ProbeCaps &probe)
+                               const ProbeGrid &grid, const CuspedCircles &cusped, const ProbeCaps &probe)
     : balls_(balls),
       probe_(probe),
       caps_(probe.caps()),
       patches_(balls, boundary, chosen, grid, cusped, probe),
       predicates_({W, probe.vertex()}, 0x1p60),
-      error_(probe.amplification() * unit_roundoff) {
-  const exact::Vector own = on_lattice(probe.vertex());
-  probe.caps().set_planes([&](uint32_t k) -> exact::Plane {
-    if (is_side(k)) return exact::virtual_plane({1, 0, 0}, 0);
-    const exact::Vector other = on_lattice(caps_.ball[k]);
-    const exact::Vector v = other - own;
-    return {v, dot(v, v), 1, caps_.ball[k]};
-  });
+      error_(probe.amplification() * unit_roundoff),
+      own_(on_lattice(probe.vertex())) {
   for (uint32_t side = 0; side < ProbeCaps::sides; ++side) find_cusps(side);
 }
 
@@ -77,6 +71,11 @@ exact::Vector SettledCircles::on_lattice(uint32_t vertex) const {
   return {nearest(scale * arm.x), nearest(scale * arm.y), nearest(scale * arm.z)};
 }
 
+exact::Plane SettledCircles::plane(uint32_t k) const {
+  const exact::Vector v = on_lattice(caps_.ball[k]) - own_;
+  return {v, dot(v, v), 1, caps_.ball[k]};
+}
+
 Answer SettledCircles::crossing(uint32_t j, uint32_t k, Crossing &crossing) const {
   if (is_point(j) || is_point(k)) return Answer::no;
   if (!is_side(k)) {
@@ -101,8 +100,8 @@ Answer SettledCircles::crossing(uint32_t j, uint32_t k, Crossing &crossing) cons
 Answer SettledCircles::crossing_of_probes(uint32_t j, uint32_t k, Crossing &crossing) const {
   const CircleCrossing<Vec3, double> pair(caps_.axis(j), height(j), caps_.axis(k), height(k));
   if (const Answer answer = certain_crossing(pair, j, k, error_, crossing); answer != Answer::unknown) return answer;
-  const exact::Plane &P = caps_.plane(j);
-  const exact::Plane &Q = caps_.plane(k);
+  const exact::Plane P = plane(j);
+  const exact::Plane Q = plane(k);
   if (predicates_.crossing(P, Q).sign < 0) return Answer::no;
   const double D = pair.discriminant(1.0);
   const double exact_D = exact::Exact::discriminant(predicates_.sphere(), P, Q);
@@ -137,10 +136,10 @@ Answer SettledCircles::contains(const Crossing &crossing, int sign, uint32_t r) 
     if (above > crossing.error) return Answer::yes;
     if (above < -crossing.error) return Answer::no;
   }
-  const exact::Plane &P = caps_.plane(crossing.first);
-  const exact::Plane &Q = caps_.plane(crossing.second);
+  const exact::Plane P = plane(crossing.first);
+  const exact::Plane Q = plane(crossing.second);
   if (predicates_.crossing(P, Q).sign < 0) return above > 0.0 ? Answer::yes : Answer::no;
-  return predicates_.inside(P, Q, sign, caps_.plane(r)) > 0 ? Answer::yes : Answer::no;
+  return predicates_.inside(P, Q, sign, plane(r)) > 0 ? Answer::yes : Answer::no;
 }
 
 // All three patches ask the same questions, in the order of the vertices. Of several vertices at one position that
@@ -211,7 +210,7 @@ Answer SettledCircles::lies_inside(uint32_t k, uint32_t r) const {
   const double certain = 32 * error_;
   if (above > certain) return Answer::yes;
   if (above < -certain || is_side(k) || is_side(r)) return Answer::no;
-  return predicates_.side(caps_.plane(k), caps_.plane(r)).sign > 0 ? Answer::yes : Answer::no;
+  return predicates_.side(plane(k), plane(r)).sign > 0 ? Answer::yes : Answer::no;
 }
 
 double SettledCircles::turn_between(uint32_t k, uint32_t from, uint32_t to) const {

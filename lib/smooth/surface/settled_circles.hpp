@@ -26,9 +26,9 @@ namespace hsp {
 
 class SettledCircles {
  public:
-  // Of the vertex that the caps were gathered for, whose planes it overwrites.
+  // Of the vertex that the caps were gathered for.
   SettledCircles(const BallSet &balls, const Boundary &boundary, const ChosenFaces &chosen, const ProbeGrid &grid,
-                 const CuspedCircles &cusped, ProbeCaps &probe);
+                 const CuspedCircles &cusped, const ProbeCaps &probe);
 
   struct Crossing {
     uint32_t first, second;
@@ -92,6 +92,8 @@ class SettledCircles {
   Vec3 across_axis(uint32_t k, const Vec3 &v) const { return combine(1.0, v, -dot(v, axis(k)), axis(k)); }
   double turn_between(uint32_t k, uint32_t from, uint32_t to) const;
   exact::Vector on_lattice(uint32_t vertex) const;
+  // Of another probe's cap.
+  exact::Plane plane(uint32_t k) const;
 
   const BallSet &balls_;
   const ProbeCaps &probe_;
@@ -99,6 +101,7 @@ class SettledCircles {
   CoincidentPatches patches_;
   exact::Predicates predicates_;
   double error_;
+  exact::Vector own_;                    // the vertex on the lattice
   uint32_t cusp_cap_[ProbeCaps::sides];  // the cap that meets a side in its cusps
   uint32_t opposite_probe_[ProbeCaps::sides];
   SideCircle circle_[ProbeCaps::sides];  // of sides with cusps

@@ -150,7 +150,7 @@ void FaceFinder::join_loops_by_meridians(Caps &caps, const Boundary &boundary, u
   uint32_t pole_loop = no_id;
   for (uint32_t representative = 0; representative < caps.count; ++representative) {
     if (!clusters_.is_representative(representative)) continue;
-    const exact::Plane meridian = meridian_through(caps.plane(representative).v);
+    const exact::Plane meridian = meridian_through(caps.direction(representative));
     intervals_.find(caps, predicates, meridian);
     intervals_.visit([&](const FreeInterval &interval) {
       const auto loop_at = [&](uint32_t cap, int sign) {

@@ -104,7 +104,7 @@ class SeveralFaces {
 
 LoopElement locate_on_boundary(const Caps &caps, const exact::Predicates &predicates, const Boundary &boundary,
                                uint32_t cap, const Plane &other, int sign) {
-  const auto plane_of = [&caps](uint32_t neighbour) -> const Plane & { return caps.plane(caps.cap_of(neighbour)); };
+  const auto plane_of = [&caps](uint32_t neighbour) { return caps.plane(caps.cap_of(neighbour)); };
   return element_at(boundary, predicates, caps.origin, caps.ball[cap], caps.plane(cap), plane_of, other, sign);
 }
 

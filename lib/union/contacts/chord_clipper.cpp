@@ -50,13 +50,13 @@ struct Clip {
 // The exact stage. The order in which caps are asked does not matter: the answers agree with each other.
 bool clip_exactly(const Caps &caps, uint32_t j, uint32_t k, ChordEnds &ends) {
   const exact::Predicates predicates = caps.predicates();
-  const exact::Plane &P = caps.plane(j);
-  const exact::Plane &Q = caps.plane(k);
+  const exact::Plane P = caps.plane(j);
+  const exact::Plane Q = caps.plane(k);
   if (predicates.crossing(P, Q).sign < 0) return false;
   ends = {{no_id, no_id}};
   for (uint32_t l = 0; l < caps.count; ++l) {
     if (l == j || l == k) continue;
-    const exact::Plane &R = caps.plane(l);
+    const exact::Plane R = caps.plane(l);
     const exact::PointStatus status = predicates.point_status(P, Q, R);
     if (status.side[0] > 0 && status.side[1] > 0) return false;
     for (int end = 0; end < 2; ++end) {

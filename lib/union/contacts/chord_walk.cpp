@@ -13,13 +13,13 @@ constexpr uint32_t no_arrival = no_id - 1;
 // than to any other.
 uint32_t cut_exactly(const Caps &caps, uint32_t j, uint32_t k, uint32_t side) {
   const exact::Predicates predicates = caps.predicates();
-  const exact::Plane &P = caps.plane(j);
-  const exact::Plane &Q = caps.plane(k);
+  const exact::Plane P = caps.plane(j);
+  const exact::Plane Q = caps.plane(k);
   const int direction = side == 1 ? 1 : -1;
   uint32_t nearest = no_id;
   for (uint32_t l = caps.first_later; l < caps.count; ++l) {
     if (l == j || l == k) continue;
-    const exact::Plane &R = caps.plane(l);
+    const exact::Plane R = caps.plane(l);
     if (exact::Exact::triple_product_sign(P.v, Q.v, R.v) != direction) continue;
     if (nearest == no_id || predicates.near(P, Q, caps.plane(nearest), R).sign < 0) nearest = l;
   }

@@ -13,8 +13,8 @@ bool caps_meet(const Caps &caps, const exact::Predicates &predicates, uint32_t j
     if (pair.certainly_inside() || pair.certainly_contains()) return true;
     if (pair.certainly_separate()) return false;
   }
-  const exact::Plane &P = caps.plane(j);
-  const exact::Plane &Q = caps.plane(k);
+  const exact::Plane P = caps.plane(j);
+  const exact::Plane Q = caps.plane(k);
   return predicates.crossing(P, Q).sign > 0 || predicates.side(P, Q).sign > 0 || predicates.side(Q, P).sign > 0;
 }
 

@@ -5,14 +5,12 @@
 namespace hsp {
 
 void Caps::carve(Workspace &workspace, uint32_t capacity) {
-  const uint64_t one_more = static_cast<uint64_t>(capacity) + 1;
-  const uint64_t padded = one_more + padding;
+  const uint64_t padded = static_cast<uint64_t>(capacity) + 1 + padding;
   ux = workspace.take<double>(padded);
   uy = workspace.take<double>(padded);
   uz = workspace.take<double>(padded);
   b = workspace.take<double>(padded);
   ball = workspace.take<uint32_t>(padded);
-  planes_ = workspace.take<exact::Plane>(one_more);
   lanes = has_lanes;
   target = workspace.target();
 }
@@ -40,7 +38,6 @@ class Caps::Joining {
 
 void Caps::start(const BallSet &balls, uint32_t i) {
   balls_ = &balls;
-  planes_made_ = false;
   doubles_made_ = true;
   origin = i;
   sphere = exact::sphere_of(balls.ball(i));
@@ -146,7 +143,6 @@ void Caps::take_given(uint32_t n, Joining &joining) {
 
 void Caps::put_selected_first(const uint32_t *selected) {
   first_later = hsp::put_selected_first(first_later, selected, ball, ux, uy, uz, b);
-  planes_made_ = false;
 }
 
 void Caps::take_circles(const BallSet &balls, uint32_t i, uint32_t n, uint32_t n_earlier, DisjointSets *components) {
@@ -223,17 +219,6 @@ bool Caps::take_all(uint32_t *near, uint32_t hits, Joining &joining) {
 }
 #endif
 
-const exact::Plane &Caps::plane(uint32_t cap) const {
-  if (!planes_made_) {
-    const exact::LatticeBall own = balls_->ball(origin);
-    for (uint32_t k = 0; k < count; ++k) {
-      planes_[k] = ball[k] == no_id ? half_sphere_ : exact::plane_of(own, balls_->ball(ball[k]));
-    }
-    planes_made_ = true;
-  }
-  return planes_[cap];
-}
-
 void Caps::set_spare_great_circle(const exact::Vector &normal) {
   const double inverse = 1.0 / std::sqrt(static_cast<double>(dot(normal, normal)));
   ux[count] = static_cast<double>(normal.x) * inverse;
@@ -247,7 +232,6 @@ void Caps::add_half_sphere(const exact::Vector &normal) {
   half_sphere_ = exact::virtual_plane(normal, 0);
   half_sphere_.index = no_id;
   ball[count] = no_id;
-  planes_made_ = false;
   const double U = static_cast<double>(dot(normal, normal));
   if (U > length_squared) length_squared = U;
   ++count;

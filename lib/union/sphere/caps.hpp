@@ -2,7 +2,7 @@
 //   u, b    on the unit sphere in doubles: x on the unit sphere lies in the cap iff u.x >= b, with u the unit vector to
 //           the other centre. |u error| <= 3.5e, |b error| <= 7e (e = 2^-53), as U = |v|^2, h and r are exact integers:
 //           sqrt(U) 1.5e, its inverse 2.5e, u one more; h 1e, times the inverse 4.5e, times 1/(2r) 6.5e;
-//   plane   the exact half-space of exact/, made for all caps when the exact stage asks for the first: hardly ever.
+//   ball    the other ball, of which the exact stage makes the exact half-space of exact/ where it asks: hardly ever.
 #pragma once
 
 #include "core/disjoint_sets.hpp"
@@ -57,7 +57,7 @@ struct Caps {
   Target target = Target::baseline;
 
   void carve(Workspace &workspace, uint32_t capacity);
-  uint32_t capacity() const { return planes_.size() - 1; }
+  uint32_t capacity() const { return ball.size() - 1 - padding; }
   bool overflowed() const { return met > capacity(); }
 
   // Finds the caps of ball i, whose neighbours lie in the block. Every ball that meets it is joined to it in
@@ -72,20 +72,21 @@ struct Caps {
   void take_circles(const BallSet &balls, uint32_t i, uint32_t n, uint32_t n_earlier, DisjointSets *components);
   void make_doubles();
 
-  const exact::Plane &plane(uint32_t k) const;
+  // The normal of its plane, from centre to centre.
+  exact::Vector direction(uint32_t k) const {
+    if (ball[k] == no_id) return half_sphere_.v;
+    return balls_->ball(ball[k]).centre - balls_->ball(origin).centre;
+  }
+  exact::Plane plane(uint32_t k) const {
+    if (ball[k] == no_id) return half_sphere_;
+    return exact::plane_of(balls_->ball(origin), balls_->ball(ball[k]));
+  }
 
   // Stores a great circle of the sphere in the spare slot, number `count`, for cap_pair.hpp. Its errors are those of
   // caps, as its normal is exact.
   void set_spare_great_circle(const exact::Vector &normal);
   // Adds the half of the sphere on the side of the normal as a cap of ball no_id (the far side of a view); at most one.
   void add_half_sphere(const exact::Vector &normal);
-
-  // Planes of the caller's own making, plane_of(k) for cap k, until the caps change.
-  template <class PlaneOf>
-  void set_planes(PlaneOf plane_of) {
-    for (uint32_t k = 0; k < count; ++k) planes_[k] = plane_of(k);
-    planes_made_ = true;
-  }
 
   // After gather: those of later balls become those of all others than the earlier ones that are selected.
   void put_selected_first(const uint32_t *selected);
@@ -103,7 +104,6 @@ struct Caps {
       ball[kept++] = ball[k];
     }
     count = kept;
-    planes_made_ = false;
   }
 
   Vec3 axis(uint32_t k) const { return {ux[k], uy[k], uz[k]}; }
@@ -122,9 +122,7 @@ struct Caps {
   bool take_near(Span<uint32_t> near, Joining &joining);
   bool take_all(uint32_t *near, uint32_t hits, Joining &joining);
   const BallSet *balls_ = nullptr;  // of the last ball, whose planes may still be asked for
-  Span<exact::Plane> planes_;
-  exact::Plane half_sphere_{};  // the plane of ball no_id
-  mutable bool planes_made_ = false;
+  exact::Plane half_sphere_{};      // the plane of ball no_id
   bool doubles_made_ = true;
 };
 

@@ -90,8 +90,8 @@ bool comes_before(const Caps &caps, const Vector &m, const MeridianCap &a, const
   if (std::fabs(a.along) > certain && std::fabs(b.along) > certain && std::fabs(turn) > certain) {
     return (a.along > 0.0) != (b.along > 0.0) ? a.along > 0.0 : turn > 0.0;
   }
-  const Vector &v = caps.plane(a.cap).v;
-  const Vector &w = caps.plane(b.cap).v;
+  const Vector v = caps.direction(a.cap);
+  const Vector w = caps.direction(b.cap);
   const auto half = [&m](const Vector &u) {
     const int64_t along = u.x * m.y - u.y * m.x;
     return along > 0 || (along == 0 && u.z > 0) ? 0 : 1;
@@ -179,7 +179,7 @@ bool contains_pole(const Caps &caps, const exact::Predicates &predicates, const 
                    const FreeInterval &interval, int pole) {
   return !covers_pole(caps, predicates, interval.exit_cap, pole) &&
          !covers_pole(caps, predicates, interval.entry_cap, pole) &&
-         pole_lies_between(meridian.v, caps.plane(interval.exit_cap).v, caps.plane(interval.entry_cap).v, pole);
+         pole_lies_between(meridian.v, caps.direction(interval.exit_cap), caps.direction(interval.entry_cap), pole);
 }
 
 }  // namespace hsp

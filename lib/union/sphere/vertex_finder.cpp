@@ -195,8 +195,8 @@ bool leaves_open(const CrossingPoints &points, const CapTests &tests, uint32_t t
 bool find_vertices_exactly(const BallSet &balls, const Caps &caps, const CapTests &tests, uint32_t j, uint32_t k,
                            const CrossingPoints *points, FixedVector<VertexRecord> &vertices) {
   const exact::Predicates predicates = caps.predicates();
-  const exact::Plane &P = caps.plane(j);
-  const exact::Plane &Q = caps.plane(k);
+  const exact::Plane P = caps.plane(j);
+  const exact::Plane Q = caps.plane(k);
   const exact::Sign crossing = predicates.crossing(P, Q);
   if (crossing.sign < 0) return false;
 

@@ -12,7 +12,7 @@ uint32_t poles_on(const Caps &caps, const exact::Predicates &predicates, const e
   const bool south = contains_pole(caps, predicates, meridian, interval, -1);
   uint32_t poles = (north ? CutArc::passes_north : 0U) | (south ? CutArc::passes_south : 0U);
   if (north && south &&
-      exact::counter_clockwise_before(meridian.v, caps.plane(interval.exit_cap).v, {0, 0, -1}, {0, 0, 1})) {
+      exact::counter_clockwise_before(meridian.v, caps.direction(interval.exit_cap), {0, 0, -1}, {0, 0, 1})) {
     poles |= CutArc::south_first;
   }
   return poles;
@@ -97,7 +97,7 @@ void CutArcFinder::push_pieces(FixedVector<CutArc> &arcs) const {
 void CutArcFinder::find_pieces(const Boundary &boundary, uint32_t face, uint32_t cap, GatheredBall &gathered) {
   Caps &caps = gathered.caps;
   const exact::Predicates predicates = caps.predicates();
-  const exact::Plane meridian = meridian_through(caps.plane(caps.cap_of(cap)).v);
+  const exact::Plane meridian = meridian_through(caps.direction(caps.cap_of(cap)));
   gathered.intervals.find(caps, predicates, meridian);
   pending_count_ = 0;
   gathered.intervals.visit([&](const FreeInterval &interval) {

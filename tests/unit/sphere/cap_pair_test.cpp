@@ -37,9 +37,9 @@ struct CapsOf {
 
 // u.p - b of cap l for the point p+ or p- of caps j and k, in long double from the integers.
 long double depth(const Caps &caps, uint32_t j, uint32_t k, uint32_t l, int sign) {
-  const exact::Plane &P = caps.plane(j);
-  const exact::Plane &Q = caps.plane(k);
-  const exact::Plane &R = caps.plane(l);
+  const exact::Plane P = caps.plane(j);
+  const exact::Plane Q = caps.plane(k);
+  const exact::Plane R = caps.plane(l);
   const exact::Vector normal = cross(P.v, Q.v);
   using Long = std::array<long double, 3>;
   const auto from = [](const exact::Vector &v) {
