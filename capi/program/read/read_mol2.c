@@ -12,7 +12,7 @@
 
 enum { MOST_COLUMNS = 10 };
 
-/* What is read at the moment, and what the model that is wanted has. */
+/* The section that is read, and the counts of the model that is wanted. */
 struct reading {
   enum { OTHER, NAME, COUNTS, ATOMS, BONDS } section;
   bool wanted;

@@ -13,8 +13,8 @@
  * is empty if the name does not tell. seen: NULL, or as atom_kind_again. */
 void label_take_element(struct kinds_seen *seen, struct atom_label *label, struct field name);
 
-/* Take a symbol, a label that begins with one and goes on with something else, C1 or Fe3+, or an atomic number. False: it
- * is none of them. */
+/* Take a symbol, a label that begins with one and goes on with something else, C1 or Fe3+, or an atomic number. False:
+ * it is none of them. */
 bool label_take_symbol(struct atom_label *label, struct field text);
 
 /* The number of an atom, by which bonds name it, as a short text. False: it is none, or too large for that. */
