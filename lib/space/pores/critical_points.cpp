@@ -611,8 +611,6 @@ bool CriticalPoints::try_point(const uint32_t *ids, uint32_t count, Span<const u
   }
   // Most are elsewhere.
   if (may_be_in(point, block) < 0 || may_be_in(point, other) < 0) return false;
-  const PointName name = name_of_ids(ids, count);
-  if ((count == 3 ? gate_names_.find(name, gates_) : maximum_names_.find(name, maxima_)) != no_id) return false;
   bool kept = point.level_against(floor_) > 0 && !(count == 3 ? are_collinear(balls, ids[0], ids[1], ids[2])
                                                               : are_coplanar(balls, ids[0], ids[1], ids[2], ids[3]));
   kept = kept && is_in(point, block) && is_in(point, other);
