@@ -38,8 +38,8 @@ class TiedDirections {
   uint32_t count_ = 0;  // 0: nothing is certain
 };
 
-// A lower bound of how far 0 is inside the hull of unit vectors, as many as TiedDirections has room for; not positive if
-// it is outside or nearly.
+// A lower bound of how far 0 is inside the hull of unit vectors, no more than TiedDirections has room for; not positive
+// if it is outside or nearly.
 double depth_of_hull(Span<const Vec3> a);
 
 // Of a point and all balls that are nearest to it.
