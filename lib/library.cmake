@@ -111,6 +111,7 @@ set(HSP_LIBRARY_SOURCES
   lib/union/periodic/periodic_union.cpp
   lib/union/periodic/windings.cpp
   lib/space/pores/ascent.cpp
+  lib/space/pores/balls_around.cpp
   lib/space/pores/class_tree.cpp
   lib/space/pores/critical_points.cpp
   lib/space/pores/cube_halves.kernel.cpp
