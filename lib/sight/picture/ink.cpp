@@ -20,7 +20,7 @@ constexpr double most_skew = 2.0;
 constexpr double full_depth = 3.0;
 constexpr double full_group = 0.5;
 
-// Largest widths. What is seen of a ball's silhouette between two nearer bodies has thinner contours if it is shorter.
+// Largest widths. Between two nearer bodies a ball's silhouette of which less is seen has thinner contours.
 constexpr double short_length = 8.0;
 
 // px. A line that is nowhere wider is left out.

@@ -110,8 +110,8 @@ TEST(Ink, IsNothingWhereASilhouetteCreases) {
   EXPECT_NEAR(widest, 0.62 * 6, 0.2);
 }
 
-// Seen between two nearer bodies along less than eight times the largest width of 6 px, it is thinner; not so before the
-// background.
+// Seen between two nearer bodies along less than eight times the largest width of 6 px, it is thinner; not so before
+// the background.
 TEST(Ink, IsThinnerInAGap) {
   cases::small_view().succeeds(balls, 2);
   constexpr hsp::SilhouetteArc::End under{false, true, hsp::no_id, hsp::no_id};
