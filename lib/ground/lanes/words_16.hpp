@@ -1,6 +1,6 @@
 // The words of words.hpp for registers of 16 bytes: four floats, two doubles, eight fractions. By instructions of SSE2,
-// of its followers up to x86-64-v2, of NEON and of WebAssembly where the compiler's own code is worse; without any of them it is right
-// as well.
+// of its followers up to x86-64-v2, of NEON and of WebAssembly where the compiler's own code is worse; without any of
+// them it is right as well.
 #pragma once
 
 #if defined(__SSE4_1__)
