@@ -303,7 +303,9 @@ const struct command_row command_table[COMMANDS] = {
              "with NAME.face, as MSMS writes them, counted from 1.\n"
              "Kinds are 0 convex, 1 saddle, 2 concave, 3 saddle all around; in .face 3 convex, 1 saddle, 2 concave.\n"
              "Example: hardsphere mesh 1crn.pdb --probe 1.4 --surface ses -o 1crn.ply\n"
-             "JSON: n, vertices, triangles, edge, triangle_area, bytes; triangle_area approaches the area of measure.\n"
+             "JSON: n, vertices, triangles, edge, triangle_area, bytes, and with --pockets pockets and "
+             "coloured_pockets;\n"
+             "triangle_area approaches the area of measure.\n"
              "\n"},
     [COMMAND_MAP] =
         {.name = "map",

@@ -10,7 +10,7 @@ _hardsphere() {
       boundary) words+=" --shells --csv --box" ;;
       measure) words+=" --surface --outer --per-ball --gradient --curvature --weights --polar --by --of --relative --interface --csv --pdb-out --trajectory --frames --begin --end --interval --mean --box" ;;
       voids) words+=" --min-volume --balls --csv" ;;
-      contacts) words+=" --by --cells --least --csv --map --trajectory --frames --begin --end --interval --box" ;;
+      contacts) words+=" --by --cells --least --csv --map --dark --trajectory --frames --begin --end --interval --box" ;;
       complex) words+="" ;;
       cells) words+="" ;;
       path) words+=" --from --to" ;;

@@ -83,6 +83,7 @@ case $words[2] in
     '*--least=[list only contacts, or sums, of area A or more]:A:'
     '*--csv[print the list as comma-separated values and nothing else]'
     '*--map=[also a picture of the list]:OUT.svg:_files'
+    '*--dark[that picture before a dark page, with lighter squares for larger areas]'
     '*--trajectory=[for every frame a row of numbers, or with --json a line with the list]:RUN:_files'
     '*--frames=[for every frame a row of numbers, or with --json a line with the list]:A:'
     '*--begin=[for every frame a row of numbers, or with --json a line with the list]:T:'

@@ -122,6 +122,8 @@ const struct option *option_at(size_t i) {
        .help = "print the list as comma-separated values and nothing else"},
       {"--map", "OUT.svg", take_path, OF(CONTACTS), .target = IN(map),
        .help = "also a picture of the list: a square for each pair, darker the larger its area"},
+      {"--dark", NULL, take_flag, OF(CONTACTS), .target = IN(dark),
+       .help = "that picture before a dark page, with lighter squares for larger areas"},
       {"--trajectory", "RUN", take_path, OF(CONTACTS), .target = IN(trajectory)},
       {"--frames", "A:B:S", take_frames, OF(CONTACTS), .what = "frames, A:B:S"},
       {"--begin", "T", take_time, OF(CONTACTS), .target = IN(frames.begin), .what = "a time"},
@@ -194,7 +196,7 @@ const struct option *option_at(size_t i) {
        .help = "from where .svg shows them, as for draw"},
       {"--cut", NULL, take_flag, OF(MESH), .target = IN(meshing.cut),
        .help = "in .svg leave out what lies before the middle of the largest void, or else of all: the\n"
-               "inside is seen, and voids as red bodies"},
+               "inside is seen, and voids as teal bodies"},
 
       {"--pockets", "W", take_number, OF(MESH), .target = IN(pockets), .what = "a length", .most = 1e6,
        .component = "space",
@@ -220,7 +222,8 @@ const struct option *option_at(size_t i) {
       {"--view", "X,Y,Z", take_view, OF(DRAW), .target = IN(drawing.viewing),
        .help = "the direction towards the viewer. Default auto: by principal axes, with the longest one\n"
                "across and the shortest towards the viewer, whether water is drawn or not; 0,0,1 looks\n"
-               "along the file's z axis"},
+               "along the file's z axis; highlight: from where most is seen of what --highlight\n"
+               "names, or of all"},
       {"--up", "X,Y,Z", take_direction, OF(DRAW), .target = IN(drawing.viewing.up),
        .help = "the direction that appears upwards; default that of auto, with --view X,Y,Z 0,1,0, or\n"
                "0,0,1 if the view is along that"},

@@ -256,17 +256,19 @@ bool take_edge(struct reading *reading, const struct option *option, const char 
          (*edge > 0.0 || failure_in_usage(reading->failure, "--edge must be above 0"));
 }
 
-/* A direction, or the word auto. */
+/* A direction, or a word for one. */
 bool take_view(struct reading *reading, const struct option *option, const char *value) {
   struct viewing *viewing = (void *)((char *)reading->request + option->target);
   const char *word = value != NULL ? value : reading->left > 0 ? reading->rest[0] : "";
   const bool automatic = strcmp(word, "auto") == 0;
-  if (automatic && value == NULL) option_next(reading);
-  if (viewing->automatic || viewing->view.given) return option_given_twice(reading, option);
+  const bool of_highlight = strcmp(word, "highlight") == 0 && viewing == &reading->request->drawing.viewing;
+  if ((automatic || of_highlight) && value == NULL) option_next(reading);
+  if (viewing->automatic || viewing->of_highlight || viewing->view.given) return option_given_twice(reading, option);
   viewing->automatic = automatic;
+  viewing->of_highlight = of_highlight;
   struct option view = *option;
   view.target += offsetof(struct viewing, view);
-  return automatic || take_direction(reading, &view, value);
+  return automatic || of_highlight || take_direction(reading, &view, value);
 }
 
 /* More than that is a slip of the finger. */

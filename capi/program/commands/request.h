@@ -71,6 +71,7 @@ struct request {
   double min_volume; /* of `voids` */
   bool cells;        /* of `contacts` */
   double least;      /* area of a contact that is listed */
+  bool dark;         /* the page of a picture of `contacts` or `mesh` */
   const char *map;   /* a file for a picture of contacts, or NULL */
   enum grouping by;
   const char *weights;    /* a file, or NULL */

@@ -5,14 +5,16 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "draw/pocket_colours.h"
 #include "read/failure.h"
 #include "read/molecule.h"
 #include "write/mesh_file.h"
 
-enum { MESH_POCKETS = 6 };
+enum { MESH_POCKETS = POCKET_COLOURS };
 
 /* Pockets, each of a colour. */
 struct mesh_pockets {
+  uint32_t all;                  /* with those that have none */
   uint32_t count;                /* up to MESH_POCKETS */
   uint32_t number[MESH_POCKETS]; /* their names */
   uint8_t *of_triangle;          /* [of_outside], which of them, from 1 on; 0: none */
@@ -39,7 +41,7 @@ struct mesh_view {
  * hairlines. Farther triangles are painted first (mesh_layers.h).
  *
  * With a cut the inside of the surface is seen, too, and the section by the plane as a line, and voids as bodies in
- * red, which the legend says; crumbs are dropped (mesh_parts.h). With pockets these alone have colours, voids
+ * teal, which the legend says; crumbs are dropped (mesh_parts.h). With pockets these alone have colours, voids
  * or not. *bytes becomes how many were written. False, with the
  * file named, if it cannot be written in full. */
 bool mesh_picture_write(const struct triangle_mesh *mesh, const struct mesh_view *view, const struct molecule *molecule,
