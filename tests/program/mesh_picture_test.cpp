@@ -189,28 +189,41 @@ TEST(MeshPicture, ACutLeavesNoCrumbs) {
   }
 }
 
-// Two balls of radii 1.7 and 1.52 in a distance of 3, probe 1.4: each has what lies on its side of the plane where the
-// probe's centres are, x = (3.1^2 - 2.92^2 + 3^2) / 6; in a picture of 6.22 and a margin.
-TEST(MeshPicture, ColoursMeetWhereTheSurfaceIsNarrowest) {
+// Two balls of radii 1.7 and 1.52 in a distance of 3, probe 1.4: the probe's centres are in the plane
+// x = (3.1^2 - 2.92^2 + 3^2) / 6, and it touches the balls in circles, seen edge-on, between which neither has its
+// colour; in a picture of 6.22 and a margin.
+TEST(MeshPicture, ColoursMeetWhereTheProbeTouchesTheBalls) {
   const TemporaryFile pair("pair.xyz", "2\n\nN 0 0 0\nO 3 0 0\n");
-  const std::string svg = drawn_text(pair.path(), {"--radius", "N=1.7", "--radius", "O=1.52", "--probe", "1.4",
-                                                   "--surface", "ses", "--edge", "0.4", "--view", "0,0,1"});
-  const std::vector<Part> parts = parts_of(svg);
+  const std::vector<std::string> options = {"--radius",  "N=1.7", "--radius", "O=1.52", "--probe", "1.4",
+                                            "--surface", "ses",   "--edge",   "0.4",    "--view",  "0,0,1"};
+  const std::string svg = drawn_text(pair.path(), options);
   EXPECT_LT(svg.find(">N<"), svg.find(">O<"));
+  EXPECT_LT(svg.find(">O<"), svg.find(">between atoms<"));
   EXPECT_EQ(svg.find(">C<"), std::string::npos);
-  const double border = (3.1 * 3.1 - 2.92 * 2.92 + 9) / 6;
-  const double scale = 1000 / (6.22 * 1.06);
-  const double px = (border + 1.7 + 0.03 * 6.22) * scale;
-  double red = 0, blue = 1e9;
-  for (const Part &part : parts) {
-    const bool of_oxygen = part.colour[0] > part.colour[2];
+  const double plane = (3.1 * 3.1 - 2.92 * 2.92 + 9) / 6, scale = 1000 / (6.22 * 1.06);
+  const double touched[2] = {plane * 1.7 / 3.1, 3 - (3 - plane) * 1.52 / 2.92};
+  double low[3] = {1e9, 1e9, 1e9}, high[3] = {0, 0, 0};
+  for (const Part &part : parts_of(svg)) {
+    const size_t kind = part.colour[2] > part.colour[0] + 40 ? 0 : part.colour[0] > part.colour[2] + 20 ? 2 : 1;
     for (const Point &point : part.points) {
-      if (of_oxygen) blue = std::min(blue, point[0]);
-      if (!of_oxygen) red = std::max(red, point[0]);
+      low[kind] = std::min(low[kind], point[0]);
+      high[kind] = std::max(high[kind], point[0]);
     }
   }
-  EXPECT_NEAR(red, px, 1);
-  EXPECT_NEAR(blue, px, 1);
+  for (size_t k = 0; k < 2; ++k) {
+    const double px = (touched[k] + 1.7 + 0.03 * 6.22) * scale;
+    EXPECT_NEAR(high[k], px, 1);
+    EXPECT_NEAR(low[k + 1], px, 1);
+  }
+  // The same before a dark page.
+  std::vector<std::string> dark = options;
+  dark.emplace_back("--dark");
+  const std::string night = drawn_text(pair.path(), dark);
+  EXPECT_NE(night.find("<rect width=\"10000\" height=\""), std::string::npos);
+  EXPECT_NE(night.find("fill=\"#14171e\"/>"), std::string::npos);
+  EXPECT_EQ(night.find("#ffffff"), std::string::npos);
+  EXPECT_EQ(parts_of(night).size(), parts_of(svg).size());
+  EXPECT_EQ(run_program({"mesh", pair.path(), "-o", "none.ply", "--dark"}).status, 2);
 }
 
 bool covers(const std::vector<Part> &parts, const Point &at) {
@@ -226,9 +239,8 @@ bool covers(const std::vector<Part> &parts, const Point &at) {
   return false;
 }
 
-// Parts of three colours leave nothing of a patch open, also where a small ball has nothing of a side between it and a
-// large one. Of one colour all is covered.
-TEST(MeshPicture, PartsOfColoursLeaveNoGaps) {
+// Balls of other colours cover the same, also where a small ball has nothing of a side between it and a large one.
+TEST(MeshPicture, ColoursLeaveNoGaps) {
   for (const char *small : {"1.2 0.9 0.5", "0.3 2.1 0.8", "1.2 1.0 1.3", "-0.9 1.4 0.2"}) {
     std::vector<std::vector<Part>> found;
     for (const char *names : {"CCC", "NOH", "CCH", "HCC", "CHC"}) {

@@ -232,9 +232,10 @@ const struct command_row command_table[COMMANDS] = {
              "other_end, merges,\n"
              "balls}, ...], with --pockets pockets, pocket_list: [{pocket, xyz, radius, mouth_radius, maximum, gate, "
              "maxima, mouths,\n"
-             "balls}, ...], with --tunnels-from from, from_radius, tunnels, tunnel_list: [{tunnel, radius, length, "
-             "gate, gates,\n"
-             "points}, ...], tunnel_points: [{tunnel, length, xyz, radius, gate, maximum, balls}, ...]; maxima and "
+             "balls}, ...], with --tunnels-from from, to, from_radius, tunnels, tunnel_list: [{tunnel, radius, length, "
+             "cost, gate,\n"
+             "gates, points}, ...], tunnel_points: [{tunnel, length, xyz, radius, gate, maximum, balls}, ...]; maxima "
+             "and "
              "gates by\n"
              "their numbers, counted from 0, or \"outside\" or \"none\"; mouths are gates; balls are indices in "
              "the order of the\n"
@@ -247,7 +248,8 @@ const struct command_row command_table[COMMANDS] = {
              "b, c] the three vectors, channel_list: [{radius, maximum, maxima, directions, copies, rows}, ...] for "
              "--probe; gates\n"
              "have end_shift and other_end_shift, by which the maxima are to be moved, and directions, in which their "
-             "class goes on.\n"
+             "class goes on;\n"
+             "tunnels have shift, the vectors from the point that was named to the copy of it where they end.\n"
              "\n"},
     [COMMAND_CLASH] =
         {.name = "clash",

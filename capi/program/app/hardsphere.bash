@@ -15,10 +15,10 @@ _hardsphere() {
       cells) words+="" ;;
       path) words+=" --from --to" ;;
       gate) words+=" --from --to" ;;
-      pores) words+=" --probe --least --gates --pockets --balls --tunnels-from --tunnels --points --tunnels-out --profile --tree --csv --box" ;;
+      pores) words+=" --probe --least --gates --pockets --balls --tunnels-from --tunnels-to --cheapest --tunnels --points --tunnels-out --profile --tree --csv --box" ;;
       clash) words+=" --rotate --translate" ;;
       query) words+=" --point --ball" ;;
-      mesh) words+=" -o --output --edge --surface --triangles --view --up --rotate --cut --pockets --least" ;;
+      mesh) words+=" -o --output --edge --surface --triangles --view --up --rotate --cut --dark --pockets --least" ;;
       map) words+=" --view --up --rotate --per-ball" ;;
       pick) words+=" --at --view --up --rotate" ;;
       draw) words+=" -o --output --picture --view --up --rotate --spin --look --style --palette --colour --range --highlight --occlusion --fog --outline --outline-colour --ink --ink-width --ink-colour --classes --tooltips --width --height --unit --margin --scale --centre --crop --background --fog-colour --label --scale-bar --legend --title --water --pieces --all-balls --as --ball-size --stick" ;;

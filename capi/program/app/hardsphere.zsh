@@ -110,6 +110,8 @@ case $words[2] in
     '*--pockets=[list pockets]:W:'
     '*--balls[also the balls around each pocket, and each bottleneck of a tunnel]'
     '*--tunnels-from=[list tunnels from a point to the outside, the widest first, with the radius along each]:X Y Z|atom:'
+    '*--tunnels-to=[instead to this point, or with --box to that copy of it which is best]:X Y Z|atom:'
+    '*--cheapest[tunnels of the least cost first, the integral of 1/radius^2 along straight lines through]'
     '*--tunnels=[so many, each without the bottlenecks of those before it]:N:'
     '*--points=[also a .pdb or .cif file for viewers with what is listed]:OUT:_files'
     '*--tunnels-out=[also the tunnels as mmcif_tunnels.dic, of ChannelsDB, has them]:OUT.cif:_files'
@@ -136,6 +138,7 @@ case $words[2] in
     '*--up=[from where .svg shows them, as for draw]:X,Y,Z:'
     '*--rotate=[from where .svg shows them, as for draw]:X,Y,Z:'
     '*--cut[in .svg leave out what lies before the middle of the largest void, or else of all]'
+    '*--dark[in .svg before a dark page]'
     '*--pockets=[in .svg show pockets instead, as pores has them]:W:'
     '*--least=[only pockets that are wider than their widest mouth by D]:D:'
   ) ;;

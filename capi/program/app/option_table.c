@@ -150,9 +150,16 @@ const struct option *option_at(size_t i) {
                "outside, or with --box from where it goes on for ever"},
       {"--balls", NULL, take_flag, OF(PORES), .target = IN(void_balls),
        .help = "also the balls around each pocket, and each bottleneck of a tunnel"},
-      {"--tunnels-from", "X Y Z|atom:N", take_place, OF(PORES), .target = IN(tunnels_from),
+      {"--tunnels-from", "X Y Z|atom:N|maximum:N", take_place, OF(PORES), .target = IN(tunnels_from),
        .help = "list tunnels from a point to the outside, the widest first, with the radius along each.\n"
-               "atom:N is the widest maximum at the atom N of the file, counted from 0"},
+               "With --box to another copy of the point, which lies so many vectors away: for ever.\n"
+               "maximum:N is one of those that are listed, atom:N the widest at the atom N of the file,\n"
+               "counted from 0"},
+      {"--tunnels-to", "X Y Z|atom:N|maximum:N", take_place, OF(PORES), .target = IN(tunnels_to),
+       .help = "instead to this point, or with --box to that copy of it which is best"},
+      {"--cheapest", NULL, take_flag, OF(PORES), .target = IN(cheapest),
+       .help = "tunnels of the least cost first, the integral of 1/radius^2 along straight lines through\n"
+               "maxima and gates: short ones rather than wide ones"},
       {"--tunnels", "N", take_tunnels, OF(PORES), .what = "how many tunnels",
        .help = "so many, each without the bottlenecks of those before it; default 3"},
       {"--points", "OUT", take_path, OF(PORES), .target = IN(points), .what = "a file",
@@ -197,6 +204,8 @@ const struct option *option_at(size_t i) {
       {"--cut", NULL, take_flag, OF(MESH), .target = IN(meshing.cut),
        .help = "in .svg leave out what lies before the middle of the largest void, or else of all: the\n"
                "inside is seen, and voids as teal bodies"},
+
+      {"--dark", NULL, take_flag, OF(MESH), .target = IN(dark), .help = "in .svg before a dark page"},
 
       {"--pockets", "W", take_number, OF(MESH), .target = IN(pockets), .what = "a length", .most = 1e6,
        .component = "space",

@@ -97,6 +97,7 @@ static bool write_picture(const struct request *request, const struct molecule *
   const struct meshing *meshing = &request->meshing;
   struct mesh_view view = {.cut = meshing->cut};
   struct mesh_patch *patches = NULL;
+  view.dark = request->dark;
   const int32_t status = viewing_axes(&request->viewing, molecule, view.axis);
   if (status != HSP_OK) return failure_in_library(failure, status);
   const bool smooth = meshing->surface == MESH_SOLVENT_EXCLUDED;
@@ -168,6 +169,9 @@ bool check_mesh(struct request *request, struct failure *failure) {
   request->excluded_surface = request->meshing.surface == MESH_SOLVENT_EXCLUDED;
   if (request->pockets < 0.0 && request->persistence > 0.0) {
     return failure_in_usage(failure, "--least needs --pockets");
+  }
+  if (request->dark && request->meshing.format != MESH_SVG) {
+    return failure_in_usage(failure, "--dark is for a picture, -o OUT.svg");
   }
   if (request->pockets < 0.0) return true;
   if (request->meshing.format != MESH_SVG) return failure_in_usage(failure, "--pockets is for a picture, -o OUT.svg");

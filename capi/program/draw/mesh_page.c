@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "draw/colour_mixed.h"
+#include "draw/look.h"
 #include "draw/pocket_colours.h"
 #include "hardsphere.h"
 
@@ -29,7 +30,7 @@ void mesh_find_frame(const struct mesh_parts *parts, struct frame *frame) {
   frame->scale = 10.0 * PICTURE_WIDTH / across;
   frame->left = parts->low[0] - around;
   frame->top = parts->high[1] + around;
-  frame->height = mesh_rounded(frame->scale * (high + 2.0 * around));
+  frame->height = 10 * mesh_rounded(ceil(frame->scale * (high + 2.0 * around) / 10.0)); /* whole px */
   frame->strip = mesh_rounded(2.0 * PAGE_LETTER);
 }
 
@@ -99,6 +100,14 @@ uint32_t mesh_plain_colour(int side) {
   return side == INSIDE ? inside_colour : side == OF_VOID ? void_colour : grey;
 }
 
+uint32_t mesh_page_colour(const struct mesh_picture *picture) {
+  return picture->view->dark ? DARK_PAGE : UINT32_C(0xFFFFFF);
+}
+
+uint32_t mesh_text_colour(const struct mesh_picture *picture) {
+  return picture->view->dark ? DARK_PAGE_TEXT : LINE_COLOUR;
+}
+
 uint32_t mesh_pocket_colour(int pocket) {
   return pocket_colours[pocket - 1];
 }
@@ -108,5 +117,6 @@ uint32_t mesh_colour_of(struct mesh_picture *picture, uint32_t ball, int side) {
   if (side == INSIDE) return colour_number(picture, inside_colour);
   if (picture->view->pockets != NULL) return colour_number(picture, grey);
   if (side == OF_VOID) return colour_number(picture, void_colour);
+  if (ball == BETWEEN_ATOMS) return colour_number(picture, BETWEEN_COLOUR);
   return colour_number(picture, mesh_element_colour(mesh_element_of(picture, ball)));
 }

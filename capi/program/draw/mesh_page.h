@@ -38,10 +38,8 @@ struct mesh_picture {
   const struct molecule *molecule;
   struct mesh_parts parts;
   struct frame frame;
-  uint32_t *layer;           /* [triangles], UINT32_MAX: not shown */
-  uint32_t *points;          /* [triangles], that are seen of what the plane leaves whole */
-  uint32_t (*patch_ball)[3]; /* [patches], that it comes from; UINT32_MAX: no more */
-  uint32_t patches;
+  uint32_t *layer;               /* [triangles], UINT32_MAX: not shown */
+  uint32_t *points;              /* [triangles], that are seen of what the plane leaves whole */
   double *ball;                  /* [atoms][3], along the axes of the view */
   uint32_t colour[MOST_COLOURS]; /* [colours], each once */
   uint32_t colours;
@@ -52,6 +50,10 @@ struct mesh_picture {
 };
 
 #define LINE_COLOUR UINT32_C(0x23202B)
+
+/* Of the page and of what is written on it. */
+uint32_t mesh_page_colour(const struct mesh_picture *picture);
+uint32_t mesh_text_colour(const struct mesh_picture *picture);
 
 /* ---- where things are ---- */
 
@@ -72,16 +74,20 @@ int mesh_side_of(const struct mesh_picture *picture, uint32_t triangle, double a
 
 uint32_t mesh_element_of(const struct mesh_picture *picture, uint32_t ball);
 uint32_t mesh_element_colour(uint32_t number);
-uint32_t mesh_plain_colour(int side);    /* not of elements */
+uint32_t mesh_plain_colour(int side);    /* not of elements; SIDES: of nothing */
 uint32_t mesh_pocket_colour(int pocket); /* from 1 on */
 
-/* The number of a ball's colour. */
+/* Of saddles and concave patches. */
+#define BETWEEN_ATOMS UINT32_MAX
+#define BETWEEN_COLOUR UINT32_C(0xC3CCD3)
+
+/* The number of a ball's colour, or of that of what is between atoms. */
 uint32_t mesh_colour_of(struct mesh_picture *picture, uint32_t ball, int side);
 
 /* ---- what is painted ---- */
 
-/* A triangle or what a cut leaves of it: where colours differ, each has its part. */
-void mesh_add_parts(struct mesh_picture *picture, const struct polygon *polygon, uint32_t triangle, int side);
+/* A triangle or what a cut leaves of it. */
+void mesh_add_polygon(struct mesh_picture *picture, const struct polygon *polygon, uint32_t triangle, int side);
 
 double mesh_hairline_width(const struct mesh_picture *picture);
 

@@ -10,9 +10,11 @@
 #include "hardsphere.h"
 #include "write/output_file.h"
 
-static const double slack = 0.3;         /* of overlaps */
-static const int32_t step_of_points = 3; /* at which triangles are seen or not */
-static const double hairline = 5.0;      /* at most */
+static const double slack = 0.3;          /* of overlaps */
+static const int32_t step_of_points = 3;  /* at which triangles are seen or not */
+static const double hairline = 5.0;       /* at most */
+static const double rim = 0.12;           /* of normals, towards the viewer */
+static const double shortest_net = 300.0; /* of hairlines, in all */
 static const double hairline_per_unit = 0.0055, thinnest = 1.2;
 static const double bands_per_unit = 0.08; /* of the picture's scale: the smaller saddles are, the fewer */
 
@@ -61,7 +63,7 @@ static void add_triangle(struct mesh_picture *picture, uint32_t triangle) {
     for (int k = 0; k < 3; ++k) value[k] = polygon.corner[k].at[2] - picture->parts.cut;
     polygon = polygon_cut_off(&polygon, value, 0);
   }
-  mesh_add_parts(picture, &polygon, triangle, side);
+  mesh_add_polygon(picture, &polygon, triangle, side);
 }
 
 /* Nobody looks through a closed surface. Of a void, as a body, what faces the viewer is what turns away from him as a
@@ -128,8 +130,16 @@ static int compare_sides(const void *left, const void *right) {
   return (a->triangle > b->triangle) - (a->triangle < b->triangle);
 }
 
-/* A border of two patches that are both seen, in the direction of the patch with the lower number. */
-static void add_hairline(struct mesh_picture *picture, const struct side *side, uint32_t layer) {
+/* There borders of patches that are seen nearly edge-on would run beside each other, and end where one hides the other.
+ */
+static bool along_rim(const struct mesh_picture *picture, uint32_t vertex) {
+  const double *const normal = picture->mesh->normals + 3 * (size_t)vertex;
+  return fabs(mesh_dot(picture->view->axis[2], normal)) < rim;
+}
+
+/* A border of two patches that are both seen, in the direction of the patch with the lower number. False: it is cut
+ * off, or at the rim. */
+static bool find_hairline(const struct mesh_picture *picture, const struct side *side, struct painted_edge *edge) {
   struct polygon line = {.corners = 2};
   double value[MOST_CORNERS];
   for (int k = 0; k < 2; ++k) {
@@ -138,16 +148,41 @@ static void add_hairline(struct mesh_picture *picture, const struct side *side, 
     line.corner[k].circle = 0.0;
     value[k] = mesh_parts_is_of_void(&picture->parts, vertex) ? -1.0 : line.corner[k].at[2] - picture->parts.cut;
   }
-  if (value[0] > 0.0 || value[1] > 0.0) return;
-  struct painted_edge edge = {.layer = layer, .paint = HAIRLINES};
-  mesh_place(&picture->frame, line.corner[0].at, edge.from);
-  mesh_place(&picture->frame, line.corner[1].at, edge.to);
-  painted_edges_add(&picture->areas, &edge);
+  if (value[0] > 0.0 || value[1] > 0.0 || (along_rim(picture, side->low) && along_rim(picture, side->high)))
+    return false;
+  mesh_place(&picture->frame, line.corner[0].at, edge->from);
+  mesh_place(&picture->frame, line.corner[1].at, edge->to);
+  return true;
 }
 
 double mesh_hairline_width(const struct mesh_picture *picture) {
   const double width = hairline_per_unit * picture->frame.scale;
   return width < hairline ? width : hairline;
+}
+
+/* Borders of patches join in a net. Scraps of it that are seen by themselves, at rims, are left out. */
+static bool add_hairlines(struct mesh_picture *picture, const struct side *side, size_t count) {
+  uint32_t *const root = calloc((size_t)picture->mesh->vertices + 1, sizeof *root);
+  double *const length = calloc((size_t)picture->mesh->vertices + 1, sizeof *length);
+  const bool enough = root != NULL && length != NULL;
+  for (uint32_t v = 0; enough && v < picture->mesh->vertices; ++v) root[v] = v;
+  for (int pass = 0; enough && pass < 3; ++pass) {
+    for (size_t i = 0; i + 1 < count; ++i) {
+      const struct side *const one = &side[i], *const other = &side[i + 1];
+      if (one->low != other->low || one->high != other->high) continue;
+      if (picture->mesh->patches[one->triangle] == picture->mesh->patches[other->triangle]) continue;
+      const uint32_t layer[2] = {picture->layer[one->triangle], picture->layer[other->triangle]};
+      struct painted_edge edge = {.layer = layer[0] > layer[1] ? layer[0] : layer[1], .paint = HAIRLINES};
+      if (!find_hairline(picture, one, &edge)) continue;
+      const uint32_t net = mesh_parts_root(root, one->low);
+      if (pass == 0) root[mesh_parts_root(root, one->high)] = net;
+      if (pass == 1) length[net] += hypot(edge.to[0] - edge.from[0], edge.to[1] - edge.from[1]);
+      if (pass == 2 && length[net] >= shortest_net) painted_edges_add(&picture->areas, &edge);
+    }
+  }
+  free(root);
+  free(length);
+  return enough;
 }
 
 static bool paint_lines(struct mesh_picture *picture) {
@@ -163,15 +198,9 @@ static bool paint_lines(struct mesh_picture *picture) {
     }
   }
   qsort(sides, count, sizeof *sides, compare_sides);
-  for (size_t i = 0; i + 1 < count; ++i) {
-    const struct side *const one = &sides[i], *const other = &sides[i + 1];
-    if (one->low != other->low || one->high != other->high) continue;
-    if (mesh->patches[one->triangle] == mesh->patches[other->triangle]) continue;
-    const uint32_t layer[2] = {picture->layer[one->triangle], picture->layer[other->triangle]};
-    add_hairline(picture, one, layer[0] > layer[1] ? layer[0] : layer[1]);
-  }
+  const bool enough = add_hairlines(picture, sides, count);
   free(sides);
-  return true;
+  return enough;
 }
 
 static void find_section(struct mesh_picture *picture) {
@@ -192,33 +221,13 @@ static void find_section(struct mesh_picture *picture) {
 
 /* ---- all of it ---- */
 
-static bool find_patch_balls(struct mesh_picture *picture) {
-  const struct triangle_mesh *mesh = picture->mesh;
-  for (size_t t = 0; t < mesh->triangles; ++t) {
-    if (mesh->patches[t] >= picture->patches) picture->patches = mesh->patches[t] + 1;
-  }
-  picture->patch_ball = calloc((size_t)picture->patches + 1, sizeof *picture->patch_ball);
-  if (picture->patch_ball == NULL) return false;
-  memset(picture->patch_ball, 0xFF, picture->patches * sizeof *picture->patch_ball);
-  for (size_t t = 0; t < mesh->triangles; ++t) {
-    uint32_t *const balls = picture->patch_ball[mesh->patches[t]];
-    if (mesh->kinds[t] == HSP_PATCH_CONVEX) {
-      balls[0] = mesh->balls[t];
-    } else {
-      memcpy(balls, picture->view->patches[mesh->patches[t]].ball, sizeof *picture->patch_ball);
-    }
-  }
-  return true;
-}
-
 static bool make(struct mesh_picture *picture) {
   const struct triangle_mesh *mesh = picture->mesh;
   const bool cut = picture->view->cut;
   picture->layer = calloc((size_t)mesh->triangles + 1, sizeof *picture->layer);
   picture->ball = calloc((size_t)mesh->atoms + 1, 3 * sizeof *picture->ball);
   picture->points = calloc((size_t)mesh->triangles + 1, sizeof *picture->points);
-  if (picture->layer == NULL || picture->points == NULL || picture->ball == NULL || !find_patch_balls(picture))
-    return false;
+  if (picture->layer == NULL || picture->points == NULL || picture->ball == NULL) return false;
   for (size_t i = 0; i < mesh->atoms; ++i) {
     mesh_turn(picture->view->axis, picture->molecule->xyz + 3 * i, picture->ball + 3 * i);
   }
@@ -253,7 +262,6 @@ bool mesh_picture_write(const struct triangle_mesh *mesh, const struct mesh_view
   painted_edges_free(&picture.section);
   free(picture.layer);
   free(picture.points);
-  free(picture.patch_ball);
   free(picture.ball);
   return done;
 }

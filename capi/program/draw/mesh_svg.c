@@ -26,9 +26,8 @@ static int compare_paints(const void *left, const void *right) {
 }
 
 static uint32_t sphere_colour(struct mesh_picture *picture, uint32_t paint) {
-  const uint32_t sphere = paint / picture->sides, atoms = picture->mesh->atoms;
-  const uint32_t ball = sphere < atoms ? sphere : picture->patch_ball[(sphere - atoms) / 3][(sphere - atoms) % 3];
-  return mesh_colour_of(picture, ball, (int)(paint % picture->sides));
+  const uint32_t sphere = paint / picture->sides;
+  return mesh_colour_of(picture, sphere < picture->mesh->atoms ? sphere : BETWEEN_ATOMS, (int)(paint % picture->sides));
 }
 
 /* Normals point to the centre of the probe's sphere, and away from that of a ball, but on the inside. */
@@ -44,7 +43,7 @@ static void add_sphere(struct mesh_picture *picture, struct text_buffer *out, ui
     memcpy(centre, picture->ball + 3 * (size_t)sphere, sizeof centre);
     radius = picture->molecule->radius[sphere] + (smooth ? 0.0 : mesh->probe);
   } else {
-    mesh_turn(picture->view->axis, picture->view->patches[(sphere - mesh->atoms) / 3].probe, centre);
+    mesh_turn(picture->view->axis, picture->view->patches[sphere - mesh->atoms].probe, centre);
   }
   int32_t at[2];
   mesh_place(&picture->frame, centre, at);
@@ -118,14 +117,15 @@ static bool add_section_area(const struct mesh_picture *picture, struct text_buf
 static void add_section_line(const struct mesh_picture *picture, struct text_buffer *out) {
   if (picture->section.count == 0) return;
   text_buffer_add(out, "<use xlink:href=\"#section\" fill=\"none\" stroke=\"#%06" PRIx32 "\" stroke-width=\"%.0f\"/>\n",
-                  LINE_COLOUR, 2.0 * section_line);
+                  mesh_text_colour(picture), 2.0 * section_line);
 }
 
-static void add_entry(const struct pen *pen, double *x, double y, uint32_t colour, const char *text) {
+static void add_entry(const struct mesh_picture *picture, const struct pen *pen, double *x, double y, uint32_t colour,
+                      const char *text) {
   const double corner[2] = {*x, y - PAGE_LETTER * 0.45};
   pen_rectangle(pen, corner, 0.9 * PAGE_LETTER, 0.9 * PAGE_LETTER, colour);
-  const struct pen_text written = {
-      text, *x + 1.3 * PAGE_LETTER, y + 0.36 * PAGE_LETTER, PAGE_LETTER, 0.0, LINE_COLOUR, 0xFFFFFF};
+  const struct pen_text written = {text, *x + 1.3 * PAGE_LETTER,    y + 0.36 * PAGE_LETTER,   PAGE_LETTER,
+                                   0.0,  mesh_text_colour(picture), mesh_page_colour(picture)};
   pen_write(pen, &written);
   *x += 1.9 * PAGE_LETTER + text_width(text, PAGE_LETTER);
 }
@@ -145,19 +145,23 @@ static void add_pockets(struct mesh_picture *picture, const struct pen *pen, dou
     if (seen[pocket] < LEAST_POINTS) continue;
     snprintf(name, sizeof name, "%s%" PRIu32, any ? "" : "pocket ", picture->view->pockets->number[pocket - 1]);
     any = true;
-    add_entry(pen, x, y, surface_light_on(mesh_pocket_colour(pocket), LEGEND_CIRCLE), name);
+    add_entry(picture, pen, x, y, surface_light_on(mesh_pocket_colour(pocket), LEGEND_CIRCLE), name);
   }
   if (seen[0] < LEAST_POINTS) return;
-  add_entry(pen, x, y, surface_light_on(mesh_plain_colour(SIDES), LEGEND_CIRCLE),
+  add_entry(picture, pen, x, y, surface_light_on(mesh_plain_colour(SIDES), LEGEND_CIRCLE),
             any ? "rest of the surface" : "surface");
 }
 
 /* Elements whose outside is seen, C and H first, then by their numbers. */
 static void add_elements(struct mesh_picture *picture, const struct pen *pen, double *x, double y) {
-  uint64_t seen[ELEMENTS] = {0};
+  uint64_t seen[ELEMENTS] = {0}, between = 0;
   for (uint32_t t = 0; t < picture->mesh->triangles; ++t) {
     if (picture->points[t] == 0 || mesh_side_of(picture, t, mesh_seen_area(picture, t)) != OUTSIDE) continue;
     const uint32_t ball = picture->mesh->balls[t], number = mesh_element_of(picture, ball);
+    if (picture->mesh->kinds[t] != HSP_PATCH_CONVEX) {
+      between += picture->points[t];
+      continue;
+    }
     if (number >= ELEMENTS || picture->molecule->label[ball].element.text[0] == '\0') continue;
     seen[number] += picture->points[t];
   }
@@ -167,8 +171,10 @@ static void add_elements(struct mesh_picture *picture, const struct pen *pen, do
     seen[number] = 0;
     struct element_symbol symbol;
     if (!element_symbol_of_number(number, &symbol)) continue;
-    add_entry(pen, x, y, surface_light_on(mesh_element_colour(number), LEGEND_CIRCLE), symbol.text);
+    add_entry(picture, pen, x, y, surface_light_on(mesh_element_colour(number), LEGEND_CIRCLE), symbol.text);
   }
+  if (between < LEAST_POINTS) return;
+  add_entry(picture, pen, x, y, surface_light_on(BETWEEN_COLOUR, LEGEND_CIRCLE), "between atoms");
 }
 
 static void add_legend(struct mesh_picture *picture, struct text_buffer *out) {
@@ -181,10 +187,10 @@ static void add_legend(struct mesh_picture *picture, struct text_buffer *out) {
   pen_begin(&pen);
   (pockets ? add_pockets : add_elements)(picture, &pen, &x, y);
   if (picture->view->cut) {
-    add_entry(&pen, &x, y, surface_light_on(mesh_plain_colour(INSIDE), LEGEND_CIRCLE), "inside, cut open");
+    add_entry(picture, &pen, &x, y, surface_light_on(mesh_plain_colour(INSIDE), LEGEND_CIRCLE), "inside, cut open");
   }
   if (of_voids >= LEAST_POINTS && !pockets) {
-    add_entry(&pen, &x, y, surface_light_on(mesh_plain_colour(OF_VOID), LEGEND_CIRCLE), "voids");
+    add_entry(picture, &pen, &x, y, surface_light_on(mesh_plain_colour(OF_VOID), LEGEND_CIRCLE), "voids");
   }
   pen_end(&pen);
 }
@@ -202,8 +208,9 @@ bool mesh_add_svg(struct mesh_picture *picture, const char *title, struct text_b
                   " %" PRId32 "\" role=\"img\">\n<title>",
                   frame->width / 10, frame->width % 10, height / 10, height % 10, frame->width, height);
   text_buffer_add_xml(out, title);
-  text_buffer_add(out, "</title>\n<rect width=\"%" PRId32 "\" height=\"%" PRId32 "\" fill=\"#ffffff\"/>\n<defs>\n",
-                  frame->width, height);
+  text_buffer_add(out,
+                  "</title>\n<rect width=\"%" PRId32 "\" height=\"%" PRId32 "\" fill=\"#%06" PRIx32 "\"/>\n<defs>\n",
+                  frame->width, height, mesh_page_colour(picture));
   for (size_t i = 0; i < spheres; ++i) add_sphere(picture, out, paints[i]);
   /* Outlines are in halves of units. */
   text_buffer_add(out,
