@@ -1,4 +1,4 @@
-// What is linear about points that are equally far from several balls: rows, the lines that they leave, and forms, for
+// The linear part of points that are equally far from several balls: rows, the lines that they leave, and forms, of
 // numbers of any kind.
 #pragma once
 
