@@ -219,6 +219,16 @@ bool Caps::take_all(uint32_t *near, uint32_t hits, Joining &joining) {
 }
 #endif
 
+exact::Vector Caps::direction(uint32_t k) const {
+  if (ball[k] == no_id) return half_sphere_.v;
+  return balls_->ball(ball[k]).centre - balls_->ball(origin).centre;
+}
+
+exact::Plane Caps::plane(uint32_t k) const {
+  if (ball[k] == no_id) return half_sphere_;
+  return exact::plane_of(balls_->ball(origin), balls_->ball(ball[k]));
+}
+
 void Caps::set_spare_great_circle(const exact::Vector &normal) {
   const double inverse = 1.0 / std::sqrt(static_cast<double>(dot(normal, normal)));
   ux[count] = static_cast<double>(normal.x) * inverse;

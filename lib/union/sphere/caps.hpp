@@ -73,14 +73,8 @@ struct Caps {
   void make_doubles();
 
   // The normal of its plane, from centre to centre.
-  exact::Vector direction(uint32_t k) const {
-    if (ball[k] == no_id) return half_sphere_.v;
-    return balls_->ball(ball[k]).centre - balls_->ball(origin).centre;
-  }
-  exact::Plane plane(uint32_t k) const {
-    if (ball[k] == no_id) return half_sphere_;
-    return exact::plane_of(balls_->ball(origin), balls_->ball(ball[k]));
-  }
+  exact::Vector direction(uint32_t k) const;
+  exact::Plane plane(uint32_t k) const;
 
   // Stores a great circle of the sphere in the spare slot, number `count`, for cap_pair.hpp. Its errors are those of
   // caps, as its normal is exact.
