@@ -115,8 +115,8 @@ Status WidestProbeFinder::begin(const BallSet &balls, const Vector &from, const 
   return Status::ok;
 }
 
-// Passages are narrow as a rule, and grown balls cost much: beside the guess, then doubled steps from below, then halved
-// ones.
+// Passages are narrow as a rule, and grown balls cost much: beside the guess, then doubled steps from below, then
+// halved ones.
 Status WidestProbeFinder::narrow(const BallSet &balls, double guess, WidestProbe &widest) {
   const int64_t room = static_cast<int64_t>(exact::radius_limit) - 1 - balls.largest_radius;
   const int64_t widest_tried = most_ < room ? most_ : room;

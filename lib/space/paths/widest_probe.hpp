@@ -35,8 +35,8 @@ class WidestProbeFinder {
   // `to` is null for the outside. Status::capacity: a limit is too small, retry_limits(). Status::range: a probe passes
   // with which the largest ball lies beyond the lattice.
   Status find(const BallSet &balls, const exact::Vector &from, const exact::Vector *to, WidestProbe &widest);
-  // The same in two parts: whether a point passes, and if more is open how wide a probe does. The search begins beside a
-  // guess, in steps, if it is not negative. What it finds does not depend on that, but how long it takes does.
+  // The same in two parts: whether a point passes, and if more is open how wide a probe does. The search begins beside
+  // a guess, in steps, if it is not negative. The result does not depend on that, but how long it takes does.
   Status begin(const BallSet &balls, const exact::Vector &from, const exact::Vector *to, WidestProbe &widest,
                bool &open);
   Status narrow(const BallSet &balls, double guess, WidestProbe &widest);

@@ -1,7 +1,7 @@
-// The widest probe between two points as paths/widest_probe.hpp finds it, by cells of balls that grow; the search begins
-// beside the answer of all pores, which takes as long as a few such steps. So what it finds is the same, bit for bit,
-// and is decided by the cells. Where pores have no room in the limits that suffice for most sets, or none on the lattice,
-// the search goes without them.
+// The widest probe between two points as paths/widest_probe.hpp finds it, by cells of balls that grow; the search
+// begins beside the answer of all pores, which takes as long as a few such steps. So the result is the same, bit for
+// bit, and is decided by the cells. Where pores have no room in the limits that suffice for most sets, or on the
+// lattice, the search goes without them.
 #pragma once
 
 #include "paths/widest_probe.hpp"
