@@ -90,8 +90,8 @@ bool meet(const CriticalPoints::Block &a, const CriticalPoints::Block &b) {
 // there: a plane between these and the cube excludes all of them. So only linear forms are asked, at the corners of the
 // cube. Of |x - c| the linear part is a lower bound.
 struct CriticalPoints::Directions {
-  SeenBalls seen;
-  static constexpr uint32_t room = SeenBalls::room;
+  ViewedBalls seen;
+  static constexpr uint32_t room = ViewedBalls::room;
   static constexpr double slack = slack_of_seen;
   static_assert(room <= 64 && room % 4 == 0);
 

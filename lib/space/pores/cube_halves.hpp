@@ -24,7 +24,7 @@ struct CubeParts {
 };
 
 // A few balls as the middle of a cube sees them, from their centres.
-struct SeenBalls {
+struct ViewedBalls {
   static constexpr uint32_t room = 64;
   double x[room], y[room], z[room];     // from the centre to the middle
   double ax[room], ay[room], az[room];  // the same as unit vectors; 0 in the centre
@@ -40,9 +40,9 @@ inline constexpr double slack_of_seen = 1e-12;
 inline constexpr double root_of_three = 1.7320508075688774;
 
 // Sets all numbers of balls around a place, for `side`.
-HSP_KERNEL(void, see, (const NearArrays &near, const double *at, SeenBalls &seen), (near, at, seen))
+HSP_KERNEL(void, see, (const NearArrays &near, const double *at, ViewedBalls &seen), (near, at, seen))
 // Of `count` balls a bit for each: whether it is farther than ball m in all of the cube.
-HSP_KERNEL(uint64_t, find_farther, (const SeenBalls &seen, uint32_t count, uint32_t m), (seen, count, m))
+HSP_KERNEL(uint64_t, find_farther, (const ViewedBalls &seen, uint32_t count, uint32_t m), (seen, count, m))
 
 // Sets `nearest`.
 HSP_KERNEL(void, find_nearest, (const NearArrays &near, CubeParts &parts), (near, parts))
@@ -109,7 +109,7 @@ inline void find_near_in_lanes(const NearArrays &near, const CubeParts &parts, u
 }
 
 template <uint32_t n>
-inline void see_in_lanes(const NearArrays &near, const double *at, SeenBalls &seen) {
+inline void see_in_lanes(const NearArrays &near, const double *at, ViewedBalls &seen) {
   using L = Wide<double, n>;
   using Real = typename L::Real;
   const double reach = root_of_three * seen.side;
@@ -142,7 +142,7 @@ inline void see_in_lanes(const NearArrays &near, const double *at, SeenBalls &se
 }
 
 template <uint32_t n>
-inline uint64_t find_farther_in_lanes(const SeenBalls &seen, uint32_t count, uint32_t m) {
+inline uint64_t find_farther_in_lanes(const ViewedBalls &seen, uint32_t count, uint32_t m) {
   using L = Wide<double, n>;
   using Real = typename L::Real;
   const Real gap = L::all(seen.gap[m]), curve = L::all(seen.curve[m]);
