@@ -15,8 +15,8 @@ void see(const NearArrays &near, const double *at, ViewedBalls &seen) {
   see_in_lanes<register_lanes>(near, at, seen);
 }
 
-uint64_t find_farther(const ViewedBalls &seen, uint32_t count, uint32_t m) {
-  return find_farther_in_lanes<register_lanes>(seen, count, m);
+uint64_t find_farther(ViewedBalls &seen, uint32_t count) {
+  return find_farther_in_lanes<register_lanes>(seen, count);
 }
 
 }  // namespace hsp::HSP_TARGET
