@@ -23,7 +23,7 @@ class GateFinder {
   double guess(const CubeGrid &grid, const exact::Vector &from, const exact::Vector *to);
 
   WidestProbeFinder probes_;
-  PoresBuilder pores_;
+  Span<PoresBuilder> pores_;  // [1], as handles are made on the stack
 };
 
 }  // namespace hsp
