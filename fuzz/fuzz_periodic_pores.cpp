@@ -1,6 +1,6 @@
 // Pores in a periodic box: points and their balls against all images, ends of gates, widest probes through against the
-// channels beside their levels, the same levels from other images of the balls, other vectors of the box, another order
-// and twice the box, and limits that are too small.
+// channels beside their levels, places and tunnels against the distance to all images, the same levels from other
+// images of the balls, other vectors of the box, another order and twice the box, and limits that are too small.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -198,6 +198,79 @@ void require_sound(const Pores &found) {
   FUZZ_REQUIRE(along == found.wide.through[0], "the widest of the three vectors");
 }
 
+// The largest probe at a point in some copy of the box.
+double room_at(const Crystal &crystal, const double *xyz) {
+  int32_t home[3];
+  home[2] = -static_cast<int32_t>(std::floor(xyz[2] / crystal.box[8]));
+  home[1] = -static_cast<int32_t>(std::floor((xyz[1] + home[2] * crystal.box[7]) / crystal.box[4]));
+  home[0] = -static_cast<int32_t>(
+      std::floor((xyz[0] + home[2] * crystal.box[6] + home[1] * crystal.box[3]) / crystal.box[0]));
+  const auto near = moved(crystal, xyz, home);
+  double least = INFINITY;
+  constexpr int32_t far = 7;
+  for (uint32_t ball = 0; ball < crystal.n(); ++ball) {
+    for (int32_t a = -far; a <= far; ++a) {
+      for (int32_t b = -far; b <= far; ++b) {
+        for (int32_t c = -far; c <= far; ++c) {
+          const int32_t times[3] = {a, b, c};
+          least = std::min(least, gap(crystal, near.data(), ball, times));
+        }
+      }
+    }
+  }
+  return least;
+}
+
+double apart(const std::array<double, 3> &p, const double *q) {
+  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+}
+
+using Point = std::array<double, 3>;
+
+// Its points are as wide as they say, in one piece, and lead to the copy that it names.
+void require_way(const Pores &found, const Point &from, const Point &to, const hsp_tunnel &tunnel) {
+  constexpr double doubt = 1e-5;
+  std::vector<hsp_tunnel_point> points(tunnel.points);
+  std::vector<hsp_tunnel_point_shifts> shifts(tunnel.points);
+  hsp_tunnel_route route{};
+  const hsp_pores *const pores = found.pores.get();
+  FUZZ_REQUIRE(hsp_pores_get_tunnel_points(pores, points.data(), tunnel.points, nullptr) == HSP_OK, "points");
+  FUZZ_REQUIRE(hsp_pores_get_tunnel_point_shifts(pores, shifts.data(), tunnel.points, nullptr) == HSP_OK, "shifts");
+  FUZZ_REQUIRE(hsp_pores_get_tunnel_route(pores, &route) == HSP_OK, "route");
+  FUZZ_REQUIRE(apart(from, points.front().xyz) < doubt, "its start");
+  FUZZ_REQUIRE(apart(moved(found.crystal, to.data(), route.shift), points.back().xyz) < doubt, "its end");
+  for (size_t k = 0; k < points.size(); ++k) {
+    const double room = room_at(found.crystal, points[k].xyz);
+    FUZZ_REQUIRE(std::fabs(room - points[k].radius) < doubt && room > tunnel.radius - doubt, "room at a point");
+    for (size_t b = 0; b < 4 && points[k].ball[b] != HSP_NONE; ++b) {
+      const double there = gap(found.crystal, points[k].xyz, points[k].ball[b], shifts[k].ball + 3 * b);
+      FUZZ_REQUIRE(std::fabs(there - room) < doubt, "the copy of its ball");
+    }
+  }
+}
+
+void require_tunnels(Pores &found, const Point &from, const Point *to) {
+  const double *const end = to == nullptr ? nullptr : to->data();
+  hsp_pore_passage passage{};
+  FUZZ_REQUIRE(hsp_pores_widest(found.pores.get(), from.data(), end, &passage) == HSP_OK, "widest");
+  double cost = INFINITY;
+  for (const auto find : {hsp_pores_find_tunnel, hsp_pores_find_cheapest_tunnel}) {
+    const bool widest = find == hsp_pores_find_tunnel;
+    hsp_tunnel tunnel{};
+    hsp_tunnel_route route{};
+    const int32_t status = find(found.pores.get(), from.data(), end, nullptr, 0, &tunnel, nullptr);
+    if (status == HSP_E_CAPACITY) return;
+    FUZZ_REQUIRE(status == HSP_OK, "a tunnel");
+    FUZZ_REQUIRE(hsp_pores_get_tunnel_route(found.pores.get(), &route) == HSP_OK, "its cost");
+    FUZZ_REQUIRE(tunnel.there == passage.passes || (!widest && std::isinf(cost)), "whether there is one");
+    if (tunnel.there == 0) continue;
+    FUZZ_REQUIRE(tunnel.radius == passage.radius || (!widest && tunnel.radius < passage.radius), "as wide");
+    FUZZ_REQUIRE(route.cost <= cost * (1 + 1e-9), "cheaper");
+    cost = route.cost;
+    if (found.crystal.n() > 0) require_way(found, from, to == nullptr ? from : *to, tunnel);
+  }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -206,6 +279,14 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   const double floor = bytes.one_in(2) ? 0.0 : -static_cast<double>(bytes.below(8));
   Pores found(crystal, floor);
   require_sound(found);
+
+  for (int k = 0; k < 2; ++k) {
+    Point ends[2];
+    for (Point &end : ends) {
+      for (double &x : end) x = 1e-6 * (static_cast<int32_t>(bytes.below(24000000)) - 12000000);
+    }
+    require_tunnels(found, ends[0], bytes.one_in(2) ? nullptr : &ends[1]);
+  }
 
   Crystal other = crystal;
   for (uint32_t i = 0; i < other.n(); ++i) {

@@ -9,6 +9,7 @@
 #include <set>
 #include <vector>
 
+#include "brute_pores.hpp"
 #include "computed_set.hpp"
 #include "owned_spaces.hpp"
 #include "required_limits.hpp"
@@ -118,6 +119,38 @@ void require_sound(const fuzz::ScaledBalls &set, const Result &result, const hsp
   }
 }
 
+void require_brute_force(const fuzz::ScaledBalls &set, const Result &result, const hsp_pores *pores, int64_t floor) {
+  const oracle::Balls all = set.with_probe(), outer = oracle::outer_balls(all);
+  if (outer.size() > 10) return;
+  oracle::ListedPores listed;
+  const auto list = [&](auto get, uint32_t count, auto &lists) {
+    for (uint32_t k = 0; k < count; ++k) {
+      uint32_t balls[10], needed = 0;
+      FUZZ_REQUIRE(get(pores, k, balls, 10, &needed) == HSP_OK, "its balls");
+      lists.emplace_back();
+      for (uint32_t b = 0; b < needed; ++b) {
+        const auto own = std::find(outer.begin(), outer.end(), all[balls[b]]);
+        FUZZ_REQUIRE(std::find(all.begin(), all.end(), *own) - all.begin() == balls[b], "the first of equal balls");
+        lists.back().push_back(static_cast<uint32_t>(own - outer.begin()));
+      }
+    }
+  };
+  list(hsp_pores_get_maximum_balls, result.counts.maxima, listed.maxima);
+  list(hsp_pores_get_gate_balls, result.counts.gates, listed.gates);
+  const uint32_t outside = result.counts.maxima;
+  for (const hsp_pore_gate &gate : result.gates) {
+    listed.ends.push_back({std::min(gate.end[0], outside), std::min(gate.end[1], outside)});
+  }
+  listed.gate_between = [&](size_t a, size_t b) {
+    const auto end = [&](size_t k) { return k == outside ? HSP_PORE_OUTSIDE : static_cast<uint32_t>(k); };
+    uint32_t gate = 0;
+    FUZZ_REQUIRE(hsp_pores_gate_between(pores, end(a), end(b), &gate) == HSP_OK, "gate between");
+    return gate;
+  };
+  const std::string difference = oracle::first_difference(oracle::brute_pores(outer, floor), listed);
+  FUZZ_REQUIRE(difference.empty(), difference.c_str());
+}
+
 // At a level that no maximum or gate is near to.
 void require_regions(const fuzz::ScaledBalls &set, const Result &result, hsp_pores *pores, int64_t level,
                      fuzz::Bytes &bytes) {
@@ -206,6 +239,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   support::OwnedHandle<support::PoresKind> pores;
   const Result reference = compute(model, set.n(), options, pores);
   require_sound(set, reference, pores.get(), set.length(floor));
+  require_brute_force(set, reference, pores.get(), floor);
   for (int k = 0; k < 2; ++k) {
     int64_t level = static_cast<int64_t>(bytes.below(2000));
     if (!reference.maxima.empty() && bytes.one_in(2)) {

@@ -633,6 +633,21 @@ static inline int32_t hsp_workspace_tunnel(hsp_workspace *work, const hsp_pores_
   return status;
 }
 
+/** The same after hsp_workspace_pores_periodic. */
+static inline int32_t hsp_workspace_tunnel_periodic(hsp_workspace *work, const hsp_pores_options *options,
+                                                    const double *from, const double *to, const uint32_t *avoided,
+                                                    uint32_t count, hsp_tunnel *tunnel) {
+  int32_t status = hsp_workspace_ready_pores(work);
+  hsp_pores_limits limits = work->pores_limits;
+  while (status == HSP_OK) {
+    status = hsp_pores_find_tunnel(work->pores, from, to, avoided, count, tunnel, &limits);
+    if (status != HSP_E_CAPACITY) return status;
+    status = hsp_workspace_grow_pores(work, &limits);
+    if (status == HSP_OK) status = hsp_pores_compute_periodic(work->pores, work->periodic, options, NULL);
+  }
+  return status;
+}
+
 /* ---- moving.h */
 
 /** Take the balls of the model as balls that move; arguments and statuses as hsp_moving_set. There is room for 256

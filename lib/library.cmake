@@ -111,6 +111,7 @@ set(HSP_LIBRARY_SOURCES
   lib/union/periodic/periodic_union.cpp
   lib/union/periodic/windings.cpp
   lib/space/pores/ascent.cpp
+  lib/space/pores/balls_around.cpp
   lib/space/pores/class_tree.cpp
   lib/space/pores/critical_points.cpp
   lib/space/pores/cube_halves.kernel.cpp
@@ -345,6 +346,7 @@ set(HSP_SOURCES_OF_LANES
   lib/union/sphere/pair_sweep.kernel.cpp
   lib/union/sphere/root_discriminants.kernel.cpp)
 list(TRANSFORM HSP_SOURCES_OF_LANES PREPEND ${PROJECT_SOURCE_DIR}/)
+set(HSP_SOURCES_OF_LANES ${HSP_SOURCES_OF_LANES} CACHE INTERNAL "Sources with lanes of registers alone")
 
 # hsp_library_objects(name definition...): the library compiled as objects, with further definitions. The archive is made
 # of hardsphere_objects. Tests of inner parts link to a library of objects and compile what its headers define alike.

@@ -2,7 +2,8 @@
 // to count their instructions. After each it prints a line: stage, molecule, probe, number of balls, of moves or of
 // poses. instruction_budgets.sh runs it.
 // `counted_stages --build` prints how it and the library were built, --code what runs on this processor: `wide` for
-// code for AVX2 where there is some, or `scalar`.
+// code for AVX2 where there is some, or `scalar`; `--balls` prints crambin's balls for the programs of targets/:
+// centre, radius and a point near some ball, as hexadecimal numbers.
 //
 // Each handle has computed before the stage that is counted, so memory and limits are those of a repeated call. The
 // library's input comes from files and integers alone, so that every run does the same instructions.
@@ -142,6 +143,17 @@ void count_poses() {
   }
 }
 
+void print_balls() {
+  const bench::Balls balls = bench::moving_molecules()[1];
+  bench::Model model(balls, 0);
+  const std::vector<double> points = random_points_near_atoms(model, model.size());
+  for (size_t i = 0; i < balls.size(); ++i) {
+    const double *const centre = &balls.xyz[3 * i], *const point = &points[3 * i];
+    std::printf("%a %a %a %a %a %a %a\n", centre[0], centre[1], centre[2], balls.radius[i], point[0], point[1],
+                point[2]);
+  }
+}
+
 }  // namespace
 
 int main(int argc, char **argv) {
@@ -154,6 +166,10 @@ int main(int argc, char **argv) {
     return 0;
   }
   try {
+    if (argc == 2 && std::strcmp(argv[1], "--balls") == 0) {
+      print_balls();
+      return 0;
+    }
     for (const bench::Molecule &molecule : bench::paper_molecules()) {
       if (molecule.name != "crambin" && molecule.name != "sod_stand_in") continue;
       const bench::Balls balls = with_radii(molecule, bench::Radii::van_der_waals);

@@ -971,6 +971,11 @@ struct hsp_pore_place
     maximum::UInt32
 end
 
+struct hsp_pore_place_shifts
+    ball::NTuple{3, Int32}
+    maximum::NTuple{3, Int32}
+end
+
 struct hsp_pore_passage
     radius::Cdouble
     passes::UInt32
@@ -1002,12 +1007,23 @@ struct hsp_tunnel
     reserved::UInt32
 end
 
+struct hsp_tunnel_route
+    cost::Cdouble
+    shift::NTuple{3, Int32}
+    reserved::UInt32
+end
+
 struct hsp_tunnel_point
     xyz::NTuple{3, Cdouble}
     radius::Cdouble
     ball::NTuple{4, UInt32}
     gate::UInt32
     maximum::UInt32
+end
+
+struct hsp_tunnel_point_shifts
+    ball::NTuple{12, Int32}
+    at::NTuple{3, Int32}
 end
 
 struct hsp_view_limits
@@ -2175,6 +2191,11 @@ function hsp_pores_locate(pores, xyz, place)
           place)
 end
 
+function hsp_pores_locate_with_shifts(pores, xyz, place, shifts)
+    ccall((:hsp_pores_locate_with_shifts, libhardsphere), Int32, (Ptr{hsp_pores}, Ptr{Cdouble}, Ptr{hsp_pore_place},
+          Ptr{hsp_pore_place_shifts}), pores, xyz, place, shifts)
+end
+
 function hsp_pores_widest(pores, from, to, passage)
     ccall((:hsp_pores_widest, libhardsphere), Int32, (Ptr{hsp_pores}, Ptr{Cdouble}, Ptr{Cdouble},
           Ptr{hsp_pore_passage}), pores, from, to, passage)
@@ -2210,9 +2231,23 @@ function hsp_pores_find_tunnel(pores, from, to, avoided, count, tunnel, limits)
           UInt32, Ptr{hsp_tunnel}, Ptr{hsp_pores_limits}), pores, from, to, avoided, count, tunnel, limits)
 end
 
+function hsp_pores_find_cheapest_tunnel(pores, from, to, avoided, count, tunnel, limits)
+    ccall((:hsp_pores_find_cheapest_tunnel, libhardsphere), Int32, (Ptr{hsp_pores}, Ptr{Cdouble}, Ptr{Cdouble},
+          Ptr{UInt32}, UInt32, Ptr{hsp_tunnel}, Ptr{hsp_pores_limits}), pores, from, to, avoided, count, tunnel, limits)
+end
+
+function hsp_pores_get_tunnel_route(pores, route)
+    ccall((:hsp_pores_get_tunnel_route, libhardsphere), Int32, (Ptr{hsp_pores}, Ptr{hsp_tunnel_route}), pores, route)
+end
+
 function hsp_pores_get_tunnel_points(pores, points, capacity, needed)
     ccall((:hsp_pores_get_tunnel_points, libhardsphere), Int32, (Ptr{hsp_pores}, Ptr{hsp_tunnel_point}, UInt32,
           Ptr{UInt32}), pores, points, capacity, needed)
+end
+
+function hsp_pores_get_tunnel_point_shifts(pores, points, capacity, needed)
+    ccall((:hsp_pores_get_tunnel_point_shifts, libhardsphere), Int32, (Ptr{hsp_pores}, Ptr{hsp_tunnel_point_shifts},
+          UInt32, Ptr{UInt32}), pores, points, capacity, needed)
 end
 
 function hsp_view_limits_init(limits, struct_size, balls)

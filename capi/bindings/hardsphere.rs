@@ -1223,6 +1223,13 @@ pub struct hsp_pore_place {
 
 #[repr(C)]
 #[derive(Clone, Copy)]
+pub struct hsp_pore_place_shifts {
+    pub ball: [i32; 3],
+    pub maximum: [i32; 3],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
 pub struct hsp_pore_passage {
     pub radius: f64,
     pub passes: u32,
@@ -1260,12 +1267,27 @@ pub struct hsp_tunnel {
 
 #[repr(C)]
 #[derive(Clone, Copy)]
+pub struct hsp_tunnel_route {
+    pub cost: f64,
+    pub shift: [i32; 3],
+    pub reserved: u32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
 pub struct hsp_tunnel_point {
     pub xyz: [f64; 3],
     pub radius: f64,
     pub ball: [u32; 4],
     pub gate: u32,
     pub maximum: u32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct hsp_tunnel_point_shifts {
+    pub ball: [i32; 12],
+    pub at: [i32; 3],
 }
 
 #[repr(C)]
@@ -2393,6 +2415,12 @@ extern "C" {
     pub fn hsp_pores_class_at(pores: *const hsp_pores, maximum: u32, radius: f64, member: *mut u32) -> i32;
     pub fn hsp_pores_gate_between(pores: *const hsp_pores, maximum: u32, other: u32, gate: *mut u32) -> i32;
     pub fn hsp_pores_locate(pores: *const hsp_pores, xyz: *const f64, place: *mut hsp_pore_place) -> i32;
+    pub fn hsp_pores_locate_with_shifts(
+        pores: *const hsp_pores,
+        xyz: *const f64,
+        place: *mut hsp_pore_place,
+        shifts: *mut hsp_pore_place_shifts,
+    ) -> i32;
     pub fn hsp_pores_widest(
         pores: *const hsp_pores,
         from: *const f64,
@@ -2431,9 +2459,25 @@ extern "C" {
         tunnel: *mut hsp_tunnel,
         limits: *mut hsp_pores_limits,
     ) -> i32;
+    pub fn hsp_pores_find_cheapest_tunnel(
+        pores: *mut hsp_pores,
+        from: *const f64,
+        to: *const f64,
+        avoided: *const u32,
+        count: u32,
+        tunnel: *mut hsp_tunnel,
+        limits: *mut hsp_pores_limits,
+    ) -> i32;
+    pub fn hsp_pores_get_tunnel_route(pores: *const hsp_pores, route: *mut hsp_tunnel_route) -> i32;
     pub fn hsp_pores_get_tunnel_points(
         pores: *const hsp_pores,
         points: *mut hsp_tunnel_point,
+        capacity: u32,
+        needed: *mut u32,
+    ) -> i32;
+    pub fn hsp_pores_get_tunnel_point_shifts(
+        pores: *const hsp_pores,
+        points: *mut hsp_tunnel_point_shifts,
         capacity: u32,
         needed: *mut u32,
     ) -> i32;

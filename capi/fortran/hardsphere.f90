@@ -1227,13 +1227,19 @@ module hardsphere
     integer(c_int32_t) :: maximum
   end type
 
+  type, bind(C) :: hsp_pore_place_shifts
+    integer(c_int32_t) :: ball(3)     ! by that the ball is to be moved from where it was given
+    integer(c_int32_t) :: maximum(3)  ! by that the maximum is to be moved from its point
+  end type
+
   type, bind(C) :: hsp_pore_passage
     ! wider ones do not get through; 0 if none above the floor does, infinite without balls
     real(c_double) :: radius
     integer(c_int32_t) :: passes    ! whether any above the floor does: 1 or 0
     integer(c_int32_t) :: gate      ! that stops wider ones; HSP_NONE if that is an end, or if none passes
     integer(c_int32_t) :: ball      ! that stops wider ones at an end; HSP_NONE if that is a gate, or if none passes
-    integer(c_int32_t) :: at(2)     ! the maxima above the two points as hsp_pores_locate says
+    ! the maxima above the two points as hsp_pores_locate says; with `to` NULL the outside, in a box the first one again
+    integer(c_int32_t) :: at(2)
     integer(c_int32_t) :: reserved  ! 0
   end type
 
@@ -1257,8 +1263,18 @@ module hardsphere
     integer(c_int32_t) :: gate      ! its tightest one; HSP_NONE if it passes none
     integer(c_int32_t) :: gates     ! how many it passes
     integer(c_int32_t) :: points    ! of the polyline; 0 if there is no tunnel
-    ! whether it comes to the outside: 1 or 0. If it comes back from there the polyline leaps
+    ! whether it comes to the outside: 1 or 0, which is 0 in a box. If it comes back from there the polyline leaps
     integer(c_int32_t) :: outside
+    integer(c_int32_t) :: reserved  ! 0
+  end type
+
+  type, bind(C) :: hsp_tunnel_route
+    ! as of hsp_pores_find_cheapest_tunnel, for both kinds, in 1/length; 0 without gates, infinite through a gate that
+    ! is no wider than 0
+    real(c_double) :: cost
+    ! times the vectors of the box by that `to` is to be moved, or `from` if that was NULL, to where the tunnel ends; 0
+    ! without a box
+    integer(c_int32_t) :: shift(3)
     integer(c_int32_t) :: reserved  ! 0
   end type
 
@@ -1268,6 +1284,12 @@ module hardsphere
     integer(c_int32_t) :: ball(4)  ! nearest ones, then HSP_NONE: four at a maximum, three at a gate, else one to three
     integer(c_int32_t) :: gate     ! that it is, or HSP_NONE
     integer(c_int32_t) :: maximum  ! that it is, or HSP_NONE
+  end type
+
+  type, bind(C) :: hsp_tunnel_point_shifts
+    ! three for each of its balls: by that the ball is to be moved from where it was given
+    integer(c_int32_t) :: ball(12)
+    integer(c_int32_t) :: at(3)     ! by that the gate or maximum is to be moved from its point; 0 between those
   end type
 
   ! ---- view.h: pieces in painter's order as true arcs (Section 5.1) --------------------------------------------------
@@ -3450,6 +3472,16 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_pores_locate_with_shifts(pores, xyz, place, shifts) result(status) &
+      bind(C, name="hsp_pores_locate_with_shifts")
+      import :: c_double, c_int32_t, c_ptr, hsp_pore_place, hsp_pore_place_shifts
+      type(c_ptr), value :: pores
+      real(c_double), intent(in) :: xyz(3)
+      type(hsp_pore_place), intent(inout) :: place
+      type(hsp_pore_place_shifts), intent(inout) :: shifts
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_pores_widest(pores, from, to, passage) result(status) bind(C, name="hsp_pores_widest")
       import :: c_double, c_int32_t, c_ptr, hsp_pore_passage
       type(c_ptr), value :: pores
@@ -3523,11 +3555,41 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_pores_find_cheapest_tunnel(pores, from, to, avoided, count, tunnel, limits) result(status) &
+      bind(C, name="hsp_pores_find_cheapest_tunnel")
+      import :: c_double, c_int32_t, c_ptr, hsp_pores_limits, hsp_tunnel
+      type(c_ptr), value :: pores
+      real(c_double), intent(in) :: from(3)
+      real(c_double), intent(in), optional :: to(3)
+      integer(c_int32_t), intent(in), optional :: avoided(*)  ! count
+      integer(c_int32_t), value :: count
+      type(hsp_tunnel), intent(inout) :: tunnel
+      type(hsp_pores_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_get_tunnel_route(pores, route) result(status) bind(C, name="hsp_pores_get_tunnel_route")
+      import :: c_int32_t, c_ptr, hsp_tunnel_route
+      type(c_ptr), value :: pores
+      type(hsp_tunnel_route), intent(inout) :: route
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_pores_get_tunnel_points(pores, points, capacity, needed) result(status) &
       bind(C, name="hsp_pores_get_tunnel_points")
       import :: c_int32_t, c_ptr, hsp_tunnel_point
       type(c_ptr), value :: pores
       type(hsp_tunnel_point), intent(inout), optional :: points(*)  ! needed
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_get_tunnel_point_shifts(pores, points, capacity, needed) result(status) &
+      bind(C, name="hsp_pores_get_tunnel_point_shifts")
+      import :: c_int32_t, c_ptr, hsp_tunnel_point_shifts
+      type(c_ptr), value :: pores
+      type(hsp_tunnel_point_shifts), intent(inout), optional :: points(*)  ! needed
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
@@ -4560,9 +4622,9 @@ contains
   pure function hsp_pores_bytes_bound(balls, maxima, gates, tied, candidates, neighbours, points) result(bytes)
     integer(c_int32_t), intent(in) :: balls, maxima, gates, tied, candidates, neighbours, points
     integer(c_size_t) :: bytes
-    bytes = 57344_c_size_t + 176_c_size_t*int(balls, c_size_t) + 276_c_size_t*int(maxima, c_size_t) &
-      + 136_c_size_t*int(gates, c_size_t) + 16_c_size_t*int(tied, c_size_t) + 16_c_size_t*int(candidates, c_size_t) &
-      + 80_c_size_t*int(neighbours, c_size_t) + 112_c_size_t*int(points, c_size_t)
+    bytes = 57344_c_size_t + 176_c_size_t*int(balls, c_size_t) + 300_c_size_t*int(maxima, c_size_t) &
+      + 144_c_size_t*int(gates, c_size_t) + 16_c_size_t*int(tied, c_size_t) + 16_c_size_t*int(candidates, c_size_t) &
+      + 80_c_size_t*int(neighbours, c_size_t) + 144_c_size_t*int(points, c_size_t)
   end function
 
   ! ---- view.h: pieces in painter's order as true arcs (Section 5.1) --------------------------------------------------

@@ -154,12 +154,6 @@ int32_t get_images(const hsp_pores *pores, uint32_t record, hsp_image *images, u
   return status;
 }
 
-// Of pores that were not computed in a box.
-int32_t check_unboxed(const hsp_pores *pores, bool null) {
-  const int32_t status = check_results(pores, null);
-  return status == HSP_OK && pores->in_box ? HSP_E_STATE : status;
-}
-
 // Reads what is asked, computes, and notes the source.
 template <class Handle, class Compute>
 int32_t compute_from(hsp_pores *pores, const Handle *source, const hsp_pores_options *options, hsp_pores_limits *limits,
@@ -194,11 +188,48 @@ hsp_pore_channel to_channel(const hsp_pores &pores, const hsp::Windings &joined,
   return channel;
 }
 
+int32_t round_point(const hsp_pores &pores, const double *xyz, hsp::exact::Vector &point) {
+  if (pores.lattice().round(xyz, point)) return HSP_OK;
+  return (hsp::is_finite(xyz[0]) && hsp::is_finite(xyz[1]) && hsp::is_finite(xyz[2])) ? HSP_E_RANGE : HSP_E_NOT_FINITE;
+}
+
 // Where a point is; of a handle with results.
 int32_t locate(const hsp_pores &pores, const double *xyz, hsp::PorePlace &place) {
   hsp::exact::Vector point;
-  if (const int32_t status = hsp::capi::round_point(pores.model->balls(), xyz, point); status != HSP_OK) return status;
-  return hsp::capi::to_c(hsp::locate(pores.builder.pores(), pores.model->grid, point, pores.builder.floor(), place));
+  if (const int32_t status = round_point(pores, xyz, point); status != HSP_OK) return status;
+  return hsp::capi::to_c(hsp::locate(pores.builder.pores(), pores.balls_around(), point, pores.builder.floor(), place));
+}
+
+// The best tunnel, by width or by cost.
+int32_t find_tunnel(hsp_pores *pores, const double *from, const double *to, const uint32_t *avoided, uint32_t count,
+                    bool by_cost, hsp_tunnel *tunnel, hsp_pores_limits *limits) {
+  if (const int32_t status = check_handle(pores); status != HSP_OK) return status;
+  pores->builder.forget_tunnel();
+  if (from == nullptr || tunnel == nullptr || (avoided == nullptr && count > 0)) return HSP_E_ARGUMENT;
+  if (const int32_t refused = check_struct(limits); refused != HSP_OK) return refused;
+  if (!pores->has_results()) return HSP_E_STATE;
+  for (uint32_t k = 0; k < count; ++k) {
+    if (avoided[k] >= pores->gates().size()) return HSP_E_ID;
+  }
+  hsp::exact::Vector start, end;
+  int32_t status = round_point(*pores, from, start);
+  if (status == HSP_OK && to != nullptr) status = round_point(*pores, to, end);
+  if (status != HSP_OK) return status;
+  const hsp::TunnelEnds ends{start, to != nullptr ? &end : nullptr, {avoided, count}, pores->builder.floor(), by_cost};
+  hsp::TunnelSummary found;
+  const hsp::Status searched = pores->builder.find_tunnel(pores->balls_around(), ends, found);
+  hsp::capi::hand_back_limits(*pores, searched, limits);
+  if (searched != hsp::Status::ok) return hsp::capi::to_c(searched);
+  const hsp::exact::Lattice &lattice = pores->lattice();
+  *tunnel = {lattice.length(found.level),
+             lattice.length(found.length),
+             found.there ? 1U : 0U,
+             found.gate,
+             found.gates,
+             pores->builder.tunnel().points().size(),
+             found.outside ? 1U : 0U,
+             0};
+  return HSP_OK;
 }
 
 }  // namespace
@@ -374,26 +405,38 @@ int32_t hsp_pores_gate_between(const hsp_pores *pores, uint32_t maximum, uint32_
 }
 
 int32_t hsp_pores_locate(const hsp_pores *pores, const double *xyz, hsp_pore_place *place) {
-  if (const int32_t status = check_unboxed(pores, xyz == nullptr || place == nullptr); status != HSP_OK) return status;
+  hsp_pore_place_shifts shifts;
+  return hsp_pores_locate_with_shifts(pores, xyz, place, &shifts);
+}
+
+int32_t hsp_pores_locate_with_shifts(const hsp_pores *pores, const double *xyz, hsp_pore_place *place,
+                                     hsp_pore_place_shifts *shifts) {
+  const int32_t refused = check_results(pores, xyz == nullptr || place == nullptr || shifts == nullptr);
+  if (refused != HSP_OK) return refused;
   hsp::PorePlace found;
   if (const int32_t status = locate(*pores, xyz, found); status != HSP_OK) return status;
   *place = {pores->lattice().length(found.level), found.ball, found.maximum};
+  put_shift(pores->image_shift(found.ball, found.ball_shift), shifts->ball);
+  put_shift(pores->given(found.maximum_shift), shifts->maximum);
   return HSP_OK;
 }
 
 int32_t hsp_pores_widest(const hsp_pores *pores, const double *from, const double *to, hsp_pore_passage *passage) {
-  const int32_t refused = check_unboxed(pores, from == nullptr || passage == nullptr);
+  const int32_t refused = check_results(pores, from == nullptr || passage == nullptr);
   if (refused != HSP_OK) return refused;
   hsp::PorePlace ends[2];
-  ends[1] = {std::numeric_limits<double>::infinity(), hsp::no_id, hsp::pore_outside};
+  ends[1] = {std::numeric_limits<double>::infinity(), hsp::no_id, hsp::pore_outside, {}, {}};
   int32_t status = locate(*pores, from, ends[0]);
+  const bool to_copy = to == nullptr && pores->in_box && ends[0].ball != hsp::no_id;
   if (status == HSP_OK && to != nullptr) status = locate(*pores, to, ends[1]);
   if (status != HSP_OK) return status;
+  if (to_copy) ends[1] = ends[0];
   const uint32_t a = ends[0].maximum, b = ends[1].maximum;
   *passage = {0.0, 0, HSP_NONE, HSP_NONE, {a, b}, 0};
   if (a == hsp::no_id || b == hsp::no_id) return HSP_OK;
-  const uint32_t gate = pores->builder.tree().gate_between(a, b);
-  if (a != b && gate == hsp::no_id) return HSP_OK;
+  const hsp::ClassTree tree = pores->builder.tree();
+  const uint32_t gate = to_copy ? tree.gate_to_copy(a) : tree.gate_between(a, b);
+  if ((a != b || to_copy) && gate == hsp::no_id) return HSP_OK;
   const hsp::PorePlace &tighter = ends[ends[0].level <= ends[1].level ? 0 : 1];
   const bool at_gate = gate != hsp::no_id && pores->gates()[gate].point.level < tighter.level;
   passage->passes = 1;
@@ -457,33 +500,20 @@ int32_t hsp_pores_get_pocket_balls(const hsp_pores *pores, uint32_t pocket, uint
 
 int32_t hsp_pores_find_tunnel(hsp_pores *pores, const double *from, const double *to, const uint32_t *avoided,
                               uint32_t count, hsp_tunnel *tunnel, hsp_pores_limits *limits) {
-  if (const int32_t status = check_handle(pores); status != HSP_OK) return status;
-  pores->builder.forget_tunnel();
-  if (from == nullptr || tunnel == nullptr || (avoided == nullptr && count > 0)) return HSP_E_ARGUMENT;
-  if (const int32_t refused = check_struct(limits); refused != HSP_OK) return refused;
-  if (!pores->has_results() || pores->in_box) return HSP_E_STATE;
-  for (uint32_t k = 0; k < count; ++k) {
-    if (avoided[k] >= pores->gates().size()) return HSP_E_ID;
-  }
-  const hsp::BallSet &balls = pores->model->balls();
-  hsp::exact::Vector start, end;
-  int32_t status = hsp::capi::round_point(balls, from, start);
-  if (status == HSP_OK && to != nullptr) status = hsp::capi::round_point(balls, to, end);
-  if (status != HSP_OK) return status;
-  hsp::TunnelSummary found;
-  const hsp::Status searched =
-      pores->builder.find_tunnel(pores->model->grid, start, to != nullptr ? &end : nullptr, {avoided, count}, found);
-  hsp::capi::hand_back_limits(*pores, searched, limits);
-  if (searched != hsp::Status::ok) return hsp::capi::to_c(searched);
-  const hsp::exact::Lattice &lattice = balls.lattice;
-  *tunnel = {lattice.length(found.level),
-             lattice.length(found.length),
-             found.there ? 1U : 0U,
-             found.gate,
-             found.gates,
-             pores->builder.tunnel().points().size(),
-             found.outside ? 1U : 0U,
-             0};
+  return find_tunnel(pores, from, to, avoided, count, false, tunnel, limits);
+}
+
+int32_t hsp_pores_find_cheapest_tunnel(hsp_pores *pores, const double *from, const double *to, const uint32_t *avoided,
+                                       uint32_t count, hsp_tunnel *tunnel, hsp_pores_limits *limits) {
+  return find_tunnel(pores, from, to, avoided, count, true, tunnel, limits);
+}
+
+int32_t hsp_pores_get_tunnel_route(const hsp_pores *pores, hsp_tunnel_route *route) {
+  if (const int32_t status = check_results(pores, route == nullptr); status != HSP_OK) return status;
+  const hsp::TunnelSummary &found = pores->builder.tunnel().summary();
+  route->cost = found.cost / pores->lattice().step();
+  put_shift(pores->given(found.shift), route->shift);
+  route->reserved = 0;
   return HSP_OK;
 }
 
@@ -499,6 +529,22 @@ int32_t hsp_pores_get_tunnel_points(const hsp_pores *pores, hsp_tunnel_point *po
         for (int b = 0; b < 4; ++b) record.ball[b] = point.ball[b];
         record.gate = point.gate;
         record.maximum = point.maximum;
+        return record;
+      });
+}
+
+int32_t hsp_pores_get_tunnel_point_shifts(const hsp_pores *pores, hsp_tunnel_point_shifts *points, uint32_t capacity,
+                                          uint32_t *needed) {
+  return get_list(
+      pores, 0, points, capacity, needed, [](const hsp_pores &) { return 1U; },
+      [](const hsp_pores &handle) { return handle.builder.tunnel().points(); },
+      [pores](const hsp::TunnelPoint &point) {
+        hsp_tunnel_point_shifts record{};
+        for (int b = 0; b < 4; ++b) {
+          put_shift(pores->image_shift(point.ball[b], point.copy + point.shift[b].shift()), record.ball + 3 * b);
+        }
+        const bool is_copy = point.gate != hsp::no_id || point.maximum != hsp::no_id;
+        put_shift(is_copy ? pores->given(point.copy) : hsp::BoxShift{}, record.at);
         return record;
       });
 }

@@ -25,12 +25,19 @@ struct hsp_pores {
   hsp::Span<const hsp::PoreMaximum> maxima() const { return builder.pores().maxima(); }
   hsp::Span<const hsp::PoreGate> gates() const { return builder.pores().gates(); }
   const hsp::exact::Lattice &lattice() const { return in_box ? periodic->lattice() : model->balls().lattice; }
+  // For questions about points.
+  hsp::BallsAround balls_around() const {
+    return in_box ? hsp::BallsAround(periodic->builder) : hsp::BallsAround(model->grid);
+  }
   // In multiples of the vectors of the box as they were given; 0 without one.
   hsp::BoxShift given(const hsp::BoxShift &shift) const {
     return in_box ? periodic->builder.images().box().in_given_vectors(shift) : shift;
   }
   // Of an image: how far the caller's ball is to be moved.
+  hsp::BoxShift image_shift(uint32_t ball, const hsp::BoxShift &shift) const {
+    return in_box && ball != hsp::no_id ? given(shift - periodic->builder.images().home(ball)) : hsp::BoxShift{};
+  }
   hsp::BoxShift image_shift(uint32_t ball, const hsp::SmallShift &shift) const {
-    return in_box ? given(shift.shift() - periodic->builder.images().home(ball)) : hsp::BoxShift{};
+    return image_shift(ball, shift.shift());
   }
 };

@@ -1,5 +1,7 @@
 #include "residue_radii.hpp"
 
+#include <cstring>
+
 namespace hsp {
 namespace {
 
@@ -216,7 +218,8 @@ bool is_one_of(const char *name, const char *words) {
 }
 
 void put_name(const char *word, uint32_t length, char (&name)[8]) {
-  for (uint32_t i = 0; i < sizeof name; ++i) name[i] = i < length ? word[i] : '\0';
+  for (char &letter : name) letter = '\0';
+  for (uint32_t i = 0; i < length; ++i) name[i] = word[i];
 }
 
 }  // namespace
@@ -234,14 +237,23 @@ uint32_t list_residue_radii(ResidueSet set, hsp_residue_atom *out) {
   uint32_t count = 0;
   if (out == nullptr) return set == ResidueSet::protor ? protor_atoms : naccess_atoms;
   for (const Rule &rule : rules_of(set)) {
+    const uint32_t first = count;
+    uint32_t atoms = 0;
     visit_words(rule.residues, [&](const char *residue, uint32_t residue_length) {
       hsp_residue_atom listed;
       put_name(residue, residue_length, listed.residue);
       listed.radius = rule.radius;
+      // The rule's atoms are read once: further residues copy those of the first.
+      for (uint32_t k = 0; k < atoms; ++k) {
+        std::memcpy(listed.atom, out[first + k].atom, sizeof listed.atom);
+        out[count++] = listed;
+      }
+      if (atoms > 0) return;
       visit_words(rule.atoms, [&](const char *atom, uint32_t atom_length) {
         put_name(atom, atom_length, listed.atom);
         out[count++] = listed;
       });
+      atoms = count - first;
     });
   }
   return count;

@@ -66,9 +66,9 @@ HSP_API int32_t hsp_pores_bytes(const hsp_pores_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_PORES_BYTES(balls, maxima, gates, tied, candidates, neighbours, points)                                 \
-  ((size_t)57344 + (size_t)176 * (size_t)(balls) + (size_t)276 * (size_t)(maxima) + (size_t)136 * (size_t)(gates) + \
+  ((size_t)57344 + (size_t)176 * (size_t)(balls) + (size_t)300 * (size_t)(maxima) + (size_t)144 * (size_t)(gates) + \
    (size_t)16 * (size_t)(tied) + (size_t)16 * (size_t)(candidates) + (size_t)80 * (size_t)(neighbours) +            \
-   (size_t)112 * (size_t)(points))
+   (size_t)144 * (size_t)(points))
 
 /** Make pores without results in caller memory of any alignment; sets *pores.
  *  @retval HSP_E_ARGUMENT  a null pointer
@@ -108,7 +108,7 @@ HSP_API int32_t hsp_pores_compute(hsp_pores *pores, const hsp_model *model, cons
 
 /** The same of the balls in a periodic box, which must outlive the pores; they can be read until it computes other
  *  balls or another box. Limits for the model's balls suffice for boxes that are much larger than their pores; else
- *  images need more. hsp_pores_locate, hsp_pores_widest and tunnels are not there in a box: HSP_E_STATE.
+ *  images need more.
  *  - Property 1: which image of a ball is given, which vectors for the same box, and the order of the balls have no
  *    effect but on numbers of balls, points and shifts, and on the numbers of what is equally wide.
  *  - Property 2: a box of m copies has m times each maximum and gate, of the same radii bit for bit, if these are not a
@@ -291,7 +291,7 @@ HSP_API int32_t hsp_pores_class_at(const hsp_pores *pores, uint32_t maximum, dou
 
 /** The gate where the classes of two maxima meet, either of which may be HSP_PORE_OUTSIDE: *gate becomes the tightest
  *  gate of the widest path between them, of which narrower probes get from one to the other. HSP_NONE if they do not
- *  meet above the floor, or are the same.
+ *  meet above the floor, or are the same. In a box the path may lead to any copy of the second one.
  *
  *  Cost: O(depth of the tree).
  *  @retval HSP_E_ARGUMENT  pores or gate is NULL
@@ -307,17 +307,37 @@ typedef struct hsp_pore_place {
 } hsp_pore_place;
 
 /** Where the point xyz [3] is, rounded to the lattice: *place becomes its record. With the floor 0 whether it is
- *  in a ball is exact.
+ *  in a ball is exact. In a periodic box it may lie in any copy of it, and HSP_PORE_OUTSIDE is the answer only without
+ *  balls.
  *  - Property 1: for any probe that is narrower than radius by a lattice step, the point is in the same part of free
  *    space as the maximum. Which maximum of that part it is, is one of several answers.
  *
  *  Cost: O(n + maxima + gates), most of it for comparing places.
  *  @retval HSP_E_ARGUMENT    a null pointer
- *  @retval HSP_E_STATE       nothing computed, the model has changed since, or pores in a box
+ *  @retval HSP_E_STATE       nothing computed, or the model has changed since
  *  @retval HSP_E_NOT_FINITE  xyz holds a NaN or an infinity
- *  @retval HSP_E_RANGE       xyz lies beyond 2^50 lattice steps
+ *  @retval HSP_E_RANGE       xyz lies beyond 2^50 lattice steps, or more than 2^17 boxes away
  *  @retval HSP_E_CHECK       a way up ends nowhere, which cannot happen: please report it */
 HSP_API int32_t hsp_pores_locate(const hsp_pores *pores, const double *xyz, hsp_pore_place *place);
+
+/** Which copies a place is beside, in a periodic box; without one, and where there is neither ball nor maximum, all is
+ *  0. Frozen. */
+typedef struct hsp_pore_place_shifts {
+  int32_t ball[3];    /**< by that the ball is to be moved from where it was given */
+  int32_t maximum[3]; /**< by that the maximum is to be moved from its point */
+} hsp_pore_place_shifts;
+
+/** The same, with the copies of the ball and of the maximum: *shifts becomes their record, too.
+ *  - Property 1: at a point moved by vectors of the box the shifts are so much larger, but for one of several answers.
+ *
+ *  Cost: that of hsp_pores_locate.
+ *  @retval HSP_E_ARGUMENT    a null pointer
+ *  @retval HSP_E_STATE       nothing computed, or the model has changed since
+ *  @retval HSP_E_NOT_FINITE  xyz holds a NaN or an infinity
+ *  @retval HSP_E_RANGE       xyz lies beyond 2^50 lattice steps, or more than 2^17 boxes away
+ *  @retval HSP_E_CHECK       a way up ends nowhere, which cannot happen: please report it */
+HSP_API int32_t hsp_pores_locate_with_shifts(const hsp_pores *pores, const double *xyz, hsp_pore_place *place,
+                                             hsp_pore_place_shifts *shifts);
 
 /** The widest probe between two points. Frozen. */
 typedef struct hsp_pore_passage {
@@ -325,20 +345,24 @@ typedef struct hsp_pore_passage {
   uint32_t passes;   /**< whether any above the floor does: 1 or 0 */
   uint32_t gate;     /**< that stops wider ones; HSP_NONE if that is an end, or if none passes */
   uint32_t ball;     /**< that stops wider ones at an end; HSP_NONE if that is a gate, or if none passes */
-  uint32_t at[2];    /**< the maxima above the two points as hsp_pores_locate says */
+  uint32_t at[2];    /**< the maxima above the two points as hsp_pores_locate says; with `to` NULL the outside, in a
+                          box the first one again */
   uint32_t reserved; /**< 0 */
 } hsp_pore_passage;
 
 /** The widest probe that gets from one point to another, from [3] and to [3], or to the outside if `to` is NULL. The
- *  points are rounded to the lattice.
+ *  points are rounded to the lattice. In a periodic box it may get to any copy of `to`; and as nothing is outside
+ *  there, `to` NULL is another copy of `from`: the probe goes on for ever. Without balls that is as without a box.
  *  - Property 1: its radius is that of hsp_gate_get_widest up to a lattice step, which looks at one pair of points
  *    alone.
+ *  - Property 2: in a box, with `to` NULL, it is at most through[0] of hsp_pore_percolation, and that at one of the
+ *    maxima at least.
  *
  *  Cost: that of hsp_pores_locate, twice.
  *  @retval HSP_E_ARGUMENT    pores, from or passage is NULL
- *  @retval HSP_E_STATE       nothing computed, the model has changed since, or pores in a box
+ *  @retval HSP_E_STATE       nothing computed, or the model has changed since
  *  @retval HSP_E_NOT_FINITE  a point holds a NaN or an infinity
- *  @retval HSP_E_RANGE       a point lies beyond 2^50 lattice steps
+ *  @retval HSP_E_RANGE       a point lies beyond 2^50 lattice steps, or more than 2^17 boxes away
  *  @retval HSP_E_CHECK       a way up ends nowhere, which cannot happen: please report it */
 HSP_API int32_t hsp_pores_widest(const hsp_pores *pores, const double *from, const double *to,
                                  hsp_pore_passage *passage);
@@ -409,20 +433,26 @@ typedef struct hsp_tunnel {
   uint32_t gate;     /**< its tightest one; HSP_NONE if it passes none */
   uint32_t gates;    /**< how many it passes */
   uint32_t points;   /**< of the polyline; 0 if there is no tunnel */
-  uint32_t outside;  /**< whether it comes to the outside: 1 or 0. If it comes back from there the polyline leaps */
+  uint32_t outside;  /**< whether it comes to the outside: 1 or 0, which is 0 in a box. If it comes back from there the
+                          polyline leaps */
   uint32_t reserved; /**< 0 */
 } hsp_tunnel;
 
 /** Find the tunnel from one point to another, or to the outside, that the widest probe gets through without the gates
  *  to be avoided. To avoid the tightest gates of tunnels before finds the next best one that has another bottleneck. It
- *  leads through maxima and gates, and each part of it is as wide as any path between its ends. Its points stay until
- *  the next call; on failure there are none.
+ *  leads through maxima and gates, and each part of it is as wide as any path between its ends; of gates as wide it
+ *  takes that which is nearer by straight lines from its start. Its points stay until the next call; on failure there
+ *  are none.
+ *
+ *  In a periodic box it leads to that copy of `to` which is best; and as nothing is outside there, `to` NULL is another
+ *  copy of `from`, where the way begins anew, for ever. hsp_pores_get_tunnel_route has the vector. Its points are those
+ *  of one way through the copies, from where `from` was given. Without balls that is as without a box.
  *  - Property 1: without avoided gates its radius is that of hsp_pores_widest.
  *  - Property 2: the largest probe at a gate is narrower than at the points beside it: the way rises from there.
  *
  *  @param[in,out] pores  of which no other tunnel is needed any more
  *  @param[in] from       [3]
- *  @param[in] to         [3], or NULL: the outside
+ *  @param[in] to         [3], or NULL: the outside, in a box another copy of `from`
  *  @param[in] avoided    [count], or NULL with count = 0: ids of gates
  *  @param[in] count      of avoided gates
  *  @param[out] tunnel    the tunnel, or that there is none
@@ -433,13 +463,55 @@ typedef struct hsp_tunnel {
  *  @retval HSP_E_ARGUMENT    pores, from or tunnel is NULL; avoided is NULL with a count above 0
  *  @retval HSP_E_VERSION     bad struct_size of limits
  *  @retval HSP_E_CAPACITY    limits.points is too small; the pores keep their results
- *  @retval HSP_E_STATE       nothing computed, the model has changed since, or pores in a box
+ *  @retval HSP_E_STATE       nothing computed, or the model has changed since
  *  @retval HSP_E_ID          an avoided gate is not there
  *  @retval HSP_E_NOT_FINITE  a point holds a NaN or an infinity
- *  @retval HSP_E_RANGE       a point lies beyond 2^50 lattice steps
+ *  @retval HSP_E_RANGE       a point lies beyond 2^50 lattice steps, or more than 2^17 boxes away, or the tunnel leads
+ *                            so far
  *  @retval HSP_E_CHECK       a way up ends nowhere, which cannot happen: please report it */
 HSP_API int32_t hsp_pores_find_tunnel(hsp_pores *pores, const double *from, const double *to, const uint32_t *avoided,
                                       uint32_t count, hsp_tunnel *tunnel, hsp_pores_limits *limits);
+
+/** The same with the tunnel of the least cost, which weighs how wide a way is against how long. Between the maxima of
+ *  its ends, a straight line from a maximum to a gate beside it, or back, costs its length over the product of the
+ *  radii at both: the integral of 1/r^2 along it, if r changes evenly. The way from a gate to the outside costs
+ *  nothing, and gates that are no wider than 0 are not passed. Of the same cost it is one of several.
+ *  - Property 1: its cost is no higher than that of hsp_pores_find_tunnel with the same arguments.
+ *
+ *  Cost: that of hsp_pores_find_tunnel.
+ *  @param[in,out] pores  of which no other tunnel is needed any more
+ *  @param[in] from       [3]
+ *  @param[in] to         [3], or NULL: the outside, in a box another copy of `from`
+ *  @param[in] avoided    [count], or NULL with count = 0: ids of gates
+ *  @param[in] count      of avoided gates
+ *  @param[out] tunnel    the tunnel, or that there is none
+ *  @param[out] limits    or NULL: as of hsp_pores_find_tunnel
+ *  @retval HSP_E_ARGUMENT    pores, from or tunnel is NULL; avoided is NULL with a count above 0
+ *  @retval HSP_E_VERSION     bad struct_size of limits
+ *  @retval HSP_E_CAPACITY    limits.points is too small; the pores keep their results
+ *  @retval HSP_E_STATE       nothing computed, or the model has changed since
+ *  @retval HSP_E_ID          an avoided gate is not there
+ *  @retval HSP_E_NOT_FINITE  a point holds a NaN or an infinity
+ *  @retval HSP_E_RANGE       a point lies beyond 2^50 lattice steps, or more than 2^17 boxes away, or the tunnel leads
+ *                            so far
+ *  @retval HSP_E_CHECK       a way up ends nowhere, which cannot happen: please report it */
+HSP_API int32_t hsp_pores_find_cheapest_tunnel(hsp_pores *pores, const double *from, const double *to,
+                                               const uint32_t *avoided, uint32_t count, hsp_tunnel *tunnel,
+                                               hsp_pores_limits *limits);
+
+/** The cost of a tunnel, and where it leads. Frozen. */
+typedef struct hsp_tunnel_route {
+  double cost;       /**< as of hsp_pores_find_cheapest_tunnel, for both kinds, in 1/length; 0 without gates, infinite
+                          through a gate that is no wider than 0 */
+  int32_t shift[3];  /**< times the vectors of the box by that `to` is to be moved, or `from` if that was NULL, to where
+                          the tunnel ends; 0 without a box */
+  uint32_t reserved; /**< 0 */
+} hsp_tunnel_route;
+
+/** The cost of the last tunnel and its vector: *route becomes the record, all 0 if there was none.
+ *  @retval HSP_E_ARGUMENT  a null pointer
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
+HSP_API int32_t hsp_pores_get_tunnel_route(const hsp_pores *pores, hsp_tunnel_route *route);
 
 /** A point of a tunnel. Frozen. */
 typedef struct hsp_tunnel_point {
@@ -457,6 +529,19 @@ typedef struct hsp_tunnel_point {
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
 HSP_API int32_t hsp_pores_get_tunnel_points(const hsp_pores *pores, hsp_tunnel_point *points, uint32_t capacity,
                                             uint32_t *needed);
+
+/** Which copies a point of a tunnel is beside, in a periodic box; without one all is 0. Frozen. */
+typedef struct hsp_tunnel_point_shifts {
+  int32_t ball[12]; /**< three for each of its balls: by that the ball is to be moved from where it was given */
+  int32_t at[3];    /**< by that the gate or maximum is to be moved from its point; 0 between those */
+} hsp_tunnel_point_shifts;
+
+/** The shifts of the points [needed] of the last tunnel, in the same order.
+ *  @retval HSP_E_ARGUMENT  pores is NULL; points is NULL with a capacity above 0
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, which may be NULL
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
+HSP_API int32_t hsp_pores_get_tunnel_point_shifts(const hsp_pores *pores, hsp_tunnel_point_shifts *points,
+                                                  uint32_t capacity, uint32_t *needed);
 
 #ifdef __cplusplus
 }

@@ -342,14 +342,7 @@ static void pockets_in_a_box(void) {
 }
 
 static void refused_in_a_box(void) {
-  static const double at[3] = {0, 0, 0};
-  hsp_pore_place place;
-  hsp_pore_passage passage;
-  hsp_tunnel tunnel;
   uint32_t gate = 0;
-  CHECK_EQUAL(hsp_pores_locate(work.pores, at, &place), HSP_E_STATE);
-  CHECK_EQUAL(hsp_pores_widest(work.pores, at, NULL, &passage), HSP_E_STATE);
-  CHECK_EQUAL(hsp_pores_find_tunnel(work.pores, at, NULL, NULL, 0, &tunnel, NULL), HSP_E_STATE);
   CHECK_EQUAL(hsp_pores_gate_between(work.pores, 0, HSP_PORE_OUTSIDE, &gate), HSP_OK);
   CHECK_EQUAL(gate, HSP_NONE);
   CHECK_EQUAL(hsp_pores_compute_periodic(work.pores, NULL, NULL, NULL), HSP_E_ARGUMENT);

@@ -3,7 +3,10 @@
 #pragma once
 
 #include <array>
-#include <set>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "lattice_ball.hpp"
 
@@ -12,14 +15,31 @@ namespace oracle {
 // Without balls inside others; of equal ones the first stays.
 Balls outer_balls(const Balls &balls);
 
-struct CriticalSets {
-  std::set<std::array<uint32_t, 3>> gates;
-  std::set<std::array<uint32_t, 4>> maxima;
-  bool decided = true;  // no sign was nearer to 0 than long doubles can tell
+// All of it in integers and their square roots, whatever ties.
+struct BrutePores {
+  static constexpr size_t never = SIZE_MAX;
+  struct Point {
+    size_t level;   // a rank, the highest level first; equal levels have equal ranks
+    size_t number;  // of a maximum
+  };
+  // By all nearest balls, in ascending order.
+  std::map<std::vector<uint32_t>, Point> gates, maxima;
+  // For two maxima, or one and the outside behind the last one, the level of the tightest gate on the widest path
+  // between them; never if that is not above the floor.
+  std::vector<std::vector<size_t>> meet;
 };
 
-// By linear equations and both roots of the quadratic, in long doubles; for sets in general position.
-CriticalSets critical_sets(const Balls &outer);
+// Of up to 16 balls, points above a floor.
+BrutePores brute_pores(const Balls &outer, int64_t floor);
+
+// Pores that are to be held against that, the widest first.
+struct ListedPores {
+  std::vector<std::vector<uint32_t>> maxima, gates;      // the nearest balls of each, in ascending order
+  std::vector<std::array<size_t, 2>> ends;               // of gates: maxima, or the outside behind the last one
+  std::function<uint32_t(size_t, size_t)> gate_between;  // where the classes of two of these meet; no_ball for nowhere
+};
+// The first thing that is wrong, in words; empty if there is none.
+std::string first_difference(const BrutePores &expected, const ListedPores &listed);
 
 // How many pairs have the middle of their gap nearer than any other ball: the third kind of critical points. In
 // integers.

@@ -91,16 +91,14 @@ TEST(ContactMap, ShowsThePairsOfResidues) {
   EXPECT_EQ(svg.find(">10", ten + 1), svg.find(">10</text>", ten + 1));
 }
 
-// The numbers that the shades end at, in order.
+// The numbers that the shades end at, in order; each stands where its shade meets the next.
 std::vector<double> shade_ends(const std::string &svg) {
   std::vector<double> ends;
-  static const std::regex entry("<rect x=[^>]*/>\n<text [^>]*>([^<]*)</text>");
-  double from = 0;
+  static const std::regex entry(
+      "<rect x=\"([0-9.]+)\"[^>]* width=\"([0-9]+)\"[^>]*/>\n<text x=\"([0-9.]+)\" [^>]*>([^<]*)</text>");
   for (std::sregex_iterator e(svg.begin(), svg.end(), entry), end; e != end; ++e) {
-    const std::string range = (*e)[1];
-    const size_t dash = range.find(" – ");
-    EXPECT_EQ(std::stod(range), from) << range;
-    ends.push_back(from = std::stod(range.substr(dash + std::string(" – ").size())));
+    EXPECT_NEAR(std::stod((*e)[1]) + std::stod((*e)[2]), std::stod((*e)[3]), 0.1);
+    ends.push_back(std::stod((*e)[4]));
   }
   return ends;
 }
@@ -137,7 +135,8 @@ TEST(ContactMap, LabelsDoNotOverlap) {
   const TemporaryFile file("many.pdb", atoms);
   const TemporaryFile picture("map.svg");
   ASSERT_EQ(run_program({"contacts", file.path(), "--by", "residue", "--map", picture.path()}).status, 0);
-  const std::string svg = read_file(picture.path());
+  const std::string whole = read_file(picture.path());
+  const std::string svg = whole.substr(0, whole.find("<rect x="));  // without the scale
   static const std::regex label("<text x=\"([0-9.]+)\" y=\"([0-9.]+)\" text-anchor=\"(end|middle)\">([0-9]+)<");
   double before[2] = {-1e9, -1e9};
   size_t labels = 0;
@@ -151,6 +150,25 @@ TEST(ContactMap, LabelsDoNotOverlap) {
   EXPECT_GE(labels, 4u);
   EXPECT_EQ(labels % 2, 0u);
   EXPECT_NE(svg.find(">residue, chain A<"), std::string::npos);
+}
+
+// No edge of a square lies between pixels: rows are whole pixels, and lines of a pixel are in the middle of one. A dark
+// page has the same squares.
+TEST(ContactMap, LiesOnWholePixels) {
+  const std::string crambin = molecules_folder() + "/crambin.pdb";
+  const TemporaryFile picture("map.svg"), dark("dark.svg");
+  ASSERT_EQ(run_program({"contacts", crambin, "--by", "residue", "--map", picture.path()}).status, 0);
+  ASSERT_EQ(run_program({"contacts", crambin, "--by", "residue", "--map", dark.path(), "--dark"}).status, 0);
+  const std::string svg = read_file(picture.path());
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(svg, found, std::regex(" scale\\(([0-9.]+)\\)")));
+  EXPECT_EQ(found[1], "14");  // 46 rows on 644 pixels
+  ASSERT_TRUE(std::regex_search(svg, found, std::regex("stroke=\"#9a9a9a\" d=\"M([0-9.]+) ([0-9.]+)h([0-9.]+)v")));
+  EXPECT_EQ(found[1], "71.5");
+  EXPECT_EQ(found[2], "39.5");
+  EXPECT_EQ(found[3], "645");
+  EXPECT_EQ(drawn_squares(read_file(dark.path())), drawn_squares(svg));
+  EXPECT_EQ(read_file(dark.path()).find("#ffffff"), std::string::npos);
 }
 
 TEST(ContactMap, IsRefusedWhereItHasNoPlace) {

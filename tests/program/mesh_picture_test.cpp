@@ -33,7 +33,7 @@ struct Part {
     }
     return sum;
   }
-  [[nodiscard]] bool is_red() const { return colour[0] > colour[1] + 60; }
+  [[nodiscard]] bool is_teal() const { return colour[1] > colour[0] + 40 && colour[2] < colour[1] + 30; }
 };
 
 std::string attribute(const std::string &element, const std::string &name) {
@@ -173,7 +173,7 @@ TEST(MeshPicture, ACutShowsTheInside) {
   EXPECT_NEAR(rim, 2 * std::numbers::pi * radius, 0.02 * rim);
   EXPECT_GT(std::stod(attribute(element_of(svg, "s1"), "fx")), 20 * 500);
   EXPECT_EQ(svg.find(">voids<"), std::string::npos);
-  EXPECT_NE(svg.find(">inside of the surface, cut open<"), std::string::npos);
+  EXPECT_NE(svg.find(">inside, cut open<"), std::string::npos);
 }
 
 // The piece that a cut leaves of a ball of a 200th of the area floats behind the plane: it is dropped. One of a 20th is
@@ -189,28 +189,41 @@ TEST(MeshPicture, ACutLeavesNoCrumbs) {
   }
 }
 
-// Two balls of radii 1.7 and 1.52 in a distance of 3, probe 1.4: each has what lies on its side of the plane where the
-// probe's centres are, x = (3.1^2 - 2.92^2 + 3^2) / 6; in a picture of 6.22 and a margin.
-TEST(MeshPicture, ColoursMeetWhereTheSurfaceIsNarrowest) {
+// Two balls of radii 1.7 and 1.52 in a distance of 3, probe 1.4: the probe's centres are in the plane
+// x = (3.1^2 - 2.92^2 + 3^2) / 6, and it touches the balls in circles, seen edge-on, between which neither has its
+// colour; in a picture of 6.22 and a margin.
+TEST(MeshPicture, ColoursMeetWhereTheProbeTouchesTheBalls) {
   const TemporaryFile pair("pair.xyz", "2\n\nN 0 0 0\nO 3 0 0\n");
-  const std::string svg = drawn_text(pair.path(), {"--radius", "N=1.7", "--radius", "O=1.52", "--probe", "1.4",
-                                                   "--surface", "ses", "--edge", "0.4", "--view", "0,0,1"});
-  const std::vector<Part> parts = parts_of(svg);
+  const std::vector<std::string> options = {"--radius",  "N=1.7", "--radius", "O=1.52", "--probe", "1.4",
+                                            "--surface", "ses",   "--edge",   "0.4",    "--view",  "0,0,1"};
+  const std::string svg = drawn_text(pair.path(), options);
   EXPECT_LT(svg.find(">N<"), svg.find(">O<"));
+  EXPECT_LT(svg.find(">O<"), svg.find(">between atoms<"));
   EXPECT_EQ(svg.find(">C<"), std::string::npos);
-  const double border = (3.1 * 3.1 - 2.92 * 2.92 + 9) / 6;
-  const double scale = 1000 / (6.22 * 1.06);
-  const double px = (border + 1.7 + 0.03 * 6.22) * scale;
-  double red = 0, blue = 1e9;
-  for (const Part &part : parts) {
-    const bool of_oxygen = part.colour[0] > part.colour[2];
+  const double plane = (3.1 * 3.1 - 2.92 * 2.92 + 9) / 6, scale = 1000 / (6.22 * 1.06);
+  const double touched[2] = {plane * 1.7 / 3.1, 3 - (3 - plane) * 1.52 / 2.92};
+  double low[3] = {1e9, 1e9, 1e9}, high[3] = {0, 0, 0};
+  for (const Part &part : parts_of(svg)) {
+    const size_t kind = part.colour[2] > part.colour[0] + 40 ? 0 : part.colour[0] > part.colour[2] + 20 ? 2 : 1;
     for (const Point &point : part.points) {
-      if (of_oxygen) blue = std::min(blue, point[0]);
-      if (!of_oxygen) red = std::max(red, point[0]);
+      low[kind] = std::min(low[kind], point[0]);
+      high[kind] = std::max(high[kind], point[0]);
     }
   }
-  EXPECT_NEAR(red, px, 1);
-  EXPECT_NEAR(blue, px, 1);
+  for (size_t k = 0; k < 2; ++k) {
+    const double px = (touched[k] + 1.7 + 0.03 * 6.22) * scale;
+    EXPECT_NEAR(high[k], px, 1);
+    EXPECT_NEAR(low[k + 1], px, 1);
+  }
+  // The same before a dark page.
+  std::vector<std::string> dark = options;
+  dark.emplace_back("--dark");
+  const std::string night = drawn_text(pair.path(), dark);
+  EXPECT_NE(night.find("<rect width=\"10000\" height=\""), std::string::npos);
+  EXPECT_NE(night.find("fill=\"#14171e\"/>"), std::string::npos);
+  EXPECT_EQ(night.find("#ffffff"), std::string::npos);
+  EXPECT_EQ(parts_of(night).size(), parts_of(svg).size());
+  EXPECT_EQ(run_program({"mesh", pair.path(), "-o", "none.ply", "--dark"}).status, 2);
 }
 
 bool covers(const std::vector<Part> &parts, const Point &at) {
@@ -226,9 +239,8 @@ bool covers(const std::vector<Part> &parts, const Point &at) {
   return false;
 }
 
-// Parts of three colours leave nothing of a patch open, also where a small ball has nothing of a side between it and a
-// large one. Of one colour all is covered.
-TEST(MeshPicture, PartsOfColoursLeaveNoGaps) {
+// Balls of other colours cover the same, also where a small ball has nothing of a side between it and a large one.
+TEST(MeshPicture, ColoursLeaveNoGaps) {
   for (const char *small : {"1.2 0.9 0.5", "0.3 2.1 0.8", "1.2 1.0 1.3", "-0.9 1.4 0.2"}) {
     std::vector<std::vector<Part>> found;
     for (const char *names : {"CCC", "NOH", "CCH", "HCC", "CHC"}) {
@@ -259,9 +271,9 @@ TEST(MeshPicture, PartsOfColoursLeaveNoGaps) {
 }
 
 // Six balls around a void: as a body it has the shape that they leave, and is seen only if they are cut open.
-TEST(MeshPicture, VoidsAreRed) {
+TEST(MeshPicture, VoidsAreTeal) {
   const std::vector<std::string> options = {"--edge", "0.05", "--view", "0,0,1"};
-  for (const Part &part : drawn("good/cage.xyzr", options)) EXPECT_FALSE(part.is_red());
+  for (const Part &part : drawn("good/cage.xyzr", options)) EXPECT_FALSE(part.is_teal());
   std::vector<std::string> cut = options;
   cut.emplace_back("--cut");
   double area = 0;  // of the side towards the viewer, which comes last
@@ -269,9 +281,9 @@ TEST(MeshPicture, VoidsAreRed) {
   std::array<double, 2> low = {1e9, 1e9};
   std::array<double, 2> high = {-1e9, -1e9};
   const std::vector<Part> parts = drawn("good/cage.xyzr", cut);
-  for (const Part &part : parts) fill = part.is_red() ? part.fill : fill;
+  for (const Part &part : parts) fill = part.is_teal() ? part.fill : fill;
   for (const Part &part : parts) {
-    if (!part.is_red()) continue;
+    if (!part.is_teal()) continue;
     area -= part.fill == fill ? part.area() : 0;
     for (const auto &point : part.points) {
       for (size_t k = 0; k < 2; ++k) {
@@ -295,7 +307,7 @@ TEST(MeshPicture, TheCutGoesThroughTheVoid) {
   const std::vector<Part> parts = drawn(more.path(), {"--edge", "0.05", "--view", "0,0,1", "--cut"});
   const auto last = std::find_if(parts.rbegin(), parts.rend(), [](const Part &part) { return part.closed; });
   ASSERT_NE(last, parts.rend());
-  EXPECT_TRUE(last->is_red());
+  EXPECT_TRUE(last->is_teal());
 }
 
 // The nearer atom is painted last, in its own colour, from whichever side one looks.
@@ -339,7 +351,7 @@ TEST(MeshPicture, PocketsHaveColours) {
       // The wall of the room behind the cut, which is 0.3 to 0.7 from its middle, in a picture of about 3.3.
       if (pockets) {
         EXPECT_GT(blue, 0.2 * std::pow(1000 / 3.3, 2)) << surface;
-        EXPECT_LT(blue, 1.6 * std::pow(1000 / 3.3, 2)) << surface;
+        EXPECT_LT(blue, 1.8 * std::pow(1000 / 3.3, 2)) << surface;
       }
     }
   }
@@ -349,6 +361,27 @@ TEST(MeshPicture, PocketsHaveColours) {
             "hardsphere: --pockets is for a picture, -o OUT.svg\n");
   EXPECT_EQ(run_program({"mesh", room.path(), "-o", "x.svg", "--least", "0.5"}).err,
             "hardsphere: --least needs --pockets\n");
+}
+
+// By symmetry the border of the room is the octahedron of the centres, |x| + |y| + |z| = 1, however long edges are. Cut
+// open along x = y it is seen edge-on, beside windows that are cut through their middles.
+TEST(MeshPicture, PocketsEndWhereTheWayUpChanges) {
+  const TemporaryFile room("room.xyzr", "1 0 0 0.7\n-1 0 0 0.7\n0 1 0 0.7\n0 -1 0 0.7\n0 0 1 0.7\n0 0 -1 0.7\n");
+  for (const auto &[surface, radius] : {std::pair<const char *, double>{"ses", 0.7}, {"sas", 0.8}}) {
+    const double high = 2 * (1 + radius), wide = 2 * (std::sqrt(0.5) + radius);
+    const double scale = 1000 / (wide + 0.06 * high);
+    for (const char *edge : {"0.12", "0.06"}) {
+      double most = 0;
+      for (const Part &part : drawn(room.path(), {"--probe", "0.1", "--surface", surface, "--edge", edge, "--pockets",
+                                                  "0.118", "--view", "1,-1,0", "--up", "0,0,1", "--cut"})) {
+        for (const auto &point : part.points) {
+          const double across = (point[0] - 500) / scale, up = point[1] / scale + 0.53 * high;
+          if (is_blue(part)) most = std::max(most, std::sqrt(2) * std::abs(across) + std::abs(up));
+        }
+      }
+      EXPECT_NEAR(most, 1, 0.015) << surface << edge;
+    }
+  }
 }
 
 // The room with a ball far before it: the cut opens the room, where the middle of everything is between the two.
@@ -364,13 +397,13 @@ TEST(MeshPicture, TheCutGoesThroughThePocket) {
   EXPECT_TRUE(section && blue);
 }
 
-// A cavity is a pocket without a mouth: its body has the colour, and no void is red.
+// A cavity is a pocket without a mouth: its body has the colour, and no void is teal.
 TEST(MeshPicture, PocketsWithoutMouths) {
   const std::string svg = drawn_text("good/cage.xyzr", {"--edge", "0.2", "--cut", "--pockets", "1"});
   size_t blue = 0;
   for (const Part &part : parts_of(svg)) {
     blue += is_blue(part) ? 1 : 0;
-    EXPECT_FALSE(part.closed && part.is_red());
+    EXPECT_FALSE(part.closed && part.is_teal());
   }
   EXPECT_GT(blue, 0u);
   EXPECT_NE(svg.find(">pocket 1<"), std::string::npos);

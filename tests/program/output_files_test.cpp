@@ -260,6 +260,26 @@ TEST(OutputFilesOfOneCommand, OneDeviceForInputAndOutput) {
   EXPECT_NE(run_program({"measure", "/dev/null", "--format", "pdb", "--pdb-out", "/dev/null"}).status, 2);
 }
 
+// Of several files the one that was written first waits for the others.
+TEST(OutputFilesOfOneCommand, AllOrNone) {
+  const TemporaryFolder folder("all_or_none");
+  folder.write("out.face", "old");
+  fs::create_directory(folder.path("out.vert"));
+  EXPECT_EQ(run_program({"mesh", "good/water.pdb", "-o", folder.path("out.vert")}).status, 1);
+  EXPECT_EQ(read_file(folder.path("out.face")), "old");
+  folder.write("tree.svg", "old");
+  folder.write("points.pdb", "old");
+  for (const auto &[points, tree] :
+       {std::pair("points.pdb", "none/tree.svg"), std::pair("none/points.pdb", "tree.svg")}) {
+    EXPECT_EQ(
+        run_program({"pores", "good/water.pdb", "--points", folder.path(points), "--tree", folder.path(tree)}).status,
+        1);
+    EXPECT_EQ(read_file(folder.path("points.pdb")), "old");
+    EXPECT_EQ(read_file(folder.path("tree.svg")), "old");
+  }
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"out.face", "out.vert", "points.pdb", "tree.svg"}));
+}
+
 // The weights are an input too.
 TEST(OutputFilesOfOneCommand, NeverTheWeights) {
   const TemporaryFile weights("weights", "1\n2\n3\n");

@@ -79,7 +79,7 @@ TEST(PoreCharts, ProfileOfEachTunnel) {
     const Scale x = scale_of(svg, true), y = scale_of(svg, false);
     static const std::regex line(
         "<path fill=\"none\" stroke=\"#[0-9a-f]{6}\" stroke-width=\"1.5\"[^>]* d=\"([^\"]*)\"/>"),
-        ring("<circle cx=\"([0-9.]+)\" cy=\"([0-9.]+)\"");
+        ring("<circle cx=\"([0-9.]+)\" cy=\"([0-9.]+)\"[^>]*/>\n(?!<text)");
     std::vector<std::vector<double>> lines;
     for (std::sregex_iterator l(svg.begin(), svg.end(), line), end; l != end; ++l) lines.push_back(numbers_of((*l)[1]));
     std::vector<std::pair<double, double>> rings;
@@ -108,6 +108,26 @@ TEST(PoreCharts, ProfileOfEachTunnel) {
       EXPECT_NE(svg.find(">tunnel " + std::to_string(t + 1) + ": bottleneck "), std::string::npos);
     }
     EXPECT_EQ(svg.find("stroke-dasharray=\"4 3\"") != std::string::npos, std::stod(probe) > 0);
+    // Where a tunnel goes the way of earlier ones, its line is wider than theirs.
+    static const std::regex shared(
+        "<path fill=\"none\" stroke=\"#[0-9a-f]{6}\" stroke-width=\"([0-9.]+)\"[^>]* "
+        "d=\"M([0-9.]+) ([0-9.]+)L([0-9.]+) ([0-9.]+)");
+    size_t wide = 0;
+    for (std::sregex_iterator s(svg.begin(), svg.end(), shared), end; s != end; ++s) {
+      if (!(std::stod((*s)[1]) > 1.5)) continue;
+      const auto same = [&](const std::vector<double> &line) {
+        for (size_t k = 0; k + 3 < line.size(); k += 2) {
+          bool all = true;
+          for (size_t i = 0; i < 4; ++i) all = all && line[k + i] == std::stod((*s)[static_cast<long>(i) + 2]);
+          if (all) return true;
+        }
+        return false;
+      };
+      const auto times = static_cast<double>(std::count_if(lines.begin(), lines.end(), same));
+      EXPECT_GE(1.5 + 3.0 * (times - 1.0), std::stod((*s)[1]));
+      ++wide;
+    }
+    EXPECT_GT(wide, 0u);
   }
 }
 
@@ -276,6 +296,15 @@ TEST(PoreCharts, NamesOfNearLimitsDoNotOverlap) {
   ASSERT_EQ(names.size(), 2u);
   EXPECT_NEAR(names["3-d, 2-d"], at(2) + 12, tenth_of_px);
   EXPECT_NEAR(names["1-d"], at(0), tenth_of_px);
+}
+
+// Along a side they have the same number of decimals.
+TEST(PoreCharts, TicksHaveTheSameDecimals) {
+  const std::string svg = written("--profile", {crambin(), "--tunnels-from", "9.6,12.8,5.7"}).svg;
+  static const std::regex label("text-anchor=\"end\">[0-9]+(\\.[0-9]+)?</text>");
+  std::set<size_t> lengths;
+  for (std::sregex_iterator l(svg.begin(), svg.end(), label), end; l != end; ++l) lengths.insert((*l)[1].length());
+  EXPECT_EQ(lengths, std::set<size_t>{2});
 }
 
 // Numbers of ticks have as many digits as tell them apart.

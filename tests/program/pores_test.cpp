@@ -69,8 +69,8 @@ TEST(Pores, ARoomWithEightWindows) {
   const double window = std::sqrt(2.0 / 3) - 0.7;
   const Json json = run_json({"pores", file.path(), "--pockets", "0.2", "--tunnels-from", "atom:4", "--tunnels", "9"});
   EXPECT_EQ(json.keys, (Words{"n", "largest_cavity_diameter", "maxima", "gates", "merges", "cavities", "maximum_list",
-                              "gate_list", "pockets", "pocket_list", "from", "from_radius", "tunnels", "tunnel_list",
-                              "tunnel_points", "input"}));
+                              "gate_list", "pockets", "pocket_list", "from", "to", "from_radius", "tunnels",
+                              "tunnel_list", "tunnel_points", "input"}));
   EXPECT_NEAR(json["largest_cavity_diameter"].number, 0.6, 1e-8);
   EXPECT_EQ(json["maxima"].number, 1);
   EXPECT_EQ(json["gates"].number, 8);
@@ -103,6 +103,7 @@ TEST(Pores, ARoomWithEightWindows) {
   for (const Json &tunnel : json["tunnel_list"].items) {
     EXPECT_NEAR(tunnel["radius"].number, window, 1e-8);
     EXPECT_NEAR(tunnel["length"].number, std::sqrt(1.0 / 3), 1e-7);
+    EXPECT_NEAR(tunnel["cost"].number, std::sqrt(1.0 / 3) / (0.3 * window), 1e-6);
   }
 }
 
@@ -317,9 +318,68 @@ TEST(Pores, ABox) {
     }
   }
   const TemporaryFile file("rod.xyzr", "3 2 1 1.6\n");
-  EXPECT_EQ(run_program({"pores", file.path(), "--box", "8,10,3", "--tunnels-from", "0,0,0"}).status, 2);
   const std::string table = run_program({"pores", file.path(), "--box", "8,10,3", "--gates", "--csv"}).out;
   EXPECT_NE(table.find("end_shift_x"), std::string::npos);
+}
+
+// Between rods, tunnels to a copy lead along each vector in turn; to another point they end at the best copy of it.
+TEST(Pores, TunnelsInABox) {
+  const TemporaryFile file("rod.xyzr", "3 2 1 1.6\n");
+  const Words box = {"pores", file.path(), "--box", "8,10,3"};
+  const auto asked = [&](const Words &more) {
+    Words words = box;
+    words.insert(words.end(), more.begin(), more.end());
+    return run_json(words);
+  };
+  for (const std::string way : {"--tunnels-from=-1,7,2.5", "--tunnels-from=maximum:0", "--tunnels-from=atom:0"}) {
+    const Json json = asked({way, "--tunnels", "9"});
+    EXPECT_EQ(json["to"].kind, Json::Kind::null);
+    const std::vector<Json> &tunnels = json["tunnel_list"].items;
+    ASSERT_EQ(tunnels.size(), 3u);
+    const double squares[] = {41, 27.25, 18.25}, lengths[] = {3, 8, 10};
+    const size_t along[] = {2, 0, 1};
+    for (size_t k = 0; k < 3; ++k) {
+      EXPECT_NEAR(tunnels[k]["radius"].number, std::sqrt(squares[k]) - 1.6, 1e-7);
+      EXPECT_NEAR(tunnels[k]["length"].number, lengths[k], 1e-7);
+      EXPECT_NEAR(tunnels[k]["cost"].number, lengths[k] / ((std::sqrt(43.25) - 1.6) * (std::sqrt(squares[k]) - 1.6)),
+                  1e-7);
+      for (size_t axis = 0; axis < 3; ++axis) {
+        EXPECT_EQ(std::abs(tunnels[k]["shift"].items.at(axis).number), axis == along[k] ? 1 : 0);
+      }
+    }
+    const Json &first = json["tunnel_points"].items.front(), &last = json["tunnel_points"].items.back();
+    EXPECT_NEAR(std::abs(first["xyz"].items.at(1).number - last["xyz"].items.at(1).number), 10, 1e-7);
+  }
+  // In the middle of the window along y, two boxes away.
+  const Json to = asked({"--tunnels-from", "maximum:0", "--tunnels-to", "-17,2,2.5", "--cheapest"});
+  EXPECT_EQ(to["to"].items.at(0).number, -17);
+  ASSERT_EQ(to["tunnels"].number, 1);
+  EXPECT_EQ(to["tunnel_list"].items.at(0)["gates"].number, 0);
+  EXPECT_EQ(to["tunnel_list"].items.at(0)["cost"].number, 0);
+}
+
+// Through a wide detour or a narrow window: by width or by cost.
+TEST(Pores, CheapestTunnels) {
+  const Words place = {"pores", crambin(), "--tunnels-from", "maximum:5", "--tunnels", "5"};
+  const auto tunnels = [&](const Words &more) {
+    Words words = place;
+    words.insert(words.end(), more.begin(), more.end());
+    return run_json(words)["tunnel_list"].items;
+  };
+  const std::vector<Json> wide = tunnels({}), cheap = tunnels({"--cheapest"});
+  ASSERT_EQ(wide.size(), cheap.size());
+  EXPECT_LT(cheap[0]["cost"].number, wide[0]["cost"].number);
+  EXPECT_LT(cheap[0]["radius"].number, wide[0]["radius"].number);
+  for (size_t k = 1; k < cheap.size(); ++k) EXPECT_GE(cheap[k]["cost"].number, cheap[k - 1]["cost"].number);
+  // Between two maxima: as wide as the tunnel back.
+  const std::string ends[2] = {"maximum:1", "maximum:5"};
+  std::vector<double> radius;
+  for (const size_t k : {0u, 1u}) {
+    const Json json = run_json({"pores", crambin(), "--tunnels-from", ends[k], "--tunnels-to", ends[1 - k]});
+    radius.push_back(json["tunnel_list"].items.at(0)["radius"].number);
+    EXPECT_EQ(json["to"].items.at(0).text, json["maximum_list"].items.at(k == 0 ? 5 : 1)["xyz"].items.at(0).text);
+  }
+  EXPECT_EQ(radius[0], radius[1]);
 }
 
 // Radii are half of UFF's sigma; what other codes print differs in the third or second digit.

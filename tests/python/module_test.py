@@ -216,6 +216,16 @@ class Values(unittest.TestCase):
         self.assertNotEqual(picture, balls.svg(towards=[0, 1, 0], width=400))
         sticks = hardsphere.Balls([[0, 0, 0], [2, 0, 0]], [0.5, 0.5]).svg(bonds=[(0, 1)], towards=[0, 0, 1])
         self.assertGreater(len(list(ElementTree.fromstring(sticks).iter())), 3)
+        pair = hardsphere.Balls([[0, 0, 0], [2, 0, 0]], [0.5, 0.5])
+        arcs = {}  # bytes of them
+        for kind in (1, 2, 3, "aromatic"):
+            arcs[kind] = len(pair.svg(bonds=[(0, 1, kind)], towards=[0, 0, 1]))
+        self.assertEqual(pair.svg(bonds=[[0, 1, 1]], towards=[0, 0, 1]), sticks)
+        self.assertTrue(arcs[1] < arcs[2] < arcs[3], arcs)
+        self.assertGreater(arcs["aromatic"], arcs[2])
+        for kind in (0, 4, "double", None):
+            with self.assertRaises(ValueError):
+                pair.svg(bonds=[(0, 1, kind)])
 
     def test_moves(self):
         centers, radii = random_balls(40, 8)

@@ -45,6 +45,7 @@ module hardsphere_workspace
     procedure :: compute_pores ! hardsphere/pores.h
     procedure :: compute_pores_periodic ! hardsphere/pores.h
     procedure :: find_tunnel ! hardsphere/pores.h
+    procedure :: find_tunnel_periodic ! hardsphere/pores.h
     procedure :: set_moving
     procedure :: compute_periodic
     procedure :: compute_periodic_with
@@ -58,7 +59,7 @@ module hardsphere_workspace
   private :: compute_map ! hardsphere/map.h
   private :: compute_cells ! hardsphere/cells.h
   private :: find_path, compute_gate ! hardsphere/paths.h
-  private :: compute_pores, compute_pores_periodic, find_tunnel ! hardsphere/pores.h
+  private :: compute_pores, compute_pores_periodic, find_tunnel, find_tunnel_periodic ! hardsphere/pores.h
   ! <private>
 
 contains
@@ -234,6 +235,27 @@ contains
       if (status /= HSP_E_CAPACITY) return
       status = grow_pores(self, limits)
       if (status == HSP_OK) status = hsp_pores_compute(self%pores, self%model, options)
+    end do
+  end function
+
+  ! The same after compute_pores_periodic; without `to` to another copy of `from`.
+  function find_tunnel_periodic(self, options, from, to, avoided, count, tunnel) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    type(hsp_pores_options), intent(in), optional :: options
+    real(c_double), intent(in) :: from(3)
+    real(c_double), intent(in), optional :: to(3)
+    integer(c_int32_t), intent(in), optional :: avoided(*)
+    integer(c_int32_t), intent(in) :: count
+    type(hsp_tunnel), intent(inout) :: tunnel
+    type(hsp_pores_limits) :: limits
+    integer(c_int32_t) :: status
+    status = ready_pores(self)
+    limits = self%pores_limits
+    do while (status == HSP_OK)
+      status = hsp_pores_find_tunnel(self%pores, from, to, avoided, count, tunnel, limits)
+      if (status /= HSP_E_CAPACITY) return
+      status = grow_pores(self, limits)
+      if (status == HSP_OK) status = hsp_pores_compute_periodic(self%pores, self%periodic, options)
     end do
   end function
 

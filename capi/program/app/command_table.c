@@ -232,9 +232,10 @@ const struct command_row command_table[COMMANDS] = {
              "other_end, merges,\n"
              "balls}, ...], with --pockets pockets, pocket_list: [{pocket, xyz, radius, mouth_radius, maximum, gate, "
              "maxima, mouths,\n"
-             "balls}, ...], with --tunnels-from from, from_radius, tunnels, tunnel_list: [{tunnel, radius, length, "
-             "gate, gates,\n"
-             "points}, ...], tunnel_points: [{tunnel, length, xyz, radius, gate, maximum, balls}, ...]; maxima and "
+             "balls}, ...], with --tunnels-from from, to, from_radius, tunnels, tunnel_list: [{tunnel, radius, length, "
+             "cost, gate,\n"
+             "gates, points}, ...], tunnel_points: [{tunnel, length, xyz, radius, gate, maximum, balls}, ...]; maxima "
+             "and "
              "gates by\n"
              "their numbers, counted from 0, or \"outside\" or \"none\"; mouths are gates; balls are indices in "
              "the order of the\n"
@@ -247,7 +248,8 @@ const struct command_row command_table[COMMANDS] = {
              "b, c] the three vectors, channel_list: [{radius, maximum, maxima, directions, copies, rows}, ...] for "
              "--probe; gates\n"
              "have end_shift and other_end_shift, by which the maxima are to be moved, and directions, in which their "
-             "class goes on.\n"
+             "class goes on;\n"
+             "tunnels have shift, the vectors from the point that was named to the copy of it where they end.\n"
              "\n"},
     [COMMAND_CLASH] =
         {.name = "clash",
@@ -303,7 +305,9 @@ const struct command_row command_table[COMMANDS] = {
              "with NAME.face, as MSMS writes them, counted from 1.\n"
              "Kinds are 0 convex, 1 saddle, 2 concave, 3 saddle all around; in .face 3 convex, 1 saddle, 2 concave.\n"
              "Example: hardsphere mesh 1crn.pdb --probe 1.4 --surface ses -o 1crn.ply\n"
-             "JSON: n, vertices, triangles, edge, triangle_area, bytes; triangle_area approaches the area of measure.\n"
+             "JSON: n, vertices, triangles, edge, triangle_area, bytes, and with --pockets pockets and "
+             "coloured_pockets;\n"
+             "triangle_area approaches the area of measure.\n"
              "\n"},
     [COMMAND_MAP] =
         {.name = "map",

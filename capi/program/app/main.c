@@ -20,6 +20,7 @@
 #include "read/radii_list.h"
 #include "read/read_molecule.h"
 #include "read/text_buffer.h"
+#include "write/output_file.h"
 
 /* Choose among the atoms of a file, and give them radii. */
 static bool prepare(const struct request *request, struct molecule *molecule, struct notes *notes,
@@ -191,8 +192,10 @@ static bool run(int count, char **arguments, struct text_buffer *out, struct fai
 int main(int count, char **arguments) {
   struct failure failure = {0, NULL, 0, ""};
   struct text_buffer out = TEXT_BUFFER_EMPTY;
-  const bool done = run(count > 0 ? count - 1 : 0, arguments + 1, &out, &failure) && text_buffer_print(&out, &failure);
+  const bool done = run(count > 0 ? count - 1 : 0, arguments + 1, &out, &failure) && output_files_keep(&failure) &&
+                    text_buffer_print(&out, &failure);
   text_buffer_free(&out);
   if (!done) failure_print(&failure);
+  output_files_drop();
   return failure.exit_status;
 }

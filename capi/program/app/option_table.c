@@ -77,7 +77,7 @@ const struct option *option_at(size_t i) {
       {"--of", "S", take_atoms, OF(MEASURE), .target = IN(part), .what = "atoms, for instance chain:A,B or residue:HOH",
        .help = "measure only the atoms that S names, as for --only; all others that are read block. Of\n"
                "these the free area is found, and no volume; with --gradient its derivatives by all\n"
-               "atoms. Several are a union"},
+               "atoms, of which those that block have neither area nor weight. Several are a union"},
       {"--relative", NULL, take_flag, OF(MEASURE), .target = IN(relative),
        .help = "with --by residue and a probe: also the part of the largest area that a residue of that\n"
                "name can have in a chain"},
@@ -122,6 +122,8 @@ const struct option *option_at(size_t i) {
        .help = "print the list as comma-separated values and nothing else"},
       {"--map", "OUT.svg", take_path, OF(CONTACTS), .target = IN(map),
        .help = "also a picture of the list: a square for each pair, darker the larger its area"},
+      {"--dark", NULL, take_flag, OF(CONTACTS), .target = IN(dark),
+       .help = "that picture before a dark page, with lighter squares for larger areas"},
       {"--trajectory", "RUN", take_path, OF(CONTACTS), .target = IN(trajectory)},
       {"--frames", "A:B:S", take_frames, OF(CONTACTS), .what = "frames, A:B:S"},
       {"--begin", "T", take_time, OF(CONTACTS), .target = IN(frames.begin), .what = "a time"},
@@ -148,9 +150,16 @@ const struct option *option_at(size_t i) {
                "outside, or with --box from where it goes on for ever"},
       {"--balls", NULL, take_flag, OF(PORES), .target = IN(void_balls),
        .help = "also the balls around each pocket, and each bottleneck of a tunnel"},
-      {"--tunnels-from", "X Y Z|atom:N", take_place, OF(PORES), .target = IN(tunnels_from),
+      {"--tunnels-from", "X Y Z|atom:N|maximum:N", take_place, OF(PORES), .target = IN(tunnels_from),
        .help = "list tunnels from a point to the outside, the widest first, with the radius along each.\n"
-               "atom:N is the widest maximum at the atom N of the file, counted from 0"},
+               "With --box to another copy of the point, which lies so many vectors away: for ever.\n"
+               "maximum:N is one of those that are listed, atom:N the widest at the atom N of the file,\n"
+               "counted from 0"},
+      {"--tunnels-to", "X Y Z|atom:N|maximum:N", take_place, OF(PORES), .target = IN(tunnels_to),
+       .help = "instead to this point, or with --box to that copy of it which is best"},
+      {"--cheapest", NULL, take_flag, OF(PORES), .target = IN(cheapest),
+       .help = "tunnels of the least cost first, the integral of 1/radius^2 along straight lines through\n"
+               "maxima and gates: short ones rather than wide ones"},
       {"--tunnels", "N", take_tunnels, OF(PORES), .what = "how many tunnels",
        .help = "so many, each without the bottlenecks of those before it; default 3"},
       {"--points", "OUT", take_path, OF(PORES), .target = IN(points), .what = "a file",
@@ -194,7 +203,9 @@ const struct option *option_at(size_t i) {
        .help = "from where .svg shows them, as for draw"},
       {"--cut", NULL, take_flag, OF(MESH), .target = IN(meshing.cut),
        .help = "in .svg leave out what lies before the middle of the largest void, or else of all: the\n"
-               "inside is seen, and voids as red bodies"},
+               "inside is seen, and voids as teal bodies"},
+
+      {"--dark", NULL, take_flag, OF(MESH), .target = IN(dark), .help = "in .svg before a dark page"},
 
       {"--pockets", "W", take_number, OF(MESH), .target = IN(pockets), .what = "a length", .most = 1e6,
        .component = "space",
@@ -220,7 +231,8 @@ const struct option *option_at(size_t i) {
       {"--view", "X,Y,Z", take_view, OF(DRAW), .target = IN(drawing.viewing),
        .help = "the direction towards the viewer. Default auto: by principal axes, with the longest one\n"
                "across and the shortest towards the viewer, whether water is drawn or not; 0,0,1 looks\n"
-               "along the file's z axis"},
+               "along the file's z axis; highlight: from where most is seen of what --highlight\n"
+               "names, or of all"},
       {"--up", "X,Y,Z", take_direction, OF(DRAW), .target = IN(drawing.viewing.up),
        .help = "the direction that appears upwards; default that of auto, with --view X,Y,Z 0,1,0, or\n"
                "0,0,1 if the view is along that"},

@@ -187,27 +187,36 @@ bool take_box(struct reading *reading, const struct option *option, const char *
 /* X Y Z, or of `gate` void:K, of `pores` atom:N. */
 bool take_place(struct reading *reading, const struct option *option, const char *value) {
   const enum command command = reading->request->command;
-  const bool atoms = command == COMMAND_PORES;
-  const char *const word = atoms ? "atom:" : "void:";
   struct place *place = (void *)((char *)reading->request + option->target);
+  const struct {
+    enum command command;
+    const char *word, *what;
+    uint64_t *number;
+    uint64_t first;
+  } names[] = {{COMMAND_GATE, "void:", "a void, from 1 on", &place->of_void, 1},
+               {COMMAND_PORES, "atom:", "an atom, from 0 on", &place->of_atom, 0},
+               {COMMAND_PORES, "maximum:", "a maximum, from 0 on", &place->of_maximum, 0}};
+  enum { NAMES = sizeof names / sizeof names[0] };
   const char *text = value != NULL ? value : reading->left > 0 ? reading->rest[0] : "";
-  const bool named = (atoms || command == COMMAND_GATE) && strncmp(text, word, strlen(word)) == 0;
-  if (named && value == NULL) option_next(reading);
+  size_t k = 0;
+  while (k < NAMES && (names[k].command != command || strncmp(text, names[k].word, strlen(names[k].word)) != 0)) ++k;
+  if (k < NAMES && value == NULL) option_next(reading);
   if (place->point.given) return option_given_twice(reading, option);
-  if (!named) {
+  if (k == NAMES) {
     place->point.given = option_numbers(reading, option, value, "XYZ", place->point.xyz);
     return place->point.given;
   }
   uint64_t number = 0;
-  const char *digits = text + strlen(word);
+  const char *digits = text + strlen(names[k].word);
   place->point.given = true;
-  if (number_parse_count(digits, strlen(digits), &number) == NUMBER_OK && (atoms ? number < UINT32_MAX : number > 0)) {
-    *(atoms ? &place->of_atom : &place->of_void) = atoms ? number + 1 : number;
+  if (number_parse_count(digits, strlen(digits), &number) == NUMBER_OK && number >= names[k].first &&
+      number < UINT32_MAX) {
+    *names[k].number = number + 1 - names[k].first;
     return true;
   }
   char shown[EXCERPT_BYTES];
   return failure_in_usage(reading->failure, "%s: '%s' is not the number of %s", option->name,
-                          excerpt(shown, digits, strlen(digits)), atoms ? "an atom, from 0 on" : "a void, from 1 on");
+                          excerpt(shown, digits, strlen(digits)), names[k].what);
 }
 
 /* More than that is a slip of the finger. */
@@ -256,17 +265,19 @@ bool take_edge(struct reading *reading, const struct option *option, const char 
          (*edge > 0.0 || failure_in_usage(reading->failure, "--edge must be above 0"));
 }
 
-/* A direction, or the word auto. */
+/* A direction, or a word for one. */
 bool take_view(struct reading *reading, const struct option *option, const char *value) {
   struct viewing *viewing = (void *)((char *)reading->request + option->target);
   const char *word = value != NULL ? value : reading->left > 0 ? reading->rest[0] : "";
   const bool automatic = strcmp(word, "auto") == 0;
-  if (automatic && value == NULL) option_next(reading);
-  if (viewing->automatic || viewing->view.given) return option_given_twice(reading, option);
+  const bool of_highlight = strcmp(word, "highlight") == 0 && viewing == &reading->request->drawing.viewing;
+  if ((automatic || of_highlight) && value == NULL) option_next(reading);
+  if (viewing->automatic || viewing->of_highlight || viewing->view.given) return option_given_twice(reading, option);
   viewing->automatic = automatic;
+  viewing->of_highlight = of_highlight;
   struct option view = *option;
   view.target += offsetof(struct viewing, view);
-  return automatic || take_direction(reading, &view, value);
+  return automatic || of_highlight || take_direction(reading, &view, value);
 }
 
 /* More than that is a slip of the finger. */

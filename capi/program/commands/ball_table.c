@@ -64,11 +64,14 @@ static double free_share(const struct ball_table *made, size_t ball) {
 static bool row_of(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
   const struct ball_table *const made = of;
   (void)text;
-  if (made->part != NULL && made->part[row] == 0) return false;
+  const bool blocks = made->part != NULL && made->part[row] == 0;
+  if (blocks && !made->lists_blocking) return false;
   for (int k = 0; k < made->table.count; ++k) {
     const enum column_kind kind = made->columns[k].kind;
     if (kind == COLUMN_POINT || kind == COLUMN_GRADIENT) {
       cells[k].vector = made->values[k] + 3 * row;
+    } else if (blocks && (kind == COLUMN_SHARE || made->values[k] == made->area || made->values[k] == made->weight)) {
+      cells[k].quantity = (double)NAN;
     } else {
       cells[k].quantity = kind == COLUMN_SHARE ? free_share(made, row) : made->values[k][row];
     }
@@ -81,8 +84,10 @@ void ball_table_make(const struct molecule *molecule, const struct measurement *
   memset(made, 0, sizeof *made);
   made->rows = ball_rows_of(molecule, NULL);
   made->area = measurement->area;
-  /* All others change the area of a part, too, if they move. */
-  made->part = measurement->of_area.centre == NULL ? measurement->part : NULL;
+  made->weight = measurement->weights;
+  made->part = measurement->part;
+  /* They change the area of a part, too, if they move. */
+  made->lists_blocking = measurement->of_area.centre != NULL;
   made->probe = probe;
   made->table = (struct table){made->columns, 0, molecule->format, molecule->atoms, made, row_of, ball_rows_lead};
   /* In JSON they are of the ball. */

@@ -10,8 +10,9 @@
 /* The table, and what it is made of. */
 struct ball_table {
   struct ball_rows rows;
-  const double *area;
-  const uint8_t *part; /* 0 of balls that are left out; NULL: none are */
+  const double *area, *weight;
+  const uint8_t *part; /* 0 of balls that only block; NULL: none do */
+  bool lists_blocking; /* with neither area nor weight */
   double probe;
   struct column columns[MOST_COLUMNS];
   const double *values[MOST_COLUMNS]; /* of the columns, a number or a vector a ball; NULL: the free part of its area */

@@ -289,7 +289,8 @@ static bool write_map(const struct request *request, const struct molecule *mole
   const uint32_t pairs = grouped ? found->between_count : found->contact_count;
   struct contact_square *squares = calloc((size_t)pairs + 1, sizeof *squares);
   if (squares == NULL) return failure_of_memory(failure);
-  struct contact_map map = {molecule, &found->groups, grouped ? found->groups.count : molecule->atoms, squares, 0};
+  struct contact_map map = {molecule, &found->groups, grouped ? found->groups.count : molecule->atoms, squares,
+                            0,        request->dark};
   for (uint32_t k = 0; k < pairs; ++k) {
     const uint32_t *const pair = grouped ? found->between[k].group : found->contacts[k].ball;
     const double area = grouped ? found->between[k].area : found->contacts[k].area;

@@ -12,6 +12,8 @@
 #include "draw/ball_colours.h"
 #include "draw/ball_groups.h"
 #include "draw/ball_names.h"
+#include "draw/bonds.h"
+#include "draw/highlight_view.h"
 #include "draw/look.h"
 #include "draw/occlusion.h"
 #include "draw/page_labels.h"
@@ -168,6 +170,14 @@ static int32_t get_info(const struct request *request, const struct molecule *mo
   return HSP_OK;
 }
 
+static struct shown_bodies bodies_of(const struct request *request, const struct molecule *molecule,
+                                     const struct bond *bond, uint32_t bonds) {
+  const struct drawing *const drawing = &request->drawing;
+  if (!drawing_is_of_sticks(drawing)) return (struct shown_bodies){molecule, 1.0, request->probe, NULL, 0, 0.0};
+  return (struct shown_bodies){molecule, ball_and_stick_size(drawing),  0.0, bond,
+                               bonds,    ball_and_stick_radius(drawing)};
+}
+
 /* Adds the text over the picture. Labels are where a map of the balls says that there is room: sticks hide little. */
 static bool annotate(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                      const struct drawn *drawn, struct text_buffer *over, struct failure *failure) {
@@ -189,8 +199,19 @@ static bool annotate(const struct request *request, const struct molecule *molec
                                     failure);
   }
   if (of_kinds) done = done && page_labels_find_room(geometry->work.map, molecule->atoms, &room, failure);
-  const struct annotation annotation = {drawing, molecule, &drawn->options, drawn->frame,        labels,
-                                        count,   &palette, colour,          &request->highlight, room};
+  const struct shown_bodies bodies = bodies_of(request, molecule, geometry->bond, geometry->bonds);
+  const struct annotation annotation = {.drawing = drawing,
+                                        .molecule = molecule,
+                                        .options = &drawn->options,
+                                        .frame = drawn->frame,
+                                        .view = &drawn->view,
+                                        .bodies = &bodies,
+                                        .labels = labels,
+                                        .label_count = count,
+                                        .palette = &palette,
+                                        .colour = colour,
+                                        .selected = &request->highlight,
+                                        .room = room};
   done = done && annotation_write(&annotation, over, failure);
   free(labels);
   free(colour);
@@ -286,14 +307,30 @@ static bool draw_turn(const struct request *request, const struct molecule *mole
   return true;
 }
 
-static bool draw(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+/* Where --view highlight looks from. */
+static bool find_view(struct drawing *drawing, const struct request *request, const struct molecule *molecule,
+                      struct geometry *geometry, struct failure *failure) {
+  struct bond *bonds = NULL;
+  uint32_t count = 0;
+  if (!drawing->viewing.of_highlight) return true;
+  progress_show(&geometry->progress, "looking around");
+  if (drawing_is_of_sticks(drawing) && !bonds_find(molecule, geometry, &bonds, &count, failure)) return false;
+  const struct shown_bodies bodies = bodies_of(request, molecule, bonds, count);
+  const bool done = highlight_view_find(&bodies, &request->highlight, &drawing->viewing, failure);
+  free(bonds);
+  return done;
+}
+
+static bool draw(const struct request *asked, const struct molecule *molecule, struct geometry *geometry,
                  struct drawn *drawn, struct failure *failure) {
   uint32_t *colour = NULL;
-  if (drawing_occlusion(&request->drawing, molecule->atoms) > 0.0) progress_show(&geometry->progress, "shading");
-  if (!make_colours(request, molecule, geometry, &colour, drawn, failure)) return false;
-  const bool done = request->drawing.spin > 0 ? draw_turn(request, molecule, colour, geometry, drawn, failure)
-                                              : compute(request, molecule, colour, geometry, failure) &&
-                                                    write_picture(request, molecule, geometry, colour, drawn, failure);
+  struct request request = *asked;
+  if (!find_view(&request.drawing, asked, molecule, geometry, failure)) return false;
+  if (drawing_occlusion(&request.drawing, molecule->atoms) > 0.0) progress_show(&geometry->progress, "shading");
+  if (!make_colours(&request, molecule, geometry, &colour, drawn, failure)) return false;
+  const bool done = request.drawing.spin > 0 ? draw_turn(&request, molecule, colour, geometry, drawn, failure)
+                                             : compute(&request, molecule, colour, geometry, failure) &&
+                                                   write_picture(&request, molecule, geometry, colour, drawn, failure);
   free(colour);
   return done;
 }

@@ -28,6 +28,7 @@ static double area_of(const struct triangle_mesh *mesh) {
 struct found {
   const struct meshing *meshing;
   uint32_t vertices, triangles;
+  uint32_t pockets, coloured; /* UINT32_MAX: without --pockets */
   uint64_t bytes;
   double edge, area;
 };
@@ -42,6 +43,11 @@ static void print(struct record *record, const void *of) {
   record_count(record, "triangles", "triangles", found->triangles, "closed: each edge in two of them");
   record_number(record, "edge", NULL, found->edge, 0, "");
   record_number(record, "triangle_area", "area", found->area, 3, "@^2, of the triangles; measure has the surface's");
+  if (found->pockets != UINT32_MAX) {
+    record_count(record, "pockets", "pockets", found->pockets, "where the probe fits that --pockets keeps out");
+    record_count(record, "coloured", "coloured_pockets", found->coloured,
+                 "of these, the widest ones that --least leaves");
+  }
   record_count(record, "bytes", "bytes", (int64_t)found->bytes, "");
 }
 
@@ -71,37 +77,44 @@ static bool add_finer_voids(const struct request *request, struct geometry *geom
   return done;
 }
 
-static bool find_pockets(const struct request *request, struct geometry *geometry, const struct triangle_mesh *mesh,
-                         struct mesh_pockets *pockets, struct failure *failure) {
+static bool find_pockets(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
+                         struct triangle_mesh *mesh, struct mesh_pockets *pockets, struct failure *failure) {
 #ifdef HSP_WITHOUT_SPACE
   (void)request;
+  (void)molecule;
   (void)geometry;
   (void)mesh;
   (void)pockets;
   return failure_in_usage(failure, "--pockets needs the component space, which this build leaves out");
 #else
   const bool smooth = request->meshing.surface == MESH_SOLVENT_EXCLUDED;
-  return mesh_pockets_find(geometry, mesh, smooth, request->pockets, request->persistence, pockets, failure);
+  return mesh_pockets_find(geometry, molecule, mesh, smooth, request->pockets, request->persistence, pockets, failure);
 #endif
 }
 
 static bool write_picture(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
-                          struct triangle_mesh *mesh, uint64_t *bytes, struct failure *failure) {
+                          struct triangle_mesh *mesh, struct found *found, struct failure *failure) {
   const struct meshing *meshing = &request->meshing;
-  struct mesh_view view = {.cut = meshing->cut, .of_outside = mesh->triangles};
+  struct mesh_view view = {.cut = meshing->cut};
   struct mesh_patch *patches = NULL;
+  view.dark = request->dark;
   const int32_t status = viewing_axes(&request->viewing, molecule, view.axis);
   if (status != HSP_OK) return failure_in_library(failure, status);
   const bool smooth = meshing->surface == MESH_SOLVENT_EXCLUDED;
   struct mesh_pockets pockets = {.count = 0};
   if (request->pockets >= 0.0) view.pockets = &pockets;
-  const bool done = (view.pockets == NULL || find_pockets(request, geometry, mesh, &pockets, failure)) &&
-                    (!smooth || geometry_list_patches(geometry, &patches, failure)) &&
-                    (!view.cut || add_finer_voids(request, geometry, mesh, failure));
+  const bool done = (view.pockets == NULL || find_pockets(request, molecule, geometry, mesh, &pockets, failure)) &&
+                    (!smooth || geometry_list_patches(geometry, &patches, failure));
+  view.of_outside = mesh->triangles;
   view.patches = patches;
   const bool written =
-      done && mesh_picture_write(mesh, &view, molecule, input_base_name(request->file), meshing->out, bytes, failure);
+      done && (!view.cut || add_finer_voids(request, geometry, mesh, failure)) &&
+      mesh_picture_write(mesh, &view, molecule, input_base_name(request->file), meshing->out, &found->bytes, failure);
   free(patches);
+  if (view.pockets != NULL) {
+    found->pockets = pockets.all;
+    found->coloured = pockets.count;
+  }
   free(pockets.of_triangle);
   free(pockets.of_patch);
   return written;
@@ -109,22 +122,22 @@ static bool write_picture(const struct request *request, const struct molecule *
 #endif
 
 static bool write_file(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
-                       struct triangle_mesh *mesh, uint64_t *bytes, struct failure *failure) {
+                       struct triangle_mesh *mesh, struct found *found, struct failure *failure) {
   const struct meshing *meshing = &request->meshing;
 #ifdef HSP_WITHOUT_SIGHT
   (void)molecule;
   (void)geometry;
 #else
-  if (meshing->format == MESH_SVG) return write_picture(request, molecule, geometry, mesh, bytes, failure);
+  if (meshing->format == MESH_SVG) return write_picture(request, molecule, geometry, mesh, found, failure);
 #endif
-  return mesh_file_write(mesh, meshing->format, meshing->out, bytes, failure);
+  return mesh_file_write(mesh, meshing->format, meshing->out, &found->bytes, failure);
 }
 
 bool command_mesh(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
                   struct text_buffer *out, struct failure *failure) {
   const struct meshing *meshing = &request->meshing;
   struct triangle_mesh mesh;
-  struct found found = {meshing, 0, 0, 0, 0.0, 0.0};
+  struct found found = {meshing, 0, 0, UINT32_MAX, UINT32_MAX, 0, 0.0, 0.0};
   memset(&mesh, 0, sizeof mesh);
   mesh.atoms = molecule->atoms;
   mesh.edge = edge_of(request);
@@ -139,7 +152,7 @@ bool command_mesh(const struct request *request, const struct molecule *molecule
   found.triangles = mesh.triangles;
   found.edge = mesh.edge;
   found.area = done ? area_of(&mesh) : 0.0;
-  done = done && write_file(request, molecule, geometry, &mesh, &found.bytes, failure);
+  done = done && write_file(request, molecule, geometry, &mesh, &found, failure);
   if (done && !output_is_standard(meshing->out)) report(request, molecule, print, &found, out);
   triangle_mesh_free(&mesh);
   return done;
@@ -156,6 +169,9 @@ bool check_mesh(struct request *request, struct failure *failure) {
   request->excluded_surface = request->meshing.surface == MESH_SOLVENT_EXCLUDED;
   if (request->pockets < 0.0 && request->persistence > 0.0) {
     return failure_in_usage(failure, "--least needs --pockets");
+  }
+  if (request->dark && request->meshing.format != MESH_SVG) {
+    return failure_in_usage(failure, "--dark is for a picture, -o OUT.svg");
   }
   if (request->pockets < 0.0) return true;
   if (request->meshing.format != MESH_SVG) return failure_in_usage(failure, "--pockets is for a picture, -o OUT.svg");

@@ -149,24 +149,30 @@ static struct table table_of_pockets(const struct molecule *molecule, const stru
 }
 
 static bool tunnel_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
-  const hsp_tunnel *const tunnel = &((const struct pores_found *)of)->tunnels[row];
+  const struct pores_found *const found = of;
+  const hsp_tunnel *const tunnel = &found->tunnels[row];
   cells[0].count = (int64_t)row + 1;
   cells[1].quantity = tunnel->radius;
   cells[2].quantity = tunnel->length;
-  cells[3].text = number_text(text, CELL_BYTES, tunnel->gate);
-  cells[4].count = tunnel->gates;
-  cells[5].count = tunnel->points;
+  cells[3].quantity = found->routes[row].cost;
+  cells[4].text = number_text(text, CELL_BYTES, tunnel->gate);
+  cells[5].count = tunnel->gates;
+  cells[6].count = tunnel->points;
+  cells[7].shift = found->routes[row].shift;
   return true;
 }
 
 static struct table table_of_tunnels(const struct molecule *molecule, const struct pores_found *found) {
   static const struct column columns[] = {
-      {"tunnel", NULL, "tunnel", 6, COLUMN_COUNT, 0},     {"radius", NULL, "radius", 9, COLUMN_QUANTITY, 4},
-      {"length", NULL, "length", 10, COLUMN_QUANTITY, 4}, {"gate", NULL, "gate", 7, COLUMN_RESIDUE_NUMBER, 0},
-      {"gates", NULL, "gates", 6, COLUMN_COUNT, 0},       {"points", NULL, "points", 6, COLUMN_COUNT, 0},
+      {"tunnel", NULL, "tunnel", 6, COLUMN_COUNT, 0},      {"radius", NULL, "radius", 9, COLUMN_QUANTITY, 4},
+      {"length", NULL, "length", 10, COLUMN_QUANTITY, 4},  {"cost", NULL, "cost", 9, COLUMN_QUANTITY, 4},
+      {"gate", NULL, "gate", 7, COLUMN_RESIDUE_NUMBER, 0}, {"gates", NULL, "gates", 6, COLUMN_COUNT, 0},
+      {"points", NULL, "points", 6, COLUMN_COUNT, 0},      {"shift", NULL, "shift", 14, COLUMN_SHIFT, 0}, /* in a box */
   };
+  const int count = sizeof columns / sizeof columns[0];
   return (struct table){
-      columns, sizeof columns / sizeof columns[0], molecule->format, found->tunnel_count, found, tunnel_row, NULL};
+      columns, found->shifts == NULL ? count - 1 : count, molecule->format, found->tunnel_count, found, tunnel_row,
+      NULL};
 }
 
 static bool step_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
@@ -286,7 +292,7 @@ static void print(struct record *record, const void *of) {
   if (!persons) {
     record_table(record, "maximum_list", &maxima);
     record_table(record, "gate_list", &gates);
-  } else if (is_boxed(request) && !request->gates && !pockets) {
+  } else if (is_boxed(request) && !request->gates && !pockets && !tunnels) {
     print_table(record, &channels, "  a channel: its widest probe, in @, and where it goes on for ever, by vectors");
   } else if (!request->gates && !pockets && !tunnels) {
     print_table(record, &maxima, "  a class: the radius of the widest probe in it, and of that which merges it, in @");
@@ -303,12 +309,18 @@ static void print(struct record *record, const void *of) {
   }
   if (!tunnels) return;
   if (persons && (request->gates || pockets)) record_line(record, "");
+  const bool ends = request->tunnels_to.point.given;
   record_numbers(record, "from", found->from, 3);
+  record_numbers(record, "to", ends ? found->to : NULL, 3);
   record_number(record, "from_radius", "start", found->room, 8, "@, the radius of the largest probe there");
-  record_count(record, "tunnels", "tunnels", found->tunnel_count, "to the outside, each by another bottleneck");
+  record_count(record, "tunnels", "tunnels", found->tunnel_count,
+               ends                ? "to that point, each by another bottleneck"
+               : is_boxed(request) ? "to a copy of the start, each by another bottleneck"
+                                   : "to the outside, each by another bottleneck");
   if (!persons) record_table(record, "tunnel_list", &tunnel_table);
   if (!persons) record_table(record, "tunnel_points", &steps);
-  print_table(record, &tunnel_table, "  the widest probe that gets through, and how far it goes, in @");
+  print_table(record, &tunnel_table,
+              "  the widest probe that gets through, and how far it goes, in @; its cost, in 1/@");
   for (uint32_t i = 0; lists_balls(record, found) && i < found->tunnel_count; ++i) {
     const uint32_t gate = found->tunnels[i].gate;
     if (gate != HSP_NONE) print_balls(record, "the bottleneck of tunnel", i + 1, &found->of_gates, gate);
@@ -326,8 +338,9 @@ static struct table table_of(const struct molecule *molecule, const struct pores
 
 bool check_pores(struct request *request, struct failure *failure) {
   const bool pockets = request->pockets >= 0.0, from = request->tunnels_from.point.given;
-  if (is_boxed(request) && from) return failure_in_usage(failure, "--tunnels-from is not for a --box");
   if (request->tunnels > 0 && !from) return failure_in_usage(failure, "--tunnels needs --tunnels-from");
+  if (request->tunnels_to.point.given && !from) return failure_in_usage(failure, "--tunnels-to needs --tunnels-from");
+  if (request->cheapest && !from) return failure_in_usage(failure, "--cheapest needs --tunnels-from");
   if (pockets && request->pockets < request->probe) {
     return failure_in_usage(failure, "--pockets: W must not be less than --probe");
   }

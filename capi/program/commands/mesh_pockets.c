@@ -1,9 +1,12 @@
 #include "commands/mesh_pockets.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { UNKNOWN = 0xFF };
+#include "draw/mesh_split.h"
+
+enum { UNKNOWN = 0xFF, MOST_LIFTS = 4, HALVINGS = 12 };
 
 static const double below = 0.01; /* the narrowest probe: so the one that touches fits for all rounding; of an edge */
 
@@ -35,6 +38,7 @@ static int32_t find_pockets(hsp_pores *pores, double wide, double least, struct 
   int32_t status = hsp_pores_get_counts(pores, &counts);
   if (status == HSP_OK) status = hsp_pores_find_pockets(pores, 0.0, wide, &all);
   if (status != HSP_OK) return status;
+  found->all = all;
   uint32_t *const maxima = malloc(((size_t)counts.maxima + 1) * sizeof *maxima);
   *of_maximum = calloc((size_t)counts.maxima + 1, 1);
   const bool enough = maxima != NULL && *of_maximum != NULL;
@@ -43,36 +47,154 @@ static int32_t find_pockets(hsp_pores *pores, double wide, double least, struct 
   return status;
 }
 
-/* The pocket where a probe is that touches the surface at a corner of a triangle. */
-static int32_t locate(const hsp_pores *pores, const struct triangle_mesh *mesh, uint32_t triangle, double above,
-                      const uint8_t *of_maximum, uint8_t *pocket) {
-  const size_t vertex = mesh->corners[3 * (size_t)triangle];
-  double xyz[3];
+/* Of a probe that touches the surface, all that tells where it is. */
+struct places {
+  const hsp_pores *pores;
+  const struct molecule *molecule;
+  const struct triangle_mesh *mesh;
+  double above;              /* of the probe's centre over the surface */
+  const uint8_t *of_maximum; /* its pocket */
+};
+
+/* The pocket of a probe with a centre about there: a chord of the way of a probe runs through the ball that it touches,
+ * and is lifted out of that. UNKNOWN: in no place. */
+static int32_t locate(const struct places *places, const double xyz[3], uint8_t *pocket) {
+  double at[3] = {xyz[0], xyz[1], xyz[2]};
   hsp_pore_place place;
-  for (size_t axis = 0; axis < 3; ++axis) {
-    xyz[axis] = mesh->xyz[3 * vertex + axis] + above * mesh->normals[3 * vertex + axis];
-  }
-  const int32_t status = hsp_pores_locate(pores, xyz, &place);
-  if (status != HSP_OK) return status;
-  *pocket = place.maximum == HSP_NONE || place.maximum == HSP_PORE_OUTSIDE ? 0 : of_maximum[place.maximum];
-  return HSP_OK;
-}
-
-/* A concave patch has one place of the probe. */
-static int32_t find_triangles(const hsp_pores *pores, const struct triangle_mesh *mesh, double above,
-                              const uint8_t *of_maximum, struct mesh_pockets *found) {
-  for (uint32_t t = 0; t < mesh->triangles; ++t) {
-    uint8_t *const of_patch = &found->of_patch[mesh->patches[t]];
-    const bool known = mesh->kinds[t] == HSP_PATCH_CONCAVE && *of_patch != UNKNOWN;
-    const int32_t status = known ? HSP_OK : locate(pores, mesh, t, above, of_maximum, of_patch);
+  *pocket = UNKNOWN;
+  for (int tries = 0; tries < MOST_LIFTS; ++tries) {
+    const int32_t status = hsp_pores_locate(places->pores, at, &place);
     if (status != HSP_OK) return status;
-    found->of_triangle[t] = *of_patch;
+    if (place.maximum != HSP_NONE) {
+      *pocket = place.maximum == HSP_PORE_OUTSIDE ? 0 : places->of_maximum[place.maximum];
+      return HSP_OK;
+    }
+    const double *const centre = places->molecule->xyz + 3 * (size_t)place.ball;
+    double away[3], square = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+      away[axis] = at[axis] - centre[axis];
+      square += away[axis] * away[axis];
+    }
+    for (int axis = 0; axis < 3 && square > 0.0; ++axis) at[axis] -= place.radius * away[axis] / sqrt(square);
   }
   return HSP_OK;
 }
 
-bool mesh_pockets_find(struct geometry *geometry, const struct triangle_mesh *mesh, bool smooth, double wide,
-                       double least, struct mesh_pockets *pockets, struct failure *failure) {
+static void find_probe(const struct places *places, uint32_t vertex, double xyz[3]) {
+  for (size_t axis = 0; axis < 3; ++axis) {
+    const size_t k = 3 * (size_t)vertex + axis;
+    xyz[axis] = places->mesh->xyz[k] + places->above * places->mesh->normals[k];
+  }
+}
+
+static bool is_concave(const struct triangle_mesh *mesh, uint32_t triangle) {
+  return mesh->kinds[triangle] == HSP_PATCH_CONCAVE;
+}
+
+/* Of all vertices and patches. A concave patch has one place of the probe, which is that of its border, too. */
+static int32_t find_vertices(const struct places *places, uint8_t *of_vertex, uint8_t *of_patch) {
+  const struct triangle_mesh *const mesh = places->mesh;
+  for (int concave = 1; concave >= 0; --concave) {
+    for (uint32_t t = 0; t < mesh->triangles; ++t) {
+      uint8_t *const own = &of_patch[mesh->patches[t]];
+      for (size_t k = 0; k < 3 && (concave == 1) == is_concave(mesh, t); ++k) {
+        const uint32_t vertex = mesh->corners[3 * (size_t)t + k];
+        double xyz[3];
+        find_probe(places, vertex, xyz);
+        uint8_t *const wanted = concave == 1 ? own : &of_vertex[vertex];
+        const int32_t status = *wanted == UNKNOWN ? locate(places, xyz, wanted) : HSP_OK;
+        if (status != HSP_OK) return status;
+        if (concave == 1) of_vertex[vertex] = *own;
+        if (*own == UNKNOWN) *own = of_vertex[vertex];
+      }
+    }
+  }
+  return HSP_OK;
+}
+
+/* Where on an edge the pocket of its first end ends. */
+static int32_t find_share(const struct places *places, const uint8_t *of_vertex, struct split_edge *edge) {
+  double from[3], to[3], low = 0.0, high = 1.0;
+  find_probe(places, edge->low, from);
+  find_probe(places, edge->high, to);
+  for (int step = 0; step < HALVINGS; ++step) {
+    const double middle = (low + high) / 2.0;
+    double at[3];
+    uint8_t pocket;
+    for (int axis = 0; axis < 3; ++axis) at[axis] = from[axis] + middle * (to[axis] - from[axis]);
+    const int32_t status = locate(places, at, &pocket);
+    if (status != HSP_OK) return status;
+    *(pocket == of_vertex[edge->low] ? &low : &high) = middle;
+  }
+  edge->share = (low + high) / 2.0;
+  return HSP_OK;
+}
+
+/* The edges of what is not concave with ends in two pockets. To be freed, also on failure. */
+static int32_t find_edges(const struct places *places, const uint8_t *of_vertex, struct split_edge **edges,
+                          size_t *count) {
+  const struct triangle_mesh *const mesh = places->mesh;
+  size_t found = 0;
+  for (int pass = 0; pass < 2; ++pass) {
+    if (pass == 1) *edges = calloc(found + 1, sizeof **edges);
+    if (pass == 1 && *edges == NULL) return HSP_E_MEMORY;
+    found = 0;
+    for (uint32_t t = 0; t < mesh->triangles; ++t) {
+      for (size_t k = 0; k < 3 && !is_concave(mesh, t); ++k) {
+        const uint32_t a = mesh->corners[3 * (size_t)t + k], b = mesh->corners[3 * (size_t)t + (k + 1) % 3];
+        if (of_vertex[a] == of_vertex[b] || of_vertex[a] == UNKNOWN || of_vertex[b] == UNKNOWN) continue;
+        if (pass == 1) (*edges)[found] = (struct split_edge){a < b ? a : b, a < b ? b : a, 0.5};
+        ++found;
+      }
+    }
+  }
+  *count = mesh_split_sort(*edges, found);
+  for (size_t k = 0; k < *count; ++k) {
+    const int32_t status = find_share(places, of_vertex, &(*edges)[k]);
+    if (status != HSP_OK) return status;
+  }
+  return HSP_OK;
+}
+
+/* Of parts of triangles, each is on the side of its first corner, if that is no new one. */
+static void set_triangles(const struct triangle_mesh *mesh, const uint8_t *of_vertex, uint32_t old,
+                          struct mesh_pockets *found) {
+  for (uint32_t t = 0; t < mesh->triangles; ++t) {
+    uint8_t own = found->of_patch[mesh->patches[t]];
+    for (size_t k = 3; k-- > 0 && !is_concave(mesh, t);) {
+      const uint32_t vertex = mesh->corners[3 * (size_t)t + k];
+      if (vertex < old && of_vertex[vertex] != UNKNOWN) own = of_vertex[vertex];
+    }
+    found->of_triangle[t] = own == UNKNOWN ? 0 : own;
+  }
+}
+
+/* Splits triangles at the borders of pockets. */
+static bool colour_mesh(const struct places *places, struct triangle_mesh *mesh, uint32_t patches,
+                        struct mesh_pockets *found, struct failure *failure) {
+  const uint32_t old = mesh->vertices;
+  uint8_t *const of_vertex = malloc((size_t)old + 1);
+  struct split_edge *edges = NULL;
+  size_t count = 0;
+  found->of_patch = calloc((size_t)patches + 1, 1);
+  int32_t status = of_vertex == NULL || found->of_patch == NULL ? HSP_E_MEMORY : HSP_OK;
+  if (status == HSP_OK) {
+    memset(of_vertex, UNKNOWN, old);
+    memset(found->of_patch, UNKNOWN, patches);
+    status = find_vertices(places, of_vertex, found->of_patch);
+  }
+  if (status == HSP_OK) status = find_edges(places, of_vertex, &edges, &count);
+  bool done = status == HSP_OK ? mesh_split(mesh, edges, count, failure) : failure_in_library(failure, status);
+  if (done) found->of_triangle = calloc((size_t)mesh->triangles + 1, 1);
+  if (done && found->of_triangle == NULL) done = failure_of_memory(failure);
+  if (done) set_triangles(mesh, of_vertex, old, found);
+  free(of_vertex);
+  free(edges);
+  return done;
+}
+
+bool mesh_pockets_find(struct geometry *geometry, const struct molecule *molecule, struct triangle_mesh *mesh,
+                       bool smooth, double wide, double least, struct mesh_pockets *pockets, struct failure *failure) {
   const hsp_pores_options options = {
       .struct_size = (uint32_t)sizeof options, .reserved = 0, .floor = -below * mesh->edge};
   uint8_t *of_maximum = NULL;
@@ -83,14 +205,9 @@ bool mesh_pockets_find(struct geometry *geometry, const struct triangle_mesh *me
   /* The balls of the model are grown by the probe. */
   if (status == HSP_OK) status = find_pockets(geometry->work.pores, wide - mesh->probe, least, pockets, &of_maximum);
   for (uint32_t t = 0; t < mesh->triangles; ++t) patches = mesh->patches[t] < patches ? patches : mesh->patches[t] + 1;
-  pockets->of_patch = calloc((size_t)patches + 1, 1);
-  pockets->of_triangle = calloc((size_t)mesh->triangles + 1, 1);
-  const bool enough = pockets->of_patch != NULL && pockets->of_triangle != NULL;
-  if (status == HSP_OK && !enough) status = HSP_E_MEMORY;
-  if (status == HSP_OK) {
-    memset(pockets->of_patch, UNKNOWN, patches);
-    status = find_triangles(geometry->work.pores, mesh, smooth ? mesh->probe : 0.0, of_maximum, pockets);
-  }
+  const struct places places = {geometry->work.pores, molecule, mesh, smooth ? mesh->probe : 0.0, of_maximum};
+  const bool done =
+      status == HSP_OK ? colour_mesh(&places, mesh, patches, pockets, failure) : failure_in_library(failure, status);
   free(of_maximum);
-  return status == HSP_OK || failure_in_library(failure, status);
+  return done;
 }

@@ -81,25 +81,41 @@ static bool take_pockets(hsp_pores *pores, struct pores_found *found, struct fai
          take_lists(pores, *count, hsp_pores_get_pocket_maxima, &found->of_pockets, failure);
 }
 
-/* The point that was named, or the widest maximum at an atom. */
-static bool find_start(const struct molecule *molecule, struct pores_found *found, struct failure *failure) {
-  const struct place *const place = &found->request->tunnels_from;
-  memcpy(found->from, place->point.xyz, sizeof found->from);
+/* The point that an option names, a maximum, or the widest one at an atom. */
+static bool find_place(const struct molecule *molecule, const struct pores_found *found, const char *option,
+                       const struct place *place, double point[3], struct failure *failure) {
+  memcpy(point, place->point.xyz, sizeof place->point.xyz);
+  if (place->of_maximum > found->counts.maxima) {
+    return failure_in_input(failure, 0, "%s: there is no maximum %" PRIu64 " among %" PRIu32 ", from 0 on", option,
+                            place->of_maximum - 1, found->counts.maxima);
+  }
+  if (place->of_maximum > 0) memcpy(point, found->maxima[place->of_maximum - 1].xyz, sizeof place->point.xyz);
   if (place->of_atom == 0) return true;
   const uint64_t atom = place->of_atom - 1;
   if (atom >= molecule->atoms) {
-    return failure_in_input(failure, 0, "--tunnels-from: there is no atom %" PRIu64 " among %" PRIu32 ", from 0 on",
-                            atom, molecule->atoms);
+    return failure_in_input(failure, 0, "%s: there is no atom %" PRIu64 " among %" PRIu32 ", from 0 on", option, atom,
+                            molecule->atoms);
   }
   const size_t *const first = found->of_maxima.first;
   for (uint32_t i = 0; i < found->counts.maxima; ++i) {
     for (size_t k = first[i]; k < first[i + 1]; ++k) {
       if (found->of_maxima.number[k] != atom) continue;
-      memcpy(found->from, found->maxima[i].xyz, sizeof found->from);
+      memcpy(point, found->maxima[i].xyz, sizeof found->maxima[i].xyz);
       return true;
     }
   }
-  return failure_in_input(failure, 0, "--tunnels-from: atom %" PRIu64 " touches no largest probe", atom);
+  return failure_in_input(failure, 0, "%s: atom %" PRIu64 " touches no largest probe", option, atom);
+}
+
+/* Where it is; the radius of the largest probe there. */
+static bool find_room(const hsp_pores *pores, const char *option, const double point[3], double *room,
+                      struct failure *failure) {
+  hsp_pore_place place;
+  const int32_t status = hsp_pores_locate(pores, point, &place);
+  if (status == HSP_E_RANGE) return failure_in_input(failure, 0, "%s: %s", option, geometry_reason(status));
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  *room = place.radius;
+  return true;
 }
 
 static bool add_steps(const hsp_pores *pores, struct pores_found *found, struct failure *failure) {
@@ -130,26 +146,39 @@ static bool add_steps(const hsp_pores *pores, struct pores_found *found, struct 
 /* The best ones, each without the bottlenecks of those before. */
 static bool find_tunnels(struct geometry *geometry, const struct molecule *molecule, struct pores_found *found,
                          struct failure *failure) {
-  const uint32_t most = found->request->tunnels > 0 ? found->request->tunnels : TUNNELS;
-  hsp_pore_place start;
-  if (!find_start(molecule, found, failure)) return false;
-  const int32_t located = hsp_pores_locate(geometry->work.pores, found->from, &start);
-  if (located == HSP_E_RANGE) return failure_in_input(failure, 0, "--tunnels-from: %s", geometry_reason(located));
-  if (located != HSP_OK) return failure_in_library(failure, located);
-  found->room = start.radius;
-  found->tunnels = calloc((size_t)most, sizeof *found->tunnels);
-  uint32_t *const avoided = calloc((size_t)most, sizeof *avoided);
-  bool done = (found->tunnels != NULL && avoided != NULL) || failure_of_memory(failure);
-  for (uint32_t i = 0; done && i < most; ++i) {
-    hsp_tunnel *const tunnel = &found->tunnels[i];
-    done = geometry_find_tunnel(geometry, found->request->probe, found->from, avoided, i, tunnel, failure);
-    if (!done || tunnel->there == 0) break;
-    done = add_steps(geometry->work.pores, found, failure);
-    found->tunnel_count = i + 1;
-    if (tunnel->gate == HSP_NONE) break; /* no gate is its bottleneck: none is to be avoided */
-    avoided[i] = tunnel->gate;
+  static const char from[] = "--tunnels-from", to[] = "--tunnels-to";
+  const struct request *const request = found->request;
+  const hsp_pores *const pores = geometry->work.pores;
+  const uint32_t most = request->tunnels > 0 ? request->tunnels : TUNNELS;
+  double room = 0.0;
+  if (!find_place(molecule, found, from, &request->tunnels_from, found->from, failure) ||
+      !find_place(molecule, found, to, &request->tunnels_to, found->to, failure) ||
+      !find_room(pores, from, found->from, &found->room, failure) || !find_room(pores, to, found->to, &room, failure)) {
+    return false;
   }
-  free(avoided);
+  struct tunnel_question question = {
+      .narrowest = request->probe,
+      .in_box = request->box.source != BOX_NONE,
+      .cheapest = request->cheapest,
+      .from = found->from,
+      .to = request->tunnels_to.point.given ? found->to : NULL,
+      .avoided = calloc((size_t)most, sizeof *question.avoided),
+  };
+  found->tunnels = calloc((size_t)most, sizeof *found->tunnels);
+  found->routes = calloc((size_t)most, sizeof *found->routes);
+  bool done =
+      (found->tunnels != NULL && found->routes != NULL && question.avoided != NULL) || failure_of_memory(failure);
+  for (; done && question.count < most; ++question.count) {
+    hsp_tunnel *const tunnel = &found->tunnels[question.count];
+    done = geometry_find_tunnel(geometry, &question, tunnel, failure);
+    if (!done || tunnel->there == 0) break;
+    const int32_t status = hsp_pores_get_tunnel_route(geometry->work.pores, &found->routes[question.count]);
+    done = status == HSP_OK ? add_steps(geometry->work.pores, found, failure) : failure_in_library(failure, status);
+    found->tunnel_count = question.count + 1;
+    if (tunnel->gate == HSP_NONE) break; /* no gate is its bottleneck: none is to be avoided */
+    question.avoided[question.count] = tunnel->gate;
+  }
+  free(question.avoided);
   return done;
 }
 
@@ -176,6 +205,7 @@ void pores_free(struct pores_found *found) {
   free(found->gates);
   free(found->pockets);
   free(found->tunnels);
+  free(found->routes);
   free(found->steps);
   free(found->shifts);
   free(found->channels);

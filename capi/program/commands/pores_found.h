@@ -39,10 +39,11 @@ struct pores_found {
   struct number_lists mouths;
   struct number_lists lining;
   struct number_lists of_pockets; /* maxima */
-  double from[3];
-  double room; /* of the largest probe there */
+  double from[3], to[3];          /* to: if the request names it */
+  double room;                    /* of the largest probe at the start */
   uint32_t tunnel_count;
   hsp_tunnel *tunnels;
+  hsp_tunnel_route *routes;
   struct tunnel_step *steps;
   size_t step_count;
   struct periodic_result box; /* with --box, and what follows */

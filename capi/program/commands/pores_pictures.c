@@ -7,6 +7,7 @@
 
 #include "commands/pores_found.h"
 #include "draw/chart.h"
+#include "draw/pocket_colours.h"
 #include "read/text_buffer.h"
 #include "write/output_file.h"
 
@@ -15,6 +16,15 @@ enum { LEFT = 72, TOP = 20, WIDTH = 640, RIGHT = 40, PROFILE_HEIGHT = 320, BELOW
 enum { NAME_BYTES = 96 };
 
 /* ---- the radius along tunnels ---- */
+
+#define TUNNEL_LINE 1.5
+#define SHARED_LINE 3.0 /* more of it for each tunnel on the same way */
+
+struct profile {
+  const struct pores_found *found;
+  struct chart_frame frame;
+  struct chart_scale across, up;
+};
 
 static void path_begin(struct text_buffer *out, const char *colour, double width) {
   text_buffer_add(out, "<path fill=\"none\" stroke=\"%s\" stroke-width=\"%.1f\" stroke-linejoin=\"round\"", colour,
@@ -30,64 +40,125 @@ static void add_dashed(struct text_buffer *out, double x0, double y0, double x1,
                   y0, x1, y1);
 }
 
-/* Steps of the tunnel, and a ring at its bottleneck. */
-static void add_profile(struct text_buffer *out, const struct pores_found *found, uint32_t tunnel,
-                        const struct chart_frame *frame, const struct chart_scale *across,
-                        const struct chart_scale *up) {
-  const char *const colour = chart_colour(tunnel);
+enum { MOST_SHARED = 4 };
+
+/* How many tunnels before this one have the step, and the one before it. */
+static int shared_by(const struct pores_found *found, size_t step) {
+  const struct tunnel_step *const to = &found->steps[step], *const from = to - 1;
+  int count = 0;
+  for (size_t i = 1; i < step && count < MOST_SHARED; ++i) {
+    const struct tunnel_step *const other = &found->steps[i];
+    if (other->tunnel >= to->tunnel || (other - 1)->tunnel != other->tunnel) continue;
+    if (memcmp(other->point.xyz, to->point.xyz, sizeof to->point.xyz) != 0 || other->length != to->length) continue;
+    if (memcmp((other - 1)->point.xyz, from->point.xyz, sizeof from->point.xyz) == 0) ++count;
+  }
+  return count;
+}
+
+static void add_step(struct text_buffer *out, const struct profile *profile, const char *letter, size_t step) {
+  const struct tunnel_step *const at = &profile->found->steps[step];
+  text_buffer_add(out, "%s%.2f %.2f", letter, chart_x(&profile->frame, &profile->across, at->length),
+                  chart_y(&profile->frame, &profile->up, at->point.radius));
+}
+
+/* Where a tunnel goes the way of earlier ones, it is wider, and so seen on both sides of their lines. */
+static void add_shared(struct text_buffer *out, const struct profile *profile, uint32_t tunnel) {
+  int before = 0;
+  for (size_t i = 1; i <= profile->found->step_count; ++i) {
+    const struct tunnel_step *const step = &profile->found->steps[i - 1];
+    const bool here = i < profile->found->step_count && step->tunnel == tunnel + 1 && (step + 1)->tunnel == tunnel + 1;
+    const int shared = here ? shared_by(profile->found, i) : 0;
+    if (before > 0 && shared != before) text_buffer_add_text(out, "\"/>\n");
+    if (shared > 0 && shared != before) {
+      path_begin(out, chart_colour(tunnel), TUNNEL_LINE + SHARED_LINE * shared);
+      text_buffer_add_text(out, " d=\"");
+      add_step(out, profile, "M", i - 1);
+    }
+    if (shared > 0) add_step(out, profile, "L", i);
+    before = shared;
+  }
+}
+
+static void add_line(struct text_buffer *out, const struct profile *profile, uint32_t tunnel) {
   const char *letter = "M";
-  const struct tunnel_step *tightest = NULL;
-  path_begin(out, colour, 1.5);
+  path_begin(out, chart_colour(tunnel), TUNNEL_LINE);
   add_dash(out, tunnel);
   text_buffer_add_text(out, " d=\"");
-  for (size_t i = 0; i < found->step_count; ++i) {
-    const struct tunnel_step *const step = &found->steps[i];
-    if (step->tunnel != tunnel + 1) continue;
-    text_buffer_add(out, "%s%.2f %.2f", letter, chart_x(frame, across, step->length),
-                    chart_y(frame, up, step->point.radius));
+  for (size_t i = 0; i < profile->found->step_count; ++i) {
+    if (profile->found->steps[i].tunnel != tunnel + 1) continue;
+    add_step(out, profile, letter, i);
     letter = "L";
-    if (tightest == NULL || step->point.radius < tightest->point.radius) tightest = step;
   }
   text_buffer_add_text(out, "\"/>\n");
-  if (tightest == NULL) return;
+}
+
+static void add_ring(struct text_buffer *out, double x, double y, const char *colour) {
   text_buffer_add(out,
-                  "<circle cx=\"%.2f\" cy=\"%.2f\" r=\"4\" fill=\"#ffffff\" stroke=\"%s\" stroke-width=\"1.5\"/>\n",
-                  chart_x(frame, across, tightest->length), chart_y(frame, up, tightest->point.radius), colour);
+                  "<circle cx=\"%.2f\" cy=\"%.2f\" r=\"4\" fill=\"#ffffff\" stroke=\"%s\" stroke-width=\"1.5\"/>\n", x,
+                  y, colour);
+}
+
+/* At the bottleneck. */
+static void add_tightest(struct text_buffer *out, const struct profile *profile, uint32_t tunnel) {
+  const struct tunnel_step *tightest = NULL;
+  for (size_t i = 0; i < profile->found->step_count; ++i) {
+    const struct tunnel_step *const step = &profile->found->steps[i];
+    if (step->tunnel != tunnel + 1) continue;
+    if (tightest == NULL || step->point.radius < tightest->point.radius) tightest = step;
+  }
+  if (tightest == NULL) return;
+  add_ring(out, chart_x(&profile->frame, &profile->across, tightest->length),
+           chart_y(&profile->frame, &profile->up, tightest->point.radius), chart_colour(tunnel));
+}
+
+/* A row for each tunnel, and for what else is drawn. */
+static void add_profile_legend(struct text_buffer *out, const struct profile *profile, const char *sign, bool dashes) {
+  const struct pores_found *const found = profile->found;
+  const char *const blank = sign[0] == '\0' ? "" : " ";
+  double y = profile->frame.top + profile->frame.height + BELOW - 6;
+  for (uint32_t t = 0; t < found->tunnel_count; ++t, y += LEGEND_ROW) {
+    const hsp_tunnel *const tunnel = &found->tunnels[t];
+    text_buffer_add(out, "<path stroke=\"%s\" stroke-width=\"1.5\"", chart_colour(t));
+    add_dash(out, t);
+    text_buffer_add(out, " d=\"M%d %.1fh24\"/>\n", LEFT, y - 4.0);
+    text_buffer_add(out, "<text x=\"%d\" y=\"%.1f\">tunnel %" PRIu32 ": bottleneck %.3f%s%s, length %.2f%s%s</text>\n",
+                    LEFT + 32, y, t + 1, tunnel->radius, blank, sign, tunnel->length, blank, sign);
+  }
+  if (found->tunnel_count == 0) return;
+  add_ring(out, LEFT + 12, y - 4.0, "#333333");
+  chart_text(out, LEFT + 32, y, "start", "bottleneck");
+  if (!dashes) return;
+  add_dashed(out, LEFT + 160, y - 4.0, LEFT + 184, y - 4.0);
+  chart_text(out, LEFT + 192, y, "start", "the narrowest probe of interest");
 }
 
 bool pores_write_profile(const struct pores_found *found, const struct molecule *molecule, const char *path,
                          struct failure *failure) {
   struct text_buffer out = TEXT_BUFFER_EMPTY;
-  const struct chart_frame frame = {LEFT, TOP, WIDTH, PROFILE_HEIGHT};
-  const double bottom = TOP + PROFILE_HEIGHT;
-  const int height = TOP + PROFILE_HEIGHT + BELOW + LEGEND_ROW * (int)found->tunnel_count;
+  const uint32_t rows = found->tunnel_count > 0 ? found->tunnel_count + 1 : 0;
   double longest = 0.0, widest = 0.0;
-  char name[NAME_BYTES];
   for (size_t i = 0; i < found->step_count; ++i) {
     longest = fmax(longest, found->steps[i].length);
     widest = fmax(widest, found->steps[i].point.radius);
   }
-  const struct chart_scale across = chart_scale_of(0.0, longest > 0.0 ? longest : 1.0);
-  const struct chart_scale up = chart_scale_of(0.0, widest > 0.0 ? widest : 1.0);
+  const struct profile profile = {found,
+                                  {LEFT, TOP, WIDTH, PROFILE_HEIGHT},
+                                  chart_scale_of(0.0, longest > 0.0 ? longest : 1.0),
+                                  chart_scale_of(0.0, widest > 0.0 ? widest : 1.0)};
   const double probe = found->request->probe;
-  chart_begin(&out, LEFT + WIDTH + RIGHT, height, "Tunnels");
-  chart_axes(&out, &frame, &across, &up);
-  chart_name_across(&out, &frame, "way from the start", molecule->format->sign);
-  chart_name_up(&out, &frame, "radius of the largest probe", molecule->format->sign);
-  if (probe > 0.0 && probe < up.high) {
-    add_dashed(&out, LEFT, chart_y(&frame, &up, probe), LEFT + WIDTH, chart_y(&frame, &up, probe));
+  const bool dashes = probe > 0.0 && probe < profile.up.high;
+  chart_begin(&out, LEFT + WIDTH + RIGHT, TOP + PROFILE_HEIGHT + BELOW + LEGEND_ROW * (int)rows, "Tunnels");
+  chart_axes(&out, &profile.frame, &profile.across, &profile.up);
+  chart_name_across(&out, &profile.frame, "way from the start", molecule->format->sign);
+  chart_name_up(&out, &profile.frame, "radius of the largest probe", molecule->format->sign);
+  if (dashes) {
+    const double y = chart_y(&profile.frame, &profile.up, probe);
+    add_dashed(&out, LEFT, y, LEFT + WIDTH, y);
   }
-  for (uint32_t t = found->tunnel_count; t-- > 0;) add_profile(&out, found, t, &frame, &across, &up);
-  for (uint32_t t = 0; t < found->tunnel_count; ++t) {
-    const hsp_tunnel *const tunnel = &found->tunnels[t];
-    const double y = bottom + BELOW + LEGEND_ROW * t - 6;
-    text_buffer_add(&out, "<path stroke=\"%s\" stroke-width=\"1.5\"", chart_colour(t));
-    add_dash(&out, t);
-    text_buffer_add(&out, " d=\"M%d %.1fh24\"/>\n", LEFT, y - 4.0);
-    snprintf(name, sizeof name, "tunnel %" PRIu32 ": bottleneck %.3f, length %.2f", t + 1, tunnel->radius,
-             tunnel->length);
-    chart_text(&out, LEFT + 32, y, "start", name);
-  }
+  for (uint32_t t = found->tunnel_count; t-- > 0;) add_shared(&out, &profile, t);
+  for (uint32_t t = found->tunnel_count; t-- > 0;) add_line(&out, &profile, t);
+  for (uint32_t t = found->tunnel_count; t-- > 0;) add_tightest(&out, &profile, t);
+  add_profile_legend(&out, &profile, molecule->format->sign, dashes);
   text_buffer_add_text(&out, "</svg>\n");
   const bool done = output_file_write_text(path, &out, failure);
   text_buffer_free(&out);
@@ -153,7 +224,9 @@ static bool order_tree(const struct pores_found *found, struct tree *tree) {
   return done;
 }
 
-enum { MOST_NAMED_ROWS = 60, NAMED_ROW = 14, TREE_HEIGHT = 840, OTHERS = 6 };
+enum { MOST_NAMED_ROWS = 60, NAMED_ROW = 14, TREE_HEIGHT = 840, OTHERS = POCKET_COLOURS };
+
+static const uint32_t others_colour = 0x8C9196;
 
 /* Which colour a class has: that of the pocket that its maximum is in, or OTHERS. */
 static bool find_colours(const struct pores_found *found, uint8_t **colour) {
@@ -183,6 +256,10 @@ static double row_y(const struct tree_page *page, uint32_t row) {
   return page->frame.top + page->row * (row + (page->outside ? 0.5 : -0.5));
 }
 
+static void add_dot(struct text_buffer *out, double x, double y, uint32_t colour) {
+  text_buffer_add(out, "<circle cx=\"%.2f\" cy=\"%.2f\" r=\"3\" fill=\"#%06" PRIx32 "\"/>\n", x, y, colour);
+}
+
 /* A line from birth to death, and on to the class that it merges into. */
 static void add_classes(struct text_buffer *out, const struct pores_found *found, const struct tree *tree,
                         const struct tree_page *page, const uint8_t *colour) {
@@ -192,7 +269,9 @@ static void add_classes(struct text_buffer *out, const struct pores_found *found
       const hsp_pore_maximum *const maximum = &found->maxima[tree->class[k]];
       if (colour[tree->class[k]] != c) continue;
       if (!any) {
-        path_begin(out, c == OTHERS ? "#8c9196" : chart_colour(c), page->row < NAMED_ROW ? 0.8 : 1.5);
+        char name[NAME_BYTES];
+        snprintf(name, sizeof name, "#%06" PRIx32, c == OTHERS ? others_colour : pocket_colours[c]);
+        path_begin(out, name, page->row < NAMED_ROW ? 0.8 : 1.5);
         text_buffer_add_text(out, " d=\"");
       }
       any = true;
@@ -215,23 +294,52 @@ static void add_names(struct text_buffer *out, const struct pores_found *found, 
   }
 }
 
-/* The probes of --pockets, and its pockets that have colours, as many as there are. */
-static void add_pockets(struct text_buffer *out, const struct pores_found *found, const struct tree_page *page) {
-  const double bottom = page->frame.top + page->frame.height, wide = found->request->pockets;
-  uint32_t rank = 0;
-  if (wide > page->across.low && wide < page->across.high) {
-    const double x = chart_x(&page->frame, &page->across, wide);
-    add_dashed(out, x, page->frame.top, x, bottom);
+/* No narrower probe is of interest: what still has no way out there is a cavity, and ends in a dot. */
+static void add_cavities(struct text_buffer *out, const struct pores_found *found, const struct tree *tree,
+                         const struct tree_page *page, const uint8_t *colour) {
+  for (uint32_t k = 0; k < tree->rows && page->row >= NAMED_ROW; ++k) {
+    const uint32_t class = tree->class[k];
+    if (found->maxima[class].parent != HSP_NONE) continue;
+    add_dot(out, chart_x(&page->frame, &page->across, found->maxima[class].death), row_y(page, k + 1),
+            colour[class] == OTHERS ? others_colour : pocket_colours[colour[class]]);
   }
-  for (uint32_t p = 0; p < found->pocket_count && rank < OTHERS; ++p) {
+}
+
+/* The probes of --pockets. */
+static void add_wide_probe(struct text_buffer *out, const struct pores_found *found, const struct tree_page *page) {
+  const double wide = found->request->pockets;
+  if (!(wide > page->across.low && wide < page->across.high)) return;
+  const double x = chart_x(&page->frame, &page->across, wide);
+  add_dashed(out, x, page->frame.top, x, page->frame.top + page->frame.height);
+}
+
+static void add_swatch(struct text_buffer *out, int column, double y, uint32_t colour, const char *name) {
+  const double x = LEFT + (double)(WIDTH / OTHERS) * column;
+  text_buffer_add(out, "<path stroke=\"#%06" PRIx32 "\" stroke-width=\"3\" d=\"M%.1f %.1fh18\"/>\n", colour, x,
+                  y - 4.0);
+  chart_text(out, x + 24.0, y, "start", name);
+}
+
+/* The pockets that have colours, as many as there are; below them what else is drawn. */
+static void add_tree_legend(struct text_buffer *out, const struct pores_found *found, const struct tree *tree,
+                            const struct tree_page *page) {
+  double y = page->frame.top + page->frame.height + BELOW - 6;
+  int rank = 0;
+  for (uint32_t p = 0; found->request->pockets >= 0.0 && p < found->pocket_count && rank < OTHERS; ++p) {
     if (!pores_lists_pocket(found, p)) continue;
-    const double x = LEFT + (double)(WIDTH / OTHERS) * rank, y = bottom + BELOW - 6;
     char name[NAME_BYTES];
     snprintf(name, sizeof name, "pocket %" PRIu32, p + 1);
-    text_buffer_add(out, "<path stroke=\"%s\" stroke-width=\"3\" d=\"M%.1f %.1fh18\"/>\n", chart_colour(rank++), x,
-                    y - 4.0);
-    chart_text(out, x + 24.0, y, "start", name);
+    add_swatch(out, rank, y, pocket_colours[rank], name);
+    ++rank;
   }
+  if (rank > 0) y += LEGEND_ROW;
+  if (tree->rows == 0 || page->row < NAMED_ROW) return;
+  if (rank > 0) add_swatch(out, 0, y, others_colour, "none of them");
+  double x = LEFT + (rank > 0 ? 2 * (WIDTH / OTHERS) : 0);
+  chart_text(out, x, y, "start", "0, 1, ..: numbers of maxima");
+  x += 2 * (WIDTH / OTHERS);
+  add_dot(out, x + 4.0, y - 4.0, others_colour);
+  chart_text(out, x + 14.0, y, "start", "a cavity: no such probe leaves it");
 }
 
 /* In how many directions a narrower probe goes on for ever. Where lines are nearer than their names are wide, a label
@@ -269,10 +377,10 @@ static void add_tree(struct text_buffer *out, const struct pores_found *found, c
   struct tree_page page = {
       {LEFT, TOP, WIDTH, row * fmax(rows, 1.0)}, chart_scale_of(low, high > low ? high : low + 1.0), row, outside};
   const double bottom = page.frame.top + page.frame.height;
-  chart_begin(out, LEFT + WIDTH + RIGHT, (int)ceil(bottom) + BELOW + LEGEND_ROW, "Classes of pores");
-  chart_axes(out, &page.frame, &page.across, NULL);
+  chart_begin(out, LEFT + WIDTH + RIGHT, (int)ceil(bottom) + BELOW + 2 * LEGEND_ROW, "Classes of pores");
+  chart_axis_below(out, &page.frame, &page.across);
   chart_name_across(out, &page.frame, "radius of the probe", molecule->format->sign);
-  if (found->request->pockets >= 0.0) add_pockets(out, found, &page);
+  if (found->request->pockets >= 0.0) add_wide_probe(out, found, &page);
   if (!outside) add_limits(out, found, &page);
   if (outside) {
     text_buffer_add(out, "<path stroke=\"#333333\" stroke-width=\"1.5\" d=\"M%.2f %.2fH%.2f\"/>\n",
@@ -280,6 +388,8 @@ static void add_tree(struct text_buffer *out, const struct pores_found *found, c
     chart_text(out, LEFT - CHART_TICK - 3, row_y(&page, 0) + 4.0, "end", "outside");
   }
   add_classes(out, found, tree, &page, colour);
+  add_cavities(out, found, tree, &page, colour);
+  add_tree_legend(out, found, tree, &page);
   add_names(out, found, tree, &page);
   text_buffer_add_text(out, "</svg>\n");
 }

@@ -43,6 +43,7 @@ struct place {
   struct given_vector point; /* given in all cases */
   uint64_t of_void;          /* its rank among those that `voids` lists, from 1 on; 0: it is none */
   uint64_t of_atom;          /* its index among the balls plus 1; 0: it is none */
+  uint64_t of_maximum;       /* the same of a maximum of `pores` */
 };
 
 enum query_kind { QUERY_NONE, QUERY_POINT, QUERY_BALL };
@@ -71,6 +72,7 @@ struct request {
   double min_volume; /* of `voids` */
   bool cells;        /* of `contacts` */
   double least;      /* area of a contact that is listed */
+  bool dark;         /* the page of a picture of `contacts` or `mesh` */
   const char *map;   /* a file for a picture of contacts, or NULL */
   enum grouping by;
   const char *weights;    /* a file, or NULL */
@@ -98,7 +100,9 @@ struct request {
   double persistence;            /* likewise, of what is listed, at least */
   double pockets;                /* likewise, radius of a probe that does not get there; negative: none are asked for */
   struct place tunnels_from;     /* likewise */
+  struct place tunnels_to;       /* likewise; else the outside, in a box a copy of the start */
   uint32_t tunnels;              /* how many from there; 0: it is not said */
+  bool cheapest;                 /* those, by cost rather than by width */
   const char *points;            /* a file of their points for viewers, or NULL */
   const char *tunnels_out;       /* a file with the tunnels as programs exchange them, or NULL */
   const char *profile;           /* files for charts of the tunnels and of the classes, or NULL */

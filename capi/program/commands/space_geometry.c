@@ -67,16 +67,23 @@ bool geometry_find_pores(struct geometry *geometry, const struct molecule *molec
          (status == HSP_OK || failure_in_library(failure, status));
 }
 
+/* In the model, or in the box. */
+static int32_t compute_pores(const struct geometry *geometry, bool in_box, double narrowest, hsp_pores_limits *limits) {
+  const hsp_pores_options options = pores_of(narrowest);
+  hsp_pores *const pores = geometry->work.pores;
+  return in_box ? hsp_pores_compute_periodic(pores, geometry->periodic, &options, limits)
+                : hsp_pores_compute(pores, geometry->work.model, &options, limits);
+}
+
 bool geometry_find_pores_in_box(struct geometry *geometry, const struct molecule *molecule, const double *box,
                                 double narrowest, struct failure *failure) {
-  const hsp_pores_options options = pores_of(narrowest);
   hsp_workspace *const work = &geometry->work;
   if (!geometry_compute_periodic(geometry, molecule, 0.0, box, failure)) return false;
   progress_show(&geometry->progress, "looking for pores");
   int32_t status = hsp_workspace_ready_pores(work);
   hsp_pores_limits limits = work->pores_limits;
   while (status == HSP_OK) {
-    status = hsp_pores_compute_periodic(work->pores, geometry->periodic, &options, &limits);
+    status = compute_pores(geometry, true, narrowest, &limits);
     if (status != HSP_E_CAPACITY) break;
     status = hsp_workspace_grow_pores(work, &limits);
   }
@@ -86,10 +93,18 @@ bool geometry_find_pores_in_box(struct geometry *geometry, const struct molecule
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
-bool geometry_find_tunnel(struct geometry *geometry, double narrowest, const double from[3], const uint32_t *avoided,
-                          uint32_t count, hsp_tunnel *tunnel, struct failure *failure) {
-  const hsp_pores_options options = pores_of(narrowest);
+bool geometry_find_tunnel(struct geometry *geometry, const struct tunnel_question *question, hsp_tunnel *tunnel,
+                          struct failure *failure) {
+  hsp_workspace *const work = &geometry->work;
+  hsp_pores_limits limits = work->pores_limits;
+  int32_t status = HSP_OK;
   progress_show(&geometry->progress, "looking for tunnels");
-  const int32_t status = hsp_workspace_tunnel(&geometry->work, &options, from, NULL, avoided, count, tunnel);
+  while (status == HSP_OK) {
+    status = (question->cheapest ? hsp_pores_find_cheapest_tunnel : hsp_pores_find_tunnel)(
+        work->pores, question->from, question->to, question->avoided, question->count, tunnel, &limits);
+    if (status != HSP_E_CAPACITY) break;
+    status = hsp_workspace_grow_pores(work, &limits);
+    if (status == HSP_OK) status = compute_pores(geometry, question->in_box, question->narrowest, NULL);
+  }
   return status == HSP_OK || failure_in_library(failure, status);
 }

@@ -28,8 +28,19 @@ bool geometry_find_pores(struct geometry *geometry, const struct molecule *molec
 bool geometry_find_pores_in_box(struct geometry *geometry, const struct molecule *molecule, const double *box,
                                 double narrowest, struct failure *failure);
 
-/* Find a tunnel to the outside that avoids gates, [count], in the pores of the same narrowest probe. */
-bool geometry_find_tunnel(struct geometry *geometry, double narrowest, const double from[3], const uint32_t *avoided,
-                          uint32_t count, hsp_tunnel *tunnel, struct failure *failure);
+/* Which tunnel is wanted, in the pores of the same narrowest probe. */
+struct tunnel_question {
+  double narrowest;
+  bool in_box;
+  bool cheapest;      /* rather than widest */
+  const double *from; /* [3] */
+  const double *to;   /* [3], or NULL: the outside, or in a box a copy of the start */
+  uint32_t *avoided;  /* [count] gates */
+  uint32_t count;
+};
+
+/* Find it. */
+bool geometry_find_tunnel(struct geometry *geometry, const struct tunnel_question *question, hsp_tunnel *tunnel,
+                          struct failure *failure);
 
 #endif

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "read/residue_kinds.h"
+#include "read/residues.h"
 #include "write/cif_output.h"
 #include "write/output_file.h"
 
@@ -46,7 +47,7 @@ static bool is_backbone(const struct atom_label *label) {
 }
 
 struct residue_scale {
-  char name[4];
+  char name[5];
   int charge;
   double hydropathy; /* Kyte and Doolittle 1982 */
 };
@@ -55,12 +56,13 @@ struct residue_scale {
  * and selenomethionine. */
 static const struct residue_scale *scale_of(const struct residue_label *residue) {
   static const struct residue_scale scales[] = {
-      {"ALA", 0, 1.8},   {"ARG", 1, -4.5}, {"ASN", 0, -3.5}, {"ASP", -1, -3.5}, {"CYS", 0, 2.5},  {"GLN", 0, -3.5},
-      {"GLU", -1, -3.5}, {"GLY", 0, -0.4}, {"HIS", 1, -3.2}, {"ILE", 0, 4.5},   {"LEU", 0, 3.8},  {"LYS", 1, -3.9},
-      {"MET", 0, 1.9},   {"PHE", 0, 2.8},  {"PRO", 0, -1.6}, {"SER", 0, -0.8},  {"THR", 0, -0.7}, {"TRP", 0, -0.9},
-      {"TYR", 0, -1.3},  {"VAL", 0, 4.2},  {"ARN", 0, -4.5}, {"ASH", 0, -3.5},  {"CYM", -1, 2.5}, {"CYX", 0, 2.5},
-      {"GLH", 0, -3.5},  {"HID", 0, -3.2}, {"HIE", 0, -3.2}, {"HIP", 1, -3.2},  {"HSD", 0, -3.2}, {"HSE", 0, -3.2},
-      {"HSP", 1, -3.2},  {"LYN", 0, -3.9}, {"MSE", 0, 1.9}};
+      {"ALA", 0, 1.8},   {"ARG", 1, -4.5},  {"ASN", 0, -3.5},  {"ASP", -1, -3.5}, {"CYS", 0, 2.5},   {"GLN", 0, -3.5},
+      {"GLU", -1, -3.5}, {"GLY", 0, -0.4},  {"HIS", 1, -3.2},  {"ILE", 0, 4.5},   {"LEU", 0, 3.8},   {"LYS", 1, -3.9},
+      {"MET", 0, 1.9},   {"PHE", 0, 2.8},   {"PRO", 0, -1.6},  {"SER", 0, -0.8},  {"THR", 0, -0.7},  {"TRP", 0, -0.9},
+      {"TYR", 0, -1.3},  {"VAL", 0, 4.2},   {"ARN", 0, -4.5},  {"ASH", 0, -3.5},  {"CYM", -1, 2.5},  {"CYX", 0, 2.5},
+      {"GLH", 0, -3.5},  {"HID", 0, -3.2},  {"HIE", 0, -3.2},  {"HIP", 1, -3.2},  {"HSD", 0, -3.2},  {"HSE", 0, -3.2},
+      {"HSP", 1, -3.2},  {"LYN", 0, -3.9},  {"MSE", 0, 1.9},   {"TYM", -1, -1.3}, {"ASPH", 0, -3.5}, {"CYSH", 0, 2.5},
+      {"GLUH", 0, -3.5}, {"HISD", 0, -3.2}, {"HISE", 0, -3.2}, {"HISH", 1, -3.2}, {"LYSH", 1, -3.9}};
   for (size_t k = 0; k < sizeof scales / sizeof scales[0]; ++k) {
     if (strcmp(residue->name, scales[k].name) == 0) return &scales[k];
   }
@@ -69,13 +71,13 @@ static const struct residue_scale *scale_of(const struct residue_label *residue)
 
 /* ---- what lines a tunnel ---- */
 
-/* Its place in the list, at whose end it is if it is new. */
+/* Its place in the list, at whose end it is if it is new. The atoms of a residue may stand apart in the file. */
 static uint32_t lining_of(struct tunnel_lining *tunnel, uint32_t ball) {
   const struct atom_label *const label = &tunnel->molecule->label[ball];
   const struct lining lining = {label->residue, is_backbone(label)};
   uint32_t k = 0;
-  while (k < tunnel->linings &&
-         (tunnel->lining[k].residue != lining.residue || tunnel->lining[k].backbone != lining.backbone)) {
+  while (k < tunnel->linings && (!residue_label_same(tunnel->lining[k].residue, lining.residue) ||
+                                 tunnel->lining[k].backbone != lining.backbone)) {
     ++k;
   }
   if (k == tunnel->linings) tunnel->lining[tunnel->linings++] = lining;
@@ -189,7 +191,7 @@ static int add_up(const struct tunnel_lining *tunnel, const uint32_t near[MOST_N
     const struct residue_label *const residue = tunnel->lining[near[k]].residue;
     const struct residue_scale *const scale = scale_of(residue);
     bool again = false;
-    for (int j = 0; j < k; ++j) again = again || tunnel->lining[near[j]].residue == residue;
+    for (int j = 0; j < k; ++j) again = again || residue_label_same(tunnel->lining[near[j]].residue, residue);
     if (scale == NULL || again) continue;
     ++known;
     sum += scale->hydropathy;

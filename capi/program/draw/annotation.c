@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "draw/label_writing.h"
 #include "draw/pen.h"
 #include "draw/residue_colours.h"
 #include "draw/text_width.h"
@@ -12,10 +13,7 @@
 
 enum { MOST_ENTRIES = 200, RAMP_PARTS = 65, TEXT_BYTES = 48, MOST_POWERS = 300 };
 
-static const double letter_height = 0.72;         /* of capitals, in sizes */
-static const double line_height = 1.3;            /* from label to label */
-static const double clear_of_edge = 0.23;         /* a name within a ball, in sizes */
-static const double smallest_share = 1.0 / 110.0; /* of the width of the page: letters below that are not read */
+static const double letter_height = 0.72; /* of capitals, in sizes */
 
 struct writer {
   const struct annotation *annotation;
@@ -27,156 +25,6 @@ struct writer {
 static void write_text(const struct writer *writer, const char *text, double x, double y, double size, double anchor) {
   const struct pen_text written = {text, x, y + size * letter_height / 2.0, size, anchor, writer->colour, writer->seam};
   pen_write(&writer->pen, &written);
-}
-
-/* ---- labels ---- */
-
-struct placed_label {
-  const char *text;
-  double at[2]; /* of what it names, px */
-  double y;     /* of a label beside the molecule */
-  bool hidden;  /* less is seen of it than a dot would cover */
-};
-
-static const double dot = 0.3, ring = 0.55; /* wide, in sizes */
-
-/* Whether a circle in what is seen of a ball is smaller than a dot. */
-static bool is_hidden(const struct annotation *annotation, double radius) {
-  return annotation->frame.scale * radius < dot / 2.0 * annotation->frame.letter;
-}
-
-static int compare_heights(const void *a, const void *b) {
-  const struct placed_label *p = a;
-  const struct placed_label *q = b;
-  if (p->at[1] != q->at[1]) return p->at[1] < q->at[1] ? -1 : 1;
-  if (p->at[0] != q->at[0]) return p->at[0] < q->at[0] ? -1 : 1;
-  return strcmp(p->text, q->text);
-}
-
-/* Labels of one side, from the top: each as near to what it names as those above and below leave room. */
-static void spread(struct placed_label *label, size_t count, double step, double height) {
-  qsort(label, count, sizeof *label, compare_heights);
-  for (size_t i = 0; i < count; ++i) {
-    const double least = i == 0 ? step / 2.0 : label[i - 1].y + step;
-    label[i].y = label[i].at[1] > least ? label[i].at[1] : least;
-  }
-  for (size_t i = count; i-- > 0;) {
-    const double most = i + 1 == count ? height - step / 2.0 : label[i + 1].y - step;
-    if (label[i].y > most) label[i].y = most;
-  }
-}
-
-/* Whether the lines of two labels, at x from the middle, cross: the order of their ends is not that of their heights
- * where the nearer one ends. */
-static bool lines_cross(const struct placed_label *upper, const struct placed_label *lower, double x) {
-  const double far[2] = {fabs(upper->at[0] - x), fabs(lower->at[0] - x)};
-  const bool first = far[0] < far[1];
-  const struct placed_label *near = first ? upper : lower, *other = first ? lower : upper;
-  const double wide = first ? far[1] : far[0];
-  if (!(wide > 0.0)) return false;
-  const double share = (first ? far[0] : far[1]) / wide;
-  const double height = other->y + share * (other->at[1] - other->y);
-  return first ? height < near->at[1] : height > near->at[1];
-}
-
-/* Lines that cross change their places, which makes them shorter. */
-static void uncross(struct placed_label *label, size_t count, double x) {
-  bool changed = true;
-  for (size_t pass = 0; changed && pass < count; ++pass) {
-    changed = false;
-    for (size_t i = 0; i < count; ++i) {
-      for (size_t k = i + 1; k < count; ++k) {
-        if (!lines_cross(&label[i], &label[k], x)) continue;
-        const struct placed_label kept = label[i];
-        label[i] = label[k];
-        label[k] = kept;
-        label[k].y = label[i].y;
-        label[i].y = kept.y;
-        changed = true;
-      }
-    }
-  }
-}
-
-static double widest_of(const struct placed_label *label, size_t count, double size) {
-  double widest = 0.0;
-  for (size_t i = 0; i < count; ++i) {
-    const double width = text_width(label[i].text, size);
-    if (width > widest) widest = width;
-  }
-  return widest;
-}
-
-/* Within a ball, on its colour: whichever of the two colours differs more from it. */
-static void write_within(const struct writer *writer, const struct page_label *label, const double at[2]) {
-  const uint32_t colours[3] = {writer->annotation->colour[label->atom], writer->colour, writer->seam};
-  int light[3];
-  for (int k = 0; k < 3; ++k) {
-    light[k] = 3 * (int)(colours[k] >> 16 & 0xFF) + 6 * (int)(colours[k] >> 8 & 0xFF) + (int)(colours[k] & 0xFF);
-  }
-  const bool of_lines = abs(light[1] - light[0]) >= abs(light[2] - light[0]);
-  const uint32_t colour = of_lines ? writer->colour : writer->seam;
-  const double y = at[1] + writer->size * letter_height / 2.0;
-  const struct pen_text written = {label->text, at[0], y, writer->size, 0.5, colour, colour};
-  pen_write(&writer->pen, &written);
-}
-
-/* An atom that shows less than the dot has a ring instead. All lines first, so that none crosses a letter. */
-static void write_side(const struct writer *writer, struct placed_label *label, size_t count, double size, bool left) {
-  const double column = writer->annotation->frame.column;
-  const double away = column > 0.0 ? column - 0.4 * size : widest_of(label, count, size) + 0.6 * size;
-  const double x = left ? away : writer->width - away;
-  uncross(label, count, x);
-  for (int seam = 1; seam >= 0; --seam) {
-    for (size_t i = 0; i < count; ++i) {
-      const double from[2] = {left ? x + 0.25 * size : x - 0.25 * size, label[i].y};
-      const uint32_t colour = seam == 1 ? writer->seam : writer->colour;
-      pen_line(&writer->pen, from, label[i].at, size * (seam == 1 ? 0.12 : 0.06), colour);
-      const double wide = label[i].hidden ? ring : dot;
-      pen_line(&writer->pen, label[i].at, label[i].at, size * (seam == 1 ? wide + 0.15 : wide), colour);
-      if (seam == 0 && label[i].hidden) {
-        pen_line(&writer->pen, label[i].at, label[i].at, size * (wide - 0.15), writer->seam);
-      }
-    }
-  }
-  for (size_t i = 0; i < count; ++i) write_text(writer, label[i].text, x, label[i].y, size, left ? 1.0 : 0.0);
-}
-
-static bool write_labels(const struct writer *writer, struct failure *failure) {
-  const struct annotation *annotation = writer->annotation;
-  const struct picture_frame *frame = &annotation->frame;
-  struct placed_label *side = calloc((size_t)annotation->label_count + 1, 2 * sizeof *side);
-  if (side == NULL) return failure_of_memory(failure);
-  struct placed_label *const sides[2] = {side, side + annotation->label_count};
-  size_t count[2] = {0, 0};
-  for (uint32_t i = 0; i < annotation->label_count; ++i) {
-    const struct page_label *label = &annotation->labels[i];
-    const struct placed_label placed = {
-        label->text,
-        {frame->x + frame->scale * label->at[0], frame->y - frame->scale * label->at[1]},
-        0.0,
-        is_hidden(annotation, label->radius)};
-    const double across = text_width(label->text, writer->size);
-    const double reach = hypot(across, letter_height * writer->size) / 2.0 + clear_of_edge * writer->size;
-    if (reach <= frame->scale * label->radius) {
-      write_within(writer, label, placed.at);
-    } else {
-      const int right = placed.at[0] > writer->width / 2.0 ? 1 : 0;
-      sides[right][count[right]++] = placed;
-    }
-  }
-  const size_t most = count[0] > count[1] ? count[0] : count[1];
-  const double height = writer->height - frame->strip;
-  double size = writer->size;
-  if ((double)most * size * line_height > height) size = height / ((double)most * line_height);
-  const bool readable = size >= writer->width * smallest_share;
-  for (int right = 0; right < 2 && readable; ++right) {
-    spread(sides[right], count[right], size * line_height, height);
-    write_side(writer, sides[right], count[right], size, right == 0);
-  }
-  free(side);
-  return readable || failure_in_input(failure, 0, "there is no room for %u labels: name fewer by --highlight",
-                                      (unsigned)annotation->label_count);
 }
 
 /* ---- the scale bar ---- */
@@ -233,7 +81,7 @@ static bool find_entry(const struct annotation *annotation, uint32_t atom, struc
   const bool by_chain = strcmp(annotation->palette->name, "chain") == 0;
   struct residue_colour kind;
   *entry = (struct entry){label->element.text, annotation->colour[atom], true, 0};
-  if (annotation->room != NULL && is_hidden(annotation, annotation->room[atom])) return false;
+  if (annotation->room != NULL && label_is_hidden(annotation, annotation->room[atom])) return false;
   if (by_chain && (atom_is_of_chain(label) || atom_is_water(label))) {
     *entry = (struct entry){label->residue->chain, annotation->colour[atom], false, 0};
     return strcmp(label->element.text, "C") == 0;
@@ -257,21 +105,6 @@ static int compare_entries(const void *left, const void *right) {
   const size_t length[2] = {strlen(a->text), strlen(b->text)};
   if (!a->of_element && length[0] != length[1]) return length[0] < length[1] ? -1 : 1;
   return strcmp(a->text, b->text);
-}
-
-/* All that is not highlighted has one entry, by its carbon if there is any. */
-static void find_others(const struct annotation *annotation, struct legend *legend) {
-  uint32_t found = UINT32_MAX;
-  for (uint32_t atom = 0; atom < annotation->molecule->atoms; ++atom) {
-    const struct atom_label *label = &annotation->molecule->label[atom];
-    if (selection_takes(annotation->selected, annotation->molecule, atom)) continue;
-    if (found == UINT32_MAX) found = atom;
-    if (strcmp(label->element.text, "C") != 0) continue;
-    found = atom;
-    break;
-  }
-  if (found == UINT32_MAX || legend->entries == MOST_ENTRIES) return;
-  legend->entry[legend->entries++] = (struct entry){"others", annotation->colour[found], false, 0};
 }
 
 static void find_entries(const struct annotation *annotation, struct legend *legend) {
@@ -305,7 +138,6 @@ static void find_entries(const struct annotation *annotation, struct legend *leg
   if (by_chain && !legend->entry[0].of_element && legend->entry[legend->entries - 1].of_element) {
     legend->quantity = "chains";
   }
-  find_others(annotation, legend);
 }
 
 static double entry_width(const struct entry *entry, double size) {
@@ -389,7 +221,7 @@ bool annotation_write(const struct annotation *annotation, struct text_buffer *o
   const double y = writer.height - (annotation->frame.strip > 0.0 ? annotation->frame.strip / 2.0 : writer.size);
   bool done = true;
   pen_begin(&writer.pen);
-  if (drawing->label >= 0) done = write_labels(&writer, failure);
+  if (drawing->label >= 0) done = labels_write(annotation, &writer.pen, writer.colour, writer.seam, failure);
   if (drawing->scale_bar) write_scale_bar(&writer, y);
   if (done && drawing->legend && annotation->palette->remark == NULL) write_ramp(&writer, y);
   if (done && drawing->legend && annotation->palette->remark != NULL) write_entries(&writer, y);

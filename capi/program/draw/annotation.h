@@ -7,6 +7,7 @@
 
 #include "draw/ball_colours.h"
 #include "draw/drawing.h"
+#include "draw/front_grid.h"
 #include "draw/page_labels.h"
 #include "draw/picture_frame.h"
 #include "read/failure.h"
@@ -18,6 +19,8 @@ struct annotation {
   const struct molecule *molecule;
   const hsp_picture_options *options;
   struct picture_frame frame;
+  const hsp_view_info *view;
+  const struct shown_bodies *bodies;
   const struct page_label *labels; /* [label_count] */
   uint32_t label_count;
   const struct ball_palette *palette; /* what colours stand for, before occlusion: */
@@ -26,8 +29,7 @@ struct annotation {
   const double *room; /* [atoms], the largest circle in what is seen of each; NULL: a legend asks not for it */
 };
 
-/* Append it to `out`, in the language of the picture. A label stands within what it names if it has room there, else
- * beside the molecule. False: there are more labels than have room. */
+/* Append it to `out`, in the language of the picture. False: there are more labels than have room. */
 bool annotation_write(const struct annotation *annotation, struct text_buffer *out, struct failure *failure);
 
 #endif

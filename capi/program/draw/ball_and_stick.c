@@ -13,6 +13,10 @@ double ball_and_stick_size(const struct drawing *drawing) {
   return drawing->ball_size > 0.0 ? drawing->ball_size : default_ball_size;
 }
 
+double ball_and_stick_radius(const struct drawing *drawing) {
+  return drawing->stick > 0.0 ? drawing->stick : default_stick;
+}
+
 static bool set_balls(const struct molecule *molecule, double size, struct geometry *geometry,
                       struct failure *failure) {
   double *radius = calloc((size_t)molecule->atoms + 1, sizeof *radius);
@@ -47,7 +51,7 @@ static bool failure_of_conflict(const struct molecule *molecule, const hsp_stick
 static bool compute(const struct molecule *molecule, const struct drawing *drawing, const hsp_stick *stick,
                     uint32_t count, bool as_map, struct geometry *geometry, hsp_sticks **sticks, void **memory,
                     struct failure *failure) {
-  const double radius = drawing->stick > 0.0 ? drawing->stick : default_stick;
+  const double radius = ball_and_stick_radius(drawing);
   const hsp_model *model = geometry->work.model;
   hsp_view_options options;
   hsp_sticks_limits limits;
@@ -152,11 +156,9 @@ static bool compute_bonds(const struct molecule *molecule, const struct drawing 
 
 bool ball_and_stick_compute(const struct molecule *molecule, const struct drawing *drawing, const uint32_t *colour,
                             struct geometry *geometry, struct failure *failure) {
-  struct bond *bonds = NULL;
-  uint32_t count = 0;
-  if (!bonds_find(molecule, geometry, &bonds, &count, failure)) return false;
-  const bool done = set_balls(molecule, ball_and_stick_size(drawing), geometry, failure) &&
-                    compute_bonds(molecule, drawing, bonds, count, colour, geometry, failure);
-  free(bonds);
-  return done;
+  free(geometry->bond);
+  geometry->bond = NULL;
+  return bonds_find(molecule, geometry, &geometry->bond, &geometry->bonds, failure) &&
+         set_balls(molecule, ball_and_stick_size(drawing), geometry, failure) &&
+         compute_bonds(molecule, drawing, geometry->bond, geometry->bonds, colour, geometry, failure);
 }

@@ -36,6 +36,7 @@ static const double lighter = 0.15;
 /* A ball that is not highlighted keeps so much of its own colour. Highlighted carbon must not be grey among grey. */
 static const uint32_t plain = 0xDEDBD4;
 static const double kept = 0.25;
+static const uint32_t dark_plain = 0x5E636C;
 static const uint32_t highlighted_carbon = 0x66B8A6;
 
 /* How many of these numbers atoms of chains have, up to two; of all chains, or of those of nucleotides. */
@@ -165,7 +166,8 @@ static bool colour_by_value(const struct drawing *drawing, const struct molecule
   return true;
 }
 
-static bool mute_others(const struct selection *highlight, const struct molecule *molecule, bool by_element,
+/* Before a dark page to a dark grey: what is muted steps back. */
+static bool mute_others(const struct selection *highlight, const struct molecule *molecule, bool by_element, bool dark,
                         uint32_t *colour, struct failure *failure) {
   bool any = false;
   if (highlight->count == 0) return true;
@@ -174,7 +176,7 @@ static bool mute_others(const struct selection *highlight, const struct molecule
       any = true;
       if (by_element && number_of(&molecule->label[i]) == CARBON) colour[i] = highlighted_carbon;
     } else {
-      colour[i] = colour_mixed(plain, colour[i], kept);
+      colour[i] = colour_mixed(dark ? dark_plain : plain, colour[i], kept);
     }
   }
   return any || failure_in_input(failure, 0, "--highlight names no atom that is drawn");
@@ -202,7 +204,7 @@ bool ball_colours_make(const struct drawing *drawing, const struct selection *hi
   for (uint32_t i = 0; done && drawing->lightens && !drawing_is_of_values(drawing) && i < molecule->atoms; ++i) {
     (*colour)[i] = colour_mixed((*colour)[i], 0xFFFFFF, lighter);
   }
-  if (done && mute_others(highlight, molecule, by_element, *colour, failure)) return true;
+  if (done && mute_others(highlight, molecule, by_element, drawing->lightens, *colour, failure)) return true;
   free(*colour);
   return false;
 }

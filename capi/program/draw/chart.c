@@ -1,19 +1,27 @@
 #include "draw/chart.h"
 
+#include <inttypes.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 
+#include "draw/look.h"
+
 enum { MOST_STEPS = 10, NUMBER_BYTES = 32 };
 
 void chart_begin(struct text_buffer *out, int width, int height, const char *title) {
+  chart_begin_before(out, width, height, title, false);
+}
+
+void chart_begin_before(struct text_buffer *out, int width, int height, const char *title, bool dark) {
   text_buffer_add(out,
                   "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\" "
-                  "font-family=\"Helvetica,Arial,sans-serif\" font-size=\"%d\" fill=\"#333333\" "
-                  "role=\"img\">\n<title>",
-                  width, height, width, height, CHART_LETTER);
+                  "font-family=\"Helvetica,Arial,sans-serif\" font-size=\"%d\" fill=\"#%06" PRIx32
+                  "\" role=\"img\">\n<title>",
+                  width, height, width, height, CHART_LETTER, dark ? DARK_PAGE_TEXT : UINT32_C(0x333333));
   text_buffer_add_xml(out, title);
-  text_buffer_add(out, "</title>\n<rect width=\"%d\" height=\"%d\" fill=\"#ffffff\"/>\n", width, height);
+  text_buffer_add(out, "</title>\n<rect width=\"%d\" height=\"%d\" fill=\"#%06" PRIx32 "\"/>\n", width, height,
+                  dark ? DARK_PAGE : UINT32_C(0xffffff));
 }
 
 static void add_text(struct text_buffer *out, double x, double y, const char *anchor, const char *text,
@@ -69,15 +77,17 @@ double chart_y(const struct chart_frame *frame, const struct chart_scale *up, do
 
 static void add_ticks(struct text_buffer *out, const struct chart_frame *frame, const struct chart_scale *scale,
                       bool below) {
-  if (scale == NULL) return;
   const long steps = lround((scale->high - scale->low) / scale->step);
-  int digits = 6; /* and as many more as tell ticks apart */
-  for (double unit = 1e-5 * fmax(fabs(scale->low), fabs(scale->high)); unit > scale->step; unit /= 10.0) ++digits;
+  const double largest = fmax(fabs(scale->low), fabs(scale->high));
+  const bool plain = largest < 1e6 && scale->step > 0.99e-4;
+  int decimals = 0, digits = 6; /* the same of all; and as many as tell ticks apart */
+  for (double unit = 1.0; plain && unit > 1.01 * scale->step; unit /= 10.0) ++decimals;
+  for (double unit = 1e-5 * largest; unit > scale->step; unit /= 10.0) ++digits;
   for (long k = 0; k <= steps; ++k) {
     const double sum = scale->low + scale->step * (double)k;
     const double number = fabs(sum) < scale->step / 2.0 ? 0.0 : sum;
     char text[NUMBER_BYTES];
-    snprintf(text, sizeof text, "%.*g", digits, number);
+    snprintf(text, sizeof text, plain ? "%.*f" : "%.*g", plain ? decimals : digits, number);
     if (below) {
       chart_tick_below(out, chart_x(frame, scale, number), frame->top + frame->height, text);
     } else {
@@ -92,6 +102,12 @@ void chart_axes(struct text_buffer *out, const struct chart_frame *frame, const 
                   frame->left, frame->top, frame->width, frame->height, frame->width);
   add_ticks(out, frame, across, true);
   add_ticks(out, frame, up, false);
+}
+
+void chart_axis_below(struct text_buffer *out, const struct chart_frame *frame, const struct chart_scale *across) {
+  text_buffer_add(out, "<path stroke=\"" CHART_GREY "\" d=\"M%.6g %.6gh%.6g\"/>\n", frame->left,
+                  frame->top + frame->height, frame->width);
+  add_ticks(out, frame, across, true);
 }
 
 static const char *const colours[] = {"#174e87", "#c2452f", "#2f8f5b", "#8a5aa8", "#b8862b", "#2c9aa8"};

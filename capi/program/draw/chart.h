@@ -2,6 +2,7 @@
 #ifndef HARDSPHERE_TOOL_CHART_H
 #define HARDSPHERE_TOOL_CHART_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "read/text_buffer.h"
@@ -14,6 +15,9 @@ enum { CHART_LETTER = 12, CHART_TICK = 4 };
 
 /* The beginning of the file; its end is "</svg>\n". */
 void chart_begin(struct text_buffer *out, int width, int height, const char *title);
+
+/* The same before a dark page, if so asked; lines and ticks have their grey on both. */
+void chart_begin_before(struct text_buffer *out, int width, int height, const char *title, bool dark);
 
 /* anchor: "start", "middle" or "end". */
 void chart_text(struct text_buffer *out, double x, double y, const char *anchor, const char *text);
@@ -37,9 +41,11 @@ struct chart_scale {
 };
 struct chart_scale chart_scale_of(double low, double high);
 
-/* The frame, with ticks along its lower and its left side; scale NULL: none. */
+/* The frame, with ticks along its lower and its left side; or its lower side alone, where lines would be taken for
+ * others. */
 void chart_axes(struct text_buffer *out, const struct chart_frame *frame, const struct chart_scale *across,
                 const struct chart_scale *up);
+void chart_axis_below(struct text_buffer *out, const struct chart_frame *frame, const struct chart_scale *across);
 
 /* Where a number is along a side. */
 double chart_x(const struct chart_frame *frame, const struct chart_scale *across, double number);

@@ -12,11 +12,23 @@
 #include "write/output_file.h"
 
 /* Pixels. Within the frame a row is a unit, so that squares have small coordinates. */
-enum { LEFT = 72, TOP = 40, SIDE = 640, RIGHT = 40, BOTTOM = 92, SHADES = 6, MOST_TICKS = 16 };
+enum { LEFT = 72, TOP = 40, SIDE = 640, RIGHT = 40, BOTTOM = 106, SHADES = 6, SHADE_WIDTH = 56, MOST_TICKS = 16 };
 enum { LABEL_BYTES = 64 };
 
-/* Even steps of lightness. */
-static const char *const shades[SHADES] = {"#d6dfeb", "#b0c2d9", "#8aa5c6", "#6488b2", "#3e6b9d", "#174e87"};
+/* Even steps of lightness, away from the page: before a light one and before a dark one. */
+static const char *const shades[2][SHADES] = {{"#d6dfeb", "#b0c2d9", "#8aa5c6", "#6488b2", "#3e6b9d", "#174e87"},
+                                              {"#23344e", "#31507a", "#446fa3", "#6290c6", "#8ab3e2", "#bcd9f8"}};
+
+/* How wide a row is: whole pixels, so that no edge of a square lies between two, unless there are more rows than
+ * pixels. */
+static double unit_of(const struct contact_map *map) {
+  const double unit = (double)SIDE / map->rows;
+  return unit < 1.0 ? unit : floor(unit + 0.5);
+}
+
+static double side_of(const struct contact_map *map) {
+  return map->rows == 0 ? SIDE : unit_of(map) * map->rows;
+}
 
 /* Powers of ten, as far as doubles go. */
 static double power_of_ten_below(double value) {
@@ -77,9 +89,9 @@ static void name_row(char text[LABEL_BYTES], const struct contact_map *map, uint
 }
 
 /* On both axes, with ticks. */
-static void add_label(struct text_buffer *out, const char *text, double at) {
-  chart_tick_left(out, LEFT, TOP + at, text);
-  chart_tick_below(out, LEFT + at, TOP + SIDE, text);
+static void add_label(struct text_buffer *out, const struct contact_map *map, const char *text, double at) {
+  chart_tick_left(out, LEFT - 0.5, TOP + floor(at) + 0.5, text);
+  chart_tick_below(out, LEFT + floor(at) + 0.5, TOP + side_of(map) + 0.5, text);
 }
 
 /* Those of rows with ticks, but for labels that would touch the one before. */
@@ -90,11 +102,11 @@ static void add_labels(struct text_buffer *out, const struct contact_map *map) {
     if (!has_tick(map, row, step)) continue;
     char text[LABEL_BYTES];
     name_row(text, map, row);
-    const double at = (row + 0.5) * SIDE / map->rows;
+    const double at = (row + 0.5) * unit_of(map);
     const double width = text_width(text, CHART_LETTER);
     const double half = (width > CHART_LETTER ? width : CHART_LETTER) / 2.0 + 2.0;
     if (at - half < free_from) continue;
-    add_label(out, text, at);
+    add_label(out, map, text, at);
     free_from = at + half;
   }
 }
@@ -110,12 +122,12 @@ static void add_chains(struct text_buffer *out, const struct contact_map *map) {
   for (uint32_t row = 1; row <= map->rows; ++row) {
     if (row < map->rows && !begins_chain(map, row)) continue;
     const char *const chain = label_of(map, first)->chain;
-    const double room = (double)(row - first) * SIDE / map->rows;
-    const double middle = (double)(first + row) / 2.0 * SIDE / map->rows;
+    const double room = (row - first) * unit_of(map);
+    const double middle = (first + row) / 2.0 * unit_of(map);
     first = row;
     if (room < text_width(chain, CHART_LETTER) + 4.0 || room < CHART_LETTER + 4.0) continue;
     chart_text(out, LEFT + middle, TOP - 7, "middle", chain);
-    chart_text(out, LEFT + SIDE + 7, TOP + middle + 4.0, "start", chain);
+    chart_text(out, LEFT + side_of(map) + 7.0, TOP + middle + 4.0, "start", chain);
   }
 }
 
@@ -127,19 +139,22 @@ static void add_axis_names(struct text_buffer *out, const struct contact_map *ma
   const bool of_chain = map->groups->grouping == GROUPING_RESIDUE && !several && label_of(map, 0)->chain[0] != '\0';
   snprintf(text, sizeof text, "%s%s%s", names[map->groups->grouping], of_chain ? ", chain " : "",
            of_chain ? label_of(map, 0)->chain : "");
-  const struct chart_frame frame = {LEFT, TOP, SIDE, SIDE};
+  const struct chart_frame frame = {LEFT, TOP, side_of(map), side_of(map)};
   chart_name_across(out, &frame, text, "");
   chart_name_up(out, &frame, text, "");
 }
 
+/* Lines between rows cover the pixels before them; the frame is around all squares. */
 static void add_axes(struct text_buffer *out, const struct contact_map *map) {
+  const double side = side_of(map), low[2] = {LEFT - 0.5, TOP - 0.5};
   bool several = false;
-  text_buffer_add(out, "<path fill=\"none\" stroke=\"" CHART_GREY "\" d=\"M%d %dh%dv%dh-%dzl%d %d", LEFT, TOP, SIDE,
-                  SIDE, SIDE, SIDE, SIDE);
+  text_buffer_add(out, "<path fill=\"none\" stroke=\"" CHART_GREY "\" d=\"M%.1f %.1fh%.6gv%.6gh-%.6gzl%.6g %.6g",
+                  low[0], low[1], side + 1.0, side + 1.0, side + 1.0, side + 1.0, side + 1.0);
   for (uint32_t row = 1; row < map->rows; ++row) {
     if (!begins_chain(map, row)) continue;
-    const double at = (double)row * SIDE / map->rows;
-    text_buffer_add(out, "M%d %.2fh%dM%.2f %dv%d", LEFT, TOP + at, SIDE, LEFT + at, TOP, SIDE);
+    const double at = floor(row * unit_of(map));
+    text_buffer_add(out, "M%.1f %.1fh%.6gM%.1f %.1fv%.6g", low[0], low[1] + at, side + 1.0, low[0] + at, low[1],
+                    side + 1.0);
     several = true;
   }
   text_buffer_add(out, "\"/>\n");
@@ -150,7 +165,7 @@ static void add_axes(struct text_buffer *out, const struct contact_map *map) {
 
 /* A path of all squares of a shade. Where a row is less than a pixel, a square is a pixel all the same. */
 static void add_squares(struct text_buffer *out, const struct contact_map *map, const double end[SHADES]) {
-  const double unit = (double)SIDE / map->rows;
+  const double unit = unit_of(map);
   const double side = unit < 1.0 ? 1.0 / unit : 1.0;
   text_buffer_add(out, "<g transform=\"translate(%d %d) scale(%.9g)\">\n", LEFT, TOP, unit);
   for (int shade = 0; shade < SHADES; ++shade) {
@@ -160,7 +175,7 @@ static void add_squares(struct text_buffer *out, const struct contact_map *map, 
     for (uint32_t k = 0; k < map->count; ++k) {
       const struct contact_square *square = &map->squares[k];
       if (!(square->area > above && square->area <= most)) continue;
-      if (!any) text_buffer_add(out, "<path fill=\"%s\" d=\"", shades[shade]);
+      if (!any) text_buffer_add(out, "<path fill=\"%s\" d=\"", shades[map->dark ? 1 : 0][shade]);
       any = true;
       text_buffer_add(out, "M%" PRIu32 " %" PRIu32 "h%.4gv%.4gh-%.4gz", square->first, square->second, side, side,
                       side);
@@ -172,17 +187,22 @@ static void add_squares(struct text_buffer *out, const struct contact_map *map, 
   text_buffer_add(out, "</g>\n");
 }
 
+/* The shades side by side, and the areas between them where they meet. */
 static void add_scale(struct text_buffer *out, const struct contact_map *map, const double end[SHADES]) {
-  const int y = TOP + SIDE + CHART_TICK + 3 * CHART_LETTER + 16, width = SIDE / (SHADES + 3);
+  const double y = TOP + side_of(map) + CHART_TICK + 3 * CHART_LETTER + 16;
+  const double left = LEFT + side_of(map) - SHADES * SHADE_WIDTH;
   const char *sign = map->molecule->format->sign;
-  text_buffer_add(out, "<text x=\"%d\" y=\"%d\">contact area%s%s%s</text>\n", LEFT, y + 12, sign[0] == '\0' ? "" : ", ",
-                  sign, sign[0] == '\0' ? "" : "²");
   for (int shade = 0; shade < SHADES; ++shade) {
-    const int x = LEFT + (shade + 3) * width;
-    text_buffer_add(out, "<rect x=\"%d\" y=\"%d\" width=\"14\" height=\"14\" fill=\"%s\"/>\n", x, y, shades[shade]);
-    text_buffer_add(out, "<text x=\"%d\" y=\"%d\">%.3g – %.3g</text>\n", x + 19, y + 12,
-                    shade == 0 ? 0.0 : end[shade - 1], end[shade]);
+    const double x = left + shade * SHADE_WIDTH;
+    char text[LABEL_BYTES];
+    snprintf(text, sizeof text, "%.3g", end[shade]);
+    text_buffer_add(out, "<rect x=\"%.6g\" y=\"%.6g\" width=\"%d\" height=\"14\" fill=\"%s\"/>\n", x, y, SHADE_WIDTH,
+                    shades[map->dark ? 1 : 0][shade]);
+    chart_text(out, x + SHADE_WIDTH, y + 2 * CHART_LETTER + 5, "middle", text);
   }
+  chart_text(out, left, y + 2 * CHART_LETTER + 5, "middle", "0");
+  text_buffer_add(out, "<text x=\"%.6g\" y=\"%.6g\" text-anchor=\"end\">contact area%s%s%s</text>\n", left - 12.0,
+                  y + 12.0, sign[0] == '\0' ? "" : ", ", sign, sign[0] == '\0' ? "" : "²");
 }
 
 bool contact_map_write(const struct contact_map *map, const char *path, struct failure *failure) {
@@ -193,8 +213,9 @@ bool contact_map_write(const struct contact_map *map, const char *path, struct f
   }
   double end[SHADES] = {0.0};
   if (largest > 0.0) find_shade_ends(largest, end);
-  const int width = LEFT + SIDE + RIGHT, height = TOP + SIDE + BOTTOM;
-  chart_begin(&out, width, height, "Contacts");
+  const int side = (int)ceil(side_of(map)), least = LEFT + SHADES * SHADE_WIDTH;
+  const int width = LEFT + (side < least ? least : side) + RIGHT, height = TOP + side + BOTTOM;
+  chart_begin_before(&out, width, height, "Contacts", map->dark);
   if (map->rows > 0) {
     add_squares(&out, map, end);
     add_axes(&out, map);

@@ -21,6 +21,7 @@ struct contact_map {
   uint32_t rows;
   const struct contact_square *squares; /* [count] */
   uint32_t count;
+  bool dark; /* the page */
 };
 
 /* Write it as .svg, symmetric about its diagonal, with an axis and a scale of areas. */

@@ -2,7 +2,13 @@
 #ifndef HARDSPHERE_TOOL_LOOK_H
 #define HARDSPHERE_TOOL_LOOK_H
 
+#include <stdint.h>
+
 struct drawing;
+
+/* Of --look slide and --dark, and what is written on it. */
+#define DARK_PAGE UINT32_C(0x14171e)
+#define DARK_PAGE_TEXT UINT32_C(0xece9e2)
 
 /* Sets the options that the user has left open, by the look that was asked for, if there is one. */
 void look_apply(struct drawing *drawing);

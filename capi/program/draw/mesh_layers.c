@@ -331,11 +331,11 @@ static void spread_points(const struct seen_triangle *triangle, uint32_t count, 
   }
 }
 
-/* Whether a triangle, border included, has a point that is not covered; covers them. */
-static bool cover(const struct seen_triangle *triangle, struct points *points) {
+/* How many points of a triangle, border included, are not covered; covers them. */
+static uint32_t cover(const struct seen_triangle *triangle, struct points *points) {
   const int64_t turn = area_of(triangle) < 0.0 ? -1 : 1;
   int32_t low[2], high[2];
-  bool seen = false;
+  uint32_t seen = 0;
   find_box(triangle, low, high);
   const int32_t apart = points->apart;
   const int32_t first[2] = {(low[0] - points->low[0] + apart - 1) / apart,
@@ -350,7 +350,7 @@ static bool cover(const struct seen_triangle *triangle, struct points *points) {
       }
       uint8_t *const covered = &points->covered[(size_t)row * points->across[0] + (size_t)column];
       if (!inside || *covered) continue;
-      seen = true;
+      ++seen;
       if (triangle->whole) *covered = 1;
     }
   }
@@ -370,7 +370,7 @@ bool mesh_layers_find_seen(struct seen_triangle *triangle, uint32_t count, int32
     for (uint32_t i = 0; i < count; ++i) ++first[triangle[i].layer + 2];
     for (size_t k = 2; k < (size_t)layers + 2; ++k) first[k] += first[k - 1];
     for (uint32_t i = 0; i < count; ++i) order[first[triangle[i].layer + 1]++] = i;
-    for (uint32_t i = count; i-- > 0;) triangle[order[i]].seen = cover(&triangle[order[i]], &points);
+    for (uint32_t i = count; i-- > 0;) triangle[order[i]].points = cover(&triangle[order[i]], &points);
   }
   free(first);
   free(order);

@@ -11,8 +11,8 @@ struct seen_triangle {
   double depth[3];
   uint32_t number; /* anything of the caller's, each once */
   uint32_t layer;
-  bool whole; /* it is painted as a whole, not cut */
-  bool seen;
+  bool whole;      /* it is painted as a whole, not cut */
+  uint32_t points; /* of it that are seen; 0: it is not painted */
 };
 
 /* Sort them, the farthest first, and set their layers: none of a layer lies over another one of it, and what lies over
@@ -21,8 +21,8 @@ struct seen_triangle {
  * are none. False for want of memory. */
 bool mesh_layers_find(struct seen_triangle *triangle, uint32_t count, double slack);
 
-/* Tell which are seen, of triangles with layers: those that do not lie under whole ones of later layers at every one of
- * the points that are so many units apart. Of the others less is seen than lies between such points. False for want of
+/* Tell which are seen, of triangles with layers: at how many of the points that are so many units apart they do not lie
+ * under whole ones of later layers. Of those without any less is seen than lies between such points. False for want of
  * memory. */
 bool mesh_layers_find_seen(struct seen_triangle *triangle, uint32_t count, int32_t apart);
 

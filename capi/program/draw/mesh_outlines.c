@@ -119,12 +119,12 @@ static int compare_segments(const void *left, const void *right) {
   return order != 0 ? order : compare_points(a->to, b->to);
 }
 
-bool painted_edges_find_joints(struct painted_edges *edges, uint32_t end_of_paints) {
+bool painted_edges_find_joints(struct painted_edges *edges, uint32_t first, uint32_t end) {
   struct painted_edge *segment = calloc(2 * edges->count + 1, sizeof *segment);
   size_t count = 0, joints = 0;
   if (segment == NULL) return false;
   for (size_t i = 0; i < edges->count; ++i) {
-    if (edges->edge[i].paint >= end_of_paints) continue;
+    if (edges->edge[i].paint < first || edges->edge[i].paint >= end) continue;
     for (int back = 0; back < 2; ++back, ++count) {
       memcpy(segment[count].from, back == 1 ? edges->edge[i].to : edges->edge[i].from, sizeof segment->from);
       memcpy(segment[count].to, back == 1 ? edges->edge[i].from : edges->edge[i].to, sizeof segment->to);
@@ -132,10 +132,10 @@ bool painted_edges_find_joints(struct painted_edges *edges, uint32_t end_of_pain
   }
   qsort(segment, count, sizeof *segment, compare_segments);
   edges->joint = calloc(count + 1, sizeof *edges->joint);
-  for (size_t i = 0, end = 0; edges->joint != NULL && i < count; i = end) {
+  for (size_t i = 0, behind = 0; edges->joint != NULL && i < count; i = behind) {
     int different = 1;
-    for (end = i + 1; end < count && compare_points(segment[i].from, segment[end].from) == 0; ++end) {
-      if (compare_points(segment[end].to, segment[end - 1].to) != 0) ++different;
+    for (behind = i + 1; behind < count && compare_points(segment[i].from, segment[behind].from) == 0; ++behind) {
+      if (compare_points(segment[behind].to, segment[behind - 1].to) != 0) ++different;
     }
     if (different > 2) memcpy(edges->joint[joints++], segment[i].from, sizeof segment->from);
   }

@@ -32,9 +32,9 @@ void painted_edges_add(struct painted_edges *edges, const struct painted_edge *e
 /* Sort by layers and paints, and let edges cancel those that run back. */
 void painted_edges_cancel(struct painted_edges *edges);
 
-/* Find joints: where more than two edges meet, of those left of paints below the end. No curve goes by a joint. False
- * for want of memory. */
-bool painted_edges_find_joints(struct painted_edges *edges, uint32_t end_of_paints);
+/* Find joints: where more than two edges meet, of those left of paints first .. end - 1. No curve goes by a joint.
+ * False for want of memory. */
+bool painted_edges_find_joints(struct painted_edges *edges, uint32_t first, uint32_t end);
 
 /* The end of the edges that have layer and paint of the first one. */
 size_t painted_edges_end(const struct painted_edges *edges, size_t first);

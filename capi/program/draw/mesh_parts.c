@@ -5,7 +5,7 @@
 
 enum { CRUMB_PART = 100 };
 
-static uint32_t root_of(uint32_t *root, uint32_t v) {
+uint32_t mesh_parts_root(uint32_t *root, uint32_t v) {
   while (root[v] != v) {
     root[v] = root[root[v]];
     v = root[v];
@@ -22,9 +22,9 @@ static void find_connected(const struct triangle_mesh *mesh, struct mesh_parts *
   for (uint32_t v = 0; v < mesh->vertices; ++v) parts->root[v] = v;
   for (size_t t = 0; t < mesh->triangles; ++t) {
     const uint32_t *c = mesh->corners + 3 * t;
-    for (int k = 1; k < 3; ++k) parts->root[root_of(parts->root, c[k])] = root_of(parts->root, c[0]);
+    for (int k = 1; k < 3; ++k) parts->root[mesh_parts_root(parts->root, c[k])] = mesh_parts_root(parts->root, c[0]);
   }
-  for (uint32_t v = 0; v < mesh->vertices; ++v) parts->root[v] = root_of(parts->root, v);
+  for (uint32_t v = 0; v < mesh->vertices; ++v) parts->root[v] = mesh_parts_root(parts->root, v);
   for (size_t t = 0; t < mesh->triangles; ++t) {
     const uint32_t *c = mesh->corners + 3 * t;
     const uint32_t root = parts->root[c[0]];
@@ -106,19 +106,20 @@ static void drop_crumbs(const struct triangle_mesh *mesh, uint32_t of_outside, s
     const uint32_t *c = mesh->corners + 3 * t;
     const uint32_t behind = corner_behind(parts, c, &crosses);
     for (int k = 0; k < 3 && behind != UINT32_MAX; ++k) {
-      if (is_behind(parts, c[k])) pieces->root[root_of(pieces->root, c[k])] = root_of(pieces->root, behind);
+      if (is_behind(parts, c[k]))
+        pieces->root[mesh_parts_root(pieces->root, c[k])] = mesh_parts_root(pieces->root, behind);
     }
   }
   for (size_t t = 0; t < of_outside; ++t) {
     const uint32_t behind = corner_behind(parts, mesh->corners + 3 * t, &crosses);
     if (behind == UINT32_MAX || mesh_parts_is_of_void(parts, behind)) continue;
-    const uint32_t root = root_of(pieces->root, behind);
+    const uint32_t root = mesh_parts_root(pieces->root, behind);
     ++pieces->triangles[root];
     if (crosses) pieces->is_cut[root] = true;
     ++all;
   }
   for (uint32_t v = 0; v < mesh->vertices; ++v) {
-    const uint32_t root = root_of(pieces->root, v);
+    const uint32_t root = mesh_parts_root(pieces->root, v);
     parts->dropped[v] = pieces->is_cut[root] && pieces->triangles[root] < all / CRUMB_PART;
   }
 }

@@ -20,6 +20,9 @@ struct mesh_parts {
 bool mesh_parts_find(const struct triangle_mesh *mesh, const double axis[3][3], struct mesh_parts *parts);
 void mesh_parts_free(struct mesh_parts *parts);
 
+/* Of connected vertices the one that stands for all; root: of each another one of them, at first itself. */
+uint32_t mesh_parts_root(uint32_t *root, uint32_t v);
+
 bool mesh_parts_is_of_void(const struct mesh_parts *parts, uint32_t vertex);
 
 /* Set the plane at a depth, or if that is NULL through the middle of the largest void, or else of everything, and drop

@@ -5,14 +5,16 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "draw/pocket_colours.h"
 #include "read/failure.h"
 #include "read/molecule.h"
 #include "write/mesh_file.h"
 
-enum { MESH_POCKETS = 6 };
+enum { MESH_POCKETS = POCKET_COLOURS };
 
 /* Pockets, each of a colour. */
 struct mesh_pockets {
+  uint32_t all;                  /* with those that have none */
   uint32_t count;                /* up to MESH_POCKETS */
   uint32_t number[MESH_POCKETS]; /* their names */
   uint8_t *of_triangle;          /* [of_outside], which of them, from 1 on; 0: none */
@@ -24,6 +26,7 @@ struct mesh_pockets {
 struct mesh_view {
   double axis[3][3]; /* to the right, upwards and towards the viewer: unit vectors */
   bool cut;          /* what lies before the middle of the largest void, or else of everything, is left out */
+  bool dark;         /* the page */
   const struct mesh_patch *patches;   /* of the smooth surface; else NULL */
   const struct mesh_pockets *pockets; /* or NULL */
   uint32_t of_outside; /* triangles: only the first so many show what is no void, only the others voids */
@@ -33,13 +36,12 @@ struct mesh_view {
  * and colours by element, with a legend.
  *
  * Patches of spheres are areas with one radial gradient each: as it is known which circles of it are where, no triangle
- * is seen. Saddles are cut into bands of equal light. Colours of atoms meet where the surface is nearest to neither: on
- * the narrowest circle of a saddle, and on concave patches on lines between the points where these circles end, so that
- * they go on from patch to patch. Borders of patches are
- * hairlines. Farther triangles are painted first (mesh_layers.h).
+ * is seen. Saddles are cut into bands of equal light. Convex patches, where the probe touches one atom, have its
+ * colour, and all between them one of their own, so that colours meet at the borders of patches, which are hairlines.
+ * Farther triangles are painted first (mesh_layers.h).
  *
  * With a cut the inside of the surface is seen, too, and the section by the plane as a line, and voids as bodies in
- * red, which the legend says; crumbs are dropped (mesh_parts.h). With pockets these alone have colours, voids
+ * teal, which the legend says; crumbs are dropped (mesh_parts.h). With pockets these alone have colours, voids
  * or not. *bytes becomes how many were written. False, with the
  * file named, if it cannot be written in full. */
 bool mesh_picture_write(const struct triangle_mesh *mesh, const struct mesh_view *view, const struct molecule *molecule,

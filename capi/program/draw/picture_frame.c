@@ -59,14 +59,20 @@ static void crop(const double part[4], const hsp_view_info *view, hsp_picture_op
 
 /* Letters are so large a part of the page; columns for labels and the strip for scale bar and legend are so many times
  * as wide. */
-static const double letter_share = 1.0 / 45.0;
+static const double letter_share = 1.0 / 45.0, widest_page = 1.4; /* in heights, of that size */
 static const double column_letters = 6.5;
 static const double strip_letters = 2.4;
+
+/* Of a page whose sides are both given, as for slides, letters are no larger than on one that is less wide. */
+static double letter_of(double width, double height) {
+  if (!(width > 0.0)) return letter_share * height;
+  return letter_share * (height > 0.0 && widest_page * height < width ? widest_page * height : width);
+}
 
 /* A picture that the user has not fixed is drawn smaller, with room for what is written on its sides and below. */
 static void make_room(const struct drawing *drawing, const hsp_view_info *view, hsp_picture_options *options,
                       struct picture_frame *frame) {
-  const double letter = letter_share * (options->width > 0.0 ? options->width : options->height);
+  const double letter = letter_of(options->width, options->height);
   const double column = drawing->label >= 0 ? column_letters * letter : 0.0;
   const double strip = drawing->scale_bar || drawing->legend ? strip_letters * letter : 0.0;
   if (options->width > 0.0) options->width -= 2.0 * column;
@@ -82,6 +88,7 @@ void picture_frame_set(const struct drawing *drawing, const hsp_view_info *view,
                        struct picture_frame *frame) {
   static const double px_per_millimetre = 96.0 / 25.4;
   const bool fixed = options->scale > 0.0 || drawing->crop_given;
+  const bool both = options->width > 0.0 && options->height > 0.0;
   *frame = (struct picture_frame){.column = 0.0, .strip = 0.0};
   if (drawing_is_annotated(drawing) && !fixed) {
     make_room(drawing, view, options, frame);
@@ -99,7 +106,7 @@ void picture_frame_set(const struct drawing *drawing, const hsp_view_info *view,
   frame->height = options->height * unit;
   frame->column *= unit;
   frame->strip *= unit;
-  frame->letter = letter_share * frame->width;
+  frame->letter = letter_of(frame->width, both ? frame->height : 0.0);
   frame->scale = options->scale * unit;
   frame->x = frame->width / 2.0 - frame->scale * middle[0];
   frame->y = frame->height / 2.0 + frame->scale * middle[1];

@@ -15,6 +15,7 @@ struct given_vector {
 struct viewing {
   struct given_vector view;   /* towards the viewer; along the thinnest principal axis if it is not given */
   bool automatic;             /* the user says so */
+  bool of_highlight;          /* from where most is seen of what is highlighted: highlight_view.h */
   struct given_vector up;     /* upwards */
   struct given_vector rotate; /* degrees, by which the balls are turned from there */
   double spin;                /* degrees, by which they are turned about the upright axis after that */

@@ -156,6 +156,7 @@ bool geometry_list_shells(const struct geometry *geometry, hsp_shell **shells, u
 
 void geometry_free(struct geometry *geometry) {
   progress_end(&geometry->progress);
+  free(geometry->bond);
   free(geometry->sticks_memory);
   free(geometry->ink_of_sticks_memory);
   free(geometry->periodic_memory);

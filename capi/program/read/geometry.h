@@ -17,6 +17,8 @@ struct geometry {
   void *sticks_memory;
   struct hsp_sticks *ink_of_sticks; /* their map, for contours; the same where that is drawn */
   void *ink_of_sticks_memory;
+  struct bond *bond; /* [bonds] of the sticks; NULL at first */
+  uint32_t bonds;
   uint32_t multiple_bonds; /* among the sticks, where the file says so */
   bool multiple_shown;     /* as such */
   hsp_periodic *periodic;  /* NULL at first */

@@ -10,7 +10,7 @@
 #include "read/failure.h"
 #include "read/progress.h"
 
-#define LINE_READER_BLOCK 65536
+#define LINE_READER_BLOCK 32768
 
 struct line_reader {
   char *text;         /* the current line without its end, NUL-terminated, in the block; valid until the next call. From

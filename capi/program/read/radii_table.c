@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "hardsphere.h"
 #include "read/characters.h"
 #include "read/fields.h"
 #include "read/line_reader.h"
@@ -12,12 +11,7 @@
 
 enum { NAME_BYTES = RADII_NAME_BYTES };
 
-struct radii_entry {
-  char residue[NAME_BYTES];
-  char atom[NAME_BYTES];
-  double radius;
-  uint64_t line;
-};
+_Static_assert(sizeof(((hsp_residue_atom *)NULL)->residue) == NAME_BYTES, "names are as long as those of the library");
 
 /* Of a type in FreeSASA's files. */
 struct type_name {
@@ -29,14 +23,20 @@ struct radii_type {
   double radius;
 };
 
+/* Where an entry stands in a file, and its type there; empty if it has a radius: that follows when types are known. */
+struct source {
+  uint64_t line;
+  struct type_name type;
+};
+
 struct reading {
   struct line_reader *reader;
   struct radii_table *table;
   struct radii_type *types;
   size_t type_count;
   size_t type_capacity;
-  struct type_name *type_of; /* [table->count], empty for entries that have a radius: it follows when types are known */
-  size_t type_of_capacity;
+  struct source *sources; /* [table->count] */
+  size_t source_capacity;
   struct failure *failure;
 };
 
@@ -65,25 +65,25 @@ static bool make_room(void **items, size_t count, size_t *capacity, size_t size,
 }
 
 /* An entry that has neither type nor radius yet; NULL: it cannot be added. */
-static struct radii_entry *add_entry(struct reading *reading, struct field residue, struct field atom) {
+static hsp_residue_atom *add_entry(struct reading *reading, struct field residue, struct field atom) {
   struct radii_table *table = reading->table;
   void *entries = table->entries;
-  void *type_of = reading->type_of;
+  void *sources = reading->sources;
   const bool room =
       make_room(&entries, table->count, &table->capacity, sizeof *table->entries, reading->failure) &&
-      make_room(&type_of, table->count, &reading->type_of_capacity, sizeof *reading->type_of, reading->failure);
+      make_room(&sources, table->count, &reading->source_capacity, sizeof *reading->sources, reading->failure);
   table->entries = entries;
-  reading->type_of = type_of;
+  reading->sources = sources;
   if (!room) return NULL;
-  struct radii_entry *entry = &table->entries[table->count];
-  *entry = (struct radii_entry){"", "", 0.0, reading->reader->number};
+  hsp_residue_atom *entry = &table->entries[table->count];
+  *entry = (hsp_residue_atom){"", "", 0.0};
   const struct field any = {"ANY", 3};
   if (field_is(residue, "*")) residue = any;
   if (!copy_name(entry->residue, sizeof entry->residue, residue) || !copy_name(entry->atom, sizeof entry->atom, atom)) {
-    failure_in_input(reading->failure, entry->line, "a name of more than %d characters", NAME_BYTES - 1);
+    failure_in_input(reading->failure, reading->reader->number, "a name of more than %d characters", NAME_BYTES - 1);
     return NULL;
   }
-  reading->type_of[table->count++].text[0] = '\0';
+  reading->sources[table->count++] = (struct source){reading->reader->number, {""}};
   if (names_hydrogen(entry->atom)) table->hydrogens = true;
   return entry;
 }
@@ -96,7 +96,7 @@ static uint32_t *slot_of(const struct radii_table *table, uint64_t residue, uint
   for (;; ++at) {
     uint32_t *const slot = &table->slots[at & (table->slot_count - 1)];
     if (*slot == 0) return slot;
-    const struct radii_entry *entry = &table->entries[(*slot - 1) / 2];
+    const hsp_residue_atom *entry = &table->entries[(*slot - 1) / 2];
     if (word_at(entry->residue) == residue && (*slot % 2 == 0 ? 0 : word_at(entry->atom)) == atom) return slot;
   }
 }
@@ -106,8 +106,10 @@ static void fill_slots(struct radii_table *table) {
   memset(table->slots, 0, table->slot_count * sizeof *table->slots);
   for (uint32_t i = 0; i < table->count; ++i) {
     const uint64_t residue = word_at(table->entries[i].residue);
-    uint32_t *const alone = slot_of(table, residue, 0);
-    if (*alone == 0) *alone = 2 * i + 2;
+    if (i == 0 || residue != word_at(table->entries[i - 1].residue)) {
+      uint32_t *const alone = slot_of(table, residue, 0);
+      if (*alone == 0) *alone = 2 * i + 2;
+    }
     uint32_t *const slot = slot_of(table, residue, word_at(table->entries[i].atom));
     if (*slot == 0) *slot = 2 * i + 1;
   }
@@ -123,8 +125,8 @@ static bool add_slots(struct radii_table *table, struct failure *failure) {
 }
 
 static int order_of_entries(const void *left, const void *right) {
-  const struct radii_entry *a = left;
-  const struct radii_entry *b = right;
+  const hsp_residue_atom *a = left;
+  const hsp_residue_atom *b = right;
   const int by_residue = strcmp(a->residue, b->residue);
   return by_residue != 0 ? by_residue : strcmp(a->atom, b->atom);
 }
@@ -136,13 +138,14 @@ void radii_table_sort(struct radii_table *table) {
 }
 
 /* An atom may stand there twice, but not with two radii. */
-static bool check_entries(const struct radii_table *table, struct failure *failure) {
-  for (size_t i = 1; i < table->count; ++i) {
-    const struct radii_entry *before = &table->entries[i - 1];
-    const struct radii_entry *entry = &table->entries[i];
-    if (order_of_entries(before, entry) != 0 || before->radius == entry->radius) continue;
-    return failure_in_input(failure, before->line > entry->line ? before->line : entry->line,
-                            "%s %s has another radius above", entry->residue, entry->atom);
+static bool check_entries(const struct reading *reading) {
+  const struct radii_table *table = reading->table;
+  for (size_t i = 0; i < table->count; ++i) {
+    const hsp_residue_atom *entry = &table->entries[i];
+    const uint32_t first = (*slot_of(table, word_at(entry->residue), word_at(entry->atom)) - 1) / 2;
+    if (table->entries[first].radius == entry->radius) continue;
+    return failure_in_input(reading->failure, reading->sources[i].line, "%s %s has another radius above",
+                            entry->residue, entry->atom);
   }
   return true;
 }
@@ -150,24 +153,12 @@ static bool check_entries(const struct radii_table *table, struct failure *failu
 bool radii_table_make(struct radii_table *table, uint32_t set, struct failure *failure) {
   uint32_t count = 0;
   hsp_residue_get_atoms(set, NULL, 0, &count);
-  hsp_residue_atom *atoms = malloc(count * sizeof *atoms);
-  table->entries = calloc(count, sizeof *table->entries);
-  bool done = atoms != NULL && table->entries != NULL;
-  if (done) {
-    table->count = table->capacity = count;
-    hsp_residue_get_atoms(set, atoms, count, NULL);
-  } else {
-    failure_of_memory(failure);
-  }
-  for (uint32_t i = 0; done && i < count; ++i) {
-    struct radii_entry *entry = &table->entries[i];
-    memcpy(entry->residue, atoms[i].residue, sizeof entry->residue);
-    memcpy(entry->atom, atoms[i].atom, sizeof entry->atom);
-    entry->radius = atoms[i].radius;
-    table->hydrogens = table->hydrogens || names_hydrogen(entry->atom);
-  }
-  free(atoms);
-  return done && add_slots(table, failure);
+  table->entries = malloc(count * sizeof *table->entries);
+  if (table->entries == NULL) return failure_of_memory(failure);
+  hsp_residue_get_atoms(set, table->entries, count, NULL);
+  table->count = table->capacity = count;
+  for (uint32_t i = 0; i < count; ++i) table->hydrogens = table->hydrogens || names_hydrogen(table->entries[i].atom);
+  return add_slots(table, failure);
 }
 
 static bool read_type(struct reading *reading, const struct field *part, size_t count) {
@@ -193,10 +184,10 @@ static bool read_entry(struct reading *reading, const struct field *part, size_t
     return failure_in_input(reading->failure, line, "expected a residue, an atom and its %s",
                             typed ? "type" : "radius");
   }
-  struct radii_entry *entry = add_entry(reading, part[0], part[1]);
+  hsp_residue_atom *entry = add_entry(reading, part[0], part[1]);
   if (entry == NULL) return false;
   if (!typed) return field_radius(part[2], &entry->radius, line, reading->failure);
-  struct type_name *type = &reading->type_of[reading->table->count - 1];
+  struct type_name *type = &reading->sources[reading->table->count - 1].type;
   if (copy_name(type->text, sizeof type->text, part[2])) return true;
   return failure_in_input(reading->failure, line, "a name of more than %d characters", (int)sizeof type->text - 1);
 }
@@ -230,13 +221,13 @@ static bool read_lines(struct reading *reading) {
 
 static bool resolve_types(struct reading *reading) {
   for (size_t i = 0; i < reading->table->count; ++i) {
-    struct radii_entry *entry = &reading->table->entries[i];
-    const char *type = reading->type_of[i].text;
+    hsp_residue_atom *entry = &reading->table->entries[i];
+    const char *type = reading->sources[i].type.text;
     if (type[0] == '\0') continue;
     size_t at = 0;
     while (at < reading->type_count && strcmp(reading->types[at].name.text, type) != 0) ++at;
     if (at == reading->type_count) {
-      return failure_in_input(reading->failure, entry->line, "there is no type '%s'", type);
+      return failure_in_input(reading->failure, reading->sources[i].line, "there is no type '%s'", type);
     }
     entry->radius = reading->types[at].radius;
   }
@@ -250,14 +241,13 @@ bool radii_table_read(struct radii_table *table, const char *path, struct failur
   if (reading.reader == NULL) return failure_of_memory(failure);
   bool done = line_reader_open(reading.reader, path, failure);
   if (done) {
-    done = read_lines(&reading) && resolve_types(&reading) && add_slots(table, failure);
+    done = read_lines(&reading) && resolve_types(&reading) && add_slots(table, failure) && check_entries(&reading);
     if (done) radii_table_sort(table);
-    done = done && check_entries(table, failure);
     line_reader_close(reading.reader);
   }
   if (done && table->count == 0) done = failure_in_input(failure, 0, "no radii in the file");
   free(reading.types);
-  free(reading.type_of);
+  free(reading.sources);
   free(reading.reader);
   if (done) failure->file = file_before;
   return done;

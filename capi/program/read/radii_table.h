@@ -6,15 +6,14 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "hardsphere.h"
 #include "read/failure.h"
 
 /* Of names, with the NUL behind them. */
 enum { RADII_NAME_BYTES = 8 };
 
-struct radii_entry;
-
 struct radii_table {
-  struct radii_entry *entries;
+  hsp_residue_atom *entries;
   size_t count;
   size_t capacity;
   bool hydrogens;  /* there are radii for them; if not, heavy atoms stand for them */

@@ -9,26 +9,29 @@
 #include "read/text_buffer.h"
 #include "write/output_file.h"
 
+bool triangle_mesh_make(struct triangle_mesh *mesh, uint32_t vertices, uint32_t triangles, struct failure *failure) {
+  const size_t v = (size_t)vertices + 1;
+  const size_t t = (size_t)triangles + 1;
+  mesh->vertices = vertices;
+  mesh->triangles = triangles;
+  mesh->xyz = calloc(v, 3 * sizeof *mesh->xyz);
+  mesh->normals = calloc(v, 3 * sizeof *mesh->normals);
+  mesh->areas = calloc(v, sizeof *mesh->areas);
+  mesh->vertex_balls = calloc(v, sizeof *mesh->vertex_balls);
+  mesh->corners = calloc(t, 3 * sizeof *mesh->corners);
+  mesh->kinds = calloc(t, sizeof *mesh->kinds);
+  mesh->patches = calloc(t, sizeof *mesh->patches);
+  mesh->balls = calloc(t, sizeof *mesh->balls);
+  return (mesh->xyz != NULL && mesh->normals != NULL && mesh->areas != NULL && mesh->vertex_balls != NULL &&
+          mesh->corners != NULL && mesh->kinds != NULL && mesh->patches != NULL && mesh->balls != NULL) ||
+         failure_of_memory(failure);
+}
+
 bool triangle_mesh_read(const hsp_mesh *mesh, struct triangle_mesh *into, struct failure *failure) {
   hsp_mesh_counts counts;
   if (hsp_mesh_get_counts(mesh, &counts) != HSP_OK) return failure_of_memory(failure);
-  const size_t v = (size_t)counts.vertices + 1;
-  const size_t t = (size_t)counts.triangles + 1;
-  into->vertices = counts.vertices;
-  into->triangles = counts.triangles;
-  into->xyz = calloc(v, 3 * sizeof *into->xyz);
-  into->normals = calloc(v, 3 * sizeof *into->normals);
-  into->areas = calloc(v, sizeof *into->areas);
-  into->vertex_balls = calloc(v, sizeof *into->vertex_balls);
-  into->corners = calloc(t, 3 * sizeof *into->corners);
-  into->kinds = calloc(t, sizeof *into->kinds);
-  into->patches = calloc(t, sizeof *into->patches);
-  into->balls = calloc(t, sizeof *into->balls);
-  if (into->xyz == NULL || into->normals == NULL || into->areas == NULL || into->vertex_balls == NULL ||
-      into->corners == NULL || into->kinds == NULL || into->patches == NULL || into->balls == NULL) {
-    return failure_of_memory(failure);
-  }
-  return hsp_mesh_get_vertices(mesh, into->xyz, into->normals, into->areas, into->vertex_balls, counts.vertices,
+  return triangle_mesh_make(into, counts.vertices, counts.triangles, failure) &&
+         hsp_mesh_get_vertices(mesh, into->xyz, into->normals, into->areas, into->vertex_balls, counts.vertices,
                                NULL) == HSP_OK &&
          hsp_mesh_get_triangles(mesh, into->corners, into->kinds, into->patches, into->balls, counts.triangles, NULL) ==
              HSP_OK;

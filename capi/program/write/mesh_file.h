@@ -32,6 +32,9 @@ struct mesh_patch {
 
 struct hsp_mesh;
 
+/* Room for so many, all 0; to be freed on true and on false. */
+bool triangle_mesh_make(struct triangle_mesh *mesh, uint32_t vertices, uint32_t triangles, struct failure *failure);
+
 /* Everything of a computed mesh; to be freed on true and on false. */
 bool triangle_mesh_read(const struct hsp_mesh *mesh, struct triangle_mesh *into, struct failure *failure);
 void triangle_mesh_free(struct triangle_mesh *mesh);

@@ -12,11 +12,13 @@
 
 #include "write/same_file.h"
 
-/* Links that are followed one after the other, and names that are tried for a new file. */
-enum { MOST_LINKS = 40, MOST_NAMES = 100 };
+/* Links that are followed one after the other, names that are tried for a new file, and new files of a run. */
+enum { MOST_LINKS = 40, MOST_NAMES = 100, MOST_FILES = 16 };
 
-/* The new file that a signal must take away; NULL most of the time. */
-static const char *volatile unfinished;
+/* The new files, which a signal must take away, and once they are finished those that they are to replace; NULL in
+ * places that are not in use. */
+static char *volatile unkept[MOST_FILES];
+static char *target_of[MOST_FILES];
 
 static const int ending_signals[] = {SIGHUP, SIGINT, SIGQUIT, SIGTERM};
 enum { SIGNALS = sizeof ending_signals / sizeof ending_signals[0] };
@@ -25,7 +27,9 @@ static struct sigaction size_action_before;
 
 /* The signal strikes again, and ends the program, as soon as this returns: its action is the default by then. */
 static void take_away(int signal_number) {
-  if (unfinished != NULL) unlink(unfinished);
+  for (size_t i = 0; i < MOST_FILES; ++i) {
+    if (unkept[i] != NULL) unlink(unkept[i]);
+  }
   raise(signal_number);
 }
 
@@ -38,7 +42,7 @@ static void block_signals(sigset_t *before) {
 
 /* A signal that a user ignores stays ignored. A file beyond the size limit is an error like a full disk, not a
  * signal. */
-static void catch_signals(const char *temporary) {
+static void catch_signals(void) {
   struct sigaction action;
   memset(&action, 0, sizeof action);
   sigemptyset(&action.sa_mask);
@@ -46,7 +50,6 @@ static void catch_signals(const char *temporary) {
   sigaction(SIGXFSZ, &action, &size_action_before);
   action.sa_handler = take_away;
   action.sa_flags = (int)SA_RESETHAND;
-  unfinished = temporary;
   for (size_t i = 0; i < SIGNALS; ++i) {
     sigaction(ending_signals[i], NULL, &action_before[i]);
     if (action_before[i].sa_handler != SIG_IGN) sigaction(ending_signals[i], &action, NULL);
@@ -54,9 +57,31 @@ static void catch_signals(const char *temporary) {
 }
 
 static void release_signals(void) {
-  unfinished = NULL;
   for (size_t i = 0; i < SIGNALS; ++i) sigaction(ending_signals[i], &action_before[i], NULL);
   sigaction(SIGXFSZ, &size_action_before, NULL);
+}
+
+/* The number of a new file, or of a place that is not in use for NULL; MOST_FILES if there is none. */
+static size_t place_of(const char *temporary) {
+  size_t at = 0;
+  while (at < MOST_FILES && unkept[at] != temporary) ++at;
+  return at;
+}
+
+static bool any_unkept(void) {
+  bool any = false;
+  for (size_t i = 0; i < MOST_FILES; ++i) any = any || unkept[i] != NULL;
+  return any;
+}
+
+/* From now on a new file is none that a signal must take away. */
+static void forget(size_t at) {
+  char *const temporary = unkept[at];
+  unkept[at] = NULL;
+  free(temporary);
+  free(target_of[at]);
+  target_of[at] = NULL;
+  if (!any_unkept()) release_signals();
 }
 
 /* The part of a path up to its last slash, slash included, and a name behind it. NULL: memory is short. */
@@ -94,7 +119,9 @@ static char *without_links(const char *path) {
 
 /* Make a new file in the target's folder; its descriptor, or -1 with errno. `old` is NULL if there is none yet. */
 static int make_temporary(struct output_file *file, const struct stat *old) {
-  for (int attempt = 0; attempt < MOST_NAMES; ++attempt) {
+  const size_t place = place_of(NULL);
+  errno = EMFILE;
+  for (int attempt = 0; place < MOST_FILES && attempt < MOST_NAMES; ++attempt) {
     char name[64];
     snprintf(name, sizeof name, ".hardsphere-%ld-%d", (long)getpid(), attempt);
     free(file->temporary);
@@ -104,7 +131,10 @@ static int make_temporary(struct output_file *file, const struct stat *old) {
     block_signals(&before);
     const int descriptor = open(file->temporary, O_WRONLY | O_CREAT | O_EXCL, old == NULL ? 0666 : 0600);
     const int reason = errno;
-    if (descriptor >= 0) catch_signals(file->temporary);
+    if (descriptor >= 0) {
+      if (!any_unkept()) catch_signals();
+      unkept[place] = file->temporary;
+    }
     sigprocmask(SIG_SETMASK, &before, NULL);
     errno = reason;
     if (descriptor >= 0 || errno != EEXIST) return descriptor;
@@ -210,12 +240,8 @@ bool output_file_finish(struct output_file *file, struct failure *failure) {
   if (file->stream == stdout) return true;
   FILE *stream = file->stream;
   file->stream = NULL;
-  if (fclose(stream) != 0 || (file->target != NULL && rename(file->temporary, file->target) != 0)) {
-    return give_up(file, failure);
-  }
-  if (file->temporary != NULL) release_signals();
-  free(file->temporary);
-  free(file->target);
+  if (fclose(stream) != 0) return give_up(file, failure);
+  if (file->temporary != NULL) target_of[place_of(file->temporary)] = file->target;
   return true;
 }
 
@@ -223,9 +249,28 @@ void output_file_abandon(struct output_file *file) {
   if (file->stream != NULL && file->stream != stdout) fclose(file->stream);
   if (file->temporary != NULL) {
     unlink(file->temporary);
-    release_signals();
+    forget(place_of(file->temporary));
   }
-  free(file->temporary);
   free(file->target);
   memset(file, 0, sizeof *file);
+}
+
+bool output_files_keep(struct failure *failure) {
+  for (size_t i = 0; i < MOST_FILES; ++i) {
+    if (target_of[i] == NULL) continue;
+    if (rename(unkept[i], target_of[i]) != 0) {
+      failure->file = target_of[i];
+      return failure_in_input(failure, 0, "%s", strerror(errno));
+    }
+    forget(i);
+  }
+  return true;
+}
+
+void output_files_drop(void) {
+  for (size_t i = 0; i < MOST_FILES; ++i) {
+    if (target_of[i] == NULL) continue;
+    unlink(unkept[i]);
+    forget(i);
+  }
 }

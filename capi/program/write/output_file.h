@@ -1,5 +1,5 @@
-/* The one way in which files are written: beside the old file, which is replaced at the end, whole or not at all. Where
- * there are no signals and owners of files, output_file_in_place.c writes in the file's place. */
+/* The one way in which files are written: beside the old files, which are replaced at the end of the run, whole and all
+ * or none. Where there are no signals and owners of files, output_file_in_place.c writes in the files' places. */
 #ifndef HARDSPHERE_TOOL_OUTPUT_FILE_H
 #define HARDSPHERE_TOOL_OUTPUT_FILE_H
 
@@ -30,12 +30,20 @@ bool output_file_open(struct output_file *file, const char *path, struct failure
 /* False once anything could not be written; output_file_finish will say why. */
 bool output_file_write(struct output_file *file, const char *bytes, size_t count);
 
-/* The end: the new file takes the place of the old one, with its permissions. False, with the path named, if not all
- * was written; the old file is as it was then, and the new one gone. */
+/* The end: the new file is whole and waits until the run keeps its files. False, with the path named, if not all was
+ * written; the new file is gone then. */
 bool output_file_finish(struct output_file *file, struct failure *failure);
 
 /* Instead of the end: the new file is taken away. Signals that end the program do the same. */
 void output_file_abandon(struct output_file *file);
+
+/* The end of a run: files that are finished take the places of old ones, with their permissions. False, with the path
+ * named, if one cannot; it and those that were finished after it are as they were then, once they are dropped. */
+bool output_files_keep(struct failure *failure);
+
+/* The end of a run that failed: new files that are finished are taken away, but those that were kept. The path that a
+ * failure names is gone, too. */
+void output_files_drop(void);
 
 /* A file of this text and nothing else: all of the above. False for a text that memory was short for, too. */
 bool output_file_write_text(const char *path, const struct text_buffer *text, struct failure *failure);

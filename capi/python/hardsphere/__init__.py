@@ -226,18 +226,28 @@ class Balls(_Set):
     def svg(self, colors: Any = None, *, bonds: Any = None, stick: float = 0.2, towards: Sequence[float] | None = None,
             up: Sequence[float] | None = None, style: str = "soft", title: str | None = None, **options: Any) -> Svg:
         """A picture. colors: n times 0xRRGGBB. bonds: pairs of balls, drawn as sticks of that radius between small
-        balls. towards: from the molecule to the viewer. style: flat, headlight or soft. options: as of
-        hsp_picture_options, such as width, fog and outline."""
+        balls; (i, j, kind) as strands half as thick again in all, where kind is 2, 3 or "aromatic"; 1 is one stick.
+        towards: from the molecule to the viewer. style: flat, headlight or soft. options: as of hsp_picture_options,
+        such as width, fog and outline."""
         options["style"] = getattr(_interface, f"STYLE_{style.upper()}")
         look = {"towards": towards, "up": up}
         if bonds is None:
             view = self._handle(View, self.model, self.boundary, key=repr(look), **look)
             text = view.picture_write(colors, title, **options)
         else:
-            sticks = self._handle(Sticks, self.model, [_interface.Stick(ball=tuple(pair)) for pair in bonds], stick,
+            sticks = self._handle(Sticks, self.model, [_stick_of(*bond) for bond in bonds], stick,
                                   key=repr((look, list(map(tuple, bonds)), stick)), **look)
             text = sticks.picture_write_sticks(colors, title, **options)
         return Svg(text.decode())
+
+
+_STRANDS = {1: 0, 2: _interface.STICK_DOUBLE, 3: _interface.STICK_TRIPLE, "aromatic": _interface.STICK_AROMATIC}
+
+
+def _stick_of(first: int, second: int, kind: Any = 1) -> Any:
+    if kind not in _STRANDS:
+        raise ValueError(f"a bond of kind {kind!r}: it is 1, 2, 3 or 'aromatic'")
+    return _interface.Stick(ball=(first, second), flags=_STRANDS[kind])
 
 
 class Box(_Set):

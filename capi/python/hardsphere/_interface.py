@@ -682,6 +682,11 @@ class PorePlace(Record):
     _fields_ = [("radius", C.c_double), ("ball", C.c_uint32), ("maximum", C.c_uint32)]
 
 
+class PorePlaceShifts(Record):
+    """Which copies a place is beside, in a periodic box;"""
+    _fields_ = [("ball", C.c_int32 * 3), ("maximum", C.c_int32 * 3)]
+
+
 class PorePassage(Record):
     """The widest probe between two points."""
     _fields_ = [("radius", C.c_double), ("passes", C.c_uint32), ("gate", C.c_uint32), ("ball", C.c_uint32),
@@ -700,10 +705,20 @@ class Tunnel(Record):
                 ("gates", C.c_uint32), ("points", C.c_uint32), ("outside", C.c_uint32), ("reserved", C.c_uint32)]
 
 
+class TunnelRoute(Record):
+    """The cost of a tunnel, and where it leads."""
+    _fields_ = [("cost", C.c_double), ("shift", C.c_int32 * 3), ("reserved", C.c_uint32)]
+
+
 class TunnelPoint(Record):
     """A point of a tunnel."""
     _fields_ = [("xyz", C.c_double * 3), ("radius", C.c_double), ("ball", C.c_uint32 * 4), ("gate", C.c_uint32),
                 ("maximum", C.c_uint32)]
+
+
+class TunnelPointShifts(Record):
+    """Which copies a point of a tunnel is beside, in a periodic box;"""
+    _fields_ = [("ball", C.c_int32 * 12), ("at", C.c_int32 * 3)]
 
 
 class ViewLimits(Record):
@@ -1551,6 +1566,11 @@ class Pores(Handle):
         """Where the point xyz [3] is, rounded to the lattice: *place becomes its record."""
         return call("hsp_pores_locate", self, xyz=xyz)
 
+    def locate_with_shifts(self, xyz: Any) -> Any:
+        """The same, with the copies of the ball and of the maximum: *shifts becomes their record, too. Gives .place,
+        .shifts."""
+        return call("hsp_pores_locate_with_shifts", self, xyz=xyz)
+
     def widest(self, from_: Any, to: Any | None = None) -> PorePassage:
         """The widest probe that gets from one point to another, from [3] and to [3], or to the outside if `to` is
         NULL."""
@@ -1583,9 +1603,21 @@ class Pores(Handle):
         gates to be avoided."""
         return call("hsp_pores_find_tunnel", self, from_=from_, avoided=avoided, to=to)
 
+    def find_cheapest_tunnel(self, from_: Any, avoided: Any, to: Any | None = None) -> Tunnel:
+        """The same with the tunnel of the least cost, which weighs how wide a way is against how long."""
+        return call("hsp_pores_find_cheapest_tunnel", self, from_=from_, avoided=avoided, to=to)
+
+    def get_tunnel_route(self) -> TunnelRoute:
+        """The cost of the last tunnel and its vector: *route becomes the record, all 0 if there was none."""
+        return call("hsp_pores_get_tunnel_route", self)
+
     def get_tunnel_points(self) -> Any:
         """The points [needed] of the last tunnel, from its start to its end; none if there was none."""
         return call("hsp_pores_get_tunnel_points", self)
+
+    def get_tunnel_point_shifts(self) -> Any:
+        """The shifts of the points [needed] of the last tunnel, in the same order."""
+        return call("hsp_pores_get_tunnel_point_shifts", self)
 
 
 class View(Handle):
@@ -2280,6 +2312,8 @@ FUNCTIONS = {
         "other:value:uint32_t::never gate:value_out:uint32_t::never",
     "hsp_pores_locate": "int32_t pores:handle:hsp_pores::never xyz:array_in:double:3:never "
         "place:struct_out:hsp_pore_place::never",
+    "hsp_pores_locate_with_shifts": "int32_t pores:handle:hsp_pores::never xyz:array_in:double:3:never "
+        "place:struct_out:hsp_pore_place::never shifts:struct_out:hsp_pore_place_shifts::never",
     "hsp_pores_widest": "int32_t pores:handle:hsp_pores::never from:array_in:double:3:never "
         "to:array_in:double:3:always passage:struct_out:hsp_pore_passage::never",
     "hsp_pores_find_pockets": "int32_t pores:handle:hsp_pores::never narrow:value:double::never "
@@ -2295,8 +2329,15 @@ FUNCTIONS = {
     "hsp_pores_find_tunnel": "int32_t pores:handle:hsp_pores::never from:array_in:double:3:never "
         "to:array_in:double:3:always avoided:array_in:uint32_t:count:empty count:value:uint32_t::never "
         "tunnel:struct_out:hsp_tunnel::never limits:sized:hsp_pores_limits::always",
+    "hsp_pores_find_cheapest_tunnel": "int32_t pores:handle:hsp_pores::never from:array_in:double:3:never "
+        "to:array_in:double:3:always avoided:array_in:uint32_t:count:empty count:value:uint32_t::never "
+        "tunnel:struct_out:hsp_tunnel::never limits:sized:hsp_pores_limits::always",
+    "hsp_pores_get_tunnel_route": "int32_t pores:handle:hsp_pores::never route:struct_out:hsp_tunnel_route::never",
     "hsp_pores_get_tunnel_points": "int32_t pores:handle:hsp_pores::never "
         "points:array_out:hsp_tunnel_point:needed:empty capacity:capacity:uint32_t::never "
+        "needed:needed:uint32_t::always",
+    "hsp_pores_get_tunnel_point_shifts": "int32_t pores:handle:hsp_pores::never "
+        "points:array_out:hsp_tunnel_point_shifts:needed:empty capacity:capacity:uint32_t::never "
         "needed:needed:uint32_t::always",
     "hsp_view_limits_init": "int32_t limits:sized:hsp_view_limits::never struct_size:value:uint32_t::never "
         "balls:value:uint32_t::never",
@@ -2467,10 +2508,11 @@ describe(FUNCTIONS, FIELDS, {'hsp_executor': Executor, 'hsp_residue_atom': Resid
          GateLimits, 'hsp_widest_probe': WidestProbe, 'hsp_pores_limits': PoresLimits, 'hsp_pores_options':
          PoresOptions, 'hsp_pores_counts': PoresCounts, 'hsp_pore_maximum': PoreMaximum, 'hsp_pore_gate': PoreGate,
          'hsp_pore_gate_shifts': PoreGateShifts, 'hsp_pore_percolation': PorePercolation, 'hsp_pore_channel':
-         PoreChannel, 'hsp_pore_place': PorePlace, 'hsp_pore_passage': PorePassage, 'hsp_pore_pocket': PorePocket,
-         'hsp_tunnel': Tunnel, 'hsp_tunnel_point': TunnelPoint, 'hsp_view_limits': ViewLimits, 'hsp_view_options':
-         ViewOptions, 'hsp_view_info': ViewInfo, 'hsp_view_piece': ViewPiece, 'hsp_view_loop': ViewLoop,
-         'hsp_view_arc': ViewArc, 'hsp_map_limits': MapLimits, 'hsp_map_info': MapInfo, 'hsp_map_vertex': MapVertex,
-         'hsp_map_edge': MapEdge, 'hsp_map_face': MapFace, 'hsp_map_sight': MapSight, 'hsp_map_point': MapPoint,
-         'hsp_map_pole': MapPole, 'hsp_sticks_limits': SticksLimits, 'hsp_stick': Stick, 'hsp_sticks_conflict':
-         SticksConflict, 'hsp_sticks_info': SticksInfo, 'hsp_picture_options': PictureOptions})
+         PoreChannel, 'hsp_pore_place': PorePlace, 'hsp_pore_place_shifts': PorePlaceShifts, 'hsp_pore_passage':
+         PorePassage, 'hsp_pore_pocket': PorePocket, 'hsp_tunnel': Tunnel, 'hsp_tunnel_route': TunnelRoute,
+         'hsp_tunnel_point': TunnelPoint, 'hsp_tunnel_point_shifts': TunnelPointShifts, 'hsp_view_limits': ViewLimits,
+         'hsp_view_options': ViewOptions, 'hsp_view_info': ViewInfo, 'hsp_view_piece': ViewPiece, 'hsp_view_loop':
+         ViewLoop, 'hsp_view_arc': ViewArc, 'hsp_map_limits': MapLimits, 'hsp_map_info': MapInfo, 'hsp_map_vertex':
+         MapVertex, 'hsp_map_edge': MapEdge, 'hsp_map_face': MapFace, 'hsp_map_sight': MapSight, 'hsp_map_point':
+         MapPoint, 'hsp_map_pole': MapPole, 'hsp_sticks_limits': SticksLimits, 'hsp_stick': Stick,
+         'hsp_sticks_conflict': SticksConflict, 'hsp_sticks_info': SticksInfo, 'hsp_picture_options': PictureOptions})

@@ -38,14 +38,17 @@ namespace {
 constexpr LaneBits all_lanes = (1U << Floats::lanes) - 1U;
 
 // How many lanes of one Floats are chosen.
+#if defined(__POPCNT__) || defined(__wasm__)
 inline uint32_t ones(LaneBits bits) {
-#if defined(__POPCNT__)
   return static_cast<uint32_t>(__builtin_popcount(bits));
-#else
-  static_assert(Floats::lanes == 4);
-  return static_cast<uint32_t>(0x4332322132212110U >> 4 * bits) & 15U;
-#endif
 }
+#else
+constexpr uint8_t ones_of_four[16] = {0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
+inline uint32_t ones(LaneBits bits) {
+  static_assert(Floats::lanes == 4);
+  return ones_of_four[bits];
+}
+#endif
 // The lowest `count` lanes of one Floats; all from that on.
 inline LaneBits first_lanes(uint32_t count) {
   const uint32_t chosen = count < Floats::lanes ? count : Floats::lanes;  // in one expression GCC makes branches of it

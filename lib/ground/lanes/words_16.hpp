@@ -112,6 +112,7 @@ struct Integers {
   friend Integers operator-(Integers a, Integers b) { return {a.v - b.v}; }
   friend Integers operator&(Integers a, Integers b) { return {a.v & b.v}; }
   friend Integers operator|(Integers a, Integers b) { return {a.v | b.v}; }
+  friend Integers operator^(Integers a, Integers b) { return {a.v ^ b.v}; }
 };
 // a in lanes whose bits are all set, b in those where none is.
 inline Integers chosen(Integers all_or_none, Integers a, Integers b) {
@@ -496,19 +497,35 @@ inline void store_front(uint32_t *p, Integers a, FrontOrder order) {
   std::memcpy(p, in_order, sizeof in_order);
 }
 #else
-struct FrontOrder {
-  uint32_t to[4];
+// Where each lane goes; lane 0 is always stored first.
+struct FrontOrders {
+  alignas(64) uint8_t to[16][4];
 
-  static FrontOrder of(LaneBits chosen) {
-    const uint32_t first = chosen & 1U, second = first + (chosen >> 1 & 1U);
-    return {{0, first, second, second + (chosen >> 2 & 1U)}};
+  constexpr FrontOrders() : to{} {
+    for (uint32_t chosen = 0; chosen < 16; ++chosen) {
+      for (uint32_t lane = 1; lane < 4; ++lane) {
+        to[chosen][lane] = static_cast<uint8_t>(to[chosen][lane - 1] + (chosen >> (lane - 1) & 1U));
+      }
+    }
   }
 };
-inline void store_front(float *p, Floats a, const FrontOrder &order) {
-  for (uint32_t k = 0; k < 4; ++k) p[order.to[k]] = a.v[k];
+constexpr FrontOrders front_orders;
+
+struct FrontOrder {
+  const uint8_t *to;
+
+  static FrontOrder of(LaneBits chosen) { return {front_orders.to[chosen]}; }
+};
+template <class T, class Word>
+void store_each(T *p, const Word &a, FrontOrder order) {
+  p[0] = a[0];
+  for (uint32_t k = 1; k < 4; ++k) p[order.to[k]] = a[k];
 }
-inline void store_front(uint32_t *p, Integers a, const FrontOrder &order) {
-  for (uint32_t k = 0; k < 4; ++k) p[order.to[k]] = a.v[k];
+inline void store_front(float *p, Floats a, FrontOrder order) {
+  store_each(p, a.v, order);
+}
+inline void store_front(uint32_t *p, Integers a, FrontOrder order) {
+  store_each(p, a.v, order);
 }
 #endif
 template <class>

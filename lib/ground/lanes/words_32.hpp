@@ -88,6 +88,7 @@ struct Integers {
   friend Integers operator-(Integers a, Integers b) { return {_mm256_sub_epi32(a.v, b.v)}; }
   friend Integers operator&(Integers a, Integers b) { return {_mm256_and_si256(a.v, b.v)}; }
   friend Integers operator|(Integers a, Integers b) { return {_mm256_or_si256(a.v, b.v)}; }
+  friend Integers operator^(Integers a, Integers b) { return {_mm256_xor_si256(a.v, b.v)}; }
 };
 // a in lanes whose bits are all set, b in those where none is.
 inline Integers chosen(Integers all_or_none, Integers a, Integers b) {

@@ -167,7 +167,7 @@ struct SaddleKernel {
     for (uint32_t lane = 0; lane < sum_lanes; lane += n) {
       MeasureSums sums;
       for (uint32_t s = lane; s < b.count; s += sum_lanes) {
-        const Slot slot(b, circle_radius, ball, s);
+        const Slot slot(by_one_register(b), circle_radius, ball, s);
         sums.add(slot, slot.own_profile(), ball);
       }
       area.put(lane, sums.area);
@@ -184,7 +184,7 @@ struct SaddleKernel {
       MeasureSums measures;
       DerivativeSums sums;
       for (uint32_t s = lane; s < b.count; s += sum_lanes) {
-        const Slot slot(b, circle_radius, ball, s);
+        const Slot slot(by_one_register(b), circle_radius, ball, s);
         const Profile own = slot.own_profile();
         measures.add(slot, own, ball);
         sums.add(slot, Profile(own, slot.other_profile()));

@@ -6,7 +6,6 @@ namespace hsp {
 namespace {
 
 constexpr double least_delta = 0x1p-6;
-constexpr uint32_t most_hits = 192;
 constexpr uint32_t most_saddles = 64;
 constexpr uint32_t most_tied = 16;
 constexpr int most_turns = 64;
@@ -86,9 +85,9 @@ Vec3 nearest_to_zero(Vec3 *points, uint32_t &count) {
   return best;
 }
 
-Ascent::Ascent(const CubeGrid &grid, const exact::Vector &start) : grid_(grid), start_(start) {
-  const BallSet &balls = grid.balls();
-  for (uint32_t i = 0; i < balls.n; ++i) {
+Ascent::Ascent(const BallsAround &around, const exact::Vector &start) : balls_(around), start_(start) {
+  const BallSet &balls = around.set();
+  for (uint32_t i = 0; i < balls.n && around.box() == nullptr; ++i) {
     const exact::Vector centre = balls.ball(i).centre;
     const auto cover = [i](int64_t x, int64_t &low, int64_t &high) {
       low = i == 0 || x < low ? x : low;
@@ -102,11 +101,9 @@ Ascent::Ascent(const CubeGrid &grid, const exact::Vector &start) : grid_(grid), 
   double low = 0.0, high = 0.0;
   double reach = static_cast<double>(balls.largest_radius) + 1.0;
   for (int turn = 0; balls.n > 0 && turn < 120; ++turn) {
-    uint32_t ids[1];
-    QueryResult result{ids, 0, 0};
-    find_balls_at_ball(grid, {start, static_cast<int64_t>(reach)}, result);
-    if (result.hits > 0 && result.hits <= most_hits) break;
-    (result.hits > 0 ? high : low) = reach;
+    const uint32_t hits = around.find({start, static_cast<int64_t>(reach)}, nullptr, 0);
+    if (hits > 0 && hits <= BallsAround::most) break;
+    (hits > 0 ? high : low) = reach;
     if (high > 0.0 && high - low < 2.0) break;
     reach = high > 0.0 ? 0.5 * (low + high) : 2.0 * reach;
     if (!(reach < exact::query_radius_limit)) break;
@@ -119,35 +116,38 @@ Ascent::Ascent(const CubeGrid &grid, const exact::Vector &start) : grid_(grid), 
 
 // All balls within some distance, and f. False if there are none, or too many.
 bool Ascent::look(double reach) {
-  const BallSet &balls = grid_.balls();
-  uint32_t ids[most_hits];
-  QueryResult result{ids, most_hits, 0};
+  NearImage found[BallsAround::most];
   const exact::Vector offset{nearest(at_.x), nearest(at_.y), nearest(at_.z)};
   const double radius = reach > 0.0 ? reach + 2.0 : 2.0;
   known_ = -1.0;
   if (!(radius < exact::query_radius_limit)) return false;
-  find_balls_at_ball(
-      grid_, {{start_.x + offset.x, start_.y + offset.y, start_.z + offset.z}, static_cast<int64_t>(radius)}, result);
-  if (result.hits == 0 || result.hits > most_hits) return false;
-  const auto seen = [&](uint32_t id) {
-    const exact::Vector c = balls.ball(grid_.grid_index(id)).centre;
-    const Vec3 y{at_.x - static_cast<double>(c.x - start_.x), at_.y - static_cast<double>(c.y - start_.y),
-                 at_.z - static_cast<double>(c.z - start_.z)};
+  const uint32_t hits =
+      balls_.find({{start_.x + offset.x, start_.y + offset.y, start_.z + offset.z}, static_cast<int64_t>(radius)},
+                  found, BallsAround::most);
+  if (hits == 0 || hits > BallsAround::most) return false;
+  const auto seen = [&](const NearImage &image) {
+    const exact::LatticeBall ball = balls_.ball(image);
+    const Vec3 y{at_.x - static_cast<double>(ball.centre.x - start_.x),
+                 at_.y - static_cast<double>(ball.centre.y - start_.y),
+                 at_.z - static_cast<double>(ball.centre.z - start_.z)};
     const double length = length_of(y);
-    return NearBall{length > 0.0 ? (1.0 / length) * y : Vec3{1.0, 0.0, 0.0}, length - balls.r[grid_.grid_index(id)],
-                    id};
+    return NearBall{length > 0.0 ? (1.0 / length) * y : Vec3{1.0, 0.0, 0.0}, length - static_cast<double>(ball.radius),
+                    image};
   };
-  NearBall first = seen(ids[0]);
-  for (uint32_t k = 1; k < result.hits; ++k) {
-    const NearBall other = seen(ids[k]);
-    if (other.gap < first.gap) first = other;
+  uint32_t nearest_one = 0;
+  NearBall first = seen(found[0]);
+  for (uint32_t k = 1; k < hits; ++k) {
+    const NearBall other = seen(found[k]);
+    if (!(other.gap < first.gap)) continue;
+    nearest_one = k;
+    first = other;
   }
   level_ = first.gap;
   near_count_ = 0;
   near_[near_count_++] = first;
-  for (uint32_t k = 0; k < result.hits; ++k) {
-    const NearBall other = seen(ids[k]);
-    if (other.ball == first.ball || other.gap > reach) continue;
+  for (uint32_t k = 0; k < hits; ++k) {
+    const NearBall other = seen(found[k]);
+    if (k == nearest_one || other.gap > reach) continue;
     if (near_count_ == room) return false;
     near_[near_count_++] = other;
   }
@@ -174,15 +174,16 @@ void Ascent::move(double length, const Vec3 &direction) {
   const auto beyond = [](double x, int64_t start, int64_t low, int64_t high) {
     return x > static_cast<double>(high - start) || x < static_cast<double>(low - start);
   };
-  outside_ = grid_.balls().n == 0 || beyond(at_.x, start_.x, box_.low.x, box_.high.x) ||
-             beyond(at_.y, start_.y, box_.low.y, box_.high.y) || beyond(at_.z, start_.z, box_.low.z, box_.high.z);
+  outside_ = balls_.are_none() || (balls_.box() == nullptr && (beyond(at_.x, start_.x, box_.low.x, box_.high.x) ||
+                                                               beyond(at_.y, start_.y, box_.low.y, box_.high.y) ||
+                                                               beyond(at_.z, start_.z, box_.low.z, box_.high.z)));
   if (length > 0.0 && !look(before + length + delta_) && !look(before + length)) level_ = before;
 }
 
 bool Ascent::step() {
   if (outside_ || steps_ == most_steps) return false;
   ++steps_;
-  const double size = std::fabs(level_) + static_cast<double>(grid_.balls().largest_radius) + 1.0;
+  const double size = std::fabs(level_) + static_cast<double>(balls_.set().largest_radius) + 1.0;
   for (; delta_ >= least_delta; delta_ *= 0.5) {
     const uint32_t count = within(delta_);
     if (count == 0) continue;
@@ -242,7 +243,7 @@ bool Ascent::leave_saddle() {
 
 // As far as no ball within reach gets nearer.
 bool Ascent::leave_along(const Vec3 &n) {
-  const double size = std::fabs(level_) + static_cast<double>(grid_.balls().largest_radius) + 1.0;
+  const double size = std::fabs(level_) + static_cast<double>(balls_.set().largest_radius) + 1.0;
   const auto is_open = [&](double delta) {
     const uint32_t count = within(delta);
     for (uint32_t k = 0; k < count; ++k) {

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "core/fixed_vector.hpp"
-#include "model/queries.hpp"
+#include "pores/balls_around.hpp"
 #include "pores/pores.hpp"
 
 namespace hsp {
@@ -17,14 +17,14 @@ namespace hsp {
 class Ascent {
  public:
   // From a point in no ball, or in one.
-  Ascent(const CubeGrid &grid, const exact::Vector &start);
+  Ascent(const BallsAround &balls, const exact::Vector &start);
 
   // f there, and where it is, seen from the start.
   double level() const { return level_; }
   const Vec3 &offset() const { return at_; }
   // A ball that is nearest there; no_id without balls.
-  uint32_t nearest_ball() const { return near_count_ > 0 ? near_[0].ball : no_id; }
-  // Beyond the box around all centres: from there f rises for ever.
+  NearImage nearest_ball() const { return near_count_ > 0 ? near_[0].image : NearImage{no_id, {}}; }
+  // Beyond the box around all centres: from there f rises for ever. Never in a periodic box.
   bool is_outside() const { return outside_; }
   // One step up. False if there is none, or outside.
   bool step();
@@ -37,7 +37,7 @@ class Ascent {
   struct NearBall {
     Vec3 a;  // unit vector from the centre
     double gap;
-    uint32_t ball;  // of the caller
+    NearImage image;
   };
 
   bool look(double reach);
@@ -46,7 +46,7 @@ class Ascent {
   bool leave_along(const Vec3 &n);
   void move(double length, const Vec3 &direction);
 
-  const CubeGrid &grid_;
+  BallsAround balls_;
   exact::Vector start_;
   LatticeBox box_;
   Vec3 at_{0.0, 0.0, 0.0};

@@ -8,27 +8,28 @@ namespace {
 // How far a way may end below the point that it ends at, in steps.
 constexpr double below_end = 2.0;
 
-// The maximum or gate that is nearest to where a way up ended, and not below that.
-uint32_t maximum_near(const PoresBuilder &pores, const Vec3 &at, double level) {
-  uint32_t best = no_id;
+// Sets maximum and copy to those above where a way up ended: the maximum or gate that is nearest to that, and not below
+// it.
+void find_nearest(const PoresBuilder &pores, const PeriodicBox *box, const Vec3 &at, double level, PorePlace &place) {
   double least = 0.0;
-  const auto look_at = [&](const CriticalPoint &point, uint32_t maximum) {
-    const Vec3 d = point.place - at;
+  const auto look_at = [&](const CriticalPoint &point, uint32_t maximum, const BoxShift &from_point) {
+    Vec3 d = at - point.place;
+    const BoxShift shift = box == nullptr ? BoxShift{} : box->centre(d);
     const double squared = dot(d, d);
-    if (best != no_id && squared >= least) return;
-    best = maximum;
+    if (place.maximum != no_id && squared >= least) return;
+    place.maximum = maximum;
+    place.maximum_shift = shift + from_point;
     least = squared;
   };
   for (uint32_t k = 0; k < pores.maxima().size(); ++k) {
     const CriticalPoint &point = pores.maxima()[k].point;
     if (point.level < level - below_end) break;
-    look_at(point, k);
+    look_at(point, k, {});
   }
   for (const PoreGate &gate : pores.gates()) {
     if (gate.point.level < level - below_end) break;
-    look_at(gate.point, gate.end[0]);
+    look_at(gate.point, gate.end[0], gate.end_shift[0].shift());
   }
-  return best;
 }
 
 }  // namespace
@@ -57,23 +58,44 @@ uint32_t ClassTree::gate_between(uint32_t a, uint32_t b) const {
   return last;
 }
 
-Status locate(const PoresBuilder &pores, const CubeGrid &grid, const exact::Vector &point, int64_t floor,
+// Each class on the way to the root may have wound before it ended there, or have met one that had.
+uint32_t ClassTree::gate_to_copy(uint32_t maximum) const {
+  uint32_t last = 0;
+  while (winding_gates_[maximum] == no_id) {
+    last = maxima_[maximum].gate;
+    if (last == no_id) return no_id;
+    maximum = maxima_[maximum].into;
+  }
+  return winding_gates_[maximum] > last ? winding_gates_[maximum] : last;
+}
+
+Status locate(const PoresBuilder &pores, const BallsAround &balls, const exact::Vector &point, int64_t floor,
               PorePlace &place) {
-  place = {std::numeric_limits<double>::infinity(), no_id, pore_outside};
-  if (grid.balls().n == 0) return Status::ok;
-  Ascent way(grid, point);
+  place = {std::numeric_limits<double>::infinity(), no_id, pore_outside, {}, {}};
+  if (balls.are_none()) return Status::ok;
+  exact::Vector wrapped = point;
+  BoxShift home;
+  if (balls.box() != nullptr && balls.box()->wrap(wrapped, home) != Status::ok) return Status::range;
+  Ascent way(balls, point);
   place.level = way.level();
-  place.ball = way.nearest_ball();
+  place.ball = way.nearest_ball().ball;
+  place.ball_shift = way.nearest_ball().shift;
   place.maximum = no_id;
   // Whether it is in a ball integers decide.
-  if (floor == 0 ? any_ball_meets(grid, {point, 0}) : !(place.level > static_cast<double>(floor))) return Status::ok;
+  const bool blocked =
+      floor == 0 ? balls.find({point, 0}, nullptr, 0) > 0 : !(place.level > static_cast<double>(floor));
+  if (blocked) return Status::ok;
   while (way.step()) {
   }
   if (way.is_lost()) return Status::check;
   const Vec3 &offset = way.offset();
   const Vec3 at{static_cast<double>(point.x) + offset.x, static_cast<double>(point.y) + offset.y,
                 static_cast<double>(point.z) + offset.z};
-  place.maximum = way.is_outside() ? pore_outside : maximum_near(pores, at, way.level());
+  if (way.is_outside()) {
+    place.maximum = pore_outside;
+  } else {
+    find_nearest(pores, balls.box(), at, way.level(), place);
+  }
   // A maximum as low as the floor is not in the list.
   return place.maximum == no_id && way.level() > static_cast<double>(floor) + below_end ? Status::check : Status::ok;
 }

@@ -10,29 +10,36 @@ namespace hsp {
 // The classes of pores that were built. Numbers are those of maxima, or pore_outside.
 class ClassTree {
  public:
-  explicit ClassTree(const PoresBuilder &pores) : maxima_(pores.maxima()), gates_(pores.gates()) {}
+  explicit ClassTree(const PoresBuilder &pores)
+      : maxima_(pores.maxima()), gates_(pores.gates()), winding_gates_(pores.winding_gates()) {}
 
   // The class that a maximum belongs to where a probe of this level fits; no_id if it does not fit there.
   uint32_t class_at(uint32_t maximum, double level) const;
   // The gate where the classes of two maxima meet, which is the tightest one of the widest path between them; no_id if
   // they do not above the floor, or if both are the same.
   uint32_t gate_between(uint32_t a, uint32_t b) const;
+  // In a box: the tightest gate of the widest way from a maximum to another copy of it; no_id if none is above the
+  // floor.
+  uint32_t gate_to_copy(uint32_t maximum) const;
 
  private:
   Span<const PoreMaximum> maxima_;
   Span<const PoreGate> gates_;
+  Span<const uint32_t> winding_gates_;
 };
 
 // Where a point is.
 struct PorePlace {
-  double level;      // f there; infinite without balls
-  uint32_t ball;     // a nearest one; no_id without balls
-  uint32_t maximum;  // above it, or pore_outside; no_id if the point is not above the floor
+  double level;                        // f there; infinite without balls
+  uint32_t ball;                       // a nearest one; no_id without balls
+  uint32_t maximum;                    // above it, or pore_outside; no_id if the point is not above the floor
+  BoxShift ball_shift, maximum_shift;  // in a box: of the image that is nearest, and of the copy above the point
 };
 
 // The maximum that one way up leads to. Another one may lead to another maximum, but to no other class for any probe
-// that fits at the point and is narrower by a lattice step or more. Status::check cannot happen.
-Status locate(const PoresBuilder &pores, const CubeGrid &grid, const exact::Vector &point, int64_t floor,
+// that fits at the point and is narrower by a lattice step or more. Status::range: too many boxes away. Status::check
+// cannot happen.
+Status locate(const PoresBuilder &pores, const BallsAround &balls, const exact::Vector &point, int64_t floor,
               PorePlace &place);
 
 }  // namespace hsp

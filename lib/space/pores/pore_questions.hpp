@@ -23,16 +23,15 @@ class PoreQuestions {
   void carve(Workspace &workspace, const PoreQuestionLimits &limits) {
     builder_.carve(workspace, limits.pores);
     pockets_.carve(workspace, limits.pores);
-    tunnel_.carve(workspace, limits.pores.maxima, limits.points);
+    tunnel_.carve(workspace, limits.pores.maxima, limits.pores.gates, limits.points);
   }
   // As PoresBuilder::build. There is nothing where the largest ball has no radius left.
   Status build(const CubeGrid &grid, int64_t floor) { return build(grid, grid.balls().largest_radius, floor); }
-  // In a periodic box, where nothing is asked of tunnels.
+  // In a periodic box.
   Status build(const PeriodicImages &images, int64_t floor) { return build(images, images.largest_radius(), floor); }
-  // As TunnelFinder::find.
-  Status find_tunnel(const CubeGrid &grid, const exact::Vector &from, const exact::Vector *to,
-                     Span<const uint32_t> avoided, TunnelSummary &summary) {
-    return tunnel_.find(builder_, grid, {from, to, avoided, floor_}, summary);
+  // As TunnelFinder::find, of the balls that pores were built of.
+  Status find_tunnel(const BallsAround &balls, const TunnelEnds &ends, TunnelSummary &summary) {
+    return tunnel_.find(builder_, balls, ends, summary);
   }
   // As PocketFinder::find.
   void find_pockets(double narrow, double wide) { pockets_.find(builder_, narrow, wide); }

@@ -84,6 +84,7 @@ struct WayPoint {
   Vec3 place;
   double level;
   uint32_t ball[3];  // no_id behind the last one
+  SmallShift shift[3];
 };
 
 }  // namespace hsp

@@ -16,6 +16,7 @@ void PoresBuilder::carve(Workspace &workspace, const PoreLimits &limits) {
   gates_ = critical_.gates().room();
   tied_ = critical_.tied().room();
   parents_ = workspace.take<uint32_t>(static_cast<uint64_t>(limits.maxima) + 1);
+  winding_gates_ = workspace.take<uint32_t>(limits.maxima);
   windings_.carve(workspace, clamped_count(static_cast<uint64_t>(limits.maxima) + 1));
 }
 
@@ -228,6 +229,7 @@ Status PoresBuilder::merge() {
 // Without an outside; classes remember which of their copies meet.
 Status PoresBuilder::merge_in_box() {
   windings_.reset(maximum_count_);
+  for (uint32_t k = 0; k < maximum_count_; ++k) winding_gates_[k] = no_id;
   for (uint32_t k = 0; k < gate_count_; ++k) {
     PoreGate &gate = gates_[k];
     const uint32_t older = note_merger(k, windings_.set_of(gate.end[0]), windings_.set_of(gate.end[1]), 0);
@@ -239,6 +241,7 @@ Status PoresBuilder::merge_in_box() {
     }
     gate.directions = lattice.rank;
     gate.winds = lattice.rank != rank || lattice.copies() != copies;
+    if (lattice.rank > 0 && winding_gates_[older] == no_id) winding_gates_[older] = k;
     note_passages(k, older, lattice);
   }
   return Status::ok;

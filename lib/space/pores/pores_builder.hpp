@@ -59,8 +59,11 @@ class PoresBuilder {
     if (point.tied == named) return {point.shift, named};
     return tied_shifts_.part(point.first_tied, point.first_tied + point.tied);
   }
-  // In a box.
+  // In a box, null without one.
+  const PeriodicBox *box() const { return balls_.box(); }
   const PorePassages &passages() const { return passages_; }
+  // Of each maximum the gate from which on its class goes on for ever, as long as it is one; or no_id.
+  Span<const uint32_t> winding_gates() const { return winding_gates_; }
   // Joins maxima by all gates above a level, and returns how many components joined() has: the classes there of what
   // node_of() numbers, that of the outside first, which is alone in a box, the others as their oldest maxima are.
   uint32_t join_above(double level);
@@ -99,7 +102,7 @@ class PoresBuilder {
   NearBalls compared_;  // of two points
   Span<PoreMaximum> maxima_;
   Span<PoreGate> gates_;
-  Span<uint32_t> tied_, parents_;
+  Span<uint32_t> tied_, parents_, winding_gates_;
   Span<const SmallShift> tied_shifts_;
   Windings windings_;
   PorePassages passages_;

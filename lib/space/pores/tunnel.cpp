@@ -1,6 +1,6 @@
 #include "pores/tunnel.hpp"
 
-#include "core/disjoint_sets.hpp"
+#include "core/sorting.hpp"
 
 namespace hsp {
 namespace {
@@ -9,78 +9,168 @@ Vec3 place_of(const exact::Vector &point) {
   return {static_cast<double>(point.x), static_cast<double>(point.y), static_cast<double>(point.z)};
 }
 
+// A box is given if there is a shift.
+Vec3 translation(const PoresBuilder &pores, const BoxShift &shift) {
+  return shift.is_zero() ? Vec3{0.0, 0.0, 0.0} : to_double(pores.box()->translation(shift));
+}
+
+bool is_near_enough(const BoxShift &shift) {
+  bool near = true;
+  for (const int64_t k : shift.k) near = near && k <= PeriodicBox::farthest_copy && -k <= PeriodicBox::farthest_copy;
+  return near;
+}
+
 }  // namespace
 
-void TunnelFinder::carve(Workspace &workspace, uint32_t maxima, uint32_t points) {
+void TunnelFinder::carve(Workspace &workspace, uint32_t maxima, uint32_t gates, uint32_t points) {
   const uint64_t nodes = static_cast<uint64_t>(maxima) + 1;
-  parents_ = workspace.take<uint32_t>(nodes);
-  sizes_ = workspace.take<uint32_t>(nodes);
-  next_ = workspace.take<uint32_t>(nodes);
-  by_ = workspace.take<uint32_t>(nodes);
-  route_ = workspace.take<Step>(nodes);
+  nodes_ = workspace.take<Node>(nodes);
+  first_ = workspace.take<uint32_t>(nodes + 1);
+  heap_ = workspace.take<uint32_t>(nodes);
+  steps_ = workspace.take<Step>(2 * static_cast<uint64_t>(gates));
+  first_alike_ = workspace.take<uint32_t>(gates);
+  route_ = workspace.take<Step>(2 * nodes + 1);
   points_ = FixedVector<TunnelPoint>(workspace.take<TunnelPoint>(points));
   way_ = FixedVector<WayPoint>(workspace.take<WayPoint>(points));
 }
 
-// Turns the links of a tree from a node to its root round, so that the node becomes the root.
-void TunnelFinder::root_at(uint32_t node) {
-  uint32_t before = no_id, gate = no_id;
-  while (node != no_id) {
-    const uint32_t after = next_[node], by = by_[node];
-    next_[node] = before;
-    by_[node] = gate;
-    before = node;
-    gate = by;
-    node = after;
+// Of each node the steps that begin there; and which gates are as wide.
+void TunnelFinder::list_steps(const PoresBuilder &pores) {
+  for (uint32_t k = 0; k < pores.gates().size(); ++k) {
+    const bool alike = k > 0 && pores.gates()[k].point.level == pores.gates()[k - 1].point.level;
+    first_alike_[k] = alike ? first_alike_[k - 1] : k;
+  }
+  const uint32_t nodes = pores.maxima().size() + 1;
+  for (uint32_t k = 0; k <= nodes; ++k) first_[k] = 0;
+  for (const PoreGate &gate : pores.gates()) {
+    for (const uint32_t end : gate.end) ++first_[node_of(end)];
+  }
+  uint32_t sum = 0;
+  for (uint32_t k = 0; k <= nodes; ++k) {
+    sum += first_[k];
+    first_[k] = sum;
+  }
+  for (uint32_t k = pores.gates().size(); k-- > 0;) {
+    for (const uint32_t end : {1U, 0U}) steps_[--first_[node_of(pores.gates()[k].end[end])]] = {2 * k + end};
   }
 }
 
-// Gates from the widest on, until both ends are in one tree.
-bool TunnelFinder::connect(const PoresBuilder &pores, const TunnelEnds &ends, uint32_t from, uint32_t to) {
+// Of the straight line from a gate to the maximum at an end; the outside costs nothing.
+double TunnelFinder::cost_of_half(const PoresBuilder &pores, uint32_t gate, uint32_t end, bool by_length) const {
+  const PoreGate &passed = pores.gates()[gate];
+  if (passed.end[end] == pore_outside) return 0.0;
+  const CriticalPoint &top = pores.maxima()[passed.end[end]].point;
+  const Vec3 d = top.place + translation(pores, passed.end_shift[end].shift()) - passed.point.place;
+  const double length = std::sqrt(dot(d, d));
+  if (by_length) return length;
+  return passed.point.level > 0.0 ? length / (passed.point.level * top.level) : std::numeric_limits<double>::infinity();
+}
+
+// Grows the tree until `to` is in it, or until a step closes it; `to` is no_id then.
+bool TunnelFinder::search(const PoresBuilder &pores, const TunnelEnds &ends, uint32_t from, uint32_t to,
+                          Step &closing) {
   const uint32_t nodes = pores.maxima().size() + 1;
-  DisjointSets sets(parents_.part(0, nodes));
-  sets.reset();
-  for (uint32_t k = 0; k < nodes; ++k) {
-    sizes_[k] = 1;
-    next_[k] = by_[k] = no_id;
-  }
+  for (uint32_t k = 0; k < nodes; ++k) nodes_[k].slot = no_id;
+  list_steps(pores);
+  // Places in the list, not levels, which are rounded.
+  struct Rank {
+    uint32_t width;
+    double cost;
+    uint32_t gate;
+  };
+  const auto rank_of = [&](Step by, double cost) {
+    return Rank{ends.by_cost ? 0 : first_alike_[by.gate()], cost, by.gate()};
+  };
+  const auto is_better = [](const Rank &a, const Rank &b) {
+    return a.width != b.width ? a.width < b.width : a.cost != b.cost ? a.cost < b.cost : a.gate < b.gate;
+  };
+  const auto rank_of_node = [&](uint32_t node) { return rank_of(nodes_[node].by, nodes_[node].cost); };
+  const auto later = [&](uint32_t a, uint32_t b) { return is_better(rank_of_node(b), rank_of_node(a)); };
+  const auto placed = [&](uint32_t node, uint32_t slot) { nodes_[node].slot = slot; };
   const auto is_avoided = [&](uint32_t gate) {
     for (const uint32_t each : ends.avoided) {
       if (each == gate) return true;
     }
     return false;
   };
-  for (uint32_t k = 0; k < pores.gates().size() && sets.find(from) != sets.find(to); ++k) {
-    const PoreGate &gate = pores.gates()[k];
-    uint32_t a = node_of(gate.end[0]), b = node_of(gate.end[1]);
-    const uint32_t set_a = sets.find(a), set_b = sets.find(b);
-    if (set_a == set_b || is_avoided(k)) continue;
-    const uint32_t size = sizes_[set_a] + sizes_[set_b];
-    if (sizes_[set_a] > sizes_[set_b]) {
-      const uint32_t other = a;
-      a = b;
-      b = other;
+  uint32_t waiting = 0, node = from;
+  bool closes = false;
+  Rank best{0, 0.0, no_id};  // of the step that closes
+  nodes_[from] = {0.0, {no_id}, in_tree, {}};
+  while (node != to) {
+    for (uint32_t k = first_[node]; k < first_[node + 1]; ++k) {
+      const Step step = steps_[k];
+      const PoreGate &gate = pores.gates()[step.gate()];
+      const uint32_t other = node_of(gate.end[1 - step.end()]);
+      if (is_avoided(step.gate())) continue;
+      const BoxShift way = step.end() == 0 ? gate.way() : BoxShift{} - gate.way();
+      const BoxShift shift = nodes_[node].shift + way;
+      const double cost = nodes_[node].cost + cost_of_half(pores, step.gate(), 0, !ends.by_cost) +
+                          cost_of_half(pores, step.gate(), 1, !ends.by_cost);
+      Node &reached = nodes_[other];
+      if (!(cost < std::numeric_limits<double>::infinity())) continue;
+      if (!is_near_enough(shift)) {
+        too_far_ = true;
+        continue;
+      }
+      if (reached.slot == in_tree) {
+        const Rank rank = rank_of(step, cost + reached.cost);
+        if (to != no_id || shift == reached.shift || (closes && !is_better(rank, best))) continue;
+        closes = true;
+        closing = step;
+        best = rank;
+      } else if (reached.slot == no_id || is_better(rank_of(step, cost), rank_of_node(other))) {
+        const uint32_t slot = reached.slot == no_id ? waiting++ : reached.slot;
+        reached = {cost, step, slot, shift};
+        heap_[slot] = other;
+        sift_up(heap_.part(0, waiting), slot, later, placed);
+      }
     }
-    root_at(a);
-    next_[a] = b;
-    by_[a] = k;
-    sets.join(a, b);
-    sizes_[sets.find(a)] = size;
+    if (closes && (waiting == 0 || !is_better(rank_of_node(heap_[0]), best))) return true;
+    if (waiting == 0) return false;
+    node = heap_[0];
+    nodes_[node].slot = in_tree;
+    if (--waiting == 0) continue;
+    heap_[0] = heap_[waiting];
+    sift_down(heap_.part(0, waiting), 0, later, placed);
   }
-  return sets.find(from) == sets.find(to);
+  return true;
 }
 
+// From the root of the tree to a node.
 void TunnelFinder::take_route(const PoresBuilder &pores, uint32_t from, uint32_t to) {
-  root_at(to);
-  route_count_ = 0;
-  for (uint32_t node = from; node != to; node = next_[node]) {
-    const PoreGate &gate = pores.gates()[by_[node]];
-    route_[route_count_++] = {by_[node], node_of(gate.end[0]) == node ? 0U : 1U};
+  for (uint32_t node = to; node != from;) {
+    const Step by = nodes_[node].by;
+    route_[route_count_++] = by;
+    node = node_of(pores.gates()[by.gate()].end[by.end()]);
+  }
+  for (uint32_t a = 0, b = route_count_; a + 1 < b; ++a) {
+    const Step other = route_[--b];
+    route_[b] = route_[a];
+    route_[a] = other;
   }
 }
 
-void TunnelFinder::add_point(const CriticalPoint &point, uint32_t gate, uint32_t maximum) {
-  points_.push({point.place, point.level, {point.ball[0], point.ball[1], point.ball[2], point.ball[3]}, gate, maximum});
+// The same to where a step begins; by that, and back from where it ends.
+void TunnelFinder::close_route(const PoresBuilder &pores, uint32_t from, Step closing) {
+  const PoreGate &gate = pores.gates()[closing.gate()];
+  take_route(pores, from, node_of(gate.end[closing.end()]));
+  route_[route_count_++] = closing;
+  for (uint32_t node = node_of(gate.end[1 - closing.end()]); node != from;) {
+    const Step by = nodes_[node].by;
+    route_[route_count_++] = by.back();
+    node = node_of(pores.gates()[by.gate()].end[by.end()]);
+  }
+}
+
+void TunnelFinder::add_point(const PoresBuilder &pores, const CriticalPoint &point, const BoxShift &copy, uint32_t gate,
+                             uint32_t maximum) {
+  TunnelPoint added{point.place + translation(pores, copy), point.level, {}, {}, copy, gate, maximum};
+  for (int b = 0; b < 4; ++b) {
+    added.ball[b] = point.ball[b];
+    added.shift[b] = point.shift[b];
+  }
+  points_.push(added);
 }
 
 void TunnelFinder::reverse(uint64_t first) {
@@ -92,82 +182,118 @@ void TunnelFinder::reverse(uint64_t first) {
   }
 }
 
-// From a point to its maximum, or outside.
-Status TunnelFinder::add_way_up(const CubeGrid &grid, const exact::Vector &start, uint32_t maximum,
-                                const PoresBuilder &pores) {
-  Ascent way(grid, start);
-  const Vec3 origin = place_of(start);
+// From a point, moved by a copy's translation, to near its maximum, or outside.
+Status TunnelFinder::add_way_up(const BallsAround &balls, const exact::Vector &start, const Vec3 &by,
+                                const BoxShift &copy) {
+  Ascent way(balls, start);
+  const Vec3 origin = place_of(start) + by;
   do {
-    points_.push({origin + way.offset(), way.level(), {way.nearest_ball(), no_id, no_id, no_id}, no_id, no_id});
+    const NearImage near = way.nearest_ball();
+    points_.push(
+        {origin + way.offset(), way.level(), {near.ball, no_id, no_id, no_id}, {}, near.shift + copy, no_id, no_id});
   } while (way.step());
-  if (way.is_lost()) return Status::check;
-  if (maximum != pore_outside) add_point(pores.maxima()[maximum].point, no_id, maximum);
-  return Status::ok;
+  return way.is_lost() ? Status::check : Status::ok;
 }
 
-// From a gate to its end.
-Status TunnelFinder::add_way(PoresBuilder &pores, uint32_t gate, uint32_t end) {
+// From a copy of a gate to its end.
+Status TunnelFinder::add_way(PoresBuilder &pores, uint32_t gate, uint32_t end, const BoxShift &copy) {
   way_.clear();
   const Status status = pores.trace(gate, end, way_);
   if (status != Status::ok) return status;
+  const Vec3 by = translation(pores, copy);
   for (const WayPoint &point : way_.items()) {
-    points_.push({point.place, point.level, {point.ball[0], point.ball[1], point.ball[2], no_id}, no_id, no_id});
+    points_.push({point.place + by,
+                  point.level,
+                  {point.ball[0], point.ball[1], point.ball[2], no_id},
+                  {point.shift[0], point.shift[1], point.shift[2], {}},
+                  copy,
+                  no_id,
+                  no_id});
   }
   points_.set_count(points_.required() + (way_.required() - way_.size()));
-  const uint32_t maximum = pores.gates()[gate].end[end];
-  if (maximum != pore_outside) add_point(pores.maxima()[maximum].point, no_id, maximum);
+  const PoreGate &passed = pores.gates()[gate];
+  if (passed.end[end] == pore_outside) return Status::ok;
+  add_point(pores, pores.maxima()[passed.end[end]].point, copy + passed.end_shift[end].shift(), no_id, passed.end[end]);
   return Status::ok;
 }
 
-Status TunnelFinder::find(PoresBuilder &pores, const CubeGrid &grid, const TunnelEnds &ends, TunnelSummary &summary) {
-  forget();
-  summary = {false, false, 0.0, 0.0, no_id, 0, {}};
-  summary.ends[1] = {std::numeric_limits<double>::infinity(), no_id, pore_outside};
-  Status status = locate(pores, grid, ends.from, ends.floor, summary.ends[0]);
-  if (status == Status::ok && ends.to != nullptr) status = locate(pores, grid, *ends.to, ends.floor, summary.ends[1]);
-  if (status != Status::ok) return status;
-  const PorePlace &start = summary.ends[0], &end = summary.ends[1];
-  if (start.maximum == no_id || end.maximum == no_id) return Status::ok;
-  const uint32_t from = node_of(start.maximum), to = node_of(end.maximum);
-  if (!connect(pores, ends, from, to)) return Status::ok;
-  take_route(pores, from, to);
-  summary.there = true;
-  summary.gates = route_count_;
-  summary.outside = start.maximum == pore_outside;
-  status = add_way_up(grid, ends.from, start.maximum, pores);
+Status TunnelFinder::follow_route(PoresBuilder &pores, const BallsAround &balls, const TunnelEnds &ends) {
+  const PorePlace &start = summary_.ends[0], &end = summary_.ends[1];
   bool at_maximum = start.maximum != pore_outside;
+  BoxShift copy = start.maximum_shift;
+  Status status = add_way_up(balls, ends.from, {0.0, 0.0, 0.0}, {});
+  if (at_maximum) add_point(pores, pores.maxima()[start.maximum].point, copy, no_id, start.maximum);
   for (uint32_t k = 0; k < route_count_ && status == Status::ok; ++k) {
-    const Step &step = route_[k];
-    const PoreGate &gate = pores.gates()[step.gate];
-    if (summary.gate == no_id || step.gate > summary.gate) summary.gate = step.gate;
+    const uint32_t passed = route_[k].gate(), side = route_[k].end();
+    const PoreGate &gate = pores.gates()[passed];
+    if (summary_.gate == no_id || passed > summary_.gate) summary_.gate = passed;
+    summary_.cost += cost_of_half(pores, passed, 0, false) + cost_of_half(pores, passed, 1, false);
+    copy = copy - gate.end_shift[side].shift();
+    if (!is_near_enough(copy)) return Status::range;
     // The way back from the gate begins with the maximum once more.
     if (at_maximum) points_.set_count(points_.required() - 1);
     const uint64_t first = points_.required();
-    status = add_way(pores, step.gate, step.end);
+    status = add_way(pores, passed, side, copy);
     reverse(first);
-    add_point(gate.point, step.gate, no_id);
-    if (status == Status::ok) status = add_way(pores, step.gate, 1 - step.end);
-    at_maximum = gate.end[1 - step.end] != pore_outside;
-    summary.outside = summary.outside || !at_maximum;
+    add_point(pores, gate.point, copy, passed, no_id);
+    if (status == Status::ok) status = add_way(pores, passed, 1 - side, copy);
+    copy = copy + gate.end_shift[1 - side].shift();
+    at_maximum = gate.end[1 - side] != pore_outside;
+    summary_.outside = summary_.outside || !at_maximum;
   }
-  if (status == Status::ok && ends.to != nullptr) {
-    const uint64_t first = points_.required();
-    status = add_way_up(grid, *ends.to, pore_outside, pores);
-    reverse(first);
+  summary_.shift = copy - end.maximum_shift;
+  const exact::Vector *const last = ends.to == nullptr && pores.box() != nullptr ? &ends.from : ends.to;
+  if (status != Status::ok || last == nullptr) return status;
+  const uint64_t first = points_.required();
+  status = add_way_up(balls, *last, translation(pores, summary_.shift), summary_.shift);
+  reverse(first);
+  return status;
+}
+
+Status TunnelFinder::find(PoresBuilder &pores, const BallsAround &balls, const TunnelEnds &ends,
+                          TunnelSummary &summary) {
+  forget();
+  route_count_ = 0;
+  too_far_ = false;
+  TunnelSummary &found = summary_;
+  found.gate = no_id;
+  summary = found;
+  const bool to_copy = ends.to == nullptr && pores.box() != nullptr && !balls.are_none();
+  found.ends[1] = {std::numeric_limits<double>::infinity(), no_id, pore_outside, {}, {}};
+  Status status = locate(pores, balls, ends.from, ends.floor, found.ends[0]);
+  if (to_copy) found.ends[1] = found.ends[0];
+  if (status == Status::ok && ends.to != nullptr) status = locate(pores, balls, *ends.to, ends.floor, found.ends[1]);
+  const PorePlace start = found.ends[0], end = found.ends[1];
+  Step closing{};
+  if (status == Status::ok && start.maximum != no_id && end.maximum != no_id) {
+    const uint32_t from = node_of(start.maximum), to = to_copy ? no_id : node_of(end.maximum);
+    found.there = search(pores, ends, from, to, closing);
+    if (found.there && to_copy) close_route(pores, from, closing);
+    if (found.there && !to_copy) take_route(pores, from, to);
   }
-  if (status != Status::ok) return status;
-  summary.level = start.level < end.level ? start.level : end.level;
-  const double tightest = summary.gate == no_id ? summary.level : pores.gates()[summary.gate].point.level;
-  summary.level = tightest < summary.level ? tightest : summary.level;
-  needed_ = clamped_count(points_.required());
-  if (points_.overflowed()) {
-    points_.clear();
-    return Status::capacity;
+  if (!found.there && too_far_) status = Status::range;
+  if (found.there) {
+    found.gates = route_count_;
+    found.outside = start.maximum == pore_outside;
+    status = follow_route(pores, balls, ends);
+    needed_ = clamped_count(points_.required());
+    if (status == Status::ok && points_.overflowed()) status = Status::capacity;
   }
+  if (status != Status::ok || !found.there) {
+    const uint32_t needed = needed_;
+    if (status == Status::ok) summary = found;
+    forget();
+    needed_ = needed;
+    return status;
+  }
+  found.level = start.level < end.level ? start.level : end.level;
+  const double tightest = found.gate == no_id ? found.level : pores.gates()[found.gate].point.level;
+  found.level = tightest < found.level ? tightest : found.level;
   for (uint32_t k = 1; k < points_.size(); ++k) {
     const Vec3 d = points_[k].place - points_[k - 1].place;
-    summary.length += std::sqrt(dot(d, d));
+    found.length += std::sqrt(dot(d, d));
   }
+  summary = found;
   return Status::ok;
 }
 

@@ -22,6 +22,7 @@ void WayUp::carve(Workspace &workspace, uint32_t near, uint32_t balls) {
   near_balls_.carve(workspace, near, balls);
   near_ = FixedVector<uint32_t>(workspace.take<uint32_t>(near));
   known_ = workspace.take<KnownEnd>(known_ends);
+  passed_ = workspace.take<Passed>(most_passed);
   tied_ = FixedVector<uint32_t>(workspace.take<uint32_t>(near));
   lines_ = workspace.take<TangentLines>(1);
 }
@@ -302,7 +303,7 @@ Status WayUp::follow(const Way &way, bool &outside) {
 }
 
 // Near the lowest and the highest point of a curve a level changes with the square of the way.
-void WayUp::trace(const Way &way, const CurveShape &shape, double from, double to) const {
+void WayUp::trace(const Way &way, const CurveShape &shape, double from, double to) {
   constexpr int parts = 8;
   const BallSet &balls = *balls_;
   const TangentCurve &curve = way.curve;
@@ -312,9 +313,15 @@ void WayUp::trace(const Way &way, const CurveShape &shape, double from, double t
     const double z = 2.0 * (balls.r[curve.base] + level);
     if (!(shape.error_at(z) < 64.0)) continue;
     const Vec3 y = combine(1.0, shape.p + z * shape.q, shape.height(z), shape.e);
-    trace_->push({centre + 0.5 * y,
-                  level,
-                  {ball_of(curve.base), ball_of(curve.second), curve.in_plane ? no_id : ball_of(curve.third)}});
+    WayPoint point{centre + 0.5 * y, level, {no_id, no_id, no_id}, {}};
+    const uint32_t nearest[3] = {curve.base, curve.second, curve.third};
+    for (int b = 0; b < (curve.in_plane ? 2 : 3); ++b) {
+      const BoxShift shift = shift_of(nearest[b]);
+      beyond_reach_ = beyond_reach_ || !SmallShift::fits(shift);
+      point.ball[b] = ball_of(nearest[b]);
+      point.shift[b] = SmallShift::of(shift);
+    }
+    trace_->push(point);
   }
 }
 
@@ -332,20 +339,19 @@ Status WayUp::climb(const CriticalPoint &gate, Span<const uint32_t> tied, Span<c
   if (!point_.find(*balls_, named, no_id, false)) return Status::check;
   Way way;
   if (!leave_gate(named, other_side ? -1 : 1, way)) return beyond_reach_ ? Status::range : Status::check;
-  Vertex passed[most_passed];
-  BoxShift place[most_passed];
   uint32_t count = 0;
   Status status = Status::check;
   for (uint32_t step = 0; step < most_steps; ++step) {
     ++steps_;
     status = follow(way, end.outside);
     if (status != Status::ok || end.outside) break;
-    if (trace_ == nullptr && count < most_passed && name_vertex(passed[count])) {
-      place[count] = shift_of(tied_[0]);
-      const KnownEnd &known = known_end(passed[count]);
-      if (known.vertex == passed[count]) {
+    if (trace_ == nullptr && count < passed_.size() && name_vertex(passed_[count].vertex)) {
+      Passed &passed = passed_[count];
+      passed.shift = shift_of(tied_[0]);
+      const KnownEnd &known = known_end(passed.vertex);
+      if (known.vertex == passed.vertex) {
         end = known.end;
-        end.shift = end.shift + place[count];
+        end.shift = end.shift + passed.shift;
         break;
       }
       ++count;
@@ -356,9 +362,10 @@ Status WayUp::climb(const CriticalPoint &gate, Span<const uint32_t> tied, Span<c
     break;
   }
   for (uint32_t k = 0; status == Status::ok && k < count; ++k) {
-    KnownEnd &known = known_end(passed[k]);
-    known = {passed[k], end};
-    known.end.shift = end.shift - place[k];
+    const Passed &passed = passed_[k];
+    KnownEnd &known = known_end(passed.vertex);
+    known = {passed.vertex, end};
+    known.end.shift = end.shift - passed.shift;
   }
   return status;
 }

@@ -55,6 +55,11 @@ class WayUp {
     Vertex vertex;
     End end;  // for the vertex whose first ball is in its place
   };
+  // One on the way, whose first ball is so many boxes from its place.
+  struct Passed {
+    Vertex vertex;
+    BoxShift shift;
+  };
   bool leave_gate(const TangentCurve &named, int side, Way &way);
   bool leave(Way &way);
   bool leave_in_plane(const TangentCurve &before, Way &way);
@@ -72,7 +77,7 @@ class WayUp {
   uint32_t number_of(uint32_t ball, const BoxShift &shift);
   uint32_t ball_of(uint32_t number) const { return all_->box() == nullptr ? number : near_balls_.ball(number); }
   BoxShift shift_of(uint32_t number) const { return all_->box() == nullptr ? BoxShift{} : near_balls_.shift(number); }
-  void trace(const Way &way, const CurveShape &shape, double from, double to) const;
+  void trace(const Way &way, const CurveShape &shape, double from, double to);
 
   PoreBalls *all_ = nullptr;
   NearBalls near_balls_;  // whose numbers are used here in a box
@@ -83,6 +88,7 @@ class WayUp {
   TangentPoint point_;
   FixedVector<uint32_t> tied_, near_;
   Span<KnownEnd> known_;
+  Span<Passed> passed_;
   FixedVector<WayPoint> *trace_ = nullptr;
   uint32_t needed_near_ = 0;
   uint64_t steps_ = 0;

@@ -53,13 +53,14 @@ struct LaneChords {
 uint32_t measure_in_lanes(const BallArrays &balls, ChordBatch &batch, uint32_t count) {
   if constexpr (!has_twofold) return (1U << count) - 1U;
   constexpr uint32_t most = ChordBatch::capacity / 4;
+  LaneBalls own[most];
   LaneChords chords[most];
   FourDoubles t[2][most];
   const uint32_t groups = count / 4;
   for (uint32_t g = 0; g < groups; ++g) {
-    const LaneBalls own(balls, &batch.ball[0][4 * g]);
-    chords[g] = {LanePlanes(own, LaneBalls(balls, &batch.ball[1][4 * g])),
-                 LanePlanes(own, LaneBalls(balls, &batch.ball[2][4 * g]))};
+    own[g] = LaneBalls(balls, &batch.ball[0][4 * g]);
+    chords[g] = {LanePlanes(own[g], LaneBalls(balls, &batch.ball[1][4 * g])),
+                 LanePlanes(own[g], LaneBalls(balls, &batch.ball[2][4 * g]))};
   }
   for (uint32_t end = 0; end < 2; ++end) {
     for (uint32_t g = 0; g < groups; ++g) {
@@ -68,8 +69,7 @@ uint32_t measure_in_lanes(const BallArrays &balls, ChordBatch &batch, uint32_t c
       t[end][g] = free_end;
       if (is_free == 15U) continue;
       LaneBits known = 0;
-      const LaneBalls own(balls, &batch.ball[0][4 * g]);
-      const LanePlanes R(own, LaneBalls(balls, &batch.clipper[end][4 * g]));
+      const LanePlanes R(own[g], LaneBalls(balls, &batch.clipper[end][4 * g]));
       t[end][g] = Four::select(free_end == free_end, free_end, chords[g].parameter(R, known));
       chords[g].certain &= known | is_free;
     }

@@ -94,11 +94,12 @@ struct ArcKernel {
   static Vector axes(const ArcBatch &b, uint32_t s) { return load(b.ux, b.uy, b.uz, s); }
 
   // Returns the mask of those that doubles do not serve.
-  [[gnu::always_inline]] static Mask evaluate_circles(const BallOfSet &ball, ArcBatch &b) {
+  [[gnu::always_inline]] static Mask evaluate_circles(const BallOfSet &ball, ArcBatch &batch) {
     const double inverse_diameter = ball.r > 0.0 ? 0.5 / ball.r : 0.0;
     const double most_U = most_square_of_distance * ball.r * ball.r;
     Mask unserved{};
-    for (uint32_t s = 0; s < b.count; s += n) {
+    for (uint32_t s = 0; s < batch.count; s += n) {
+      ArcBatch &b = by_one_register(batch);
       const uint32_t *const other = b.other + s;
       const Vector centre = gather(ball.xs, ball.ys, ball.zs, other);
       const Vector v{centre.x - ball.x, centre.y - ball.y, centre.z - ball.z};
@@ -124,15 +125,16 @@ struct ArcKernel {
   // A loop comes in along the circle v, H = 2 h d and leaves along v', H'. With n = v x v' and q = H v' - H' v twice
   // the vertex is (q x n + sqrt(D) n)/n.n, where q is orthogonal to n, so that q x n has no cancellation; and the loop
   // turns there by the angle of (4 r^2 v.v' - H H', 2 r sqrt(D)).
-  static void evaluate_vertices(double radius, ArcBatch &b) {
+  static void evaluate_vertices(double radius, ArcBatch &batch) {
     const double diameter = 2 * radius;
     const double square = diameter * diameter;
     static_assert(ArcBatch::capacity / sum_lanes <= ExteriorAngleSum<n>::most_directions);
     double angles[sum_lanes] = {};
     Mask turns{};
-    for (uint32_t lane = 0; lane < sum_lanes && lane < b.count; lane += n) {
+    for (uint32_t lane = 0; lane < sum_lanes && lane < batch.count; lane += n) {
       ExteriorAngleSum<n> sum;
-      for (uint32_t s = lane; s < b.count; s += sum_lanes) {
+      for (uint32_t s = lane; s < batch.count; s += sum_lanes) {
+        ArcBatch &b = by_one_register(batch);
         const uint32_t *const before = b.previous + s;
         const Vector v_in = gather(b.vx, b.vy, b.vz, before);
         const Vector v_out = load(b.vx, b.vy, b.vz, s);
@@ -150,14 +152,15 @@ struct ArcKernel {
       L::store(angles + lane, sum.angles());
       turns += sum.turns();
     }
-    b.exterior_turns = static_cast<double>(L::sum(turns));
-    b.exterior_angles = sum_of_lanes(angles);
+    batch.exterior_turns = static_cast<double>(L::sum(turns));
+    batch.exterior_angles = sum_of_lanes(angles);
   }
 
   // Returns the mask of those that doubles do not serve.
-  [[gnu::always_inline]] static Mask evaluate_arcs(ArcBatch &b) {
+  [[gnu::always_inline]] static Mask evaluate_arcs(ArcBatch &batch) {
     Mask unserved{};
-    for (uint32_t s = 0; s < b.count; s += n) {
+    for (uint32_t s = 0; s < batch.count; s += n) {
+      ArcBatch &b = by_one_register(batch);
       const Mask arc = L::load_mask(b.arc + s);
       unserved |= small_code ? evaluate_arcs_by_call(b, s, arc) : evaluate_arcs_at(b, s, arc);
     }
@@ -212,17 +215,18 @@ struct ArcKernel {
     Sums parts[sum_lanes / n];
     for (uint32_t lane = 0; lane < sum_lanes; lane += n) {
       Sums sums;
-      for (uint32_t s = lane; s < b.count; s += sum_lanes) add_areas(Slots(b, s), radius, sums);
+      for (uint32_t s = lane; s < b.count; s += sum_lanes) add_areas(Slots(by_one_register(b), s), radius, sums);
       parts[lane / n] = sums;
     }
     return area_sums(parts);
   }
 
-  static GradientSums sum_gradient(const ArcBatch &b, double radius, double weight) {
+  static GradientSums sum_gradient(const ArcBatch &batch, double radius, double weight) {
     Sums areas[sum_lanes / n], weighted[sum_lanes / n];
     for (uint32_t lane = 0; lane < sum_lanes; lane += n) {
       Sums area, weighted_area;
-      for (uint32_t s = lane; s < b.count; s += sum_lanes) {
+      for (uint32_t s = lane; s < batch.count; s += sum_lanes) {
+        const ArcBatch &b = by_one_register(batch);
         const Slots slots(b, s);
         add_areas(slots, radius, area);
         add_weighted(b, slots, s, radius, weight, weighted_area);

@@ -122,10 +122,11 @@ struct EdgeKernel {
   // Areas of the two balls, each over its radius; rho beta; and what ball k's centre moves of the ends of its arcs:
   // with f = s beta (h_j/d) v/(rho d) half of (x_end - x_start) x f, which is -(s beta/(rho d)) h_j X/4 for the batch's
   // X. In parallel, as neither waits for the other: the third edge of the vertex where the arc starts.
-  static void add_edges(double radius, const ArcBatch &arcs, double weight, uint32_t lane, EdgeBatch &edges,
+  static void add_edges(double radius, const ArcBatch &all_arcs, double weight, uint32_t lane, EdgeBatch &edges,
                         Sums &sums) {
     const double inverse_radius = radius > 0.0 ? 1.0 / radius : 0.0;
-    for (uint32_t s = lane; s < arcs.count; s += sum_lanes) {
+    for (uint32_t s = lane; s < all_arcs.count; s += sum_lanes) {
+      const ArcBatch &arcs = by_one_register(all_arcs);
       const uint32_t *const before = arcs.previous + s;
       const Vector v = load(arcs.vx, arcs.vy, arcs.vz, s);
       const Vector third = gather(arcs.vx, arcs.vy, arcs.vz, before) - v;
@@ -164,8 +165,9 @@ struct EdgeKernel {
   // The vertex where the slot's arc starts, of ball k with balls a and b: the loop comes in along the edge with b and
   // leaves along that with a. As c_l.c_l = (rho d)^2, c_a.c_k = g_ab g_kb - g_ka w_b, and so on, with g the products of
   // cosines of the three edges and w the squares of the radii.
-  static void add_vertices(double radius, const ArcBatch &arcs, uint32_t lane, const EdgeBatch &edges, Sums &sums) {
-    for (uint32_t s = lane; s < arcs.count; s += sum_lanes) {
+  static void add_vertices(double radius, const ArcBatch &all_arcs, uint32_t lane, const EdgeBatch &edges, Sums &sums) {
+    for (uint32_t s = lane; s < all_arcs.count; s += sum_lanes) {
+      const ArcBatch &arcs = by_one_register(all_arcs);
       const uint32_t *const before = arcs.previous + s;
       const Real r_a = L::load(arcs.other_radius + s);
       const Real r_b = L::gather(arcs.other_radius, before);

@@ -82,6 +82,19 @@ exact::Vector PeriodicBox::translation(const BoxShift &shift) const {
   return sum;
 }
 
+BoxShift PeriodicBox::centre(Vec3 &difference) const {
+  const Vec3 a = to_double(reduced_[0]), b = to_double(reduced_[1]), c = to_double(reduced_[2]);
+  BoxShift shift;
+  const auto less = [&](int axis, double multiple, const Vec3 &side) {
+    shift.k[axis] = static_cast<int32_t>(nearest(multiple));
+    difference = difference - static_cast<double>(shift.k[axis]) * side;
+  };
+  less(2, difference.z / c.z, c);
+  less(1, difference.y / b.y, b);
+  less(0, difference.x / a.x, a);
+  return shift;
+}
+
 // With b = B - p A and c = C - q b - r A.
 BoxShift PeriodicBox::in_given_vectors(const BoxShift &shift) const {
   const auto [p, q, r] = skew_;

@@ -66,6 +66,8 @@ class PeriodicBox {
   }
   // The sum of so many vectors; must not be far beyond what images need.
   exact::Vector translation(const BoxShift &shift) const;
+  // Moves a difference to within half of the three lengths along the axes: it was the sum of so many vectors away.
+  BoxShift centre(Vec3 &difference) const;
   // In multiples of the given vectors.
   BoxShift in_given_vectors(const BoxShift &shift) const;
 

@@ -21,6 +21,7 @@ struct LaneVectors {
 struct LaneBalls {
   FourDoubles x, y, z, r;
 
+  LaneBalls() = default;
   LaneBalls(const BallArrays &balls, const uint32_t *ids)
       : x(Four::gather(balls.x, ids)),
         y(Four::gather(balls.y, ids)),

@@ -2302,6 +2302,16 @@ static int64_t call_hsp_pores_locate(const value *v) {
   return (int64_t)hsp_pores_locate(v[0].p, v[1].p, v[2].p);
 }
 
+static const argument of_hsp_pores_locate_with_shifts[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
+  {"xyz", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .is_const = 1},
+  {"place", "hsp_pore_place", .kind = KIND_struct_out, .size = sizeof(hsp_pore_place)},
+  {"shifts", "hsp_pore_place_shifts", .kind = KIND_struct_out, .size = sizeof(hsp_pore_place_shifts)},
+};
+static int64_t call_hsp_pores_locate_with_shifts(const value *v) {
+  return (int64_t)hsp_pores_locate_with_shifts(v[0].p, v[1].p, v[2].p, v[3].p);
+}
+
 static const argument of_hsp_pores_widest[] = {
   {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
   {"from", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .is_const = 1},
@@ -2383,6 +2393,28 @@ static int64_t call_hsp_pores_find_tunnel(const value *v) {
   return (int64_t)hsp_pores_find_tunnel(v[0].p, v[1].p, v[2].p, v[3].p, v[4].u, v[5].p, v[6].p);
 }
 
+static const argument of_hsp_pores_find_cheapest_tunnel[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores},
+  {"from", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .is_const = 1},
+  {"to", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .null = NULL_always, .is_const = 1},
+  {"avoided", "uint32_t", .kind = KIND_array_in, .size = sizeof(uint32_t), .extent = "count", .null = NULL_empty,
+      .is_const = 1},
+  {"count", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"tunnel", "hsp_tunnel", .kind = KIND_struct_out, .size = sizeof(hsp_tunnel)},
+  {"limits", "hsp_pores_limits", .kind = KIND_sized, .size = sizeof(hsp_pores_limits), .null = NULL_always},
+};
+static int64_t call_hsp_pores_find_cheapest_tunnel(const value *v) {
+  return (int64_t)hsp_pores_find_cheapest_tunnel(v[0].p, v[1].p, v[2].p, v[3].p, v[4].u, v[5].p, v[6].p);
+}
+
+static const argument of_hsp_pores_get_tunnel_route[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
+  {"route", "hsp_tunnel_route", .kind = KIND_struct_out, .size = sizeof(hsp_tunnel_route)},
+};
+static int64_t call_hsp_pores_get_tunnel_route(const value *v) {
+  return (int64_t)hsp_pores_get_tunnel_route(v[0].p, v[1].p);
+}
+
 static const argument of_hsp_pores_get_tunnel_points[] = {
   {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
   {"points", "hsp_tunnel_point", .kind = KIND_array_out, .size = sizeof(hsp_tunnel_point), .extent = "needed", .null =
@@ -2392,6 +2424,17 @@ static const argument of_hsp_pores_get_tunnel_points[] = {
 };
 static int64_t call_hsp_pores_get_tunnel_points(const value *v) {
   return (int64_t)hsp_pores_get_tunnel_points(v[0].p, v[1].p, v[2].u, v[3].p);
+}
+
+static const argument of_hsp_pores_get_tunnel_point_shifts[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
+  {"points", "hsp_tunnel_point_shifts", .kind = KIND_array_out, .size = sizeof(hsp_tunnel_point_shifts), .extent =
+      "needed", .null = NULL_empty, .held = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_pores_get_tunnel_point_shifts(const value *v) {
+  return (int64_t)hsp_pores_get_tunnel_point_shifts(v[0].p, v[1].p, v[2].u, v[3].p);
 }
 
 static const argument of_hsp_view_limits_init[] = {
@@ -3356,6 +3399,9 @@ const function registry[] = {
   {"hsp_pores_locate", "pores", RESULT_status, 3, of_hsp_pores_locate, call_hsp_pores_locate, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) |
       BIT(HSP_E_CHECK)},
+  {"hsp_pores_locate_with_shifts", "pores", RESULT_status, 4, of_hsp_pores_locate_with_shifts,
+      call_hsp_pores_locate_with_shifts, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) |
+      BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CHECK)},
   {"hsp_pores_widest", "pores", RESULT_status, 4, of_hsp_pores_widest, call_hsp_pores_widest, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) |
       BIT(HSP_E_CHECK)},
@@ -3376,9 +3422,18 @@ const function registry[] = {
   {"hsp_pores_find_tunnel", "pores", RESULT_status, 7, of_hsp_pores_find_tunnel, call_hsp_pores_find_tunnel, BIT(HSP_OK)
       | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
       BIT(HSP_E_ID) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CHECK)},
+  {"hsp_pores_find_cheapest_tunnel", "pores", RESULT_status, 7, of_hsp_pores_find_cheapest_tunnel,
+      call_hsp_pores_find_cheapest_tunnel, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) |
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_ID) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) |
+      BIT(HSP_E_CHECK)},
+  {"hsp_pores_get_tunnel_route", "pores", RESULT_status, 2, of_hsp_pores_get_tunnel_route,
+      call_hsp_pores_get_tunnel_route, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE)},
   {"hsp_pores_get_tunnel_points", "pores", RESULT_status, 4, of_hsp_pores_get_tunnel_points,
       call_hsp_pores_get_tunnel_points, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
       BIT(HSP_E_STATE)},
+  {"hsp_pores_get_tunnel_point_shifts", "pores", RESULT_status, 4, of_hsp_pores_get_tunnel_point_shifts,
+      call_hsp_pores_get_tunnel_point_shifts, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) |
+      BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
   {"hsp_view_limits_init", "view", RESULT_status, 3, of_hsp_view_limits_init, call_hsp_view_limits_init, BIT(HSP_OK) |
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_RANGE)},
   {"hsp_view_bytes", "view", RESULT_status, 2, of_hsp_view_bytes, call_hsp_view_bytes, BIT(HSP_OK) | BIT(HSP_E_ARGUMENT)
@@ -4046,6 +4101,8 @@ const field registry_fields[] = {
   {"hsp_pore_place", "radius", "double", offsetof(hsp_pore_place, radius), 1},
   {"hsp_pore_place", "ball", "uint32_t", offsetof(hsp_pore_place, ball), 1},
   {"hsp_pore_place", "maximum", "uint32_t", offsetof(hsp_pore_place, maximum), 1},
+  {"hsp_pore_place_shifts", "ball", "int32_t", offsetof(hsp_pore_place_shifts, ball), 3},
+  {"hsp_pore_place_shifts", "maximum", "int32_t", offsetof(hsp_pore_place_shifts, maximum), 3},
   {"hsp_pore_passage", "radius", "double", offsetof(hsp_pore_passage, radius), 1},
   {"hsp_pore_passage", "passes", "uint32_t", offsetof(hsp_pore_passage, passes), 1},
   {"hsp_pore_passage", "gate", "uint32_t", offsetof(hsp_pore_passage, gate), 1},
@@ -4068,11 +4125,16 @@ const field registry_fields[] = {
   {"hsp_tunnel", "points", "uint32_t", offsetof(hsp_tunnel, points), 1},
   {"hsp_tunnel", "outside", "uint32_t", offsetof(hsp_tunnel, outside), 1},
   {"hsp_tunnel", "reserved", "uint32_t", offsetof(hsp_tunnel, reserved), 1},
+  {"hsp_tunnel_route", "cost", "double", offsetof(hsp_tunnel_route, cost), 1},
+  {"hsp_tunnel_route", "shift", "int32_t", offsetof(hsp_tunnel_route, shift), 3},
+  {"hsp_tunnel_route", "reserved", "uint32_t", offsetof(hsp_tunnel_route, reserved), 1},
   {"hsp_tunnel_point", "xyz", "double", offsetof(hsp_tunnel_point, xyz), 3},
   {"hsp_tunnel_point", "radius", "double", offsetof(hsp_tunnel_point, radius), 1},
   {"hsp_tunnel_point", "ball", "uint32_t", offsetof(hsp_tunnel_point, ball), 4},
   {"hsp_tunnel_point", "gate", "uint32_t", offsetof(hsp_tunnel_point, gate), 1},
   {"hsp_tunnel_point", "maximum", "uint32_t", offsetof(hsp_tunnel_point, maximum), 1},
+  {"hsp_tunnel_point_shifts", "ball", "int32_t", offsetof(hsp_tunnel_point_shifts, ball), 12},
+  {"hsp_tunnel_point_shifts", "at", "int32_t", offsetof(hsp_tunnel_point_shifts, at), 3},
   {"hsp_view_limits", "struct_size", "uint32_t", offsetof(hsp_view_limits, struct_size), 1},
   {"hsp_view_limits", "balls", "uint32_t", offsetof(hsp_view_limits, balls), 1},
   {"hsp_view_limits", "neighbours", "uint32_t", offsetof(hsp_view_limits, neighbours), 1},

@@ -115,9 +115,13 @@ uint32_t hits_are_ordered() {
   Random random(13);
   for (uint32_t count = 0; count <= hsp::QueryHits::room; ++count) {
     for (uint32_t round = 0; round < 20; ++round) {
-      // Distinct numbers in every order; also the largest one that a ball can have.
+      // Distinct numbers in every order, side by side or far apart; also the largest one that a ball can have.
       for (uint32_t &id : hits.ids) id = round % 3 == 0 ? UINT32_MAX : 7;
-      for (uint32_t k = 0; k < count; ++k) hits.ids[k] = round % 2 == 0 ? UINT32_C(0x0FFFFFFF) - 3 * k : k;
+      const uint32_t gap = round < 10 ? 1 : UINT32_C(1) << (round - 8);
+      uint32_t next = round < 10 ? 0 : random.below(4096);
+      for (uint32_t k = 0; k < count; ++k, next += 1 + random.below(gap)) {
+        hits.ids[k] = round % 2 == 0 ? UINT32_C(0x0FFFFFFF) - 3 * next : next;
+      }
       for (uint32_t k = count; k > 1; --k) {
         const uint32_t other = random.below(k), id = hits.ids[k - 1];
         hits.ids[k - 1] = hits.ids[other];

@@ -6,7 +6,6 @@
 
 #include "brute_pores.hpp"
 #include "checked_pores.hpp"
-#include "long_reals.hpp"
 #include "sweep_length.hpp"
 
 namespace {
@@ -15,13 +14,18 @@ using checked_pores::FoundPoints;
 using hsp::no_id;
 
 TEST(CriticalPoints, AllSetsOfThreeAndFour) {
-  if (!oracle::has_long_reals) GTEST_SKIP();
   oracle::RandomSource random(1);
   checked_pores::Seen seen;
   for (int turn = 0; turn < oracle::sets(60); ++turn) {
-    ASSERT_NO_FATAL_FAILURE(checked_pores::compare_with_all_sets(random, turn % pore_sets::general_kinds, seen));
+    const auto n = static_cast<size_t>(random.in(3, 14));
+    const int kind = turn / 2;
+    ASSERT_NO_FATAL_FAILURE(checked_pores::compare_with_all_sets(
+        turn % 2 == 0 ? pore_sets::general_set(random, n, kind % pore_sets::general_kinds)
+                      : pore_sets::tied_set(random, n, kind % pore_sets::tied_kinds),
+        seen));
   }
   EXPECT_GT(seen.points, 100);
+  EXPECT_GT(seen.pairs, 100);
 }
 
 TEST(CriticalPoints, EulerSumsOfTiedSets) {

@@ -73,6 +73,48 @@ void check_points(const oracle::Balls &balls, const BuiltPores &pores, const hsp
   ASSERT_DOUBLE_EQ(length, found.length);
 }
 
+// Of straight lines; the outside costs nothing.
+double cost_of(const BuiltPores &pores, const hsp::PoreGate &gate) {
+  double sum = 0.0;
+  for (const uint32_t end : gate.end) {
+    if (end == pore_outside) continue;
+    const hsp::CriticalPoint &top = pores.maxima()[end].point;
+    const hsp::Vec3 d = top.place - gate.point.place;
+    sum += std::sqrt(dot(d, d)) / (top.level * gate.point.level);
+  }
+  return gate.point.level > 0.0 ? sum : INFINITY;
+}
+
+void check_cheapest(BuiltPores &pores, hsp::TunnelFinder &finder, hsp::TunnelEnds ends, double of_widest) {
+  hsp::TunnelSummary found{};
+  ends.by_cost = true;
+  ASSERT_EQ(finder.find(pores.builder(), pores.grid(), ends, found), hsp::Status::ok);
+  std::vector<double> least(pores.maxima().size() + 1, INFINITY);
+  least[hsp::node_of(found.there ? found.ends[0].maximum : pore_outside)] = 0.0;
+  for (bool changed = found.there; changed;) {
+    changed = false;
+    for (uint32_t k = 0; k < pores.gates().size(); ++k) {
+      const hsp::PoreGate &gate = pores.gates()[k];
+      if (std::find(ends.avoided.begin(), ends.avoided.end(), k) != ends.avoided.end()) continue;
+      for (const uint32_t side : {0U, 1U}) {
+        const double through = least[hsp::node_of(gate.end[side])] + cost_of(pores, gate);
+        double &there = least[hsp::node_of(gate.end[1 - side])];
+        changed = changed || through < there;
+        there = std::min(there, through);
+      }
+    }
+  }
+  ASSERT_TRUE(found.there || of_widest == INFINITY);
+  if (!found.there) return;
+  ASSERT_NEAR(found.cost, least[hsp::node_of(found.ends[1].maximum)], 1e-9 * found.cost);
+  ASSERT_LE(found.cost, of_widest * (1.0 + 1e-9));
+  double along = 0.0;
+  for (const hsp::TunnelPoint &point : finder.points()) {
+    if (point.gate != no_id) along += cost_of(pores, pores.gates()[point.gate]);
+  }
+  ASSERT_NEAR(along, found.cost, 1e-9 * found.cost);
+}
+
 TEST(Tunnel, IsTheWidestThatAvoidsGates) {
   oracle::RandomSource random(1);
   int tunnels = 0, gates = 0, blocked = 0, alternatives = 0;
@@ -86,12 +128,13 @@ TEST(Tunnel, IsTheWidestThatAvoidsGates) {
     hsp::TunnelFinder finder;
     struct Limited {
       hsp::TunnelFinder &finder;
-      void carve(hsp::Workspace &workspace, const std::pair<uint32_t, uint32_t> &limits) {
-        finder.carve(workspace, limits.first, limits.second);
+      const BuiltPores &pores;
+      void carve(hsp::Workspace &workspace, const uint32_t &points) {
+        finder.carve(workspace, pores.maxima().size(), pores.gates().size(), points);
       }
-    } limited{finder};
+    } limited{finder, pores};
     CarvedMemory memory;
-    memory.carve(limited, std::pair<uint32_t, uint32_t>(pores.maxima().size(), 20000));
+    memory.carve(limited, uint32_t{20000});
     const auto any_place = [&] {
       const auto last = static_cast<int64_t>(pores.maxima().size()) - 1;
       const hsp::Vec3 &at = pores.maxima()[static_cast<uint32_t>(random.in(0, last))].point.place;
@@ -103,8 +146,8 @@ TEST(Tunnel, IsTheWidestThatAvoidsGates) {
     for (int next = 0; next < 4; ++next) {
       hsp::TunnelSummary found{};
       const hsp::Span<const uint32_t> without(avoided.data(), static_cast<uint32_t>(avoided.size()));
-      ASSERT_EQ(finder.find(pores.builder(), pores.grid(), {from, to_outside ? nullptr : &to, without, floor}, found),
-                hsp::Status::ok);
+      const hsp::TunnelEnds ends{from, to_outside ? nullptr : &to, without, floor, false};
+      ASSERT_EQ(finder.find(pores.builder(), pores.grid(), ends, found), hsp::Status::ok);
       const uint32_t a = found.ends[0].maximum, b = found.ends[1].maximum;
       if (a == no_id || b == no_id) break;
       const double expected = width(pores, a, b, avoided);
@@ -126,17 +169,19 @@ TEST(Tunnel, IsTheWidestThatAvoidsGates) {
       gates += static_cast<int>(found.gates);
       if (found.gate == no_id) break;
       // One point less is too few.
+      const double cost = found.cost;
+      const uint32_t tightest = found.gate;
       const uint32_t needed = finder.needed_points();
       ASSERT_EQ(needed, finder.points().size());
       hsp::TunnelFinder small;
-      Limited limited_small{small};
+      Limited limited_small{small, pores};
       CarvedMemory other;
-      other.carve(limited_small, std::pair<uint32_t, uint32_t>(pores.maxima().size(), needed - 1));
-      ASSERT_EQ(small.find(pores.builder(), pores.grid(), {from, to_outside ? nullptr : &to, without, floor}, found),
-                hsp::Status::capacity);
+      other.carve(limited_small, needed - 1);
+      ASSERT_EQ(small.find(pores.builder(), pores.grid(), ends, found), hsp::Status::capacity);
       ASSERT_EQ(small.needed_points(), needed);
       ASSERT_TRUE(small.points().empty());
-      avoided.push_back(found.gate);
+      ASSERT_NO_FATAL_FAILURE(check_cheapest(pores, finder, ends, cost));
+      avoided.push_back(tightest);
     }
   }
   EXPECT_GT(tunnels, 40);

@@ -10,12 +10,13 @@
 #include "built_free_space.hpp"
 #include "built_pores.hpp"
 #include "pore_sets.hpp"
+#include "pores/class_tree.hpp"
 #include "tied_sets.hpp"
 
 namespace checked_pores {
 
 struct Seen {
-  int points = 0, tied = 0, undecided = 0, levels = 0, regions = 0, gates = 0;
+  int points = 0, tied = 0, pairs = 0, levels = 0, regions = 0, gates = 0;
 };
 
 // Critical points alone, of balls none of which lies inside another one.
@@ -36,14 +37,6 @@ class FoundPoints {
   }
   hsp::Status status() const { return status_; }
   const hsp::CriticalPoints &points() const { return points_; }
-  // The first `count` balls of a point in ascending order of the oracle.
-  template <size_t count>
-  std::array<uint32_t, count> balls_of(const hsp::CriticalPoint &point) const {
-    std::array<uint32_t, count> balls{};
-    for (size_t k = 0; k < count; ++k) balls[k] = balls_.callers(point.ball[k]);
-    std::sort(balls.begin(), balls.end());
-    return balls;
-  }
 
  private:
   BuiltGrid grid_;
@@ -65,27 +58,33 @@ inline void check_euler_sum(const oracle::Balls &balls, Seen &seen) {
   seen.tied += found.points().tied().size() > 0 ? 1 : 0;
 }
 
-inline void compare_with_all_sets(oracle::RandomSource &random, int kind, Seen &seen) {
-  const oracle::Balls outer =
-      oracle::outer_balls(pore_sets::general_set(random, static_cast<size_t>(random.in(3, 16)), kind));
-  const oracle::CriticalSets expected = oracle::critical_sets(outer);
-  if (!expected.decided) {
-    ++seen.undecided;
-    return;
+// All maxima and gates, their order, and where classes meet.
+inline void compare_with_all_sets(const oracle::Balls &balls, Seen &seen) {
+  const oracle::Balls outer = oracle::outer_balls(balls);
+  const int64_t floor = BuiltPores::lowest(outer);
+  const BuiltPores pores(outer, floor);
+  ASSERT_EQ(pores.status(), hsp::Status::ok);
+  oracle::ListedPores listed;
+  const auto list = [&](const hsp::CriticalPoint &point, auto &lists) {
+    const auto tied = pores.builder().tied(point);
+    lists.emplace_back(tied.begin(), tied.end());
+    std::sort(lists.back().begin(), lists.back().end());
+    seen.tied += tied.size() > (point.ball[3] == hsp::no_id ? 3 : 4) ? 1 : 0;
+    ++seen.points;
+  };
+  const uint32_t outside = pores.maxima().size();
+  for (const auto &maximum : pores.maxima()) list(maximum.point, listed.maxima);
+  for (const auto &gate : pores.gates()) {
+    list(gate.point, listed.gates);
+    listed.ends.push_back({std::min(gate.end[0], outside), std::min(gate.end[1], outside)});
   }
-  const FoundPoints found(outer, BuiltPores::lowest(outer));
-  ASSERT_EQ(found.status(), hsp::Status::ok);
-  oracle::CriticalSets ours;
-  for (const hsp::PoreGate &gate : found.points().gates().items()) {
-    ASSERT_TRUE(ours.gates.insert(found.balls_of<3>(gate.point)).second);
-  }
-  for (const hsp::PoreMaximum &top : found.points().maxima().items()) {
-    ASSERT_TRUE(ours.maxima.insert(found.balls_of<4>(top.point)).second);
-  }
-  ASSERT_EQ(ours.gates, expected.gates) << oracle::to_text(outer);
-  ASSERT_EQ(ours.maxima, expected.maxima) << oracle::to_text(outer);
-  seen.points += static_cast<int>(ours.gates.size() + ours.maxima.size());
-  ASSERT_NO_FATAL_FAILURE(check_euler_sum(outer, seen));
+  const hsp::ClassTree tree(pores.builder());
+  listed.gate_between = [&](size_t a, size_t b) {
+    ++seen.pairs;
+    const auto end = [&](size_t k) { return k == outside ? hsp::pore_outside : static_cast<uint32_t>(k); };
+    return tree.gate_between(end(a), end(b));
+  };
+  ASSERT_EQ(oracle::first_difference(oracle::brute_pores(outer, floor), listed), "") << oracle::to_text(outer);
 }
 
 // Components at levels between all points that are a few steps apart, against regions of balls that have grown that

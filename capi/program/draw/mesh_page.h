@@ -1,0 +1,97 @@
+/* A picture while it is made, for the units that make it: where things are on its page, and colours. */
+#ifndef HARDSPHERE_TOOL_MESH_PAGE_H
+#define HARDSPHERE_TOOL_MESH_PAGE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "draw/mesh_outlines.h"
+#include "draw/mesh_parts.h"
+#include "draw/mesh_picture.h"
+#include "draw/mesh_polygon.h"
+#include "read/text_buffer.h"
+
+enum { MOST_COLOURS = 128, MOST_BANDS = 64 };
+
+/* The visible sides of a surface; with pockets two more of each, their outsides and their voids. */
+enum { OUTSIDE, INSIDE, OF_VOID, SIDES };
+
+/* Paints of a layer are numbered: for each colour its bands of light, for each sphere those of its sides, then lines.
+ * The dark rim of a sphere so goes on over the ends of saddles behind it. */
+#define FIRST_SPHERE ((uint32_t)MOST_COLOURS * MOST_BANDS)
+#define HAIRLINES UINT32_MAX
+
+/* Pixels and, as all that follows, tenths of them. */
+#define PICTURE_WIDTH 1000.0
+#define PAGE_MARGIN 0.03 /* of the larger side */
+#define PAGE_LETTER 220.0
+
+/* Tenths of a px. */
+struct frame {
+  double scale, left, top;
+  int32_t width, height, strip;
+};
+
+struct mesh_picture {
+  const struct triangle_mesh *mesh;
+  const struct mesh_view *view;
+  const struct molecule *molecule;
+  struct mesh_parts parts;
+  struct frame frame;
+  uint32_t *layer;               /* [triangles], UINT32_MAX: not shown */
+  uint32_t *points;              /* [triangles], that are seen of what the plane leaves whole */
+  double *ball;                  /* [atoms][3], along the axes of the view */
+  uint32_t colour[MOST_COLOURS]; /* [colours], each once */
+  uint32_t colours;
+  uint32_t sides;                /* of spheres, with those of pockets */
+  int bands;                     /* of light, on saddles */
+  double border[MOST_BANDS + 2]; /* where they begin, of the light's circles */
+  struct painted_edges areas, section;
+};
+
+#define LINE_COLOUR UINT32_C(0x23202B)
+
+/* Of the page and of what is written on it. */
+uint32_t mesh_page_colour(const struct mesh_picture *picture);
+uint32_t mesh_text_colour(const struct mesh_picture *picture);
+
+/* ---- where things are ---- */
+
+int32_t mesh_rounded(double value);
+void mesh_find_frame(const struct mesh_parts *parts, struct frame *frame);
+void mesh_place(const struct frame *frame, const double *at, int32_t page[2]);
+void mesh_turn(const double axis[3][3], const double *from, double to[3]);
+double mesh_dot(const double *a, const double *b);
+
+/* ---- sides and colours ---- */
+
+int mesh_pocket_of(int side); /* from 1 on; 0: none */
+int mesh_plain_side(int side);
+
+/* Twice a triangle's area on the page, above 0 if it is counter-clockwise. */
+double mesh_seen_area(const struct mesh_picture *picture, uint32_t triangle);
+int mesh_side_of(const struct mesh_picture *picture, uint32_t triangle, double area);
+
+uint32_t mesh_element_of(const struct mesh_picture *picture, uint32_t ball);
+uint32_t mesh_element_colour(uint32_t number);
+uint32_t mesh_plain_colour(int side);    /* not of elements; SIDES: of nothing */
+uint32_t mesh_pocket_colour(int pocket); /* from 1 on */
+
+/* Of saddles and concave patches. */
+#define BETWEEN_ATOMS UINT32_MAX
+#define BETWEEN_COLOUR UINT32_C(0xC3CCD3)
+
+/* The number of a ball's colour, or of that of what is between atoms. */
+uint32_t mesh_colour_of(struct mesh_picture *picture, uint32_t ball, int side);
+
+/* ---- what is painted ---- */
+
+/* A triangle or what a cut leaves of it. */
+void mesh_add_polygon(struct mesh_picture *picture, const struct polygon *polygon, uint32_t triangle, int side);
+
+double mesh_hairline_width(const struct mesh_picture *picture);
+
+/* The file. False for want of memory. */
+bool mesh_add_svg(struct mesh_picture *picture, const char *title, struct text_buffer *out);
+
+#endif

@@ -1,0 +1,49 @@
+#include "draw/mesh_page.h"
+#include "draw/surface_light.h"
+#include "hardsphere.h"
+
+static const double largest_sphere = 1e7; /* larger ones are as good as flat: no circles of light are seen */
+
+static void add_polygon(struct mesh_picture *picture, const struct polygon *polygon, uint32_t layer, uint32_t paint) {
+  for (int k = 0; k < polygon->corners; ++k) {
+    const struct corner *const from = &polygon->corner[k];
+    const struct corner *const to = &polygon->corner[(k + 1) % polygon->corners];
+    struct painted_edge edge = {.layer = layer, .paint = paint, .inner = (from->on & to->on) != 0};
+    mesh_place(&picture->frame, from->at, edge.from);
+    mesh_place(&picture->frame, to->at, edge.to);
+    painted_edges_add(&picture->areas, &edge);
+  }
+}
+
+/* Between two circles of the light each, and on under the next band, which comes later: no page shows between them. */
+static void add_bands(struct mesh_picture *picture, const struct polygon *polygon, uint32_t layer, uint32_t colour) {
+  double least = 1.0, most = 0.0;
+  for (int k = 0; k < polygon->corners; ++k) {
+    if (polygon->corner[k].circle < least) least = polygon->corner[k].circle;
+    if (polygon->corner[k].circle > most) most = polygon->corner[k].circle;
+  }
+  for (int band = 0; band < picture->bands && picture->border[band] <= most; ++band) {
+    double below[MOST_CORNERS], above[MOST_CORNERS];
+    if (picture->border[band + 2] < least) continue;
+    for (int k = 0; k < polygon->corners; ++k) below[k] = picture->border[band] - polygon->corner[k].circle;
+    const struct polygon outer = polygon_cut_off(polygon, below, 1);
+    for (int k = 0; k < outer.corners; ++k) above[k] = outer.corner[k].circle - picture->border[band + 2];
+    const struct polygon part = polygon_cut_off(&outer, above, 2);
+    add_polygon(picture, &part, layer, colour * MOST_BANDS + (uint32_t)band);
+  }
+}
+
+/* The sphere of a convex patch is that of its ball; that of a concave one is its own. */
+void mesh_add_polygon(struct mesh_picture *picture, const struct polygon *polygon, uint32_t triangle, int side) {
+  const struct triangle_mesh *mesh = picture->mesh;
+  const uint32_t kind = mesh->kinds[triangle], ball = mesh->balls[triangle], layer = picture->layer[triangle];
+  const bool convex = kind == HSP_PATCH_CONVEX, of_sphere = convex || kind == HSP_PATCH_CONCAVE;
+  const double radius = convex ? picture->molecule->radius[ball] : mesh->probe;
+  if (polygon->corners < 3) return;
+  if (of_sphere && radius * picture->frame.scale < largest_sphere) {
+    const uint32_t sphere = convex ? ball : mesh->atoms + mesh->patches[triangle];
+    add_polygon(picture, polygon, layer, FIRST_SPHERE + picture->sides * sphere + (uint32_t)side);
+  } else {
+    add_bands(picture, polygon, layer, mesh_colour_of(picture, convex ? ball : BETWEEN_ATOMS, side));
+  }
+}

@@ -1,0 +1,25 @@
+/* Parts of triangles, cut along where a linear function is 0. */
+#ifndef HARDSPHERE_TOOL_MESH_POLYGON_H
+#define HARDSPHERE_TOOL_MESH_POLYGON_H
+
+enum { MOST_CORNERS = 12 };
+
+struct corner {
+  double at[3];  /* along the axes of the view */
+  double circle; /* of the light: surface_light.h */
+  int on;        /* borders of a band of light: bits */
+};
+
+struct polygon {
+  struct corner corner[MOST_CORNERS];
+  int corners;
+};
+
+/* Where a function is 0 that has these values, of different signs, at two corners: in the same way from both sides, so
+ * that neighbours meet. */
+struct corner polygon_between(const struct corner *a, const struct corner *b, double value_a, double value_b);
+
+/* The part where the values at the corners are 0 or less; new corners are on the border `on`. */
+struct polygon polygon_cut_off(const struct polygon *polygon, const double value[MOST_CORNERS], int on);
+
+#endif

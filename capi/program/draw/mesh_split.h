@@ -1,0 +1,25 @@
+/* Triangles that a border goes through, split there. */
+#ifndef HARDSPHERE_TOOL_MESH_SPLIT_H
+#define HARDSPHERE_TOOL_MESH_SPLIT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "read/failure.h"
+#include "write/mesh_file.h"
+
+/* An edge that the border crosses, from the vertex with the lower number to the other one, and where, from 0 to 1. */
+struct split_edge {
+  uint32_t low, high;
+  double share;
+};
+
+/* Sort the edges, and leave each there once. */
+size_t mesh_split_sort(struct split_edge *edges, size_t count);
+
+/* Split all triangles with such edges, which are sorted. Each part has an old vertex as its first corner, on whose side
+ * of the border it is, but for the middle of a triangle with three such edges. */
+bool mesh_split(struct triangle_mesh *mesh, const struct split_edge *edges, size_t count, struct failure *failure);
+
+#endif

@@ -1,0 +1,12 @@
+/* The colours of pockets: the same in pictures of a surface and in charts. */
+#ifndef HARDSPHERE_TOOL_POCKET_COLOURS_H
+#define HARDSPHERE_TOOL_POCKET_COLOURS_H
+
+#include <stdint.h>
+
+enum { POCKET_COLOURS = 6 };
+
+/* Of the pockets that are listed, the first one's first. */
+extern const uint32_t pocket_colours[POCKET_COLOURS];
+
+#endif

@@ -1,0 +1,42 @@
+// The balls around a point, of a set or of a periodic box, as ways up from any point look for them. Nothing is written
+// for that but what they find, so that several threads may look.
+#pragma once
+
+#include "model/queries.hpp"
+#include "periodic/periodic_queries.hpp"
+
+namespace hsp {
+
+// A ball of the caller, so many boxes from its place.
+struct NearImage {
+  uint32_t ball;
+  BoxShift shift;
+};
+
+class BallsAround {
+ public:
+  static constexpr uint32_t most = 192;
+
+  BallsAround(const CubeGrid &grid) : grid_(&grid) {}
+  BallsAround(const PeriodicUnion &periodic) : grid_(&periodic.grid()), periodic_(&periodic) {}
+
+  bool are_none() const { return grid_->balls().n == 0; }
+  const BallSet &set() const { return grid_->balls(); }
+  // Null without one.
+  const PeriodicBox *box() const { return periodic_ == nullptr ? nullptr : &periodic_->images().box(); }
+  exact::LatticeBall ball(const NearImage &image) const {
+    exact::LatticeBall ball = set().ball(grid_->grid_index(image.ball));
+    if (periodic_ == nullptr) return ball;
+    const exact::Vector by = box()->translation(image.shift);
+    ball.centre = {ball.centre.x + by.x, ball.centre.y + by.y, ball.centre.z + by.z};
+    return ball;
+  }
+  // How many meet a ball; if they are no more than there is room for, these. room: at most `most`.
+  uint32_t find(const LatticeQuery &query, NearImage *near, uint32_t room) const;
+
+ private:
+  const CubeGrid *grid_;
+  const PeriodicUnion *periodic_ = nullptr;
+};
+
+}  // namespace hsp
