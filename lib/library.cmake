@@ -10,10 +10,12 @@ set(HSP_LIBRARY_SOURCES
   lib/balls/model/ball_set.cpp
   lib/balls/model/block_sweep.cpp
   lib/balls/model/cube_grid.cpp
+  lib/balls/model/cube_index.cpp
   lib/balls/model/digit_sort.cpp
   lib/balls/model/grid_order.cpp
   lib/balls/model/halo.cpp
   lib/balls/model/neighbour_lists.cpp
+  lib/balls/model/ordered_balls.cpp
   lib/balls/model/packing_statistics.cpp
   lib/balls/model/pair_block.kernel.cpp
   lib/balls/model/queries.cpp

@@ -55,11 +55,11 @@ int32_t hsp_model_set(hsp_model *model, uint32_t n, const double *xyz, const dou
 int32_t hsp_model_get_info(const hsp_model *model, hsp_model_info *info) {
   if (const int32_t status = check_handle(model, info == nullptr); status != HSP_OK) return status;
   const hsp::BallSet &balls = model->balls();
-  const hsp::CubeTable &table = model->grid.table();
+  const hsp::CubeSlots &slots = model->grid.slots();
   info->balls = balls.n;
-  info->cubes = table.count();
-  info->table_slots = table.slots();
-  info->longest_probe = table.longest_search();
+  info->cubes = model->grid.cubes();
+  info->table_slots = slots.size();
+  info->longest_probe = slots.longest_search();
   info->step = balls.lattice.step();
   info->probe = balls.lattice.length(static_cast<double>(balls.probe_steps));
   info->largest_radius = balls.lattice.length(static_cast<double>(balls.largest_radius));

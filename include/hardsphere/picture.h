@@ -109,9 +109,10 @@ typedef struct hsp_picture_options {
 /** Contours along silhouettes, areas of a width that depends on the gap g between the silhouette and what lies behind
  *  it: as wide as ink_width where g is three mean radii of the model's balls or more, with width (g / 3)^(5/8) below.
  *  They taper to nothing at tangencies, where silhouettes go over into creases. Where g jumps, at a T-junction, the
- *  thinner part widens to the thicker one, so that widths are continuous along a silhouette. Fog f takes its share f of
- *  a width. Contours are painted directly after their ball, and go on under nearer ones. SVG: paths of class border,
- *  group or depth, without data-ball.
+ *  thinner part widens to the thicker one, so that widths are continuous along a silhouette. In a gap, where between
+ *  two nearer bodies less of a ball's silhouette is seen, without background behind it, than eight times the largest
+ *  width, widths are less in proportion. Fog f takes its share f of a width. Contours are painted directly after their
+ *  ball, and go on under nearer ones. SVG: paths of class border, group or depth, without data-ball.
  *  Sticks have them along both sides, as parts of their balls.
  *  No contour is wider than the radius of its ball or stick. Chosen widths are 3.1, 2.2 and 2.9 px where the mean
  *  radius of what is seen is 34 px; lines are then thinner, where they are chosen, too: .5 px, and none between more

@@ -274,4 +274,29 @@ TEST(Bonds, HaveTheirDashesWithinTheRing) {
   }
 }
 
+// The kinds of bonds of .sdf, .mol and .mol2 files: of a benzene's ring, of two and three strands. Bonds that name no
+// atom, and hydrogen bonds, are none.
+TEST(Bonds, KindsInFilesOfSmallMolecules) {
+  for (const char *file : {"good/two_records.sdf", "good/two_records.mol2"}) {
+    for (const char *model : {"1", "2"}) {
+      const TemporaryFile out("kinds.svg");
+      const Outcome outcome = run_program({"draw", file, "-o", out.path(), "--as", "ball-and-stick", "--model", model});
+      EXPECT_EQ(outcome.status, 0) << outcome.err;
+      EXPECT_NE(outcome.out.find("bonds by the file, else by covalent radii; 1 multiple ones"), std::string::npos)
+          << outcome.out;
+    }
+  }
+  const std::string places[] = {"1.39 0 0",  "0.695 1.204 0",   "-0.695 1.204 0",
+                                "-1.39 0 0", "-0.695 -1.204 0", "0.695 -1.204 0"};
+  std::string atoms, bonds;
+  for (size_t k = 0; k < 6; ++k) {
+    const std::string number = std::to_string(k + 1);
+    atoms += number + " C" + number + " " + places[k] + " C.ar\n";
+    bonds += number + " " + number + " " + std::to_string((k + 1) % 6 + 1) + " ar\n";
+  }
+  const std::string head = "@<TRIPOS>MOLECULE\nring\n6 6\n@<TRIPOS>ATOM\n" + atoms + "@<TRIPOS>BOND\n" + bonds;
+  EXPECT_EQ(multiple_in(head, "mol2").said.substr(0, 2), "6 ");
+  EXPECT_EQ(multiple_in(head + "7 1 9 2\n8 1 4 nc\n9 1 1 2\n10 1\n", "mol2"), multiple_in(head, "mol2"));
+}
+
 }  // namespace

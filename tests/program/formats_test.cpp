@@ -2,6 +2,7 @@
 // the PDB file by its columns, so that nothing of the program's readers has a part in them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <regex>
 #include <sstream>
@@ -128,6 +129,34 @@ std::string as_gro(const std::vector<Atom> &atoms) {
   return text + "5 5 5\n";
 }
 
+std::string as_sdf(const std::vector<Atom> &atoms) {
+  std::string text =
+      "crambin\n\n\n" + right(std::to_string(atoms.size()), 3) + "  0  0  0  0  0  0  0  0  0999 V2000\n";
+  for (const Atom &atom : atoms) {
+    for (const std::string &number : atom.xyz) text += right(number, 10);
+    text += " " + atom.element + "\n";
+  }
+  return text + "M  END\n";
+}
+
+std::string as_v3000(const std::vector<Atom> &atoms) {
+  std::string text = "crambin\n\n\n  0  0  0     0  0            999 V3000\nM  V30 BEGIN CTAB\nM  V30 COUNTS " +
+                     std::to_string(atoms.size()) + " 0 0 0 0\nM  V30 BEGIN ATOM\n";
+  for (const Atom &atom : atoms) {
+    text += line_of({"M  V30", "1", atom.element, atom.xyz[0], atom.xyz[1], atom.xyz[2], "0"});
+  }
+  return text + "M  V30 END ATOM\nM  V30 END CTAB\nM  END\n";
+}
+
+std::string as_mol2(const std::vector<Atom> &atoms) {
+  std::string text = "@<TRIPOS>MOLECULE\ncrambin\n" + std::to_string(atoms.size()) + "\n@<TRIPOS>ATOM\n";
+  for (const Atom &atom : atoms) {
+    text += line_of(
+        {"1", atom.name, atom.xyz[0], atom.xyz[1], atom.xyz[2], atom.element + ".3", "1", atom.residue + atom.number});
+  }
+  return text;
+}
+
 std::string measured(const std::string &file, const std::vector<std::string> &options = {}) {
   std::vector<std::string> arguments = {"measure", file, "--json", "--per-ball", "--probe", "1.4"};
   arguments.insert(arguments.end(), options.begin(), options.end());
@@ -139,11 +168,9 @@ std::string measured(const std::string &file, const std::vector<std::string> &op
 TEST(Formats, CrambinInAllOfThem) {
   const std::vector<Atom> atoms = atoms_of_crambin();
   const std::string expected = measured(crambin());
-  const std::vector<std::pair<std::string, std::string>> files = {{"xyz", as_xyz(atoms)},
-                                                                  {"pqr", as_pqr(atoms)},
-                                                                  {"xyzr", as_xyzr(atoms)},
-                                                                  {"cif", as_cif(atoms)},
-                                                                  {"gro", as_gro(atoms)}};
+  const std::vector<std::pair<std::string, std::string>> files = {
+      {"xyz", as_xyz(atoms)}, {"pqr", as_pqr(atoms)}, {"xyzr", as_xyzr(atoms)}, {"cif", as_cif(atoms)},
+      {"gro", as_gro(atoms)}, {"sdf", as_sdf(atoms)}, {"mol", as_v3000(atoms)}, {"mol2", as_mol2(atoms)}};
   for (const auto &[extension, text] : files) {
     const TemporaryFile file("crambin." + extension, text);
     EXPECT_EQ(measured(file.path()), expected) << extension;
@@ -185,6 +212,31 @@ TEST(Formats, GroAsPdb) {
     EXPECT_EQ(gro.status, 0) << gro.err;
     const size_t heading = gro.out.find("\n  radii");
     EXPECT_EQ(gro.out.substr(heading), same.out.substr(same.out.find("\n  radii"))) << command;
+  }
+}
+
+// Records are models; of a file that is cut off anywhere the first is read as a whole or refused, with one line.
+TEST(Formats, RecordsAreModels) {
+  for (const char *name : {"two_records.sdf", "two_records.mol2"}) {
+    const std::string file = std::string("good/") + name;
+    for (int model = 1; model <= 2; ++model) {
+      const Json input = run_json({"measure", file, "--model", std::to_string(model)})["input"];
+      EXPECT_EQ(input["models"].number, 2) << name;
+      EXPECT_EQ(input["balls"].number, 5 - model) << name;
+      EXPECT_EQ(input["left_out"]["other_models"].number, name[12] == 's' && model == 1 ? 0 : 2 + model) << name;
+    }
+    EXPECT_EQ(run_program({"measure", file, "--model", "3"}).status, 1) << name;
+    const std::string text = read_file(inputs_folder() + "/" + file);
+    const std::string whole = measured(file);
+    size_t refused = 0;
+    for (size_t length = 0; length < text.size(); length += 7) {
+      const TemporaryFile cut(name, text.substr(0, length));
+      const Outcome outcome = run_program({"measure", cut.path(), "--json", "--per-ball", "--probe", "1.4"});
+      refused += outcome.status == 1 ? 1 : 0;
+      EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), outcome.status) << outcome.err;
+      EXPECT_TRUE(outcome.status == 1 || geometry_alone(outcome.out) == whole) << length;
+    }
+    EXPECT_GT(refused, 20u) << name;
   }
 }
 

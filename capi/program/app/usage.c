@@ -8,9 +8,9 @@
 #include "hardsphere.h"
 
 static const char files[] =
-    "FILE is .pdb, .ent, .pdb1 or the like, .cif (mmCIF), .gro, .pqr or .xyz, in angstrom once read, or .xyzr\n"
-    "(x y z r on each line, in any unit); - is standard input: gunzip -c x.pdb.gz | hardsphere measure - --format "
-    "pdb.\n"
+    "FILE is .pdb, .ent, .pdb1 or the like, .cif (mmCIF), .gro, .sdf, .mol, .mol2, .pqr or .xyz, in angstrom once\n"
+    "read, or .xyzr (x y z r on each line, in any unit); - is standard input: gunzip -c x.pdb.gz | hardsphere measure "
+    "- --format pdb.\n"
     "One model and the first alternate location of each atom are read, ATOM and HETATM alike, water and hydrogens "
     "too;\n"
     "draw leaves out water. Tables and JSON say what was read and what was left out. A .cif file has Cartesian\n"

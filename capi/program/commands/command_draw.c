@@ -371,9 +371,10 @@ static void print(struct record *record, const void *of) {
                drawn->multiple_shown ? "" : ", drawn as single");
     }
     snprintf(value, sizeof value, "bonds by %scovalent radii%s",
-             record->molecule->bonds == 0                            ? ""
-             : file_format_has(record->molecule->format, FILE_BONDS) ? "CONECT records, else by "
-                                                                     : "_chem_comp_bond, else by ",
+             record->molecule->bonds == 0                             ? ""
+             : file_format_has(record->molecule->format, FILE_BONDS)  ? "CONECT records, else by "
+             : file_format_has(record->molecule->format, FILE_ORDERS) ? "the file, else by "
+                                                                      : "_chem_comp_bond, else by ",
              multiple);
     record_count(record, NULL, "sticks", drawn->sticks, value);
   }

@@ -15,7 +15,9 @@
   FORMAT(pqr)           \
   FORMAT(xyz)           \
   FORMAT(cif)           \
-  FORMAT(gro)
+  FORMAT(gro)           \
+  FORMAT(sdf)           \
+  FORMAT(mol2)
 
 #define DECLARE(name) extern const struct file_format name##_format;
 FORMATS(DECLARE)

@@ -26,7 +26,8 @@ enum file_feature {
   FILE_AREA_COLUMNS = 512,     /* columns that areas of atoms are written to: --pdb-out */
   FILE_ONE_BOX = 1024,         /* a record of the box that is of all models behind it */
   FILE_FRAMES = 2048,          /* models that are read one after the other, as frames of a trajectory */
-  FILE_ATOMS = 4096            /* molecules; else coordinates alone */
+  FILE_ATOMS = 4096,           /* molecules; else coordinates alone */
+  FILE_ORDERS = 8192           /* bonds with their kinds, of all atoms */
 };
 
 struct file_format {

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "read/characters.h"
+#include "read/number.h"
 #include "read/residue_kinds.h"
 
 void label_take_element(struct kinds_seen *seen, struct atom_label *label, struct field name) {
@@ -15,6 +16,33 @@ void label_take_element(struct kinds_seen *seen, struct atom_label *label, struc
   label->virtual_site = kind == ATOM_VIRTUAL;
   label->bead = kind == ATOM_BEAD;
   if (label->virtual_site) label->element = virtual_symbol_of(name);
+}
+
+bool label_take_symbol(struct atom_label *label, struct field text) {
+  uint64_t number;
+  if (number_parse_count(text.text, text.length, &number) == NUMBER_OK) {
+    label->by_number = true;
+    return element_symbol_of_number(number, &label->element);
+  }
+  size_t letters = 0;
+  while (letters < text.length && is_letter(text.text[letters])) ++letters;
+  if (!element_symbol_parse(text.text, letters, &label->element)) return false;
+  /* X is no unknown atom here, but a dummy that an internal coordinate was defined by. */
+  label->virtual_site = is_virtual_symbol(label->element) || element_is_unknown(label->element);
+  return true;
+}
+
+bool serial_of_number(struct field text, struct serial_label *serial) {
+  static const char digits[] = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ";
+  uint64_t number;
+  size_t at = sizeof serial->text - 1;
+  if (number_parse_count(text.text, text.length, &number) != NUMBER_OK) return false;
+  serial->text[at] = '\0';
+  while (at > 0) {
+    serial->text[--at] = digits[number % 36];
+    number /= 36;
+  }
+  return number == 0;
 }
 
 void label_check_bead(struct atom_label *label) {

@@ -82,21 +82,6 @@ static bool columns_of_title(const struct line_reader *reader, struct columns *c
   return failure_in_input(failure, reader->number, "Properties has no %s", element_seen ? "pos:R:3" : "species:S:1");
 }
 
-/* A symbol, a label that begins with one and goes on with something else, C1 or Fe3+, or an atomic number. */
-static bool parse_element(struct field text, struct atom_label *label) {
-  uint64_t number;
-  if (number_parse_count(text.text, text.length, &number) == NUMBER_OK) {
-    label->by_number = true;
-    return element_symbol_of_number(number, &label->element);
-  }
-  size_t letters = 0;
-  while (letters < text.length && is_letter(text.text[letters])) ++letters;
-  if (!element_symbol_parse(text.text, letters, &label->element)) return false;
-  /* X is no unknown atom here, but a dummy that an internal coordinate was defined by. */
-  label->virtual_site = is_virtual_symbol(label->element) || element_is_unknown(label->element);
-  return true;
-}
-
 static bool read_atom(struct line_reader *reader, const struct field *column, size_t count, struct columns columns,
                       struct molecule *molecule, struct failure *failure) {
   const uint64_t line = reader->number;
@@ -108,7 +93,7 @@ static bool read_atom(struct line_reader *reader, const struct field *column, si
   }
   struct atom_label label = ATOM_LABEL_NONE;
   const struct field element = column[columns.element];
-  if (!parse_element(element, &label)) {
+  if (!label_take_symbol(&label, element)) {
     char shown[EXCERPT_BYTES];
     return failure_in_input(failure, line, "unknown element '%s'; expected a symbol such as C or Cl, or a number",
                             excerpt(shown, element.text, element.length));

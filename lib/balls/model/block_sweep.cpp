@@ -16,7 +16,7 @@ bool before_row(const CubeCoordinates &cube, int64_t y, int64_t z) {
 
 const CubeBlock &BlockSweep::block_around(uint32_t cube) {
   if (cube == at_) return block_;
-  const CubeCoordinates &at = table_->coordinates(cube);
+  const CubeCoordinates &at = cubes_->coordinates(cube);
   if (grid_->rows().is_there() || grid_->has_images()) {
     at_ = cube;
     block_ = grid_->block_around(at);
@@ -24,7 +24,7 @@ const CubeBlock &BlockSweep::block_around(uint32_t cube) {
   }
   const bool first_call = at_ == no_id;
   if (first_call) skip_to_rows(at);
-  const CubeCoordinates &last = table_->coordinates(first_call ? cube : at_);
+  const CubeCoordinates &last = cubes_->coordinates(first_call ? cube : at_);
   const bool same_row = !first_call && in_row(last, at.y, at.z);
   if (!same_row) begin_row(at);
   // From one cube to the next, a row loses and gains one cube at most: no branch is needed, and none could be
@@ -59,7 +59,7 @@ const CubeBlock &BlockSweep::block_around_ball(uint32_t ball) {
 // 1 if the cube is one of the row and its x is smaller, else 0.
 uint32_t BlockSweep::comes_before(uint32_t cube, uint32_t end, int64_t x) const {
   const bool is_there = cube < end;
-  return static_cast<uint32_t>(is_there) & static_cast<uint32_t>(table_->coordinates(is_there ? cube : 0).x < x);
+  return static_cast<uint32_t>(is_there) & static_cast<uint32_t>(cubes_->coordinates(is_there ? cube : 0).x < x);
 }
 
 // As if the sweep had been just before the first cube that it is asked for.
@@ -68,7 +68,7 @@ void BlockSweep::skip_to_rows(const CubeCoordinates &at) {
   for (int64_t z = at.z - 1; z <= at.z + 1; ++z) {
     for (int64_t y = at.y - 1; y <= at.y + 1; ++y, ++row) {
       row->end =
-          first_index(0, table_->count(), [&](uint32_t cube) { return !before_row(table_->coordinates(cube), y, z); });
+          first_index(0, cubes_->count(), [&](uint32_t cube) { return !before_row(cubes_->coordinates(cube), y, z); });
     }
   }
 }
@@ -78,9 +78,9 @@ void BlockSweep::begin_row(const CubeCoordinates &at) {
   for (int64_t z = at.z - 1; z <= at.z + 1; ++z) {
     for (int64_t y = at.y - 1; y <= at.y + 1; ++y, ++row) {
       uint32_t cube = row->end;
-      while (cube < table_->count() && before_row(table_->coordinates(cube), y, z)) ++cube;
+      while (cube < cubes_->count() && before_row(cubes_->coordinates(cube), y, z)) ++cube;
       row->first = row->last = cube;
-      while (cube < table_->count() && in_row(table_->coordinates(cube), y, z)) ++cube;
+      while (cube < cubes_->count() && in_row(cubes_->coordinates(cube), y, z)) ++cube;
       row->end = cube;
     }
   }

@@ -10,7 +10,7 @@ namespace hsp {
 
 class BlockSweep {
  public:
-  explicit BlockSweep(const CubeGrid &grid) : grid_(&grid), table_(&grid.table()) {}
+  explicit BlockSweep(const CubeGrid &grid) : grid_(&grid), cubes_(&grid.cube_list()) {}
   // No grid: one block is around all balls.
   explicit BlockSweep(const CubeBlock &everything) : block_(everything) {}
 
@@ -32,7 +32,7 @@ class BlockSweep {
   void begin_row(const CubeCoordinates &at);
 
   const CubeGrid *grid_ = nullptr;
-  const CubeTable *table_ = nullptr;
+  const CubeList *cubes_ = nullptr;
   Row row_[9];
   CubeBlock block_;
   uint32_t at_ = no_id;  // the cube that it is around

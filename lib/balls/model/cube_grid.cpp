@@ -1,339 +1,52 @@
 #include "model/cube_grid.hpp"
 
-#include "core/ahead.hpp"
-#include "core/small_code.hpp"
-#include "model/grid_order.hpp"
-
 namespace hsp {
-namespace {
 
-// So many balls are still near when their cubes are looked at.
-constexpr uint32_t balls_in_block = 512;
-
-// Balls of an input that all fit the lattice, in the caller's order.
-struct InputBalls {
-  BallRounding rounding;
-
-  void fetch(uint32_t i) const { rounding.fetch(i); }
-  exact::LatticeBall ball(uint32_t i) const {
-    if (!small_code) return rounding.ball(i);
-    exact::LatticeBall ball;
-    static_cast<void>(rounding.round(i, ball));
-    return ball;
-  }
-  exact::Vector centre(uint32_t i) const { return rounding.centre(i); }
-};
-// Balls that are on a lattice: in the caller's order, or by their slots in a set.
-struct GivenBalls {
-  const BallSet &balls;
-
-  static void fetch(uint32_t) {}
-  exact::LatticeBall ball(uint32_t i) const { return balls.ball(i); }
-  exact::Vector centre(uint32_t i) const { return ball(i).centre; }
-};
-struct PlacedBalls {
-  const BallSet &balls;
-  Span<const uint32_t> slot;
-
-  static void fetch(uint32_t) {}
-  exact::LatticeBall ball(uint32_t i) const { return balls.ball(slot[i]); }
-  exact::Vector centre(uint32_t i) const { return ball(i).centre; }
-};
-
-// Those from number `first` on.
-template <class Source>
-struct BallsFrom {
-  Source source;
-  uint32_t first;
-
-  void fetch(uint32_t i) const { source.fetch(first + i); }
-  exact::LatticeBall ball(uint32_t i) const { return source.ball(first + i); }
-  exact::Vector centre(uint32_t i) const { return source.centre(first + i); }
-};
-
-template <class Source>
-LatticeBox box_around(const Source &source, BallRange part) {
-  LatticeBox box;
-  for (uint32_t i = part.first; i < part.last; ++i) {
-    const exact::Vector centre = source.centre(i);
-    if (i == part.first) box = {centre, centre};
-    CubeTable::widen(centre.x, box.low.x, box.high.x);
-    CubeTable::widen(centre.y, box.low.y, box.high.y);
-    CubeTable::widen(centre.z, box.low.z, box.high.z);
-  }
-  return box;
-}
-
-}  // namespace
-
-CubeCoordinates CubeGrid::cube_at(const exact::Vector &point, int64_t side) {
-  return CubeAxis(side).cube_at(point);
-}
+CubeGrid::CubeGrid() = default;
 
 void CubeGrid::carve(Workspace &workspace, uint32_t n) {
-  capacity_ = n;
   target_ = workspace.target();
-  const auto slots = workspace.take<uint32_t>(CubeTable::slots_for(n));
-  const auto cubes = workspace.take<CubeCoordinates>(n);
-  table_ = CubeTable(slots, cubes);
-  first_ball_ = workspace.take<uint32_t>(n < 4 ? 4 : static_cast<uint64_t>(n) + 1);
-  const auto two_for_each = workspace.take<uint32_t>(2 * static_cast<uint64_t>(n));
-  if (!two_for_each.empty()) {
-    grid_index_ = two_for_each.part(0, n);
-    scratch_links_ = two_for_each.part(n, 2 * n);
-  }
-  balls_.carve(workspace, n);
-  scratch_slots_ = workspace.take<uint32_t>(CubeTable::slots_for(n));
-  if (has_lanes && has_row_directories) {
-    rounded_ = workspace.take<float>(4 * (static_cast<uint64_t>(n) + BallSet::read_behind));
-  }
-}
-
-void CubeGrid::clear() {
-  balls_.n = 0;
-  own_balls_ = own_cubes_ = 0;
-  halo_ = {};
-  static_cast<void>(exact::Lattice::for_largest_radius(0.0, 0.0, balls_.lattice));
-  balls_.probe_steps = 0;
-  balls_.largest_radius = 0;
-  side_ = 1;
-  table_.clear(0);
-  rows_.clear();
-  if (has_lanes) query_grid_ = {};
-  first_ball_[0] = 0;
-}
-
-void CubeGrid::make_row_directory() {
-  if (has_row_directories) rows_.build(table_, first_ball_, scratch_slots_);
-  if (!has_lanes) return;
-  query_grid_ = {};
-  if (!rows_.is_there()) return;
-  const double side = static_cast<double>(side_);
-  rows_.describe(query_grid_);
-  query_grid_.side = side;
-  query_grid_.inverse_side = 1.0 / side;
-  query_grid_.largest_radius = static_cast<double>(balls_.largest_radius);
-  query_grid_.factor = balls_.lattice.factor();
-  if (in_lanes()) round_balls();
-}
-
-void CubeGrid::round_balls() {
-  double extent = 0.0;
-  for (int axis = 0; axis < 3; ++axis) {
-    // The first wall of a cube in the middle; as there is a directory there are few cubes.
-    const double before = static_cast<double>(static_cast<int64_t>(query_grid_.size[axis]) / 2);
-    query_grid_.middle[axis] = (query_grid_.low[axis] + before) * query_grid_.side;
-    const double behind = (query_grid_.size[axis] - before) * query_grid_.side;
-    extent = behind > extent ? behind : extent;
-  }
-  query_grid_.middle[3] = 0.0;
-  query_grid_.extent = extent;
-  if (extent > most_extent_of_rounded * query_grid_.largest_radius) return;
-  const double *const middle = query_grid_.middle;
-  float *to = rounded_.data();
-  for (uint32_t i = 0; i < balls_.n; ++i, to += 4) {
-    to[0] = static_cast<float>(balls_.x[i] - middle[0]);
-    to[1] = static_cast<float>(balls_.y[i] - middle[1]);
-    to[2] = static_cast<float>(balls_.z[i] - middle[2]);
-    to[3] = static_cast<float>(balls_.r[i]);
-  }
-  for (uint32_t k = 0; k < 4 * BallSet::read_behind; ++k) to[k] = 0.0F;
-  query_grid_.rounded = rounded_.data();
-}
-
-// In small code by the balls that are given, else by the source's in the box.
-template <class Source>
-GridOrder CubeGrid::order_of(const Source &source, const BallSet &given, const LatticeBox &box, const CubeAxis &axis,
-                             BallRange part) {
-  const auto of_part = [part](Span<uint32_t> two_for_each) { return two_for_each.part(2 * part.first, 2 * part.last); };
-  Span<uint32_t> entries = of_part(scratch_slots_);
-  if (small_code) {
-    BallSet some;
-    some.x = given.x.part(part.first, part.last);
-    some.y = given.y.part(part.first, part.last);
-    some.z = given.z.part(part.first, part.last);
-    some.r = given.r.part(part.first, part.last);
-    some.caller = given.caller.part(part.first, part.last);
-    some.n = part.last - part.first;
-    return grid_order_by_comparing(some, axis, entries);
-  }
-  Span<uint32_t> other_entries = of_part({grid_index_.data(), 2 * grid_index_.size()});
-  // Memory that is written to later anyway: of the other arrays less is touched, if the set has few cubes.
-  if (!rounded_.empty()) {
-    auto *const four_for_each = reinterpret_cast<uint32_t *>(rounded_.data());
-    entries = of_part({four_for_each, 2 * capacity_});
-    other_entries = of_part({four_for_each + 2 * static_cast<size_t>(capacity_), 2 * capacity_});
-  }
-  return grid_order(BallsFrom<Source>{source, part.first}, box, axis, {entries, other_entries, first_ball_});
-}
-
-// A part of the balls, in its order, to the same slots, as new cubes. Where a cube begins is not foreseen by the
-// processor: first balls are written to where the next first ball belongs, and stay there if a cube begins.
-template <class Source>
-void CubeGrid::put(const Source &given, const CubeAxis &axis, BallRange part, const GridOrder &order) {
-  const BallsFrom<Source> source{given, part.first};  // a copy: the compiler knows that it is not written to
-  const uint32_t n = order.size();
-  const auto store = [&](uint32_t k) {
-    const exact::LatticeBall ball = source.ball(order.ball(k));
-    balls_.store(part.first + k, ball);
-    grid_index_[part.first + order.ball(k)] = part.first + k;
-    return ball;
-  };
-  uint32_t settled = order.keys_tell_cubes ? 0 : n;  // before that, balls of one slice are in order
-  uint64_t last_key = ~UINT64_C(0);                  // no ball's
-  CubeCoordinates last_cube{};
-  int64_t last_x = 0;
-  for (uint32_t block = 0; block < n; block += balls_in_block) {
-    const uint32_t end = n - block < balls_in_block ? n : block + balls_in_block;
-    uint32_t cubes = table_.count();
-    for (uint32_t k = block; k < end; ++k) {
-      if (!small_code && k + ahead::input_balls < n) {
-        const uint32_t later = order.ball(k + ahead::input_balls);
-        source.fetch(later);
-        __builtin_prefetch(&grid_index_[part.first + later], 1);
-      }
-      const exact::LatticeBall ball = store(k);
-      bool begins = true;
-      if (order.keys_tell_cubes) {
-        const uint64_t key = order.cube_key(k);
-        begins = key != last_key;
-        last_key = key;
-      } else {
-        const CubeCoordinates cube = axis.cube_at(ball.centre);
-        begins = k == 0 || !(cube == last_cube);
-        last_cube = cube;
-      }
-      first_ball_[cubes] = part.first + k;
-      cubes += static_cast<uint32_t>(begins);
-      const bool out_of_order = static_cast<unsigned>(!begins) & static_cast<unsigned>(last_x >= ball.centre.x);
-      last_x = ball.centre.x;
-      if (!small_code && out_of_order && k >= settled) {
-        const BallRange run = sort_slice(source, order, k);
-        settled = run.last;
-        for (uint32_t again = run.first; again <= k; ++again) last_x = store(again).centre.x;
-      }
-    }
-    while (table_.count() < cubes) {
-      CubeCoordinates cube = axis.cube_at(balls_.ball(first_ball_[table_.count()]).centre);
-      cube.z += halo_.lift();
-      table_.push(cube);
-    }
-  }
-}
-
-// For small code: all balls as they are given.
-Status CubeGrid::store_all(const BallRounding &rounding, uint32_t n, uint32_t &first_bad, int64_t &largest) {
-  exact::LatticeBall ball;
-  for (uint32_t i = 0; i < n; ++i) {
-    if (const Status status = rounding.round(i, ball); status != Status::ok) {
-      first_bad = i;
-      return status;
-    }
-    balls_.store(i, ball);
-    largest = ball.radius > largest ? ball.radius : largest;
-  }
-  return Status::ok;
+  OrderedBalls::carve(workspace, n);
+  index_.carve(workspace, n);
 }
 
 Status CubeGrid::build(const BallInput &input, uint32_t &first_bad) {
-  clear();
-  BallRounding rounding;
-  if (const Status status = rounding.prepare(input, first_bad); status != Status::ok) return status;
-
-  // Every ball is rounded twice, for its cube and then into its slot: that is cheaper than a second copy of the set.
-  LatticeBox box;
-  int64_t largest = 0;
-  if (small_code) {
-    if (const Status status = store_all(rounding, input.n, first_bad, largest); status != Status::ok) return status;
-  } else if (input.n > 0) {
-    if (const Status status = rounding.find_box(box, first_bad); status != Status::ok) return status;
-    largest = rounding.largest_radius();
-  }
-  balls_.largest_radius = largest;
-  const int64_t radius = rounding.expected_radius() > largest ? rounding.expected_radius() : largest;
-  side_ = radius > 0 ? 2 * radius : 1;
-  balls_.n = input.n;
-  balls_.lattice = rounding.lattice();
-  balls_.probe_steps = rounding.probe_steps();
-  sort(InputBalls{rounding}, balls_, box, input.n);
-  return Status::ok;
+  const Status status = sort(input, index_.idle(), first_bad);
+  index_.build(*this, in_lanes());
+  return status;
 }
 
 void CubeGrid::build(const BallSet &given, uint32_t own) {
-  clear();
-  balls_.largest_radius = given.largest_radius;
-  balls_.n = given.n;
-  balls_.lattice = given.lattice;
-  balls_.probe_steps = given.probe_steps;
-  side_ = given.largest_radius > 0 ? 2 * given.largest_radius : 1;
-  const GivenBalls source{given};
-  sort(source, given, box_around(source, {0, own}), own);
+  sort(given, own, index_.idle());
+  index_.build(*this, in_lanes());
 }
 
 void CubeGrid::build(const BallSet &balls, Span<const uint32_t> slot, int64_t side) {
-  clear();
-  const PlacedBalls placed{balls, slot};
-  const uint32_t n = slot.size();
-  for (uint32_t i = 0; i < n; ++i) {
-    const exact::LatticeBall ball = placed.ball(i);
-    balls_.largest_radius = ball.radius > balls_.largest_radius ? ball.radius : balls_.largest_radius;
-    if (small_code) balls_.store(i, ball);
-  }
-  side_ = side;
-  balls_.n = n;
-  balls_.lattice = balls.lattice;
-  balls_.probe_steps = balls.probe_steps;
-  sort(placed, balls_, box_around(placed, {0, n}), n);
-}
-
-// The box is that around the own balls. Small code needs to know the balls as they are given, too: they may be where
-// they are to be put, as the source has them once more.
-template <class Source>
-void CubeGrid::sort(const Source &source, const BallSet &given, const LatticeBox &box, uint32_t own) {
-  const uint32_t n = balls_.n;
-  const CubeAxis axis(side_);
-  const GridOrder order = order_of(source, given, box, axis, {0, own});
-  GridOrder images{};
-  int64_t lowest = 0;
-  if (own < n) {
-    const LatticeBox box_of_images = box_around(source, {own, n});
-    images = order_of(source, given, box_of_images, axis, {own, n});
-    lowest = axis.cube_at(box_of_images.low.z);
-  }
-  put(source, axis, {0, own}, order);
-  own_balls_ = own;
-  own_cubes_ = table_.count();
-  if (own < n) {
-    halo_.begin(table_, lowest);
-    put(source, axis, {own, n}, images);
-    halo_.end(table_, own_cubes_);
-  }
-  table_.insert_all(scratch_slots_);
-  first_ball_[table_.count()] = n;
-  make_row_directory();
+  sort(balls, slot, side, index_.idle());
+  index_.build(*this, in_lanes());
 }
 
 BallRange CubeGrid::balls_in_row(int64_t x_low, int64_t x_high, int64_t y, int64_t z) const {
   const uint64_t along_x = linear_hash({1, 0, 0});
   uint64_t linear = linear_hash({x_low, y, z});
   for (int64_t x = x_low; x <= x_high; ++x, linear += along_x) {
-    const uint32_t cube = table_.find({x, y, z}, linear);
+    const uint32_t cube = index_.find(*this, {x, y, z}, linear);
     if (cube == no_id) continue;
     // The other cubes of the row have the next numbers.
     uint32_t end = cube + 1;
-    for (; end < table_.count(); ++end) {
-      const CubeCoordinates &next = table_.coordinates(end);
+    for (; end < cubes(); ++end) {
+      const CubeCoordinates &next = cube_list().coordinates(end);
       if (next.x > x_high || next.y != y || next.z != z) break;
     }
-    return {first_ball_[cube], first_ball_[end]};
+    return balls_of(cube, end);
   }
   return {0, 0};
 }
 
 // Rows of cubes from `low` to `high`, nine at most.
 void CubeGrid::add_rows(const CubeCoordinates &low, const CubeCoordinates &high, CubeBlock &block) const {
-  if (rows_.is_there()) {
-    block.ranges += rows_.find(low, high, {block.range + block.ranges, 9});
+  if (rows().is_there()) {
+    block.ranges += rows().find(low, high, {block.range + block.ranges, 9});
     return;
   }
   for (int64_t z = low.z; z <= high.z; ++z) {
@@ -348,14 +61,14 @@ CubeBlock CubeGrid::block_around(const CubeCoordinates &centre) const {
   CubeBlock block;
   CubeCoordinates low{centre.x - 1, centre.y - 1, centre.z - 1};
   CubeCoordinates high{centre.x + 1, centre.y + 1, centre.z + 1};
-  if (!has_images() || halo_.is_far_from(centre)) {
+  if (!has_images() || halo().is_far_from(centre)) {
     add_rows(low, high, block);
     return block;
   }
-  const int64_t last = halo_.last_own_layer();
+  const int64_t last = halo().last_own_layer();
   add_rows(low, {high.x, high.y, high.z < last ? high.z : last}, block);
-  low.z += halo_.lift();
-  high.z += halo_.lift();
+  low.z += halo().lift();
+  high.z += halo().lift();
   if (low.z <= last) low.z = last + 1;
   add_rows(low, high, block);
   return block;

@@ -11,6 +11,7 @@
 // node above. So a search looks at a slot and at 193 nodes at most, as three coordinates have 192 bits.
 #pragma once
 
+#include "core/ahead.hpp"
 #include "core/small_code.hpp"
 #include "core/span.hpp"
 #include "core/status.hpp"
@@ -111,7 +112,41 @@ class CubeSlots {
     if (is_tree() || !insert_in_table(number, cube_of)) [[unlikely]]
       insert_in_tree(number, cube_of);
   }
-  // The same in a table, if no probe is too long; else nothing is changed.
+  // Removes all, and inserts those below `count`, of different cubes, among as many slots as they need. Scratch memory:
+  // a bit for each of these.
+  template <class CubeOf>
+  void insert_all(uint32_t count, const CubeOf &cube_of, Span<uint32_t> scratch) {
+    clear(count);
+    if (!small_code && used_ > most_near_slots) return insert_far(count, cube_of, scratch);
+    CubeSlots slots = *this;  // in registers: slots are numbers like its members
+    for (uint32_t number = 0; number < count; ++number) {
+      if (!small_code && number + ahead::slots < count) {
+        slots.prefetch(CubeProbe(linear_hash(cube_of(number + ahead::slots)), slots.used_).slot);
+      }
+      if (!slots.insert_in_table(number, cube_of)) [[unlikely]]
+        return make_tree(count, cube_of);
+    }
+    *this = slots;
+  }
+  uint32_t size() const { return used_; }
+  bool is_tree() const { return !small_code && longest_way_ != 0; }
+  // The most slots and nodes that are looked at to find a cube that is there.
+  uint32_t longest_search() const { return is_tree() ? longest_way_ : longest_probe_; }
+
+ private:
+  // More than these do not stay in a near memory, but a bit for each does.
+  static constexpr uint32_t most_near_slots = 1U << 16;
+  static constexpr uint32_t root = 0;  // which no link leads to: so a link to it is one to nothing
+
+  void fill(uint32_t value) {
+    const uint32_t used = used_;  // in a register: slots are numbers like it
+    for (uint32_t k = 0; k < used; ++k) slots_[k] = value;
+  }
+  void prefetch(uint32_t slot) const { __builtin_prefetch(&slots_[slot], 1); }
+  void note(uint32_t length) {
+    if (length > longest_probe_) longest_probe_ = length;
+  }
+  // In a table, if no probe is too long; else nothing is changed.
   template <class CubeOf>
   bool insert_in_table(uint32_t number, const CubeOf &cube_of) {
     CubeProbe probe(linear_hash(cube_of(number)), used_);
@@ -124,12 +159,6 @@ class CubeSlots {
     note(length);
     return true;
   }
-  // For those who find free slots on their own.
-  void put(uint32_t slot, uint32_t number) { slots_[slot] = number; }
-  void prefetch(uint32_t slot) const { __builtin_prefetch(&slots_[slot], 1); }
-  void note(uint32_t length) {
-    if (length > longest_probe_) longest_probe_ = length;
-  }
   // Leaves the table, for a tree of the first numbers.
   template <class CubeOf>
   void make_tree(uint32_t numbers, const CubeOf &cube_of) {
@@ -138,18 +167,28 @@ class CubeSlots {
     longest_way_ = 2;  // the first slot and the root
     for (uint32_t number = 1; number < numbers; ++number) plant(number, cube_of);
   }
-
-  uint32_t size() const { return used_; }
-  bool is_tree() const { return !small_code && longest_way_ != 0; }
-  // The most slots and nodes that are looked at to find a cube that is there.
-  uint32_t longest_search() const { return is_tree() ? longest_way_ : longest_probe_; }
-
- private:
-  static constexpr uint32_t root = 0;  // which no link leads to: so a link to it is one to nothing
-
-  void fill(uint32_t value) {
-    const uint32_t used = used_;  // in a register: slots are numbers like it
-    for (uint32_t k = 0; k < used; ++k) slots_[k] = value;
+  // All into an empty table, each into the same slot as by insert(). Bits tell which slots are taken, so that slots are
+  // never read, and are on their way while later cubes look for theirs.
+  template <class CubeOf>
+  void insert_far(uint32_t count, const CubeOf &cube_of, Span<uint32_t> taken) {
+    for (uint32_t &word : taken.part(0, used_ / 32)) word = 0;
+    uint32_t found[ahead::slots];  // slots that are not written yet
+    for (uint32_t number = 0; number < count; ++number) {
+      uint32_t length = 1;
+      CubeProbe probe(linear_hash(cube_of(number)), used_);
+      for (; (taken[probe.slot / 32] >> probe.slot % 32 & 1U) != 0; probe.next()) {
+        if (++length > most_probes) return make_tree(count, cube_of);
+      }
+      taken[probe.slot / 32] |= 1U << probe.slot % 32;
+      note(length);
+      prefetch(probe.slot);
+      uint32_t &slot = found[number % ahead::slots];
+      if (number >= ahead::slots) slots_[slot] = number - ahead::slots;
+      slot = probe.slot;
+    }
+    // There are more cubes than that, as there are so many slots.
+    for (uint32_t number = count - ahead::slots; number < count; ++number)
+      slots_[found[number % ahead::slots]] = number;
   }
   // The rare path gets numbers, so that the common one keeps its cubes in registers.
   template <class CubeOf>

@@ -13,7 +13,7 @@
 #include "core/sorting.hpp"
 #include "model/ball_range.hpp"
 #include "model/ball_set.hpp"
-#include "model/cube_table.hpp"
+#include "model/cube_list.hpp"
 #include "model/digit_sort.hpp"
 
 namespace hsp {

@@ -2,7 +2,7 @@
 
 namespace hsp {
 
-void Halo::begin(const CubeTable &own, int64_t z_low) {
+void Halo::begin(const CubeList &own, int64_t z_low) {
   last_own_layer_ = own.count() > 0 ? own.high().z : 0;
   lift_ = last_own_layer_ + 1 - z_low;
   inner_low_ = own.low();
@@ -10,9 +10,9 @@ void Halo::begin(const CubeTable &own, int64_t z_low) {
 }
 
 // From the box around all own cubes each other cube cuts off the fewest layers that hold it.
-void Halo::end(const CubeTable &table, uint32_t first) {
-  for (uint32_t cube = first; cube < table.count(); ++cube) {
-    CubeCoordinates at = table.coordinates(cube);
+void Halo::end(const CubeList &all, uint32_t first) {
+  for (uint32_t cube = first; cube < all.count(); ++cube) {
+    CubeCoordinates at = all.coordinates(cube);
     at.z -= lift_;
     const int64_t behind[6] = {at.x - inner_low_.x,  at.y - inner_low_.y,  at.z - inner_low_.z,
                                inner_high_.x - at.x, inner_high_.y - at.y, inner_high_.z - at.z};

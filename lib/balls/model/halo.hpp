@@ -2,16 +2,16 @@
 // of their own above those of the others: what is found once, at the first of its balls, is found at one of the others.
 #pragma once
 
-#include "model/cube_table.hpp"
+#include "model/cube_list.hpp"
 
 namespace hsp {
 
 class Halo {
  public:
-  // The table has the cubes of the own balls, if there are any. z_low: of the lowest cube around them.
-  void begin(const CubeTable &own, int64_t z_low);
-  // The table has those around them too, from number `first` on.
-  void end(const CubeTable &table, uint32_t first);
+  // The cubes of the own balls, if there are any. z_low: of the lowest cube around them.
+  void begin(const CubeList &own, int64_t z_low);
+  // All cubes, those around them from number `first` on.
+  void end(const CubeList &all, uint32_t first);
 
   // The number that is added to z of a cube around the own ones.
   int64_t lift() const { return lift_; }

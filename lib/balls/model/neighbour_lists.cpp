@@ -48,7 +48,7 @@ class PairWalk {
   // All balls of a cube have the same rows of cubes around them. The second ball of a pair is the one that comes later
   // in the grid's order.
   void walk_cube(uint32_t cube) {
-    const CubeCoordinates &at = grid_.table().coordinates(cube);
+    const CubeCoordinates &at = grid_.cube_list().coordinates(cube);
     const BallRange own = grid_.balls_in(cube);
     NearbyRow nearby[9];
     uint32_t count = 0;
@@ -78,7 +78,7 @@ class PairWalk {
 
   // The same, with the balls of the cube and all later ones around it side by side, in as many blocks as that takes.
   void walk_cube_in_blocks(uint32_t cube) {
-    const CubeCoordinates &at = grid_.table().coordinates(cube);
+    const CubeCoordinates &at = grid_.cube_list().coordinates(cube);
     const BallRange own = grid_.balls_in(cube);
     const CubeBlock around = grid_.block_around(at);
     const QueryArrays balls = query_arrays(balls_);
@@ -208,11 +208,11 @@ class RowWalk {
   [[gnu::noinline]] void for_each_ball(Use use) const {
     RoundedBlock block;
     for (uint32_t cube = 0; cube < grid_.cubes(); ++cube) {
-      const CubeCoordinates &at = grid_.table().coordinates(cube);
+      const CubeCoordinates &at = grid_.cube_list().coordinates(cube);
       BallRange rows[RoundedBlock::most_ranges];
       const uint32_t count = grid_.rows().find({at.x - 1, at.y - 1, at.z - 1}, {at.x + 1, at.y + 1, at.z + 1},
                                                {rows, RoundedBlock::most_ranges});
-      const bool has_room = fill_block(grid_.target(), block, grid_.query_grid(), balls_, rows, count);
+      const bool has_room = fill_block(grid_.target(), block, *grid_.queries(), balls_, rows, count);
       const BallRange own = grid_.balls_in(cube);
       for (uint32_t i = own.first; i < own.last; ++i) use(i, has_room ? &block : nullptr);
     }
@@ -233,7 +233,7 @@ class RowWalk {
     return result.hits;
   }
 
-  static bool is_possible(const CubeGrid &grid) { return grid.in_lanes() && grid.query_grid().rounded != nullptr; }
+  static bool is_possible(const CubeGrid &grid) { return grid.in_lanes() && grid.queries()->rounded != nullptr; }
 
   static constexpr uint32_t most_balls_in_a_cube = 4;
 

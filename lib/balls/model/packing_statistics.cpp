@@ -42,10 +42,10 @@ bool overlap(const BallSet &balls, uint32_t i, uint32_t j) {
 
 // Offers every pair whose centres lie in the same cube or in neighbouring cubes of the given side: all pairs up to that
 // distance, each at least once. The number of a cube is its first ball, from which a chain leads to the others.
-void offer_neighbouring_cubes(CubeGrid &grid, int64_t side, ClosestPair &closest) {
+void offer_neighbouring_cubes(CubeGrid &grid, Span<uint32_t> slots, int64_t side, ClosestPair &closest) {
   const BallSet &balls = grid.balls();
   const Span<uint32_t> next = grid.scratch_links();
-  CubeSlots first_balls(grid.scratch_slots());
+  CubeSlots first_balls(slots);
   first_balls.clear(balls.n);
   const auto cube_of = [&](uint32_t ball) { return CubeGrid::cube_at(balls.ball(ball).centre, side); };
   const auto first_in = [&](const CubeCoordinates &cube) { return first_balls.find(cube, linear_hash(cube), cube_of); };
@@ -116,14 +116,17 @@ PackingStatistics packing_statistics(CubeGrid &grid) {
   // hardly meet.
   const double r_max = static_cast<double>(balls.largest_radius);
   constexpr int64_t widest_set = int64_t{1} << 52;
-  bool slots_taken = false;
-  for (int64_t side = grid.side();
-       balls.n >= 2 && side < widest_set && closest.ratio * r_max > static_cast<double>(side);) {
-    side *= 4;
-    offer_neighbouring_cubes(grid, side, closest);
-    slots_taken = true;
+  const auto may_be_closer = [&](int64_t side) {
+    return balls.n >= 2 && side < widest_set && closest.ratio * r_max > static_cast<double>(side);
+  };
+  if (may_be_closer(grid.side())) {
+    grid.lend_slots([&](Span<uint32_t> slots) {
+      for (int64_t side = grid.side(); may_be_closer(side);) {
+        side *= 4;
+        offer_neighbouring_cubes(grid, slots, side, closest);
+      }
+    });
   }
-  if (slots_taken) grid.make_row_directory();
   figures.coincident = closest.coincident;
   figures.no_pair = !is_finite(closest.ratio);
   figures.rho = figures.no_pair || figures.coincident ? 0.0 : closest.ratio;

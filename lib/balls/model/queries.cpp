@@ -172,8 +172,8 @@ void find_balls_at_ball(const CubeGrid &grid, const LatticeQuery &query, QueryRe
 
 Status find_balls(const CubeGrid &grid, const double *xyz, double radius, QueryResult &result) {
   if constexpr (has_lanes) {
-    if (grid.in_lanes() && find_balls_in_lanes(grid.target(), grid.query_grid(), query_arrays(grid.balls()), xyz,
-                                               radius, result.ids, result.capacity, result.hits)) {
+    if (grid.in_lanes() && find_balls_in_lanes(grid.target(), *grid.queries(), query_arrays(grid.balls()), xyz, radius,
+                                               result.ids, result.capacity, result.hits)) {
       return Status::ok;
     }
   }
@@ -199,7 +199,7 @@ bool any_ball_meets(const CubeGrid &grid, const LatticeQuery &query) {
 
 void find_neighbours(const CubeGrid &grid, uint32_t rank, QueryResult &result) {
   if constexpr (has_lanes) {
-    if (grid.in_lanes() && find_neighbours_in_lanes(grid.target(), grid.query_grid(), query_arrays(grid.balls()), rank,
+    if (grid.in_lanes() && find_neighbours_in_lanes(grid.target(), *grid.queries(), query_arrays(grid.balls()), rank,
                                                     result.ids, result.capacity, result.hits)) {
       return;
     }

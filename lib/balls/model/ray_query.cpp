@@ -121,8 +121,8 @@ class CubesAlongRay {
  public:
   CubesAlongRay(const CubeGrid &grid, const exact::LatticeRay &ray)
       : grid_(grid),
-        low_{in_array(grid.table().low())},
-        high_{in_array(grid.table().high())},
+        low_{in_array(grid.cube_list().low())},
+        high_{in_array(grid.cube_list().high())},
         side_(static_cast<double>(grid.side())) {
     const int64_t start[3] = {ray.origin.x, ray.origin.y, ray.origin.z};
     const int64_t direction[3] = {ray.direction.x, ray.direction.y, ray.direction.z};

@@ -2,7 +2,7 @@
 
 namespace hsp {
 
-void RowDirectory::build(const CubeTable &cubes, Span<const uint32_t> first_ball, Span<uint32_t> cells) {
+void RowDirectory::build(const CubeList &cubes, Span<const uint32_t> first_ball, Span<uint32_t> cells) {
   clear();
   if (cubes.count() == 0) return;
   const CubeCoordinates &low = cubes.low(), &high = cubes.high();

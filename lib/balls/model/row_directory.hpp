@@ -5,7 +5,7 @@
 
 #include "core/small_code.hpp"
 #include "model/ball_range.hpp"
-#include "model/cube_table.hpp"
+#include "model/cube_list.hpp"
 #include "model/query_hits.hpp"
 
 namespace hsp {
@@ -16,7 +16,7 @@ class RowDirectory {
  public:
   // From cubes that are numbered by rows, each row in the order of x. There is no directory if the box has more cubes
   // than `cells` has room for.
-  void build(const CubeTable &cubes, Span<const uint32_t> first_ball, Span<uint32_t> cells);
+  void build(const CubeList &cubes, Span<const uint32_t> first_ball, Span<uint32_t> cells);
   void clear() { width_ = 0; }
 
   bool is_there() const { return has_row_directories && width_ != 0; }

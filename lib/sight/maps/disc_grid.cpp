@@ -31,7 +31,7 @@ void DiscGrid::visit_squares(double x, double y, double reach, Visit visit) cons
 }
 
 void DiscGrid::carve(Workspace &workspace, uint32_t balls) {
-  squares_ = CubeTable(workspace.take<uint32_t>(CubeTable::slots_for(balls)), workspace.take<CubeCoordinates>(balls));
+  squares_ = CubeTable(workspace.take<uint32_t>(CubeSlots::slots_for(balls)), workspace.take<CubeCoordinates>(balls));
   first_ = workspace.take<uint32_t>(static_cast<uint64_t>(balls) + 1);
   item_ = workspace.take<uint32_t>(balls);
 }

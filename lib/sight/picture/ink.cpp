@@ -20,6 +20,9 @@ constexpr double most_skew = 2.0;
 constexpr double full_depth = 3.0;
 constexpr double full_group = 0.5;
 
+// Largest widths. Between two nearer bodies a ball's silhouette of which less is seen has thinner contours.
+constexpr double short_length = 8.0;
+
 // px. A line that is nowhere wider is left out.
 constexpr double thinnest_ink = 0.02;
 
@@ -82,7 +85,19 @@ class BodyInk {
     if (!straight_) set_widths();
   }
 
+  // Before any arc is taken, of all arcs.
+  void measure(const SilhouetteArc &arc, bool first) {
+    if (first) ++runs_;
+    if (runs_ > most_runs) return;
+    Run &run = run_[runs_ - 1];
+    if (first) run = {0.0, arc.start.goes_under, false, true};
+    run.length += (arc.to - arc.from) * unit_;
+    run.ends_under = arc.end.goes_under;
+    run.before_bodies = run.before_bodies && arc.behind != no_id;
+  }
+
   void take(const SilhouetteArc &arc, bool first) {
+    if (first) share_ = share_of_run(taken_++);
     if (first || level_of(arc.behind) != level_) finish();
     if (first && straight_) set_side(input_.silhouettes.side_with(body_, arc.from));
     if (level_of(arc.behind) == level_ && unit_ > 0.0 && largest_ > 0.0) put_knots(arc);
@@ -100,6 +115,12 @@ class BodyInk {
   }
 
  private:
+  // Arcs that go on from one to the next. Those beyond the first so many are taken to be long.
+  struct Run {
+    double length;  // px
+    bool begins_under, ends_under, before_bodies;
+  };
+  static constexpr uint32_t most_runs = 16;
   static constexpr uint32_t most_lunes = 64, most_knots = most_lunes + 32;
 
   // A line wider than its body is no contour of it.
@@ -149,6 +170,13 @@ class BodyInk {
     return level_of(behind) == InkLevel::depth ? depth : larger(depth, width_[1] * smaller(gap / full_group, 1.0));
   }
 
+  double share_of_run(uint32_t number) const {
+    if (straight_ || number >= most_runs || number >= runs_ || !(largest_ > 0.0)) return 1.0;
+    const Run &run = run_[number];
+    const bool gap = run.begins_under && run.ends_under && run.before_bodies;
+    return gap ? smaller(run.length / (short_length * largest_), 1.0) : 1.0;
+  }
+
   // One arc: the widths by what lies behind, what is added at its ends, and the angles along which that falls off.
   struct Stretch {
     const SilhouetteArc &arc;
@@ -162,9 +190,10 @@ class BodyInk {
     const bool creases = arc.behind != no_id && (start_creases || end_creases);
     const double from_start = 1.0 - (angle - arc.from) / stretch.near;
     const double from_end = 1.0 - (arc.to - angle) / stretch.near;
-    return (creases ? 0.0 : width_before(arc.behind, angle)) +
-           (from_start > 0.0 ? stretch.at_start * from_start * from_start : 0.0) +
-           (from_end > 0.0 ? stretch.at_end * from_end * from_end : 0.0);
+    const double width = (creases ? 0.0 : width_before(arc.behind, angle)) +
+                         (from_start > 0.0 ? stretch.at_start * from_start * from_start : 0.0) +
+                         (from_end > 0.0 ? stretch.at_end * from_end * from_end : 0.0);
+    return share_ * width;
   }
   // The width to be added at one end to meet that of the arc that goes on there.
   double missing(const SilhouetteArc &arc, const SilhouetteArc::End &end, double angle) const {
@@ -308,6 +337,9 @@ class BodyInk {
   bool straight_;
   StraightSilhouette side_{};
   double width_[3] = {}, largest_ = 0.0;
+  double share_ = 1.0;  // of all widths of a run
+  Run run_[most_runs];
+  uint32_t runs_ = 0, taken_ = 0;
   Knot knot_[most_knots];
   uint32_t knots_ = 0;
 };
@@ -316,10 +348,15 @@ class BodyInk {
 
 void Ink::visit_contours(uint32_t path, InkLevel level, const InkVisitor &visitor) const {
   BodyInk ink(input_, page_, 1.0 - paint_.fog(path), path, level, visitor);
+  const SilhouetteVisitor measurer{&ink, [](void *context, const SilhouetteArc &arc, bool first) {
+                                     static_cast<BodyInk *>(context)->measure(arc, first);
+                                   }};
   const SilhouetteVisitor taker{&ink, [](void *context, const SilhouetteArc &arc, bool first) {
                                   static_cast<BodyInk *>(context)->take(arc, first);
                                 }};
-  input_.silhouettes.visit(input_.paths.body_of(input_.balls, path), taker);
+  const uint32_t body = input_.paths.body_of(input_.balls, path);
+  if (level != InkLevel::border) input_.silhouettes.visit(body, measurer);
+  input_.silhouettes.visit(body, taker);
   ink.finish();
 }
 

@@ -11,6 +11,9 @@
 // continuous, leaves 0 at tangencies, and an arc of next to no length, as planar molecules have them where depths
 // differ by noise, changes next to nothing.
 //
+// Where no background is behind what is seen of a ball's silhouette between two nearer bodies, that is a gap in which
+// wide contours would clot: if it is shorter than eight times the largest width, all widths are less in proportion.
+//
 // Contours are painted directly after their ball: whatever is nearer then covers their ends, which go on under it.
 #pragma once
 

@@ -45,7 +45,7 @@ bool meets_cube(const exact::LatticeBall &ball, const CubeCoordinates &cube, int
 
 void CubeCover::carve(Workspace &workspace, uint32_t cubes, uint32_t entries) {
   capacity_ = cubes;
-  const auto slots = workspace.take<uint32_t>(CubeTable::slots_for(cubes));
+  const auto slots = workspace.take<uint32_t>(CubeSlots::slots_for(cubes));
   const auto coordinates = workspace.take<CubeCoordinates>(cubes);
   table_ = CubeTable(slots, coordinates);
   sorted_ = workspace.take<CubeCoordinates>(cubes);

@@ -86,135 +86,6 @@ bool meet(const CriticalPoints::Block &a, const CriticalPoints::Block &b) {
 
 }  // namespace
 
-// Some balls as the middle of a cube sees them. A critical point is in the hull of the centres of what is nearest
-// there: a plane between these and the cube excludes all of them. So only linear forms are asked, at the corners of the
-// cube. Of |x - c| the linear part is a lower bound.
-struct CriticalPoints::Directions {
-  SeenBalls seen;
-  static constexpr uint32_t room = SeenBalls::room;
-  static constexpr double slack = slack_of_seen;
-  static_assert(room <= 64 && room % 4 == 0);
-
-  Vec3 y(uint32_t k) const { return {seen.x[k], seen.y[k], seen.z[k]}; }
-  Vec3 a(uint32_t k) const { return {seen.ax[k], seen.ay[k], seen.az[k]}; }
-  void set(Target target, const NearArrays &near, const Vector &at, double half) {
-    const Vec3 middle = to_double(at);
-    const double place[3] = {middle.x, middle.y, middle.z};
-    seen.side = half;
-    see(target, near, place, seen);
-  }
-  // Whether ball k is farther than ball m in all of the cube.
-  bool is_farther(uint32_t k, uint32_t m) const {
-    return seen.gap[k] - seen.gap[m] > seen.side * (1.0 + slack) * size(a(k) - a(m)) + seen.curve[m] + seen.rounding[k];
-  }
-  void move(uint32_t from, uint32_t to) {
-    for (double *const numbers :
-         {seen.x, seen.y, seen.z, seen.ax, seen.ay, seen.az, seen.inverse, seen.gap, seen.curve, seen.rounding}) {
-      numbers[to] = numbers[from];
-    }
-  }
-
-  // Whether one direction leads up from all balls in all of the cube: some steps towards the point of the hull of the
-  // a that is nearest to 0.
-  bool lead_up(uint32_t count) const {
-    Vec3 d{0.0, 0.0, 0.0};
-    double least = 0.0;  // of the length of d if there is such a direction
-    for (uint32_t k = 0; k < count; ++k) {
-      d = d + a(k);
-      least += seen.inverse[k];
-    }
-    d = (1.0 / count) * d;
-    least *= seen.side / count;
-    for (int turn = 0; turn < 6; ++turn) {
-      const double squared = dot(d, d);
-      if (!(squared > 1e-12) || squared <= least * least) return false;
-      const double across = seen.side * size(d);
-      double worst = 2.0;
-      uint32_t which = 0;
-      for (uint32_t k = 0; k < count; ++k) {
-        const double lead = dot(a(k), d) - across * seen.inverse[k];
-        if (lead < worst) {
-          worst = lead;
-          which = k;
-        }
-      }
-      if (worst > slack) return true;
-      const Vec3 v = a(which) - d;
-      const double along = -dot(d, v) / dot(v, v);
-      if (!(along > 0.0)) return false;
-      const double part = along < 1.0 ? along : 1.0;
-      d = d + part * v;
-      least += part * (seen.side * seen.inverse[which] - least);
-    }
-    return false;
-  }
-  // Of a middle that is nearly in one plane with the first of their centres: a lower bound of how far it is inside the
-  // hull of their directions there, and how far it is from planes through centres at most. Not positive if it is not
-  // inside.
-  double depth_in_plane(uint32_t count, double &off_plane) const {
-    Vec3 n{0.0, 0.0, 0.0};
-    for (uint32_t k = 1; k < count; ++k) {
-      const Vec3 other = cross(a(0), a(k));
-      if (dot(other, other) > dot(n, n)) n = other;
-    }
-    const double length = std::sqrt(dot(n, n));
-    if (!(length > 1e-3)) return -1.0;
-    n = (1.0 / length) * n;
-    off_plane = 0.0;
-    for (uint32_t k = 0; k < count; ++k) off_plane = larger(off_plane, std::fabs(dot(n, y(k))) + 4.0);
-    double depth = 1.0;
-    bool any = false;
-    for (uint32_t i = 0; i < count; ++i) {
-      for (uint32_t j = 0; j < count; ++j) {
-        const Vec3 inward = cross(n, a(j) - a(i));
-        const double size = std::sqrt(dot(inward, inward));
-        if (size < 1e-6) continue;
-        // Lines through two of them with all others on the left, or nearly.
-        bool right = false;
-        for (uint32_t k = 0; k < count; ++k) right = right || dot(inward, a(k) - a(i)) < -1e-9 * size;
-        if (right) continue;
-        depth = smaller(depth, -dot(inward, a(i)) / size);
-        any = true;
-      }
-    }
-    return any ? depth - 1e-8 : -1.0;
-  }
-  // The plane through the centres of three of them: n.(x - c) from offset - span to offset + span in the cube. tiny:
-  // what rounding may do to it.
-  struct Face {
-    Vec3 n;
-    double offset, tiny;
-    int where;  // on which side of it the cube certainly is, 0 for none
-  };
-  Face face(uint32_t i, uint32_t j, uint32_t k) const {
-    const Vec3 u = y(i) - y(j), v = y(i) - y(k), n = cross(u, v);
-    const double tiny = 1e-13 * size(u) * size(v), offset = dot(n, y(i)),
-                 span = seen.side * size(n) + 4.0 * tiny * seen.extent;
-    return {n, offset, tiny, offset > span ? 1 : offset < -span ? -1 : 0};
-  }
-  // Whether the cube is certainly outside the triangle of three of them.
-  bool is_outside(const Face &face, uint32_t i, uint32_t j, uint32_t k) const {
-    if (face.where != 0) return true;
-    const auto beyond = [&](uint32_t from, uint32_t to) {
-      const Vec3 edge = y(from) - y(to), inward = cross(face.n, edge);
-      return dot(inward, y(from)) + seen.side * size(inward) < -face.tiny * size(edge) * (size(y(from)) + seen.side);
-    };
-    return beyond(i, j) || beyond(j, k) || beyond(k, i);
-  }
-  // Whether the cube and the fourth corner of a tetrahedron are certainly on different sides of a face.
-  bool separates(const Face &face, uint32_t opposite) const {
-    if (face.where == 0) return false;
-    const double height = face.offset - dot(face.n, y(opposite)), off = 4.0 * face.tiny * seen.extent;
-    return face.where > 0 ? height < -off : height > off;
-  }
-  bool is_nearly_flat(const Face &face, uint32_t fourth) const {
-    return std::fabs(face.offset - dot(face.n, y(fourth))) <= 4.0 * face.tiny * size(y(fourth));
-  }
-  static double size(const Vec3 &v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
-  static double larger(double x, double y) { return x > y ? x : y; }
-  static double smaller(double x, double y) { return x < y ? x : y; }
-};
-
 void CriticalPoints::carve(Workspace &workspace, const CriticalLimits &limits) {
   limits_ = limits;
   maxima_ = FixedVector<PoreMaximum>(workspace.take<PoreMaximum>(limits.maxima));
@@ -230,8 +101,8 @@ void CriticalPoints::carve(Workspace &workspace, const CriticalLimits &limits) {
   at_point_ = workspace.take<uint32_t>(limits.near);
   cluster_ = workspace.take<uint32_t>(limits.near);
   lines_ = workspace.take<TangentLines>(1);
-  directions_ = workspace.take<Directions>(1);
-  hull_ = workspace.take<Vec3>(Directions::room);
+  directions_ = workspace.take<CubeDirections>(1);
+  hull_ = workspace.take<Vec3>(CubeDirections::room);
 }
 
 Status CriticalPoints::find(PoreBalls &balls, int64_t floor) {
@@ -274,7 +145,7 @@ Status CriticalPoints::find(PoreBalls &balls, int64_t floor) {
     const Status found = search({0.0, 0.0, 0.0}, to_double(balls.brick()));
     if (found != Status::ok || beyond_ceiling_ == 0.0) return found;
     if (longest) return Status::check;
-    reach = Directions::larger(1.25 * reach, beyond_ceiling_ + largest + 4.0);
+    reach = CubeDirections::larger(1.25 * reach, beyond_ceiling_ + largest + 4.0);
   }
 }
 
@@ -298,7 +169,8 @@ Status CriticalPoints::search(const Vec3 &low, const Vec3 &high) {
   for (uint32_t i = 0; i < balls.n; ++i) candidates_[i] = i;
   low_ = low;
   high_ = high;
-  const double extent = Directions::larger(Directions::larger(high_.x - low_.x, high_.y - low_.y), high_.z - low_.z);
+  const double extent =
+      CubeDirections::larger(CubeDirections::larger(high_.x - low_.x, high_.y - low_.y), high_.z - low_.z);
   int64_t half = least_half;
   while (static_cast<double>(half) < 0.6 * extent + 2.0) half *= 2;
   // Not in the middle, so that points of symmetry are no corners of cubes.
@@ -428,8 +300,8 @@ uint32_t CriticalPoints::enter(const Cube &cube, const Cube &whole, uint32_t par
   }
   if (unsure_) return last + count;
   if (count < 3) return last;
-  if (count <= Directions::room) {
-    Directions &directions = directions_[0];
+  if (count <= CubeDirections::room) {
+    CubeDirections &directions = directions_[0];
     directions.set(target_, near_arrays(candidates_.part(last, last + count)), cube.centre,
                    static_cast<double>(cube.half + 3));
     count = drop_farther(last, count);
@@ -440,17 +312,13 @@ uint32_t CriticalPoints::enter(const Cube &cube, const Cube &whole, uint32_t par
 
 // Leaves out candidates that are farther than another one in all of the cube; how many stay.
 uint32_t CriticalPoints::drop_farther(uint32_t first, uint32_t count) {
-  Directions &directions = directions_[0];
-  uint32_t nearest_one = 0;
-  for (uint32_t k = 1; k < count; ++k) {
-    if (directions.seen.gap[k] < directions.seen.gap[nearest_one]) nearest_one = k;
-  }
-  const uint64_t dropped = find_farther(target_, directions.seen, count, nearest_one);
+  CubeDirections &directions = directions_[0];
+  const uint64_t dropped = directions.compare(target_, count);
   if (dropped == 0) return count;
   uint32_t left = 0;
-  for (uint32_t k = 0; k < count; ++k) {
-    if ((dropped >> k & 1) != 0) continue;
-    if (k != left) directions.move(k, left);
+  for (uint64_t rest = ~dropped & ~UINT64_C(0) >> (64 - count); rest != 0; rest &= rest - 1) {
+    const auto k = static_cast<uint32_t>(std::countr_zero(rest));
+    directions.move(k, left);
     candidates_[first + left++] = candidates_[first + k];
   }
   return left;
@@ -461,7 +329,7 @@ void CriticalPoints::settle_ties(Cube &cube) {
   const BallSet &balls = *balls_;
   const Span<const uint32_t> near = candidates_.part(cube.first, cube.last);
   const uint32_t count = near.size();
-  if (count > Directions::room) return;
+  if (count > CubeDirections::room) return;
   needed_.near = larger_count(needed_.near, count);
   if (count > limits_.near) return;
   // Near the centres of balls nothing can be settled that is as large as a part of the cube.
@@ -499,15 +367,15 @@ void CriticalPoints::settle_ties(Cube &cube) {
     }
     if (size == 0) continue;
     const Span<uint32_t> tied = cluster_.part(0, size);
-    for (const uint32_t ball : tied) nearest_centre = Directions::smaller(nearest_centre, distance(balls, ball, x));
+    for (const uint32_t ball : tied) nearest_centre = CubeDirections::smaller(nearest_centre, distance(balls, ball, x));
     directions_[0].set(target_, near_arrays(tied), x, 0.0);
-    const Directions &directions = directions_[0];
+    const CubeDirections &directions = directions_[0];
     double off_plane = 0.0;
     for (uint32_t k = 0; k < size; ++k) hull_[k] = directions.a(k);
     const double depth = flat ? directions.depth_in_plane(size, off_plane) : depth_of_hull(hull_.part(0, size));
     if (!(depth > 0.0)) continue;
     spread += 4.0 * off_plane;
-    const double delta = Directions::smaller(0.5 * next, 0.49 * depth * nearest_centre / (1.5 + depth));
+    const double delta = CubeDirections::smaller(0.5 * next, 0.49 * depth * nearest_centre / (1.5 + depth));
     const double settled = delta / root_of_three - 4.0;
     const double around = spread / (0.45 * depth) + 4.0;  // beyond which no point is critical
     if (!(settled > around) || settled < 0.125 * static_cast<double>(cube.half)) continue;
@@ -525,6 +393,7 @@ void CriticalPoints::settle_ties(Cube &cube) {
     beyond_reach_ = beyond_reach_ || all.beyond_reach();
     if (!tie) {
       directions_[0].set(target_, near_arrays(tied), left.centre, static_cast<double>(left.half + 2));
+      static_cast<void>(directions_[0].compare(target_, size));
       try_sets(tied, left, own, flat ? PointKind::gate : PointKind::maximum);
     } else if (is_in(all, own)) {
       add(all, four, PointKind::maximum, tied);
@@ -540,19 +409,19 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, con
   const uint32_t n = near.size();
   needed_.near = larger_count(needed_.near, n);
   if (n > limits_.near) return;
-  const bool directed = n <= Directions::room;
-  const Directions &directions = directions_[0];
+  const bool directed = n <= CubeDirections::room;
+  const CubeDirections &directions = directions_[0];
   // Which of them can be as near in the cube, by bits.
-  uint64_t ties[Directions::room];
+  uint64_t ties[CubeDirections::room];
   for (uint32_t i = 0; i < n && directed; ++i) ties[i] = 0;
   for (uint32_t i = 0; i < n && directed; ++i) {
     for (uint32_t j = i + 1; j < n; ++j) {
-      if (!directions.is_farther(i, j) && !directions.is_farther(j, i)) ties[i] |= UINT64_C(1) << j;
+      if (directions.may_tie(i, j)) ties[i] |= UINT64_C(1) << j;
     }
   }
   const auto tie = [&](uint32_t i, uint32_t j) { return !directed || (ties[i] >> j & 1) != 0; };
   // Faces of few balls are kept, each being that of several tetrahedra.
-  Directions::Face faces[few * (few - 1) * (few - 2) / 6];
+  CubeDirections::Face faces[few * (few - 1) * (few - 2) / 6];
   const auto place = [](uint32_t i, uint32_t j, uint32_t k) { return k * (k - 1) * (k - 2) / 6 + j * (j - 1) / 2 + i; };
   const bool kept = n <= few;
   for (uint32_t i = 0; kept && i < n; ++i) {
@@ -562,8 +431,8 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, con
       }
     }
   }
-  Directions::Face made[4];
-  const auto face = [&](uint32_t i, uint32_t j, uint32_t k, uint32_t corner) -> const Directions::Face & {
+  CubeDirections::Face made[4];
+  const auto face = [&](uint32_t i, uint32_t j, uint32_t k, uint32_t corner) -> const CubeDirections::Face & {
     if (kept) return faces[place(i, j, k)];
     made[corner] = directions.face(i, j, k);
     return made[corner];
@@ -574,7 +443,7 @@ void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, con
       if (!tie(i, j)) continue;
       for (uint32_t k = j + 1; k < n; ++k) {
         if (!tie(i, k) || !tie(j, k)) continue;
-        const Directions::Face &own = directed ? face(i, j, k, 3) : made[3];
+        const CubeDirections::Face &own = directed ? face(i, j, k, 3) : made[3];
         const uint32_t three[4] = {near[i], near[j], near[k], no_id};
         if (!directed || !directions.is_outside(own, i, j, k)) {
           ++work_.triples;
@@ -611,8 +480,6 @@ bool CriticalPoints::try_point(const uint32_t *ids, uint32_t count, Span<const u
   }
   // Most are elsewhere.
   if (may_be_in(point, block) < 0 || may_be_in(point, other) < 0) return false;
-  const PointName name = name_of_ids(ids, count);
-  if ((count == 3 ? gate_names_.find(name, gates_) : maximum_names_.find(name, maxima_)) != no_id) return false;
   bool kept = point.level_against(floor_) > 0 && !(count == 3 ? are_collinear(balls, ids[0], ids[1], ids[2])
                                                               : are_coplanar(balls, ids[0], ids[1], ids[2], ids[3]));
   kept = kept && is_in(point, block) && is_in(point, other);

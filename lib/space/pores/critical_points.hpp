@@ -14,7 +14,7 @@
 
 #include "core/fixed_vector.hpp"
 #include "lanes/target.hpp"
-#include "pores/cube_halves.hpp"
+#include "pores/cube_directions.hpp"
 #include "pores/name_table.hpp"
 #include "pores/pore_balls.hpp"
 #include "pores/tied_balls.hpp"
@@ -76,7 +76,6 @@ class CriticalPoints {
     exact::Vector settled_centre;  // of a cube in which all sets have been tried
     int64_t settled_half;          // 0: there is none
   };
-  struct Directions;
 
   void forget();
   Status search(const Vec3 &low, const Vec3 &high);
@@ -125,8 +124,8 @@ class CriticalPoints {
   Target target_ = Target::baseline;
   Span<Cube> cubes_;  // that are being halved
   Span<uint32_t> at_point_, cluster_;
-  Span<TangentLines> lines_;     // [1]
-  Span<Directions> directions_;  // [1]
+  Span<TangentLines> lines_;         // [1]
+  Span<CubeDirections> directions_;  // [1]
   Span<Vec3> hull_;
   CriticalLimits limits_, needed_;
   Work work_;

@@ -32,8 +32,9 @@ struct SeenBalls {
   double gap[room];                     // distance of the ball
   double curve[room];                   // how far that can be above its linear part in the cube
   double rounding[room];
-  double side;    // half an edge of the cube, and a little more
-  double extent;  // of all x, y, z: the largest sum of the three
+  uint64_t farther[room];  // of each ball a bit for each other one that is farther in all of the cube
+  double side;             // half an edge of the cube, and a little more
+  double extent;           // of all x, y, z: the largest sum of the three
 };
 // Relative errors of unit vectors in doubles, and of what is made of a few of them.
 inline constexpr double slack_of_seen = 1e-12;
@@ -41,8 +42,8 @@ inline constexpr double root_of_three = 1.7320508075688774;
 
 // Sets all numbers of balls around a place, for `side`.
 HSP_KERNEL(void, see, (const NearArrays &near, const double *at, SeenBalls &seen), (near, at, seen))
-// Of `count` balls a bit for each: whether it is farther than ball m in all of the cube.
-HSP_KERNEL(uint64_t, find_farther, (const SeenBalls &seen, uint32_t count, uint32_t m), (seen, count, m))
+// Returns a bit for each of `count` balls that is farther than any other one; sets `farther` of the others.
+HSP_KERNEL(uint64_t, find_farther, (SeenBalls & seen, uint32_t count), (seen, count))
 
 // Sets `nearest`.
 HSP_KERNEL(void, find_nearest, (const NearArrays &near, CubeParts &parts), (near, parts))
@@ -142,20 +143,36 @@ inline void see_in_lanes(const NearArrays &near, const double *at, SeenBalls &se
 }
 
 template <uint32_t n>
-inline uint64_t find_farther_in_lanes(const SeenBalls &seen, uint32_t count, uint32_t m) {
+inline uint64_t find_farther_in_lanes(SeenBalls &seen, uint32_t count) {
   using L = Wide<double, n>;
   using Real = typename L::Real;
-  const Real gap = L::all(seen.gap[m]), curve = L::all(seen.curve[m]);
-  const Real ax = L::all(seen.ax[m]), ay = L::all(seen.ay[m]), az = L::all(seen.az[m]);
   const Real side = L::all(seen.side * (1.0 + slack_of_seen));
-  uint64_t found = 0;
-  for (uint32_t first = 0; first < count; first += n) {
-    const Real apart = L::absolute(L::load(seen.ax + first) - ax) + L::absolute(L::load(seen.ay + first) - ay) +
-                       L::absolute(L::load(seen.az + first) - az);
-    const Real most = side * apart + curve + L::load(seen.rounding + first);
-    found |= L::set_lanes(L::load(seen.gap + first) - gap > most) << first;
+  uint32_t nearest = 0;
+  double most = seen.gap[0];
+  for (uint32_t k = 1; k < count; ++k) {
+    nearest = seen.gap[k] < seen.gap[nearest] ? k : nearest;
+    most = seen.gap[k] > most ? seen.gap[k] : most;
   }
-  return found & ~UINT64_C(0) >> (64 - count) & ~(UINT64_C(1) << m);
+  const uint64_t all = ~UINT64_C(0) >> (64 - count);
+  uint64_t any = 0;
+  for (uint32_t turn = 0; turn <= count; ++turn) {
+    const uint32_t m = turn == 0 ? nearest : turn - 1;
+    if (turn > 0 && (m == nearest || (any >> m & 1) != 0)) continue;
+    seen.farther[m] = 0;
+    if (!(most - seen.gap[m] > seen.curve[m])) continue;
+    const Real gap = L::all(seen.gap[m]), curve = L::all(seen.curve[m]);
+    const Real ax = L::all(seen.ax[m]), ay = L::all(seen.ay[m]), az = L::all(seen.az[m]);
+    uint64_t found = 0;
+    for (uint32_t first = 0; first < count; first += n) {
+      const Real apart = L::absolute(L::load(seen.ax + first) - ax) + L::absolute(L::load(seen.ay + first) - ay) +
+                         L::absolute(L::load(seen.az + first) - az);
+      const Real least = side * apart + curve + L::load(seen.rounding + first);
+      found |= L::set_lanes(L::load(seen.gap + first) - gap > least) << first;
+    }
+    seen.farther[m] = found & all;
+    any |= seen.farther[m];
+  }
+  return any;
 }
 
 }  // namespace

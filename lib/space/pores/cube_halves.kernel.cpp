@@ -15,8 +15,8 @@ void see(const NearArrays &near, const double *at, SeenBalls &seen) {
   see_in_lanes<register_lanes>(near, at, seen);
 }
 
-uint64_t find_farther(const SeenBalls &seen, uint32_t count, uint32_t m) {
-  return find_farther_in_lanes<register_lanes>(seen, count, m);
+uint64_t find_farther(SeenBalls &seen, uint32_t count) {
+  return find_farther_in_lanes<register_lanes>(seen, count);
 }
 
 }  // namespace hsp::HSP_TARGET

@@ -129,12 +129,14 @@ PoreBalls::Image PoreBalls::moved_image(uint32_t own_ball, const BoxShift &shift
   return {ball_at(at), shift + away};
 }
 
-// Balls inside another one are nowhere nearest. The others in order of positions, so that nothing depends on the order
-// in which they are given.
+// Balls inside another one are nowhere nearest. The others in an order that does not depend on that in which they are
+// given: in a box that of positions, which ball_at() searches; else grid order, in which neighbours are not far apart.
 Status PoreBalls::keep_outer() {
   grid_.build(set_, set_.n);
+  const BallSet &all = grid_.balls();
   uint32_t count = 0;
-  for (uint32_t i = 0; i < set_.n; ++i) {
+  for (uint32_t k = 0; k < set_.n; ++k) {
+    const uint32_t i = all.caller[k];
     const exact::LatticeBall ball = set_.ball(i);
     bool hidden = false;
     const bool room = visit_near({ball.centre, ball.radius}, [&](uint32_t other, const BoxShift &shift) {
@@ -143,9 +145,10 @@ Status PoreBalls::keep_outer() {
     if (!room) return Status::capacity;
     if (!hidden) callers_[count++] = i;
   }
-  sort_in_place(callers_.part(0, count), [&](uint32_t a, uint32_t b) { return set_.ranks_before(a, b); });
+  if (box_ != nullptr) {
+    sort_in_place(callers_.part(0, count), [&](uint32_t a, uint32_t b) { return set_.ranks_before(a, b); });
+  }
   // The grid has all balls, too.
-  const BallSet &all = grid_.balls();
   for (uint32_t k = 0; k < count; ++k) {
     exact::LatticeBall ball = all.ball(grid_.grid_index(callers_[k]));
     ball.index = k;

@@ -145,7 +145,7 @@ bool PoresBuilder::is_higher(const CriticalPoint &a, const CriticalPoint &b) {
   }
   if (first[0] != first[1]) return set.ranks_before(first[0], first[1]);
   for (uint32_t k = 0; k < 4; ++k) {
-    if (a.ball[k] != b.ball[k]) return a.ball[k] < b.ball[k];
+    if (a.ball[k] != b.ball[k]) return balls_.set().ranks_before(a.ball[k], b.ball[k]);
     if (!(a.shift[k] == b.shift[k])) return visited_before(a.shift[k].shift(), b.shift[k].shift());
   }
   return false;

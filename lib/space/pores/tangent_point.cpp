@@ -330,6 +330,7 @@ void TangentPoint::find_both(const BallSet &balls, const TangentCurve &curve, ui
 // known: by doubles.
 bool TangentPoint::is_there(int known) {
   if (known != 0) return known > 0;
+  if (!is_steep_ && is_of_equal_balls_in_plane()) return false;
   if (is_beyond_reach(*balls_, curve_, last_)) {
     beyond_reach_ = true;
     return false;
@@ -349,6 +350,14 @@ int TangentPoint::estimate(const RoughLines &line) {
   if (z_.sign() <= 0) return z_.sign();
   y_ = line.place(z_);
   return 1;
+}
+
+// Four equal balls with their centres in one plane tie on a whole line or nowhere: there is no such point.
+bool TangentPoint::is_of_equal_balls_in_plane() const {
+  const BallSet &balls = *balls_;
+  const auto is_equal = [&](uint32_t ball) { return balls.r[ball] == balls.r[curve_.base]; };
+  return last_ != no_id && !curve_.in_plane && is_equal(curve_.second) && is_equal(curve_.third) && is_equal(last_) &&
+         are_coplanar(balls, curve_.base, curve_.second, curve_.third, last_);
 }
 
 const TangentPoint::Line &TangentPoint::exact_line() const {

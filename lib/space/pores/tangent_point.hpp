@@ -135,6 +135,7 @@ class TangentPoint {
   bool is_there(int known);
   template <class RoughLines>
   int estimate(const RoughLines &line);
+  bool is_of_equal_balls_in_plane() const;
   template <class Make>
   int sign_of(const Make &make) const;
   const Line &exact_line() const;

@@ -60,23 +60,19 @@ constexpr double clear_of_rounding = 1e-9, clear_of_slivers = 1e-5;
 
 double depth_of_hull(Span<const Vec3> a) {
   const uint32_t count = a.size();
-  constexpr uint32_t most = 16;  // the hull of some of them is inside that of all
+  constexpr uint32_t most = 10;  // the hull of some of them is inside that of all
   uint32_t chosen[most] = {0};
   uint32_t size = count <= most ? count : 1;
   for (uint32_t k = 0; k < size; ++k) chosen[k] = k;
+  // Each the farthest one from those before.
+  double nearest_chosen[TiedDirections::room];
+  for (double &distance : nearest_chosen) distance = 8.0;
   for (; size < most && size < count; ++size) {
-    double best = -1.0;
     uint32_t which = 0;
     for (uint32_t k = 0; k < count; ++k) {
-      double nearest_chosen = 8.0;
-      for (uint32_t c = 0; c < size; ++c) {
-        const Vec3 d = a[k] - a[chosen[c]];
-        if (dot(d, d) < nearest_chosen) nearest_chosen = dot(d, d);
-      }
-      if (nearest_chosen > best) {
-        best = nearest_chosen;
-        which = k;
-      }
+      const Vec3 d = a[k] - a[chosen[size - 1]];
+      if (dot(d, d) < nearest_chosen[k]) nearest_chosen[k] = dot(d, d);
+      if (nearest_chosen[k] > nearest_chosen[which]) which = k;
     }
     chosen[size] = which;
   }

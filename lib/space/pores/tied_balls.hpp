@@ -17,6 +17,8 @@ enum class PointKind : uint32_t { passing, gate, maximum };
 // the exact stage.
 class TiedDirections {
  public:
+  static constexpr uint32_t room = 64;
+
   TiedDirections(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied);
   // Whether on the curve of three of them, upwards, another one certainly gets nearer at once.
   bool is_closed(uint32_t i, uint32_t j, uint32_t k) const;
@@ -32,12 +34,12 @@ class TiedDirections {
   int surround(uint32_t i, uint32_t j, uint32_t k, uint32_t l) const;
 
  private:
-  static constexpr uint32_t room = 64;
   Vec3 a_[room];
   uint32_t count_ = 0;  // 0: nothing is certain
 };
 
-// A lower bound of how far 0 is inside the hull of unit vectors; not positive if it is outside or nearly.
+// A lower bound of how far 0 is inside the hull of unit vectors, no more than TiedDirections has room for; not positive
+// if it is outside or nearly.
 double depth_of_hull(Span<const Vec3> a);
 
 // Of a point and all balls that are nearest to it.

@@ -3,7 +3,7 @@
 namespace hsp {
 
 void BallCells::carve(Workspace &workspace, uint32_t balls) {
-  first_ = workspace.take<uint32_t>(CubeTable::slots_for(balls));
+  first_ = workspace.take<uint32_t>(CubeSlots::slots_for(balls));
   link_ = workspace.take<uint32_t>(2 * static_cast<uint64_t>(balls));
   next_ = workspace.take<uint32_t>(balls);
   cube_ = workspace.take<CubeCoordinates>(balls);
@@ -12,7 +12,7 @@ void BallCells::carve(Workspace &workspace, uint32_t balls) {
 void BallCells::clear(uint32_t balls, int64_t side) {
   balls_ = balls;
   side_ = side;
-  used_ = static_cast<uint32_t>(CubeTable::slots_for(balls));
+  used_ = static_cast<uint32_t>(CubeSlots::slots_for(balls));
   for (uint32_t &first : first_.part(0, used_)) first = no_id;
   for (uint32_t ball = 0; ball < balls; ++ball) next_[ball] = ball;
 }

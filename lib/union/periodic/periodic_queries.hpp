@@ -85,7 +85,7 @@ template <class Sink>
 void visit_blocks_in_box(const PeriodicUnion &periodic, Sink sink) {
   const CubeGrid &grid = periodic.grid();
   for (uint32_t cube = 0; cube < grid.own_cubes(); ++cube) {
-    const CubeBlock block = grid.block_around(grid.table().coordinates(cube));
+    const CubeBlock block = grid.block_around(grid.cube_list().coordinates(cube));
     const BallRange own = grid.balls_in(cube);
     for (uint32_t at = own.first; at < own.last; ++at) sink(grid.balls().caller[at], block);
   }

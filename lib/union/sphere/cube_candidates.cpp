@@ -16,7 +16,7 @@ void CubeCandidates::borrow(Span<uint32_t> memory, Target target) {
 }
 
 bool CubeCandidates::start_cube(const CubeGrid &grid, uint32_t cube, uint32_t first_own, const CubeBlock &block) {
-  const CubeCoordinates &at = grid.table().coordinates(cube);
+  const CubeCoordinates &at = grid.cube_list().coordinates(cube);
   const auto middle = [&grid](int64_t c) { return static_cast<double>(c * grid.side() + grid.side() / 2); };
   const double centre[3] = {middle(at.x), middle(at.y), middle(at.z)};
   return start_block(grid.balls(), block, first_own, centre, static_cast<double>(grid.side()));

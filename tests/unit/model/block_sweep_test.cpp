@@ -44,7 +44,7 @@ void expect_blocks(const support::BallList &list, uint32_t least_cubes = 1) {
   ASSERT_GE(grid.cubes(), least_cubes);
   // Any cube or ball may be the first.
   for (uint32_t cube = 0; cube < grid.cubes(); ++cube) {
-    expect_same(hsp::BlockSweep(grid).block_around(cube), block_by_table(grid, grid.table().coordinates(cube)));
+    expect_same(hsp::BlockSweep(grid).block_around(cube), block_by_table(grid, grid.cube_list().coordinates(cube)));
   }
   for (uint32_t ball = 0; ball < grid.balls().n; ball += 3) {
     expect_same(hsp::BlockSweep(grid).block_around_ball(ball),
@@ -53,7 +53,7 @@ void expect_blocks(const support::BallList &list, uint32_t least_cubes = 1) {
   for (uint32_t stride = 1; stride < 6; ++stride) {
     hsp::BlockSweep sweep(grid);
     for (uint32_t cube = stride - 1; cube < grid.cubes(); cube += stride) {
-      expect_same(sweep.block_around(cube), block_by_table(grid, grid.table().coordinates(cube)));
+      expect_same(sweep.block_around(cube), block_by_table(grid, grid.cube_list().coordinates(cube)));
     }
     hsp::BlockSweep by_ball(grid);
     for (uint32_t ball = stride - 1; ball < grid.balls().n; ball += stride) {

@@ -76,11 +76,13 @@ void expect_order_of_grid(const std::vector<double> &xyz, const std::vector<doub
   }
   ASSERT_EQ(balls.largest_radius, largest);
   for (uint32_t c = 0; c < grid.cubes(); ++c) {
-    ASSERT_EQ(grid.table().find(grid.table().coordinates(c)), c);
+    ASSERT_EQ(grid.slots().find(grid.cube_list().coordinates(c), hsp::linear_hash(grid.cube_list().coordinates(c)),
+                                grid.cube_list().cube_of()),
+              c);
     const hsp::BallRange range = grid.balls_in(c);
     ASSERT_LT(range.first, range.last);
     for (uint32_t i = range.first; i < range.last; ++i) {
-      ASSERT_EQ(grid.cube_at(balls.ball(i).centre), grid.table().coordinates(c));
+      ASSERT_EQ(grid.cube_at(balls.ball(i).centre), grid.cube_list().coordinates(c));
     }
   }
 }

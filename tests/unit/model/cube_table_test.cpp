@@ -13,7 +13,7 @@
 namespace {
 
 struct Table {
-  explicit Table(uint32_t cubes) : slots(hsp::CubeTable::slots_for(cubes)), coordinates(cubes) {
+  explicit Table(uint32_t cubes) : slots(hsp::CubeSlots::slots_for(cubes)), coordinates(cubes) {
     table = hsp::CubeTable(hsp::Span<uint32_t>(slots.data(), static_cast<uint32_t>(slots.size())),
                            hsp::Span<hsp::CubeCoordinates>(coordinates.data(), cubes));
     table.clear(cubes);
@@ -21,6 +21,23 @@ struct Table {
   std::vector<uint32_t> slots;
   std::vector<hsp::CubeCoordinates> coordinates;
   hsp::CubeTable table;
+};
+
+// All that are pushed are inserted together.
+struct Together {
+  explicit Together(uint32_t cubes) : memory(cubes) { list.take({memory.data(), cubes}); }
+  void insert_all(Table &own) {
+    std::vector<uint32_t> scratch(own.slots.size() / 32 + 1, 0xAAAAAAAA);
+    slots = hsp::CubeSlots({own.slots.data(), static_cast<uint32_t>(own.slots.size())});
+    slots.insert_all(list.count(), list.cube_of(), {scratch.data(), static_cast<uint32_t>(scratch.size())});
+  }
+  uint32_t find(const hsp::CubeCoordinates &cube) const {
+    return slots.find(cube, hsp::linear_hash(cube), list.cube_of());
+  }
+
+  std::vector<hsp::CubeCoordinates> memory;
+  hsp::CubeList list;
+  hsp::CubeSlots slots;
 };
 
 void expect_like_a_map(const std::vector<hsp::CubeCoordinates> &cubes, uint32_t most_probes) {
@@ -34,34 +51,34 @@ void expect_like_a_map(const std::vector<hsp::CubeCoordinates> &cubes, uint32_t 
     EXPECT_EQ(own.table.find(cube), place->second);
   }
   EXPECT_EQ(own.table.count(), expected.size());
-  EXPECT_GE(own.table.slots(), 2 * own.table.count());
+  EXPECT_GE(own.table.slots().size(), 2 * own.table.count());
   for (const auto &[cube, number] : expected) {
     const auto [x, y, z] = cube;
     EXPECT_EQ(own.table.find({x, y, z}), number);
     EXPECT_EQ(own.table.find({x, y, z + (int64_t{1} << 40)}), hsp::no_id);
   }
-  EXPECT_LE(own.table.longest_search(), most_probes);
+  EXPECT_LE(own.table.slots().longest_search(), most_probes);
 }
 
 // Cubes that are inserted together have the numbers and the table of those inserted one by one; where there is room for
 // more, too. Those of the largest table find their slots by bits.
 TEST(CubeTable, ManyAtOnce) {
   for (const uint32_t n : {0U, 1U, 31U, 32U, 33U, 1000U, 40000U}) {
-    Table one_by_one(n), together(9 * n);
+    Table one_by_one(n), room(9 * n);
+    Together together(9 * n);
     for (uint32_t k = 0; k < n; ++k) one_by_one.table.append({k % 10, k / 10, -7});
-    for (uint32_t k = 0; k < n; ++k) together.table.push({k % 10, k / 10, -7});
-    std::vector<uint32_t> scratch(one_by_one.slots.size() / 32 + 1, 0xAAAAAAAA);
-    together.table.insert_all({scratch.data(), static_cast<uint32_t>(scratch.size())});
-    ASSERT_EQ(together.table.slots(), one_by_one.table.slots());
-    together.slots.resize(one_by_one.slots.size());
-    EXPECT_EQ(together.slots, one_by_one.slots);
-    EXPECT_EQ(together.table.count(), n);
-    for (uint32_t k = 0; k < n; ++k) EXPECT_EQ(together.table.find({k % 10, k / 10, -7}), k);
-    EXPECT_EQ(together.table.find({0, 0, 7}), hsp::no_id);
-    EXPECT_EQ(together.table.longest_search(), one_by_one.table.longest_search());
+    for (uint32_t k = 0; k < n; ++k) together.list.push({k % 10, k / 10, -7});
+    together.insert_all(room);
+    ASSERT_EQ(together.slots.size(), one_by_one.table.slots().size());
+    room.slots.resize(one_by_one.slots.size());
+    EXPECT_EQ(room.slots, one_by_one.slots);
+    EXPECT_EQ(together.list.count(), n);
+    for (uint32_t k = 0; k < n; ++k) EXPECT_EQ(together.find({k % 10, k / 10, -7}), k);
+    EXPECT_EQ(together.find({0, 0, 7}), hsp::no_id);
+    EXPECT_EQ(together.slots.longest_search(), one_by_one.table.slots().longest_search());
     if (n == 0) continue;
-    EXPECT_EQ(together.table.low(), one_by_one.table.low());
-    EXPECT_EQ(together.table.high(), one_by_one.table.high());
+    EXPECT_EQ(together.list.low(), one_by_one.table.low());
+    EXPECT_EQ(together.list.high(), one_by_one.table.high());
   }
 }
 
@@ -95,17 +112,17 @@ TEST(CubeTable, RandomWithRepeats) {
 // All have the same hash; the larger table finds slots by bits.
 TEST(CubeTable, CollidingCubesManyAtOnce) {
   for (const uint32_t n : {64U, 65U, 1000U, 40000U}) {
-    Table own(n);
-    for (uint32_t k = 0; k < n; ++k) own.table.push(colliding_cube(k));
-    std::vector<uint32_t> scratch(own.slots.size() / 32 + 1, 0xAAAAAAAA);
-    own.table.insert_all({scratch.data(), static_cast<uint32_t>(scratch.size())});
-    EXPECT_LE(own.table.longest_search(), 64U);
+    Table room(n);
+    Together own(n);
+    for (uint32_t k = 0; k < n; ++k) own.list.push(colliding_cube(k));
+    own.insert_all(room);
+    EXPECT_LE(own.slots.longest_search(), 64U);
     for (uint32_t k = 0; k < n; ++k) {
       const hsp::CubeCoordinates cube = colliding_cube(k);
-      ASSERT_EQ(own.table.find(cube), k);
-      ASSERT_EQ(own.table.find({cube.x + 1, cube.y, cube.z}), hsp::no_id);
+      ASSERT_EQ(own.find(cube), k);
+      ASSERT_EQ(own.find({cube.x + 1, cube.y, cube.z}), hsp::no_id);
     }
-    EXPECT_EQ(own.table.find(colliding_cube(n)), hsp::no_id);
+    EXPECT_EQ(own.find(colliding_cube(n)), hsp::no_id);
   }
 }
 
@@ -117,7 +134,7 @@ TEST(CubeTable, CollidingCubesOneByOne) {
 
 TEST(CubeTable, SmallestTablesAreNeverFull) {
   for (uint32_t n = 0; n < 70; ++n) {
-    EXPECT_GE(hsp::CubeTable::slots_for(n), 2ULL * n);
+    EXPECT_GE(hsp::CubeSlots::slots_for(n), 2ULL * n);
     std::vector<hsp::CubeCoordinates> cubes;
     for (uint32_t k = 0; k < n; ++k) cubes.push_back({k, 7, -3});
     expect_like_a_map(cubes, 70);

@@ -39,8 +39,7 @@ void expect_met(hsp::Target target, const hsp::CubeGrid &grid, const std::vector
   const hsp::BallSet &balls = grid.balls();
   const hsp::QueryArrays arrays = query_arrays(balls);
   RoundedBlock block;
-  ASSERT_TRUE(
-      fill_block(target, block, grid.query_grid(), arrays, ranges.data(), static_cast<uint32_t>(ranges.size())));
+  ASSERT_TRUE(fill_block(target, block, *grid.queries(), arrays, ranges.data(), static_cast<uint32_t>(ranges.size())));
   std::vector<uint32_t> places;
   for (const hsp::BallRange &range : ranges) {
     for (uint32_t j = range.first; j < range.last; ++j) places.push_back(j);
@@ -81,7 +80,7 @@ TEST_P(RoundedBlockOf, MeetsAsIntegersSay) {
     }
     const BuiltGrid built(to_list(set));
     ASSERT_EQ(built.status(), hsp::Status::ok);
-    if (built.grid().query_grid().rounded == nullptr) continue;
+    if (built.grid().queries()->rounded == nullptr) continue;
     ++with_floats;
     // Ascending, some of them empty, more than two eights in others.
     std::vector<hsp::BallRange> ranges;
@@ -101,7 +100,7 @@ TEST_P(RoundedBlockOf, MeetsAtTheEndsOfALongRow) {
   for (int64_t k = 0; k < 4000; ++k) set.push_back({1000 * k, k % 3, 0, 400 + k % 200});
   const BuiltGrid built(to_list(set));
   ASSERT_EQ(built.status(), hsp::Status::ok);
-  ASSERT_NE(built.grid().query_grid().rounded, nullptr);
+  ASSERT_NE(built.grid().queries()->rounded, nullptr);
   for (const uint32_t from : {0U, 2000U, 3900U}) expect_met(GetParam(), built.grid(), {{from, from + 100}});
 }
 
@@ -109,14 +108,13 @@ TEST_P(RoundedBlockOf, RefusesWhatItHasNoRoomFor) {
   constexpr uint32_t room = RoundedBlock::room;
   const BuiltGrid built(to_list(std::vector<LatticeBall>(room + 20, LatticeBall{0, 0, 0, 1})));
   ASSERT_EQ(built.status(), hsp::Status::ok);
-  ASSERT_NE(built.grid().query_grid().rounded, nullptr);
+  ASSERT_NE(built.grid().queries()->rounded, nullptr);
   expect_met(GetParam(), built.grid(), {{0, room}});
   expect_met(GetParam(), built.grid(), {{0, 3}, {20, room + 17}});
   RoundedBlock block;
   for (const hsp::BallRange &range : {hsp::BallRange{20, room + 18}, hsp::BallRange{4, room + 2}}) {
     const hsp::BallRange ranges[2] = {{0, 3}, range};
-    EXPECT_FALSE(
-        fill_block(GetParam(), block, built.grid().query_grid(), query_arrays(built.grid().balls()), ranges, 2));
+    EXPECT_FALSE(fill_block(GetParam(), block, *built.grid().queries(), query_arrays(built.grid().balls()), ranges, 2));
   }
 }
 

@@ -59,9 +59,9 @@ inline uint32_t room_decides() {
   uint32_t first_ball[] = {0, 1, 2}, cells[73];
   hsp::RowDirectory rows;
   for (uint32_t &cell : cells) cell = 77;
-  rows.build(grid.table(), {first_ball, 3}, {cells, 71});
+  rows.build(grid.cube_list(), {first_ball, 3}, {cells, 71});
   if (rows.is_there() || cells[0] != 77) return 1;
-  rows.build(grid.table(), {first_ball, 3}, {cells, 72});
+  rows.build(grid.cube_list(), {first_ball, 3}, {cells, 72});
   if (!rows.is_there() || cells[72] != 77) return 2;
   hsp::BallRange found[12];
   if (rows.find({-1, 0, 0}, {3, 3, 2}, {found, 12}) != 2) return 3;

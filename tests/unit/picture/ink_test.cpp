@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -107,6 +108,22 @@ TEST(Ink, IsNothingWhereASilhouetteCreases) {
     widest = std::max(widest, found.beyond(curve.at(0.5)));
   }
   EXPECT_NEAR(widest, 0.62 * 6, 0.2);
+}
+
+// Seen between two nearer bodies along less than eight times the largest width of 6 px, it is thinner; not so before
+// the background.
+TEST(Ink, IsThinnerInAGap) {
+  cases::small_view().succeeds(balls, 2);
+  constexpr hsp::SilhouetteArc::End under{false, true, hsp::no_id, hsp::no_id};
+  for (const double span : {0.2, 0.4, 0.9}) {
+    const Drawn found = drawn({{{0, span, far_ball(), under, under}}}, InkLevel::depth);
+    ASSERT_FALSE(found.curves.empty());
+    const double share = std::min(1.0, span * 40 * found.scale / 48);
+    EXPECT_NEAR(found.beyond(found.curves.front().start), 0.62 * 6 * share, 1e-9) << span;
+    EXPECT_EQ(share < 1, span < 0.5);
+    const Drawn border = drawn({{{0, span, hsp::no_id, under, under}}}, InkLevel::border);
+    EXPECT_NEAR(border.beyond(border.curves.front().start), 0.62 * 5, 1e-9) << span;
+  }
 }
 
 TEST(Ink, BelongsToALevel) {

@@ -84,4 +84,40 @@ TEST(CubeHalves, KeepWhatIsNearestSomewhere) {
   EXPECT_LT(kept, all * 3 / 4);
 }
 
+TEST(CubeHalves, FartherBallsAreSoInAllOfACube) {
+  std::mt19937_64 random(2);
+  int farther = 0;
+  for (int turn = 0; turn < 200; ++turn) {
+    const SomeBalls balls(random, 3 + static_cast<uint32_t>(turn) % 60);
+    const hsp::NearArrays near = balls.arrays();
+    const double middle[3] = {1e7, -2e7, 3e7};
+    hsp::SeenBalls seen;
+    seen.side = std::ldexp(1.0, 20 + turn % 9);
+    see(hsp::Target::baseline, near, middle, seen);
+    const uint64_t any = find_farther(hsp::Target::baseline, seen, near.count);
+    for (uint32_t m = 0; m < near.count; ++m) {
+      if ((any >> m & 1) != 0) continue;
+      for (uint32_t k = 0; k < near.count; ++k) {
+        if ((seen.farther[m] >> k & 1) == 0) continue;
+        ASSERT_EQ(any >> k & 1, 1);
+        ++farther;
+        for (int corner = 0; corner < 8; ++corner) {
+          const auto at = [&](int axis) { return middle[axis] + ((corner >> axis & 1) != 0 ? seen.side : -seen.side); };
+          ASSERT_GT(balls.gap(near.ball[k], at(0), at(1), at(2)), balls.gap(near.ball[m], at(0), at(1), at(2)));
+        }
+      }
+    }
+    for (const hsp::Target target : runnable_targets()) {
+      hsp::SeenBalls same;
+      same.side = seen.side;
+      see(target, near, middle, same);
+      ASSERT_EQ(find_farther(target, same, near.count), any);
+      for (uint32_t m = 0; m < near.count; ++m) {
+        ASSERT_TRUE((any >> m & 1) != 0 || same.farther[m] == seen.farther[m]);
+      }
+    }
+  }
+  EXPECT_GT(farther, 1000);
+}
+
 }  // namespace

@@ -124,7 +124,7 @@ class MovedUnion {
              grid_.grid_index(i) == written_.grid_index(i);
     }
     for (uint32_t cube = 0; same && cube < grid_.cubes(); ++cube) {
-      same = grid_.table().coordinates(cube) == written_.table().coordinates(cube) &&
+      same = grid_.cube_list().coordinates(cube) == written_.cube_list().coordinates(cube) &&
              grid_.balls_in(cube).first == written_.balls_in(cube).first &&
              grid_.balls_in(cube).last == written_.balls_in(cube).last;
     }

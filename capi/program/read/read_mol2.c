@@ -1,0 +1,142 @@
+/* .mol2, of Tripos: sections that begin with "@<TRIPOS>" and a name. Read are
+ *   MOLECULE   a name, then the numbers of atoms, bonds and more: each begins a model
+ *   ATOM       id name x y z type [number residue [charge ..]]
+ *   BOND       id atom atom type
+ * Lines that begin with '#' are comments. */
+#include <inttypes.h>
+#include <string.h>
+
+#include "read/characters.h"
+#include "read/number.h"
+#include "read/read_molecule.h"
+
+enum { MOST_COLUMNS = 10 };
+
+/* The section that is read, and the counts of the model that is wanted. */
+struct reading {
+  enum { OTHER, NAME, COUNTS, ATOMS, BONDS } section;
+  bool wanted;
+  uint64_t announced, found, counts_line;
+};
+
+/* "ALA12", or a name without a number, which is the number before it then; "<0>" where there is none. */
+static void take_residue(struct residue_label *residue, struct field number, struct field name) {
+  size_t letters = name.length;
+  while (letters > 0 && is_digit(name.text[letters - 1])) --letters;
+  if (letters == 0 || name.text[0] == '<') return;
+  label_copy(residue->name, sizeof residue->name, (struct field){name.text, letters});
+  const struct field digits = {name.text + letters, name.length - letters};
+  label_copy(residue->number, sizeof residue->number, digits.length > 0 ? digits : number);
+}
+
+/* The element is what stands before the dot of the type: C.3, N.ar, Zn. Du is a dummy, LP a pair of electrons. */
+static bool read_atom(const struct line_reader *reader, const struct field *column, size_t columns,
+                      struct molecule *molecule, struct failure *failure) {
+  static const char *const names[3] = {"x", "y", "z"};
+  if (columns < 6) {
+    return failure_in_input(failure, reader->number, "expected id name x y z type, found %u of 6 columns",
+                            (unsigned)columns);
+  }
+  struct residue_label residue = RESIDUE_LABEL_NONE;
+  struct atom_label label = ATOM_LABEL_NONE;
+  if (columns >= 8) take_residue(&residue, column[6], column[7]);
+  if (residue.name[0] != '\0') label.residue = &residue;
+  label_copy(label.name, sizeof label.name, column[1]);
+  const struct field type = column[5];
+  const char *const dot = memchr(type.text, '.', type.length);
+  const struct field symbol = {type.text, dot == NULL ? type.length : (size_t)(dot - type.text)};
+  if (field_is(symbol, "DU") || field_is(symbol, "LP")) {
+    label.virtual_site = true;
+    label.element = virtual_symbol_of(symbol);
+  } else if (!label_take_symbol(&label, symbol)) {
+    char shown[EXCERPT_BYTES];
+    return failure_in_input(failure, reader->number, "unknown element in the type '%s'",
+                            excerpt(shown, type.text, type.length));
+  }
+  double xyz[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!field_number_in_line(column[2 + axis], names[axis], &xyz[axis], reader->number, failure)) return false;
+  }
+  if (!molecule_add(molecule, xyz, 0.0, &label, reader->number, failure)) return false;
+  struct atom_extra *const extra = molecule_last_extra(molecule);
+  if (extra != NULL && !serial_of_number(column[0], &extra->serial)) extra->serial.text[0] = '\0';
+  return true;
+}
+
+static bool read_bond(const struct field *column, size_t columns, struct molecule *molecule, struct failure *failure) {
+  static const struct {
+    const char *type;
+    enum bond_order order;
+  } orders[] = {{"2", BOND_DOUBLE}, {"3", BOND_TRIPLE}, {"AR", BOND_AROMATIC}};
+  struct stated_bond bond = {.order = BOND_SINGLE};
+  if ((molecule->keeps & KEEP_EXTRAS) == 0 || columns < 4 || field_is(column[3], "NC")) return true; /* not connected */
+  for (size_t k = 0; k < sizeof orders / sizeof orders[0]; ++k) {
+    if (field_is(column[3], orders[k].type)) bond.order = orders[k].order;
+  }
+  for (int end = 0; end < 2; ++end) {
+    if (!serial_of_number(column[1 + end], &bond.serial[end])) return true;
+  }
+  return molecule_add_bond(molecule, &bond, failure);
+}
+
+static void begin_section(struct reading *reading, const char *name, struct molecule *molecule) {
+  const struct field section = {name, strcspn(name, " \t")};
+  reading->section = field_is(section, "MOLECULE") ? NAME
+                     : field_is(section, "ATOM")   ? ATOMS
+                     : field_is(section, "BOND")   ? BONDS
+                                                   : OTHER;
+  if (reading->section == NAME) reading->wanted = ++molecule->models == molecule->model;
+}
+
+static bool read_line(const struct line_reader *reader, struct reading *reading, struct molecule *molecule,
+                      struct failure *failure) {
+  struct field column[MOST_COLUMNS];
+  const size_t columns = fields_split(reader->text, reader->length, column, MOST_COLUMNS);
+  if (reading->section == NAME) {
+    reading->section = COUNTS; /* the name may be blank */
+    return true;
+  }
+  if (columns == 0 || column[0].text[0] == '#') return true;
+  if (reading->section == COUNTS) {
+    uint64_t count = 0;
+    reading->section = OTHER;
+    if (number_parse_count(column[0].text, column[0].length, &count) != NUMBER_OK) {
+      return !reading->wanted || failure_in_input(failure, reader->number, "expected the number of atoms");
+    }
+    if (reading->wanted) {
+      reading->announced = count;
+      reading->counts_line = reader->number;
+    } else {
+      molecule->left_out.other_models += count;
+    }
+    return true;
+  }
+  if (!reading->wanted) return true;
+  if (reading->section == BONDS) return read_bond(column, columns, molecule, failure);
+  if (reading->section != ATOMS) return true;
+  ++reading->found;
+  return read_atom(reader, column, columns, molecule, failure);
+}
+
+static bool read_mol2(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
+  static const char head[] = "@<TRIPOS>";
+  struct reading reading = {OTHER, false, 0, 0, 0};
+  enum line_status status;
+  while ((status = line_reader_next(reader, failure)) == LINE_READ) {
+    if (strncmp(reader->text, head, sizeof head - 1) == 0) {
+      begin_section(&reading, reader->text + sizeof head - 1, molecule);
+    } else if (!read_line(reader, &reading, molecule, failure)) {
+      return false;
+    }
+  }
+  if (status == LINE_FAILED || reading.found == reading.announced) return status == LINE_END;
+  return failure_in_input(failure, reading.counts_line, "%" PRIu64 " atoms announced, %" PRIu64 " found",
+                          reading.announced, reading.found);
+}
+
+const struct file_format mol2_format = {.name = "mol2",
+                                        .extensions = "MOL2",
+                                        ANGSTROM,
+                                        .features = FILE_ATOMS | FILE_ELEMENTS | FILE_RESIDUES | FILE_ORDERS,
+                                        .nameless = "no element",
+                                        .read = read_mol2};

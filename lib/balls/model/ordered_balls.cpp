@@ -1,0 +1,265 @@
+#include "model/ordered_balls.hpp"
+
+#include "core/ahead.hpp"
+#include "core/small_code.hpp"
+#include "model/grid_order.hpp"
+
+namespace hsp {
+namespace {
+
+// So many balls are still near when their cubes are looked at.
+constexpr uint32_t balls_in_block = 512;
+
+// Balls of an input that all fit the lattice, in the caller's order.
+struct InputBalls {
+  BallRounding rounding;
+
+  void fetch(uint32_t i) const { rounding.fetch(i); }
+  exact::LatticeBall ball(uint32_t i) const {
+    if (!small_code) return rounding.ball(i);
+    exact::LatticeBall ball;
+    static_cast<void>(rounding.round(i, ball));
+    return ball;
+  }
+  exact::Vector centre(uint32_t i) const { return rounding.centre(i); }
+};
+// Balls that are on a lattice: in the caller's order, or by their slots in a set.
+struct GivenBalls {
+  const BallSet &balls;
+
+  static void fetch(uint32_t) {}
+  exact::LatticeBall ball(uint32_t i) const { return balls.ball(i); }
+  exact::Vector centre(uint32_t i) const { return ball(i).centre; }
+};
+struct PlacedBalls {
+  const BallSet &balls;
+  Span<const uint32_t> slot;
+
+  static void fetch(uint32_t) {}
+  exact::LatticeBall ball(uint32_t i) const { return balls.ball(slot[i]); }
+  exact::Vector centre(uint32_t i) const { return ball(i).centre; }
+};
+
+// Those from number `first` on.
+template <class Source>
+struct BallsFrom {
+  Source source;
+  uint32_t first;
+
+  void fetch(uint32_t i) const { source.fetch(first + i); }
+  exact::LatticeBall ball(uint32_t i) const { return source.ball(first + i); }
+  exact::Vector centre(uint32_t i) const { return source.centre(first + i); }
+};
+
+template <class Source>
+LatticeBox box_around(const Source &source, BallRange part) {
+  LatticeBox box;
+  for (uint32_t i = part.first; i < part.last; ++i) {
+    const exact::Vector centre = source.centre(i);
+    if (i == part.first) box = {centre, centre};
+    CubeList::widen(centre.x, box.low.x, box.high.x);
+    CubeList::widen(centre.y, box.low.y, box.high.y);
+    CubeList::widen(centre.z, box.low.z, box.high.z);
+  }
+  return box;
+}
+
+}  // namespace
+
+CubeCoordinates OrderedBalls::cube_at(const exact::Vector &point, int64_t side) {
+  return CubeAxis(side).cube_at(point);
+}
+
+void OrderedBalls::carve(Workspace &workspace, uint32_t n) {
+  capacity_ = n;
+  cubes_.take(workspace.take<CubeCoordinates>(n));
+  first_ball_ = workspace.take<uint32_t>(n < 4 ? 4 : static_cast<uint64_t>(n) + 1);
+  const auto two_for_each = workspace.take<uint32_t>(2 * static_cast<uint64_t>(n));
+  if (!two_for_each.empty()) {
+    grid_index_ = two_for_each.part(0, n);
+    scratch_links_ = two_for_each.part(n, 2 * n);
+  }
+  balls_.carve(workspace, n);
+}
+
+void OrderedBalls::clear() {
+  balls_.n = 0;
+  own_balls_ = own_cubes_ = 0;
+  static_cast<void>(exact::Lattice::for_largest_radius(0.0, 0.0, balls_.lattice));
+  balls_.probe_steps = 0;
+  balls_.largest_radius = 0;
+  side_ = 1;
+  cubes_.clear();
+  first_ball_[0] = 0;
+}
+
+// In small code by the balls that are given, else by the source's in the box.
+template <class Source>
+GridOrder OrderedBalls::order_of(const Source &source, const BallSet &given, const LatticeBox &box,
+                                 const CubeAxis &axis, BallRange part, Span<uint32_t> idle) {
+  const auto of_part = [part](Span<uint32_t> two_for_each) { return two_for_each.part(2 * part.first, 2 * part.last); };
+  const Span<uint32_t> entries = of_part(idle);
+  if (small_code) {
+    BallSet some;
+    some.x = given.x.part(part.first, part.last);
+    some.y = given.y.part(part.first, part.last);
+    some.z = given.z.part(part.first, part.last);
+    some.r = given.r.part(part.first, part.last);
+    some.caller = given.caller.part(part.first, part.last);
+    some.n = part.last - part.first;
+    return grid_order_by_comparing(some, axis, entries);
+  }
+  // Of the other arrays less is touched, if the set has few cubes.
+  const bool has_both = idle.size() / 4 >= capacity_;
+  const Span<uint32_t> other_entries =
+      of_part(has_both ? idle.part(2 * capacity_, 4 * capacity_) : Span(grid_index_.data(), 2 * grid_index_.size()));
+  return grid_order(BallsFrom<Source>{source, part.first}, box, axis, {entries, other_entries, first_ball_});
+}
+
+// A part of the balls, in its order, to the same slots, as new cubes. Where a cube begins is not foreseen by the
+// processor: first balls are written to where the next first ball belongs, and stay there if a cube begins.
+template <class Source>
+void OrderedBalls::put(const Source &given, const CubeAxis &axis, BallRange part, const GridOrder &order,
+                       int64_t lift) {
+  const BallsFrom<Source> source{given, part.first};  // a copy: the compiler knows that it is not written to
+  const uint32_t n = order.size();
+  const auto store = [&](uint32_t k) {
+    const exact::LatticeBall ball = source.ball(order.ball(k));
+    balls_.store(part.first + k, ball);
+    grid_index_[part.first + order.ball(k)] = part.first + k;
+    return ball;
+  };
+  uint32_t settled = order.keys_tell_cubes ? 0 : n;  // before that, balls of one slice are in order
+  uint64_t last_key = ~UINT64_C(0);                  // no ball's
+  CubeCoordinates last_cube{};
+  int64_t last_x = 0;
+  for (uint32_t block = 0; block < n; block += balls_in_block) {
+    const uint32_t end = n - block < balls_in_block ? n : block + balls_in_block;
+    uint32_t cubes = cubes_.count();
+    for (uint32_t k = block; k < end; ++k) {
+      if (!small_code && k + ahead::input_balls < n) {
+        const uint32_t later = order.ball(k + ahead::input_balls);
+        source.fetch(later);
+        __builtin_prefetch(&grid_index_[part.first + later], 1);
+      }
+      const exact::LatticeBall ball = store(k);
+      bool begins = true;
+      if (order.keys_tell_cubes) {
+        const uint64_t key = order.cube_key(k);
+        begins = key != last_key;
+        last_key = key;
+      } else {
+        const CubeCoordinates cube = axis.cube_at(ball.centre);
+        begins = k == 0 || !(cube == last_cube);
+        last_cube = cube;
+      }
+      first_ball_[cubes] = part.first + k;
+      cubes += static_cast<uint32_t>(begins);
+      const bool out_of_order = static_cast<unsigned>(!begins) & static_cast<unsigned>(last_x >= ball.centre.x);
+      last_x = ball.centre.x;
+      if (!small_code && out_of_order && k >= settled) {
+        const BallRange run = sort_slice(source, order, k);
+        settled = run.last;
+        for (uint32_t again = run.first; again <= k; ++again) last_x = store(again).centre.x;
+      }
+    }
+    while (cubes_.count() < cubes) {
+      CubeCoordinates cube = axis.cube_at(balls_.ball(first_ball_[cubes_.count()]).centre);
+      cube.z += lift;
+      cubes_.push(cube);
+    }
+  }
+}
+
+// For small code: all balls as they are given.
+Status OrderedBalls::store_all(const BallRounding &rounding, uint32_t n, uint32_t &first_bad, int64_t &largest) {
+  exact::LatticeBall ball;
+  for (uint32_t i = 0; i < n; ++i) {
+    if (const Status status = rounding.round(i, ball); status != Status::ok) {
+      first_bad = i;
+      return status;
+    }
+    balls_.store(i, ball);
+    largest = ball.radius > largest ? ball.radius : largest;
+  }
+  return Status::ok;
+}
+
+Status OrderedBalls::sort(const BallInput &input, Span<uint32_t> idle, uint32_t &first_bad) {
+  clear();
+  BallRounding rounding;
+  if (const Status status = rounding.prepare(input, first_bad); status != Status::ok) return status;
+
+  // Every ball is rounded twice, for its cube and then into its slot: that is cheaper than a second copy of the set.
+  LatticeBox box;
+  int64_t largest = 0;
+  if (small_code) {
+    if (const Status status = store_all(rounding, input.n, first_bad, largest); status != Status::ok) return status;
+  } else if (input.n > 0) {
+    if (const Status status = rounding.find_box(box, first_bad); status != Status::ok) return status;
+    largest = rounding.largest_radius();
+  }
+  balls_.largest_radius = largest;
+  const int64_t radius = rounding.expected_radius() > largest ? rounding.expected_radius() : largest;
+  side_ = radius > 0 ? 2 * radius : 1;
+  balls_.n = input.n;
+  balls_.lattice = rounding.lattice();
+  balls_.probe_steps = rounding.probe_steps();
+  sort(InputBalls{rounding}, balls_, box, input.n, idle);
+  return Status::ok;
+}
+
+void OrderedBalls::sort(const BallSet &given, uint32_t own, Span<uint32_t> idle) {
+  clear();
+  balls_.largest_radius = given.largest_radius;
+  balls_.n = given.n;
+  balls_.lattice = given.lattice;
+  balls_.probe_steps = given.probe_steps;
+  side_ = given.largest_radius > 0 ? 2 * given.largest_radius : 1;
+  const GivenBalls source{given};
+  sort(source, given, box_around(source, {0, own}), own, idle);
+}
+
+void OrderedBalls::sort(const BallSet &balls, Span<const uint32_t> slot, int64_t side, Span<uint32_t> idle) {
+  clear();
+  const PlacedBalls placed{balls, slot};
+  const uint32_t n = slot.size();
+  for (uint32_t i = 0; i < n; ++i) {
+    const exact::LatticeBall ball = placed.ball(i);
+    balls_.largest_radius = ball.radius > balls_.largest_radius ? ball.radius : balls_.largest_radius;
+    if (small_code) balls_.store(i, ball);
+  }
+  side_ = side;
+  balls_.n = n;
+  balls_.lattice = balls.lattice;
+  balls_.probe_steps = balls.probe_steps;
+  sort(placed, balls_, box_around(placed, {0, n}), n, idle);
+}
+
+// The box is that around the own balls. Small code needs to know the balls as they are given, too: they may be where
+// they are to be put, as the source has them once more.
+template <class Source>
+void OrderedBalls::sort(const Source &source, const BallSet &given, const LatticeBox &box, uint32_t own,
+                        Span<uint32_t> idle) {
+  const uint32_t n = balls_.n;
+  const CubeAxis axis(side_);
+  const GridOrder order = order_of(source, given, box, axis, {0, own}, idle);
+  GridOrder images{};
+  int64_t lowest = 0;
+  if (own < n) {
+    const LatticeBox box_of_images = box_around(source, {own, n});
+    images = order_of(source, given, box_of_images, axis, {own, n}, idle);
+    lowest = axis.cube_at(box_of_images.low.z);
+  }
+  put(source, axis, {0, own}, order, 0);
+  own_balls_ = own;
+  own_cubes_ = cubes_.count();
+  if (own < n) {
+    halo_.begin(cubes_, lowest);
+    put(source, axis, {own, n}, images, halo_.lift());
+    halo_.end(cubes_, own_cubes_);
+  }
+  first_ball_[cubes_.count()] = n;
+}
+
+}  // namespace hsp

@@ -1,0 +1,76 @@
+// The balls of a set in grid order (grid_order.hpp), and the cubes of side 2 r_max that hold them (Section 3). Each
+// ball is stored once, in the cube of its centre: the centres of two balls that meet are in the same cube or in
+// neighbouring ones, so 27 cubes hold all neighbours of a ball.
+//
+// A set may end with images that only surround the others, as in a periodic box. They come behind all others in the
+// grid's order, in the cubes of a halo.
+#pragma once
+
+#include "core/workspace.hpp"
+#include "model/ball_range.hpp"
+#include "model/ball_set.hpp"
+#include "model/cube_list.hpp"
+#include "model/halo.hpp"
+
+namespace hsp {
+
+class CubeAxis;
+struct GridOrder;
+
+class OrderedBalls {
+ public:
+  // Carves the arrays for at most n balls; with a measuring workspace it only counts.
+  void carve(Workspace &workspace, uint32_t n);
+
+  const BallSet &balls() const { return balls_; }
+  uint32_t capacity() const { return capacity_; }
+  int64_t side() const { return side_; }
+  // Position of the caller's ball in the grid's order.
+  uint32_t grid_index(uint32_t caller) const { return grid_index_[caller]; }
+
+  uint32_t cubes() const { return cubes_.count(); }
+  const CubeList &cube_list() const { return cubes_; }
+  // Without images: the first balls, in the first cubes.
+  uint32_t own_balls() const { return own_balls_; }
+  uint32_t own_cubes() const { return own_cubes_; }
+  bool has_images() const { return own_balls_ < balls_.n; }
+  const Halo &halo() const { return halo_; }
+  BallRange balls_in(uint32_t cube) const { return balls_of(cube, cube + 1); }
+  // Of cubes first .. last - 1.
+  BallRange balls_of(uint32_t first, uint32_t last) const { return {first_ball_[first], first_ball_[last]}; }
+  Span<const uint32_t> first_ball() const { return first_ball_; }
+  CubeCoordinates cube_at(const exact::Vector &point) const { return cube_at(point, side_); }
+  static CubeCoordinates cube_at(const exact::Vector &point, int64_t side);
+
+  // Memory of a link for each ball, for other groupings of them (packing_statistics.cpp).
+  Span<uint32_t> scratch_links() { return scratch_links_; }
+
+ protected:
+  void clear();
+  // Sort balls as the three build() of a grid do. idle: scratch memory, two numbers for each ball or four.
+  Status sort(const BallInput &input, Span<uint32_t> idle, uint32_t &first_bad);
+  void sort(const BallSet &given, uint32_t own, Span<uint32_t> idle);
+  void sort(const BallSet &balls, Span<const uint32_t> slot, int64_t side, Span<uint32_t> idle);
+
+ private:
+  Status store_all(const BallRounding &rounding, uint32_t n, uint32_t &first_bad, int64_t &largest);
+  template <class Source>
+  void sort(const Source &source, const BallSet &given, const LatticeBox &box, uint32_t own, Span<uint32_t> idle);
+  template <class Source>
+  GridOrder order_of(const Source &source, const BallSet &given, const LatticeBox &box, const CubeAxis &axis,
+                     BallRange part, Span<uint32_t> idle);
+  template <class Source>
+  void put(const Source &source, const CubeAxis &axis, BallRange part, const GridOrder &order, int64_t lift);
+
+  BallSet balls_;
+  CubeList cubes_;
+  Span<uint32_t> first_ball_;  // [cubes + 1, and at least 4]
+  Span<uint32_t> grid_index_;  // [n] caller -> grid order
+  Span<uint32_t> scratch_links_;
+  uint32_t capacity_ = 0;
+  uint32_t own_balls_ = 0, own_cubes_ = 0;
+  Halo halo_;
+  int64_t side_ = 1;
+};
+
+}  // namespace hsp

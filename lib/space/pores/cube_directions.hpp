@@ -1,0 +1,151 @@
+// Whether sets of balls can have a critical point in a cube, in doubles with error bounds.
+#pragma once
+
+#include <cmath>
+
+#include "exact/lattice.hpp"
+#include "pores/cube_halves.hpp"
+
+namespace hsp {
+
+// Some balls as the middle of a cube sees them. A critical point is in the hull of the centres of what is nearest
+// there: a plane between these and the cube excludes all of them. So only linear forms are asked, at the corners of the
+// cube. Of |x - c| the linear part is a lower bound.
+class CubeDirections {
+ public:
+  SeenBalls seen;
+  static constexpr uint32_t room = SeenBalls::room;
+  static constexpr double slack = slack_of_seen;
+  static_assert(room <= 64 && room % 4 == 0);
+
+  void set(Target target, const NearArrays &near, const exact::Vector &at, double half) {
+    const Vec3 middle = to_double(at);
+    const double place[3] = {middle.x, middle.y, middle.z};
+    seen.side = half;
+    see(target, near, place, seen);
+    for (uint32_t k = 0; k < near.count; ++k) place_[k] = static_cast<uint8_t>(k);
+  }
+  // Finds which of `count` balls are farther than others in all of the cube. A bit for each that is farther than any.
+  uint64_t compare(Target target, uint32_t count) { return find_farther(target, seen, count); }
+  // From now on ball `to` is that which `from` was, which is no less.
+  void move(uint32_t from, uint32_t to) { place_[to] = place_[from]; }
+  // Whether two balls may be as near somewhere in the cube.
+  bool may_tie(uint32_t k, uint32_t m) const {
+    return ((seen.farther[place_[k]] >> place_[m] | seen.farther[place_[m]] >> place_[k]) & 1) == 0;
+  }
+
+  Vec3 y(uint32_t ball) const {
+    const uint32_t k = place_[ball];
+    return {seen.x[k], seen.y[k], seen.z[k]};
+  }
+  Vec3 a(uint32_t ball) const {
+    const uint32_t k = place_[ball];
+    return {seen.ax[k], seen.ay[k], seen.az[k]};
+  }
+  double inverse(uint32_t ball) const { return seen.inverse[place_[ball]]; }
+
+  // Whether one direction leads up from all balls in all of the cube: some steps towards the point of the hull of the
+  // a that is nearest to 0.
+  bool lead_up(uint32_t count) const {
+    Vec3 d{0.0, 0.0, 0.0};
+    double least = 0.0;  // of the length of d if there is such a direction
+    for (uint32_t k = 0; k < count; ++k) {
+      d = d + a(k);
+      least += inverse(k);
+    }
+    d = (1.0 / count) * d;
+    least *= seen.side / count;
+    for (int turn = 0; turn < 6; ++turn) {
+      const double squared = dot(d, d);
+      if (!(squared > 1e-12) || squared <= least * least) return false;
+      const double across = seen.side * size(d);
+      double worst = 2.0;
+      uint32_t which = 0;
+      for (uint32_t k = 0; k < count; ++k) {
+        const double lead = dot(a(k), d) - across * inverse(k);
+        if (lead < worst) {
+          worst = lead;
+          which = k;
+        }
+      }
+      if (worst > slack) return true;
+      const Vec3 v = a(which) - d;
+      const double along = -dot(d, v) / dot(v, v);
+      if (!(along > 0.0)) return false;
+      const double part = along < 1.0 ? along : 1.0;
+      d = d + part * v;
+      least += part * (seen.side * inverse(which) - least);
+    }
+    return false;
+  }
+  // Of a middle that is nearly in one plane with the first of their centres: a lower bound of how far it is inside the
+  // hull of their directions there, and how far it is from planes through centres at most. Not positive if it is not
+  // inside.
+  double depth_in_plane(uint32_t count, double &off_plane) const {
+    Vec3 n{0.0, 0.0, 0.0};
+    for (uint32_t k = 1; k < count; ++k) {
+      const Vec3 other = cross(a(0), a(k));
+      if (dot(other, other) > dot(n, n)) n = other;
+    }
+    const double length = std::sqrt(dot(n, n));
+    if (!(length > 1e-3)) return -1.0;
+    n = (1.0 / length) * n;
+    off_plane = 0.0;
+    for (uint32_t k = 0; k < count; ++k) off_plane = larger(off_plane, std::fabs(dot(n, y(k))) + 4.0);
+    double depth = 1.0;
+    bool any = false;
+    for (uint32_t i = 0; i < count; ++i) {
+      for (uint32_t j = 0; j < count; ++j) {
+        const Vec3 inward = cross(n, a(j) - a(i));
+        const double size = std::sqrt(dot(inward, inward));
+        if (size < 1e-6) continue;
+        // Lines through two of them with all others on the left, or nearly.
+        bool right = false;
+        for (uint32_t k = 0; k < count; ++k) right = right || dot(inward, a(k) - a(i)) < -1e-9 * size;
+        if (right) continue;
+        depth = smaller(depth, -dot(inward, a(i)) / size);
+        any = true;
+      }
+    }
+    return any ? depth - 1e-8 : -1.0;
+  }
+  // The plane through the centres of three of them: n.(x - c) from offset - span to offset + span in the cube. tiny:
+  // what rounding may do to it.
+  struct Face {
+    Vec3 n;
+    double offset, tiny;
+    int where;  // on which side of it the cube certainly is, 0 for none
+  };
+  Face face(uint32_t i, uint32_t j, uint32_t k) const {
+    const Vec3 u = y(i) - y(j), v = y(i) - y(k), n = cross(u, v);
+    const double tiny = 1e-13 * size(u) * size(v), offset = dot(n, y(i)),
+                 span = seen.side * size(n) + 4.0 * tiny * seen.extent;
+    return {n, offset, tiny, offset > span ? 1 : offset < -span ? -1 : 0};
+  }
+  // Whether the cube is certainly outside the triangle of three of them.
+  bool is_outside(const Face &face, uint32_t i, uint32_t j, uint32_t k) const {
+    if (face.where != 0) return true;
+    const auto beyond = [&](uint32_t from, uint32_t to) {
+      const Vec3 edge = y(from) - y(to), inward = cross(face.n, edge);
+      return dot(inward, y(from)) + seen.side * size(inward) < -face.tiny * size(edge) * (size(y(from)) + seen.side);
+    };
+    return beyond(i, j) || beyond(j, k) || beyond(k, i);
+  }
+  // Whether the cube and the fourth corner of a tetrahedron are certainly on different sides of a face.
+  bool separates(const Face &face, uint32_t opposite) const {
+    if (face.where == 0) return false;
+    const double height = face.offset - dot(face.n, y(opposite)), off = 4.0 * face.tiny * seen.extent;
+    return face.where > 0 ? height < -off : height > off;
+  }
+  bool is_nearly_flat(const Face &face, uint32_t fourth) const {
+    return std::fabs(face.offset - dot(face.n, y(fourth))) <= 4.0 * face.tiny * size(y(fourth));
+  }
+  static double size(const Vec3 &v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
+  static double larger(double x, double y) { return x > y ? x : y; }
+  static double smaller(double x, double y) { return x < y ? x : y; }
+
+ private:
+  uint8_t place_[room];  // in the arrays
+};
+
+}  // namespace hsp
