@@ -316,7 +316,7 @@ endif()
 if(HSP_WIDE_CODE AND NOT DEFINED CACHE{HSP_BASELINE_HAS_LANES})
   set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
   check_cxx_source_compiles("
-    #if !defined(__SSE2__) && !defined(__aarch64__)
+    #if !defined(__SSE2__) && !defined(__aarch64__) && !defined(__wasm_simd128__)
     #error one number for each register
     #endif
     int main() { return 0; }" HSP_BASELINE_HAS_LANES)

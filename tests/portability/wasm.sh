@@ -34,6 +34,7 @@ llvm-nm-14 "$archive" >"$work/symbols"
 asked=$(awk '$1 == "U" {print $2}' "$work/symbols" | sort -u)
 offered=$(awk 'NF == 3 {print $3}' "$work/symbols" | sort -u)
 refused=$(comm -23 <(echo "$asked") <(echo "$offered") | grep -vE '^(mem(cpy|move|set)|__(mul|ashl|ashr|lshr|udiv|umod|div|mod)ti3|__stack_pointer|__memory_base|__indirect_function_table)$' || true)
+grep -q find_balls_in_lanes "$work/symbols" || { echo "the archive has no kernels of lanes" && exit 1; }
 [ -z "$refused" ] || { echo "the archive asks for symbols that are not allowed:" && echo "$refused" && exit 1; }
 
 programs=$work/build

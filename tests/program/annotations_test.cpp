@@ -238,6 +238,18 @@ TEST(Annotations, ViewsOfWhatIsHighlighted) {
     return dots["dots"];
   };
   EXPECT_EQ(largest_seen("highlight"), 12);  // none is hidden: each has a dot and its seam
+  // An oxygen behind a plate of carbons is seen from its own side.
+  std::string atoms = "50\n\nO 0 0 -2.5\n";
+  for (int x = -3; x <= 3; ++x) {
+    for (int y = -3; y <= 3; ++y) {
+      atoms += "C " + std::to_string(1.5 * x) + " " + std::to_string(1.5 * y) + " 0\n";
+    }
+  }
+  const TemporaryFile plate("plate.xyz", atoms);
+  const std::vector<Text> oxygen = texts_of(
+      drawn(plate.path(), {"--style", "flat", "--highlight", "element:O", "--label", "atom", "--view", "highlight"}));
+  ASSERT_EQ(oxygen.size(), 1u);
+  EXPECT_EQ(oxygen[0].text, "O1");
   const Outcome of_all = run_program({"draw", crambin(), "-o", "-", "--view", "highlight"});
   EXPECT_EQ(of_all.status, 0) << of_all.err;
   for (const char *command : {"map", "mesh"}) {

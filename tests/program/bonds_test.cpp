@@ -296,7 +296,11 @@ TEST(Bonds, KindsInFilesOfSmallMolecules) {
   }
   const std::string head = "@<TRIPOS>MOLECULE\nring\n6 6\n@<TRIPOS>ATOM\n" + atoms + "@<TRIPOS>BOND\n" + bonds;
   EXPECT_EQ(multiple_in(head, "mol2").said.substr(0, 2), "6 ");
-  EXPECT_EQ(multiple_in(head + "7 1 9 2\n8 1 4 nc\n9 1 1 2\n10 1\n", "mol2"), multiple_in(head, "mol2"));
+  for (const char *more : {"", "7 1 9 2\n8 1 4 nc\n9 1 1 2\n10 1\n"}) {
+    const TemporaryFile file("ring.mol2", head + more), out("ring.svg");
+    const Json drawn = run_json({"draw", file.path(), "-o", out.path(), "--as", "ball-and-stick"});
+    EXPECT_EQ(drawn["sticks"].number, 6) << more;
+  }
 }
 
 }  // namespace

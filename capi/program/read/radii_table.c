@@ -11,7 +11,8 @@
 
 enum { NAME_BYTES = RADII_NAME_BYTES };
 
-_Static_assert(sizeof(((hsp_residue_atom *)NULL)->residue) == NAME_BYTES, "names are as long as those of the library");
+/* Does not compile unless names are as long as those of the library. */
+typedef char names_as_in_library[sizeof(((hsp_residue_atom *)NULL)->residue) == NAME_BYTES ? 1 : -1];
 
 /* Of a type in FreeSASA's files. */
 struct type_name {

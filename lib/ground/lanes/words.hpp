@@ -38,7 +38,7 @@ namespace {
 constexpr LaneBits all_lanes = (1U << Floats::lanes) - 1U;
 
 // How many lanes of one Floats are chosen.
-#if defined(__POPCNT__) || defined(__wasm__)
+#if defined(__POPCNT__) || defined(__wasm_simd128__)
 inline uint32_t ones(LaneBits bits) {
   return static_cast<uint32_t>(__builtin_popcount(bits));
 }

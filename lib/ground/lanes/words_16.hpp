@@ -1,6 +1,6 @@
 // The words of words.hpp for registers of 16 bytes: four floats, two doubles, eight fractions. By instructions of SSE2,
-// of its followers up to x86-64-v2 and of NEON where the compiler's own code is worse; without any of them it is right
-// as well.
+// of its followers up to x86-64-v2, of NEON and of WebAssembly where the compiler's own code is worse; without any of
+// them it is right as well.
 #pragma once
 
 #if defined(__SSE4_1__)
@@ -9,6 +9,8 @@
 #include <tmmintrin.h>
 #elif defined(__aarch64__)
 #include <arm_neon.h>
+#elif defined(__wasm_simd128__)
+#include <wasm_simd128.h>
 #endif
 
 #include "lanes/wide.hpp"
@@ -123,6 +125,8 @@ inline LaneBits lane_bits(const Floats::Word::Mask &mask) {
 #if defined(__aarch64__)
   constexpr uint32_t bit[4] = {1, 2, 4, 8};
   return vaddvq_u32(vandq_u32(uint32x4_t(mask), vld1q_u32(bit)));
+#elif defined(__wasm_simd128__)
+  return wasm_i32x4_bitmask(v128_t(mask));
 #else
   return static_cast<LaneBits>(Floats::Word::set_lanes(mask));
 #endif
@@ -165,6 +169,8 @@ inline Floats square_root(Floats a) {
   return {Floats::Word::Real(_mm_sqrt_ps(__m128(a.v)))};
 #elif defined(__aarch64__)
   return {Floats::Word::Real(vsqrtq_f32(float32x4_t(a.v)))};
+#elif defined(__wasm_simd128__)
+  return {Floats::Word::Real(wasm_f32x4_sqrt(v128_t(a.v)))};
 #else
   return {Floats::Word::square_root(a.v)};
 #endif
@@ -175,6 +181,8 @@ inline Floats larger(Floats a, Floats b) {
   return {Floats::Word::Real(_mm_max_ps(__m128(a.v), __m128(b.v)))};
 #elif defined(__aarch64__)
   return {Floats::Word::Real(vmaxq_f32(float32x4_t(a.v), float32x4_t(b.v)))};
+#elif defined(__wasm_simd128__)
+  return {Floats::Word::Real(wasm_f32x4_pmax(v128_t(a.v), v128_t(b.v)))};
 #else
   return {Floats::Word::larger(a.v, b.v)};
 #endif
@@ -184,6 +192,8 @@ inline Floats smaller(Floats a, Floats b) {
   return {Floats::Word::Real(_mm_min_ps(__m128(a.v), __m128(b.v)))};
 #elif defined(__aarch64__)
   return {Floats::Word::Real(vminq_f32(float32x4_t(a.v), float32x4_t(b.v)))};
+#elif defined(__wasm_simd128__)
+  return {Floats::Word::Real(wasm_f32x4_pmin(v128_t(a.v), v128_t(b.v)))};
 #else
   return {Floats::Word::smaller(a.v, b.v)};
 #endif
@@ -326,6 +336,8 @@ struct Fractions {
     return {Word(_mm_adds_epi16(__m128i(a.v), __m128i(b.v)))};
 #elif defined(__aarch64__)
     return {Word(vqaddq_s16(int16x8_t(a.v), int16x8_t(b.v)))};
+#elif defined(__wasm_simd128__)
+    return {Word(wasm_i16x8_add_sat(v128_t(a.v), v128_t(b.v)))};
 #else
     return each(a, b, [](int32_t x, int32_t y) { return x + y; });
 #endif
@@ -335,6 +347,8 @@ struct Fractions {
     return {Word(_mm_subs_epi16(__m128i(a.v), __m128i(b.v)))};
 #elif defined(__aarch64__)
     return {Word(vqsubq_s16(int16x8_t(a.v), int16x8_t(b.v)))};
+#elif defined(__wasm_simd128__)
+    return {Word(wasm_i16x8_sub_sat(v128_t(a.v), v128_t(b.v)))};
 #else
     return each(a, b, [](int32_t x, int32_t y) { return x - y; });
 #endif
@@ -349,6 +363,8 @@ struct Fractions {
     return {Word(_mm_add_epi16(_mm_add_epi16(high, high), _mm_avg_epu16(below, _mm_setzero_si128())))};
 #elif defined(__aarch64__)
     return {Word(vqrdmulhq_s16(int16x8_t(a.v), int16x8_t(b.v)))};
+#elif defined(__wasm_simd128__)
+    return {Word(wasm_i16x8_q15mulr_sat(v128_t(a.v), v128_t(b.v)))};
 #else
     return each(a, b, [](int32_t x, int32_t y) { return (x * y + 0x4000) >> 15; });
 #endif
@@ -363,6 +379,8 @@ struct Fractions {
     return Signed(_mm_cvtps_epi32(__m128(scaled.v)));
 #elif defined(__aarch64__)
     return Signed(vcvtnq_s32_f32(float32x4_t(scaled.v)));
+#elif defined(__wasm_simd128__)
+    return Signed(wasm_i32x4_trunc_sat_f32x4(wasm_f32x4_nearest(v128_t(scaled.v))));
 #else
     // The sum has no bits behind the point, and no number here that matters is larger than 2^20.
     const Floats near = (scaled + Floats::all(0x1.8p23F)) - Floats::all(0x1.8p23F);
@@ -374,6 +392,8 @@ struct Fractions {
     return {Word(_mm_packs_epi32(__m128i(low), __m128i(high)))};
 #elif defined(__aarch64__)
     return {Word(vqmovn_high_s32(vqmovn_s32(int32x4_t(low)), int32x4_t(high)))};
+#elif defined(__wasm_simd128__)
+    return {Word(wasm_i16x8_narrow_i32x4(v128_t(low), v128_t(high)))};
 #else
     Fractions a{};
     for (uint32_t k = 0; k < 4; ++k) {
@@ -429,6 +449,8 @@ struct FractionSigns {
     return {Word(_mm_packs_epi16(__m128i(a.v), __m128i(b.v)))};
 #elif defined(__aarch64__)
     return {Word(vqmovn_high_s16(vqmovn_s16(int16x8_t(a.v)), int16x8_t(b.v)))};
+#elif defined(__wasm_simd128__)
+    return {Word(wasm_i8x16_narrow_i16x8(v128_t(a.v), v128_t(b.v)))};
 #else
     FractionSigns signs{};
     for (uint32_t k = 0; k < 8; ++k) {
@@ -452,6 +474,8 @@ struct FractionSigns {
     constexpr uint8_t bit[8] = {1, 2, 4, 8, 16, 32, 64, 128};
     const int8x8_t any = vorr_s8(vget_low_s8(int8x16_t(v)), vget_high_s8(int8x16_t(v)));
     const LaneBits either = vaddv_u8(vand_u8(vcltz_s8(any), vld1_u8(bit)));
+#elif defined(__wasm_simd128__)
+    const LaneBits bits = wasm_i8x16_bitmask(v128_t(v)), either = bits | bits >> 8;
 #else
     LaneBits either = 0;
     for (uint32_t k = 0; k < 16; ++k) either |= (v[k] < 0 ? 1U : 0U) << k % 8;
@@ -462,7 +486,7 @@ struct FractionSigns {
 };
 
 // Where the chosen of four lanes go so that they are first. It may serve several stores.
-#if defined(__SSSE3__) || defined(__aarch64__)
+#if defined(__SSSE3__) || defined(__aarch64__) || defined(__wasm_simd128__)
 struct FrontOrders {
   alignas(64) uint8_t bytes[16][16];
 
@@ -487,6 +511,8 @@ inline void store_front(float *p, Floats a, FrontOrder order) {
 #if defined(__SSSE3__)
   const __m128i bytes = _mm_load_si128(reinterpret_cast<const __m128i *>(order.bytes));
   _mm_storeu_ps(p, _mm_castsi128_ps(_mm_shuffle_epi8(_mm_castps_si128(__m128(a.v)), bytes)));
+#elif defined(__wasm_simd128__)
+  wasm_v128_store(p, wasm_i8x16_swizzle(v128_t(a.v), wasm_v128_load(order.bytes)));
 #else
   vst1q_f32(p, vreinterpretq_f32_u8(vqtbl1q_u8(vreinterpretq_u8_f32(float32x4_t(a.v)), vld1q_u8(order.bytes))));
 #endif

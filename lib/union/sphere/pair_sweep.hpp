@@ -21,7 +21,7 @@ struct PairSweep {
   FloatCaps caps;
   uint32_t count = 0, first_later = 0;
   FloatCaps by_size;             // the larger caps again, by classes of size
-  FloatCaps large;               // the same as fractions (fraction_caps.hpp)
+  FloatCaps large;               // the same as fractions (covered_circles.hpp)
   FloatCaps exposed;             // later caps whose circles are not certainly covered by large caps
   float *exposed_cap = nullptr;  // their numbers
   float *crossed = nullptr;      // for each something negative if it certainly crosses the circle of a large cap

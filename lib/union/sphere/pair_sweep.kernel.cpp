@@ -54,7 +54,7 @@ void store_large(PairSweep &sweep) {
 
 // How circles, as many as there are fractions, lie to the large caps. With d = u_k.(b_j u_j) - b_k the depth of the
 // centre of circle j in cap k and S = 1 - g^2, the circles cross iff q = S (1 - b_j^2) - d^2 > 0, and circle j lies
-// inside cap k iff q < 0 and d > 0. With f = 2^-15 and by fraction_caps.hpp, d is known to 7.5 f and its square to
+// inside cap k iff q < 0 and d > 0. With f = 2^-15 and by covered_circles.hpp, d is known to 7.5 f and its square to
 // 15.5; g^2 to 10.5, S to 11, 1 - b_j^2 to 1.1 and their product to 12.6: q to 28.1 f, below the margin of 32 f. Where
 // d > 1 it stops there, and its square at 1, which S (1 - b_j^2) does not exceed. Where d < -0.99 it is taken for that:
 // as b_k < 7/8, |b_j g| > 0.11 then, and S (1 - b_j^2) <= (1 - |b_j g|)^2 < 0.8, so that the circles still seem to be
