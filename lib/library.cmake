@@ -117,6 +117,7 @@ set(HSP_LIBRARY_SOURCES
   lib/space/pores/class_tree.cpp
   lib/space/pores/critical_points.cpp
   lib/space/pores/cube_halves.kernel.cpp
+  lib/space/pores/gate_finder.cpp
   lib/space/pores/pockets.cpp
   lib/space/pores/pore_balls.cpp
   lib/space/pores/pores_builder.cpp

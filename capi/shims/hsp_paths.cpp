@@ -98,7 +98,7 @@ int32_t hsp_gate_compute(hsp_gate *gate, const hsp_model *model, const double *f
   int32_t rounded = round_point(model->balls(), from, start);
   if (rounded == HSP_OK && to != nullptr) rounded = round_point(model->balls(), to, end);
   if (rounded != HSP_OK) return rounded;
-  const hsp::Status status = gate->builder.find(model->balls(), start, to == nullptr ? nullptr : &end, gate->widest);
+  const hsp::Status status = gate->builder.find(model->grid, start, to == nullptr ? nullptr : &end, gate->widest);
   gate->model.set(model);
   return hsp::capi::finish(*gate, status, limits);
 }

@@ -3,7 +3,7 @@
 
 #include "hsp_model.hpp"
 #include "paths/path_finder.hpp"
-#include "paths/widest_probe.hpp"
+#include "pores/gate_finder.hpp"
 #include "source.hpp"
 
 struct hsp_paths {
@@ -24,7 +24,7 @@ struct hsp_paths {
 };
 
 struct hsp_gate {
-  using Builder = hsp::WidestProbeFinder;
+  using Builder = hsp::GateFinder;
   static constexpr auto kind = hsp::capi::HandleKind::gate;
   using Given = hsp_gate_limits;
   using Limits = hsp::capi::LimitFields<hsp::ProbeLimits, Given, &Given::cubes, &Given::entries, &Given::cells,

@@ -424,28 +424,20 @@ int32_t hsp_pores_locate_with_shifts(const hsp_pores *pores, const double *xyz, 
 int32_t hsp_pores_widest(const hsp_pores *pores, const double *from, const double *to, hsp_pore_passage *passage) {
   const int32_t refused = check_results(pores, from == nullptr || passage == nullptr);
   if (refused != HSP_OK) return refused;
-  hsp::PorePlace ends[2];
-  ends[1] = {std::numeric_limits<double>::infinity(), hsp::no_id, hsp::pore_outside, {}, {}};
-  int32_t status = locate(*pores, from, ends[0]);
-  const bool to_copy = to == nullptr && pores->in_box && ends[0].ball != hsp::no_id;
-  if (status == HSP_OK && to != nullptr) status = locate(*pores, to, ends[1]);
+  hsp::exact::Vector start, end;
+  int32_t status = round_point(*pores, from, start);
+  if (status == HSP_OK && to != nullptr) status = round_point(*pores, to, end);
   if (status != HSP_OK) return status;
-  if (to_copy) ends[1] = ends[0];
-  const uint32_t a = ends[0].maximum, b = ends[1].maximum;
-  *passage = {0.0, 0, HSP_NONE, HSP_NONE, {a, b}, 0};
-  if (a == hsp::no_id || b == hsp::no_id) return HSP_OK;
-  const hsp::ClassTree tree = pores->builder.tree();
-  const uint32_t gate = to_copy ? tree.gate_to_copy(a) : tree.gate_between(a, b);
-  if ((a != b || to_copy) && gate == hsp::no_id) return HSP_OK;
-  const hsp::PorePlace &tighter = ends[ends[0].level <= ends[1].level ? 0 : 1];
-  const bool at_gate = gate != hsp::no_id && pores->gates()[gate].point.level < tighter.level;
-  passage->passes = 1;
-  passage->radius = pores->lattice().length(at_gate ? pores->gates()[gate].point.level : tighter.level);
-  if (at_gate) {
-    passage->gate = gate;
-  } else {
-    passage->ball = tighter.ball;
-  }
+  hsp::PorePassage found;
+  status = hsp::capi::to_c(hsp::find_passage(pores->builder.pores(), pores->balls_around(), start,
+                                             to == nullptr ? nullptr : &end, pores->builder.floor(), found));
+  if (status != HSP_OK) return status;
+  *passage = {pores->lattice().length(found.level),
+              found.passes ? 1U : 0U,
+              found.gate,
+              found.ball,
+              {found.ends[0], found.ends[1]},
+              0};
   return HSP_OK;
 }
 

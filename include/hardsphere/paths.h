@@ -160,11 +160,11 @@ HSP_API int32_t hsp_gate_limits_init(hsp_gate_limits *limits, uint32_t struct_si
 HSP_API int32_t hsp_gate_bytes(const hsp_gate_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
-#define HSP_GATE_BYTES(balls, cubes, entries, cells, adjacencies, landmarks, facets, corners, cube_balls,          \
-                       cube_corners)                                                                               \
-  ((size_t)32768 + (size_t)160 * (size_t)(balls) + (size_t)128 * (size_t)(cubes) + (size_t)8 * (size_t)(entries) + \
-   (size_t)28 * (size_t)(cells) + (size_t)16 * (size_t)(adjacencies) + (size_t)12 * (size_t)(landmarks) +          \
-   (size_t)72 * (size_t)(facets) + (size_t)48 * (size_t)(corners) + (size_t)1536 * (size_t)(cube_balls) +          \
+#define HSP_GATE_BYTES(balls, cubes, entries, cells, adjacencies, landmarks, facets, corners, cube_balls,            \
+                       cube_corners)                                                                                 \
+  ((size_t)106496 + (size_t)1344 * (size_t)(balls) + (size_t)128 * (size_t)(cubes) + (size_t)8 * (size_t)(entries) + \
+   (size_t)28 * (size_t)(cells) + (size_t)16 * (size_t)(adjacencies) + (size_t)12 * (size_t)(landmarks) +            \
+   (size_t)72 * (size_t)(facets) + (size_t)48 * (size_t)(corners) + (size_t)1536 * (size_t)(cube_balls) +            \
    (size_t)64 * (size_t)(cube_corners))
 
 /** Make a gate without results in caller memory of any alignment; sets *gate.
@@ -179,7 +179,9 @@ HSP_API int32_t hsp_gate_init(void *memory, size_t bytes, const hsp_gate_limits 
  *  (RESULTS in hardsphere.h). On failure it holds no results. limits: see LIMITS in hardsphere.h; at most forty
  *  retries.
  *
- *  Cost: that of some thirty times hsp_cells_compute, of balls that grow up to the widest probe.
+ *  Cost: that of hsp_pores_compute and some three times hsp_cells_compute, of balls that grow up to the widest probe.
+ *  Where pores need more than their default limits, or probes touch balls too far apart for them, that of some thirty
+ *  times hsp_cells_compute. Results are the same, bit for bit.
  *  @retval HSP_E_ARGUMENT    gate, model or from is NULL
  *  @retval HSP_E_VERSION     bad struct_size of limits
  *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with

@@ -498,7 +498,7 @@ static void sweep_gate(void) {
   if (CHECK_EQUAL(computed_make(4, xyz, radius, &options, &base), HSP_OK)) {
     if (CHECK_EQUAL(gate_result_make(&base, &all), HSP_OK)) {
       const known_handle known = {&gate_handle, &all, &all.needed, gate_results, no_gate_results, NULL};
-      CHECK(all.widest.builds > 2 && all.widest.builds <= 40);
+      CHECK(all.widest.builds >= 2 && all.widest.builds <= 40);
       sweep_limits(&known, "a gate");
     }
     gate_result_release(&all);

@@ -47,14 +47,18 @@ test_passes() { # name, seconds without a mutation
 }
 
 # The tests of FOLDER/tests in the order in which they are tried: the one that killed this mutant before; those that
-# killed others of the same file, then of the same folder, the most frequent first; then the quickest first, at the end
-# those that have to be linked again. A line is the test's seconds, its name and what has to be built for it, if anything.
+# killed others of the same file, and the unit test of that name; those of the same folder, the most frequent first;
+# those whose names have words of the file's; then the quickest first, at the end those that have to be linked again. A
+# line is the test's seconds, its name and what has to be built for it, if anything.
 ordered_tests() {
-  awk -F '[,\t]' -v name="$name" -v file="$file" -v mutations="$mutations" -v affected="$work/affected" '
+  awk -F '[,\t]' -v name="$name" -v file="$file" -v mutations="$mutations" -v affected="$work/affected" \
+    -v room="$(basename "$(dirname "$file")")" -v unit="$(basename "${file%%.*}")" '
     function folder_of(path) { sub("/[^/]*$", "", path); return path }
     BEGIN {
       while ((getline line < mutations) > 0) if (split(line, word, " ") == 2 && word[1] ~ /^[a-z][0-9][0-9]+$/) file_of[word[1]] = word[2]
       while ((getline line < affected) > 0) executables[++count] = line
+      score["unit_" room "_" unit] += 500
+      words = split(room "_" unit, word_of_file, "_")
     }
     FILENAME == ARGV[1] {
       if ($3 == "") next
@@ -66,7 +70,11 @@ ordered_tests() {
     {
       target = ""
       for (k = 1; k <= count; ++k) if (index($3 " ", "/" executables[k] " ") || index($3, "/" executables[k] "\"")) target = executables[k]
-      printf "%d %d %s %s %s\n", score[$1], target != "", $2, $1, target
+      for (k = 1; k <= words; ++k) {
+        sub(/s$/, "", word_of_file[k])
+        if (index($1, "_" word_of_file[k])) score[$1] += 0.1
+      }
+      printf "%.1f %d %s %s %s\n", score[$1], target != "", $2, $1, target
     }' <(cat "$results" "$folder/verdicts") "$folder/tests" | sort -k1,1nr -k2,2n -k3,3n | cut -d ' ' -f 3-
 }
 
@@ -74,10 +82,10 @@ ordered_tests() {
 try_mutant() {
   local seconds test target
   verdict='did not compile' killer=
-  # Executables that are no test are what tests run: built at once. Tests are built when their turn comes.
+  # Executables that no command begins with are what tests run: built at once. Tests are built when their turn comes.
   outputs_of all | awk '!/\.(o|a|so)$/' >"$work/affected"
   mapfile -t programs < <(while read -r executable; do
-    grep -qE "/$executable( |\"|\$)" "$folder/tests" || echo "$executable"
+    cut -f 3 "$folder/tests" | grep -qE "^[^ ]*/$executable\"?( |\$)" || echo "$executable"
   done <"$work/affected")
   build_targets hardsphere_mutant "${programs[@]}" || return 0
   ordered_tests >"$work/order"

@@ -23,7 +23,7 @@ Heights heights_of(const PathArc &arc) {
 }
 
 // Adds where an arc crosses a line. The arc is cut at its highest and lowest points; each part goes one way only.
-void add_crossings(const PathArc &arc, double y, std::vector<Crossing> &found) {
+void add_crossings(const PathArc &arc, double y, std::vector<PathCrossing> &found) {
   if (y > arc.centre[1] + 1.01 * arc.semi_axis[0] || y < arc.centre[1] - 1.01 * arc.semi_axis[0])
     if ((arc.start[1] <= y) == (arc.end[1] <= y)) return;
   const Heights heights = heights_of(arc);
@@ -89,16 +89,16 @@ double PathArc::swept_area() const {
          2;
 }
 
-std::vector<Crossing> crossings(const Path &path, double y) {
-  std::vector<Crossing> found;
+std::vector<PathCrossing> crossings(const Path &path, double y) {
+  std::vector<PathCrossing> found;
   for (const PathArc &arc : path) add_crossings(arc, y, found);
-  std::sort(found.begin(), found.end(), [](const Crossing &a, const Crossing &b) { return a.x < b.x; });
+  std::sort(found.begin(), found.end(), [](const PathCrossing &a, const PathCrossing &b) { return a.x < b.x; });
   return found;
 }
 
 int winding_number(const Path &path, double x, double y) {
   int times = 0;
-  for (const Crossing &crossing : crossings(path, y)) times -= crossing.x < x ? crossing.up : 0;
+  for (const PathCrossing &crossing : crossings(path, y)) times -= crossing.x < x ? crossing.up : 0;
   return times;
 }
 
@@ -118,7 +118,7 @@ PaintedImage painted(const std::vector<Path> &paths, const PixelGrid &grid) {
     };
     const size_t row_end = pixel_at((high - grid.bottom) / grid.side + 1, grid.rows);
     for (size_t row = pixel_at((low - grid.bottom) / grid.side - 1, grid.rows); row < row_end; ++row) {
-      const std::vector<Crossing> found = crossings(paths[p], grid.y(row));
+      const std::vector<PathCrossing> found = crossings(paths[p], grid.y(row));
       int winding = 0;
       for (size_t k = 0; k + 1 < found.size(); ++k) {
         winding -= found[k].up;

@@ -32,11 +32,11 @@ using Path = std::vector<PathArc>;
 
 // Where a path crosses a horizontal line, by increasing x; up is +1 where it goes up and -1 where it goes down. An arc
 // counts between the heights of its ends as given, so that closed loops go up as often as down on every line.
-struct Crossing {
+struct PathCrossing {
   double x = 0;
   int up = 0;
 };
-std::vector<Crossing> crossings(const Path &path, double y);
+std::vector<PathCrossing> crossings(const Path &path, double y);
 
 // How often a path runs counter-clockwise around a point.
 int winding_number(const Path &path, double x, double y);

@@ -75,9 +75,9 @@ if [ -e "$fused" ]; then
 fi
 
 if [ $target = all ]; then
-  # A minute of processor time for what handles live through, which the width of integers does not change.
+  # Minutes of processor time for lives of handles and for threads, which the width of integers does not change.
   left_out=no_allocation
-  [ -n "${HSP_LONG_TESTS:-}" ] || left_out+='|handle_lives'
+  [ -n "${HSP_LONG_TESTS:-}" ] || left_out+='|handle_lives|handle_threads'
   ctest --test-dir "$work/build" --parallel 2 --exclude-regex "$left_out" --output-on-failure >"$work/tests" || {
     cat "$work/tests"
     failed=1

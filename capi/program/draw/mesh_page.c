@@ -117,6 +117,7 @@ uint32_t mesh_colour_of(struct mesh_picture *picture, uint32_t ball, int side) {
   if (side == INSIDE) return colour_number(picture, inside_colour);
   if (picture->view->pockets != NULL) return colour_number(picture, grey);
   if (side == OF_VOID) return colour_number(picture, void_colour);
+  if (picture->view->cut) return colour_number(picture, grey);
   if (ball == BETWEEN_ATOMS) return colour_number(picture, BETWEEN_COLOUR);
   return colour_number(picture, mesh_element_colour(mesh_element_of(picture, ball)));
 }

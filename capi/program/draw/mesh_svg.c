@@ -138,7 +138,8 @@ static void add_pockets(struct mesh_picture *picture, const struct pen *pen, dou
   bool any = false;
   for (uint32_t t = 0; t < picture->mesh->triangles; ++t) {
     const int side = mesh_side_of(picture, t, mesh_seen_area(picture, t));
-    if (side != INSIDE) seen[mesh_pocket_of(side)] += picture->points[t];
+    if (side == INSIDE || (picture->view->pockets == NULL && side == OF_VOID)) continue;
+    seen[mesh_pocket_of(side)] += picture->points[t];
   }
   for (int pocket = 1; pocket <= MESH_POCKETS; ++pocket) {
     char name[sizeof "pocket 4294967295"];
@@ -149,7 +150,7 @@ static void add_pockets(struct mesh_picture *picture, const struct pen *pen, dou
   }
   if (seen[0] < LEAST_POINTS) return;
   add_entry(picture, pen, x, y, surface_light_on(mesh_plain_colour(SIDES), LEGEND_CIRCLE),
-            any ? "rest of the surface" : "surface");
+            any ? "rest of the surface" : "outside");
 }
 
 /* Elements whose outside is seen, C and H first, then by their numbers. */
@@ -185,7 +186,7 @@ static void add_legend(struct mesh_picture *picture, struct text_buffer *out) {
   uint64_t of_voids = 0;
   for (uint32_t t = picture->view->of_outside; t < picture->mesh->triangles; ++t) of_voids += picture->points[t];
   pen_begin(&pen);
-  (pockets ? add_pockets : add_elements)(picture, &pen, &x, y);
+  (pockets || picture->view->cut ? add_pockets : add_elements)(picture, &pen, &x, y);
   if (picture->view->cut) {
     add_entry(picture, &pen, &x, y, surface_light_on(mesh_plain_colour(INSIDE), LEGEND_CIRCLE), "inside, cut open");
   }

@@ -4,6 +4,7 @@
 
 #include "picture/byte_sink.hpp"
 #include "picture/ink.hpp"
+#include "picture/number_text.hpp"
 
 namespace hsp {
 

@@ -73,6 +73,14 @@ bool WidestProbeFinder::is_beyond_centres(const BallSet &balls, const Vector &x)
 }
 
 Status WidestProbeFinder::find(const BallSet &balls, const Vector &from, const Vector *to, WidestProbe &widest) {
+  bool open = false;
+  const Status status = begin(balls, from, to, widest, open);
+  return status == Status::ok && open ? narrow(balls, -1.0, widest) : status;
+}
+
+Status WidestProbeFinder::begin(const BallSet &balls, const Vector &from, const Vector *to, WidestProbe &widest,
+                                bool &open) {
+  open = false;
   widest = {false, 0.0, {no_id, no_id, no_id}};
   builds_ = 0;
   needed_ = {{}, balls.n};
@@ -85,7 +93,7 @@ Status WidestProbeFinder::find(const BallSet &balls, const Vector &from, const V
     widest = {true, std::numeric_limits<double>::infinity(), {no_id, no_id, no_id}};
     return Status::ok;
   }
-  int64_t most = INT64_MAX;
+  most_ = INT64_MAX;
   for (uint32_t i = 0; i < n_; ++i) {
     const uint32_t caller = balls.caller[i];
     xyz_[3 * caller] = balls.x[i];
@@ -93,29 +101,40 @@ Status WidestProbeFinder::find(const BallSet &balls, const Vector &from, const V
     xyz_[3 * caller + 2] = balls.z[i];
     radius_[caller] = balls.r[i];
     const int64_t here = most_growth(balls, i, from_), there = most_growth(balls, i, to_);
-    most = here < most ? here : most;
-    most = there < most ? there : most;
+    most_ = here < most_ ? here : most_;
+    most_ = there < most_ ? there : most_;
   }
-  if (most < 0) return Status::ok;
+  if (most_ < 0) return Status::ok;
   if (is_beyond_centres(balls, from_) && (to_outside_ || is_beyond_centres(balls, to_))) {
     widest.passes = true;
     touched_ball(balls, widest);
     return Status::ok;
   }
-
-  // Passages are narrow as a rule, and grown balls cost much: doubled steps from below, then halved ones.
-  bool passes = false;
-  if (const Status status = pass(0, passes); status != Status::ok || !passes) return status;
+  if (const Status status = pass(0, open); status != Status::ok || !open) return status;
   widest.passes = true;
+  return Status::ok;
+}
+
+// Passages are narrow as a rule, and grown balls cost much: beside the guess, then doubled steps from below, then
+// halved ones.
+Status WidestProbeFinder::narrow(const BallSet &balls, double guess, WidestProbe &widest) {
   const int64_t room = static_cast<int64_t>(exact::radius_limit) - 1 - balls.largest_radius;
-  const int64_t widest_tried = most < room ? most : room;
+  const int64_t widest_tried = most_ < room ? most_ : room;
   int64_t open = 0, closed = widest_tried + 1;
+  bool passes = false;
+  for (int64_t beside = 0; beside < 2 && guess >= 0.0; ++beside) {
+    const double below = static_cast<double>(widest_tried - beside);
+    const int64_t probe = static_cast<int64_t>(guess < below ? guess : below) + beside;
+    if (probe <= open || probe >= closed) continue;
+    if (const Status status = pass(probe, passes); status != Status::ok) return status;
+    (passes ? open : closed) = probe;
+  }
   for (int64_t step = balls.largest_radius / 4 + 1; open < widest_tried && closed > widest_tried; step *= 2) {
     const int64_t probe = step < widest_tried - open ? open + step : widest_tried;
     if (const Status status = pass(probe, passes); status != Status::ok) return status;
     (passes ? open : closed) = probe;
   }
-  if (open == most) {
+  if (open == most_) {
     touched_ball(balls, widest);
     return Status::ok;
   }

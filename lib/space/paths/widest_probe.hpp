@@ -35,6 +35,11 @@ class WidestProbeFinder {
   // `to` is null for the outside. Status::capacity: a limit is too small, retry_limits(). Status::range: a probe passes
   // with which the largest ball lies beyond the lattice.
   Status find(const BallSet &balls, const exact::Vector &from, const exact::Vector *to, WidestProbe &widest);
+  // The same in two parts: whether a point passes, and if more is open how wide a probe does. The search begins beside
+  // a guess, in steps, if it is not negative. The result does not depend on that, but how long it takes does.
+  Status begin(const BallSet &balls, const exact::Vector &from, const exact::Vector *to, WidestProbe &widest,
+               bool &open);
+  Status narrow(const BallSet &balls, double guess, WidestProbe &widest);
 
   // The limits that suffice, after Status::ok.
   const ProbeLimits &needed() const { return needed_; }
@@ -56,6 +61,7 @@ class WidestProbeFinder {
   exact::Vector from_{}, to_{};
   ProbeLimits limits_, needed_;
   bool to_outside_ = false;
+  int64_t most_ = 0;  // with which the probe touches a ball at one of the points
   uint32_t n_ = 0, builds_ = 0;
 };
 

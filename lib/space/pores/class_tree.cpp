@@ -100,4 +100,28 @@ Status locate(const PoresBuilder &pores, const BallsAround &balls, const exact::
   return place.maximum == no_id && way.level() > static_cast<double>(floor) + below_end ? Status::check : Status::ok;
 }
 
+Status find_passage(const PoresBuilder &pores, const BallsAround &balls, const exact::Vector &from,
+                    const exact::Vector *to, int64_t floor, PorePassage &passage) {
+  PorePlace ends[2];
+  ends[1] = {std::numeric_limits<double>::infinity(), no_id, pore_outside, {}, {}};
+  Status status = locate(pores, balls, from, floor, ends[0]);
+  if (status == Status::ok && to != nullptr) status = locate(pores, balls, *to, floor, ends[1]);
+  if (status != Status::ok) return status;
+  const bool to_copy = to == nullptr && balls.box() != nullptr && !balls.are_none();
+  if (to_copy) ends[1] = ends[0];
+  const uint32_t a = ends[0].maximum, b = ends[1].maximum;
+  passage = {false, 0.0, no_id, no_id, {a, b}};
+  if (a == no_id || b == no_id) return Status::ok;
+  const ClassTree tree(pores);
+  const uint32_t gate = to_copy ? tree.gate_to_copy(a) : tree.gate_between(a, b);
+  if ((a != b || to_copy) && gate == no_id) return Status::ok;
+  const PorePlace &tighter = ends[ends[0].level <= ends[1].level ? 0 : 1];
+  const bool at_gate = gate != no_id && pores.gates()[gate].point.level < tighter.level;
+  passage.passes = true;
+  passage.level = at_gate ? pores.gates()[gate].point.level : tighter.level;
+  passage.gate = at_gate ? gate : no_id;
+  passage.ball = at_gate ? no_id : tighter.ball;
+  return Status::ok;
+}
+
 }  // namespace hsp

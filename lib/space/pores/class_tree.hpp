@@ -42,4 +42,16 @@ struct PorePlace {
 Status locate(const PoresBuilder &pores, const BallsAround &balls, const exact::Vector &point, int64_t floor,
               PorePlace &place);
 
+// The widest probe from one point to another, or to the outside, which is null. In a periodic box any copy of the other
+// one will do, and instead of the outside another copy of the first one.
+struct PorePassage {
+  bool passes;       // whether a probe does that is wider than the floor
+  double level;      // of the widest one; 0 if none does
+  uint32_t gate;     // that stops wider ones, or no_id
+  uint32_t ball;     // at an end that does, or no_id
+  uint32_t ends[2];  // the maxima above the points
+};
+Status find_passage(const PoresBuilder &pores, const BallsAround &balls, const exact::Vector &from,
+                    const exact::Vector *to, int64_t floor, PorePassage &passage);
+
 }  // namespace hsp

@@ -29,11 +29,10 @@ double reach_of(int64_t half) {
 double doubt_of(double distance) {
   return 0x1p-50 * distance;
 }
-// The first one lowest.
+// The first one lowest; written so that compilers find one load in it.
 uint64_t eight_bytes(const uint8_t *p) {
-  uint64_t bytes = 0;
-  for (uint32_t k = 0; k < 8; ++k) bytes |= static_cast<uint64_t>(p[k]) << 8 * k;
-  return bytes;
+  const auto byte = [&](uint32_t k) { return static_cast<uint64_t>(p[k]) << 8 * k; };
+  return byte(0) | byte(1) | byte(2) | byte(3) | byte(4) | byte(5) | byte(6) | byte(7);
 }
 bool contains(const Vector &centre, int64_t half, const Vector &other, int64_t other_half) {
   const int64_t room = half - other_half;
@@ -196,11 +195,12 @@ Status CriticalPoints::search(const Vec3 &low, const Vec3 &high) {
     if (cube.next_part == 0) halve(cube);
     const uint32_t part = cube.next_part++;
     const int64_t step = cube.half / 2;
-    Cube child = cube;
-    child.centre.x += (part & 1) != 0 ? step : -step;
-    child.centre.y += (part & 2) != 0 ? step : -step;
-    child.centre.z += (part & 4) != 0 ? step : -step;
+    const auto moved = [&](int64_t at, uint32_t axis) { return (part >> axis & 1) != 0 ? at + step : at - step; };
+    Cube &child = cubes_[depth];  // in its place, should it be halved
+    child.centre = {moved(cube.centre.x, 0), moved(cube.centre.y, 1), moved(cube.centre.z, 2)};
     child.half = step;
+    child.settled_centre = cube.settled_centre;
+    child.settled_half = cube.settled_half;
     child.next_part = 0;
     child.first = cube.last;
     child.last = enter(child, cube, part);
@@ -208,7 +208,7 @@ Status CriticalPoints::search(const Vec3 &low, const Vec3 &high) {
     if (beyond_ceiling_ != 0.0) return Status::ok;
     if (child.last == child.first) continue;
     if (unsure_) {
-      cubes_[depth++] = child;
+      ++depth;
       continue;
     }
     const Span<const uint32_t> near = candidates_.part(child.first, child.last);
@@ -220,8 +220,7 @@ Status CriticalPoints::search(const Vec3 &low, const Vec3 &high) {
     // Ties do not become fewer.
     if (9 * near.size() >= 8 * (cube.last - cube.first)) settle_ties(child);
     if (needed_.near > limits_.near) return Status::capacity;
-    if (is_settled(child)) continue;
-    cubes_[depth++] = child;
+    if (!is_settled(child)) ++depth;
   }
   needed_.maxima = clamped_count(maxima_.required());
   needed_.gates = clamped_count(gates_.required());

@@ -13,8 +13,8 @@ namespace hsp {
 // cube. Of |x - c| the linear part is a lower bound.
 class CubeDirections {
  public:
-  SeenBalls seen;
-  static constexpr uint32_t room = SeenBalls::room;
+  ViewedBalls seen;
+  static constexpr uint32_t room = ViewedBalls::room;
   static constexpr double slack = slack_of_seen;
   static_assert(room <= 64 && room % 4 == 0);
 

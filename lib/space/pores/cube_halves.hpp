@@ -24,7 +24,7 @@ struct CubeParts {
 };
 
 // A few balls as the middle of a cube sees them, from their centres.
-struct SeenBalls {
+struct ViewedBalls {
   static constexpr uint32_t room = 64;
   double x[room], y[room], z[room];     // from the centre to the middle
   double ax[room], ay[room], az[room];  // the same as unit vectors; 0 in the centre
@@ -41,9 +41,9 @@ inline constexpr double slack_of_seen = 1e-12;
 inline constexpr double root_of_three = 1.7320508075688774;
 
 // Sets all numbers of balls around a place, for `side`.
-HSP_KERNEL(void, see, (const NearArrays &near, const double *at, SeenBalls &seen), (near, at, seen))
+HSP_KERNEL(void, see, (const NearArrays &near, const double *at, ViewedBalls &seen), (near, at, seen))
 // Returns a bit for each of `count` balls that is farther than any other one; sets `farther` of the others.
-HSP_KERNEL(uint64_t, find_farther, (SeenBalls & seen, uint32_t count), (seen, count))
+HSP_KERNEL(uint64_t, find_farther, (ViewedBalls & seen, uint32_t count), (seen, count))
 
 // Sets `nearest`.
 HSP_KERNEL(void, find_nearest, (const NearArrays &near, CubeParts &parts), (near, parts))
@@ -110,7 +110,7 @@ inline void find_near_in_lanes(const NearArrays &near, const CubeParts &parts, u
 }
 
 template <uint32_t n>
-inline void see_in_lanes(const NearArrays &near, const double *at, SeenBalls &seen) {
+inline void see_in_lanes(const NearArrays &near, const double *at, ViewedBalls &seen) {
   using L = Wide<double, n>;
   using Real = typename L::Real;
   const double reach = root_of_three * seen.side;
@@ -143,7 +143,7 @@ inline void see_in_lanes(const NearArrays &near, const double *at, SeenBalls &se
 }
 
 template <uint32_t n>
-inline uint64_t find_farther_in_lanes(SeenBalls &seen, uint32_t count) {
+inline uint64_t find_farther_in_lanes(ViewedBalls &seen, uint32_t count) {
   using L = Wide<double, n>;
   using Real = typename L::Real;
   const Real side = L::all(seen.side * (1.0 + slack_of_seen));

@@ -11,11 +11,11 @@ void find_near(const NearArrays &near, const CubeParts &parts, uint8_t *in) {
   find_near_in_lanes<register_lanes>(near, parts, in);
 }
 
-void see(const NearArrays &near, const double *at, SeenBalls &seen) {
+void see(const NearArrays &near, const double *at, ViewedBalls &seen) {
   see_in_lanes<register_lanes>(near, at, seen);
 }
 
-uint64_t find_farther(SeenBalls &seen, uint32_t count) {
+uint64_t find_farther(ViewedBalls &seen, uint32_t count) {
   return find_farther_in_lanes<register_lanes>(seen, count);
 }
 

@@ -45,7 +45,7 @@ class LongInteger {
   }
   friend LongInteger operator+(const LongInteger &a, const LongInteger &b) { return sum(a, b, b.negative_); }
   friend LongInteger operator-(const LongInteger &a, const LongInteger &b) { return sum(a, b, !b.negative_); }
-  friend LongInteger operator*(const LongInteger &a, const LongInteger &b) {
+  [[gnu::noinline]] friend LongInteger operator*(const LongInteger &a, const LongInteger &b) {
     LongInteger result;
     if (a.length_ == 0 || b.length_ == 0) return result;
     result.length_ = a.length_ + b.length_;
@@ -110,7 +110,7 @@ class LongInteger {
     return false;
   }
   // a + b, the sign of b given.
-  static LongInteger sum(const LongInteger &a, const LongInteger &b, bool negative) {
+  [[gnu::noinline]] static LongInteger sum(const LongInteger &a, const LongInteger &b, bool negative) {
     LongInteger result;
     const bool swapped = less(a, b);
     const LongInteger &large = swapped ? b : a, &small = swapped ? a : b;

@@ -237,26 +237,36 @@ bool is_in_tetrahedron(const BallSet &balls, const TangentPoint &point, const ui
   return true;
 }
 
-void name_of(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, PointKind kind,
-             uint32_t *name) {
+void name_of_gate(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, uint32_t *name) {
   const uint32_t n = tied.size();
-  const TiedDirections directions(balls, point, tied);
   bool on_side = false;
+  name[3] = no_id;
   for (uint32_t a = 0; a < n; ++a) {
     for (uint32_t b = a + 1; b < n; ++b) {
       for (uint32_t c = b + 1; c < n; ++c) {
         name[0] = tied[a];
         name[1] = tied[b];
         name[2] = tied[c];
-        if (kind == PointKind::gate) {
-          name[3] = no_id;
-          if (n == 3 || (!are_collinear(balls, name[0], name[1], name[2]) &&
-                         is_in_triangle(balls, point, name[0], name[1], name[2], on_side))) {
-            return;
-          }
-          continue;
+        if (n == 3 || (!are_collinear(balls, name[0], name[1], name[2]) &&
+                       is_in_triangle(balls, point, name[0], name[1], name[2], on_side))) {
+          return;
         }
+      }
+    }
+  }
+}
+
+void name_of_maximum(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, uint32_t *name) {
+  const uint32_t n = tied.size();
+  const TiedDirections directions(balls, point, tied);
+  bool on_side = false;
+  for (uint32_t a = 0; a < n; ++a) {
+    for (uint32_t b = a + 1; b < n; ++b) {
+      for (uint32_t c = b + 1; c < n; ++c) {
         for (uint32_t d = c + 1; d < n; ++d) {
+          name[0] = tied[a];
+          name[1] = tied[b];
+          name[2] = tied[c];
           name[3] = tied[d];
           const int certain = directions.surround(a, b, c, d);
           if (certain < 0) continue;

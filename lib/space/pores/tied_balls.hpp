@@ -17,7 +17,7 @@ enum class PointKind : uint32_t { passing, gate, maximum };
 // the exact stage.
 class TiedDirections {
  public:
-  static constexpr uint32_t room = 64;
+  static constexpr uint32_t room = 56;
 
   TiedDirections(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied);
   // Whether on the curve of three of them, upwards, another one certainly gets nearer at once.
@@ -53,7 +53,16 @@ bool is_in_tetrahedron(const BallSet &balls, const TangentPoint &point, const ui
 // The name of a gate or a maximum: of its balls the first three whose triangle has the point in it, or the first four
 // whose tetrahedron has. No other gate or maximum has that name, since a set of balls has one point with W' < 0.
 // tied: in ascending order.
-void name_of(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, PointKind kind,
-             uint32_t *name);
+void name_of_gate(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, uint32_t *name);
+void name_of_maximum(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, uint32_t *name);
+// Two functions, as that for gates goes without the memory of directions.
+inline void name_of(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, PointKind kind,
+                    uint32_t *name) {
+  if (kind == PointKind::gate) {
+    name_of_gate(balls, point, tied, name);
+  } else {
+    name_of_maximum(balls, point, tied, name);
+  }
+}
 
 }  // namespace hsp

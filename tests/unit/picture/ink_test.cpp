@@ -124,6 +124,11 @@ TEST(Ink, IsThinnerInAGap) {
     const Drawn border = drawn({{{0, span, hsp::no_id, under, under}}}, InkLevel::border);
     EXPECT_NEAR(border.beyond(border.curves.front().start), 0.62 * 5, 1e-9) << span;
   }
+  const Given open{{{0, 0.1, hsp::no_id, under, {true, false, far_ball(), hsp::no_id}},
+                    {0.1, 0.2, far_ball(), {true, false, hsp::no_id, hsp::no_id}, under}}};
+  const Drawn beside = drawn(open, InkLevel::depth);
+  ASSERT_FALSE(beside.curves.empty());
+  EXPECT_NEAR(beside.beyond(beside.curves[beside.curves.size() / 2 - 1].end), 0.62 * 6, 1e-9);
 }
 
 TEST(Ink, BelongsToALevel) {

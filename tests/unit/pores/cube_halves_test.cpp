@@ -91,7 +91,7 @@ TEST(CubeHalves, FartherBallsAreSoInAllOfACube) {
     const SomeBalls balls(random, 3 + static_cast<uint32_t>(turn) % 60);
     const hsp::NearArrays near = balls.arrays();
     const double middle[3] = {1e7, -2e7, 3e7};
-    hsp::SeenBalls seen;
+    hsp::ViewedBalls seen;
     seen.side = std::ldexp(1.0, 20 + turn % 9);
     see(hsp::Target::baseline, near, middle, seen);
     const uint64_t any = find_farther(hsp::Target::baseline, seen, near.count);
@@ -108,7 +108,7 @@ TEST(CubeHalves, FartherBallsAreSoInAllOfACube) {
       }
     }
     for (const hsp::Target target : runnable_targets()) {
-      hsp::SeenBalls same;
+      hsp::ViewedBalls same;
       same.side = seen.side;
       see(target, near, middle, same);
       ASSERT_EQ(find_farther(target, same, near.count), any);
