@@ -433,8 +433,8 @@ typedef struct hsp_tunnel {
   uint32_t gate;     /**< its tightest one; HSP_NONE if it passes none */
   uint32_t gates;    /**< how many it passes */
   uint32_t points;   /**< of the polyline; 0 if there is no tunnel */
-  uint32_t outside;  /**< whether it comes to the outside: 1 or 0, which is 0 in a box. If it comes back from there the
-                          polyline leaps */
+  uint32_t outside;  /**< whether it comes to the outside: 1 or 0, which is 0 in a box with balls. If it comes back from
+                          there the polyline leaps */
   uint32_t reserved; /**< 0 */
 } hsp_tunnel;
 

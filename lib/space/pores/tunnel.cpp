@@ -242,7 +242,8 @@ Status TunnelFinder::follow_route(PoresBuilder &pores, const BallsAround &balls,
     summary_.outside = summary_.outside || !at_maximum;
   }
   summary_.shift = copy - end.maximum_shift;
-  const exact::Vector *const last = ends.to == nullptr && pores.box() != nullptr ? &ends.from : ends.to;
+  const bool to_copy = ends.to == nullptr && pores.box() != nullptr && !balls.are_none();
+  const exact::Vector *const last = to_copy ? &ends.from : ends.to;
   if (status != Status::ok || last == nullptr) return status;
   const uint64_t first = points_.required();
   status = add_way_up(balls, *last, translation(pores, summary_.shift), summary_.shift);
