@@ -1,6 +1,7 @@
 /* The one way in which files are written: beside the old files, which are replaced at the end of the run. Each is whole
  * or as it was. A run that fails before its end replaces none; if at the end a file cannot be replaced, those that were
- * begun before it are replaced already and stay so, and it and the others are as they were. Where there are no signals and owners of files, output_file_in_place.c writes in the files' places. */
+ * begun before it are replaced already and stay so, and it and the others are as they were. Where there are no signals
+ * and owners of files, output_file_in_place.c writes in the files' places. */
 #ifndef HARDSPHERE_TOOL_OUTPUT_FILE_H
 #define HARDSPHERE_TOOL_OUTPUT_FILE_H
 
