@@ -524,8 +524,8 @@ typedef struct hsp_tunnel_point {
 
 /** The points [needed] of the last tunnel, from its start to its end; none if there was none. Between two of them the
  *  way is a curve of points equally far from two or three balls, or a straight line away from one, or two of these
- *  where one is short: nearer to the one before than 1/256 of its radius are gates, maxima and ends alone. An end within
- *  two lattice steps of a maximum or gate is that as well, and has its record but for the place.
+ *  where one is short: nearer to the one before than 1/256 of its radius are gates, maxima and ends alone. An end
+ *  within two lattice steps of a maximum or gate is that as well, and has its record but for the place.
  *  @retval HSP_E_ARGUMENT  pores is NULL; points is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, which may be NULL
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
