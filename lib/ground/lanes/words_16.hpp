@@ -182,7 +182,7 @@ inline Floats larger(Floats a, Floats b) {
 #elif defined(__aarch64__)
   return {Floats::Word::Real(vmaxq_f32(float32x4_t(a.v), float32x4_t(b.v)))};
 #elif defined(__wasm_simd128__)
-  return {Floats::Word::Real(wasm_f32x4_pmax(v128_t(a.v), v128_t(b.v)))};
+  return {Floats::Word::Real(wasm_f32x4_pmax(v128_t(b.v), v128_t(a.v)))};
 #else
   return {Floats::Word::larger(a.v, b.v)};
 #endif
@@ -193,7 +193,7 @@ inline Floats smaller(Floats a, Floats b) {
 #elif defined(__aarch64__)
   return {Floats::Word::Real(vminq_f32(float32x4_t(a.v), float32x4_t(b.v)))};
 #elif defined(__wasm_simd128__)
-  return {Floats::Word::Real(wasm_f32x4_pmin(v128_t(a.v), v128_t(b.v)))};
+  return {Floats::Word::Real(wasm_f32x4_pmin(v128_t(b.v), v128_t(a.v)))};
 #else
   return {Floats::Word::smaller(a.v, b.v)};
 #endif

@@ -101,6 +101,7 @@ void CriticalPoints::carve(Workspace &workspace, const CriticalLimits &limits) {
   cluster_ = workspace.take<uint32_t>(limits.near);
   lines_ = workspace.take<TangentLines>(1);
   directions_ = workspace.take<CubeDirections>(1);
+  static_assert(CubeDirections::room <= most_in_hull);
   hull_ = workspace.take<Vec3>(CubeDirections::room);
 }
 

@@ -42,7 +42,8 @@ inline constexpr double root_of_three = 1.7320508075688774;
 
 // Sets all numbers of balls around a place, for `side`.
 HSP_KERNEL(void, see, (const NearArrays &near, const double *at, ViewedBalls &seen), (near, at, seen))
-// Returns a bit for each of `count` balls that is farther than any other one; sets `farther` of the others.
+// Returns a bit for each of `count` balls that is farther than any other one. Sets `farther`: 0 of balls that are found
+// to be farther before their turn.
 HSP_KERNEL(uint64_t, find_farther, (ViewedBalls & seen, uint32_t count), (seen, count))
 
 // Sets `nearest`.
@@ -157,9 +158,9 @@ inline uint64_t find_farther_in_lanes(ViewedBalls &seen, uint32_t count) {
   uint64_t any = 0;
   for (uint32_t turn = 0; turn <= count; ++turn) {
     const uint32_t m = turn == 0 ? nearest : turn - 1;
-    if (turn > 0 && (m == nearest || (any >> m & 1) != 0)) continue;
+    if (turn > 0 && m == nearest) continue;
     seen.farther[m] = 0;
-    if (!(most - seen.gap[m] > seen.curve[m])) continue;
+    if ((any >> m & 1) != 0 || !(most - seen.gap[m] > seen.curve[m])) continue;
     const Real gap = L::all(seen.gap[m]), curve = L::all(seen.curve[m]);
     const Real ax = L::all(seen.ax[m]), ay = L::all(seen.ay[m]), az = L::all(seen.az[m]);
     uint64_t found = 0;

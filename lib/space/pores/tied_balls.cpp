@@ -65,7 +65,7 @@ double depth_of_hull(Span<const Vec3> a) {
   uint32_t size = count <= most ? count : 1;
   for (uint32_t k = 0; k < size; ++k) chosen[k] = k;
   // Each the farthest one from those before.
-  double nearest_chosen[TiedDirections::room];
+  double nearest_chosen[most_in_hull];
   for (double &distance : nearest_chosen) distance = 8.0;
   for (; size < most && size < count; ++size) {
     uint32_t which = 0;

@@ -38,8 +38,10 @@ class TiedDirections {
   uint32_t count_ = 0;  // 0: nothing is certain
 };
 
-// A lower bound of how far 0 is inside the hull of unit vectors, no more than TiedDirections has room for; not positive
-// if it is outside or nearly.
+// A lower bound of how far 0 is inside the hull of unit vectors, at most most_in_hull; not positive if it is outside or
+// nearly.
+inline constexpr uint32_t most_in_hull = 64;
+static_assert(TiedDirections::room <= most_in_hull);
 double depth_of_hull(Span<const Vec3> a);
 
 // Of a point and all balls that are nearest to it.

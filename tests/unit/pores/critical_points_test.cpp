@@ -70,6 +70,20 @@ TEST(CriticalPoints, ACubeThatTies) {
   }
 }
 
+// As many as a cube can see at once, and nearly.
+TEST(CriticalPoints, ManyBallsThatTie) {
+  const oracle::Balls shell = pore_sets::shell(1000, 300);
+  ASSERT_EQ(shell.size(), 72U);
+  for (const uint32_t n : {55U, 56U, 57U, 63U, 64U}) {
+    const FoundPoints found({shell.begin(), shell.begin() + n}, 0);
+    ASSERT_EQ(found.status(), hsp::Status::ok);
+    ASSERT_GT(found.points().maxima().size(), 0U);
+    const hsp::CriticalPoint &middle = found.points().maxima()[0].point;
+    EXPECT_EQ(middle.tied, n);
+    EXPECT_NEAR(middle.level, 1000.0 * std::sqrt(26.0) - 300.0, 1e-6);
+  }
+}
+
 // Points of the floor's own level are not above it.
 TEST(CriticalPoints, FloorsAreStrict) {
   // A ring of four around the origin, at 500 from it, and two on the axis at 500: an octahedron of level 400.

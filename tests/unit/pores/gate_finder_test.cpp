@@ -65,4 +65,20 @@ TEST(GateFinder, FindsWhatTheSearchWithoutPoresDoes) {
   EXPECT_LT(4 * with, without);
 }
 
+// More balls that tie than pores are made of in a time like that of cells: these answer alone.
+TEST(GateFinder, MoreTiesThanPoresAreMadeOf) {
+  const oracle::Balls balls = pore_sets::shell(100000, 30000);
+  const auto n = static_cast<uint32_t>(balls.size());
+  const BuiltGrid grid(BuiltPores::listed(balls));
+  hsp::GateFinder finder;
+  hsp::WidestProbeFinder plain;
+  CarvedMemory memory, memory_of_plain;
+  hsp::WidestProbe found{}, expected{};
+  ASSERT_EQ(find(finder, memory, grid.grid(), n, {0, 0, 0}, nullptr, found), hsp::Status::ok);
+  ASSERT_EQ(find(plain, memory_of_plain, grid.grid().balls(), n, {0, 0, 0}, nullptr, expected), hsp::Status::ok);
+  EXPECT_TRUE(found.passes);
+  EXPECT_EQ(found.radius, expected.radius);
+  EXPECT_EQ(finder.builds(), plain.builds());
+}
+
 }  // namespace

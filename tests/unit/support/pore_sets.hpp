@@ -60,6 +60,19 @@ inline oracle::Balls tied_set(oracle::RandomSource &random, size_t n, int kind) 
 
 // Corners of regular bodies, turned and rounded to a lattice of `radius` steps: 0 cube, 1 icosahedron, 2 dodecahedron,
 // 3 cuboctahedron, 4 rhombic dodecahedron, 5 truncated icosahedron.
+// The 72 points of a lattice whose squares add up to 26: all tie in the middle, at sqrt(26) step - radius.
+inline oracle::Balls shell(int64_t step, int64_t radius) {
+  oracle::Balls balls;
+  for (int64_t x = -5; x <= 5; ++x) {
+    for (int64_t y = -5; y <= 5; ++y) {
+      for (int64_t z = -5; z <= 5; ++z) {
+        if (x * x + y * y + z * z == 26) balls.push_back({step * x, step * y, step * z, radius});
+      }
+    }
+  }
+  return balls;
+}
+
 inline constexpr int cage_kinds = 6;
 inline oracle::Balls cage(oracle::RandomSource &random, int kind, double unit) {
   using Point = std::array<double, 3>;
