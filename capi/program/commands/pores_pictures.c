@@ -71,7 +71,7 @@ static void add_shared(struct text_buffer *out, const struct profile *profile, u
     if (before > 0 && shared != before) text_buffer_add_text(out, "\"/>\n");
     if (shared > 0 && shared != before) {
       path_begin(out, chart_colour(tunnel), TUNNEL_LINE + SHARED_LINE * shared);
-      text_buffer_add_text(out, " d=\"");
+      text_buffer_add_text(out, " stroke-linecap=\"round\" d=\"");
       add_step(out, profile, "M", i - 1);
     }
     if (shared > 0) add_step(out, profile, "L", i);
@@ -149,7 +149,7 @@ bool pores_write_profile(const struct pores_found *found, const struct molecule 
   const bool dashes = probe > 0.0 && probe < profile.up.high;
   chart_begin(&out, LEFT + WIDTH + RIGHT, TOP + PROFILE_HEIGHT + BELOW + LEGEND_ROW * (int)rows, "Tunnels");
   chart_axes(&out, &profile.frame, &profile.across, &profile.up);
-  chart_name_across(&out, &profile.frame, "way from the start", molecule->format->sign);
+  chart_name_across(&out, &profile.frame, "length along the tunnel", molecule->format->sign);
   chart_name_up(&out, &profile.frame, "radius of the largest probe", molecule->format->sign);
   if (dashes) {
     const double y = chart_y(&profile.frame, &profile.up, probe);
@@ -334,7 +334,7 @@ static void add_tree_legend(struct text_buffer *out, const struct pores_found *f
   }
   if (rank > 0) y += LEGEND_ROW;
   if (tree->rows == 0 || page->row < NAMED_ROW) return;
-  if (rank > 0) add_swatch(out, 0, y, others_colour, "none of them");
+  if (rank > 0) add_swatch(out, 0, y, others_colour, "no pocket");
   double x = LEFT + (rank > 0 ? 2 * (WIDTH / OTHERS) : 0);
   chart_text(out, x, y, "start", "0, 1, ..: numbers of maxima");
   x += 2 * (WIDTH / OTHERS);

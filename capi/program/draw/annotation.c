@@ -173,9 +173,7 @@ static void write_entries(const struct writer *writer, double y) {
     write_text(writer, legend.entry[i].text, x, y, size, 0.0);
     x -= air + 1.15 * size;
     const double corner[2] = {x, y - 0.45 * size};
-    const double behind[2] = {corner[0] - 0.06 * size, corner[1] - 0.06 * size};
-    pen_rectangle(&writer->pen, behind, 1.02 * size, 1.02 * size, writer->colour);
-    pen_rectangle(&writer->pen, corner, 0.9 * size, 0.9 * size, legend.entry[i].colour);
+    pen_swatch(&writer->pen, corner, size, legend.entry[i].colour, writer->colour);
   }
   if (quantity != NULL) write_text(writer, quantity, x - 0.6 * size, y, size, 1.0);
 }
