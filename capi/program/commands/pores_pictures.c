@@ -61,7 +61,7 @@ static void add_step(struct text_buffer *out, const struct profile *profile, con
                   chart_y(&profile->frame, &profile->up, at->point.radius));
 }
 
-/* Where a tunnel goes the way of earlier ones, it is wider, and so seen on both sides of their lines. False: nowhere. */
+/* Where a tunnel goes the way of earlier ones, it is wider, and so seen on both sides of theirs. False: nowhere. */
 static bool add_shared(struct text_buffer *out, const struct profile *profile, uint32_t tunnel) {
   int before = 0;
   bool any = false;

@@ -15,7 +15,7 @@
 enum { LEFT = 72, TOP = 40, SIDE = 640, RIGHT = 40, BOTTOM = 106, SHADES = 6, SHADE_WIDTH = 56, MOST_TICKS = 16 };
 enum { LABEL_BYTES = 64 };
 
-/* Even steps of lightness, away from the page, from a contrast of 1.65:1 on: before a light one and before a dark one. */
+/* Even steps of lightness, away from the page, from a contrast of 1.65 on: before a light one and before a dark one. */
 static const char *const shades[2][SHADES] = {{"#bbcbde", "#9ab1ce", "#7898bd", "#587fab", "#386699", "#174e87"},
                                               {"#283e5d", "#375a88", "#4d79ad", "#6b98cd", "#91b8e5", "#bcd9f8"}};
 
