@@ -167,11 +167,13 @@ TEST(CrystalPores, EulerSums) {
   EXPECT_GT(tied, 10);
 }
 
-// In the second crystal a half of the diagonal takes each ball to an equal one, in the first one to another.
+// In the second crystal a half of the diagonal takes each ball to an equal one, in the first one to another. In the third
+// one it takes the first ball to an equal one, the others to others.
 TEST(CrystalPores, BallsOfMovedPointsTouchThem) {
   const BoxRows box{{{2 * unit, 0, 0}, {0, 2 * unit, 0}, {0, 0, 2 * unit}}};
-  for (const int64_t radius : {unit / 2, unit * 7 / 10}) {
-    const Balls balls{{0, 0, 0, unit * 7 / 10}, {unit, unit, unit, radius}};
+  for (int kind = 0; kind < 3; ++kind) {
+    Balls balls{{0, 0, 0, unit * 7 / 10}, {unit, unit, unit, kind == 0 ? unit / 2 : unit * 7 / 10}};
+    if (kind == 2) balls.insert(balls.end(), {{unit, 0, 0, unit * 3 / 10}, {0, unit, unit, unit / 5}});
     const BuiltCrystalPores pores(balls, box);
     ASSERT_EQ(pores.status(), hsp::Status::ok);
     const auto check = [&](const hsp::CriticalPoint &point) {
@@ -186,7 +188,9 @@ TEST(CrystalPores, BallsOfMovedPointsTouchThem) {
     };
     for (const auto &maximum : pores.maxima()) check(maximum.point);
     for (const auto &gate : pores.gates()) check(gate.point);
-    ASSERT_EQ(pores.maxima().size(), 12U);
+    if (kind < 2) {
+      ASSERT_EQ(pores.maxima().size(), 12U);
+    }
   }
 }
 
