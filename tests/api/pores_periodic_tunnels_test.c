@@ -318,31 +318,6 @@ static void rods(void) {
   CHECK(route.cost == 0 && route.shift[0] == 0 && route.shift[1] == 0 && route.shift[2] == 0);
 }
 
-/* No way leads up from a gate: the maximum at an end of it is half a side away, wherever the ball is. */
-static void from_gates(void) {
-  static const double lengths[3] = {3, 8, 10};
-  uint32_t corner, k;
-  for (corner = 0; corner < 8; ++corner) {
-    n = 0;
-    add(corner & 1 ? 3 : 6, corner & 2 ? 2 : 7, corner & 4 ? 1 : 2, 1.6);
-    set_box(8, 0, 10, 0, 0, 3);
-    compute(0);
-    for (k = 0; k < 3; ++k) {
-      hsp_pore_gate gate;
-      hsp_pore_maximum top;
-      hsp_pore_place place;
-      hsp_pore_place_shifts beside;
-      double at[3];
-      CHECK_EQUAL(hsp_pores_get_gates(work.pores, k, 1, &gate), HSP_OK);
-      CHECK_EQUAL(hsp_pores_get_maxima(work.pores, 0, 1, &top), HSP_OK);
-      CHECK_EQUAL(hsp_pores_locate_with_shifts(work.pores, gate.xyz, &place, &beside), HSP_OK);
-      CHECK_EQUAL(place.maximum, 0);
-      moved(top.xyz, beside.maximum, at);
-      CHECK_NEAR(distance(at, gate.xyz), lengths[k] / 2, 1e-6);
-    }
-  }
-}
-
 /* For every maximum: the channel that it is in below the widest probe goes on for ever, above it does not. */
 static void widest_against_channels(void) {
   static hsp_pore_channel channels[512];
@@ -507,7 +482,6 @@ int main(void) {
   memset(&work, 0, sizeof work);
   packings();
   rods();
-  from_gates();
   closed_rooms();
   any_balls();
   arguments();

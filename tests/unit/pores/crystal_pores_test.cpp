@@ -7,6 +7,7 @@
 #include "box_flood.hpp"
 #include "built_crystal_pores.hpp"
 #include "pore_sets.hpp"
+#include "pores/class_tree.hpp"
 #include "sweep_length.hpp"
 
 namespace {
@@ -190,6 +191,28 @@ TEST(CrystalPores, BallsOfMovedPointsTouchThem) {
     for (const auto &gate : pores.gates()) check(gate.point);
     if (kind < 2) {
       ASSERT_EQ(pores.maxima().size(), 12U);
+    }
+  }
+}
+
+// Between maxima so few steps apart that no way up leaves the gate: the place is that of an end of it.
+TEST(CrystalPores, PlacesAtGates) {
+  const BoxRows box{{{80, 0, 0}, {0, 100, 0}, {0, 0, 60}}};
+  for (int corner = 0; corner < 4; ++corner) {
+    const int64_t x = corner % 2 * 40 + 10, z = corner / 2 * 15 + 5;
+    const Balls balls{{x, 10, z, 16}, {x, 10, z + 30, 16}};
+    const BuiltCrystalPores pores(balls, box, 0);
+    const BuiltPeriodic periodic(BuiltPores::listed(balls), {80, 0, 0, 0, 100, 0, 0, 0, 60});
+    ASSERT_EQ(pores.gates().size(), 6U);
+    for (const auto &gate : pores.gates()) {
+      const hsp::Vec3 &at = gate.point.place;
+      const hsp::exact::Vector point{std::llround(at.x), std::llround(at.y), std::llround(at.z)};
+      hsp::PorePlace place{};
+      ASSERT_EQ(locate(pores.builder(), hsp::BallsAround(periodic.get()), point, 0, place), hsp::Status::ok);
+      const auto is_end = [&](uint32_t side) {
+        return place.maximum == gate.end[side] && place.maximum_shift == gate.end_shift[side].shift();
+      };
+      ASSERT_TRUE(is_end(0) || is_end(1));
     }
   }
 }
