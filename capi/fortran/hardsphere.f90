@@ -1142,7 +1142,8 @@ module hardsphere
     integer(c_int32_t) :: tied
     integer(c_int32_t) :: candidates                  ! scratch memory of the search
     integer(c_int32_t) :: neighbours                  ! balls around a piece of a way
-    integer(c_int32_t) :: points                      ! of a tunnel
+    ! of a tunnel, with those that are left out as they are near to others
+    integer(c_int32_t) :: points
   end type
 
   type, bind(C) :: hsp_pores_options
@@ -1263,7 +1264,8 @@ module hardsphere
     integer(c_int32_t) :: gate      ! its tightest one; HSP_NONE if it passes none
     integer(c_int32_t) :: gates     ! how many it passes
     integer(c_int32_t) :: points    ! of the polyline; 0 if there is no tunnel
-    ! whether it comes to the outside: 1 or 0, which is 0 in a box. If it comes back from there the polyline leaps
+    ! whether it comes to the outside: 1 or 0, which is 0 in a box with balls. If it comes back from there the polyline
+    ! leaps
     integer(c_int32_t) :: outside
     integer(c_int32_t) :: reserved  ! 0
   end type

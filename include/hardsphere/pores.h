@@ -45,7 +45,7 @@ typedef struct hsp_pores_limits {
   uint32_t tied;        /**< balls of maxima with more than four nearest balls, and of gates with more than three */
   uint32_t candidates;  /**< scratch memory of the search */
   uint32_t neighbours;  /**< balls around a piece of a way */
-  uint32_t points;      /**< of a tunnel */
+  uint32_t points;      /**< of a tunnel, with those that are left out as they are near to others */
 } hsp_pores_limits;
 
 /** Limits that suffice for most molecules of `balls` atoms, about 1.5 kB for each: maxima 2 balls + 64, gates 4 balls +
@@ -433,8 +433,8 @@ typedef struct hsp_tunnel {
   uint32_t gate;     /**< its tightest one; HSP_NONE if it passes none */
   uint32_t gates;    /**< how many it passes */
   uint32_t points;   /**< of the polyline; 0 if there is no tunnel */
-  uint32_t outside;  /**< whether it comes to the outside: 1 or 0, which is 0 in a box. If it comes back from there the
-                          polyline leaps */
+  uint32_t outside;  /**< whether it comes to the outside: 1 or 0, which is 0 in a box with balls. If it comes back from
+                          there the polyline leaps */
   uint32_t reserved; /**< 0 */
 } hsp_tunnel;
 
@@ -523,7 +523,9 @@ typedef struct hsp_tunnel_point {
 } hsp_tunnel_point;
 
 /** The points [needed] of the last tunnel, from its start to its end; none if there was none. Between two of them the
- *  way is a curve of points equally far from two or three balls, or a straight line away from one.
+ *  way is a curve of points equally far from two or three balls, or a straight line away from one, or two of these
+ *  where one is short: nearer to the one before than 1/256 of its radius are gates, maxima and ends alone. An end
+ *  within two lattice steps of a maximum or gate is that as well, and has its record but for the place.
  *  @retval HSP_E_ARGUMENT  pores is NULL; points is NULL with a capacity above 0
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, which may be NULL
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since */

@@ -470,6 +470,7 @@ static void arguments(void) {
   CHECK(passage.passes == 1 && isinf(passage.radius) && passage.at[1] == HSP_PORE_OUTSIDE);
   CHECK_EQUAL(hsp_pores_find_tunnel(work.pores, at, NULL, NULL, 0, &tunnel, NULL), HSP_OK);
   CHECK(tunnel.there == 1 && tunnel.gates == 0 && isinf(tunnel.radius));
+  CHECK(tunnel.points == 1 && tunnel.outside == 1 && tunnel.length == 0); /* as without a box */
   /* A floor below 0: the widest way is there, but costs without end. */
   add(0, 0, 0, 3);
   set_box(4, 0, 4, 0, 0, 4);

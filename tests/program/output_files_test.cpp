@@ -280,6 +280,66 @@ TEST(OutputFilesOfOneCommand, AllOrNone) {
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"out.face", "out.vert", "points.pdb", "tree.svg"}));
 }
 
+// A series has as many files as a user wants, and names that strangers left are passed over.
+TEST(OutputFilesOfOneCommand, Series) {
+  const TemporaryFolder folder("series");
+  const Outcome outcome = run_program({"draw", "good/water.pdb", "--spin", "150", "-o", folder.path("out.svg")});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const std::vector<std::string> names = folder.names();
+  ASSERT_EQ(names.size(), 150u);
+  EXPECT_EQ(names[149], "out-149.svg");
+  EXPECT_FALSE(read_file(folder.path(names[149])).empty());
+  fs::remove(folder.path("out-149.svg"));
+  fs::create_directory(folder.path("out-149.svg"));
+  const std::string first = folder.write("out-000.svg", "old");
+  EXPECT_EQ(run_program({"draw", "good/water.pdb", "--spin", "150", "-o", folder.path("out.svg")}).err,
+            "hardsphere: " + folder.path("out-149.svg") + ": Is a directory\n");
+  EXPECT_EQ(read_file(first), "old");
+  EXPECT_EQ(folder.names(), names);
+}
+
+// Links may lead two outputs to one file, there or not.
+TEST(OutputFilesOfOneCommand, LinksToOneFile) {
+  const TemporaryFolder folder("one_file");
+  fs::create_directory_symlink(".", folder.path("here"));
+  fs::create_symlink("here/chart.svg", folder.path("link.svg"));
+  fs::create_symlink("./out.vert", folder.path("out.face"));
+  fs::create_symlink("spin-000.svg", folder.path("spin-001.svg"));
+  const std::vector<std::string> names = folder.names();
+  for (const auto &[profile, tree] : {std::pair("chart.svg", "link.svg"), std::pair("link.svg", "here/chart.svg")}) {
+    const Outcome outcome = run_program({"pores", "good/cage.xyzr", "--tunnels-from", "0,0,0", "--profile",
+                                         folder.path(profile), "--tree", folder.path(tree)});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.err, "hardsphere: --profile and --tree would write the same file\n");
+  }
+  const std::string refusal = ": another output of this run would write the same file\n";
+  const Outcome mesh = run_program({"mesh", "good/water.pdb", "-o", folder.path("out.vert")});
+  EXPECT_EQ(mesh.status, 1);
+  EXPECT_EQ(mesh.err, "hardsphere: " + folder.path("out.vert") + refusal);
+  const Outcome spin = run_program({"draw", "good/water.pdb", "--spin", "3", "-o", folder.path("spin.svg")});
+  EXPECT_EQ(spin.status, 1);
+  EXPECT_EQ(spin.err, "hardsphere: " + folder.path("spin-001.svg") + refusal);
+  EXPECT_EQ(folder.names(), names);
+}
+
+// The message names the file that cannot be written, even if the user did not.
+TEST(OutputFilesOfOneCommand, TheSecondFileOfAMeshIsNamed) {
+  const TemporaryFolder folder("second");
+  fs::create_directory(folder.path("out.face"));
+  EXPECT_EQ(run_program({"mesh", "good/water.pdb", "-o", folder.path("out.vert")}).err,
+            "hardsphere: " + folder.path("out.face") + ": Is a directory\n");
+}
+
+// Nothing is replaced if standard output fails, which comes first.
+TEST(OutputFilesOfOneCommand, StandardOutputComesFirst) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
+  const TemporaryFolder folder("full");
+  const std::string out = folder.write("out.svg", "old");
+  EXPECT_EQ(run_program({"draw", "good/water.pdb", "-o", out}, "/dev/full").status, 1);
+  EXPECT_EQ(read_file(out), "old");
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"out.svg"});
+}
+
 // The weights are an input too.
 TEST(OutputFilesOfOneCommand, NeverTheWeights) {
   const TemporaryFile weights("weights", "1\n2\n3\n");

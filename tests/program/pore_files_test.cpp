@@ -261,6 +261,58 @@ TEST(PoreFiles, PointsOfATurnedBoxLieAmongTheAtomsOfTheFile) {
   }
 }
 
+// And so do the tunnels and what a user gives: points of such a file can be given back.
+TEST(PoreFiles, TunnelsOfATurnedBoxLieAmongTheAtomsOfTheFile) {
+  const TemporaryFile turned("turned.xyz", "3\nLattice=\"0 9 0 0 0 10 8 0 0\"\nC 1 2 3\nC 5 1 7\nO 4 6 2\n"),
+      upright("upright.xyz", "3\nLattice=\"8 0 0 0 9 0 0 0 10\"\nC 1 2 3\nC 5 1 7\nO 4 6 2\n"), cif("tunnels.cif"),
+      points("points.cif"), expected("expected.cif");
+  const auto call = [&](const TemporaryFile &molecule, const Words &more) {
+    Words words = {"pores", molecule.path(), "--box", "file", "--tunnels", "1", "--tunnels-from", "2,4,6"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_json(words);
+  };
+  const Json json = call(turned, {"--tunnels-to", "6,4,5", "--points", points.path(), "--tunnels-out", cif.path()});
+  const Json other = call(upright, {"--tunnels-to", "6,4,5", "--points", expected.path()});
+  EXPECT_NEAR(json["from_radius"].number, other["from_radius"].number, 1e-9);
+  ASSERT_EQ(json["tunnel_list"].items.size(), 1u);
+  EXPECT_NEAR(json["tunnel_list"].items[0]["radius"].number, other["tunnel_list"].items.at(0)["radius"].number, 1e-9);
+  const std::vector<Point> there = points_of_cif(read_file(points.path()));
+  ASSERT_GT(there.size(), 3u);
+  const double start[3] = {2, 4, 6};
+  for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(there[0].xyz[axis], start[axis], 1e-4);
+  std::map<std::string, Rows> loops = loops_of(read_file(cif.path()));
+  Rows &rows = loops["sb_ncbr_channel_profile"];
+  ASSERT_EQ(rows.size(), there.size());
+  const char *const names[3] = {"x", "y", "z"};
+  for (size_t i = 0; i < rows.size(); ++i) {
+    for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(std::stod(rows[i][names[axis]]), there[i].xyz[axis], 1.1e-4) << i;
+  }
+  const double expected_atoms[3][3] = {{1, 2, 3}, {5, 1, 7}, {4, 6, 2}};
+  Rows &atoms = loops["atom_site"];
+  ASSERT_EQ(atoms.size(), 3u);
+  for (size_t i = 0; i < 3; ++i) {
+    for (size_t axis = 0; axis < 3; ++axis) {
+      EXPECT_NEAR(std::stod(atoms[i][std::string("Cartn_") + names[axis]]), expected_atoms[i][axis], 1e-4);
+    }
+  }
+}
+
+// A way up ends in ever smaller steps, of which a list shows none.
+TEST(PoreFiles, NoPointOfATunnelComesTwice) {
+  const TemporaryFile two("two.xyzr", "0 0 0 1\n3 0 0 1\n"), file("points.pdb");
+  for (const char *from : {"2,2,2", "maximum:0"}) {
+    const Json json = run_json(
+        {"pores", two.path(), "--box", "4,4,4", "--tunnels", "1", "--tunnels-from", from, "--points", file.path()});
+    const std::vector<Point> points = points_of_pdb(read_file(file.path()));
+    ASSERT_GT(points.size(), 2u);
+    for (size_t i = 1; i < points.size(); ++i) {
+      double square = 0;
+      for (int axis = 0; axis < 3; ++axis) square += std::pow(points[i].xyz[axis] - points[i - 1].xyz[axis], 2);
+      EXPECT_GT(square, 0) << from << " " << i;
+    }
+  }
+}
+
 TEST(PoreFiles, LeastLeavesOutPoints) {
   const TemporaryFile file("points.pdb");
   const Words words = {"pores", crambin(), "--probe", "1", "--least", "0.1"};

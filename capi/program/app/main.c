@@ -192,8 +192,8 @@ static bool run(int count, char **arguments, struct text_buffer *out, struct fai
 int main(int count, char **arguments) {
   struct failure failure = {0, NULL, 0, ""};
   struct text_buffer out = TEXT_BUFFER_EMPTY;
-  const bool done = run(count > 0 ? count - 1 : 0, arguments + 1, &out, &failure) && output_files_keep(&failure) &&
-                    text_buffer_print(&out, &failure);
+  const bool done = run(count > 0 ? count - 1 : 0, arguments + 1, &out, &failure) &&
+                    text_buffer_print(&out, &failure) && output_files_keep(&failure);
   text_buffer_free(&out);
   if (!done) failure_print(&failure);
   output_files_drop();

@@ -154,7 +154,7 @@ const struct option *option_at(size_t i) {
        .help = "list tunnels from a point to the outside, the widest first, with the radius along each.\n"
                "With --box to another copy of the point, which lies so many vectors away: for ever.\n"
                "maximum:N is one of those that are listed, atom:N the widest at the atom N of the file,\n"
-               "counted from 0"},
+               "counted from 0. X Y Z lie among the atoms as FILE has them, also if its box is turned"},
       {"--tunnels-to", "X Y Z|atom:N|maximum:N", take_place, OF(PORES), .target = IN(tunnels_to),
        .help = "instead to this point, or with --box to that copy of it which is best"},
       {"--cheapest", NULL, take_flag, OF(PORES), .target = IN(cheapest),
@@ -168,7 +168,7 @@ const struct option *option_at(size_t i) {
                "of a box that is turned where it was before, as in FILE"},
       {"--tunnels-out", "OUT.cif", take_path, OF(PORES), .target = IN(tunnels_out), .what = "a file",
        .help = "also the tunnels as mmcif_tunnels.dic, of ChannelsDB, has them: radius along the length,\n"
-               "layers and the residues that line them, with the atoms of the molecule"},
+               "layers and the residues that line them, with the atoms of the molecule, as in FILE"},
       {"--profile", "OUT.svg", take_path, OF(PORES), .target = IN(profile), .what = "a file",
        .help = "also a chart of the tunnels: the radius along the length, with a ring at the bottleneck"},
       {"--tree", "OUT.svg", take_path, OF(PORES), .target = IN(tree), .what = "a file",

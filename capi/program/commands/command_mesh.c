@@ -54,11 +54,9 @@ static void print(struct record *record, const void *of) {
 /* The triangles of MSMS have a file of their own. */
 static bool check_second_file(const struct request *request, struct failure *failure) {
   if (request->meshing.format != MESH_MSMS) return true;
-  char *faces = mesh_file_faces_name(request->meshing.out);
+  const char *const faces = mesh_file_faces_name(request->meshing.out);
   if (faces == NULL) return failure_of_memory(failure);
-  const bool over = request_reads(request, faces);
-  free(faces);
-  return !over || failure_in_usage(failure, "-o would write over the file that is read");
+  return !request_reads(request, faces) || failure_in_usage(failure, "-o would write over the file that is read");
 }
 
 #ifndef HSP_WITHOUT_SIGHT

@@ -81,10 +81,11 @@ static bool take_pockets(hsp_pores *pores, struct pores_found *found, struct fai
          take_lists(pores, *count, hsp_pores_get_pocket_maxima, &found->of_pockets, failure);
 }
 
-/* The point that an option names, a maximum, or the widest one at an atom. */
+/* The point that an option names in the frame of the file, a maximum, or the widest one at an atom. */
 static bool find_place(const struct molecule *molecule, const struct pores_found *found, const char *option,
                        const struct place *place, double point[3], struct failure *failure) {
   memcpy(point, place->point.xyz, sizeof place->point.xyz);
+  if (place->of_maximum == 0 && place->of_atom == 0) box_turn_in(&molecule->frame.box, point);
   if (place->of_maximum > found->counts.maxima) {
     return failure_in_input(failure, 0, "%s: there is no maximum %" PRIu64 " among %" PRIu32 ", from 0 on", option,
                             place->of_maximum - 1, found->counts.maxima);
@@ -108,11 +109,14 @@ static bool find_place(const struct molecule *molecule, const struct pores_found
 }
 
 /* Where it is; the radius of the largest probe there. */
-static bool find_room(const hsp_pores *pores, const char *option, const double point[3], double *room,
+static bool find_room(const hsp_pores *pores, bool boxed, const char *option, const double point[3], double *room,
                       struct failure *failure) {
   hsp_pore_place place;
   const int32_t status = hsp_pores_locate(pores, point, &place);
-  if (status == HSP_E_RANGE) return failure_in_input(failure, 0, "%s: %s", option, geometry_reason(status));
+  if (status == HSP_E_RANGE) {
+    return failure_in_input(failure, 0, "%s: the point lies beyond the lattice, 2^50 steps from 0%s", option,
+                            boxed ? ", or more than 2^17 boxes away" : "");
+  }
   if (status != HSP_OK) return failure_in_library(failure, status);
   *room = place.radius;
   return true;
@@ -150,15 +154,17 @@ static bool find_tunnels(struct geometry *geometry, const struct molecule *molec
   const struct request *const request = found->request;
   const hsp_pores *const pores = geometry->work.pores;
   const uint32_t most = request->tunnels > 0 ? request->tunnels : TUNNELS;
+  const bool boxed = request->box.source != BOX_NONE;
   double room = 0.0;
   if (!find_place(molecule, found, from, &request->tunnels_from, found->from, failure) ||
       !find_place(molecule, found, to, &request->tunnels_to, found->to, failure) ||
-      !find_room(pores, from, found->from, &found->room, failure) || !find_room(pores, to, found->to, &room, failure)) {
+      !find_room(pores, boxed, from, found->from, &found->room, failure) ||
+      !find_room(pores, boxed, to, found->to, &room, failure)) {
     return false;
   }
   struct tunnel_question question = {
       .narrowest = request->probe,
-      .in_box = request->box.source != BOX_NONE,
+      .in_box = boxed,
       .cheapest = request->cheapest,
       .from = found->from,
       .to = request->tunnels_to.point.given ? found->to : NULL,

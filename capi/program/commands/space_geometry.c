@@ -106,5 +106,8 @@ bool geometry_find_tunnel(struct geometry *geometry, const struct tunnel_questio
     status = hsp_workspace_grow_pores(work, &limits);
     if (status == HSP_OK) status = compute_pores(geometry, question->in_box, question->narrowest, NULL);
   }
+  if (status == HSP_E_RANGE && question->in_box) {
+    return failure_in_input(failure, 0, "the tunnel leads more than 2^17 boxes away");
+  }
   return status == HSP_OK || failure_in_library(failure, status);
 }

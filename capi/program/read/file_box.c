@@ -130,11 +130,14 @@ void box_turn_upright(struct box_record *box, double *xyz, size_t count) {
       a, 0.0, 0.0, shared, b, 0.0, along(v + 6, axis), along(v + 6, axis + 3), along(v + 6, axis + 6)};
   memcpy(box->vector, turned, sizeof turned);
   box->turned = true;
-  for (size_t i = 0; i < count; ++i) {
-    double *point = xyz + 3 * i;
-    const double moved[3] = {along(point, axis), along(point, axis + 3), along(point, axis + 6)};
-    memcpy(point, moved, sizeof moved);
-  }
+  for (size_t i = 0; i < count; ++i) box_turn_in(box, xyz + 3 * i);
+}
+
+void box_turn_in(const struct box_record *box, double point[3]) {
+  if (!box->turned) return;
+  const double *const axis = box->axis;
+  const double moved[3] = {along(point, axis), along(point, axis + 3), along(point, axis + 6)};
+  memcpy(point, moved, sizeof moved);
 }
 
 void box_turn_back(const struct box_record *box, double point[3]) {

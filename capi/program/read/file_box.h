@@ -42,6 +42,9 @@ bool box_is_upright(const struct box_record *box);
 /* Turn the box so that it is upright, and the points [count][3] with it. */
 void box_turn_upright(struct box_record *box, double *xyz, size_t count);
 
+/* Turn a point with the box, from the frame of the file; of a box that was not turned it stays where it is. */
+void box_turn_in(const struct box_record *box, double point[3]);
+
 /* Turn a point back into the frame of the file; of a box that was not turned it stays where it is. */
 void box_turn_back(const struct box_record *box, double point[3]);
 

@@ -260,10 +260,12 @@ static bool write_one(const struct triangle_mesh *mesh, write_function *write, c
   return failure_of_memory(failure);
 }
 
-char *mesh_file_faces_name(const char *path) {
+const char *mesh_file_faces_name(const char *path) {
   const size_t length = strlen(path);
   const size_t stem = length > 5 && strcmp(path + length - 5, ".vert") == 0 ? length - 5 : length;
-  char *faces = malloc(stem + 6);
+  static char *faces;
+  free(faces);
+  faces = malloc(stem + 6);
   if (faces == NULL) return NULL;
   memcpy(faces, path, stem);
   memcpy(faces + stem, ".face", 6);
@@ -271,17 +273,9 @@ char *mesh_file_faces_name(const char *path) {
 }
 
 static bool write_msms(const struct triangle_mesh *mesh, const char *path, uint64_t *bytes, struct failure *failure) {
-  char *faces = mesh_file_faces_name(path);
+  const char *const faces = mesh_file_faces_name(path);
   if (faces == NULL) return failure_of_memory(failure);
-  struct failure own = {0, NULL, 0, ""};
-  const bool done =
-      write_one(mesh, write_faces, faces, bytes, &own) && write_one(mesh, write_vertices, path, bytes, &own);
-  if (!done) {
-    *failure = own;
-    failure->file = own.file == faces ? path : own.file;
-  }
-  free(faces);
-  return done;
+  return write_one(mesh, write_faces, faces, bytes, failure) && write_one(mesh, write_vertices, path, bytes, failure);
 }
 
 bool mesh_file_write(const struct triangle_mesh *mesh, int format, const char *path, uint64_t *bytes,

@@ -42,8 +42,9 @@ void triangle_mesh_free(struct triangle_mesh *mesh);
 /* Append the triangles of another mesh of the same surface, with vertices of their own. */
 bool triangle_mesh_append(struct triangle_mesh *mesh, const struct triangle_mesh *more, struct failure *failure);
 
-/* Where MSMS has the triangles: name.face for name.vert. To be freed; NULL if memory is short. */
-char *mesh_file_faces_name(const char *path);
+/* Where MSMS has the triangles: name.face for name.vert. It stays until the next call, so that a
+ * failure can tell it; NULL: memory is short. */
+const char *mesh_file_faces_name(const char *path);
 
 /* Write it to the file `path` (output_file.h), of MSMS the triangles to the file beside it whose name ends with .face;
  * *bytes becomes how many were written. False, with the file named, if it cannot be written in full. */

@@ -12,13 +12,19 @@
 
 #include "write/same_file.h"
 
-/* Links that are followed one after the other, names that are tried for a new file, and new files of a run. */
-enum { MOST_LINKS = 40, MOST_NAMES = 100, MOST_FILES = 16 };
+/* Names that are tried for a new file. */
+enum { MOST_NAMES = 100 };
 
-/* The new files, which a signal must take away, and once they are finished those that they are to replace; NULL in
- * places that are not in use. */
-static char *volatile unkept[MOST_FILES];
-static char *target_of[MOST_FILES];
+/* A file that a signal must take away. */
+struct new_file {
+  char *temporary; /* its name until the end of the run */
+  char *target;    /* that of the file that it is to replace */
+  struct new_file *volatile next;
+};
+
+/* In the order in which they were begun, and whether a link led to one of them. */
+static struct new_file *volatile unkept;
+static bool any_link;
 
 static const int ending_signals[] = {SIGHUP, SIGINT, SIGQUIT, SIGTERM};
 enum { SIGNALS = sizeof ending_signals / sizeof ending_signals[0] };
@@ -27,9 +33,7 @@ static struct sigaction size_action_before;
 
 /* The signal strikes again, and ends the program, as soon as this returns: its action is the default by then. */
 static void take_away(int signal_number) {
-  for (size_t i = 0; i < MOST_FILES; ++i) {
-    if (unkept[i] != NULL) unlink(unkept[i]);
-  }
+  for (const struct new_file *at = unkept; at != NULL; at = at->next) unlink(at->temporary);
   raise(signal_number);
 }
 
@@ -61,79 +65,43 @@ static void release_signals(void) {
   sigaction(SIGXFSZ, &size_action_before, NULL);
 }
 
-/* The number of a new file, or of a place that is not in use for NULL; MOST_FILES if there is none. */
-static size_t place_of(const char *temporary) {
-  size_t at = 0;
-  while (at < MOST_FILES && unkept[at] != temporary) ++at;
+/* Where the list has it, or ends for NULL. */
+static struct new_file *volatile *place_of(const struct new_file *made) {
+  struct new_file *volatile *at = &unkept;
+  while (*at != made) at = &(*at)->next;
   return at;
 }
 
-static bool any_unkept(void) {
-  bool any = false;
-  for (size_t i = 0; i < MOST_FILES; ++i) any = any || unkept[i] != NULL;
-  return any;
+static void free_new_file(struct new_file *made) {
+  if (made == NULL) return;
+  free(made->temporary);
+  free(made->target);
+  free(made);
 }
 
 /* From now on a new file is none that a signal must take away. */
-static void forget(size_t at) {
-  char *const temporary = unkept[at];
-  unkept[at] = NULL;
-  free(temporary);
-  free(target_of[at]);
-  target_of[at] = NULL;
-  if (!any_unkept()) release_signals();
-}
-
-/* The part of a path up to its last slash, slash included, and a name behind it. NULL: memory is short. */
-static char *beside(const char *path, const char *name) {
-  const char *slash = strrchr(path, '/');
-  const size_t folder = name[0] == '/' || slash == NULL ? 0 : (size_t)(slash - path) + 1;
-  char *joined = malloc(folder + strlen(name) + 1);
-  if (joined == NULL) return NULL;
-  memcpy(joined, path, folder);
-  memcpy(joined + folder, name, strlen(name) + 1);
-  return joined;
-}
-
-/* The path that a link leads to, whether or not there is a file; a copy of any other path. NULL, with errno: links
- * that lead nowhere, or short memory. */
-static char *without_links(const char *path) {
-  char *at = beside("", path);
-  for (int links = 0; at != NULL; ++links) {
-    struct stat found;
-    char text[4096];
-    if (lstat(at, &found) != 0 || !S_ISLNK(found.st_mode)) return at;
-    const ssize_t length = readlink(at, text, sizeof text);
-    if (length < 0 || length == (ssize_t)sizeof text || links == MOST_LINKS) {
-      if (length >= 0) errno = ELOOP;
-      free(at);
-      return NULL;
-    }
-    text[length] = '\0';
-    char *next = beside(at, text);
-    free(at);
-    at = next;
-  }
-  return NULL;
+static void forget(struct new_file *made) {
+  *place_of(made) = made->next;
+  free_new_file(made);
+  if (unkept == NULL) release_signals();
 }
 
 /* Make a new file in the target's folder; its descriptor, or -1 with errno. `old` is NULL if there is none yet. */
-static int make_temporary(struct output_file *file, const struct stat *old) {
-  const size_t place = place_of(NULL);
-  errno = EMFILE;
-  for (int attempt = 0; place < MOST_FILES && attempt < MOST_NAMES; ++attempt) {
+static int make_temporary(struct new_file *made, const struct stat *old) {
+  static unsigned long names;
+  for (int attempt = 0; attempt < MOST_NAMES; ++attempt) {
     char name[64];
-    snprintf(name, sizeof name, ".hardsphere-%ld-%d", (long)getpid(), attempt);
-    free(file->temporary);
-    file->temporary = beside(file->target, name);
-    if (file->temporary == NULL) return -1;
+    snprintf(name, sizeof name, ".hardsphere-%ld-%lu", (long)getpid(), names++);
+    free(made->temporary);
+    made->temporary = path_beside(made->target, name);
+    if (made->temporary == NULL) return -1;
     sigset_t before;
     block_signals(&before);
-    const int descriptor = open(file->temporary, O_WRONLY | O_CREAT | O_EXCL, old == NULL ? 0666 : 0600);
+    const int descriptor = open(made->temporary, O_WRONLY | O_CREAT | O_EXCL, old == NULL ? 0666 : 0600);
     const int reason = errno;
     if (descriptor >= 0) {
-      if (!any_unkept()) catch_signals();
-      unkept[place] = file->temporary;
+      if (unkept == NULL) catch_signals();
+      *place_of(NULL) = made;
     }
     sigprocmask(SIG_SETMASK, &before, NULL);
     errno = reason;
@@ -158,16 +126,30 @@ static bool take_permissions(int descriptor, const struct stat *old) {
   return same;
 }
 
-static bool open_beside(struct output_file *file, const struct stat *old) {
-  if (old != NULL && access(file->target, W_OK) != 0) return false;
-  const int descriptor = make_temporary(file, old);
+/* Whether a file of this run waits for the same name: links may lead two names to one that is not there yet. */
+static bool is_taken(const char *target) {
+  const struct new_file *at = any_link ? unkept : NULL;
+  while (at != NULL && !outputs_are_one(at->target, target)) at = at->next;
+  return at != NULL;
+}
+
+/* The target becomes the file's. */
+static bool open_beside(struct output_file *file, char *target, const struct stat *old) {
+  struct new_file *const made = calloc(1, sizeof *made);
+  if (made == NULL) free(target);
+  if (made == NULL) return false;
+  made->target = target;
+  any_link = any_link || strcmp(target, file->path) != 0;
+  file->taken = is_taken(target);
+  const bool open_to_user = !file->taken && (old == NULL || access(target, W_OK) == 0);
+  const int descriptor = open_to_user ? make_temporary(made, old) : -1;
   if (descriptor < 0) {
     file->reason = errno;
-    file->no_room = file->reason == EACCES || file->reason == EPERM || file->reason == EROFS;
-    free(file->temporary);
-    file->temporary = NULL;
+    file->no_room = open_to_user && (errno == EACCES || errno == EPERM || errno == EROFS);
+    free_new_file(made);
     return false;
   }
+  file->made = made;
   if (old != NULL && !take_permissions(descriptor, old)) file->reason = errno;
   file->stream = fdopen(descriptor, "wb");
   if (file->stream != NULL) return true;
@@ -184,15 +166,13 @@ static bool open_path(struct output_file *file) {
     errno = EISDIR;
     return false;
   }
-  file->target = without_links(file->path);
-  if (file->target == NULL) return false;
+  char *const target = path_without_links(file->path);
+  if (target == NULL) return false;
   /* A link of /proc may show a name under which its file is not to be found. */
   struct stat there;
-  const bool replaceable =
-      !exists || (S_ISREG(old.st_mode) && lstat(file->target, &there) == 0 && same_file(&old, &there));
-  if (replaceable) return open_beside(file, exists ? &old : NULL);
-  free(file->target);
-  file->target = NULL;
+  const bool replaceable = !exists || (S_ISREG(old.st_mode) && lstat(target, &there) == 0 && same_file(&old, &there));
+  if (replaceable) return open_beside(file, target, exists ? &old : NULL);
+  free(target);
   file->stream = fopen(file->path, "wb");
   return file->stream != NULL;
 }
@@ -202,8 +182,10 @@ static bool give_up(struct output_file *file, struct failure *failure) {
   const int reason = file->reason != 0 ? file->reason : errno;
   const bool standard = file->stream == stdout;
   const char *what = standard ? "standard output: " : file->no_room ? "no new file can be made in its folder: " : "";
+  const bool taken = file->taken;
   failure->file = standard ? NULL : file->path;
   output_file_abandon(file);
+  if (taken) return failure_in_input(failure, 0, "another output of this run would write the same file");
   return failure_in_input(failure, 0, "%s%s", what, reason != 0 ? strerror(reason) : "cannot be written");
 }
 
@@ -240,37 +222,32 @@ bool output_file_finish(struct output_file *file, struct failure *failure) {
   if (file->stream == stdout) return true;
   FILE *stream = file->stream;
   file->stream = NULL;
-  if (fclose(stream) != 0) return give_up(file, failure);
-  if (file->temporary != NULL) target_of[place_of(file->temporary)] = file->target;
-  return true;
+  return fclose(stream) == 0 || give_up(file, failure);
 }
 
 void output_file_abandon(struct output_file *file) {
   if (file->stream != NULL && file->stream != stdout) fclose(file->stream);
-  if (file->temporary != NULL) {
-    unlink(file->temporary);
-    forget(place_of(file->temporary));
+  if (file->made != NULL) {
+    unlink(file->made->temporary);
+    forget(file->made);
   }
-  free(file->target);
   memset(file, 0, sizeof *file);
 }
 
 bool output_files_keep(struct failure *failure) {
-  for (size_t i = 0; i < MOST_FILES; ++i) {
-    if (target_of[i] == NULL) continue;
-    if (rename(unkept[i], target_of[i]) != 0) {
-      failure->file = target_of[i];
+  while (unkept != NULL) {
+    if (rename(unkept->temporary, unkept->target) != 0) {
+      failure->file = unkept->target;
       return failure_in_input(failure, 0, "%s", strerror(errno));
     }
-    forget(i);
+    forget(unkept);
   }
   return true;
 }
 
 void output_files_drop(void) {
-  for (size_t i = 0; i < MOST_FILES; ++i) {
-    if (target_of[i] == NULL) continue;
-    unlink(unkept[i]);
-    forget(i);
+  while (unkept != NULL) {
+    unlink(unkept->temporary);
+    forget(unkept);
   }
 }

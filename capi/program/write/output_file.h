@@ -1,5 +1,7 @@
-/* The one way in which files are written: beside the old files, which are replaced at the end of the run, whole and all
- * or none. Where there are no signals and owners of files, output_file_in_place.c writes in the files' places. */
+/* The one way in which files are written: beside the old files, which are replaced at the end of the run. Each is whole
+ * or as it was. A run that fails before its end replaces none; if at the end a file cannot be replaced, those that were
+ * begun before it are replaced already and stay so, and it and the others are as they were. Where there are no signals
+ * and owners of files, output_file_in_place.c writes in the files' places. */
 #ifndef HARDSPHERE_TOOL_OUTPUT_FILE_H
 #define HARDSPHERE_TOOL_OUTPUT_FILE_H
 
@@ -14,17 +16,18 @@
 struct output_file {
   const char *path; /* as the user wrote it */
   FILE *stream;
-  char *target;    /* the file that is replaced at the end; NULL where bytes go to their place at once */
-  char *temporary; /* what stands beside it until then */
-  int reason;      /* errno of the first thing that failed, 0 if nothing did */
-  bool no_room;    /* that was to make a new file in the folder */
+  struct new_file *made; /* what stands beside the old one; NULL where bytes go to their place at once */
+  int reason;            /* errno of the first thing that failed, 0 if nothing did */
+  bool no_room;          /* that was to make a new file in the folder */
+  bool taken;            /* another output of the run has this place */
 };
 
 /* Begin to write. The thing that path stands for decides where the bytes go:
  *   1. standard output: there;
  *   2. a device, a pipe or the like: there;
  *   3. a file, or no file yet: a new file in the same folder. A symbolic link is followed, so that it stays a link.
- * False, with the path named, if that cannot be; then there is nothing to finish. */
+ * False, with the path named, if that cannot be, or if a file of this run waits for the same place; then there is
+ * nothing to finish. */
 bool output_file_open(struct output_file *file, const char *path, struct failure *failure);
 
 /* False once anything could not be written; output_file_finish will say why. */
@@ -37,11 +40,12 @@ bool output_file_finish(struct output_file *file, struct failure *failure);
 /* Instead of the end: the new file is taken away. Signals that end the program do the same. */
 void output_file_abandon(struct output_file *file);
 
-/* The end of a run: files that are finished take the places of old ones, with their permissions. False, with the path
- * named, if one cannot; it and those that were finished after it are as they were then, once they are dropped. */
+/* The end of a run that did all else, standard output included: its files, which are all finished, take the places of
+ * old ones in the order in which they were begun, with their permissions. False, with the path named, if one cannot; it
+ * and those after it are as they were then, once they are dropped, and those before it are new. */
 bool output_files_keep(struct failure *failure);
 
-/* The end of a run that failed: new files that are finished are taken away, but those that were kept. The path that a
+/* The end of a run that failed: new files are taken away, but those that were kept. The path that a
  * failure names is gone, too. */
 void output_files_drop(void);
 

@@ -69,18 +69,30 @@ static const char *cell_text(const struct table *table, const struct column *col
   }
 }
 
+/* Powers of ten with fewer digits where the column has no room for all of them. */
+static const char *fit(const struct column *column, double value, const char *shown, char out[NUMBER_BYTES]) {
+  const int digits = column->width - (int)strlen("0.e-00") - (value < 0.0 ? 1 : 0);
+  if (strchr(shown, 'e') == NULL || strlen(shown) <= (size_t)column->width || digits < 1) return shown;
+  snprintf(out, NUMBER_BYTES, "%.*e", digits, value);
+  return out;
+}
+
 static void print_cell(const struct table *table, const struct column *column, union cell cell,
                        struct text_buffer *out) {
   char value[NUMBER_BYTES];
   if (!is_vector(column)) {
-    text_buffer_add(out, "  %*s", column->width, cell_text(table, column, cell, value));
+    const char *const text = cell_text(table, column, cell, value);
+    const bool quantity = column->kind == COLUMN_QUANTITY;
+    text_buffer_add(out, "  %*s", column->width, quantity ? fit(column, cell.quantity, text, value) : text);
     return;
   }
   for (int axis = 0; axis < 3; ++axis) {
-    text_buffer_add(out, "  %*s", column->width,
-                    cell.vector == NULL            ? "-"
-                    : column->kind == COLUMN_POINT ? coordinate_text(value, table->format, cell.vector[axis])
-                                                   : derivative_text(value, cell.vector[axis], column->decimals));
+    text_buffer_add(
+        out, "  %*s", column->width,
+        cell.vector == NULL ? "-"
+        : column->kind == COLUMN_POINT
+            ? fit(column, cell.vector[axis], coordinate_text(value, table->format, cell.vector[axis]), value)
+            : derivative_text(value, cell.vector[axis], column->decimals));
   }
 }
 

@@ -182,6 +182,33 @@ void TunnelFinder::reverse(uint64_t first) {
   }
 }
 
+// A way up comes to its maximum by ever smaller steps, and a maximum that is given as an end comes twice.
+void TunnelFinder::leave_out_near_points() {
+  const auto is_named = [](const TunnelPoint &point) { return point.gate != no_id || point.maximum != no_id; };
+  const uint32_t count = points_.size();
+  uint32_t kept = 0;
+  for (uint32_t k = 0; k < count; ++k) {
+    const TunnelPoint point = points_[k];
+    const bool named = is_named(point), last = k + 1 == count;
+    const auto is_within = [&](double distance) {
+      const Vec3 d = point.place - points_[kept - 1].place;
+      return dot(d, d) < distance * distance;
+    };
+    const double near = nearness * std::fabs(point.level);
+    while ((named || last) && kept > 1 && !is_named(points_[kept - 1]) && is_within(near)) --kept;
+    if (kept == 1 && named && !is_named(points_[0]) && is_within(rounding)) {
+      const Vec3 start = points_[0].place;
+      points_[0] = point;
+      points_[0].place = start;
+    } else if (kept > 0 && last && is_named(points_[kept - 1]) && is_within(rounding)) {
+      points_[kept - 1].place = point.place;
+    } else if (kept == 0 || named || last || !is_within(near)) {
+      points_[kept++] = point;
+    }
+  }
+  points_.set_count(kept);
+}
+
 // From a point, moved by a copy's translation, to near its maximum, or outside.
 Status TunnelFinder::add_way_up(const BallsAround &balls, const exact::Vector &start, const Vec3 &by,
                                 const BoxShift &copy) {
@@ -242,7 +269,8 @@ Status TunnelFinder::follow_route(PoresBuilder &pores, const BallsAround &balls,
     summary_.outside = summary_.outside || !at_maximum;
   }
   summary_.shift = copy - end.maximum_shift;
-  const exact::Vector *const last = ends.to == nullptr && pores.box() != nullptr ? &ends.from : ends.to;
+  const bool to_copy = ends.to == nullptr && pores.box() != nullptr && !balls.are_none();
+  const exact::Vector *const last = to_copy ? &ends.from : ends.to;
   if (status != Status::ok || last == nullptr) return status;
   const uint64_t first = points_.required();
   status = add_way_up(balls, *last, translation(pores, summary_.shift), summary_.shift);
@@ -278,6 +306,7 @@ Status TunnelFinder::find(PoresBuilder &pores, const BallsAround &balls, const T
     status = follow_route(pores, balls, ends);
     needed_ = clamped_count(points_.required());
     if (status == Status::ok && points_.overflowed()) status = Status::capacity;
+    if (status == Status::ok) leave_out_near_points();
   }
   if (status != Status::ok || !found.there) {
     const uint32_t needed = needed_;

@@ -50,6 +50,8 @@ struct TunnelSummary {
 class TunnelFinder {
  public:
   void carve(Workspace &workspace, uint32_t maxima, uint32_t gates, uint32_t points);
+  // Points of a way that are nearer to the one before than nearness of its level are left out, but for gates, maxima
+  // and ends; an end that is a maximum or gate, but for rounding, is that, in its own place.
   // Status::capacity: there is no room for so many points; needed_points() would have sufficed. Status::range: so many
   // boxes away that there are no places there.
   Status find(PoresBuilder &pores, const BallsAround &balls, const TunnelEnds &ends, TunnelSummary &summary);
@@ -66,6 +68,7 @@ class TunnelFinder {
   uint32_t needed_points() const { return needed_; }
 
  private:
+  static constexpr double nearness = 0x1p-8, rounding = 2.0;
   // Through a gate from one of its ends to the other one: twice its number, and which end it begins at.
   struct Step {
     uint32_t gate_and_end;
@@ -90,6 +93,7 @@ class TunnelFinder {
   Status add_way(PoresBuilder &pores, uint32_t gate, uint32_t end, const BoxShift &copy);
   Status follow_route(PoresBuilder &pores, const BallsAround &balls, const TunnelEnds &ends);
   void reverse(uint64_t first);
+  void leave_out_near_points();
   void add_point(const PoresBuilder &pores, const CriticalPoint &point, const BoxShift &copy, uint32_t gate,
                  uint32_t maximum);
 
