@@ -168,8 +168,8 @@ TEST(CrystalPores, EulerSums) {
   EXPECT_GT(tied, 10);
 }
 
-// In the second crystal a half of the diagonal takes each ball to an equal one, in the first one to another. In the third
-// one it takes the first ball to an equal one, the others to others.
+// A half of the diagonal takes each ball to an equal one in the second crystal, to another one in the first. In the
+// third it takes the first ball to an equal one, the others to others.
 TEST(CrystalPores, BallsOfMovedPointsTouchThem) {
   const BoxRows box{{{2 * unit, 0, 0}, {0, 2 * unit, 0}, {0, 0, 2 * unit}}};
   for (int kind = 0; kind < 3; ++kind) {
