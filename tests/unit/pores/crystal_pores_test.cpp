@@ -7,6 +7,7 @@
 #include "box_flood.hpp"
 #include "built_crystal_pores.hpp"
 #include "pore_sets.hpp"
+#include "pores/class_tree.hpp"
 #include "sweep_length.hpp"
 
 namespace {
@@ -167,11 +168,13 @@ TEST(CrystalPores, EulerSums) {
   EXPECT_GT(tied, 10);
 }
 
-// In the second crystal a half of the diagonal takes each ball to an equal one, in the first one to another.
+// A half of the diagonal takes each ball to an equal one in the second crystal, to another one in the first. In the
+// third it takes the first ball to an equal one, the others to others.
 TEST(CrystalPores, BallsOfMovedPointsTouchThem) {
   const BoxRows box{{{2 * unit, 0, 0}, {0, 2 * unit, 0}, {0, 0, 2 * unit}}};
-  for (const int64_t radius : {unit / 2, unit * 7 / 10}) {
-    const Balls balls{{0, 0, 0, unit * 7 / 10}, {unit, unit, unit, radius}};
+  for (int kind = 0; kind < 3; ++kind) {
+    Balls balls{{0, 0, 0, unit * 7 / 10}, {unit, unit, unit, kind == 0 ? unit / 2 : unit * 7 / 10}};
+    if (kind == 2) balls.insert(balls.end(), {{unit, 0, 0, unit * 3 / 10}, {0, unit, unit, unit / 5}});
     const BuiltCrystalPores pores(balls, box);
     ASSERT_EQ(pores.status(), hsp::Status::ok);
     const auto check = [&](const hsp::CriticalPoint &point) {
@@ -186,7 +189,31 @@ TEST(CrystalPores, BallsOfMovedPointsTouchThem) {
     };
     for (const auto &maximum : pores.maxima()) check(maximum.point);
     for (const auto &gate : pores.gates()) check(gate.point);
-    ASSERT_EQ(pores.maxima().size(), 12U);
+    if (kind < 2) {
+      ASSERT_EQ(pores.maxima().size(), 12U);
+    }
+  }
+}
+
+// Between maxima so few steps apart that no way up leaves the gate: the place is that of an end of it.
+TEST(CrystalPores, PlacesAtGates) {
+  const BoxRows box{{{80, 0, 0}, {0, 100, 0}, {0, 0, 60}}};
+  for (int corner = 0; corner < 4; ++corner) {
+    const int64_t x = corner % 2 * 40 + 10, z = corner / 2 * 15 + 5;
+    const Balls balls{{x, 10, z, 16}, {x, 10, z + 30, 16}};
+    const BuiltCrystalPores pores(balls, box, 0);
+    const BuiltPeriodic periodic(BuiltPores::listed(balls), {80, 0, 0, 0, 100, 0, 0, 0, 60});
+    ASSERT_EQ(pores.gates().size(), 6U);
+    for (const auto &gate : pores.gates()) {
+      const hsp::Vec3 &at = gate.point.place;
+      const hsp::exact::Vector point{std::llround(at.x), std::llround(at.y), std::llround(at.z)};
+      hsp::PorePlace place{};
+      ASSERT_EQ(locate(pores.builder(), hsp::BallsAround(periodic.get()), point, 0, place), hsp::Status::ok);
+      const auto is_end = [&](uint32_t side) {
+        return place.maximum == gate.end[side] && place.maximum_shift == gate.end_shift[side].shift();
+      };
+      ASSERT_TRUE(is_end(0) || is_end(1));
+    }
   }
 }
 
