@@ -315,8 +315,9 @@ TEST(Annotations, LegendsOfNumbersAndChains) {
   }
   EXPECT_EQ(names, (std::vector<std::string>{"positive", "negative", "polar", "aromatic", "aliphatic", "glycine"}));
   const std::vector<Text> muted = texts_of(drawn(crambin(), {"--legend", "--highlight", "residue:CYS"}));
-  ASSERT_EQ(muted.size(), 4u);
-  EXPECT_EQ(muted.front().text, "S");
+  ASSERT_EQ(muted.size(), 5u);
+  EXPECT_EQ(muted[0].text, "others");
+  EXPECT_EQ(muted[1].text, "S");
   const std::vector<Text> bands = texts_of(drawn(crambin(), {"--legend", "--colour", "plddt"}));
   ASSERT_EQ(bands.size(), 5u);
   EXPECT_EQ(bands[3].text, "&gt; 90");

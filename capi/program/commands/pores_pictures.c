@@ -61,9 +61,10 @@ static void add_step(struct text_buffer *out, const struct profile *profile, con
                   chart_y(&profile->frame, &profile->up, at->point.radius));
 }
 
-/* Where a tunnel goes the way of earlier ones, it is wider, and so seen on both sides of their lines. */
-static void add_shared(struct text_buffer *out, const struct profile *profile, uint32_t tunnel) {
+/* Where a tunnel goes the way of earlier ones, it is wider, and so seen on both sides of theirs. False: nowhere. */
+static bool add_shared(struct text_buffer *out, const struct profile *profile, uint32_t tunnel) {
   int before = 0;
+  bool any = false;
   for (size_t i = 1; i <= profile->found->step_count; ++i) {
     const struct tunnel_step *const step = &profile->found->steps[i - 1];
     const bool here = i < profile->found->step_count && step->tunnel == tunnel + 1 && (step + 1)->tunnel == tunnel + 1;
@@ -71,12 +72,14 @@ static void add_shared(struct text_buffer *out, const struct profile *profile, u
     if (before > 0 && shared != before) text_buffer_add_text(out, "\"/>\n");
     if (shared > 0 && shared != before) {
       path_begin(out, chart_colour(tunnel), TUNNEL_LINE + SHARED_LINE * shared);
-      text_buffer_add_text(out, " d=\"");
+      text_buffer_add_text(out, " stroke-linecap=\"round\" d=\"");
       add_step(out, profile, "M", i - 1);
     }
     if (shared > 0) add_step(out, profile, "L", i);
+    any = any || shared > 0;
     before = shared;
   }
+  return any;
 }
 
 static void add_line(struct text_buffer *out, const struct profile *profile, uint32_t tunnel) {
@@ -112,7 +115,8 @@ static void add_tightest(struct text_buffer *out, const struct profile *profile,
 }
 
 /* A row for each tunnel, and for what else is drawn. */
-static void add_profile_legend(struct text_buffer *out, const struct profile *profile, const char *sign, bool dashes) {
+static void add_profile_legend(struct text_buffer *out, const struct profile *profile, const char *sign, bool dashes,
+                               bool shared) {
   const struct pores_found *const found = profile->found;
   const char *const blank = sign[0] == '\0' ? "" : " ";
   double y = profile->frame.top + profile->frame.height + BELOW - 6;
@@ -127,9 +131,16 @@ static void add_profile_legend(struct text_buffer *out, const struct profile *pr
   if (found->tunnel_count == 0) return;
   add_ring(out, LEFT + 12, y - 4.0, "#333333");
   chart_text(out, LEFT + 32, y, "start", "bottleneck");
+  double x = LEFT + 160;
+  if (shared) {
+    path_begin(out, "#333333", TUNNEL_LINE + SHARED_LINE);
+    text_buffer_add(out, " d=\"M%.0f %.1fh24\"/>\n", x, y - 4.0);
+    chart_text(out, x + 32, y, "start", "wider: the same way as another");
+    x += 240;
+  }
   if (!dashes) return;
-  add_dashed(out, LEFT + 160, y - 4.0, LEFT + 184, y - 4.0);
-  chart_text(out, LEFT + 192, y, "start", "the narrowest probe of interest");
+  add_dashed(out, x, y - 4.0, x + 24, y - 4.0);
+  chart_text(out, x + 32, y, "start", "the narrowest probe of interest");
 }
 
 bool pores_write_profile(const struct pores_found *found, const struct molecule *molecule, const char *path,
@@ -149,16 +160,17 @@ bool pores_write_profile(const struct pores_found *found, const struct molecule 
   const bool dashes = probe > 0.0 && probe < profile.up.high;
   chart_begin(&out, LEFT + WIDTH + RIGHT, TOP + PROFILE_HEIGHT + BELOW + LEGEND_ROW * (int)rows, "Tunnels");
   chart_axes(&out, &profile.frame, &profile.across, &profile.up);
-  chart_name_across(&out, &profile.frame, "way from the start", molecule->format->sign);
+  chart_name_across(&out, &profile.frame, "length along the tunnel", molecule->format->sign);
   chart_name_up(&out, &profile.frame, "radius of the largest probe", molecule->format->sign);
   if (dashes) {
     const double y = chart_y(&profile.frame, &profile.up, probe);
     add_dashed(&out, LEFT, y, LEFT + WIDTH, y);
   }
-  for (uint32_t t = found->tunnel_count; t-- > 0;) add_shared(&out, &profile, t);
+  bool shared = false;
+  for (uint32_t t = found->tunnel_count; t-- > 0;) shared = add_shared(&out, &profile, t) || shared;
   for (uint32_t t = found->tunnel_count; t-- > 0;) add_line(&out, &profile, t);
   for (uint32_t t = found->tunnel_count; t-- > 0;) add_tightest(&out, &profile, t);
-  add_profile_legend(&out, &profile, molecule->format->sign, dashes);
+  add_profile_legend(&out, &profile, molecule->format->sign, dashes, shared);
   text_buffer_add_text(&out, "</svg>\n");
   const bool done = output_file_write_text(path, &out, failure);
   text_buffer_free(&out);
@@ -334,7 +346,7 @@ static void add_tree_legend(struct text_buffer *out, const struct pores_found *f
   }
   if (rank > 0) y += LEGEND_ROW;
   if (tree->rows == 0 || page->row < NAMED_ROW) return;
-  if (rank > 0) add_swatch(out, 0, y, others_colour, "none of them");
+  if (rank > 0) add_swatch(out, 0, y, others_colour, "no pocket");
   double x = LEFT + (rank > 0 ? 2 * (WIDTH / OTHERS) : 0);
   chart_text(out, x, y, "start", "0, 1, ..: numbers of maxima");
   x += 2 * (WIDTH / OTHERS);

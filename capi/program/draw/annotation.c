@@ -140,6 +140,19 @@ static void find_entries(const struct annotation *annotation, struct legend *leg
   }
 }
 
+/* Behind all entries, that of muted atoms, with the colour of a carbon if there is one among them. */
+static void add_others(const struct annotation *annotation, struct legend *legend) {
+  struct entry others = {NULL, 0, true, 0};
+  for (uint32_t atom = 0; atom < annotation->molecule->atoms; ++atom) {
+    const bool carbon = strcmp(annotation->molecule->label[atom].element.text, "C") == 0;
+    if ((others.text != NULL && !carbon) || selection_takes(annotation->selected, annotation->molecule, atom)) continue;
+    if (annotation->room != NULL && label_is_hidden(annotation, annotation->room[atom])) continue;
+    others = (struct entry){"others", annotation->colour[atom], true, 0};
+    if (carbon) break;
+  }
+  if (others.text != NULL && legend->entries < MOST_ENTRIES) legend->entry[legend->entries++] = others;
+}
+
 static double entry_width(const struct entry *entry, double size) {
   return 1.55 * size + text_width(entry->text, size);
 }
@@ -151,6 +164,7 @@ static void write_entries(const struct writer *writer, double y) {
   static const char more[] = "..";
   struct legend legend;
   find_entries(writer->annotation, &legend);
+  add_others(writer->annotation, &legend);
   const char *const quantity = legend.quantity;
   const double room = (writer->annotation->drawing->scale_bar ? 0.66 : 1.0) * writer->width - writer->size;
   double wide = quantity == NULL ? 0.0 : text_width(quantity, writer->size) + 0.6 * writer->size;
@@ -173,9 +187,7 @@ static void write_entries(const struct writer *writer, double y) {
     write_text(writer, legend.entry[i].text, x, y, size, 0.0);
     x -= air + 1.15 * size;
     const double corner[2] = {x, y - 0.45 * size};
-    const double behind[2] = {corner[0] - 0.06 * size, corner[1] - 0.06 * size};
-    pen_rectangle(&writer->pen, behind, 1.02 * size, 1.02 * size, writer->colour);
-    pen_rectangle(&writer->pen, corner, 0.9 * size, 0.9 * size, legend.entry[i].colour);
+    pen_swatch(&writer->pen, corner, size, legend.entry[i].colour, writer->colour);
   }
   if (quantity != NULL) write_text(writer, quantity, x - 0.6 * size, y, size, 1.0);
 }

@@ -15,9 +15,9 @@
 enum { LEFT = 72, TOP = 40, SIDE = 640, RIGHT = 40, BOTTOM = 106, SHADES = 6, SHADE_WIDTH = 56, MOST_TICKS = 16 };
 enum { LABEL_BYTES = 64 };
 
-/* Even steps of lightness, away from the page: before a light one and before a dark one. */
-static const char *const shades[2][SHADES] = {{"#d6dfeb", "#b0c2d9", "#8aa5c6", "#6488b2", "#3e6b9d", "#174e87"},
-                                              {"#23344e", "#31507a", "#446fa3", "#6290c6", "#8ab3e2", "#bcd9f8"}};
+/* Even steps of lightness, away from the page, from a contrast of 1.65 on: before a light one and before a dark one. */
+static const char *const shades[2][SHADES] = {{"#bbcbde", "#9ab1ce", "#7898bd", "#587fab", "#386699", "#174e87"},
+                                              {"#283e5d", "#375a88", "#4d79ad", "#6b98cd", "#91b8e5", "#bcd9f8"}};
 
 /* How wide a row is: whole pixels, so that no edge of a square lies between two, unless there are more rows than
  * pixels. */

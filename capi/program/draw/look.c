@@ -32,7 +32,7 @@ struct look {
 static const struct look looks[] = {
     {-1, -1, -1, -1, -1, -1.0, -1.0, -1.0, -1.0, true, false, false, 2.0, -1.0, -1.0},
     {(int)HSP_STYLE_FLAT, -1, -1, -1, -1, -1.0, 0.0, 0.4, -1.0, true, true, true, 2.0, -1.0, -1.0},
-    {-1, DARK_PAGE, DARK_PAGE, DARK_PAGE_TEXT, DARK_PAGE, 0.0, 1.0, 0.15, 0.1, true, true, false, 1.5, 1600.0, 900.0},
+    {-1, DARK_PAGE, DARK_PAGE, DARK_PAGE_TEXT, DARK_PAGE, 0.0, 1.0, 0.15, 0.1, true, true, false, 1.0, 1600.0, 900.0},
     {(int)HSP_STYLE_FLAT, -1, 0x000000, -1, 0x000000, -1.0, -1.0, 0.0, 0.0, false, true, false, 2.0, -1.0, -1.0},
 };
 

@@ -123,7 +123,7 @@ static void add_section_line(const struct mesh_picture *picture, struct text_buf
 static void add_entry(const struct mesh_picture *picture, const struct pen *pen, double *x, double y, uint32_t colour,
                       const char *text) {
   const double corner[2] = {*x, y - PAGE_LETTER * 0.45};
-  pen_rectangle(pen, corner, 0.9 * PAGE_LETTER, 0.9 * PAGE_LETTER, colour);
+  pen_swatch(pen, corner, PAGE_LETTER, colour, mesh_text_colour(picture));
   const struct pen_text written = {text, *x + 1.3 * PAGE_LETTER,    y + 0.36 * PAGE_LETTER,   PAGE_LETTER,
                                    0.0,  mesh_text_colour(picture), mesh_page_colour(picture)};
   pen_write(pen, &written);

@@ -69,6 +69,12 @@ void pen_rectangle(const struct pen *pen, const double corner[2], double width, 
                   postscript ? "rectfill" : "re f");
 }
 
+void pen_swatch(const struct pen *pen, const double corner[2], double letter, uint32_t colour, uint32_t frame) {
+  const double behind[2] = {corner[0] - 0.06 * letter, corner[1] - 0.06 * letter};
+  pen_rectangle(pen, behind, 1.02 * letter, 1.02 * letter, frame);
+  pen_rectangle(pen, corner, 0.9 * letter, 0.9 * letter, colour);
+}
+
 /* NULL for all others. */
 static const struct letter *find_letter(const char *c) {
   for (int k = 0; k < LETTERS; ++k) {

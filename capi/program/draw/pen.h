@@ -22,6 +22,10 @@ void pen_line(const struct pen *pen, const double from[2], const double to[2], d
 
 void pen_rectangle(const struct pen *pen, const double corner[2], double width, double height, uint32_t colour);
 
+/* The square of an entry in a legend whose letters have that size, in a frame, so that it is seen on a page of its own
+ * colour, too. */
+void pen_swatch(const struct pen *pen, const double corner[2], double letter, uint32_t colour, uint32_t frame);
+
 /* A text on a line at (x, y), which begins there with anchor 0, has its middle there with .5 and ends there with 1.
  * Around its letters lies a seam, so that it is read over anything, unless it has their colour. Of ASCII, and of an
  * angstrom's sign and a raised 2 (in UTF-8), it shows all characters, of others none. In PDF the font is Helvetica,
