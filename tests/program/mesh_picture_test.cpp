@@ -355,6 +355,12 @@ TEST(MeshPicture, PocketsHaveColours) {
       }
     }
   }
+  // A probe that passes no window rolls over concave patches, too: no part of the room's wall is without a colour.
+  const std::string closed = drawn_text(room.path(), {"--probe", "0.13", "--surface", "ses", "--edge", "0.1",
+                                                      "--pockets", "0.2", "--view", "1,2,3", "--cut"});
+  double wall = 0;
+  for (const Part &part : parts_of(closed)) wall += is_blue(part) ? std::abs(part.area()) : 0;
+  EXPECT_GT(wall, 0.8 * std::pow(1000 / 3.3, 2));
   EXPECT_EQ(run_program({"mesh", room.path(), "-o", "x.svg", "--probe", "0.1", "--pockets", "0.05"}).err,
             "hardsphere: --pockets: W must not be less than --probe\n");
   EXPECT_EQ(run_program({"mesh", room.path(), "-o", "x.ply", "--probe", "0.1", "--pockets", "0.5"}).err,
