@@ -4612,7 +4612,7 @@ contains
     integer(c_int32_t), intent(in) :: balls, cubes, entries, cells, adjacencies, landmarks, facets, corners, &
       cube_balls, cube_corners
     integer(c_size_t) :: bytes
-    bytes = 106496_c_size_t + 1344_c_size_t*int(balls, c_size_t) + 128_c_size_t*int(cubes, c_size_t) &
+    bytes = 110592_c_size_t + 1344_c_size_t*int(balls, c_size_t) + 128_c_size_t*int(cubes, c_size_t) &
       + 8_c_size_t*int(entries, c_size_t) + 28_c_size_t*int(cells, c_size_t) + 16_c_size_t*int(adjacencies, c_size_t) &
       + 12_c_size_t*int(landmarks, c_size_t) + 72_c_size_t*int(facets, c_size_t) + 48_c_size_t*int(corners, c_size_t) &
       + 1536_c_size_t*int(cube_balls, c_size_t) + 64_c_size_t*int(cube_corners, c_size_t)

@@ -96,7 +96,8 @@ HSP_API int32_t hsp_pores_options_init(hsp_pores_options *options, uint32_t stru
  *  the tunnel.
  *  - Property 1: the order of the balls has no effect but on their numbers, unless balls are equal.
  *
- *  Cost: O(n) for sets as in Theorem 2.1, and O(m log m) for m maxima and gates.
+ *  Cost: O(n) for sets as in Theorem 2.1, and O(m log m) for m maxima and gates. Where more than 64 balls tie at one
+ *  point, or nearly, all sets of four of them are tried.
  *  @retval HSP_E_ARGUMENT    pores or model is NULL
  *  @retval HSP_E_VERSION     bad struct_size of options or limits, or options->reserved is not 0
  *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
@@ -462,7 +463,7 @@ typedef struct hsp_tunnel {
  *  Cost: O((maxima + gates) log maxima + gates count), and that of hsp_pores_locate.
  *  @retval HSP_E_ARGUMENT    pores, from or tunnel is NULL; avoided is NULL with a count above 0
  *  @retval HSP_E_VERSION     bad struct_size of limits
- *  @retval HSP_E_CAPACITY    limits.points is too small; the pores keep their results
+ *  @retval HSP_E_CAPACITY    limits.points or limits.neighbours is too small; the pores keep their results
  *  @retval HSP_E_STATE       nothing computed, or the model has changed since
  *  @retval HSP_E_ID          an avoided gate is not there
  *  @retval HSP_E_NOT_FINITE  a point holds a NaN or an infinity
@@ -488,7 +489,7 @@ HSP_API int32_t hsp_pores_find_tunnel(hsp_pores *pores, const double *from, cons
  *  @param[out] limits    or NULL: as of hsp_pores_find_tunnel
  *  @retval HSP_E_ARGUMENT    pores, from or tunnel is NULL; avoided is NULL with a count above 0
  *  @retval HSP_E_VERSION     bad struct_size of limits
- *  @retval HSP_E_CAPACITY    limits.points is too small; the pores keep their results
+ *  @retval HSP_E_CAPACITY    limits.points or limits.neighbours is too small; the pores keep their results
  *  @retval HSP_E_STATE       nothing computed, or the model has changed since
  *  @retval HSP_E_ID          an avoided gate is not there
  *  @retval HSP_E_NOT_FINITE  a point holds a NaN or an infinity

@@ -40,14 +40,10 @@ bool contains(const Vector &centre, int64_t half, const Vector &other, int64_t o
   return within(centre.x, other.x) && within(centre.y, other.y) && within(centre.z, other.z);
 }
 
-double longest_side(const Vec3 &v) {
-  const double x = std::fabs(v.x), y = std::fabs(v.y), z = std::fabs(v.z);
-  return x > y ? (x > z ? x : z) : y > z ? y : z;
-}
 // +1 and -1 if it is certain whether a point is in a cube, its sides included.
 int may_be_in(const TangentPoint &point, const CriticalPoints::Block &block) {
   const Vec3 off = point.place_estimate() - to_double(block.centre);
-  const double most = longest_side(off), side = static_cast<double>(block.half), doubt = point.place_error();
+  const double most = longest_part(off), side = static_cast<double>(block.half), doubt = point.place_error();
   return most > side + doubt ? -1 : most < side - doubt ? 1 : 0;
 }
 bool is_in(const TangentPoint &point, const CriticalPoints::Block &block) {

@@ -28,6 +28,11 @@
 
 namespace hsp {
 
+inline double longest_part(const Vec3 &v) {
+  const double x = std::fabs(v.x), y = std::fabs(v.y), z = std::fabs(v.z);
+  return x > y ? (x > z ? x : z) : y > z ? y : z;
+}
+
 // Where three balls are equally near; or two, in the plane of three.
 struct TangentCurve {
   uint32_t base = no_id, second = no_id, third = no_id;

@@ -28,11 +28,6 @@ PointKind kind_in_plane(const TangentPoint &point, Span<const uint32_t> tied, co
   return apart ? PointKind::gate : PointKind::passing;
 }
 
-double longest_part(const Vec3 &v) {
-  const double x = std::fabs(v.x), y = std::fabs(v.y), z = std::fabs(v.z);
-  return x > y ? (x > z ? x : z) : y > z ? y : z;
-}
-
 // On which side of planes a point is, in doubles. Normals are products of differences, which are exact: of three of
 // them that are at most 1 along each axis a component is below 8 and wrong by less than 2^-48.
 class PlainSides {

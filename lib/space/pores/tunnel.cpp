@@ -1,5 +1,7 @@
 #include "pores/tunnel.hpp"
 
+#include <initializer_list>
+
 #include "core/sorting.hpp"
 
 namespace hsp {
