@@ -144,7 +144,7 @@ typedef struct hsp_gate_limits {
   uint32_t cube_corners; /**< as hsp_cells_limits.cube_corners */
 } hsp_gate_limits;
 
-/** Limits that suffice for most molecules of `balls` atoms, about 6.7 kB for each: those of hsp_cells_limits_init.
+/** Limits that suffice for most molecules of `balls` atoms, about 7.1 kB for each: those of hsp_cells_limits_init.
  *  @retval HSP_E_ARGUMENT  limits is NULL
  *  @retval HSP_E_VERSION   struct_size is bad
  *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 2048) / 80 balls; set the limits by hand then */
