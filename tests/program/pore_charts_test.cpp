@@ -118,7 +118,7 @@ TEST(PoreCharts, ProfileOfEachTunnel) {
       const auto same = [&](const std::vector<double> &line) {
         for (size_t k = 0; k + 3 < line.size(); k += 2) {
           bool all = true;
-          for (size_t i = 0; i < 4; ++i) all = all && line[k + i] == std::stod((*s)[static_cast<long>(i) + 2]);
+          for (size_t i = 0; i < 4; ++i) all = all && line[k + i] == std::stod((*s)[i + 2]);
           if (all) return true;
         }
         return false;
@@ -303,7 +303,8 @@ TEST(PoreCharts, TicksHaveTheSameDecimals) {
   const std::string svg = written("--profile", {crambin(), "--tunnels-from", "9.6,12.8,5.7"}).svg;
   static const std::regex label("text-anchor=\"end\">[0-9]+(\\.[0-9]+)?</text>");
   std::set<size_t> lengths;
-  for (std::sregex_iterator l(svg.begin(), svg.end(), label), end; l != end; ++l) lengths.insert((*l)[1].length());
+  for (std::sregex_iterator l(svg.begin(), svg.end(), label), end; l != end; ++l)
+    lengths.insert(static_cast<size_t>((*l)[1].length()));
   EXPECT_EQ(lengths, std::set<size_t>{2});
 }
 
