@@ -307,27 +307,31 @@ uint32_t CriticalPoints::enter(const Cube &cube, const Cube &whole, uint32_t par
     }
   }
   if (unsure_) return last + count;
-  // More than directions_ has room for become fewer, as a rule.
-  if (count > CubeDirections::room && 9 * count < 8 * most) return last + count;
-  return last + leave_in({cube.centre, static_cast<double>(cube.half + 3)}, last, count);
+  if (count < 3) return last;
+  const Vec3 at{x, y, z};
+  const double reach_along = static_cast<double>(cube.half + 3);
+  if (count <= CubeDirections::room)
+    return last + leave_few(at, reach_along, last, count, count == most && count > few);
+  // More become fewer, as a rule.
+  return last + (9 * count < 8 * most ? count : leave_many(at, reach_along, last, count));
 }
 
-// Of candidates of a cube leaves those that may be nearest in it at a critical point, and returns how many.
-uint32_t CriticalPoints::leave_in(const Block &block, uint32_t first, uint32_t count) {
-  if (count < 3) return 0;
-  const Span<const uint32_t> near = candidates_.part(first, first + count);
-  const Vec3 at = to_double(block.centre) + block.off;
-  if (count <= CubeDirections::room) {
-    CubeDirections &directions = directions_[0];
-    directions.set(target_, near_arrays(near), at, block.half);
-    const uint32_t left = drop_farther(first, count);
-    return left < 3 || directions.lead_up(left) ? 0 : left;
-  }
+// Of candidates of a cube leaves those that may be nearest in it at a critical point, and returns how many. No more
+// than directions_ has room for.
+[[gnu::always_inline]] inline uint32_t CriticalPoints::leave_few(const Vec3 &at, double half, uint32_t first,
+                                                                 uint32_t count, bool thoroughly) {
+  CubeDirections &directions = directions_[0];
+  directions.set(target_, near_arrays(candidates_.part(first, first + count)), at, half);
+  const uint32_t left = drop_farther(first, count);
+  if (left < 3 || directions.lead_up(left)) return 0;
+  return thoroughly && directions.lead_up_at_all(left) ? 0 : left;
+}
+uint32_t CriticalPoints::leave_many(const Vec3 &at, double half, uint32_t first, uint32_t count) {
   if (count > limits_.near || count > most_led_up) return count;
-  see_directions(near, at);
+  see_directions(candidates_.part(first, first + count), at);
   const auto a = [&](uint32_t k) { return hull_[k]; };
   const auto inverse = [&](uint32_t k) { return inverse_[k]; };
-  return lead_up(count, block.half, a, inverse) ? 0 : count;
+  return lead_up_at_all(count, half, a, inverse) ? 0 : count;
 }
 
 // From the centres of balls to a place.
@@ -514,7 +518,9 @@ uint32_t CriticalPoints::enter(const FineCube &cube, const FineCube &whole, cons
   for (uint32_t k = 0; k < most; ++k) {
     if (inverse_[k] <= least + 2.0 * reach) candidates_[last + count++] = candidates_[whole.first + k];
   }
-  return last + leave_in(block, last, count);
+  if (count < 3) return last;
+  return last + (count <= CubeDirections::room ? leave_few(at, block.half, last, count, true)
+                                               : leave_many(at, block.half, last, count));
 }
 
 // Whether all candidates of a leaf tie at one point that is near. Then that is its one critical point, but for sets

@@ -96,7 +96,8 @@ class CriticalPoints {
   bool is_settled(const Cube &cube) const;
   void settle_ties(Cube &cube);
   uint32_t drop_farther(uint32_t first, uint32_t count);
-  uint32_t leave_in(const Block &block, uint32_t first, uint32_t count);
+  uint32_t leave_few(const Vec3 &at, double half, uint32_t first, uint32_t count, bool thoroughly);
+  uint32_t leave_many(const Vec3 &at, double half, uint32_t first, uint32_t count);
   void see_directions(Span<const uint32_t> near, const Vec3 &at);
   uint32_t enter(const FineCube &cube, const FineCube &whole, const Block &block);
   void try_leaf(Span<const uint32_t> near, const Block &block, const Block &other, PointKind alone, uint32_t last);

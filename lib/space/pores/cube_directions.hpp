@@ -3,53 +3,34 @@
 
 #include <cmath>
 
+#include "core/extremes.hpp"
 #include "exact/lattice.hpp"
 #include "pores/ascent.hpp"
 #include "pores/cube_halves.hpp"
 
 namespace hsp {
 
-// Whether one direction leads up from all of some balls in all of a cube: some steps towards the point of the hull of
-// the a that is nearest to 0, then that point itself, of up to four of them (Gilbert, Johnson, Keerthi 1988). a,
-// inverse: of each ball as the middle of the cube sees it.
+// Whether one direction leads up from all of some balls in all of a cube, thoroughly: that of the point of the hull of
+// the a that is nearest to 0, of up to four of them (Gilbert, Johnson, Keerthi 1988). a, inverse: of each ball as the
+// middle of the cube sees it.
 template <class Direction, class Inverse>
-bool lead_up(uint32_t count, double side, const Direction &a, const Inverse &inverse) {
-  constexpr int steps = 6, most_turns = 16;
-  const auto size = [](const Vec3 &v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); };
-  Vec3 d{0.0, 0.0, 0.0};
-  double least = 0.0;  // of the length of d if there is such a direction
-  for (uint32_t k = 0; k < count; ++k) {
-    d = d + a(k);
-    least += inverse(k);
-  }
-  d = (1.0 / count) * d;
-  least *= side / count;
-  Vec3 simplex[4];
-  uint32_t corners = 0;
-  for (int turn = 0; turn < most_turns; ++turn) {
-    const double squared = dot(d, d);
-    if (!(squared > 1e-12) || (turn < steps && squared <= least * least)) return false;
-    const double across = side * size(d);
-    double worst = 2.0;
+bool lead_up_at_all(uint32_t count, double side, const Direction &a, const Inverse &inverse) {
+  Vec3 simplex[4] = {a(0)}, d = simplex[0];
+  uint32_t corners = 1;
+  for (int turn = 0; turn < 16; ++turn) {
+    const double squared = dot(d, d), across = side * (std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z));
+    double least = 2.0, worst = 2.0;
     uint32_t which = 0;
     for (uint32_t k = 0; k < count; ++k) {
-      const double lead = dot(a(k), d) - across * inverse(k);
-      if (lead < worst) {
-        worst = lead;
+      const double along = dot(a(k), d);
+      worst = smaller_of(worst, along - across * inverse(k));
+      if (along < least) {
+        least = along;
         which = k;
       }
     }
     if (worst > slack_of_seen) return true;
-    if (turn < steps) {
-      const Vec3 v = a(which) - d;
-      const double along = -dot(d, v) / dot(v, v);
-      if (!(along > 0.0)) return false;
-      const double part = along < 1.0 ? along : 1.0;
-      d = d + part * v;
-      least += part * (side * inverse(which) - least);
-      continue;
-    }
-    if (corners == 4 || (corners > 0 && dot(a(which), d) > squared - 1e-9)) return false;
+    if (!(squared > 1e-12) || corners == 4 || least > squared - 1e-9) return false;
     simplex[corners++] = a(which);
     d = nearest_to_zero(simplex, corners);
   }
@@ -90,10 +71,47 @@ class CubeDirections {
   }
   double inverse(uint32_t ball) const { return seen.inverse[place_[ball]]; }
 
+  // Whether one direction leads up from all balls in all of the cube: some steps towards the point of the hull of the
+  // a that is nearest to 0.
   bool lead_up(uint32_t count) const {
+    Vec3 d{0.0, 0.0, 0.0};
+    double least = 0.0;  // of the length of d if there is such a direction
+    for (uint32_t k = 0; k < count; ++k) {
+      d = d + a(k);
+      least += inverse(k);
+    }
+    d = (1.0 / count) * d;
+    least *= seen.side / count;
+    for (int turn = 0; turn < 6; ++turn) {
+      const double squared = dot(d, d);
+      if (!(squared > 1e-12) || squared <= least * least) return false;
+      const double across = seen.side * size(d);
+      double worst = 2.0;
+      uint32_t which = 0;
+      for (uint32_t k = 0; k < count; ++k) {
+        const double lead = dot(a(k), d) - across * inverse(k);
+        if (lead < worst) {
+          worst = lead;
+          which = k;
+        }
+      }
+      if (worst > slack_of_seen) return true;
+      const Vec3 v = a(which) - d;
+      const double along = -dot(d, v) / dot(v, v);
+      if (!(along > 0.0)) return false;
+      const double part = along < 1.0 ? along : 1.0;
+      d = d + part * v;
+      least += part * (seen.side * inverse(which) - least);
+    }
+    return false;
+  }
+  // The same thoroughly, of a cube that is small beside the distance of its balls: what ties there ties in its parts,
+  // as a rule.
+  bool lead_up_at_all(uint32_t count) const {
+    if (seen.side * inverse(0) > 0x1p-5) return false;
+    const auto direction_of = [&](uint32_t k) { return a(k); };
     const auto inverse_of = [&](uint32_t k) { return inverse(k); };
-    return hsp::lead_up(
-        count, seen.side, [&](uint32_t k) { return a(k); }, inverse_of);
+    return hsp::lead_up_at_all(count, seen.side, direction_of, inverse_of);
   }
   // The plane through the centres of three of them: n.(x - c) from offset - span to offset + span in the cube. tiny:
   // what rounding may do to it.
