@@ -1,5 +1,6 @@
 #include "draw/hidden_lines.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 bool hidden_lines_begin(const struct seen_triangle *triangle, uint32_t count, double plane,
@@ -106,4 +107,30 @@ bool hidden_lines_find_seen(struct hidden_lines *lines, const struct seen_line *
   qsort(lines->span, lines->spans, sizeof *lines->span, compare);
   invert(lines);
   return true;
+}
+
+static bool covers(const struct seen_triangle *triangle, const double at[2]) {
+  for (int k = 0; k < 3; ++k) {
+    if (seen_triangle_side(triangle, k, at) < 0.0) return false;
+  }
+  return true;
+}
+
+double hidden_lines_front(const struct hidden_lines *lines, const double at[2]) {
+  const struct mesh_squares *const squares = &lines->squares;
+  double front = -INFINITY;
+  int32_t in[2];
+  for (int axis = 0; axis < 2; ++axis) {
+    in[axis] = (int32_t)floor(at[axis]);
+    if (in[axis] < squares->low[axis] || in[axis] > squares->high[axis]) return front;
+  }
+  const struct square_range range = mesh_squares_range(squares, in, in);
+  const size_t square = (size_t)range.from[1] * squares->across[0] + range.from[0];
+  for (uint32_t k = squares->first[square]; k < squares->first[square + 1]; ++k) {
+    const struct seen_triangle *const triangle = &lines->triangle[squares->met[k]];
+    if (!covers(triangle, at)) continue;
+    const double depth = seen_triangle_depth(triangle, at);
+    if (depth > front && (triangle->whole || depth <= lines->plane)) front = depth;
+  }
+  return front;
 }

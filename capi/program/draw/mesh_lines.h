@@ -8,12 +8,13 @@
 #include "draw/mesh_page.h"
 #include "draw/seen_triangle.h"
 
-/* Their paints. */
-enum { BORDERS, CONTOURS };
+/* Their paints, by how wide they are: so many parts of BORDER_LEVELS or CONTOUR_LEVELS of the widest. */
+enum { BORDER_LEVELS = 4, CONTOUR_LEVELS = 8, FIRST_BORDER = 0, FIRST_CONTOUR = 16 };
 
 /* Add those that are seen to picture->lines: where a side that is seen meets one that turns away there is a contour,
- * and elsewhere a border where patches meet. They lie over all areas, and end where a nearer triangle hides them. seen
- * [count]: all triangles that are shown, hidden or not. False for want of memory. */
+ * and elsewhere a border where patches meet. They lie over all areas, and end where a nearer triangle hides them. A
+ * contour is the thinner the less lies between it and what is behind it, and so ends in nothing where a surface folds; a
+ * border is as thin as a line on the surface is that is seen from the side. seen [count]: all triangles that are shown, hidden or not. False for want of memory. */
 bool mesh_lines_find(struct mesh_picture *picture, const struct seen_triangle *seen, uint32_t count);
 
 double mesh_line_width(const struct mesh_picture *picture, uint32_t paint);

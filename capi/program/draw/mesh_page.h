@@ -11,14 +11,15 @@
 #include "draw/mesh_polygon.h"
 #include "read/text_buffer.h"
 
-enum { MOST_COLOURS = 128, MOST_BANDS = 64 };
+/* Bands of light on saddles: so many that a step from one to the next is two of the 255 tones of a screen. */
+enum { MOST_COLOURS = 128, BANDS = 48 };
 
 /* The visible sides of a surface; with pockets two more of each, their outsides and their voids. */
 enum { OUTSIDE, INSIDE, OF_VOID, SIDES };
 
 /* Paints of a layer are numbered: for each colour its bands of light, for each sphere those of its sides.
  * The dark rim of a sphere so goes on over the ends of saddles behind it. */
-#define FIRST_SPHERE ((uint32_t)MOST_COLOURS * MOST_BANDS)
+#define FIRST_SPHERE ((uint32_t)MOST_COLOURS * BANDS)
 
 /* Pixels and, as all that follows, tenths of them. */
 #define PICTURE_WIDTH 1000.0
@@ -43,9 +44,8 @@ struct mesh_picture {
   double *ball;                  /* [atoms][3], along the axes of the view */
   uint32_t colour[MOST_COLOURS]; /* [colours], each once */
   uint32_t colours;
-  uint32_t sides;                /* of spheres, with those of pockets */
-  int bands;                     /* of light, on saddles */
-  double border[MOST_BANDS + 2]; /* where they begin, of the light's circles */
+  uint32_t sides;           /* of spheres, with those of pockets */
+  double border[BANDS + 2]; /* where bands begin, of the light's circles */
   struct painted_edges areas, lines, section;
 };
 

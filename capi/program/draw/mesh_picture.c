@@ -11,11 +11,8 @@
 #include "hardsphere.h"
 #include "write/output_file.h"
 
-static const double slack = 0.3;           /* of overlaps */
-static const int32_t step_of_points = 3;   /* at which triangles are seen or not */
-static const double bands_per_unit = 0.08; /* of the picture's scale: the smaller saddles are, the fewer */
-
-enum { FEWEST_BANDS = 16 };
+static const double slack = 0.3;         /* of overlaps */
+static const int32_t step_of_points = 3; /* at which triangles are seen or not */
 
 /* ---- triangles ---- */
 
@@ -149,9 +146,7 @@ static bool make(struct mesh_picture *picture) {
   const double depth = through ? mesh_dot(picture->view->axis[2], pockets->through) : 0.0;
   if (cut && !mesh_parts_cut(mesh, picture->view->of_outside, through ? &depth : NULL, &picture->parts)) return false;
   mesh_find_frame(&picture->parts, &picture->frame);
-  const double bands = bands_per_unit * picture->frame.scale;
-  picture->bands = bands < FEWEST_BANDS ? FEWEST_BANDS : bands > MOST_BANDS ? MOST_BANDS : (int)bands;
-  for (int k = 0; k <= picture->bands + 1; ++k) picture->border[k] = surface_light_border((double)k / picture->bands);
+  for (int k = 0; k < BANDS + 2; ++k) picture->border[k] = surface_light_border((double)k / BANDS);
   if (!paint_triangles(picture)) return false;
   if (cut) find_section(picture);
   painted_edges_cancel(&picture->areas);

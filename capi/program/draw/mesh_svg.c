@@ -77,7 +77,7 @@ static bool add_areas(const struct mesh_picture *picture, struct text_buffer *ou
       text_buffer_add(out, "<path fill=\"url(#s%" PRIu32 ")\" stroke=\"url(#s%" PRIu32 ")\" d=\"", paint - FIRST_SPHERE,
                       paint - FIRST_SPHERE);
     } else {
-      const uint32_t band = paint % MOST_BANDS, colour = paint / MOST_BANDS;
+      const uint32_t band = paint % BANDS, colour = paint / BANDS;
       const uint32_t tone =
           surface_light_on(picture->colour[colour], picture->border[band] / 2.0 + picture->border[band + 1] / 2.0);
       text_buffer_add(out, "<path fill=\"#%06" PRIx32 "\" stroke=\"#%06" PRIx32 "\" d=\"", tone, tone);
@@ -106,10 +106,10 @@ static bool add_lines(const struct mesh_picture *picture, struct text_buffer *ou
   bool enough = true;
   for (size_t i = 0, end = 0; enough && i < lines->count; i = end) {
     const uint32_t paint = lines->edge[i].paint;
+    const char *const faint = paint < FIRST_CONTOUR ? " stroke-opacity=\".4\" stroke-linecap=\"butt\"" : "";
     end = painted_edges_end(lines, i);
-    text_buffer_add(out,
-                    "<path fill=\"none\" stroke=\"#%06" PRIx32 "\" stroke-opacity=\"%s\" stroke-width=\"%.2f\" d=\"",
-                    LINE_COLOUR, paint == BORDERS ? ".4" : ".85", 2.0 * mesh_line_width(picture, paint));
+    text_buffer_add(out, "<path fill=\"none\" stroke=\"#%06" PRIx32 "\"%s stroke-width=\"%.2f\" d=\"", LINE_COLOUR,
+                    faint, 2.0 * mesh_line_width(picture, paint));
     enough = painted_edges_write(lines, i, end, false, true, out);
     text_buffer_add(out, "\"/>\n");
   }
