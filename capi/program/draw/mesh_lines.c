@@ -6,7 +6,7 @@
 #include "draw/hidden_lines.h"
 
 /* Units. */
-static const double hairline_per_unit = 0.0055, thinnest_hairline = 1.2, widest_hairline = 5.0;
+static const double hairline_per_unit = 0.0055, thinnest_hairline = 2.0, widest_hairline = 5.0;
 static const double contour_per_unit = 0.008, thinnest_contour = 6.0, widest_contour = 14.0;
 
 /* Before a gap of so many length units contours have their full width. */
