@@ -1,4 +1,4 @@
-/* What triangles leave of lines that go along them, as they are seen. */
+/* Lines along edges of triangles, without what nearer triangles hide of them. */
 #ifndef HARDSPHERE_TOOL_HIDDEN_LINES_H
 #define HARDSPHERE_TOOL_HIDDEN_LINES_H
 

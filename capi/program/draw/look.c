@@ -20,7 +20,7 @@ struct look {
   bool by_chain;        /* colours of molecules of two chains or more, also of small ones */
   bool tints_one;       /* likewise of one chain */
   double stick_outline; /* of balls and sticks: their contours */
-  double fog_of_many;   /* likewise, of more sticks than are told apart at a glance */
+  double fog_of_many;   /* likewise, of more sticks than one takes in at a glance */
   double width, height; /* px */
 };
 

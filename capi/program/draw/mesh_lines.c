@@ -92,7 +92,7 @@ static uint32_t border_level(const struct mesh_picture *picture, const struct si
   return level_of(steepness * towards, BORDER_LEVELS);
 }
 
-/* What is seen of a line behind the plane; border: its level, or 0 of a contour. */
+/* The seen part of a line behind the plane. border: its level, or 0 of a contour. */
 static bool add_line(struct mesh_picture *picture, struct hidden_lines *hidden, const struct seen_line *line,
                      double plane, uint32_t border) {
   const bool behind[2] = {line->depth[0] <= plane, line->depth[1] <= plane};

@@ -12,9 +12,10 @@
 enum { BORDER_LEVELS = 4, CONTOUR_LEVELS = 8, FIRST_BORDER = 0, FIRST_CONTOUR = 16 };
 
 /* Add those that are seen to picture->lines: where a side that is seen meets one that turns away there is a contour,
- * and elsewhere a border where patches meet. They lie over all areas, and end where a nearer triangle hides them. A
- * contour is the thinner the less lies between it and what is behind it, and so ends in nothing where a surface folds; a
- * border is as thin as a line on the surface is that is seen from the side. seen [count]: all triangles that are shown, hidden or not. False for want of memory. */
+ * and elsewhere a border where patches meet. They lie over all areas, and end where a nearer triangle hides them. The
+ * less lies between a contour and what is behind it, the thinner it is, so that it ends in a point where a surface
+ * folds. A border is as thin as a line on the surface looks from the side. seen [count]: all triangles that are shown,
+ * hidden or not. False for want of memory. */
 bool mesh_lines_find(struct mesh_picture *picture, const struct seen_triangle *seen, uint32_t count);
 
 double mesh_line_width(const struct mesh_picture *picture, uint32_t paint);
