@@ -83,7 +83,7 @@ program fortran_pores_test
   call check(all(points(1)%xyz == middle) .and. any(points%gate == 0), 'its points')
   call expect(hsp_pores_find_tunnel(pores, middle, away, [0_c_int32_t], 1_c_int32_t, tunnel, limits), HSP_OK, &
               'hsp_pores_find_tunnel that avoids a gate')
-  call check(tunnel%gate > 0 .and. limits%points == tunnel%points, 'another way')
+  call check(tunnel%gate > 0 .and. limits%points >= tunnel%points, 'another way')
   call in_a_box()
   call report_checks()
 
