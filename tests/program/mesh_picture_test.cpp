@@ -390,9 +390,9 @@ TEST(MeshPicture, OtherPocketsAreGrey) {
   EXPECT_EQ(svg.find(">pocket 1<"), std::string::npos);
 }
 
-// By symmetry the border of the room is the octahedron of the centres, |x| + |y| + |z| = 1, but for two thirds of an edge
-// by which smoothing may move it. Cut open along x = y it is seen edge-on, beside windows that are cut through their
-// middles.
+// By symmetry the border of the room is the octahedron of the centres, |x| + |y| + |z| = 1, but for two thirds of an
+// edge by which smoothing may move it. Cut open along x = y it is seen edge-on, beside windows that are cut through
+// their middles.
 TEST(MeshPicture, PocketsEndWhereTheWayUpChanges) {
   const TemporaryFile room("room.xyzr", "1 0 0 0.7\n-1 0 0 0.7\n0 1 0 0.7\n0 -1 0 0.7\n0 0 1 0.7\n0 0 -1 0.7\n");
   for (const auto &[surface, radius] : {std::pair<const char *, double>{"ses", 0.7}, {"sas", 0.8}}) {

@@ -39,8 +39,8 @@ static double length_between(const struct triangle_mesh *mesh, uint32_t v, uint3
   return sqrt(square);
 }
 
-/* What each number has of the surface around a vertex, the nearer the more: along edges, as what is near in space may
- * be behind a fold. */
+/* The area of each number around a vertex, the nearer the more. Distances are along edges: across a fold much of a
+ * surface is near in space. */
 static void find_shares(const struct smoothing *all, const uint8_t *of_vertex, uint32_t v) {
   const struct triangle_mesh *const mesh = all->mesh;
   const double far = reach * mesh->edge;
