@@ -443,7 +443,7 @@ typedef struct hsp_tunnel {
  *  to be avoided. To avoid the tightest gates of tunnels before finds the next best one that has another bottleneck. It
  *  leads through maxima and gates, and each part of it is as wide as any path between its ends; of gates as wide it
  *  takes that which is nearer by straight lines from its start. Its points stay until the next call; on failure there
- *  are none. So a probe gets from one point to the other if it is narrower than the tunnel, which is a path for it then.
+ *  are none. So a probe gets from one point to the other if it is narrower than the tunnel: then that is a path for it.
  *
  *  In a periodic box it leads to that copy of `to` which is best; and as nothing is outside there, `to` NULL is another
  *  copy of `from`, where the way begins anew, for ever. hsp_pores_get_tunnel_route has the vector. Its points are those
