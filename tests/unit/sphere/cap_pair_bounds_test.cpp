@@ -191,8 +191,8 @@ struct Ratios {
   }
 };
 
-// How much is measured: the caps, their pairs as well, the points of these as well. The integers of pairs and points take
-// nearly all of the time, which a search for the worst cap saves.
+// How much is measured: the caps, their pairs as well, or the points of these as well. The integers of pairs and points
+// take nearly all of the time, which a search for the worst cap saves.
 enum class Extent { caps, pairs, points };
 
 template <class Arithmetic>
