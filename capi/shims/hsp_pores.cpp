@@ -528,7 +528,7 @@ int32_t hsp_pores_find_regions(hsp_pores *pores, const hsp_boundary *boundary, h
     if (const int32_t status = check_results(boundary, false); status != HSP_OK) return status;
     if (!boundary->model.is(&*pores->model)) return HSP_E_ARGUMENT;
   }
-  if (pores->builder.floor() != 0) return HSP_E_RANGE;
+  if (pores->builder.floor() > 0) return HSP_E_RANGE;
   const hsp::PeriodicUnion *const periodic = pores->in_box ? &pores->periodic->builder : nullptr;
   const hsp::Status found = pores->builder.find_regions(
       pores->balls_around(), pores->in_box ? periodic->boundary() : boundary->structure(), periodic);

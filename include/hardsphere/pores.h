@@ -49,7 +49,7 @@ typedef struct hsp_pores_limits {
   uint32_t points;      /**< of a tunnel, with those that are left out as they are near to others */
 } hsp_pores_limits;
 
-/** Limits that suffice for most molecules of `balls` atoms, about 1.5 kB for each: maxima 2 balls + 64, gates 4 balls +
+/** Limits that suffice for most molecules of `balls` atoms, about 1.7 kB for each: maxima 2 balls + 64, gates 4 balls +
  *  128, tied balls + 256, candidates 4 balls + 2048, neighbours balls + 16, points balls + 4096.
  *  @retval HSP_E_ARGUMENT  limits is NULL
  *  @retval HSP_E_VERSION   struct_size is bad
@@ -67,7 +67,7 @@ HSP_API int32_t hsp_pores_bytes(const hsp_pores_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_PORES_BYTES(balls, maxima, gates, tied, candidates, neighbours, points)                                 \
-  ((size_t)57344 + (size_t)184 * (size_t)(balls) + (size_t)396 * (size_t)(maxima) + (size_t)144 * (size_t)(gates) + \
+  ((size_t)57344 + (size_t)176 * (size_t)(balls) + (size_t)372 * (size_t)(maxima) + (size_t)144 * (size_t)(gates) + \
    (size_t)16 * (size_t)(tied) + (size_t)16 * (size_t)(candidates) + (size_t)80 * (size_t)(neighbours) +            \
    (size_t)144 * (size_t)(points))
 
@@ -438,8 +438,8 @@ typedef struct hsp_pore_access {
 } hsp_pore_access;
 
 /** Find the regions of free space beside the balls as they are, which are those that were given, grown by the probe of
- *  the model or box: where the centre of this probe gets about, with area and volume of each. The pores must have the
- *  floor 0. The tree says which regions there are; the boundary of the union is their surface, and each of its shells
+ *  the model or box: where the centre of this probe gets about, with area and volume of each. The floor of the pores
+ *  must not be above 0. The tree says which regions there are; the boundary of the union is their surface, and each of its shells
  *  belongs to where a way up from it leads. The regions stay until the next call.
  *
  *  boundary: that of the model that the pores were computed of, or NULL in a box, which has its own. A region is
@@ -457,7 +457,7 @@ typedef struct hsp_pore_access {
  *  @param[out] regions    or NULL: how many there are
  *  @retval HSP_E_ARGUMENT  pores is NULL; boundary is NULL without a box, of another model, or given with one
  *  @retval HSP_E_STATE     nothing computed, or the model, box or boundary has changed since
- *  @retval HSP_E_RANGE     the floor is not 0; or around every vertex of a shell free space is only some lattice steps
+ *  @retval HSP_E_RANGE     the floor is above 0; or around every vertex of a shell free space is only some lattice steps
  *                          wide, so that it is not certain where it leads
  *  @retval HSP_E_CHECK     a way up ends nowhere, which cannot happen: please report it */
 HSP_API int32_t hsp_pores_find_regions(hsp_pores *pores, const hsp_boundary *boundary, hsp_pore_access *access,

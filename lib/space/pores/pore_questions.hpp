@@ -39,7 +39,7 @@ class PoreQuestions {
   void find_pockets(double narrow, double wide) { pockets_.find(builder_, narrow, wide); }
   // As RegionFinder::find, of the balls that pores were built of.
   Status find_regions(const BallsAround &balls, const Boundary &boundary, const PeriodicUnion *periodic) {
-    return regions_.find(builder_, balls, boundary, periodic);
+    return regions_.find(builder_, balls, boundary, periodic, floor_);
   }
   // As PoresBuilder::join_above.
   uint32_t join_above(double level) { return builder_.join_above(level); }

@@ -50,12 +50,12 @@ void RegionFinder::carve(Workspace &workspace, const PoreLimits &limits) {
 }
 
 Status RegionFinder::find(PoresBuilder &pores, const BallsAround &balls, const Boundary &boundary,
-                          const PeriodicUnion *periodic) {
+                          const PeriodicUnion *periodic, int64_t floor) {
   regions_.clear();
   if (boundary.shell_count() > region_of_shell_.size()) return Status::check;
   has_outside_ = periodic == nullptr || balls.are_none();
-  // All maxima and gates of the list are above 0, some perhaps by less than their levels are rounded by.
-  const uint32_t count = pores.join_above(-1.0);
+  // With the floor 0 all maxima and gates of the list are above it, whatever their levels are rounded to.
+  const uint32_t count = pores.join_above(floor == 0 ? -1.0 : 0.0);
   const Windings &joined = pores.joined();
   for (uint32_t k = has_outside_ ? 0 : 1; k < count; ++k) {
     const uint32_t node = joined.first_ball(k);
@@ -65,7 +65,7 @@ Status RegionFinder::find(PoresBuilder &pores, const BallsAround &balls, const B
   }
   const uint32_t first = has_outside_ ? 0 : 1;
   for (uint32_t node = 1; node < joined.size(); ++node) ++regions_[joined.component(node) - first].maxima;
-  const Status status = find_shells(pores, balls, boundary);
+  const Status status = find_shells(pores, balls, boundary, floor);
   if (status != Status::ok) {
     regions_.clear();
     return status;
@@ -78,7 +78,8 @@ Status RegionFinder::find(PoresBuilder &pores, const BallsAround &balls, const B
   return Status::ok;
 }
 
-Status RegionFinder::find_shells(const PoresBuilder &pores, const BallsAround &balls, const Boundary &boundary) {
+Status RegionFinder::find_shells(const PoresBuilder &pores, const BallsAround &balls, const Boundary &boundary,
+                                 int64_t floor) {
   for (uint32_t &region : region_of_shell_) region = no_id;
   const Windings &joined = pores.joined();
   uint32_t left = boundary.shell_count();
@@ -91,8 +92,9 @@ Status RegionFinder::find_shells(const PoresBuilder &pores, const BallsAround &b
     const bool found = visit_points(balls.set(), boundary, face, [&](const Position &position) {
       const exact::Vector start = rounded(balls.set(), position);
       Ascent way(balls, start);
-      if (!way.step() || !(way.is_outside() || way.level() > certain_level)) return false;
-      status = follow_up(pores, balls, way, start, 0, place);
+      const bool certain = way.is_outside() || (way.step() && (way.is_outside() || way.level() > certain_level));
+      if (!certain) return false;
+      status = follow_up(pores, balls, way, start, floor, place);
       return status != Status::ok || place.maximum != no_id;
     });
     if (!found) continue;

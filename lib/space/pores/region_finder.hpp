@@ -26,16 +26,17 @@ struct PoreRegion {
 class RegionFinder {
  public:
   void carve(Workspace &workspace, const PoreLimits &limits);
-  // pores: all above the level 0. periodic: null without a box. pores.joined() becomes that of the level 0.
+  // pores: all above a floor of 0 or less. periodic: null without a box. pores.joined() becomes that of the level 0.
   // Status::range: of a shell no point is known to lead anywhere. Status::check cannot happen.
-  Status find(PoresBuilder &pores, const BallsAround &balls, const Boundary &boundary, const PeriodicUnion *periodic);
+  Status find(PoresBuilder &pores, const BallsAround &balls, const Boundary &boundary, const PeriodicUnion *periodic,
+              int64_t floor);
   void forget() { regions_.clear(); }
 
   // The outside first, but not in a box with balls; then that of the highest maximum.
   Span<const PoreRegion> regions() const { return regions_.items(); }
 
  private:
-  Status find_shells(const PoresBuilder &pores, const BallsAround &balls, const Boundary &boundary);
+  Status find_shells(const PoresBuilder &pores, const BallsAround &balls, const Boundary &boundary, int64_t floor);
   void measure_in_box(const PeriodicUnion &periodic);
   void measure(const BallSet &balls, const Boundary &boundary);
 
