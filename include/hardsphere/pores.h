@@ -438,12 +438,12 @@ typedef struct hsp_pore_access {
 } hsp_pore_access;
 
 /** Find the regions of free space beside the balls as they are, which are those that were given, grown by the probe of
- *  the model or box: where the centre of this probe gets about, with area and volume of each. The floor of the pores
- *  must not be above 0. The tree says which regions there are; the boundary of the union is their surface, and each of its shells
- *  belongs to where a way up from it leads. The regions stay until the next call.
+ *  the model or box: where the centre of this probe gets about, with area and volume of each. The tree says which
+ *  regions there are, so that its floor must not be above 0; the boundary of the union is their surface, and each of
+ *  its shells belongs to where a way up from it leads. The regions stay until the next call.
  *
- *  boundary: that of the model that the pores were computed of, or NULL in a box, which has its own. A region is
- *  accessible if it is the outside or, in a box, has directions. A box without balls is one region in three directions.
+ *  A region is accessible if it is the outside or, in a box, has directions. A box without balls is one region in three
+ *  directions.
  *  - Property 1: regions but the outside are the channels of hsp_pores_get_channels with the radius 0; without a box
  *    those of hsp_topology_get_regions, in another order.
  *  - Property 2: areas sum to the area of the union; in a box volumes to free_volume of hsp_periodic_totals.
@@ -452,13 +452,13 @@ typedef struct hsp_pore_access {
  *  of three phases (lib/union/periodic/surface_volume.hpp). Accuracy: about 1e-14 of the box.
  *  Cost: O(size of the boundary), and that of hsp_pores_locate for each shell.
  *  @param[in,out] pores   of which no other regions are needed any more
- *  @param[in] boundary    of the same model; NULL in a box
+ *  @param[in] boundary    of the model that the pores were computed of; NULL in a box, which has its own
  *  @param[out] access     or NULL: the sums
  *  @param[out] regions    or NULL: how many there are
  *  @retval HSP_E_ARGUMENT  pores is NULL; boundary is NULL without a box, of another model, or given with one
  *  @retval HSP_E_STATE     nothing computed, or the model, box or boundary has changed since
- *  @retval HSP_E_RANGE     the floor is above 0; or around every vertex of a shell free space is only some lattice steps
- *                          wide, so that it is not certain where it leads
+ *  @retval HSP_E_RANGE     the floor is above 0; or free space is only some lattice steps wide around every vertex of a
+ *                          shell, so that it is not certain where it leads
  *  @retval HSP_E_CHECK     a way up ends nowhere, which cannot happen: please report it */
 HSP_API int32_t hsp_pores_find_regions(hsp_pores *pores, const hsp_boundary *boundary, hsp_pore_access *access,
                                        uint32_t *regions);

@@ -35,7 +35,7 @@ static double box_volume(void) {
   return box[0] * box[4] * box[8];
 }
 
-/* What every set of regions has; they are read into the list. */
+/* Reads them, and checks what holds for all. */
 static void read_regions(const hsp_boundary *boundary) {
   hsp_pore_access sums;
   uint32_t k;
@@ -82,7 +82,8 @@ static void expect_pairs(double edge, double radius, double contacts, double dis
   const double cap = pi * height * height * (3 * radius - height) / 3;
   CHECK(count == 1 && regions[0].directions == 3 && regions[0].copies == 1);
   CHECK_NEAR(regions[0].area, n * 2 * pi * radius * (2 * radius - contacts * height), 1e-9);
-  CHECK_NEAR(regions[0].volume, edge * edge * edge - n * (4 * pi * radius * radius * radius / 3 - contacts * cap), 1e-9);
+  CHECK_NEAR(edge * edge * edge - regions[0].volume, n * (4 * pi * radius * radius * radius / 3 - contacts * cap),
+             1e-9);
 }
 
 static void packings(void) {

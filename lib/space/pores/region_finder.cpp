@@ -42,8 +42,8 @@ bool visit_points(const BallSet &balls, const Boundary &boundary, uint32_t face,
 
 }  // namespace
 
-// Of the shells of a boundary each is between one component of the union and one region. What meets by shells is
-// connected, without a box as a tree; in a box with one ring at most, as the box has no more than commuting ways round.
+// A shell is between one component of the union and one region. Take these as nodes and shells as links: without a box
+// that is a tree; in a box it has one ring at most, as all ways round a box commute.
 void RegionFinder::carve(Workspace &workspace, const PoreLimits &limits) {
   regions_ = FixedVector<PoreRegion>(workspace.take<PoreRegion>(static_cast<uint64_t>(limits.maxima) + 1));
   region_of_shell_ = workspace.take<uint32_t>(static_cast<uint64_t>(limits.maxima) + limits.balls + 1);

@@ -34,8 +34,8 @@ BallMeasure SurfaceVolume::measure(uint32_t face, uint32_t origin) const {
   }
   BallMeasure result;
   result.area = r * r * surface.steradians(1, boundary.loops_of_face(face).size());
-  const double whole = dot(u_, centre) * dot(vw_, surface.vector_area()) +
-                       (dot(u_, vw_) * r * result.area - seam.moment) / 3;
+  const double whole =
+      dot(u_, centre) * dot(vw_, surface.vector_area()) + (dot(u_, vw_) * r * result.area - seam.moment) / 3;
   result.volume = -box_volume_ * (whole + seam.sum);
   return result;
 }
