@@ -14,6 +14,7 @@ set(HSP_LIBRARY_SOURCES
   lib/balls/model/digit_sort.cpp
   lib/balls/model/grid_order.cpp
   lib/balls/model/halo.cpp
+  lib/balls/model/meeting.cpp
   lib/balls/model/neighbour_lists.cpp
   lib/balls/model/ordered_balls.cpp
   lib/balls/model/packing_statistics.cpp
