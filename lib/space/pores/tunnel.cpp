@@ -2,6 +2,7 @@
 
 #include <initializer_list>
 
+#include "core/extremes.hpp"
 #include "core/sorting.hpp"
 
 namespace hsp {
@@ -211,16 +212,44 @@ void TunnelFinder::leave_out_near_points() {
   points_.set_count(kept);
 }
 
-// From a point, moved by a copy's translation, to near its maximum, or outside.
+// From a point, moved by a copy's translation, to near its maximum, or outside. A step is a straight line, of which
+// there are points between where it is long beside how far the centres of the balls are that are nearest along it.
 Status TunnelFinder::add_way_up(const BallsAround &balls, const exact::Vector &start, const Vec3 &by,
                                 const BoxShift &copy) {
+  constexpr double apart = 1.0 / 12.0;
+  constexpr uint32_t most_parts = 256;
+  const auto reach_of = [&](const Ascent &at) {
+    const NearImage near = at.nearest_ball();
+    return near.ball == no_id ? at.level() : at.level() + static_cast<double>(balls.ball(near).radius);
+  };
+  const auto put = [&](const Ascent &at, const Vec3 &place) {
+    const NearImage near = at.nearest_ball();
+    points_.push({place, at.level(), {near.ball, no_id, no_id, no_id}, {}, near.shift + copy, no_id, no_id});
+  };
   Ascent way(balls, start);
   const Vec3 origin = place_of(start) + by;
-  do {
-    const NearImage near = way.nearest_ball();
-    points_.push(
-        {origin + way.offset(), way.level(), {near.ball, no_id, no_id, no_id}, {}, near.shift + copy, no_id, no_id});
-  } while (way.step());
+  put(way, origin + way.offset());
+  for (;;) {
+    const Vec3 before = way.offset();
+    double reach = reach_of(way);
+    if (!way.step()) break;
+    const Vec3 step = way.offset() - before;
+    const double length = std::sqrt(dot(step, step));
+    reach = smaller_of(reach, reach_of(way));
+    const uint64_t first = points_.required();
+    for (uint32_t parts = 1; parts < most_parts && length > parts * apart * reach;) {
+      while (parts < most_parts && length > parts * apart * reach) ++parts;
+      points_.set_count(first);
+      for (uint32_t k = 1; k < parts; ++k) {
+        const Vec3 off = before + (k / static_cast<double>(parts)) * step;
+        const exact::Vector at{start.x + nearest(off.x), start.y + nearest(off.y), start.z + nearest(off.z)};
+        const Ascent between(balls, at);
+        put(between, place_of(at) + by);
+        reach = smaller_of(reach, reach_of(between));
+      }
+    }
+    put(way, origin + way.offset());
+  }
   return way.is_lost() ? Status::check : Status::ok;
 }
 

@@ -2,6 +2,7 @@
 
 #include <initializer_list>
 
+#include "core/extremes.hpp"
 #include "core/sorting.hpp"
 
 namespace hsp {
@@ -311,25 +312,45 @@ Status WayUp::follow(const Way &way, bool &outside) {
   return Status::check;
 }
 
-// Near the lowest and the highest point of a curve a level changes with the square of the way.
+// Points of a curve, so many at least, and so near to each other: a share of how far the centres of its balls are. Near
+// the lowest and the highest point of a curve a level changes with the square of the way.
 void WayUp::trace(const Way &way, const CurveShape &shape, double from, double to) {
-  constexpr int parts = 8;
+  constexpr double longest_part = 0x1p-3, shortest_part = 0x1p-16, apart = 1.0 / 12.0;
   const BallSet &balls = *balls_;
   const TangentCurve &curve = way.curve;
   const Vec3 centre{balls.x[curve.base], balls.y[curve.base], balls.z[curve.base]};
-  for (int k = 1; k <= parts; ++k) {
-    const double u = static_cast<double>(k) / parts, level = from + u * u * (3.0 - 2.0 * u) * (to - from);
-    const double z = 2.0 * (balls.r[curve.base] + level);
-    if (!(shape.error_at(z) < 64.0)) continue;
-    const Vec3 y = combine(1.0, shape.p + z * shape.q, shape.height(z), shape.e);
-    WayPoint point{centre + 0.5 * y, level, {no_id, no_id, no_id}, {}};
-    const uint32_t nearest[3] = {curve.base, curve.second, curve.third};
-    for (int b = 0; b < (curve.in_plane ? 2 : 3); ++b) {
-      const BoxShift shift = shift_of(nearest[b]);
-      beyond_reach_ = beyond_reach_ || !SmallShift::fits(shift);
-      point.ball[b] = ball_of(nearest[b]);
-      point.shift[b] = SmallShift::of(shift);
+  const uint32_t nearest[3] = {curve.base, curve.second, curve.third};
+  const uint32_t count = curve.in_plane ? 2 : 3;
+  double least_radius = balls.r[curve.base];
+  for (uint32_t b = 1; b < count; ++b) least_radius = smaller_of(least_radius, balls.r[nearest[b]]);
+  WayPoint point{};
+  for (uint32_t b = 0; b < 3; ++b) {
+    point.ball[b] = no_id;
+    if (b >= count) continue;
+    const BoxShift shift = shift_of(nearest[b]);
+    beyond_reach_ = beyond_reach_ || !SmallShift::fits(shift);
+    point.ball[b] = ball_of(nearest[b]);
+    point.shift[b] = SmallShift::of(shift);
+  }
+  const auto level_at = [&](double u) { return from + u * u * (3.0 - 2.0 * u) * (to - from); };
+  const auto z_at = [&](double u) { return 2.0 * (balls.r[curve.base] + level_at(u)); };
+  const auto from_base = [&](double z) { return 0.5 * combine(1.0, shape.p + z * shape.q, shape.height(z), shape.e); };
+  Vec3 last = from_base(z_at(0.0));
+  double part = longest_part;
+  for (double u = 0.0; u < 1.0;) {
+    const double z = z_at(u + part);
+    const Vec3 y = from_base(z), step = y - last;
+    const double most = apart * (level_at(u) + least_radius);
+    if (dot(step, step) > most * most && part > shortest_part) {
+      part *= 0.5;
+      continue;
     }
+    u += part;
+    last = y;
+    if (part < longest_part && std::floor(0.5 * u / part) == 0.5 * u / part) part *= 2.0;
+    if (!(shape.error_at(z) < 64.0 + 0x1p-20 * z)) continue;
+    point.place = centre + y;
+    point.level = level_at(u);
     trace_->push(point);
   }
 }

@@ -41,6 +41,23 @@ double distance_at(const oracle::Balls &balls, const hsp::Vec3 &x, uint32_t ball
   return std::sqrt(dx * dx + dy * dy + dz * dz) - static_cast<double>(b.radius);
 }
 
+// Beyond the box around all centres.
+bool is_outside(const oracle::Balls &balls, const hsp::Vec3 &at) {
+  const double x[3] = {at.x, at.y, at.z};
+  for (int axis = 0; axis < 3; ++axis) {
+    double low = INFINITY, high = -INFINITY;
+    for (const auto &ball : balls) {
+      const auto centre = static_cast<double>(axis == 0 ? ball.x : axis == 1 ? ball.y : ball.z);
+      low = std::min(low, centre);
+      high = std::max(high, centre);
+    }
+    if (x[axis] < low || x[axis] > high) return true;
+  }
+  return false;
+}
+
+int compared_halfway = 0;
+
 void check_points(const oracle::Balls &balls, const BuiltPores &pores, const hsp::TunnelFinder &finder,
                   const hsp::TunnelSummary &found) {
   uint32_t gates = 0, tightest = no_id;
@@ -68,6 +85,31 @@ void check_points(const oracle::Balls &balls, const BuiltPores &pores, const hsp
     const hsp::TunnelPoint &before = finder.points()[k - 1];
     const hsp::Vec3 d = point.place - before.place;
     length += std::sqrt(dot(d, d));
+    // The way between them is known well enough to draw it, and its width.
+    double reach = INFINITY, of_any = INFINITY, halfway = INFINITY;
+    for (const uint32_t ball : point.ball) {
+      for (const uint32_t other : before.ball) {
+        if (ball == no_id || other == no_id) continue;
+        const double lowest = std::min(before.level, point.level);
+        const auto least = static_cast<double>(std::min(balls[ball].radius, balls[other].radius));
+        of_any = std::min(of_any, lowest + least);
+        if (ball == other) reach = std::min(reach, lowest + least);
+      }
+    }
+    const bool shared = reach < INFINITY;
+    if (!shared) reach = of_any;
+    const bool leaps = std::sqrt(dot(d, d)) > 0.1 * reach;
+    ASSERT_TRUE(!leaps || (found.outside && is_outside(balls, before.place) && is_outside(balls, point.place)))
+        << k << ": " << std::sqrt(dot(d, d)) / reach;
+    for (uint32_t b = 0; b < balls.size(); ++b) {
+      halfway = std::min(halfway, distance_at(balls, before.place + 0.5 * d, b));
+    }
+    const double mean = 0.5 * (before.level + point.level);
+    if (shared && !leaps) {
+      ASSERT_LE(halfway, mean + 8.0);
+      ASSERT_GT(halfway, mean - reach / 800 - 8.0);
+      ++compared_halfway;
+    }
     const auto stays = [](const hsp::TunnelPoint &each) { return each.gate != no_id || each.maximum != no_id; };
     const bool first = k == 1, last = k + 1 == finder.points().size();
     if ((!stays(point) && !last) || (!stays(before) && !first)) {
@@ -191,6 +233,7 @@ TEST(Tunnel, IsTheWidestThatAvoidsGates) {
     }
   }
   EXPECT_GT(tunnels, 40);
+  EXPECT_GT(compared_halfway, 40 * tunnels / 4);
   EXPECT_GT(gates, tunnels);
   EXPECT_GT(alternatives, 20);
   EXPECT_GT(blocked, 3);
