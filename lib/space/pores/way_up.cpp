@@ -312,8 +312,9 @@ Status WayUp::follow(const Way &way, bool &outside) {
   return Status::check;
 }
 
-// Points of a curve, so many at least, and so near to each other: a share of how far the centres of its balls are. Near
-// the lowest and the highest point of a curve a level changes with the square of the way.
+// Points of a curve, so many at least, and so near to each other: a share of how far the centres of its balls are; none
+// where doubles do not know it to some steps. Near the lowest and the highest point of a curve a level changes with the
+// square of the way.
 void WayUp::trace(const Way &way, const CurveShape &shape, double from, double to) {
   constexpr double longest_part = 0x1p-3, shortest_part = 0x1p-16, apart = 1.0 / 12.0;
   const BallSet &balls = *balls_;
@@ -348,7 +349,7 @@ void WayUp::trace(const Way &way, const CurveShape &shape, double from, double t
     u += part;
     last = y;
     if (part < longest_part && std::floor(0.5 * u / part) == 0.5 * u / part) part *= 2.0;
-    if (!(shape.error_at(z) < 64.0 + 0x1p-20 * z)) continue;
+    if (!(shape.error_at(z) < 64.0)) continue;
     point.place = centre + y;
     point.level = level_at(u);
     trace_->push(point);
