@@ -1,5 +1,7 @@
 #include "measure/curvature.hpp"
 
+#include <initializer_list>
+
 #include "measure/edge_sums.hpp"
 
 namespace hsp {
@@ -21,13 +23,15 @@ bool has_tied_vertex(const Boundary &boundary, uint32_t k) {
 // The part of a weighted M that the edges and vertices of ball k have.
 class MeanCurvature {
  public:
-  MeanCurvature(const BallSet &balls, const Boundary &boundary, const AreaWeights &weights, uint32_t k, bool any_tied)
+  MeanCurvature(const BallSet &balls, const Boundary &boundary, const AreaWeights &weights, uint32_t k,
+                const CurvedSet &set)
       : balls_(balls),
         boundary_(boundary),
         weights_(weights),
         k_(k),
         weight_(weights.of(balls, k)),
-        has_tied_vertex_(any_tied && has_tied_vertex(boundary, k)) {
+        has_plain_squares_(set.has_plain_squares),
+        has_tied_vertex_(set.has_tied_vertices && has_tied_vertex(boundary, k)) {
     result.one_sided = has_tied_vertex_;
   }
 
@@ -61,6 +65,7 @@ class MeanCurvature {
  private:
   void fill(const ArcBatch &batch, EdgeBatch &edges) const {
     edges.has_weights = !weights_.are_ones();
+    edges.has_plain_squares = has_plain_squares_;
     if (!edges.has_weights) return;
     for (uint32_t s = 0; s < batch.count; ++s) edges.weight[s] = weights_.of(balls_, batch.other[s]);
     for (uint32_t s = batch.count; s < batch.count + sum_lanes - 1; ++s) edges.weight[s] = 0.0;
@@ -128,8 +133,20 @@ class MeanCurvature {
   const AreaWeights &weights_;
   const uint32_t k_;
   const double weight_;
-  const bool has_tied_vertex_;
+  const bool has_plain_squares_, has_tied_vertex_;
 };
+
+// In multiples of the unit no sum of two radii is above 2^26, so its square is at most 2^52; and of spheres that meet the
+// distance is no more than that sum.
+bool has_plain_squares(const BallSet &balls, Target target) {
+  double unit = 1.0;
+  while (static_cast<double>(balls.largest_radius) > 0x1p25 * unit) unit *= 2;
+  bool plain = true;
+  for (const Span<double> *numbers : {&balls.x, &balls.y, &balls.z, &balls.r}) {
+    plain = plain && (unit == 1.0 || are_multiples(target, numbers->data(), balls.n, unit));
+  }
+  return plain;
+}
 
 // Half of the sum of rho phi beta over the batch.
 double edges_of(const BallSet &balls, const Boundary &boundary, uint32_t i, const ArcBatch &batch) {
@@ -138,10 +155,10 @@ double edges_of(const BallSet &balls, const Boundary &boundary, uint32_t i, cons
 
 }  // namespace
 
-bool has_tied_vertices(const Boundary &boundary) {
-  bool tied = false;
-  for (uint32_t v = 0; v < boundary.vertex_count(); ++v) tied |= boundary.vertex(v).tied();
-  return tied;
+CurvedSet curved_set(const BallSet &balls, const Boundary &boundary) {
+  uint32_t codes = 0;
+  for (uint32_t v = 0; v < boundary.vertex_count(); ++v) codes |= boundary.vertex(v).code;
+  return {(codes & VertexRecord::tied_bit) != 0, has_plain_squares(balls, boundary.target())};
 }
 
 BallCurvature curvature_of_ball(const BallSet &balls, const Boundary &boundary, uint32_t i) {
@@ -161,10 +178,10 @@ BallCurvature curvature_of_ball(const BallSet &balls, const Boundary &boundary, 
 }
 
 CurvedBallGradient curved_gradient_of_ball(const BallSet &balls, const Boundary &boundary, const AreaWeights &weights,
-                                           uint32_t k, bool any_tied) {
+                                           uint32_t k, const CurvedSet &set) {
   CurvedBallGradient result;
   if (!boundary.is_exposed(k)) return result;
-  MeanCurvature curvature(balls, boundary, weights, k, any_tied);
+  MeanCurvature curvature(balls, boundary, weights, k, set);
   curvature.add_area(gather_gradient(balls, boundary, weights, k, result.measures,
                                      [&curvature](const ArcBatch &batch) { curvature.add(batch); }));
   result.curvature = curvature.result;
@@ -174,7 +191,7 @@ CurvedBallGradient curved_gradient_of_ball(const BallSet &balls, const Boundary 
 void add_curvature_strain_of_ball(const BallSet &balls, const Boundary &boundary, const AreaWeights &weights,
                                   uint32_t k, StrainSum &sum) {
   if (!boundary.is_exposed(k)) return;
-  MeanCurvature curvature(balls, boundary, weights, k, false);
+  MeanCurvature curvature(balls, boundary, weights, k, {false, false});
   ArcBatches arcs(balls, boundary, k);
   while (arcs.next()) curvature.add_strain(arcs.batch(), sum);
 }

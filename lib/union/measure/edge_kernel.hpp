@@ -2,6 +2,7 @@
 // linkage. The formulas are those of curvature.hpp.
 #pragma once
 
+#include "core/small_code.hpp"
 #include "lanes/elementary_simd.hpp"
 #include "lanes/wide_pairs.hpp"
 #include "measure/edge_sums.hpp"
@@ -29,11 +30,29 @@ struct ExactSquare {
   Real rounded() const { return high + low; }
 };
 
+// The same where products of doubles are exact, as EdgeBatch says, and so are their sums and differences.
+template <class L>
+struct PlainSquare {
+  using Real = typename L::Real;
+  Real square;
+
+  explicit PlainSquare(const Real &x) : square(x * x) {}
+  friend PlainSquare operator+(PlainSquare a, const PlainSquare &b) {
+    a.square = a.square + b.square;
+    return a;
+  }
+  friend PlainSquare operator-(PlainSquare a, const PlainSquare &b) {
+    a.square = a.square - b.square;
+    return a;
+  }
+  Real rounded() const { return square; }
+};
+
 // The edge of two balls of radii a and b, whose centres are v apart. With s = a + b and t = a - b
 //   (2 rho d)^2 = 4 a^2 v.v - (v.v + a^2 - b^2)^2 = (s^2 - v.v)(v.v - t^2),
 //   2 a b cos(beta) = a^2 + b^2 - v.v = (s^2 + t^2 - 2 v.v)/2,
 // so all that cancels does so between integers, and the rest is products.
-template <class L>
+template <class L, template <class> class SquareOf = ExactSquare>
 struct EdgeAngle {
   using Real = typename L::Real;
   using Mask = typename L::Mask;
@@ -42,7 +61,7 @@ struct EdgeAngle {
   Mask is_proper;  // else the spheres touch, product and beta are 0
 
   EdgeAngle(const Real &a, const Real &b, const VectorOf<Real> &v) {
-    using Square = ExactSquare<L>;
+    using Square = SquareOf<L>;
     const Square s(a + b);
     const Square t(a - b);
     const Square U = Square(v.x) + Square(v.y) + Square(v.z);
@@ -78,6 +97,17 @@ struct EdgeKernel {
   }
   static double sum_of_lanes(const double (&lanes)[sum_lanes]) { return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]); }
 
+  // The sum x + M has the last place of the unit.
+  static bool are_multiples(const double *numbers, uint32_t count, double unit) {
+    const double to_multiples = 0x1.8p52 * unit;
+    Mask others{};
+    for (uint32_t k = 0; k < count; k += n) {
+      const Real x = L::load_first(numbers + k, count - k);
+      others |= (x + to_multiples) - to_multiples != x;
+    }
+    return !L::any(others);
+  }
+
   // The sums of one lane of sum_lanes, of n of them.
   struct Sums {
     Real mean = L::all(0.0), radius = L::all(0.0);
@@ -98,9 +128,18 @@ struct EdgeKernel {
   }
 
   static EdgeSums differentiate(double radius, const ArcBatch &arcs, double weight, EdgeBatch &edges) {
+    if (!small_code && edges.has_plain_squares) return differentiate_by<PlainSquare>(radius, arcs, weight, edges);
+    return differentiate_by<ExactSquare>(radius, arcs, weight, edges);
+  }
+
+ private:
+  template <template <class> class SquareOf>
+  static EdgeSums differentiate_by(double radius, const ArcBatch &arcs, double weight, EdgeBatch &edges) {
     double mean[sum_lanes], x[sum_lanes], y[sum_lanes], z[sum_lanes], by_radius[sum_lanes];
     Sums sums[sum_lanes / n];
-    for (uint32_t lane = 0; lane < sum_lanes; lane += n) add_edges(radius, arcs, weight, lane, edges, sums[lane / n]);
+    for (uint32_t lane = 0; lane < sum_lanes; lane += n) {
+      add_edges<SquareOf>(radius, arcs, weight, lane, edges, sums[lane / n]);
+    }
     for (uint32_t lane = 0; lane < sum_lanes; lane += n) {
       Sums &sum = sums[lane / n];
       add_vertices(radius, arcs, lane, edges, sum);
@@ -113,7 +152,6 @@ struct EdgeKernel {
     return {-0.25 * sum_of_lanes(mean), {sum_of_lanes(x), sum_of_lanes(y), sum_of_lanes(z)}, sum_of_lanes(by_radius)};
   }
 
- private:
   // rho phi beta of an arc.
   static Real integral(const Real &phi, const Real &beta, const Real &product, const Real &inverse_distance) {
     return phi * beta * (product * inverse_distance);
@@ -122,6 +160,7 @@ struct EdgeKernel {
   // Areas of the two balls, each over its radius; rho beta; and what ball k's centre moves of the ends of its arcs:
   // with f = s beta (h_j/d) v/(rho d) half of (x_end - x_start) x f, which is -(s beta/(rho d)) h_j X/4 for the batch's
   // X. In parallel, as neither waits for the other: the third edge of the vertex where the arc starts.
+  template <template <class> class SquareOf>
   static void add_edges(double radius, const ArcBatch &all_arcs, double weight, uint32_t lane, EdgeBatch &edges,
                         Sums &sums) {
     const double inverse_radius = radius > 0.0 ? 1.0 / radius : 0.0;
@@ -131,8 +170,9 @@ struct EdgeKernel {
       const Vector v = load(arcs.vx, arcs.vy, arcs.vz, s);
       const Vector third = gather(arcs.vx, arcs.vy, arcs.vz, before) - v;
       const Real other_radius = L::load(arcs.other_radius + s);
-      const EdgeAngle<Pairs> both({L::all(radius), other_radius}, {other_radius, L::gather(arcs.other_radius, before)},
-                                  {{v.x, third.x}, {v.y, third.y}, {v.z, third.z}});
+      const EdgeAngle<Pairs, SquareOf> both({L::all(radius), other_radius},
+                                            {other_radius, L::gather(arcs.other_radius, before)},
+                                            {{v.x, third.x}, {v.y, third.y}, {v.z, third.z}});
       const Mask is_proper = both.is_proper.first;
       const Real distance = both.distance.first;
       const Real product = both.product.first;

@@ -8,8 +8,9 @@ namespace hsp {
 
 // The edges of a batch, slot by slot.
 struct EdgeBatch {
-  bool has_weights = false;       // else all are 1
-  double weight[ArcBatch::room];  // w_j of the other ball, finite up to the last whole register
+  bool has_weights = false;        // else all are 1
+  bool has_plain_squares = false;  // of all lengths doubles hold the squares exactly, and their sums
+  double weight[ArcBatch::room];   // w_j of the other ball, finite up to the last whole register
 
   double weight_of(uint32_t s) const { return has_weights ? weight[s] : 1.0; }
 
@@ -32,5 +33,7 @@ struct EdgeSums {
 HSP_KERNEL(double, sum_edges, (const BallOfSet &ball, const ArcBatch &arcs), (ball, arcs))
 HSP_KERNEL(EdgeSums, differentiate_edges, (double radius, const ArcBatch &arcs, double weight, EdgeBatch &edges),
            (radius, arcs, weight, edges))
+// Whether integers below 2^51 in magnitude are multiples of a power of two from 1 to 2^20.
+HSP_KERNEL(bool, are_multiples, (const double *numbers, uint32_t count, double unit), (numbers, count, unit))
 
 }  // namespace hsp

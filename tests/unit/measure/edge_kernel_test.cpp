@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <random>
+#include <vector>
 
 #include "built_boundary.hpp"
 #include "measure/arc_batches.hpp"
@@ -22,7 +23,8 @@ using hsp::EdgeBatch;
 TEST(EdgeKernel, RoundsIntegersOnce) {
   std::mt19937_64 random(3);
   const auto up_to = [&random](int64_t n) { return static_cast<int64_t>(random() % static_cast<uint64_t>(n + 1)); };
-  uint32_t proper = 0, cancelled = 0;
+  constexpr int64_t most_plain = INT64_C(1) << 25;  // radii whose squares of sums doubles hold
+  uint32_t proper = 0, cancelled = 0, plain_ones = 0;
   for (int round = 0; round < 100000; ++round) {
     const int64_t most = INT64_C(1) << (2 + random() % 28);
     const int64_t a = 1 + up_to(most), b = 1 + up_to(most);
@@ -53,11 +55,45 @@ TEST(EdgeKernel, RoundsIntegersOnce) {
     } else {
       ASSERT_EQ(edge.beta[0], 0.0);
     }
+    if (a <= most_plain && b <= most_plain) {
+      const hsp::EdgeAngle<hsp::Wide<double, 1>, hsp::PlainSquare> plain(lane(a), lane(b),
+                                                                         {lane(v[0]), lane(v[1]), lane(v[2])});
+      ASSERT_EQ(plain.distance[0], edge.distance[0]);
+      ASSERT_EQ(plain.product[0], edge.product[0]);
+      ASSERT_EQ(plain.cosine[0], edge.cosine[0]);
+      ASSERT_EQ(plain.beta[0], edge.beta[0]);
+      ++plain_ones;
+    }
     proper += product > 0.0 ? 1U : 0U;
     cancelled += static_cast<double>(outer) < 0x1p-20 * static_cast<double>(U) ? 1U : 0U;
   }
   EXPECT_GT(proper, 50000U);
   EXPECT_GT(cancelled, 1000U);
+  EXPECT_GT(plain_ones, 50000U);
+}
+
+TEST(EdgeKernel, FindsWhatIsNoMultiple) {
+  std::mt19937_64 random(5);
+  const auto expect = [](const std::vector<double> &numbers, double unit, bool expected) {
+    const auto count = static_cast<uint32_t>(numbers.size());
+    ASSERT_EQ(hsp::EdgeKernel<1>::are_multiples(numbers.data(), count, unit), expected);
+    for (const hsp::Target target : runnable_targets()) {
+      ASSERT_EQ(hsp::are_multiples(target, numbers.data(), count, unit), expected);
+    }
+  };
+  for (int round = 0; round < 2000; ++round) {
+    const int64_t unit = INT64_C(1) << (round % 6);
+    const int64_t most = ((INT64_C(1) << (1 + random() % 50)) + unit - 1) / unit;
+    std::vector<double> numbers(random() % 11);
+    for (double &x : numbers) {
+      x = static_cast<double>(unit * (static_cast<int64_t>(random() % static_cast<uint64_t>(2 * most + 1)) - most));
+    }
+    expect(numbers, static_cast<double>(unit), true);
+    if (numbers.empty() || unit == 1) continue;
+    const auto off = static_cast<double>(1 + random() % static_cast<uint64_t>(unit - 1));
+    numbers[random() % numbers.size()] += random() % 2 == 0 ? off : -off;
+    expect(numbers, static_cast<double>(unit), false);
+  }
 }
 
 struct Results {
