@@ -35,7 +35,7 @@ class MeanCurvature {
     result.one_sided = has_tied_vertex_;
   }
 
-  void add(const ArcBatch &batch) {
+  HSP_INLINE_UNLESS_SMALL void add(const ArcBatch &batch) {
     EdgeBatch edges;
     fill(batch, edges);
     const EdgeSums sums = sums_of(batch, edges);
@@ -96,16 +96,10 @@ class MeanCurvature {
     add_end(batch.next[s], -1.0);
     const double root = batch.root_discriminant[s];
     if (!(root > 0.0)) return;
-    const uint32_t before = batch.previous[s];
-    const double along_a =
-        edges.third_cosine[s] * edges.cosine[s] - edges.cosine[before] * square(batch.other_radius[s]);
-    const double along_b =
-        edges.third_cosine[s] * edges.cosine[before] - edges.cosine[s] * square(batch.other_radius[before]);
-    const double lambda = (edges.third_force[s] + pull * along_a + edges.pull[before] * along_b) / root;
+    const double lambda = (edges.force[s] + edges.pull[batch.previous[s]] * edges.force_by_previous[s]) / root;
     const Vec3 x{batch.px[s], batch.py[s], batch.pz[s]};
     sum.add(-0.25 * lambda, x, x);
   }
-  static double square(double a) { return a * a; }
 
   EdgeSums sums_of(const ArcBatch &batch, EdgeBatch &edges) const {
     return differentiate_edges(boundary_.target(), balls_.r[k_], batch, weight_, edges);

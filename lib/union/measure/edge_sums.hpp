@@ -9,16 +9,15 @@ namespace hsp {
 // The edges of a batch, slot by slot.
 struct EdgeBatch {
   bool has_weights = false;        // else all are 1
-  bool has_plain_squares = false;  // of all lengths doubles hold the squares exactly, and their sums
+  bool has_plain_squares = false;  // doubles hold the squares of lengths exactly, and their sums
   double weight[ArcBatch::room];   // w_j of the other ball, finite up to the last whole register
 
   double weight_of(uint32_t s) const { return has_weights ? weight[s] : 1.0; }
 
-  // Filled in by a kernel: r_k r_j cos(beta); s beta/(rho d), with s the mean of the two balls' weights, or 0 where
-  // the spheres touch; and of the edge of the two other balls of the vertex where the arc starts, their r_a r_b
-  // cos(beta) and s beta rho d.
-  double cosine[ArcBatch::room], pull[ArcBatch::room];
-  double third_cosine[ArcBatch::room], third_force[ArcBatch::room];
+  // Filled in by a kernel: s beta/(rho d), with s the mean of the two balls' weights, or 0 where the spheres touch; and
+  // of the vertex where the arc starts lambda sqrt(D) is the force and what the previous slot's pull gives.
+  double pull[ArcBatch::room], force[ArcBatch::room], force_by_previous[ArcBatch::room];
+  double cosine[ArcBatch::room];  // r_k r_j cos(beta), unless squares are plain
 };
 
 // Ball k's part of -sum over edges of s rho phi beta / 2, and what derivatives by ball k are beside those of areas.

@@ -23,8 +23,7 @@ using hsp::EdgeBatch;
 TEST(EdgeKernel, RoundsIntegersOnce) {
   std::mt19937_64 random(3);
   const auto up_to = [&random](int64_t n) { return static_cast<int64_t>(random() % static_cast<uint64_t>(n + 1)); };
-  constexpr int64_t most_plain = INT64_C(1) << 25;  // radii whose squares of sums doubles hold
-  uint32_t proper = 0, cancelled = 0, plain_ones = 0;
+  uint32_t proper = 0, cancelled = 0;
   for (int round = 0; round < 100000; ++round) {
     const int64_t most = INT64_C(1) << (2 + random() % 28);
     const int64_t a = 1 + up_to(most), b = 1 + up_to(most);
@@ -42,10 +41,11 @@ TEST(EdgeKernel, RoundsIntegersOnce) {
     if (outer < 0 || inner < 0) continue;
     using Real = hsp::Wide<double, 1>::Real;
     const auto lane = [](int64_t x) { return Real{static_cast<double>(x)}; };
-    const hsp::EdgeAngle<hsp::Wide<double, 1>> edge(lane(a), lane(b), {lane(v[0]), lane(v[1]), lane(v[2])});
+    const hsp::EdgeLengths<hsp::Wide<double, 1>> lengths(lane(a), lane(b), {lane(v[0]), lane(v[1]), lane(v[2])});
+    const hsp::EdgeAngle<hsp::Wide<double, 1>> edge = lengths.angle();
     const double product = 0.5 * std::sqrt(static_cast<double>(outer) * static_cast<double>(inner));
     const double cosine = 0.25 * static_cast<double>(outer - inner);
-    ASSERT_EQ(edge.distance[0], std::sqrt(static_cast<double>(U)));
+    ASSERT_EQ(lengths.square_of_distance[0], static_cast<double>(U));
     ASSERT_EQ(edge.product[0], product);
     ASSERT_EQ(edge.cosine[0], cosine);
     ASSERT_EQ(edge.is_proper[0] != 0, product > 0.0);
@@ -55,21 +55,11 @@ TEST(EdgeKernel, RoundsIntegersOnce) {
     } else {
       ASSERT_EQ(edge.beta[0], 0.0);
     }
-    if (a <= most_plain && b <= most_plain) {
-      const hsp::EdgeAngle<hsp::Wide<double, 1>, hsp::PlainSquare> plain(lane(a), lane(b),
-                                                                         {lane(v[0]), lane(v[1]), lane(v[2])});
-      ASSERT_EQ(plain.distance[0], edge.distance[0]);
-      ASSERT_EQ(plain.product[0], edge.product[0]);
-      ASSERT_EQ(plain.cosine[0], edge.cosine[0]);
-      ASSERT_EQ(plain.beta[0], edge.beta[0]);
-      ++plain_ones;
-    }
     proper += product > 0.0 ? 1U : 0U;
     cancelled += static_cast<double>(outer) < 0x1p-20 * static_cast<double>(U) ? 1U : 0U;
   }
   EXPECT_GT(proper, 50000U);
   EXPECT_GT(cancelled, 1000U);
-  EXPECT_GT(plain_ones, 50000U);
 }
 
 TEST(EdgeKernel, FindsWhatIsNoMultiple) {
@@ -81,7 +71,7 @@ TEST(EdgeKernel, FindsWhatIsNoMultiple) {
       ASSERT_EQ(hsp::are_multiples(target, numbers.data(), count, unit), expected);
     }
   };
-  for (int round = 0; round < 2000; ++round) {
+  for (int round = 0; round < 500; ++round) {
     const int64_t unit = INT64_C(1) << (round % 6);
     const int64_t most = ((INT64_C(1) << (1 + random() % 50)) + unit - 1) / unit;
     std::vector<double> numbers(random() % 11);
@@ -131,10 +121,9 @@ void expect_same(const Results &a, const Results &b, uint32_t slots) {
   EXPECT_EQ(a.sums.radius, b.sums.radius);
   for (size_t axis = 0; axis < 3; ++axis) EXPECT_EQ(a.sums.centre[axis], b.sums.centre[axis]);
   for (uint32_t s = 0; s < slots; ++s) {
-    EXPECT_EQ(a.edges.cosine[s], b.edges.cosine[s]);
-    EXPECT_EQ(a.edges.third_cosine[s], b.edges.third_cosine[s]);
-    EXPECT_EQ(a.edges.third_force[s], b.edges.third_force[s]);
     EXPECT_EQ(a.edges.pull[s], b.edges.pull[s]);
+    EXPECT_EQ(a.edges.force[s], b.edges.force[s]);
+    EXPECT_EQ(a.edges.force_by_previous[s], b.edges.force_by_previous[s]);
   }
 }
 
