@@ -1,0 +1,51 @@
+// The lanes of sums, added up in one order for registers of every width.
+#pragma once
+
+#include "lanes/wide.hpp"
+#include "measure/arc_sums.hpp"
+
+namespace hsp {
+namespace {
+
+double sum_of_lanes(const double (&lanes)[sum_lanes]) {
+  return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
+}
+
+// Four sums, n of the lanes of each.
+template <uint32_t n>
+struct FourSums {
+  using L = Wide<double, n>;
+  using Real = typename L::Real;
+
+  Real a = L::all(0.0), b = L::all(0.0), c = L::all(0.0), d = L::all(0.0);
+};
+// All lanes of each sum, as by sum_of_lanes.
+template <uint32_t n>
+void store_sums(const FourSums<n> (&parts)[sum_lanes / n], double (&sums)[4]) {
+#if defined(__AVX2__)
+  if constexpr (n == 4) {
+    const FourSums<n> &part = parts[0];
+    const __m256d ab = _mm256_hadd_pd(__m256d(part.a), __m256d(part.b));
+    const __m256d cd = _mm256_hadd_pd(__m256d(part.c), __m256d(part.d));
+    const __m256d low = _mm256_permute2f128_pd(ab, cd, 0x20), high = _mm256_permute2f128_pd(ab, cd, 0x31);
+    _mm256_storeu_pd(sums, _mm256_add_pd(low, high));
+    return;
+  }
+#endif
+  using L = Wide<double, n>;
+  double a[sum_lanes], b[sum_lanes], c[sum_lanes], d[sum_lanes];
+  for (uint32_t lane = 0; lane < sum_lanes; lane += n) {
+    const FourSums<n> &part = parts[lane / n];
+    L::store(a + lane, part.a);
+    L::store(b + lane, part.b);
+    L::store(c + lane, part.c);
+    L::store(d + lane, part.d);
+  }
+  sums[0] = sum_of_lanes(a);
+  sums[1] = sum_of_lanes(b);
+  sums[2] = sum_of_lanes(c);
+  sums[3] = sum_of_lanes(d);
+}
+
+}  // namespace
+}  // namespace hsp
