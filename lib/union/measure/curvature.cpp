@@ -130,8 +130,8 @@ class MeanCurvature {
   const bool has_plain_squares_, has_tied_vertex_;
 };
 
-// In multiples of the unit no sum of two radii is above 2^26, so its square is at most 2^52; and of spheres that meet the
-// distance is no more than that sum.
+// In multiples of the unit no sum of two radii is above 2^26, so its square is at most 2^52; and the distance of
+// spheres that meet is no more than that sum.
 bool has_plain_squares(const BallSet &balls, Target target) {
   double unit = 1.0;
   while (static_cast<double>(balls.largest_radius) > 0x1p25 * unit) unit *= 2;

@@ -42,7 +42,7 @@ struct MeanCurvatureGradient {
   bool one_sided = false;  // M has a kink here: spheres touch, or four meet in a vertex
 };
 
-// What is asked once, as that is cheaper than at every ball, and molecules have the same answers.
+// Asked once, as that is cheaper than at every ball.
 struct CurvedSet {
   // A vertex is decided by the symbolic perturbation, four spheres or more meeting there. Molecules have none.
   bool has_tied_vertices;

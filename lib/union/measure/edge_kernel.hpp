@@ -51,7 +51,7 @@ struct EdgeAngle {
         beta(L::kept(is_proper, half_turn_angle<L>(cosine, product).sum())) {}
 };
 
-// What that takes, from radii and the vector from centre to centre.
+// The input of EdgeAngle, from radii and the vector from centre to centre.
 template <class L>
 struct EdgeLengths {
   using Real = typename L::Real;
