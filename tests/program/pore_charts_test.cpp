@@ -223,7 +223,7 @@ void expect_tree(const Json &json, const std::string &svg, double persistence, b
     }
     EXPECT_TRUE(found) << (*maximum)["maximum"].number;
   }
-  double before = outside ? 20.2 : 19.8;
+  double before = outside ? 20.7 : 20.3;
   std::sort(bars.begin(), bars.end(), [](const Bar &a, const Bar &b) { return a.y < b.y; });
   for (const Bar &bar : bars) {
     EXPECT_GT(bar.y, before + 0.2);
@@ -306,7 +306,7 @@ TEST(PoreCharts, TreeInABox) {
   const auto &[json, svg] = written("--tree", {file.path(), "--box", "2,2,2.4"});
   expect_tree(json, svg, 0, false);
   const Scale x = scale_of(svg, true);
-  static const std::regex limit("<text x=\"([0-9.]+)\" y=\"15.0\" text-anchor=\"middle\">([123])-d<");
+  static const std::regex limit("<text x=\"([0-9.]+)\" y=\"15.5\" text-anchor=\"middle\">([123])-d<");
   size_t limits = 0;
   double before = -1;
   for (std::sregex_iterator l(svg.begin(), svg.end(), limit), end; l != end; ++l, ++limits) {
@@ -331,7 +331,7 @@ TEST(PoreCharts, NamesOfNearLimitsDoNotOverlap) {
   const auto at = [&, &limits = json["pore_limiting_diameter"].items](size_t d) { return x(limits.at(d).number / 2); };
   ASSERT_LT(at(1), at(2) + 24);
   ASSERT_GE(at(0), at(2) + 48);
-  static const std::regex limit("<text x=\"([0-9.]+)\" y=\"15.0\" text-anchor=\"middle\">([^<]*-d)<");
+  static const std::regex limit("<text x=\"([0-9.]+)\" y=\"15.5\" text-anchor=\"middle\">([^<]*-d)<");
   std::map<std::string, double> names;
   for (std::sregex_iterator l(svg.begin(), svg.end(), limit), end; l != end; ++l) names[(*l)[2]] = std::stod((*l)[1]);
   ASSERT_EQ(names.size(), 2u);

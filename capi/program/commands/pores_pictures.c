@@ -207,7 +207,7 @@ bool pores_write_profile(const struct pores_found *found, const struct molecule 
   if (slope == NULL) return failure_of_memory(failure);
   const struct profile profile = {found,
                                   slope,
-                                  {LEFT, TOP, WIDTH, PROFILE_HEIGHT},
+                                  {LEFT + 0.5, TOP + 0.5, WIDTH, PROFILE_HEIGHT},
                                   chart_scale_of(0.0, longest > 0.0 ? longest : 1.0),
                                   chart_scale_of(0.0, widest > 0.0 ? widest : 1.0)};
   const double probe = found->request->probe;
@@ -477,8 +477,10 @@ static void add_tree(struct text_buffer *out, const struct pores_found *found, c
   const bool outside = found->request->box.source == BOX_NONE;
   const uint32_t rows = tree->rows + (outside ? 1 : 0);
   const double row = rows <= MOST_NAMED_ROWS ? NAMED_ROW : fmax((double)TREE_HEIGHT / rows, 0.5);
-  struct tree_page page = {
-      {LEFT, TOP, WIDTH, row * fmax(rows, 1.0)}, chart_scale_of(low, high > low ? high : low + 1.0), row, outside};
+  struct tree_page page = {{LEFT + 0.5, TOP + 0.5, WIDTH, row * fmax(rows, 1.0)},
+                           chart_scale_of(low, high > low ? high : low + 1.0),
+                           row,
+                           outside};
   const double bottom = page.frame.top + page.frame.height;
   chart_begin(out, find_width(found, tree, &page, colour), (int)ceil(bottom) + BELOW + 2 * LEGEND_ROW,
               "Classes of pores");
