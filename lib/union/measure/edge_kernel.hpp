@@ -103,10 +103,10 @@ struct EdgeKernel {
 
   // Of n lanes: the mean curvature and the derivatives by the centre, and that by the radius.
   struct Sums {
-    FourSums<n> &mean_and_centre;
-    Real &radius;
+    FourSums<n> mean_and_centre;
+    Real radius = L::all(0.0);
 
-    void add_centre(const Vector &term) const {
+    void add_centre(const Vector &term) {
       mean_and_centre.b += term.x;
       mean_and_centre.c += term.y;
       mean_and_centre.d += term.z;
@@ -137,15 +137,17 @@ struct EdgeKernel {
  private:
   template <class EdgesOf>
   static EdgeSums differentiate_by(double radius, const ArcBatch &arcs, double weight, EdgeBatch &edges) {
-    FourSums<n> parts[sum_lanes / n];
-    Real radii[sum_lanes / n] = {};
+    Sums sums[sum_lanes / n];
     for (uint32_t lane = 0; lane < sum_lanes; lane += n) {
-      add_edges<EdgesOf>(radius, arcs, weight, lane, edges, {parts[lane / n], radii[lane / n]});
+      add_edges<EdgesOf>(radius, arcs, weight, lane, edges, sums[lane / n]);
     }
+    FourSums<n> parts[sum_lanes / n];
     double by_radius[sum_lanes];
     for (uint32_t lane = 0; lane < sum_lanes; lane += n) {
-      add_vertices<EdgesOf>(radius, arcs, lane, edges, {parts[lane / n], radii[lane / n]});
-      L::store(by_radius + lane, radii[lane / n]);
+      Sums &sum = sums[lane / n];
+      add_vertices<EdgesOf>(radius, arcs, lane, edges, sum);
+      parts[lane / n] = sum.mean_and_centre;
+      L::store(by_radius + lane, sum.radius);
     }
     double of[4];
     store_sums(parts, of);
@@ -205,7 +207,7 @@ struct EdgeKernel {
   // X.
   template <class EdgesOf>
   static void add_edges(double radius, const ArcBatch &all_arcs, double weight, uint32_t lane, EdgeBatch &edges,
-                        const Sums &sums) {
+                        Sums &sums) {
     const double inverse_radius = radius > 0.0 ? 1.0 / radius : 0.0;
     for (uint32_t s = lane; s < all_arcs.count; s += sum_lanes) {
       const ArcBatch &arcs = by_one_register(all_arcs);
@@ -257,7 +259,7 @@ struct EdgeKernel {
     L::store(edges.force_by_previous + s, along_b);
   }
   template <class EdgesOf>
-  static void add_vertices(double radius, const ArcBatch &all_arcs, uint32_t lane, EdgeBatch &edges, const Sums &sums) {
+  static void add_vertices(double radius, const ArcBatch &all_arcs, uint32_t lane, EdgeBatch &edges, Sums &sums) {
     for (uint32_t s = lane; s < all_arcs.count; s += sum_lanes) {
       const ArcBatch &arcs = by_one_register(all_arcs);
       if constexpr (!EdgesOf::have_g_before) {
