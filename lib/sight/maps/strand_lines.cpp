@@ -95,7 +95,7 @@ void put_piece(const StrandSide &side, double from, double to, uint32_t ball, co
   visitor(line_between(ends[0], ends[1], ball), true, false);
 }
 
-// What lies within the path, from every other crossing to the next.
+// The pieces within the path: from every other crossing to the next.
 void visit_side(const StickMap &map, uint32_t path, const StrandSide &side, uint32_t ball, const ArcVisitor &visitor) {
   Crossing in{-std::numeric_limits<double>::infinity(), 0, 0}, out{};
   while (find_next(map, path, side, in, out)) {

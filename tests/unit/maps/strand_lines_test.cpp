@@ -24,8 +24,8 @@ struct Piece {
   std::array<double, 2> from, to;
 };
 
-// By the caller's numbers of sticks. The contour is beside the axis by the whole radius; rings of level sticks are lines
-// across it.
+// By the caller's numbers of sticks. The contour is beside the axis by the whole radius; rings of level
+// sticks are lines across it.
 std::vector<std::vector<Piece>> pieces_of(const BuiltSticks &built) {
   std::vector<std::vector<Piece>> pieces(built.ends().size());
   for (uint32_t path = 0; path < built.view().paths.size(); ++path) {
@@ -52,7 +52,7 @@ double height_of(const oracle::PlainBall &ball, double x, double y) {
   return squared > 0 ? ball.centre[2] + std::sqrt(squared) : -std::numeric_limits<double>::infinity();
 }
 
-// What is before a point of a cylinder, but for itself.
+// Whether a ball or another cylinder is before a point of a cylinder.
 bool is_covered(const PlainSticks &scene, size_t own, double x, double y, double z) {
   for (const oracle::PlainBall &ball : scene.balls)
     if (height_of(ball, x, y) > z) return true;
