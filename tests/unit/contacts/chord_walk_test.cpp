@@ -18,6 +18,8 @@ namespace {
 
 // By the balls of a chord, those that clip it.
 using Chords = std::map<std::array<uint32_t, 3>, std::pair<uint32_t, uint32_t>>;
+// By the balls of a chord, and 0 at p- or 1 at p+, the ball that clips it there.
+using Ends = std::map<std::array<uint32_t, 4>, uint32_t>;
 
 class WalkedBalls {
  public:
@@ -33,24 +35,29 @@ class WalkedBalls {
     memory.carve(walk, hsp::ContactLimits{n_, n_, contacts, 0, 0});
     walk.start(built_.grid().balls().n, built_.grid().balls().n);
     Chords chords;
+    Ends ends;
+    std::map<std::array<uint32_t, 3>, uint32_t> free_ends;
     for (uint32_t i = 0; i < built_.grid().balls().n; ++i) {
       if (!gather(i)) continue;
       with_many_later_ += caps_.count - caps_.first_later > hsp::MaskedChords::most_caps ? 1U : 0U;
       all_asked_ += walk.asks_for_all_caps(boundary_.boundary(), i) ? 1U : 0U;
       walk.find(boundary_.boundary(), caps_);
-      uint32_t last[2] = {0, 0};
-      walk.visit([&](const hsp::FoundChord &chord) {
+      for (const hsp::FoundChord &chord : walk.chords()) {
         const auto [j, k] = chord.cap;
-        EXPECT_TRUE(last[0] < j || (last[0] == j && last[1] < k));
-        last[0] = j;
-        last[1] = k;
-        chords[{i, caps_.ball[j], caps_.ball[k]}] = {chord.clipper[0], chord.clipper[1]};
-        if (chord.free_ends() == 0 || chord.vertex == hsp::no_id) return;
-        const hsp::VertexRecord &vertex = boundary_.boundary().vertex(chord.vertex);
-        EXPECT_EQ(vertex.ball[0], i);
-        EXPECT_EQ(vertex.ball[1], caps_.ball[j]);
-        EXPECT_EQ(vertex.ball[2], caps_.ball[k]);
-      });
+        EXPECT_LT(j, k);
+        const std::array<uint32_t, 3> key = {i, caps_.ball[j], caps_.ball[k]};
+        free_ends[key] = chord.free_ends;
+        chords.insert({key, {hsp::no_id, hsp::no_id}});
+      }
+      for (const hsp::FoundVertex &vertex : walk.vertices()) add_ends(vertex, ends);
+    }
+    for (const auto &[key, end] : ends) {
+      EXPECT_EQ(chords.count({key[0], key[1], key[2]}), 1U);
+      auto &clippers = chords[{key[0], key[1], key[2]}];
+      (key[3] == 0 ? clippers.first : clippers.second) = end;
+    }
+    for (const auto &[key, clippers] : chords) {
+      EXPECT_EQ(free_ends[key], (clippers.first == hsp::no_id ? 1U : 0U) + (clippers.second == hsp::no_id ? 1U : 0U));
     }
     return chords;
   }
@@ -81,6 +88,25 @@ class WalkedBalls {
   uint32_t all_asked() const { return all_asked_; }
 
  private:
+  // A power vertex of the ball at hand ends the chords of every three of its balls, each once.
+  void add_ends(const hsp::FoundVertex &vertex, Ends &ends) const {
+    const auto [a, b, c] = vertex.cap;
+    EXPECT_TRUE(a < b && b < c);
+    const uint32_t four[4] = {caps_.origin, caps_.ball[a], caps_.ball[b], caps_.ball[c]};
+    for (uint32_t k = 0; k < 4; ++k) {
+      uint32_t three[3];
+      uint32_t count = 0;
+      for (uint32_t m = 0; m < 4; ++m) {
+        if (m != k) three[count++] = four[m];
+      }
+      const hsp::BallSet &balls = built_.grid().balls();
+      const auto vector = [&](uint32_t ball) { return balls.ball(ball).centre - balls.ball(three[0]).centre; };
+      const int side = hsp::exact::Exact::triple_product_sign(vector(three[1]), vector(three[2]), vector(four[k]));
+      EXPECT_NE(side, 0);
+      EXPECT_TRUE(ends.insert({{three[0], three[1], three[2], side > 0 ? 1U : 0U}, four[k]}).second);
+    }
+  }
+
   bool gather(uint32_t i) {
     const hsp::BallSet &balls = built_.grid().balls();
     if (boundary_.boundary().is_contained(i)) return false;
