@@ -2,7 +2,7 @@
 
 namespace hsp::HSP_TARGET {
 
-NearestCut nearest_cut(const CapColumns &caps, uint32_t first, uint32_t last, const ChordRay &ray) {
+uint32_t nearest_cut(const CapColumns &caps, uint32_t first, uint32_t last, const ChordRay &ray) {
   return ChordKernel<register_lanes>::nearest(caps, first, last, ray);
 }
 

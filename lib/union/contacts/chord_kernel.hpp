@@ -13,40 +13,42 @@ struct ChordKernel {
   using L = Wide<double, n>;
   using Real = typename L::Real;
   using Mask = typename L::Mask;
-  using Vector = VectorOf<Real>;
 
   // Each lane has its own first and second.
-  static NearestCut nearest(const CapColumns &caps, uint32_t first, uint32_t last, const ChordRay &ray) {
-    const Vector m{L::all(ray.m[0]), L::all(ray.m[1]), L::all(ray.m[2])};
-    const Vector w{L::all(ray.w[0]), L::all(ray.w[1]), L::all(ray.w[2])};
+  static uint32_t nearest(const CapColumns &caps, uint32_t first, uint32_t last, const ChordRay &ray) {
+    const Real mx = L::all(-ray.m[0]), my = L::all(-ray.m[1]), mz = L::all(-ray.m[2]);
+    const Real wx = L::all(ray.w[0]), wy = L::all(ray.w[1]), wz = L::all(ray.w[2]);
     const Real slope = L::all(ChordRay::least_slope);
+    const Real twice = L::all(2 * ChordRay::least_slope);
     const Real none = L::all(ChordRay::none);
-    Real best = none;
-    Real second = none;
-    Mask found{};
+    constexpr int64_t numbers = ChordRay::most_caps - 1;
+    Mask number{};
+    for (uint32_t lane = 0; lane < n; ++lane) number[lane] = first + lane;
+    Real best = none, second = none;
     Mask unclear{};
     for (uint32_t t = first; t < last; t += n) {
-      const Vector u{L::load(caps.ux + t), L::load(caps.uy + t), L::load(caps.uz + t)};
-      const Real depth = L::load(caps.b + t) - dot(m, u);  // -f
-      const Real g = dot(w, u);
-      unclear += L::both(L::absolute(g) <= slope, depth <= 2 * slope);
-      const Real s = L::select(g > slope, depth / g, none);
-      const Mask closer = s < best;
+      const Real ux = L::load(caps.ux + t), uy = L::load(caps.uy + t), uz = L::load(caps.uz + t);
+      const Real depth = L::fused(mz, uz, L::fused(my, uy, L::fused(mx, ux, L::load(caps.b + t))));  // -f
+      const Real g = L::fused(wz, uz, L::fused(wy, uy, wx * ux));
+      unclear |= L::larger(depth, L::absolute(g)) <= twice;
+      const Real quotient = L::select(g > slope, depth / g, none);
+      const Real s = L::number((L::bits(quotient) & ~(Mask{} + numbers)) | number);
       second = L::smaller(second, L::larger(best, s));
       best = L::smaller(s, best);
-      found = L::bits(L::select(closer, L::number(Mask{} + static_cast<int64_t>(t)), L::number(found)));
+      number += n;
     }
-    // The lane of the least, and the next one of all others or behind it in its lane; the same where two are equal.
-    double least = best[0];
-    for (uint32_t lane = 1; lane < n; ++lane) least = best[lane] < least ? best[lane] : least;
-    const Mask is_least = best == least;
-    const uint64_t set = L::set_lanes(is_least);
-    const Real behind = L::select(is_least, second, best);
-    double next = behind[0];
-    for (uint32_t lane = 1; lane < n; ++lane) next = behind[lane] < next ? behind[lane] : next;
-    if ((set & (set - 1)) != 0) next = least;
-    const uint32_t lane = static_cast<uint32_t>(__builtin_ctzll(set));
-    return {least, next, static_cast<uint32_t>(found[lane]) + lane, static_cast<uint32_t>(-L::sum(unclear))};
+    double least = best[0], next = second[0];
+    for (uint32_t lane = 1; lane < n; ++lane) {
+      const double larger = least < best[lane] ? best[lane] : least;
+      const double other = next < second[lane] ? next : second[lane];
+      next = larger < other ? larger : other;
+      least = least < best[lane] ? least : best[lane];
+    }
+    const double gap = ray.error * (8 / ChordRay::least_slope) + 0x1p-34;
+    const bool certain = ray.error <= ChordRay::most_error && !L::any(unclear) && least < 2.0 && next - least > gap;
+    uint64_t bits = 0;
+    std::memcpy(&bits, &least, sizeof bits);
+    return certain ? static_cast<uint32_t>(bits & numbers) : no_cut;
   }
 };
 

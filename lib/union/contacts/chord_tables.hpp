@@ -5,6 +5,8 @@
 //   next_open(end)        an end that is not known of a chord of which the other one is; false if there is none
 #pragma once
 
+#include <cstring>
+
 #include "core/span.hpp"
 #include "core/status.hpp"
 
@@ -30,7 +32,7 @@ class MaskedChords {
 
   // Of caps from `first` on. There is room for one chord more than there are.
   MaskedChords(Span<FoundChord> chords, uint32_t first, uint32_t caps) : chords_(chords.data()), first_(first) {
-    for (uint32_t row = 0; row < caps; ++row) known_[row][0] = known_[row][1] = 0;
+    if (caps > 0) std::memset(known_, 0, caps * sizeof known_[0]);
   }
 
   bool set_end(uint32_t j, uint32_t k, uint32_t side) {

@@ -30,7 +30,7 @@ uint32_t cut_exactly(const Caps &caps, uint32_t j, uint32_t k, uint32_t side) {
 void pad(Caps &caps) {
   for (uint32_t k = caps.count; k < caps.ux.size() && k < caps.count + 3; ++k) {
     caps.ux[k] = caps.uy[k] = caps.uz[k] = 0.0;
-    caps.b[k] = 4.0;
+    caps.b[k] = ChordRay::nowhere;
   }
 }
 
@@ -56,7 +56,8 @@ void ChordWalk::start(uint32_t balls, uint32_t own) {
 }
 
 void ChordWalk::find(const Boundary &boundary, Caps &caps) {
-  for (uint32_t k = 0; k < caps.count; ++k) cap_of_ball_[caps.ball[k]] = k;
+  const uint32_t *const ball = caps.ball.data();
+  for (uint32_t k = caps.first_later; k < caps.count; ++k) cap_of_ball_[ball[k]] = k;
   chord_count_ = vertex_count_ = 0;
   if (lost_) return try_all_pairs(caps);
   if (!has_start(boundary, caps.origin)) return;
@@ -138,20 +139,21 @@ void ChordWalk::start_from_any(const Caps &caps, Chords &chords) {
 }
 
 // Of a chord that survives and does not end in a vertex of the boundary at this side.
-uint32_t ChordWalk::cut_of(const Caps &caps, const ChordEnd &end, Target target) const {
+uint32_t ChordWalk::cut_of(Caps &caps, const ChordEnd &end, Target target) const {
   const auto [j, k, side] = end;
   const CapPair pair(caps, j, k);
-  if (pair.certainly_cross()) {
+  if (pair.certainly_cross() && caps.count < ChordRay::most_caps) {
     const UnitChord chord(caps, j, k, pair);
     const double direction = side == 1 ? 1.0 : -1.0;
     const ChordRay ray{{chord.m.x, chord.m.y, chord.m.z},
-                       {direction * chord.w.x, direction * chord.w.y, direction * chord.w.z}};
+                       {direction * chord.w.x, direction * chord.w.y, direction * chord.w.z},
+                       chord.error};
+    caps.b[j] = caps.b[k] = ChordRay::nowhere;
     const CapColumns columns{caps.ux.data(), caps.uy.data(), caps.uz.data(), caps.b.data()};
-    const NearestCut cut = nearest_cut(target, columns, caps.first_later, caps.count, ray);
-    const double gap = 8 * chord.error / ChordRay::least_slope;
-    if (chord.error <= ChordRay::most_error && cut.unclear == 2 && cut.s < 2.0 && cut.second - cut.s > gap) {
-      return cut.cap;
-    }
+    const uint32_t cut = nearest_cut(target, columns, caps.first_later, caps.count, ray);
+    caps.b[j] = pair.bj;
+    caps.b[k] = pair.bk;
+    if (cut != no_cut) return cut;
   }
   return cut_exactly(caps, j, k, side);
 }

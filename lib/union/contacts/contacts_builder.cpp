@@ -1,5 +1,7 @@
 #include "contacts/contacts_builder.hpp"
 
+#include <cstring>
+
 #include "contacts/contact_measures.hpp"
 #include "core/rows.hpp"
 
@@ -40,15 +42,17 @@ void ContactsBuilder::carve(Workspace &workspace, const ContactLimits &limits) {
   contact_of_cap_ = workspace.take<uint32_t>(limits.neighbours);
 }
 
-bool ContactsBuilder::start(const CubeGrid &grid, uint32_t neighbours, Target target) {
+bool ContactsBuilder::start(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours) {
   const uint32_t balls = grid.balls().n;
   clear(balls);
   own_balls_ = grid.own_balls();
+  some_inside_ = false;
   lost_across_ = 0;
   needed_.neighbours = neighbours;
   if (balls > limits_.balls || neighbours > limits_.neighbours) return false;
   walk_.start(balls, own_balls_);
-  candidates_.borrow(contacts_.a_.row, target);
+  for (uint32_t i = 0; i < balls; ++i) some_inside_ = some_inside_ || boundary.is_contained(i);
+  candidates_.borrow(contacts_.a_.row, boundary.target());
   return true;
 }
 
@@ -115,13 +119,10 @@ bool ContactsBuilder::start_cube(const CubeGrid &grid, uint32_t cube, const Cube
 void ContactsBuilder::start_ball(const BallSet &balls, const Boundary &boundary, const CubeBlock &block, uint32_t i,
                                  bool in_lanes) {
   gather_caps(balls, boundary, block, i, in_lanes);
-  const auto is_inside = [&boundary](uint32_t ball) { return boundary.is_contained(ball); };
-  bool any_inside = false;
-  for (uint32_t k = 0; k < caps_.count; ++k) any_inside = any_inside || is_inside(caps_.ball[k]);
-  if (any_inside) caps_.keep_if([&is_inside](uint32_t j) { return !is_inside(j); });
+  if (some_inside_) caps_.keep_if([&boundary](uint32_t j) { return !boundary.is_contained(j); });
   caps_.first_later = 0;
   while (caps_.first_later < caps_.count && caps_.ball[caps_.first_later] < caps_.origin) ++caps_.first_later;
-  for (uint32_t k = caps_.first_later; k < caps_.count; ++k) contact_of_cap_[k] = no_id;
+  if (caps_.count > 0) std::memset(contact_of_cap_.data(), 0xFF, caps_.count * sizeof(uint32_t));
 }
 
 // And the contacts of the ball at hand with later ones that chords at other balls have.

@@ -52,7 +52,7 @@ class ContactsBuilder : public Limited<ContactLimits> {
   // is missing.
   template <class Images>
   Status build(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours, const Images &images) {
-    if (!start(grid, neighbours, boundary.target())) return Status::capacity;
+    if (!start(grid, boundary, neighbours)) return Status::capacity;
     BlockSweep sweep(grid);
     for (uint32_t cube = 0; cube < grid.own_cubes(); ++cube) {
       const CubeBlock &block = sweep.block_around(cube);
@@ -97,7 +97,7 @@ class ContactsBuilder : public Limited<ContactLimits> {
   static constexpr uint32_t no_room = no_id - 1;
   static constexpr uint32_t elsewhere = no_id - 2;
 
-  bool start(const CubeGrid &grid, uint32_t neighbours, Target target);
+  bool start(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours);
   void clear(uint32_t balls);
   bool start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block);
   void gather_caps(const BallSet &balls, const Boundary &boundary, const CubeBlock &block, uint32_t i, bool in_lanes);
@@ -237,6 +237,7 @@ class ContactsBuilder : public Limited<ContactLimits> {
   }
 
   uint32_t own_balls_ = 0;    // the first ones
+  bool some_inside_ = false;  // others
   uint32_t lost_across_ = 0;  // contacts with others for which there was no room
   Contacts contacts_;
   CubeCandidates candidates_;
