@@ -1,7 +1,6 @@
 #include "contacts/chord_walk.hpp"
 
 #include "contacts/chord_cuts.hpp"
-#include "sphere/cap_pair.hpp"
 
 namespace hsp {
 namespace {
@@ -30,7 +29,7 @@ uint32_t cut_exactly(const Caps &caps, uint32_t j, uint32_t k, uint32_t side) {
 void pad(Caps &caps) {
   for (uint32_t k = caps.count; k < caps.ux.size() && k < caps.count + 3; ++k) {
     caps.ux[k] = caps.uy[k] = caps.uz[k] = 0.0;
-    caps.b[k] = ChordRay::nowhere;
+    caps.b[k] = 4.0;
   }
 }
 
@@ -139,20 +138,12 @@ void ChordWalk::start_from_any(const Caps &caps, Chords &chords) {
 }
 
 // Of a chord that survives and does not end in a vertex of the boundary at this side.
-uint32_t ChordWalk::cut_of(Caps &caps, const ChordEnd &end, Target target) const {
+uint32_t ChordWalk::cut_of(const Caps &caps, const ChordEnd &end, Target target) const {
   const auto [j, k, side] = end;
-  const CapPair pair(caps, j, k);
-  if (pair.certainly_cross() && caps.count < ChordRay::most_caps) {
-    const UnitChord chord(caps, j, k, pair);
-    const double direction = side == 1 ? 1.0 : -1.0;
-    const ChordRay ray{{chord.m.x, chord.m.y, chord.m.z},
-                       {direction * chord.w.x, direction * chord.w.y, direction * chord.w.z},
-                       chord.error};
-    caps.b[j] = caps.b[k] = ChordRay::nowhere;
+  if (caps.count < CapColumns::most_caps) {
     const CapColumns columns{caps.ux.data(), caps.uy.data(), caps.uz.data(), caps.b.data()};
-    const uint32_t cut = nearest_cut(target, columns, caps.first_later, caps.count, ray);
-    caps.b[j] = pair.bj;
-    caps.b[k] = pair.bk;
+    const double direction = side == 1 ? 1.0 : -1.0;
+    const uint32_t cut = nearest_cut(target, columns, caps.first_later, caps.count, j, k, direction);
     if (cut != no_cut) return cut;
   }
   return cut_exactly(caps, j, k, side);

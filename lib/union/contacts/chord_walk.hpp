@@ -60,7 +60,7 @@ class ChordWalk {
   void start_from_any(const Caps &caps, Chords &chords);
   template <class Chords>
   void start_from_ends(const Boundary &boundary, const Caps &caps, Chords &chords);
-  uint32_t cut_of(Caps &caps, const ChordEnd &end, Target target) const;
+  uint32_t cut_of(const Caps &caps, const ChordEnd &end, Target target) const;
   template <class Chords>
   void add_power_vertex(const Caps &caps, const ChordEnd &end, uint32_t clipper, Chords &chords);
 

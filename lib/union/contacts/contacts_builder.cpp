@@ -134,25 +134,20 @@ void ContactsBuilder::find_chords(const Boundary &boundary) {
   }
 }
 
-// In a box chords of this ball also find contacts of it that are kept here and seen as those of two images.
-uint32_t ContactsBuilder::contact_of_cap(uint32_t cap) {
-  uint32_t &id = contact_of_cap_[cap];
-  if (id == no_id) {
-    const bool is_new = own_balls_ == contacts_.a_.balls;
-    id = is_new ? add_contact(caps_.origin, caps_.ball[cap]) : find_contact(caps_.origin, caps_.ball[cap]);
-  }
-  return id == elsewhere ? no_room : id;
-}
-
 void ContactsBuilder::count_chords(bool some_elsewhere) {
   ContactArrays &a = contacts_.a_;
+  const uint64_t before = a.triangles.required();
+  uint32_t counted = 0;
   for (const FoundChord &chord : walk_.chords()) {
     const auto [j, k] = chord.cap;
     if (some_elsewhere && (is_elsewhere(j) || is_elsewhere(k))) continue;
-    const TriangleRecord triangle{{caps_.origin, caps_.ball[j], caps_.ball[k]}, chord.free_ends};
-    a.triangles.push(triangle);
-    ++a.simplices.of[2][static_cast<uint32_t>(triangle.kind())];
+    ++a.simplices.of[2][2U - chord.free_ends];
+    ++counted;
+    if (a.triangles.capacity() > 0) {
+      a.triangles.push({{caps_.origin, caps_.ball[j], caps_.ball[k]}, chord.free_ends});
+    }
   }
+  if (a.triangles.capacity() == 0) a.triangles.set_count(before + counted);
 }
 
 // The lengths of the axes are the contacts' own: measure_contacts() divides by them.

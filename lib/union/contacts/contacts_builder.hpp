@@ -106,7 +106,15 @@ class ContactsBuilder : public Limited<ContactLimits> {
   void count_chords(bool some_elsewhere);
   void measure_vertices(const BallSet &balls, const Boundary &boundary);
   bool is_elsewhere(uint32_t cap) const { return contact_of_cap_[cap] == elsewhere; }
-  uint32_t contact_of_cap(uint32_t cap);
+  // In a box power vertices of this ball also find contacts of it that are kept here and seen as those of two images.
+  uint32_t contact_of_cap(uint32_t cap) {
+    uint32_t &id = contact_of_cap_[cap];
+    if (id == no_id) {
+      const bool is_new = own_balls_ == contacts_.a_.balls;
+      id = is_new ? add_contact(caps_.origin, caps_.ball[cap]) : find_contact(caps_.origin, caps_.ball[cap]);
+    }
+    return id == elsewhere ? no_room : id;
+  }
   // no_room if there is none and none may be added, which is counted if it is asked for.
   uint32_t find_contact(uint32_t a, uint32_t b, uint32_t counted = 1);
   uint32_t add_contact(uint32_t a, uint32_t b, uint32_t counted = 1);
