@@ -69,6 +69,23 @@ void ChordWalk::find(const Boundary &boundary, Caps &caps) {
   }
 }
 
+bool ChordWalk::has_whole_chords(const Boundary &boundary, uint32_t ball, IdRange &ends) {
+  const uint32_t arrival = first_arrival_[ball];
+  if (lost_ || arrival < no_arrival || (arrival == no_id && !boundary.is_exposed(ball))) return false;
+  const uint32_t count = boundary.vertex_count();
+  uint32_t v = next_vertex_;
+  for (; v < count; v += 2) {
+    const VertexRecord &vertex = boundary.vertex(v);
+    if (vertex.ball[0] != ball) break;
+    if (v + 1 == count) return false;
+    const VertexRecord &next = boundary.vertex(v + 1);
+    if (next.ball[0] != ball || next.ball[1] != vertex.ball[1] || next.ball[2] != vertex.ball[2]) return false;
+  }
+  ends = {next_vertex_, v};
+  next_vertex_ = v;
+  return true;
+}
+
 // Whether any end of its chords is known, or one is to be searched for.
 bool ChordWalk::has_start(const Boundary &boundary, uint32_t ball) const {
   return first_arrival_[ball] != no_id || !boundary.is_exposed(ball) ||

@@ -37,7 +37,10 @@ class ChordWalk {
   bool asks_for_all_caps(const Boundary &boundary, uint32_t ball) const {
     return lost_ || (first_arrival_[ball] == no_id && !boundary.is_exposed(ball));
   }
-  // The next ball of the boundary by its caps, without those of balls inside other ones. All balls that have caps must
+  // Whether the next ball has no other chords than such with two free ends, as far as it can be seen at once. Then it
+  // need not come, and `ends` are the vertices of these chords, two after two.
+  bool has_whole_chords(const Boundary &boundary, uint32_t ball, IdRange &ends);
+  // The next ball of the boundary by its caps, without those of balls inside other ones. All others that have caps must
   // come, in ascending order, once.
   void find(const Boundary &boundary, Caps &caps);
 

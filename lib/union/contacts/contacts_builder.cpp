@@ -111,8 +111,7 @@ void ContactsBuilder::gather_caps(const BallSet &balls, const Boundary &boundary
   caps_.gather(balls, part_from(block, i + 1), i, nullptr);
 }
 
-bool ContactsBuilder::start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block) {
-  const uint32_t first = grid.balls_in(cube).first;
+bool ContactsBuilder::start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block, uint32_t first) {
   return candidates_.start_cube(grid, cube, first, part_from(block, first));
 }
 
@@ -136,18 +135,16 @@ void ContactsBuilder::find_chords(const Boundary &boundary) {
 
 void ContactsBuilder::count_chords(bool some_elsewhere) {
   ContactArrays &a = contacts_.a_;
-  const uint64_t before = a.triangles.required();
-  uint32_t counted = 0;
+  uint32_t with_free_ends[3] = {};
   for (const FoundChord &chord : walk_.chords()) {
     const auto [j, k] = chord.cap;
     if (some_elsewhere && (is_elsewhere(j) || is_elsewhere(k))) continue;
-    ++a.simplices.of[2][2U - chord.free_ends];
-    ++counted;
+    ++with_free_ends[chord.free_ends];
     if (a.triangles.capacity() > 0) {
       a.triangles.push({{caps_.origin, caps_.ball[j], caps_.ball[k]}, chord.free_ends});
     }
   }
-  if (a.triangles.capacity() == 0) a.triangles.set_count(before + counted);
+  for (uint32_t ends = 0; ends < 3; ++ends) count_triangles(ends, with_free_ends[ends]);
 }
 
 // The lengths of the axes are the contacts' own: measure_contacts() divides by them.

@@ -55,12 +55,20 @@ class ContactsBuilder : public Limited<ContactLimits> {
     if (!start(grid, boundary, neighbours)) return Status::capacity;
     BlockSweep sweep(grid);
     for (uint32_t cube = 0; cube < grid.own_cubes(); ++cube) {
-      const CubeBlock &block = sweep.block_around(cube);
       const BallRange own = grid.balls_in(cube);
-      const bool in_lanes = start_cube(grid, cube, block);
+      const CubeBlock *block = nullptr;
+      bool in_lanes = false;
       for (uint32_t i = own.first; i < own.last; ++i) {
         if (boundary.is_contained(i)) continue;
-        start_ball(grid.balls(), boundary, block, i, in_lanes);
+        if (IdRange ends; walk_.has_whole_chords(boundary, i, ends)) {
+          count_whole_chords(boundary, ends, images);
+          continue;
+        }
+        if (block == nullptr) {
+          block = &sweep.block_around(cube);
+          in_lanes = start_cube(grid, cube, *block, i);
+        }
+        start_ball(grid.balls(), boundary, *block, i, in_lanes);
         bool some_elsewhere = false;
         for (uint32_t k = caps_.count; Images::there && k > caps_.first_later; --k) {
           const uint32_t ball = caps_.ball[k - 1];
@@ -99,7 +107,7 @@ class ContactsBuilder : public Limited<ContactLimits> {
 
   bool start(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours);
   void clear(uint32_t balls);
-  bool start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block);
+  bool start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block, uint32_t first);
   void gather_caps(const BallSet &balls, const Boundary &boundary, const CubeBlock &block, uint32_t i, bool in_lanes);
   void start_ball(const BallSet &balls, const Boundary &boundary, const CubeBlock &block, uint32_t i, bool in_lanes);
   void find_chords(const Boundary &boundary);
@@ -149,7 +157,12 @@ class ContactsBuilder : public Limited<ContactLimits> {
     vertices_.contact[4][s] = contact_of(1, first, third);
     vertices_.contact[5][s] = contact_of(2, second, third);
     if (!Images::there || vertices_.kept[0][s] != 0.0) {
-      add_tetrahedron({{caps_.origin, first, second, third}});
+      FixedVector<TetrahedronRecord> &tetrahedra = contacts_.a_.tetrahedra;
+      if (tetrahedra.capacity() == 0) {
+        tetrahedra.set_count(tetrahedra.required() + 1);
+      } else {
+        tetrahedra.push({{caps_.origin, first, second, third}});
+      }
     }
     if (vertices_.count == PowerVertexBatch::capacity) measure_vertices(balls, boundary);
   }
@@ -166,13 +179,21 @@ class ContactsBuilder : public Limited<ContactLimits> {
     for (uint32_t k = 0; k < 4; ++k) batch.kept[k][s] = kept[k];
     for (uint32_t k = 0; k < 6; ++k) batch.ends[k][s] = ends[k];
   }
-  void add_tetrahedron(const TetrahedronRecord &tetrahedron) {
-    FixedVector<TetrahedronRecord> &tetrahedra = contacts_.a_.tetrahedra;
-    if (tetrahedra.capacity() == 0) {
-      tetrahedra.set_count(tetrahedra.required() + 1);
-    } else {
-      tetrahedra.push(tetrahedron);
+  template <class Images>
+  void count_whole_chords(const Boundary &boundary, IdRange ends, const Images &images) {
+    for (uint32_t v = ends.first; v < ends.last; v += 2) {
+      const auto [i, j, k] = boundary.vertex(v).ball;
+      const auto is_elsewhere = [&](uint32_t ball) { return ball >= own_balls_ && images.comes_before_its_ball(ball); };
+      if (Images::there && (is_elsewhere(j) || is_elsewhere(k))) continue;
+      count_triangles(2, 1);
+      if (contacts_.a_.triangles.capacity() > 0) contacts_.a_.triangles.push({{i, j, k}, 2});
     }
+  }
+  // Simplices for which there is no limit are only counted.
+  void count_triangles(uint32_t free_ends, uint32_t number) {
+    ContactArrays &a = contacts_.a_;
+    a.simplices.of[2][static_cast<uint32_t>(TriangleRecord{{}, free_ends}.kind())] += number;
+    if (a.triangles.capacity() == 0) a.triangles.set_count(a.triangles.required() + number);
   }
 
   // Arcs and circles of ball i: its part of its share, and the free borders of its contacts with later balls.
