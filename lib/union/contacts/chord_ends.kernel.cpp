@@ -79,7 +79,8 @@ struct EndKernel {
 
   static uint32_t measure_all(const BallArrays &balls, PowerVertexBatch &batch, uint32_t count) {
     uint32_t served = 0;
-    for (uint32_t s = 0; s < count; s += n) served |= static_cast<uint32_t>(L::set_lanes(measure(balls, batch, s))) << s;
+    for (uint32_t s = 0; s < count; s += n)
+      served |= static_cast<uint32_t>(L::set_lanes(measure(balls, batch, s))) << s;
     return ~served & ((1U << count) - 1U);
   }
 

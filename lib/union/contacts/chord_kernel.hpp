@@ -61,7 +61,7 @@ struct ChordKernel {
     for (uint32_t t = first; t < last; t += n) {
       const Real ux = L::load(caps.ux + t), uy = L::load(caps.uy + t), uz = L::load(caps.uz + t);
       const Real depth = L::fused(mz, uz, L::fused(my, uy, L::fused(mx, ux, L::load(caps.b + t))));  // -f
-      const Real slant = L::fused(wz, uz, L::fused(wy, uy, wx * ux));  // g
+      const Real slant = L::fused(wz, uz, L::fused(wy, uy, wx * ux));                                // g
       unclear += L::larger(depth, L::absolute(slant)) <= twice;
       const Real quotient = L::select(slant > slope, depth / slant, none);
       const Real s = L::number((L::bits(quotient) & ~(Mask{} + numbers)) | number);

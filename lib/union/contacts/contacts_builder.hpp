@@ -170,10 +170,9 @@ class ContactsBuilder : public Limited<ContactLimits> {
   static void keep_chords(PowerVertexBatch &batch, bool first_elsewhere, bool second_elsewhere, bool third_elsewhere,
                           bool first_comes) {
     const uint32_t s = batch.count;
-    const uint32_t kept[4] = {first_elsewhere || second_elsewhere ? 0U : 1U,
-                              second_elsewhere || third_elsewhere ? 0U : 1U,
-                              third_elsewhere || first_elsewhere ? 0U : 1U,
-                              !first_comes || second_elsewhere || third_elsewhere ? 0U : 1U};
+    const uint32_t kept[4] = {
+        first_elsewhere || second_elsewhere ? 0U : 1U, second_elsewhere || third_elsewhere ? 0U : 1U,
+        third_elsewhere || first_elsewhere ? 0U : 1U, !first_comes || second_elsewhere || third_elsewhere ? 0U : 1U};
     const uint32_t ends[6] = {kept[0] + kept[2], kept[0] + kept[1], kept[1] + kept[2],
                               kept[0] + kept[3], kept[2] + kept[3], kept[1] + kept[3]};
     for (uint32_t k = 0; k < 4; ++k) batch.kept[k][s] = kept[k];

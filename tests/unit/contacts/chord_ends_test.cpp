@@ -35,7 +35,8 @@ class PowerVertices {
       if (hsp::exact::pair_relation(ball[0], ball[k]) != hsp::exact::PairRelation::circle) return;
       if (k > 1 && hsp::exact::pair_relation(ball[1], ball[k]) != hsp::exact::PairRelation::circle) return;
     }
-    const hsp::exact::Plane P = plane_of(ball[0], ball[1]), Q = plane_of(ball[0], ball[2]), R = plane_of(ball[0], ball[3]);
+    const hsp::exact::Plane P = plane_of(ball[0], ball[1]), Q = plane_of(ball[0], ball[2]),
+                            R = plane_of(ball[0], ball[3]);
     if (hsp::exact::Exact::triple_product_sign(P.v, Q.v, R.v) == 0) return;
     const uint32_t s = batch_.count++;
     for (uint32_t k = 0; k < 4; ++k) {
@@ -205,8 +206,8 @@ TEST(FreeEnds, OfManyBatches) {
       const auto number = [&] { return static_cast<double>(random.in(-1000, 1000)); };
       const double x = number(), y = number(), z = number();
       const double scale = 100000 / std::sqrt(x * x + y * y + z * z + 1);
-      balls.push_back({static_cast<int64_t>(scale * x), static_cast<int64_t>(scale * y), static_cast<int64_t>(scale * z),
-                       random.in(6000, 14000)});
+      balls.push_back({static_cast<int64_t>(scale * x), static_cast<int64_t>(scale * y),
+                       static_cast<int64_t>(scale * z), random.in(6000, 14000)});
     }
     compare_free_ends(balls, seen);
   }
