@@ -24,7 +24,7 @@ namespace hsp {
 
 // Power vertices. Their chords are those of the balls 012, 023, 031 and 123; their contacts 01, 02, 03, 12, 31 and 23.
 struct PowerVertexBatch {
-  static constexpr uint32_t capacity = 16;  // a multiple of the lanes of every target
+  static constexpr uint32_t capacity = 8;  // a multiple of the lanes of every target
 
   uint32_t count = 0;
   uint32_t ball[4][capacity];
