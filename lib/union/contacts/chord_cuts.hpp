@@ -2,11 +2,10 @@
 //
 // The chord runs along m + s w on the unit sphere, from s = -1 to 1, and something cuts it. With f = u.m - b and
 // g = u.w a cap is entered at s = -f/g where g > 0. Errors of f and g together are below E <= most_error (cap_pair.hpp,
-// UnitChord). So where g > least_slope and s <= 2 the quotient is off by
-// at most (E + 2 E)/(g - E) and its rounding, together less than 4 E/least_slope; and what is found beyond 2 lies beyond
-// 1.9. Numbers of caps take the place of the last 16 bits of quotients: these are off by 2^-35 more. Where |g| <=
-// least_slope a cap cuts nothing up to s = 1 if -f is more than that; the others, and some with twice the slope, are
-// not decided. The chord's own two are among them.
+// UnitChord). So where g > least_slope and s <= 2 the quotient is off by at most (E + 2 E)/(g - E) and its rounding,
+// together less than 4 E/least_slope; and what is found beyond 2 lies beyond 1.9. Numbers of caps take the place of the
+// last 16 bits of quotients: these are off by 2^-35 more. Where |g| <= least_slope a cap cuts nothing up to s = 1 if -f
+// is more than that; the others, and some with twice the slope, are not decided. The chord's own two are among them.
 #pragma once
 
 #include <cstdint>

@@ -1,19 +1,19 @@
-// What the ends of chords add to the areas of contacts. The area of a contact is half the sum over its borders of
+// The terms of the ends of chords in the areas of contacts. The area of a contact is half the sum over its borders of
 // distance from the circle's centre times length; from the foot of that distance a chord runs to both of its ends, so
 // each end adds its own half of it, whatever the other one is.
 //
 // With y = 2 (x - c), the planes u.y = h_P, v.y = h_Q of two balls and the names of chord_line.hpp a chord runs along
 // (q x n + t n)/N, and an end at t adds +- t beta/(8 N |u|) to the contact of P, t alpha/(8 N |v|) to that of Q and
 // t (2 N - alpha - beta)/(8 N |v - u|) to the third one. At a free end t is +-sqrt(D). At a power vertex, where
-// z.y = h_R, too, y = (h_R u x v + h_P v x z + h_Q z x u)/B with B = u.(v x z), and t = n.y; the end is that of larger t
+// z.y = h_R, too, y = (h_R u x v + h_P v x z + h_Q z x u)/B with B = u.(v x z), and t = n.y; it is the end of larger t
 // iff B > 0.
 //
 // Doubles serve vertices of planes that are not nearly parallel: with B^2 >= least_square U V Z, where U, V and Z are
 // the squares of three vectors from one of the balls, and N >= least_square U V. In units of e = 2^-53, u, v and z are
-// exact. |u x v| has an error of 3 |u||v|, h_P one of 8 r |u|, as it is at most 2 r |u|, alpha and beta of 40 r |u||v|^2
-// and 40 r |u|^2 |v|; divided by |n| = s |u||v|, the distance of the chord's line is off by 50 r/s. y is off by
-// 3 (8 + 8) r/k + 10 r/k, where k = |B|/(|u||v||z|) <= s. So each term is off by less than 128 e r^2/k, and typically by
-// a few e r^2; exact numbers, each rounded once, take the place of what is worse than 2^-39 r^2.
+// exact. |u x v| has an error of 3 |u||v|, h_P, which is at most 2 r |u|, one of 8 r |u|, alpha and beta of
+// 40 r |u||v|^2 and 40 r |u|^2 |v|; divided by |n| = s |u||v|, the distance of the chord's line is off by 50 r/s. y is
+// off by 3 (8 + 8) r/k + 10 r/k, where k = |B|/(|u||v||z|) <= s. So each term is off by less than 128 e r^2/k, and
+// typically by a few e r^2; exact numbers, each rounded once, take the place of what may be off by 2^-41 r^2.
 #pragma once
 
 #include "measure/arc_sums.hpp"
@@ -32,7 +32,7 @@ struct PowerVertexBatch {
   uint32_t contact[6][capacity];  // the caller's
   uint32_t ends[6][capacity];     // of chords, that a contact has here
 
-  // What the kept ends add to half the sum of distance times length, times the distance of the two balls.
+  // Terms of the kept ends in half the sum of distance times length, times the distance of the two balls.
   double part[6][capacity];
 
   // Makes vertex `to` the same as another one, but for its contacts.

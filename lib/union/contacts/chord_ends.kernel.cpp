@@ -4,7 +4,7 @@
 namespace hsp::HSP_TARGET {
 namespace {
 
-constexpr double least_square = 0x1p-14;
+constexpr double least_square = 0x1p-10;
 
 template <uint32_t n>
 struct EndKernel {
@@ -84,7 +84,7 @@ struct EndKernel {
     return ~served & ((1U << count) - 1U);
   }
 
-  // An arc begins at the vertex of its own slot, on the circles of that and the previous one, and ends at the next one's.
+  // An arc begins at the vertex of its slot, on the circles of this and the previous one, and ends at that of the next.
   static bool measure_arcs(const ArcBatch &batch, double (&parts)[ArcBatch::room]) {
     double before[ArcBatch::room] = {};  // at a slot's vertex, for the circle of the previous slot
     for (uint32_t s = 0; s < batch.count; s += n) {

@@ -1,6 +1,6 @@
 // Fills contacts: two passes over all balls of a boundary. The first one finds power vertices, each at the first of its
-// four balls in the grid's order, the second one arcs and circles. What both add to the areas of contacts is in
-// chord_ends.hpp.
+// four balls in the grid's order, the second one arcs and circles. Both add to the areas of contacts as chord_ends.hpp
+// says.
 #pragma once
 
 #include "contacts/chord_ends.hpp"

@@ -192,9 +192,9 @@ bool Caps::take_near(Span<uint32_t> near, Joining &joining) {
   return take_all<true>(near.data(), hits, joining);
 }
 
-// There may be read and written spare ids behind `near`. Unless all is told, nothing is joined and nobody asks where
-// later balls begin.
-template <bool all_told>
+// There may be read and written spare ids behind `near`. Unless the caps are `ranked`, nothing is joined and nobody
+// asks where later balls begin.
+template <bool ranked>
 bool Caps::take_all(uint32_t *near, uint32_t hits, Joining &joining) {
   const BallArrays arrays = arrays_of(*balls_);
   for (uint32_t k = 0; k < 4; ++k) near[hits + k] = origin;
@@ -203,7 +203,7 @@ bool Caps::take_all(uint32_t *near, uint32_t hits, Joining &joining) {
       const uint32_t c = count;
       const CapArrays to{&ux[c], &uy[c], &uz[c], &b[c], &ball[c]};
       const uint32_t circles = caps_of_circles(target, arrays, origin, near + k, hits - k, to, length_squared);
-      for (uint32_t n = 0; all_told && n < circles; ++n) {
+      for (uint32_t n = 0; ranked && n < circles; ++n) {
         if (near[k + n] > origin) {
           joining.join(near[k + n]);
         } else {

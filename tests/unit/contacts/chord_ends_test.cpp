@@ -1,5 +1,5 @@
-// What ends of chords add to areas, in doubles for every target, against the same from integers: balls of every size
-// down to single steps, the largest there may be, planes that are nearly parallel, and balls on a small lattice.
+// The terms of ends of chords in areas, in doubles for every target, against the same from integers: balls of every
+// size down to single steps, the largest there may be, planes that are nearly parallel, and balls on a small lattice.
 #include "contacts/chord_ends.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 using hsp::exact::LatticeBall;
 
 // chord_ends.hpp has the bound, in parts of the squared radius; parts are times the distance of two balls.
-constexpr double most_error = 0x1p-39;
+constexpr double most_error = 0x1p-41;
 
 class PowerVertices {
  public:
