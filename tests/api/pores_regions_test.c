@@ -206,8 +206,8 @@ static void networks(uint32_t kind) {
   }
 }
 
-/* Two cavities that touch in a point, a gate of the width 0, where vertices of both shells are; and what is left of them
- * when balls are a little smaller or larger. */
+/* Two cavities that touch in a point, a gate of the width 0, where vertices of both shells are; and what is left of
+ * them when balls are a little smaller or larger. */
 static void pinched(void) {
   int32_t size;
   for (size = -1; size <= 1; ++size) {

@@ -322,8 +322,8 @@ TEST(Pores, ABox) {
   EXPECT_NE(table.find("end_shift_x"), std::string::npos);
 }
 
-// Rods once more: of the probe that fits between them what it gets to, of wider ones what they do not; volumes add up to
-// those of the box that `measure` has. Of a cage the same as its void.
+// Rods once more: of the probe that fits between them what it gets to, of wider ones what they do not; volumes add up
+// to those of the box that `measure` has. Of a cage the same as its void.
 TEST(Pores, Regions) {
   const TemporaryFile file("rod.xyzr", "3 2 1 1.6\n");
   for (const char *probe : {"0", "2.9", "3.5", "4.95"}) {
