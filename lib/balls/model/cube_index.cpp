@@ -15,7 +15,7 @@ void round_balls(const BallSet &balls, Span<float> rounded, QueryGrid &grid) {
   }
   grid.middle[3] = 0.0;
   grid.extent = extent;
-  if (extent > most_extent_of_rounded * grid.largest_radius) return;
+  if (extent > most_extent_of_reach * grid.largest_radius) return;
   const double *const middle = grid.middle;
   float *to = rounded.data();
   for (uint32_t i = 0; i < balls.n; ++i, to += 4) {

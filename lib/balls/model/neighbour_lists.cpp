@@ -1,6 +1,7 @@
 #include "model/neighbour_lists.hpp"
 
 #include "core/ahead.hpp"
+#include "model/meeting.hpp"
 #include "model/pair_block.hpp"
 #include "model/queries.hpp"
 #include "model/rounded_block.hpp"
@@ -65,7 +66,7 @@ class PairWalk {
       const Gaps z(balls_.z[i], low_z, side_);
       // Squares and sum are rounded by less than this leaves out.
       const double reach = balls_.r[i] + largest_;
-      const double too_far = reach * reach * (1.0 + 8 * unit_roundoff);
+      const double too_far = reach * reach * certainly_above;
       for (uint32_t k = 0; k < count; ++k) {
         const double gap_y = y.gap[nearby[k].y + 1];
         const double gap_z = z.gap[nearby[k].z + 1];
@@ -84,7 +85,7 @@ class PairWalk {
     const QueryArrays balls = query_arrays(balls_);
     PairBlock block;
     block.count = 0;
-    block.margin = static_cast<float>(PairBlock::margin_of_squared_side * side_ * side_);
+    block.doubt = static_cast<float>(doubt_nearby(side_));
     block.centre[0] = (static_cast<double>(at.x) + 0.5) * side_;
     block.centre[1] = (static_cast<double>(at.y) + 0.5) * side_;
     block.centre[2] = (static_cast<double>(at.z) + 0.5) * side_;

@@ -1,26 +1,18 @@
 #include "model/pair_block.hpp"
 
-#include "lanes/words.hpp"
+#include "model/meeting_lanes.hpp"
 
 namespace hsp::HSP_TARGET {
 namespace {
 
-inline Floats relative(const double *p, double origin) {
-  const Doubles from = Doubles::all(origin);
-  return to_floats(Doubles::load(p) - from, Doubles::load(p + Doubles::lanes) - from);
-}
-
 // For what floats leave open, lane by lane. Apart, as it is rare.
-[[gnu::noinline]] LaneBits decided(const PairBlock &block, const QueryArrays &balls, uint32_t i, uint32_t from,
-                                   LaneBits doubtful) {
-  LaneBits meet = 0;
-  for (; doubtful != 0; doubtful &= doubtful - 1) {
-    const uint32_t lane = lowest(doubtful), j = block.rank[from + lane];
-    const bool hit = meet_exactly(balls.x[j] - balls.x[i], balls.y[j] - balls.y[i], balls.z[j] - balls.z[i],
-                                  balls.r[j] + balls.r[i]);
-    meet |= static_cast<LaneBits>(hit) << lane;
-  }
-  return meet;
+[[gnu::noinline, gnu::cold]] LaneBits decided_by_integers(const PairBlock &block, const QueryArrays &balls, uint32_t i,
+                                                          uint32_t from, LaneBits doubtful, LaneBits meet) {
+  return decided(doubtful, meet, [&](uint32_t lane) {
+    const uint32_t j = block.rank[from + lane];
+    return meet_exactly(balls.x[j] - balls.x[i], balls.y[j] - balls.y[i], balls.z[j] - balls.z[i],
+                        balls.r[j] + balls.r[i]);
+  });
 }
 
 }  // namespace
@@ -39,29 +31,25 @@ uint32_t add_to_block(PairBlock &block, const QueryArrays &balls, const BallRang
   }
   block.count += last - range.first;
   // Lanes after the last one meet nothing.
-  Floats::all(0x1p60F).store(block.x + block.count);
-  Floats::all(0.0F).store(block.y + block.count);
-  Floats::all(0.0F).store(block.z + block.count);
-  Floats::all(0.0F).store(block.r + block.count);
+  store_far_balls(block.x + block.count, block.y + block.count, block.z + block.count, block.r + block.count);
   return last;
 }
 
 uint32_t met_in_block(const PairBlock &block, const QueryArrays &balls, uint32_t i, uint32_t from, uint32_t *met) {
-  const Floats x = Floats::all(static_cast<float>(balls.x[i] - block.centre[0]));
-  const Floats y = Floats::all(static_cast<float>(balls.y[i] - block.centre[1]));
-  const Floats z = Floats::all(static_cast<float>(balls.z[i] - block.centre[2]));
-  const Floats r = Floats::all(static_cast<float>(balls.r[i]));
-  const Floats above = Floats::all(block.margin), below = -above;
+  const FloatBall ball{Floats::all(static_cast<float>(balls.x[i] - block.centre[0])),
+                       Floats::all(static_cast<float>(balls.y[i] - block.centre[1])),
+                       Floats::all(static_cast<float>(balls.z[i] - block.centre[2])),
+                       Floats::all(static_cast<float>(balls.r[i]))};
+  const Floats doubt = Floats::all(block.doubt);
   const uint32_t count = block.count;
   uint32_t found = 0;
   for (uint32_t c = from; c < count; c += Floats::lanes) {
-    const Floats dx = Floats::load(block.x + c) - x, dy = Floats::load(block.y + c) - y,
-                 dz = Floats::load(block.z + c) - z, sum = Floats::load(block.r + c) + r;
-    const Floats excess = fused(dx, dx, fused(dy, dy, minus_fused(sum, sum, dz * dz)));
-    LaneBits meet = greater(below, excess);
-    const LaneBits doubtful = (meet | greater(excess, above)) ^ all_lanes;
+    const Floats excess = ball.excess(Floats::load(block.x + c), Floats::load(block.y + c), Floats::load(block.z + c),
+                                      Floats::load(block.r + c));
+    LaneBits meet = negative(excess);
+    const LaneBits doubtful = not_greater(magnitude(excess), doubt);
     if (doubtful != 0) [[unlikely]]
-      meet |= decided(block, balls, i, c, doubtful);
+      meet = decided_by_integers(block, balls, i, c, doubtful, meet);
     store_front(met + found, Integers::load(block.caller + c), FrontOrder::of(meet));
     found += ones(meet);
   }

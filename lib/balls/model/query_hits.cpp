@@ -2,15 +2,8 @@
 
 #include "core/small_code.hpp"
 #include "core/sorting.hpp"
-#include "exact/power.hpp"
 
 namespace hsp {
-
-[[gnu::cold]] bool meet_exactly(double dx, double dy, double dz, double sum) {
-  return exact::power({static_cast<int64_t>(dx), static_cast<int64_t>(dy), static_cast<int64_t>(dz)},
-                      static_cast<int64_t>(sum))
-             .sign() <= 0;
-}
 
 void add_hits(const QueryArrays &balls, const QueryBall &query, const BallRange *ranges, uint32_t count,
               QueryHits &hits) {

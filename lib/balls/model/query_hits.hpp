@@ -2,11 +2,11 @@
 // there are floats in one (lanes/words.hpp). Both decide alike.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 
 #include "lanes/target.hpp"
 #include "model/ball_range.hpp"
+#include "model/meeting.hpp"
 
 namespace hsp {
 
@@ -43,34 +43,6 @@ struct QueryGrid {
   double middle[4];                // an integer along each axis, and 0
   double extent;                   // from the middle along any axis no centre is further
 };
-
-// Sets whose extent is more than so many largest radii are not rounded (RoundedQuery of query_hits.kernel.cpp).
-constexpr double most_extent_of_rounded = 0x1p18;
-
-// How far the difference of squares can be wrong between a query of radius q and rounded balls. Let the reach be q +
-// r_max, the extent H, u = 2^-24. A ball's coordinates are wrong by u H, those of a query that has rows to look at by u
-// (H + reach), their difference by u of itself, and the sum of radii by 3 u reach. Up to a distance of 2 reach that
-// comes to no more than u (14 H + 44 reach) reach, whether sums of products are fused or not. Further away the
-// difference is above 3/5 of the distance squared, and that above the doubt, as long as H is no more than 2^18 reach.
-static inline double rounded_doubt(double extent, double reach) {
-  return 0x1p-24 * (16.0 * extent + 64.0 * reach) * reach;
-}
-
-// Balls meet if |c_j - c| <= r_j + r on the lattice. The differences and the sum are exact as doubles; the squares have
-// a relative error below 5 units of 2^-53, fused or not, so that only near-ties need integers.
-constexpr double meeting_doubt = 16 * 0x1p-53;
-
-// From centre to centre, and the sum of the radii; by integers alone.
-bool meet_exactly(double dx, double dy, double dz, double sum);
-
-inline bool meet(double dx, double dy, double dz, double sum) {
-  const double within = sum * sum;
-  const double excess = (dx * dx + dy * dy + dz * dz) - within;
-  // This branch is nearly always taken. The sign itself cannot be predicted, so there must be no branch on it.
-  if (std::fabs(excess) > meeting_doubt * within) [[likely]]
-    return excess < 0.0;
-  return meet_exactly(dx, dy, dz, sum);
-}
 
 // Adds the hits among the balls of the ranges.
 void add_hits(const QueryArrays &balls, const QueryBall &query, const BallRange *ranges, uint32_t count,

@@ -3,6 +3,7 @@
 
 #include "exact/lattice.hpp"
 #include "lanes/four_doubles.hpp"
+#include "model/meeting_lanes.hpp"
 
 namespace hsp::HSP_TARGET {
 namespace {
@@ -28,31 +29,29 @@ struct Squares {
 
 // Of the balls from j on. Apart, and with the query in registers, so that loops around it need no room for what
 // this leaves untouched.
-[[gnu::noinline, gnu::cold]] LaneBits decided(const QueryArrays &balls, Doubles x, Doubles y, Doubles z, Doubles r,
-                                              uint32_t j, LaneBits doubtful, LaneBits meet) {
-  for (; doubtful != 0; doubtful &= doubtful - 1) {
-    const uint32_t lane = lowest(doubtful), k = j + lane;
-    const bool meets =
-        meet_exactly(balls.x[k] - first(x), balls.y[k] - first(y), balls.z[k] - first(z), balls.r[k] + first(r));
-    meet = (meet & ~(1U << lane)) | static_cast<LaneBits>(meets) << lane;
-  }
-  return meet;
+[[gnu::noinline, gnu::cold]] LaneBits decided_by_integers(const QueryArrays &balls, Doubles x, Doubles y, Doubles z,
+                                                          Doubles r, uint32_t j, LaneBits doubtful, LaneBits meet) {
+  return decided(doubtful, meet, [&](uint32_t lane) {
+    const uint32_t k = j + lane;
+    return meet_exactly(balls.x[k] - first(x), balls.y[k] - first(y), balls.z[k] - first(z), balls.r[k] + first(r));
+  });
 }
 
 // Of the balls from j on, those before ball `last` that meet the query. Upper halves of doubles tell their signs,
-// and their sizes well enough for a doubt somewhat larger than meeting_doubt: within 2^-48 instead of 2^-49. A square
-// of 0 has no doubt but that of an excess of 0; others are not below 1.
+// and their sizes, of which the larger one is the larger number; meeting_doubt is a power of two. A square of 0 has no
+// doubt but that of an excess of 0; others are not below 1.
 inline LaneBits meeting(const QueryArrays &balls, const WideQuery &query, uint32_t j, uint32_t last) {
-  static_assert(meeting_doubt == 0x1p-49);
+  static_assert(meeting_doubt == 0x1p-50);
   const Squares low(balls, query, j), high(balls, query, size_t{j} + Doubles::lanes);
   const Integers excess = upper_halves(low.excess, high.excess);
   const Integers within = upper_halves(low.within, high.within);
-  const Integers doubt = larger_signed(within - Integers::all(48U << 20), Integers::all(0));
+  const Integers doubt = larger_signed(within - Integers::all(50U << 20), Integers::all(0));
   const Integers size = excess & Integers::all(INT32_MAX);
   const Integers valid = Integers::first_set(last - j);
   if (!all_greater(size, doubt, valid)) [[unlikely]] {
     const LaneBits doubtful = sign_bits(valid) & ~greater_signed(size, doubt);
-    return decided(balls, query.x, query.y, query.z, query.r, j, doubtful, sign_bits(excess)) & sign_bits(valid);
+    return decided_by_integers(balls, query.x, query.y, query.z, query.r, j, doubtful, sign_bits(excess)) &
+           sign_bits(valid);
   }
   return sign_bits(excess & valid);
 }
@@ -202,18 +201,14 @@ class RoundedQuery {
       : rounded_(grid.rounded), balls_(balls), ball_(ball) {
     float at[4];
     Four::store_as_floats(at, Four::load(ball) - Four::load(grid.middle));
-    x_ = Floats::all_of(at);
-    y_ = Floats::all_of(at + 1);
-    z_ = Floats::all_of(at + 2);
-    r_ = Floats::all_of(at + 3);
-    doubt_ = Floats::all(static_cast<float>(rounded_doubt(grid.extent, reach)));
+    float_ball_ = {Floats::all_of(at), Floats::all_of(at + 1), Floats::all_of(at + 2), Floats::all_of(at + 3)};
+    doubt_ = Floats::all(static_cast<float>(doubt_within(grid.extent, reach)));
   }
 
   // Of the balls from j on, those before ball `last` that meet the query.
   LaneBits meeting(uint32_t j, uint32_t last) const {
-    const FourOfEach ball = FourOfEach::load(rounded_ + 4 * size_t{j});
-    const Floats dx = x_ - ball.a, dy = y_ - ball.b, dz = z_ - ball.c, sum = r_ + ball.d;
-    const Floats excess = fused(dz, dz, fused(dy, dy, fused_minus(dx, dx, sum * sum)));
+    const FourOfEach other = FourOfEach::load(rounded_ + 4 * size_t{j});
+    const Floats excess = float_ball_.excess(other.a, other.b, other.c, other.d);
     const LaneBits valid = first_lanes(last - j);
     if ((not_greater(magnitude(excess), doubt_) & valid) != 0) [[unlikely]]
       return by_doubles(balls_, ball_, j, last);
@@ -221,7 +216,7 @@ class RoundedQuery {
   }
 
  private:
-  // Apart, as decided().
+  // Apart, as decided_by_integers().
   [[gnu::noinline, gnu::cold]] static LaneBits by_doubles(const QueryArrays &balls, const double *ball, uint32_t j,
                                                           uint32_t last) {
     const WideQuery query{Doubles::all_of(ball), Doubles::all_of(ball + 1), Doubles::all_of(ball + 2),
@@ -232,7 +227,8 @@ class RoundedQuery {
   const float *rounded_;
   const QueryArrays &balls_;
   const double *ball_;
-  Floats x_, y_, z_, r_, doubt_;
+  FloatBall float_ball_;
+  Floats doubt_;
 };
 
 // Parts of rows of cubes. Whether a row has more balls than are looked at once cannot be predicted, so that what is

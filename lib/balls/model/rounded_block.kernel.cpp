@@ -1,6 +1,6 @@
 #include "model/rounded_block.hpp"
 
-#include "lanes/words.hpp"
+#include "model/meeting_lanes.hpp"
 
 namespace hsp::HSP_TARGET {
 namespace {
@@ -8,17 +8,14 @@ namespace {
 // For what floats leave open, lane by lane. Apart, as it is rare.
 [[gnu::noinline, gnu::cold]] LaneBits decided_by_integers(const RoundedBlock &block, const QueryArrays &balls,
                                                           uint32_t i, uint32_t from, LaneBits doubtful, LaneBits meet) {
-  for (; doubtful != 0; doubtful &= doubtful - 1) {
-    const uint32_t lane = lowest(doubtful);
+  return decided(doubtful, meet, [&](uint32_t lane) {
     const BallRange *range = block.range;
     uint32_t offset = from + lane;
     for (; offset >= range->last - range->first; ++range) offset -= range->last - range->first;
     const uint32_t j = range->first + offset;
-    const bool meets = meet_exactly(balls.x[j] - balls.x[i], balls.y[j] - balls.y[i], balls.z[j] - balls.z[i],
-                                    balls.r[j] + balls.r[i]);
-    meet = (meet & ~(1U << lane)) | static_cast<LaneBits>(meets) << lane;
-  }
-  return meet;
+    return meet_exactly(balls.x[j] - balls.x[i], balls.y[j] - balls.y[i], balls.z[j] - balls.z[i],
+                        balls.r[j] + balls.r[i]);
+  });
 }
 
 // One ball against those of the block.
@@ -27,17 +24,13 @@ class BlockQuery {
   BlockQuery(const RoundedBlock &block, const QueryArrays &balls, uint32_t i)
       : block_(block), balls_(balls), i_(i), doubt_(Floats::all(block.doubt)) {
     const float *const own = block.rounded + 4 * size_t{i};
-    x_ = Floats::all(own[0]);
-    y_ = Floats::all(own[1]);
-    z_ = Floats::all(own[2]);
-    r_ = Floats::all(own[3]);
+    ball_ = {Floats::all(own[0]), Floats::all(own[1]), Floats::all(own[2]), Floats::all(own[3])};
   }
 
   // Those of the block from number c on, one for each lane, that meet the ball.
   LaneBits meeting(uint32_t c) const {
-    const Floats dx = Floats::load(block_.x + c) - x_, dy = Floats::load(block_.y + c) - y_,
-                 dz = Floats::load(block_.z + c) - z_, sum = Floats::load(block_.r + c) + r_;
-    const Floats excess = fused(dz, dz, fused(dy, dy, fused_minus(dx, dx, sum * sum)));
+    const Floats excess = ball_.excess(Floats::load(block_.x + c), Floats::load(block_.y + c),
+                                       Floats::load(block_.z + c), Floats::load(block_.r + c));
     const LaneBits doubtful = not_greater(magnitude(excess), doubt_);
     if (doubtful != 0) [[unlikely]]
       return decided_by_integers(block_, balls_, i_, c, doubtful, negative(excess));
@@ -48,7 +41,7 @@ class BlockQuery {
   const RoundedBlock &block_;
   const QueryArrays &balls_;
   const uint32_t i_;
-  Floats x_, y_, z_, r_;
+  FloatBall ball_;
   const Floats doubt_;
 };
 
@@ -75,13 +68,10 @@ bool fill_block(RoundedBlock &block, const QueryGrid &grid, const QueryArrays &b
     count += last - first;
   }
   // Lanes after the last one meet nothing.
-  Floats::all(0x1p60F).store(block.x + count);
-  Floats::all(0.0F).store(block.y + count);
-  Floats::all(0.0F).store(block.z + count);
-  Floats::all(0.0F).store(block.r + count);
+  store_far_balls(block.x + count, block.y + count, block.z + count, block.r + count);
   block.count = count;
   block.rounded = rounded;
-  block.doubt = static_cast<float>(rounded_doubt(grid.extent, 2.0 * grid.largest_radius));
+  block.doubt = static_cast<float>(doubt_within(grid.extent, 2.0 * grid.largest_radius));
   return true;
 }
 

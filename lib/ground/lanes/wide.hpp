@@ -197,6 +197,22 @@ struct Wide {
     Wide<float, n>::store(p, __builtin_convertvector(a, typename Wide<float, n>::Real));
   }
 
+  // Of each of four words the sum of its four lanes, (0 + 1) + (2 + 3).
+  static void store_sums_of_four(double *p, const Real &a, const Real &b, const Real &c, const Real &d) {
+    static_assert(n == 4 && sizeof(T) == 8);
+#if defined(__AVX2__)
+    const __m256d ab = _mm256_hadd_pd(__m256d(a), __m256d(b)), cd = _mm256_hadd_pd(__m256d(c), __m256d(d));
+    const __m256d low = _mm256_permute2f128_pd(ab, cd, 0x20), high = _mm256_permute2f128_pd(ab, cd, 0x31);
+    _mm256_storeu_pd(p, _mm256_add_pd(low, high));
+#else
+    const Real *const words[4] = {&a, &b, &c, &d};
+    for (uint32_t k = 0; k < 4; ++k) {
+      const Real &word = *words[k];
+      p[k] = (word[0] + word[1]) + (word[2] + word[3]);
+    }
+#endif
+  }
+
   // Integers below 2^32.
   static void store_integers(uint32_t *p, const Mask &a) {
 #if defined(__AVX2__)

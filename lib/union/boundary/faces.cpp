@@ -98,7 +98,7 @@ void FaceFinder::join_loops(const BallSet &balls, BlockSweep &sweep, const Bound
     // Every cluster has a loop around it, so that the caps of the loops are of all clusters. If these make up one,
     // there is one.
     const uint32_t n = balls_of_loops(boundary, ball, caps.ball);
-    if (caps.lanes) clusters = count_few_clusters(boundary.target(), balls, ball, caps.ball.data(), n);
+    if (caps.lanes) clusters = LaneSearch::count_few_clusters(boundary.target(), balls, ball, caps.ball.data(), n);
     if (clusters == not_counted) {
       caps.gather_given(balls, ball, n);
       clusters = clusters_.find(caps);

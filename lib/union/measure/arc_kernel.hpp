@@ -44,17 +44,8 @@ struct FourSums {
 // All lanes of each sum, as by sum_of_lanes.
 template <uint32_t n>
 void store_sums(const FourSums<n> (&parts)[sum_lanes / n], double (&sums)[4]) {
-#if defined(__AVX2__)
-  if constexpr (n == 4) {
-    const FourSums<n> &part = parts[0];
-    const __m256d ab = _mm256_hadd_pd(__m256d(part.a), __m256d(part.b));
-    const __m256d cd = _mm256_hadd_pd(__m256d(part.c), __m256d(part.d));
-    const __m256d low = _mm256_permute2f128_pd(ab, cd, 0x20), high = _mm256_permute2f128_pd(ab, cd, 0x31);
-    _mm256_storeu_pd(sums, _mm256_add_pd(low, high));
-    return;
-  }
-#endif
   using L = Wide<double, n>;
+  if constexpr (n == sum_lanes) return L::store_sums_of_four(sums, parts[0].a, parts[0].b, parts[0].c, parts[0].d);
   double a[sum_lanes], b[sum_lanes], c[sum_lanes], d[sum_lanes];
   for (uint32_t lane = 0; lane < sum_lanes; lane += n) {
     const FourSums<n> &part = parts[lane / n];

@@ -6,6 +6,7 @@
 #include "core/workspace.hpp"
 #include "model/ball_set.hpp"
 #include "model/grid_order.hpp"
+#include "model/meeting.hpp"
 
 namespace hsp {
 
@@ -83,11 +84,7 @@ class BallCells {
     const exact::Vector &c = ball.centre;
     const double dx = balls.x[j] - static_cast<double>(c.x), dy = balls.y[j] - static_cast<double>(c.y),
                  dz = balls.z[j] - static_cast<double>(c.z), sum = balls.r[j] + static_cast<double>(ball.radius);
-    // Certainly disjoint or certainly not, with the bound of caps.cpp; the others are asked exactly.
-    const double squared = dx * dx + dy * dy + dz * dz, within = sum * sum;
-    if (squared > within * (1.0 + 8 * unit_roundoff)) return false;
-    return squared < within * (1.0 - 8 * unit_roundoff) ||
-           exact::pair_relation(ball, balls.ball(j)) != exact::PairRelation::disjoint;
+    return meet(dx, dy, dz, sum);
   }
 
  private:

@@ -8,6 +8,7 @@
 #include "core/status.hpp"
 #include "core/vec3.hpp"
 #include "exact/lattice.hpp"
+#include "model/meeting.hpp"
 
 namespace hsp {
 
@@ -78,7 +79,7 @@ class PeriodicBox {
     const auto &[a, b, c] = reduced_;
     // An image is as deep in a copy of the brick as the point is in the brick.
     if (is_deep(point.x, a.x, reach) && is_deep(point.y, b.y, reach) && is_deep(point.z, c.z, reach)) return;
-    const double within = static_cast<double>(reach) * static_cast<double>(reach) * (1.0 + 8 * unit_roundoff);
+    const double within = static_cast<double>(reach) * static_cast<double>(reach) * certainly_above;
     BoxShift shift;
     const Multiples layers(point.z, c.z, reach);
     for (int32_t k = layers.first; k <= layers.last; ++k) {

@@ -1,27 +1,17 @@
 #include "sphere/candidate_block.hpp"
-#include "lanes/words.hpp"
+
+#include "model/meeting_lanes.hpp"
 
 namespace hsp::HSP_TARGET {
 namespace {
-
-// The first `count` numbers from p on, less an origin, and zeros.
-Floats relative(const double *p, uint32_t count, Doubles origin) {
-  if (count >= Floats::lanes) return to_floats(Doubles::load(p) - origin, Doubles::load(p + Doubles::lanes) - origin);
-  const Doubles low = Doubles::load_first(p, count);
-  const Doubles high =
-      count > Doubles::lanes ? Doubles::load_first(p + Doubles::lanes, count - Doubles::lanes) : Doubles::all(0.0);
-  return to_floats(low - origin, high - origin);
-}
 
 // Collects those near one candidate.
 class NearLanes {
  public:
   NearLanes(const CandidateBlock &block, uint32_t own, uint32_t *near, uint32_t most)
-      : x_(Floats::all_of(block.x + own)),
-        y_(Floats::all_of(block.y + own)),
-        z_(Floats::all_of(block.z + own)),
-        r_(Floats::all_of(block.r + own)),
-        margin_(Floats::all(block.margin)),
+      : ball_{Floats::all_of(block.x + own), Floats::all_of(block.y + own), Floats::all_of(block.z + own),
+              Floats::all_of(block.r + own)},
+        doubt_(Floats::all(block.doubt)),
         block_(block),
         near_(near),
         most_(most) {}
@@ -29,9 +19,8 @@ class NearLanes {
   uint32_t found() const { return found_; }
   // Of the candidates from c on, as many as there are lanes.
   LaneBits lanes(uint32_t c) const {
-    const Floats dx = Floats::load(block_.x + c) - x_, dy = Floats::load(block_.y + c) - y_,
-                 dz = Floats::load(block_.z + c) - z_, sum = Floats::load(block_.r + c) + r_;
-    return not_less(margin_, fused(dx, dx, fused(dy, dy, minus_fused(sum, sum, dz * dz))));
+    return not_less(doubt_, ball_.excess(Floats::load(block_.x + c), Floats::load(block_.y + c),
+                                         Floats::load(block_.z + c), Floats::load(block_.r + c)));
   }
   void keep(uint32_t c, LaneBits chosen) {
     store_front(near_ + found_, Integers::load(block_.ball + c), FrontOrder::of(chosen));
@@ -43,7 +32,8 @@ class NearLanes {
   }
 
  private:
-  const Floats x_, y_, z_, r_, margin_;
+  const FloatBall ball_;
+  const Floats doubt_;
   const CandidateBlock block_;
   uint32_t *const near_;
   const uint32_t most_;
@@ -54,24 +44,19 @@ class NearLanes {
 
 void add_candidates(CandidateBlock &block, const BallArrays &balls, uint32_t first, uint32_t last,
                     const double (&centre)[3]) {
-  const Doubles x = Doubles::all(centre[0]), y = Doubles::all(centre[1]), z = Doubles::all(centre[2]);
   for (uint32_t j = first; j < last; j += Floats::lanes) {
     const uint32_t to = block.count + (j - first);
-    relative(balls.x + j, last - j, x).store(block.x + to);
-    relative(balls.y + j, last - j, y).store(block.y + to);
-    relative(balls.z + j, last - j, z).store(block.z + to);
-    relative(balls.r + j, last - j, Doubles::all(0.0)).store(block.r + to);
+    relative(balls.x + j, centre[0]).store(block.x + to);
+    relative(balls.y + j, centre[1]).store(block.y + to);
+    relative(balls.z + j, centre[2]).store(block.z + to);
+    to_floats(Doubles::load(balls.r + j), Doubles::load(balls.r + j + Doubles::lanes)).store(block.r + to);
     (Integers::ascending() + Integers::all(j)).store(block.ball + to);
   }
   block.count += last - first;
 }
 
 void end_candidates(CandidateBlock &block) {
-  const Floats zero = Floats::all(0.0F);
-  Floats::all(0x1p60F).store(block.x + block.count);
-  zero.store(block.y + block.count);
-  zero.store(block.z + block.count);
-  zero.store(block.r + block.count);
+  store_far_balls(block.x + block.count, block.y + block.count, block.z + block.count, block.r + block.count);
 }
 
 uint32_t near_candidates(const CandidateBlock &block, uint32_t own, uint32_t *near, uint32_t most, uint32_t &earlier) {

@@ -1,6 +1,7 @@
 #include "sphere/caps.hpp"
 
 #include "core/first_index.hpp"
+#include "model/meeting.hpp"
 
 namespace hsp {
 
@@ -48,7 +49,7 @@ void Caps::start(const BallSet &balls, uint32_t i) {
   contained = false;
 }
 
-// How far ball j is: the differences and the sum are exact, the squares have a relative error below 4e.
+// How far ball j is: the differences and the sum are exact.
 struct Caps::Distance {
   Vec3 v;
   double sum, squared;
@@ -68,7 +69,7 @@ struct Caps::Distance {
   // A certainly proper circle needs no integers.
   const double difference = balls.r[j] - balls.r[i];
   const bool certainly_circle =
-      squared < s * s * (1.0 - 8 * unit_roundoff) && squared > difference * difference * (1.0 + 8 * unit_roundoff);
+      squared < s * s * certainly_below && squared > difference * difference * certainly_above;
   const exact::PairRelation relation =
       certainly_circle ? exact::PairRelation::circle : exact::pair_relation(own, other);
   if (relation == exact::PairRelation::disjoint) return true;
@@ -117,7 +118,7 @@ void Caps::gather(const BallSet &balls, const CubeBlock &block, uint32_t i, Disj
       const Vec3 v{xs[j] - x, ys[j] - y, zs[j] - z};
       const Distance distance(v, rs[j] + radius);
       // A certainly disjoint pair stops here.
-      if (distance.squared > distance.sum * distance.sum * (1.0 + 8 * unit_roundoff)) continue;
+      if (distance.squared > distance.sum * distance.sum * certainly_above) continue;
       if (!take(own, j, distance, joining)) return;
     }
   }
@@ -164,22 +165,23 @@ void Caps::make_doubles() {
   first_later = later;
 }
 
-#if HSP_LANES
 // The same, some balls at a time.
 void Caps::gather_in_lanes(const CubeBlock &block, Joining &joining) {
-  constexpr uint32_t room = 128;
-  uint32_t near[room + spare_ids];
-  const BallArrays arrays = arrays_of(*balls_);
-  uint32_t found = 0;
-  for (uint32_t k = 0; k < block.ranges; ++k) {
-    for (uint32_t j = block.range[k].first; j < block.range[k].last;) {
-      found += near_balls(target, arrays, origin, j, block.range[k].last, near + found, room - found);
-      if (j == block.range[k].last) break;
-      if (!take_near(Span<uint32_t>(near, found), joining)) return;
-      found = 0;
+  if constexpr (has_lanes) {
+    constexpr uint32_t room = 128;
+    uint32_t near[room + spare_ids];
+    const BallArrays arrays = arrays_of(*balls_);
+    uint32_t found = 0;
+    for (uint32_t k = 0; k < block.ranges; ++k) {
+      for (uint32_t j = block.range[k].first; j < block.range[k].last;) {
+        found += near_balls(target, arrays, origin, j, block.range[k].last, near + found, room - found);
+        if (j == block.range[k].last) break;
+        if (!take_near(Span<uint32_t>(near, found), joining)) return;
+        found = 0;
+      }
     }
+    take_near(Span<uint32_t>(near, found), joining);
   }
-  take_near(Span<uint32_t>(near, found), joining);
 }
 
 bool Caps::take_near(Span<uint32_t> near, Joining &joining) {
@@ -200,7 +202,10 @@ bool Caps::take_all(uint32_t *near, uint32_t hits, Joining &joining) {
     if (met + (hits - k) <= capacity()) {
       const uint32_t c = count;
       const CapArrays to{&ux[c], &uy[c], &uz[c], &b[c], &ball[c]};
-      const uint32_t circles = caps_of_circles(target, arrays, origin, near + k, hits - k, to, length_squared);
+      uint32_t circles = 0;
+      if constexpr (has_lanes) {
+        circles = caps_of_circles(target, arrays, origin, near + k, hits - k, to, length_squared);
+      }
       for (const uint32_t end = k + circles; k < end; ++k) {
         if (near[k] > origin) {
           joining.join(near[k]);
@@ -217,7 +222,6 @@ bool Caps::take_all(uint32_t *near, uint32_t hits, Joining &joining) {
   }
   return true;
 }
-#endif
 
 exact::Vector Caps::direction(uint32_t k) const {
   if (ball[k] == no_id) return half_sphere_.v;

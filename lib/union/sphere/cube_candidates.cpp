@@ -1,8 +1,10 @@
 #include "sphere/cube_candidates.hpp"
 
+#include "model/meeting.hpp"
+
 namespace hsp {
 
-void CubeCandidates::borrow(Span<uint32_t> memory, Target target) {
+void CandidatesInLanes::borrow(Span<uint32_t> memory, Target target) {
   target_ = target;
   const uint32_t most = memory.size() / number_of_arrays / 8 * 8;
   block_.room = most > CandidateBlock::spare ? most - CandidateBlock::spare : 0;
@@ -15,19 +17,19 @@ void CubeCandidates::borrow(Span<uint32_t> memory, Target target) {
   block_.ball = words + 4 * most;
 }
 
-bool CubeCandidates::start_cube(const CubeGrid &grid, uint32_t cube, uint32_t first_own, const CubeBlock &block) {
+bool CandidatesInLanes::start_cube(const CubeGrid &grid, uint32_t cube, uint32_t first_own, const CubeBlock &block) {
   const CubeCoordinates &at = grid.cube_list().coordinates(cube);
   const auto middle = [&grid](int64_t c) { return static_cast<double>(c * grid.side() + grid.side() / 2); };
   const double centre[3] = {middle(at.x), middle(at.y), middle(at.z)};
   return start_block(grid.balls(), block, first_own, centre, static_cast<double>(grid.side()));
 }
 
-bool CubeCandidates::start_block(const BallSet &balls, const CubeBlock &block, uint32_t first_own,
-                                 const double (&centre)[3], double side) {
+bool CandidatesInLanes::start_block(const BallSet &balls, const CubeBlock &block, uint32_t first_own,
+                                    const double (&centre)[3], double side) {
   uint32_t total = 0;
   for (uint32_t k = 0; k < block.ranges; ++k) total += block.range[k].last - block.range[k].first;
   if (total > block_.room) return false;
-  block_.margin = static_cast<float>(side * side * CandidateBlock::margin_of_squared_side);
+  block_.doubt = static_cast<float>(doubt_nearby(side));
   block_.count = 0;
   first_own_ = first_own;
   const BallArrays arrays = arrays_of(balls);

@@ -1,15 +1,15 @@
-// The candidates around one cube after the other (candidate_block.hpp), in memory that somebody lends. Empty in
-// libraries without kernels of lanes.
+// The candidates around one cube after the other (candidate_block.hpp), in memory that somebody lends. Libraries
+// without kernels of lanes have none.
 #pragma once
+
+#include <type_traits>
 
 #include "sphere/candidate_block.hpp"
 #include "sphere/caps.hpp"
 
 namespace hsp {
 
-#if HSP_LANES
-
-class CubeCandidates {
+class CandidatesInLanes {
  public:
   static constexpr uint32_t number_of_arrays = 5;  // that the memory is shared out among
 
@@ -41,15 +41,13 @@ class CubeCandidates {
   uint32_t own_rank_ = 0;   // and its number among the candidates
 };
 
-#else
-
-class CubeCandidates {
+class NoCandidates {
  public:
   void borrow(Span<uint32_t>, Target) {}
   bool start_cube(const CubeGrid &, uint32_t, uint32_t, const CubeBlock &) { return false; }
   uint32_t later(uint32_t, uint32_t *, uint32_t) const { return 0; }
 };
 
-#endif
+using CubeCandidates = std::conditional_t<has_lanes, CandidatesInLanes, NoCandidates>;
 
 }  // namespace hsp

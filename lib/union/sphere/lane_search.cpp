@@ -29,7 +29,8 @@ FloatCaps take_caps(Parts &parts) {
 
 }  // namespace
 
-uint32_t count_few_clusters(Target target, const BallSet &balls, uint32_t i, const uint32_t *others, uint32_t n) {
+uint32_t SearchInLanes::count_few_clusters(Target target, const BallSet &balls, uint32_t i, const uint32_t *others,
+                                           uint32_t n) {
   if (n > most_few_caps) return 0;
   uint32_t near[most_few_caps + spare_ids];
   float caps[4][most_few_caps + FloatCaps::spare];
@@ -41,7 +42,7 @@ uint32_t count_few_clusters(Target target, const BallSet &balls, uint32_t i, con
              : 0;
 }
 
-void LaneSearch::carve(Workspace &workspace, uint32_t neighbours) {
+void SearchInLanes::carve(Workspace &workspace, uint32_t neighbours) {
   target_ = workspace.target();
   enabled = neighbours <= PairSweep::most_caps;
   // Rows of whole vectors.
@@ -56,25 +57,25 @@ void LaneSearch::carve(Workspace &workspace, uint32_t neighbours) {
   uncrossed_ = workspace.take<uint32_t>(neighbours);
 }
 
-void LaneSearch::take_candidates(Workspace &workspace, uint32_t neighbours) {
+void SearchInLanes::take_candidates(Workspace &workspace, uint32_t neighbours) {
   // There is no limit for the balls of a cube and those around it. Their volume is some six times that in which a
   // ball's neighbours lie.
   const uint32_t most = neighbours <= PairSweep::most_caps ? neighbours : PairSweep::most_caps;
   const uint64_t room = 8 * (uint64_t{most} + 32);
-  borrow_candidates(workspace.take<uint32_t>(CubeCandidates::number_of_arrays * room));
+  borrow_candidates(workspace.take<uint32_t>(CandidatesInLanes::number_of_arrays * room));
 }
 
-bool LaneSearch::start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block) {
+bool SearchInLanes::start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block) {
   return enabled && candidates_.start_cube(grid, cube, grid.balls_in(cube).first, block);
 }
 
-bool LaneSearch::start_block(const BallSet &balls, const CubeBlock &block, uint32_t first_own,
-                             const double (&centre)[3], double side) {
+bool SearchInLanes::start_block(const BallSet &balls, const CubeBlock &block, uint32_t first_own,
+                                const double (&centre)[3], double side) {
   return enabled && candidates_.start_block(balls, block, first_own, centre, side);
 }
 
-bool LaneSearch::gather(const BallSet &balls, uint32_t i, Caps &caps, DisjointSets *components,
-                        const uint32_t *selected) {
+bool SearchInLanes::gather(const BallSet &balls, uint32_t i, Caps &caps, DisjointSets *components,
+                           const uint32_t *selected) {
   uint32_t *const near = caps.ball.data();
   uint32_t earlier = 0;
   const uint32_t found = candidates_.near(i, near, caps.capacity(), earlier);
@@ -85,7 +86,7 @@ bool LaneSearch::gather(const BallSet &balls, uint32_t i, Caps &caps, DisjointSe
   return true;
 }
 
-bool LaneSearch::find_few(Caps &caps, FewCaps &found) {
+bool SearchInLanes::find_few(Caps &caps, FewCaps &found) {
   const FloatCaps &f = sweep_.caps;
   if (floats && find_few_in_floats(target_, f.x, f.y, f.z, f.b, caps.count, caps.first_later, found)) return true;
   caps.make_doubles();
@@ -99,8 +100,8 @@ bool LaneSearch::find_few(Caps &caps, FewCaps &found) {
                              caps.first_later, found);
 }
 
-uint32_t LaneSearch::find(const BallSet &balls, Caps &caps, VertexFinder &finder, FixedVector<VertexRecord> &vertices,
-                          FixedVector<CircleRecord> &circles) {
+uint32_t SearchInLanes::find(const BallSet &balls, Caps &caps, VertexFinder &finder,
+                             FixedVector<VertexRecord> &vertices, FixedVector<CircleRecord> &circles) {
   if (caps.count > most_few_caps) {
     find_many(balls, caps, finder, vertices, circles);
     return 0;
@@ -123,8 +124,8 @@ uint32_t LaneSearch::find(const BallSet &balls, Caps &caps, VertexFinder &finder
   return found.clusters;
 }
 
-void LaneSearch::find_many(const BallSet &balls, Caps &caps, VertexFinder &finder, FixedVector<VertexRecord> &vertices,
-                           FixedVector<CircleRecord> &circles) {
+void SearchInLanes::find_many(const BallSet &balls, Caps &caps, VertexFinder &finder,
+                              FixedVector<VertexRecord> &vertices, FixedVector<CircleRecord> &circles) {
   bool prepared = false;
   [[maybe_unused]] uint32_t passed_on = 0;
   const auto prepare = [&]() {

@@ -1,5 +1,5 @@
 // Steps 1 and 2 for one ball after the other, several caps at a time: in floats first, then in doubles. Caps and
-// VertexFinder decide the rest, so that all results are theirs. Empty in libraries without kernels of lanes.
+// VertexFinder decide the rest, so that all results are theirs. There is none in libraries without kernels of lanes.
 #pragma once
 
 #include "sphere/cube_candidates.hpp"
@@ -9,12 +9,7 @@
 
 namespace hsp {
 
-#if HSP_LANES
-
-// The number of clusters of the caps of ball i by n others; 0 if these are many, or if floats are not certain.
-uint32_t count_few_clusters(Target target, const BallSet &balls, uint32_t i, const uint32_t *others, uint32_t n);
-
-class LaneSearch {
+class SearchInLanes {
  public:
   void carve(Workspace &workspace, uint32_t neighbours);
   // Memory for the candidates of a cube, all that is needed while balls are searched: somebody else's, or its own.
@@ -34,6 +29,10 @@ class LaneSearch {
   uint32_t find(const BallSet &balls, Caps &caps, VertexFinder &finder, FixedVector<VertexRecord> &vertices,
                 FixedVector<CircleRecord> &circles);
 
+  // The number of clusters of the caps of ball i by n others; 0 if these are many, or if floats are not certain.
+  static uint32_t count_few_clusters(Target target, const BallSet &balls, uint32_t i, const uint32_t *others,
+                                     uint32_t n);
+
   // For tests: for which target, if at all, and which stages there are.
   void use(Target target, bool use_lanes) {
     target_ = target;
@@ -50,18 +49,12 @@ class LaneSearch {
                  FixedVector<CircleRecord> &circles);
 
   Target target_ = Target::baseline;
-  CubeCandidates candidates_;
+  CandidatesInLanes candidates_;
   PairSweep sweep_;
   Span<uint32_t> uncrossed_;
 };
 
-#else
-
-inline uint32_t count_few_clusters(Target, const BallSet &, uint32_t, const uint32_t *, uint32_t) {
-  return 0;
-}
-
-class LaneSearch {
+class NoSearchInLanes {
  public:
   static constexpr bool enabled = false;
   void use(Target, bool) {}
@@ -74,8 +67,9 @@ class LaneSearch {
   uint32_t find(const BallSet &, Caps &, VertexFinder &, FixedVector<VertexRecord> &, FixedVector<CircleRecord> &) {
     return 0;
   }
+  static uint32_t count_few_clusters(Target, const BallSet &, uint32_t, const uint32_t *, uint32_t) { return 0; }
 };
 
-#endif
+using LaneSearch = std::conditional_t<has_lanes, SearchInLanes, NoSearchInLanes>;
 
 }  // namespace hsp

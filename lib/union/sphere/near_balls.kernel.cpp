@@ -1,11 +1,10 @@
 #include "sphere/near_balls.hpp"
 
 #include "lanes/four_doubles.hpp"
+#include "model/meeting.hpp"
 
 namespace hsp::HSP_TARGET {
 namespace {
-
-constexpr double roundoff = 0x1p-53;
 
 // One ball against four others, by the operations of caps.cpp: no product is fused.
 struct FourDistances {
@@ -21,7 +20,7 @@ uint32_t near_balls(const BallArrays &balls, uint32_t i, uint32_t &first, uint32
                     uint32_t room) {
   const FourDoubles own[4] = {Four::all(balls.x[i]), Four::all(balls.y[i]), Four::all(balls.z[i]),
                               Four::all(balls.r[i])};
-  const FourDoubles above = Four::all(1.0 + 8 * roundoff);
+  const FourDoubles above = Four::all(certainly_above);
   uint32_t found = 0;
   uint32_t j = first;
   const auto add = [&](const FourDistances &d, LaneBits valid) {
@@ -47,8 +46,7 @@ uint32_t caps_of_circles(const BallArrays &balls, uint32_t i, const uint32_t *ne
                          const CapArrays &caps, double &length_squared) {
   const FourDoubles own[4] = {Four::all(balls.x[i]), Four::all(balls.y[i]), Four::all(balls.z[i]),
                               Four::all(balls.r[i])};
-  const FourDoubles above = Four::all(1.0 + 8 * roundoff);
-  const FourDoubles below = Four::all(1.0 - 8 * roundoff);
+  const FourDoubles above = Four::all(certainly_above), below = Four::all(certainly_below);
   const FourDoubles inverse_diameter = Four::all(0.5 / balls.r[i]);
   FourDoubles longest = Four::all(length_squared);
   uint32_t k = 0;

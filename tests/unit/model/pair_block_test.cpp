@@ -42,7 +42,7 @@ bool meet_in_integers(const LatticeBall &a, const LatticeBall &b) {
 hsp::PairBlock empty_block(const LatticeBall &centre, double side) {
   hsp::PairBlock block;
   block.count = 0;
-  block.margin = static_cast<float>(hsp::PairBlock::margin_of_squared_side * side * side);
+  block.doubt = static_cast<float>(hsp::doubt_nearby(side));
   block.centre[0] = static_cast<double>(centre.x);
   block.centre[1] = static_cast<double>(centre.y);
   block.centre[2] = static_cast<double>(centre.z);

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "exact/lattice_ball.hpp"
+#include "model/ball_set.hpp"
+#include "model/meeting.hpp"
 #include "random_balls.hpp"
 #include "runnable_targets.hpp"
 
@@ -31,6 +33,7 @@ struct Candidates {
       r.push_back(static_cast<double>(ball.radius));
     }
     const uint32_t n = static_cast<uint32_t>(balls.size());
+    for (std::vector<double> *numbers : {&x, &y, &z, &r}) numbers->resize(n + hsp::BallSet::read_behind);
     for (std::vector<float> *floats : {&fx, &fy, &fz, &fr}) floats->resize(n + hsp::CandidateBlock::spare);
     id.resize(n + hsp::CandidateBlock::spare);
     block.x = fx.data();
@@ -39,8 +42,7 @@ struct Candidates {
     block.r = fr.data();
     block.ball = id.data();
     block.room = n;
-    block.margin = static_cast<float>(static_cast<double>(side) * static_cast<double>(side) *
-                                      hsp::CandidateBlock::margin_of_squared_side);
+    block.doubt = static_cast<float>(hsp::doubt_nearby(static_cast<double>(side)));
     const double middle[3] = {static_cast<double>(centre.x), static_cast<double>(centre.y),
                               static_cast<double>(centre.z)};
     // In two parts that end where no vector does.
@@ -121,7 +123,7 @@ TEST_P(CandidateBlock, NoneThatMeetsIsLeftOut) {
       near_misses += is_listed && !meets ? 1U : 0U;
       if (is_listed) {
         ASSERT_LE(excess(balls[own], balls[j]),
-                  2.0 * static_cast<double>(candidates.block.margin) + 1e-9 * square(side));
+                  2.0 * static_cast<double>(candidates.block.doubt) + 1e-9 * square(side));
       }
     }
     std::vector<uint32_t> later(n + hsp::spare_ids);
