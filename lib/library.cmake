@@ -191,6 +191,7 @@ set(HSP_LIBRARY_SOURCES
   lib/sight/maps/stick_map_builder.cpp
   lib/sight/maps/stick_outlines.cpp
   lib/sight/maps/stick_scene.cpp
+  lib/sight/maps/strand_lines.cpp
   lib/sight/maps/stick_sweep.cpp
   lib/sight/maps/stick_view_builder.cpp
   lib/sight/maps/trigonometric_roots.cpp
