@@ -49,7 +49,7 @@ typedef struct hsp_pores_limits {
   uint32_t points;      /**< of a tunnel, with those that are left out as they are near to others */
 } hsp_pores_limits;
 
-/** Limits that suffice for most molecules of `balls` atoms, about 1.7 kB for each: maxima 2 balls + 64, gates 4 balls +
+/** Limits that suffice for most molecules of `balls` atoms, about 1.8 kB for each: maxima 2 balls + 64, gates 4 balls +
  *  128, tied balls + 256, candidates 4 balls + 2048, neighbours balls + 16, points balls + 4096.
  *  @retval HSP_E_ARGUMENT  limits is NULL
  *  @retval HSP_E_VERSION   struct_size is bad
@@ -67,8 +67,8 @@ HSP_API int32_t hsp_pores_bytes(const hsp_pores_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_PORES_BYTES(balls, maxima, gates, tied, candidates, neighbours, points)                                 \
-  ((size_t)57344 + (size_t)176 * (size_t)(balls) + (size_t)372 * (size_t)(maxima) + (size_t)144 * (size_t)(gates) + \
-   (size_t)16 * (size_t)(tied) + (size_t)16 * (size_t)(candidates) + (size_t)80 * (size_t)(neighbours) +            \
+  ((size_t)61440 + (size_t)176 * (size_t)(balls) + (size_t)372 * (size_t)(maxima) + (size_t)144 * (size_t)(gates) + \
+   (size_t)16 * (size_t)(tied) + (size_t)16 * (size_t)(candidates) + (size_t)160 * (size_t)(neighbours) +           \
    (size_t)144 * (size_t)(points))
 
 /** Make pores without results in caller memory of any alignment; sets *pores.
@@ -97,8 +97,8 @@ HSP_API int32_t hsp_pores_options_init(hsp_pores_options *options, uint32_t stru
  *  the tunnel.
  *  - Property 1: the order of the balls has no effect but on their numbers, unless balls are equal.
  *
- *  Cost: O(n) for sets as in Theorem 2.1, and O(m log m) for m maxima and gates. Where more than 64 balls tie at one
- *  point, or nearly, all sets of four of them are tried.
+ *  Cost: O(n) for sets as in Theorem 2.1, and O(m log m) for m maxima and gates. At a point where k
+ *  balls tie, or nearly, O(k^2) as a rule and O(k^3) at most.
  *  @retval HSP_E_ARGUMENT    pores or model is NULL
  *  @retval HSP_E_VERSION     bad struct_size of options or limits, or options->reserved is not 0
  *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
@@ -502,7 +502,7 @@ typedef struct hsp_tunnel {
  *  to be avoided. To avoid the tightest gates of tunnels before finds the next best one that has another bottleneck. It
  *  leads through maxima and gates, and each part of it is as wide as any path between its ends; of gates as wide it
  *  takes that which is nearer by straight lines from its start. Its points stay until the next call; on failure there
- *  are none.
+ *  are none. So a probe gets from one point to the other if it is narrower than the tunnel: then that is a path for it.
  *
  *  In a periodic box it leads to that copy of `to` which is best; and as nothing is outside there, `to` NULL is another
  *  copy of `from`, where the way begins anew, for ever. hsp_pores_get_tunnel_route has the vector. Its points are those
