@@ -1,6 +1,6 @@
 // Every vertex with its sign, every arc with its ends and faces, every circle, face, shell and component, flags and
-// counts, against the brute-force boundary, in several orders of the same balls; half of the sets of each kind, and all in
-// the long form.
+// counts, against the brute-force boundary, in several orders of the same balls; half of the sets of each kind, and all
+// in the long form.
 #include <gtest/gtest.h>
 
 #include "boundary_comparison.hpp"

@@ -1,6 +1,6 @@
 // One lattice step decides: every set of the corpus with one ball moved by one step or one radius changed by one step,
-// on a coarse lattice and on one where the step is a 2^-29th of a radius. Slow oracles are asked of every third of them,
-// which reaches all four numbers of each ball, up and down; of all in the long form.
+// on a coarse lattice and on one where the step is a 2^-29th of a radius. Slow oracles are asked of every third of
+// them, which reaches all four numbers of a ball, up and down; of all in the long form.
 #include <gtest/gtest.h>
 
 #include <cmath>
