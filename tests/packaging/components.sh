@@ -12,8 +12,8 @@ fail() {
   echo "$components: $*"
   exit 1
 }
-# The tests of the interface that a build without any component has, which is what all builds have in common. What single
-# components add is dev's; in the long form it is tested once more here.
+# The tests of the interface that a build without any component has, which all builds have in common. The preset dev tests
+# the components; in the long form they are tested here, too.
 list_tests() {
   tests=() ran='out of no'
   [ "$components" = none ] || [ -n "${HSP_LONG_TESTS:-}" ] || return 0
