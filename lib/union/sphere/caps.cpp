@@ -233,7 +233,11 @@ exact::Vector Caps::direction(uint32_t k) const {
 
 exact::Plane Caps::plane(uint32_t k) const {
   if (ball[k] == no_id) return half_sphere_;
-  return exact::plane_of(balls_->ball(origin), balls_->ball(ball[k]));
+  return plane_of_ball(ball[k]);
+}
+
+exact::Plane Caps::plane_of_ball(uint32_t other) const {
+  return exact::plane_of(balls_->ball(origin), balls_->ball(other));
 }
 
 void Caps::set_spare_great_circle(const exact::Vector &normal) {

@@ -76,6 +76,7 @@ struct Caps {
   // The normal of its plane, from centre to centre.
   exact::Vector direction(uint32_t k) const;
   exact::Plane plane(uint32_t k) const;
+  exact::Plane plane_of_ball(uint32_t other) const;  // of a cap's ball
 
   // Stores a great circle of the sphere in the spare slot, number `count`, for cap_pair.hpp. Its errors are those of
   // caps, as its normal is exact.
