@@ -13,15 +13,6 @@ uint32_t cube_from(const CubeGrid &grid, uint32_t ball) {
   return first_index(0, grid.own_cubes(), [&grid, ball](uint32_t cube) { return grid.balls_in(cube).first >= ball; });
 }
 
-// Memory that nothing needs while balls are searched: the scratch memory, or that of the half-edges if it is more.
-Span<uint32_t> idle_while_searching(const BoundaryArrays &arrays, Span<uint32_t> scratch) {
-  const Span<HalfEdge> half_edges = arrays.half_edges;
-  const uint64_t words = uint64_t{half_edges.size()} * sizeof(HalfEdge) / sizeof(uint32_t);
-  if (words <= scratch.size()) return scratch;
-  return {reinterpret_cast<uint32_t *>(half_edges.data()),
-          static_cast<uint32_t>(words <= UINT32_MAX ? words : UINT32_MAX)};
-}
-
 }  // namespace
 
 BallShare share_of(const CubeGrid &grid, uint32_t worker, uint32_t workers) {
@@ -40,28 +31,22 @@ BallShare share_of(const CubeGrid &grid, uint32_t worker, uint32_t workers) {
 
 BoundaryWorker::BoundaryWorker() = default;
 
-void BoundaryWorker::carve(Workspace &workspace, const BoundaryLimits &limits, BoundaryArrays &arrays, uint32_t worker,
-                           Span<uint32_t> scratch) {
+void BoundaryWorker::carve(Workspace &workspace, const BoundaryLimits &limits, BoundaryArrays &arrays,
+                           uint32_t worker) {
   caps.carve(workspace, limits.neighbours);
   finder_.carve(workspace, limits.neighbours);
   face_finder_.carve(workspace, limits.neighbours);
-  lanes.carve(workspace, limits.neighbours);
+  lanes.carve(workspace, limits.neighbours, limits.balls);
+  workspace.take_each(limits.balls, arriving_, leaving_);
   if (worker == 0) {
-    lanes.borrow_candidates(idle_while_searching(arrays, scratch));
     vertices_ = arrays.vertices;
     circles_ = arrays.circles;
     parent_ = arrays.component_origin;
-    // Memory behind the loops, where the numbers of components will be.
-    if (!scratch.empty()) arriving_ = scratch.part(scratch.size() - limits.balls, scratch.size());
-    leaving_ = arrays.component;
     return;
   }
   vertices_ = FixedVector<VertexRecord>(workspace.take<VertexRecord>(limits.vertices));
   circles_ = FixedVector<CircleRecord>(workspace.take<CircleRecord>(limits.circles));
   parent_ = workspace.take<uint32_t>(limits.balls);
-  arriving_ = parent_;  // as soon as components are joined
-  leaving_ = workspace.take<uint32_t>(limits.balls);
-  lanes.take_candidates(workspace, limits.neighbours);
 }
 
 void BoundaryWorker::start(const BallShare &share, const uint32_t *selected, bool joins) {

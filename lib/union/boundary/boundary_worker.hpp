@@ -22,9 +22,8 @@ class alignas(64) BoundaryWorker {
  public:
   BoundaryWorker();  // out of line: it is large
 
-  // Worker 0 finds into the boundary's own arrays; the others have copies of them. scratch [loops + balls] is common.
-  void carve(Workspace &workspace, const BoundaryLimits &limits, BoundaryArrays &arrays, uint32_t worker,
-             Span<uint32_t> scratch);
+  // Worker 0 finds into the boundary's own arrays; the others have copies of them.
+  void carve(Workspace &workspace, const BoundaryLimits &limits, BoundaryArrays &arrays, uint32_t worker);
 
   // Takes a share. Nothing is found. selected: null, or in the grid's order whether a ball is not left out. joins:
   // whether components are looked for.

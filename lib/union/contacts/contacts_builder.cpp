@@ -44,6 +44,7 @@ void ContactsBuilder::carve(Workspace &workspace, const ContactLimits &limits) {
   contacts_.a_.carve(workspace, limits);
   caps_.carve(workspace, limits.neighbours);
   walk_.carve(workspace, limits);
+  candidates_.carve(workspace, limits.neighbours, limits.balls);
   contact_of_cap_ = workspace.take<uint32_t>(limits.neighbours);
 }
 
@@ -55,7 +56,7 @@ bool ContactsBuilder::start(const CubeGrid &grid, uint32_t neighbours, Target ta
   needed_.neighbours = neighbours;
   if (balls > limits_.balls || neighbours > limits_.neighbours) return false;
   walk_.start(balls, own_balls_);
-  candidates_.borrow(contacts_.a_.row, target);
+  candidates_.use(target);
   return true;
 }
 
@@ -308,7 +309,7 @@ void ContactsBuilder::close_shares() {
 // it is in contact with.
 void ContactsBuilder::make_rows(const CubeGrid &grid) {
   ContactArrays &a = contacts_.a_;
-  const Span<uint32_t> found = walk_.scratch_of_contacts();
+  const auto [found, next] = walk_.end();
   for (uint32_t i = 0; i < a.balls; ++i) a.first_in_row[i] = 0;
   for (const ContactRecord &contact : a.contacts.items()) {
     for (const uint32_t ball : contact.ball) ++a.first_in_row[ball];
@@ -317,7 +318,6 @@ void ContactsBuilder::make_rows(const CubeGrid &grid) {
   for (uint32_t id = a.contacts.size(); id-- > 0;) {
     for (const uint32_t ball : a.contacts[id].ball) found[--a.first_in_row[ball]] = id;
   }
-  const Span<uint32_t> next = walk_.scratch_of_balls();
   for (uint32_t i = 0; i < a.balls; ++i) next[i] = a.first_in_row[i];
   for (uint32_t given = 0; given < a.balls; ++given) {
     const uint32_t i = grid.grid_index(given);

@@ -1,5 +1,4 @@
-// The candidates around one cube after the other (candidate_block.hpp), in memory that somebody lends. Libraries
-// without kernels of lanes have none.
+// The candidates around one cube after the other (candidate_block.hpp). Libraries without kernels of lanes have none.
 #pragma once
 
 #include <type_traits>
@@ -11,9 +10,7 @@ namespace hsp {
 
 class CandidatesInLanes {
  public:
-  static constexpr uint32_t number_of_arrays = 5;  // that the memory is shared out among
-
-  void borrow(Span<uint32_t> memory, Target target);
+  void carve(Workspace &workspace, uint32_t neighbours, uint32_t balls);
   void use(Target target) { target_ = target; }
 
   // For the balls of one cube from `first_own` on: those in the block are their candidates. False if there is no room
@@ -43,7 +40,8 @@ class CandidatesInLanes {
 
 class NoCandidates {
  public:
-  void borrow(Span<uint32_t>, Target) {}
+  void carve(Workspace &, uint32_t, uint32_t) {}
+  void use(Target) {}
   bool start_cube(const CubeGrid &, uint32_t, uint32_t, const CubeBlock &) { return false; }
   uint32_t later(uint32_t, uint32_t *, uint32_t) const { return 0; }
 };

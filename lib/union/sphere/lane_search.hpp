@@ -11,10 +11,7 @@ namespace hsp {
 
 class SearchInLanes {
  public:
-  void carve(Workspace &workspace, uint32_t neighbours);
-  // Memory for the candidates of a cube, all that is needed while balls are searched: somebody else's, or its own.
-  void borrow_candidates(Span<uint32_t> words) { candidates_.borrow(words, target_); }
-  void take_candidates(Workspace &workspace, uint32_t neighbours);
+  void carve(Workspace &workspace, uint32_t neighbours, uint32_t balls);
 
   // For the balls of one cube, whose block of cubes is given. False if they are to be searched otherwise.
   bool start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block);
@@ -58,9 +55,7 @@ class NoSearchInLanes {
  public:
   static constexpr bool enabled = false;
   void use(Target, bool) {}
-  void carve(Workspace &, uint32_t) {}
-  void borrow_candidates(Span<uint32_t>) {}
-  void take_candidates(Workspace &, uint32_t) {}
+  void carve(Workspace &, uint32_t, uint32_t) {}
   bool start_cube(const CubeGrid &, uint32_t, const CubeBlock &) { return false; }
   bool start_block(const BallSet &, const CubeBlock &, uint32_t, const double (&)[3], double) { return false; }
   bool gather(const BallSet &, uint32_t, Caps &, DisjointSets *, const uint32_t *) { return false; }
