@@ -5,23 +5,15 @@
 #include <math.h>
 #include <string.h>
 
+#include "ball_sets.h"
 #include "check.h"
 
-enum { MOST = 400 };
 static hsp_workspace work;
 static hsp_pores_counts counts;
-static double xyz[3 * MOST], radii[MOST];
-static uint32_t n;
-
-static void add(double x, double y, double z, double radius) {
-  xyz[3 * n] = x;
-  xyz[3 * n + 1] = y;
-  xyz[3 * n + 2] = z;
-  radii[n++] = radius;
-}
+static ball_set balls;
 
 static void compute(void) {
-  CHECK_EQUAL(hsp_workspace_set(&work, n, xyz, radii, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_set(&work, balls.n, balls.xyz, balls.radius, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_workspace_pores(&work, NULL), HSP_OK);
   CHECK_EQUAL(hsp_pores_get_counts(work.pores, &counts), HSP_OK);
 }
@@ -29,12 +21,12 @@ static void compute(void) {
 /* A cubic lattice of x by 3 by 3 places without those at odd x in the middle. */
 static void set_cages(uint32_t length, double radius) {
   uint32_t x, y, z;
-  n = 0;
+  balls.n = 0;
   for (x = 0; x < length; ++x) {
     for (y = 0; y < 3; ++y) {
       for (z = 0; z < 3; ++z) {
         if (x % 2 == 1 && y == 1 && z == 1) continue;
-        add(10.0 * x, 10.0 * y, 10.0 * z, radius);
+        ball_set_add(&balls, 10.0 * x, 10.0 * y, 10.0 * z, radius);
       }
     }
   }
@@ -48,7 +40,7 @@ static void one_cage(void) {
   hsp_pore_gate gate;
   hsp_pore_passage passage;
   hsp_pore_pocket pocket;
-  uint32_t balls[MOST], needed = 0, found = 0, k;
+  uint32_t listed[BALL_SET_MOST], needed = 0, found = 0, k;
   static const double middle[3] = {10, 10, 10};
   set_cages(3, 6);
   compute();
@@ -57,19 +49,19 @@ static void one_cage(void) {
     CHECK_EQUAL(hsp_pores_get_maxima(work.pores, k, 1, &top), HSP_OK);
     CHECK(fabs(top.radius - (5 * sqrt(3) - 6)) < 1e-9 && fabs(top.death - (10 * sqrt(2.0 / 3) - 6)) < 1e-9);
     CHECK(top.parent == 0 && top.gate < 8);
-    CHECK_EQUAL(hsp_pores_get_maximum_balls(work.pores, k, balls, MOST, &needed), HSP_OK);
+    CHECK_EQUAL(hsp_pores_get_maximum_balls(work.pores, k, listed, BALL_SET_MOST, &needed), HSP_OK);
     CHECK_EQUAL(needed, 7);
   }
   CHECK_EQUAL(hsp_pores_get_maxima(work.pores, 0, 1, &top), HSP_OK);
   CHECK_NEAR(top.radius, 4, 1e-12);
   for (k = 0; k < 3; ++k) CHECK_NEAR(top.xyz[k], middle[k], 1e-12);
   CHECK_EQUAL(top.parent, HSP_PORE_OUTSIDE);
-  CHECK_EQUAL(hsp_pores_get_maximum_balls(work.pores, 0, balls, MOST, &needed), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_maximum_balls(work.pores, 0, listed, BALL_SET_MOST, &needed), HSP_OK);
   CHECK_EQUAL(needed, 6);
   for (k = 0; k < needed; ++k) {
-    const double *c = xyz + 3 * (size_t)balls[k];
+    const double *c = balls.xyz + 3 * (size_t)listed[k];
     CHECK(fabs(c[0] - 10) + fabs(c[1] - 10) + fabs(c[2] - 10) == 10);
-    CHECK(k == 0 || balls[k - 1] < balls[k]);
+    CHECK(k == 0 || listed[k - 1] < listed[k]);
   }
   CHECK_EQUAL(hsp_pores_get_gates(work.pores, top.gate, 1, &gate), HSP_OK);
   CHECK(top.death == gate.radius && gate.merges == 1);
@@ -82,17 +74,17 @@ static void one_cage(void) {
   CHECK_EQUAL(hsp_pores_get_pockets(work.pores, 0, 1, &pocket), HSP_OK);
   CHECK(pocket.radius == top.radius && pocket.maxima == 9 && pocket.mouth == gate.radius && pocket.gate == top.gate);
   CHECK(pocket.mouths == 24 && pocket.reserved == 0);
-  CHECK_EQUAL(hsp_pores_get_pocket_balls(work.pores, 0, balls, MOST, &needed), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_pocket_balls(work.pores, 0, listed, BALL_SET_MOST, &needed), HSP_OK);
   CHECK_EQUAL(needed, pocket.balls);
-  CHECK_EQUAL(hsp_pores_get_pocket_maxima(work.pores, 0, balls, MOST, &needed), HSP_OK);
-  for (k = 0; k < 9; ++k) CHECK_EQUAL(balls[k], k);
+  CHECK_EQUAL(hsp_pores_get_pocket_maxima(work.pores, 0, listed, BALL_SET_MOST, &needed), HSP_OK);
+  for (k = 0; k < 9; ++k) CHECK_EQUAL(listed[k], k);
   CHECK_EQUAL(needed, 9);
-  CHECK_EQUAL(hsp_pores_get_pocket_mouths(work.pores, 0, balls, MOST, &needed), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_pocket_mouths(work.pores, 0, listed, BALL_SET_MOST, &needed), HSP_OK);
   CHECK_EQUAL(needed, 24);
-  for (k = 0; k < needed; ++k) CHECK_EQUAL(balls[k], 8 + k);
-  CHECK_EQUAL(hsp_pores_get_gate_balls(work.pores, 8, balls, MOST, &needed), HSP_OK);
+  for (k = 0; k < needed; ++k) CHECK_EQUAL(listed[k], 8 + k);
+  CHECK_EQUAL(hsp_pores_get_gate_balls(work.pores, 8, listed, BALL_SET_MOST, &needed), HSP_OK);
   CHECK_EQUAL(needed, 4); /* of a square */
-  CHECK_EQUAL(hsp_pores_get_gate_balls(work.pores, 0, balls, MOST, &needed), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_gate_balls(work.pores, 0, listed, BALL_SET_MOST, &needed), HSP_OK);
   CHECK_EQUAL(needed, 3);
   CHECK_EQUAL(hsp_pores_find_pockets(work.pores, 1, 1.05, &found), HSP_OK);
   CHECK_EQUAL(found, 0); /* the wide one gets in, too */
@@ -111,12 +103,12 @@ static void bottle(void) {
   hsp_tunnel_point points[400];
   const double radius = 1.75;
   uint32_t r, k, needed = 0, at = HSP_NONE;
-  n = 0;
-  add(0, 0, -2, 3);
+  balls.n = 0;
+  ball_set_add(&balls, 0, 0, -2, 3);
   for (r = 0; r < 6; ++r) {
     for (k = 0; k < 8; ++k) {
       const double angle = 0.7853981633974483 * k + 0.39269908169872414 * (r % 2);
-      add(ring[r][1] * cos(angle), ring[r][1] * sin(angle), ring[r][0], radius);
+      ball_set_add(&balls, ring[r][1] * cos(angle), ring[r][1] * sin(angle), ring[r][0], radius);
     }
   }
   compute();
@@ -144,8 +136,8 @@ static void two_cages(void) {
   hsp_pore_passage passage;
   static const double left[3] = {10, 10, 10}, right[3] = {30, 10, 10};
   set_cages(5, 6);
-  for (k = 0; k < n; ++k) {
-    if (xyz[3 * k] == 20) radii[k] = xyz[3 * k + 1] == 10 && xyz[3 * k + 2] == 10 ? 5.5 : 5.8;
+  for (k = 0; k < balls.n; ++k) {
+    if (balls.xyz[3 * k] == 20) balls.radius[k] = balls.xyz[3 * k + 1] == 10 && balls.xyz[3 * k + 2] == 10 ? 5.5 : 5.8;
   }
   compute();
   CHECK_EQUAL(counts.maxima, 2 + 16);

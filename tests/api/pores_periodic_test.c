@@ -1,47 +1,21 @@
 /* Pores in periodic boxes through the C interface: closed forms of packings, directions and vectors of channels in
  * upright and skew boxes, images and shifts that fit the points, and everything that is refused in a box. */
 #include <hardsphere.h>
-#include <hardsphere_workspace.h>
 #include <math.h>
 #include <string.h>
 
+#include "boxed_balls.h"
 #include "check.h"
 
-enum { MOST = 64, POINTS = 512 };
-static hsp_workspace work;
-static hsp_pores_counts counts;
-static hsp_pore_percolation wide;
-static double xyz[3 * MOST], radii[MOST], box[9];
-static uint32_t n;
-
-static void set_box(double ax, double bx, double by, double cx, double cy, double cz) {
-  const double vectors[9] = {ax, 0, 0, bx, by, 0, cx, cy, cz};
-  memcpy(box, vectors, sizeof box);
-}
-
-static void add(double x, double y, double z, double radius) {
-  xyz[3 * n] = x;
-  xyz[3 * n + 1] = y;
-  xyz[3 * n + 2] = z;
-  radii[n++] = radius;
-}
-
-static void compute(double floor) {
-  hsp_pores_options options;
-  CHECK_EQUAL(hsp_pores_options_init(&options, sizeof options), HSP_OK);
-  options.floor = floor;
-  CHECK_EQUAL(hsp_workspace_periodic(&work, n, xyz, radii, NULL, box, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_workspace_pores_periodic(&work, &options), HSP_OK);
-  CHECK_EQUAL(hsp_pores_get_counts(work.pores, &counts), HSP_OK);
-  CHECK_EQUAL(hsp_pores_get_percolation(work.pores, &wide), HSP_OK);
-  CHECK_EQUAL(wide.reserved, 0);
-}
+enum { POINTS = 512 };
+static boxed_balls in;
 
 static double distance(const double *at, const double *from, const int32_t *shift) {
   double square = 0;
   int axis;
   for (axis = 0; axis < 3; ++axis) {
-    const double x = from[axis] + shift[0] * box[axis] + shift[1] * box[3 + axis] + shift[2] * box[6 + axis] - at[axis];
+    const double x =
+        from[axis] + shift[0] * in.box[axis] + shift[1] * in.box[3 + axis] + shift[2] * in.box[6 + axis] - at[axis];
     square += x * x;
   }
   return sqrt(square);
@@ -51,29 +25,30 @@ static double distance(const double *at, const double *from, const int32_t *shif
 static void images_fit(void) {
   hsp_image images[POINTS];
   uint32_t balls[POINTS], k, i, needed = 0, number = 0;
-  for (k = 0; k < counts.maxima + counts.gates; ++k) {
-    const uint32_t gate = k - counts.maxima;
-    const int at_gate = k >= counts.maxima;
+  for (k = 0; k < in.counts.maxima + in.counts.gates; ++k) {
+    const uint32_t gate = k - in.counts.maxima;
+    const int at_gate = k >= in.counts.maxima;
     double at[3], radius;
     hsp_pore_maximum top;
     hsp_pore_gate pass;
     hsp_pore_gate_shifts shifts;
     if (at_gate) {
-      CHECK_EQUAL(hsp_pores_get_gates(work.pores, gate, 1, &pass), HSP_OK);
-      CHECK_EQUAL(hsp_pores_get_gate_shifts(work.pores, gate, 1, &shifts), HSP_OK);
-      CHECK_EQUAL(hsp_pores_get_gate_images(work.pores, gate, images, POINTS, &needed), HSP_OK);
-      CHECK_EQUAL(hsp_pores_get_gate_balls(work.pores, gate, balls, POINTS, &number), HSP_OK);
+      CHECK_EQUAL(hsp_pores_get_gates(in.work.pores, gate, 1, &pass), HSP_OK);
+      CHECK_EQUAL(hsp_pores_get_gate_shifts(in.work.pores, gate, 1, &shifts), HSP_OK);
+      CHECK_EQUAL(hsp_pores_get_gate_images(in.work.pores, gate, images, POINTS, &needed), HSP_OK);
+      CHECK_EQUAL(hsp_pores_get_gate_balls(in.work.pores, gate, balls, POINTS, &number), HSP_OK);
       memcpy(at, pass.xyz, sizeof at);
       radius = pass.radius;
       CHECK(needed >= 3 && shifts.directions <= 3);
       for (i = 0; i < 3; ++i) {
         const uint32_t ball = pass.ball[i];
-        CHECK_NEAR(distance(at, xyz + 3 * (size_t)ball, shifts.ball + 3 * i) - radii[ball], radius, 1e-7);
+        CHECK_NEAR(distance(at, in.balls.xyz + 3 * (size_t)ball, shifts.ball + 3 * i) - in.balls.radius[ball], radius,
+                   1e-7);
       }
     } else {
-      CHECK_EQUAL(hsp_pores_get_maxima(work.pores, k, 1, &top), HSP_OK);
-      CHECK_EQUAL(hsp_pores_get_maximum_images(work.pores, k, images, POINTS, &needed), HSP_OK);
-      CHECK_EQUAL(hsp_pores_get_maximum_balls(work.pores, k, balls, POINTS, &number), HSP_OK);
+      CHECK_EQUAL(hsp_pores_get_maxima(in.work.pores, k, 1, &top), HSP_OK);
+      CHECK_EQUAL(hsp_pores_get_maximum_images(in.work.pores, k, images, POINTS, &needed), HSP_OK);
+      CHECK_EQUAL(hsp_pores_get_maximum_balls(in.work.pores, k, balls, POINTS, &number), HSP_OK);
       memcpy(at, top.xyz, sizeof at);
       radius = top.radius;
       CHECK(needed >= 4 && top.parent != HSP_PORE_OUTSIDE);
@@ -82,7 +57,7 @@ static void images_fit(void) {
     for (i = 0; i < needed; ++i) {
       const uint32_t ball = images[i].ball;
       CHECK_EQUAL(ball, balls[i]);
-      CHECK_NEAR(distance(at, xyz + 3 * (size_t)ball, images[i].shift) - radii[ball], radius, 1e-7);
+      CHECK_NEAR(distance(at, in.balls.xyz + 3 * (size_t)ball, images[i].shift) - in.balls.radius[ball], radius, 1e-7);
     }
   }
 }
@@ -99,33 +74,34 @@ static void packings(void) {
   for (kind = 0; kind < 4; ++kind) {
     hsp_pore_channel channel;
     uint32_t needed = 0;
-    n = 0;
+    in.balls.n = 0;
     for (k = 0; k < balls[kind]; ++k) {
       const double *q = quarters[k];
       if (kind == 1 && k == 1) {
-        add(edge / 2 - 3 * edge, edge / 2, edge / 2, 1); /* anywhere, three boxes away */
+        ball_set_add(&in.balls, edge / 2 - 3 * edge, edge / 2, edge / 2, 1); /* anywhere, three boxes away */
       } else {
-        add(q[0] * edge / 4, q[1] * edge / 4, q[2] * edge / 4, 1);
+        ball_set_add(&in.balls, q[0] * edge / 4, q[1] * edge / 4, q[2] * edge / 4, 1);
       }
     }
-    set_box(edge, 0, edge, 0, 0, edge);
-    compute(0);
-    CHECK_EQUAL(counts.maxima, maxima[kind]);
-    CHECK_EQUAL(counts.gates, gates[kind]);
-    CHECK_NEAR(wide.largest, largest[kind] * edge - 1, 1e-7);
+    set_box(&in, edge, 0, edge, 0, 0, edge);
+    compute_pores(&in, 0);
+    CHECK_EQUAL(in.counts.maxima, maxima[kind]);
+    CHECK_EQUAL(in.counts.gates, gates[kind]);
+    CHECK_NEAR(in.wide.largest, largest[kind] * edge - 1, 1e-7);
     for (k = 0; k < 3; ++k) {
-      CHECK_NEAR(wide.through[k], through[kind] * edge - 1, 1e-7);
-      CHECK_NEAR(wide.along[k], through[kind] * edge - 1, 1e-7);
-      CHECK_NEAR(wide.included[k], largest[kind] * edge - 1, 1e-7);
-      CHECK(wide.gate[k] < counts.gates && wide.maximum[k] < counts.maxima && wide.gate_along[k] < counts.gates);
+      CHECK_NEAR(in.wide.through[k], through[kind] * edge - 1, 1e-7);
+      CHECK_NEAR(in.wide.along[k], through[kind] * edge - 1, 1e-7);
+      CHECK_NEAR(in.wide.included[k], largest[kind] * edge - 1, 1e-7);
+      CHECK(in.wide.gate[k] < in.counts.gates && in.wide.maximum[k] < in.counts.maxima &&
+            in.wide.gate_along[k] < in.counts.gates);
     }
     images_fit();
-    CHECK_EQUAL(hsp_pores_get_channels(work.pores, 0, &channel, 1, &needed), HSP_OK);
+    CHECK_EQUAL(hsp_pores_get_channels(in.work.pores, 0, &channel, 1, &needed), HSP_OK);
     CHECK_EQUAL(needed, 1);
-    CHECK(channel.maximum == 0 && channel.maxima == counts.maxima && channel.radius == wide.largest);
+    CHECK(channel.maximum == 0 && channel.maxima == in.counts.maxima && channel.radius == in.wide.largest);
     CHECK(channel.directions == 3 && channel.copies == 1 && channel.reserved == 0);
     for (k = 0; k < 9; ++k) CHECK_EQUAL(channel.row[k], k % 4 == 0 ? 1 : 0);
-    CHECK_EQUAL(hsp_pores_get_channels(work.pores, wide.largest, NULL, 0, &needed), HSP_OK);
+    CHECK_EQUAL(hsp_pores_get_channels(in.work.pores, in.wide.largest, NULL, 0, &needed), HSP_OK);
     CHECK_EQUAL(needed, 0);
   }
 }
@@ -137,27 +113,27 @@ static void rods(const double *vectors, const int32_t (*ways)[3], int first, int
   const double levels[3] = {sqrt(41) - radius, sqrt(25 + 2.25) - radius, sqrt(16 + 2.25) - radius};
   uint32_t d, needed = 0, k;
   int32_t sign;
-  n = 0;
-  add(3, 2, 1, radius);
-  memcpy(box, vectors, sizeof box);
-  compute(0);
-  CHECK(counts.maxima == 1 && counts.gates == 3 && counts.merges == 0 && counts.cavities == 1);
-  CHECK_NEAR(wide.largest, sqrt(41 + 2.25) - radius, 1e-8);
+  in.balls.n = 0;
+  ball_set_add(&in.balls, 3, 2, 1, radius);
+  memcpy(in.box, vectors, sizeof in.box);
+  compute_pores(&in, 0);
+  CHECK(in.counts.maxima == 1 && in.counts.gates == 3 && in.counts.merges == 0 && in.counts.cavities == 1);
+  CHECK_NEAR(in.wide.largest, sqrt(41 + 2.25) - radius, 1e-8);
   images_fit();
   for (d = 0; d < 3; ++d) {
     hsp_pore_channel channel;
     hsp_pore_gate gate;
     hsp_pore_gate_shifts shifts;
     hsp_pore_maximum top;
-    CHECK_NEAR(wide.through[d], levels[d], 1e-8);
-    CHECK(wide.gate[d] == d && wide.maximum[d] == 0 && wide.included[d] == wide.largest);
-    CHECK_EQUAL(hsp_pores_get_channels(work.pores, wide.through[d], &channel, 1, &needed), HSP_OK);
+    CHECK_NEAR(in.wide.through[d], levels[d], 1e-8);
+    CHECK(in.wide.gate[d] == d && in.wide.maximum[d] == 0 && in.wide.included[d] == in.wide.largest);
+    CHECK_EQUAL(hsp_pores_get_channels(in.work.pores, in.wide.through[d], &channel, 1, &needed), HSP_OK);
     CHECK(needed == 1 && channel.directions == d);
-    CHECK_EQUAL(hsp_pores_get_channels(work.pores, nextafter(wide.through[d], 0), &channel, 1, &needed), HSP_OK);
+    CHECK_EQUAL(hsp_pores_get_channels(in.work.pores, nextafter(in.wide.through[d], 0), &channel, 1, &needed), HSP_OK);
     CHECK(needed == 1 && channel.directions == d + 1 && channel.copies == 1 && channel.maxima == 1);
-    CHECK_EQUAL(hsp_pores_get_gates(work.pores, d, 1, &gate), HSP_OK);
-    CHECK_EQUAL(hsp_pores_get_gate_shifts(work.pores, d, 1, &shifts), HSP_OK);
-    CHECK_EQUAL(hsp_pores_get_maxima(work.pores, 0, 1, &top), HSP_OK);
+    CHECK_EQUAL(hsp_pores_get_gates(in.work.pores, d, 1, &gate), HSP_OK);
+    CHECK_EQUAL(hsp_pores_get_gate_shifts(in.work.pores, d, 1, &shifts), HSP_OK);
+    CHECK_EQUAL(hsp_pores_get_maxima(in.work.pores, 0, 1, &top), HSP_OK);
     CHECK(gate.end[0] == 0 && gate.end[1] == 0 && gate.merges == 0 && shifts.winds == 1 && shifts.directions == d + 1);
     /* Its two ends are on both sides, and one way apart. */
     CHECK_NEAR(distance(gate.xyz, top.xyz, shifts.end), d == 0 ? 1.5 : d == 1 ? 4 : 5, 1e-7);
@@ -169,9 +145,9 @@ static void rods(const double *vectors, const int32_t (*ways)[3], int first, int
       for (k = 0; k < 3; ++k) CHECK_EQUAL(channel.row[k], ways[0][k]);
     }
   }
-  CHECK_NEAR(wide.along[0], levels[first], 1e-8);
-  CHECK_NEAR(wide.along[1], levels[second], 1e-8);
-  CHECK_NEAR(wide.along[2], levels[third], 1e-8);
+  CHECK_NEAR(in.wide.along[0], levels[first], 1e-8);
+  CHECK_NEAR(in.wide.along[1], levels[second], 1e-8);
+  CHECK_NEAR(in.wide.along[2], levels[third], 1e-8);
 }
 
 /* Walls that leave closed cavities, and a floor above everything. */
@@ -180,29 +156,29 @@ static void closed(void) {
   hsp_pore_maximum top;
   uint32_t needed = 0, member = 0;
   int d;
-  n = 0;
-  add(0, 0, 0, 2.9); /* an edge of 4: 2 sqrt(2) < 2.9 < 2 sqrt(3) */
-  set_box(4, 0, 4, 0, 0, 4);
-  compute(0);
-  CHECK(counts.maxima == 1 && counts.gates == 0 && counts.cavities == 1);
-  CHECK_NEAR(wide.largest, 2 * sqrt(3) - 2.9, 1e-8);
+  in.balls.n = 0;
+  ball_set_add(&in.balls, 0, 0, 0, 2.9); /* an edge of 4: 2 sqrt(2) < 2.9 < 2 sqrt(3) */
+  set_box(&in, 4, 0, 4, 0, 0, 4);
+  compute_pores(&in, 0);
+  CHECK(in.counts.maxima == 1 && in.counts.gates == 0 && in.counts.cavities == 1);
+  CHECK_NEAR(in.wide.largest, 2 * sqrt(3) - 2.9, 1e-8);
   for (d = 0; d < 3; ++d) {
-    CHECK(wide.through[d] == 0 && wide.along[d] == 0 && wide.included[d] == 0);
-    CHECK(wide.gate[d] == HSP_NONE && wide.maximum[d] == HSP_NONE && wide.gate_along[d] == HSP_NONE);
+    CHECK(in.wide.through[d] == 0 && in.wide.along[d] == 0 && in.wide.included[d] == 0);
+    CHECK(in.wide.gate[d] == HSP_NONE && in.wide.maximum[d] == HSP_NONE && in.wide.gate_along[d] == HSP_NONE);
   }
-  CHECK_EQUAL(hsp_pores_get_channels(work.pores, 0.5, &channel, 1, &needed), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_channels(in.work.pores, 0.5, &channel, 1, &needed), HSP_OK);
   CHECK(needed == 1 && channel.directions == 0 && channel.copies == 1 && channel.maxima == 1);
-  CHECK_EQUAL(hsp_pores_get_maxima(work.pores, 0, 1, &top), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_maxima(in.work.pores, 0, 1, &top), HSP_OK);
   CHECK(top.gate == HSP_NONE && top.parent == HSP_NONE && top.death == 0);
-  CHECK_EQUAL(hsp_pores_class_at(work.pores, 0, 0.5, &member), HSP_OK);
+  CHECK_EQUAL(hsp_pores_class_at(in.work.pores, 0, 0.5, &member), HSP_OK);
   CHECK_EQUAL(member, 0);
-  compute(1);
-  CHECK(counts.maxima == 0 && wide.largest == 1);
-  CHECK_EQUAL(hsp_pores_get_channels(work.pores, 1, &channel, 1, &needed), HSP_OK);
+  compute_pores(&in, 1);
+  CHECK(in.counts.maxima == 0 && in.wide.largest == 1);
+  CHECK_EQUAL(hsp_pores_get_channels(in.work.pores, 1, &channel, 1, &needed), HSP_OK);
   CHECK_EQUAL(needed, 0);
-  CHECK_EQUAL(hsp_pores_get_channels(work.pores, 0.5, &channel, 1, &needed), HSP_E_RANGE);
-  compute(-2.9); /* everything is one class then */
-  CHECK(counts.maxima == 1 && counts.gates == 3 && wide.through[2] < 0);
+  CHECK_EQUAL(hsp_pores_get_channels(in.work.pores, 0.5, &channel, 1, &needed), HSP_E_RANGE);
+  compute_pores(&in, -2.9); /* everything is one class then */
+  CHECK(in.counts.maxima == 1 && in.counts.gates == 3 && in.wide.through[2] < 0);
 }
 
 /* Two balls of one place in a box twice as long give the same levels; the same balls elsewhere give the same bits. */
@@ -210,34 +186,34 @@ static void copies_and_stale_results(void) {
   static const double upright[9] = {8, 0, 0, 0, 10, 0, 0, 0, 3};
   hsp_pore_percolation one;
   int d;
-  n = 0;
-  add(3, 2, 1, 1.6);
-  memcpy(box, upright, sizeof box);
-  compute(0);
-  one = wide;
-  add(3, 2, 4, 1.6);
-  box[8] = 6;
-  compute(0);
-  CHECK_EQUAL(counts.maxima, 2);
-  CHECK_EQUAL(counts.gates, 6);
-  for (d = 0; d < 3; ++d) CHECK(wide.through[d] == one.through[d] && wide.along[d] == one.along[d]);
+  in.balls.n = 0;
+  ball_set_add(&in.balls, 3, 2, 1, 1.6);
+  memcpy(in.box, upright, sizeof in.box);
+  compute_pores(&in, 0);
+  one = in.wide;
+  ball_set_add(&in.balls, 3, 2, 4, 1.6);
+  in.box[8] = 6;
+  compute_pores(&in, 0);
+  CHECK_EQUAL(in.counts.maxima, 2);
+  CHECK_EQUAL(in.counts.gates, 6);
+  for (d = 0; d < 3; ++d) CHECK(in.wide.through[d] == one.through[d] && in.wide.along[d] == one.along[d]);
   /* Pores of other balls are not there, of the same again they are, of a copy elsewhere they are not: other shifts. */
-  xyz[0] = 3.5;
-  CHECK_EQUAL(hsp_workspace_periodic(&work, n, xyz, radii, NULL, box, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_pores_get_percolation(work.pores, &wide), HSP_E_STATE);
-  xyz[0] = 3;
-  CHECK_EQUAL(hsp_workspace_periodic(&work, n, xyz, radii, NULL, box, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_pores_get_percolation(work.pores, &wide), HSP_OK);
-  xyz[0] = 11;
-  CHECK_EQUAL(hsp_workspace_periodic(&work, n, xyz, radii, NULL, box, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_pores_get_percolation(work.pores, &wide), HSP_E_STATE);
-  compute(0);
-  for (d = 0; d < 3; ++d) CHECK(wide.through[d] == one.through[d]);
-  box[3] = 8; /* other vectors of the same lattice */
-  CHECK_EQUAL(hsp_workspace_periodic(&work, n, xyz, radii, NULL, box, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_pores_get_counts(work.pores, &counts), HSP_E_STATE);
-  compute(0);
-  for (d = 0; d < 3; ++d) CHECK(wide.through[d] == one.through[d]);
+  in.balls.xyz[0] = 3.5;
+  CHECK_EQUAL(hsp_workspace_periodic(&in.work, in.balls.n, in.balls.xyz, in.balls.radius, NULL, in.box, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_percolation(in.work.pores, &in.wide), HSP_E_STATE);
+  in.balls.xyz[0] = 3;
+  CHECK_EQUAL(hsp_workspace_periodic(&in.work, in.balls.n, in.balls.xyz, in.balls.radius, NULL, in.box, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_percolation(in.work.pores, &in.wide), HSP_OK);
+  in.balls.xyz[0] = 11;
+  CHECK_EQUAL(hsp_workspace_periodic(&in.work, in.balls.n, in.balls.xyz, in.balls.radius, NULL, in.box, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_percolation(in.work.pores, &in.wide), HSP_E_STATE);
+  compute_pores(&in, 0);
+  for (d = 0; d < 3; ++d) CHECK(in.wide.through[d] == one.through[d]);
+  in.box[3] = 8; /* other vectors of the same lattice */
+  CHECK_EQUAL(hsp_workspace_periodic(&in.work, in.balls.n, in.balls.xyz, in.balls.radius, NULL, in.box, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_counts(in.work.pores, &in.counts), HSP_E_STATE);
+  compute_pores(&in, 0);
+  for (d = 0; d < 3; ++d) CHECK(in.wide.through[d] == one.through[d]);
 }
 
 static uint32_t checked_pockets, checked_mouths;
@@ -250,13 +226,13 @@ static void pockets_against_channels(double narrow, double wider) {
   static int reached[POINTS];
   uint32_t pockets = 0, needed = 0, k, p, found = 0, closed_channels = 0;
   int changed = 1;
-  CHECK(counts.maxima <= POINTS && counts.gates <= POINTS);
-  CHECK_EQUAL(hsp_pores_get_gates(work.pores, 0, counts.gates, gates), HSP_OK);
-  CHECK_EQUAL(hsp_pores_get_channels(work.pores, wider, channels, POINTS, &needed), HSP_OK);
+  CHECK(in.counts.maxima <= POINTS && in.counts.gates <= POINTS);
+  CHECK_EQUAL(hsp_pores_get_gates(in.work.pores, 0, in.counts.gates, gates), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_channels(in.work.pores, wider, channels, POINTS, &needed), HSP_OK);
   for (p = 0; p < needed; ++p) closed_channels += channels[p].directions == 0 ? 1 : 0;
-  for (k = 0; k < counts.maxima; ++k) {
+  for (k = 0; k < in.counts.maxima; ++k) {
     uint32_t member = 0;
-    CHECK_EQUAL(hsp_pores_class_at(work.pores, k, wider, &member), HSP_OK);
+    CHECK_EQUAL(hsp_pores_class_at(in.work.pores, k, wider, &member), HSP_OK);
     reached[k] = 0;
     for (p = 0; p < needed; ++p)
       reached[k] = reached[k] || (channels[p].maximum == member && channels[p].directions > 0);
@@ -264,30 +240,30 @@ static void pockets_against_channels(double narrow, double wider) {
   }
   while (changed) { /* the least number of each part */
     changed = 0;
-    for (k = 0; k < counts.gates && gates[k].radius > narrow; ++k) {
+    for (k = 0; k < in.counts.gates && gates[k].radius > narrow; ++k) {
       const uint32_t a = gates[k].end[0], b = gates[k].end[1];
       if (reached[a] || reached[b] || part[a] == part[b]) continue;
       part[a] = part[b] = part[a] < part[b] ? part[a] : part[b];
       changed = 1;
     }
   }
-  CHECK_EQUAL(hsp_pores_find_pockets(work.pores, narrow, wider, &pockets), HSP_OK);
+  CHECK_EQUAL(hsp_pores_find_pockets(in.work.pores, narrow, wider, &pockets), HSP_OK);
   if (narrow == wider) CHECK_EQUAL(pockets, closed_channels);
-  for (k = 0; k < counts.maxima; ++k) {
+  for (k = 0; k < in.counts.maxima; ++k) {
     hsp_pore_maximum top;
-    CHECK_EQUAL(hsp_pores_get_maxima(work.pores, k, 1, &top), HSP_OK);
+    CHECK_EQUAL(hsp_pores_get_maxima(in.work.pores, k, 1, &top), HSP_OK);
     if (reached[k] || part[k] != k || !(top.radius > narrow)) continue;
     if (found < pockets) { /* the widest one comes first, as in the list */
       hsp_pore_pocket pocket;
       uint32_t mouths = 0, members = 0, i;
-      CHECK_EQUAL(hsp_pores_get_pockets(work.pores, found, 1, &pocket), HSP_OK);
+      CHECK_EQUAL(hsp_pores_get_pockets(in.work.pores, found, 1, &pocket), HSP_OK);
       CHECK(pocket.maximum == k && pocket.radius == top.radius);
-      CHECK_EQUAL(hsp_pores_get_pocket_maxima(work.pores, found, listed, POINTS, &needed), HSP_OK);
+      CHECK_EQUAL(hsp_pores_get_pocket_maxima(in.work.pores, found, listed, POINTS, &needed), HSP_OK);
       CHECK_EQUAL(needed, pocket.maxima);
       for (i = 0; i < needed; ++i) CHECK(part[listed[i]] == k && !reached[listed[i]]);
-      for (i = 0; i < counts.maxima; ++i) members += part[i] == k ? 1 : 0;
+      for (i = 0; i < in.counts.maxima; ++i) members += part[i] == k ? 1 : 0;
       CHECK_EQUAL(members, pocket.maxima);
-      for (i = 0; i < counts.gates && gates[i].radius > narrow; ++i) {
+      for (i = 0; i < in.counts.gates && gates[i].radius > narrow; ++i) {
         const uint32_t a = gates[i].end[0], b = gates[i].end[1];
         const int first = !reached[a] && part[a] == k, second = !reached[b] && part[b] == k;
         if (first == second) continue;
@@ -309,18 +285,18 @@ static void pockets_against_channels(double narrow, double wider) {
 static void pockets_in_a_box(void) {
   const double window = 2 * sqrt(2) - 2.5;
   uint32_t pockets = 0, state = 12345, turn, k;
-  n = 0;
-  add(0, 0, 0, 2.5);
-  set_box(4, 0, 4, 0, 0, 4);
-  compute(0);
-  CHECK_EQUAL(hsp_pores_find_pockets(work.pores, 0, 0.99 * window, &pockets), HSP_OK);
+  in.balls.n = 0;
+  ball_set_add(&in.balls, 0, 0, 0, 2.5);
+  set_box(&in, 4, 0, 4, 0, 0, 4);
+  compute_pores(&in, 0);
+  CHECK_EQUAL(hsp_pores_find_pockets(in.work.pores, 0, 0.99 * window, &pockets), HSP_OK);
   CHECK_EQUAL(pockets, 0); /* the wide probe goes on for ever */
-  CHECK_EQUAL(hsp_pores_find_pockets(work.pores, 0, 1.01 * window, &pockets), HSP_OK);
+  CHECK_EQUAL(hsp_pores_find_pockets(in.work.pores, 0, 1.01 * window, &pockets), HSP_OK);
   CHECK_EQUAL(pockets, 1);
   for (turn = 0; turn < 40; ++turn) {
     const double floor = turn % 2 == 0 ? 0 : -0.3;
-    n = 0;
-    set_box(6, turn % 3, 5, 0, turn % 4, 7);
+    in.balls.n = 0;
+    set_box(&in, 6, turn % 3, 5, 0, turn % 4, 7);
     for (k = 0; k < 10; ++k) {
       double at[4];
       int axis;
@@ -328,31 +304,31 @@ static void pockets_in_a_box(void) {
         state = state * 1664525U + 1013904223U;
         at[axis] = 7.0 * (double)(state >> 8) / 16777216.0;
       }
-      add(at[0], at[1], at[2], 1 + at[3] / 7);
+      ball_set_add(&in.balls, at[0], at[1], at[2], 1 + at[3] / 7);
     }
-    compute(floor);
+    compute_pores(&in, floor);
     for (k = 0; k < 4; ++k) {
       pockets_against_channels(0.1 * k, 0.1 * k);
       pockets_against_channels(0.1 * k, 0.1 * k + 0.2);
     }
-    pockets_against_channels(0, wide.through[0] > 0 ? wide.through[0] : 0);
-    pockets_against_channels(0, wide.through[2] > 0 ? 0.999 * wide.through[2] : 0);
+    pockets_against_channels(0, in.wide.through[0] > 0 ? in.wide.through[0] : 0);
+    pockets_against_channels(0, in.wide.through[2] > 0 ? 0.999 * in.wide.through[2] : 0);
   }
   CHECK(checked_pockets > 100 && checked_mouths > 100);
 }
 
 static void refused_in_a_box(void) {
   uint32_t gate = 0;
-  CHECK_EQUAL(hsp_pores_gate_between(work.pores, 0, HSP_PORE_OUTSIDE, &gate), HSP_OK);
+  CHECK_EQUAL(hsp_pores_gate_between(in.work.pores, 0, HSP_PORE_OUTSIDE, &gate), HSP_OK);
   CHECK_EQUAL(gate, HSP_NONE);
-  CHECK_EQUAL(hsp_pores_compute_periodic(work.pores, NULL, NULL, NULL), HSP_E_ARGUMENT);
-  CHECK_EQUAL(hsp_pores_get_counts(work.pores, &counts), HSP_E_STATE);
-  set_box(100000, 0, 400, 0, 0, 400);
-  n = 0;
-  add(0, 0, 0, 100);
-  CHECK_EQUAL(hsp_workspace_periodic(&work, n, xyz, radii, NULL, box, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_workspace_pores_periodic(&work, NULL), HSP_E_RANGE); /* too long for its width */
-  CHECK_EQUAL(hsp_pores_get_counts(work.pores, &counts), HSP_E_STATE);
+  CHECK_EQUAL(hsp_pores_compute_periodic(in.work.pores, NULL, NULL, NULL), HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_pores_get_counts(in.work.pores, &in.counts), HSP_E_STATE);
+  set_box(&in, 100000, 0, 400, 0, 0, 400);
+  in.balls.n = 0;
+  ball_set_add(&in.balls, 0, 0, 0, 100);
+  CHECK_EQUAL(hsp_workspace_periodic(&in.work, in.balls.n, in.balls.xyz, in.balls.radius, NULL, in.box, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_pores_periodic(&in.work, NULL), HSP_E_RANGE); /* too long for its width */
+  CHECK_EQUAL(hsp_pores_get_counts(in.work.pores, &in.counts), HSP_E_STATE);
 }
 
 /* Of a model nothing winds, and shifts are 0. */
@@ -361,30 +337,30 @@ static void without_a_box(void) {
   hsp_pore_gate_shifts shifts;
   hsp_image images[4];
   uint32_t needed = 0, k;
-  n = 0;
-  add(1, 1, 1, 1);
-  add(1, -1, -1, 1);
-  add(-1, 1, -1, 1);
-  add(-1, -1, 1, 1);
-  CHECK_EQUAL(hsp_workspace_set(&work, n, xyz, radii, NULL, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_workspace_pores(&work, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_pores_get_percolation(work.pores, &wide), HSP_OK);
-  CHECK_NEAR(wide.largest, sqrt(3) - 1, 1e-8);
-  for (k = 0; k < 3; ++k) CHECK(wide.gate[k] == HSP_NONE && wide.through[k] == 0);
-  CHECK_EQUAL(hsp_pores_get_gate_shifts(work.pores, 0, 1, &shifts), HSP_OK);
+  in.balls.n = 0;
+  ball_set_add(&in.balls, 1, 1, 1, 1);
+  ball_set_add(&in.balls, 1, -1, -1, 1);
+  ball_set_add(&in.balls, -1, 1, -1, 1);
+  ball_set_add(&in.balls, -1, -1, 1, 1);
+  CHECK_EQUAL(hsp_workspace_set(&in.work, in.balls.n, in.balls.xyz, in.balls.radius, NULL, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_pores(&in.work, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_percolation(in.work.pores, &in.wide), HSP_OK);
+  CHECK_NEAR(in.wide.largest, sqrt(3) - 1, 1e-8);
+  for (k = 0; k < 3; ++k) CHECK(in.wide.gate[k] == HSP_NONE && in.wide.through[k] == 0);
+  CHECK_EQUAL(hsp_pores_get_gate_shifts(in.work.pores, 0, 1, &shifts), HSP_OK);
   CHECK(shifts.winds == 0 && shifts.directions == 0);
   for (k = 0; k < 9; ++k) CHECK_EQUAL(shifts.ball[k], 0);
   for (k = 0; k < 6; ++k) CHECK_EQUAL(shifts.end[k], 0);
-  CHECK_EQUAL(hsp_pores_get_maximum_images(work.pores, 0, images, 4, &needed), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_maximum_images(in.work.pores, 0, images, 4, &needed), HSP_OK);
   CHECK(needed == 4 && images[3].ball == 3 && images[3].shift[0] == 0);
-  CHECK_EQUAL(hsp_pores_get_channels(work.pores, 0, channels, 4, &needed), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_channels(in.work.pores, 0, channels, 4, &needed), HSP_OK);
   CHECK_EQUAL(needed, 0); /* it is a part of the outside */
-  CHECK_EQUAL(hsp_pores_get_channels(work.pores, 0.7, channels, 4, &needed), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_channels(in.work.pores, 0.7, channels, 4, &needed), HSP_OK);
   CHECK(needed == 1 && channels[0].directions == 0 && channels[0].maximum == 0 && channels[0].maxima == 1);
-  CHECK_EQUAL(hsp_pores_get_channels(work.pores, 0.7, NULL, 0, &needed), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_pores_get_channels(in.work.pores, 0.7, NULL, 0, &needed), HSP_E_CAPACITY);
   CHECK_EQUAL(needed, 1);
-  CHECK_EQUAL(hsp_pores_get_channels(work.pores, NAN, channels, 4, &needed), HSP_E_NOT_FINITE);
-  CHECK_EQUAL(hsp_pores_get_channels(work.pores, -1, channels, 4, &needed), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_pores_get_channels(in.work.pores, NAN, channels, 4, &needed), HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_pores_get_channels(in.work.pores, -1, channels, 4, &needed), HSP_E_RANGE);
 }
 
 int main(void) {
@@ -393,7 +369,7 @@ int main(void) {
   static const int32_t in_skew[3][3] = {{1, 0, 1}, {1, 0, 0}, {-1, 1, 0}};
   static const double other_skew[9] = {8, 0, 0, 8, 10, 0, 8, 0, 3};
   static const int32_t in_other_skew[3][3] = {{1, 0, -1}, {1, 0, 0}, {-1, 1, 0}};
-  memset(&work, 0, sizeof work);
+  memset(&in.work, 0, sizeof in.work);
   packings();
   rods(upright, along_axes, 1, 2, 0);
   rods(skew, in_skew, 0, 2, 0);
@@ -403,6 +379,6 @@ int main(void) {
   pockets_in_a_box();
   refused_in_a_box();
   without_a_box();
-  hsp_workspace_free(&work);
+  hsp_workspace_free(&in.work);
   return check_report();
 }

@@ -2,54 +2,31 @@
  * boxes against a grid whose points are joined from the widest on, each with the copy it belongs to; points of tunnels,
  * their balls and copies against the distance to all images; and the arguments. */
 #include <hardsphere.h>
-#include <hardsphere_workspace.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "boxed_balls.h"
 #include "check.h"
 
-enum { MOST = 16, POINTS = 4096, SIDE = 24, NODES = SIDE * SIDE * SIDE, FAR = 3 };
-static hsp_workspace work;
-static hsp_pores_counts counts;
+enum { POINTS = 4096, SIDE = 24, NODES = SIDE * SIDE * SIDE, FAR = 3 };
+static boxed_balls in;
 static hsp_tunnel tunnel;
 static hsp_tunnel_route route;
 static hsp_pore_passage passage;
 static hsp_tunnel_point points[POINTS];
 static hsp_tunnel_point_shifts shifts[POINTS];
-static double xyz[3 * MOST], radii[MOST], box[9];
-static uint32_t n, needed, state = 4711;
+static uint32_t needed, state = 4711;
 
 static double random_in(double low, double high) {
   state = state * 1664525U + 1013904223U;
   return low + (high - low) * (double)(state >> 8) / (double)(1U << 24);
 }
 
-static void set_box(double ax, double bx, double by, double cx, double cy, double cz) {
-  const double vectors[9] = {ax, 0, 0, bx, by, 0, cx, cy, cz};
-  memcpy(box, vectors, sizeof box);
-}
-
-static void add(double x, double y, double z, double radius) {
-  xyz[3 * n] = x;
-  xyz[3 * n + 1] = y;
-  xyz[3 * n + 2] = z;
-  radii[n++] = radius;
-}
-
-static void compute(double floor) {
-  hsp_pores_options options;
-  CHECK_EQUAL(hsp_pores_options_init(&options, sizeof options), HSP_OK);
-  options.floor = floor;
-  CHECK_EQUAL(hsp_workspace_periodic(&work, n, xyz, radii, NULL, box, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_workspace_pores_periodic(&work, &options), HSP_OK);
-  CHECK_EQUAL(hsp_pores_get_counts(work.pores, &counts), HSP_OK);
-}
-
 static void moved(const double *from, const int32_t *shift, double *to) {
   int axis;
   for (axis = 0; axis < 3; ++axis) {
-    to[axis] = from[axis] + shift[0] * box[axis] + shift[1] * box[3 + axis] + shift[2] * box[6 + axis];
+    to[axis] = from[axis] + shift[0] * in.box[axis] + shift[1] * in.box[3 + axis] + shift[2] * in.box[6 + axis];
   }
 }
 
@@ -63,16 +40,16 @@ static double room_at(const double *at) {
   double least = INFINITY;
   int i, j, k;
   uint32_t ball;
-  for (ball = 0; ball < n; ++ball) {
+  for (ball = 0; ball < in.balls.n; ++ball) {
     for (k = -FAR; k <= FAR; ++k) {
-      const double z = xyz[3 * ball + 2] + k * box[8] - at[2];
-      if (fabs(z) - radii[ball] > least) continue;
+      const double z = in.balls.xyz[3 * ball + 2] + k * in.box[8] - at[2];
+      if (fabs(z) - in.balls.radius[ball] > least) continue;
       for (j = -FAR; j <= FAR; ++j) {
-        const double y = xyz[3 * ball + 1] + k * box[7] + j * box[4] - at[1];
-        if (fabs(y) - radii[ball] > least) continue;
+        const double y = in.balls.xyz[3 * ball + 1] + k * in.box[7] + j * in.box[4] - at[1];
+        if (fabs(y) - in.balls.radius[ball] > least) continue;
         for (i = -FAR; i <= FAR; ++i) {
-          const double x = xyz[3 * ball] + k * box[6] + j * box[3] + i * box[0] - at[0];
-          least = fmin(least, sqrt(x * x + y * y + z * z) - radii[ball]);
+          const double x = in.balls.xyz[3 * ball] + k * in.box[6] + j * in.box[3] + i * in.box[0] - at[0];
+          least = fmin(least, sqrt(x * x + y * y + z * z) - in.balls.radius[ball]);
         }
       }
     }
@@ -84,9 +61,9 @@ static double room_at(const double *at) {
 static double room_anywhere(const double *at) {
   int32_t shift[3];
   double near[3];
-  shift[2] = -(int32_t)floor(at[2] / box[8]);
-  shift[1] = -(int32_t)floor((at[1] + shift[2] * box[7]) / box[4]);
-  shift[0] = -(int32_t)floor((at[0] + shift[2] * box[6] + shift[1] * box[3]) / box[0]);
+  shift[2] = -(int32_t)floor(at[2] / in.box[8]);
+  shift[1] = -(int32_t)floor((at[1] + shift[2] * in.box[7]) / in.box[4]);
+  shift[0] = -(int32_t)floor((at[0] + shift[2] * in.box[6] + shift[1] * in.box[3]) / in.box[0]);
   moved(at, shift, near);
   return room_at(near);
 }
@@ -104,7 +81,7 @@ static int by_room(const void *p, const void *q) {
 static void grid_point(uint32_t node, double *at) {
   const double i = node % SIDE, j = node / SIDE % SIDE, k = node / SIDE / SIDE;
   int axis;
-  for (axis = 0; axis < 3; ++axis) at[axis] = (i * box[axis] + j * box[3 + axis] + k * box[6 + axis]) / SIDE;
+  for (axis = 0; axis < 3; ++axis) at[axis] = (i * in.box[axis] + j * in.box[3 + axis] + k * in.box[6 + axis]) / SIDE;
 }
 
 static void fill_grid(void) {
@@ -183,10 +160,10 @@ static void check_points(const double *from, const double *to) {
   uint32_t k, gates = 0, b;
   hsp_pore_place place;
   hsp_pore_place_shifts beside;
-  CHECK_EQUAL(hsp_pores_get_tunnel_route(work.pores, &route), HSP_OK);
-  CHECK_EQUAL(hsp_pores_get_tunnel_points(work.pores, points, POINTS, &needed), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_tunnel_route(in.work.pores, &route), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_tunnel_points(in.work.pores, points, POINTS, &needed), HSP_OK);
   CHECK_EQUAL(needed, tunnel.points);
-  CHECK_EQUAL(hsp_pores_get_tunnel_point_shifts(work.pores, shifts, POINTS, &needed), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_tunnel_point_shifts(in.work.pores, shifts, POINTS, &needed), HSP_OK);
   CHECK_EQUAL(needed, tunnel.points);
   CHECK(tunnel.outside == 0 && tunnel.reserved == 0 && route.reserved == 0 && needed > 0);
   moved(to == NULL ? from : to, route.shift, end);
@@ -198,20 +175,20 @@ static void check_points(const double *from, const double *to) {
     CHECK_NEAR(room_anywhere(point->xyz), point->radius, 1e-6);
     CHECK(point->radius >= tunnel.radius - 1e-6);
     for (b = 0; b < 4 && point->ball[b] != HSP_NONE; ++b) {
-      moved(xyz + 3 * (size_t)point->ball[b], shifts[k].ball + 3 * (size_t)b, at);
-      CHECK_NEAR(distance(at, point->xyz) - radii[point->ball[b]], point->radius, 1e-6);
+      moved(in.balls.xyz + 3 * (size_t)point->ball[b], shifts[k].ball + 3 * (size_t)b, at);
+      CHECK_NEAR(distance(at, point->xyz) - in.balls.radius[point->ball[b]], point->radius, 1e-6);
     }
     CHECK(b > 0);
     if (point->gate != HSP_NONE) {
       hsp_pore_gate gate;
-      CHECK_EQUAL(hsp_pores_get_gates(work.pores, point->gate, 1, &gate), HSP_OK);
+      CHECK_EQUAL(hsp_pores_get_gates(in.work.pores, point->gate, 1, &gate), HSP_OK);
       moved(gate.xyz, shifts[k].at, at);
       CHECK(distance(at, point->xyz) < 1e-9);
       CHECK(gate.radius >= tunnel.radius);
       ++gates;
     } else if (point->maximum != HSP_NONE) {
       hsp_pore_maximum top;
-      CHECK_EQUAL(hsp_pores_get_maxima(work.pores, point->maximum, 1, &top), HSP_OK);
+      CHECK_EQUAL(hsp_pores_get_maxima(in.work.pores, point->maximum, 1, &top), HSP_OK);
       moved(top.xyz, shifts[k].at, at);
       CHECK(distance(at, point->xyz) < 1e-9);
     } else {
@@ -230,12 +207,12 @@ static void check_points(const double *from, const double *to) {
   CHECK_EQUAL(gates, tunnel.gates);
   CHECK_NEAR(length, tunnel.length, 1e-9 * (1 + length));
   /* The first maximum is that above the start, and which copy of it. */
-  CHECK_EQUAL(hsp_pores_locate_with_shifts(work.pores, from, &place, &beside), HSP_OK);
+  CHECK_EQUAL(hsp_pores_locate_with_shifts(in.work.pores, from, &place, &beside), HSP_OK);
   for (k = 0; k < needed && points[k].maximum == HSP_NONE;) ++k;
   CHECK(k < needed && points[k].maximum == place.maximum);
   if (k < needed) CHECK(memcmp(shifts[k].at, beside.maximum, sizeof beside.maximum) == 0);
-  moved(xyz + 3 * (size_t)place.ball, beside.ball, end);
-  CHECK_NEAR(distance(end, from) - radii[place.ball], place.radius, 1e-6);
+  moved(in.balls.xyz + 3 * (size_t)place.ball, beside.ball, end);
+  CHECK_NEAR(distance(end, from) - in.balls.radius[place.ball], place.radius, 1e-6);
   /* Gates lie between maxima: the cost by straight lines. */
   for (; k < needed; ++k) {
     uint32_t before, after;
@@ -256,35 +233,35 @@ static void packings(void) {
   for (kind = 0; kind < 2; ++kind) {
     hsp_pore_place place;
     hsp_pore_place_shifts beside_shifts;
-    n = 0;
-    add(0, 0, 0, 1);
-    if (kind == 1) add(edge, 3 * edge, -edge, 1);
-    set_box(edge * (1 + kind), 0, edge, 0, 0, edge);
-    compute(0);
-    CHECK_EQUAL(hsp_pores_locate_with_shifts(work.pores, far, &place, &beside_shifts), HSP_OK);
+    in.balls.n = 0;
+    ball_set_add(&in.balls, 0, 0, 0, 1);
+    if (kind == 1) ball_set_add(&in.balls, edge, 3 * edge, -edge, 1);
+    set_box(&in, edge * (1 + kind), 0, edge, 0, 0, edge);
+    compute_pores(&in, 0);
+    CHECK_EQUAL(hsp_pores_locate_with_shifts(in.work.pores, far, &place, &beside_shifts), HSP_OK);
     CHECK_NEAR(place.radius, top, 1e-7);
-    CHECK(place.maximum < counts.maxima);
+    CHECK(place.maximum < in.counts.maxima);
     if (kind == 0) CHECK(beside_shifts.maximum[0] == 80 && beside_shifts.maximum[2] == 30);
     CHECK_EQUAL(beside_shifts.maximum[1], -25);
-    CHECK_EQUAL(hsp_pores_widest(work.pores, middle, NULL, &passage), HSP_OK);
+    CHECK_EQUAL(hsp_pores_widest(in.work.pores, middle, NULL, &passage), HSP_OK);
     CHECK_NEAR(passage.radius, window, 1e-7);
-    CHECK(passage.passes == 1 && passage.gate < counts.gates && passage.ball == HSP_NONE);
+    CHECK(passage.passes == 1 && passage.gate < in.counts.gates && passage.ball == HSP_NONE);
     CHECK(passage.at[0] == passage.at[1] && passage.reserved == 0);
-    CHECK_EQUAL(hsp_workspace_tunnel_periodic(&work, NULL, middle, NULL, NULL, 0, &tunnel), HSP_OK);
+    CHECK_EQUAL(hsp_workspace_tunnel_periodic(&in.work, NULL, middle, NULL, NULL, 0, &tunnel), HSP_OK);
     CHECK(tunnel.there == 1 && tunnel.gates == 1 && tunnel.radius == passage.radius);
     CHECK_NEAR(tunnel.length, edge, 1e-6);
     check_points(middle, NULL);
     CHECK_NEAR(route.cost, edge / (top * window), 1e-6);
     CHECK_EQUAL(abs(route.shift[0]) + abs(route.shift[1]) + abs(route.shift[2]), 1);
     /* The way up from beside the middle is no part of the cost, and leads back to its copy. */
-    CHECK_EQUAL(hsp_pores_find_cheapest_tunnel(work.pores, beside, NULL, NULL, 0, &tunnel, NULL), HSP_OK);
+    CHECK_EQUAL(hsp_pores_find_cheapest_tunnel(in.work.pores, beside, NULL, NULL, 0, &tunnel, NULL), HSP_OK);
     CHECK(tunnel.there == 1 && tunnel.gates == 1 && tunnel.length > edge);
     check_points(beside, NULL);
     CHECK_NEAR(route.cost, edge / (top * window), 1e-6);
     /* To itself far away: any copy is as good. */
-    CHECK_EQUAL(hsp_pores_widest(work.pores, middle, far, &passage), HSP_OK);
+    CHECK_EQUAL(hsp_pores_widest(in.work.pores, middle, far, &passage), HSP_OK);
     if (kind == 0) CHECK(passage.gate == HSP_NONE && passage.ball == 0);
-    CHECK_EQUAL(hsp_pores_find_tunnel(work.pores, middle, far, NULL, 0, &tunnel, NULL), HSP_OK);
+    CHECK_EQUAL(hsp_pores_find_tunnel(in.work.pores, middle, far, NULL, 0, &tunnel, NULL), HSP_OK);
     check_points(middle, far);
     if (kind == 0) {
       CHECK(tunnel.gates == 0 && tunnel.gate == HSP_NONE && route.cost == 0);
@@ -299,22 +276,22 @@ static void rods(void) {
   static const int axis_of[3] = {2, 0, 1};
   static const double lengths[3] = {3, 8, 10};
   uint32_t avoided[3], k;
-  n = 0;
-  add(3, 2, 1, 1.6);
-  set_box(8, 0, 10, 0, 0, 3);
-  compute(0);
+  in.balls.n = 0;
+  ball_set_add(&in.balls, 3, 2, 1, 1.6);
+  set_box(&in, 8, 0, 10, 0, 0, 3);
+  compute_pores(&in, 0);
   for (k = 0; k < 3; ++k) {
     int axis;
-    CHECK_EQUAL(hsp_workspace_tunnel_periodic(&work, NULL, from, NULL, avoided, k, &tunnel), HSP_OK);
+    CHECK_EQUAL(hsp_workspace_tunnel_periodic(&in.work, NULL, from, NULL, avoided, k, &tunnel), HSP_OK);
     CHECK(tunnel.there == 1 && tunnel.gate == k && tunnel.gates == 1);
     CHECK_NEAR(tunnel.length, lengths[k], 1e-6);
     check_points(from, NULL);
     for (axis = 0; axis < 3; ++axis) CHECK_EQUAL(abs(route.shift[axis]), axis == axis_of[k] ? 1 : 0);
     avoided[k] = tunnel.gate;
   }
-  CHECK_EQUAL(hsp_pores_find_tunnel(work.pores, from, NULL, avoided, 3, &tunnel, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_pores_find_tunnel(in.work.pores, from, NULL, avoided, 3, &tunnel, NULL), HSP_OK);
   CHECK(tunnel.there == 0 && tunnel.points == 0 && tunnel.gate == HSP_NONE && tunnel.length == 0);
-  CHECK_EQUAL(hsp_pores_get_tunnel_route(work.pores, &route), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_tunnel_route(in.work.pores, &route), HSP_OK);
   CHECK(route.cost == 0 && route.shift[0] == 0 && route.shift[1] == 0 && route.shift[2] == 0);
 }
 
@@ -324,19 +301,19 @@ static void widest_against_channels(void) {
   hsp_pore_percolation wide;
   double best = -INFINITY;
   uint32_t k, side, c;
-  CHECK_EQUAL(hsp_pores_get_percolation(work.pores, &wide), HSP_OK);
-  for (k = 0; k < counts.maxima; ++k) {
+  CHECK_EQUAL(hsp_pores_get_percolation(in.work.pores, &wide), HSP_OK);
+  for (k = 0; k < in.counts.maxima; ++k) {
     hsp_pore_maximum top;
-    CHECK_EQUAL(hsp_pores_get_maxima(work.pores, k, 1, &top), HSP_OK);
-    CHECK_EQUAL(hsp_pores_widest(work.pores, top.xyz, NULL, &passage), HSP_OK);
+    CHECK_EQUAL(hsp_pores_get_maxima(in.work.pores, k, 1, &top), HSP_OK);
+    CHECK_EQUAL(hsp_pores_widest(in.work.pores, top.xyz, NULL, &passage), HSP_OK);
     if (top.radius < 1e-6 || passage.at[0] != k) continue;
     best = passage.passes == 1 ? fmax(best, passage.radius) : best;
     for (side = 0; side < 2; ++side) {
       const double radius = passage.passes == 1 ? (side == 0 ? passage.radius : nextafter(passage.radius, -9)) : 0;
       uint32_t member = 0, directions = 0;
       if (radius < 0 || (passage.passes == 1 && passage.gate == HSP_NONE)) continue;
-      CHECK_EQUAL(hsp_pores_class_at(work.pores, k, radius, &member), HSP_OK);
-      CHECK_EQUAL(hsp_pores_get_channels(work.pores, radius, channels, 512, &needed), HSP_OK);
+      CHECK_EQUAL(hsp_pores_class_at(in.work.pores, k, radius, &member), HSP_OK);
+      CHECK_EQUAL(hsp_pores_get_channels(in.work.pores, radius, channels, 512, &needed), HSP_OK);
       for (c = 0; c < needed; ++c) directions = channels[c].maximum == member ? channels[c].directions : directions;
       CHECK_EQUAL(directions > 0, passage.passes == 1 && side == 1);
     }
@@ -347,22 +324,22 @@ static void widest_against_channels(void) {
 /* Two rooms without a way between them, or to their copies. */
 static void closed_rooms(void) {
   static const double one[3] = {2, 2, 2}, other[3] = {6, 2, -2}, copy_of_one[3] = {10, -2, 6};
-  n = 0;
-  add(0, 0, 0, 2.9);
-  add(4, 0, 0, 2.9);
-  set_box(8, 0, 4, 0, 0, 4);
-  compute(0);
-  CHECK(counts.maxima == 2 && counts.gates == 0);
-  CHECK_EQUAL(hsp_pores_widest(work.pores, one, NULL, &passage), HSP_OK);
+  in.balls.n = 0;
+  ball_set_add(&in.balls, 0, 0, 0, 2.9);
+  ball_set_add(&in.balls, 4, 0, 0, 2.9);
+  set_box(&in, 8, 0, 4, 0, 0, 4);
+  compute_pores(&in, 0);
+  CHECK(in.counts.maxima == 2 && in.counts.gates == 0);
+  CHECK_EQUAL(hsp_pores_widest(in.work.pores, one, NULL, &passage), HSP_OK);
   CHECK(passage.passes == 0 && passage.radius == 0 && passage.gate == HSP_NONE && passage.ball == HSP_NONE);
   CHECK(passage.at[0] < 2 && passage.at[1] == passage.at[0]);
-  CHECK_EQUAL(hsp_pores_widest(work.pores, one, other, &passage), HSP_OK);
+  CHECK_EQUAL(hsp_pores_widest(in.work.pores, one, other, &passage), HSP_OK);
   CHECK(passage.passes == 0 && passage.at[0] + passage.at[1] == 1);
-  CHECK_EQUAL(hsp_pores_find_tunnel(work.pores, one, other, NULL, 0, &tunnel, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_pores_find_tunnel(in.work.pores, one, other, NULL, 0, &tunnel, NULL), HSP_OK);
   CHECK_EQUAL(tunnel.there, 0);
-  CHECK_EQUAL(hsp_pores_find_cheapest_tunnel(work.pores, one, NULL, NULL, 0, &tunnel, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_pores_find_cheapest_tunnel(in.work.pores, one, NULL, NULL, 0, &tunnel, NULL), HSP_OK);
   CHECK_EQUAL(tunnel.there, 0);
-  CHECK_EQUAL(hsp_pores_widest(work.pores, one, copy_of_one, &passage), HSP_OK);
+  CHECK_EQUAL(hsp_pores_widest(in.work.pores, one, copy_of_one, &passage), HSP_OK);
   CHECK(passage.passes == 1 && passage.gate == HSP_NONE && passage.ball < 2);
   CHECK_NEAR(passage.radius, 2 * sqrt(3) - 2.9, 1e-8);
 }
@@ -375,12 +352,12 @@ static void compare(const double *from, uint32_t node, const double *to, uint32_
   hsp_pore_passage moved_passage;
   int axis;
   for (axis = 0; axis < 3; ++axis) {
-    const double across = fabs(box[axis]) + fabs(box[3 + axis]) + fabs(box[6 + axis]);
+    const double across = fabs(in.box[axis]) + fabs(in.box[3 + axis]) + fabs(in.box[6 + axis]);
     diagonal += across * across / SIDE / SIDE;
   }
   diagonal = sqrt(diagonal);
-  CHECK_EQUAL(hsp_pores_widest(work.pores, from, to, &passage), HSP_OK);
-  CHECK_EQUAL(hsp_workspace_tunnel_periodic(&work, NULL, from, to, NULL, 0, &tunnel), HSP_OK);
+  CHECK_EQUAL(hsp_pores_widest(in.work.pores, from, to, &passage), HSP_OK);
+  CHECK_EQUAL(hsp_workspace_tunnel_periodic(&in.work, NULL, from, to, NULL, 0, &tunnel), HSP_OK);
   CHECK_EQUAL(tunnel.there, passage.passes);
   CHECK(tunnel.radius == passage.radius);
   grid = widest_on_grid(node, other);
@@ -388,14 +365,14 @@ static void compare(const double *from, uint32_t node, const double *to, uint32_
   if (grid > diagonal) CHECK(passage.passes == 1 && passage.radius > grid - diagonal / 2);
   if (passage.passes == 1) CHECK(grid > passage.radius - diagonal);
   moved(from, shift, far);
-  CHECK_EQUAL(hsp_pores_widest(work.pores, far, to, &moved_passage), HSP_OK);
+  CHECK_EQUAL(hsp_pores_widest(in.work.pores, far, to, &moved_passage), HSP_OK);
   CHECK(moved_passage.passes == passage.passes && fabs(moved_passage.radius - passage.radius) < 1e-6);
   if (passage.passes == 0) return;
   ++*(to == NULL ? &loops : &ways);
   check_points(from, to);
   {
     const double by_width = route.cost, width = tunnel.radius;
-    CHECK_EQUAL(hsp_pores_find_cheapest_tunnel(work.pores, from, to, NULL, 0, &tunnel, NULL), HSP_OK);
+    CHECK_EQUAL(hsp_pores_find_cheapest_tunnel(in.work.pores, from, to, NULL, 0, &tunnel, NULL), HSP_OK);
     CHECK(tunnel.there == 1 && tunnel.radius <= width);
     check_points(from, to);
     CHECK(route.cost <= by_width * (1 + 1e-9));
@@ -405,12 +382,13 @@ static void compare(const double *from, uint32_t node, const double *to, uint32_
 static void any_balls(void) {
   uint32_t turn, k, free_nodes;
   for (turn = 0; turn < 16; ++turn) {
-    n = 0;
-    set_box(6, turn % 3, 5, turn % 2, turn % 4 - 1.0, 7);
+    in.balls.n = 0;
+    set_box(&in, 6, turn % 3, 5, turn % 2, turn % 4 - 1.0, 7);
     for (k = 0; k < 4 + turn % 8; ++k) {
-      add(random_in(-3, 9), random_in(-3, 9), random_in(-3, 9), random_in(0.6, turn % 2 == 0 ? 1.9 : 2.6));
+      ball_set_add(&in.balls, random_in(-3, 9), random_in(-3, 9), random_in(-3, 9),
+                   random_in(0.6, turn % 2 == 0 ? 1.9 : 2.6));
     }
-    compute(0);
+    compute_pores(&in, 0);
     widest_against_channels();
     fill_grid();
     for (free_nodes = 0; free_nodes < NODES && room[order[free_nodes]] > 0.02;) ++free_nodes;
@@ -433,59 +411,59 @@ static void arguments(void) {
   hsp_pore_place place;
   hsp_pore_place_shifts beside;
   hsp_tunnel_point_shifts one;
-  n = 0;
-  add(0, 0, 0, 1);
-  set_box(8, 0, 8, 0, 0, 8);
-  compute(0);
-  CHECK_EQUAL(hsp_pores_get_tunnel_route(work.pores, &route), HSP_OK);
+  in.balls.n = 0;
+  ball_set_add(&in.balls, 0, 0, 0, 1);
+  set_box(&in, 8, 0, 8, 0, 0, 8);
+  compute_pores(&in, 0);
+  CHECK_EQUAL(hsp_pores_get_tunnel_route(in.work.pores, &route), HSP_OK);
   CHECK(route.cost == 0 && route.shift[0] == 0);
-  CHECK_EQUAL(hsp_pores_get_tunnel_point_shifts(work.pores, NULL, 0, &needed), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_tunnel_point_shifts(in.work.pores, NULL, 0, &needed), HSP_OK);
   CHECK_EQUAL(needed, 0);
-  CHECK_EQUAL(hsp_pores_locate(work.pores, huge, &place), HSP_E_RANGE);
-  CHECK_EQUAL(hsp_pores_locate(work.pores, beyond, &place), HSP_E_RANGE);
-  CHECK_EQUAL(hsp_pores_locate(work.pores, odd, &place), HSP_E_NOT_FINITE);
-  CHECK_EQUAL(hsp_pores_widest(work.pores, at, beyond, &passage), HSP_E_RANGE);
-  CHECK_EQUAL(hsp_pores_find_tunnel(work.pores, beyond, at, NULL, 0, &tunnel, NULL), HSP_E_RANGE);
-  CHECK_EQUAL(hsp_pores_find_cheapest_tunnel(work.pores, at, odd, NULL, 0, &tunnel, NULL), HSP_E_NOT_FINITE);
-  CHECK_EQUAL(hsp_pores_find_cheapest_tunnel(work.pores, at, NULL, avoided, 1, &tunnel, NULL), HSP_E_ID);
-  CHECK_EQUAL(hsp_pores_find_tunnel(work.pores, at, NULL, NULL, 0, &tunnel, NULL), HSP_OK);
-  CHECK_EQUAL(hsp_pores_get_tunnel_point_shifts(work.pores, &one, 1, &needed), HSP_E_CAPACITY);
+  CHECK_EQUAL(hsp_pores_locate(in.work.pores, huge, &place), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_pores_locate(in.work.pores, beyond, &place), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_pores_locate(in.work.pores, odd, &place), HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_pores_widest(in.work.pores, at, beyond, &passage), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_pores_find_tunnel(in.work.pores, beyond, at, NULL, 0, &tunnel, NULL), HSP_E_RANGE);
+  CHECK_EQUAL(hsp_pores_find_cheapest_tunnel(in.work.pores, at, odd, NULL, 0, &tunnel, NULL), HSP_E_NOT_FINITE);
+  CHECK_EQUAL(hsp_pores_find_cheapest_tunnel(in.work.pores, at, NULL, avoided, 1, &tunnel, NULL), HSP_E_ID);
+  CHECK_EQUAL(hsp_pores_find_tunnel(in.work.pores, at, NULL, NULL, 0, &tunnel, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_tunnel_point_shifts(in.work.pores, &one, 1, &needed), HSP_E_CAPACITY);
   CHECK_EQUAL(needed, tunnel.points);
   /* In a ball nothing is above, and nothing gets out. */
-  CHECK_EQUAL(hsp_pores_locate_with_shifts(work.pores, in_ball, &place, &beside), HSP_OK);
+  CHECK_EQUAL(hsp_pores_locate_with_shifts(in.work.pores, in_ball, &place, &beside), HSP_OK);
   CHECK(place.radius == -0.5 && place.ball == 0 && place.maximum == HSP_NONE);
   CHECK(beside.ball[0] == 1 && beside.ball[1] == 0 && beside.maximum[0] == 0);
-  CHECK_EQUAL(hsp_pores_widest(work.pores, in_ball, NULL, &passage), HSP_OK);
+  CHECK_EQUAL(hsp_pores_widest(in.work.pores, in_ball, NULL, &passage), HSP_OK);
   CHECK(passage.passes == 0 && passage.radius == 0 && passage.at[0] == HSP_NONE && passage.at[1] == HSP_NONE);
-  CHECK_EQUAL(hsp_pores_find_tunnel(work.pores, in_ball, NULL, NULL, 0, &tunnel, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_pores_find_tunnel(in.work.pores, in_ball, NULL, NULL, 0, &tunnel, NULL), HSP_OK);
   CHECK_EQUAL(tunnel.there, 0);
-  CHECK_EQUAL(hsp_pores_get_tunnel_route(work.pores, &route), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_tunnel_route(in.work.pores, &route), HSP_OK);
   CHECK(route.cost == 0 && route.shift[0] == 0);
   /* Of a box without balls everything is outside. */
-  n = 0;
-  compute(0);
-  CHECK_EQUAL(hsp_pores_locate_with_shifts(work.pores, at, &place, &beside), HSP_OK);
+  in.balls.n = 0;
+  compute_pores(&in, 0);
+  CHECK_EQUAL(hsp_pores_locate_with_shifts(in.work.pores, at, &place, &beside), HSP_OK);
   CHECK(isinf(place.radius) && place.ball == HSP_NONE && place.maximum == HSP_PORE_OUTSIDE && beside.ball[0] == 0);
-  CHECK_EQUAL(hsp_pores_widest(work.pores, at, NULL, &passage), HSP_OK);
+  CHECK_EQUAL(hsp_pores_widest(in.work.pores, at, NULL, &passage), HSP_OK);
   CHECK(passage.passes == 1 && isinf(passage.radius) && passage.at[1] == HSP_PORE_OUTSIDE);
-  CHECK_EQUAL(hsp_pores_find_tunnel(work.pores, at, NULL, NULL, 0, &tunnel, NULL), HSP_OK);
+  CHECK_EQUAL(hsp_pores_find_tunnel(in.work.pores, at, NULL, NULL, 0, &tunnel, NULL), HSP_OK);
   CHECK(tunnel.there == 1 && tunnel.gates == 0 && isinf(tunnel.radius));
   CHECK(tunnel.points == 1 && tunnel.outside == 1 && tunnel.length == 0); /* as without a box */
   /* A floor below 0: the widest way is there, but costs without end. */
-  add(0, 0, 0, 3);
-  set_box(4, 0, 4, 0, 0, 4);
-  compute(-2.9);
-  CHECK_EQUAL(hsp_pores_find_tunnel(work.pores, at, NULL, NULL, 0, &tunnel, NULL), HSP_OK);
+  ball_set_add(&in.balls, 0, 0, 0, 3);
+  set_box(&in, 4, 0, 4, 0, 0, 4);
+  compute_pores(&in, -2.9);
+  CHECK_EQUAL(hsp_pores_find_tunnel(in.work.pores, at, NULL, NULL, 0, &tunnel, NULL), HSP_OK);
   CHECK_EQUAL(tunnel.there, 0); /* nothing is as wide as the floor there: it is in a ball */
 }
 
 int main(void) {
-  memset(&work, 0, sizeof work);
+  memset(&in.work, 0, sizeof in.work);
   packings();
   rods();
   closed_rooms();
   any_balls();
   arguments();
-  hsp_workspace_free(&work);
+  hsp_workspace_free(&in.work);
   return check_report();
 }

@@ -380,6 +380,28 @@ TEST(Annotations, Charges) {
   EXPECT_EQ(texts[1].text, "-1");
 }
 
+std::string charged(const std::string &type, const std::string &last) {
+  return "@<TRIPOS>MOLECULE\nx\n3 0\nSMALL\n" + type +
+         "\n@<TRIPOS>ATOM\n1 CL 0 0 0 Cl 1 X1 -0.5\n2 NA 5 0 0 Na 1 X1 1\n3 AR 9 0 0 Ar 1 X1" + last + '\n';
+}
+
+// The same charges in a .mol2 file; there some atoms may have none, or all by what the file says.
+TEST(Annotations, ChargesOfMol2Files) {
+  const TemporaryFile pqr("ions.pqr",
+                          "ATOM 1 CL X A 1 0 0 0 -0.5 1\nATOM 2 NA X A 1 5 0 0 1 1\nATOM 3 AR X A 1 9 0 0 0 1\n");
+  const std::vector<std::string> options = {"--colour", "charge", "--view", "0,0,1"};
+  const TemporaryFile ions("ions.mol2", charged("GASTEIGER", " 0.0"));
+  EXPECT_EQ(fills(ions.path(), options), fills(pqr.path(), options));
+  const TemporaryFile without("without.mol2", charged("NO_CHARGES", " 0.0")), lacking("some.mol2", charged("X", "")),
+      no_number("text.mol2", charged("X", " none")), out("x.svg");
+  for (const auto &[file, line] : {std::pair{&without, "7"}, {&lacking, "9"}, {&no_number, "9"}}) {
+    const Outcome outcome = run_program({"draw", file->path(), "-o", out.path(), "--colour", "charge"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.err.find(std::string(".mol2:") + line + ": no charge for --colour charge"), std::string::npos)
+        << outcome.err;
+  }
+}
+
 // A page has room for what is written, and what is written is within; EPS holds the same.
 TEST(Annotations, HaveRoom) {
   const std::string file = molecules_folder() + "/caffeine.pdb";
@@ -482,7 +504,7 @@ TEST(Annotations, Refusals) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
       {{"draw", caffeine, "-o", "none/x.svg", "--label", "name"}, "atom, residue or chain"},
       {{"draw", "good/water.xyz", "-o", "none/x.svg", "--label", "chain"}, "the file names no residues"},
-      {{"draw", caffeine, "-o", "none/x.svg", "--colour", "charge"}, "--colour charge is for .pqr files"}};
+      {{"draw", caffeine, "-o", "none/x.svg", "--colour", "charge"}, "--colour charge is for .pqr and .mol2 files"}};
   for (const auto &[arguments, complaint] : cases) {
     const Outcome outcome = run_program(arguments);
     EXPECT_EQ(outcome.status, 2) << complaint;

@@ -260,8 +260,8 @@ const struct option *option_at(size_t i) {
       {"--colour", "WHAT", take_colour_meaning, OF(DRAW), .words = "element|chain|residue|area|bfactor|charge|plddt",
        .what = "element, chain, residue, area, bfactor, charge, plddt or a file",
        .help = "what colours stand for: element, chain, residue (by its kind), area (that is free for a\n"
-               "water molecule), bfactor (of .pdb and .cif files), charge (of .pqr files, from red to\n"
-               "blue, pale where there is none), plddt (the column of bfactor in AlphaFold's four\n"
+               "water molecule), bfactor (of .pdb and .cif files), charge (of .pqr and .mol2 files, from\n"
+               "red to blue, pale where there is none), plddt (the column of bfactor in AlphaFold's four\n"
                "bands: above 90, 70, 50, and below), or a file with a dot or slash in its\n"
                "name: a number for each ball that is drawn, each on its own line, # comments. Default as\n"
                "for --palette. Numbers go from blue to red, and darken nothing without --occlusion"},

@@ -5,27 +5,30 @@
 #include <string.h>
 
 #include "draw/mesh_split.h"
+#include "draw/smooth_borders.h"
 
-enum { UNKNOWN = 0xFF, MOST_LIFTS = 4, HALVINGS = 12 };
+enum { MOST_LIFTS = 4 };
 
 static const double below = 0.01; /* the narrowest probe: so the one that touches fits for all rounding; of an edge */
 
-/* The pocket of each maximum, from 1 on; 0: none that has a colour. */
+/* The pocket of each maximum, from 1 on; OTHER_POCKETS: one that has no colour of its own; 0: none. */
 static int32_t mark_maxima(const hsp_pores *pores, uint32_t all, double least, uint32_t *maxima, uint32_t room,
                            struct mesh_pockets *found, uint8_t *of_maximum) {
   int32_t status = HSP_OK;
-  for (uint32_t p = 0; status == HSP_OK && p < all && found->count < MESH_POCKETS; ++p) {
+  for (uint32_t p = 0; status == HSP_OK && p < all; ++p) {
     hsp_pore_pocket pocket;
     hsp_pore_maximum widest;
     uint32_t needed = 0;
     status = hsp_pores_get_pockets(pores, p, 1, &pocket);
-    if (status == HSP_OK && pocket.radius - pocket.mouth < least) continue;
     if (status == HSP_OK) status = hsp_pores_get_pocket_maxima(pores, p, maxima, room, &needed);
     if (status == HSP_OK) status = hsp_pores_get_maxima(pores, pocket.maximum, 1, &widest);
     if (status != HSP_OK) return status;
-    if (found->count == 0) memcpy(found->through, widest.xyz, sizeof found->through);
-    found->number[found->count++] = p + 1;
-    for (uint32_t k = 0; k < needed; ++k) of_maximum[maxima[k]] = (uint8_t)found->count;
+    const bool coloured = pocket.radius - pocket.mouth >= least && found->count < MESH_POCKETS;
+    if (coloured && found->count == 0) memcpy(found->through, widest.xyz, sizeof found->through);
+    if (coloured) found->number[found->count++] = p + 1;
+    for (uint32_t k = 0; k < needed; ++k) {
+      of_maximum[maxima[k]] = (uint8_t)(coloured ? found->count : OTHER_POCKETS);
+    }
   }
   return status;
 }
@@ -57,11 +60,11 @@ struct places {
 };
 
 /* The pocket of a probe with a centre about there: a chord of the way of a probe runs through the ball that it touches,
- * and is lifted out of that. UNKNOWN: in no place. */
+ * and is lifted out of that. NO_AREA: in no place. */
 static int32_t locate(const struct places *places, const double xyz[3], uint8_t *pocket) {
   double at[3] = {xyz[0], xyz[1], xyz[2]};
   hsp_pore_place place;
-  *pocket = UNKNOWN;
+  *pocket = NO_AREA;
   for (int tries = 0; tries < MOST_LIFTS; ++tries) {
     const int32_t status = hsp_pores_locate(places->pores, at, &place);
     if (status != HSP_OK) return status;
@@ -91,7 +94,8 @@ static bool is_concave(const struct triangle_mesh *mesh, uint32_t triangle) {
   return mesh->kinds[triangle] == HSP_PATCH_CONCAVE;
 }
 
-/* Of all vertices and patches. A concave patch has one place of the probe, which is that of its border, too. */
+/* Of all vertices and patches. A concave patch has one place of the probe, which is that of its border, too. Where a
+ * vertex has no place it is that of its patch. */
 static int32_t find_vertices(const struct places *places, uint8_t *of_vertex, uint8_t *of_patch) {
   const struct triangle_mesh *const mesh = places->mesh;
   for (int concave = 1; concave >= 0; --concave) {
@@ -102,74 +106,36 @@ static int32_t find_vertices(const struct places *places, uint8_t *of_vertex, ui
         double xyz[3];
         find_probe(places, vertex, xyz);
         uint8_t *const wanted = concave == 1 ? own : &of_vertex[vertex];
-        const int32_t status = *wanted == UNKNOWN ? locate(places, xyz, wanted) : HSP_OK;
+        const int32_t status = *wanted == NO_AREA ? locate(places, xyz, wanted) : HSP_OK;
         if (status != HSP_OK) return status;
         if (concave == 1) of_vertex[vertex] = *own;
-        if (*own == UNKNOWN) *own = of_vertex[vertex];
+        if (*own == NO_AREA) *own = of_vertex[vertex];
       }
     }
   }
-  return HSP_OK;
-}
-
-/* Where on an edge the pocket of its first end ends. */
-static int32_t find_share(const struct places *places, const uint8_t *of_vertex, struct split_edge *edge) {
-  double from[3], to[3], low = 0.0, high = 1.0;
-  find_probe(places, edge->low, from);
-  find_probe(places, edge->high, to);
-  for (int step = 0; step < HALVINGS; ++step) {
-    const double middle = (low + high) / 2.0;
-    double at[3];
-    uint8_t pocket;
-    for (int axis = 0; axis < 3; ++axis) at[axis] = from[axis] + middle * (to[axis] - from[axis]);
-    const int32_t status = locate(places, at, &pocket);
-    if (status != HSP_OK) return status;
-    *(pocket == of_vertex[edge->low] ? &low : &high) = middle;
-  }
-  edge->share = (low + high) / 2.0;
-  return HSP_OK;
-}
-
-/* The edges of what is not concave with ends in two pockets. To be freed, also on failure. */
-static int32_t find_edges(const struct places *places, const uint8_t *of_vertex, struct split_edge **edges,
-                          size_t *count) {
-  const struct triangle_mesh *const mesh = places->mesh;
-  size_t found = 0;
-  for (int pass = 0; pass < 2; ++pass) {
-    if (pass == 1) *edges = calloc(found + 1, sizeof **edges);
-    if (pass == 1 && *edges == NULL) return HSP_E_MEMORY;
-    found = 0;
-    for (uint32_t t = 0; t < mesh->triangles; ++t) {
-      for (size_t k = 0; k < 3 && !is_concave(mesh, t); ++k) {
-        const uint32_t a = mesh->corners[3 * (size_t)t + k], b = mesh->corners[3 * (size_t)t + (k + 1) % 3];
-        if (of_vertex[a] == of_vertex[b] || of_vertex[a] == UNKNOWN || of_vertex[b] == UNKNOWN) continue;
-        if (pass == 1) (*edges)[found] = (struct split_edge){a < b ? a : b, a < b ? b : a, 0.5};
-        ++found;
-      }
-    }
-  }
-  *count = mesh_split_sort(*edges, found);
-  for (size_t k = 0; k < *count; ++k) {
-    const int32_t status = find_share(places, of_vertex, &(*edges)[k]);
-    if (status != HSP_OK) return status;
+  for (size_t k = 0; k < 3 * (size_t)mesh->triangles; ++k) {
+    uint8_t *const pocket = &of_vertex[mesh->corners[k]];
+    if (*pocket == NO_AREA) *pocket = of_patch[mesh->patches[k / 3]];
   }
   return HSP_OK;
 }
 
-/* Of parts of triangles, each is on the side of its first corner, if that is no new one. */
+/* Of parts of triangles, each is on the side of its first corner, if that is no new one; else in the middle of three
+ * pockets, where any of them will do. */
 static void set_triangles(const struct triangle_mesh *mesh, const uint8_t *of_vertex, uint32_t old,
                           struct mesh_pockets *found) {
   for (uint32_t t = 0; t < mesh->triangles; ++t) {
     uint8_t own = found->of_patch[mesh->patches[t]];
-    for (size_t k = 3; k-- > 0 && !is_concave(mesh, t);) {
+    for (size_t k = 3; k-- > 0;) {
       const uint32_t vertex = mesh->corners[3 * (size_t)t + k];
-      if (vertex < old && of_vertex[vertex] != UNKNOWN) own = of_vertex[vertex];
+      if (vertex < old && of_vertex[vertex] != NO_AREA) own = of_vertex[vertex];
     }
-    found->of_triangle[t] = own == UNKNOWN ? 0 : own;
+    found->of_triangle[t] = own == NO_AREA ? 0 : own;
   }
 }
 
-/* Splits triangles at the borders of pockets. */
+/* Splits triangles at the borders of pockets. Ways up are made of long steps: near a gate which of two they end in
+ * changes in leaps, to and fro, so that only smooth borders show where pockets end. */
 static bool colour_mesh(const struct places *places, struct triangle_mesh *mesh, uint32_t patches,
                         struct mesh_pockets *found, struct failure *failure) {
   const uint32_t old = mesh->vertices;
@@ -179,15 +145,18 @@ static bool colour_mesh(const struct places *places, struct triangle_mesh *mesh,
   found->of_patch = calloc((size_t)patches + 1, 1);
   int32_t status = of_vertex == NULL || found->of_patch == NULL ? HSP_E_MEMORY : HSP_OK;
   if (status == HSP_OK) {
-    memset(of_vertex, UNKNOWN, old);
-    memset(found->of_patch, UNKNOWN, patches);
+    memset(of_vertex, NO_AREA, old);
+    memset(found->of_patch, NO_AREA, patches);
     status = find_vertices(places, of_vertex, found->of_patch);
   }
-  if (status == HSP_OK) status = find_edges(places, of_vertex, &edges, &count);
+  const bool enough = status != HSP_OK || smooth_borders_find(mesh, OTHER_POCKETS + 1, of_vertex, &edges, &count);
+  if (!enough) status = HSP_E_MEMORY;
   bool done = status == HSP_OK ? mesh_split(mesh, edges, count, failure) : failure_in_library(failure, status);
   if (done) found->of_triangle = calloc((size_t)mesh->triangles + 1, 1);
   if (done && found->of_triangle == NULL) done = failure_of_memory(failure);
   if (done) set_triangles(mesh, of_vertex, old, found);
+  for (uint32_t p = 0; done && p < patches; ++p)
+    found->of_patch[p] = found->of_patch[p] == NO_AREA ? 0 : found->of_patch[p];
   free(of_vertex);
   free(edges);
   return done;

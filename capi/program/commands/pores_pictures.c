@@ -8,6 +8,8 @@
 #include "commands/pores_found.h"
 #include "draw/chart.h"
 #include "draw/pocket_colours.h"
+#include "draw/smooth_curve.h"
+#include "draw/text_width.h"
 #include "read/text_buffer.h"
 #include "write/output_file.h"
 
@@ -18,10 +20,12 @@ enum { NAME_BYTES = 96 };
 /* ---- the radius along tunnels ---- */
 
 #define TUNNEL_LINE 1.5
-#define SHARED_LINE 3.0 /* more of it for each tunnel on the same way */
+#define SHARED_LINE 3.5 /* more of it for each tunnel on the same way */
+#define SHARED_EDGE 1.0 /* that is seen of it, on both sides */
 
 struct profile {
   const struct pores_found *found;
+  double *slope; /* [steps] of the radius */
   struct chart_frame frame;
   struct chart_scale across, up;
 };
@@ -55,27 +59,52 @@ static int shared_by(const struct pores_found *found, size_t step) {
   return count;
 }
 
-static void add_step(struct text_buffer *out, const struct profile *profile, const char *letter, size_t step) {
+static void add_start(struct text_buffer *out, const struct profile *profile, size_t step) {
   const struct tunnel_step *const at = &profile->found->steps[step];
-  text_buffer_add(out, "%s%.2f %.2f", letter, chart_x(&profile->frame, &profile->across, at->length),
+  text_buffer_add(out, "M%.2f %.2f", chart_x(&profile->frame, &profile->across, at->length),
                   chart_y(&profile->frame, &profile->up, at->point.radius));
+}
+
+/* From the step before. */
+static void add_step(struct text_buffer *out, const struct profile *profile, size_t step) {
+  const struct tunnel_step *const to = &profile->found->steps[step], *const from = to - 1;
+  const double third = (to->length - from->length) / 3.0;
+  const double at[3][2] = {{from->length + third, from->point.radius + profile->slope[step - 1] * third},
+                           {to->length - third, to->point.radius - profile->slope[step] * third},
+                           {to->length, to->point.radius}};
+  for (int k = 0; k < 3; ++k) {
+    text_buffer_add(out, "%s%.2f %.2f", k == 0 ? "C" : " ", chart_x(&profile->frame, &profile->across, at[k][0]),
+                    chart_y(&profile->frame, &profile->up, at[k][1]));
+  }
+}
+
+/* A wide line with a white one in it, so that no colour touches that of a narrower line within. */
+static void add_wide(struct text_buffer *out, const char *colour, int shared, const struct text_buffer *way) {
+  const double wide = TUNNEL_LINE + SHARED_LINE * shared;
+  for (int inner = 0; inner < 2; ++inner) {
+    path_begin(out, inner == 0 ? colour : "#ffffff", inner == 0 ? wide : wide - 2.0 * SHARED_EDGE);
+    text_buffer_add_text(out, " d=\"");
+    text_buffer_append(out, way->text, way->length);
+    text_buffer_add_text(out, "\"/>\n");
+  }
+  out->out_of_memory = out->out_of_memory || way->out_of_memory;
 }
 
 /* Where a tunnel goes the way of earlier ones, it is wider, and so seen on both sides of theirs. False: nowhere. */
 static bool add_shared(struct text_buffer *out, const struct profile *profile, uint32_t tunnel) {
+  struct text_buffer way = TEXT_BUFFER_EMPTY;
   int before = 0;
   bool any = false;
   for (size_t i = 1; i <= profile->found->step_count; ++i) {
     const struct tunnel_step *const step = &profile->found->steps[i - 1];
     const bool here = i < profile->found->step_count && step->tunnel == tunnel + 1 && (step + 1)->tunnel == tunnel + 1;
     const int shared = here ? shared_by(profile->found, i) : 0;
-    if (before > 0 && shared != before) text_buffer_add_text(out, "\"/>\n");
-    if (shared > 0 && shared != before) {
-      path_begin(out, chart_colour(tunnel), TUNNEL_LINE + SHARED_LINE * shared);
-      text_buffer_add_text(out, " stroke-linecap=\"round\" d=\"");
-      add_step(out, profile, "M", i - 1);
+    if (before > 0 && shared != before) {
+      add_wide(out, chart_colour(tunnel), before, &way);
+      text_buffer_free(&way);
     }
-    if (shared > 0) add_step(out, profile, "L", i);
+    if (shared > 0 && shared != before) add_start(&way, profile, i - 1);
+    if (shared > 0) add_step(&way, profile, i);
     any = any || shared > 0;
     before = shared;
   }
@@ -83,14 +112,14 @@ static bool add_shared(struct text_buffer *out, const struct profile *profile, u
 }
 
 static void add_line(struct text_buffer *out, const struct profile *profile, uint32_t tunnel) {
-  const char *letter = "M";
   path_begin(out, chart_colour(tunnel), TUNNEL_LINE);
   add_dash(out, tunnel);
   text_buffer_add_text(out, " d=\"");
+  bool begun = false;
   for (size_t i = 0; i < profile->found->step_count; ++i) {
     if (profile->found->steps[i].tunnel != tunnel + 1) continue;
-    add_step(out, profile, letter, i);
-    letter = "L";
+    (begun ? add_step : add_start)(out, profile, i);
+    begun = true;
   }
   text_buffer_add_text(out, "\"/>\n");
 }
@@ -133,14 +162,36 @@ static void add_profile_legend(struct text_buffer *out, const struct profile *pr
   chart_text(out, LEFT + 32, y, "start", "bottleneck");
   double x = LEFT + 160;
   if (shared) {
-    path_begin(out, "#333333", TUNNEL_LINE + SHARED_LINE);
-    text_buffer_add(out, " d=\"M%.0f %.1fh24\"/>\n", x, y - 4.0);
-    chart_text(out, x + 32, y, "start", "wider: the same way as another");
-    x += 240;
+    const double wide[3] = {TUNNEL_LINE + SHARED_LINE, TUNNEL_LINE + SHARED_LINE - 2.0 * SHARED_EDGE, TUNNEL_LINE};
+    for (int k = 0; k < 3; ++k) {
+      path_begin(out, k == 1 ? "#ffffff" : "#333333", wide[k]);
+      text_buffer_add(out, " d=\"M%.0f %.1fh24\"/>\n", x, y - 4.0);
+    }
+    chart_text(out, x + 32, y, "start", "on both sides: the same way as another");
+    x += 290;
   }
   if (!dashes) return;
   add_dashed(out, x, y - 4.0, x + 24, y - 4.0);
   chart_text(out, x + 32, y, "start", "the narrowest probe of interest");
+}
+
+/* To be freed; NULL where memory is short. */
+static double *find_slopes(const struct pores_found *found) {
+  const size_t count = found->step_count;
+  double *const slope = malloc((count + 1) * sizeof *slope), *const length = malloc((count + 1) * sizeof *length);
+  double *const radius = malloc((count + 1) * sizeof *radius);
+  const bool enough = slope != NULL && length != NULL && radius != NULL;
+  for (size_t first = 0, end = 0; enough && first < count; first = end) {
+    for (; end < count && found->steps[end].tunnel == found->steps[first].tunnel; ++end) {
+      length[end] = found->steps[end].length;
+      radius[end] = found->steps[end].point.radius;
+    }
+    smooth_curve_slopes(length + first, radius + first, end - first, slope + first);
+  }
+  free(length);
+  free(radius);
+  if (!enough) free(slope);
+  return enough ? slope : NULL;
 }
 
 bool pores_write_profile(const struct pores_found *found, const struct molecule *molecule, const char *path,
@@ -152,8 +203,11 @@ bool pores_write_profile(const struct pores_found *found, const struct molecule 
     longest = fmax(longest, found->steps[i].length);
     widest = fmax(widest, found->steps[i].point.radius);
   }
+  double *const slope = find_slopes(found);
+  if (slope == NULL) return failure_of_memory(failure);
   const struct profile profile = {found,
-                                  {LEFT, TOP, WIDTH, PROFILE_HEIGHT},
+                                  slope,
+                                  {LEFT + 0.5, TOP + 0.5, WIDTH, PROFILE_HEIGHT},
                                   chart_scale_of(0.0, longest > 0.0 ? longest : 1.0),
                                   chart_scale_of(0.0, widest > 0.0 ? widest : 1.0)};
   const double probe = found->request->probe;
@@ -170,6 +224,7 @@ bool pores_write_profile(const struct pores_found *found, const struct molecule 
   for (uint32_t t = found->tunnel_count; t-- > 0;) shared = add_shared(&out, &profile, t) || shared;
   for (uint32_t t = found->tunnel_count; t-- > 0;) add_line(&out, &profile, t);
   for (uint32_t t = found->tunnel_count; t-- > 0;) add_tightest(&out, &profile, t);
+  free(slope);
   add_profile_legend(&out, &profile, molecule->format->sign, dashes, shared);
   text_buffer_add_text(&out, "</svg>\n");
   const bool done = output_file_write_text(path, &out, failure);
@@ -236,23 +291,27 @@ static bool order_tree(const struct pores_found *found, struct tree *tree) {
   return done;
 }
 
-enum { MOST_NAMED_ROWS = 60, NAMED_ROW = 14, TREE_HEIGHT = 840, OTHERS = POCKET_COLOURS };
+/* OTHERS: pockets without a colour of their own; NO_POCKET: where the wide probe gets, or pockets are not asked for. */
+enum { MOST_NAMED_ROWS = 60, NAMED_ROW = 14, TREE_HEIGHT = 840, OTHERS = POCKET_COLOURS, NO_POCKET, TREE_COLOURS };
 
-static const uint32_t others_colour = 0x8C9196;
+static uint32_t colour_of(uint8_t rank) {
+  static const uint32_t plain = 0x4D4D4D;
+  return rank == NO_POCKET ? plain : rank == OTHERS ? other_pockets_colour : pocket_colours[rank];
+}
 
-/* Which colour a class has: that of the pocket that its maximum is in, or OTHERS. */
+/* Which colour a class has: that of the pocket that its maximum is in. */
 static bool find_colours(const struct pores_found *found, uint8_t **colour) {
   const uint32_t maxima = found->counts.maxima;
   *colour = malloc((size_t)maxima + 1);
   if (*colour == NULL) return false;
-  for (uint32_t m = 0; m < maxima; ++m) (*colour)[m] = OTHERS;
+  for (uint32_t m = 0; m < maxima; ++m) (*colour)[m] = NO_POCKET;
   uint32_t rank = 0;
-  for (uint32_t p = 0; p < found->pocket_count && rank < OTHERS; ++p) {
-    if (!pores_lists_pocket(found, p)) continue;
+  for (uint32_t p = 0; p < found->pocket_count; ++p) {
+    const bool coloured = rank < OTHERS && pores_lists_pocket(found, p);
     for (size_t k = found->of_pockets.first[p]; k < found->of_pockets.first[p + 1]; ++k) {
-      (*colour)[found->of_pockets.number[k]] = (uint8_t)rank;
+      (*colour)[found->of_pockets.number[k]] = (uint8_t)(coloured ? rank : OTHERS);
     }
-    ++rank;
+    if (coloured) ++rank;
   }
   return true;
 }
@@ -275,14 +334,14 @@ static void add_dot(struct text_buffer *out, double x, double y, uint32_t colour
 /* A line from birth to death, and on to the class that it merges into. */
 static void add_classes(struct text_buffer *out, const struct pores_found *found, const struct tree *tree,
                         const struct tree_page *page, const uint8_t *colour) {
-  for (uint8_t c = 0; c <= OTHERS; ++c) {
+  for (uint8_t c = 0; c < TREE_COLOURS; ++c) {
     bool any = false;
     for (uint32_t k = 0; k < tree->rows; ++k) {
       const hsp_pore_maximum *const maximum = &found->maxima[tree->class[k]];
       if (colour[tree->class[k]] != c) continue;
       if (!any) {
         char name[NAME_BYTES];
-        snprintf(name, sizeof name, "#%06" PRIx32, c == OTHERS ? others_colour : pocket_colours[c]);
+        snprintf(name, sizeof name, "#%06" PRIx32, colour_of(c));
         path_begin(out, name, page->row < NAMED_ROW ? 0.8 : 1.5);
         text_buffer_add_text(out, " d=\"");
       }
@@ -296,14 +355,40 @@ static void add_classes(struct text_buffer *out, const struct pores_found *found
   }
 }
 
-static void add_names(struct text_buffer *out, const struct pores_found *found, const struct tree *tree,
-                      const struct tree_page *page) {
-  for (uint32_t k = 0; k < tree->rows && page->row >= NAMED_ROW; ++k) {
-    char name[NAME_BYTES];
-    snprintf(name, sizeof name, "%" PRIu32, tree->class[k]);
-    chart_text(out, chart_x(&page->frame, &page->across, found->maxima[tree->class[k]].radius) + 4.0,
-               row_y(page, k + 1) + 4.0, "start", name);
+/* Beside the widest class of a pocket that has a colour stands its number, too. */
+static void name_class(char name[NAME_BYTES], const struct pores_found *found, uint32_t class, uint8_t colour) {
+  const int length = snprintf(name, NAME_BYTES, "%" PRIu32, class);
+  for (uint32_t p = 0; p < found->pocket_count && colour < OTHERS; ++p) {
+    if (found->pockets[p].maximum != class) continue;
+    snprintf(name + length, (size_t)(NAME_BYTES - length), ", pocket %" PRIu32, p + 1);
   }
+}
+
+static double name_x(const struct pores_found *found, const struct tree_page *page, uint32_t class) {
+  return chart_x(&page->frame, &page->across, found->maxima[class].radius) + 4.0;
+}
+
+static void add_names(struct text_buffer *out, const struct pores_found *found, const struct tree *tree,
+                      const struct tree_page *page, const uint8_t *colour) {
+  for (uint32_t k = 0; k < tree->rows && page->row >= NAMED_ROW; ++k) {
+    const uint32_t class = tree->class[k];
+    char name[NAME_BYTES];
+    name_class(name, found, class, colour[class]);
+    chart_text(out, name_x(found, page, class), row_y(page, k + 1) + 4.0, "start", name);
+  }
+}
+
+/* Of the page, with all names. */
+static int find_width(const struct pores_found *found, const struct tree *tree, const struct tree_page *page,
+                      const uint8_t *colour) {
+  double width = LEFT + WIDTH + RIGHT;
+  for (uint32_t k = 0; k < tree->rows && page->row >= NAMED_ROW; ++k) {
+    const uint32_t class = tree->class[k];
+    char name[NAME_BYTES];
+    name_class(name, found, class, colour[class]);
+    width = fmax(width, name_x(found, page, class) + text_width(name, CHART_LETTER) + 20.0);
+  }
+  return (int)ceil(width);
 }
 
 /* No narrower probe is of interest: what still has no way out there is a cavity, and ends in a dot. */
@@ -313,7 +398,7 @@ static void add_cavities(struct text_buffer *out, const struct pores_found *foun
     const uint32_t class = tree->class[k];
     if (found->maxima[class].parent != HSP_NONE) continue;
     add_dot(out, chart_x(&page->frame, &page->across, found->maxima[class].death), row_y(page, k + 1),
-            colour[class] == OTHERS ? others_colour : pocket_colours[colour[class]]);
+            colour_of(colour[class]));
   }
 }
 
@@ -334,10 +419,12 @@ static void add_swatch(struct text_buffer *out, int column, double y, uint32_t c
 
 /* The pockets that have colours, as many as there are; below them what else is drawn. */
 static void add_tree_legend(struct text_buffer *out, const struct pores_found *found, const struct tree *tree,
-                            const struct tree_page *page) {
+                            const struct tree_page *page, const uint8_t *colour) {
+  static const char *const others[] = {[OTHERS] = "other pockets", [NO_POCKET] = "no pocket"};
   double y = page->frame.top + page->frame.height + BELOW - 6;
-  int rank = 0;
-  for (uint32_t p = 0; found->request->pockets >= 0.0 && p < found->pocket_count && rank < OTHERS; ++p) {
+  const bool pockets = found->request->pockets >= 0.0;
+  int rank = 0, column = 0;
+  for (uint32_t p = 0; pockets && p < found->pocket_count && rank < OTHERS; ++p) {
     if (!pores_lists_pocket(found, p)) continue;
     char name[NAME_BYTES];
     snprintf(name, sizeof name, "pocket %" PRIu32, p + 1);
@@ -345,12 +432,16 @@ static void add_tree_legend(struct text_buffer *out, const struct pores_found *f
     ++rank;
   }
   if (rank > 0) y += LEGEND_ROW;
+  for (uint8_t other = OTHERS; pockets && other < TREE_COLOURS; ++other) {
+    bool any = false;
+    for (uint32_t k = 0; k < tree->rows && !any; ++k) any = colour[tree->class[k]] == other;
+    if (any) add_swatch(out, column++, y, colour_of(other), others[other]);
+  }
   if (tree->rows == 0 || page->row < NAMED_ROW) return;
-  if (rank > 0) add_swatch(out, 0, y, others_colour, "no pocket");
-  double x = LEFT + (rank > 0 ? 2 * (WIDTH / OTHERS) : 0);
-  chart_text(out, x, y, "start", "0, 1, ..: numbers of maxima");
-  x += 2 * (WIDTH / OTHERS);
-  add_dot(out, x + 4.0, y - 4.0, others_colour);
+  double x = LEFT + (double)column * (WIDTH / OTHERS) + (column > 0 ? 18 : 0);
+  chart_text(out, x, y, "start", "numbers: maxima, as they are listed");
+  x += 2 * (WIDTH / OTHERS) + 18;
+  add_dot(out, x + 4.0, y - 4.0, colour_of(NO_POCKET));
   chart_text(out, x + 14.0, y, "start", "a cavity: no such probe leaves it");
 }
 
@@ -386,10 +477,13 @@ static void add_tree(struct text_buffer *out, const struct pores_found *found, c
   const bool outside = found->request->box.source == BOX_NONE;
   const uint32_t rows = tree->rows + (outside ? 1 : 0);
   const double row = rows <= MOST_NAMED_ROWS ? NAMED_ROW : fmax((double)TREE_HEIGHT / rows, 0.5);
-  struct tree_page page = {
-      {LEFT, TOP, WIDTH, row * fmax(rows, 1.0)}, chart_scale_of(low, high > low ? high : low + 1.0), row, outside};
+  struct tree_page page = {{LEFT + 0.5, TOP + 0.5, WIDTH, row * fmax(rows, 1.0)},
+                           chart_scale_of(low, high > low ? high : low + 1.0),
+                           row,
+                           outside};
   const double bottom = page.frame.top + page.frame.height;
-  chart_begin(out, LEFT + WIDTH + RIGHT, (int)ceil(bottom) + BELOW + 2 * LEGEND_ROW, "Classes of pores");
+  chart_begin(out, find_width(found, tree, &page, colour), (int)ceil(bottom) + BELOW + 2 * LEGEND_ROW,
+              "Classes of pores");
   chart_axis_below(out, &page.frame, &page.across);
   chart_name_across(out, &page.frame, "radius of the probe", molecule->format->sign);
   if (found->request->pockets >= 0.0) add_wide_probe(out, found, &page);
@@ -401,8 +495,8 @@ static void add_tree(struct text_buffer *out, const struct pores_found *found, c
   }
   add_classes(out, found, tree, &page, colour);
   add_cavities(out, found, tree, &page, colour);
-  add_tree_legend(out, found, tree, &page);
-  add_names(out, found, tree, &page);
+  add_tree_legend(out, found, tree, &page, colour);
+  add_names(out, found, tree, &page, colour);
   text_buffer_add_text(out, "</svg>\n");
 }
 

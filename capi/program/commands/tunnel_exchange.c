@@ -155,6 +155,7 @@ static void add_whether(struct text_buffer *out, bool whether) {
 }
 
 static void add_sites(struct text_buffer *out, const struct molecule *molecule) {
+  const bool has_factors = molecule->extra != NULL && file_format_has(molecule->format, FILE_TEMPERATURE_FACTORS);
   cif_sites_begin(out);
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     const struct atom_label *const label = &molecule->label[i];
@@ -170,7 +171,7 @@ static void add_sites(struct text_buffer *out, const struct molecule *molecule) 
                               residue->number,
                               residue->insertion,
                               xyz,
-                              molecule->extra != NULL && molecule->extra[i].has_value ? molecule->extra[i].value : 0.0};
+                              has_factors && molecule->extra[i].has_value ? molecule->extra[i].value : 0.0};
     cif_site(out, i + 1, &site);
   }
 }

@@ -8,13 +8,16 @@
 
 static const double water_radius = 1.4;
 
-static bool take_temperature_factors(const struct drawing *drawing, const struct molecule *molecule, double *value,
-                                     struct failure *failure) {
+static bool take_numbers(const struct drawing *drawing, const struct molecule *molecule, double *value,
+                         struct failure *failure) {
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     const struct atom_extra *extra = &molecule->extra[i];
     if (!extra->has_value) {
-      return failure_in_input(failure, molecule->line[i], "no temperature factor for --colour %s",
-                              drawing->colour == COLOUR_PLDDT ? "plddt" : "bfactor");
+      return failure_in_input(failure, molecule->line[i], "no %s for --colour %s",
+                              drawing->colour == COLOUR_CHARGE ? "charge" : "temperature factor",
+                              drawing->colour == COLOUR_CHARGE  ? "charge"
+                              : drawing->colour == COLOUR_PLDDT ? "plddt"
+                                                                : "bfactor");
     }
     value[i] = extra->value;
   }
@@ -40,10 +43,8 @@ bool ball_values_make(const struct drawing *drawing, const struct molecule *mole
   }
   *value = malloc(((size_t)molecule->atoms + 1) * sizeof **value);
   if (*value == NULL) return failure_of_memory(failure);
-  for (uint32_t i = 0; i < molecule->atoms; ++i) (*value)[i] = molecule->extra[i].value;
-  if (drawing->colour == COLOUR_CHARGE) return true;
   if (drawing->colour == COLOUR_AREA ? find_free_areas(molecule, *value, failure)
-                                     : take_temperature_factors(drawing, molecule, *value, failure)) {
+                                     : take_numbers(drawing, molecule, *value, failure)) {
     return true;
   }
   free(*value);

@@ -12,10 +12,10 @@ static const double box_height = 0.8, clear = 0.2, beside = 0.25, alone = 0.4, s
 
 /* Costs of a place, in lengths of a line. */
 static const double cost_of_line = 2.0, cost_of_knee = 1.0, cost_of_slope = 0.5;
-static const double cost_across[2] = {45.0, 400.0}; /* for a length across what is not selected, and what is */
-static const double cost_of_cover[2] = {70.0, 6e3}; /* for a label all over them */
+static const double cost_across[2] = {35.0, 400.0};  /* for a length across what is not selected, and what is */
+static const double cost_of_cover[2] = {200.0, 6e3}; /* for a label all over them */
 
-enum { PASSES = 4 };
+enum { PASSES = 4, MOST_PAIRED = 24 };
 
 /* ---- how much of a box is taken ---- */
 
@@ -171,7 +171,7 @@ static void offer(struct search *search, const struct placed_label *label, doubl
   if (!(cost < search->cost)) return;
   if (box_is_marked(&search->marks, label->box)) return;
   search->best = *label;
-  search->cost = cost;
+  search->best.cost = search->cost = cost;
 }
 
 /* Whether a box with so much around it meets no disc or stick but the label's own. */
@@ -302,6 +302,38 @@ static bool place_all(struct search *search, struct placed_label *label, size_t 
   return all;
 }
 
+/* Two labels anew, the first one before the other. False, and they are as they were, unless both together cost less. */
+static bool place_pair(struct search *search, struct placed_label *first, struct placed_label *other) {
+  const struct placed_label before[2] = {*first, *other};
+  struct placed_label *const both[2] = {first, other};
+  double cost = 0.0;
+  for (int k = 0; k < 2; ++k) mark_label(&search->marks, both[k], -1);
+  int placed = 0;
+  for (; placed < 2 && find_place(search, both[placed]); ++placed) {
+    *both[placed] = search->best;
+    cost += search->cost;
+    mark_label(&search->marks, both[placed], 1);
+  }
+  if (placed == 2 && cost < before[0].cost + before[1].cost) return true;
+  while (placed-- > 0) mark_label(&search->marks, both[placed], -1);
+  for (int k = 0; k < 2; ++k) {
+    *both[k] = before[k];
+    mark_label(&search->marks, both[k], 1);
+  }
+  return false;
+}
+
+/* Where one label has the only good place of another. */
+static void place_pairs(struct search *search, struct placed_label *label, size_t count) {
+  bool moved = count <= MOST_PAIRED;
+  for (int pass = 0; pass < PASSES && moved; ++pass) {
+    moved = false;
+    for (size_t i = 0; i < count; ++i) {
+      for (size_t j = 0; j < count; ++j) moved = (i != j && place_pair(search, &label[i], &label[j])) || moved;
+    }
+  }
+}
+
 bool label_places_find(const struct label_page *page, const double (*boxes)[4], size_t box_count,
                        struct placed_label *label, size_t count, bool *placed) {
   struct taken taken;
@@ -316,6 +348,7 @@ bool label_places_find(const struct label_page *page, const double (*boxes)[4], 
   }
   for (size_t i = 0; enough && i < box_count; ++i) mark_box(&search.marks, boxes[i], 1);
   *placed = enough && cells > 0 && place_all(&search, label, count);
+  if (*placed) place_pairs(&search, label, count);
   free(search.marks.count);
   free(taken.sum[0]);
   free(taken.sum[1]);

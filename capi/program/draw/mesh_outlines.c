@@ -6,6 +6,7 @@
 #include <string.h>
 
 static const double thinnest = 1.0; /* of areas, in units */
+static const double lap = 4.0;      /* of lines, likewise */
 
 /* Of points that are dropped, squares of units: on outlines, and where a tone goes over into one hardly different. */
 static const double slack_squared[2] = {1.0, 30.0};
@@ -364,6 +365,18 @@ static bool is_sliver(const struct way *way) {
   return fabs(area) <= thinnest * around;
 }
 
+/* Where another layer goes on with a line, the lines of that layer's areas cover its end: ends reach as far on. */
+static void lengthen(int32_t (*point)[2], size_t count) {
+  const int32_t end[2][2] = {{0, 1}, {(int32_t)count - 1, (int32_t)count - 2}};
+  for (int k = 0; k < 2; ++k) {
+    int32_t *const at = point[end[k][0]];
+    const int32_t *const before = point[end[k][1]];
+    const double way[2] = {(double)at[0] - before[0], (double)at[1] - before[1]};
+    const double length = sqrt(way[0] * way[0] + way[1] * way[1]);
+    for (int axis = 0; axis < 2 && length > 0.0; ++axis) at[axis] += (int32_t)floor(lap * way[axis] / length + 0.5);
+  }
+}
+
 bool painted_edges_write(const struct painted_edges *edges, size_t first, size_t end, bool closed, bool curved,
                          struct text_buffer *out) {
   int32_t(*point)[2] = calloc(2 * (end - first + 2), sizeof *point);
@@ -377,6 +390,7 @@ bool painted_edges_write(const struct painted_edges *edges, size_t first, size_t
     enough = drop_points(&way, left, &count);
     way.point = (const int32_t(*)[2])left;
     way.points = count;
+    if (enough && count > 1 && !way.closed) lengthen(left, count);
     if (enough && count > 1 && !(closed && is_sliver(&way))) put_way(out, &way);
   }
   free(point);

@@ -109,7 +109,7 @@ uint32_t mesh_text_colour(const struct mesh_picture *picture) {
 }
 
 uint32_t mesh_pocket_colour(int pocket) {
-  return pocket_colours[pocket - 1];
+  return pocket == OTHER_POCKETS ? other_pockets_colour : pocket_colours[pocket - 1];
 }
 
 uint32_t mesh_colour_of(struct mesh_picture *picture, uint32_t ball, int side) {

@@ -75,7 +75,7 @@ int mesh_side_of(const struct mesh_picture *picture, uint32_t triangle, double a
 uint32_t mesh_element_of(const struct mesh_picture *picture, uint32_t ball);
 uint32_t mesh_element_colour(uint32_t number);
 uint32_t mesh_plain_colour(int side);    /* not of elements; SIDES: of nothing */
-uint32_t mesh_pocket_colour(int pocket); /* from 1 on */
+uint32_t mesh_pocket_colour(int pocket); /* from 1 on to OTHER_POCKETS */
 
 /* Of saddles and concave patches. */
 #define BETWEEN_ATOMS UINT32_MAX

@@ -251,7 +251,7 @@ static bool make(struct mesh_picture *picture) {
 bool mesh_picture_write(const struct triangle_mesh *mesh, const struct mesh_view *view, const struct molecule *molecule,
                         const char *title, const char *path, uint64_t *bytes, struct failure *failure) {
   struct mesh_picture picture = {.mesh = mesh, .view = view, .molecule = molecule, .sides = SIDES};
-  if (view->pockets != NULL) picture.sides += 2 * view->pockets->count;
+  if (view->pockets != NULL) picture.sides += 2 * OTHER_POCKETS;
   struct text_buffer text = TEXT_BUFFER_EMPTY;
   const bool made = make(&picture) && mesh_add_svg(&picture, title, &text);
   const bool done = made ? output_file_write_text(path, &text, failure) : failure_of_memory(failure);

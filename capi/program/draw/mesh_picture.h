@@ -10,14 +10,15 @@
 #include "read/molecule.h"
 #include "write/mesh_file.h"
 
-enum { MESH_POCKETS = POCKET_COLOURS };
+/* The others have one colour for all. */
+enum { MESH_POCKETS = POCKET_COLOURS, OTHER_POCKETS = MESH_POCKETS + 1 };
 
 /* Pockets, each of a colour. */
 struct mesh_pockets {
-  uint32_t all;                  /* with those that have none */
+  uint32_t all;                  /* with those that have none of their own */
   uint32_t count;                /* up to MESH_POCKETS */
   uint32_t number[MESH_POCKETS]; /* their names */
-  uint8_t *of_triangle;          /* [of_outside], which of them, from 1 on; 0: none */
+  uint8_t *of_triangle;          /* [of_outside], which of them, from 1 on, or OTHER_POCKETS; 0: none */
   uint8_t *of_patch;             /* [patches of the mesh], the same of patches around voids, which have one answer */
   double through[3];             /* the middle of the first, where a cut goes through */
 };
@@ -42,8 +43,8 @@ struct mesh_view {
  *
  * With a cut the inside of the surface is seen, too, and the section by the plane as a line, and voids as bodies in
  * teal, which the legend says; the outside has one colour, and crumbs are dropped (mesh_parts.h). With pockets these
- * alone have colours, voids or not. *bytes becomes how many were written. False, with the
- * file named, if it cannot be written in full. */
+ * alone have colours, voids or not, and those without a colour of their own are grey. *bytes becomes how many were
+ * written. False, with the file named, if it cannot be written in full. */
 bool mesh_picture_write(const struct triangle_mesh *mesh, const struct mesh_view *view, const struct molecule *molecule,
                         const char *title, const char *path, uint64_t *bytes, struct failure *failure);
 

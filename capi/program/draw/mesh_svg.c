@@ -134,7 +134,7 @@ static void add_entry(const struct mesh_picture *picture, const struct pen *pen,
 enum { LEAST_POINTS = 1000 };
 
 static void add_pockets(struct mesh_picture *picture, const struct pen *pen, double *x, double y) {
-  uint64_t seen[MESH_POCKETS + 1] = {0};
+  uint64_t seen[OTHER_POCKETS + 1] = {0};
   bool any = false;
   for (uint32_t t = 0; t < picture->mesh->triangles; ++t) {
     const int side = mesh_side_of(picture, t, mesh_seen_area(picture, t));
@@ -147,6 +147,10 @@ static void add_pockets(struct mesh_picture *picture, const struct pen *pen, dou
     snprintf(name, sizeof name, "%s%" PRIu32, any ? "" : "pocket ", picture->view->pockets->number[pocket - 1]);
     any = true;
     add_entry(picture, pen, x, y, surface_light_on(mesh_pocket_colour(pocket), LEGEND_CIRCLE), name);
+  }
+  if (seen[OTHER_POCKETS] >= LEAST_POINTS) {
+    add_entry(picture, pen, x, y, surface_light_on(mesh_pocket_colour(OTHER_POCKETS), LEGEND_CIRCLE),
+              any ? "other pockets" : "pockets");
   }
   if (seen[0] < LEAST_POINTS) return;
   add_entry(picture, pen, x, y, surface_light_on(mesh_plain_colour(SIDES), LEGEND_CIRCLE),

@@ -6,7 +6,7 @@
 
 enum { POCKET_COLOURS = 6 };
 
-/* Of the pockets that are listed, the first one's first. */
-extern const uint32_t pocket_colours[POCKET_COLOURS];
+/* Of the pockets that are listed, the first one's first; and that of all other pockets. */
+extern const uint32_t pocket_colours[POCKET_COLOURS], other_pockets_colour;
 
 #endif

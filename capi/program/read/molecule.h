@@ -72,7 +72,7 @@ struct atom_label {
 struct atom_extra {
   struct serial_label serial;
   bool has_value;
-  double value; /* the temperature factor, or of .pqr files the charge, in elementary charges */
+  double value; /* the temperature factor, or of .mol2 and .pqr files the charge, in elementary charges */
 };
 
 #define ATOM_EXTRA_NONE \

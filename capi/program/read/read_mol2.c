@@ -1,5 +1,6 @@
 /* .mol2, of Tripos: sections that begin with "@<TRIPOS>" and a name. Read are
- *   MOLECULE   a name, then the numbers of atoms, bonds and more: each begins a model
+ *   MOLECULE   a name, the numbers of atoms, bonds and more, a type, and NO_CHARGES or where charges come from: each
+ *              begins a model
  *   ATOM       id name x y z type [number residue [charge ..]]
  *   BOND       id atom atom type
  * Lines that begin with '#' are comments. */
@@ -14,8 +15,8 @@ enum { MOST_COLUMNS = 10 };
 
 /* The section that is read, and the counts of the model that is wanted. */
 struct reading {
-  enum { OTHER, NAME, COUNTS, ATOMS, BONDS } section;
-  bool wanted;
+  enum { OTHER, NAME, COUNTS, TYPE, CHARGES, ATOMS, BONDS } section;
+  bool wanted, no_charges;
   uint64_t announced, found, counts_line;
 };
 
@@ -30,7 +31,7 @@ static void take_residue(struct residue_label *residue, struct field number, str
 }
 
 /* The element is what stands before the dot of the type: C.3, N.ar, Zn. Du is a dummy, LP a pair of electrons. */
-static bool read_atom(const struct line_reader *reader, const struct field *column, size_t columns,
+static bool read_atom(const struct line_reader *reader, const struct field *column, size_t columns, bool no_charges,
                       struct molecule *molecule, struct failure *failure) {
   static const char *const names[3] = {"x", "y", "z"};
   if (columns < 6) {
@@ -59,7 +60,10 @@ static bool read_atom(const struct line_reader *reader, const struct field *colu
   }
   if (!molecule_add(molecule, xyz, 0.0, &label, reader->number, failure)) return false;
   struct atom_extra *const extra = molecule_last_extra(molecule);
-  if (extra != NULL && !serial_of_number(column[0], &extra->serial)) extra->serial.text[0] = '\0';
+  if (extra == NULL) return true;
+  if (!serial_of_number(column[0], &extra->serial)) extra->serial.text[0] = '\0';
+  extra->has_value =
+      columns >= 9 && !no_charges && number_parse(column[8].text, column[8].length, &extra->value) == NUMBER_OK;
   return true;
 }
 
@@ -85,7 +89,9 @@ static void begin_section(struct reading *reading, const char *name, struct mole
                      : field_is(section, "ATOM")   ? ATOMS
                      : field_is(section, "BOND")   ? BONDS
                                                    : OTHER;
-  if (reading->section == NAME) reading->wanted = ++molecule->models == molecule->model;
+  if (reading->section != NAME) return;
+  reading->wanted = ++molecule->models == molecule->model;
+  reading->no_charges = false;
 }
 
 static bool read_line(const struct line_reader *reader, struct reading *reading, struct molecule *molecule,
@@ -96,10 +102,15 @@ static bool read_line(const struct line_reader *reader, struct reading *reading,
     reading->section = COUNTS; /* the name may be blank */
     return true;
   }
+  if (reading->section == TYPE || reading->section == CHARGES) {
+    reading->no_charges = reading->section == CHARGES && columns > 0 && field_is(column[0], "NO_CHARGES");
+    reading->section = reading->section == TYPE ? CHARGES : OTHER;
+    return true;
+  }
   if (columns == 0 || column[0].text[0] == '#') return true;
   if (reading->section == COUNTS) {
     uint64_t count = 0;
-    reading->section = OTHER;
+    reading->section = TYPE;
     if (number_parse_count(column[0].text, column[0].length, &count) != NUMBER_OK) {
       return !reading->wanted || failure_in_input(failure, reader->number, "expected the number of atoms");
     }
@@ -115,12 +126,12 @@ static bool read_line(const struct line_reader *reader, struct reading *reading,
   if (reading->section == BONDS) return read_bond(column, columns, molecule, failure);
   if (reading->section != ATOMS) return true;
   ++reading->found;
-  return read_atom(reader, column, columns, molecule, failure);
+  return read_atom(reader, column, columns, reading->no_charges, molecule, failure);
 }
 
 static bool read_mol2(struct line_reader *reader, struct molecule *molecule, struct failure *failure) {
   static const char head[] = "@<TRIPOS>";
-  struct reading reading = {OTHER, false, 0, 0, 0};
+  struct reading reading = {OTHER, false, false, 0, 0, 0};
   enum line_status status;
   while ((status = line_reader_next(reader, failure)) == LINE_READ) {
     if (strncmp(reader->text, head, sizeof head - 1) == 0) {
@@ -134,9 +145,10 @@ static bool read_mol2(struct line_reader *reader, struct molecule *molecule, str
                           reading.announced, reading.found);
 }
 
-const struct file_format mol2_format = {.name = "mol2",
-                                        .extensions = "MOL2",
-                                        ANGSTROM,
-                                        .features = FILE_ATOMS | FILE_ELEMENTS | FILE_RESIDUES | FILE_ORDERS,
-                                        .nameless = "no element",
-                                        .read = read_mol2};
+const struct file_format mol2_format = {
+    .name = "mol2",
+    .extensions = "MOL2",
+    ANGSTROM,
+    .features = FILE_ATOMS | FILE_ELEMENTS | FILE_RESIDUES | FILE_ORDERS | FILE_CHARGES,
+    .nameless = "no element",
+    .read = read_mol2};

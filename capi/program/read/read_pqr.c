@@ -135,7 +135,10 @@ static bool read_atom(const struct line_reader *reader, struct kinds_seen *seen,
   }
   if (!molecule_add(molecule, value, radius, &label, line, failure)) return false;
   struct atom_extra *const extra = molecule_last_extra(molecule);
-  if (extra != NULL) extra->value = value[3];
+  if (extra != NULL) {
+    extra->has_value = true;
+    extra->value = value[3];
+  }
   return true;
 }
 

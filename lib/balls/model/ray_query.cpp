@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/decimal.hpp"
+#include "core/extremes.hpp"
 #include "model/query_hits.hpp"
 
 namespace hsp {
@@ -11,19 +12,10 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-template <class Number>
-Number larger(Number a, Number b) {
-  return a > b ? a : b;
-}
-template <class Number>
-Number smaller(Number a, Number b) {
-  return a < b ? a : b;
-}
-
 // The largest component has 53 bits then. False if all are 0.
 bool round_direction(const double *given, exact::Vector &direction) {
   double component[3] = {given[0], given[1], given[2]};
-  double largest = larger(std::fabs(given[0]), larger(std::fabs(given[1]), std::fabs(given[2])));
+  double largest = larger_of(std::fabs(given[0]), larger_of(std::fabs(given[1]), std::fabs(given[2])));
   if (largest == 0.0) return false;
   if (largest < 0x1p-900) {  // so that there are no subnormal numbers
     for (double &c : component) c *= 0x1p200;
@@ -85,8 +77,8 @@ class FirstHit {
     // The square of half the chord.
     const double squared = r * r - beside;
     const double error = 2.0 * reach * doubt;
-    const double low = along - doubt - std::sqrt(larger(squared + error, 0.0));
-    const double high = along + doubt - std::sqrt(larger(squared - error, 0.0));
+    const double low = along - doubt - std::sqrt(larger_of(squared + error, 0.0));
+    const double high = along + doubt - std::sqrt(larger_of(squared - error, 0.0));
     if (low > high_) return;
     const bool certain = squared > error && along > doubt;
     if (certain && high < low_) return take(j, low, high);
@@ -129,8 +121,8 @@ class CubesAlongRay {
     double most = 0.0, largest = 0.0;
     for (int axis = 0; axis < 3; ++axis) {
       origin_[axis] = static_cast<double>(start[axis]);
-      most = larger(most, std::fabs(origin_[axis]));
-      most = larger(most, larger(std::fabs(wall(low_.at[axis])), std::fabs(wall(high_.at[axis] + 1))));
+      most = larger_of(most, std::fabs(origin_[axis]));
+      most = larger_of(most, larger_of(std::fabs(wall(low_.at[axis])), std::fabs(wall(high_.at[axis] + 1))));
       const double size = std::fabs(static_cast<double>(direction[axis]));
       if (size <= largest) continue;
       largest = size;
@@ -154,7 +146,7 @@ class CubesAlongRay {
       const double from =
           (up ? wall(layer) - origin_[longest_] : origin_[longest_] - wall(layer + 1)) - reach_;  // and no earlier
       if (hit.farthest() * cosine < from) return;
-      visit_layer(layer, {larger(from, part.from), smaller(from + side_ + 2 * reach_, part.to)}, hit);
+      visit_layer(layer, {larger_of(from, part.from), smaller_of(from + side_ + 2 * reach_, part.to)}, hit);
     }
   }
 
@@ -171,7 +163,7 @@ class CubesAlongRay {
   double position(int axis, double progress) const { return origin_[axis] + slope_[axis] * progress; }
   int64_t layer_at(double progress, double beside) const {
     const int64_t at = nearest(position(longest_, progress) + beside);
-    return smaller(larger(grid_.cube_at({at, at, at}).x, low_.at[longest_]), high_.at[longest_]);
+    return smaller_of(larger_of(grid_.cube_at({at, at, at}).x, low_.at[longest_]), high_.at[longest_]);
   }
 
   // Leaves what is within reach of the box around all cubes; false if that is nothing.
@@ -184,8 +176,8 @@ class CubesAlongRay {
         continue;
       }
       const bool up = slope_[axis] > 0.0;
-      part.from = larger(part.from, (up ? low : high) / slope_[axis] - margin_);
-      part.to = smaller(part.to, (up ? high : low) / slope_[axis] + margin_);
+      part.from = larger_of(part.from, (up ? low : high) / slope_[axis] - margin_);
+      part.to = smaller_of(part.to, (up ? high : low) / slope_[axis] + margin_);
     }
     return part.from <= part.to;
   }
@@ -196,14 +188,14 @@ class CubesAlongRay {
     int64_t low[3], high[3];
     for (int axis = 0; axis < 3; ++axis) {
       const double a = position(axis, part.from), b = position(axis, part.to);
-      low[axis] = nearest(smaller(a, b) - reach_);
-      high[axis] = nearest(larger(a, b) + reach_);
+      low[axis] = nearest(smaller_of(a, b) - reach_);
+      high[axis] = nearest(larger_of(a, b) + reach_);
     }
     Coordinates first = in_array(grid_.cube_at({low[0], low[1], low[2]}));
     Coordinates last = in_array(grid_.cube_at({high[0], high[1], high[2]}));
     for (int axis = 0; axis < 3; ++axis) {
-      first.at[axis] = larger(axis == longest_ ? layer : first.at[axis], low_.at[axis]);
-      last.at[axis] = smaller(axis == longest_ ? layer : last.at[axis], high_.at[axis]);
+      first.at[axis] = larger_of(axis == longest_ ? layer : first.at[axis], low_.at[axis]);
+      last.at[axis] = smaller_of(axis == longest_ ? layer : last.at[axis], high_.at[axis]);
       if (first.at[axis] > last.at[axis]) return;
     }
     for (int64_t z = first.at[2]; z <= last.at[2]; ++z) {

@@ -3,6 +3,7 @@
 #include <initializer_list>
 #include <limits>
 
+#include "core/extremes.hpp"
 #include "maps/edge_geometry.hpp"
 #include "maps/trigonometric_roots.hpp"
 
@@ -79,10 +80,6 @@ constexpr uint32_t most_waiting = 192;
 constexpr uint32_t most_circles = 8;
 constexpr uint32_t most_shrinkings = 12;
 constexpr double half_diagonal = 1.4142135623730952;  // of a square of half side 1, rounded up
-
-double smaller(double a, double b) {
-  return a < b ? a : b;
-}
 
 struct Square {
   double x, y, half;
@@ -231,11 +228,11 @@ class PoleFinder {
     const double beyond = half_diagonal * square.half;
     const NearEdges near = edges_near(square.x, square.y, 2 * beyond);
     const double distance = std::sqrt(near.nearest().squared);
-    square.most = smaller(distance + beyond, near.farthest_in(square));
+    square.most = smaller_of(distance + beyond, near.farthest_in(square));
     if (!may_be_better(square.most)) return keep_bound(square.most);
     const bool inside = is_inside(square.x, square.y);
     if (inside && distance > best_.radius) best_ = {square.x, square.y, distance, 0.0};
-    if (!inside) square.most = smaller(square.most, beyond - distance);
+    if (!inside) square.most = smaller_of(square.most, beyond - distance);
     if (may_be_better(square.most)) return add(square);
     keep_bound(square.most);
   }

@@ -1,6 +1,7 @@
 #include "picture/ink.hpp"
 
 #include "core/elementary.hpp"
+#include "core/extremes.hpp"
 
 namespace hsp {
 namespace {
@@ -38,13 +39,6 @@ constexpr double least_angle = 1e-12;
 
 // A lune is at most so long, an angle at the ball's centre.
 constexpr double longest_lune = 1.2;
-
-double larger(double a, double b) {
-  return a > b ? a : b;
-}
-double smaller(double a, double b) {
-  return a < b ? a : b;
-}
 
 PagePoint along(const PagePoint &from, const SinCos &direction, double length) {
   return {from.x + length * direction.cosine, from.y + length * direction.sine};
@@ -108,7 +102,7 @@ class BodyInk {
     const uint32_t knots = knots_;
     knots_ = 0;
     double widest = 0.0;
-    for (uint32_t k = 0; k < knots; ++k) widest = larger(widest, larger(knot_[k].width, knot_[k].middle));
+    for (uint32_t k = 0; k < knots; ++k) widest = larger_of(widest, larger_of(knot_[k].width, knot_[k].middle));
     if (knots < 2 || widest < thinnest_ink) return;
     for (uint32_t k = 0; k + 1 < knots; ++k) visitor_(side(knots, k, true), k == 0, false);
     for (uint32_t k = knots - 1; k-- > 0;) visitor_(side(knots, k, false), false, k == 0);
@@ -125,8 +119,8 @@ class BodyInk {
 
   // A line wider than its body is no contour of it.
   void set_widths() {
-    for (int k = 0; k < 3; ++k) width_[k] = smaller(page_.ink[k] * clear_, radius_);
-    largest_ = larger(larger(width_[0], width_[1]), width_[2]);
+    for (int k = 0; k < 3; ++k) width_[k] = smaller_of(page_.ink[k] * clear_, radius_);
+    largest_ = larger_of(larger_of(width_[0], width_[1]), width_[2]);
   }
   void set_side(const StraightSilhouette &side) {
     side_ = side;
@@ -156,7 +150,7 @@ class BodyInk {
     const double s = input_.balls.r[behind];
     const double x = at.x - other.x, y = at.y - other.y;
     const double squared = s * s - x * x - y * y;
-    return at.z - other.z - std::sqrt(larger(squared, 0.0));
+    return at.z - other.z - std::sqrt(larger_of(squared, 0.0));
   }
 
   // In front of a body or the background.
@@ -164,17 +158,18 @@ class BodyInk {
     if (behind == no_id) return width_[0];
     const double gap = gap_before(behind, angle) / page_.mean_radius;
     if (!(gap > 0.0)) return 0.0;
-    const double share = smaller(gap / full_depth, 1.0);
+    const double share = smaller_of(gap / full_depth, 1.0);
     const double root = std::sqrt(share);
     const double depth = width_[2] * root * std::sqrt(std::sqrt(root));
-    return level_of(behind) == InkLevel::depth ? depth : larger(depth, width_[1] * smaller(gap / full_group, 1.0));
+    return level_of(behind) == InkLevel::depth ? depth
+                                               : larger_of(depth, width_[1] * smaller_of(gap / full_group, 1.0));
   }
 
   double share_of_run(uint32_t number) const {
     if (straight_ || number >= most_runs || number >= runs_ || !(largest_ > 0.0)) return 1.0;
     const Run &run = run_[number];
     const bool gap = run.begins_under && run.ends_under && run.before_bodies;
-    return gap ? smaller(run.length / (short_length * largest_), 1.0) : 1.0;
+    return gap ? smaller_of(run.length / (short_length * largest_), 1.0) : 1.0;
   }
 
   // One arc: the widths by what lies behind, what is added at its ends, and the angles along which that falls off.
@@ -198,19 +193,19 @@ class BodyInk {
   // The width to be added at one end to meet that of the arc that goes on there.
   double missing(const SilhouetteArc &arc, const SilhouetteArc::End &end, double angle) const {
     if (!end.goes_on) return 0.0;
-    return larger(width_before(end.other, angle) - width_before(arc.behind, angle), 0.0);
+    return larger_of(width_before(end.other, angle) - width_before(arc.behind, angle), 0.0);
   }
 
   void put_knots(const SilhouetteArc &arc) {
     const double span = arc.to - arc.from;
     if (!(span > 0.0)) return;
     if (knots_ + most_lunes + 2 > most_knots) finish();
-    const double near = smaller(2 * largest_ / unit_, span);
+    const double near = smaller_of(2 * largest_ / unit_, span);
     const Stretch stretch{arc, missing(arc, arc.start, arc.from), missing(arc, arc.end, arc.to), near};
     // Where what is added begins or ends.
     const double ends[2] = {stretch.at_start > 0.0 ? arc.from + near : arc.from,
                             stretch.at_end > 0.0 ? arc.to - near : arc.to};
-    put_lunes(stretch, {smaller(ends[0], ends[1]), larger(ends[0], ends[1])});
+    put_lunes(stretch, {smaller_of(ends[0], ends[1]), larger_of(ends[0], ends[1])});
   }
 
   // A few lunes that follow the widths: each as long as it can be, or half of that and so on.
@@ -219,7 +214,7 @@ class BodyInk {
     double from = stretch.arc.from;
     if (knots_ == 0 && stretch.arc.start.goes_on) {
       const double width = width_at(stretch, from);
-      put_knot({from - smaller(overlap / unit_, most_overlap), width, width, skew(stretch.arc.start, from)});
+      put_knot({from - smaller_of(overlap / unit_, most_overlap), width, width, skew(stretch.arc.start, from)});
     }
     for (uint32_t k = 0; from < to && k < most_lunes; ++k) {
       double end = to;
@@ -236,7 +231,7 @@ class BodyInk {
   }
   bool follow(const Stretch &stretch, double from, double to) const {
     const double length = to - from;
-    const double off = larger(most_off, most_off_of_width * largest_);
+    const double off = larger_of(most_off, most_off_of_width * largest_);
     if (length * unit_ <= shortest_lune) return true;
     if (!straight_ && length > longest_lune) return false;
     const double width[3] = {width_at(stretch, from), width_at(stretch, from + length / 2), width_at(stretch, to)};
@@ -277,7 +272,7 @@ class BodyInk {
     const double meet = aside(other_normal, normal, 1.0);
     if (straight_) return meet;
     const double cut = aside(line, normal, 0.0);
-    return meet > 0.0 ? smaller(meet, cut) : larger(meet, cut);
+    return meet > 0.0 ? smaller_of(meet, cut) : larger_of(meet, cut);
   }
   // Tangential part of a direction for each part along the normal.
   static double aside(const PagePoint &direction, const SinCos &normal, double more) {

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "core/ahead.hpp"
+#include "core/extremes.hpp"
 #include "core/rows.hpp"
 
 namespace hsp {
@@ -12,12 +13,6 @@ constexpr uint32_t most_buckets = 256;
 constexpr uint8_t raised = 2;  // in visible[]: a ball that has raised the floor
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-double smaller(double a, double b) {
-  return b < a ? b : a;
-}
-double larger(double a, double b) {
-  return b > a ? b : a;
-}
 // Floats that are no larger and no smaller.
 float rounded_down(double a) {
   return static_cast<float>(a - 0x1p-23 * std::fabs(a));
@@ -32,21 +27,21 @@ struct Extent {
   double lowest_top = infinite, highest_top = -infinite;
 
   void widen(const ProjectedBall &disc) {
-    box.left = smaller(box.left, disc.x - disc.r);
-    box.right = larger(box.right, disc.x + disc.r);
-    box.bottom = smaller(box.bottom, disc.y - disc.r);
-    box.top = larger(box.top, disc.y + disc.r);
+    box.left = smaller_of(box.left, disc.x - disc.r);
+    box.right = larger_of(box.right, disc.x + disc.r);
+    box.bottom = smaller_of(box.bottom, disc.y - disc.r);
+    box.top = larger_of(box.top, disc.y + disc.r);
     const double top = disc.z + disc.r;
-    lowest_top = smaller(lowest_top, top);
-    highest_top = larger(highest_top, top);
+    lowest_top = smaller_of(lowest_top, top);
+    highest_top = larger_of(highest_top, top);
   }
   void widen(const Extent &other) {
-    box.left = smaller(box.left, other.box.left);
-    box.right = larger(box.right, other.box.right);
-    box.bottom = smaller(box.bottom, other.box.bottom);
-    box.top = larger(box.top, other.box.top);
-    lowest_top = smaller(lowest_top, other.lowest_top);
-    highest_top = larger(highest_top, other.highest_top);
+    box.left = smaller_of(box.left, other.box.left);
+    box.right = larger_of(box.right, other.box.right);
+    box.bottom = smaller_of(box.bottom, other.box.bottom);
+    box.top = larger_of(box.top, other.box.top);
+    lowest_top = smaller_of(lowest_top, other.lowest_top);
+    highest_top = larger_of(highest_top, other.highest_top);
   }
   bool empty() const { return highest_top < lowest_top; }
 };
@@ -79,8 +74,8 @@ bool OcclusionCuller::prepare(const CubeGrid &grid, const ViewFrame &frame, Span
       if (visible[i] == 0) continue;
       const ProjectedBall disc = placed(balls, frame, i);
       here.widen(disc);
-      extent = larger(extent, std::fabs(disc.x) + std::fabs(disc.y) + std::fabs(disc.z) + disc.r);
-      largest = larger(largest, disc.r);
+      extent = larger_of(extent, std::fabs(disc.x) + std::fabs(disc.y) + std::fabs(disc.z) + disc.r);
+      largest = larger_of(largest, disc.r);
     }
     all.widen(here);
     extent_[cube] = here.empty() ? nothing

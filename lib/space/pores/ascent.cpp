@@ -2,6 +2,8 @@
 
 #include <initializer_list>
 
+#include "core/extremes.hpp"
+
 namespace hsp {
 namespace {
 
@@ -9,14 +11,6 @@ constexpr double least_delta = 0x1p-6;
 constexpr uint32_t most_saddles = 64;
 constexpr uint32_t most_tied = 16;
 constexpr int most_turns = 64;
-
-double smaller(double a, double b) {
-  return a < b ? a : b;
-}
-
-uint32_t smaller_count(uint32_t a, uint32_t b) {
-  return a < b ? a : b;
-}
 
 double length_of(const Vec3 &v) {
   return std::sqrt(dot(v, v));
@@ -203,10 +197,10 @@ bool Ascent::step() {
     // Steps may be flat where they are short, as beside a gate.
     if (steepness <= 0.1 * std::sqrt(delta_ / size)) continue;
     double lead = 1.0;
-    for (uint32_t k = 0; k < count; ++k) lead = smaller(lead, dot(near_[k].a, d) / steepness);
+    for (uint32_t k = 0; k < count; ++k) lead = smaller_of(lead, dot(near_[k].a, d) / steepness);
     if (!(lead > 0.0)) continue;
     const double length = delta_ / (1.0 + lead);
-    delta_ = smaller(2.0 * delta_, 0.5 * size);
+    delta_ = smaller_of(2.0 * delta_, 0.5 * size);
     move(length, (1.0 / steepness) * d);
     return true;
   }
@@ -216,7 +210,7 @@ bool Ascent::step() {
 // Where no way up is steep the nearest balls have directions that are opposite, or three in one plane with the point:
 // as far as others let it, a way leads off at right angles to these, from a gate to both sides.
 bool Ascent::leave_saddle() {
-  const uint32_t tied = smaller_count(within(16.0), most_tied);
+  const uint32_t tied = smaller_of(within(16.0), most_tied);
   if (saddles_ == most_saddles) return false;
   ++saddles_;
   Vec3 a[most_tied];

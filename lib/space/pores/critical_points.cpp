@@ -141,7 +141,7 @@ Status CriticalPoints::find(PoreBalls &balls, int64_t floor) {
     const Status found = search({0.0, 0.0, 0.0}, to_double(balls.brick()));
     if (found != Status::ok || beyond_ceiling_ == 0.0) return found;
     if (longest) return Status::check;
-    reach = CubeDirections::larger(1.25 * reach, beyond_ceiling_ + largest + 4.0);
+    reach = larger_of(1.25 * reach, beyond_ceiling_ + largest + 4.0);
   }
 }
 
@@ -165,8 +165,7 @@ Status CriticalPoints::search(const Vec3 &low, const Vec3 &high) {
   for (uint32_t i = 0; i < balls.n; ++i) candidates_[i] = i;
   low_ = low;
   high_ = high;
-  const double extent =
-      CubeDirections::larger(CubeDirections::larger(high_.x - low_.x, high_.y - low_.y), high_.z - low_.z);
+  const double extent = larger_of(larger_of(high_.x - low_.x, high_.y - low_.y), high_.z - low_.z);
   int64_t half = least_half;
   while (static_cast<double>(half) < 0.6 * extent + 2.0) half *= 2;
   // Not in the middle, so that points of symmetry are no corners of cubes.
@@ -363,7 +362,7 @@ void CriticalPoints::settle_ties(Cube &cube) {
     }
     if (size == 0) continue;
     const Span<uint32_t> tied = cluster_.part(0, size);
-    for (const uint32_t ball : tied) nearest_centre = CubeDirections::smaller(nearest_centre, distance(balls, ball, x));
+    for (const uint32_t ball : tied) nearest_centre = smaller_of(nearest_centre, distance(balls, ball, x));
     directions_[0].set(target_, near_arrays(tied), x, 0.0);
     const CubeDirections &directions = directions_[0];
     double off_plane = 0.0;
@@ -371,7 +370,7 @@ void CriticalPoints::settle_ties(Cube &cube) {
     const double depth = flat ? directions.depth_in_plane(size, off_plane) : depth_of_hull(hull_.part(0, size));
     if (!(depth > 0.0)) continue;
     spread += 4.0 * off_plane;
-    const double delta = CubeDirections::smaller(0.5 * next, 0.49 * depth * nearest_centre / (1.5 + depth));
+    const double delta = smaller_of(0.5 * next, 0.49 * depth * nearest_centre / (1.5 + depth));
     const double settled = delta / root_of_three - 4.0;
     const double around = spread / (0.45 * depth) + 4.0;  // beyond which no point is critical
     if (!(settled > around) || settled < 0.125 * static_cast<double>(cube.half)) continue;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/extremes.hpp"
 #include "exact/lattice.hpp"
 #include "pores/cube_halves.hpp"
 
@@ -91,7 +92,7 @@ class CubeDirections {
     if (!(length > 1e-3)) return -1.0;
     n = (1.0 / length) * n;
     off_plane = 0.0;
-    for (uint32_t k = 0; k < count; ++k) off_plane = larger(off_plane, std::fabs(dot(n, y(k))) + 4.0);
+    for (uint32_t k = 0; k < count; ++k) off_plane = larger_of(off_plane, std::fabs(dot(n, y(k))) + 4.0);
     double depth = 1.0;
     bool any = false;
     for (uint32_t i = 0; i < count; ++i) {
@@ -103,7 +104,7 @@ class CubeDirections {
         bool right = false;
         for (uint32_t k = 0; k < count; ++k) right = right || dot(inward, a(k) - a(i)) < -1e-9 * size;
         if (right) continue;
-        depth = smaller(depth, -dot(inward, a(i)) / size);
+        depth = smaller_of(depth, -dot(inward, a(i)) / size);
         any = true;
       }
     }
@@ -141,8 +142,6 @@ class CubeDirections {
     return std::fabs(face.offset - dot(face.n, y(fourth))) <= 4.0 * face.tiny * size(y(fourth));
   }
   static double size(const Vec3 &v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
-  static double larger(double x, double y) { return x > y ? x : y; }
-  static double smaller(double x, double y) { return x < y ? x : y; }
 
  private:
   uint8_t place_[room];  // in the arrays
