@@ -38,7 +38,7 @@ void BoundaryBuilder::carve(Workspace &workspace, const BoundaryLimits &limits) 
   BoundaryWorker measured;  // while there is no memory
   for (uint32_t w = 0; w < count; ++w) {
     BoundaryWorker &worker = workers_.empty() ? measured : workers_[w];
-    worker.carve(workspace, limits, arrays(), w);
+    worker.carve(workspace, limits, arrays(), w, scratch_);
   }
 }
 

@@ -8,7 +8,7 @@ void BoundaryPart::carve(Workspace &workspace, const BoundaryLimits &limits) {
   scratch_ = workspace.take<uint32_t>(limits.most_loops() + limits.balls);
   worker_ = workspace.take<BoundaryWorker>(1);
   BoundaryWorker measured;  // while there is no memory
-  (worker_.empty() ? measured : worker_[0]).carve(workspace, limits, arrays(), 0);
+  (worker_.empty() ? measured : worker_[0]).carve(workspace, limits, arrays(), 0, scratch_);
 }
 
 Status BoundaryPart::build(const BallSet &balls, uint32_t own, const double (&centre)[3], double side) {

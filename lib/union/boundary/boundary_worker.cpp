@@ -13,6 +13,15 @@ uint32_t cube_from(const CubeGrid &grid, uint32_t ball) {
   return first_index(0, grid.own_cubes(), [&grid, ball](uint32_t cube) { return grid.balls_in(cube).first >= ball; });
 }
 
+// Memory for candidates, until half-edges are found: theirs, or the scratch memory if it is more.
+Span<uint32_t> idle_while_searching(const BoundaryArrays &arrays, Span<uint32_t> scratch) {
+  const Span<HalfEdge> half_edges = arrays.half_edges;
+  const uint64_t words = uint64_t{half_edges.size()} * sizeof(HalfEdge) / sizeof(uint32_t);
+  if (words <= scratch.size()) return scratch;
+  return {reinterpret_cast<uint32_t *>(half_edges.data()),
+          static_cast<uint32_t>(words <= UINT32_MAX ? words : UINT32_MAX)};
+}
+
 }  // namespace
 
 BallShare share_of(const CubeGrid &grid, uint32_t worker, uint32_t workers) {
@@ -31,22 +40,24 @@ BallShare share_of(const CubeGrid &grid, uint32_t worker, uint32_t workers) {
 
 BoundaryWorker::BoundaryWorker() = default;
 
-void BoundaryWorker::carve(Workspace &workspace, const BoundaryLimits &limits, BoundaryArrays &arrays,
-                           uint32_t worker) {
+void BoundaryWorker::carve(Workspace &workspace, const BoundaryLimits &limits, BoundaryArrays &arrays, uint32_t worker,
+                           Span<uint32_t> scratch) {
   caps.carve(workspace, limits.neighbours);
   finder_.carve(workspace, limits.neighbours);
   face_finder_.carve(workspace, limits.neighbours);
-  lanes.carve(workspace, limits.neighbours, limits.balls);
+  lanes.carve(workspace, limits.neighbours);
   workspace.take_each(limits.balls, arriving_, leaving_);
   if (worker == 0) {
     vertices_ = arrays.vertices;
     circles_ = arrays.circles;
     parent_ = arrays.component_origin;
+    idle_while_searching_ = idle_while_searching(arrays, scratch);
     return;
   }
   vertices_ = FixedVector<VertexRecord>(workspace.take<VertexRecord>(limits.vertices));
   circles_ = FixedVector<CircleRecord>(workspace.take<CircleRecord>(limits.circles));
   parent_ = workspace.take<uint32_t>(limits.balls);
+  idle_while_searching_ = LaneSearch::take_candidates(workspace, limits.neighbours);
 }
 
 void BoundaryWorker::start(const BallShare &share, const uint32_t *selected, bool joins) {
@@ -76,6 +87,7 @@ void BoundaryWorker::search(const CubeGrid &grid, uint8_t *ball_state) {
   DisjointSets components(parent_.part(0, balls.n));
   DisjointSets *const joined = joins_ ? &components : nullptr;
   BlockSweep sweep(grid);
+  lanes.start(idle_while_searching_);
   for (uint32_t cube = share_.first_cube; cube < share_.last_cube; ++cube) {
     const BallRange own = grid.balls_in(cube);
     if (leaves_out(own)) {
@@ -87,6 +99,7 @@ void BoundaryWorker::search(const CubeGrid &grid, uint8_t *ball_state) {
     const bool in_lanes = lanes.start_cube(grid, cube, block);
     for (uint32_t i = own.first; i < own.last; ++i) search_ball(balls, block, i, in_lanes, joined, ball_state);
   }
+  lanes.end();
 }
 
 // Whether nothing is to be searched there.
@@ -118,8 +131,10 @@ void BoundaryWorker::order_balls_of_records(uint32_t first_vertex, uint32_t firs
 void BoundaryWorker::search(const BallSet &balls, const double (&centre)[3], double side, uint8_t *ball_state) {
   const CubeBlock everything{{{0, balls.n}}, 1};
   cover(everything);
+  lanes.start(idle_while_searching_);
   const bool in_lanes = lanes.start_block(balls, everything, 0, centre, side);
   for (uint32_t i = 0; i < share_.balls.last; ++i) search_ball(balls, everything, i, in_lanes, nullptr, ball_state);
+  lanes.end();
 }
 
 void BoundaryWorker::search_ball(const BallSet &balls, const CubeBlock &block, uint32_t i, bool in_lanes,

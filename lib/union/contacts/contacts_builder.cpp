@@ -44,7 +44,6 @@ void ContactsBuilder::carve(Workspace &workspace, const ContactLimits &limits) {
   contacts_.a_.carve(workspace, limits);
   caps_.carve(workspace, limits.neighbours);
   walk_.carve(workspace, limits);
-  candidates_.carve(workspace, limits.neighbours, limits.balls);
   contact_of_cap_ = workspace.take<uint32_t>(limits.neighbours);
 }
 
@@ -56,7 +55,7 @@ bool ContactsBuilder::start(const CubeGrid &grid, uint32_t neighbours, Target ta
   needed_.neighbours = neighbours;
   if (balls > limits_.balls || neighbours > limits_.neighbours) return false;
   walk_.start(balls, own_balls_);
-  candidates_.use(target);
+  candidates_.start(contacts_.a_.row, target);
   return true;
 }
 
@@ -309,6 +308,7 @@ void ContactsBuilder::close_shares() {
 // it is in contact with.
 void ContactsBuilder::make_rows(const CubeGrid &grid) {
   ContactArrays &a = contacts_.a_;
+  candidates_.end();
   const auto [found, next] = walk_.end();
   for (uint32_t i = 0; i < a.balls; ++i) a.first_in_row[i] = 0;
   for (const ContactRecord &contact : a.contacts.items()) {

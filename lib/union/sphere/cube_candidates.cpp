@@ -1,22 +1,27 @@
 #include "sphere/cube_candidates.hpp"
 
 #include "model/meeting.hpp"
-#include "sphere/pair_sweep.hpp"
 
 namespace hsp {
 
-void CandidatesInLanes::carve(Workspace &workspace, uint32_t neighbours, uint32_t balls) {
-  target_ = workspace.target();
-  // There is no limit for the balls of a cube and those around it. Their volume is some six times that in which a
-  // ball's neighbours lie.
-  const uint64_t most = 8 * (uint64_t{neighbours <= PairSweep::most_caps ? neighbours : PairSweep::most_caps} + 32);
-  block_.room = most < balls ? static_cast<uint32_t>(most) : balls;
-  const uint64_t entries = uint64_t{block_.room} + CandidateBlock::spare;
-  block_.x = workspace.take<float>(entries).data();
-  block_.y = workspace.take<float>(entries).data();
-  block_.z = workspace.take<float>(entries).data();
-  block_.r = workspace.take<float>(entries).data();
-  block_.ball = workspace.take<uint32_t>(entries).data();
+void CandidatesInLanes::start(Span<uint32_t> memory, Target target) {
+  target_ = target;
+  memory_ = memory;
+  const uint32_t most = memory.size() / number_of_arrays / 8 * 8;
+  block_.room = most > CandidateBlock::spare ? most - CandidateBlock::spare : 0;
+  if (block_.room == 0) return;
+  uint32_t *const words = memory.data();
+  block_.x = reinterpret_cast<float *>(words);
+  block_.y = reinterpret_cast<float *>(words + most);
+  block_.z = reinterpret_cast<float *>(words + 2 * most);
+  block_.r = reinterpret_cast<float *>(words + 3 * most);
+  block_.ball = words + 4 * most;
+}
+
+void CandidatesInLanes::end() {
+  forget(memory_);
+  memory_ = {};
+  block_ = {};
 }
 
 bool CandidatesInLanes::start_cube(const CubeGrid &grid, uint32_t cube, uint32_t first_own, const CubeBlock &block) {

@@ -10,8 +10,11 @@ namespace hsp {
 
 class CandidatesInLanes {
  public:
-  void carve(Workspace &workspace, uint32_t neighbours, uint32_t balls);
-  void use(Target target) { target_ = target; }
+  static constexpr uint32_t number_of_arrays = 5;  // that the memory is shared out among
+
+  // Somebody's memory is theirs from start to end.
+  void start(Span<uint32_t> memory, Target target);
+  void end();
 
   // For the balls of one cube from `first_own` on: those in the block are their candidates. False if there is no room
   // for them.
@@ -33,6 +36,7 @@ class CandidatesInLanes {
   uint32_t slot(uint32_t i) const { return own_rank_ + (i - first_own_); }
 
   Target target_ = Target::baseline;
+  Span<uint32_t> memory_;
   CandidateBlock block_;
   uint32_t first_own_ = 0;  // ball of the cube
   uint32_t own_rank_ = 0;   // and its number among the candidates
@@ -40,8 +44,8 @@ class CandidatesInLanes {
 
 class NoCandidates {
  public:
-  void carve(Workspace &, uint32_t, uint32_t) {}
-  void use(Target) {}
+  void start(Span<uint32_t>, Target) {}
+  void end() {}
   bool start_cube(const CubeGrid &, uint32_t, uint32_t, const CubeBlock &) { return false; }
   uint32_t later(uint32_t, uint32_t *, uint32_t) const { return 0; }
 };

@@ -42,7 +42,7 @@ uint32_t SearchInLanes::count_few_clusters(Target target, const BallSet &balls, 
              : 0;
 }
 
-void SearchInLanes::carve(Workspace &workspace, uint32_t neighbours, uint32_t balls) {
+void SearchInLanes::carve(Workspace &workspace, uint32_t neighbours) {
   target_ = workspace.target();
   enabled = neighbours <= PairSweep::most_caps;
   // Rows of whole vectors.
@@ -55,7 +55,14 @@ void SearchInLanes::carve(Workspace &workspace, uint32_t neighbours, uint32_t ba
   sweep_.exposed_cap = floats_of_caps.take();
   sweep_.crossed = floats_of_caps.take();
   uncrossed_ = workspace.take<uint32_t>(neighbours);
-  candidates_.carve(workspace, neighbours, balls);
+}
+
+Span<uint32_t> SearchInLanes::take_candidates(Workspace &workspace, uint32_t neighbours) {
+  // There is no limit for the balls of a cube and those around it. Their volume is some six times that in which a
+  // ball's neighbours lie.
+  const uint32_t most = neighbours <= PairSweep::most_caps ? neighbours : PairSweep::most_caps;
+  const uint64_t room = 8 * (uint64_t{most} + 32);
+  return workspace.take<uint32_t>(CandidatesInLanes::number_of_arrays * room);
 }
 
 bool SearchInLanes::start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block) {

@@ -11,7 +11,11 @@ namespace hsp {
 
 class SearchInLanes {
  public:
-  void carve(Workspace &workspace, uint32_t neighbours, uint32_t balls);
+  void carve(Workspace &workspace, uint32_t neighbours);
+  // Memory for the candidates of a cube, which the search has from start to end.
+  static Span<uint32_t> take_candidates(Workspace &workspace, uint32_t neighbours);
+  void start(Span<uint32_t> memory_of_candidates) { candidates_.start(memory_of_candidates, target_); }
+  void end() { candidates_.end(); }
 
   // For the balls of one cube, whose block of cubes is given. False if they are to be searched otherwise.
   bool start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block);
@@ -33,7 +37,6 @@ class SearchInLanes {
   // For tests: for which target, if at all, and which stages there are.
   void use(Target target, bool use_lanes) {
     target_ = target;
-    candidates_.use(target);
     enabled = use_lanes;
   }
   bool enabled = false;
@@ -55,7 +58,10 @@ class NoSearchInLanes {
  public:
   static constexpr bool enabled = false;
   void use(Target, bool) {}
-  void carve(Workspace &, uint32_t, uint32_t) {}
+  void carve(Workspace &, uint32_t) {}
+  static Span<uint32_t> take_candidates(Workspace &, uint32_t) { return {}; }
+  void start(Span<uint32_t>) {}
+  void end() {}
   bool start_cube(const CubeGrid &, uint32_t, const CubeBlock &) { return false; }
   bool start_block(const BallSet &, const CubeBlock &, uint32_t, const double (&)[3], double) { return false; }
   bool gather(const BallSet &, uint32_t, Caps &, DisjointSets *, const uint32_t *) { return false; }
