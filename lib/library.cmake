@@ -112,6 +112,7 @@ set(HSP_LIBRARY_SOURCES
   lib/union/periodic/periodic_queries.cpp
   lib/union/periodic/periodic_records.cpp
   lib/union/periodic/periodic_union.cpp
+  lib/union/periodic/surface_volume.cpp
   lib/union/periodic/windings.cpp
   lib/space/pores/ascent.cpp
   lib/space/pores/balls_around.cpp
@@ -122,6 +123,7 @@ set(HSP_LIBRARY_SOURCES
   lib/space/pores/pockets.cpp
   lib/space/pores/pore_balls.cpp
   lib/space/pores/pores_builder.cpp
+  lib/space/pores/region_finder.cpp
   lib/space/pores/tangent_point.cpp
   lib/space/pores/tied_balls.cpp
   lib/space/pores/tunnel.cpp

@@ -996,6 +996,29 @@ struct hsp_pore_pocket
     reserved::UInt32
 end
 
+struct hsp_pore_access
+    accessible_area::Cdouble
+    accessible_volume::Cdouble
+    blocked_area::Cdouble
+    blocked_volume::Cdouble
+    accessible::UInt32
+    blocked::UInt32
+end
+
+struct hsp_pore_region
+    radius::Cdouble
+    area::Cdouble
+    volume::Cdouble
+    maximum::UInt32
+    maxima::UInt32
+    shells::UInt32
+    accessible::UInt32
+    directions::UInt32
+    copies::UInt32
+    row::NTuple{9, Int32}
+    reserved::UInt32
+end
+
 struct hsp_tunnel
     radius::Cdouble
     length::Cdouble
@@ -2224,6 +2247,16 @@ end
 function hsp_pores_get_pocket_balls(pores, pocket, balls, capacity, needed)
     ccall((:hsp_pores_get_pocket_balls, libhardsphere), Int32, (Ptr{hsp_pores}, UInt32, Ptr{UInt32}, UInt32,
           Ptr{UInt32}), pores, pocket, balls, capacity, needed)
+end
+
+function hsp_pores_find_regions(pores, boundary, access, regions)
+    ccall((:hsp_pores_find_regions, libhardsphere), Int32, (Ptr{hsp_pores}, Ptr{hsp_boundary}, Ptr{hsp_pore_access},
+          Ptr{UInt32}), pores, boundary, access, regions)
+end
+
+function hsp_pores_get_regions(pores, first, count, out)
+    ccall((:hsp_pores_get_regions, libhardsphere), Int32, (Ptr{hsp_pores}, UInt32, UInt32, Ptr{hsp_pore_region}),
+          pores, first, count, out)
 end
 
 function hsp_pores_find_tunnel(pores, from, to, avoided, count, tunnel, limits)

@@ -1254,6 +1254,33 @@ pub struct hsp_pore_pocket {
 
 #[repr(C)]
 #[derive(Clone, Copy)]
+pub struct hsp_pore_access {
+    pub accessible_area: f64,
+    pub accessible_volume: f64,
+    pub blocked_area: f64,
+    pub blocked_volume: f64,
+    pub accessible: u32,
+    pub blocked: u32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct hsp_pore_region {
+    pub radius: f64,
+    pub area: f64,
+    pub volume: f64,
+    pub maximum: u32,
+    pub maxima: u32,
+    pub shells: u32,
+    pub accessible: u32,
+    pub directions: u32,
+    pub copies: u32,
+    pub row: [i32; 9],
+    pub reserved: u32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
 pub struct hsp_tunnel {
     pub radius: f64,
     pub length: f64,
@@ -2450,6 +2477,13 @@ extern "C" {
         capacity: u32,
         needed: *mut u32,
     ) -> i32;
+    pub fn hsp_pores_find_regions(
+        pores: *mut hsp_pores,
+        boundary: *const hsp_boundary,
+        access: *mut hsp_pore_access,
+        regions: *mut u32,
+    ) -> i32;
+    pub fn hsp_pores_get_regions(pores: *const hsp_pores, first: u32, count: u32, out: *mut hsp_pore_region) -> i32;
     pub fn hsp_pores_find_tunnel(
         pores: *mut hsp_pores,
         from: *const f64,

@@ -1256,6 +1256,29 @@ module hardsphere
     integer(c_int32_t) :: reserved  ! 0
   end type
 
+  type, bind(C) :: hsp_pore_access
+    real(c_double) :: accessible_area    ! of the boundary beside accessible regions, length^2
+    real(c_double) :: accessible_volume  ! length^3; infinite without a box
+    real(c_double) :: blocked_area       ! of the boundary beside the other regions: cavities that end on all sides
+    real(c_double) :: blocked_volume     ! of these
+    integer(c_int32_t) :: accessible     ! how many regions are
+    integer(c_int32_t) :: blocked        ! how many are not
+  end type
+
+  type, bind(C) :: hsp_pore_region
+    real(c_double) :: radius          ! of the widest probe, beyond that of the model, that fits in it; infinite outside
+    real(c_double) :: area            ! of its boundary, length^2
+    real(c_double) :: volume          ! length^3; infinite outside
+    integer(c_int32_t) :: maximum     ! where the widest probe fits, or HSP_PORE_OUTSIDE
+    integer(c_int32_t) :: maxima      ! how many are in it
+    integer(c_int32_t) :: shells      ! of the boundary, how many bound it
+    integer(c_int32_t) :: accessible  ! whether it is: 1 or 0
+    integer(c_int32_t) :: directions  ! as in hsp_winding: 0 to 3
+    integer(c_int32_t) :: copies      ! as in hsp_winding
+    integer(c_int32_t) :: row(9)      ! as in hsp_winding
+    integer(c_int32_t) :: reserved    ! 0
+  end type
+
   type, bind(C) :: hsp_tunnel
     ! of the widest probe that gets through; 0 if there is no tunnel, infinite without balls
     real(c_double) :: radius
@@ -3544,6 +3567,25 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_pores_find_regions(pores, boundary, access, regions) result(status) &
+      bind(C, name="hsp_pores_find_regions")
+      import :: c_int32_t, c_ptr, hsp_pore_access
+      type(c_ptr), value :: pores
+      type(c_ptr), value :: boundary
+      type(hsp_pore_access), intent(inout), optional :: access
+      integer(c_int32_t), intent(inout), optional :: regions
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_get_regions(pores, first, count, out) result(status) bind(C, name="hsp_pores_get_regions")
+      import :: c_int32_t, c_ptr, hsp_pore_region
+      type(c_ptr), value :: pores
+      integer(c_int32_t), value :: first
+      integer(c_int32_t), value :: count
+      type(hsp_pore_region), intent(inout), optional :: out(*)  ! count
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_pores_find_tunnel(pores, from, to, avoided, count, tunnel, limits) result(status) &
       bind(C, name="hsp_pores_find_tunnel")
       import :: c_double, c_int32_t, c_ptr, hsp_pores_limits, hsp_tunnel
@@ -4612,7 +4654,7 @@ contains
     integer(c_int32_t), intent(in) :: balls, cubes, entries, cells, adjacencies, landmarks, facets, corners, &
       cube_balls, cube_corners
     integer(c_size_t) :: bytes
-    bytes = 110592_c_size_t + 1344_c_size_t*int(balls, c_size_t) + 128_c_size_t*int(cubes, c_size_t) &
+    bytes = 110592_c_size_t + 1440_c_size_t*int(balls, c_size_t) + 128_c_size_t*int(cubes, c_size_t) &
       + 8_c_size_t*int(entries, c_size_t) + 28_c_size_t*int(cells, c_size_t) + 16_c_size_t*int(adjacencies, c_size_t) &
       + 12_c_size_t*int(landmarks, c_size_t) + 72_c_size_t*int(facets, c_size_t) + 48_c_size_t*int(corners, c_size_t) &
       + 1536_c_size_t*int(cube_balls, c_size_t) + 64_c_size_t*int(cube_corners, c_size_t)
@@ -4624,9 +4666,9 @@ contains
   pure function hsp_pores_bytes_bound(balls, maxima, gates, tied, candidates, neighbours, points) result(bytes)
     integer(c_int32_t), intent(in) :: balls, maxima, gates, tied, candidates, neighbours, points
     integer(c_size_t) :: bytes
-    bytes = 57344_c_size_t + 176_c_size_t*int(balls, c_size_t) + 300_c_size_t*int(maxima, c_size_t) &
+    bytes = 61440_c_size_t + 176_c_size_t*int(balls, c_size_t) + 372_c_size_t*int(maxima, c_size_t) &
       + 144_c_size_t*int(gates, c_size_t) + 16_c_size_t*int(tied, c_size_t) + 16_c_size_t*int(candidates, c_size_t) &
-      + 80_c_size_t*int(neighbours, c_size_t) + 144_c_size_t*int(points, c_size_t)
+      + 160_c_size_t*int(neighbours, c_size_t) + 144_c_size_t*int(points, c_size_t)
   end function
 
   ! ---- view.h: pieces in painter's order as true arcs (Section 5.1) --------------------------------------------------

@@ -1,10 +1,12 @@
 #include "hsp_pores.hpp"
 
 #include <bit>
+#include <limits>
 
 #include "conversion.hpp"
 #include "core/sorting.hpp"
 #include "handle_memory.hpp"
+#include "hsp_boundary.hpp"
 #include "model/queries.hpp"
 #include "periodic_shifts.hpp"
 #include "rounded_point.hpp"
@@ -167,15 +169,21 @@ int32_t compute_from(hsp_pores *pores, const Handle *source, const hsp_pores_opt
   return hsp::capi::finish(*pores, compute(asked.floor), limits);
 }
 
-hsp_pore_channel to_channel(const hsp_pores &pores, const hsp::Windings &joined, uint32_t component) {
-  hsp::WindingLattice lattice;
-  for (uint32_t r = 0; r < joined.lattice(component).rank; ++r) {
-    const auto &row = joined.lattice(component).row[r];
+// Where a class goes on for ever, in the vectors of the box as they were given.
+hsp_winding winding_of(const hsp_pores &pores, const hsp::WindingLattice &lattice) {
+  hsp::WindingLattice in_given;
+  for (uint32_t r = 0; r < lattice.rank; ++r) {
+    const auto &row = lattice.row[r];
     const hsp::BoxShift given = pores.given({{row[0], row[1], row[2]}});
-    static_cast<void>(lattice.add({given.k[0], given.k[1], given.k[2]}));
+    static_cast<void>(in_given.add({given.k[0], given.k[1], given.k[2]}));
   }
   hsp_winding winding{};
-  hsp::capi::put_lattice(lattice, winding);
+  hsp::capi::put_lattice(in_given, winding);
+  return winding;
+}
+
+hsp_pore_channel to_channel(const hsp_pores &pores, const hsp::Windings &joined, uint32_t component) {
+  const hsp_winding winding = winding_of(pores, joined.lattice(component));
   const uint32_t maximum = joined.first_ball(component) - 1;
   hsp_pore_channel channel{pores.lattice().length(pores.maxima()[maximum].point.level),
                            maximum,
@@ -186,6 +194,26 @@ hsp_pore_channel to_channel(const hsp_pores &pores, const hsp::Windings &joined,
                            0};
   for (int k = 0; k < 9; ++k) channel.row[k] = winding.row[k];
   return channel;
+}
+
+hsp_pore_region to_region(const hsp_pores &pores, const hsp::PoreRegion &region) {
+  const hsp_winding winding = winding_of(pores, region.lattice);
+  const hsp::exact::Lattice &lattice = pores.lattice();
+  hsp_pore_region record{region.maximum == hsp::pore_outside
+                             ? std::numeric_limits<double>::infinity()
+                             : lattice.length(pores.maxima()[region.maximum].point.level),
+                         lattice.area(region.area),
+                         lattice.volume(region.volume),
+                         region.maximum,
+                         region.maxima,
+                         region.shells,
+                         region.is_accessible() ? 1U : 0U,
+                         winding.directions,
+                         winding.copies,
+                         {},
+                         0};
+  for (int k = 0; k < 9; ++k) record.row[k] = winding.row[k];
+  return record;
 }
 
 int32_t round_point(const hsp_pores &pores, const double *xyz, hsp::exact::Vector &point) {
@@ -488,6 +516,42 @@ int32_t hsp_pores_get_pocket_mouths(const hsp_pores *pores, uint32_t pocket, uin
 int32_t hsp_pores_get_pocket_balls(const hsp_pores *pores, uint32_t pocket, uint32_t *balls, uint32_t capacity,
                                    uint32_t *needed) {
   return get_pocket_list<&hsp::PocketFinder::balls>(pores, pocket, balls, capacity, needed);
+}
+
+int32_t hsp_pores_find_regions(hsp_pores *pores, const hsp_boundary *boundary, hsp_pore_access *access,
+                               uint32_t *regions) {
+  if (const int32_t status = check_handle(pores); status != HSP_OK) return status;
+  pores->builder.forget_regions();
+  if (!pores->has_results()) return HSP_E_STATE;
+  if (pores->in_box != (boundary == nullptr)) return HSP_E_ARGUMENT;
+  if (!pores->in_box) {
+    if (const int32_t status = check_results(boundary, false); status != HSP_OK) return status;
+    if (!boundary->model.is(&*pores->model)) return HSP_E_ARGUMENT;
+  }
+  if (pores->builder.floor() > 0) return HSP_E_RANGE;
+  const hsp::PeriodicUnion *const periodic = pores->in_box ? &pores->periodic->builder : nullptr;
+  const hsp::Status found = pores->builder.find_regions(
+      pores->balls_around(), pores->in_box ? periodic->boundary() : boundary->structure(), periodic);
+  if (found != hsp::Status::ok) return hsp::capi::to_c(found);
+  const hsp::Span<const hsp::PoreRegion> there = pores->builder.regions().regions();
+  if (regions != nullptr) *regions = there.size();
+  if (access == nullptr) return HSP_OK;
+  *access = {};
+  for (const hsp::PoreRegion &region : there) {
+    const bool open = region.is_accessible();
+    (open ? access->accessible_area : access->blocked_area) += pores->lattice().area(region.area);
+    (open ? access->accessible_volume : access->blocked_volume) += pores->lattice().volume(region.volume);
+    ++(open ? access->accessible : access->blocked);
+  }
+  return HSP_OK;
+}
+
+int32_t hsp_pores_get_regions(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_region *out) {
+  const int32_t status = check_range(pores, first, count, out,
+                                     [](const hsp_pores &handle) { return handle.builder.regions().regions().size(); });
+  if (status != HSP_OK) return status;
+  for (uint32_t k = 0; k < count; ++k) out[k] = to_region(*pores, pores->builder.regions().regions()[first + k]);
+  return HSP_OK;
 }
 
 int32_t hsp_pores_find_tunnel(hsp_pores *pores, const double *from, const double *to, const uint32_t *avoided,

@@ -144,7 +144,7 @@ typedef struct hsp_gate_limits {
   uint32_t cube_corners; /**< as hsp_cells_limits.cube_corners */
 } hsp_gate_limits;
 
-/** Limits that suffice for most molecules of `balls` atoms, about 7.1 kB for each: those of hsp_cells_limits_init.
+/** Limits that suffice for most molecules of `balls` atoms, about 7.2 kB for each: those of hsp_cells_limits_init.
  *  @retval HSP_E_ARGUMENT  limits is NULL
  *  @retval HSP_E_VERSION   struct_size is bad
  *  @retval HSP_E_RANGE     more than (HSP_MAX_BALLS - 2048) / 80 balls; set the limits by hand then */
@@ -162,7 +162,7 @@ HSP_API int32_t hsp_gate_bytes(const hsp_gate_limits *limits, size_t *bytes);
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_GATE_BYTES(balls, cubes, entries, cells, adjacencies, landmarks, facets, corners, cube_balls,            \
                        cube_corners)                                                                                 \
-  ((size_t)110592 + (size_t)1344 * (size_t)(balls) + (size_t)128 * (size_t)(cubes) + (size_t)8 * (size_t)(entries) + \
+  ((size_t)110592 + (size_t)1440 * (size_t)(balls) + (size_t)128 * (size_t)(cubes) + (size_t)8 * (size_t)(entries) + \
    (size_t)28 * (size_t)(cells) + (size_t)16 * (size_t)(adjacencies) + (size_t)12 * (size_t)(landmarks) +            \
    (size_t)72 * (size_t)(facets) + (size_t)48 * (size_t)(corners) + (size_t)1536 * (size_t)(cube_balls) +            \
    (size_t)64 * (size_t)(cube_corners))

@@ -23,6 +23,7 @@
 #ifndef HARDSPHERE_PORES_H
 #define HARDSPHERE_PORES_H
 
+#include "boundary.h"
 #include "model.h"
 #include "periodic.h"
 
@@ -48,7 +49,7 @@ typedef struct hsp_pores_limits {
   uint32_t points;      /**< of a tunnel, with those that are left out as they are near to others */
 } hsp_pores_limits;
 
-/** Limits that suffice for most molecules of `balls` atoms, about 1.5 kB for each: maxima 2 balls + 64, gates 4 balls +
+/** Limits that suffice for most molecules of `balls` atoms, about 1.8 kB for each: maxima 2 balls + 64, gates 4 balls +
  *  128, tied balls + 256, candidates 4 balls + 2048, neighbours balls + 16, points balls + 4096.
  *  @retval HSP_E_ARGUMENT  limits is NULL
  *  @retval HSP_E_VERSION   struct_size is bad
@@ -66,8 +67,8 @@ HSP_API int32_t hsp_pores_bytes(const hsp_pores_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_PORES_BYTES(balls, maxima, gates, tied, candidates, neighbours, points)                                 \
-  ((size_t)57344 + (size_t)176 * (size_t)(balls) + (size_t)300 * (size_t)(maxima) + (size_t)144 * (size_t)(gates) + \
-   (size_t)16 * (size_t)(tied) + (size_t)16 * (size_t)(candidates) + (size_t)80 * (size_t)(neighbours) +            \
+  ((size_t)61440 + (size_t)176 * (size_t)(balls) + (size_t)372 * (size_t)(maxima) + (size_t)144 * (size_t)(gates) + \
+   (size_t)16 * (size_t)(tied) + (size_t)16 * (size_t)(candidates) + (size_t)160 * (size_t)(neighbours) +           \
    (size_t)144 * (size_t)(points))
 
 /** Make pores without results in caller memory of any alignment; sets *pores.
@@ -96,8 +97,8 @@ HSP_API int32_t hsp_pores_options_init(hsp_pores_options *options, uint32_t stru
  *  the tunnel.
  *  - Property 1: the order of the balls has no effect but on their numbers, unless balls are equal.
  *
- *  Cost: O(n) for sets as in Theorem 2.1, and O(m log m) for m maxima and gates. Where more than 64 balls tie at one
- *  point, or nearly, all sets of four of them are tried.
+ *  Cost: O(n) for sets as in Theorem 2.1, and O(m log m) for m maxima and gates. At a point where k
+ *  balls tie, or nearly, O(k^2) as a rule and O(k^3) at most.
  *  @retval HSP_E_ARGUMENT    pores or model is NULL
  *  @retval HSP_E_VERSION     bad struct_size of options or limits, or options->reserved is not 0
  *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with
@@ -426,6 +427,64 @@ HSP_API int32_t hsp_pores_get_pocket_mouths(const hsp_pores *pores, uint32_t poc
 HSP_API int32_t hsp_pores_get_pocket_balls(const hsp_pores *pores, uint32_t pocket, uint32_t *balls, uint32_t capacity,
                                            uint32_t *needed);
 
+/** How much of free space a probe gets to from the outside, or in a box for ever, and how much it does not. Frozen. */
+typedef struct hsp_pore_access {
+  double accessible_area;   /**< of the boundary beside accessible regions, length^2 */
+  double accessible_volume; /**< length^3; infinite without a box */
+  double blocked_area;      /**< of the boundary beside the other regions: cavities that end on all sides */
+  double blocked_volume;    /**< of these */
+  uint32_t accessible;      /**< how many regions are */
+  uint32_t blocked;         /**< how many are not */
+} hsp_pore_access;
+
+/** Find the regions of free space beside the balls as they are, which are those that were given, grown by the probe of
+ *  the model or box: where the centre of this probe gets about, with area and volume of each. The tree says which
+ *  regions there are, so that its floor must not be above 0; the boundary of the union is their surface, and each of
+ *  its shells belongs to where a way up from it leads. The regions stay until the next call.
+ *
+ *  A region is accessible if it is the outside or, in a box, has directions. A box without balls is one region in three
+ *  directions.
+ *  - Property 1: regions but the outside are the channels of hsp_pores_get_channels with the radius 0; without a box
+ *    those of hsp_topology_get_regions, in another order.
+ *  - Property 2: areas sum to the area of the union; in a box volumes to free_volume of hsp_periodic_totals.
+ *
+ *  Source: in a box volumes come from surfaces alone, for regions that go on for ever up to whole boxes: as a product
+ *  of three phases (lib/union/periodic/surface_volume.hpp). Accuracy: about 1e-14 of the box.
+ *  Cost: O(size of the boundary), and that of hsp_pores_locate for each shell.
+ *  @param[in,out] pores   of which no other regions are needed any more
+ *  @param[in] boundary    of the model that the pores were computed of; NULL in a box, which has its own
+ *  @param[out] access     or NULL: the sums
+ *  @param[out] regions    or NULL: how many there are
+ *  @retval HSP_E_ARGUMENT  pores is NULL; boundary is NULL without a box, of another model, or given with one
+ *  @retval HSP_E_STATE     nothing computed, or the model, box or boundary has changed since
+ *  @retval HSP_E_RANGE     the floor is above 0; or free space is only some lattice steps wide around every vertex of a
+ *                          shell, so that it is not certain where it leads
+ *  @retval HSP_E_CHECK     a way up ends nowhere, which cannot happen: please report it */
+HSP_API int32_t hsp_pores_find_regions(hsp_pores *pores, const hsp_boundary *boundary, hsp_pore_access *access,
+                                       uint32_t *regions);
+
+/** A region of free space. Frozen. */
+typedef struct hsp_pore_region {
+  double radius;       /**< of the widest probe, beyond that of the model, that fits in it; infinite outside */
+  double area;         /**< of its boundary, length^2 */
+  double volume;       /**< length^3; infinite outside */
+  uint32_t maximum;    /**< where the widest probe fits, or HSP_PORE_OUTSIDE */
+  uint32_t maxima;     /**< how many are in it */
+  uint32_t shells;     /**< of the boundary, how many bound it */
+  uint32_t accessible; /**< whether it is: 1 or 0 */
+  uint32_t directions; /**< as in hsp_winding: 0 to 3 */
+  uint32_t copies;     /**< as in hsp_winding */
+  int32_t row[9];      /**< as in hsp_winding */
+  uint32_t reserved;   /**< 0 */
+} hsp_pore_region;
+
+/** The regions first .. first + count - 1 of the last hsp_pores_find_regions, exactly count records: the outside first,
+ *  which a box with balls does not have, then that of the widest maximum; out may be NULL with count 0.
+ *  @retval HSP_E_ARGUMENT  pores is NULL; out is NULL with a count above 0
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since
+ *  @retval HSP_E_ID        not all of these regions are there */
+HSP_API int32_t hsp_pores_get_regions(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_region *out);
+
 /** A tunnel. Frozen. */
 typedef struct hsp_tunnel {
   double radius;     /**< of the widest probe that gets through; 0 if there is no tunnel, infinite without balls */
@@ -443,7 +502,7 @@ typedef struct hsp_tunnel {
  *  to be avoided. To avoid the tightest gates of tunnels before finds the next best one that has another bottleneck. It
  *  leads through maxima and gates, and each part of it is as wide as any path between its ends; of gates as wide it
  *  takes that which is nearer by straight lines from its start. Its points stay until the next call; on failure there
- *  are none.
+ *  are none. So a probe gets from one point to the other if it is narrower than the tunnel: then that is a path for it.
  *
  *  In a periodic box it leads to that copy of `to` which is best; and as nothing is outside there, `to` NULL is another
  *  copy of `from`, where the way begins anew, for ever. hsp_pores_get_tunnel_route has the vector. Its points are those

@@ -10,7 +10,7 @@ program fortran_workspace_test
   real(c_double), parameter :: away(3) = [5.0_c_double, 7.0_c_double, 9.0_c_double]
   type(hsp_workspace), target :: work
   type(hsp_path) :: path
-  type(hsp_tunnel) :: tunnel
+  type(hsp_tunnel) :: tunnel, cheapest
   type(hsp_widest_probe) :: widest
 
   call nothing_set()
@@ -176,6 +176,9 @@ contains
     call expect(work%compute_pores(), HSP_OK, 'pores')
     call expect(work%find_tunnel(from=away, to=-away, count=0_c_int32_t, tunnel=tunnel), HSP_OK, 'a tunnel')
     call check(tunnel%there == 1 .and. tunnel%points >= 2, 'some probe gets through')
+    call expect(work%find_cheapest_tunnel(from=away, to=-away, count=0_c_int32_t, tunnel=cheapest), HSP_OK, &
+                'the cheapest tunnel')
+    call check(cheapest%there == 1 .and. cheapest%radius <= tunnel%radius, 'it is no wider')
     call expect(work%set_moving(1.0_c_double, 0.0_c_double, HSP_TANGENT_OVERLAP, sigma), HSP_OK, 'balls that move')
     call expect(hsp_moving_gradient(work%moving, energy, capacity=0), HSP_OK, 'their energy')
     call check(near(energy%area, sum(sigma*area)), 'the weighted area of balls that move')

@@ -372,7 +372,7 @@ static void compare(const double *from, uint32_t node, const double *to, uint32_
   check_points(from, to);
   {
     const double by_width = route.cost, width = tunnel.radius;
-    CHECK_EQUAL(hsp_pores_find_cheapest_tunnel(in.work.pores, from, to, NULL, 0, &tunnel, NULL), HSP_OK);
+    CHECK_EQUAL(hsp_workspace_cheapest_tunnel_periodic(&in.work, NULL, from, to, NULL, 0, &tunnel), HSP_OK);
     CHECK(tunnel.there == 1 && tunnel.radius <= width);
     check_points(from, to);
     CHECK(route.cost <= by_width * (1 + 1e-9));

@@ -25,7 +25,7 @@ static void *limited_malloc(size_t bytes) {
 /* Outside all balls, so that there is a path. */
 static const double far_below[3] = {1e4, -2e4, -9e4}, far_above[3] = {0, 0, 9e4};
 static hsp_path path;
-static hsp_tunnel tunnel;
+static hsp_tunnel tunnel, cheapest;
 
 static int32_t compute_all(hsp_workspace *work, const ball_set *set) {
   int32_t status = hsp_workspace_set(work, set->n, set->xyz, set->radius, NULL, NULL);
@@ -40,7 +40,8 @@ static int32_t compute_all(hsp_workspace *work, const ball_set *set) {
   if (status == HSP_OK) status = hsp_workspace_gate(work, far_below, far_above);
   if (status == HSP_OK && set->n <= 30) status = hsp_workspace_pores(work, NULL);
   if (status == HSP_OK && set->n <= 30) {
-    status = hsp_workspace_tunnel(work, NULL, far_below, far_above, NULL, 0, &tunnel);
+    status = hsp_workspace_cheapest_tunnel(work, NULL, far_below, far_above, NULL, 0, &cheapest);
+    if (status == HSP_OK) status = hsp_workspace_tunnel(work, NULL, far_below, far_above, NULL, 0, &tunnel);
   }
   if (status == HSP_OK) status = hsp_workspace_moving(work, NULL, 1, 0, HSP_TANGENT_OVERLAP, NULL);
   return status;
@@ -109,6 +110,7 @@ static void check_results(hsp_workspace *work, const ball_set *set) {
   CHECK(widest.passes == 1 && widest.radius > 0);
   if (set->n <= 30) {
     CHECK(tunnel.there == 1 && tunnel.points >= 2 && tunnel.points <= work->pores_limits.points);
+    CHECK(cheapest.there == 1 && cheapest.radius <= tunnel.radius);
     CHECK_EQUAL(hsp_cells_check(work->cells, work->topology, &invariant, &id), HSP_OK);
     check_mesh(work, &c);
   }
@@ -182,6 +184,7 @@ static void out_of_date(void) {
   CHECK_EQUAL(hsp_workspace_gate(&work, far_below, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_workspace_pores(&work, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_workspace_tunnel(&work, NULL, far_below, NULL, NULL, 0, &tunnel), HSP_E_STATE);
+  CHECK_EQUAL(hsp_workspace_cheapest_tunnel(&work, NULL, far_below, NULL, NULL, 0, &tunnel), HSP_E_STATE);
   CHECK_EQUAL(hsp_workspace_moving(&work, NULL, 1, 0, HSP_TANGENT_OVERLAP, NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_workspace_set(&work, 0, NULL, NULL, NULL, NULL), HSP_OK);
   CHECK_EQUAL(hsp_workspace_boundary(&work), HSP_OK);

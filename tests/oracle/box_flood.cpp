@@ -24,15 +24,21 @@ uint32_t rank_of(const std::vector<Shift> &ways) {
              : 2;
 }
 
-// The most directions of components of open cells. Each cell that is reached remembers in which copy of the box.
-uint32_t most_directions(const std::vector<bool> &open, int parts, bool corners) {
+struct Component {
+  uint32_t directions;
+  size_t cells;
+};
+
+// The components of open cells. Each cell that is reached remembers in which copy of the box.
+std::vector<Component> components_of(const std::vector<bool> &open, int parts, bool corners) {
   const auto number = [&](const Shift &c) { return static_cast<size_t>((c[2] * parts + c[1]) * parts + c[0]); };
   std::vector<bool> seen(open.size());
   std::vector<Shift> copy(open.size());
-  uint32_t most = 0;
+  std::vector<Component> components;
   for (size_t start = 0; start < open.size(); ++start) {
     if (!open[start] || seen[start]) continue;
     std::vector<Shift> ways, stack;
+    size_t cells = 0;
     const int at = static_cast<int>(start);
     stack.push_back({at % parts, at / parts % parts, at / parts / parts});
     seen[start] = true;
@@ -40,6 +46,7 @@ uint32_t most_directions(const std::vector<bool> &open, int parts, bool corners)
     while (!stack.empty()) {
       const Shift cell = stack.back();
       stack.pop_back();
+      ++cells;
       for (int d = 0; d < 27; ++d) {
         const Shift step{d % 3 - 1, d / 3 % 3 - 1, d / 9 - 1};
         if (!corners && std::abs(step[0]) + std::abs(step[1]) + std::abs(step[2]) != 1) continue;
@@ -61,14 +68,17 @@ uint32_t most_directions(const std::vector<bool> &open, int parts, bool corners)
         stack.push_back(next);
       }
     }
-    most = std::max(most, rank_of(ways));
+    components.push_back({rank_of(ways), cells});
   }
-  return most;
+  return components;
 }
 
-}  // namespace
+// Which cells are free as a whole, and which are not covered as a whole.
+struct Cells {
+  std::vector<bool> free, touched;
+};
 
-DirectionBounds free_directions(const Balls &balls, const BoxRows &box, double level, int parts) {
+Cells cells_of(const Balls &balls, const BoxRows &box, double level, int parts) {
   double reach = 2.0;
   for (const LatticePoint &side : box) {
     reach += 0.5 / parts *
@@ -82,7 +92,7 @@ DirectionBounds free_directions(const Balls &balls, const BoxRows &box, double l
       }
     }
   }
-  std::vector<bool> free, touched;
+  Cells cells;
   for (int k = 0; k < parts; ++k) {
     for (int j = 0; j < parts; ++j) {
       for (int i = 0; i < parts; ++i) {
@@ -97,12 +107,38 @@ DirectionBounds free_directions(const Balls &balls, const BoxRows &box, double l
                                              static_cast<double>(ball.z) - z) -
                                       static_cast<double>(ball.radius));
         }
-        free.push_back(least > level + reach);
-        touched.push_back(least > level - reach);
+        cells.free.push_back(least > level + reach);
+        cells.touched.push_back(least > level - reach);
       }
     }
   }
-  return {most_directions(free, parts, false), most_directions(touched, parts, true)};
+  return cells;
+}
+
+}  // namespace
+
+DirectionBounds free_directions(const Balls &balls, const BoxRows &box, double level, int parts) {
+  const Cells cells = cells_of(balls, box, level, parts);
+  const auto most = [&](const std::vector<bool> &open, bool corners) {
+    uint32_t directions = 0;
+    for (const Component &each : components_of(open, parts, corners))
+      directions = std::max(directions, each.directions);
+    return directions;
+  };
+  return {most(cells.free, false), most(cells.touched, true)};
+}
+
+VolumeBounds free_volumes(const Balls &balls, const BoxRows &box, double level, int parts) {
+  const Cells cells = cells_of(balls, box, level, parts);
+  const auto volumes = [&](const std::vector<bool> &open, bool corners) {
+    std::vector<double> sorted;
+    for (const Component &each : components_of(open, parts, corners)) {
+      sorted.push_back(static_cast<double>(each.cells) / (static_cast<double>(parts) * parts * parts));
+    }
+    std::sort(sorted.rbegin(), sorted.rend());
+    return sorted;
+  };
+  return {volumes(cells.free, false), volumes(cells.touched, true)};
 }
 
 }  // namespace oracle

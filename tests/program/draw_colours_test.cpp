@@ -587,7 +587,7 @@ void expect_golden(const std::string &molecule, const std::vector<std::string> &
 // by digests.
 TEST(DrawColours, GoldenPictures) {
   expect_golden("caffeine", {"--view", "0,0,1", "--rotate", "60,25,0", "--width", "240"});
-  expect_golden("crambin", {});
+  expect_golden("crambin", {"--legend"});
 }
 
 }  // namespace

@@ -98,12 +98,12 @@ std::vector<Part> loops_of(const std::string &path) {
   return parts;
 }
 
-// Of an area several, if it has several loops. Borders of patches are left out.
+// Of an area several, if it has several loops. Contours and borders of patches are left out.
 std::vector<Part> parts_of(const std::string &svg) {
   std::vector<Part> parts;
   for (size_t at = svg.find("<path "); at != std::string::npos; at = svg.find("<path ", at + 1)) {
     const std::string path = svg.substr(at, svg.find('\n', at) - at);
-    if (!attribute(path, "stroke-opacity").empty()) continue;
+    if (attribute(path, "fill") == "none") continue;
     const bool line = attribute(path, "id") == "section";
     for (Part part : loops_of(attribute(path, "d"))) {
       if (line) {
@@ -116,6 +116,26 @@ std::vector<Part> parts_of(const std::string &svg) {
     }
   }
   return parts;
+}
+
+// Contours, or borders of patches, which are faint, with their widths in px.
+struct Line {
+  std::vector<Point> points;
+  double width;
+};
+std::vector<Line> lines_of(const std::string &svg, bool faint) {
+  std::vector<Line> lines;
+  for (size_t at = svg.find("<path fill=\"none\""); at != std::string::npos;
+       at = svg.find("<path fill=\"none\"", at + 1)) {
+    const std::string path = svg.substr(at, svg.find('\n', at) - at);
+    if (attribute(path, "stroke-opacity").empty() == faint) continue;
+    const double width = std::stod(attribute(path, "stroke-width")) / 20;
+    for (Part part : loops_of(attribute(path, "d"))) {
+      if (part.closed) part.points.push_back(part.points.front());
+      lines.push_back({part.points, width});
+    }
+  }
+  return lines;
 }
 
 std::string drawn_text(const std::string &file, std::vector<std::string> options) {
@@ -150,6 +170,52 @@ TEST(MeshPicture, TheFrontOfABallIsADisc) {
     EXPECT_LT(std::stod(attribute(gradient, "fx")), std::stod(attribute(gradient, "cx")));
     EXPECT_LT(std::stod(attribute(gradient, "fy")), std::stod(attribute(gradient, "cy")));
   }
+}
+
+// Two balls, the farther one partly hidden: its contour ends at that of the nearer one, which is whole. Seen from the
+// other side it is the other way round.
+TEST(MeshPicture, ContoursEndWhereTheyAreHidden) {
+  const TemporaryFile pair("pair.xyzr", "0 0 5 2\n2.5 0 -5 2\n");
+  const double scale = 1000 / (6.5 * 1.06), radius = 2 * scale;
+  // Of a circle with another one of the same radius 2.5 beside it the half angle within that.
+  const double hidden = 2 * std::acos(2.5 / 4) * radius, around = 2 * std::numbers::pi * radius;
+  for (const auto &[view, near] : {std::pair<const char *, size_t>{"0,0,1", 0}, {"0,0,-1", 1}}) {
+    const std::string svg = drawn_text(pair.path(), {"--edge", "0.1", "--view", view, "--up", "0,1,0"});
+    const double left = (0.03 * 6.5 + 2) * scale, right = left + 2.5 * scale;
+    const bool turned = near == 1;
+    const double centre[2] = {turned ? right : left, turned ? left : right};
+    double length[2] = {0, 0};
+    for (const Line &line : lines_of(svg, false)) {
+      const double y = -(0.03 * 6.5 + 2) * scale;
+      for (size_t k = 0; k < line.points.size(); ++k) {
+        const Point &at = line.points[k];
+        const double from[2] = {std::hypot(at[0] - centre[0], at[1] - y), std::hypot(at[0] - centre[1], at[1] - y)};
+        const size_t on = std::abs(from[0] - radius) < std::abs(from[1] - radius) ? 0 : 1;
+        EXPECT_NEAR(from[on], radius, 0.5) << view;
+        EXPECT_GT(from[near], radius - 0.5) << view;
+        if (k > 0) length[on] += std::hypot(at[0] - line.points[k - 1][0], at[1] - line.points[k - 1][1]);
+      }
+    }
+    EXPECT_NEAR(length[near], around, 0.01 * around) << view;
+    EXPECT_NEAR(length[1 - near], around - hidden, 0.01 * around) << view;
+  }
+}
+
+// A ball close before a large one has a thinner contour than far before it, and one that leaves it has one that grows.
+TEST(MeshPicture, ContoursGrowWithTheGapBehind) {
+  std::vector<double> widest;
+  for (const char *above : {"3.3", "4", "7"}) {
+    const TemporaryFile pair("pair.xyzr", "0 0 0 3\n0 0 " + std::string(above) + " 0.5\n");
+    double most = 0;
+    for (const Line &line : lines_of(drawn_text(pair.path(), {"--edge", "0.1", "--view", "0,0,1"}), false)) {
+      const Point &at = line.points[0];
+      if (std::hypot(at[0] - 500, at[1] + 500) < 200) most = std::max(most, line.width);
+    }
+    widest.push_back(most);
+  }
+  EXPECT_GT(widest[0], 0);
+  EXPECT_LT(widest[0], widest[1]);
+  EXPECT_LT(widest[1], widest[2]);
 }
 
 // Cut in the middle, the back of the ball shows its inside, on the same disc, within a rim all around. The light of a
@@ -210,11 +276,15 @@ TEST(MeshPicture, ColoursMeetWhereTheProbeTouchesTheBalls) {
       high[kind] = std::max(high[kind], point[0]);
     }
   }
+  size_t borders[2] = {0, 0};
   for (size_t k = 0; k < 2; ++k) {
     const double px = (touched[k] + 1.7 + 0.03 * 6.22) * scale;
     EXPECT_NEAR(high[k], px, 1);
     EXPECT_NEAR(low[k + 1], px, 1);
+    for (const Line &line : lines_of(svg, true)) borders[k] += std::abs(line.points[0][0] - px) < 1 ? 1 : 0;
+    EXPECT_GT(borders[k], 0u);
   }
+  EXPECT_EQ(borders[0] + borders[1], lines_of(svg, true).size());
   // The same before a dark page.
   std::vector<std::string> dark = options;
   dark.emplace_back("--dark");

@@ -46,6 +46,8 @@ module hardsphere_workspace
     procedure :: compute_pores_periodic ! hardsphere/pores.h
     procedure :: find_tunnel ! hardsphere/pores.h
     procedure :: find_tunnel_periodic ! hardsphere/pores.h
+    procedure :: find_cheapest_tunnel ! hardsphere/pores.h
+    procedure :: find_cheapest_tunnel_periodic ! hardsphere/pores.h
     procedure :: set_moving
     procedure :: compute_periodic
     procedure :: compute_periodic_with
@@ -60,6 +62,7 @@ module hardsphere_workspace
   private :: compute_cells ! hardsphere/cells.h
   private :: find_path, compute_gate ! hardsphere/paths.h
   private :: compute_pores, compute_pores_periodic, find_tunnel, find_tunnel_periodic ! hardsphere/pores.h
+  private :: find_cheapest_tunnel, find_cheapest_tunnel_periodic, find_some_tunnel ! hardsphere/pores.h
   ! <private>
 
 contains
@@ -216,10 +219,10 @@ contains
   ! The same in the box that compute_periodic has computed; arguments and statuses as hsp_pores_compute_periodic.
   ! <compute pores_periodic>
 
-  ! Finds a tunnel after compute_pores with the same options, to the outside without `to`; arguments and statuses as
-  ! hsp_pores_find_tunnel.
-  function find_tunnel(self, options, from, to, avoided, count, tunnel) result(status)
+  ! Of the least cost or the widest, in a box or without one.
+  function find_some_tunnel(self, cheapest, in_box, options, from, to, avoided, count, tunnel) result(status)
     class(hsp_workspace), intent(inout), target :: self
+    logical, intent(in) :: cheapest, in_box
     type(hsp_pores_options), intent(in), optional :: options
     real(c_double), intent(in) :: from(3)
     real(c_double), intent(in), optional :: to(3)
@@ -231,11 +234,34 @@ contains
     status = ready_pores(self)
     limits = self%pores_limits
     do while (status == HSP_OK)
-      status = hsp_pores_find_tunnel(self%pores, from, to, avoided, count, tunnel, limits)
+      if (cheapest) then
+        status = hsp_pores_find_cheapest_tunnel(self%pores, from, to, avoided, count, tunnel, limits)
+      else
+        status = hsp_pores_find_tunnel(self%pores, from, to, avoided, count, tunnel, limits)
+      end if
       if (status /= HSP_E_CAPACITY) return
       status = grow_pores(self, limits)
-      if (status == HSP_OK) status = hsp_pores_compute(self%pores, self%model, options)
+      if (status /= HSP_OK) return
+      if (in_box) then
+        status = hsp_pores_compute_periodic(self%pores, self%periodic, options)
+      else
+        status = hsp_pores_compute(self%pores, self%model, options)
+      end if
     end do
+  end function
+
+  ! Finds a tunnel after compute_pores with the same options, to the outside without `to`; arguments and statuses as
+  ! hsp_pores_find_tunnel.
+  function find_tunnel(self, options, from, to, avoided, count, tunnel) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    type(hsp_pores_options), intent(in), optional :: options
+    real(c_double), intent(in) :: from(3)
+    real(c_double), intent(in), optional :: to(3)
+    integer(c_int32_t), intent(in), optional :: avoided(*)
+    integer(c_int32_t), intent(in) :: count
+    type(hsp_tunnel), intent(inout) :: tunnel
+    integer(c_int32_t) :: status
+    status = find_some_tunnel(self, .false., .false., options, from, to, avoided, count, tunnel)
   end function
 
   ! The same after compute_pores_periodic; without `to` to another copy of `from`.
@@ -247,16 +273,35 @@ contains
     integer(c_int32_t), intent(in), optional :: avoided(*)
     integer(c_int32_t), intent(in) :: count
     type(hsp_tunnel), intent(inout) :: tunnel
-    type(hsp_pores_limits) :: limits
     integer(c_int32_t) :: status
-    status = ready_pores(self)
-    limits = self%pores_limits
-    do while (status == HSP_OK)
-      status = hsp_pores_find_tunnel(self%pores, from, to, avoided, count, tunnel, limits)
-      if (status /= HSP_E_CAPACITY) return
-      status = grow_pores(self, limits)
-      if (status == HSP_OK) status = hsp_pores_compute_periodic(self%pores, self%periodic, options)
-    end do
+    status = find_some_tunnel(self, .false., .true., options, from, to, avoided, count, tunnel)
+  end function
+
+  ! Finds the tunnel of the least cost after compute_pores with the same options, to the outside without `to`; arguments
+  ! and statuses as hsp_pores_find_cheapest_tunnel.
+  function find_cheapest_tunnel(self, options, from, to, avoided, count, tunnel) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    type(hsp_pores_options), intent(in), optional :: options
+    real(c_double), intent(in) :: from(3)
+    real(c_double), intent(in), optional :: to(3)
+    integer(c_int32_t), intent(in), optional :: avoided(*)
+    integer(c_int32_t), intent(in) :: count
+    type(hsp_tunnel), intent(inout) :: tunnel
+    integer(c_int32_t) :: status
+    status = find_some_tunnel(self, .true., .false., options, from, to, avoided, count, tunnel)
+  end function
+
+  ! The same after compute_pores_periodic; without `to` to another copy of `from`.
+  function find_cheapest_tunnel_periodic(self, options, from, to, avoided, count, tunnel) result(status)
+    class(hsp_workspace), intent(inout), target :: self
+    type(hsp_pores_options), intent(in), optional :: options
+    real(c_double), intent(in) :: from(3)
+    real(c_double), intent(in), optional :: to(3)
+    integer(c_int32_t), intent(in), optional :: avoided(*)
+    integer(c_int32_t), intent(in) :: count
+    type(hsp_tunnel), intent(inout) :: tunnel
+    integer(c_int32_t) :: status
+    status = find_some_tunnel(self, .true., .true., options, from, to, avoided, count, tunnel)
   end function
 
   ! ---- mesh.h

@@ -164,34 +164,52 @@ static inline int32_t hsp_workspace_path(hsp_workspace *work, const double *from
  *  HSP_E_ARGUMENT: no hsp_workspace_periodic before, too. */
 /* <compute pores_periodic> */
 
+/* Of the least cost or the widest, in a box or without one. */
+static inline int32_t hsp_workspace_some_tunnel(hsp_workspace *work, int cheapest, int in_box,
+                                                const hsp_pores_options *options, const double *from, const double *to,
+                                                const uint32_t *avoided, uint32_t count, hsp_tunnel *tunnel) {
+  int32_t status = hsp_workspace_ready_pores(work);
+  hsp_pores_limits limits = work->pores_limits;
+  while (status == HSP_OK) {
+    status = cheapest ? hsp_pores_find_cheapest_tunnel(work->pores, from, to, avoided, count, tunnel, &limits)
+                      : hsp_pores_find_tunnel(work->pores, from, to, avoided, count, tunnel, &limits);
+    if (status != HSP_E_CAPACITY) return status;
+    status = hsp_workspace_grow_pores(work, &limits);
+    if (status != HSP_OK) return status;
+    status = in_box ? hsp_pores_compute_periodic(work->pores, work->periodic, options, NULL)
+                    : hsp_pores_compute(work->pores, work->model, options, NULL);
+  }
+  return status;
+}
+
 /** Find a tunnel after hsp_workspace_pores with the same options; arguments and statuses as hsp_pores_find_tunnel. */
 static inline int32_t hsp_workspace_tunnel(hsp_workspace *work, const hsp_pores_options *options, const double *from,
                                            const double *to, const uint32_t *avoided, uint32_t count,
                                            hsp_tunnel *tunnel) {
-  int32_t status = hsp_workspace_ready_pores(work);
-  hsp_pores_limits limits = work->pores_limits;
-  while (status == HSP_OK) {
-    status = hsp_pores_find_tunnel(work->pores, from, to, avoided, count, tunnel, &limits);
-    if (status != HSP_E_CAPACITY) return status;
-    status = hsp_workspace_grow_pores(work, &limits);
-    if (status == HSP_OK) status = hsp_pores_compute(work->pores, work->model, options, NULL);
-  }
-  return status;
+  return hsp_workspace_some_tunnel(work, 0, 0, options, from, to, avoided, count, tunnel);
 }
 
 /** The same after hsp_workspace_pores_periodic. */
 static inline int32_t hsp_workspace_tunnel_periodic(hsp_workspace *work, const hsp_pores_options *options,
                                                     const double *from, const double *to, const uint32_t *avoided,
                                                     uint32_t count, hsp_tunnel *tunnel) {
-  int32_t status = hsp_workspace_ready_pores(work);
-  hsp_pores_limits limits = work->pores_limits;
-  while (status == HSP_OK) {
-    status = hsp_pores_find_tunnel(work->pores, from, to, avoided, count, tunnel, &limits);
-    if (status != HSP_E_CAPACITY) return status;
-    status = hsp_workspace_grow_pores(work, &limits);
-    if (status == HSP_OK) status = hsp_pores_compute_periodic(work->pores, work->periodic, options, NULL);
-  }
-  return status;
+  return hsp_workspace_some_tunnel(work, 0, 1, options, from, to, avoided, count, tunnel);
+}
+
+/** Find the tunnel of the least cost after hsp_workspace_pores with the same options; arguments and statuses as
+ *  hsp_pores_find_cheapest_tunnel. */
+static inline int32_t hsp_workspace_cheapest_tunnel(hsp_workspace *work, const hsp_pores_options *options,
+                                                    const double *from, const double *to, const uint32_t *avoided,
+                                                    uint32_t count, hsp_tunnel *tunnel) {
+  return hsp_workspace_some_tunnel(work, 1, 0, options, from, to, avoided, count, tunnel);
+}
+
+/** The same after hsp_workspace_pores_periodic. */
+static inline int32_t hsp_workspace_cheapest_tunnel_periodic(hsp_workspace *work, const hsp_pores_options *options,
+                                                             const double *from, const double *to,
+                                                             const uint32_t *avoided, uint32_t count,
+                                                             hsp_tunnel *tunnel) {
+  return hsp_workspace_some_tunnel(work, 1, 1, options, from, to, avoided, count, tunnel);
 }
 
 /* ---- moving.h */

@@ -83,8 +83,10 @@ static bool picture_options_of(const struct drawing *drawing, uint32_t balls, co
   }
   if (drawing->width >= 0.0) options->width = drawing->width;
   if (drawing->outline >= 0.0) options->outline = drawing->outline;
-  if (drawing_is_of_sticks(drawing) && balls > MOST_STICKS_AT_A_GLANCE) options->fog = fog_of_sticks(balls);
+  const bool many_sticks = drawing_is_of_sticks(drawing) && balls > MOST_STICKS_AT_A_GLANCE;
+  if (many_sticks) options->fog = fog_of_sticks(balls);
   if (drawing->fog >= 0.0) options->fog = drawing->fog;
+  if (many_sticks && drawing->fog_of_many >= 0.0) options->fog = drawing->fog_of_many;
   if (drawing->margin >= 0.0) options->margin = drawing->margin;
   if (drawing->scale > 0.0) {
     options->scale = drawing->scale;

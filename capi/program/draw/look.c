@@ -20,6 +20,7 @@ struct look {
   bool by_chain;        /* colours of molecules of two chains or more, also of small ones */
   bool tints_one;       /* likewise of one chain */
   double stick_outline; /* of balls and sticks: their contours */
+  double fog_of_many;   /* likewise, of more sticks than one takes in at a glance */
   double width, height; /* px */
 };
 
@@ -30,10 +31,11 @@ struct look {
  *             nibble at its corners
  *   print     for printers without colours or with little ink: flat, nothing darkened or faded, black lines */
 static const struct look looks[] = {
-    {-1, -1, -1, -1, -1, -1.0, -1.0, -1.0, -1.0, true, false, false, 2.0, -1.0, -1.0},
-    {(int)HSP_STYLE_FLAT, -1, -1, -1, -1, -1.0, 0.0, 0.4, -1.0, true, true, true, 2.0, -1.0, -1.0},
-    {-1, DARK_PAGE, DARK_PAGE, DARK_PAGE_TEXT, DARK_PAGE, 0.0, 1.0, 0.15, 0.1, true, true, false, 1.0, 1600.0, 900.0},
-    {(int)HSP_STYLE_FLAT, -1, 0x000000, -1, 0x000000, -1.0, -1.0, 0.0, 0.0, false, true, false, 2.0, -1.0, -1.0},
+    {-1, -1, -1, -1, -1, -1.0, -1.0, -1.0, -1.0, true, false, false, 2.0, -1.0, -1.0, -1.0},
+    {(int)HSP_STYLE_FLAT, -1, -1, -1, -1, -1.0, 0.0, 0.4, -1.0, true, true, true, 2.0, -1.0, -1.0, -1.0},
+    {-1, DARK_PAGE, DARK_PAGE, DARK_PAGE_TEXT, DARK_PAGE, 0.0, 1.0, 0.15, 0.1, true, true, false, 1.0, 0.5, 1600.0,
+     900.0},
+    {(int)HSP_STYLE_FLAT, -1, 0x000000, -1, 0x000000, -1.0, -1.0, 0.0, 0.0, false, true, false, 2.0, -1.0, -1.0, -1.0},
 };
 
 static void choose(int *choice, int preset) {
@@ -50,6 +52,7 @@ void look_apply(struct drawing *drawing) {
   choose(&drawing->style, look->style);
   /* Without a background nobody knows what far balls would have to fade to, unless it is said. */
   if (drawing->background != DRAWING_NO_BACKGROUND || drawing->fog_colour >= 0) {
+    if (drawing->fog < 0.0) drawing->fog_of_many = look->fog_of_many;
     choose_number(&drawing->fog, look->fog);
   }
   choose(&drawing->background, look->background);

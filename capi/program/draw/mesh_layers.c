@@ -4,27 +4,19 @@
 #include <stddef.h>
 #include <stdlib.h>
 
-static double middle_of(const struct seen_triangle *triangle) {
-  return (triangle->depth[0] + triangle->depth[1] + triangle->depth[2]) / 3.0;
-}
+#include "draw/mesh_squares.h"
 
 static int compare(const void *left, const void *right) {
   const struct seen_triangle *a = left;
   const struct seen_triangle *b = right;
-  const double depth[2] = {middle_of(a), middle_of(b)};
+  const double depth[2] = {seen_triangle_middle(a), seen_triangle_middle(b)};
   if (depth[0] != depth[1]) return depth[0] < depth[1] ? -1 : 1;
   return (a->number > b->number) - (a->number < b->number);
 }
 
-/* Twice the area, below 0 if it is clockwise. */
-static double area_of(const struct seen_triangle *a) {
-  return (double)(a->at[1][0] - a->at[0][0]) * (a->at[2][1] - a->at[0][1]) -
-         (double)(a->at[1][1] - a->at[0][1]) * (a->at[2][0] - a->at[0][0]);
-}
-
 /* Whether an edge of a has all of b on its outer side; turn: +1 if a is counter-clockwise, else -1. */
 static bool separates(const struct seen_triangle *a, const struct seen_triangle *b, double slack) {
-  const double turn = area_of(a) < 0.0 ? -1.0 : 1.0;
+  const double turn = seen_triangle_area(a) < 0.0 ? -1.0 : 1.0;
   for (int k = 0; k < 3; ++k) {
     const int32_t *from = a->at[k];
     const int32_t *to = a->at[(k + 1) % 3];
@@ -45,14 +37,6 @@ static bool overlap(const struct seen_triangle *a, const struct seen_triangle *b
 
 enum { MOST_POINTS = 9 };
 
-/* How far on its inner side of the k-th edge of a triangle a point lies, times the edge's length. */
-static double side_of(const struct seen_triangle *triangle, int k, const double at[2]) {
-  const int32_t *from = triangle->at[k];
-  const int32_t *to = triangle->at[(k + 1) % 3];
-  const double side = ((double)to[0] - from[0]) * (at[1] - from[1]) - ((double)to[1] - from[1]) * (at[0] - from[0]);
-  return area_of(triangle) < 0.0 ? -side : side;
-}
-
 /* The middle of the corners of what two triangles share; false if that is nothing. */
 static bool find_common_point(const struct seen_triangle *a, const struct seen_triangle *b, double middle[2]) {
   double point[MOST_POINTS][2], left[MOST_POINTS][2];
@@ -62,7 +46,7 @@ static bool find_common_point(const struct seen_triangle *a, const struct seen_t
     int kept = 0;
     for (int i = 0; i < count; ++i) {
       const double *from = point[i], *to = point[(i + 1) % count];
-      const double side[2] = {side_of(b, k, from), side_of(b, k, to)};
+      const double side[2] = {seen_triangle_side(b, k, from), seen_triangle_side(b, k, to)};
       if (side[0] >= 0.0 && kept < MOST_POINTS) {
         for (int axis = 0; axis < 2; ++axis) left[kept][axis] = from[axis];
         ++kept;
@@ -80,118 +64,10 @@ static bool find_common_point(const struct seen_triangle *a, const struct seen_t
   return count > 0;
 }
 
-static double depth_at(const struct seen_triangle *triangle, const double at[2]) {
-  double sum = 0.0, sides = 0.0;
-  for (int k = 0; k < 3; ++k) {
-    const double side = side_of(triangle, k, at);
-    sum += side * triangle->depth[(k + 2) % 3];
-    sides += side;
-  }
-  return sides > 0.0 ? sum / sides : middle_of(triangle);
-}
-
 /* Whether the later one of the order, b, is nearer than a where both are. */
 static bool lies_over(const struct seen_triangle *b, const struct seen_triangle *a) {
   double at[2];
-  return !find_common_point(a, b, at) || depth_at(b, at) >= depth_at(a, at);
-}
-
-/* ---- squares of the page, each with the triangles that its box meets ---- */
-
-enum { MOST_SIDES = 1024 };
-
-struct squares {
-  int32_t low[2];
-  int64_t side;
-  uint32_t across[2];
-  uint32_t *first; /* [squares + 1] */
-  uint32_t *met;
-  struct range *range; /* [triangles] */
-};
-
-/* From a square to a square. */
-struct range {
-  uint32_t from[2], to[2];
-};
-
-static void find_box(const struct seen_triangle *triangle, int32_t low[2], int32_t high[2]) {
-  for (int axis = 0; axis < 2; ++axis) {
-    low[axis] = high[axis] = triangle->at[0][axis];
-    for (int k = 1; k < 3; ++k) {
-      const int32_t at = triangle->at[k][axis];
-      if (at < low[axis]) low[axis] = at;
-      if (at > high[axis]) high[axis] = at;
-    }
-  }
-}
-
-/* The box of all triangles, left as it is without any; returns the sum of the sides of their own. */
-static int64_t find_page(const struct seen_triangle *triangle, uint32_t count, int32_t low[2], int32_t high[2]) {
-  int64_t sides = 0;
-  for (uint32_t i = 0; i < count; ++i) {
-    int32_t own[2][2];
-    find_box(&triangle[i], own[0], own[1]);
-    for (int axis = 0; axis < 2; ++axis) {
-      if (i == 0 || own[0][axis] < low[axis]) low[axis] = own[0][axis];
-      if (i == 0 || own[1][axis] > high[axis]) high[axis] = own[1][axis];
-      sides += own[1][axis] - (int64_t)own[0][axis];
-    }
-  }
-  return sides;
-}
-
-static struct range find_range(const struct squares *squares, const struct seen_triangle *triangle) {
-  int32_t low[2], high[2];
-  struct range range;
-  find_box(triangle, low, high);
-  for (int axis = 0; axis < 2; ++axis) {
-    range.from[axis] = (uint32_t)((low[axis] - (int64_t)squares->low[axis]) / squares->side);
-    range.to[axis] = (uint32_t)((high[axis] - (int64_t)squares->low[axis]) / squares->side);
-  }
-  return range;
-}
-
-/* Squares about as wide as a triangle is in the mean. */
-static void choose_squares(const struct seen_triangle *triangle, uint32_t count, struct squares *squares) {
-  int32_t high[2] = {0, 0};
-  squares->side = find_page(triangle, count, squares->low, high) / (2 * (int64_t)count) + 1;
-  for (int axis = 0; axis < 2; ++axis) {
-    const int64_t wide = high[axis] - (int64_t)squares->low[axis];
-    if (wide / squares->side >= MOST_SIDES) squares->side = wide / MOST_SIDES + 1;
-  }
-  for (int axis = 0; axis < 2; ++axis) {
-    squares->across[axis] = (uint32_t)((high[axis] - (int64_t)squares->low[axis]) / squares->side) + 1;
-  }
-}
-
-static bool fill_squares(const struct seen_triangle *triangle, uint32_t count, struct squares *squares) {
-  const size_t all = (size_t)squares->across[0] * squares->across[1];
-  size_t needed = 0;
-  squares->first = calloc(all + 2, sizeof *squares->first);
-  squares->range = calloc((size_t)count + 1, sizeof *squares->range);
-  if (squares->first == NULL || squares->range == NULL) return false;
-  for (int pass = 0; pass < 2; ++pass) {
-    for (uint32_t i = 0; i < count; ++i) {
-      if (pass == 0) squares->range[i] = find_range(squares, &triangle[i]);
-      const struct range *const range = &squares->range[i];
-      for (uint32_t y = range->from[1]; y <= range->to[1]; ++y) {
-        for (uint32_t x = range->from[0]; x <= range->to[0]; ++x) {
-          const size_t square = (size_t)y * squares->across[0] + x;
-          if (pass == 0) {
-            ++squares->first[square + 2];
-            ++needed;
-          } else {
-            squares->met[squares->first[square + 1]++] = i;
-          }
-        }
-      }
-    }
-    if (pass == 1) break;
-    for (size_t k = 2; k < all + 2; ++k) squares->first[k] += squares->first[k - 1];
-    squares->met = needed < UINT32_MAX ? calloc(needed + 1, sizeof *squares->met) : NULL;
-    if (squares->met == NULL) return false;
-  }
-  return true;
+  return !find_common_point(a, b, at) || seen_triangle_depth(b, at) >= seen_triangle_depth(a, at);
 }
 
 /* ---- which of two lies over the other ---- */
@@ -215,15 +91,15 @@ static bool add_pair(struct pairs *pairs, uint32_t lower, uint32_t upper) {
 }
 
 /* Boxes that meet have one square in which their common part begins. */
-static bool begins_here(const struct range *a, const struct range *b, uint32_t x, uint32_t y) {
+static bool begins_here(const struct square_range *a, const struct square_range *b, uint32_t x, uint32_t y) {
   return x == (a->from[0] > b->from[0] ? a->from[0] : b->from[0]) &&
          y == (a->from[1] > b->from[1] ? a->from[1] : b->from[1]);
 }
 
-static bool find_pairs(const struct seen_triangle *triangle, uint32_t count, const struct squares *squares,
+static bool find_pairs(const struct seen_triangle *triangle, uint32_t count, const struct mesh_squares *squares,
                        double slack, struct pairs *pairs) {
   for (uint32_t i = 0; i < count; ++i) {
-    const struct range *const range = &squares->range[i];
+    const struct square_range *const range = &squares->range[i];
     for (uint32_t y = range->from[1]; y <= range->to[1]; ++y) {
       for (uint32_t x = range->from[0]; x <= range->to[0]; ++x) {
         const size_t square = (size_t)y * squares->across[0] + x;
@@ -293,18 +169,15 @@ static void set_layers(struct seen_triangle *triangle, uint32_t count, const str
 }
 
 bool mesh_layers_find(struct seen_triangle *triangle, uint32_t count, double slack) {
-  struct squares squares = {{0, 0}, 1, {0, 0}, NULL, NULL, NULL};
+  struct mesh_squares squares = MESH_SQUARES_NONE;
   struct pairs pairs = {NULL, 0, 0};
   struct order order = {NULL, NULL, NULL, NULL, NULL};
   if (count == 0) return true;
   qsort(triangle, count, sizeof *triangle, compare);
-  choose_squares(triangle, count, &squares);
-  const bool enough = fill_squares(triangle, count, &squares) && find_pairs(triangle, count, &squares, slack, &pairs) &&
-                      make_order(&pairs, count, &order);
+  const bool enough = mesh_squares_make(triangle, count, &squares) &&
+                      find_pairs(triangle, count, &squares, slack, &pairs) && make_order(&pairs, count, &order);
   if (enough) set_layers(triangle, count, &order);
-  free(squares.first);
-  free(squares.met);
-  free(squares.range);
+  mesh_squares_free(&squares);
   free(pairs.pair);
   free(order.first);
   free(order.upper);
@@ -325,7 +198,7 @@ struct points {
 
 static void spread_points(const struct seen_triangle *triangle, uint32_t count, struct points *points) {
   int32_t high[2] = {0, 0};
-  (void)find_page(triangle, count, points->low, high);
+  (void)seen_triangles_page(triangle, count, points->low, high);
   for (int axis = 0; axis < 2; ++axis) {
     points->across[axis] = (size_t)((high[axis] - points->low[axis]) / points->apart) + 1;
   }
@@ -333,10 +206,10 @@ static void spread_points(const struct seen_triangle *triangle, uint32_t count, 
 
 /* How many points of a triangle, border included, are not covered; covers them. */
 static uint32_t cover(const struct seen_triangle *triangle, struct points *points) {
-  const int64_t turn = area_of(triangle) < 0.0 ? -1 : 1;
+  const int64_t turn = seen_triangle_area(triangle) < 0.0 ? -1 : 1;
   int32_t low[2], high[2];
   uint32_t seen = 0;
-  find_box(triangle, low, high);
+  seen_triangle_box(triangle, low, high);
   const int32_t apart = points->apart;
   const int32_t first[2] = {(low[0] - points->low[0] + apart - 1) / apart,
                             (low[1] - points->low[1] + apart - 1) / apart};

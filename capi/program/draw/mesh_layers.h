@@ -5,15 +5,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* A triangle on the page, in whole units, with the depths of its corners. */
-struct seen_triangle {
-  int32_t at[3][2];
-  double depth[3];
-  uint32_t number; /* anything of the caller's, each once */
-  uint32_t layer;
-  bool whole;      /* it is painted as a whole, not cut */
-  uint32_t points; /* of it that are seen; 0: it is not painted */
-};
+#include "draw/seen_triangle.h"
 
 /* Sort them, the farthest first, and set their layers: none of a layer lies over another one of it, and what lies over
  * another one, in the middle of where both are, is of a later layer. So all that has one paint in one layer is one

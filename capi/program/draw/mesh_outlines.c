@@ -6,10 +6,10 @@
 #include <string.h>
 
 static const double thinnest = 1.0; /* of areas, in units */
-static const double lap = 4.0;      /* of lines, likewise */
 
-/* Of points that are dropped, squares of units: on outlines, and where a tone goes over into one hardly different. */
-static const double slack_squared[2] = {1.0, 30.0};
+/* Of points that are dropped, squares of units: on outlines, where a tone goes over into one hardly different, and on
+ * lines, which show every corner. */
+static const double slack_squared[2] = {1.0, 30.0}, slack_squared_of_lines = 0.5;
 
 void painted_edges_add(struct painted_edges *edges, const struct painted_edge *edge) {
   if (memcmp(edge->from, edge->to, sizeof edge->from) == 0 || edges->out_of_memory) return;
@@ -161,11 +161,11 @@ struct way {
   const int32_t (*point)[2];
   const bool *inner; /* [points], of the edge that begins there */
   size_t points;
-  bool closed, curved;
+  bool of_area, closed, curved;
 };
 
 /* Whether a curve may go by this point: where no third outline comes to it, and where the way turns by less than 37
- * degrees, and is no shorter than three times on one side as on the other. */
+ * degrees, and around an area is no shorter than three times on one side as on the other. */
 static bool is_smooth(const struct way *way, size_t k) {
   if (!way->curved || (!way->closed && (k == 0 || k + 1 == way->points))) return false;
   const int32_t *before = way->point[(k + way->points - 1) % way->points];
@@ -175,7 +175,7 @@ static bool is_smooth(const struct way *way, size_t k) {
   const double b[2] = {(double)after[0] - at[0], (double)after[1] - at[1]};
   const double along = a[0] * b[0] + a[1] * b[1];
   const double squares[2] = {a[0] * a[0] + a[1] * a[1], b[0] * b[0] + b[1] * b[1]};
-  const bool even = squares[0] <= 9.0 * squares[1] && squares[1] <= 9.0 * squares[0];
+  const bool even = !way->of_area || (squares[0] <= 9.0 * squares[1] && squares[1] <= 9.0 * squares[0]);
   return even && along > 0.0 && along * along > 0.64 * squares[0] * squares[1] && !is_joint(way->edges, at);
 }
 
@@ -312,7 +312,7 @@ static bool drop_points(const struct way *way, int32_t (*left)[2], size_t *count
     const size_t to = ends[open - 1];
     double square;
     const size_t farthest = find_farthest(way, first + from, first + to, &square);
-    if (square > slack_squared[way->inner[(first + from) % n]]) {
+    if (square > (way->of_area ? slack_squared[way->inner[(first + from) % n]] : slack_squared_of_lines)) {
       ends[open++] = farthest - first;
       continue;
     }
@@ -365,18 +365,6 @@ static bool is_sliver(const struct way *way) {
   return fabs(area) <= thinnest * around;
 }
 
-/* Where another layer goes on with a line, the lines of that layer's areas cover its end: ends reach as far on. */
-static void lengthen(int32_t (*point)[2], size_t count) {
-  const int32_t end[2][2] = {{0, 1}, {(int32_t)count - 1, (int32_t)count - 2}};
-  for (int k = 0; k < 2; ++k) {
-    int32_t *const at = point[end[k][0]];
-    const int32_t *const before = point[end[k][1]];
-    const double way[2] = {(double)at[0] - before[0], (double)at[1] - before[1]};
-    const double length = sqrt(way[0] * way[0] + way[1] * way[1]);
-    for (int axis = 0; axis < 2 && length > 0.0; ++axis) at[axis] += (int32_t)floor(lap * way[axis] / length + 0.5);
-  }
-}
-
 bool painted_edges_write(const struct painted_edges *edges, size_t first, size_t end, bool closed, bool curved,
                          struct text_buffer *out) {
   int32_t(*point)[2] = calloc(2 * (end - first + 2), sizeof *point);
@@ -384,13 +372,12 @@ bool painted_edges_write(const struct painted_edges *edges, size_t first, size_t
   bool *inner = calloc(end - first + 2, sizeof *inner);
   bool enough = point != NULL && inner != NULL;
   for (size_t i = first; enough && i < end; ++i) {
-    struct way way = {.edges = edges, .closed = closed, .curved = curved};
+    struct way way = {.edges = edges, .of_area = closed, .closed = closed, .curved = curved};
     if (is_marked(&edges->edge[i]) || !take_way(edges, i, first, end, point, inner, &way)) continue;
     size_t count;
     enough = drop_points(&way, left, &count);
     way.point = (const int32_t(*)[2])left;
     way.points = count;
-    if (enough && count > 1 && !way.closed) lengthen(left, count);
     if (enough && count > 1 && !(closed && is_sliver(&way))) put_way(out, &way);
   }
   free(point);

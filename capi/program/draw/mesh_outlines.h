@@ -40,8 +40,8 @@ bool painted_edges_find_joints(struct painted_edges *edges, uint32_t first, uint
 size_t painted_edges_end(const struct painted_edges *edges, size_t first);
 
 /* The edges first .. end - 1 as data of an SVG path, in halves of units, with the fewest points that keep within a unit
- * of outlines and three and a half of others, curved if so asked where they turn gently. Each loop is closed; or they
- * are lines, which may end. False for want of memory. */
+ * of outlines, less of lines and five and a half of others, curved if so asked where they turn gently. Each loop is
+ * closed; or they are lines, which may end. False for want of memory. */
 bool painted_edges_write(const struct painted_edges *edges, size_t first, size_t end, bool closed, bool curved,
                          struct text_buffer *out);
 

@@ -62,11 +62,17 @@ int mesh_plain_side(int side) {
 }
 
 double mesh_seen_area(const struct mesh_picture *picture, uint32_t triangle) {
-  const double *at[3];
+  int32_t at[3][2];
   for (int k = 0; k < 3; ++k) {
-    at[k] = picture->parts.seen + 3 * (size_t)picture->mesh->corners[3 * (size_t)triangle + (size_t)k];
+    const uint32_t vertex = picture->mesh->corners[3 * (size_t)triangle + (size_t)k];
+    mesh_place(&picture->frame, picture->parts.seen + 3 * (size_t)vertex, at[k]);
   }
-  return (at[1][0] - at[0][0]) * (at[2][1] - at[0][1]) - (at[1][1] - at[0][1]) * (at[2][0] - at[0][0]);
+  return (double)(at[2][0] - at[0][0]) * (at[1][1] - at[0][1]) - (double)(at[1][0] - at[0][0]) * (at[2][1] - at[0][1]);
+}
+
+bool mesh_faces_viewer(const struct mesh_picture *picture, uint32_t triangle) {
+  const double area = mesh_seen_area(picture, triangle);
+  return mesh_parts_is_of_void(&picture->parts, picture->mesh->corners[3 * (size_t)triangle]) ? area < 0.0 : area > 0.0;
 }
 
 int mesh_side_of(const struct mesh_picture *picture, uint32_t triangle, double area) {

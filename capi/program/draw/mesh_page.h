@@ -11,15 +11,15 @@
 #include "draw/mesh_polygon.h"
 #include "read/text_buffer.h"
 
-enum { MOST_COLOURS = 128, MOST_BANDS = 64 };
+/* Bands of light on saddles: so many that a step from one to the next is two of the 255 tones of a screen. */
+enum { MOST_COLOURS = 128, BANDS = 48 };
 
 /* The visible sides of a surface; with pockets two more of each, their outsides and their voids. */
 enum { OUTSIDE, INSIDE, OF_VOID, SIDES };
 
-/* Paints of a layer are numbered: for each colour its bands of light, for each sphere those of its sides, then lines.
+/* Paints of a layer are numbered: for each colour its bands of light, for each sphere those of its sides.
  * The dark rim of a sphere so goes on over the ends of saddles behind it. */
-#define FIRST_SPHERE ((uint32_t)MOST_COLOURS * MOST_BANDS)
-#define HAIRLINES UINT32_MAX
+#define FIRST_SPHERE ((uint32_t)MOST_COLOURS * BANDS)
 
 /* Pixels and, as all that follows, tenths of them. */
 #define PICTURE_WIDTH 1000.0
@@ -39,14 +39,14 @@ struct mesh_picture {
   struct mesh_parts parts;
   struct frame frame;
   uint32_t *layer;               /* [triangles], UINT32_MAX: not shown */
+  bool *shown;                   /* [triangles], seen or hidden */
   uint32_t *points;              /* [triangles], that are seen of what the plane leaves whole */
   double *ball;                  /* [atoms][3], along the axes of the view */
   uint32_t colour[MOST_COLOURS]; /* [colours], each once */
   uint32_t colours;
-  uint32_t sides;                /* of spheres, with those of pockets */
-  int bands;                     /* of light, on saddles */
-  double border[MOST_BANDS + 2]; /* where they begin, of the light's circles */
-  struct painted_edges areas, section;
+  uint32_t sides;           /* of spheres, with those of pockets */
+  double border[BANDS + 2]; /* where bands begin, of the light's circles */
+  struct painted_edges areas, lines, section;
 };
 
 #define LINE_COLOUR UINT32_C(0x23202B)
@@ -68,8 +68,11 @@ double mesh_dot(const double *a, const double *b);
 int mesh_pocket_of(int side); /* from 1 on; 0: none */
 int mesh_plain_side(int side);
 
-/* Twice a triangle's area on the page, above 0 if it is counter-clockwise. */
+/* Twice a triangle's area on the page, of corners in whole units, above 0 if it is counter-clockwise. */
 double mesh_seen_area(const struct mesh_picture *picture, uint32_t triangle);
+
+/* Whether it shows its outside, or if it is of a void, which is a body, its inside. */
+bool mesh_faces_viewer(const struct mesh_picture *picture, uint32_t triangle);
 int mesh_side_of(const struct mesh_picture *picture, uint32_t triangle, double area);
 
 uint32_t mesh_element_of(const struct mesh_picture *picture, uint32_t ball);
@@ -88,8 +91,6 @@ uint32_t mesh_colour_of(struct mesh_picture *picture, uint32_t ball, int side);
 
 /* A triangle or what a cut leaves of it. */
 void mesh_add_polygon(struct mesh_picture *picture, const struct polygon *polygon, uint32_t triangle, int side);
-
-double mesh_hairline_width(const struct mesh_picture *picture);
 
 /* The file. False for want of memory. */
 bool mesh_add_svg(struct mesh_picture *picture, const char *title, struct text_buffer *out);

@@ -22,14 +22,14 @@ static void add_bands(struct mesh_picture *picture, const struct polygon *polygo
     if (polygon->corner[k].circle < least) least = polygon->corner[k].circle;
     if (polygon->corner[k].circle > most) most = polygon->corner[k].circle;
   }
-  for (int band = 0; band < picture->bands && picture->border[band] <= most; ++band) {
+  for (int band = 0; band < BANDS && picture->border[band] <= most; ++band) {
     double below[MOST_CORNERS], above[MOST_CORNERS];
     if (picture->border[band + 2] < least) continue;
     for (int k = 0; k < polygon->corners; ++k) below[k] = picture->border[band] - polygon->corner[k].circle;
     const struct polygon outer = polygon_cut_off(polygon, below, 1);
     for (int k = 0; k < outer.corners; ++k) above[k] = outer.corner[k].circle - picture->border[band + 2];
     const struct polygon part = polygon_cut_off(&outer, above, 2);
-    add_polygon(picture, &part, layer, colour * MOST_BANDS + (uint32_t)band);
+    add_polygon(picture, &part, layer, colour * BANDS + (uint32_t)band);
   }
 }
 

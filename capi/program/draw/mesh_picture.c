@@ -5,20 +5,14 @@
 #include <string.h>
 
 #include "draw/mesh_layers.h"
+#include "draw/mesh_lines.h"
 #include "draw/mesh_page.h"
 #include "draw/surface_light.h"
 #include "hardsphere.h"
 #include "write/output_file.h"
 
-static const double slack = 0.3;          /* of overlaps */
-static const int32_t step_of_points = 3;  /* at which triangles are seen or not */
-static const double hairline = 5.0;       /* at most */
-static const double rim = 0.12;           /* of normals, towards the viewer */
-static const double shortest_net = 300.0; /* of hairlines, in all */
-static const double hairline_per_unit = 0.0055, thinnest = 1.2;
-static const double bands_per_unit = 0.08; /* of the picture's scale: the smaller saddles are, the fewer */
-
-enum { FEWEST_BANDS = 16 };
+static const double slack = 0.3;         /* of overlaps */
+static const int32_t step_of_points = 3; /* at which triangles are seen or not */
 
 /* ---- triangles ---- */
 
@@ -72,10 +66,9 @@ static bool is_shown(const struct mesh_picture *picture, uint32_t triangle) {
   const uint32_t first = picture->mesh->corners[3 * (size_t)triangle];
   const bool of_void = mesh_parts_is_of_void(&picture->parts, first);
   const bool cut = picture->view->cut;
-  const double area = mesh_seen_area(picture, triangle);
   if (cut && of_void != (triangle >= picture->view->of_outside)) return false;
-  if (of_void) return cut && area < 0.0;
-  if (!(area > 0.0 || (cut && area < 0.0))) return false;
+  if (of_void) return cut && mesh_faces_viewer(picture, triangle);
+  if (!mesh_faces_viewer(picture, triangle) && !(cut && mesh_seen_area(picture, triangle) < 0.0)) return false;
   bool behind = false;
   for (int k = 0; k < 3; ++k) {
     const uint32_t vertex = picture->mesh->corners[3 * (size_t)triangle + (size_t)k];
@@ -93,7 +86,8 @@ static bool paint_triangles(struct mesh_picture *picture) {
   if (seen == NULL) return false;
   for (uint32_t t = 0; t < mesh->triangles; ++t) {
     picture->layer[t] = UINT32_MAX;
-    if (!is_shown(picture, t)) continue;
+    picture->shown[t] = is_shown(picture, t);
+    if (!picture->shown[t]) continue;
     struct seen_triangle *const one = &seen[count++];
     one->number = t;
     one->whole = true;
@@ -104,7 +98,8 @@ static bool paint_triangles(struct mesh_picture *picture) {
       one->whole = one->whole && at[2] <= picture->parts.cut;
     }
   }
-  const bool enough = mesh_layers_find(seen, count, slack) && mesh_layers_find_seen(seen, count, step_of_points);
+  const bool enough = mesh_layers_find(seen, count, slack) && mesh_layers_find_seen(seen, count, step_of_points) &&
+                      mesh_lines_find(picture, seen, count);
   for (uint32_t i = 0; enough && i < count; ++i) {
     if (seen[i].points == 0) continue;
     picture->layer[seen[i].number] = seen[i].layer;
@@ -112,94 +107,6 @@ static bool paint_triangles(struct mesh_picture *picture) {
     add_triangle(picture, seen[i].number);
   }
   free(seen);
-  return enough;
-}
-
-/* ---- lines ---- */
-
-struct side {
-  uint32_t low, high, triangle;
-  bool back;
-};
-
-static int compare_sides(const void *left, const void *right) {
-  const struct side *a = left;
-  const struct side *b = right;
-  if (a->low != b->low) return a->low < b->low ? -1 : 1;
-  if (a->high != b->high) return a->high < b->high ? -1 : 1;
-  return (a->triangle > b->triangle) - (a->triangle < b->triangle);
-}
-
-/* There borders of patches that are seen nearly edge-on would run beside each other, and end where one hides the other.
- */
-static bool along_rim(const struct mesh_picture *picture, uint32_t vertex) {
-  const double *const normal = picture->mesh->normals + 3 * (size_t)vertex;
-  return fabs(mesh_dot(picture->view->axis[2], normal)) < rim;
-}
-
-/* A border of two patches that are both seen, in the direction of the patch with the lower number. False: it is cut
- * off, or at the rim. */
-static bool find_hairline(const struct mesh_picture *picture, const struct side *side, struct painted_edge *edge) {
-  struct polygon line = {.corners = 2};
-  double value[MOST_CORNERS];
-  for (int k = 0; k < 2; ++k) {
-    const uint32_t vertex = (k == 0) != side->back ? side->low : side->high;
-    memcpy(line.corner[k].at, picture->parts.seen + 3 * (size_t)vertex, sizeof line.corner[k].at);
-    line.corner[k].circle = 0.0;
-    value[k] = mesh_parts_is_of_void(&picture->parts, vertex) ? -1.0 : line.corner[k].at[2] - picture->parts.cut;
-  }
-  if (value[0] > 0.0 || value[1] > 0.0 || (along_rim(picture, side->low) && along_rim(picture, side->high)))
-    return false;
-  mesh_place(&picture->frame, line.corner[0].at, edge->from);
-  mesh_place(&picture->frame, line.corner[1].at, edge->to);
-  return true;
-}
-
-double mesh_hairline_width(const struct mesh_picture *picture) {
-  const double width = hairline_per_unit * picture->frame.scale;
-  return width < hairline ? width : hairline;
-}
-
-/* Borders of patches join in a net. Scraps of it that are seen by themselves, at rims, are left out. */
-static bool add_hairlines(struct mesh_picture *picture, const struct side *side, size_t count) {
-  uint32_t *const root = calloc((size_t)picture->mesh->vertices + 1, sizeof *root);
-  double *const length = calloc((size_t)picture->mesh->vertices + 1, sizeof *length);
-  const bool enough = root != NULL && length != NULL;
-  for (uint32_t v = 0; enough && v < picture->mesh->vertices; ++v) root[v] = v;
-  for (int pass = 0; enough && pass < 3; ++pass) {
-    for (size_t i = 0; i + 1 < count; ++i) {
-      const struct side *const one = &side[i], *const other = &side[i + 1];
-      if (one->low != other->low || one->high != other->high) continue;
-      if (picture->mesh->patches[one->triangle] == picture->mesh->patches[other->triangle]) continue;
-      const uint32_t layer[2] = {picture->layer[one->triangle], picture->layer[other->triangle]};
-      struct painted_edge edge = {.layer = layer[0] > layer[1] ? layer[0] : layer[1], .paint = HAIRLINES};
-      if (!find_hairline(picture, one, &edge)) continue;
-      const uint32_t net = mesh_parts_root(root, one->low);
-      if (pass == 0) root[mesh_parts_root(root, one->high)] = net;
-      if (pass == 1) length[net] += hypot(edge.to[0] - edge.from[0], edge.to[1] - edge.from[1]);
-      if (pass == 2 && length[net] >= shortest_net) painted_edges_add(&picture->areas, &edge);
-    }
-  }
-  free(root);
-  free(length);
-  return enough;
-}
-
-static bool paint_lines(struct mesh_picture *picture) {
-  const struct triangle_mesh *mesh = picture->mesh;
-  if (mesh_hairline_width(picture) < thinnest) return true;
-  struct side *sides = calloc((size_t)mesh->triangles + 1, 3 * sizeof *sides);
-  size_t count = 0;
-  if (sides == NULL) return false;
-  for (uint32_t t = 0; t < mesh->triangles; ++t) {
-    for (size_t k = 0; k < 3 && picture->layer[t] != UINT32_MAX; ++k) {
-      const uint32_t from = mesh->corners[3 * (size_t)t + k], to = mesh->corners[3 * (size_t)t + (k + 1) % 3];
-      sides[count++] = (struct side){from < to ? from : to, from < to ? to : from, t, from > to};
-    }
-  }
-  qsort(sides, count, sizeof *sides, compare_sides);
-  const bool enough = add_hairlines(picture, sides, count);
-  free(sides);
   return enough;
 }
 
@@ -227,7 +134,9 @@ static bool make(struct mesh_picture *picture) {
   picture->layer = calloc((size_t)mesh->triangles + 1, sizeof *picture->layer);
   picture->ball = calloc((size_t)mesh->atoms + 1, 3 * sizeof *picture->ball);
   picture->points = calloc((size_t)mesh->triangles + 1, sizeof *picture->points);
-  if (picture->layer == NULL || picture->points == NULL || picture->ball == NULL) return false;
+  picture->shown = calloc((size_t)mesh->triangles + 1, sizeof *picture->shown);
+  if (picture->layer == NULL || picture->points == NULL || picture->ball == NULL || picture->shown == NULL)
+    return false;
   for (size_t i = 0; i < mesh->atoms; ++i) {
     mesh_turn(picture->view->axis, picture->molecule->xyz + 3 * i, picture->ball + 3 * i);
   }
@@ -237,15 +146,13 @@ static bool make(struct mesh_picture *picture) {
   const double depth = through ? mesh_dot(picture->view->axis[2], pockets->through) : 0.0;
   if (cut && !mesh_parts_cut(mesh, picture->view->of_outside, through ? &depth : NULL, &picture->parts)) return false;
   mesh_find_frame(&picture->parts, &picture->frame);
-  const double bands = bands_per_unit * picture->frame.scale;
-  picture->bands = bands < FEWEST_BANDS ? FEWEST_BANDS : bands > MOST_BANDS ? MOST_BANDS : (int)bands;
-  for (int k = 0; k <= picture->bands + 1; ++k) picture->border[k] = surface_light_border((double)k / picture->bands);
-  if (!paint_triangles(picture) || !paint_lines(picture)) return false;
+  for (int k = 0; k < BANDS + 2; ++k) picture->border[k] = surface_light_border((double)k / BANDS);
+  if (!paint_triangles(picture)) return false;
   if (cut) find_section(picture);
   painted_edges_cancel(&picture->areas);
   painted_edges_cancel(&picture->section);
   return !picture->areas.out_of_memory && !picture->section.out_of_memory &&
-         painted_edges_find_joints(&picture->areas, FIRST_SPHERE, HAIRLINES);
+         painted_edges_find_joints(&picture->areas, FIRST_SPHERE, UINT32_MAX);
 }
 
 bool mesh_picture_write(const struct triangle_mesh *mesh, const struct mesh_view *view, const struct molecule *molecule,
@@ -259,9 +166,11 @@ bool mesh_picture_write(const struct triangle_mesh *mesh, const struct mesh_view
   text_buffer_free(&text);
   mesh_parts_free(&picture.parts);
   painted_edges_free(&picture.areas);
+  painted_edges_free(&picture.lines);
   painted_edges_free(&picture.section);
   free(picture.layer);
   free(picture.points);
+  free(picture.shown);
   free(picture.ball);
   return done;
 }

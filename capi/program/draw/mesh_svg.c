@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "draw/mesh_lines.h"
 #include "draw/mesh_page.h"
 #include "draw/pen.h"
 #include "draw/surface_light.h"
@@ -17,7 +18,7 @@ static const double section_line = 22.0;
 enum { HYDROGEN = 1, CARBON = 6, ELEMENTS = 119 };
 
 static bool is_of_sphere(uint32_t paint) {
-  return paint >= FIRST_SPHERE && paint < HAIRLINES;
+  return paint >= FIRST_SPHERE;
 }
 
 static int compare_paints(const void *left, const void *right) {
@@ -69,24 +70,20 @@ static bool add_areas(const struct mesh_picture *picture, struct text_buffer *ou
   bool enough = true;
   for (size_t i = 0, end = 0; enough && i < areas->count; i = end) {
     const uint32_t paint = areas->edge[i].paint;
-    const bool line = paint == HAIRLINES, sphere = is_of_sphere(paint);
+    const bool sphere = is_of_sphere(paint);
     const size_t before = out->length;
     end = painted_edges_end(areas, i);
-    if (line) {
-      text_buffer_add(out,
-                      "<path fill=\"none\" stroke=\"#%06" PRIx32 "\" stroke-opacity=\".4\" stroke-width=\"%.2f\" d=\"",
-                      LINE_COLOUR, 2.0 * mesh_hairline_width(picture));
-    } else if (sphere) {
+    if (sphere) {
       text_buffer_add(out, "<path fill=\"url(#s%" PRIu32 ")\" stroke=\"url(#s%" PRIu32 ")\" d=\"", paint - FIRST_SPHERE,
                       paint - FIRST_SPHERE);
     } else {
-      const uint32_t band = paint % MOST_BANDS, colour = paint / MOST_BANDS;
+      const uint32_t band = paint % BANDS, colour = paint / BANDS;
       const uint32_t tone =
           surface_light_on(picture->colour[colour], picture->border[band] / 2.0 + picture->border[band + 1] / 2.0);
       text_buffer_add(out, "<path fill=\"#%06" PRIx32 "\" stroke=\"#%06" PRIx32 "\" d=\"", tone, tone);
     }
     const size_t begun = out->length;
-    enough = painted_edges_write(areas, i, end, !line, sphere || line, out) && !out->out_of_memory;
+    enough = painted_edges_write(areas, i, end, true, sphere, out) && !out->out_of_memory;
     if (out->length == begun) {
       out->length = before;
       continue;
@@ -100,6 +97,22 @@ static bool add_areas(const struct mesh_picture *picture, struct text_buffer *ou
     if (i == 0 || paints[i] != paints[i - 1]) paints[kept++] = paints[i];
   }
   *spheres = kept;
+  return enough;
+}
+
+/* Borders of patches are faint, as colours meet there; contours are what a surface ends with. */
+static bool add_lines(const struct mesh_picture *picture, struct text_buffer *out) {
+  const struct painted_edges *lines = &picture->lines;
+  bool enough = true;
+  for (size_t i = 0, end = 0; enough && i < lines->count; i = end) {
+    const uint32_t paint = lines->edge[i].paint;
+    const char *const faint = paint < FIRST_CONTOUR ? " stroke-opacity=\".4\" stroke-linecap=\"butt\"" : "";
+    end = painted_edges_end(lines, i);
+    text_buffer_add(out, "<path fill=\"none\" stroke=\"#%06" PRIx32 "\"%s stroke-width=\"%.2f\" d=\"", LINE_COLOUR,
+                    faint, 2.0 * mesh_line_width(picture, paint));
+    enough = painted_edges_write(lines, i, end, false, true, out);
+    text_buffer_add(out, "\"/>\n");
+  }
   return enough;
 }
 
@@ -223,6 +236,7 @@ bool mesh_add_svg(struct mesh_picture *picture, const char *title, struct text_b
                   "stroke-linejoin=\"round\" stroke-linecap=\"round\">\n");
   enough = enough && add_section_area(picture, out);
   text_buffer_append(out, areas.text, areas.length);
+  enough = enough && add_lines(picture, out);
   add_section_line(picture, out);
   text_buffer_add(out, "</g>\n");
   if (picture->mesh->triangles > 0) add_legend(picture, out);

@@ -699,6 +699,19 @@ class PorePocket(Record):
                 ("maxima", C.c_uint32), ("mouths", C.c_uint32), ("balls", C.c_uint32), ("reserved", C.c_uint32)]
 
 
+class PoreAccess(Record):
+    """How much of free space a probe gets to from the outside, or in a box for ever, and how much it does not."""
+    _fields_ = [("accessible_area", C.c_double), ("accessible_volume", C.c_double), ("blocked_area", C.c_double),
+                ("blocked_volume", C.c_double), ("accessible", C.c_uint32), ("blocked", C.c_uint32)]
+
+
+class PoreRegion(Record):
+    """A region of free space."""
+    _fields_ = [("radius", C.c_double), ("area", C.c_double), ("volume", C.c_double), ("maximum", C.c_uint32),
+                ("maxima", C.c_uint32), ("shells", C.c_uint32), ("accessible", C.c_uint32), ("directions", C.c_uint32),
+                ("copies", C.c_uint32), ("row", C.c_int32 * 9), ("reserved", C.c_uint32)]
+
+
 class Tunnel(Record):
     """A tunnel."""
     _fields_ = [("radius", C.c_double), ("length", C.c_double), ("there", C.c_uint32), ("gate", C.c_uint32),
@@ -1598,6 +1611,16 @@ class Pores(Handle):
         of its mouths."""
         return call("hsp_pores_get_pocket_balls", self, pocket=pocket)
 
+    def find_regions(self, boundary: Boundary) -> Any:
+        """Find the regions of free space beside the balls as they are, which are those that were given, grown by the
+        probe of the model or box: where the centre of this probe gets about, with area and volume of each. Gives
+        .access, .regions."""
+        return call("hsp_pores_find_regions", self, boundary=boundary)
+
+    def get_regions(self, first: int, count: int) -> Any:
+        """The regions first .."""
+        return call("hsp_pores_get_regions", self, first=first, count=count)
+
     def find_tunnel(self, from_: Any, avoided: Any, to: Any | None = None) -> Tunnel:
         """Find the tunnel from one point to another, or to the outside, that the widest probe gets through without the
         gates to be avoided."""
@@ -2326,6 +2349,10 @@ FUNCTIONS = {
         "gates:array_out:uint32_t:needed:empty capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_pores_get_pocket_balls": "int32_t pores:handle:hsp_pores::never pocket:value:uint32_t::never "
         "balls:array_out:uint32_t:needed:empty capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
+    "hsp_pores_find_regions": "int32_t pores:handle:hsp_pores::never boundary:handle:hsp_boundary::never "
+        "access:struct_out:hsp_pore_access::always regions:value_out:uint32_t::always",
+    "hsp_pores_get_regions": "int32_t pores:handle:hsp_pores::never first:value:uint32_t::never "
+        "count:value:uint32_t::never out:array_out:hsp_pore_region:count:empty",
     "hsp_pores_find_tunnel": "int32_t pores:handle:hsp_pores::never from:array_in:double:3:never "
         "to:array_in:double:3:always avoided:array_in:uint32_t:count:empty count:value:uint32_t::never "
         "tunnel:struct_out:hsp_tunnel::never limits:sized:hsp_pores_limits::always",
@@ -2509,10 +2536,11 @@ describe(FUNCTIONS, FIELDS, {'hsp_executor': Executor, 'hsp_residue_atom': Resid
          PoresOptions, 'hsp_pores_counts': PoresCounts, 'hsp_pore_maximum': PoreMaximum, 'hsp_pore_gate': PoreGate,
          'hsp_pore_gate_shifts': PoreGateShifts, 'hsp_pore_percolation': PorePercolation, 'hsp_pore_channel':
          PoreChannel, 'hsp_pore_place': PorePlace, 'hsp_pore_place_shifts': PorePlaceShifts, 'hsp_pore_passage':
-         PorePassage, 'hsp_pore_pocket': PorePocket, 'hsp_tunnel': Tunnel, 'hsp_tunnel_route': TunnelRoute,
-         'hsp_tunnel_point': TunnelPoint, 'hsp_tunnel_point_shifts': TunnelPointShifts, 'hsp_view_limits': ViewLimits,
-         'hsp_view_options': ViewOptions, 'hsp_view_info': ViewInfo, 'hsp_view_piece': ViewPiece, 'hsp_view_loop':
-         ViewLoop, 'hsp_view_arc': ViewArc, 'hsp_map_limits': MapLimits, 'hsp_map_info': MapInfo, 'hsp_map_vertex':
-         MapVertex, 'hsp_map_edge': MapEdge, 'hsp_map_face': MapFace, 'hsp_map_sight': MapSight, 'hsp_map_point':
-         MapPoint, 'hsp_map_pole': MapPole, 'hsp_sticks_limits': SticksLimits, 'hsp_stick': Stick,
-         'hsp_sticks_conflict': SticksConflict, 'hsp_sticks_info': SticksInfo, 'hsp_picture_options': PictureOptions})
+         PorePassage, 'hsp_pore_pocket': PorePocket, 'hsp_pore_access': PoreAccess, 'hsp_pore_region': PoreRegion,
+         'hsp_tunnel': Tunnel, 'hsp_tunnel_route': TunnelRoute, 'hsp_tunnel_point': TunnelPoint,
+         'hsp_tunnel_point_shifts': TunnelPointShifts, 'hsp_view_limits': ViewLimits, 'hsp_view_options': ViewOptions,
+         'hsp_view_info': ViewInfo, 'hsp_view_piece': ViewPiece, 'hsp_view_loop': ViewLoop, 'hsp_view_arc': ViewArc,
+         'hsp_map_limits': MapLimits, 'hsp_map_info': MapInfo, 'hsp_map_vertex': MapVertex, 'hsp_map_edge': MapEdge,
+         'hsp_map_face': MapFace, 'hsp_map_sight': MapSight, 'hsp_map_point': MapPoint, 'hsp_map_pole': MapPole,
+         'hsp_sticks_limits': SticksLimits, 'hsp_stick': Stick, 'hsp_sticks_conflict': SticksConflict,
+         'hsp_sticks_info': SticksInfo, 'hsp_picture_options': PictureOptions})

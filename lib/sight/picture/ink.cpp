@@ -169,7 +169,8 @@ class BodyInk {
     if (straight_ || number >= most_runs || number >= runs_ || !(largest_ > 0.0)) return 1.0;
     const Run &run = run_[number];
     const bool gap = run.begins_under && run.ends_under && run.before_bodies;
-    return gap ? smaller_of(run.length / (short_length * largest_), 1.0) : 1.0;
+    const double share = smaller_of(run.length / (short_length * largest_), 1.0);
+    return gap ? share * share : 1.0;
   }
 
   // One arc: the widths by what lies behind, what is added at its ends, and the angles along which that falls off.

@@ -12,7 +12,8 @@
 // differ by noise, changes next to nothing.
 //
 // Where no background is behind what is seen of a ball's silhouette between two nearer bodies, that is a gap in which
-// wide contours would clot: if it is shorter than eight times the largest width, all widths are less in proportion.
+// wide contours would clot: if its length is a share of eight times the largest width, all widths are the square of
+// that share.
 //
 // Contours are painted directly after their ball: whatever is nearer then covers their ends, which go on under it.
 #pragma once

@@ -104,7 +104,7 @@ Ascent::Ascent(const BallsAround &around, const exact::Vector &start) : balls_(a
   }
   level_ = balls.n > 0 ? reach : std::numeric_limits<double>::infinity();
   look(reach);
-  delta_ = 0.25 * (std::fabs(level_) + static_cast<double>(balls.largest_radius)) + 1.0;
+  delta_ = 0.25 * (std::fabs(level_) + static_cast<double>(balls.largest_radius)) + 16.0;
   move(0.0, at_);
 }
 

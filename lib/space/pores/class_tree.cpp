@@ -85,12 +85,17 @@ Status locate(const PoresBuilder &pores, const BallsAround &balls, const exact::
   const bool blocked =
       floor == 0 ? balls.find({point, 0}, nullptr, 0) > 0 : !(place.level > static_cast<double>(floor));
   if (blocked) return Status::ok;
+  return follow_up(pores, balls, way, point, floor, place);
+}
+
+Status follow_up(const PoresBuilder &pores, const BallsAround &balls, Ascent &way, const exact::Vector &start,
+                 int64_t floor, PorePlace &place) {
   while (way.step()) {
   }
   if (way.is_lost()) return Status::check;
   const Vec3 &offset = way.offset();
-  const Vec3 at{static_cast<double>(point.x) + offset.x, static_cast<double>(point.y) + offset.y,
-                static_cast<double>(point.z) + offset.z};
+  const Vec3 at{static_cast<double>(start.x) + offset.x, static_cast<double>(start.y) + offset.y,
+                static_cast<double>(start.z) + offset.z};
   if (way.is_outside()) {
     place.maximum = pore_outside;
   } else {

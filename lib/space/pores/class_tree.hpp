@@ -41,6 +41,9 @@ struct PorePlace {
 // cannot happen.
 Status locate(const PoresBuilder &pores, const BallsAround &balls, const exact::Vector &point, int64_t floor,
               PorePlace &place);
+// The rest of that, for a way up that has begun at `start`: sets the maximum of the place and its copy.
+Status follow_up(const PoresBuilder &pores, const BallsAround &balls, Ascent &way, const exact::Vector &start,
+                 int64_t floor, PorePlace &place);
 
 // The widest probe from one point to another, or to the outside, which is null. In a periodic box any copy of the other
 // one will do, and instead of the outside another copy of the first one.

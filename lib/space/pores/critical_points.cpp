@@ -3,6 +3,7 @@
 #include <bit>
 #include <initializer_list>
 
+#include "core/extremes.hpp"
 #include "core/sorting.hpp"
 #include "exact/lattice.hpp"
 #include "pores/cube_halves.hpp"
@@ -15,7 +16,14 @@ using exact::Vector;
 constexpr uint32_t few = 5;          // balls all sets of which are tried
 constexpr uint32_t most_cubes = 64;  // that are being halved: from 2^52 steps down to the least
 constexpr int64_t least_half = 4;
+constexpr uint32_t many = 12;          // balls for which a leaf is divided further
+constexpr double least_fine = 0x1p-8;  // half a side of what it is divided into
+constexpr uint32_t most_fine_cubes = 64;
+constexpr uint32_t most_led_up = 1 << 14;
 
+Vec3 centre_of(const BallSet &balls, uint32_t ball) {
+  return {balls.x[ball], balls.y[ball], balls.z[ball]};
+}
 double distance(const BallSet &balls, uint32_t ball, const Vector &from) {
   const double x = balls.x[ball] - static_cast<double>(from.x), y = balls.y[ball] - static_cast<double>(from.y),
                z = balls.z[ball] - static_cast<double>(from.z);
@@ -42,16 +50,18 @@ bool contains(const Vector &centre, int64_t half, const Vector &other, int64_t o
 
 // +1 and -1 if it is certain whether a point is in a cube, its sides included.
 int may_be_in(const TangentPoint &point, const CriticalPoints::Block &block) {
-  const Vec3 off = point.place_estimate() - to_double(block.centre);
-  const double most = longest_part(off), side = static_cast<double>(block.half), doubt = point.place_error();
-  return most > side + doubt ? -1 : most < side - doubt ? 1 : 0;
+  const Vec3 off = point.place_estimate() - to_double(block.centre) - block.off;
+  const double most = longest_part(off), doubt = point.place_error();
+  return most > block.half + doubt ? -1 : most < block.half - doubt ? 1 : 0;
 }
 bool is_in(const TangentPoint &point, const CriticalPoints::Block &block) {
   const int certain = may_be_in(point, block);
   if (certain != 0) return certain > 0;
   const int64_t middle[3] = {block.centre.x, block.centre.y, block.centre.z};
+  const double off[3] = {block.off.x, block.off.y, block.off.z};
   for (uint32_t axis = 0; axis < 3; ++axis) {
-    if (point.against(axis, middle[axis] - block.half) < 0 || point.against(axis, middle[axis] + block.half) > 0) {
+    if (point.against(axis, middle[axis], off[axis] - block.half) < 0 ||
+        point.against(axis, middle[axis], off[axis] + block.half) > 0) {
       return false;
     }
   }
@@ -76,7 +86,7 @@ bool find_far_apart(const BallSet &balls, Span<const uint32_t> near, uint32_t *s
   return true;
 }
 bool meet(const CriticalPoints::Block &a, const CriticalPoints::Block &b) {
-  return contains(a.centre, a.half, b.centre, -b.half);
+  return longest_part(to_double(a.centre) + a.off - to_double(b.centre) - b.off) <= a.half + b.half;
 }
 
 }  // namespace
@@ -97,8 +107,10 @@ void CriticalPoints::carve(Workspace &workspace, const CriticalLimits &limits) {
   cluster_ = workspace.take<uint32_t>(limits.near);
   lines_ = workspace.take<TangentLines>(1);
   directions_ = workspace.take<CubeDirections>(1);
-  static_assert(CubeDirections::room <= most_in_hull);
-  hull_ = workspace.take<Vec3>(CubeDirections::room);
+  hull_ = workspace.take<Vec3>(limits.near);
+  room_ = workspace.take<Vec3>(limits.near);
+  inverse_ = workspace.take<double>(limits.near);
+  fine_cubes_ = workspace.take<FineCube>(most_fine_cubes);
 }
 
 Status CriticalPoints::find(PoreBalls &balls, int64_t floor) {
@@ -209,13 +221,14 @@ Status CriticalPoints::search(const Vec3 &low, const Vec3 &high) {
     }
     const Span<const uint32_t> near = candidates_.part(child.first, child.last);
     if (near.size() <= few || child.half <= least_half) {
-      try_sets(near, {child.centre, child.half + 1}, {child.centre, child.half + 1}, PointKind::passing);
-      if (needed_.near > limits_.near) return Status::capacity;
+      const Block own{child.centre, static_cast<double>(child.half + 1)};
+      try_leaf(near, own, own, PointKind::passing, child.last);
+      if (needed_.near > limits_.near || needed_.candidates > limits_.candidates) return Status::capacity;
       continue;
     }
     // Ties do not become fewer.
     if (9 * near.size() >= 8 * (cube.last - cube.first)) settle_ties(child);
-    if (needed_.near > limits_.near) return Status::capacity;
+    if (needed_.near > limits_.near || needed_.candidates > limits_.candidates) return Status::capacity;
     if (!is_settled(child)) ++depth;
   }
   needed_.maxima = clamped_count(maxima_.required());
@@ -295,14 +308,41 @@ uint32_t CriticalPoints::enter(const Cube &cube, const Cube &whole, uint32_t par
   }
   if (unsure_) return last + count;
   if (count < 3) return last;
-  if (count <= CubeDirections::room) {
-    CubeDirections &directions = directions_[0];
-    directions.set(target_, near_arrays(candidates_.part(last, last + count)), cube.centre,
-                   static_cast<double>(cube.half + 3));
-    count = drop_farther(last, count);
-    if (count < 3 || directions.lead_up(count)) return last;
+  const Vec3 at{x, y, z};
+  const double reach_along = static_cast<double>(cube.half + 3);
+  if (count <= CubeDirections::room)
+    return last + leave_few(at, reach_along, last, count, count == most && count > few);
+  // More become fewer, as a rule.
+  return last + (9 * count < 8 * most ? count : leave_many(at, reach_along, last, count));
+}
+
+// Of candidates of a cube leaves those that may be nearest in it at a critical point, and returns how many. No more
+// than directions_ has room for.
+[[gnu::always_inline]] inline uint32_t CriticalPoints::leave_few(const Vec3 &at, double half, uint32_t first,
+                                                                 uint32_t count, bool thoroughly) {
+  CubeDirections &directions = directions_[0];
+  directions.set(target_, near_arrays(candidates_.part(first, first + count)), at, half);
+  const uint32_t left = drop_farther(first, count);
+  if (left < 3 || directions.lead_up(left)) return 0;
+  return thoroughly && directions.lead_up_at_all(left) ? 0 : left;
+}
+uint32_t CriticalPoints::leave_many(const Vec3 &at, double half, uint32_t first, uint32_t count) {
+  if (count > limits_.near || count > most_led_up) return count;
+  see_directions(candidates_.part(first, first + count), at);
+  const auto a = [&](uint32_t k) { return hull_[k]; };
+  const auto inverse = [&](uint32_t k) { return inverse_[k]; };
+  return lead_up_at_all(count, half, a, inverse) ? 0 : count;
+}
+
+// From the centres of balls to a place.
+void CriticalPoints::see_directions(Span<const uint32_t> near, const Vec3 &at) {
+  for (uint32_t k = 0; k < near.size(); ++k) {
+    const Vec3 y = at - centre_of(*balls_, near[k]);
+    const double length = std::sqrt(dot(y, y));
+    inverse_[k] = length > 0.0 ? 1.0 / length : 0.0;
+    hull_[k] = inverse_[k] * y;
+    room_[k] = y;
   }
-  return last + count;
 }
 
 // Leaves out candidates that are farther than another one in all of the cube; how many stay.
@@ -324,13 +364,13 @@ void CriticalPoints::settle_ties(Cube &cube) {
   const BallSet &balls = *balls_;
   const Span<const uint32_t> near = candidates_.part(cube.first, cube.last);
   const uint32_t count = near.size();
-  if (count > CubeDirections::room) return;
-  needed_.near = larger_count(needed_.near, count);
-  if (count > limits_.near) return;
+  if (count > most_led_up) return;
   // Near the centres of balls nothing can be settled that is as large as a part of the cube.
   for (const uint32_t ball : near) {
     if (distance(balls, ball, cube.centre) < 4.0 * static_cast<double>(cube.half)) return;
   }
+  needed_.near = larger_count(needed_.near, count);
+  if (count > limits_.near) return;
   uint32_t set[4];
   const bool solid = find_far_apart(balls, near, set);
   if (set[2] == set[0]) return;
@@ -363,11 +403,10 @@ void CriticalPoints::settle_ties(Cube &cube) {
     if (size == 0) continue;
     const Span<uint32_t> tied = cluster_.part(0, size);
     for (const uint32_t ball : tied) nearest_centre = smaller_of(nearest_centre, distance(balls, ball, x));
-    directions_[0].set(target_, near_arrays(tied), x, 0.0);
-    const CubeDirections &directions = directions_[0];
+    see_directions(tied, to_double(x));
     double off_plane = 0.0;
-    for (uint32_t k = 0; k < size; ++k) hull_[k] = directions.a(k);
-    const double depth = flat ? directions.depth_in_plane(size, off_plane) : depth_of_hull(hull_.part(0, size));
+    const Span<const Vec3> way = hull_.part(0, size), from = room_.part(0, size);
+    const double depth = flat ? depth_in_plane(way, from, off_plane) : depth_of_hull(way);
     if (!(depth > 0.0)) continue;
     spread += 4.0 * off_plane;
     const double delta = smaller_of(0.5 * next, 0.49 * depth * nearest_centre / (1.5 + depth));
@@ -377,7 +416,7 @@ void CriticalPoints::settle_ties(Cube &cube) {
     cube.settled_centre = x;
     cube.settled_half = static_cast<int64_t>(settled);
     sort_in_place(tied, [](uint32_t a, uint32_t b) { return a < b; });
-    const Block left{x, static_cast<int64_t>(around) + 1}, own{cube.centre, cube.half + 1};
+    const Block left{x, std::floor(around) + 1.0}, own{cube.centre, static_cast<double>(cube.half + 1)};
     if (!meet(left, own)) return;
     // Where all of them tie exactly, that is the one point.
     uint32_t four[4];
@@ -387,14 +426,181 @@ void CriticalPoints::settle_ties(Cube &cube) {
     for (uint32_t k = 0; tie && k < size; ++k) tie = all.nearness(tied[k]) == 0;
     beyond_reach_ = beyond_reach_ || all.beyond_reach();
     if (!tie) {
-      directions_[0].set(target_, near_arrays(tied), left.centre, static_cast<double>(left.half + 2));
-      static_cast<void>(directions_[0].compare(target_, size));
-      try_sets(tied, left, own, flat ? PointKind::gate : PointKind::maximum);
+      if (size <= CubeDirections::room) {
+        directions_[0].set(target_, near_arrays(tied), to_double(left.centre), left.half + 2.0);
+        static_cast<void>(directions_[0].compare(target_, size));
+      }
+      try_leaf(tied, left, own, flat ? PointKind::gate : PointKind::maximum, cube.last);
     } else if (is_in(all, own)) {
       add(all, four, PointKind::maximum, tied);
     }
     return;
   }
+}
+
+// All points of a leaf. Its candidates are in directions_ if that has room for them; candidates_ are free from `last`
+// on.
+void CriticalPoints::try_leaf(Span<const uint32_t> near, const Block &block, const Block &other, PointKind alone,
+                              uint32_t last) {
+  needed_.near = larger_count(needed_.near, near.size());
+  if (near.size() > limits_.near) return;
+  if (near.size() <= few) return try_sets(near, block, other, alone);
+  if (try_common_point(near, block, other)) return;
+  bool fits = longest_part(to_double(block.centre)) < 0x1p43;
+  for (const uint32_t ball : near) fits = fits && distance(*balls_, ball, block.centre) < 0x1p40;
+  if (near.size() <= many || !fits) return try_sets(near, block, other, alone);
+  try_finely(near, block, other, last);
+}
+
+// Halves a leaf down to parts of steps, in which its candidates become fewer but for those that tie exactly.
+void CriticalPoints::try_finely(Span<const uint32_t> near, const Block &block, const Block &other, uint32_t last) {
+  const uint32_t count = near.size();
+  needed_.candidates = larger_count(needed_.candidates, clamped_count(static_cast<uint64_t>(last) + count));
+  if (count > limits_.candidates - last) return;
+  for (uint32_t k = 0; k < count; ++k) candidates_[last + k] = near[k];
+  double half = least_fine;
+  while (half < block.half) half *= 2.0;
+  uint32_t depth = 0;
+  fine_cubes_[depth++] = {{0.0, 0.0, 0.0}, half, last, last + count, 0};
+  while (depth > 0) {
+    FineCube &cube = fine_cubes_[depth - 1];
+    if (cube.next_part == 8) {
+      --depth;
+      continue;
+    }
+    const uint32_t part = cube.next_part++;
+    FineCube &child = fine_cubes_[depth];
+    child.half = 0.5 * cube.half;
+    const auto moved = [&](double at, uint32_t axis) {
+      return (part >> axis & 1) != 0 ? at + child.half : at - child.half;
+    };
+    child.off = {moved(cube.off.x, 0), moved(cube.off.y, 1), moved(cube.off.z, 2)};
+    child.next_part = 0;
+    const Block own{block.centre, child.half, child.off};
+    if (!meet(own, block) || !meet(own, other)) continue;
+    child.first = cube.last;
+    child.last = enter(child, cube, own);
+    if (needed_.candidates > limits_.candidates) return;
+    const Span<const uint32_t> here = candidates_.part(child.first, child.last);
+    if (here.empty()) continue;
+    if (here.size() > few && child.half > least_fine) {
+      ++depth;
+      continue;
+    }
+    if (here.size() > few && try_common_point(here, own, other)) continue;
+    // try_common_point() sees other balls.
+    if (here.size() > few && here.size() <= CubeDirections::room) {
+      directions_[0].set(target_, near_arrays(here), to_double(own.centre) + own.off, own.half);
+      static_cast<void>(directions_[0].compare(target_, here.size()));
+    }
+    try_sets(here, own, other, PointKind::passing);
+  }
+}
+
+// Puts the candidates of a part of a leaf behind those of the whole, as enter() does for cubes.
+uint32_t CriticalPoints::enter(const FineCube &cube, const FineCube &whole, const Block &block) {
+  const uint32_t last = whole.last, most = last - whole.first;
+  needed_.candidates = larger_count(needed_.candidates, clamped_count(static_cast<uint64_t>(last) + most));
+  if (most > limits_.candidates - last) return last;
+  const Vec3 at = to_double(block.centre) + cube.off;
+  const double reach = root_of_three * cube.half * (1.0 + 0x1p-40);
+  double least = std::numeric_limits<double>::infinity();  // upper bound of f at the middle
+  for (uint32_t k = 0; k < most; ++k) {
+    const uint32_t ball = candidates_[whole.first + k];
+    const Vec3 y = at - centre_of(*balls_, ball);
+    const double length = std::sqrt(dot(y, y)), gap = length - balls_->r[ball];
+    const double doubt = 0x1p-49 * (length + balls_->r[ball]);
+    inverse_[k] = gap - doubt;
+    least = smaller_of(least, gap + doubt);
+  }
+  if (least + reach < static_cast<double>(floor_)) return last;
+  uint32_t count = 0;
+  for (uint32_t k = 0; k < most; ++k) {
+    if (inverse_[k] <= least + 2.0 * reach) candidates_[last + count++] = candidates_[whole.first + k];
+  }
+  if (count < 3) return last;
+  return last + (count <= CubeDirections::room ? leave_few(at, block.half, last, count, true)
+                                               : leave_many(at, block.half, last, count));
+}
+
+// Whether all candidates of a leaf tie at one point that is near. Then that is its one critical point, but for sets
+// that are nearly flat: let q be another one and D bound how far it is from the common point p. Balls that span q all
+// tie at both, or are three with q in the plane of their centres and p beside it. Of the first the distances of p and
+// q differ by less than D^2 / 2 (rho - D), as 0 is a mean of their directions at q, rho the least distance of the
+// centres: so their directions are at right angles to that from q to p, up to D / 2 (rho - D). In both cases three of
+// these make a flat angle.
+bool CriticalPoints::try_common_point(Span<const uint32_t> near, const Block &block, const Block &other) {
+  const BallSet &balls = *balls_;
+  uint32_t set[4];
+  const bool solid = find_far_apart(balls, near, set);
+  if (set[2] == set[0]) return false;
+  const Vec3 middle = to_double(block.centre) + block.off;
+  double nearest_centre = std::numeric_limits<double>::infinity();
+  for (const uint32_t ball : near) {
+    const Vec3 y = middle - centre_of(balls, ball);
+    nearest_centre = smaller_of(nearest_centre, std::sqrt(dot(y, y)));
+  }
+  for (const int attempt : {0, 1, 2}) {
+    const bool rising = attempt == 1, flat = attempt == 2;
+    TangentPoint point(lines());
+    if ((!solid && !flat) || !point.find(balls, {set[0], set[1], set[2]}, flat ? no_id : set[3], rising)) continue;
+    const Vec3 to = point.place_estimate() - middle;
+    const double apart = std::sqrt(dot(to, to)) + point.place_error() + root_of_three * block.half;
+    if (!(16.0 * apart < nearest_centre)) continue;
+    bool tie = true;
+    for (uint32_t k = 0; tie && k < near.size(); ++k) tie = point.nearness(near[k]) == 0;
+    beyond_reach_ = beyond_reach_ || point.beyond_reach();
+    if (!tie) continue;
+    if (point.level_against(floor_) > 0 && is_in(point, block) && is_in(point, other)) {
+      for (uint32_t k = 0; k < near.size(); ++k) at_point_[k] = near[k];
+      const Span<uint32_t> tied = at_point_.part(0, near.size());
+      sort_in_place(tied, [](uint32_t a, uint32_t b) { return a < b; });
+      const PointKind kind = kind_of(balls, point, tied, room_);
+      // Found anew by its name.
+      constexpr uint32_t unnamed[4] = {no_id, no_id, no_id, no_id};
+      if (kind != PointKind::passing) add(point, unnamed, kind, tied);
+    }
+    beyond_reach_ = beyond_reach_ || point.beyond_reach();
+    point.find(balls, {set[0], set[1], set[2]}, flat ? no_id : set[3], rising);
+    see_directions(near, middle);
+    try_flat_sets(point, near, block, other, 8.0 * apart / nearest_centre + 1e-12);
+    return true;
+  }
+  return false;
+}
+
+// Of balls that tie at a common point, and whose directions are known, the sets that are so flat.
+void CriticalPoints::try_flat_sets(const TangentPoint &common, Span<const uint32_t> near, const Block &block,
+                                   const Block &other, double flat) {
+  const BallSet &balls = *balls_;
+  const uint32_t n = near.size();
+  KnownTies known;
+  for (uint32_t i = 0; i < n; ++i) {
+    for (uint32_t j = i + 1; j < n; ++j) {
+      const Vec3 across = cross(hull_[i], hull_[j]);
+      const auto is_flat = [&](uint32_t k) { return std::fabs(dot(across, hull_[k])) <= flat; };
+      const bool apart = dot(across, across) > flat * flat;
+      for (uint32_t k = j + 1; k < n; ++k) {
+        if (!is_flat(k)) continue;
+        const Vec3 to_first = cross(hull_[i], hull_[k]), to_second = cross(hull_[j], hull_[k]);
+        const bool wide = apart || dot(to_first, to_first) > flat * flat || dot(to_second, to_second) > flat * flat;
+        // In a plane with the point three of which two are not on a line with it have no other one.
+        if (!wide || common.side_of_plane(near[i], near[j], near[k]) != 0) {
+          const uint32_t three[4] = {near[i], near[j], near[k], no_id};
+          static_cast<void>(try_point(three, 3, near, block, other, known));
+        }
+        for (uint32_t l = k + 1; l < n; ++l) {
+          if (!is_flat(l) || std::fabs(dot(to_first, hull_[l])) > flat || std::fabs(dot(to_second, hull_[l])) > flat ||
+              are_coplanar(balls, near[i], near[j], near[k], near[l])) {
+            continue;
+          }
+          const uint32_t four[4] = {near[i], near[j], near[k], near[l]};
+          static_cast<void>(try_point(four, 4, near, block, other, known));
+        }
+      }
+    }
+  }
+  beyond_reach_ = beyond_reach_ || common.beyond_reach();
 }
 
 // All sets of three and four with points in both of two cubes, as seen from the first one; alone: of which kind a point
@@ -498,7 +704,7 @@ bool CriticalPoints::try_point(const uint32_t *ids, uint32_t count, Span<const u
     }
   }
   const PointKind kind = count == 3 ? PointKind::gate : PointKind::maximum;
-  if (kept) kept = (tied == count && !on_side) || kind_of(balls, point, at_point_.part(0, tied)) == kind;
+  if (kept) kept = (tied == count && !on_side) || kind_of(balls, point, at_point_.part(0, tied), room_) == kind;
   if (kept && near.size() <= 64 && known.size < KnownTies::room) {
     known.in_plane[known.size] = kind == PointKind::gate;
     known.set[known.size++] = ties;
@@ -526,7 +732,7 @@ void CriticalPoints::add(TangentPoint &point, const uint32_t *ids, PointKind kin
   const uint32_t count = kind == PointKind::gate ? 3 : 4;
   sort_in_place(tied, [&](uint32_t a, uint32_t b) { return balls.ranks_before(a, b); });
   uint32_t set[4];
-  name_of(balls, point, tied, kind, set);
+  name_of(balls, point, tied, kind, room_, set);
   const PointName name = name_of_ids(set, count);
   if ((kind == PointKind::gate ? gate_names_.find(name, gates_) : maximum_names_.find(name, maxima_)) != no_id) return;
   // By the same balls in the same order, whatever set has found it.

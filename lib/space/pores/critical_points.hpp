@@ -5,7 +5,9 @@
 // in doubles, rounded outward: f changes by no more than the way. So nothing is missed. Of the few all sets of three
 // and four are tried, and integers decide.
 //
-// Many balls that tie, or nearly, never become fewer. Let all balls within 2 delta of the nearest one at a point x be
+// Many balls that tie, or nearly, never become fewer. Where all in a cube tie at one point, that is its one critical
+// point, if it is one, but for sets that are nearly flat. Those that tie nearly become fewer in parts of a step. Larger
+// cubes are settled at once by this: let all balls within 2 delta of the nearest one at a point x be
 // within eps of it, and 0 be inside the hull of their directions by eta. At a distance d < delta from x no point is
 // critical if eps / d + 1.5 d / (D - d) < eta, D the least distance of the centres: what is nearest there all lies
 // ahead, so that the way back leads up. So a cube around x is settled at once where its sets are tried. Only balls that
@@ -32,9 +34,11 @@ struct CriticalLimits {
 
 class CriticalPoints {
  public:
+  // A cube in steps, moved by parts of steps.
   struct Block {
     exact::Vector centre;
-    int64_t half;
+    double half;
+    Vec3 off{0.0, 0.0, 0.0};
   };
   // Work that was done, for measurements.
   struct Work {
@@ -76,6 +80,13 @@ class CriticalPoints {
     exact::Vector settled_centre;  // of a cube in which all sets have been tried
     int64_t settled_half;          // 0: there is none
   };
+  // A part of a leaf, as far as its middle from that of the leaf.
+  struct FineCube {
+    Vec3 off;
+    double half;
+    uint32_t first, last;  // of candidates_
+    uint32_t next_part;
+  };
 
   void forget();
   Status search(const Vec3 &low, const Vec3 &high);
@@ -85,6 +96,15 @@ class CriticalPoints {
   bool is_settled(const Cube &cube) const;
   void settle_ties(Cube &cube);
   uint32_t drop_farther(uint32_t first, uint32_t count);
+  uint32_t leave_few(const Vec3 &at, double half, uint32_t first, uint32_t count, bool thoroughly);
+  uint32_t leave_many(const Vec3 &at, double half, uint32_t first, uint32_t count);
+  void see_directions(Span<const uint32_t> near, const Vec3 &at);
+  uint32_t enter(const FineCube &cube, const FineCube &whole, const Block &block);
+  void try_leaf(Span<const uint32_t> near, const Block &block, const Block &other, PointKind alone, uint32_t last);
+  void try_finely(Span<const uint32_t> near, const Block &block, const Block &other, uint32_t last);
+  bool try_common_point(Span<const uint32_t> near, const Block &block, const Block &other);
+  void try_flat_sets(const TangentPoint &common, Span<const uint32_t> near, const Block &block, const Block &other,
+                     double flat);
   void try_sets(Span<const uint32_t> near, const Block &block, const Block &other, PointKind alone);
   // Sets of balls that tie at points which were found in one cube: bits of places among those that are near.
   struct KnownTies {
@@ -126,7 +146,9 @@ class CriticalPoints {
   Span<uint32_t> at_point_, cluster_;
   Span<TangentLines> lines_;         // [1]
   Span<CubeDirections> directions_;  // [1]
-  Span<Vec3> hull_;
+  Span<Vec3> hull_, room_;           // [near] directions to a place; vectors to it, or directions to balls that tie
+  Span<double> inverse_;             // [near] of the lengths of these vectors, or gaps
+  Span<FineCube> fine_cubes_;
   CriticalLimits limits_, needed_;
   Work work_;
   bool beyond_reach_ = false;

@@ -5,9 +5,37 @@
 
 #include "core/extremes.hpp"
 #include "exact/lattice.hpp"
+#include "pores/ascent.hpp"
 #include "pores/cube_halves.hpp"
 
 namespace hsp {
+
+// Whether one direction leads up from all of some balls in all of a cube, thoroughly: that of the point of the hull of
+// the a that is nearest to 0, of up to four of them (Gilbert, Johnson, Keerthi 1988). a, inverse: of each ball as the
+// middle of the cube sees it.
+template <class Direction, class Inverse>
+bool lead_up_at_all(uint32_t count, double side, const Direction &a, const Inverse &inverse) {
+  Vec3 simplex[4] = {a(0)}, d = simplex[0];
+  uint32_t corners = 1;
+  for (int turn = 0; turn < 16; ++turn) {
+    const double squared = dot(d, d), across = side * (std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z));
+    double least = 2.0, worst = 2.0;
+    uint32_t which = 0;
+    for (uint32_t k = 0; k < count; ++k) {
+      const double along = dot(a(k), d);
+      worst = smaller_of(worst, along - across * inverse(k));
+      if (along < least) {
+        least = along;
+        which = k;
+      }
+    }
+    if (worst > slack_of_seen) return true;
+    if (!(squared > 1e-12) || corners == 4 || least > squared - 1e-9) return false;
+    simplex[corners++] = a(which);
+    d = nearest_to_zero(simplex, corners);
+  }
+  return false;
+}
 
 // Some balls as the middle of a cube sees them. A critical point is in the hull of the centres of what is nearest
 // there: a plane between these and the cube excludes all of them. So only linear forms are asked, at the corners of the
@@ -16,11 +44,9 @@ class CubeDirections {
  public:
   ViewedBalls seen;
   static constexpr uint32_t room = ViewedBalls::room;
-  static constexpr double slack = slack_of_seen;
   static_assert(room <= 64 && room % 4 == 0);
 
-  void set(Target target, const NearArrays &near, const exact::Vector &at, double half) {
-    const Vec3 middle = to_double(at);
+  void set(Target target, const NearArrays &near, const Vec3 &middle, double half) {
     const double place[3] = {middle.x, middle.y, middle.z};
     seen.side = half;
     see(target, near, place, seen);
@@ -69,7 +95,7 @@ class CubeDirections {
           which = k;
         }
       }
-      if (worst > slack) return true;
+      if (worst > slack_of_seen) return true;
       const Vec3 v = a(which) - d;
       const double along = -dot(d, v) / dot(v, v);
       if (!(along > 0.0)) return false;
@@ -79,36 +105,13 @@ class CubeDirections {
     }
     return false;
   }
-  // Of a middle that is nearly in one plane with the first of their centres: a lower bound of how far it is inside the
-  // hull of their directions there, and how far it is from planes through centres at most. Not positive if it is not
-  // inside.
-  double depth_in_plane(uint32_t count, double &off_plane) const {
-    Vec3 n{0.0, 0.0, 0.0};
-    for (uint32_t k = 1; k < count; ++k) {
-      const Vec3 other = cross(a(0), a(k));
-      if (dot(other, other) > dot(n, n)) n = other;
-    }
-    const double length = std::sqrt(dot(n, n));
-    if (!(length > 1e-3)) return -1.0;
-    n = (1.0 / length) * n;
-    off_plane = 0.0;
-    for (uint32_t k = 0; k < count; ++k) off_plane = larger_of(off_plane, std::fabs(dot(n, y(k))) + 4.0);
-    double depth = 1.0;
-    bool any = false;
-    for (uint32_t i = 0; i < count; ++i) {
-      for (uint32_t j = 0; j < count; ++j) {
-        const Vec3 inward = cross(n, a(j) - a(i));
-        const double size = std::sqrt(dot(inward, inward));
-        if (size < 1e-6) continue;
-        // Lines through two of them with all others on the left, or nearly.
-        bool right = false;
-        for (uint32_t k = 0; k < count; ++k) right = right || dot(inward, a(k) - a(i)) < -1e-9 * size;
-        if (right) continue;
-        depth = smaller_of(depth, -dot(inward, a(i)) / size);
-        any = true;
-      }
-    }
-    return any ? depth - 1e-8 : -1.0;
+  // The same thoroughly, of a cube that is small beside the distance of its balls: what ties there ties in its parts,
+  // as a rule.
+  bool lead_up_at_all(uint32_t count) const {
+    if (seen.side * inverse(0) > 0x1p-5) return false;
+    const auto direction_of = [&](uint32_t k) { return a(k); };
+    const auto inverse_of = [&](uint32_t k) { return inverse(k); };
+    return hsp::lead_up_at_all(count, seen.side, direction_of, inverse_of);
   }
   // The plane through the centres of three of them: n.(x - c) from offset - span to offset + span in the cube. tiny:
   // what rounding may do to it.

@@ -8,8 +8,7 @@ void GateFinder::carve(Workspace &workspace, const ProbeLimits &limits) {
   static_cast<void>(default_limits(limits.balls, of_pores));
   pores_ = workspace.take<PoresBuilder>(1);
   PoresBuilder measured;
-  // Cells take less than all sets of more balls that tie.
-  (pores_.size() > 0 ? pores_[0] : measured).carve(workspace, of_pores, CubeDirections::room);
+  (pores_.size() > 0 ? pores_[0] : measured).carve(workspace, of_pores);
 }
 
 // Negative without one.

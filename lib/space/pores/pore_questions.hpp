@@ -1,7 +1,8 @@
-// Pores with what is asked of them: pockets and tunnels, in one piece of memory.
+// Pores with what is asked of them: pockets, regions and tunnels, in one piece of memory.
 #pragma once
 
 #include "pores/pockets.hpp"
+#include "pores/region_finder.hpp"
 #include "pores/tunnel.hpp"
 
 namespace hsp {
@@ -23,6 +24,7 @@ class PoreQuestions {
   void carve(Workspace &workspace, const PoreQuestionLimits &limits) {
     builder_.carve(workspace, limits.pores);
     pockets_.carve(workspace, limits.pores);
+    regions_.carve(workspace, limits.pores);
     tunnel_.carve(workspace, limits.pores.maxima, limits.pores.gates, limits.points);
   }
   // As PoresBuilder::build. There is nothing where the largest ball has no radius left.
@@ -35,13 +37,19 @@ class PoreQuestions {
   }
   // As PocketFinder::find.
   void find_pockets(double narrow, double wide) { pockets_.find(builder_, narrow, wide); }
+  // As RegionFinder::find, of the balls that pores were built of.
+  Status find_regions(const BallsAround &balls, const Boundary &boundary, const PeriodicUnion *periodic) {
+    return regions_.find(builder_, balls, boundary, periodic, floor_);
+  }
   // As PoresBuilder::join_above.
   uint32_t join_above(double level) { return builder_.join_above(level); }
   void forget_pockets() { pockets_.forget(); }
+  void forget_regions() { regions_.forget(); }
   void forget_tunnel() { tunnel_.forget(); }
 
   const PoresBuilder &pores() const { return builder_; }
   const PocketFinder &pockets() const { return pockets_; }
+  const RegionFinder &regions() const { return regions_; }
   const TunnelFinder &tunnel() const { return tunnel_; }
   ClassTree tree() const { return ClassTree(builder_); }
   int64_t floor() const { return floor_; }
@@ -57,6 +65,7 @@ class PoreQuestions {
   template <class Balls>
   Status build(const Balls &balls, int64_t largest_radius, int64_t floor) {
     pockets_.forget();
+    regions_.forget();
     tunnel_.forget();
     floor_ = floor;
     const int64_t lowest = -largest_radius - 1;
@@ -65,6 +74,7 @@ class PoreQuestions {
 
   PoresBuilder builder_;
   PocketFinder pockets_;
+  RegionFinder regions_;
   TunnelFinder tunnel_;
   int64_t floor_ = 0;
 };

@@ -6,11 +6,10 @@
 
 namespace hsp {
 
-void PoresBuilder::carve(Workspace &workspace, const PoreLimits &limits, uint32_t most_tried) {
+void PoresBuilder::carve(Workspace &workspace, const PoreLimits &limits) {
   limits_ = limits;
   balls_.carve(workspace, limits.balls, limits.near);
-  critical_.carve(workspace, {limits.balls, limits.maxima, limits.gates, limits.tied, limits.candidates,
-                              most_tried < limits.near ? most_tried : limits.near});
+  critical_.carve(workspace, {limits.balls, limits.maxima, limits.gates, limits.tied, limits.candidates, limits.near});
   ways_.carve(workspace, limits.near, limits.balls);
   compared_.carve(workspace, 8, limits.balls);
   maxima_ = critical_.maxima().room();

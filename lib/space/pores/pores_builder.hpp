@@ -36,8 +36,7 @@ struct PorePassages {
 
 class PoresBuilder {
  public:
-  // most_tried: of how many balls at a place all sets may be tried; with more, build() ends with Status::capacity.
-  void carve(Workspace &workspace, const PoreLimits &limits, uint32_t most_tried = max_count);
+  void carve(Workspace &workspace, const PoreLimits &limits);
 
   // Of all maxima and gates above a floor, in steps. Status::capacity: a limit is too small, retry_limits().
   // Status::range: balls that touch one probe are more than 2^35 steps apart. Status::check cannot happen.

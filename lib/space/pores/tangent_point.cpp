@@ -272,14 +272,15 @@ int TangentPoint::departure(const TangentCurve &curve, int side, uint32_t ball) 
   return side * side_of_centre(*balls_, curve, ball, beyond_reach_);
 }
 
-int TangentPoint::against(uint32_t axis, int64_t bound) const {
+int TangentPoint::against(uint32_t axis, int64_t bound, double part) const {
   const BallSet &balls = *balls_;
   const double centre = axis == 0 ? balls.x[curve_.base] : axis == 1 ? balls.y[curve_.base] : balls.z[curve_.base];
   return sign_of([&]<class Number>() {
-    const Number zero = number<Number>(0.0), one = number<Number>(1.0);
+    const double scale = part == std::floor(part) ? 1.0 : 0x1p10;
+    const Number zero = number<Number>(0.0), one = number<Number>(scale);
     const Triple<Number> direction{axis == 0 ? one : zero, axis == 1 ? one : zero, axis == 2 ? one : zero};
-    return AffineForm<Number>{direction, zero, number<Number>(2.0 * (centre - static_cast<double>(bound))),
-                              curve_.base};
+    return AffineForm<Number>{direction, zero,
+                              number<Number>(2.0 * scale * (centre - static_cast<double>(bound) - part)), curve_.base};
   });
 }
 

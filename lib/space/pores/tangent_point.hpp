@@ -106,8 +106,8 @@ class TangentPoint {
   // Going up a curve from this point of it, on the side that it is on, not 0: whether a tied ball gets farther
   // (+1) or nearer (-1) at once, or not at once (0).
   int departure(const TangentCurve &curve, int side, uint32_t ball) const;
-  // Sign of x - bound along an axis.
-  int against(uint32_t axis, int64_t bound) const;
+  // Sign of x - bound - part along an axis; part: below 2^40, of 2^-10 of a step.
+  int against(uint32_t axis, int64_t bound, double part = 0.0) const;
   // Sign of t - bound, and of t - t of another one.
   int level_against(int64_t bound) const;
   int compare_levels(const TangentPoint &other) const;

@@ -1,5 +1,7 @@
 #include "pores/tied_balls.hpp"
 
+#include "core/extremes.hpp"
+
 namespace hsp {
 namespace {
 
@@ -53,26 +55,16 @@ constexpr double clear_of_rounding = 1e-9, clear_of_slivers = 1e-5;
 
 }  // namespace
 
-double depth_of_hull(Span<const Vec3> a) {
-  const uint32_t count = a.size();
-  constexpr uint32_t most = 10;  // the hull of some of them is inside that of all
-  uint32_t chosen[most] = {0};
-  uint32_t size = count <= most ? count : 1;
-  for (uint32_t k = 0; k < size; ++k) chosen[k] = k;
-  // Each the farthest one from those before.
-  double nearest_chosen[most_in_hull];
-  for (double &distance : nearest_chosen) distance = 8.0;
-  for (; size < most && size < count; ++size) {
-    uint32_t which = 0;
-    for (uint32_t k = 0; k < count; ++k) {
-      const Vec3 d = a[k] - a[chosen[size - 1]];
-      if (dot(d, d) < nearest_chosen[k]) nearest_chosen[k] = dot(d, d);
-      if (nearest_chosen[k] > nearest_chosen[which]) which = k;
-    }
-    chosen[size] = which;
-  }
-  double depth = 1.0;
-  bool any = false;
+namespace {
+
+// The plane through three of some unit vectors that bounds the hull of all, and is nearest to 0 or farthest beyond it.
+struct HullSide {
+  Vec3 outward;
+  double inside;  // how far 0 is inside of it
+  bool any;
+};
+HullSide nearest_side(Span<const Vec3> a, const uint32_t *chosen, uint32_t size) {
+  HullSide nearest{{0.0, 0.0, 0.0}, 1.0, false};
   for (uint32_t i = 0; i < size; ++i) {
     for (uint32_t j = i + 1; j < size; ++j) {
       for (uint32_t k = j + 1; k < size; ++k) {
@@ -91,33 +83,134 @@ double depth_of_hull(Span<const Vec3> a) {
         const double offset = dot(n, p) / length;
         // All in one plane have no inside.
         const double inside = above ? -offset : below ? offset : -std::fabs(offset);
-        if (inside < depth) depth = inside;
-        any = true;
+        if (inside < nearest.inside) {
+          nearest.inside = inside;
+          nearest.outward = above ? -n : n;
+        }
+        nearest.any = true;
       }
+    }
+  }
+  return nearest;
+}
+
+}  // namespace
+
+double depth_of_hull(Span<const Vec3> a) {
+  const uint32_t count = a.size();
+  constexpr uint32_t few = 10, most = 16;  // the hull of some of them is inside that of all
+  uint32_t chosen[most] = {0};
+  uint32_t size = count <= few ? count : 1;
+  for (uint32_t k = 0; k < size; ++k) chosen[k] = k;
+  // Each the farthest one from those before.
+  for (; size < few && size < count; ++size) {
+    uint32_t which = 0;
+    double farthest = 0.0;
+    for (uint32_t k = 0; k < count; ++k) {
+      double nearest_chosen = 8.0;
+      for (uint32_t c = 0; c < size; ++c) {
+        const Vec3 d = a[k] - a[chosen[c]];
+        nearest_chosen = smaller_of(nearest_chosen, dot(d, d));
+      }
+      if (nearest_chosen > farthest) {
+        farthest = nearest_chosen;
+        which = k;
+      }
+    }
+    chosen[size] = which;
+  }
+  // Then those that are farthest beyond the side that is nearest to 0.
+  for (;;) {
+    const HullSide side = nearest_side(a, chosen, size);
+    if (!side.any) return -1.0;
+    if (side.inside > 0.1 || size == count || size == most) return side.inside - 1e-8;
+    uint32_t which = chosen[0];
+    for (uint32_t k = 0; k < count; ++k) which = dot(side.outward, a[k] - a[which]) > 0.0 ? k : which;
+    for (uint32_t k = 0; k < size; ++k) {
+      if (chosen[k] == which) return side.inside - 1e-8;
+    }
+    chosen[size++] = which;
+  }
+}
+
+double depth_in_plane(Span<const Vec3> a, Span<const Vec3> y, double &off_plane) {
+  const uint32_t count = a.size();
+  Vec3 n{0.0, 0.0, 0.0};
+  for (uint32_t k = 1; k < count; ++k) {
+    const Vec3 other = cross(a[0], a[k]);
+    if (dot(other, other) > dot(n, n)) n = other;
+  }
+  const double length = std::sqrt(dot(n, n));
+  if (!(length > 1e-3)) return -1.0;
+  n = (1.0 / length) * n;
+  off_plane = 0.0;
+  for (uint32_t k = 0; k < count; ++k) off_plane = larger_of(off_plane, std::fabs(dot(n, y[k])) + 4.0);
+  double depth = 1.0;
+  bool any = false;
+  for (uint32_t i = 0; i < count; ++i) {
+    for (uint32_t j = 0; j < count; ++j) {
+      const Vec3 inward = cross(n, a[j] - a[i]);
+      const double size = std::sqrt(dot(inward, inward));
+      if (size < 1e-6) continue;
+      // Lines through two of them with all others on the left, or nearly.
+      bool right = false;
+      for (uint32_t k = 0; k < count && !right; ++k) right = dot(inward, a[k] - a[i]) < -1e-9 * size;
+      if (right) continue;
+      depth = smaller_of(depth, -dot(inward, a[i]) / size);
+      any = true;
     }
   }
   return any ? depth - 1e-8 : -1.0;
 }
 
-TiedDirections::TiedDirections(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied) {
-  if (tied.size() < 4 || tied.size() > room) return;
+TiedDirections::TiedDirections(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied,
+                               Span<Vec3> room) {
+  if (tied.size() < 4 || tied.size() > room.size()) return;
   const Vec3 at = point.place_estimate();
   const double error = point.place_error();
   for (uint32_t k = 0; k < tied.size(); ++k) {
     const Vec3 y = at - Vec3{balls.x[tied[k]], balls.y[tied[k]], balls.z[tied[k]]};
     const double length = std::sqrt(dot(y, y));
     if (!(error < 1e-11 * length)) return;
-    a_[k] = (1.0 / length) * y;
+    room[k] = (1.0 / length) * y;
   }
   count_ = tied.size();
+  a_ = room.part(0, count_);
+}
+
+// Along their line the others surround it.
+bool TiedDirections::is_inner(uint32_t i, uint32_t j) const {
+  if (count_ == 0) return false;
+  const Vec3 along = a_[j] - a_[i];
+  // Two directions across it, of a length that is not small.
+  const Vec3 some = std::fabs(along.x) < std::fabs(along.y) ? Vec3{1.0, 0.0, 0.0} : Vec3{0.0, 1.0, 0.0};
+  const Vec3 u = cross(along, some), v = cross(along, u);
+  constexpr double clear = 16 * clear_of_rounding;     // lengths are up to 8
+  double right[2] = {0.0, 0.0}, left[2] = {0.0, 0.0};  // the outermost ones so far, less than half a turn apart
+  const auto turn = [](const double *p, const double *q) { return p[0] * q[1] - p[1] * q[0]; };
+  bool any = false;
+  for (uint32_t l = 0; l < count_; ++l) {
+    if (l == i || l == j) continue;
+    const Vec3 d = a_[l] - a_[i];
+    const double here[2] = {dot(u, d), dot(v, d)};
+    if (turn(right, left) > clear && turn(left, here) > clear && turn(here, right) > clear) return true;
+    const bool beyond_right = !any || turn(right, here) < 0.0, beyond_left = !any || turn(left, here) > 0.0;
+    for (int axis = 0; axis < 2; ++axis) {
+      if (beyond_right) right[axis] = here[axis];
+      if (beyond_left && !(any && beyond_right)) left[axis] = here[axis];
+    }
+    any = true;
+  }
+  return false;
 }
 
 bool TiedDirections::surround() const {
-  return count_ > 0 && depth_of_hull({a_, count_}) > clear_of_slivers;
+  return count_ > 0 && depth_of_hull(a_) > clear_of_slivers;
 }
 
 // The way along which all three distances grow alike is across their plane, and up where 0 is below it.
 bool TiedDirections::is_closed(uint32_t i, uint32_t j, uint32_t k) const {
+  if (count_ == 0) return false;
   const Vec3 n = cross(a_[j] - a_[i], a_[k] - a_[i]);
   const double offset = dot(n, a_[i]);
   bool above = false, below = false;
@@ -135,11 +228,13 @@ bool TiedDirections::is_off_plane(uint32_t i, uint32_t j, uint32_t k) const {
 }
 
 bool TiedDirections::are_apart(uint32_t i, uint32_t j) const {
+  if (count_ == 0) return false;
   const Vec3 n = cross(a_[i], a_[j]);
-  return count_ > 0 && dot(n, n) > clear_of_rounding;
+  return dot(n, n) > clear_of_rounding;
 }
 
 bool TiedDirections::are_on_both_sides(uint32_t i, uint32_t j) const {
+  if (count_ == 0) return false;
   const Vec3 n = cross(a_[i], a_[j]);
   bool above = false, below = false;
   for (uint32_t l = 0; l < count_ && !(above && below); ++l) {
@@ -163,8 +258,8 @@ int TiedDirections::surround(uint32_t i, uint32_t j, uint32_t k, uint32_t l) con
   return positive && negative ? -1 : certain ? 1 : 0;
 }
 
-PointKind kind_of(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied) {
-  const TiedDirections directions(balls, point, tied);
+PointKind kind_of(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, Span<Vec3> room) {
+  const TiedDirections directions(balls, point, tied, room);
   if (directions.surround()) return PointKind::maximum;
   // The extreme rays of K are orthogonal to two directions that are not parallel.
   bool solid = false, flat = false;
@@ -251,9 +346,10 @@ void name_of_gate(const BallSet &balls, const TangentPoint &point, Span<const ui
   }
 }
 
-void name_of_maximum(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, uint32_t *name) {
+void name_of_maximum(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, Span<Vec3> room,
+                     uint32_t *name) {
   const uint32_t n = tied.size();
-  const TiedDirections directions(balls, point, tied);
+  const TiedDirections directions(balls, point, tied, room);
   bool on_side = false;
   for (uint32_t a = 0; a < n; ++a) {
     for (uint32_t b = a + 1; b < n; ++b) {

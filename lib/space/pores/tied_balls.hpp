@@ -17,9 +17,11 @@ enum class PointKind : uint32_t { passing, gate, maximum };
 // the exact stage.
 class TiedDirections {
  public:
-  static constexpr uint32_t room = 56;
-
-  TiedDirections(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied);
+  // room: for as many vectors; with less nothing is certain.
+  TiedDirections(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, Span<Vec3> room);
+  // Whether the line of two of them certainly goes through the inside of their hull: no curve of these two and a third
+  // one leads up then.
+  bool is_inner(uint32_t i, uint32_t j) const;
   // Whether on the curve of three of them, upwards, another one certainly gets nearer at once.
   bool is_closed(uint32_t i, uint32_t j, uint32_t k) const;
   // Whether the point is certainly not in the plane of three of the centres.
@@ -34,18 +36,18 @@ class TiedDirections {
   int surround(uint32_t i, uint32_t j, uint32_t k, uint32_t l) const;
 
  private:
-  Vec3 a_[room];
+  Span<const Vec3> a_;
   uint32_t count_ = 0;  // 0: nothing is certain
 };
 
-// A lower bound of how far 0 is inside the hull of unit vectors, at most most_in_hull; not positive if it is outside or
-// nearly.
-inline constexpr uint32_t most_in_hull = 64;
-static_assert(TiedDirections::room <= most_in_hull);
+// A lower bound of how far 0 is inside the hull of unit vectors; not positive if it is outside or nearly.
 double depth_of_hull(Span<const Vec3> a);
+// The same in a plane, of a place that is nearly in it: of unit vectors from centres to the place. off_plane: how far
+// it is from planes through centres at most, where y are the vectors.
+double depth_in_plane(Span<const Vec3> a, Span<const Vec3> y, double &off_plane);
 
-// Of a point and all balls that are nearest to it.
-PointKind kind_of(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied);
+// Of a point and all balls that are nearest to it. room: as for TiedDirections.
+PointKind kind_of(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, Span<Vec3> room);
 
 // Whether a point is in the triangle of three centres, in whose plane it lies, or in the tetrahedron of four that are
 // not in one plane; sides included. on_side: whether it lies on one.
@@ -56,14 +58,14 @@ bool is_in_tetrahedron(const BallSet &balls, const TangentPoint &point, const ui
 // whose tetrahedron has. No other gate or maximum has that name, since a set of balls has one point with W' < 0.
 // tied: in ascending order.
 void name_of_gate(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, uint32_t *name);
-void name_of_maximum(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, uint32_t *name);
-// Two functions, as that for gates goes without the memory of directions.
+void name_of_maximum(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, Span<Vec3> room,
+                     uint32_t *name);
 inline void name_of(const BallSet &balls, const TangentPoint &point, Span<const uint32_t> tied, PointKind kind,
-                    uint32_t *name) {
+                    Span<Vec3> room, uint32_t *name) {
   if (kind == PointKind::gate) {
     name_of_gate(balls, point, tied, name);
   } else {
-    name_of_maximum(balls, point, tied, name);
+    name_of_maximum(balls, point, tied, room, name);
   }
 }
 

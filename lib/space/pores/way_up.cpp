@@ -10,6 +10,7 @@ namespace {
 constexpr uint32_t most_steps = 100000;
 constexpr int most_windows = 400;
 constexpr uint32_t most_passed = 16;
+constexpr uint32_t few_tied = 8;
 constexpr uint32_t known_ends = 256;  // a power of two
 
 bool is_of_curve(const TangentCurve &curve, uint32_t ball) {
@@ -25,6 +26,7 @@ void WayUp::carve(Workspace &workspace, uint32_t near, uint32_t balls) {
   passed_ = workspace.take<Passed>(most_passed);
   tied_ = FixedVector<uint32_t>(workspace.take<uint32_t>(near));
   lines_ = workspace.take<TangentLines>(1);
+  directions_ = workspace.take<Vec3>(near);
 }
 
 void WayUp::prepare(PoreBalls &all) {
@@ -102,11 +104,17 @@ bool WayUp::leave_gate(const TangentCurve &named, int side, Way &way) {
 bool WayUp::leave(Way &way) {
   const TangentCurve before = way.curve;
   const Span<const uint32_t> tied = tied_.items();
-  const TiedDirections directions(*balls_, point_, tied);
+  const TiedDirections directions(*balls_, point_, tied, directions_);
   if (directions.surround()) return false;
+  // Of many most pairs lead nowhere.
+  const auto is_inner = [&](uint32_t a, uint32_t b) { return tied.size() > few_tied && directions.is_inner(a, b); };
   bool in_one_plane = true;
   for (uint32_t a = 0; a < tied.size(); ++a) {
     for (uint32_t b = a + 1; b < tied.size(); ++b) {
+      if (is_inner(a, b)) {
+        in_one_plane = false;
+        continue;
+      }
       for (uint32_t c = b + 1; c < tied.size(); ++c) {
         if (directions.is_closed(a, b, c)) {
           in_one_plane = false;
@@ -123,6 +131,7 @@ bool WayUp::leave(Way &way) {
   // Beside a gate that is closed on one side: the point is in a triangle's plane.
   for (uint32_t a = 0; a < tied.size(); ++a) {
     for (uint32_t b = a + 1; b < tied.size(); ++b) {
+      if (is_inner(a, b)) continue;
       for (uint32_t c = b + 1; c < tied.size(); ++c) {
         way.curve = {tied[a], tied[b], tied[c]};
         bool on_side = false;
@@ -393,7 +402,7 @@ WayUp::KnownEnd &WayUp::known_end(const Vertex &vertex) {
 Status WayUp::name_end(End &end) {
   if (beyond_reach_ || point_.beyond_reach()) return Status::range;
   uint32_t four[4];
-  name_of(*balls_, point_, tied_.items(), PointKind::maximum, four);
+  name_of(*balls_, point_, tied_.items(), PointKind::maximum, directions_, four);
   end.shift = shift_of(four[0]);
   for (uint32_t k = 0; k < 4; ++k) {
     const BoxShift shift = shift_of(four[k]) - end.shift;

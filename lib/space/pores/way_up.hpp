@@ -85,6 +85,7 @@ class WayUp {
   Vec3 low_{}, high_{};
   double extent_ = 0.0;
   Span<TangentLines> lines_;  // [1]
+  Span<Vec3> directions_;     // of tied balls
   TangentPoint point_;
   FixedVector<uint32_t> tied_, near_;
   Span<KnownEnd> known_;

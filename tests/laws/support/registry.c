@@ -2379,6 +2379,27 @@ static int64_t call_hsp_pores_get_pocket_balls(const value *v) {
   return (int64_t)hsp_pores_get_pocket_balls(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
 }
 
+static const argument of_hsp_pores_find_regions[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores},
+  {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
+  {"access", "hsp_pore_access", .kind = KIND_struct_out, .size = sizeof(hsp_pore_access), .null = NULL_always},
+  {"regions", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_pores_find_regions(const value *v) {
+  return (int64_t)hsp_pores_find_regions(v[0].p, v[1].p, v[2].p, v[3].p);
+}
+
+static const argument of_hsp_pores_get_regions[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
+  {"first", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"count", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"out", "hsp_pore_region", .kind = KIND_array_out, .size = sizeof(hsp_pore_region), .extent = "count", .null =
+      NULL_empty},
+};
+static int64_t call_hsp_pores_get_regions(const value *v) {
+  return (int64_t)hsp_pores_get_regions(v[0].p, v[1].u, v[2].u, v[3].p);
+}
+
 static const argument of_hsp_pores_find_tunnel[] = {
   {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores},
   {"from", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .is_const = 1},
@@ -3419,6 +3440,10 @@ const function registry[] = {
   {"hsp_pores_get_pocket_balls", "pores", RESULT_status, 5, of_hsp_pores_get_pocket_balls,
       call_hsp_pores_get_pocket_balls, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
       BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
+  {"hsp_pores_find_regions", "pores", RESULT_status, 4, of_hsp_pores_find_regions, call_hsp_pores_find_regions,
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CHECK)},
+  {"hsp_pores_get_regions", "pores", RESULT_status, 4, of_hsp_pores_get_regions, call_hsp_pores_get_regions, BIT(HSP_OK)
+      | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
   {"hsp_pores_find_tunnel", "pores", RESULT_status, 7, of_hsp_pores_find_tunnel, call_hsp_pores_find_tunnel, BIT(HSP_OK)
       | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
       BIT(HSP_E_ID) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CHECK)},
@@ -4117,6 +4142,23 @@ const field registry_fields[] = {
   {"hsp_pore_pocket", "mouths", "uint32_t", offsetof(hsp_pore_pocket, mouths), 1},
   {"hsp_pore_pocket", "balls", "uint32_t", offsetof(hsp_pore_pocket, balls), 1},
   {"hsp_pore_pocket", "reserved", "uint32_t", offsetof(hsp_pore_pocket, reserved), 1},
+  {"hsp_pore_access", "accessible_area", "double", offsetof(hsp_pore_access, accessible_area), 1},
+  {"hsp_pore_access", "accessible_volume", "double", offsetof(hsp_pore_access, accessible_volume), 1},
+  {"hsp_pore_access", "blocked_area", "double", offsetof(hsp_pore_access, blocked_area), 1},
+  {"hsp_pore_access", "blocked_volume", "double", offsetof(hsp_pore_access, blocked_volume), 1},
+  {"hsp_pore_access", "accessible", "uint32_t", offsetof(hsp_pore_access, accessible), 1},
+  {"hsp_pore_access", "blocked", "uint32_t", offsetof(hsp_pore_access, blocked), 1},
+  {"hsp_pore_region", "radius", "double", offsetof(hsp_pore_region, radius), 1},
+  {"hsp_pore_region", "area", "double", offsetof(hsp_pore_region, area), 1},
+  {"hsp_pore_region", "volume", "double", offsetof(hsp_pore_region, volume), 1},
+  {"hsp_pore_region", "maximum", "uint32_t", offsetof(hsp_pore_region, maximum), 1},
+  {"hsp_pore_region", "maxima", "uint32_t", offsetof(hsp_pore_region, maxima), 1},
+  {"hsp_pore_region", "shells", "uint32_t", offsetof(hsp_pore_region, shells), 1},
+  {"hsp_pore_region", "accessible", "uint32_t", offsetof(hsp_pore_region, accessible), 1},
+  {"hsp_pore_region", "directions", "uint32_t", offsetof(hsp_pore_region, directions), 1},
+  {"hsp_pore_region", "copies", "uint32_t", offsetof(hsp_pore_region, copies), 1},
+  {"hsp_pore_region", "row", "int32_t", offsetof(hsp_pore_region, row), 9},
+  {"hsp_pore_region", "reserved", "uint32_t", offsetof(hsp_pore_region, reserved), 1},
   {"hsp_tunnel", "radius", "double", offsetof(hsp_tunnel, radius), 1},
   {"hsp_tunnel", "length", "double", offsetof(hsp_tunnel, length), 1},
   {"hsp_tunnel", "there", "uint32_t", offsetof(hsp_tunnel, there), 1},

@@ -119,7 +119,7 @@ TEST(Ink, IsThinnerInAGap) {
     const Drawn found = drawn({{{0, span, far_ball(), under, under}}}, InkLevel::depth);
     ASSERT_FALSE(found.curves.empty());
     const double share = std::min(1.0, span * 40 * found.scale / 48);
-    EXPECT_NEAR(found.beyond(found.curves.front().start), 0.62 * 6 * share, 1e-9) << span;
+    EXPECT_NEAR(found.beyond(found.curves.front().start), 0.62 * 6 * share * share, 1e-9) << span;
     EXPECT_EQ(share < 1, span < 0.5);
     const Drawn border = drawn({{{0, span, hsp::no_id, under, under}}}, InkLevel::border);
     EXPECT_NEAR(border.beyond(border.curves.front().start), 0.62 * 5, 1e-9) << span;

@@ -70,18 +70,47 @@ TEST(CriticalPoints, ACubeThatTies) {
   }
 }
 
-// As many as a cube can see at once, and nearly.
+// As many as a cube can see at once, and nearly; and more.
 TEST(CriticalPoints, ManyBallsThatTie) {
-  const oracle::Balls shell = pore_sets::shell(1000, 300);
-  ASSERT_EQ(shell.size(), 72U);
-  for (const uint32_t n : {55U, 56U, 57U, 63U, 64U}) {
-    const FoundPoints found({shell.begin(), shell.begin() + n}, 0);
-    ASSERT_EQ(found.status(), hsp::Status::ok);
-    ASSERT_GT(found.points().maxima().size(), 0U);
-    const hsp::CriticalPoint &middle = found.points().maxima()[0].point;
-    EXPECT_EQ(middle.tied, n);
-    EXPECT_NEAR(middle.level, 1000.0 * std::sqrt(26.0) - 300.0, 1e-6);
+  for (const int64_t square : {26, 101}) {
+    const oracle::Balls shell = pore_sets::shell(1000, 300, square);
+    ASSERT_EQ(shell.size(), square == 26 ? 72U : 168U);
+    for (const uint32_t n : {55U, 56U, 57U, 63U, 64U, 65U, 72U, 100U, 167U, 168U}) {
+      if (n > shell.size() || (square == 101 && n < 100)) continue;
+      const FoundPoints found({shell.begin(), shell.begin() + n}, 0);
+      ASSERT_EQ(found.status(), hsp::Status::ok);
+      ASSERT_GT(found.points().maxima().size(), 0U);
+      const hsp::CriticalPoint &middle = found.points().maxima()[0].point;
+      EXPECT_EQ(middle.tied, n);
+      EXPECT_NEAR(middle.level, 1000.0 * std::sqrt(static_cast<double>(square)) - 300.0, 1e-6);
+    }
   }
+}
+
+// Parts of such shells: bowls whose middle is no critical point, rings whose middle is a gate. Moved by a step they tie
+// nearly.
+TEST(CriticalPoints, PartsOfShellsByAllSets) {
+  oracle::RandomSource random(6);
+  checked_pores::Seen seen;
+  for (int turn = 0; turn < oracle::sets(60); ++turn) {
+    ASSERT_NO_FATAL_FAILURE(checked_pores::compare_with_all_sets(
+        pore_sets::part_of_shell(random, turn % pore_sets::shell_kinds, static_cast<size_t>(random.in(6, 16)),
+                                 turn % 4 < 2 ? 25 : 26, random.in(0, 3) / 2),
+        seen));
+  }
+  EXPECT_GT(seen.tied, 4 / oracle::sets_for_one);
+}
+TEST(CriticalPoints, EulerSumsOfPartsOfShells) {
+  oracle::RandomSource random(7);
+  checked_pores::Seen seen;
+  for (int turn = 0; turn < oracle::sets(16); ++turn) {
+    const int64_t square = turn % 4 == 0 ? 101 : turn % 4 == 1 ? 50 : 41;
+    ASSERT_NO_FATAL_FAILURE(checked_pores::check_euler_sum(
+        pore_sets::part_of_shell(random, turn % pore_sets::shell_kinds, static_cast<size_t>(random.in(40, 168)), square,
+                                 random.in(0, 2)),
+        seen));
+  }
+  EXPECT_GT(seen.tied, 4 / oracle::sets_for_one);
 }
 
 // Points of the floor's own level are not above it.

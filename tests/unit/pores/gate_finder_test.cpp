@@ -65,8 +65,8 @@ TEST(GateFinder, FindsWhatTheSearchWithoutPoresDoes) {
   EXPECT_LT(4 * with, without);
 }
 
-// More balls that tie than pores are made of in a time like that of cells: these answer alone.
-TEST(GateFinder, MoreTiesThanPoresAreMadeOf) {
+// More balls that tie than a word has bits.
+TEST(GateFinder, ManyBallsThatTie) {
   const oracle::Balls balls = pore_sets::shell(100000, 30000);
   const auto n = static_cast<uint32_t>(balls.size());
   const BuiltGrid grid(BuiltPores::listed(balls));
@@ -78,7 +78,7 @@ TEST(GateFinder, MoreTiesThanPoresAreMadeOf) {
   ASSERT_EQ(find(plain, memory_of_plain, grid.grid().balls(), n, {0, 0, 0}, nullptr, expected), hsp::Status::ok);
   EXPECT_TRUE(found.passes);
   EXPECT_EQ(found.radius, expected.radius);
-  EXPECT_EQ(finder.builds(), plain.builds());
+  EXPECT_LT(finder.builds(), plain.builds());
 }
 
 }  // namespace

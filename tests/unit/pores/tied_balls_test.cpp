@@ -19,6 +19,8 @@ using oracle::Int128;
 using oracle::Vector;
 
 hsp::TangentLines lines;
+hsp::Vec3 vectors[16];
+const hsp::Span<hsp::Vec3> room(vectors, 16);
 
 Int128 volume(const Vector &a, const Vector &b, const Vector &c) {
   return dot(cross(a, b), c);
@@ -100,12 +102,12 @@ TEST(TiedBalls, KindsAndNames) {
                 continue;
               }
               found = true;
-              const PointKind kind = hsp::kind_of(balls, point, tied);
+              const PointKind kind = hsp::kind_of(balls, point, tied, room);
               ASSERT_EQ(kind, expected) << oracle::to_text(set.balls);
               ++kinds[static_cast<int>(kind)];
               if (kind == PointKind::passing) continue;
               uint32_t name[4] = {no_id, no_id, no_id, no_id};
-              hsp::name_of(balls, point, tied, kind, name);
+              hsp::name_of(balls, point, tied, kind, room, name);
               // It names the point: that root of its balls with W' < 0.
               TangentPoint named(lines);
               ASSERT_TRUE(named.find(balls, {name[0], name[1], name[2]}, name[3], false));
@@ -134,19 +136,19 @@ TEST(TiedBalls, AnOctahedronIsAMaximum) {
   ASSERT_TRUE(point.find(balls, {0, 1, 2}, 5, false));
   const uint32_t all[6] = {0, 1, 2, 3, 4, 5};
   for (const uint32_t ball : all) EXPECT_EQ(point.nearness(ball), 0);
-  EXPECT_EQ(hsp::kind_of(balls, point, {all, 6}), PointKind::maximum);
+  EXPECT_EQ(hsp::kind_of(balls, point, {all, 6}, room), PointKind::maximum);
   // Without one of them it is none, and neither a gate.
-  EXPECT_EQ(hsp::kind_of(balls, point, {all, 5}), PointKind::passing);
+  EXPECT_EQ(hsp::kind_of(balls, point, {all, 5}, room), PointKind::passing);
   const uint32_t square[4] = {0, 1, 4, 5};
-  EXPECT_EQ(hsp::kind_of(balls, point, {square, 4}), PointKind::gate);
+  EXPECT_EQ(hsp::kind_of(balls, point, {square, 4}, room), PointKind::gate);
   uint32_t name[4];
-  hsp::name_of(balls, point, {square, 4}, PointKind::gate, name);
+  hsp::name_of(balls, point, {square, 4}, PointKind::gate, room, name);
   EXPECT_EQ(name[0], 0U);
   EXPECT_EQ(name[1], 1U);
   EXPECT_EQ(name[2], 4U);
   EXPECT_EQ(name[3], no_id);
   const uint32_t three[3] = {0, 1, 5};
-  EXPECT_EQ(hsp::kind_of(balls, point, {three, 3}), PointKind::passing);
+  EXPECT_EQ(hsp::kind_of(balls, point, {three, 3}, room), PointKind::passing);
 }
 
 TEST(TiedBalls, CornersAndSidesBelongToSimplices) {

@@ -191,17 +191,22 @@ struct Ratios {
   }
 };
 
+// How much is measured: the caps, their pairs as well, or the points of these as well. The integers of pairs and points
+// take nearly all of the time, which a search for the worst cap saves.
+enum class Extent { caps, pairs, points };
+
 template <class Arithmetic>
 class Measurement {
  public:
-  Measurement(const FourBalls &four, CapsOfFour &maker)
-      : numbers_(four, maker), balls_(as_given(four)), origin_(balls_, 0) {
+  Measurement(const FourBalls &four, CapsOfFour &maker, Extent extent)
+      : numbers_(four, maker), balls_(as_given(four)), origin_(balls_, 0), extent_(extent) {
     for (uint32_t k = 0; k < 3; ++k) half_space_[k] = perturbation::half_space(balls_, 0, numbers_.ball(k));
   }
 
   Ratios run() {
     if (!numbers_.is_sure()) return ratios_;
     for (uint32_t k = 0; k < 3; ++k) measure_cap(k);
+    if (extent_ == Extent::caps) return ratios_;
     for (uint32_t j = 0; j < 3; ++j) {
       for (uint32_t k = j + 1; k < 3; ++k) measure_pair(j, k);
     }
@@ -254,7 +259,7 @@ class Measurement {
     contradicts(pair.separate && (beta_jk.sign() <= 0 || beta_kj.sign() <= 0));
     ratios_.crosses = ratios_.crosses || pair.cross;
     ratios_.apart = ratios_.apart || pair.apart;
-    if (pair.has_points && D.sign() > 0) measure_points(j, k, D);
+    if (extent_ == Extent::points && pair.has_points && D.sign() > 0) measure_points(j, k, D);
   }
 
   void measure_points(uint32_t j, uint32_t k, const Integer &D) {
@@ -295,17 +300,18 @@ class Measurement {
   perturbation::Balls balls_;
   Origin origin_;
   HalfSpace half_space_[3];
+  Extent extent_;
   Ratios ratios_;
 };
 
-// Searches for the worst of one ratio, while all that is certain is checked on the way.
+// Searches for the worst of one ratio, while all that is certain of what is measured is checked on the way.
 template <class Arithmetic = InDoubles>
-void search(const char *name, uint64_t seed, double Ratios::*ratio) {
+void search(const char *name, uint64_t seed, double Ratios::*ratio, Extent extent) {
   oracle::RandomSource random(seed);
   CapsOfFour maker;
   int sets = 0, contradictions = 0, crossing = 0, apart = 0;
   const double largest = worst(random, oracle::long_tests() ? 120 : 40, 3000, [&](const FourBalls &four) {
-    const Ratios ratios = Measurement<Arithmetic>(four, maker).run();
+    const Ratios ratios = Measurement<Arithmetic>(four, maker, extent).run();
     ++sets;
     contradictions += ratios.contradiction;
     crossing += ratios.crosses;
@@ -315,41 +321,43 @@ void search(const char *name, uint64_t seed, double Ratios::*ratio) {
   testing::Test::RecordProperty(name, std::to_string(largest));
   std::cout << "  worst error of " << name << ": " << largest << " of its bound, " << sets << " sets\n";
   EXPECT_EQ(contradictions, 0);
-  EXPECT_GT(crossing, 1000);
-  EXPECT_GT(apart, 1000);
+  if (extent != Extent::caps) {
+    EXPECT_GT(crossing, 1000);
+    EXPECT_GT(apart, 1000);
+  }
   EXPECT_LT(largest, 1.0) << name << ": the bound does not hold";
   EXPECT_GT(largest, 0.01) << name << ": the bound is so wide that the faster stage passes on what it could answer";
 }
 
 TEST(CapPairBounds, Axis) {
-  search("axis", 301, &Ratios::axis);
+  search("axis", 301, &Ratios::axis, Extent::caps);
 }
 TEST(CapPairBounds, Height) {
-  search("height", 302, &Ratios::height);
+  search("height", 302, &Ratios::height, Extent::caps);
 }
 TEST(CapPairBounds, Cosine) {
-  search("cosine", 303, &Ratios::cosine);
+  search("cosine", 303, &Ratios::cosine, Extent::pairs);
 }
 TEST(CapPairBounds, DiscriminantQ) {
-  search("q", 304, &Ratios::q);
+  search("q", 304, &Ratios::q, Extent::pairs);
 }
 TEST(CapPairBounds, Centre) {
-  search("centre", 305, &Ratios::centre);
+  search("centre", 305, &Ratios::centre, Extent::pairs);
 }
 TEST(CapPairBounds, Points) {
-  search("points", 306, &Ratios::point);
+  search("points", 306, &Ratios::point, Extent::points);
 }
 
 #if HSP_LANES
 // Everything of one arithmetic in lanes.
 template <class Arithmetic>
 void search_in_lanes(const std::string &name, uint64_t seed) {
-  search<Arithmetic>((name + "_axis").c_str(), seed, &Ratios::axis);
-  search<Arithmetic>((name + "_height").c_str(), seed + 1, &Ratios::height);
-  search<Arithmetic>((name + "_cosine").c_str(), seed + 2, &Ratios::cosine);
-  search<Arithmetic>((name + "_q").c_str(), seed + 3, &Ratios::q);
-  search<Arithmetic>((name + "_centre").c_str(), seed + 4, &Ratios::centre);
-  search<Arithmetic>((name + "_points").c_str(), seed + 5, &Ratios::point);
+  search<Arithmetic>((name + "_axis").c_str(), seed, &Ratios::axis, Extent::caps);
+  search<Arithmetic>((name + "_height").c_str(), seed + 1, &Ratios::height, Extent::caps);
+  search<Arithmetic>((name + "_cosine").c_str(), seed + 2, &Ratios::cosine, Extent::pairs);
+  search<Arithmetic>((name + "_q").c_str(), seed + 3, &Ratios::q, Extent::pairs);
+  search<Arithmetic>((name + "_centre").c_str(), seed + 4, &Ratios::centre, Extent::pairs);
+  search<Arithmetic>((name + "_points").c_str(), seed + 5, &Ratios::point, Extent::points);
 }
 
 TEST(CapPairBounds, InFloatLanesOfTheBaseline) {

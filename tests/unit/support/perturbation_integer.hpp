@@ -87,7 +87,8 @@ class Integer {
   long double to_long_double() const {
     long double result = 0.0L;
     const int lowest = used_ > 4 ? used_ - 4 : 0;
-    for (int k = lowest; k < used_; ++k) result += std::ldexp(static_cast<long double>(limb_[k]), 64 * k);
+    for (int k = used_ - 1; k >= lowest; --k) result = result * 0x1p64L + static_cast<long double>(limb_[k]);
+    if (lowest > 0) result = std::ldexp(result, 64 * lowest);
     return negative_ ? -result : result;
   }
   uint64_t limb(int k) const { return k < used_ ? limb_[k] : 0; }

@@ -58,21 +58,40 @@ inline oracle::Balls tied_set(oracle::RandomSource &random, size_t n, int kind) 
   return balls;
 }
 
-// Corners of regular bodies, turned and rounded to a lattice of `radius` steps: 0 cube, 1 icosahedron, 2 dodecahedron,
-// 3 cuboctahedron, 4 rhombic dodecahedron, 5 truncated icosahedron.
-// The 72 points of a lattice whose squares add up to 26: all tie in the middle, at sqrt(26) step - radius.
-inline oracle::Balls shell(int64_t step, int64_t radius) {
+// The points of a lattice whose squares add up to a number: all tie in the middle, at its root times step - radius. 72
+// with 26, 168 with 101.
+inline oracle::Balls shell(int64_t step, int64_t radius, int64_t square = 26) {
   oracle::Balls balls;
-  for (int64_t x = -5; x <= 5; ++x) {
-    for (int64_t y = -5; y <= 5; ++y) {
-      for (int64_t z = -5; z <= 5; ++z) {
-        if (x * x + y * y + z * z == 26) balls.push_back({step * x, step * y, step * z, radius});
+  const auto most = static_cast<int64_t>(std::sqrt(static_cast<double>(square)));
+  for (int64_t x = -most; x <= most; ++x) {
+    for (int64_t y = -most; y <= most; ++y) {
+      for (int64_t z = -most; z <= most; ++z) {
+        if (x * x + y * y + z * z == square) balls.push_back({step * x, step * y, step * z, radius});
       }
     }
   }
   return balls;
 }
 
+// Some of them that are left, each moved by up to so many steps along each axis. 0 any, 1 those on one side of the
+// middle or beside it, 2 those in one plane with it and few others.
+inline constexpr int shell_kinds = 3;
+inline oracle::Balls part_of_shell(oracle::RandomSource &random, int kind, size_t most, int64_t square, int64_t shake) {
+  const int64_t unit = 100000000;
+  oracle::Balls balls, all = shell(unit, unit / 3, square);
+  for (size_t k = all.size(); k > 1; --k) {
+    std::swap(all[k - 1], all[static_cast<size_t>(random.in(0, static_cast<int64_t>(k) - 1))]);
+  }
+  for (auto ball : all) {
+    if (balls.size() == most || (kind == 1 && ball.z < 0) || (kind == 2 && ball.z != 0 && !random.one_in(8))) continue;
+    for (int64_t *value : {&ball.x, &ball.y, &ball.z}) *value += random.in(-shake, shake);
+    balls.push_back(ball);
+  }
+  return balls;
+}
+
+// Corners of regular bodies, turned and rounded to a lattice of `radius` steps: 0 cube, 1 icosahedron, 2 dodecahedron,
+// 3 cuboctahedron, 4 rhombic dodecahedron, 5 truncated icosahedron.
 inline constexpr int cage_kinds = 6;
 inline oracle::Balls cage(oracle::RandomSource &random, int kind, double unit) {
   using Point = std::array<double, 3>;

@@ -1,0 +1,35 @@
+/* Squares of the page, each with the triangles that its box meets. */
+#ifndef HARDSPHERE_TOOL_MESH_SQUARES_H
+#define HARDSPHERE_TOOL_MESH_SQUARES_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "draw/seen_triangle.h"
+
+/* From a square to a square. */
+struct square_range {
+  uint32_t from[2], to[2];
+};
+
+struct mesh_squares {
+  int32_t low[2], high[2]; /* the page */
+  int64_t side;
+  uint32_t across[2];
+  uint32_t *first; /* [squares + 1], row by row */
+  uint32_t *met;
+  struct square_range *range; /* [triangles] */
+};
+
+#define MESH_SQUARES_NONE \
+  { {0, 0}, {0, 0}, 1, {0, 0}, NULL, NULL, NULL }
+
+/* Squares about as wide as one of `count` > 0 triangles is in the mean. To be freed on true and on false, which is for
+ * want of memory. */
+bool mesh_squares_make(const struct seen_triangle *triangle, uint32_t count, struct mesh_squares *squares);
+void mesh_squares_free(struct mesh_squares *squares);
+
+/* The squares that a box within the page meets. */
+struct square_range mesh_squares_range(const struct mesh_squares *squares, const int32_t low[2], const int32_t high[2]);
+
+#endif

@@ -1,0 +1,151 @@
+#include "pores/region_finder.hpp"
+
+#include <initializer_list>
+#include <limits>
+
+#include "measure/boundary_positions.hpp"
+#include "periodic/surface_volume.hpp"
+#include "pores/class_tree.hpp"
+
+namespace hsp {
+namespace {
+
+// Steps above the boundary that no rounding of a point makes up for.
+constexpr double certain_level = 3.0;
+
+exact::Vector rounded(const BallSet &balls, const Position &position) {
+  const exact::Vector centre = balls.ball(position.ball).centre;
+  const Vec3 &offset = position.offset;
+  return {centre.x + nearest(offset.x), centre.y + nearest(offset.y), centre.z + nearest(offset.z)};
+}
+
+// Calls is_enough(position) for points of a face until it is true: its vertices, a point of each circle, or one of a
+// whole sphere. Returns the last answer.
+template <class IsEnough>
+bool visit_points(const BallSet &balls, const Boundary &boundary, uint32_t face, IsEnough is_enough) {
+  const uint32_t ball = boundary.face(face).ball;
+  if (boundary.loops_of_face(face).empty()) return is_enough(Position{ball, {balls.r[ball], 0.0, 0.0}});
+  for (const uint32_t e : boundary.half_edges(ball)) {
+    if (boundary.face_of(e) != face) continue;
+    if (is_enough(position_of_vertex(balls, boundary, boundary.half_edge(e).vertex))) return true;
+  }
+  for (const ClosedHalfEdge e : boundary.circles(ball)) {
+    if (boundary.face_of_loop(boundary.loop_of(e)) != face) continue;
+    const CirclePosition circle = position_of_circle(balls, ball, boundary.neighbour(e));
+    const Vec3 &u = circle.axis;
+    const Vec3 across = std::fabs(u.x) < 0.6 ? Vec3{0.0, u.z, -u.y} : Vec3{-u.z, 0.0, u.x};
+    const Vec3 radius = (circle.radius / std::sqrt(dot(across, across))) * across;
+    if (is_enough(Position{circle.centre.ball, circle.centre.offset + radius})) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+// A shell is between one component of the union and one region. Take these as nodes and shells as links: without a box
+// that is a tree; in a box it has one ring at most, as all ways round a box commute.
+void RegionFinder::carve(Workspace &workspace, const PoreLimits &limits) {
+  regions_ = FixedVector<PoreRegion>(workspace.take<PoreRegion>(static_cast<uint64_t>(limits.maxima) + 1));
+  region_of_shell_ = workspace.take<uint32_t>(static_cast<uint64_t>(limits.maxima) + limits.balls + 1);
+}
+
+Status RegionFinder::find(PoresBuilder &pores, const BallsAround &balls, const Boundary &boundary,
+                          const PeriodicUnion *periodic, int64_t floor) {
+  regions_.clear();
+  if (boundary.shell_count() > region_of_shell_.size()) return Status::check;
+  has_outside_ = periodic == nullptr || balls.are_none();
+  // With the floor 0 all maxima and gates of the list are above it, whatever their levels are rounded to.
+  const uint32_t count = pores.join_above(floor == 0 ? -1.0 : 0.0);
+  const Windings &joined = pores.joined();
+  for (uint32_t k = has_outside_ ? 0 : 1; k < count; ++k) {
+    const uint32_t node = joined.first_ball(k);
+    PoreRegion region{node == 0 ? pore_outside : node - 1};
+    region.lattice = joined.lattice(k);
+    regions_.push(region);
+  }
+  const uint32_t first = has_outside_ ? 0 : 1;
+  for (uint32_t node = 1; node < joined.size(); ++node) ++regions_[joined.component(node) - first].maxima;
+  const Status status = find_shells(pores, balls, boundary, floor);
+  if (status != Status::ok) {
+    regions_.clear();
+    return status;
+  }
+  if (periodic != nullptr) {
+    measure_in_box(*periodic);
+  } else {
+    measure(balls.set(), boundary);
+  }
+  return Status::ok;
+}
+
+Status RegionFinder::find_shells(const PoresBuilder &pores, const BallsAround &balls, const Boundary &boundary,
+                                 int64_t floor) {
+  for (uint32_t &region : region_of_shell_) region = no_id;
+  const Windings &joined = pores.joined();
+  uint32_t left = boundary.shell_count();
+  Status status = Status::ok;
+  for (uint32_t face = 0; face < boundary.face_count() && left > 0; ++face) {
+    uint32_t &region = region_of_shell_[boundary.face(face).shell];
+    if (region != no_id) continue;
+    PorePlace place{};
+    place.maximum = no_id;
+    const bool found = visit_points(balls.set(), boundary, face, [&](const Position &position) {
+      const exact::Vector start = rounded(balls.set(), position);
+      Ascent way(balls, start);
+      const bool certain = way.is_outside() || (way.step() && (way.is_outside() || way.level() > certain_level));
+      if (!certain) return false;
+      status = follow_up(pores, balls, way, start, floor, place);
+      return status != Status::ok || place.maximum != no_id;
+    });
+    if (!found) continue;
+    if (status != Status::ok) return status;
+    const uint32_t node = node_of(place.maximum);
+    if (node >= joined.size() || (node == 0 && !has_outside_)) return Status::check;
+    region = joined.component(node) - (has_outside_ ? 0 : 1);
+    if (regions_[region].shells++ == 0) regions_[region].origin = boundary.face(face).ball;
+    --left;
+  }
+  return left == 0 ? Status::ok : Status::range;
+}
+
+void RegionFinder::measure_in_box(const PeriodicUnion &periodic) {
+  const Boundary &boundary = periodic.boundary();
+  const SurfaceVolume surface(periodic);
+  for (uint32_t face = 0; face < boundary.face_count(); ++face) {
+    PoreRegion &region = regions_[region_of_shell_[boundary.face(face).shell]];
+    const BallMeasure term = surface.measure(face, region.origin);
+    region.area += term.area;
+    region.volume += term.volume;
+  }
+  double filled = 0.0;
+  for (uint32_t i = 0; i < periodic.images().balls(); ++i) {
+    filled += periodic.share_volume(periodic.grid().grid_index(i));
+  }
+  for (PoreRegion &region : regions_.items()) {
+    region.volume = surface.reduced(region.volume, surface.box_volume() - filled);
+    if (region.maximum == pore_outside) {
+      for (const int64_t k : {0, 1, 2}) static_cast<void>(region.lattice.add({k == 0, k == 1, k == 2}));
+    }
+  }
+}
+
+void RegionFinder::measure(const BallSet &balls, const Boundary &boundary) {
+  for (uint32_t face = 0; face < boundary.face_count(); ++face) {
+    const uint32_t ball = boundary.face(face).ball;
+    PoreRegion &region = regions_[region_of_shell_[boundary.face(face).shell]];
+    const double r = balls.r[ball];
+    FreeSurface surface(boundary, r);
+    ArcBatches arcs(balls, boundary, ball, face);
+    while (arcs.next()) surface.add(arcs.batch());
+    const double area = r * r * surface.steradians(1, boundary.loops_of_face(face).size());
+    region.area += area;
+    region.volume -= volume_term(r, area, balls.difference(region.origin, ball), surface.vector_area());
+  }
+  for (PoreRegion &region : regions_.items()) {
+    region.volume = region.maximum == pore_outside ? std::numeric_limits<double>::infinity()
+                    : region.volume > 0.0          ? region.volume
+                                                   : 0.0;
+  }
+}
+
+}  // namespace hsp
