@@ -29,8 +29,7 @@ class CubeIndex {
  public:
   // For at most n balls.
   void carve(Workspace &workspace, uint32_t n);
-  // What the index held is over. Until it is built others may have memory of it: for two numbers of each ball, or for
-  // four.
+  // The index is over. Until it is built again others may have memory of it: for two numbers of each ball, or for four.
   Span<uint32_t> end() const;
 
   // rounds: whether queries are in lanes.

@@ -37,7 +37,7 @@ inline void unpoison(const void *, size_t) {}
 
 namespace hsp {
 
-// What stands in an array is over: others may have its memory from here on. Where bytes are poisoned it is overwritten,
+// The content of an array is over: others may have its memory from here on. Where bytes are poisoned it is overwritten,
 // so that tests see whether somebody still relies on it.
 template <class Array>
 void forget(const Array &array) {
