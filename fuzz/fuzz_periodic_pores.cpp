@@ -1,6 +1,7 @@
 // Pores in a periodic box: points and their balls against all images, ends of gates, widest probes through against the
-// channels beside their levels, places and tunnels against the distance to all images, the same levels from other
-// images of the balls, other vectors of the box, another order and twice the box, and limits that are too small.
+// channels beside their levels, places and tunnels against the distance to all images, regions against the volume and
+// area of the box, the same levels and volumes from other images of the balls, other vectors of the box, another order
+// and twice the box, and limits that are too small.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -271,6 +272,51 @@ void require_tunnels(Pores &found, const Point &from, const Point *to) {
   }
 }
 
+// Regions are the channels of a point, and their volumes and areas sum to what the box has; also of other images, other
+// vectors and twice the box. Where they are not known, as free space is too narrow, there are none.
+std::vector<hsp_pore_region> regions_of(Pores &found) {
+  uint32_t count = 0;
+  hsp_pore_access access{};
+  const int32_t status = hsp_pores_find_regions(found.pores.get(), nullptr, &access, &count);
+  FUZZ_REQUIRE(status == HSP_OK || status == HSP_E_RANGE, "regions");
+  if (status != HSP_OK) return {};
+  std::vector<hsp_pore_region> regions(count);
+  FUZZ_REQUIRE(hsp_pores_get_regions(found.pores.get(), 0, count, regions.data()) == HSP_OK, "the list of regions");
+  hsp_periodic_totals totals{};
+  FUZZ_REQUIRE(hsp_periodic_measure(found.periodic.get(), &totals, nullptr, nullptr, 0, nullptr) == HSP_OK, "totals");
+  const double volume = access.accessible_volume + access.blocked_volume;
+  const double area = access.accessible_area + access.blocked_area;
+  FUZZ_REQUIRE(std::fabs(volume - totals.free_volume) <= 1e-10 * totals.box_volume, "volumes of regions");
+  FUZZ_REQUIRE(std::fabs(area - totals.area) <= 1e-9 * (1 + totals.area), "areas of regions");
+  if (found.crystal.n() == 0) return regions;
+  const auto channels = channels_of(found, 0.0);
+  FUZZ_REQUIRE(channels.size() == count, "as many as channels");
+  for (size_t k = 0; k < channels.size(); ++k) {
+    FUZZ_REQUIRE(channels[k].maximum == regions[k].maximum && channels[k].maxima == regions[k].maxima, "its maxima");
+    FUZZ_REQUIRE(channels[k].directions == regions[k].directions && regions[k].shells > 0, "its directions");
+    FUZZ_REQUIRE(regions[k].volume >= 0 && regions[k].volume <= totals.free_volume + 1e-12 * totals.box_volume,
+                 "its volume");
+  }
+  return regions;
+}
+
+// In ascending order.
+std::vector<double> volumes(const std::vector<hsp_pore_region> &regions) {
+  std::vector<double> all;
+  for (const auto &region : regions) all.push_back(region.volume);
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+void require_same_regions(const std::vector<hsp_pore_region> &one, Pores &other, double box_volume) {
+  const auto before = volumes(one), after = volumes(regions_of(other));
+  if (before.empty() || after.empty()) return;
+  FUZZ_REQUIRE(before.size() == after.size(), "as many regions");
+  for (size_t k = 0; k < before.size(); ++k) {
+    FUZZ_REQUIRE(std::fabs(before[k] - after[k]) <= 1e-10 * box_volume, "the same volume");
+  }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -279,6 +325,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   const double floor = bytes.one_in(2) ? 0.0 : -static_cast<double>(bytes.below(8));
   Pores found(crystal, floor);
   require_sound(found);
+  const auto regions = regions_of(found);
+  const double volume = crystal.box[0] * crystal.box[4] * crystal.box[8];
 
   for (int k = 0; k < 2; ++k) {
     Point ends[2];
@@ -295,13 +343,17 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     const auto at = moved(crystal, &crystal.balls.xyz[3 * size_t{i}], times);
     std::copy(at.begin(), at.end(), other.balls.xyz.begin() + 3 * static_cast<ptrdiff_t>(i));
   }
-  require_same(found, Pores(other, floor), 1, "other images");
+  Pores moved_images(other, floor);
+  require_same(found, moved_images, 1, "other images");
+  require_same_regions(regions, moved_images, volume);
   Crystal skew = crystal;
   for (size_t axis = 0; axis < 3; ++axis) {
     skew.box[6 + axis] += skew.box[3 + axis];
     skew.box[3 + axis] -= skew.box[axis];
   }
-  require_same(found, Pores(skew, floor), 1, "other vectors");
+  Pores other_vectors(skew, floor);
+  require_same(found, other_vectors, 1, "other vectors");
+  require_same_regions(regions, other_vectors, volume);
   Crystal twice = crystal;
   const size_t row = bytes.below(3);
   for (uint32_t i = 0; i < crystal.n(); ++i) {
@@ -311,7 +363,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     twice.balls.add(at[0], at[1], at[2], crystal.balls.radius[i]);
   }
   for (size_t axis = 0; axis < 3; ++axis) twice.box[3 * row + axis] *= 2;
-  require_same(found, Pores(twice, floor), 2, "twice the box");
+  Pores twice_the_box(twice, floor);
+  require_same(found, twice_the_box, 2, "twice the box");
+  static_cast<void>(regions_of(twice_the_box));
 
   const auto before = found.levels(1);
   fuzz::require_limits<support::PoresKind>(

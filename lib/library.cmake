@@ -97,8 +97,8 @@ set(HSP_LIBRARY_SOURCES
   lib/union/moving/moving_balls.cpp
   lib/union/contacts/chord_clipper.cpp
   lib/union/contacts/chord_cuts.kernel.cpp
-  lib/union/contacts/chord_parts.cpp
-  lib/union/contacts/chord_parts.kernel.cpp
+  lib/union/contacts/chord_ends.cpp
+  lib/union/contacts/chord_ends.kernel.cpp
   lib/union/contacts/chord_walk.cpp
   lib/union/contacts/contact_measures.cpp
   lib/union/contacts/contact_measures.kernel.cpp
@@ -191,6 +191,7 @@ set(HSP_LIBRARY_SOURCES
   lib/sight/maps/stick_map_builder.cpp
   lib/sight/maps/stick_outlines.cpp
   lib/sight/maps/stick_scene.cpp
+  lib/sight/maps/strand_lines.cpp
   lib/sight/maps/stick_sweep.cpp
   lib/sight/maps/stick_view_builder.cpp
   lib/sight/maps/trigonometric_roots.cpp
@@ -341,7 +342,6 @@ set(HSP_SOURCES_OF_LANES
   lib/balls/model/pair_block.kernel.cpp
   lib/balls/model/query_hits.kernel.cpp
   lib/balls/model/rounded_block.kernel.cpp
-  lib/union/contacts/chord_parts.kernel.cpp
   lib/union/contacts/contact_measures.kernel.cpp
   lib/union/sphere/candidate_block.kernel.cpp
   lib/union/sphere/cube_candidates.cpp

@@ -232,7 +232,7 @@ module hardsphere
   ! parts of the stick side by side that face the viewer, with what is behind it seen between them: two of them, three,
   ! or two of which the right one, on the way from ball[0] to ball[1], is dashed. Such a stick is half as thick again
   ! as others. In all else, rules, order and map, it is one stick of that thickness; pictures of what is seen of each,
-  ! side by side, have no strands.
+  ! side by side, have lines where strands begin and end on it.
   integer(c_int32_t), parameter :: HSP_STICK_DOUBLE = 2_c_int32_t
   integer(c_int32_t), parameter :: HSP_STICK_TRIPLE = 4_c_int32_t  ! three strands
   integer(c_int32_t), parameter :: HSP_STICK_AROMATIC = 8_c_int32_t  ! two, one of them dashed

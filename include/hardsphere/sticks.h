@@ -84,7 +84,7 @@ HSP_API int32_t hsp_sticks_init(void *memory, size_t bytes, const hsp_sticks_lim
  *  parts of the stick side by side that face the viewer, with what is behind it seen between them: two of them, three,
  *  or two of which the right one, on the way from ball[0] to ball[1], is dashed. Such a stick is half as thick again as
  *  others. In all else, rules, order and map, it is one stick of that thickness; pictures of what is seen of each, side
- *  by side, have no strands. */
+ *  by side, have lines where strands begin and end on it. */
 #define HSP_STICK_DOUBLE UINT32_C(2)
 #define HSP_STICK_TRIPLE UINT32_C(4)   /**< three strands */
 #define HSP_STICK_AROMATIC UINT32_C(8) /**< two, one of them dashed */

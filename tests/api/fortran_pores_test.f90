@@ -97,6 +97,9 @@ contains
     type(hsp_pore_percolation) :: wide
     type(hsp_pore_channel) :: channel(1)
     type(hsp_pore_gate_shifts) :: shifts(3)
+    type(hsp_pore_access) :: access
+    type(hsp_pore_region) :: region(1)
+    real(c_double), parameter :: pi = acos(-1.0_c_double)
     type(hsp_image) :: images(8)
     call check(c_sizeof(wide) == 120 .and. c_sizeof(channel(1)) == 64 .and. c_sizeof(shifts(1)) == 68, 'sizes in a box')
     call expect(work%compute_periodic(1_c_int32_t, xyz(:, 1:1), radius, box=box), HSP_OK, 'compute_periodic')
@@ -118,5 +121,11 @@ contains
     call expect(hsp_pores_get_gate_images(work%pores, 0_c_int32_t, images, 8_c_int32_t, needed), HSP_OK, &
                 'hsp_pores_get_gate_images')
     call check(needed == 4, 'four of them around a gate')
+    call check(c_sizeof(access) == 40 .and. c_sizeof(region(1)) == 88, 'sizes of regions')
+    call expect(hsp_pores_find_regions(work%pores, c_null_ptr, access, number), HSP_OK, 'hsp_pores_find_regions')
+    call check(number == 1 .and. access%accessible == 1 .and. access%blocked_volume == 0, 'one region')
+    call check(abs(access%accessible_volume - (edge**3 - 4*pi/3)) < 1e-9, 'its volume')
+    call expect(hsp_pores_get_regions(work%pores, 0_c_int32_t, 1_c_int32_t, region), HSP_OK, 'hsp_pores_get_regions')
+    call check(region(1)%directions == 3 .and. abs(region(1)%area - 4*pi) < 1e-9, 'the region')
   end subroutine
 end program

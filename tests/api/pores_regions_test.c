@@ -206,6 +206,23 @@ static void networks(uint32_t kind) {
   }
 }
 
+/* Two cavities that touch in a point, a gate of the width 0, where vertices of both shells are; and what is left of
+ * them when balls are a little smaller or larger. */
+static void pinched(void) {
+  int32_t size;
+  for (size = -1; size <= 1; ++size) {
+    set_box(8, 4, 8, -4, -4, 8);
+    add(-4, 6, 2, 6 + 1e-3 * size);
+    compute();
+    CHECK_EQUAL(count, size < 0 ? 1 : 2);
+    CHECK_EQUAL(access.accessible, 0);
+    if (size < 0) continue;
+    CHECK(regions[0].shells == 1 && regions[1].shells == 1);
+    CHECK_NEAR(regions[0].volume, totals.free_volume / 2, 1e-11);
+    CHECK_NEAR(regions[1].volume, totals.free_volume / 2, 1e-11);
+  }
+}
+
 /* A cage without the ball in its middle, around a small ball that floats; far from others of its kind. */
 static void add_cage(double floating) {
   int x, y, z;
@@ -372,6 +389,7 @@ int main(void) {
   tubes();
   networks(0);
   networks(1);
+  pinched();
   cages();
   copies_and_probes();
   nothing();

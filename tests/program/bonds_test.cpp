@@ -157,7 +157,17 @@ TEST(Bonds, AreDrawnAsSingleWhereManifoldOnesDoNotFit) {
   const std::string text = chain({"1", "2"}) + "CONECT    1    2    2\n";
   EXPECT_EQ(multiple_in(text, "pdb", {"--stick", "0.28"}), (Multiple{"1 multiple ones", 1}));
   EXPECT_EQ(multiple_in(text, "pdb", {"--stick", "0.29"}), (Multiple{"1 multiple ones, drawn as single", 0}));
-  EXPECT_EQ(multiple_in(text, "pdb", {"--pieces", "visible"}).said, "1 multiple ones, drawn as single");
+}
+
+// Side by side all of a bond is one piece, with lines where its strands begin and end.
+TEST(Bonds, HaveLinesBetweenStrandsWhereTheyArePieces) {
+  const std::vector<std::string> options = {"--pieces", "visible"};
+  const std::string two = chain({"1", "2"});
+  const Multiple single = multiple_in(two, "pdb", options);
+  EXPECT_EQ(multiple_in(two + "CONECT    1    2    2\n", "pdb", options),
+            (Multiple{"1 multiple ones", single.more + 2}));
+  EXPECT_EQ(multiple_in(two + "CONECT    1    2    2    2\n", "pdb", options),
+            (Multiple{"1 multiple ones", single.more + 4}));
 }
 
 // A ring and what is bonded to it, as a component or in the words of a library of monomers.

@@ -405,7 +405,7 @@ TEST(Draw, BallsAndSticks) {
   EXPECT_NE(refusal(with({"--all-balls"})).find("are not for --as"), std::string::npos);
   // Pieces side by side: the same ones, but for what is hidden.
   const Outcome seen = draw_to(out.path(), caffeine, with({"--json", "--pieces", "visible"}));
-  EXPECT_NE(seen.out.find("\"n\": 24, \"pieces\": 49,"), std::string::npos) << seen.out << seen.err;
+  EXPECT_NE(seen.out.find("\"n\": 24, \"pieces\": 47,"), std::string::npos) << seen.out << seen.err;
   EXPECT_NE(refusal({"--stick", "0.1"}).find("are for --as"), std::string::npos);
   EXPECT_NE(refusal({"--as", "ribbons"}).find("is neither balls nor ball-and-stick"), std::string::npos);
 }

@@ -322,6 +322,44 @@ TEST(Pores, ABox) {
   EXPECT_NE(table.find("end_shift_x"), std::string::npos);
 }
 
+// Rods once more: of the probe that fits between them what it gets to, of wider ones what they do not; volumes add up
+// to those of the box that `measure` has. Of a cage the same as its void.
+TEST(Pores, Regions) {
+  const TemporaryFile file("rod.xyzr", "3 2 1 1.6\n");
+  for (const char *probe : {"0", "2.9", "3.5", "4.95"}) {
+    const Words box = {file.path(), "--box", "8,10,3", "--probe", probe};
+    Words pores = {"pores", "--regions"}, measure = {"measure"};
+    pores.insert(pores.end(), box.begin(), box.end());
+    measure.insert(measure.end(), box.begin(), box.end());
+    const Json found = run_json(pores), whole = run_json(measure);
+    const double open = found["accessible_volume"].number, blocked = found["blocked_volume"].number;
+    EXPECT_NEAR(open + blocked, whole["free_volume"].number, 1e-9);
+    EXPECT_NEAR(found["accessible_area"].number + found["blocked_area"].number, whole["area"].number, 1e-8);
+    const Json &region = found["region_list"].items.at(0);
+    const bool narrow = std::string(probe) != "4.95";
+    EXPECT_EQ(found["region_list"].items.size(), 1u);
+    EXPECT_EQ(found["accessible_regions"].number, narrow ? 1 : 0);
+    EXPECT_EQ(found["blocked_regions"].number, narrow ? 0 : 1);
+    EXPECT_EQ(region["access"].text, narrow ? "accessible" : "blocked");
+    EXPECT_EQ((narrow ? open : blocked), region["volume"].number);
+    EXPECT_NEAR(region["radius"].number, std::sqrt(43.25) - 1.6, 1e-7);
+    EXPECT_NEAR(region["xyz"].items.at(0).number, 7, 1e-7);
+    pores.push_back("--csv");
+    const std::string table = run_program(pores).out;
+    EXPECT_EQ(table.substr(0, table.find('\n')),
+              "region,x,y,z,radius,access,area,volume,directions,along,maxima,shells");
+    pores.back() = "--tunnels-from=7,7,2.5";
+    EXPECT_EQ(run_json(pores)["tunnels"].number > 0, narrow);  // of the box itself, as ever
+  }
+  const Json cage = run_json({"pores", "good/cage.xyzr", "--regions"});
+  const Json inside = run_json({"voids", "good/cage.xyzr"})["voids"].items.at(0);
+  EXPECT_EQ(cage["accessible_volume"].kind, Json::Kind::null);
+  EXPECT_EQ(cage["region_list"].items.at(0)["xyz"].kind, Json::Kind::null);
+  EXPECT_NEAR(cage["blocked_volume"].number, inside["volume"].number, 1e-12);
+  EXPECT_NEAR(cage["blocked_area"].number, inside["area"].number, 1e-12);
+  EXPECT_EQ(cage["largest_cavity_diameter"].number, 0.2);
+}
+
 // Between rods, tunnels to a copy lead along each vector in turn; to another point they end at the best copy of it.
 TEST(Pores, TunnelsInABox) {
   const TemporaryFile file("rod.xyzr", "3 2 1 1.6\n");

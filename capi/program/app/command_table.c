@@ -215,7 +215,7 @@ const struct command_row command_table[COMMANDS] = {
          .component = "space",
          .run = SPACE(command_pores),
          .check = SPACE(check_pores),
-         .text = "hardsphere pores FILE [--gates] [--pockets W] [--tunnels-from X Y Z|atom:N] [options]\n"
+         .text = "hardsphere pores FILE [--gates] [--regions] [--pockets W] [--tunnels-from X Y Z|atom:N] [options]\n"
                  "\n"
                  "Finds all maxima, where a probe between the balls is largest nearby, and all gates, where the parts "
                  "of free space\n"
@@ -250,6 +250,11 @@ const struct command_row command_table[COMMANDS] = {
              "have end_shift and other_end_shift, by which the maxima are to be moved, and directions, in which their "
              "class goes on;\n"
              "tunnels have shift, the vectors from the point that was named to the copy of it where they end.\n"
+             "With --regions accessible_area, accessible_volume, null without a box, blocked_area, blocked_volume, "
+             "accessible_regions,\n"
+             "blocked_regions, region_list: [{region, xyz, radius, access, area, volume, directions, maxima, "
+             "shells}, ...];\n"
+             "xyz, radius and volume are null outside.\n"
              "\n"},
     [COMMAND_CLASH] =
         {.name = "clash",

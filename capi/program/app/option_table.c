@@ -145,6 +145,9 @@ const struct option *option_at(size_t i) {
        .help = "list only maxima whose class lives for D or more, radius less death, and pockets that\n"
                "are as much wider than their widest mouth"},
       {"--gates", NULL, take_flag, OF(PORES), .target = IN(gates), .help = "list gates instead"},
+      {"--regions", NULL, take_flag, OF(PORES), .target = IN(regions),
+       .help = "area and volume of free space that a probe of radius P gets to from outside, or with --box\n"
+               "for ever, of what is blocked, and of each region; the volume is that of its centre"},
       {"--pockets", "W", take_number, OF(PORES), .target = IN(pockets), .what = "a length", .most = 1e6,
        .help = "list pockets: where a probe of radius P fits, and one of radius W does not get to from\n"
                "outside, or with --box from where it goes on for ever"},
@@ -175,7 +178,7 @@ const struct option *option_at(size_t i) {
        .help = "also a chart of the classes: a line from birth to death for each, down to that which it\n"
                "merges into; with --pockets in the colours of the six widest pockets"},
       {"--csv", NULL, take_flag, OF(PORES), .target = IN(csv),
-       .help = "print maxima, gates, pockets or the points of tunnels as comma-separated values and\n"
+       .help = "print maxima, gates, regions, pockets or points of tunnels as comma-separated values and\n"
                "nothing else"},
 
       {"--rotate", "X,Y,Z", take_vector, OF(CLASH), .target = IN(viewing.rotate),

@@ -87,22 +87,27 @@ static struct table table_of_gates(const struct molecule *molecule, const struct
       columns, found->shifts == NULL ? count - 3 : count, molecule->format, found->counts.gates, found, gate_row, NULL};
 }
 
+/* "1 0 0, 0 1 0", or "-". */
+static const char *ways_text(char text[CELL_BYTES], uint32_t directions, const int32_t row[9]) {
+  size_t length = 0;
+  snprintf(text, CELL_BYTES, "-");
+  for (uint32_t r = 0; r < directions && length < CELL_BYTES; ++r) {
+    const int32_t *const way = row + 3 * r;
+    length += (size_t)snprintf(text + length, CELL_BYTES - length, "%s%" PRId32 " %" PRId32 " %" PRId32,
+                               r == 0 ? "" : ", ", way[0], way[1], way[2]);
+  }
+  return text;
+}
+
 static bool channel_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
   const struct pores_found *const found = of;
   const hsp_pore_channel *const channel = &found->channels[row];
-  size_t length = 0;
   cells[0].count = (int64_t)row + 1;
   cells[1].vector = found->maxima[channel->maximum].xyz;
   cells[2].quantity = channel->radius;
   cells[3].count = channel->maxima;
   cells[4].count = channel->directions;
-  cells[5].text = text;
-  snprintf(text, CELL_BYTES, "-");
-  for (uint32_t r = 0; r < channel->directions && length < CELL_BYTES; ++r) {
-    const int32_t *const way = channel->row + 3 * r;
-    length += (size_t)snprintf(text + length, CELL_BYTES - length, "%s%" PRId32 " %" PRId32 " %" PRId32,
-                               r == 0 ? "" : ", ", way[0], way[1], way[2]);
-  }
+  cells[5].text = ways_text(text, channel->directions, channel->row);
   return true;
 }
 
@@ -115,6 +120,35 @@ static struct table table_of_channels(const struct molecule *molecule, const str
   };
   return (struct table){
       columns, sizeof columns / sizeof columns[0], molecule->format, found->channel_count, found, channel_row, NULL};
+}
+
+/* The radius is that of the whole probe, as of all that is listed here. */
+static bool region_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
+  const struct pores_found *const found = of;
+  const hsp_pore_region *const region = &found->regions[row];
+  cells[0].count = (int64_t)row + 1;
+  cells[1].vector = region->maximum == HSP_PORE_OUTSIDE ? NULL : found->widest[row].xyz;
+  cells[2].quantity = region->radius + found->request->probe;
+  cells[3].text = region->accessible ? "accessible" : "blocked";
+  cells[4].quantity = region->area;
+  cells[5].quantity = region->volume;
+  cells[6].count = region->directions;
+  cells[7].text = ways_text(text, region->directions, region->row);
+  cells[8].count = region->maxima;
+  cells[9].count = region->shells;
+  return true;
+}
+
+static struct table table_of_regions(const struct molecule *molecule, const struct pores_found *found) {
+  static const struct column columns[] = {
+      {"region", NULL, "region", 6, COLUMN_COUNT, 0},          {"xyz", "x,y,z", "x y z", 9, COLUMN_POINT, 0},
+      {"radius", NULL, "radius", 9, COLUMN_QUANTITY, 4},       {"access", NULL, "access", 10, COLUMN_TEXT, 0},
+      {"area", NULL, "area", 11, COLUMN_QUANTITY, 4},          {"volume", NULL, "volume", 11, COLUMN_QUANTITY, 4},
+      {"directions", NULL, "directions", 10, COLUMN_COUNT, 0}, {"along", NULL, "along", 8, COLUMN_TEXT, 0},
+      {"maxima", NULL, "maxima", 7, COLUMN_COUNT, 0},          {"shells", NULL, "shells", 6, COLUMN_COUNT, 0},
+  };
+  return (struct table){
+      columns, sizeof columns / sizeof columns[0], molecule->format, found->region_count, found, region_row, NULL};
 }
 
 static bool pocket_row(const void *of, size_t row, union cell cells[MOST_COLUMNS], char text[CELL_BYTES]) {
@@ -262,6 +296,23 @@ static void print_box(struct record *record, const struct pores_found *found) {
   text_buffer_add_text(record->out, "]");
 }
 
+static void print_regions(struct record *record, const struct pores_found *found) {
+  const hsp_pore_access *const access = &found->access;
+  const struct table table = table_of_regions(record->molecule, found);
+  record_number(record, "accessible_area", "reached area", access->accessible_area, 4,
+                "@^2, of the balls grown by the probe, where it gets to");
+  record_number(record, "accessible_volume", "reached volume", access->accessible_volume, 4,
+                "@^3, of places of its centre");
+  record_number(record, "blocked_area", "blocked area", access->blocked_area, 4,
+                "@^2, where it fits and does not get to");
+  record_number(record, "blocked_volume", "blocked volume", access->blocked_volume, 4, "@^3, likewise");
+  record_count(record, "accessible_regions", "reached regions", access->accessible,
+               is_boxed(found->request) ? "that go on for ever" : "the outside");
+  record_count(record, "blocked_regions", "blocked regions", access->blocked, "that end on all sides");
+  if (record->form != FOR_PERSONS) record_table(record, "region_list", &table);
+  print_table(record, &table, "  a region: its widest probe; area in @^2, volume in @^3");
+}
+
 static bool lists_balls(const struct record *record, const struct pores_found *found) {
   return record->form == FOR_PERSONS && found->request->void_balls;
 }
@@ -292,11 +343,14 @@ static void print(struct record *record, const void *of) {
   if (!persons) {
     record_table(record, "maximum_list", &maxima);
     record_table(record, "gate_list", &gates);
+  } else if (request->regions) {
+    /* The list of these follows. */
   } else if (is_boxed(request) && !request->gates && !pockets && !tunnels) {
     print_table(record, &channels, "  a channel: its widest probe, in @, and where it goes on for ever, by vectors");
   } else if (!request->gates && !pockets && !tunnels) {
     print_table(record, &maxima, "  a class: the radius of the widest probe in it, and of that which merges it, in @");
   }
+  if (request->regions) print_regions(record, found);
   if (persons && request->gates) print_table(record, &gates, "  narrower probes than radius, in @, pass");
   if (pockets) {
     record_count(record, "pockets", "pockets", found->pocket_count, "where the probe fits that --pockets keeps out");
@@ -331,6 +385,7 @@ static void print(struct record *record, const void *of) {
 static struct table table_of(const struct molecule *molecule, const struct pores_found *found) {
   const struct request *const request = found->request;
   return request->gates                      ? table_of_gates(molecule, found)
+         : request->regions                  ? table_of_regions(molecule, found)
          : request->pockets >= 0.0           ? table_of_pockets(molecule, found)
          : request->tunnels_from.point.given ? table_of_steps(molecule, found)
                                              : table_of_maxima(molecule, found);
@@ -349,8 +404,8 @@ bool check_pores(struct request *request, struct failure *failure) {
   if (request->void_balls && !pockets && !from) {
     return failure_in_usage(failure, "--balls needs --pockets or --tunnels-from");
   }
-  if (!request->csv || (int)request->gates + (int)pockets + (int)from < 2) return true;
-  return failure_in_usage(failure, "--csv prints one table: either --gates, --pockets or --tunnels-from");
+  if (!request->csv || (int)request->gates + (int)request->regions + (int)pockets + (int)from < 2) return true;
+  return failure_in_usage(failure, "--csv prints one table: either --gates, --regions, --pockets or --tunnels-from");
 }
 
 bool command_pores(const struct request *request, const struct molecule *molecule, struct geometry *geometry,

@@ -188,11 +188,35 @@ static bool find_tunnels(struct geometry *geometry, const struct molecule *molec
   return done;
 }
 
+/* Of the balls grown by the probe, whose pores are others than those that are listed. */
+static bool take_regions(struct geometry *geometry, const struct molecule *molecule, struct pores_found *found,
+                         struct failure *failure) {
+  const struct request *const request = found->request;
+  const bool boxed = request->box.source != BOX_NONE;
+  uint32_t *const count = &found->region_count;
+  if (!geometry_find_regions(geometry, molecule, boxed ? found->box.box : NULL, request->probe, &found->access, count,
+                             failure)) {
+    return false;
+  }
+  found->regions = calloc((size_t)*count + 1, sizeof *found->regions);
+  found->widest = calloc((size_t)*count + 1, sizeof *found->widest);
+  if (found->regions == NULL || found->widest == NULL) return failure_of_memory(failure);
+  const hsp_pores *const pores = geometry->work.pores;
+  int32_t status = hsp_pores_get_regions(pores, 0, *count, found->regions);
+  for (uint32_t i = 0; status == HSP_OK && i < *count; ++i) {
+    const uint32_t maximum = found->regions[i].maximum;
+    if (maximum != HSP_PORE_OUTSIDE) status = hsp_pores_get_maxima(pores, maximum, 1, &found->widest[i]);
+  }
+  if (status != HSP_OK) return failure_in_library(failure, status);
+  return boxed || geometry_set_model(geometry, molecule, 0.0, 0.0, failure);
+}
+
 bool pores_find(const struct molecule *molecule, struct geometry *geometry, struct pores_found *found,
                 struct failure *failure) {
   const struct request *const request = found->request;
   const bool boxed = request->box.source != BOX_NONE;
   return (!boxed || periodic_result_find_box(request, molecule, &found->box, failure)) &&
+         (!request->regions || take_regions(geometry, molecule, found, failure)) &&
          (boxed ? geometry_find_pores_in_box(geometry, molecule, found->box.box, request->probe, failure)
                 : geometry_find_pores(geometry, molecule, request->probe, failure)) &&
          take_tree(geometry->work.pores, found, failure) &&
@@ -215,6 +239,8 @@ void pores_free(struct pores_found *found) {
   free(found->steps);
   free(found->shifts);
   free(found->channels);
+  free(found->regions);
+  free(found->widest);
 }
 
 bool pores_lists_maximum(const struct pores_found *found, size_t maximum) {

@@ -51,6 +51,10 @@ struct pores_found {
   hsp_pore_gate_shifts *shifts; /* [gates] */
   uint32_t channel_count;
   hsp_pore_channel *channels;
+  hsp_pore_access access; /* with --regions */
+  uint32_t region_count;
+  hsp_pore_region *regions;
+  hsp_pore_maximum *widest; /* [region_count] where the widest probe fits in each, but for the outside */
 };
 
 /* Find all that found->request asks for; the rest of it is 0. To be freed on true and on false. */

@@ -97,6 +97,7 @@ struct request {
   struct given_vector at;        /* of `pick`: x and y */
   struct place from, to;         /* of `path` and `gate` */
   bool gates;                    /* of `pores` */
+  bool regions;                  /* likewise: which regions the probe finds, and how large they are */
   double persistence;            /* likewise, of what is listed, at least */
   double pockets;                /* likewise, radius of a probe that does not get there; negative: none are asked for */
   struct place tunnels_from;     /* likewise */

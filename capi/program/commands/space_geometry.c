@@ -75,20 +75,45 @@ static int32_t compute_pores(const struct geometry *geometry, bool in_box, doubl
                 : hsp_pores_compute(pores, geometry->work.model, &options, limits);
 }
 
-bool geometry_find_pores_in_box(struct geometry *geometry, const struct molecule *molecule, const double *box,
-                                double narrowest, struct failure *failure) {
+/* The same with memory that grows until it suffices. */
+static int32_t grow_pores(struct geometry *geometry, bool in_box, double narrowest) {
   hsp_workspace *const work = &geometry->work;
-  if (!geometry_compute_periodic(geometry, molecule, 0.0, box, failure)) return false;
   progress_show(&geometry->progress, "looking for pores");
   int32_t status = hsp_workspace_ready_pores(work);
   hsp_pores_limits limits = work->pores_limits;
   while (status == HSP_OK) {
-    status = compute_pores(geometry, true, narrowest, &limits);
+    status = compute_pores(geometry, in_box, narrowest, &limits);
     if (status != HSP_E_CAPACITY) break;
     status = hsp_workspace_grow_pores(work, &limits);
   }
+  return status;
+}
+
+bool geometry_find_pores_in_box(struct geometry *geometry, const struct molecule *molecule, const double *box,
+                                double narrowest, struct failure *failure) {
+  if (!geometry_compute_periodic(geometry, molecule, 0.0, box, failure)) return false;
+  const int32_t status = grow_pores(geometry, true, narrowest);
   if (status == HSP_E_RANGE) {
     return failure_in_input(failure, 0, "the box is too long for its width, or a probe in it is too wide");
+  }
+  return status == HSP_OK || failure_in_library(failure, status);
+}
+
+bool geometry_find_regions(struct geometry *geometry, const struct molecule *molecule, const double *box, double probe,
+                           hsp_pore_access *access, uint32_t *regions, struct failure *failure) {
+  const bool in_box = box != NULL;
+  if (in_box ? !geometry_compute_periodic(geometry, molecule, probe, box, failure)
+             : !geometry_set_model(geometry, molecule, probe, 0.0, failure) ||
+                   !geometry_compute_boundary(geometry, failure)) {
+    return false;
+  }
+  int32_t status = grow_pores(geometry, in_box, 0.0);
+  if (status == HSP_OK) {
+    progress_show(&geometry->progress, "measuring regions");
+    status = hsp_pores_find_regions(geometry->work.pores, in_box ? NULL : geometry->work.boundary, access, regions);
+  }
+  if (status == HSP_E_RANGE) {
+    return failure_in_input(failure, 0, "--regions: free space is too wide for the lattice, or too narrow somewhere");
   }
   return status == HSP_OK || failure_in_library(failure, status);
 }

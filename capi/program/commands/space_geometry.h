@@ -28,6 +28,11 @@ bool geometry_find_pores(struct geometry *geometry, const struct molecule *molec
 bool geometry_find_pores_in_box(struct geometry *geometry, const struct molecule *molecule, const double *box,
                                 double narrowest, struct failure *failure);
 
+/* Find the regions of free space beside the balls grown by a probe, in a box or, if that is NULL, of the molecule. The
+ * handles hold this model or box and its pores afterwards, others than before. */
+bool geometry_find_regions(struct geometry *geometry, const struct molecule *molecule, const double *box, double probe,
+                           hsp_pore_access *access, uint32_t *regions, struct failure *failure);
+
 /* Which tunnel is wanted, in the pores of the same narrowest probe. */
 struct tunnel_question {
   double narrowest;

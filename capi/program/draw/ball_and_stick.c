@@ -141,7 +141,7 @@ static bool compute_bonds(const struct molecule *molecule, const struct drawing 
   geometry->multiple_bonds = 0;
   for (uint32_t k = 0; k < count; ++k) geometry->multiple_bonds += bonds[k].order > BOND_SINGLE ? 1U : 0U;
   geometry->multiple_shown = false;
-  if (geometry->multiple_bonds > 0 && !drawing_is_of_map(drawing)) {
+  if (geometry->multiple_bonds > 0) {
     struct failure unfit = *failure;
     hsp_stick *stick = sticks_of(molecule, axis, bonds, count, colour, true);
     geometry->multiple_shown = compute_sticks(molecule, drawing, stick, count, geometry, &unfit);

@@ -70,7 +70,8 @@ static double share_at(const struct seen_line *line, double plane) {
 static uint32_t contour_level(const struct mesh_picture *picture, const struct hidden_lines *hidden,
                               const struct seen_line *line, double from, double to) {
   const double along[2] = {(double)line->at[1][0] - line->at[0][0], (double)line->at[1][1] - line->at[0][1]};
-  const double outside = contour_width(picture) / 2.0 / hypot(along[0], along[1]);
+  const double length = sqrt(along[0] * along[0] + along[1] * along[1]);
+  const double outside = contour_width(picture) / 2.0 / length;
   double gap = full_gap;
   for (int half = 0; half <= 2; ++half) {
     const double share = from + (to - from) * half / 2.0;

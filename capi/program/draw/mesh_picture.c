@@ -91,11 +91,12 @@ static bool paint_triangles(struct mesh_picture *picture) {
     struct seen_triangle *const one = &seen[count++];
     one->number = t;
     one->whole = true;
+    const bool of_void = mesh_parts_is_of_void(&picture->parts, mesh->corners[3 * (size_t)t]);
     for (int k = 0; k < 3; ++k) {
       const double *at = picture->parts.seen + 3 * (size_t)mesh->corners[3 * (size_t)t + (size_t)k];
       mesh_place(&picture->frame, at, one->at[k]);
       one->depth[k] = at[2];
-      one->whole = one->whole && at[2] <= picture->parts.cut;
+      one->whole = one->whole && (of_void || at[2] <= picture->parts.cut);
     }
   }
   const bool enough = mesh_layers_find(seen, count, slack) && mesh_layers_find_seen(seen, count, step_of_points) &&

@@ -196,11 +196,9 @@ struct StickMap : SceneMap<StickScene> {
   }
 };
 
-// Each edge is drawn once: a contour by its body, a crease or half circle by the nearer body. The map has to outlive
-// them.
-inline PaintedPaths paths_of(const StickMap &map) {
-  return {map.frame, map.owners, &map, MapPathFunctions<StickMap>::functions};
-}
+// Each edge is drawn once: a contour by its body, a crease or half circle by the nearer body; and the lines between
+// strands (strand_lines.hpp). The map has to outlive them.
+PaintedPaths paths_of(const StickMap &map);
 
 // With the parameters of stick_scene.hpp; likewise.
 SeenSilhouettes silhouettes_of(const StickMap &map);

@@ -189,8 +189,10 @@ void StickViewBuilder::move(const BallSet &balls, double perturbation) {
   for (Stick &stick : view_.sticks.items()) {
     const bool whole = stick.owner[0] == stick.owner[1];
     const bool inside = stick.inside;
+    const StickStrands strands = stick.strands;
     stick = make_stick(stick.ball[stick.turned], stick.ball[1 - stick.turned], stick.radius, stick.caller, whole);
     stick.inside = inside;
+    stick.strands = strands;
     if (inside) stick.parts = 0;
   }
 }

@@ -17,8 +17,10 @@ struct VertexContacts {
   VertexContacts(const BallSet &balls, const Boundary &boundary, uint32_t vertex, uint32_t own, const Vec3 &offset) {
     const VertexRecord &record = boundary.vertex(vertex);
     const uint32_t slot = record.slot_of(own);
-    double twice = 2.0;
-    for (uint32_t k = 0; k < 3; ++k) {
+    ball[0] = own;
+    normal[0] = (1.0 / balls.r[own]) * offset;
+    double twice = 2.0 * balls.r[own];
+    for (uint32_t k = 1; k < 3; ++k) {
       ball[k] = record.ball[(slot + k) % 3];
       normal[k] = (1.0 / balls.r[ball[k]]) * (offset - balls.difference(own, ball[k]));
       twice *= balls.r[ball[k]];

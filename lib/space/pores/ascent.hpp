@@ -28,6 +28,8 @@ class Ascent {
   bool is_outside() const { return outside_; }
   // One step up. False if there is none, or outside.
   bool step();
+  // Whether a step began at a gate or in the middle of a gap, where the way might have led to the other side as well.
+  bool has_left_saddle() const { return saddles_ > 0; }
   // Whether steps were given up, which cannot happen.
   bool is_lost() const { return steps_ == most_steps; }
 

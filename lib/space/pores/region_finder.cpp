@@ -92,7 +92,8 @@ Status RegionFinder::find_shells(const PoresBuilder &pores, const BallsAround &b
     const bool found = visit_points(balls.set(), boundary, face, [&](const Position &position) {
       const exact::Vector start = rounded(balls.set(), position);
       Ascent way(balls, start);
-      const bool certain = way.is_outside() || (way.step() && (way.is_outside() || way.level() > certain_level));
+      const bool certain = way.is_outside() ||
+                           (way.step() && !way.has_left_saddle() && (way.is_outside() || way.level() > certain_level));
       if (!certain) return false;
       status = follow_up(pores, balls, way, start, floor, place);
       return status != Status::ok || place.maximum != no_id;

@@ -2,8 +2,9 @@
 // The balls may have been grown by a probe: then these are the regions that its centre gets about in.
 //
 // The tree of merges has the regions: they are the classes at the level 0. The boundary has their surface. A shell
-// belongs to the region that a way up from one of its points leads to, if it is certain: the first step of the way
-// leads past no ball and more than three steps above the boundary.
+// belongs to the region that a way up from one of its points leads to, if it is certain: the first step of the way has
+// all balls nearby behind it and leads more than three lattice steps above the boundary. From a point where two regions
+// touch no step does.
 #pragma once
 
 #include "boundary/boundary.hpp"

@@ -6,11 +6,11 @@ using exact::Plane;
 
 namespace {
 
-// The arc or free circle of ball i that lies on the sphere of `neighbour`, whose plane is `circle`, and contains a free
-// point. plane_of(j) is the plane of ball j as seen from ball i.
+// The arc or free circle of ball i that lies on the sphere of `neighbour` and contains a free point. plane_of(j) is the
+// plane of ball j as seen from ball i.
 template <class PlaneOf>
 LoopElement element_at(const Boundary &boundary, const exact::Predicates &predicates, uint32_t i, uint32_t neighbour,
-                       const Plane &circle, PlaneOf plane_of, const Plane &other, int sign) {
+                       PlaneOf plane_of, const Plane &other, int sign) {
   for (const ClosedHalfEdge e : boundary.circles(i)) {
     if (boundary.neighbour(e) == neighbour) return LoopElement::circle(e);
   }
@@ -20,12 +20,14 @@ LoopElement element_at(const Boundary &boundary, const exact::Predicates &predic
   while (boundary.half_edge(first).circle != neighbour) ++first;
   uint32_t last = first + 1;
   while (last < all.last && boundary.half_edge(last).circle == neighbour) ++last;
+  if (last - first == 1) return LoopElement::arc(first);
   const auto arc = [&](uint32_t k, Plane &leave, Plane &entry) {
     const HalfEdge &half_edge = boundary.half_edge(first + k);
     leave = plane_of(boundary.half_edge(half_edge.next).circle);
     entry = plane_of(boundary.previous_circle(i, half_edge));
   };
-  return LoopElement::arc(first + interval_that_contains(predicates, circle, last - first, arc, other, -sign));
+  return LoopElement::arc(first +
+                          interval_that_contains(predicates, plane_of(neighbour), last - first, arc, other, -sign));
 }
 
 // One ball with several faces and the caps that keep them apart: those with arcs on their circles. Of the other caps
@@ -81,7 +83,7 @@ class SeveralFaces {
     });
     if (nearest == no_id) return no_id;
     const auto plane_of = [this](uint32_t neighbour) { return plane(neighbour); };
-    return boundary_.face_of(element_at(boundary_, predicates, i_, nearest, nearest_plane, plane_of, circle, +1));
+    return boundary_.face_of(element_at(boundary_, predicates, i_, nearest, plane_of, circle, +1));
   }
 
   // The face of the highest (+1) or lowest (-1) point. The great circle through the pole and the axis of a cap crosses
@@ -104,8 +106,8 @@ class SeveralFaces {
 
 LoopElement locate_on_boundary(const Caps &caps, const exact::Predicates &predicates, const Boundary &boundary,
                                uint32_t cap, const Plane &other, int sign) {
-  const auto plane_of = [&caps](uint32_t neighbour) { return caps.plane(caps.cap_of(neighbour)); };
-  return element_at(boundary, predicates, caps.origin, caps.ball[cap], caps.plane(cap), plane_of, other, sign);
+  const auto plane_of = [&caps](uint32_t neighbour) { return caps.plane_of_ball(neighbour); };
+  return element_at(boundary, predicates, caps.origin, caps.ball[cap], plane_of, other, sign);
 }
 
 uint32_t face_of_top(const BallSet &balls, const Boundary &boundary, uint32_t i) {

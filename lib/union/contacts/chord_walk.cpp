@@ -1,7 +1,6 @@
 #include "contacts/chord_walk.hpp"
 
 #include "contacts/chord_cuts.hpp"
-#include "sphere/cap_pair.hpp"
 
 namespace hsp {
 namespace {
@@ -39,11 +38,11 @@ void pad(Caps &caps) {
 void ChordWalk::carve(Workspace &workspace, const ContactLimits &limits) {
   clipper_.carve(workspace, limits.neighbours);
   chords_ = workspace.take<FoundChord>(3 * static_cast<uint64_t>(limits.neighbours));
+  vertices_ = workspace.take<FoundVertex>(2 * static_cast<uint64_t>(limits.neighbours));
   heads_ = workspace.take<uint32_t>(limits.neighbours);
   cap_of_ball_ = workspace.take<uint32_t>(limits.balls);
   first_arrival_ = workspace.take<uint32_t>(limits.balls);
   arrival_balls_ = workspace.take<uint32_t>(2 * static_cast<uint64_t>(limits.contacts));
-  arrival_clipper_ = workspace.take<uint32_t>(limits.contacts);
   next_arrival_ = workspace.take<uint32_t>(limits.contacts);
 }
 
@@ -56,16 +55,35 @@ void ChordWalk::start(uint32_t balls, uint32_t own) {
 }
 
 void ChordWalk::find(const Boundary &boundary, Caps &caps) {
-  for (uint32_t k = 0; k < caps.count; ++k) cap_of_ball_[caps.ball[k]] = k;
+  const uint32_t *const ball = caps.ball.data();
+  for (uint32_t k = caps.first_later; k < caps.count; ++k) cap_of_ball_[ball[k]] = k;
+  chord_count_ = vertex_count_ = 0;
   if (lost_) return try_all_pairs(caps);
-  if (!has_start(boundary, caps.origin)) {
-    first_chord_ = no_id;
-    return;
-  }
+  if (!has_start(boundary, caps.origin)) return;
   const uint32_t first = caps.first_later;
   const uint32_t later = caps.count - first;
-  first_chord_ = later <= MaskedChords::most_caps ? walk(boundary, caps, MaskedChords(chords_, first, later))
-                                                  : walk(boundary, caps, ListedChords(chords_, heads_, first, later));
+  if (later <= MaskedChords::most_caps) {
+    walk(boundary, caps, MaskedChords(chords_, first, later));
+  } else {
+    walk(boundary, caps, ListedChords(chords_, heads_, first, later));
+  }
+}
+
+bool ChordWalk::has_whole_chords(const Boundary &boundary, uint32_t ball, IdRange &ends) {
+  const uint32_t arrival = first_arrival_[ball];
+  if (lost_ || arrival < no_arrival || (arrival == no_id && !boundary.is_exposed(ball))) return false;
+  const uint32_t count = boundary.vertex_count();
+  uint32_t v = next_vertex_;
+  for (; v < count; v += 2) {
+    const VertexRecord &vertex = boundary.vertex(v);
+    if (vertex.ball[0] != ball) break;
+    if (v + 1 == count) return false;
+    const VertexRecord &next = boundary.vertex(v + 1);
+    if (next.ball[0] != ball || next.ball[1] != vertex.ball[1] || next.ball[2] != vertex.ball[2]) return false;
+  }
+  ends = {next_vertex_, v};
+  next_vertex_ = v;
+  return true;
 }
 
 // Whether any end of its chords is known, or one is to be searched for.
@@ -74,11 +92,11 @@ bool ChordWalk::has_start(const Boundary &boundary, uint32_t ball) const {
          (next_vertex_ < boundary.vertex_count() && boundary.vertex(next_vertex_).ball[0] == ball);
 }
 
-// The first chord.
 template <class Chords>
-uint32_t ChordWalk::walk(const Boundary &boundary, Caps &caps, Chords &&chords) {
-  if (asks_for_all_caps(boundary, caps.origin)) start_from_any(caps, chords);
+void ChordWalk::walk(const Boundary &boundary, Caps &caps, Chords &&chords) {
+  const bool from_any = asks_for_all_caps(boundary, caps.origin);
   start_from_ends(boundary, caps, chords);
+  if (from_any) start_from_any(caps, chords);
   ChordEnd open{};
   if (chords.next_open(open)) {
     pad(caps);
@@ -86,7 +104,7 @@ uint32_t ChordWalk::walk(const Boundary &boundary, Caps &caps, Chords &&chords) 
       add_power_vertex(caps, open, cut_of(caps, open, boundary.target()), chords);
     } while (chords.next_open(open));
   }
-  return chords.link();
+  chord_count_ = chords.count();
 }
 
 template <class Chords>
@@ -94,33 +112,32 @@ void ChordWalk::start_from_ends(const Boundary &boundary, const Caps &caps, Chor
   for (; next_vertex_ < boundary.vertex_count(); ++next_vertex_) {
     const VertexRecord &vertex = boundary.vertex(next_vertex_);
     if (vertex.ball[0] != caps.origin) break;
-    chords.set_end(cap_of(vertex.ball[1]), cap_of(vertex.ball[2]), vertex.positive() ? 1 : 0, no_id).vertex =
-        next_vertex_;
+    chords.set_end(cap_of(vertex.ball[1]), cap_of(vertex.ball[2]), vertex.positive() ? 1 : 0);
   }
+  for (uint32_t n = 0; n < chords.count(); ++n) chords_[n].free_ends = static_cast<uint8_t>(chords.known_ends(n));
   uint32_t a = first_arrival_[caps.origin];
   if (a == no_id) return;
   for (; a != no_arrival; a = next_arrival_[a]) {
     const uint32_t p = cap_of(arrival_balls_[2 * a]);
     const uint32_t q = cap_of(arrival_balls_[2 * a + 1]);
     const bool ascending = p < q;
-    chords.set_end(ascending ? p : q, ascending ? q : p, ascending ? 1 : 0, arrival_clipper_[a]);
+    chords.set_end(ascending ? p : q, ascending ? q : p, ascending ? 1 : 0);
   }
 }
 
+// Of a power vertex three chords end at the ball at hand; it is found at that of the first two caps.
 void ChordWalk::try_all_pairs(const Caps &caps) {
   clipper_.start(caps);
-  uint32_t count = 0;
   for (uint32_t j = caps.first_later; j < caps.count; ++j) {
     for (uint32_t k = j + 1; k < caps.count; ++k) {
       ChordEnds ends;
       if (!clipper_.clip(caps, j, k, ends)) continue;
-      const auto ball = [&caps](uint32_t cap) { return cap == no_id ? no_id : caps.ball[cap]; };
-      chords_[count] = {{j, k}, {ball(ends.clipper[0]), ball(ends.clipper[1])}, no_id, count + 1};
-      ++count;
+      chords_[chord_count_++] = {{j, k}, static_cast<uint8_t>(ends.free_ends()), 0, no_id};
+      for (const uint32_t l : ends.clipper) {
+        if (l != no_id && l > k) vertices_[vertex_count_++] = {{j, k, l}, {1, 1, 1}};
+      }
     }
   }
-  first_chord_ = count == 0 ? no_id : 0;
-  if (count > 0) chords_[count - 1].next = no_id;
 }
 
 // One chord of all pairs, whose ends are at later balls.
@@ -140,18 +157,11 @@ void ChordWalk::start_from_any(const Caps &caps, Chords &chords) {
 // Of a chord that survives and does not end in a vertex of the boundary at this side.
 uint32_t ChordWalk::cut_of(const Caps &caps, const ChordEnd &end, Target target) const {
   const auto [j, k, side] = end;
-  const CapPair pair(caps, j, k);
-  if (pair.certainly_cross()) {
-    const UnitChord chord(caps, j, k, pair);
-    const double direction = side == 1 ? 1.0 : -1.0;
-    const ChordRay ray{{chord.m.x, chord.m.y, chord.m.z},
-                       {direction * chord.w.x, direction * chord.w.y, direction * chord.w.z}};
+  if (caps.count < CapColumns::most_caps) {
     const CapColumns columns{caps.ux.data(), caps.uy.data(), caps.uz.data(), caps.b.data()};
-    const NearestCut cut = nearest_cut(target, columns, caps.first_later, caps.count, ray);
-    const double gap = 8 * chord.error / ChordRay::least_slope;
-    if (chord.error <= ChordRay::most_error && cut.unclear == 2 && cut.s < 2.0 && cut.second - cut.s > gap) {
-      return cut.cap;
-    }
+    const double direction = side == 1 ? 1.0 : -1.0;
+    const uint32_t cut = nearest_cut(target, columns, caps.first_later, caps.count, j, k, direction);
+    if (cut != no_cut) return cut;
   }
   return cut_exactly(caps, j, k, side);
 }
@@ -169,9 +179,13 @@ void ChordWalk::add_power_vertex(const Caps &caps, const ChordEnd &end, uint32_t
   const uint32_t first = caps.ball[a];
   const uint32_t second = caps.ball[b];
   const uint32_t third = caps.ball[c];
-  chords.set_end(a, b, even, third);
-  chords.set_end(a, c, 1 - even, second);
-  chords.set_end(b, c, even, first);
+  FoundVertex &vertex = vertices_[vertex_count_++];
+  vertex.cap[0] = a;
+  vertex.cap[1] = b;
+  vertex.cap[2] = c;
+  vertex.new_chords[0] = chords.set_end(a, b, even) ? 1 : 0;
+  vertex.new_chords[1] = chords.set_end(a, c, 1 - even) ? 1 : 0;
+  vertex.new_chords[2] = chords.set_end(b, c, even) ? 1 : 0;
 
   if (first >= own_) return;  // as are b and c
   // Where nothing has arrived yet, something has now.
@@ -185,7 +199,6 @@ void ChordWalk::add_power_vertex(const Caps &caps, const ChordEnd &end, uint32_t
     first_arrival_[first] = arrival;
     arrival_balls_[2 * arrival] = even == 0 ? second : third;
     arrival_balls_[2 * arrival + 1] = even == 0 ? third : second;
-    arrival_clipper_[arrival] = caps.origin;
     next_arrival_[arrival] = next;
   } else {
     first_arrival_[first] = no_arrival;

@@ -1,4 +1,4 @@
-// All chords that survive, ball after ball in the grid's order, each at the first of its three balls.
+// All chords that survive and all power vertices, ball after ball in the grid's order, each at the first of its balls.
 //
 // Most pairs of caps are never tried: a chord is found at one of its ends. The ends on the surface of the union are the
 // boundary's vertices. Every other one is a power vertex, and there four chords end, one for every three of its balls.
@@ -21,6 +21,12 @@
 
 namespace hsp {
 
+// A power vertex of the ball at hand.
+struct FoundVertex {
+  uint32_t cap[3];         // ascending
+  uint32_t new_chords[3];  // 1 for each chord of caps 01, 02 and 12 that was not known before, else 0
+};
+
 class ChordWalk {
  public:
   void carve(Workspace &workspace, const ContactLimits &limits);
@@ -31,15 +37,16 @@ class ChordWalk {
   bool asks_for_all_caps(const Boundary &boundary, uint32_t ball) const {
     return lost_ || (first_arrival_[ball] == no_id && !boundary.is_exposed(ball));
   }
-  // The next ball of the boundary by its caps, without those of balls inside other ones. All balls that have caps must
+  // Whether the next ball has no other chords than such with two free ends, as far as it can be seen at once. Then it
+  // need not come, and `ends` are the vertices of these chords, two after two.
+  bool has_whole_chords(const Boundary &boundary, uint32_t ball, IdRange &ends);
+  // The next ball of the boundary by its caps, without those of balls inside other ones. All others that have caps must
   // come, in ascending order, once.
   void find(const Boundary &boundary, Caps &caps);
 
-  // Calls sink(chord) for the chords of the ball at hand, ascending in their caps.
-  template <class Sink>
-  void visit(Sink sink) const {
-    for (uint32_t c = first_chord_; c != no_id; c = chords_[c].next) sink(chords_[c]);
-  }
+  // Of the ball at hand and later ones, in the order in which they are found.
+  Span<const FoundChord> chords() const { return {chords_.data(), chord_count_}; }
+  Span<const FoundVertex> vertices() const { return {vertices_.data(), vertex_count_}; }
   // The cap of a later ball that meets the ball at hand.
   uint32_t cap_of(uint32_t ball) const { return cap_of_ball_[ball]; }
 
@@ -57,7 +64,7 @@ class ChordWalk {
   void try_all_pairs(const Caps &caps);
   bool has_start(const Boundary &boundary, uint32_t ball) const;
   template <class Chords>
-  uint32_t walk(const Boundary &boundary, Caps &caps, Chords &&chords);
+  void walk(const Boundary &boundary, Caps &caps, Chords &&chords);
   template <class Chords>
   void start_from_any(const Caps &caps, Chords &chords);
   template <class Chords>
@@ -68,15 +75,15 @@ class ChordWalk {
 
   ChordClipper clipper_;
   Span<FoundChord> chords_;     // [3 neighbours]
+  Span<FoundVertex> vertices_;  // [2 neighbours]
+  uint32_t chord_count_ = 0, vertex_count_ = 0;
   Span<uint32_t> heads_;        // [neighbours] for ListedChords
   Span<uint32_t> cap_of_ball_;  // [balls]
-  uint32_t first_chord_ = no_id;
   // Arrivals: a chord of three balls, known at the fourth one of a power vertex. It ends there at the side of p+ if its
   // two later balls are ascending, else at that of p-.
-  Span<uint32_t> first_arrival_;    // [balls] by first ball
-  Span<uint32_t> arrival_balls_;    // [2 contacts] the two later ones
-  Span<uint32_t> arrival_clipper_;  // [contacts]
-  Span<uint32_t> next_arrival_;     // [contacts]
+  Span<uint32_t> first_arrival_;  // [balls] by first ball
+  Span<uint32_t> arrival_balls_;  // [2 contacts] the two later ones
+  Span<uint32_t> next_arrival_;   // [contacts]
   uint32_t arrivals_ = 0;
   uint32_t own_ = 0;
   uint32_t next_vertex_ = 0;  // vertices are in the order of their first balls

@@ -1,17 +1,12 @@
 #include "contacts/contacts_builder.hpp"
 
-#include <limits>
+#include <cstring>
 
 #include "contacts/contact_measures.hpp"
 #include "core/rows.hpp"
-#include "exact/discriminant.hpp"
-#include "measure/areas.hpp"
 
 namespace hsp {
 namespace {
-
-// Of an end of a chord that something clips.
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 // The balls of a block from ball i on.
 CubeBlock part_from(const CubeBlock &block, uint32_t i) {
@@ -47,22 +42,30 @@ void ContactsBuilder::carve(Workspace &workspace, const ContactLimits &limits) {
   contact_of_cap_ = workspace.take<uint32_t>(limits.neighbours);
 }
 
-bool ContactsBuilder::start(const CubeGrid &grid, uint32_t neighbours, Target target) {
+bool ContactsBuilder::start(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours) {
   const uint32_t balls = grid.balls().n;
   clear(balls);
   own_balls_ = grid.own_balls();
+  some_inside_ = false;
   lost_across_ = 0;
   needed_.neighbours = neighbours;
   if (balls > limits_.balls || neighbours > limits_.neighbours) return false;
   walk_.start(balls, own_balls_);
-  candidates_.start(contacts_.a_.row, target);
+  for (uint32_t i = 0; i < balls; ++i) some_inside_ = some_inside_ || boundary.is_contained(i);
+  candidates_.start(contacts_.a_.row, boundary.target());
   return true;
 }
 
 void ContactsBuilder::clear(uint32_t balls) {
   ContactArrays &a = contacts_.a_;
   needed_ = {balls, 0, 0, 0, 0};
-  chords_.count = 0;
+  vertices_.count = 0;
+  for (auto &kept : vertices_.kept) {
+    for (double &chord : kept) chord = 1.0;
+  }
+  for (auto &ends : vertices_.ends) {
+    for (uint32_t &contact : ends) contact = 2;
+  }
   a.contacts.clear();
   a.triangles.clear();
   a.tetrahedra.clear();
@@ -74,17 +77,18 @@ void ContactsBuilder::clear(uint32_t balls) {
   for (uint32_t i = 0; i < balls; ++i) a.share_volume[i] = a.contact_area[i] = 0.0;
 }
 
-uint32_t ContactsBuilder::find_contact(uint32_t a, uint32_t b) {
+uint32_t ContactsBuilder::find_contact(uint32_t a, uint32_t b, uint32_t counted) {
   const ContactArrays &arrays = contacts_.a_;
   for (uint32_t id = arrays.first_in_row[a]; id != no_id; id = arrays.links[id]) {
     if (arrays.contacts[id].ball[1] == b) return id;
   }
-  return add_contact(a, b);
+  return add_contact(a, b, counted);
 }
 
-uint32_t ContactsBuilder::add_contact(uint32_t a, uint32_t b) {
+uint32_t ContactsBuilder::add_contact(uint32_t a, uint32_t b, uint32_t counted) {
   ContactArrays &arrays = contacts_.a_;
   const bool fits = arrays.contacts.required() < arrays.contacts.capacity();
+  if (!fits && counted == 0) return no_room;
   const uint32_t id = arrays.contacts.size();
   arrays.contacts.push({{a, b}, 0, 0, 0.0, 0.0});
   if (!fits) {
@@ -107,21 +111,17 @@ void ContactsBuilder::gather_caps(const BallSet &balls, const Boundary &boundary
   caps_.gather(balls, part_from(block, i + 1), i, nullptr);
 }
 
-bool ContactsBuilder::start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block) {
-  const uint32_t first = grid.balls_in(cube).first;
+bool ContactsBuilder::start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block, uint32_t first) {
   return candidates_.start_cube(grid, cube, first, part_from(block, first));
 }
 
 void ContactsBuilder::start_ball(const BallSet &balls, const Boundary &boundary, const CubeBlock &block, uint32_t i,
                                  bool in_lanes) {
   gather_caps(balls, boundary, block, i, in_lanes);
-  const auto is_inside = [&boundary](uint32_t ball) { return boundary.is_contained(ball); };
-  bool any_inside = false;
-  for (uint32_t k = 0; k < caps_.count; ++k) any_inside = any_inside || is_inside(caps_.ball[k]);
-  if (any_inside) caps_.keep_if([&is_inside](uint32_t j) { return !is_inside(j); });
+  if (some_inside_) caps_.keep_if([&boundary](uint32_t j) { return !boundary.is_contained(j); });
   caps_.first_later = 0;
   while (caps_.first_later < caps_.count && caps_.ball[caps_.first_later] < caps_.origin) ++caps_.first_later;
-  for (uint32_t k = caps_.first_later; k < caps_.count; ++k) contact_of_cap_[k] = no_id;
+  if (caps_.count > 0) std::memset(contact_of_cap_.data(), 0xFF, caps_.count * sizeof(uint32_t));
 }
 
 // And the contacts of the ball at hand with later ones that chords at other balls have.
@@ -133,127 +133,39 @@ void ContactsBuilder::find_chords(const Boundary &boundary) {
   }
 }
 
-// In a box chords of this ball also find contacts of it that are kept here and seen as those of two images.
-uint32_t ContactsBuilder::contact_of_cap(uint32_t cap) {
-  uint32_t &id = contact_of_cap_[cap];
-  if (id == no_id) {
-    const bool is_new = own_balls_ == contacts_.a_.balls;
-    id = is_new ? add_contact(caps_.origin, caps_.ball[cap]) : find_contact(caps_.origin, caps_.ball[cap]);
-  }
-  return id == elsewhere ? no_room : id;
-}
-
-void ContactsBuilder::add_chord(const BallSet &balls, const Boundary &boundary, const FoundChord &chord,
-                                const ContactPair &last) {
-  const auto [j, k] = chord.cap;
-  const uint32_t s = chords_.count++;
-  chords_.ball[0][s] = caps_.origin;
-  chords_.ball[1][s] = caps_.ball[j];
-  chords_.ball[2][s] = caps_.ball[k];
-  chords_.clipper[0][s] = chord.clipper[0];
-  chords_.clipper[1][s] = chord.clipper[1];
-  chords_.vertex[s] = chord.vertex;
-  chords_.contact[0][s] = contact_of_cap(j);
-  chords_.contact[1][s] = contact_of_cap(k);
-  chords_.contact[2][s] = last.ball[0] != no_id ? find_contact(last.ball[0], last.ball[1]) : no_room;
-  if (chords_.count == ChordBatch::capacity) measure_chords(balls, boundary);
-}
-
-// Chords once they are found: the ends of their parts, and simplices. Which ends are free cannot be
-// predicted, so there are tables instead of branches.
-void ContactsBuilder::complete_chords(const BallSet &balls, const Boundary &boundary) {
+void ContactsBuilder::count_chords(bool some_elsewhere) {
   ContactArrays &a = contacts_.a_;
-  const double none = 0.0;
-  const double *const roots = boundary.vertex_count() > 0 ? boundary.root_discriminant_data() : &none;
-  for (uint32_t s = 0; s < chords_.count; ++s) {
-    const uint32_t own = chords_.ball[0][s];
-    const uint32_t first = chords_.ball[1][s];
-    const uint32_t second = chords_.ball[2][s];
-    const uint32_t clipper[2] = {chords_.clipper[0][s], chords_.clipper[1][s]};
-    const uint32_t is_free[2] = {clipper[0] == no_id ? 1U : 0U, clipper[1] == no_id ? 1U : 0U};
-    const uint32_t free_ends = is_free[0] + is_free[1];
-    // Half its length, if it were whole: the boundary knows it of one that ends in a vertex.
-    const uint32_t vertices[3] = {0, chords_.vertex[s], chords_.vertex[s]};
-    const uint32_t vertex = vertices[free_ends];
-    double root = 0.0;
-    if (vertex != no_id) {
-      root = roots[vertex];
-    } else {
-      const exact::LatticeBall ball = balls.ball(own);
-      root = std::sqrt(exact::discriminant(exact::sphere_of(ball), exact::plane_of(ball, balls.ball(first)),
-                                           exact::plane_of(ball, balls.ball(second))));
-    }
-    for (uint32_t end = 0; end < 2; ++end) {
-      const double ends[2] = {not_a_number, end == 0 ? -root : root};
-      const uint32_t clippers[2] = {clipper[end], second};
-      chords_.free_end[end][s] = ends[is_free[end]];
-      chords_.clipper[end][s] = clippers[is_free[end]];
-    }
-
-    const TriangleRecord triangle{{own, first, second}, free_ends};
-    a.triangles.push(triangle);
-    ++a.simplices.of[2][static_cast<uint32_t>(triangle.kind())];
-    // Each tetrahedron is an end of four chords, of which one is that of its first three balls.
-    for (uint32_t end = 0; end < 2; ++end) {
-      const uint32_t is_last = (clipper[end] > second ? 1U : 0U) - is_free[end];
-      if (a.tetrahedra.capacity() == 0) {
-        a.tetrahedra.set_count(a.tetrahedra.required() + is_last);
-      } else if (is_last != 0) {
-        a.tetrahedra.push({{own, first, second, clipper[end]}});
-      }
+  uint32_t with_free_ends[3] = {};
+  for (const FoundChord &chord : walk_.chords()) {
+    const auto [j, k] = chord.cap;
+    if (some_elsewhere && (is_elsewhere(j) || is_elsewhere(k))) continue;
+    ++with_free_ends[chord.free_ends];
+    if (a.triangles.capacity() > 0) {
+      a.triangles.push({{caps_.origin, caps_.ball[j], caps_.ball[k]}, chord.free_ends});
     }
   }
+  for (uint32_t ends = 0; ends < 3; ++ends) count_triangles(ends, with_free_ends[ends]);
 }
 
-// The lengths of the three axes are the contacts' own: measure_contacts() divides by them.
-void ContactsBuilder::measure_chords(const BallSet &balls, const Boundary &boundary) {
-  const uint32_t count = chords_.count;
+// The lengths of the axes are the contacts' own: measure_contacts() divides by them.
+void ContactsBuilder::measure_vertices(const BallSet &balls, const Boundary &boundary) {
+  const uint32_t count = vertices_.count;
   if (count == 0) return;
-  complete_chords(balls, boundary);
-  chords_.count = 0;
-  uint32_t uncertain = (1U << count) - 1U;
-  if constexpr (has_lanes) {
-    uint32_t padded = count;
-    for (; padded % 4 != 0; ++padded) chords_.repeat(count - 1, padded);
-    uncertain &= measure_in_lanes(boundary.target(), arrays_of(balls), chords_, padded);
-  }
-  for (; uncertain != 0; uncertain &= uncertain - 1) {
-    measure_in_integers(balls, chords_, static_cast<uint32_t>(__builtin_ctz(uncertain)));
+  vertices_.count = 0;
+  for (uint32_t padded = count; padded % 4 != 0; ++padded) vertices_.repeat(count - 1, padded);
+  uint32_t unserved = measure_power_vertices(boundary.target(), arrays_of(balls), vertices_, count);
+  for (; unserved != 0; unserved &= unserved - 1) {
+    measure_in_integers(balls, vertices_, static_cast<uint32_t>(__builtin_ctz(unserved)));
   }
   for (uint32_t s = 0; s < count; ++s) {
-    for (uint32_t pair = 0; pair < 3; ++pair) {
-      const uint32_t id = chords_.contact[pair][s];
+    for (uint32_t pair = 0; pair < 6; ++pair) {
+      const uint32_t id = vertices_.contact[pair][s];
       if (id == no_room) continue;
       ContactRecord &contact = contacts_.a_.contacts[id];
-      contact.area += chords_.part[pair][s];
-      ++contact.chords;
+      contact.area += vertices_.part[pair][s];
+      contact.chords += vertices_.ends[pair][s];
     }
   }
-}
-
-// Arcs and circles of the ball at hand: its part of its share, and the free borders of its contacts with later balls.
-void ContactsBuilder::add_free_edges(const BallSet &balls, const Boundary &boundary) {
-  const uint32_t i = caps_.origin;
-  const uint32_t faces = boundary.faces(i).size();
-  if (faces == 0) return;
-  const double radius = balls.r[i];
-  FreeSurface surface(boundary, radius);
-  ArcBatches arcs(balls, boundary, i);
-  while (arcs.next()) {
-    const ArcBatch &batch = arcs.batch();
-    surface.add(batch);
-    for (uint32_t s = 0; s < batch.count; ++s) {
-      if (batch.other[s] < i || !batch.has_piece(s)) continue;
-      const uint32_t id = contact_of_cap(walk_.cap_of(batch.other[s]));
-      if (id == no_room) continue;
-      ContactRecord &contact = contacts_.a_.contacts[id];
-      contact.rim += batch.angle[s];  // not yet a length
-      contact.code |= batch.arc[s] != 0 ? ContactRecord::arc_bit : ContactRecord::circle_bit;
-    }
-  }
-  // r A, the part of three times the volume about the centre.
-  const double steradians = surface.steradians(faces, boundary.loops(i).size());
-  contacts_.a_.share_volume[i] = radius * radius * radius * steradians;
 }
 
 Status ContactsBuilder::check_capacity() {
@@ -286,6 +198,7 @@ void ContactsBuilder::measure_contacts(const BallSet &balls, [[maybe_unused]] co
     for (uint32_t s = 0; s < count; ++s) {
       ContactRecord &contact = a.contacts[first + s];
       if (!certain && measure_contact_in_integers(balls, measures, s)) contact.code |= ContactRecord::touching_bit;
+      contact.chords /= 2;
       contact.area = measures.area[s];
       contact.rim = measures.rim[s];
       for (uint32_t side = 0; side < 2; ++side) {

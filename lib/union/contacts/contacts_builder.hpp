@@ -1,10 +1,11 @@
-// Fills contacts: the pass over all balls of a boundary. Every chord is found at the first of its three balls in the
-// grid's order, and its parts of their three contacts follow from exact integers rounded once: so they keep their
-// digits where spheres nearly meet in one point.
+// Fills contacts: two passes over all balls of a boundary. The first one finds power vertices, each at the first of its
+// four balls in the grid's order, the second one arcs and circles. Both add to the areas of contacts as chord_ends.hpp
+// says.
 #pragma once
 
-#include "contacts/chord_parts.hpp"
+#include "contacts/chord_ends.hpp"
 #include "contacts/chord_walk.hpp"
+#include "measure/areas.hpp"
 #include "model/block_sweep.hpp"
 #include "sphere/cube_candidates.hpp"
 
@@ -39,7 +40,7 @@ class ContactsBuilder : public Limited<ContactLimits> {
   // Of the contacts of all balls that are not in the grid's halo; the boundary says at least which balls of the halo
   // are inside others. neighbours: what it needed of them. Status::capacity if a limit is too small; needed() then
   // reports what suffices, once `neighbours` does; of triangles and tetrahedra if they have limits. Of contacts that
-  // may be more than there are, by no more than the triangles.
+  // may be more than there are, by no more than the triangles and arcs.
   Status build(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours) {
     return build(grid, boundary, neighbours, NoImages{});
   }
@@ -51,15 +52,23 @@ class ContactsBuilder : public Limited<ContactLimits> {
   // is missing.
   template <class Images>
   Status build(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours, const Images &images) {
-    if (!start(grid, neighbours, boundary.target())) return Status::capacity;
+    if (!start(grid, boundary, neighbours)) return Status::capacity;
     BlockSweep sweep(grid);
     for (uint32_t cube = 0; cube < grid.own_cubes(); ++cube) {
-      const CubeBlock &block = sweep.block_around(cube);
       const BallRange own = grid.balls_in(cube);
-      const bool in_lanes = start_cube(grid, cube, block);
+      const CubeBlock *block = nullptr;
+      bool in_lanes = false;
       for (uint32_t i = own.first; i < own.last; ++i) {
         if (boundary.is_contained(i)) continue;
-        start_ball(grid.balls(), boundary, block, i, in_lanes);
+        if (IdRange ends; walk_.has_whole_chords(boundary, i, ends)) {
+          count_whole_chords(boundary, ends, images);
+          continue;
+        }
+        if (block == nullptr) {
+          block = &sweep.block_around(cube);
+          in_lanes = start_cube(grid, cube, *block, i);
+        }
+        start_ball(grid.balls(), boundary, *block, i, in_lanes);
         bool some_elsewhere = false;
         for (uint32_t k = caps_.count; Images::there && k > caps_.first_later; --k) {
           const uint32_t ball = caps_.ball[k - 1];
@@ -69,15 +78,12 @@ class ContactsBuilder : public Limited<ContactLimits> {
           some_elsewhere = true;
         }
         find_chords(boundary);
-        walk_.visit([&](const FoundChord &chord) {
-          const uint32_t j = chord.cap[0], k = chord.cap[1];
-          if (some_elsewhere && (contact_of_cap_[j] == elsewhere || contact_of_cap_[k] == elsewhere)) return;
-          add_chord(grid.balls(), boundary, chord, place_in_box({{caps_.ball[j], caps_.ball[k]}}, images));
-        });
-        add_free_edges(grid.balls(), boundary);
+        count_chords(some_elsewhere);
+        for (const FoundVertex &vertex : walk_.vertices()) add_power_vertex(grid.balls(), boundary, vertex, images);
       }
     }
-    measure_chords(grid.balls(), boundary);
+    measure_vertices(grid.balls(), boundary);
+    for (uint32_t i = 0; i < own_balls_; ++i) add_free_edges(grid.balls(), boundary, i, images);
     measure_contacts(grid.balls(), boundary);
     if (!add_other_sides(images)) return Status::check;
     if (const Status status = check_capacity(); status != Status::ok) return status;
@@ -99,25 +105,127 @@ class ContactsBuilder : public Limited<ContactLimits> {
   static constexpr uint32_t no_room = no_id - 1;
   static constexpr uint32_t elsewhere = no_id - 2;
 
-  bool start(const CubeGrid &grid, uint32_t neighbours, Target target);
+  bool start(const CubeGrid &grid, const Boundary &boundary, uint32_t neighbours);
   void clear(uint32_t balls);
-  bool start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block);
+  bool start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block, uint32_t first);
   void gather_caps(const BallSet &balls, const Boundary &boundary, const CubeBlock &block, uint32_t i, bool in_lanes);
   void start_ball(const BallSet &balls, const Boundary &boundary, const CubeBlock &block, uint32_t i, bool in_lanes);
   void find_chords(const Boundary &boundary);
-  // `last`: where the contact of the chord's two last balls is kept.
-  void add_chord(const BallSet &balls, const Boundary &boundary, const FoundChord &chord, const ContactPair &last);
-  void complete_chords(const BallSet &balls, const Boundary &boundary);
-  void measure_chords(const BallSet &balls, const Boundary &boundary);
-  void add_free_edges(const BallSet &balls, const Boundary &boundary);
-  uint32_t contact_of_cap(uint32_t cap);
-  uint32_t find_contact(uint32_t a, uint32_t b);
-  uint32_t add_contact(uint32_t a, uint32_t b);
+  void count_chords(bool some_elsewhere);
+  void measure_vertices(const BallSet &balls, const Boundary &boundary);
+  bool is_elsewhere(uint32_t cap) const { return contact_of_cap_[cap] == elsewhere; }
+  // In a box power vertices of this ball also find contacts of it that are kept here and seen as those of two images.
+  uint32_t contact_of_cap(uint32_t cap) {
+    uint32_t &id = contact_of_cap_[cap];
+    if (id == no_id) {
+      const bool is_new = own_balls_ == contacts_.a_.balls;
+      id = is_new ? add_contact(caps_.origin, caps_.ball[cap]) : find_contact(caps_.origin, caps_.ball[cap]);
+    }
+    return id == elsewhere ? no_room : id;
+  }
+  // no_room if there is none and none may be added, which is counted if it is asked for.
+  uint32_t find_contact(uint32_t a, uint32_t b, uint32_t counted = 1);
+  uint32_t add_contact(uint32_t a, uint32_t b, uint32_t counted = 1);
   Status check_capacity();
   void measure_contacts(const BallSet &balls, const Boundary &boundary);
   void close_shares();
   void make_rows(const CubeGrid &grid);
   void count_simplices(const Boundary &boundary);
+
+  template <class Images>
+  void add_power_vertex(const BallSet &balls, const Boundary &boundary, const FoundVertex &vertex,
+                        const Images &images) {
+    const auto [a, b, c] = vertex.cap;
+    const uint32_t first = caps_.ball[a], second = caps_.ball[b], third = caps_.ball[c];
+    if constexpr (Images::there) {
+      keep_chords(vertices_, is_elsewhere(a), is_elsewhere(b), is_elsewhere(c), first < own_balls_);
+    }
+    const uint32_t s = vertices_.count++;
+    vertices_.ball[0][s] = caps_.origin;
+    vertices_.ball[1][s] = first;
+    vertices_.ball[2][s] = second;
+    vertices_.ball[3][s] = third;
+    const auto contact_of = [&](uint32_t k, uint32_t one, uint32_t other) {
+      if (Images::there && vertices_.ends[3 + k][s] == 0) return no_room;
+      const ContactPair pair = place_in_box({{one, other}}, images);
+      return pair.ball[0] == no_id ? no_room : find_contact(pair.ball[0], pair.ball[1], vertex.new_chords[k]);
+    };
+    vertices_.contact[0][s] = contact_of_cap(a);
+    vertices_.contact[1][s] = contact_of_cap(b);
+    vertices_.contact[2][s] = contact_of_cap(c);
+    vertices_.contact[3][s] = contact_of(0, first, second);
+    vertices_.contact[4][s] = contact_of(1, first, third);
+    vertices_.contact[5][s] = contact_of(2, second, third);
+    if (!Images::there || vertices_.kept[0][s] != 0.0) {
+      FixedVector<TetrahedronRecord> &tetrahedra = contacts_.a_.tetrahedra;
+      if (tetrahedra.capacity() == 0) {
+        tetrahedra.set_count(tetrahedra.required() + 1);
+      } else {
+        tetrahedra.push({{caps_.origin, first, second, third}});
+      }
+    }
+    if (vertices_.count == PowerVertexBatch::capacity) measure_vertices(balls, boundary);
+  }
+  // Of the vertex that is added next: a chord is kept elsewhere if a ball of it is.
+  static void keep_chords(PowerVertexBatch &batch, bool first_elsewhere, bool second_elsewhere, bool third_elsewhere,
+                          bool first_comes) {
+    const uint32_t s = batch.count;
+    const uint32_t kept[4] = {
+        first_elsewhere || second_elsewhere ? 0U : 1U, second_elsewhere || third_elsewhere ? 0U : 1U,
+        third_elsewhere || first_elsewhere ? 0U : 1U, !first_comes || second_elsewhere || third_elsewhere ? 0U : 1U};
+    const uint32_t ends[6] = {kept[0] + kept[2], kept[0] + kept[1], kept[1] + kept[2],
+                              kept[0] + kept[3], kept[2] + kept[3], kept[1] + kept[3]};
+    for (uint32_t k = 0; k < 4; ++k) batch.kept[k][s] = kept[k];
+    for (uint32_t k = 0; k < 6; ++k) batch.ends[k][s] = ends[k];
+  }
+  template <class Images>
+  void count_whole_chords(const Boundary &boundary, IdRange ends, const Images &images) {
+    for (uint32_t v = ends.first; v < ends.last; v += 2) {
+      const auto [i, j, k] = boundary.vertex(v).ball;
+      const auto is_elsewhere = [&](uint32_t ball) { return ball >= own_balls_ && images.comes_before_its_ball(ball); };
+      if (Images::there && (is_elsewhere(j) || is_elsewhere(k))) continue;
+      count_triangles(2, 1);
+      if (contacts_.a_.triangles.capacity() > 0) contacts_.a_.triangles.push({{i, j, k}, 2});
+    }
+  }
+  // Simplices for which there is no limit are only counted.
+  void count_triangles(uint32_t free_ends, uint32_t number) {
+    ContactArrays &a = contacts_.a_;
+    a.simplices.of[2][static_cast<uint32_t>(TriangleRecord{{}, free_ends}.kind())] += number;
+    if (a.triangles.capacity() == 0) a.triangles.set_count(a.triangles.required() + number);
+  }
+
+  // Arcs and circles of ball i: its part of its share, and the free borders of its contacts with later balls.
+  template <class Images>
+  void add_free_edges(const BallSet &balls, const Boundary &boundary, uint32_t i, const Images &images) {
+    const uint32_t faces = boundary.faces(i).size();
+    if (faces == 0) return;
+    const double radius = balls.r[i];
+    FreeSurface surface(boundary, radius);
+    ArcBatches arcs(balls, boundary, i);
+    while (arcs.next()) {
+      const ArcBatch &batch = arcs.batch();
+      surface.add(batch);
+      double ends[ArcBatch::room];
+      const bool all_served = measure_free_ends(boundary.target(), batch, ends);
+      for (uint32_t s = 0; s < batch.count; ++s) {
+        const uint32_t other = batch.other[s];
+        if (other < i || !batch.has_piece(s)) continue;
+        if (Images::there && other >= own_balls_ && images.comes_before_its_ball(other)) continue;
+        const uint32_t id = find_contact(i, other);
+        if (id == no_room) continue;
+        ContactRecord &contact = contacts_.a_.contacts[id];
+        const bool is_served = all_served || ends[s] == ends[s];
+        contact.area += is_served ? ends[s] : free_ends_in_integers(balls, i, batch, s);
+        contact.rim += batch.angle[s];  // not yet a length
+        contact.chords += batch.arc[s] != 0 ? 2U : 0U;
+        contact.code |= batch.arc[s] != 0 ? ContactRecord::arc_bit : ContactRecord::circle_bit;
+      }
+    }
+    // r A, the part of three times the volume about the centre.
+    const double steradians = surface.steradians(faces, boundary.loops(i).size());
+    contacts_.a_.share_volume[i] = radius * radius * radius * steradians;
+  }
 
   // Where the contact of two balls is kept, of which no image comes before its ball.
   template <class Images>
@@ -157,12 +265,13 @@ class ContactsBuilder : public Limited<ContactLimits> {
   }
 
   uint32_t own_balls_ = 0;    // the first ones
+  bool some_inside_ = false;  // others
   uint32_t lost_across_ = 0;  // contacts with others for which there was no room
   Contacts contacts_;
   CubeCandidates candidates_;
   Caps caps_;
   ChordWalk walk_;
-  ChordBatch chords_;              // that have been found, but not yet measured
+  PowerVertexBatch vertices_;      // that have been found, but not yet measured
   Span<uint32_t> contact_of_cap_;  // [neighbours] of the ball at hand, for later balls; no_id where there is none yet
 };
 

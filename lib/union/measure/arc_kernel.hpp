@@ -7,6 +7,7 @@
 #include "exact/circle_crossing.hpp"
 #include "measure/arc_sums.hpp"
 #include "measure/exterior_angles.hpp"
+#include "measure/lane_sums.hpp"
 
 namespace hsp {
 namespace {
@@ -28,37 +29,6 @@ namespace {
 constexpr double least_square_of_radius = 1.0 / 64;
 constexpr double most_square_of_distance = 16.0;
 constexpr double least_square_of_sine = 1.0 / 16;
-
-double sum_of_lanes(const double (&lanes)[sum_lanes]) {
-  return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
-}
-
-// Four sums, n of the lanes of each.
-template <uint32_t n>
-struct FourSums {
-  using L = Wide<double, n>;
-  using Real = typename L::Real;
-
-  Real a = L::all(0.0), b = L::all(0.0), c = L::all(0.0), d = L::all(0.0);
-};
-// All lanes of each sum, as by sum_of_lanes.
-template <uint32_t n>
-void store_sums(const FourSums<n> (&parts)[sum_lanes / n], double (&sums)[4]) {
-  using L = Wide<double, n>;
-  if constexpr (n == sum_lanes) return L::store_sums_of_four(sums, parts[0].a, parts[0].b, parts[0].c, parts[0].d);
-  double a[sum_lanes], b[sum_lanes], c[sum_lanes], d[sum_lanes];
-  for (uint32_t lane = 0; lane < sum_lanes; lane += n) {
-    const FourSums<n> &part = parts[lane / n];
-    L::store(a + lane, part.a);
-    L::store(b + lane, part.b);
-    L::store(c + lane, part.c);
-    L::store(d + lane, part.d);
-  }
-  sums[0] = sum_of_lanes(a);
-  sums[1] = sum_of_lanes(b);
-  sums[2] = sum_of_lanes(c);
-  sums[3] = sum_of_lanes(d);
-}
 
 template <uint32_t n>
 struct ArcKernel {
@@ -129,12 +99,14 @@ struct ArcKernel {
         const uint32_t *const before = b.previous + s;
         const Vector v_in = gather(b.vx, b.vy, b.vz, before);
         const Vector v_out = load(b.vx, b.vy, b.vz, s);
+        const Real product = dot(v_in, v_out);
+        L::store(b.product_with_previous + s, product);
         const Real H_in = L::gather(b.scaled_height, before);
         const Real H_out = L::load(b.scaled_height + s);
         const Real root = L::load(b.root_discriminant + s);
         const Real UU = L::gather(b.square_of_distance, before) * L::load(b.square_of_distance + s);
         const CircleCrossing<Vector, Real> crossing(v_in, H_in, v_out, H_out);
-        const Real cosine = square * dot(v_in, v_out) - H_in * H_out;
+        const Real cosine = square * product - H_in * H_out;
         const Mask served = crossing.nn >= least_square_of_sine * UU;
         store(b.px, b.py, b.pz, s, crossing.point(L::valid(served, root)));
         const Mask counted = served & L::load_mask(b.arc + s);

@@ -38,12 +38,14 @@ struct ArcBatch {
 
   // Filled in by a kernel: the sum of the exterior angles, less whole turns, and the number of these; the radius of the
   // other ball; the vector v from the ball's centre to that ball's, its square and 2 h d, with its length d and the
-  // height h of the circle's plane along it; its unit vector u, 1/d and 2 h; twice the vertex, from the ball's centre;
-  // the arc's angle, and X = 2 (q - p) x u, with its ends p and q such that it runs from p to q counter-clockwise about
-  // u. Slots without an arc have angle 0 and X 0, so that sums may run over all of them.
+  // height h of the circle's plane along it; its product with v of the previous slot; its unit vector u, 1/d and 2 h;
+  // twice the vertex, from the ball's centre; the arc's angle, and X = 2 (q - p) x u, with its ends p and q such that
+  // it runs from p to q counter-clockwise about u. Slots without an arc have angle 0 and X 0, so that sums may run over
+  // all of them.
   double exterior_angles, exterior_turns;
   double other_radius[room];
   double vx[room], vy[room], vz[room], square_of_distance[room], scaled_height[room];
+  double product_with_previous[room];
   double ux[room], uy[room], uz[room], inverse_distance[room], twice_height[room];
   double px[room], py[room], pz[room];
   double angle[room], Xx[room], Xy[room], Xz[room];

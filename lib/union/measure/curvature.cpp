@@ -1,5 +1,7 @@
 #include "measure/curvature.hpp"
 
+#include <initializer_list>
+
 #include "measure/edge_sums.hpp"
 
 namespace hsp {
@@ -21,17 +23,19 @@ bool has_tied_vertex(const Boundary &boundary, uint32_t k) {
 // The part of a weighted M that the edges and vertices of ball k have.
 class MeanCurvature {
  public:
-  MeanCurvature(const BallSet &balls, const Boundary &boundary, const AreaWeights &weights, uint32_t k, bool any_tied)
+  MeanCurvature(const BallSet &balls, const Boundary &boundary, const AreaWeights &weights, uint32_t k,
+                const CurvedSet &set)
       : balls_(balls),
         boundary_(boundary),
         weights_(weights),
         k_(k),
         weight_(weights.of(balls, k)),
-        has_tied_vertex_(any_tied && has_tied_vertex(boundary, k)) {
+        has_plain_squares_(set.has_plain_squares),
+        has_tied_vertex_(set.has_tied_vertices && has_tied_vertex(boundary, k)) {
     result.one_sided = has_tied_vertex_;
   }
 
-  void add(const ArcBatch &batch) {
+  HSP_INLINE_UNLESS_SMALL void add(const ArcBatch &batch) {
     EdgeBatch edges;
     fill(batch, edges);
     const EdgeSums sums = sums_of(batch, edges);
@@ -61,6 +65,7 @@ class MeanCurvature {
  private:
   void fill(const ArcBatch &batch, EdgeBatch &edges) const {
     edges.has_weights = !weights_.are_ones();
+    edges.has_plain_squares = has_plain_squares_;
     if (!edges.has_weights) return;
     for (uint32_t s = 0; s < batch.count; ++s) edges.weight[s] = weights_.of(balls_, batch.other[s]);
     for (uint32_t s = batch.count; s < batch.count + sum_lanes - 1; ++s) edges.weight[s] = 0.0;
@@ -91,16 +96,10 @@ class MeanCurvature {
     add_end(batch.next[s], -1.0);
     const double root = batch.root_discriminant[s];
     if (!(root > 0.0)) return;
-    const uint32_t before = batch.previous[s];
-    const double along_a =
-        edges.third_cosine[s] * edges.cosine[s] - edges.cosine[before] * square(batch.other_radius[s]);
-    const double along_b =
-        edges.third_cosine[s] * edges.cosine[before] - edges.cosine[s] * square(batch.other_radius[before]);
-    const double lambda = (edges.third_force[s] + pull * along_a + edges.pull[before] * along_b) / root;
+    const double lambda = (edges.force[s] + edges.pull[batch.previous[s]] * edges.force_by_previous[s]) / root;
     const Vec3 x{batch.px[s], batch.py[s], batch.pz[s]};
     sum.add(-0.25 * lambda, x, x);
   }
-  static double square(double a) { return a * a; }
 
   EdgeSums sums_of(const ArcBatch &batch, EdgeBatch &edges) const {
     return differentiate_edges(boundary_.target(), balls_.r[k_], batch, weight_, edges);
@@ -128,8 +127,20 @@ class MeanCurvature {
   const AreaWeights &weights_;
   const uint32_t k_;
   const double weight_;
-  const bool has_tied_vertex_;
+  const bool has_plain_squares_, has_tied_vertex_;
 };
+
+// In multiples of the unit no sum of two radii is above 2^26, so its square is at most 2^52; and the distance of
+// spheres that meet is no more than that sum.
+bool has_plain_squares(const BallSet &balls, Target target) {
+  double unit = 1.0;
+  while (static_cast<double>(balls.largest_radius) > 0x1p25 * unit) unit *= 2;
+  bool plain = true;
+  for (const Span<double> *numbers : {&balls.x, &balls.y, &balls.z, &balls.r}) {
+    plain = plain && (unit == 1.0 || are_multiples(target, numbers->data(), balls.n, unit));
+  }
+  return plain;
+}
 
 // Half of the sum of rho phi beta over the batch.
 double edges_of(const BallSet &balls, const Boundary &boundary, uint32_t i, const ArcBatch &batch) {
@@ -138,10 +149,10 @@ double edges_of(const BallSet &balls, const Boundary &boundary, uint32_t i, cons
 
 }  // namespace
 
-bool has_tied_vertices(const Boundary &boundary) {
-  bool tied = false;
-  for (uint32_t v = 0; v < boundary.vertex_count(); ++v) tied |= boundary.vertex(v).tied();
-  return tied;
+CurvedSet curved_set(const BallSet &balls, const Boundary &boundary) {
+  uint32_t codes = 0;
+  for (uint32_t v = 0; v < boundary.vertex_count(); ++v) codes |= boundary.vertex(v).code;
+  return {(codes & VertexRecord::tied_bit) != 0, has_plain_squares(balls, boundary.target())};
 }
 
 BallCurvature curvature_of_ball(const BallSet &balls, const Boundary &boundary, uint32_t i) {
@@ -161,10 +172,10 @@ BallCurvature curvature_of_ball(const BallSet &balls, const Boundary &boundary, 
 }
 
 CurvedBallGradient curved_gradient_of_ball(const BallSet &balls, const Boundary &boundary, const AreaWeights &weights,
-                                           uint32_t k, bool any_tied) {
+                                           uint32_t k, const CurvedSet &set) {
   CurvedBallGradient result;
   if (!boundary.is_exposed(k)) return result;
-  MeanCurvature curvature(balls, boundary, weights, k, any_tied);
+  MeanCurvature curvature(balls, boundary, weights, k, set);
   curvature.add_area(gather_gradient(balls, boundary, weights, k, result.measures,
                                      [&curvature](const ArcBatch &batch) { curvature.add(batch); }));
   result.curvature = curvature.result;
@@ -174,7 +185,7 @@ CurvedBallGradient curved_gradient_of_ball(const BallSet &balls, const Boundary 
 void add_curvature_strain_of_ball(const BallSet &balls, const Boundary &boundary, const AreaWeights &weights,
                                   uint32_t k, StrainSum &sum) {
   if (!boundary.is_exposed(k)) return;
-  MeanCurvature curvature(balls, boundary, weights, k, false);
+  MeanCurvature curvature(balls, boundary, weights, k, {false, false});
   ArcBatches arcs(balls, boundary, k);
   while (arcs.next()) curvature.add_strain(arcs.batch(), sum);
 }

@@ -42,9 +42,15 @@ struct MeanCurvatureGradient {
   bool one_sided = false;  // M has a kink here: spheres touch, or four meet in a vertex
 };
 
-// Whether a vertex is decided by the symbolic perturbation, four spheres or more meeting there. Molecules have none,
-// and asking once is cheaper than at every ball.
-bool has_tied_vertices(const Boundary &boundary);
+// Asked once, as that is cheaper than at every ball.
+struct CurvedSet {
+  // A vertex is decided by the symbolic perturbation, four spheres or more meeting there. Molecules have none.
+  bool has_tied_vertices;
+  // Balls that meet have lengths whose squares doubles hold exactly. Molecules are written with few decimals, so that
+  // their integers end in zeros.
+  bool has_plain_squares;
+};
+CurvedSet curved_set(const BallSet &balls, const Boundary &boundary);
 
 // Both in one pass over the ball's arcs.
 struct CurvedBallGradient {
@@ -52,7 +58,7 @@ struct CurvedBallGradient {
   MeanCurvatureGradient curvature;
 };
 CurvedBallGradient curved_gradient_of_ball(const BallSet &balls, const Boundary &boundary, const AreaWeights &weights,
-                                           uint32_t k, bool any_tied);
+                                           uint32_t k, const CurvedSet &set);
 
 // Ball k's part of the derivatives of a weighted M by the strain, in steps: all balls' parts sum to them. The part of M
 // from the vector between two balls counts half at each of them. All that a vertex adds to the derivatives by its

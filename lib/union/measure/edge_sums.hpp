@@ -8,16 +8,16 @@ namespace hsp {
 
 // The edges of a batch, slot by slot.
 struct EdgeBatch {
-  bool has_weights = false;       // else all are 1
-  double weight[ArcBatch::room];  // w_j of the other ball, finite up to the last whole register
+  bool has_weights = false;        // else all are 1
+  bool has_plain_squares = false;  // doubles hold the squares of lengths exactly, and their sums
+  double weight[ArcBatch::room];   // w_j of the other ball, finite up to the last whole register
 
   double weight_of(uint32_t s) const { return has_weights ? weight[s] : 1.0; }
 
-  // Filled in by a kernel: r_k r_j cos(beta); s beta/(rho d), with s the mean of the two balls' weights, or 0 where
-  // the spheres touch; and of the edge of the two other balls of the vertex where the arc starts, their r_a r_b
-  // cos(beta) and s beta rho d.
-  double cosine[ArcBatch::room], pull[ArcBatch::room];
-  double third_cosine[ArcBatch::room], third_force[ArcBatch::room];
+  // Filled in by a kernel: s beta/(rho d), with s the mean of the two balls' weights, or 0 where the spheres touch; and
+  // of the vertex where the arc starts lambda sqrt(D) is the force and what the previous slot's pull gives.
+  double pull[ArcBatch::room], force[ArcBatch::room], force_by_previous[ArcBatch::room];
+  double cosine[ArcBatch::room];  // r_k r_j cos(beta), unless squares are plain
 };
 
 // Ball k's part of -sum over edges of s rho phi beta / 2, and what derivatives by ball k are beside those of areas.
@@ -32,5 +32,7 @@ struct EdgeSums {
 HSP_KERNEL(double, sum_edges, (const BallOfSet &ball, const ArcBatch &arcs), (ball, arcs))
 HSP_KERNEL(EdgeSums, differentiate_edges, (double radius, const ArcBatch &arcs, double weight, EdgeBatch &edges),
            (radius, arcs, weight, edges))
+// Whether integers below 2^51 in magnitude are multiples of a power of two from 1 to 2^20.
+HSP_KERNEL(bool, are_multiples, (const double *numbers, uint32_t count, double unit), (numbers, count, unit))
 
 }  // namespace hsp

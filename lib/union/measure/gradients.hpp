@@ -99,8 +99,9 @@ class WeightedAreas {
 // The same for a ball with faces, for callers that sum more over its arcs: calls on_arcs(batch) for every batch, before
 // what does not count is taken out of it. Returns the solid angle of the faces.
 template <class OnArcs>
-double gather_gradient(const BallSet &balls, const Boundary &boundary, const AreaWeights &weights, uint32_t k,
-                       BallGradient &result, OnArcs on_arcs) {
+HSP_INLINE_UNLESS_SMALL inline double gather_gradient(const BallSet &balls, const Boundary &boundary,
+                                                      const AreaWeights &weights, uint32_t k, BallGradient &result,
+                                                      OnArcs on_arcs) {
   WeightedAreas areas(balls, boundary, weights, k);
   FreeSurface surface(boundary, balls.r[k]);
   ArcBatches arcs(balls, boundary, k);

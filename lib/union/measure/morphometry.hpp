@@ -107,10 +107,10 @@ bool differentiate_morphometry(const Executor &executor, const CubeGrid &grid, c
                                MorphometricEnergy &energy, Sink sink) {
   const BallSet &balls = grid.balls();
   const MorphometryTerms terms{balls.lattice, weights, factors};
-  const bool any_tied = has_tied_vertices(boundary);
+  const CurvedSet set = curved_set(balls, boundary);
   const auto visit = [&](IdRange range, MorphometrySum &sum) {
     visit_in_input_order(grid, boundary, range, [&](uint32_t i, uint32_t ball) {
-      sink(i, terms.add(balls, ball, curved_gradient_of_ball(balls, boundary, weights, ball, any_tied), sum));
+      sink(i, terms.add(balls, ball, curved_gradient_of_ball(balls, boundary, weights, ball, set), sum));
     });
   };
   return terms.sum(executor, balls.n, boundary.euler(), visit, energy);

@@ -15,11 +15,11 @@ bool differentiate_morphometry_in_box(const Executor &executor, const PeriodicUn
                                       MorphometricEnergy &energy, Sink sink) {
   const Boundary &boundary = periodic.boundary();
   const MorphometryTerms terms{periodic.images().lattice(), weights, factors};
-  const bool any_tied = has_tied_vertices(boundary);
+  const CurvedSet set = curved_set(periodic.balls(), boundary);
   const auto visit = [&](IdRange range, MorphometrySum &sum) {
     for (uint32_t i = range.first; i < range.last; ++i) {
       const uint32_t ball = periodic.grid().grid_index(i);
-      CurvedBallGradient own = curved_gradient_of_ball(periodic.balls(), boundary, weights, ball, any_tied);
+      CurvedBallGradient own = curved_gradient_of_ball(periodic.balls(), boundary, weights, ball, set);
       own.measures.measure.volume = periodic.contacts().share_volume(ball);
       sink(i, terms.add(periodic.balls(), ball, own, sum));
     }

@@ -133,7 +133,7 @@ void Caps::gather_given(const BallSet &balls, uint32_t i, uint32_t n) {
 void Caps::take_given(uint32_t n, Joining &joining) {
   if constexpr (has_lanes) {
     if (lanes) {
-      take_all(ball.data(), n, joining);
+      take_all<false>(ball.data(), n, joining);
       return;
     }
   }
@@ -188,10 +188,12 @@ bool Caps::take_near(Span<uint32_t> near, Joining &joining) {
     near[hits] = j;
     hits += j != origin ? 1U : 0U;
   }
-  return take_all(near.data(), hits, joining);
+  return take_all<true>(near.data(), hits, joining);
 }
 
-// There may be read and written spare ids behind `near`.
+// There may be read and written spare ids behind `near`. Unless the caps are `ranked`, nothing is joined and nobody
+// asks where later balls begin.
+template <bool ranked>
 bool Caps::take_all(uint32_t *near, uint32_t hits, Joining &joining) {
   const BallArrays arrays = arrays_of(*balls_);
   for (uint32_t k = 0; k < 4; ++k) near[hits + k] = origin;
@@ -203,15 +205,16 @@ bool Caps::take_all(uint32_t *near, uint32_t hits, Joining &joining) {
       if constexpr (has_lanes) {
         circles = caps_of_circles(target, arrays, origin, near + k, hits - k, to, length_squared);
       }
-      for (const uint32_t end = k + circles; k < end; ++k) {
-        if (near[k] > origin) {
-          joining.join(near[k]);
+      for (uint32_t n = 0; ranked && n < circles; ++n) {
+        if (near[k + n] > origin) {
+          joining.join(near[k + n]);
         } else {
-          first_later = count + 1;
+          first_later = count + n + 1;
         }
-        ++count;
-        ++met;
       }
+      k += circles;
+      count += circles;
+      met += circles;
     }
     for (const uint32_t end = hits - k < 4 ? hits : k + 4; k < end; ++k) {
       if (!take(balls_->ball(origin), near[k], {*balls_, origin, near[k]}, joining)) return false;
@@ -227,7 +230,11 @@ exact::Vector Caps::direction(uint32_t k) const {
 
 exact::Plane Caps::plane(uint32_t k) const {
   if (ball[k] == no_id) return half_sphere_;
-  return exact::plane_of(balls_->ball(origin), balls_->ball(ball[k]));
+  return plane_of_ball(ball[k]);
+}
+
+exact::Plane Caps::plane_of_ball(uint32_t other) const {
+  return exact::plane_of(balls_->ball(origin), balls_->ball(other));
 }
 
 void Caps::set_spare_great_circle(const exact::Vector &normal) {

@@ -65,6 +65,7 @@ struct Caps {
   void gather(const BallSet &balls, const CubeBlock &block, uint32_t i, DisjointSets *components);
 
   // The caps of ball i by n other balls alone, which are in `ball` in any order and not certainly disjoint from it.
+  // first_later is left at 0.
   void gather_given(const BallSet &balls, uint32_t i, uint32_t n);
 
   // As gather, of which only the balls are known: there are n of them in `ball`, and all certainly meet ball i in
@@ -75,6 +76,7 @@ struct Caps {
   // The normal of its plane, from centre to centre.
   exact::Vector direction(uint32_t k) const;
   exact::Plane plane(uint32_t k) const;
+  exact::Plane plane_of_ball(uint32_t other) const;  // of a cap's ball
 
   // Stores a great circle of the sphere in the spare slot, number `count`, for cap_pair.hpp. Its errors are those of
   // caps, as its normal is exact.
@@ -114,6 +116,7 @@ struct Caps {
   void take_given(uint32_t n, Joining &joining);
   void gather_in_lanes(const CubeBlock &block, Joining &joining);
   bool take_near(Span<uint32_t> near, Joining &joining);
+  template <bool ranked>
   bool take_all(uint32_t *near, uint32_t hits, Joining &joining);
   const BallSet *balls_ = nullptr;  // of the last ball, whose planes may still be asked for
   exact::Plane half_sphere_{};      // the plane of ball no_id

@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "boundary/boundary_builder.hpp"
 #include "built_grid.hpp"
@@ -18,6 +21,8 @@ namespace {
 
 // By the balls of a chord, those that clip it.
 using Chords = std::map<std::array<uint32_t, 3>, std::pair<uint32_t, uint32_t>>;
+// By the balls of a chord, and 0 at p- or 1 at p+, the ball that clips it there.
+using Ends = std::map<std::array<uint32_t, 4>, uint32_t>;
 
 class WalkedBalls {
  public:
@@ -33,24 +38,39 @@ class WalkedBalls {
     memory.carve(walk, hsp::ContactLimits{n_, n_, contacts, 0, 0});
     walk.start(built_.grid().balls().n, built_.grid().balls().n);
     Chords chords;
+    Ends ends;
+    std::map<std::array<uint32_t, 3>, uint32_t> free_ends;
     for (uint32_t i = 0; i < built_.grid().balls().n; ++i) {
-      if (!gather(i)) continue;
+      if (boundary_.boundary().is_contained(i)) continue;
+      if (hsp::IdRange whole; walk.has_whole_chords(boundary_.boundary(), i, whole)) {
+        for (uint32_t v = whole.first; v < whole.last; v += 2) {
+          const auto [a, b, c] = boundary_.boundary().vertex(v).ball;
+          free_ends[{a, b, c}] = 2;
+          chords.insert({{a, b, c}, {hsp::no_id, hsp::no_id}});
+        }
+        ++with_whole_chords_;
+        continue;
+      }
+      gather(i);
       with_many_later_ += caps_.count - caps_.first_later > hsp::MaskedChords::most_caps ? 1U : 0U;
       all_asked_ += walk.asks_for_all_caps(boundary_.boundary(), i) ? 1U : 0U;
       walk.find(boundary_.boundary(), caps_);
-      uint32_t last[2] = {0, 0};
-      walk.visit([&](const hsp::FoundChord &chord) {
+      for (const hsp::FoundChord &chord : walk.chords()) {
         const auto [j, k] = chord.cap;
-        EXPECT_TRUE(last[0] < j || (last[0] == j && last[1] < k));
-        last[0] = j;
-        last[1] = k;
-        chords[{i, caps_.ball[j], caps_.ball[k]}] = {chord.clipper[0], chord.clipper[1]};
-        if (chord.free_ends() == 0 || chord.vertex == hsp::no_id) return;
-        const hsp::VertexRecord &vertex = boundary_.boundary().vertex(chord.vertex);
-        EXPECT_EQ(vertex.ball[0], i);
-        EXPECT_EQ(vertex.ball[1], caps_.ball[j]);
-        EXPECT_EQ(vertex.ball[2], caps_.ball[k]);
-      });
+        EXPECT_LT(j, k);
+        const std::array<uint32_t, 3> key = {i, caps_.ball[j], caps_.ball[k]};
+        free_ends[key] = chord.free_ends;
+        chords.insert({key, {hsp::no_id, hsp::no_id}});
+      }
+      for (const hsp::FoundVertex &vertex : walk.vertices()) add_ends(vertex, ends);
+    }
+    for (const auto &[key, end] : ends) {
+      EXPECT_EQ(chords.count({key[0], key[1], key[2]}), 1U);
+      auto &clippers = chords[{key[0], key[1], key[2]}];
+      (key[3] == 0 ? clippers.first : clippers.second) = end;
+    }
+    for (const auto &[key, clippers] : chords) {
+      EXPECT_EQ(free_ends[key], (clippers.first == hsp::no_id ? 1U : 0U) + (clippers.second == hsp::no_id ? 1U : 0U));
     }
     return chords;
   }
@@ -77,10 +97,31 @@ class WalkedBalls {
 
   // How many balls have more later caps than MaskedChords is for.
   uint32_t with_many_later() const { return with_many_later_; }
+  // How many balls it left out.
+  uint32_t with_whole_chords() const { return with_whole_chords_; }
   // How many balls the walk wanted to have with all of their caps.
   uint32_t all_asked() const { return all_asked_; }
 
  private:
+  // A power vertex of the ball at hand ends the chords of every three of its balls, each once.
+  void add_ends(const hsp::FoundVertex &vertex, Ends &ends) const {
+    const auto [a, b, c] = vertex.cap;
+    EXPECT_TRUE(a < b && b < c);
+    const uint32_t four[4] = {caps_.origin, caps_.ball[a], caps_.ball[b], caps_.ball[c]};
+    for (uint32_t k = 0; k < 4; ++k) {
+      uint32_t three[3];
+      uint32_t count = 0;
+      for (uint32_t m = 0; m < 4; ++m) {
+        if (m != k) three[count++] = four[m];
+      }
+      const hsp::BallSet &balls = built_.grid().balls();
+      const auto vector = [&](uint32_t ball) { return balls.ball(ball).centre - balls.ball(three[0]).centre; };
+      const int side = hsp::exact::Exact::triple_product_sign(vector(three[1]), vector(three[2]), vector(four[k]));
+      EXPECT_NE(side, 0);
+      EXPECT_TRUE(ends.insert({{three[0], three[1], three[2], side > 0 ? 1U : 0U}, four[k]}).second);
+    }
+  }
+
   bool gather(uint32_t i) {
     const hsp::BallSet &balls = built_.grid().balls();
     if (boundary_.boundary().is_contained(i)) return false;
@@ -97,7 +138,7 @@ class WalkedBalls {
   CarvedMemory memory_, caps_memory_;
   hsp::BoundaryBuilder boundary_;
   hsp::Caps caps_;
-  uint32_t all_asked_ = 0, with_many_later_ = 0;
+  uint32_t all_asked_ = 0, with_many_later_ = 0, with_whole_chords_ = 0;
 };
 
 oracle::Balls any_kind_of_balls(oracle::RandomSource &random, int k) {
@@ -117,7 +158,7 @@ oracle::Balls any_kind_of_balls(oracle::RandomSource &random, int k) {
 TEST(ChordWalk, FindsWhatIsLeftOfAllPairs) {
   oracle::RandomSource random(83);
   size_t chords = 0;
-  uint32_t all_asked = 0;
+  uint32_t all_asked = 0, with_whole_chords = 0;
   for (int k = 0; k < 160 && !HasFailure(); ++k) {
     const oracle::Balls balls = any_kind_of_balls(random, k);
     WalkedBalls walked(oracle::in_lengths(balls, 1));
@@ -128,9 +169,11 @@ TEST(ChordWalk, FindsWhatIsLeftOfAllPairs) {
     EXPECT_EQ(walked.by_walk(2), expected) << oracle::to_text(balls);
     chords += expected.size();
     all_asked += walked.all_asked();
+    with_whole_chords += walked.with_whole_chords();
   }
   EXPECT_GT(chords, 2000U);
   EXPECT_GT(all_asked, 100U);
+  EXPECT_GT(with_whole_chords, 100U);
 }
 
 // More later balls around one than there are bits for: for these there is another table.
@@ -171,55 +214,100 @@ TEST(ChordWalk, FindsAllOfABallThatIsBuriedByLaterOnes) {
   EXPECT_GT(buried, 40U);
 }
 
-// Both kinds of kernels cut a ray where a loop does.
-TEST(ChordCuts, AreThoseOfALoop) {
-  oracle::RandomSource random(85);
-  const auto number = [&] { return static_cast<double>(random.in(-1000, 1000)) / 1000; };
-  for (int k = 0; k < 300; ++k) {
-    const uint32_t first = static_cast<uint32_t>(random.in(0, 5));
-    const uint32_t last = first + static_cast<uint32_t>(random.in(2, 20));
-    double ux[32], uy[32], uz[32], b[32];
-    for (uint32_t t = 0; t < 32; ++t) {
-      const bool inside = t < last;
-      ux[t] = inside ? number() : 0.0;
-      uy[t] = inside ? number() : 0.0;
-      uz[t] = inside ? number() : 0.0;
-      b[t] = inside ? number() : 4.0;
-    }
-    const hsp::ChordRay ray{{number(), number(), number()}, {number(), number(), number()}};
-    // One that the ray runs along, one that it runs along far outside.
-    for (double *coordinate : {ux, uy, uz}) coordinate[first] = coordinate[first + 1] = 0.0;
-    b[first] = 0.0;
-    b[first + 1] = 1.0;
-    hsp::NearestCut expected{hsp::ChordRay::none, hsp::ChordRay::none, 0, 0};
-    for (uint32_t t = first; t < last; ++t) {
-      const double g = ray.w[0] * ux[t] + ray.w[1] * uy[t] + ray.w[2] * uz[t];
-      const double depth = b[t] - (ray.m[0] * ux[t] + ray.m[1] * uy[t] + ray.m[2] * uz[t]);
-      if (g > -hsp::ChordRay::least_slope && g <= hsp::ChordRay::least_slope) {
-        expected.unclear += depth <= 2 * hsp::ChordRay::least_slope ? 1U : 0U;
-      }
-      if (!(g > hsp::ChordRay::least_slope)) continue;
-      const double s = depth / g;
-      if (s < expected.s) {
-        expected.second = expected.s;
-        expected.s = s;
-        expected.cap = t;
-      } else if (s < expected.second) {
-        expected.second = s;
-      }
-    }
-    const auto compare = [&](const hsp::NearestCut &found) {
-      EXPECT_EQ(found.s, expected.s);
-      EXPECT_EQ(found.second, expected.second);
-      EXPECT_EQ(found.unclear, expected.unclear);
-      if (expected.s < hsp::ChordRay::none) {
-        EXPECT_EQ(found.cap, expected.cap);
-      }
-    };
-    for (const hsp::Target target : runnable_targets()) {
-      compare(hsp::nearest_cut(target, {ux, uy, uz, b}, first, last, ray));
+// Caps of a unit sphere, of which the first two have a chord.
+struct RandomCaps {
+  static constexpr uint32_t room = 32;
+  double ux[room] = {}, uy[room] = {}, uz[room] = {}, b[room];
+  uint32_t first, last;
+
+  explicit RandomCaps(oracle::RandomSource &random) {
+    first = static_cast<uint32_t>(random.in(0, 5));
+    last = first + static_cast<uint32_t>(random.in(3, 20));
+    for (uint32_t t = 0; t < room; ++t) {
+      b[t] = 4.0;
+      if (t >= last) continue;
+      const auto number = [&] { return static_cast<double>(random.in(-1000, 1000)); };
+      const double x = number(), y = number(), z = number();
+      set(t, x, y, z + 0.5, static_cast<double>(random.in(-400, 900)) / 1000);
     }
   }
+  void set(uint32_t t, double x, double y, double z, double height) {
+    const double length = std::sqrt(x * x + y * y + z * z);
+    ux[t] = x / length;
+    uy[t] = y / length;
+    uz[t] = z / length;
+    b[t] = height;
+  }
+  hsp::Vec3 axis(uint32_t t) const { return {ux[t], uy[t], uz[t]}; }
+  hsp::CapColumns columns() const { return {ux, uy, uz, b}; }
+
+  // Where the chord of j and k is cut, by all caps that are entered on the way: sorted.
+  std::vector<std::pair<double, uint32_t>> cuts(uint32_t j, uint32_t k, double direction) const {
+    const hsp::Vec3 u = axis(j), v = axis(k), n = cross(u, v);
+    const double g = dot(u, v), S = dot(n, n);
+    const double q = S - b[j] * b[j] - b[k] * b[k] + 2 * g * b[j] * b[k];
+    std::vector<std::pair<double, uint32_t>> result;
+    if (!(q > 1e-3) || !(S > 1e-3)) return result;
+    const hsp::Vec3 m = ((b[j] - g * b[k]) / S) * u + ((b[k] - g * b[j]) / S) * v;
+    const hsp::Vec3 w = (direction * std::sqrt(q) / S) * n;
+    for (uint32_t t = first; t < last; ++t) {
+      const double slope = dot(w, axis(t));
+      if (t != j && t != k && slope > 1e-9) result.emplace_back((b[t] - dot(m, axis(t))) / slope, t);
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+};
+
+// Kernels for all targets find the cut that a loop finds, or are not certain.
+TEST(ChordCuts, AreThoseOfALoop) {
+  oracle::RandomSource random(85);
+  uint32_t asked = 0, certain = 0;
+  for (int round = 0; round < 3000; ++round) {
+    const RandomCaps caps(random);
+    const uint32_t j = caps.first, k = caps.first + 1;
+    for (const double direction : {1.0, -1.0}) {
+      const auto cuts = caps.cuts(j, k, direction);
+      if (cuts.empty() || cuts[0].first > 1.0) continue;
+      for (const hsp::Target target : runnable_targets()) {
+        const uint32_t found = hsp::nearest_cut(target, caps.columns(), caps.first, caps.last, j, k, direction);
+        ++asked;
+        if (found == hsp::no_cut) continue;
+        ++certain;
+        EXPECT_EQ(found, cuts[0].second);
+      }
+    }
+  }
+  EXPECT_GT(asked, 2000U);
+  EXPECT_GT(certain, asked / 100 * 99);
+}
+
+// Two caps that cut in the same place, one that runs along the chord near to it or holds it, and one that is far away.
+TEST(ChordCuts, AreNotCertainOfWhatIsTiedOrRunsAlong) {
+  oracle::RandomSource random(87);
+  uint32_t asked = 0;
+  for (int round = 0; round < 3000; ++round) {
+    RandomCaps caps(random);
+    const uint32_t j = caps.first, k = caps.first + 1;
+    const auto cuts = caps.cuts(j, k, 1.0);
+    if (cuts.empty() || cuts[0].first > 1.0 || caps.last == RandomCaps::room) continue;
+    const hsp::Vec3 along = caps.axis(j);
+    const auto cut = [&](const hsp::Target target, double height, uint32_t last) {
+      caps.set(caps.last, along.x, along.y, along.z, height);
+      return hsp::nearest_cut(target, caps.columns(), caps.first, last, j, k, 1.0);
+    };
+    for (const hsp::Target target : runnable_targets()) {
+      const uint32_t before = cut(target, 4.0, caps.last);
+      if (before == hsp::no_cut) continue;
+      ++asked;
+      EXPECT_EQ(cut(target, caps.b[j] + 1e-6, caps.last + 1), hsp::no_cut);
+      EXPECT_EQ(cut(target, caps.b[j] - 0.1, caps.last + 1), hsp::no_cut);
+      EXPECT_EQ(cut(target, caps.b[j] + 0.1, caps.last + 1), before);
+      caps.set(caps.last, caps.ux[before], caps.uy[before], caps.uz[before], caps.b[before]);
+      EXPECT_EQ(hsp::nearest_cut(target, caps.columns(), caps.first, caps.last + 1, j, k, 1.0), hsp::no_cut);
+    }
+  }
+  EXPECT_GT(asked, 1000U);
 }
 
 }  // namespace

@@ -41,9 +41,12 @@ class Built {
     for (uint32_t i = 0; i < balls().n; ++i) sum += hsp::curvature_of_ball(balls(), boundary(), i).gauss;
     return sum;
   }
+  hsp::CurvedSet set() const { return hsp::curved_set(balls(), boundary()); }
   hsp::MeanCurvatureGradient gradient(uint32_t i, const hsp::AreaWeights &weights) const {
-    return hsp::curved_gradient_of_ball(balls(), boundary(), weights, ball(i), hsp::has_tied_vertices(boundary()))
-        .curvature;
+    return gradient(i, weights, set());
+  }
+  hsp::MeanCurvatureGradient gradient(uint32_t i, const hsp::AreaWeights &weights, const hsp::CurvedSet &of) const {
+    return hsp::curved_gradient_of_ball(balls(), boundary(), weights, ball(i), of).curvature;
   }
   double weighted_mean(const hsp::AreaWeights &weights) const {
     double sum = 0.0;
@@ -120,6 +123,35 @@ TEST(Curvature, OfCrambinHasTheReferenceValues) {
     EXPECT_NEAR(by_probe, reference.by_probe, 1e-9);
     EXPECT_NEAR(std::sqrt(dot(sum, sum)), 0.0, 1e-11);
   }
+}
+
+// Plain squares are taken where they are exact: the bits are those of exact ones.
+TEST(Curvature, TakesPlainSquaresOfFewDecimals) {
+  support::BallList balls =
+      with_radii(support::read_atoms(support::own_molecule("crambin.pdb")), support::Radii::van_der_waals);
+  for (const double probe : {0.0, 1.4}) {
+    const Built built(balls, probe, 0.0);
+    ASSERT_EQ(built.status(), hsp::Status::ok);
+    EXPECT_TRUE(built.set().has_plain_squares);
+    for (uint32_t i = 0; i < balls.size(); ++i) {
+      const hsp::MeanCurvatureGradient plain = built.gradient(i, {}, {false, true});
+      const hsp::MeanCurvatureGradient exact = built.gradient(i, {}, {false, false});
+      ASSERT_EQ(plain.mean, exact.mean);
+      ASSERT_EQ(plain.radius, exact.radius);
+      ASSERT_EQ(plain.centre.x, exact.centre.x);
+      ASSERT_EQ(plain.centre.y, exact.centre.y);
+      ASSERT_EQ(plain.centre.z, exact.centre.z);
+    }
+  }
+  for (const size_t k : {size_t{0}, balls.xyz.size() / 2, balls.xyz.size() - 1}) {
+    const double x = balls.xyz[k];
+    balls.xyz[k] += 1e-8;
+    EXPECT_FALSE(Built(balls, 0.0, 0.0).set().has_plain_squares);
+    balls.xyz[k] = x;
+  }
+  balls.radius.back() += 1e-8;
+  EXPECT_FALSE(Built(balls, 0.0, 0.0).set().has_plain_squares);
+  EXPECT_TRUE(Built(balls, 0.0, 1e-6).set().has_plain_squares);  // of small integers all squares are exact
 }
 
 TEST(Curvature, IsTwiceTheEulerCharacteristicForEverySet) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <random>
+#include <vector>
 
 #include "built_boundary.hpp"
 #include "measure/arc_batches.hpp"
@@ -40,10 +41,11 @@ TEST(EdgeKernel, RoundsIntegersOnce) {
     if (outer < 0 || inner < 0) continue;
     using Real = hsp::Wide<double, 1>::Real;
     const auto lane = [](int64_t x) { return Real{static_cast<double>(x)}; };
-    const hsp::EdgeAngle<hsp::Wide<double, 1>> edge(lane(a), lane(b), {lane(v[0]), lane(v[1]), lane(v[2])});
+    const hsp::EdgeLengths<hsp::Wide<double, 1>> lengths(lane(a), lane(b), {lane(v[0]), lane(v[1]), lane(v[2])});
+    const hsp::EdgeAngle<hsp::Wide<double, 1>> edge = lengths.angle();
     const double product = 0.5 * std::sqrt(static_cast<double>(outer) * static_cast<double>(inner));
     const double cosine = 0.25 * static_cast<double>(outer - inner);
-    ASSERT_EQ(edge.distance[0], std::sqrt(static_cast<double>(U)));
+    ASSERT_EQ(lengths.square_of_distance[0], static_cast<double>(U));
     ASSERT_EQ(edge.product[0], product);
     ASSERT_EQ(edge.cosine[0], cosine);
     ASSERT_EQ(edge.is_proper[0] != 0, product > 0.0);
@@ -58,6 +60,30 @@ TEST(EdgeKernel, RoundsIntegersOnce) {
   }
   EXPECT_GT(proper, 50000U);
   EXPECT_GT(cancelled, 1000U);
+}
+
+TEST(EdgeKernel, FindsWhatIsNoMultiple) {
+  std::mt19937_64 random(5);
+  const auto expect = [](const std::vector<double> &numbers, double unit, bool expected) {
+    const auto count = static_cast<uint32_t>(numbers.size());
+    ASSERT_EQ(hsp::EdgeKernel<1>::are_multiples(numbers.data(), count, unit), expected);
+    for (const hsp::Target target : runnable_targets()) {
+      ASSERT_EQ(hsp::are_multiples(target, numbers.data(), count, unit), expected);
+    }
+  };
+  for (int round = 0; round < 500; ++round) {
+    const int64_t unit = INT64_C(1) << (round % 6);
+    const int64_t most = ((INT64_C(1) << (1 + random() % 50)) + unit - 1) / unit;
+    std::vector<double> numbers(random() % 11);
+    for (double &x : numbers) {
+      x = static_cast<double>(unit * (static_cast<int64_t>(random() % static_cast<uint64_t>(2 * most + 1)) - most));
+    }
+    expect(numbers, static_cast<double>(unit), true);
+    if (numbers.empty() || unit == 1) continue;
+    const auto off = static_cast<double>(1 + random() % static_cast<uint64_t>(unit - 1));
+    numbers[random() % numbers.size()] += random() % 2 == 0 ? off : -off;
+    expect(numbers, static_cast<double>(unit), false);
+  }
 }
 
 struct Results {
@@ -95,10 +121,9 @@ void expect_same(const Results &a, const Results &b, uint32_t slots) {
   EXPECT_EQ(a.sums.radius, b.sums.radius);
   for (size_t axis = 0; axis < 3; ++axis) EXPECT_EQ(a.sums.centre[axis], b.sums.centre[axis]);
   for (uint32_t s = 0; s < slots; ++s) {
-    EXPECT_EQ(a.edges.cosine[s], b.edges.cosine[s]);
-    EXPECT_EQ(a.edges.third_cosine[s], b.edges.third_cosine[s]);
-    EXPECT_EQ(a.edges.third_force[s], b.edges.third_force[s]);
     EXPECT_EQ(a.edges.pull[s], b.edges.pull[s]);
+    EXPECT_EQ(a.edges.force[s], b.edges.force[s]);
+    EXPECT_EQ(a.edges.force_by_previous[s], b.edges.force_by_previous[s]);
   }
 }
 

@@ -9,6 +9,7 @@
 #include "maps/map_check.hpp"
 #include "maps/map_queries.hpp"
 #include "maps/stick_outlines.hpp"
+#include "maps/strand_lines.hpp"
 #include "path_painter.hpp"
 
 BuiltSticks::BuiltSticks(const oracle::Balls &balls, std::vector<Ends> ends, double radius,
@@ -182,14 +183,22 @@ std::string broken(const DrawnPath &path, double tolerance) {
   return "";
 }
 
-// Each edge of regions is one path's own line, and on two outlines at most.
+size_t lines_between_strands(const hsp::StickMap &map, uint32_t path) {
+  size_t count = 0;
+  hsp::visit_strand_lines(map, path, {&count, [](void *context, const hsp::ProjectedArc &, bool, bool) {
+                                        ++*static_cast<size_t *>(context);
+                                      }});
+  return count;
+}
+
+// Each edge of regions is one path's own line, and on two outlines at most; others lie between strands.
 std::string broken_lines(const BuiltSticks &built) {
   const hsp::StickMap &map = built.builder().map();
   if (!map.exist) return "";
   size_t lines = 0, outlines = 0;
   double area = 0, swept = 0;
   for (uint32_t p = 0; p < map.owners; ++p) {
-    lines += path_of(built, p, hsp::PathPart::lines).arcs.size();
+    lines += path_of(built, p, hsp::PathPart::lines).arcs.size() - lines_between_strands(map, p);
     const DrawnPath outline = path_of(built, p, hsp::PathPart::outline);
     outlines += outline.arcs.size();
     for (const oracle::PathArc &arc : outline.arcs) swept += arc.swept_area();

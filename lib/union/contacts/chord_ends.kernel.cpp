@@ -1,0 +1,121 @@
+#include "contacts/chord_ends.hpp"
+#include "lanes/wide.hpp"
+
+namespace hsp::HSP_TARGET {
+namespace {
+
+constexpr double least_square = 0x1p-10;
+
+template <uint32_t n>
+struct EndKernel {
+  using L = Wide<double, n>;
+  using Real = typename L::Real;
+  using Mask = typename L::Mask;
+  using Vector = VectorOf<Real>;
+
+  struct Ball {
+    Vector centre;
+    Real r;
+
+    Ball(const BallArrays &balls, const uint32_t *ids)
+        : centre{L::gather(balls.x, ids), L::gather(balls.y, ids), L::gather(balls.z, ids)},
+          r(L::gather(balls.r, ids)) {}
+  };
+
+  // plane_of of exact/plane.hpp, and the square of its vector.
+  struct Plane {
+    Vector v;
+    Real U, h;
+
+    Plane(const Ball &own, const Ball &other)
+        : v(other.centre - own.centre), U(dot(v, v)), h(U - (other.r - own.r) * (other.r + own.r)) {}
+    Plane(const Vector &vector, const Real &height) : v(vector), U(dot(v, v)), h(height) {}
+  };
+
+  // The line of two planes, as chord_line.hpp has it.
+  struct Line {
+    Vector normal;
+    Real N, alpha, beta;
+
+    Line(const Plane &P, const Plane &Q) : normal(cross(P.v, Q.v)), N(dot(normal, normal)) {
+      const Real uv = dot(P.v, Q.v);
+      alpha = P.h * Q.U - Q.h * uv;
+      beta = Q.h * P.U - P.h * uv;
+    }
+    Real third() const { return ((N + N) - alpha) - beta; }
+    Real scale(const Real &t) const { return t / (8.0 * N); }
+  };
+
+  // n vertices. Returns the mask of those that are served.
+  [[gnu::always_inline]] static Mask measure(const BallArrays &balls, PowerVertexBatch &batch, uint32_t s) {
+    PowerVertexBatch &b = by_one_register(batch);
+    const Ball first(balls, b.ball[0] + s), second(balls, b.ball[1] + s), third(balls, b.ball[2] + s),
+        fourth(balls, b.ball[3] + s);
+    const Plane P(first, second), Q(first, third), R(first, fourth);
+    const Line PQ(P, Q), QR(Q, R), RP(R, P);
+    const Real B = dot(PQ.normal, R.v);
+    const Real inverse = 1.0 / L::absolute(B);
+    // On the side of larger t, as all that follows.
+    const Vector y = inverse * (R.h * PQ.normal + P.h * QR.normal + Q.h * RP.normal);
+    const Real a = L::load(b.kept[0] + s) * PQ.scale(dot(PQ.normal, y));
+    const Real c = L::load(b.kept[1] + s) * QR.scale(dot(QR.normal, y));
+    const Real d = L::load(b.kept[2] + s) * RP.scale(dot(RP.normal, y));
+    L::store(b.part[0] + s, a * PQ.beta + d * RP.alpha);
+    L::store(b.part[1] + s, a * PQ.alpha + c * QR.beta);
+    L::store(b.part[2] + s, c * QR.alpha + d * RP.beta);
+
+    const Plane S(second, third), T(second, fourth);
+    const Line ST(S, T);
+    const Mask below = B < 0.0;
+    const Vector of_second{y.x - L::negate_if(below, P.v.x + P.v.x), y.y - L::negate_if(below, P.v.y + P.v.y),
+                           y.z - L::negate_if(below, P.v.z + P.v.z)};
+    const Real e = L::load(b.kept[3] + s) * ST.scale(-dot(ST.normal, of_second));
+    L::store(b.part[3] + s, a * PQ.third() + e * ST.beta);
+    L::store(b.part[4] + s, d * RP.third() + e * ST.alpha);
+    L::store(b.part[5] + s, c * QR.third() + e * ST.third());
+    const Real square = B * B;
+    return L::both(square >= least_square * (P.U * Q.U * R.U), square >= least_square * (P.U * S.U * T.U));
+  }
+
+  static uint32_t measure_all(const BallArrays &balls, PowerVertexBatch &batch, uint32_t count) {
+    uint32_t served = 0;
+    for (uint32_t s = 0; s < count; s += n)
+      served |= static_cast<uint32_t>(L::set_lanes(measure(balls, batch, s))) << s;
+    return ~served & ((1U << count) - 1U);
+  }
+
+  // An arc begins at the vertex of its slot, on the circles of this and the previous one, and ends at that of the next.
+  static bool measure_arcs(const ArcBatch &batch, double (&parts)[ArcBatch::room]) {
+    double before[ArcBatch::room] = {};  // at a slot's vertex, for the circle of the previous slot
+    for (uint32_t s = 0; s < batch.count; s += n) {
+      const ArcBatch &b = by_one_register(batch);
+      const uint32_t *const previous = b.previous + s;
+      const Plane P({L::gather(b.vx, previous), L::gather(b.vy, previous), L::gather(b.vz, previous)},
+                    L::gather(b.scaled_height, previous));
+      const Plane Q({L::load(b.vx + s), L::load(b.vy + s), L::load(b.vz + s)}, L::load(b.scaled_height + s));
+      const Line line(P, Q);
+      const Real scale = L::valid(line.N >= least_square * (P.U * Q.U), line.scale(L::load(b.root_discriminant + s)));
+      L::store(before + s, scale * line.beta);
+      L::store(parts + s, scale * line.alpha);
+    }
+    Mask unserved{};
+    for (uint32_t s = 0; s < batch.count; s += n) {
+      const Mask arc = L::load_mask(batch.arc + s);
+      const Real both = L::kept(arc, L::load(parts + s) + L::gather(before, batch.next + s));
+      L::store(parts + s, both);
+      unserved |= both != both;
+    }
+    return !L::any(unserved);
+  }
+};
+
+}  // namespace
+
+uint32_t measure_power_vertices(const BallArrays &balls, PowerVertexBatch &batch, uint32_t count) {
+  return EndKernel<register_lanes>::measure_all(balls, batch, count);
+}
+bool measure_free_ends(const ArcBatch &batch, double (&parts)[ArcBatch::room]) {
+  return EndKernel<register_lanes>::measure_arcs(batch, parts);
+}
+
+}  // namespace hsp::HSP_TARGET
