@@ -41,7 +41,7 @@ namespace hsp {
 // so that tests see whether somebody still relies on it.
 template <class Array>
 void forget(const Array &array) {
-  if constexpr (poisons) std::memset(array.data(), 0xA5, array.size() * sizeof(array[0]));
+  if (poisons && array.size() > 0) std::memset(array.data(), 0xA5, array.size() * sizeof(array[0]));
 }
 
 }  // namespace hsp
