@@ -10,8 +10,8 @@
 #   clang      compiled by clang
 #   lld        what is installed in INSTALL-PREFIX, linked by clang and lld
 #   musl       the same, linked with the C library musl, statically
-# The shared library with -O0, which inlines nothing that could be exported; others with -O1, which is compiled in half the
-# time; but -flto, whose problem is the optimizer, with -O3. Exit status 77: a tool is missing here.
+# The shared library and the single object with -O0, which inlines nothing that could be exported; others with -O1, which
+# is compiled in half the time; but -flto, whose problem is the optimizer, with -O3. Exit status 77: a tool is missing here.
 set -euo pipefail
 export LC_ALL=C
 variant=$1 source=$2 work=$3 cc=$4 cxx=$5 prefix=$6
@@ -29,7 +29,7 @@ case $variant in
   lto_fat) flags='-g -flto=auto -ffat-lto-objects' optimization=-O3 links=('' '-flto=auto') ;;
   lto) flags='-flto' optimization=-O3 links=('-flto') ;;
   single)
-    options=(-DHSP_SINGLE_OBJECT=ON)
+    optimization=-O0 options=(-DHSP_SINGLE_OBJECT=ON)
     links=('-Wl,-z,relro -Wl,-z,now -pie -fPIE')
     ;;
   clang)

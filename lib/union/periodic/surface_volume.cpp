@@ -2,6 +2,8 @@
 
 #include <initializer_list>
 
+#include "core/decimal.hpp"
+
 namespace hsp {
 
 SurfaceVolume::SurfaceVolume(const PeriodicUnion &periodic)
@@ -41,9 +43,8 @@ BallMeasure SurfaceVolume::measure(uint32_t face, uint32_t origin) const {
 }
 
 double SurfaceVolume::reduced(double sum, double most) const {
-  // In the middle between what volumes can be and what they can be less a box.
-  const double top = 0.5 * (1.0 + most / box_volume_), parts = sum / box_volume_;
-  const double volume = sum - std::ceil(parts - top) * box_volume_;
+  // Less so many boxes that it is nearest to the middle of what volumes can be.
+  const double volume = sum - static_cast<double>(nearest((sum - 0.5 * most) / box_volume_)) * box_volume_;
   return volume > 0.0 ? volume : 0.0;
 }
 
