@@ -121,6 +121,7 @@ void ContactsBuilder::start_ball(const BallSet &balls, const Boundary &boundary,
   if (some_inside_) caps_.keep_if([&boundary](uint32_t j) { return !boundary.is_contained(j); });
   caps_.first_later = 0;
   while (caps_.first_later < caps_.count && caps_.ball[caps_.first_later] < caps_.origin) ++caps_.first_later;
+  static_assert(no_id == ~UINT32_C(0));
   if (caps_.count > 0) std::memset(contact_of_cap_.data(), 0xFF, caps_.count * sizeof(uint32_t));
 }
 

@@ -175,9 +175,12 @@ struct EdgeKernel {
       const Vector third = gather(arcs.vx, arcs.vy, arcs.vz, before) - v;
       const Real r_a = L::load(arcs.other_radius + s);
       const Real r_b = L::gather(arcs.other_radius, before);
-      const EdgeLengths<Pairs> both({L::all(radius), r_a}, {r_a, r_b},
-                                    {{v.x, third.x}, {v.y, third.y}, {v.z, third.z}});
-      return {r_a, r_b, L::square_root(both.square_of_distance.first), both.angle()};
+      const EdgeLengths<L> own(L::all(radius), r_a, v);
+      const EdgeLengths<L> other(r_a, r_b, third);
+      return {r_a,
+              r_b,
+              L::square_root(own.square_of_distance),
+              {{own.outer, other.outer}, {own.inner, other.inner}, {own.g, other.g}}};
     }
   };
   // The same of H = 2 h d = v.v + r^2 - w, with w the square of the other radius, and of v.v_before.

@@ -16,9 +16,9 @@ template <class Sum>
 
 // Calls visit(range, sum) for ranges that are all balls together, side by side; it adds a term for each ball of the
 // range. Sum::sums(rest): of its terms with those behind them, of which rest are the sums. False if the executor
-// fails. A call of its own: what it takes of the stack is not its caller's.
+// fails.
 template <class Sum, class Visit>
-[[gnu::noinline]] bool sum_in_parts(const Executor &executor, uint32_t balls, Visit visit, typename Sum::Term &sums) {
+bool sum_in_parts(const Executor &executor, uint32_t balls, Visit visit, typename Sum::Term &sums) {
   const TermRanges ranges(balls, executor.workers());
   typename Sum::Term of_range[TermRanges::most + 1] = {};  // the last: no rest
   const auto sum_range = [&](uint32_t k) __attribute__((noinline)) {
