@@ -37,6 +37,17 @@ refused=$(comm -23 <(echo "$asked") <(echo "$offered") | grep -vE '^(mem(cpy|mov
 grep -q find_balls_in_lanes "$work/symbols" || { echo "the archive has no kernels of lanes" && exit 1; }
 [ -z "$refused" ] || { echo "the archive asks for symbols that are not allowed:" && echo "$refused" && exit 1; }
 
+# The same library where an engine has no registers of several numbers.
+build cmake -S "$here/target" -B "$work/scalar" -DCMAKE_TOOLCHAIN_FILE="$source/capi/wasm/wasi.cmake" \
+  -DCMAKE_BUILD_TYPE=Release -DHSP_WERROR=ON -DCMAKE_C_FLAGS= -DCMAKE_CXX_FLAGS=
+build cmake --build "$work/scalar" --target interface_bits --parallel 2
+llvm-nm-14 "$work/scalar/hardsphere/libhardsphere.a" >"$work/symbols"
+if grep -q find_balls_in_lanes "$work/symbols"; then echo "an archive without lanes has kernels of them" && exit 1; fi
+bash "$here/outputs.sh" "$source" "$work/scalar_outputs" "node --no-warnings $source/capi/wasm/run.mjs" \
+  "" "$work/scalar/interface_bits.wasm" "" '^interface_bits$'
+cmp "$reference/interface_bits" "$work/scalar_outputs/interface_bits" || exit 1
+rm -rf "$work/scalar" "$work/scalar_outputs"
+
 programs=$work/build
 bash "$here/outputs.sh" "$source" "$work/outputs" "node --no-warnings $source/capi/wasm/run.mjs" \
   "$programs/hardsphere/capi/hardsphere.wasm" "$programs/interface_bits.wasm" "$programs/arc_tangent_bits.wasm" "${which#all}"

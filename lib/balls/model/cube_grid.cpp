@@ -11,18 +11,18 @@ void CubeGrid::carve(Workspace &workspace, uint32_t n) {
 }
 
 Status CubeGrid::build(const BallInput &input, uint32_t &first_bad) {
-  const Status status = sort(input, index_.idle(), first_bad);
+  const Status status = sort(input, index_.end(), first_bad);
   index_.build(*this, in_lanes());
   return status;
 }
 
 void CubeGrid::build(const BallSet &given, uint32_t own) {
-  sort(given, own, index_.idle());
+  sort(given, own, index_.end());
   index_.build(*this, in_lanes());
 }
 
 void CubeGrid::build(const BallSet &balls, Span<const uint32_t> slot, int64_t side) {
-  sort(balls, slot, side, index_.idle());
+  sort(balls, slot, side, index_.end());
   index_.build(*this, in_lanes());
 }
 

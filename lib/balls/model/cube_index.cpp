@@ -36,7 +36,14 @@ void CubeIndex::carve(Workspace &workspace, uint32_t n) {
   if (rounds_balls) rounded_ = workspace.take<float>(4 * (static_cast<uint64_t>(n) + BallSet::read_behind));
 }
 
+Span<uint32_t> CubeIndex::end() const {
+  forget(cells_);
+  forget(rounded_);
+  return rounds_balls ? Span(reinterpret_cast<uint32_t *>(rounded_.data()), rounded_.size()) : cells_;
+}
+
 void CubeIndex::build(const OrderedBalls &order, bool rounds) {
+  end();  // so is what others had there
   slots_.insert_all(order.cubes(), order.cube_list().cube_of(), cells_);
   build_rows(order, rounds);
 }

@@ -29,10 +29,8 @@ class CubeIndex {
  public:
   // For at most n balls.
   void carve(Workspace &workspace, uint32_t n);
-  // Memory that nobody needs before the index is built: for two numbers of each ball, or for four.
-  Span<uint32_t> idle() const {
-    return rounds_balls ? Span(reinterpret_cast<uint32_t *>(rounded_.data()), rounded_.size()) : cells_;
-  }
+  // The index is over. Until it is built again others may have memory of it: for two numbers of each ball, or for four.
+  Span<uint32_t> end() const;
 
   // rounds: whether queries are in lanes.
   void build(const OrderedBalls &order, bool rounds);

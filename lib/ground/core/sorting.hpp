@@ -10,27 +10,25 @@ namespace hsp {
 template <class T, class Less, class Placed>
 void sift_down(Span<T> heap, uint32_t hole, Less less, Placed placed) {
   const T item = heap[hole];
-  const auto put = [&](const T &moved) {
-    heap[hole] = moved;
-    placed(moved, hole);
-  };
   for (uint32_t child = 2 * hole + 1; child < heap.size(); child = 2 * hole + 1) {
     if (child + 1 < heap.size() && less(heap[child], heap[child + 1])) ++child;
     if (!less(item, heap[child])) break;
-    put(heap[child]);
+    heap[hole] = heap[child];
+    placed(heap[hole], hole);
     hole = child;
   }
-  put(item);
+  heap[hole] = item;
+  placed(item, hole);
 }
 template <class T, class Less, class Placed>
 void sift_up(Span<T> heap, uint32_t hole, Less less, Placed placed) {
   const T item = heap[hole];
-  const auto put = [&](const T &moved) {
-    heap[hole] = moved;
-    placed(moved, hole);
-  };
-  for (; hole > 0 && less(heap[(hole - 1) / 2], item); hole = (hole - 1) / 2) put(heap[(hole - 1) / 2]);
-  put(item);
+  for (; hole > 0 && less(heap[(hole - 1) / 2], item); hole = (hole - 1) / 2) {
+    heap[hole] = heap[(hole - 1) / 2];
+    placed(heap[hole], hole);
+  }
+  heap[hole] = item;
+  placed(item, hole);
 }
 template <class T, class Less>
 void sift_down(Span<T> heap, uint32_t hole, Less less) {

@@ -45,7 +45,7 @@ double overlap_of(const StickView &view, const Stick &stick, uint32_t part) {
     const double height = view.balls[stick.ball[1]].r - (other.length - other.last);
     const double reach = stick.radius + std::sqrt(other.radius * other.radius + height * height);
     const Vec3 middle = other.on_axis(other.last);
-    if (closest_points(axis, Segment{middle, middle}.flat()).squared < reach * reach) return 0.0;
+    if (closest_points(axis, Vec3{middle.x, middle.y, 0.0}).squared < reach * reach) return 0.0;
   }
   return overlap;
 }

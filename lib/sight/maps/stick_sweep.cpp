@@ -53,13 +53,13 @@ void StickSweep::compare_ball_and_part(uint32_t ball, uint32_t body) {
   if (stick.ball[0] == ball || stick.ball[1] == ball) return;
   const PlacedBall &placed = view_->balls[ball];
   const Segment axis = stick.axis_of(part_of(body));
-  const Segment centre{placed.centre, placed.centre};
+  const Vec3 &centre = placed.centre;
   const double sum = stick.radius + placed.r;
   if (closest_points(axis, centre).squared < sum * sum) {
     return refuse(StickConflict::stick_in_ball, stick.caller, caller_[ball]);
   }
-  const ClosestPoints seen = closest_points(axis.flat(), centre.flat());
-  if (seen.squared < sum * sum) add(axis.at(seen.first).z > placed.centre.z, ball, body);
+  const ClosestPoints seen = closest_points(axis.flat(), Vec3{centre.x, centre.y, 0.0});
+  if (seen.squared < sum * sum) add(axis.at(seen.first).z > centre.z, ball, body);
 }
 
 void StickSweep::compare_parts(uint32_t a, uint32_t b) {

@@ -32,15 +32,26 @@ struct Segment {
   Segment flat() const { return {{from.x, from.y, 0.0}, {to.x, to.y, 0.0}}; }
 };
 
+inline double clamped_to_one(double t) {
+  return t > 0.0 ? (t < 1.0 ? t : 1.0) : 0.0;
+}
+
 // Parameters of closest points, and the square of their distance.
 struct ClosestPoints {
   double first, second;
   double squared;
 };
 
-// A point is a segment with equal ends. Of parallel segments one of the closest pairs.
+// Of a segment and a point: the same as of a segment with equal ends there.
+inline ClosestPoints closest_points(const Segment &a, const Vec3 &point) {
+  const Vec3 u = a.to - a.from;
+  const double uu = dot(u, u);
+  const double s = uu > 0.0 ? clamped_to_one(dot(u, point - a.from) / uu) : 0.0;
+  const Vec3 gap = point - a.at(s);
+  return {s, 0.0, dot(gap, gap)};
+}
+// Of parallel segments one of the closest pairs.
 inline ClosestPoints closest_points(const Segment &a, const Segment &b) {
-  const auto clamped = [](double t) { return t > 0.0 ? (t < 1.0 ? t : 1.0) : 0.0; };
   const Vec3 u = a.to - a.from;
   const Vec3 v = b.to - b.from;
   const Vec3 r = b.from - a.from;
@@ -52,9 +63,9 @@ inline ClosestPoints closest_points(const Segment &a, const Segment &b) {
   // Closest on the lines: s uu - t uv = ur and s uv - t vv = vr. Then each is moved into its segment, the other one
   // after it; a second time, as the first may have left its own.
   const double determinant = uu * vv - uv * uv;
-  double s = determinant > 0.0 ? clamped((ur * vv - uv * vr) / determinant) : 0.0;
-  const double t = vv > 0.0 ? clamped((s * uv - vr) / vv) : 0.0;
-  s = uu > 0.0 ? clamped((ur + t * uv) / uu) : 0.0;
+  double s = determinant > 0.0 ? clamped_to_one((ur * vv - uv * vr) / determinant) : 0.0;
+  const double t = vv > 0.0 ? clamped_to_one((s * uv - vr) / vv) : 0.0;
+  s = uu > 0.0 ? clamped_to_one((ur + t * uv) / uu) : 0.0;
   const Vec3 gap = b.at(t) - a.at(s);
   return {s, t, dot(gap, gap)};
 }

@@ -32,6 +32,7 @@ void BoundaryBuilder::carve(Workspace &workspace, const BoundaryLimits &limits) 
   limit(limits);
   arrays().carve(workspace, limits);
   scratch_ = workspace.take<uint32_t>(limits.most_loops() + limits.balls);
+  selected_ = workspace.take<uint32_t>(limits.balls);
   const uint32_t count = larger_count(limits.workers, 1);
   workers_ = workspace.take<BoundaryWorker>(count);
   BoundaryWorker measured;  // while there is no memory
@@ -54,10 +55,10 @@ Status BoundaryBuilder::build(const CubeGrid &grid, const Executor &executor, co
   joins_ = joins;
   whole_ = whole;
   const uint32_t *chosen = nullptr;
-  if (selected != nullptr) {  // in memory that nothing needs while balls are searched
+  if (selected != nullptr) {
     const BallSet &balls = grid.balls();
-    for (uint32_t i = 0; i < balls.n; ++i) arrays().component[i] = selected[balls.caller[i]];
-    chosen = arrays().component.data();
+    for (uint32_t i = 0; i < balls.n; ++i) selected_[i] = selected[balls.caller[i]];
+    chosen = selected_.data();
   }
   for (uint32_t w = 0; w < count_; ++w) workers_[w].start(share_of(grid, w, count_), chosen, joins);
   const auto search = [this](uint32_t worker) { workers_[worker].search(*grid_, arrays().ball_state.data()); };

@@ -77,7 +77,8 @@ class BoundaryBuilder : public Limited<BoundaryLimits> {
 
   Boundary boundary_;
   Span<BoundaryWorker> workers_;
-  Span<uint32_t> scratch_;
+  Span<uint32_t> scratch_;          // [loops + balls]
+  Span<uint32_t> selected_;         // [balls] those that are not left out, in the grid's order
   const CubeGrid *grid_ = nullptr;  // while it is built
   uint32_t count_ = 0;              // of workers that build it
   bool joins_ = false;              // whether components are looked for

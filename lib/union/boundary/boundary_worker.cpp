@@ -13,7 +13,7 @@ uint32_t cube_from(const CubeGrid &grid, uint32_t ball) {
   return first_index(0, grid.own_cubes(), [&grid, ball](uint32_t cube) { return grid.balls_in(cube).first >= ball; });
 }
 
-// Memory that nothing needs while balls are searched: the scratch memory, or that of the half-edges if it is more.
+// Memory for candidates, until half-edges are found: theirs, or the scratch memory if it is more.
 Span<uint32_t> idle_while_searching(const BoundaryArrays &arrays, Span<uint32_t> scratch) {
   const Span<HalfEdge> half_edges = arrays.half_edges;
   const uint64_t words = uint64_t{half_edges.size()} * sizeof(HalfEdge) / sizeof(uint32_t);
@@ -46,22 +46,18 @@ void BoundaryWorker::carve(Workspace &workspace, const BoundaryLimits &limits, B
   finder_.carve(workspace, limits.neighbours);
   face_finder_.carve(workspace, limits.neighbours);
   lanes.carve(workspace, limits.neighbours);
+  workspace.take_each(limits.balls, arriving_, leaving_);
   if (worker == 0) {
-    lanes.borrow_candidates(idle_while_searching(arrays, scratch));
     vertices_ = arrays.vertices;
     circles_ = arrays.circles;
     parent_ = arrays.component_origin;
-    // Memory behind the loops, where the numbers of components will be.
-    if (!scratch.empty()) arriving_ = scratch.part(scratch.size() - limits.balls, scratch.size());
-    leaving_ = arrays.component;
+    idle_while_searching_ = idle_while_searching(arrays, scratch);
     return;
   }
   vertices_ = FixedVector<VertexRecord>(workspace.take<VertexRecord>(limits.vertices));
   circles_ = FixedVector<CircleRecord>(workspace.take<CircleRecord>(limits.circles));
   parent_ = workspace.take<uint32_t>(limits.balls);
-  arriving_ = parent_;  // as soon as components are joined
-  leaving_ = workspace.take<uint32_t>(limits.balls);
-  lanes.take_candidates(workspace, limits.neighbours);
+  idle_while_searching_ = LaneSearch::take_candidates(workspace, limits.neighbours);
 }
 
 void BoundaryWorker::start(const BallShare &share, const uint32_t *selected, bool joins) {
@@ -91,6 +87,7 @@ void BoundaryWorker::search(const CubeGrid &grid, uint8_t *ball_state) {
   DisjointSets components(parent_.part(0, balls.n));
   DisjointSets *const joined = joins_ ? &components : nullptr;
   BlockSweep sweep(grid);
+  lanes.start(idle_while_searching_);
   for (uint32_t cube = share_.first_cube; cube < share_.last_cube; ++cube) {
     const BallRange own = grid.balls_in(cube);
     if (leaves_out(own)) {
@@ -102,6 +99,7 @@ void BoundaryWorker::search(const CubeGrid &grid, uint8_t *ball_state) {
     const bool in_lanes = lanes.start_cube(grid, cube, block);
     for (uint32_t i = own.first; i < own.last; ++i) search_ball(balls, block, i, in_lanes, joined, ball_state);
   }
+  lanes.end();
 }
 
 // Whether nothing is to be searched there.
@@ -133,8 +131,10 @@ void BoundaryWorker::order_balls_of_records(uint32_t first_vertex, uint32_t firs
 void BoundaryWorker::search(const BallSet &balls, const double (&centre)[3], double side, uint8_t *ball_state) {
   const CubeBlock everything{{{0, balls.n}}, 1};
   cover(everything);
+  lanes.start(idle_while_searching_);
   const bool in_lanes = lanes.start_block(balls, everything, 0, centre, side);
   for (uint32_t i = 0; i < share_.balls.last; ++i) search_ball(balls, everything, i, in_lanes, nullptr, ball_state);
+  lanes.end();
 }
 
 void BoundaryWorker::search_ball(const BallSet &balls, const CubeBlock &block, uint32_t i, bool in_lanes,

@@ -22,7 +22,8 @@ class alignas(64) BoundaryWorker {
  public:
   BoundaryWorker();  // out of line: it is large
 
-  // Worker 0 finds into the boundary's own arrays; the others have copies of them. scratch [loops + balls] is common.
+  // Worker 0 finds into the boundary's own arrays; the others have copies of them. scratch: nobody needs it while balls
+  // are searched.
   void carve(Workspace &workspace, const BoundaryLimits &limits, BoundaryArrays &arrays, uint32_t worker,
              Span<uint32_t> scratch);
 
@@ -83,6 +84,7 @@ class alignas(64) BoundaryWorker {
   FixedVector<CircleRecord> circles_;
   Span<uint32_t> parent_;              // [balls] disjoint sets of those that were met
   Span<uint32_t> arriving_, leaving_;  // [balls] words for chaining
+  Span<uint32_t> idle_while_searching_;
   BallRange met_{0, 0};
   uint32_t neighbours_ = 0;
 };

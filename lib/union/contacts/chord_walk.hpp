@@ -50,9 +50,15 @@ class ChordWalk {
   // The cap of a later ball that meets the ball at hand.
   uint32_t cap_of(uint32_t ball) const { return cap_of_ball_[ball]; }
 
-  // When all balls have come: [2 contacts], [balls]
-  Span<uint32_t> scratch_of_contacts() { return arrival_balls_; }
-  Span<uint32_t> scratch_of_balls() { return first_arrival_; }
+  // When all balls have come. Until the next start the walk leaves some of its memory to others.
+  struct SpareArrays {
+    Span<uint32_t> of_contacts, of_balls;  // [2 contacts], [balls]
+  };
+  SpareArrays end() const {
+    forget(arrival_balls_);
+    forget(first_arrival_);
+    return {arrival_balls_, first_arrival_};
+  }
 
  private:
   void try_all_pairs(const Caps &caps);

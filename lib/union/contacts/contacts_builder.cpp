@@ -52,7 +52,7 @@ bool ContactsBuilder::start(const CubeGrid &grid, const Boundary &boundary, uint
   if (balls > limits_.balls || neighbours > limits_.neighbours) return false;
   walk_.start(balls, own_balls_);
   for (uint32_t i = 0; i < balls; ++i) some_inside_ = some_inside_ || boundary.is_contained(i);
-  candidates_.borrow(contacts_.a_.row, boundary.target());
+  candidates_.start(contacts_.a_.row, boundary.target());
   return true;
 }
 
@@ -222,7 +222,8 @@ void ContactsBuilder::close_shares() {
 // it is in contact with.
 void ContactsBuilder::make_rows(const CubeGrid &grid) {
   ContactArrays &a = contacts_.a_;
-  const Span<uint32_t> found = walk_.scratch_of_contacts();
+  candidates_.end();
+  const auto [found, next] = walk_.end();
   for (uint32_t i = 0; i < a.balls; ++i) a.first_in_row[i] = 0;
   for (const ContactRecord &contact : a.contacts.items()) {
     for (const uint32_t ball : contact.ball) ++a.first_in_row[ball];
@@ -231,7 +232,6 @@ void ContactsBuilder::make_rows(const CubeGrid &grid) {
   for (uint32_t id = a.contacts.size(); id-- > 0;) {
     for (const uint32_t ball : a.contacts[id].ball) found[--a.first_in_row[ball]] = id;
   }
-  const Span<uint32_t> next = walk_.scratch_of_balls();
   for (uint32_t i = 0; i < a.balls; ++i) next[i] = a.first_in_row[i];
   for (uint32_t given = 0; given < a.balls; ++given) {
     const uint32_t i = grid.grid_index(given);

@@ -39,7 +39,6 @@ class Caps::Joining {
 
 void Caps::start(const BallSet &balls, uint32_t i) {
   balls_ = &balls;
-  doubles_made_ = true;
   origin = i;
   sphere = exact::sphere_of(balls.ball(i));
   length_squared = static_cast<double>(sphere.W);
@@ -150,14 +149,12 @@ void Caps::take_circles(const BallSet &balls, uint32_t i, uint32_t n, uint32_t n
   start(balls, i);
   count = met = n;
   first_later = n_earlier;
-  doubles_made_ = false;
+  forget(ux), forget(uy), forget(uz), forget(b);
   Joining joining(i, components);
   joining.join_all(ball.data(), first_later, count);
 }
 
 void Caps::make_doubles() {
-  if (doubles_made_) return;
-  doubles_made_ = true;
   const uint32_t n = count, later = first_later;
   count = met = 0;
   Joining joining(origin, nullptr);

@@ -69,7 +69,7 @@ struct Caps {
   void gather_given(const BallSet &balls, uint32_t i, uint32_t n);
 
   // As gather, of which only the balls are known: there are n of them in `ball`, and all certainly meet ball i in
-  // proper circles. Their caps follow with make_doubles, if they are needed.
+  // proper circles. Their caps follow with make_doubles, if they are needed, once.
   void take_circles(const BallSet &balls, uint32_t i, uint32_t n, uint32_t n_earlier, DisjointSets *components);
   void make_doubles();
 
@@ -120,7 +120,6 @@ struct Caps {
   bool take_all(uint32_t *near, uint32_t hits, Joining &joining);
   const BallSet *balls_ = nullptr;  // of the last ball, whose planes may still be asked for
   exact::Plane half_sphere_{};      // the plane of ball no_id
-  bool doubles_made_ = true;
 };
 
 }  // namespace hsp

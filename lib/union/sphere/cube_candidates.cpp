@@ -4,8 +4,9 @@
 
 namespace hsp {
 
-void CandidatesInLanes::borrow(Span<uint32_t> memory, Target target) {
+void CandidatesInLanes::start(Span<uint32_t> memory, Target target) {
   target_ = target;
+  memory_ = memory;
   const uint32_t most = memory.size() / number_of_arrays / 8 * 8;
   block_.room = most > CandidateBlock::spare ? most - CandidateBlock::spare : 0;
   if (block_.room == 0) return;
@@ -15,6 +16,12 @@ void CandidatesInLanes::borrow(Span<uint32_t> memory, Target target) {
   block_.z = reinterpret_cast<float *>(words + 2 * most);
   block_.r = reinterpret_cast<float *>(words + 3 * most);
   block_.ball = words + 4 * most;
+}
+
+void CandidatesInLanes::end() {
+  forget(memory_);
+  memory_ = {};
+  block_ = {};
 }
 
 bool CandidatesInLanes::start_cube(const CubeGrid &grid, uint32_t cube, uint32_t first_own, const CubeBlock &block) {

@@ -1,5 +1,4 @@
-// The candidates around one cube after the other (candidate_block.hpp), in memory that somebody lends. Libraries
-// without kernels of lanes have none.
+// The candidates around one cube after the other (candidate_block.hpp). Libraries without kernels of lanes have none.
 #pragma once
 
 #include <type_traits>
@@ -13,8 +12,9 @@ class CandidatesInLanes {
  public:
   static constexpr uint32_t number_of_arrays = 5;  // that the memory is shared out among
 
-  void borrow(Span<uint32_t> memory, Target target);
-  void use(Target target) { target_ = target; }
+  // Somebody's memory is theirs from start to end.
+  void start(Span<uint32_t> memory, Target target);
+  void end();
 
   // For the balls of one cube from `first_own` on: those in the block are their candidates. False if there is no room
   // for them.
@@ -36,6 +36,7 @@ class CandidatesInLanes {
   uint32_t slot(uint32_t i) const { return own_rank_ + (i - first_own_); }
 
   Target target_ = Target::baseline;
+  Span<uint32_t> memory_;
   CandidateBlock block_;
   uint32_t first_own_ = 0;  // ball of the cube
   uint32_t own_rank_ = 0;   // and its number among the candidates
@@ -43,7 +44,8 @@ class CandidatesInLanes {
 
 class NoCandidates {
  public:
-  void borrow(Span<uint32_t>, Target) {}
+  void start(Span<uint32_t>, Target) {}
+  void end() {}
   bool start_cube(const CubeGrid &, uint32_t, uint32_t, const CubeBlock &) { return false; }
   uint32_t later(uint32_t, uint32_t *, uint32_t) const { return 0; }
 };

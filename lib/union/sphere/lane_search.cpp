@@ -57,12 +57,12 @@ void SearchInLanes::carve(Workspace &workspace, uint32_t neighbours) {
   uncrossed_ = workspace.take<uint32_t>(neighbours);
 }
 
-void SearchInLanes::take_candidates(Workspace &workspace, uint32_t neighbours) {
+Span<uint32_t> SearchInLanes::take_candidates(Workspace &workspace, uint32_t neighbours) {
   // There is no limit for the balls of a cube and those around it. Their volume is some six times that in which a
   // ball's neighbours lie.
   const uint32_t most = neighbours <= PairSweep::most_caps ? neighbours : PairSweep::most_caps;
   const uint64_t room = 8 * (uint64_t{most} + 32);
-  borrow_candidates(workspace.take<uint32_t>(CandidatesInLanes::number_of_arrays * room));
+  return workspace.take<uint32_t>(CandidatesInLanes::number_of_arrays * room);
 }
 
 bool SearchInLanes::start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block) {

@@ -12,9 +12,10 @@ namespace hsp {
 class SearchInLanes {
  public:
   void carve(Workspace &workspace, uint32_t neighbours);
-  // Memory for the candidates of a cube, all that is needed while balls are searched: somebody else's, or its own.
-  void borrow_candidates(Span<uint32_t> words) { candidates_.borrow(words, target_); }
-  void take_candidates(Workspace &workspace, uint32_t neighbours);
+  // Memory for the candidates of a cube, which the search has from start to end.
+  static Span<uint32_t> take_candidates(Workspace &workspace, uint32_t neighbours);
+  void start(Span<uint32_t> memory_of_candidates) { candidates_.start(memory_of_candidates, target_); }
+  void end() { candidates_.end(); }
 
   // For the balls of one cube, whose block of cubes is given. False if they are to be searched otherwise.
   bool start_cube(const CubeGrid &grid, uint32_t cube, const CubeBlock &block);
@@ -36,7 +37,6 @@ class SearchInLanes {
   // For tests: for which target, if at all, and which stages there are.
   void use(Target target, bool use_lanes) {
     target_ = target;
-    candidates_.use(target);
     enabled = use_lanes;
   }
   bool enabled = false;
@@ -59,8 +59,9 @@ class NoSearchInLanes {
   static constexpr bool enabled = false;
   void use(Target, bool) {}
   void carve(Workspace &, uint32_t) {}
-  void borrow_candidates(Span<uint32_t>) {}
-  void take_candidates(Workspace &, uint32_t) {}
+  static Span<uint32_t> take_candidates(Workspace &, uint32_t) { return {}; }
+  void start(Span<uint32_t>) {}
+  void end() {}
   bool start_cube(const CubeGrid &, uint32_t, const CubeBlock &) { return false; }
   bool start_block(const BallSet &, const CubeBlock &, uint32_t, const double (&)[3], double) { return false; }
   bool gather(const BallSet &, uint32_t, Caps &, DisjointSets *, const uint32_t *) { return false; }

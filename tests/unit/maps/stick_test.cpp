@@ -64,6 +64,11 @@ TEST(Segment, FindsClosestPoints) {
     b.from = random_point(random, size);
     b.to = time % 7 == 0 ? b.from : time % 11 == 0 ? b.from + (a.to - a.from) : random_point(random, size);
     const hsp::ClosestPoints found = hsp::closest_points(a, b);
+    if (time % 7 == 0) {
+      const hsp::ClosestPoints same = hsp::closest_points(a, b.from);
+      ASSERT_EQ(same.first, found.first);
+      ASSERT_EQ(same.squared, found.squared);
+    }
     const auto squared = [&](double s, double t) {
       const hsp::Vec3 d = b.at(t) - a.at(s);
       return hsp::dot(d, d);
