@@ -209,7 +209,10 @@ static void networks(uint32_t kind) {
 /* Two cavities that touch in a point, a gate of the width 0, where vertices of both shells are; and what is left of
  * them when balls are a little smaller or larger. */
 static void pinched(void) {
+  hsp_pores_options options;
   int32_t size;
+  CHECK_EQUAL(hsp_pores_options_init(&options, sizeof options), HSP_OK);
+  options.floor = -0.01;
   for (size = -1; size <= 1; ++size) {
     set_box(8, 4, 8, -4, -4, 8);
     add(-4, 6, 2, 6 + 1e-3 * size);
@@ -220,6 +223,9 @@ static void pinched(void) {
     CHECK(regions[0].shells == 1 && regions[1].shells == 1);
     CHECK_NEAR(regions[0].volume, totals.free_volume / 2, 1e-11);
     CHECK_NEAR(regions[1].volume, totals.free_volume / 2, 1e-11);
+    CHECK_EQUAL(hsp_workspace_pores_periodic(&work, &options), HSP_OK); /* what is below a point does not count */
+    read_regions(NULL);
+    CHECK(count == 2 && regions[0].shells == 1 && regions[1].shells == 1);
   }
 }
 
