@@ -51,10 +51,10 @@ inline constexpr bool has_lanes = false;
 #if HSP_AVX2
 inline constexpr bool has_further_targets = true;
 inline Target best_target() {
-  if (__get_cpuid_max(0, nullptr) < 7) return Target::baseline;
   unsigned a = 0, b = 0, c = 0, d = 0;
   __cpuid_count(1, 0, a, b, c, d);
-  // The instructions, and that the operating system saves the registers.
+  // The instructions, and that the operating system saves the registers. Where it does, cpuid has leaf 13, and so
+  // leaf 7 below: how many leaves there are need not be asked.
   constexpr unsigned needed = bit_FMA | bit_POPCNT | bit_OSXSAVE | bit_AVX;
   if ((c & needed) != needed) return Target::baseline;
   unsigned low = 0, high = 0;

@@ -416,7 +416,8 @@ void CriticalPoints::settle_ties(Cube &cube) {
     cube.settled_centre = x;
     cube.settled_half = static_cast<int64_t>(settled);
     sort_in_place(tied, [](uint32_t a, uint32_t b) { return a < b; });
-    const Block left{x, std::floor(around) + 1.0}, own{cube.centre, static_cast<double>(cube.half + 1)};
+    const Block left{x, static_cast<double>(static_cast<int64_t>(around)) + 1.0},
+        own{cube.centre, static_cast<double>(cube.half + 1)};
     if (!meet(left, own)) return;
     // Where all of them tie exactly, that is the one point.
     uint32_t four[4];

@@ -276,7 +276,7 @@ int TangentPoint::against(uint32_t axis, int64_t bound, double part) const {
   const BallSet &balls = *balls_;
   const double centre = axis == 0 ? balls.x[curve_.base] : axis == 1 ? balls.y[curve_.base] : balls.z[curve_.base];
   return sign_of([&]<class Number>() {
-    const double scale = part == std::floor(part) ? 1.0 : 0x1p10;
+    const double scale = part == static_cast<double>(static_cast<int64_t>(part)) ? 1.0 : 0x1p10;
     const Number zero = number<Number>(0.0), one = number<Number>(scale);
     const Triple<Number> direction{axis == 0 ? one : zero, axis == 1 ? one : zero, axis == 2 ? one : zero};
     return AffineForm<Number>{direction, zero,
