@@ -97,8 +97,8 @@ HSP_API int32_t hsp_pores_options_init(hsp_pores_options *options, uint32_t stru
  *  the tunnel.
  *  - Property 1: the order of the balls has no effect but on their numbers, unless balls are equal.
  *
- *  Cost: O(n) for sets as in Theorem 2.1, and O(m log m) for m maxima and gates. At a point where k
- *  balls tie, or nearly, O(k^2) as a rule and O(k^3) at most.
+ *  Cost: O(n) for sets as in Theorem 2.1, and O(m log m) for m maxima and gates. At a point where k balls tie, O(k^2)
+ *  as a rule; more where k balls tie nearly at many points, as in a tube of rings that is some lattice steps wide.
  *  @retval HSP_E_ARGUMENT    pores or model is NULL
  *  @retval HSP_E_VERSION     bad struct_size of options or limits, or options->reserved is not 0
  *  @retval HSP_E_CAPACITY    a limit is too small; limits, if not NULL, become limits to retry with

@@ -159,12 +159,18 @@ static bool is_on_page(const struct label_page *page, const double box[4]) {
   return box[0] >= page->low[0] && box[1] >= page->low[1] && box[2] <= page->high[0] && box[3] <= page->high[1];
 }
 
+/* Not by hypot, whose last digit differs from one mathematics library to the next. */
+static double distance(const double a[2], const double b[2]) {
+  const double x = b[0] - a[0], y = b[1] - a[1];
+  return sqrt(x * x + y * y);
+}
+
 /* It becomes the best one if it costs less than that and nothing is in its way. */
 static void offer(struct search *search, const struct placed_label *label, double cost) {
   const struct label_page *const page = search->taken->page;
   double cover[2];
   if (!(cost < search->cost) || !is_on_page(page, label->box)) return;
-  const double reach = hypot(label->from[0] - label->at[0], label->from[1] - label->at[1]);
+  const double reach = distance(label->from, label->at);
   if (label->has_line && reach < shortest * page->size) return;
   find_cover(search->taken, label->box, label->has_line ? clear * page->size : 0.0, cover);
   for (int k = 0; k < 2; ++k) cost += cost_of_cover[k] * cover[k];
@@ -210,7 +216,7 @@ static void try_beside(struct search *search) {
  * that cannot be helped. */
 static bool go_on(const struct search *search, const double from[2], const double to[2], bool begins, double *cost) {
   const struct label_page *const page = search->taken->page;
-  const double length = hypot(to[0] - from[0], to[1] - from[1]);
+  const double length = distance(from, to);
   const int parts = (int)ceil(length / page->front->cell);
   for (int k = 1; k <= parts; ++k) {
     const double share = (double)k / parts;

@@ -49,7 +49,8 @@ bool label_is_hidden(const struct annotation *annotation, double radius) {
 
 /* The largest size of letters with which a name has room within what is seen of a ball. */
 static double size_within(const struct writer *writer, const struct page_label *label) {
-  const double reach = hypot(text_width(label->text, 1.0), letter_height) / 2.0 + clear_of_edge;
+  const double width = text_width(label->text, 1.0);
+  const double reach = sqrt(width * width + letter_height * letter_height) / 2.0 + clear_of_edge;
   return writer->annotation->frame.scale * label->radius / reach;
 }
 
