@@ -15,7 +15,7 @@ _hardsphere() {
       cells) words+="" ;;
       path) words+=" --from --to" ;;
       gate) words+=" --from --to" ;;
-      pores) words+=" --probe --least --gates --pockets --balls --tunnels-from --tunnels-to --cheapest --tunnels --points --tunnels-out --profile --tree --csv --box" ;;
+      pores) words+=" --probe --least --gates --regions --pockets --balls --tunnels-from --tunnels-to --cheapest --tunnels --points --tunnels-out --profile --tree --csv --box" ;;
       clash) words+=" --rotate --translate" ;;
       query) words+=" --point --ball" ;;
       mesh) words+=" -o --output --edge --surface --triangles --view --up --rotate --cut --dark --pockets --least" ;;

@@ -98,12 +98,12 @@ HullSide nearest_side(Span<const Vec3> a, const uint32_t *chosen, uint32_t size)
 
 double depth_of_hull(Span<const Vec3> a) {
   const uint32_t count = a.size();
-  constexpr uint32_t few = 10, most = 16;  // the hull of some of them is inside that of all
+  constexpr uint32_t spread_out = 10, most = 16;  // the hull of some of them is inside that of all
   uint32_t chosen[most] = {0};
-  uint32_t size = count <= few ? count : 1;
+  uint32_t size = count <= spread_out ? count : 1;
   for (uint32_t k = 0; k < size; ++k) chosen[k] = k;
   // Each the farthest one from those before.
-  for (; size < few && size < count; ++size) {
+  for (; size < spread_out && size < count; ++size) {
     uint32_t which = 0;
     double farthest = 0.0;
     for (uint32_t k = 0; k < count; ++k) {
