@@ -253,7 +253,7 @@ const struct command_row command_table[COMMANDS] = {
              "With --regions accessible_area, accessible_volume, null without a box, blocked_area, blocked_volume, "
              "accessible_regions,\n"
              "blocked_regions, region_list: [{region, xyz, radius, access, area, volume, directions, maxima, "
-             "shells}, ...];\n"
+             "shells, along}, ...];\n"
              "xyz, radius and volume are null outside.\n"
              "\n"},
     [COMMAND_CLASH] =

@@ -140,10 +140,11 @@ const struct option *option_at(size_t i) {
       {"--to", "X Y Z|void:K", take_place, OF(GATE), .target = IN(to), .help = ""},
 
       {"--probe", "P", take_probe, OF(PORES), .target = IN(probe), .what = "a length",
-       .help = "only what is wider than a probe of radius P; radii are not grown by it. Default 0"},
+       .help = "only what is wider than a probe of radius P; radii are not grown by it,\n"
+               "but for --regions. Default 0"},
       {"--least", "D", take_length, OF(PORES), .target = IN(persistence), .what = "a length",
        .help = "list only maxima whose class lives for D or more, radius less death, and pockets that\n"
-               "are as much wider than their widest mouth"},
+               "are as much wider than their widest mouth; regions are all listed"},
       {"--gates", NULL, take_flag, OF(PORES), .target = IN(gates), .help = "list gates instead"},
       {"--regions", NULL, take_flag, OF(PORES), .target = IN(regions),
        .help = "area and volume of free space that a probe of radius P gets to from outside, or with --box\n"
@@ -280,8 +281,8 @@ const struct option *option_at(size_t i) {
                "molecules it takes less than 1 s up to 20000 balls, 15 us a ball beyond, several times\n"
                "that with a --probe; a coarser rule serves above 1000 and above 5000"},
       {"--fog", "F", take_number, OF(DRAW), .target = IN(drawing.fog), .most = 1,
-       .help = "fade far balls to the background, from 0, not at all, to 1; default 0.3, 0.7 for balls\n"
-               "and sticks above 60 atoms, 0 without a background"},
+       .help = "fade far balls to the background, from 0, not at all, to 1; default 0.3; for balls and\n"
+               "sticks 0.5 above 60 atoms, 0.7 above 200; 0 without a background"},
       {"--outline", "W", take_number, OF(DRAW), .target = IN(drawing.outline), .most = 1e6,
        .help = "the width of lines along silhouettes and intersections, 0: none; default by size"},
       {"--outline-colour", "RRGGBB", take_colour, OF(DRAW), .target = IN(drawing.outline_colour), .what = "RRGGBB",

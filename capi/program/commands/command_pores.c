@@ -133,9 +133,9 @@ static bool region_row(const void *of, size_t row, union cell cells[MOST_COLUMNS
   cells[4].quantity = region->area;
   cells[5].quantity = region->volume;
   cells[6].count = region->directions;
-  cells[7].text = ways_text(text, region->directions, region->row);
-  cells[8].count = region->maxima;
-  cells[9].count = region->shells;
+  cells[7].count = region->maxima;
+  cells[8].count = region->shells;
+  cells[9].text = ways_text(text, region->directions, region->row);
   return true;
 }
 
@@ -144,8 +144,8 @@ static struct table table_of_regions(const struct molecule *molecule, const stru
       {"region", NULL, "region", 6, COLUMN_COUNT, 0},          {"xyz", "x,y,z", "x y z", 9, COLUMN_POINT, 0},
       {"radius", NULL, "radius", 9, COLUMN_QUANTITY, 4},       {"access", NULL, "access", 10, COLUMN_TEXT, 0},
       {"area", NULL, "area", 11, COLUMN_QUANTITY, 4},          {"volume", NULL, "volume", 11, COLUMN_QUANTITY, 4},
-      {"directions", NULL, "directions", 10, COLUMN_COUNT, 0}, {"along", NULL, "along", 8, COLUMN_TEXT, 0},
-      {"maxima", NULL, "maxima", 7, COLUMN_COUNT, 0},          {"shells", NULL, "shells", 6, COLUMN_COUNT, 0},
+      {"directions", NULL, "directions", 10, COLUMN_COUNT, 0}, {"maxima", NULL, "maxima", 7, COLUMN_COUNT, 0},
+      {"shells", NULL, "shells", 6, COLUMN_COUNT, 0},          {"along", NULL, "along", 8, COLUMN_TEXT, 0},
   };
   return (struct table){
       columns, sizeof columns / sizeof columns[0], molecule->format, found->region_count, found, region_row, NULL};
@@ -362,7 +362,7 @@ static void print(struct record *record, const void *of) {
     }
   }
   if (!tunnels) return;
-  if (persons && (request->gates || pockets)) record_line(record, "");
+  if (persons && (request->gates || request->regions || pockets)) record_line(record, "");
   const bool ends = request->tunnels_to.point.given;
   record_numbers(record, "from", found->from, 3);
   record_numbers(record, "to", ends ? found->to : NULL, 3);

@@ -10,6 +10,7 @@
 enum { MOST_LIFTS = 4 };
 
 static const double below = 0.01; /* the narrowest probe: so the one that touches fits for all rounding; of an edge */
+static const double edges_smoothed = 4.0, most_smoothed = 0.25; /* around a vertex; edges, radii of the wide probe */
 
 /* The pocket of each maximum, from 1 on; OTHER_POCKETS: one that has no colour of its own; 0: none. */
 static int32_t mark_maxima(const hsp_pores *pores, uint32_t all, double least, uint32_t *maxima, uint32_t room,
@@ -136,7 +137,7 @@ static void set_triangles(const struct triangle_mesh *mesh, const uint8_t *of_ve
 
 /* Splits triangles at the borders of pockets. Ways up are made of long steps: near a gate which of two they end in
  * changes in leaps, to and fro, so that only smooth borders show where pockets end. */
-static bool colour_mesh(const struct places *places, struct triangle_mesh *mesh, uint32_t patches,
+static bool colour_mesh(const struct places *places, struct triangle_mesh *mesh, uint32_t patches, double reach,
                         struct mesh_pockets *found, struct failure *failure) {
   const uint32_t old = mesh->vertices;
   uint8_t *const of_vertex = malloc((size_t)old + 1);
@@ -149,7 +150,8 @@ static bool colour_mesh(const struct places *places, struct triangle_mesh *mesh,
     memset(found->of_patch, NO_AREA, patches);
     status = find_vertices(places, of_vertex, found->of_patch);
   }
-  const bool enough = status != HSP_OK || smooth_borders_find(mesh, OTHER_POCKETS + 1, of_vertex, &edges, &count);
+  const bool enough =
+      status != HSP_OK || smooth_borders_find(mesh, OTHER_POCKETS + 1, reach, of_vertex, &edges, &count);
   if (!enough) status = HSP_E_MEMORY;
   bool done = status == HSP_OK ? mesh_split(mesh, edges, count, failure) : failure_in_library(failure, status);
   if (done) found->of_triangle = calloc((size_t)mesh->triangles + 1, 1);
@@ -175,8 +177,10 @@ bool mesh_pockets_find(struct geometry *geometry, const struct molecule *molecul
   if (status == HSP_OK) status = find_pockets(geometry->work.pores, wide - mesh->probe, least, pockets, &of_maximum);
   for (uint32_t t = 0; t < mesh->triangles; ++t) patches = mesh->patches[t] < patches ? patches : mesh->patches[t] + 1;
   const struct places places = {geometry->work.pores, molecule, mesh, smooth ? mesh->probe : 0.0, of_maximum};
-  const bool done =
-      status == HSP_OK ? colour_mesh(&places, mesh, patches, pockets, failure) : failure_in_library(failure, status);
+  /* Not across a pocket, however long edges are. */
+  const double reach = fmin(edges_smoothed * mesh->edge, most_smoothed * wide);
+  const bool done = status == HSP_OK ? colour_mesh(&places, mesh, patches, reach, pockets, failure)
+                                     : failure_in_library(failure, status);
   free(of_maximum);
   return done;
 }

@@ -17,15 +17,15 @@ bool geometry_find_path(struct geometry *geometry, const double from[3], const d
 typedef int32_t attempt(hsp_workspace *work, const void *of);
 
 /* On the lattice of the model, then on coarser ones while what is looked for is too wide. */
-static bool try_coarser(struct geometry *geometry, const struct molecule *molecule, attempt *find, const void *of,
-                        int32_t *status, struct failure *failure) {
+static bool try_coarser(struct geometry *geometry, const struct molecule *molecule, double probe, attempt *find,
+                        const void *of, int32_t *status, struct failure *failure) {
   enum { COARSER = 6 };
   hsp_model_info info;
   *status = find(&geometry->work, of);
   for (int time = 0; time < COARSER && *status == HSP_E_RANGE; ++time) {
     *status = hsp_model_get_info(geometry->work.model, &info);
     if (*status != HSP_OK) return failure_in_library(failure, *status);
-    if (!geometry_set_model(geometry, molecule, 0.0, 10.0 * info.step, failure)) return false;
+    if (!geometry_set_model(geometry, molecule, probe, 10.0 * info.step, failure)) return false;
     *status = find(&geometry->work, of);
   }
   return true;
@@ -45,7 +45,7 @@ bool geometry_find_gate(struct geometry *geometry, const struct molecule *molecu
   const struct ends ends = {from, to};
   int32_t status = HSP_OK;
   progress_show(&geometry->progress, "looking for the widest probe");
-  if (!try_coarser(geometry, molecule, find_gate, &ends, &status, failure)) return false;
+  if (!try_coarser(geometry, molecule, 0.0, find_gate, &ends, &status, failure)) return false;
   if (status == HSP_E_RANGE) return failure_in_input(failure, 0, "--from or --to: %s", geometry_reason(status));
   return status == HSP_OK || failure_in_library(failure, status);
 }
@@ -58,13 +58,19 @@ static int32_t find_pores(hsp_workspace *work, const void *of) {
   return hsp_workspace_pores(work, of);
 }
 
-bool geometry_find_pores(struct geometry *geometry, const struct molecule *molecule, double narrowest,
-                         struct failure *failure) {
+/* Of the model, whose balls are grown by the probe. */
+static bool find_pores_outside_boxes(struct geometry *geometry, const struct molecule *molecule, double probe,
+                                     double narrowest, struct failure *failure) {
   const hsp_pores_options options = pores_of(narrowest);
   int32_t status = HSP_OK;
   progress_show(&geometry->progress, "looking for pores");
-  return try_coarser(geometry, molecule, find_pores, &options, &status, failure) &&
+  return try_coarser(geometry, molecule, probe, find_pores, &options, &status, failure) &&
          (status == HSP_OK || failure_in_library(failure, status));
+}
+
+bool geometry_find_pores(struct geometry *geometry, const struct molecule *molecule, double narrowest,
+                         struct failure *failure) {
+  return find_pores_outside_boxes(geometry, molecule, 0.0, narrowest, failure);
 }
 
 /* In the model, or in the box. */
@@ -75,46 +81,41 @@ static int32_t compute_pores(const struct geometry *geometry, bool in_box, doubl
                 : hsp_pores_compute(pores, geometry->work.model, &options, limits);
 }
 
-/* The same with memory that grows until it suffices. */
-static int32_t grow_pores(struct geometry *geometry, bool in_box, double narrowest) {
+static bool find_pores_of_box(struct geometry *geometry, const struct molecule *molecule, double probe,
+                              const double *box, double narrowest, struct failure *failure) {
+  if (!geometry_compute_periodic(geometry, molecule, probe, box, failure)) return false;
   hsp_workspace *const work = &geometry->work;
   progress_show(&geometry->progress, "looking for pores");
   int32_t status = hsp_workspace_ready_pores(work);
   hsp_pores_limits limits = work->pores_limits;
   while (status == HSP_OK) {
-    status = compute_pores(geometry, in_box, narrowest, &limits);
+    status = compute_pores(geometry, true, narrowest, &limits);
     if (status != HSP_E_CAPACITY) break;
     status = hsp_workspace_grow_pores(work, &limits);
   }
-  return status;
-}
-
-bool geometry_find_pores_in_box(struct geometry *geometry, const struct molecule *molecule, const double *box,
-                                double narrowest, struct failure *failure) {
-  if (!geometry_compute_periodic(geometry, molecule, 0.0, box, failure)) return false;
-  const int32_t status = grow_pores(geometry, true, narrowest);
   if (status == HSP_E_RANGE) {
     return failure_in_input(failure, 0, "the box is too long for its width, or a probe in it is too wide");
   }
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
+bool geometry_find_pores_in_box(struct geometry *geometry, const struct molecule *molecule, const double *box,
+                                double narrowest, struct failure *failure) {
+  return find_pores_of_box(geometry, molecule, 0.0, box, narrowest, failure);
+}
+
 bool geometry_find_regions(struct geometry *geometry, const struct molecule *molecule, const double *box, double probe,
                            hsp_pore_access *access, uint32_t *regions, struct failure *failure) {
-  const bool in_box = box != NULL;
-  if (in_box ? !geometry_compute_periodic(geometry, molecule, probe, box, failure)
-             : !geometry_set_model(geometry, molecule, probe, 0.0, failure) ||
-                   !geometry_compute_boundary(geometry, failure)) {
+  if (box != NULL ? !find_pores_of_box(geometry, molecule, probe, box, 0.0, failure)
+                  : !geometry_set_model(geometry, molecule, probe, 0.0, failure) ||
+                        !find_pores_outside_boxes(geometry, molecule, probe, 0.0, failure) ||
+                        !geometry_compute_boundary(geometry, failure)) {
     return false;
   }
-  int32_t status = grow_pores(geometry, in_box, 0.0);
-  if (status == HSP_OK) {
-    progress_show(&geometry->progress, "measuring regions");
-    status = hsp_pores_find_regions(geometry->work.pores, in_box ? NULL : geometry->work.boundary, access, regions);
-  }
-  if (status == HSP_E_RANGE) {
-    return failure_in_input(failure, 0, "--regions: free space is too wide for the lattice, or too narrow somewhere");
-  }
+  progress_show(&geometry->progress, "measuring regions");
+  const int32_t status =
+      hsp_pores_find_regions(geometry->work.pores, box != NULL ? NULL : geometry->work.boundary, access, regions);
+  if (status == HSP_E_RANGE) return failure_in_input(failure, 0, "--regions: free space is too narrow somewhere");
   return status == HSP_OK || failure_in_library(failure, status);
 }
 

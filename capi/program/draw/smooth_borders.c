@@ -4,11 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double reach = 4.0; /* edges */
-
 struct smoothing {
   const struct triangle_mesh *mesh;
   uint32_t areas;
+  double reach;
   size_t *first;       /* [vertices + 1] */
   uint32_t *neighbour; /* of each vertex, once: the surface is closed, so an edge leads both ways */
   uint32_t *stamp;     /* [vertices] the last vertex, from 1 on, from which this one was reached */
@@ -43,7 +42,6 @@ static double length_between(const struct triangle_mesh *mesh, uint32_t v, uint3
  * surface is near in space. */
 static void find_shares(const struct smoothing *all, const uint8_t *of_vertex, uint32_t v) {
   const struct triangle_mesh *const mesh = all->mesh;
-  const double far = reach * mesh->edge;
   double *const share = all->share + (size_t)v * all->areas;
   uint32_t count = 1;
   all->reached[0] = v;
@@ -51,12 +49,12 @@ static void find_shares(const struct smoothing *all, const uint8_t *of_vertex, u
   all->way[v] = 0.0;
   for (uint32_t i = 0; i < count; ++i) {
     const uint32_t at = all->reached[i];
-    const double part = all->way[at] / far, left = 1.0 - part * part;
+    const double part = all->way[at] / all->reach, left = 1.0 - part * part;
     if (of_vertex[at] != NO_AREA) share[of_vertex[at]] += mesh->areas[at] * left * left;
     for (size_t k = all->first[at]; k < all->first[at + 1]; ++k) {
       const uint32_t next = all->neighbour[k];
       const double way = all->way[at] + length_between(mesh, at, next);
-      if (!(way < far) || (all->stamp[next] == v + 1 && all->way[next] <= way)) continue;
+      if (!(way < all->reach) || (all->stamp[next] == v + 1 && all->way[next] <= way)) continue;
       all->way[next] = way;
       if (all->stamp[next] == v + 1) continue;
       all->stamp[next] = v + 1;
@@ -107,11 +105,12 @@ static bool find_edges(const struct smoothing *all, const uint8_t *of_vertex, st
   return true;
 }
 
-bool smooth_borders_find(const struct triangle_mesh *mesh, uint32_t areas, uint8_t *of_vertex,
+bool smooth_borders_find(const struct triangle_mesh *mesh, uint32_t areas, double reach, uint8_t *of_vertex,
                          struct split_edge **edges, size_t *count) {
   const size_t vertices = (size_t)mesh->vertices + 2;
   const struct smoothing all = {mesh,
                                 areas,
+                                reach,
                                 calloc(vertices, sizeof *all.first),
                                 calloc(3 * (size_t)mesh->triangles + 1, sizeof *all.neighbour),
                                 calloc(vertices, sizeof *all.stamp),

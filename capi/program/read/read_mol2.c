@@ -102,12 +102,13 @@ static bool read_line(const struct line_reader *reader, struct reading *reading,
     reading->section = COUNTS; /* the name may be blank */
     return true;
   }
+  if (columns > 0 && column[0].text[0] == '#') return true;
   if (reading->section == TYPE || reading->section == CHARGES) {
     reading->no_charges = reading->section == CHARGES && columns > 0 && field_is(column[0], "NO_CHARGES");
     reading->section = reading->section == TYPE ? CHARGES : OTHER;
     return true;
   }
-  if (columns == 0 || column[0].text[0] == '#') return true;
+  if (columns == 0) return true;
   if (reading->section == COUNTS) {
     uint64_t count = 0;
     reading->section = TYPE;
