@@ -43,10 +43,10 @@ bool trajectory_open(struct trajectory *trajectory, const char *path, uint32_t a
 }
 
 bool failure_in_frame(struct failure *failure, uint64_t number) {
-  char reason[sizeof failure->reason];
-  memcpy(reason, failure->reason, sizeof reason);
-  const int length = snprintf(failure->reason, sizeof failure->reason, "frame %" PRIu64 ": ", number);
-  snprintf(failure->reason + length, sizeof failure->reason - (size_t)length, "%s", reason);
+  char lead[32];
+  const size_t length = (size_t)snprintf(lead, sizeof lead, "frame %" PRIu64 ": ", number);
+  memmove(failure->reason + length, failure->reason, sizeof failure->reason - length - 1); /* the last byte stays 0 */
+  memcpy(failure->reason, lead, length);
   return false;
 }
 

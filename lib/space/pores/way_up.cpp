@@ -348,7 +348,8 @@ void WayUp::trace(const Way &way, const CurveShape &shape, double from, double t
     }
     u += part;
     last = y;
-    if (part < longest_part && std::floor(0.5 * u / part) == 0.5 * u / part) part *= 2.0;
+    const double pairs = 0.5 * u / part;
+    if (part < longest_part && pairs == static_cast<double>(static_cast<uint32_t>(pairs))) part *= 2.0;
     if (!(shape.error_at(z) < 64.0)) continue;
     point.place = centre + y;
     point.level = level_at(u);
