@@ -392,9 +392,9 @@ TEST(Annotations, ChargesOfMol2Files) {
   const std::vector<std::string> options = {"--colour", "charge", "--view", "0,0,1"};
   const TemporaryFile ions("ions.mol2", charged("GASTEIGER", " 0.0"));
   EXPECT_EQ(fills(ions.path(), options), fills(pqr.path(), options));
-  const TemporaryFile without("without.mol2", charged("NO_CHARGES", " 0.0")), lacking("some.mol2", charged("X", "")),
-      no_number("text.mol2", charged("X", " none")), out("x.svg");
-  for (const auto &[file, line] : {std::pair{&without, "7"}, {&lacking, "9"}, {&no_number, "9"}}) {
+  const TemporaryFile without("without.mol2", charged("# none\nNO_CHARGES", " 0.0")),
+      lacking("some.mol2", charged("X", "")), no_number("text.mol2", charged("X", " none")), out("x.svg");
+  for (const auto &[file, line] : {std::pair{&without, "8"}, {&lacking, "9"}, {&no_number, "9"}}) {
     const Outcome outcome = run_program({"draw", file->path(), "-o", out.path(), "--colour", "charge"});
     EXPECT_EQ(outcome.status, 1);
     EXPECT_NE(outcome.err.find(std::string(".mol2:") + line + ": no charge for --colour charge"), std::string::npos)

@@ -482,6 +482,18 @@ TEST(MeshPicture, PocketsEndWhereTheWayUpChanges) {
   }
 }
 
+// Borders are smoothed no farther than pockets are wide.
+TEST(MeshPicture, PocketsAreThereHoweverLongEdgesAre) {
+  for (const char *edge : {"1", "5"}) {
+    const TemporaryFile out("long.svg");
+    run_json({"mesh", molecules_folder() + "/crambin.pdb", "--probe", "0.8", "--surface", "ses", "--edge", edge,
+              "--pockets", "3", "--least", "0.1", "--cut", "-o", out.path()});
+    const std::string svg = read_file(out.path());
+    EXPECT_NE(svg.find(">pocket 1<"), std::string::npos) << edge;
+    EXPECT_NE(svg.find(">other pockets<"), std::string::npos) << edge;
+  }
+}
+
 // The room with a ball far before it: the cut opens the room, where the middle of everything is between the two.
 TEST(MeshPicture, TheCutGoesThroughThePocket) {
   const TemporaryFile room("room.xyzr",

@@ -347,7 +347,7 @@ TEST(Pores, Regions) {
     pores.push_back("--csv");
     const std::string table = run_program(pores).out;
     EXPECT_EQ(table.substr(0, table.find('\n')),
-              "region,x,y,z,radius,access,area,volume,directions,along,maxima,shells");
+              "region,x,y,z,radius,access,area,volume,directions,maxima,shells,along");
     pores.back() = "--tunnels-from=7,7,2.5";
     EXPECT_EQ(run_json(pores)["tunnels"].number > 0, narrow);  // of the box itself, as ever
   }

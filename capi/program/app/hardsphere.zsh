@@ -107,6 +107,7 @@ case $words[2] in
     '*--probe=[only what is wider than a probe of radius P]:P:'
     '*--least=[list only maxima whose class lives for D or more, radius less death, and pockets that]:D:'
     '*--gates[list gates instead]'
+    '*--regions[area and volume of free space that a probe of radius P gets to from outside, or with --box]'
     '*--pockets=[list pockets]:W:'
     '*--balls[also the balls around each pocket, and each bottleneck of a tunnel]'
     '*--tunnels-from=[list tunnels from a point to the outside, the widest first, with the radius along each]:X Y Z|atom:'
@@ -117,7 +118,7 @@ case $words[2] in
     '*--tunnels-out=[also the tunnels as mmcif_tunnels.dic, of ChannelsDB, has them]:OUT.cif:_files'
     '*--profile=[also a chart of the tunnels]:OUT.svg:_files'
     '*--tree=[also a chart of the classes]:OUT.svg:_files'
-    '*--csv[print maxima, gates, pockets or the points of tunnels as comma-separated values and]'
+    '*--csv[print maxima, gates, regions, pockets or points of tunnels as comma-separated values and]'
     '*--box=[the box, or AX,0,0,BX,BY,0,CX,CY,CZ if it is skew]:AX,BY,CZ:(file p1)'
   ) ;;
   clash) own=(

@@ -10,7 +10,7 @@
 enum { MOST_LIFTS = 4 };
 
 static const double below = 0.01; /* the narrowest probe: so the one that touches fits for all rounding; of an edge */
-static const double edges_smoothed = 4.0, most_smoothed = 0.25; /* around a vertex; edges, radii of the wide probe */
+static const double edges_smoothed = 4.0; /* around a vertex */
 
 /* The pocket of each maximum, from 1 on; OTHER_POCKETS: one that has no colour of its own; 0: none. */
 static int32_t mark_maxima(const hsp_pores *pores, uint32_t all, double least, uint32_t *maxima, uint32_t room,
@@ -164,6 +164,13 @@ static bool colour_mesh(const struct places *places, struct triangle_mesh *mesh,
   return done;
 }
 
+/* Borders are smoothed no farther than that: across a pocket none would be left of it, however long edges are. */
+static double mean_radius(const struct molecule *molecule) {
+  double sum = 0.0;
+  for (uint32_t atom = 0; atom < molecule->atoms; ++atom) sum += molecule->radius[atom];
+  return molecule->atoms > 0 ? sum / molecule->atoms : 0.0;
+}
+
 bool mesh_pockets_find(struct geometry *geometry, const struct molecule *molecule, struct triangle_mesh *mesh,
                        bool smooth, double wide, double least, struct mesh_pockets *pockets, struct failure *failure) {
   const hsp_pores_options options = {
@@ -177,8 +184,7 @@ bool mesh_pockets_find(struct geometry *geometry, const struct molecule *molecul
   if (status == HSP_OK) status = find_pockets(geometry->work.pores, wide - mesh->probe, least, pockets, &of_maximum);
   for (uint32_t t = 0; t < mesh->triangles; ++t) patches = mesh->patches[t] < patches ? patches : mesh->patches[t] + 1;
   const struct places places = {geometry->work.pores, molecule, mesh, smooth ? mesh->probe : 0.0, of_maximum};
-  /* Not across a pocket, however long edges are. */
-  const double reach = fmin(edges_smoothed * mesh->edge, most_smoothed * wide);
+  const double reach = fmin(edges_smoothed * mesh->edge, mean_radius(molecule));
   const bool done = status == HSP_OK ? colour_mesh(&places, mesh, patches, reach, pockets, failure)
                                      : failure_in_library(failure, status);
   free(of_maximum);

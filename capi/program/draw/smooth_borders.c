@@ -49,7 +49,7 @@ static void find_shares(const struct smoothing *all, const uint8_t *of_vertex, u
   all->way[v] = 0.0;
   for (uint32_t i = 0; i < count; ++i) {
     const uint32_t at = all->reached[i];
-    const double part = all->way[at] / all->reach, left = 1.0 - part * part;
+    const double part = i == 0 ? 0.0 : all->way[at] / all->reach, left = 1.0 - part * part;
     if (of_vertex[at] != NO_AREA) share[of_vertex[at]] += mesh->areas[at] * left * left;
     for (size_t k = all->first[at]; k < all->first[at + 1]; ++k) {
       const uint32_t next = all->neighbour[k];
