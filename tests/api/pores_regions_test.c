@@ -128,6 +128,39 @@ static void packings(void) {
   }
 }
 
+/* Balls that touch at points, where they are as near as a step too: on the axes and on diagonals, in a box and without
+ * one. */
+static void touching(void) {
+  static const double ways[4][4] = {{2, 0, 0, 1}, {0, -2, 0, 1}, {6, 0, 8, 5}, {2, 3, 6, 3.5}};
+  const double least = 1e-10;
+  uint32_t k, near;
+  for (k = 0; k < 4; ++k) {
+    const double *way = ways[k], r = way[3];
+    for (near = 0; near < 2; ++near) {
+      const double area = 8 * pi * r * r, volume = 8 * pi * r * r * r / 3;
+      set_box(10 * r, 0, 10 * r, 0, 0, 10 * r);
+      add(0, 0, 0, r);
+      add(way[0] + (near ? least : 0), way[1], way[2], r);
+      compute();
+      CHECK(count == 1 && regions[0].directions == 3);
+      CHECK_NEAR(regions[0].area, area, 1e-6);
+      CHECK_NEAR(regions[0].volume, 1000 * r * r * r - volume, 1e-6);
+      CHECK_EQUAL(hsp_workspace_set(&work, n, xyz, radii, NULL, NULL), HSP_OK);
+      CHECK_EQUAL(hsp_workspace_pores(&work, NULL), HSP_OK);
+      CHECK_EQUAL(hsp_workspace_boundary(&work), HSP_OK);
+      read_regions(work.boundary);
+      CHECK_EQUAL(count, 1);
+      CHECK_NEAR(regions[0].area, area, 1e-6);
+    }
+  }
+  /* Each touches six copies of itself: free space around the corners of the box. */
+  set_box(8, 0, 8, 0, 0, 8);
+  add(1, 2, 3, 4);
+  compute();
+  CHECK(count == 1 && regions[0].directions == 3);
+  CHECK_NEAR(regions[0].volume, 512 - 4 * pi * 64 / 3, 1e-9);
+}
+
 /* Closed walls of balls, square lattices in the planes z = 1 and z = 1 + gap of a box of the height c: with as much
  * wall on both sides, the two gaps differ by the wall's area times what their heights differ by. */
 static void slabs(double lean) {
@@ -390,6 +423,7 @@ static void statuses(void) {
 int main(void) {
   memset(&work, 0, sizeof work);
   packings();
+  touching();
   slabs(0);
   slabs(2.5);
   tubes();

@@ -3,6 +3,7 @@
 #include <initializer_list>
 #include <limits>
 
+#include "boundary/point_location.hpp"
 #include "measure/boundary_positions.hpp"
 #include "periodic/surface_volume.hpp"
 #include "pores/class_tree.hpp"
@@ -19,12 +20,14 @@ exact::Vector rounded(const BallSet &balls, const Position &position) {
   return {centre.x + nearest(offset.x), centre.y + nearest(offset.y), centre.z + nearest(offset.z)};
 }
 
-// Calls is_enough(position) for points of a face until it is true: its vertices, a point of each circle, or one of a
-// whole sphere. Returns the last answer.
+// Calls is_enough(position) for points of a face until it is true: its vertices and a point of each circle, or one of a
+// whole sphere; then for some with no other ball near to them, for spheres that touch others. Returns the last answer.
 template <class IsEnough>
-bool visit_points(const BallSet &balls, const Boundary &boundary, uint32_t face, IsEnough is_enough) {
+bool visit_points(const BallsAround &around, const Boundary &boundary, uint32_t face, IsEnough is_enough) {
+  const BallSet &balls = around.set();
   const uint32_t ball = boundary.face(face).ball;
-  if (boundary.loops_of_face(face).empty()) return is_enough(Position{ball, {balls.r[ball], 0.0, 0.0}});
+  const double r = balls.r[ball];
+  if (boundary.loops_of_face(face).empty() && is_enough(Position{ball, {r, 0.0, 0.0}})) return true;
   for (const uint32_t e : boundary.half_edges(ball)) {
     if (boundary.face_of(e) != face) continue;
     if (is_enough(position_of_vertex(balls, boundary, boundary.half_edge(e).vertex))) return true;
@@ -36,6 +39,15 @@ bool visit_points(const BallSet &balls, const Boundary &boundary, uint32_t face,
     const Vec3 across = std::fabs(u.x) < 0.6 ? Vec3{0.0, u.z, -u.y} : Vec3{-u.z, 0.0, u.x};
     const Vec3 radius = (circle.radius / std::sqrt(dot(across, across))) * across;
     if (is_enough(Position{circle.centre.ball, circle.centre.offset + radius})) return true;
+  }
+  const exact::Vector centre = balls.ball(ball).centre;
+  for (int k = 0; k < 25 && r > 64.0; ++k) {
+    const int64_t x = nearest(0.3 * r * (k % 5 - 2)), y = nearest(0.3 * r * (k / 5 - 2));
+    const Vec3 level{static_cast<double>(x), static_cast<double>(y), 0.0};
+    const Position entry{ball, {level.x, level.y, -std::sqrt(r * r - dot(level, level))}};
+    // Where this finds the ball alone, the point on its sphere is free.
+    if (around.find({rounded(balls, entry), 4}, nullptr, 0) != 1) continue;
+    if (face_of_entry(balls, boundary, ball, centre.x + x, centre.y + y) == face && is_enough(entry)) return true;
   }
   return false;
 }
@@ -89,7 +101,7 @@ Status RegionFinder::find_shells(const PoresBuilder &pores, const BallsAround &b
     if (region != no_id) continue;
     PorePlace place{};
     place.maximum = no_id;
-    const bool found = visit_points(balls.set(), boundary, face, [&](const Position &position) {
+    const bool found = visit_points(balls, boundary, face, [&](const Position &position) {
       const exact::Vector start = rounded(balls.set(), position);
       Ascent way(balls, start);
       const bool certain = way.is_outside() ||
