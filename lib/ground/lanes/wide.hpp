@@ -96,6 +96,8 @@ struct Wide {
   static Real valid(const Mask &mask, const Real &a) { return number(~mask | bits(a)); }
   // -a where the mask is set, else a.
   static Real negate_if(const Mask &mask, const Real &a) { return number(bits(a) ^ (mask & bits(all(-0.0)))); }
+  // a >= +0 with the sign of b.
+  static Real with_sign(const Real &a, const Real &b) { return negate_if(bits(b), a); }
   static Real absolute(const Real &a) { return number(bits(a) & ~bits(all(-0.0))); }
 
   // 1 where the highest bit is set, else 0.

@@ -9,7 +9,7 @@
 // cos a = rho/p. Where rho and p are equal up to rounding both answers are right: the piece between is empty.
 #pragma once
 
-#include "lanes/elementary_simd.hpp"
+#include "lanes/angle.hpp"
 #include "surface/saddle_sums.hpp"
 
 namespace hsp {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "exact/circle_crossing.hpp"
-#include "lanes/elementary_simd.hpp"
+#include "lanes/angle.hpp"
 #include "surface/probe_triangles.hpp"
 
 namespace hsp {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/small_code.hpp"
-#include "lanes/elementary_simd.hpp"
+#include "lanes/angle.hpp"
 #include "lanes/wide_pairs.hpp"
 #include "measure/edge_sums.hpp"
 #include "measure/lane_sums.hpp"

@@ -2,7 +2,7 @@
 // the product of their phases, and the number of whole turns.
 #pragma once
 
-#include "lanes/elementary_simd.hpp"
+#include "lanes/angle.hpp"
 
 namespace hsp {
 namespace {
@@ -37,7 +37,7 @@ class ExteriorAngleSum {
   // The sums of the lanes are 2 pi turns() + angles(), with angles in [-pi, pi]. Those of the lower half-plane count a
   // turn more than is complete.
   Mask turns() const { return turns_ + L::sign_bits(L::bits(y_)); }
-  Real angles() const { return signed_angle<n>(x_, y_); }
+  Real angles() const { return signed_angle<L>(x_, y_); }
 
  private:
   Real x_ = L::all(1.0), y_ = L::all(0.0);

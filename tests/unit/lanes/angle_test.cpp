@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "core/elementary.hpp"
 #include "measure/exterior_angles.hpp"
 
 namespace {
@@ -30,8 +31,9 @@ struct Errors {
     const long double exact = exact_angle(x, y);
     // The other lane must not matter.
     const double angle = hsp::turn_angle<2>(Lanes{x, 1.0}, Lanes{y, 2.0})[0];
-    const double turned = hsp::signed_angle<2>(Lanes{x, 1.0}, Lanes{y, 2.0})[0];
+    const double turned = hsp::signed_angle<L>(Lanes{x, 1.0}, Lanes{y, 2.0})[0];
     EXPECT_EQ(std::signbit(turned), std::signbit(y));
+    EXPECT_EQ(hsp::arc_tangent(y, x), turned);
     const double magnitude = std::fabs(turned);
     EXPECT_EQ(magnitude, hsp::turn_angle<2>(Lanes{x, 1.0}, Lanes{std::fabs(y), 2.0})[0]);
     if (y >= 0.0) half_turn = std::max(half_turn, error_of(magnitude, exact));
@@ -69,9 +71,9 @@ TEST(TurnAngle, StaysWithinItsBounds) {
       }
     }
   }
-  EXPECT_LE(errors.relative, 6.0);
-  EXPECT_LE(errors.absolute, 6.1);
-  EXPECT_LE(errors.half_turn, 4.1);
+  EXPECT_LE(errors.relative, 2.7);
+  EXPECT_LE(errors.absolute, 5.4);
+  EXPECT_LE(errors.half_turn, 3.4);
   EXPECT_GT(errors.absolute, 4.0);  // the measurement measures
   RecordProperty("relative", std::to_string(errors.relative));
   RecordProperty("absolute", std::to_string(errors.absolute));
