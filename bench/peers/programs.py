@@ -23,6 +23,7 @@ import time
 from trajectories import DEBIAN_PYTHON, PROBE, RADIUS, column, entry, read_atoms, skipped, trr_frame, version_of
 
 SIZES, TWO_THREADS, TURNS = (1, 1000, 100000, 1000000), 100000, 3
+MOST_OF_MDTRAJ = 100000  # atoms: 40 s a turn
 FILES, ATOMS_OF_FILE = 2000, (300, 5000)
 FRAMES, ATOMS_OF_FRAME, SPREAD = 200, 4000, 0.2
 GAP = 3.0  # angstrom, between copies
@@ -128,7 +129,7 @@ def freesasa(threads):
 # Of each program the one that it is compared with, its command, and what finds its areas then.
 
 
-def peers_of(program, path, threads=1):
+def peers_of(program, path, atoms, threads=1):
     """Areas of all atoms, printed. With the totals alone, too: that is what FreeSASA prints by itself."""
     both = measure(program, path, threads=threads)
     peers = {"library": (None, both + ["--radii", "protor", "--csv"], rows_of),
@@ -140,7 +141,8 @@ def peers_of(program, path, threads=1):
     if threads == 1 and shutil.which("gmx"):
         command = gmx_sasa(path, path, "-or", "residues.xvg", "-oa", "atoms.xvg")
         peers["gmx_24"] = ("library_by_element", command, lambda: column("atoms.xvg", 1))
-    if threads == 1 and version_of(DEBIAN_PYTHON, "-c", "import mdtraj; print(mdtraj.version.version)"):
+    mdtraj = version_of(DEBIAN_PYTHON, "-c", "import mdtraj; print(mdtraj.version.version)")
+    if threads == 1 and atoms <= MOST_OF_MDTRAJ and mdtraj:
         radii = json.dumps({e: r / 10 for e, r in RADIUS.items()})
         command = [DEBIAN_PYTHON, "-c", MDTRAJ, path, radii, str(PROBE / 10)]
         peers["mdtraj_100"] = ("library_by_element", command, rows_of)
@@ -226,11 +228,11 @@ def main():
             file.writelines(f"??? {element} {radius / 10}\n" for element, radius in RADIUS.items())
         for atoms in SIZES[:2] if quick else SIZES:
             write_copies(lines, at, atoms, "copies.pdb")
-            benchmarks += compare(f"one_{atoms}", peers_of(program, "copies.pdb"), turns, atoms)
+            benchmarks += compare(f"one_{atoms}", peers_of(program, "copies.pdb", atoms), turns, atoms)
         atoms = SIZES[1] if quick else TWO_THREADS
         write_copies(lines, at, atoms, "copies.pdb")
         write_cif(lines, at, atoms, "copies.cif")
-        benchmarks += compare("two", peers_of(program, "copies.pdb", threads=2), turns, atoms)
+        benchmarks += compare("two", peers_of(program, "copies.pdb", atoms, threads=2), turns, atoms)
         for kind in ("pdb", "cif"):
             benchmarks += compare(f"read_{kind}", readers_of(build, f"copies.{kind}"), turns, atoms)
         write_trajectory(lines, at, ATOMS_OF_FRAME, 3 if quick else FRAMES)

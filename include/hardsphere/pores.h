@@ -67,7 +67,7 @@ HSP_API int32_t hsp_pores_bytes(const hsp_pores_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_PORES_BYTES(balls, maxima, gates, tied, candidates, neighbours, points)                                 \
-  ((size_t)61440 + (size_t)176 * (size_t)(balls) + (size_t)372 * (size_t)(maxima) + (size_t)144 * (size_t)(gates) + \
+  ((size_t)61440 + (size_t)180 * (size_t)(balls) + (size_t)372 * (size_t)(maxima) + (size_t)148 * (size_t)(gates) + \
    (size_t)16 * (size_t)(tied) + (size_t)16 * (size_t)(candidates) + (size_t)160 * (size_t)(neighbours) +           \
    (size_t)144 * (size_t)(points))
 
@@ -458,7 +458,8 @@ typedef struct hsp_pore_access {
  *  @retval HSP_E_ARGUMENT  pores is NULL; boundary is NULL without a box, of another model, or given with one
  *  @retval HSP_E_STATE     nothing computed, or the model, box or boundary has changed since
  *  @retval HSP_E_RANGE     the floor is above 0; or free space is only some lattice steps wide around every vertex of a
- *                          shell and 25 points of each of its balls, so that it is not certain where it leads
+ *                          shell and up to 25 points of each of its balls of more than 64 steps, so that it is not
+ *                          certain where it leads
  *  @retval HSP_E_CHECK     a way up ends nowhere, which cannot happen: please report it */
 HSP_API int32_t hsp_pores_find_regions(hsp_pores *pores, const hsp_boundary *boundary, hsp_pore_access *access,
                                        uint32_t *regions);
@@ -587,8 +588,8 @@ typedef struct hsp_tunnel_point {
  *  where one is short: nearer to the one before than 1/256 of its radius are gates, maxima and ends alone. An end
  *  within two lattice steps of a maximum or gate is that as well, and has its record but for the place.
  *  - Property 1: two of them are no farther apart than a tenth of the distance of either from the centre of a ball that
- *    is nearest to both, or to either if none is to both; but for a leap from the outside, and for curves that doubles
- *    do not know to 64 lattice steps, which have no points between their ends. Else, if a ball is nearest to both, the
+ *    is nearest to both, or to either if none is to both; but for a leap from the outside, and for parts of curves that
+ *    doubles do not know to 64 lattice steps, which have no points. Else, if a ball is nearest to both, the
  *    radius halfway between them is no more than the mean of theirs, and less than 1/800 of that distance below it.
  *
  *  @retval HSP_E_ARGUMENT  pores is NULL; points is NULL with a capacity above 0

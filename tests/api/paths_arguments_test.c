@@ -92,23 +92,30 @@ static void find(const double *from, const double *to) {
 }
 
 /* Much of one thing, and of all. */
+/* One limit, or all, at or above a power of two, where tables grow; the others small. */
 static void sizes(void) {
-  int which;
+  static const uint32_t small[2] = {0, 1};
+  uint32_t which, other, exponent, k;
   for (which = 0; which < 11; ++which) {
-    uint32_t n[11] = {0};
-    hsp_paths_limits of_paths;
-    hsp_gate_limits of_gate;
-    size_t bytes = 0;
-    int other;
-    for (other = 1; other < 11; ++other) n[other] = which == 0 || which == other ? 100000 : 0;
-    n[0] = (uint32_t)sizeof of_paths;
-    memcpy(&of_paths, n, sizeof of_paths);
-    CHECK_EQUAL(hsp_paths_bytes(&of_paths, &bytes), HSP_OK);
-    CHECK(bytes > 0 && bytes <= HSP_PATHS_BYTES(n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10]));
-    n[0] = (uint32_t)sizeof of_gate;
-    memcpy(&of_gate, n, sizeof of_gate);
-    CHECK_EQUAL(hsp_gate_bytes(&of_gate, &bytes), HSP_OK);
-    CHECK(bytes > 0 && bytes <= HSP_GATE_BYTES(n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10]));
+    for (exponent = 0; exponent < 18; ++exponent) {
+      for (k = 0; k < 4; ++k) {
+        uint32_t n[11] = {0};
+        hsp_paths_limits of_paths;
+        hsp_gate_limits of_gate;
+        size_t bytes = 0;
+        for (other = 1; other < 11; ++other) {
+          n[other] = which == 0 || which == other ? (UINT32_C(1) << exponent) + k / 2 : small[k % 2];
+        }
+        n[0] = (uint32_t)sizeof of_paths;
+        memcpy(&of_paths, n, sizeof of_paths);
+        CHECK_EQUAL(hsp_paths_bytes(&of_paths, &bytes), HSP_OK);
+        CHECK(bytes > 0 && bytes <= HSP_PATHS_BYTES(n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10]));
+        n[0] = (uint32_t)sizeof of_gate;
+        memcpy(&of_gate, n, sizeof of_gate);
+        CHECK_EQUAL(hsp_gate_bytes(&of_gate, &bytes), HSP_OK);
+        CHECK(bytes > 0 && bytes <= HSP_GATE_BYTES(n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10]));
+      }
+    }
   }
 }
 

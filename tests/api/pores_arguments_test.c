@@ -48,18 +48,25 @@ static void compute(double floor) {
   CHECK_EQUAL(hsp_pores_get_counts(pores, &counts), HSP_OK);
 }
 
+/* One limit, or all, at or above a power of two, where tables grow; the others small. */
 static void sizes(void) {
-  int which;
+  static const uint32_t small[2] = {0, 1};
+  uint32_t which, other, exponent, k;
   for (which = 0; which < 8; ++which) {
-    uint32_t n[8] = {0};
-    hsp_pores_limits limits;
-    size_t bytes = 0;
-    int other;
-    for (other = 1; other < 8; ++other) n[other] = which == 0 || which == other ? 100000 : 0;
-    n[0] = (uint32_t)sizeof limits;
-    memcpy(&limits, n, sizeof limits);
-    CHECK_EQUAL(hsp_pores_bytes(&limits, &bytes), HSP_OK);
-    CHECK(bytes > 0 && bytes <= HSP_PORES_BYTES(n[1], n[2], n[3], n[4], n[5], n[6], n[7]));
+    for (exponent = 0; exponent < 21; ++exponent) {
+      for (k = 0; k < 4; ++k) {
+        uint32_t n[8] = {0};
+        hsp_pores_limits limits;
+        size_t bytes = 0;
+        for (other = 1; other < 8; ++other) {
+          n[other] = which == 0 || which == other ? (UINT32_C(1) << exponent) + k / 2 : small[k % 2];
+        }
+        n[0] = (uint32_t)sizeof limits;
+        memcpy(&limits, n, sizeof limits);
+        CHECK_EQUAL(hsp_pores_bytes(&limits, &bytes), HSP_OK);
+        CHECK(bytes > 0 && bytes <= HSP_PORES_BYTES(n[1], n[2], n[3], n[4], n[5], n[6], n[7]));
+      }
+    }
   }
 }
 
