@@ -212,8 +212,8 @@ TEST(RegionFinder, AGateAsWideAsAPointSeparatesOneThatIsWiderByLittleDoesNot) {
   }
 }
 
-// Bricks of balls with the edges 6 and 8: with the radius 5 those of a face 6 by 8 leave a point in its middle, those of
-// one 6 by 6 none, and those of one 8 by 8 a way through. Balls with the radius 3 touch along edges.
+// Bricks of balls with the edges 6 and 8: with the radius 5 those of a face 6 by 8 leave a point in its middle, those
+// of one 6 by 6 none, and those of one 8 by 8 a way through. Balls with the radius 3 touch along edges.
 TEST(RegionFinder, BricksThatTouchAreTheSameFromAnyFloor) {
   oracle::RandomSource random(51);
   uint32_t regions = 0;
