@@ -27,10 +27,6 @@ void CubeGrid::build(const BallSet &balls, Span<const uint32_t> slot, int64_t si
 }
 
 BallRange CubeGrid::balls_in_row(int64_t x_low, int64_t x_high, int64_t y, int64_t z) const {
-  if (rows().is_there()) {
-    BallRange row{0, 0};
-    return rows().find({x_low, y, z}, {x_high, y, z}, {&row, 1}) == 0 ? BallRange{0, 0} : row;
-  }
   const uint64_t along_x = linear_hash({1, 0, 0});
   uint64_t linear = linear_hash({x_low, y, z});
   for (int64_t x = x_low; x <= x_high; ++x, linear += along_x) {

@@ -199,10 +199,14 @@ class CubesAlongRay {
       if (first.at[axis] > last.at[axis]) return;
     }
     for (int64_t z = first.at[2]; z <= last.at[2]; ++z) {
-      for (int64_t y = first.at[1]; y <= last.at[1]; ++y) {
-        hit.visit(grid_.balls_in_row(first.at[0], last.at[0], y, z));
-      }
+      for (int64_t y = first.at[1]; y <= last.at[1]; ++y) hit.visit(balls_in_row(first.at[0], last.at[0], y, z));
     }
+  }
+
+  BallRange balls_in_row(int64_t x_low, int64_t x_high, int64_t y, int64_t z) const {
+    if (!grid_.rows().is_there()) return grid_.balls_in_row(x_low, x_high, y, z);
+    BallRange row{0, 0};
+    return grid_.rows().find({x_low, y, z}, {x_high, y, z}, {&row, 1}) == 0 ? BallRange{0, 0} : row;
   }
 
   const CubeGrid &grid_;

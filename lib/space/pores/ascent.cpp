@@ -203,8 +203,8 @@ bool Ascent::step() {
   }
   if (saddles_ == most_saddles) return false;
   ++saddles_;
-  // A way stops beside the saddle, from where balls that it leaves at right angles may get nearer at first: by less than
-  // 2^-11 of a step.
+  // A way stops beside the saddle, from where balls that it leaves at right angles may get nearer at first: by less
+  // than 2^-11 of a step.
   return leave_saddle(1e-8) || leave_saddle(0.2 * std::sqrt(least_delta / size()));
 }
 
