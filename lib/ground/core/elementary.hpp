@@ -10,8 +10,8 @@ namespace hsp {
 // tests/unit/core/elementary_test.cpp measures it against a longer format.
 inline constexpr double arc_tangent_max_ulp = 2.0;
 
-// The angle of the point (x, y), in [-pi, pi], with the bits that lanes have for it. Differs from the C function only in
-// that the sign of a zero does not matter: at (0, 0) the result is 0.
+// The angle of the point (x, y), in [-pi, pi], with the bits that lanes have for it. Differs from the C function only
+// in that the sign of a zero does not matter: at (0, 0) the result is 0.
 double arc_tangent(double y, double x);
 
 // An angle closer than this to 0 or 2 pi is taken from exact integers: rounding must not turn a point into a

@@ -1,5 +1,5 @@
-// The library's arc tangent, without branches and without tables: the octants of arcs cannot be predicted. A word may hold
-// several directions, or one.
+// The library's arc tangent, without tables and in lanes without branches: the octants of arcs cannot be predicted. A
+// word may hold several directions, or one.
 #pragma once
 
 #include "lanes/wide.hpp"
@@ -38,7 +38,7 @@ struct AngleParts {
 // The angle of (x, |y|), counter-clockwise from (1, 0), in [0, pi]; (x, y) must not be (0, 0), and neither component
 // may be near the ends of the range.
 //
-// In an octant let r = small/large. The angle is atan(t), t = r, where r is at most 21/64, and else atan(1/2) + atan(t),
+// In an octant let r = small/large. The angle is atan(t), t = r, where r is at most 21/64, else atan(1/2) + atan(t),
 // t = (small - large/2)/(large + small/2), in [-0.148, 1/3]. With z = t^2, atan(t) is t + t z P(z), P of degree 8: the
 // polynomial of least largest error of t z P relative to t for z <= 1/9, by Remez's algorithm, an error below 0.15 e
 // where e = 2^-53.
@@ -46,12 +46,12 @@ struct AngleParts {
 // The quotient is wrong by e |t|; with atan(1/2) the sum moves t as much, but the difference is exact (Sterbenz) and so
 // are the halves. The correction is below 0.037 |t| and has a relative error of at most 7 e besides that of P, and the
 // sum with t is rounded to half a unit in the last place. So
-// - where t = r and below pi/4 an angle has an error of at most 2.4 e of itself, and less than 2 units in the last place:
+// - where t = r and below pi/4 an angle has an error of at most 2.4 e of itself, less than 2 units in the last place:
 //   0.4 from correction and P, and 1 from both roundings. Where t is in a range of larger units than the angle, that is
 //   1.5, but t is below 0.256 and the first are below 0.3;
-// - the rest of another one has an error of at most 1.12 e, 0.5 e where t < 0; what pi lacks adds 0.25 e, at most half of
-//   that where the angle is below 1/2, and the sum of the parts half a unit in the last place. An angle is then above
-//   0.31, a unit e/2 up to 1/2, where t < 0.04, e up to 1, 2 e up to 2, 4 e up to 4: less than 2 units up to pi.
+// - the rest of another one has an error of at most 1.12 e, 0.5 e where t < 0; what pi lacks adds 0.25 e, at most half
+//   of that where the angle is below 1/2, and the sum of the parts half a unit in the last place. An angle is then
+//   above 0.31, a unit e/2 up to 1/2, where t < 0.04, e up to 1, 2 e up to 2, 4 e up to 4: below 2 units up to pi.
 // Together at most 5.4 e, 3.4 e up to pi, and 2.7 e of the angle.
 // L: Wide, WidePairs or OneDouble.
 template <class L>
