@@ -1,6 +1,7 @@
 // Pores of any set: classes at a probe are the regions of free space around grown balls, for points and in number; the
-// tree, pockets and tunnels fit together; the widest probe between two points, which looks at one pair alone; tied
-// balls in integers; no effect of the order of the balls; limits that are too small.
+// regions beside the balls are those of shells that are nested; the tree, pockets and tunnels fit together; the widest
+// probe between two points, which looks at one pair alone; tied balls in integers; no effect of the order of the balls;
+// limits that are too small.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -206,6 +207,55 @@ void require_regions(const fuzz::ScaledBalls &set, const Result &result, hsp_por
   }
 }
 
+std::vector<double> ascending(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+// Regions of free space beside the balls against those of the topology, which nests shells along vertical rays. Where
+// they are not known, as balls are of few steps, there are none.
+void require_free_regions(const computed &base, hsp_pores *pores) {
+  hsp_pore_access access{};
+  uint32_t count = 0, channels = 0, needed = 0;
+  const int32_t status = hsp_pores_find_regions(pores, base.boundary, &access, &count);
+  FUZZ_REQUIRE(status == HSP_OK || status == HSP_E_RANGE, "regions");
+  const int32_t listed = hsp_pores_get_channels(pores, 0, nullptr, 0, &channels);
+  FUZZ_REQUIRE(listed == (channels > 0 ? HSP_E_CAPACITY : HSP_OK), "how many channels");
+  support::OwnedTopology topology;
+  topology.take(support::topology_limits_for(base.boundary));
+  topology.compute([&](hsp_topology *handle, hsp_topology_limits *asked) {
+    return hsp_topology_compute(handle, base.boundary, asked);
+  });
+  hsp_topology_counts counts{};
+  FUZZ_REQUIRE(hsp_topology_get_counts(topology.get(), &counts) == HSP_OK, "counts of the topology");
+  FUZZ_REQUIRE(channels + 1 == counts.regions, "channels are the regions but the outside");
+  if (status != HSP_OK) return;
+  FUZZ_REQUIRE(count == counts.regions && access.accessible == 1, "as many regions");
+  std::vector<hsp_pore_region> found(count);
+  std::vector<hsp_region> nested(count);
+  FUZZ_REQUIRE(hsp_pores_get_regions(pores, 0, count, found.data()) == HSP_OK, "the list of regions");
+  FUZZ_REQUIRE(hsp_topology_get_regions(topology.get(), nested.data(), count, &needed) == HSP_OK, "nested regions");
+  std::vector<double> area[2], volume[2], shells[2];
+  for (uint32_t k = 0; k < count; ++k) {
+    const bool outside = found[k].maximum == HSP_PORE_OUTSIDE;
+    FUZZ_REQUIRE(outside == (k == 0) && outside == std::isinf(found[k].volume), "the outside is the first");
+    area[0].push_back(found[k].area);
+    area[1].push_back(nested[k].area);
+    volume[0].push_back(outside ? 0.0 : found[k].volume);
+    volume[1].push_back(nested[k].volume);
+    shells[0].push_back(found[k].shells);
+    shells[1].push_back(nested[k].shells);
+  }
+  FUZZ_REQUIRE(shells[0][0] == shells[1][0] && ascending(shells[0]) == ascending(shells[1]), "their shells");
+  const auto require_same = [&](const std::vector<double> *values, double tolerance, const char *what) {
+    const auto one = ascending(values[0]), other = ascending(values[1]);
+    for (uint32_t k = 0; k < count; ++k) FUZZ_REQUIRE(std::fabs(one[k] - other[k]) <= tolerance, what);
+  };
+  const double size = base.extent + base.info.largest_radius;
+  require_same(area, 1e-9 * size * size, "their areas");
+  require_same(volume, 1e-9 * size * size * size, "their volumes");
+}
+
 void require_tunnel(const fuzz::ScaledBalls &set, hsp_pores *pores, const Point &from, const Point *to) {
   const double *const end = to == nullptr ? nullptr : to->data();
   hsp_pore_passage passage{};
@@ -240,6 +290,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   const Result reference = compute(model, set.n(), options, pores);
   require_sound(set, reference, pores.get(), set.length(floor));
   require_brute_force(set, reference, pores.get(), floor);
+  require_free_regions(base.get(), pores.get());
   for (int k = 0; k < 2; ++k) {
     int64_t level = static_cast<int64_t>(bytes.below(2000));
     if (!reference.maxima.empty() && bytes.one_in(2)) {

@@ -98,6 +98,7 @@ void count_stages(const bench::Balls &balls, const Surface &surface) {
   if (balls.size() < 1000) {       // of the others they take minutes in a simulated processor
     bench::Pores pores(model);
     count("pores", balls, surface, [&] { pores.compute(); });
+    count("pore_regions", balls, surface, [&] { pores.find_regions(boundary); });
   }
   bench::View farther(model, nullptr, HSP_PIECES_OUTSIDE_FARTHER, {towards});
   count("view_farther", balls, surface, [&] { farther.compute(towards); });
@@ -118,6 +119,14 @@ void count_stages(const bench::Balls &balls, const Surface &surface) {
   bench::Placement placement(balls.xyz, balls.radius);
   bench::AnalyticZBuffer z_buffer;
   count("z_buffer", balls, surface, [&] { z_buffer.draw(placement.place(bench::axes_towards(towards))); });
+}
+
+// Pores where eight balls tie at every maximum, and four at every gate.
+void count_tied_pores() {
+  const bench::Balls balls = bench::tied_lattice(6);
+  bench::Model model(balls, 0);
+  bench::Pores pores(model);
+  count("pores", balls, bench::surfaces[0], [&] { pores.compute(); });
 }
 
 // One atom moves at a time: there, and back by another move.
@@ -178,6 +187,7 @@ int main(int argc, char **argv) {
         count_moves(balls, surface);
       }
     }
+    count_tied_pores();
     count_poses();
   } catch (const std::exception &error) {
     std::fprintf(stderr, "counted_stages: %s\n", error.what());

@@ -1,11 +1,13 @@
 // Free space for every probe at once over size: all maxima, gates and classes above the floor 0, by the room
-// lib/space/pores itself.
+// lib/space/pores itself, also where all balls tie; and the regions beside the balls, once these are known.
 #include <stdexcept>
 #include <vector>
 
+#include "free_space.hpp"
 #include "pores/pores_builder.hpp"
 #include "sizes.hpp"
 #include "suite.hpp"
+#include "tiling.hpp"
 
 namespace bench {
 namespace {
@@ -52,12 +54,28 @@ void pores(benchmark::State &state, Subject &subject) {
       benchmark::Counter(atoms, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
+void regions(benchmark::State &state, Subject &subject) {
+  Pores pores(*subject.model);
+  pores.compute();
+  hsp_pore_access access{};
+  iterate(state, [&] { access = pores.find_regions(*subject.boundary); });
+  state.counters["blocked"] = access.blocked;
+  state.counters["time_per_atom"] = benchmark::Counter(
+      subject.balls.size(), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
 }  // namespace
 
 void register_suite() {
   for (const Size &size : all_sizes()) {
     register_case("pores/" + size.name, {"pores/" + size.name, size.balls, 0.0, Stage::model}, pores)
         ->Unit(benchmark::kMillisecond);
+  }
+  register_case("pores/tied", {"pores/tied", [] { return tied_lattice(16); }, 0.0, Stage::model}, pores)
+      ->Unit(benchmark::kMillisecond);
+  for (const Size &size : molecule_sizes()) {
+    register_case("regions/" + size.name, {"regions/" + size.name, size.balls, 0.0, Stage::boundary}, regions)
+        ->Unit(benchmark::kMicrosecond);
   }
 }
 

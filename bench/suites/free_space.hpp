@@ -1,4 +1,4 @@
-// hsp_cells in memory of its own, for the benchmarks; see handles.hpp.
+// hsp_cells and hsp_pores in memory of their own, for the benchmarks; see handles.hpp.
 #pragma once
 
 #include <cstddef>
@@ -39,6 +39,13 @@ class Pores {
   }
   void compute() {
     support::expect_ok(hsp_pores_compute(pores_.get(), model_.get(), nullptr, nullptr), "hsp_pores_compute");
+  }
+  // The regions of free space beside the balls, with area and volume.
+  hsp_pore_access find_regions(const Boundary &boundary) {
+    hsp_pore_access access{};
+    support::expect_ok(hsp_pores_find_regions(pores_.get(), boundary.get(), &access, nullptr),
+                       "hsp_pores_find_regions");
+    return access;
   }
 
  private:

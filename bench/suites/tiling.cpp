@@ -97,6 +97,14 @@ std::array<double, 3> tiling_period(const Balls &balls) {
   return tightest_period(balls, box_of(balls));
 }
 
+Balls tied_lattice(int side) {
+  Balls one;
+  one.name = "lattice";
+  one.xyz = {0.0, 0.0, 0.0};
+  one.radius = {1.8};
+  return tiled(one, side);
+}
+
 Balls tiled(const Balls &balls, int copies) {
   const Vector period = tiling_period(balls);
   Balls all;

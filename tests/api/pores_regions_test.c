@@ -262,6 +262,42 @@ static void pinched(void) {
   }
 }
 
+/* The eight windows between six balls, open by less than levels are rounded to, and a step narrower and wider. */
+static void windows(void) {
+  hsp_pores_options options;
+  hsp_model_options lattice;
+  hsp_pore_channel channel;
+  uint32_t k, floor, needed = 0;
+  int32_t more;
+  CHECK_EQUAL(hsp_pores_options_init(&options, sizeof options), HSP_OK);
+  CHECK_EQUAL(hsp_model_options_init(&lattice, sizeof lattice), HSP_OK);
+  lattice.step = 1;
+  for (floor = 0; floor < 3; ++floor) {
+    options.floor = floor == 0 ? 0 : floor == 1 ? -1 : -1e6;
+    for (more = -1; more <= 1; ++more) {
+      const double d = 4656965; /* 2 d^2 = 3 r^2 + 2 */
+      set_box(3e7, 0, 3e7, 0, 0, 3e7);
+      for (k = 0; k < 6; ++k) {
+        const double at = k % 2 == 0 ? d : -d;
+        add(k / 2 == 0 ? at : 0, k / 2 == 1 ? at : 0, k / 2 == 2 ? at : 0, 3802396 + more);
+      }
+      CHECK_EQUAL(hsp_workspace_set(&work, n, xyz, radii, &lattice, NULL), HSP_OK);
+      CHECK_EQUAL(hsp_workspace_pores(&work, &options), HSP_OK);
+      CHECK_EQUAL(hsp_workspace_boundary(&work), HSP_OK);
+      CHECK_EQUAL(hsp_pores_find_regions(work.pores, work.boundary, &access, &count), HSP_OK);
+      CHECK_EQUAL(count, more > 0 ? 2 : 1);
+      CHECK(access.accessible == 1 && access.blocked == count - 1);
+      CHECK_EQUAL(hsp_pores_get_channels(work.pores, 0, &channel, 1, &needed), HSP_OK);
+      CHECK_EQUAL(needed, count - 1);
+      CHECK_EQUAL(hsp_workspace_periodic(&work, n, xyz, radii, &lattice, box, NULL), HSP_OK);
+      CHECK_EQUAL(hsp_workspace_pores_periodic(&work, &options), HSP_OK);
+      CHECK_EQUAL(hsp_pores_find_regions(work.pores, NULL, &access, &count), HSP_OK);
+      CHECK_EQUAL(count, more > 0 ? 2 : 1);
+      CHECK(access.accessible == 1 && access.blocked == count - 1);
+    }
+  }
+}
+
 /* A cage without the ball in its middle, around a small ball that floats; far from others of its kind. */
 static void add_cage(double floating) {
   int x, y, z;
@@ -430,6 +466,7 @@ int main(void) {
   networks(0);
   networks(1);
   pinched();
+  windows();
   cages();
   copies_and_probes();
   nothing();

@@ -1,5 +1,6 @@
 #include "model/queries.hpp"
 
+#include "core/extremes.hpp"
 #include "core/small_code.hpp"
 
 namespace hsp {
@@ -39,11 +40,20 @@ bool has_few_rows(const CubeBox &box) {
   return y < 3 && z < 3;
 }
 
-// Calls visit(range) for all balls of the box, until it returns false. The hash table is asked for each row, unless
-// there are more cubes than in the table.
+// Of a box the cubes that are in the box around all balls.
+CubeBox common_cubes(const CubeGrid &grid, const CubeBox &box) {
+  if (grid.cubes() == 0) return {{0, 0, 0}, {-1, -1, -1}};
+  const CubeCoordinates &low = grid.cube_list().low(), &high = grid.cube_list().high();
+  return {{larger_of(box.low.x, low.x), larger_of(box.low.y, low.y), larger_of(box.low.z, low.z)},
+          {smaller_of(box.high.x, high.x), smaller_of(box.high.y, high.y), smaller_of(box.high.z, high.z)}};
+}
+
+// Calls visit(range) for all balls of the box, until it returns false. The grid is asked for each row, unless there are
+// more cubes than it has.
 template <class Visit>
 void visit_rows(const CubeGrid &grid, const CubeBox &box, Visit visit) {
-  const CubeCoordinates &low = box.low, &high = box.high;
+  const auto [low, high] = common_cubes(grid, box);
+  if (low.x > high.x || low.y > high.y || low.z > high.z) return;
   const double cubes = static_cast<double>(high.x - low.x + 1) * static_cast<double>(high.y - low.y + 1) *
                        static_cast<double>(high.z - low.z + 1);
   if (cubes > 27.0 && cubes > static_cast<double>(grid.cubes())) {
@@ -80,15 +90,23 @@ class HitFinder {
 
   // Adds the hits in the box.
   void find(const CubeBox &box) {
-    if (grid_.rows().is_there() && has_few_rows(box)) {
-      BallRange rows[few_rows];
-      find(rows, grid_.rows().find(box.low, box.high, {rows, few_rows}));
+    if (!grid_.rows().is_there()) {
+      visit_rows(grid_, box, [this](const BallRange &row) {
+        if (!row.empty()) find(&row, 1);
+        return true;
+      });
       return;
     }
-    visit_rows(grid_, box, [this](const BallRange &row) {
-      if (!row.empty()) find(&row, 1);
-      return true;
-    });
+    BallRange rows[few_rows];
+    if (has_few_rows(box)) return find(rows, grid_.rows().find(box.low, box.high, {rows, few_rows}));
+    const auto [low, high] = common_cubes(grid_, box);
+    for (int64_t z = low.z; z <= high.z; ++z) {
+      for (int64_t y = low.y; y <= high.y; y += few_rows) {
+        const CubeCoordinates last{high.x, smaller_of(y + few_rows - 1, high.y), z};
+        const uint32_t count = grid_.rows().find({low.x, y, z}, last, {rows, few_rows});
+        if (count > 0) find(rows, count);
+      }
+    }
   }
   const QueryHits &hits() const { return hits_; }
   // The hits of a range, whatever has been found before.

@@ -2,8 +2,6 @@
 
 #include <initializer_list>
 
-#include "core/extremes.hpp"
-
 namespace hsp {
 namespace {
 
@@ -177,7 +175,6 @@ void Ascent::move(double length, const Vec3 &direction) {
 bool Ascent::step() {
   if (outside_ || steps_ == most_steps) return false;
   ++steps_;
-  const double size = std::fabs(level_) + static_cast<double>(balls_.set().largest_radius) + 1.0;
   for (; delta_ >= least_delta; delta_ *= 0.5) {
     const uint32_t count = within(delta_);
     if (count == 0) continue;
@@ -195,29 +192,31 @@ bool Ascent::step() {
     }
     const double steepness = length_of(d);
     // Steps may be flat where they are short, as beside a gate.
-    if (steepness <= 0.1 * std::sqrt(delta_ / size)) continue;
+    if (steepness <= 0.1 * std::sqrt(delta_ / size())) continue;
     double lead = 1.0;
     for (uint32_t k = 0; k < count; ++k) lead = smaller_of(lead, dot(near_[k].a, d) / steepness);
     if (!(lead > 0.0)) continue;
     const double length = delta_ / (1.0 + lead);
-    delta_ = smaller_of(2.0 * delta_, 0.5 * size);
+    delta_ = smaller_of(2.0 * delta_, 0.5 * size());
     move(length, (1.0 / steepness) * d);
     return true;
   }
-  return leave_saddle();
+  if (saddles_ == most_saddles) return false;
+  ++saddles_;
+  // A way stops beside the saddle, from where balls that it leaves at right angles may get nearer at first: by less
+  // than 2^-11 of a step.
+  return leave_saddle(1e-8) || leave_saddle(0.2 * std::sqrt(least_delta / size()));
 }
 
 // Where no way up is steep the nearest balls have directions that are opposite, or three in one plane with the point:
 // as far as others let it, a way leads off at right angles to these, from a gate to both sides.
-bool Ascent::leave_saddle() {
-  const uint32_t tied = smaller_of(within(16.0), most_tied);
-  if (saddles_ == most_saddles) return false;
-  ++saddles_;
+bool Ascent::leave_saddle(double slack) {
+  const uint32_t tied = smaller_of(within(tie_reach()), most_tied);
   Vec3 a[most_tied];
   for (uint32_t i = 0; i < tied; ++i) a[i] = near_[i].a;
   const auto leave = [&](const Vec3 &n) {
     const double length = length_of(n);
-    return length > 1e-6 && (leave_along((1.0 / length) * n) || leave_along((-1.0 / length) * n));
+    return length > 1e-6 && (leave_along((1.0 / length) * n, slack) || leave_along((-1.0 / length) * n, slack));
   };
   for (uint32_t i = 0; i < tied; ++i) {
     for (uint32_t j = i + 1; j < tied; ++j) {
@@ -235,20 +234,19 @@ bool Ascent::leave_saddle() {
   return false;
 }
 
-// As far as no ball within reach gets nearer.
-bool Ascent::leave_along(const Vec3 &n) {
-  const double size = std::fabs(level_) + static_cast<double>(balls_.set().largest_radius) + 1.0;
+// As far as no ball within reach gets nearer, but for some slack.
+bool Ascent::leave_along(const Vec3 &n, double slack) {
   const auto is_open = [&](double delta) {
     const uint32_t count = within(delta);
     for (uint32_t k = 0; k < count; ++k) {
-      if (!(dot(near_[k].a, n) > -1e-8)) return false;
+      if (!(dot(near_[k].a, n) > -slack)) return false;
     }
     return count > 0;
   };
-  if (!is_open(16.0)) return false;
-  double delta = 64.0;
+  if (!is_open(tie_reach())) return false;
+  double delta = 4.0 * tie_reach();
   if (!is_open(delta)) return false;
-  while (2.0 * delta < 0.1 * size && is_open(2.0 * delta)) delta *= 2.0;
+  while (2.0 * delta < 0.1 * size() && is_open(2.0 * delta)) delta *= 2.0;
   delta_ = delta;
   move(delta, n);
   return true;

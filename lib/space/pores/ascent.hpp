@@ -8,6 +8,7 @@
 // right angles to their directions.
 #pragma once
 
+#include "core/extremes.hpp"
 #include "core/fixed_vector.hpp"
 #include "pores/balls_around.hpp"
 #include "pores/pores.hpp"
@@ -44,8 +45,11 @@ class Ascent {
 
   bool look(double reach);
   uint32_t within(double delta);
-  bool leave_saddle();
-  bool leave_along(const Vec3 &n);
+  double size() const { return std::fabs(level_) + static_cast<double>(balls_.set().largest_radius) + 1.0; }
+  // How far the distances of balls that tie at a saddle may differ where a way stops beside it.
+  double tie_reach() const { return smaller_of(16.0, 0x1p-6 * size()); }
+  bool leave_saddle(double slack);
+  bool leave_along(const Vec3 &n, double slack);
   void move(double length, const Vec3 &direction);
 
   BallsAround balls_;

@@ -124,15 +124,17 @@ void sort_by_level(Span<Record> records, Span<uint32_t> scratch, Higher higher) 
 bool PoresBuilder::is_higher(const CriticalPoint &a, const CriticalPoint &b) {
   const double difference = a.level - b.level;
   if (std::fabs(difference) > a.doubt + b.doubt) return difference > 0.0;
+  const bool in_box = balls_.box() != nullptr;
   compared_.begin();
   uint32_t ball[2][4];
   for (const uint32_t which : {0U, 1U}) {
     const CriticalPoint &record = which == 0 ? a : b;
     for (uint32_t c = 0; c < 4; ++c) {
-      ball[which][c] = record.ball[c] == no_id ? no_id : compared_.add(record.ball[c], record.shift[c].shift());
+      ball[which][c] =
+          in_box && record.ball[c] != no_id ? compared_.add(record.ball[c], record.shift[c].shift()) : record.ball[c];
     }
   }
-  const BallSet &set = compared_.set();
+  const BallSet &set = in_box ? compared_.set() : balls_.set();
   const uint32_t first[2] = {ball[0][0], ball[1][0]};
   if (!are_congruent(set, ball[0], ball[1], ball[0][3] == no_id ? 3 : 4)) {
     TangentPoint point[2] = {TangentPoint(critical_.lines()), TangentPoint(critical_.lines())};

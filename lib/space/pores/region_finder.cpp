@@ -66,8 +66,7 @@ Status RegionFinder::find(PoresBuilder &pores, const BallsAround &balls, const B
   regions_.clear();
   if (boundary.shell_count() > region_of_shell_.size()) return Status::check;
   has_outside_ = periodic == nullptr || balls.are_none();
-  // With the floor 0 all maxima and gates of the list are above it, whatever their levels are rounded to.
-  const uint32_t count = pores.join_above(floor == 0 ? -1.0 : 0.0);
+  const uint32_t count = pores.join_above(0.0);
   const Windings &joined = pores.joined();
   for (uint32_t k = has_outside_ ? 0 : 1; k < count; ++k) {
     const uint32_t node = joined.first_ball(k);

@@ -428,8 +428,15 @@ double TangentPoint::settle_from_base(Vec3 &off, double &level) {
   // 2^-40 of the largest radius, or 2^-20 of a step.
   double unit = 0x1p-20;
   while (unit < 0x1p-41 * static_cast<double>(balls_->largest_radius)) unit *= 2.0;
-  if (!(doubt <= 0.5 * most_units * unit) || !(std::fabs(level) < 0x1p50 * unit)) return doubt;
-  level = rounded_level(level, doubt, unit);
+  if (doubt <= 0.5 * most_units * unit && std::fabs(level) < 0x1p50 * unit) {
+    level = rounded_level(level, doubt, unit);
+  } else if (std::fabs(level) > doubt) {
+    return doubt;
+  }
+  if (std::fabs(level) <= doubt + unit) {
+    const int sign = level_against(0);
+    if (sign == 0 || sign * level < unit) level = sign * unit;
+  }
   return doubt + unit;
 }
 

@@ -119,7 +119,8 @@ class TangentPoint {
   double place_error() const;
   // The same, by sharper bounds or by the exact stage where the filter's error is large; returns how far the level may
   // be off. The level is rounded to a power of two that depends on the largest radius alone, by integers where it is
-  // near the middle between two: symmetric points have the same, whatever balls they are computed from.
+  // near the middle between two: symmetric points have the same, whatever balls they are computed from. It is 0 if that
+  // is what it is, and else has its sign.
   double settle(Vec3 &place, double &level);
   // The same with the place as seen from the first ball of the curve.
   double settle_from_base(Vec3 &off, double &level);

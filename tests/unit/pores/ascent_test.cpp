@@ -6,6 +6,7 @@
 
 #include "built_pores.hpp"
 #include "pore_sets.hpp"
+#include "pores/class_tree.hpp"
 #include "sweep_length.hpp"
 
 namespace {
@@ -67,6 +68,35 @@ TEST(Ascent, TheDistanceNeverFalls) {
   EXPECT_GT(steps, 3 * (outside + tops));
   EXPECT_GT(outside, tops / 20);
   EXPECT_GT(tops, outside / 20);
+}
+
+// A gap of two balls beside a third one that touches the same probe, and a square of four with two more on one side of
+// it: on the other side f rises from there. At any scale; the way is to end outside, or where f is highest.
+TEST(Ascent, TiesThatAreClosedOnOneSideAreLeftOnTheOther) {
+  const oracle::Balls gap{{-10, -10, -10, 40}, {-10, 70, -10, 40}, {0, -10, 40, 40}};
+  oracle::Balls square;
+  for (int64_t y = 0; y <= 16; y += 8) {
+    for (int64_t z = 0; z <= 16; z += 8) {
+      square.push_back({0, y, z, 6});
+      if (y == 0) square.push_back({8, y, z, 6});
+    }
+  }
+  for (int64_t scale = 1; scale <= 10000000; scale *= 10) {
+    const auto scaled = [&](oracle::Balls balls) {
+      for (auto &ball : balls) ball = {ball.x * scale, ball.y * scale, ball.z * scale, ball.radius * scale};
+      return balls;
+    };
+    const oracle::Balls sets[] = {scaled(gap), scaled(square)};
+    const hsp::exact::Vector starts[] = {{-5 * scale, 21 * scale, 15 * scale}, {3 * scale, 4 * scale, 4 * scale}};
+    for (const int which : {0, 1}) {
+      const BuiltPores pores(sets[which], 0);
+      ASSERT_EQ(pores.status(), hsp::Status::ok);
+      hsp::PorePlace place{};
+      EXPECT_EQ(hsp::locate(pores.builder(), pores.grid(), starts[which], 0, place), hsp::Status::ok) << scale;
+      EXPECT_EQ(place.maximum, hsp::pore_outside) << scale << ' ' << which;
+      EXPECT_EQ(pores.maxima().size(), 0U);
+    }
+  }
 }
 
 TEST(Ascent, NoMixtureOfPointsIsNearerToZero) {

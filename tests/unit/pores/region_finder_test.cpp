@@ -131,4 +131,113 @@ TEST(RegionFinder, OfMoleculesTheyAreThoseOfVerticalRays) {
   EXPECT_GT(voids, 3);
 }
 
+// Regions of some balls by the tree of pores above a floor, in the order of the list.
+struct MoleculeRegions {
+  MoleculeRegions(const oracle::Balls &balls, int64_t floor) : pores(balls, floor), topology(balls) {
+    EXPECT_EQ(pores.status(), hsp::Status::ok);
+    const auto n = static_cast<uint32_t>(balls.size());
+    memory.carve(finder, hsp::PoreLimits{n, 8 * n + 64, 0, 0, 0, 0});
+    status = finder.find(pores.builder(), pores.grid(), topology.boundary(), nullptr, floor);
+  }
+
+  BuiltPores pores;
+  BuiltTopology topology;
+  CarvedMemory memory;
+  hsp::RegionFinder finder;
+  hsp::Status status;
+};
+
+// With the floor 0 integers leave out of the list what is not above it. With others levels are compared with 0 later.
+// Returns how many regions there are beside the outside.
+uint32_t check_floors(const oracle::Balls &balls) {
+  MoleculeRegions expected(balls, 0);
+  EXPECT_EQ(expected.status, hsp::Status::ok);
+  const auto one = expected.finder.regions();
+  EXPECT_EQ(one.size(), expected.topology.structure().region_count);
+  for (const int64_t floor : {INT64_C(-1), BuiltPores::lowest(balls)}) {
+    const MoleculeRegions found(balls, floor);
+    EXPECT_EQ(found.status, hsp::Status::ok);
+    const auto other = found.finder.regions();
+    EXPECT_EQ(one.size(), other.size());
+    for (uint32_t k = 0; k < one.size() && k < other.size(); ++k) {
+      EXPECT_EQ(one[k].maximum, other[k].maximum);
+      EXPECT_EQ(one[k].maxima, other[k].maxima);
+      EXPECT_EQ(one[k].shells, other[k].shells);
+      EXPECT_EQ(one[k].volume, other[k].volume);
+    }
+  }
+  return one.size() - 1;
+}
+
+// A whole number r with r^2 + 1 = a^2 + b^2 for an a between 0.45 r and 0.55 r.
+struct NearCircle {
+  int64_t r, a, b;
+};
+NearCircle next_near_circle(int64_t r) {
+  for (;; ++r) {
+    for (int64_t a = r * 9 / 20; a < r * 11 / 20; ++a) {
+      const int64_t rest = r * r + 1 - a * a;
+      const auto b = static_cast<int64_t>(std::sqrt(static_cast<double>(rest)));
+      if (b * b == rest) return {r, a, b};
+    }
+  }
+}
+
+// Two cavities on both sides of three balls around the origin, in a shell of balls.
+oracle::Balls neck(int64_t r, const std::array<std::array<int64_t, 2>, 3> &centres, size_t first_axis) {
+  oracle::Balls balls;
+  const auto add = [&](int64_t x, int64_t y, int64_t z, int64_t radius) {
+    const std::array<int64_t, 3> at{x, y, z};
+    balls.push_back({at[(3 - first_axis) % 3], at[(4 - first_axis) % 3], at[(5 - first_axis) % 3], radius});
+  };
+  for (const auto &centre : centres) add(centre[0], centre[1], 0, r);
+  for (int k = 0; k < 150; ++k) {
+    const double z = (2.0 * k + 1.0) / 150.0 - 1.0, turn = 2.399963229728653 * k, across = std::sqrt(1.0 - z * z);
+    const auto along = [&](double part) { return static_cast<int64_t>(3.0 * static_cast<double>(r) * part); };
+    add(along(across * std::cos(turn)), along(across * std::sin(turn)), along(z), r * 11 / 5);
+  }
+  return balls;
+}
+
+TEST(RegionFinder, AGateAsWideAsAPointSeparatesOneThatIsWiderByLittleDoesNot) {
+  for (size_t axis = 0; axis < 3; ++axis) {
+    // 33^2 + 56^2 = 65^2.
+    const int64_t k = 100000 + 777 * static_cast<int64_t>(axis);
+    EXPECT_EQ(check_floors(neck(65 * k, {{{65 * k, 0}, {-33 * k, 56 * k}, {-33 * k, -56 * k}}}, axis)), 2U);
+    // Its level is 1 / (2 r) of a step, less than levels are rounded to.
+    const NearCircle circle = next_near_circle(5000000 + 12345 * static_cast<int64_t>(axis));
+    const auto [r, a, b] = circle;
+    EXPECT_EQ(check_floors(neck(r, {{{r, 1}, {-a, b}, {-a, -b}}}, axis)), 1U);
+    EXPECT_EQ(check_floors(neck(r + 1, {{{r, 1}, {-a, b}, {-a, -b}}}, axis)), 2U);
+  }
+}
+
+// Bricks of balls with the edges 6 and 8: with the radius 5 those of a face 6 by 8 leave a point in its middle, those
+// of one 6 by 6 none, and those of one 8 by 8 a way through. Balls with the radius 3 touch along edges.
+TEST(RegionFinder, BricksThatTouchAreTheSameFromAnyFloor) {
+  oracle::RandomSource random(51);
+  uint32_t regions = 0;
+  for (int trial = 0; trial < oracle::sets(40); ++trial) {
+    constexpr int64_t scale = 1000000;
+    oracle::Balls balls;
+    int64_t at[3][4] = {};
+    for (auto &places : at) {
+      for (size_t k = 1; k < 4; ++k) places[k] = places[k - 1] + (random.one_in(2) ? 6 : 8) * scale;
+    }
+    const int64_t more = random.one_in(3) ? random.in(-1, 1) : 0;
+    for (const int64_t x : at[0]) {
+      for (const int64_t y : at[1]) {
+        for (const int64_t z : at[2]) {
+          if (random.one_in(12)) continue;
+          balls.push_back({x, y, z, (random.one_in(12) ? random.in(3, 4) : 5) * scale + more});
+        }
+      }
+    }
+    regions += check_floors(balls);
+    ASSERT_FALSE(testing::Test::HasFailure()) << trial;
+  }
+  if (oracle::sets(40) < 40) return;
+  EXPECT_GT(regions, 100U);
+}
+
 }  // namespace
