@@ -218,6 +218,52 @@ TEST(MeshPicture, ContoursGrowWithTheGapBehind) {
   EXPECT_LT(widest[1], widest[2]);
 }
 
+// Widths do not depend on the unit of a file: the picture of a molecule in any other is the same.
+TEST(MeshPicture, WidthsAreTheSameInEveryUnit) {
+  for (const char *surface : {"sas", "ses"}) {
+    std::vector<std::string> pictures;
+    for (const double unit : {1.0, 0.25, 0.01, 4.0, 100.0}) {
+      const auto number = [unit](double value) {
+        std::ostringstream out;
+        out.precision(15);
+        out << value * unit;
+        return out.str();
+      };
+      const TemporaryFile pair(
+          "pair.xyzr", "0 0 0 " + number(3) + "\n" + number(0.5) + " 0 " + number(4.5) + ' ' + number(1) + "\n");
+      pictures.push_back(drawn_text(
+          pair.path(), {"--edge", number(0.2), "--probe", number(1.4), "--surface", surface, "--view", "1,0,2"}));
+      ASSERT_EQ(lines_of(pictures[0], false).empty(), false);
+      const std::vector<Line> first = lines_of(pictures[0], false), lines = lines_of(pictures.back(), false);
+      ASSERT_EQ(lines.size(), first.size()) << surface << ' ' << unit;
+      for (size_t k = 0; k < lines.size(); ++k) EXPECT_EQ(lines[k].width, first[k].width) << surface << ' ' << unit;
+    }
+  }
+}
+
+// The gap is measured in mean radii of the balls that are seen, which a probe inflates: a far ball of twice the radius
+// makes the same contour before twice the gap.
+TEST(MeshPicture, GapsAreMeasuredInMeanRadii) {
+  const auto width_of = [](const std::string &balls, const std::vector<std::string> &options) {
+    const TemporaryFile file("balls.xyzr", balls);
+    std::vector<std::string> words = {"--edge", "0.1", "--view", "0,0,1"};
+    words.insert(words.end(), options.begin(), options.end());
+    double most = 0;
+    for (const Line &line : lines_of(drawn_text(file.path(), words), false)) {
+      const Point &at = line.points[0];
+      if (std::hypot(at[0] - 500, at[1] + 500) < 300) most = std::max(most, line.width);
+    }
+    return most;
+  };
+  // Mean radius 2: a gap of the height of the small one's equator over the large one, 1.4 to 6 and more.
+  const double near = width_of("0 0 0 3\n0 0 4 1\n", {}), full = width_of("0 0 0 3\n0 0 9 1\n", {});
+  const double below = std::sqrt(9.0 - 1.0);
+  EXPECT_GT(near, 0);
+  EXPECT_NEAR(near / full, std::pow((4 - below) / (3 * 2), 0.625), 1.0 / 12);
+  // The same balls, half of each the probe's.
+  EXPECT_EQ(width_of("0 0 0 2.5\n0 0 4 0.5\n", {"--probe", "0.5", "--surface", "sas"}), near);
+}
+
 // Cut in the middle, the back of the ball shows its inside, on the same disc, within a rim all around. The light of a
 // hollow comes from the other side.
 TEST(MeshPicture, ACutShowsTheInside) {

@@ -300,6 +300,20 @@ TEST(PoreCharts, TreeWithPockets) {
   EXPECT_GT(alone, 2u);
 }
 
+// Letters go a quarter of their 12 px below the line on which they stand: none of a row touches the axis.
+TEST(PoreCharts, NamesInTheTreeStandAboveTheAxis) {
+  const std::string svg = written("--tree", {crambin(), "--probe", "0.8", "--pockets", "3", "--least", "0.1"}).svg;
+  static const std::regex axis("<path stroke=\"#9a9a9a\" d=\"M[0-9.]+ ([0-9.]+)h[0-9.]+\"/>"),
+      name("<text x=\"[0-9.]+\" y=\"([0-9.]+)\"[^>]*text-anchor=\"start\">[0-9]+(, pocket [0-9]+)?<");
+  std::smatch line;
+  ASSERT_TRUE(std::regex_search(svg, line, axis));
+  size_t names = 0;
+  for (std::sregex_iterator n(svg.begin(), svg.end(), name), end; n != end; ++n, ++names) {
+    EXPECT_LT(std::stod((*n)[1]) + 3 + 2, std::stod(line[1])) << (*n)[0];
+  }
+  EXPECT_GT(names, 8u);
+}
+
 // A row of rooms, each between six balls, with windows to the next ones: channels along one vector.
 TEST(PoreCharts, TreeInABox) {
   const TemporaryFile file("room.xyzr", "1 0 0 0.7\n0 1 0 0.7\n0 0 1 0.7\n1.3 1.2 1.1 0.4\n");

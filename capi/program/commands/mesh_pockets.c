@@ -164,13 +164,6 @@ static bool colour_mesh(const struct places *places, struct triangle_mesh *mesh,
   return done;
 }
 
-/* Borders are smoothed no farther than that: across a pocket none would be left of it, however long edges are. */
-static double mean_radius(const struct molecule *molecule) {
-  double sum = 0.0;
-  for (uint32_t atom = 0; atom < molecule->atoms; ++atom) sum += molecule->radius[atom];
-  return molecule->atoms > 0 ? sum / molecule->atoms : 0.0;
-}
-
 bool mesh_pockets_find(struct geometry *geometry, const struct molecule *molecule, struct triangle_mesh *mesh,
                        bool smooth, double wide, double least, struct mesh_pockets *pockets, struct failure *failure) {
   const hsp_pores_options options = {
@@ -184,7 +177,8 @@ bool mesh_pockets_find(struct geometry *geometry, const struct molecule *molecul
   if (status == HSP_OK) status = find_pockets(geometry->work.pores, wide - mesh->probe, least, pockets, &of_maximum);
   for (uint32_t t = 0; t < mesh->triangles; ++t) patches = mesh->patches[t] < patches ? patches : mesh->patches[t] + 1;
   const struct places places = {geometry->work.pores, molecule, mesh, smooth ? mesh->probe : 0.0, of_maximum};
-  const double reach = fmin(edges_smoothed * mesh->edge, mean_radius(molecule));
+  /* No farther than an atom is wide: across a pocket none would be left of it, however long edges are. */
+  const double reach = fmin(edges_smoothed * mesh->edge, molecule_mean_radius(molecule));
   const bool done = status == HSP_OK ? colour_mesh(&places, mesh, patches, reach, pockets, failure)
                                      : failure_in_library(failure, status);
   free(of_maximum);

@@ -292,7 +292,16 @@ static bool order_tree(const struct pores_found *found, struct tree *tree) {
 }
 
 /* OTHERS: pockets without a colour of their own; NO_POCKET: where the wide probe gets, or pockets are not asked for. */
-enum { MOST_NAMED_ROWS = 60, NAMED_ROW = 14, TREE_HEIGHT = 840, OTHERS = POCKET_COLOURS, NO_POCKET, TREE_COLOURS };
+/* ABOVE_AXIS: px, so that no letter of the last row touches the axis. */
+enum {
+  MOST_NAMED_ROWS = 60,
+  NAMED_ROW = 14,
+  ABOVE_AXIS = 6,
+  TREE_HEIGHT = 840,
+  OTHERS = POCKET_COLOURS,
+  NO_POCKET,
+  TREE_COLOURS
+};
 
 static uint32_t colour_of(uint8_t rank) {
   static const uint32_t plain = 0x4D4D4D;
@@ -477,7 +486,7 @@ static void add_tree(struct text_buffer *out, const struct pores_found *found, c
   const bool outside = found->request->box.source == BOX_NONE;
   const uint32_t rows = tree->rows + (outside ? 1 : 0);
   const double row = rows <= MOST_NAMED_ROWS ? NAMED_ROW : fmax((double)TREE_HEIGHT / rows, 0.5);
-  struct tree_page page = {{LEFT + 0.5, TOP + 0.5, WIDTH, row * fmax(rows, 1.0)},
+  struct tree_page page = {{LEFT + 0.5, TOP + 0.5, WIDTH, row * fmax(rows, 1.0) + ABOVE_AXIS},
                            chart_scale_of(low, high > low ? high : low + 1.0),
                            row,
                            outside};

@@ -5,23 +5,23 @@
 
 #include "draw/hidden_lines.h"
 
-/* Units. */
-static const double hairline_per_unit = 0.0055, thinnest_hairline = 2.0, widest_hairline = 5.0;
-static const double contour_per_unit = 0.008, thinnest_contour = 6.0, widest_contour = 14.0;
+/* Shares of the mean radius on the page, and tenths of a px. */
+static const double hairline_share = 0.0033, thinnest_hairline = 2.0, widest_hairline = 5.0;
+static const double contour_share = 0.0048, thinnest_contour = 6.0, widest_contour = 14.0;
 
-/* Before a gap of so many length units contours have their full width. */
+/* Before a gap of so many mean radii contours have their full width. */
 static const double full_gap = 3.0;
 
 /* So much of a hairline's full width has one on what is seen from straight above. */
 static const double steepness = 2.0;
 
 static double hairline_width(const struct mesh_picture *picture) {
-  const double width = hairline_per_unit * picture->frame.scale;
+  const double width = hairline_share * picture->mean_radius * picture->frame.scale;
   return width < widest_hairline ? width : widest_hairline;
 }
 
 static double contour_width(const struct mesh_picture *picture) {
-  const double width = thinnest_contour + contour_per_unit * picture->frame.scale;
+  const double width = thinnest_contour + contour_share * picture->mean_radius * picture->frame.scale;
   return width < widest_contour ? width : widest_contour;
 }
 
@@ -66,20 +66,21 @@ static double share_at(const struct seen_line *line, double plane) {
 }
 
 /* Of the part of a contour, with its surface on the left, by the least gap just outside its line: as in contours of
- * balls (ink.hpp) widths grow with the power 5/8 of the gap. */
+ * balls (ink.hpp) widths grow with the power 5/8 of the gap in mean radii. */
 static uint32_t contour_level(const struct mesh_picture *picture, const struct hidden_lines *hidden,
                               const struct seen_line *line, double from, double to) {
   const double along[2] = {(double)line->at[1][0] - line->at[0][0], (double)line->at[1][1] - line->at[0][1]};
   const double length = sqrt(along[0] * along[0] + along[1] * along[1]);
   const double outside = contour_width(picture) / 2.0 / length;
-  double gap = full_gap;
+  const double full = full_gap * picture->mean_radius;
+  double gap = full;
   for (int half = 0; half <= 2; ++half) {
     const double share = from + (to - from) * half / 2.0;
     const double at[2] = {line->at[0][0] + share * along[0] - outside * along[1],
                           line->at[0][1] + share * along[1] + outside * along[0]};
     gap = fmin(gap, line->depth[0] + share * (line->depth[1] - line->depth[0]) - hidden_lines_front(hidden, at));
   }
-  const double root = sqrt(fmax(gap, 0.0) / full_gap);
+  const double root = sqrt(fmax(gap, 0.0) / full);
   return level_of(root * sqrt(sqrt(root)), CONTOUR_LEVELS);
 }
 

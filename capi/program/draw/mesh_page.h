@@ -42,6 +42,7 @@ struct mesh_picture {
   bool *shown;                   /* [triangles], seen or hidden */
   uint32_t *points;              /* [triangles], that are seen of what the plane leaves whole */
   double *ball;                  /* [atoms][3], along the axes of the view */
+  double mean_radius;            /* of the balls whose surface this is, with the probe if it is inflated */
   uint32_t colour[MOST_COLOURS]; /* [colours], each once */
   uint32_t colours;
   uint32_t sides;           /* of spheres, with those of pockets */

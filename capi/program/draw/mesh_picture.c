@@ -141,6 +141,7 @@ static bool make(struct mesh_picture *picture) {
   for (size_t i = 0; i < mesh->atoms; ++i) {
     mesh_turn(picture->view->axis, picture->molecule->xyz + 3 * i, picture->ball + 3 * i);
   }
+  picture->mean_radius = molecule_mean_radius(picture->molecule) + (picture->view->patches == NULL ? mesh->probe : 0.0);
   if (!mesh_parts_find(mesh, picture->view->axis, &picture->parts)) return false;
   const struct mesh_pockets *const pockets = picture->view->pockets;
   const bool through = pockets != NULL && pockets->count > 0;

@@ -274,6 +274,12 @@ uint32_t molecule_points(const struct molecule *molecule) {
   return points;
 }
 
+double molecule_mean_radius(const struct molecule *molecule) {
+  double sum = 0.0;
+  for (uint32_t atom = 0; atom < molecule->atoms; ++atom) sum += molecule->radius[atom];
+  return molecule->atoms > 0 ? sum / molecule->atoms : 0.0;
+}
+
 void molecule_drop_balls(struct molecule *molecule) {
   molecule->points = molecule_points(molecule);
   free(molecule->xyz);

@@ -165,6 +165,9 @@ void molecule_drop_balls(struct molecule *molecule);
 /* How many balls of radius 0 there are. */
 uint32_t molecule_points(const struct molecule *molecule);
 
+/* Of all atoms; 0 if there are none. */
+double molecule_mean_radius(const struct molecule *molecule);
+
 /* Whether the atom belongs to a water molecule, by the name of its residue. */
 bool atom_is_water(const struct atom_label *label);
 
