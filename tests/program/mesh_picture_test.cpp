@@ -241,8 +241,8 @@ TEST(MeshPicture, WidthsAreTheSameInEveryUnit) {
   }
 }
 
-// The gap is measured in mean radii of the balls that are seen, which a probe inflates: a far ball of twice the radius
-// makes the same contour before twice the gap.
+// The gap is measured in mean radii of the balls that are seen, which a probe inflates: three of them make a contour of
+// full width, and less the power 5/8 of that share.
 TEST(MeshPicture, GapsAreMeasuredInMeanRadii) {
   const auto width_of = [](const std::string &balls, const std::vector<std::string> &options) {
     const TemporaryFile file("balls.xyzr", balls);
@@ -255,13 +255,13 @@ TEST(MeshPicture, GapsAreMeasuredInMeanRadii) {
     }
     return most;
   };
-  // Mean radius 2: a gap of the height of the small one's equator over the large one, 1.4 to 6 and more.
-  const double near = width_of("0 0 0 3\n0 0 4 1\n", {}), full = width_of("0 0 0 3\n0 0 9 1\n", {});
+  // Mean radius 2: a gap is the height of the small one's equator over the large one.
+  const double near = width_of("0 0 0 3\n0 0 5 1\n", {}), full = width_of("0 0 0 3\n0 0 9 1\n", {});
   const double below = std::sqrt(9.0 - 1.0);
   EXPECT_GT(near, 0);
-  EXPECT_NEAR(near / full, std::pow((4 - below) / (3 * 2), 0.625), 1.0 / 12);
+  EXPECT_NEAR(near / full, std::pow((5 - below) / (3 * 2), 0.625), 1.0 / 12);
   // The same balls, half of each the probe's.
-  EXPECT_EQ(width_of("0 0 0 2.5\n0 0 4 0.5\n", {"--probe", "0.5", "--surface", "sas"}), near);
+  EXPECT_EQ(width_of("0 0 0 2.5\n0 0 5 0.5\n", {"--probe", "0.5", "--surface", "sas"}), near);
 }
 
 // Cut in the middle, the back of the ball shows its inside, on the same disc, within a rim all around. The light of a
