@@ -40,20 +40,11 @@ bool has_few_rows(const CubeBox &box) {
   return y < 3 && z < 3;
 }
 
-// Of a box the cubes that are in the box around all balls.
-CubeBox common_cubes(const CubeGrid &grid, const CubeBox &box) {
-  if (grid.cubes() == 0) return {{0, 0, 0}, {-1, -1, -1}};
-  const CubeCoordinates &low = grid.cube_list().low(), &high = grid.cube_list().high();
-  return {{larger_of(box.low.x, low.x), larger_of(box.low.y, low.y), larger_of(box.low.z, low.z)},
-          {smaller_of(box.high.x, high.x), smaller_of(box.high.y, high.y), smaller_of(box.high.z, high.z)}};
-}
-
-// Calls visit(range) for all balls of the box, until it returns false. The grid is asked for each row, unless there are
-// more cubes than it has.
+// Calls visit(range) for all balls of the box, until it returns false. The hash table is asked for each row, unless
+// there are more cubes than in the table.
 template <class Visit>
 void visit_rows(const CubeGrid &grid, const CubeBox &box, Visit visit) {
-  const auto [low, high] = common_cubes(grid, box);
-  if (low.x > high.x || low.y > high.y || low.z > high.z) return;
+  const CubeCoordinates &low = box.low, &high = box.high;
   const double cubes = static_cast<double>(high.x - low.x + 1) * static_cast<double>(high.y - low.y + 1) *
                        static_cast<double>(high.z - low.z + 1);
   if (cubes > 27.0 && cubes > static_cast<double>(grid.cubes())) {
@@ -76,6 +67,14 @@ bool visit_parts(const BallRange &range, Visit visit) {
     first = last;
   }
   return true;
+}
+
+// Of a box the cubes that are in the box around all balls.
+CubeBox common_cubes(const CubeGrid &grid, const CubeBox &box) {
+  if (grid.cubes() == 0) return {{0, 0, 0}, {-1, -1, -1}};
+  const CubeCoordinates &low = grid.cube_list().low(), &high = grid.cube_list().high();
+  return {{larger_of(box.low.x, low.x), larger_of(box.low.y, low.y), larger_of(box.low.z, low.z)},
+          {smaller_of(box.high.x, high.x), smaller_of(box.high.y, high.y), smaller_of(box.high.z, high.z)}};
 }
 
 class HitFinder {
