@@ -15,7 +15,7 @@ struct OneDouble {
   static double all(double x) { return x; }
   static double kept(bool mask, double a) { return mask ? a : 0.0; }
   static double negate_if(bool mask, double a) { return mask ? -a : a; }
-  static double with_sign(double a, double b) { return std::copysign(a, b); }
+  static double with_sign(double a, double b) { return __builtin_copysign(a, b); }  // no call at -O0
   static double absolute(double a) { return std::fabs(a); }
   static double larger(double a, double b) { return a > b ? a : b; }
   static double smaller(double a, double b) { return a < b ? a : b; }
