@@ -103,8 +103,9 @@ if [ "$programs" = yes ]; then
   mkdir "$report_folder/text"
   cp "$text/2_programs.txt" "$report_folder/text/"
   "$build_folder/bench/write_report" "$report_folder/text" "$report_folder" >"$report_folder/programs.md"
-  printf 'This part was measured by itself on %s, on another machine perhaps: %s, %s processors, load average %s.\n\n' \
-    "$(date +%F)" "$(sed -n 's/^model name.*: //p' /proc/cpuinfo | sed -n 1p)" "$(nproc)" "$(cut -d ' ' -f 1 /proc/loadavg)" >>"$report_folder/programs.md"
+  printf 'This part was measured by itself, on %s: %s, %s processors, load average %s.\n\n' "$(date +%F)" \
+    "$(sed -n 's/^model name.*: //p' /proc/cpuinfo | sed -n 1p)" "$(nproc)" "$(cut -d ' ' -f 1 /proc/loadavg)" \
+    >>"$report_folder/programs.md"
   # In place of the part that is there, or at the end of the chapter.
   awk -v part="$report_folder/programs.md" '
     function put() { while ((getline line < part) > 0) if (line != "" || ++lines > 1) print line; done = 1 }
