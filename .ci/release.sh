@@ -78,7 +78,7 @@ cat >"$tree/debian/rules" <<'RULES'
 export DEB_BUILD_MAINT_OPTIONS := hardening=+all
 # The archive first, so that the CMake package that stays is that of the shared library.
 KINDS := OFF ON
-OPTIONS := -DHSP_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF \
+OPTIONS := -DHSP_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FUZZ=OFF -DHSP_FORTRAN=OFF -DHSP_TOOL_STATIC=OFF \
   -DCMAKE_INSTALL_DOCDIR=share/doc/libhardsphere-dev
 %:
 	dh $@ --buildsystem=cmake+ninja
