@@ -369,9 +369,9 @@ TEST(Cif, RowsAndLines) {
             std::string::npos);
 }
 
-// Rows in the columns of the row before, of which only values that differ are looked at, are read like rows of two
-// lines, which are taken value by value.
-TEST(Cif, RowsInColumnsOfTheRowBefore) {
+// Rows that are lines, in the columns of the row before or with one blank between values: what atoms of a residue share
+// is looked at once. They are read like rows of two lines, which are taken value by value.
+TEST(Cif, RowsThatGoOnWithAResidue) {
   std::mt19937 random(5);
   const auto one_of = [&](const std::vector<std::string> &texts) { return texts[random() % texts.size()]; };
   const std::string head = cif_loop({"group_PDB", "type_symbol", "auth_atom_id", "label_alt_id", "auth_comp_id",
@@ -386,9 +386,9 @@ TEST(Cif, RowsInColumnsOfTheRowBefore) {
       if (random() % 9 == 0) comp = one_of({"ALA", "SER", "'S'"});
       if (random() % 9 == 0) label = one_of({"A", "B", "?"});
       if (random() % 9 == 0) chain = one_of({"A", "B", "."});
-      if (random() % 5 == 0) number = one_of({"9 ", "10", "? "});
+      if (random() % 5 == 0) number = one_of({"9 ", "10", "1 ", "? "});
       if (random() % 9 == 0) insertion = one_of({"?", "A"});
-      if (random() % 20 == 0) model = one_of({"1", "2"});
+      if (random() % 20 == 0) model = one_of({"1", "2", "12"});
       const std::string front = group + " C " + one_of({"CA   ", "CB   ", "N    ", "\"C1'\"", "'C'' "}) + " " +
                                 one_of({".", ".", ".", ".", "A", "B"}) + " " + comp + " " + label + " " + chain + " " +
                                 number + " " + insertion;
@@ -396,6 +396,10 @@ TEST(Cif, RowsInColumnsOfTheRowBefore) {
           one_of({"1.5     ", "-2.25000", "300     "}) + " 1 2 " + model + (random() % 30 == 0 ? "\n" : " \n");
       in_columns.append(front).append(" ").append(behind);
       on_two_lines.append(front).append("\n").append(behind);
+    }
+    if (round % 2 == 1) {
+      const auto both_blank = [](char one, char other) { return one == ' ' && other == ' '; };
+      in_columns.erase(std::unique(in_columns.begin(), in_columns.end(), both_blank), in_columns.end());
     }
     const TemporaryFile file("columns.cif", in_columns), other("lines.cif", on_two_lines);
     for (const char *number_of_model : {"1", "2"}) {
@@ -411,6 +415,20 @@ TEST(Cif, RowsInColumnsOfTheRowBefore) {
     }
   }
   EXPECT_GT(left_out, 1000.0);
+}
+
+// Atoms with items of another table beside theirs, more than there are names for.
+TEST(Cif, ItemsOfTheCellAmongThoseOfAtoms) {
+  std::string text = cif_loop({"type_symbol", "Cartn_x", "Cartn_y", "Cartn_z"});
+  std::string row = "C 0 0 1.5";
+  for (int i = 0; i < 80; ++i) {
+    text += "_cell.length_a\n";
+    row += " 5";
+  }
+  text.append(row).append("\n").append(row).append("\n");
+  const TemporaryFile file("cells.cif", text);
+  const std::string csv = run_program({"measure", file.path(), "--csv"}).out;
+  EXPECT_NE(csv.find("\n1,,C,,,,,0,0,1.5,"), std::string::npos) << csv;
 }
 
 // Symbols with a charge, and deuterium.

@@ -1,5 +1,5 @@
 /* The rows of a CIF loop of atoms that stand on one line each, as they do in nearly all files: values are found in the
- * line by the blanks between them, and where they begin in the columns of the row before, without looking for them. */
+ * line by the blanks between them. */
 #ifndef HARDSPHERE_TOOL_CIF_LINES_H
 #define HARDSPHERE_TOOL_CIF_LINES_H
 
@@ -12,24 +12,33 @@
 
 enum { CIF_LINE_BYTES = 256, CIF_LINE_WORDS = CIF_LINE_BYTES / 64 };
 
-/* The items of a loop, and where their values began in the last row. Zeros at first but for the items. */
-struct cif_lines {
-  const enum cif_item *items; /* [count] */
-  size_t count;
-  bool known;
-  uint64_t begins[CIF_LINE_WORDS];    /* a bit for each column; of all values */
-  size_t wanted;                      /* items with a meaning: first those that atoms of a residue share */
-  size_t shared;                      /* how many */
-  uint64_t of_shared[CIF_LINE_WORDS]; /* the columns of their values, if `compares` */
-  bool compares;                      /* rows begin in the same columns, so that they are compared */
-  size_t length;                      /* of the last row */
-  char before[CIF_LINE_BYTES];        /* the last row */
-  unsigned char item[CIF_ITEMS];
-  unsigned char begin[CIF_ITEMS];
+/* Neighbouring values, from the first to the last one. */
+struct cif_run {
+  uint16_t first, last;
 };
 
+/* The items of a loop, and what is known of the rows before. */
+struct cif_lines {
+  size_t count;  /* of the items; more than a line has room for: rows are not taken for lines */
+  size_t wanted; /* items with a meaning: first those that atoms of a residue share */
+  size_t shared; /* how many */
+  unsigned char item[CIF_ITEMS];
+  uint16_t place[CIF_ITEMS];                           /* which of a row's values they are */
+  struct cif_run run[CIF_ITEMS];                       /* of items that atoms of a residue share */
+  size_t runs;                                         /* how many */
+  uint16_t run_begin[CIF_ITEMS];                       /* where they were in the last row that was kept, */
+  uint16_t run_length[CIF_ITEMS];                      /* their lengths, */
+  char kept[CIF_LINE_BYTES + 16];                      /* and this row */
+  uint64_t begins[CIF_LINE_WORDS + 1];                 /* a bit for each column where a value of the last row begins */
+  uint16_t begin[CIF_LINE_BYTES], end[CIF_LINE_BYTES]; /* [count], its values */
+};
+
+/* For a loop of these items. */
+void cif_lines_begin(struct cif_lines *lines, const enum cif_item *items, size_t count);
+
 /* Take the reader's line for a row. False: it is none, or not one that can be read in this way, and the row is not to
- * be used. The row stays valid until the reader's next line. */
-bool cif_lines_take(struct cif_lines *lines, const struct line_reader *reader, struct cif_row *row);
+ * be used. The row stays valid until the reader's next line. go_on: where model, residue and letter of the location are
+ * those of the row before, which was a line, too, the row may leave them out and go on. */
+bool cif_lines_take(struct cif_lines *lines, const struct line_reader *reader, bool go_on, struct cif_row *row);
 
 #endif

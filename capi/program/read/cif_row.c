@@ -103,15 +103,6 @@ void cif_row_put(struct cif_row *row, enum cif_item item, const struct cif_token
   text_buffer_append(&row->text, tokens->text.text, tokens->text.length);
 }
 
-struct field cif_row_get(const struct cif_row *row, enum cif_item item) {
-  if (row->length[item] == 0) return (struct field){"", 0};
-  return (struct field){(row->values != NULL ? row->values : row->text.text) + row->begin[item], row->length[item]};
-}
-
-struct field cif_row_either(const struct cif_row *row, enum cif_item author, enum cif_item label) {
-  return cif_row_get(row, row->length[author] > 0 ? author : label);
-}
-
 struct field cif_without_uncertainty(struct field number) {
   size_t end = number.length;
   if (end == 0 || number.text[end - 1] != ')') return number;

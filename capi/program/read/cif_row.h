@@ -83,16 +83,22 @@ struct cif_row {
   size_t length[CIF_ITEMS]; /* 0 where the file says nothing */
   uint64_t line;
   const char *values; /* what they are in; NULL: the text below */
-  bool goes_on;       /* model, residue and letter of the location are those of the row before, which was a line, too */
+  bool goes_on;       /* model, residue and letter of the location are those of the row before, and are not here */
   struct text_buffer text;
 };
 
 void cif_row_clear(struct cif_row *row, uint64_t line);
 void cif_row_put(struct cif_row *row, enum cif_item item, const struct cif_tokens *tokens);
-struct field cif_row_get(const struct cif_row *row, enum cif_item item);
+
+static inline struct field cif_row_get(const struct cif_row *row, enum cif_item item) {
+  if (row->length[item] == 0) return (struct field){"", 0};
+  return (struct field){(row->values != NULL ? row->values : row->text.text) + row->begin[item], row->length[item]};
+}
 
 /* The authors' value, or else the label's. */
-struct field cif_row_either(const struct cif_row *row, enum cif_item author, enum cif_item label);
+static inline struct field cif_row_either(const struct cif_row *row, enum cif_item author, enum cif_item label) {
+  return cif_row_get(row, row->length[author] > 0 ? author : label);
+}
 
 /* A number without the uncertainty that may follow in parentheses: 12.345(6). */
 struct field cif_without_uncertainty(struct field number);

@@ -29,6 +29,7 @@ struct cif_reading {
   struct failure *failure;
   struct cif_row row;
   const struct residue_label *residue; /* of the atom of the row before, which had no letter; NULL: of none */
+  bool hetatm;                         /* likewise */
   struct cif_crystal crystal;          /* of this block */
   struct cif_component component;
   enum cif_table table;    /* that is read */
@@ -62,6 +63,11 @@ static bool element_of_label(struct field label, struct element_symbol *element)
 static bool take_element(const struct cif_row *row, struct field symbol, struct field name, bool small,
                          struct atom_label *label, struct failure *failure) {
   char shown[EXCERPT_BYTES];
+  const char usual = symbol.length == 1 ? symbol.text[0] : '\0';
+  if (usual == 'C' || usual == 'N' || usual == 'O' || usual == 'H' || usual == 'P') {
+    label->element.text[0] = usual;
+    return true;
+  }
   if (symbol.length == 0) {
     if (!small) label_take_element(NULL, label, name);
     if (!small || element_of_label(name, &label->element)) return true;
@@ -87,6 +93,16 @@ static bool take_element(const struct cif_row *row, struct field symbol, struct 
 static struct field name_of(const struct cif_row *row) {
   const struct field name = cif_row_either(row, CIF_AUTH_ATOM, CIF_LABEL_ATOM);
   return name.length > 0 ? name : cif_row_get(row, CIF_SITE_LABEL);
+}
+
+/* label_copy, by a word where the value stands in a line. */
+static void take_name(const struct cif_row *row, struct field name, struct atom_label *label) {
+  if (row->values == NULL || name.length == 0) {
+    label_copy(label->name, sizeof label->name, name);
+  } else {
+    const size_t most = sizeof label->name - 1;
+    word_put(label->name, word_first(word_at(name.text), (unsigned)(name.length < most ? name.length : most)));
+  }
 }
 
 static void take_residue(const struct cif_row *row, struct residue_label *residue) {
@@ -167,14 +183,18 @@ static bool take_atom(struct cif_reading *reading, const struct residue_label *b
   if (!keep) return true;
   struct residue_label residue = RESIDUE_LABEL_NONE;
   struct atom_label label = ATOM_LABEL_NONE;
-  label_copy(label.name, sizeof label.name, name_of(row));
-  label.hetatm = field_is(cif_row_get(row, CIF_GROUP), "HETATM");
-  label.residue = before != NULL ? before : &residue;
-  const struct field alternate = cif_row_get(row, CIF_ALTERNATE);
-  const char letter = alternate.length == 0 ? ' ' : alternate.text[0];
+  const struct field name = name_of(row);
+  take_name(row, name, &label);
+  char letter = ' ';
   if (before != NULL) {
+    label.residue = before;
+    label.hetatm = reading->hetatm;
     alternate_locations_go_on(&reading->seen);
   } else {
+    label.residue = &residue;
+    label.hetatm = reading->hetatm = field_is(cif_row_get(row, CIF_GROUP), "HETATM");
+    const struct field alternate = cif_row_get(row, CIF_ALTERNATE);
+    if (alternate.length > 0) letter = alternate.text[0];
     take_residue(row, &residue);
     if (!alternate_locations_keep(&reading->seen, molecule, &label, cif_row_get(row, CIF_LABEL_CHAIN), letter, &keep)) {
       return failure_of_memory(failure);
@@ -184,7 +204,7 @@ static bool take_atom(struct cif_reading *reading, const struct residue_label *b
     ++molecule->left_out.alternate_locations;
     return true;
   }
-  if (!take_element(row, cif_row_get(row, CIF_SYMBOL), name_of(row), reading->fractional, &label, failure) ||
+  if (!take_element(row, cif_row_get(row, CIF_SYMBOL), name, reading->fractional, &label, failure) ||
       !molecule_add(molecule, xyz, 0.0, &label, row->line, failure)) {
     return false;
   }
@@ -319,7 +339,7 @@ static bool read_lines(struct cif_reading *reading, struct cif_lines *lines) {
   struct cif_tokens *tokens = &reading->tokens;
   bool any = false;
   cif_row_clear(&reading->row, tokens->line);
-  for (; cif_lines_take(lines, tokens->reader, &reading->row); any = true) {
+  for (; cif_lines_take(lines, tokens->reader, reading->residue != NULL, &reading->row); any = true) {
     if (!take_row(reading)) return false;
     if (!cif_tokens_next_line(tokens)) return tokens->kind == CIF_END;
   }
@@ -329,8 +349,9 @@ static bool read_lines(struct cif_reading *reading, struct cif_lines *lines) {
 /* The values of a loop, row by row. */
 static bool read_rows(struct cif_reading *reading, const enum cif_item *items, size_t count) {
   struct cif_tokens *tokens = &reading->tokens;
-  struct cif_lines lines = {.items = items, .count = count};
+  struct cif_lines lines;
   size_t at = 0;
+  cif_lines_begin(&lines, items, count);
   for (; tokens->kind == CIF_VALUE; cif_tokens_next(tokens)) {
     if (at == 0 && !tokens->quoted && tokens->text.text == tokens->reader->text) {
       if (!read_lines(reading, &lines)) return false;
