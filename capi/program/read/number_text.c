@@ -103,11 +103,8 @@ static inline bool reads_back(const struct binary *number, int power, const stru
   return twice < power_of_5[power] || (twice == power_of_5[power] && (number->mantissa & 1) == 0);
 }
 
-/* digits / 10^decimals. */
-static inline size_t write_decimal(char *out, bool negative, uint64_t digits, int decimals) {
-  char text[NUMBER_BYTES];
-  char *const end = text + sizeof text;
-  char *begin = number_text_digits(end, digits);
+/* Digits, as many as `decimals` behind the point; in front of them is room for zeros. */
+static inline size_t put_decimal(char *out, bool negative, char *begin, const char *end, int decimals) {
   while (end - begin <= decimals) *--begin = '0';
   const size_t whole = (size_t)(end - begin - decimals);
   char *at = out;
@@ -123,15 +120,22 @@ static inline size_t write_decimal(char *out, bool negative, uint64_t digits, in
   return (size_t)(at - out);
 }
 
+/* digits / 10^decimals. */
+static inline size_t write_decimal(char *out, bool negative, uint64_t digits, int decimals) {
+  char text[NUMBER_BYTES];
+  char *const end = text + sizeof text;
+  return put_decimal(out, negative, number_text_digits(end, digits), end, decimals);
+}
+
 /* The same as %g writes it: without zeros at the end, and in powers of ten below 1e-4. */
 static inline size_t write_general(char *out, bool negative, uint64_t digits, int decimals) {
   enum { MOST_ZEROS = 4 };
   while (decimals > 0 && digits % 10 == 0) digits /= 10, --decimals;
   char text[NUMBER_BYTES];
   char *const end = text + sizeof text;
-  const char *begin = number_text_digits(end, digits);
+  char *begin = number_text_digits(end, digits);
   const int exponent = (int)(end - begin) - 1 - decimals;
-  if (exponent >= -MOST_ZEROS) return write_decimal(out, negative, digits, decimals);
+  if (exponent >= -MOST_ZEROS) return put_decimal(out, negative, begin, end, decimals);
   char *at = out;
   if (negative) *at++ = '-';
   *at++ = *begin++;
@@ -148,6 +152,24 @@ static inline size_t write_general(char *out, bool negative, uint64_t digits, in
   return (size_t)(at - out);
 }
 
+/* thousandths / 1000 without zeros at the end; it is below 1000. */
+static inline size_t write_thousandths(char *out, bool negative, uint32_t thousandths) {
+  const uint32_t whole = thousandths / 1000, rest = thousandths % 1000;
+  char *at = out;
+  if (negative) *at++ = '-';
+  if (whole >= 100) *at++ = (char)('0' + whole / 100);
+  if (whole >= 10) *at++ = (char)('0' + whole / 10 % 10);
+  *at++ = (char)('0' + whole % 10);
+  if (rest != 0) {
+    *at++ = '.';
+    *at++ = (char)('0' + rest / 100);
+    if (rest % 100 != 0) *at++ = (char)('0' + rest / 10 % 10);
+    if (rest % 10 != 0) *at++ = (char)('0' + rest % 10);
+  }
+  *at = '\0';
+  return (size_t)(at - out);
+}
+
 /* 0: it is left to printf. */
 static size_t exact_in_128_bits(char *out, double value) {
   const double magnitude = value < 0.0 ? -value : value;
@@ -156,7 +178,8 @@ static size_t exact_in_128_bits(char *out, double value) {
   const double thousands = magnitude * 1000.0;
   const uint64_t nearest = (uint64_t)(thousands + 0.5);
   if (thousands >= 1.0 && thousands < 9e14 && (double)nearest / 1000.0 == magnitude) {
-    return write_general(out, value < 0.0, nearest, 3);
+    return nearest < 1000000 ? write_thousandths(out, value < 0.0, (uint32_t)nearest)
+                             : write_general(out, value < 0.0, nearest, 3);
   }
   const struct binary number = binary_of(value);
   /* The decimals of 15 digits, by the power of two: right, or one too many. */

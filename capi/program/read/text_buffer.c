@@ -9,9 +9,7 @@
 
 #include "read/number_text.h"
 
-bool text_buffer_reserve(struct text_buffer *buffer, size_t more) {
-  if (buffer->out_of_memory) return false;
-  if (more < buffer->capacity - buffer->length) return true;
+bool text_buffer_grow(struct text_buffer *buffer, size_t more) {
   if (more > SIZE_MAX / 2 - buffer->length - 1 || buffer->capacity > SIZE_MAX / 2) {
     buffer->out_of_memory = true;
     return false;

@@ -19,14 +19,27 @@ struct text_buffer {
 #define TEXT_BUFFER_EMPTY \
   { NULL, 0, 0, false, 0 }
 
+/* text_buffer_reserve where there is no room yet. */
+bool text_buffer_grow(struct text_buffer *buffer, size_t more);
+
 /* Make room for `more` bytes and a closing NUL; false when memory is short. */
-bool text_buffer_reserve(struct text_buffer *buffer, size_t more);
+static inline bool text_buffer_reserve(struct text_buffer *buffer, size_t more) {
+  if (buffer->out_of_memory) return false;
+  return more < buffer->capacity - buffer->length || text_buffer_grow(buffer, more);
+}
 
 /* As printf does it, and without it what is most common. */
 void text_buffer_add(struct text_buffer *buffer, const char *format, ...) FAILURE_FORMAT(2, 3);
 
 /* "%s" */
 void text_buffer_add_text(struct text_buffer *buffer, const char *text);
+
+/* "%c" */
+static inline void text_buffer_add_character(struct text_buffer *buffer, char character) {
+  if (!text_buffer_reserve(buffer, 1)) return;
+  buffer->text[buffer->length++] = character;
+  buffer->text[buffer->length] = '\0';
+}
 
 /* "%" PRIu64 */
 void text_buffer_add_count(struct text_buffer *buffer, uint64_t count);

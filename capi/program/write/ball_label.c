@@ -60,7 +60,7 @@ void ball_label_csv(const struct molecule *molecule, uint32_t ball, struct text_
   const int count = list_names(molecule->format, &molecule->label[ball], names);
   text_buffer_add_count(out, ball);
   for (int i = 0; i < count; ++i) {
-    text_buffer_append(out, ",", 1);
+    text_buffer_add_character(out, ',');
     csv_text(out, names[i].text);
   }
 }

@@ -254,7 +254,7 @@ static void csv_cell(const struct column *column, union cell cell, struct text_b
     case COLUMN_POINT:
     case COLUMN_GRADIENT:
       for (int axis = 0; axis < 3; ++axis) {
-        if (axis > 0) text_buffer_append(out, ",", 1);
+        if (axis > 0) text_buffer_add_character(out, ',');
         if (cell.vector != NULL) csv_number(out, cell.vector[axis]);
       }
       break;
@@ -273,11 +273,11 @@ static void csv_row(const struct table *table, size_t row, const union cell *cel
   bool any = out->length > length;
   for (int k = 0; k < table->count; ++k) {
     if (csv_key(&table->columns[k]) == NULL) continue;
-    if (any) text_buffer_append(out, ",", 1);
+    if (any) text_buffer_add_character(out, ',');
     any = true;
     csv_cell(&table->columns[k], cells[k], out);
   }
-  text_buffer_append(out, "\n", 1);
+  text_buffer_add_character(out, '\n');
 }
 
 void table_csv(const struct table *table, struct text_buffer *out) {
