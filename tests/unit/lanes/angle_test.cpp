@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "core/elementary.hpp"
+#include "lane_angles.hpp"
 #include "measure/exterior_angles.hpp"
+#include "runnable_targets.hpp"
 
 namespace {
 
@@ -26,6 +28,8 @@ long double exact_angle(double x, double y) {
 // Error in units of 2^-53, of the angle itself and absolute; the latter for angles up to pi, too.
 struct Errors {
   double relative = 0.0, absolute = 0.0, half_turn = 0.0;
+  const std::vector<hsp::Target> targets = runnable_targets();
+  int lane = 0;
 
   void add(double x, double y) {
     const long double exact = exact_angle(x, y);
@@ -39,10 +43,26 @@ struct Errors {
     if (y >= 0.0) half_turn = std::max(half_turn, error_of(magnitude, exact));
     EXPECT_EQ(hsp::turn_angle<2>(Lanes{-3.0, x}, Lanes{-0.5, y})[1], angle);
     EXPECT_EQ(hsp::turn_angle<1>(hsp::Wide<double, 1>::all(x), hsp::Wide<double, 1>::all(y))[0], angle);
+    expect_the_same_of_four(x, y, turned, angle);
     EXPECT_GE(angle, 0.0);
     const double error = error_of(angle, exact);
     absolute = std::max(absolute, error);
     if (exact > 0.0L) relative = std::max(relative, error / static_cast<double>(exact));
+  }
+  // In one of four lanes after the other, with other directions beside it, on every target.
+  void expect_the_same_of_four(double x, double y, double turned, double angle) {
+    double xs[4] = {1.0, -2.0, 0.5, -3.0}, ys[4] = {2.0, -1.0, -0.25, 3.0};
+    const int next = lane;
+    lane = (lane + 1) % 4;
+    xs[lane] = x;
+    ys[lane] = y;
+    for (const hsp::Target target : targets) {
+      double half_turns[4], turns[4];
+      hsp::angles_of_four(target, xs, ys, half_turns, turns);
+      EXPECT_EQ(half_turns[lane], std::fabs(turned)) << "lane " << lane;
+      EXPECT_EQ(turns[lane], angle) << "lane " << lane;
+      EXPECT_EQ(half_turns[next], std::fabs(hsp::arc_tangent(ys[next], xs[next]))) << "lane " << next;
+    }
   }
   static double error_of(double angle, long double exact) {
     return static_cast<double>(std::fabs(static_cast<long double>(angle) - exact) * 0x1p53L);
