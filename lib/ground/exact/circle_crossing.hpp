@@ -24,21 +24,4 @@ struct CircleCrossing {
   Vector point(const Real &root, double scale = 1.0) const { return (scale / nn) * (cross(q, n) + root * n); }
 };
 
-// The same for unit vectors u and v with g = u.v. Then q x n = (a - g b) u + (b - g a) v and n.n = 1 - g^2, which takes
-// fewer operations where g is known.
-struct UnitCircleCrossing {
-  double nn;
-
-  UnitCircleCrossing(const Vec3 &u, double a, const Vec3 &v, double b, double g)
-      : nn(1.0 - g * g), u_(u), v_(v), along_u_(a - g * b), along_v_(b - g * a) {}
-
-  // scale q x n and scale n
-  Vec3 scaled_middle(double scale) const { return (along_u_ * scale) * u_ + (along_v_ * scale) * v_; }
-  Vec3 scaled_normal(double scale) const { return scale * cross(u_, v_); }
-
- private:
-  Vec3 u_, v_;
-  double along_u_, along_v_;
-};
-
 }  // namespace hsp

@@ -4,7 +4,7 @@
 
 #include "contacts/chord_cuts.hpp"
 #include "lanes/wide.hpp"
-#include "sphere/cap_pair_bounds.hpp"
+#include "sphere/cap_pair.hpp"
 
 namespace hsp {
 namespace {
@@ -14,41 +14,19 @@ struct ChordKernel {
   using L = Wide<double, n>;
   using Real = typename L::Real;
   using Mask = typename L::Mask;
-  using Bounds = CapPairBounds<double>;
-
-  // The chord of two caps, by the formulas of cap_pair.hpp.
-  struct Chord {
-    double m[3], w[3], q, error;
-
-    [[gnu::always_inline]] Chord(const CapColumns &caps, uint32_t j, uint32_t k, double direction) {
-      const double u[3] = {caps.ux[j], caps.uy[j], caps.uz[j]}, bj = caps.b[j];
-      const double v[3] = {caps.ux[k], caps.uy[k], caps.uz[k]}, bk = caps.b[k];
-      const double g = u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-      const double S = 1.0 - g * g;
-      q = S - (bj * bj + bk * bk) + 2.0 * (g * bj * bk);
-      const double root = std::sqrt(q);
-      const double shared = 1.0 / (S * root);
-      const double s = root * shared, inverse_root = S * shared;
-      const double alpha = (bj - g * bk) * s, beta = (bk - g * bj) * s;
-      const double gamma = direction * (root * s);
-      for (uint32_t x = 0; x < 3; ++x) {
-        const uint32_t y = (x + 1) % 3, z = (x + 2) % 3;
-        m[x] = alpha * u[x] + beta * v[x];
-        w[x] = gamma * (u[y] * v[z] - u[z] * v[y]);
-      }
-      error = (Bounds::roundoff * s) * (Bounds::point_s * s + Bounds::point_root * inverse_root);
-    }
-    // Written so that what is not a number is certain of nothing.
-    bool is_certain() const { return q > Bounds::points && error <= CapColumns::most_error; }
-  };
+  using Word = OwnedDouble<ChordKernel>;
 
   // Each lane has its own first and second.
   static uint32_t nearest(const CapColumns &caps, uint32_t first, uint32_t last, uint32_t j, uint32_t k,
                           double direction) {
-    const Chord chord(caps, j, k, direction);
-    if (!chord.is_certain()) return no_cut;
-    const Real mx = L::all(-chord.m[0]), my = L::all(-chord.m[1]), mz = L::all(-chord.m[2]);
-    const Real wx = L::all(chord.w[0]), wy = L::all(chord.w[1]), wz = L::all(chord.w[2]);
+    const LaneCaps<Word> u = cap_in<Word>(caps, j), v = cap_in<Word>(caps, k);
+    const LanePairs<Word> pair(u, v);
+    const LaneChords<Word> chord(u, v, pair.g, pair.q);
+    // Written so that what is not a number is certain of nothing.
+    if (!(pair.certainly_cross_in_points() && chord.error.v <= CapColumns::most_error)) return no_cut;
+    const double gamma = direction * chord.gamma.v;
+    const Real mx = L::all(-chord.mx.v), my = L::all(-chord.my.v), mz = L::all(-chord.mz.v);
+    const Real wx = L::all(gamma * chord.nx.v), wy = L::all(gamma * chord.ny.v), wz = L::all(gamma * chord.nz.v);
     const Real slope = L::all(CapColumns::least_slope);
     const Real twice = L::all(2 * CapColumns::least_slope);
     const Real none = L::all(CapColumns::none);
@@ -76,7 +54,7 @@ struct ChordKernel {
       next = larger < other ? larger : other;
       least = least < best[lane] ? least : best[lane];
     }
-    const double gap = chord.error * (8 / CapColumns::least_slope) + 0x1p-34;
+    const double gap = chord.error.v * (8 / CapColumns::least_slope) + 0x1p-34;
     uint64_t bits = 0;
     std::memcpy(&bits, &least, sizeof bits);
     return L::count(unclear) == 2 && least < 2.0 && next - least > gap ? static_cast<uint32_t>(bits & numbers) : no_cut;

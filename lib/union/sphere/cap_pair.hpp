@@ -1,44 +1,212 @@
-// Two caps of one sphere in doubles, with proven error bounds: whether their circles cross, and where.
+// Two caps of one sphere in floating point, with proven error bounds: whether their circles cross, where, and how deep
+// other caps hold these points. Written once, for one double, for doubles in lanes and for floats in lanes: a pair of
+// caps, or one cap with several. Templates of words that have internal linkage have it themselves, as kernels need.
 //
 // On the unit sphere circle j is u_j.x = b_j. With g = u_j.u_k, S = 1 - g^2 = |u_j x u_k|^2 and
 //   q = 1 - g^2 - b_j^2 - b_k^2 + 2 g b_j b_k     (D of lib/ground/exact up to a positive factor)
 // the circles cross iff q > 0, in the points  alpha u_j + beta u_k +- gamma (u_j x u_k)  with
 //   alpha = (b_j - g b_k)/S,  beta = (b_k - g b_j)/S,  gamma = sqrt(q)/S.
 //
-// Errors, in units of e = 2^-53, first order (u 3.5, b 7 from caps.hpp; |b| <= 1, q <= S <= 1):
-//   g      2 * 3.5 + 3                                                                         10
-//   q      1 - g^2: 22; b_j^2 + b_k^2: 2 * 15 + 2; 2 g b_j b_k: 2 * 24 + 4; additions: 5            111
-//   b_j - g b_k   7 + 18 + 2                                                                   27
+// Errors, first order, with |b| <= 1, q <= S <= 1; a product is rounded before it is added, or not, where the target
+// fuses them. In doubles in units of e = 2^-53 (u 3.5, b 7 from caps.hpp), in floats of e = 2^-24 (u 6.5, b 29 from
+// float_caps.hpp):
+//                                                                                          doubles    floats
+//   g         2 u + 3                                                                           10        16
+//   q         1 - b_j^2: 2 b + 2; g^2: 2 g + 2; b_k^2: 2 b + 3; 2 g b_j b_k: 2 (g + 2 b) + 4;
+//             last addition: 1                                                                 108       308
+//   b_j - g b_k    2 b + g + 2                                                                  26        76
+//   S         2 g + 2                                                                           22        34
 // For the points put s = 1/S. |alpha|, |beta|, gamma <= sqrt(s) because alpha u_j + beta u_k has length at most 1.
-//   alpha, beta       2 (27 s + 22 s sqrt(s) + sqrt(s)),  u: 7 sqrt(s)
+// In doubles
+//   alpha, beta       2 (26 s + 22 s sqrt(s) + sqrt(s)),  u: 7 sqrt(s)
 //   gamma             56 sqrt(s)/sqrt(q) + 22 s + 2,  cross product: 12 sqrt(s),  additions: 8 sqrt(s) + 4
 //   sum               at most 155 s sqrt(s) + 56 sqrt(s)/sqrt(q)
 // and a test u_l.p - b_l of a point against a third cap adds 3.5 + 3 + 7 + 2. As s >= 1, all stays below
 //   e s (256 s + 80/sqrt(q)).
-// With q > 2^-32 the relative errors of S and q are below 2^-13, which the slack of a third absorbs.
+// With q > 2^-32 the relative errors of S and q are below 2^-13, which the slack of a third absorbs. In floats
+//   alpha, beta    2 (76 s + 34 s sqrt(s) + 4 sqrt(s)),  u: 13 sqrt(s)
+//   gamma          154 s/sqrt(q) + 34 s sqrt(s) + 5 sqrt(s),  cross product: 16 sqrt(s),  additions: 2 sqrt(s) + 3
+//   a test         6.5 + 29 + 7 more
+// As s >= 1, all stays below e s (346 s + 154/sqrt(q)); used are 512 and 240. With q > 2^-12 the relative errors of q
+// and S are below 0.076 and 0.009, which raise 154 by less than a tenth; what is left of the slack absorbs terms in e^2
+// and the rounding of the bound.
 #pragma once
 
-#include "exact/circle_crossing.hpp"
-#include "sphere/cap_pair_bounds.hpp"
-#include "sphere/caps.hpp"
+#include <cstdint>
+
+#include "core/vec3.hpp"
+#include "lanes/floating_point.hpp"
 
 namespace hsp {
 
-struct CapPair {
-  double g, bj, bk, q;
+// For floats and doubles alike.
+template <class Real>
+struct CapPairBounds;
+template <>
+struct CapPairBounds<double> {
+  static constexpr double roundoff = unit_roundoff;
+  // Of q, for whether the circles cross, and for where: below this the pair is left to the exact stage. 108 e is far
+  // smaller.
+  static constexpr double crossing = 0x1p-32, points = crossing;
+  static constexpr double centre = 32 * unit_roundoff;         // of g b_j - b_k, the centre of circle j against cap k
+  static constexpr double point_s = 256.0, point_root = 80.0;  // e s (point_s s + point_root / sqrt(q))
+};
+template <>
+struct CapPairBounds<float> {
+  static constexpr float roundoff = 0x1p-24F;
+  static constexpr float crossing = 0x1p-15F;  // 512 e
+  static constexpr float points = 0x1p-12F;
+  static constexpr float centre = 0x1p-17F;  // 128 e
+  static constexpr float point_s = 512.0F, point_root = 240.0F;
+};
 
-  CapPair(const Caps &caps, uint32_t j, uint32_t k)
-      : g(caps.ux[j] * caps.ux[k] + caps.uy[j] * caps.uy[k] + caps.uz[j] * caps.uz[k]), bj(caps.b[j]), bk(caps.b[k]) {
-    q = (1.0 - g * g) - (bj * bj + bk * bk) + 2.0 * (g * bj * bk);
+// A word of one double. Owner: void, or for kernels a type of theirs that has internal linkage.
+template <class Owner>
+struct OwnedDouble {
+  using Real = double;
+  double v;
+
+  static OwnedDouble all(double x) { return {x}; }
+  static OwnedDouble all_of(const double *p) { return {*p}; }
+
+  friend OwnedDouble operator+(OwnedDouble a, OwnedDouble b) { return {a.v + b.v}; }
+  friend OwnedDouble operator*(OwnedDouble a, OwnedDouble b) { return {a.v * b.v}; }
+  friend OwnedDouble operator/(OwnedDouble a, OwnedDouble b) { return {a.v / b.v}; }
+  friend OwnedDouble operator-(OwnedDouble a) { return {-a.v}; }
+  friend OwnedDouble fused(OwnedDouble a, OwnedDouble b, OwnedDouble c) { return {a.v * b.v + c.v}; }
+  friend OwnedDouble fused_minus(OwnedDouble a, OwnedDouble b, OwnedDouble c) { return {a.v * b.v - c.v}; }
+  friend OwnedDouble minus_fused(OwnedDouble a, OwnedDouble b, OwnedDouble c) { return {c.v - a.v * b.v}; }
+  friend OwnedDouble square_root(OwnedDouble a) { return {std::sqrt(a.v)}; }
+  friend bool greater(OwnedDouble a, OwnedDouble b) { return a.v > b.v; }
+};
+using DoubleWord = OwnedDouble<void>;
+
+// Caps in arrays.
+template <class Real>
+struct CapPointers {
+  const Real *x, *y, *z, *b;
+};
+
+// Some caps, one in each lane, or one in all of them.
+template <class Lanes>
+struct LaneCaps {
+  Lanes x, y, z, b;
+
+  static LaneCaps load(const CapPointers<typename Lanes::Real> &caps, uint32_t k) {
+    return {Lanes::load(caps.x + k), Lanes::load(caps.y + k), Lanes::load(caps.z + k), Lanes::load(caps.b + k)};
   }
-  // Comparisons are false for NaN (radius 0), so that such pairs are certain of nothing.
-  bool certainly_cross() const { return q > certain_discriminant; }
-  bool certainly_apart() const { return q < -certain_discriminant; }
+  static LaneCaps all_of(const CapPointers<typename Lanes::Real> &caps, uint32_t k) {
+    return {Lanes::all_of(caps.x + k), Lanes::all_of(caps.y + k), Lanes::all_of(caps.z + k), Lanes::all_of(caps.b + k)};
+  }
+  Lanes dot(const LaneCaps &other) const { return fused(x, other.x, fused(y, other.y, z * other.z)); }
+};
+
+// One cap with several. Comparisons are false for NaN (radius 0), so that such pairs are certain of nothing.
+template <class Lanes>
+struct LanePairs {
+  using Bounds = CapPairBounds<typename Lanes::Real>;
+  Lanes g, q;
+  Lanes bj, bk;
+
+  LanePairs(const LaneCaps<Lanes> &cap, const LaneCaps<Lanes> &others)
+      : g(cap.dot(others)),
+        q(fused((cap.b + cap.b) * g, others.b,
+                minus_fused(others.b, others.b, minus_fused(g, g, minus_fused(cap.b, cap.b, Lanes::all(1)))))),
+        bj(cap.b),
+        bk(others.b) {}
+
+  auto certainly_cross() const { return greater(q, Lanes::all(Bounds::crossing)); }
+  auto certainly_cross_in_points() const { return greater(q, Lanes::all(Bounds::points)); }  // it is certain where
+  auto certainly_apart() const { return greater(Lanes::all(-Bounds::crossing), q); }
+  auto may_cross() const { return not_greater(Lanes::all(-Bounds::crossing), q); }
   // For circles that do not cross: circle j lies inside cap k, or circle k inside cap j, or neither.
-  bool certainly_inside() const { return g * bj - bk > certain_centre; }
-  bool certainly_outside() const { return g * bj - bk < -certain_centre; }
-  bool certainly_contains() const { return g * bk - bj > certain_centre; }
-  bool certainly_separate() const { return g * bj - bk < -certain_centre && g * bk - bj < -certain_centre; }
+  auto certainly_inside() const { return greater(k_depth(), margin()); }
+  auto certainly_outside() const { return greater(-margin(), k_depth()); }
+  auto certainly_contains() const { return greater(j_depth(), margin()); }
+  auto certainly_separate() const {
+    const auto j_outside = certainly_outside(), k_outside = greater(-margin(), j_depth());
+    return j_outside & k_outside;
+  }
+
+ private:
+  static Lanes margin() { return Lanes::all(Bounds::centre); }
+  // How deep the centres of circles j lie in caps k, and the other way round.
+  Lanes k_depth() const { return fused_minus(g, bj, bk); }
+  Lanes j_depth() const { return fused_minus(g, bk, bj); }
+};
+
+// The chords between the points of pairs that certainly cross there, as m + s gamma n, with s from -1 at p- to 1 at p+.
+// The bound adds up the errors of both parts, so it bounds f = u_l.m - b_l and g = gamma u_l.n together, and f + g and
+// f - g; two more additions are within its slack.
+template <class Lanes>
+struct LaneChords {
+  Lanes mx, my, mz;
+  Lanes nx, ny, nz, gamma;
+  Lanes error;
+
+  // Of caps u and v, with their g and q.
+  LaneChords(const LaneCaps<Lanes> &u, const LaneCaps<Lanes> &v, Lanes g, Lanes q) {
+    using Bounds = CapPairBounds<typename Lanes::Real>;
+    const Lanes root = square_root(q);
+    const Lanes S = minus_fused(g, g, Lanes::all(1));
+    const Lanes shared = Lanes::all(1) / (S * root);
+    const Lanes s = root * shared;
+    const Lanes inverse_root = S * shared;
+    const Lanes alpha = minus_fused(g, v.b, u.b) * s;
+    const Lanes beta = minus_fused(g, u.b, v.b) * s;
+    gamma = root * s;
+    mx = fused(alpha, u.x, beta * v.x);
+    my = fused(alpha, u.y, beta * v.y);
+    mz = fused(alpha, u.z, beta * v.z);
+    nx = fused_minus(u.y, v.z, u.z * v.y);
+    ny = fused_minus(u.z, v.x, u.x * v.z);
+    nz = fused_minus(u.x, v.y, u.y * v.x);
+    error = s * Lanes::all(Bounds::roundoff) *
+            fused(s, Lanes::all(Bounds::point_s), inverse_root * Lanes::all(Bounds::point_root));
+  }
+};
+
+// Points of the sphere, each with the bound of the error of its depth u.p - b in any cap.
+template <class Lanes>
+struct LanePoints {
+  Lanes x, y, z, error;
+
+  Lanes depth(const LaneCaps<Lanes> &cap) const {
+    return fused(x, cap.x, fused(y, cap.y, fused_minus(z, cap.z, cap.b)));
+  }
+};
+
+// Both points of pairs.
+template <class Lanes>
+struct LaneCrossings {
+  LanePoints<Lanes> minus, plus;
+
+  LaneCrossings(const LaneCaps<Lanes> &u, const LaneCaps<Lanes> &v, Lanes g, Lanes q)
+      : LaneCrossings(LaneChords<Lanes>(u, v, g, q)) {}
+  explicit LaneCrossings(const LaneChords<Lanes> &chord)
+      : minus{minus_fused(chord.gamma, chord.nx, chord.mx), minus_fused(chord.gamma, chord.ny, chord.my),
+              minus_fused(chord.gamma, chord.nz, chord.mz), chord.error},
+        plus{fused(chord.gamma, chord.nx, chord.mx), fused(chord.gamma, chord.ny, chord.my),
+             fused(chord.gamma, chord.nz, chord.mz), chord.error} {}
+
+  // Nothing is certain of points that may not be there.
+  void doubt_uncertain(Lanes q) {
+    using Bounds = CapPairBounds<typename Lanes::Real>;
+    minus.error = plus.error = where_greater(q, Lanes::all(Bounds::points), plus.error, Lanes::all(__builtin_inff()));
+  }
+};
+
+// One cap among those of a ball.
+template <class Word, class Caps>
+LaneCaps<Word> cap_in(const Caps &caps, uint32_t k) {
+  return {{caps.ux[k]}, {caps.uy[k]}, {caps.uz[k]}, {caps.b[k]}};
+}
+
+// The same of two caps in doubles, for code without lanes.
+struct CapPair : LanePairs<DoubleWord> {
+  template <class Caps>
+  CapPair(const Caps &caps, uint32_t j, uint32_t k)
+      : LanePairs<DoubleWord>(cap_in<DoubleWord>(caps, j), cap_in<DoubleWord>(caps, k)) {}
 };
 
 // The points p+ and p- of a pair that certainly crosses.
@@ -46,38 +214,30 @@ struct CrossingPoints {
   double x[2], y[2], z[2];  // index 0: p-, index 1: p+
   double error;             // of u_l.p - b_l for any cap l
 
-  CrossingPoints(const Caps &caps, uint32_t j, uint32_t k, const CapPair &pair) {
-    const UnitCircleCrossing crossing(caps.axis(j), pair.bj, caps.axis(k), pair.bk, pair.g);
-    const double root = std::sqrt(pair.q);
-    const double shared = 1.0 / (crossing.nn * root);
-    const double s = root * shared;
-    const double inverse_root = crossing.nn * shared;
-    const Vec3 middle = crossing.scaled_middle(s);
-    const Vec3 half_chord = crossing.scaled_normal(root * s);
-    const Vec3 p[2] = {middle - half_chord, middle + half_chord};
-    for (int sign = 0; sign < 2; ++sign) {
-      x[sign] = p[sign].x;
-      y[sign] = p[sign].y;
-      z[sign] = p[sign].z;
-    }
-    error = unit_roundoff * s * (256.0 * s + 80.0 * inverse_root);
-  }
+  template <class Caps>
+  CrossingPoints(const Caps &caps, uint32_t j, uint32_t k, const CapPair &pair)
+      : CrossingPoints(
+            LaneCrossings<DoubleWord>(cap_in<DoubleWord>(caps, j), cap_in<DoubleWord>(caps, k), pair.g, pair.q)) {}
+
+ private:
+  explicit CrossingPoints(const LaneCrossings<DoubleWord> &p)
+      : x{p.minus.x.v, p.plus.x.v}, y{p.minus.y.v, p.plus.y.v}, z{p.minus.z.v, p.plus.z.v}, error(p.plus.error.v) {}
 };
 
-// Their chord as m + s w, with s from -1 at p- to 1 at p+. The bound adds up the errors of both parts, so it bounds
-// f = u_l.m - b_l and g = u_l.w together, and f + g and f - g; two more additions are within its slack.
+// Their chord as m + s w.
 struct UnitChord {
   Vec3 m, w;
   double error;
 
-  UnitChord(const Caps &caps, uint32_t j, uint32_t k, const CapPair &pair) {
-    const UnitCircleCrossing crossing(caps.axis(j), pair.bj, caps.axis(k), pair.bk, pair.g);
-    const double root = std::sqrt(pair.q);
-    const double s = 1.0 / crossing.nn;
-    m = crossing.scaled_middle(s);
-    w = crossing.scaled_normal(root * s);
-    error = unit_roundoff * s * (256.0 * s + 80.0 / root);
-  }
+  template <class Caps>
+  UnitChord(const Caps &caps, uint32_t j, uint32_t k, const CapPair &pair)
+      : UnitChord(LaneChords<DoubleWord>(cap_in<DoubleWord>(caps, j), cap_in<DoubleWord>(caps, k), pair.g, pair.q)) {}
+
+ private:
+  explicit UnitChord(const LaneChords<DoubleWord> &chord)
+      : m{chord.mx.v, chord.my.v, chord.mz.v},
+        w{(chord.gamma * chord.nx).v, (chord.gamma * chord.ny).v, (chord.gamma * chord.nz).v},
+        error(chord.error.v) {}
 };
 
 }  // namespace hsp

@@ -1,5 +1,6 @@
-// Which circles of caps are certainly covered by other caps, in fractions. Nothing on such a circle is free, so that
-// none of its pairs has to be looked at. Most circles of a ball with many caps are such.
+// Which circles of caps are certainly covered by other caps, and which certainly cross one, in fractions. Nothing on a
+// covered circle is free, so that none of its pairs has to be looked at. Most circles of a ball with many caps are
+// covered.
 //
 // A circle is cut into eight arcs of 45 degrees, and is covered if each arc lies inside one of the caps. With u, b the
 // cap of the circle, v, c another one, E and F unit vectors across u and each other, and r = sqrt(1 - b^2), the depth
@@ -151,6 +152,76 @@ class CoveredArcs {
   LaneBits wide_low_, wide_high_;
   FractionSigns open_[4];  // negative for arcs that no cap has covered so far
 };
+
+// How circles, as many as there are fractions, lie to the large caps. With d = u_k.(b_j u_j) - b_k the depth of the
+// centre of circle j in cap k and S = 1 - g^2, the circles cross iff q = S (1 - b_j^2) - d^2 > 0, and circle j lies
+// inside cap k iff q < 0 and d > 0. With f = 2^-15 and by covered_circles.hpp, d is known to 7.5 f and its square to
+// 15.5; g^2 to 10.5, S to 11, 1 - b_j^2 to 1.1 and their product to 12.6: q to 28.1 f, below the margin of 32 f. Where
+// d > 1 it stops there, and its square at 1, which S (1 - b_j^2) does not exceed. Where d < -0.99 it is taken for that:
+// as b_k < 7/8, |b_j g| > 0.11 then, and S (1 - b_j^2) <= (1 - |b_j g|)^2 < 0.8, so that the circles still seem to be
+// apart.
+class AmongLargeCaps {
+ public:
+  AmongLargeCaps(const CapPointers<float> &large, uint32_t count, const LaneCaps<Floats> &low,
+                 const LaneCaps<Floats> &high) {
+    const FractionCircles circles(low, high);
+    const Floats one = Floats::all(1.0F);
+    const Fractions square = Fractions::of(minus_fused(low.b, low.b, one), minus_fused(high.b, high.b, one), 1.0F);
+#pragma GCC unroll 2
+    for (uint32_t t = 0; t < count; ++t) {
+      const FractionCap cap = FractionCap::all_of(large, t);
+      const Fractions g = cap.dot(circles.u);
+      const Fractions depth = larger(g * circles.b - cap.b, Fractions::all(-0.99F));
+      const Fractions S = Fractions::all(fraction_factor * fraction_factor) - g * g;
+      const Fractions minus_q = depth * depth - S * square;
+      inside_ = larger(inside_, smaller(depth, minus_q));
+      least_ = smaller(least_, minus_q);
+    }
+    outside_ = inside_ - margin();
+    crossing_ = least_ + margin();
+  }
+  // The circles that do not certainly lie inside one.
+  LaneBits low_outside() const {
+    return negative(outside_.signs_of_low());
+  }
+  LaneBits high_outside() const {
+    return negative(outside_.signs_of_high());
+  }
+  // Negative for circles that certainly cross that of one.
+  Floats low_crossing() const {
+    return crossing_.signs_of_low();
+  }
+  Floats high_crossing() const {
+    return crossing_.signs_of_high();
+  }
+
+ private:
+  static Fractions margin() {
+    return Fractions::all(0x1p-10F);
+  }
+
+  Fractions inside_ = Fractions::all(-1.0F), least_ = Fractions::all(1.0F - 0x1p-15F);
+  Fractions outside_, crossing_;
+};
+
+// Whether a circle certainly crosses another one, or lies inside a cap as a whole: by the formulas of AmongLargeCaps in
+// floats, the circle being one and the caps all, itself among them, of which nothing is certain. Where |d| < 1.2 its
+// square has an error of 2.4 * 76 e, e = 2^-24, and the other product one of 95 e, below 512 e together; where it is
+// larger, -q > 0.4. If -q > 512 e, |d| is above 512 e too.
+inline bool has_covered_point(const CapPointers<float> &caps, uint32_t count, uint32_t circle) {
+  const LaneCaps<Floats> own = LaneCaps<Floats>::all_of(caps, circle);
+  const Floats one = Floats::all(1.0F), margin = Floats::all(CapPairBounds<float>::crossing);
+  const Floats square = minus_fused(own.b, own.b, one);
+  Floats covered = Floats::all(-4.0F);
+  for (uint32_t t = 0; t < count; t += Floats::lanes) {
+    const LaneCaps<Floats> cap = LaneCaps<Floats>::load(caps, t);
+    const Floats g = own.dot(cap);
+    const Floats depth = fused_minus(g, own.b, cap.b);
+    const Floats minus_q = minus_fused(minus_fused(g, g, one), square, depth * depth);
+    covered = larger(covered, larger(smaller(depth, minus_q), -minus_q));
+  }
+  return greater(covered, margin) != 0;
+}
 
 }  // namespace
 }  // namespace hsp

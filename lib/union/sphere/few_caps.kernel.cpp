@@ -17,18 +17,13 @@ struct Relations {
 };
 
 template <class Lanes>
-void relate(const LaneCaps<Lanes> &cap, const LaneCaps<Lanes> &others, const PairLanes<Lanes> &pair, uint32_t shift,
-            Relations &relations) {
-  using Bounds = CapPairBounds<typename Lanes::Real>;
-  const Lanes centre = Lanes::all(Bounds::centre);
-  const Lanes centre_inside = fused_minus(pair.g, cap.b, others.b);
-  const Lanes others_inside = fused_minus(pair.g, others.b, cap.b);
-  const LaneBits apart = greater(Lanes::all(-Bounds::crossing), pair.q);
-  relations.cross |= greater(pair.q, Lanes::all(Bounds::crossing)) << shift;
-  relations.at_points |= greater(pair.q, Lanes::all(Bounds::points)) << shift;
-  relations.separate |= (apart & greater(-centre, centre_inside) & greater(-centre, others_inside)) << shift;
-  relations.inside |= (apart & greater(centre_inside, centre)) << shift;
-  relations.contains |= (apart & greater(others_inside, centre)) << shift;
+void relate(const LanePairs<Lanes> &pairs, uint32_t shift, Relations &relations) {
+  const LaneBits apart = pairs.certainly_apart();
+  relations.cross |= pairs.certainly_cross() << shift;
+  relations.at_points |= pairs.certainly_cross_in_points() << shift;
+  relations.separate |= (apart & pairs.certainly_separate()) << shift;
+  relations.inside |= (apart & pairs.certainly_inside()) << shift;
+  relations.contains |= (apart & pairs.certainly_contains()) << shift;
 }
 
 // Disjoint sets of caps.
@@ -49,23 +44,6 @@ struct Clusters {
     member[kept] = joined;
     count = kept + 1;
   }
-};
-
-// A point in a cap is covered. One that is outside all caps but its own two, on which it lies, is free.
-template <class Lanes>
-struct PointTest {
-  LanePoints<Lanes> point;
-  Lanes deepest = Lanes::all(-4);
-  LaneCounts<Lanes> near{};
-
-  explicit PointTest(const LanePoints<Lanes> &p) : point(p) {}
-  void against(const LaneCaps<Lanes> &cap) {
-    const Lanes depth = point.depth(cap);
-    deepest = larger(deepest, depth);
-    near.count_not_less(depth, -point.error);
-  }
-  LaneBits covered() const { return greater(deepest, point.error); }
-  LaneBits outside() const { return near.equal(2); }
 };
 
 // A constant as an argument.
@@ -129,14 +107,14 @@ class FewCapsSearch {
     for (uint32_t v = first; v < last; ++v) {
       const uint32_t shift = Lanes::lanes * v;
       const SomeCaps others = all_caps != nullptr ? all_caps[v] : SomeCaps::load(caps_, shift);
-      const PairLanes<Lanes> pair(cap, others);
-      relate(cap, others, pair, shift, relations);
+      const LanePairs<Lanes> pairs(cap, others);
+      relate(pairs, shift, relations);
       if (j < first_later_) continue;
       const LaneBits crossing = (relations.at_points & after) >> shift & ((1U << Lanes::lanes) - 1U);
       if (crossing == 0) continue;
       if (Pairs::is_full(pair_count_) && !test_points()) return false;
       pair_count_ = pairs_.add(pair_count_, Lanes::all(static_cast<Real>(j)), cap,
-                               Lanes::ascending() + Lanes::all(static_cast<Real>(shift)), others, pair, crossing);
+                               Lanes::ascending() + Lanes::all(static_cast<Real>(shift)), others, pairs, crossing);
     }
     const CapBits cross = relations.cross & after;
     const CapBits inside = relations.inside & after;
@@ -153,7 +131,7 @@ class FewCapsSearch {
   bool test_points() {
     const uint32_t count = pair_count_;
     for (uint32_t p = 0; p < count; p += Lanes::lanes) {
-      const LaneCrossings<Lanes> crossings(pairs_, p);
+      const LaneCrossings<Lanes> crossings = pairs_.points(p);
       PointTest<Lanes> minus(crossings.minus), plus(crossings.plus);
       for (uint32_t t = 0; t < count_; ++t) {
         const LaneCaps<Lanes> cap = LaneCaps<Lanes>::all_of(caps_, t);

@@ -8,6 +8,7 @@
 
 namespace hsp {
 
+using CapBounds = CapPairBounds<double>;
 using exact::Plane;
 using exact::Vector;
 
@@ -54,8 +55,9 @@ struct CoveredEnds {
     along = middle * cap.along + chord * cap.up;
     up = middle * cap.up - chord * cap.along;
     // False for NaN, as everything below is.
-    const bool certain = q > certain_discriminant;
-    error = certain ? unit_roundoff * s * (256.0 * s + 80.0 / root) : std::numeric_limits<double>::infinity();
+    const bool certain = q > CapBounds::points;
+    error = certain ? unit_roundoff * s * (CapBounds::point_s * s + CapBounds::point_root / root)
+                    : std::numeric_limits<double>::infinity();
   }
 };
 
@@ -117,8 +119,8 @@ void FreeIntervals::find(const Caps &caps, const exact::Predicates &predicates, 
     const double b = caps.b[l];
     const double q = along * along + up * up - b * b;
     caps_[crossings] = {along, up, b, l, 0};
-    bool crosses = q > certain_discriminant;
-    if (!crosses && !(q < -certain_discriminant && b > certain_centre)) {
+    bool crosses = q > CapBounds::crossing;
+    if (!crosses && !(q < -CapBounds::crossing && b > CapBounds::centre)) {
       // Seldom: it covers the meridian, or it must be asked exactly.
       crosses = predicates.crossing(meridian, caps.plane(l)).sign > 0;
       if (!crosses && predicates.side(meridian, caps.plane(l)).sign > 0) return;

@@ -4,7 +4,6 @@
 namespace hsp::HSP_TARGET {
 namespace {
 
-using Bounds = CapPairBounds<float>;
 using SomeCaps = LaneCaps<Floats>;
 using SomePoints = LanePoints<Floats>;
 
@@ -51,56 +50,6 @@ void store_large(PairSweep &sweep) {
     store_as_fractions(SomeCaps::load(from, k), to.x + k, to.y + k, to.z + k, to.b + k);
   }
 }
-
-// How circles, as many as there are fractions, lie to the large caps. With d = u_k.(b_j u_j) - b_k the depth of the
-// centre of circle j in cap k and S = 1 - g^2, the circles cross iff q = S (1 - b_j^2) - d^2 > 0, and circle j lies
-// inside cap k iff q < 0 and d > 0. With f = 2^-15 and by covered_circles.hpp, d is known to 7.5 f and its square to
-// 15.5; g^2 to 10.5, S to 11, 1 - b_j^2 to 1.1 and their product to 12.6: q to 28.1 f, below the margin of 32 f. Where
-// d > 1 it stops there, and its square at 1, which S (1 - b_j^2) does not exceed. Where d < -0.99 it is taken for that:
-// as b_k < 7/8, |b_j g| > 0.11 then, and S (1 - b_j^2) <= (1 - |b_j g|)^2 < 0.8, so that the circles still seem to be
-// apart.
-class AmongLargeCaps {
- public:
-  AmongLargeCaps(const CapPointers<float> &large, uint32_t count, const SomeCaps &low, const SomeCaps &high) {
-    const FractionCircles circles(low, high);
-    const Floats one = Floats::all(1.0F);
-    const Fractions square = Fractions::of(minus_fused(low.b, low.b, one), minus_fused(high.b, high.b, one), 1.0F);
-#pragma GCC unroll 2
-    for (uint32_t t = 0; t < count; ++t) {
-      const FractionCap cap = FractionCap::all_of(large, t);
-      const Fractions g = cap.dot(circles.u);
-      const Fractions depth = larger(g * circles.b - cap.b, Fractions::all(-0.99F));
-      const Fractions S = Fractions::all(fraction_factor * fraction_factor) - g * g;
-      const Fractions minus_q = depth * depth - S * square;
-      inside_ = larger(inside_, smaller(depth, minus_q));
-      least_ = smaller(least_, minus_q);
-    }
-    outside_ = inside_ - margin();
-    crossing_ = least_ + margin();
-  }
-  // The circles that do not certainly lie inside one.
-  LaneBits low_outside() const {
-    return negative(outside_.signs_of_low());
-  }
-  LaneBits high_outside() const {
-    return negative(outside_.signs_of_high());
-  }
-  // Negative for circles that certainly cross that of one.
-  Floats low_crossing() const {
-    return crossing_.signs_of_low();
-  }
-  Floats high_crossing() const {
-    return crossing_.signs_of_high();
-  }
-
- private:
-  static Fractions margin() {
-    return Fractions::all(0x1p-10F);
-  }
-
-  Fractions inside_ = Fractions::all(-1.0F), least_ = Fractions::all(1.0F - 0x1p-15F);
-  Fractions outside_, crossing_;
-};
 
 // Circles after the last exposed one cross nothing.
 void end_exposed(PairSweep &sweep, uint32_t count) {
@@ -195,32 +144,12 @@ struct alignas(32) OpenPoints {
   }
 };
 
-// Which lanes of two vectors of points do not certainly lie inside one of caps begin .. end - 1.
-struct NotCovered {
-  LaneBits first, second;
-
-  NotCovered(const CapPointers<float> &caps, uint32_t begin, uint32_t end, const SomePoints &a, const SomePoints &b) {
-    Floats deepest_a = Floats::all(-4.0F), deepest_b = deepest_a;
-#pragma GCC unroll 2
-    for (uint32_t t = begin; t < end; ++t) {
-      const SomeCaps cap = SomeCaps::all_of(caps, t);
-      deepest_a = larger(deepest_a, a.depth(cap));
-      deepest_b = larger(deepest_b, b.depth(cap));
-    }
-    first = not_greater(deepest_a, a.error);
-    second = not_greater(deepest_b, b.error);
-  }
-};
-
 // Adds those points of pairs, number p, p + 1, ..., that are in no cap of the first class. Returns how many
 // points there are then.
 [[gnu::always_inline]] inline uint32_t add_points(const CapPointers<float> &by_size, uint32_t first_class,
                                                   LaneCrossings<Floats> crossings, Floats q, uint32_t p, LaneBits valid,
                                                   OpenPoints &open, uint32_t count) {
-  // Of circles that do not cross for certain no point is certainly covered.
-  const Floats error =
-      where_greater(q, Floats::all(Bounds::points), crossings.plus.error, Floats::all(__builtin_inff()));
-  crossings.minus.error = crossings.plus.error = error;
+  crossings.doubt_uncertain(q);
   const NotCovered open_lanes(by_size, 0, first_class, crossings.minus, crossings.plus);
   const Floats number = Floats::ascending() + Floats::all(static_cast<float>(p));
   count = open.keep(count, crossings.minus, number, valid & open_lanes.first);
@@ -235,8 +164,8 @@ uint32_t open_points(const CapPointers<float> &by_size, uint32_t first_class, co
                      OpenPoints &open) {
   uint32_t left = 0;
   for (uint32_t p = 0; p < count; p += Floats::lanes) {
-    left = add_points(by_size, first_class, LaneCrossings<Floats>(pairs, p), Floats::load(pairs.q + p), p,
-                      first_lanes(count - p), open, left);
+    left = add_points(by_size, first_class, pairs.points(p), Floats::load(pairs.q + p), p, first_lanes(count - p), open,
+                      left);
   }
   return left;
 }
@@ -274,8 +203,8 @@ uint32_t open_points_of_few(PairSweep &sweep, OpenPoints &open) {
   uint32_t left = 0;
   for (uint32_t p = 0; p < count; p += Floats::lanes) {
     const SomeCaps u = caps_in_order(pairs_of_few.j[circles] + p), v = caps_in_order(pairs_of_few.k[circles] + p);
-    const PairLanes<Floats> pair(u, v);
-    const LaneBits crossing = first_lanes(count - p) & not_greater(Floats::all(-Bounds::crossing), pair.q);
+    const LanePairs<Floats> pair(u, v);
+    const LaneBits crossing = first_lanes(count - p) & pair.may_cross();
     sweep.crossing += ones(crossing);
     left = add_points(by_size, sweep.class_end[0], {u, v, pair.g, pair.q}, pair.q, p, crossing, open, left);
   }
@@ -300,27 +229,6 @@ constexpr uint32_t passed_at_once = 2 * Floats::lanes;
   return left;
 }
 
-// A point is open if it is not certainly covered. It is certainly free outside all caps but its own two, on which it
-// lies.
-struct PointAnswer {
-  bool open, certain;
-};
-
-[[gnu::always_inline]] inline PointAnswer among_all_caps(const CapPointers<float> &caps, uint32_t count,
-                                                         const OpenPoints &open, uint32_t p) {
-  const SomePoints point = open.in_all_lanes(p);
-  const Floats below = -point.error;
-  Floats deepest = Floats::all(-4.0F);
-  uint32_t near = 0;
-  // Lanes after the last cap are far from the point, unless nothing is certain of it.
-  for (uint32_t t = 0; t < count; t += Floats::lanes) {
-    const Floats depth = point.depth(SomeCaps::load(caps, t));
-    deepest = larger(deepest, depth);
-    near += ones(not_less(depth, below));
-  }
-  return {greater(deepest, point.error) == 0, near == 2};
-}
-
 uint32_t cap_number(const PairSweep &sweep, uint32_t exposed) {
   return static_cast<uint32_t>(sweep.exposed_cap[exposed]);
 }
@@ -338,7 +246,7 @@ uint32_t answer(const PairSweep &sweep, OpenPoints &open, uint32_t points, Circl
   uint64_t doubtful = 0, minus = 0, plus = 0;
   for (uint32_t p = 0; p < points; ++p) {
     // No branch depends on the answer, which cannot be predicted.
-    const PointAnswer state = among_all_caps(caps, sweep.count, open, p);
+    const PointState state = PointState::among(caps, sweep.count, open.in_all_lanes(p));
     const uint32_t number = static_cast<uint32_t>(open.pair[p]);
     const uint64_t bit = static_cast<uint64_t>(state.open) << number % PairSweep::batch;
     doubtful |= state.certain ? 0 : bit;
@@ -359,7 +267,6 @@ uint32_t answer(const PairSweep &sweep, OpenPoints &open, uint32_t points, Circl
 uint32_t add_pairs(PairSweep &sweep, Pairs &pairs) {
   const CapPointers<float> exposed = pointers(sweep.exposed);
   const uint32_t exposed_count = sweep.exposed_count;
-  const Floats apart = Floats::all(-Bounds::crossing);
   uint32_t row = sweep.row, column = sweep.column, count = 0;
   while (row + 1 < exposed_count && !Pairs::is_full(count)) {
     const SomeCaps cap = SomeCaps::all_of(exposed, row);
@@ -367,8 +274,8 @@ uint32_t add_pairs(PairSweep &sweep, Pairs &pairs) {
     Floats numbers = Floats::ascending() + Floats::all(static_cast<float>(column));
     for (; column < exposed_count && !Pairs::is_full(count); column += Floats::lanes) {
       const SomeCaps others = SomeCaps::load(exposed, column);
-      const PairLanes<Floats> pair(cap, others);
-      count = pairs.add(count, row_number, cap, numbers, others, pair, not_greater(apart, pair.q));
+      const LanePairs<Floats> pair(cap, others);
+      count = pairs.add(count, row_number, cap, numbers, others, pair, pair.may_cross());
       numbers = numbers + Floats::all(static_cast<float>(Floats::lanes));
     }
     if (column >= exposed_count) column = ++row + 1;
@@ -377,25 +284,6 @@ uint32_t add_pairs(PairSweep &sweep, Pairs &pairs) {
   sweep.column = column;
   sweep.crossing += count;
   return count;
-}
-
-// Whether a circle certainly crosses another one, or lies inside a cap as a whole: by the formulas of AmongLargeCaps in
-// floats, the circle being one and the caps all, itself among them, of which nothing is certain. Where |d| < 1.2 its
-// square has an error of 2.4 * 76 e, e = 2^-24, and the other product one of 95 e, below 512 e together; where it is
-// larger, -q > 0.4. If -q > 512 e, |d| is above 512 e too.
-bool has_covered_point(const CapPointers<float> &caps, uint32_t count, uint32_t circle) {
-  const SomeCaps own = SomeCaps::all_of(caps, circle);
-  const Floats one = Floats::all(1.0F), margin = Floats::all(Bounds::crossing);
-  const Floats square = minus_fused(own.b, own.b, one);
-  Floats covered = Floats::all(-4.0F);
-  for (uint32_t t = 0; t < count; t += Floats::lanes) {
-    const SomeCaps cap = SomeCaps::load(caps, t);
-    const Floats g = own.dot(cap);
-    const Floats depth = fused_minus(g, own.b, cap.b);
-    const Floats minus_q = minus_fused(minus_fused(g, g, one), square, depth * depth);
-    covered = larger(covered, larger(smaller(depth, minus_q), -minus_q));
-  }
-  return greater(covered, margin) != 0;
 }
 
 }  // namespace

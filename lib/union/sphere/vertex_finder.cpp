@@ -52,6 +52,17 @@ PointAnswer test_point(const CapTests &tests, double x, double y, double z, doub
   return near == 2 ? PointAnswer::free : PointAnswer::uncertain;
 }
 
+// The exact stage: pushes the free points among p+ and p- of the circles of caps j < k. Returns whether the circles
+// cross. A further sphere ties with a point if it passes through it before the perturbation, unless its ball lies
+// inside one of the vertex's three balls and touches it there. This exception makes the flag independent of the ball at
+// which the vertex is decided. If the circles certainly cross, callers may give their points in doubles: then only the
+// caps that these leave open are tested.
+bool find_vertices_exactly(const BallSet &balls, const Caps &caps, const CapTests &tests, uint32_t j, uint32_t k,
+                           const CrossingPoints *points, FixedVector<VertexRecord> &vertices);
+
+// Whether the circle of cap j is free as a whole.
+bool is_free_circle(const Caps &caps, const CapTests &tests, uint32_t j);
+
 // find_vertices_exactly for circles that certainly cross. Their points are computed anew: if those of a pair were
 // passed on, every pair would store them.
 [[gnu::noinline]] void find_vertices_of_crossing(const BallSet &balls, const Caps &caps, const CapTests &tests,
@@ -190,8 +201,6 @@ bool leaves_open(const CrossingPoints &points, const CapTests &tests, uint32_t t
   return open;
 }
 
-}  // namespace
-
 bool find_vertices_exactly(const BallSet &balls, const Caps &caps, const CapTests &tests, uint32_t j, uint32_t k,
                            const CrossingPoints *points, FixedVector<VertexRecord> &vertices) {
   const exact::Predicates predicates = caps.predicates();
@@ -223,8 +232,6 @@ bool find_vertices_exactly(const BallSet &balls, const Caps &caps, const CapTest
   return true;
 }
 
-namespace {
-
 // Whether one point of the circle certainly lies inside another cap. The point is b u + s t with t a unit vector across
 // u and s = sqrt(1 - b^2); t has error 8e (the cross product with the axis least along u is at least sqrt(2/3) long), s
 // has error 9e/s + 2e, and the test against a cap adds 16e as in cap_pair.hpp, so that 40e + 16e/s bounds all.
@@ -253,8 +260,6 @@ bool a_point_is_certainly_covered(const Caps &caps, const CapTests &tests, uint3
   return false;
 }
 
-}  // namespace
-
 // Called for a circle without vertices of two later balls; it may still have others. A circle with a covered point is
 // not free as a whole. Any other is free as a whole iff it crosses no other circle and lies inside no other cap.
 bool is_free_circle(const Caps &caps, const CapTests &tests, uint32_t j) {
@@ -269,4 +274,5 @@ bool is_free_circle(const Caps &caps, const CapTests &tests, uint32_t j) {
   return true;
 }
 
+}  // namespace
 }  // namespace hsp

@@ -8,8 +8,6 @@
 
 namespace hsp {
 
-struct CrossingPoints;
-
 // A copy of the caps, largest first by coarse classes of size: a covered point is most likely covered by one of the
 // first.
 struct CapTests {
@@ -49,16 +47,5 @@ class VertexFinder {
   Span<uint8_t> state_;
   uint32_t hint_[2] = {0, 0};  // the groups of test caps that covered the last p- and p+
 };
-
-// The exact stage: pushes the free points among p+ and p- of the circles of caps j < k. Returns whether the circles
-// cross. A further sphere ties with a point if it passes through it before the perturbation, unless its ball lies
-// inside one of the vertex's three balls and touches it there. This exception makes the flag independent of the ball at
-// which the vertex is decided. If the circles certainly cross, callers may give their points in doubles: then only the
-// caps that these leave open are tested.
-bool find_vertices_exactly(const BallSet &balls, const Caps &caps, const CapTests &tests, uint32_t j, uint32_t k,
-                           const CrossingPoints *points, FixedVector<VertexRecord> &vertices);
-
-// Whether the circle of cap j is free as a whole.
-bool is_free_circle(const Caps &caps, const CapTests &tests, uint32_t j);
 
 }  // namespace hsp

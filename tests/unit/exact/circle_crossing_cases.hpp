@@ -35,24 +35,6 @@ inline uint32_t circles_cross_where_they_should() {
   });
 }
 
-// Radius 1: the planes 0.6 and 0.48 from the centre meet the sphere at distance 0.64 from their common line's foot.
-struct UnitCrossing {
-  double a, b, root_D;
-};
-constexpr UnitCrossing unit_crossings[] = {{0.6, 0.48, 0.64}, {-0.6, 0.64, 0.48}, {0.0, 0.0, 1.0}, {0.36, -0.48, 0.8}};
-
-inline uint32_t unit_circles_cross_where_they_should() {
-  return first_failing(unit_crossings, [](const UnitCrossing &c) {
-    const hsp::UnitCircleCrossing crossing({1, 0, 0}, c.a, {0, 1, 0}, c.b, 0.0);
-    return crossing.nn == 1.0 && near(crossing.scaled_middle(1.0), {c.a, c.b, 0.0}, 1e-16) &&
-           near(crossing.scaled_middle(0.5), {c.a / 2, c.b / 2, 0.0}, 1e-16) &&
-           near(crossing.scaled_normal(c.root_D), {0.0, 0.0, c.root_D}, 1e-16) &&
-           near(c.a * c.a + c.b * c.b + c.root_D * c.root_D, 1.0, 1e-15);
-  });
-}
-
-inline constexpr Check exact_circle_crossing[] = {
-    {"circles_cross_where_they_should", circles_cross_where_they_should},
-    {"unit_circles_cross_where_they_should", unit_circles_cross_where_they_should}};
+inline constexpr Check exact_circle_crossing[] = {{"circles_cross_where_they_should", circles_cross_where_they_should}};
 
 }  // namespace cases

@@ -83,7 +83,7 @@ struct StatedBounds {
 
 class InDoubles {
  public:
-  static constexpr StatedBounds bounds{unit_roundoff, 3.5, 7, 10, 111, 27};
+  static constexpr StatedBounds bounds{unit_roundoff, 3.5, 7, 10, 108, 26};
 
   InDoubles(const FourBalls &four, CapsOfFour &maker) : caps_(maker.of(four)) {}
   bool is_sure() const { return true; }
@@ -91,16 +91,16 @@ class InDoubles {
   CapNumbers cap(uint32_t k) const { return {{caps_.ux[k], caps_.uy[k], caps_.uz[k]}, caps_.b[k]}; }
   PairNumbers pair(uint32_t j, uint32_t k) const {
     const CapPair p(caps_, j, k);
-    return {p.g,
-            p.q,
-            p.g * p.bj - p.bk,
-            p.g * p.bk - p.bj,
+    return {p.g.v,
+            p.q.v,
+            p.g.v * p.bj.v - p.bk.v,
+            p.g.v * p.bk.v - p.bj.v,
             p.certainly_cross(),
             p.certainly_apart(),
             p.certainly_inside(),
             p.certainly_contains(),
-            p.certainly_separate(),
-            p.certainly_cross()};
+            p.certainly_separate() != 0,
+            p.certainly_cross_in_points()};
   }
   PointNumbers points(uint32_t j, uint32_t k) const {
     const CrossingPoints points(caps_, j, k, CapPair(caps_, j, k));
@@ -127,7 +127,7 @@ class InLanes {
   using Bounds = CapPairBounds<Real>;
   static constexpr StatedBounds bounds = sizeof(Real) == sizeof(float)
                                              ? StatedBounds{0x1p-24, 6.5, 29, 16, 308, 76}
-                                             : StatedBounds{unit_roundoff, 3.5, 7, 10, 111, 27};
+                                             : StatedBounds{unit_roundoff, 3.5, 7, 10, 108, 26};
 
   InLanes(const FourBalls &four, CapsOfFour &maker) {
     if constexpr (sizeof(Real) == sizeof(float)) {
@@ -375,8 +375,8 @@ TEST(CapPairBounds, InDoubleLanes) {
 
 // The bound of q lies far below the threshold, and that of the centre below its own.
 TEST(CapPairBounds, ThresholdsExceedTheBounds) {
-  EXPECT_GT(hsp::certain_discriminant, 1000 * 111 * unit_roundoff);
-  EXPECT_GT(hsp::certain_centre, 27 * unit_roundoff);
+  EXPECT_GT(CapPairBounds<double>::crossing, 1000 * 108 * unit_roundoff);
+  EXPECT_GT(CapPairBounds<double>::centre, 26 * unit_roundoff);
   EXPECT_GT(CapPairBounds<float>::crossing, 308 * 0x1p-24);
   EXPECT_GT(CapPairBounds<float>::centre, 76 * 0x1p-24);
 }

@@ -1,6 +1,6 @@
 // The floating-point stage of the vertex search against the exact stage: whenever it is certain, the exact predicates
 // agree; and the distance of the computed points from third caps is within the stated error of a longer evaluation.
-#include "sphere/cap_pair.hpp"
+#include "cap_pair_cases.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "expect_cases.hpp"
 #include "gridless_balls.hpp"
 #include "random_balls.hpp"
 
@@ -57,6 +58,10 @@ long double depth(const Caps &caps, uint32_t j, uint32_t k, uint32_t l, int sign
   }
   const long double diameter = std::sqrt(static_cast<long double>(caps.sphere.W));
   return (inner(p, w) - static_cast<long double>(R.h)) / (diameter * std::sqrt(inner(w, w)));
+}
+
+TEST(CapPair, Cases) {
+  expect_cases(cases::sphere_cap_pair);
 }
 
 TEST(CapPair, CertainAnswersAreRight) {

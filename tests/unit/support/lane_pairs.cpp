@@ -21,10 +21,10 @@ LanePair<typename Lanes::Real> pair_in([[maybe_unused]] const ThreeCaps<typename
     using Cap = LaneCaps<Lanes>;
     const CapPointers<typename Lanes::Real> caps{three.x, three.y, three.z, three.b};
     const Cap u = Cap::all_of(caps, j), v = Cap::all_of(caps, k);
-    const PairLanes<Lanes> pair(u, v);
+    const LanePairs<Lanes> pair(u, v);
     CrossingPairs<Lanes, 32> pairs;
     pairs.add(0, Lanes::all(0), u, Lanes::all(1), v, pair, 1);
-    const LaneCrossings<Lanes> points(pairs, 0);
+    const LaneCrossings<Lanes> points = pairs.points(0);
     result.g = first(pair.g);
     result.q = first(pair.q);
     result.centre_jk = first(fused_minus(pair.g, u.b, v.b));
