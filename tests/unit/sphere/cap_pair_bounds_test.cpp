@@ -15,6 +15,7 @@
 #include "gridless_balls.hpp"
 #include "lane_pairs.hpp"
 #include "sphere/cap_pair.hpp"
+#include "sphere/caps.hpp"
 #include "sphere/float_caps.hpp"
 #include "sweep_length.hpp"
 

@@ -11,6 +11,7 @@
 #include "expect_cases.hpp"
 #include "gridless_balls.hpp"
 #include "random_balls.hpp"
+#include "sphere/caps.hpp"
 
 namespace {
 
