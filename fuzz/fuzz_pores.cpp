@@ -1,12 +1,13 @@
 // Pores of any set: classes at a probe are the regions of free space around grown balls, for points and in number; the
-// regions beside the balls are those of shells that are nested; the tree, pockets and tunnels fit together; the widest
-// probe between two points, which looks at one pair alone; tied balls in integers; no effect of the order of the balls;
-// limits that are too small.
+// regions beside the balls are those of shells that are nested; sizes of pockets with plugs, and then with plugs in
+// leaks; the tree, pockets and tunnels fit together; the widest probe between two points, which looks at one pair;
+// tied balls in integers; no effect of the order of the balls; limits that are too small.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <memory>
 #include <set>
 #include <vector>
 
@@ -256,6 +257,83 @@ void require_free_regions(const computed &base, hsp_pores *pores) {
   require_same(volume, 1e-9 * size * size * size, "their volumes");
 }
 
+// Balls as they are, with their boundary and pores.
+struct PluggedBalls {
+  PluggedBalls(const hsp_pores *from, double step) {
+    hsp_model_options options;
+    FUZZ_REQUIRE(hsp_model_options_init(&options, sizeof options) == HSP_OK, "options");
+    options.step = step;
+    FUZZ_REQUIRE(hsp_pores_get_plugged_balls(from, nullptr, nullptr, 0, &n) == HSP_OK, "how many balls with plugs");
+    std::vector<double> xyz(3 * static_cast<size_t>(n)), radius(n);
+    FUZZ_REQUIRE(hsp_pores_get_plugged_balls(from, xyz.data(), radius.data(), n, &n) == HSP_OK, "balls with plugs");
+    memory.resize(model_bytes());
+    FUZZ_REQUIRE(hsp_model_init(memory.data(), memory.size(), n, &model) == HSP_OK, "their model");
+    status = hsp_model_set(model, n, xyz.data(), radius.data(), &options, nullptr);
+    FUZZ_REQUIRE(status == HSP_OK || status == HSP_E_RANGE, "a plug is too large, or there is none");
+    if (status != HSP_OK) return;
+    hsp_boundary_limits limits;
+    FUZZ_REQUIRE(hsp_boundary_limits_init(&limits, sizeof limits, n) == HSP_OK, "limits of their boundary");
+    boundary.take(limits);
+    boundary.compute(
+        [&](hsp_boundary *handle, hsp_boundary_limits *asked) { return hsp_boundary_compute(handle, model, asked); });
+    hsp_pores_limits pores_limits;
+    FUZZ_REQUIRE(hsp_pores_limits_init(&pores_limits, sizeof pores_limits, n) == HSP_OK, "limits of their pores");
+    pores.take(pores_limits);
+    pores.compute(
+        [&](hsp_pores *handle, hsp_pores_limits *asked) { return hsp_pores_compute(handle, model, nullptr, asked); });
+  }
+  size_t model_bytes() const {
+    size_t bytes = 0;
+    FUZZ_REQUIRE(hsp_model_bytes(n, &bytes) == HSP_OK, "bytes");
+    return bytes;
+  }
+
+  uint32_t n = 0;
+  int32_t status = HSP_OK;
+  std::vector<unsigned char> memory;
+  hsp_model *model = nullptr;
+  support::OwnedHandle<support::BoundaryKind> boundary;
+  support::OwnedHandle<support::PoresKind> pores;
+};
+
+// Pockets between two levels: sizes are of blocked regions, whatever plugs are put into leaks.
+void require_pockets(const fuzz::ScaledBalls &set, hsp_pores *pores, int64_t narrow, int64_t wide) {
+  uint32_t pockets = 0, before = 0;
+  FUZZ_REQUIRE(hsp_pores_find_pockets(pores, set.length(narrow), set.length(wide), &pockets) == HSP_OK, "pockets");
+  std::vector<hsp_pore_pocket_size> sizes(pockets);
+  std::vector<double> first(pockets, NAN);
+  auto plugged = std::make_unique<PluggedBalls>(pores, set.step());
+  for (int times = 0;; ++times) {
+    if (plugged->status != HSP_OK) return;
+    const int32_t status =
+        hsp_pores_measure_pockets(pores, plugged->pores.get(), plugged->boundary.get(), sizes.data(), pockets, nullptr);
+    if (status == HSP_E_RANGE) return;  // some steps wide
+    FUZZ_REQUIRE(status == HSP_OK, "sizes of pockets");
+    hsp_pore_access access{};
+    FUZZ_REQUIRE(hsp_pores_find_regions(plugged->pores.get(), plugged->boundary.get(), &access, nullptr) == HSP_OK,
+                 "their regions");
+    double area = 0.0, volume = 0.0;
+    bool all_closed = true;
+    for (uint32_t k = 0; k < pockets; ++k) {
+      const hsp_pore_pocket_size &size = sizes[k];
+      FUZZ_REQUIRE((size.closed == 0) == std::isnan(size.volume), "a pocket that is not closed has no volume");
+      all_closed = all_closed && size.closed == 1;
+      if (size.closed == 0) continue;
+      FUZZ_REQUIRE(size.regions > 0 || size.volume == 0.0, "a filled pocket");
+      area += size.area + size.plug_area;
+      volume += size.volume;
+    }
+    FUZZ_REQUIRE(area <= access.blocked_area * (1.0 + 1e-9), "areas of pockets are of blocked regions");
+    FUZZ_REQUIRE(volume <= access.blocked_volume * (1.0 + 1e-9), "volumes of pockets are of blocked regions");
+    before = plugged->n;
+    auto next = std::make_unique<PluggedBalls>(plugged->pores.get(), set.step());
+    FUZZ_REQUIRE(next->n >= before && (next->n == before || !all_closed), "leaks are of pockets that are not closed");
+    // As a plug may turn the way up from all maxima of a pocket to the outside, some have no leak.
+    if (next->n == before || times == 40) return;
+    plugged = std::move(next);
+  }
+}
+
 void require_tunnel(const fuzz::ScaledBalls &set, hsp_pores *pores, const Point &from, const Point *to) {
   const double *const end = to == nullptr ? nullptr : to->data();
   hsp_pore_passage passage{};
@@ -298,6 +376,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
       level = static_cast<int64_t>(std::floor(radius / set.step())) - static_cast<int64_t>(bytes.below(20));
     }
     if (level >= 0 && level >= floor) require_regions(set, reference, pores.get(), level, bytes);
+    if (level >= floor) require_pockets(set, pores.get(), level, level + static_cast<int64_t>(bytes.below(1000)));
   }
   for (int k = 0; k < 2; ++k) {
     Point ends[2];

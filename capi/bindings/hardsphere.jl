@@ -1019,6 +1019,14 @@ struct hsp_pore_region
     reserved::UInt32
 end
 
+struct hsp_pore_pocket_size
+    volume::Cdouble
+    area::Cdouble
+    plug_area::Cdouble
+    regions::UInt32
+    closed::UInt32
+end
+
 struct hsp_tunnel
     radius::Cdouble
     length::Cdouble
@@ -2249,6 +2257,11 @@ function hsp_pores_get_pocket_balls(pores, pocket, balls, capacity, needed)
           Ptr{UInt32}), pores, pocket, balls, capacity, needed)
 end
 
+function hsp_pores_get_plugged_balls(pores, xyz, radius, capacity, needed)
+    ccall((:hsp_pores_get_plugged_balls, libhardsphere), Int32, (Ptr{hsp_pores}, Ptr{Cdouble}, Ptr{Cdouble}, UInt32,
+          Ptr{UInt32}), pores, xyz, radius, capacity, needed)
+end
+
 function hsp_pores_find_regions(pores, boundary, access, regions)
     ccall((:hsp_pores_find_regions, libhardsphere), Int32, (Ptr{hsp_pores}, Ptr{hsp_boundary}, Ptr{hsp_pore_access},
           Ptr{UInt32}), pores, boundary, access, regions)
@@ -2257,6 +2270,11 @@ end
 function hsp_pores_get_regions(pores, first, count, out)
     ccall((:hsp_pores_get_regions, libhardsphere), Int32, (Ptr{hsp_pores}, UInt32, UInt32, Ptr{hsp_pore_region}),
           pores, first, count, out)
+end
+
+function hsp_pores_measure_pockets(pores, plugged, boundary, out, capacity, needed)
+    ccall((:hsp_pores_measure_pockets, libhardsphere), Int32, (Ptr{hsp_pores}, Ptr{hsp_pores}, Ptr{hsp_boundary},
+          Ptr{hsp_pore_pocket_size}, UInt32, Ptr{UInt32}), pores, plugged, boundary, out, capacity, needed)
 end
 
 function hsp_pores_find_tunnel(pores, from, to, avoided, count, tunnel, limits)

@@ -1281,6 +1281,16 @@ pub struct hsp_pore_region {
 
 #[repr(C)]
 #[derive(Clone, Copy)]
+pub struct hsp_pore_pocket_size {
+    pub volume: f64,
+    pub area: f64,
+    pub plug_area: f64,
+    pub regions: u32,
+    pub closed: u32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
 pub struct hsp_tunnel {
     pub radius: f64,
     pub length: f64,
@@ -2477,6 +2487,13 @@ extern "C" {
         capacity: u32,
         needed: *mut u32,
     ) -> i32;
+    pub fn hsp_pores_get_plugged_balls(
+        pores: *const hsp_pores,
+        xyz: *mut f64,
+        radius: *mut f64,
+        capacity: u32,
+        needed: *mut u32,
+    ) -> i32;
     pub fn hsp_pores_find_regions(
         pores: *mut hsp_pores,
         boundary: *const hsp_boundary,
@@ -2484,6 +2501,14 @@ extern "C" {
         regions: *mut u32,
     ) -> i32;
     pub fn hsp_pores_get_regions(pores: *const hsp_pores, first: u32, count: u32, out: *mut hsp_pore_region) -> i32;
+    pub fn hsp_pores_measure_pockets(
+        pores: *mut hsp_pores,
+        plugged: *mut hsp_pores,
+        boundary: *const hsp_boundary,
+        out: *mut hsp_pore_pocket_size,
+        capacity: u32,
+        needed: *mut u32,
+    ) -> i32;
     pub fn hsp_pores_find_tunnel(
         pores: *mut hsp_pores,
         from: *const f64,

@@ -1,4 +1,4 @@
-/* Pores of a molecule: which cavities there are for any probe, and how the widest of them opens.
+/* Pores of a molecule: which cavities there are for any probe, how the widest of them opens, and how large pockets are.
  *   pores                    a cage with two rooms
  *   pores FILE.xyzr [N]      x y z r on each line; the N classes of free space that persist most, default 10
  */
@@ -71,6 +71,61 @@ static int32_t print_tunnels(hsp_workspace *work) {
   return status;
 }
 
+/* Balls with plugs, in the mouths of pockets or in leaks, with their boundary and pores. *count: how many they are. */
+static int32_t compute_plugged(const hsp_pores *pores, hsp_workspace *plugged, uint32_t *count) {
+  int32_t status = hsp_pores_get_plugged_balls(pores, NULL, NULL, 0, count);
+  double *xyz = malloc(((size_t)*count + 1) * 3 * sizeof *xyz), *radius = malloc(((size_t)*count + 1) * sizeof *radius);
+  if (xyz == NULL || radius == NULL) status = HSP_E_MEMORY;
+  if (status == HSP_OK) status = hsp_pores_get_plugged_balls(pores, xyz, radius, *count, count);
+  if (status == HSP_OK) status = hsp_workspace_set(plugged, *count, xyz, radius, NULL, NULL);
+  if (status == HSP_OK) status = hsp_workspace_boundary(plugged);
+  if (status == HSP_OK) status = hsp_workspace_pores(plugged, NULL);
+  free(xyz);
+  free(radius);
+  return status;
+}
+
+/* Sizes of the pockets that were found last, in a second workspace: again with more plugs while there are leaks. */
+static int32_t measure_pockets(hsp_workspace *work, hsp_workspace *plugged, hsp_pore_pocket_size *sizes,
+                               uint32_t pockets) {
+  uint32_t before, count = 0;
+  int32_t status = compute_plugged(work->pores, plugged, &count);
+  do {
+    if (status == HSP_OK) {
+      status = hsp_pores_measure_pockets(work->pores, plugged->pores, plugged->boundary, sizes, pockets, NULL);
+    }
+    before = count;
+    if (status == HSP_OK) status = compute_plugged(plugged->pores, plugged, &count);
+  } while (status == HSP_OK && count > before);
+  return status;
+}
+
+/* Where a point fits that a probe of some radius does not get to. */
+static int32_t print_pockets(hsp_workspace *work, double wide) {
+  uint32_t count = 0;
+  int32_t status = hsp_pores_find_pockets(work->pores, 0, wide, &count);
+  if (status != HSP_OK) return status;
+  hsp_workspace plugged = {0};
+  hsp_pore_pocket *pockets = malloc(((size_t)count + 1) * sizeof *pockets);
+  hsp_pore_pocket_size *sizes = malloc(((size_t)count + 1) * sizeof *sizes);
+  if (pockets == NULL || sizes == NULL) status = HSP_E_MEMORY;
+  if (status == HSP_OK) status = hsp_pores_get_pockets(work->pores, 0, count, pockets);
+  if (status == HSP_OK) status = measure_pockets(work, &plugged, sizes, count);
+  for (uint32_t k = 0; status == HSP_OK && k < count; ++k) {
+    printf("pocket for probes up to %.4f, %u mouths up to %.4f: ", pockets[k].radius, (unsigned)pockets[k].mouths,
+           pockets[k].mouth);
+    if (sizes[k].closed == 0) {
+      printf("its mouths cannot be closed\n");
+    } else {
+      printf("volume %.4f, area %.4f\n", sizes[k].volume, sizes[k].area);
+    }
+  }
+  hsp_workspace_free(&plugged);
+  free(pockets);
+  free(sizes);
+  return status;
+}
+
 int main(int argc, char **argv) {
   struct balls balls = {0, NULL, NULL};
   hsp_workspace work = {0};
@@ -80,6 +135,7 @@ int main(int argc, char **argv) {
   if (status == HSP_OK) status = hsp_workspace_pores(&work, NULL);
   if (status == HSP_OK) status = print_classes(&work, most);
   if (status == HSP_OK) status = print_tunnels(&work);
+  if (status == HSP_OK) status = print_pockets(&work, 0.3);
   if (status != HSP_OK) fprintf(stderr, "pores: %s\n", hsp_status_text(status));
   hsp_workspace_free(&work);
   free(balls.xyz);

@@ -1279,6 +1279,15 @@ module hardsphere
     integer(c_int32_t) :: reserved    ! 0
   end type
 
+  type, bind(C) :: hsp_pore_pocket_size
+    ! where the centre of the narrow probe gets, length^3; NaN if the plugs do not close the pocket
+    real(c_double) :: volume
+    real(c_double) :: area         ! of the grown balls beside it, length^2; NaN likewise
+    real(c_double) :: plug_area    ! of the plugs beside it; NaN likewise
+    integer(c_int32_t) :: regions  ! how many parts it falls into; 0 if the plugs fill it, or do not close it
+    integer(c_int32_t) :: closed   ! whether the plugs close it: 1 or 0
+  end type
+
   type, bind(C) :: hsp_tunnel
     ! of the widest probe that gets through; 0 if there is no tunnel, infinite without balls
     real(c_double) :: radius
@@ -3567,6 +3576,17 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_pores_get_plugged_balls(pores, xyz, radius, capacity, needed) result(status) &
+      bind(C, name="hsp_pores_get_plugged_balls")
+      import :: c_double, c_int32_t, c_ptr
+      type(c_ptr), value :: pores
+      real(c_double), intent(inout), optional :: xyz(3, *)  ! 3, needed
+      real(c_double), intent(inout), optional :: radius(*)  ! needed
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
     function hsp_pores_find_regions(pores, boundary, access, regions) result(status) &
       bind(C, name="hsp_pores_find_regions")
       import :: c_int32_t, c_ptr, hsp_pore_access
@@ -3583,6 +3603,18 @@ module hardsphere
       integer(c_int32_t), value :: first
       integer(c_int32_t), value :: count
       type(hsp_pore_region), intent(inout), optional :: out(*)  ! count
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_measure_pockets(pores, plugged, boundary, out, capacity, needed) result(status) &
+      bind(C, name="hsp_pores_measure_pockets")
+      import :: c_int32_t, c_ptr, hsp_pore_pocket_size
+      type(c_ptr), value :: pores
+      type(c_ptr), value :: plugged
+      type(c_ptr), value :: boundary
+      type(hsp_pore_pocket_size), intent(inout), optional :: out(*)  ! needed
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
     end function
 
@@ -4666,7 +4698,7 @@ contains
   pure function hsp_pores_bytes_bound(balls, maxima, gates, tied, candidates, neighbours, points) result(bytes)
     integer(c_int32_t), intent(in) :: balls, maxima, gates, tied, candidates, neighbours, points
     integer(c_size_t) :: bytes
-    bytes = 61440_c_size_t + 180_c_size_t*int(balls, c_size_t) + 372_c_size_t*int(maxima, c_size_t) &
+    bytes = 61440_c_size_t + 180_c_size_t*int(balls, c_size_t) + 392_c_size_t*int(maxima, c_size_t) &
       + 148_c_size_t*int(gates, c_size_t) + 16_c_size_t*int(tied, c_size_t) + 16_c_size_t*int(candidates, c_size_t) &
       + 160_c_size_t*int(neighbours, c_size_t) + 144_c_size_t*int(points, c_size_t)
   end function

@@ -90,6 +90,13 @@ int32_t get_list(const hsp_pores *pores, uint32_t record, T *out, uint32_t capac
   return HSP_OK;
 }
 
+// The least number of steps that is not narrower than `radius`, of this level.
+int64_t steps_not_below(const hsp_pores &pores, double level, double radius) {
+  int64_t steps = hsp::nearest(level) - 1;
+  while (pores.lattice().length(static_cast<double>(steps)) < radius) ++steps;
+  return steps;
+}
+
 constexpr auto as_it_is = [](uint32_t number) { return number; };
 
 template <auto list>
@@ -162,6 +169,7 @@ int32_t compute_from(hsp_pores *pores, const Handle *source, const hsp_pores_opt
                      Compute compute) {
   if (const int32_t status = check_handle(pores); status != HSP_OK) return status;
   pores->complete = false;
+  pores->narrow_steps = 0;
   hsp_pores_options asked;
   const int32_t refused = first_failure(check_handle(source), check_struct(limits), read_options(options, asked));
   if (refused != HSP_OK) return refused;
@@ -214,6 +222,93 @@ hsp_pore_region to_region(const hsp_pores &pores, const hsp::PoreRegion &region)
                          0};
   for (int k = 0; k < 9; ++k) record.row[k] = winding.row[k];
   return record;
+}
+
+// The balls that pores were computed of, grown by the narrow probe of their pockets, then the plugs of all mouths.
+class PluggedBalls {
+ public:
+  explicit PluggedBalls(const hsp_pores &pores) : pores_(pores), around_(pores.balls_around()) {}
+
+  uint32_t given() const { return pores_.ball_count(); }
+  uint32_t size() const { return given() + pores_.builder.pockets().all_mouths().size(); }
+  // In lengths.
+  void put(uint32_t k, double xyz[3], double &radius) const {
+    const hsp::exact::LatticeBall ball = (*this)[k];
+    put_place(pores_, hsp::exact::to_double(ball.centre), xyz);
+    radius = pores_.lattice().length(static_cast<double>(ball.radius));
+  }
+  // Whether other pores were computed of these balls, rounded to any lattice, and perhaps of further ones behind them;
+  // and of the same box.
+  bool are_those_of(const hsp_pores &plugged) const {
+    if (plugged.in_box != pores_.in_box || plugged.ball_count() < size()) return false;
+    const hsp::BallsAround around = plugged.balls_around();
+    if (around.box() != nullptr && !is_same_box(*around.box(), plugged.lattice())) return false;
+    for (uint32_t k = 0; k < size(); ++k) {
+      if (!is_same_ball(k, around, plugged.lattice())) return false;
+    }
+    return true;
+  }
+
+ private:
+  hsp::exact::LatticeBall operator[](uint32_t k) const {
+    if (k >= given()) {
+      const uint32_t mouth = pores_.builder.pockets().all_mouths()[k - given()];
+      return hsp::plug_of(pores_.builder.pores(), around_, pores_.gates()[mouth], pores_.narrow_steps);
+    }
+    hsp::exact::LatticeBall ball = around_.ball({k, {}});
+    ball.radius = hsp::grown_radius(ball.radius, pores_.narrow_steps);
+    return ball;
+  }
+  bool is_same_ball(uint32_t k, const hsp::BallsAround &around, const hsp::exact::Lattice &lattice) const {
+    double xyz[3], radius = 0.0;
+    put(k, xyz, radius);
+    const hsp::exact::LatticeBall there = around.ball({k, {}});
+    hsp::exact::Vector centre;
+    hsp::BoxShift home;
+    if (!lattice.round(xyz, centre)) return false;
+    if (around.box() != nullptr && around.box()->wrap(centre, home) != hsp::Status::ok) return false;
+    const double steps = lattice.steps(radius);
+    return dot(centre - there.centre, centre - there.centre) == 0 && steps < 0x1p31 &&
+           hsp::nearest(steps) == there.radius;
+  }
+  // But for a step, as vectors may have been rounded twice.
+  bool is_same_box(const hsp::PeriodicBox &box, const hsp::exact::Lattice &lattice) const {
+    const auto is_near = [&](int64_t own, int64_t other) {
+      const double steps = lattice.steps(pores_.lattice().length(static_cast<double>(own)));
+      return std::fabs(steps - static_cast<double>(other)) <= 1.0;
+    };
+    bool same = true;
+    for (const uint32_t k : {0U, 1U, 2U}) {
+      const hsp::exact::Vector &own = around_.box()->given(k), &other = box.given(k);
+      same = same && is_near(own.x, other.x) && is_near(own.y, other.y) && is_near(own.z, other.z);
+    }
+    return same;
+  }
+
+  const hsp_pores &pores_;
+  hsp::BallsAround around_;
+};
+
+void forget_pockets(hsp_pores &pores) {
+  pores.builder.forget_pockets();
+  pores.narrow_steps = 0;
+}
+
+// Whether regions of pores can be found beside a boundary.
+int32_t check_surface(const hsp_pores &pores, const hsp_boundary *boundary) {
+  if (pores.in_box != (boundary == nullptr)) return HSP_E_ARGUMENT;
+  if (!pores.in_box) {
+    if (const int32_t status = check_results(boundary, false); status != HSP_OK) return status;
+    if (!boundary->model.is(&*pores.model)) return HSP_E_ARGUMENT;
+  }
+  return pores.builder.floor() > 0 ? HSP_E_RANGE : HSP_OK;
+}
+
+// After that.
+hsp::Status find_regions(hsp_pores &pores, const hsp_boundary *boundary, uint32_t first_plug) {
+  const hsp::PeriodicUnion *const periodic = pores.in_box ? &pores.periodic->builder : nullptr;
+  return pores.builder.find_regions(pores.balls_around(), pores.in_box ? periodic->boundary() : boundary->structure(),
+                                    periodic, first_plug);
 }
 
 int32_t round_point(const hsp_pores &pores, const double *xyz, hsp::exact::Vector &point) {
@@ -471,7 +566,7 @@ int32_t hsp_pores_widest(const hsp_pores *pores, const double *from, const doubl
 
 int32_t hsp_pores_find_pockets(hsp_pores *pores, double narrow, double wide, uint32_t *pockets) {
   if (const int32_t status = check_handle(pores); status != HSP_OK) return status;
-  pores->builder.forget_pockets();
+  forget_pockets(*pores);
   if (pockets == nullptr) return HSP_E_ARGUMENT;
   if (!pores->has_results()) return HSP_E_STATE;
   if (!hsp::is_finite(narrow) || !hsp::is_finite(wide)) return HSP_E_NOT_FINITE;
@@ -479,6 +574,7 @@ int32_t hsp_pores_find_pockets(hsp_pores *pores, double narrow, double wide, uin
   const double narrow_level = pores->lattice().steps(narrow), wide_level = pores->lattice().steps(wide);
   if (!is_level(*pores, narrow_level) || !is_level(*pores, wide_level)) return HSP_E_RANGE;
   pores->builder.find_pockets(highest_level(*pores, narrow_level, narrow), highest_level(*pores, wide_level, wide));
+  pores->narrow_steps = steps_not_below(*pores, narrow_level, narrow);
   *pockets = pores->builder.pockets().pockets().size();
   return HSP_OK;
 }
@@ -518,20 +614,28 @@ int32_t hsp_pores_get_pocket_balls(const hsp_pores *pores, uint32_t pocket, uint
   return get_pocket_list<&hsp::PocketFinder::balls>(pores, pocket, balls, capacity, needed);
 }
 
+int32_t hsp_pores_get_plugged_balls(const hsp_pores *pores, double *xyz, double *radius, uint32_t capacity,
+                                    uint32_t *needed) {
+  if (const int32_t status = check_results(pores, false); status != HSP_OK) return status;
+  const PluggedBalls balls(*pores);
+  const bool wanted = xyz != nullptr || radius != nullptr;
+  if (!hsp::capi::fits(wanted, capacity, balls.size(), needed)) return HSP_E_CAPACITY;
+  for (uint32_t k = 0; wanted && k < balls.size(); ++k) {
+    double place[3], length = 0.0;
+    balls.put(k, place, length);
+    hsp::capi::put_vector(place, xyz, k);
+    if (radius != nullptr) radius[k] = length;
+  }
+  return HSP_OK;
+}
+
 int32_t hsp_pores_find_regions(hsp_pores *pores, const hsp_boundary *boundary, hsp_pore_access *access,
                                uint32_t *regions) {
   if (const int32_t status = check_handle(pores); status != HSP_OK) return status;
   pores->builder.forget_regions();
   if (!pores->has_results()) return HSP_E_STATE;
-  if (pores->in_box != (boundary == nullptr)) return HSP_E_ARGUMENT;
-  if (!pores->in_box) {
-    if (const int32_t status = check_results(boundary, false); status != HSP_OK) return status;
-    if (!boundary->model.is(&*pores->model)) return HSP_E_ARGUMENT;
-  }
-  if (pores->builder.floor() > 0) return HSP_E_RANGE;
-  const hsp::PeriodicUnion *const periodic = pores->in_box ? &pores->periodic->builder : nullptr;
-  const hsp::Status found = pores->builder.find_regions(
-      pores->balls_around(), pores->in_box ? periodic->boundary() : boundary->structure(), periodic);
+  if (const int32_t refused = check_surface(*pores, boundary); refused != HSP_OK) return refused;
+  const hsp::Status found = find_regions(*pores, boundary, hsp::no_id);
   if (found != hsp::Status::ok) return hsp::capi::to_c(found);
   const hsp::Span<const hsp::PoreRegion> there = pores->builder.regions().regions();
   if (regions != nullptr) *regions = there.size();
@@ -551,6 +655,51 @@ int32_t hsp_pores_get_regions(const hsp_pores *pores, uint32_t first, uint32_t c
                                      [](const hsp_pores &handle) { return handle.builder.regions().regions().size(); });
   if (status != HSP_OK) return status;
   for (uint32_t k = 0; k < count; ++k) out[k] = to_region(*pores, pores->builder.regions().regions()[first + k]);
+  return HSP_OK;
+}
+
+int32_t hsp_pores_measure_pockets(hsp_pores *pores, hsp_pores *plugged, const hsp_boundary *boundary,
+                                  hsp_pore_pocket_size *out, uint32_t capacity, uint32_t *needed) {
+  if (const int32_t status = first_failure(check_handle(pores), check_handle(plugged)); status != HSP_OK) return status;
+  plugged->builder.forget_regions();
+  if (plugged != pores) forget_pockets(*plugged);
+  if (out == nullptr && capacity > 0) return HSP_E_ARGUMENT;
+  if (!pores->has_results() || !plugged->has_results()) return HSP_E_STATE;
+  const PluggedBalls balls(*pores);
+  if (!balls.are_those_of(*plugged)) return HSP_E_ARGUMENT;
+  if (const int32_t refused = check_surface(*plugged, boundary); refused != HSP_OK) return refused;
+  const hsp::PocketFinder &finder = pores->builder.pockets();
+  const uint32_t count = finder.pockets().size();
+  if (!hsp::capi::fits(true, capacity, count, needed)) return HSP_E_CAPACITY;
+  hsp::Status status = find_regions(*plugged, boundary, balls.given());
+  if (status == hsp::Status::ok) {
+    status = pores->builder.match_pockets(
+        plugged->builder, plugged->balls_around(), [&](uint32_t maximum, hsp::exact::Vector &point) {
+          double xyz[3];
+          put_place(*pores, pores->maxima()[maximum].point.place, xyz);
+          return plugged->lattice().round(xyz, point) ? hsp::Status::ok : hsp::Status::range;
+        });
+  }
+  if (status != hsp::Status::ok) {
+    plugged->builder.forget_regions();
+    return hsp::capi::to_c(status);
+  }
+  for (uint32_t k = 0; k < count; ++k) out[k] = {0.0, 0.0, 0.0, 0, 1};
+  const hsp::exact::Lattice &lattice = plugged->lattice();
+  finder.visit_regions(
+      plugged->builder.regions().regions(),
+      [&](uint32_t pocket) {
+        constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+        out[pocket] = {unknown, unknown, unknown, 0, 0};
+      },
+      [&](uint32_t pocket, const hsp::PoreRegion &region) {
+        hsp_pore_pocket_size &size = out[pocket];
+        if (size.closed == 0) return;
+        size.volume += lattice.volume(region.volume);
+        size.area += lattice.area(region.area - region.plug_area);
+        size.plug_area += lattice.area(region.plug_area);
+        ++size.regions;
+      });
   return HSP_OK;
 }
 

@@ -18,12 +18,14 @@ struct hsp_pores {
   hsp::capi::Source<hsp_model> model{};
   hsp::capi::Source<hsp_periodic> periodic{};
   bool complete = false;
-  bool in_box = false;  // of a periodic box, not a model
+  bool in_box = false;       // of a periodic box, not a model
+  int64_t narrow_steps = 0;  // the narrow probe of the pockets, rounded up
 
   // Whether results may be read: computed, and the model or box unchanged since.
   bool has_results() const { return complete && (in_box ? periodic.is_unchanged() : model.is_unchanged()); }
   hsp::Span<const hsp::PoreMaximum> maxima() const { return builder.pores().maxima(); }
   hsp::Span<const hsp::PoreGate> gates() const { return builder.pores().gates(); }
+  uint32_t ball_count() const { return in_box ? periodic->balls() : model->balls().n; }
   const hsp::exact::Lattice &lattice() const { return in_box ? periodic->lattice() : model->balls().lattice; }
   // For questions about points.
   hsp::BallsAround balls_around() const {

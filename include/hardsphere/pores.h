@@ -67,7 +67,7 @@ HSP_API int32_t hsp_pores_bytes(const hsp_pores_limits *limits, size_t *bytes);
 
 /** The same as an upper bound that is a constant expression, for static arrays. */
 #define HSP_PORES_BYTES(balls, maxima, gates, tied, candidates, neighbours, points)                                 \
-  ((size_t)61440 + (size_t)180 * (size_t)(balls) + (size_t)372 * (size_t)(maxima) + (size_t)148 * (size_t)(gates) + \
+  ((size_t)61440 + (size_t)180 * (size_t)(balls) + (size_t)392 * (size_t)(maxima) + (size_t)148 * (size_t)(gates) + \
    (size_t)16 * (size_t)(tied) + (size_t)16 * (size_t)(candidates) + (size_t)160 * (size_t)(neighbours) +           \
    (size_t)144 * (size_t)(points))
 
@@ -427,6 +427,25 @@ HSP_API int32_t hsp_pores_get_pocket_mouths(const hsp_pores *pores, uint32_t poc
 HSP_API int32_t hsp_pores_get_pocket_balls(const hsp_pores *pores, uint32_t pocket, uint32_t *balls, uint32_t capacity,
                                            uint32_t *needed);
 
+/** The balls as rounded to the lattice, grown by the narrow probe of the last hsp_pores_find_pockets, and then a plug
+ *  for each mouth: xyz [needed][3] and radius [needed], of which either may be NULL. Balls have their numbers; plugs
+ *  come behind them, in the order of pockets and of their mouths. They are what hsp_pores_measure_pockets wants
+ *  pores of. Of pores that it has taken for that, the balls as they are, and a plug for each leak that it found. Before
+ *  either, the balls as they are.
+ *
+ *  A plug is a ball around the point of a mouth. The grown balls that are nearest there leave a part of their plane
+ *  open, of which the corners are where two neighbouring ones meet, or else are the ends of the gap between them. The
+ *  plug is the smallest ball that holds all corners, but for a part in 10^6 and some lattice steps. The radius of the
+ *  probe is rounded up to the lattice, and a ball that it leaves no radius, as it is negative, keeps the radius 0. In a
+ *  periodic box each ball may be given as another image than before.
+ *
+ *  Cost: O(n), and O(k^2) for a mouth where k balls tie.
+ *  @retval HSP_E_ARGUMENT  pores is NULL
+ *  @retval HSP_E_CAPACITY  an array is given and capacity is smaller than *needed; nothing but that is written
+ *  @retval HSP_E_STATE     nothing computed, or the model has changed since */
+HSP_API int32_t hsp_pores_get_plugged_balls(const hsp_pores *pores, double *xyz, double *radius, uint32_t capacity,
+                                            uint32_t *needed);
+
 /** How much of free space a probe gets to from the outside, or in a box for ever, and how much it does not. Frozen. */
 typedef struct hsp_pore_access {
   double accessible_area;   /**< of the boundary beside accessible regions, length^2 */
@@ -485,6 +504,51 @@ typedef struct hsp_pore_region {
  *  @retval HSP_E_STATE     nothing computed, or the model has changed since
  *  @retval HSP_E_ID        not all of these regions are there */
 HSP_API int32_t hsp_pores_get_regions(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_region *out);
+
+/** The size of a pocket, cut off at its mouths by plugs. Frozen. */
+typedef struct hsp_pore_pocket_size {
+  double volume; /**< where the centre of the narrow probe gets, length^3; NaN if the plugs do not close the pocket */
+  double area;   /**< of the grown balls beside it, length^2; NaN likewise */
+  double plug_area; /**< of the plugs beside it; NaN likewise */
+  uint32_t regions; /**< how many parts it falls into; 0 if the plugs fill it, or do not close it */
+  uint32_t closed;  /**< whether the plugs close it: 1 or 0 */
+} hsp_pore_pocket_size;
+
+/** Measure all pockets of the last hsp_pores_find_pockets: out gets a record for each, in their order. `plugged` are
+ *  pores, with a floor that is not above 0, of the balls that hsp_pores_get_plugged_balls gives, without a probe and in
+ *  the same box if there is one, on the same lattice or, if a plug is too large for that, a coarser one. Balls behind
+ *  these are plugs, too.
+ *
+ *  The volume of a pocket is that of the regions of `plugged` in which maxima of it are. It is closed if none of these
+ *  is accessible and none holds a maximum, wider than the narrow probe, of no pocket or of another one; maxima in plugs
+ *  are in no region. So the tree decides whether it is closed, and no tolerance. A dent that is hardly wider than its
+ *  mouth may be filled by the plug: it is closed then, and has no volume.
+ *
+ *  A pocket may not be closed at first, as the narrow probe slips past a plug where balls beside the mouth do not meet.
+ *  Such leaks are gates of `plugged`, and become mouths of these pores instead of pockets that they may have had:
+ *  hsp_pores_get_plugged_balls of `plugged` has a plug for each of them, too, and pores of those balls are for the next
+ *  call, with the same first argument. Molecules need up to three. With no leak, and so no further ball, a pocket that
+ *  is not closed stays so: without mouths in a box, where it goes on for ever, or where a plug turns its only way up
+ *  to the outside.
+ *  - Property 1: with narrow = wide, when there are no mouths, sizes are those of the blocked regions of the grown
+ *    balls.
+ *  - Property 2: if the first plugs close a pocket, the volume behind flat lids, in the plane of the three balls of
+ *    each mouth, is no less than `volume`. It is no more than that and the free half of each plug on this side of its
+ *    lid, and free parts without a maximum that a plug cuts off.
+ *
+ *  Cost: that of hsp_pores_find_regions, and of hsp_pores_locate for each maximum that is wider than the narrow probe.
+ *  @param[in,out] pores    with their pockets
+ *  @param[in,out] plugged  whose regions become those that hsp_pores_find_regions finds; on failure it has none. They
+ *                          may be the same pores, if nothing is grown and nothing has a plug
+ *  @param[in] boundary     of the model that `plugged` were computed of; NULL in a box
+ *  @retval HSP_E_ARGUMENT  pores or plugged is NULL; out is NULL with a capacity above 0; `plugged` are of other balls
+ *                          or of another box; boundary is NULL without a box, of another model, or given with one
+ *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, which may be NULL
+ *  @retval HSP_E_STATE     nothing computed, or a model, box or boundary has changed since
+ *  @retval HSP_E_RANGE     as of hsp_pores_find_regions; or maxima lie beyond the lattice of `plugged`
+ *  @retval HSP_E_CHECK     a way up ends nowhere, which cannot happen: please report it */
+HSP_API int32_t hsp_pores_measure_pockets(hsp_pores *pores, hsp_pores *plugged, const hsp_boundary *boundary,
+                                          hsp_pore_pocket_size *out, uint32_t capacity, uint32_t *needed);
 
 /** A tunnel. Frozen. */
 typedef struct hsp_tunnel {

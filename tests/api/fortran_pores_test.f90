@@ -84,10 +84,29 @@ program fortran_pores_test
   call expect(hsp_pores_find_tunnel(pores, middle, away, [0_c_int32_t], 1_c_int32_t, tunnel, limits), HSP_OK, &
               'hsp_pores_find_tunnel that avoids a gate')
   call check(tunnel%gate > 0 .and. limits%points >= tunnel%points, 'another way')
+  call with_plugs()
   call in_a_box()
   call report_checks()
 
 contains
+
+  ! The pocket of the four balls, closed by four plugs.
+  subroutine with_plugs()
+    type(hsp_workspace) :: plugged
+    type(hsp_pore_pocket_size) :: size(1)
+    real(c_double) :: centre(3, 8), r(8)
+    call check(c_sizeof(size(1)) == 32, 'the size of sizes')
+    call expect(hsp_pores_get_plugged_balls(pores, capacity=0_c_int32_t, needed=needed), HSP_OK, 'how many balls')
+    call check(needed == 8, 'four balls and four plugs')
+    call expect(hsp_pores_get_plugged_balls(pores, centre, r, 8_c_int32_t, needed), HSP_OK, 'hsp_pores_get_plugged_balls')
+    call check(all(centre(:, 1:4) == xyz) .and. all(r(1:4) == radius) .and. all(r(5:8) > 0), 'balls and plugs')
+    call expect(plugged%set(8_c_int32_t, centre, r), HSP_OK, 'balls with plugs')
+    call expect(plugged%compute_boundary(), HSP_OK, 'their boundary')
+    call expect(plugged%compute_pores(), HSP_OK, 'their pores')
+    call expect(hsp_pores_measure_pockets(pores, plugged%pores, plugged%boundary, size, 1_c_int32_t, needed), HSP_OK, &
+                'hsp_pores_measure_pockets')
+    call check(needed == 1 .and. size(1)%closed == 1 .and. size(1)%volume >= 0 .and. size(1)%area >= 0, 'its size')
+  end subroutine
 
   ! One ball in a box: a simple cubic packing.
   subroutine in_a_box()

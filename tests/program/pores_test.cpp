@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iomanip>
 #include <limits>
+#include <map>
 #include <set>
 #include <sstream>
 #include <string>
@@ -98,6 +99,8 @@ TEST(Pores, ARoomWithEightWindows) {
   EXPECT_NEAR(pocket["mouth_radius"].number, window, 1e-8);
   EXPECT_EQ(pocket["mouths"].items.size(), 8u);
   EXPECT_EQ(pocket["balls"].items.size(), 6u);
+  EXPECT_EQ(pocket["closed"].number, 1);
+  EXPECT_EQ(pocket["volume"].kind, Json::Kind::number);
   EXPECT_NEAR(json["from_radius"].number, 0.3, 1e-8);
   EXPECT_EQ(json["tunnels"].number, 8);  // there is no ninth window
   for (const Json &tunnel : json["tunnel_list"].items) {
@@ -198,13 +201,46 @@ TEST(Pores, PocketsOfOneProbeAreItsVoids) {
     ASSERT_EQ(pockets.size(), voids.size()) << probe;
     EXPECT_GT(pockets.size(), 0u) << probe;
     std::vector<double> clearance;
-    for (const Json &each : voids) clearance.push_back(each["clearance"].number);
+    std::map<double, double> volumes;
+    for (const Json &each : voids) {
+      clearance.push_back(each["clearance"].number);
+      volumes[each["clearance"].number] = each["volume"].number;
+    }
     std::sort(clearance.rbegin(), clearance.rend());
     for (size_t k = 0; k < pockets.size(); ++k) {
       EXPECT_EQ(pockets[k]["gate"].text, "none");
       EXPECT_NEAR(pockets[k]["radius"].number - std::stod(probe), clearance[k], 1e-4) << probe;
+      EXPECT_EQ(pockets[k]["closed"].number, 1);
+      EXPECT_NEAR(pockets[k]["volume"].number, volumes[clearance[k]], 1e-9);
     }
   }
+}
+
+// In crambin all pockets are closed by plugs, some of them in leaks; in a box much larger than it they are the same.
+TEST(Pores, SizesOfPockets) {
+  const Json json = run_json({"pores", crambin(), "--probe", "0.5", "--pockets", "2"});
+  const Json boxed = run_json({"pores", crambin(), "--probe", "0.5", "--pockets", "2", "--box", "80,90,100"});
+  const std::vector<Json> &pockets = json["pocket_list"].items, &same = boxed["pocket_list"].items;
+  ASSERT_EQ(pockets.size(), same.size());
+  EXPECT_GT(pockets.size(), 20u);
+  double volume = 0.0;
+  for (size_t k = 0; k < pockets.size(); ++k) {
+    EXPECT_EQ(pockets[k]["closed"].number, 1);
+    EXPECT_EQ(pockets[k]["volume"].number > 0.0, pockets[k]["area"].number > 0.0);
+    EXPECT_NEAR(pockets[k]["volume"].number, same[k]["volume"].number, 1e-9);
+    EXPECT_NEAR(pockets[k]["area"].number, same[k]["area"].number, 1e-9);
+    volume += pockets[k]["volume"].number;
+  }
+  EXPECT_GT(volume, 50.0);
+  // In a crystal that the probe goes on in for ever there is one that no plug closes.
+  const TemporaryFile file("one.xyzr", "1 2 3 2\n");
+  const Json open = run_json({"pores", file.path(), "--pockets", "50", "--box", "6,6,6"});
+  ASSERT_EQ(open["pocket_list"].items.size(), 1u);
+  EXPECT_EQ(open["pocket_list"].items[0]["closed"].number, 0);
+  EXPECT_EQ(open["pocket_list"].items[0]["volume"].kind, Json::Kind::null);
+  EXPECT_EQ(open["pocket_list"].items[0]["area"].kind, Json::Kind::null);
+  const Outcome rows = run_program({"pores", file.path(), "--pockets", "50", "--box", "6,6,6", "--csv"});
+  EXPECT_NE(rows.out.find(",,,0\n"), std::string::npos);
 }
 
 TEST(Pores, ThoseThatLastLong) {
@@ -242,7 +278,8 @@ TEST(Pores, TablesOfCommaSeparatedValues) {
       {{"--gates"}, "gate_list", {"gate", "x", "y", "z", "radius", "end", "other_end", "merges"}},
       {{"--pockets", "3"},
        "pocket_list",
-       {"pocket", "x", "y", "z", "radius", "mouth_radius", "maximum", "gate", "maxima", "mouths", "balls"}},
+       {"pocket", "x", "y", "z", "radius", "mouth_radius", "maximum", "gate", "maxima", "mouths", "balls", "volume",
+        "area", "closed"}},
       {{"--tunnels-from", "9.5,12.7,5.7"},
        "tunnel_points",
        {"tunnel", "length", "x", "y", "z", "radius", "gate", "maximum"}}};

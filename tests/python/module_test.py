@@ -166,6 +166,22 @@ class Values(unittest.TestCase):
         higher = hardsphere.Balls(corners, [1.0] * 8).pores(floor=2.6)
         self.assertEqual(len(higher.maxima), 0)
 
+    def test_sizes_of_pockets(self):
+        """The same cube, whose faces are closed by plugs; it is what eight eighths of balls leave of a cube."""
+        corners = [[x, y, z] for x in (0, 4) for y in (0, 4) for z in (0, 4)]
+        pores = hardsphere.Balls(corners, [2.1] * 8).pores().handle
+        self.assertEqual(pores.find_pockets(0.1, 0.8), 1)
+        with_plugs = pores.get_plugged_balls()
+        self.assertEqual(len(with_plugs.radius), 8 + 6)
+        plugged = hardsphere.Balls(with_plugs.xyz, with_plugs.radius)
+        size, = pores.measure_pockets(plugged.pores().handle, plugged.boundary)
+        self.assertEqual((field(size, "closed"), field(size, "regions")), (1, 1))
+        lens = math.pi * (4 * 2.2 + 4) * (2 * 2.2 - 4) ** 2 / 12
+        lids = 64 - 4 / 3 * math.pi * 2.2 ** 3 + 3 * lens
+        plug = plain(with_plugs.radius)[8]
+        self.assertLess(field(size, "volume"), lids)
+        self.assertGreater(field(size, "volume"), lids - 6 * 2 / 3 * math.pi * plug ** 3)
+
     def test_threads_give_the_same_bits(self):
         centers, radii = random_balls(1500, 20)
         for kind, more in ((hardsphere.Balls, {}), (hardsphere.Box, {"vectors": [20, 21, 22]})):

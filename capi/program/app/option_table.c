@@ -151,7 +151,8 @@ const struct option *option_at(size_t i) {
                "for ever, of what is blocked, and of each region; the volume is that of its centre"},
       {"--pockets", "W", take_number, OF(PORES), .target = IN(pockets), .what = "a length", .most = 1e6,
        .help = "list pockets: where a probe of radius P fits, and one of radius W does not get to from\n"
-               "outside, or with --box from where it goes on for ever"},
+               "outside, or with --box from where it goes on for ever. Volume and area are those of places\n"
+               "of the centre of P, cut off by balls that fill the mouths; - where these do not close it"},
       {"--balls", NULL, take_flag, OF(PORES), .target = IN(void_balls),
        .help = "also the balls around each pocket, and each bottleneck of a tunnel"},
       {"--tunnels-from", "X Y Z|atom:N|maximum:N", take_place, OF(PORES), .target = IN(tunnels_from),

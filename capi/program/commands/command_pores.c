@@ -164,8 +164,11 @@ static bool pocket_row(const void *of, size_t row, union cell cells[MOST_COLUMNS
   cells[6].count = pocket->maxima;
   cells[7].count = pocket->mouths;
   cells[8].count = pocket->balls;
-  set_list(&cells[9], &found->mouths, row);
-  set_list(&cells[10], &found->lining, row);
+  cells[9].quantity = found->sizes[row].volume;
+  cells[10].quantity = found->sizes[row].area;
+  cells[11].count = found->sizes[row].closed;
+  set_list(&cells[12], &found->mouths, row);
+  set_list(&cells[13], &found->lining, row);
   return true;
 }
 
@@ -175,8 +178,9 @@ static struct table table_of_pockets(const struct molecule *molecule, const stru
       {"radius", NULL, "radius", 9, COLUMN_QUANTITY, 4}, {"mouth_radius", NULL, "mouth", 9, COLUMN_QUANTITY, 4},
       {"maximum", NULL, "maximum", 7, COLUMN_COUNT, 0},  {"gate", NULL, "gate", 7, COLUMN_RESIDUE_NUMBER, 0},
       {"maxima", NULL, "maxima", 7, COLUMN_COUNT, 0},    {NULL, "mouths", "mouths", 6, COLUMN_COUNT, 0},
-      {NULL, "balls", "balls", 6, COLUMN_COUNT, 0},      {"mouths", "", NULL, 0, COLUMN_COUNTS, 0},
-      {"balls", "", NULL, 0, COLUMN_COUNTS, 0},
+      {NULL, "balls", "balls", 6, COLUMN_COUNT, 0},      {"volume", NULL, "volume", 9, COLUMN_QUANTITY, 4},
+      {"area", NULL, "area", 9, COLUMN_QUANTITY, 4},     {"closed", NULL, NULL, 0, COLUMN_COUNT, 0},
+      {"mouths", "", NULL, 0, COLUMN_COUNTS, 0},         {"balls", "", NULL, 0, COLUMN_COUNTS, 0},
   };
   return (struct table){
       columns, sizeof columns / sizeof columns[0], molecule->format, found->pocket_count, found, pocket_row, NULL};
@@ -355,8 +359,9 @@ static void print(struct record *record, const void *of) {
   if (pockets) {
     record_count(record, "pockets", "pockets", found->pocket_count, "where the probe fits that --pockets keeps out");
     if (!persons) record_table(record, "pocket_list", &pocket_table);
-    print_table(record, &pocket_table,
-                "  x y z: where the widest probe fits; its radius and that of the widest mouth, in @");
+    print_table(
+        record, &pocket_table,
+        "  x y z: where the widest probe fits; its radius, and the widest mouth's, in @; volume in @^3, area in @^2");
     for (uint32_t i = 0; lists_balls(record, found) && i < found->pocket_count; ++i) {
       if (pores_lists_pocket(found, i)) print_balls(record, "pocket", i + 1, &found->lining, i);
     }

@@ -66,8 +66,19 @@ static bool take_channels(hsp_pores *pores, struct pores_found *found, struct fa
   return status == HSP_OK || failure_in_library(failure, status);
 }
 
-static bool take_pockets(hsp_pores *pores, struct pores_found *found, struct failure *failure) {
+/* If they are printed. */
+static bool measure_pockets(const struct geometry *geometry, struct pores_found *found, struct failure *failure) {
   const struct request *const request = found->request;
+  if (request_prints_file(request)) return true;
+  found->sizes = calloc((size_t)found->pocket_count + 1, sizeof *found->sizes);
+  if (found->sizes == NULL) return failure_of_memory(failure);
+  return geometry_measure_pockets(geometry, request->box.source != BOX_NONE ? found->box.box : NULL,
+                                  found->pocket_count, found->sizes, failure);
+}
+
+static bool take_pockets(const struct geometry *geometry, struct pores_found *found, struct failure *failure) {
+  const struct request *const request = found->request;
+  hsp_pores *const pores = geometry->work.pores;
   uint32_t *const count = &found->pocket_count;
   int32_t status = hsp_pores_find_pockets(pores, request->probe, request->pockets, count);
   if (status == HSP_E_RANGE) return failure_in_input(failure, 0, "--pockets: %s", geometry_reason(status));
@@ -76,7 +87,8 @@ static bool take_pockets(hsp_pores *pores, struct pores_found *found, struct fai
   if (found->pockets == NULL) return failure_of_memory(failure);
   status = hsp_pores_get_pockets(pores, 0, *count, found->pockets);
   if (status != HSP_OK) return failure_in_library(failure, status);
-  return take_lists(pores, *count, hsp_pores_get_pocket_mouths, &found->mouths, failure) &&
+  return measure_pockets(geometry, found, failure) &&
+         take_lists(pores, *count, hsp_pores_get_pocket_mouths, &found->mouths, failure) &&
          take_lists(pores, *count, hsp_pores_get_pocket_balls, &found->lining, failure) &&
          take_lists(pores, *count, hsp_pores_get_pocket_maxima, &found->of_pockets, failure);
 }
@@ -221,7 +233,7 @@ bool pores_find(const struct molecule *molecule, struct geometry *geometry, stru
                 : geometry_find_pores(geometry, molecule, request->probe, failure)) &&
          take_tree(geometry->work.pores, found, failure) &&
          (!boxed || take_channels(geometry->work.pores, found, failure)) &&
-         (request->pockets < 0.0 || take_pockets(geometry->work.pores, found, failure)) &&
+         (request->pockets < 0.0 || take_pockets(geometry, found, failure)) &&
          (!request->tunnels_from.point.given || find_tunnels(geometry, molecule, found, failure));
 }
 
@@ -234,6 +246,7 @@ void pores_free(struct pores_found *found) {
   free(found->maxima);
   free(found->gates);
   free(found->pockets);
+  free(found->sizes);
   free(found->tunnels);
   free(found->routes);
   free(found->steps);

@@ -36,6 +36,7 @@ struct pores_found {
   struct number_lists of_gates;
   uint32_t pocket_count;
   hsp_pore_pocket *pockets;
+  hsp_pore_pocket_size *sizes; /* of the pockets */
   struct number_lists mouths;
   struct number_lists lining;
   struct number_lists of_pockets; /* maxima */

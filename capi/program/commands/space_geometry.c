@@ -1,5 +1,8 @@
 #include "commands/space_geometry.h"
 
+#include <math.h>
+#include <stdlib.h>
+
 bool geometry_compute_cells(struct geometry *geometry, struct failure *failure) {
   progress_show(&geometry->progress, "cutting free space");
   const int32_t status = hsp_workspace_cells(&geometry->work);
@@ -104,19 +107,80 @@ bool geometry_find_pores_in_box(struct geometry *geometry, const struct molecule
   return find_pores_of_box(geometry, molecule, 0.0, box, narrowest, failure);
 }
 
+/* Pores of the balls grown by a probe, and the surface of these. */
+static bool find_pores_and_surface(struct geometry *geometry, const struct molecule *molecule, const double *box,
+                                   double probe, struct failure *failure) {
+  return box != NULL ? find_pores_of_box(geometry, molecule, probe, box, 0.0, failure)
+                     : geometry_set_model(geometry, molecule, probe, 0.0, failure) &&
+                           find_pores_outside_boxes(geometry, molecule, probe, 0.0, failure) &&
+                           geometry_compute_boundary(geometry, failure);
+}
+
 bool geometry_find_regions(struct geometry *geometry, const struct molecule *molecule, const double *box, double probe,
                            hsp_pore_access *access, uint32_t *regions, struct failure *failure) {
-  if (box != NULL ? !find_pores_of_box(geometry, molecule, probe, box, 0.0, failure)
-                  : !geometry_set_model(geometry, molecule, probe, 0.0, failure) ||
-                        !find_pores_outside_boxes(geometry, molecule, probe, 0.0, failure) ||
-                        !geometry_compute_boundary(geometry, failure)) {
-    return false;
-  }
+  if (!find_pores_and_surface(geometry, molecule, box, probe, failure)) return false;
   progress_show(&geometry->progress, "measuring regions");
   const int32_t status =
       hsp_pores_find_regions(geometry->work.pores, box != NULL ? NULL : geometry->work.boundary, access, regions);
   if (status == HSP_E_RANGE) return failure_in_input(failure, 0, "--regions: free space is too narrow somewhere");
   return status == HSP_OK || failure_in_library(failure, status);
+}
+
+/* Balls and plugs, the latter of mouths or of leaks; freed by free_balls, on false too. */
+static bool take_plugged_balls(const hsp_pores *pores, struct molecule *balls, struct failure *failure) {
+  int32_t status = hsp_pores_get_plugged_balls(pores, NULL, NULL, 0, &balls->atoms);
+  balls->xyz = calloc((size_t)balls->atoms + 1, 3 * sizeof *balls->xyz);
+  balls->radius = calloc((size_t)balls->atoms + 1, sizeof *balls->radius);
+  balls->line = calloc((size_t)balls->atoms + 1, sizeof *balls->line);
+  if (balls->xyz == NULL || balls->radius == NULL || balls->line == NULL) return failure_of_memory(failure);
+  if (status == HSP_OK) status = hsp_pores_get_plugged_balls(pores, balls->xyz, balls->radius, balls->atoms, NULL);
+  return status == HSP_OK || failure_in_library(failure, status);
+}
+
+static void free_balls(struct molecule *balls) {
+  free(balls->xyz);
+  free(balls->radius);
+  free(balls->line);
+}
+
+static void set_unknown(hsp_pore_pocket_size *sizes, uint32_t pockets) {
+  for (uint32_t k = 0; k < pockets; ++k) {
+    sizes[k] = (hsp_pore_pocket_size){.volume = (double)NAN, .area = (double)NAN, .plug_area = (double)NAN};
+  }
+}
+
+static bool are_closed(const hsp_pore_pocket_size *sizes, uint32_t pockets) {
+  for (uint32_t k = 0; k < pockets; ++k) {
+    if (sizes[k].closed == 0) return false;
+  }
+  return true;
+}
+
+/* Pores of the balls with plugs are computed in a geometry of their own, as those with the pockets must stay. */
+bool geometry_measure_pockets(const struct geometry *geometry, const double *box, uint32_t pockets,
+                              hsp_pore_pocket_size *sizes, struct failure *failure) {
+  enum { MOST_TIMES = 12 };
+  struct geometry plugged = {.progress = geometry->progress, .executor = geometry->executor};
+  plugged.executor.context = &plugged.executor;
+  hsp_pores *const pores = geometry->work.pores;
+  uint32_t before = 0;
+  bool done = true, more = true;
+  for (int time = 0; done && more && time < MOST_TIMES; ++time) {
+    struct molecule balls = {.atoms = 0};
+    done = take_plugged_balls(time == 0 ? pores : plugged.work.pores, &balls, failure);
+    more = balls.atoms > before;
+    if (done && more) done = find_pores_and_surface(&plugged, &balls, box, 0.0, failure);
+    before = balls.atoms;
+    free_balls(&balls);
+    if (!done || !more) break;
+    const hsp_boundary *const surface = box != NULL ? NULL : plugged.work.boundary;
+    const int32_t status = hsp_pores_measure_pockets(pores, plugged.work.pores, surface, sizes, pockets, NULL);
+    if (status == HSP_E_RANGE) set_unknown(sizes, pockets);
+    done = status == HSP_OK || status == HSP_E_RANGE || failure_in_library(failure, status);
+    more = status == HSP_OK && !are_closed(sizes, pockets);
+  }
+  geometry_free(&plugged);
+  return done;
 }
 
 bool geometry_find_tunnel(struct geometry *geometry, const struct tunnel_question *question, hsp_tunnel *tunnel,

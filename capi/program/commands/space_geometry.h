@@ -33,6 +33,11 @@ bool geometry_find_pores_in_box(struct geometry *geometry, const struct molecule
 bool geometry_find_regions(struct geometry *geometry, const struct molecule *molecule, const double *box, double probe,
                            hsp_pore_access *access, uint32_t *regions, struct failure *failure);
 
+/* Measure the pockets that were found in the pores last: sizes gets a record for each. box: as above. If free space is
+ * too narrow somewhere to tell, none of them is closed. */
+bool geometry_measure_pockets(const struct geometry *geometry, const double *box, uint32_t pockets,
+                              hsp_pore_pocket_size *sizes, struct failure *failure);
+
 /* Which tunnel is wanted, in the pores of the same narrowest probe. */
 struct tunnel_question {
   double narrowest;

@@ -712,6 +712,12 @@ class PoreRegion(Record):
                 ("copies", C.c_uint32), ("row", C.c_int32 * 9), ("reserved", C.c_uint32)]
 
 
+class PorePocketSize(Record):
+    """The size of a pocket, cut off at its mouths by plugs."""
+    _fields_ = [("volume", C.c_double), ("area", C.c_double), ("plug_area", C.c_double), ("regions", C.c_uint32),
+                ("closed", C.c_uint32)]
+
+
 class Tunnel(Record):
     """A tunnel."""
     _fields_ = [("radius", C.c_double), ("length", C.c_double), ("there", C.c_uint32), ("gate", C.c_uint32),
@@ -1611,6 +1617,11 @@ class Pores(Handle):
         of its mouths."""
         return call("hsp_pores_get_pocket_balls", self, pocket=pocket)
 
+    def get_plugged_balls(self, *, only: Any | None = None) -> Any:
+        """The balls as rounded to the lattice, grown by the narrow probe of the last hsp_pores_find_pockets, and then a
+        plug for each mouth: xyz [needed][3] and radius [needed], of which either may be NULL. Gives .xyz, .radius."""
+        return call("hsp_pores_get_plugged_balls", self, only=only)
+
     def find_regions(self, boundary: Boundary) -> Any:
         """Find the regions of free space beside the balls as they are, which are those that were given, grown by the
         probe of the model or box: where the centre of this probe gets about, with area and volume of each. Gives
@@ -1620,6 +1631,10 @@ class Pores(Handle):
     def get_regions(self, first: int, count: int) -> Any:
         """The regions first .."""
         return call("hsp_pores_get_regions", self, first=first, count=count)
+
+    def measure_pockets(self, plugged: Pores, boundary: Boundary) -> Any:
+        """Measure all pockets of the last hsp_pores_find_pockets: out gets a record for each, in their order."""
+        return call("hsp_pores_measure_pockets", self, plugged=plugged, boundary=boundary)
 
     def find_tunnel(self, from_: Any, avoided: Any, to: Any | None = None) -> Tunnel:
         """Find the tunnel from one point to another, or to the outside, that the widest probe gets through without the
@@ -2349,10 +2364,15 @@ FUNCTIONS = {
         "gates:array_out:uint32_t:needed:empty capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_pores_get_pocket_balls": "int32_t pores:handle:hsp_pores::never pocket:value:uint32_t::never "
         "balls:array_out:uint32_t:needed:empty capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
+    "hsp_pores_get_plugged_balls": "int32_t pores:handle:hsp_pores::never xyz:array_out:double:needed;3:always "
+        "radius:array_out:double:needed:always capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_pores_find_regions": "int32_t pores:handle:hsp_pores::never boundary:handle:hsp_boundary::never "
         "access:struct_out:hsp_pore_access::always regions:value_out:uint32_t::always",
     "hsp_pores_get_regions": "int32_t pores:handle:hsp_pores::never first:value:uint32_t::never "
         "count:value:uint32_t::never out:array_out:hsp_pore_region:count:empty",
+    "hsp_pores_measure_pockets": "int32_t pores:handle:hsp_pores::never plugged:handle:hsp_pores::never "
+        "boundary:handle:hsp_boundary::never out:array_out:hsp_pore_pocket_size:needed:empty "
+        "capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_pores_find_tunnel": "int32_t pores:handle:hsp_pores::never from:array_in:double:3:never "
         "to:array_in:double:3:always avoided:array_in:uint32_t:count:empty count:value:uint32_t::never "
         "tunnel:struct_out:hsp_tunnel::never limits:sized:hsp_pores_limits::always",
@@ -2537,10 +2557,10 @@ describe(FUNCTIONS, FIELDS, {'hsp_executor': Executor, 'hsp_residue_atom': Resid
          'hsp_pore_gate_shifts': PoreGateShifts, 'hsp_pore_percolation': PorePercolation, 'hsp_pore_channel':
          PoreChannel, 'hsp_pore_place': PorePlace, 'hsp_pore_place_shifts': PorePlaceShifts, 'hsp_pore_passage':
          PorePassage, 'hsp_pore_pocket': PorePocket, 'hsp_pore_access': PoreAccess, 'hsp_pore_region': PoreRegion,
-         'hsp_tunnel': Tunnel, 'hsp_tunnel_route': TunnelRoute, 'hsp_tunnel_point': TunnelPoint,
-         'hsp_tunnel_point_shifts': TunnelPointShifts, 'hsp_view_limits': ViewLimits, 'hsp_view_options': ViewOptions,
-         'hsp_view_info': ViewInfo, 'hsp_view_piece': ViewPiece, 'hsp_view_loop': ViewLoop, 'hsp_view_arc': ViewArc,
-         'hsp_map_limits': MapLimits, 'hsp_map_info': MapInfo, 'hsp_map_vertex': MapVertex, 'hsp_map_edge': MapEdge,
-         'hsp_map_face': MapFace, 'hsp_map_sight': MapSight, 'hsp_map_point': MapPoint, 'hsp_map_pole': MapPole,
-         'hsp_sticks_limits': SticksLimits, 'hsp_stick': Stick, 'hsp_sticks_conflict': SticksConflict,
-         'hsp_sticks_info': SticksInfo, 'hsp_picture_options': PictureOptions})
+         'hsp_pore_pocket_size': PorePocketSize, 'hsp_tunnel': Tunnel, 'hsp_tunnel_route': TunnelRoute,
+         'hsp_tunnel_point': TunnelPoint, 'hsp_tunnel_point_shifts': TunnelPointShifts, 'hsp_view_limits': ViewLimits,
+         'hsp_view_options': ViewOptions, 'hsp_view_info': ViewInfo, 'hsp_view_piece': ViewPiece, 'hsp_view_loop':
+         ViewLoop, 'hsp_view_arc': ViewArc, 'hsp_map_limits': MapLimits, 'hsp_map_info': MapInfo, 'hsp_map_vertex':
+         MapVertex, 'hsp_map_edge': MapEdge, 'hsp_map_face': MapFace, 'hsp_map_sight': MapSight, 'hsp_map_point':
+         MapPoint, 'hsp_map_pole': MapPole, 'hsp_sticks_limits': SticksLimits, 'hsp_stick': Stick,
+         'hsp_sticks_conflict': SticksConflict, 'hsp_sticks_info': SticksInfo, 'hsp_picture_options': PictureOptions})

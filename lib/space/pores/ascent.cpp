@@ -79,16 +79,6 @@ Vec3 nearest_to_zero(Vec3 *points, uint32_t &count) {
 
 Ascent::Ascent(const BallsAround &around, const exact::Vector &start) : balls_(around), start_(start) {
   const BallSet &balls = around.set();
-  for (uint32_t i = 0; i < balls.n && around.box() == nullptr; ++i) {
-    const exact::Vector centre = balls.ball(i).centre;
-    const auto cover = [i](int64_t x, int64_t &low, int64_t &high) {
-      low = i == 0 || x < low ? x : low;
-      high = i == 0 || x > high ? x : high;
-    };
-    cover(centre.x, box_.low.x, box_.high.x);
-    cover(centre.y, box_.low.y, box_.high.y);
-    cover(centre.z, box_.low.z, box_.high.z);
-  }
   // The reach that some balls have and no more than there is room for, or nearly: doubled, then halved.
   double low = 0.0, high = 0.0;
   double reach = static_cast<double>(balls.largest_radius) + 1.0;
@@ -166,9 +156,10 @@ void Ascent::move(double length, const Vec3 &direction) {
   const auto beyond = [](double x, int64_t start, int64_t low, int64_t high) {
     return x > static_cast<double>(high - start) || x < static_cast<double>(low - start);
   };
-  outside_ = balls_.are_none() || (balls_.box() == nullptr && (beyond(at_.x, start_.x, box_.low.x, box_.high.x) ||
-                                                               beyond(at_.y, start_.y, box_.low.y, box_.high.y) ||
-                                                               beyond(at_.z, start_.z, box_.low.z, box_.high.z)));
+  const auto &[low, high] = balls_.centres();
+  outside_ = balls_.are_none() || (balls_.box() == nullptr &&
+                                   (beyond(at_.x, start_.x, low.x, high.x) || beyond(at_.y, start_.y, low.y, high.y) ||
+                                    beyond(at_.z, start_.z, low.z, high.z)));
   if (length > 0.0 && !look(before + length + delta_) && !look(before + length)) level_ = before;
 }
 

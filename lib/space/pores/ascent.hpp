@@ -54,7 +54,6 @@ class Ascent {
 
   BallsAround balls_;
   exact::Vector start_;
-  LatticeBox box_;
   Vec3 at_{0.0, 0.0, 0.0};
   double level_ = 0.0;
   double delta_ = 0.0;   // of the next try

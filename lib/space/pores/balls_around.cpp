@@ -2,6 +2,20 @@
 
 namespace hsp {
 
+BallsAround::BallsAround(const CubeGrid &grid) : grid_(&grid) {
+  const BallSet &balls = grid.balls();
+  for (uint32_t i = 0; i < balls.n; ++i) {
+    const exact::Vector centre = balls.ball(i).centre;
+    const auto cover = [i](int64_t x, int64_t &low, int64_t &high) {
+      low = i == 0 || x < low ? x : low;
+      high = i == 0 || x > high ? x : high;
+    };
+    cover(centre.x, centres_.low.x, centres_.high.x);
+    cover(centre.y, centres_.low.y, centres_.high.y);
+    cover(centre.z, centres_.low.z, centres_.high.z);
+  }
+}
+
 uint32_t BallsAround::find(const LatticeQuery &query, NearImage *near, uint32_t room) const {
   if (periodic_ == nullptr) {
     uint32_t ids[most];

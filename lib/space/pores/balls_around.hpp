@@ -17,11 +17,13 @@ class BallsAround {
  public:
   static constexpr uint32_t most = 192;
 
-  BallsAround(const CubeGrid &grid) : grid_(&grid) {}
+  BallsAround(const CubeGrid &grid);
   BallsAround(const PeriodicUnion &periodic) : grid_(&periodic.grid()), periodic_(&periodic) {}
 
   bool are_none() const { return grid_->balls().n == 0; }
   const BallSet &set() const { return grid_->balls(); }
+  // Around all centres; of no use in a periodic box.
+  const LatticeBox &centres() const { return centres_; }
   // Null without one.
   const PeriodicBox *box() const { return periodic_ == nullptr ? nullptr : &periodic_->images().box(); }
   exact::LatticeBall ball(const NearImage &image) const {
@@ -37,6 +39,7 @@ class BallsAround {
  private:
   const CubeGrid *grid_;
   const PeriodicUnion *periodic_ = nullptr;
+  LatticeBox centres_;
 };
 
 }  // namespace hsp

@@ -9,6 +9,7 @@ void PocketFinder::carve(Workspace &workspace, const PoreLimits &limits) {
   pockets_ = FixedVector<Pocket>(workspace.take<Pocket>(maxima));
   parents_ = workspace.take<uint32_t>(maxima + 1);
   label_ = workspace.take<uint32_t>(maxima);
+  region_of_ = workspace.take<uint32_t>(maxima);
   maxima_ = workspace.take<uint32_t>(maxima);
   mouths_ = workspace.take<uint32_t>(gates);
   balls_ = workspace.take<uint32_t>(4 * maxima + 3 * gates + limits.tied);
@@ -18,9 +19,45 @@ uint32_t PocketFinder::pocket_at(uint32_t end) const {
   return end == pore_outside || end >= known_ ? no_id : label_[end];
 }
 
+namespace {
+constexpr uint32_t of_no_pocket = no_id - 1;
+}
+
+void PocketFinder::begin_leaks(const PoresBuilder &pores) {
+  forget();
+  for (uint32_t k = 0; k < pores.maxima().size(); ++k) label_[k] = no_id;
+}
+
+void PocketFinder::mark(uint32_t maximum, uint32_t pocket) {
+  if (maximum == pore_outside || label_[maximum] != no_id) return;
+  label_[maximum] = pocket == no_id ? of_no_pocket : pocket;
+}
+
+// As gates are in descending order, each part grows along its widest ways, and no two parts with different marks grow
+// together.
+void PocketFinder::find_leaks(const PoresBuilder &pores) {
+  DisjointSets sets(parents_.part(0, pores.maxima().size() + 1));
+  sets.reset();
+  const auto mark_of = [&](uint32_t node) { return node == 0 ? of_no_pocket : label_[node - 1]; };
+  for (uint32_t k = 0; k < pores.gates().size(); ++k) {
+    const PoreGate &gate = pores.gates()[k];
+    if (!(gate.point.level > 0.0)) break;
+    const uint32_t a = sets.find(node_of(gate.end[0])), b = sets.find(node_of(gate.end[1]));
+    const uint32_t one = mark_of(a), other = mark_of(b);
+    if (a == b) continue;
+    if (one != no_id && other != no_id && one != other) {
+      mouths_[mouth_count_++] = k;
+      continue;
+    }
+    sets.join(a, b);
+    const uint32_t root = sets.find(a);
+    if (root > 0) label_[root - 1] = one != no_id ? one : other;
+  }
+}
+
 void PocketFinder::find(PoresBuilder &pores, double narrow, double wide) {
   const uint32_t maxima = pores.maxima().size();
-  pockets_.clear();
+  forget();
   pores.join_above(wide);
   const Windings &joined = pores.joined();
   for (uint32_t k = 0; k < maxima; ++k) {
@@ -37,6 +74,7 @@ void PocketFinder::find(PoresBuilder &pores, double narrow, double wide) {
     if (!is_reached(gate.end[0]) && !is_reached(gate.end[1])) sets.join(node_of(gate.end[0]), node_of(gate.end[1]));
   }
   known_ = maxima;
+  narrow_ = narrow;
   number_maxima(pores, narrow);
   gather(pores, narrow);
 }
@@ -84,6 +122,7 @@ void PocketFinder::gather(const PoresBuilder &pores, double narrow) {
     begin(mouths, pocket.first_mouth, pocket.last_mouth);
     begin(balls, pocket.first_ball, pocket.last_ball);
   }
+  mouth_count_ = mouths;
   const auto add_balls = [&](const CriticalPoint &point, Pocket &pocket) {
     for (const uint32_t ball : pores.tied(point)) balls_[pocket.last_ball++] = ball;
   };

@@ -6,6 +6,7 @@
 #include "core/disjoint_sets.hpp"
 #include "core/fixed_vector.hpp"
 #include "pores/pores_builder.hpp"
+#include "pores/region_finder.hpp"
 
 namespace hsp {
 
@@ -23,7 +24,10 @@ class PocketFinder {
   // The levels of the two probes, in steps. The memory suffices for pores of the limits. pores.joined() becomes that of
   // the wide probe.
   void find(PoresBuilder &pores, double narrow, double wide);
-  void forget() { pockets_.clear(); }
+  void forget() {
+    pockets_.clear();
+    mouth_count_ = known_ = 0;
+  }
 
   // The one with the highest maximum first.
   Span<const Pocket> pockets() const { return pockets_.items(); }
@@ -34,6 +38,41 @@ class PocketFinder {
   Span<const uint32_t> mouths(const Pocket &pocket) const {
     return mouths_.part(pocket.first_mouth, pocket.last_mouth);
   }
+  // Of all pockets, in their order; or the leaks.
+  Span<const uint32_t> all_mouths() const { return mouths_.part(0, mouth_count_); }
+  // Notes in which region of other pores each maximum above the narrow probe is: those of the same balls, grown by that
+  // probe, with plugs in the mouths. region_at(maximum, region) sets a region that it found, if any.
+  template <class RegionAt>
+  Status match(const PoresBuilder &pores, RegionFinder &regions, RegionAt region_at) {
+    for (uint32_t k = 0; k < known_; ++k) {
+      uint32_t &region = region_of_[k];
+      region = no_id;
+      if (!(pores.maxima()[k].point.level > narrow_)) continue;
+      if (const Status status = region_at(k, region); status != Status::ok) return status;
+      if (region != no_id) regions.claim(region, label_[k]);
+    }
+    return Status::ok;
+  }
+  // After that: calls open(pocket) for pockets that their plugs do not close, as a maximum is in a region with a
+  // maximum of no pocket or of another one, or which goes on for ever; and add(pocket, region) for all other regions of
+  // each.
+  template <class Open, class Add>
+  void visit_regions(Span<const PoreRegion> regions, Open open, Add add) const {
+    const auto is_open = [](const PoreRegion &region) { return region.is_shared || region.is_accessible(); };
+    for (uint32_t k = 0; k < known_; ++k) {
+      if (label_[k] != no_id && region_of_[k] != no_id && is_open(regions[region_of_[k]])) open(label_[k]);
+    }
+    for (const PoreRegion &region : regions) {
+      if (region.owner != no_id && !is_open(region)) add(region.owner, region);
+    }
+  }
+  // Of pores with plugs: forgets pockets and mouths. A maximum that something of a pocket leads up to is then marked
+  // with the pocket's number, one that anything else leads up to with no_id. Mouths become the gates, above the level
+  // 0, where a part with the mark of a pocket meets one with another mark.
+  void begin_leaks(const PoresBuilder &pores);
+  void mark(uint32_t maximum, uint32_t pocket);
+  void find_leaks(const PoresBuilder &pores);
+  uint32_t pocket_of(uint32_t maximum) const { return label_[maximum]; }
   // Nearest balls of its maxima, of the gates between them and of its mouths; ascending, each once.
   Span<const uint32_t> balls(const Pocket &pocket) const { return balls_.part(pocket.first_ball, pocket.last_ball); }
 
@@ -43,10 +82,13 @@ class PocketFinder {
   uint32_t pocket_at(uint32_t end) const;
 
   FixedVector<Pocket> pockets_;
-  Span<uint32_t> parents_;  // [maxima + 1]
-  Span<uint32_t> label_;    // [maxima] the pocket of each one, or no_id
+  Span<uint32_t> parents_;    // [maxima + 1]
+  Span<uint32_t> label_;      // [maxima] the pocket of each one, or no_id
+  Span<uint32_t> region_of_;  // [maxima] of match()
   Span<uint32_t> maxima_, mouths_, balls_;
+  uint32_t mouth_count_ = 0;
   uint32_t known_ = 0;  // maxima with a label
+  double narrow_ = 0.0;
 };
 
 }  // namespace hsp

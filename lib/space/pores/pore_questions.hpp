@@ -1,6 +1,7 @@
 // Pores with what is asked of them: pockets, regions and tunnels, in one piece of memory.
 #pragma once
 
+#include "pores/plugs.hpp"
 #include "pores/pockets.hpp"
 #include "pores/region_finder.hpp"
 #include "pores/tunnel.hpp"
@@ -38,8 +39,35 @@ class PoreQuestions {
   // As PocketFinder::find.
   void find_pockets(double narrow, double wide) { pockets_.find(builder_, narrow, wide); }
   // As RegionFinder::find, of the balls that pores were built of.
-  Status find_regions(const BallsAround &balls, const Boundary &boundary, const PeriodicUnion *periodic) {
-    return regions_.find(builder_, balls, boundary, periodic, floor_);
+  Status find_regions(const BallsAround &balls, const Boundary &boundary, const PeriodicUnion *periodic,
+                      uint32_t first_plug = no_id) {
+    return regions_.find(builder_, balls, boundary, periodic, floor_, first_plug);
+  }
+  // As PocketFinder::match, with the regions that `plugged` has found. point_of(maximum, point) is where it is on the
+  // lattice of these, around which `balls` are. Status::range: that is too far away. Unless these are the same pores,
+  // their mouths become leaks.
+  template <class PointOf>
+  Status match_pockets(PoreQuestions &plugged, const BallsAround &balls, PointOf point_of) {
+    const bool others = this != &plugged;
+    if (others) plugged.pockets_.begin_leaks(plugged.builder_);
+    const auto region_at = [&](uint32_t maximum, uint32_t &region) {
+      exact::Vector point;
+      PorePlace place;
+      Status status = point_of(maximum, point);
+      if (status == Status::ok) status = locate(plugged.builder_, balls, point, plugged.floor_, place);
+      const bool is_free = status == Status::ok && place.maximum != no_id && place.level > 0.0;
+      if (is_free) region = plugged.regions_.region_of(plugged.builder_, place.maximum);
+      if (region != no_id && others) plugged.pockets_.mark(place.maximum, pockets_.pocket_of(maximum));
+      return status;
+    };
+    const Status status = pockets_.match(builder_, plugged.regions_, region_at);
+    if (!others) return status;
+    if (status == Status::ok) {
+      plugged.pockets_.find_leaks(plugged.builder_);
+    } else {
+      plugged.pockets_.forget();
+    }
+    return status;
   }
   // As PoresBuilder::join_above.
   uint32_t join_above(double level) { return builder_.join_above(level); }

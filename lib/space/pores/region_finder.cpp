@@ -62,7 +62,7 @@ void RegionFinder::carve(Workspace &workspace, const PoreLimits &limits) {
 }
 
 Status RegionFinder::find(PoresBuilder &pores, const BallsAround &balls, const Boundary &boundary,
-                          const PeriodicUnion *periodic, int64_t floor) {
+                          const PeriodicUnion *periodic, int64_t floor, uint32_t first_plug) {
   regions_.clear();
   if (boundary.shell_count() > region_of_shell_.size()) return Status::check;
   has_outside_ = periodic == nullptr || balls.are_none();
@@ -82,9 +82,9 @@ Status RegionFinder::find(PoresBuilder &pores, const BallsAround &balls, const B
     return status;
   }
   if (periodic != nullptr) {
-    measure_in_box(*periodic);
+    measure_in_box(*periodic, first_plug);
   } else {
-    measure(balls.set(), boundary);
+    measure(balls.set(), boundary, first_plug);
   }
   return Status::ok;
 }
@@ -92,7 +92,6 @@ Status RegionFinder::find(PoresBuilder &pores, const BallsAround &balls, const B
 Status RegionFinder::find_shells(const PoresBuilder &pores, const BallsAround &balls, const Boundary &boundary,
                                  int64_t floor) {
   for (uint32_t &region : region_of_shell_) region = no_id;
-  const Windings &joined = pores.joined();
   uint32_t left = boundary.shell_count();
   Status status = Status::ok;
   for (uint32_t face = 0; face < boundary.face_count() && left > 0; ++face) {
@@ -111,22 +110,23 @@ Status RegionFinder::find_shells(const PoresBuilder &pores, const BallsAround &b
     });
     if (!found) continue;
     if (status != Status::ok) return status;
-    const uint32_t node = node_of(place.maximum);
-    if (node >= joined.size() || (node == 0 && !has_outside_)) return Status::check;
-    region = joined.component(node) - (has_outside_ ? 0 : 1);
+    region = region_of(pores, place.maximum);
+    if (region == no_id) return Status::check;
     if (regions_[region].shells++ == 0) regions_[region].origin = boundary.face(face).ball;
     --left;
   }
   return left == 0 ? Status::ok : Status::range;
 }
 
-void RegionFinder::measure_in_box(const PeriodicUnion &periodic) {
+void RegionFinder::measure_in_box(const PeriodicUnion &periodic, uint32_t first_plug) {
   const Boundary &boundary = periodic.boundary();
   const SurfaceVolume surface(periodic);
   for (uint32_t face = 0; face < boundary.face_count(); ++face) {
     PoreRegion &region = regions_[region_of_shell_[boundary.face(face).shell]];
     const BallMeasure term = surface.measure(face, region.origin);
     region.area += term.area;
+    if (periodic.images().ball_of(periodic.balls().caller[boundary.face(face).ball]) >= first_plug)
+      region.plug_area += term.area;
     region.volume += term.volume;
   }
   double filled = 0.0;
@@ -141,7 +141,7 @@ void RegionFinder::measure_in_box(const PeriodicUnion &periodic) {
   }
 }
 
-void RegionFinder::measure(const BallSet &balls, const Boundary &boundary) {
+void RegionFinder::measure(const BallSet &balls, const Boundary &boundary, uint32_t first_plug) {
   for (uint32_t face = 0; face < boundary.face_count(); ++face) {
     const uint32_t ball = boundary.face(face).ball;
     PoreRegion &region = regions_[region_of_shell_[boundary.face(face).shell]];
@@ -151,6 +151,7 @@ void RegionFinder::measure(const BallSet &balls, const Boundary &boundary) {
     while (arcs.next()) surface.add(arcs.batch());
     const double area = r * r * surface.steradians(1, boundary.loops_of_face(face).size());
     region.area += area;
+    if (balls.caller[ball] >= first_plug) region.plug_area += area;
     region.volume -= volume_term(r, area, balls.difference(region.origin, ball), surface.vector_area());
   }
   for (PoreRegion &region : regions_.items()) {

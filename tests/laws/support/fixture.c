@@ -191,12 +191,12 @@ static int32_t compute(int noun, void *handle, void *limits) {
       return status != HSP_OK ? status : hsp_paths_find(handle, fixture_outside, there, &path, limits);
     case NOUN_gate:
       return hsp_gate_compute(handle, model, fixture_outside, NULL, limits);
-    case NOUN_pores: /* down to where there are gates of the void, with a tunnel, pockets and regions */
+    case NOUN_pores: /* down to where there are gates of the void, with tunnel, pocket and regions */
       need(hsp_pores_options_init(&below, sizeof below), "options");
       below.floor = fixture_floor;
       status = hsp_pores_compute_periodic(handle, given.handle[NOUN_periodic], &below, limits);
       status = larger_status(status, hsp_pores_compute(handle, model, &below, status == HSP_OK ? limits : NULL));
-      if (status == HSP_OK) status = hsp_pores_find_pockets(handle, fixture_floor, 5, &pockets);
+      if (status == HSP_OK) status = hsp_pores_find_pockets(handle, 0, 0, &pockets);
       if (status == HSP_OK) status = hsp_pores_find_regions(handle, boundary, NULL, NULL);
       return status != HSP_OK ? status : hsp_pores_find_tunnel(handle, fixture_outside, NULL, NULL, 0, &tunnel, limits);
     case NOUN_view:

@@ -2379,6 +2379,19 @@ static int64_t call_hsp_pores_get_pocket_balls(const value *v) {
   return (int64_t)hsp_pores_get_pocket_balls(v[0].p, v[1].u, v[2].p, v[3].u, v[4].p);
 }
 
+static const argument of_hsp_pores_get_plugged_balls[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
+  {"xyz", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "needed", .row = 3, .null = NULL_always,
+      .held = 1},
+  {"radius", "double", .kind = KIND_array_out, .size = sizeof(double), .extent = "needed", .null = NULL_always, .held =
+      1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_pores_get_plugged_balls(const value *v) {
+  return (int64_t)hsp_pores_get_plugged_balls(v[0].p, v[1].p, v[2].p, v[3].u, v[4].p);
+}
+
 static const argument of_hsp_pores_find_regions[] = {
   {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores},
   {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
@@ -2398,6 +2411,19 @@ static const argument of_hsp_pores_get_regions[] = {
 };
 static int64_t call_hsp_pores_get_regions(const value *v) {
   return (int64_t)hsp_pores_get_regions(v[0].p, v[1].u, v[2].u, v[3].p);
+}
+
+static const argument of_hsp_pores_measure_pockets[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores},
+  {"plugged", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores},
+  {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
+  {"out", "hsp_pore_pocket_size", .kind = KIND_array_out, .size = sizeof(hsp_pore_pocket_size), .extent = "needed",
+      .null = NULL_empty, .held = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_pores_measure_pockets(const value *v) {
+  return (int64_t)hsp_pores_measure_pockets(v[0].p, v[1].p, v[2].p, v[3].p, v[4].u, v[5].p);
 }
 
 static const argument of_hsp_pores_find_tunnel[] = {
@@ -3440,10 +3466,16 @@ const function registry[] = {
   {"hsp_pores_get_pocket_balls", "pores", RESULT_status, 5, of_hsp_pores_get_pocket_balls,
       call_hsp_pores_get_pocket_balls, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
       BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
+  {"hsp_pores_get_plugged_balls", "pores", RESULT_status, 5, of_hsp_pores_get_plugged_balls,
+      call_hsp_pores_get_plugged_balls, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
+      BIT(HSP_E_STATE)},
   {"hsp_pores_find_regions", "pores", RESULT_status, 4, of_hsp_pores_find_regions, call_hsp_pores_find_regions,
       BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CHECK)},
   {"hsp_pores_get_regions", "pores", RESULT_status, 4, of_hsp_pores_get_regions, call_hsp_pores_get_regions, BIT(HSP_OK)
       | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
+  {"hsp_pores_measure_pockets", "pores", RESULT_status, 6, of_hsp_pores_measure_pockets, call_hsp_pores_measure_pockets,
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_RANGE)
+      | BIT(HSP_E_CHECK)},
   {"hsp_pores_find_tunnel", "pores", RESULT_status, 7, of_hsp_pores_find_tunnel, call_hsp_pores_find_tunnel, BIT(HSP_OK)
       | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
       BIT(HSP_E_ID) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CHECK)},
@@ -4159,6 +4191,11 @@ const field registry_fields[] = {
   {"hsp_pore_region", "copies", "uint32_t", offsetof(hsp_pore_region, copies), 1},
   {"hsp_pore_region", "row", "int32_t", offsetof(hsp_pore_region, row), 9},
   {"hsp_pore_region", "reserved", "uint32_t", offsetof(hsp_pore_region, reserved), 1},
+  {"hsp_pore_pocket_size", "volume", "double", offsetof(hsp_pore_pocket_size, volume), 1},
+  {"hsp_pore_pocket_size", "area", "double", offsetof(hsp_pore_pocket_size, area), 1},
+  {"hsp_pore_pocket_size", "plug_area", "double", offsetof(hsp_pore_pocket_size, plug_area), 1},
+  {"hsp_pore_pocket_size", "regions", "uint32_t", offsetof(hsp_pore_pocket_size, regions), 1},
+  {"hsp_pore_pocket_size", "closed", "uint32_t", offsetof(hsp_pore_pocket_size, closed), 1},
   {"hsp_tunnel", "radius", "double", offsetof(hsp_tunnel, radius), 1},
   {"hsp_tunnel", "length", "double", offsetof(hsp_tunnel, length), 1},
   {"hsp_tunnel", "there", "uint32_t", offsetof(hsp_tunnel, there), 1},

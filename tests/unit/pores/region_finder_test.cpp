@@ -25,7 +25,7 @@ struct FoundRegions {
     pores_memory.carve(pores, limits);
     EXPECT_EQ(pores.build(periodic->images(), 0), hsp::Status::ok);
     finder_memory.carve(finder, limits);
-    status = finder.find(pores, hsp::BallsAround(periodic.get()), periodic->boundary(), &periodic.get(), 0);
+    status = finder.find(pores, hsp::BallsAround(periodic.get()), periodic->boundary(), &periodic.get(), 0, hsp::no_id);
   }
   static BoxVectors vectors_of(const oracle::BoxRows &box) {
     BoxVectors vectors;
@@ -107,7 +107,7 @@ TEST(RegionFinder, OfMoleculesTheyAreThoseOfVerticalRays) {
     CarvedMemory memory;
     hsp::RegionFinder finder;
     memory.carve(finder, hsp::PoreLimits{400, 4000, 0, 0, 0, 0});
-    ASSERT_EQ(finder.find(pores.builder(), pores.grid(), topology.boundary(), nullptr, 0), hsp::Status::ok);
+    ASSERT_EQ(finder.find(pores.builder(), pores.grid(), topology.boundary(), nullptr, 0, hsp::no_id), hsp::Status::ok);
     std::vector<std::array<double, 2>> one, other;
     for (const hsp::PoreRegion &region : finder.regions()) {
       one.push_back({region.maximum == hsp::pore_outside ? 0.0 : region.volume, region.area});
@@ -137,7 +137,7 @@ struct MoleculeRegions {
     EXPECT_EQ(pores.status(), hsp::Status::ok);
     const auto n = static_cast<uint32_t>(balls.size());
     memory.carve(finder, hsp::PoreLimits{n, 8 * n + 64, 0, 0, 0, 0});
-    status = finder.find(pores.builder(), pores.grid(), topology.boundary(), nullptr, floor);
+    status = finder.find(pores.builder(), pores.grid(), topology.boundary(), nullptr, floor, hsp::no_id);
   }
 
   BuiltPores pores;
