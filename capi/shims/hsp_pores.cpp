@@ -1,6 +1,7 @@
 #include "hsp_pores.hpp"
 
 #include <bit>
+#include <initializer_list>
 #include <limits>
 
 #include "conversion.hpp"
