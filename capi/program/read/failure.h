@@ -16,6 +16,13 @@ struct failure {
   char reason[512];
 };
 
+/* Of what is seldom called: what calls it has fewer registers to save where it does not. */
+#ifdef __GNUC__
+#define SELDOM __attribute__((noinline))
+#else
+#define SELDOM
+#endif
+
 #ifdef __GNUC__
 #define FAILURE_FORMAT(text, first) __attribute__((format(printf, text, first)))
 #else

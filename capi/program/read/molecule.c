@@ -263,7 +263,7 @@ bool atom_is_of_chain(const struct atom_label *label) {
 }
 
 bool atom_is_hydrogen(const struct atom_label *label) {
-  return strcmp(label->element.text, "H") == 0;
+  return label->element.text[0] == 'H' && label->element.text[1] == '\0';
 }
 
 uint32_t molecule_points(const struct molecule *molecule) {

@@ -164,7 +164,3 @@ const char *number_complaint(enum number_status status) {
   }
   return "is not a number";
 }
-
-bool is_finite(double value) {
-  return value >= -DBL_MAX && value <= DBL_MAX;
-}

@@ -2,6 +2,7 @@
 #ifndef HARDSPHERE_TOOL_NUMBER_H
 #define HARDSPHERE_TOOL_NUMBER_H
 
+#include <float.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -28,6 +29,8 @@ enum number_status number_parse_count(const char *text, size_t length, uint64_t 
 const char *number_complaint(enum number_status status);
 
 /* Not NaN, nor infinite. */
-bool is_finite(double value);
+static inline bool is_finite(double value) {
+  return value >= -DBL_MAX && value <= DBL_MAX;
+}
 
 #endif

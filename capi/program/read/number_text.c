@@ -5,10 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+static const char pairs[] =
+    "0001020304050607080910111213141516171819202122232425262728293031323334353637383940414243444546474849"
+    "5051525354555657585960616263646566676869707172737475767778798081828384858687888990919293949596979899";
+
 char *number_text_digits(char *end, uint64_t value) {
-  static const char pairs[] =
-      "0001020304050607080910111213141516171819202122232425262728293031323334353637383940414243444546474849"
-      "5051525354555657585960616263646566676869707172737475767778798081828384858687888990919293949596979899";
   while (value >= 100) {
     const uint64_t rest = value / 100;
     end -= 2;
@@ -158,29 +159,24 @@ static inline size_t write_thousandths(char *out, bool negative, uint32_t thousa
   char *at = out;
   if (negative) *at++ = '-';
   if (whole >= 100) *at++ = (char)('0' + whole / 100);
-  if (whole >= 10) *at++ = (char)('0' + whole / 10 % 10);
-  *at++ = (char)('0' + whole % 10);
+  const char *const last = pairs + 2 * (whole % 100);
+  if (whole >= 10) *at++ = last[0];
+  *at++ = last[1];
   if (rest != 0) {
-    *at++ = '.';
-    *at++ = (char)('0' + rest / 100);
-    if (rest % 100 != 0) *at++ = (char)('0' + rest / 10 % 10);
-    if (rest % 10 != 0) *at++ = (char)('0' + rest % 10);
+    const char *const behind = pairs + 2 * (rest % 100);
+    at[0] = '.';
+    at[1] = (char)('0' + rest / 100);
+    at[2] = behind[0];
+    at[3] = behind[1];
+    at += behind[1] != '0' ? 4 : behind[0] != '0' ? 3 : 2;
   }
   *at = '\0';
   return (size_t)(at - out);
 }
 
-/* 0: it is left to printf. */
-static size_t exact_in_128_bits(char *out, double value) {
-  const double magnitude = value < 0.0 ? -value : value;
-  if (!(magnitude >= 1e-10 && magnitude < 1e14)) return 0;
-  /* As files write coordinates and radii: three decimals. */
-  const double thousands = magnitude * 1000.0;
-  const uint64_t nearest = (uint64_t)(thousands + 0.5);
-  if (thousands >= 1.0 && thousands < 9e14 && (double)nearest / 1000.0 == magnitude) {
-    return nearest < 1000000 ? write_thousandths(out, value < 0.0, (uint32_t)nearest)
-                             : write_general(out, value < 0.0, nearest, 3);
-  }
+/* By as few of 15 to 17 digits as read back; 0: it is left to printf. A function of its own, so that what is most common
+ * has few registers to save. */
+__attribute__((noinline)) static size_t by_digits_that_read_back(char *out, double value) {
   const struct binary number = binary_of(value);
   /* The decimals of 15 digits, by the power of two: right, or one too many. */
   const int log2 = number.exponent + FRACTION_BITS;
@@ -195,6 +191,19 @@ static size_t exact_in_128_bits(char *out, double value) {
     if (!scale(&number, ++decimals, &scaled)) return 0;
   }
   return write_general(out, number.negative, scaled.digits, decimals);
+}
+
+/* 0: it is left to printf. */
+static size_t exact_in_128_bits(char *out, double value) {
+  const double magnitude = value < 0.0 ? -value : value;
+  if (!(magnitude >= 1e-10 && magnitude < 1e14)) return 0;
+  /* As files write coordinates and radii: three decimals. */
+  const double thousands = magnitude * 1000.0;
+  if (thousands >= 1.0 && thousands < 999999.0) {
+    const uint32_t nearest = (uint32_t)(thousands + 0.5);
+    if ((double)nearest / 1000.0 == magnitude) return write_thousandths(out, value < 0.0, nearest);
+  }
+  return by_digits_that_read_back(out, value);
 }
 
 static size_t fixed_in_128_bits(char *out, double value, int decimals) {

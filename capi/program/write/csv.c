@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "read/number.h"
+#include "read/number_text.h"
 
 static bool is_plain(char c) {
   return (unsigned char)c > ',' || (c != '\0' && c != ',' && c != '"' && c != '\r' && c != '\n');
@@ -21,8 +22,7 @@ static bool add_name(struct text_buffer *out, const char *text) {
   return true;
 }
 
-void csv_text(struct text_buffer *out, const char *text) {
-  if (add_name(out, text)) return;
+SELDOM static void add_text(struct text_buffer *out, const char *text) {
   const size_t plain = strcspn(text, ",\"\r\n");
   if (text[plain] == '\0') {
     text_buffer_append(out, text, plain);
@@ -33,6 +33,12 @@ void csv_text(struct text_buffer *out, const char *text) {
   text_buffer_add_text(out, "\"");
 }
 
+void csv_text(struct text_buffer *out, const char *text) {
+  if (!add_name(out, text)) add_text(out, text);
+}
+
 void csv_number(struct text_buffer *out, double value) {
-  if (is_finite(value)) text_buffer_add_exact(out, value);
+  if (is_finite(value) && text_buffer_reserve(out, NUMBER_BYTES)) {
+    out->length += number_text_exact(out->text + out->length, value);
+  }
 }
