@@ -174,8 +174,8 @@ static inline size_t write_thousandths(char *out, bool negative, uint32_t thousa
   return (size_t)(at - out);
 }
 
-/* By as few of 15 to 17 digits as read back; 0: it is left to printf. A function of its own, so that what is most common
- * has few registers to save. */
+/* By as few of 15 to 17 digits as read back; 0: it is left to printf. A function of its own: what is most common has
+ * few registers to save then. */
 __attribute__((noinline)) static size_t by_digits_that_read_back(char *out, double value) {
   const struct binary number = binary_of(value);
   /* The decimals of 15 digits, by the power of two: right, or one too many. */
