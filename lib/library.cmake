@@ -120,8 +120,10 @@ set(HSP_LIBRARY_SOURCES
   lib/space/pores/critical_points.cpp
   lib/space/pores/cube_halves.kernel.cpp
   lib/space/pores/gate_finder.cpp
+  lib/space/pores/leaf_points.cpp
   lib/space/pores/plugs.cpp
   lib/space/pores/pockets.cpp
+  lib/space/pores/point_records.cpp
   lib/space/pores/pore_balls.cpp
   lib/space/pores/pores_builder.cpp
   lib/space/pores/region_finder.cpp

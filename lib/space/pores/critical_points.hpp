@@ -71,6 +71,9 @@ class CriticalPoints {
   TangentLines &lines() const { return lines_[0]; }
 
  private:
+  static constexpr uint32_t few = 5;    // balls all sets of which are tried
+  static constexpr uint32_t many = 12;  // balls for which a leaf is divided further
+
   struct Cube {
     exact::Vector centre;
     int64_t half;

@@ -1,0 +1,292 @@
+#include <bit>
+#include <initializer_list>
+
+#include "core/extremes.hpp"
+#include "core/sorting.hpp"
+#include "pores/critical_points.hpp"
+#include "pores/search_blocks.hpp"
+
+namespace hsp {
+namespace {
+
+constexpr double least_fine = 0x1p-8;  // half a side of what a leaf is divided into
+
+}  // namespace
+
+// All points of a leaf. Its candidates are in directions_ if that has room for them; candidates_ are free from `last`
+// on.
+void CriticalPoints::try_leaf(Span<const uint32_t> near, const Block &block, const Block &other, PointKind alone,
+                              uint32_t last) {
+  needed_.near = larger_count(needed_.near, near.size());
+  if (near.size() > limits_.near) return;
+  if (near.size() <= few) return try_sets(near, block, other, alone);
+  if (try_common_point(near, block, other)) return;
+  bool fits = longest_part(to_double(block.centre)) < 0x1p43;
+  for (const uint32_t ball : near) fits = fits && distance(*balls_, ball, block.centre) < 0x1p40;
+  if (near.size() <= many || !fits) return try_sets(near, block, other, alone);
+  try_finely(near, block, other, last);
+}
+
+// Halves a leaf down to parts of steps, in which its candidates become fewer but for those that tie exactly.
+void CriticalPoints::try_finely(Span<const uint32_t> near, const Block &block, const Block &other, uint32_t last) {
+  const uint32_t count = near.size();
+  needed_.candidates = larger_count(needed_.candidates, clamped_count(static_cast<uint64_t>(last) + count));
+  if (count > limits_.candidates - last) return;
+  for (uint32_t k = 0; k < count; ++k) candidates_[last + k] = near[k];
+  double half = least_fine;
+  while (half < block.half) half *= 2.0;
+  uint32_t depth = 0;
+  fine_cubes_[depth++] = {{0.0, 0.0, 0.0}, half, last, last + count, 0};
+  while (depth > 0) {
+    FineCube &cube = fine_cubes_[depth - 1];
+    if (cube.next_part == 8) {
+      --depth;
+      continue;
+    }
+    const uint32_t part = cube.next_part++;
+    FineCube &child = fine_cubes_[depth];
+    child.half = 0.5 * cube.half;
+    const auto moved = [&](double at, uint32_t axis) {
+      return (part >> axis & 1) != 0 ? at + child.half : at - child.half;
+    };
+    child.off = {moved(cube.off.x, 0), moved(cube.off.y, 1), moved(cube.off.z, 2)};
+    child.next_part = 0;
+    const Block own{block.centre, child.half, child.off};
+    if (!meet(own, block) || !meet(own, other)) continue;
+    child.first = cube.last;
+    child.last = enter(child, cube, own);
+    if (needed_.candidates > limits_.candidates) return;
+    const Span<const uint32_t> here = candidates_.part(child.first, child.last);
+    if (here.empty()) continue;
+    if (here.size() > few && child.half > least_fine) {
+      ++depth;
+      continue;
+    }
+    if (here.size() > few && try_common_point(here, own, other)) continue;
+    // try_common_point() sees other balls.
+    if (here.size() > few && here.size() <= CubeDirections::room) {
+      directions_[0].set(target_, near_arrays(here), to_double(own.centre) + own.off, own.half);
+      static_cast<void>(directions_[0].compare(target_, here.size()));
+    }
+    try_sets(here, own, other, PointKind::passing);
+  }
+}
+
+// Puts the candidates of a part of a leaf behind those of the whole, as enter() does for cubes.
+uint32_t CriticalPoints::enter(const FineCube &cube, const FineCube &whole, const Block &block) {
+  const uint32_t last = whole.last, most = last - whole.first;
+  needed_.candidates = larger_count(needed_.candidates, clamped_count(static_cast<uint64_t>(last) + most));
+  if (most > limits_.candidates - last) return last;
+  const Vec3 at = to_double(block.centre) + cube.off;
+  const double reach = root_of_three * cube.half * (1.0 + 0x1p-40);
+  double least = std::numeric_limits<double>::infinity();  // upper bound of f at the middle
+  for (uint32_t k = 0; k < most; ++k) {
+    const uint32_t ball = candidates_[whole.first + k];
+    const Vec3 y = at - centre_of(*balls_, ball);
+    const double length = std::sqrt(dot(y, y)), gap = length - balls_->r[ball];
+    const double doubt = 0x1p-49 * (length + balls_->r[ball]);
+    inverse_[k] = gap - doubt;
+    least = smaller_of(least, gap + doubt);
+  }
+  if (least + reach < static_cast<double>(floor_)) return last;
+  uint32_t count = 0;
+  for (uint32_t k = 0; k < most; ++k) {
+    if (inverse_[k] <= least + 2.0 * reach) candidates_[last + count++] = candidates_[whole.first + k];
+  }
+  if (count < 3) return last;
+  return last + (count <= CubeDirections::room ? leave_few(at, block.half, last, count, true)
+                                               : leave_many(at, block.half, last, count));
+}
+
+// Whether all candidates of a leaf tie at one point that is near. Then that is its one critical point, but for sets
+// that are nearly flat: let q be another one and D bound how far it is from the common point p. Balls that span q all
+// tie at both, or are three with q in the plane of their centres and p beside it. Of the first the distances of p and
+// q differ by less than D^2 / 2 (rho - D), as 0 is a mean of their directions at q, rho the least distance of the
+// centres: so their directions are at right angles to that from q to p, up to D / 2 (rho - D). In both cases three of
+// these make a flat angle.
+bool CriticalPoints::try_common_point(Span<const uint32_t> near, const Block &block, const Block &other) {
+  const BallSet &balls = *balls_;
+  uint32_t set[4];
+  const bool solid = find_far_apart(balls, near, set);
+  if (set[2] == set[0]) return false;
+  const Vec3 middle = to_double(block.centre) + block.off;
+  double nearest_centre = std::numeric_limits<double>::infinity();
+  for (const uint32_t ball : near) {
+    const Vec3 y = middle - centre_of(balls, ball);
+    nearest_centre = smaller_of(nearest_centre, std::sqrt(dot(y, y)));
+  }
+  for (const int attempt : {0, 1, 2}) {
+    const bool rising = attempt == 1, flat = attempt == 2;
+    TangentPoint point(lines());
+    if ((!solid && !flat) || !point.find(balls, {set[0], set[1], set[2]}, flat ? no_id : set[3], rising)) continue;
+    const Vec3 to = point.place_estimate() - middle;
+    const double apart = std::sqrt(dot(to, to)) + point.place_error() + root_of_three * block.half;
+    if (!(16.0 * apart < nearest_centre)) continue;
+    bool tie = true;
+    for (uint32_t k = 0; tie && k < near.size(); ++k) tie = point.nearness(near[k]) == 0;
+    beyond_reach_ = beyond_reach_ || point.beyond_reach();
+    if (!tie) continue;
+    if (point.level_against(floor_) > 0 && is_in(point, block) && is_in(point, other)) {
+      for (uint32_t k = 0; k < near.size(); ++k) at_point_[k] = near[k];
+      const Span<uint32_t> tied = at_point_.part(0, near.size());
+      sort_in_place(tied, [](uint32_t a, uint32_t b) { return a < b; });
+      const PointKind kind = kind_of(balls, point, tied, room_);
+      // Found anew by its name.
+      constexpr uint32_t unnamed[4] = {no_id, no_id, no_id, no_id};
+      if (kind != PointKind::passing) add(point, unnamed, kind, tied);
+    }
+    beyond_reach_ = beyond_reach_ || point.beyond_reach();
+    point.find(balls, {set[0], set[1], set[2]}, flat ? no_id : set[3], rising);
+    see_directions(near, middle);
+    try_flat_sets(point, near, block, other, 8.0 * apart / nearest_centre + 1e-12);
+    return true;
+  }
+  return false;
+}
+
+// Of balls that tie at a common point, and whose directions are known, the sets that are so flat.
+void CriticalPoints::try_flat_sets(const TangentPoint &common, Span<const uint32_t> near, const Block &block,
+                                   const Block &other, double flat) {
+  const BallSet &balls = *balls_;
+  const uint32_t n = near.size();
+  KnownTies known;
+  for (uint32_t i = 0; i < n; ++i) {
+    for (uint32_t j = i + 1; j < n; ++j) {
+      const Vec3 across = cross(hull_[i], hull_[j]);
+      const auto is_flat = [&](uint32_t k) { return std::fabs(dot(across, hull_[k])) <= flat; };
+      const bool apart = dot(across, across) > flat * flat;
+      for (uint32_t k = j + 1; k < n; ++k) {
+        if (!is_flat(k)) continue;
+        const Vec3 to_first = cross(hull_[i], hull_[k]), to_second = cross(hull_[j], hull_[k]);
+        const bool wide = apart || dot(to_first, to_first) > flat * flat || dot(to_second, to_second) > flat * flat;
+        // In a plane with the point three of which two are not on a line with it have no other one.
+        if (!wide || common.side_of_plane(near[i], near[j], near[k]) != 0) {
+          const uint32_t three[4] = {near[i], near[j], near[k], no_id};
+          static_cast<void>(try_point(three, 3, near, block, other, known));
+        }
+        for (uint32_t l = k + 1; l < n; ++l) {
+          if (!is_flat(l) || std::fabs(dot(to_first, hull_[l])) > flat || std::fabs(dot(to_second, hull_[l])) > flat ||
+              are_coplanar(balls, near[i], near[j], near[k], near[l])) {
+            continue;
+          }
+          const uint32_t four[4] = {near[i], near[j], near[k], near[l]};
+          static_cast<void>(try_point(four, 4, near, block, other, known));
+        }
+      }
+    }
+  }
+  beyond_reach_ = beyond_reach_ || common.beyond_reach();
+}
+
+// All sets of three and four with points in both of two cubes, as seen from the first one; alone: of which kind a point
+// where all of them tie is the only critical one in the first.
+void CriticalPoints::try_sets(Span<const uint32_t> near, const Block &block, const Block &other, PointKind alone) {
+  ++work_.leaves;
+  const uint32_t n = near.size();
+  needed_.near = larger_count(needed_.near, n);
+  if (n > limits_.near) return;
+  const bool directed = n <= CubeDirections::room;
+  const CubeDirections &directions = directions_[0];
+  // Which of them can be as near in the cube, by bits.
+  uint64_t ties[CubeDirections::room];
+  for (uint32_t i = 0; i < n && directed; ++i) ties[i] = 0;
+  for (uint32_t i = 0; i < n && directed; ++i) {
+    for (uint32_t j = i + 1; j < n; ++j) {
+      if (directions.may_tie(i, j)) ties[i] |= UINT64_C(1) << j;
+    }
+  }
+  const auto tie = [&](uint32_t i, uint32_t j) { return !directed || (ties[i] >> j & 1) != 0; };
+  // Faces of few balls are kept, each being that of several tetrahedra.
+  CubeDirections::Face faces[few * (few - 1) * (few - 2) / 6];
+  const auto place = [](uint32_t i, uint32_t j, uint32_t k) { return k * (k - 1) * (k - 2) / 6 + j * (j - 1) / 2 + i; };
+  const bool kept = n <= few;
+  for (uint32_t i = 0; kept && i < n; ++i) {
+    for (uint32_t j = i + 1; j < n; ++j) {
+      for (uint32_t k = j + 1; k < n; ++k) {
+        if (tie(i, j) && tie(i, k) && tie(j, k)) faces[place(i, j, k)] = directions.face(i, j, k);
+      }
+    }
+  }
+  CubeDirections::Face made[4];
+  const auto face = [&](uint32_t i, uint32_t j, uint32_t k, uint32_t corner) -> const CubeDirections::Face & {
+    if (kept) return faces[place(i, j, k)];
+    made[corner] = directions.face(i, j, k);
+    return made[corner];
+  };
+  KnownTies known;
+  for (uint32_t i = 0; i < n; ++i) {
+    for (uint32_t j = i + 1; j < n; ++j) {
+      if (!tie(i, j)) continue;
+      for (uint32_t k = j + 1; k < n; ++k) {
+        if (!tie(i, k) || !tie(j, k)) continue;
+        const CubeDirections::Face &own = directed ? face(i, j, k, 3) : made[3];
+        const uint32_t three[4] = {near[i], near[j], near[k], no_id};
+        if (!directed || !directions.is_outside(own, i, j, k)) {
+          ++work_.triples;
+          if (try_point(three, 3, near, block, other, known) && alone == PointKind::gate) return;
+        }
+        for (uint32_t l = k + 1; l < n; ++l) {
+          if (!tie(i, l) || !tie(j, l) || !tie(k, l)) continue;
+          if (directed && (directions.separates(own, l) || directions.separates(face(i, j, l, 2), k) ||
+                           directions.separates(face(i, k, l, 1), j) || directions.separates(face(j, k, l, 0), i))) {
+            continue;
+          }
+          if (directed && directions.is_nearly_flat(own, l)) {
+            const uint64_t some = UINT64_C(1) << i | UINT64_C(1) << j | UINT64_C(1) << k | UINT64_C(1) << l;
+            if (known.are_in_plane(some) || are_coplanar(*balls_, near[i], near[j], near[k], near[l])) continue;
+          }
+          ++work_.quadruples;
+          const uint32_t four[4] = {near[i], near[j], near[k], near[l]};
+          if (try_point(four, 4, near, block, other, known) && alone == PointKind::maximum) return;
+        }
+      }
+    }
+  }
+}
+
+// Whether the point of a set is a critical one where all balls that are near tie.
+bool CriticalPoints::try_point(const uint32_t *ids, uint32_t count, Span<const uint32_t> near, const Block &block,
+                               const Block &other, KnownTies &known) {
+  const BallSet &balls = *balls_;
+  TangentPoint point(lines());
+  const bool found = point.find(balls, {ids[0], ids[1], ids[2]}, count == 3 ? no_id : ids[3], false);
+  if (!found) {
+    beyond_reach_ = beyond_reach_ || point.beyond_reach();
+    return false;
+  }
+  // Most are elsewhere.
+  if (may_be_in(point, block) < 0 || may_be_in(point, other) < 0) return false;
+  bool kept = point.level_against(floor_) > 0 && !(count == 3 ? are_collinear(balls, ids[0], ids[1], ids[2])
+                                                              : are_coplanar(balls, ids[0], ids[1], ids[2], ids[3]));
+  kept = kept && is_in(point, block) && is_in(point, other);
+  bool on_side = false;
+  kept = kept && (count == 3 ? is_in_triangle(balls, point, ids[0], ids[1], ids[2], on_side)
+                             : is_in_tetrahedron(balls, point, ids, on_side));
+  uint32_t tied = 0;
+  uint64_t ties = 0;
+  for (uint32_t k = 0; kept && k < near.size(); ++k) {
+    const int sign = point.nearness(near[k]);
+    kept = sign >= 0;
+    if (sign != 0) continue;
+    at_point_[tied++] = near[k];
+    ties |= k < 64 ? UINT64_C(1) << k : 0;
+  }
+  // Where 0 is in the hull of the directions from some balls the largest of their distances is least, so that such a
+  // point of the same balls is the same one.
+  if (kept && near.size() <= 64 && tied > count) {
+    for (uint32_t k = 0; k < known.size; ++k) {
+      if (known.set[k] == ties) return tied == near.size();
+    }
+  }
+  const PointKind kind = count == 3 ? PointKind::gate : PointKind::maximum;
+  if (kept) kept = (tied == count && !on_side) || kind_of(balls, point, at_point_.part(0, tied), room_) == kind;
+  if (kept && near.size() <= 64 && known.size < KnownTies::room) {
+    known.in_plane[known.size] = kind == PointKind::gate;
+    known.set[known.size++] = ties;
+  }
+  if (kept) add(point, ids, kind, at_point_.part(0, tied));
+  beyond_reach_ = beyond_reach_ || point.beyond_reach();
+  return kept && tied == near.size();
+}
+
+}  // namespace hsp

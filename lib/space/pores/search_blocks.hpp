@@ -1,0 +1,59 @@
+// Blocks of a search, cubes and parts of these, and the balls that are near one.
+#pragma once
+
+#include "core/extremes.hpp"
+#include "pores/critical_points.hpp"
+
+namespace hsp {
+
+inline Vec3 centre_of(const BallSet &balls, uint32_t ball) {
+  return {balls.x[ball], balls.y[ball], balls.z[ball]};
+}
+inline double distance(const BallSet &balls, uint32_t ball, const exact::Vector &from) {
+  const double x = balls.x[ball] - static_cast<double>(from.x), y = balls.y[ball] - static_cast<double>(from.y),
+               z = balls.z[ball] - static_cast<double>(from.z);
+  return std::sqrt(x * x + y * y + z * z);
+}
+
+// +1 and -1 if it is certain whether a point is in a cube, its sides included.
+inline int may_be_in(const TangentPoint &point, const CriticalPoints::Block &block) {
+  const Vec3 off = point.place_estimate() - to_double(block.centre) - block.off;
+  const double most = longest_part(off), doubt = point.place_error();
+  return most > block.half + doubt ? -1 : most < block.half - doubt ? 1 : 0;
+}
+inline bool is_in(const TangentPoint &point, const CriticalPoints::Block &block) {
+  const int certain = may_be_in(point, block);
+  if (certain != 0) return certain > 0;
+  const int64_t middle[3] = {block.centre.x, block.centre.y, block.centre.z};
+  const double off[3] = {block.off.x, block.off.y, block.off.z};
+  for (uint32_t axis = 0; axis < 3; ++axis) {
+    if (point.against(axis, middle[axis], off[axis] - block.half) < 0 ||
+        point.against(axis, middle[axis], off[axis] + block.half) > 0) {
+      return false;
+    }
+  }
+  return true;
+}
+// Four balls that are far apart; false if all centres are in one plane.
+inline bool find_far_apart(const BallSet &balls, Span<const uint32_t> near, uint32_t *set) {
+  for (uint32_t k = 0; k < 4; ++k) set[k] = near[0];
+  for (uint32_t turn = 0; turn < 3; ++turn) {
+    double best = 0.0;
+    const Vec3 u = balls.difference(set[0], set[1]), v = balls.difference(set[0], set[2]);
+    for (const uint32_t ball : near) {
+      const Vec3 w = balls.difference(set[0], ball), n = cross(u, turn == 1 ? w : v);
+      const double size = turn == 0 ? dot(w, w) : turn == 1 ? dot(n, n) : std::fabs(dot(n, w));
+      if (size > best) {
+        best = size;
+        set[turn + 1] = ball;
+      }
+    }
+    if (best == 0.0) return false;
+  }
+  return true;
+}
+inline bool meet(const CriticalPoints::Block &a, const CriticalPoints::Block &b) {
+  return longest_part(to_double(a.centre) + a.off - to_double(b.centre) - b.off) <= a.half + b.half;
+}
+
+}  // namespace hsp
