@@ -13,7 +13,7 @@ static const double box_height = 0.8, clear = 0.2, beside = 0.25, alone = 0.4, s
 /* Costs of a place, in lengths of a line. */
 static const double cost_of_line = 2.0, cost_of_knee = 1.0, cost_of_slope = 0.5;
 static const double cost_across[2] = {35.0, 400.0};  /* for a length across what is not selected, and what is */
-static const double cost_of_cover[2] = {200.0, 6e3}; /* for a label all over them */
+static const double cost_of_cover[2] = {500.0, 6e3}; /* for a label all over them */
 
 enum { PASSES = 4, MOST_PAIRED = 24 };
 
