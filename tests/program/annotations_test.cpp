@@ -292,6 +292,26 @@ TEST(Annotations, LegendsOfElements) {
   }
 }
 
+// Swatches have the mean tones that are seen: darker where balls are darkened, but not as dark as the darkest one.
+TEST(Annotations, SwatchesAreAsDarkAsBalls) {
+  std::vector<std::string> swatches[2];
+  for (const int dark : {0, 1}) {
+    const std::string svg =
+        drawn(crambin(), {"--legend", "--style", "flat", "--fog", "0", "--occlusion", dark == 1 ? "1" : "0"});
+    for (const std::string &one : elements(svg, "<rect x=")) {
+      swatches[dark].push_back(word_after(one, "fill=\"#", "\""));
+    }
+    ASSERT_EQ(swatches[dark].size(), 8u);
+  }
+  for (size_t k = 1; k < 8; k += 2) {  // each in a frame
+    for (size_t channel = 0; channel < 6; channel += 2) {
+      EXPECT_LT(swatches[1][k].substr(channel, 2), swatches[0][k].substr(channel, 2));
+      EXPECT_GT(std::stoi(swatches[1][k].substr(channel, 2), nullptr, 16),
+                std::stoi(swatches[0][k].substr(channel, 2), nullptr, 16) * 0.42);
+    }
+  }
+}
+
 TEST(Annotations, LegendsOfNumbersAndChains) {
   const std::string svg = drawn(crambin(), {"--legend", "--colour", "bfactor", "--range", "2.5,15"});
   const std::vector<Text> texts = texts_of(svg);
@@ -313,7 +333,8 @@ TEST(Annotations, LegendsOfNumbersAndChains) {
   for (const Text &kind : texts_of(drawn(molecules_folder() + "/ubiquitin.pdb", {"--legend", "--colour", "residue"}))) {
     names.insert(names.begin(), kind.text);
   }
-  EXPECT_EQ(names, (std::vector<std::string>{"positive", "negative", "polar", "aromatic", "aliphatic", "glycine"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"residues", "positive", "negative", "polar", "aromatic", "aliphatic",
+                                             "glycine"}));
   const std::vector<Text> muted = texts_of(drawn(crambin(), {"--legend", "--highlight", "residue:CYS"}));
   ASSERT_EQ(muted.size(), 5u);
   EXPECT_EQ(muted[0].text, "others");
@@ -340,8 +361,9 @@ TEST(Annotations, LegendsOfManyChains) {
     texts.erase(texts.begin());  // of the scale bar
     const bool all = count == 21;
     EXPECT_EQ(texts.front().text, all ? "U" : "..");
-    EXPECT_EQ(texts.back().text, count == 21 ? "A" : "0");  // digits come before letters
-    EXPECT_EQ(texts.size() == count, all);
+    EXPECT_EQ(texts.back().text, "chains");
+    EXPECT_EQ(texts[texts.size() - 2].text, count == 21 ? "A" : "0");  // digits come before letters
+    EXPECT_EQ(texts.size() == count + 1, all);
     EXPECT_GT(texts.back().x, 345);  // beside the scale bar
     for (const Text &one : texts) EXPECT_LT(one.x + one.size, 1000);
   }

@@ -182,7 +182,8 @@ static struct shown_bodies bodies_of(const struct request *request, const struct
 
 /* Adds the text over the picture. Labels are where a map of the balls says that there is room: sticks hide little. */
 static bool annotate(const struct request *request, const struct molecule *molecule, struct geometry *geometry,
-                     const struct drawn *drawn, struct text_buffer *over, struct failure *failure) {
+                     const uint32_t *darkened, const struct drawn *drawn, struct text_buffer *over,
+                     struct failure *failure) {
   const struct drawing *drawing = &request->drawing;
   struct ball_palette palette;
   struct page_label *labels = NULL;
@@ -191,16 +192,18 @@ static bool annotate(const struct request *request, const struct molecule *molec
   double *room = NULL;
   bool done = ball_colours_make(drawing, &request->highlight, molecule, &colour, &palette, failure);
   if (!done) return false;
-  const bool of_kinds = drawing->legend && drawing->colour == COLOUR_RESIDUE;
+  /* Legends of kinds, and of colours that occlusion darkens. */
+  const bool of_seen =
+      drawing->legend && palette.remark != NULL && (drawing->colour == COLOUR_RESIDUE || drawn->occlusion > 0.0);
   const bool has_map = drawing_is_of_map(drawing) && !drawing_is_of_sticks(drawing);
-  if ((drawing->label >= 0 || of_kinds) && !has_map) {
+  if ((drawing->label >= 0 || of_seen) && !has_map) {
     done = geometry_compute_map(geometry, &drawing->viewing, molecule, failure);
   }
   if (drawing->label >= 0) {
     done = done && page_labels_find(geometry->work.map, molecule, &request->highlight, drawing->label, &labels, &count,
                                     failure);
   }
-  if (of_kinds) done = done && page_labels_find_room(geometry->work.map, molecule->atoms, &room, failure);
+  if (of_seen) done = done && page_labels_find_room(geometry->work.map, molecule->atoms, &room, failure);
   const struct shown_bodies bodies = bodies_of(request, molecule, geometry->bond, geometry->bonds);
   const struct annotation annotation = {.drawing = drawing,
                                         .molecule = molecule,
@@ -212,6 +215,7 @@ static bool annotate(const struct request *request, const struct molecule *molec
                                         .label_count = count,
                                         .palette = &palette,
                                         .colour = colour,
+                                        .darkened = darkened,
                                         .selected = &request->highlight,
                                         .room = room};
   done = done && annotation_write(&annotation, over, failure);
@@ -230,7 +234,7 @@ static bool write_picture(const struct request *request, const struct molecule *
   }
   struct text_buffer over = TEXT_BUFFER_EMPTY;
   const bool annotated = drawing_is_annotated(&request->drawing);
-  if (annotated && !annotate(request, molecule, geometry, drawn, &over, failure)) {
+  if (annotated && !annotate(request, molecule, geometry, colour, drawn, &over, failure)) {
     text_buffer_free(&over);
     return false;
   }

@@ -65,6 +65,7 @@ struct entry {
   uint32_t colour;
   bool of_element;
   int rank;
+  double seen, tone[3]; /* of its atoms: how much is seen of them, and the sums of their tones by that */
 };
 
 struct legend {
@@ -74,20 +75,29 @@ struct legend {
   const char *quantity; /* NULL: what they are is seen */
 };
 
+static bool is_by_residue(const struct annotation *annotation) {
+  return strcmp(annotation->palette->name, "residue") == 0;
+}
+
+/* Legends of kinds name those that are seen, others all. */
+static bool is_hidden(const struct annotation *annotation, uint32_t atom) {
+  return is_by_residue(annotation) && label_is_hidden(annotation, annotation->room[atom]);
+}
+
 /* Of colours by chain, atoms of chains stand for these, by their carbon, which has the tint itself; of those by
  * residue, for their kinds; all others stand for their elements. False: for nothing. */
 static bool find_entry(const struct annotation *annotation, uint32_t atom, struct entry *entry) {
   const struct atom_label *label = &annotation->molecule->label[atom];
   const bool by_chain = strcmp(annotation->palette->name, "chain") == 0;
   struct residue_colour kind;
-  *entry = (struct entry){label->element.text, annotation->colour[atom], true, 0};
-  if (annotation->room != NULL && label_is_hidden(annotation, annotation->room[atom])) return false;
+  *entry = (struct entry){label->element.text, annotation->colour[atom], true, 0, 0.0, {0.0}};
+  if (is_hidden(annotation, atom)) return false;
   if (by_chain && (atom_is_of_chain(label) || atom_is_water(label))) {
-    *entry = (struct entry){label->residue->chain, annotation->colour[atom], false, 0};
+    *entry = (struct entry){label->residue->chain, annotation->colour[atom], false, 0, 0.0, {0.0}};
     return strcmp(label->element.text, "C") == 0;
   }
-  if (strcmp(annotation->palette->name, "residue") == 0 && residue_colour_find(label->residue->name, &kind)) {
-    *entry = (struct entry){kind.kind, annotation->colour[atom], false, kind.rank};
+  if (is_by_residue(annotation) && residue_colour_find(label->residue->name, &kind)) {
+    *entry = (struct entry){kind.kind, annotation->colour[atom], false, kind.rank, 0.0, {0.0}};
   }
   return true;
 }
@@ -107,12 +117,27 @@ static int compare_entries(const void *left, const void *right) {
   return strcmp(a->text, b->text);
 }
 
+static void add_tone(const struct annotation *annotation, uint32_t atom, struct entry *entry) {
+  if (annotation->room == NULL) return;
+  const double seen = annotation->room[atom] * annotation->room[atom];
+  entry->seen += seen;
+  for (int k = 0; k < 3; ++k) entry->tone[k] += seen * (double)(annotation->darkened[atom] >> (16 - 8 * k) & 0xFF);
+}
+
+/* A swatch has the mean tone of what is seen: where that lies deep it is darker than the colour itself. */
+static void set_mean_tone(struct entry *entry) {
+  uint32_t colour = 0;
+  if (!(entry->seen > 0.0)) return;
+  for (int k = 0; k < 3; ++k) colour = colour << 8 | (uint32_t)(entry->tone[k] / entry->seen + 0.5);
+  entry->colour = colour;
+}
+
 static void find_entries(const struct annotation *annotation, struct legend *legend) {
   legend->entries = 0;
   legend->cut = false;
   for (size_t k = 0; k < annotation->palette->bands; ++k) {
     legend->entry[legend->entries++] =
-        (struct entry){annotation->palette->band[k].name, annotation->palette->band[k].colour, false, 0};
+        (struct entry){annotation->palette->band[k].name, annotation->palette->band[k].colour, false, 0, 0.0, {0.0}};
   }
   for (uint32_t atom = 0; atom < annotation->molecule->atoms && annotation->palette->bands == 0; ++atom) {
     struct entry entry;
@@ -123,33 +148,38 @@ static void find_entries(const struct annotation *annotation, struct legend *leg
            (strcmp(legend->entry[at].text, entry.text) != 0 || legend->entry[at].of_element != entry.of_element)) {
       ++at;
     }
-    if (at < legend->entries) continue;
     if (at == MOST_ENTRIES) {
       legend->cut = true;
       break;
     }
-    legend->entry[legend->entries++] = entry;
+    if (at == legend->entries) legend->entry[legend->entries++] = entry;
+    add_tone(annotation, atom, &legend->entry[at]);
   }
+  for (size_t k = 0; k < legend->entries; ++k) set_mean_tone(&legend->entry[k]);
   legend->quantity = annotation->palette->quantity;
   if (annotation->palette->bands > 0 || legend->entries == 0) return;
   qsort(legend->entry, legend->entries, sizeof legend->entry[0], compare_entries);
-  /* There are chains C and N, too. */
-  const bool by_chain = strcmp(annotation->palette->name, "chain") == 0;
-  if (by_chain && !legend->entry[0].of_element && legend->entry[legend->entries - 1].of_element) {
-    legend->quantity = "chains";
-  }
+  /* There are chains C and N, too, and other things than residues are polar. */
+  if (legend->entry[0].of_element) return;
+  legend->quantity = is_by_residue(annotation) ? "residues" : "chains";
 }
 
 /* Behind all entries, that of muted atoms, with the colour of a carbon if there is one among them. */
 static void add_others(const struct annotation *annotation, struct legend *legend) {
-  struct entry others = {NULL, 0, true, 0};
+  struct entry others = {NULL, 0, true, 0, 0.0, {0.0}};
+  bool of_carbon = false;
   for (uint32_t atom = 0; atom < annotation->molecule->atoms; ++atom) {
+    if (selection_takes(annotation->selected, annotation->molecule, atom)) continue;
+    if (is_hidden(annotation, atom)) continue;
     const bool carbon = strcmp(annotation->molecule->label[atom].element.text, "C") == 0;
-    if ((others.text != NULL && !carbon) || selection_takes(annotation->selected, annotation->molecule, atom)) continue;
-    if (annotation->room != NULL && label_is_hidden(annotation, annotation->room[atom])) continue;
-    others = (struct entry){"others", annotation->colour[atom], true, 0};
-    if (carbon) break;
+    if (of_carbon && !carbon) continue;
+    if (others.text == NULL || carbon != of_carbon) {
+      others = (struct entry){"others", annotation->colour[atom], true, 0, 0.0, {0.0}};
+    }
+    of_carbon = carbon;
+    add_tone(annotation, atom, &others);
   }
+  set_mean_tone(&others);
   if (others.text != NULL && legend->entries < MOST_ENTRIES) legend->entry[legend->entries++] = others;
 }
 

@@ -25,8 +25,9 @@ struct annotation {
   uint32_t label_count;
   const struct ball_palette *palette; /* what colours stand for, before occlusion: */
   const uint32_t *colour;             /* [atoms] */
+  const uint32_t *darkened;           /* [atoms], by occlusion */
   const struct selection *selected;   /* of these atoms */
-  const double *room; /* [atoms], the largest circle in what is seen of each; NULL: a legend asks not for it */
+  const double *room; /* [atoms], the largest circle in what is seen of each; NULL: no legend asks for it */
 };
 
 /* Append it to `out`, in the language of the picture. False: there are more labels than have room. */
