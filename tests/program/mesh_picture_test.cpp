@@ -118,17 +118,18 @@ std::vector<Part> parts_of(const std::string &svg) {
   return parts;
 }
 
-// Contours, or borders of patches, which are faint, with their widths in px.
+// Contours, rims of pockets, or borders of patches, which are faint, with their widths in px.
 struct Line {
   std::vector<Point> points;
   double width;
 };
-std::vector<Line> lines_of(const std::string &svg, bool faint) {
+std::vector<Line> lines_of(const std::string &svg, bool faint, bool rims = false) {
   std::vector<Line> lines;
   for (size_t at = svg.find("<path fill=\"none\""); at != std::string::npos;
        at = svg.find("<path fill=\"none\"", at + 1)) {
     const std::string path = svg.substr(at, svg.find('\n', at) - at);
     if (attribute(path, "stroke-opacity").empty() == faint) continue;
+    if ((attribute(path, "stroke") != "#23202b") != rims) continue;
     const double width = std::stod(attribute(path, "stroke-width")) / 20;
     for (Part part : loops_of(attribute(path, "d"))) {
       if (part.closed) part.points.push_back(part.points.front());
@@ -136,6 +137,10 @@ std::vector<Line> lines_of(const std::string &svg, bool faint) {
     }
   }
   return lines;
+}
+
+std::vector<Line> rims_of(const std::string &svg) {
+  return lines_of(svg, false, true);
 }
 
 std::string drawn_text(const std::string &file, std::vector<std::string> options) {
@@ -216,6 +221,42 @@ TEST(MeshPicture, ContoursGrowWithTheGapBehind) {
   EXPECT_GT(widest[0], 0);
   EXPECT_LT(widest[0], widest[1]);
   EXPECT_LT(widest[1], widest[2]);
+}
+
+// Small balls that all but hide a larger one behind them, of which a narrow rim is seen: its contour stands for both.
+TEST(MeshPicture, ContoursDoNotDoubleOthers) {
+  const auto lengths = [](const std::string &behind) {
+    const TemporaryFile pair("pair.xyzr", "0 0 2 3\n0 0 0 " + behind + "\n");
+    std::array<double, 2> length = {0, 0};
+    for (const Line &line : lines_of(drawn_text(pair.path(), {"--edge", "0.1", "--view", "0,0,1"}), false)) {
+      for (size_t k = 1; k < line.points.size(); ++k) {
+        const Point &at = line.points[k], &last = line.points[k - 1];
+        const double radius = 500 / 1.06 - std::hypot(at[0] - 500, at[1] + 500);
+        length[radius > 1 ? 1 : 0] += std::hypot(at[0] - last[0], at[1] - last[1]);
+      }
+    }
+    return length;
+  };
+  const std::array<double, 2> narrow = lengths("3.01"), wide = lengths("3.2");
+  const double around = 1000 * std::numbers::pi / 1.06;
+  EXPECT_NEAR(narrow[0], around, 0.02 * around);
+  EXPECT_EQ(narrow[1], 0);
+  EXPECT_NEAR(wide[0], around, 0.02 * around);
+  EXPECT_NEAR(wide[1], around * 3 / 3.2, 0.02 * around);
+}
+
+// The contour of a ball of few px that nothing is near to is a speck.
+TEST(MeshPicture, SpecksAreLeftOut) {
+  const auto contours_within = [](const std::string &radius) {
+    const TemporaryFile pair("pair.xyzr", "0 0 0 3\n0 0 6 " + radius + "\n");
+    size_t count = 0;
+    for (const Line &line : lines_of(drawn_text(pair.path(), {"--edge", "0.3", "--view", "0,0,1"}), false)) {
+      if (std::hypot(line.points[0][0] - 500, line.points[0][1] + 500) < 300) ++count;
+    }
+    return count;
+  };
+  EXPECT_EQ(contours_within("0.015"), 0u);
+  EXPECT_GT(contours_within("0.1"), 0u);
 }
 
 // Widths do not depend on the unit of a file: the picture of a molecule in any other is the same.
@@ -524,6 +565,30 @@ TEST(MeshPicture, PocketsEndWhereTheWayUpChanges) {
         }
       }
       EXPECT_NEAR(most, 1, std::stod(edge) * 2 / 3) << surface << edge;
+    }
+  }
+}
+
+// A pocket has a rim, where its colour ends and nowhere else; surfaces without pockets have none.
+TEST(MeshPicture, PocketsHaveRims) {
+  const TemporaryFile room("room.xyzr", "1 0 0 0.7\n-1 0 0 0.7\n0 1 0 0.7\n0 -1 0 0.7\n0 0 1 0.7\n0 0 -1 0.7\n");
+  const double edge = 0.12 * 1000 / (2 * (std::sqrt(0.5) + 0.7) + 0.06 * 3.4);  // px
+  std::vector<std::string> options = {"--probe", "0.1",    "--surface", "ses",   "--edge", "0.06",
+                                      "--view",  "1,-1,0", "--up",      "0,0,1", "--cut"};
+  EXPECT_EQ(rims_of(drawn_text(room.path(), options)).size(), 0u);
+  options.insert(options.end(), {"--pockets", "0.118"});
+  const std::string svg = drawn_text(room.path(), options);
+  const std::vector<Line> rims = rims_of(svg);
+  std::vector<Point> blue;
+  for (const Part &part : parts_of(svg)) {
+    if (is_blue(part)) blue.insert(blue.end(), part.points.begin(), part.points.end());
+  }
+  ASSERT_GT(rims.size(), 0u);
+  for (const Line &line : rims) {
+    for (const Point &point : line.points) {
+      double nearest = 1000;
+      for (const Point &at : blue) nearest = std::min(nearest, std::hypot(at[0] - point[0], at[1] - point[1]));
+      EXPECT_LT(nearest, edge);
     }
   }
 }

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "draw/mesh_parts.h"
+
 static const double thinnest = 1.0; /* of areas, in units */
 
 /* Of points that are dropped, squares of units: on outlines, where a tone goes over into one hardly different, and on
@@ -109,6 +111,99 @@ static void mark(struct painted_edge *edge) {
 }
 static bool is_marked(const struct painted_edge *edge) {
   return compare_points(edge->from, edge->to) == 0;
+}
+
+/* ---- lines that hang together ---- */
+
+struct line_end {
+  int32_t at[2];
+  uint32_t edge;
+};
+
+static int compare_ends(const void *left, const void *right) {
+  const struct line_end *a = left;
+  const struct line_end *b = right;
+  const int order = compare_points(a->at, b->at);
+  return order != 0 ? order : (a->edge > b->edge) - (a->edge < b->edge);
+}
+
+static double length_of(const struct painted_edge *edge) {
+  const double x = (double)edge->to[0] - edge->from[0], y = (double)edge->to[1] - edge->from[1];
+  return sqrt(x * x + y * y);
+}
+
+/* The square of a point's distance from the way between two others. */
+static double off_the_chord(const int32_t *at, const int32_t *from, const int32_t *to) {
+  const double d[2] = {(double)to[0] - from[0], (double)to[1] - from[1]};
+  const double a[2] = {(double)at[0] - from[0], (double)at[1] - from[1]};
+  const double b[2] = {(double)at[0] - to[0], (double)at[1] - to[1]};
+  if (d[0] * a[0] + d[1] * a[1] <= 0.0) return a[0] * a[0] + a[1] * a[1];
+  if (d[0] * b[0] + d[1] * b[1] >= 0.0) return b[0] * b[0] + b[1] * b[1];
+  const double across = d[0] * a[1] - d[1] * a[0];
+  return across * across / (d[0] * d[0] + d[1] * d[1]);
+}
+
+/* Whether one of its ends is that near to a line. */
+static bool is_near(const struct painted_edge *edge, const struct painted_edge *other, double apart) {
+  return off_the_chord(edge->from, other->from, other->to) <= apart * apart ||
+         off_the_chord(edge->to, other->from, other->to) <= apart * apart;
+}
+
+/* Of lines that hang together the one that stands for all, and the ink of these. */
+struct hanging {
+  uint32_t *root;
+  double *ink;
+};
+
+static void join(const struct hanging *hanging, uint32_t a, uint32_t b) {
+  const uint32_t from = mesh_parts_root(hanging->root, a), to = mesh_parts_root(hanging->root, b);
+  if (from == to) return;
+  hanging->root[from] = to;
+  hanging->ink[to] += hanging->ink[from];
+}
+
+/* Those that share an end. */
+static bool join_at_ends(const struct painted_edges *edges, uint32_t first, const struct hanging *hanging) {
+  struct line_end *end = calloc(2 * edges->count + 1, sizeof *end);
+  size_t ends = 0;
+  if (end == NULL) return false;
+  for (size_t i = 0; i < edges->count; ++i) {
+    const struct painted_edge *const edge = &edges->edge[i];
+    hanging->root[i] = (uint32_t)i;
+    if (edge->paint < first) continue;
+    hanging->ink[i] = length_of(edge) * (edge->paint - first);
+    end[ends++] = (struct line_end){{edge->from[0], edge->from[1]}, (uint32_t)i};
+    end[ends++] = (struct line_end){{edge->to[0], edge->to[1]}, (uint32_t)i};
+  }
+  qsort(end, ends, sizeof *end, compare_ends);
+  for (size_t i = 1; i < ends; ++i) {
+    if (compare_points(end[i - 1].at, end[i].at) == 0) join(hanging, end[i].edge, end[i - 1].edge);
+  }
+  free(end);
+  return true;
+}
+
+bool painted_edges_drop_specks(struct painted_edges *edges, uint32_t first, double ink, double apart) {
+  const struct hanging hanging = {calloc(edges->count + 1, sizeof *hanging.root),
+                                  calloc(edges->count + 1, sizeof *hanging.ink)};
+  const bool enough = hanging.root != NULL && hanging.ink != NULL && join_at_ends(edges, first, &hanging);
+  size_t kept = 0;
+  for (uint32_t i = 0; enough && i < edges->count; ++i) {
+    for (uint32_t k = 0; k < edges->count && edges->edge[i].paint >= first; ++k) {
+      const uint32_t root = mesh_parts_root(hanging.root, i);
+      if (hanging.ink[root] >= ink) break;
+      if (edges->edge[k].paint < first || mesh_parts_root(hanging.root, k) == root) continue;
+      if (is_near(&edges->edge[i], &edges->edge[k], apart)) join(&hanging, i, k);
+    }
+  }
+  for (uint32_t i = 0; enough && i < edges->count; ++i) {
+    const bool speck = edges->edge[i].paint >= first && hanging.ink[mesh_parts_root(hanging.root, i)] < ink;
+    if (!speck) edges->edge[kept++] = edges->edge[i];
+  }
+  if (enough) edges->count = kept;
+  free(hanging.root);
+  free(hanging.ink);
+  return enough;
 }
 
 /* ---- points where outlines meet ---- */
@@ -249,17 +344,6 @@ static void put_way(struct text_buffer *out, const struct way *way) {
 }
 
 /* ---- fewer points ---- */
-
-/* The square of a point's distance from the way between two others. */
-static double off_the_chord(const int32_t *at, const int32_t *from, const int32_t *to) {
-  const double d[2] = {(double)to[0] - from[0], (double)to[1] - from[1]};
-  const double a[2] = {(double)at[0] - from[0], (double)at[1] - from[1]};
-  const double b[2] = {(double)at[0] - to[0], (double)at[1] - to[1]};
-  if (d[0] * a[0] + d[1] * a[1] <= 0.0) return a[0] * a[0] + a[1] * a[1];
-  if (d[0] * b[0] + d[1] * b[1] >= 0.0) return b[0] * b[0] + b[1] * b[1];
-  const double across = d[0] * a[1] - d[1] * a[0];
-  return across * across / (d[0] * d[0] + d[1] * d[1]);
-}
 
 /* Of the points between two, the one farthest from the chord; of several the first by coordinates, so that both
  * neighbours of an outline drop the same points. */

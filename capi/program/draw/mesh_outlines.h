@@ -32,6 +32,10 @@ void painted_edges_add(struct painted_edges *edges, const struct painted_edge *e
 /* Sort by layers and paints, and let edges cancel those that run back. */
 void painted_edges_cancel(struct painted_edges *edges);
 
+/* Leave out lines of paints from `first` on that hang together, or end within `apart` of one another, and have less ink
+ * than that in all: of an edge its length times its paint over the first. False for want of memory. */
+bool painted_edges_drop_specks(struct painted_edges *edges, uint32_t first, double ink, double apart);
+
 /* Find joints: where more than two edges meet, of those left of paints first .. end - 1. No curve goes by a joint.
  * False for want of memory. */
 bool painted_edges_find_joints(struct painted_edges *edges, uint32_t first, uint32_t end);

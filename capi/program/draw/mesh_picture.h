@@ -43,8 +43,8 @@ struct mesh_view {
  *
  * With a cut the inside of the surface is seen, too, and the section by the plane as a line, and voids as bodies in
  * teal, which the legend says; the outside has one colour, and crumbs are dropped (mesh_parts.h). With pockets these
- * alone have colours, voids or not, and those without a colour of their own are grey. *bytes becomes how many were
- * written. False, with the file named, if it cannot be written in full. */
+ * alone have colours, voids or not, with rims (mesh_lines.h), and those without a colour of their own are grey. *bytes
+ * becomes how many were written. False, with the file named, if it cannot be written in full. */
 bool mesh_picture_write(const struct triangle_mesh *mesh, const struct mesh_view *view, const struct molecule *molecule,
                         const char *title, const char *path, uint64_t *bytes, struct failure *failure);
 

@@ -100,16 +100,19 @@ static bool add_areas(const struct mesh_picture *picture, struct text_buffer *ou
   return enough;
 }
 
-/* Borders of patches are faint, as colours meet there; contours are what a surface ends with. */
+/* Borders of patches are faint, as colours meet there; rims of pockets have the darkest tone of what they surround;
+ * contours are what a surface ends with. */
 static bool add_lines(const struct mesh_picture *picture, struct text_buffer *out) {
   const struct painted_edges *lines = &picture->lines;
   bool enough = true;
   for (size_t i = 0, end = 0; enough && i < lines->count; i = end) {
     const uint32_t paint = lines->edge[i].paint;
-    const char *const faint = paint < FIRST_CONTOUR ? " stroke-opacity=\".4\" stroke-linecap=\"butt\"" : "";
+    const bool rim = paint >= FIRST_RIM && paint < FIRST_CONTOUR;
+    const char *const faint = paint < FIRST_RIM ? " stroke-opacity=\".4\" stroke-linecap=\"butt\"" : "";
+    const uint32_t colour = rim ? surface_light_on(mesh_pocket_colour((int)(paint - FIRST_RIM)), 1.0) : LINE_COLOUR;
     end = painted_edges_end(lines, i);
-    text_buffer_add(out, "<path fill=\"none\" stroke=\"#%06" PRIx32 "\"%s stroke-width=\"%.2f\" d=\"", LINE_COLOUR,
-                    faint, 2.0 * mesh_line_width(picture, paint));
+    text_buffer_add(out, "<path fill=\"none\" stroke=\"#%06" PRIx32 "\"%s stroke-width=\"%.2f\" d=\"", colour, faint,
+                    2.0 * mesh_line_width(picture, paint));
     enough = painted_edges_write(lines, i, end, false, true, out);
     text_buffer_add(out, "\"/>\n");
   }

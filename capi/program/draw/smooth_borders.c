@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+static const double detour = 1.2; /* at most, of a way along edges, where a surface is smooth */
+
 struct smoothing {
   const struct triangle_mesh *mesh;
   uint32_t areas;
@@ -13,7 +15,8 @@ struct smoothing {
   uint32_t *stamp;     /* [vertices] the last vertex, from 1 on, from which this one was reached */
   uint32_t *reached;   /* [vertices] */
   double *way;         /* [vertices] from there */
-  double *share;       /* [vertices][areas] */
+  double *share;       /* [vertices][areas], of the surface around each */
+  double *mean;        /* [vertices][areas], of shares */
 };
 
 static void find_neighbours(const struct smoothing *all) {
@@ -38,28 +41,54 @@ static double length_between(const struct triangle_mesh *mesh, uint32_t v, uint3
   return sqrt(square);
 }
 
-/* The area of each number around a vertex, the nearer the more. Distances are along edges: across a fold much of a
- * surface is near in space. */
-static void find_shares(const struct smoothing *all, const uint8_t *of_vertex, uint32_t v) {
+static void set_shares(const struct smoothing *all, const uint8_t *of_vertex) {
+  for (uint32_t v = 0; v < all->mesh->vertices; ++v) {
+    if (of_vertex[v] != NO_AREA) all->share[(size_t)v * all->areas + of_vertex[v]] = 1.0;
+  }
+}
+
+/* The mean of the shares around a vertex by area, the nearer the more. Others are found along edges, as across a fold
+ * much of a surface is near; distances are in space, as ways along edges are longer by more or less from vertex to
+ * vertex, and borders would go to and fro. */
+static void find_mean(const struct smoothing *all, uint32_t v) {
   const struct triangle_mesh *const mesh = all->mesh;
-  double *const share = all->share + (size_t)v * all->areas;
+  double *const mean = all->mean + (size_t)v * all->areas;
+  double sum = 0.0;
   uint32_t count = 1;
   all->reached[0] = v;
   all->stamp[v] = v + 1;
   all->way[v] = 0.0;
+  memset(mean, 0, all->areas * sizeof *mean);
   for (uint32_t i = 0; i < count; ++i) {
     const uint32_t at = all->reached[i];
-    const double part = i == 0 ? 0.0 : all->way[at] / all->reach, left = 1.0 - part * part;
-    if (of_vertex[at] != NO_AREA) share[of_vertex[at]] += mesh->areas[at] * left * left;
+    const double part = length_between(mesh, v, at) / all->reach, left = fmax(1.0 - part * part, 0.0);
+    const double weight = mesh->areas[at] * left * left, *const share = all->share + (size_t)at * all->areas;
+    for (uint32_t a = 0; a < all->areas; ++a) {
+      mean[a] += weight * share[a];
+      sum += weight * share[a];
+    }
     for (size_t k = all->first[at]; k < all->first[at + 1]; ++k) {
       const uint32_t next = all->neighbour[k];
       const double way = all->way[at] + length_between(mesh, at, next);
-      if (!(way < all->reach) || (all->stamp[next] == v + 1 && all->way[next] <= way)) continue;
+      if (!(way < detour * all->reach) || (all->stamp[next] == v + 1 && all->way[next] <= way)) continue;
       all->way[next] = way;
       if (all->stamp[next] == v + 1) continue;
       all->stamp[next] = v + 1;
       all->reached[count++] = next;
     }
+  }
+  for (uint32_t a = 0; a < all->areas && sum > 0.0; ++a) mean[a] /= sum;
+}
+
+/* Twice: what is left of corners after a mean is gone after another one. */
+static void find_shares(struct smoothing *all, const uint8_t *of_vertex) {
+  set_shares(all, of_vertex);
+  for (int pass = 0; pass < 2; ++pass) {
+    memset(all->stamp, 0, all->mesh->vertices * sizeof *all->stamp);
+    for (uint32_t v = 0; v < all->mesh->vertices; ++v) find_mean(all, v);
+    double *const before = all->share;
+    all->share = all->mean;
+    all->mean = before;
   }
 }
 
@@ -76,12 +105,7 @@ static void choose(const struct smoothing *all, uint8_t *of_vertex) {
 static double crossing(const struct smoothing *all, const uint8_t *of_vertex, uint32_t from, uint32_t to) {
   const double *const low = all->share + (size_t)from * all->areas, *const high = all->share + (size_t)to * all->areas;
   const uint8_t own = of_vertex[from], other = of_vertex[to];
-  double sum[2] = {0.0, 0.0};
-  for (uint32_t a = 0; a < all->areas; ++a) {
-    sum[0] += low[a];
-    sum[1] += high[a];
-  }
-  const double before = (low[own] - low[other]) / sum[0], after = (high[other] - high[own]) / sum[1];
+  const double before = low[own] - low[other], after = high[other] - high[own];
   return before + after > 0.0 ? before / (before + after) : 0.5;
 }
 
@@ -108,20 +132,21 @@ static bool find_edges(const struct smoothing *all, const uint8_t *of_vertex, st
 bool smooth_borders_find(const struct triangle_mesh *mesh, uint32_t areas, double reach, uint8_t *of_vertex,
                          struct split_edge **edges, size_t *count) {
   const size_t vertices = (size_t)mesh->vertices + 2;
-  const struct smoothing all = {mesh,
-                                areas,
-                                reach,
-                                calloc(vertices, sizeof *all.first),
-                                calloc(3 * (size_t)mesh->triangles + 1, sizeof *all.neighbour),
-                                calloc(vertices, sizeof *all.stamp),
-                                calloc(vertices, sizeof *all.reached),
-                                calloc(vertices, sizeof *all.way),
-                                calloc(vertices, areas * sizeof *all.share)};
+  struct smoothing all = {mesh,
+                          areas,
+                          reach,
+                          calloc(vertices, sizeof *all.first),
+                          calloc(3 * (size_t)mesh->triangles + 1, sizeof *all.neighbour),
+                          calloc(vertices, sizeof *all.stamp),
+                          calloc(vertices, sizeof *all.reached),
+                          calloc(vertices, sizeof *all.way),
+                          calloc(vertices, areas * sizeof *all.share),
+                          calloc(vertices, areas * sizeof *all.mean)};
   bool enough = all.first != NULL && all.neighbour != NULL && all.stamp != NULL && all.reached != NULL &&
-                all.way != NULL && all.share != NULL;
+                all.way != NULL && all.share != NULL && all.mean != NULL;
   if (enough) {
     find_neighbours(&all);
-    for (uint32_t v = 0; v < mesh->vertices; ++v) find_shares(&all, of_vertex, v);
+    find_shares(&all, of_vertex);
     choose(&all, of_vertex);
     enough = find_edges(&all, of_vertex, edges, count);
   }
@@ -131,5 +156,6 @@ bool smooth_borders_find(const struct triangle_mesh *mesh, uint32_t areas, doubl
   free(all.reached);
   free(all.way);
   free(all.share);
+  free(all.mean);
   return enough;
 }
