@@ -240,4 +240,19 @@ TEST(RegionFinder, BricksThatTouchAreTheSameFromAnyFloor) {
   EXPECT_GT(regions, 100U);
 }
 
+// What two have a claim on is no one's: of two pockets, or of one and of what is in none, in either order.
+TEST(RegionFinder, ClaimsOfTwoAreShared) {
+  const oracle::Balls ball{{0, 0, 0, unit}};
+  for (const auto &[first, second] : {std::pair{3U, 4U}, std::pair{3U, hsp::no_id}, std::pair{hsp::no_id, 3U}}) {
+    MoleculeRegions found(ball, 0);
+    ASSERT_EQ(found.finder.regions().size(), 1U);
+    found.finder.claim(0, first);
+    found.finder.claim(0, first);
+    EXPECT_EQ(found.finder.regions()[0].owner, first);
+    EXPECT_FALSE(found.finder.regions()[0].is_shared);
+    found.finder.claim(0, second);
+    EXPECT_TRUE(found.finder.regions()[0].is_shared);
+  }
+}
+
 }  // namespace
