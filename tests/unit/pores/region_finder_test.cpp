@@ -240,7 +240,7 @@ TEST(RegionFinder, BricksThatTouchAreTheSameFromAnyFloor) {
   EXPECT_GT(regions, 100U);
 }
 
-// What two have a claim on is no one's: of two pockets, or of one and of what is in none, in either order.
+// A region that two have a claim on is no one's: of two pockets, or of one and of none, in either order.
 TEST(RegionFinder, ClaimsOfTwoAreShared) {
   const oracle::Balls ball{{0, 0, 0, unit}};
   for (const auto &[first, second] : {std::pair{3U, 4U}, std::pair{3U, hsp::no_id}, std::pair{hsp::no_id, 3U}}) {
