@@ -79,9 +79,11 @@ static bool is_by_residue(const struct annotation *annotation) {
   return strcmp(annotation->palette->name, "residue") == 0;
 }
 
-/* Legends of kinds name those that are seen, others all. */
+/* Legends of kinds name those that are seen, others all. Specks are lost between lines. */
+static const double least_seen = 0.05; /* the radius of a circle in it, in sizes of letters */
 static bool is_hidden(const struct annotation *annotation, uint32_t atom) {
-  return is_by_residue(annotation) && label_is_hidden(annotation, annotation->room[atom]);
+  const struct picture_frame *const frame = &annotation->frame;
+  return is_by_residue(annotation) && frame->scale * annotation->room[atom] < least_seen * frame->letter;
 }
 
 /* Of colours by chain, atoms of chains stand for these, by their carbon, which has the tint itself; of those by

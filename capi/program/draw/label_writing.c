@@ -43,7 +43,8 @@ static const double seam_of_line = 0.12;    /* wider than the line, likewise */
 static const double smallest_within = 0.85; /* names within balls, in sizes of others */
 static const double smaller = 0.9;          /* from one try to the next */
 
-bool label_is_hidden(const struct annotation *annotation, double radius) {
+/* Whether a circle in what is seen of a ball is smaller than the dot at the end of a line. */
+static bool label_is_hidden(const struct annotation *annotation, double radius) {
   return annotation->frame.scale * radius < dot / 2.0 * annotation->frame.letter;
 }
 

@@ -5,9 +5,6 @@
 #include "draw/annotation.h"
 #include "draw/pen.h"
 
-/* Whether a circle in what is seen of a ball is smaller than the dot at the end of a line. */
-bool label_is_hidden(const struct annotation *annotation, double radius);
-
 /* A label stands within what it names if it has room there, else as label_places.h says, on a seam of that colour.
  * False: there are more labels than have room, or memory is short. */
 bool labels_write(const struct annotation *annotation, const struct pen *pen, uint32_t colour, uint32_t seam,
