@@ -312,6 +312,27 @@ TEST(Annotations, SwatchesAreAsDarkAsBalls) {
   }
 }
 
+// Likewise in fog: where each colour is that of one ball, the swatch has the colour of the ball. Of flat molecules the
+// farthest is not as pale as of deep ones.
+TEST(Annotations, SwatchesAreAsPaleAsBalls) {
+  const TemporaryFile deep("deep.xyz", "3\n\nC 0 0 0\nN 4 0 -6\nO 8 0 -12\n");
+  const TemporaryFile flat("flat.xyz", "3\n\nC 0 0 0\nN 4 0 -0.5\nO 8 0 -1\n");
+  for (const TemporaryFile *const file : {&deep, &flat}) {
+    for (const char *const as : {"balls", "ball-and-stick"}) {
+      for (const char *const fog : {"0", "0.8"}) {
+        const std::string svg = drawn(file->path(), {"--legend", "--style", "flat", "--fog", fog, "--background=102030",
+                                                     "--view=0,0,1", "--occlusion=0", "--as", as});
+        const std::vector<std::string> squares = elements(svg, "<rect x=");
+        ASSERT_EQ(squares.size(), 6u);
+        for (size_t k = 1; k < 6; k += 2) {  // each in a frame
+          const std::string colour = word_after(squares[k], "fill=\"#", "\"");
+          EXPECT_NE(svg.find(" fill=\"#" + colour + "\" c"), std::string::npos) << as << " " << fog << " " << colour;
+        }
+      }
+    }
+  }
+}
+
 TEST(Annotations, LegendsOfNumbersAndChains) {
   const std::string svg = drawn(crambin(), {"--legend", "--colour", "bfactor", "--range", "2.5,15"});
   const std::vector<Text> texts = texts_of(svg);

@@ -192,9 +192,9 @@ static bool annotate(const struct request *request, const struct molecule *molec
   double *room = NULL;
   bool done = ball_colours_make(drawing, &request->highlight, molecule, &colour, &palette, failure);
   if (!done) return false;
-  /* Legends of kinds, and of colours that occlusion darkens. */
-  const bool of_seen =
-      drawing->legend && palette.remark != NULL && (drawing->colour == COLOUR_RESIDUE || drawn->occlusion > 0.0);
+  /* Legends of kinds, and of colours that occlusion darkens or fog fades. */
+  const bool faded = drawn->occlusion > 0.0 || drawn->options.fog > 0.0;
+  const bool of_seen = drawing->legend && palette.remark != NULL && (drawing->colour == COLOUR_RESIDUE || faded);
   const bool has_map = drawing_is_of_map(drawing) && !drawing_is_of_sticks(drawing);
   if ((drawing->label >= 0 || of_seen) && !has_map) {
     done = geometry_compute_map(geometry, &drawing->viewing, molecule, failure);

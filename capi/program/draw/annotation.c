@@ -72,6 +72,7 @@ struct legend {
   struct entry entry[MOST_ENTRIES];
   size_t entries;
   bool cut;             /* there are more */
+  double depth[2];      /* of the nearest atom that is seen, and of the farthest: fog is between them */
   const char *quantity; /* NULL: what they are is seen */
 };
 
@@ -119,14 +120,46 @@ static int compare_entries(const void *left, const void *right) {
   return strcmp(a->text, b->text);
 }
 
-static void add_tone(const struct annotation *annotation, uint32_t atom, struct entry *entry) {
-  if (annotation->room == NULL) return;
-  const double seen = annotation->room[atom] * annotation->room[atom];
-  entry->seen += seen;
-  for (int k = 0; k < 3; ++k) entry->tone[k] += seen * (double)(annotation->darkened[atom] >> (16 - 8 * k) & 0xFF);
+static double depth_of(const struct annotation *annotation, uint32_t atom) {
+  const double *const xyz = annotation->molecule->xyz + 3 * (size_t)atom, *const axis = annotation->view->towards;
+  return axis[0] * xyz[0] + axis[1] * xyz[1] + axis[2] * xyz[2];
 }
 
-/* A swatch has the mean tone of what is seen: where that lies deep it is darker than the colour itself. */
+static void find_depths(const struct annotation *annotation, double depth[2]) {
+  static const double least_fog = 5.0; /* deep, in mean radii, as the library has it */
+  double radii = 0.0;
+  depth[0] = -HUGE_VAL;
+  depth[1] = HUGE_VAL;
+  for (uint32_t atom = 0; atom < annotation->molecule->atoms; ++atom) {
+    radii += shown_bodies_radius(annotation->bodies, atom);
+    if (annotation->room == NULL || !(annotation->room[atom] > 0.0)) continue;
+    depth[0] = fmax(depth[0], depth_of(annotation, atom));
+    depth[1] = fmin(depth[1], depth_of(annotation, atom));
+  }
+  depth[1] = fmin(depth[1], depth[0] - least_fog * radii / fmax(annotation->molecule->atoms, 1.0));
+}
+
+/* The share of the background in an atom that is seen. */
+static double fog_of(const struct annotation *annotation, const double depth[2], uint32_t atom) {
+  if (!(depth[0] > depth[1])) return 0.0;
+  const double far = (depth[0] - depth_of(annotation, atom)) / (depth[0] - depth[1]);
+  return annotation->options->fog * far * sqrt(sqrt(far));
+}
+
+static void add_tone(const struct annotation *annotation, const struct legend *legend, uint32_t atom,
+                     struct entry *entry) {
+  if (annotation->room == NULL || !(annotation->room[atom] > 0.0)) return;
+  const double seen = annotation->room[atom] * annotation->room[atom], fog = fog_of(annotation, legend->depth, atom);
+  entry->seen += seen;
+  for (int k = 0; k < 3; ++k) {
+    const double own = annotation->darkened[atom] >> (16 - 8 * k) & 0xFF;
+    const double behind = annotation->options->background >> (16 - 8 * k) & 0xFF;
+    entry->tone[k] += seen * (own + fog * (behind - own));
+  }
+}
+
+/* A swatch has the mean tone of what is seen: where that is buried it is darker than the colour itself, where it is far
+ * it has more of the background. */
 static void set_mean_tone(struct entry *entry) {
   uint32_t colour = 0;
   if (!(entry->seen > 0.0)) return;
@@ -137,6 +170,7 @@ static void set_mean_tone(struct entry *entry) {
 static void find_entries(const struct annotation *annotation, struct legend *legend) {
   legend->entries = 0;
   legend->cut = false;
+  find_depths(annotation, legend->depth);
   for (size_t k = 0; k < annotation->palette->bands; ++k) {
     legend->entry[legend->entries++] =
         (struct entry){annotation->palette->band[k].name, annotation->palette->band[k].colour, false, 0, 0.0, {0.0}};
@@ -155,7 +189,7 @@ static void find_entries(const struct annotation *annotation, struct legend *leg
       break;
     }
     if (at == legend->entries) legend->entry[legend->entries++] = entry;
-    add_tone(annotation, atom, &legend->entry[at]);
+    add_tone(annotation, legend, atom, &legend->entry[at]);
   }
   for (size_t k = 0; k < legend->entries; ++k) set_mean_tone(&legend->entry[k]);
   legend->quantity = annotation->palette->quantity;
@@ -179,7 +213,7 @@ static void add_others(const struct annotation *annotation, struct legend *legen
       others = (struct entry){"others", annotation->colour[atom], true, 0, 0.0, {0.0}};
     }
     of_carbon = carbon;
-    add_tone(annotation, atom, &others);
+    add_tone(annotation, legend, atom, &others);
   }
   set_mean_tone(&others);
   if (others.text != NULL && legend->entries < MOST_ENTRIES) legend->entry[legend->entries++] = others;
