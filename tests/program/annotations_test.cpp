@@ -257,6 +257,17 @@ TEST(Annotations, ViewsOfWhatIsHighlighted) {
   }
 }
 
+// A name that just has room beside its atom stands there, and not at the end of a line across half the molecule.
+TEST(Annotations, LinesAreShort) {
+  const std::string svg = drawn(crambin(), {"--as", "ball-and-stick", "--highlight", "residue:CYS", "--view",
+                                            "highlight", "--label", "residue", "--scale-bar", "--legend"});
+  const std::vector<Line> lines = lines_of(svg);
+  EXPECT_GT(lines.size(), 24u);  // each with its seam, and the dots
+  for (const Line &line : lines) {
+    EXPECT_LT(std::hypot(line.to[0] - line.from[0], line.to[1] - line.from[1]), 200) << line.from[0];
+  }
+}
+
 // The bar is as long as its text says: 1, 2 or 5 of a power of ten, at most a fifth of the page.
 TEST(Annotations, ScaleBars) {
   for (const auto &[scale, length] : {std::pair<int, double>{20, 5}, {12, 10}, {7, 10}, {100, 1}, {500, 0.2}}) {

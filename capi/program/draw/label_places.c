@@ -8,7 +8,7 @@
 
 /* In sizes of letters. */
 static const double box_height = 0.8, clear = 0.2, beside = 0.25, alone = 0.4, step = 0.35, line_gap = 0.25,
-                    shortest = 0.7;
+                    shortest = 0.45;
 
 /* Costs of a place, in lengths of a line. */
 static const double cost_of_line = 2.0, cost_of_knee = 1.0, cost_of_slope = 0.5;
@@ -168,12 +168,14 @@ static double distance(const double a[2], const double b[2]) {
 /* It becomes the best one if it costs less than that and nothing is in its way. */
 static void offer(struct search *search, const struct placed_label *label, double cost) {
   const struct label_page *const page = search->taken->page;
-  double cover[2];
+  double letters[2], cover[2];
   if (!(cost < search->cost) || !is_on_page(page, label->box)) return;
   const double reach = distance(label->from, label->at);
   if (label->has_line && reach < shortest * page->size) return;
+  /* Bodies under letters are worse than those near them. */
+  find_cover(search->taken, label->box, 0.0, letters);
   find_cover(search->taken, label->box, label->has_line ? clear * page->size : 0.0, cover);
-  for (int k = 0; k < 2; ++k) cost += cost_of_cover[k] * cover[k];
+  for (int k = 0; k < 2; ++k) cost += cost_of_cover[k] * (letters[k] + cover[k]) / 2.0;
   if (!(cost < search->cost)) return;
   if (box_is_marked(&search->marks, label->box)) return;
   search->best = *label;
