@@ -3612,7 +3612,7 @@ module hardsphere
       type(c_ptr), value :: pores
       type(c_ptr), value :: plugged
       type(c_ptr), value :: boundary
-      type(hsp_pore_pocket_size), intent(inout), optional :: out(*)  ! needed
+      type(hsp_pore_pocket_size), intent(inout) :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status

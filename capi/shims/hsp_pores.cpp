@@ -268,20 +268,25 @@ class PluggedBalls {
     hsp::BoxShift home;
     if (!lattice.round(xyz, centre)) return false;
     if (around.box() != nullptr && around.box()->wrap(centre, home) != hsp::Status::ok) return false;
-    const double steps = lattice.steps(radius);
-    return dot(centre - there.centre, centre - there.centre) == 0 && steps < 0x1p31 &&
-           hsp::nearest(steps) == there.radius;
+    const double slack = slack_on(lattice);
+    const hsp::exact::Vector off = centre - there.centre;
+    return static_cast<double>(dot(off, off)) <= 3.0 * slack && is_near(lattice.steps(radius), there.radius, slack);
   }
-  // But for a step, as vectors may have been rounded twice.
+  // On a coarser lattice what was rounded more than once may differ by a step.
+  double slack_on(const hsp::exact::Lattice &lattice) const {
+    return lattice.step() > pores_.lattice().step() ? 1.0 : 0.0;
+  }
+  static bool is_near(double own, int64_t other, double slack) {
+    return std::fabs(own - static_cast<double>(other)) <= slack + 0.5;
+  }
   bool is_same_box(const hsp::PeriodicBox &box, const hsp::exact::Lattice &lattice) const {
-    const auto is_near = [&](int64_t own, int64_t other) {
-      const double steps = lattice.steps(pores_.lattice().length(static_cast<double>(own)));
-      return std::fabs(steps - static_cast<double>(other)) <= 1.0;
+    const auto is_same = [&](int64_t own, int64_t other) {
+      return is_near(lattice.steps(pores_.lattice().length(static_cast<double>(own))), other, slack_on(lattice));
     };
     bool same = true;
     for (const uint32_t k : {0U, 1U, 2U}) {
       const hsp::exact::Vector &own = around_.box()->given(k), &other = box.given(k);
-      same = same && is_near(own.x, other.x) && is_near(own.y, other.y) && is_near(own.z, other.z);
+      same = same && is_same(own.x, other.x) && is_same(own.y, other.y) && is_same(own.z, other.z);
     }
     return same;
   }
@@ -662,8 +667,6 @@ int32_t hsp_pores_get_regions(const hsp_pores *pores, uint32_t first, uint32_t c
 int32_t hsp_pores_measure_pockets(hsp_pores *pores, hsp_pores *plugged, const hsp_boundary *boundary,
                                   hsp_pore_pocket_size *out, uint32_t capacity, uint32_t *needed) {
   if (const int32_t status = first_failure(check_handle(pores), check_handle(plugged)); status != HSP_OK) return status;
-  plugged->builder.forget_regions();
-  if (plugged != pores) forget_pockets(*plugged);
   if (out == nullptr && capacity > 0) return HSP_E_ARGUMENT;
   if (!pores->has_results() || !plugged->has_results()) return HSP_E_STATE;
   const PluggedBalls balls(*pores);
@@ -672,6 +675,8 @@ int32_t hsp_pores_measure_pockets(hsp_pores *pores, hsp_pores *plugged, const hs
   const hsp::PocketFinder &finder = pores->builder.pockets();
   const uint32_t count = finder.pockets().size();
   if (!hsp::capi::fits(true, capacity, count, needed)) return HSP_E_CAPACITY;
+  plugged->builder.forget_regions();
+  if (plugged != pores) forget_pockets(*plugged);
   hsp::Status status = find_regions(*plugged, boundary, balls.given());
   if (status == hsp::Status::ok) {
     status = pores->builder.match_pockets(

@@ -516,31 +516,36 @@ typedef struct hsp_pore_pocket_size {
 
 /** Measure all pockets of the last hsp_pores_find_pockets: out gets a record for each, in their order. `plugged` are
  *  pores, with a floor that is not above 0, of the balls that hsp_pores_get_plugged_balls gives, without a probe and in
- *  the same box if there is one, on the same lattice or, if a plug is too large for that, a coarser one. Balls behind
- *  these are plugs, too.
+ *  the same box if there is one. Give them the step of `pores`, as the one that is chosen by default may be finer; or a
+ *  coarser one, if a plug is too large for that. Balls behind these are plugs, too.
  *
  *  The volume of a pocket is that of the regions of `plugged` in which maxima of it are. It is closed if none of these
  *  is accessible and none holds a maximum, wider than the narrow probe, of no pocket or of another one; maxima in plugs
  *  are in no region. So the tree decides whether it is closed, and no tolerance. A dent that is hardly wider than its
- *  mouth may be filled by the plug: it is closed then, and has no volume.
+ *  mouth may be filled by the plug: it is closed then, and has no volume. The plugs of all mouths are there at once, so
+ *  that one may also take from a pocket or cavity beside its own, or fill it.
  *
  *  A pocket may not be closed at first, as the narrow probe slips past a plug where balls beside the mouth do not meet.
  *  Such leaks are gates of `plugged`, and become mouths of these pores instead of pockets that they may have had:
  *  hsp_pores_get_plugged_balls of `plugged` has a plug for each of them, too, and pores of those balls are for the next
  *  call, with the same first argument. Molecules need up to three. With no leak, and so no further ball, a pocket that
- *  is not closed stays so: without mouths in a box, where it goes on for ever, or where a plug turns its only way up
- *  to the outside.
+ *  is not closed stays so: in a box, where it, or what it opens to, goes on for ever; or where a plug turns the only way
+ *  up from one of its maxima to the outside, or to where that from elsewhere leads.
  *  - Property 1: with narrow = wide, when there are no mouths, sizes are those of the blocked regions of the grown
  *    balls.
- *  - Property 2: if the first plugs close a pocket, the volume behind flat lids, in the plane of the three balls of
- *    each mouth, is no less than `volume`. It is no more than that and the free half of each plug on this side of its
- *    lid, and free parts without a maximum that a plug cuts off.
+ *  - Property 2: if the first plugs close a pocket, and so do flat lids, in the plane of the three balls of each mouth,
+ *    the volume behind these is no less than `volume`. It is no more than that and the free half of each plug on this
+ *    side of its lid, what plugs of other pockets take, and free parts without a maximum that a plug cuts off.
  *
  *  Cost: that of hsp_pores_find_regions, and of hsp_pores_locate for each maximum that is wider than the narrow probe.
  *  @param[in,out] pores    with their pockets
- *  @param[in,out] plugged  whose regions become those that hsp_pores_find_regions finds; on failure it has none. They
- *                          may be the same pores, if nothing is grown and nothing has a plug
+ *  @param[in,out] plugged  whose regions become those that hsp_pores_find_regions finds. If it is refused, with
+ *                          HSP_E_ARGUMENT, _CAPACITY or _STATE, nothing changes; on other failures it has none, and no
+ *                          leaks. They may be the same pores, if nothing is grown and nothing has a plug
  *  @param[in] boundary     of the model that `plugged` were computed of; NULL in a box
+ *  @param[out] out         a record for each pocket
+ *  @param[in] capacity     how many records there is room for
+ *  @param[out] needed      or NULL: how many pockets there are
  *  @retval HSP_E_ARGUMENT  pores or plugged is NULL; out is NULL with a capacity above 0; `plugged` are of other balls
  *                          or of another box; boundary is NULL without a box, of another model, or given with one
  *  @retval HSP_E_CAPACITY  capacity is smaller than *needed, which may be NULL

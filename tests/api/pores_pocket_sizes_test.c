@@ -301,6 +301,7 @@ static int32_t try_measure(const hsp_boundary *boundary) {
 }
 
 static void statuses(void) {
+  hsp_pore_region region;
   hsp_model_options model_options;
   hsp_pores_options options;
   uint32_t needed = 0, regions = 0;
@@ -325,6 +326,11 @@ static void statuses(void) {
   CHECK_UNTOUCHED(sizes[0]);
   CHECK_EQUAL(needed, 1);
   CHECK_EQUAL(hsp_pores_measure_pockets(work.pores, plugged.pores, plugged.boundary, NULL, 1, NULL), HSP_E_ARGUMENT);
+  /* What is refused changes nothing: with its arguments exchanged neither pockets nor regions are forgotten. */
+  CHECK_EQUAL(hsp_pores_measure_pockets(plugged.pores, work.pores, work.boundary, sizes, POCKETS, NULL),
+              HSP_E_ARGUMENT);
+  CHECK_EQUAL(hsp_pores_get_pockets(work.pores, 0, 1, listed), HSP_OK);
+  CHECK_EQUAL(hsp_pores_get_regions(plugged.pores, 0, 1, &region), HSP_OK);
   CHECK_EQUAL(try_measure(NULL), HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_workspace_boundary(&work), HSP_OK);
   CHECK_EQUAL(try_measure(work.boundary), HSP_E_ARGUMENT);

@@ -30,7 +30,7 @@ bool periodic_result_make(const struct request *request, const struct molecule *
                           struct geometry *geometry, struct periodic_result *result, struct failure *failure) {
   memset(result, 0, sizeof *result);
   if (!periodic_result_find_box(request, molecule, result, failure)) return false;
-  if (!geometry_compute_periodic(geometry, molecule, request->probe, result->box, failure)) return false;
+  if (!geometry_compute_periodic(geometry, molecule, request->probe, 0.0, result->box, failure)) return false;
   const hsp_periodic *const periodic = result->periodic = geometry->periodic;
   uint32_t needed = 0;
   int32_t status = hsp_periodic_get_counts(periodic, &result->counts);

@@ -84,9 +84,9 @@ static int32_t compute_pores(const struct geometry *geometry, bool in_box, doubl
                 : hsp_pores_compute(pores, geometry->work.model, &options, limits);
 }
 
-static bool find_pores_of_box(struct geometry *geometry, const struct molecule *molecule, double probe,
+static bool find_pores_of_box(struct geometry *geometry, const struct molecule *molecule, double probe, double step,
                               const double *box, double narrowest, struct failure *failure) {
-  if (!geometry_compute_periodic(geometry, molecule, probe, box, failure)) return false;
+  if (!geometry_compute_periodic(geometry, molecule, probe, step, box, failure)) return false;
   hsp_workspace *const work = &geometry->work;
   progress_show(&geometry->progress, "looking for pores");
   int32_t status = hsp_workspace_ready_pores(work);
@@ -104,21 +104,21 @@ static bool find_pores_of_box(struct geometry *geometry, const struct molecule *
 
 bool geometry_find_pores_in_box(struct geometry *geometry, const struct molecule *molecule, const double *box,
                                 double narrowest, struct failure *failure) {
-  return find_pores_of_box(geometry, molecule, 0.0, box, narrowest, failure);
+  return find_pores_of_box(geometry, molecule, 0.0, 0.0, box, narrowest, failure);
 }
 
-/* Pores of the balls grown by a probe, and the surface of these. */
+/* Pores of the balls grown by a probe, and the surface of these. step: of the lattice; 0: as the library chooses. */
 static bool find_pores_and_surface(struct geometry *geometry, const struct molecule *molecule, const double *box,
-                                   double probe, struct failure *failure) {
-  return box != NULL ? find_pores_of_box(geometry, molecule, probe, box, 0.0, failure)
-                     : geometry_set_model(geometry, molecule, probe, 0.0, failure) &&
+                                   double probe, double step, struct failure *failure) {
+  return box != NULL ? find_pores_of_box(geometry, molecule, probe, step, box, 0.0, failure)
+                     : geometry_set_model(geometry, molecule, probe, step, failure) &&
                            find_pores_outside_boxes(geometry, molecule, probe, 0.0, failure) &&
                            geometry_compute_boundary(geometry, failure);
 }
 
 bool geometry_find_regions(struct geometry *geometry, const struct molecule *molecule, const double *box, double probe,
                            hsp_pore_access *access, uint32_t *regions, struct failure *failure) {
-  if (!find_pores_and_surface(geometry, molecule, box, probe, failure)) return false;
+  if (!find_pores_and_surface(geometry, molecule, box, probe, 0.0, failure)) return false;
   progress_show(&geometry->progress, "measuring regions");
   const int32_t status =
       hsp_pores_find_regions(geometry->work.pores, box != NULL ? NULL : geometry->work.boundary, access, regions);
@@ -156,28 +156,66 @@ static bool are_closed(const hsp_pore_pocket_size *sizes, uint32_t pockets) {
   return true;
 }
 
-/* Pores of the balls with plugs are computed in a geometry of their own, as those with the pockets must stay. */
+/* Of the lattice of balls with plugs: that of the pores with the pockets, or the next one where radii have room. The
+ * library's own choice may be finer, as radii of 0 are grown. In a box its own is kept, but for balls without radii. */
+static bool choose_step(const struct geometry *geometry, const double *box, const struct molecule *balls, double *step,
+                        struct failure *failure) {
+  double largest = 0.0;
+  for (uint32_t k = 0; k < balls->atoms; ++k) largest = largest > balls->radius[k] ? largest : balls->radius[k];
+  if (box == NULL) {
+    hsp_model_info info;
+    const int32_t status = hsp_model_get_info(geometry->work.model, &info);
+    if (status != HSP_OK) return failure_in_library(failure, status);
+    *step = info.step;
+  }
+  while (*step > 0.0 && largest >= ldexp(*step, 30)) *step *= 10.0;
+  return true;
+}
+
+/* Measured with plugs for what leaks, too, until there is none. HSP_E_RANGE, HSP_E_ARGUMENT: not with this step. */
+static bool measure_plugged(const struct geometry *geometry, struct geometry *plugged, const double *box, double step,
+                            uint32_t pockets, hsp_pore_pocket_size *sizes, int32_t *status, struct failure *failure) {
+  enum { MOST_TIMES = 12 };
+  uint32_t before = 0;
+  for (int time = 0; time < MOST_TIMES; ++time) {
+    struct molecule balls = {.atoms = 0};
+    const hsp_pores *const from = time == 0 ? geometry->work.pores : plugged->work.pores;
+    bool done = take_plugged_balls(from, &balls, failure) && choose_step(geometry, box, &balls, &step, failure);
+    const bool more = balls.atoms > before;
+    before = balls.atoms;
+    if (done && more && !find_pores_and_surface(plugged, &balls, box, 0.0, step, failure)) {
+      done = failure->exit_status == EXIT_BAD_INPUT;
+      *status = HSP_E_RANGE;
+    }
+    free_balls(&balls);
+    if (!done || !more || *status != HSP_OK) return done;
+    *status = hsp_pores_measure_pockets(geometry->work.pores, plugged->work.pores,
+                                        box != NULL ? NULL : plugged->work.boundary, sizes, pockets, NULL);
+    if (*status == HSP_E_RANGE || *status == HSP_E_ARGUMENT) return true;
+    if (*status != HSP_OK) return failure_in_library(failure, *status);
+    if (are_closed(sizes, pockets)) return true;
+  }
+  return true;
+}
+
+/* Pores of the balls with plugs are computed in a geometry of their own, as those with the pockets must stay. Balls
+ * without radii have the step 1e-8 in a box. */
 bool geometry_measure_pockets(const struct geometry *geometry, const double *box, uint32_t pockets,
                               hsp_pore_pocket_size *sizes, struct failure *failure) {
-  enum { MOST_TIMES = 12 };
+  if (pockets == 0) return true;
+  const struct failure none = *failure;
   struct geometry plugged = {.progress = geometry->progress, .executor = geometry->executor};
   plugged.executor.context = &plugged.executor;
-  hsp_pores *const pores = geometry->work.pores;
-  uint32_t before = 0;
-  bool done = true, more = true;
-  for (int time = 0; done && more && time < MOST_TIMES; ++time) {
-    struct molecule balls = {.atoms = 0};
-    done = take_plugged_balls(time == 0 ? pores : plugged.work.pores, &balls, failure);
-    more = balls.atoms > before;
-    if (done && more) done = find_pores_and_surface(&plugged, &balls, box, 0.0, failure);
-    before = balls.atoms;
-    free_balls(&balls);
-    if (!done || !more) break;
-    const hsp_boundary *const surface = box != NULL ? NULL : plugged.work.boundary;
-    const int32_t status = hsp_pores_measure_pockets(pores, plugged.work.pores, surface, sizes, pockets, NULL);
-    if (status == HSP_E_RANGE) set_unknown(sizes, pockets);
-    done = status == HSP_OK || status == HSP_E_RANGE || failure_in_library(failure, status);
-    more = status == HSP_OK && !are_closed(sizes, pockets);
+  int32_t status = HSP_OK;
+  bool done = measure_plugged(geometry, &plugged, box, 0.0, pockets, sizes, &status, failure);
+  if (done && status != HSP_OK && box != NULL) {
+    status = HSP_OK;
+    *failure = none;
+    done = measure_plugged(geometry, &plugged, box, 1e-8, pockets, sizes, &status, failure);
+  }
+  if (done && status != HSP_OK) {
+    *failure = none;
+    set_unknown(sizes, pockets);
   }
   geometry_free(&plugged);
   return done;

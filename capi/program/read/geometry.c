@@ -113,11 +113,12 @@ static int32_t make_periodic(struct geometry *geometry) {
   return status;
 }
 
-bool geometry_compute_periodic(struct geometry *geometry, const struct molecule *molecule, double probe,
+bool geometry_compute_periodic(struct geometry *geometry, const struct molecule *molecule, double probe, double step,
                                const double *box, struct failure *failure) {
   hsp_model_options options;
   int32_t status = hsp_model_options_init(&options, (uint32_t)sizeof options);
   options.probe = probe;
+  options.step = step;
   progress_show(&geometry->progress, "computing the box");
   if (status == HSP_OK && geometry->periodic == NULL) {
     status = hsp_periodic_limits_init(&geometry->periodic_limits, (uint32_t)sizeof geometry->periodic_limits,

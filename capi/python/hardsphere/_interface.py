@@ -2371,7 +2371,7 @@ FUNCTIONS = {
     "hsp_pores_get_regions": "int32_t pores:handle:hsp_pores::never first:value:uint32_t::never "
         "count:value:uint32_t::never out:array_out:hsp_pore_region:count:empty",
     "hsp_pores_measure_pockets": "int32_t pores:handle:hsp_pores::never plugged:handle:hsp_pores::never "
-        "boundary:handle:hsp_boundary::never out:array_out:hsp_pore_pocket_size:needed:empty "
+        "boundary:handle:hsp_boundary::never out:array_out:hsp_pore_pocket_size:needed:never "
         "capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_pores_find_tunnel": "int32_t pores:handle:hsp_pores::never from:array_in:double:3:never "
         "to:array_in:double:3:always avoided:array_in:uint32_t:count:empty count:value:uint32_t::never "

@@ -23,6 +23,8 @@ class Ascent {
   // f there, and where it is, seen from the start.
   double level() const { return level_; }
   const Vec3 &offset() const { return at_; }
+  // Whether level() is f where the way is; else it is less, as too many balls are near.
+  bool level_is_known() const { return known_ >= 0.0; }
   // A ball that is nearest there; no_id without balls.
   NearImage nearest_ball() const { return near_count_ > 0 ? near_[0].image : NearImage{no_id, {}}; }
   // Beyond the box around all centres: from there f rises for ever. Never in a periodic box.

@@ -8,27 +8,53 @@ namespace {
 // How far a way may end below the point that it ends at, in steps.
 constexpr double below_end = 2.0;
 
-// Sets maximum and copy to those above where a way up ended: the maximum or gate that is nearest to that, and not below
-// it.
-void find_nearest(const PoresBuilder &pores, const PeriodicBox *box, const Vec3 &at, double level, PorePlace &place) {
-  double least = 0.0;
-  const auto look_at = [&](const CriticalPoint &point, uint32_t maximum, const BoxShift &from_point) {
-    Vec3 d = at - point.place;
-    const BoxShift shift = box == nullptr ? BoxShift{} : box->centre(d);
-    const double squared = dot(d, d);
-    if (place.maximum != no_id && squared >= least) return;
-    place.maximum = maximum;
-    place.maximum_shift = shift + from_point;
-    least = squared;
-  };
-  for (uint32_t k = 0; k < pores.maxima().size(); ++k) {
-    const CriticalPoint &point = pores.maxima()[k].point;
-    if (point.level < level - below_end) break;
-    look_at(point, k, {});
+// How many records, whose levels fall, are not below a level.
+template <class Record>
+uint32_t count_not_below(Span<const Record> records, double level) {
+  uint32_t low = 0, high = records.size();
+  while (low < high) {
+    const uint32_t middle = low + (high - low) / 2;
+    if (records[middle].point.level < level) {
+      high = middle;
+    } else {
+      low = middle + 1;
+    }
   }
-  for (const PoreGate &gate : pores.gates()) {
-    if (gate.point.level < level - below_end) break;
-    look_at(gate.point, gate.end[0], gate.end_shift[0].shift());
+  return low;
+}
+
+// Sets maximum and copy to those above where a way up ended: the maximum or gate that is nearest to that, and not below
+// it. Levels differ by no more than distances: so from the lowest ones on it looks no further than levels that are
+// higher than the way's end by more than the least distance found.
+void find_nearest(const PoresBuilder &pores, const PeriodicBox *box, const Vec3 &at, const Ascent &way,
+                  PorePlace &place) {
+  const double lowest = way.level() - below_end;
+  double least = std::numeric_limits<double>::infinity();
+  const auto is_too_high = [&](const CriticalPoint &point) {
+    return way.level_is_known() && point.level > way.level() + below_end + std::sqrt(least) * (1.0 + 0x1p-40);
+  };
+  // Of those that are equally far the highest one counts, and maxima before gates.
+  const auto is_nearer = [&](const CriticalPoint &point, bool or_as_near, BoxShift &shift) {
+    Vec3 d = at - point.place;
+    shift = box == nullptr ? BoxShift{} : box->centre(d);
+    const double squared = dot(d, d);
+    if (or_as_near ? squared > least : squared >= least) return false;
+    least = squared;
+    return true;
+  };
+  BoxShift shift;
+  for (uint32_t k = count_not_below(pores.maxima(), lowest); k > 0 && !is_too_high(pores.maxima()[k - 1].point); --k) {
+    if (!is_nearer(pores.maxima()[k - 1].point, true, shift)) continue;
+    place.maximum = k - 1;
+    place.maximum_shift = shift;
+  }
+  bool has_gate = false;
+  for (uint32_t k = count_not_below(pores.gates(), lowest); k > 0 && !is_too_high(pores.gates()[k - 1].point); --k) {
+    const PoreGate &gate = pores.gates()[k - 1];
+    if (!is_nearer(gate.point, has_gate, shift)) continue;
+    has_gate = true;
+    place.maximum = gate.end[0];
+    place.maximum_shift = shift + gate.end_shift[0].shift();
   }
 }
 
@@ -99,7 +125,7 @@ Status follow_up(const PoresBuilder &pores, const BallsAround &balls, Ascent &wa
   if (way.is_outside()) {
     place.maximum = pore_outside;
   } else {
-    find_nearest(pores, balls.box(), at, way.level(), place);
+    find_nearest(pores, balls.box(), at, way, place);
   }
   // A maximum as low as the floor is not in the list.
   return place.maximum == no_id && way.level() > static_cast<double>(floor) + below_end ? Status::check : Status::ok;

@@ -2418,7 +2418,7 @@ static const argument of_hsp_pores_measure_pockets[] = {
   {"plugged", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores},
   {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
   {"out", "hsp_pore_pocket_size", .kind = KIND_array_out, .size = sizeof(hsp_pore_pocket_size), .extent = "needed",
-      .null = NULL_empty, .held = 1},
+      .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
   {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };
