@@ -238,8 +238,8 @@ class PluggedBalls {
     put_place(pores_, hsp::exact::to_double(ball.centre), xyz);
     radius = pores_.lattice().length(static_cast<double>(ball.radius));
   }
-  // Whether other pores were computed of these balls, rounded to any lattice, and perhaps of further ones behind them;
-  // and of the same box.
+  // Whether other pores were computed of these balls, rounded to the same lattice or a coarser one, and perhaps of
+  // further ones behind them; and of the same box.
   bool are_those_of(const hsp_pores &plugged) const {
     if (plugged.in_box != pores_.in_box || plugged.ball_count() < size()) return false;
     const hsp::BallsAround around = plugged.balls_around();

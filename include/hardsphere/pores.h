@@ -529,8 +529,8 @@ typedef struct hsp_pore_pocket_size {
  *  Such leaks are gates of `plugged`, and become mouths of these pores instead of pockets that they may have had:
  *  hsp_pores_get_plugged_balls of `plugged` has a plug for each of them, too, and pores of those balls are for the next
  *  call, with the same first argument. Molecules need up to three. With no leak, and so no further ball, a pocket that
- *  is not closed stays so: in a box, where it, or what it opens to, goes on for ever; or where a plug turns the only way
- *  up from one of its maxima to the outside, or to where that from elsewhere leads.
+ *  is not closed stays so: in a box, where it, or what it opens to, goes on for ever; or where a plug turns the only
+ *  way up from one of its maxima to the outside, or to where that from elsewhere leads.
  *  - Property 1: with narrow = wide, when there are no mouths, sizes are those of the blocked regions of the grown
  *    balls.
  *  - Property 2: if the first plugs close a pocket, and so do flat lids, in the plane of the three balls of each mouth,

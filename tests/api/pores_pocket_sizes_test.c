@@ -326,7 +326,7 @@ static void statuses(void) {
   CHECK_UNTOUCHED(sizes[0]);
   CHECK_EQUAL(needed, 1);
   CHECK_EQUAL(hsp_pores_measure_pockets(work.pores, plugged.pores, plugged.boundary, NULL, 1, NULL), HSP_E_ARGUMENT);
-  /* What is refused changes nothing: with its arguments exchanged neither pockets nor regions are forgotten. */
+  /* A refused call changes nothing: with its arguments exchanged neither pockets nor regions are forgotten. */
   CHECK_EQUAL(hsp_pores_measure_pockets(plugged.pores, work.pores, work.boundary, sizes, POCKETS, NULL),
               HSP_E_ARGUMENT);
   CHECK_EQUAL(hsp_pores_get_pockets(work.pores, 0, 1, listed), HSP_OK);

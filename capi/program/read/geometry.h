@@ -50,8 +50,8 @@ bool geometry_compute_topology(struct geometry *geometry, struct failure *failur
 /* Compute the boundary and the contacts over it. */
 bool geometry_compute_contacts(struct geometry *geometry, struct failure *failure);
 
-/* Compute the union in a periodic box, [9], with as much memory as it turns out to need; of the molecule itself. step: of
- * the lattice; 0: as the library chooses. */
+/* Compute the union in a periodic box, [9], with as much memory as it turns out to need; of the molecule itself. step:
+ * of the lattice; 0: as the library chooses. */
 bool geometry_compute_periodic(struct geometry *geometry, const struct molecule *molecule, double probe, double step,
                                const double *box, struct failure *failure);
 
