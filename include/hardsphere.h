@@ -24,7 +24,8 @@
  *   hardsphere/topology.h   the boundary as quad-edges with simple faces, shells, regions, point location (Step 3)
  *   hardsphere/cells.h      free space as simple cells, their neighbours, point location (Section 2)
  *   hardsphere/paths.h      how a probe gets from one point to another, and how wide one may be (Section 2)
- *   hardsphere/pores.h      free space for every probe at once: pockets, mouths, tunnels, cavities
+ *   hardsphere/pores.h      free space for every probe at once: cavities, gates, tunnels, channels of crystals
+ *   hardsphere/pockets.h    pockets between two probes, with mouths and sizes; regions of free space
  *   hardsphere/view.h       pieces in painter's order as true arcs (Section 5.1)
  *   hardsphere/map.h        the visibility map: faces, edges and vertices of the view plane (Section 5.2)
  *   hardsphere/sticks.h     balls and sticks in an order to paint them
@@ -107,6 +108,8 @@
  *               certified, whether a probe passes  lengths                          few steps: hsp_path.certified
  *   pores       maxima, gates, their balls, what   points, levels                   -
  *               merges where, the order of levels
+ *   pockets     maxima, mouths and balls of each,  areas, volumes                   where plugs cut a pocket off:
+ *               regions                                                             hsp_pore_pocket_size.closed
  *   view        the order of pieces, their arcs    the direction, once; arcs        -
  *   map         -                                  areas                            faces, edges, vertices: balls are
  *                                                                                   moved until labels fit,
@@ -220,6 +223,7 @@
 #include "hardsphere/periodic.h"
 #include "hardsphere/periodic_boundary.h"
 #include "hardsphere/picture.h"
+#include "hardsphere/pockets.h"
 #include "hardsphere/pores.h"
 #include "hardsphere/pose.h"
 #include "hardsphere/query.h"

@@ -4,7 +4,7 @@ set(HSP_ALL_COMPONENTS smooth space sight)
 set(HSP_COMPONENTS ${HSP_ALL_COMPONENTS} CACHE STRING "Parts of the library besides models, queries, unions and boxes")
 # Their parts of include/hardsphere.
 set(HSP_smooth_HEADERS surface mesh)
-set(HSP_space_HEADERS cells paths pores)
+set(HSP_space_HEADERS cells paths pores pockets)
 set(HSP_sight_HEADERS view map sticks picture)
 
 foreach(component ${HSP_COMPONENTS})

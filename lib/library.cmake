@@ -244,6 +244,7 @@ set(HSP_LIBRARY_SOURCES
   capi/shims/hsp_cells.cpp
   capi/shims/hsp_paths.cpp
   capi/shims/hsp_pores.cpp
+  capi/shims/hsp_pores_pockets.cpp
   capi/shims/hsp_view.cpp
   capi/shims/hsp_view_records.cpp
   capi/shims/hsp_picture.cpp

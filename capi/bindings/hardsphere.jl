@@ -985,6 +985,36 @@ struct hsp_pore_passage
     reserved::UInt32
 end
 
+struct hsp_tunnel
+    radius::Cdouble
+    length::Cdouble
+    there::UInt32
+    gate::UInt32
+    gates::UInt32
+    points::UInt32
+    outside::UInt32
+    reserved::UInt32
+end
+
+struct hsp_tunnel_route
+    cost::Cdouble
+    shift::NTuple{3, Int32}
+    reserved::UInt32
+end
+
+struct hsp_tunnel_point
+    xyz::NTuple{3, Cdouble}
+    radius::Cdouble
+    ball::NTuple{4, UInt32}
+    gate::UInt32
+    maximum::UInt32
+end
+
+struct hsp_tunnel_point_shifts
+    ball::NTuple{12, Int32}
+    at::NTuple{3, Int32}
+end
+
 struct hsp_pore_pocket
     radius::Cdouble
     mouth::Cdouble
@@ -1025,36 +1055,6 @@ struct hsp_pore_pocket_size
     plug_area::Cdouble
     regions::UInt32
     closed::UInt32
-end
-
-struct hsp_tunnel
-    radius::Cdouble
-    length::Cdouble
-    there::UInt32
-    gate::UInt32
-    gates::UInt32
-    points::UInt32
-    outside::UInt32
-    reserved::UInt32
-end
-
-struct hsp_tunnel_route
-    cost::Cdouble
-    shift::NTuple{3, Int32}
-    reserved::UInt32
-end
-
-struct hsp_tunnel_point
-    xyz::NTuple{3, Cdouble}
-    radius::Cdouble
-    ball::NTuple{4, UInt32}
-    gate::UInt32
-    maximum::UInt32
-end
-
-struct hsp_tunnel_point_shifts
-    ball::NTuple{12, Int32}
-    at::NTuple{3, Int32}
 end
 
 struct hsp_view_limits
@@ -2232,6 +2232,30 @@ function hsp_pores_widest(pores, from, to, passage)
           Ptr{hsp_pore_passage}), pores, from, to, passage)
 end
 
+function hsp_pores_find_tunnel(pores, from, to, avoided, count, tunnel, limits)
+    ccall((:hsp_pores_find_tunnel, libhardsphere), Int32, (Ptr{hsp_pores}, Ptr{Cdouble}, Ptr{Cdouble}, Ptr{UInt32},
+          UInt32, Ptr{hsp_tunnel}, Ptr{hsp_pores_limits}), pores, from, to, avoided, count, tunnel, limits)
+end
+
+function hsp_pores_find_cheapest_tunnel(pores, from, to, avoided, count, tunnel, limits)
+    ccall((:hsp_pores_find_cheapest_tunnel, libhardsphere), Int32, (Ptr{hsp_pores}, Ptr{Cdouble}, Ptr{Cdouble},
+          Ptr{UInt32}, UInt32, Ptr{hsp_tunnel}, Ptr{hsp_pores_limits}), pores, from, to, avoided, count, tunnel, limits)
+end
+
+function hsp_pores_get_tunnel_route(pores, route)
+    ccall((:hsp_pores_get_tunnel_route, libhardsphere), Int32, (Ptr{hsp_pores}, Ptr{hsp_tunnel_route}), pores, route)
+end
+
+function hsp_pores_get_tunnel_points(pores, points, capacity, needed)
+    ccall((:hsp_pores_get_tunnel_points, libhardsphere), Int32, (Ptr{hsp_pores}, Ptr{hsp_tunnel_point}, UInt32,
+          Ptr{UInt32}), pores, points, capacity, needed)
+end
+
+function hsp_pores_get_tunnel_point_shifts(pores, points, capacity, needed)
+    ccall((:hsp_pores_get_tunnel_point_shifts, libhardsphere), Int32, (Ptr{hsp_pores}, Ptr{hsp_tunnel_point_shifts},
+          UInt32, Ptr{UInt32}), pores, points, capacity, needed)
+end
+
 function hsp_pores_find_pockets(pores, narrow, wide, pockets)
     ccall((:hsp_pores_find_pockets, libhardsphere), Int32, (Ptr{hsp_pores}, Cdouble, Cdouble, Ptr{UInt32}), pores,
           narrow, wide, pockets)
@@ -2275,30 +2299,6 @@ end
 function hsp_pores_measure_pockets(pores, plugged, boundary, out, capacity, needed)
     ccall((:hsp_pores_measure_pockets, libhardsphere), Int32, (Ptr{hsp_pores}, Ptr{hsp_pores}, Ptr{hsp_boundary},
           Ptr{hsp_pore_pocket_size}, UInt32, Ptr{UInt32}), pores, plugged, boundary, out, capacity, needed)
-end
-
-function hsp_pores_find_tunnel(pores, from, to, avoided, count, tunnel, limits)
-    ccall((:hsp_pores_find_tunnel, libhardsphere), Int32, (Ptr{hsp_pores}, Ptr{Cdouble}, Ptr{Cdouble}, Ptr{UInt32},
-          UInt32, Ptr{hsp_tunnel}, Ptr{hsp_pores_limits}), pores, from, to, avoided, count, tunnel, limits)
-end
-
-function hsp_pores_find_cheapest_tunnel(pores, from, to, avoided, count, tunnel, limits)
-    ccall((:hsp_pores_find_cheapest_tunnel, libhardsphere), Int32, (Ptr{hsp_pores}, Ptr{Cdouble}, Ptr{Cdouble},
-          Ptr{UInt32}, UInt32, Ptr{hsp_tunnel}, Ptr{hsp_pores_limits}), pores, from, to, avoided, count, tunnel, limits)
-end
-
-function hsp_pores_get_tunnel_route(pores, route)
-    ccall((:hsp_pores_get_tunnel_route, libhardsphere), Int32, (Ptr{hsp_pores}, Ptr{hsp_tunnel_route}), pores, route)
-end
-
-function hsp_pores_get_tunnel_points(pores, points, capacity, needed)
-    ccall((:hsp_pores_get_tunnel_points, libhardsphere), Int32, (Ptr{hsp_pores}, Ptr{hsp_tunnel_point}, UInt32,
-          Ptr{UInt32}), pores, points, capacity, needed)
-end
-
-function hsp_pores_get_tunnel_point_shifts(pores, points, capacity, needed)
-    ccall((:hsp_pores_get_tunnel_point_shifts, libhardsphere), Int32, (Ptr{hsp_pores}, Ptr{hsp_tunnel_point_shifts},
-          UInt32, Ptr{UInt32}), pores, points, capacity, needed)
 end
 
 function hsp_view_limits_init(limits, struct_size, balls)

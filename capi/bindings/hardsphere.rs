@@ -1241,6 +1241,44 @@ pub struct hsp_pore_passage {
 
 #[repr(C)]
 #[derive(Clone, Copy)]
+pub struct hsp_tunnel {
+    pub radius: f64,
+    pub length: f64,
+    pub there: u32,
+    pub gate: u32,
+    pub gates: u32,
+    pub points: u32,
+    pub outside: u32,
+    pub reserved: u32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct hsp_tunnel_route {
+    pub cost: f64,
+    pub shift: [i32; 3],
+    pub reserved: u32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct hsp_tunnel_point {
+    pub xyz: [f64; 3],
+    pub radius: f64,
+    pub ball: [u32; 4],
+    pub gate: u32,
+    pub maximum: u32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct hsp_tunnel_point_shifts {
+    pub ball: [i32; 12],
+    pub at: [i32; 3],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
 pub struct hsp_pore_pocket {
     pub radius: f64,
     pub mouth: f64,
@@ -1287,44 +1325,6 @@ pub struct hsp_pore_pocket_size {
     pub plug_area: f64,
     pub regions: u32,
     pub closed: u32,
-}
-
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct hsp_tunnel {
-    pub radius: f64,
-    pub length: f64,
-    pub there: u32,
-    pub gate: u32,
-    pub gates: u32,
-    pub points: u32,
-    pub outside: u32,
-    pub reserved: u32,
-}
-
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct hsp_tunnel_route {
-    pub cost: f64,
-    pub shift: [i32; 3],
-    pub reserved: u32,
-}
-
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct hsp_tunnel_point {
-    pub xyz: [f64; 3],
-    pub radius: f64,
-    pub ball: [u32; 4],
-    pub gate: u32,
-    pub maximum: u32,
-}
-
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct hsp_tunnel_point_shifts {
-    pub ball: [i32; 12],
-    pub at: [i32; 3],
 }
 
 #[repr(C)]
@@ -2464,6 +2464,37 @@ extern "C" {
         to: *const f64,
         passage: *mut hsp_pore_passage,
     ) -> i32;
+    pub fn hsp_pores_find_tunnel(
+        pores: *mut hsp_pores,
+        from: *const f64,
+        to: *const f64,
+        avoided: *const u32,
+        count: u32,
+        tunnel: *mut hsp_tunnel,
+        limits: *mut hsp_pores_limits,
+    ) -> i32;
+    pub fn hsp_pores_find_cheapest_tunnel(
+        pores: *mut hsp_pores,
+        from: *const f64,
+        to: *const f64,
+        avoided: *const u32,
+        count: u32,
+        tunnel: *mut hsp_tunnel,
+        limits: *mut hsp_pores_limits,
+    ) -> i32;
+    pub fn hsp_pores_get_tunnel_route(pores: *const hsp_pores, route: *mut hsp_tunnel_route) -> i32;
+    pub fn hsp_pores_get_tunnel_points(
+        pores: *const hsp_pores,
+        points: *mut hsp_tunnel_point,
+        capacity: u32,
+        needed: *mut u32,
+    ) -> i32;
+    pub fn hsp_pores_get_tunnel_point_shifts(
+        pores: *const hsp_pores,
+        points: *mut hsp_tunnel_point_shifts,
+        capacity: u32,
+        needed: *mut u32,
+    ) -> i32;
     pub fn hsp_pores_find_pockets(pores: *mut hsp_pores, narrow: f64, wide: f64, pockets: *mut u32) -> i32;
     pub fn hsp_pores_get_pockets(pores: *const hsp_pores, first: u32, count: u32, out: *mut hsp_pore_pocket) -> i32;
     pub fn hsp_pores_get_pocket_maxima(
@@ -2506,37 +2537,6 @@ extern "C" {
         plugged: *mut hsp_pores,
         boundary: *const hsp_boundary,
         out: *mut hsp_pore_pocket_size,
-        capacity: u32,
-        needed: *mut u32,
-    ) -> i32;
-    pub fn hsp_pores_find_tunnel(
-        pores: *mut hsp_pores,
-        from: *const f64,
-        to: *const f64,
-        avoided: *const u32,
-        count: u32,
-        tunnel: *mut hsp_tunnel,
-        limits: *mut hsp_pores_limits,
-    ) -> i32;
-    pub fn hsp_pores_find_cheapest_tunnel(
-        pores: *mut hsp_pores,
-        from: *const f64,
-        to: *const f64,
-        avoided: *const u32,
-        count: u32,
-        tunnel: *mut hsp_tunnel,
-        limits: *mut hsp_pores_limits,
-    ) -> i32;
-    pub fn hsp_pores_get_tunnel_route(pores: *const hsp_pores, route: *mut hsp_tunnel_route) -> i32;
-    pub fn hsp_pores_get_tunnel_points(
-        pores: *const hsp_pores,
-        points: *mut hsp_tunnel_point,
-        capacity: u32,
-        needed: *mut u32,
-    ) -> i32;
-    pub fn hsp_pores_get_tunnel_point_shifts(
-        pores: *const hsp_pores,
-        points: *mut hsp_tunnel_point_shifts,
         capacity: u32,
         needed: *mut u32,
     ) -> i32;

@@ -199,7 +199,7 @@ module hardsphere
   integer(c_int32_t), parameter :: HSP_PATH_APART = 1_c_int32_t  ! the ends lie in two regions of free space
   integer(c_int32_t), parameter :: HSP_PATH_COVERED = 2_c_int32_t  ! at least one of the ends lies in a ball
 
-  ! ---- pores.h: free space for every probe at once: pockets, mouths, tunnels, cavities -------------------------------
+  ! ---- pores.h: free space for every probe at once: cavities, gates, tunnels, channels of crystals -------------------
 
   ! the outside, where the number of a maximum may stand
   integer(c_int32_t), parameter :: HSP_PORE_OUTSIDE = -2_c_int32_t
@@ -1131,7 +1131,7 @@ module hardsphere
     integer(c_int32_t) :: reserved  ! 0
   end type
 
-  ! ---- pores.h: free space for every probe at once: pockets, mouths, tunnels, cavities -------------------------------
+  ! ---- pores.h: free space for every probe at once: cavities, gates, tunnels, channels of crystals -------------------
 
   type, bind(C) :: hsp_pores_limits
     integer(c_int32_t) :: struct_size = 32_c_int32_t  ! sizeof(hsp_pores_limits)
@@ -1244,6 +1244,46 @@ module hardsphere
     integer(c_int32_t) :: reserved  ! 0
   end type
 
+  type, bind(C) :: hsp_tunnel
+    ! of the widest probe that gets through; 0 if there is no tunnel, infinite without balls
+    real(c_double) :: radius
+    real(c_double) :: length        ! of the polyline through its points; 0 if there is no tunnel
+    integer(c_int32_t) :: there     ! whether there is a tunnel: 1 or 0
+    integer(c_int32_t) :: gate      ! its tightest one; HSP_NONE if it passes none
+    integer(c_int32_t) :: gates     ! how many it passes
+    integer(c_int32_t) :: points    ! of the polyline; 0 if there is no tunnel
+    ! whether it comes to the outside: 1 or 0, which is 0 in a box with balls. If it comes back from there the polyline
+    ! leaps
+    integer(c_int32_t) :: outside
+    integer(c_int32_t) :: reserved  ! 0
+  end type
+
+  type, bind(C) :: hsp_tunnel_route
+    ! as of hsp_pores_find_cheapest_tunnel, for both kinds, in 1/length; 0 without gates, infinite through a gate that
+    ! is no wider than 0
+    real(c_double) :: cost
+    ! times the vectors of the box by that `to` is to be moved, or `from` if that was NULL, to where the tunnel ends; 0
+    ! without a box
+    integer(c_int32_t) :: shift(3)
+    integer(c_int32_t) :: reserved  ! 0
+  end type
+
+  type, bind(C) :: hsp_tunnel_point
+    real(c_double) :: xyz(3)       ! where it lies
+    real(c_double) :: radius       ! of the largest probe there
+    integer(c_int32_t) :: ball(4)  ! nearest ones, then HSP_NONE: four at a maximum, three at a gate, else one to three
+    integer(c_int32_t) :: gate     ! that it is, or HSP_NONE
+    integer(c_int32_t) :: maximum  ! that it is, or HSP_NONE
+  end type
+
+  type, bind(C) :: hsp_tunnel_point_shifts
+    ! three for each of its balls: by that the ball is to be moved from where it was given
+    integer(c_int32_t) :: ball(12)
+    integer(c_int32_t) :: at(3)     ! by that the gate or maximum is to be moved from its point; 0 between those
+  end type
+
+  ! ---- pockets.h: pockets between two probes, with mouths and sizes; regions of free space ---------------------------
+
   type, bind(C) :: hsp_pore_pocket
     real(c_double) :: radius        ! of the widest probe that fits in it: its depth
     real(c_double) :: mouth         ! of the widest probe that passes one of its mouths; the floor without mouths
@@ -1286,44 +1326,6 @@ module hardsphere
     real(c_double) :: plug_area    ! of the plugs beside it; NaN likewise
     integer(c_int32_t) :: regions  ! how many parts it falls into; 0 if the plugs fill it, or do not close it
     integer(c_int32_t) :: closed   ! whether the plugs close it: 1 or 0
-  end type
-
-  type, bind(C) :: hsp_tunnel
-    ! of the widest probe that gets through; 0 if there is no tunnel, infinite without balls
-    real(c_double) :: radius
-    real(c_double) :: length        ! of the polyline through its points; 0 if there is no tunnel
-    integer(c_int32_t) :: there     ! whether there is a tunnel: 1 or 0
-    integer(c_int32_t) :: gate      ! its tightest one; HSP_NONE if it passes none
-    integer(c_int32_t) :: gates     ! how many it passes
-    integer(c_int32_t) :: points    ! of the polyline; 0 if there is no tunnel
-    ! whether it comes to the outside: 1 or 0, which is 0 in a box with balls. If it comes back from there the polyline
-    ! leaps
-    integer(c_int32_t) :: outside
-    integer(c_int32_t) :: reserved  ! 0
-  end type
-
-  type, bind(C) :: hsp_tunnel_route
-    ! as of hsp_pores_find_cheapest_tunnel, for both kinds, in 1/length; 0 without gates, infinite through a gate that
-    ! is no wider than 0
-    real(c_double) :: cost
-    ! times the vectors of the box by that `to` is to be moved, or `from` if that was NULL, to where the tunnel ends; 0
-    ! without a box
-    integer(c_int32_t) :: shift(3)
-    integer(c_int32_t) :: reserved  ! 0
-  end type
-
-  type, bind(C) :: hsp_tunnel_point
-    real(c_double) :: xyz(3)       ! where it lies
-    real(c_double) :: radius       ! of the largest probe there
-    integer(c_int32_t) :: ball(4)  ! nearest ones, then HSP_NONE: four at a maximum, three at a gate, else one to three
-    integer(c_int32_t) :: gate     ! that it is, or HSP_NONE
-    integer(c_int32_t) :: maximum  ! that it is, or HSP_NONE
-  end type
-
-  type, bind(C) :: hsp_tunnel_point_shifts
-    ! three for each of its balls: by that the ball is to be moved from where it was given
-    integer(c_int32_t) :: ball(12)
-    integer(c_int32_t) :: at(3)     ! by that the gate or maximum is to be moved from its point; 0 between those
   end type
 
   ! ---- view.h: pieces in painter's order as true arcs (Section 5.1) --------------------------------------------------
@@ -3331,7 +3333,7 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
-    ! ---- pores.h: free space for every probe at once: pockets, mouths, tunnels, cavities -----------------------------
+    ! ---- pores.h: free space for every probe at once: cavities, gates, tunnels, channels of crystals -----------------
 
     function hsp_pores_limits_init(limits, struct_size, balls) result(status) bind(C, name="hsp_pores_limits_init")
       import :: c_int32_t, hsp_pores_limits
@@ -3525,6 +3527,61 @@ module hardsphere
       integer(c_int32_t) :: status
     end function
 
+    function hsp_pores_find_tunnel(pores, from, to, avoided, count, tunnel, limits) result(status) &
+      bind(C, name="hsp_pores_find_tunnel")
+      import :: c_double, c_int32_t, c_ptr, hsp_pores_limits, hsp_tunnel
+      type(c_ptr), value :: pores
+      real(c_double), intent(in) :: from(3)
+      real(c_double), intent(in), optional :: to(3)
+      integer(c_int32_t), intent(in), optional :: avoided(*)  ! count
+      integer(c_int32_t), value :: count
+      type(hsp_tunnel), intent(inout) :: tunnel
+      type(hsp_pores_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_find_cheapest_tunnel(pores, from, to, avoided, count, tunnel, limits) result(status) &
+      bind(C, name="hsp_pores_find_cheapest_tunnel")
+      import :: c_double, c_int32_t, c_ptr, hsp_pores_limits, hsp_tunnel
+      type(c_ptr), value :: pores
+      real(c_double), intent(in) :: from(3)
+      real(c_double), intent(in), optional :: to(3)
+      integer(c_int32_t), intent(in), optional :: avoided(*)  ! count
+      integer(c_int32_t), value :: count
+      type(hsp_tunnel), intent(inout) :: tunnel
+      type(hsp_pores_limits), intent(inout), optional :: limits
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_get_tunnel_route(pores, route) result(status) bind(C, name="hsp_pores_get_tunnel_route")
+      import :: c_int32_t, c_ptr, hsp_tunnel_route
+      type(c_ptr), value :: pores
+      type(hsp_tunnel_route), intent(inout) :: route
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_get_tunnel_points(pores, points, capacity, needed) result(status) &
+      bind(C, name="hsp_pores_get_tunnel_points")
+      import :: c_int32_t, c_ptr, hsp_tunnel_point
+      type(c_ptr), value :: pores
+      type(hsp_tunnel_point), intent(inout), optional :: points(*)  ! needed
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    function hsp_pores_get_tunnel_point_shifts(pores, points, capacity, needed) result(status) &
+      bind(C, name="hsp_pores_get_tunnel_point_shifts")
+      import :: c_int32_t, c_ptr, hsp_tunnel_point_shifts
+      type(c_ptr), value :: pores
+      type(hsp_tunnel_point_shifts), intent(inout), optional :: points(*)  ! needed
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(inout), optional :: needed
+      integer(c_int32_t) :: status
+    end function
+
+    ! ---- pockets.h: pockets between two probes, with mouths and sizes; regions of free space -------------------------
+
     function hsp_pores_find_pockets(pores, narrow, wide, pockets) result(status) bind(C, name="hsp_pores_find_pockets")
       import :: c_double, c_int32_t, c_ptr
       type(c_ptr), value :: pores
@@ -3613,59 +3670,6 @@ module hardsphere
       type(c_ptr), value :: plugged
       type(c_ptr), value :: boundary
       type(hsp_pore_pocket_size), intent(inout) :: out(*)  ! needed
-      integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout), optional :: needed
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_pores_find_tunnel(pores, from, to, avoided, count, tunnel, limits) result(status) &
-      bind(C, name="hsp_pores_find_tunnel")
-      import :: c_double, c_int32_t, c_ptr, hsp_pores_limits, hsp_tunnel
-      type(c_ptr), value :: pores
-      real(c_double), intent(in) :: from(3)
-      real(c_double), intent(in), optional :: to(3)
-      integer(c_int32_t), intent(in), optional :: avoided(*)  ! count
-      integer(c_int32_t), value :: count
-      type(hsp_tunnel), intent(inout) :: tunnel
-      type(hsp_pores_limits), intent(inout), optional :: limits
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_pores_find_cheapest_tunnel(pores, from, to, avoided, count, tunnel, limits) result(status) &
-      bind(C, name="hsp_pores_find_cheapest_tunnel")
-      import :: c_double, c_int32_t, c_ptr, hsp_pores_limits, hsp_tunnel
-      type(c_ptr), value :: pores
-      real(c_double), intent(in) :: from(3)
-      real(c_double), intent(in), optional :: to(3)
-      integer(c_int32_t), intent(in), optional :: avoided(*)  ! count
-      integer(c_int32_t), value :: count
-      type(hsp_tunnel), intent(inout) :: tunnel
-      type(hsp_pores_limits), intent(inout), optional :: limits
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_pores_get_tunnel_route(pores, route) result(status) bind(C, name="hsp_pores_get_tunnel_route")
-      import :: c_int32_t, c_ptr, hsp_tunnel_route
-      type(c_ptr), value :: pores
-      type(hsp_tunnel_route), intent(inout) :: route
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_pores_get_tunnel_points(pores, points, capacity, needed) result(status) &
-      bind(C, name="hsp_pores_get_tunnel_points")
-      import :: c_int32_t, c_ptr, hsp_tunnel_point
-      type(c_ptr), value :: pores
-      type(hsp_tunnel_point), intent(inout), optional :: points(*)  ! needed
-      integer(c_int32_t), value :: capacity
-      integer(c_int32_t), intent(inout), optional :: needed
-      integer(c_int32_t) :: status
-    end function
-
-    function hsp_pores_get_tunnel_point_shifts(pores, points, capacity, needed) result(status) &
-      bind(C, name="hsp_pores_get_tunnel_point_shifts")
-      import :: c_int32_t, c_ptr, hsp_tunnel_point_shifts
-      type(c_ptr), value :: pores
-      type(hsp_tunnel_point_shifts), intent(inout), optional :: points(*)  ! needed
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status
@@ -4692,7 +4696,7 @@ contains
       + 1536_c_size_t*int(cube_balls, c_size_t) + 64_c_size_t*int(cube_corners, c_size_t)
   end function
 
-  ! ---- pores.h: free space for every probe at once: pockets, mouths, tunnels, cavities -------------------------------
+  ! ---- pores.h: free space for every probe at once: cavities, gates, tunnels, channels of crystals -------------------
 
   !> HSP_PORES_BYTES of the header, for the size of an allocation.
   pure function hsp_pores_bytes_bound(balls, maxima, gates, tied, candidates, neighbours, points) result(bytes)

@@ -1,23 +1,19 @@
-#include "hsp_pores.hpp"
-
-#include <bit>
-#include <initializer_list>
-#include <limits>
-
-#include "conversion.hpp"
 #include "core/sorting.hpp"
-#include "handle_memory.hpp"
-#include "hsp_boundary.hpp"
-#include "model/queries.hpp"
-#include "periodic_shifts.hpp"
-#include "rounded_point.hpp"
+#include "pore_records.hpp"
 
+using hsp::capi::as_it_is;
 using hsp::capi::check_handle;
 using hsp::capi::check_range;
 using hsp::capi::check_results;
 using hsp::capi::check_struct;
 using hsp::capi::first_failure;
+using hsp::capi::floor_of;
+using hsp::capi::get_list;
+using hsp::capi::highest_level;
+using hsp::capi::is_level;
+using hsp::capi::put_place;
 using hsp::capi::put_shift;
+using hsp::capi::winding_of;
 
 namespace {
 
@@ -46,70 +42,9 @@ int64_t floor_in_steps(const hsp::exact::Lattice &lattice, double floor) {
   return truncated - static_cast<int64_t>(static_cast<double>(truncated) > near);
 }
 
-double floor_of(const hsp_pores &pores) {
-  return pores.lattice().length(static_cast<double>(pores.builder.floor()));
-}
-
-void put_place(const hsp_pores &pores, const hsp::Vec3 &place, double xyz[3]) {
-  const hsp::exact::Lattice &lattice = pores.lattice();
-  hsp::capi::to_array({lattice.length(place.x), lattice.length(place.y), lattice.length(place.z)}, xyz);
-}
-
 // Whether there is such a maximum, or the outside.
 bool is_class(const hsp_pores &pores, uint32_t maximum) {
   return maximum == HSP_PORE_OUTSIDE || maximum < pores.maxima().size();
-}
-
-// Of levels that are radii of `radius` or less to the caller the highest: a probe that is as wide as a gate to the last
-// bit does not pass it. level: about that.
-double highest_level(const hsp_pores &pores, double level, double radius) {
-  const auto above = [](double x) { return std::bit_cast<double>(std::bit_cast<int64_t>(x) + (x > 0.0 ? 1 : -1)); };
-  const auto below = [](double x) { return std::bit_cast<double>(std::bit_cast<int64_t>(x) - (x > 0.0 ? 1 : -1)); };
-  if (std::fabs(level) < 0x1p-40) return level;  // no gate has one so small
-  while (pores.lattice().length(level) > radius) level = below(level);
-  while (pores.lattice().length(above(level)) <= radius) level = above(level);
-  return level;
-}
-// Whether pores know of probes of this level, and it is on the lattice.
-bool is_level(const hsp_pores &pores, double level) {
-  return level >= static_cast<double>(pores.builder.floor()) && level <= hsp::exact::query_radius_limit;
-}
-
-// Writes what `put` makes of each of list(*pores), if the number of a record is below number(*pores). needed may be
-// null.
-template <class T, class Number, class List, class Put>
-int32_t get_list(const hsp_pores *pores, uint32_t record, T *out, uint32_t capacity, uint32_t *needed, Number number,
-                 List list, Put put) {
-  const int32_t status = check_results(pores, out == nullptr && capacity > 0);
-  if (status != HSP_OK) return status;
-  if (record >= number(*pores)) return HSP_E_ID;
-  const auto there = list(*pores);
-  uint32_t count = 0;
-  const int32_t fits = hsp::capi::check_output(out, capacity, there.size(), needed != nullptr ? needed : &count);
-  if (fits != HSP_OK) return fits;
-  for (uint32_t k = 0; k < there.size(); ++k) out[k] = put(there[k]);
-  return HSP_OK;
-}
-
-// The least number of steps that is not narrower than `radius`, of this level.
-int64_t steps_not_below(const hsp_pores &pores, double level, double radius) {
-  int64_t steps = hsp::nearest(level) - 1;
-  while (pores.lattice().length(static_cast<double>(steps)) < radius) ++steps;
-  return steps;
-}
-
-constexpr auto as_it_is = [](uint32_t number) { return number; };
-
-template <auto list>
-int32_t get_pocket_list(const hsp_pores *pores, uint32_t pocket, uint32_t *out, uint32_t capacity, uint32_t *needed) {
-  return get_list(
-      pores, pocket, out, capacity, needed,
-      [](const hsp_pores &handle) { return handle.builder.pockets().pockets().size(); },
-      [&](const hsp_pores &handle) {
-        const hsp::PocketFinder &pockets = handle.builder.pockets();
-        return (pockets.*list)(pockets.pockets()[pocket]);
-      },
-      as_it_is);
 }
 
 // Nearest balls as records.
@@ -178,19 +113,6 @@ int32_t compute_from(hsp_pores *pores, const Handle *source, const hsp_pores_opt
   return hsp::capi::finish(*pores, compute(asked.floor), limits);
 }
 
-// Where a class goes on for ever, in the vectors of the box as they were given.
-hsp_winding winding_of(const hsp_pores &pores, const hsp::WindingLattice &lattice) {
-  hsp::WindingLattice in_given;
-  for (uint32_t r = 0; r < lattice.rank; ++r) {
-    const auto &row = lattice.row[r];
-    const hsp::BoxShift given = pores.given({{row[0], row[1], row[2]}});
-    static_cast<void>(in_given.add({given.k[0], given.k[1], given.k[2]}));
-  }
-  hsp_winding winding{};
-  hsp::capi::put_lattice(in_given, winding);
-  return winding;
-}
-
 hsp_pore_channel to_channel(const hsp_pores &pores, const hsp::Windings &joined, uint32_t component) {
   const hsp_winding winding = winding_of(pores, joined.lattice(component));
   const uint32_t maximum = joined.first_ball(component) - 1;
@@ -203,118 +125,6 @@ hsp_pore_channel to_channel(const hsp_pores &pores, const hsp::Windings &joined,
                            0};
   for (int k = 0; k < 9; ++k) channel.row[k] = winding.row[k];
   return channel;
-}
-
-hsp_pore_region to_region(const hsp_pores &pores, const hsp::PoreRegion &region) {
-  const hsp_winding winding = winding_of(pores, region.lattice);
-  const hsp::exact::Lattice &lattice = pores.lattice();
-  hsp_pore_region record{region.maximum == hsp::pore_outside
-                             ? std::numeric_limits<double>::infinity()
-                             : lattice.length(pores.maxima()[region.maximum].point.level),
-                         lattice.area(region.area),
-                         lattice.volume(region.volume),
-                         region.maximum,
-                         region.maxima,
-                         region.shells,
-                         region.is_accessible() ? 1U : 0U,
-                         winding.directions,
-                         winding.copies,
-                         {},
-                         0};
-  for (int k = 0; k < 9; ++k) record.row[k] = winding.row[k];
-  return record;
-}
-
-// The balls that pores were computed of, grown by the narrow probe of their pockets, then the plugs of all mouths.
-class PluggedBalls {
- public:
-  explicit PluggedBalls(const hsp_pores &pores) : pores_(pores), around_(pores.balls_around()) {}
-
-  uint32_t given() const { return pores_.ball_count(); }
-  uint32_t size() const { return given() + pores_.builder.pockets().all_mouths().size(); }
-  // In lengths.
-  void put(uint32_t k, double xyz[3], double &radius) const {
-    const hsp::exact::LatticeBall ball = (*this)[k];
-    put_place(pores_, hsp::exact::to_double(ball.centre), xyz);
-    radius = pores_.lattice().length(static_cast<double>(ball.radius));
-  }
-  // Whether other pores were computed of these balls, rounded to the same lattice or a coarser one, and perhaps of
-  // further ones behind them; and of the same box.
-  bool are_those_of(const hsp_pores &plugged) const {
-    if (plugged.in_box != pores_.in_box || plugged.ball_count() < size()) return false;
-    const hsp::BallsAround around = plugged.balls_around();
-    if (around.box() != nullptr && !is_same_box(*around.box(), plugged.lattice())) return false;
-    for (uint32_t k = 0; k < size(); ++k) {
-      if (!is_same_ball(k, around, plugged.lattice())) return false;
-    }
-    return true;
-  }
-
- private:
-  hsp::exact::LatticeBall operator[](uint32_t k) const {
-    if (k >= given()) {
-      const uint32_t mouth = pores_.builder.pockets().all_mouths()[k - given()];
-      return hsp::plug_of(pores_.builder.pores(), around_, pores_.gates()[mouth], pores_.narrow_steps);
-    }
-    hsp::exact::LatticeBall ball = around_.ball({k, {}});
-    ball.radius = hsp::grown_radius(ball.radius, pores_.narrow_steps);
-    return ball;
-  }
-  bool is_same_ball(uint32_t k, const hsp::BallsAround &around, const hsp::exact::Lattice &lattice) const {
-    double xyz[3], radius = 0.0;
-    put(k, xyz, radius);
-    const hsp::exact::LatticeBall there = around.ball({k, {}});
-    hsp::exact::Vector centre;
-    hsp::BoxShift home;
-    if (!lattice.round(xyz, centre)) return false;
-    if (around.box() != nullptr && around.box()->wrap(centre, home) != hsp::Status::ok) return false;
-    const double slack = slack_on(lattice);
-    const hsp::exact::Vector off = centre - there.centre;
-    return static_cast<double>(dot(off, off)) <= 3.0 * slack && is_near(lattice.steps(radius), there.radius, slack);
-  }
-  // On a coarser lattice what was rounded more than once may differ by a step.
-  double slack_on(const hsp::exact::Lattice &lattice) const {
-    return lattice.step() > pores_.lattice().step() ? 1.0 : 0.0;
-  }
-  static bool is_near(double own, int64_t other, double slack) {
-    return std::fabs(own - static_cast<double>(other)) <= slack + 0.5;
-  }
-  bool is_same_box(const hsp::PeriodicBox &box, const hsp::exact::Lattice &lattice) const {
-    const auto is_same = [&](int64_t own, int64_t other) {
-      return is_near(lattice.steps(pores_.lattice().length(static_cast<double>(own))), other, slack_on(lattice));
-    };
-    bool same = true;
-    for (const uint32_t k : {0U, 1U, 2U}) {
-      const hsp::exact::Vector &own = around_.box()->given(k), &other = box.given(k);
-      same = same && is_same(own.x, other.x) && is_same(own.y, other.y) && is_same(own.z, other.z);
-    }
-    return same;
-  }
-
-  const hsp_pores &pores_;
-  hsp::BallsAround around_;
-};
-
-void forget_pockets(hsp_pores &pores) {
-  pores.builder.forget_pockets();
-  pores.narrow_steps = 0;
-}
-
-// Whether regions of pores can be found beside a boundary.
-int32_t check_surface(const hsp_pores &pores, const hsp_boundary *boundary) {
-  if (pores.in_box != (boundary == nullptr)) return HSP_E_ARGUMENT;
-  if (!pores.in_box) {
-    if (const int32_t status = check_results(boundary, false); status != HSP_OK) return status;
-    if (!boundary->model.is(&*pores.model)) return HSP_E_ARGUMENT;
-  }
-  return pores.builder.floor() > 0 ? HSP_E_RANGE : HSP_OK;
-}
-
-// After that.
-hsp::Status find_regions(hsp_pores &pores, const hsp_boundary *boundary, uint32_t first_plug) {
-  const hsp::PeriodicUnion *const periodic = pores.in_box ? &pores.periodic->builder : nullptr;
-  return pores.builder.find_regions(pores.balls_around(), pores.in_box ? periodic->boundary() : boundary->structure(),
-                                    periodic, first_plug);
 }
 
 int32_t round_point(const hsp_pores &pores, const double *xyz, hsp::exact::Vector &point) {
@@ -567,145 +377,6 @@ int32_t hsp_pores_widest(const hsp_pores *pores, const double *from, const doubl
               found.ball,
               {found.ends[0], found.ends[1]},
               0};
-  return HSP_OK;
-}
-
-int32_t hsp_pores_find_pockets(hsp_pores *pores, double narrow, double wide, uint32_t *pockets) {
-  if (const int32_t status = check_handle(pores); status != HSP_OK) return status;
-  forget_pockets(*pores);
-  if (pockets == nullptr) return HSP_E_ARGUMENT;
-  if (!pores->has_results()) return HSP_E_STATE;
-  if (!hsp::is_finite(narrow) || !hsp::is_finite(wide)) return HSP_E_NOT_FINITE;
-  if (wide < narrow) return HSP_E_ARGUMENT;
-  const double narrow_level = pores->lattice().steps(narrow), wide_level = pores->lattice().steps(wide);
-  if (!is_level(*pores, narrow_level) || !is_level(*pores, wide_level)) return HSP_E_RANGE;
-  pores->builder.find_pockets(highest_level(*pores, narrow_level, narrow), highest_level(*pores, wide_level, wide));
-  pores->narrow_steps = steps_not_below(*pores, narrow_level, narrow);
-  *pockets = pores->builder.pockets().pockets().size();
-  return HSP_OK;
-}
-
-int32_t hsp_pores_get_pockets(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_pocket *out) {
-  const int32_t status = check_range(pores, first, count, out,
-                                     [](const hsp_pores &handle) { return handle.builder.pockets().pockets().size(); });
-  if (status != HSP_OK) return status;
-  const hsp::PocketFinder &finder = pores->builder.pockets();
-  for (uint32_t k = 0; k < count; ++k) {
-    const hsp::Pocket &pocket = finder.pockets()[first + k];
-    out[k] = {pores->lattice().length(pores->maxima()[pocket.maximum].point.level),
-              pocket.mouth == hsp::no_id ? floor_of(*pores)
-                                         : pores->lattice().length(pores->gates()[pocket.mouth].point.level),
-              pocket.maximum,
-              pocket.mouth,
-              finder.maxima(pocket).size(),
-              finder.mouths(pocket).size(),
-              finder.balls(pocket).size(),
-              0};
-  }
-  return HSP_OK;
-}
-
-int32_t hsp_pores_get_pocket_maxima(const hsp_pores *pores, uint32_t pocket, uint32_t *maxima, uint32_t capacity,
-                                    uint32_t *needed) {
-  return get_pocket_list<&hsp::PocketFinder::maxima>(pores, pocket, maxima, capacity, needed);
-}
-
-int32_t hsp_pores_get_pocket_mouths(const hsp_pores *pores, uint32_t pocket, uint32_t *gates, uint32_t capacity,
-                                    uint32_t *needed) {
-  return get_pocket_list<&hsp::PocketFinder::mouths>(pores, pocket, gates, capacity, needed);
-}
-
-int32_t hsp_pores_get_pocket_balls(const hsp_pores *pores, uint32_t pocket, uint32_t *balls, uint32_t capacity,
-                                   uint32_t *needed) {
-  return get_pocket_list<&hsp::PocketFinder::balls>(pores, pocket, balls, capacity, needed);
-}
-
-int32_t hsp_pores_get_plugged_balls(const hsp_pores *pores, double *xyz, double *radius, uint32_t capacity,
-                                    uint32_t *needed) {
-  if (const int32_t status = check_results(pores, false); status != HSP_OK) return status;
-  const PluggedBalls balls(*pores);
-  const bool wanted = xyz != nullptr || radius != nullptr;
-  if (!hsp::capi::fits(wanted, capacity, balls.size(), needed)) return HSP_E_CAPACITY;
-  for (uint32_t k = 0; wanted && k < balls.size(); ++k) {
-    double place[3], length = 0.0;
-    balls.put(k, place, length);
-    hsp::capi::put_vector(place, xyz, k);
-    if (radius != nullptr) radius[k] = length;
-  }
-  return HSP_OK;
-}
-
-int32_t hsp_pores_find_regions(hsp_pores *pores, const hsp_boundary *boundary, hsp_pore_access *access,
-                               uint32_t *regions) {
-  if (const int32_t status = check_handle(pores); status != HSP_OK) return status;
-  pores->builder.forget_regions();
-  if (!pores->has_results()) return HSP_E_STATE;
-  if (const int32_t refused = check_surface(*pores, boundary); refused != HSP_OK) return refused;
-  const hsp::Status found = find_regions(*pores, boundary, hsp::no_id);
-  if (found != hsp::Status::ok) return hsp::capi::to_c(found);
-  const hsp::Span<const hsp::PoreRegion> there = pores->builder.regions().regions();
-  if (regions != nullptr) *regions = there.size();
-  if (access == nullptr) return HSP_OK;
-  *access = {};
-  for (const hsp::PoreRegion &region : there) {
-    const bool open = region.is_accessible();
-    (open ? access->accessible_area : access->blocked_area) += pores->lattice().area(region.area);
-    (open ? access->accessible_volume : access->blocked_volume) += pores->lattice().volume(region.volume);
-    ++(open ? access->accessible : access->blocked);
-  }
-  return HSP_OK;
-}
-
-int32_t hsp_pores_get_regions(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_region *out) {
-  const int32_t status = check_range(pores, first, count, out,
-                                     [](const hsp_pores &handle) { return handle.builder.regions().regions().size(); });
-  if (status != HSP_OK) return status;
-  for (uint32_t k = 0; k < count; ++k) out[k] = to_region(*pores, pores->builder.regions().regions()[first + k]);
-  return HSP_OK;
-}
-
-int32_t hsp_pores_measure_pockets(hsp_pores *pores, hsp_pores *plugged, const hsp_boundary *boundary,
-                                  hsp_pore_pocket_size *out, uint32_t capacity, uint32_t *needed) {
-  if (const int32_t status = first_failure(check_handle(pores), check_handle(plugged)); status != HSP_OK) return status;
-  if (out == nullptr && capacity > 0) return HSP_E_ARGUMENT;
-  if (!pores->has_results() || !plugged->has_results()) return HSP_E_STATE;
-  const PluggedBalls balls(*pores);
-  if (!balls.are_those_of(*plugged)) return HSP_E_ARGUMENT;
-  if (const int32_t refused = check_surface(*plugged, boundary); refused != HSP_OK) return refused;
-  const hsp::PocketFinder &finder = pores->builder.pockets();
-  const uint32_t count = finder.pockets().size();
-  if (!hsp::capi::fits(true, capacity, count, needed)) return HSP_E_CAPACITY;
-  plugged->builder.forget_regions();
-  if (plugged != pores) forget_pockets(*plugged);
-  hsp::Status status = find_regions(*plugged, boundary, balls.given());
-  if (status == hsp::Status::ok) {
-    status = pores->builder.match_pockets(
-        plugged->builder, plugged->balls_around(), [&](uint32_t maximum, hsp::exact::Vector &point) {
-          double xyz[3];
-          put_place(*pores, pores->maxima()[maximum].point.place, xyz);
-          return plugged->lattice().round(xyz, point) ? hsp::Status::ok : hsp::Status::range;
-        });
-  }
-  if (status != hsp::Status::ok) {
-    plugged->builder.forget_regions();
-    return hsp::capi::to_c(status);
-  }
-  for (uint32_t k = 0; k < count; ++k) out[k] = {0.0, 0.0, 0.0, 0, 1};
-  const hsp::exact::Lattice &lattice = plugged->lattice();
-  finder.visit_regions(
-      plugged->builder.regions().regions(),
-      [&](uint32_t pocket) {
-        constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-        out[pocket] = {unknown, unknown, unknown, 0, 0};
-      },
-      [&](uint32_t pocket, const hsp::PoreRegion &region) {
-        hsp_pore_pocket_size &size = out[pocket];
-        if (size.closed == 0) return;
-        size.volume += lattice.volume(region.volume);
-        size.area += lattice.area(region.area - region.plug_area);
-        size.plug_area += lattice.area(region.plug_area);
-        ++size.regions;
-      });
   return HSP_OK;
 }
 

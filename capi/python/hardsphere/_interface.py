@@ -693,6 +693,28 @@ class PorePassage(Record):
                 ("at", C.c_uint32 * 2), ("reserved", C.c_uint32)]
 
 
+class Tunnel(Record):
+    """A tunnel."""
+    _fields_ = [("radius", C.c_double), ("length", C.c_double), ("there", C.c_uint32), ("gate", C.c_uint32),
+                ("gates", C.c_uint32), ("points", C.c_uint32), ("outside", C.c_uint32), ("reserved", C.c_uint32)]
+
+
+class TunnelRoute(Record):
+    """The cost of a tunnel, and where it leads."""
+    _fields_ = [("cost", C.c_double), ("shift", C.c_int32 * 3), ("reserved", C.c_uint32)]
+
+
+class TunnelPoint(Record):
+    """A point of a tunnel."""
+    _fields_ = [("xyz", C.c_double * 3), ("radius", C.c_double), ("ball", C.c_uint32 * 4), ("gate", C.c_uint32),
+                ("maximum", C.c_uint32)]
+
+
+class TunnelPointShifts(Record):
+    """Which copies a point of a tunnel is beside, in a periodic box;"""
+    _fields_ = [("ball", C.c_int32 * 12), ("at", C.c_int32 * 3)]
+
+
 class PorePocket(Record):
     """A pocket."""
     _fields_ = [("radius", C.c_double), ("mouth", C.c_double), ("maximum", C.c_uint32), ("gate", C.c_uint32),
@@ -716,28 +738,6 @@ class PorePocketSize(Record):
     """The size of a pocket, cut off at its mouths by plugs."""
     _fields_ = [("volume", C.c_double), ("area", C.c_double), ("plug_area", C.c_double), ("regions", C.c_uint32),
                 ("closed", C.c_uint32)]
-
-
-class Tunnel(Record):
-    """A tunnel."""
-    _fields_ = [("radius", C.c_double), ("length", C.c_double), ("there", C.c_uint32), ("gate", C.c_uint32),
-                ("gates", C.c_uint32), ("points", C.c_uint32), ("outside", C.c_uint32), ("reserved", C.c_uint32)]
-
-
-class TunnelRoute(Record):
-    """The cost of a tunnel, and where it leads."""
-    _fields_ = [("cost", C.c_double), ("shift", C.c_int32 * 3), ("reserved", C.c_uint32)]
-
-
-class TunnelPoint(Record):
-    """A point of a tunnel."""
-    _fields_ = [("xyz", C.c_double * 3), ("radius", C.c_double), ("ball", C.c_uint32 * 4), ("gate", C.c_uint32),
-                ("maximum", C.c_uint32)]
-
-
-class TunnelPointShifts(Record):
-    """Which copies a point of a tunnel is beside, in a periodic box;"""
-    _fields_ = [("ball", C.c_int32 * 12), ("at", C.c_int32 * 3)]
 
 
 class ViewLimits(Record):
@@ -1595,6 +1595,27 @@ class Pores(Handle):
         NULL."""
         return call("hsp_pores_widest", self, from_=from_, to=to)
 
+    def find_tunnel(self, from_: Any, avoided: Any, to: Any | None = None) -> Tunnel:
+        """Find the tunnel from one point to another, or to the outside, that the widest probe gets through without the
+        gates to be avoided."""
+        return call("hsp_pores_find_tunnel", self, from_=from_, avoided=avoided, to=to)
+
+    def find_cheapest_tunnel(self, from_: Any, avoided: Any, to: Any | None = None) -> Tunnel:
+        """The same with the tunnel of the least cost, which weighs how wide a way is against how long."""
+        return call("hsp_pores_find_cheapest_tunnel", self, from_=from_, avoided=avoided, to=to)
+
+    def get_tunnel_route(self) -> TunnelRoute:
+        """The cost of the last tunnel and its vector: *route becomes the record, all 0 if there was none."""
+        return call("hsp_pores_get_tunnel_route", self)
+
+    def get_tunnel_points(self) -> Any:
+        """The points [needed] of the last tunnel, from its start to its end; none if there was none."""
+        return call("hsp_pores_get_tunnel_points", self)
+
+    def get_tunnel_point_shifts(self) -> Any:
+        """The shifts of the points [needed] of the last tunnel, in the same order."""
+        return call("hsp_pores_get_tunnel_point_shifts", self)
+
     def find_pockets(self, narrow: float, wide: float) -> int:
         """Find pockets: where a probe of the radius `narrow` fits, and one of the radius `wide` does not get to from
         the outside."""
@@ -1635,27 +1656,6 @@ class Pores(Handle):
     def measure_pockets(self, plugged: Pores, boundary: Boundary) -> Any:
         """Measure all pockets of the last hsp_pores_find_pockets: out gets a record for each, in their order."""
         return call("hsp_pores_measure_pockets", self, plugged=plugged, boundary=boundary)
-
-    def find_tunnel(self, from_: Any, avoided: Any, to: Any | None = None) -> Tunnel:
-        """Find the tunnel from one point to another, or to the outside, that the widest probe gets through without the
-        gates to be avoided."""
-        return call("hsp_pores_find_tunnel", self, from_=from_, avoided=avoided, to=to)
-
-    def find_cheapest_tunnel(self, from_: Any, avoided: Any, to: Any | None = None) -> Tunnel:
-        """The same with the tunnel of the least cost, which weighs how wide a way is against how long."""
-        return call("hsp_pores_find_cheapest_tunnel", self, from_=from_, avoided=avoided, to=to)
-
-    def get_tunnel_route(self) -> TunnelRoute:
-        """The cost of the last tunnel and its vector: *route becomes the record, all 0 if there was none."""
-        return call("hsp_pores_get_tunnel_route", self)
-
-    def get_tunnel_points(self) -> Any:
-        """The points [needed] of the last tunnel, from its start to its end; none if there was none."""
-        return call("hsp_pores_get_tunnel_points", self)
-
-    def get_tunnel_point_shifts(self) -> Any:
-        """The shifts of the points [needed] of the last tunnel, in the same order."""
-        return call("hsp_pores_get_tunnel_point_shifts", self)
 
 
 class View(Handle):
@@ -2354,6 +2354,19 @@ FUNCTIONS = {
         "place:struct_out:hsp_pore_place::never shifts:struct_out:hsp_pore_place_shifts::never",
     "hsp_pores_widest": "int32_t pores:handle:hsp_pores::never from:array_in:double:3:never "
         "to:array_in:double:3:always passage:struct_out:hsp_pore_passage::never",
+    "hsp_pores_find_tunnel": "int32_t pores:handle:hsp_pores::never from:array_in:double:3:never "
+        "to:array_in:double:3:always avoided:array_in:uint32_t:count:empty count:value:uint32_t::never "
+        "tunnel:struct_out:hsp_tunnel::never limits:sized:hsp_pores_limits::always",
+    "hsp_pores_find_cheapest_tunnel": "int32_t pores:handle:hsp_pores::never from:array_in:double:3:never "
+        "to:array_in:double:3:always avoided:array_in:uint32_t:count:empty count:value:uint32_t::never "
+        "tunnel:struct_out:hsp_tunnel::never limits:sized:hsp_pores_limits::always",
+    "hsp_pores_get_tunnel_route": "int32_t pores:handle:hsp_pores::never route:struct_out:hsp_tunnel_route::never",
+    "hsp_pores_get_tunnel_points": "int32_t pores:handle:hsp_pores::never "
+        "points:array_out:hsp_tunnel_point:needed:empty capacity:capacity:uint32_t::never "
+        "needed:needed:uint32_t::always",
+    "hsp_pores_get_tunnel_point_shifts": "int32_t pores:handle:hsp_pores::never "
+        "points:array_out:hsp_tunnel_point_shifts:needed:empty capacity:capacity:uint32_t::never "
+        "needed:needed:uint32_t::always",
     "hsp_pores_find_pockets": "int32_t pores:handle:hsp_pores::never narrow:value:double::never "
         "wide:value:double::never pockets:value_out:uint32_t::never",
     "hsp_pores_get_pockets": "int32_t pores:handle:hsp_pores::never first:value:uint32_t::never "
@@ -2373,19 +2386,6 @@ FUNCTIONS = {
     "hsp_pores_measure_pockets": "int32_t pores:handle:hsp_pores::never plugged:handle:hsp_pores::never "
         "boundary:handle:hsp_boundary::never out:array_out:hsp_pore_pocket_size:needed:never "
         "capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
-    "hsp_pores_find_tunnel": "int32_t pores:handle:hsp_pores::never from:array_in:double:3:never "
-        "to:array_in:double:3:always avoided:array_in:uint32_t:count:empty count:value:uint32_t::never "
-        "tunnel:struct_out:hsp_tunnel::never limits:sized:hsp_pores_limits::always",
-    "hsp_pores_find_cheapest_tunnel": "int32_t pores:handle:hsp_pores::never from:array_in:double:3:never "
-        "to:array_in:double:3:always avoided:array_in:uint32_t:count:empty count:value:uint32_t::never "
-        "tunnel:struct_out:hsp_tunnel::never limits:sized:hsp_pores_limits::always",
-    "hsp_pores_get_tunnel_route": "int32_t pores:handle:hsp_pores::never route:struct_out:hsp_tunnel_route::never",
-    "hsp_pores_get_tunnel_points": "int32_t pores:handle:hsp_pores::never "
-        "points:array_out:hsp_tunnel_point:needed:empty capacity:capacity:uint32_t::never "
-        "needed:needed:uint32_t::always",
-    "hsp_pores_get_tunnel_point_shifts": "int32_t pores:handle:hsp_pores::never "
-        "points:array_out:hsp_tunnel_point_shifts:needed:empty capacity:capacity:uint32_t::never "
-        "needed:needed:uint32_t::always",
     "hsp_view_limits_init": "int32_t limits:sized:hsp_view_limits::never struct_size:value:uint32_t::never "
         "balls:value:uint32_t::never",
     "hsp_view_bytes": "int32_t limits:sized_in:hsp_view_limits::never bytes:value_out:size_t::never",
@@ -2556,9 +2556,9 @@ describe(FUNCTIONS, FIELDS, {'hsp_executor': Executor, 'hsp_residue_atom': Resid
          PoresOptions, 'hsp_pores_counts': PoresCounts, 'hsp_pore_maximum': PoreMaximum, 'hsp_pore_gate': PoreGate,
          'hsp_pore_gate_shifts': PoreGateShifts, 'hsp_pore_percolation': PorePercolation, 'hsp_pore_channel':
          PoreChannel, 'hsp_pore_place': PorePlace, 'hsp_pore_place_shifts': PorePlaceShifts, 'hsp_pore_passage':
-         PorePassage, 'hsp_pore_pocket': PorePocket, 'hsp_pore_access': PoreAccess, 'hsp_pore_region': PoreRegion,
-         'hsp_pore_pocket_size': PorePocketSize, 'hsp_tunnel': Tunnel, 'hsp_tunnel_route': TunnelRoute,
-         'hsp_tunnel_point': TunnelPoint, 'hsp_tunnel_point_shifts': TunnelPointShifts, 'hsp_view_limits': ViewLimits,
+         PorePassage, 'hsp_tunnel': Tunnel, 'hsp_tunnel_route': TunnelRoute, 'hsp_tunnel_point': TunnelPoint,
+         'hsp_tunnel_point_shifts': TunnelPointShifts, 'hsp_pore_pocket': PorePocket, 'hsp_pore_access': PoreAccess,
+         'hsp_pore_region': PoreRegion, 'hsp_pore_pocket_size': PorePocketSize, 'hsp_view_limits': ViewLimits,
          'hsp_view_options': ViewOptions, 'hsp_view_info': ViewInfo, 'hsp_view_piece': ViewPiece, 'hsp_view_loop':
          ViewLoop, 'hsp_view_arc': ViewArc, 'hsp_map_limits': MapLimits, 'hsp_map_info': MapInfo, 'hsp_map_vertex':
          MapVertex, 'hsp_map_edge': MapEdge, 'hsp_map_face': MapFace, 'hsp_map_sight': MapSight, 'hsp_map_point':

@@ -2322,6 +2322,64 @@ static int64_t call_hsp_pores_widest(const value *v) {
   return (int64_t)hsp_pores_widest(v[0].p, v[1].p, v[2].p, v[3].p);
 }
 
+static const argument of_hsp_pores_find_tunnel[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores},
+  {"from", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .is_const = 1},
+  {"to", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .null = NULL_always, .is_const = 1},
+  {"avoided", "uint32_t", .kind = KIND_array_in, .size = sizeof(uint32_t), .extent = "count", .null = NULL_empty,
+      .is_const = 1},
+  {"count", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"tunnel", "hsp_tunnel", .kind = KIND_struct_out, .size = sizeof(hsp_tunnel)},
+  {"limits", "hsp_pores_limits", .kind = KIND_sized, .size = sizeof(hsp_pores_limits), .null = NULL_always},
+};
+static int64_t call_hsp_pores_find_tunnel(const value *v) {
+  return (int64_t)hsp_pores_find_tunnel(v[0].p, v[1].p, v[2].p, v[3].p, v[4].u, v[5].p, v[6].p);
+}
+
+static const argument of_hsp_pores_find_cheapest_tunnel[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores},
+  {"from", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .is_const = 1},
+  {"to", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .null = NULL_always, .is_const = 1},
+  {"avoided", "uint32_t", .kind = KIND_array_in, .size = sizeof(uint32_t), .extent = "count", .null = NULL_empty,
+      .is_const = 1},
+  {"count", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
+  {"tunnel", "hsp_tunnel", .kind = KIND_struct_out, .size = sizeof(hsp_tunnel)},
+  {"limits", "hsp_pores_limits", .kind = KIND_sized, .size = sizeof(hsp_pores_limits), .null = NULL_always},
+};
+static int64_t call_hsp_pores_find_cheapest_tunnel(const value *v) {
+  return (int64_t)hsp_pores_find_cheapest_tunnel(v[0].p, v[1].p, v[2].p, v[3].p, v[4].u, v[5].p, v[6].p);
+}
+
+static const argument of_hsp_pores_get_tunnel_route[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
+  {"route", "hsp_tunnel_route", .kind = KIND_struct_out, .size = sizeof(hsp_tunnel_route)},
+};
+static int64_t call_hsp_pores_get_tunnel_route(const value *v) {
+  return (int64_t)hsp_pores_get_tunnel_route(v[0].p, v[1].p);
+}
+
+static const argument of_hsp_pores_get_tunnel_points[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
+  {"points", "hsp_tunnel_point", .kind = KIND_array_out, .size = sizeof(hsp_tunnel_point), .extent = "needed", .null =
+      NULL_empty, .held = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_pores_get_tunnel_points(const value *v) {
+  return (int64_t)hsp_pores_get_tunnel_points(v[0].p, v[1].p, v[2].u, v[3].p);
+}
+
+static const argument of_hsp_pores_get_tunnel_point_shifts[] = {
+  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
+  {"points", "hsp_tunnel_point_shifts", .kind = KIND_array_out, .size = sizeof(hsp_tunnel_point_shifts), .extent =
+      "needed", .null = NULL_empty, .held = 1},
+  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
+  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
+};
+static int64_t call_hsp_pores_get_tunnel_point_shifts(const value *v) {
+  return (int64_t)hsp_pores_get_tunnel_point_shifts(v[0].p, v[1].p, v[2].u, v[3].p);
+}
+
 static const argument of_hsp_pores_find_pockets[] = {
   {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores},
   {"narrow", "double", .kind = KIND_value, .size = sizeof(double)},
@@ -2424,64 +2482,6 @@ static const argument of_hsp_pores_measure_pockets[] = {
 };
 static int64_t call_hsp_pores_measure_pockets(const value *v) {
   return (int64_t)hsp_pores_measure_pockets(v[0].p, v[1].p, v[2].p, v[3].p, v[4].u, v[5].p);
-}
-
-static const argument of_hsp_pores_find_tunnel[] = {
-  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores},
-  {"from", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .is_const = 1},
-  {"to", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .null = NULL_always, .is_const = 1},
-  {"avoided", "uint32_t", .kind = KIND_array_in, .size = sizeof(uint32_t), .extent = "count", .null = NULL_empty,
-      .is_const = 1},
-  {"count", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
-  {"tunnel", "hsp_tunnel", .kind = KIND_struct_out, .size = sizeof(hsp_tunnel)},
-  {"limits", "hsp_pores_limits", .kind = KIND_sized, .size = sizeof(hsp_pores_limits), .null = NULL_always},
-};
-static int64_t call_hsp_pores_find_tunnel(const value *v) {
-  return (int64_t)hsp_pores_find_tunnel(v[0].p, v[1].p, v[2].p, v[3].p, v[4].u, v[5].p, v[6].p);
-}
-
-static const argument of_hsp_pores_find_cheapest_tunnel[] = {
-  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores},
-  {"from", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .is_const = 1},
-  {"to", "double", .kind = KIND_array_in, .size = sizeof(double), .extent = "3", .null = NULL_always, .is_const = 1},
-  {"avoided", "uint32_t", .kind = KIND_array_in, .size = sizeof(uint32_t), .extent = "count", .null = NULL_empty,
-      .is_const = 1},
-  {"count", "uint32_t", .kind = KIND_value, .size = sizeof(uint32_t)},
-  {"tunnel", "hsp_tunnel", .kind = KIND_struct_out, .size = sizeof(hsp_tunnel)},
-  {"limits", "hsp_pores_limits", .kind = KIND_sized, .size = sizeof(hsp_pores_limits), .null = NULL_always},
-};
-static int64_t call_hsp_pores_find_cheapest_tunnel(const value *v) {
-  return (int64_t)hsp_pores_find_cheapest_tunnel(v[0].p, v[1].p, v[2].p, v[3].p, v[4].u, v[5].p, v[6].p);
-}
-
-static const argument of_hsp_pores_get_tunnel_route[] = {
-  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
-  {"route", "hsp_tunnel_route", .kind = KIND_struct_out, .size = sizeof(hsp_tunnel_route)},
-};
-static int64_t call_hsp_pores_get_tunnel_route(const value *v) {
-  return (int64_t)hsp_pores_get_tunnel_route(v[0].p, v[1].p);
-}
-
-static const argument of_hsp_pores_get_tunnel_points[] = {
-  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
-  {"points", "hsp_tunnel_point", .kind = KIND_array_out, .size = sizeof(hsp_tunnel_point), .extent = "needed", .null =
-      NULL_empty, .held = 1},
-  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
-};
-static int64_t call_hsp_pores_get_tunnel_points(const value *v) {
-  return (int64_t)hsp_pores_get_tunnel_points(v[0].p, v[1].p, v[2].u, v[3].p);
-}
-
-static const argument of_hsp_pores_get_tunnel_point_shifts[] = {
-  {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores, .is_const = 1},
-  {"points", "hsp_tunnel_point_shifts", .kind = KIND_array_out, .size = sizeof(hsp_tunnel_point_shifts), .extent =
-      "needed", .null = NULL_empty, .held = 1},
-  {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
-  {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
-};
-static int64_t call_hsp_pores_get_tunnel_point_shifts(const value *v) {
-  return (int64_t)hsp_pores_get_tunnel_point_shifts(v[0].p, v[1].p, v[2].u, v[3].p);
 }
 
 static const argument of_hsp_view_limits_init[] = {
@@ -3452,30 +3452,6 @@ const function registry[] = {
   {"hsp_pores_widest", "pores", RESULT_status, 4, of_hsp_pores_widest, call_hsp_pores_widest, BIT(HSP_OK) |
       BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) |
       BIT(HSP_E_CHECK)},
-  {"hsp_pores_find_pockets", "pores", RESULT_status, 4, of_hsp_pores_find_pockets, call_hsp_pores_find_pockets,
-      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) |
-      BIT(HSP_E_RANGE)},
-  {"hsp_pores_get_pockets", "pores", RESULT_status, 4, of_hsp_pores_get_pockets, call_hsp_pores_get_pockets, BIT(HSP_OK)
-      | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
-  {"hsp_pores_get_pocket_maxima", "pores", RESULT_status, 5, of_hsp_pores_get_pocket_maxima,
-      call_hsp_pores_get_pocket_maxima, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
-      BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
-  {"hsp_pores_get_pocket_mouths", "pores", RESULT_status, 5, of_hsp_pores_get_pocket_mouths,
-      call_hsp_pores_get_pocket_mouths, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
-      BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
-  {"hsp_pores_get_pocket_balls", "pores", RESULT_status, 5, of_hsp_pores_get_pocket_balls,
-      call_hsp_pores_get_pocket_balls, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
-      BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
-  {"hsp_pores_get_plugged_balls", "pores", RESULT_status, 5, of_hsp_pores_get_plugged_balls,
-      call_hsp_pores_get_plugged_balls, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
-      BIT(HSP_E_STATE)},
-  {"hsp_pores_find_regions", "pores", RESULT_status, 4, of_hsp_pores_find_regions, call_hsp_pores_find_regions,
-      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CHECK)},
-  {"hsp_pores_get_regions", "pores", RESULT_status, 4, of_hsp_pores_get_regions, call_hsp_pores_get_regions, BIT(HSP_OK)
-      | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
-  {"hsp_pores_measure_pockets", "pores", RESULT_status, 6, of_hsp_pores_measure_pockets, call_hsp_pores_measure_pockets,
-      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) | BIT(HSP_E_RANGE)
-      | BIT(HSP_E_CHECK)},
   {"hsp_pores_find_tunnel", "pores", RESULT_status, 7, of_hsp_pores_find_tunnel, call_hsp_pores_find_tunnel, BIT(HSP_OK)
       | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE) |
       BIT(HSP_E_ID) | BIT(HSP_E_NOT_FINITE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CHECK)},
@@ -3491,6 +3467,30 @@ const function registry[] = {
   {"hsp_pores_get_tunnel_point_shifts", "pores", RESULT_status, 4, of_hsp_pores_get_tunnel_point_shifts,
       call_hsp_pores_get_tunnel_point_shifts, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) |
       BIT(HSP_E_CAPACITY) | BIT(HSP_E_STATE)},
+  {"hsp_pores_find_pockets", "pockets", RESULT_status, 4, of_hsp_pores_find_pockets, call_hsp_pores_find_pockets,
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_NOT_FINITE) |
+      BIT(HSP_E_RANGE)},
+  {"hsp_pores_get_pockets", "pockets", RESULT_status, 4, of_hsp_pores_get_pockets, call_hsp_pores_get_pockets,
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
+  {"hsp_pores_get_pocket_maxima", "pockets", RESULT_status, 5, of_hsp_pores_get_pocket_maxima,
+      call_hsp_pores_get_pocket_maxima, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
+      BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
+  {"hsp_pores_get_pocket_mouths", "pockets", RESULT_status, 5, of_hsp_pores_get_pocket_mouths,
+      call_hsp_pores_get_pocket_mouths, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
+      BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
+  {"hsp_pores_get_pocket_balls", "pockets", RESULT_status, 5, of_hsp_pores_get_pocket_balls,
+      call_hsp_pores_get_pocket_balls, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
+      BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
+  {"hsp_pores_get_plugged_balls", "pockets", RESULT_status, 5, of_hsp_pores_get_plugged_balls,
+      call_hsp_pores_get_plugged_balls, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
+      BIT(HSP_E_STATE)},
+  {"hsp_pores_find_regions", "pockets", RESULT_status, 4, of_hsp_pores_find_regions, call_hsp_pores_find_regions,
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CHECK)},
+  {"hsp_pores_get_regions", "pockets", RESULT_status, 4, of_hsp_pores_get_regions, call_hsp_pores_get_regions,
+      BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_STATE) | BIT(HSP_E_ID)},
+  {"hsp_pores_measure_pockets", "pockets", RESULT_status, 6, of_hsp_pores_measure_pockets,
+      call_hsp_pores_measure_pockets, BIT(HSP_OK) | BIT(HSP_E_HANDLE) | BIT(HSP_E_ARGUMENT) | BIT(HSP_E_CAPACITY) |
+      BIT(HSP_E_STATE) | BIT(HSP_E_RANGE) | BIT(HSP_E_CHECK)},
   {"hsp_view_limits_init", "view", RESULT_status, 3, of_hsp_view_limits_init, call_hsp_view_limits_init, BIT(HSP_OK) |
       BIT(HSP_E_ARGUMENT) | BIT(HSP_E_VERSION) | BIT(HSP_E_RANGE)},
   {"hsp_view_bytes", "view", RESULT_status, 2, of_hsp_view_bytes, call_hsp_view_bytes, BIT(HSP_OK) | BIT(HSP_E_ARGUMENT)
@@ -4166,6 +4166,24 @@ const field registry_fields[] = {
   {"hsp_pore_passage", "ball", "uint32_t", offsetof(hsp_pore_passage, ball), 1},
   {"hsp_pore_passage", "at", "uint32_t", offsetof(hsp_pore_passage, at), 2},
   {"hsp_pore_passage", "reserved", "uint32_t", offsetof(hsp_pore_passage, reserved), 1},
+  {"hsp_tunnel", "radius", "double", offsetof(hsp_tunnel, radius), 1},
+  {"hsp_tunnel", "length", "double", offsetof(hsp_tunnel, length), 1},
+  {"hsp_tunnel", "there", "uint32_t", offsetof(hsp_tunnel, there), 1},
+  {"hsp_tunnel", "gate", "uint32_t", offsetof(hsp_tunnel, gate), 1},
+  {"hsp_tunnel", "gates", "uint32_t", offsetof(hsp_tunnel, gates), 1},
+  {"hsp_tunnel", "points", "uint32_t", offsetof(hsp_tunnel, points), 1},
+  {"hsp_tunnel", "outside", "uint32_t", offsetof(hsp_tunnel, outside), 1},
+  {"hsp_tunnel", "reserved", "uint32_t", offsetof(hsp_tunnel, reserved), 1},
+  {"hsp_tunnel_route", "cost", "double", offsetof(hsp_tunnel_route, cost), 1},
+  {"hsp_tunnel_route", "shift", "int32_t", offsetof(hsp_tunnel_route, shift), 3},
+  {"hsp_tunnel_route", "reserved", "uint32_t", offsetof(hsp_tunnel_route, reserved), 1},
+  {"hsp_tunnel_point", "xyz", "double", offsetof(hsp_tunnel_point, xyz), 3},
+  {"hsp_tunnel_point", "radius", "double", offsetof(hsp_tunnel_point, radius), 1},
+  {"hsp_tunnel_point", "ball", "uint32_t", offsetof(hsp_tunnel_point, ball), 4},
+  {"hsp_tunnel_point", "gate", "uint32_t", offsetof(hsp_tunnel_point, gate), 1},
+  {"hsp_tunnel_point", "maximum", "uint32_t", offsetof(hsp_tunnel_point, maximum), 1},
+  {"hsp_tunnel_point_shifts", "ball", "int32_t", offsetof(hsp_tunnel_point_shifts, ball), 12},
+  {"hsp_tunnel_point_shifts", "at", "int32_t", offsetof(hsp_tunnel_point_shifts, at), 3},
   {"hsp_pore_pocket", "radius", "double", offsetof(hsp_pore_pocket, radius), 1},
   {"hsp_pore_pocket", "mouth", "double", offsetof(hsp_pore_pocket, mouth), 1},
   {"hsp_pore_pocket", "maximum", "uint32_t", offsetof(hsp_pore_pocket, maximum), 1},
@@ -4196,24 +4214,6 @@ const field registry_fields[] = {
   {"hsp_pore_pocket_size", "plug_area", "double", offsetof(hsp_pore_pocket_size, plug_area), 1},
   {"hsp_pore_pocket_size", "regions", "uint32_t", offsetof(hsp_pore_pocket_size, regions), 1},
   {"hsp_pore_pocket_size", "closed", "uint32_t", offsetof(hsp_pore_pocket_size, closed), 1},
-  {"hsp_tunnel", "radius", "double", offsetof(hsp_tunnel, radius), 1},
-  {"hsp_tunnel", "length", "double", offsetof(hsp_tunnel, length), 1},
-  {"hsp_tunnel", "there", "uint32_t", offsetof(hsp_tunnel, there), 1},
-  {"hsp_tunnel", "gate", "uint32_t", offsetof(hsp_tunnel, gate), 1},
-  {"hsp_tunnel", "gates", "uint32_t", offsetof(hsp_tunnel, gates), 1},
-  {"hsp_tunnel", "points", "uint32_t", offsetof(hsp_tunnel, points), 1},
-  {"hsp_tunnel", "outside", "uint32_t", offsetof(hsp_tunnel, outside), 1},
-  {"hsp_tunnel", "reserved", "uint32_t", offsetof(hsp_tunnel, reserved), 1},
-  {"hsp_tunnel_route", "cost", "double", offsetof(hsp_tunnel_route, cost), 1},
-  {"hsp_tunnel_route", "shift", "int32_t", offsetof(hsp_tunnel_route, shift), 3},
-  {"hsp_tunnel_route", "reserved", "uint32_t", offsetof(hsp_tunnel_route, reserved), 1},
-  {"hsp_tunnel_point", "xyz", "double", offsetof(hsp_tunnel_point, xyz), 3},
-  {"hsp_tunnel_point", "radius", "double", offsetof(hsp_tunnel_point, radius), 1},
-  {"hsp_tunnel_point", "ball", "uint32_t", offsetof(hsp_tunnel_point, ball), 4},
-  {"hsp_tunnel_point", "gate", "uint32_t", offsetof(hsp_tunnel_point, gate), 1},
-  {"hsp_tunnel_point", "maximum", "uint32_t", offsetof(hsp_tunnel_point, maximum), 1},
-  {"hsp_tunnel_point_shifts", "ball", "int32_t", offsetof(hsp_tunnel_point_shifts, ball), 12},
-  {"hsp_tunnel_point_shifts", "at", "int32_t", offsetof(hsp_tunnel_point_shifts, at), 3},
   {"hsp_view_limits", "struct_size", "uint32_t", offsetof(hsp_view_limits, struct_size), 1},
   {"hsp_view_limits", "balls", "uint32_t", offsetof(hsp_view_limits, balls), 1},
   {"hsp_view_limits", "neighbours", "uint32_t", offsetof(hsp_view_limits, neighbours), 1},

@@ -1,0 +1,221 @@
+#include <limits>
+
+#include "hsp_boundary.hpp"
+#include "plugged_balls.hpp"
+
+using hsp::capi::as_it_is;
+using hsp::capi::check_handle;
+using hsp::capi::check_range;
+using hsp::capi::check_results;
+using hsp::capi::first_failure;
+using hsp::capi::floor_of;
+using hsp::capi::get_list;
+using hsp::capi::highest_level;
+using hsp::capi::is_level;
+using hsp::capi::PluggedBalls;
+using hsp::capi::put_place;
+using hsp::capi::winding_of;
+
+namespace {
+
+// The least number of steps that is not narrower than `radius`, of this level.
+int64_t steps_not_below(const hsp_pores &pores, double level, double radius) {
+  int64_t steps = hsp::nearest(level) - 1;
+  while (pores.lattice().length(static_cast<double>(steps)) < radius) ++steps;
+  return steps;
+}
+
+template <auto list>
+int32_t get_pocket_list(const hsp_pores *pores, uint32_t pocket, uint32_t *out, uint32_t capacity, uint32_t *needed) {
+  return get_list(
+      pores, pocket, out, capacity, needed,
+      [](const hsp_pores &handle) { return handle.builder.pockets().pockets().size(); },
+      [&](const hsp_pores &handle) {
+        const hsp::PocketFinder &pockets = handle.builder.pockets();
+        return (pockets.*list)(pockets.pockets()[pocket]);
+      },
+      as_it_is);
+}
+
+hsp_pore_region to_region(const hsp_pores &pores, const hsp::PoreRegion &region) {
+  const hsp_winding winding = winding_of(pores, region.lattice);
+  const hsp::exact::Lattice &lattice = pores.lattice();
+  hsp_pore_region record{region.maximum == hsp::pore_outside
+                             ? std::numeric_limits<double>::infinity()
+                             : lattice.length(pores.maxima()[region.maximum].point.level),
+                         lattice.area(region.area),
+                         lattice.volume(region.volume),
+                         region.maximum,
+                         region.maxima,
+                         region.shells,
+                         region.is_accessible() ? 1U : 0U,
+                         winding.directions,
+                         winding.copies,
+                         {},
+                         0};
+  for (int k = 0; k < 9; ++k) record.row[k] = winding.row[k];
+  return record;
+}
+
+void forget_pockets(hsp_pores &pores) {
+  pores.builder.forget_pockets();
+  pores.narrow_steps = 0;
+}
+
+// Whether regions of pores can be found beside a boundary.
+int32_t check_surface(const hsp_pores &pores, const hsp_boundary *boundary) {
+  if (pores.in_box != (boundary == nullptr)) return HSP_E_ARGUMENT;
+  if (!pores.in_box) {
+    if (const int32_t status = check_results(boundary, false); status != HSP_OK) return status;
+    if (!boundary->model.is(&*pores.model)) return HSP_E_ARGUMENT;
+  }
+  return pores.builder.floor() > 0 ? HSP_E_RANGE : HSP_OK;
+}
+
+// After that.
+hsp::Status find_regions(hsp_pores &pores, const hsp_boundary *boundary, uint32_t first_plug) {
+  const hsp::PeriodicUnion *const periodic = pores.in_box ? &pores.periodic->builder : nullptr;
+  return pores.builder.find_regions(pores.balls_around(), pores.in_box ? periodic->boundary() : boundary->structure(),
+                                    periodic, first_plug);
+}
+
+}  // namespace
+
+int32_t hsp_pores_find_pockets(hsp_pores *pores, double narrow, double wide, uint32_t *pockets) {
+  if (const int32_t status = check_handle(pores); status != HSP_OK) return status;
+  forget_pockets(*pores);
+  if (pockets == nullptr) return HSP_E_ARGUMENT;
+  if (!pores->has_results()) return HSP_E_STATE;
+  if (!hsp::is_finite(narrow) || !hsp::is_finite(wide)) return HSP_E_NOT_FINITE;
+  if (wide < narrow) return HSP_E_ARGUMENT;
+  const double narrow_level = pores->lattice().steps(narrow), wide_level = pores->lattice().steps(wide);
+  if (!is_level(*pores, narrow_level) || !is_level(*pores, wide_level)) return HSP_E_RANGE;
+  pores->builder.find_pockets(highest_level(*pores, narrow_level, narrow), highest_level(*pores, wide_level, wide));
+  pores->narrow_steps = steps_not_below(*pores, narrow_level, narrow);
+  *pockets = pores->builder.pockets().pockets().size();
+  return HSP_OK;
+}
+
+int32_t hsp_pores_get_pockets(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_pocket *out) {
+  const int32_t status = check_range(pores, first, count, out,
+                                     [](const hsp_pores &handle) { return handle.builder.pockets().pockets().size(); });
+  if (status != HSP_OK) return status;
+  const hsp::PocketFinder &finder = pores->builder.pockets();
+  for (uint32_t k = 0; k < count; ++k) {
+    const hsp::Pocket &pocket = finder.pockets()[first + k];
+    out[k] = {pores->lattice().length(pores->maxima()[pocket.maximum].point.level),
+              pocket.mouth == hsp::no_id ? floor_of(*pores)
+                                         : pores->lattice().length(pores->gates()[pocket.mouth].point.level),
+              pocket.maximum,
+              pocket.mouth,
+              finder.maxima(pocket).size(),
+              finder.mouths(pocket).size(),
+              finder.balls(pocket).size(),
+              0};
+  }
+  return HSP_OK;
+}
+
+int32_t hsp_pores_get_pocket_maxima(const hsp_pores *pores, uint32_t pocket, uint32_t *maxima, uint32_t capacity,
+                                    uint32_t *needed) {
+  return get_pocket_list<&hsp::PocketFinder::maxima>(pores, pocket, maxima, capacity, needed);
+}
+
+int32_t hsp_pores_get_pocket_mouths(const hsp_pores *pores, uint32_t pocket, uint32_t *gates, uint32_t capacity,
+                                    uint32_t *needed) {
+  return get_pocket_list<&hsp::PocketFinder::mouths>(pores, pocket, gates, capacity, needed);
+}
+
+int32_t hsp_pores_get_pocket_balls(const hsp_pores *pores, uint32_t pocket, uint32_t *balls, uint32_t capacity,
+                                   uint32_t *needed) {
+  return get_pocket_list<&hsp::PocketFinder::balls>(pores, pocket, balls, capacity, needed);
+}
+
+int32_t hsp_pores_get_plugged_balls(const hsp_pores *pores, double *xyz, double *radius, uint32_t capacity,
+                                    uint32_t *needed) {
+  if (const int32_t status = check_results(pores, false); status != HSP_OK) return status;
+  const PluggedBalls balls(*pores);
+  const bool wanted = xyz != nullptr || radius != nullptr;
+  if (!hsp::capi::fits(wanted, capacity, balls.size(), needed)) return HSP_E_CAPACITY;
+  for (uint32_t k = 0; wanted && k < balls.size(); ++k) {
+    double place[3], length = 0.0;
+    balls.put(k, place, length);
+    hsp::capi::put_vector(place, xyz, k);
+    if (radius != nullptr) radius[k] = length;
+  }
+  return HSP_OK;
+}
+
+int32_t hsp_pores_find_regions(hsp_pores *pores, const hsp_boundary *boundary, hsp_pore_access *access,
+                               uint32_t *regions) {
+  if (const int32_t status = check_handle(pores); status != HSP_OK) return status;
+  pores->builder.forget_regions();
+  if (!pores->has_results()) return HSP_E_STATE;
+  if (const int32_t refused = check_surface(*pores, boundary); refused != HSP_OK) return refused;
+  const hsp::Status found = find_regions(*pores, boundary, hsp::no_id);
+  if (found != hsp::Status::ok) return hsp::capi::to_c(found);
+  const hsp::Span<const hsp::PoreRegion> there = pores->builder.regions().regions();
+  if (regions != nullptr) *regions = there.size();
+  if (access == nullptr) return HSP_OK;
+  *access = {};
+  for (const hsp::PoreRegion &region : there) {
+    const bool open = region.is_accessible();
+    (open ? access->accessible_area : access->blocked_area) += pores->lattice().area(region.area);
+    (open ? access->accessible_volume : access->blocked_volume) += pores->lattice().volume(region.volume);
+    ++(open ? access->accessible : access->blocked);
+  }
+  return HSP_OK;
+}
+
+int32_t hsp_pores_get_regions(const hsp_pores *pores, uint32_t first, uint32_t count, hsp_pore_region *out) {
+  const int32_t status = check_range(pores, first, count, out,
+                                     [](const hsp_pores &handle) { return handle.builder.regions().regions().size(); });
+  if (status != HSP_OK) return status;
+  for (uint32_t k = 0; k < count; ++k) out[k] = to_region(*pores, pores->builder.regions().regions()[first + k]);
+  return HSP_OK;
+}
+
+int32_t hsp_pores_measure_pockets(hsp_pores *pores, hsp_pores *plugged, const hsp_boundary *boundary,
+                                  hsp_pore_pocket_size *out, uint32_t capacity, uint32_t *needed) {
+  if (const int32_t status = first_failure(check_handle(pores), check_handle(plugged)); status != HSP_OK) return status;
+  if (out == nullptr && capacity > 0) return HSP_E_ARGUMENT;
+  if (!pores->has_results() || !plugged->has_results()) return HSP_E_STATE;
+  const PluggedBalls balls(*pores);
+  if (!balls.are_those_of(*plugged)) return HSP_E_ARGUMENT;
+  if (const int32_t refused = check_surface(*plugged, boundary); refused != HSP_OK) return refused;
+  const hsp::PocketFinder &finder = pores->builder.pockets();
+  const uint32_t count = finder.pockets().size();
+  if (!hsp::capi::fits(true, capacity, count, needed)) return HSP_E_CAPACITY;
+  plugged->builder.forget_regions();
+  if (plugged != pores) forget_pockets(*plugged);
+  hsp::Status status = find_regions(*plugged, boundary, balls.given());
+  if (status == hsp::Status::ok) {
+    status = pores->builder.match_pockets(
+        plugged->builder, plugged->balls_around(), [&](uint32_t maximum, hsp::exact::Vector &point) {
+          double xyz[3];
+          put_place(*pores, pores->maxima()[maximum].point.place, xyz);
+          return plugged->lattice().round(xyz, point) ? hsp::Status::ok : hsp::Status::range;
+        });
+  }
+  if (status != hsp::Status::ok) {
+    plugged->builder.forget_regions();
+    return hsp::capi::to_c(status);
+  }
+  for (uint32_t k = 0; k < count; ++k) out[k] = {0.0, 0.0, 0.0, 0, 1};
+  const hsp::exact::Lattice &lattice = plugged->lattice();
+  finder.visit_regions(
+      plugged->builder.regions().regions(),
+      [&](uint32_t pocket) {
+        constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+        out[pocket] = {unknown, unknown, unknown, 0, 0};
+      },
+      [&](uint32_t pocket, const hsp::PoreRegion &region) {
+        hsp_pore_pocket_size &size = out[pocket];
+        if (size.closed == 0) return;
+        size.volume += lattice.volume(region.volume);
+        size.area += lattice.area(region.area - region.plug_area);
+        size.plug_area += lattice.area(region.plug_area);
+        ++size.regions;
+      });
+  return HSP_OK;
+}

@@ -1,0 +1,69 @@
+// How what pores know comes to the caller, and which levels a radius stands for.
+#pragma once
+
+#include <bit>
+
+#include "conversion.hpp"
+#include "handle_memory.hpp"
+#include "hsp_pores.hpp"
+#include "periodic_shifts.hpp"
+
+namespace hsp::capi {
+
+inline double floor_of(const hsp_pores &pores) {
+  return pores.lattice().length(static_cast<double>(pores.builder.floor()));
+}
+
+inline void put_place(const hsp_pores &pores, const Vec3 &place, double xyz[3]) {
+  const exact::Lattice &lattice = pores.lattice();
+  to_array({lattice.length(place.x), lattice.length(place.y), lattice.length(place.z)}, xyz);
+}
+
+// Of levels that are radii of `radius` or less to the caller the highest: a probe that is as wide as a gate to the last
+// bit does not pass it. level: about that.
+inline double highest_level(const hsp_pores &pores, double level, double radius) {
+  const auto above = [](double x) { return std::bit_cast<double>(std::bit_cast<int64_t>(x) + (x > 0.0 ? 1 : -1)); };
+  const auto below = [](double x) { return std::bit_cast<double>(std::bit_cast<int64_t>(x) - (x > 0.0 ? 1 : -1)); };
+  if (std::fabs(level) < 0x1p-40) return level;  // no gate has one so small
+  while (pores.lattice().length(level) > radius) level = below(level);
+  while (pores.lattice().length(above(level)) <= radius) level = above(level);
+  return level;
+}
+
+// Whether pores know of probes of this level, and it is on the lattice.
+inline bool is_level(const hsp_pores &pores, double level) {
+  return level >= static_cast<double>(pores.builder.floor()) && level <= exact::query_radius_limit;
+}
+
+// Writes what `put` makes of each of list(*pores), if the number of a record is below number(*pores). needed may be
+// null.
+template <class T, class Number, class List, class Put>
+int32_t get_list(const hsp_pores *pores, uint32_t record, T *out, uint32_t capacity, uint32_t *needed, Number number,
+                 List list, Put put) {
+  const int32_t status = check_results(pores, out == nullptr && capacity > 0);
+  if (status != HSP_OK) return status;
+  if (record >= number(*pores)) return HSP_E_ID;
+  const auto there = list(*pores);
+  uint32_t count = 0;
+  const int32_t fits = check_output(out, capacity, there.size(), needed != nullptr ? needed : &count);
+  if (fits != HSP_OK) return fits;
+  for (uint32_t k = 0; k < there.size(); ++k) out[k] = put(there[k]);
+  return HSP_OK;
+}
+
+inline constexpr auto as_it_is = [](uint32_t number) { return number; };
+
+// Where a class goes on for ever, in the vectors of the box as they were given.
+inline hsp_winding winding_of(const hsp_pores &pores, const WindingLattice &lattice) {
+  WindingLattice in_given;
+  for (uint32_t r = 0; r < lattice.rank; ++r) {
+    const auto &row = lattice.row[r];
+    const BoxShift given = pores.given({{row[0], row[1], row[2]}});
+    static_cast<void>(in_given.add({given.k[0], given.k[1], given.k[2]}));
+  }
+  hsp_winding winding{};
+  put_lattice(in_given, winding);
+  return winding;
+}
+
+}  // namespace hsp::capi
