@@ -142,7 +142,7 @@ TEST(ContactMap, LabelsDoNotOverlap) {
   size_t labels = 0;
   for (std::sregex_iterator l(svg.begin(), svg.end(), label), end; l != end; ++l, ++labels) {
     const bool below = (*l)[3] == "middle";
-    const double half = below ? 0.3 * 12 * static_cast<double>((*l)[4].length()) : 6;
+    const double half = below ? 0.3 * 16 * static_cast<double>((*l)[4].length()) : 8;
     const double at = std::stod((*l)[below ? 1 : 2]);
     EXPECT_GT(at - half, before[below]) << (*l)[0];
     before[below] = at + half;
@@ -164,7 +164,7 @@ TEST(ContactMap, LiesOnWholePixels) {
   ASSERT_TRUE(std::regex_search(svg, found, std::regex(" scale\\(([0-9.]+)\\)")));
   EXPECT_EQ(found[1], "14");  // 46 rows on 644 pixels
   ASSERT_TRUE(std::regex_search(svg, found, std::regex("stroke=\"#9a9a9a\" d=\"M([0-9.]+) ([0-9.]+)h([0-9.]+)v")));
-  EXPECT_EQ(found[1], "71.5");
+  EXPECT_EQ(found[1], "87.5");
   EXPECT_EQ(found[2], "39.5");
   EXPECT_EQ(found[3], "645");
   EXPECT_EQ(drawn_squares(read_file(dark.path())), drawn_squares(svg));

@@ -14,13 +14,14 @@
 #include "write/output_file.h"
 
 /* Pixels. */
-enum { LEFT = 72, TOP = 20, WIDTH = 640, RIGHT = 40, PROFILE_HEIGHT = 320, BELOW = 60, LEGEND_ROW = 18 };
+enum { LEFT = 88, TOP = 20, WIDTH = 640, RIGHT = 40, PROFILE_HEIGHT = 320, LEGEND_ROW = 24, MARGIN_BELOW = 20 };
+enum { BELOW = CHART_NAME_BELOW + LEGEND_ROW + 8 }; /* the line of the first row of a legend */
 enum { NAME_BYTES = 96 };
 
 /* ---- the radius along tunnels ---- */
 
 #define TUNNEL_LINE 1.5
-#define SHARED_LINE 3.5 /* more of it for each tunnel on the same way */
+#define SHARED_LINE 4.5 /* more of it for each tunnel on the same way */
 #define SHARED_EDGE 1.0 /* that is seen of it, on both sides */
 
 struct profile {
@@ -35,6 +36,9 @@ static void path_begin(struct text_buffer *out, const char *colour, double width
                   width);
 }
 
+/* For lines of swatches to be long enough for rings, dashes and dots. */
+enum { SWATCH = 28, BEHIND_SWATCH = 6 };
+
 static void add_dash(struct text_buffer *out, uint32_t tunnel) {
   if (chart_dash(tunnel) > 0) text_buffer_add(out, " stroke-dasharray=\"%d 2\"", chart_dash(tunnel));
 }
@@ -46,23 +50,31 @@ static void add_dashed(struct text_buffer *out, double x0, double y0, double x1,
 
 enum { MOST_SHARED = 4 };
 
-/* How many tunnels before this one have the step, and the one before it. */
-static int shared_by(const struct pores_found *found, size_t step) {
+/* How many tunnels before this one have the step, and the one before it; and the first of them. */
+static int shared_by(const struct pores_found *found, size_t step, uint32_t *first) {
   const struct tunnel_step *const to = &found->steps[step], *const from = to - 1;
   int count = 0;
   for (size_t i = 1; i < step && count < MOST_SHARED; ++i) {
     const struct tunnel_step *const other = &found->steps[i];
     if (other->tunnel >= to->tunnel || (other - 1)->tunnel != other->tunnel) continue;
     if (memcmp(other->point.xyz, to->point.xyz, sizeof to->point.xyz) != 0 || other->length != to->length) continue;
-    if (memcmp((other - 1)->point.xyz, from->point.xyz, sizeof from->point.xyz) == 0) ++count;
+    if (memcmp((other - 1)->point.xyz, from->point.xyz, sizeof from->point.xyz) != 0) continue;
+    if (count == 0) *first = other->tunnel - 1;
+    ++count;
   }
   return count;
 }
 
+static void place_step(const struct profile *profile, size_t step, double at[2]) {
+  const struct tunnel_step *const of = &profile->found->steps[step];
+  at[0] = chart_x(&profile->frame, &profile->across, of->length);
+  at[1] = chart_y(&profile->frame, &profile->up, of->point.radius);
+}
+
 static void add_start(struct text_buffer *out, const struct profile *profile, size_t step) {
-  const struct tunnel_step *const at = &profile->found->steps[step];
-  text_buffer_add(out, "M%.2f %.2f", chart_x(&profile->frame, &profile->across, at->length),
-                  chart_y(&profile->frame, &profile->up, at->point.radius));
+  double at[2];
+  place_step(profile, step, at);
+  text_buffer_add(out, "M%.2f %.2f", at[0], at[1]);
 }
 
 /* From the step before. */
@@ -78,37 +90,75 @@ static void add_step(struct text_buffer *out, const struct profile *profile, siz
   }
 }
 
+/* Where a wide line ends between others, or where it is less wide from there on, its two sides meet around the end. */
+struct wide_ends {
+  double at[2][2];
+  int count;
+};
+
+static double wide_line(int shared) {
+  return TUNNEL_LINE + SHARED_LINE * shared;
+}
+
+/* Not where it would go beyond the frame. */
+static void add_end(struct wide_ends *ends, const struct profile *profile, size_t step, int shared) {
+  double at[2];
+  place_step(profile, step, at);
+  if (at[0] - wide_line(shared) / 2.0 < profile->frame.left) return;
+  memcpy(ends->at[ends->count++], at, sizeof at);
+}
+
 /* A wide line with a white one in it, so that no colour touches that of a narrower line within. */
-static void add_wide(struct text_buffer *out, const char *colour, int shared, const struct text_buffer *way) {
-  const double wide = TUNNEL_LINE + SHARED_LINE * shared;
+static void add_wide(struct text_buffer *out, const char *colour, int shared, const struct text_buffer *way,
+                     const struct wide_ends *ends) {
+  const double wide = wide_line(shared);
   for (int inner = 0; inner < 2; ++inner) {
-    path_begin(out, inner == 0 ? colour : "#ffffff", inner == 0 ? wide : wide - 2.0 * SHARED_EDGE);
+    const double width = inner == 0 ? wide : wide - 2.0 * SHARED_EDGE;
+    const char *const filled = inner == 0 ? colour : "#ffffff";
+    path_begin(out, filled, width);
     text_buffer_add_text(out, " d=\"");
     text_buffer_append(out, way->text, way->length);
     text_buffer_add_text(out, "\"/>\n");
+    for (int end = 0; end < ends->count; ++end) {
+      text_buffer_add(out, "<circle cx=\"%.2f\" cy=\"%.2f\" r=\"%.2f\" fill=\"%s\"/>\n", ends->at[end][0],
+                      ends->at[end][1], width / 2.0, filled);
+    }
   }
   out->out_of_memory = out->out_of_memory || way->out_of_memory;
 }
 
-/* Where a tunnel goes the way of earlier ones, it is wider, and so seen on both sides of theirs. False: nowhere. */
-static bool add_shared(struct text_buffer *out, const struct profile *profile, uint32_t tunnel) {
+/* Two tunnels that go the same way, the earlier one first. False: there are none. */
+static bool find_pair(const struct pores_found *found, uint32_t pair[2]) {
+  for (size_t i = 1; i < found->step_count; ++i) {
+    pair[1] = found->steps[i].tunnel - 1;
+    if (found->steps[i - 1].tunnel == found->steps[i].tunnel && shared_by(found, i, &pair[0]) > 0) return true;
+  }
+  return false;
+}
+
+/* Where a tunnel goes the way of earlier ones, it is wider, and so seen on both sides of theirs. */
+static void add_shared(struct text_buffer *out, const struct profile *profile, uint32_t tunnel) {
   struct text_buffer way = TEXT_BUFFER_EMPTY;
+  struct wide_ends ends = {.count = 0};
   int before = 0;
-  bool any = false;
+  uint32_t first;
   for (size_t i = 1; i <= profile->found->step_count; ++i) {
     const struct tunnel_step *const step = &profile->found->steps[i - 1];
     const bool here = i < profile->found->step_count && step->tunnel == tunnel + 1 && (step + 1)->tunnel == tunnel + 1;
-    const int shared = here ? shared_by(profile->found, i) : 0;
+    const int shared = here ? shared_by(profile->found, i, &first) : 0;
     if (before > 0 && shared != before) {
-      add_wide(out, chart_colour(tunnel), before, &way);
+      if (here && before > shared) add_end(&ends, profile, i - 1, before);
+      add_wide(out, chart_colour(tunnel), before, &way, &ends);
       text_buffer_free(&way);
     }
-    if (shared > 0 && shared != before) add_start(&way, profile, i - 1);
+    if (shared > 0 && shared != before) {
+      ends.count = 0;
+      add_start(&way, profile, i - 1);
+      if (shared > before && i > 1 && (step - 1)->tunnel == step->tunnel) add_end(&ends, profile, i - 1, shared);
+    }
     if (shared > 0) add_step(&way, profile, i);
-    any = any || shared > 0;
     before = shared;
   }
-  return any;
 }
 
 static void add_line(struct text_buffer *out, const struct profile *profile, uint32_t tunnel) {
@@ -143,36 +193,44 @@ static void add_tightest(struct text_buffer *out, const struct profile *profile,
            chart_y(&profile->frame, &profile->up, tightest->point.radius), chart_colour(tunnel));
 }
 
-/* A row for each tunnel, and for what else is drawn. */
+/* A piece of a way that two tunnels go, as add_shared draws it. */
+static void add_shared_swatch(struct text_buffer *out, double x, double y, const uint32_t tunnel[2]) {
+  struct text_buffer way = TEXT_BUFFER_EMPTY;
+  text_buffer_add(&way, "M%.1f %.1fh%d", x, y, SWATCH);
+  add_wide(out, chart_colour(tunnel[1]), 1, &way, &(const struct wide_ends){.count = 0});
+  path_begin(out, chart_colour(tunnel[0]), TUNNEL_LINE);
+  text_buffer_add_text(out, " d=\"");
+  text_buffer_append(out, way.text, way.length);
+  text_buffer_add_text(out, "\"/>\n");
+  text_buffer_free(&way);
+}
+
+/* A row for each tunnel, with its line and the ring at its bottleneck, and for what else is drawn. pair: two tunnels
+ * that go the same way, or NULL. */
 static void add_profile_legend(struct text_buffer *out, const struct profile *profile, const char *sign, bool dashes,
-                               bool shared) {
+                               const uint32_t *pair) {
   const struct pores_found *const found = profile->found;
   const char *const blank = sign[0] == '\0' ? "" : " ";
-  double y = profile->frame.top + profile->frame.height + BELOW - 6;
+  const double text_at = LEFT + SWATCH + BEHIND_SWATCH;
+  double y = profile->frame.top + profile->frame.height + BELOW;
   for (uint32_t t = 0; t < found->tunnel_count; ++t, y += LEGEND_ROW) {
     const hsp_tunnel *const tunnel = &found->tunnels[t];
-    text_buffer_add(out, "<path stroke=\"%s\" stroke-width=\"1.5\"", chart_colour(t));
+    path_begin(out, chart_colour(t), TUNNEL_LINE);
     add_dash(out, t);
-    text_buffer_add(out, " d=\"M%d %.1fh24\"/>\n", LEFT, y - 4.0);
-    text_buffer_add(out, "<text x=\"%d\" y=\"%.1f\">tunnel %" PRIu32 ": bottleneck %.3f%s%s, length %.2f%s%s</text>\n",
-                    LEFT + 32, y, t + 1, tunnel->radius, blank, sign, tunnel->length, blank, sign);
+    text_buffer_add(out, " d=\"M%d %.1fh%d\"/>\n", LEFT, y - CHART_HALF_LETTER, SWATCH);
+    add_ring(out, LEFT + SWATCH / 2.0, y - CHART_HALF_LETTER, chart_colour(t));
+    text_buffer_add(out,
+                    "<text x=\"%.1f\" y=\"%.1f\">tunnel %" PRIu32 ": bottleneck %.3f%s%s, length %.2f%s%s</text>\n",
+                    text_at, y, t + 1, tunnel->radius, blank, sign, tunnel->length, blank, sign);
   }
-  if (found->tunnel_count == 0) return;
-  add_ring(out, LEFT + 12, y - 4.0, "#333333");
-  chart_text(out, LEFT + 32, y, "start", "bottleneck");
-  double x = LEFT + 160;
-  if (shared) {
-    const double wide[3] = {TUNNEL_LINE + SHARED_LINE, TUNNEL_LINE + SHARED_LINE - 2.0 * SHARED_EDGE, TUNNEL_LINE};
-    for (int k = 0; k < 3; ++k) {
-      path_begin(out, k == 1 ? "#ffffff" : "#333333", wide[k]);
-      text_buffer_add(out, " d=\"M%.0f %.1fh24\"/>\n", x, y - 4.0);
-    }
-    chart_text(out, x + 32, y, "start", "on both sides: the same way as another");
-    x += 290;
+  if (pair != NULL) {
+    add_shared_swatch(out, LEFT, y - CHART_HALF_LETTER, pair);
+    chart_text(out, text_at, y, "start", "a tunnel on both sides of another: they go the same way");
+    y += LEGEND_ROW;
   }
   if (!dashes) return;
-  add_dashed(out, x, y - 4.0, x + 24, y - 4.0);
-  chart_text(out, x + 32, y, "start", "the narrowest probe of interest");
+  add_dashed(out, LEFT, y - CHART_HALF_LETTER, LEFT + SWATCH, y - CHART_HALF_LETTER);
+  chart_text(out, text_at, y, "start", "the narrowest probe of interest");
 }
 
 /* To be freed; NULL where memory is short. */
@@ -197,7 +255,6 @@ static double *find_slopes(const struct pores_found *found) {
 bool pores_write_profile(const struct pores_found *found, const struct molecule *molecule, const char *path,
                          struct failure *failure) {
   struct text_buffer out = TEXT_BUFFER_EMPTY;
-  const uint32_t rows = found->tunnel_count > 0 ? found->tunnel_count + 1 : 0;
   double longest = 0.0, widest = 0.0;
   for (size_t i = 0; i < found->step_count; ++i) {
     longest = fmax(longest, found->steps[i].length);
@@ -212,7 +269,11 @@ bool pores_write_profile(const struct pores_found *found, const struct molecule 
                                   chart_scale_of(0.0, widest > 0.0 ? widest : 1.0)};
   const double probe = found->request->probe;
   const bool dashes = probe > 0.0 && probe < profile.up.high;
-  chart_begin(&out, LEFT + WIDTH + RIGHT, TOP + PROFILE_HEIGHT + BELOW + LEGEND_ROW * (int)rows, "Tunnels");
+  uint32_t pair[2];
+  const bool shared = find_pair(found, pair);
+  const int rows = (int)found->tunnel_count + (shared ? 1 : 0) + (dashes ? 1 : 0);
+  chart_begin(&out, LEFT + WIDTH + RIGHT, TOP + PROFILE_HEIGHT + BELOW + LEGEND_ROW * (rows - 1) + MARGIN_BELOW,
+              "Tunnels");
   chart_axes(&out, &profile.frame, &profile.across, &profile.up);
   chart_name_across(&out, &profile.frame, "length along the tunnel", molecule->format->sign);
   chart_name_up(&out, &profile.frame, "radius of the largest probe", molecule->format->sign);
@@ -220,12 +281,11 @@ bool pores_write_profile(const struct pores_found *found, const struct molecule 
     const double y = chart_y(&profile.frame, &profile.up, probe);
     add_dashed(&out, LEFT, y, LEFT + WIDTH, y);
   }
-  bool shared = false;
-  for (uint32_t t = found->tunnel_count; t-- > 0;) shared = add_shared(&out, &profile, t) || shared;
+  for (uint32_t t = found->tunnel_count; t-- > 0;) add_shared(&out, &profile, t);
   for (uint32_t t = found->tunnel_count; t-- > 0;) add_line(&out, &profile, t);
   for (uint32_t t = found->tunnel_count; t-- > 0;) add_tightest(&out, &profile, t);
   free(slope);
-  add_profile_legend(&out, &profile, molecule->format->sign, dashes, shared);
+  add_profile_legend(&out, &profile, molecule->format->sign, dashes, shared ? pair : NULL);
   text_buffer_add_text(&out, "</svg>\n");
   const bool done = output_file_write_text(path, &out, failure);
   text_buffer_free(&out);
@@ -295,9 +355,9 @@ static bool order_tree(const struct pores_found *found, struct tree *tree) {
 /* ABOVE_AXIS: px, so that no letter of the last row touches the axis. */
 enum {
   MOST_NAMED_ROWS = 60,
-  NAMED_ROW = 14,
+  NAMED_ROW = 18,
   ABOVE_AXIS = 6,
-  TREE_HEIGHT = 840,
+  TREE_HEIGHT = MOST_NAMED_ROWS * NAMED_ROW,
   OTHERS = POCKET_COLOURS,
   NO_POCKET,
   TREE_COLOURS
@@ -325,6 +385,9 @@ static bool find_colours(const struct pores_found *found, uint8_t **colour) {
   return true;
 }
 
+#define TREE_LINE 1.5
+enum { TREE_DOT = 3 }; /* its radius */
+
 struct tree_page {
   struct chart_frame frame;
   struct chart_scale across;
@@ -337,7 +400,7 @@ static double row_y(const struct tree_page *page, uint32_t row) {
 }
 
 static void add_dot(struct text_buffer *out, double x, double y, uint32_t colour) {
-  text_buffer_add(out, "<circle cx=\"%.2f\" cy=\"%.2f\" r=\"3\" fill=\"#%06" PRIx32 "\"/>\n", x, y, colour);
+  text_buffer_add(out, "<circle cx=\"%.2f\" cy=\"%.2f\" r=\"%d\" fill=\"#%06" PRIx32 "\"/>\n", x, y, TREE_DOT, colour);
 }
 
 /* A line from birth to death, and on to the class that it merges into. */
@@ -351,7 +414,7 @@ static void add_classes(struct text_buffer *out, const struct pores_found *found
       if (!any) {
         char name[NAME_BYTES];
         snprintf(name, sizeof name, "#%06" PRIx32, colour_of(c));
-        path_begin(out, name, page->row < NAMED_ROW ? 0.8 : 1.5);
+        path_begin(out, name, page->row < NAMED_ROW ? 0.8 : TREE_LINE);
         text_buffer_add_text(out, " d=\"");
       }
       any = true;
@@ -364,17 +427,22 @@ static void add_classes(struct text_buffer *out, const struct pores_found *found
   }
 }
 
-/* Beside the widest class of a pocket that has a colour stands its number, too. */
+/* Beside the widest class of a pocket that has a colour stands its number, too; beside all of others theirs. */
 static void name_class(char name[NAME_BYTES], const struct pores_found *found, uint32_t class, uint8_t colour) {
   const int length = snprintf(name, NAME_BYTES, "%" PRIu32, class);
-  for (uint32_t p = 0; p < found->pocket_count && colour < OTHERS; ++p) {
-    if (found->pockets[p].maximum != class) continue;
-    snprintf(name + length, (size_t)(NAME_BYTES - length), ", pocket %" PRIu32, p + 1);
+  for (uint32_t p = 0; p < found->pocket_count && colour != NO_POCKET; ++p) {
+    const bool widest = found->pockets[p].maximum == class;
+    bool within = widest;
+    for (size_t k = found->of_pockets.first[p]; k < found->of_pockets.first[p + 1] && colour == OTHERS; ++k) {
+      within = within || found->of_pockets.number[k] == class;
+    }
+    if (!within) continue;
+    snprintf(name + length, (size_t)(NAME_BYTES - length), ", %spocket %" PRIu32, widest ? "" : "in ", p + 1);
   }
 }
 
 static double name_x(const struct pores_found *found, const struct tree_page *page, uint32_t class) {
-  return chart_x(&page->frame, &page->across, found->maxima[class].radius) + 4.0;
+  return chart_x(&page->frame, &page->across, found->maxima[class].radius) + 5.0;
 }
 
 static void add_names(struct text_buffer *out, const struct pores_found *found, const struct tree *tree,
@@ -383,7 +451,7 @@ static void add_names(struct text_buffer *out, const struct pores_found *found, 
     const uint32_t class = tree->class[k];
     char name[NAME_BYTES];
     name_class(name, found, class, colour[class]);
-    chart_text(out, name_x(found, page, class), row_y(page, k + 1) + 4.0, "start", name);
+    chart_text(out, name_x(found, page, class), row_y(page, k + 1) + CHART_HALF_LETTER, "start", name);
   }
 }
 
@@ -411,53 +479,99 @@ static void add_cavities(struct text_buffer *out, const struct pores_found *foun
   }
 }
 
-/* The probes of --pockets. */
-static void add_wide_probe(struct text_buffer *out, const struct pores_found *found, const struct tree_page *page) {
+/* The probes of --pockets, if they are within the axis. */
+static bool shows_wide_probe(const struct pores_found *found, const struct tree_page *page) {
   const double wide = found->request->pockets;
-  if (!(wide > page->across.low && wide < page->across.high)) return;
-  const double x = chart_x(&page->frame, &page->across, wide);
+  return wide >= 0.0 && wide > page->across.low && wide < page->across.high;
+}
+
+static void add_wide_probe(struct text_buffer *out, const struct pores_found *found, const struct tree_page *page) {
+  if (!shows_wide_probe(found, page)) return;
+  const double x = chart_x(&page->frame, &page->across, found->request->pockets);
   add_dashed(out, x, page->frame.top, x, page->frame.top + page->frame.height);
 }
 
-static void add_swatch(struct text_buffer *out, int column, double y, uint32_t colour, const char *name) {
-  const double x = LEFT + (double)(WIDTH / OTHERS) * column;
-  text_buffer_add(out, "<path stroke=\"#%06" PRIx32 "\" stroke-width=\"3\" d=\"M%.1f %.1fh18\"/>\n", colour, x,
-                  y - 4.0);
-  chart_text(out, x + 24.0, y, "start", name);
+/* Entries one after the other, each from a column on; where it does not end on the page it begins a row. */
+struct tree_legend {
+  struct text_buffer out;
+  double first; /* the line of the first row */
+  int rows, column;
+};
+
+static void place_entry(struct tree_legend *legend, double swatch, const char *name, double at[2]) {
+  enum { COLUMNS = 6, COLUMN = WIDTH / COLUMNS, APART = 8 };
+  const double wide = swatch + text_width(name, CHART_LETTER) + APART;
+  const int columns = (int)ceil(wide / COLUMN);
+  if (legend->rows == 0 || legend->column + columns > COLUMNS) {
+    ++legend->rows;
+    legend->column = 0;
+  }
+  at[0] = LEFT + COLUMN * legend->column;
+  at[1] = legend->first + LEGEND_ROW * (legend->rows - 1);
+  legend->column += columns;
+  at[1] -= CHART_HALF_LETTER;
 }
 
-/* The pockets that have colours, as many as there are; below them what else is drawn. */
-static void add_tree_legend(struct text_buffer *out, const struct pores_found *found, const struct tree *tree,
+static void name_entry(struct tree_legend *legend, double swatch, const char *name, const double at[2]) {
+  chart_text(&legend->out, at[0] + swatch, at[1] + CHART_HALF_LETTER, "start", name);
+}
+
+static void add_swatch(struct tree_legend *legend, uint32_t colour, const char *name) {
+  enum { SQUARE = 16 };
+  double at[2];
+  place_entry(legend, SQUARE + BEHIND_SWATCH, name, at);
+  text_buffer_add(&legend->out, "<path stroke=\"#%06" PRIx32 "\" stroke-width=\"3\" d=\"M%.1f %.1fh%d\"/>\n", colour,
+                  at[0], at[1], SQUARE);
+  name_entry(legend, SQUARE + BEHIND_SWATCH, name, at);
+}
+
+static bool has_cavities(const struct pores_found *found, const struct tree *tree) {
+  for (uint32_t k = 0; k < tree->rows; ++k) {
+    if (found->maxima[tree->class[k]].parent == HSP_NONE) return true;
+  }
+  return false;
+}
+
+/* The pockets that have colours, as many as there are; then what else is drawn. */
+static void add_tree_legend(struct tree_legend *legend, const struct pores_found *found, const struct tree *tree,
                             const struct tree_page *page, const uint8_t *colour) {
   static const char *const others[] = {[OTHERS] = "other pockets", [NO_POCKET] = "no pocket"};
-  double y = page->frame.top + page->frame.height + BELOW - 6;
+  static const char wide_probe[] = "the wide probe of pockets", maxima[] = "numbers: maxima, as they are listed",
+                    cavity[] = "ends in a dot: a cavity, which no such probe leaves";
   const bool pockets = found->request->pockets >= 0.0;
-  int rank = 0, column = 0;
+  double at[2];
+  int rank = 0;
   for (uint32_t p = 0; pockets && p < found->pocket_count && rank < OTHERS; ++p) {
     if (!pores_lists_pocket(found, p)) continue;
     char name[NAME_BYTES];
     snprintf(name, sizeof name, "pocket %" PRIu32, p + 1);
-    add_swatch(out, rank, y, pocket_colours[rank], name);
-    ++rank;
+    add_swatch(legend, pocket_colours[rank++], name);
   }
-  if (rank > 0) y += LEGEND_ROW;
   for (uint8_t other = OTHERS; pockets && other < TREE_COLOURS; ++other) {
     bool any = false;
     for (uint32_t k = 0; k < tree->rows && !any; ++k) any = colour[tree->class[k]] == other;
-    if (any) add_swatch(out, column++, y, colour_of(other), others[other]);
+    if (any) add_swatch(legend, colour_of(other), others[other]);
+  }
+  if (shows_wide_probe(found, page)) {
+    place_entry(legend, SWATCH + BEHIND_SWATCH, wide_probe, at);
+    add_dashed(&legend->out, at[0], at[1], at[0] + SWATCH, at[1]);
+    name_entry(legend, SWATCH + BEHIND_SWATCH, wide_probe, at);
   }
   if (tree->rows == 0 || page->row < NAMED_ROW) return;
-  double x = LEFT + (double)column * (WIDTH / OTHERS) + (column > 0 ? 18 : 0);
-  chart_text(out, x, y, "start", "numbers: maxima, as they are listed");
-  x += 2 * (WIDTH / OTHERS) + 18;
-  add_dot(out, x + 4.0, y - 4.0, colour_of(NO_POCKET));
-  chart_text(out, x + 14.0, y, "start", "a cavity: no such probe leaves it");
+  place_entry(legend, 0.0, maxima, at);
+  name_entry(legend, 0.0, maxima, at);
+  if (!has_cavities(found, tree)) return;
+  place_entry(legend, SWATCH + BEHIND_SWATCH, cavity, at);
+  path_begin(&legend->out, "#333333", TREE_LINE);
+  text_buffer_add(&legend->out, " d=\"M%.1f %.1fh%d\"/>\n", at[0] + TREE_DOT, at[1], SWATCH - TREE_DOT);
+  add_dot(&legend->out, at[0] + TREE_DOT, at[1], 0x333333);
+  name_entry(legend, SWATCH + BEHIND_SWATCH, cavity, at);
 }
 
 /* In how many directions a narrower probe goes on for ever. Where lines are nearer than their names are wide, a label
  * has several names, from left to right as the lines are, the first of them above its line. */
 static void add_limits(struct text_buffer *out, const struct pores_found *found, const struct tree_page *page) {
-  enum { ROOM = 24 };
+  enum { ROOM = 32 };
   const double top = page->frame.top, bottom = top + page->frame.height;
   double before = -HUGE_VAL, first = 0.0;
   int names = 0;
@@ -491,20 +605,24 @@ static void add_tree(struct text_buffer *out, const struct pores_found *found, c
                            row,
                            outside};
   const double bottom = page.frame.top + page.frame.height;
-  chart_begin(out, find_width(found, tree, &page, colour), (int)ceil(bottom) + BELOW + 2 * LEGEND_ROW,
-              "Classes of pores");
+  struct tree_legend legend = {TEXT_BUFFER_EMPTY, bottom + BELOW, 0, 0};
+  add_tree_legend(&legend, found, tree, &page, colour);
+  chart_begin(out, find_width(found, tree, &page, colour),
+              (int)ceil(bottom) + BELOW + LEGEND_ROW * (legend.rows - 1) + MARGIN_BELOW, "Classes of pores");
   chart_axis_below(out, &page.frame, &page.across);
   chart_name_across(out, &page.frame, "radius of the probe", molecule->format->sign);
-  if (found->request->pockets >= 0.0) add_wide_probe(out, found, &page);
+  add_wide_probe(out, found, &page);
   if (!outside) add_limits(out, found, &page);
   if (outside) {
     text_buffer_add(out, "<path stroke=\"#333333\" stroke-width=\"1.5\" d=\"M%.2f %.2fH%.2f\"/>\n",
                     chart_x(&page.frame, &page.across, low), row_y(&page, 0), page.frame.left + page.frame.width);
-    chart_text(out, LEFT - CHART_TICK - 3, row_y(&page, 0) + 4.0, "end", "outside");
+    chart_text(out, LEFT - CHART_TICK - 3, row_y(&page, 0) + CHART_HALF_LETTER, "end", "outside");
   }
   add_classes(out, found, tree, &page, colour);
   add_cavities(out, found, tree, &page, colour);
-  add_tree_legend(out, found, tree, &page, colour);
+  text_buffer_append(out, legend.out.text, legend.out.length);
+  out->out_of_memory = out->out_of_memory || legend.out.out_of_memory;
+  text_buffer_free(&legend.out);
   add_names(out, found, tree, &page, colour);
   text_buffer_add_text(out, "</svg>\n");
 }

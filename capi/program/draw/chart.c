@@ -42,16 +42,15 @@ void chart_tick_below(struct text_buffer *out, double x, double bottom, const ch
 
 void chart_tick_left(struct text_buffer *out, double left, double y, const char *text) {
   text_buffer_add(out, "<path stroke=\"" CHART_GREY "\" d=\"M%.1f %.1fh-%d\"/>\n", left, y, CHART_TICK);
-  chart_text(out, left - CHART_TICK - 3, y + 4.0, "end", text);
+  chart_text(out, left - CHART_TICK - 3, y + CHART_HALF_LETTER, "end", text);
 }
 
 void chart_name_across(struct text_buffer *out, const struct chart_frame *frame, const char *name, const char *sign) {
-  add_text(out, frame->left + frame->width / 2, frame->top + frame->height + CHART_TICK + 2 * CHART_LETTER + 8,
-           "middle", name, sign);
+  add_text(out, frame->left + frame->width / 2, frame->top + frame->height + CHART_NAME_BELOW, "middle", name, sign);
 }
 
 void chart_name_up(struct text_buffer *out, const struct chart_frame *frame, const char *name, const char *sign) {
-  text_buffer_add(out, "<g transform=\"translate(%d %.6g) rotate(-90)\">", 2 * CHART_LETTER,
+  text_buffer_add(out, "<g transform=\"translate(%d %.6g) rotate(-90)\">", CHART_LETTER + 8,
                   frame->top + frame->height / 2);
   add_text(out, 0.0, 0.0, "middle", name, sign);
   text_buffer_add(out, "</g>\n");

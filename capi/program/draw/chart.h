@@ -7,8 +7,11 @@
 
 #include "read/text_buffer.h"
 
-/* Pixels. */
-enum { CHART_LETTER = 12, CHART_TICK = 4 };
+/* Pixels. Letters are legible where a chart is printed as wide as a column of a page. */
+enum { CHART_LETTER = 16, CHART_TICK = 4 };
+
+/* Half the height of capitals and figures: so far below the middle of what a text stands beside is its line. */
+#define CHART_HALF_LETTER 5.5
 
 /* Lines of the frame and of ticks. */
 #define CHART_GREY "#9a9a9a"
@@ -29,6 +32,9 @@ void chart_tick_left(struct text_buffer *out, double left, double y, const char 
 struct chart_frame {
   double left, top, width, height;
 };
+
+/* How far below a frame the name of the axis there has its line. */
+enum { CHART_NAME_BELOW = CHART_TICK + 2 * CHART_LETTER + 8 };
 
 /* The name of an axis, and the sign of its unit, in UTF-8; of an empty one nothing. */
 void chart_name_across(struct text_buffer *out, const struct chart_frame *frame, const char *name, const char *sign);

@@ -12,7 +12,8 @@
 #include "write/output_file.h"
 
 /* Pixels. Within the frame a row is a unit, so that squares have small coordinates. */
-enum { LEFT = 72, TOP = 40, SIDE = 640, RIGHT = 40, BOTTOM = 106, SHADES = 6, SHADE_WIDTH = 56, MOST_TICKS = 16 };
+enum { LEFT = 88, TOP = 40, SIDE = 640, RIGHT = 40, SHADES = 6, SHADE_WIDTH = 56, MOST_TICKS = 16 };
+enum { SCALE_BELOW = CHART_NAME_BELOW + 24, SCALE_HEIGHT = 16, BOTTOM = SCALE_BELOW + SCALE_HEIGHT + 40 };
 enum { LABEL_BYTES = 64 };
 
 /* Even steps of lightness, away from the page, from a contrast of 1.65 on: before a light one and before a dark one. */
@@ -127,7 +128,7 @@ static void add_chains(struct text_buffer *out, const struct contact_map *map) {
     first = row;
     if (room < text_width(chain, CHART_LETTER) + 4.0 || room < CHART_LETTER + 4.0) continue;
     chart_text(out, LEFT + middle, TOP - 7, "middle", chain);
-    chart_text(out, LEFT + side_of(map) + 7.0, TOP + middle + 4.0, "start", chain);
+    chart_text(out, LEFT + side_of(map) + 7.0, TOP + middle + CHART_HALF_LETTER, "start", chain);
   }
 }
 
@@ -189,20 +190,21 @@ static void add_squares(struct text_buffer *out, const struct contact_map *map, 
 
 /* The shades side by side, and the areas between them where they meet. */
 static void add_scale(struct text_buffer *out, const struct contact_map *map, const double end[SHADES]) {
-  const double y = TOP + side_of(map) + CHART_TICK + 3 * CHART_LETTER + 16;
+  const double y = TOP + side_of(map) + SCALE_BELOW;
   const double left = LEFT + side_of(map) - SHADES * SHADE_WIDTH;
   const char *sign = map->molecule->format->sign;
   for (int shade = 0; shade < SHADES; ++shade) {
     const double x = left + shade * SHADE_WIDTH;
     char text[LABEL_BYTES];
     snprintf(text, sizeof text, "%.3g", end[shade]);
-    text_buffer_add(out, "<rect x=\"%.6g\" y=\"%.6g\" width=\"%d\" height=\"14\" fill=\"%s\"/>\n", x, y, SHADE_WIDTH,
-                    shades[map->dark ? 1 : 0][shade]);
-    chart_text(out, x + SHADE_WIDTH, y + 2 * CHART_LETTER + 5, "middle", text);
+    text_buffer_add(out, "<rect x=\"%.6g\" y=\"%.6g\" width=\"%d\" height=\"%d\" fill=\"%s\"/>\n", x, y, SHADE_WIDTH,
+                    SCALE_HEIGHT, shades[map->dark ? 1 : 0][shade]);
+    chart_text(out, x + SHADE_WIDTH, y + SCALE_HEIGHT + CHART_LETTER + 3, "middle", text);
   }
-  chart_text(out, left, y + 2 * CHART_LETTER + 5, "middle", "0");
+  chart_text(out, left, y + SCALE_HEIGHT + CHART_LETTER + 3, "middle", "0");
   text_buffer_add(out, "<text x=\"%.6g\" y=\"%.6g\" text-anchor=\"end\">contact area%s%s%s</text>\n", left - 12.0,
-                  y + 12.0, sign[0] == '\0' ? "" : ", ", sign, sign[0] == '\0' ? "" : "²");
+                  y + SCALE_HEIGHT / 2.0 + CHART_HALF_LETTER, sign[0] == '\0' ? "" : ", ", sign,
+                  sign[0] == '\0' ? "" : "²");
 }
 
 bool contact_map_write(const struct contact_map *map, const char *path, struct failure *failure) {
