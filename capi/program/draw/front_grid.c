@@ -132,6 +132,11 @@ uint32_t front_grid_owner(const struct front_grid *grid, double x, double y) {
   return owner == FRONT_GRID_NOTHING ? owner : owner & ~FRONT_GRID_STICK;
 }
 
+bool front_grid_is_stick(const struct front_grid *grid, double x, double y) {
+  const uint32_t owner = in_front(grid, x, y);
+  return owner != FRONT_GRID_NOTHING && (owner & FRONT_GRID_STICK) != 0;
+}
+
 bool front_grid_is_all(const struct front_grid *grid, const double box[4], uint32_t ball) {
   bool all = true;
   for (double y = box[1]; all && y < box[3] + grid->cell; y += grid->cell) {

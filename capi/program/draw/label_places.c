@@ -8,11 +8,12 @@
 
 /* In sizes of letters. */
 static const double box_height = 0.8, clear = 0.2, beside = 0.25, alone = 0.4, step = 0.35, line_gap = 0.25,
-                    shortest = 0.45;
+                    shortest = 0.45, apart = 0.35; /* from label to label */
 
 /* Costs of a place, in lengths of a line. */
-static const double cost_of_line = 2.0, cost_of_knee = 1.0, cost_of_slope = 0.5;
+static const double cost_of_line = 2.0, cost_of_knee = 1.0, cost_of_slope = 0.5, cost_of_corner = 1.0;
 static const double cost_across[2] = {35.0, 400.0};  /* for a length across what is not selected, and what is */
+static const double across_ball = 2.0;               /* times as much: a bond under a line is still a bond */
 static const double cost_of_cover[2] = {500.0, 6e3}; /* for a label all over them */
 
 enum { PASSES = 4, MOST_PAIRED = 24 };
@@ -73,21 +74,21 @@ static void find_cover(const struct taken *taken, const double box[4], double ar
 
 /* ---- what is in the way ---- */
 
-/* How many labels and lines are within `clear` of each cell: a line that is followed from cell to cell crosses none
- * unnoticed. */
+/* How many lines are within `clear` of each cell, and labels within `apart`: a line that is followed from cell to cell
+ * crosses none unnoticed. */
 struct marks {
   const struct front_grid *front;
-  double around;   /* px */
-  uint16_t *count; /* [rows][columns] */
+  double of_line, of_label; /* around, px */
+  uint16_t *count;          /* [rows][columns] */
 };
 
-static void mark_box(const struct marks *marks, const double box[4], int change) {
+static void mark_box(const struct marks *marks, const double box[4], double around, int change) {
   const struct front_grid *const front = marks->front;
   const double cell = front->cell, *const corner = front->corner;
-  const int32_t left = clamped(floor((box[0] - marks->around - corner[0]) / cell), front->columns);
-  const int32_t right = clamped(ceil((box[2] + marks->around - corner[0]) / cell), front->columns);
-  const int32_t top = clamped(floor((box[1] - marks->around - corner[1]) / cell), front->rows);
-  const int32_t bottom = clamped(ceil((box[3] + marks->around - corner[1]) / cell), front->rows);
+  const int32_t left = clamped(floor((box[0] - around - corner[0]) / cell), front->columns);
+  const int32_t right = clamped(ceil((box[2] + around - corner[0]) / cell), front->columns);
+  const int32_t top = clamped(floor((box[1] - around - corner[1]) / cell), front->rows);
+  const int32_t bottom = clamped(ceil((box[3] + around - corner[1]) / cell), front->rows);
   for (int32_t row = top; row < bottom; ++row) {
     uint16_t *const cells = marks->count + (size_t)row * (size_t)front->columns;
     for (int32_t column = left; column < right; ++column) cells[column] = (uint16_t)(cells[column] + change);
@@ -101,12 +102,12 @@ static void mark_line(const struct marks *marks, const double from[2], const dou
     const double share = (double)k / steps;
     const double x = from[0] + share * (to[0] - from[0]), y = from[1] + share * (to[1] - from[1]);
     const double box[4] = {x, y, x, y};
-    mark_box(marks, box, change);
+    mark_box(marks, box, marks->of_line, change);
   }
 }
 
 static void mark_label(const struct marks *marks, const struct placed_label *label, int change) {
-  mark_box(marks, label->box, change);
+  mark_box(marks, label->box, marks->of_label, change);
   if (!label->has_line) return;
   mark_line(marks, label->from, label->knee, change);
   mark_line(marks, label->knee, label->at, change);
@@ -226,13 +227,15 @@ static bool go_on(const struct search *search, const double from[2], const doubl
     if (!begins && is_marked(&search->marks, x, y)) return false;
     const uint32_t owner = front_grid_owner(page->front, x, y);
     const bool across = owner != FRONT_GRID_NOTHING && owner != search->own->atom;
-    *cost += length / parts / page->size * (across ? 1.0 + cost_across[is_selected(page, owner) ? 1 : 0] : 1.0);
+    const double of_body = front_grid_is_stick(page->front, x, y) ? 1.0 : across_ball;
+    *cost +=
+        length / parts / page->size * (across ? 1.0 + of_body * cost_across[is_selected(page, owner) ? 1 : 0] : 1.0);
   }
   return true;
 }
 
-/* From a point on, right or left: a text at each step. */
-static void try_level(struct search *search, const double knee[2], int way, double cost) {
+/* From a point on, right or left: a text at each step from the first one on. */
+static void try_level(struct search *search, const double knee[2], int way, int first, double cost) {
   const struct label_page *const page = search->taken->page;
   const double length = step * page->size, gap = line_gap * page->size;
   const bool bent = knee[1] != search->own->at[1];
@@ -244,7 +247,7 @@ static void try_level(struct search *search, const double knee[2], int way, doub
     label.has_line = true;
     memcpy(label.from, to, sizeof label.from);
     memcpy(label.knee, knee, sizeof label.knee);
-    offer(search, &label, cost + (bent && k > 0 ? cost_of_knee : 0.0));
+    if (k >= first) offer(search, &label, cost + (bent && k > 0 ? cost_of_knee : 0.0));
   }
 }
 
@@ -264,7 +267,7 @@ static void try_sloping(struct search *search, int across, int down) {
     if (!is_point_on_page(page, at) || !go_on(search, before, at, k == 1, &cost)) return;
     memcpy(before, at, sizeof before);
     if (across != 0) {
-      try_level(search, at, across, cost);
+      try_level(search, at, across, 0, cost);
       continue;
     }
     struct placed_label label = with_text(search, at[0], at[1] + down * away, 0.5);
@@ -272,6 +275,7 @@ static void try_sloping(struct search *search, int across, int down) {
     memcpy(label.from, at, sizeof label.from);
     memcpy(label.knee, at, sizeof label.knee);
     offer(search, &label, cost);
+    for (int way = -1; way <= 1; way += 2) try_level(search, at, way, 1, cost + cost_of_corner);
   }
 }
 
@@ -281,7 +285,7 @@ static bool find_place(struct search *search, const struct placed_label *own) {
   search->cost = HUGE_VAL;
   try_beside(search);
   for (int way = -1; way <= 1; way += 2) {
-    try_level(search, own->at, way, cost_of_line);
+    try_level(search, own->at, way, 0, cost_of_line);
     for (int across = -1; across <= 1; ++across) try_sloping(search, across, way);
   }
   return search->cost < HUGE_VAL;
@@ -347,14 +351,15 @@ bool label_places_find(const struct label_page *page, const double (*boxes)[4], 
   struct taken taken;
   const size_t cells = (size_t)page->front->columns * (size_t)page->front->rows;
   bool enough = make_taken(page, &taken);
-  struct search search = {.taken = &taken,
-                          .marks = {page->front, clear * page->size, calloc(cells + 1, sizeof(uint16_t))}};
+  struct search search = {
+      .taken = &taken,
+      .marks = {page->front, clear * page->size, apart * page->size, calloc(cells + 1, sizeof(uint16_t))}};
   enough = enough && search.marks.count != NULL;
   for (size_t i = 0; i < count; ++i) {
     label[i].wide = text_width(label[i].text, page->size);
     memset(label[i].box, 0, sizeof label[i].box);
   }
-  for (size_t i = 0; enough && i < box_count; ++i) mark_box(&search.marks, boxes[i], 1);
+  for (size_t i = 0; enough && i < box_count; ++i) mark_box(&search.marks, boxes[i], search.marks.of_label, 1);
   *placed = enough && cells > 0 && place_all(&search, label, count);
   if (*placed) place_pairs(&search, label, count);
   free(search.marks.count);

@@ -38,7 +38,7 @@ struct label_page {
 
 /* Sets the places of labels: none touches another one, its line or one of the boxes, and no two lines cross. A label
  * stands beside its disc, where nothing else is near; else at the end of a line that is level, upright or goes at 45
- * degrees, or at 45 degrees from what is named and on on the level: the shortest that crosses least. Of up to 24
+ * degrees, or begins upright or at 45 degrees and goes on on the level: the shortest that crosses least. Of up to 24
  * labels pairs choose anew together, where both do better so, in four rounds. *placed becomes whether all have places.
  * False for want of memory. */
 bool label_places_find(const struct label_page *page, const double (*boxes)[4], size_t box_count,

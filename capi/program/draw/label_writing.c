@@ -8,10 +8,10 @@
 #include "draw/label_places.h"
 #include "draw/text_width.h"
 
-static const double letter_height = 0.72; /* of capitals, in sizes */
-static const double line_height = 1.3;    /* from label to label */
-static const double clear_of_edge = 0.23; /* a name within a ball, in sizes */
-static const double clear_of_stick = 0.1;
+static const double letter_height = 0.72;                    /* of capitals, in sizes */
+static const double line_height = 1.3;                       /* from label to label */
+static const double clear_of_edge = 0.23;                    /* a name within a ball, in sizes */
+static const double clear_of_stick[] = {0.4, 0.3, 0.2, 0.1}; /* the first of them for which there is room */
 static const double smallest_share = 1.0 / 110.0; /* of the width of the page: letters below that are not read */
 static const double cells_per_letter = 8.0;       /* of the grid of what is in front */
 static const double least_circle = 0.4;           /* seen of a disc beside which a name stands without a line */
@@ -61,11 +61,11 @@ static void place_of(const struct writer *writer, const struct page_label *label
   at[1] = frame->y - frame->scale * label->at[1];
 }
 
-/* The nearest place to `at` for a name within what is seen of a ball, of which sticks hide some. False: there is none.
- */
-static bool find_within(const struct front_grid *front, const struct page_label *label, double size, double at[2],
-                        double box[4]) {
-  const double half[2] = {text_width(label->text, size) / 2.0 + clear_of_stick * size, letter_height * size / 2.0};
+/* The nearest place to `at` for a name within what is seen of a ball, of which sticks hide some, with so much around
+ * its letters. False: there is none. */
+static bool find_within(const struct front_grid *front, const struct page_label *label, double size, double around,
+                        double at[2], double box[4]) {
+  const double half[2] = {text_width(label->text, size) / 2.0 + around, letter_height * size / 2.0 + around};
   const double move = 2.0 * front->cell;
   const int most = (int)fmin(2.0 * half[0] / move, 20.0);
   int least = INT_MAX;
@@ -79,11 +79,24 @@ static bool find_within(const struct front_grid *front, const struct page_label 
       if (!front_grid_is_all(front, letters, label->atom)) continue;
       least = far;
       memcpy(found, middle, sizeof found);
-      memcpy(box, letters, sizeof letters);
     }
   }
+  if (least == INT_MAX) return false;
   memcpy(at, found, sizeof found);
-  return least < INT_MAX;
+  for (int k = 0; k < 2; ++k) {
+    box[k] = at[k] - half[k] + around;
+    box[2 + k] = at[k] + half[k] - around;
+  }
+  return true;
+}
+
+/* The same, as clear of sticks as there is room. */
+static bool find_clear(const struct front_grid *front, const struct page_label *label, double size, double at[2],
+                       double box[4]) {
+  for (size_t k = 0; k < sizeof clear_of_stick / sizeof clear_of_stick[0]; ++k) {
+    if (find_within(front, label, size, clear_of_stick[k] * size, at, box)) return true;
+  }
+  return false;
 }
 
 /* Within a ball, on its colour: whichever of the two colours differs more from it. */
@@ -148,7 +161,7 @@ static size_t write_all_within(const struct writer *writer, const struct front_g
     place_of(writer, one, at);
     double clear[2] = {at[0], at[1]};
     if (size_within(writer, one) >= smallest_within * writer->size &&
-        find_within(front, one, size, clear, box[within])) {
+        find_clear(front, one, size, clear, box[within])) {
       write_within(writer, one, clear, size);
       ++within;
       continue;

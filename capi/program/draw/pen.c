@@ -142,9 +142,13 @@ void pen_write(const struct pen *pen, const struct pen_text *text) {
     write_pdf(pen, text);
     return;
   }
-  const char *const anchor = text->anchor < 0.25 ? "start" : text->anchor < 0.75 ? "middle" : "end";
+  /* A text that ends at a point begins where it does by the widths of Helvetica, as in PDF: some programs end its ink
+   * there, and so a 1, which is narrower than its place, too far to the right. */
+  const bool ends = text->anchor >= 0.75;
+  const double x = ends ? text->x - text_width_exact(text->text, text->size) : text->x;
+  const char *const anchor = ends || text->anchor < 0.25 ? "start" : "middle";
   for (int seam = has_seam(text) ? 1 : 0; seam >= 0; --seam) {
-    text_buffer_add(pen->out, "<text x=\"%.2f\" y=\"%.2f\" font-size=\"%.3f\" text-anchor=\"%s\" ", text->x, text->y,
+    text_buffer_add(pen->out, "<text x=\"%.2f\" y=\"%.2f\" font-size=\"%.3f\" text-anchor=\"%s\" ", x, text->y,
                     text->size, anchor);
     if (seam == 1) {
       text_buffer_add(pen->out, "fill=\"none\" stroke=\"#%06" PRIx32 "\" stroke-width=\"%.3f\">", text->seam,
