@@ -3648,7 +3648,7 @@ module hardsphere
       bind(C, name="hsp_pores_find_regions")
       import :: c_int32_t, c_ptr, hsp_pore_access
       type(c_ptr), value :: pores
-      type(c_ptr), value :: boundary
+      type(c_ptr), value :: boundary  ! c_null_ptr in a box
       type(hsp_pore_access), intent(inout), optional :: access
       integer(c_int32_t), intent(inout), optional :: regions
       integer(c_int32_t) :: status
@@ -3668,8 +3668,8 @@ module hardsphere
       import :: c_int32_t, c_ptr, hsp_pore_pocket_size
       type(c_ptr), value :: pores
       type(c_ptr), value :: plugged
-      type(c_ptr), value :: boundary
-      type(hsp_pore_pocket_size), intent(inout) :: out(*)  ! needed
+      type(c_ptr), value :: boundary  ! c_null_ptr in a box
+      type(hsp_pore_pocket_size), intent(inout), optional :: out(*)  ! needed
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(inout), optional :: needed
       integer(c_int32_t) :: status

@@ -197,7 +197,7 @@ typedef struct hsp_pore_pocket_size {
  *                          HSP_E_ARGUMENT, _CAPACITY or _STATE, nothing changes; on other failures it has none, and no
  *                          leaks. They may be the same pores, if nothing is grown and nothing has a plug
  *  @param[in] boundary     of the model that `plugged` were computed of; NULL in a box
- *  @param[out] out         a record for each pocket
+ *  @param[out] out         a record for each pocket, or NULL with capacity = 0
  *  @param[in] capacity     how many records there is room for
  *  @param[out] needed      or NULL: how many pockets there are
  *  @retval HSP_E_ARGUMENT  pores or plugged is NULL; out is NULL with a capacity above 0; `plugged` are of other balls

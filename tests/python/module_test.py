@@ -182,6 +182,12 @@ class Values(unittest.TestCase):
         self.assertLess(field(size, "volume"), lids)
         self.assertGreater(field(size, "volume"), lids - 6 * 2 / 3 * math.pi * plug ** 3)
 
+    def test_regions_of_a_box(self):
+        """A box has its own boundary."""
+        box = hardsphere.Box([[1, 1, 1]], [1.0], [4, 4, 4])
+        pores = hardsphere.Pores().compute_periodic(box.handle)
+        self.assertAlmostEqual(pores.find_regions().access.accessible_volume, 64 - 4 / 3 * math.pi, 7)
+
     def test_threads_give_the_same_bits(self):
         centers, radii = random_balls(1500, 20)
         for kind, more in ((hardsphere.Balls, {}), (hardsphere.Box, {"vectors": [20, 21, 22]})):
@@ -317,10 +323,12 @@ class EveryGetter(unittest.TestCase):
         called = 0
         for handle in handles:
             for name, method in inspect.getmembers(handle, inspect.ismethod):
-                needs = [p for p in inspect.signature(method).parameters.values() if p.default is p.empty]
+                parameters = inspect.signature(method).parameters
+                needs = [p for p in parameters.values() if p.default is p.empty]
+                given = {"boundary": balls.boundary} if "boundary" in parameters else {}
                 if not name.startswith("_") and not needs and not name.startswith(("compute", "set")):
                     with self.subTest(f"{handle.noun}.{name}"):
-                        method()
+                        method(**given)
                         called += 1
         self.assertGreater(called, 60)
         self.assertEqual(len(balls.boundary.get_vertices()), balls.counts.vertices)

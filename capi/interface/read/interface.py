@@ -14,7 +14,7 @@ class Argument:
     const: bool
     kind: str = ""  # one of kinds.KINDS
     extents: list[str] = field(default_factory=list)  # of an array, outermost first
-    null: str = "never"  # whether it may be NULL: never, always, or empty: where there is nothing to hold
+    null: str = "never"  # whether it may be NULL: never, always, empty: where there is nothing to hold, or box: in one
     held: bool = False  # an output array that has to have room for what `needed` becomes
     fields: list["Argument"] = field(default_factory=list)  # of a request or of outputs
 

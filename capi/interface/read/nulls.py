@@ -14,6 +14,7 @@ def take_nulls(interface, function):
         stated = function.parameters.get(argument.name)
         if stated is not None:
             argument.null = ("empty" if re.search(r"or NULL with ", stated) else
+                             "box" if re.search(r"\bNULL in a box\b", stated) else
                              "always" if re.search(r"\bor NULL\b", stated) else "never")
         elif argument.kind in ("context", "needed"):
             argument.null = "always"

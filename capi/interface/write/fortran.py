@@ -126,11 +126,14 @@ def imported(rows):
     return sorted(set(re.findall(r"\bc_[a-z0-9_]+|(?<=type\()hsp_\w+", " ".join(rows))))
 
 
+REMARKS = {"always": "may be c_null_ptr", "box": "c_null_ptr in a box"}
+
+
 def declaration(argument):
     """The declaration of a dummy argument, and a remark."""
     name = argument.name
     if argument.kind in ("handle", "memory", "context"):
-        return f"type(c_ptr), value :: {name}", "may be c_null_ptr" if argument.null == "always" else ""
+        return f"type(c_ptr), value :: {name}", REMARKS.get(argument.null, "")
     if argument.kind == "handle_out":
         return f"type(c_ptr), intent(inout) :: {name}", ""
     if argument.kind == "callback":

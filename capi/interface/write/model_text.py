@@ -18,7 +18,7 @@ def function_row(function):
 def argument_text(argument):
     kind = argument.kind if argument.kind != argument.name else ""
     extents = "".join(f"[{extent}]" for extent in argument.extents)
-    null = {"never": "", "always": "or NULL", "empty": "or NULL if empty"}[argument.null]
+    null = {"never": "", "always": "or NULL", "empty": "or NULL if empty", "box": "or NULL in a box"}[argument.null]
     fields = f"{{{', '.join(map(argument_text, argument.fields))}}}" if argument.fields else ""
     parts = (argument.name, kind, extents, "held" if argument.held else "", null, fields)
     return " ".join(part for part in parts if part)

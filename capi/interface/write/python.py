@@ -170,7 +170,7 @@ def parameters_of(interface, function, owner):
     for place, a in enumerate(function.arguments):
         if place == 0 and owner or a.name in derived or a.name == "bytes":
             continue
-        optional = a.null == "always"
+        optional = a.null in ("always", "box")
         if a.kind == "value":
             found.append((a.name, HINTS.get(a.base, "int"), False))
         elif a.kind in ("array_in", "struct_in"):

@@ -156,20 +156,21 @@ static bool are_closed(const hsp_pore_pocket_size *sizes, uint32_t pockets) {
   return true;
 }
 
-/* Of the lattice of balls with plugs: that of the pores with the pockets, or the next one where radii have room. The
- * library's own choice may be finer, as radii of 0 are grown. In a box its own is kept, but for balls without radii. */
-static bool choose_step(const struct geometry *geometry, const double *box, const struct molecule *balls, double *step,
-                        struct failure *failure) {
+/* Of the lattice of balls with plugs: that of the pores with the pockets. The library's own choice may be finer, as
+ * radii of 0 are grown; in a box it is kept, which 0 stands for. */
+static bool first_step(const struct geometry *geometry, const double *box, double *step, struct failure *failure) {
+  hsp_model_info info = {.step = 0.0};
+  const int32_t status = box != NULL ? HSP_OK : hsp_model_get_info(geometry->work.model, &info);
+  *step = info.step;
+  return status == HSP_OK || failure_in_library(failure, status);
+}
+
+/* The next one where radii have room. */
+static double step_for(const struct molecule *balls, double step) {
   double largest = 0.0;
   for (uint32_t k = 0; k < balls->atoms; ++k) largest = largest > balls->radius[k] ? largest : balls->radius[k];
-  if (box == NULL) {
-    hsp_model_info info;
-    const int32_t status = hsp_model_get_info(geometry->work.model, &info);
-    if (status != HSP_OK) return failure_in_library(failure, status);
-    *step = info.step;
-  }
-  while (*step > 0.0 && largest >= ldexp(*step, 30)) *step *= 10.0;
-  return true;
+  while (step > 0.0 && largest >= ldexp(step, 30)) step *= 10.0;
+  return step;
 }
 
 /* Measured with plugs for what leaks, too, until there is none. HSP_E_RANGE, HSP_E_ARGUMENT: not with this step. */
@@ -180,9 +181,10 @@ static bool measure_plugged(const struct geometry *geometry, struct geometry *pl
   for (int time = 0; time < MOST_TIMES; ++time) {
     struct molecule balls = {.atoms = 0};
     const hsp_pores *const from = time == 0 ? geometry->work.pores : plugged->work.pores;
-    bool done = take_plugged_balls(from, &balls, failure) && choose_step(geometry, box, &balls, &step, failure);
+    bool done = take_plugged_balls(from, &balls, failure);
     const bool more = balls.atoms > before;
     before = balls.atoms;
+    if (done) step = step_for(&balls, step);
     if (done && more && !find_pores_and_surface(plugged, &balls, box, 0.0, step, failure)) {
       done = failure->exit_status == EXIT_BAD_INPUT;
       *status = HSP_E_RANGE;
@@ -198,8 +200,8 @@ static bool measure_plugged(const struct geometry *geometry, struct geometry *pl
   return true;
 }
 
-/* Pores of the balls with plugs are computed in a geometry of their own, as those with the pockets must stay. Balls
- * without radii have the step 1e-8 in a box. */
+/* Pores of the balls with plugs are computed in a geometry of their own, as those with the pockets must stay. In a box
+ * they are tried again with the step 1e-8, which balls without radii have. */
 bool geometry_measure_pockets(const struct geometry *geometry, const double *box, uint32_t pockets,
                               hsp_pore_pocket_size *sizes, struct failure *failure) {
   if (pockets == 0) return true;
@@ -207,7 +209,9 @@ bool geometry_measure_pockets(const struct geometry *geometry, const double *box
   struct geometry plugged = {.progress = geometry->progress, .executor = geometry->executor};
   plugged.executor.context = &plugged.executor;
   int32_t status = HSP_OK;
-  bool done = measure_plugged(geometry, &plugged, box, 0.0, pockets, sizes, &status, failure);
+  double step = 0.0;
+  bool done = first_step(geometry, box, &step, failure) &&
+              measure_plugged(geometry, &plugged, box, step, pockets, sizes, &status, failure);
   if (done && status != HSP_OK && box != NULL) {
     status = HSP_OK;
     *failure = none;

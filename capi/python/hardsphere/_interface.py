@@ -1643,7 +1643,7 @@ class Pores(Handle):
         plug for each mouth: xyz [needed][3] and radius [needed], of which either may be NULL. Gives .xyz, .radius."""
         return call("hsp_pores_get_plugged_balls", self, only=only)
 
-    def find_regions(self, boundary: Boundary) -> Any:
+    def find_regions(self, boundary: Boundary | None = None) -> Any:
         """Find the regions of free space beside the balls as they are, which are those that were given, grown by the
         probe of the model or box: where the centre of this probe gets about, with area and volume of each. Gives
         .access, .regions."""
@@ -1653,7 +1653,7 @@ class Pores(Handle):
         """The regions first .."""
         return call("hsp_pores_get_regions", self, first=first, count=count)
 
-    def measure_pockets(self, plugged: Pores, boundary: Boundary) -> Any:
+    def measure_pockets(self, plugged: Pores, boundary: Boundary | None = None) -> Any:
         """Measure all pockets of the last hsp_pores_find_pockets: out gets a record for each, in their order."""
         return call("hsp_pores_measure_pockets", self, plugged=plugged, boundary=boundary)
 
@@ -2379,12 +2379,12 @@ FUNCTIONS = {
         "balls:array_out:uint32_t:needed:empty capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_pores_get_plugged_balls": "int32_t pores:handle:hsp_pores::never xyz:array_out:double:needed;3:always "
         "radius:array_out:double:needed:always capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
-    "hsp_pores_find_regions": "int32_t pores:handle:hsp_pores::never boundary:handle:hsp_boundary::never "
+    "hsp_pores_find_regions": "int32_t pores:handle:hsp_pores::never boundary:handle:hsp_boundary::box "
         "access:struct_out:hsp_pore_access::always regions:value_out:uint32_t::always",
     "hsp_pores_get_regions": "int32_t pores:handle:hsp_pores::never first:value:uint32_t::never "
         "count:value:uint32_t::never out:array_out:hsp_pore_region:count:empty",
     "hsp_pores_measure_pockets": "int32_t pores:handle:hsp_pores::never plugged:handle:hsp_pores::never "
-        "boundary:handle:hsp_boundary::never out:array_out:hsp_pore_pocket_size:needed:never "
+        "boundary:handle:hsp_boundary::box out:array_out:hsp_pore_pocket_size:needed:empty "
         "capacity:capacity:uint32_t::never needed:needed:uint32_t::always",
     "hsp_view_limits_init": "int32_t limits:sized:hsp_view_limits::never struct_size:value:uint32_t::never "
         "balls:value:uint32_t::never",

@@ -25,7 +25,9 @@ uint32_t count_not_below(Span<const Record> records, double level) {
 
 // Sets maximum and copy to those above where a way up ended: the maximum or gate that is nearest to that, and not below
 // it. Levels differ by no more than distances: so from the lowest ones on it looks no further than levels that are
-// higher than the way's end by more than the least distance found.
+// higher than the way's end by more than the least distance found. The two steps of below_end make up for the rounding
+// of levels and of distances up to 2^50 steps; of a longer distance a part in 2^52 may be a step by itself, for which
+// there is the factor.
 void find_nearest(const PoresBuilder &pores, const PeriodicBox *box, const Vec3 &at, const Ascent &way,
                   PorePlace &place) {
   const double lowest = way.level() - below_end;

@@ -2452,7 +2452,7 @@ static int64_t call_hsp_pores_get_plugged_balls(const value *v) {
 
 static const argument of_hsp_pores_find_regions[] = {
   {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores},
-  {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
+  {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .null = NULL_box, .is_const = 1},
   {"access", "hsp_pore_access", .kind = KIND_struct_out, .size = sizeof(hsp_pore_access), .null = NULL_always},
   {"regions", "uint32_t", .kind = KIND_value_out, .size = sizeof(uint32_t), .null = NULL_always},
 };
@@ -2474,9 +2474,9 @@ static int64_t call_hsp_pores_get_regions(const value *v) {
 static const argument of_hsp_pores_measure_pockets[] = {
   {"pores", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores},
   {"plugged", "hsp_pores", .kind = KIND_handle, .noun = NOUN_pores},
-  {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .is_const = 1},
+  {"boundary", "hsp_boundary", .kind = KIND_handle, .noun = NOUN_boundary, .null = NULL_box, .is_const = 1},
   {"out", "hsp_pore_pocket_size", .kind = KIND_array_out, .size = sizeof(hsp_pore_pocket_size), .extent = "needed",
-      .held = 1},
+      .null = NULL_empty, .held = 1},
   {"capacity", "uint32_t", .kind = KIND_capacity, .size = sizeof(uint32_t)},
   {"needed", "uint32_t", .kind = KIND_needed, .size = sizeof(uint32_t), .null = NULL_always},
 };

@@ -30,8 +30,8 @@ enum {
   KIND_outputs
 };
 
-/* Whether an argument may be NULL; empty: where there is nothing to hold. */
-enum { NULL_never, NULL_always, NULL_empty };
+/* Whether an argument may be NULL; empty: where there is nothing to hold; box: in one, but the laws have none. */
+enum { NULL_never, NULL_always, NULL_empty, NULL_box };
 
 /* id: an unsigned number that is HSP_NONE where other functions have a status. */
 enum { RESULT_status, RESULT_id, RESULT_number, RESULT_text };
