@@ -474,17 +474,15 @@ TEST(DrawColours, LooksArePresets) {
       {"goodsell",
        {"--palette", "chain", "--ink", "--style", "flat", "--occlusion", "0.5", "--outline", "0", "--fog", "0.4"}},
       {"slide",
-       {"--colour", "bfactor", "--ink-width",  "0,2,3",  "--occlusion",      "0.1",    "--outline",    "1",
-        "--fog",    "0.15",    "--background", "14171E", "--outline-colour", "14171E", "--ink-colour", "14171E",
-        "--width",  "1600",    "--height",     "900"}},
+       {"--colour", "bfactor", "--ink", "--occlusion", "0.1", "--outline", "1", "--fog", "0.15", "--background",
+        "14171E", "--outline-colour", "3A414F", "--ink-colour", "3A414F", "--width", "1600", "--height", "900"}},
       {"print",
        {"--ink", "--style", "flat", "--occlusion", "0", "--fog", "0", "--outline-colour", "000000", "--ink-colour",
         "000000"}}};
   for (const auto &[look, same] : looks) {
-    // No option leaves out one kind of contours and the widths of the others as they are.
     std::vector<std::string> by_look = {"--look", look};
     // Colours of numbers are not lightened.
-    if (look == "slide") by_look.insert(by_look.end(), {"--ink-width", "0,2,3", "--colour", "bfactor"});
+    if (look == "slide") by_look.insert(by_look.end(), {"--colour", "bfactor"});
     EXPECT_EQ(drawn(crambin(), by_look), drawn(crambin(), same)) << look;
     // The last of its options that has a value says something else now.
     std::vector<std::string> other = same;
@@ -492,11 +490,10 @@ TEST(DrawColours, LooksArePresets) {
     const std::string option = other[other.size() - 2];
     by_look.insert(by_look.end(), {option, other.back()});
     EXPECT_EQ(drawn(crambin(), by_look),
-              look == "slide"
-                  ? drawn(crambin(), {"--colour", "bfactor", "--ink-width", "0,2,3", "--occlusion", "0.1", "--outline",
-                                      "1", "--fog", "0.15", "--background", "14171E", "--outline-colour", "14171E",
-                                      "--ink-colour", "14171E", "--height", "800"})
-                  : drawn(crambin(), other))
+              look == "slide" ? drawn(crambin(), {"--colour", "bfactor", "--ink", "--occlusion", "0.1", "--outline",
+                                                  "1", "--fog", "0.15", "--background", "14171E", "--outline-colour",
+                                                  "3A414F", "--ink-colour", "3A414F", "--height", "800"})
+                              : drawn(crambin(), other))
         << look;
     // Balls and sticks have no contours, nor are they darkened.
     const std::string sticks = drawn(molecules_folder() + "/caffeine.pdb", {"--look", look, "--as", "ball-and-stick"});
@@ -507,10 +504,14 @@ TEST(DrawColours, LooksArePresets) {
     }
   }
   EXPECT_LT(drawn(crambin(), {"--look", "goodsell", "--style", "soft", "--classes"}).size(), 170000u);
-  // Contours of the background's colour are within the molecule alone, and what is written there is light.
+  // Lines are lighter than a dark background, around the molecule, too, and what is written there is light; those
+  // around sticks have its colour.
   const TemporaryFile pair("pair.xyz", "2\n\nC 0 0 0\nO 1.2 0 0\n");
   const std::string slide = drawn(pair.path(), {"--look", "slide", "--scale-bar", "--view", "0,0,1"});
-  EXPECT_EQ(slide.find("class=\"border\""), std::string::npos);
+  EXPECT_NE(slide.find("class=\"border\""), std::string::npos);
+  const std::vector<std::string> slide_of_sticks = {"--look", "slide", "--as", "ball-and-stick"};
+  EXPECT_NE(slide.find("stroke=\"#3a414f\""), std::string::npos);
+  EXPECT_EQ(drawn(pair.path(), slide_of_sticks).find("#3a414f"), std::string::npos);
   EXPECT_NE(drawn(pair.path(), {"--look", "paper", "--view", "0,0,1"}).find("class=\"border\""), std::string::npos);
   EXPECT_NE(drawn(crambin(), {"--look", "slide"}).find("class=\"depth\""), std::string::npos);
   EXPECT_NE(slide.find("fill=\"#ece9e2\">"), std::string::npos);

@@ -12,7 +12,6 @@ struct look {
   int outline_colour;
   int text_colour; /* of what is written over the picture; a user's colour of lines is that of text, too */
   int ink_colour;
-  double border; /* the width of contours before the background */
   double outline;
   double fog;
   double occlusion;
@@ -27,15 +26,15 @@ struct look {
 /* In the order of their names in the table of options.
  *   paper     light and contours on white
  *   goodsell  after D. S. Goodsell's pictures: flat colours, darker in depth, contours, no lines between bonded atoms
- *   slide     light on dark, 16:9; contours are gaps of the background's colour, which around the molecule would only
- *             nibble at its corners
+ *   slide     light on dark, 16:9; lines are a little lighter than the background, around the molecule, too: those of
+ *             its colour would be gaps, which nibble at outlines and leave slivers without a body
  *   print     for printers without colours or with little ink: flat, nothing darkened or faded, black lines */
 static const struct look looks[] = {
-    {-1, -1, -1, -1, -1, -1.0, -1.0, -1.0, -1.0, true, false, false, 2.0, -1.0, -1.0, -1.0},
-    {(int)HSP_STYLE_FLAT, -1, -1, -1, -1, -1.0, 0.0, 0.4, -1.0, true, true, true, 2.0, -1.0, -1.0, -1.0},
-    {-1, DARK_PAGE, DARK_PAGE, DARK_PAGE_TEXT, DARK_PAGE, 0.0, 1.0, 0.15, 0.1, true, true, false, 1.0, 0.5, 1600.0,
-     900.0},
-    {(int)HSP_STYLE_FLAT, -1, 0x000000, -1, 0x000000, -1.0, -1.0, 0.0, 0.0, false, true, false, 2.0, -1.0, -1.0, -1.0},
+    {-1, -1, -1, -1, -1, -1.0, -1.0, -1.0, true, false, false, 2.0, -1.0, -1.0, -1.0},
+    {(int)HSP_STYLE_FLAT, -1, -1, -1, -1, 0.0, 0.4, -1.0, true, true, true, 2.0, -1.0, -1.0, -1.0},
+    {-1, DARK_PAGE, DARK_PAGE_LINES, DARK_PAGE_TEXT, DARK_PAGE_LINES, 1.0, 0.15, 0.1, true, true, false, 1.0, 0.5,
+     1600.0, 900.0},
+    {(int)HSP_STYLE_FLAT, -1, 0x000000, -1, 0x000000, -1.0, 0.0, 0.0, false, true, false, 2.0, -1.0, -1.0, -1.0},
 };
 
 static void choose(int *choice, int preset) {
@@ -57,13 +56,12 @@ void look_apply(struct drawing *drawing) {
   }
   choose(&drawing->background, look->background);
   if (drawing->outline_colour < 0) drawing->text_colour = look->text_colour;
-  choose(&drawing->outline_colour, look->outline_colour);
+  choose(&drawing->outline_colour, of_sticks && look->background >= 0 ? look->background : look->outline_colour);
   for (int level = 0; level < INK_LEVELS; ++level) choose(&drawing->ink_colour[level], look->ink_colour);
   if (of_sticks) {
     choose_number(&drawing->outline, look->stick_outline);
   } else {
     drawing->ink = true;
-    choose_number(&drawing->ink_width[0], look->border);
     choose_number(&drawing->outline, look->outline);
     choose_number(&drawing->occlusion, look->occlusion);
   }

@@ -24,6 +24,10 @@ constexpr double full_group = 0.5;
 // Largest widths. Between two nearer bodies a ball's silhouette of which less is seen has thinner contours.
 constexpr double short_length = 8.0;
 
+// Largest widths, along which a contour falls off that ends in a crease, and where another silhouette crosses it there.
+constexpr double taper_length = 4.0;
+constexpr double crossed_taper_length = 2.0;
+
 // px. A line that is nowhere wider is left out.
 constexpr double thinnest_ink = 0.02;
 
@@ -84,17 +88,26 @@ class BodyInk {
     if (first) ++runs_;
     if (runs_ > most_runs) return;
     Run &run = run_[runs_ - 1];
-    if (first) run = {0.0, arc.start.goes_under, false, true};
+    if (first) run = {0.0, 0.0, 0.0, arc.start.goes_under, false, true, fades(arc, arc.start), false, false};
+    const double near = taper_length * largest_;
+    if (!first && arc.start.crossed != no_id) {
+      run.crossed_at_start = run.crossed_at_start || run.length < near;
+      run.last_crossing = run.length;
+    }
+    if (arc.behind == no_id && run.length < near) run.fades_from_start = false;
     run.length += (arc.to - arc.from) * unit_;
+    if (arc.behind == no_id) run.last_background = run.length;
     run.ends_under = arc.end.goes_under;
     run.before_bodies = run.before_bodies && arc.behind != no_id;
+    run.fades_to_end = fades(arc, arc.end) && (run.before_bodies || run.length - run.last_background >= near);
   }
 
   void take(const SilhouetteArc &arc, bool first) {
-    if (first) share_ = share_of_run(taken_++);
+    if (first) begin_run();
     if (first || level_of(arc.behind) != level_) finish();
     if (first && straight_) set_side(input_.silhouettes.side_with(body_, arc.from));
     if (level_of(arc.behind) == level_ && unit_ > 0.0 && largest_ > 0.0) put_knots(arc);
+    before_ += (arc.to - arc.from) * unit_;
   }
 
   // Hands on what has been taken, as one loop: on the outer side there, on the inner side back.
@@ -111,8 +124,10 @@ class BodyInk {
  private:
   // Arcs that go on from one to the next. Those beyond the first so many are taken to be long.
   struct Run {
-    double length;  // px
+    double length;                          // px
+    double last_crossing, last_background;  // how far from the start another silhouette crosses, and a border ends
     bool begins_under, ends_under, before_bodies;
+    bool fades_from_start, fades_to_end, crossed_at_start;
   };
   static constexpr uint32_t most_runs = 16;
   static constexpr uint32_t most_lunes = 64, most_knots = most_lunes + 32;
@@ -165,12 +180,33 @@ class BodyInk {
                                                : larger_of(depth, width_[1] * smaller_of(gap / full_group, 1.0));
   }
 
-  double share_of_run(uint32_t number) const {
-    if (straight_ || number >= most_runs || number >= runs_ || !(largest_ > 0.0)) return 1.0;
-    const Run &run = run_[number];
-    const bool gap = run.begins_under && run.ends_under && run.before_bodies;
-    const double share = smaller_of(run.length / (short_length * largest_), 1.0);
-    return gap ? share * share : 1.0;
+  // Whether there is nothing at an end to go on with: it is a crease with a ball.
+  bool fades(const SilhouetteArc &arc, const SilhouetteArc::End &end) const {
+    return !straight_ && !end.goes_on && !end.goes_under && arc.behind != no_id &&
+           SeenSilhouettes::is_ball(input_.balls, arc.behind);
+  }
+
+  void begin_run() {
+    const uint32_t number = taken_++;
+    const bool measured = !straight_ && number < most_runs && number < runs_ && largest_ > 0.0;
+    now_ = measured ? run_[number] : Run{};
+    before_ = 0.0;
+    const bool gap = now_.begins_under && now_.ends_under && now_.before_bodies;
+    const double share = gap ? smaller_of(now_.length / (short_length * largest_), 1.0) : 1.0;
+    share_ = share * share;
+  }
+
+  // The share of the width that is left so many px from where a contour ends.
+  double tapered(double px, bool crossed) const {
+    const double part = px / ((crossed ? crossed_taper_length : taper_length) * largest_);
+    return part < 1.0 ? part * (2.0 - part) : 1.0;
+  }
+  double share_at(const SilhouetteArc &arc, double angle) const {
+    const double from_start = before_ + (angle - arc.from) * unit_;
+    const double to_end = larger_of(now_.length - from_start, 0.0);
+    const bool crossed_at_end = now_.last_crossing > 0.0 && now_.length - now_.last_crossing < taper_length * largest_;
+    return share_ * (now_.fades_from_start ? tapered(from_start, now_.crossed_at_start) : 1.0) *
+           (now_.fades_to_end ? tapered(to_end, crossed_at_end) : 1.0);
   }
 
   // One arc: the widths by what lies behind, what is added at its ends, and the angles along which that falls off.
@@ -189,7 +225,7 @@ class BodyInk {
     const double width = (creases ? 0.0 : width_before(arc.behind, angle)) +
                          (from_start > 0.0 ? stretch.at_start * from_start * from_start : 0.0) +
                          (from_end > 0.0 ? stretch.at_end * from_end * from_end : 0.0);
-    return share_ * width;
+    return share_at(arc, angle) * width;
   }
   // The width to be added at one end to meet that of the arc that goes on there.
   double missing(const SilhouetteArc &arc, const SilhouetteArc::End &end, double angle) const {
@@ -333,7 +369,9 @@ class BodyInk {
   bool straight_;
   StraightSilhouette side_{};
   double width_[3] = {}, largest_ = 0.0;
-  double share_ = 1.0;  // of all widths of a run
+  Run now_{};            // that is taken
+  double before_ = 0.0;  // px of it
+  double share_ = 1.0;   // of all its widths
   Run run_[most_runs];
   uint32_t runs_ = 0, taken_ = 0;
   Knot knot_[most_knots];

@@ -15,6 +15,10 @@
 // wide contours would clot: if its length is a share of eight times the largest width, all widths are the square of
 // that share.
 //
+// Where a silhouette goes over into a crease with a ball, what lies behind may rise steeply. There widths fall off like
+// a parabola, so that no contour ends bluntly: along four times the largest width, or twice that if another silhouette
+// crosses so near to the end, which goes on from there. Borders go on with their widths.
+//
 // Contours are painted directly after their ball: whatever is nearer then covers their ends, which go on under it.
 #pragma once
 
