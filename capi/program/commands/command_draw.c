@@ -19,6 +19,7 @@
 #include "draw/page_labels.h"
 #include "draw/picture_file.h"
 #include "draw/picture_frame.h"
+#include "draw/seen_areas.h"
 #include "draw/spinning.h"
 #include "draw/view_axes.h"
 #include "draw/view_geometry.h"
@@ -175,9 +176,9 @@ static int32_t get_info(const struct request *request, const struct molecule *mo
 static struct shown_bodies bodies_of(const struct request *request, const struct molecule *molecule,
                                      const struct bond *bond, uint32_t bonds) {
   const struct drawing *const drawing = &request->drawing;
-  if (!drawing_is_of_sticks(drawing)) return (struct shown_bodies){molecule, 1.0, request->probe, NULL, 0, 0.0};
-  return (struct shown_bodies){molecule, ball_and_stick_size(drawing),  0.0, bond,
-                               bonds,    ball_and_stick_radius(drawing)};
+  if (!drawing_is_of_sticks(drawing)) return (struct shown_bodies){molecule, 1.0, request->probe, NULL, 0, 0.0, NULL};
+  return (struct shown_bodies){molecule, ball_and_stick_size(drawing),   0.0, bond,
+                               bonds,    ball_and_stick_radius(drawing), NULL};
 }
 
 /* Adds the text over the picture. Labels are where a map of the balls says that there is room: sticks hide little. */
@@ -189,22 +190,27 @@ static bool annotate(const struct request *request, const struct molecule *molec
   struct page_label *labels = NULL;
   uint32_t *colour = NULL;
   uint32_t count = 0;
-  double *room = NULL;
+  double *seen = NULL;
+  bool *painted = NULL;
   bool done = ball_colours_make(drawing, &request->highlight, molecule, &colour, &palette, failure);
   if (!done) return false;
   /* Legends of kinds, and of colours that occlusion darkens or fog fades. */
   const bool faded = drawn->occlusion > 0.0 || drawn->options.fog > 0.0;
   const bool of_seen = drawing->legend && palette.remark != NULL && (drawing->colour == COLOUR_RESIDUE || faded);
   const bool has_map = drawing_is_of_map(drawing) && !drawing_is_of_sticks(drawing);
-  if ((drawing->label >= 0 || of_seen) && !has_map) {
+  if (drawing->label >= 0 && !has_map) {
     done = geometry_compute_map(geometry, &drawing->viewing, molecule, failure);
   }
   if (drawing->label >= 0) {
     done = done && page_labels_find(geometry->work.map, molecule, &request->highlight, drawing->label, &labels, &count,
                                     failure);
   }
-  if (of_seen) done = done && page_labels_find_room(geometry->work.map, molecule->atoms, &room, failure);
-  const struct shown_bodies bodies = bodies_of(request, molecule, geometry->bond, geometry->bonds);
+  struct shown_bodies bodies = bodies_of(request, molecule, geometry->bond, geometry->bonds);
+  if (of_seen && !drawing_is_of_map(drawing) && !drawing_is_of_sticks(drawing)) {
+    done = done && seen_areas_find_painted(geometry->work.view, molecule->atoms, &painted, failure);
+    bodies.painted = painted;
+  }
+  if (of_seen) done = done && seen_areas_find(&bodies, &drawn->frame, &drawn->view, &seen, failure);
   const struct annotation annotation = {.drawing = drawing,
                                         .molecule = molecule,
                                         .options = &drawn->options,
@@ -217,11 +223,12 @@ static bool annotate(const struct request *request, const struct molecule *molec
                                         .colour = colour,
                                         .darkened = darkened,
                                         .selected = &request->highlight,
-                                        .room = room};
+                                        .seen = seen};
   done = done && annotation_write(&annotation, over, failure);
   free(labels);
   free(colour);
-  free(room);
+  free(seen);
+  free(painted);
   return done;
 }
 

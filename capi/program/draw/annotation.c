@@ -80,11 +80,9 @@ static bool is_by_residue(const struct annotation *annotation) {
   return strcmp(annotation->palette->name, "residue") == 0;
 }
 
-/* Legends of kinds name those that are seen, others all. Specks are lost between lines. */
-static const double least_seen = 0.05; /* the radius of a circle in it, in sizes of letters */
+/* Legends of kinds name those that are seen, others all. */
 static bool is_hidden(const struct annotation *annotation, uint32_t atom) {
-  const struct picture_frame *const frame = &annotation->frame;
-  return is_by_residue(annotation) && frame->scale * annotation->room[atom] < least_seen * frame->letter;
+  return is_by_residue(annotation) && !(annotation->seen[atom] > 0.0);
 }
 
 /* Of colours by chain, atoms of chains stand for these, by their carbon, which has the tint itself; of those by
@@ -125,6 +123,12 @@ static double depth_of(const struct annotation *annotation, uint32_t atom) {
   return axis[0] * xyz[0] + axis[1] * xyz[1] + axis[2] * xyz[2];
 }
 
+/* As far as is known. */
+static bool is_painted(const struct annotation *annotation, uint32_t atom) {
+  const bool *const painted = annotation->bodies->painted;
+  return painted != NULL ? painted[atom] : annotation->seen != NULL && annotation->seen[atom] > 0.0;
+}
+
 static void find_depths(const struct annotation *annotation, double depth[2]) {
   static const double least_fog = 5.0; /* deep, in mean radii, as the library has it */
   double radii = 0.0;
@@ -132,7 +136,7 @@ static void find_depths(const struct annotation *annotation, double depth[2]) {
   depth[1] = HUGE_VAL;
   for (uint32_t atom = 0; atom < annotation->molecule->atoms; ++atom) {
     radii += shown_bodies_radius(annotation->bodies, atom);
-    if (annotation->room == NULL || !(annotation->room[atom] > 0.0)) continue;
+    if (!is_painted(annotation, atom)) continue;
     depth[0] = fmax(depth[0], depth_of(annotation, atom));
     depth[1] = fmin(depth[1], depth_of(annotation, atom));
   }
@@ -148,8 +152,8 @@ static double fog_of(const struct annotation *annotation, const double depth[2],
 
 static void add_tone(const struct annotation *annotation, const struct legend *legend, uint32_t atom,
                      struct entry *entry) {
-  if (annotation->room == NULL || !(annotation->room[atom] > 0.0)) return;
-  const double seen = annotation->room[atom] * annotation->room[atom], fog = fog_of(annotation, legend->depth, atom);
+  if (annotation->seen == NULL || !(annotation->seen[atom] > 0.0)) return;
+  const double seen = annotation->seen[atom], fog = fog_of(annotation, legend->depth, atom);
   entry->seen += seen;
   for (int k = 0; k < 3; ++k) {
     const double own = annotation->darkened[atom] >> (16 - 8 * k) & 0xFF;

@@ -27,7 +27,7 @@ struct annotation {
   const uint32_t *colour;             /* [atoms] */
   const uint32_t *darkened;           /* [atoms], by occlusion */
   const struct selection *selected;   /* of these atoms */
-  const double *room; /* [atoms], the largest circle in what is seen of each; NULL: no legend asks for it */
+  const double *seen;                 /* [atoms], px^2 of each, by seen_areas.h; NULL: no legend asks for it */
 };
 
 /* Append it to `out`, in the language of the picture. False: there are more labels than have room. */

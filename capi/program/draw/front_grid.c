@@ -110,6 +110,7 @@ void front_grid_show(struct front_grid *grid, const struct shown_bodies *bodies,
   for (uint32_t atom = 0; atom < bodies->molecule->atoms; ++atom) {
     double at[3];
     const double radius = shown_bodies_radius(bodies, atom);
+    if (bodies->painted != NULL && !bodies->painted[atom]) continue;
     page_axes_place(axes, xyz + 3 * (size_t)atom, at);
     if (radius > 0.0) add_ball(grid, at, scale * radius, atom);
   }

@@ -17,8 +17,9 @@ struct shown_bodies {
   const struct molecule *molecule;
   double share, probe; /* a ball's radius is that of its atom times the share, and the probe */
   const struct bond *bond;
-  uint32_t bonds; /* 0: of balls alone */
-  double stick;   /* radius */
+  uint32_t bonds;      /* 0: of balls alone */
+  double stick;        /* radius */
+  const bool *painted; /* [atoms]; NULL: any ball may be seen */
 };
 
 double shown_bodies_radius(const struct shown_bodies *bodies, uint32_t atom);

@@ -23,21 +23,6 @@ struct writer {
   uint32_t colour, seam;
 };
 
-/* Px to the right and down. */
-static struct page_axes axes_of(const struct annotation *annotation) {
-  const struct picture_frame *const frame = &annotation->frame;
-  const hsp_view_info *const view = annotation->view;
-  const double *const axis[3] = {view->right, view->up, view->towards};
-  struct page_axes axes = {.origin = {frame->x, frame->y, 0.0}};
-  for (int row = 0; row < 3; ++row) {
-    for (int k = 0; k < 3; ++k) {
-      axes.row[row][k] = (row == 1 ? -frame->scale : frame->scale) * axis[row][k];
-      axes.origin[row] -= axes.row[row][k] * view->origin[k];
-    }
-  }
-  return axes;
-}
-
 static const double dot = 0.3, ring = 0.55; /* wide, in sizes */
 static const double seam_of_line = 0.12;    /* wider than the line, likewise */
 static const double smallest_within = 0.85; /* names within balls, in sizes of others */
@@ -186,7 +171,7 @@ bool labels_write(const struct annotation *annotation, const struct pen *pen, ui
   const double low[2] = {0.0, 0.0}, high[2] = {frame->width, frame->height}, margin = 0.25 * frame->letter;
   const bool written_below = annotation->drawing->scale_bar || annotation->drawing->legend;
   const double below = frame->strip > 0.0 ? frame->strip : written_below ? 2.0 * frame->letter : margin;
-  const struct page_axes axes = axes_of(annotation);
+  const struct page_axes axes = picture_frame_axes(frame, annotation->view);
   const size_t labels = (size_t)annotation->label_count + 1;
   struct placed_label *label = calloc(labels, sizeof *label);
   double(*box)[4] = calloc(labels, sizeof *box);

@@ -96,19 +96,3 @@ bool page_labels_find(const hsp_map *map, const struct molecule *molecule, const
   free(found);
   return failure_in_library(failure, status);
 }
-
-bool page_labels_find_room(const hsp_map *map, uint32_t atoms, double **room, struct failure *failure) {
-  int32_t status = HSP_OK;
-  *room = calloc((size_t)atoms + 1, sizeof **room);
-  if (*room == NULL) return failure_of_memory(failure);
-  for (uint32_t atom = 0; atom < atoms && status == HSP_OK; ++atom) {
-    bool seen;
-    hsp_map_pole pole;
-    status = find_widest(map, atom, &seen, &pole);
-    if (status == HSP_OK && seen) (*room)[atom] = pole.radius;
-  }
-  if (status == HSP_OK) return true;
-  free(*room);
-  *room = NULL;
-  return failure_in_library(failure, status);
-}

@@ -22,7 +22,4 @@ struct page_label {
 bool page_labels_find(const hsp_map *map, const struct molecule *molecule, const struct selection *selected, int kind,
                       struct page_label **labels, uint32_t *count, struct failure *failure);
 
-/* The radius of the largest circle in what is seen of each ball, 0 where it is hidden, to be freed on true. */
-bool page_labels_find_room(const hsp_map *map, uint32_t atoms, double **room, struct failure *failure);
-
 #endif

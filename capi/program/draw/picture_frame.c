@@ -111,3 +111,15 @@ void picture_frame_set(const struct drawing *drawing, const hsp_view_info *view,
   frame->x = frame->width / 2.0 - frame->scale * middle[0];
   frame->y = frame->height / 2.0 + frame->scale * middle[1];
 }
+
+struct page_axes picture_frame_axes(const struct picture_frame *frame, const hsp_view_info *view) {
+  const double *const axis[3] = {view->right, view->up, view->towards};
+  struct page_axes axes = {.origin = {frame->x, frame->y, 0.0}};
+  for (int row = 0; row < 3; ++row) {
+    for (int k = 0; k < 3; ++k) {
+      axes.row[row][k] = (row == 1 ? -frame->scale : frame->scale) * axis[row][k];
+      axes.origin[row] -= axes.row[row][k] * view->origin[k];
+    }
+  }
+  return axes;
+}

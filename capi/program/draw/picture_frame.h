@@ -3,6 +3,7 @@
 #define HARDSPHERE_TOOL_PICTURE_FRAME_H
 
 #include "draw/drawing.h"
+#include "draw/front_grid.h"
 #include "hardsphere.h"
 
 /* The page in px, which files are written in, and where it has what. */
@@ -18,5 +19,8 @@ struct picture_frame {
  * with a fixed frame, with room for annotations unless the user has fixed it. */
 void picture_frame_set(const struct drawing *drawing, const hsp_view_info *view, hsp_picture_options *options,
                        struct picture_frame *frame);
+
+/* From coordinates of the molecule to those of the page. */
+struct page_axes picture_frame_axes(const struct picture_frame *frame, const hsp_view_info *view);
 
 #endif
