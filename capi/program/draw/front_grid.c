@@ -122,27 +122,22 @@ void front_grid_show(struct front_grid *grid, const struct shown_bodies *bodies,
   }
 }
 
-static uint32_t in_front(const struct front_grid *grid, double x, double y) {
+uint32_t front_grid_body(const struct front_grid *grid, double x, double y) {
   const double column = floor((x - grid->corner[0]) / grid->cell), row = floor((y - grid->corner[1]) / grid->cell);
   if (!(column >= 0.0 && column < grid->columns && row >= 0.0 && row < grid->rows)) return FRONT_GRID_NOTHING;
   return grid->owner[(size_t)row * (size_t)grid->columns + (size_t)column];
 }
 
 uint32_t front_grid_owner(const struct front_grid *grid, double x, double y) {
-  const uint32_t owner = in_front(grid, x, y);
+  const uint32_t owner = front_grid_body(grid, x, y);
   return owner == FRONT_GRID_NOTHING ? owner : owner & ~FRONT_GRID_STICK;
-}
-
-bool front_grid_is_stick(const struct front_grid *grid, double x, double y) {
-  const uint32_t owner = in_front(grid, x, y);
-  return owner != FRONT_GRID_NOTHING && (owner & FRONT_GRID_STICK) != 0;
 }
 
 bool front_grid_is_all(const struct front_grid *grid, const double box[4], uint32_t ball) {
   bool all = true;
   for (double y = box[1]; all && y < box[3] + grid->cell; y += grid->cell) {
     for (double x = box[0]; all && x < box[2] + grid->cell; x += grid->cell) {
-      all = in_front(grid, fmin(x, box[2]), fmin(y, box[3])) == ball;
+      all = front_grid_body(grid, fmin(x, box[2]), fmin(y, box[3])) == ball;
     }
   }
   return all;

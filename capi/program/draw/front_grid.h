@@ -50,7 +50,9 @@ void front_grid_show(struct front_grid *grid, const struct shown_bodies *bodies,
 
 /* The ball that is in front, or whose half of a stick is; beyond the grid is nothing. */
 uint32_t front_grid_owner(const struct front_grid *grid, double x, double y);
-bool front_grid_is_stick(const struct front_grid *grid, double x, double y);
+
+/* The same, with FRONT_GRID_STICK where it is a stick. */
+uint32_t front_grid_body(const struct front_grid *grid, double x, double y);
 
 /* Whether at every point of a box (left, top, right, bottom) that ball itself is in front. */
 bool front_grid_is_all(const struct front_grid *grid, const double box[4], uint32_t ball);

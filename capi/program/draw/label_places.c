@@ -8,7 +8,7 @@
 
 /* In sizes of letters. */
 static const double box_height = 0.8, clear = 0.2, beside = 0.25, alone = 0.4, step = 0.35, line_gap = 0.25,
-                    shortest = 0.45, apart = 0.35; /* from label to label */
+                    shortest = 0.45;
 
 /* Costs of a place, in lengths of a line. */
 static const double cost_of_line = 2.0, cost_of_knee = 1.0, cost_of_slope = 0.5, cost_of_corner = 1.0;
@@ -74,8 +74,8 @@ static void find_cover(const struct taken *taken, const double box[4], double ar
 
 /* ---- what is in the way ---- */
 
-/* How many lines are within `clear` of each cell, and labels within `apart`: a line that is followed from cell to cell
- * crosses none unnoticed. */
+/* How many lines are within `clear` of each cell, and labels as near as they may be to others: a line that is followed
+ * from cell to cell crosses none unnoticed. */
 struct marks {
   const struct front_grid *front;
   double of_line, of_label; /* around, px */
@@ -225,11 +225,12 @@ static bool go_on(const struct search *search, const double from[2], const doubl
     const double share = (double)k / parts;
     const double x = from[0] + share * (to[0] - from[0]), y = from[1] + share * (to[1] - from[1]);
     if (!begins && is_marked(&search->marks, x, y)) return false;
-    const uint32_t owner = front_grid_owner(page->front, x, y);
-    const bool across = owner != FRONT_GRID_NOTHING && owner != search->own->atom;
-    const double of_body = front_grid_is_stick(page->front, x, y) ? 1.0 : across_ball;
-    *cost +=
-        length / parts / page->size * (across ? 1.0 + of_body * cost_across[is_selected(page, owner) ? 1 : 0] : 1.0);
+    const uint32_t body = front_grid_body(page->front, x, y), owner = body & ~FRONT_GRID_STICK;
+    double times = 1.0;
+    if (body != FRONT_GRID_NOTHING && owner != search->own->atom) {
+      times += cost_across[is_selected(page, owner) ? 1 : 0] * (body == owner ? across_ball : 1.0);
+    }
+    *cost += length / parts / page->size * times;
   }
   return true;
 }
@@ -353,7 +354,7 @@ bool label_places_find(const struct label_page *page, const double (*boxes)[4], 
   bool enough = make_taken(page, &taken);
   struct search search = {
       .taken = &taken,
-      .marks = {page->front, clear * page->size, apart * page->size, calloc(cells + 1, sizeof(uint16_t))}};
+      .marks = {page->front, clear * page->size, page->apart * page->size, calloc(cells + 1, sizeof(uint16_t))}};
   enough = enough && search.marks.count != NULL;
   for (size_t i = 0; i < count; ++i) {
     label[i].wide = text_width(label[i].text, page->size);

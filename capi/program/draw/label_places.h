@@ -34,6 +34,7 @@ struct label_page {
   const struct selection *selected; /* the others may be written over, if it must be */
   double low[2], high[2];           /* of the part of the page for labels */
   double size;                      /* of letters */
+  double apart;                     /* labels are at least, in sizes */
 };
 
 /* Sets the places of labels: none touches another one, its line or one of the boxes, and no two lines cross. A label

@@ -14,6 +14,7 @@ static const double clear_of_edge = 0.23;                    /* a name within a 
 static const double clear_of_stick[] = {0.4, 0.3, 0.2, 0.1}; /* the first of them for which there is room */
 static const double smallest_share = 1.0 / 110.0; /* of the width of the page: letters below that are not read */
 static const double cells_per_letter = 8.0;       /* of the grid of what is in front */
+static const double apart[2] = {0.35, 0.2};       /* labels, in sizes; the latter where letters are smallest */
 static const double least_circle = 0.4;           /* seen of a disc beside which a name stands without a line */
 
 struct writer {
@@ -193,6 +194,7 @@ bool labels_write(const struct annotation *annotation, const struct pen *pen, ui
     const double columns = 0.5 * (double)count * line_height * smallest_share * frame->width;
     const bool some = columns <= frame->height - below;
     while (enough && some && !placed && page.size >= frame->width * smallest_share) {
+      page.apart = apart[page.size * smaller >= frame->width * smallest_share ? 0 : 1];
       enough = label_places_find(&page, (const double(*)[4])box, within, label, count, &placed);
       if (enough && placed) write_beside(writer, label, hidden, count, page.size);
       page.size *= smaller;
