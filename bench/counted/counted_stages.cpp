@@ -99,6 +99,10 @@ void count_stages(const bench::Balls &balls, const Surface &surface) {
     bench::Pores pores(model);
     count("pores", balls, surface, [&] { pores.compute(); });
     count("pore_regions", balls, surface, [&] { pores.find_regions(boundary); });
+    bench::Pockets pockets(model);
+    count("pockets", balls, surface, [&] { pockets.find(); });
+    count("plugs", balls, surface, [&] { pockets.list_plugs(); });
+    count("pocket_sizes", balls, surface, [&] { pockets.measure(); });
   }
   bench::View farther(model, nullptr, HSP_PIECES_OUTSIDE_FARTHER, {towards});
   count("view_farther", balls, surface, [&] { farther.compute(towards); });

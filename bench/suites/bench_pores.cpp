@@ -1,5 +1,6 @@
 // Free space for every probe at once over size: all maxima, gates and classes above the floor 0, by the room
-// lib/space/pores itself, also where all balls tie; and the regions beside the balls, once these are known.
+// lib/space/pores itself, also where all balls tie; and from these, once they are known, the regions beside the balls,
+// pockets, plugs in their mouths, and sizes of pockets.
 #include <stdexcept>
 #include <vector>
 
@@ -54,14 +55,27 @@ void pores(benchmark::State &state, Subject &subject) {
       benchmark::Counter(atoms, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
+void count_time_per_atom(benchmark::State &state, const Subject &subject) {
+  state.counters["time_per_atom"] = benchmark::Counter(
+      subject.balls.size(), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
 void regions(benchmark::State &state, Subject &subject) {
   Pores pores(*subject.model);
   pores.compute();
   hsp_pore_access access{};
   iterate(state, [&] { access = pores.find_regions(*subject.boundary); });
   state.counters["blocked"] = access.blocked;
-  state.counters["time_per_atom"] = benchmark::Counter(
-      subject.balls.size(), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  count_time_per_atom(state, subject);
+}
+
+// One stage of pockets. counted: what it returns the number of.
+void pockets(benchmark::State &state, Subject &subject, const char *counted, uint32_t (Pockets::*stage)()) {
+  Pockets pockets(*subject.model);
+  uint32_t count = 0;
+  iterate(state, [&] { count = (pockets.*stage)(); });
+  state.counters[counted] = count;
+  count_time_per_atom(state, subject);
 }
 
 }  // namespace
@@ -76,6 +90,16 @@ void register_suite() {
   for (const Size &size : molecule_sizes()) {
     register_case("regions/" + size.name, {"regions/" + size.name, size.balls, 0.0, Stage::boundary}, regions)
         ->Unit(benchmark::kMicrosecond);
+    const auto register_stage = [&](const std::string &stage, const char *counted, uint32_t (Pockets::*run)()) {
+      const std::string name = stage + "/" + size.name;
+      register_case(
+          name, {name, size.balls, 0.0, Stage::model},
+          [counted, run](benchmark::State &state, Subject &subject) { pockets(state, subject, counted, run); })
+          ->Unit(benchmark::kMicrosecond);
+    };
+    register_stage("pockets", "pockets", &Pockets::find);
+    register_stage("plugs", "plugs", &Pockets::list_plugs);
+    register_stage("pocket_sizes", "closed", &Pockets::measure);
   }
 }
 

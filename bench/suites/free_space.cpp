@@ -29,4 +29,54 @@ size_t FreeSpace::locate(const std::vector<double> &points) const {
   return in_none;
 }
 
+namespace {
+
+// The balls as they are, and room for plugs.
+Balls with_plugs(const Pores &pores) {
+  uint32_t n = 0;
+  expect_ok(hsp_pores_get_plugged_balls(pores.get(), nullptr, nullptr, 0, &n), "hsp_pores_get_plugged_balls");
+  Balls balls;
+  balls.name = "with_plugs";
+  balls.xyz.resize(size_t{3} * n);
+  balls.radius.resize(n);
+  expect_ok(hsp_pores_get_plugged_balls(pores.get(), balls.xyz.data(), balls.radius.data(), n, nullptr),
+            "hsp_pores_get_plugged_balls");
+  return balls;
+}
+
+}  // namespace
+
+Pockets::Pockets(const Model &model)
+    : pores_(model),
+      count_(find()),
+      balls_(model.size()),
+      plugged_balls_(with_plugs(pores_)),
+      plugged_model_(plugged_balls_, 0.0),
+      plugged_boundary_(plugged_model_),
+      plugged_(plugged_model_),
+      sizes_(count_) {}
+
+uint32_t Pockets::find() {
+  uint32_t count = 0;
+  expect_ok(hsp_pores_find_pockets(pores_.get(), narrow, wide, &count), "hsp_pores_find_pockets");
+  return count;
+}
+
+uint32_t Pockets::list_plugs() {
+  uint32_t n = 0;
+  expect_ok(hsp_pores_get_plugged_balls(pores_.get(), plugged_balls_.xyz.data(), plugged_balls_.radius.data(),
+                                        plugged_balls_.size(), &n),
+            "hsp_pores_get_plugged_balls");
+  return n - balls_;
+}
+
+uint32_t Pockets::measure() {
+  expect_ok(
+      hsp_pores_measure_pockets(pores_.get(), plugged_.get(), plugged_boundary_.get(), sizes_.data(), count_, nullptr),
+      "hsp_pores_measure_pockets");
+  uint32_t closed = 0;
+  for (const hsp_pore_pocket_size &size : sizes_) closed += size.closed;
+  return closed;
+}
+
 }  // namespace bench

@@ -1,4 +1,4 @@
-// hsp_cells and hsp_pores in memory of their own, for the benchmarks; see handles.hpp.
+// hsp_cells and hsp_pores in memory of their own, pockets and what measures them, for the benchmarks; see handles.hpp.
 #pragma once
 
 #include <cstddef>
@@ -47,10 +47,35 @@ class Pores {
                        "hsp_pores_find_regions");
     return access;
   }
+  hsp_pores *get() const { return pores_.get(); }
 
  private:
   const Model &model_;
   support::OwnedHandle<support::PoresKind> pores_;
+};
+
+// The pockets of a model between two probes, and pores of its balls with plugs in their mouths.
+class Pockets {
+ public:
+  explicit Pockets(const Model &model);
+
+  // As they are found in maxima and gates. Returns how many there are.
+  uint32_t find();
+  // Of all mouths, behind the balls. Returns how many there are.
+  uint32_t list_plugs();
+  // Returns how many pockets are closed. Leaks are left open.
+  uint32_t measure();
+
+ private:
+  static constexpr double narrow = 0.8, wide = 3.0;
+
+  Pores pores_;
+  uint32_t count_, balls_;
+  Balls plugged_balls_;
+  Model plugged_model_;
+  Boundary plugged_boundary_;
+  Pores plugged_;
+  std::vector<hsp_pore_pocket_size> sizes_;
 };
 
 }  // namespace bench
