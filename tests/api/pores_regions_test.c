@@ -456,8 +456,45 @@ static void statuses(void) {
   hsp_workspace_free(&other);
 }
 
+/* Nearly as far apart as a lattice has room for, where doubles know a way up to large parts of a step. */
+static void far_apart(void) {
+  static const double few[6][4] = {{138890635400101, 146, 4, 1},
+                                   {732695847167402, 533, 0, 0},
+                                   {624956066369055, 355384633425766, -1125899906842624, 0},
+                                   {823343881347983, 1012484514223645, -1125899906842624, 0},
+                                   {145077089474572, 981570190253599, -1125899906842624, 0},
+                                   {769631864943859, 1100473082478136, -1125899906842624, 0}};
+  hsp_model_options steps;
+  uint32_t set, k, axis;
+  CHECK_EQUAL(hsp_model_options_init(&steps, sizeof steps), HSP_OK);
+  steps.step = 1;
+  for (set = 0; set < 2; ++set) {
+    double area = 0;
+    n = 0;
+    for (k = set == 0 ? 0 : 2; k < (set == 0 ? 2U : 6U); ++k) add(few[k][0], few[k][1], few[k][2], few[k][3]);
+    for (k = 0; k < n; ++k) area += 4 * pi * radii[k] * radii[k];
+    CHECK_EQUAL(hsp_workspace_set(&work, n, xyz, radii, &steps, NULL), HSP_OK);
+    CHECK_EQUAL(hsp_workspace_boundary(&work), HSP_OK);
+    CHECK_EQUAL(hsp_workspace_pores(&work, NULL), HSP_OK);
+    read_regions(work.boundary);
+    CHECK(count == 1 && regions[0].maximum == HSP_PORE_OUTSIDE && regions[0].shells == n);
+    CHECK_NEAR(regions[0].area, area, 1e-12);
+    for (k = 0; k < n; ++k) {
+      for (axis = 0; axis < 3; ++axis) {
+        double at[3];
+        hsp_pore_place place;
+        memcpy(at, xyz + 3 * k, sizeof at);
+        at[axis] += 8;
+        CHECK_EQUAL(hsp_pores_locate(work.pores, at, &place), HSP_OK);
+        CHECK(place.maximum == HSP_PORE_OUTSIDE && place.ball == k);
+      }
+    }
+  }
+}
+
 int main(void) {
   memset(&work, 0, sizeof work);
+  far_apart();
   packings();
   touching();
   slabs(0);

@@ -5,7 +5,6 @@
 namespace hsp {
 namespace {
 
-constexpr double least_delta = 0x1p-6;
 constexpr uint32_t most_saddles = 64;
 constexpr uint32_t most_tied = 16;
 constexpr int most_turns = 64;
@@ -166,7 +165,8 @@ void Ascent::move(double length, const Vec3 &direction) {
 bool Ascent::step() {
   if (outside_ || steps_ == most_steps) return false;
   ++steps_;
-  for (; delta_ >= least_delta; delta_ *= 0.5) {
+  const double shortest = least_delta();
+  for (; delta_ >= shortest; delta_ *= 0.5) {
     const uint32_t count = within(delta_);
     if (count == 0) continue;
     Vec3 basis[4] = {near_[0].a};
@@ -196,7 +196,7 @@ bool Ascent::step() {
   ++saddles_;
   // A way stops beside the saddle, from where balls that it leaves at right angles may get nearer at first: by less
   // than 2^-11 of a step.
-  return leave_saddle(1e-8) || leave_saddle(0.2 * std::sqrt(least_delta / size()));
+  return leave_saddle(1e-8) || leave_saddle(0.2 * std::sqrt(shortest / size()));
 }
 
 // Where no way up is steep the nearest balls have directions that are opposite, or three in one plane with the point:

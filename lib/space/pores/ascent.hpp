@@ -48,6 +48,10 @@ class Ascent {
   bool look(double reach);
   uint32_t within(double delta);
   double size() const { return std::fabs(level_) + static_cast<double>(balls_.set().largest_radius) + 1.0; }
+  // No shorter steps are taken: a fraction of a lattice step, or what doubles know of a way so long.
+  double least_delta() const {
+    return larger_of(0x1p-6, 0x1p-50 * (size() + std::fabs(at_.x) + std::fabs(at_.y) + std::fabs(at_.z)));
+  }
   // How far the distances of balls that tie at a saddle may differ where a way stops beside it.
   double tie_reach() const { return smaller_of(16.0, 0x1p-6 * size()); }
   bool leave_saddle(double slack);
