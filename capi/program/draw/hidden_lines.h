@@ -12,6 +12,7 @@
 struct seen_line {
   int32_t at[2][2];
   double depth[2];
+  uint32_t vertex[2]; /* its ends */
   uint32_t beside[2]; /* the numbers of its triangles, which do not hide it */
 };
 

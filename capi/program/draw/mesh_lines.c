@@ -4,7 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "draw/contour_pieces.h"
 #include "draw/hidden_lines.h"
+#include "hardsphere.h"
 
 /* Shares of the mean radius on the page, and tenths of a px. */
 static const double hairline_share = 0.0033, thinnest_hairline = 2.0, widest_hairline = 5.0;
@@ -20,8 +22,17 @@ static const double narrowest_strip = 3.0, larger_gap = 4.0;
 /* Contours that end alone are specks if they are no more than a line of full width as long as so many widths. */
 static const double shortest_contour = 12.0;
 
-/* So much of a hairline's full width has one on what is seen from straight above. */
-static const double steepness = 2.0;
+/* Contours have their full width so many widths from where they end alone; thinner parts are raised, and gaps closed
+ * by the thinnest line, that are no longer than some. */
+static const double taper = 6.0, longest_dip = 3.0, longest_gap = 6.0;
+enum { THINNEST_LEVEL = 2 };
+
+/* Such ends are left out that have no more ink than a line of full width as long as so many widths. */
+static const double shortest_end = 3.0;
+
+/* Of the part of a normal that points to the viewer: hairlines on steeper surfaces double contours and are left out, on
+ * flatter ones they have their full width. */
+static const double steepest = 0.25, flattest = 0.6;
 
 static double hairline_width(const struct mesh_picture *picture) {
   const double width = hairline_share * picture->mean_radius * picture->frame.scale;
@@ -43,10 +54,19 @@ static uint32_t level_of(double share, uint32_t levels) {
   return share < 1.0 ? (uint32_t)(share * levels + 0.5) : levels;
 }
 
+/* Each other one is a step back. */
+enum { SMOOTHING_PASSES = 6 };
+
 /* Of a triangle, in the direction in which it is counter-clockwise on the page, or `back`. */
 struct side {
   uint32_t low, high, triangle;
   bool back;
+};
+
+/* Lines while they are found. */
+struct line_search {
+  struct hidden_lines hidden;
+  struct contour_pieces contours;
 };
 
 /* Of a vertex the edges of contours that meet there, and where the other ends of the first two are. */
@@ -55,12 +75,37 @@ struct contour_corner {
   double at[2][2];
 };
 
-static int compare_sides(const void *left, const void *right) {
-  const struct side *a = left;
-  const struct side *b = right;
-  if (a->low != b->low) return a->low < b->low ? -1 : 1;
-  if (a->high != b->high) return a->high < b->high ? -1 : 1;
-  return (a->triangle > b->triangle) - (a->triangle < b->triangle);
+static bool is_before(const struct side *a, const struct side *b) {
+  return a->high != b->high ? a->high < b->high : a->triangle < b->triangle;
+}
+
+/* By their ends, those of one edge side by side: by the lower one they are counted, of each of which there are few. To
+ * be freed; NULL for want of memory. */
+static struct side *find_sides(const struct triangle_mesh *mesh) {
+  const size_t corners = 3 * (size_t)mesh->triangles;
+  struct side *sides = calloc(corners + 1, sizeof *sides);
+  size_t *begin = calloc((size_t)mesh->vertices + 2, sizeof *begin);
+  for (int pass = 0; pass < 2 && sides != NULL && begin != NULL; ++pass) {
+    for (size_t corner = 0; corner < corners; ++corner) {
+      const uint32_t from = mesh->corners[corner], to = mesh->corners[corner % 3 == 2 ? corner - 2 : corner + 1];
+      const struct side side = {from < to ? from : to, from < to ? to : from, (uint32_t)(corner / 3), from > to};
+      if (pass == 0) {
+        ++begin[side.low + 2];
+        continue;
+      }
+      size_t at = begin[side.low + 1]++;
+      while (at > 0 && sides[at - 1].low == side.low && is_before(&side, &sides[at - 1])) {
+        sides[at] = sides[at - 1];
+        --at;
+      }
+      sides[at] = side;
+    }
+    for (size_t v = 2; v < (size_t)mesh->vertices + 2 && pass == 0; ++v) begin[v] += begin[v - 1];
+  }
+  if (begin == NULL) free(sides);
+  if (begin == NULL) return NULL;
+  free(begin);
+  return sides;
 }
 
 /* The ends of an edge, in the direction of the first side. */
@@ -69,8 +114,9 @@ static struct seen_line line_of(const struct mesh_picture *picture, const struct
   for (int k = 0; k < 2; ++k) {
     const uint32_t vertex = (k == 0) != side->back ? side->low : side->high;
     const double *const at = picture->parts.seen + 3 * (size_t)vertex;
-    mesh_place(&picture->frame, at, line.at[k]);
+    memcpy(line.at[k], picture->page[vertex], sizeof line.at[k]);
     line.depth[k] = at[2];
+    line.vertex[k] = vertex;
   }
   return line;
 }
@@ -81,23 +127,23 @@ static double share_at(const struct seen_line *line, double plane) {
 }
 
 /* From a point of a line, with the surface on the left, to what is seen so far outside. */
-static double gap_outside(const struct mesh_picture *picture, const struct hidden_lines *hidden,
-                          const struct seen_line *line, double share, double outside) {
+static double gap_outside(const struct hidden_lines *hidden, const struct seen_line *line, double share,
+                          double outside) {
   const double along[2] = {(double)line->at[1][0] - line->at[0][0], (double)line->at[1][1] - line->at[0][1]};
   const double part = outside / sqrt(along[0] * along[0] + along[1] * along[1]);
   const double at[2] = {line->at[0][0] + share * along[0] - part * along[1],
                         line->at[0][1] + share * along[1] + part * along[0]};
   const double gap = line->depth[0] + share * (line->depth[1] - line->depth[0]) - hidden_lines_front(hidden, at);
-  return fmin(fmax(gap, 0.0), full_gap * picture->mean_radius);
+  return fmax(gap, 0.0);
 }
 
 /* Whether beside a point of a line what is behind it ends. A surface that falls off does so step by step. */
 static bool has_strip(const struct mesh_picture *picture, const struct hidden_lines *hidden,
                       const struct seen_line *line, double share) {
   const double step = contour_width(picture) / 2.0;
-  double before = gap_outside(picture, hidden, line, share, step);
+  double before = gap_outside(hidden, line, share, step);
   for (int k = 2; k <= 2.0 * narrowest_strip; ++k) {
-    const double gap = gap_outside(picture, hidden, line, share, k * step);
+    const double gap = fmin(gap_outside(hidden, line, share, k * step), full_gap * picture->mean_radius);
     if (gap > larger_gap * before) return true;
     before = gap;
   }
@@ -106,18 +152,19 @@ static bool has_strip(const struct mesh_picture *picture, const struct hidden_li
 
 /* Of the part of a contour, by the least gap just outside its line: as in contours of balls (ink.hpp) widths grow with
  * the power 5/8 of the gap in mean radii. 0 where it doubles another one. */
-static uint32_t contour_level(const struct mesh_picture *picture, const struct hidden_lines *hidden,
-                              const struct seen_line *line, double from, double to) {
+static void set_level(const struct mesh_picture *picture, const struct hidden_lines *hidden,
+                      const struct seen_line *line, double from, double to, struct contour_piece *piece) {
   const double full = full_gap * picture->mean_radius;
-  double gap = full;
+  double gap = INFINITY;
   bool doubles = true;
   for (int half = 0; half <= 2; ++half) {
     const double share = from + (to - from) * half / 2.0;
-    gap = fmin(gap, gap_outside(picture, hidden, line, share, contour_width(picture) / 2.0));
+    gap = fmin(gap, gap_outside(hidden, line, share, contour_width(picture) / 2.0));
     doubles = doubles && has_strip(picture, hidden, line, share);
   }
-  const double root = sqrt(gap / full);
-  return doubles ? 0 : level_of(root * sqrt(sqrt(root)), CONTOUR_LEVELS);
+  const double root = sqrt(fmin(gap / full, 1.0));
+  piece->level = doubles ? 0.0 : level_of(root * sqrt(sqrt(root)), CONTOUR_LEVELS);
+  piece->outline = isinf(gap);
 }
 
 /* Seen from the side a line on a surface is foreshortened. */
@@ -127,46 +174,88 @@ static uint32_t border_level(const struct mesh_picture *picture, const struct si
     const double *const normal = picture->mesh->normals + 3 * (size_t)(k == 0 ? side->low : side->high);
     towards += fabs(mesh_dot(picture->view->axis[2], normal)) / 2.0;
   }
-  return level_of(steepness * towards, BORDER_LEVELS);
+  const double share = (towards - steepest) / (flattest - steepest);
+  return share > 0.0 ? level_of(share, BORDER_LEVELS) : 0;
+}
+
+static void add_edge_between(struct mesh_picture *picture, const double points[2][2], double from, double to,
+                             uint32_t paint) {
+  struct painted_edges *const edges = paint < FIRST_SPHERE ? &picture->lines : &picture->creases;
+  struct painted_edge edge = {.layer = 0, .paint = paint};
+  for (int axis = 0; axis < 2; ++axis) {
+    const double at = points[0][axis], along = points[1][axis] - at;
+    edge.from[axis] = mesh_rounded(at + from * along);
+    edge.to[axis] = mesh_rounded(at + to * along);
+  }
+  painted_edges_add(edges, &edge);
 }
 
 /* The seen part of a line behind the plane, painted between two points of the page. paint: or 0 of a contour, whose
- * paint depends on where. */
-static bool add_line(struct mesh_picture *picture, struct hidden_lines *hidden, const struct seen_line *line,
-                     double points[2][2], double plane, uint32_t paint) {
+ * paint depends on where, or FIRST_SPHERE and more of a crease. */
+static bool add_line(struct mesh_picture *picture, struct line_search *search, const struct seen_line *line,
+                     const double points[2][2], double plane, uint32_t paint) {
+  const struct hidden_lines *const hidden = &search->hidden;
   const bool behind[2] = {line->depth[0] <= plane, line->depth[1] <= plane};
   if (!behind[0] && !behind[1]) return true;
   const double first = behind[0] ? 0.0 : share_at(line, plane), last = behind[1] ? 1.0 : share_at(line, plane);
-  if (!hidden_lines_find_seen(hidden, line)) return false;
+  if (!hidden_lines_find_seen(&search->hidden, line)) return false;
   for (size_t i = 0; i < hidden->spans; ++i) {
     const double from = hidden->span[i].from > first ? hidden->span[i].from : first;
     const double to = hidden->span[i].to < last ? hidden->span[i].to : last;
     if (from >= to) continue;
-    const uint32_t contour = paint > 0 ? 0 : contour_level(picture, hidden, line, from, to);
-    if (paint == 0 && contour == 0) continue;
-    struct painted_edge edge = {.layer = 0, .paint = paint > 0 ? paint : FIRST_CONTOUR + contour};
-    for (int axis = 0; axis < 2; ++axis) {
-      const double at = points[0][axis], along = points[1][axis] - at;
-      edge.from[axis] = mesh_rounded(at + from * along);
-      edge.to[axis] = mesh_rounded(at + to * along);
+    if (paint > 0) {
+      add_edge_between(picture, points, from, to, paint);
+      continue;
     }
-    painted_edges_add(&picture->lines, &edge);
+    struct contour_piece piece = {
+        .vertex = {from > 0.0 ? NO_CONTOUR_VERTEX : line->vertex[0], to < 1.0 ? NO_CONTOUR_VERTEX : line->vertex[1]}};
+    set_level(picture, hidden, line, from, to, &piece);
+    for (int k = 0; k < 4; ++k) {
+      const int axis = k % 2;
+      piece.at[k / 2][axis] = points[0][axis] + (k < 2 ? from : to) * (points[1][axis] - points[0][axis]);
+    }
+    contour_pieces_add(&search->contours, &piece);
   }
   return true;
 }
 
+/* In parts of one level each. */
+static void add_contours(struct mesh_picture *picture, const struct contour_pieces *contours, double slope) {
+  for (size_t i = 0; i < contours->count; ++i) {
+    const struct contour_piece *const piece = &contours->piece[i];
+    const double steps = ceil(slope * contour_piece_length(piece));
+    const double *const most = piece->most;
+    const uint32_t parts = piece->level > fmin(most[0], most[1]) && steps > 1.0 ? (uint32_t)steps : 1;
+    for (uint32_t part = 0; part < parts && piece->level > 0.0; ++part) {
+      const double from = (double)part / parts, to = (part + 1.0) / parts;
+      const uint32_t level = (uint32_t)(contour_piece_level(piece, slope, from / 2.0 + to / 2.0) + 0.5);
+      add_edge_between(picture, (const double(*)[2])piece->at, from, to,
+                       FIRST_CONTOUR + (level > THINNEST_LEVEL ? level : THINNEST_LEVEL));
+    }
+  }
+}
+
 /* The paint of a line between two triangles of which the same side is seen; 0: there is none. */
 static uint32_t border_paint(const struct mesh_picture *picture, const struct side *side) {
-  int pocket[2];
+  int pocket[2], seen_as[2];
   for (int k = 0; k < 2; ++k) {
     const uint32_t triangle = side[k].triangle;
-    pocket[k] = mesh_pocket_of(mesh_side_of(picture, triangle, mesh_seen_area(picture, triangle)));
+    seen_as[k] = mesh_side_of(picture, triangle, mesh_seen_area(picture, triangle));
+    pocket[k] = mesh_pocket_of(seen_as[k]);
   }
   if (pocket[0] != pocket[1]) {
     const bool first = pocket[1] == 0 || (pocket[0] != 0 && pocket[0] < pocket[1]);
     return FIRST_RIM + (uint32_t)pocket[first ? 0 : 1];
   }
   if (picture->mesh->patches[side[0].triangle] == picture->mesh->patches[side[1].triangle]) return 0;
+  const uint32_t *const kinds = picture->mesh->kinds;
+  const bool concave = kinds[side[0].triangle] == HSP_PATCH_CONCAVE && kinds[side[1].triangle] == HSP_PATCH_CONCAVE;
+  if (concave && mesh_is_of_sphere(picture, side[0].triangle)) {
+    const uint32_t patch[2] = {picture->mesh->patches[side[0].triangle], picture->mesh->patches[side[1].triangle]};
+    const uint64_t points[2] = {picture->patch_points[patch[0]], picture->patch_points[patch[1]]};
+    const int first = points[0] != points[1] ? points[0] < points[1] : patch[0] > patch[1];
+    return mesh_sphere_paint(picture, side[first].triangle, seen_as[first]);
+  }
   const uint32_t level = hairline_width(picture) < thinnest_hairline ? 0 : border_level(picture, side);
   return level > 0 ? FIRST_BORDER + level : 0;
 }
@@ -179,9 +268,8 @@ static bool is_of_contour(const struct mesh_picture *picture, const struct side 
   return mesh_faces_viewer(picture, side[0].triangle) != mesh_faces_viewer(picture, side[1].triangle);
 }
 
-/* Of two sides of one edge. smooth: where its ends are on contours. */
-static bool add_edge(struct mesh_picture *picture, struct hidden_lines *hidden, const struct side *side,
-                     const double (*smooth)[2]) {
+/* Of two sides of one edge. */
+static bool add_edge(struct mesh_picture *picture, struct line_search *search, const struct side *side) {
   const bool shown[2] = {picture->shown[side[0].triangle], picture->shown[side[1].triangle]};
   const bool of_void = mesh_parts_is_of_void(&picture->parts, side->low);
   const double plane = of_void ? INFINITY : picture->parts.cut;
@@ -190,81 +278,102 @@ static bool add_edge(struct mesh_picture *picture, struct hidden_lines *hidden, 
     const bool front = mesh_faces_viewer(picture, side->triangle);
     struct side turned[2] = {side[front ? 0 : 1], side[front ? 1 : 0]};
     if (of_void) turned[0].back = !turned[0].back;
-    const struct seen_line line = line_of(picture, turned);
+    struct seen_line line = line_of(picture, turned);
     const bool any = line.at[0][0] != line.at[1][0] || line.at[0][1] != line.at[1][1];
-    for (int k = 0; k < 2; ++k) {
-      memcpy(points[k], smooth[(k == 0) != turned[0].back ? side->low : side->high], sizeof points[k]);
-    }
-    return !any || !(shown[0] || shown[1]) || add_line(picture, hidden, &line, points, plane, 0);
+    for (int k = 0; k < 2; ++k) memcpy(points[k], picture->smooth[line.vertex[k]], sizeof points[k]);
+    return !any || !(shown[0] || shown[1]) || add_line(picture, search, &line, (const double(*)[2])points, plane, 0);
   }
   const uint32_t paint = shown[0] && shown[1] ? border_paint(picture, side) : 0;
   if (paint == 0) return true;
   const struct seen_line line = line_of(picture, side);
-  for (int k = 0; k < 4; ++k) points[k / 2][k % 2] = line.at[k / 2][k % 2];
-  return add_line(picture, hidden, &line, points, plane, paint);
+  for (int k = 0; k < 2; ++k) memcpy(points[k], picture->smooth[line.vertex[k]], sizeof points[k]);
+  return add_line(picture, search, &line, (const double(*)[2])points, plane, paint);
 }
 
-/* Contours follow edges of triangles to and fro: the mean of each vertex and its two neighbours along a contour takes
- * that away, and a step back from another mean what the first one has taken from curves. Corners of more than 90
- * degrees stay, which are cusps, where contours end. smooth, corner: [vertices]. */
-static void smooth_contours(const struct mesh_picture *picture, const struct side *sides, size_t count,
-                            double (*smooth)[2], struct contour_corner *corner) {
-  const uint32_t vertices = picture->mesh->vertices;
-  for (uint32_t v = 0; v < vertices; ++v) {
-    int32_t at[2];
-    mesh_place(&picture->frame, picture->parts.seen + 3 * (size_t)v, at);
-    for (int axis = 0; axis < 2; ++axis) smooth[v][axis] = at[axis];
+/* Of contours the ends of each edge; to be freed. */
+static uint32_t (*find_contour_edges(const struct mesh_picture *picture, const struct side *sides, size_t count,
+                                     size_t *found))[2] {
+  uint32_t(*edges)[2] = calloc(count / 2 + 1, sizeof *edges);
+  *found = 0;
+  for (size_t i = 0; edges != NULL && i + 1 < count; ++i) {
+    if (!is_edge(&sides[i]) || !is_of_contour(picture, &sides[i])) continue;
+    edges[*found][0] = sides[i].low;
+    edges[(*found)++][1] = sides[i].high;
   }
-  for (int pass = 0; pass < 2; ++pass) {
+  return edges;
+}
+
+/* Contours follow edges of triangles to and fro: a step towards the line between both neighbours of each vertex takes
+ * that away, and a step back from another one what the first has taken from curves. Steps go across, so that ends of
+ * borders stay where they are along a contour. Corners of more than 90 degrees stay, which are cusps, where contours
+ * end. */
+static bool smooth_contours(struct mesh_picture *picture, const struct side *sides, size_t count) {
+  const uint32_t vertices = picture->mesh->vertices;
+  size_t found;
+  uint32_t(*const edges)[2] = find_contour_edges(picture, sides, count, &found);
+  struct contour_corner *const corner = calloc((size_t)vertices + 1, sizeof *corner);
+  const bool enough = edges != NULL && corner != NULL;
+  for (uint32_t v = 0; v < vertices; ++v) {
+    for (int axis = 0; axis < 2; ++axis) picture->smooth[v][axis] = picture->page[v][axis];
+  }
+  for (int pass = 0; enough && pass < SMOOTHING_PASSES; ++pass) {
     memset(corner, 0, vertices * sizeof *corner);
-    for (size_t i = 0; i + 1 < count; ++i) {
-      if (!is_edge(&sides[i]) || !is_of_contour(picture, &sides[i])) continue;
-      for (int k = 0; k < 2; ++k) {
-        struct contour_corner *const own = &corner[k == 0 ? sides[i].low : sides[i].high];
-        if (own->edges < 2) memcpy(own->at[own->edges], smooth[k == 0 ? sides[i].high : sides[i].low], sizeof *smooth);
-        ++own->edges;
-      }
+    for (size_t i = 0; i < 2 * found; ++i) {
+      struct contour_corner *const own = &corner[edges[i / 2][i % 2]];
+      if (own->edges < 2) memcpy(own->at[own->edges], picture->smooth[edges[i / 2][1 - i % 2]], sizeof own->at[0]);
+      ++own->edges;
     }
     for (uint32_t v = 0; v < vertices; ++v) {
       const double(*ends)[2] = (const double(*)[2])corner[v].at;
-      double *const at = smooth[v];
+      double *const at = picture->smooth[v];
       if (corner[v].edges != 2) continue;
       if ((at[0] - ends[0][0]) * (ends[1][0] - at[0]) + (at[1] - ends[0][1]) * (ends[1][1] - at[1]) <= 0.0) continue;
-      for (int axis = 0; axis < 2; ++axis) {
-        const double away = ends[0][axis] / 2.0 + ends[1][axis] / 2.0 - at[axis];
-        at[axis] += (pass == 0 ? 0.5 : -0.5) * away;
-      }
+      const double along[2] = {ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]};
+      const double across = ((ends[0][0] - at[0]) * along[1] - (ends[0][1] - at[1]) * along[0]) /
+                            (along[0] * along[0] + along[1] * along[1]);
+      const double step = (pass % 2 == 0 ? 0.5 : -0.5) * across;
+      at[0] += step * along[1];
+      at[1] -= step * along[0];
     }
   }
+  free(edges);
+  free(corner);
+  return enough;
+}
+
+/* Of each patch at how many points it is seen. */
+static bool count_points(struct mesh_picture *picture, const struct seen_triangle *seen, uint32_t count) {
+  const struct triangle_mesh *const mesh = picture->mesh;
+  uint32_t last = 0;
+  for (uint32_t t = 0; t < mesh->triangles; ++t) last = mesh->patches[t] > last ? mesh->patches[t] : last;
+  picture->patch_points = calloc((size_t)last + 1, sizeof *picture->patch_points);
+  for (uint32_t i = 0; i < count && picture->patch_points != NULL; ++i) {
+    picture->patch_points[mesh->patches[seen[i].number]] += seen[i].points;
+  }
+  return picture->patch_points != NULL;
 }
 
 bool mesh_lines_find(struct mesh_picture *picture, const struct seen_triangle *seen, uint32_t count) {
   const struct triangle_mesh *mesh = picture->mesh;
-  struct side *sides = calloc((size_t)mesh->triangles + 1, 3 * sizeof *sides);
-  double(*smooth)[2] = calloc((size_t)mesh->vertices + 1, sizeof *smooth);
-  struct contour_corner *corner = calloc((size_t)mesh->vertices + 1, sizeof *corner);
+  struct side *sides = find_sides(mesh);
   const double width = contour_width(picture);
-  struct hidden_lines hidden;
-  size_t found = 0;
-  bool enough =
-      hidden_lines_begin(seen, count, picture->parts.cut, &hidden) && sides != NULL && smooth != NULL && corner != NULL;
-  for (uint32_t t = 0; enough && t < mesh->triangles; ++t) {
-    for (size_t k = 0; k < 3; ++k) {
-      const uint32_t from = mesh->corners[3 * (size_t)t + k], to = mesh->corners[3 * (size_t)t + (k + 1) % 3];
-      sides[found++] = (struct side){from < to ? from : to, from < to ? to : from, t, from > to};
-    }
-  }
-  if (enough) qsort(sides, found, sizeof *sides, compare_sides);
-  if (enough) smooth_contours(picture, sides, found, smooth, corner);
+  const struct contour_limits limits = {longest_dip * width, THINNEST_LEVEL, longest_gap * width,
+                                        CONTOUR_LEVELS / (taper * width), shortest_end * width * CONTOUR_LEVELS};
+  struct line_search search = {.contours = CONTOUR_PIECES_NONE};
+  const size_t found = 3 * (size_t)mesh->triangles;
+  bool enough = hidden_lines_begin(seen, count, picture->parts.cut, &search.hidden) && sides != NULL;
+  enough = enough && smooth_contours(picture, sides, found) && count_points(picture, seen, count);
   for (size_t i = 0; enough && i + 1 < found; ++i) {
-    if (is_edge(&sides[i])) enough = add_edge(picture, &hidden, &sides[i], (const double(*)[2])smooth);
+    if (is_edge(&sides[i])) enough = add_edge(picture, &search, &sides[i]);
   }
-  hidden_lines_free(&hidden);
+  enough = enough && contour_pieces_level(&search.contours, mesh->vertices, &limits);
+  if (enough) add_contours(picture, &search.contours, limits.slope);
+  hidden_lines_free(&search.hidden);
+  contour_pieces_free(&search.contours);
   free(sides);
-  free(smooth);
-  free(corner);
   painted_edges_cancel(&picture->lines);
-  return enough && !picture->lines.out_of_memory &&
+  painted_edges_cancel(&picture->creases);
+  return enough && !picture->lines.out_of_memory && !picture->creases.out_of_memory &&
          painted_edges_drop_specks(&picture->lines, FIRST_CONTOUR, shortest_contour * width * CONTOUR_LEVELS, width) &&
          painted_edges_find_joints(&picture->lines, 0, UINT32_MAX);
 }

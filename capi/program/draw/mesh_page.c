@@ -39,6 +39,11 @@ void mesh_place(const struct frame *frame, const double *at, int32_t page[2]) {
   page[1] = mesh_rounded((frame->top - at[1]) * frame->scale);
 }
 
+void mesh_place_back(const struct frame *frame, const double page[2], double at[2]) {
+  at[0] = page[0] / frame->scale + frame->left;
+  at[1] = frame->top - page[1] / frame->scale;
+}
+
 void mesh_turn(const double axis[3][3], const double *from, double to[3]) {
   for (int k = 0; k < 3; ++k) to[k] = axis[k][0] * from[0] + axis[k][1] * from[1] + axis[k][2] * from[2];
 }
@@ -62,12 +67,10 @@ int mesh_plain_side(int side) {
 }
 
 double mesh_seen_area(const struct mesh_picture *picture, uint32_t triangle) {
-  int32_t at[3][2];
-  for (int k = 0; k < 3; ++k) {
-    const uint32_t vertex = picture->mesh->corners[3 * (size_t)triangle + (size_t)k];
-    mesh_place(&picture->frame, picture->parts.seen + 3 * (size_t)vertex, at[k]);
-  }
-  return (double)(at[2][0] - at[0][0]) * (at[1][1] - at[0][1]) - (double)(at[1][0] - at[0][0]) * (at[2][1] - at[0][1]);
+  const uint32_t *const corner = picture->mesh->corners + 3 * (size_t)triangle;
+  const int32_t *const a = picture->page[corner[0]], *const b = picture->page[corner[1]];
+  const int32_t *const c = picture->page[corner[2]];
+  return (double)(c[0] - a[0]) * (b[1] - a[1]) - (double)(b[0] - a[0]) * (c[1] - a[1]);
 }
 
 bool mesh_faces_viewer(const struct mesh_picture *picture, uint32_t triangle) {

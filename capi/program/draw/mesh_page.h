@@ -40,14 +40,17 @@ struct mesh_picture {
   struct frame frame;
   uint32_t *layer;               /* [triangles], UINT32_MAX: not shown */
   bool *shown;                   /* [triangles], seen or hidden */
+  int32_t (*page)[2];            /* [vertices], where they are on the page */
+  double (*smooth)[2];           /* [vertices], on the page; those of contours on smooth lines */
   uint32_t *points;              /* [triangles], that are seen of what the plane leaves whole */
+  uint64_t *patch_points;        /* [patches], that are seen */
   double *ball;                  /* [atoms][3], along the axes of the view */
   double mean_radius;            /* of the balls whose surface this is, with the probe if it is inflated */
   uint32_t colour[MOST_COLOURS]; /* [colours], each once */
   uint32_t colours;
   uint32_t sides;           /* of spheres, with those of pockets */
   double border[BANDS + 2]; /* where bands begin, of the light's circles */
-  struct painted_edges areas, lines, section;
+  struct painted_edges areas, creases, lines, section;
 };
 
 #define LINE_COLOUR UINT32_C(0x23202B)
@@ -61,6 +64,7 @@ uint32_t mesh_text_colour(const struct mesh_picture *picture);
 int32_t mesh_rounded(double value);
 void mesh_find_frame(const struct mesh_parts *parts, struct frame *frame);
 void mesh_place(const struct frame *frame, const double *at, int32_t page[2]);
+void mesh_place_back(const struct frame *frame, const double page[2], double at[2]);
 void mesh_turn(const double axis[3][3], const double *from, double to[3]);
 double mesh_dot(const double *a, const double *b);
 
@@ -89,6 +93,10 @@ uint32_t mesh_pocket_colour(int pocket); /* from 1 on to OTHER_POCKETS */
 uint32_t mesh_colour_of(struct mesh_picture *picture, uint32_t ball, int side);
 
 /* ---- what is painted ---- */
+
+/* Whether a triangle has the light of a sphere, and its paint then, as that side of it is seen. */
+bool mesh_is_of_sphere(const struct mesh_picture *picture, uint32_t triangle);
+uint32_t mesh_sphere_paint(const struct mesh_picture *picture, uint32_t triangle, int side);
 
 /* A triangle or what a cut leaves of it. */
 void mesh_add_polygon(struct mesh_picture *picture, const struct polygon *polygon, uint32_t triangle, int side);

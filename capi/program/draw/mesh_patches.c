@@ -33,17 +33,30 @@ static void add_bands(struct mesh_picture *picture, const struct polygon *polygo
   }
 }
 
+bool mesh_is_of_sphere(const struct mesh_picture *picture, uint32_t triangle) {
+  const struct triangle_mesh *const mesh = picture->mesh;
+  const uint32_t kind = mesh->kinds[triangle];
+  const bool convex = kind == HSP_PATCH_CONVEX;
+  const double radius = convex ? picture->molecule->radius[mesh->balls[triangle]] : mesh->probe;
+  return (convex || kind == HSP_PATCH_CONCAVE) && radius * picture->frame.scale < largest_sphere;
+}
+
 /* The sphere of a convex patch is that of its ball; that of a concave one is its own. */
+uint32_t mesh_sphere_paint(const struct mesh_picture *picture, uint32_t triangle, int side) {
+  const struct triangle_mesh *const mesh = picture->mesh;
+  const bool convex = mesh->kinds[triangle] == HSP_PATCH_CONVEX;
+  const uint32_t sphere = convex ? mesh->balls[triangle] : mesh->atoms + mesh->patches[triangle];
+  return FIRST_SPHERE + picture->sides * sphere + (uint32_t)side;
+}
+
 void mesh_add_polygon(struct mesh_picture *picture, const struct polygon *polygon, uint32_t triangle, int side) {
-  const struct triangle_mesh *mesh = picture->mesh;
-  const uint32_t kind = mesh->kinds[triangle], ball = mesh->balls[triangle], layer = picture->layer[triangle];
-  const bool convex = kind == HSP_PATCH_CONVEX, of_sphere = convex || kind == HSP_PATCH_CONCAVE;
-  const double radius = convex ? picture->molecule->radius[ball] : mesh->probe;
+  const uint32_t layer = picture->layer[triangle];
+  const bool convex = picture->mesh->kinds[triangle] == HSP_PATCH_CONVEX;
+  const uint32_t ball = convex ? picture->mesh->balls[triangle] : BETWEEN_ATOMS;
   if (polygon->corners < 3) return;
-  if (of_sphere && radius * picture->frame.scale < largest_sphere) {
-    const uint32_t sphere = convex ? ball : mesh->atoms + mesh->patches[triangle];
-    add_polygon(picture, polygon, layer, FIRST_SPHERE + picture->sides * sphere + (uint32_t)side);
+  if (mesh_is_of_sphere(picture, triangle)) {
+    add_polygon(picture, polygon, layer, mesh_sphere_paint(picture, triangle, side));
   } else {
-    add_bands(picture, polygon, layer, mesh_colour_of(picture, convex ? ball : BETWEEN_ATOMS, side));
+    add_bands(picture, polygon, layer, mesh_colour_of(picture, ball, side));
   }
 }

@@ -25,6 +25,7 @@ static struct polygon polygon_of(const struct mesh_picture *picture, uint32_t tr
     mesh_turn(picture->view->axis, picture->mesh->normals + 3 * (size_t)vertex, normal);
     for (int axis = 0; axis < 3 && mesh_plain_side(side) != OUTSIDE; ++axis) normal[axis] = -normal[axis];
     memcpy(polygon.corner[k].at, picture->parts.seen + 3 * (size_t)vertex, sizeof polygon.corner[k].at);
+    mesh_place_back(&picture->frame, picture->smooth[vertex], polygon.corner[k].at);
     polygon.corner[k].circle = surface_light_circle(normal);
     polygon.corner[k].on = 0;
   }
@@ -93,8 +94,9 @@ static bool paint_triangles(struct mesh_picture *picture) {
     one->whole = true;
     const bool of_void = mesh_parts_is_of_void(&picture->parts, mesh->corners[3 * (size_t)t]);
     for (int k = 0; k < 3; ++k) {
-      const double *at = picture->parts.seen + 3 * (size_t)mesh->corners[3 * (size_t)t + (size_t)k];
-      mesh_place(&picture->frame, at, one->at[k]);
+      const uint32_t vertex = mesh->corners[3 * (size_t)t + (size_t)k];
+      const double *at = picture->parts.seen + 3 * (size_t)vertex;
+      memcpy(one->at[k], picture->page[vertex], sizeof one->at[k]);
       one->depth[k] = at[2];
       one->whole = one->whole && (of_void || at[2] <= picture->parts.cut);
     }
@@ -135,9 +137,13 @@ static bool make(struct mesh_picture *picture) {
   picture->layer = calloc((size_t)mesh->triangles + 1, sizeof *picture->layer);
   picture->ball = calloc((size_t)mesh->atoms + 1, 3 * sizeof *picture->ball);
   picture->points = calloc((size_t)mesh->triangles + 1, sizeof *picture->points);
+  picture->page = calloc((size_t)mesh->vertices + 1, sizeof *picture->page);
+  picture->smooth = calloc((size_t)mesh->vertices + 1, sizeof *picture->smooth);
   picture->shown = calloc((size_t)mesh->triangles + 1, sizeof *picture->shown);
-  if (picture->layer == NULL || picture->points == NULL || picture->ball == NULL || picture->shown == NULL)
+  if (picture->layer == NULL || picture->points == NULL || picture->page == NULL || picture->smooth == NULL ||
+      picture->ball == NULL || picture->shown == NULL) {
     return false;
+  }
   for (size_t i = 0; i < mesh->atoms; ++i) {
     mesh_turn(picture->view->axis, picture->molecule->xyz + 3 * i, picture->ball + 3 * i);
   }
@@ -148,6 +154,9 @@ static bool make(struct mesh_picture *picture) {
   const double depth = through ? mesh_dot(picture->view->axis[2], pockets->through) : 0.0;
   if (cut && !mesh_parts_cut(mesh, picture->view->of_outside, through ? &depth : NULL, &picture->parts)) return false;
   mesh_find_frame(&picture->parts, &picture->frame);
+  for (size_t v = 0; v < mesh->vertices; ++v) {
+    mesh_place(&picture->frame, picture->parts.seen + 3 * v, picture->page[v]);
+  }
   for (int k = 0; k < BANDS + 2; ++k) picture->border[k] = surface_light_border((double)k / BANDS);
   if (!paint_triangles(picture)) return false;
   if (cut) find_section(picture);
@@ -168,10 +177,14 @@ bool mesh_picture_write(const struct triangle_mesh *mesh, const struct mesh_view
   text_buffer_free(&text);
   mesh_parts_free(&picture.parts);
   painted_edges_free(&picture.areas);
+  painted_edges_free(&picture.creases);
   painted_edges_free(&picture.lines);
   painted_edges_free(&picture.section);
   free(picture.layer);
   free(picture.points);
+  free(picture.page);
+  free(picture.smooth);
+  free(picture.patch_points);
   free(picture.shown);
   free(picture.ball);
   return done;

@@ -13,6 +13,10 @@
 
 static const double section_line = 22.0;
 
+/* Halves of units. Lines of creases are wider, as no edge may lie on the edge of another line. */
+#define AREA_LINE "12"
+#define CREASE_LINE "18"
+
 #define LEGEND_CIRCLE 0.4 /* of the light, on which the colours of legends are */
 
 enum { HYDROGEN = 1, CARBON = 6, ELEMENTS = 119 };
@@ -63,6 +67,26 @@ static void add_sphere(struct mesh_picture *picture, struct text_buffer *out, ui
   text_buffer_add_text(out, "</radialGradient>\n");
 }
 
+/* Where spheres meet at an angle their tones differ, and either goes on over the other by half the width of its line,
+ * as the layers of their triangles are: along a crease the one of which more is seen has all of that. */
+static bool add_creases(const struct mesh_picture *picture, struct text_buffer *out, uint32_t *paints,
+                        size_t *spheres) {
+  const struct painted_edges *creases = &picture->creases;
+  bool enough = true;
+  for (size_t i = 0, end = 0; enough && i < creases->count; i = end) {
+    const uint32_t sphere = creases->edge[i].paint - FIRST_SPHERE;
+    end = painted_edges_end(creases, i);
+    text_buffer_add(out,
+                    "<path fill=\"none\" stroke=\"url(#s%" PRIu32 ")\" stroke-width=\"" CREASE_LINE
+                    "\" stroke-linecap=\"butt\" d=\"",
+                    sphere);
+    enough = painted_edges_write(creases, i, end, false, true, out);
+    text_buffer_add(out, "\"/>\n");
+    paints[(*spheres)++] = sphere;
+  }
+  return enough;
+}
+
 /* Lines in an area's own colour cover what anti-aliasing leaves open between neighbours. An area of which nothing is
  * left is not written: some readers paint the next one wrongly then. Lists the spheres that are seen, each once. */
 static bool add_areas(const struct mesh_picture *picture, struct text_buffer *out, uint32_t *paints, size_t *spheres) {
@@ -91,6 +115,7 @@ static bool add_areas(const struct mesh_picture *picture, struct text_buffer *ou
     text_buffer_add(out, "\"/>\n");
     if (sphere) paints[(*spheres)++] = paint - FIRST_SPHERE;
   }
+  enough = enough && add_creases(picture, out, paints, spheres);
   qsort(paints, *spheres, sizeof *paints, compare_paints);
   size_t kept = 0;
   for (size_t i = 0; i < *spheres; ++i) {
@@ -220,7 +245,7 @@ bool mesh_add_svg(struct mesh_picture *picture, const char *title, struct text_b
   const struct frame *const frame = &picture->frame;
   const int32_t height = frame->height + frame->strip;
   struct text_buffer areas = TEXT_BUFFER_EMPTY;
-  uint32_t *paints = calloc(picture->areas.count + 1, sizeof *paints); /* spheres */
+  uint32_t *paints = calloc(picture->areas.count + picture->creases.count + 1, sizeof *paints); /* spheres */
   size_t spheres = 0;
   bool enough = paints != NULL && add_areas(picture, &areas, paints, &spheres);
   text_buffer_add(out,
@@ -234,9 +259,9 @@ bool mesh_add_svg(struct mesh_picture *picture, const char *title, struct text_b
                   frame->width, height, mesh_page_colour(picture));
   for (size_t i = 0; i < spheres; ++i) add_sphere(picture, out, paints[i]);
   /* Outlines are in halves of units. */
-  text_buffer_add(out,
-                  "</defs>\n<g transform=\"scale(.5)\" stroke-width=\"12\" "
-                  "stroke-linejoin=\"round\" stroke-linecap=\"round\">\n");
+  text_buffer_add(out, "</defs>\n<g transform=\"scale(.5)\" stroke-width=\"" AREA_LINE
+                       "\" "
+                       "stroke-linejoin=\"round\" stroke-linecap=\"round\">\n");
   enough = enough && add_section_area(picture, out);
   text_buffer_append(out, areas.text, areas.length);
   enough = enough && add_lines(picture, out);

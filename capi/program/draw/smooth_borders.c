@@ -17,6 +17,7 @@ struct smoothing {
   double *way;         /* [vertices] from there */
   double *share;       /* [vertices][areas], of the surface around each */
   double *mean;        /* [vertices][areas], of shares */
+  bool *waiting;       /* [vertices] */
 };
 
 static void find_neighbours(const struct smoothing *all) {
@@ -80,12 +81,61 @@ static void find_mean(const struct smoothing *all, uint32_t v) {
   for (uint32_t a = 0; a < all->areas && sum > 0.0; ++a) mean[a] /= sum;
 }
 
+static bool has_share_of(const struct smoothing *all, uint32_t v, uint32_t w) {
+  const size_t row = all->areas * sizeof *all->share;
+  return memcmp(all->share + (size_t)v * all->areas, all->share + (size_t)w * all->areas, row) == 0;
+}
+
+/* How far each vertex is along edges from where shares differ, if that is no farther than means reach, else infinite:
+ * its mean is its share then. */
+static void find_ways(const struct smoothing *all) {
+  const uint32_t vertices = all->mesh->vertices;
+  const double most =
+      detour * all->reach * (1.0 + 1e-9); /* sums of ways may be rounded otherwise the other way round */
+  uint32_t first = 0, count = 0;
+  for (uint32_t v = 0; v < vertices; ++v) {
+    bool differs = false;
+    for (size_t k = all->first[v]; k < all->first[v + 1]; ++k) {
+      differs = differs || !has_share_of(all, v, all->neighbour[k]);
+    }
+    all->way[v] = differs ? 0.0 : INFINITY;
+    all->waiting[v] = differs;
+    if (differs) all->reached[count++] = v;
+  }
+  while (count > 0) {
+    const uint32_t at = all->reached[first];
+    first = first + 1 < vertices ? first + 1 : 0;
+    --count;
+    all->waiting[at] = false;
+    for (size_t k = all->first[at]; k < all->first[at + 1]; ++k) {
+      const uint32_t next = all->neighbour[k];
+      const double way = all->way[at] + length_between(all->mesh, at, next);
+      if (!(way < most && way < all->way[next])) continue;
+      all->way[next] = way;
+      if (all->waiting[next]) continue;
+      all->waiting[next] = true;
+      all->reached[first + count < vertices ? first + count : first + count - vertices] = next;
+      ++count;
+    }
+  }
+}
+
 /* Twice: what is left of corners after a mean is gone after another one. */
 static void find_shares(struct smoothing *all, const uint8_t *of_vertex) {
   set_shares(all, of_vertex);
   for (int pass = 0; pass < 2; ++pass) {
     memset(all->stamp, 0, all->mesh->vertices * sizeof *all->stamp);
-    for (uint32_t v = 0; v < all->mesh->vertices; ++v) find_mean(all, v);
+    find_ways(all);
+    for (uint32_t v = 0; v < all->mesh->vertices; ++v) all->waiting[v] = all->way[v] < INFINITY;
+    for (uint32_t v = 0; v < all->mesh->vertices; ++v) {
+      const size_t row = (size_t)v * all->areas;
+      if (all->waiting[v]) {
+        find_mean(all, v);
+      } else {
+        memcpy(all->mean + row, all->share + row, all->areas * sizeof *all->mean);
+      }
+    }
+    memset(all->waiting, 0, all->mesh->vertices * sizeof *all->waiting);
     double *const before = all->share;
     all->share = all->mean;
     all->mean = before;
@@ -141,9 +191,10 @@ bool smooth_borders_find(const struct triangle_mesh *mesh, uint32_t areas, doubl
                           calloc(vertices, sizeof *all.reached),
                           calloc(vertices, sizeof *all.way),
                           calloc(vertices, areas * sizeof *all.share),
-                          calloc(vertices, areas * sizeof *all.mean)};
+                          calloc(vertices, areas * sizeof *all.mean),
+                          calloc(vertices, sizeof *all.waiting)};
   bool enough = all.first != NULL && all.neighbour != NULL && all.stamp != NULL && all.reached != NULL &&
-                all.way != NULL && all.share != NULL && all.mean != NULL;
+                all.way != NULL && all.share != NULL && all.mean != NULL && all.waiting != NULL;
   if (enough) {
     find_neighbours(&all);
     find_shares(&all, of_vertex);
@@ -157,5 +208,6 @@ bool smooth_borders_find(const struct triangle_mesh *mesh, uint32_t areas, doubl
   free(all.way);
   free(all.share);
   free(all.mean);
+  free(all.waiting);
   return enough;
 }

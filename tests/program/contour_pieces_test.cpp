@@ -1,0 +1,103 @@
+// Contours of pictures of triangles: levels that close gaps, end in points and leave no hairs.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+extern "C" {
+#include "draw/contour_pieces.h"
+}
+
+namespace {
+
+constexpr contour_limits limits{20, 2, 50, 0.1, 300};
+
+class Contours {
+ public:
+  ~Contours() { contour_pieces_free(&pieces_); }
+  Contours() = default;
+  Contours(const Contours &) = delete;
+  Contours &operator=(const Contours &) = delete;
+
+  // A chain along x of pieces as long as `length`, from vertex to vertex.
+  void add_chain(const std::vector<double> &levels, uint32_t first, double length, bool outline = false) {
+    for (size_t k = 0; k < levels.size(); ++k) {
+      const double x = length * static_cast<double>(k);
+      const auto vertex = static_cast<uint32_t>(first + k);
+      add({{{x, 0}, {x + length, 0}}, {vertex, vertex + 1}, levels[k], outline, {0, 0}});
+    }
+  }
+  void add(const contour_piece &piece) { contour_pieces_add(&pieces_, &piece); }
+  void set_levels() { ASSERT_TRUE(contour_pieces_level(&pieces_, 1000, &limits)); }
+  [[nodiscard]] contour_piece &piece(size_t k) const { return pieces_.piece[k]; }
+  [[nodiscard]] double level(size_t k, double share) const {
+    return contour_piece_level(&pieces_.piece[k], limits.slope, share);
+  }
+
+ private:
+  contour_pieces pieces_ = CONTOUR_PIECES_NONE;
+};
+
+TEST(ContourPieces, EndInPoints) {
+  Contours contours;
+  contours.add_chain(std::vector<double>(20, 8), 0, 10);
+  contours.set_levels();
+  for (size_t k = 0; k < 20; ++k) {
+    for (const double share : {0.0, 0.3, 1.0}) {
+      const double from_start = 10 * (static_cast<double>(k) + share);
+      EXPECT_NEAR(contours.level(k, share), std::fmin(8, 0.1 * std::fmin(from_start, 200 - from_start)), 1e-12);
+    }
+  }
+}
+
+// Something nearer lies before an end without a vertex: the contour goes on under it.
+TEST(ContourPieces, KeepTheirWidthWhereTheyAreHidden) {
+  Contours contours;
+  contours.add_chain(std::vector<double>(20, 8), 0, 10);
+  contours.piece(19).vertex[1] = NO_CONTOUR_VERTEX;
+  contours.set_levels();
+  EXPECT_EQ(contours.level(0, 0), 0);
+  EXPECT_EQ(contours.level(19, 1), 8);
+}
+
+TEST(ContourPieces, OutlinesAreRoundedOff) {
+  Contours contours;
+  contours.add_chain(std::vector<double>(20, 8), 0, 10, true);
+  contours.set_levels();
+  EXPECT_NEAR(contours.level(1, 0), 4, 1e-12);
+  EXPECT_EQ(contours.level(2, 0), 8);
+}
+
+TEST(ContourPieces, CloseGapsAndDips) {
+  Contours contours;
+  contours.add_chain({8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 0, 0, 0, 0, 8, 8, 8, 8, 5, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8}, 0, 10);
+  contours.add_chain({8, 8, 8, 8, 8, 8, 8, 8, 0, 0, 0, 0, 0, 0, 8, 8, 8, 8, 8, 8, 8, 8}, 100, 10);
+  contours.set_levels();
+  for (size_t k = 10; k < 14; ++k) EXPECT_EQ(contours.piece(k).level, 2);
+  EXPECT_NEAR(contours.level(9, 0), 3, 1e-12);  // towards what closes the gap
+  EXPECT_EQ(contours.piece(18).level, 8);
+  for (size_t k = 29 + 8; k < 29 + 14; ++k) EXPECT_EQ(contours.piece(k).level, 0);
+  EXPECT_EQ(contours.level(29 + 7, 1), 0);
+}
+
+// Hairs that leave a contour or an outline, or are alone; not what meets others at both ends.
+TEST(ContourPieces, LeaveNoHairs) {
+  Contours contours;
+  contours.add_chain(std::vector<double>(40, 8), 0, 10);
+  contours.add({{{200, 0}, {200, 30}}, {20, 500}, 3, false, {0, 0}});
+  contours.add({{{200, 30}, {200, 60}}, {500, 501}, 3, false, {0, 0}});
+  contours.add({{{100, 0}, {150, 30}}, {10, 600}, 3, false, {0, 0}});
+  contours.add({{{150, 30}, {300, 0}}, {600, 30}, 3, false, {0, 0}});
+  contours.add({{{500, 0}, {600, 0}}, {700, 701}, 2.9, false, {0, 0}});
+  contours.add({{{500, 0}, {600, 0}}, {702, 703}, 3.1, false, {0, 0}});
+  contours.add_chain(std::vector<double>(10, 8), 800, 10, true);
+  contours.add({{{100, 0}, {120, 0}}, {810, 811}, 5, false, {0, 0}});
+  contours.set_levels();
+  for (const size_t hair : {40, 41, 44, 56}) EXPECT_EQ(contours.piece(hair).level, 0) << hair;
+  for (const size_t other : {20, 42, 43, 45, 55}) EXPECT_GT(contours.piece(other).level, 0) << other;
+  EXPECT_EQ(contours.level(20, 0), 8);
+  EXPECT_EQ(contours.level(55, 1), 8);  // the outline goes on under what ends there
+  EXPECT_EQ(contours.level(46, 0), 0);
+}
+
+}  // namespace
