@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <sstream>
 #include <string>
@@ -384,7 +385,7 @@ TEST(MeshPicture, ColoursMeetWhereTheProbeTouchesTheBalls) {
 }
 
 // Three balls of radius 1.5 in distances of 5, probe 1.4: the spheres of both its places meet in a ring of radius
-// (1.4^2 - 2.9^2 + 25 / 3)^(1/2), of which the far side is seen. Its line has the light of one of them.
+// (1.4^2 - 2.9^2 + 25 / 3)^(1/2), of which the far side is seen. Its line has the light of that of which more is seen.
 TEST(MeshPicture, CreasesBelongToOneSphere) {
   const TemporaryFile three("three.xyzr", "0 0 0 1.5\n5 0 0 1.5\n2.5 4.330127018922193 0 1.5\n");
   const std::string svg = drawn_text(
@@ -394,6 +395,15 @@ TEST(MeshPicture, CreasesBelongToOneSphere) {
   EXPECT_EQ(svg.find("<path fill=\"none\" stroke=\"url(#", at + 1), std::string::npos);
   const std::string path = svg.substr(at, svg.find('\n', at) - at), stroke = attribute(path, "stroke");
   EXPECT_FALSE(element_of(svg, stroke.substr(5, stroke.size() - 6)).empty());
+  std::map<std::string, double> seen;
+  for (const Part &part : parts_of(svg)) seen[part.fill] += std::fabs(part.area());
+  size_t concave = 0;
+  for (const auto &[fill, area] : seen) {
+    if (fill.size() < 9 || fill.substr(0, 5) != "url(#") continue;  // s0, s3 and s6 are the balls
+    EXPECT_LE(area, seen[stroke]) << fill;
+    ++concave;
+  }
+  EXPECT_EQ(concave, 2u);
   const double ring = std::sqrt(1.4 * 1.4 - 2.9 * 2.9 + 25.0 / 3), scale = 1000 / (8 * 1.06);
   double low = 1e9, high = 0;
   for (const Part &part : loops_of(attribute(path, "d"))) {
