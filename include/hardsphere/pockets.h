@@ -131,8 +131,8 @@ typedef struct hsp_pore_access {
  *  @retval HSP_E_ARGUMENT  pores is NULL; boundary is NULL without a box, of another model, or given with one
  *  @retval HSP_E_STATE     nothing computed, or the model, box or boundary has changed since
  *  @retval HSP_E_RANGE     the floor is above 0; or free space is only some lattice steps wide around every vertex of a
- *                          shell and up to 25 points of each of its balls of more than 64 steps, so that it is not
- *                          certain where it leads
+ *                          shell and up to 25 points of each of its balls of more than 64 steps, or a way up is lost
+ *                          between balls that are more than 2^35 steps apart, so that it is not certain where it leads
  *  @retval HSP_E_CHECK     a way up ends nowhere, which cannot happen: please report it */
 HSP_API int32_t hsp_pores_find_regions(hsp_pores *pores, const hsp_boundary *boundary, hsp_pore_access *access,
                                        uint32_t *regions);

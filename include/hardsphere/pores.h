@@ -317,7 +317,8 @@ typedef struct hsp_pore_place {
  *  @retval HSP_E_ARGUMENT    a null pointer
  *  @retval HSP_E_STATE       nothing computed, or the model has changed since
  *  @retval HSP_E_NOT_FINITE  xyz holds a NaN or an infinity
- *  @retval HSP_E_RANGE       xyz lies beyond 2^50 lattice steps, or more than 2^17 boxes away
+ *  @retval HSP_E_RANGE       xyz lies beyond 2^50 lattice steps, or more than 2^17 boxes away; or a way up is lost
+ *                            between balls that are more than 2^35 lattice steps apart
  *  @retval HSP_E_CHECK       a way up ends nowhere, which cannot happen: please report it */
 HSP_API int32_t hsp_pores_locate(const hsp_pores *pores, const double *xyz, hsp_pore_place *place);
 
@@ -335,7 +336,8 @@ typedef struct hsp_pore_place_shifts {
  *  @retval HSP_E_ARGUMENT    a null pointer
  *  @retval HSP_E_STATE       nothing computed, or the model has changed since
  *  @retval HSP_E_NOT_FINITE  xyz holds a NaN or an infinity
- *  @retval HSP_E_RANGE       xyz lies beyond 2^50 lattice steps, or more than 2^17 boxes away
+ *  @retval HSP_E_RANGE       xyz lies beyond 2^50 lattice steps, or more than 2^17 boxes away; or a way up is lost
+ *                            between balls that are more than 2^35 lattice steps apart
  *  @retval HSP_E_CHECK       a way up ends nowhere, which cannot happen: please report it */
 HSP_API int32_t hsp_pores_locate_with_shifts(const hsp_pores *pores, const double *xyz, hsp_pore_place *place,
                                              hsp_pore_place_shifts *shifts);
@@ -363,7 +365,8 @@ typedef struct hsp_pore_passage {
  *  @retval HSP_E_ARGUMENT    pores, from or passage is NULL
  *  @retval HSP_E_STATE       nothing computed, or the model has changed since
  *  @retval HSP_E_NOT_FINITE  a point holds a NaN or an infinity
- *  @retval HSP_E_RANGE       a point lies beyond 2^50 lattice steps, or more than 2^17 boxes away
+ *  @retval HSP_E_RANGE       a point lies beyond 2^50 lattice steps, or more than 2^17 boxes away; or a way up is lost
+ *                            between balls that are more than 2^35 lattice steps apart
  *  @retval HSP_E_CHECK       a way up ends nowhere, which cannot happen: please report it */
 HSP_API int32_t hsp_pores_widest(const hsp_pores *pores, const double *from, const double *to,
                                  hsp_pore_passage *passage);
@@ -410,7 +413,7 @@ typedef struct hsp_tunnel {
  *  @retval HSP_E_ID          an avoided gate is not there
  *  @retval HSP_E_NOT_FINITE  a point holds a NaN or an infinity
  *  @retval HSP_E_RANGE       a point lies beyond 2^50 lattice steps, or more than 2^17 boxes away, or the tunnel leads
- *                            so far
+ *                            so far; or a way up is lost between balls that are more than 2^35 lattice steps apart
  *  @retval HSP_E_CHECK       a way up ends nowhere, which cannot happen: please report it */
 HSP_API int32_t hsp_pores_find_tunnel(hsp_pores *pores, const double *from, const double *to, const uint32_t *avoided,
                                       uint32_t count, hsp_tunnel *tunnel, hsp_pores_limits *limits);
@@ -436,7 +439,7 @@ HSP_API int32_t hsp_pores_find_tunnel(hsp_pores *pores, const double *from, cons
  *  @retval HSP_E_ID          an avoided gate is not there
  *  @retval HSP_E_NOT_FINITE  a point holds a NaN or an infinity
  *  @retval HSP_E_RANGE       a point lies beyond 2^50 lattice steps, or more than 2^17 boxes away, or the tunnel leads
- *                            so far
+ *                            so far; or a way up is lost between balls that are more than 2^35 lattice steps apart
  *  @retval HSP_E_CHECK       a way up ends nowhere, which cannot happen: please report it */
 HSP_API int32_t hsp_pores_find_cheapest_tunnel(hsp_pores *pores, const double *from, const double *to,
                                                const uint32_t *avoided, uint32_t count, hsp_tunnel *tunnel,

@@ -492,9 +492,39 @@ static void far_apart(void) {
   }
 }
 
+/* Nearly in a plane, so that ways up are too flat for some sets of balls so far apart. */
+static void nearly_flat(void) {
+  hsp_model_options steps;
+  uint32_t set, k, known = 0, lost = 0, state = 2654435761U;
+  CHECK_EQUAL(hsp_model_options_init(&steps, sizeof steps), HSP_OK);
+  steps.step = 1;
+  for (set = 0; set < 6; ++set) {
+    double part[4];
+    int32_t status;
+    for (n = 0; n < 160;) {
+      for (k = 0; k < 4; ++k) {
+        state = state * 1664525U + 1013904223U;
+        part[k] = (state >> 8) / 16777216.0;
+      }
+      add(part[0] * 1e15, part[1] * 1e15, part[2] * 1e9, 5e8 * (1 + part[3]));
+    }
+    CHECK_EQUAL(hsp_workspace_set(&work, n, xyz, radii, &steps, NULL), HSP_OK);
+    CHECK_EQUAL(hsp_workspace_boundary(&work), HSP_OK);
+    CHECK_EQUAL(hsp_workspace_pores(&work, NULL), HSP_OK);
+    status = hsp_pores_find_regions(work.pores, work.boundary, &access, &count);
+    CHECK(status == HSP_OK || status == HSP_E_RANGE);
+    if (status == HSP_OK) CHECK_EQUAL(count, 1);
+    known += status == HSP_OK;
+    lost += status == HSP_E_RANGE;
+    n = 0;
+  }
+  CHECK(known > 0 && lost > 0);
+}
+
 int main(void) {
   memset(&work, 0, sizeof work);
   far_apart();
+  nearly_flat();
   packings();
   touching();
   slabs(0);

@@ -120,7 +120,9 @@ Status follow_up(const PoresBuilder &pores, const BallsAround &balls, Ascent &wa
                  int64_t floor, PorePlace &place) {
   while (way.step()) {
   }
-  if (way.is_lost()) return Status::check;
+  // So far from all balls a way may be too flat for the steps that there are.
+  const Status lost = way.level() > 0x1p34 ? Status::range : Status::check;
+  if (way.is_lost()) return lost;
   const Vec3 &offset = way.offset();
   const Vec3 at{static_cast<double>(start.x) + offset.x, static_cast<double>(start.y) + offset.y,
                 static_cast<double>(start.z) + offset.z};
@@ -130,7 +132,7 @@ Status follow_up(const PoresBuilder &pores, const BallsAround &balls, Ascent &wa
     find_nearest(pores, balls.box(), at, way, place);
   }
   // A maximum as low as the floor is not in the list.
-  return place.maximum == no_id && way.level() > static_cast<double>(floor) + below_end ? Status::check : Status::ok;
+  return place.maximum == no_id && way.level() > static_cast<double>(floor) + below_end ? lost : Status::ok;
 }
 
 Status find_passage(const PoresBuilder &pores, const BallsAround &balls, const exact::Vector &from,

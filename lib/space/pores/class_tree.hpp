@@ -37,8 +37,8 @@ struct PorePlace {
 };
 
 // The maximum that one way up leads to. Another one may lead to another maximum, but to no other class for any probe
-// that fits at the point and is narrower by a lattice step or more. Status::range: too many boxes away. Status::check
-// cannot happen.
+// that fits at the point and is narrower by a lattice step or more. Status::range: too many boxes away, or a way is
+// lost between balls that are more than 2^35 steps apart. Status::check cannot happen.
 Status locate(const PoresBuilder &pores, const BallsAround &balls, const exact::Vector &point, int64_t floor,
               PorePlace &place);
 // The rest of that, for a way up that has begun at `start`: sets the maximum of the place and its copy.

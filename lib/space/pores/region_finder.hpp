@@ -34,7 +34,7 @@ class RegionFinder {
   void carve(Workspace &workspace, const PoreLimits &limits);
   // pores: all above a floor of 0 or less. periodic: null without a box. first_plug: the caller's balls are plugs from
   // that one on. pores.joined() becomes that of the level 0.
-  // Status::range: of a shell no point is known to lead anywhere. Status::check cannot happen.
+  // Status::range: of a shell no point is known to lead anywhere, or as locate(). Status::check cannot happen.
   Status find(PoresBuilder &pores, const BallsAround &balls, const Boundary &boundary, const PeriodicUnion *periodic,
               int64_t floor, uint32_t first_plug);
   // The region of a maximum of the same pores, or of the outside, while pores.joined() is as it was; no_id if it is in
