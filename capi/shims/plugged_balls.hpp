@@ -1,6 +1,8 @@
 // Balls with plugs in the mouths of pockets.
 #pragma once
 
+#include <initializer_list>
+
 #include "pore_records.hpp"
 
 namespace hsp::capi {
