@@ -105,7 +105,7 @@ awk '$1 == 0 { for (k = 1; k <= 9; ++k) known[k] = k <= 3 ? $(2 + k) : $(2 + k) 
     print "worst difference of a force", force, "and of a stress", stress, "of at most", largest; exit bad }' energies
 
 # Spheres that come to touch, or cease to, change a force at once: the error falls with the step, not with its square.
-for run in "4 480" "2 960" "1 1920"; do
+for run in "4 320" "2 640" "1 1280"; do
   read -r dt steps <<<"$run"
   system 1 lj/cut "0.0914 3.95" ", virial=False" >nve
   cat >>nve <<EOF
