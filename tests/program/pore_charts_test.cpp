@@ -319,7 +319,7 @@ TEST(PoreCharts, LegendsHaveRoom) {
     ASSERT_TRUE(std::regex_search(svg, page, size));
     std::map<double, std::map<double, size_t>> rows;  // by their lines: where letters begin, how many
     for (std::sregex_iterator t(svg.begin(), svg.end(), text), end; t != end; ++t) {
-      rows[std::stod((*t)[2])][std::stod((*t)[1])] = (*t)[4].length();
+      rows[std::stod((*t)[2])][std::stod((*t)[1])] = static_cast<std::size_t>((*t)[4].length());
     }
     double above = -1e9;
     for (const auto &[y, row] : rows) {
