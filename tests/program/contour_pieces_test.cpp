@@ -93,8 +93,8 @@ TEST(ContourPieces, LeaveNoHairs) {
   contours.add_chain(std::vector<double>(10, 8), 800, 10, true);
   contours.add({{{100, 0}, {120, 0}}, {810, 811}, 5, false, {0, 0}});
   contours.set_levels();
-  for (const size_t hair : {40, 41, 44, 56}) EXPECT_EQ(contours.piece(hair).level, 0) << hair;
-  for (const size_t other : {20, 42, 43, 45, 55}) EXPECT_GT(contours.piece(other).level, 0) << other;
+  for (const size_t hair : {40U, 41U, 44U, 56U}) EXPECT_EQ(contours.piece(hair).level, 0) << hair;
+  for (const size_t other : {20U, 42U, 43U, 45U, 55U}) EXPECT_GT(contours.piece(other).level, 0) << other;
   EXPECT_EQ(contours.level(20, 0), 8);
   EXPECT_EQ(contours.level(55, 1), 8);  // the outline goes on under what ends there
   EXPECT_EQ(contours.level(46, 0), 0);
