@@ -89,26 +89,21 @@ class HitFinder {
 
   // Adds the hits in the box.
   void find(const CubeBox &box) {
-    visit(box, [this](const BallRange *ranges, uint32_t count) { find(ranges, count); });
-  }
-  // Calls take(ranges, count) for all balls of the box, some rows at a time.
-  template <class Take>
-  void visit(const CubeBox &box, Take take) {
     if (!grid_.rows().is_there()) {
-      visit_rows(grid_, box, [&](const BallRange &row) {
-        if (!row.empty()) take(&row, 1);
+      visit_rows(grid_, box, [this](const BallRange &row) {
+        if (!row.empty()) find(&row, 1);
         return true;
       });
       return;
     }
     BallRange rows[few_rows];
-    if (has_few_rows(box)) return take(rows, grid_.rows().find(box.low, box.high, {rows, few_rows}));
+    if (has_few_rows(box)) return find(rows, grid_.rows().find(box.low, box.high, {rows, few_rows}));
     const auto [low, high] = common_cubes(grid_, box);
     for (int64_t z = low.z; z <= high.z; ++z) {
       for (int64_t y = low.y; y <= high.y; y += few_rows) {
         const CubeCoordinates last{high.x, smaller_of(y + few_rows - 1, high.y), z};
         const uint32_t count = grid_.rows().find({low.x, y, z}, last, {rows, few_rows});
-        if (count > 0) take(rows, count);
+        if (count > 0) find(rows, count);
       }
     }
   }
@@ -154,14 +149,12 @@ void collect(const CubeGrid &grid, const LatticeQuery &query, uint32_t excluded,
     return;
   }
   uint32_t stored = 0;
-  finder.visit(box, [&](const BallRange *ranges, uint32_t count) {
-    for (uint32_t r = 0; r < count; ++r) {
-      visit_parts(ranges[r], [&](const BallRange &part) {
-        const QueryHits &hits = finder.hits_among(part);
-        for (uint32_t k = 0; k < hits.count; ++k) result.ids[stored++] = hits.ids[k];
-        return true;
-      });
-    }
+  visit_rows(grid, box, [&](const BallRange &row) {
+    return visit_parts(row, [&](const BallRange &part) {
+      const QueryHits &hits = finder.hits_among(part);
+      for (uint32_t k = 0; k < hits.count; ++k) result.ids[stored++] = hits.ids[k];
+      return true;
+    });
   });
   sort_ascending(result.ids, result.hits);
 }
