@@ -119,3 +119,13 @@ const char *chart_colour(uint32_t number) {
 int chart_dash(uint32_t number) {
   return DASH * (int)(number / COLOURS);
 }
+
+void chart_path_begin(struct text_buffer *out, const char *colour, double width) {
+  text_buffer_add(out, "<path fill=\"none\" stroke=\"%s\" stroke-width=\"%.1f\" stroke-linejoin=\"round\"", colour,
+                  width);
+}
+
+void chart_dashed(struct text_buffer *out, double x0, double y0, double x1, double y1) {
+  text_buffer_add(out, "<path stroke=\"" CHART_GREY "\" stroke-dasharray=\"4 3\" d=\"M%.2f %.2fL%.2f %.2f\"/>\n", x0,
+                  y0, x1, y1);
+}

@@ -57,6 +57,10 @@ void chart_axis_below(struct text_buffer *out, const struct chart_frame *frame, 
 double chart_x(const struct chart_frame *frame, const struct chart_scale *across, double number);
 double chart_y(const struct chart_frame *frame, const struct chart_scale *up, double number);
 
+/* A line without its points, and one of dashes, whole. */
+void chart_path_begin(struct text_buffer *out, const char *colour, double width);
+void chart_dashed(struct text_buffer *out, double x0, double y0, double x1, double y1);
+
 /* Distinct colours, which begin anew after the last one. */
 const char *chart_colour(uint32_t number);
 
