@@ -6,8 +6,7 @@ function(hsp_c99_program name)
   set_target_properties(${name} PROPERTIES C_STANDARD 99 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF)
   # The header is held to more than the rest: pedantic and warning-free in every build.
   target_compile_options(${name} PRIVATE -pedantic -Wstrict-prototypes -Werror)
-  # They call more than they compute.
-  target_compile_options(${name} PRIVATE $<$<NOT:$<BOOL:${CMAKE_CROSSCOMPILING}>>:-O0>)
+  target_compile_options(${name} PRIVATE ${HSP_TEST_OPTIONS_unit})
   target_link_libraries(${name} PRIVATE hsp_interface_checks hardsphere_warnings hardsphere_sanitizers ${ARGN})
 endfunction()
 

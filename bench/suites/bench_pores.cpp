@@ -24,6 +24,11 @@ size_t carve(std::vector<unsigned char> &memory, Carved &carved, const Limits &.
   return memory.size();
 }
 
+void count_time_per_atom(benchmark::State &state, const Subject &subject) {
+  state.counters["time_per_atom"] = benchmark::Counter(
+      subject.balls.size(), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
 void pores(benchmark::State &state, Subject &subject) {
   const uint32_t n = subject.balls.size();
   std::vector<unsigned char> grid_memory, memory;
@@ -51,13 +56,7 @@ void pores(benchmark::State &state, Subject &subject) {
   state.counters["sets_per_atom"] = static_cast<double>(builder.work().triples + builder.work().quadruples) / atoms;
   state.counters["steps_per_gate"] = static_cast<double>(builder.steps()) / builder.gates().size();
   state.counters["bytes"] = static_cast<double>(bytes);
-  state.counters["time_per_atom"] =
-      benchmark::Counter(atoms, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
-}
-
-void count_time_per_atom(benchmark::State &state, const Subject &subject) {
-  state.counters["time_per_atom"] = benchmark::Counter(
-      subject.balls.size(), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  count_time_per_atom(state, subject);
 }
 
 void regions(benchmark::State &state, Subject &subject) {

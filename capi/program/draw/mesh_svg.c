@@ -260,8 +260,7 @@ bool mesh_add_svg(struct mesh_picture *picture, const char *title, struct text_b
   for (size_t i = 0; i < spheres; ++i) add_sphere(picture, out, paints[i]);
   /* Outlines are in halves of units. */
   text_buffer_add(out, "</defs>\n<g transform=\"scale(.5)\" stroke-width=\"" AREA_LINE
-                       "\" "
-                       "stroke-linejoin=\"round\" stroke-linecap=\"round\">\n");
+                       "\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n");
   enough = enough && add_section_area(picture, out);
   text_buffer_append(out, areas.text, areas.length);
   enough = enough && add_lines(picture, out);

@@ -135,7 +135,6 @@ static void find_shares(struct smoothing *all, const uint8_t *of_vertex) {
         memcpy(all->mean + row, all->share + row, all->areas * sizeof *all->mean);
       }
     }
-    memset(all->waiting, 0, all->mesh->vertices * sizeof *all->waiting);
     double *const before = all->share;
     all->share = all->mean;
     all->mean = before;
