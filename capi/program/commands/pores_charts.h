@@ -1,4 +1,4 @@
-/* What charts of pores have in common, in px. */
+/* Sizes that the charts of pores share, in px. */
 #ifndef HARDSPHERE_TOOL_PORES_CHARTS_H
 #define HARDSPHERE_TOOL_PORES_CHARTS_H
 
