@@ -11,7 +11,7 @@ must_have_run() {
   missing=1
 }
 for name in portability_armhf portability_s390x packaging_library_variants_lld packaging_library_variants_musl \
-  packaging_firmware_size_m4 packaging_firmware_size_m7 packaging_documentation instruction_budgets target_budgets; do
+  packaging_firmware_size_m4 packaging_documentation instruction_budgets target_budgets; do
   must_have_run $name
 done
 

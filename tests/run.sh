@@ -83,7 +83,8 @@ echo
 for preset in "${presets[@]}"; do
   echo "== $preset"
   # Those of the last run of ctest.
-  tac "build/logs/$preset.log" | sed '/^[0-9]*% tests passed/q' | tac | grep . || echo "no test ran"
+  awk '/^[0-9]+% tests passed/ { lines = 0; ran = 1 } NF { line[++lines] = $0 }
+    END { if (!ran) print "no test ran"; for (k = 1; ran && k <= lines; ++k) print line[k] }' "build/logs/$preset.log"
 done | tee build/logs/closing_lines.txt
 echo
 cat build/logs/steps.log
