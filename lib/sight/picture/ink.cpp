@@ -89,16 +89,18 @@ class BodyInk {
     if (runs_ > most_runs) return;
     Run &run = run_[runs_ - 1];
     if (first) run = {0.0, 0.0, 0.0, arc.start.goes_under, false, true, fades(arc, arc.start), false, false};
-    const double near = taper_length * largest_;
+    const double near = taper(false);
     if (!first && arc.start.crossed != no_id) {
-      run.crossed_at_start = run.crossed_at_start || run.length < near;
+      if (run.length < near) run.crossed_at_start = true;
       run.last_crossing = run.length;
     }
     if (arc.behind == no_id && run.length < near) run.fades_from_start = false;
     run.length += (arc.to - arc.from) * unit_;
-    if (arc.behind == no_id) run.last_background = run.length;
+    if (arc.behind == no_id) {
+      run.last_background = run.length;
+      run.before_bodies = false;
+    }
     run.ends_under = arc.end.goes_under;
-    run.before_bodies = run.before_bodies && arc.behind != no_id;
     run.fades_to_end = fades(arc, arc.end) && (run.before_bodies || run.length - run.last_background >= near);
   }
 
@@ -188,25 +190,34 @@ class BodyInk {
 
   void begin_run() {
     const uint32_t number = taken_++;
-    const bool measured = !straight_ && number < most_runs && number < runs_ && largest_ > 0.0;
-    now_ = measured ? run_[number] : Run{};
+    const bool measured = !straight_ && number < most_runs && number < runs_;
     before_ = 0.0;
-    const bool gap = now_.begins_under && now_.ends_under && now_.before_bodies;
-    const double share = gap ? smaller_of(now_.length / (short_length * largest_), 1.0) : 1.0;
-    share_ = share * share;
+    share_ = 1.0;
+    taper_[0] = taper_[1] = 0.0;
+    if (!measured) return;
+    const Run &run = run_[number];
+    length_ = run.length;
+    if (run.begins_under && run.ends_under && run.before_bodies) {
+      share_ = smaller_of(length_ / (short_length * largest_), 1.0);
+      share_ *= share_;
+    }
+    const bool crossed_at_end = run.last_crossing > 0.0 && length_ - run.last_crossing < taper(false);
+    if (run.fades_from_start) taper_[0] = taper(run.crossed_at_start);
+    if (run.fades_to_end) taper_[1] = taper(crossed_at_end);
   }
+  double taper(bool crossed) const { return (crossed ? crossed_taper_length : taper_length) * largest_; }
 
-  // The share of the width that is left so many px from where a contour ends.
-  double tapered(double px, bool crossed) const {
-    const double part = px / ((crossed ? crossed_taper_length : taper_length) * largest_);
-    return part < 1.0 ? part * (2.0 - part) : 1.0;
-  }
+  // The share of the width at an angle.
   double share_at(const SilhouetteArc &arc, double angle) const {
-    const double from_start = before_ + (angle - arc.from) * unit_;
-    const double to_end = larger_of(now_.length - from_start, 0.0);
-    const bool crossed_at_end = now_.last_crossing > 0.0 && now_.length - now_.last_crossing < taper_length * largest_;
-    return share_ * (now_.fades_from_start ? tapered(from_start, now_.crossed_at_start) : 1.0) *
-           (now_.fades_to_end ? tapered(to_end, crossed_at_end) : 1.0);
+    double share = share_, px = before_ + (angle - arc.from) * unit_;
+    for (const double taper : taper_) {
+      if (px < taper) {
+        const double part = px / taper;
+        share *= part * (2.0 - part);
+      }
+      px = larger_of(length_ - px, 0.0);
+    }
+    return share;
   }
 
   // One arc: the widths by what lies behind, what is added at its ends, and the angles along which that falls off.
@@ -369,9 +380,9 @@ class BodyInk {
   bool straight_;
   StraightSilhouette side_{};
   double width_[3] = {}, largest_ = 0.0;
-  Run now_{};            // that is taken
-  double before_ = 0.0;  // px of it
-  double share_ = 1.0;   // of all its widths
+  // Of the run that is taken: px of it and before in it, the share of all its widths, and along which px these fall off
+  // to its ends, 0 for none.
+  double length_ = 0.0, before_ = 0.0, share_ = 1.0, taper_[2] = {};
   Run run_[most_runs];
   uint32_t runs_ = 0, taken_ = 0;
   Knot knot_[most_knots];
