@@ -6,7 +6,11 @@
 import {existsSync} from 'node:fs';
 import {readFile} from 'node:fs/promises';
 import {dirname} from 'node:path';
+import {setFlagsFromString} from 'node:v8';
 import {WASI} from 'node:wasi';
+
+// Where another thread marks what is in use, Node 20.20 crashes at the end of a program now and then.
+setFlagsFromString('--no-concurrent-marking');
 
 const [program, ...rest] = process.argv.slice(2);
 const name = program.replace(/^.*\//, '').replace(/\.wasm$/, '');
