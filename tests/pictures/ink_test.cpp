@@ -151,6 +151,40 @@ TEST(Ink, IsNothingAtTangencies) {
   EXPECT_GT(looked_at, 200U);
 }
 
+// Around a ball a border of one width goes on without a bend from one lune to the next: curves as long as 1.2 bent by
+// five degrees there.
+TEST(Ink, BordersAreRound) {
+  const auto direction = [](const PagePoint &from, const PagePoint &to) {
+    return std::atan2(to[1] - from[1], to[0] - from[0]);
+  };
+  size_t looked_at = 0;
+  for (const Scene &scene : scenes()) {
+    SCOPED_TRACE(scene.name);
+    const hsp_picture_options options = thick(HSP_FORMAT_SVG);
+    const double outside = outer_share * options.ink_width[HSP_INK_BORDER];
+    const PictureFile file = read_svg(scene.drawn.picture(options));
+    const Placed placed(scene.drawn, options, file);
+    for (const PaintedPath &path : file.ink) {
+      const PageBall &own = placed.balls()[path.ball];
+      const auto is_outside = [&](const PagePoint &point) {
+        return std::fabs(distance(point, own.centre) - own.radius - outside) < 0.02;
+      };
+      for (const Loop &loop : path.loops) {
+        for (size_t k = 0; k + 1 < loop.segments.size(); ++k) {
+          const Segment &s = loop.segments[k], &t = loop.segments[k + 1];
+          const bool curves = s.kind == Segment::Kind::cubic && t.kind == Segment::Kind::cubic;
+          if (!curves || distance(s.start, s.end) < 10 || distance(t.start, t.end) < 10) continue;
+          if (!is_outside(s.start) || !is_outside(s.end) || !is_outside(t.end)) continue;
+          const double bend = direction(s.handle[1], s.end) - direction(t.start, t.handle[0]);
+          EXPECT_LT(std::fabs(std::remainder(bend, 2 * std::numbers::pi)), 0.02) << "ball " << path.ball;
+          ++looked_at;
+        }
+      }
+    }
+  }
+  EXPECT_GT(looked_at, 50U);
+}
+
 // However steeply what is behind rises towards a tangency, widths fall off along twice the largest one at least, but
 // where a border is so near.
 TEST(Ink, EndsInPoints) {

@@ -556,7 +556,7 @@ TEST(DrawColours, ClassesAndTooltips) {
   EXPECT_EQ(told.find("class="), std::string::npos);
   EXPECT_NE(told.find("data-ball="), std::string::npos);
   EXPECT_LT(drawn(crambin(), {"--classes", "--ink"}).size(), 170000u);
-  EXPECT_LT(drawn(molecules_folder() + "/sod_stand_in.pdb", {"--ink"}).size(), 650000u);
+  EXPECT_LT(drawn(molecules_folder() + "/sod_stand_in.pdb", {"--ink"}).size(), 670000u);
   // An id stands for one thing: of balls and sticks for the ball.
   const std::string sticks =
       drawn(molecules_folder() + "/caffeine.pdb", {"--classes", "--as", "ball-and-stick", "--style", "flat"});

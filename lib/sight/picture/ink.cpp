@@ -41,8 +41,9 @@ constexpr double shortest_lune = 2.0;
 // Points that lie closer to each other around a ball are one.
 constexpr double least_angle = 1e-12;
 
-// A lune is at most so long, an angle at the ball's centre.
-constexpr double longest_lune = 1.2;
+// A lune is at most so long, an angle at the ball's centre: with that angle cubed grows by how much lunes bend where they
+// meet, here a degree.
+constexpr double longest_lune = 0.7;
 
 PagePoint along(const PagePoint &from, const SinCos &direction, double length) {
   return {from.x + length * direction.cosine, from.y + length * direction.sine};
@@ -223,7 +224,7 @@ class BodyInk {
   // One arc: the widths by what lies behind, what is added at its ends, and the angles along which that falls off.
   struct Stretch {
     const SilhouetteArc &arc;
-    double at_start, at_end;
+    double added[2];
     double near;
   };
   double width_at(const Stretch &stretch, double angle) const {
@@ -231,11 +232,13 @@ class BodyInk {
     const bool start_creases = angle == arc.from && !arc.start.goes_on && !arc.start.goes_under;
     const bool end_creases = angle == arc.to && !arc.end.goes_on && !arc.end.goes_under;
     const bool creases = arc.behind != no_id && (start_creases || end_creases);
-    const double from_start = 1.0 - (angle - arc.from) / stretch.near;
-    const double from_end = 1.0 - (arc.to - angle) / stretch.near;
-    const double width = (creases ? 0.0 : width_before(arc.behind, angle)) +
-                         (from_start > 0.0 ? stretch.at_start * from_start * from_start : 0.0) +
-                         (from_end > 0.0 ? stretch.at_end * from_end * from_end : 0.0);
+    double width = creases ? 0.0 : width_before(arc.behind, angle), away = angle - arc.from;
+    for (const double added : stretch.added) {
+      const double part = 1.0 - away / stretch.near;
+      // Level at both ends, so that a contour does not bend there.
+      if (part > 0.0) width += added * part * part * (3.0 - 2.0 * part);
+      away = arc.to - angle;
+    }
     return share_at(arc, angle) * width;
   }
   // The width to be added at one end to meet that of the arc that goes on there.
@@ -249,10 +252,10 @@ class BodyInk {
     if (!(span > 0.0)) return;
     if (knots_ + most_lunes + 2 > most_knots) finish();
     const double near = smaller_of(2 * largest_ / unit_, span);
-    const Stretch stretch{arc, missing(arc, arc.start, arc.from), missing(arc, arc.end, arc.to), near};
+    const Stretch stretch{arc, {missing(arc, arc.start, arc.from), missing(arc, arc.end, arc.to)}, near};
     // Where what is added begins or ends.
-    const double ends[2] = {stretch.at_start > 0.0 ? arc.from + near : arc.from,
-                            stretch.at_end > 0.0 ? arc.to - near : arc.to};
+    const double ends[2] = {stretch.added[0] > 0.0 ? arc.from + near : arc.from,
+                            stretch.added[1] > 0.0 ? arc.to - near : arc.to};
     put_lunes(stretch, {smaller_of(ends[0], ends[1]), larger_of(ends[0], ends[1])});
   }
 
