@@ -41,8 +41,8 @@ constexpr double shortest_lune = 2.0;
 // Points that lie closer to each other around a ball are one.
 constexpr double least_angle = 1e-12;
 
-// A lune is at most so long, an angle at the ball's centre: with that angle cubed grows by how much lunes bend where they
-// meet, here a degree.
+// A lune is at most so long, an angle at the ball's centre. Where lunes meet they bend, by an angle that grows with the
+// cube of this one, here by a degree.
 constexpr double longest_lune = 0.7;
 
 PagePoint along(const PagePoint &from, const SinCos &direction, double length) {

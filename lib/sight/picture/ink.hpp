@@ -8,8 +8,8 @@
 // times 1 - f for fog f. So it is 0 where a silhouette goes over into a crease: there g is 0. Where along a silhouette
 // what lies behind changes, the gap jumps; there the thinner side is widened to the width of the thicker one, which
 // falls off along twice the largest width, or along the arc if that is shorter, slowly at first and at last. That makes
-// widths continuous, leaves 0 at tangencies, and an arc of next to no length, as planar molecules have them where depths
-// differ by noise, changes next to nothing.
+// widths continuous, leaves 0 at tangencies, and an arc of next to no length, as planar molecules have them where
+// depths differ by noise, changes next to nothing.
 //
 // Where no background is behind what is seen of a ball's silhouette between two nearer bodies, that is a gap in which
 // wide contours would clot: if its length is a share of eight times the largest width, all widths are the square of
