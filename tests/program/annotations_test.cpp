@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -387,22 +388,33 @@ TEST(Annotations, LegendsOfNumbersAndChains) {
   std::vector<std::string> names;
   for (auto chain = chains.rbegin(); chain != chains.rend(); ++chain) names.push_back(chain->text);
   EXPECT_EQ(names, (std::vector<std::string>{"chains", "A", "B", "C", "D", "Cu", "Zn"}));
-  // Kinds of residues that are seen: the one methionine as two patches a few px wide, from the side not at all.
+  // Kinds of residues that are found: the one methionine is two patches a few px wide, from another side an atom or two.
   std::vector<std::string> kinds = {"residues", "positive",    "negative",  "polar",
                                     "aromatic", "with sulfur", "aliphatic", "glycine"};
-  for (const char *const turn : {"--rotate=0,0,0", "--rotate=0,-90,0"}) {
+  for (const char *const turn : {"--rotate=0,180,0", "--rotate=0,0,0", "--rotate=0,-90,0"}) {
     names.clear();
     for (const Text &kind :
          texts_of(drawn(molecules_folder() + "/ubiquitin.pdb", {"--legend", "--colour", "residue", turn}))) {
       names.insert(names.begin(), kind.text);
     }
     EXPECT_EQ(names, kinds);
-    kinds.erase(kinds.begin() + 5);
+    if (kinds.size() == 8) kinds.erase(kinds.begin() + 5);
   }
-  const std::vector<Text> muted = texts_of(drawn(crambin(), {"--legend", "--highlight", "residue:CYS"}));
+  const std::string svg_of_others =
+      drawn(crambin(), {"--legend", "--highlight", "residue:CYS", "--style", "flat", "--fog", "0", "--occlusion", "0"});
+  const std::vector<Text> muted = texts_of(svg_of_others);
   ASSERT_EQ(muted.size(), 5u);
   EXPECT_EQ(muted[0].text, "others");
   EXPECT_EQ(muted[1].text, "S");
+  // These keep some of their own colours, so that their swatch has those of C, N and O; all of them are drawn.
+  const std::vector<std::string> stripes = elements(svg_of_others, "<rect x=");
+  ASSERT_EQ(stripes.size(), 4 + 8u);  // with frames
+  std::set<std::string> others;
+  for (size_t k = 1; k <= 3; ++k) {
+    others.insert(word_after(stripes[k], "fill=\"#", "\""));
+    EXPECT_NE(svg_of_others.find(" fill=\"#" + *others.rbegin() + "\" c"), std::string::npos);
+  }
+  EXPECT_EQ(others.size(), 3u);
   const std::vector<Text> bands = texts_of(drawn(crambin(), {"--legend", "--colour", "plddt"}));
   ASSERT_EQ(bands.size(), 5u);
   EXPECT_EQ(bands[3].text, "&gt; 90");
@@ -596,10 +608,41 @@ TEST(Annotations, Refusals) {
     EXPECT_EQ(outcome.status, 2) << complaint;
     EXPECT_NE(outcome.err.find(complaint), std::string::npos) << outcome.err;
   }
-  const Outcome many = run_program({"draw", crambin(), "-o", "none/x.svg", "--label", "atom"});
-  EXPECT_EQ(many.status, 1);
-  EXPECT_NE(many.err.find("there is no room for "), std::string::npos) << many.err;
   EXPECT_FALSE(std::filesystem::exists("none/x.svg"));
+}
+
+// What has no room is left out, and a note says how many there are; the others are apart.
+TEST(Annotations, LabelsWithoutRoomAreLeftOut) {
+  for (const bool sticks : {true, false}) {
+    const TemporaryFile out("labels.svg");
+    std::vector<std::string> call = {"draw", crambin(), "-o", out.path(), "--label", "atom", "--style", "flat"};
+    if (sticks) call.insert(call.end(), {"--as", "ball-and-stick"});
+    const Outcome many = run_program(call);
+    ASSERT_EQ(many.status, 0) << many.err;
+    unsigned left_out = 0, all = 0;
+    const size_t note = many.err.find("no room for ");
+    ASSERT_NE(note, std::string::npos) << many.err;
+    ASSERT_EQ(std::sscanf(many.err.c_str() + note, "no room for %u of %u labels,", &left_out, &all), 2) << many.err;
+    const std::vector<Text> texts = texts_of(read_file(out.path()));
+    EXPECT_GT(left_out, 0u);
+    EXPECT_EQ(texts.size(), all - left_out);
+    EXPECT_LE(all, 327u);
+    for (size_t i = 0; i < texts.size(); ++i) {
+      const std::array<double, 4> box = box_of(texts[i]);
+      for (size_t k = 0; k < i; ++k) {
+        const std::array<double, 4> other = box_of(texts[k]);
+        EXPECT_TRUE(box[2] < other[0] || other[2] < box[0] || box[3] < other[1] || other[3] < box[1])
+            << texts[i].text << " and " << texts[k].text;
+      }
+    }
+  }
+  // Where one after the other has no room, those first of which most is seen may have it all the same.
+  const TemporaryFile out("residues.svg");
+  const Outcome residues = run_program({"draw", molecules_folder() + "/ubiquitin.pdb", "-o", out.path(), "--label",
+                                        "residue", "--as", "ball-and-stick", "--style", "flat"});
+  EXPECT_EQ(residues.status, 0);
+  EXPECT_EQ(residues.err, "");
+  EXPECT_EQ(texts_of(read_file(out.path())).size(), 76u);
 }
 
 }  // namespace

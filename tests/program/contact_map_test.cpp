@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "drawn_colours.hpp"
 #include "json_outcome.hpp"
 #include "program_runner.hpp"
 #include "temporary_file.hpp"
@@ -169,6 +170,28 @@ TEST(ContactMap, LiesOnWholePixels) {
   EXPECT_EQ(found[3], "645");
   EXPECT_EQ(drawn_squares(read_file(dark.path())), drawn_squares(svg));
   EXPECT_EQ(read_file(dark.path()).find("#ffffff"), std::string::npos);
+}
+
+// The shades go away from the page, and the first of them is seen on it.
+TEST(ContactMap, ShadesAreSeenOnThePage) {
+  static const std::regex page("<rect width=[^>]* fill=\"#([0-9a-f]{6})\""),
+      shade("height=\"16\" fill=\"#([0-9a-f]{6})\"");
+  for (const bool dark : {false, true}) {
+    const TemporaryFile picture("map.svg");
+    std::vector<std::string> call = {"contacts", crambin(), "--by", "residue", "--map", picture.path()};
+    if (dark) call.emplace_back("--dark");
+    ASSERT_EQ(run_program(call).status, 0);
+    const std::string svg = read_file(picture.path());
+    std::smatch before;
+    ASSERT_TRUE(std::regex_search(svg, before, page));
+    double least = dark ? 2.4 : 1.65;
+    int shades = 0;
+    for (std::sregex_iterator s(svg.begin(), svg.end(), shade), end; s != end; ++s, ++shades) {
+      EXPECT_GT(contrast((*s)[1], before[1]), least) << (*s)[1];
+      least = 1.3 * contrast((*s)[1], before[1]);
+    }
+    EXPECT_EQ(shades, 6);
+  }
 }
 
 TEST(ContactMap, IsRefusedWhereItHasNoPlace) {

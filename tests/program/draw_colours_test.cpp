@@ -223,9 +223,9 @@ TEST(DrawColours, TintsByDefault) {
 // By kind, under all the names that a kind goes by; what is in no chain has the colours of elements.
 TEST(DrawColours, Residues) {
   const std::vector<std::pair<std::string, std::string>> residues = {
-      {"ATOM  ARG", "86A9F2"}, {"ATOM  HIP", "86A9F2"}, {"ATOM  ASP", "F2806C"}, {"ATOM  ASN", "A9D59B"},
-      {"ATOM  TRP", "C7A9E0"}, {"ATOM  CYX", "F3DC74"}, {"HETATMMSE", "F3DC74"}, {"ATOM  VAL", "E3C68C"},
-      {"ATOM  GLY", "F1EDE4"}, {"ATOM   DA", "F0AC96"}, {"ATOM    C", "9FC3E6"}, {"ATOM  GUA", "B7D3A0"},
+      {"ATOM  ARG", "6C95E0"}, {"ATOM  HIP", "6C95E0"}, {"ATOM  ASP", "E8705E"}, {"ATOM  ASN", "AFE0A4"},
+      {"ATOM  TRP", "DDB3EC"}, {"ATOM  CYX", "F2DF38"}, {"HETATMMSE", "F2DF38"}, {"ATOM  VAL", "BDAC97"},
+      {"ATOM  GLY", "F5F3EE"}, {"ATOM   DA", "F0AC96"}, {"ATOM    C", "9FC3E6"}, {"ATOM  GUA", "B7D3A0"},
       {"ATOM  RU5", "EED28A"}, {"ATOM  DT3", "EED28A"}, {"ATOM  ACE", "D2CDC3"}, {"ATOM  XYZ", "D2CDC3"},
       {"HETATMHEM", "7E8A93"}};
   std::string text;
@@ -242,12 +242,16 @@ TEST(DrawColours, Residues) {
   for (const auto &[ball, colour] : found) {
     EXPECT_EQ(colour, residues[static_cast<size_t>(ball)].second) << residues[static_cast<size_t>(ball)].first;
   }
+  std::set<std::string> kinds;
+  for (size_t i = 0; i <= 8; ++i) kinds.insert(residues[i].second);
+  EXPECT_EQ(kinds.size(), 7u);
+  EXPECT_GT(least_difference({kinds.begin(), kinds.end()}), 14);
   const TemporaryFile four("four.cif",
                            "data_x\nloop_\n_atom_site.type_symbol\n_atom_site.label_atom_id\n_atom_site.label_comp_id\n"
                            "_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"
                            "C C NALA 0 0 0\nC C CYSH 5 0 0\nC C ASPH 10 0 0\nC C CGLY 15 0 0\n");
   EXPECT_EQ(fills(four.path(), {"--colour", "residue"}),
-            (std::map<int, std::string>{{0, "E3C68C"}, {1, "F3DC74"}, {2, "F2806C"}, {3, "F1EDE4"}}));
+            (std::map<int, std::string>{{0, "BDAC97"}, {1, "F2DF38"}, {2, "E8705E"}, {3, "F5F3EE"}}));
   EXPECT_EQ(fills(file.path(), {"--colour", "chain"}), fills(file.path(), {"--palette", "chain"}));
   EXPECT_EQ(fills(file.path(), {"--colour", "element"}), fills(file.path(), {}));
 }

@@ -19,3 +19,10 @@ std::map<int, std::string> fills(const std::string &file, std::vector<std::strin
 
 // The sum of a colour's channels.
 double brightness(const std::string &colour);
+
+// How much the two most alike of these colours, RRGGBB, differ in CIE L*a*b* for one who sees no red or no green, as
+// Machado, Oliveira and Fernandes (IEEE Trans. Vis. Comput. Graph. 15 (2009) 1291) simulate that.
+double least_difference(const std::vector<std::string> &colours);
+
+// Of two colours by WCAG, from 1 to 21.
+double contrast(const std::string &one, const std::string &other);

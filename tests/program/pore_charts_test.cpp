@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "drawn_colours.hpp"
 #include "json_outcome.hpp"
 #include "program_runner.hpp"
 #include "temporary_file.hpp"
@@ -17,10 +18,6 @@
 namespace {
 
 using Words = std::vector<std::string>;
-
-std::string crambin() {
-  return molecules_folder() + "/crambin.pdb";
-}
 
 struct Written {
   Json json;
@@ -164,7 +161,14 @@ TEST(PoreCharts, TunnelsOfOneColourDifferByDashes) {
     ++drawn[look];
   }
   EXPECT_GT(drawn.size(), 6u);
-  for (const auto &[look, times] : drawn) EXPECT_EQ(times, 2) << look;
+  std::set<std::string> colours;
+  for (const auto &[look, times] : drawn) {
+    EXPECT_EQ(times, 2) << look;
+    colours.insert(look.substr(look.find('#') + 1, 6));
+  }
+  EXPECT_EQ(colours.size(), 6u);
+  EXPECT_GT(least_difference({colours.begin(), colours.end()}), 18);
+  for (const std::string &colour : colours) EXPECT_GT(contrast(colour, "ffffff"), 2.6) << colour;
 }
 
 struct Bar {
@@ -261,11 +265,13 @@ TEST(PoreCharts, TreeWithPockets) {
   const Scale x = scale_of(svg, true);
   static const std::regex named("stroke=\"(#[0-9a-f]{6})\" stroke-width=\"3\"[^>]*/>\n<text[^>]*>pocket ([0-9]+)<");
   size_t names = 0;
+  std::vector<std::string> colours;
   for (std::sregex_iterator n(svg.begin(), svg.end(), named), end; n != end; ++n, ++names) {
     const Json &pocket = json["pocket_list"].items.at(names);
     EXPECT_EQ(std::stod((*n)[2]), pocket["pocket"].number);
     // The line of its widest maximum has that colour.
     const std::string colour = (*n)[1];
+    colours.push_back(colour.substr(1));
     const std::regex path("<path fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"1.5\"[^>]* d=\"([^\"]*)\"/>");
     std::smatch match;
     ASSERT_TRUE(std::regex_search(svg, match, path)) << colour;
@@ -278,6 +284,9 @@ TEST(PoreCharts, TreeWithPockets) {
     EXPECT_NEAR(widest, x(pocket["radius"].number), tenth_of_px);
   }
   EXPECT_EQ(names, 6u);
+  colours.emplace_back("73787e");
+  EXPECT_NE(svg.find("stroke=\"#" + colours.back()), std::string::npos);  // of other pockets
+  EXPECT_GT(least_difference(colours), 10);
   // It stands beside that line, too, all of it on the page; so it does in others, where their classes have the grey of
   // all that have no colour. Other numbers stand alone.
   const double wide = std::stod(svg.substr(svg.find("width=\"") + 7));
@@ -366,6 +375,7 @@ TEST(PoreCharts, NamesInTheTreeStandAboveTheAxis) {
   std::smatch line;
   ASSERT_TRUE(std::regex_search(svg, line, axis));
   size_t names = 0;
+  std::vector<std::string> colours;
   for (std::sregex_iterator n(svg.begin(), svg.end(), name), end; n != end; ++n, ++names) {
     EXPECT_LT(std::stod((*n)[1]) + 4 + 2, std::stod(line[1])) << (*n)[0];
   }

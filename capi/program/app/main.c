@@ -61,6 +61,8 @@ static bool run_command(const struct request *request, uint32_t threads, struct 
     done = done && geometry_set_model(&geometry, &molecule, grown, 0.0, failure);
     if (done && !request_wants_places(request)) molecule_drop_balls(&molecule);
     done = done && command(request, &molecule, &geometry, out, failure);
+    notes->labels = geometry.labels;
+    notes->labels_left_out = geometry.labels_left_out;
     geometry_free(&geometry);
   }
   if (done) notes_count_water(notes, request, &molecule);

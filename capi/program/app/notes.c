@@ -59,6 +59,12 @@ void notes_print(const struct notes *notes, const struct request *request) {
              waters == 1 ? "water is" : "waters are", waters == 1 ? "it" : "them");
     print(request, &note);
   }
+  if (notes->labels_left_out > 0) {
+    snprintf(note.reason, sizeof note.reason,
+             "no room for %" PRIu64 " of %" PRIu64 " labels, which are left out; --highlight names fewer",
+             notes->labels_left_out, notes->labels);
+    print(request, &note);
+  }
 }
 
 void notes_free(struct notes *notes) {

@@ -325,7 +325,7 @@ const struct option *option_at(size_t i) {
       {"--label", "atom|residue|chain", take_choice, OF(DRAW), .target = IN(drawing.label),
        .words = "atom|residue|chain",
        .help = "names, each where most room is in what is seen of it, or beside the molecule with a line\n"
-               "to there; with --highlight only of the atoms that it names."},
+               "to there; with --highlight only of the atoms that it names. Those without room are left out."},
       {"--scale-bar", NULL, take_flag, OF(DRAW), .target = IN(drawing.scale_bar), .help = "a length to compare with"},
       {"--legend", NULL, take_flag, OF(DRAW), .target = IN(drawing.legend),
        .help = "which colour stands for which element, chain, kind of residue or number\n"

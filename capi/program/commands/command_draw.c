@@ -189,14 +189,15 @@ static bool annotate(const struct request *request, const struct molecule *molec
   struct ball_palette palette;
   struct page_label *labels = NULL;
   uint32_t *colour = NULL;
-  uint32_t count = 0;
+  uint32_t count = 0, left_out = 0;
   double *seen = NULL;
   bool *painted = NULL;
   bool done = ball_colours_make(drawing, &request->highlight, molecule, &colour, &palette, failure);
   if (!done) return false;
-  /* Legends of kinds, and of colours that occlusion darkens or fog fades. */
+  /* Legends of kinds, of muted atoms, and of colours that occlusion darkens or fog fades. */
   const bool faded = drawn->occlusion > 0.0 || drawn->options.fog > 0.0;
-  const bool of_seen = drawing->legend && palette.remark != NULL && (drawing->colour == COLOUR_RESIDUE || faded);
+  const bool several = drawing->colour == COLOUR_RESIDUE || request->highlight.count > 0;
+  const bool of_seen = drawing->legend && palette.remark != NULL && (several || faded);
   const bool has_map = drawing_is_of_map(drawing) && !drawing_is_of_sticks(drawing);
   if (drawing->label >= 0 && !has_map) {
     done = geometry_compute_map(geometry, &drawing->viewing, molecule, failure);
@@ -224,7 +225,9 @@ static bool annotate(const struct request *request, const struct molecule *molec
                                         .darkened = darkened,
                                         .selected = &request->highlight,
                                         .seen = seen};
-  done = done && annotation_write(&annotation, over, failure);
+  done = done && annotation_write(&annotation, over, &left_out, failure);
+  geometry->labels += count;
+  geometry->labels_left_out += left_out;
   free(labels);
   free(colour);
   free(seen);

@@ -11,7 +11,7 @@
 #include "draw/text_width.h"
 #include "read/residues.h"
 
-enum { MOST_ENTRIES = 200, RAMP_PARTS = 65, TEXT_BYTES = 48, MOST_POWERS = 300 };
+enum { MOST_ENTRIES = 200, MOST_STRIPES = 4, RAMP_PARTS = 65, TEXT_BYTES = 48, MOST_POWERS = 300 };
 
 static const double letter_height = 0.72; /* of capitals, in sizes */
 
@@ -68,10 +68,16 @@ struct entry {
   double seen, tone[3]; /* of its atoms: how much is seen of them, and the sums of their tones by that */
 };
 
-struct legend {
+struct entries {
   struct entry entry[MOST_ENTRIES];
-  size_t entries;
-  bool cut;             /* there are more */
+  size_t count;
+  bool cut; /* there are more */
+};
+
+struct legend {
+  struct entries own;
+  struct entry other[MOST_STRIPES]; /* what is seen most of muted atoms, with one text for all */
+  size_t others;
   double depth[2];      /* of the nearest atom that is seen, and of the farthest: fog is between them */
   const char *quantity; /* NULL: what they are is seen */
 };
@@ -80,7 +86,7 @@ static bool is_by_residue(const struct annotation *annotation) {
   return strcmp(annotation->palette->name, "residue") == 0;
 }
 
-/* Legends of kinds name those that are seen, others all. */
+/* Legends of kinds name those that are seen, others all: */
 static bool is_hidden(const struct annotation *annotation, uint32_t atom) {
   return is_by_residue(annotation) && !(annotation->seen[atom] > 0.0);
 }
@@ -93,6 +99,7 @@ static bool find_entry(const struct annotation *annotation, uint32_t atom, struc
   struct residue_colour kind;
   *entry = (struct entry){label->element.text, annotation->colour[atom], true, 0, 0.0, {0.0}};
   if (is_hidden(annotation, atom)) return false;
+  if (annotation->palette->bands > 0) return true;
   if (by_chain && (atom_is_of_chain(label) || atom_is_water(label))) {
     *entry = (struct entry){label->residue->chain, annotation->colour[atom], false, 0, 0.0, {0.0}};
     return strcmp(label->element.text, "C") == 0;
@@ -150,10 +157,9 @@ static double fog_of(const struct annotation *annotation, const double depth[2],
   return annotation->options->fog * far * sqrt(sqrt(far));
 }
 
-static void add_tone(const struct annotation *annotation, const struct legend *legend, uint32_t atom,
-                     struct entry *entry) {
+static void add_tone(const struct annotation *annotation, const double depth[2], uint32_t atom, struct entry *entry) {
   if (annotation->seen == NULL || !(annotation->seen[atom] > 0.0)) return;
-  const double seen = annotation->seen[atom], fog = fog_of(annotation, legend->depth, atom);
+  const double seen = annotation->seen[atom], fog = fog_of(annotation, depth, atom);
   entry->seen += seen;
   for (int k = 0; k < 3; ++k) {
     const double own = annotation->darkened[atom] >> (16 - 8 * k) & 0xFF;
@@ -171,60 +177,98 @@ static void set_mean_tone(struct entry *entry) {
   entry->colour = colour;
 }
 
-static void find_entries(const struct annotation *annotation, struct legend *legend) {
-  legend->entries = 0;
-  legend->cut = false;
-  find_depths(annotation, legend->depth);
-  for (size_t k = 0; k < annotation->palette->bands; ++k) {
-    legend->entry[legend->entries++] =
-        (struct entry){annotation->palette->band[k].name, annotation->palette->band[k].colour, false, 0, 0.0, {0.0}};
-  }
-  for (uint32_t atom = 0; atom < annotation->molecule->atoms && annotation->palette->bands == 0; ++atom) {
+/* Those of the atoms that are selected, or of all others. */
+static void add_entries(const struct annotation *annotation, bool selected, const double depth[2],
+                        struct entries *entries) {
+  for (uint32_t atom = 0; atom < annotation->molecule->atoms; ++atom) {
     struct entry entry;
-    if (!selection_takes(annotation->selected, annotation->molecule, atom)) continue;
+    if (selection_takes(annotation->selected, annotation->molecule, atom) != selected) continue;
     if (!find_entry(annotation, atom, &entry) || entry.text[0] == '\0') continue;
     size_t at = 0;
-    while (at < legend->entries &&
-           (strcmp(legend->entry[at].text, entry.text) != 0 || legend->entry[at].of_element != entry.of_element)) {
+    while (at < entries->count &&
+           (strcmp(entries->entry[at].text, entry.text) != 0 || entries->entry[at].of_element != entry.of_element)) {
       ++at;
     }
     if (at == MOST_ENTRIES) {
-      legend->cut = true;
+      entries->cut = true;
       break;
     }
-    if (at == legend->entries) legend->entry[legend->entries++] = entry;
-    add_tone(annotation, legend, atom, &legend->entry[at]);
+    if (at == entries->count) entries->entry[entries->count++] = entry;
+    add_tone(annotation, depth, atom, &entries->entry[at]);
   }
-  for (size_t k = 0; k < legend->entries; ++k) set_mean_tone(&legend->entry[k]);
+  for (size_t k = 0; k < entries->count; ++k) set_mean_tone(&entries->entry[k]);
+}
+
+/* Who reads the name of a kind looks for its colour, and nobody finds less of it than a third of a swatch. */
+static void drop_specks(const struct annotation *annotation, struct entries *entries) {
+  const double least = annotation->frame.letter * annotation->frame.letter / 3.0;
+  size_t kept = 0;
+  for (size_t k = 0; k < entries->count; ++k) {
+    const struct entry entry = entries->entry[k];
+    if (entry.of_element || !is_by_residue(annotation) || entry.seen >= least) entries->entry[kept++] = entry;
+  }
+  entries->count = kept;
+}
+
+static void find_entries(const struct annotation *annotation, struct legend *legend) {
+  struct entries *const own = &legend->own;
+  own->count = 0;
+  own->cut = false;
   legend->quantity = annotation->palette->quantity;
-  if (annotation->palette->bands > 0 || legend->entries == 0) return;
-  qsort(legend->entry, legend->entries, sizeof legend->entry[0], compare_entries);
+  for (size_t k = 0; k < annotation->palette->bands; ++k) {
+    own->entry[own->count++] =
+        (struct entry){annotation->palette->band[k].name, annotation->palette->band[k].colour, false, 0, 0.0, {0.0}};
+  }
+  if (own->count > 0) return;
+  add_entries(annotation, true, legend->depth, own);
+  drop_specks(annotation, own);
+  if (own->count == 0) return;
+  qsort(own->entry, own->count, sizeof own->entry[0], compare_entries);
   /* There are chains C and N, too, and other things than residues are polar. */
-  if (legend->entry[0].of_element) return;
+  if (own->entry[0].of_element) return;
   legend->quantity = is_by_residue(annotation) ? "residues" : "chains";
 }
 
-/* Behind all entries, that of muted atoms, with the colour of a carbon if there is one among them. */
-static void add_others(const struct annotation *annotation, struct legend *legend) {
-  struct entry others = {NULL, 0, true, 0, 0.0, {0.0}};
-  bool of_carbon = false;
-  for (uint32_t atom = 0; atom < annotation->molecule->atoms; ++atom) {
-    if (selection_takes(annotation->selected, annotation->molecule, atom)) continue;
-    if (is_hidden(annotation, atom)) continue;
-    const bool carbon = strcmp(annotation->molecule->label[atom].element.text, "C") == 0;
-    if (of_carbon && !carbon) continue;
-    if (others.text == NULL || carbon != of_carbon) {
-      others = (struct entry){"others", annotation->colour[atom], true, 0, 0.0, {0.0}};
-    }
-    of_carbon = carbon;
-    add_tone(annotation, legend, atom, &others);
-  }
-  set_mean_tone(&others);
-  if (others.text != NULL && legend->entries < MOST_ENTRIES) legend->entry[legend->entries++] = others;
+static int compare_seen(const void *left, const void *right) {
+  const struct entry *const a = left, *const b = right;
+  return a->seen != b->seen ? (a->seen < b->seen ? 1 : -1) : compare_entries(left, right);
 }
 
-static double entry_width(const struct entry *entry, double size) {
-  return 1.55 * size + text_width(entry->text, size);
+/* Muted atoms keep a little of their colours, so what stands for them has several, in the order of the other entries. */
+static void find_others(const struct annotation *annotation, struct legend *legend) {
+  struct entries all = {.count = 0};
+  add_entries(annotation, false, legend->depth, &all);
+  qsort(all.entry, all.count, sizeof all.entry[0], compare_seen);
+  size_t stripes = all.count < MOST_STRIPES ? all.count : MOST_STRIPES;
+  while (stripes > 1 && !(all.entry[stripes - 1].seen > 0.0)) --stripes;
+  qsort(all.entry, stripes, sizeof all.entry[0], compare_entries);
+  memcpy(legend->other, all.entry, stripes * sizeof all.entry[0]);
+  legend->others = stripes;
+}
+
+/* The colours of the entry in that place, that of all muted atoms behind the last one of its own. */
+static const struct entry *find_colours(const struct legend *legend, size_t place, size_t *colours) {
+  *colours = place < legend->own.count ? 1 : legend->others;
+  return place < legend->own.count ? &legend->own.entry[place] : legend->other;
+}
+
+static const char *text_of(const struct legend *legend, size_t place) {
+  return place < legend->own.count ? legend->own.entry[place].text : "others";
+}
+
+static double entry_width(const struct legend *legend, size_t place, double size) {
+  size_t colours;
+  find_colours(legend, place, &colours);
+  return (0.65 + pen_swatch_width(colours)) * size + text_width(text_of(legend, place), size);
+}
+
+static void write_swatch(const struct writer *writer, const struct legend *legend, size_t place, const double corner[2],
+                         double size) {
+  uint32_t colour[MOST_STRIPES];
+  size_t colours;
+  const struct entry *const entry = find_colours(legend, place, &colours);
+  for (size_t k = 0; k < colours; ++k) colour[k] = entry[k].colour;
+  pen_swatch_of(&writer->pen, corner, size, colour, colours, writer->colour);
 }
 
 /* From right to left. Where there are more than have room, they stand closer, then letters are smaller, and then the
@@ -233,31 +277,35 @@ static void write_entries(const struct writer *writer, double y) {
   static const double smallest = 0.55;
   static const char more[] = "..";
   struct legend legend;
+  find_depths(writer->annotation, legend.depth);
   find_entries(writer->annotation, &legend);
-  add_others(writer->annotation, &legend);
+  find_others(writer->annotation, &legend);
+  const size_t entries = legend.own.count + (legend.others > 0 ? 1 : 0);
   const char *const quantity = legend.quantity;
   const double room = (writer->annotation->drawing->scale_bar ? 0.66 : 1.0) * writer->width - writer->size;
   double wide = quantity == NULL ? 0.0 : text_width(quantity, writer->size) + 0.6 * writer->size;
-  for (size_t i = 0; i < legend.entries; ++i) wide += entry_width(&legend.entry[i], writer->size);
-  const double air = wide + 0.3 * writer->size * (double)legend.entries <= room ? 0.15 * writer->size : 0.0;
+  for (size_t i = 0; i < entries; ++i) wide += entry_width(&legend, i, writer->size);
+  const double air = wide + 0.3 * writer->size * (double)entries <= room ? 0.15 * writer->size : 0.0;
   const double size = writer->size * (wide <= room ? 1.0 : wide * smallest >= room ? smallest : room / wide);
   double left = (quantity == NULL ? 0.4 * size : text_width(quantity, size) + size) +
-                (wide * smallest > room || legend.cut ? text_width(more, size) : 0.0);
+                (wide * smallest > room || legend.own.cut ? text_width(more, size) : 0.0);
   size_t shown = 0;
-  while (shown < legend.entries && left + entry_width(&legend.entry[shown], size) <= room + 0.5 * size) {
-    left += entry_width(&legend.entry[shown++], size);
+  while (shown < entries && left + entry_width(&legend, shown, size) <= room + 0.5 * size) {
+    left += entry_width(&legend, shown++, size);
   }
   double x = writer->width - 0.4 * writer->size;
-  if (shown < legend.entries || legend.cut) {
+  if (shown < entries || legend.own.cut) {
     x -= text_width(more, size);
     write_text(writer, more, x, y, size, 0.0);
   }
   for (size_t i = shown; i-- > 0;) {
-    x -= air + 0.4 * size + text_width(legend.entry[i].text, size);
-    write_text(writer, legend.entry[i].text, x, y, size, 0.0);
-    x -= air + 1.15 * size;
+    size_t colours;
+    find_colours(&legend, i, &colours);
+    x -= air + 0.4 * size + text_width(text_of(&legend, i), size);
+    write_text(writer, text_of(&legend, i), x, y, size, 0.0);
+    x -= air + (0.25 + pen_swatch_width(colours)) * size;
     const double corner[2] = {x, y - 0.45 * size};
-    pen_swatch(&writer->pen, corner, size, legend.entry[i].colour, writer->colour);
+    write_swatch(writer, &legend, i, corner, size);
   }
   if (quantity != NULL) write_text(writer, quantity, x - 0.6 * size, y, size, 1.0);
 }
@@ -289,7 +337,8 @@ static void write_ramp(const struct writer *writer, double y) {
 
 /* ---- all of it ---- */
 
-bool annotation_write(const struct annotation *annotation, struct text_buffer *out, struct failure *failure) {
+bool annotation_write(const struct annotation *annotation, struct text_buffer *out, uint32_t *left_out,
+                      struct failure *failure) {
   const struct drawing *drawing = annotation->drawing;
   const hsp_picture_options *options = annotation->options;
   const struct writer writer = {
@@ -303,7 +352,8 @@ bool annotation_write(const struct annotation *annotation, struct text_buffer *o
   const double y = writer.height - (annotation->frame.strip > 0.0 ? annotation->frame.strip / 2.0 : writer.size);
   bool done = true;
   pen_begin(&writer.pen);
-  if (drawing->label >= 0) done = labels_write(annotation, &writer.pen, writer.colour, writer.seam, failure);
+  *left_out = 0;
+  if (drawing->label >= 0) done = labels_write(annotation, &writer.pen, writer.colour, writer.seam, left_out, failure);
   if (drawing->scale_bar) write_scale_bar(&writer, y);
   if (done && drawing->legend && annotation->palette->remark == NULL) write_ramp(&writer, y);
   if (done && drawing->legend && annotation->palette->remark != NULL) write_entries(&writer, y);

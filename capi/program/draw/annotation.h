@@ -30,7 +30,9 @@ struct annotation {
   const double *seen;                 /* [atoms], px^2 of each, by seen_areas.h; NULL: no legend asks for it */
 };
 
-/* Append it to `out`, in the language of the picture. False: there are more labels than have room. */
-bool annotation_write(const struct annotation *annotation, struct text_buffer *out, struct failure *failure);
+/* Append it to `out`, in the language of the picture. *left_out becomes how many labels have no room. False: memory is
+ * short. */
+bool annotation_write(const struct annotation *annotation, struct text_buffer *out, uint32_t *left_out,
+                      struct failure *failure);
 
 #endif

@@ -109,7 +109,8 @@ void chart_axis_below(struct text_buffer *out, const struct chart_frame *frame, 
   add_ticks(out, frame, across, true);
 }
 
-static const char *const colours[] = {"#174e87", "#c2452f", "#2f8f5b", "#8a5aa8", "#b8862b", "#2c9aa8"};
+/* Also without red or green, by how light they are: CIEDE2000 at least 16 as Machado et al. (2009) simulate that. */
+static const char *const colours[] = {"#3a539f", "#b44f05", "#1a8d7d", "#732e51", "#d39022", "#40a6d4"};
 enum { COLOURS = sizeof colours / sizeof colours[0], DASH = 4 };
 
 const char *chart_colour(uint32_t number) {

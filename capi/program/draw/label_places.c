@@ -292,27 +292,29 @@ static bool find_place(struct search *search, const struct placed_label *own) {
   return search->cost < HUGE_VAL;
 }
 
-static bool is_placed(const struct placed_label *label) {
+bool label_is_placed(const struct placed_label *label) {
   return label->box[2] > label->box[0];
 }
 
-/* One after the other, then each anew among all others, until none moves. False: not all have places. */
-static bool place_all(struct search *search, struct placed_label *label, size_t count) {
-  bool moved = true, all = true;
+/* One after the other, then each anew among all others, until none moves. How many have places. */
+static size_t place_all(struct search *search, struct placed_label *label, size_t count) {
+  bool moved = true;
+  size_t placed = 0;
   for (int pass = 0; pass < PASSES && moved; ++pass) {
     moved = false;
-    all = true;
+    placed = 0;
     for (size_t i = 0; i < count; ++i) {
-      if (is_placed(&label[i])) mark_label(&search->marks, &label[i], -1);
+      if (label_is_placed(&label[i])) mark_label(&search->marks, &label[i], -1);
       if (find_place(search, &label[i])) {
         moved = moved || memcmp(label[i].box, search->best.box, sizeof label[i].box) != 0;
         label[i] = search->best;
       }
-      all = all && is_placed(&label[i]);
-      if (is_placed(&label[i])) mark_label(&search->marks, &label[i], 1);
+      if (!label_is_placed(&label[i])) continue;
+      mark_label(&search->marks, &label[i], 1);
+      ++placed;
     }
   }
-  return all;
+  return placed;
 }
 
 /* Two labels anew, the first one before the other. False, and they are as they were, unless both together cost less. */
@@ -348,7 +350,7 @@ static void place_pairs(struct search *search, struct placed_label *label, size_
 }
 
 bool label_places_find(const struct label_page *page, const double (*boxes)[4], size_t box_count,
-                       struct placed_label *label, size_t count, bool *placed) {
+                       struct placed_label *label, size_t count, size_t *placed) {
   struct taken taken;
   const size_t cells = (size_t)page->front->columns * (size_t)page->front->rows;
   bool enough = make_taken(page, &taken);
@@ -361,8 +363,8 @@ bool label_places_find(const struct label_page *page, const double (*boxes)[4], 
     memset(label[i].box, 0, sizeof label[i].box);
   }
   for (size_t i = 0; enough && i < box_count; ++i) mark_box(&search.marks, boxes[i], search.marks.of_label, 1);
-  *placed = enough && cells > 0 && place_all(&search, label, count);
-  if (*placed) place_pairs(&search, label, count);
+  *placed = enough && cells > 0 ? place_all(&search, label, count) : 0;
+  if (enough && *placed == count) place_pairs(&search, label, count);
   free(search.marks.count);
   free(taken.sum[0]);
   free(taken.sum[1]);

@@ -16,6 +16,7 @@ struct placed_label {
   double at[2];     /* where that is seen best: where the line ends */
   double centre[2]; /* of the ball's disc */
   double radius;
+  double seen;     /* the radius of the largest circle in what is seen of it */
   bool needs_line; /* beside the disc nobody would know what it names */
 
   /* The place: */
@@ -40,9 +41,12 @@ struct label_page {
 /* Sets the places of labels: none touches another one, its line or one of the boxes, and no two lines cross. A label
  * stands beside its disc, where nothing else is near; else at the end of a line that is level, upright or goes at 45
  * degrees, or begins upright or at 45 degrees and goes on on the level: the shortest that crosses least. Of up to 24
- * labels pairs choose anew together, where both do better so, in four rounds. *placed becomes whether all have places.
+ * labels pairs choose anew together, where both do better so, in four rounds. *placed becomes how many have places.
  * False for want of memory. */
 bool label_places_find(const struct label_page *page, const double (*boxes)[4], size_t box_count,
-                       struct placed_label *label, size_t count, bool *placed);
+                       struct placed_label *label, size_t count, size_t *placed);
+
+/* False: there is no room for it. */
+bool label_is_placed(const struct placed_label *label);
 
 #endif

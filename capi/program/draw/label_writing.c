@@ -28,10 +28,11 @@ static const double dot = 0.3, ring = 0.55; /* wide, in sizes */
 static const double seam_of_line = 0.12;    /* wider than the line, likewise */
 static const double smallest_within = 0.85; /* names within balls, in sizes of others */
 static const double smaller = 0.9;          /* from one try to the next */
+enum { MOST_OF_TOO_MANY = 400 };            /* that are tried where not all have room */
 
-/* Whether a circle in what is seen of a ball is smaller than the dot at the end of a line. */
-static bool label_is_hidden(const struct annotation *annotation, double radius) {
-  return annotation->frame.scale * radius < dot / 2.0 * annotation->frame.letter;
+/* Less is seen than the dot at the end of a line would cover. */
+static bool is_hidden(const struct writer *writer, const struct placed_label *label) {
+  return label->seen < dot / 2.0 * writer->size;
 }
 
 /* The largest size of letters with which a name has room within what is seen of a ball. */
@@ -105,19 +106,19 @@ static void write_line(const struct writer *writer, const double from[2], const 
 }
 
 /* An atom that shows less than the dot has a ring instead. All lines first, so that none crosses a letter. */
-static void write_beside(const struct writer *writer, const struct placed_label *label, const bool *hidden,
-                         size_t count, double size) {
+static void write_beside(const struct writer *writer, const struct placed_label *label, size_t count, double size) {
   for (int seam = 1; seam >= 0; --seam) {
     const uint32_t colour = seam == 1 ? writer->seam : writer->colour;
     const double width = size * (seam == 1 ? 0.06 + seam_of_line : 0.06);
     for (size_t i = 0; i < count; ++i) {
       const struct placed_label *const one = &label[i];
-      const double wide = hidden[i] ? ring : dot;
-      if (!one->has_line) continue;
+      const bool hidden = is_hidden(writer, one);
+      const double wide = hidden ? ring : dot;
+      if (!label_is_placed(one) || !one->has_line) continue;
       write_line(writer, one->from, one->knee, width, colour);
       write_line(writer, one->knee, one->at, width, colour);
       pen_line(writer->pen, one->at, one->at, size * (seam == 1 ? wide + 0.15 : wide), colour);
-      if (seam == 0 && hidden[i]) pen_line(writer->pen, one->at, one->at, size * (wide - 0.15), writer->seam);
+      if (seam == 0 && hidden) pen_line(writer->pen, one->at, one->at, size * (wide - 0.15), writer->seam);
     }
   }
   for (size_t i = 0; i < count; ++i) {
@@ -125,13 +126,13 @@ static void write_beside(const struct writer *writer, const struct placed_label 
     const struct pen_text written = {one->text,   one->text_at[0], one->text_at[1] + size * letter_height / 2.0,
                                      size,        one->anchor,     writer->colour,
                                      writer->seam};
-    pen_write(writer->pen, &written);
+    if (label_is_placed(one)) pen_write(writer->pen, &written);
   }
 }
 
 /* The labels within balls are written, and where they stand goes to `box`. The others go to `label`. */
 static size_t write_all_within(const struct writer *writer, const struct front_grid *front,
-                               const struct page_axes *axes, double (*box)[4], struct placed_label *label, bool *hidden,
+                               const struct page_axes *axes, double (*box)[4], struct placed_label *label,
                                size_t *count) {
   const struct annotation *const annotation = writer->annotation;
   double size = writer->size;
@@ -153,20 +154,27 @@ static size_t write_all_within(const struct writer *writer, const struct front_g
       continue;
     }
     page_axes_place(axes, annotation->molecule->xyz + 3 * (size_t)one->atom, centre);
-    hidden[*count] = label_is_hidden(annotation, one->radius);
+    const double seen = annotation->frame.scale * one->radius;
     label[(*count)++] =
         (struct placed_label){.text = one->text,
                               .atom = one->atom,
                               .at = {at[0], at[1]},
                               .centre = {centre[0], centre[1]},
                               .radius = annotation->frame.scale * shown_bodies_radius(annotation->bodies, one->atom),
-                              .needs_line = annotation->frame.scale * one->radius < least_circle * writer->size};
+                              .seen = seen,
+                              .needs_line = seen < least_circle * writer->size};
   }
   return within;
 }
 
+static int compare_seen(const void *left, const void *right) {
+  const struct placed_label *const a = left, *const b = right;
+  if (a->seen != b->seen) return a->seen < b->seen ? 1 : -1;
+  return (a->atom > b->atom) - (a->atom < b->atom);
+}
+
 bool labels_write(const struct annotation *annotation, const struct pen *pen, uint32_t colour, uint32_t seam,
-                  struct failure *failure) {
+                  uint32_t *left_out, struct failure *failure) {
   const struct picture_frame *frame = &annotation->frame;
   const struct writer of_labels = {annotation, pen, frame->letter, colour, seam}, *const writer = &of_labels;
   const double low[2] = {0.0, 0.0}, high[2] = {frame->width, frame->height}, margin = 0.25 * frame->letter;
@@ -176,15 +184,14 @@ bool labels_write(const struct annotation *annotation, const struct pen *pen, ui
   const size_t labels = (size_t)annotation->label_count + 1;
   struct placed_label *label = calloc(labels, sizeof *label);
   double(*box)[4] = calloc(labels, sizeof *box);
-  bool *hidden = calloc(labels, sizeof *hidden);
   struct front_grid front;
   bool enough = front_grid_make(&front, low, high, writer->size / cells_per_letter);
-  enough = enough && label != NULL && box != NULL && hidden != NULL;
-  bool placed = false;
+  enough = enough && label != NULL && box != NULL;
+  *left_out = 0;
   if (enough) {
-    size_t count = 0;
+    size_t count = 0, placed = 0;
     front_grid_show(&front, annotation->bodies, &axes, frame->scale);
-    const size_t within = write_all_within(writer, &front, &axes, box, label, hidden, &count);
+    const size_t within = write_all_within(writer, &front, &axes, box, label, &count);
     struct label_page page = {.front = &front,
                               .molecule = annotation->molecule,
                               .selected = annotation->selected,
@@ -192,19 +199,28 @@ bool labels_write(const struct annotation *annotation, const struct pen *pen, ui
                               .high = {frame->width - margin, frame->height - below},
                               .size = writer->size};
     const double columns = 0.5 * (double)count * line_height * smallest_share * frame->width;
-    const bool some = columns <= frame->height - below;
-    while (enough && some && !placed && page.size >= frame->width * smallest_share) {
-      page.apart = apart[page.size * smaller >= frame->width * smallest_share ? 0 : 1];
+    const double smallest = frame->width * smallest_share;
+    bool all = count == 0;
+    while (enough && !all && columns <= frame->height - below && page.size >= smallest) {
+      page.apart = apart[page.size * smaller >= smallest ? 0 : 1];
       enough = label_places_find(&page, (const double(*)[4])box, within, label, count, &placed);
-      if (enough && placed) write_beside(writer, label, hidden, count, page.size);
-      page.size *= smaller;
+      all = placed == count;
+      if (!all) page.size *= smaller;
     }
+    if (enough && !all) {
+      /* Those of which most is seen first. */
+      const size_t tried = count < MOST_OF_TOO_MANY ? count : MOST_OF_TOO_MANY;
+      qsort(label, count, sizeof *label, compare_seen);
+      page.size = smallest;
+      page.apart = apart[1];
+      enough = label_places_find(&page, (const double(*)[4])box, within, label, tried, &placed);
+      *left_out = (uint32_t)(count - placed);
+      count = tried;
+    }
+    if (enough) write_beside(writer, label, count, page.size);
   }
   front_grid_free(&front);
   free(label);
   free(box);
-  free(hidden);
-  if (!enough) return failure_of_memory(failure);
-  return placed || failure_in_input(failure, 0, "there is no room for %u labels: name fewer by --highlight",
-                                    (unsigned)annotation->label_count);
+  return enough || failure_of_memory(failure);
 }

@@ -70,9 +70,24 @@ void pen_rectangle(const struct pen *pen, const double corner[2], double width, 
 }
 
 void pen_swatch(const struct pen *pen, const double corner[2], double letter, uint32_t colour, uint32_t frame) {
+  pen_swatch_of(pen, corner, letter, &colour, 1, frame);
+}
+
+double pen_swatch_width(size_t colours) {
+  return colours < 2 ? 0.9 : 0.45 * (double)colours;
+}
+
+void pen_swatch_of(const struct pen *pen, const double corner[2], double letter, const uint32_t *colour, size_t colours,
+                   uint32_t frame) {
   const double behind[2] = {corner[0] - 0.06 * letter, corner[1] - 0.06 * letter};
-  pen_rectangle(pen, behind, 1.02 * letter, 1.02 * letter, frame);
-  pen_rectangle(pen, corner, 0.9 * letter, 0.9 * letter, colour);
+  const double wide = pen_swatch_width(colours);
+  pen_rectangle(pen, behind, (wide + 0.12) * letter, 1.02 * letter, frame);
+  /* Each to the end, so that no light comes between two. */
+  for (size_t k = 0; k < colours; ++k) {
+    const double begin = wide / (double)colours * (double)k;
+    const double at[2] = {corner[0] + begin * letter, corner[1]};
+    pen_rectangle(pen, at, (wide - begin) * letter, 0.9 * letter, colour[k]);
+  }
 }
 
 /* NULL for all others. */

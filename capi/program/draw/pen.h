@@ -3,6 +3,7 @@
 #ifndef HARDSPHERE_TOOL_PEN_H
 #define HARDSPHERE_TOOL_PEN_H
 
+#include <stddef.h>
 #include <stdint.h>
 
 #include "read/text_buffer.h"
@@ -25,6 +26,11 @@ void pen_rectangle(const struct pen *pen, const double corner[2], double width, 
 /* The square of an entry in a legend whose letters have that size, in a frame, so that it is seen on a page of its own
  * colour, too. */
 void pen_swatch(const struct pen *pen, const double corner[2], double letter, uint32_t colour, uint32_t frame);
+
+/* The same in stripes of several colours, and how wide it is, in letters. */
+void pen_swatch_of(const struct pen *pen, const double corner[2], double letter, const uint32_t *colour, size_t colours,
+                   uint32_t frame);
+double pen_swatch_width(size_t colours);
 
 /* A text on a line at (x, y), which begins there with anchor 0, has its middle there with .5 and ends there with 1.
  * Around its letters lies a seam, so that it is read over anything, unless it has their colour. Of ASCII, and of an

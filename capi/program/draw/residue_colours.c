@@ -13,13 +13,13 @@ struct residue_group {
 };
 
 static const struct residue_group amino_acids[] = {
-    {0x86A9F2, "positive", "ARG LYS HIS HID HIE HIP HSD HSE HSP LYN MLY M3L ALY "},
-    {0xF2806C, "negative", "ASP GLU ASH GLH KCX PTR SEP TPO "},
-    {0xA9D59B, "polar", "SER THR ASN GLN HYP ASX GLX PCA "},
-    {0xC7A9E0, "aromatic", "PHE TYR TRP TYM "},
-    {0xF3DC74, "with sulfur", "CYS CYX CYM CYN CSO CME MET MSE SEC CSE "},
-    {0xE3C68C, "aliphatic", "ALA VAL LEU ILE PRO "},
-    {0xF1EDE4, "glycine", "GLY "},
+    {0x6C95E0, "positive", "ARG LYS HIS HID HIE HIP HSD HSE HSP LYN MLY M3L ALY "},
+    {0xE8705E, "negative", "ASP GLU ASH GLH KCX PTR SEP TPO "},
+    {0xAFE0A4, "polar", "SER THR ASN GLN HYP ASX GLX PCA "},
+    {0xDDB3EC, "aromatic", "PHE TYR TRP TYM "},
+    {0xF2DF38, "with sulfur", "CYS CYX CYM CYN CSO CME MET MSE SEC CSE "},
+    {0xBDAC97, "aliphatic", "ALA VAL LEU ILE PRO "},
+    {0xF5F3EE, "glycine", "GLY "},
 };
 
 static const struct residue_group bases[] = {

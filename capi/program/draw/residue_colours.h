@@ -13,8 +13,8 @@ struct residue_colour {
 };
 
 /* The colour of amino acids by their side chains: with a positive charge blue, with a negative one red, polar green,
- * aromatic violet, with sulfur yellow, other ones sand, glycine nearly white; and of nucleotides by their base. False:
- * the residue is none of these. */
+ * aromatic violet, with sulfur yellow, other ones greyish brown, glycine nearly white, all apart without red or green,
+ * too; and of nucleotides by their base. False: the residue is none of these. */
 bool residue_colour_find(const char *name, struct residue_colour *colour);
 
 #endif

@@ -19,9 +19,10 @@ struct geometry {
   void *ink_of_sticks_memory;
   struct bond *bond; /* [bonds] of the sticks; NULL at first */
   uint32_t bonds;
-  uint32_t multiple_bonds; /* among the sticks, where the file says so */
-  bool multiple_shown;     /* as such */
-  hsp_periodic *periodic;  /* NULL at first */
+  uint32_t multiple_bonds;          /* among the sticks, where the file says so */
+  bool multiple_shown;              /* as such */
+  uint64_t labels, labels_left_out; /* of pictures; those for which there was no room */
+  hsp_periodic *periodic;           /* NULL at first */
   void *periodic_memory;
   hsp_periodic_limits periodic_limits;
 };
