@@ -12,9 +12,10 @@ static const double box_height = 0.8, clear = 0.2, beside = 0.25, alone = 0.4, s
 
 /* Costs of a place, in lengths of a line. */
 static const double cost_of_line = 2.0, cost_of_knee = 1.0, cost_of_slope = 0.5, cost_of_corner = 1.0;
-static const double cost_across[2] = {35.0, 400.0};  /* for a length across what is not selected, and what is */
-static const double across_ball = 2.0;               /* times as much: a bond under a line is still a bond */
-static const double cost_of_cover[2] = {500.0, 6e3}; /* for a label all over them */
+static const double near_by = 4.0, cost_of_far = 8.0; /* a name farther away is looked for: for each length beyond */
+static const double cost_across[2] = {15.0, 400.0};   /* for a length across what is not selected, and what is */
+static const double across_ball = 2.0;                /* times as much: a bond under a line is still a bond */
+static const double cost_of_cover[2] = {300.0, 6e3};  /* for a label all over them */
 
 enum { PASSES = 4, MOST_PAIRED = 24 };
 
@@ -230,6 +231,7 @@ static bool go_on(const struct search *search, const double from[2], const doubl
     if (body != FRONT_GRID_NOTHING && owner != search->own->atom) {
       times += cost_across[is_selected(page, owner) ? 1 : 0] * (body == owner ? across_ball : 1.0);
     }
+    if (distance(search->own->at, (const double[2]){x, y}) > near_by * page->size) times += cost_of_far;
     *cost += length / parts / page->size * times;
   }
   return true;
