@@ -388,7 +388,7 @@ TEST(Annotations, LegendsOfNumbersAndChains) {
   std::vector<std::string> names;
   for (auto chain = chains.rbegin(); chain != chains.rend(); ++chain) names.push_back(chain->text);
   EXPECT_EQ(names, (std::vector<std::string>{"chains", "A", "B", "C", "D", "Cu", "Zn"}));
-  // Kinds of residues that are found: the one methionine is two patches a few px wide, from another side an atom or two.
+  // Kinds of residues that are found: the one methionine is two patches a few px wide, from another side an atom.
   std::vector<std::string> kinds = {"residues", "positive",    "negative",  "polar",
                                     "aromatic", "with sulfur", "aliphatic", "glycine"};
   for (const char *const turn : {"--rotate=0,180,0", "--rotate=0,0,0", "--rotate=0,-90,0"}) {
@@ -611,7 +611,7 @@ TEST(Annotations, Refusals) {
   EXPECT_FALSE(std::filesystem::exists("none/x.svg"));
 }
 
-// What has no room is left out, and a note says how many there are; the others are apart.
+// Labels without room are left out, and a note says how many there are; the others are apart.
 TEST(Annotations, LabelsWithoutRoomAreLeftOut) {
   for (const bool sticks : {true, false}) {
     const TemporaryFile out("labels.svg");

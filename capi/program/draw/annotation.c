@@ -199,7 +199,7 @@ static void add_entries(const struct annotation *annotation, bool selected, cons
   for (size_t k = 0; k < entries->count; ++k) set_mean_tone(&entries->entry[k]);
 }
 
-/* Who reads the name of a kind looks for its colour, and nobody finds less of it than a third of a swatch. */
+/* Readers look for the colour of each kind that is named, and do not find less of it than a third of a swatch. */
 static void drop_specks(const struct annotation *annotation, struct entries *entries) {
   const double least = annotation->frame.letter * annotation->frame.letter / 3.0;
   size_t kept = 0;
@@ -234,7 +234,7 @@ static int compare_seen(const void *left, const void *right) {
   return a->seen != b->seen ? (a->seen < b->seen ? 1 : -1) : compare_entries(left, right);
 }
 
-/* Muted atoms keep a little of their colours, so what stands for them has several, in the order of the other entries. */
+/* Muted atoms keep a little of their colours, so their swatch has several, in the order of the other entries. */
 static void find_others(const struct annotation *annotation, struct legend *legend) {
   struct entries all = {.count = 0};
   add_entries(annotation, false, legend->depth, &all);

@@ -16,7 +16,8 @@ enum { LEFT = 88, TOP = 40, SIDE = 640, RIGHT = 40, SHADES = 6, SHADE_WIDTH = 56
 enum { SCALE_BELOW = CHART_NAME_BELOW + 24, SCALE_HEIGHT = 16, BOTTOM = SCALE_BELOW + SCALE_HEIGHT + 40 };
 enum { LABEL_BYTES = 64 };
 
-/* Even steps of lightness, away from the page, before a light one from a contrast of 1.65 on, before a dark one from 2.4. */
+/* Even steps of lightness, away from the page: from a contrast of 1.65 on before a light one, of 2.4 before a dark one.
+ */
 static const char *const shades[2][SHADES] = {{"#bbcbde", "#9ab1ce", "#7898bd", "#587fab", "#386699", "#174e87"},
                                               {"#365784", "#4771a4", "#5f8cc1", "#7ea7d9", "#a0c3ec", "#c5e0fc"}};
 
