@@ -178,6 +178,31 @@ TEST(MeshPicture, TheFrontOfABallIsADisc) {
   }
 }
 
+// Its outline is one line all around: one that is begun anew at each edge has corners.
+TEST(MeshPicture, OutlinesAreOneLine) {
+  const TemporaryFile ball("ball.xyzr", "5 6 7 2\n");
+  for (const char *view : {"0,0,1", "1,2,3"}) {
+    const std::vector<Line> lines = lines_of(drawn_text(ball.path(), {"--edge", "0.1", "--view", view}), false);
+    ASSERT_EQ(lines.size(), 1u) << view;
+    EXPECT_EQ(lines[0].points.front(), lines[0].points.back());
+  }
+}
+
+// Before a dark page outlines are light, and contours before a surface dark.
+TEST(MeshPicture, OutlinesAreSeenBeforeADarkPage) {
+  const TemporaryFile pair("pair.xyzr", "0 0 0 3\n0 0 7 0.5\n");
+  const std::vector<std::string> options = {"--edge", "0.1", "--view", "0,0,1"};
+  std::vector<std::string> dark = options;
+  dark.push_back("--dark");
+  EXPECT_EQ(rims_of(drawn_text(pair.path(), options)).size(), 0u);
+  const std::string svg = drawn_text(pair.path(), dark);
+  const std::vector<Line> light = rims_of(svg), inner = lines_of(svg, false);
+  ASSERT_EQ(light.size(), 1u);
+  ASSERT_EQ(inner.size(), 1u);
+  for (const Point &at : light[0].points) EXPECT_NEAR(std::hypot(at[0] - 500, at[1] + 500), 500 / 1.06, 1);
+  for (const Point &at : inner[0].points) EXPECT_NEAR(std::hypot(at[0] - 500, at[1] + 500), 500 / 1.06 / 6, 1);
+}
+
 // Two balls, the farther one partly hidden: its contour ends at that of the nearer one, which is whole. Seen from the
 // other side it is the other way round.
 TEST(MeshPicture, ContoursEndWhereTheyAreHidden) {

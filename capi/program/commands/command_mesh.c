@@ -8,6 +8,7 @@
 #include "write/output_file.h"
 #ifndef HSP_WITHOUT_SIGHT
 #include "commands/mesh_pockets.h"
+#include "draw/mesh_facing.h"
 #include "draw/mesh_picture.h"
 #include "draw/view_axes.h"
 #endif
@@ -63,13 +64,15 @@ static bool check_second_file(const struct request *request, struct failure *fai
 /* Voids are small, and shown whole: of shorter triangles than what is cut. */
 static const double edge_of_voids = 0.6;
 
-static bool add_finer_voids(const struct request *request, struct geometry *geometry, struct triangle_mesh *mesh,
+static bool add_finer_voids(const struct request *request, const struct molecule *molecule,
+                            const struct mesh_view *view, struct geometry *geometry, struct triangle_mesh *mesh,
                             struct failure *failure) {
   struct triangle_mesh finer;
   memset(&finer, 0, sizeof finer);
   const bool smooth = request->meshing.surface == MESH_SOLVENT_EXCLUDED;
   const bool done = geometry_compute_mesh(geometry, smooth, edge_of_voids * mesh->edge, failure) &&
                     triangle_mesh_read(geometry->work.mesh, &finer, failure) &&
+                    mesh_facing_split(&finer, view, molecule, NULL, failure) &&
                     triangle_mesh_append(mesh, &finer, failure);
   triangle_mesh_free(&finer);
   return done;
@@ -103,10 +106,12 @@ static bool write_picture(const struct request *request, const struct molecule *
   if (request->pockets >= 0.0) view.pockets = &pockets;
   const bool done = (view.pockets == NULL || find_pockets(request, molecule, geometry, mesh, &pockets, failure)) &&
                     (!smooth || geometry_list_patches(geometry, &patches, failure));
-  view.of_outside = mesh->triangles;
   view.patches = patches;
+  const bool split =
+      done && mesh_facing_split(mesh, &view, molecule, view.pockets == NULL ? NULL : &pockets.of_triangle, failure);
+  view.of_outside = mesh->triangles;
   const bool written =
-      done && (!view.cut || add_finer_voids(request, geometry, mesh, failure)) &&
+      split && (!view.cut || add_finer_voids(request, molecule, &view, geometry, mesh, failure)) &&
       mesh_picture_write(mesh, &view, molecule, input_base_name(request->file), meshing->out, &found->bytes, failure);
   free(patches);
   if (view.pockets != NULL) {

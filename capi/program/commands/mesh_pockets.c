@@ -153,7 +153,7 @@ static bool colour_mesh(const struct places *places, struct triangle_mesh *mesh,
   const bool enough =
       status != HSP_OK || smooth_borders_find(mesh, OTHER_POCKETS + 1, reach, of_vertex, &edges, &count);
   if (!enough) status = HSP_E_MEMORY;
-  bool done = status == HSP_OK ? mesh_split(mesh, edges, count, failure) : failure_in_library(failure, status);
+  bool done = status == HSP_OK ? mesh_split(mesh, edges, count, NULL, failure) : failure_in_library(failure, status);
   if (done) found->of_triangle = calloc((size_t)mesh->triangles + 1, 1);
   if (done && found->of_triangle == NULL) done = failure_of_memory(failure);
   if (done) set_triangles(mesh, of_vertex, old, found);

@@ -41,6 +41,7 @@ double contour_piece_level(const struct contour_piece *piece, double most_slope,
 /* Of a vertex: how many pieces meet there, all of them and those with a level, and two of either. */
 struct meeting {
   uint32_t all, drawn;
+  bool goes_on;
   size_t of_all[2], of_drawn[2];
 };
 
@@ -52,12 +53,14 @@ struct chains {
 };
 
 static void find_meetings(const struct chains *chains) {
-  for (uint32_t v = 0; v < chains->vertices; ++v) chains->meeting[v] = (struct meeting){0, 0, {0, 0}, {0, 0}};
+  for (uint32_t v = 0; v < chains->vertices; ++v) chains->meeting[v] = (struct meeting){0, 0, false, {0, 0}, {0, 0}};
   for (size_t i = 0; i < chains->pieces->count; ++i) {
     for (int end = 0; end < 2; ++end) {
       const struct contour_piece *const piece = &chains->pieces->piece[i];
       if (piece->vertex[end] == NO_CONTOUR_VERTEX) continue;
       struct meeting *const meeting = &chains->meeting[piece->vertex[end]];
+      if (piece->goes_on) meeting->goes_on = true;
+      if (piece->goes_on) continue;
       if (meeting->all < 2) meeting->of_all[meeting->all] = i;
       ++meeting->all;
       if (piece->level > 0.0 && meeting->drawn < 2) meeting->of_drawn[meeting->drawn] = i;
@@ -168,7 +171,10 @@ bool contour_pieces_level(struct contour_pieces *pieces, uint32_t vertices, cons
     close_gaps(&chains, limits);
     find_meetings(&chains);
     /* Outlines keep their width where a spur is dropped. */
-    for (uint32_t v = 0; v < vertices; ++v) chains.most[v] = ends_alone(&chains, v) ? 0.0 : INFINITY;
+    for (uint32_t v = 0; v < vertices; ++v) {
+      const bool whole = chains.meeting[v].goes_on && pieces->piece[chains.meeting[v].of_drawn[0]].outline;
+      chains.most[v] = ends_alone(&chains, v) && !whole ? 0.0 : INFINITY;
+    }
     for (size_t i = 0; i < pieces->count; ++i) {
       for (int end = 0; end < 2; ++end) {
         const uint32_t vertex = pieces->piece[i].vertex[end];

@@ -83,15 +83,20 @@ static void invert(struct hidden_lines *lines) {
 bool hidden_lines_find_seen(struct hidden_lines *lines, const struct seen_line *line) {
   const struct mesh_squares *const squares = &lines->squares;
   int32_t low[2], high[2];
+  bool off = squares->met == NULL;
   lines->spans = 0;
   if (!make_room(lines)) return false;
   for (int axis = 0; axis < 2; ++axis) {
     const int32_t a = line->at[0][axis], b = line->at[1][axis];
+    if ((a < b ? b : a) < squares->low[axis] || (a < b ? a : b) > squares->high[axis]) off = true;
     low[axis] = a < b ? a : b;
     high[axis] = a < b ? b : a;
+    if (low[axis] < squares->low[axis]) low[axis] = squares->low[axis];
+    if (high[axis] > squares->high[axis]) high[axis] = squares->high[axis];
   }
-  const struct square_range range = mesh_squares_range(squares, low, high);
-  for (uint32_t y = range.from[1]; squares->met != NULL && y <= range.to[1]; ++y) {
+  struct square_range range = {{0, 0}, {0, 0}};
+  if (!off) range = mesh_squares_range(squares, low, high);
+  for (uint32_t y = range.from[1]; !off && y <= range.to[1]; ++y) {
     for (uint32_t x = range.from[0]; x <= range.to[0]; ++x) {
       const size_t square = (size_t)y * squares->across[0] + x;
       for (uint32_t k = squares->first[square]; k < squares->first[square + 1]; ++k) {

@@ -34,8 +34,7 @@ struct hidden_lines {
 bool hidden_lines_begin(const struct seen_triangle *triangle, uint32_t count, double plane, struct hidden_lines *lines);
 
 /* The parts of a line before which no triangle lies, in their order, as spans of *lines, which stay until the next
- * call. A triangle that a line only touches does not hide it. The line is within the page of the triangles. False for
- * want of memory. */
+ * call. A triangle that a line only touches does not hide it. False for want of memory. */
 bool hidden_lines_find_seen(struct hidden_lines *lines, const struct seen_line *line);
 /* The depth of the nearest triangle over a point of the page; that of nothing is infinitely far. */
 double hidden_lines_front(const struct hidden_lines *lines, const double at[2]);

@@ -34,6 +34,9 @@ static const double shortest_end = 3.0;
  * flatter ones they have their full width. */
 static const double steepest = 0.25, flattest = 0.6;
 
+/* So far off a contour in units of the page the surface that it is of is not any more. */
+static const double own_surface = 2.0;
+
 static double hairline_width(const struct mesh_picture *picture) {
   const double width = hairline_share * picture->mean_radius * picture->frame.scale;
   return width < widest_hairline ? width : widest_hairline;
@@ -45,6 +48,7 @@ static double contour_width(const struct mesh_picture *picture) {
 }
 
 double mesh_line_width(const struct mesh_picture *picture, uint32_t paint) {
+  if (paint >= FIRST_OUTLINE) return contour_width(picture) * (paint - FIRST_OUTLINE) / CONTOUR_LEVELS;
   if (paint >= FIRST_CONTOUR) return contour_width(picture) * (paint - FIRST_CONTOUR) / CONTOUR_LEVELS;
   if (paint >= FIRST_RIM) return contour_width(picture);
   return hairline_width(picture) * (paint - FIRST_BORDER) / BORDER_LEVELS;
@@ -53,9 +57,6 @@ double mesh_line_width(const struct mesh_picture *picture, uint32_t paint) {
 static uint32_t level_of(double share, uint32_t levels) {
   return share < 1.0 ? (uint32_t)(share * levels + 0.5) : levels;
 }
-
-/* Each other one is a step back. */
-enum { SMOOTHING_PASSES = 6 };
 
 /* Of a triangle, in the direction in which it is counter-clockwise on the page, or `back`. */
 struct side {
@@ -67,12 +68,7 @@ struct side {
 struct line_search {
   struct hidden_lines hidden;
   struct contour_pieces contours;
-};
-
-/* Of a vertex the edges of contours that meet there, and where the other ends of the first two are. */
-struct contour_corner {
-  uint32_t edges;
-  double at[2][2];
+  uint32_t *root; /* [vertices] the same of those between which contours have no length on the page */
 };
 
 static bool is_before(const struct side *a, const struct side *b) {
@@ -190,21 +186,48 @@ static void add_edge_between(struct mesh_picture *picture, const double points[2
   painted_edges_add(edges, &edge);
 }
 
-/* The seen part of a line behind the plane, painted between two points of the page. paint: or 0 of a contour, whose
- * paint depends on where, or FIRST_SPHERE and more of a crease. */
+/* A contour beside the surface that it is of, as far as what else is before it hides it. Its own hides it in places by
+ * less than that: edge-on, of flat triangles. */
+static struct seen_line outside_of(const struct seen_line *line) {
+  const double along[2] = {(double)line->at[1][0] - line->at[0][0], (double)line->at[1][1] - line->at[0][1]};
+  const double part = own_surface / sqrt(along[0] * along[0] + along[1] * along[1]);
+  struct seen_line outside = *line;
+  for (int end = 0; end < 2; ++end) {
+    outside.at[end][0] -= mesh_rounded(part * along[1]);
+    outside.at[end][1] += mesh_rounded(part * along[0]);
+  }
+  return outside;
+}
+
+/* Where the spans that are seen of a contour do not begin or end with it. */
+static void add_hidden_ends(struct line_search *search, const struct seen_line *line) {
+  const struct span *const span = search->hidden.span;
+  const size_t spans = search->hidden.spans;
+  const bool seen[2] = {spans > 0 && span[0].from == 0.0, spans > 0 && span[spans - 1].to == 1.0};
+  for (int end = 0; end < 2; ++end) {
+    const struct contour_piece piece = {.vertex = {line->vertex[end], NO_CONTOUR_VERTEX}, .goes_on = true};
+    if (!seen[end]) contour_pieces_add(&search->contours, &piece);
+  }
+}
+
+/* The seen part of a line behind the plane. paint: or 0 of a contour, whose paint depends on where, or FIRST_SPHERE and
+ * more of a crease. */
 static bool add_line(struct mesh_picture *picture, struct line_search *search, const struct seen_line *line,
-                     const double points[2][2], double plane, uint32_t paint) {
+                     double plane, uint32_t paint) {
   const struct hidden_lines *const hidden = &search->hidden;
+  const double ends[2][2] = {{line->at[0][0], line->at[0][1]}, {line->at[1][0], line->at[1][1]}};
   const bool behind[2] = {line->depth[0] <= plane, line->depth[1] <= plane};
   if (!behind[0] && !behind[1]) return true;
   const double first = behind[0] ? 0.0 : share_at(line, plane), last = behind[1] ? 1.0 : share_at(line, plane);
-  if (!hidden_lines_find_seen(&search->hidden, line)) return false;
+  const struct seen_line outside = paint == 0 ? outside_of(line) : *line;
+  if (!hidden_lines_find_seen(&search->hidden, &outside)) return false;
+  if (paint == 0) add_hidden_ends(search, line);
   for (size_t i = 0; i < hidden->spans; ++i) {
     const double from = hidden->span[i].from > first ? hidden->span[i].from : first;
     const double to = hidden->span[i].to < last ? hidden->span[i].to : last;
     if (from >= to) continue;
     if (paint > 0) {
-      add_edge_between(picture, points, from, to, paint);
+      add_edge_between(picture, ends, from, to, paint);
       continue;
     }
     struct contour_piece piece = {
@@ -212,7 +235,7 @@ static bool add_line(struct mesh_picture *picture, struct line_search *search, c
     set_level(picture, hidden, line, from, to, &piece);
     for (int k = 0; k < 4; ++k) {
       const int axis = k % 2;
-      piece.at[k / 2][axis] = points[0][axis] + (k < 2 ? from : to) * (points[1][axis] - points[0][axis]);
+      piece.at[k / 2][axis] = ends[0][axis] + (k < 2 ? from : to) * (ends[1][axis] - ends[0][axis]);
     }
     contour_pieces_add(&search->contours, &piece);
   }
@@ -230,7 +253,8 @@ static void add_contours(struct mesh_picture *picture, const struct contour_piec
       const double from = (double)part / parts, to = (part + 1.0) / parts;
       const uint32_t level = (uint32_t)(contour_piece_level(piece, slope, from / 2.0 + to / 2.0) + 0.5);
       add_edge_between(picture, (const double(*)[2])piece->at, from, to,
-                       FIRST_CONTOUR + (level > THINNEST_LEVEL ? level : THINNEST_LEVEL));
+                       (piece->outline && picture->view->dark ? FIRST_OUTLINE : FIRST_CONTOUR) +
+                           (level > THINNEST_LEVEL ? level : THINNEST_LEVEL));
     }
   }
 }
@@ -240,9 +264,10 @@ static uint32_t border_paint(const struct mesh_picture *picture, const struct si
   int pocket[2], seen_as[2];
   for (int k = 0; k < 2; ++k) {
     const uint32_t triangle = side[k].triangle;
-    seen_as[k] = mesh_side_of(picture, triangle, mesh_seen_area(picture, triangle));
+    seen_as[k] = mesh_side_of(picture, triangle);
     pocket[k] = mesh_pocket_of(seen_as[k]);
   }
+  if (pocket[0] != pocket[1] && pocket[0] > 0 && pocket[1] > 0) return FIRST_CONTOUR + CONTOUR_LEVELS;
   if (pocket[0] != pocket[1]) {
     const bool first = pocket[1] == 0 || (pocket[0] != 0 && pocket[0] < pocket[1]);
     return FIRST_RIM + (uint32_t)pocket[first ? 0 : 1];
@@ -273,72 +298,19 @@ static bool add_edge(struct mesh_picture *picture, struct line_search *search, c
   const bool shown[2] = {picture->shown[side[0].triangle], picture->shown[side[1].triangle]};
   const bool of_void = mesh_parts_is_of_void(&picture->parts, side->low);
   const double plane = of_void ? INFINITY : picture->parts.cut;
-  double points[2][2];
   if (is_of_contour(picture, side)) {
     const bool front = mesh_faces_viewer(picture, side->triangle);
     struct side turned[2] = {side[front ? 0 : 1], side[front ? 1 : 0]};
     if (of_void) turned[0].back = !turned[0].back;
     struct seen_line line = line_of(picture, turned);
     const bool any = line.at[0][0] != line.at[1][0] || line.at[0][1] != line.at[1][1];
-    for (int k = 0; k < 2; ++k) memcpy(points[k], picture->smooth[line.vertex[k]], sizeof points[k]);
-    return !any || !(shown[0] || shown[1]) || add_line(picture, search, &line, (const double(*)[2])points, plane, 0);
+    if (!any) search->root[mesh_parts_root(search->root, side->low)] = mesh_parts_root(search->root, side->high);
+    return !any || !(shown[0] || shown[1]) || add_line(picture, search, &line, plane, 0);
   }
   const uint32_t paint = shown[0] && shown[1] ? border_paint(picture, side) : 0;
   if (paint == 0) return true;
   const struct seen_line line = line_of(picture, side);
-  for (int k = 0; k < 2; ++k) memcpy(points[k], picture->smooth[line.vertex[k]], sizeof points[k]);
-  return add_line(picture, search, &line, (const double(*)[2])points, plane, paint);
-}
-
-/* Of contours the ends of each edge; to be freed. */
-static uint32_t (*find_contour_edges(const struct mesh_picture *picture, const struct side *sides, size_t count,
-                                     size_t *found))[2] {
-  uint32_t(*edges)[2] = calloc(count / 2 + 1, sizeof *edges);
-  *found = 0;
-  for (size_t i = 0; edges != NULL && i + 1 < count; ++i) {
-    if (!is_edge(&sides[i]) || !is_of_contour(picture, &sides[i])) continue;
-    edges[*found][0] = sides[i].low;
-    edges[(*found)++][1] = sides[i].high;
-  }
-  return edges;
-}
-
-/* Contours follow edges of triangles to and fro: a step towards the line between both neighbours of each vertex takes
- * that away, and a step back from another one what the first has taken from curves. Steps go across, so that ends of
- * borders stay where they are along a contour. Corners of more than 90 degrees stay, which are cusps, where contours
- * end. */
-static bool smooth_contours(struct mesh_picture *picture, const struct side *sides, size_t count) {
-  const uint32_t vertices = picture->mesh->vertices;
-  size_t found;
-  uint32_t(*const edges)[2] = find_contour_edges(picture, sides, count, &found);
-  struct contour_corner *const corner = calloc((size_t)vertices + 1, sizeof *corner);
-  const bool enough = edges != NULL && corner != NULL;
-  for (uint32_t v = 0; v < vertices; ++v) {
-    for (int axis = 0; axis < 2; ++axis) picture->smooth[v][axis] = picture->page[v][axis];
-  }
-  for (int pass = 0; enough && pass < SMOOTHING_PASSES; ++pass) {
-    memset(corner, 0, vertices * sizeof *corner);
-    for (size_t i = 0; i < 2 * found; ++i) {
-      struct contour_corner *const own = &corner[edges[i / 2][i % 2]];
-      if (own->edges < 2) memcpy(own->at[own->edges], picture->smooth[edges[i / 2][1 - i % 2]], sizeof own->at[0]);
-      ++own->edges;
-    }
-    for (uint32_t v = 0; v < vertices; ++v) {
-      const double(*ends)[2] = (const double(*)[2])corner[v].at;
-      double *const at = picture->smooth[v];
-      if (corner[v].edges != 2) continue;
-      if ((at[0] - ends[0][0]) * (ends[1][0] - at[0]) + (at[1] - ends[0][1]) * (ends[1][1] - at[1]) <= 0.0) continue;
-      const double along[2] = {ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]};
-      const double across = ((ends[0][0] - at[0]) * along[1] - (ends[0][1] - at[1]) * along[0]) /
-                            (along[0] * along[0] + along[1] * along[1]);
-      const double step = (pass % 2 == 0 ? 0.5 : -0.5) * across;
-      at[0] += step * along[1];
-      at[1] -= step * along[0];
-    }
-  }
-  free(edges);
-  free(corner);
-  return enough;
+  return add_line(picture, search, &line, plane, paint);
 }
 
 /* Of each patch at how many points it is seen. */
@@ -359,17 +331,25 @@ bool mesh_lines_find(struct mesh_picture *picture, const struct seen_triangle *s
   const double width = contour_width(picture);
   const struct contour_limits limits = {longest_dip * width, THINNEST_LEVEL, longest_gap * width,
                                         CONTOUR_LEVELS / (taper * width), shortest_end * width * CONTOUR_LEVELS};
-  struct line_search search = {.contours = CONTOUR_PIECES_NONE};
+  struct line_search search = {.contours = CONTOUR_PIECES_NONE,
+                               .root = calloc((size_t)mesh->vertices + 1, sizeof *search.root)};
   const size_t found = 3 * (size_t)mesh->triangles;
-  bool enough = hidden_lines_begin(seen, count, picture->parts.cut, &search.hidden) && sides != NULL;
-  enough = enough && smooth_contours(picture, sides, found) && count_points(picture, seen, count);
+  bool enough =
+      hidden_lines_begin(seen, count, picture->parts.cut, &search.hidden) && sides != NULL && search.root != NULL;
+  for (uint32_t v = 0; v < mesh->vertices && search.root != NULL; ++v) search.root[v] = v;
+  enough = enough && count_points(picture, seen, count);
   for (size_t i = 0; enough && i + 1 < found; ++i) {
     if (is_edge(&sides[i])) enough = add_edge(picture, &search, &sides[i]);
+  }
+  for (size_t i = 0; enough && i < 2 * search.contours.count; ++i) {
+    uint32_t *const vertex = &search.contours.piece[i / 2].vertex[i % 2];
+    if (*vertex != NO_CONTOUR_VERTEX) *vertex = mesh_parts_root(search.root, *vertex);
   }
   enough = enough && contour_pieces_level(&search.contours, mesh->vertices, &limits);
   if (enough) add_contours(picture, &search.contours, limits.slope);
   hidden_lines_free(&search.hidden);
   contour_pieces_free(&search.contours);
+  free(search.root);
   free(sides);
   painted_edges_cancel(&picture->lines);
   painted_edges_cancel(&picture->creases);

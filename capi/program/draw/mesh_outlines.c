@@ -240,12 +240,12 @@ bool painted_edges_find_joints(struct painted_edges *edges, uint32_t first, uint
   return edges->joint != NULL;
 }
 
-static int compare_joints(const void *left, const void *right) {
+static int compare_as_points(const void *left, const void *right) {
   return compare_points(left, right);
 }
 
 static bool is_joint(const struct painted_edges *edges, const int32_t at[2]) {
-  return edges->joints > 0 && bsearch(at, edges->joint, edges->joints, sizeof *edges->joint, compare_joints) != NULL;
+  return edges->joints > 0 && bsearch(at, edges->joint, edges->joints, sizeof *edges->joint, compare_as_points) != NULL;
 }
 
 /* ---- paths ---- */
@@ -449,22 +449,39 @@ static bool is_sliver(const struct way *way) {
   return fabs(area) <= thinnest * around;
 }
 
+/* Where edges end, sorted; to be freed. NULL for want of memory. */
+static int32_t (*find_ends(const struct painted_edges *edges, size_t first, size_t end))[2] {
+  int32_t(*const ends)[2] = calloc(end - first + 1, sizeof *ends);
+  for (size_t i = first; ends != NULL && i < end; ++i) memcpy(ends[i - first], edges->edge[i].to, sizeof *ends);
+  if (ends != NULL) qsort(ends, end - first, sizeof *ends, compare_as_points);
+  return ends;
+}
+
+/* Lines are taken from where they begin, and only then round ones from anywhere: a line that is begun in its middle is
+ * two, with a corner between them. */
 bool painted_edges_write(const struct painted_edges *edges, size_t first, size_t end, bool closed, bool curved,
                          struct text_buffer *out) {
   int32_t(*point)[2] = calloc(2 * (end - first + 2), sizeof *point);
   int32_t(*const left)[2] = point + (end - first + 2);
+  int32_t(*const ends)[2] = find_ends(edges, first, end);
   bool *inner = calloc(end - first + 2, sizeof *inner);
-  bool enough = point != NULL && inner != NULL;
-  for (size_t i = first; enough && i < end; ++i) {
-    struct way way = {.edges = edges, .of_area = closed, .closed = closed, .curved = curved};
-    if (is_marked(&edges->edge[i]) || !take_way(edges, i, first, end, point, inner, &way)) continue;
-    size_t count;
-    enough = drop_points(&way, left, &count);
-    way.point = (const int32_t(*)[2])left;
-    way.points = count;
-    if (enough && count > 1 && !(closed && is_sliver(&way))) put_way(out, &way);
+  bool enough = point != NULL && ends != NULL && inner != NULL;
+  for (int pass = closed ? 1 : 0; pass < 2; ++pass) {
+    for (size_t i = first; enough && i < end; ++i) {
+      struct way way = {.edges = edges, .of_area = closed, .closed = closed, .curved = curved};
+      const int32_t *const from = edges->edge[i].from;
+      if (is_marked(&edges->edge[i])) continue;
+      if (pass == 0 && bsearch(from, ends, end - first, sizeof *ends, compare_as_points) != NULL) continue;
+      if (!take_way(edges, i, first, end, point, inner, &way)) continue;
+      size_t count;
+      enough = drop_points(&way, left, &count);
+      way.point = (const int32_t(*)[2])left;
+      way.points = count;
+      if (enough && count > 1 && !(closed && is_sliver(&way))) put_way(out, &way);
+    }
   }
   free(point);
+  free(ends);
   free(inner);
   return enough;
 }

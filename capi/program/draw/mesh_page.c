@@ -39,11 +39,6 @@ void mesh_place(const struct frame *frame, const double *at, int32_t page[2]) {
   page[1] = mesh_rounded((frame->top - at[1]) * frame->scale);
 }
 
-void mesh_place_back(const struct frame *frame, const double page[2], double at[2]) {
-  at[0] = page[0] / frame->scale + frame->left;
-  at[1] = frame->top - page[1] / frame->scale;
-}
-
 void mesh_turn(const double axis[3][3], const double *from, double to[3]) {
   for (int k = 0; k < 3; ++k) to[k] = axis[k][0] * from[0] + axis[k][1] * from[1] + axis[k][2] * from[2];
 }
@@ -66,25 +61,18 @@ int mesh_plain_side(int side) {
   return side < SIDES ? side : (side - SIDES) % 2 == 1 ? OF_VOID : OUTSIDE;
 }
 
-double mesh_seen_area(const struct mesh_picture *picture, uint32_t triangle) {
-  const uint32_t *const corner = picture->mesh->corners + 3 * (size_t)triangle;
-  const int32_t *const a = picture->page[corner[0]], *const b = picture->page[corner[1]];
-  const int32_t *const c = picture->page[corner[2]];
-  return (double)(c[0] - a[0]) * (b[1] - a[1]) - (double)(b[0] - a[0]) * (c[1] - a[1]);
-}
-
 bool mesh_faces_viewer(const struct mesh_picture *picture, uint32_t triangle) {
-  const double area = mesh_seen_area(picture, triangle);
-  return mesh_parts_is_of_void(&picture->parts, picture->mesh->corners[3 * (size_t)triangle]) ? area < 0.0 : area > 0.0;
+  return picture->faces[triangle] !=
+         mesh_parts_is_of_void(&picture->parts, picture->mesh->corners[3 * (size_t)triangle]);
 }
 
-int mesh_side_of(const struct mesh_picture *picture, uint32_t triangle, double area) {
+int mesh_side_of(const struct mesh_picture *picture, uint32_t triangle) {
   const struct mesh_pockets *const pockets = picture->view->pockets;
   const uint8_t pocket = pockets == NULL                        ? 0
                          : triangle < picture->view->of_outside ? pockets->of_triangle[triangle]
                                                                 : pockets->of_patch[picture->mesh->patches[triangle]];
   const bool of_void = mesh_parts_is_of_void(&picture->parts, picture->mesh->corners[3 * (size_t)triangle]);
-  const int side = of_void ? OF_VOID : area < 0.0 ? INSIDE : OUTSIDE;
+  const int side = of_void ? OF_VOID : !picture->faces[triangle] ? INSIDE : OUTSIDE;
   return pocket > 0 && side != INSIDE ? pocket_side(pocket, side) : side;
 }
 

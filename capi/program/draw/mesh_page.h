@@ -40,8 +40,8 @@ struct mesh_picture {
   struct frame frame;
   uint32_t *layer;               /* [triangles], UINT32_MAX: not shown */
   bool *shown;                   /* [triangles], seen or hidden */
+  bool *faces;                   /* [triangles], whether the viewer is on the outside (mesh_facing.h) */
   int32_t (*page)[2];            /* [vertices], where they are on the page */
-  double (*smooth)[2];           /* [vertices], on the page; those of contours on smooth lines */
   uint32_t *points;              /* [triangles], that are seen of what the plane leaves whole */
   uint64_t *patch_points;        /* [patches], that are seen */
   double *ball;                  /* [atoms][3], along the axes of the view */
@@ -64,7 +64,6 @@ uint32_t mesh_text_colour(const struct mesh_picture *picture);
 int32_t mesh_rounded(double value);
 void mesh_find_frame(const struct mesh_parts *parts, struct frame *frame);
 void mesh_place(const struct frame *frame, const double *at, int32_t page[2]);
-void mesh_place_back(const struct frame *frame, const double page[2], double at[2]);
 void mesh_turn(const double axis[3][3], const double *from, double to[3]);
 double mesh_dot(const double *a, const double *b);
 
@@ -73,12 +72,9 @@ double mesh_dot(const double *a, const double *b);
 int mesh_pocket_of(int side); /* from 1 on; 0: none */
 int mesh_plain_side(int side);
 
-/* Twice a triangle's area on the page, of corners in whole units, above 0 if it is counter-clockwise. */
-double mesh_seen_area(const struct mesh_picture *picture, uint32_t triangle);
-
 /* Whether it shows its outside, or if it is of a void, which is a body, its inside. */
 bool mesh_faces_viewer(const struct mesh_picture *picture, uint32_t triangle);
-int mesh_side_of(const struct mesh_picture *picture, uint32_t triangle, double area);
+int mesh_side_of(const struct mesh_picture *picture, uint32_t triangle);
 
 uint32_t mesh_element_of(const struct mesh_picture *picture, uint32_t ball);
 uint32_t mesh_element_colour(uint32_t number);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "draw/mesh_facing.h"
 #include "draw/mesh_layers.h"
 #include "draw/mesh_lines.h"
 #include "draw/mesh_page.h"
@@ -25,7 +26,6 @@ static struct polygon polygon_of(const struct mesh_picture *picture, uint32_t tr
     mesh_turn(picture->view->axis, picture->mesh->normals + 3 * (size_t)vertex, normal);
     for (int axis = 0; axis < 3 && mesh_plain_side(side) != OUTSIDE; ++axis) normal[axis] = -normal[axis];
     memcpy(polygon.corner[k].at, picture->parts.seen + 3 * (size_t)vertex, sizeof polygon.corner[k].at);
-    mesh_place_back(&picture->frame, picture->smooth[vertex], polygon.corner[k].at);
     polygon.corner[k].circle = surface_light_circle(normal);
     polygon.corner[k].on = 0;
   }
@@ -51,7 +51,7 @@ static void add_section(struct mesh_picture *picture, const struct polygon *poly
 }
 
 static void add_triangle(struct mesh_picture *picture, uint32_t triangle) {
-  const int side = mesh_side_of(picture, triangle, mesh_seen_area(picture, triangle));
+  const int side = mesh_side_of(picture, triangle);
   struct polygon polygon = polygon_of(picture, triangle, side);
   if (mesh_plain_side(side) != OF_VOID && picture->parts.cut < INFINITY) {
     double value[MOST_CORNERS];
@@ -69,7 +69,7 @@ static bool is_shown(const struct mesh_picture *picture, uint32_t triangle) {
   const bool cut = picture->view->cut;
   if (cut && of_void != (triangle >= picture->view->of_outside)) return false;
   if (of_void) return cut && mesh_faces_viewer(picture, triangle);
-  if (!mesh_faces_viewer(picture, triangle) && !(cut && mesh_seen_area(picture, triangle) < 0.0)) return false;
+  if (!mesh_faces_viewer(picture, triangle) && !cut) return false;
   bool behind = false;
   for (int k = 0; k < 3; ++k) {
     const uint32_t vertex = picture->mesh->corners[3 * (size_t)triangle + (size_t)k];
@@ -89,7 +89,7 @@ static bool paint_triangles(struct mesh_picture *picture) {
     picture->layer[t] = UINT32_MAX;
     picture->shown[t] = is_shown(picture, t);
     if (!picture->shown[t]) continue;
-    struct seen_triangle *const one = &seen[count++];
+    struct seen_triangle *const one = &seen[count];
     one->number = t;
     one->whole = true;
     const bool of_void = mesh_parts_is_of_void(&picture->parts, mesh->corners[3 * (size_t)t]);
@@ -100,6 +100,9 @@ static bool paint_triangles(struct mesh_picture *picture) {
       one->depth[k] = at[2];
       one->whole = one->whole && (of_void || at[2] <= picture->parts.cut);
     }
+    /* Beside a contour whole units, and chords, lay some the other way round, over what they hang together with. */
+    const double area = seen_triangle_area(one);
+    if (picture->faces[t] ? area < 0.0 : area > 0.0) ++count; /* y is down */
   }
   const bool enough = mesh_layers_find(seen, count, slack) && mesh_layers_find_seen(seen, count, step_of_points) &&
                       mesh_lines_find(picture, seen, count);
@@ -138,14 +141,17 @@ static bool make(struct mesh_picture *picture) {
   picture->ball = calloc((size_t)mesh->atoms + 1, 3 * sizeof *picture->ball);
   picture->points = calloc((size_t)mesh->triangles + 1, sizeof *picture->points);
   picture->page = calloc((size_t)mesh->vertices + 1, sizeof *picture->page);
-  picture->smooth = calloc((size_t)mesh->vertices + 1, sizeof *picture->smooth);
   picture->shown = calloc((size_t)mesh->triangles + 1, sizeof *picture->shown);
-  if (picture->layer == NULL || picture->points == NULL || picture->page == NULL || picture->smooth == NULL ||
-      picture->ball == NULL || picture->shown == NULL) {
+  picture->faces = calloc((size_t)mesh->triangles + 1, sizeof *picture->faces);
+  if (picture->layer == NULL || picture->points == NULL || picture->page == NULL || picture->ball == NULL ||
+      picture->shown == NULL || picture->faces == NULL) {
     return false;
   }
   for (size_t i = 0; i < mesh->atoms; ++i) {
     mesh_turn(picture->view->axis, picture->molecule->xyz + 3 * i, picture->ball + 3 * i);
+  }
+  for (uint32_t t = 0; t < mesh->triangles; ++t) {
+    picture->faces[t] = mesh_facing(mesh, picture->view, picture->molecule, t) > 0.0;
   }
   picture->mean_radius = molecule_mean_radius(picture->molecule) + (picture->view->patches == NULL ? mesh->probe : 0.0);
   if (!mesh_parts_find(mesh, picture->view->axis, &picture->parts)) return false;
@@ -183,9 +189,9 @@ bool mesh_picture_write(const struct triangle_mesh *mesh, const struct mesh_view
   free(picture.layer);
   free(picture.points);
   free(picture.page);
-  free(picture.smooth);
   free(picture.patch_points);
   free(picture.shown);
+  free(picture.faces);
   free(picture.ball);
   return done;
 }

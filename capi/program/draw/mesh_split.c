@@ -11,9 +11,21 @@ static int compare(const void *left, const void *right) {
   return (a->high > b->high) - (a->high < b->high);
 }
 
+/* So that no two orders are as good. */
+static int compare_places(const void *left, const void *right) {
+  const struct split_edge *a = left;
+  const struct split_edge *b = right;
+  int order = compare(a, b);
+  if (order == 0) order = (a->share > b->share) - (a->share < b->share);
+  for (int axis = 0; axis < 3 && order == 0; ++axis) {
+    order = (a->bulge[axis] > b->bulge[axis]) - (a->bulge[axis] < b->bulge[axis]);
+  }
+  return order;
+}
+
 size_t mesh_split_sort(struct split_edge *edges, size_t count) {
   size_t kept = 0;
-  qsort(edges, count, sizeof *edges, compare);
+  qsort(edges, count, sizeof *edges, compare_places);
   for (size_t k = 0; k < count; ++k) {
     if (kept == 0 || compare(&edges[k], &edges[kept - 1]) != 0) edges[kept++] = edges[k];
   }
@@ -22,7 +34,7 @@ size_t mesh_split_sort(struct split_edge *edges, size_t count) {
 
 /* The vertex on an edge, or UINT32_MAX. */
 static uint32_t vertex_on(const struct split_edge *edges, size_t count, uint32_t a, uint32_t b, uint32_t first) {
-  const struct split_edge wanted = {a < b ? a : b, a < b ? b : a, 0.0};
+  const struct split_edge wanted = {.low = a < b ? a : b, .high = a < b ? b : a};
   const struct split_edge *const found = bsearch(&wanted, edges, count, sizeof *edges, compare);
   return found == NULL ? UINT32_MAX : first + (uint32_t)(found - edges);
 }
@@ -33,7 +45,8 @@ static void set_vertices(const struct triangle_mesh *mesh, const struct split_ed
     double normal[3], square = 0.0;
     for (size_t axis = 0; axis < 3; ++axis) {
       const size_t from = 3 * (size_t)edges[k].low + axis, to = 3 * (size_t)edges[k].high + axis;
-      more->xyz[3 * k + axis] = mesh->xyz[from] + edges[k].share * (mesh->xyz[to] - mesh->xyz[from]);
+      more->xyz[3 * k + axis] =
+          mesh->xyz[from] + edges[k].share * (mesh->xyz[to] - mesh->xyz[from]) + edges[k].bulge[axis];
       normal[axis] = mesh->normals[from] + edges[k].share * (mesh->normals[to] - mesh->normals[from]);
       square += normal[axis] * normal[axis];
     }
@@ -72,13 +85,24 @@ static int part_corners(const uint32_t corner[3], const uint32_t on[3], uint32_t
   return 2;
 }
 
-bool mesh_split(struct triangle_mesh *mesh, const struct split_edge *edges, size_t count, struct failure *failure) {
+/* Room for the marks of so many triangles more. */
+static bool grow_marks(uint8_t **marks, uint32_t triangles, uint32_t more, struct failure *failure) {
+  if (marks == NULL) return true;
+  uint8_t *const grown = realloc(*marks, (size_t)triangles + more + 1);
+  if (grown == NULL) return failure_of_memory(failure);
+  *marks = grown;
+  return true;
+}
+
+bool mesh_split(struct triangle_mesh *mesh, const struct split_edge *edges, size_t count, uint8_t **marks,
+                struct failure *failure) {
   const uint32_t first = mesh->vertices;
   struct triangle_mesh more = {.vertices = 0};
   uint32_t room = 0, made = 0;
   bool enough = true;
   for (int pass = 0; enough && pass < 2; ++pass) {
-    enough = pass == 0 || triangle_mesh_make(&more, (uint32_t)count, room, failure);
+    enough = pass == 0 || (triangle_mesh_make(&more, (uint32_t)count, room, failure) &&
+                           grow_marks(marks, mesh->triangles, room, failure));
     for (uint32_t t = 0; enough && t < mesh->triangles; ++t) {
       uint32_t *const corner = mesh->corners + 3 * (size_t)t;
       uint32_t on[3], part[4][3];
@@ -92,6 +116,7 @@ bool mesh_split(struct triangle_mesh *mesh, const struct split_edge *edges, size
         more.kinds[made] = mesh->kinds[t];
         more.patches[made] = mesh->patches[t];
         more.balls[made] = mesh->balls[t];
+        if (marks != NULL) (*marks)[(size_t)mesh->triangles + made] = (*marks)[t];
       }
       memcpy(corner, part[0], sizeof *part);
     }

@@ -134,7 +134,9 @@ static bool add_lines(const struct mesh_picture *picture, struct text_buffer *ou
     const uint32_t paint = lines->edge[i].paint;
     const bool rim = paint >= FIRST_RIM && paint < FIRST_CONTOUR;
     const char *const faint = paint < FIRST_RIM ? " stroke-opacity=\".4\" stroke-linecap=\"butt\"" : "";
-    const uint32_t colour = rim ? surface_light_on(mesh_pocket_colour((int)(paint - FIRST_RIM)), 1.0) : LINE_COLOUR;
+    const uint32_t colour = rim ? surface_light_on(mesh_pocket_colour((int)(paint - FIRST_RIM)), 1.0)
+                            : paint >= FIRST_OUTLINE ? mesh_text_colour(picture)
+                                                     : LINE_COLOUR;
     end = painted_edges_end(lines, i);
     text_buffer_add(out, "<path fill=\"none\" stroke=\"#%06" PRIx32 "\"%s stroke-width=\"%.2f\" d=\"", colour, faint,
                     2.0 * mesh_line_width(picture, paint));
@@ -178,7 +180,7 @@ static void add_pockets(struct mesh_picture *picture, const struct pen *pen, dou
   uint64_t seen[OTHER_POCKETS + 1] = {0};
   bool any = false;
   for (uint32_t t = 0; t < picture->mesh->triangles; ++t) {
-    const int side = mesh_side_of(picture, t, mesh_seen_area(picture, t));
+    const int side = mesh_side_of(picture, t);
     if (side == INSIDE || (picture->view->pockets == NULL && side == OF_VOID)) continue;
     seen[mesh_pocket_of(side)] += picture->points[t];
   }
@@ -202,7 +204,7 @@ static void add_pockets(struct mesh_picture *picture, const struct pen *pen, dou
 static void add_elements(struct mesh_picture *picture, const struct pen *pen, double *x, double y) {
   uint64_t seen[ELEMENTS] = {0}, between = 0;
   for (uint32_t t = 0; t < picture->mesh->triangles; ++t) {
-    if (picture->points[t] == 0 || mesh_side_of(picture, t, mesh_seen_area(picture, t)) != OUTSIDE) continue;
+    if (picture->points[t] == 0 || mesh_side_of(picture, t) != OUTSIDE) continue;
     const uint32_t ball = picture->mesh->balls[t], number = mesh_element_of(picture, ball);
     if (picture->mesh->kinds[t] != HSP_PATCH_CONVEX) {
       between += picture->points[t];

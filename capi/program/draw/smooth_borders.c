@@ -169,7 +169,8 @@ static bool find_edges(const struct smoothing *all, const uint8_t *of_vertex, st
       for (size_t k = all->first[v]; k < all->first[v + 1]; ++k) {
         const uint32_t w = all->neighbour[k];
         if (w < v || of_vertex[v] == of_vertex[w] || of_vertex[v] == NO_AREA || of_vertex[w] == NO_AREA) continue;
-        if (pass == 1) (*edges)[found] = (struct split_edge){v, w, crossing(all, of_vertex, v, w)};
+        if (pass == 1)
+          (*edges)[found] = (struct split_edge){.low = v, .high = w, .share = crossing(all, of_vertex, v, w)};
         ++found;
       }
     }
