@@ -385,13 +385,16 @@ TEST(DrawColours, Highlight) {
     const std::string residue = atom.substr(17, 3);
     const std::string element = atom.substr(76, 2);
     if (residue == "CYS" || (residue == "TYR" && element == " O")) {
-      EXPECT_EQ(colour, element == " C" ? "66B8A6" : plain.at(ball)) << atom;
+      EXPECT_EQ(colour, element == " C" ? "1F8F92" : plain.at(ball)) << atom;
       ++kept;
     } else {
       EXPECT_EQ(colour, muted(plain.at(ball))) << atom;
     }
   }
   EXPECT_GT(kept, 20);
+  for (const char *const other : {"D2CDC3", "86A9F2", "F2705C"}) {
+    EXPECT_GT(least_difference({"1F8F92", muted(other)}), 20) << other;
+  }
   const std::map<int, std::string> tinted = fills(crambin(), {"--palette", "chain"});
   EXPECT_EQ(fills(crambin(), {"--palette", "chain", "--highlight", "chain:A"}), tinted);
 }

@@ -33,11 +33,12 @@ static const uint32_t ligand_carbon = 0x7E8A93;
 /* So much of white is added before a dark page. */
 static const double lighter = 0.15;
 
-/* A ball that is not highlighted keeps so much of its own colour. Highlighted carbon must not be grey among grey. */
+/* A ball that is not highlighted keeps so much of its own colour. Highlighted carbon must not be grey among grey, nor
+ * for those who see no red or no green: it is darker than that before a light page, lighter before a dark one. */
 static const uint32_t plain = 0xDEDBD4;
 static const double kept = 0.25;
 static const uint32_t dark_plain = 0x5E636C;
-static const uint32_t highlighted_carbon = 0x66B8A6;
+static const uint32_t highlighted_carbon = 0x1F8F92, dark_highlighted_carbon = 0x66B8A6;
 
 /* How many of these numbers atoms of chains have, up to two; of all chains, or of those of nucleotides. */
 static int count_chains(const struct molecule *molecule, const uint32_t *number, bool of_nucleotides) {
@@ -174,7 +175,8 @@ static bool mute_others(const struct selection *highlight, const struct molecule
   for (uint32_t i = 0; i < molecule->atoms; ++i) {
     if (selection_takes(highlight, molecule, i)) {
       any = true;
-      if (by_element && number_of(&molecule->label[i]) == CARBON) colour[i] = highlighted_carbon;
+      if (by_element && number_of(&molecule->label[i]) == CARBON)
+        colour[i] = dark ? dark_highlighted_carbon : highlighted_carbon;
     } else {
       colour[i] = colour_mixed(dark ? dark_plain : plain, colour[i], kept);
     }

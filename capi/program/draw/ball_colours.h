@@ -35,7 +35,7 @@ uint32_t ball_palette_colour(const struct ball_palette *palette, double value);
 /* The colour of every ball, 0xRRGGBB, to be freed on true, and what it stands for: what the user says; else the
  * chain in large molecules with several, and the element in all others. Where colours stand for chains or residues,
  * ligands and ions have colours by element, with carbon of its own, so that they are found at a glance. The rest,
- * if anything is highlighted, is nearly grey; among elements highlighted carbon is green. */
+ * if anything is highlighted, is nearly grey; among elements highlighted carbon is teal. */
 bool ball_colours_make(const struct drawing *drawing, const struct selection *highlight,
                        const struct molecule *molecule, uint32_t **colour, struct ball_palette *palette,
                        struct failure *failure);
