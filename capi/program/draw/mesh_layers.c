@@ -216,13 +216,13 @@ static uint32_t cover(const struct seen_triangle *triangle, struct points *point
   for (int32_t row = first[1]; points->low[1] + row * apart <= high[1]; ++row) {
     for (int32_t column = first[0]; points->low[0] + column * apart <= high[0]; ++column) {
       const int64_t x = points->low[0] + column * apart, y = points->low[1] + row * apart;
-      bool inside = true;
+      uint8_t *const covered = &points->covered[(size_t)row * points->across[0] + (size_t)column];
+      bool inside = *covered == 0;
       for (int k = 0; k < 3 && inside; ++k) {
         const int32_t *from = triangle->at[k], *to = triangle->at[(k + 1) % 3];
         inside = turn * ((to[0] - (int64_t)from[0]) * (y - from[1]) - (to[1] - (int64_t)from[1]) * (x - from[0])) >= 0;
       }
-      uint8_t *const covered = &points->covered[(size_t)row * points->across[0] + (size_t)column];
-      if (!inside || *covered) continue;
+      if (!inside) continue;
       ++seen;
       if (triangle->whole) *covered = 1;
     }
