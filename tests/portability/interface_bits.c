@@ -141,12 +141,14 @@ static void print_moving(const computed *c) {
   free(memory);
 }
 
-int main(void) {
+/* With an argument: of so many sets one. */
+int main(int argc, char **argv) {
+  const uint32_t step = argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : 1;
   static const double probes[] = {0.0, 0.4};
   static ball_set set;
   uint32_t which;
   size_t p;
-  for (which = 0; which < ball_set_count(); ++which) {
+  for (which = 0; which < ball_set_count(); which += step) {
     ball_set_make(which, &set);
     for (p = 0; p < sizeof probes / sizeof probes[0]; ++p) {
       hsp_model_options options;

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # Runs a build's programs on a list of inputs and writes what they print, and their exit statuses, into a folder.
 #   outputs.sh SOURCE-FOLDER OUTPUT-FOLDER EMULATOR PROGRAM INTERFACE-BITS ARC-TANGENT-BITS [NAMES]
-# EMULATOR may be empty. NAMES: a regular expression; only the outputs it matches. Or `few`: bits of the interface, crambin
-# and caffeine, degenerate balls, a few pictures and refusals. Fails if a run that has to succeed does not.
+# EMULATOR may be empty. NAMES: a regular expression; only the outputs it matches. Or `few`: bits of the interface for some
+# sets, crambin and caffeine, degenerate balls, a few pictures and refusals. Fails if a run that has to succeed does not.
 set -euo pipefail
 source=$1 outputs=$2 emulator=$3 program=$4 interface_bits=$5 arc_tangent_bits=$6 names=${7:-}
 export LC_ALL=C
 if [ "$names" = few ]; then
-  names='^(interface_bits|arc_tangent_bits|(crambin|caffeine|degenerate)(\.probe)?\.(measure|boundary)|crambin\.(contacts|map)'
+  names='^(interface_bits_of_some|arc_tangent_bits|(crambin|caffeine|degenerate)(\.probe)?\.(measure|boundary)|crambin\.(contacts|map)'
   names+='|picture\..*|draw\.(caffeine\.soft\.svg|crambin\.faces\.pdf|degenerate\.flat\.eps)|bad\.[a-d].*)$'
 fi
 rm -rf "$outputs"
@@ -49,6 +49,7 @@ draw() { # name with the format's ending, options
 }
 
 succeed interface_bits "$interface_bits"
+succeed interface_bits_of_some "$interface_bits" 4
 succeed arc_tangent_bits "$arc_tangent_bits"
 
 for molecule in crambin caffeine acetyl_coa; do

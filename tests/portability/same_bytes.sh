@@ -3,8 +3,8 @@
 # they print with the reference outputs, which outputs.sh has written for the native build.
 #   same_bytes.sh SOURCE-FOLDER WORK-FOLDER REFERENCE-FOLDER WHAT PACKAGE C-COMPILER C++-COMPILER EMULATOR CPU-FEATURES
 #                 [CMAKE-OPTION...]
-# WHAT: `few` outputs (see outputs.sh) or all `outputs`; with the C99 tests of the interface `tests` and `all`. EMULATOR runs the target's programs
-# on this machine, and may be empty. CPU-FEATURES are words of /proc/cpuinfo that this machine has to have. Exit status 77:
+# WHAT: `few` outputs (see outputs.sh), all `outputs`, or with the C99 tests of the interface `all`. EMULATOR runs the
+# target's programs on this machine, and may be empty. CPU-FEATURES are words of /proc/cpuinfo that this machine has to have. Exit status 77:
 # something is missing here.
 set -euo pipefail
 source=$1 work=$2 reference=$3 what=$4 package=$5 c_compiler=$6 cxx_compiler=$7 emulator=$8 features=$9
@@ -39,8 +39,10 @@ if [ -n "$emulator" ]; then
 fi
 build cmake -S "$here/target" -B "$work/build" "${options[@]}" "$@"
 names='' target=outputs
-case $what in few | tests) names=few ;; esac
-case $what in tests | all) target=all ;; esac
+case $what in
+  few) names=few ;;
+  all) target=all ;;
+esac
 build cmake --build "$work/build" --target $target --parallel 2
 
 failed=0
@@ -75,13 +77,7 @@ if [ -e "$fused" ]; then
 fi
 
 if [ $target = all ]; then
-  # Minutes of processor time for lives of handles and for threads, which the width of integers does not change, and for
-  # sums of areas and volumes, whose terms other tests hold.
-  left_out=no_allocation
-  if [ -z "${HSP_LONG_TESTS:-}" ]; then
-    left_out+='|handle_(lives|threads|sequences)|laws_handles|boundary_executor|surface_sums|pocket_sizes'
-  fi
-  ctest --test-dir "$work/build" --parallel 2 --exclude-regex "$left_out" --output-on-failure >"$work/tests" || {
+  ctest --test-dir "$work/build" --parallel 2 --exclude-regex no_allocation --output-on-failure >"$work/tests" || {
     cat "$work/tests"
     failed=1
   }

@@ -32,7 +32,7 @@ build cmake -S $googletest -B "$work/googletest" "${target[@]}" -DBUILD_GMOCK=OF
 build cmake --build "$work/googletest" --target install --parallel 2
 build cmake -S "$source" -B "$work/build" "${target[@]}" -DCMAKE_PREFIX_PATH="$work/prefix" \
   -DHSP_TESTS=ON -DHSP_FUZZ=ON -DHSP_TOOL=OFF -DHSP_BENCH=OFF -DHSP_FORTRAN=OFF -DHSP_INSTALL=OFF -DHSP_SLOW_TESTS=OFF \
-  -DHSP_ALL_UNIT_TESTS=ON -DHSP_CHECKED_LIBRARY=ON -DHSP_PRECOMPILED_GTEST=ON -DHSP_WERROR=OFF
+  -DHSP_ALL_TESTS=ON -DHSP_CHECKED_LIBRARY=ON -DHSP_PRECOMPILED_GTEST=ON -DHSP_WERROR=OFF
 build cmake --build "$work/build" --parallel 2
 ctest --test-dir "$work/build" --parallel 2 --output-on-failure >"$work/tests" || {
   tail -n 200 "$work/tests"
