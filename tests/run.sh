@@ -1,13 +1,12 @@
 #!/usr/bin/env bash
 # Builds and tests, from a bare Debian 12 with git and nothing else, as root or as a user who may use sudo:
 #   bash tests/run.sh           g++, release, warnings are errors: all tests but the slow ones
-#   bash tests/run.sh --all     all tests, in three builds; what is quick and fails most often comes first:
+#   bash tests/run.sh --all     as in CI, in two builds; what is quick and fails most often comes first:
 #                                 dev       g++, as above
-#                                 portable  g++ without 128-bit integers, with indices checked
-#                                 clang     clang++ with address and undefined-behaviour sanitizers, and indices checked
-#                                 slow      g++, the slow tests and builds for other processors
-#                               clang and portable leave out the slow tests and those that they cannot change
-#   bash tests/run.sh PRESET... other workflow presets of CMakePresets.json, e.g. long or coverage
+#                                 clang     clang++ with address and undefined-behaviour sanitizers, and indices checked;
+#                                           without the slow tests and those that it cannot change
+#                                 slow      g++, the slow tests and builds for another processor
+#   bash tests/run.sh PRESET... other workflow presets of CMakePresets.json: long, portable, coverage
 #   bash tests/run.sh --help    prints this
 # Installs the packages that are missing, builds in build/, prints what ctest says and repeats its closing lines at the
 # end; build/logs holds all of it. The exit status is 0 only if every test succeeded. Run again it builds only what has
@@ -24,7 +23,7 @@ case ${1:-} in
     ;;
   --all)
     [ $# -eq 1 ] || { echo "tests/run.sh: nothing may follow --all" >&2 && exit 2; }
-    presets=(dev portable clang slow)
+    presets=(dev clang slow)
     ;;
   -*)
     echo "tests/run.sh: unknown option $1, see --help" >&2

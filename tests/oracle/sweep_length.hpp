@@ -20,7 +20,7 @@ inline bool long_tests() {
 inline constexpr int sets_for_one = HSP_SETS_FOR_ONE;
 // Whether that is for an emulated processor, where the long doubles of oracles, which are functions, take most of the
 // time.
-inline constexpr bool emulated = sets_for_one > 4;
+inline constexpr bool emulated = sets_for_one > 8;
 
 // The number of sets that a sweep tries.
 inline int sets(int number) {

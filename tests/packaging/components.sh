@@ -12,11 +12,8 @@ fail() {
   echo "$components: $*"
   exit 1
 }
-# The tests of the interface that a build without any component has, which all builds have in common. The preset dev tests
-# the components; in the long form they are tested here, too.
+# The tests of the interface that the build has.
 list_tests() {
-  tests=() ran='out of no'
-  [ "$components" = none ] || [ -n "${HSP_LONG_TESTS:-}" ] || return 0
   mapfile -t tests < <(cmake --build "$build" --target help | grep -oE 'api_[a-z]+_tests' | sort -u)
   [ ${#tests[@]} -ge 8 ]
 }
@@ -45,11 +42,11 @@ text() { # of a program that runs
 for components in none smooth space sight; do
   options=(-DCMAKE_CXX_FLAGS_RELEASE=-O0 -DHSP_FORTRAN=OFF)
   # The smallest as everybody compiles it.
-  if [ $components = none ]; then
+  if [ "$components" = none ]; then
     options=(-DHSP_FORTRAN=OFF)
     if [ -n "$fortran" ]; then options=(-DHSP_FORTRAN=ON -DCMAKE_Fortran_COMPILER="$fortran"); fi
   fi
-  package $components "${options[@]}"
+  package "$components" "${options[@]}"
   # With all objects linked, nothing of the library is missing; what is declared is there, and nothing else.
   "$cc" -r -nostdlib -o "$work/whole.o" -Wl,--whole-archive "$prefix/lib/libhardsphere.a" -Wl,--no-whole-archive
   missing=$(nm -u "$work/whole.o" | grep -E 'hsp' || true)
@@ -82,7 +79,7 @@ for components in none smooth space sight; do
     found=0
     cmake -S "$work/$asked" -B "$work/$asked/build_$components" -DCMAKE_C_COMPILER="$cc" -DCMAKE_PREFIX_PATH="$prefix" \
       >"$work/log" 2>&1 && found=1
-    [ $found -eq "$([ $asked = $components ] && echo 1 || echo 0)" ] ||
+    [ $found -eq "$([ $asked = "$components" ] && echo 1 || echo 0)" ] ||
       { tail -n 10 "$work/log" && fail "find_package with component $asked"; }
   done
   read -ra flags <<<"$(pkg-config --cflags --libs hardsphere)"
@@ -91,12 +88,12 @@ for components in none smooth space sight; do
     "$(wc -l <"$work/functions") functions, ${ran#out of } tests of the interface," \
     "$(text "$work/area") bytes of text of a program in C that measures an area"
   # The program says what it lacks.
-  if [ $components != sight ]; then
+  if [ "$components" != sight ]; then
     status=0
     "$prefix/bin/hardsphere" draw "$source/bench/molecules/caffeine.pdb" -o "$work/none.svg" 2>"$work/log" || status=$?
     [ $status -eq 2 ] && grep -q 'draw needs the component sight' "$work/log" || { cat "$work/log" && fail "draw: status $status"; }
   fi
-  if [ $components = none ] && [ -n "$fortran" ]; then
+  if [ "$components" = none ] && [ -n "$fortran" ]; then
     read -ra flags <<<"$(pkg-config --cflags --libs hardsphere_fortran hardsphere)"
     "$fortran" -O2 "$here/consumers/main.f90" "${flags[@]}" -J "$work" -o "$work/area_fortran"
     echo "$components: $(text "$work/area_fortran") bytes of text of one in Fortran"

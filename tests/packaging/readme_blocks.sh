@@ -29,7 +29,7 @@ export HOME=$work/home
 cmake() {
   local options=()
   if [ "$*" = "--build firmware" ]; then set -- "$@" -- -n; fi
-  [ "$1" != -S ] || options=(-DCMAKE_CXX_FLAGS_RELEASE=-O0 -DCMAKE_CXX_FLAGS_MINSIZEREL=-O0)
+  [ "$1" != -S ] || options=(-DCMAKE_{C,CXX}_FLAGS_{RELEASE,MINSIZEREL}=-O0)
   CXXFLAGS=-O0 command cmake "${options[@]}" "$@"
 }
 export -f cmake

@@ -12,7 +12,7 @@ using oracle::Balls;
 
 TEST(Slow, BettiNumbersOfDegenerateSets) {
   oracle::RandomSource random(81);
-  for (int k = 0; k < oracle::rounds(400, 20000); ++k) {
+  for (int k = 0; k < oracle::rounds(150, 20000); ++k) {
     const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(4, 11)));
     ASSERT_EQ(complaint_about_smallest(balls, [](const Balls &set) { return betti_numbers_disagree(set, 2, 82); }), "");
     ASSERT_EQ(complaint_about_smallest(balls, topology_invariant_broken), "");
@@ -21,7 +21,7 @@ TEST(Slow, BettiNumbersOfDegenerateSets) {
 
 TEST(Slow, InvariantsAndOrdersOfAnySets) {
   oracle::RandomSource random(83);
-  for (int k = 0; k < oracle::rounds(150, 6000); ++k) {
+  for (int k = 0; k < oracle::rounds(60, 6000); ++k) {
     const Balls balls = oracle::any_balls(random, static_cast<size_t>(random.in(10, 50)));
     ASSERT_EQ(complaint_about_smallest(balls, topology_invariant_broken), "");
     ASSERT_EQ(complaint_about_smallest(balls, topology_orders_disagree), "");
@@ -30,7 +30,7 @@ TEST(Slow, InvariantsAndOrdersOfAnySets) {
 
 TEST(Slow, NestingOfShellsInShells) {
   oracle::RandomSource random(84);
-  for (int k = 0; k < oracle::rounds(50, 1000); ++k) {
+  for (int k = 0; k < oracle::rounds(20, 1000); ++k) {
     const Balls balls = nested_balls(random);
     ASSERT_EQ(complaint_about_smallest(balls, nesting_disagrees), "");
     ASSERT_EQ(complaint_about_smallest(balls, [](const Balls &set) { return locations_disagree(set, 40, 85); }), "");
@@ -39,7 +39,7 @@ TEST(Slow, NestingOfShellsInShells) {
 
 TEST(Slow, LocationInDegenerateSets) {
   oracle::RandomSource random(86);
-  for (int k = 0; k < oracle::rounds(800, 15000); ++k) {
+  for (int k = 0; k < oracle::rounds(300, 15000); ++k) {
     const Balls balls = oracle::degenerate_balls(random, static_cast<size_t>(random.in(3, 14)));
     ASSERT_EQ(complaint_about_smallest(balls, [](const Balls &set) { return locations_disagree(set, 40, 87); }), "");
   }

@@ -72,7 +72,7 @@ struct Meeting {
 TEST(PosesSlow, AgreeWithBruteForceOfSetsOfAnyKind) {
   oracle::RandomSource random(21);
   int hits = 0;
-  const int sets = oracle::rounds(800, 5000);
+  const int sets = oracle::rounds(300, 5000);
   for (int k = 0; k < sets; ++k) {
     const Balls fixed = oracle::any_balls(random, static_cast<size_t>(random.in(1, 40)));
     const Balls other = oracle::any_balls(random, static_cast<size_t>(random.in(1, 40)));
