@@ -39,7 +39,8 @@ draw() {
     return 1
   fi
   line=$(cat "$work/line")
-  (cd "$work/run" && bash -c "$line" >/dev/null) || { echo "\$ $line fails" && exit 1; }
+  (cd "$work/run" && bash -c "$line" >/dev/null 2>"$work/err") || { cat "$work/err" && echo "\$ $line fails" && exit 1; }
+  if [ -s "$work/err" ]; then cat "$work/err" && echo "\$ $line writes on stderr" && failed=1; fi
 }
 
 while read -r picture; do

@@ -2,6 +2,7 @@
 # Every command line with the program that README.md and the pages of capi/guide show, and every example in its help and its manual page, runs
 # as it stands there: exit status 0, nothing on stderr, results on stdout or in the files that it names, and no other files.
 #   readme_commands.sh own|further SOURCE-FOLDER WORK-FOLDER PROGRAM [FOLDER-OF-FURTHER-MOLECULES]
+# Lines that write pictures of the gallery are left out: gallery.sh runs them.
 # own: those on files that the project has, under the names that people know; further: those on molecules in the folder
 # HSP_MOLECULES, or else in the one given. If one is not there its lines are named, and the exit status is 77.
 set -euo pipefail
@@ -84,6 +85,7 @@ run() { # in a folder of its own
 export LC_ALL=C
 ran=0 missing=0
 while read -r line; do
+  if written "$line" | grep -qxF -f <(ls "$source/tests/program/pictures"); then continue; fi
   kind=own
   for name in "${foreign[@]}"; do
     if grep -qwF -- "$name" <<<"$line"; then
