@@ -223,8 +223,8 @@ TEST(DrawColours, TintsByDefault) {
 // By kind, under all the names that a kind goes by; what is in no chain has the colours of elements.
 TEST(DrawColours, Residues) {
   const std::vector<std::pair<std::string, std::string>> residues = {
-      {"ATOM  ARG", "6C95E0"}, {"ATOM  HIP", "6C95E0"}, {"ATOM  ASP", "E8705E"}, {"ATOM  ASN", "AFE0A4"},
-      {"ATOM  TRP", "DDB3EC"}, {"ATOM  CYX", "F2DF38"}, {"HETATMMSE", "F2DF38"}, {"ATOM  VAL", "BDAC97"},
+      {"ATOM  ARG", "5A84DC"}, {"ATOM  HIP", "5A84DC"}, {"ATOM  ASP", "E8705E"}, {"ATOM  ASN", "AFE0A4"},
+      {"ATOM  TRP", "DDB3EC"}, {"ATOM  CYX", "F2DF38"}, {"HETATMMSE", "F2DF38"}, {"ATOM  VAL", "A8A09A"},
       {"ATOM  GLY", "F5F3EE"}, {"ATOM   DA", "F0AC96"}, {"ATOM    C", "9FC3E6"}, {"ATOM  GUA", "B7D3A0"},
       {"ATOM  RU5", "EED28A"}, {"ATOM  DT3", "EED28A"}, {"ATOM  ACE", "D2CDC3"}, {"ATOM  XYZ", "D2CDC3"},
       {"HETATMHEM", "7E8A93"}};
@@ -251,7 +251,7 @@ TEST(DrawColours, Residues) {
                            "_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"
                            "C C NALA 0 0 0\nC C CYSH 5 0 0\nC C ASPH 10 0 0\nC C CGLY 15 0 0\n");
   EXPECT_EQ(fills(four.path(), {"--colour", "residue"}),
-            (std::map<int, std::string>{{0, "BDAC97"}, {1, "F2DF38"}, {2, "E8705E"}, {3, "F5F3EE"}}));
+            (std::map<int, std::string>{{0, "A8A09A"}, {1, "F2DF38"}, {2, "E8705E"}, {3, "F5F3EE"}}));
   EXPECT_EQ(fills(file.path(), {"--colour", "chain"}), fills(file.path(), {"--palette", "chain"}));
   EXPECT_EQ(fills(file.path(), {"--colour", "element"}), fills(file.path(), {}));
 }

@@ -38,7 +38,7 @@ static const double lighter = 0.15;
 static const uint32_t plain = 0xDEDBD4;
 static const double kept = 0.25;
 static const uint32_t dark_plain = 0x5E636C;
-static const uint32_t highlighted_carbon = 0x1F8F92, dark_highlighted_carbon = 0x66B8A6;
+static const uint32_t highlighted_carbon = 0x1F8F92, dark_highlighted_carbon = 0x7FE0CC;
 
 /* How many of these numbers atoms of chains have, up to two; of all chains, or of those of nucleotides. */
 static int count_chains(const struct molecule *molecule, const uint32_t *number, bool of_nucleotides) {

@@ -13,12 +13,12 @@ struct residue_group {
 };
 
 static const struct residue_group amino_acids[] = {
-    {0x6C95E0, "positive", "ARG LYS HIS HID HIE HIP HSD HSE HSP LYN MLY M3L ALY "},
+    {0x5A84DC, "positive", "ARG LYS HIS HID HIE HIP HSD HSE HSP LYN MLY M3L ALY "},
     {0xE8705E, "negative", "ASP GLU ASH GLH KCX PTR SEP TPO "},
     {0xAFE0A4, "polar", "SER THR ASN GLN HYP ASX GLX PCA "},
     {0xDDB3EC, "aromatic", "PHE TYR TRP TYM "},
     {0xF2DF38, "with sulfur", "CYS CYX CYM CYN CSO CME MET MSE SEC CSE "},
-    {0xBDAC97, "aliphatic", "ALA VAL LEU ILE PRO "},
+    {0xA8A09A, "aliphatic", "ALA VAL LEU ILE PRO "},
     {0xF5F3EE, "glycine", "GLY "},
 };
 
