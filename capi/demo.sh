@@ -1,9 +1,10 @@
 #!/bin/bash
 # Builds the program hardsphere and shows on crambin (PDB 1CRN, 327 atoms) and caffeine what it does.
-# Runs from any folder; installs the Debian packages it misses; builds in build/demo and is quick when run again.
+# Runs from any folder; installs the Debian packages it misses; builds in build/demo, or takes the program that
+# tests/run.sh has built, and is quick when run again.
 set -u
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd) || exit 1
-build=$root/build/demo
+folder=$root/build/demo
 crambin=bench/molecules/crambin.pdb
 caffeine=bench/molecules/caffeine.pdb
 
@@ -16,20 +17,20 @@ fail() {
 . "$root/.ci/install.sh"
 install_packages cmake ninja-build gcc g++ libc6-dev binutils || exit 1
 
-mkdir -p "$build" || fail "cannot create $build"
-log=$build/log.txt
+mkdir -p "$folder" || fail "cannot create $folder"
+log=$folder/log.txt
 # A build folder that was made for another checkout is of no use here.
-if ! grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt"; then
-  rm -rf "$build/CMakeCache.txt" "$build/CMakeFiles"
+is_of_this_checkout() { grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$1/CMakeCache.txt"; }
+build=$root/build/dev
+if ! { is_of_this_checkout "$build" && [ -x "$build/capi/hardsphere" ]; }; then
+  build=$folder
+  is_of_this_checkout "$build" || rm -rf "$build/CMakeCache.txt" "$build/CMakeFiles"
+  cmake -S "$root" -B "$build" -G Ninja -DCMAKE_C_COMPILER=gcc -DCMAKE_CXX_COMPILER=g++ \
+    -DCMAKE_BUILD_TYPE=Release -DHSP_TOOL=ON -DHSP_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FUZZ=OFF \
+    -DHSP_FORTRAN=OFF >"$log" 2>&1 || { cat "$log" >&2 && fail "CMake failed; see above"; }
 fi
 echo "Building the library and the program in $build ..."
-if ! { cmake -S "$root" -B "$build" -G Ninja -DCMAKE_C_COMPILER=gcc -DCMAKE_CXX_COMPILER=g++ \
-         -DCMAKE_BUILD_TYPE=Release -DHSP_TOOL=ON -DHSP_TESTS=OFF -DHSP_BENCH=OFF -DHSP_FUZZ=OFF \
-         -DHSP_FORTRAN=OFF &&
-       cmake --build "$build"; } >"$log" 2>&1; then
-  cat "$log" >&2
-  fail "the build failed; see above"
-fi
+cmake --build "$build" --target hardsphere_tool >"$log" 2>&1 || { cat "$log" >&2 && fail "the build failed; see above"; }
 program=$build/capi/hardsphere
 
 cd "$root" || exit 1

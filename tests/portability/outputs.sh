@@ -8,7 +8,7 @@ source=$1 outputs=$2 emulator=$3 program=$4 interface_bits=$5 arc_tangent_bits=$
 export LC_ALL=C
 if [ "$names" = few ]; then
   names='^(interface_bits_of_some|arc_tangent_bits|(crambin|caffeine|degenerate)(\.probe)?\.(measure|boundary)|crambin\.(contacts|map)'
-  names+='|picture\..*|draw\.(caffeine\.soft\.svg|crambin\.faces\.pdf|degenerate\.flat\.eps)|bad\.[a-d].*)$'
+  names+='|picture\.(surface|cut|tunnels|tree|contacts|labels).*|draw\.(caffeine\.soft\.svg|crambin\.faces\.pdf|degenerate\.flat\.eps)|bad\.[a-d].*)$'
 fi
 rm -rf "$outputs"
 mkdir -p "$outputs"

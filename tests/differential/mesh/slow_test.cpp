@@ -30,7 +30,7 @@ TEST(Slow, MeshesOfFurtherMolecules) {
 }
 
 TEST(Slow, MeshesOfManySets) {
-  const int sets = oracle::rounds(300, 7500);
+  const int sets = oracle::rounds(200, 7500);
   int refused = 0;
   for (int k = 0; k < sets; ++k) refused += expect_meshes_of_set(static_cast<uint64_t>(501 + k)) ? 0 : 1;
   std::printf("%d of %d sets without a mesh\n", refused, sets);
@@ -38,7 +38,7 @@ TEST(Slow, MeshesOfManySets) {
 }
 
 TEST(Slow, VerticesOfManySets) {
-  const int sets = oracle::rounds(75, 3000);
+  const int sets = oracle::rounds(40, 3000);
   for (int k = 0; k < sets; ++k) {
     SCOPED_TRACE(k);
     expect_vertices_of_atoms(static_cast<uint64_t>(1001 + k));
@@ -47,7 +47,7 @@ TEST(Slow, VerticesOfManySets) {
 
 TEST(Slow, MeshesOfRandomSetsConverge) {
   ConvergenceTally boundaries, surfaces;
-  const auto seeds = static_cast<uint64_t>(oracle::rounds(200, 1000));
+  const auto seeds = static_cast<uint64_t>(oracle::rounds(100, 1000));
   for (uint64_t seed = 1; seed <= seeds; ++seed) {
     if (seed % 4 == 0) expect_converging_boundary(seed, 0.5, boundaries);
     expect_converging_surface(seed, 0.5, surfaces);
