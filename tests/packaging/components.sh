@@ -29,7 +29,6 @@ package() { # components, further options: installs into $prefix
       if [ -n "$fortran" ] && [ "$components" = none ]; then cmake --build "$build" --target hardsphere_fortran; fi &&
       cmake --install "$build" --prefix "$prefix"
   } >"$work/log" 2>&1 || { tail -n 40 "$work/log" && exit 1; }
-  [ ${#tests[@]} -gt 0 ] || return 0
   (cd "$build" && ctest -R '^api_' -E 'threads|cxx20|fortran' --no-tests=error) >"$work/log" 2>&1 ||
     { tail -n 40 "$work/log" && fail "tests of the interface"; }
   ran=$(grep -oE 'out of [0-9]+' "$work/log")

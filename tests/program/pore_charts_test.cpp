@@ -375,7 +375,6 @@ TEST(PoreCharts, NamesInTheTreeStandAboveTheAxis) {
   std::smatch line;
   ASSERT_TRUE(std::regex_search(svg, line, axis));
   size_t names = 0;
-  std::vector<std::string> colours;
   for (std::sregex_iterator n(svg.begin(), svg.end(), name), end; n != end; ++n, ++names) {
     EXPECT_LT(std::stod((*n)[1]) + 4 + 2, std::stod(line[1])) << (*n)[0];
   }

@@ -3,12 +3,9 @@
 
 #include "commands/commands.h"
 #include "commands/input_report.h"
+#include "draw/dot_product.h"
 #include "draw/view_geometry.h"
 #include "write/ball_label.h"
-
-static double dot(const double a[3], const double b[3]) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 /* Points of the file's own coordinates, turned; the map has its origin among the balls. */
 static int32_t pick(const hsp_map *map, const double at[2], hsp_map_sight *sight) {

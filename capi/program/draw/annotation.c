@@ -86,7 +86,7 @@ static bool is_by_residue(const struct annotation *annotation) {
   return strcmp(annotation->palette->name, "residue") == 0;
 }
 
-/* Legends of kinds name those that are seen, others all: */
+/* Legends of kinds name those that are seen, others all. */
 static bool is_hidden(const struct annotation *annotation, uint32_t atom) {
   return is_by_residue(annotation) && !(annotation->seen[atom] > 0.0);
 }

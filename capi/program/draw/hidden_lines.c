@@ -88,9 +88,9 @@ bool hidden_lines_find_seen(struct hidden_lines *lines, const struct seen_line *
   if (!make_room(lines)) return false;
   for (int axis = 0; axis < 2; ++axis) {
     const int32_t a = line->at[0][axis], b = line->at[1][axis];
-    if ((a < b ? b : a) < squares->low[axis] || (a < b ? a : b) > squares->high[axis]) off = true;
     low[axis] = a < b ? a : b;
     high[axis] = a < b ? b : a;
+    if (high[axis] < squares->low[axis] || low[axis] > squares->high[axis]) off = true;
     if (low[axis] < squares->low[axis]) low[axis] = squares->low[axis];
     if (high[axis] > squares->high[axis]) high[axis] = squares->high[axis];
   }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "draw/dot_product.h"
 #include "draw/mesh_split.h"
 #include "hardsphere.h"
 
@@ -26,17 +27,12 @@ static void normal_at(const struct surface *surface, uint32_t triangle, size_t k
   if (!convex && mesh->kinds[triangle] != HSP_PATCH_CONCAVE) return;
   const double *const centre = convex ? surface->molecule->xyz + 3 * (size_t)mesh->balls[triangle]
                                       : surface->view->patches[mesh->patches[triangle]].probe;
-  double square = 0.0;
   for (size_t axis = 0; axis < 3; ++axis) {
     const double away = mesh->xyz[3 * vertex + axis] - centre[axis];
     normal[axis] = convex ? away : -away;
-    square += away * away;
   }
-  for (size_t axis = 0; axis < 3 && square > 0.0; ++axis) normal[axis] /= sqrt(square);
-}
-
-static double dot(const double *a, const double *b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  const double length = sqrt(dot(normal, normal));
+  for (size_t axis = 0; axis < 3 && length > 0.0; ++axis) normal[axis] /= length;
 }
 
 double mesh_facing(const struct triangle_mesh *mesh, const struct mesh_view *view, const struct molecule *molecule,
@@ -86,13 +82,15 @@ static bool turns(const struct facing *facing, size_t k) {
 }
 
 /* Of each vertex the value with which the contour may go through it. Where spheres meet at an angle another one has
- * another value there. */
-static void find_near(const struct surface *surface, double *near) {
+ * another value there. How many edges the contour crosses, each counted by its triangles. */
+static size_t find_near(const struct surface *surface, double *near) {
   const struct triangle_mesh *const mesh = surface->mesh;
+  size_t crossed = 0;
   for (uint32_t t = 0; t < mesh->triangles; ++t) {
     const struct facing facing = facing_of(surface, t);
     for (size_t k = 0; k < 3; ++k) {
       if (!turns(&facing, k)) continue;
+      ++crossed;
       for (size_t end = 0; end < 2; ++end) {
         const double own = fabs(facing.value[(k + end) % 3]), other = fabs(facing.value[(k + 1 - end) % 3]);
         double *const most = &near[mesh->corners[3 * (size_t)t + (k + end) % 3]];
@@ -100,6 +98,7 @@ static void find_near(const struct surface *surface, double *near) {
       }
     }
   }
+  return crossed;
 }
 
 /* Of both triangles that an edge is in, which is sorted out later. */
@@ -113,14 +112,11 @@ static size_t find_edges(const struct surface *surface, const double *near, stru
       const size_t next = (k + 1) % 3, low = corner[k] < corner[next] ? k : next, high = k + next - low;
       if (!turns(&facing, k) || fabs(facing.value[k]) <= near[corner[k]]) continue;
       if (fabs(facing.value[next]) <= near[corner[next]]) continue;
-      if (edges != NULL) {
-        double normal[2][3];
-        memcpy(normal[0], facing.normal[low], sizeof normal[0]);
-        memcpy(normal[1], facing.normal[high], sizeof normal[1]);
-        edges[found] = edge_between(mesh, (uint32_t[2]){corner[low], corner[high]}, normal,
+      double normal[2][3];
+      memcpy(normal[0], facing.normal[low], sizeof normal[0]);
+      memcpy(normal[1], facing.normal[high], sizeof normal[1]);
+      edges[found++] = edge_between(mesh, (uint32_t[2]){corner[low], corner[high]}, normal,
                                     (double[2]){facing.value[low], facing.value[high]});
-      }
-      ++found;
     }
   }
   return found;
@@ -131,10 +127,7 @@ bool mesh_facing_split(struct triangle_mesh *mesh, const struct mesh_view *view,
   const struct surface surface = {mesh, view, molecule};
   double *const near = calloc((size_t)mesh->vertices + 1, sizeof *near);
   struct split_edge *edges = NULL;
-  if (near != NULL) {
-    find_near(&surface, near);
-    edges = calloc(find_edges(&surface, near, NULL) + 1, sizeof *edges);
-  }
+  if (near != NULL) edges = calloc(find_near(&surface, near) + 1, sizeof *edges);
   bool done = edges != NULL || failure_of_memory(failure);
   if (done) {
     const size_t count = mesh_split_sort(edges, find_edges(&surface, near, edges));

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "draw/contour_pieces.h"
+#include "draw/dot_product.h"
 #include "draw/hidden_lines.h"
 #include "hardsphere.h"
 
@@ -168,7 +169,7 @@ static uint32_t border_level(const struct mesh_picture *picture, const struct si
   double towards = 0.0;
   for (int k = 0; k < 2; ++k) {
     const double *const normal = picture->mesh->normals + 3 * (size_t)(k == 0 ? side->low : side->high);
-    towards += fabs(mesh_dot(picture->view->axis[2], normal)) / 2.0;
+    towards += fabs(dot(picture->view->axis[2], normal)) / 2.0;
   }
   const double share = (towards - steepest) / (flattest - steepest);
   return share > 0.0 ? level_of(share, BORDER_LEVELS) : 0;

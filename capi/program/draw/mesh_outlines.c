@@ -463,7 +463,7 @@ bool painted_edges_write(const struct painted_edges *edges, size_t first, size_t
                          struct text_buffer *out) {
   int32_t(*point)[2] = calloc(2 * (end - first + 2), sizeof *point);
   int32_t(*const left)[2] = point + (end - first + 2);
-  int32_t(*const ends)[2] = find_ends(edges, first, end);
+  int32_t(*const ends)[2] = find_ends(edges, first, closed ? first : end);
   bool *inner = calloc(end - first + 2, sizeof *inner);
   bool enough = point != NULL && ends != NULL && inner != NULL;
   for (int pass = closed ? 1 : 0; pass < 2; ++pass) {

@@ -43,10 +43,6 @@ void mesh_turn(const double axis[3][3], const double *from, double to[3]) {
   for (int k = 0; k < 3; ++k) to[k] = axis[k][0] * from[0] + axis[k][1] * from[1] + axis[k][2] * from[2];
 }
 
-double mesh_dot(const double *a, const double *b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /* ---- sides and colours ---- */
 
 static int pocket_side(uint8_t pocket, int side) {

@@ -65,7 +65,6 @@ int32_t mesh_rounded(double value);
 void mesh_find_frame(const struct mesh_parts *parts, struct frame *frame);
 void mesh_place(const struct frame *frame, const double *at, int32_t page[2]);
 void mesh_turn(const double axis[3][3], const double *from, double to[3]);
-double mesh_dot(const double *a, const double *b);
 
 /* ---- sides and colours ---- */
 

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "draw/dot_product.h"
 #include "draw/mesh_facing.h"
 #include "draw/mesh_layers.h"
 #include "draw/mesh_lines.h"
@@ -157,7 +158,7 @@ static bool make(struct mesh_picture *picture) {
   if (!mesh_parts_find(mesh, picture->view->axis, &picture->parts)) return false;
   const struct mesh_pockets *const pockets = picture->view->pockets;
   const bool through = pockets != NULL && pockets->count > 0;
-  const double depth = through ? mesh_dot(picture->view->axis[2], pockets->through) : 0.0;
+  const double depth = through ? dot(picture->view->axis[2], pockets->through) : 0.0;
   if (cut && !mesh_parts_cut(mesh, picture->view->of_outside, through ? &depth : NULL, &picture->parts)) return false;
   mesh_find_frame(&picture->parts, &picture->frame);
   for (size_t v = 0; v < mesh->vertices; ++v) {

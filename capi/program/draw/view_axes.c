@@ -3,12 +3,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "draw/dot_product.h"
 #include "draw/principal_axes.h"
 #include "read/molecule.h"
-
-static double dot(const double a[3], const double b[3]) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 static void cross(const double a[3], const double b[3], double out[3]) {
   for (int i = 0; i < 3; ++i) {
