@@ -59,7 +59,7 @@ for ((copy = 0; copy < jobs; ++copy)); do
   synchronize "$tree"
   echo "building copy $((copy + 1)) of $jobs"
   cmake -G Ninja -S "$tree" -B "$tree/build/mutation" -DCMAKE_BUILD_TYPE=Release -DHSP_BENCH=OFF -DHSP_FORTRAN=OFF \
-    -DHSP_CHECKED_LIBRARY=ON -DHSP_UNITY_BUILD=OFF -DHSP_INSTALL=OFF \
+    -DHSP_CHECKED_LIBRARY=ON -DHSP_UNITY_BUILD=OFF -DHSP_INSTALL=OFF -DHSP_TOOL_STATIC=OFF \
     -DCMAKE_LINK_DEPENDS_NO_SHARED=ON -DCMAKE_PROJECT_INCLUDE="$tree/tests/mutation/one_shared_object.cmake" \
     >"$folder/$copy/build.log" 2>&1 || fail "cannot configure; see $folder/$copy/build.log"
   ninja -C "$tree/build/mutation" -j "$jobs" >"$folder/$copy/build.log" 2>&1 || fail "cannot build; see $folder/$copy/build.log"

@@ -5,6 +5,7 @@
 #include "core/fixed_vector.hpp"
 #include "core/workspace.hpp"
 #include "model/cube_grid.hpp"
+#include "model/cube_table.hpp"
 
 namespace hsp {
 

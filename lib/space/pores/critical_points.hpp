@@ -157,4 +157,15 @@ class CriticalPoints {
   bool beyond_reach_ = false;
 };
 
+// Of candidates of a cube leaves those that may be nearest in it at a critical point, and returns how many. No more
+// than directions_ has room for.
+[[gnu::always_inline]] inline uint32_t CriticalPoints::leave_few(const Vec3 &at, double half, uint32_t first,
+                                                                 uint32_t count, bool thoroughly) {
+  CubeDirections &directions = directions_[0];
+  directions.set(target_, near_arrays(candidates_.part(first, first + count)), at, half);
+  const uint32_t left = drop_farther(first, count);
+  if (left < 3 || directions.lead_up(left)) return 0;
+  return thoroughly && directions.lead_up_at_all(left) ? 0 : left;
+}
+
 }  // namespace hsp
