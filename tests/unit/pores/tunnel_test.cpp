@@ -85,6 +85,8 @@ void check_points(const oracle::Balls &balls, const BuiltPores &pores, const hsp
     const hsp::TunnelPoint &before = finder.points()[k - 1];
     const hsp::Vec3 d = point.place - before.place;
     length += std::sqrt(dot(d, d));
+    // Two ways that meet at a maximum have it once.
+    ASSERT_TRUE(point.maximum == no_id || point.maximum != before.maximum) << oracle::to_text(balls);
     // The way between them is known well enough to draw it, and its width.
     double reach = INFINITY, of_any = INFINITY, halfway = INFINITY;
     for (const uint32_t ball : point.ball) {
