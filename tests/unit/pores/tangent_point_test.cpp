@@ -171,6 +171,31 @@ TEST(TangentPoint, OrderOfLevels) {
   EXPECT_GT(orders, 100);
 }
 
+// Three balls with a circle of radius (a^2 + h^2) / 2h through their centres, an odd multiple of half a unit: ties are
+// rounded up, whichever ball the point is seen from.
+TEST(TangentPoint, LevelsHalfWayBetweenUnitsAreRoundedUp) {
+  const int64_t h = INT64_C(1) << 20;
+  int below = 0, above = 0;
+  for (int64_t a = h / 2 + 1; a < h; a += h / 200 * 2) {
+    for (const int64_t radius : {INT64_C(0), 2 * h}) {
+      const PlainBallSet balls({{a, 0, 0, radius}, {-a, 0, 0, radius}, {0, h, 0, radius}});
+      const int64_t half_units = a * a + h * h - 2 * h * radius;
+      ASSERT_NE(half_units % 2, 0);
+      for (const TangentCurve &curve : {TangentCurve{0, 1, 2}, TangentCurve{1, 2, 0}, TangentCurve{2, 0, 1}}) {
+        TangentPoint point(lines);
+        ASSERT_TRUE(point.find(balls.set(), curve, no_id, false));
+        hsp::Vec3 place{};
+        double level = 0.0;
+        point.settle(place, level);
+        EXPECT_EQ(level, std::ldexp(static_cast<double>(half_units + 1), -21)) << a << ' ' << radius;
+        ++(level < 0.0 ? below : above);
+      }
+    }
+  }
+  EXPECT_GT(below, 100);
+  EXPECT_GT(above, 100);
+}
+
 // From a tied point up a curve: a ball gets nearer or farther as it does at a place a little further up, in long
 // doubles.
 TEST(TangentPoint, DepartureAlongCurves) {
